@@ -8,11 +8,16 @@ use std::path::Path;
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
 /// The tables of constants: the heading of each, its name here, and how many rows of constants there are.
-const WAYS: [(&str, &str, usize); 4] = [
+const WAYS: [(&str, &str, usize); 9] = [
     ("### Edges as lines", "LINES", 8),
     ("### Faces without depth", "FACES", 11),
     ("### Faces with depth", "DEPTH", 11),
     ("### Faces with depth in bands", "BANDS", 13),
+    ("### Edges as lines in bands", "LINE_BANDS", 8),
+    ("### Hidden lines in bands", "HIDDEN_BANDS", 15),
+    ("### Smooth faces with depth in bands", "SMOOTH_BANDS", 11),
+    ("### Flat faces in dithered colours, with depth, in bands", "DITHERED_BANDS", 11),
+    ("### Smooth faces in dithered colours, with depth, in bands", "SMOOTH_DITHERED_BANDS", 11),
 ];
 
 /// The chips of `docs/speed.md` by the names that choices have, and of each the row of `docs/growth.md` that has its cycles.
@@ -27,7 +32,8 @@ const CHIPS: [(&str, &str, &str); 7] = [
 ];
 
 /// Images of `docs/footprint.md`, and their names here.
-const IMAGES: [(&str, &str); 7] = [
+const IMAGES: [(&str, &str); 8] = [
+    ("a placed mesh", "PLACED_CODE"),
     ("wireframe, into a DrawTarget in memory", "LINES_CODE"),
     ("wireframe in bands", "LINES_BANDS_CODE"),
     ("flat faces, into a picture in memory", "FACES_CODE"),
@@ -50,7 +56,7 @@ fn main() -> Result<()> {
         way(&growth, heading, name, count, &mut out)
             .map_err(|e| format!("docs/growth.md, {heading}: {e}"))?;
     }
-    writeln!(out, "pub(crate) const CHIPS: [Chip; {}] = [", CHIPS.len())?;
+    writeln!(out, "const MODELLED: [Chip; {}] = [", CHIPS.len())?;
     for (key, name, cycles) in CHIPS {
         chip(&speed, &growth, [key, name, cycles], &mut out)
             .map_err(|e| format!("docs/speed.md, {name}: {e}"))?;
@@ -96,7 +102,7 @@ fn gear(stl: &[u8]) -> Result<String> {
     ))
 }
 
-/// The constants of a way to draw, of the cores M0, M3 and M4F, and the largest error of the formula, in percent.
+/// The constants of a way to draw, of the cores M0, M3, M4F and RV32, and the largest error of the formula, in percent.
 fn way(page: &str, heading: &str, name: &str, count: usize, out: &mut String) -> Result<()> {
     let table = section(page, heading)?;
     let header = rows(table).next().ok_or("no table")?;
@@ -109,8 +115,11 @@ fn way(page: &str, heading: &str, name: &str, count: usize, out: &mut String) ->
     };
     let names: Vec<_> = constants.iter().filter_map(|row| row.first()).collect();
     let last = *names.last().ok_or("no constants")?;
-    if !matches!(last, &"pixel of the picture" | &"band") {
+    if !matches!(last, &"pixel of the picture" | &"band") && name != "HIDDEN_BANDS" {
         return Err(format!("the last constant is {last}").into());
+    }
+    if !errors.first().and_then(|row| row.first()).is_some_and(|cell| cell.starts_with("error in the fit")) {
+        return Err(format!("more than {count} constants").into());
     }
     // The largest error, whether the case was fitted or not: mean, mean of sizes, largest.
     let mut largest = 0.0f64;
@@ -118,10 +127,11 @@ fn way(page: &str, heading: &str, name: &str, count: usize, out: &mut String) ->
         let percent = cell.rsplit(", ").next().unwrap_or_default().trim_end_matches(" %");
         largest = largest.max(percent.parse().map_err(|_| format!("{cell}: not an error"))?);
     }
-    let [m0, m3, m4] = [column("M0")?, column("M3")?, column("M4F")?].map(|column| column.join(", "));
+    let [m0, m3, m4, rv] =
+        [column("M0")?, column("M3")?, column("M4F")?, column("RV32")?].map(|column| column.join(", "));
     writeln!(
         out,
-        "pub(crate) const {name}: Constants<{count}> = Constants {{ of: [[{m0}], [{m3}], [{m4}]], error: {largest:?} }};"
+        "pub(crate) const {name}: Constants<{count}> = Constants {{ of: [[{m0}], [{m3}], [{m4}], [{rv}]], error: {largest:?} }};"
     )?;
     Ok(())
 }

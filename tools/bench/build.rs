@@ -9,6 +9,7 @@ mod scenes;
 use pinhole::Mesh;
 use scenes::{edges_of, indices, integers, list, normal, number, torus_normal, triple, Result};
 use serde_json::Value;
+use std::collections::BTreeMap;
 use std::fmt::{Debug, Write};
 
 fn main() -> Result<()> {
@@ -24,7 +25,7 @@ fn main() -> Result<()> {
     let out = std::env::var("OUT_DIR")?;
     std::fs::write(format!("{out}/models.rs"), text)?;
     std::fs::write(format!("{out}/lists.rs"), lists(&scenes)?)?;
-    std::fs::write(format!("{out}/shapes.rs"), shapes()?)?;
+    std::fs::write(format!("{out}/shapes.rs"), shapes(&scenes)?)?;
     // Of RISC-V's board; the flag that names it is in the root's configuration.
     let here = std::path::PathBuf::from(std::env::var("CARGO_MANIFEST_DIR")?);
     let root = here.ancestors().nth(2).ok_or("the project's root")?;
@@ -82,10 +83,10 @@ fn planes(vertices: &[[i16; 3]], k: u32, faces: &[[u16; 3]], normals: &[[i16; 3]
     Ok((0..faces.len()).map(|face| mesh.face_plane(face)).collect())
 }
 
-/// Meshes of all sizes.
-fn shapes() -> Result<String> {
+/// Meshes of all sizes, and those of the scenes with the faces beside their edges.
+fn shapes(scenes: &Value) -> Result<String> {
     let mut text = String::new();
-    let shapes = [
+    let made = [
         ("TORUS_24", meshes::torus(4, 3)),
         ("TORUS_96", meshes::torus(8, 6)),
         ("TORUS_320", meshes::torus(16, 10)),
@@ -98,18 +99,44 @@ fn shapes() -> Result<String> {
         ("SHEET_800", meshes::sheet(20)),
         ("SHEET_3200", meshes::sheet(40)),
     ];
-    for (name, (vertices, faces)) in shapes {
+    let mut shapes: Vec<_> =
+        made.into_iter().map(|(name, (vertices, faces))| (name, vertices, edges_of(&faces), faces)).collect();
+    for (name, model) in [("S2_CUBE", "cube"), ("S3_TORUS", "torus"), ("S4_ICO", "ico")] {
+        let model = &scenes["models"][model];
+        let (edges, faces) = (list(&model["edges"], indices::<2>)?, list(&model["faces"], indices::<3>)?);
+        let edges = if edges.is_empty() { edges_of(&faces) } else { edges };
+        shapes.push((name, list(&model["vertices"], triple)?, edges, faces));
+    }
+    for (name, vertices, edges, faces) in shapes {
         let (k, vertices) = quantised(&vertices)?;
         let normals = normals(&vertices, &faces);
         let planes = planes(&vertices, k, &faces, &normals)?;
-        let edges = edges_of(&faces);
+        let beside = beside(&edges, &faces);
         writeln!(
             text,
             "pub(super) static {name}: Shape = Shape {{ exponent: -{k}, vertices: &{vertices:?}, faces: &{faces:?},"
         )?;
-        writeln!(text, "normals: &{normals:?}, planes: &{planes:?}, edges: &{edges:?} }};")?;
+        writeln!(
+            text,
+            "normals: &{normals:?}, planes: &{planes:?}, edges: &{edges:?}, beside: &{beside:?} }};"
+        )?;
     }
     Ok(text)
+}
+
+/// The two faces beside each edge, or [`Mesh::NO_FACE`].
+fn beside(edges: &[[u16; 2]], faces: &[[u16; 3]]) -> Vec<[u16; 2]> {
+    let mut found: BTreeMap<[u16; 2], Vec<u16>> = BTreeMap::new();
+    for (face, &[a, b, c]) in (0..).zip(faces) {
+        for [from, to] in [[a, b], [b, c], [c, a]] {
+            found.entry([from.min(to), from.max(to)]).or_default().push(face);
+        }
+    }
+    let of_edge = |&[from, to]: &[u16; 2]| {
+        let faces = found.get(&[from.min(to), from.max(to)]);
+        [0, 1].map(|at| faces.and_then(|faces| faces.get(at)).copied().unwrap_or(<Mesh<'_>>::NO_FACE))
+    };
+    edges.iter().map(of_edge).collect()
 }
 
 /// The torus's normals at its vertices and its edges, and what is 2D.

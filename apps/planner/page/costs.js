@@ -54,7 +54,7 @@ function advice(costs) {
 }
 
 function notes(costs) {
-  const inexact = costs.exact ? '' : ' The time is that of flat faces; smooth or dithered faces take longer.';
+  const inexact = costs.exact ? '' : ' Drawing was measured in 16-bit colour; pixels of fewer bits than a byte take longer.';
   return element('p', { className: 'note' },
-    `${costs.chip}, ${costs.core} at ${costs.clock} MHz, sending at ${costs.spi} MHz. RAM is without the stack; flash is the mesh and the code that draws, at opt-level 3. Times are by the formula of docs/growth.md: ± is the largest error of its instructions in any case measured; the chip adds: ${costs.error}.${inexact}`);
+    `${costs.chip}, ${costs.core} at ${costs.clock} MHz, sending at ${costs.spi} MHz. RAM is without the stack; flash is the mesh and the code that draws, at opt-level 3${costs.core.startsWith('RV') ? ', as it is built for a Cortex-M0' : ''}. Times are by the formula of docs/growth.md: ± is the largest error of its instructions in any case measured; the chip adds: ${costs.error}.${inexact}`);
 }

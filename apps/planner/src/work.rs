@@ -6,7 +6,7 @@ use embedded_graphics_core::geometry::{OriginDimensions, Size};
 use embedded_graphics_core::pixelcolor::BinaryColor;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
-use pinhole::{Cull, MeshInstance, ScreenVertex};
+use pinhole::{Cull, Mesh, MeshInstance, ScreenVertex};
 
 /// The work of a frame of faces.
 pub(crate) struct FaceWork {
@@ -22,6 +22,8 @@ pub(crate) struct FaceWork {
     size: Size,
     /// The first and the last row of each drawn face that is not cut, and whether it is large.
     extents: Vec<([i32; 2], bool)>,
+    /// Whether each face is drawn.
+    is_drawn: Vec<bool>,
 }
 
 /// The work of a frame of lines.
@@ -32,7 +34,9 @@ pub(crate) struct LineWork {
     clipped: u32,
     cut: u32,
     pixels: u32,
-    area: u32,
+    size: Size,
+    /// The first and the last row of each edge that is not clipped, and the number of drawn faces beside it.
+    extents: Vec<([i32; 2], u32)>,
 }
 
 /// Rows up to which a triangle between the left and the right border takes a fast path.
@@ -96,6 +100,15 @@ impl FaceWork {
             pixels: watch.pixels,
             size,
             extents,
+            is_drawn: {
+                let mut is_drawn = vec![false; mesh.faces().len()];
+                seen.iter().for_each(|&face| {
+                    if let Some(is_drawn) = is_drawn.get_mut(face) {
+                        *is_drawn = true;
+                    }
+                });
+                is_drawn
+            },
         }
     }
 
@@ -124,13 +137,10 @@ impl FaceWork {
 
     /// The counts of a frame in bands of so many rows, in the order of docs/growth.md.
     pub(crate) fn in_bands(&self, rows: u32) -> [f64; 13] {
-        let band = |row: i32| row / rows.max(1) as i32;
-        let met =
-            |[first, last]: [i32; 2]| if last < first { 0 } else { (band(last) - band(first) + 1) as u32 };
         let (mut all, mut large) = (0, 0);
         for &(extent, is_large) in &self.extents {
-            all += met(extent);
-            large += if is_large { met(extent) } else { 0 };
+            all += met(extent, rows);
+            large += if is_large { met(extent, rows) } else { 0 };
         }
         let bands = self.size.height.div_ceil(rows.max(1));
         // A cut face is clipped again in each band that it may reach: in all.
@@ -154,15 +164,61 @@ impl FaceWork {
     }
 }
 
+impl FaceWork {
+    /// The counts of a frame of smooth or dithered faces in bands of so many rows, in the order of docs/growth.md.
+    pub(crate) fn shaded_in_bands(&self, rows: u32) -> [f64; 11] {
+        let [frame, vertices, _, _, _, cut, met, large, cut_in_bands, of_faces, pixels, area, bands] =
+            self.in_bands(rows);
+        let all = f64::from(self.all);
+        [frame, vertices, all, cut, met, large, cut_in_bands, of_faces, pixels, area, bands]
+    }
+}
+
+/// The number of bands of so many rows that the first and the last row and those between them touch.
+fn met([first, last]: [i32; 2], rows: u32) -> u32 {
+    let band = |row: i32| row / rows.max(1) as i32; // at most 1024
+    if last < first {
+        0
+    } else {
+        (band(last) - band(first) + 1) as u32
+    }
+}
+
+/// The counts of a frame of hidden lines in bands of so many rows, in the order of docs/growth.md.
+pub(crate) fn hidden_in_bands(faces: &FaceWork, lines: &LineWork, rows: u32) -> [f64; 15] {
+    let [frame, vertices, all, cut, met, large, cut_in_bands, of_faces, pixels, area, bands] =
+        faces.shaded_in_bands(rows);
+    let (edges, beside) = lines.met(rows);
+    let [clipped, edges, beside, of_lines] = [lines.clipped, edges, beside, lines.pixels].map(f64::from);
+    [
+        frame,
+        vertices,
+        all,
+        cut,
+        met,
+        large,
+        cut_in_bands,
+        of_faces,
+        pixels,
+        area,
+        bands,
+        clipped,
+        edges,
+        beside,
+        of_lines,
+    ]
+}
+
 impl LineWork {
-    /// Counts the work of the edges of an instance on a display of a size.
-    pub(crate) fn new(instance: &MeshInstance<'_>, size: Size) -> Self {
+    /// Counts the work of the edges of an instance on a display of a size; `faces`: what is drawn of its faces, if they hide lines.
+    pub(crate) fn new(instance: &MeshInstance<'_>, size: Size, faces: Option<&FaceWork>) -> Self {
         let mesh = instance.mesh();
         let mut watch = Watch::new(size);
         let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
         let Ok(statistics) = instance.wireframe(BinaryColor::On, &mut cache, &mut watch);
-        let (mut across, mut clipped) = (0, 0);
-        for edge in mesh.edges() {
+        let (mut across, mut clipped, mut extents) = (0, 0, Vec::new());
+        let is_drawn = |face: u16| faces.and_then(|work| work.is_drawn.get(usize::from(face)).copied());
+        for (index, edge) in mesh.edges().iter().enumerate() {
             match edge.map(|vertex| instance.project(vertex.into())) {
                 [Ok(a), Ok(b)] => {
                     let sides = [
@@ -172,7 +228,15 @@ impl LineWork {
                     let within =
                         |&(side, [from, to]): &(u32, [i32; 2])| from >= 0 && to <= (side as i32) << 8;
                     let beside = |&(side, [from, to]): &(u32, [i32; 2])| from > (side as i32) << 8 || to < 0;
-                    across += u32::from(!sides.iter().all(within) && !sides.iter().any(beside));
+                    let is_beside = sides.iter().any(beside);
+                    across += u32::from(!sides.iter().all(within) && !is_beside);
+                    if !is_beside {
+                        let [(_, _), (height, [from, to])] = sides;
+                        let rows = [(from >> 8).max(0), (to >> 8).min(height as i32 - 1)]; // at most 1024
+                        let faces = mesh.edge_faces().get(index).copied().unwrap_or([<Mesh<'_>>::NO_FACE; 2]);
+                        let drawn = faces.into_iter().filter(|&face| is_drawn(face) == Some(true)).count();
+                        extents.push((rows, drawn as u32)); // at most 2
+                    }
                 }
                 _ => clipped += 1,
             }
@@ -184,14 +248,36 @@ impl LineWork {
             clipped,
             cut: statistics.clipped,
             pixels: watch.pixels,
-            area: size.width * size.height,
+            size,
+            extents,
         }
     }
 
-    /// The counts of a frame, in the order of docs/growth.md.
+    fn area(&self) -> u32 {
+        self.size.width * self.size.height
+    }
+
+    /// The counts of a frame in one piece, in the order of docs/growth.md.
     pub(crate) fn whole(&self) -> [f64; 8] {
-        [1, self.vertices, self.drawn, self.across, self.clipped, self.cut, self.pixels, self.area]
+        [1, self.vertices, self.drawn, self.across, self.clipped, self.cut, self.pixels, self.area()]
             .map(f64::from)
+    }
+
+    /// The edges in each band of so many rows, and the drawn faces beside these edges.
+    fn met(&self, rows: u32) -> (u32, u32) {
+        // An edge that is cut may reach every band, with two faces beside it.
+        let cut = self.cut * self.size.height.div_ceil(rows.max(1));
+        self.extents.iter().fold((cut, 2 * cut), |(edges, faces), &(extent, beside)| {
+            let met = met(extent, rows);
+            (edges + met, faces + met * beside)
+        })
+    }
+
+    /// The counts of a frame in bands of so many rows, in the order of docs/growth.md.
+    pub(crate) fn in_bands(&self, rows: u32) -> [f64; 8] {
+        let (met, _) = self.met(rows);
+        let bands = self.size.height.div_ceil(rows.max(1));
+        [1, self.vertices, self.clipped, self.cut, met, self.pixels, self.area(), bands].map(f64::from)
     }
 }
 

@@ -122,3 +122,29 @@ fn the_estimate_for_the_rp2040_is_what_the_emulated_board_shows() {
         "{estimate:.1} frames/s, but the board shows {shown}: {off:.0} %, stated {error} %"
     );
 }
+
+/// Every style has a time of its own on every chip, RISC-V among them, for all bands that are compared.
+#[test]
+fn each_style_has_its_own_time_on_each_chip() {
+    let mut planner = Planner::default();
+    let menu = Planner::menu();
+    let (_, chips) = menu.split_once("\"chips\":").expect("chips");
+    let (chips, _) = chips.split_once(']').expect("a list");
+    let chips: Vec<_> = chips.split("\"key\":\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    assert!(chips.contains(&"esp32c3") && chips.len() >= 8, "{chips:?}");
+    for chip in chips {
+        let mut cycles = |style: &str| -> f64 {
+            let choice = Choice::parse(&format!("mesh=torus&rows=8&chip={chip}&{style}")).expect("a choice");
+            let costs = planner.costs(&choice).expect("costs");
+            let (_, ways) = costs.split_once("\"ways\":").expect("ways");
+            let chosen = ways.split("},{").find(|way| way.contains("\"chosen\":1")).expect("the chosen way");
+            let (_, rest) = chosen.split_once("\"cycles\":").expect(style);
+            rest.split([',', '}']).next().and_then(|number| number.parse().ok()).expect("a number")
+        };
+        let [flat, dithered, smooth, both] =
+            ["style=flat", "style=flat&dither=1", "style=gouraud", "style=gouraud&dither=1"].map(&mut cycles);
+        assert!(flat < dithered && flat < smooth && dithered < both && smooth < both, "{chip}");
+        let [lines, hidden] = ["style=wireframe", "style=hidden-line"].map(&mut cycles);
+        assert!(lines < hidden, "{chip}: lines {lines}, hidden lines {hidden}");
+    }
+}

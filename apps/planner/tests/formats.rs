@@ -109,7 +109,7 @@ fn unlit_texture_is_equal<C: PixelFormat + From<Rgb888> + Into<Rgb888>>(format: 
 /// Squares of 8 texels, the upper left one in the colour, the others in a quarter of it.
 fn checker<C: From<Rgb888>>() -> Vec<C> {
     let dark = Rgb888::new(COLOR.r() / 4, COLOR.g() / 4, COLOR.b() / 4);
-    let is_light = |x: usize, y: usize| (x / 8 + y / 8) % 2 == 0;
+    let is_light = |x: usize, y: usize| (x / 8 + y / 8).is_multiple_of(2);
     (0..32 * 32).map(|i| C::from(if is_light(i % 32, i / 32) { COLOR } else { dark })).collect()
 }
 

@@ -50,6 +50,9 @@ anyway:
   crosses. *Large* is as above, but without cut faces: a cut face is clipped again in each band that it may
   reach. In bands, *face* is every face of the mesh, drawn or not, but those in front of the near plane or far beyond a border, which are
   outside.
+* *edge in a band*: the sum over bands of the edges touching each. *Drawn face beside an edge in a
+  band*: for each edge in a band, those of the two faces beside it (`Mesh::with_edge_faces`) that are drawn. *Pixel of a
+  line*: over all drawn edges, the pixels in each, hidden or not.
 * *edge across the border*: a drawn edge that lies partly outside the picture, on any side. *Edge to be clipped*: has an
   end in front of the near plane or far outside the picture. *Edge cut*: an edge to be clipped of which a part is drawn.
 
@@ -72,7 +75,8 @@ const FITTED: &str = "
 
 Least squares of the relative error, over these cases: tori, a sphere and land (with their numbers of triangles), and vertices alone;
 seen whole, from close by, and cut by the near plane. The columns give the error of the formula on the M3 for each way of drawing.
-There is no figure where both sides of faces show, because planes are not used there. The error is largest with depth, where a few
+There is no figure where both sides of faces show, because planes are not used there. *Few hidden lines* are those of a mesh with a
+quarter of the edges, as where the surface turns. The error is largest with depth, where a few
 faces fill a small picture or many pixels are drawn behind others: there the estimate is too low.
 
 ";
@@ -85,7 +89,8 @@ pub(crate) fn text(compiler: &str, all: &[Growth], per_instruction: &str) -> Str
     let _ = writeln!(text, "    large = faces drawn × (rows / faces drawn − {SOME}) / {}", ALL - SOME);
     let _ =
         writeln!(text, "\nNone are large below {SOME} rows a face, all from {ALL} on.\n\n## The constants\n");
-    text += "In instructions, at opt-level 3 with fat LTO, drawn into memory, every face lit.\n";
+    text += "In instructions, at opt-level 3 with fat LTO, drawn into memory, every face lit. In bands, faces go into `band.pixels()`, and \
+             lines\ninto the band as into any target (`&mut band`), which displays of one bit need.\n";
     for (ways, title) in all.iter().map(|growth| growth.ways).zip(TITLES) {
         let cores: Vec<&Growth> = all.iter().filter(|growth| growth.ways == ways).collect();
         constants(&mut text, title, &cores);
@@ -97,7 +102,7 @@ pub(crate) fn text(compiler: &str, all: &[Growth], per_instruction: &str) -> Str
 }
 
 /// In the order of `WAYS`.
-const TITLES: [&str; 7] = [
+const TITLES: [&str; 12] = [
     "Edges as lines",
     "Faces without depth",
     "Faces with depth",
@@ -105,6 +110,11 @@ const TITLES: [&str; 7] = [
     "Faces with depth, asked by their planes",
     "Faces with depth in bands",
     "Faces with depth in bands, asked by their planes",
+    "Edges as lines in bands",
+    "Hidden lines in bands",
+    "Smooth faces with depth in bands",
+    "Flat faces in dithered colours, with depth, in bands",
+    "Smooth faces in dithered colours, with depth, in bands",
 ];
 
 fn constants(text: &mut String, title: &str, cores: &[&Growth]) {
@@ -176,7 +186,7 @@ fn checks(text: &mut String, all: &[Growth], root: f64) {
                 let off = 100.0 * (core.ratio(drawn) - 1.0);
                 let _ = write!(text, " {} | {} % |", grouped(drawn.instructions), signed(off, 0));
             }
-            let guessed = cores.iter().find(|core| core.core.name == "M3" && *way != Way::Lines);
+            let guessed = cores.iter().find(|core| core.core.name == "M3" && way.is_of_faces());
             let _ = match guessed {
                 Some(core) => {
                     let drawn = &core.drawn[at];

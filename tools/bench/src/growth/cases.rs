@@ -1,10 +1,10 @@
 //! The cases that are drawn: some to fit the constants, others to test the predictions.
 
 use super::shapes::{
-    Shape, SHEET_3200, SHEET_800, SPHERE_10, SPHERE_224, SPHERE_720, TORUS_1024, TORUS_20000, TORUS_24,
-    TORUS_320, TORUS_4096, TORUS_96,
+    Shape, S2_CUBE, S3_TORUS, S4_ICO, SHEET_3200, SHEET_800, SPHERE_10, SPHERE_224, SPHERE_720, TORUS_1024,
+    TORUS_20000, TORUS_24, TORUS_320, TORUS_4096, TORUS_96,
 };
-use crate::scene::{Model, CUBE_BY_PLANES, ICO_BY_PLANES, TORUS_BY_PLANES};
+use super::Way;
 use pinhole::{Cull, Mesh, WithPlanes};
 
 /// A mesh before a camera. Lengths in 2⁻¹⁶.
@@ -21,21 +21,25 @@ pub struct Case {
 }
 
 pub(super) enum What {
-    Model(&'static Model<WithPlanes>),
     Shape(&'static Shape),
     /// Its vertices alone.
     Points(&'static Shape),
 }
 
 impl What {
-    pub(super) fn mesh(&self) -> Option<Mesh<'static, i16, WithPlanes>> {
-        match self {
-            Self::Model(model) => Some(model.mesh),
-            Self::Shape(shape) => shape.mesh(),
-            Self::Points(shape) => Some(shape.points()?.with_planes_if_any()),
+    /// As a way draws it: hidden lines have the faces beside the edges.
+    pub(super) fn mesh(&self, way: Way) -> Option<Mesh<'static, i16, WithPlanes>> {
+        match (self, way) {
+            (Self::Shape(shape), Way::HiddenBands(_)) => shape.with_edge_faces(1),
+            (Self::Shape(shape), Way::FewHiddenBands(_)) => shape.with_edge_faces(FEW),
+            (Self::Shape(shape), _) => shape.mesh(),
+            (Self::Points(shape), _) => Some(shape.points()?.with_planes_if_any()),
         }
     }
 }
+
+/// Where a mesh has few edges, it has one of every four.
+const FEW: usize = 4;
 
 /// Before the eye, so that the torus of radius 1.4 fills the picture.
 const WHOLE: [i32; 3] = [0, 0, 34 << 12];
@@ -97,14 +101,14 @@ pub const CASES: &[Case] = &[
     land(case("land 800, close", What::Shape(&SHEET_800), [0, 60_000, 120_000], [240, 240], true)),
     land(case("land 800, near", What::Shape(&SHEET_800), [0, 30_000, 90_000], [120, 120], true)),
     case("sphere 10", What::Shape(&SPHERE_10), WHOLE, [240, 240], false),
-    case("S2's cube", What::Model(&CUBE_BY_PLANES), [0, 0, 269_000], [240, 240], false),
+    case("S2's cube", What::Shape(&S2_CUBE), [0, 0, 269_000], [240, 240], false),
     case("sphere 720", What::Shape(&SPHERE_720), [0, 0, 160_000], [128, 64], false),
     case("sphere 720", What::Shape(&SPHERE_720), [0, 0, 160_000], [240, 240], false),
-    case("S3's torus", What::Model(&TORUS_BY_PLANES), [0, 0, 221_813], [240, 240], false),
-    case("S3's torus", What::Model(&TORUS_BY_PLANES), [0, 0, 221_813], [480, 320], false),
-    case("S3's torus, near", What::Model(&TORUS_BY_PLANES), [0, 0, 80_000], [240, 240], false),
-    case("S4's icosphere", What::Model(&ICO_BY_PLANES), [0, 0, 156_264], [240, 240], false),
-    case("S4's icosphere, near", What::Model(&ICO_BY_PLANES), [0, 0, 97_000], [240, 240], false),
+    case("S3's torus", What::Shape(&S3_TORUS), [0, 0, 221_813], [240, 240], false),
+    case("S3's torus", What::Shape(&S3_TORUS), [0, 0, 221_813], [480, 320], false),
+    case("S3's torus, near", What::Shape(&S3_TORUS), [0, 0, 80_000], [240, 240], false),
+    case("S4's icosphere", What::Shape(&S4_ICO), [0, 0, 156_264], [240, 240], false),
+    case("S4's icosphere, near", What::Shape(&S4_ICO), [0, 0, 97_000], [240, 240], false),
     land(case("land 3200", What::Shape(&SHEET_3200), [0, 80_000, 200_000], [480, 320], false)),
     land(case("land 3200, close", What::Shape(&SHEET_3200), [0, 20_000, 100_000], [240, 240], false)),
 ];

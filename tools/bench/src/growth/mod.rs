@@ -13,15 +13,15 @@ pub use cases::{Case, CASES};
 pub use work::{names, Work, ALL, SOME};
 
 use crate::board::Clock;
-use crate::scene::{flat_of_normals, Scene, BACKGROUND, LINE};
+use crate::scene::{flat_of_normals, smooth, Scene, BACKGROUND, LINE};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::Rgb565;
+use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    BinnedFaces, Cull, DepthBuffer, FacePlanes, Frame, Lambert, Mesh, MeshInstance, Picture, ScreenVertex,
-    WithPlanes,
+    BinnedFaces, Cull, DepthBuffer, FacePlanes, Flat, Frame, Lambert, Mesh, MeshInstance, Picture,
+    ScreenVertex, SpanShader, WithPlanes,
 };
 
 /// Of the largest picture.
@@ -29,6 +29,8 @@ const PIXELS: usize = 480 * 320;
 /// Of the largest mesh: its vertices; its faces, with one for every 16.
 const CORNERS: usize = 10_000;
 const BIN_STORAGE: usize = 20_000 + 20_000 / 16;
+/// Of its edges.
+const EDGE_BIN_STORAGE: usize = 30_000 + 30_000 / 16;
 /// Of the highest band.
 const STRIP: usize = Frame::<Rgb565>::strip_bytes(480, 48);
 
@@ -37,6 +39,7 @@ pub struct Memory {
     depth: [u16; PIXELS],
     corners: [ScreenVertex; CORNERS],
     bin_storage: [u16; BIN_STORAGE],
+    edge_bin_storage: [u16; EDGE_BIN_STORAGE],
     strip: [u8; STRIP],
 }
 
@@ -46,6 +49,7 @@ impl Memory {
         depth: [0; PIXELS],
         corners: [ScreenVertex::EMPTY; CORNERS],
         bin_storage: [0; BIN_STORAGE],
+        edge_bin_storage: [0; EDGE_BIN_STORAGE],
         strip: [0; STRIP],
     };
 }
@@ -64,10 +68,22 @@ pub enum Way {
     Bands(u32),
     /// Faces with depth in bands of this many rows, with early culling by face planes.
     FacingBands(u32),
+    /// All edges as lines, in bands of this many rows.
+    LineBands(u32),
+    /// The edges that faces do not hide, in bands of this many rows, of a mesh with the faces beside all edges.
+    HiddenBands(u32),
+    /// [`HiddenBands`](Self::HiddenBands), of a mesh with a quarter of its edges.
+    FewHiddenBands(u32),
+    /// Smooth faces with depth, in bands of this many rows.
+    SmoothBands(u32),
+    /// Flat faces in dithered colours with depth, in bands of this many rows.
+    DitheredBands(u32),
+    /// Smooth faces in dithered colours with depth, in bands of this many rows.
+    SmoothDitheredBands(u32),
 }
 
 /// The ways to draw, grouped by the constants that they share.
-pub const WAYS: [&[Way]; 7] = [
+pub const WAYS: [&[Way]; 12] = [
     &[Way::Lines],
     &[Way::Faces],
     &[Way::Depth],
@@ -75,11 +91,21 @@ pub const WAYS: [&[Way]; 7] = [
     &[Way::FacingDepth],
     &[Way::Bands(8), Way::Bands(16), Way::Bands(48)],
     &[Way::FacingBands(8), Way::FacingBands(16), Way::FacingBands(48)],
+    &[Way::LineBands(8), Way::LineBands(48)],
+    &[Way::HiddenBands(8), Way::HiddenBands(48), Way::FewHiddenBands(8), Way::FewHiddenBands(48)],
+    &[Way::SmoothBands(8), Way::SmoothBands(48)],
+    &[Way::DitheredBands(8), Way::DitheredBands(48)],
+    &[Way::SmoothDitheredBands(8), Way::SmoothDitheredBands(48)],
 ];
 
 const LEVEL: [[i32; 3]; 3] = [[1 << 16, 0, 0], [0, 1 << 16, 0], [0, 0, 1 << 16]];
 
 impl Way {
+    /// Whether faces alone are drawn.
+    pub fn is_of_faces(self) -> bool {
+        !matches!(self, Self::Lines | Self::LineBands(_) | Self::HiddenBands(_) | Self::FewHiddenBands(_))
+    }
+
     fn asks_planes(self) -> bool {
         matches!(self, Self::PlaneCulled | Self::FacingDepth | Self::FacingBands(_))
     }
@@ -95,6 +121,12 @@ impl core::fmt::Display for Way {
             Self::FacingDepth => f.write_str("depth by planes"),
             Self::Bands(rows) => write!(f, "bands of {rows} rows"),
             Self::FacingBands(rows) => write!(f, "bands of {rows} rows by planes"),
+            Self::LineBands(rows) => write!(f, "lines in bands of {rows} rows"),
+            Self::HiddenBands(rows) => write!(f, "hidden lines in bands of {rows} rows"),
+            Self::FewHiddenBands(rows) => write!(f, "few hidden lines in bands of {rows} rows"),
+            Self::SmoothBands(rows) => write!(f, "smooth in bands of {rows} rows"),
+            Self::DitheredBands(rows) => write!(f, "dithered in bands of {rows} rows"),
+            Self::SmoothDitheredBands(rows) => write!(f, "smooth and dithered in bands of {rows} rows"),
         }
     }
 }
@@ -106,8 +138,8 @@ impl Case {
         WAYS.into_iter().flatten().copied().filter(move |way| asked || !way.asks_planes())
     }
 
-    fn scene(&self) -> Option<Scene<WithPlanes>> {
-        self.scene_of(self.what.mesh()?)
+    fn scene(&self, way: Way) -> Option<Scene<WithPlanes>> {
+        self.scene_of(self.what.mesh(way)?)
     }
 
     fn scene_of<P: FacePlanes>(&self, mesh: Mesh<'static, i16, P>) -> Option<Scene<P>> {
@@ -119,11 +151,12 @@ impl Case {
 
     /// The instructions of a whole frame, its clears too.
     pub fn count(&self, way: Way, memory: &mut Memory, clock: &mut Clock) -> Option<u32> {
-        let scene = self.scene()?;
+        let scene = self.scene(way)?;
         let (by_planes, light) = (scene.place().with_cull(self.cull), scene.light()?);
         let instance = by_planes.without_planes();
         let size = Size::new(self.size[0], self.size[1]);
         let (instance, by_planes, light, size) = black_box((&instance, &by_planes, &light, size));
+        let mesh = instance.mesh();
         let mut good = None;
         let instructions = clock.count(&mut || {
             good = match way {
@@ -134,6 +167,20 @@ impl Case {
                 Way::FacingDepth => depth(by_planes, light, size, memory),
                 Way::Bands(rows) => bands(instance, light, size, rows, memory),
                 Way::FacingBands(rows) => bands(by_planes, light, size, rows, memory),
+                Way::LineBands(rows) => line_bands(instance, size, rows, memory),
+                Way::HiddenBands(rows) | Way::FewHiddenBands(rows) => {
+                    hidden_bands(instance, size, rows, memory)
+                }
+                Way::SmoothBands(rows) => shaded_bands(instance, smooth(&mesh, light), size, rows, memory),
+                Way::DitheredBands(rows) => {
+                    let level = |face| mesh.normals().get(face).map_or(256, |&n| light.level(n));
+                    let shade = |face| Flat::lit(Rgb888::WHITE, level(face)).dithered();
+                    shaded_bands(instance, shade, size, rows, memory)
+                }
+                Way::SmoothDitheredBands(rows) => {
+                    let shade = |face| smooth(&mesh, light)(face).dithered();
+                    shaded_bands(instance, shade, size, rows, memory)
+                }
             }
         })?;
         good.map(|()| instructions)
@@ -211,6 +258,59 @@ fn in_bands<P: FacePlanes>(
             &mut depth,
             &mut band.pixels(),
         );
+        black_box(band.bytes());
+    }
+    black_box(faces.statistics());
+    Some(())
+}
+
+/// Into a band as into any target, as line drawings for displays of one bit are.
+fn line_bands(instance: &MeshInstance<'_>, size: Size, rows: u32, memory: &mut Memory) -> Option<()> {
+    let Memory { corners, edge_bin_storage, strip, .. } = memory;
+    let transformed = instance.transform(corners);
+    let mut edges = transformed.bin_edges(edge_bin_storage).ok()?;
+    let strip = strip_of(strip, size, rows)?;
+    let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
+    while let Some(mut band) = frame.next_band(strip).ok()? {
+        let Ok(()) = edges.draw(LINE, &mut band);
+        black_box(band.bytes());
+    }
+    black_box(edges.statistics());
+    Some(())
+}
+
+/// Depths of the faces, and then the edges, into a band as into any target.
+fn hidden_bands(instance: &MeshInstance<'_>, size: Size, rows: u32, memory: &mut Memory) -> Option<()> {
+    let Memory { depth, corners, bin_storage, edge_bin_storage, strip, .. } = memory;
+    let transformed = instance.transform_depth(corners);
+    let mut faces = transformed.bin_faces(bin_storage).ok()?;
+    let mut edges = transformed.bin_edges(edge_bin_storage).ok()?;
+    let strip = strip_of(strip, size, rows)?;
+    let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
+    while let Some(mut band) = frame.next_band(strip).ok()? {
+        let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
+        faces.depth_only(&mut depth);
+        let Ok(()) = edges.hidden_line(LINE, &mut depth, &mut band);
+        black_box(band.bytes());
+    }
+    black_box(edges.statistics());
+    Some(())
+}
+
+fn shaded_bands<S: SpanShader<Rgb565>>(
+    instance: &MeshInstance<'_>,
+    shade: impl Fn(usize) -> S,
+    size: Size,
+    rows: u32,
+    memory: &mut Memory,
+) -> Option<()> {
+    let Memory { depth, corners, bin_storage, strip, .. } = memory;
+    let mut faces = instance.transform_depth(corners).bin_faces(bin_storage).ok()?;
+    let strip = strip_of(strip, size, rows)?;
+    let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
+    while let Some(mut band) = frame.next_band(strip).ok()? {
+        let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
+        let Ok(()) = faces.depth_tested(&shade, &mut depth, &mut band.pixels());
         black_box(band.bytes());
     }
     black_box(faces.statistics());

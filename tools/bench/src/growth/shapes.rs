@@ -10,12 +10,21 @@ pub(super) struct Shape {
     normals: &'static [[i16; 3]],
     planes: &'static [i16],
     edges: &'static [[u16; 2]],
+    /// The two faces beside each edge.
+    beside: &'static [[u16; 2]],
 }
 
 impl Shape {
     pub(super) fn mesh(&self) -> Option<Mesh<'static, i16, WithPlanes>> {
         let mesh = Mesh::new(self.vertices, self.exponent, self.faces).ok()?;
         mesh.with_normals(self.normals).ok()?.with_planes(self.planes).ok()?.with_edges(self.edges).ok()
+    }
+
+    /// With the first part of the edges, one of every `one_of`, and the faces beside them.
+    pub(super) fn with_edge_faces(&self, one_of: usize) -> Option<Mesh<'static, i16, WithPlanes>> {
+        let count = self.edges.len() / one_of.max(1);
+        let mesh = self.mesh()?.with_edges(self.edges.get(..count)?).ok()?;
+        mesh.with_edge_faces(self.beside.get(..count)?).ok()
     }
 
     /// Its vertices alone.

@@ -4,7 +4,9 @@ use super::watch::Watch;
 use super::{Case, Way};
 use crate::scene::{BACKGROUND, LINE};
 use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{Cull, Mesh, MeshInstance};
+use std::collections::BTreeSet;
 
 /// The work of one frame. Where lines are drawn, *faces* are edges.
 #[derive(Clone, Copy, Debug, Default)]
@@ -32,6 +34,23 @@ pub struct Work {
     pub met: u32,
     pub met_large: u32,
     pub met_cut: u32,
+    /// Edges of the mesh, and what is drawn of them, where lines are drawn in bands.
+    pub edges: EdgeWork,
+}
+
+/// The work of edges in bands.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct EdgeWork {
+    pub all: u32,
+    /// Edges with an end that must be clipped.
+    pub clipped: u32,
+    /// `clipped` edges of which a part is left.
+    pub cut: u32,
+    /// Edges that touch a band, summed over all bands.
+    pub met: u32,
+    /// Drawn faces beside an edge, summed over the edges in each band.
+    pub beside: u32,
+    pub pixels: u32,
 }
 
 /// Rows up to which a triangle between the left and right border of the picture takes a fast path:
@@ -77,6 +96,33 @@ pub const fn names(way: Way) -> &'static [&'static str] {
             "pixel of a face",
             "pixel of the picture",
         ],
+        Way::LineBands(_) => &[
+            "frame",
+            "vertex",
+            "edge to be clipped",
+            "edge cut: more",
+            "edge in a band",
+            "pixel of a line",
+            "pixel of the picture",
+            "band",
+        ],
+        Way::HiddenBands(_) | Way::FewHiddenBands(_) => &[
+            "frame",
+            "vertex",
+            "face",
+            "face cut: more",
+            "face in a band",
+            "large face in a band: more",
+            "cut face in a band: more",
+            "row of a face",
+            "pixel of a face",
+            "pixel of the picture",
+            "band",
+            "edge to be clipped",
+            "edge in a band",
+            "drawn face beside an edge in a band",
+            "pixel of a line",
+        ],
         Way::Bands(_) => &[
             "frame",
             "vertex",
@@ -92,7 +138,7 @@ pub const fn names(way: Way) -> &'static [&'static str] {
             "pixel of the picture",
             "band",
         ],
-        Way::FacingBands(_) => &[
+        Way::FacingBands(_) | Way::SmoothBands(_) | Way::DitheredBands(_) | Way::SmoothDitheredBands(_) => &[
             "frame",
             "vertex",
             "face",
@@ -134,11 +180,24 @@ impl Work {
             Way::PlaneCulled | Way::FacingDepth => {
                 vec![1, vertices, faces - drawn, drawn - beside, beside, large, cut, rows, pixels, area]
             }
+            Way::LineBands(_) => {
+                let EdgeWork { clipped, cut, met, pixels, .. } = self.edges;
+                vec![1, vertices, clipped, cut, met, pixels, area, bands]
+            }
             Way::Bands(_) => {
                 let of_faces = [1, vertices, faces - outside, outside, clipped, cut];
                 [&of_faces[..], &[met, met_large, met_cut, rows, pixels, area, bands]].concat()
             }
-            Way::FacingBands(_) => {
+            Way::HiddenBands(_) | Way::FewHiddenBands(_) => {
+                let of_faces = [1, vertices, faces, cut, met, met_large, met_cut];
+                let EdgeWork { clipped, met: in_bands, beside, pixels: of_lines, .. } = self.edges;
+                let of_edges = [clipped, in_bands, beside, of_lines];
+                [&of_faces[..], &[rows, pixels, area, bands], &of_edges].concat()
+            }
+            Way::FacingBands(_)
+            | Way::SmoothBands(_)
+            | Way::DitheredBands(_)
+            | Way::SmoothDitheredBands(_) => {
                 vec![1, vertices, faces, cut, met, met_large, met_cut, rows, pixels, area, bands]
             }
         };
@@ -195,7 +254,7 @@ fn reach<const N: usize>(places: [i32; N]) -> [i32; 2] {
 
 impl Case {
     pub fn work(&self, way: Way) -> Option<Work> {
-        let scene = self.scene()?;
+        let scene = self.scene(way)?;
         let by_planes = scene.place().with_cull(self.cull);
         let instance = by_planes.without_planes();
         let mesh = instance.mesh();
@@ -208,6 +267,11 @@ impl Case {
             let (faces, drawn) = (mesh.edges().len() as u32, statistics.drawn);
             let cut = statistics.clipped;
             return Some(Work { faces, drawn, large, clipped, cut, pixels: watch.pixels, ..work });
+        }
+
+        if let Way::LineBands(rows) = way {
+            let (edges, bands) = (self.edges_in_bands(way, rows, &[])?, height.div_ceil(rows));
+            return Some(Work { faces: edges.all, edges, bands, ..work });
         }
 
         let mut seen = Vec::new();
@@ -246,7 +310,20 @@ impl Case {
             pixels: watch.pixels,
             ..work
         };
-        let (Way::Bands(rows) | Way::FacingBands(rows)) = way else { return Some(work) };
+        let (Way::Bands(rows)
+        | Way::FacingBands(rows)
+        | Way::SmoothBands(rows)
+        | Way::DitheredBands(rows)
+        | Way::SmoothDitheredBands(rows)
+        | Way::HiddenBands(rows)
+        | Way::FewHiddenBands(rows)) = way
+        else {
+            return Some(work);
+        };
+        let edges = match way {
+            Way::HiddenBands(_) | Way::FewHiddenBands(_) => self.edges_in_bands(way, rows, &seen)?,
+            _ => EdgeWork::default(),
+        };
 
         let mut met = [0; 4];
         for (face, kind) in seen.into_iter().zip(kinds) {
@@ -254,7 +331,7 @@ impl Case {
         }
         let [low, met_large, met_cut, _] = met;
         let bands = height.div_ceil(rows);
-        Some(Work { bands, met: low + met_large + met_cut, met_large, met_cut, ..work })
+        Some(Work { edges, bands, met: low + met_large + met_cut, met_large, met_cut, ..work })
     }
 
     /// The number of edges that cross the border of the picture, and of edges with an end that must be clipped.
@@ -274,6 +351,34 @@ impl Case {
         (across, clipped)
     }
 
+    /// The work of edges in bands of so many rows; `seen`: the faces that are drawn.
+    fn edges_in_bands(&self, way: Way, rows: u32, seen: &[usize]) -> Option<EdgeWork> {
+        let all = self.what.mesh(way)?;
+        let [width, height] = self.size;
+        let mut watch = Watch::new(Size::new(width, height));
+        let Ok(statistics) = self.scene(way)?.place().without_planes().wireframe(LINE, &mut [], &mut watch);
+        let drawn: BTreeSet<usize> = seen.iter().copied().collect();
+        let mut work = EdgeWork {
+            all: all.edges().len() as u32,
+            cut: statistics.clipped,
+            pixels: watch.pixels,
+            ..EdgeWork::default()
+        };
+        for (edge, &ends) in all.edges().iter().enumerate() {
+            let alone = Mesh::new(all.vertices(), all.exponent(), &[]).ok()?;
+            let scene = self.scene_of(alone.with_edges(all.edges().get(edge..=edge)?).ok()?)?;
+            let (instance, mut bin_storage) = (scene.place(), [0; 2]);
+            let bounds = instance.transform(&mut []).bin_edges(&mut bin_storage).ok()?.bounds();
+            let met = bands_of(&bounds, rows);
+            let is_clipped = ends.iter().any(|&vertex| instance.project(vertex.into()).is_err());
+            work.clipped += u32::from(is_clipped);
+            work.met += met;
+            let beside = all.edge_faces().get(edge).into_iter().flatten();
+            work.beside += met * beside.filter(|&&face| drawn.contains(&usize::from(face))).count() as u32;
+        }
+        Some(work)
+    }
+
     fn kind(&self, instance: &MeshInstance<'_>, face: usize) -> Kind {
         let corners = instance.mesh().faces().get(face).copied().unwrap_or_default();
         let [Ok(a), Ok(b), Ok(c)] = corners.map(|vertex| instance.project(vertex.into())) else {
@@ -291,13 +396,21 @@ impl Case {
 
     /// The number of bands that a drawn face touches.
     fn bands(&self, face: usize, rows: u32) -> Option<u32> {
-        let all = self.what.mesh()?;
+        let all = self.what.mesh(Way::Faces)?;
         let alone = Mesh::new(all.vertices(), all.exponent(), all.faces().get(face..=face)?).ok()?;
         let scene = self.scene_of(alone)?;
         let instance = scene.place().with_cull(self.cull);
         let (transformed, mut bin_storage) = (instance.transform(&mut []), [0; 2]);
-        let bounds = transformed.bin_faces(&mut bin_storage).ok()?.bounds();
-        let (top, height) = (bounds.top_left.y as u32, bounds.size.height);
-        Some(if height == 0 { 0 } else { (top + height - 1) / rows - top / rows + 1 })
+        Some(bands_of(&transformed.bin_faces(&mut bin_storage).ok()?.bounds(), rows))
+    }
+}
+
+/// The number of bands that a rectangle touches.
+fn bands_of(bounds: &Rectangle, rows: u32) -> u32 {
+    let (top, height) = (bounds.top_left.y as u32, bounds.size.height);
+    if height == 0 {
+        0
+    } else {
+        (top + height - 1) / rows - top / rows + 1
     }
 }
