@@ -183,6 +183,7 @@ mod tests {
     use crate::choice::Choice;
     use crate::projections::Named;
     use pinhole::{Point3, Scalar, Sphere};
+    use std::f64::consts::{FRAC_PI_2, TAU};
 
     #[test]
     fn an_upright_plane_lies_as_the_renderers() {
@@ -206,7 +207,7 @@ mod tests {
         let mut vertices = vec![[256, -512, 768]];
         for i in 0..40 * 80 {
             let (latitude, longitude) =
-                (f64::from(i / 80 - 20) / 20.0 * 1.57, f64::from(i % 80) / 80.0 * 6.2832);
+                (f64::from(i / 80 - 20) / 20.0 * FRAC_PI_2, f64::from(i % 80) / 80.0 * TAU);
             let direction =
                 [latitude.cos() * longitude.cos(), latitude.sin(), latitude.cos() * longitude.sin()];
             // Rounded to the centre: inside.
