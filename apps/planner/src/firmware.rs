@@ -294,6 +294,18 @@ mod tests {
     }
 
     #[test]
+    fn a_view_plane_that_is_upright_has_an_eye_beside_the_centre() {
+        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_num(1));
+        let made = picture(PICTURE, &choice("projection=two-point"), &sphere).expect("a picture");
+        // The plane's own direction, and the eye above.
+        assert!(made.contains("let (yaw, pitch) = (Angle::degrees(40), Angle::degrees(0));"), "{made}");
+        assert!(made.contains("centre.x() + pinhole::Scalar::from_bits(0), centre.y() + "), "{made}");
+        let made = picture(PICTURE, &choice("projection=reverse"), &sphere).expect("a picture");
+        assert!(made.contains("pinhole::Projection::from_matrix(&[["), "{made}");
+        assert!(made.contains("pinhole::Point3::new(centre.x(), centre.y(), centre.z());"), "{made}");
+    }
+
+    #[test]
     fn options_and_file_of_the_choice_are_in_the_script() {
         let made =
             script(SCRIPT, &choice("mesh=torus&style=gouraud&two-sided=1"), "model.obj").expect("a script");
@@ -305,6 +317,11 @@ mod tests {
     fn the_manifest_names_the_repository_beside_it() {
         let template = include_str!("../../../boards/any-cortex-m/Cargo.toml");
         let made = manifest(template, &Choice::default()).expect("a manifest");
+        assert!(!made.contains("decimate"), "{made}");
+        let decimated = manifest(template, &choice("decimate=300")).expect("a manifest");
+        assert!(decimated.contains("default-features = false, features = [\"decimate\"] }"), "{decimated}");
+        let made_script = script(SCRIPT, &choice("decimate=300"), "model.stl").expect("a script");
+        assert!(made_script.contains("edges: Edges::None, decimate: Some(300), .."), "{made_script}");
         assert!(made.contains("pinhole = { path = \"../pinhole\" }"), "{made}");
         assert!(!made.contains("{%") && !made.contains("../.."), "{made}");
     }

@@ -183,8 +183,8 @@ mod tests {
     use crate::choice::Choice;
     use crate::projections::Named;
     use pinhole::{Point3, Scalar, Sphere};
+    use std::f64::consts::{FRAC_PI_2, TAU};
 
-    /// By the definition of each projection, in f64: where a point of the sphere is seen.
     #[test]
     fn an_upright_plane_lies_as_the_renderers() {
         for named in Named::ALL {
@@ -200,21 +200,34 @@ mod tests {
         }
     }
 
+    /// By points of the sphere, near to and far from the eye.
     #[test]
-    fn the_sphere_is_in_the_picture_and_its_centre_in_the_middle() {
+    fn the_sphere_fills_the_picture_and_its_centre_is_in_the_middle() {
         let sphere = Sphere::new(Point3::from_ints(1, -2, 3), Scalar::from_num(1.5));
-        let mesh =
-            pinhole::Mesh::new(&[[1, -2, 3], [1, -2, 3], [1, -2, 3]], 0, &[[0, 1, 2]]).expect("a point");
+        let mut vertices = vec![[256, -512, 768]];
+        for i in 0..40 * 80 {
+            let (latitude, longitude) =
+                (f64::from(i / 80 - 20) / 20.0 * FRAC_PI_2, f64::from(i % 80) / 80.0 * TAU);
+            let direction =
+                [latitude.cos() * longitude.cos(), latitude.sin(), latitude.cos() * longitude.sin()];
+            // Rounded to the centre: inside.
+            vertices.push([0, 1, 2].map(|axis| vertices[0][axis] + (384.0 * direction[axis]) as i16));
+        }
+        let mesh = pinhole::Mesh::new(&vertices, -8, &[[0, 1, 2]]).expect("points");
         for named in Named::ALL {
             for (yaw, pitch) in [(30, 20), (-130, -65), (200, 89)] {
                 let text = format!("projection={}&yaw={yaw}&pitch={pitch}&width=320&height=240", named.name);
                 let choice = Choice::parse(&text).expect(&text);
                 let camera = Lens::new(&choice, &sphere).camera(&choice, &sphere).expect(&text);
                 let instance = camera.place(&mesh, &pinhole::Affine::identity());
-                let centre = instance.project(0).expect(&text).point;
-                for (found, middle) in [(centre.x(), 160), (centre.y(), 120)] {
-                    assert!((found - middle * 256).abs() <= 64, "{text}: {found}");
-                }
+                let seen = |vertex: usize| {
+                    let point = instance.project(vertex).expect(&text).point;
+                    [point.x() - 160 * 256, point.y() - 120 * 256]
+                };
+                assert!(seen(0).iter().all(|off| off.abs() <= 64), "{text}: {:?}", seen(0));
+                let far = (1..vertices.len()).map(|vertex| seen(vertex)[1].abs()).max().unwrap_or_default();
+                // Within the picture; a shear is framed for its worst direction.
+                assert!((60 * 256..=120 * 256).contains(&far), "{text}: {far}");
             }
         }
     }

@@ -96,7 +96,7 @@ pub(crate) fn map_by_axes(mesh: &mut ImportedMesh) {
             // v runs down, so that the picture stands upright on the sides. Coordinates are within ±32767.
             let coord = match (x >= y && x >= z, y >= z) {
                 (true, _) => [if normal[0] > 0 { -pz } else { pz }, -py],
-                (_, true) => [px, pz],
+                (_, true) => [px, if normal[1] > 0 { pz } else { -pz }],
                 _ => [if normal[2] > 0 { px } else { -px }, -py],
             };
             *number = *numbers.entry(coord).or_insert_with(|| {

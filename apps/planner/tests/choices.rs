@@ -70,6 +70,26 @@ fn every_mesh_shows_on_every_display_in_every_style() {
     }
 }
 
+/// A picture without texture coordinates lies upright and unmirrored on all six sides: red grows to the right, green downwards.
+#[test]
+fn a_picture_laid_on_from_six_sides_is_upright_on_each() {
+    let mut planner = Planner::default();
+    let texels: Vec<u8> = (0..64).flat_map(|i: u8| [i % 8 * 32, i / 8 * 32, 0, 255]).collect();
+    assert!(planner.load_picture(&texels, 7).is_err(), "no power of two");
+    planner.load_picture(&texels, 8).expect("a picture");
+    for side in ["front", "back", "left", "right", "top", "bottom"] {
+        let text = format!("mesh=cube&style=textured&texture=file&ambient=256&projection={side}");
+        let (pixels, about) = planner.draw(&Choice::parse(&text).expect(&text)).expect(&text);
+        assert!(about.contains("no texture coordinates"), "{about}");
+        let at = |x: usize, y: usize| &pixels[4 * (240 * y + x)..][..2];
+        // The texels are 16 to 20 pixels wide, and repeat.
+        let step = |from: u8, to: u8| (24..=128).contains(&to.wrapping_sub(from));
+        let [here, right, below] = [at(100, 130), at(125, 130), at(100, 155)];
+        assert!(step(here[0], right[0]) && here[1] == right[1], "{side}: {here:?}, right of it {right:?}");
+        assert!(step(here[1], below[1]) && here[0] == below[0], "{side}: {here:?}, below it {below:?}");
+    }
+}
+
 #[test]
 fn rows_of_a_band_change_no_pixel() {
     let mut planner = Planner::default();

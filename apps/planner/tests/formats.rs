@@ -12,7 +12,7 @@ use pinhole_import::{import_bytes, Edges, ImportedMesh, Options};
 use pinhole_planner::{Choice, Planner, Tricolor};
 
 const SIZE: Size = Size::new(101, 83); // rows of some formats do not end with a byte
-const COLOR: Rgb888 = Rgb888::new(0xc8, 0x64, 0x32);
+const COLOR: Rgb888 = Rgb888::new(0xf8, 0xfc, 0x58);
 
 /// A box, each side with a part of the texture, one with two of it.
 const BOX: &str = "v -2 -1 -1\nv 2 -1 -1\nv 2 1 -1\nv -2 1 -1\nv -2 -1 1\nv 2 -1 1\nv 2 1 1\nv -2 1 1\n\
@@ -54,7 +54,7 @@ fn canvas_area() -> embedded_graphics::primitives::Rectangle {
 fn page(rest: &str) -> Vec<u8> {
     let mut planner = Planner::default();
     planner.load("box.obj", BOX.into());
-    let text = format!("mesh=file&width=101&height=83&turn=7&color=c86432&{rest}");
+    let text = format!("mesh=file&width=101&height=83&turn=7&color=f8fc58&{rest}");
     planner.draw(&Choice::parse(&text).expect(&text)).expect(&text).0
 }
 
@@ -109,7 +109,7 @@ fn unlit_texture_is_equal<C: PixelFormat + From<Rgb888> + Into<Rgb888>>(format: 
 /// Squares of 8 texels, the upper left one in the colour, the others in a quarter of it.
 fn checker<C: From<Rgb888>>() -> Vec<C> {
     let dark = Rgb888::new(COLOR.r() / 4, COLOR.g() / 4, COLOR.b() / 4);
-    let is_light = |x: usize, y: usize| (x / 8 + y / 8).is_multiple_of(2);
+    let is_light = |x: usize, y: usize| (x / 8) % 2 == (y / 8) % 2;
     (0..32 * 32).map(|i| C::from(if is_light(i % 32, i / 32) { COLOR } else { dark })).collect()
 }
 
