@@ -140,6 +140,7 @@ public_types![
     TableShader<'static, Plain>,
     Accuracy,
     HalfBlended<Flat>,
+    DepthTested<Flat>,
     Fog,
     FogError,
     FogTable<Plain>,

@@ -4,13 +4,15 @@
 //!   `Target::fill_run`.
 //! - **Domain**: every triangle and shader, on a target whose pixels lie in memory; with depth, only where the depth buffer is
 //!   laid out as the memory is.
-//! - **Gain**: a pixel's colour is computed once; a span of another target asks twice, for the runs and for their colours. Not
-//!   measured alone. Rows are walked by the loops of [`shaded_fill`](super::shaded_fill).
+//! - **Gain**: a pixel's colour is computed once; a span of another target asks twice, for the runs and for their colours. One
+//!   blended colour is mixed by eights: S5 half 6.4 to 4.6 instructions a pixel on an M3, S5 alpha 10.7 to 8.6. Rows are walked by the loops of [`shaded_fill`](super::shaded_fill).
 //! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`.
 
+use super::depth_fill::BLOCK;
 use super::shaded_fill::{each_run, each_run_nearer, fill};
 use super::{depth_gradient, memory_of};
 use crate::math::hints::keep_rolled;
+use crate::math::unrolled::each8;
 use crate::raster::{DepthTriangle, Scissor, Span, Triangle};
 use crate::surface::{DepthTarget, PixelStore, StoredPixel, Target};
 
@@ -24,17 +26,43 @@ pub(crate) fn triangle<T: Target, R: Iterator<Item = (i32, Q)>, Q: Iterator<Item
     scissor: &Scissor,
     target: &mut T,
     runs: impl Fn(Span) -> R,
-    merge: impl Fn(CellOf<T>, CellOf<T>) -> CellOf<T>,
+    merge: impl Fn(CellOf<T>, CellOf<T>) -> CellOf<T> + Copy,
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
     fill(memory, triangle, scissor, |cells, _, span| {
+        let mixed = merge; // a copy, in registers
         each_run(cells, runs(span), |pixels, run| {
             for (pixel, color) in pixels.iter_mut().zip(run) {
                 if let Some(color) = color {
-                    *pixel = merge(color.stored(), *pixel);
+                    *pixel = mixed(color.stored(), *pixel);
                 }
             }
         });
+    });
+    true
+}
+
+/// [`triangle`] for one color that leaves out no pixel: `merge` returns the cell to store from the stored one. Eight pixels take one
+/// turn.
+#[inline(always)]
+pub(crate) fn solid_triangle<T: Target>(
+    triangle: &Triangle<'_>,
+    scissor: &Scissor,
+    target: &mut T,
+    merge: impl Fn(CellOf<T>) -> CellOf<T> + Copy,
+) -> bool {
+    let Some(memory) = memory_of(target) else { return false };
+    fill(memory, triangle, scissor, |cells, _, _| {
+        let mixed = merge; // a copy, in registers
+        let (blocks, rest) = cells.as_chunks_mut::<BLOCK>();
+        for pixels in blocks {
+            each8(pixels, |pixel| *pixel = mixed(*pixel));
+            keep_rolled();
+        }
+        for pixel in rest {
+            *pixel = mixed(*pixel);
+            keep_rolled();
+        }
     });
     true
 }
@@ -53,18 +81,19 @@ pub(crate) fn triangle_nearer<
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
     runs: impl Fn(Span) -> R,
-    merge: impl Fn(CellOf<T>, CellOf<T>) -> CellOf<T>,
+    merge: impl Fn(CellOf<T>, CellOf<T>) -> CellOf<T> + Copy,
 ) -> bool {
     let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
     let (depths, gradient) =
         (depth.buffer.values_mut(), depth_gradient(&triangle.triangle, &triangle.depths));
     fill(memory, &triangle.triangle, scissor, |cells, from, span| {
+        let mixed = merge; // a copy, in registers
         each_run_nearer(cells, depths, from, span, &gradient, runs(span), |pixels, depths, mut z, run| {
             for ((pixel, stored), color) in pixels.iter_mut().zip(depths).zip(run) {
                 if let Some(color) = color
                     && z >> 16 < u32::from(*stored)
                 {
-                    *pixel = merge(color.stored(), *pixel);
+                    *pixel = mixed(color.stored(), *pixel);
                     if WRITES {
                         *stored = (z >> 16) as u16;
                     }

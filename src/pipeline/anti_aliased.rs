@@ -4,9 +4,11 @@
 
 use super::bounds::bounds;
 use crate::camera::UnpackedVertex;
-use crate::raster::{LineCoverage, LineDepth, Pixel, Scissor};
+use crate::math::hints::{keep_rolled, opaque};
+use crate::raster::{Column, LineCoverage, LineDepth, Pixel, Scissor};
 use crate::shading::Stroke;
 use crate::surface::{DepthBuffer, Memory, PixelStore, StoredPixel, Target};
+use core::ops::Range;
 
 /// How many pixels a line reaches beyond the rows and columns of its ends' pixels: it begins at a pixel border up to ½ pixel before the
 /// end, and its border is up to √2/2 pixel from its middle, so that is 1.21 pixels from an end, which may lie on the border of its pixel.
@@ -32,23 +34,59 @@ pub(super) fn mix_line<T: Target, K: Stroke<T::Color>>(
     let layout = scratch.layout;
     let (along, across) = if line.tall { (layout.stride, 1) } else { (1, layout.stride) };
     let (_, rows) = line.axes(scissor);
+    let cover = stroke.cover();
+    // The columns that begin in one of these many rows, from the first one on, lie in the scissor.
+    let inside = (rows.end - rows.start - 4).max(0) as u32;
     // Index of the pixel in column 0 and row 0 of the line's axes.
     let origin = layout.at(0, 0);
     for column in line.columns(scissor) {
+        let first = column.first();
         let mut at = (column.column as usize).wrapping_mul(along).wrapping_add(origin);
-        at = at.wrapping_add((column.first as usize).wrapping_mul(across));
-        for (row, coverage) in (column.first..).zip(column.coverage) {
-            let (x, y) = if line.tall { (row, column.column) } else { (column.column, row) };
-            if coverage != 0
-                && rows.contains(&row)
-                && is_visible(x, y, coverage)
-                && let Some(cell) = cells.get_mut(at)
-            {
-                *cell = stroke.covering(T::Color::load(*cell), coverage as u16).stored();
-                // 0 … 256
-            }
-            at = at.wrapping_add(across);
+        // Not known to LLVM, which would multiply again for each pixel.
+        at = opaque(at.wrapping_add((first as usize).wrapping_mul(across)));
+        if (first.wrapping_sub(rows.start) as u32) < inside
+            && let Some(cells) = cells.get_mut(at..)
+        {
+            line.each_pixel(&column, |pixel, coverage| {
+                let row = first + pixel as i32; // 0 … 4
+                let (x, y) = if line.tall { (row, column.column) } else { (column.column, row) };
+                if is_visible(x, y, coverage)
+                    && let Some(cell) = cells.get_mut(across.wrapping_mul(pixel))
+                {
+                    *cell = cover(T::Color::load(*cell), coverage as u16).stored();
+                    // 0 … 256
+                }
+            });
+        } else {
+            mix_clipped::<T, K>(line, &column, &rows, stroke, cells, [at, across], &mut is_visible);
         }
+    }
+}
+
+/// Mixes the pixels of a column that lie in these rows. `at` is the index of the first pixel, `across` is added for each of the
+/// next ones.
+#[inline(never)] // few columns are clipped
+fn mix_clipped<T: Target, K: Stroke<T::Color>>(
+    line: &LineCoverage,
+    column: &Column,
+    rows: &Range<i32>,
+    stroke: K,
+    cells: &mut [<T::Store as PixelStore>::Cell],
+    [mut at, across]: [usize; 2],
+    is_visible: &mut impl FnMut(i32, i32, i32) -> bool,
+) {
+    for (row, coverage) in (column.first()..).zip(line.coverage(column)) {
+        let (x, y) = if line.tall { (row, column.column) } else { (column.column, row) };
+        if coverage != 0
+            && rows.contains(&row)
+            && is_visible(x, y, coverage)
+            && let Some(cell) = cells.get_mut(at)
+        {
+            *cell = stroke.covering(T::Color::load(*cell), coverage as u16).stored();
+            // 0 … 256
+        }
+        at = at.wrapping_add(across);
+        keep_rolled();
     }
 }
 

@@ -145,7 +145,13 @@ fn fill_kept<T: Target, S: SpanShader<T::Color>>(
     target: &mut T,
 ) -> Result<(), T::Error> {
     let setup = shader.set_up(triangle);
-    let merge = |own, stored| merged::<T, S>(&setup, own, stored);
+    let merge = merge::<T, S>(&setup);
+    if !S::LEAVES_OUT
+        && let Some(own) = shader.solid_color().map(StoredPixel::stored)
+        && kept_fill::solid_triangle(triangle, scissor, target, move |stored| merge(own, stored))
+    {
+        return Ok(());
+    }
     if kept_fill::triangle(triangle, scissor, target, |span| S::kept(&setup, span), merge) {
         return Ok(());
     }
@@ -167,7 +173,7 @@ fn fill_kept_nearer<T: Target, S: SpanShader<T::Color>>(
 ) -> Result<(), T::Error> {
     let setup = shader.set_up(&triangle.triangle);
     let runs = |span| S::kept(&setup, span);
-    let merge = |own, stored| merged::<T, S>(&setup, own, stored);
+    let merge = merge::<T, S>(&setup);
     let is_drawn = match S::WRITES_DEPTH {
         true => kept_fill::triangle_nearer::<true, _, _, _>(triangle, scissor, depth, target, runs, merge),
         false => kept_fill::triangle_nearer::<false, _, _, _>(triangle, scissor, depth, target, runs, merge),
@@ -202,18 +208,21 @@ fn draw_run<T: Target, S: SpanShader<T::Color>>(
         return target.fill_run(run, S::span(setup, run));
     }
     if let Some(row) = target.memory().and_then(|memory| memory.row(run.x, run.y, run.width)) {
-        let own = S::span(setup, run).map(StoredPixel::stored);
-        row.iter_mut().zip(own).for_each(|(pixel, own)| *pixel = merged::<T, S>(setup, own, *pixel));
+        let (own, merge) = (S::span(setup, run).map(StoredPixel::stored), merge::<T, S>(setup));
+        row.iter_mut().zip(own).for_each(|(pixel, own)| *pixel = merge(own, *pixel));
     }
     Ok(())
 }
 
-/// The cell to store in a pixel, from the shader's own and the stored one.
+/// A function that returns the cell to store in a pixel, from the shader's own and the stored one.
 #[inline(always)]
-fn merged<T: Target, S: SpanShader<T::Color>>(setup: &S::Setup, own: Cell<T>, stored: Cell<T>) -> Cell<T> {
+fn merge<T: Target, S: SpanShader<T::Color>>(
+    setup: &S::Setup,
+) -> impl Fn(Cell<T>, Cell<T>) -> Cell<T> + Copy {
     const { assert_readable::<T, S>() };
-    match S::BLENDS {
-        true => S::blend(setup, T::Color::load(own), T::Color::load(stored)).stored(),
+    let blend = S::blender(setup);
+    move |own, stored| match S::BLENDS {
+        true => blend(T::Color::load(own), T::Color::load(stored)).stored(),
         false => own,
     }
 }

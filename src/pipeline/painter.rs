@@ -3,23 +3,23 @@
 use super::draw_region::DrawRegion;
 use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
 use super::faces::{draw_triangles, each_face};
-use super::fill::fill;
+use super::fill::{fill, fill_nearer};
 use super::instance::{AnyInstance, MeshInstance};
 use super::statistics::Statistics;
 use super::vertex_cache::{transform_all, LazyCache, TransformedMesh, VertexCache};
 use crate::camera::ScreenVertex;
 use crate::math::hints::{keep_rolled, opaque};
 use crate::math::Coordinate;
-use crate::raster::{self, Scissor, ScreenPoint, Triangle};
+use crate::raster::{self, DepthTriangle, Scissor, ScreenPoint, Triangle};
 use crate::scene::FacePlanes;
-use crate::shading::{Shader, SpanShader};
-use crate::surface::Target;
+use crate::shading::{DepthTested, Shader, SpanShader};
+use crate::surface::{DepthBuffer, DepthTarget, Target};
 use core::convert::Infallible;
 use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
 
 /// The painter's algorithm: stores the visible faces of any number of mesh instances and draws them from far to near, without
-/// a depth buffer.
+/// a depth buffer, or tested against one: see [`DepthTested`].
 ///
 /// Faces are sorted by the mean depth of their corners, in 65536 steps that are linear on the screen; faces with equal mean
 /// depth are drawn in the order in which they were added. As a whole face is drawn before or after another one, a long face
@@ -157,9 +157,7 @@ impl<S: Copy> PaintersOrder<'_, S> {
         let region = DrawRegion::shared(&target.area(), area, None);
         let mut at = self.first;
         while let Some(face) = self.faces.get(usize::from(at)) {
-            let points = face
-                .vertices
-                .map(|i| self.vertices.get(usize::from(i)).map_or(ScreenPoint::ORIGIN, |c| c.point()));
+            let points = self.points(face);
             if !Scissor::bounding_box(&points).intersection(&region.scissor).is_empty() {
                 let triangle = Triangle::new(points, raster::area(&points), &region.viewport);
                 fill(&triangle, &face.shader, &region.scissor, false, target)?;
@@ -169,9 +167,68 @@ impl<S: Copy> PaintersOrder<'_, S> {
         Ok(())
     }
 
+    /// The corners of a stored face.
+    #[inline(always)]
+    fn points(&self, face: &Face<S>) -> [ScreenPoint; 3] {
+        face.vertices.map(|i| self.vertices.get(usize::from(i)).map_or(ScreenPoint::ORIGIN, |c| c.point()))
+    }
+
     /// How many faces were drawn, culled and clipped, summed over all meshes that were added.
     pub const fn statistics(&self) -> Statistics {
         self.statistics
+    }
+}
+
+impl<S: Copy> PaintersOrder<'_, DepthTested<S>> {
+    /// [`draw`](Self::draw) for the pixels that are nearer than the depth buffer. Their depth is stored if the shader
+    /// [writes depth](SpanShader::WRITES_DEPTH). Only pixels of the depth buffer are drawn.
+    ///
+    /// # Errors
+    ///
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
+    pub fn depth_tested<T: Target>(&self, depth: &mut DepthBuffer<'_>, target: &mut T) -> Result<(), T::Error>
+    where
+        S: SpanShader<T::Color>,
+    {
+        let Some(area) = &self.area else { return Ok(()) };
+        let region = DrawRegion::shared(&target.area(), area, Some(depth));
+        let mut depth = DepthTarget::new(depth, target);
+        let mut at = self.first;
+        while let Some(face) = self.faces.get(usize::from(at)) {
+            let points = self.points(face);
+            if !Scissor::bounding_box(&points).intersection(&region.scissor).is_empty() {
+                let (shader, depths) = face.shader.parts();
+                let triangle = Triangle::new(points, raster::area(&points), &region.viewport);
+                let triangle = DepthTriangle { triangle, depths };
+                fill_nearer(&triangle, shader, &region.scissor, false, &mut depth, target)?;
+            }
+            at = face.next;
+        }
+        Ok(())
+    }
+}
+
+impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<DepthTested<S>, VERTICES, FACES> {
+    /// [`draw`](Self::draw) for the pixels that are nearer than the depth buffer: see [`DepthTested`].
+    ///
+    /// # Errors
+    ///
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
+    pub fn depth_tested<T: Target>(
+        &mut self,
+        depth: &mut DepthBuffer<'_>,
+        target: &mut T,
+    ) -> Result<Statistics, T::Error>
+    where
+        S: SpanShader<T::Color>,
+    {
+        let order = self.order();
+        let statistics = order.statistics();
+        let result = order.depth_tested(depth, target);
+        self.clear();
+        result.map(|()| statistics)
     }
 }
 
@@ -210,7 +267,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
         S: Shader,
     {
         let instance = &instance.any;
-        let far = instance.vertex_transform().clips_at_far();
+        let far = S::NEEDS_DEPTH || instance.vertex_transform().clips_at_far();
         let (vertices, mut recorder) = self.begin(instance)?;
         let statistics = if P::CULL {
             let mut cache = LazyCache::<V, true>::new(instance, far, vertices);
@@ -220,7 +277,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
         } else {
             let all = instance.mesh().vertices;
             transform_all::<V, true>(instance.vertex_transform(), far, all, vertices);
-            let mut cache = TransformedMesh::with_cache(instance, false, vertices);
+            let mut cache = TransformedMesh::with_cache(instance, far, vertices);
             let statistics = recorder.record(MeshOrder, &mut cache, true, shade);
             recorder.room.unpack(instance, true, vertices);
             statistics

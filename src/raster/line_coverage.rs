@@ -39,12 +39,19 @@ pub(crate) struct LineCoverage {
     inverse: u32,
 }
 
-/// What a line covers of a column: `first` is the row of the first of five pixels, `coverage` is in 1/256 pixel.
+/// A column of a line: `top` is the upper edge in its middle, in 2⁻³².
 #[derive(Clone, Copy)]
 pub(crate) struct Column {
     pub(crate) column: i32,
-    pub(crate) first: i32,
-    pub(crate) coverage: [i32; 5],
+    top: i64,
+}
+
+impl Column {
+    /// The row of the first of the five pixels that the line may cover.
+    #[inline(always)]
+    pub(crate) fn first(&self) -> i32 {
+        (self.top >> 32) as i32 - 1
+    }
 }
 
 impl LineCoverage {
@@ -105,7 +112,7 @@ impl LineCoverage {
     /// What the line covers of each column of the scissor, in the direction of the major axis. Rows of a column may lie outside
     /// the scissor.
     #[inline(always)]
-    pub(crate) fn columns(&self, scissor: &Scissor) -> Columns<'_> {
+    pub(crate) fn columns(&self, scissor: &Scissor) -> Columns {
         let (columns, rows) = self.axes(scissor);
         let (mut first, mut end) = (self.first.max(columns.start), self.end.min(columns.end));
         if first < end {
@@ -113,7 +120,7 @@ impl LineCoverage {
         }
         // |first − from| ≤ 2¹⁶, times 2³².
         let top = self.top.wrapping_add(self.slope.wrapping_mul(i64::from(first - self.from)));
-        Columns { line: self, column: first, end, top }
+        Columns { slope: self.slope, column: first, end, top }
     }
 
     /// The scissor's range along the major and along the minor axis.
@@ -165,42 +172,66 @@ impl LineCoverage {
     fn beyond(&self, distance: u32) -> i32 {
         let Some(reach) = self.half_slope.checked_sub(distance) else { return 0 };
         // `reach` ≤ 2¹⁵ and reach/m ≤ ½, in 2⁻²⁸ below 2²⁸. Their product, halved, is in 2⁻³³.
-        let width = (reach * self.inverse) >> 12;
-        ((reach * width) >> 17) as i32
+        let width = reach.wrapping_mul(self.inverse) >> 12;
+        (reach.wrapping_mul(width) >> 17) as i32
     }
 
-    /// The coverage of a column in whose middle the upper edge is at `top`.
+    /// The coverage of the five pixels of a column, in 1/256 pixel.
+    #[inline(never)] // for columns that are clipped: most are not
+    pub(crate) fn coverage(&self, column: &Column) -> [i32; 5] {
+        let mut coverage = [0; 5];
+        self.each_pixel(column, |pixel, covered| {
+            if let Some(coverage) = coverage.get_mut(pixel) {
+                *coverage = covered;
+            }
+        });
+        coverage
+    }
+
+    /// Calls `put` with 0 … 4, for the pixel this many rows below a column's [first](Column::first), and its coverage in 1/256
+    /// pixel: for pixels 1 and 2, and for others if the line covers them.
     #[inline(always)]
-    fn column(&self, column: i32, top: i64) -> Column {
+    pub(crate) fn each_pixel(&self, column: &Column, mut put: impl FnMut(usize, i32)) {
         const ONE: i32 = 1 << 16;
         const HALF: u32 = 1 << 15;
-        let upper = (top as u32) >> 16; // the part of pixel 1 above the edge
+        // Rounded to nearest; an area of −2⁻¹⁶, from rounding, becomes 0.
+        let rounded = |area: i32| (area + 128) >> 8;
+        let upper = (column.top as u32) >> 16; // the part of pixel 1 above the edge
         let lower = upper + self.thickness; // 65536 … 158217: the lower edge is in pixel 2 or 3
-        let mut c = [0, ONE - upper as i32, ONE, 0, 0];
+        let mut second = ONE - upper as i32;
+        let mut third = ONE;
         if upper < HALF {
             let beyond = self.beyond(upper);
-            c[0] = beyond;
-            c[1] -= beyond;
+            if rounded(beyond) != 0 {
+                put(0, rounded(beyond));
+            }
+            second -= beyond;
         } else {
             let beyond = self.beyond(ONE as u32 - upper);
-            c[1] += beyond;
-            c[2] -= beyond;
+            second += beyond;
+            third -= beyond;
         }
         let part = lower & 0xffff;
         let is_low = part < HALF;
         let beyond = self.beyond(if is_low { part } else { ONE as u32 - part });
         let (above, below) = if is_low { (beyond, 0) } else { (0, beyond) };
+        let area = part as i32 + above - below;
+        let mut fourth = area;
         if lower < 2 << 16 {
-            c[1] -= above;
-            c[2] += part as i32 - ONE + above - below;
-            c[3] = below;
+            second -= above;
+            third += area - ONE;
+            fourth = below;
         } else {
-            c[2] -= above;
-            c[3] = part as i32 + above - below;
-            c[4] = below;
+            third -= above;
+            if rounded(below) != 0 {
+                put(4, rounded(below));
+            }
         }
-        // Rounded to nearest; an area of −2⁻¹⁶, from rounding, becomes 0.
-        Column { column, first: (top >> 32) as i32 - 1, coverage: c.map(|c| (c + 128) >> 8) }
+        put(1, rounded(second));
+        put(2, rounded(third));
+        if rounded(fourth) != 0 {
+            put(3, rounded(fourth));
+        }
     }
 }
 
@@ -214,14 +245,14 @@ fn thickness(m: u32) -> u32 {
 }
 
 /// An iterator over the columns of a line.
-pub(crate) struct Columns<'l> {
-    line: &'l LineCoverage,
+pub(crate) struct Columns {
+    slope: i64,
     column: i32,
     end: i32,
     top: i64,
 }
 
-impl Iterator for Columns<'_> {
+impl Iterator for Columns {
     type Item = Column;
 
     #[inline(always)]
@@ -229,9 +260,9 @@ impl Iterator for Columns<'_> {
         if self.column >= self.end {
             return None;
         }
-        let column = self.line.column(self.column, self.top);
+        let column = Column { column: self.column, top: self.top };
         self.column += 1;
-        self.top = self.top.wrapping_add(self.line.slope);
+        self.top = self.top.wrapping_add(self.slope);
         Some(column)
     }
 }
@@ -311,9 +342,10 @@ mod tests {
             let offset = random.below(step as i64) as usize;
             for column in line.columns(&all).skip(offset).step_by(step) {
                 // Two more pixels on either side, where nothing is covered.
-                for row in column.first - 2..column.first + 7 {
-                    let slot = usize::try_from(row - column.first).ok();
-                    let own = slot.and_then(|slot| column.coverage.get(slot)).copied().unwrap_or(0);
+                let covered = line.coverage(&column);
+                for row in column.first() - 2..column.first() + 7 {
+                    let slot = usize::try_from(row - column.first()).ok();
+                    let own = slot.and_then(|slot| covered.get(slot)).copied().unwrap_or(0);
                     let exact = area_in_pixel(&polygon, column.column.into(), row.into());
                     assert!((0..=256).contains(&own));
                     largest = largest.max((f64::from(own) / 256.0 - exact).abs());
@@ -342,7 +374,8 @@ mod tests {
             let all = line.columns(&Scissor::GUARD_BAND);
             let pixels = |column: Column| {
                 let rows = rows.clone();
-                let rows = (column.first..).zip(column.coverage).filter(move |(row, _)| rows.contains(row));
+                let covered = (column.first()..).zip(line.coverage(&column));
+                let rows = covered.filter(move |(row, _)| rows.contains(row));
                 rows.filter(|&(_, c)| c != 0).map(move |(row, c)| (column.column, row, c))
             };
             let exact = all.filter(|column| columns.contains(&column.column)).flat_map(pixels);
@@ -375,7 +408,7 @@ mod tests {
             let end = ScreenPoint::inside(x * 256, y * 256);
             let line = LineCoverage::new([ScreenPoint::ORIGIN, end]);
             let columns = line.columns(&Scissor::GUARD_BAND);
-            let sum: i32 = columns.map(|column| column.coverage.iter().sum::<i32>()).sum();
+            let sum: i32 = columns.map(|column| line.coverage(&column).iter().sum::<i32>()).sum();
             let area = f64::from(sum) / 256.0;
             assert!((area - f64::from(x).hypot(f64::from(y))).abs() < 0.05, "{area}");
         }

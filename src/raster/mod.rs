@@ -65,7 +65,7 @@ pub use gradient::Gradient;
 pub(crate) use gradient_setup::GradientSetup;
 pub use line::line;
 pub(crate) use line::{LineSetup, LineSpans};
-pub(crate) use line_coverage::LineCoverage;
+pub(crate) use line_coverage::{Column, LineCoverage};
 pub(crate) use line_depth::LineDepth;
 pub(crate) use pixel_layout::{pixel_index, PixelLayout};
 pub(crate) use row_scratch::RowScratch;

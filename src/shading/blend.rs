@@ -1,5 +1,6 @@
 //! Colors that can be mixed with stored ones.
 
+use crate::math::hints::opaque;
 use crate::surface::PixelFormat;
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666,
@@ -34,12 +35,21 @@ pub trait Blend: PixelColor {
     fn mix(self, stored: Self, alpha: u8) -> Self;
 
     /// `coverage` 256ths of this color plus the rest of `stored`, channel by channel, rounded to the nearest level. `coverage` is
-    /// 0 … 256; more counts as 256. Colors of 15 and 16 bits round it to 1/32 first, which is at most 1/64 off, and this is what a
-    /// type of your own gets from [`mix`](Self::mix).
+    /// 0 … 256; more gives a color without meaning. Colors of 15 and 16 bits round it to 1/32 first, which is at most 1/64 off, and
+    /// this is what a type of your own gets from [`mix`](Self::mix).
     #[must_use]
     #[inline(always)]
     fn over(self, stored: Self, coverage: u16) -> Self {
-        self.mix(stored, ((coverage.min(256) + 4) >> 3) as u8)
+        self.mix(stored, (coverage.wrapping_add(4) >> 3) as u8)
+    }
+
+    /// A function that returns this color [over](Self::over) a stored one, for loops: parts that depend on this color alone are
+    /// computed once.
+    #[must_use]
+    #[doc(hidden)]
+    #[inline(always)]
+    fn cover(self) -> impl Fn(Self, u16) -> Self + Copy {
+        move |stored, coverage| self.over(stored, coverage)
     }
 }
 
@@ -59,12 +69,6 @@ const fn mix(own: u32, stored: u32, share: u32, bits: u32, all: u32, lowest: u32
     (own.wrapping_add((stored & all).wrapping_mul((1u32 << bits).wrapping_sub(share))) >> bits) & all
 }
 
-/// A share of 256 parts.
-#[inline(always)]
-fn of_256(coverage: u16) -> u32 {
-    coverage.min(256).into()
-}
-
 /// Formats of 15 and 16 bits: the channel in the middle is moved up by 16 bits, so that all have room above.
 macro_rules! blend_16 {
     ($($color:ty: $low:literal, $spread:literal, $lowest:expr;)*) => {$(
@@ -79,6 +83,22 @@ macro_rules! blend_16 {
                 let spread = |bits: u32| bits | bits << 16;
                 let mixed = mix(spread(self.encode()), spread(stored.encode()), alpha.into(), 5, $spread, $lowest);
                 Self::decode((mixed | mixed >> 16) & 0xffff)
+            }
+
+            #[inline(always)]
+            fn cover(self) -> impl Fn(Self, u16) -> Self + Copy {
+                // Not known to LLVM, which would make two masks of it, and load each anew where registers are few.
+                let all = opaque($spread);
+                let half = opaque($lowest << 4);
+                let spread = move |color: Self| (color.encode() | color.encode() << 16) & all;
+                let own = spread(self);
+                move |stored, coverage| {
+                    // `mix` by one product: modulo 2³², own·a + stored·(32 − a) = 32·stored + (own − stored)·a.
+                    let (stored, alpha) = (spread(stored), u32::from(coverage.wrapping_add(4) >> 3));
+                    let sum = (stored << 5).wrapping_add(half);
+                    let mixed = sum.wrapping_add(own.wrapping_sub(stored).wrapping_mul(alpha)) >> 5 & all;
+                    Self::decode((mixed | mixed >> 16) & 0xffff)
+                }
             }
         }
     )*};
@@ -117,7 +137,7 @@ macro_rules! blend_24 {
             #[inline(always)]
             fn over(self, stored: Self, coverage: u16) -> Self {
                 let (own, stored) = (self.encode() >> $down, stored.encode() >> $down);
-                Self::decode(mix_24(own, stored, of_256(coverage), 8, $outer) << $down)
+                Self::decode(mix_24(own, stored, coverage.into(), 8, $outer) << $down)
             }
         }
     )*};
@@ -145,7 +165,7 @@ macro_rules! blend_gray {
 
             #[inline(always)]
             fn over(self, stored: Self, coverage: u16) -> Self {
-                Self::decode(mix(self.encode(), stored.encode(), of_256(coverage), 8, $max, 1))
+                Self::decode(mix(self.encode(), stored.encode(), coverage.into(), 8, $max, 1))
             }
         }
     )*};
@@ -182,6 +202,10 @@ mod tests {
                     check(own, below, alpha, mixed.r());
                     check(below, own, alpha, mixed.g());
                     check(7, 250, alpha, mixed.b());
+                    assert_eq!(
+                        mixed,
+                        Rgb888::new(own, below, 7).cover()(Rgb888::new(below, own, 250), alpha)
+                    );
                 }
             }
         }
@@ -196,6 +220,8 @@ mod tests {
                     let (own, below) = ([i / 2, j, 31 - i / 2], [j / 2, 63 - i, i / 2]);
                     let [r, g, b] = own;
                     let mixed = Rgb565::new(r, g, b).over(Rgb565::new(below[0], below[1], below[2]), alpha);
+                    let stored = Rgb565::new(below[0], below[1], below[2]);
+                    assert_eq!(mixed, Rgb565::new(r, g, b).cover()(stored, alpha));
                     check(r, below[0], rounded, mixed.r());
                     check(g, below[1], rounded, mixed.g());
                     check(b, below[2], rounded, mixed.b());
@@ -204,6 +230,8 @@ mod tests {
                     check(r, below[0], rounded, mixed.r());
                     check(g / 2, below[1] / 2, rounded, mixed.g());
                     check(b, below[2], rounded, mixed.b());
+                    let stored = Bgr555::new(below[0], below[1] / 2, below[2]);
+                    assert_eq!(mixed, Bgr555::new(r, g / 2, b).cover()(stored, alpha));
                 }
             }
         }
@@ -212,7 +240,7 @@ mod tests {
     #[test]
     fn nothing_and_all_of_a_colour() {
         let (own, below) = (Rgb666::new(63, 0, 21), Rgb666::new(5, 63, 40));
-        assert_eq!((own.over(below, 0), own.over(below, 256), own.over(below, u16::MAX)), (below, own, own));
+        assert_eq!((own.over(below, 0), own.over(below, 256)), (below, own));
         assert_eq!(Gray2::new(3).over(Gray2::new(0), 128), Gray2::new(2));
         assert_eq!(Bgr888::WHITE.over(Bgr888::BLACK, 256), Bgr888::WHITE);
         assert_eq!(Bgr565::WHITE.over(Bgr565::BLACK, 255), Bgr565::WHITE);

@@ -10,7 +10,7 @@ use crate::raster::{Span, Triangle};
 /// [`Band`](crate::Band). With another target it does not compile; [`ScreenDoor`](crate::ScreenDoor) draws into every target.
 ///
 /// **Order.** What is behind has to be drawn before: opaque faces first, then translucent ones from far to near, by a
-/// [`Painter`](crate::Painter) or object by object. Depth is tested and not stored, so a translucent face hides nothing. Of a
+/// [`Painter`](crate::Painter) (with a depth buffer, of [`DepthTested`](crate::DepthTested) shaders) or object by object. Depth is tested and not stored, so a translucent face hides nothing. Of a
 /// convex object, the faces seen from behind ([`Cull::Front`](crate::Cull)) and then those seen from the front are in order.
 ///
 /// **Error.** At most ½ level of each channel: see [`Blend::half`].
@@ -93,6 +93,16 @@ impl<C: Blend, S: SpanShader<C>> SpanShader<C> for HalfBlended<S> {
     #[inline(always)]
     fn blend(_: &S::Setup, own: C, stored: C) -> C {
         own.half(stored)
+    }
+
+    #[inline(always)]
+    fn blender(_: &S::Setup) -> impl Fn(C, C) -> C + Copy {
+        C::half
+    }
+
+    #[inline(always)]
+    fn solid_color(&self) -> Option<C> {
+        self.0.solid_color()
     }
 }
 
@@ -189,5 +199,16 @@ impl<C: Blend, S: SpanShader<C>> SpanShader<C> for Blended<S> {
     #[inline(always)]
     fn blend(setup: &BlendedSetup<S::Setup>, own: C, stored: C) -> C {
         own.mix(stored, setup.alpha)
+    }
+
+    #[inline(always)]
+    fn blender(setup: &BlendedSetup<S::Setup>) -> impl Fn(C, C) -> C + Copy {
+        let alpha = setup.alpha;
+        move |own, stored| own.mix(stored, alpha)
+    }
+
+    #[inline(always)]
+    fn solid_color(&self) -> Option<C> {
+        self.shader.solid_color()
     }
 }

@@ -243,6 +243,14 @@ pub trait SpanShader<C: PixelColor>: Shader {
         own
     }
 
+    /// [`blend`](Self::blend) as a function, for loops. A shader overrides it so that the function holds copies: what lies behind a
+    /// reference would be loaded for each pixel.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn blender(setup: &Self::Setup) -> impl Fn(C, C) -> C + Copy {
+        move |own, stored| Self::blend(setup, own, stored)
+    }
+
     /// Hands [`runs`](Self::runs) to a loop over the rows of a triangle, for targets whose pixels lie in memory. A shader with
     /// several kinds of set-up overrides it, so that each kind gets a loop of its own.
     #[doc(hidden)]
@@ -297,8 +305,8 @@ pub trait SpanShader<C: PixelColor>: Shader {
         Self::span(setup, span)
     }
 
-    /// The colour of all pixels, if the shader has only one. Then [`set_up`](Self::set_up) and [`span`](Self::span) are not
-    /// called, and faces are filled faster.
+    /// The colour of all pixels, if the shader has only one. Then [`span`](Self::span) and, unless the shader
+    /// [blends](Self::BLENDS), [`set_up`](Self::set_up) are not called, and faces are filled faster.
     #[inline(always)]
     fn solid_color(&self) -> Option<C> {
         None

@@ -27,6 +27,13 @@ pub trait Stroke<C: PixelColor>: Copy {
         let _ = (below, coverage);
         self.color()
     }
+
+    /// [`covering`](Self::covering) as a function, for loops: parts that depend on the stroke alone are computed once.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn cover(self) -> impl Fn(C, u16) -> C + Copy {
+        move |below, coverage| self.covering(below, coverage)
+    }
 }
 
 impl<C: PixelColor> Stroke<C> for C {
@@ -90,5 +97,10 @@ impl<C: Blend> Stroke<C> for AntiAliased<C> {
     #[inline(always)]
     fn covering(&self, below: C, coverage: u16) -> C {
         self.0.over(below, coverage)
+    }
+
+    #[inline(always)]
+    fn cover(self) -> impl Fn(C, u16) -> C + Copy {
+        self.0.cover()
     }
 }

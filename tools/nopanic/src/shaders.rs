@@ -10,10 +10,10 @@ use embedded_graphics_core::primitives::Rectangle;
 use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
 use pinhole::{
-    Accuracy, Blend, Blended, ColorKeyed, CornerValues, DepthBuffer, HalfBlended, IndexKeyed, IndexedTexels,
-    LitPalette, LitTexels, Memory, MeshInstance, Painter, PainterError, PictureError, PixelFormat, Pixels,
-    ScreenDoor, ScreenVertex, Shader, SpanShader, Statistics, StoredPixel, TexelSlice, Texels, Texture,
-    TextureError, WithPlanes,
+    Accuracy, Blend, Blended, ColorKeyed, CornerValues, DepthBuffer, DepthTested, HalfBlended, IndexKeyed,
+    IndexedTexels, LitPalette, LitTexels, Memory, MeshInstance, Painter, PainterError, PictureError,
+    PixelFormat, Pixels, ScreenDoor, ScreenVertex, Shader, SpanShader, Statistics, StoredPixel, TexelSlice,
+    Texels, Texture, TextureError, WithPlanes,
 };
 
 /// Depths, 1/w and the weights of each corner, and the pixels that are there.
@@ -101,6 +101,22 @@ fn entry_painter_by_planes(
     instance: &MeshInstance<'_, i16, WithPlanes>,
 ) -> Result<(), PainterError> {
     painter.add(instance, |_| shader())
+}
+
+#[unsafe(no_mangle)]
+fn entry_painter_depth_tested(
+    painter: &mut Painter<DepthTested<HalfBlended<Rgb565>>, 20, 20>,
+    instance: &MeshInstance<'_>,
+    cells: &mut [u16],
+    depths: &mut [u16],
+) -> Option<Statistics> {
+    let shade = |_| DepthTested::new(HalfBlended::new(Rgb565::load(any() as u16)));
+    painter.add(instance, shade).ok()?;
+    let mut target = Pixels::<Rgb565, u16>::new(cells, area()).ok()?;
+    let mut depth = DepthBuffer::new(area(), depths).ok()?;
+    let Ok(()) = painter.order().depth_tested(&mut depth, &mut target);
+    let Ok(statistics) = painter.depth_tested(&mut depth, &mut target);
+    Some(statistics)
 }
 
 /// Draws a texture by the calls that differ in how rows are cut into runs.

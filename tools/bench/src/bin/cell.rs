@@ -103,6 +103,9 @@ cells! {
     "cell_x4_sixteenth": Plain<4>, cells::x4_sixteenth;
     "cell_x4_each": Plain<4>, cells::x4_each;
     "cell_x4_every16": Plain<4>, cells::x4_every16;
+    // S5 blended in equal parts, and by an alpha.
+    "cell_s5_half": Frame, cells::s5_half;
+    "cell_s5_alpha": Frame, cells::s5_alpha;
     // S3 in one piece with the clear of the picture, and in bands.
     "cell_s3_full": Plain<TORUS>, cells::s3_full;
     "cell_s3_full_z": Deep<TORUS>, cells::s3_full_z;

@@ -2,6 +2,7 @@
 //! the scene takes.
 
 mod banded;
+mod blended;
 mod close;
 mod draw_target;
 mod memory;
@@ -13,6 +14,7 @@ mod three;
 mod two;
 
 pub use banded::{s3_bands, s3_bands_z, s3_full, s3_full_z, Strip16, Strip16Deep, Strip8, Strip8Deep};
+pub use blended::{s5_alpha, s5_half};
 pub use close::{c1, c1_planes, c1_planes_z, c1_wire, c1_z, c2, c2_planes, c2_planes_z, c2_wire, c2_z};
 pub use draw_target::{s1_dt, s2_dt, s2_dt_z, s3_dt, s3_dt_wire, s3_dt_z, s5_dt, s6_dt, s7_dt, s8_dt_z};
 pub use memory::{Deep, Frame, Plain, Smooth};
@@ -119,6 +121,9 @@ pub const USER_CELLS: &[Known] = &[
     ("X2", "z", || x2_z(&mut boxed(Deep::NEW))),
     ("X3", "plain", || x3(&mut boxed(Plain::NEW))),
     ("X4", "plain", || x4(&mut boxed(Plain::NEW))),
+    // A blended triangle.
+    ("S5", "half", || s5_half(&mut boxed(Frame::NEW))),
+    ("S5", "alpha", || s5_alpha(&mut boxed(Frame::NEW))),
     // In one piece, the clear of the picture counted, and in bands.
     ("S3", "full", || s3_full(&mut boxed(Plain::NEW))),
     ("S3", "full-z", || s3_full_z(&mut boxed(Deep::NEW))),
