@@ -64,7 +64,7 @@ const CHECKED: &str = "
 
 The cases below had no part in the fit. *Off* is the relative error of the formula: above 0, its estimate is too high. The last
 column is the error with estimated rows and large faces. The means of these columns, with their signs and without, stand below each
-table of constants. Only the fit separates per-row and per-pixel cost from per-face cost; [profile.md](profile.md) measures it by
+table of constants; they include bands of 48 rows, and few hidden lines, which are listed here for flat faces alone. Only the fit separates per-row and per-pixel cost from per-face cost; [profile.md](profile.md) measures it by
 following each instruction: on the M3, these constants agree with it for S2, S3 and S4 within a tenth without depth, and
 within a fifth with depth.
 
@@ -177,7 +177,11 @@ fn checks(text: &mut String, all: &[Growth], root: f64) {
     for ways in all.iter().filter(|growth| growth.core == first.core).map(|growth| growth.ways) {
         let cores: Vec<&Growth> = all.iter().filter(|growth| growth.ways == ways).collect();
         let Some(of) = cores.first() else { continue };
-        for (at, drawn) in of.drawn.iter().enumerate().filter(|(_, drawn)| is_check(drawn)) {
+        // The page would be too long for the package with all of them.
+        let is_listed =
+            |way: Way| matches!(way, Way::Bands(_) | Way::FacingBands(_)) || ways.first() == Some(&way);
+        let checks = of.drawn.iter().enumerate().filter(|(_, drawn)| is_check(drawn) && is_listed(drawn.way));
+        for (at, drawn) in checks {
             let Drawn { case, way, .. } = drawn;
             let [width, height] = case.size;
             let _ = write!(text, "| {way} | {} | {width} × {height} |", case.name);
