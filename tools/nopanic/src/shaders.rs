@@ -257,6 +257,8 @@ fn entry_blended(
     let color = || Rgb565::load(any() as u16);
     let half = |_| ScreenDoor::new(HalfBlended::new(color()), any() as u8);
     let Ok(solid) = instance.solid(half, cache, &mut target);
+    let Ok(_) = instance.solid(|_| HalfBlended::new(color()), cache, &mut target);
+    let Ok(_) = instance.solid(|_| Blended::new(color(), any() as u8), cache, &mut target);
     let [mut tested, mut mixed] = [Statistics::default(); 2];
     if let Ok(mut depth) = DepthBuffer::new(area(), depths) {
         let Ok(statistics) = instance.depth_tested(half, cache, &mut depth, &mut target);
@@ -273,6 +275,7 @@ fn entry_blended(
 fn entry_blend(bits: [u32; 2], alpha: u8) -> [u32; 3] {
     fn both<C: Blend + PixelFormat>([own, stored]: [u32; 2], alpha: u8) -> [u32; 3] {
         let [own, stored] = [own, stored].map(C::decode);
+        black_box(own.cover()(stored, any() as u16).encode());
         [own.half(stored).encode(), own.mix(stored, alpha).encode(), own.over(stored, any() as u16).encode()]
     }
     match any() {
