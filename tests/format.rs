@@ -140,10 +140,13 @@ public_types![
     TableShader<'static, Plain>,
     Accuracy,
     HalfBlended<Flat>,
+    ExponentialFog,
     Fog,
     FogError,
     FogTable<Plain>,
     Fogged<'static, Flat, Plain>,
+    LinearFog,
+    SquaredFog,
     VertexFog,
     ColorKeyed<Plain, Plain>,
     IndexKeyed<'static, Plain, 1>,
@@ -183,10 +186,11 @@ public_types![
 ];
 
 /// Public by their keyword only: set-ups of shaders, which no path leads to.
-const NOT_NAMED: [&str; 9] = [
+const NOT_NAMED: [&str; 10] = [
     "BlendedSetup",
     "ChannelGradients",
     "DitheredColor",
+    "FogLevel",
     "FoggedSetup",
     "Line",
     "LitTextureGradients",
