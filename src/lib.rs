@@ -42,11 +42,11 @@ pub use scene::{
 };
 pub use shading::{
     Accuracy, AntiAliased, Blend, Blended, BlinnPhong, Channels, ClampedTexels, ColorKeyed, CornerValues,
-    DepthTested, Dim, DirectionalLight, Dithered, Flat, Fog, FogError, FogTable, Fogged, Gouraud,
-    HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError, Lights, Lit, LitIndexedTexels, LitPalette,
-    LitTexels, LitTextured, Matcap, PointLight, RigidLambert, ScreenDoor, ShadeTable, Shader, SolidTexel,
-    SpanShader, Sprite, SpriteImage, SpriteSource, Stroke, TableShader, TexelSlice, Texels, Texture,
-    TextureError, Textured, VertexFog,
+    DepthTested, Dim, DirectionalLight, Dithered, ExponentialFog, Flat, Fog, FogError, FogProfile, FogTable,
+    Fogged, Gouraud, HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError, Lights, LinearFog, Lit,
+    LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, PointLight, RigidLambert, ScreenDoor,
+    ShadeTable, Shader, SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource, SquaredFog, Stroke,
+    TableShader, TexelSlice, Texels, Texture, TextureError, Textured, VertexFog,
 };
 pub use surface::{
     Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,

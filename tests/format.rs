@@ -141,10 +141,13 @@ public_types![
     Accuracy,
     HalfBlended<Flat>,
     DepthTested<Flat>,
+    ExponentialFog,
     Fog,
     FogError,
     FogTable<Plain>,
     Fogged<'static, Flat, Plain>,
+    LinearFog,
+    SquaredFog,
     VertexFog,
     ColorKeyed<Plain, Plain>,
     IndexKeyed<'static, Plain, 1>,
@@ -184,10 +187,11 @@ public_types![
 ];
 
 /// Public by their keyword only: set-ups of shaders, which no path leads to.
-const NOT_NAMED: [&str; 9] = [
+const NOT_NAMED: [&str; 10] = [
     "BlendedSetup",
     "ChannelGradients",
     "DitheredColor",
+    "FogLevel",
     "FoggedSetup",
     "Line",
     "LitTextureGradients",

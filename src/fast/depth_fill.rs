@@ -227,7 +227,7 @@ impl<Cell: Copy> RowFill for SolidRows<'_, Cell> {
 /// One check after the other: at opt-level "s" LLVM makes of checks in pairs a selection between a pointer and null, and then
 /// recomputes the lengths from pointers for each row.
 #[inline(always)]
-fn part<'r, Cell>(
+pub(super) fn part<'r, Cell>(
     cells: &'r mut [Cell],
     depths: &'r mut [u16],
     from: usize,
@@ -241,7 +241,13 @@ fn part<'r, Cell>(
 }
 
 #[inline(always)]
-fn fill_row<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], first: u32, step: u32, pair: [Cell; 2]) {
+pub(super) fn fill_row<Cell: Copy>(
+    run: &mut [Cell],
+    depths: &mut [u16],
+    first: u32,
+    step: u32,
+    pair: [Cell; 2],
+) {
     let [cell, _] = pair;
     if run.len() >= BLOCK {
         fill_blocks(run, depths, first, step, pair);
@@ -280,7 +286,13 @@ fn fill_each<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], mut z: u32, step:
 
 /// Fills a long run, eight pixels at once where the depth buffer is still clear, the common case.
 #[inline(never)] // its loop needs all registers
-fn fill_blocks<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], mut z: u32, step: u32, pair: [Cell; 2]) {
+pub(super) fn fill_blocks<Cell: Copy>(
+    run: &mut [Cell],
+    depths: &mut [u16],
+    mut z: u32,
+    step: u32,
+    pair: [Cell; 2],
+) {
     let [cell, _] = pair;
     // The lengths are equal already; this tells the compiler.
     let Some(depths) = depths.get_mut(..run.len()) else { return };

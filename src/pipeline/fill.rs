@@ -4,7 +4,9 @@
 //! call before that loop attaches a fast path, which may decline. All fast paths decline with `--cfg pinhole_plain`, and for
 //! targets whose pixels do not lie in memory.
 
-use crate::fast::{self, depth_fill, kept_fill, line_fill, line_pixels, shaded_fill, solid_fill, table_fill};
+use crate::fast::{
+    self, depth_fill, fog_fill, kept_fill, line_fill, line_pixels, shaded_fill, solid_fill, table_fill,
+};
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
 use crate::shading::SpanShader;
 use crate::surface::{drawable, each_run, DepthTarget, PixelStore, StoredPixel, Target};
@@ -31,6 +33,9 @@ pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
             return Ok(());
         }
         return fill_spans(triangle, color, scissor, target);
+    }
+    if fog_fill::triangle(triangle, shader, scissor, target) {
+        return Ok(());
     }
     let setup = shader.set_up(triangle);
     if shaded_fill::triangle::<T, S>(triangle, &setup, scissor, target) {
@@ -76,6 +81,9 @@ pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
     if let Some(shader) = shader.table()
         && table_fill::triangle_nearer(triangle, &shader, scissor, is_clipped, depth, target)
     {
+        return Ok(());
+    }
+    if fog_fill::triangle_nearer(triangle, shader, scissor, is_clipped, depth, target) {
         return Ok(());
     }
     let setup = shader.set_up(&triangle.triangle);
@@ -335,9 +343,11 @@ mod tests {
     extern crate std;
 
     use super::*;
+    use crate::camera::{Camera, Projection, ViewTransform, Viewport};
     use crate::math::random::Random;
+    use crate::math::{Angle, Point3, Scalar, Vector3};
     use crate::raster::{area, ScreenPoint};
-    use crate::shading::{Gouraud, ScreenDoor, ShadeTable, Shader};
+    use crate::shading::{CornerValues, Fog, FogTable, Fogged, Gouraud, ScreenDoor, ShadeTable, Shader};
     use crate::surface::{DepthBuffer, Memory, PictureError, PixelFormat, StoredPixel};
     use core::convert::Infallible;
     use embedded_graphics_core::geometry::{Point, Size};
@@ -466,6 +476,20 @@ mod tests {
         depths: [i32; 3],
         levels: [u16; 3],
         color: u16,
+        fog: Fog,
+    }
+
+    impl Item {
+        fn camera() -> Camera {
+            let [near, far] = [1, 100].map(Scalar::from_num);
+            let view = ViewTransform::look_at(
+                Point3::from_ints(0, 0, 0),
+                Point3::from_ints(0, 0, -1),
+                Vector3::from_ints(0, 1, 0),
+            );
+            let lens = Projection::perspective(Angle::degrees(60), AREA.size, near, far).unwrap();
+            Camera::new(&view.unwrap(), &lens, &Viewport::new(Point::zero(), AREA.size).unwrap())
+        }
     }
 
     /// A colour whose depth is tested and not stored.
@@ -529,6 +553,16 @@ mod tests {
                     let door = ScreenDoor::new(smooth, self.color as u8 & 63);
                     fill_nearer(&triangle, &door, &depth_scissor, is_clipped, depth, target)
                 }
+                10 | 11 => {
+                    let fog =
+                        FogTable::new(&self.fog, &Self::camera(), Rgb565::CSS_LIGHT_STEEL_BLUE).unwrap();
+                    let fogged =
+                        Fogged::new(color, &fog).with_corners(&CornerValues::new(self.depths, [1; 3]));
+                    match self.kind {
+                        10 => fill(flat, &fogged, &scissor, is_clipped, target),
+                        _ => fill_nearer(&triangle, &fogged, &depth_scissor, is_clipped, depth, target),
+                    }
+                }
                 9 => fill_nearer(&triangle, &Tested(color), &depth_scissor, is_clipped, depth, target),
                 _ => fill_nearer(&triangle, &smooth, &depth_scissor, is_clipped, depth, target),
             };
@@ -553,13 +587,19 @@ mod tests {
                 depths: [0; 3].map(|_| random.below(farthest + 1) as i32),
                 levels: [0; 3].map(|_| random.below(257) as u16),
                 color: random.below(1 << 16) as u16,
+                fog: {
+                    // From all levels in a few steps of depth to levels over most of the range.
+                    let start = 1 + random.below(40);
+                    let [start, end] = [start, start + 1 + random.below(50)].map(Scalar::from_num);
+                    Fog::linear(start, end).unwrap()
+                },
             });
         }
         items
     }
 
     /// All kinds of items.
-    const ALL: &[usize] = &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9];
+    const ALL: &[usize] = &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11];
 
     const AREA: Rectangle = Rectangle::new(Point::new(-45, -33), Size::new(97, 71));
 
@@ -569,7 +609,9 @@ mod tests {
         let one_row_more = Rectangle::new(AREA.top_left, AREA.size + Size::new(0, 1));
         let elsewhere = Rectangle::new(Point::new(-60, -20), Size::new(97, 60));
         for depth_area in [AREA, one_row_more, elsewhere] {
-            for kinds in [&[0][..], &[1], &[2], &[3], &[4], &[5], &[6], &[7], &[8], &[4, 9], ALL] {
+            for kinds in
+                [&[0][..], &[1], &[2], &[3], &[4], &[5], &[6], &[7], &[8], &[4, 9], &[10], &[11], ALL]
+            {
                 let mut drawn = 0;
                 for _ in 0..12 {
                     let items = items(random, 60, kinds);

@@ -36,7 +36,10 @@ pub use dim::Dim;
 pub use dither::Dithered;
 pub(crate) use dither::{Bayer, DitheredColor};
 pub use flat::Flat;
-pub use fog::{Fog, FogError, FogTable, Fogged, VertexFog};
+pub use fog::{
+    ExponentialFog, Fog, FogError, FogProfile, FogTable, Fogged, LinearFog, SquaredFog, VertexFog,
+};
+pub(crate) use fog::{FogBounds, FogLevel};
 pub use gouraud::Gouraud;
 pub(crate) use gouraud::{ChannelGradients, Nearest};
 pub use highlight::BlinnPhong;
@@ -46,7 +49,7 @@ pub use lit::Lit;
 pub use matcap::Matcap;
 pub use point_light::PointLight;
 pub use screen_door::ScreenDoor;
-pub(crate) use shader::DrawRuns;
+pub(crate) use shader::{DrawLevels, DrawRuns};
 pub use shader::{Shader, SpanShader};
 pub(crate) use sprite::SpriteSize;
 pub use sprite::{SolidTexel, Sprite, SpriteImage, SpriteSource};

@@ -3,7 +3,7 @@
 use super::CornerValues;
 use crate::clip::Varying;
 use crate::raster::{Span, Triangle};
-use crate::shading::{Line, TableShader};
+use crate::shading::{FogBounds, FogLevel, Line, TableShader};
 use core::iter::{once, repeat};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
@@ -318,6 +318,15 @@ pub trait SpanShader<C: PixelColor>: Shader {
     fn table(&self) -> Option<TableShader<'_, C>> {
         None
     }
+
+    /// Hands one colour for each level of fog to a loop over the rows of a triangle, for targets whose pixels lie in memory, if these
+    /// are the shader's colours. Returns whether the triangle is drawn.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn draw_levels<D: DrawLevels<C>>(&self, draw: D) -> bool {
+        let _ = draw;
+        false
+    }
 }
 
 /// A loop over the rows of a triangle, into memory.
@@ -338,6 +347,23 @@ pub trait DrawRuns<C>: Sized {
     ) {
         self.runs(|span| lines(span).map(|(width, line)| (width, line.map(texel))));
     }
+}
+
+/// A loop over the rows of a triangle in fog, into memory.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no loop over the rows of a triangle in fog",
+    note = "leave `draw_levels` as the trait has it"
+)]
+pub trait DrawLevels<C>: Sized {
+    /// Fills the triangle, whose corners have these depths in 16.8, with the colours of the levels, and returns whether it is drawn.
+    /// `bounds` are the depths at which the levels begin, and `level` is any of them.
+    fn levels(
+        self,
+        depths: &[i32; 3],
+        bounds: &FogBounds,
+        level: FogLevel,
+        color: impl Fn(u8) -> C + Copy,
+    ) -> bool;
 }
 
 impl<C: PixelColor> Shader for C {

@@ -151,6 +151,56 @@ fn facing(seed: u64, count: u16, size: f64) -> Scene {
     scene
 }
 
+/// Triangles that hardly tilt and reach up to 8000 pixels from the picture, before a parallel lens of ±100.
+fn vast(seed: u64, count: u16) -> Scene {
+    let mut rng = Rng::new(seed);
+    let mut scene = Scene { vertices: vec![], exponent: -2, faces: vec![], uv: vec![] };
+    for i in 0..count {
+        let [distance, tilt] = [rng.real(300.0, 800.0), rng.log(20.0, 2000.0)];
+        let away = rng.real(0.0, 360.0).to_radians();
+        for turn in [0.0, 2.1, 4.2] {
+            let (reach, angle): (f64, f64) = (rng.real(1000.0, 6600.0), away + turn + rng.real(-0.5, 0.5));
+            let z = -(distance + rng.real(-tilt, tilt));
+            let corner = [reach * angle.cos(), reach * angle.sin(), z.min(-10.0)];
+            scene.vertices.push(corner.map(|c| (c * 4.0) as i16));
+        }
+        scene.faces.push([3 * i, 3 * i + 1, 3 * i + 2]);
+    }
+    scene
+}
+
+/// The exceptions that `Fogged` states: triangles larger than 512 pixels, and the last step before the far plane, where depth ends at
+/// 65534.46.
+#[test]
+fn levels_of_large_triangles_and_before_the_far_plane_are_within_their_bounds() {
+    let lens = Lens { near: 1.0, far: 4000.0, parallel: Some(100.0) };
+    let ([_, large], counts) = worst(&lens, [250.0, 900.0], &vast(9, 400));
+    assert!(counts.iter().all(|&count| count > 0), "{counts:?}");
+    assert!(large < 1.0 / 64.0, "{large}");
+    // A slope through the far plane, of a few steps of depth over the picture, in fog that is full there.
+    let lens = Lens { near: 1.0, far: 250.0, parallel: Some(100.0) };
+    let mut most = 0.0_f64;
+    for (steps, [low, high]) in [
+        (9.0, [249.953125, 250.015625]),
+        (16.0, [249.953125, 250.015625]),
+        (32.0, [249.8, 250.1]),
+        (64.0, [249.96875, 250.0078125]),
+    ] {
+        let corner = |x: f64, y: f64, z: f64| [x, y, -z];
+        let slope = [
+            corner(-100.0, -100.0, low),
+            corner(100.0, -100.0, low),
+            corner(100.0, 100.0, high),
+            corner(-100.0, 100.0, high),
+        ];
+        let start = 250.0 - steps * 249.0 / 65_535.0;
+        let ([_, worst], counts) = worst(&lens, [start, 250.0], &quad(slope, 0.0, 1, -7));
+        assert!(counts.iter().filter(|&&count| count > 0).count() > 3, "{counts:?}");
+        most = most.max(worst);
+    }
+    assert!(most < 0.54 && most > 0.27, "{most}");
+}
+
 #[test]
 fn levels_are_those_of_rays_within_a_fraction_of_a_step_of_depth() {
     let perspective = |near, far| Lens { near, far, parallel: None };
@@ -206,14 +256,21 @@ fn factors_are_the_nearest_at_every_depth() {
         (Lens { near: -4.0, far: 9.0, parallel: Some(3.0) }, [-3.5, 8.0]),
         (Lens { near: 1.0, far: 30_000.0, parallel: None }, [0.25, 30_000.0]),
     ];
-    for (lens, fog) in cases {
+    // The part of the way from start to end at which this part of a color is left.
+    type Profile = fn(f64) -> f64;
+    let profiles: [Profile; 3] = [|left| 1.0 - left, |left| -left.log(64.0), |left| (-left.log(64.0)).sqrt()];
+    for (case, (lens, fog)) in cases.into_iter().flat_map(|case| [(0, case), (1, case), (2, case)]) {
         let camera = camera(&lens.projection());
-        let table =
-            FogTable::new(&Fog::linear(number(fog[0]), number(fog[1])).unwrap(), &camera, Gray8::BLACK)
-                .unwrap();
+        let [start, end] = fog.map(number);
+        let table = match case {
+            0 => FogTable::new(&Fog::linear(start, end).unwrap(), &camera, Gray8::BLACK),
+            1 => FogTable::new(&Fog::exponential(start, end).unwrap(), &camera, Gray8::BLACK),
+            _ => FogTable::new(&Fog::squared(start, end).unwrap(), &camera, Gray8::BLACK),
+        }
+        .unwrap();
         let bounds = core::array::from_fn::<f64, 32, _>(|i| {
-            let distance = fog[0] + (fog[1] - fog[0]) * (i as f64 + 0.5) / 32.0;
-            lens.bound(distance)
+            let share = profiles[case](1.0 - (i as f64 + 0.5) / 32.0);
+            lens.bound(fog[0] + (fog[1] - fog[0]) * share)
         });
         let (mut ties, mut last) = (0, 32);
         for depth in 0..65_535 {

@@ -1,17 +1,18 @@
 //! The shader of faces in fog.
 
-use super::level_runs::LevelRuns;
+use super::levels::{FogLevel, FogLevels};
 use super::table::{FogTable, LEVELS};
 use crate::raster::{Gradient, Span, Triangle};
-use crate::shading::shader::DrawRuns;
+use crate::shading::shader::{DrawLevels, DrawRuns};
 use crate::shading::{Blend, CornerValues, Shader, SpanShader, TableShader};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// A shader in fog: its colours, mixed with the fog's by the depth of each pixel. It wraps any shader that does not read pixels, in any draw call: colours,
 /// smooth, lit and textured faces, with colour keys and screen doors; into every target whose colours can be [mixed](Blend).
 ///
-/// Where the fog's level is constant along a row, colours are mixed with a constant factor, and the factor is looked up once. A
-/// face without fog is drawn by the shader alone; a face of one colour in one level of fog is filled with one colour.
+/// A face without fog is drawn by the shader alone; a face of one colour in one level of fog is filled with one colour. A face of
+/// one colour in several levels, on a target whose pixels lie in memory, is filled level by level: a colour is mixed where the level
+/// changes. All others mix each pixel.
 ///
 /// **Draw calls** transform vertices with depth and clip at the far plane. [`fill_triangle`](crate::fill_triangle) has no depth: it
 /// draws in the fog of the near plane.
@@ -20,7 +21,8 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// [reads pixels](SpanShader::READS_PIXELS) would put fog on what was drawn before, so it does not compile: give it the fogged shader.
 ///
 /// **Error.** A pixel's factor is that of the exact distance of a point within 1/256 pixel and 1/64 step of depth, rounded to the
-/// nearest 1/32; if the triangle is larger than 512 pixels, or in the last step before the far plane, within ½ step. Each channel is
+/// nearest 1/32; in the last step before the far plane, within 0.54 step, since depth ends at 65534.46. For triangles larger than 512 pixels
+/// no more than 1/64 step has been seen, and ¼ is proved. Each channel is
 /// then rounded to the nearest level of the target. [`FogTable`] says what a step of depth is in distance. A triangle whose three
 /// corners have one level has this level.
 ///
@@ -105,8 +107,12 @@ impl<S: Shader, C: PixelColor> Shader for Fogged<'_, S, C> {
         };
         let depths @ [a, b, c] = corners.depths();
         // 16.8, 24 bits: as a value at a pixel, 16.16.
-        let level = |depth: i32| self.table.level(((depth as u32) << 8).saturating_add(Gradient::DEPTH_BIAS));
-        Self { shader, depths, levels: [level(a.min(b).min(c)), level(a.max(b).max(c))], ..*self }
+        let at_pixel = |depth: i32| ((depth as u32) << 8).saturating_add(Gradient::DEPTH_BIAS);
+        let (least, most) = (at_pixel(a.min(b).min(c)), at_pixel(a.max(b).max(c)));
+        // Most triangles have few levels: the highest is searched from the lowest on.
+        let least = FogLevel::new(self.table.level(least), &self.table.bounds);
+        let levels = [least.level(), least.at(most, &self.table.bounds).level()];
+        Self { shader, depths, levels, ..*self }
     }
 }
 
@@ -128,18 +134,25 @@ pub struct FoggedSetup<'t, P, C> {
 }
 
 impl<'t, P, C: Blend> FoggedSetup<'t, P, C> {
-    /// The runs of a span with one level of fog each.
+    /// The level of each pixel from `x` on.
     #[inline(always)]
-    fn level_runs(&self, span: Span) -> LevelRuns<'t> {
+    fn levels(&self, x: i32, y: i32) -> FogLevels<'t> {
         let [least, _] = self.levels;
-        LevelRuns::new(&self.table.bounds, least, self.depth.at(span.x, span.y), self.depth.step(), span)
+        let bounds = &self.table.bounds;
+        FogLevels::new(bounds, FogLevel::new(least, bounds), self.depth.at(x, y), self.depth.step())
     }
 
-    /// The colours of a run in one level of fog.
+    /// A colour in a level of fog.
     #[inline(always)]
     fn mixed(&self, color: C, level: u8) -> C {
-        color.mix(self.table.color, LEVELS as u8 - level)
+        mixed(color, self.table.color, level)
     }
+}
+
+/// A colour in a level of fog.
+#[inline(always)]
+fn mixed<C: Blend>(color: C, fog: C, level: u8) -> C {
+    color.mix(fog, LEVELS as u8 - level)
 }
 
 impl<'t, C: Blend, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
@@ -163,25 +176,29 @@ impl<'t, C: Blend, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
 
     #[inline(always)]
     fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = C> {
-        setup.level_runs(span).flat_map(move |(run, level)| {
-            S::span(&setup.own, run).take(run.width as usize).map(move |color| setup.mixed(color, level))
-        })
+        S::span(&setup.own, span)
+            .zip(setup.levels(span.x, span.y))
+            .map(move |(color, level)| setup.mixed(color, level))
     }
 
     #[inline(always)]
     fn runs(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = C>)> {
-        setup.level_runs(span).flat_map(move |(run, level)| {
-            S::runs(&setup.own, run)
-                .map(move |(width, colors)| (width, colors.map(move |color| setup.mixed(color, level))))
+        let mut x = span.x;
+        S::runs(&setup.own, span).map(move |(width, colors)| {
+            let levels = setup.levels(x, span.y);
+            x = x.wrapping_add(width);
+            (width, colors.zip(levels).map(move |(color, level)| setup.mixed(color, level)))
         })
     }
 
     #[inline(always)]
     fn kept(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = Option<C>>)> {
-        setup.level_runs(span).flat_map(move |(run, level)| {
-            S::kept(&setup.own, run).map(move |(width, colors)| {
-                (width, colors.map(move |color| color.map(|color| setup.mixed(color, level))))
-            })
+        let mut x = span.x;
+        S::kept(&setup.own, span).map(move |(width, colors)| {
+            let levels = setup.levels(x, span.y);
+            x = x.wrapping_add(width);
+            let mixed = move |(color, level): (Option<C>, u8)| color.map(|color| setup.mixed(color, level));
+            (width, colors.zip(levels).map(mixed))
         })
     }
 
@@ -201,7 +218,15 @@ impl<'t, C: Blend, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
     #[inline(always)]
     fn solid_color(&self) -> Option<C> {
         let level = self.level()?;
-        Some(self.shader.solid_color()?.mix(self.table.color, LEVELS as u8 - level))
+        Some(mixed(self.shader.solid_color()?, self.table.color, level))
+    }
+
+    #[inline(always)]
+    fn draw_levels<D: DrawLevels<C>>(&self, draw: D) -> bool {
+        let [least, _] = self.levels;
+        let (Some(own), fog) = (self.shader.solid_color(), self.table.color) else { return false };
+        let bounds = &self.table.bounds;
+        draw.levels(&self.depths, bounds, FogLevel::new(least, bounds), move |level| mixed(own, fog, level))
     }
 
     #[inline(always)]

@@ -1,17 +1,20 @@
 //! Fog: colours that fade into one colour with the distance from the camera.
 //!
-//! `linear` says where the fog begins and where it is full. `vertex` has its factor at vertices and faces, for fog that costs no
+//! `linear` says where the fog begins and where it is full, and `profile` how it grows in between. `vertex` has its factor at vertices and faces, for fog that costs no
 //! instruction a pixel, and `colors` the tables and colours that go with it. `table` has its factor by depth, and `fogged` the
-//! shader that looks it up at each pixel, by `level_runs`.
+//! shader that looks it up at each pixel, by `levels`.
 
 mod colors;
 mod fogged;
-mod level_runs;
+mod levels;
 mod linear;
+mod profile;
 mod table;
 mod vertex;
 
 pub use fogged::Fogged;
+pub(crate) use levels::{Bounds as FogBounds, FogLevel};
 pub use linear::{Fog, FogError};
+pub use profile::{ExponentialFog, FogProfile, LinearFog, SquaredFog};
 pub use table::FogTable;
 pub use vertex::VertexFog;

@@ -1,6 +1,7 @@
 //! The factor of fog as a table over the fog's own range of depth.
 
 use super::linear::{Fog, FogError, LEAST_STEPS};
+use super::profile::FogProfile;
 use crate::camera::Camera;
 use crate::raster::Gradient;
 use crate::shading::Blend;
@@ -9,7 +10,7 @@ use crate::shading::Blend;
 pub(super) const LEVELS: usize = 32;
 
 /// Fog by depth, in 32 levels, for [`Fogged`](crate::Fogged) faces, points, labels and lines: the depths at which the levels begin, so the levels
-/// are spread over the fog's own range, and each is as wide as the others in distance, not in depth. It takes 136 bytes and
+/// are spread over the fog's own range, and each takes 1/32 of the factor, not of depth. It takes 136 bytes and
 /// a colour, and holds as long as the camera's projection does: the camera may move and turn.
 ///
 /// **Error.** The factor is that of the exact distance, rounded to the nearest 1/32, if the distance is exact: off by at most 1/64.
@@ -51,7 +52,7 @@ impl<C> FogTable<C> {
     /// depth. [`FogError::TooFewSteps`] if fewer than [`LEAST_STEPS`](Self::LEAST_STEPS) steps of depth lie between the start
     /// and the end of the fog, or the part of it that lies between the near and the far plane.
     #[inline(never)] // set-up: code size counts, speed does not
-    pub fn new(fog: &Fog, camera: &Camera, color: C) -> Result<Self, FogError> {
+    pub fn new<P: FogProfile>(fog: &Fog<P>, camera: &Camera, color: C) -> Result<Self, FogError> {
         let [start, end] = fog.range().map(i64::from);
         let depth_at = |distance| camera.depth_at(distance).ok_or(FogError::SlantedDepth);
         let (first, last) = (depth_at(start << 16)?, depth_at(end << 16)?);
@@ -63,9 +64,9 @@ impl<C> FogTable<C> {
         }
         let mut bounds = [0; LEVELS + 2];
         let mut least = 0;
-        for (odd, bound) in (1..).step_by(2).zip(bounds.iter_mut().skip(1).take(LEVELS)) {
-            // Half-way between two levels: odd/64 of the range, which has 33 bits, in 2⁻²² and then in 2⁻³².
-            let depth = depth_at((start << 16) + (((end - start) * odd) << 10))?;
+        for (odd, bound) in (1_u32..).step_by(2).zip(bounds.iter_mut().skip(1).take(LEVELS)) {
+            // Half-way between two levels: a share of the range, which has 33 bits, in 2⁻⁴⁶, 63 bits, and then in 2⁻³².
+            let depth = depth_at((start << 16) + (((end - start) * i64::from(P::share(odd))) >> 14))?;
             least = depth.saturating_add(Gradient::DEPTH_BIAS).max(least);
             *bound = least;
         }

@@ -112,6 +112,11 @@ impl<P: FacePlanes> Scene<P> {
         self.camera.place(&self.mesh, &self.model)
     }
 
+    /// Set up before the frame too.
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
     /// Set up before the frame too, where there is light.
     pub fn light(&self) -> Option<Lambert> {
         lit(&self.model)

@@ -23,6 +23,11 @@ fn entry_fog(camera: &Camera) -> Result<(FogTable<Rgb565>, [i32; 4]), FogError> 
     let [start, end] = [(); 2].map(|()| Scalar::from_bits(any()));
     let fog = Fog::linear(start, end)?;
     let table = FogTable::new(&fog, camera, color())?;
+    let table = match any() {
+        0 => table,
+        1 => FogTable::new(&Fog::exponential(start, end)?, camera, color())?,
+        _ => FogTable::new(&Fog::squared(start, end)?, camera, color())?,
+    };
     let seen: u16 = table.color_at(color(), any() as u16).stored();
     let numbers =
         [fog.start().to_bits(), fog.end().to_bits(), table.factor(any() as u16).into(), seen.into()];

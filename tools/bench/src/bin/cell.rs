@@ -106,6 +106,13 @@ cells! {
     // S5 blended in equal parts, and by an alpha.
     "cell_s5_half": Frame, cells::s5_half;
     "cell_s5_alpha": Frame, cells::s5_alpha;
+    // The torus, a floor and the textured torus in fog by pixel. Fifty sprites.
+    "cell_g1": Plain<TORUS>, cells::g1;
+    "cell_g1_z": Deep<TORUS>, cells::g1_z;
+    "cell_g2": Plain<4>, cells::g2;
+    "cell_g2_z": Deep<4>, cells::g2_z;
+    "cell_g3_z": Deep<TORUS>, cells::g3_z;
+    "cell_b1_z": Deep<0>, cells::b1_z;
     // S3 in one piece with the clear of the picture, and in bands.
     "cell_s3_full": Plain<TORUS>, cells::s3_full;
     "cell_s3_full_z": Deep<TORUS>, cells::s3_full_z;

@@ -5,9 +5,11 @@ mod banded;
 mod blended;
 mod close;
 mod draw_target;
+mod foggy;
 mod memory;
 mod moving;
 mod screen;
+mod sprites;
 mod stepped;
 mod textured;
 mod three;
@@ -17,11 +19,13 @@ pub use banded::{s3_bands, s3_bands_z, s3_full, s3_full_z, Strip16, Strip16Deep,
 pub use blended::{s5_alpha, s5_half};
 pub use close::{c1, c1_planes, c1_planes_z, c1_wire, c1_z, c2, c2_planes, c2_planes_z, c2_wire, c2_z};
 pub use draw_target::{s1_dt, s2_dt, s2_dt_z, s3_dt, s3_dt_wire, s3_dt_z, s5_dt, s6_dt, s7_dt, s8_dt_z};
+pub use foggy::{g1, g1_z, g2, g2_z, g3_z};
 pub use memory::{Deep, Frame, Plain, Smooth};
 #[cfg(not(target_os = "none"))]
 pub use moving::f50_in_view;
 pub use moving::{f50, f50_wire, f50_z, t1};
 pub use screen::Screen;
+pub use sprites::b1_z;
 pub use textured::{x1, x1_z, x2, x2_z, x3, x4};
 pub use textured::{
     x1_each, x1_eighth, x1_every16, x1_sixteenth, x2_each, x2_eighth, x2_every16, x2_sixteenth, x3_each,
@@ -124,6 +128,13 @@ pub const USER_CELLS: &[Known] = &[
     // A blended triangle.
     ("S5", "half", || s5_half(&mut boxed(Frame::NEW))),
     ("S5", "alpha", || s5_alpha(&mut boxed(Frame::NEW))),
+    // Fog by pixel, and sprites.
+    ("G1", "plain", || g1(&mut boxed(Plain::NEW))),
+    ("G1", "z", || g1_z(&mut boxed(Deep::NEW))),
+    ("G2", "plain", || g2(&mut boxed(Plain::NEW))),
+    ("G2", "z", || g2_z(&mut boxed(Deep::NEW))),
+    ("G3", "z", || g3_z(&mut boxed(Deep::NEW))),
+    ("B1", "z", || b1_z(&mut boxed(Deep::NEW))),
     // In one piece, the clear of the picture counted, and in bands.
     ("S3", "full", || s3_full(&mut boxed(Plain::NEW))),
     ("S3", "full-z", || s3_full_z(&mut boxed(Deep::NEW))),

@@ -19,7 +19,7 @@ use pinhole::{
 const SIDE: usize = 64;
 
 /// A colour of its own for each texel but for a few.
-static PICTURE: [[Rgb565; SIDE]; SIDE] = {
+pub(super) static PICTURE: [[Rgb565; SIDE]; SIDE] = {
     let mut picture = [[Rgb565::new(0, 0, 0); SIDE]; SIDE];
     let mut at = 0;
     while at < SIDE * SIDE {
@@ -29,6 +29,12 @@ static PICTURE: [[Rgb565; SIDE]; SIDE] = {
     }
     picture
 };
+
+/// The coordinates of the corners of a face of the torus.
+#[inline(always)]
+pub(super) fn torus_uv(face: usize) -> [[i16; 2]; 3] {
+    TORUS_UV.get(face).copied().unwrap_or_default()
+}
 
 /// Rings of the torus, and vertices of a ring.
 const RINGS: u16 = 25;
@@ -72,8 +78,8 @@ const fn unwound(number: u16, by: u16, count: u16) -> i32 {
 const QUAD: [[u16; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
 
 /// A quad before an eye at the origin, and how many texels lie along its sides.
-struct Floor {
-    mesh: Mesh<'static>,
+pub(super) struct Floor {
+    pub(super) mesh: Mesh<'static>,
     texels: i16,
 }
 
@@ -87,7 +93,7 @@ static X2: Floor = floor(
     -10,
     128,
 );
-static X3: Floor =
+pub(super) static X3: Floor =
     floor(&[[-5136, -3525, -410], [6001, 1669, -410], [6001, 1669, -9728], [-5136, -3525, -9728]], -10, 64);
 static X4: Floor = floor(
     &[[-27052, -9880, -29], [27074, 9820, -29], [27074, 9820, -32000], [-27052, -9880, -32000]],
@@ -97,7 +103,7 @@ static X4: Floor = floor(
 
 /// An eye at the origin, which looks along −z.
 #[inline(never)]
-fn camera() -> Option<Camera> {
+pub(super) fn camera() -> Option<Camera> {
     let [eye, ahead] = [0, -1].map(|z| Point3::from_ints(0, 0, z));
     let view = ViewTransform::look_at(eye, ahead, Vector3::from_ints(0, 1, 0)).ok()?;
     let (near, far) = (Scalar::from_bits(black_box(1 << 15)), Scalar::from_bits(black_box(2000 << 16)));
@@ -146,7 +152,7 @@ pub fn x1(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
     let (texture, instance) = (Texture::new(&PICTURE), scene.place());
     count(frame, &mut |picture| {
         let (instance, texture) = black_box((&instance, &texture));
-        let shade = |face: usize| texture.at(TORUS_UV.get(face).copied().unwrap_or_default());
+        let shade = |face: usize| texture.at(torus_uv(face));
         let Ok(statistics) = instance.solid(shade, corners, &mut picture.pixels());
         black_box(statistics);
         Some(())
@@ -159,7 +165,7 @@ pub fn x1_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted>
     count(frame, &mut |picture| {
         let (instance, texture) = black_box((&instance, &texture));
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let shade = |face: usize| texture.at(TORUS_UV.get(face).copied().unwrap_or_default());
+        let shade = |face: usize| texture.at(torus_uv(face));
         let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
         black_box(statistics);
         Some(())
@@ -243,7 +249,7 @@ fn torus_by<M: Method>(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Co
     let instance = scene.place();
     count(frame, &mut |picture| {
         let instance = black_box(&instance);
-        let shade = |face: usize| M::shader(TORUS_UV.get(face).copied().unwrap_or_default());
+        let shade = |face: usize| M::shader(torus_uv(face));
         let Ok(statistics) = instance.solid(shade, corners, &mut picture.pixels());
         black_box(statistics);
         Some(())

@@ -1,0 +1,166 @@
+//! The level of fog of each pixel of a span.
+
+use super::table::LEVELS;
+
+/// The depths at which levels begin, as [`FogTable`](crate::FogTable) has them.
+pub(crate) type Bounds = [u32; LEVELS + 2];
+
+/// The level of fog at a depth, found from that of a depth near by: a level begins where the one before it ends, and neighbouring
+/// pixels mostly have one level.
+#[derive(Clone, Copy, Debug)]
+pub struct FogLevel {
+    level: usize,
+    /// The depths of the level: so many, from the first on.
+    from: u32,
+    reach: u32,
+}
+
+impl FogLevel {
+    /// A level, 0 … 32.
+    #[inline(always)]
+    pub(super) fn new(level: u8, bounds: &Bounds) -> Self {
+        Self::of(level.into(), bounds)
+    }
+
+    #[inline(always)]
+    fn of(level: usize, bounds: &Bounds) -> Self {
+        let (from, to) = match bounds.get(level..) {
+            Some(&[from, to, ..]) => (from, to),
+            _ => (0, u32::MAX), // no level is above 32
+        };
+        Self { level, from, reach: to.wrapping_sub(from) }
+    }
+
+    /// Whether a depth has this level: a value of [`Gradient::of_depth`](crate::raster::Gradient::of_depth).
+    #[inline(always)]
+    pub(crate) fn has(&self, depth: u32) -> bool {
+        depth.wrapping_sub(self.from) < self.reach
+    }
+
+    /// The level of a depth.
+    #[inline(always)]
+    pub(crate) fn at(mut self, depth: u32, bounds: &Bounds) -> Self {
+        while depth < self.from && self.level > 0 {
+            self = Self::of(self.level - 1, bounds);
+        }
+        while depth >= self.from.wrapping_add(self.reach) && self.level < LEVELS {
+            self = Self::of(self.level + 1, bounds);
+        }
+        self
+    }
+
+    /// The number of further pixels with this level, after one of depth `first` that has it, if depth changes by `step`: at most
+    /// `beyond`, and exact if no depth up to that pixel wraps. One division.
+    #[inline(always)]
+    pub(crate) fn further(&self, first: u32, step: u32, beyond: u32) -> u32 {
+        let last = first.wrapping_add(step.wrapping_mul(beyond));
+        let to = self.from.wrapping_add(self.reach);
+        let more = if last >= to {
+            to.wrapping_sub(first).wrapping_sub(1).checked_div(step)
+        } else if last < self.from {
+            first.wrapping_sub(self.from).checked_div(step.wrapping_neg())
+        } else {
+            None
+        };
+        more.map_or(beyond, |more| more.min(beyond))
+    }
+
+    /// The level: 0 … 32.
+    #[inline(always)]
+    pub(crate) fn level(&self) -> u8 {
+        self.level as u8
+    }
+}
+
+/// The level of each pixel of a span, from left to right. Depth of pixel k is `depth + k·step`, exactly and modulo 2³², so a pixel
+/// has the level of its own depth, however the span is cut.
+pub(super) struct FogLevels<'t> {
+    bounds: &'t Bounds,
+    level: FogLevel,
+    depth: u32,
+    step: u32,
+}
+
+impl<'t> FogLevels<'t> {
+    /// `level`: where the search for the first level begins.
+    #[inline(always)]
+    pub(super) fn new(bounds: &'t Bounds, level: FogLevel, depth: u32, step: u32) -> Self {
+        Self { bounds, level, depth, step }
+    }
+}
+
+impl Iterator for FogLevels<'_> {
+    type Item = u8;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<u8> {
+        if !self.level.has(self.depth) {
+            self.level = self.level.at(self.depth, self.bounds);
+        }
+        self.depth = self.depth.wrapping_add(self.step);
+        Some(self.level.level())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use super::*;
+    use crate::math::random::Random;
+    use std::vec::Vec;
+
+    /// Each pixel's level by its own depth, from every level at which the search may begin.
+    #[test]
+    fn every_pixel_has_the_level_of_its_own_depth() {
+        let mut random = Random(3);
+        let mut changes = 0;
+        for case in 0..20_000 {
+            let mut bounds = [0; LEVELS + 2];
+            let reach = [1 << 32, 1 << 31, 1 << 20, 200, 8][case % 5];
+            let low = random.below((1 << 32) - reach + 1);
+            bounds.iter_mut().for_each(|bound| *bound = (low + random.below(reach)) as u32);
+            (bounds[0], bounds[LEVELS + 1]) = (0, u32::MAX);
+            bounds.sort_unstable();
+            let width = 1 + random.below(40);
+            // Depths of the ends, so that none in between wraps.
+            let [first, end] = [0; 2].map(|_| (low + random.below(reach)).min(u32::MAX.into()));
+            let step = (end - first) / width;
+            let begin = FogLevel::new(random.below(33) as u8, &bounds);
+            let levels: Vec<_> =
+                FogLevels::new(&bounds, begin, first as u32, step as u32).take(width as usize).collect();
+            let wanted: Vec<_> = (0..width)
+                .map(|k| {
+                    let depth = first + k * step;
+                    bounds[1..=LEVELS].iter().filter(|&&bound| i64::from(bound) <= depth).count() as u8
+                })
+                .collect();
+            assert_eq!(levels, wanted, "{bounds:?} {first} {step}");
+            changes += wanted.windows(2).filter(|pair| pair[0] != pair[1]).count();
+            // As runs.
+            let (mut level, mut at) = (begin, 0);
+            while let Some(rest) = wanted[at..].len().checked_sub(1) {
+                let depth = (first + at as i64 * step) as u32;
+                level = level.at(depth, &bounds);
+                let further = level.further(depth, step as u32, rest as u32) as usize;
+                assert!(wanted[at..=at + further].iter().all(|&wanted| wanted == level.level()));
+                assert!(further == rest || wanted[at + further + 1] != level.level());
+                at += further + 1;
+            }
+        }
+        assert!(changes > 20_000, "{changes}");
+    }
+
+    #[test]
+    fn wrong_depths_end_too() {
+        let bounds = [0; LEVELS + 2];
+        for (depth, step) in [(u32::MAX, 0), (5, u32::MAX), (u32::MAX, 1 << 31), (0, 77)] {
+            for level in [0, 32, 255] {
+                let level = FogLevel::new(level, &bounds);
+                assert!(FogLevels::new(&bounds, level, depth, step).take(20).count() == 20);
+                let level = level.at(depth, &bounds);
+                assert!(level.further(depth, step, 9) <= 9);
+            }
+        }
+    }
+}

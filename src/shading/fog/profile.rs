@@ -1,0 +1,150 @@
+//! How fog grows from its start to its end.
+
+/// How [`Fog`](crate::Fog) grows with distance: [`LinearFog`], [`ExponentialFog`] or [`SquaredFog`]. A
+/// [`FogTable`](crate::FogTable) takes fog of each.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no profile of fog",
+    label = "not a `FogProfile`",
+    note = "the profiles are those of `Fog::linear`, `Fog::exponential` and `Fog::squared`"
+)]
+pub trait FogProfile: sealed::Sealed {
+    /// Where the factor is half-way between two levels, `odd`/64 less than 1: in 2⁻³⁰ of the way from start to end, rounded to nearest.
+    /// `odd` is 1, 3 … 63.
+    #[doc(hidden)]
+    fn share(odd: u32) -> u32;
+}
+
+/// Fog that grows linearly, of [`Fog::linear`](crate::Fog::linear).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct LinearFog;
+
+/// Fog of one density, of [`Fog::exponential`](crate::Fog::exponential).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ExponentialFog;
+
+/// Fog that is thin near its start, of [`Fog::squared`](crate::Fog::squared).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SquaredFog;
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::LinearFog {}
+    impl Sealed for super::ExponentialFog {}
+    impl Sealed for super::SquaredFog {}
+}
+
+impl FogProfile for LinearFog {
+    #[inline(always)]
+    fn share(odd: u32) -> u32 {
+        odd << 24 // odd ≤ 63: below 2³⁰
+    }
+}
+
+/// −log₆₄(1 − odd/64), in 2⁻³⁰.
+impl FogProfile for ExponentialFog {
+    #[inline(always)]
+    fn share(odd: u32) -> u32 {
+        static SHARES: [u32; 32] = [
+            0x003e_0a7c,
+            0x00bd_221c,
+            0x0140_7674,
+            0x01c8_5259,
+            0x0255_08a3,
+            0x02e6_f563,
+            0x037e_7f48,
+            0x041c_1957,
+            0x04c0_44f6,
+            0x056b_946f,
+            0x061e_ae01,
+            0x06da_4fb3,
+            0x079f_540e,
+            0x086e_b827,
+            0x0949_a34a,
+            0x0a31_70ee,
+            0x0b27_bdc4,
+            0x0c2e_7926,
+            0x0d47_fcb9,
+            0x0e77_2d3c,
+            0x0fbf_a900,
+            0x1126_0b94,
+            0x12b0_5371,
+            0x1466_8060,
+            0x1653_9586,
+            0x1887_5526,
+            0x1b19_7205,
+            0x1e2f_fdd1,
+            0x220e_0cac,
+            0x273b_969e,
+            0x2f17_fee8,
+            0x4000_0000,
+        ];
+        of(&SHARES, odd)
+    }
+}
+
+/// The root of [`ExponentialFog`]'s, in 2⁻³⁰.
+impl FogProfile for SquaredFog {
+    #[inline(always)]
+    fn share(odd: u32) -> u32 {
+        static SHARES: [u32; 32] = [
+            0x03f0_34b2,
+            0x06e0_544a,
+            0x08f3_6372,
+            0x0aae_4bc2,
+            0x0c37_964a,
+            0x0da0_ee17,
+            0x0ef4_3e21,
+            0x1037_d151,
+            0x1170_01c3,
+            0x12a0_079d,
+            0x13ca_6834,
+            0x14f1_374a,
+            0x1616_4077,
+            0x173b_237c,
+            0x1861_695d,
+            0x198a_958e,
+            0x1ab8_359d,
+            0x1beb_f0fc,
+            0x1d27_9ab8,
+            0x1e6d_4717,
+            0x1fbf_67ce,
+            0x2120_f305,
+            0x2295_9bf6,
+            0x2422_2904,
+            0x25cc_fd5d,
+            0x279f_01b9,
+            0x29a5_4a40,
+            0x2bf4_59f6,
+            0x2eaf_6c68,
+            0x321b_ddc0,
+            0x36e6_5fcb,
+            0x4000_0000,
+        ];
+        of(&SHARES, odd)
+    }
+}
+
+#[inline(always)]
+fn of(shares: &[u32; 32], odd: u32) -> u32 {
+    shares.get((odd >> 1) as usize).copied().unwrap_or(1 << 30)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_are_those_of_the_functions() {
+        for odd in (1..64).step_by(2) {
+            let left = 1.0 - f64::from(odd) / 64.0;
+            let exact = -left.ln() / 64f64.ln();
+            let off = |share: u32, exact: f64| (f64::from(share) - exact * f64::from(1 << 30)).abs();
+            assert!(off(LinearFog::share(odd), f64::from(odd) / 64.0) == 0.0);
+            assert!(off(ExponentialFog::share(odd), exact) <= 0.5 + 1e-6, "{odd}");
+            assert!(off(SquaredFog::share(odd), exact.sqrt()) <= 0.5 + 1e-6, "{odd}");
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! G1 to G3: fog by pixel. G1: S3's torus, in fog from its nearest to its farthest point, so that all 32 levels are on it; G2: X3's
+//! rolled floor, in one colour, whose two faces have all levels each; G3: X1's textured torus in the fog of G1.
+
+use super::textured::{camera, torus_uv, Floor, PICTURE, X3};
+use super::{count, Counted, Deep, Plain, TORUS};
+use crate::scene::{self, area, Scene};
+use core::hint::black_box;
+use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
+use pinhole::space::{Model, World};
+use pinhole::{Affine, Camera, DepthBuffer, Fog, FogTable, Fogged, Scalar, Texture};
+
+/// Fog between these distances.
+#[inline(never)] // set-up: off the stack when it returns
+fn fog(range: [i32; 2], camera: &Camera) -> Option<FogTable<Rgb565>> {
+    let [start, end] = black_box(range).map(Scalar::from_num);
+    FogTable::new(&Fog::linear(start, end).ok()?, camera, Rgb565::CSS_LIGHT_STEEL_BLUE).ok()
+}
+
+/// The torus lies between the distances 2.04 and 4.73.
+const TORUS_FOG: [i32; 2] = [2, 5];
+/// The floor lies between 0.5, where the near plane cuts it, and 9.5.
+const FLOOR_FOG: [i32; 2] = [1, 9];
+
+pub fn g1(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
+    let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
+    let (light, instance, fog) = (scene.light()?, scene.place(), fog(TORUS_FOG, scene.camera())?);
+    count(frame, &mut |picture| {
+        let (instance, light, fog) = black_box((&instance, &light, &fog));
+        let shade = scene::flat_of_normals(instance.mesh().normals(), light);
+        let Ok(statistics) =
+            instance.solid(|face| Fogged::new(shade(face), fog), corners, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
+
+pub fn g1_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
+    let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
+    let (light, instance, fog) = (scene.light()?, scene.place(), fog(TORUS_FOG, scene.camera())?);
+    count(frame, &mut |picture| {
+        let (instance, light, fog) = black_box((&instance, &light, &fog));
+        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
+        let shade = scene::flat_of_normals(instance.mesh().normals(), light);
+        let shade = |face| Fogged::new(shade(face), fog);
+        let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
+
+pub fn g2(Plain { frame, corners }: &mut Plain<4>) -> Option<Counted> {
+    let (camera, floor): (_, &Floor) = (camera()?, black_box(&X3));
+    let (instance, fog) =
+        (camera.place(&floor.mesh, &Affine::<Model, World>::identity()), fog(FLOOR_FOG, &camera)?);
+    count(frame, &mut |picture| {
+        let (instance, fog) = black_box((&instance, &fog));
+        let shade = |_| Fogged::new(Rgb565::RED, fog);
+        let Ok(statistics) = instance.solid(shade, corners, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
+
+pub fn g2_z(Deep { frame, depth, corners }: &mut Deep<4>) -> Option<Counted> {
+    let (camera, floor): (_, &Floor) = (camera()?, black_box(&X3));
+    let (instance, fog) =
+        (camera.place(&floor.mesh, &Affine::<Model, World>::identity()), fog(FLOOR_FOG, &camera)?);
+    count(frame, &mut |picture| {
+        let (instance, fog) = black_box((&instance, &fog));
+        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
+        let shade = |_| Fogged::new(Rgb565::RED, fog);
+        let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
+
+pub fn g3_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
+    let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
+    let (texture, instance, fog) = (Texture::new(&PICTURE), scene.place(), fog(TORUS_FOG, scene.camera())?);
+    count(frame, &mut |picture| {
+        let (instance, texture, fog) = black_box((&instance, &texture, &fog));
+        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
+        let shade = |face| Fogged::new(texture.at(torus_uv(face)), fog);
+        let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
