@@ -70,9 +70,9 @@ impl Parts {
                 let [a, b, c] = corners(face);
                 body.add(if found.against[face] { [a, c, b] } else { [a, b, c] });
             }
-            part.is_inward = !part.is_closed
-                && !part.is_one_sided
-                && body.volume() < -CLEARLY * (with + against).powf(1.5);
+            let area = with + against;
+            let is_clearly_inward = body.volume() < -CLEARLY * area * area.sqrt();
+            part.is_inward = !part.is_closed && !part.is_one_sided && is_clearly_inward;
             bodies.push(body);
         }
         // A closed part that points inwards is right where it is a cavity: inside an odd number of others.

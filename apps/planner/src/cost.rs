@@ -43,8 +43,8 @@ pub(crate) struct Chip {
 
 include!(concat!(env!("OUT_DIR"), "/figures.rs"));
 
-/// No model of this core's timing has been compared with a chip. The data sheet's CoreMark, 2.55 for each MHz, is 392 000 cycles for
-/// about 290 000 instructions of RV32IMC.
+/// A guess: no model of this core's timing has been compared with a chip. CoreMark at 2.55 for each MHz, as the maker states, takes
+/// 392 000 cycles for what are some 290 000 instructions of RV32IMC, which were not counted here.
 const ESP32C3: Chip = Chip {
     key: "esp32c3",
     name: "ESP32-C3",
@@ -54,7 +54,7 @@ const ESP32C3: Chip = Chip {
     spi: 80.0,
     // Of 400 KB, 16 are the cache.
     ram: 384.0,
-    error: "25 %: the cycles of an instruction are derived from the CoreMark of the data sheet, not measured",
+    error: "perhaps 25 %: the cycles of an instruction are a guess by the maker's CoreMark, not measured",
     cycles: [1.35; 3],
 };
 
@@ -254,7 +254,7 @@ fn hidden_lines(
         kind: 2,
         bands: choice.size.height.div_ceil(rows),
         rows: Some(rows),
-        note: "",
+        note: "flash of faces and lines together",
     };
     heights(choice).into_iter().map(in_bands).collect()
 }
