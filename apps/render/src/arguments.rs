@@ -23,6 +23,7 @@ SCENE.json:
    "colors": [[r, g, b], ...] of the triangles, 0 to 255 (optional),
    "uv": [[u, v], ...] of the vertices, or [[[u, v], [u, v], [u, v]], ...] of the triangles' corners, in texels, (0, 0) at the upper left,
    "texture": [W, H] or "FILE.png", 8 to 256 a side, powers of two, "wrap": "repeat" | "clamp" (optional; uv and texture belong together),
+   "fog": [START, END] (optional: linear fog of the background's colour, between two distances before the camera),
    "width": W, "height": H (1 to 4096), "viewport": [x, y, w, h] (default: the picture), "cull": "none" | "back",
    "name", "source", "licence": any text, ignored}
 Matrices are row-major and multiply column vectors. A .json mesh is {"vertices": ..., "triangles": ...}.
@@ -40,7 +41,7 @@ frames the bounding sphere. Faces have the diffuse colours of an OBJ's materials
 Bad input: one line on stderr, exit code 2, and no file is changed."#;
 
 /// What the template's code decides, and other outputs.
-const NOT_IN_FIRMWARE: [&str; 23] = [
+const NOT_IN_FIRMWARE: [&str; 24] = [
     "alpha",
     "ascii",
     "background",
@@ -49,6 +50,7 @@ const NOT_IN_FIRMWARE: [&str; 23] = [
     "door",
     "edges",
     "feature-angle",
+    "fog",
     "format",
     "fov",
     "frame",
@@ -146,6 +148,16 @@ pub(crate) fn command() -> Command {
             text("alpha", "N", "Mix N of 32 parts of each face with what is behind it, from far to near, 0 to 32".into())
                 .value_parser(value_parser!(u8).range(..=32))
                 .conflicts_with_all(["door", "half"]),
+        )
+        .arg(
+            text(
+                "fog",
+                "RANGE",
+                "Fog of the background's colour: START,END, distances before the camera, or auto, from the nearest vertex to the \
+                 farthest; linear, or with ,exponential or ,squared behind it"
+                    .into(),
+            )
+            .allow_hyphen_values(true),
         )
         .arg(flag("smooth-lines", "Anti-aliased lines in wireframe and hidden-line"))
         .arg(flag("no-dither", "Round to the nearest colours of the format instead of dithering"))

@@ -7,6 +7,7 @@ mod ascii;
 mod colours;
 mod draw;
 pub mod firmware;
+pub mod fog;
 pub mod import;
 mod json;
 mod light;

@@ -129,6 +129,7 @@ pub fn scene(mesh: Triangles, colors: Vec<[u8; 3]>, look: &Look) -> Result<Scene
         viewport: [0, 0, look.width as i32, look.height as i32], // at most 4096
         cull: true, // as firmware does unless it says otherwise; `--two-sided` adds backs
         texture: None,
+        fog: None,
         mesh_file: None,
     })
 }

@@ -3,6 +3,7 @@
 use crate::arguments::{command, names};
 use crate::ascii::Characters;
 use crate::colours;
+use crate::fog::FogStyle;
 use crate::import;
 use crate::model::{Fit, Look};
 use crate::paint::{Mode, Style, Translucency};
@@ -55,8 +56,9 @@ pub(crate) fn read() -> Result<Options, String> {
     let mut given = pinhole_apps_support::command::matches(command())?;
     let scene: PathBuf = given.remove_one("SCENE").unwrap_or_default();
     let ascii = choice(&mut given, "ascii", &Characters::ALL)?;
-    let painted =
-        ["colour", "background", "format", "door", "alpha"].into_iter().find(|name| given.contains_id(name));
+    let painted = ["colour", "background", "format", "door", "alpha", "fog"]
+        .into_iter()
+        .find(|name| given.contains_id(name));
     let flags = ["no-dither", "half", "lit-texture", "smooth-lines"];
     let painted = painted.or_else(|| flags.into_iter().find(|name| given.get_flag(name)));
     let (style, format) = style(&mut given)?;
@@ -177,8 +179,13 @@ fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
         };
         return Err(format!("--{name}: is for faces: needs --mode solid, flat or gouraud"));
     }
+    let fog = given.get_one::<String>("fog").map(|text| FogStyle::parse(text)).transpose();
+    let fog = fog.map_err(|e| format!("--fog: {e}"))?;
+    if fog.is_some() && mode.of_lines() {
+        return Err("--fog: is for faces: needs --mode solid, flat or gouraud".into());
+    }
     let usual = style::chosen(mode, format, colour, background, dither);
-    Ok((Style { lit_texture, translucency, smooth_lines, ..usual }, format))
+    Ok((Style { fog, lit_texture, translucency, smooth_lines, ..usual }, format))
 }
 
 /// The edges that a mode of lines draws.

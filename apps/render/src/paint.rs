@@ -1,5 +1,6 @@
 //! Draws a scene for people: lit, in any pixel format of a display, and in bands as firmware draws.
 
+use crate::fog::FogStyle;
 use crate::light::Light;
 use crate::normals;
 use crate::parts::{parts, Part};
@@ -10,8 +11,8 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
     AntiAliased, Band, BinnedEdges, BinnedFaces, Blend, Blended, Channels, Cull, DepthBuffer, Dim, Flat,
-    Frame, Gouraud, HalfBlended, Mesh, MeshInstance, PixelFormat, Pixels, Scalar, ScreenDoor, ScreenVertex,
-    SpanShader, Statistics, Target, TexelSlice, Texture, TransformedMesh,
+    FogTable, Fogged, Frame, Gouraud, HalfBlended, Mesh, MeshInstance, PixelFormat, Pixels, Scalar,
+    ScreenDoor, ScreenVertex, SpanShader, Statistics, Target, TexelSlice, Texture, TransformedMesh,
 };
 use std::convert::Infallible;
 
@@ -98,6 +99,8 @@ pub struct Style {
     pub translucency: Translucency,
     /// Whether lines are anti-aliased.
     pub smooth_lines: bool,
+    /// Fog on faces, instead of the scene's.
+    pub fog: Option<FogStyle>,
 }
 
 /// Data of a mesh that do not depend on the camera.
@@ -236,6 +239,9 @@ pub fn paint<C: Colour>(
     let flat = |part: &Part, face| Flat::lit(colour(part, face), levels(part, face)[0]);
     let smooth = |part: &Part, face| Gouraud::lit(colour(part, face), levels(part, face));
     let solid = Solid { parts: all_parts, faces: &mut faces };
+    let fog = style.fog.or(scene.fog);
+    let fog = fog.map(|fog| fog.table(scene, quantised, C::from(style.background))).transpose()?;
+    let fog = fog.as_ref();
     let all = Faces { out, statistics, areas: &areas, solid, translucency: style.translucency };
     let picture = scene.texture.as_ref().zip(quantised.texture.as_ref());
     if let Some((colours, (texture, coords))) =
@@ -246,17 +252,19 @@ pub fn paint<C: Colour>(
         let texture = Texture::new(texels).with_exponent(coords.exponent).map_err(|e| e.to_string())?;
         let uv = |part: &Part, face: usize| coords.uv[number(part, face)];
         return match (clamped, style.lit_texture) {
-            (false, false) => all.draw(|part, face| texture.at(uv(part, face))),
-            (true, false) => all.draw(|part, face| texture.clamped_at(uv(part, face))),
-            (false, true) => all.draw(|part, face| texture.at(uv(part, face)).lit(levels(part, face))),
-            (true, true) => all.draw(|part, face| texture.clamped_at(uv(part, face)).lit(levels(part, face))),
+            (false, false) => all.draw(fog, |part, face| texture.at(uv(part, face))),
+            (true, false) => all.draw(fog, |part, face| texture.clamped_at(uv(part, face))),
+            (false, true) => all.draw(fog, |part, face| texture.at(uv(part, face)).lit(levels(part, face))),
+            (true, true) => {
+                all.draw(fog, |part, face| texture.clamped_at(uv(part, face)).lit(levels(part, face)))
+            }
         };
     }
     match (style.mode == Mode::Flat, style.dither) {
-        (true, false) => all.draw(flat),
-        (true, true) => all.draw(|part, face| flat(part, face).dithered()),
-        (false, false) => all.draw(smooth),
-        (false, true) => all.draw(|part, face| smooth(part, face).dithered()),
+        (true, false) => all.draw(fog, flat),
+        (true, true) => all.draw(fog, |part, face| flat(part, face).dithered()),
+        (false, false) => all.draw(fog, smooth),
+        (false, true) => all.draw(fog, |part, face| smooth(part, face).dithered()),
     }
 }
 
@@ -311,7 +319,24 @@ struct Faces<'a, 'f, S> {
 }
 
 impl<S> Faces<'_, '_, S> {
-    fn draw<C: Colour, I: SpanShader<C>>(self, shader: impl Fn(&Part, usize) -> I) -> Result<Report, String>
+    fn draw<C: Colour, I: SpanShader<C>>(
+        self,
+        fog: Option<&FogTable<C>>,
+        shader: impl Fn(&Part, usize) -> I,
+    ) -> Result<Report, String>
+    where
+        S: FnMut(&Band<'_, C>),
+    {
+        match fog {
+            None => self.draw_through(shader),
+            Some(fog) => self.draw_through(|part, face| Fogged::new(shader(part, face), fog)),
+        }
+    }
+
+    fn draw_through<C: Colour, I: SpanShader<C>>(
+        self,
+        shader: impl Fn(&Part, usize) -> I,
+    ) -> Result<Report, String>
     where
         S: FnMut(&Band<'_, C>),
     {

@@ -101,6 +101,11 @@ impl Quantised {
         Scene { vertices, model, view, projection, texture, ..like.clone() }
     }
 
+    /// A distance in the scene's units in the crate's; the largest or smallest number for one beyond.
+    pub(crate) fn distance(&self, distance: f64) -> Scalar {
+        Scalar::saturating_from_num(distance * two_to(self.units.world))
+    }
+
     pub fn camera(&self) -> Camera {
         Camera::new(&self.viewing, &self.projection, &self.viewport)
     }

@@ -1,5 +1,6 @@
 //! Scene files: meshes, matrices and the size of the picture, as plain numbers.
 
+use crate::fog::FogStyle;
 use crate::json::{Field, Json};
 use crate::texture::{self, SceneTexture};
 use pinhole_import::Triangles;
@@ -27,6 +28,8 @@ pub struct Scene {
     pub colors: Vec<[u8; 3]>,
     /// The texture on all triangles, or none.
     pub texture: Option<SceneTexture>,
+    /// Fog in pictures, unless an option sets it.
+    pub fog: Option<FogStyle>,
     /// The mesh file, if the scene names one.
     pub mesh_file: Option<PathBuf>,
 }
@@ -36,7 +39,7 @@ impl Scene {
     pub fn read(file: &Path) -> Result<Self, String> {
         let json = parse(file)?;
         let problem = |e: String| format!("{}: {e}", file.display());
-        let [mesh, vertices, triangles, model, view, projection, width, height, viewport, cull, colors, uv, texture, wrap] =
+        let [mesh, vertices, triangles, model, view, projection, width, height, viewport, cull, colors, uv, texture, wrap, fog] =
             Field::root(&json)
                 .fields([
                     "mesh",
@@ -53,6 +56,7 @@ impl Scene {
                     "uv",
                     "texture",
                     "wrap",
+                    "fog",
                 ])
                 .map_err(problem)?;
         let mut mesh_file = None;
@@ -107,6 +111,9 @@ impl Scene {
                     colors
                 }
             };
+            let between = |field: Field<'_>| {
+                FogStyle::between(field.array(|distance| distance.number())?).map_err(|e| field.error(e))
+            };
             Ok(Self {
                 vertices,
                 triangles,
@@ -119,6 +126,7 @@ impl Scene {
                 viewport,
                 cull,
                 texture,
+                fog: fog.map(between).transpose()?,
                 mesh_file,
             })
         };

@@ -34,5 +34,6 @@ pub fn chosen(
         lit_texture: false,
         translucency: Translucency::Opaque,
         smooth_lines: false,
+        fog: None,
     }
 }

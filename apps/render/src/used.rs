@@ -31,10 +31,13 @@ pub(crate) fn json(scene: &Scene) -> String {
             format!(",\n\"texture\": {picture}, \"uv\": {uv}{wrap}")
         }
     };
+    let fog = scene.fog.and_then(|fog| fog.range).map_or(String::new(), |range| {
+        format!(",\n\"fog\": {}", list(range.iter().map(|&distance| decimal(distance))))
+    });
     format!(
         "{{\"vertices\": {vertices},\n\"triangles\": {triangles},\n\"model\": {model},\n\"view\": {view},\n\
          \"projection\": {projection},\n\
-         \"width\": {width}, \"height\": {height}, \"viewport\": {viewport}, \"cull\": \"{cull}\"{colors}{texture}}}\n"
+         \"width\": {width}, \"height\": {height}, \"viewport\": {viewport}, \"cull\": \"{cull}\"{colors}{texture}{fog}}}\n"
     )
 }
 

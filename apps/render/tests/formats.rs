@@ -567,6 +567,72 @@ fn lines_may_be_smooth() {
     }
 }
 
+/// Fog of the background's colour, by definition: the near square is a quarter of the way from −1 to 1 before the camera.
+#[test]
+fn faces_may_be_in_fog() {
+    let to = RENDER.folder("render", "fog");
+    let near = squares(&to, &[])[0];
+    let mixed = |factor: u32| {
+        [0, 1, 2].map(|i| {
+            let sky = [0, 0, 255][i];
+            ((u32::from(near[i]) * factor + sky * (32 - factor) + 16) / 32) as u8
+        })
+    };
+    // 32·64^(−1/4) is 11.3, 32·64^(−1/16) is 24.7.
+    for (fog, factor) in [
+        ("-1,1", 24),
+        ("-1,1,linear", 24),
+        ("-1,1,exponential", 11),
+        ("-1,1,squared", 25),
+        ("0,1", 32),
+        ("auto", 32),
+        ("auto,squared", 32),
+    ] {
+        let drawn = squares(&to, &["--fog", fog]);
+        assert!(drawn.iter().all(|&pixel| pixel == mixed(factor)), "{fog}: {:?}", drawn[0]);
+    }
+    // A scene's own fog, which --used keeps and --fog replaces.
+    let file = to.join("squares.json");
+    let mut scene: Value = serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
+    scene["fog"] = json!([-1, 1]);
+    let (own, used, picture) =
+        (write(&to, "own.json", scene.to_string()), to.join("used.json"), to.join("own.png"));
+    let draw = |file: &Path, options: &[&str]| {
+        let fixed = [
+            text(file),
+            "--mode",
+            "flat",
+            "--background",
+            "#0000ff",
+            "--png",
+            text(&picture),
+            "--used",
+            text(&used),
+        ];
+        let done = RENDER.run(&[&fixed, options].concat());
+        assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+        colours(&picture)[0]
+    };
+    assert_eq!(draw(&own, &[]), mixed(24));
+    let again = write(&to, "again.json", fs::read(&used).unwrap());
+    assert_eq!(draw(&again, &[]), mixed(24));
+    assert_eq!(draw(&own, &["--fog", "0,1"]), near);
+    scene["fog"] = json!([2, 1]);
+    let wrong = write(&to, "wrong.json", scene.to_string());
+    let said = refusal(&RENDER.run(&[text(&wrong), "--png", text(&picture)]));
+    assert!(said.contains("fog: begins at 2 and should end farther away than 1"), "{said}");
+    for (fog, wanted) in [
+        ("2,1", "--fog: begins at 2 and should end farther away than 1"),
+        ("2", "--fog: 2 is not auto or START,END"),
+        ("1,2,thick", "--fog: 1,2,thick is not auto or START,END"),
+        ("-9,-8", "fog: -9 to -8 is not where the scene is: its vertices are -0.5 to 0 before the camera"),
+        ("0,0.0001", "fog: the fog lies within 3 of 65535 steps of depth"),
+    ] {
+        let said = refusal(&RENDER.run(&[text(&own), "--png", text(&picture), "--fog", fog]));
+        assert!(said.contains(wanted), "{said}");
+    }
+}
+
 #[test]
 fn options_of_faces_and_of_lines_are_told_apart() {
     let to = RENDER.folder("render", "told-apart");
@@ -583,6 +649,7 @@ fn options_of_faces_and_of_lines_are_told_apart() {
         (&["--door", "9"], "door"),
         (&["--alpha", "9"], "alpha"),
         (&["--lit-texture"], "lit-texture"),
+        (&["--fog", "auto"], "fog"),
     ] {
         let wanted = format!("--{name}: is for faces: needs --mode solid, flat or gouraud");
         refused(&[options, &["--mode", "wireframe"]].concat(), &wanted);

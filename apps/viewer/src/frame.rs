@@ -9,6 +9,7 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{DirtyRegions, Statistics, TransferCost};
 use pinhole_apps_support::canvas::Canvas;
+use pinhole_render::fog::FogStyle;
 use pinhole_render::paint::{paint, Colour, Mode, Report, Style, Subject};
 use pinhole_render::picture::Format;
 use pinhole_render::quantised::Quantised;
@@ -116,6 +117,7 @@ impl Viewer {
         let Some((_, subject)) = &self.subject else { return Ok(Shown::default()) };
         let style = Style {
             lit_texture: state.lit_texture,
+            fog: state.fog.then_some(FogStyle::AUTO),
             translucency: state.translucency,
             smooth_lines: state.smooth_lines,
             ..style::chosen(state.mode, state.format, None, None, state.dither)

@@ -21,6 +21,8 @@ pub struct State {
     /// Whether lines are anti-aliased, and whether a texture is lit.
     pub(crate) smooth_lines: bool,
     pub(crate) lit_texture: bool,
+    /// Whether there is fog over the model.
+    pub(crate) fog: bool,
     /// Whether back faces are culled.
     pub(crate) cull: bool,
     /// Rows of a band; `None` draws the picture in one piece.
@@ -70,6 +72,8 @@ pub enum Action {
     SmoothLines,
     /// Toggles light on a texture.
     LitTexture,
+    /// Toggles fog from the nearest to the farthest vertex.
+    Fog,
     /// Toggles back-face culling.
     Cull,
     /// The next or the previous band height.
@@ -102,7 +106,7 @@ pub(crate) const KEYS: [(&str, &str); 13] = [
     ("d", "dither"),
     ("t a n", "translucent, smooth lines, lit texture"),
     ("b B", "rows of a band"),
-    ("k", "cull faces turned away"),
+    ("k o", "cull faces turned away, fog"),
     ("r", "rectangles that were sent"),
     ("i h", "information, help"),
     ("space m 0", "turn, next scene, reset"),
@@ -135,6 +139,7 @@ impl State {
             translucency: Translucency::Opaque,
             smooth_lines: false,
             lit_texture: false,
+            fog: false,
             cull,
             rows: Some(8),
             step: 0,
@@ -165,6 +170,7 @@ impl State {
             "t" => Action::Translucency,
             "a" => Action::SmoothLines,
             "n" => Action::LitTexture,
+            "o" => Action::Fog,
             "k" => Action::Cull,
             "b" => Action::Rows(1),
             "B" => Action::Rows(-1),
@@ -200,6 +206,7 @@ impl State {
             Action::Translucency => self.translucency = next(&TRANSLUCENCIES, self.translucency, 1),
             Action::SmoothLines => self.smooth_lines ^= true,
             Action::LitTexture => self.lit_texture ^= true,
+            Action::Fog => self.fog ^= true,
             Action::Cull => self.cull ^= true,
             Action::Rows(by) => self.rows = next(&ROWS, self.rows, by),
             Action::Outlines => self.outlines ^= true,

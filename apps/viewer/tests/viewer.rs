@@ -47,7 +47,9 @@ fn colours(pixels: &[Rgb888]) -> BTreeSet<[u8; 3]> {
 #[test]
 fn keys_go_round_and_back() {
     let first = pressed("");
-    for (key, count) in [("p", 21), ("P", 21), ("c", 7), ("C", 7), ("b", 5), ("B", 5), ("m", 3), ("t", 4)] {
+    for (key, count) in
+        [("p", 21), ("P", 21), ("c", 7), ("C", 7), ("b", 5), ("B", 5), ("m", 3), ("t", 4), ("o", 2)]
+    {
         let mut state = first;
         let mut met = vec![state];
         for _ in 1..count {
@@ -127,6 +129,9 @@ fn what_was_sent_before_and_now_is_the_whole_picture() {
         "left",
         "t",
         "t",
+        "o",
+        "left",
+        "o",
         "d",
         "c",
         "down",
