@@ -70,11 +70,11 @@ impl Mode {
 pub enum Translucency {
     #[default]
     Opaque,
-    /// Of 64 pixels so many are drawn.
+    /// The pixels that are drawn of each 64.
     Door(u8),
     /// The mean of the face and what is behind it.
     Half,
-    /// So many 32nds of the face.
+    /// The face's part, in 32nds.
     Alpha(u8),
 }
 

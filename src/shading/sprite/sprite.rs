@@ -60,7 +60,7 @@ enum Anchor {
 /// The size of a sprite on the screen.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum SpriteSize {
-    /// So many pixels for each texel.
+    /// Pixels for each texel, along a row and down a column.
     Pixels(u8),
     /// Width and height in world units.
     World([Scalar; 2]),
