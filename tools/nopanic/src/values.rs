@@ -10,10 +10,10 @@ use pinhole::clip::Varying;
 use pinhole::raster::{Gradient, Triangle};
 use pinhole::space::{Model, World};
 use pinhole::{
-    edge_faces, Affine, Band, Channels, Coordinate, DepthBuffer, Dim, DirtyRegions, Frame, Gouraud,
+    edge_faces, Affine, Band, Channels, Coordinate, DepthBuffer, Dim, DirtyRegions, Fog, Frame, Gouraud,
     Hierarchy, Lit, Mesh, MeshInstance, Node, NormalMatrix, NumberError, Outcode, PixelFormat,
-    PlanarProjection, Point3, Scalar, ShadeTable, StoredPixel, TransformedMesh, Vector3, ViewTransform,
-    Viewport, WithPlanes,
+    PlanarProjection, Point3, Scalar, ShadeTable, SquaredFog, StoredPixel, TransformedMesh, Vector3,
+    ViewTransform, Viewport, WithPlanes,
 };
 
 macro_rules! entries {
@@ -87,9 +87,10 @@ entries! {
         affine: &Affine<Model, World>,
         normals: &NormalMatrix<Model, World>,
         point: &Point3<World>,
-        vector: &Vector3<World>
+        vector: &Vector3<World>,
+        fog: &Fog<SquaredFog>
     ) -> () {
-        { core::hint::black_box((Clone::clone(affine), Clone::clone(normals), Clone::clone(point), Clone::clone(vector))); }
+        { core::hint::black_box((Clone::clone(affine), Clone::clone(normals), Clone::clone(point), Clone::clone(vector), Clone::clone(fog))); }
     }
     entry_copy_of_mesh(mesh: &Mesh<'static>) -> Mesh<'static> { Clone::clone(mesh) }
     entry_copy_of_transformed(transformed: &TransformedMesh<'static, i16, true>) -> TransformedMesh<'static, i16, true> { Clone::clone(transformed) }
