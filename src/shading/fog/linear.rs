@@ -17,7 +17,7 @@ pub(super) const LEAST_STEPS: u16 = 8;
 /// | fog | type | instructions a pixel | draws |
 /// |---|---|---|---|
 /// | by face or by vertex | [`VertexFog`](crate::VertexFog) | none | whatever takes levels of light, and one colour a face |
-/// | by pixel | [`FogTable`](crate::FogTable), [`Fogged`](crate::Fogged) | those of a mix of two colours; none for faces of one colour in memory | every shader |
+/// | by pixel | [`FogTable`](crate::FogTable), [`Fogged`](crate::Fogged) | those of a mix of two colours; for faces of one colour in memory, of a mix where the level changes | every shader |
 ///
 /// **Price by pixel**, in instructions on a Cortex-M3 of `tools/bench/run cells S3 X1 G1 G3`, for a torus of 1000 faces that has all 32 levels:
 /// of one colour a face 252 000 without fog and 683 000 in it, of which depth at vertices and faces is a part; with a depth buffer 534 000 and

@@ -85,7 +85,7 @@ impl FogProfile for ExponentialFog {
     }
 }
 
-/// The root of [`ExponentialFog`]'s, in 2⁻³⁰.
+/// The square root of the share that [`ExponentialFog`] has, in 2⁻³⁰.
 impl FogProfile for SquaredFog {
     #[inline(always)]
     fn share(odd: u32) -> u32 {

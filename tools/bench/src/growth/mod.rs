@@ -24,14 +24,15 @@ use pinhole::{
     ScreenVertex, SpanShader, WithPlanes,
 };
 
-/// Of the largest picture.
+/// The number of pixels of the largest picture.
 const PIXELS: usize = 480 * 320;
-/// Of the largest mesh: its vertices; its faces, with one for every 16.
+/// The number of vertices of the largest mesh.
 const CORNERS: usize = 10_000;
+/// The bins of the faces of the largest mesh, with one more for every 16.
 const BIN_STORAGE: usize = 20_000 + 20_000 / 16;
-/// Of its edges.
+/// The bins of the edges of the largest mesh, with one more for every 16.
 const EDGE_BIN_STORAGE: usize = 30_000 + 30_000 / 16;
-/// Of the highest band.
+/// The bytes of the highest band.
 const STRIP: usize = Frame::<Rgb565>::strip_bytes(480, 48);
 
 pub struct Memory {
