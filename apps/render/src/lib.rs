@@ -4,6 +4,7 @@
 
 mod arguments;
 mod ascii;
+mod brush;
 mod colours;
 mod draw;
 pub mod firmware;

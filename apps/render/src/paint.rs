@@ -1,12 +1,13 @@
 //! Draws a scene for people: lit, in any pixel format of a display, and in bands as firmware draws.
 
+use crate::brush::Brush;
 use crate::fog::FogStyle;
 use crate::light::Light;
 use crate::normals;
 use crate::parts::{parts, Part};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
-use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
@@ -17,8 +18,44 @@ use pinhole::{
 use std::convert::Infallible;
 
 /// A pixel format of a display.
-pub trait Colour: PixelFormat + Channels + Dim + Blend + From<Rgb888> + Into<Rgb888> {}
-impl<C: PixelFormat + Channels + Dim + Blend + From<Rgb888> + Into<Rgb888>> Colour for C {}
+pub trait Colour: PixelFormat + Channels + Dim + Blend + From<Rgb888> + Into<Rgb888> + 'static {
+    /// Draws a frame in bands, through a strip with room for `rows` rows of the picture. `plan` gets the area that will be drawn
+    /// and chooses the areas to send; `send` gets every band.
+    ///
+    /// A function of the format, not a generic one: its code is compiled here, once, and not where it is called.
+    fn paint(
+        subject: &Subject,
+        scene: (&Scene, &Quantised),
+        style: &Style,
+        rows: u32,
+        plan: Plan<'_>,
+        send: Send<'_, Self>,
+    ) -> Result<Report, String>;
+}
+
+/// Chooses the areas to send, given the area that will be drawn.
+pub type Plan<'a> = &'a mut dyn FnMut(Rectangle) -> Vec<Rectangle>;
+
+/// Takes a band that is drawn.
+pub type Send<'a, C> = &'a mut dyn FnMut(&Band<'_, C>);
+
+macro_rules! colours {
+    ($($colour:ty)*) => {$(
+        impl Colour for $colour {
+            fn paint(
+                subject: &Subject,
+                scene: (&Scene, &Quantised),
+                style: &Style,
+                rows: u32,
+                plan: Plan<'_>,
+                send: Send<'_, Self>,
+            ) -> Result<Report, String> {
+                paint(subject, scene, style, rows, plan, send)
+            }
+        }
+    )*};
+}
+colours!(Rgb888 Rgb666 Rgb565 Gray8 Gray4 Gray2 BinaryColor);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
@@ -140,15 +177,14 @@ pub struct Report {
     pub pixels: usize,
 }
 
-/// Draws a frame in bands, through a strip with room for `rows` rows of the picture. `plan` gets the area that will be drawn
-/// and chooses the areas to send; `send` gets every band.
-pub fn paint<C: Colour>(
+/// [`Colour::paint`] for any format.
+fn paint<C: Colour>(
     subject: &Subject,
     (scene, quantised): (&Scene, &Quantised),
     style: &Style,
     rows: u32,
-    plan: impl FnOnce(Rectangle) -> Vec<Rectangle>,
-    send: impl FnMut(&Band<'_, C>),
+    plan: Plan<'_>,
+    send: Send<'_, C>,
 ) -> Result<Report, String> {
     let camera = quantised.camera();
     let cull = if scene.cull { Cull::Back } else { Cull::None };
@@ -252,19 +288,23 @@ pub fn paint<C: Colour>(
         let texture = Texture::new(texels).with_exponent(coords.exponent).map_err(|e| e.to_string())?;
         let uv = |part: &Part, face: usize| coords.uv[number(part, face)];
         return match (clamped, style.lit_texture) {
-            (false, false) => all.draw(fog, |part, face| texture.at(uv(part, face))),
-            (true, false) => all.draw(fog, |part, face| texture.clamped_at(uv(part, face))),
-            (false, true) => all.draw(fog, |part, face| texture.at(uv(part, face)).lit(levels(part, face))),
-            (true, true) => {
-                all.draw(fog, |part, face| texture.clamped_at(uv(part, face)).lit(levels(part, face)))
+            (false, false) => all.draw(fog, &|part, face| Brush::Texture(texture.at(uv(part, face)))),
+            (true, false) => {
+                all.draw(fog, &|part, face| Brush::ClampedTexture(texture.clamped_at(uv(part, face))))
             }
+            (false, true) => all.draw(fog, &|part, face| {
+                Brush::LitTexture(texture.at(uv(part, face)).lit(levels(part, face)))
+            }),
+            (true, true) => all.draw(fog, &|part, face| {
+                Brush::LitClampedTexture(texture.clamped_at(uv(part, face)).lit(levels(part, face)))
+            }),
         };
     }
     match (style.mode == Mode::Flat, style.dither) {
-        (true, false) => all.draw(fog, flat),
-        (true, true) => all.draw(fog, |part, face| flat(part, face).dithered()),
-        (false, false) => all.draw(fog, smooth),
-        (false, true) => all.draw(fog, |part, face| smooth(part, face).dithered()),
+        (true, false) => all.draw(fog, &|part, face| Brush::Flat(flat(part, face))),
+        (true, true) => all.draw(fog, &|part, face| Brush::FlatDithered(flat(part, face).dithered())),
+        (false, false) => all.draw(fog, &|part, face| Brush::Smooth(smooth(part, face))),
+        (false, true) => all.draw(fog, &|part, face| Brush::SmoothDithered(smooth(part, face).dithered())),
     }
 }
 
@@ -310,36 +350,26 @@ fn in_memory<C: Colour>(band: &mut Band<'_, C>, draw: impl FnOnce(&mut Pixels<'_
 }
 
 /// The faces of a frame, and where they are drawn.
-struct Faces<'a, 'f, S> {
-    out: Out<'a, S>,
+struct Faces<'a, 'f, C> {
+    out: Out<'a, C>,
     statistics: Statistics,
     areas: &'a [Rectangle],
     solid: Solid<'a, 'f>,
     translucency: Translucency,
 }
 
-impl<S> Faces<'_, '_, S> {
-    fn draw<C: Colour, I: SpanShader<C>>(
-        self,
-        fog: Option<&FogTable<C>>,
-        shader: impl Fn(&Part, usize) -> I,
-    ) -> Result<Report, String>
-    where
-        S: FnMut(&Band<'_, C>),
-    {
+/// The shader of a face, given its part and its number there. Behind a pointer, so that the code that draws is one for all shaders.
+type FaceBrush<'a, 't, C> = &'a dyn Fn(&Part, usize) -> Brush<'t, C>;
+
+impl<C: Colour> Faces<'_, '_, C> {
+    fn draw(self, fog: Option<&FogTable<C>>, brush: FaceBrush<'_, '_, C>) -> Result<Report, String> {
         match fog {
-            None => self.draw_through(shader),
-            Some(fog) => self.draw_through(|part, face| Fogged::new(shader(part, face), fog)),
+            None => self.draw_through(brush),
+            Some(fog) => self.draw_through(|part, face| Fogged::new(brush(part, face), fog)),
         }
     }
 
-    fn draw_through<C: Colour, I: SpanShader<C>>(
-        self,
-        shader: impl Fn(&Part, usize) -> I,
-    ) -> Result<Report, String>
-    where
-        S: FnMut(&Band<'_, C>),
-    {
+    fn draw_through<I: SpanShader<C>>(self, shader: impl Fn(&Part, usize) -> I) -> Result<Report, String> {
         let Self { out, statistics, areas, mut solid, translucency } = self;
         out.bands(statistics, areas, |band, depth| match translucency {
             Translucency::Opaque => solid.draw(&shader, depth, band),
@@ -391,23 +421,20 @@ impl Solid<'_, '_> {
 }
 
 /// The destination of bands.
-struct Out<'a, S> {
+struct Out<'a, C> {
     size: Size,
     style: &'a Style,
     rows: u32,
-    send: S,
+    send: Send<'a, C>,
 }
 
-impl<S> Out<'_, S> {
-    fn bands<C: Colour>(
-        mut self,
+impl<C: Colour> Out<'_, C> {
+    fn bands(
+        self,
         statistics: Statistics,
         areas: &[Rectangle],
         mut draw: impl FnMut(&mut Band<'_, C>, &mut DepthBuffer<'_>),
-    ) -> Result<Report, String>
-    where
-        S: FnMut(&Band<'_, C>),
-    {
+    ) -> Result<Report, String> {
         let mut report = Report { statistics, ..Report::default() };
         let mut strip = vec![0; Frame::<C>::strip_bytes(self.size.width, self.rows)];
         // A strip holds more rows of a narrower area; a row may take up to seven pixels more.

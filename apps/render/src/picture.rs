@@ -1,6 +1,6 @@
 //! A picture in the pixel format of a display.
 
-use crate::paint::{paint, Colour, Style, Subject};
+use crate::paint::{Colour, Style, Subject};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
@@ -66,8 +66,8 @@ fn whole<C: Colour>(
 ) -> Result<(Vec<Rgb888>, Statistics), String> {
     let size = Size::new(scene.0.width, scene.0.height);
     let mut pixels = Vec::new();
-    let all = |_| vec![Rectangle::new(Point::zero(), size)];
-    let report = paint::<C>(subject, scene, style, size.height, all, |band| {
+    let mut all = |_| vec![Rectangle::new(Point::zero(), size)];
+    let report = C::paint(subject, scene, style, size.height, &mut all, &mut |band| {
         pixels.extend(band.colors().map(Into::<Rgb888>::into));
     })?;
     Ok((pixels, report.statistics))

@@ -10,7 +10,7 @@ use embedded_graphics::primitives::Rectangle;
 use pinhole::{DirtyRegions, Statistics, TransferCost};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_render::fog::FogStyle;
-use pinhole_render::paint::{paint, Colour, Mode, Report, Style, Subject};
+use pinhole_render::paint::{Colour, Mode, Report, Style, Subject};
 use pinhole_render::picture::Format;
 use pinhole_render::quantised::Quantised;
 use pinhole_render::style;
@@ -134,13 +134,13 @@ impl Viewer {
             *dirty = DirtyRegions::new(dirty.area(), cost).with_steps(steps, 1);
         }
         let mut areas = Vec::new();
-        let plan = |bounds| {
+        let mut plan = |bounds| {
             dirty.mark(bounds);
             areas = dirty.take().to_vec();
             areas.clone()
         };
         let rows = state.rows.unwrap_or(size.height);
-        let report = paint::<C>(subject, (&used, &quantised), &style, rows, plan, |band| {
+        let report = C::paint(subject, (&used, &quantised), &style, rows, &mut plan, &mut |band| {
             let Ok(()) = display.fill_contiguous(&band.area(), band.colors().map(Into::into));
         })?;
         let Report { statistics, bands, bytes, pixels } = report;
