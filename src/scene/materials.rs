@@ -1,5 +1,5 @@
-//! What a model's materials say of its faces, beside the mesh: colours and texture coordinates. A mesh does not know of them, so
-//! that firmware which draws none of them has none of them in flash.
+//! What a model's materials say of its faces, beside the mesh: colours, the light that they emit, and texture coordinates. A mesh
+//! does not know of them, so that firmware which draws none of them has none of them in flash.
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 
@@ -16,6 +16,13 @@ pub enum MaterialError {
         /// How many colours or coordinates there are.
         count: usize,
     },
+    /// The list of emitted colours is not as long as the palette: give one for each colour, black for those that emit nothing.
+    Emission {
+        /// How many emitted colours there are.
+        emission: usize,
+        /// How many colours the palette has.
+        palette: usize,
+    },
     /// The exponent of the texture coordinates' unit is outside of −15 … 0: choose another unit.
     Exponent {
         /// The given exponent.
@@ -28,6 +35,12 @@ impl core::fmt::Display for MaterialError {
         match self {
             Self::Index { face, index, count } => {
                 write!(f, "face {face} uses colour or texture coordinate {index}, but the list has {count}")
+            }
+            Self::Emission { emission, palette } => {
+                write!(
+                    f,
+                    "{emission} emitted colours for a palette of {palette}: give one for each, black for none"
+                )
             }
             Self::Exponent { exponent } => {
                 write!(
@@ -42,7 +55,8 @@ impl core::fmt::Display for MaterialError {
 impl core::error::Error for MaterialError {}
 
 /// The colour of each face of a mesh: a palette of at most 256 colours, 3 bytes each, and an index into it for each face, 1
-/// byte. `pinhole-import` makes one of an OBJ model's diffuse colours.
+/// byte; and, if they are given, the colours of the light that faces emit, 3 bytes for each colour of the palette. `pinhole-import`
+/// makes one of an OBJ model's diffuse and emissive colours.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -54,10 +68,14 @@ impl core::error::Error for MaterialError {}
 /// assert_eq!(COLORS.color::<Rgb888>(2), Rgb888::BLUE);
 /// // In the display's format, for `MeshInstance::depth_tested(|face| COLORS.color(face), …)`.
 /// assert_eq!(COLORS.color::<Rgb565>(0), Rgb565::RED);
+/// // At half of the light, for `|face| COLORS.lit(face, light.level(normals[face]))`.
+/// assert_eq!(COLORS.lit::<Rgb565>(0, 128), Rgb565::new(16, 0, 0));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FaceColors<'a> {
     palette: &'a [[u8; 3]],
+    /// One for each colour of the palette, or none.
+    emission: &'a [[u8; 3]],
     faces: &'a [u8],
 }
 
@@ -76,20 +94,63 @@ impl<'a> FaceColors<'a> {
             }
             face += 1;
         }
-        Ok(Self { palette, faces })
+        Ok(Self { palette, emission: &[], faces })
+    }
+
+    /// These colours, and the light that a face of each emits: one colour `[red, green, blue]` for each colour of the palette, black
+    /// for none. An index stands for both, so the palette may have a colour twice.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::Rgb888;
+    /// use pinhole::{FaceColors, Flat};
+    /// // A grey case, and a red lamp.
+    /// let colors = FaceColors::new(&[[90, 90, 90], [60, 0, 0]], &[0, 1])?.with_emission(&[[0, 0, 0], [180, 20, 0]])?;
+    /// assert_eq!(colors.emission::<Rgb888>(1), Rgb888::new(180, 20, 0));
+    /// // In the dark, and in full light.
+    /// let [dark, bright] = [0, 256].map(|level| colors.lit::<Rgb888>(1, level));
+/// assert_eq!([dark, bright], [Rgb888::new(180, 20, 0), Rgb888::new(240, 20, 0)]);
+    /// // With fractions of a level, for `Flat::dithered` and `Gouraud::new`.
+    /// let face = Flat::lit(colors.color(1), 100).emitting(colors.emission(1));
+    /// # let _ = face;
+    /// # Ok::<(), pinhole::MaterialError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError::Emission`] if the list is not as long as the palette.
+    pub const fn with_emission(self, emission: &'a [[u8; 3]]) -> Result<Self, MaterialError> {
+        if emission.len() != self.palette.len() {
+            return Err(MaterialError::Emission { emission: emission.len(), palette: self.palette.len() });
+        }
+        Ok(Self { emission, ..self })
     }
 
     /// The colour of a face in a display's format, rounded as `embedded-graphics` converts from [`Rgb888`]; black for a face
     /// that is not in the list.
     pub fn color<C: From<Rgb888>>(&self, face: usize) -> C {
-        let index = self.faces.get(face).map(|&index| usize::from(index));
-        let [red, green, blue] = index.and_then(|index| self.palette.get(index)).copied().unwrap_or_default();
+        let [red, green, blue] = self.of(face, self.palette).unwrap_or_default();
         Rgb888::new(red, green, blue).into()
+    }
+
+    /// The light that a face emits, as [`color`](Self::color) has its colour; black if it emits none.
+    pub fn emission<C: From<Rgb888>>(&self, face: usize) -> C {
+        let [red, green, blue] = self.of(face, self.emission).unwrap_or_default();
+        Rgb888::new(red, green, blue).into()
+    }
+
+    /// The colour of a face in a list that has one for each colour of the palette.
+    fn of(&self, face: usize, colors: &[[u8; 3]]) -> Option<[u8; 3]> {
+        colors.get(usize::from(*self.faces.get(face)?)).copied()
     }
 
     /// The colours `[red, green, blue]`, 255 is full.
     pub const fn palette(&self) -> &'a [[u8; 3]] {
         self.palette
+    }
+
+    /// The light that a face of each colour of the [`palette`](Self::palette) emits; empty if none was given.
+    pub const fn emissions(&self) -> &'a [[u8; 3]] {
+        self.emission
     }
 
     /// The index in the [`palette`](Self::palette) of each face's colour.

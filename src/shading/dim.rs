@@ -5,7 +5,8 @@ use embedded_graphics_core::pixelcolor::{
     Rgb666, Rgb888, RgbColor,
 };
 
-/// A target's colour type that can be dimmed by a light level: the cheapest way to light flat faces.
+/// A target's colour type that can be dimmed by a light level, and to which light that a face emits can be added: the cheapest way
+/// to light flat faces.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -13,6 +14,7 @@ use embedded_graphics_core::pixelcolor::{
 /// assert_eq!(Rgb565::WHITE.dim(256), Rgb565::WHITE);
 /// assert_eq!(Rgb565::WHITE.dim(128), Rgb565::new(16, 32, 16));
 /// assert_eq!(Rgb565::WHITE.dim(0), Rgb565::BLACK);
+/// assert_eq!(Rgb565::WHITE.dim(128).emitting(Rgb565::RED), Rgb565::new(31, 32, 16));
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be dimmed",
@@ -24,6 +26,11 @@ pub trait Dim: PixelColor {
     /// is off below level 128, otherwise unchanged.
     #[must_use]
     fn dim(self, level: u16) -> Self;
+
+    /// This colour plus `emission`, channel by channel, at most full: for faces that emit light of their own, after
+    /// [`dim`](Self::dim). A `BinaryColor` is on if one of both is.
+    #[must_use]
+    fn emitting(self, emission: Self) -> Self;
 }
 
 /// `channel · level / 256`, rounded to nearest: at most the channel.
@@ -38,6 +45,15 @@ macro_rules! dim_rgb {
             fn dim(self, level: u16) -> Self {
                 Self::new(dimmed(self.r(), level), dimmed(self.g(), level), dimmed(self.b(), level))
             }
+
+            fn emitting(self, emission: Self) -> Self {
+                let sum = |own: u8, emission: u8, max: u8| own.saturating_add(emission).min(max);
+                Self::new(
+                    sum(self.r(), emission.r(), Self::MAX_R),
+                    sum(self.g(), emission.g(), Self::MAX_G),
+                    sum(self.b(), emission.b(), Self::MAX_B),
+                )
+            }
         }
     )*};
 }
@@ -47,6 +63,10 @@ macro_rules! dim_gray {
         impl Dim for $color {
             fn dim(self, level: u16) -> Self {
                 Self::new(dimmed(self.luma(), level))
+            }
+
+            fn emitting(self, emission: Self) -> Self {
+                Self::new(self.luma().saturating_add(emission.luma()).min(Self::WHITE.luma()))
             }
         }
     )*};
@@ -62,6 +82,13 @@ impl Dim for BinaryColor {
             self
         } else {
             Self::Off
+        }
+    }
+
+    fn emitting(self, emission: Self) -> Self {
+        match self {
+            Self::On => self,
+            Self::Off => emission,
         }
     }
 }

@@ -27,38 +27,44 @@ pub(super) fn levels<C: Channels>(color: Flat) -> [i32; 3] {
     }
 }
 
-/// The colour of the target nearest to `color` at `step`/`steps` of its light; halves are rounded up. `steps` is 1 … 255.
+/// The colour of the target nearest to `color` at `step`/`steps` of its light; halves are rounded up. `steps` is 1 … 255, and `step`
+/// not more.
 #[inline(always)] // `steps` is a constant of each caller
 pub(super) fn lit<C: Channels>(color: Rgb888, step: u32, steps: u32) -> C {
-    let unit = 256 * 255 * steps;
-    let [r, g, b] = [color.r(), color.g(), color.b()].map(u32::from);
-    let [x, y, z] = C::MAX;
-    // All factors are at most 255, the first one 2⁸ times as large: less than 2³² with the half.
-    let nearest = |channel: u32, max: u8| {
-        (channel * step * u32::from(max) + unit / 2).checked_div(unit).unwrap_or_default()
-    };
-    let levels = match C::GRAY {
-        true => [nearest(luma([r, g, b]), x), 0, 0],
-        false => [nearest(r << 8, x), nearest(g << 8, y), nearest(b << 8, z)],
-    };
-    C::from_channels(levels.map(|level| level as u8)) // ≤ MAX
+    nearest(channels(color).map(|channel| channel * step), steps)
 }
 
 /// The colour of the target nearest to `step`/`steps` of `color` and the rest of `fog`; halves are rounded up. `steps` is 1 … 255,
 /// and `step` not more.
 pub(super) fn faded<C: Channels>(color: Rgb888, fog: Rgb888, step: u32, steps: u32) -> C {
-    let unit = 256 * 255 * steps;
-    let channels = |color: Rgb888| [color.r(), color.g(), color.b()].map(u32::from);
     let ([r, g, b], [s, t, u]) = (channels(color), channels(fog));
-    let [x, y, z] = C::MAX;
-    // All factors are at most 255, the channels 2⁸ times as large: less than 2³² with the half.
-    let nearest = |own: u32, fog: u32, max: u8| {
-        let sum = own * step + fog * steps.saturating_sub(step);
-        (sum * u32::from(max) + unit / 2).checked_div(unit).unwrap_or_default()
-    };
+    let mix = |own: u32, fog: u32| own * step + fog * steps.saturating_sub(step);
+    nearest([mix(r, s), mix(g, t), mix(b, u)], steps)
+}
+
+/// The colour of the target nearest to `color` at `step`/`steps` of its light, plus `emission`, at most full; halves are rounded up.
+/// `steps` is 1 … 255, and `step` not more.
+pub(super) fn emissive<C: Channels>(color: Rgb888, emission: Rgb888, step: u32, steps: u32) -> C {
+    let ([r, g, b], [s, t, u]) = (channels(color), channels(emission));
+    let sum = |own: u32, emission: u32| (own * step + emission * steps).min(255 * steps);
+    nearest([sum(r, s), sum(g, t), sum(b, u)], steps)
+}
+
+fn channels(color: Rgb888) -> [u32; 3] {
+    [color.r(), color.g(), color.b()].map(u32::from)
+}
+
+/// The colour of the target nearest to channels in 1/`steps` of a step of `Rgb888`, at most 255·`steps`; halves are rounded up.
+#[inline(always)]
+fn nearest<C: Channels>(channels: [u32; 3], steps: u32) -> C {
+    let unit = 256 * 255 * steps;
+    // Channels are at most 255·255, here 2⁸ times as much, times 255: less than 2³² with the half.
+    let nearest =
+        |channel: u32, max: u8| (channel * u32::from(max) + unit / 2).checked_div(unit).unwrap_or_default();
+    let ([r, g, b], [x, y, z]) = (channels, C::MAX);
     let levels = match C::GRAY {
-        true => [nearest(luma([r, g, b]), luma([s, t, u]), x), 0, 0],
-        false => [nearest(r << 8, s << 8, x), nearest(g << 8, t << 8, y), nearest(b << 8, u << 8, z)],
+        true => [nearest(luma(channels), x), 0, 0],
+        false => [nearest(r << 8, x), nearest(g << 8, y), nearest(b << 8, z)],
     };
     C::from_channels(levels.map(|level| level as u8)) // ≤ MAX
 }

@@ -55,6 +55,13 @@ impl Lit {
         Self { light: corners.map(|weights| weighted_mean(self.light, weights, FULL)), ..*self }
     }
 
+    /// The colour, and the light levels at the corners, 0 … 256: those of [`Gouraud::lit`], or the nearest to those of a sub-face.
+    pub(super) fn parts(&self) -> (Rgb888, [u16; 3]) {
+        let [r, g, b] = self.color;
+        // Up to `FULL`, which is less than 2²²·256/255 + 1: the product is less than 2³⁰ + 2⁸.
+        (Rgb888::new(r, g, b), self.light.map(|light| ((light as u32 * 255 + (1 << 21)) >> 22) as u16))
+    }
+
     /// The gradients of the channels over a triangle.
     #[inline(always)]
     pub(crate) fn gradients<C: Channels>(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {

@@ -7,6 +7,7 @@ mod corner_values;
 mod depth_tested;
 mod dim;
 mod dither;
+mod emission;
 mod flat;
 mod fog;
 mod gouraud;

@@ -6,6 +6,7 @@ mod blended;
 mod clamped_textures;
 mod cut_faces;
 mod dithered;
+mod emission;
 mod every_target;
 mod fog;
 mod fogged;

@@ -2,17 +2,17 @@
 
 use crate::any;
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics_core::pixelcolor::{Gray8, Rgb565, Rgb888};
 use pinhole::raster::{Pixel, ScreenPoint};
 use pinhole::space::{Canonical, Model, Ndc, View, World};
 use pinhole::{
-    clip, Affine, Angle, AxisError, BlinnPhong, Camera, ClipPoint, DirectionalLight, FaceColors,
-    FramingError, Frustum, Hierarchy, HierarchyError, InverseError, Lambert, LightError, Lights, Matcap,
-    MaterialError, MatrixError, Mesh, MeshBuffers, MeshError, Node, NumberError, Outcode, PlanarProjection,
-    Point3, PointLight, ProjectError, Projected, Projection, ProjectionError, Quaternion, QuaternionError,
-    Ray, ReferenceVolume, RigidLambert, Scalar, ShadeTable, Side, Sphere, Statistics, StripBuffers,
-    TextureCoords, VanishingPoint, Vector3, ViewTransform, ViewTransformError, Viewport, ViewportError,
-    Visibility, Window, WithPlanes,
+    clip, Affine, Angle, AxisError, BlinnPhong, Camera, ClipPoint, DirectionalLight, FaceColors, Flat,
+    FramingError, Frustum, Gouraud, Hierarchy, HierarchyError, InverseError, Lambert, LightError, Lights,
+    LitPalette, Matcap, MaterialError, MatrixError, Mesh, MeshBuffers, MeshError, Node, NumberError, Outcode,
+    PlanarProjection, Point3, PointLight, ProjectError, Projected, Projection, ProjectionError, Quaternion,
+    QuaternionError, Ray, ReferenceVolume, RigidLambert, Scalar, ShadeTable, Side, Sphere, Statistics,
+    StripBuffers, TextureCoords, VanishingPoint, Vector3, ViewTransform, ViewTransformError, Viewport,
+    ViewportError, Visibility, Window, WithPlanes,
 };
 
 type Vertices = &'static [[i16; 3]];
@@ -111,6 +111,9 @@ entries! {
     entry_blinn_phong(model: &Affine<Model, World>, ambient: u16, shininess: u16) -> Result<BlinnPhong, LightError> { BlinnPhong::new(model, vector(), vector(), ambient, shininess) }
     entry_blinn_phong_levels(light: &BlinnPhong, normals: &[[i16; 3]], levels: &mut [u16]) -> u16 { light.levels(normals, levels); light.level([any() as i16; 3]) }
     entry_highlight_table(color: Rgb888, highlight: Rgb888) -> [ShadeTable<Rgb565>; 1] { [ShadeTable::with_highlight(color, highlight)] }
+    entry_emission(color: Rgb888, emission: Rgb888, levels: [u16; 3]) -> (Flat, Gouraud) { (Flat::lit(color, any() as u16).emitting(emission), Gouraud::lit(color, levels).emitting(emission)) }
+    entry_emitting_table(color: Rgb888, emission: Rgb888) -> (ShadeTable<Rgb565>, ShadeTable<Gray8>) { (ShadeTable::emitting(color, emission), ShadeTable::emitting(color, emission)) }
+    entry_emitting_palette(colors: &[Rgb888; 2], emission: &[Rgb888; 2]) -> LitPalette<Rgb565, 2, 32> { LitPalette::emitting(colors, emission) }
     entry_point_light(model: &Affine<Model, World>, exponent: i8, strength: u16) -> PointLight { PointLight::new(model, exponent, point(), scalar(), strength) }
     entry_point_light_level(light: &PointLight, position: [i16; 3], normal: [i16; 3]) -> u16 { light.level(position, normal) }
     entry_point_light_levels(light: &PointLight, vertices: &[[i16; 3]], normals: &[[i16; 3]], levels: &mut [u16]) -> () { light.add_levels(vertices, normals, levels) }
@@ -122,6 +125,8 @@ entries! {
     entry_wide_mesh(v: WideVertices, f: Faces) -> Result<Mesh<'static, Scalar>, MeshError> { Mesh::from_fixed(v, f) }
     entry_face_colors(p: &'static [[u8; 3]], f: &'static [u8]) -> Result<FaceColors<'static>, MaterialError> { FaceColors::new(p, f) }
     entry_face_color(colors: &FaceColors<'static>, face: usize) -> (Rgb565, usize, usize) { (colors.color(face), colors.palette().len(), colors.faces().len()) }
+    entry_face_emission(colors: FaceColors<'static>, e: &'static [[u8; 3]]) -> Result<FaceColors<'static>, MaterialError> { colors.with_emission(e) }
+    entry_face_lit(colors: &FaceColors<'static>, face: usize, level: u16) -> (Rgb565, Gray8, usize) { (colors.lit(face, level), colors.emission(face), colors.emissions().len()) }
     entry_texture_coords(c: &'static [[i16; 2]], f: Faces, exponent: i8) -> Result<TextureCoords<'static>, MaterialError> { TextureCoords::new(c, f, exponent) }
     entry_texture_corners(t: &TextureCoords<'static>, face: usize) -> ([[i16; 2]; 3], usize, usize, i8) { (t.corners(face), t.coords().len(), t.faces().len(), t.exponent()) }
     entry_edges(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edges(e) }

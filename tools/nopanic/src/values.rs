@@ -29,12 +29,12 @@ macro_rules! entries {
 macro_rules! colours {
     ($($name:ident: $colour:ty, $memory:ty;)*) => {$(
         #[unsafe(no_mangle)]
-        fn $name(colour: $colour) -> ($colour, $colour, $colour, u32, $colour, $memory, $colour) {
+        fn $name(colour: $colour, emission: $colour) -> ($colour, $colour, $colour, u32, $colour, $memory, $colour) {
             let channels = <$colour>::from_channels([any() as u8, any() as u8, any() as u8]);
             let decoded = <$colour as PixelFormat>::decode(any() as u32);
             let cell: $memory = colour.stored();
             let loaded = <$colour as StoredPixel<$memory>>::load(core::hint::black_box(cell));
-            (colour.dim(any() as u16), channels, decoded, PixelFormat::encode(colour), colour.stored(), cell, loaded)
+            (colour.dim(any() as u16).emitting(emission), channels, decoded, PixelFormat::encode(colour), colour.stored(), cell, loaded)
         }
     )*};
 }

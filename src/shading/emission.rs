@@ -1,0 +1,115 @@
+//! Light that faces emit themselves: a colour that is added after light.
+
+use super::levels::emissive;
+use super::{Channels, Dim, Flat, Gouraud, Lit, LitPalette, ShadeTable};
+use crate::scene::FaceColors;
+use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
+
+impl FaceColors<'_> {
+    /// The colour of a face at a level of light, 0 … 256, and the light that it emits: [`color`](Self::color),
+    /// [dimmed](Dim::dim), plus [`emission`](Self::emission).
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::Rgb565;
+    /// use pinhole::FaceColors;
+    /// let colors = FaceColors::new(&[[0, 0, 255]], &[0])?.with_emission(&[[255, 0, 0]])?;
+    /// assert_eq!(colors.lit::<Rgb565>(0, 128), Rgb565::new(31, 0, 16));
+    /// # Ok::<(), pinhole::MaterialError>(())
+    /// ```
+    pub fn lit<C: From<Rgb888> + Dim>(&self, face: usize, level: u16) -> C {
+        let lit = self.color::<C>(face).dim(level);
+        match self.emissions().is_empty() {
+            true => lit,
+            false => lit.emitting(self.emission(face)),
+        }
+    }
+}
+
+impl Flat {
+    /// This colour plus `emission`, channel by channel, at most full: the colour of a face that emits light of its own, such as a
+    /// lamp or a display. Exact.
+    ///
+    /// Emission is not dimmed, so light comes first:
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::Rgb888;
+    /// use pinhole::Flat;
+    /// let glowing = |level| Flat::lit(Rgb888::new(200, 100, 40), level).emitting(Rgb888::new(90, 0, 0));
+    /// assert_eq!(glowing(0), Flat::from(Rgb888::new(90, 0, 0)));
+    /// assert_eq!(glowing(128), Flat::from(Rgb888::new(190, 50, 20)));
+    /// assert_eq!(glowing(256), Flat::from(Rgb888::new(255, 100, 40)));
+    /// ```
+    #[must_use]
+    pub fn emitting(self, emission: Rgb888) -> Self {
+        let Self([r, g, b]) = self;
+        // At most 255·2⁸ twice, below 2¹⁷.
+        let sum = |own: u16, emission: u8| own.saturating_add(u16::from(emission) << 8).min(255 << 8);
+        Self([sum(r, emission.r()), sum(g, emission.g()), sum(b, emission.b())])
+    }
+}
+
+impl Lit {
+    /// The shader of a face that emits light of its own: `emission` is added at each corner, at most full, and the sums are
+    /// interpolated. Channels that are full at some corners only bend there as [`Gouraud`] does between any three colours.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Rgb888, WebColors};
+    /// use pinhole::{Flat, Gouraud};
+    /// let (levels, emission) = ([256, 128, 40], Rgb888::new(60, 0, 0)); // of Lambert::levels
+    /// let face = Gouraud::lit(Rgb888::CSS_TEAL, levels).emitting(emission);
+    /// assert_eq!(face, Gouraud::new(levels.map(|level| Flat::lit(Rgb888::CSS_TEAL, level).emitting(emission))));
+    /// ```
+    #[must_use]
+    pub fn emitting(self, emission: Rgb888) -> Gouraud {
+        let (color, levels) = self.parts();
+        Gouraud::new(levels.map(|level| Flat::lit(color, level).emitting(emission)))
+    }
+}
+
+impl<C: Channels> ShadeTable<C> {
+    /// A table for faces that emit light of their own: the colours of the target nearest to `emission` plus 0/255, 1/255 … 255/255
+    /// of `color`, channel by channel, at most full; halves are rounded up. A face takes no more instructions than with
+    /// [`new`](Self::new).
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888};
+    /// use pinhole::ShadeTable;
+    /// let table = ShadeTable::<Gray8>::emitting(Rgb888::new(200, 200, 200), Rgb888::new(90, 90, 90));
+    /// assert_eq!([0, 51, 255].map(|i| table.colors()[i].luma()), [90, 130, 255]);
+    /// ```
+    pub fn emitting(color: Rgb888, emission: Rgb888) -> Self {
+        let mut light = 0;
+        Self::from_colors([(); 256].map(|()| {
+            let shade = emissive(color, emission, light, 255);
+            light += 1;
+            shade
+        }))
+    }
+}
+
+impl<C: Channels, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROWS> {
+    /// A palette of texels that emit light of their own, such as the digits of a dial: rows from `emission` alone to `emission` plus
+    /// the palette's colours, at 0/(`ROWS` − 1), 1/(`ROWS` − 1) … of these colours; channels are at most full, halves are rounded up.
+    /// A colour that emits nothing has the emission black.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};
+    /// use pinhole::LitPalette;
+    /// let palette = LitPalette::<Rgb565, 2, 32>::emitting(&[Rgb888::BLUE, Rgb888::WHITE], &[Rgb888::RED, Rgb888::BLACK]);
+    /// assert_eq!(palette.row(0), &[Rgb565::RED, Rgb565::BLACK]);
+    /// assert_eq!(palette.row(256), &[Rgb565::MAGENTA, Rgb565::WHITE]);
+    /// ```
+    pub fn emitting(palette: &[Rgb888; COLORS], emission: &[Rgb888; COLORS]) -> Self {
+        let steps = ROWS as u32 - 1; // 1 … 255: the compiler checks the number of rows
+        let mut row = 0;
+        Self::from_rows([(); ROWS].map(|()| {
+            let mut emission = emission.iter();
+            let colors = palette.each_ref().map(|&color| {
+                let emission = emission.next().copied().unwrap_or(Rgb888::BLACK);
+                emissive(color, emission, row, steps)
+            });
+            row += 1;
+            colors
+        }))
+    }
+}
