@@ -1,4 +1,4 @@
-//! Materials: diffuse colours as a palette, the names of their pictures, and texture coordinates on a grid.
+//! Materials: diffuse and emissive colours as a palette, the names of their pictures, and texture coordinates on a grid.
 
 use crate::model::{Colors, TextureFaces, Warning};
 use std::collections::HashMap;
@@ -7,10 +7,17 @@ use std::path::{Path, PathBuf};
 /// The diffuse colour of a material that has none.
 const GREY: [u8; 3] = [204; 3];
 
+const BLACK: [u8; 3] = [0; 3];
+
+/// A diffuse colour, and the colour of emitted light.
+type Shade = [[u8; 3]; 2];
+
 /// What a library says of a material.
 #[derive(Clone, Default)]
 struct Material {
     color: [u8; 3],
+    /// The colour of the light that it emits.
+    emission: [u8; 3],
     /// The picture of the diffuse colour, as `map_Kd` names it.
     picture: Option<String>,
 }
@@ -66,8 +73,10 @@ pub(crate) fn read(
             None => pictures.bare += 1,
         }
     }
-    let color = |number: Option<usize>| material(number).map_or(GREY, |material| material.color);
-    let of_triangles: Vec<[u8; 3]> = of_triangles.into_iter().map(color).collect();
+    let shade = |number: Option<usize>| {
+        material(number).map_or([GREY, BLACK], |material| [material.color, material.emission])
+    };
+    let of_triangles: Vec<Shade> = of_triangles.into_iter().map(shade).collect();
     let (colors, count) = palette(&of_triangles);
     if count > colors.palette.len() {
         let most = colors.palette.len();
@@ -91,7 +100,8 @@ fn library(name: &str, model: &Path) -> Result<HashMap<String, Material>, String
     let path = find(name, model).ok_or("is not there")?;
     let bytes = crate::bytes(&path).map_err(|error| error.problem.to_string())?;
     // All else of a material is not used, and cannot be wrong.
-    let is_used = |line: &&str| matches!(line.split_whitespace().next(), Some("newmtl" | "Kd" | "map_Kd"));
+    let is_used =
+        |line: &&str| matches!(line.split_whitespace().next(), Some("newmtl" | "Kd" | "Ke" | "map_Kd"));
     // A picture without a name is none; tobj would refuse the library.
     let is_named = |line: &&str| line.split_whitespace().nth(1).is_some();
     let text: String = crate::text::text(&bytes)
@@ -101,11 +111,13 @@ fn library(name: &str, model: &Path) -> Result<HashMap<String, Material>, String
         .flat_map(|line| [line, "\n"])
         .collect();
     let (materials, _) = tobj::load_mtl_buf(&mut text.as_bytes())
-        .map_err(|_| "cannot be understood: newmtl has a name, and Kd three numbers")?;
+        .map_err(|_| "cannot be understood: newmtl has a name, Kd and Ke have three numbers")?;
     let material = |material: tobj::Material| {
-        let channel = |c: f64| (c * 255.0).round().clamp(0.0, 255.0) as u8; // NaN becomes 0
-        let color = material.diffuse.map_or(GREY, |diffuse| diffuse.map(channel));
-        (material.name, Material { color, picture: material.diffuse_texture.map(|text| file_name(&text)) })
+        let channels = |color: [f64; 3]| color.map(|c| (c * 255.0).round().clamp(0.0, 255.0) as u8); // NaN becomes 0
+        let color = material.diffuse.map_or(GREY, channels);
+        let emission = material.emissive.map_or(BLACK, channels);
+        let picture = material.diffuse_texture.map(|text| file_name(&text));
+        (material.name, Material { color, emission, picture })
     };
     Ok(materials.into_iter().map(material).collect())
 }
@@ -120,42 +132,44 @@ fn file_name(text: &str) -> String {
 }
 
 /// A palette of the colours, those that are used most if there are more than 256, in the order of their first use, and how
-/// many colours there are.
-fn palette(of_triangles: &[[u8; 3]]) -> (Colors, usize) {
+/// many colours there are. Two that differ in the light that they emit are two colours.
+fn palette(of_triangles: &[Shade]) -> (Colors, usize) {
     const MOST: usize = 256;
-    let mut uses = HashMap::<[u8; 3], usize>::new();
+    let mut uses = HashMap::<Shade, usize>::new();
     for &color in of_triangles {
         *uses.entry(color).or_default() += 1;
     }
     let count = uses.len();
-    let mut by_use: Vec<([u8; 3], usize)> = uses.into_iter().collect();
+    let mut by_use: Vec<(Shade, usize)> = uses.into_iter().collect();
     by_use.sort_unstable_by_key(|&(color, uses)| (std::cmp::Reverse(uses), color));
     by_use.truncate(MOST);
-    let kept: HashMap<[u8; 3], usize> = by_use.into_iter().collect();
-    let distance =
-        |a: [u8; 3], b: [u8; 3]| -> u32 { (0..3).map(|i| u32::from(a[i].abs_diff(b[i])).pow(2)).sum() };
-    let nearest = |color: [u8; 3]| {
+    let kept: HashMap<Shade, usize> = by_use.into_iter().collect();
+    let distance = |a: Shade, b: Shade| -> u32 {
+        let channels = a.into_iter().flatten().zip(b.into_iter().flatten());
+        channels.map(|(a, b)| u32::from(a.abs_diff(b)).pow(2)).sum()
+    };
+    let nearest = |color: Shade| {
         kept.keys().copied().min_by_key(|&other| (distance(color, other), other)).unwrap_or(color)
     };
-    let mut colors = Colors::default();
-    let mut numbers = HashMap::<[u8; 3], u8>::new();
+    let mut shown = Vec::<Shade>::new();
+    let mut numbers = HashMap::<Shade, u8>::new();
+    let mut faces = Vec::new();
     for &color in of_triangles {
-        let number = match numbers.get(&color) {
-            Some(&number) => number,
-            None => {
-                let shown = if kept.contains_key(&color) { color } else { nearest(color) };
-                let place = colors.palette.iter().position(|&other| other == shown);
-                let number = place.unwrap_or(colors.palette.len()) as u8; // at most 256 different ones are shown
-                if place.is_none() {
-                    colors.palette.push(shown);
-                }
-                numbers.insert(color, number);
-                number
+        let number = *numbers.entry(color).or_insert_with(|| {
+            let color = if kept.contains_key(&color) { color } else { nearest(color) };
+            let place = shown.iter().position(|&other| other == color);
+            if place.is_none() {
+                shown.push(color);
             }
-        };
-        colors.faces.push(number);
+            place.unwrap_or(shown.len() - 1) as u8 // at most 256 different ones are shown
+        });
+        faces.push(number);
     }
-    (colors, count)
+    let mut emission: Vec<_> = shown.iter().map(|&[_, emission]| emission).collect();
+    if emission.iter().all(|&emission| emission == BLACK) {
+        emission.clear();
+    }
+    (Colors { palette: shown.into_iter().map(|[color, _]| color).collect(), emission, faces }, count)
 }
 
 /// Texture coordinates of a mesh.

@@ -32,6 +32,8 @@ pub struct ImportedMesh {
     pub vertex_normals: Vec<[i16; 3]>,
     /// The colours of faces, at most 256, `[red, green, blue]`; or nothing, where the file has no materials.
     pub palette: Vec<[u8; 3]>,
+    /// The light that a face of each colour of the palette emits, black for none; or nothing, where no face emits any.
+    pub emission: Vec<[u8; 3]>,
     /// The index of each face's colour; or nothing.
     pub face_colors: Vec<u8>,
     /// Texture coordinates, u to the right and v down, each pair once, in units of 2^`texture_exponent` of a texture's side, as
@@ -139,8 +141,14 @@ impl ImportedMesh {
     ///
     /// [`MaterialError`] if the fields were changed.
     pub fn colors(&self) -> Result<Option<FaceColors<'_>>, MaterialError> {
-        let has_any = !self.face_colors.is_empty();
-        has_any.then(|| FaceColors::new(&self.palette, &self.face_colors)).transpose()
+        if self.face_colors.is_empty() {
+            return Ok(None);
+        }
+        let colors = FaceColors::new(&self.palette, &self.face_colors)?;
+        match self.emission.is_empty() {
+            true => Ok(Some(colors)),
+            false => colors.with_emission(&self.emission).map(Some),
+        }
     }
 
     /// The texture coordinates of its faces, borrowed, if it has any.

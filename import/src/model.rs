@@ -28,6 +28,8 @@ pub(crate) struct Model {
 pub(crate) struct Colors {
     /// At most 256 colours.
     pub(crate) palette: Vec<[u8; 3]>,
+    /// The light that a triangle of each colour emits; or nothing, where none emits any.
+    pub(crate) emission: Vec<[u8; 3]>,
     /// The colour of each triangle.
     pub(crate) faces: Vec<u8>,
 }

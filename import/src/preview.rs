@@ -14,6 +14,8 @@ pub struct Preview {
     pub triangles: Triangles,
     /// The colour of each triangle, as the mesh's palette has it; or nothing, where the file has no materials.
     pub colors: Vec<[u8; 3]>,
+    /// The light that each triangle emits; or nothing, where none emits any.
+    pub emission: Vec<[u8; 3]>,
     /// The texture coordinates of the corners of each triangle, u to the right and v down, in sides of a texture; or nothing, where
     /// the file has none. The mesh has the picture.
     pub texture: Vec<[[f64; 2]; 3]>,
@@ -54,9 +56,12 @@ pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
         Some(texture) => texture.faces.iter().map(|face| face.map(|i| texture.coords[i])).collect(),
         None => Vec::new(),
     };
-    let mut colors: Vec<[u8; 3]> = match &model.colors {
-        Some(colors) => colors.faces.iter().map(|&color| colors.palette[usize::from(color)]).collect(),
-        None => Vec::new(),
+    let mut colors: [Vec<[u8; 3]>; 2] = match &model.colors {
+        Some(colors) => [&colors.palette, &colors.emission].map(|of| match of.is_empty() {
+            true => Vec::new(),
+            false => colors.faces.iter().map(|&color| of[usize::from(color)]).collect(),
+        }),
+        None => Default::default(),
     };
     let made = quantise::make(model, up, &options, &mut |_| ()).map_err(|problem| problem.at(file, None))?;
     for (face, is_reversed) in triangles.faces.iter_mut().zip(made.reversed.iter().copied()) {
@@ -73,9 +78,10 @@ pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
         texture.extend(made.backs.iter().map(|&face| reversed(texture[face])).collect::<Vec<_>>());
     }
     let backs: Vec<_> = made.backs.iter().map(|&face| reversed(triangles.faces[face])).collect();
-    if !colors.is_empty() {
+    for colors in colors.iter_mut().filter(|colors| !colors.is_empty()) {
         colors.extend(made.backs.iter().map(|&face| colors[face]).collect::<Vec<_>>());
     }
+    let [colors, emission] = colors;
     let count = backs.len();
     triangles.faces.extend(backs);
     let libraries = made.libraries;
@@ -84,7 +90,7 @@ pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
     if let Err(problem) = &mesh {
         warnings.push(Warning { line: None, message: format!("not for firmware: {problem}") });
     }
-    Ok(Preview { triangles, colors, texture, libraries, backs: count, up, mesh, warnings })
+    Ok(Preview { triangles, colors, emission, texture, libraries, backs: count, up, mesh, warnings })
 }
 
 fn reversed<T>([a, b, c]: [T; 3]) -> [T; 3] {

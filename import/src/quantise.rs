@@ -257,6 +257,8 @@ pub(crate) fn make(
     if let Err(problem) = ends {
         return Ok(Made { mesh: Err(problem), ..made });
     }
+    let (palette, emission) =
+        colors.map_or_else(Default::default, |colors| (colors.palette, colors.emission));
     let mesh = ImportedMesh {
         vertices,
         exponent: grid.exponent,
@@ -266,7 +268,8 @@ pub(crate) fn make(
         normals,
         planes: Vec::new(),
         vertex_normals,
-        palette: colors.map_or_else(Vec::new, |colors| colors.palette),
+        palette,
+        emission,
         face_colors,
         texture_coords: texture.coords,
         texture_faces: texture.faces,

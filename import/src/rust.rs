@@ -91,17 +91,28 @@ impl ImportedMesh {
                  pub const {name}_COLORS: Option<pinhole::FaceColors<'static>> = None;\n"
             );
         } else {
-            let bytes = size_of_val(&self.palette[..]) + self.face_colors.len();
+            let bytes =
+                size_of_val(&self.palette[..]) + size_of_val(&self.emission[..]) + self.face_colors.len();
+            let emitting = self.emission.iter().filter(|&&emission| emission != [0; 3]).count();
+            let emitting =
+                if emitting > 0 { format!(", {emitting} of them emitting light") } else { String::new() };
             let _ = write!(
                 out,
-                "\n/// The colours of the faces of [`{name}`]: {} colours; {bytes} bytes of flash.\n{kept}\
+                "\n/// The colours of the faces of [`{name}`]: {} colours{emitting}; {bytes} bytes of flash.\n{kept}\
                  pub const {name}_COLORS: Option<pinhole::FaceColors<'static>> = {{\n",
                 self.palette.len(),
             );
             nested(out, "PALETTE: [[u8; 3]", &self.palette);
             nested(out, "FACES: [u8", &self.face_colors);
-            out.push_str(
-                "    let Ok(colors) = pinhole::FaceColors::new(&PALETTE, &FACES) else { panic!() };\n    Some(colors)\n};\n",
+            let mut steps = String::new();
+            if !self.emission.is_empty() {
+                nested(out, "EMISSION: [[u8; 3]", &self.emission);
+                steps = "    let Ok(colors) = colors.with_emission(&EMISSION) else { panic!() };\n".into();
+            }
+            let _ = write!(
+                out,
+                "    let Ok(colors) = pinhole::FaceColors::new(&PALETTE, &FACES) else {{ panic!() }};\n\
+                 {steps}    Some(colors)\n}};\n",
             );
         }
         if !self.texture_faces.is_empty() {
@@ -144,7 +155,7 @@ impl ImportedMesh {
 
     /// The mesh as Rust source, list by list, for code that works on them at compile time: the constants `VERTICES`,
     /// `EXPONENT`, `FACES`, `EDGES`, `NORMALS` and, where `I16F16` can hold it, `OFFSET`; `EDGE_FACES`, `PLANES`,
-    /// `VERTEX_NORMALS`, `PALETTE`, `FACE_COLORS`, `TEXTURE_COORDS`, `TEXTURE_FACES` and `TEXTURE_EXPONENT`, `TEXELS`, `TEXEL_PALETTE`
+    /// `VERTEX_NORMALS`, `PALETTE`, `FACE_COLORS`, `EMISSION`, `TEXTURE_COORDS`, `TEXTURE_FACES` and `TEXTURE_EXPONENT`, `TEXELS`, `TEXEL_PALETTE`
     /// and `TEXTURE_SIZE` where there are any. It can be a module of its own or be taken in by `include!`. The header names
     /// `command`, by which the file was made.
     pub fn to_rust(&self, command: &str) -> String {
@@ -193,6 +204,10 @@ impl ImportedMesh {
             let doc = "The colours of faces, for `FaceColors`.";
             list(&mut out, doc, "PALETTE: [[u8; 3]", &self.palette);
             list(&mut out, "The index of each face's colour.", "FACE_COLORS: [u8", &self.face_colors);
+            if !self.emission.is_empty() {
+                let doc = "The light that a face of each colour emits, for `FaceColors::with_emission`.";
+                list(&mut out, doc, "EMISSION: [[u8; 3]", &self.emission);
+            }
         }
         if !self.texture_faces.is_empty() {
             let doc = "Texture coordinates in units of 2^TEXTURE_EXPONENT of a texture's side, for `TextureCoords`.";

@@ -1,5 +1,6 @@
 //! Colours and texture coordinates of OBJ files, from the text to the generated source.
 
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use pinhole::{FaceColors, TextureCoords};
 use pinhole_import::{import, preview, Axis, ImportedMesh, Options};
 use std::path::{Path, PathBuf};
@@ -32,7 +33,7 @@ fn painted() -> String {
 }
 
 const LIBRARY: &str =
-    "# by hand\nnewmtl rust\nKa nonsense\nKd .6 .2 0\nmap_Kd rust.png\nnewmtl sky\nNs 3\nKd 0 .5 1\n";
+    "# by hand\nnewmtl rust\nKa nonsense\nKd .6 .2 0\nKe 1.5 .4 0\nmap_Kd rust.png\nnewmtl sky\nNs 3\nKd 0 .5 1\n";
 
 /// The vertex of the tetrahedron at a corner, by where it is: 1 at the origin, and 2, 3, 4 on the axes.
 fn vertex(mesh: &ImportedMesh, face: usize, corner: usize) -> usize {
@@ -95,12 +96,41 @@ fn faces_keep_their_colours_and_coordinates_through_every_option() {
     }
     let mesh = import(&path, &defaults).unwrap();
     assert_eq!((said(&mesh), mesh.face_colors), (vec![], vec![0, 1, 1, 0]));
+    assert_eq!(mesh.emission, [[0; 3], [255, 102, 0]]); // more than full is full
     assert_eq!(mesh.libraries, [path.with_file_name("painted.mtl")]);
     let plain = import(
         &file("bare.obj", &painted().replace("mtllib painted.mtl\n", "").replace("usemtl", "#")),
         &defaults,
     );
     assert_eq!(plain.unwrap().palette, Vec::<[u8; 3]>::new());
+}
+
+#[test]
+fn materials_may_emit_light() {
+    let import = |library: &str| {
+        let name = format!("lamps-{}.mtl", library.len());
+        file(&name, library);
+        let text = painted().replace("painted.mtl", &name);
+        import(&file(&format!("{name}.obj"), &text), &Options::default()).unwrap()
+    };
+    // One diffuse colour, and two lights: two colours.
+    let lamps = import("newmtl rust\nKd 1 0 0\nKe 0 0 1\nnewmtl sky\nKd 1 0 0\nKe 0 .2 0\n");
+    let colors = lamps.colors().unwrap().unwrap();
+    assert_eq!((colors.palette().len(), said(&lamps)), (2, vec![]));
+    let emitted = [0, 1, 2, 3].map(|face| colors.emission::<Rgb888>(face));
+    let [green, blue] = [Rgb888::new(0, 51, 0), Rgb888::BLUE];
+    assert_eq!(emitted, [green, blue, blue, green]);
+    assert_eq!([0, 1].map(|face| colors.color::<Rgb888>(face)), [Rgb888::RED; 2]);
+    // What modelling programs write for materials that emit nothing, and a lamp that no face has.
+    let none =
+        import("newmtl rust\nKd 1 0 0\nKe 0 0 0\nnewmtl sky\nKd 1 0 0\nnewmtl lamp\nKd 0 0 0\nKe 1 1 1\n");
+    assert_eq!((none.palette.len(), none.emission.len()), (1, 0));
+    // Only a light.
+    let grey = import("newmtl rust\nKe 1 0 0\nnewmtl sky\nKd 1 1 0\n");
+    assert_eq!(grey.palette, [[255, 255, 0], [204, 204, 204]]);
+    assert_eq!(grey.emission, [[0, 0, 0], [255, 0, 0]]);
+    let wrong = import("newmtl rust\nKe red\n");
+    assert!(said(&wrong)[0].contains("Kd and Ke have three numbers"), "{:?}", said(&wrong));
 }
 
 #[test]
@@ -160,7 +190,7 @@ fn what_is_wrong_with_materials_leaves_the_mesh() {
         (
             body("mtllib broken.mtl\nusemtl rust"),
             vec![],
-            "material library broken.mtl: cannot be understood: newmtl has a name, and Kd three numbers; its materials are grey: put it beside the model",
+            "material library broken.mtl: cannot be understood: newmtl has a name, Kd and Ke have three numbers; its materials are grey: put it beside the model",
         ),
         (body("usemtl rust"), vec![], "no material library (mtllib): faces have no colours"),
         (
@@ -255,16 +285,18 @@ fn the_source_holds_lists_that_stand_beside_the_mesh() {
     let (colors, texture): (Option<FaceColors<'_>>, TextureCoords<'_>) = (PAINTED_COLORS, PAINTED_TEXTURE);
     assert_eq!(colors, mesh.colors().unwrap());
     let colors = colors.unwrap();
+    assert_eq!(colors.lit::<Rgb888>(1, 0), Rgb888::new(255, 102, 0));
     assert_eq!(Some(texture), mesh.texture().unwrap());
     assert_eq!(colors.faces().len() + texture.faces().len(), 2 * PAINTED.faces().len());
     // Not the mesh's, so not in its size.
     assert!(text.contains("`painted.obj`: 4 vertices, 4 faces, 6 edges; 96 bytes of flash."), "{text}");
-    assert!(text.contains("[`PAINTED`]: 2 colours; 10 bytes of flash."), "{text}");
+    assert!(text.contains("[`PAINTED`]: 2 colours, 1 of them emitting light; 16 bytes of flash."), "{text}");
     assert!(text.contains("[`PAINTED`]: 12 pairs; 72 bytes of flash."), "{text}");
     let lists = mesh.to_rust("a test");
     for list in [
         "PALETTE: [[u8; 3]; 2]",
         "FACE_COLORS: [u8; 4]",
+        "EMISSION: [[u8; 3]; 2]",
         "TEXTURE_COORDS: [[i16; 2]; 12]",
         "TEXTURE_FACES: [[u16; 3]; 4]",
     ] {
@@ -280,5 +312,7 @@ fn a_preview_has_the_colours_of_its_triangles() {
     let shown = preview(&path, &Options { two_sided: true, ..Options::default() }).unwrap();
     let [sky, rust] = [[0, 128, 255], [153, 51, 0]];
     assert_eq!(shown.colors, [sky, rust, rust, sky, rust, rust]);
+    let [dark, glowing] = [[0; 3], [255, 102, 0]];
+    assert_eq!(shown.emission, [dark, glowing, glowing, dark, glowing, glowing]);
     assert_eq!(shown.libraries, [path.with_file_name("painted.mtl")]);
 }
