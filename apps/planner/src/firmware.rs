@@ -47,7 +47,7 @@ fn replaced(text: &str, from: &str, to: &str) -> Result<String, String> {
 
 /// Text that the drawing code has where it draws hidden lines, and where it draws faces.
 const HIDDEN_LINES: &str = "hidden_line(BinaryColor::On, ";
-const FACES: &str = "color(face).dim(level(face))";
+const FACES: &str = "color(face, level(face))";
 
 /// The drawing code, as the choice draws.
 fn picture(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String> {
@@ -130,9 +130,8 @@ fn faces(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String>
     };
     if let Some((shader, dither)) = shader {
         let dithered = if dither { ".dithered()" } else { "" };
-        let lit = format!("pinhole::{shader}::lit(color(face).into(), level(face)){dithered}");
+        let lit = format!("pinhole::{shader}::lit(color(face, 256).into(), level(face)){dithered}");
         replace(FACES, &lit)?;
-        replace(" Dim,", "")?;
     }
     Ok(without_unused(text))
 }

@@ -21,6 +21,7 @@ SCENE.json:
   {"mesh": "file.obj" | ".stl" | ".json" (relative to the scene's folder),  or  "vertices": [[x, y, z], ...], "triangles": [[a, b, c], ...],
    "model": 4x4 affine, "view": 4x4 rigid, "projection": 4x4 with w > 0 and z/w from -1 (near) to 1 (far) in the view volume,
    "colors": [[r, g, b], ...] of the triangles, 0 to 255 (optional),
+   "emission": [[r, g, b], ...] of the light that the triangles emit, added to the lit colours (optional; not on textures),
    "uv": [[u, v], ...] of the vertices, or [[[u, v], [u, v], [u, v]], ...] of the triangles' corners, in texels, (0, 0) at the upper left,
    "texture": [W, H] or "FILE.png", 8 to 256 a side, powers of two, "wrap": "repeat" | "clamp" (optional; uv and texture belong together),
    "fog": [START, END] (optional: linear fog of the background's colour, between two distances before the camera),
@@ -36,7 +37,7 @@ With one of these four the default --size of a mesh is 320x240.
 
 An .obj or .stl is drawn as the mesh that pinhole-import makes of it, and with its warnings: z of .stl and y of .obj are up, faces
 are seen from their front alone (counter-clockwise) unless --two-sided, and the camera is that of the firmware templates, which
-frames the bounding sphere. Faces have the diffuse colours of an OBJ's materials, unless --colour is given. Triangles in --ids and --used are those of the file, in its order, then the backs of --two-sided.
+frames the bounding sphere. Faces have the diffuse and emissive colours of an OBJ's materials, unless --colour is given. Triangles in --ids and --used are those of the file, in its order, then the backs of --two-sided.
 
 Bad input: one line on stderr, exit code 2, and no file is changed."#;
 

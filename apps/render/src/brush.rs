@@ -5,7 +5,8 @@ use crate::paint::Colour;
 use pinhole::clip::Barycentric;
 use pinhole::raster::{Span, Triangle};
 use pinhole::{
-    ClampedTexels, CornerValues, Dithered, Flat, Lit, LitTextured, Shader, SpanShader, TexelSlice, Textured,
+    ClampedTexels, CornerValues, Dithered, Flat, Gouraud, Lit, LitTextured, Shader, SpanShader, TexelSlice,
+    Textured,
 };
 
 /// Repeated or clamped texels of a picture.
@@ -18,6 +19,8 @@ pub(crate) enum Brush<'t, C> {
     FlatDithered(Dithered<Flat>),
     Smooth(Lit),
     SmoothDithered(Dithered<Lit>),
+    Glowing(Gouraud),
+    GlowingDithered(Dithered<Gouraud>),
     Texture(Textured<Repeated<'t, C>>),
     ClampedTexture(Textured<Clamped<'t, C>>),
     LitTexture(LitTextured<Repeated<'t, C>>),
@@ -33,6 +36,8 @@ impl<C: Colour> Shader for Brush<'_, C> {
             Self::Flat(_) | Self::FlatDithered(_) => *self,
             Self::Smooth(lit) => Self::Smooth(lit.sub_face(corners)),
             Self::SmoothDithered(lit) => Self::SmoothDithered(lit.sub_face(corners)),
+            Self::Glowing(glowing) => Self::Glowing(glowing.sub_face(corners)),
+            Self::GlowingDithered(glowing) => Self::GlowingDithered(glowing.sub_face(corners)),
             Self::Texture(textured) => Self::Texture(textured.sub_face(corners)),
             Self::ClampedTexture(textured) => Self::ClampedTexture(textured.sub_face(corners)),
             Self::LitTexture(textured) => Self::LitTexture(textured.sub_face(corners)),
@@ -42,7 +47,12 @@ impl<C: Colour> Shader for Brush<'_, C> {
 
     fn with_corners(&self, corners: &CornerValues) -> Self {
         match self {
-            Self::Flat(_) | Self::FlatDithered(_) | Self::Smooth(_) | Self::SmoothDithered(_) => *self,
+            Self::Flat(_)
+            | Self::FlatDithered(_)
+            | Self::Smooth(_)
+            | Self::SmoothDithered(_)
+            | Self::Glowing(_)
+            | Self::GlowingDithered(_) => *self,
             Self::Texture(textured) => Self::Texture(textured.with_corners(corners)),
             Self::ClampedTexture(textured) => Self::ClampedTexture(textured.with_corners(corners)),
             Self::LitTexture(textured) => Self::LitTexture(textured.with_corners(corners)),
@@ -69,6 +79,8 @@ impl<'t, C: Colour> SpanShader<C> for Brush<'t, C> {
             Self::FlatDithered(flat) => set_up(flat, triangle),
             Self::Smooth(lit) => set_up(lit, triangle),
             Self::SmoothDithered(lit) => set_up(lit, triangle),
+            Self::Glowing(glowing) => set_up(glowing, triangle),
+            Self::GlowingDithered(glowing) => set_up(glowing, triangle),
             Self::Texture(textured) => set_up(textured, triangle),
             Self::ClampedTexture(textured) => set_up(textured, triangle),
             Self::LitTexture(textured) => set_up(textured, triangle),

@@ -70,7 +70,10 @@ macro_rules! draws_into_a_target {
         {
             let mesh = model.mesh().map_err(|e| e.to_string())?;
             let colors = model.colors().map_err(|e| e.to_string())?;
-            let color = |face: usize| colors.map_or($picture::COLOR, |colors| colors.color(face));
+            let color = |face: usize, level: u16| match colors {
+                Some(colors) => colors.lit(face, level),
+                None => pinhole::Dim::dim($picture::COLOR, level),
+            };
             let screen = display.bounding_box();
             let mut buffers = $crate::firmware::Buffers::new(&mesh, screen.size.width);
             let $crate::firmware::Buffers { cache, bins, strip, depths } = &mut buffers;
@@ -100,7 +103,10 @@ macro_rules! draws_bands {
         {
             let mesh = model.mesh().map_err(|e| e.to_string())?;
             let colors = model.colors().map_err(|e| e.to_string())?;
-            let color = |face: usize| colors.map_or($picture::COLOR, |colors| colors.color(face));
+            let color = |face: usize, level: u16| match colors {
+                Some(colors) => colors.lit(face, level),
+                None => pinhole::Dim::dim($picture::COLOR, level),
+            };
             let screen = display.bounding_box();
             let mut buffers = $crate::firmware::Buffers::new(&mesh, screen.size.width);
             let $crate::firmware::Buffers { cache, bins, strip, depths } = &mut buffers;

@@ -1,5 +1,6 @@
 //! Models as `pinhole-import` makes them: its options, its up axis, its winding and its warnings.
 
+use crate::scene::Colors;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches};
 use pinhole_import::{Options, Preview};
@@ -32,6 +33,11 @@ pub fn is_model(file: &Path) -> bool {
 /// Reads a model.
 pub fn read(file: &Path, options: &Options) -> Result<Preview, String> {
     pinhole_import::preview(file, options).map_err(|e| e.to_string())
+}
+
+/// The colours of a model's triangles, taken out of it.
+pub fn colors(model: &mut Preview) -> Colors {
+    Colors { faces: std::mem::take(&mut model.colors), emission: std::mem::take(&mut model.emission) }
 }
 
 /// What a firmware with this model has in flash, in words.

@@ -1,7 +1,7 @@
 //! A camera for a mesh: one that shows all of it.
 
 use crate::projections::{Kind, Named, Stance};
-use crate::scene::{bounds, Matrix, Scene};
+use crate::scene::{bounds, Colors, Matrix, Scene};
 use pinhole_import::{Axis, Triangles};
 
 /// The view of a mesh. Angles are in degrees.
@@ -59,7 +59,7 @@ struct Seen {
 
 /// A scene with the mesh in the middle of the picture, as large as fits; `colors` are those of its triangles, or none. The
 /// error names the option.
-pub fn scene(mesh: Triangles, colors: Vec<[u8; 3]>, look: &Look) -> Result<Scene, String> {
+pub fn scene(mesh: Triangles, colors: Colors, look: &Look) -> Result<Scene, String> {
     let mesh_points = mesh.seen();
     let Triangles { positions: vertices, faces: triangles } = mesh;
     let kind = look.projection.kind;

@@ -269,11 +269,18 @@ fn paint<C: Colour>(
     let light = Light::new(scene, quantised);
     let levels = |part: &Part, face: usize| light.corners(number(part, face), &subject.normals);
     let colour = |part: &Part, face: usize| {
-        let own = scene.colors.get(number(part, face)).filter(|_| style.own_colours);
+        let own = scene.colors.faces.get(number(part, face)).filter(|_| style.own_colours);
         own.map_or(style.colour, |&[r, g, b]| Rgb888::new(r, g, b))
     };
-    let flat = |part: &Part, face| Flat::lit(colour(part, face), levels(part, face)[0]);
+    let emission = |part: &Part, face: usize| {
+        let own = scene.colors.emission.get(number(part, face)).filter(|_| style.own_colours);
+        own.map_or(Rgb888::BLACK, |&[r, g, b]| Rgb888::new(r, g, b))
+    };
+    let flat = |part: &Part, face| {
+        Flat::lit(colour(part, face), levels(part, face)[0]).emitting(emission(part, face))
+    };
     let smooth = |part: &Part, face| Gouraud::lit(colour(part, face), levels(part, face));
+    let glowing = |part: &Part, face| smooth(part, face).emitting(emission(part, face));
     let solid = Solid { parts: all_parts, faces: &mut faces };
     let fog = style.fog.or(scene.fog);
     let fog = fog.map(|fog| fog.table(scene, quantised, C::from(style.background))).transpose()?;
@@ -300,11 +307,18 @@ fn paint<C: Colour>(
             }),
         };
     }
-    match (style.mode == Mode::Flat, style.dither) {
-        (true, false) => all.draw(fog, &|part, face| Brush::Flat(flat(part, face))),
-        (true, true) => all.draw(fog, &|part, face| Brush::FlatDithered(flat(part, face).dithered())),
-        (false, false) => all.draw(fog, &|part, face| Brush::Smooth(smooth(part, face))),
-        (false, true) => all.draw(fog, &|part, face| Brush::SmoothDithered(smooth(part, face).dithered())),
+    let emits = style.own_colours && !scene.colors.emission.is_empty();
+    match (style.mode == Mode::Flat, emits, style.dither) {
+        (true, _, false) => all.draw(fog, &|part, face| Brush::Flat(flat(part, face))),
+        (true, _, true) => all.draw(fog, &|part, face| Brush::FlatDithered(flat(part, face).dithered())),
+        (false, false, false) => all.draw(fog, &|part, face| Brush::Smooth(smooth(part, face))),
+        (false, false, true) => {
+            all.draw(fog, &|part, face| Brush::SmoothDithered(smooth(part, face).dithered()))
+        }
+        (false, true, false) => all.draw(fog, &|part, face| Brush::Glowing(glowing(part, face))),
+        (false, true, true) => {
+            all.draw(fog, &|part, face| Brush::GlowingDithered(glowing(part, face).dithered()))
+        }
     }
 }
 

@@ -45,8 +45,9 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
             let mut model = import::read(&options.scene, &options.import)?;
             model.libraries.iter().try_for_each(|library| apart(library))?;
             let look = &Look { up: model.up, ..*look };
+            let colors = import::colors(&mut model);
             if let Some(path) = &options.gif {
-                let mesh = (&model.triangles, &model.colors[..]);
+                let mesh = (&model.triangles, &colors);
                 let film = turntable::gif(
                     mesh,
                     look,
@@ -58,7 +59,6 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
                 outputs.push((path, film.map_err(named)?));
             }
             let triangles = std::mem::take(&mut model.triangles);
-            let colors = std::mem::take(&mut model.colors);
             let texture = texture::of_model(&model);
             imported = Some(model);
             Scene { texture, ..model::scene(triangles, colors, look)? }

@@ -11,6 +11,15 @@ pub type Matrix = [[f64; 4]; 4];
 /// The largest width and height of a picture.
 pub const LARGEST: u32 = 4096;
 
+/// The colours of triangles.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Colors {
+    /// Of each triangle in full light, or nothing.
+    pub faces: Vec<[u8; 3]>,
+    /// Of the light that each triangle emits, or nothing.
+    pub emission: Vec<[u8; 3]>,
+}
+
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     pub vertices: Vec<[f64; 3]>,
@@ -24,8 +33,7 @@ pub struct Scene {
     pub viewport: [i32; 4],
     /// Whether back faces are culled.
     pub cull: bool,
-    /// The colour of each triangle, or nothing.
-    pub colors: Vec<[u8; 3]>,
+    pub colors: Colors,
     /// The texture on all triangles, or none.
     pub texture: Option<SceneTexture>,
     /// Fog in pictures, unless an option sets it.
@@ -39,7 +47,7 @@ impl Scene {
     pub fn read(file: &Path) -> Result<Self, String> {
         let json = parse(file)?;
         let problem = |e: String| format!("{}: {e}", file.display());
-        let [mesh, vertices, triangles, model, view, projection, width, height, viewport, cull, colors, uv, texture, wrap, fog] =
+        let [mesh, vertices, triangles, model, view, projection, width, height, viewport, cull, colors, emission, uv, texture, wrap, fog] =
             Field::root(&json)
                 .fields([
                     "mesh",
@@ -53,6 +61,7 @@ impl Scene {
                     "viewport",
                     "cull",
                     "colors",
+                    "emission",
                     "uv",
                     "texture",
                     "wrap",
@@ -95,22 +104,8 @@ impl Scene {
                     }
                 },
             };
-            let colors = match colors {
-                None => Vec::new(),
-                Some(field) => {
-                    let channel = |f: Field<'_>| f.integer(0, 255).map(|c| c as u8);
-                    let colors =
-                        field.list()?.map(|color| color.array(channel)).collect::<Result<Vec<_>, _>>()?;
-                    if colors.len() != triangles.len() {
-                        return Err(field.error(format_args!(
-                            "has {} colours, but there are {} triangles",
-                            colors.len(),
-                            triangles.len()
-                        )));
-                    }
-                    colors
-                }
-            };
+            let colors =
+                Colors { faces: colors_of(&triangles, colors)?, emission: colors_of(&triangles, emission)? };
             let between = |field: Field<'_>| {
                 FogStyle::between(field.array(|distance| distance.number())?).map_err(|e| field.error(e))
             };
@@ -194,6 +189,18 @@ fn parse(file: &Path) -> Result<Json, String> {
 
 fn needed<'a>(field: Option<Field<'a>>, name: &str) -> Result<Field<'a>, String> {
     field.ok_or_else(|| format!("{name}: is missing"))
+}
+
+/// A colour for each triangle, or nothing.
+fn colors_of(triangles: &[[usize; 3]], field: Option<Field<'_>>) -> Result<Vec<[u8; 3]>, String> {
+    let Some(field) = field else { return Ok(Vec::new()) };
+    let channel = |f: Field<'_>| f.integer(0, 255).map(|c| c as u8);
+    let colors = field.list()?.map(|color| color.array(channel)).collect::<Result<Vec<_>, _>>()?;
+    if colors.len() != triangles.len() {
+        let (colors, triangles) = (colors.len(), triangles.len());
+        return Err(field.error(format_args!("has {colors} colours, but there are {triangles} triangles")));
+    }
+    Ok(colors)
 }
 
 fn matrix(field: Field<'_>) -> Result<Matrix, String> {

@@ -5,6 +5,7 @@ use crate::paint::{Style, Subject};
 use crate::palette::Palette;
 use crate::picture::{picture, Format};
 use crate::quantised::Quantised;
+use crate::scene::Colors;
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use pinhole_apps_support::animation::Animation;
@@ -15,7 +16,7 @@ use std::error::Error;
 const TURN: u32 = 400;
 
 pub(crate) fn gif(
-    (mesh, colors): (&Triangles, &[[u8; 3]]),
+    (mesh, colors): (&Triangles, &Colors),
     look: &Look,
     style: &Style,
     format: Format,
@@ -30,7 +31,7 @@ pub(crate) fn gif(
         // A sphere has one size from all sides; an outline is that of all of them.
         let fit = if look.fit == Fit::Outline { Fit::Turn } else { look.fit };
         let look = Look { yaw, fit, ..*look };
-        let (quantised, used) = Quantised::settle(&model::scene(mesh.clone(), colors.to_vec(), &look)?)?;
+        let (quantised, used) = Quantised::settle(&model::scene(mesh.clone(), colors.clone(), &look)?)?;
         let subject = subject.get_or_insert_with(|| Subject::with_edges(&used, style.mode, least_turn));
         pictures.push(picture(subject, (&used, &quantised), style, format)?.0);
     }

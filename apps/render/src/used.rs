@@ -10,10 +10,13 @@ pub(crate) fn json(scene: &Scene) -> String {
     let matrix = |m: &Matrix| list(m.iter().map(|row| list(row.iter().map(|&c| decimal(c)))));
     let (model, view, projection) = (matrix(&scene.model), matrix(&scene.view), matrix(&scene.projection));
     let (viewport, cull) = (list(viewport.iter()), if scene.cull { "back" } else { "none" });
-    let colors = match &scene.colors[..] {
-        [] => String::new(),
-        colors => format!(",\n\"colors\": {}", list(colors.iter().map(|color| list(color.iter())))),
-    };
+    let colors = [("colors", &scene.colors.faces), ("emission", &scene.colors.emission)]
+        .into_iter()
+        .filter(|(_, colors)| !colors.is_empty())
+        .map(|(name, colors)| {
+            format!(",\n\"{name}\": {}", list(colors.iter().map(|color| list(color.iter()))))
+        })
+        .collect::<String>();
     let texture = match &scene.texture {
         None => String::new(),
         Some(texture) => {

@@ -6,7 +6,7 @@
 use embedded_graphics::pixelcolor::{raw::RawU16, Rgb565};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{Angle, Frame, Mesh, ScreenVertex, Statistics};
+use pinhole::{Angle, Dim, Frame, Mesh, ScreenVertex, Statistics};
 use pinhole_apps_support::canvas::Canvas;
 use std::ops::ControlFlow::{Break, Continue};
 use std::path::Path;
@@ -24,8 +24,8 @@ const ROWS: u32 = 8;
 const UNSENT: Rgb565 = Rgb565::MAGENTA;
 
 /// A colour for each face.
-fn color(face: usize) -> Rgb565 {
-    Rgb565::new(face as u8 % 31 + 1, 63, (face >> 5) as u8 % 32)
+fn color(face: usize, level: u16) -> Rgb565 {
+    Rgb565::new(face as u8 % 31 + 1, 63, (face >> 5) as u8 % 32).dim(level)
 }
 
 struct Buffers {

@@ -263,6 +263,7 @@ fn bad_scenes_are_one_line_that_names_file_and_field() {
     change("triangles", json!([]), "triangles: has no faces");
     change("colors", json!([[1, 2, 3]]), "colors: has 1 colours, but there are 2 triangles");
     change("colors", json!([[1, 2, 3], [4, 5, 256]]), "colors[1][2]");
+    change("emission", json!([[1, 2, 3]]), "emission: has 1 colours, but there are 2 triangles");
     change("vertices", json!([]), "triangles[0][0]: names a vertex, and there are none");
     for field in ["model", "view", "projection"] {
         change(field, json!([[1, 0, 0, 0], [0, 1, 0, 0]]), &format!("{field}: has 2 entries and needs 4"));
@@ -479,6 +480,40 @@ fn squares(to: &Path, options: &[&str]) -> Vec<[u8; 3]> {
     let done = RENDER.run(&[&fixed, options].concat());
     assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
     colours(&picture)
+}
+
+#[test]
+fn faces_may_emit_light() {
+    let to = RENDER.folder("render", "emission");
+    let mut scene = scene();
+    // Two triangles beside each other, of one colour.
+    scene["vertices"] = json!([[-1, -1, 0], [0, -1, 0], [0, 1, 0], [0, -1, 0], [1, -1, 0], [1, 1, 0]]);
+    (scene["width"], scene["height"]) = (json!(16), json!(8));
+    scene["colors"] = json!([[200, 100, 40], [200, 100, 40]]);
+    let emission = [0, 90, 251];
+    let drawn = |scene: &Value, options: &[&str]| {
+        let (file, picture) = (write(&to, "lamp.json", scene.to_string()), to.join("lamp.png"));
+        let used = to.join("used.json");
+        let fixed = [text(&file), "--png", text(&picture), "--used", text(&used)];
+        let done = RENDER.run(&[&fixed, options].concat());
+        assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+        let pixels = colours(&picture);
+        (pixels[5 * 16 + 6], pixels[5 * 16 + 14], serde_json::from_slice(&fs::read(used).unwrap()).unwrap())
+    };
+    for mode in ["flat", "solid"] {
+        let (dark, _, _): (_, _, Value) = drawn(&scene, &["--mode", mode]);
+        assert!(dark[0] > 20 && dark[0] < 200, "{dark:?}");
+        let mut lamp = scene.clone();
+        lamp["emission"] = json!([[0, 0, 0], emission]);
+        // Light is added whole after the other is rounded: levels of eight bits.
+        let wanted = [0, 1, 2].map(|i| (u16::from(dark[i]) + emission[i]).min(255) as u8);
+        let (first, second, used) = drawn(&lamp, &["--mode", mode]);
+        assert_eq!((first, second), (dark, wanted), "{mode}");
+        assert_eq!(drawn(&used, &["--mode", mode]), (first, second, used.clone()));
+        // A colour that is asked for replaces both.
+        let (first, second, _) = drawn(&lamp, &["--mode", mode, "--colour", "#c86428"]);
+        assert_eq!([first, second], [dark; 2], "{mode}");
+    }
 }
 
 #[test]

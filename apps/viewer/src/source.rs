@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Size;
 use pinhole_apps_support::files;
 use pinhole_import::{Axis, ImportedMesh, Options, Preview, Triangles};
 use pinhole_render::model::{self, Fit, Look};
-use pinhole_render::scene::{Matrix, Scene};
+use pinhole_render::scene::{Colors, Matrix, Scene};
 use pinhole_render::{firmware as template, import};
 use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
@@ -14,8 +14,7 @@ use std::path::{Path, PathBuf};
 /// A mesh, with a camera if its file has one.
 pub struct Source {
     mesh: Triangles,
-    /// The colours of the triangles, or nothing.
-    colors: Vec<[u8; 3]>,
+    colors: Colors,
     up: Axis,
     own: Option<Scene>,
     /// The file, unless the mesh is built in.
@@ -45,7 +44,7 @@ impl Source {
         }
         let mut model = import::read(file, options)?;
         let mesh = std::mem::take(&mut model.triangles);
-        let (colors, file) = (std::mem::take(&mut model.colors), Some(file.into()));
+        let (colors, file) = (import::colors(&mut model), Some(file.into()));
         Ok(Self {
             mesh,
             colors,
@@ -68,7 +67,7 @@ impl Source {
         };
         Self {
             mesh,
-            colors: Vec::new(),
+            colors: Colors::default(),
             up: Axis::Y,
             own: None,
             file: None,

@@ -75,7 +75,7 @@ fn in_render(file: &Path, options: &Options) -> Result<(Vec<bool>, Vec<String>),
 }
 
 fn rendered(file: &Path, options: &Options) -> Result<(Vec<Rgb888>, Vec<String>), String> {
-    let model = import::read(file, options)?;
+    let mut model = import::read(file, options)?;
     let usual = Named::ALL[0];
     let look = Look {
         projection: usual,
@@ -87,7 +87,11 @@ fn rendered(file: &Path, options: &Options) -> Result<(Vec<Rgb888>, Vec<String>)
         up: model.up,
         fit: Fit::Sphere { zoom: 1.0 },
     };
-    let (quantised, used) = Quantised::settle(&model::scene(model.triangles, model.colors, &look)?)?;
+    let (quantised, used) = Quantised::settle(&model::scene(
+        std::mem::take(&mut model.triangles),
+        import::colors(&mut model),
+        &look,
+    )?)?;
     let style = style::chosen(Mode::Solid, Format::Rgb888, None, None, false);
     let (pixels, _) =
         picture(&Subject::new(&used, Mode::Solid), (&used, &quantised), &style, Format::Rgb888)?;

@@ -16,7 +16,7 @@ use defmt_rtt as _; // logs go through the probe; without one they are dropped
 use display::{Display, SIZE};
 use embedded_graphics_core::{geometry::Dimensions, pixelcolor::Rgb565};
 use picture::{Drawn, Memory};
-use pinhole::{mesh_buffers, strip_buffers, Angle, MeshBuffers, StripBuffers};
+use pinhole::{mesh_buffers, strip_buffers, Angle, Dim, MeshBuffers, StripBuffers};
 #[cfg(target_arch = "riscv32")]
 use riscv::singleton;
 use stop::stop;
@@ -52,7 +52,10 @@ fn main() -> ! {
     let mut display = Display::new();
     let camera = picture::camera(&MODEL, display.bounding_box()).unwrap_or_else(|problem| stop(problem));
     // A constant: what the model does not have is left out when this is compiled.
-    let color = |face: usize| MODEL_COLORS.map_or(picture::COLOR, |colors| colors.color(face));
+    let color = |face: usize, level: u16| match MODEL_COLORS {
+        Some(colors) => colors.lit(face, level),
+        None => picture::COLOR.dim(level),
+    };
     loop {
         for frame in 0..FRAMES {
             let start = clock.cycles();

@@ -103,9 +103,9 @@ fn a_wrong_orientation_mirrors_the_picture_of_the_stm32() {
 fn swapped_bytes_are_other_colors_on_the_stm32() {
     let swapped = "{
         use embedded_graphics_core::pixelcolor::{raw::RawU16, IntoStorage};
-        Rgb565::from(RawU16::new(color(face).dim(level(face)).into_storage().swap_bytes()))
+        Rgb565::from(RawU16::new(color(face, level(face)).into_storage().swap_bytes()))
     }";
-    STM32.fails(&[("src/picture.rs", "color(face).dim(level(face))", swapped)], "frame 0 differs in");
+    STM32.fails(&[("src/picture.rs", "color(face, level(face))", swapped)], "frame 0 differs in");
 }
 
 #[test]

@@ -19,7 +19,7 @@ use esp_hal::time::{Instant, Rate};
 use mipidsi::interface::SpiInterface;
 use mipidsi::{models::ST7789, options::ColorInversion, Builder};
 use picture::{Drawn, Memory};
-use pinhole::{mesh_buffers, strip_buffers, Angle, MeshBuffers, StripBuffers};
+use pinhole::{mesh_buffers, strip_buffers, Angle, Dim, MeshBuffers, StripBuffers};
 use static_cell::ConstStaticCell;
 use stop::stop;
 
@@ -68,7 +68,10 @@ fn main() -> ! {
 
     let camera = picture::camera(&MODEL, display.bounding_box()).unwrap_or_else(|problem| stop(problem));
     // A constant: what the model does not have is left out when this is compiled.
-    let color = |face: usize| MODEL_COLORS.map_or(picture::COLOR, |colors| colors.color(face));
+    let color = |face: usize, level: u16| match MODEL_COLORS {
+        Some(colors) => colors.lit(face, level),
+        None => picture::COLOR.dim(level),
+    };
     loop {
         for frame in 0..FRAMES {
             let start = Instant::now();

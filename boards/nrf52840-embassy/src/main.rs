@@ -22,7 +22,7 @@ use embassy_sync::zerocopy_channel::{Receiver, Sender};
 use embassy_time::Delay;
 use panel::Panel;
 use picture::{Picture, PIXELS};
-use pinhole::{mesh_buffers, MeshBuffers};
+use pinhole::{mesh_buffers, Dim, MeshBuffers};
 use static_cell::{ConstStaticCell, StaticCell};
 use stop::stop;
 use tasks::{Strip, Strips};
@@ -105,7 +105,10 @@ async fn draw(empty: Sender<'static, CriticalSectionRawMutex, Strip>) {
     let picture = Picture::new(&MODEL, &mut mesh.cache, &mut mesh.bins, depths);
     let mut picture = picture.unwrap_or_else(|problem| stop(problem));
     // A constant: what the model does not have is left out when this is compiled.
-    let color = |face: usize| MODEL_COLORS.map_or(picture::COLOR, |colors| colors.color(face));
+    let color = |face: usize, level: u16| match MODEL_COLORS {
+        Some(colors) => colors.lit(face, level),
+        None => picture::COLOR.dim(level),
+    };
     let Err(problem) = tasks::draw(&mut picture, color, empty).await;
     stop(problem)
 }

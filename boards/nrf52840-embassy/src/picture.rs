@@ -7,8 +7,8 @@ use embedded_graphics::prelude::{Dimensions, Drawable, Point, Size};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
 use pinhole::{
-    Affine, Angle, Band, BinnedFaces, Camera, DepthBuffer, Dim, Frame, Lambert, Mesh, MeshInstance,
-    ScreenVertex, Statistics, Vector3, Viewport,
+    Affine, Angle, Band, BinnedFaces, Camera, DepthBuffer, Frame, Lambert, Mesh, MeshInstance, ScreenVertex,
+    Statistics, Vector3, Viewport,
 };
 
 pub const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
@@ -83,10 +83,10 @@ impl Turned<'_> {
         [self.faces.bounds(), self.label.text().bounding_box()]
     }
 
-    /// The next band of a frame, drawn. `color` gives the colour of each face.
+    /// The next band of a frame, drawn. `color` gives the colour of each face at a level of light.
     pub fn next_band<'s>(
         &mut self,
-        color: impl Fn(usize) -> Rgb565,
+        color: impl Fn(usize, u16) -> Rgb565,
         frame: &mut Frame<Rgb565>,
         strip: &'s mut [u8],
     ) -> Result<Band<'s, Rgb565>, &'static str> {
@@ -96,8 +96,7 @@ impl Turned<'_> {
         let mut depth = depth.map_err(|_| "fewer depths than pixels in the strip")?;
         let (mesh, light) = (self.mesh, &self.light);
         let level = |face: usize| mesh.normals().get(face).map_or(256, |&normal| light.level(normal));
-        let Ok(()) =
-            self.faces.depth_tested(|face| color(face).dim(level(face)), &mut depth, &mut band.pixels());
+        let Ok(()) = self.faces.depth_tested(|face| color(face, level(face)), &mut depth, &mut band.pixels());
         let text = self.label.text();
         let text_box = text.bounding_box();
         // Characters outside the band would cost their time all the same.

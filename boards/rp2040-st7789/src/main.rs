@@ -17,7 +17,7 @@ use embedded_graphics_core::{pixelcolor::Rgb565, primitives::Rectangle};
 use embedded_hal::spi::MODE_3;
 use panel::Panel;
 use picture::Picture;
-use pinhole::{mesh_buffers, strip_buffers, Angle, MeshBuffers, StripBuffers};
+use pinhole::{mesh_buffers, strip_buffers, Angle, Dim, MeshBuffers, StripBuffers};
 use rp2040_hal as hal;
 use rp2040_hal::fugit::RateExtU32;
 use rp2040_hal::{dma::DMAExt, gpio::Pins, pac, Clock as _, Sio, Spi, Timer, Watchdog};
@@ -84,7 +84,10 @@ fn main() -> ! {
     let first_band = Rectangle::new(SCREEN.top_left, Size::new(SCREEN.size.width, ROWS));
     let mut transfer = panel.send(&first_band, &mut other.colors);
     // A constant: what the model does not have is left out when this is compiled.
-    let color = |face: usize| MODEL_COLORS.map_or(picture::COLOR, |colors| colors.color(face));
+    let color = |face: usize, level: u16| match MODEL_COLORS {
+        Some(colors) => colors.lit(face, level),
+        None => picture::COLOR.dim(level),
+    };
     loop {
         for frame in 0..FRAMES {
             let start = clock.cycles();

@@ -5,8 +5,8 @@ use core::ops::ControlFlow;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    Affine, Angle, Band, BinnedFaces, Camera, DepthBuffer, Dim, Frame, Lambert, Mesh, MeshInstance,
-    ScreenVertex, Statistics, Vector3, Viewport,
+    Affine, Angle, Band, BinnedFaces, Camera, DepthBuffer, Frame, Lambert, Mesh, MeshInstance, ScreenVertex,
+    Statistics, Vector3, Viewport,
 };
 
 const BACKGROUND: Rgb565 = Rgb565::BLACK;
@@ -73,11 +73,11 @@ impl<'a> Picture<'a> {
 }
 
 impl Turned<'_> {
-    /// The next band of the frame, drawn, or after the last one the strip back. `color` gives the colour of each face. The display's height need not be a multiple of
+    /// The next band of the frame, drawn, or after the last one the strip back. `color` gives the colour of each face at a level of light. The display's height need not be a multiple of
     /// the strip's rows: a band that has too few of its own begins higher up.
     pub fn band_or_strip<'s>(
         &mut self,
-        color: impl Fn(usize) -> Rgb565,
+        color: impl Fn(usize, u16) -> Rgb565,
         strip: &'s mut [u8],
     ) -> Result<ControlFlow<&'s mut [u8], Band<'s, Rgb565>>, &'static str> {
         let mut band = match self.frame.band_or_strip(strip).map_err(|_| "the strip is shorter than a row")? {
@@ -88,8 +88,7 @@ impl Turned<'_> {
         let mut depth = depth.map_err(|_| "fewer depths than pixels in the strip")?;
         let (mesh, light) = (self.mesh, &self.light);
         let level = |face: usize| mesh.normals().get(face).map_or(256, |&normal| light.level(normal));
-        let Ok(()) =
-            self.faces.depth_tested(|face| color(face).dim(level(face)), &mut depth, &mut band.pixels());
+        let Ok(()) = self.faces.depth_tested(|face| color(face, level(face)), &mut depth, &mut band.pixels());
         // Text and icons of embedded-graphics go on top here: a band is a DrawTarget.
         Ok(ControlFlow::Continue(band))
     }

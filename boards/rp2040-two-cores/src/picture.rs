@@ -6,8 +6,8 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    Affine, Angle, BinnedFaces, Camera, DepthBuffer, Dim, Frame, Lambert, Mesh, ScreenVertex, Statistics,
-    Vector3, Viewport,
+    Affine, Angle, BinnedFaces, Camera, DepthBuffer, Frame, Lambert, Mesh, ScreenVertex, Statistics, Vector3,
+    Viewport,
 };
 
 pub const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
@@ -56,11 +56,11 @@ impl<'a> Picture<'a> {
         Ok(Self { mesh, camera, memory })
     }
 
-    /// Draws a frame into strip after strip. `color` gives the colour of each face. `send` gets each with its number and returns the strip for the next one, in the end the
+    /// Draws a frame into strip after strip. `color` gives the colour of each face at a level of light. `send` gets each with its number and returns the strip for the next one, in the end the
     /// one that is free.
     pub fn draw(
         &mut self,
-        color: impl Fn(usize) -> Rgb565 + Copy + Send + Sync,
+        color: impl Fn(usize, u16) -> Rgb565 + Copy + Send + Sync,
         turn: Angle,
         other: &mut OtherCore,
         mut free: &'static mut [u8],
@@ -71,7 +71,7 @@ impl<'a> Picture<'a> {
         let model = Affine::rotation_y(turn);
         let light = Lambert::new(&model, Vector3::from_ints(2, 3, 4), AMBIENT).map_err(|_| "no light")?;
         let level = |face: usize| mesh.normals().get(face).map_or(256, |&normal| light.level(normal));
-        let shade = |face: usize| color(face).dim(level(face));
+        let shade = |face: usize| color(face, level(face));
 
         // Vertices to the screen, visible faces into the bins of the bands.
         let instance = camera.place(mesh, &model);

@@ -40,7 +40,7 @@ static FAILED: AtomicBool = AtomicBool::new(false);
 /// returns only errors that every frame would repeat, such as a strip without room for a row.
 pub async fn draw(
     picture: &mut Picture<'_>,
-    color: impl Fn(usize) -> Rgb565,
+    color: impl Fn(usize, u16) -> Rgb565,
     mut strips: Sender<'_, CriticalSectionRawMutex, Strip>,
 ) -> Result<Infallible, &'static str> {
     // At most four rectangles: those of the model and of the text, before and now.

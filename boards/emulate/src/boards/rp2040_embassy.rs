@@ -19,7 +19,10 @@ pub(crate) fn pictures(model: &Path) -> Result<Pictures, String> {
     Ok(Box::new(move |frame| {
         let mesh = imported.mesh().map_err(|error| error.to_string())?;
         let colors = imported.colors().map_err(|error| error.to_string())?;
-        let color = |face: usize| colors.map_or(picture::COLOR, |colors| colors.color(face));
+        let color = |face: usize, level: u16| match colors {
+            Some(colors) => colors.lit(face, level),
+            None => pinhole::Dim::dim(picture::COLOR, level),
+        };
         let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
         let mut bins = vec![0; mesh.face_bins_len()];
         let mut depths = vec![0; picture::PIXELS];
