@@ -15,9 +15,9 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, BlinnPhong, Camera, DepthBuffer, DirectionalLight, Lambert, Lights, Matcap, MeshInstance,
-    Picture, Point3, PointLight, Projection, Scalar, ScreenVertex, ShadeTable, SpanShader, Texture, Vector3,
-    ViewTransform, Viewport,
+    Affine, Angle, BlinnPhong, Camera, DepthBuffer, DirectionalLight, FaceColors, Gouraud, Lambert, Lights,
+    Matcap, MeshInstance, Picture, Point3, PointLight, Projection, Scalar, ScreenVertex, ShadeTable,
+    SpanShader, Texture, Vector3, ViewTransform, Viewport,
 };
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::generated::Generated;
@@ -50,10 +50,11 @@ fn main() -> ExitCode {
 }
 
 fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
-    let cells: [(&str, &str, Drawn); 14] = [
+    let cells: [(&str, &str, Drawn); 15] = [
         ("Lambert", "one light", one_light()),
         ("Lights", "three lights", three_lights()),
         ("PointLight", "two lamps", lamps()),
+        ("FaceColors", "emitting light", emission()),
         ("BlinnPhong", "highlight, ^32", highlight()),
         ("Matcap", "per vertex", matcap()),
         ("Matcap", "per face", matcap_of_faces()),
@@ -105,32 +106,30 @@ fn usual() -> Result<Usual, Box<dyn Error>> {
     Ok((view, camera, Affine::rotation_x(Angle::degrees(20)).rotate_z(Angle::degrees(-18))))
 }
 
-/// A picture of instances of meshes with a depth buffer, each with the shaders of its faces.
-struct Scene {
-    pixels: Vec<Rgb888>,
-    depths: Vec<u16>,
+/// A picture with a depth buffer, into which instances of meshes are drawn, each with the shaders of its faces.
+struct Scene<'a> {
+    picture: Picture<'a, Rgb888>,
+    depth: DepthBuffer<'a>,
 }
 
-impl Scene {
-    fn new() -> Result<Self, Box<dyn Error>> {
-        Self::on(NIGHT)
-    }
+/// What is drawn on a background.
+fn scene(background: Rgb888, draw: impl FnOnce(&mut Scene<'_>) -> Result<(), Box<dyn Error>>) -> Drawn {
+    let mut pixels = vec![background; (PICTURE.width * PICTURE.height) as usize];
+    let mut depths = vec![0; pixels.len()];
+    let depth = DepthBuffer::new(Rectangle::new(Point::zero(), PICTURE), &mut depths)?;
+    draw(&mut Scene { picture: Picture::new(&mut pixels, PICTURE)?, depth })?;
+    Ok(pixels)
+}
 
-    fn on(background: Rgb888) -> Result<Self, Box<dyn Error>> {
-        let area = (PICTURE.width * PICTURE.height) as usize;
-        Ok(Self { pixels: vec![background; area], depths: vec![u16::MAX; area] })
-    }
-
+impl Scene<'_> {
     fn draw<S: SpanShader<Rgb888>>(
         &mut self,
         instance: &MeshInstance<'_>,
         vertices: usize,
         shader: impl Fn(usize) -> S,
     ) -> Result<(), Box<dyn Error>> {
-        let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), PICTURE), &mut self.depths)?;
-        let mut picture = Picture::new(&mut self.pixels, PICTURE)?;
         let mut cache = vec![ScreenVertex::EMPTY; vertices];
-        instance.depth_tested(shader, &mut cache, &mut depth, &mut picture.pixels())?;
+        instance.depth_tested(shader, &mut cache, &mut self.depth, &mut self.picture.pixels())?;
         Ok(())
     }
 }
@@ -141,10 +140,8 @@ fn lit(table: &ShadeTable<Rgb888>, levels: impl Fn(&Body) -> Result<Vec<u16>, Bo
     let (_, camera, model) = usual()?;
     let levels = levels(&body)?;
     let mesh = body.mesh()?;
-    let mut scene = Scene::new()?;
     let shader = |face: usize| table.lit(mesh.corners_of(face, &levels));
-    scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader)?;
-    Ok(scene.pixels)
+    scene(NIGHT, |scene| scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader))
 }
 
 fn one_light() -> Drawn {
@@ -174,27 +171,54 @@ fn highlight() -> Drawn {
 /// Two lamps over a floor, one of them behind a torus.
 fn lamps() -> Drawn {
     let (_, camera, model) = usual()?;
-    let mut scene = Scene::new()?;
     let lamps = [[-0.9, 0.5, 0.6], [0.9, 0.7, -0.6]];
     let table = ShadeTable::new(Rgb888::new(250, 210, 150));
     let level = Affine::translation(Vector3::from_f32(0.0, -0.6, 0.0)?);
-    for (body, model) in [(floor(32, 2.0, 0), level), (torus(40, 20), model)] {
-        let mesh = body.mesh()?;
-        let mut levels = vec![16; body.vertices.len()];
-        for [x, y, z] in lamps {
-            let lamp = PointLight::new(
-                &model,
-                mesh.exponent(),
-                Point3::from_f32(x, y, z)?,
-                Scalar::from_num(1.8),
-                256,
-            );
-            lamp.add_levels(&body.vertices, &body.normals, &mut levels);
+    scene(NIGHT, |scene| {
+        for (body, model) in [(floor(32, 2.0, 0), level), (torus(40, 20), model)] {
+            let mesh = body.mesh()?;
+            let mut levels = vec![16; body.vertices.len()];
+            for [x, y, z] in lamps {
+                let at = Point3::from_f32(x, y, z)?;
+                let lamp = PointLight::new(&model, mesh.exponent(), at, Scalar::from_num(1.8), 256);
+                lamp.add_levels(&body.vertices, &body.normals, &mut levels);
+            }
+            let shader = |face: usize| table.lit(mesh.corners_of(face, &levels));
+            scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader)?;
         }
-        let shader = |face: usize| table.lit(mesh.corners_of(face, &levels));
-        scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader)?;
-    }
-    Ok(scene.pixels)
+        Ok(())
+    })
+}
+
+/// A torus in the dusk: its hull has the light of a lamp, its windows and a stripe emit light of their own.
+fn emission() -> Drawn {
+    const AROUND: usize = 40;
+    const ACROSS: usize = 20;
+    let body = torus(AROUND, ACROSS);
+    let (_, camera, model) = usual()?;
+    let light = Lambert::new(&model, Vector3::from_ints(-2, 4, 3), 16)?;
+    let levels: Vec<u16> = body.normals.iter().map(|&normal| light.level(normal) / 2).collect();
+    // The hull, windows, a stripe.
+    let palette = [[120, 128, 140], [40, 48, 60], [70, 30, 10]];
+    let emission = [[0, 0, 0], [150, 190, 150], [180, 70, 10]];
+    let faces: Vec<u8> = (0..body.faces.len() / 2)
+        .map(|field| (field / ACROSS, field % ACROSS))
+        .map(|(along, across)| match across {
+            2 | 18 if along % 2 == 0 => 1,
+            6 => 2,
+            _ => 0,
+        })
+        .flat_map(|color| [color; 2])
+        .collect();
+    let colors = FaceColors::new(&palette, &faces)?.with_emission(&emission)?;
+    let mesh = body.mesh()?;
+    let shader = |face: usize| {
+        let lit = Gouraud::lit(colors.color(face), mesh.corners_of(face, &levels));
+        lit.emitting(colors.emission(face))
+    };
+    scene(Rgb888::new(12, 14, 22), |scene| {
+        scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader)
+    })
 }
 
 fn matcap() -> Drawn {
@@ -206,10 +230,8 @@ fn matcap() -> Drawn {
     let ball = ball();
     let texture = Texture::new(&ball).with_exponent(Matcap::EXPONENT)?;
     let mesh = body.mesh()?;
-    let mut scene = Scene::new()?;
     let shader = |face: usize| texture.at(mesh.corners_of(face, &coords));
-    scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader)?;
-    Ok(scene.pixels)
+    scene(NIGHT, |scene| scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader))
 }
 
 fn matcap_of_faces() -> Drawn {
@@ -219,10 +241,8 @@ fn matcap_of_faces() -> Drawn {
     let ball = ball();
     let mesh = body.mesh()?;
     let normals = body.face_normals();
-    let mut scene = Scene::new()?;
     let shader = |face: usize| matcap.color(&ball, normals[face]);
-    scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader)?;
-    Ok(scene.pixels)
+    scene(NIGHT, |scene| scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader))
 }
 
 /// Tiles of 64 × 64 texels: bricks in two tones, with light mortar.
@@ -247,10 +267,8 @@ fn texture() -> Drawn {
     let bricks = bricks();
     let texture = Texture::new(&bricks);
     let mesh = body.mesh()?;
-    let mut scene = Scene::new()?;
     let shader = |face: usize| texture.at(mesh.corners_of(face, &body.uv));
-    scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader)?;
-    Ok(scene.pixels)
+    scene(NIGHT, |scene| scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader))
 }
 
 /// A floor of two triangles to the horizon, seen by a rolled camera.
@@ -261,8 +279,6 @@ fn rolled() -> Drawn {
     let view = view([0.0, 0.8, 4.0], 17.0)?;
     let camera = camera(&view, 0.125, 64.0)?;
     let mesh = body.mesh()?;
-    let mut scene = Scene::new()?;
     let shader = |face: usize| texture.at(mesh.corners_of(face, &body.uv));
-    scene.draw(&camera.place(&mesh, &Affine::identity()), body.vertices.len(), shader)?;
-    Ok(scene.pixels)
+    scene(NIGHT, |scene| scene.draw(&camera.place(&mesh, &Affine::identity()), body.vertices.len(), shader))
 }

@@ -1,12 +1,12 @@
 //! The row of fog: by pixel, by vertex, by face, and by edge.
 
 use super::bodies::{floor, torus, Body};
-use super::{bricks, camera, view, Drawn, Scene, CLAY, NIGHT, PICTURE, TEAL};
+use super::{bricks, camera, scene, view, Drawn, CLAY, NIGHT, TEAL};
 use embedded_graphics::pixelcolor::Rgb888;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Blend, Camera, Flat, Fog, FogTable, Fogged, Gouraud, Lambert, Mesh, Picture, Scalar,
-    Texture, Vector3, VertexFog,
+    Affine, Angle, Blend, Camera, Flat, Fog, FogTable, Fogged, Gouraud, Lambert, Mesh, Scalar, Texture,
+    Vector3, VertexFog,
 };
 use std::collections::BTreeSet;
 use std::error::Error;
@@ -25,10 +25,8 @@ pub(crate) fn by_pixel() -> Drawn {
     let camera = camera(&view([0.0, 0.8, 4.0], 17.0)?, 0.125, 64.0)?;
     let table = FogTable::new(&range(2.0, 14.0)?, &camera, MIST)?;
     let mesh = body.mesh()?;
-    let mut scene = Scene::on(MIST)?;
     let shader = |face: usize| Fogged::new(texture.at(mesh.corners_of(face, &body.uv)), &table);
-    scene.draw(&camera.place(&mesh, &Affine::identity()), body.vertices.len(), shader)?;
-    Ok(scene.pixels)
+    scene(MIST, |scene| scene.draw(&camera.place(&mesh, &Affine::identity()), body.vertices.len(), shader))
 }
 
 /// A camera, and how bodies before it are placed.
@@ -53,19 +51,21 @@ pub(crate) fn by_vertex() -> Drawn {
     let (camera, models) = row()?;
     let fog = range(2.5, 13.0)?;
     let mesh = body.mesh()?;
-    let mut scene = Scene::on(MIST)?;
-    for model in models.iter().rev() {
-        let light = Lambert::new(model, Vector3::from_ints(-2, 4, 3), 40)?;
-        let fog = VertexFog::new(&fog, &camera, model, mesh.exponent());
-        let shade = |vertex: usize| {
-            let color = Flat::lit(CLAY, light.level(body.normals[vertex]));
-            color.in_fog(MIST, fog.factor(body.vertices[vertex]))
-        };
-        let colors: Vec<Flat> = (0..body.vertices.len()).map(shade).collect();
-        let shader = |face: usize| Gouraud::new(mesh.faces()[face].map(|vertex| colors[usize::from(vertex)]));
-        scene.draw(&camera.place(&mesh, model), body.vertices.len(), shader)?;
-    }
-    Ok(scene.pixels)
+    scene(MIST, |scene| {
+        for model in &models {
+            let light = Lambert::new(model, Vector3::from_ints(-2, 4, 3), 40)?;
+            let fog = VertexFog::new(&fog, &camera, model, mesh.exponent());
+            let shade = |vertex: usize| {
+                let color = Flat::lit(CLAY, light.level(body.normals[vertex]));
+                color.in_fog(MIST, fog.factor(body.vertices[vertex]))
+            };
+            let colors: Vec<Flat> = (0..body.vertices.len()).map(shade).collect();
+            let shader =
+                |face: usize| Gouraud::new(mesh.faces()[face].map(|vertex| colors[usize::from(vertex)]));
+            scene.draw(&camera.place(&mesh, model), body.vertices.len(), shader)?;
+        }
+        Ok(())
+    })
 }
 
 /// One colour for each face.
@@ -75,17 +75,18 @@ pub(crate) fn by_face() -> Drawn {
     let (camera, models) = row()?;
     let fog = range(2.5, 13.0)?;
     let mesh = body.mesh()?;
-    let mut scene = Scene::on(MIST)?;
-    for model in models.iter().rev() {
-        let light = Lambert::new(model, Vector3::from_ints(-2, 4, 3), 40)?;
-        let fog = VertexFog::new(&fog, &camera, model, mesh.exponent());
-        let shader = |face: usize| {
-            let corners = mesh.faces()[face].map(|vertex| body.vertices[usize::from(vertex)]);
-            Flat::lit(TEAL, light.level(normals[face])).in_fog(MIST, fog.face_factor(corners))
-        };
-        scene.draw(&camera.place(&mesh, model), body.vertices.len(), shader)?;
-    }
-    Ok(scene.pixels)
+    scene(MIST, |scene| {
+        for model in &models {
+            let light = Lambert::new(model, Vector3::from_ints(-2, 4, 3), 40)?;
+            let fog = VertexFog::new(&fog, &camera, model, mesh.exponent());
+            let shader = |face: usize| {
+                let corners = mesh.faces()[face].map(|vertex| body.vertices[usize::from(vertex)]);
+                Flat::lit(TEAL, light.level(normals[face])).in_fog(MIST, fog.face_factor(corners))
+            };
+            scene.draw(&camera.place(&mesh, model), body.vertices.len(), shader)?;
+        }
+        Ok(())
+    })
 }
 
 /// Edges that fade with distance, the far ones first.
@@ -100,11 +101,11 @@ pub(crate) fn by_edge() -> Drawn {
     let mut edges = sides(&body);
     edges.sort_by_key(|&edge| factor(edge));
     let mesh = Mesh::new(&body.vertices, body.mesh()?.exponent(), &[])?.with_edges(&edges)?;
-    let mut scene = Scene::on(NIGHT)?;
     let stroke = |edge: usize| Rgb888::new(160, 255, 200).over(NIGHT, factor(edges[edge]));
-    let mut picture = Picture::new(&mut scene.pixels, PICTURE)?;
-    camera.place(&mesh, &model).wireframe_by_edge(stroke, &mut [], &mut picture.pixels())?;
-    Ok(scene.pixels)
+    scene(NIGHT, |scene| {
+        camera.place(&mesh, &model).wireframe_by_edge(stroke, &mut [], &mut scene.picture.pixels())?;
+        Ok(())
+    })
 }
 
 /// The sides of the fields of a body's grid, without their diagonals.

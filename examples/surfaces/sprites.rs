@@ -1,13 +1,12 @@
 //! Sprites among solid faces: a wood, and a fountain of sparks in smoke.
 
 use super::bodies::{floor, torus};
-use super::{camera, view, Drawn, CLAY, NIGHT, PICTURE};
-use embedded_graphics::geometry::{AnchorPoint, Point, Size};
+use super::{camera, scene, view, Drawn, CLAY, NIGHT};
+use embedded_graphics::geometry::{AnchorPoint, Size};
 use embedded_graphics::pixelcolor::Rgb888;
-use embedded_graphics::primitives::Rectangle;
 use pinhole::{
-    Affine, Angle, Camera, ColorKeyed, DepthBuffer, HalfBlended, Lambert, Mesh, Picture, Pixels, Point3,
-    Scalar, ScreenVertex, ShadeTable, Sprite, SpriteSource, Vector3,
+    Affine, Angle, Camera, ColorKeyed, DepthBuffer, HalfBlended, Lambert, Mesh, Pixels, Point3, Scalar,
+    ShadeTable, Sprite, SpriteSource, Vector3,
 };
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -59,23 +58,19 @@ fn among_solids(
     draw: impl FnOnce(&Camera, &mut DepthBuffer<'_>, &mut Pixels<'_, Rgb888>) -> Result<(), Box<dyn Error>>,
 ) -> Drawn {
     let camera = camera(&view([0.0, 1.7, 4.6], 0.0)?, 1.0, 24.0)?;
-    let mut pixels = vec![NIGHT; (PICTURE.width * PICTURE.height) as usize];
-    let mut depths = vec![0; pixels.len()];
-    let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), PICTURE), &mut depths)?;
-    let mut picture = Picture::new(&mut pixels, PICTURE)?;
     let at = Vector3::from_f32(0.0, height as f32, 0.0)?;
     let turned = Affine::rotation_x(Angle::degrees(62)).rotate_z(Angle::degrees(-14)).translate(at);
     let level = Affine::translation(Vector3::from_f32(0.0, -0.8, 0.0)?);
-    for (body, model, color) in [(floor(24, 6.0, 0), level, ground), (torus(40, 20), turned, CLAY)] {
-        let (mesh, table) = (body.mesh()?, ShadeTable::new(color));
-        let light = Lambert::new(&model, Vector3::from_ints(-2, 4, 3), 40)?;
-        let levels: Vec<u16> = body.normals.iter().map(|&normal| light.level(normal)).collect();
-        let mut cache = vec![ScreenVertex::EMPTY; body.vertices.len()];
-        let shader = |face: usize| table.lit(mesh.corners_of(face, &levels));
-        camera.place(&mesh, &model).depth_tested(shader, &mut cache, &mut depth, &mut picture.pixels())?;
-    }
-    draw(&camera, &mut depth, &mut picture.pixels())?;
-    Ok(pixels)
+    scene(NIGHT, |scene| {
+        for (body, model, color) in [(floor(24, 6.0, 0), level, ground), (torus(40, 20), turned, CLAY)] {
+            let (mesh, table) = (body.mesh()?, ShadeTable::new(color));
+            let light = Lambert::new(&model, Vector3::from_ints(-2, 4, 3), 40)?;
+            let levels: Vec<u16> = body.normals.iter().map(|&normal| light.level(normal)).collect();
+            let shader = |face: usize| table.lit(mesh.corners_of(face, &levels));
+            scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader)?;
+        }
+        draw(&camera, &mut scene.depth, &mut scene.picture.pixels())
+    })
 }
 
 /// Numbers of 0 … 1 without a pattern.
