@@ -36,12 +36,13 @@ pub use crate::scene::{
     TextureCoords, WithPlanes, WithoutPlanes,
 };
 pub use crate::shading::{
-    Accuracy, AntiAliased, Blend, Blended, BlinnPhong, Channels, ClampedTexels, ColorKeyed, CornerValues,
-    DepthTested, Dim, DirectionalLight, Dithered, ExponentialFog, Flat, Fog, FogError, FogProfile, FogTable,
-    Fogged, Gouraud, HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError, Lights, LinearFog, Lit,
-    LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, PointLight, RigidLambert, ScreenDoor,
-    ShadeTable, Shader, SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource, SquaredFog, Stroke,
-    TableShader, TexelSlice, Texels, Texture, TextureError, Textured, VertexFog,
+    Accuracy, Alpha, AntiAliased, Blend, BlendMode, Blended, BlinnPhong, Channels, ClampedTexels, ColorKeyed,
+    CornerValues, DepthTested, Dim, DirectionalLight, Dithered, ExponentialFog, Flat, Fog, FogError,
+    FogProfile, FogTable, Fogged, Gouraud, Half, HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError,
+    Lights, LinearFog, Lit, LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, PointLight,
+    RigidLambert, ScreenDoor, ShadeTable, Shader, SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource,
+    SquaredFog, Stroke, TableShader, TexelSlice, Texels, Texture, TextureError, Textured, Translucent,
+    VertexFog,
 };
 pub use crate::space::{Model, View, World};
 pub use crate::surface::{

@@ -56,6 +56,7 @@ public_types![
     BandError,
     Barycentric,
     BinError,
+    Alpha,
     Blended<Flat>,
     Camera,
     Canonical,
@@ -139,6 +140,7 @@ public_types![
     ShadeTable<Plain>,
     TableShader<'static, Plain>,
     Accuracy,
+    Half,
     HalfBlended<Flat>,
     DepthTested<Flat>,
     ExponentialFog,
@@ -187,8 +189,7 @@ public_types![
 ];
 
 /// Public by their keyword only: set-ups of shaders, which no path leads to.
-const NOT_NAMED: [&str; 10] = [
-    "BlendedSetup",
+const NOT_NAMED: [&str; 9] = [
     "ChannelGradients",
     "DitheredColor",
     "FogLevel",

@@ -128,7 +128,7 @@ impl Shader for Glass {
 
 impl SpanShader<Rgb888> for Glass {
     type Setup = Rgb888;
-    const READS_PIXELS: bool = true;
+    const BLENDS: bool = true;
 
     fn set_up(&self, _: &Triangle<'_>) -> Rgb888 {
         self.0
@@ -138,13 +138,11 @@ impl SpanShader<Rgb888> for Glass {
         core::iter::repeat(*color)
     }
 
-    fn span_over(
-        color: &Rgb888,
-        _: Span,
-        stored: impl Iterator<Item = Rgb888>,
-    ) -> impl Iterator<Item = Rgb888> {
+    fn blend(_: &Rgb888) -> impl Fn(Rgb888, Rgb888) -> Rgb888 + Copy {
         let half = |a: u8, b: u8| (u16::from(a) + u16::from(b)).div_ceil(2) as u8;
-        stored
-            .map(move |s| Rgb888::new(half(color.r(), s.r()), half(color.g(), s.g()), half(color.b(), s.b())))
+        move |own, stored| {
+            let [r, g, b] = [RgbColor::r, RgbColor::g, RgbColor::b].map(|of| half(of(&own), of(&stored)));
+            Rgb888::new(r, g, b)
+        }
     }
 }

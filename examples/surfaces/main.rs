@@ -112,7 +112,7 @@ struct Scene<'a> {
     depth: DepthBuffer<'a>,
 }
 
-/// What is drawn on a background.
+/// Draws a cell of the sheet on a background of one colour.
 fn scene(background: Rgb888, draw: impl FnOnce(&mut Scene<'_>) -> Result<(), Box<dyn Error>>) -> Drawn {
     let mut pixels = vec![background; (PICTURE.width * PICTURE.height) as usize];
     let mut depths = vec![0; pixels.len()];

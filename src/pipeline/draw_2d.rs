@@ -39,7 +39,7 @@ pub fn fill_triangle<T: Target, S: SpanShader<T::Color>>(
     if area == 0 {
         return Ok(()); // R6
     }
-    if let Some(color) = shader.solid_color().filter(|_| !(S::READS_PIXELS || S::LEAVES_OUT || S::BLENDS))
+    if let Some(color) = shader.solid_color().filter(|_| !(S::LEAVES_OUT || S::BLENDS))
         && solid_fill::triangle_2d(corners, area, color, target)
     {
         return Ok(());

@@ -10,7 +10,6 @@ use crate::fast::{
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
 use crate::shading::SpanShader;
 use crate::surface::{drawable, each_run, DepthTarget, PixelStore, StoredPixel, Target};
-use core::cell;
 
 /// Fills the pixels of a triangle inside the scissor, which lies in the target. `is_clipped`: the triangle
 /// probably has rows outside the scissor, as most have in a band; a constant on which no pixel depends.
@@ -22,9 +21,6 @@ pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
     is_clipped: bool,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    if S::READS_PIXELS {
-        return blend(triangle, shader, scissor, target);
-    }
     if S::LEAVES_OUT || S::BLENDS {
         return fill_kept(triangle, shader, scissor, target);
     }
@@ -66,9 +62,6 @@ pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    if S::READS_PIXELS {
-        return blend_nearer(triangle, shader, scissor, depth, target);
-    }
     if S::LEAVES_OUT || S::BLENDS || !S::WRITES_DEPTH {
         return fill_kept_nearer(triangle, shader, scissor, depth, target);
     }
@@ -227,8 +220,11 @@ fn draw_run<T: Target, S: SpanShader<T::Color>>(
 fn merge<T: Target, S: SpanShader<T::Color>>(
     setup: &S::Setup,
 ) -> impl Fn(Cell<T>, Cell<T>) -> Cell<T> + Copy {
-    const { assert_readable::<T, S>() };
-    let blend = S::blender(setup);
+    const {
+        let readable = !S::BLENDS || <T::Store as PixelStore>::READABLE;
+        assert!(readable, "this shader reads pixels: draw into a Picture, or into the pixels() of a Band");
+    }
+    let blend = S::blend(setup);
     move |own, stored| match S::BLENDS {
         true => blend(T::Color::load(own), T::Color::load(stored)).stored(),
         false => own,
@@ -237,63 +233,6 @@ fn merge<T: Target, S: SpanShader<T::Color>>(
 
 /// The stored form of a target's pixels.
 type Cell<T> = <<T as Target>::Store as PixelStore>::Cell;
-
-/// Refuses shaders that read pixels of targets whose pixels cannot be read. The compiler evaluates this for shaders that do not
-/// read pixels, too.
-const fn assert_readable<T: Target, S: SpanShader<T::Color>>() {
-    let readable = !(S::READS_PIXELS || S::BLENDS) || <T::Store as PixelStore>::READABLE;
-    assert!(readable, "this shader reads pixels: draw into a Picture, or into the pixels() of a Band");
-    let one = !(S::READS_PIXELS && (S::LEAVES_OUT || S::BLENDS));
-    assert!(one, "a shader that reads pixels can neither leave out pixels nor blend: span_over does both");
-}
-
-/// [`fill`] for a shader that reads the stored pixels.
-#[inline(never)] // its stack frame is gone when it returns
-fn blend<T: Target, S: SpanShader<T::Color>>(
-    triangle: &Triangle<'_>,
-    shader: &S,
-    scissor: &Scissor,
-    target: &mut T,
-) -> Result<(), T::Error> {
-    let setup = shader.set_up(triangle);
-    fast::spans(triangle, scissor).for_each(|span| blend_span::<T, S>(&setup, span, target));
-    Ok(())
-}
-
-/// [`fill_nearer`] for a shader that reads the stored pixels.
-#[inline(never)] // its stack frame is gone when it returns
-fn blend_nearer<T: Target, S: SpanShader<T::Color>>(
-    triangle: &DepthTriangle<'_>,
-    shader: &S,
-    scissor: &Scissor,
-    depth: &mut DepthTarget<'_, '_>,
-    target: &mut T,
-) -> Result<(), T::Error> {
-    let (setup, gradient) =
-        (shader.set_up(&triangle.triangle), fast::depth_gradient(&triangle.triangle, &triangle.depths));
-    fast::spans(&triangle.triangle, scissor).try_for_each(|span| {
-        depth.buffer.test_kept(
-            span,
-            &gradient,
-            || true,
-            S::WRITES_DEPTH,
-            |visible| {
-                blend_span::<T, S>(&setup, visible, target);
-                Ok(())
-            },
-        )
-    })
-}
-
-/// Replaces the pixels of a span, one row high, by the shader's blend with them.
-fn blend_span<T: Target, S: SpanShader<T::Color>>(setup: &S::Setup, span: Span, target: &mut T) {
-    const { assert_readable::<T, S>() };
-    let Some(row) = target.memory().and_then(|memory| memory.row(span.x, span.y, span.width)) else { return };
-    // A pixel is read before it is written: the shader takes one stored colour for each colour that it returns.
-    let row = cell::Cell::from_mut(row).as_slice_of_cells();
-    let stored = row.iter().map(|cell| T::Color::load(cell.get()));
-    row.iter().zip(S::span_over(setup, span, stored)).for_each(|(cell, color)| cell.set(color.stored()));
-}
 
 /// Draws a line inside the scissor, which lies in the target.
 #[inline(always)]

@@ -94,7 +94,7 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
     /// [`Statistics`] counts each sprite: as `outside` if its point lies before the near plane, beyond a far plane that clips or more
     /// than 8192 pixels from the target's origin, as `degenerate` if it has no size or no texel, otherwise as `drawn`.
     ///
-    /// A [`HalfBlended`](crate::HalfBlended) or [`Blended`](crate::Blended) picture reads the stored pixels, so it does not compile for a
+    /// A [`Translucent`](crate::Translucent) picture reads the stored pixels, so it does not compile for a
     /// target whose pixels do not lie in memory:
     ///
     /// ```compile_fail

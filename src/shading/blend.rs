@@ -7,8 +7,8 @@ use embedded_graphics_core::pixelcolor::{
     Rgb888,
 };
 
-/// A color type whose colors can be mixed channel by channel, for [`HalfBlended`](crate::HalfBlended),
-/// [`Blended`](crate::Blended) and [`AntiAliased`](crate::AntiAliased). All color types of embedded-graphics implement it; channels
+/// A color type whose colors can be mixed channel by channel, for [`Translucent`](crate::Translucent)
+/// faces and [`AntiAliased`](crate::AntiAliased) lines. All color types of embedded-graphics implement it; channels
 /// are mixed side by side in one word, without a division.
 ///
 /// ```

@@ -1,5 +1,6 @@
 //! Faces of a painter that are tested against a depth buffer.
 
+use super::shader::inner_with_corners;
 use super::{CornerValues, Shader};
 
 /// A shader with the depths of its triangle's corners, for a [`Painter`](crate::Painter) whose faces are drawn from far to near and
@@ -7,7 +8,7 @@ use super::{CornerValues, Shader};
 /// [`PaintersOrder::depth_tested`](crate::PaintersOrder::depth_tested). It takes 12 bytes a face more than the shader.
 ///
 /// This is how translucent faces are drawn among opaque ones: opaque faces first, with the depth buffer; then the painter's faces,
-/// whose depth is tested and, if they are [`HalfBlended`](crate::HalfBlended) or [`Blended`](crate::Blended), not stored.
+/// whose depth is tested and, if they are [`Translucent`](crate::Translucent), not stored.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
@@ -63,10 +64,6 @@ impl<S: Shader> Shader for DepthTested<S> {
     }
 
     fn with_corners(&self, corners: &CornerValues) -> Self {
-        let shader = match S::NEEDS_DEPTH || S::NEEDS_W {
-            true => self.shader.with_corners(corners),
-            false => self.shader,
-        };
-        Self { shader, depths: corners.depths() }
+        Self { shader: inner_with_corners(&self.shader, corners), depths: corners.depths() }
     }
 }

@@ -1,7 +1,6 @@
 //! Shaders and light: the colours of a face's pixels. The rasteriser does not depend on this module.
 
 mod blend;
-mod blended;
 mod channels;
 mod corner_values;
 mod depth_tested;
@@ -27,9 +26,9 @@ mod stroke;
 mod table;
 mod table_shader;
 mod texture;
+mod translucent;
 
 pub use blend::Blend;
-pub use blended::{Blended, HalfBlended};
 pub use channels::Channels;
 pub use corner_values::CornerValues;
 pub use depth_tested::DepthTested;
@@ -61,3 +60,4 @@ pub use texture::{
     Accuracy, ClampedTexels, ColorKeyed, IndexKeyed, IndexedTexels, LitIndexedTexels, LitPalette, LitTexels,
     LitTextured, TexelSlice, Texels, Texture, TextureError, Textured,
 };
+pub use translucent::{Alpha, BlendMode, Blended, Half, HalfBlended, Translucent};

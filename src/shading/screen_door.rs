@@ -79,12 +79,6 @@ impl<C: PixelColor, S: SpanShader<C>> SpanShader<C> for ScreenDoor<S> {
     const WRITES_DEPTH: bool = S::WRITES_DEPTH;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> ScreenDoorSetup<S::Setup> {
-        const {
-            assert!(
-                !S::READS_PIXELS,
-                "this shader reads pixels: give it the screen door, not the screen door it"
-            );
-        }
         let [none, ..] = &ROWS;
         let rows = ROWS.get(usize::from(self.coverage)).unwrap_or(none); // coverage is at most 64
         ScreenDoorSetup { own: self.shader.set_up(triangle), rows }
@@ -118,8 +112,8 @@ impl<C: PixelColor, S: SpanShader<C>> SpanShader<C> for ScreenDoor<S> {
     }
 
     #[inline(always)]
-    fn blend(setup: &ScreenDoorSetup<S::Setup>, own: C, stored: C) -> C {
-        S::blend(&setup.own, own, stored)
+    fn blend(setup: &ScreenDoorSetup<S::Setup>) -> impl Fn(C, C) -> C + Copy {
+        S::blend(&setup.own)
     }
 }
 

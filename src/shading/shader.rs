@@ -161,18 +161,12 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// The result of [`set_up`](Self::set_up), usually gradients.
     type Setup;
 
-    /// Whether the shader reads the stored pixels, in [`span_over`](Self::span_over). Such a shader compiles only for
-    /// targets whose pixels lie in [memory](crate::Target::memory): a [`Picture`](crate::Picture), the pixels of a
-    /// [`Band`](crate::Band), or a target of your own that has memory.
-    const READS_PIXELS: bool = false;
-
-    /// Whether the shader leaves out pixels, by [`kept`](Self::kept): others see what is behind the face there. A shader that
-    /// [reads pixels](Self::READS_PIXELS) must not: it returns the stored colour instead.
+    /// Whether the shader leaves out pixels, by [`kept`](Self::kept): others see what is behind the face there.
     const LEAVES_OUT: bool = false;
 
     /// Whether the shader's colours are mixed with the stored pixels, by [`blend`](Self::blend). Such a shader compiles only for
-    /// the targets that [`READS_PIXELS`](Self::READS_PIXELS) names. It may leave out pixels, and its colours may come in
-    /// [`runs`](Self::runs); a shader that must see a whole span at once reads pixels instead.
+    /// targets whose pixels lie in [memory](crate::Target::memory): a [`Picture`](crate::Picture), the pixels of a
+    /// [`Band`](crate::Band), or a target of your own that has memory.
     const BLENDS: bool = false;
 
     /// Whether draw calls with a depth buffer store the depth of the pixels that they draw. If false, they only test it: for
@@ -235,20 +229,49 @@ pub trait SpanShader<C: PixelColor>: Shader {
         Self::runs(setup, span).map(|(width, run)| (width, run.map(Some)))
     }
 
-    /// The colour to store in a pixel, from the shader's own and the stored one. Called if [`BLENDS`](Self::BLENDS) is true, once
-    /// for each pixel that is drawn.
+    /// The function that mixes the shader's colours with the stored pixels, if [`BLENDS`](Self::BLENDS) is true: from the shader's
+    /// own colour and the stored one it makes the colour to store. It is called once for each pixel that is drawn. Let it own copies
+    /// of what it needs from `setup`: what lies behind a reference is loaded for each pixel.
+    ///
+    /// [`Translucent`](crate::Translucent) mixes the colours of any shader by any function. A shader of its own:
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{fill_triangle, raster::{ScreenPoint, Span, Triangle}, Picture, Shader, SpanShader};
+    /// /// Light that is added to what is stored.
+    /// #[derive(Clone, Copy)]
+    /// struct Beam(u8);
+    /// impl Shader for Beam {
+    ///     type Varying = ();
+    ///     fn sub_face(&self, _: [(); 3]) -> Self {
+    ///         *self
+    ///     }
+    /// }
+    /// impl SpanShader<Gray8> for Beam {
+    ///     type Setup = u8;
+    ///     const BLENDS: bool = true;
+    ///     const WRITES_DEPTH: bool = false;
+    ///     fn set_up(&self, _: &Triangle<'_>) -> u8 {
+    ///         self.0
+    ///     }
+    ///     fn span(own: &u8, _: Span) -> impl Iterator<Item = Gray8> {
+    ///         core::iter::repeat(Gray8::new(*own))
+    ///     }
+    ///     fn blend(_: &u8) -> impl Fn(Gray8, Gray8) -> Gray8 + Copy {
+    ///         |own, stored| Gray8::new(own.luma().saturating_add(stored.luma()))
+    ///     }
+    /// }
+    /// let mut pixels = [Gray8::new(100); 16];
+    /// let mut picture = Picture::new(&mut pixels, Size::new(4, 4))?;
+    /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
+    /// fill_triangle([corner(0, 0), corner(4, 0), corner(0, 4)], Beam(80), &mut picture.pixels())?;
+    /// assert_eq!([picture.colors()[0], picture.colors()[15]], [Gray8::new(180), Gray8::new(100)]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[inline(always)]
-    fn blend(setup: &Self::Setup, own: C, stored: C) -> C {
-        let _ = (setup, stored);
-        own
-    }
-
-    /// [`blend`](Self::blend) as a function, for loops. A shader overrides it so that the function holds copies: what lies behind a
-    /// reference would be loaded for each pixel.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn blender(setup: &Self::Setup) -> impl Fn(C, C) -> C + Copy {
-        move |own, stored| Self::blend(setup, own, stored)
+    fn blend(setup: &Self::Setup) -> impl Fn(C, C) -> C + Copy {
+        let _ = setup;
+        |own, _stored| own
     }
 
     /// Hands [`runs`](Self::runs) to a loop over the rows of a triangle, for targets whose pixels lie in memory. A shader with
@@ -257,52 +280,6 @@ pub trait SpanShader<C: PixelColor>: Shader {
     #[inline(always)]
     fn draw_runs<D: DrawRuns<C>>(setup: &Self::Setup, draw: D) {
         draw.runs(|span| Self::runs(setup, span));
-    }
-
-    /// The colours of a span, one row high, from left to right, given the colours of its stored pixels. Called instead of
-    /// [`span`](Self::span) if [`READS_PIXELS`](Self::READS_PIXELS) is true. The iterator must take one colour from `stored`
-    /// before it returns each colour: pixels are read and written in turn.
-    ///
-    /// ```
-    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-    /// use pinhole::{fill_triangle, raster::{ScreenPoint, Span, Triangle}, Picture, Shader, SpanShader};
-    /// /// Half of this colour, half of the stored colour.
-    /// #[derive(Clone, Copy)]
-    /// struct Half(u8);
-    /// impl Shader for Half {
-    ///     type Varying = ();
-    ///     fn sub_face(&self, _: [(); 3]) -> Self {
-    ///         *self
-    ///     }
-    /// }
-    /// impl SpanShader<Gray8> for Half {
-    ///     type Setup = u8;
-    ///     const READS_PIXELS: bool = true;
-    ///     fn set_up(&self, _: &Triangle<'_>) -> u8 {
-    ///         self.0
-    ///     }
-    ///     fn span(own: &u8, _: Span) -> impl Iterator<Item = Gray8> {
-    ///         core::iter::repeat(Gray8::new(*own))
-    ///     }
-    ///     fn span_over(own: &u8, _: Span, stored: impl Iterator<Item = Gray8>) -> impl Iterator<Item = Gray8> {
-    ///         stored.map(|stored| Gray8::new(((u16::from(*own) + u16::from(stored.luma())) / 2) as u8))
-    ///     }
-    /// }
-    /// let mut pixels = [Gray8::new(100); 16];
-    /// let mut picture = Picture::new(&mut pixels, Size::new(4, 4))?;
-    /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
-    /// fill_triangle([corner(0, 0), corner(4, 0), corner(0, 4)], Half(200), &mut picture.pixels())?;
-    /// assert_eq!([picture.colors()[0], picture.colors()[15]], [Gray8::new(150), Gray8::new(100)]);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    #[inline(always)]
-    fn span_over(
-        setup: &Self::Setup,
-        span: Span,
-        stored: impl Iterator<Item = C>,
-    ) -> impl Iterator<Item = C> {
-        let _ = stored;
-        Self::span(setup, span)
     }
 
     /// The colour of all pixels, if the shader has only one. Then [`span`](Self::span) and, unless the shader
@@ -364,6 +341,15 @@ pub trait DrawLevels<C>: Sized {
         level: FogLevel,
         color: impl Fn(u8) -> C + Copy,
     ) -> bool;
+}
+
+/// [`Shader::with_corners`] of a shader inside another one: the shader as it is, if it asks for nothing.
+#[inline(always)]
+pub(super) fn inner_with_corners<S: Shader>(shader: &S, corners: &CornerValues) -> S {
+    match S::NEEDS_DEPTH || S::NEEDS_W {
+        true => shader.with_corners(corners),
+        false => *shader,
+    }
 }
 
 impl<C: PixelColor> Shader for C {

@@ -10,7 +10,7 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
     Affine, Blend, Blended, ColorKeyed, Cull, DepthBuffer, Gouraud, HalfBlended, Mesh, Picture, ScreenDoor,
-    ScreenVertex, SpanShader, Texels, Texture,
+    ScreenVertex, SpanShader, Texels, Texture, Translucent,
 };
 use support::oracle::rng::Rng;
 
@@ -191,6 +191,13 @@ fn translucent_faces_are_mixed_with_what_is_behind_them() {
     let smooth = |face: usize| Gouraud::new([color(face), color(face + 70), color(face + 140)]);
     check_scene(&scene, smooth, |face| Blended::new(smooth(face), 20), |own, stored| mixed(own, stored, 20));
     check_scene(&scene, smooth, |face| HalfBlended::new(smooth(face)), halved);
+    // Any function of both colors: light that is added.
+    let added = |own: Rgb888, stored: Rgb888| {
+        let sum = |own: u8, stored: u8| own.saturating_add(stored);
+        Rgb888::new(sum(own.r(), stored.r()), sum(own.g(), stored.g()), sum(own.b(), stored.b()))
+    };
+    check_scene(&scene, color, |face| Translucent::by(color(face), added), added);
+    check_scene(&scene, smooth, |face| Translucent::by(smooth(face), added), added);
     let nothing = in_memory(&scene, |face| Blended::new(color(face), 0));
     assert!(nothing.solid.iter().all(|&pixel| pixel == SKY));
 }

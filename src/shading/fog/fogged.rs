@@ -3,12 +3,12 @@
 use super::levels::{FogLevel, FogLevels};
 use super::table::{FogTable, LEVELS};
 use crate::raster::{Gradient, Span, Triangle};
-use crate::shading::shader::{DrawLevels, DrawRuns};
+use crate::shading::shader::{inner_with_corners, DrawLevels, DrawRuns};
 use crate::shading::{Blend, CornerValues, Shader, SpanShader, TableShader};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-/// A shader in fog: its colours, mixed with the fog's by the depth of each pixel. It wraps any shader that does not read pixels, in any draw call: colours,
-/// smooth, lit and textured faces, with colour keys and screen doors; into every target whose colours can be [mixed](Blend).
+/// A shader in fog: its colours, mixed with the fog's by the depth of each pixel. It wraps any shader, in any draw call: colours,
+/// smooth, lit, textured and translucent faces, with colour keys and screen doors; into every target whose colours can be [mixed](Blend).
 ///
 /// A face without fog is drawn by the shader alone; a face of one colour in one level of fog is filled with one colour. A face of
 /// one colour in several levels, on a target whose pixels lie in memory, is filled level by level: a colour is mixed where the level
@@ -17,8 +17,8 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// **Draw calls** transform vertices with depth and clip at the far plane. [`fill_triangle`](crate::fill_triangle) has no depth: it
 /// draws in the fog of the near plane.
 ///
-/// **Order of wrappers.** `ScreenDoor` and `Blended` may be inside or outside. A shader that
-/// [reads pixels](SpanShader::READS_PIXELS) would put fog on what was drawn before, so it does not compile: give it the fogged shader.
+/// **Order of wrappers.** `ScreenDoor` and `Translucent` may be inside or outside: fog changes a shader's own colours before they are mixed with
+/// the stored pixels.
 ///
 /// **Error.** A pixel's factor is that of the exact distance of a point within 1/256 pixel and 1/64 step of depth, rounded to the
 /// nearest 1/32; in the last step before the far plane, within 0.54 step, since depth ends at 65534.46. For triangles larger than 512 pixels
@@ -45,27 +45,6 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// # let greens: std::collections::BTreeSet<_> = pixels.iter().filter(|c| c.r() == 31).map(|c| c.g()).collect();
 /// assert!(greens.len() > 12); // from red to white
 /// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
-/// Fog on a shader that reads pixels does not compile:
-///
-/// ```compile_fail,E0080
-/// # use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-/// # use pinhole::{fill_triangle, raster::{ScreenPoint, Span, Triangle}, FogTable, Fogged, Picture, Shader, SpanShader};
-/// #[derive(Clone, Copy)]
-/// struct Inverted;
-/// # impl Shader for Inverted { type Varying = (); fn sub_face(&self, _: [(); 3]) -> Self { Self } }
-/// impl SpanShader<Gray8> for Inverted {
-///     const READS_PIXELS: bool = true;
-/// #   type Setup = ();
-/// #   fn set_up(&self, _: &Triangle<'_>) {}
-/// #   fn span(_: &(), _: Span) -> impl Iterator<Item = Gray8> { core::iter::repeat(Gray8::BLACK) }
-///     // …
-/// }
-/// # pub fn draw(table: &FogTable<Gray8>, corners: [ScreenPoint; 3], picture: &mut Picture<'_, Gray8>) {
-/// let Ok(_) = fill_triangle(corners, Fogged::new(Inverted, table), &mut picture.pixels());
-/// # }
-/// # let _ = draw as *const (); // or the compiler drops it
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Fogged<'t, S, C> {
@@ -101,10 +80,7 @@ impl<S: Shader, C: PixelColor> Shader for Fogged<'_, S, C> {
     }
 
     fn with_corners(&self, corners: &CornerValues) -> Self {
-        let shader = match S::NEEDS_DEPTH || S::NEEDS_W {
-            true => self.shader.with_corners(corners),
-            false => self.shader,
-        };
+        let shader = inner_with_corners(&self.shader, corners);
         let depths @ [a, b, c] = corners.depths();
         // 16.8, 24 bits: as a value at a pixel, 16.16.
         let at_pixel = |depth: i32| ((depth as u32) << 8).saturating_add(Gradient::DEPTH_BIAS);
@@ -162,7 +138,6 @@ impl<'t, C: Blend, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
     const WRITES_DEPTH: bool = S::WRITES_DEPTH;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
-        const { assert!(!S::READS_PIXELS, "this shader reads pixels: give it the fogged shader, not the fog it") };
         let depth = match self.level() {
             // The depth at which the level begins, everywhere.
             Some(level) => {
@@ -203,8 +178,8 @@ impl<'t, C: Blend, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
     }
 
     #[inline(always)]
-    fn blend(setup: &Self::Setup, own: C, stored: C) -> C {
-        S::blend(&setup.own, own, stored)
+    fn blend(setup: &Self::Setup) -> impl Fn(C, C) -> C + Copy {
+        S::blend(&setup.own)
     }
 
     #[inline(always)]

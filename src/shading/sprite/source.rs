@@ -11,7 +11,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// | texels of a texture: 8 to 256 a side, powers of two | every [`Texels`], such as `&[[C; W]; H]`, [`IndexedTexels`](crate::IndexedTexels) and, with transparent ones, [`ColorKeyed`](crate::ColorKeyed) and [`IndexKeyed`](crate::IndexKeyed) |
 /// | an image of embedded-graphics of any size: `ImageRaw`, `Framebuffer`, tinybmp's `Bmp` | [`SpriteImage`](crate::SpriteImage) |
 /// | one colour | [`SolidTexel`](crate::SolidTexel) |
-/// | one of these, mixed with what is behind it | [`HalfBlended`](crate::HalfBlended), [`Blended`](crate::Blended) |
+/// | one of these, mixed with what is behind it | [`Translucent`](crate::Translucent): [`HalfBlended`](crate::HalfBlended), [`Blended`](crate::Blended) |
 /// | a formula | an implementation of your own |
 ///
 /// ```

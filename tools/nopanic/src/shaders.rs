@@ -41,7 +41,7 @@ impl Shader for Everything {
 
 impl SpanShader<Rgb565> for Everything {
     type Setup = ([Gradient; 2], Rgb565);
-    const READS_PIXELS: bool = true;
+    const BLENDS: bool = true;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
         black_box(self.corners);
@@ -53,13 +53,9 @@ impl SpanShader<Rgb565> for Everything {
         core::iter::repeat(*color)
     }
 
-    fn span_over(
-        setup: &Self::Setup,
-        span: Span,
-        stored: impl Iterator<Item = Rgb565>,
-    ) -> impl Iterator<Item = Rgb565> {
-        black_box(Self::span(setup, span).next());
-        Rgb565::span_over(&setup.1, span, stored) // a colour does not look: the default
+    fn blend((_, color): &Self::Setup) -> impl Fn(Rgb565, Rgb565) -> Rgb565 + Copy {
+        let mix = Rgb565::blend(color); // a colour does not look: the default
+        move |own, stored| mix(black_box(stored), own)
     }
 }
 

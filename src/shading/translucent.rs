@@ -1,0 +1,205 @@
+//! Translucent faces: colors mixed with the stored pixels.
+
+use super::{Blend, CornerValues, Shader, SpanShader};
+use crate::raster::{Span, Triangle};
+use embedded_graphics_core::pixelcolor::PixelColor;
+
+/// How the color of a [`Translucent`] face or sprite is mixed with a stored pixel: [`Half`], [`Alpha`], or any function of both
+/// colors, such as `|own: Rgb565, stored: Rgb565| stored.emitting(own)`, which adds light.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not mix colors of `{C}`",
+    label = "not a `BlendMode<{C}>`",
+    note = "take `Half`, `Alpha`, or a closure that takes the own and the stored color, both with their type, and returns a color"
+)]
+pub trait BlendMode<C>: Copy {
+    /// The color to store in a pixel.
+    fn blend(self, own: C, stored: C) -> C;
+}
+
+/// Half of the own color, half of the stored one, by [`Blend::half`]: an addition of both colors, where [`Alpha`] multiplies.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use pinhole::{BlendMode, Half};
+/// assert_eq!(Half.blend(Gray8::new(40), Gray8::new(60)), Gray8::new(50));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Half;
+
+impl<C: Blend> BlendMode<C> for Half {
+    #[inline(always)]
+    fn blend(self, own: C, stored: C) -> C {
+        own.half(stored)
+    }
+}
+
+/// A constant part of the own color, and the rest of the stored one, by [`Blend::mix`].
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use pinhole::{Alpha, BlendMode};
+/// assert_eq!(Alpha::new(8).blend(Gray8::new(200), Gray8::new(100)), Gray8::new(125)); // 8 of 32
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Alpha(u8);
+
+impl Alpha {
+    /// A part in 1/32: 0 leaves the stored pixels as they are, 32 is the own color alone (more counts as 32).
+    pub const fn new(alpha: u8) -> Self {
+        Self(if alpha < 32 { alpha } else { 32 })
+    }
+}
+
+impl<C: Blend> BlendMode<C> for Alpha {
+    #[inline(always)]
+    fn blend(self, own: C, stored: C) -> C {
+        own.mix(stored, self.0)
+    }
+}
+
+impl<C, F: Fn(C, C) -> C + Copy> BlendMode<C> for F {
+    #[inline(always)]
+    fn blend(self, own: C, stored: C) -> C {
+        self(own, stored)
+    }
+}
+
+/// A translucent shader, or a translucent picture of a sprite: its colors are mixed with the stored pixels by a [`BlendMode`].
+/// [`HalfBlended`] and [`Blended`] are those of [`Half`] and [`Alpha`].
+///
+/// It reads pixels, so it draws into [memory](crate::Target::memory) alone: a [`Picture`](crate::Picture), or the pixels of a
+/// [`Band`](crate::Band). With another target it does not compile; [`ScreenDoor`](crate::ScreenDoor) draws into every target.
+///
+/// **Order.** What is behind has to be drawn before: opaque faces first, then translucent ones from far to near, by a
+/// [`Painter`](crate::Painter) (with a depth buffer, of [`DepthTested`](crate::DepthTested) shaders) or object by object. Depth is tested and not stored, so a translucent face hides nothing. Of a
+/// convex object, the faces seen from behind ([`Cull::Front`](crate::Cull)) and then those seen from the front are in order.
+///
+/// **Error.** At most ½ level of each channel: see [`Blend::half`] and [`Blend::mix`].
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
+/// use pinhole::{fill_triangle, raster::ScreenPoint, Dim, HalfBlended, Picture, Translucent};
+/// let mut pixels = [Rgb565::new(0, 20, 30); 16];
+/// let mut picture = Picture::new(&mut pixels, Size::new(4, 4))?;
+/// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
+/// let glass = HalfBlended::new(Rgb565::new(10, 20, 0));
+/// fill_triangle([corner(0, 0), corner(4, 0), corner(0, 4)], glass, &mut picture.pixels())?;
+/// assert_eq!(picture.colors()[0], Rgb565::new(5, 20, 15));
+///
+/// let light = Translucent::by(Rgb565::RED, |own: Rgb565, stored: Rgb565| stored.emitting(own));
+/// fill_triangle([corner(0, 0), corner(4, 0), corner(0, 4)], light, &mut picture.pixels())?;
+/// assert_eq!(picture.colors()[0], Rgb565::new(31, 20, 15));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// The pixels of a display cannot be read, so this does not compile:
+///
+/// ```compile_fail,E0080
+/// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
+/// # use pinhole::{fill_triangle, raster::ScreenPoint, HalfBlended};
+/// # pub fn draw(corners: [ScreenPoint; 3], display: &mut MockDisplay<Rgb565>) {
+/// let Ok(_) = fill_triangle(corners, HalfBlended::new(Rgb565::RED), display);
+/// # }
+/// # let _ = draw as *const (); // or the compiler drops it
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Translucent<S, M> {
+    shader: S,
+    mode: M,
+}
+
+/// A translucent shader: half of its color, half of the stored pixel. [`Translucent`] says what holds for it.
+pub type HalfBlended<S> = Translucent<S, Half>;
+
+/// A translucent shader: `alpha` 32nds of its color, and the rest of the stored pixel. [`Translucent`] says what holds for it.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+/// use pinhole::{fill_triangle, raster::ScreenPoint, Blended, Picture};
+/// let mut pixels = [Gray8::new(100); 16];
+/// let mut picture = Picture::new(&mut pixels, Size::new(4, 4))?;
+/// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
+/// let smoke = Blended::new(Gray8::new(200), 8); // a quarter
+/// fill_triangle([corner(0, 0), corner(4, 0), corner(0, 4)], smoke, &mut picture.pixels())?;
+/// assert_eq!([picture.colors()[0], picture.colors()[15]], [Gray8::new(125), Gray8::new(100)]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub type Blended<S> = Translucent<S, Alpha>;
+
+impl<S> Translucent<S, Half> {
+    /// A shader or picture whose colors are mixed with the stored pixels in equal parts.
+    pub const fn new(shader: S) -> Self {
+        Self { shader, mode: Half }
+    }
+}
+
+impl<S> Translucent<S, Alpha> {
+    /// A shader or picture whose colors are mixed with the stored pixels by `alpha`, in 1/32: 0 leaves the stored pixels as they are,
+    /// 32 is the shader itself (more counts as 32).
+    pub const fn new(shader: S, alpha: u8) -> Self {
+        Self { shader, mode: Alpha::new(alpha) }
+    }
+}
+
+impl<S, M> Translucent<S, M> {
+    /// A shader or picture whose colors are mixed with the stored pixels by any [`BlendMode`].
+    pub const fn by(shader: S, mode: M) -> Self {
+        Self { shader, mode }
+    }
+
+    /// The shader or picture, and how its colors are mixed with the stored pixels.
+    #[inline(always)]
+    pub(super) const fn parts(&self) -> (&S, &M) {
+        (&self.shader, &self.mode)
+    }
+}
+
+impl<S: Shader, M: Copy> Shader for Translucent<S, M> {
+    type Varying = S::Varying;
+    const NEEDS_DEPTH: bool = S::NEEDS_DEPTH;
+    const NEEDS_W: bool = S::NEEDS_W;
+
+    fn sub_face(&self, corners: [S::Varying; 3]) -> Self {
+        Self { shader: self.shader.sub_face(corners), ..*self }
+    }
+
+    fn with_corners(&self, corners: &CornerValues) -> Self {
+        Self { shader: self.shader.with_corners(corners), ..*self }
+    }
+}
+
+impl<C: PixelColor, S: SpanShader<C>, M: BlendMode<C>> SpanShader<C> for Translucent<S, M> {
+    type Setup = Translucent<S::Setup, M>;
+    const LEAVES_OUT: bool = S::LEAVES_OUT;
+    const WRITES_DEPTH: bool = false;
+    const BLENDS: bool = true;
+
+    fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
+        const { assert!(!S::BLENDS, "this shader is translucent already") };
+        Translucent { shader: self.shader.set_up(triangle), mode: self.mode }
+    }
+
+    #[inline(always)]
+    fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = C> {
+        S::span(&setup.shader, span)
+    }
+
+    #[inline(always)]
+    fn kept(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = Option<C>>)> {
+        S::kept(&setup.shader, span)
+    }
+
+    #[inline(always)]
+    fn blend(setup: &Self::Setup) -> impl Fn(C, C) -> C + Copy {
+        let mode = setup.mode; // a copy, in registers
+        move |own, stored| mode.blend(own, stored)
+    }
+
+    #[inline(always)]
+    fn solid_color(&self) -> Option<C> {
+        self.shader.solid_color()
+    }
+}
