@@ -8,7 +8,7 @@ use std::path::Path;
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
 /// The tables of constants: the heading of each, its name here, and how many rows of constants there are.
-const WAYS: [(&str, &str, usize); 9] = [
+const WAYS: [(&str, &str, usize); 13] = [
     ("### Edges as lines", "LINES", 8),
     ("### Faces without depth", "FACES", 11),
     ("### Faces with depth", "DEPTH", 11),
@@ -18,6 +18,10 @@ const WAYS: [(&str, &str, usize); 9] = [
     ("### Smooth faces with depth in bands", "SMOOTH_BANDS", 11),
     ("### Flat faces in dithered colours, with depth, in bands", "DITHERED_BANDS", 11),
     ("### Smooth faces in dithered colours, with depth, in bands", "SMOOTH_DITHERED_BANDS", 11),
+    ("### Textured faces with depth in bands", "TEXTURED_BANDS", 13),
+    ("### Faces without depth in bands", "PLAIN_BANDS", 11),
+    ("### Faces in painter's order", "PAINTED_WHOLE", 11),
+    ("### Faces in painter's order in bands", "PAINTED_BANDS", 12),
 ];
 
 /// The chips of `docs/speed.md` by the names that choices have, and of each the row of `docs/growth.md` that has its cycles.
@@ -32,15 +36,25 @@ const CHIPS: [(&str, &str, &str); 7] = [
 ];
 
 /// Images of `docs/footprint.md`, and their names here.
-const IMAGES: [(&str, &str); 8] = [
+const IMAGES: [(&str, &str); 18] = [
     ("a placed mesh", "PLACED_CODE"),
+    ("a placed mesh, and a camera that frames it", "FRAMING_CODE"),
     ("wireframe, into a DrawTarget in memory", "LINES_CODE"),
     ("wireframe in bands", "LINES_BANDS_CODE"),
+    ("hidden lines in bands", "HIDDEN_BANDS_CODE"),
     ("flat faces, into a picture in memory", "FACES_CODE"),
-    ("flat faces with depth", "DEPTH_CODE"),
+    ("flat faces with depth", "RIGID_LAMBERT_CODE"),
+    ("flat faces with depth, of an object that may be stretched", "LAMBERT_CODE"),
+    ("flat faces with depth, into a picture in memory", "DEPTH_CODE"),
+    ("flat faces in bands, into `pixels()`", "PLAIN_BANDS_CODE"),
+    ("flat faces with depth in bands", "TARGET_CODE"),
     ("flat faces with depth in bands, into `pixels()`", "BANDS_CODE"),
-    ("smooth faces with depth in bands", "SMOOTH_BANDS_CODE"),
-    ("dithered faces with depth in bands", "DITHERED_BANDS_CODE"),
+    ("smooth faces with depth in bands, into `pixels()`", "SMOOTH_BANDS_CODE"),
+    ("flat faces in dithered colours, with depth, in bands, into `pixels()`", "DITHERED_BANDS_CODE"),
+    ("smooth faces in dithered colours, with depth, in bands, into `pixels()`", "SMOOTH_DITHERED_BANDS_CODE"),
+    ("textured faces with depth in bands, into `pixels()`", "TEXTURED_BANDS_CODE"),
+    ("flat faces in painter's order, into a picture in memory", "PAINTED_CODE"),
+    ("flat faces in painter's order, in bands, into `pixels()`", "PAINTED_BANDS_CODE"),
 ];
 
 fn main() -> Result<()> {
@@ -62,12 +76,10 @@ fn main() -> Result<()> {
             .map_err(|e| format!("docs/speed.md, {name}: {e}"))?;
     }
     writeln!(out, "];")?;
-    let table = section(&footprint, "## Flash")?;
+    let [flash, stack] = [section(&footprint, "## Flash")?, section(&footprint, "## RAM and stack")?];
     for (image, name) in IMAGES {
-        // The goal, thumbv7m at 3 and s, thumbv6m at 3 and s.
-        let row = row(table, image).map_err(|e| format!("docs/footprint.md: {e}"))?;
-        let bytes = |column: usize| number(row.get(column).copied().unwrap_or_default());
-        writeln!(out, "pub(crate) const {name}: Code = Code {{ v7m: {}, v6m: {} }};", bytes(2)?, bytes(4)?)?;
+        let [flash, stack] = [bytes(flash, image)?, bytes(stack, image)?];
+        writeln!(out, "pub(crate) const {name}: Code = Code {{ flash: [{flash}], stack: [{stack}] }};")?;
     }
     let folder = std::env::var("OUT_DIR")?;
     std::fs::write(Path::new(&folder).join("figures.rs"), out)?;
@@ -75,6 +87,20 @@ fn main() -> Result<()> {
     println!("cargo::rerun-if-changed={}", model.display());
     std::fs::write(Path::new(&folder).join("gear.rs"), gear(&std::fs::read(&model)?)?)?;
     Ok(())
+}
+
+/// The bytes of an image on the cores M0, M3, M4F (as on the M3) and RV32.
+fn bytes(table: &str, image: &str) -> Result<String> {
+    let row = row(table, image).map_err(|e| format!("docs/footprint.md: {e}"))?;
+    // A figure of all builds; thumbv7m at 3 and s, thumbv6m at 3 and s, riscv32imc at 3.
+    let bytes = [4, 2, 2, 6]
+        .map(|column| row.get(column).map_or(String::new(), |cell| cell.split_whitespace().collect()));
+    let is_number = |bytes: &String| bytes.parse::<i32>().is_ok();
+    bytes
+        .iter()
+        .all(is_number)
+        .then(|| bytes.join(", "))
+        .ok_or_else(|| format!("docs/footprint.md: {row:?}").into())
 }
 
 /// The vertices and faces of a binary STL file, as Rust: each position once.
@@ -114,15 +140,16 @@ fn way(page: &str, heading: &str, name: &str, count: usize, out: &mut String) ->
         constants.iter().map(|row| number(row.get(column).copied().unwrap_or_default())).collect()
     };
     let names: Vec<_> = constants.iter().filter_map(|row| row.first()).collect();
-    let last = *names.last().ok_or("no constants")?;
-    if !matches!(last, &"pixel of the picture" | &"band") && name != "HIDDEN_BANDS" {
+    let last = **names.last().ok_or("no constants")?;
+    let lasts = ["pixel of the picture", "band", "pixel of a line", "pixel of a face in perspective: more"];
+    if !lasts.contains(&last) {
         return Err(format!("the last constant is {last}").into());
     }
     if !errors.first().and_then(|row| row.first()).is_some_and(|cell| cell.starts_with("error in the fit")) {
         return Err(format!("more than {count} constants").into());
     }
     // The largest error, whether the case was fitted or not: mean, mean of sizes, largest.
-    let mut largest = 0.0f64;
+    let mut largest = 0.0f32;
     for cell in errors.iter().flat_map(|row| row.iter().skip(1)) {
         let percent = cell.rsplit(", ").next().unwrap_or_default().trim_end_matches(" %");
         largest = largest.max(percent.parse().map_err(|_| format!("{cell}: not an error"))?);

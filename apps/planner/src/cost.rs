@@ -6,20 +6,21 @@ use crate::display::Format;
 use crate::json::{list, object, text};
 use crate::lens::Lens;
 use crate::work::{hidden_in_bands, FaceWork, LineWork};
-use pinhole::{Affine, Mesh, ScreenVertex};
+use embedded_graphics_core::pixelcolor::Rgb565;
+use pinhole::{Affine, Mesh, Painter, Projected, ScreenVertex};
 use pinhole_import::ImportedMesh;
 
 /// Instructions for each thing that a frame has, on the cores M0, M3, M4F and RV32, and the largest error of their sum in percent.
 pub(crate) struct Constants<const N: usize> {
-    of: [[f64; N]; 4],
-    error: f64,
+    of: [[f32; N]; 4],
+    error: f32,
 }
 
-/// Flash of the code, on two cores, at opt-level 3.
+/// Bytes that the code takes on the cores M0, M3, M4F and RV32, at opt-level 3; an M4F's is that of an M3.
 #[derive(Clone, Copy)]
 pub(crate) struct Code {
-    v7m: f64,
-    v6m: f64,
+    flash: [i32; 4],
+    stack: [i32; 4],
 }
 
 /// A microcontroller.
@@ -70,10 +71,8 @@ struct Way {
     /// What it costs in bytes of RAM: vertex cache, bins, pixels, depths.
     ram: [usize; 4],
     code: Code,
-    /// On the four cores; nothing where there is no formula.
-    instructions: Option<[f64; 4]>,
-    /// Percent.
-    error: f64,
+    /// On the four cores, and the largest error in percent.
+    time: ([f64; 4], f32),
     /// Of [`Chip::cycles`].
     kind: usize,
     /// Bands of a frame, which are sent one after the other.
@@ -85,17 +84,26 @@ struct Way {
 }
 
 impl Code {
-    /// The flash of two images that have the code of a third one in common.
-    fn with(self, other: Self, both: Self) -> Self {
-        Self { v7m: self.v7m + other.v7m - both.v7m, v6m: self.v6m + other.v6m - both.v6m }
+    /// The code of an image to which is added what another one has and `without` has not.
+    const fn and(self, with: Self, without: Self) -> Self {
+        let (mut sum, mut core) = (self, 0);
+        while core < 4 {
+            sum.flash[core] += with.flash[core] - without.flash[core];
+            core += 1;
+        }
+        sum
     }
 }
 
 impl<const N: usize> Constants<N> {
-    fn instructions(&self, counts: &[f64; N]) -> [f64; 4] {
-        self.of.map(|constants| constants.iter().zip(counts).map(|(constant, count)| constant * count).sum())
+    fn time(&self, counts: &[f64; N]) -> ([f64; 4], f32) {
+        let sum = |of: [f32; N]| of.iter().zip(counts).map(|(&one, count)| f64::from(one) * count).sum();
+        (self.of.map(sum), self.error)
     }
 }
+
+/// The largest difference between the flash that is shown and that of linked firmware, in percent: `apps/planner/sizes` compares them.
+const FLASH_ERROR: u32 = 10;
 
 /// Bytes of commands before a band: its window.
 const COMMANDS: u32 = 11;
@@ -105,27 +113,51 @@ fn strip_bytes(choice: &Choice, rows: u32) -> usize {
     choice.format.bytes(choice.size.width, rows)
 }
 
-/// The costs of a choice, as JSON.
-pub(crate) fn costs(model: &ImportedMesh, choice: &Choice) -> Result<String, String> {
+/// Bytes of flash that the colours of faces take, where these have materials and are shown in them.
+fn colors(model: &ImportedMesh, choice: &Choice) -> usize {
+    match choice.style {
+        Style::Flat | Style::Gouraud => 3 * model.palette.len() + model.face_colors.len(),
+        Style::Wireframe | Style::HiddenLine | Style::Textured => 0,
+    }
+}
+
+/// The costs of a choice, as JSON, of a model that shows a texture of so many texels a side.
+pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, texture: [usize; 2]) -> Result<String, String> {
     let mesh = model.mesh().map_err(|e| e.to_string())?;
     let sphere = mesh.bounding_sphere();
-    let camera = Lens::new(choice, &sphere).camera(choice, &sphere)?;
+    let lens = Lens::new(choice, &sphere);
+    let camera = lens.camera(choice, &sphere)?;
     let instance = camera.place(&mesh, &Affine::rotation_y(choice.turn()));
     let strip = |rows| strip_bytes(choice, rows);
+    let coords = model.texture().map_err(|e| e.to_string())?;
+    let is_linear = |face: usize, corners: [Projected; 3]| {
+        let Some(coords) = coords.filter(|_| choice.style == Style::Textured) else { return true };
+        let [a, b, c] = corners.map(|seen| lens.distance(seen.depth));
+        let (near, far) = (a.min(b).min(c), a.max(b).max(c));
+        let unit = 2.0f64.powi(coords.exponent().into());
+        texture.iter().enumerate().all(|(axis, &side)| {
+            let [a, b, c] = coords.corners(face).map(|uv| f64::from(uv[axis]));
+            let texels = (a.max(b).max(c) - a.min(b).min(c)) * unit * side as f64;
+            // What the library lets the coordinates be off, in texels.
+            texels * (far - near) / (4.0 * near) < 0.25
+        })
+    };
+    let work = || FaceWork::new(&instance, choice.size, &is_linear);
     let ways = match choice.style {
         Style::Wireframe => lines(&mesh, choice, &LineWork::new(&instance, choice.size, None), &strip),
         Style::HiddenLine => {
-            let faces = FaceWork::new(&instance, choice.size);
+            let faces = work();
             let lines = LineWork::new(&instance, choice.size, Some(&faces));
             hidden_lines(&mesh, choice, &faces, &lines, &strip)
         }
-        Style::Flat | Style::Gouraud | Style::Textured => {
-            faces(&mesh, choice, &FaceWork::new(&instance, choice.size), &strip)
-        }
+        Style::Flat | Style::Gouraud | Style::Textured => faces(&mesh, choice, &work(), &strip),
     };
     let chip = CHIPS.iter().find(|chip| chip.key == choice.chip).unwrap_or(&CHIPS[0]);
     let frame = strip(choice.size.height);
-    let ways = ways.iter().map(|way| way.on(chip, choice, frame, model.flash_bytes()));
+    let data = model.flash_bytes() + colors(model, choice);
+    // The first one with the rows of the choice: with depth, where there are several.
+    let chosen = ways.iter().position(|way| way.rows == Some(choice.rows));
+    let ways = ways.iter().enumerate().map(|(at, way)| way.on(chip, frame, data, chosen == Some(at)));
     Ok(object([
         ("chip", text(chip.name)),
         ("core", text(chip.core)),
@@ -133,7 +165,8 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice) -> Result<String, Str
         ("spi", chip.spi.to_string()),
         ("ram", (chip.ram * 1024.0).to_string()),
         ("error", text(chip.error)),
-        ("mesh", model.flash_bytes().to_string()),
+        ("mesh", data.to_string()),
+        ("flashError", FLASH_ERROR.to_string()),
         ("exact", u8::from(choice.format == Format::Rgb565).to_string()),
         ("ways", list(ways)),
     ]))
@@ -142,6 +175,9 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice) -> Result<String, Str
 fn cache(mesh: &Mesh<'_>) -> usize {
     mesh.cache_len() * size_of::<ScreenVertex>()
 }
+
+/// Bytes of a face in a painter: five indices of 16 bits, and its colour.
+const PAINTED: usize = 12;
 
 fn depths(choice: &Choice, rows: u32) -> usize {
     choice.size.width as usize * rows as usize * size_of::<u16>()
@@ -156,54 +192,70 @@ fn heights(choice: &Choice) -> Vec<u32> {
     rows
 }
 
+/// Whether pixels are whole bytes in memory, into which the fastest code draws.
+fn is_in_memory(choice: &Choice) -> bool {
+    choice.format == Format::Rgb565
+}
+
+/// The code that draws into bands of a format. Images are measured in 16-bit colour; other formats draw into a band as into any target.
+fn into(choice: &Choice, code: Code) -> Code {
+    if is_in_memory(choice) {
+        code
+    } else {
+        code.and(TARGET_CODE, BANDS_CODE)
+    }
+}
+
 fn faces(mesh: &Mesh<'_>, choice: &Choice, work: &FaceWork, strip: &dyn Fn(u32) -> usize) -> Vec<Way> {
     let whole = choice.size.height;
     let bins = mesh.face_bins_len() * size_of::<u16>();
-    let is_textured = choice.style == Style::Textured;
+    let shaded = |constants: &Constants<11>, rows| constants.time(&work.shaded_in_bands(rows));
     let is_plain = choice.style == Style::Flat && !choice.dithers();
-    let shaded = |constants: Constants<11>, rows| {
-        (constants.instructions(&work.shaded_in_bands(rows)), constants.error)
+    let (code, time): (Code, &dyn Fn(u32) -> ([f64; 4], f32)) = match (choice.style, choice.dithers()) {
+        (Style::Textured, _) => {
+            (TEXTURED_BANDS_CODE, &|rows| TEXTURED_BANDS.time(&work.textured_in_bands(rows)))
+        }
+        (Style::Gouraud, true) => (SMOOTH_DITHERED_BANDS_CODE, &|rows| shaded(&SMOOTH_DITHERED_BANDS, rows)),
+        (Style::Gouraud, false) => (SMOOTH_BANDS_CODE, &|rows| shaded(&SMOOTH_BANDS, rows)),
+        (_, true) => (DITHERED_BANDS_CODE, &|rows| shaded(&DITHERED_BANDS, rows)),
+        (_, false) => (BANDS_CODE, &|rows| BANDS.time(&work.in_bands(rows))),
     };
-    let (code, time): (Code, &dyn Fn(u32) -> ([f64; 4], f64)) = match (choice.style, choice.dithers()) {
-        (Style::Gouraud, true) => (DITHERED_BANDS_CODE, &|rows| shaded(SMOOTH_DITHERED_BANDS, rows)),
-        (Style::Gouraud, false) => (SMOOTH_BANDS_CODE, &|rows| shaded(SMOOTH_BANDS, rows)),
-        (_, true) => (DITHERED_BANDS_CODE, &|rows| shaded(DITHERED_BANDS, rows)),
-        (_, false) => (BANDS_CODE, &|rows| (BANDS.instructions(&work.in_bands(rows)), BANDS.error)),
-    };
-    let in_bands = |rows: u32| Way {
-        name: format!("bands of {rows} rows, with depth"),
-        ram: [cache(mesh), bins, strip(rows), depths(choice, rows)],
+    let way = |name: &str, ram: [usize; 4], code, time, kind, rows: Option<u32>, note| Way {
+        name: rows.map_or(name.into(), |rows| format!("bands of {rows} rows, {name}")),
+        ram,
         code,
-        instructions: (!is_textured).then(|| time(rows).0),
-        error: time(rows).1,
-        kind: 2,
-        bands: whole.div_ceil(rows),
-        rows: Some(rows),
-        note: if is_textured { "no estimate: textures take longer than flat faces" } else { "" },
+        time,
+        kind,
+        bands: rows.map_or(1, |rows| whole.div_ceil(rows)),
+        rows,
+        note,
+    };
+    let in_bands = |rows: u32| {
+        let ram = [cache(mesh), bins, strip(rows), depths(choice, rows)];
+        way("with depth", ram, into(choice, code), time(rows), 2, Some(rows), "")
     };
     let mut ways: Vec<Way> = heights(choice).into_iter().map(in_bands).collect();
-    ways.push(Way {
-        name: "a whole picture, with depth".into(),
-        ram: [cache(mesh), 0, strip(whole), depths(choice, whole)],
-        code: DEPTH_CODE,
-        instructions: is_plain.then(|| DEPTH.instructions(&work.whole())),
-        error: DEPTH.error,
-        kind: 2,
-        bands: 1,
-        rows: None,
-        note: "",
-    });
-    ways.push(Way {
-        name: "a whole picture, without depth".into(),
-        ram: [cache(mesh), 0, strip(whole), 0],
-        code: FACES_CODE,
-        instructions: is_plain.then(|| FACES.instructions(&work.whole())),
-        error: FACES.error,
-        kind: 1,
-        bands: 1,
-        rows: None,
-        note: "one convex object only",
-    });
+    if !(is_plain && is_in_memory(choice)) {
+        return ways;
+    }
+    // Room for all faces, as another view may show others.
+    let painted = size_of::<Painter<Rgb565, 0, 0>>() + PAINTED * mesh.faces().len();
+    let (small, rows) = ("small faces that do not pierce each other", choice.rows);
+    let ram = [cache(mesh), painted, strip(rows), 0];
+    let time = PAINTED_BANDS.time(&work.painted_in_bands(rows));
+    ways.push(way("painter's order", ram, PAINTED_BANDS_CODE, time, 1, Some(rows), small));
+    let (convex, ram) = ("one convex object only", [cache(mesh), bins, strip(rows), 0]);
+    ways.push(way("without depth", ram, PLAIN_BANDS_CODE, shaded(&PLAIN_BANDS, rows), 1, Some(rows), convex));
+    let ram = [cache(mesh), 0, strip(whole), depths(choice, whole)];
+    let time = DEPTH.time(&work.whole());
+    ways.push(way("a whole picture, with depth", ram, DEPTH_CODE, time, 2, None, ""));
+    let ram = [cache(mesh), painted, strip(whole), 0];
+    let time = PAINTED_WHOLE.time(&work.painted());
+    ways.push(way("a whole picture, painter's order", ram, PAINTED_CODE, time, 1, None, small));
+    // Measured with the light of objects that only turn.
+    let code = FACES_CODE.and(LAMBERT_CODE, RIGID_LAMBERT_CODE);
+    let (ram, time) = ([cache(mesh), 0, strip(whole), 0], FACES.time(&work.whole()));
+    ways.push(way("a whole picture, without depth", ram, code, time, 1, None, convex));
     ways
 }
 
@@ -214,29 +266,28 @@ fn lines(mesh: &Mesh<'_>, choice: &Choice, work: &LineWork, strip: &dyn Fn(u32) 
         name: format!("lines in bands of {rows} rows"),
         ram: [cache(mesh), bins, strip(rows), 0],
         code: LINES_BANDS_CODE,
-        instructions: Some(LINE_BANDS.instructions(&work.in_bands(rows))),
-        error: LINE_BANDS.error,
+        time: LINE_BANDS.time(&work.in_bands(rows)),
         kind: 0,
         bands: whole.div_ceil(rows),
         rows: Some(rows),
         note: "",
     };
     let mut ways: Vec<Way> = heights(choice).into_iter().map(in_bands).collect();
-    ways.push(Way {
-        name: "lines in a whole picture".into(),
-        ram: [cache(mesh), 0, strip(whole), 0],
-        code: LINES_CODE,
-        instructions: Some(LINES.instructions(&work.whole())),
-        error: LINES.error,
-        kind: 0,
-        bands: 1,
-        rows: None,
-        note: "",
-    });
+    if is_in_memory(choice) {
+        ways.push(Way {
+            name: "lines in a whole picture".into(),
+            ram: [cache(mesh), 0, strip(whole), 0],
+            code: LINES_CODE,
+            time: LINES.time(&work.whole()),
+            kind: 0,
+            bands: 1,
+            rows: None,
+            note: "",
+        });
+    }
     ways
 }
 
-/// No image draws hidden lines alone: the code is that of faces with depth and of lines, without what they share.
 fn hidden_lines(
     mesh: &Mesh<'_>,
     choice: &Choice,
@@ -248,51 +299,50 @@ fn hidden_lines(
     let in_bands = |rows: u32| Way {
         name: format!("hidden lines in bands of {rows} rows"),
         ram: [cache(mesh), bins, strip(rows), depths(choice, rows)],
-        code: BANDS_CODE.with(LINES_BANDS_CODE, PLACED_CODE),
-        instructions: Some(HIDDEN_BANDS.instructions(&hidden_in_bands(faces, lines, rows))),
-        error: HIDDEN_BANDS.error,
+        code: HIDDEN_BANDS_CODE,
+        time: HIDDEN_BANDS.time(&hidden_in_bands(faces, lines, rows)),
         kind: 2,
         bands: choice.size.height.div_ceil(rows),
         rows: Some(rows),
-        note: "flash of faces and lines together",
+        note: "",
     };
     heights(choice).into_iter().map(in_bands).collect()
 }
 
 impl Way {
     /// The costs on a chip, as JSON: bytes, instructions, milliseconds and frames per second.
-    fn on(&self, chip: &Chip, choice: &Choice, frame: usize, mesh: usize) -> String {
-        // No image is measured for RISC-V: its code, compressed as that of a Cortex-M0 is, is estimated by that.
-        let code = if matches!(chip.column, 0 | 3) { self.code.v6m } else { self.code.v7m };
+    fn on(&self, chip: &Chip, frame: usize, data: usize, is_chosen: bool) -> String {
         let ram: usize = self.ram.iter().sum();
         let bytes = frame as f64 + f64::from(COMMANDS * self.bands);
         let bus = bytes * 8.0 / (chip.spi * 1000.0); // ms
-        let mut parts = vec![
+                                                     // The templates' firmware has the camera too.
+        let code = self.code.and(FRAMING_CODE, PLACED_CODE);
+        let of = |bytes: [i32; 4]| bytes.get(chip.column).copied().unwrap_or_default();
+        let stack = of(code.stack);
+        let fits = ram as f64 + f64::from(stack) < chip.ram * 1024.0;
+        let instructions = self.time.0.get(chip.column).copied().unwrap_or_default();
+        let cycles = instructions * chip.cycles.get(self.kind).copied().unwrap_or_default();
+        let drawing = cycles / (chip.clock * 1000.0); // ms
+        object([
             ("name", text(&self.name)),
             ("note", text(self.note)),
             ("ram", ram.to_string()),
             ("parts", list(self.ram.map(|bytes| bytes.to_string()))),
-            ("flash", (code + mesh as f64).to_string()),
+            ("stack", stack.to_string()),
+            ("flash", (of(code.flash) as usize + data).to_string()), // not negative
             ("bytes", bytes.to_string()),
             ("bus", format!("{bus:.2}")),
-            ("fits", u8::from((ram as f64) < chip.ram * 1024.0).to_string()),
-            ("chosen", u8::from(self.rows == Some(choice.rows)).to_string()),
+            ("fits", u8::from(fits).to_string()),
+            ("chosen", u8::from(is_chosen).to_string()),
             ("rows", self.rows.map_or("null".into(), |rows| rows.to_string())),
-        ];
-        if let Some(instructions) = self.instructions.as_ref().and_then(|of| of.get(chip.column)) {
-            let cycles = instructions * chip.cycles.get(self.kind).copied().unwrap_or_default();
-            let drawing = cycles / (chip.clock * 1000.0); // ms
-            parts.extend([
-                ("instructions", format!("{instructions:.0}")),
-                ("cycles", format!("{cycles:.0}")),
-                ("drawing", format!("{drawing:.2}")),
-                ("error", self.error.to_string()),
-                ("blocking", format!("{:.1}", 1000.0 / (drawing + bus))),
-                ("dma", format!("{:.1}", 1000.0 / drawing.max(bus))),
-                ("limit", text(if drawing > bus { "CPU" } else { "bus" })),
-            ]);
-        }
-        object(parts)
+            ("instructions", format!("{instructions:.0}")),
+            ("cycles", format!("{cycles:.0}")),
+            ("drawing", format!("{drawing:.2}")),
+            ("error", self.time.1.to_string()),
+            ("blocking", format!("{:.1}", 1000.0 / (drawing + bus))),
+            ("dma", format!("{:.1}", 1000.0 / drawing.max(bus))),
+            ("limit", text(if drawing > bus { "CPU" } else { "bus" })),
+        ])
     }
 }
 

@@ -72,7 +72,7 @@ fn with_camera(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, S
     let usual =
         "let (field_of_view, yaw, pitch) = (Angle::degrees(40), Angle::degrees(30), Angle::degrees(20));";
     match Lens::new(choice, sphere) {
-        Lens::Framing { field_of_view } => {
+        Lens::Framing { field_of_view, .. } => {
             let angles = format!("(Angle::degrees({field_of_view}), {yaw}, {pitch})");
             replaced(text, usual, &format!("let (field_of_view, yaw, pitch) = {angles};"))
         }

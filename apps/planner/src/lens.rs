@@ -16,8 +16,8 @@ pub(crate) fn named(name: &str) -> Result<Named, String> {
 /// A projection with its numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Lens {
-    /// `Camera::framing`.
-    Framing { field_of_view: i32 },
+    /// `Camera::framing`, and the distances of its near and far plane.
+    Framing { field_of_view: i32, range: [f64; 2] },
     /// A perspective that is magnified, moved, or whose view plane is upright. The eye looks at a point beside the centre.
     Frustum { aside: [Scalar; 3], distance: Scalar, window: Window, near: Scalar, far: Scalar },
     /// The eye is the centre of the mesh, and the depth runs from before it to behind it.
@@ -84,11 +84,8 @@ impl Lens {
             }
             kind => {
                 let field_of_view = choice.projection.field_of_view().round() as i32; // at most 100
-                if (kind, choice.zoom, choice.pan) == (Kind::Perspective, 100, [0; 2]) {
-                    return Self::Framing { field_of_view };
-                }
-                // As `Camera::framing` does it, for a sphere that holds the one that is sheared along the projectors: the
-                // largest singular value of a shear by l is (l + √(l² + 4))/2.
+                                                                                      // As `Camera::framing` does it, for a sphere that holds the one that is sheared along the projectors: the
+                                                                                      // largest singular value of a shear by l is (l + √(l² + 4))/2.
                 let (yaw, lean) = upright(choice).unwrap_or_default();
                 let shear = lean[0].hypot(lean[1]);
                 let large = radius * (shear + shear.hypot(2.0)) / 2.0;
@@ -97,6 +94,9 @@ impl Lens {
                 let distance = large * (sine * FILL).hypot(cosine) / (sine * FILL);
                 let before = distance - radius;
                 let near = before - (radius / 64.0).min(before / 2.0);
+                if (kind, choice.zoom, choice.pan) == (Kind::Perspective, 100, [0; 2]) {
+                    return Self::Framing { field_of_view, range: [near, distance + deep] };
+                }
                 let (turned, straight) = sine_cosine(yaw);
                 let [right, up] = lean.map(|lean| lean * distance);
                 Self::Frustum {
@@ -110,13 +110,29 @@ impl Lens {
         }
     }
 
+    /// The distance of a point that has a depth, along the direction of view. Only ratios count: in a parallel projection all are 1.
+    pub(crate) fn distance(&self, depth: u16) -> f64 {
+        let depth = f64::from(depth) / 65_535.0;
+        let between = |near: f64, far: f64| far * near / (far - (far - near) * depth);
+        match *self {
+            Self::Framing { range: [near, far], .. } => between(near, far),
+            Self::Frustum { near, far, .. } => between(near.into(), far.into()),
+            // z/w = −(u + ½)/(1 + u/2), where w = 1 + u/2.
+            Self::Matrix(_) => {
+                let z = 2.0 * depth - 1.0;
+                1.0 - (z + 0.5) / (z + 2.0)
+            }
+            Self::Orthographic { .. } | Self::Oblique { .. } => 1.0,
+        }
+    }
+
     /// The camera of this lens.
     pub(crate) fn camera(&self, choice: &Choice, sphere: &Sphere) -> Result<Camera, String> {
         let viewport = Viewport::new(Point::zero(), choice.size).map_err(|e| e.to_string())?;
         let [yaw, pitch] = direction(choice).map(|angle| Angle::turns(angle, 36_000));
         let mut centre = [sphere.centre.x(), sphere.centre.y(), sphere.centre.z()];
         let (distance, projection) = match *self {
-            Self::Framing { field_of_view } => {
+            Self::Framing { field_of_view, .. } => {
                 let field_of_view = Angle::degrees(field_of_view);
                 return Camera::framing(sphere, &viewport, field_of_view, yaw, pitch)
                     .map_err(|e| e.to_string());

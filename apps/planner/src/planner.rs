@@ -90,7 +90,9 @@ impl Planner {
     ///
     /// As [`draw`](Self::draw).
     pub fn costs(&mut self, choice: &Choice) -> Result<String, String> {
-        cost::costs(self.mesh(choice)?, choice)
+        self.mesh(choice)?;
+        let ready = TextureImage::ready(choice);
+        cost::costs(self.made()?, choice, ready.as_ref().unwrap_or(&self.picture).sides())
     }
 
     /// A file of a template for firmware, as it is in the firmware of a choice.

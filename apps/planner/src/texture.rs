@@ -62,9 +62,14 @@ impl TextureImage {
         Some(Self { texels: texels.collect(), width: SIDE })
     }
 
+    /// Columns and rows.
+    pub(crate) fn sides(&self) -> [usize; 2] {
+        [self.width, self.texels.len().checked_div(self.width).unwrap_or(0)]
+    }
+
     fn slice(&self) -> Result<TexelSlice<'_, Rgb888>, String> {
-        let height = self.texels.len().checked_div(self.width).unwrap_or(0);
-        TexelSlice::new(&self.texels, self.width, height).map_err(|e| e.to_string())
+        let [width, height] = self.sides();
+        TexelSlice::new(&self.texels, width, height).map_err(|e| e.to_string())
     }
 
     /// The texels.

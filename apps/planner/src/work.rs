@@ -6,7 +6,7 @@ use embedded_graphics_core::geometry::{OriginDimensions, Size};
 use embedded_graphics_core::pixelcolor::BinaryColor;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
-use pinhole::{Cull, Mesh, MeshInstance, ScreenVertex};
+use pinhole::{Cull, Mesh, MeshInstance, Projected, ScreenVertex, Statistics};
 
 /// The work of a frame of faces.
 pub(crate) struct FaceWork {
@@ -20,10 +20,20 @@ pub(crate) struct FaceWork {
     rows: u32,
     pixels: u32,
     size: Size,
-    /// The first and the last row of each drawn face that is not cut, and whether it is large.
-    extents: Vec<([i32; 2], bool)>,
+    /// The drawn faces that are not cut.
+    extents: Vec<Extent>,
     /// Whether each face is drawn.
     is_drawn: Vec<bool>,
+}
+
+/// A drawn face.
+struct Extent {
+    /// The first and the last row.
+    rows: [i32; 2],
+    pixels: f64,
+    is_large: bool,
+    /// Whether texture coordinates are not interpolated linearly over it.
+    is_in_perspective: bool,
 }
 
 /// The work of a frame of lines.
@@ -42,41 +52,53 @@ pub(crate) struct LineWork {
 /// Rows up to which a triangle between the left and the right border takes a fast path.
 const LOW: i32 = 31;
 
+/// Draws the faces of an instance into a watch. Gives those that are drawn, too.
+fn watched(instance: &MeshInstance<'_>, size: Size) -> (Watch, Statistics, Vec<usize>) {
+    let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().cache_len()];
+    let (mut watch, mut seen) = (Watch::new(size), Vec::new());
+    let shade = |face: usize| {
+        seen.push(face);
+        BinaryColor::On
+    };
+    let Ok(statistics) = instance.solid(shade, &mut cache, &mut watch);
+    (watch, statistics, seen)
+}
+
 impl FaceWork {
-    /// Counts the work of the faces of an instance on a display of a size.
-    pub(crate) fn new(instance: &MeshInstance<'_>, size: Size) -> Self {
+    /// Counts the work of the faces of an instance on a display of a size. `is_linear`: whether texture coordinates are interpolated
+    /// linearly over a face with these corners.
+    pub(crate) fn new(
+        instance: &MeshInstance<'_>,
+        size: Size,
+        is_linear: &dyn Fn(usize, [Projected; 3]) -> bool,
+    ) -> Self {
         let mesh = instance.mesh();
-        let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
-        let (mut watch, mut seen) = (Watch::new(size), Vec::new());
-        let shade = |face: usize| {
-            seen.push(face);
-            BinaryColor::On
-        };
-        let Ok(statistics) = instance.solid(shade, &mut cache, &mut watch);
-        let points: Vec<Option<[i32; 2]>> = (0..mesh.vertices().len())
-            .map(|vertex| instance.project(vertex).ok().map(|seen| [seen.point.x(), seen.point.y()]))
-            .collect();
-        let corners = |face: &[u16; 3]| -> Option<[[i32; 2]; 3]> {
+        let (watch, statistics, seen) = watched(instance, size);
+        let points: Vec<Option<Projected>> =
+            (0..mesh.vertices().len()).map(|vertex| instance.project(vertex).ok()).collect();
+        let corners = |face: &[u16; 3]| -> Option<[Projected; 3]> {
             let [a, b, c] = face.map(|vertex| points.get(usize::from(vertex)).copied().flatten());
             Some([a?, b?, c?])
         };
         let must_be_clipped = mesh.faces().iter().filter(|face| corners(face).is_none()).count() as u32;
         // Faces outside, front and back, are part of `must_be_clipped`, but need no clipping.
-        let (mut both, both_sides) = (Watch::new(size), instance.with_cull(Cull::None));
         let outside = match must_be_clipped {
             0 => statistics.outside,
-            _ => {
-                let Ok(statistics) = both_sides.solid(|_| BinaryColor::On, &mut cache, &mut both);
-                statistics.outside
-            }
+            _ => watched(&instance.with_cull(Cull::None), size).1.outside,
         };
         let (mut extents, mut large) = (Vec::new(), 0);
-        for corners in seen.iter().filter_map(|&face| mesh.faces().get(face)).map(corners) {
-            let Some(corners) = corners else {
+        let mut is_drawn = vec![false; mesh.faces().len()];
+        for face in seen {
+            if let Some(is_drawn) = is_drawn.get_mut(face) {
+                *is_drawn = true;
+            }
+            let Some(corners) = mesh.faces().get(face).and_then(corners) else {
                 large += 1;
                 continue;
             };
-            let [x, y] = [0, 1].map(|axis| reach(corners.map(|point| point[axis])));
+            let [x, y] = [0, 1].map(|axis| {
+                reach(corners.map(|seen| if axis == 0 { seen.point.x() } else { seen.point.y() }))
+            });
             let [width, height] = [size.width, size.height].map(|side| (side as i32) << 8); // at most 1024
             let is_beside = x[0] > width || x[1] < 0 || y[0] > height || y[1] < 0;
             let is_within = x[0] >= 0 && x[1] <= width;
@@ -86,7 +108,11 @@ impl FaceWork {
             // Rows whose centres, at half a pixel, lie between both.
             let row = |at: i32| (at + 127) >> 8;
             let rows = [row(y[0]).max(0), (row(y[1]) - 1).min(size.height as i32 - 1)];
-            extents.push((rows, is_large));
+            let is_in_perspective = !is_linear(face, corners);
+            // Half the product of its sides; of a face across the border, the part of its rectangle that lies inside.
+            let pixels =
+                if is_in_perspective { area(corners) * inside(x, width) * inside(y, height) } else { 0.0 };
+            extents.push(Extent { rows, pixels, is_large, is_in_perspective });
         }
         Self {
             vertices: mesh.vertices().len() as u32, // at most 65 536, as faces
@@ -100,15 +126,7 @@ impl FaceWork {
             pixels: watch.pixels,
             size,
             extents,
-            is_drawn: {
-                let mut is_drawn = vec![false; mesh.faces().len()];
-                seen.iter().for_each(|&face| {
-                    if let Some(is_drawn) = is_drawn.get_mut(face) {
-                        *is_drawn = true;
-                    }
-                });
-                is_drawn
-            },
+            is_drawn,
         }
     }
 
@@ -138,9 +156,9 @@ impl FaceWork {
     /// The counts of a frame in bands of so many rows, in the order of docs/growth.md.
     pub(crate) fn in_bands(&self, rows: u32) -> [f64; 13] {
         let (mut all, mut large) = (0, 0);
-        for &(extent, is_large) in &self.extents {
-            all += met(extent, rows);
-            large += if is_large { met(extent, rows) } else { 0 };
+        for extent in &self.extents {
+            all += met(extent.rows, rows);
+            large += if extent.is_large { met(extent.rows, rows) } else { 0 };
         }
         let bands = self.size.height.div_ceil(rows.max(1));
         // A cut face is clipped again in each band that it may reach: in all.
@@ -165,7 +183,38 @@ impl FaceWork {
 }
 
 impl FaceWork {
-    /// The counts of a frame of smooth or dithered faces in bands of so many rows, in the order of docs/growth.md.
+    /// The counts of a frame of textured faces in bands of so many rows, in the order of docs/growth.md.
+    pub(crate) fn textured_in_bands(&self, rows: u32) -> [f64; 13] {
+        let [frame, vertices, _, _, _, _, met_all, large, cut, of_faces, pixels, area, bands] =
+            self.in_bands(rows);
+        let mut in_perspective = [cut, 0.0, 0.0];
+        for extent in self.extents.iter().filter(|extent| extent.is_in_perspective) {
+            let height = (extent.rows[1] - extent.rows[0] + 1).max(0);
+            let counts = [met(extent.rows, rows).into(), height.into(), extent.pixels];
+            in_perspective.iter_mut().zip(counts).for_each(|(sum, count)| *sum += count);
+        }
+        let [met, rows, inside] = in_perspective;
+        let all = f64::from(self.all);
+        [frame, vertices, all, met_all, large, cut, of_faces, pixels, area, bands, met, rows, inside]
+    }
+
+    /// The counts of a frame in painter's order, in one piece, in the order of docs/growth.md. There is room for each vertex.
+    pub(crate) fn painted(&self) -> [f64; 11] {
+        let mut counts = self.whole();
+        counts[0] = counts[1];
+        counts
+    }
+
+    /// The counts of a frame in painter's order, in bands of so many rows, in the order of docs/growth.md.
+    pub(crate) fn painted_in_bands(&self, rows: u32) -> [f64; 12] {
+        let [_, vertices, _, _, _, cut, met, large, cut_in_bands, of_faces, pixels, area, bands] =
+            self.in_bands(rows);
+        let [all, drawn] = [self.all, self.drawn].map(f64::from);
+        let large = large + cut_in_bands;
+        [vertices, vertices, all, drawn, cut, drawn * bands, met, large, of_faces, pixels, area, bands]
+    }
+
+    /// The counts of a frame of faces in another shade, or without depth, in bands of so many rows, in the order of docs/growth.md.
     pub(crate) fn shaded_in_bands(&self, rows: u32) -> [f64; 11] {
         let [frame, vertices, _, _, _, cut, met, large, cut_in_bands, of_faces, pixels, area, bands] =
             self.in_bands(rows);
@@ -279,6 +328,20 @@ impl LineWork {
         let bands = self.size.height.div_ceil(rows.max(1));
         [1, self.vertices, self.clipped, self.cut, met, self.pixels, self.area(), bands].map(f64::from)
     }
+}
+
+/// The area of a triangle, in pixels.
+fn area([a, b, c]: [Projected; 3]) -> f64 {
+    let side = |to: Projected| {
+        [to.point.x() - a.point.x(), to.point.y() - a.point.y()].map(|subpixels| f64::from(subpixels) / 256.0)
+    };
+    let ([bx, by], [cx, cy]) = (side(b), side(c));
+    (bx * cy - by * cx).abs() / 2.0
+}
+
+/// The part of what reaches from one place to another that lies between 0 and `side`.
+fn inside([from, to]: [i32; 2], side: i32) -> f64 {
+    f64::from((to.min(side) - from.max(0)).max(0)) / f64::from((to - from).max(1))
 }
 
 fn reach<const N: usize>(places: [i32; N]) -> [i32; 2] {

@@ -1,7 +1,7 @@
 //! The emulated cores, and the images that are built for them.
 
 use crate::cross::Build;
-use crate::{Result, M0, M3};
+use crate::{Result, M0, M3, RV32};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -16,7 +16,7 @@ pub(crate) const CORES: [Core; 4] = [
     Core { name: "M0", target: M0 },
     Core { name: "M3", target: M3 },
     Core { name: "M4F", target: "thumbv7em-none-eabihf" },
-    Core { name: "RV32", target: "riscv32imc-unknown-none-elf" },
+    Core { name: "RV32", target: RV32 },
 ];
 
 impl Core {

@@ -6,7 +6,7 @@ mod floats;
 use crate::cross::{self, Build};
 use crate::page::BUILT;
 use crate::provenance::{Part, Provenance};
-use crate::{elf, Result, M0, M3};
+use crate::{elf, Result, M0, M3, RV32};
 use floats::is_float_routine;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -14,12 +14,18 @@ use std::path::Path;
 use std::process::Command;
 
 /// The builds, in the order of the page's columns.
-pub(crate) const BUILDS: [Build; 4] = [
+pub(crate) const BUILDS: [Build; 5] = [
     Build { target: M3, level: "3" },
     Build { target: M3, level: "s" },
     Build { target: M0, level: "3" },
     Build { target: M0, level: "s" },
+    Build { target: RV32, level: "3" },
 ];
+const ARM: &[Build] = &[BUILDS[0], BUILDS[1], BUILDS[2], BUILDS[3]];
+/// With RISC-V, for the planner's page, which compares ways to draw.
+const WITH_RISCV: &[Build] = &BUILDS;
+/// Ways to draw that only the planner compares: at the level whose time it knows.
+const FAST: &[Build] = &[BUILDS[0], BUILDS[2], BUILDS[4]];
 
 /// An image, and the parts of the library that it must hold nothing of. All of these are in the image `WITNESS`, or the
 /// check would be blind.
@@ -30,6 +36,8 @@ pub(crate) struct Image {
     /// What it is to come down to on the M3 at level 3.
     pub(crate) goal: Option<u64>,
     without: &'static [Part],
+    /// What it is built for.
+    builds: &'static [Build],
 }
 
 /// What the stack of all of them is to come down to on the M3 at level 3, the program's own frames included.
@@ -51,75 +59,178 @@ const NO_FACES: &[Part] = &[
 ];
 
 pub(crate) const IMAGES: &[Image] = &[
-    Image { name: "place", says: "a placed mesh", goal: None, without: NO_FACES },
+    Image { name: "place", says: "a placed mesh", goal: None, without: NO_FACES, builds: WITH_RISCV },
     Image {
         name: "camera",
         says: "a placed mesh, and a camera made at run time",
         goal: None,
         without: NO_FACES,
+        builds: ARM,
+    },
+    Image {
+        name: "framing",
+        says: "a placed mesh, and a camera that frames it",
+        goal: None,
+        without: NO_FACES,
+        builds: FAST,
     },
     Image {
         name: "wireframe_inside",
         says: "wireframe, without clipping",
         goal: Some(5 << 10),
         without: NO_FACES,
+        builds: ARM,
     },
-    Image { name: "wireframe", says: "wireframe", goal: None, without: NO_FACES },
+    Image { name: "wireframe", says: "wireframe", goal: None, without: NO_FACES, builds: ARM },
     Image {
         name: "wireframe_pixels",
         says: "wireframe, into a DrawTarget in memory",
         goal: None,
         without: NO_FACES,
+        builds: WITH_RISCV,
     },
-    Image { name: "wireframe_bands", says: "wireframe in bands", goal: None, without: NO_FACES },
-    Image { name: "solid", says: "flat faces", goal: None, without: NO_DEPTH },
+    Image {
+        name: "wireframe_bands",
+        says: "wireframe in bands",
+        goal: None,
+        without: NO_FACES,
+        builds: WITH_RISCV,
+    },
+    Image { name: "solid", says: "flat faces", goal: None, without: NO_DEPTH, builds: ARM },
     Image {
         name: "solid_inside",
         says: "flat faces, without clipping",
         goal: Some(8_909), // 8.7 KiB
         without: NO_DEPTH,
+        builds: ARM,
     },
-    Image { name: "picture", says: "flat faces, into a picture in memory", goal: None, without: NO_DEPTH },
+    Image {
+        name: "picture",
+        says: "flat faces, into a picture in memory",
+        goal: None,
+        without: NO_DEPTH,
+        builds: WITH_RISCV,
+    },
     Image {
         name: "solid_bands",
         says: "flat faces in bands, into `pixels()`",
         goal: None,
         without: NO_DEPTH,
+        builds: WITH_RISCV,
     },
     Image {
         name: "facing_bands",
         says: "flat faces by planes in bands, into `pixels()`",
         goal: None,
         without: NO_DEPTH,
+        builds: ARM,
     },
-    Image { name: "depth", says: "flat faces with depth", goal: Some(15_155), without: FLAT }, // 14.8 KiB
+    Image {
+        name: "depth",
+        says: "flat faces with depth",
+        goal: Some(15_155),
+        without: FLAT,
+        builds: WITH_RISCV,
+    }, // 14.8 KiB
     Image {
         name: "depth_stretched",
         says: "flat faces with depth, of an object that may be stretched",
         goal: None,
         without: FLAT,
+        builds: WITH_RISCV,
     },
     Image {
         name: "depth_inside",
         says: "flat faces with depth, without clipping",
         goal: Some(11_878), // 11.6 KiB
         without: FLAT,
+        builds: ARM,
     },
-    Image { name: "depth_bands", says: "flat faces with depth in bands", goal: None, without: FLAT },
+    Image {
+        name: "depth_bands",
+        says: "flat faces with depth in bands",
+        goal: None,
+        without: FLAT,
+        builds: WITH_RISCV,
+    },
     Image {
         name: "depth_pixels",
         says: "flat faces with depth in bands, into `pixels()`",
         goal: None,
         without: FLAT,
+        builds: WITH_RISCV,
     },
-    Image { name: "gouraud", says: "smooth faces with depth in bands", goal: None, without: &[DITHER] },
-    Image { name: "dither", says: "dithered faces with depth in bands", goal: None, without: &[] },
-    Image { name: "everything", says: "everything", goal: Some(20 << 10), without: &[] },
+    Image {
+        name: "gouraud",
+        says: "smooth faces with depth in bands",
+        goal: None,
+        without: &[DITHER],
+        builds: ARM,
+    },
+    Image {
+        name: "dither",
+        says: "smooth faces in dithered colours, with depth, in bands",
+        goal: None,
+        without: &[],
+        builds: WITH_RISCV, // the witness
+    },
+    Image {
+        name: "depth_picture",
+        says: "flat faces with depth, into a picture in memory",
+        goal: None,
+        without: FLAT,
+        builds: FAST,
+    },
+    Image {
+        name: "gouraud_pixels",
+        says: "smooth faces with depth in bands, into `pixels()`",
+        goal: None,
+        without: &[DITHER],
+        builds: FAST,
+    },
+    Image {
+        name: "flat_dither_pixels",
+        says: "flat faces in dithered colours, with depth, in bands, into `pixels()`",
+        goal: None,
+        without: &[],
+        builds: FAST,
+    },
+    Image {
+        name: "dither_pixels",
+        says: "smooth faces in dithered colours, with depth, in bands, into `pixels()`",
+        goal: None,
+        without: &[],
+        builds: FAST,
+    },
+    Image {
+        name: "textured_pixels",
+        says: "textured faces with depth in bands, into `pixels()`",
+        goal: None,
+        without: FLAT,
+        builds: FAST,
+    },
+    Image {
+        name: "painter",
+        says: "flat faces in painter's order, into a picture in memory",
+        goal: None,
+        without: FLAT,
+        builds: FAST,
+    },
+    Image {
+        name: "painter_bands",
+        says: "flat faces in painter's order, in bands, into `pixels()`",
+        goal: None,
+        without: FLAT,
+        builds: FAST,
+    },
+    Image { name: "hidden_bands", says: "hidden lines in bands", goal: None, without: FLAT, builds: FAST },
+    Image { name: "everything", says: "everything", goal: Some(20 << 10), without: &[], builds: ARM },
     Image {
         name: "everything_inside",
         says: "everything, without clipping",
         goal: Some(34_304), // 33.5 KiB
         without: &[],       // at "s" 46 bytes of clip.rs stay, which cut nothing
+        builds: ARM,
     },
 ];
 
@@ -160,16 +271,21 @@ impl Image {
     }
 }
 
-/// All images, as arguments for cargo.
-pub(crate) fn bins() -> Vec<String> {
-    let names = ["empty"].into_iter().chain(IMAGES.iter().map(|image| image.name));
+/// The images of a build.
+fn images(build: Build) -> impl Iterator<Item = &'static Image> {
+    IMAGES.iter().filter(move |image| image.builds.contains(&build))
+}
+
+/// All images of a build, as arguments for cargo.
+fn bins(build: Build) -> Vec<String> {
+    let names = ["empty"].into_iter().chain(images(build).map(|image| image.name));
     names.map(|name| format!("--bin=flash_{name}")).collect()
 }
 
 /// Whether the library has this part for this core: cores with a division instruction and cores without have different code.
 fn is_for(Part(file, _): &Part, build: Build) -> bool {
     match *file {
-        "fast/edge20.rs" | "fast/small_triangle.rs" => build.target == M3,
+        "fast/edge20.rs" | "fast/small_triangle.rs" => build.target != M0,
         "fast/bresenham_triangle.rs" => build.target == M0,
         _ => true,
     }
@@ -183,11 +299,11 @@ pub(crate) fn measure(rebase: bool, failures: &mut Vec<String>) -> Result<Footpr
     }
     let (mut sizes, mut code) = (BTreeMap::new(), BTreeMap::new());
     for build in BUILDS {
-        build.cargo("build", &bins())?;
+        build.cargo("build", &bins(build))?;
         let image = |name: &str| build.image(&format!("flash_{name}"));
         let empty = elf::sizes(&image("empty"))?.flash;
         let witness = Provenance::of(&image(WITNESS))?;
-        for &Image { name, without, .. } in IMAGES {
+        for &Image { name, without, .. } in images(build) {
             let elf::Sizes { flash, statics, .. } = elf::sizes(&image(name))?;
             let (_, stack) = build.run(&format!("flash_{name}"))?;
             let size = Size { flash: flash.saturating_sub(empty), variables: statics, stack };
@@ -222,7 +338,7 @@ pub(crate) fn without_floats(name: &str, image: &Path, failures: &mut Vec<String
     let output = nm.output()?;
     let listing = String::from_utf8(output.stdout)?;
     let names: Vec<&str> = listing.lines().filter_map(|line| line.split_whitespace().last()).collect();
-    if !output.status.success() || !names.contains(&"Reset") {
+    if !output.status.success() || !["Reset", "_start"].iter().any(|start| names.contains(start)) {
         return Err(format!("{}: not the symbols of a firmware", image.display()).into());
     }
     let routines = names.into_iter().filter(|name| is_float_routine(name));

@@ -33,7 +33,9 @@ Rows with `pixels()` draw into a band's memory (`&mut band.pixels()`), as the te
 draw into it as into any DrawTarget (`&mut band`). *By planes* is of a mesh with planes (`Mesh::with_planes`), the only image whose mesh has them.
 *Without clipping* is `MeshInstance::without_clipping()`: of the two frames, only the cube that stays in view is drawn whole.
 Flat faces that are not in bands are lit by `RigidLambert`, which takes rotations, and all others by `Lambert`, which also takes
-objects that are stretched.
+objects that are stretched; so are those with depth in a picture in memory, and those in painter's order. Hidden lines are those of a mesh with the
+faces beside its edges. Rows with figures at opt-level 3 alone, and the column for RISC-V, are for `apps/planner`, which compares ways
+to draw; its tests link other firmware and compare it with these figures. `Camera::framing` makes the camera that frames a mesh, as the templates do.
 
 The target, the shader, and the closure that gives a face its shader are type parameters: each closure type instantiates the
 drawing code again, even if two closures return equal colours. A call in a loop over objects is linked once, and so are
@@ -66,7 +68,7 @@ pub(crate) fn text(compiler: &str, footprint: &Footprint) -> String {
     let number = |bytes: Option<u64>| bytes.map_or("–".into(), grouped);
     let builds = |text: &mut String, columns: &str| {
         for Build { target, level } in BUILDS {
-            let core = target.trim_end_matches("-none-eabi");
+            let core = target.split('-').next().unwrap_or(target);
             let _ = write!(text, " {core}, {level}{columns} |");
         }
     };

@@ -102,7 +102,7 @@ pub(crate) fn text(compiler: &str, all: &[Growth], per_instruction: &str) -> Str
 }
 
 /// In the order of `WAYS`.
-const TITLES: [&str; 12] = [
+const TITLES: [&str; 16] = [
     "Edges as lines",
     "Faces without depth",
     "Faces with depth",
@@ -115,6 +115,10 @@ const TITLES: [&str; 12] = [
     "Smooth faces with depth in bands",
     "Flat faces in dithered colours, with depth, in bands",
     "Smooth faces in dithered colours, with depth, in bands",
+    "Textured faces with depth in bands",
+    "Faces without depth in bands",
+    "Faces in painter's order",
+    "Faces in painter's order in bands",
 ];
 
 fn constants(text: &mut String, title: &str, cores: &[&Growth]) {

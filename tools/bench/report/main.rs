@@ -47,6 +47,7 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
 const M0: &str = "thumbv6m-none-eabi";
 const M3: &str = "thumbv7m-none-eabi";
+const RV32: &str = "riscv32imc-unknown-none-elf";
 
 const USAGE: &str = "\
 tools/bench/run [--check | --rebase] [speed | profile | growth | bands | cores | footprint ...]

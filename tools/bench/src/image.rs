@@ -16,8 +16,8 @@ use pinhole::space::{Model as ModelSpace, World};
 #[cfg(not(target_os = "none"))]
 use pinhole::ScreenVertex;
 use pinhole::{
-    Affine, Angle, Camera, FacePlanes, Lambert, Mesh, MeshInstance, Point3, Projection, RigidLambert, Scalar,
-    Vector3, ViewTransform, Viewport, WithPlanes,
+    edge_faces, Affine, Angle, Camera, FacePlanes, IndexedTexels, Lambert, LitTextured, Mesh, MeshInstance,
+    Point3, Projection, RigidLambert, Scalar, Texture, Vector3, ViewTransform, Viewport, WithPlanes,
 };
 
 /// A program that draws a frame of each of [`cubes`], one after the other: the second one is cut, so what cutting takes of
@@ -116,6 +116,23 @@ pub fn cubes_by_planes() -> &'static [Model<WithPlanes>] {
     black_box(CUBES.as_slice())
 }
 
+/// [`cubes`] with the faces beside their edges.
+pub fn cubes_with_edge_faces() -> &'static [Model] {
+    const BESIDE: [[u16; 2]; EDGES] = {
+        let Some(edges) = CUBE.mesh.edges().first_chunk::<EDGES>() else { panic!("edges") };
+        edge_faces(edges, CUBE.mesh.faces())
+    };
+    const fn with(model: Model) -> Model {
+        let Ok(mesh) = model.mesh.with_edge_faces(&BESIDE) else { panic!("faces beside edges") };
+        Model { mesh, axes: model.axes, distance: model.distance, reference: model.reference }
+    }
+    static CUBES: [Model; 2] = {
+        let Model { mesh, axes, distance, reference } = CUBE;
+        [with(Model { mesh, axes, distance, reference }), with(large())]
+    };
+    black_box(CUBES.as_slice())
+}
+
 /// At compile time: the cube that is cut.
 const fn large() -> Model {
     let Model { mesh: cube, axes, reference, .. } = CUBE;
@@ -136,9 +153,30 @@ const _: () = {
 /// The cube's vertices, and its faces or edges with a word of bits.
 pub const CORNERS: usize = 8;
 pub const BIN_STORAGE: usize = 12 + 1;
+const EDGES: usize = 12;
 
 /// Rows of a band.
 pub const ROWS: u32 = 8;
+
+/// Each face with a small picture on it, in the light that its normal has.
+#[inline(always)]
+pub fn textured<'s>(
+    mesh: &'s Mesh<'s>,
+    light: &'s Lambert,
+) -> impl Fn(usize) -> LitTextured<IndexedTexels<'static, Rgb565, 1>> + 's {
+    const PALETTE: [Rgb565; 2] = [Rgb565::new(31, 63, 31), Rgb565::new(15, 31, 15)];
+    const TEXELS: IndexedTexels<'static, Rgb565, 1> = {
+        let Ok(texels) = IndexedTexels::new(&[0xf0; 8], 8, 8, &PALETTE) else { panic!("texels") };
+        texels
+    };
+    /// Of the two triangles of a square, in 1/16 texel.
+    const CORNERS: [[[i16; 2]; 3]; 2] = [[[0, 128], [128, 128], [128, 0]], [[0, 128], [128, 0], [0, 0]]];
+    |face| {
+        let level = mesh.normals().get(face).map_or(256, |&normal| light.level(normal));
+        let [even, odd] = CORNERS;
+        Texture::new(TEXELS).at(if face % 2 == 0 { even } else { odd }).lit([level; 3])
+    }
+}
 
 /// Before the cube, and a constant, as that of a firmware whose camera stands still.
 const CAMERA: Camera = {

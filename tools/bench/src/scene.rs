@@ -6,8 +6,8 @@ use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model as ModelSpace, World};
 use pinhole::{
-    Affine, Angle, Camera, Dim, FacePlanes, Gouraud, Lambert, Lit, Mesh, MeshInstance, Point3, Projection,
-    RigidLambert, Scalar, Vector3, ViewTransform, Viewport, WithPlanes, WithoutPlanes,
+    Affine, Angle, Camera, Dim, Dithered, FacePlanes, Flat, Gouraud, Lambert, Lit, Mesh, MeshInstance,
+    Point3, Projection, RigidLambert, Scalar, Vector3, ViewTransform, Viewport, WithPlanes, WithoutPlanes,
 };
 
 /// Width and height of a frame.
@@ -183,6 +183,18 @@ fn face_in_light(normal: Option<&[i16; 3]>, light: &impl Light) -> Rgb565 {
     match normal {
         Some(&normal) => FACE.dim(light.level(normal)),
         None => FACE,
+    }
+}
+
+/// Each face in the light that its normal has, in dithered colours.
+#[inline(always)]
+pub fn flat_dithered<'s>(
+    normals: &'s [[i16; 3]],
+    light: &'s Lambert,
+) -> impl Fn(usize) -> Dithered<Flat> + 's {
+    |face| {
+        let level = normals.get(face).map_or(256, |&normal| light.level(normal));
+        Flat::lit(Rgb888::WHITE, level).dithered()
     }
 }
 

@@ -4,7 +4,7 @@ use super::shapes::{
     Shape, S2_CUBE, S3_TORUS, S4_ICO, SHEET_3200, SHEET_800, SPHERE_10, SPHERE_224, SPHERE_720, TORUS_1024,
     TORUS_20000, TORUS_24, TORUS_320, TORUS_4096, TORUS_96,
 };
-use super::Way;
+use super::{Way, SMALL};
 use pinhole::{Cull, Mesh, WithPlanes};
 
 /// A mesh before a camera. Lengths in 2⁻¹⁶.
@@ -35,6 +35,14 @@ impl What {
             (Self::Shape(shape), _) => shape.mesh(),
             (Self::Points(shape), _) => Some(shape.points()?.with_planes_if_any()),
         }
+    }
+}
+
+impl Case {
+    /// Whether it is drawn by the smaller painter, which has room for three times its vertices.
+    pub(super) fn is_small(&self) -> bool {
+        let (What::Shape(shape) | What::Points(shape)) = self.what;
+        shape.vertices() <= SMALL / 3
     }
 }
 

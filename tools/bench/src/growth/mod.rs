@@ -3,6 +3,7 @@
 
 mod cases;
 mod shapes;
+mod texture;
 #[cfg(not(target_os = "none"))]
 mod watch;
 #[cfg(not(target_os = "none"))]
@@ -12,15 +13,16 @@ pub use cases::{Case, CASES};
 #[cfg(not(target_os = "none"))]
 pub use work::{names, Work, ALL, SOME};
 
+use self::texture::textured;
 use crate::board::Clock;
-use crate::scene::{flat_of_normals, smooth, Scene, BACKGROUND, LINE};
+use crate::scene::{flat_dithered, flat_of_normals, smooth, Scene, BACKGROUND, LINE};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    BinnedFaces, Cull, DepthBuffer, FacePlanes, Flat, Frame, Lambert, Mesh, MeshInstance, Picture,
+    BinnedFaces, Cull, DepthBuffer, FacePlanes, Frame, Lambert, Mesh, MeshInstance, Painter, Picture,
     ScreenVertex, SpanShader, WithPlanes,
 };
 
@@ -32,6 +34,12 @@ const CORNERS: usize = 10_000;
 const BIN_STORAGE: usize = 20_000 + 20_000 / 16;
 /// The bins of the edges of the largest mesh, with one more for every 16.
 const EDGE_BIN_STORAGE: usize = 30_000 + 30_000 / 16;
+/// The vertices that a painter stores: those of the largest mesh, and those of faces that are cut.
+const PAINTED_CORNERS: usize = CORNERS + 2_000;
+/// The visible faces of any mesh, and the triangles of those that are cut.
+const PAINTED_FACES: usize = 12_000;
+/// The vertices and faces of the painter for small meshes: the room that a painter has costs time.
+const SMALL: usize = 1_600;
 /// The bytes of the highest band.
 const STRIP: usize = Frame::<Rgb565>::strip_bytes(480, 48);
 
@@ -42,6 +50,8 @@ pub struct Memory {
     bin_storage: [u16; BIN_STORAGE],
     edge_bin_storage: [u16; EDGE_BIN_STORAGE],
     strip: [u8; STRIP],
+    painter: Painter<Rgb565, PAINTED_CORNERS, PAINTED_FACES>,
+    small_painter: Painter<Rgb565, SMALL, SMALL>,
 }
 
 impl Memory {
@@ -52,6 +62,8 @@ impl Memory {
         bin_storage: [0; BIN_STORAGE],
         edge_bin_storage: [0; EDGE_BIN_STORAGE],
         strip: [0; STRIP],
+        painter: Painter::new(),
+        small_painter: Painter::new(),
     };
 }
 
@@ -75,16 +87,24 @@ pub enum Way {
     HiddenBands(u32),
     /// [`HiddenBands`](Self::HiddenBands), of a mesh with a quarter of its edges.
     FewHiddenBands(u32),
+    /// Faces without depth, in bands of this many rows.
+    PlainBands(u32),
+    /// Faces in painter's order.
+    Painted,
+    /// Faces in painter's order, in bands of this many rows.
+    PaintedBands(u32),
     /// Smooth faces with depth, in bands of this many rows.
     SmoothBands(u32),
     /// Flat faces in dithered colours with depth, in bands of this many rows.
     DitheredBands(u32),
     /// Smooth faces in dithered colours with depth, in bands of this many rows.
     SmoothDitheredBands(u32),
+    /// Lit faces with a picture on them, with depth, in bands of this many rows.
+    TexturedBands(u32),
 }
 
 /// The ways to draw, grouped by the constants that they share.
-pub const WAYS: [&[Way]; 12] = [
+pub const WAYS: [&[Way]; 16] = [
     &[Way::Lines],
     &[Way::Faces],
     &[Way::Depth],
@@ -97,6 +117,10 @@ pub const WAYS: [&[Way]; 12] = [
     &[Way::SmoothBands(8), Way::SmoothBands(48)],
     &[Way::DitheredBands(8), Way::DitheredBands(48)],
     &[Way::SmoothDitheredBands(8), Way::SmoothDitheredBands(48)],
+    &[Way::TexturedBands(8), Way::TexturedBands(48)],
+    &[Way::PlainBands(8), Way::PlainBands(48)],
+    &[Way::Painted],
+    &[Way::PaintedBands(8), Way::PaintedBands(48)],
 ];
 
 const LEVEL: [[i32; 3]; 3] = [[1 << 16, 0, 0], [0, 1 << 16, 0], [0, 0, 1 << 16]];
@@ -128,6 +152,10 @@ impl core::fmt::Display for Way {
             Self::SmoothBands(rows) => write!(f, "smooth in bands of {rows} rows"),
             Self::DitheredBands(rows) => write!(f, "dithered in bands of {rows} rows"),
             Self::SmoothDitheredBands(rows) => write!(f, "smooth and dithered in bands of {rows} rows"),
+            Self::TexturedBands(rows) => write!(f, "textured in bands of {rows} rows"),
+            Self::PlainBands(rows) => write!(f, "without depth in bands of {rows} rows"),
+            Self::Painted => f.write_str("painter's order"),
+            Self::PaintedBands(rows) => write!(f, "painter's order in bands of {rows} rows"),
         }
     }
 }
@@ -174,13 +202,27 @@ impl Case {
                 }
                 Way::SmoothBands(rows) => shaded_bands(instance, smooth(&mesh, light), size, rows, memory),
                 Way::DitheredBands(rows) => {
-                    let level = |face| mesh.normals().get(face).map_or(256, |&n| light.level(n));
-                    let shade = |face| Flat::lit(Rgb888::WHITE, level(face)).dithered();
-                    shaded_bands(instance, shade, size, rows, memory)
+                    shaded_bands(instance, flat_dithered(mesh.normals(), light), size, rows, memory)
                 }
                 Way::SmoothDitheredBands(rows) => {
                     let shade = |face| smooth(&mesh, light)(face).dithered();
                     shaded_bands(instance, shade, size, rows, memory)
+                }
+                Way::TexturedBands(rows) => {
+                    let shade = textured(&mesh, light);
+                    shade.and_then(|shade| shaded_bands(instance, shade, size, rows, memory))
+                }
+                Way::PlainBands(rows) => plain_bands(instance, light, size, rows, memory),
+                Way::Painted if self.is_small() => {
+                    painted(instance, light, size, &mut memory.pixels, &mut memory.small_painter)
+                }
+                Way::Painted => painted(instance, light, size, &mut memory.pixels, &mut memory.painter),
+                Way::PaintedBands(rows) => {
+                    let strip = strip_of(&mut memory.strip, size, rows);
+                    strip.and_then(|strip| match self.is_small() {
+                        true => painted_bands(instance, light, size, strip, &mut memory.small_painter),
+                        false => painted_bands(instance, light, size, strip, &mut memory.painter),
+                    })
                 }
             }
         })?;
@@ -315,5 +357,59 @@ fn shaded_bands<S: SpanShader<Rgb565>>(
         black_box(band.bytes());
     }
     black_box(faces.statistics());
+    Some(())
+}
+
+fn plain_bands(
+    instance: &MeshInstance<'_>,
+    light: &Lambert,
+    size: Size,
+    rows: u32,
+    memory: &mut Memory,
+) -> Option<()> {
+    let Memory { corners, bin_storage, strip, .. } = memory;
+    let mut faces = instance.transform(corners).bin_faces(bin_storage).ok()?;
+    let strip = strip_of(strip, size, rows)?;
+    let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
+    while let Some(mut band) = frame.next_band(strip).ok()? {
+        let Ok(()) = faces.solid(flat_of_normals(instance.mesh().normals(), light), &mut band.pixels());
+        black_box(band.bytes());
+    }
+    black_box(faces.statistics());
+    Some(())
+}
+
+fn painted<const V: usize, const F: usize>(
+    instance: &MeshInstance<'_>,
+    light: &Lambert,
+    size: Size,
+    pixels: &mut [Rgb565],
+    painter: &mut Painter<Rgb565, V, F>,
+) -> Option<()> {
+    let mut picture = Picture::new(pixels, size).ok()?;
+    let Ok(()) = picture.clear(BACKGROUND);
+    painter.add(instance, flat_of_normals(instance.mesh().normals(), light)).ok()?;
+    let Ok(statistics) = painter.draw(&mut picture.pixels());
+    black_box(statistics);
+    Some(())
+}
+
+fn painted_bands<const V: usize, const F: usize>(
+    instance: &MeshInstance<'_>,
+    light: &Lambert,
+    size: Size,
+    strip: &mut [u8],
+    painter: &mut Painter<Rgb565, V, F>,
+) -> Option<()> {
+    painter.clear();
+    painter.add(instance, flat_of_normals(instance.mesh().normals(), light)).ok()?;
+    let order = painter.order();
+    let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
+    while let Some(mut band) = frame.next_band(strip).ok()? {
+        let Ok(()) = order.draw(&mut band.pixels());
+        black_box(band.bytes());
+    }
+    black_box(order.statistics());
+    painter.clear();
     Some(())
 }

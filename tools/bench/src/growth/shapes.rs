@@ -27,6 +27,10 @@ impl Shape {
         mesh.with_edge_faces(self.beside.get(..count)?).ok()
     }
 
+    pub(super) fn vertices(&self) -> usize {
+        self.vertices.len()
+    }
+
     /// Its vertices alone.
     pub(super) fn points(&self) -> Option<Mesh<'static>> {
         Mesh::new(self.vertices, self.exponent, &[]).ok()

@@ -1,11 +1,12 @@
 //! Counts the work of a frame on the host: vertices, faces, rows, pixels.
 
+use super::texture::{coordinates, TEXELS_OF_UNIT};
 use super::watch::Watch;
-use super::{Case, Way};
+use super::{Case, Way, PAINTED_CORNERS, SMALL};
 use crate::scene::{BACKGROUND, LINE};
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Cull, Mesh, MeshInstance};
+use pinhole::{Cull, Mesh, MeshInstance, Projected};
 use std::collections::BTreeSet;
 
 /// The work of one frame. Where lines are drawn, *faces* are edges.
@@ -34,6 +35,11 @@ pub struct Work {
     pub met: u32,
     pub met_large: u32,
     pub met_cut: u32,
+    /// Faces over which texture coordinates are not interpolated linearly: those that touch a band, summed over all bands, and
+    /// their rows and pixels.
+    pub perspective: Perspective,
+    /// Room for vertices in the painter.
+    pub room: u32,
     /// Edges of the mesh, and what is drawn of them, where lines are drawn in bands.
     pub edges: EdgeWork,
 }
@@ -53,6 +59,13 @@ pub struct EdgeWork {
     pub pixels: u32,
 }
 
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Perspective {
+    pub met: u32,
+    pub rows: u32,
+    pub pixels: u32,
+}
+
 /// Rows up to which a triangle between the left and right border of the picture takes a fast path:
 /// `src/fast/edge20.rs`, and on a Cortex-M0 `src/fast/bresenham_triangle.rs`.
 const LOW: u32 = 31;
@@ -68,6 +81,20 @@ pub const fn names(way: Way) -> &'static [&'static str] {
             "edge to be clipped: more",
             "edge cut: more",
             "pixel of a line",
+            "pixel of the picture",
+        ],
+        // The room for vertices takes so much of a frame that nothing else is seen that each frame has.
+        Way::Painted => &[
+            "room for a vertex",
+            "vertex",
+            "face left out",
+            "face drawn",
+            "large face drawn: more",
+            "face outside",
+            "face to be clipped: more",
+            "face cut: more",
+            "row of a face",
+            "pixel of a face",
             "pixel of the picture",
         ],
         Way::Faces | Way::Depth => &[
@@ -138,7 +165,42 @@ pub const fn names(way: Way) -> &'static [&'static str] {
             "pixel of the picture",
             "band",
         ],
-        Way::FacingBands(_) | Way::SmoothBands(_) | Way::DitheredBands(_) | Way::SmoothDitheredBands(_) => &[
+        // Finding the few faces that are cut costs little beside drawing them.
+        Way::TexturedBands(_) => &[
+            "frame",
+            "vertex",
+            "face",
+            "face in a band",
+            "large face in a band: more",
+            "cut face in a band: more",
+            "row of a face",
+            "pixel of a face",
+            "pixel of the picture",
+            "band",
+            "face in perspective in a band: more",
+            "row of a face in perspective: more",
+            "pixel of a face in perspective: more",
+        ],
+        // A face is stored once, also one that is cut, and looked at in each band.
+        Way::PaintedBands(_) => &[
+            "room for a vertex",
+            "vertex",
+            "face",
+            "face drawn",
+            "face cut: more",
+            "drawn face, for each band of the picture",
+            "face in a band",
+            "large face in a band: more",
+            "row of a face",
+            "pixel of a face",
+            "pixel of the picture",
+            "band",
+        ],
+        Way::FacingBands(_)
+        | Way::SmoothBands(_)
+        | Way::DitheredBands(_)
+        | Way::SmoothDitheredBands(_)
+        | Way::PlainBands(_) => &[
             "frame",
             "vertex",
             "face",
@@ -162,20 +224,10 @@ impl Work {
         let Self { bands, met, met_large, met_cut, .. } = *self;
         let counts = match way {
             Way::Lines => vec![1, vertices, drawn, large, clipped, cut, pixels, area],
-            Way::Faces | Way::Depth => {
-                vec![
-                    1,
-                    vertices,
-                    faces - drawn - outside,
-                    drawn - beside,
-                    large,
-                    outside + beside,
-                    clipped,
-                    cut,
-                    rows,
-                    pixels,
-                    area,
-                ]
+            Way::Faces | Way::Depth | Way::Painted => {
+                let of_faces = [faces - drawn - outside, drawn - beside, large, outside + beside];
+                let first = if way == Way::Painted { self.room } else { 1 };
+                [&[first, vertices], &of_faces[..], &[clipped, cut, rows, pixels, area]].concat()
             }
             Way::PlaneCulled | Way::FacingDepth => {
                 vec![1, vertices, faces - drawn, drawn - beside, beside, large, cut, rows, pixels, area]
@@ -194,10 +246,20 @@ impl Work {
                 let of_edges = [clipped, in_bands, beside, of_lines];
                 [&of_faces[..], &[rows, pixels, area, bands], &of_edges].concat()
             }
+            Way::TexturedBands(_) => {
+                let all = [1, vertices, faces, met, met_large, met_cut, rows, pixels, area, bands];
+                let Perspective { met, rows, pixels } = self.perspective;
+                [&all[..], &[met, rows, pixels]].concat()
+            }
+            Way::PaintedBands(_) => {
+                let stored = [self.room, vertices, faces, drawn, cut, drawn * bands];
+                [&stored[..], &[met, met_large + met_cut, rows, pixels, area, bands]].concat()
+            }
             Way::FacingBands(_)
             | Way::SmoothBands(_)
             | Way::DitheredBands(_)
-            | Way::SmoothDitheredBands(_) => {
+            | Way::SmoothDitheredBands(_)
+            | Way::PlainBands(_) => {
                 vec![1, vertices, faces, cut, met, met_large, met_cut, rows, pixels, area, bands]
             }
         };
@@ -260,7 +322,9 @@ impl Case {
         let mesh = instance.mesh();
         let [width, height] = self.size;
         let mut watch = Watch::new(Size::new(width, height));
-        let work = Work { vertices: mesh.vertices().len() as u32, area: width * height, ..Work::default() };
+        let room = if self.is_small() { SMALL } else { PAINTED_CORNERS } as u32;
+        let vertices = mesh.vertices().len() as u32;
+        let work = Work { vertices, area: width * height, room, ..Work::default() };
         if way == Way::Lines {
             let Ok(statistics) = instance.wireframe(LINE, &mut [], &mut watch);
             let (large, clipped) = self.edges(&instance);
@@ -315,6 +379,9 @@ impl Case {
         | Way::SmoothBands(rows)
         | Way::DitheredBands(rows)
         | Way::SmoothDitheredBands(rows)
+        | Way::TexturedBands(rows)
+        | Way::PlainBands(rows)
+        | Way::PaintedBands(rows)
         | Way::HiddenBands(rows)
         | Way::FewHiddenBands(rows)) = way
         else {
@@ -325,13 +392,18 @@ impl Case {
             _ => EdgeWork::default(),
         };
 
-        let mut met = [0; 4];
+        let (mut met, drawn) = ([0; 4], seen.clone());
         for (face, kind) in seen.into_iter().zip(kinds) {
             met[kind as usize] += self.bands(face, rows)?;
         }
         let [low, met_large, met_cut, _] = met;
         let bands = height.div_ceil(rows);
-        Some(Work { edges, bands, met: low + met_large + met_cut, met_large, met_cut, ..work })
+        let perspective = match way {
+            Way::TexturedBands(_) => self.in_perspective(&instance, rows, &drawn)?,
+            _ => Perspective::default(),
+        };
+        let met_all = low + met_large + met_cut;
+        Some(Work { edges, bands, met: met_all, met_large, met_cut, perspective, ..work })
     }
 
     /// The number of edges that cross the border of the picture, and of edges with an end that must be clipped.
@@ -379,6 +451,34 @@ impl Case {
         Some(work)
     }
 
+    /// The work of those drawn faces over which texture coordinates are not interpolated linearly.
+    fn in_perspective(&self, instance: &MeshInstance<'_>, rows: u32, drawn: &[usize]) -> Option<Perspective> {
+        let all = self.what.mesh(Way::Faces)?;
+        let is_linear = |face: usize| {
+            let normal = all.normals().get(face).copied().unwrap_or_default();
+            let corners = all.faces().get(face).copied().unwrap_or_default();
+            let distances = corners.map(|vertex| instance.project(vertex.into()).ok().map(distance));
+            let [Some(a), Some(b), Some(c)] = distances else { return false };
+            let (near, far) = (a.min(b).min(c), a.max(b).max(c));
+            let uv = coordinates(&instance.mesh(), face, normal);
+            // A quarter of a texel is what a texture's coordinates may be off.
+            (0..2).all(|axis| {
+                let [least, most] = reach(uv.map(|uv| uv[axis].into()));
+                let texels = f64::from(most - least) * TEXELS_OF_UNIT;
+                texels * (far - near) / (4.0 * near) < 0.25
+            })
+        };
+        let [width, height] = self.size;
+        let (mut watch, mut met) = (Watch::new(Size::new(width, height)), 0);
+        for &face in drawn.iter().filter(|&&face| !is_linear(face)) {
+            met += self.bands(face, rows)?;
+            let alone = Mesh::new(all.vertices(), all.exponent(), all.faces().get(face..=face)?).ok()?;
+            let scene = self.scene_of(alone)?;
+            let Ok(_) = scene.place().with_cull(self.cull).solid(|_| BACKGROUND, &mut [], &mut watch);
+        }
+        Some(Perspective { met, rows: watch.runs, pixels: watch.pixels })
+    }
+
     fn kind(&self, instance: &MeshInstance<'_>, face: usize) -> Kind {
         let corners = instance.mesh().faces().get(face).copied().unwrap_or_default();
         let [Ok(a), Ok(b), Ok(c)] = corners.map(|vertex| instance.project(vertex.into())) else {
@@ -403,6 +503,12 @@ impl Case {
         let (transformed, mut bin_storage) = (instance.transform(&mut []), [0; 2]);
         Some(bands_of(&transformed.bin_faces(&mut bin_storage).ok()?.bounds(), rows))
     }
+}
+
+/// The distance of a vertex along the direction of view, by its depth between the near and the far plane of the scenes' camera.
+fn distance(seen: Projected) -> f64 {
+    let [near, far] = [0.5, 20.0];
+    far * near / (far - (far - near) * f64::from(seen.depth) / 65535.0)
 }
 
 /// The number of bands that a rectangle touches.
