@@ -36,15 +36,12 @@ const CHIPS: [(&str, &str, &str); 7] = [
 ];
 
 /// Images of `docs/footprint.md`, and their names here.
-const IMAGES: [(&str, &str); 18] = [
-    ("a placed mesh", "PLACED_CODE"),
-    ("a placed mesh, and a camera that frames it", "FRAMING_CODE"),
+const IMAGES: [(&str, &str); 15] = [
+    ("flat faces with depth in bands, into `pixels()`, before a camera that frames them", "FRAMED_CODE"),
     ("wireframe, into a DrawTarget in memory", "LINES_CODE"),
     ("wireframe in bands", "LINES_BANDS_CODE"),
     ("hidden lines in bands", "HIDDEN_BANDS_CODE"),
     ("flat faces, into a picture in memory", "FACES_CODE"),
-    ("flat faces with depth", "RIGID_LAMBERT_CODE"),
-    ("flat faces with depth, of an object that may be stretched", "LAMBERT_CODE"),
     ("flat faces with depth, into a picture in memory", "DEPTH_CODE"),
     ("flat faces in bands, into `pixels()`", "PLAIN_BANDS_CODE"),
     ("flat faces with depth in bands", "TARGET_CODE"),

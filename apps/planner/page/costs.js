@@ -27,13 +27,9 @@ function costTable(costs) {
     const [cache, bins, pixels, depths] = way.parts;
     const name = element('th', { scope: 'row' }, way.name, ...(way.note ? [element('div', { className: 'note' }, way.note)] : []));
     const ram = element('td', { className: way.fits ? '' : 'bad' }, kilobytes(way.ram), way.fits ? '' : ' does not fit');
-    ram.title = `vertices ${count(cache)}, bins ${count(bins)}, pixels ${count(pixels)}, depths ${count(depths)} bytes`;
-    const cells = [ram, kilobytes(way.flash)];
-    if (way.instructions === undefined) cells.push('–', '–', '–', `${way.bus} ms`, '–', '–');
-    else {
-      cells.push(count(Number(way.instructions)), count(Number(way.cycles)), `${way.drawing} ms ± ${Math.round(way.error)} %`, `${way.bus} ms`,
-        `${way.blocking}, ${way.dma} by DMA`, way.limit);
-    }
+    ram.title = `vertices ${count(cache)}, bins or sorted faces ${count(bins)}, pixels ${count(pixels)}, depths ${count(depths)} bytes`;
+    const cells = [ram, kilobytes(way.flash), count(way.instructions), count(way.cycles), `${way.drawing} ms ± ${Math.round(way.error)} %`,
+      `${way.bus} ms`, `${way.blocking}, ${way.dma} by DMA`, way.limit];
     const row = element('tr', { className: way.chosen ? 'chosen' : '' }, name);
     row.append(...cells.map((cell) => (cell instanceof Node ? cell : element('td', {}, cell))));
     body.append(row);
@@ -42,9 +38,11 @@ function costTable(costs) {
   return element('div', { className: 'table', tabIndex: 0, role: 'region', ariaLabel: 'Costs of the ways to draw' }, table);
 }
 
+const chosenOf = (costs) => costs.ways.find((way) => way.chosen) ?? costs.ways[0];
+
 // What to change where the chosen way does not fit, or is slow.
 function advice(costs) {
-  const chosen = costs.ways.find((way) => way.chosen) ?? costs.ways[0];
+  const chosen = chosenOf(costs);
   if (chosen.fits) return [];
   const smaller = costs.ways.filter((way) => way.fits && way.rows).sort((a, b) => a.ram - b.ram)[0];
   if (smaller) return [`${chosen.name}: ${kilobytes(chosen.ram)} of RAM, but the ${costs.chip} has ${kilobytes(costs.ram)}. Use ${smaller.name}: ${kilobytes(smaller.ram)}.`];
@@ -54,7 +52,8 @@ function advice(costs) {
 }
 
 function notes(costs) {
+  const { stack } = chosenOf(costs);
   const inexact = costs.exact ? '' : ' Drawing was measured in 16-bit colour; pixels of fewer bits than a byte take longer.';
   return element('p', { className: 'note' },
-    `${costs.chip}, ${costs.core} at ${costs.clock} MHz, sending at ${costs.spi} MHz. RAM is without the stack; flash is the mesh and the code that draws, at opt-level 3${costs.core.startsWith('RV') ? ', as it is built for a Cortex-M0' : ''}. Times are by the formula of docs/growth.md: ± is the largest error of its instructions in any case measured; the chip adds: ${costs.error}.${inexact}`);
+    `${costs.chip}, ${costs.core} at ${costs.clock} MHz, sending at ${costs.spi} MHz. RAM is that of variables, to the byte; the stack takes ${kilobytes(stack)} more. Flash is the mesh and the code that draws, at opt-level 3, ± ${costs.flashError} %; drivers and logs come on top. Times are by the formula of docs/growth.md: ± is the largest error of its instructions in any case measured; the chip adds: ${costs.error}.${inexact}`);
 }

@@ -166,5 +166,42 @@ fn each_style_has_its_own_time_on_each_chip() {
         assert!(flat < dithered && flat < smooth && dithered < both && smooth < both, "{chip}");
         let [lines, hidden] = ["style=wireframe", "style=hidden-line"].map(&mut cycles);
         assert!(lines < hidden, "{chip}: lines {lines}, hidden lines {hidden}");
+        // Without perspective, coordinates are interpolated linearly over each face.
+        let [parallel, perspective] =
+            ["style=textured&projection=cabinet&zoom=50", "style=textured&zoom=50"].map(&mut cycles);
+        assert!(flat < parallel && parallel < perspective, "{chip}: {flat}, {parallel}, {perspective}");
     }
+}
+
+/// Of flat faces in 16-bit colour all ways to draw are compared, each with its time; of others those that are measured.
+#[test]
+fn ways_to_draw_are_compared() {
+    let mut planner = Planner::default();
+    let mut names = |text: &str| -> Vec<String> {
+        let costs = planner.costs(&Choice::parse(text).expect(text)).expect(text);
+        let (_, ways) = costs.split_once("\"ways\":").expect("ways");
+        let names = ways.split("\"name\":\"").skip(1);
+        names.filter_map(|rest| rest.split('"').next().map(str::to_owned)).collect()
+    };
+    assert_eq!(
+        names("rows=8"),
+        [
+            "bands of 8 rows, with depth",
+            "bands of 16 rows, with depth",
+            "bands of 48 rows, with depth",
+            "bands of 8 rows, painter's order",
+            "bands of 8 rows, without depth",
+            "a whole picture, with depth",
+            "a whole picture, painter's order",
+            "a whole picture, without depth",
+        ]
+    );
+    assert_eq!(
+        names("rows=8&format=mono&height=64"),
+        ["bands of 8 rows, with depth", "bands of 16 rows, with depth", "bands of 48 rows, with depth"]
+    );
+    assert_eq!(
+        names("style=wireframe&rows=200").last().map(String::as_str),
+        Some("lines in a whole picture")
+    );
 }

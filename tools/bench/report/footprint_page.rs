@@ -35,7 +35,8 @@ draw into it as into any DrawTarget (`&mut band`). *By planes* is of a mesh with
 Flat faces that are not in bands are lit by `RigidLambert`, which takes rotations, and all others by `Lambert`, which also takes
 objects that are stretched; so are those with depth in a picture in memory, and those in painter's order. Hidden lines are those of a mesh with the
 faces beside its edges. Rows with figures at opt-level 3 alone, and the column for RISC-V, are for `apps/planner`, which compares ways
-to draw; its tests link other firmware and compare it with these figures. `Camera::framing` makes the camera that frames a mesh, as the templates do.
+to draw; its tests link other firmware and compare it with these figures.
+`Camera::framing` makes the camera that frames a mesh, as the templates do.
 
 The target, the shader, and the closure that gives a face its shader are type parameters: each closure type instantiates the
 drawing code again, even if two closures return equal colours. A call in a loop over objects is linked once, and so are

@@ -53,6 +53,11 @@ anyway:
 * *edge in a band*: the sum over bands of the edges touching each. *Drawn face beside an edge in a
   band*: for each edge in a band, those of the two faces beside it (`Mesh::with_edge_faces`) that are drawn. *Pixel of a
   line*: over all drawn edges, the pixels in each, hidden or not.
+* *face in perspective*: over which a texture's coordinates may not be interpolated linearly. They may be where the difference of a
+  coordinate over the face in texels, times the difference of the corners' distances, is less than the nearest distance: for a quarter of a texel.
+  A parallel projection has no such faces. The textured faces that were counted show 64 × 64 texels, four times over the mesh.
+* *room for a vertex*: the number of vertices that the painter can store, `VERTICES`. *Drawn face, for each band of the
+  picture*: drawn faces × bands, as each band looks at all of them.
 * *edge across the border*: a drawn edge that lies partly outside the picture, on any side. *Edge to be clipped*: has an
   end in front of the near plane or far outside the picture. *Edge cut*: an edge to be clipped of which a part is drawn.
 

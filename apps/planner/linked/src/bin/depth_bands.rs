@@ -1,0 +1,54 @@
+//! Faces with depth in bands, as the templates draw them, in the shading of the image's name.
+#![no_std]
+#![no_main]
+
+use embedded_graphics_core::geometry::OriginDimensions;
+use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics_core::primitives::Rectangle;
+use linked::{coordinates, firmware, level, light, COLOR, LIT};
+use pinhole::{
+    mesh_buffers, strip_buffers, Affine, DepthBuffer, Dim, Flat, Frame, Gouraud, IndexedTexels, MeshBuffers,
+    StripBuffers, Texture,
+};
+
+include!(concat!(env!("PLANNER_MODELS"), "/", env!("CARGO_BIN_NAME"), ".rs"));
+
+static TEXELS: [u8; SIDE * SIDE] = [1; SIDE * SIDE];
+static PALETTE: [Rgb565; 256] = [COLOR; 256];
+/// As the planner lays a picture on a mesh without texture coordinates.
+const UNIT: i8 = -14;
+
+firmware!(|camera, turn, display: Rgb565|
+    mesh: MeshBuffers!(MODEL) = mesh_buffers!(MODEL),
+    strip: StripBuffers!(Rgb565, WIDTH, ROWS) = strip_buffers!(Rgb565, WIDTH, ROWS),
+    {
+        let model = Affine::rotation_y(turn);
+        let light = light(&model)?;
+        let instance = camera.place(&MODEL, &model);
+        let mut faces = instance.transform_depth(&mut mesh.cache).bin_faces(&mut mesh.bins).ok()?;
+        let mut frame = Frame::new(Rectangle::new(Default::default(), display.size()), Rgb565::BLACK);
+        let level = |face| level(&MODEL, &light, face);
+        let smooth = |face| {
+            let normals = MODEL.corners_of(face, MODEL.vertex_normals());
+            Gouraud::lit(LIT, normals.map(|normal| light.level(normal)))
+        };
+        let texture = Texture::new(IndexedTexels::<_, 8>::new(&TEXELS, SIDE, SIDE, &PALETTE).ok()?);
+        let texture = texture.with_exponent(UNIT).ok()?;
+        while let Some(mut band) = frame.next_band(&mut strip.colors).ok()? {
+            let mut depth = DepthBuffer::new(band.area(), &mut strip.depths).ok()?;
+            let (depth, pixels) = (&mut depth, &mut band.pixels());
+            let Ok(()) = match SHADING {
+                "flat" => faces.depth_tested(|face| COLOR.dim(level(face)), depth, pixels),
+                "smooth" => faces.depth_tested(smooth, depth, pixels),
+                "dithered" => faces.depth_tested(|face| Flat::lit(LIT, level(face)).dithered(), depth, pixels),
+                "smooth dithered" => faces.depth_tested(|face| smooth(face).dithered(), depth, pixels),
+                _ => {
+                    let shade = |face| texture.at(coordinates(&MODEL, face)).lit([level(face); 3]);
+                    faces.depth_tested(shade, depth, pixels)
+                }
+            };
+            band.send(display).ok()?;
+        }
+        Some(())
+    }
+);

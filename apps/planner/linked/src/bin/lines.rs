@@ -1,0 +1,42 @@
+//! All edges as lines: in bands, or into a whole picture if a band has all rows.
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::OriginDimensions;
+use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics_core::primitives::Rectangle;
+use linked::{firmware, COLOR};
+use pinhole::{Affine, Frame, MeshBuffers, Picture};
+
+include!(concat!(env!("PLANNER_MODELS"), "/", env!("CARGO_BIN_NAME"), ".rs"));
+
+const IS_WHOLE: bool = ROWS == HEIGHT;
+const STRIP: usize = if IS_WHOLE { 0 } else { Frame::<Rgb565>::strip_bytes(WIDTH, ROWS) };
+const PIXELS: usize = if IS_WHOLE { (WIDTH * HEIGHT) as usize } else { 0 };
+const BINS: usize = if IS_WHOLE { 0 } else { MODEL.edge_bins_len() };
+type Buffers = MeshBuffers<{ MODEL.cache_len() }, 0, BINS>;
+
+firmware!(|camera, turn, display: Rgb565|
+    mesh: Buffers = Buffers::new(),
+    strip: [u8; STRIP] = [0; STRIP],
+    pixels: [Rgb565; PIXELS] = [Rgb565::BLACK; PIXELS],
+    {
+        let instance = camera.place(&MODEL, &Affine::rotation_y(turn));
+        if IS_WHOLE {
+            let mut picture = Picture::new(pixels, display.size()).ok()?;
+            let Ok(()) = picture.clear(Rgb565::BLACK);
+            let Ok(_) = instance.wireframe(COLOR, &mut mesh.cache, &mut picture);
+            black_box(picture.colors());
+            return Some(());
+        }
+        let mut edges = instance.transform(&mut mesh.cache).bin_edges(&mut mesh.edge_bins).ok()?;
+        let mut frame = Frame::new(Rectangle::new(Default::default(), display.size()), Rgb565::BLACK);
+        while let Some(mut band) = frame.next_band(strip).ok()? {
+            let Ok(()) = edges.draw(COLOR, &mut band);
+            band.send(display).ok()?;
+        }
+        Some(())
+    }
+);

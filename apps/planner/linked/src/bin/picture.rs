@@ -1,0 +1,40 @@
+//! Faces into a whole picture in memory, with depth or without.
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::OriginDimensions;
+use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics_core::primitives::Rectangle;
+use linked::{firmware, level, light, COLOR};
+use pinhole::{Affine, DepthBuffer, Dim, Picture, ScreenVertex};
+
+include!(concat!(env!("PLANNER_MODELS"), "/", env!("CARGO_BIN_NAME"), ".rs"));
+
+const HAS_DEPTH: bool = matches!(SHADING.as_bytes(), b"depth");
+const PIXELS: usize = (WIDTH * HEIGHT) as usize;
+const DEPTHS: usize = if HAS_DEPTH { PIXELS } else { 0 };
+
+firmware!(|camera, turn, display: Rgb565|
+    cache: [ScreenVertex; MODEL.vertices().len()] = [ScreenVertex::EMPTY; MODEL.vertices().len()],
+    pixels: [Rgb565; PIXELS] = [Rgb565::BLACK; PIXELS],
+    depths: [u16; DEPTHS] = [0; DEPTHS],
+    {
+        let model = Affine::rotation_y(turn);
+        let light = light(&model)?;
+        let shade = |face| COLOR.dim(level(&MODEL, &light, face));
+        let instance = camera.place(&MODEL, &model);
+        let mut picture = Picture::new(pixels, display.size()).ok()?;
+        let Ok(()) = picture.clear(Rgb565::BLACK);
+        if HAS_DEPTH {
+            let mut depth =
+                DepthBuffer::new(Rectangle::new(Default::default(), display.size()), depths).ok()?;
+            let Ok(_) = instance.depth_tested(shade, cache, &mut depth, &mut picture.pixels());
+        } else {
+            let Ok(_) = instance.solid(shade, cache, &mut picture.pixels());
+        }
+        black_box(picture.colors());
+        Some(())
+    }
+);

@@ -1,0 +1,137 @@
+//! What the firmware shares: a display that takes pixels and shows nothing, the camera of the templates, and the start.
+//!
+//! An image's mesh and sizes are in a file of its name in the folder that the variable `PLANNER_MODELS` names: the constants `MODEL`,
+//! `WIDTH`, `HEIGHT`, `ROWS`, `SIDE`, in texels, and `SHADING`.
+#![no_std]
+
+use core::convert::Infallible;
+use core::hint::black_box;
+use core::marker::PhantomData;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics_core::pixelcolor::{PixelColor, Rgb565, Rgb888};
+use embedded_graphics_core::primitives::Rectangle;
+use embedded_graphics_core::Pixel;
+use pinhole::{Affine, Angle, Camera, Lambert, Mesh, Vector3, Viewport};
+
+/// The colour of the model.
+pub const COLOR: Rgb565 = Rgb565::new(31, 52, 14);
+/// The colour of the model, for shaders.
+pub const LIT: Rgb888 = Rgb888::new(255, 215, 0);
+
+/// A display that shows nothing: a driver is not the library's.
+pub struct Display<C> {
+    size: Size,
+    color: PhantomData<C>,
+}
+
+impl<C> Display<C> {
+    /// Of a size that the compiler does not know.
+    pub fn new(width: u32, height: u32) -> Self {
+        Self { size: black_box(Size::new(width, height)), color: PhantomData }
+    }
+}
+
+impl<C> OriginDimensions for Display<C> {
+    fn size(&self) -> Size {
+        self.size
+    }
+}
+
+impl<C: PixelColor> DrawTarget for Display<C> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for pixel in pixels {
+            black_box(pixel);
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = C>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), Infallible> {
+        black_box(area);
+        for color in colors {
+            black_box(color);
+        }
+        Ok(())
+    }
+}
+
+/// A camera that sees all of a mesh however it is turned, as the templates make it.
+#[inline(never)]
+pub fn camera(mesh: &Mesh<'_>, size: Size) -> Option<Camera> {
+    let viewport = Viewport::new(Point::zero(), size).ok()?;
+    let [field_of_view, yaw, pitch] = [40, 30, 20].map(Angle::degrees);
+    Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch).ok()
+}
+
+/// The lamp of the templates, for a model that is turned.
+pub fn light(model: &Affine<pinhole::space::Model, pinhole::space::World>) -> Option<Lambert> {
+    Lambert::new(model, Vector3::from_ints(2, 3, 4), 48).ok()
+}
+
+/// The level of a face's light.
+pub fn level(mesh: &Mesh<'_>, light: &Lambert, face: usize) -> u16 {
+    mesh.normals().get(face).map_or(256, |&normal| light.level(normal))
+}
+
+/// Texture coordinates of a face's corners where the mesh has none, as the planner lays a picture on: by the two axes that the face
+/// is turned to least.
+pub fn coordinates(mesh: &Mesh<'_>, face: usize) -> [[i16; 2]; 3] {
+    let normal = mesh.normals().get(face).copied().unwrap_or_default();
+    let [x, y, z] = normal.map(i16::unsigned_abs);
+    mesh.corners_of(face, mesh.vertices()).map(|[px, py, pz]| match (x >= y && x >= z, y >= z) {
+        (true, _) => [if normal[0] > 0 { -pz } else { pz }, -py],
+        (_, true) => [px, if normal[1] > 0 { pz } else { -pz }],
+        _ => [if normal[2] > 0 { px } else { -px }, -py],
+    })
+}
+
+/// A firmware that draws a model again and again, each time in another direction: the variables, each in a static of its own, and
+/// what draws a frame.
+#[macro_export]
+macro_rules! firmware {
+    (|$camera:ident, $turn:ident, $display:ident: $color:ty| $($name:ident: $type:ty = $start:expr,)* $body:block) => {
+        #[inline(never)]
+        fn frame(
+            $camera: &pinhole::Camera,
+            $turn: pinhole::Angle,
+            $display: &mut $crate::Display<$color>,
+            $($name: &mut $type,)*
+        ) -> Option<()> $body
+
+        /// Where it starts.
+        #[allow(unsafe_code)] // a name that the linker knows, and variables of which there is one
+        #[no_mangle]
+        extern "C" fn Reset() -> ! {
+            $(
+                #[allow(non_upper_case_globals)] // the name is the argument's
+                static mut $name: $type = $start;
+            )*
+            let mut display = $crate::Display::new(WIDTH, HEIGHT);
+            let camera = $crate::camera(&MODEL, embedded_graphics_core::geometry::OriginDimensions::size(&display));
+            let mut number = 0;
+            loop {
+                let turn = pinhole::Angle::turns(number % 120, 120);
+                number += 1;
+                if let Some(camera) = &camera {
+                    // SAFETY: this function has one loop, it does not return, and nothing else names the variables.
+                    let done = unsafe { frame(camera, turn, &mut display, $(&mut *(&raw mut $name),)*) };
+                    core::hint::black_box(done);
+                }
+            }
+        }
+    };
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    loop {
+        core::hint::spin_loop();
+    }
+}
