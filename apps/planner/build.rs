@@ -73,6 +73,7 @@ fn main() -> Result<()> {
             .map_err(|e| format!("docs/speed.md, {name}: {e}"))?;
     }
     writeln!(out, "];")?;
+    esp32c3(&growth, &mut out).map_err(|e| format!("docs/growth.md, ESP32-C3: {e}"))?;
     let [flash, stack] = [section(&footprint, "## Flash")?, section(&footprint, "## RAM and stack")?];
     for (image, name) in IMAGES {
         let [flash, stack] = [bytes(flash, image)?, bytes(stack, image)?];
@@ -83,6 +84,22 @@ fn main() -> Result<()> {
     let model = docs.join("../boards/any-cortex-m/model.stl");
     println!("cargo::rerun-if-changed={}", model.display());
     std::fs::write(Path::new(&folder).join("gear.rs"), gear(&std::fs::read(&model)?)?)?;
+    Ok(())
+}
+
+/// The cycles of an instruction of an ESP32-C3, whose cells are such as `1.35 (1.23–1.67)`: the least, the likely ones, and the most.
+fn esp32c3(growth: &str, out: &mut String) -> Result<()> {
+    let cells = row(section(growth, "## Cycles per instruction")?, "ESP32-C3, code in flash, 160 MHz")?;
+    let mut cycles = [const { Vec::new() }; 3];
+    for cell in cells.iter().skip(1) {
+        let parts: Vec<_> = cell.split(['(', '–', ')']).map(str::trim).collect();
+        let [likely, least, most, ""] = parts[..] else { return Err(format!("{cell}: no range").into()) };
+        for (of, part) in cycles.iter_mut().zip([least, likely, most]) {
+            of.push(number(part)?);
+        }
+    }
+    let [least, likely, most] = cycles.map(|of| of.join(", "));
+    writeln!(out, "const ESP32C3_CYCLES: [[f64; 3]; 3] = [[{least}], [{likely}], [{most}]];")?;
     Ok(())
 }
 
@@ -175,7 +192,7 @@ fn chip(speed: &str, growth: &str, [key, name, cycles]: [&str; 3], out: &mut Str
     let [clock, spi, ram] = [number(clock)?, number(spi)?, number(ram)?];
     writeln!(
         out,
-        "    Chip {{ key: {key:?}, name: {name:?}, core: {core:?}, column: {column}, clock: {clock}, spi: {spi}, ram: {ram}, error: {error:?}, cycles: [{}] }},",
+        "    Chip {{ key: {key:?}, name: {name:?}, core: {core:?}, column: {column}, clock: {clock}, spi: {spi}, ram: {ram}, error: {error:?}, cycles: [{}], range: None }},",
         per.join(", ")
     )?;
     Ok(())

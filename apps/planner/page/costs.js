@@ -19,6 +19,12 @@ function showCosts(library, choice) {
 
 const kilobytes = (bytes) => `${(bytes / 1024).toFixed(1)} KB`;
 
+// A time, or the likely one and the range where the chip's cycles are not all known; and the error of the instructions.
+function drawing({ drawing, range, error }) {
+  const span = range.length ? ` (${range.join('–')})` : '';
+  return `${drawing} ms${span} ± ${Math.round(error)} %`;
+}
+
 function costTable(costs) {
   const head = ['Way to draw', 'RAM', 'Flash', 'Instructions', 'Cycles', 'Drawing', 'Sending', 'Frames/s', 'Limit'];
   const table = element('table', {}, element('thead', {}, element('tr', {}, ...head.map((text) => element('th', { scope: 'col' }, text)))));
@@ -28,7 +34,7 @@ function costTable(costs) {
     const name = element('th', { scope: 'row' }, way.name, ...(way.note ? [element('div', { className: 'note' }, way.note)] : []));
     const ram = element('td', { className: way.fits ? '' : 'bad' }, kilobytes(way.ram), way.fits ? '' : ' does not fit');
     ram.title = `vertices ${count(cache)}, bins or sorted faces ${count(bins)}, pixels ${count(pixels)}, depths ${count(depths)} bytes`;
-    const cells = [ram, kilobytes(way.flash), count(way.instructions), count(way.cycles), `${way.drawing} ms ± ${Math.round(way.error)} %`,
+    const cells = [ram, kilobytes(way.flash), count(way.instructions), count(way.cycles), drawing(way),
       `${way.bus} ms`, `${way.blocking}, ${way.dma} by DMA`, way.limit];
     const row = element('tr', { className: way.chosen ? 'chosen' : '' }, name);
     row.append(...cells.map((cell) => (cell instanceof Node ? cell : element('td', {}, cell))));

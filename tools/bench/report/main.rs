@@ -11,6 +11,7 @@ mod cross;
 mod cycles;
 mod cycles_page;
 mod elf;
+mod esp32c3;
 mod fit;
 mod footprint;
 mod footprint_page;
@@ -114,7 +115,7 @@ impl Task {
                 println!(
                     "{}{}",
                     cycles_page::frames_per_second(frames),
-                    cycles_page::per_instruction(frames)
+                    cycles_page::per_instruction(frames, &esp32c3::measure()?)
                 );
             }
             Self::Validate => validate::run(&mut failures)?,

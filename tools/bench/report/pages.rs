@@ -5,7 +5,7 @@ use crate::cells::{self, Cell, Choice};
 use crate::cross::Build;
 use crate::speed_page::{self, Figures};
 use crate::{
-    bands_page, chips, cycles, cycles_page, footprint, footprint_page, growth, growth_page, profile,
+    bands_page, chips, cycles, cycles_page, esp32c3, footprint, footprint_page, growth, growth_page, profile,
     profile_page, rivals, scenes, targets, two_cores, Result, M3,
 };
 
@@ -46,7 +46,8 @@ impl Page {
                 profile_page::text(compiler, &profile::measure(failures)?, &targets::targets()?)?
             }
             Self::Growth => {
-                let per_instruction = cycles_page::per_instruction(chips::measured(failures)?);
+                let per_instruction =
+                    cycles_page::per_instruction(chips::measured(failures)?, &esp32c3::measure()?);
                 growth_page::text(compiler, &growth::measure()?, &per_instruction)
             }
             Self::Bands => bands_page::text(compiler, &measure_bands(failures)?),

@@ -88,34 +88,45 @@ struct Log {
     call: Option<u64>,
 }
 
-/// Hands `each` the addresses of the instructions, block by block, in their order.
+/// Hands `each` the addresses of the instructions of the first frame, block by block, in their order.
 pub(crate) fn frame(
     core: Core,
     image: &Path,
     places: &[Vec<Frame>],
     mut each: impl FnMut(&[u64]),
 ) -> Result<()> {
+    frames(core, image, places, 1, |_, block| each(block))
+}
+
+/// Hands `each` the number of the frame and the addresses of its instructions, block by block, in their order.
+pub(crate) fn frames(
+    core: Core,
+    image: &Path,
+    places: &[Vec<Frame>],
+    count: usize,
+    mut each: impl FnMut(usize, &[u64]),
+) -> Result<()> {
     let clock = clock(image, places)?;
     let mut command = core.emulate(image);
     command.args(LOG).args(filter(image, places)?);
     let mut qemu = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn()?;
     let mut lines = BufReader::with_capacity(1 << 20, qemu.stderr.take().ok_or("its log")?);
-    let (mut line, mut log) = (Vec::new(), Log::default());
-    let ended = loop {
+    let (mut line, mut log, mut number) = (Vec::new(), Log::default(), 0);
+    while number < count {
         line.clear();
         if lines.read_until(b'\n', &mut line)? == 0 {
-            break false;
+            break;
         }
-        if log.read(&line, clock, &mut each) {
-            break true;
+        if log.read(&line, clock, &mut |block| each(number, block)) {
+            (log.call, number) = (None, number + 1);
         }
-    };
-    // What comes after the frame is of no interest.
+    }
+    // What comes after the frames is of no interest.
     let _ = qemu.kill();
     qemu.wait()?;
-    match ended {
+    match number == count {
         true => Ok(()),
-        false => Err(format!("{}: no frame in QEMU's log", image.display()).into()),
+        false => Err(format!("{}: {number} of {count} frames in QEMU's log", image.display()).into()),
     }
 }
 

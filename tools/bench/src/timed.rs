@@ -43,7 +43,7 @@ pub enum Variant {
 pub struct Timed {
     pub scene: &'static str,
     pub variant: Variant,
-    model: &'static Model,
+    pub model: &'static Model,
 }
 
 pub const TIMED: [Timed; 5] = [

@@ -1,0 +1,291 @@
+//! Cycles of an ESP32-C3, an RV32IMC core of four stages, by what was measured on the chip with its own counters.
+//!
+//! Loops that Timon Van Overveldt ran from RAM (github.com/timonvo/niccle, esp/examples/cycle_counting.rs, commit cc24cf46) give: one cycle
+//! for arithmetic, shifts and `csrr`, two for a jump, three for a branch that is taken and one for a branch that is not, forward or
+//! backward, whether it was met before or not; one for a store; two for a load whose result the next instruction takes, and for other
+//! loads one, but two each fourth time.
+//!
+//! **Against a benchmark.** The maker's CoreMark does 409.249 rounds a second from RAM at 160 MHz (components.espressif.com, coremark 1.1.0,
+//! GCC 12.2, -O3): 390 960 cycles each. Built by Debian's GCC 12.2.0 with those flags and with the checksums 0xe714, 0x1fd7 and 0x8e3a, a
+//! round is 295 100 instructions, and 390 900 cycles by these rules: 0.0 % off. Its source is not in this repository, nor in a package
+//! registry.
+//!
+//! **Not measured on this chip:** products of two words and divisions, which CoreMark has not. On its successor ESP32-C6, whose branches
+//! differ, `mulh` and its like take 2 cycles, `div` and its like 10 (github.com/nilhoel1/LLTA-Bench, RESULTS.md, commit 7949f89a). A jump to a
+//! register is taken for as long as a branch, whose target is known as late. CoreMark would also agree, to 0.4 %, if each
+//! second store waited, and no load but for its result. [`Rules`] has both, and a range for what was not measured.
+
+use crate::{elf, Result};
+use std::path::Path;
+
+/// What is taken for the rules that were not measured, or not in all cases.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Rules {
+    /// Those above.
+    Likely,
+    /// Products of two words take a cycle, divisions and jumps to registers as little as they can.
+    Least,
+    /// These take twice as long as is likely, and each second store waits in place of each fourth load.
+    Most,
+}
+
+impl Rules {
+    /// Quarters of a cycle: a load whose result is not used at once, a store, a jump to a register, a product of two words, a division.
+    const fn quarters(self) -> [u32; 5] {
+        match self {
+            Self::Likely => [5, 4, 12, 8, 40],
+            Self::Least => [5, 4, 8, 4, 20],
+            Self::Most => [4, 6, 24, 16, 80],
+        }
+    }
+}
+
+/// What an instruction costs depends on: its kind and its registers (*The RISC-V Instruction Set Manual*, volume I, chapters 2, 7
+/// and 16).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Instruction {
+    /// In bytes: 2 or 4.
+    pub(crate) size: u32,
+    pub(crate) kind: Kind,
+    /// The registers that it reads, a bit each.
+    pub(crate) reads: u32,
+    /// The register that it writes.
+    pub(crate) writes: u32,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Simple,
+    Load,
+    Store,
+    /// `beq` and its like.
+    Branch,
+    /// `jal`.
+    Jump,
+    /// `jalr`.
+    JumpTo,
+    Multiply,
+    /// `mulh`, `mulhu`, `mulhsu`.
+    MultiplyHigh,
+    Divide,
+}
+
+/// Bits `from..from + count`.
+const fn bits(code: u32, from: u32, count: u32) -> u32 {
+    code >> from & ((1 << count) - 1)
+}
+
+impl Instruction {
+    /// Of the first and the second half; the second one counts for an instruction of four bytes.
+    pub(crate) fn decode(first: u16, second: u16) -> Self {
+        match first & 3 {
+            3 => wide(u32::from(first) | u32::from(second) << 16),
+            quadrant => compressed(first.into(), quadrant),
+        }
+    }
+}
+
+fn wide(code: u32) -> Instruction {
+    let [to, a, b] = [bits(code, 7, 5), bits(code, 15, 5), bits(code, 20, 5)];
+    let (one, both) = (1 << a, 1 << a | 1 << b);
+    let of = |kind, reads, writes| Instruction { size: 4, kind, reads, writes };
+    match bits(code, 2, 5) {
+        0b00000 => of(Kind::Load, one, to),
+        0b01000 => of(Kind::Store, both, 0),
+        0b11000 => of(Kind::Branch, both, 0),
+        0b11011 => of(Kind::Jump, 0, to),
+        0b11001 => of(Kind::JumpTo, one, to),
+        // Of registers: those of the extension M have a bit of their own.
+        0b01100 if bits(code, 25, 7) == 1 => {
+            let kind = match bits(code, 12, 3) {
+                0 => Kind::Multiply,
+                1..=3 => Kind::MultiplyHigh,
+                _ => Kind::Divide,
+            };
+            of(kind, both, to)
+        }
+        0b01100 => of(Kind::Simple, both, to),
+        // `lui`, `auipc`.
+        0b01101 | 0b00101 => of(Kind::Simple, 0, to),
+        _ => of(Kind::Simple, one, to),
+    }
+}
+
+fn compressed(code: u32, quadrant: u16) -> Instruction {
+    // The registers 8 to 15 have three bits.
+    let ([low, high], [full, second]) =
+        ([bits(code, 2, 3) + 8, bits(code, 7, 3) + 8], [bits(code, 7, 5), bits(code, 2, 5)]);
+    let of = |kind, reads: u32, writes| Instruction { size: 2, kind, reads, writes };
+    const SP: u32 = 2;
+    match (quadrant, bits(code, 13, 3)) {
+        // `c.addi4spn`, `c.lw`, `c.sw`.
+        (0, 0b000) => of(Kind::Simple, 1 << SP, low),
+        (0, 0b010) => of(Kind::Load, 1 << high, low),
+        (0, 0b110) => of(Kind::Store, 1 << high | 1 << low, 0),
+        // `c.addi`, `c.jal`, `c.li`, `c.lui` or `c.addi16sp`.
+        (1, 0b000) => of(Kind::Simple, 1 << full, full),
+        (1, 0b001) => of(Kind::Jump, 0, 1),
+        (1, 0b010) => of(Kind::Simple, 0, full),
+        (1, 0b011) => of(Kind::Simple, if full == SP { 1 << SP } else { 0 }, full),
+        (1, 0b100) => {
+            let reads = if bits(code, 10, 2) == 3 { 1 << high | 1 << low } else { 1 << high };
+            of(Kind::Simple, reads, high)
+        }
+        (1, 0b101) => of(Kind::Jump, 0, 0),
+        (1, _) => of(Kind::Branch, 1 << high, 0),
+        // `c.slli`, `c.lwsp`, `c.swsp`.
+        (2, 0b000) => of(Kind::Simple, 1 << full, full),
+        (2, 0b010) => of(Kind::Load, 1 << SP, full),
+        (2, 0b110) => of(Kind::Store, 1 << SP | 1 << second, 0),
+        // `c.jr`, `c.mv`, `c.ebreak`, `c.jalr`, `c.add`.
+        (2, 0b100) => match (bits(code, 12, 1), full, second) {
+            (_, 0, _) => of(Kind::Simple, 0, 0),
+            (link, _, 0) => of(Kind::JumpTo, 1 << full, link),
+            (0, ..) => of(Kind::Simple, 1 << second, full),
+            _ => of(Kind::Simple, 1 << full | 1 << second, full),
+        },
+        _ => of(Kind::Simple, 0, 0),
+    }
+}
+
+/// The quarters of cycles of an instruction before another one; `taken`: that is not the one behind it.
+fn quarters(rules: Rules, instruction: &Instruction, next: Option<&Instruction>, taken: bool) -> u32 {
+    let is_used =
+        next.is_some_and(|next| instruction.writes != 0 && next.reads >> instruction.writes & 1 == 1);
+    let [load, store, jump_to, multiply_high, divide] = rules.quarters();
+    match instruction.kind {
+        Kind::Simple | Kind::Multiply => 4,
+        Kind::Load if is_used => 8,
+        Kind::Load => load,
+        Kind::Store => store,
+        Kind::Branch if taken => 12,
+        Kind::Branch => 4,
+        Kind::Jump => 8,
+        Kind::JumpTo => jump_to,
+        Kind::MultiplyHigh => multiply_high,
+        Kind::Divide => divide,
+    }
+}
+
+/// The code of an image.
+pub(crate) struct Program {
+    start: u32,
+    halves: Vec<u16>,
+}
+
+impl Program {
+    pub(crate) fn of(image: &Path) -> Result<Self> {
+        let halves =
+            elf::code(image)?.chunks_exact(2).map(|pair| u16::from_le_bytes([pair[0], pair[1]])).collect();
+        Ok(Self { start: u32::try_from(elf::sizes(image)?.code.start)?, halves })
+    }
+
+    /// The instruction at an address; outside of the code there is none.
+    pub(crate) fn instruction(&self, at: u32) -> Option<Instruction> {
+        let index = (at.wrapping_sub(self.start) / 2) as usize;
+        let second = self.halves.get(index + 1).copied().unwrap_or_default();
+        Some(Instruction::decode(*self.halves.get(index)?, second))
+    }
+
+    /// The cycles of a run, the last instruction being followed by that at `end`.
+    pub(crate) fn cycles(&self, rules: Rules, run: &[u32], end: u32) -> u64 {
+        let following = run.iter().skip(1).copied().chain([end]);
+        let one = |(&at, next): (&u32, u32)| {
+            let Some(instruction) = self.instruction(at) else { return 0 };
+            let taken = next != at.wrapping_add(instruction.size);
+            u64::from(quarters(rules, &instruction, self.instruction(next).as_ref(), taken))
+        };
+        run.iter().zip(following).map(one).sum::<u64>() / 4
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{quarters, Instruction, Kind, Program, Rules};
+
+    fn decoded(code: u32) -> Instruction {
+        Instruction::decode(code as u16, (code >> 16) as u16)
+    }
+
+    /// The encodings are an assembler's.
+    #[test]
+    fn kinds_and_registers() {
+        let is = |code: u32, size, kind, reads: &[u32], writes| {
+            let reads = reads.iter().fold(0, |sum, register| sum | 1 << register);
+            assert_eq!(decoded(code), Instruction { size, kind, reads, writes }, "{code:08x}");
+        };
+        is(0x00b5_0633, 4, Kind::Simple, &[10, 11], 12); // add a2, a0, a1
+        is(0x02b5_0633, 4, Kind::Multiply, &[10, 11], 12); // mul a2, a0, a1
+        is(0x02b5_3633, 4, Kind::MultiplyHigh, &[10, 11], 12); // mulhu a2, a0, a1
+        is(0x02b5_5633, 4, Kind::Divide, &[10, 11], 12); // divu a2, a0, a1
+        is(0x0045_a503, 4, Kind::Load, &[11], 10); // lw a0, 4(a1)
+        is(0x00a5_9023, 4, Kind::Store, &[10, 11], 0); // sh a0, 0(a1)
+        is(0xfeb5_1ee3, 4, Kind::Branch, &[10, 11], 0); // bne a0, a1, -4
+        is(0x0000_00ef, 4, Kind::Jump, &[], 1); // jal 0
+        is(0x0003_8067, 4, Kind::JumpTo, &[7], 0); // jr t2, of four bytes
+        is(0x1234_5537, 4, Kind::Simple, &[], 10); // lui a0, 0x12345
+        is(0x41c8, 2, Kind::Load, &[11], 10); // c.lw a0, 4(a1)
+        is(0xc1c8, 2, Kind::Store, &[10, 11], 0); // c.sw a0, 4(a1)
+        is(0x0505, 2, Kind::Simple, &[10], 10); // c.addi a0, 1
+        is(0x4505, 2, Kind::Simple, &[], 10); // c.li a0, 1
+        is(0x8d0d, 2, Kind::Simple, &[10, 11], 10); // c.sub a0, a1
+        is(0x8105, 2, Kind::Simple, &[10], 10); // c.srli a0, 1
+        is(0xfd7d, 2, Kind::Branch, &[10], 0); // c.bnez a0, -2
+        is(0xbffd, 2, Kind::Jump, &[], 0); // c.j -2
+        is(0x4502, 2, Kind::Load, &[2], 10); // c.lwsp a0, 0(sp)
+        is(0xc02a, 2, Kind::Store, &[2, 10], 0); // c.swsp a0, 0(sp)
+        is(0x852e, 2, Kind::Simple, &[11], 10); // c.mv a0, a1
+        is(0x952e, 2, Kind::Simple, &[10, 11], 10); // c.add a0, a1
+        is(0x8082, 2, Kind::JumpTo, &[1], 0); // ret
+        is(0x9502, 2, Kind::JumpTo, &[10], 1); // c.jalr a0
+    }
+
+    /// The loops of `cycle_counting.rs`, a thousand times round; the cycles are those that the chip counted.
+    #[test]
+    fn loops_take_what_the_chip_counted() {
+        // Each instruction, and the index of the one that comes after it in all rounds but the last.
+        let round = |codes: &[u32], order: &[usize], last: &[usize]| {
+            let mut halves = Vec::new();
+            let mut places = Vec::new();
+            for &code in codes {
+                places.push(2 * halves.len() as u32);
+                halves.push(code as u16);
+                if code & 3 == 3 {
+                    halves.push((code >> 16) as u16);
+                }
+            }
+            let mut run: Vec<u32> = (0..999).flat_map(|_| order).map(|&at| places[at]).collect();
+            run.extend(last.iter().map(|&at| places[at]));
+            let end = 2 * halves.len() as u32;
+            Program { start: 0, halves }.cycles(Rules::Likely, &run, end)
+        };
+        // addi, nop, bne back.
+        let [addi, nop, bne, jump] = [0x0505, 0x0001, 0xfeb5_1ee3, 0xbffd];
+        assert_eq!(round(&[addi, nop, bne], &[0, 1, 2], &[0, 1, 2]), 999 * (1 + 1 + 3) + (1 + 1 + 1));
+        // addi, beq forward out of the loop, j back.
+        let beq = 0x00b5_0463;
+        assert_eq!(round(&[addi, beq, jump], &[0, 1, 2], &[0, 1]), 999 * (1 + 1 + 2) + (1 + 3));
+        // lw, add with its result, nop, bne back.
+        let [load, add] = [0x0005_2603, 0x9532];
+        assert_eq!(round(&[load, add, nop, bne], &[0, 1, 2, 3], &[0, 1, 2, 3]), 999 * (2 + 1 + 1 + 3) + 5);
+        // xor, sb, nop, nop, addi, nop, bne back.
+        let [xor, store] = [0x0006_4633, 0x00c5_0023];
+        let codes = [xor, store, nop, nop, addi, nop, bne];
+        let order = [0, 1, 2, 3, 4, 5, 6];
+        assert_eq!(round(&codes, &order, &order), 999 * (6 + 3) + 7);
+    }
+
+    #[test]
+    fn what_was_not_measured_has_a_range() {
+        let divide = decoded(0x02b5_5633);
+        let of = |rules| quarters(rules, &divide, None, false);
+        assert_eq!([of(Rules::Least), of(Rules::Likely), of(Rules::Most)], [20, 40, 80]);
+    }
+
+    #[test]
+    fn each_fourth_load_waits_unless_its_result_is_used() {
+        let [load, uses, does_not] = [0x0005_2603, 0x00c5_0533, 0x00b5_0533].map(decoded);
+        let of = |next| quarters(Rules::Likely, &load, next, false);
+        assert_eq!([of(Some(&uses)), of(Some(&does_not)), of(None)], [8, 5, 5]);
+    }
+}
