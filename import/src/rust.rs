@@ -13,6 +13,10 @@ pub fn is_constant_name(name: &str) -> bool {
         && name.chars().all(|c| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_')
 }
 
+/// Before each constant that firmware may leave unused.
+const KEPT: &str =
+    "#[rustfmt::skip]\n#[allow(dead_code, unreachable_pub)] // what is not used is not in the flash\n";
+
 impl ImportedMesh {
     /// The mesh as Rust source: the constant `name`, a `pinhole::Mesh<'static>` over lists that are there once, or of type
     /// `pinhole::Mesh<'static, i16, pinhole::WithPlanes>` if it has planes; `name_COLORS`,
@@ -81,13 +85,12 @@ impl ImportedMesh {
         Some(out)
     }
 
-    /// The constant `name_COLORS`, and `name_TEXTURE` where there is anything to put in it.
+    /// The constant `name_COLORS`, and `name_TEXTURE` and `name_TEXELS` where there is anything to put in them.
     fn write_materials(&self, out: &mut String, name: &str) {
-        let kept = "#[rustfmt::skip]\n#[allow(dead_code, unreachable_pub)] // what is not used is not in the flash\n";
         if self.face_colors.is_empty() {
             let _ = write!(
                 out,
-                "\n/// The colours of the faces of [`{name}`]: none, as its file has no materials.\n{kept}\
+                "\n/// The colours of the faces of [`{name}`]: none, as its file has no materials.\n{KEPT}\
                  pub const {name}_COLORS: Option<pinhole::FaceColors<'static>> = None;\n"
             );
         } else {
@@ -98,7 +101,7 @@ impl ImportedMesh {
                 if emitting > 0 { format!(", {emitting} of them emitting light") } else { String::new() };
             let _ = write!(
                 out,
-                "\n/// The colours of the faces of [`{name}`]: {} colours{emitting}; {bytes} bytes of flash.\n{kept}\
+                "\n/// The colours of the faces of [`{name}`]: {} colours{emitting}; {bytes} bytes of flash.\n{KEPT}\
                  pub const {name}_COLORS: Option<pinhole::FaceColors<'static>> = {{\n",
                 self.palette.len(),
             );
@@ -115,11 +118,30 @@ impl ImportedMesh {
                  {steps}    Some(colors)\n}};\n",
             );
         }
+        self.write_texture(out, name);
+    }
+
+    /// The texture coordinates and the picture as Rust source: the constants `name_TEXTURE` and `name_TEXELS`, where there are any, as in
+    /// [`to_rust_mesh`](Self::to_rust_mesh).
+    ///
+    /// ```
+    /// let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
+    /// let mesh = pinhole_import::import_bytes(obj.into(), "part.obj".as_ref(), &pinhole_import::Options::default())?;
+    /// assert!(mesh.to_rust_texture("MODEL").contains("pub const MODEL_TEXTURE: pinhole::TextureCoords<'static>"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn to_rust_texture(&self, name: &str) -> String {
+        let mut out = String::new();
+        self.write_texture(&mut out, name);
+        out
+    }
+
+    fn write_texture(&self, out: &mut String, name: &str) {
         if !self.texture_faces.is_empty() {
             let bytes = size_of_val(&self.texture_coords[..]) + size_of_val(&self.texture_faces[..]);
             let _ = write!(
                 out,
-                "\n/// The texture coordinates of the faces of [`{name}`]: {} pairs; {bytes} bytes of flash.\n{kept}\
+                "\n/// The texture coordinates of the faces of [`{name}`]: {} pairs; {bytes} bytes of flash.\n{KEPT}\
                  pub const {name}_TEXTURE: pinhole::TextureCoords<'static> = {{\n",
                 self.texture_coords.len(),
             );
@@ -135,7 +157,7 @@ impl ImportedMesh {
             let (bits, color) = (picture.bits(), one_line(&picture.color));
             let _ = write!(
                 out,
-                "\n/// The picture of [`{name}`]: `{}`, {} x {} texels of {} colours; {} bytes of flash.\n{kept}\
+                "\n/// The picture of [`{name}`]: `{}`, {} x {} texels of {} colours; {} bytes of flash.\n{KEPT}\
                  pub const {name}_TEXELS: pinhole::IndexedTexels<'static, {color}, {bits}> = {{\n",
                 picture.name,
                 picture.width,

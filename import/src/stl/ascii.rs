@@ -1,4 +1,4 @@
-//! ASCII STL as people write it to binary STL, and what is wrong with it by lines, which `stl_io` does not name.
+//! ASCII STL as people write it to binary STL, and what is wrong with it by lines.
 //!
 //! Taken are key words in any case, any number of words in a line, also all of them, several solids (they become one), facets
 //! without a sound normal (which exporters write for slivers), a start without `solid`, and an end without `endsolid`.

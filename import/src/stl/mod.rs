@@ -1,4 +1,4 @@
-//! STL to triangles, by `stl_io`; ASCII is turned into binary first. Normals are passed over.
+//! STL to triangles; ASCII is turned into binary first. Normals are passed over.
 
 mod ascii;
 
@@ -6,7 +6,6 @@ use crate::model::{Model, Places, Warning};
 use crate::text::text;
 use crate::weld::Numbered;
 use crate::{ImportError, Problem, Triangles, LARGEST_FILE};
-use std::io::Cursor;
 use std::path::Path;
 
 /// Header, count and triangles of a binary file.
@@ -15,12 +14,12 @@ const COUNT: usize = 4;
 const TRIANGLE: usize = 50;
 
 /// Reads STL; `file` is only named in errors. Vertices with the same bits are one.
-pub(crate) fn read(mut bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError> {
+pub(crate) fn read(bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError> {
     let as_it_is = |problem: Problem| problem.at(file, None);
     if is_text(&bytes) {
         let ascii::Text { binary, lines, unended } =
             ascii::to_binary(&text(&bytes)).map_err(|(problem, line)| problem.at(file, line))?;
-        let triangles = triangles(binary).map_err(as_it_is)?;
+        let triangles = triangles(&binary);
         let cut = |line| Warning {
             line: Some(line),
             message: format!("no `endsolid` after line {line}: perhaps the file was cut short"),
@@ -48,12 +47,11 @@ pub(crate) fn read(mut bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError
         let message = format!("{} bytes after the last triangle are passed over", given - needed);
         warnings.push(Warning { line: None, message });
     }
-    if let Some(byte) = first_not_finite(&bytes[..needed as usize]) {
+    let bytes = &bytes[..needed as usize];
+    if let Some(byte) = first_not_finite(bytes) {
         return Err(as_it_is(Problem::NotFiniteAt { byte }));
     }
-    // Many binary headers begin with "solid", by which stl_io takes them for text.
-    bytes[0] = b' ';
-    let triangles = triangles(bytes).map_err(as_it_is)?;
+    let triangles = triangles(bytes);
     Ok(Model { triangles, places: Places::Records, warnings, ..Model::default() })
 }
 
@@ -85,18 +83,21 @@ fn first_not_finite(bytes: &[u8]) -> Option<usize> {
     })
 }
 
-/// The triangles of a binary file by `stl_io`, whose own way to find equal vertices is slow in build scripts.
-fn triangles(stl: Vec<u8>) -> Result<Triangles, Problem> {
-    let mut stl = Cursor::new(stl);
-    let wrong = |e: std::io::Error| Problem::Format(e.to_string());
+/// The triangles of a binary file. Not by `stl_io`, with which tests compare: of that, ten lines would be used, which brought in its
+/// reader of text, 18 KB of the planner's page.
+fn triangles(stl: &[u8]) -> Triangles {
     let (mut numbers, mut out) = (Numbered::default(), Triangles::default());
-    for triangle in stl_io::create_stl_reader(&mut stl).map_err(wrong)? {
-        out.faces.push(triangle.map_err(wrong)?.vertices.map(|vertex| {
-            *numbers.entry(vertex.0.map(f32::to_bits)).or_insert_with(|| {
-                out.positions.push(vertex.0.map(f64::from));
+    for record in stl.get(HEADER + COUNT..).unwrap_or_default().chunks_exact(TRIANGLE) {
+        // The normal, and behind the corners two bytes that mean nothing.
+        let mut words = record.chunks_exact(4).skip(3).filter_map(|word| word.first_chunk().copied());
+        let mut number = || f32::from_le_bytes(words.next().unwrap_or_default());
+        out.faces.push([(); 3].map(|()| {
+            let vertex = [number(), number(), number()];
+            *numbers.entry(vertex.map(f32::to_bits)).or_insert_with(|| {
+                out.positions.push(vertex.map(f64::from));
                 out.positions.len() - 1
             })
         }));
     }
-    Ok(out)
+    out
 }

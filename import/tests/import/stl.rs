@@ -270,18 +270,43 @@ fn doubtful_triangles_are_named_by_line_or_number() {
     assert_eq!((mesh.warnings[0].line, mesh.warnings[0].message.as_str()), (None, open));
 }
 
-/// Against `stl_io`'s own reader of text, which this crate does not use, as it knows no lines.
-#[test]
-fn text_has_the_numbers_that_stl_io_reads() {
+/// Random finite numbers, by a linear congruence (Knuth, "The Art of Computer Programming" 2, section 3.3.4, table 1, line 16).
+fn numbers() -> impl FnMut() -> f32 {
     let mut bits = 1u32;
-    let mut number = || loop {
-        // A linear congruence (Knuth, "The Art of Computer Programming" 2, section 3.3.4, table 1, line 16), as a float.
+    move || loop {
         bits = bits.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         let number = f32::from_bits(bits);
         if number.is_finite() {
             break number;
         }
-    };
+    }
+}
+
+/// The file is read as `stl_io` reads it.
+fn is_as_stl_io_reads(name: &str, bytes: &[u8]) {
+    let expected = stl_io::read_stl(&mut std::io::Cursor::new(bytes)).unwrap();
+    let read = read_triangles(&file(name, bytes)).unwrap();
+    let positions: Vec<_> = expected.vertices.iter().map(|v| v.0.map(f64::from)).collect();
+    assert_eq!(read.positions, positions, "{name}");
+    assert_eq!(read.faces, expected.faces.iter().map(|f| f.vertices).collect::<Vec<_>>(), "{name}");
+    assert_eq!(read.faces.len(), 500, "{name}");
+}
+
+#[test]
+fn binary_has_the_numbers_that_stl_io_reads() {
+    let mut number = numbers();
+    let mut bytes = vec![b' '; 80];
+    bytes.extend(500u32.to_le_bytes());
+    for _ in 0..500 {
+        bytes.extend((0..12).flat_map(|_| number().to_le_bytes()));
+        bytes.extend([1, 2]);
+    }
+    is_as_stl_io_reads("random-binary.stl", &bytes);
+}
+
+#[test]
+fn text_has_the_numbers_that_stl_io_reads() {
+    let mut number = numbers();
     let mut text = String::from("solid random\n");
     for facet in 0..500 {
         text += "facet normal 0 0 1\nouter loop\n";
@@ -296,10 +321,5 @@ fn text_has_the_numbers_that_stl_io_reads() {
         text += "endloop\nendfacet\n";
     }
     text += "endsolid random\n";
-    let expected = stl_io::read_stl(&mut std::io::Cursor::new(&text)).unwrap();
-    let read = read_triangles(&file("random.stl", text.as_bytes())).unwrap();
-    let positions: Vec<_> = expected.vertices.iter().map(|v| v.0.map(f64::from)).collect();
-    assert_eq!(read.positions, positions);
-    assert_eq!(read.faces, expected.faces.iter().map(|f| f.vertices).collect::<Vec<_>>());
-    assert_eq!(read.faces.len(), 500);
+    is_as_stl_io_reads("random.stl", text.as_bytes());
 }
