@@ -87,8 +87,23 @@ function showBoards() {
   const boards = boardsFor(templates, state);
   for (const option of $('board').options) option.disabled = !boards.includes(option.value);
   if (boards.length > 0 && !boards.includes($('board').value)) $('board').value = boards[0];
-  $('zip').disabled = $('picture').disabled = boards.length === 0;
+  for (const id of ['zip', 'picture', 'texels']) $(id).disabled = boards.length === 0;
+  $('texels').hidden = state.style !== 'textured';
+  showOtherDisplay();
   $('no-firmware').hidden = boards.length > 0;
+}
+
+// Where a board has another display than the page shows: its firmware frames the model for the board's.
+let otherDisplay = '';
+
+function showOtherDisplay() {
+  const { width, height } = displayOf(templates, $('board').value) ?? state;
+  const isOther = !$('zip').disabled && (width !== state.width || height !== state.height);
+  const text = isOther ? `The display of ${$('board').value} has ${width} × ${height} pixels, and its firmware frames the model for them. ` : '';
+  if (text === otherDisplay) return;
+  otherDisplay = text;
+  $('other-display').hidden = !isOther;
+  $('other-display').replaceChildren(text, ...(isOther ? [remedyButton(`Show ${width} × ${height} pixels`, { width, height })] : []));
 }
 
 const count = (number) => number.toLocaleString('en').replaceAll(',', '\u202f');
@@ -248,6 +263,7 @@ function buildControls() {
     }
   });
   for (const id of ['file', 'picture-file']) $(id).addEventListener('change', (e) => e.target.files[0] && open(e.target.files[0]));
+  $('board').addEventListener('input', showOtherDisplay);
   $('panel').addEventListener('submit', (e) => e.preventDefault());
   $('reset').addEventListener('click', reset);
   $('nearer').addEventListener('click', () => zoom(1.25));
@@ -257,7 +273,8 @@ function buildControls() {
   $('gif').addEventListener('click', saveGif);
   $('link').addEventListener('click', copyLink);
   $('zip').addEventListener('click', saved(saveZip));
-  $('picture').addEventListener('click', saved(savePicture));
+  $('picture').addEventListener('click', saved(() => saveSource('picture.rs')));
+  $('texels').addEventListener('click', saved(() => saveSource('texture.rs')));
   $('rust').addEventListener('click', saved(saveRust));
 }
 
@@ -463,9 +480,10 @@ function saveZip() {
   save(`${board}.zip`, new Blob([zip(firmware(library, templates, board, still()))], { type: 'application/zip' }));
 }
 
-function savePicture() {
+// A file of the firmware's own code.
+function saveSource(name) {
   const files = firmware(library, templates, $('board').value, still());
-  save('picture.rs', new Blob([files.get('firmware/src/picture.rs')]));
+  save(name, new Blob([files.get(`firmware/src/${name}`)]));
 }
 
 function saveRust() {

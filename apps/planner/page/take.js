@@ -58,22 +58,36 @@ async function unpacked(text) {
 // The boards whose templates draw a style in a format of pixels.
 function boardsFor(templates, { style, format }) {
   const isOfLines = (path) => new TextDecoder().decode(templates.get(path)).includes('.hidden_line(');
-  const isWanted = (path) => (isOfLines(path) ? style === 'hidden-line' && format === 'mono' : ['flat', 'gouraud'].includes(style) && format === 'rgb565');
+  const isWanted = (path) => (isOfLines(path) ? style === 'hidden-line' && format === 'mono' : ['flat', 'gouraud', 'textured'].includes(style) && format === 'rgb565');
   return [...templates.keys()].filter((path) => path.endsWith('/src/picture.rs') && isWanted(path)).map((path) => path.split('/')[0]);
 }
 
-// The folder `firmware` of a board, of the templates in an archive, as it draws a choice: a Map from paths to bytes.
-function firmware(library, templates, board, choice) {
+// The sides of a board's display, which its README begins with. `null` for a board that takes any display.
+function displayOf(templates, board) {
+  const readme = new TextDecoder().decode(templates.get(`${board}/README.md`));
+  const [, width, height] = /(\d+) × (\d+)/.exec(readme) ?? [];
+  return width ? { width: Number(width), height: Number(height) } : null;
+}
+
+// The folder `firmware` of a board, of the templates in an archive, as it draws a choice on its display: a Map from paths to bytes.
+function firmware(library, templates, board, text) {
   const files = new Map();
+  const parts = new URLSearchParams(text);
+  for (const [side, pixels] of Object.entries(displayOf(templates, board) ?? {})) parts.set(side, pixels);
+  const choice = [...parts].map(([key, value]) => `${key}=${value}`).join('&');
   for (const [path, bytes] of templates) {
     if (!path.startsWith(`${board}/`)) continue;
     const inside = path.slice(board.length + 1);
-    const text = library.ask('firmware', [choice, inside, new TextDecoder().decode(bytes)].join('\0'));
-    files.set(`firmware/${inside}`, new TextEncoder().encode(text));
+    const add = (name) => {
+      const text = library.ask('firmware', [choice, name, new TextDecoder().decode(bytes)].join('\0'));
+      files.set(`firmware/${name}`, new TextEncoder().encode(text));
+    };
+    add(inside);
+    if (inside === 'src/picture.rs' && parts.get('style') === 'textured') add('src/texture.rs');
   }
   const [name, bytes] = library.model(choice);
   files.set(`firmware/${name}`, bytes);
   return files;
 }
 
-Object.assign(globalThis, { untar, zip, unpacked, boardsFor, firmware });
+Object.assign(globalThis, { untar, zip, unpacked, boardsFor, displayOf, firmware });

@@ -5,6 +5,7 @@ use crate::choice::{Choice, Style};
 use crate::display::Format;
 use crate::json::{list, object, text};
 use crate::lens::Lens;
+use crate::texture::{Coordinates, TextureImage};
 use crate::work::{hidden_in_bands, FaceWork, LineWork};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::{Affine, Mesh, Painter, Projected, ScreenVertex};
@@ -115,29 +116,36 @@ fn strip_bytes(choice: &Choice, rows: u32) -> usize {
     choice.format.bytes(choice.size.width, rows)
 }
 
-/// Bytes of flash that the colours of faces take, where these have materials and are shown in them.
-fn colors(model: &ImportedMesh, choice: &Choice) -> usize {
+/// Bytes of flash that the colours of faces take, where these have materials and are shown in them, or an image and its coordinates.
+fn materials(model: &ImportedMesh, choice: &Choice, image: &TextureImage) -> usize {
     match choice.style {
-        Style::Flat | Style::Gouraud => 3 * model.palette.len() + model.face_colors.len(),
-        Style::Wireframe | Style::HiddenLine | Style::Textured => 0,
+        Style::Flat | Style::Gouraud => size_of_val(&model.palette[..]) + model.face_colors.len(),
+        Style::Textured => {
+            size_of_val(&model.texture_coords[..])
+                + size_of_val(&model.texture_faces[..])
+                + image.flash_bytes()
+        }
+        Style::Wireframe | Style::HiddenLine => 0,
     }
 }
 
-/// The costs of a choice, as JSON, of a model that shows a texture of so many texels a side.
-pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, texture: [usize; 2]) -> Result<String, String> {
+/// The costs of a choice, as JSON, of a model that shows an image if it is textured.
+pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage) -> Result<String, String> {
     let mesh = model.mesh().map_err(|e| e.to_string())?;
     let sphere = mesh.bounding_sphere();
     let lens = Lens::new(choice, &sphere);
     let camera = lens.camera(choice, &sphere)?;
     let instance = camera.place(&mesh, &Affine::rotation_y(choice.turn()));
     let strip = |rows| strip_bytes(choice, rows);
-    let coords = model.texture().map_err(|e| e.to_string())?;
+    let coords = Coordinates::of(model, &mesh)?;
     let is_linear = |face: usize, corners: [Projected; 3]| {
-        let Some(coords) = coords.filter(|_| choice.style == Style::Textured) else { return true };
+        if choice.style != Style::Textured {
+            return true;
+        }
         let [a, b, c] = corners.map(|seen| lens.distance(seen.depth));
         let (near, far) = (a.min(b).min(c), a.max(b).max(c));
         let unit = 2.0f64.powi(coords.exponent().into());
-        texture.iter().enumerate().all(|(axis, &side)| {
+        image.sides().iter().enumerate().all(|(axis, &side)| {
             let [a, b, c] = coords.corners(face).map(|uv| f64::from(uv[axis]));
             let texels = (a.max(b).max(c) - a.min(b).min(c)) * unit * side as f64;
             // What the library lets the coordinates be off, in texels.
@@ -156,7 +164,7 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, texture: [usize; 2]) 
     };
     let chip = CHIPS.iter().find(|chip| chip.key == choice.chip).unwrap_or(&CHIPS[0]);
     let frame = strip(choice.size.height);
-    let data = model.flash_bytes() + colors(model, choice);
+    let data = model.flash_bytes() + materials(model, choice, image);
     // The first one with the rows of the choice: with depth, where there are several.
     let chosen = ways.iter().position(|way| way.rows == Some(choice.rows));
     let ways = ways.iter().enumerate().map(|(at, way)| way.on(chip, frame, data, chosen == Some(at)));

@@ -4,13 +4,13 @@ use crate::choice::{Choice, Style};
 use crate::display::Format;
 use crate::lens::Lens;
 use crate::paint::{Paint, Picture, Stored};
-use crate::texture::TextureImage;
+use crate::texture::{Coordinates, TextureImage};
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
     Affine, Band, BinnedEdges, BinnedFaces, DepthBuffer, FaceColors, Flat, Frame, Gouraud, Lambert, Mesh,
-    ScreenVertex, Statistics, Texture, TextureCoords, Vector3,
+    ScreenVertex, Statistics, Texture, Vector3,
 };
 use pinhole_import::ImportedMesh;
 
@@ -57,14 +57,12 @@ pub(crate) fn draw(model: &ImportedMesh, choice: &Choice, image: &TextureImage) 
     let [x, y, z] = choice.light;
     let light =
         Lambert::new(&turned, Vector3::from_ints(x, y, z), choice.ambient).map_err(|e| e.to_string())?;
-    let texture = match model.texture().map_err(|e| e.to_string())? {
-        Some(coords) if choice.style == Style::Textured => {
-            let picture = Picture { texels: image.texels()?, format: choice.format };
-            let texture =
-                Texture::new(picture).with_exponent(coords.exponent()).map_err(|e| e.to_string())?;
-            Some((texture, coords))
-        }
-        _ => None,
+    let texture = if choice.style == Style::Textured {
+        let coords = Coordinates::of(model, &mesh)?;
+        let texture = Texture::new(Picture { texels: image.texels()?, format: choice.format });
+        Some((texture.with_exponent(coords.exponent()).map_err(|e| e.to_string())?, coords))
+    } else {
+        None
     };
     picture(choice, Job::Faces(&mut faces, &Shades { mesh: &mesh, colors, light, texture, choice }))
 }
@@ -74,7 +72,7 @@ struct Shades<'a> {
     mesh: &'a Mesh<'a>,
     colors: Option<FaceColors<'a>>,
     light: Lambert,
-    texture: Option<(Texture<Picture<'a>>, TextureCoords<'a>)>,
+    texture: Option<(Texture<Picture<'a>>, Coordinates<'a>)>,
     choice: &'a Choice,
 }
 

@@ -3,9 +3,11 @@
 use crate::choice::{Choice, Style};
 use crate::display::Format;
 use crate::lens::{direction, Lens};
+use crate::texture::{TextureImage, UNIT};
+use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::{BinaryColor, Rgb565, RgbColor};
 use pinhole::{Sphere, Window};
-use pinhole_import::{Axis, Edges};
+use pinhole_import::{Axis, Edges, ImportedMesh};
 
 /// A file of a template, by its path in the folder, as it is in the firmware of a choice. `model` is the name of the model's file,
 /// `sphere` the mesh's bounding sphere.
@@ -22,6 +24,12 @@ pub(crate) fn file(
 ) -> Result<String, String> {
     match path {
         "src/picture.rs" => picture(text, choice, sphere),
+        // Of the board that takes any display.
+        "src/display.rs" => {
+            let [usual, size] = [Choice::default().size, choice.size];
+            let of = |size: Size| format!("SIZE: Size = Size::new({}, {})", size.width, size.height);
+            replaced(text, &of(usual), &of(size))
+        }
         "build.rs" => script(text, choice, model),
         "Cargo.toml" => manifest(text, choice),
         _ => Ok(text.into()),
@@ -54,14 +62,14 @@ fn picture(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, Strin
     let is_for_lines = text.contains(HIDDEN_LINES);
     let draws = match (choice.style, choice.format) {
         (Style::HiddenLine, Format::Mono) => is_for_lines,
-        (Style::Flat | Style::Gouraud, Format::Rgb565) => text.contains(FACES),
+        (Style::Flat | Style::Gouraud | Style::Textured, Format::Rgb565) => text.contains(FACES),
         _ => false,
     };
     match draws {
         true if is_for_lines => lines(text, choice, sphere),
         true => faces(text, choice, sphere),
         false => Err("this board draws something else: stm32-ssd1306 draws hidden lines in black and white, the others \
-                      flat and Gouraud faces in 16-bit colour"
+                      flat, Gouraud and textured faces in 16-bit colour"
             .into()),
     }
 }
@@ -117,6 +125,14 @@ fn faces(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String>
     let [x, y, z] = choice.light;
     replace("Vector3::from_ints(2, 3, 4)", &format!("Vector3::from_ints({x}, {y}, {z})"))?;
 
+    if choice.style == Style::Textured {
+        replace(FACES, "texture::at(mesh, face).lit([level(face); 3])")?;
+        replace(" Dim,", "")?;
+        replace("color: impl Fn(usize) -> Rgb565", "_: impl Fn(usize) -> Rgb565")?;
+        // By its path, as a host that includes this file has another folder.
+        replace("\nconst BACKGROUND", "\n#[path = \"texture.rs\"]\nmod texture;\n\nconst BACKGROUND")?;
+        return Ok(without_unused(text));
+    }
     let shader = match (choice.style, choice.dither) {
         (Style::Gouraud, dither) => {
             replace(
@@ -135,6 +151,41 @@ fn faces(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String>
     }
     Ok(without_unused(text))
 }
+
+/// What textured faces show, as a file beside the drawing code, of which `picture` is the text in the template.
+pub(crate) fn texture(picture: &str, mesh: &mut ImportedMesh, image: &TextureImage) -> String {
+    let library = if picture.contains("embedded_graphics_core::") {
+        "embedded_graphics_core"
+    } else {
+        "embedded_graphics"
+    };
+    let picture = image.picture(format!("{library}::pixelcolor::Rgb565"));
+    let bits = picture.bits();
+    mesh.picture = Some(picture);
+    let by_sides = BY_SIDES.split_once("use pinhole::Mesh;\n").map_or("", |(_, function)| function);
+    let (unit, unused, corners, function) = match mesh.texture_faces.is_empty() {
+        false => ("MODEL_TEXTURE.exponent()".into(), "_", "MODEL_TEXTURE.corners(face)", ""),
+        true => (UNIT.to_string(), "", "corners(mesh, face)", by_sides),
+    };
+    let lists = mesh.to_rust_texture("MODEL");
+    mesh.picture = None;
+    format!(
+        "//! What the faces of the model show, and where on it they lie; of another model, make the firmware again.
+
+use {library}::pixelcolor::Rgb565;
+use pinhole::{{IndexedTexels, Mesh, Texture, Textured}};
+
+/// A face with the picture on it.
+pub fn at({unused}mesh: &Mesh<'_>, face: usize) -> Textured<IndexedTexels<'static, Rgb565, {bits}>> {{
+    let texture = Texture::new(MODEL_TEXELS).with_exponent({unit});
+    texture.unwrap_or_else(|_| Texture::new(MODEL_TEXELS)).at({corners})
+}}
+{function}{lists}"
+    )
+}
+
+/// The page's own function, as firmware has it, too.
+const BY_SIDES: &str = include_str!("corners.rs");
 
 /// Traits of colours are imported for the constants that need them.
 fn without_unused(mut text: String) -> String {
@@ -191,7 +242,10 @@ fn camera(lens: &Lens) -> String {
                 bits(factor)
             ),
         ),
-        Lens::Matrix(matrix) => ("pinhole::Scalar::ZERO".into(), format!("from_matrix(&{matrix:?})")),
+        Lens::Matrix(matrix) => {
+            let rows = matrix.map(|row| format!("[{}]", row.map(|c| format!("{c}f64")).join(", ")));
+            ("pinhole::Scalar::ZERO".into(), format!("from_matrix(&[{}])", rows.join(", ")))
+        }
     };
     format!(
         "pinhole::Projection::{projection}.map(|projection| {{
@@ -245,9 +299,11 @@ fn manifest(text: &str, choice: &Choice) -> Result<String, String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{manifest, picture, script};
+    use super::{manifest, picture, script, texture};
     use crate::choice::Choice;
+    use crate::texture::TextureImage;
     use pinhole::{Point3, Scalar, Sphere};
+    use pinhole_import::{import_bytes, ImportedMesh, Options};
 
     const PICTURE: &str = include_str!("../../../boards/rp2040-embassy/src/picture.rs");
     const SCRIPT: &str = include_str!("../../../boards/any-cortex-m/build.rs");
@@ -281,6 +337,48 @@ mod tests {
         let expected =
             "Edges::Feature { degrees: 1.0 }, up: Some(pinhole_import::Axis::Y),\n        edge_faces: true,";
         assert!(made.contains(expected), "{made}");
+    }
+
+    const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+    fn mesh(obj: String) -> ImportedMesh {
+        let options = Options { two_sided: true, ..Options::default() };
+        import_bytes(obj.into_bytes(), "part.obj".as_ref(), &options).expect("a mesh")
+    }
+
+    /// Two colours of the page are one bit a texel in the firmware.
+    #[test]
+    fn a_texture_is_a_file_of_its_own() {
+        let look = choice("style=textured&texture=grid&color=ff8000");
+        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_num(1));
+        let image = TextureImage::ready(&look).expect("a ready pattern");
+        let core = include_str!("../../../boards/stm32f4-ili9341/src/picture.rs");
+        for (template, library) in [(PICTURE, "embedded_graphics"), (core, "embedded_graphics_core")] {
+            let made = picture(template, &look, &sphere).expect("a picture");
+            assert!(made.contains("|face| texture::at(mesh, face).lit([level(face); 3])"), "{made}");
+            assert!(made.contains("#[path = \"texture.rs\"]\nmod texture;\n"), "{made}");
+            assert!(!made.contains(" Dim,"), "{made}");
+            let mut plain = mesh(format!("{TRIANGLE}f 1 2 3\n"));
+            let before = plain.clone();
+            let made = texture(template, &mut plain, &image);
+            assert!(plain == before, "the mesh has become another one");
+            assert!(made.contains(&format!("use {library}::pixelcolor::Rgb565;")), "{made}");
+            let texels =
+                format!("MODEL_TEXELS: pinhole::IndexedTexels<'static, {library}::pixelcolor::Rgb565, 1>");
+            assert!(made.contains(&texels), "{made}");
+            assert!(
+                made.contains("with_exponent(-14)") && made.contains(".at(corners(mesh, face))"),
+                "{made}"
+            );
+            assert!(made.contains("fn corners(mesh: &Mesh<'_>, face: usize)"), "{made}");
+            let mut mapped = mesh(format!("{TRIANGLE}vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"));
+            let made = texture(template, &mut mapped, &image);
+            assert!(
+                made.contains(".at(MODEL_TEXTURE.corners(face))") && !made.contains("fn corners"),
+                "{made}"
+            );
+            assert!(made.contains("MODEL_TEXTURE: pinhole::TextureCoords<'static>"), "{made}");
+        }
     }
 
     #[test]

@@ -4,6 +4,7 @@
 //! A [`Choice`] is everything that the user chose, and its text is what the page has in its address.
 
 mod choice;
+mod corners;
 mod cost;
 mod display;
 mod draw;

@@ -7,7 +7,8 @@ use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, PixelColor, 
 use pinhole::clip::Barycentric;
 use pinhole::raster::{Span, Triangle};
 use pinhole::{
-    CornerValues, Dim, Flat, Lit, LitTexels, LitTextured, PixelFormat, Shader, SpanShader, TexelSlice, Texels,
+    CornerValues, Dim, Flat, IndexedTexels, Lit, LitTexels, LitTextured, PixelFormat, Shader, SpanShader,
+    Texels,
 };
 
 /// The bits of a display's colour, of at most 16.
@@ -94,7 +95,7 @@ impl Format {
 /// The texels of a picture, in the colours of a display.
 #[derive(Clone, Copy)]
 pub(crate) struct Picture<'t> {
-    pub(crate) texels: TexelSlice<'t, Rgb888>,
+    pub(crate) texels: IndexedTexels<'t, Rgb888, 8>,
     pub(crate) format: Format,
 }
 

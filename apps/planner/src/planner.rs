@@ -9,9 +9,10 @@ use crate::firmware;
 use crate::json::{list, object, text};
 use crate::projections::Named;
 use crate::ready::{self, READY};
-use crate::texture::{map_by_axes, Pattern, TextureImage};
+use crate::texture::{Pattern, TextureImage, BY_SIDES};
 use crate::warning::remedies;
 use pinhole_import::{import_bytes, Axis, ImportedMesh, Options};
+use std::borrow::Cow;
 
 /// Frames of a GIF file: a part of the steps of a turn.
 const FRAMES: u32 = TURNS / 3;
@@ -22,8 +23,8 @@ pub struct Planner {
     file: Option<(String, Vec<u8>)>,
     /// The picture that was loaded.
     picture: TextureImage,
-    /// With what it was made of, and whether it is to be textured.
-    mesh: Option<(String, Options, bool, ImportedMesh)>,
+    /// With what it was made of.
+    mesh: Option<(String, Options, ImportedMesh)>,
 }
 
 impl Planner {
@@ -51,8 +52,7 @@ impl Planner {
     pub fn draw(&mut self, choice: &Choice) -> Result<(Vec<u8>, String), String> {
         self.mesh(choice)?;
         let mesh = self.made()?;
-        let ready = TextureImage::ready(choice);
-        let drawn = draw::draw(mesh, choice, ready.as_ref().unwrap_or(&self.picture))?;
+        let drawn = draw::draw(mesh, choice, &self.image(choice))?;
         let statistics = drawn.statistics;
         let counts = [
             ("drawn", statistics.drawn),
@@ -67,7 +67,7 @@ impl Planner {
             ("height", choice.size.height.to_string()),
             ("bytes", drawn.bytes.to_string()),
             ("statistics", counts),
-            ("model", about(mesh)),
+            ("model", about(mesh, choice)),
         ]);
         Ok((drawn.pixels, what))
     }
@@ -91,18 +91,25 @@ impl Planner {
     /// As [`draw`](Self::draw).
     pub fn costs(&mut self, choice: &Choice) -> Result<String, String> {
         self.mesh(choice)?;
-        let ready = TextureImage::ready(choice);
-        cost::costs(self.made()?, choice, ready.as_ref().unwrap_or(&self.picture).sides())
+        cost::costs(self.made()?, choice, &self.image(choice))
     }
 
-    /// A file of a template for firmware, as it is in the firmware of a choice.
+    /// A file of a template for firmware, as it is in the firmware of a choice; for textured faces also `src/texture.rs`, made from the
+    /// template's `src/picture.rs`.
     ///
     /// # Errors
     ///
     /// As [`draw`](Self::draw), and what no template draws.
     pub fn firmware(&mut self, choice: &Choice, path: &str, template: &str) -> Result<String, String> {
+        if path == "src/texture.rs" {
+            self.mesh(choice)?;
+            let image = self.image(choice).into_owned();
+            let (.., mesh) = self.mesh.as_mut().ok_or("no mesh")?;
+            return Ok(firmware::texture(template, mesh, &image));
+        }
         let model = firmware::model_file(&self.source(choice)?.0);
-        let sphere = self.mesh(choice)?.mesh().map_err(|e| e.to_string())?.bounding_sphere();
+        let mesh = self.mesh(choice)?;
+        let sphere = mesh.mesh().map_err(|e| e.to_string())?.bounding_sphere();
         firmware::file(path, template, choice, model, &sphere)
     }
 
@@ -140,18 +147,18 @@ impl Planner {
     /// The mesh of a choice, made again only where it is another one.
     fn mesh(&mut self, choice: &Choice) -> Result<&ImportedMesh, String> {
         let options = choice.options();
-        let is_textured = choice.style == Style::Textured;
-        let is_made = matches!(&self.mesh, Some((name, made, textured, _))
-            if *name == choice.mesh && *made == options && *textured == is_textured);
+        let is_made = matches!(&self.mesh, Some((name, made, _)) if *name == choice.mesh && *made == options);
         if !is_made {
             let (name, bytes) = self.source(choice)?;
-            let mut mesh = import_bytes(bytes, name.as_ref(), &options).map_err(|e| e.to_string())?;
-            if is_textured && mesh.texture_faces.is_empty() {
-                map_by_axes(&mut mesh);
-            }
-            self.mesh = Some((choice.mesh.clone(), options, is_textured, mesh));
+            let mesh = import_bytes(bytes, name.as_ref(), &options).map_err(|e| e.to_string())?;
+            self.mesh = Some((choice.mesh.clone(), options, mesh));
         }
         self.made()
+    }
+
+    /// What textured faces show.
+    fn image(&self, choice: &Choice) -> Cow<'_, TextureImage> {
+        TextureImage::ready(choice).map_or(Cow::Borrowed(&self.picture), Cow::Owned)
     }
 
     /// The mesh that was made last.
@@ -204,9 +211,10 @@ impl Planner {
 }
 
 /// A model's size, and what is doubtful about it.
-fn about(mesh: &ImportedMesh) -> String {
-    let warnings = mesh.warnings.iter().map(|warning| {
-        let message = warning.to_string();
+fn about(mesh: &ImportedMesh, choice: &Choice) -> String {
+    let is_laid_on = choice.style == Style::Textured && mesh.texture_faces.is_empty();
+    let messages = mesh.warnings.iter().map(ToString::to_string).chain(is_laid_on.then(|| BY_SIDES.into()));
+    let warnings = messages.map(|message| {
         let remedies = remedies(&message)
             .into_iter()
             .map(|(part, value)| object([("part", text(part)), ("value", u8::from(value).to_string())]));

@@ -1,10 +1,11 @@
 //! What textured faces show, and where on them.
 
 use crate::choice::Choice;
+use crate::corners::corners;
+use crate::palette::Palette;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
-use pinhole::TexelSlice;
-use pinhole_import::{ImportedMesh, Warning};
-use std::collections::HashMap;
+use pinhole::{IndexedTexels, Mesh, TextureCoords};
+use pinhole_import::{ImportedMesh, IndexedPicture};
 
 /// What textured faces show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,35 +23,48 @@ impl Pattern {
         [("checker", Self::Checker), ("grid", Self::Grid), ("file", Self::File)];
 }
 
-/// The texels of a picture, row by row. Its sides are powers of two, 8 … 256.
+/// Colours of a palette.
+const COLORS: usize = 256;
+
+/// The texels of a picture, row by row, as indices of a palette: of at most 256 colours, as firmware stores them. Its sides are powers
+/// of two, 8 … 256.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct TextureImage {
-    texels: Vec<Rgb888>,
+    texels: Vec<u8>,
     width: usize,
+    /// All of them, black behind those that are used.
+    palette: Vec<Rgb888>,
+    used: usize,
 }
 
 /// Texels on a side of a ready pattern.
 const SIDE: usize = 32;
 
 impl TextureImage {
+    fn new(texels: Vec<u8>, width: usize, mut palette: Vec<Rgb888>) -> Self {
+        let used = palette.len();
+        palette.resize(COLORS, Rgb888::BLACK);
+        Self { texels, width, palette, used }
+    }
+
     /// From red, green, blue and opacity of each texel.
     ///
     /// # Errors
     ///
     /// Sides that a texture cannot have.
     pub(crate) fn from_rgba(bytes: &[u8], width: usize) -> Result<Self, String> {
-        let texel = |texel: &[u8]| match texel {
-            [r, g, b, ..] => Rgb888::new(*r, *g, *b),
-            _ => Rgb888::BLACK,
-        };
-        let image = Self { texels: bytes.chunks_exact(4).map(texel).collect(), width };
-        image.slice().map(|_| ())?;
+        let colors = || bytes.chunks_exact(4).filter_map(|texel| texel.first_chunk::<3>()).copied();
+        let palette = Palette::of(colors());
+        let texels = colors().map(|color| palette.index(color)).collect();
+        let colors = palette.colours.iter().map(|&[r, g, b]| Rgb888::new(r, g, b));
+        let image = Self::new(texels, width, colors.collect());
+        image.texels().map(|_| ())?;
         Ok(image)
     }
 
     /// A ready pattern in the colour of a choice. `None` for the picture that was loaded.
     pub(crate) fn ready(choice: &Choice) -> Option<Self> {
-        let [light, dark] = [1, 4].map(|part| {
+        let colors = [1, 4].map(|part| {
             Rgb888::new(choice.color.r() / part, choice.color.g() / part, choice.color.b() / part)
         });
         let is_light: fn(usize, usize) -> bool = match choice.texture {
@@ -58,8 +72,8 @@ impl TextureImage {
             Pattern::Checker => |x, y| (x ^ y) & (SIDE / 4) == 0,
             Pattern::Grid => |x, y| x % (SIDE / 2) >= 3 && y % (SIDE / 2) >= 3,
         };
-        let texels = (0..SIDE * SIDE).map(|i| if is_light(i % SIDE, i / SIDE) { light } else { dark });
-        Some(Self { texels: texels.collect(), width: SIDE })
+        let texels = (0..SIDE * SIDE).map(|i| u8::from(!is_light(i % SIDE, i / SIDE)));
+        Some(Self::new(texels.collect(), SIDE, colors.into()))
     }
 
     /// Columns and rows.
@@ -67,57 +81,74 @@ impl TextureImage {
         [self.width, self.texels.len().checked_div(self.width).unwrap_or(0)]
     }
 
-    fn slice(&self) -> Result<TexelSlice<'_, Rgb888>, String> {
-        let [width, height] = self.sides();
-        TexelSlice::new(&self.texels, width, height).map_err(|e| e.to_string())
-    }
-
     /// The texels.
     ///
     /// # Errors
     ///
     /// Where no picture was loaded.
-    pub(crate) fn texels(&self) -> Result<TexelSlice<'_, Rgb888>, String> {
-        if self.texels.is_empty() {
+    pub(crate) fn texels(&self) -> Result<IndexedTexels<'_, Rgb888, 8>, String> {
+        let [width, height] = self.sides();
+        if width == 0 {
             return Err("no picture: drop a PNG, BMP or JPEG file, or choose a ready pattern".into());
         }
-        self.slice()
+        IndexedTexels::new(&self.texels, width, height, &self.palette).map_err(|e| e.to_string())
+    }
+
+    /// As firmware for a display in 16-bit colour stores it; `color` is the path of the colours' type.
+    pub(crate) fn picture(&self, color: String) -> IndexedPicture {
+        let bits = [1, 2, 4].into_iter().find(|bits| 1 << bits >= self.used).unwrap_or(8);
+        let [width, height] = self.sides();
+        let pack = |texels: &[u8]| texels.iter().fold(0, |byte: u32, &texel| byte << bits | u32::from(texel));
+        let palette = self.palette.iter().take(1 << bits).map(|color| [color.r(), color.g(), color.b()]);
+        IndexedPicture {
+            name: "texture".into(),
+            width,
+            height,
+            palette: palette.collect(),
+            texels: self.texels.chunks(8 / bits).map(|texels| pack(texels) as u8).collect(), // 8 bits in all
+            color,
+            error: 0,
+        }
+    }
+
+    /// The bytes that the texels and the palette take of flash.
+    pub(crate) fn flash_bytes(&self) -> usize {
+        self.picture(String::from("Rgb565")).flash_bytes()
     }
 }
 
 /// Units of a coordinate that the texture's side takes: a model that is as large as coordinates allow shows it four times.
-const UNIT: i8 = -14;
+pub(crate) const UNIT: i8 = -14;
 
-/// Texture coordinates for a mesh that has none, with a warning: each face takes them from the two axes that it faces least.
-pub(crate) fn map_by_axes(mesh: &mut ImportedMesh) {
-    let mut numbers = HashMap::new();
-    let (mut coords, mut faces) = (Vec::new(), Vec::with_capacity(mesh.faces.len()));
-    for (face, corners) in mesh.faces.iter().enumerate() {
-        let normal = mesh.normals.get(face).copied().unwrap_or_default();
-        let [x, y, z] = normal.map(i16::unsigned_abs);
-        let mut numbered = [0; 3];
-        for (number, &vertex) in numbered.iter_mut().zip(corners) {
-            let [px, py, pz] = mesh.vertices.get(usize::from(vertex)).copied().unwrap_or_default();
-            // v runs down, so that the picture stands upright on the sides. Coordinates are within ±32767.
-            let coord = match (x >= y && x >= z, y >= z) {
-                (true, _) => [if normal[0] > 0 { -pz } else { pz }, -py],
-                (_, true) => [px, if normal[1] > 0 { pz } else { -pz }],
-                _ => [if normal[2] > 0 { px } else { -px }, -py],
-            };
-            *number = *numbers.entry(coord).or_insert_with(|| {
-                coords.push(coord);
-                coords.len() - 1
-            });
-        }
-        faces.push(numbered);
+/// What is said of a model whose texture coordinates the planner makes.
+pub(crate) const BY_SIDES: &str = "no texture coordinates: the picture is laid on from six sides; for coordinates of your own, unwrap the model (UV) in the program that made it and export an OBJ file with `vt` lines";
+
+/// Where the corners of faces lie on a texture.
+#[derive(Clone, Copy)]
+pub(crate) enum Coordinates<'a> {
+    OfFile(TextureCoords<'a>),
+    /// Each face takes them from two of its corners' coordinates.
+    BySides(&'a Mesh<'a>),
+}
+
+impl<'a> Coordinates<'a> {
+    pub(crate) fn of(model: &'a ImportedMesh, mesh: &'a Mesh<'a>) -> Result<Self, String> {
+        let of_file = model.texture().map_err(|e| e.to_string())?;
+        Ok(of_file.map_or(Self::BySides(mesh), Self::OfFile))
     }
-    let message = if coords.len() > 1 << 16 {
-        "no texture coordinates, and too many corners to make some: use pinhole-import --decimate N"
-    } else {
-        (mesh.texture_coords, mesh.texture_exponent) = (coords, UNIT);
-        // Below 65 536.
-        mesh.texture_faces = faces.iter().map(|face| face.map(|number| number as u16)).collect();
-        "no texture coordinates: the picture is laid on from six sides; for coordinates of your own, unwrap the model (UV) in the program that made it and export an OBJ file with `vt` lines"
-    };
-    mesh.warnings.push(Warning { line: None, message: message.into() });
+
+    /// The unit of coordinates as a power of two, in sides of the texture.
+    pub(crate) fn exponent(&self) -> i8 {
+        match self {
+            Self::OfFile(coords) => coords.exponent(),
+            Self::BySides(_) => UNIT,
+        }
+    }
+
+    pub(crate) fn corners(&self, face: usize) -> [[i16; 2]; 3] {
+        match self {
+            Self::OfFile(coords) => coords.corners(face),
+            Self::BySides(mesh) => corners(mesh, face),
+        }
+    }
 }

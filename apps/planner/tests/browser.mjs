@@ -137,24 +137,11 @@ const tests = {
     await tab.selectOption('#texture', 'grid');
     await settled(tab);
     assert.notEqual(await pixels(tab), pattern, 'the pattern is the same');
-    const sheet = 'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n';
-    await load(tab, 'sheet.obj', Buffer.from(sheet));
+    await load(tab, 'sheet.obj', Buffer.from(SHEET));
     assert.doesNotMatch(await tab.textContent('#warnings'), /texture coordinates/);
     await tab.selectOption('#projection', 'front');
-    // Left half green, right half blue, as a PNG of 16 × 16 pixels; the model faces the eye, and so shows them so.
-    const data = await tab.evaluateHandle(async () => {
-      const canvas = Object.assign(document.createElement('canvas'), { width: 16, height: 16 });
-      const context = canvas.getContext('2d');
-      ['#00ff00', '#0000ff'].forEach((color, i) => {
-        context.fillStyle = color;
-        context.fillRect(8 * i, 0, 8, 16);
-      });
-      const transfer = new DataTransfer();
-      transfer.items.add(new File([await new Promise((done) => canvas.toBlob(done))], 'halves.png'));
-      return transfer;
-    });
-    await tab.dispatchEvent('#frame', 'drop', { dataTransfer: data });
-    await tab.waitForFunction(() => document.querySelector('#texture').selectedOptions[0].textContent === 'halves.png');
+    // The model faces the eye, and so shows the halves as they are.
+    await dropPicture(tab);
     await tab.locator('#ambient').fill('256');
     await settled(tab);
     assert.ok(await isGood(tab), await tab.textContent('#status'));
@@ -197,6 +184,32 @@ const tests = {
     const turned = await open(`${tab.url()}&turn=9`);
     assert.deepEqual(await decoded(3), { frameCount: 40, endless: true, milliseconds: 4000, pixels: await pixels(turned) });
     await turned.context().close();
+  },
+
+  async 'a board with another display frames the model for its own, and the page shows that at a press'(tab) {
+    const saved = async (button) => {
+      const [download] = await Promise.all([tab.waitForEvent('download'), tab.click(button)]);
+      return readFileSync(await download.path());
+    };
+    await tab.selectOption('#projection', 'isometric');
+    await settled(tab);
+    for (const [board, sides] of [['stm32f4-ili9341', '320 × 240'], ['rp2040-st7789', '240 × 240']]) {
+      await tab.selectOption('#board', board);
+      assert.match(await tab.textContent('#other-display'), new RegExp(`${board} has ${sides} pixels`));
+      const [zip, picture] = [await saved('#zip'), await pixels(tab)];
+      await tab.click('#other-display button');
+      await settled(tab);
+      assert.ok(!(await tab.isVisible('#other-display')));
+      assert.match(await tab.textContent('#status'), new RegExp(`^${sides}:`));
+      assert.notEqual(await pixels(tab), picture);
+      assert.deepEqual(await saved('#zip'), zip, `${board}: the ZIP is another one where the page shows its display`);
+    }
+    // One takes any display, by a constant.
+    await tab.selectOption('#panel-type', { label: 'ST7735, 128 × 128, 16-bit colour' });
+    await tab.selectOption('#board', 'any-cortex-m');
+    await settled(tab);
+    assert.ok(!(await tab.isVisible('#other-display')));
+    assert.ok((await saved('#zip')).includes('SIZE: Size = Size::new(128, 128)'));
   },
 
   async 'a file of 50 MB is read'(tab) {
@@ -310,7 +323,7 @@ const tests = {
     const saves = async (button) => (await Promise.all([tab.waitForEvent('download'), tab.click(button)]))[0];
     await tab.selectOption('#projection', 'cabinet');
     await tab.selectOption('#style', 'gouraud');
-    const zips = async () => {
+    const zips = async (file = 'src/picture.rs') => {
       const boards = await tab.locator('#board option:not([disabled])').evaluateAll((all) => all.map((o) => o.value));
       for (const board of boards) {
         await tab.selectOption('#board', board);
@@ -318,6 +331,8 @@ const tests = {
         assert.equal(download.suggestedFilename(), `${board}.zip`);
         const listed = execFileSync('python3', ['-m', 'zipfile', '-t', await download.path()]).toString();
         assert.match(listed, /Done testing/);
+        const names = execFileSync('python3', ['-m', 'zipfile', '-l', await download.path()]).toString();
+        assert.ok(names.includes(`firmware/${file}`), names);
       }
       return boards;
     };
@@ -325,6 +340,19 @@ const tests = {
     assert.ok((await zips()).length >= 8);
     assert.match(readFileSync(await (await saves('#picture')).path(), 'utf8'), /pinhole::Projection::oblique\(/);
     assert.match(readFileSync(await (await saves('#rust')).path(), 'utf8'), /pub const MODEL: pinhole::Mesh/);
+
+    // Textured faces have a file more: of a model without coordinates, and of one with coordinates and a picture.
+    const texture = async () => readFileSync(await (await saves('#texels')).path(), 'utf8');
+    assert.ok(!(await tab.isVisible('#texels')));
+    await tab.selectOption('#style', 'textured');
+    await settled(tab);
+    assert.ok((await zips('src/texture.rs')).length >= 8);
+    assert.match(await texture(), /fn corners\(/);
+    await load(tab, 'sheet.obj', Buffer.from(SHEET));
+    await dropPicture(tab);
+    await settled(tab);
+    assert.ok((await zips('src/texture.rs')).length >= 8);
+    assert.match(await texture(), /MODEL_TEXTURE\.corners\(face\)[^]*`texture`, 16 x 16 texels of 2 colours/);
 
     // Hidden lines, which one board draws, in black and white.
     await tab.selectOption('#style', 'hidden-line');
@@ -392,6 +420,9 @@ async function open(link = address, options = {}) {
   return tab;
 }
 
+// A square with texture coordinates.
+const SHEET = 'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n';
+
 const settled = (tab) => tab.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 const pixels = (tab) => tab.evaluate(() => document.querySelector('#display').toDataURL());
 const faces = async (tab) => Number(/([\d\u202f]+) faces/.exec(await tab.textContent('#model'))[1].replaceAll('\u202f', ''));
@@ -415,6 +446,23 @@ async function load(tab, name, buffer, timeout = 30_000) {
     return mesh.value === 'file' && mesh.selectedOptions[0].textContent === name && !status.textContent.startsWith('Reading');
   }, name, { timeout });
   await settled(tab);
+}
+
+// A PNG of 16 × 16 pixels: the left half green, the right half blue.
+async function dropPicture(tab) {
+  const data = await tab.evaluateHandle(async () => {
+    const canvas = Object.assign(document.createElement('canvas'), { width: 16, height: 16 });
+    const context = canvas.getContext('2d');
+    ['#00ff00', '#0000ff'].forEach((color, i) => {
+      context.fillStyle = color;
+      context.fillRect(8 * i, 0, 8, 16);
+    });
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([await new Promise((done) => canvas.toBlob(done))], 'halves.png'));
+    return transfer;
+  });
+  await tab.dispatchEvent('#frame', 'drop', { dataTransfer: data });
+  await tab.waitForFunction(() => document.querySelector('#texture').selectedOptions[0].textContent === 'halves.png');
 }
 
 // A binary STL file of a surface of triangles around an axis, of no thickness at its ends.

@@ -3,11 +3,10 @@
 //   node estimate.mjs LIBRARY.wasm CHOICE FRAMES SHOWN
 //
 // SHOWN are the frames per second of the first FRAMES steps of a turn. The page says how far its estimate may be off.
-import { readFileSync } from 'node:fs';
-import '../page/pinhole.js';
+import { withFiles } from './library.mjs';
 
 const [file, choice, frames, shown] = process.argv.slice(2);
-const library = await Pinhole.from(readFileSync(file));
+const library = await withFiles(file);
 let [seconds, error] = [0, 0];
 for (let turn = 0; turn < Number(frames); turn++) {
   const way = JSON.parse(library.ask('costs', `${choice}&turn=${turn}`)).ways.find(({ chosen }) => chosen);

@@ -3,11 +3,11 @@
 //   node turn.mjs LIBRARY.wasm CHOICE FRAMES OUT
 //
 // The first FRAMES steps of a turn, one picture behind the other; of each pixel two bytes, the high one first.
-import { readFileSync, writeFileSync } from 'node:fs';
-import '../page/pinhole.js';
+import { writeFileSync } from 'node:fs';
+import { withFiles } from './library.mjs';
 
 const [file, choice, frames, out] = process.argv.slice(2);
-const library = await Pinhole.from(readFileSync(file));
+const library = await withFiles(file);
 const pictures = [];
 for (let turn = 0; turn < Number(frames); turn++) {
   const { pixels } = library.draw(`${choice}&turn=${turn}`);
