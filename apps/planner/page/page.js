@@ -271,6 +271,7 @@ function buildControls() {
   $('turntable').addEventListener('click', turntable);
   $('png').addEventListener('click', savePng);
   $('gif').addEventListener('click', saveGif);
+  $('cancel').addEventListener('click', () => (filming = false));
   $('link').addEventListener('click', copyLink);
   $('zip').addEventListener('click', saved(saveZip));
   $('picture').addEventListener('click', saved(() => saveSource('picture.rs')));
@@ -281,6 +282,7 @@ function buildControls() {
 // Files
 
 async function open(file) {
+  filming = false;
   say(`Reading ${file.name} …`);
   try {
     if (/\.(png|bmp|jpe?g|gif|webp)$/i.test(file.name)) {
@@ -450,15 +452,31 @@ function savePng() {
   $('display').toBlob((blob) => save(`${modelName()}.png`, blob));
 }
 
-// The frames are drawn at once: first the browser shows that they are.
+// The frames are made one by one, and between two the page listens: also to the button that cancels, and another file or picture does.
+let filming = false;
+
 async function saveGif() {
-  const before = $('status').textContent;
-  say('Drawing the frames of a turn …');
-  await new Promise((done) => setTimeout(done, 30));
-  saved(() => {
-    save(`${modelName()}.gif`, new Blob([library.gif(choice())], { type: 'image/gif' }));
-    say(before);
-  })();
+  const name = `${modelName()}.gif`;
+  filming = true;
+  $('gif').disabled = true;
+  $('filming').hidden = false;
+  $('filmed').value = 0;
+  $('cancel').focus();
+  try {
+    const bytes = await library.gif(choice(), async (done, all) => {
+      [$('filmed').max, $('filmed').value] = [all, done];
+      await new Promise((listened) => setTimeout(listened));
+      return filming;
+    });
+    if (bytes) save(name, new Blob([bytes], { type: 'image/gif' }));
+    else say('The film was cancelled.');
+  } catch (problem) {
+    say(problem.message, true);
+  }
+  const hadFocus = $('filming').contains(document.activeElement);
+  $('filming').hidden = true;
+  $('gif').disabled = filming = false;
+  if (hadFocus) $('gif').focus();
 }
 
 // A message where it fails.

@@ -39,9 +39,15 @@ class Pinhole {
     return { pixels, about };
   }
 
-  // A turn of the model as the bytes of a GIF file.
-  gif(choice) {
-    return this.bytes('gif', choice);
+  // A turn of the model as the bytes of a GIF file. After each frame, `goesOn` gets how many are done and all that there are: its
+  // promise is of whether to go on. Otherwise there is no file.
+  async gif(choice, goesOn) {
+    let [done, all] = [0, 1];
+    while (done < all) {
+      [done, all] = this.ask('film', done === 0 ? choice : '').split(' ').map(Number);
+      if (!(await goesOn(done, all))) return null;
+    }
+    return this.bytes('gif', '');
   }
 
   // The name that the model's file has in a firmware, and its bytes.

@@ -149,18 +149,26 @@ extern "C" fn rust() -> u32 {
     })
 }
 
-/// Gives a turn of the model by a choice, as a GIF file.
+/// Draws the next frame of a turn of the model, for a GIF file: with a choice the first one. Gives the frames that are done, and all
+/// that there are, with a space between.
+#[unsafe(no_mangle)]
+extern "C" fn film() -> u32 {
+    with(|desk| {
+        let begins = if desk.input.is_empty() { Ok(None) } else { desk.choice().map(Some) };
+        let frames = begins.and_then(|choice| desk.planner.film(choice.as_ref()));
+        desk.answer(frames.map(|[done, all]| format!("{done} {all}")))
+    })
+}
+
+/// Gives the GIF file of the frames that were drawn.
 #[unsafe(no_mangle)]
 extern "C" fn gif() -> u32 {
-    with(|desk| {
-        let film = desk.choice().and_then(|choice| desk.planner.gif(&choice));
-        match film {
-            Ok(bytes) => {
-                desk.output = bytes;
-                1
-            }
-            Err(problem) => desk.answer(Err(problem)),
+    with(|desk| match desk.planner.gif() {
+        Ok(bytes) => {
+            desk.output = bytes;
+            1
         }
+        Err(problem) => desk.answer(Err(problem)),
     })
 }
 

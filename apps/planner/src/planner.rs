@@ -4,7 +4,7 @@ use crate::choice::{Choice, Style, TURNS};
 use crate::cost;
 use crate::display::{Format, DISPLAYS};
 use crate::draw;
-use crate::film;
+use crate::film::Film;
 use crate::firmware;
 use crate::json::{list, object, text};
 use crate::projections::Named;
@@ -25,6 +25,8 @@ pub struct Planner {
     picture: TextureImage,
     /// With what it was made of.
     mesh: Option<(String, Options, ImportedMesh)>,
+    /// A GIF file that is not complete yet: of the file and the picture that are loaded.
+    film: Option<Film>,
 }
 
 impl Planner {
@@ -32,6 +34,7 @@ impl Planner {
     pub fn load(&mut self, name: &str, bytes: Vec<u8>) {
         self.file = Some((name.into(), bytes));
         self.mesh = None;
+        self.film = None;
     }
 
     /// Takes a picture for textures: red, green, blue and opacity of each texel, row by row.
@@ -41,6 +44,7 @@ impl Planner {
     /// Sides that a texture cannot have.
     pub fn load_picture(&mut self, bytes: &[u8], width: usize) -> Result<(), String> {
         self.picture = TextureImage::from_rgba(bytes, width)?;
+        self.film = None;
         Ok(())
     }
 
@@ -72,16 +76,33 @@ impl Planner {
         Ok((drawn.pixels, what))
     }
 
-    /// A turn of the model by a choice, as a GIF file.
+    /// Draws and encodes the next frame of a turn of the model by a choice, as a GIF file: the first one where `begins` has a choice,
+    /// else that of the film that was begun last. Gives the frames that are done, and all that there are.
     ///
     /// # Errors
     ///
     /// As [`draw`](Self::draw).
-    pub fn gif(&mut self, choice: &Choice) -> Result<Vec<u8>, String> {
-        film::gif(choice.size, FRAMES, |frame| {
-            let turn = (choice.turn as u32 + frame * (TURNS / FRAMES)) % TURNS; // `turn` is not negative
-            Ok(self.draw(&Choice { turn: turn as i32, ..choice.clone() })?.0)
-        })
+    pub fn film(&mut self, begins: Option<&Choice>) -> Result<[u32; 2], String> {
+        let film = match begins {
+            Some(choice) => Some(Film::new(choice.clone(), FRAMES)?),
+            None => self.film.take(),
+        };
+        let mut film = film.ok_or("no film was begun")?;
+        let turn = (film.choice.turn as u32 + film.done * (TURNS / FRAMES)) % TURNS; // `turn` is not negative
+        let (pixels, _) = self.draw(&Choice { turn: turn as i32, ..film.choice.clone() })?;
+        film.add(&pixels)?;
+        let frames = [film.done, film.frames];
+        self.film = Some(film);
+        Ok(frames)
+    }
+
+    /// The GIF file of the film, as far as it is done.
+    ///
+    /// # Errors
+    ///
+    /// Where none was begun.
+    pub fn gif(&mut self) -> Result<Vec<u8>, String> {
+        self.film.take().ok_or("no film was begun")?.finish()
     }
 
     /// What a frame by a choice costs in RAM, flash and time, as JSON.

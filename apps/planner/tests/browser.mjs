@@ -186,6 +186,39 @@ const tests = {
     await turned.context().close();
   },
 
+  async 'a film shows how far it is, the page goes on meanwhile, and it can be cancelled'(tab) {
+    await tab.selectOption('#mesh', 'teapot');
+    await tab.selectOption('#style', 'gouraud');
+    const files = [];
+    tab.on('download', (download) => files.push(download.suggestedFilename()));
+    const slow = await tab.context().newCDPSession(tab);
+    await slow.send('Emulation.setCPUThrottlingRate', { rate: 4 });
+    // As a user has it who saves and then orbits: pictures of the display and of the film in turn.
+    const before = await pixels(tab);
+    await tab.click('#gif');
+    assert.ok(await tab.isDisabled('#gif'));
+    await tab.locator('#display').press('ArrowLeft');
+    await settled(tab);
+    assert.notEqual(await pixels(tab), before);
+    await tab.waitForFunction(() => document.querySelector('#filmed').value >= 3);
+    assert.ok(await tab.isVisible('#filmed'), 'done before it could be cancelled');
+    assert.equal(await tab.evaluate(() => document.querySelector('#filmed').max), 40);
+    await tab.click('#cancel');
+    await tab.waitForFunction(() => !document.querySelector('#gif').disabled);
+    assert.match(await tab.textContent('#status'), /cancelled/);
+    assert.ok(!(await tab.isVisible('#filming')));
+    // Another file cancels it, too.
+    await tab.click('#gif');
+    await tab.waitForFunction(() => document.querySelector('#filmed').value >= 1);
+    await load(tab, 'other.stl', stl(12));
+    await tab.waitForFunction(() => !document.querySelector('#gif').disabled);
+    assert.ok(await isGood(tab), await tab.textContent('#status'));
+    assert.deepEqual(files, []);
+    await slow.send('Emulation.setCPUThrottlingRate', { rate: 1 });
+    await Promise.all([tab.waitForEvent('download'), tab.click('#gif')]);
+    assert.deepEqual(files, ['other.gif']);
+  },
+
   async 'a board with another display frames the model for its own, and the page shows that at a press'(tab) {
     const saved = async (button) => {
       const [download] = await Promise.all([tab.waitForEvent('download'), tab.click(button)]);
