@@ -32,6 +32,7 @@ pub(crate) fn file(
         }
         "build.rs" => script(text, choice, model),
         "Cargo.toml" => manifest(text, choice),
+        "README.md" => Ok(readme(text)),
         _ => Ok(text.into()),
     }
     .map_err(|problem| format!("{path}: {problem}"))
@@ -170,7 +171,7 @@ pub(crate) fn texture(picture: &str, mesh: &mut ImportedMesh, image: &TextureIma
     let lists = mesh.to_rust_texture("MODEL");
     mesh.picture = None;
     format!(
-        "//! What the faces of the model show, and where on it they lie; of another model, make the firmware again.
+        "//! What the faces of the model show, and where on it they lie. For another model, save the firmware again.
 
 use {library}::pixelcolor::Rgb565;
 use pinhole::{{IndexedTexels, Mesh, Texture, Textured}};
@@ -297,9 +298,15 @@ fn manifest(text: &str, choice: &Choice) -> Result<String, String> {
     replaced(&text, plain, &plain.replace(" }", ", features = [\"decimate\"] }"))
 }
 
+/// The README of a folder that lies beside the repository and needs not be made from the template.
+fn readme(text: &str) -> String {
+    let text = text.replace("](../", "](../pinhole/boards/").replace("/boards/../", "/");
+    text.split_inclusive('\n').filter(|line| !line.contains("pinhole/boards/new ")).collect()
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{manifest, picture, script, texture};
+    use super::{manifest, picture, readme, script, texture};
     use crate::choice::Choice;
     use crate::texture::TextureImage;
     use pinhole::{Point3, Scalar, Sphere};
@@ -337,6 +344,17 @@ mod tests {
         let expected =
             "Edges::Feature { degrees: 1.0 }, up: Some(pinhole_import::Axis::Y),\n        edge_faces: true,";
         assert!(made.contains(expected), "{made}");
+    }
+
+    #[test]
+    fn the_readme_is_of_the_folder_that_is_unpacked() {
+        let template = include_str!("../../../boards/rp2040-st7789/README.md");
+        let made = readme(template);
+        assert!(made.contains("](../pinhole/boards/emulate/README.md)"), "{made}");
+        assert!(made.contains("](../pinhole/docs/wire.md)"), "{made}");
+        assert!(!made.contains("](../../"), "{made}");
+        let commands = "```sh\ncd firmware\ncargo build --release\n";
+        assert!(made.contains(commands) && !template.contains(commands), "{made}");
     }
 
     const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
