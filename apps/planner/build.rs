@@ -67,6 +67,7 @@ fn main() -> Result<()> {
         way(&growth, heading, name, count, &mut out)
             .map_err(|e| format!("docs/growth.md, {heading}: {e}"))?;
     }
+    placing(&growth, &mut out).map_err(|e| format!("docs/growth.md, placing an object: {e}"))?;
     writeln!(out, "const MODELLED: [Chip; {}] = [", CHIPS.len())?;
     for (key, name, cycles) in CHIPS {
         chip(&speed, &growth, [key, name, cycles], &mut out)
@@ -84,6 +85,19 @@ fn main() -> Result<()> {
     let model = docs.join("../boards/any-cortex-m/model.stl");
     println!("cargo::rerun-if-changed={}", model.display());
     std::fs::write(Path::new(&folder).join("gear.rs"), gear(&std::fs::read(&model)?)?)?;
+    Ok(())
+}
+
+/// The instructions of placing an object, on the cores M0, M3, M4F and RV32.
+fn placing(growth: &str, out: &mut String) -> Result<()> {
+    let table = rows(section(growth, "### Placing an object")?).collect::<Vec<_>>();
+    let [header, _, figures] = &table[..] else { return Err("not one row".into()) };
+    if header.get(1..) != Some(&["M0", "M3", "M4F", "RV32"]) {
+        return Err("other cores".into());
+    }
+    let figures = figures.iter().skip(1).map(|cell| number(&cell.replace(char::is_whitespace, "")));
+    let figures: Vec<String> = figures.collect::<Result<_>>()?;
+    writeln!(out, "const PLACING: [f64; 4] = [{}];", figures.join(", "))?;
     Ok(())
 }
 

@@ -61,5 +61,5 @@ function notes(costs) {
   const { stack } = chosenOf(costs);
   const inexact = costs.exact ? '' : ' Drawing was measured in 16-bit colour; pixels of fewer bits than a byte take longer.';
   return element('p', { className: 'note' },
-    `${costs.chip}, ${costs.core} at ${costs.clock} MHz, sending at ${costs.spi} MHz. RAM is that of variables, to the byte; the stack takes ${kilobytes(stack)} more. Flash is the mesh and the code that draws, at opt-level 3, ± ${costs.flashError} %; drivers and logs come on top. Times are by the formula of docs/growth.md: ± is the largest error of its instructions in any case measured; the chip adds: ${costs.error}.${inexact}`);
+    `${costs.chip}, ${costs.core} at ${costs.clock} MHz, sending at ${costs.spi} MHz. RAM is that of variables, to the byte; the stack takes ${kilobytes(stack)} more. Flash is the mesh and the code that draws, at opt-level 3, ± ${costs.flashError} %; drivers and logs come on top. Times are by the formula of docs/growth.md: ± is the largest error of its instructions in any case measured. Cycles of an instruction differ by up to ${costs.cyclesError} % from model to model; the chip adds: ${costs.error}.${inexact}`);
 }

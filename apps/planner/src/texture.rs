@@ -120,7 +120,7 @@ impl TextureImage {
 /// Units of a coordinate that the texture's side takes: a model that is as large as coordinates allow shows it four times.
 pub(crate) const UNIT: i8 = -14;
 
-/// What is said of a model whose texture coordinates the planner makes.
+/// The warning about a model whose texture coordinates the planner makes.
 pub(crate) const BY_SIDES: &str = "no texture coordinates: the picture is laid on from six sides; for coordinates of your own, unwrap the model (UV) in the program that made it and export an OBJ file with `vt` lines";
 
 /// Where the corners of faces lie on a texture.

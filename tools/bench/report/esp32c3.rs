@@ -41,6 +41,30 @@ impl Sum {
     }
 }
 
+impl Sum {
+    /// The instructions that were added.
+    pub(crate) fn instructions(&self) -> u64 {
+        self.instructions
+    }
+
+    /// Adds a frame: a run of `Clock::count`, over a mesh and other constants of so many bytes.
+    pub(crate) fn add(&mut self, program: &Program, run: &[u32], constants: u32) -> Result<()> {
+        // What the clock calls, by its only jump to a register.
+        let is_call = |at: &u32| program.instruction(*at).is_some_and(|it| it.kind == Kind::JumpTo);
+        let call = run.iter().position(is_call).ok_or("the clock calls nothing")?;
+        let end = run[call] + program.instruction(run[call]).map_or(0, |it| it.size);
+        let run = &run[call + 1..];
+        let length = run.iter().position(|at| *at == end).ok_or("a frame does not return to the clock")?;
+        let run = &run[..length];
+        self.instructions += run.len() as u64;
+        for (cycles, rules) in self.cycles.iter_mut().zip([Rules::Least, Rules::Likely, Rules::Most]) {
+            *cycles += program.cycles(rules, run, end);
+        }
+        self.misses += misses(run, constants);
+        Ok(())
+    }
+}
+
 /// Lines, faces, and faces with depth.
 pub(crate) fn measure() -> Result<[Sum; 3]> {
     let core = emulated("RV32")?;
@@ -55,23 +79,12 @@ pub(crate) fn measure() -> Result<[Sum; 3]> {
     let program = Program::of(&image)?;
     let mut sums = [Sum::default(); 3];
     for (timed, run) in TIMED.iter().zip(&runs) {
-        // What the clock calls, by its only jump to a register.
-        let is_call = |at: &u32| program.instruction(*at).is_some_and(|it| it.kind == Kind::JumpTo);
-        let call = run.iter().position(is_call).ok_or("the clock calls nothing")?;
-        let end = run[call] + program.instruction(run[call]).map_or(0, |it| it.size);
-        let run = &run[call + 1..];
-        let length = run.iter().position(|at| *at == end).ok_or("a frame does not return to the clock")?;
-        let run = &run[..length];
         let sum = &mut sums[match timed.variant {
             Variant::Wireframe => 0,
             Variant::Plain => 1,
             Variant::Depth => 2,
         }];
-        sum.instructions += run.len() as u64;
-        for (cycles, rules) in sum.cycles.iter_mut().zip([Rules::Least, Rules::Likely, Rules::Most]) {
-            *cycles += program.cycles(rules, run, end);
-        }
-        sum.misses += misses(run, timed.model.bytes() as u32);
+        sum.add(&program, run, timed.model.bytes() as u32)?;
     }
     Ok(sums)
 }

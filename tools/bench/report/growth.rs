@@ -37,16 +37,17 @@ impl Growth {
     }
 }
 
-/// On the cores of the table, in the order of `WAYS`.
-pub(crate) fn measure() -> Result<Vec<Growth>> {
+/// On the cores of the table, in the order of `WAYS`; and the instructions of placing an object on these cores.
+pub(crate) fn measure() -> Result<(Vec<Growth>, Vec<u64>)> {
     let works = works()?;
-    let mut all = Vec::new();
+    let (mut all, mut placing) = (Vec::new(), Vec::new());
     for core in CORES {
         core.build().cargo("build", &["--bin=growth".into()])?;
         let printed = core.run(&core.build().image("growth"))?;
         // In the same order.
         let counts = printed.lines().map(|line| line.rsplit(',').next().unwrap_or(line).parse::<u64>());
-        let counts = counts.collect::<std::result::Result<Vec<_>, _>>()?;
+        let mut counts = counts.collect::<std::result::Result<Vec<_>, _>>()?;
+        placing.extend(counts.pop());
         if counts.len() != works.len() {
             return Err(format!("growth on {}: {} cases", core.name, counts.len()).into());
         }
@@ -65,7 +66,7 @@ pub(crate) fn measure() -> Result<Vec<Growth>> {
             all.push(Growth { core, ways, constants, drawn });
         }
     }
-    Ok(all)
+    Ok((all, placing))
 }
 
 /// The work of every case and way, in the firmware's order.

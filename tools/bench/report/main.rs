@@ -19,6 +19,7 @@ mod grouped;
 mod growth;
 mod growth_page;
 mod guard;
+mod images;
 mod page;
 mod pages;
 mod profile;
@@ -57,7 +58,8 @@ tools/bench/run cells [SCENE...] [VARIANT...] [M0 | M3 | M4F | RV32]
 tools/bench/run cycles [SCENE...] [VARIANT...] [M0 | M0+ | M3 | M4 | M33]
 tools/bench/run chips
 tools/bench/run validate
-tools/bench/run floats IMAGE...";
+tools/bench/run floats IMAGE...
+tools/bench/run images IMAGE...";
 
 /// The task that the command line names.
 enum Task {
@@ -77,6 +79,8 @@ enum Task {
     Validate,
     /// Look for routines for floating point in any images.
     Floats(Vec<String>),
+    /// Print the cycles of any images that use the clock.
+    Images(Vec<String>),
 }
 
 impl Task {
@@ -86,6 +90,7 @@ impl Task {
             "cells" => Self::Cells(Choice::new(rest.to_vec())?),
             "cycles" => Self::Cycles(cycles::Asked::new(rest)?),
             "floats" => Self::Floats(rest.to_vec()),
+            "images" => Self::Images(rest.to_vec()),
             "chips" if rest.is_empty() => Self::Chips,
             "validate" if rest.is_empty() => Self::Validate,
             "guard" if rest.is_empty() => Self::Guard { rebase: false },
@@ -109,6 +114,7 @@ impl Task {
                     footprint::without_floats(image, Path::new(image), &mut failures)?;
                 }
             }
+            Self::Images(images) => images::print(&images)?,
             Self::Cycles(asked) => cycles::print(&asked, &mut failures)?,
             Self::Chips => {
                 let frames = chips::measured(&mut failures)?;

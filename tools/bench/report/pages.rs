@@ -48,7 +48,10 @@ impl Page {
             Self::Growth => {
                 let per_instruction =
                     cycles_page::per_instruction(chips::measured(failures)?, &esp32c3::measure()?);
-                growth_page::text(compiler, &growth::measure()?, &per_instruction)
+                {
+                    let (all, placing) = growth::measure()?;
+                    growth_page::text(compiler, &all, &placing, &per_instruction)
+                }
             }
             Self::Bands => bands_page::text(compiler, &measure_bands(failures)?),
             Self::Cores => two_cores::text(compiler, &two_cores::measure(&bands::host()?, failures)?),

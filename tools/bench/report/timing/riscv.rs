@@ -18,10 +18,10 @@
 use crate::{elf, Result};
 use std::path::Path;
 
-/// What is taken for the rules that were not measured, or not in all cases.
+/// Guesses for the rules that were not measured, or not in all cases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Rules {
-    /// Those above.
+    /// The rules above.
     Likely,
     /// Products of two words take a cycle, divisions and jumps to registers as little as they can.
     Least,

@@ -1,8 +1,8 @@
-//! Prints a line `case,way,instructions` for every case and way.
+//! Prints a line `case,way,instructions` for every case and way, and at last `placing,instructions`.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::board::{println, Clock};
 use bench::firmware;
-use bench::growth::{Memory, CASES};
+use bench::growth::{placing, Memory, CASES};
 
 firmware!(memory: Memory = Memory::NEW, {
     let mut clock = Clock::new()?;
@@ -11,5 +11,6 @@ firmware!(memory: Memory = Memory::NEW, {
             println!("{at},{way},{}", case.count(way, memory, &mut clock)?);
         }
     }
+    println!("placing,{}", placing(&mut clock)?);
     Some(())
 });

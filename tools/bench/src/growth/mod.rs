@@ -22,8 +22,8 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    BinnedFaces, Cull, DepthBuffer, FacePlanes, Frame, Lambert, Mesh, MeshInstance, Painter, Picture,
-    ScreenVertex, SpanShader, WithPlanes,
+    Affine, Angle, BinnedFaces, Cull, DepthBuffer, FacePlanes, Frame, Lambert, Mesh, MeshInstance, Painter,
+    Picture, ScreenVertex, SpanShader, Vector3, WithPlanes,
 };
 
 /// The number of pixels of the largest picture.
@@ -158,6 +158,21 @@ impl core::fmt::Display for Way {
             Self::PaintedBands(rows) => write!(f, "painter's order in bands of {rows} rows"),
         }
     }
+}
+
+/// The instructions of what comes before a frame: turning the object, its light, and placing it before the camera.
+pub fn placing(clock: &mut Clock) -> Option<u32> {
+    let camera = crate::scene::TORUS.camera()?;
+    let (mesh, turn, light) =
+        black_box((crate::scene::TORUS.mesh, Angle::turns(23, 120), Vector3::from_ints(2, 3, 4)));
+    let mut good = None;
+    let instructions = clock.count(&mut || {
+        let model = Affine::rotation_y(turn);
+        let light = Lambert::new(&model, light, 48).ok();
+        black_box((&light, camera.place(&mesh, &model)));
+        good = light.map(|_| ());
+    })?;
+    good.map(|()| instructions)
 }
 
 impl Case {

@@ -1,15 +1,11 @@
-//! What every image has, too: a start and a display. The others are measured against it.
+//! What every image has, too: a start, a clock and a display. The others are measured against it.
 #![no_std]
 #![no_main]
 
 use core::hint::black_box;
-use linked as _;
+use linked::{counted, start};
 
-/// Where it starts.
-#[allow(unsafe_code)] // a name that the linker knows
-#[no_mangle]
-extern "C" fn Reset() -> ! {
-    loop {
-        black_box(());
-    }
-}
+start!(counted(&mut |turn| {
+    black_box(turn);
+    Some(())
+}));

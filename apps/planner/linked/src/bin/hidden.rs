@@ -1,4 +1,4 @@
-//! Hidden lines in bands, on a display of one bit a pixel.
+//! Hidden lines in bands.
 #![no_std]
 #![no_main]
 
@@ -10,19 +10,19 @@ use pinhole::{mesh_buffers, strip_buffers, Affine, DepthBuffer, Frame, MeshBuffe
 
 include!(concat!(env!("PLANNER_MODELS"), "/", env!("CARGO_BIN_NAME"), ".rs"));
 
-firmware!(|camera, turn, display: BinaryColor|
+firmware!(|camera, turn, display: Color|
     mesh: MeshBuffers!(faces, edges: MODEL) = mesh_buffers!(faces, edges: MODEL),
-    strip: StripBuffers!(BinaryColor, WIDTH, ROWS) = strip_buffers!(BinaryColor, WIDTH, ROWS),
+    strip: StripBuffers!(Color, WIDTH, ROWS) = strip_buffers!(Color, WIDTH, ROWS),
     {
         let instance = camera.place(&MODEL, &Affine::rotation_y(turn));
         let transformed = instance.transform_depth(&mut mesh.cache);
         let mut faces = transformed.bin_faces(&mut mesh.bins).ok()?;
         let mut edges = transformed.bin_edges(&mut mesh.edge_bins).ok()?;
-        let mut frame = Frame::new(Rectangle::new(Default::default(), display.size()), BinaryColor::Off);
+        let mut frame = Frame::new(Rectangle::new(Default::default(), display.size()), Color::from(BinaryColor::Off));
         while let Some(mut band) = frame.next_band(&mut strip.colors).ok()? {
             let mut depth = DepthBuffer::new(band.area(), &mut strip.depths).ok()?;
             faces.depth_only(&mut depth);
-            let Ok(()) = edges.hidden_line(BinaryColor::On, &mut depth, &mut band);
+            let Ok(()) = edges.hidden_line(Color::from(BinaryColor::On), &mut depth, &mut band);
             band.send(display).ok()?;
         }
         Some(())

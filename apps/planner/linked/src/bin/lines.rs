@@ -27,7 +27,7 @@ firmware!(|camera, turn, display: Rgb565|
         if IS_WHOLE {
             let mut picture = Picture::new(pixels, display.size()).ok()?;
             let Ok(()) = picture.clear(Rgb565::BLACK);
-            let Ok(_) = instance.wireframe(COLOR, &mut mesh.cache, &mut picture);
+            let Ok(_) = instance.wireframe(COLOR, &mut mesh.cache, &mut picture.pixels());
             black_box(picture.colors());
             return Some(());
         }
