@@ -69,7 +69,7 @@ const CHECKED: &str = "
 
 The cases below had no part in the fit. *Off* is the relative error of the formula: above 0, its estimate is too high. The last
 column is the error with estimated rows and large faces. The means of these columns, with their signs and without, stand below each
-table of constants; they include bands of 48 rows, and few hidden lines, which are listed here for flat faces alone. Only the fit separates per-row and per-pixel cost from per-face cost; [profile.md](profile.md) measures it by
+table of constants; they include higher bands, few hidden lines and culling by planes, which are not listed here. Only the fit separates per-row and per-pixel cost from per-face cost; [profile.md](profile.md) measures it by
 following each instruction: on the M3, these constants agree with it for S2, S3 and S4 within a tenth without depth, and
 within a fifth with depth.
 
@@ -80,8 +80,7 @@ const FITTED: &str = "
 
 Least squares of the relative error, over these cases: tori, a sphere and land (with their numbers of triangles), and vertices alone;
 seen whole, from close by, and cut by the near plane. The columns give the error of the formula on the M3 for each way of drawing.
-There is no figure where both sides of faces show, because planes are not used there. *Few hidden lines* are those of a mesh with a
-quarter of the edges, as where the surface turns. The error is largest with depth, where a few
+Of bands, those of 8 rows are listed. There is no figure where both sides of faces show, because planes are not used there. The error is largest with depth, where a few
 faces fill a small picture or many pixels are drawn behind others: there the estimate is too low.
 
 ";
@@ -198,8 +197,9 @@ fn checks(text: &mut String, all: &[Growth], root: f64) {
         let cores: Vec<&Growth> = all.iter().filter(|growth| growth.ways == ways).collect();
         let Some(of) = cores.first() else { continue };
         // The page would be too long for the package with all of them.
-        let is_listed =
-            |way: Way| matches!(way, Way::Bands(_) | Way::FacingBands(_)) || ways.first() == Some(&way);
+        let is_culled =
+            matches!(ways.first(), Some(Way::PlaneCulled | Way::FacingDepth | Way::FacingBands(_)));
+        let is_listed = |way: Way| !is_culled && ways.first() == Some(&way);
         let checks = of.drawn.iter().enumerate().filter(|(_, drawn)| is_check(drawn) && is_listed(drawn.way));
         for (at, drawn) in checks {
             let Drawn { case, way, .. } = drawn;
@@ -228,7 +228,8 @@ fn checks(text: &mut String, all: &[Growth], root: f64) {
 fn fitted(text: &mut String, all: &[Growth]) {
     *text += FITTED;
     let of_core: Vec<&Growth> = all.iter().filter(|growth| growth.core.name == "M3").collect();
-    let ways: Vec<Way> = of_core.iter().flat_map(|growth| growth.ways).copied().collect();
+    // The page would be too long for the package with all of them.
+    let ways: Vec<Way> = of_core.iter().filter_map(|growth| growth.ways.first()).copied().collect();
     *text += "| scene | picture |";
     for way in &ways {
         let _ = write!(text, " {way} |");
