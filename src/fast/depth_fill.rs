@@ -171,14 +171,12 @@ impl<Cell: Copy> DepthFill<Cell> for [Cell; 2] {
         depth: &'a mut Gradient,
         cells: &'a mut [Cell],
         depths: &'a mut [u16],
-        RowOrigin { x, y, shear }: RowOrigin,
+        start: RowOrigin,
     ) -> impl RowFill
     where
         Cell: 'a,
     {
-        let (cells, depths) = same_length(cells, depths);
-        let depth = depth.sheared(shear);
-        SolidRows { pair: self, cells, depths, step: depth.step(), down: depth.row_step(), z: depth.at(x, y) }
+        DepthRows::new(depth, cells, depths, start, self)
     }
 }
 
@@ -195,9 +193,21 @@ pub(super) fn same_length<'a, Cell>(
     }
 }
 
-/// Rows that are filled with one stored pixel.
-struct SolidRows<'a, Cell> {
-    pair: [Cell; 2],
+/// What fills the cells and depths of a row, given depth at its first pixel and its change from pixel to pixel.
+pub(super) trait FillRun<Cell> {
+    fn fill(&mut self, run: &mut [Cell], depths: &mut [u16], first: u32, step: u32);
+}
+
+impl<Cell: Copy> FillRun<Cell> for [Cell; 2] {
+    #[inline(always)]
+    fn fill(&mut self, run: &mut [Cell], depths: &mut [u16], first: u32, step: u32) {
+        fill_row(run, depths, first, step, *self);
+    }
+}
+
+/// Rows of cells and depths, with depth along them.
+pub(super) struct DepthRows<'a, Cell, F> {
+    fill: F,
     cells: &'a mut [Cell],
     depths: &'a mut [u16],
     /// The change of depth from a pixel to its right neighbour, and from row to row.
@@ -207,16 +217,31 @@ struct SolidRows<'a, Cell> {
     z: u32,
 }
 
-impl<Cell: Copy> RowFill for SolidRows<'_, Cell> {
+impl<'a, Cell, F> DepthRows<'a, Cell, F> {
+    #[inline(always)]
+    pub(super) fn new(
+        depth: &Gradient,
+        cells: &'a mut [Cell],
+        depths: &'a mut [u16],
+        RowOrigin { x, y, shear }: RowOrigin,
+        fill: F,
+    ) -> Self {
+        let (cells, depths) = same_length(cells, depths);
+        let depth = depth.sheared(shear);
+        Self { fill, cells, depths, step: depth.step(), down: depth.row_step(), z: depth.at(x, y) }
+    }
+}
+
+impl<Cell, F: FillRun<Cell>> RowFill for DepthRows<'_, Cell, F> {
     #[inline(always)]
     fn row(&mut self, start: usize, left: i32, right: i32) {
-        let Self { pair, cells, depths, step, down, z } = self;
+        let Self { fill, cells, depths, step, down, z } = self;
         let from = start.wrapping_add(left as usize);
         let first = z.wrapping_add(step.wrapping_mul(left as u32));
         // If the row ends before it begins, the difference wraps to more than any slice has.
         let width = right.wrapping_sub(left) as usize;
         if let Some((run, depths)) = part(cells, depths, from, width) {
-            fill_row(run, depths, first, *step, *pair);
+            fill.fill(run, depths, first, *step);
         }
         *z = z.wrapping_add(*down);
     }

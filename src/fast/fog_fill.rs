@@ -4,12 +4,12 @@
 //! - **Domain**: every triangle, on a target whose pixels lie in memory; with depth, only where the depth buffer is laid out as the
 //!   memory is.
 //! - **Gain**: a colour is mixed where the level changes, not at each pixel; a row in one level, the common case, is filled as one
-//!   of a plain colour, at two comparisons. With depth, the gradient of depth serves fog too. By shaded rows G1 takes 17 % more
-//!   on an M3, and 63 % more with depth (`tools/bench/run cells G1 G2`).
+//!   of a plain colour, at two comparisons. With depth, the gradient of depth serves fog too. By shaded rows G1 takes 20 % more
+//!   on an M3, and 67 % more with depth (`tools/bench/run cells G1 G2`).
 //! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`.
 
 use super::depth_fill::{
-    fill_blocks, fill_nearer, fill_row, part, put_nearer, same_length, DepthFill, RowFill, BLOCK,
+    fill_blocks, fill_nearer, fill_row, put_nearer, DepthFill, DepthRows, FillRun, RowFill, BLOCK,
 };
 use super::shaded_fill::fill;
 use super::{depth_gradient, memory_of, RowOrigin};
@@ -112,30 +112,29 @@ struct Fog<'t, F> {
     color: F,
 }
 
-impl<Cell: Copy, F: Fn(u8) -> Cell + Copy> DepthFill<Cell> for Fog<'_, F> {
-    type Gradients = Gradient;
+impl<'t, Cell: Copy, F: Fn(u8) -> Cell + Copy> DepthFill<Cell> for Fog<'t, F> {
+    /// The gradient of depth, and the levels.
+    type Gradients = (Gradient, Levels<'t, Cell, F>);
 
     #[inline(always)]
-    fn set_up(self, triangle: &DepthTriangle<'_>) -> Gradient {
-        depth_gradient(&triangle.triangle, &triangle.depths)
+    fn set_up(self, triangle: &DepthTriangle<'_>) -> Self::Gradients {
+        let Self { bounds, level, color } = self;
+        (depth_gradient(&triangle.triangle, &triangle.depths), Levels::new(bounds, level, color))
     }
 
     #[inline(always)]
     fn rows<'a>(
         self,
-        depth: &'a mut Gradient,
+        (depth, levels): &'a mut Self::Gradients,
         cells: &'a mut [Cell],
         depths: &'a mut [u16],
-        RowOrigin { x, y, shear }: RowOrigin,
+        start: RowOrigin,
     ) -> impl RowFill
     where
         Cell: 'a,
         Self: 'a,
     {
-        let (cells, depths) = same_length(cells, depths);
-        let depth = depth.sheared(shear);
-        let levels = Levels::new(self.bounds, self.level, self.color);
-        LevelRows { levels, cells, depths, step: depth.step(), down: depth.row_step(), z: depth.at(x, y) }
+        DepthRows::new(depth, cells, depths, start, levels)
     }
 }
 
@@ -268,36 +267,18 @@ impl<'t, Cell: Copy, F: Fn(u8) -> Cell> Levels<'t, Cell, F> {
     }
 }
 
-/// Rows that are filled with a cell for each level of fog.
-struct LevelRows<'a, 't, Cell, F> {
-    levels: Levels<'t, Cell, F>,
-    cells: &'a mut [Cell],
-    depths: &'a mut [u16],
-    /// The change of depth from a pixel to its right neighbour, and from row to row.
-    step: u32,
-    down: u32,
-    /// Depth at the origin that the next row's ends are counted from.
-    z: u32,
-}
-
-impl<Cell: Copy, F: Fn(u8) -> Cell> RowFill for LevelRows<'_, '_, Cell, F> {
+impl<Cell: Copy, F: Fn(u8) -> Cell> FillRun<Cell> for &mut Levels<'_, Cell, F> {
     #[inline(always)]
-    fn row(&mut self, start: usize, left: i32, right: i32) {
-        let Self { levels, cells, depths, step, down, z } = self;
-        let (from, width) = (start.wrapping_add(left as usize), right.wrapping_sub(left));
-        if width > 0
-            && let width = width as usize
-            && let Some((run, depths)) = part(cells, depths, from, width)
-        {
-            let first = z.wrapping_add(step.wrapping_mul(left as u32));
-            if width < BLOCK {
-                levels.short_row_nearer(run, depths, first, *step);
-            } else if levels.has(first, *step, width) {
-                fill_blocks(run, depths, first, *step, levels.first.pair);
-            } else {
-                levels.row_nearer(run, depths, first, *step);
+    fn fill(&mut self, run: &mut [Cell], depths: &mut [u16], first: u32, step: u32) {
+        let width = run.len();
+        if width < BLOCK {
+            if width > 0 {
+                self.short_row_nearer(run, depths, first, step);
             }
+        } else if self.has(first, step, width) {
+            fill_blocks(run, depths, first, step, self.first.pair);
+        } else {
+            self.row_nearer(run, depths, first, step);
         }
-        *z = z.wrapping_add(*down);
     }
 }

@@ -43,6 +43,15 @@ pub trait Blend: PixelColor {
         self.mix(stored, (coverage.wrapping_add(4) >> 3) as u8)
     }
 
+    /// A function of `alpha`, 0 … 32, that [mixes](Self::mix) this color with another one: parts that depend on both colors alone are
+    /// computed once.
+    #[must_use]
+    #[doc(hidden)]
+    #[inline(always)]
+    fn fade(self, other: Self) -> impl Fn(u8) -> Self + Copy {
+        move |alpha| self.mix(other, alpha)
+    }
+
     /// A function that returns this color [over](Self::over) a stored one, for loops: parts that depend on this color alone are
     /// computed once.
     #[must_use]
@@ -83,6 +92,18 @@ macro_rules! blend_16 {
                 let spread = |bits: u32| bits | bits << 16;
                 let mixed = mix(spread(self.encode()), spread(stored.encode()), alpha.into(), 5, $spread, $lowest);
                 Self::decode((mixed | mixed >> 16) & 0xffff)
+            }
+
+            #[inline(always)]
+            fn fade(self, other: Self) -> impl Fn(u8) -> Self + Copy {
+                let spread = |color: Self| (color.encode() | color.encode() << 16) & $spread;
+                let (own, other) = (spread(self), spread(other));
+                // `mix` by one product: modulo 2³², own·a + other·(32 − a) = 32·other + (own − other)·a.
+                let (none, step) = ((other << 5).wrapping_add($lowest << 4), own.wrapping_sub(other));
+                move |alpha| {
+                    let mixed = none.wrapping_add(step.wrapping_mul(alpha.into())) >> 5 & $spread;
+                    Self::decode((mixed | mixed >> 16) & 0xffff)
+                }
             }
 
             #[inline(always)]
@@ -181,6 +202,7 @@ blend_gray! {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::random::Random;
     use embedded_graphics_core::pixelcolor::{GrayColor, RgbColor};
 
     /// Rounded to nearest, in integers: the error of `mixed` in 1/512 of a level is at most 256.
@@ -235,6 +257,44 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// `fade` is `mix` with its colours known beforehand, for every alpha: of every pair of levels of six bits, at each bit of a
+    /// colour, and of random pairs of colours.
+    fn check_fade<C: Blend + PixelFormat + core::fmt::Debug>() {
+        let mut random = Random(5);
+        let check = |own: u32, other: u32| {
+            let (own, other) = (C::decode(own), C::decode(other));
+            let fade = own.fade(other);
+            for alpha in 0..=32 {
+                assert_eq!(fade(alpha), own.mix(other, alpha), "{own:?} {other:?} {alpha}");
+            }
+        };
+        for own in 0..64 {
+            for other in 0..64 {
+                for bit in 0..C::BITS {
+                    let rest = random.bits() & !(63 << bit);
+                    check(rest | own << bit, !rest & !(63 << bit) | other << bit);
+                }
+                check(random.bits(), random.bits());
+            }
+        }
+    }
+
+    #[test]
+    fn colours_fade_as_they_are_mixed() {
+        check_fade::<BinaryColor>();
+        check_fade::<Gray2>();
+        check_fade::<Gray4>();
+        check_fade::<Gray8>();
+        check_fade::<Rgb555>();
+        check_fade::<Bgr555>();
+        check_fade::<Rgb565>();
+        check_fade::<Bgr565>();
+        check_fade::<Rgb666>();
+        check_fade::<Bgr666>();
+        check_fade::<Rgb888>();
+        check_fade::<Bgr888>();
     }
 
     #[test]

@@ -201,7 +201,10 @@ impl<'t, C: Blend, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
         let [least, _] = self.levels;
         let (Some(own), fog) = (self.shader.solid_color(), self.table.color) else { return false };
         let bounds = &self.table.bounds;
-        draw.levels(&self.depths, bounds, FogLevel::new(least, bounds), move |level| mixed(own, fog, level))
+        let fade = own.fade(fog);
+        draw.levels(&self.depths, bounds, FogLevel::new(least, bounds), move |level| {
+            fade(LEVELS as u8 - level)
+        })
     }
 
     #[inline(always)]
