@@ -115,7 +115,7 @@ fn fill_low<S: PixelStore, F: DepthFill<S::Cell>>(
 }
 
 #[inline(always)]
-fn fill_rows<S: PixelStore, F: DepthFill<S::Cell>>(
+pub(super) fn fill_rows<S: PixelStore, F: DepthFill<S::Cell>>(
     rows: impl Rows,
     triangle: &DepthTriangle<'_>,
     memory: &mut PixelRows<S>,

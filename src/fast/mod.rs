@@ -32,6 +32,7 @@ pub(crate) mod kept_fill;
 pub(crate) mod line_fill;
 pub(crate) mod line_pixels;
 mod line_slope;
+mod packed_fill;
 mod rows;
 pub(crate) mod shaded_fill;
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]

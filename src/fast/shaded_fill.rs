@@ -11,8 +11,8 @@
 //! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`, and `tests/raster/twins.rs`.
 
 use super::depth_fill::{is_clear, put_nearer, BLOCK};
-use super::{depth_gradient, memory_of, Low, RowOrigin, Rows};
-use crate::math::hints::{keep_rolled, opaque};
+use super::{depth_gradient, memory_of, packed_fill, Low, RowOrigin, Rows};
+use crate::math::hints::keep_rolled;
 use crate::math::unrolled::each8;
 use crate::raster::{AnyTriangle, DepthTriangle, Gradient, PixelLayout, Scissor, Span, Trapezoid, Triangle};
 use crate::shading::{DrawRuns, Line, SpanShader};
@@ -51,7 +51,7 @@ impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for Fill<'_, '_, S> {
     }
 
     #[inline(always)]
-    fn lines<R: Iterator<Item = (i32, Line)>>(
+    fn lines<L: Line, R: Iterator<Item = (i32, L)>>(
         self,
         lines: impl Fn(Span) -> R,
         texel: impl Fn([u32; 2]) -> C + Copy,
@@ -61,6 +61,11 @@ impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for Fill<'_, '_, S> {
             let of = texel; // a copy, in a register
             each_run(cells, lines(span), |pixels, line| put_line(pixels, line, of));
         });
+    }
+
+    #[inline(always)]
+    fn packed(&mut self, gradient: &Gradient, texel: impl Fn(u32) -> C + Copy) -> bool {
+        packed_fill::fill_small(self.memory, self.triangle, self.scissor, gradient, texel)
     }
 }
 
@@ -80,11 +85,15 @@ pub(super) fn each_run<Cell, Q>(
 
 /// Stores the texels of a run.
 #[inline(always)]
-fn put_line<Cell, C: StoredPixel<Cell>>(pixels: &mut [Cell], mut line: Line, texel: impl Fn([u32; 2]) -> C) {
+fn put_line<Cell, C: StoredPixel<Cell>>(
+    pixels: &mut [Cell],
+    mut line: impl Line,
+    texel: impl Fn([u32; 2]) -> C,
+) {
     let (blocks, rest) = pixels.as_chunks_mut::<BLOCK>();
     for pixels in blocks {
         each8(pixels, |pixel| *pixel = texel(line.advance()).stored());
-        line.at = opaque(line.at); // LLVM would keep multiples of the steps on the stack
+        line = line.hidden(); // LLVM would keep multiples of the steps on the stack
     }
     for i in 0..BLOCK - 1 {
         let Some(pixel) = rest.get_mut(i) else { return };
@@ -197,7 +206,7 @@ impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for FillNearer<'_, '_, 
     }
 
     #[inline(always)]
-    fn lines<R: Iterator<Item = (i32, Line)>>(
+    fn lines<L: Line, R: Iterator<Item = (i32, L)>>(
         self,
         lines: impl Fn(Span) -> R,
         texel: impl Fn([u32; 2]) -> C + Copy,
@@ -210,6 +219,12 @@ impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for FillNearer<'_, '_, 
                 put_line_nearer(pixels, depths, z, gradient.step(), line, of)
             });
         });
+    }
+
+    #[inline(always)]
+    fn packed(&mut self, gradient: &Gradient, texel: impl Fn(u32) -> C + Copy) -> bool {
+        let Self { memory, depths, triangle, scissor } = self;
+        packed_fill::fill_small_nearer(memory, depths, triangle, scissor, gradient, texel)
     }
 }
 
@@ -244,7 +259,7 @@ fn put_line_nearer<Cell: Copy, C: StoredPixel<Cell>>(
     depths: &mut [u16],
     mut z: u32,
     step: u32,
-    mut line: Line,
+    mut line: impl Line,
     texel: impl Fn([u32; 2]) -> C,
 ) -> u32 {
     // The lengths are equal already; this tells the compiler.
@@ -265,7 +280,7 @@ fn put_line_nearer<Cell: Copy, C: StoredPixel<Cell>>(
                 keep_rolled();
             }
         }
-        line.at = opaque(line.at);
+        line = line.hidden();
     }
     for (pixel, stored) in rest.iter_mut().zip(depth_rest) {
         put_nearer(pixel, stored, z, texel(line.advance()).stored());

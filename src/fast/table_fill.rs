@@ -46,32 +46,47 @@ impl<C: StoredPixel<Cell>, Cell: Copy> DepthFill<Cell> for &TableShader<'_, C> {
         gradients: &'a mut [Gradient; 2],
         cells: &'a mut [Cell],
         depths: &'a mut [u16],
-        RowOrigin { x, y, shear }: RowOrigin,
+        start: RowOrigin,
     ) -> impl RowFill
     where
         Cell: 'a,
         Self: 'a,
     {
-        let (cells, depths) = same_length(cells, depths);
-        let [depth, light] = gradients;
-        (*depth, *light) = (depth.sheared(shear), light.sheared(shear));
-        let steps = Steps { colors: self.colors(), depth: depth.step(), light: light.step() };
-        TableRows { steps, cells, depths, z: depth.at(x, y), light: light.at(x, y), gradients }
+        let colors = self.colors();
+        LookupRows::new(move |light| TableShader::look_up(colors, light), gradients, cells, depths, start)
     }
 }
 
-/// Rows that are filled with colours from a table.
-struct TableRows<'a, C, Cell> {
-    steps: Steps<'a, C>,
+/// Rows that are filled with the colours that a function has for the values of a gradient.
+pub(super) struct LookupRows<'a, F, Cell> {
+    steps: Steps<F>,
     cells: &'a mut [Cell],
     depths: &'a mut [u16],
     gradients: &'a [Gradient; 2],
-    /// Depth and light at the origin that the next row's ends are counted from.
+    /// Depth and the value at the origin that the next row's ends are counted from.
     z: u32,
-    light: u32,
+    value: u32,
 }
 
-impl<C: StoredPixel<Cell>, Cell> RowFill for TableRows<'_, C, Cell> {
+impl<'a, F, Cell> LookupRows<'a, F, Cell> {
+    /// Rows from gradients of depth and of the value.
+    #[inline(always)]
+    pub(super) fn new(
+        color: F,
+        gradients: &'a mut [Gradient; 2],
+        cells: &'a mut [Cell],
+        depths: &'a mut [u16],
+        RowOrigin { x, y, shear }: RowOrigin,
+    ) -> Self {
+        let (cells, depths) = same_length(cells, depths);
+        let [depth, value] = gradients;
+        (*depth, *value) = (depth.sheared(shear), value.sheared(shear));
+        let steps = Steps { color, depth: depth.step(), value: value.step() };
+        Self { steps, cells, depths, z: depth.at(x, y), value: value.at(x, y), gradients }
+    }
+}
+
+impl<C: StoredPixel<Cell>, F: Fn(u32) -> C + Copy, Cell> RowFill for LookupRows<'_, F, Cell> {
     #[inline(always)]
     fn row(&mut self, start: usize, left: i32, right: i32) {
         let (from, width) = (start.wrapping_add(left as usize), right.wrapping_sub(left));
@@ -82,20 +97,20 @@ impl<C: StoredPixel<Cell>, Cell> RowFill for TableRows<'_, C, Cell> {
                 self.long(from, left, width as usize);
             }
         }
-        let [depth, light] = self.gradients;
+        let [depth, value] = self.gradients;
         self.z = self.z.wrapping_add(depth.row_step());
-        self.light = self.light.wrapping_add(light.row_step());
+        self.value = self.value.wrapping_add(value.row_step());
     }
 }
 
-impl<C: StoredPixel<Cell>, Cell> TableRows<'_, C, Cell> {
-    /// The cells and depths of a row that begins at index `from` and column `left`, and depth and light at its first pixel.
+impl<C: StoredPixel<Cell>, F: Fn(u32) -> C + Copy, Cell> LookupRows<'_, F, Cell> {
+    /// The cells and depths of a row that begins at index `from` and column `left`, and depth and the value at its first pixel.
     #[inline(always)]
     fn part(&mut self, from: usize, left: i32, width: usize) -> Option<(&mut [Cell], &mut [u16], u32, u32)> {
         let (run, depths) = (part_of(self.cells, from, width)?, part_of(self.depths, from, width)?);
         let z = self.z.wrapping_add(self.steps.depth.wrapping_mul(left as u32));
-        let light = self.light.wrapping_add(self.steps.light.wrapping_mul(left as u32));
-        Some((run, depths, z, light))
+        let value = self.value.wrapping_add(self.steps.value.wrapping_mul(left as u32));
+        Some((run, depths, z, value))
     }
 
     /// Fills a row of fewer than [`BLOCK`] pixels. What it needs is in memory behind `self`, so the call passes few arguments
@@ -103,9 +118,9 @@ impl<C: StoredPixel<Cell>, Cell> TableRows<'_, C, Cell> {
     #[inline(never)]
     fn short(&mut self, from: usize, left: i32, width: usize) {
         let steps = Steps { ..self.steps };
-        if let Some((run, depths, z, light)) = self.part(from, left, width) {
+        if let Some((run, depths, z, value)) = self.part(from, left, width) {
             let (_, run) = run.as_chunks_mut::<BLOCK>(); // the same run: tells the compiler that it is shorter than a block
-            steps.fill_each(run, depths, z, light);
+            steps.fill_each(run, depths, z, value);
         }
     }
 
@@ -113,8 +128,8 @@ impl<C: StoredPixel<Cell>, Cell> TableRows<'_, C, Cell> {
     #[inline(never)]
     fn long(&mut self, from: usize, left: i32, width: usize) {
         let steps = Steps { ..self.steps };
-        if let Some((run, depths, z, light)) = self.part(from, left, width) {
-            steps.fill_blocks(run, depths, z, light);
+        if let Some((run, depths, z, value)) = self.part(from, left, width) {
+            steps.fill_blocks(run, depths, z, value);
         }
     }
 }
@@ -133,44 +148,44 @@ fn part_of<T>(all: &mut [T], from: usize, width: usize) -> Option<&mut [T]> {
     all.get_mut(from..from.wrapping_add(width)) // a sum that wraps is below `from`
 }
 
-/// The table, and the steps of depth and light from a pixel to its right neighbour.
-struct Steps<'a, C> {
-    colors: &'a [C; 256],
+/// The function, and the steps of depth and of its argument from a pixel to its right neighbour.
+struct Steps<F> {
+    color: F,
     depth: u32,
-    light: u32,
+    value: u32,
 }
 
-impl<C: PixelColor> Steps<'_, C> {
-    /// Fills pixels one by one; returns depth and light after the last one.
+impl<C: PixelColor, F: Fn(u32) -> C + Copy> Steps<F> {
+    /// Fills pixels one by one; returns depth and the value after the last one.
     #[inline(always)]
-    fn fill_each<Cell>(&self, run: &mut [Cell], depths: &mut [u16], mut z: u32, mut light: u32) -> (u32, u32)
+    fn fill_each<Cell>(&self, run: &mut [Cell], depths: &mut [u16], mut z: u32, mut value: u32) -> (u32, u32)
     where
         C: StoredPixel<Cell>,
     {
         for (pixel, stored) in run.iter_mut().zip(depths) {
             if z >> 16 < u32::from(*stored) {
                 *stored = (z >> 16) as u16;
-                *pixel = TableShader::look_up(self.colors, light).stored();
+                *pixel = (self.color)(value).stored();
             }
-            (z, light) = (z.wrapping_add(self.depth), light.wrapping_add(self.light));
+            (z, value) = (z.wrapping_add(self.depth), value.wrapping_add(self.value));
             keep_rolled(); // except for fewer than eight pixels
         }
-        (z, light)
+        (z, value)
     }
 
     /// Fills a block where the depth buffer is not clear everywhere. Not on a Cortex-M0, which has no registers to keep.
     #[cold] // so that the loop over clear blocks keeps its registers, and this call saves them
     #[inline(never)]
-    fn fill_mixed<Cell>(&self, pixels: &mut [Cell; BLOCK], depths: &mut [u16; BLOCK], z: u32, light: u32)
+    fn fill_mixed<Cell>(&self, pixels: &mut [Cell; BLOCK], depths: &mut [u16; BLOCK], z: u32, value: u32)
     where
         C: StoredPixel<Cell>,
     {
-        self.fill_each(pixels, depths, z, light);
+        self.fill_each(pixels, depths, z, value);
     }
 
     /// Fills a long run, eight pixels at once where the depth buffer is still clear, the common case.
     #[inline(always)]
-    fn fill_blocks<Cell>(&self, run: &mut [Cell], depths: &mut [u16], mut z: u32, mut light: u32)
+    fn fill_blocks<Cell>(&self, run: &mut [Cell], depths: &mut [u16], mut z: u32, mut value: u32)
     where
         C: StoredPixel<Cell>,
     {
@@ -182,19 +197,19 @@ impl<C: PixelColor> Steps<'_, C> {
             if is_clear(depths) {
                 zip8(pixels, depths, |pixel, stored| {
                     *stored = (z >> 16) as u16;
-                    *pixel = TableShader::look_up(self.colors, light).stored();
-                    (z, light) = (z.wrapping_add(self.depth), light.wrapping_add(self.light));
+                    *pixel = (self.color)(value).stored();
+                    (z, value) = (z.wrapping_add(self.depth), value.wrapping_add(self.value));
                 });
             } else if CORTEX_M0 {
                 // `opaque`: the depths are loaded again, because the branch above needs the registers.
-                (z, light) = self.fill_each(pixels, opaque(depths), z, light);
+                (z, value) = self.fill_each(pixels, opaque(depths), z, value);
             } else {
-                self.fill_mixed(pixels, depths, z, light);
+                self.fill_mixed(pixels, depths, z, value);
                 z = z.wrapping_add(self.depth.wrapping_mul(BLOCK as u32));
-                light = light.wrapping_add(self.light.wrapping_mul(BLOCK as u32));
+                value = value.wrapping_add(self.value.wrapping_mul(BLOCK as u32));
             }
             keep_rolled();
         }
-        self.fill_each(rest, depth_rest, z, light);
+        self.fill_each(rest, depth_rest, z, value);
     }
 }

@@ -287,6 +287,7 @@ mod tests {
     use crate::math::{Angle, Point3, Scalar, Vector3};
     use crate::raster::{area, ScreenPoint};
     use crate::shading::{CornerValues, Fog, FogTable, Fogged, Gouraud, ScreenDoor, ShadeTable, Shader};
+    use crate::shading::{Texels, Texture};
     use crate::surface::{DepthBuffer, Memory, PictureError, PixelFormat, StoredPixel};
     use core::convert::Infallible;
     use embedded_graphics_core::geometry::{Point, Size};
@@ -415,7 +416,24 @@ mod tests {
         depths: [i32; 3],
         levels: [u16; 3],
         color: u16,
+        uv: [[i16; 2]; 3],
         fog: Fog,
+    }
+
+    /// Texels whose color says the upper bits of both coordinates.
+    #[derive(Clone, Copy)]
+    struct Bits;
+
+    impl Texels for Bits {
+        type Color = Rgb565;
+
+        fn size_bits(&self) -> [u32; 2] {
+            [6, 5]
+        }
+
+        fn texel(&self, u: u32, v: u32) -> Rgb565 {
+            Rgb565::decode((u >> 16 ^ v >> 21 ^ v >> 16) & 0xffff)
+        }
     }
 
     impl Item {
@@ -502,6 +520,24 @@ mod tests {
                         _ => fill_nearer(&triangle, &fogged, &depth_scissor, is_clipped, depth, target),
                     }
                 }
+                12..=14 => {
+                    // Linear, on small triangles in one word; in perspective; linear in 32 bits.
+                    let face = Texture::new(Bits).at(self.uv);
+                    let unequal = self.levels.map(|level| (1 + i32::from(level)) << 21);
+                    let w = [[1 << 29; 3], unequal, [1 << 29; 3]][self.kind - 12];
+                    let face = face.with_corners(&CornerValues::new(self.depths, w));
+                    let clamped = Texture::new(Bits).clamped_at(self.uv);
+                    let clamped = clamped.with_corners(&CornerValues::new(self.depths, w));
+                    match (self.kind, is_clipped) {
+                        (14, _) => {
+                            fill_nearer(&triangle, &clamped, &depth_scissor, is_clipped, depth, target)
+                        }
+                        (_, true) => fill(flat, &face, &scissor, is_clipped, target),
+                        (_, false) => {
+                            fill_nearer(&triangle, &face, &depth_scissor, is_clipped, depth, target)
+                        }
+                    }
+                }
                 9 => fill_nearer(&triangle, &Tested(color), &depth_scissor, is_clipped, depth, target),
                 _ => fill_nearer(&triangle, &smooth, &depth_scissor, is_clipped, depth, target),
             };
@@ -526,6 +562,8 @@ mod tests {
                 depths: [0; 3].map(|_| random.below(farthest + 1) as i32),
                 levels: [0; 3].map(|_| random.below(257) as u16),
                 color: random.below(1 << 16) as u16,
+                // Often less than one side of the picture, 1024 units.
+                uv: [0; 3].map(|_| [0; 2].map(|_| random.within([500, 5_000][i & 1]) as i16)),
                 fog: {
                     // From all levels in a few steps of depth to levels over most of the range.
                     let start = 1 + random.below(40);
@@ -538,7 +576,7 @@ mod tests {
     }
 
     /// All kinds of items.
-    const ALL: &[usize] = &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11];
+    const ALL: &[usize] = &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14];
 
     const AREA: Rectangle = Rectangle::new(Point::new(-45, -33), Size::new(97, 71));
 
@@ -548,9 +586,24 @@ mod tests {
         let one_row_more = Rectangle::new(AREA.top_left, AREA.size + Size::new(0, 1));
         let elsewhere = Rectangle::new(Point::new(-60, -20), Size::new(97, 60));
         for depth_area in [AREA, one_row_more, elsewhere] {
-            for kinds in
-                [&[0][..], &[1], &[2], &[3], &[4], &[5], &[6], &[7], &[8], &[4, 9], &[10], &[11], ALL]
-            {
+            for kinds in [
+                &[0][..],
+                &[1],
+                &[2],
+                &[3],
+                &[4],
+                &[5],
+                &[6],
+                &[7],
+                &[8],
+                &[4, 9],
+                &[10],
+                &[11],
+                &[12],
+                &[13],
+                &[14],
+                ALL,
+            ] {
                 let mut drawn = 0;
                 for _ in 0..12 {
                     let items = items(random, 60, kinds);

@@ -2,7 +2,7 @@
 
 use super::CornerValues;
 use crate::clip::Varying;
-use crate::raster::{Span, Triangle};
+use crate::raster::{Gradient, Span, Triangle};
 use crate::shading::{FogBounds, FogLevel, Line, TableShader};
 use core::iter::{once, repeat};
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -317,12 +317,18 @@ pub trait DrawRuns<C>: Sized {
 
     /// Fills the triangle with the colours of `texel` at the texture coordinates that `lines` returns for each span, as runs: the
     /// width of each, and its coordinates.
-    fn lines<R: Iterator<Item = (i32, Line)>>(
+    fn lines<L: Line, R: Iterator<Item = (i32, L)>>(
         self,
         lines: impl Fn(Span) -> R,
         texel: impl Fn([u32; 2]) -> C + Copy,
     ) {
         self.runs(|span| lines(span).map(|(width, line)| (width, line.map(texel))));
+    }
+
+    /// Fills the triangle with the colours of `texel`, given a gradient of texture coordinates that share a word; or declines, with
+    /// `false`, and nothing is drawn.
+    fn packed(&mut self, _gradient: &Gradient, _texel: impl Fn(u32) -> C + Copy) -> bool {
+        false
     }
 }
 

@@ -1,7 +1,7 @@
 //! Textures of faces that planes cut, under projections of any kind, against rays in f64; and equal pixels by every draw call.
 
 use crate::texture_rays::{camera, library, numbered, perspective, Faces};
-use crate::textures::{Colored, Display, SIDE};
+use crate::textures::{Colored, Display, Wide, PACKING, SIDE};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
@@ -78,11 +78,15 @@ fn cut_faces_show_the_texels_of_rays_under_every_projection() {
         {
             let bits = [6, 5];
             let texture = Texture::new(numbered(bits)).with_accuracy(accuracy);
+            let wide = Texture::new(Wide(numbered(bits))).with_accuracy(accuracy);
             let (mut pixels, mut drawn) = (0, 0);
             for (face, &uv) in faces.uv.iter().enumerate() {
-                let picture = faces.draw(face, &camera, texture.at(uv));
-                let (worst, count) = faces.ray(face, &matrix, [1.0 / 16.0; 2]).worst_repeated(&picture, bits);
+                let ray = faces.ray(face, &matrix, [1.0 / 16.0; 2]);
+                let (worst, count) = ray.worst_repeated(&faces.draw(face, &camera, wide.at(uv)), bits);
                 assert!(worst <= chosen + planes, "{name}, {accuracy:?}, face {face}: {worst}");
+                let (worst, _) = ray.worst_repeated(&faces.draw(face, &camera, texture.at(uv)), bits);
+                let bound = chosen + planes + 64.0 * PACKING;
+                assert!(worst <= bound, "{name}, {accuracy:?}, face {face}, packed: {worst}");
                 (pixels, drawn) = (pixels + count, drawn + usize::from(count > 0));
             }
             assert!(pixels > 20_000 && drawn > 6, "{name}: {pixels} pixels of {drawn} faces");
@@ -116,10 +120,12 @@ fn coordinates_at_the_ends_of_i16_and_w_of_any_ratio() {
         [[24, 0, -4], [-1821, 32_000, -20_000], [1552, -3944, -20_000]],
         [[0, high], [low, high], [0, low]],
     );
+    const FEW: [u32; 2] = [8, 8]; // errors of more than 128 texels wrap
     let bits = [12, 12]; // so that no error wraps
     let (mut pixels, mut largest) = (0, f64::MIN);
     for (accuracy, chosen) in [(Accuracy::Quarter, 0.25), (Accuracy::Sixteenth, 0.0625)] {
-        let texture = Texture::new(numbered(bits)).with_accuracy(accuracy);
+        let texture = Texture::new(Wide(numbered(bits))).with_accuracy(accuracy);
+        let small = Texture::new(numbered(FEW)).with_accuracy(accuracy);
         for (face, &uv) in faces.uv.iter().enumerate() {
             let ray = faces.ray(face, &matrix, [1.0 / 16.0; 2]);
             let w = [0, 1, 2].map(|i| f64::from(-faces.vertices[3 * face + i][2]));
@@ -128,7 +134,8 @@ fn coordinates_at_the_ends_of_i16_and_w_of_any_ratio() {
             let planes = 4096.0 * ratio * 2f64.powi(-24);
             let (repeated, count) = ray.worst_repeated(&faces.draw(face, &camera, texture.at(uv)), bits);
             let (clamped, _) = ray.worst_clamped(&faces.draw(face, &camera, texture.clamped_at(uv)), bits);
-            for worst in [repeated, clamped] {
+            let (packed, _) = ray.worst_repeated(&faces.draw(face, &camera, small.at(uv)), FEW);
+            for worst in [repeated, clamped, packed - 256.0 * PACKING] {
                 let bound = chosen + 0.03 + 8.0 * planes;
                 assert!(worst <= bound, "face {face}, {ratio} times as far: {worst}");
                 largest = largest.max((worst - chosen) / planes);

@@ -43,6 +43,26 @@ impl Texels for Numbered {
     }
 }
 
+/// Texels whose coordinates have 32 bits.
+#[derive(Clone, Copy)]
+pub(crate) struct Wide<S>(pub(crate) S);
+
+impl<S: Texels> Texels for Wide<S> {
+    type Color = S::Color;
+    const WIDE: bool = true;
+
+    fn size_bits(&self) -> [u32; 2] {
+        self.0.size_bits()
+    }
+
+    fn texel(&self, u: u32, v: u32) -> S::Color {
+        self.0.texel(u, v)
+    }
+}
+
+/// The bound that `Texels::WIDE` documents for coordinates that share a word, in sides.
+pub(crate) const PACKING: f64 = 37.0 / 65536.0;
+
 /// A DrawTarget that is not the library's.
 pub(crate) struct Screen(pub(crate) Vec<Option<Shown>>);
 
@@ -85,11 +105,11 @@ impl Scene {
         Camera::new(&view, &lens, &viewport)
     }
 
-    fn draw(&self, accuracy: Accuracy, bits: [u32; 2]) -> Vec<Option<Shown>> {
+    fn draw(&self, accuracy: Accuracy, texels: impl Texels<Color = Shown>) -> Vec<Option<Shown>> {
         let mesh = Mesh::new(&self.vertices, self.exponent, &self.faces).unwrap();
         let camera = Self::camera();
         let instance = camera.place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
-        let texture = Texture::new(Numbered(bits)).with_accuracy(accuracy);
+        let texture = Texture::new(texels).with_accuracy(accuracy);
         let mut screen = Screen(vec![None; (SIDE * SIDE) as usize]);
         let Ok(_) = instance.solid(|face| texture.at(mesh.corners_of(face, &self.uv)), &mut [], &mut screen);
         screen.0
@@ -109,8 +129,8 @@ impl Scene {
     }
 
     /// The largest error in texels of the pixels that show one face, beyond a shift of 1/64 pixel; and how many pixels show it.
-    fn worst(&self, accuracy: Accuracy) -> (f64, usize) {
-        let bits = [6, 6];
+    fn worst(&self, accuracy: Accuracy, texels: impl Texels<Color = Shown>) -> (f64, usize) {
+        assert_eq!(texels.size_bits(), [6, 6]);
         let (mut worst, mut count) = (0.0f64, 0);
         for face in 0..self.faces.len() {
             let alone = Scene {
@@ -119,7 +139,7 @@ impl Scene {
                 uv: self.uv.clone(),
                 exponent: self.exponent,
             };
-            for (i, shown) in alone.draw(accuracy, bits).into_iter().enumerate() {
+            for (i, shown) in alone.draw(accuracy, texels).into_iter().enumerate() {
                 let Some(Shown(shown)) = shown else { continue };
                 let (x, y) = ((i as u32 % SIDE) as f64 + 0.5, (i as u32 / SIDE) as f64 + 0.5);
                 let near = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)]
@@ -186,8 +206,8 @@ pub(crate) fn soup(seed: u64, reach: i64, texels: i64) -> Scene {
     scene
 }
 
-/// The promise of `Texture`: a pixel shows the coordinates of a point within 1/64 pixel, off by at most the chosen error and the
-/// error of the planes, `planes` texels.
+/// The promise of `Texture`: a pixel shows the coordinates of a point within 1/64 pixel, off by at most the chosen error, the
+/// error of the planes, `planes` texels, and that of packing.
 #[test]
 fn texels_are_those_of_rays_within_the_chosen_error() {
     let cases = [
@@ -202,12 +222,14 @@ fn texels_are_those_of_rays_within_the_chosen_error() {
     for (accuracy, chosen) in
         [(Accuracy::Quarter, 0.25), (Accuracy::Eighth, 0.125), (Accuracy::Sixteenth, 0.0625)]
     {
-        let mut largest = 0.0f64;
+        let (mut largest, texels) = (0.0f64, Numbered([6, 6]));
         for (name, scene, planes) in &cases {
-            let (worst, pixels) = scene.worst(accuracy);
+            let (worst, pixels) = scene.worst(accuracy, Wide(texels));
             assert!(worst <= chosen + planes, "{name}, {accuracy:?}: {worst}");
             assert!(pixels > 10_000, "{name}: {pixels} pixels");
             largest = largest.max(worst);
+            let (worst, _) = scene.worst(accuracy, texels);
+            assert!(worst <= chosen + planes + 64.0 * PACKING, "{name}, {accuracy:?}, packed: {worst}");
         }
         assert!(largest > chosen / 2.0, "{accuracy:?}: {largest}");
     }
@@ -315,9 +337,17 @@ fn textures_are_equal_on_every_target_and_in_bands() {
     }
 }
 
-/// Coordinates of a parallel projection are linear on the screen: no pixel is off by more than 1/100 texel.
+/// Coordinates of a parallel projection are linear on the screen: no pixel is off by more than 1/100 texel and the error of packing.
 #[test]
 fn parallel_projections_are_exact() {
+    let texels = Numbered([8, 3]);
+    assert!(parallel_projection_is_off_by(Wide(texels), 0.0) <= 0.01);
+    let packed = parallel_projection_is_off_by(texels, PACKING);
+    assert!(packed <= 0.01, "{packed}");
+}
+
+/// The largest error in texels of a floor in a parallel projection, beyond `packing` in sides.
+fn parallel_projection_is_off_by(texels: impl Texels<Color = Shown>, packing: f64) -> f64 {
     let scene = quad(floor(1.0, 9.0, 3.0), 33.0, 500, -10);
     let size = Size::new(SIDE, SIDE);
     let one = Scalar::from_num(4);
@@ -328,7 +358,7 @@ fn parallel_projections_are_exact() {
     let camera = Camera::new(&view, &lens, &Viewport::new(Point::zero(), size).unwrap());
     let mesh = Mesh::new(&scene.vertices, scene.exponent, &scene.faces).unwrap();
     let instance = camera.place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
-    let texture = Texture::new(Numbered([8, 3]));
+    let texture = Texture::new(texels);
     let mut screen = Screen(vec![None; (SIDE * SIDE) as usize]);
     let Ok(_) = instance.solid(|face| texture.at(mesh.corners_of(face, &scene.uv)), &mut [], &mut screen);
     // u and v are affine in x and y: three pixels give the map, with the vertices' error of 1/256 pixel.
@@ -356,12 +386,87 @@ fn parallel_projections_are_exact() {
         for (axis, side) in [256.0, 8.0].into_iter().enumerate() {
             let shown = f64::from(shown[axis]) / 2f64.powi(32) * side;
             let off = (shown - exact[axis] + side / 2.0).rem_euclid(side) - side / 2.0;
-            worst = worst.max(off.abs() - slope[axis] / 64.0);
+            worst = worst.max(off.abs() - slope[axis] / 64.0 - packing * side);
         }
         count += 1;
     }
-    assert!(worst <= 0.01, "{worst}");
     assert!(count > 10_000, "{count}");
+    worst
+}
+
+/// Where coordinates are linear, no pixel shows what lies beyond the corners' coordinates: a picture that a face shows once does not
+/// begin again at the face's border. Beyond a shift of 1/64 pixel, no pixel is off by more than the bound of packing, and some are by
+/// more than half of it.
+#[test]
+fn linear_coordinates_stay_between_those_of_the_corners() {
+    let size = Size::new(SIDE, SIDE);
+    let number = |v: i32| Scalar::from_num(v);
+    let window = Window { left: number(-4), right: number(4), bottom: number(-4), top: number(4) };
+    let lens = Projection::orthographic(window, number(-20), number(20)).unwrap();
+    let [eye, ahead] = [0, -1].map(|z| Point3::from_ints(0, 0, z));
+    let view = ViewTransform::look_at(eye, ahead, Vector3::from_ints(0, 1, 0)).unwrap();
+    let camera = Camera::new(&view, &lens, &Viewport::new(Point::zero(), size).unwrap());
+    let mut rng = Rng::new(61);
+    let (mut pixels, mut closest, mut largest) = (0, f64::MAX, [f64::MIN; 2]);
+    for case in 0..3000 {
+        // Up to 6, 30 and 150 pixels.
+        let reach = [102, 512, 2560][case % 3];
+        let centre = [(); 2].map(|()| rng.int(-3000, 3000));
+        let vertices =
+            [(); 3].map(|()| [centre[0] + rng.int(-reach, reach), centre[1] + rng.int(-reach, reach), 0]);
+        let vertices = vertices.map(|vertex| vertex.map(|c| c as i16));
+        let bits = [3 + rng.below(6) as u32, 3 + rng.below(6) as u32];
+        // From one border of the picture to the other, and parts of it.
+        let uv = [(); 3].map(|()| {
+            [0, 1].map(|axis| [0, 16 << bits[axis], rng.int(0, 16 << bits[axis])][rng.below(3)] as i16)
+        });
+        // 30 pixels are 1 unit of the world.
+        let on_screen = vertices.map(|[x, y, _]| {
+            [x, -y].map(|c| f64::from(SIDE) / 2.0 + f64::from(c) * f64::from(SIDE) / 8.0 / 1024.0)
+        });
+        let mesh = Mesh::new(&vertices, -10, &[[0, 1, 2]]).unwrap();
+        let instance = camera.place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
+        for is_wide in [false, true] {
+            let mut screen = Screen(vec![None; (SIDE * SIDE) as usize]);
+            let Ok(_) = match is_wide {
+                false => instance.solid(|_| Texture::new(Numbered(bits)).at(uv), &mut [], &mut screen),
+                true => instance.solid(|_| Texture::new(Wide(Numbered(bits))).at(uv), &mut [], &mut screen),
+            };
+            for (i, pixel) in screen.0.iter().enumerate() {
+                let Some(Shown(shown)) = pixel else { continue };
+                let at = [i as u32 % SIDE, i as u32 / SIDE].map(|c| f64::from(c) + 0.5);
+                for axis in 0..2 {
+                    let texels = uv.map(|uv| f64::from(uv[axis]) / 16.0);
+                    let least = texels.into_iter().fold(f64::MAX, f64::min);
+                    let most = texels.into_iter().fold(f64::MIN, f64::max);
+                    // A texel beyond either border would show the other one.
+                    let side = f64::from(1u32 << bits[axis]);
+                    let shown = f64::from(shown[axis]) / 2f64.powi(32) * side;
+                    let room = (shown - least).min(most - shown);
+                    assert!(room >= 0.0 || least == most, "{vertices:?} {uv:?} {bits:?}: {shown}");
+                    if most - least > 1.0 {
+                        closest = closest.min(room / side);
+                    }
+                    let (exact, slope) = linear(on_screen, uv.map(|uv| f64::from(uv[axis]) / 16.0), at);
+                    let off = (shown - exact + side / 2.0).rem_euclid(side) - side / 2.0;
+                    let off = (off.abs() - slope / 64.0) / side;
+                    largest[usize::from(is_wide)] = largest[usize::from(is_wide)].max(off);
+                }
+                pixels += 1;
+            }
+        }
+    }
+    assert!(pixels > 100_000 && closest < PACKING / 32.0, "{pixels} pixels, {closest}");
+    let [packed, wide] = largest;
+    assert!((PACKING / 2.0..PACKING).contains(&packed) && wide < 2f64.powi(-13), "{packed}, {wide}");
+}
+
+/// What is linear over a triangle with these values at its corners, at a point; and the sum of its changes per pixel.
+fn linear([a, b, c]: [[f64; 2]; 3], [u, v, w]: [f64; 3], at: [f64; 2]) -> (f64, f64) {
+    let [[bx, by], [cx, cy], [x, y]] = [b, c, at].map(|p| [p[0] - a[0], p[1] - a[1]]);
+    let area = bx * cy - by * cx;
+    let (right, down) = (((v - u) * cy - (w - u) * by) / area, ((w - u) * bx - (v - u) * cx) / area);
+    (u + right * x + down * y, right.abs() + down.abs())
 }
 
 /// Coordinates below 0 are rounded down, not towards 0; the picture repeats on both sides.
@@ -372,7 +477,7 @@ fn the_picture_repeats_in_both_directions() {
         let mut scene = quad(corners, 0.0, 0, -8);
         let (low, high) = (from * 16, (from + 64) * 16);
         scene.uv = vec![[low, high], [high, high], [high, low], [low, low]];
-        scene.draw(Accuracy::Quarter, [4, 5])
+        scene.draw(Accuracy::Quarter, Numbered([4, 5]))
     };
     let first = draw(0);
     assert!(first.iter().flatten().count() > 50_000);
@@ -473,9 +578,14 @@ fn the_unit_of_coordinates_is_a_power_of_two_of_the_side() {
         let full = i16::try_from(full.min(1 << 14)).unwrap();
         let list = [[0, full], [full, full], [full, 0], [0, 0]];
         let coords = TextureCoords::new(&list, &scene.faces, exponent).unwrap();
-        let texture = Texture::new(Numbered([6, 3])).with_exponent(coords.exponent()).unwrap();
-        let mut screen = Screen(vec![None; (SIDE * SIDE) as usize]);
-        let Ok(_) = instance.solid(|face| texture.at(coords.corners(face)), &mut [], &mut screen);
+        let (texels, exponent) = (Numbered([6, 3]), coords.exponent());
+        let (wide, texture) = (Texture::new(Wide(texels)), Texture::new(texels));
+        let blank = || Screen(vec![None; (SIDE * SIDE) as usize]);
+        let [mut screen, mut packed] = [blank(), blank()];
+        let wide = wide.with_exponent(exponent).unwrap();
+        let Ok(_) = instance.solid(|face| wide.at(coords.corners(face)), &mut [], &mut screen);
+        let texture = texture.with_exponent(exponent).unwrap();
+        let Ok(_) = instance.solid(|face| texture.at(coords.corners(face)), &mut [], &mut packed);
         // The quad is 12 wide at a distance of 6, where the picture is 12·tan(30°) wide.
         let share = 12.0 * (FOV.to_radians() / 2.0).tan() / 12.0;
         let at = |x: u32| {
@@ -483,10 +593,12 @@ fn the_unit_of_coordinates_is_a_power_of_two_of_the_side() {
                 / 2f64.powi(-i32::from(exponent))
         };
         for x in 0..SIDE {
-            let Some(Shown([u, v])) = screen.0[(x * SIDE + x) as usize] else { panic!("{x}") };
-            for shown in [u, v] {
-                let off = f64::from(shown) / 2f64.powi(32) - at(x);
-                assert!(((off + 0.5).rem_euclid(1.0) - 0.5).abs() < 1e-4, "{exponent}, {x}: {off}");
+            for (screen, bound) in [(&screen, 1e-4), (&packed, 1e-4 + 2.0 * PACKING)] {
+                let Some(Shown([u, v])) = screen.0[(x * SIDE + x) as usize] else { panic!("{x}") };
+                for shown in [u, v] {
+                    let off = f64::from(shown) / 2f64.powi(32) - at(x);
+                    assert!(((off + 0.5).rem_euclid(1.0) - 0.5).abs() < bound, "{exponent}, {x}: {off}");
+                }
             }
         }
     }

@@ -59,6 +59,7 @@ impl<S: Texels> Texels for ClampedTexels<S> {
         self.texels.texel(u, v)
     }
 
+    const WIDE: bool = true;
     const KEYED: bool = S::KEYED;
 
     #[inline(always)]

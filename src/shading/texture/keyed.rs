@@ -46,6 +46,7 @@ impl<S: Texels> ColorKeyed<S, S::Color> {
 
 impl<S: Texels> Texels for ColorKeyed<S, S::Color> {
     type Color = S::Color;
+    const WIDE: bool = S::WIDE;
     const KEYED: bool = true;
 
     #[inline(always)]

@@ -1,120 +1,200 @@
 //! A row of pixels, divided into runs over which texture coordinates are linear.
 
-use super::gradients::{Gradients, Perspective, Sample};
+use super::gradients::Gradients;
+use super::line::{Line, PackedLine, TexelLine, LARGEST_BLOCK};
+use super::perspective::{Perspective, PerspectiveRows, Planes, Sample};
+use super::texels::Texels;
 use crate::raster::{Gradient, Span};
+use core::marker::PhantomData;
 
-/// Texture coordinates of pixels from left to right, in 2⁻³² of the sides: linear, without end.
-#[derive(Clone, Copy)]
-pub struct Line {
-    /// The coordinates of the next pixel.
-    pub(crate) at: [u32; 2],
+/// The runs of a span: their widths and coordinates.
+pub(super) trait LineRuns {
+    /// The next run.
+    fn next_run<L: Line>(&mut self) -> Option<(i32, L)>;
+}
+
+/// The runs of a span whose coordinates are linear: blocks of 2^[`LARGEST_BLOCK`] pixels, at multiples of it on the screen.
+pub(super) struct LinearRuns {
+    /// The coordinates in column 0, and their changes from a pixel to the next.
+    first: [u32; 2],
     step: [u32; 2],
+    x: i32,
+    end: i32,
 }
 
-impl Iterator for Line {
-    type Item = [u32; 2];
+impl LinearRuns {
+    #[inline(always)]
+    pub(super) fn new([u, v]: &[Gradient; 2], span: Span) -> Self {
+        Self::of([[u.at(0, span.y), v.at(0, span.y)], [u.step(), v.step()]], span)
+    }
 
     #[inline(always)]
-    fn next(&mut self) -> Option<[u32; 2]> {
-        Some(self.advance())
+    pub(super) fn by_row(rows: &PerspectiveRows, span: Span) -> Self {
+        Self::of(rows.line(span.y), span)
+    }
+
+    #[inline(always)]
+    fn of([first, step]: [[u32; 2]; 2], Span { x, width, .. }: Span) -> Self {
+        Self { first, step, x, end: x + width } // inside the guard band
     }
 }
 
-impl Line {
-    /// The coordinates of the next pixel; advances to the pixel after it.
+impl LineRuns for LinearRuns {
     #[inline(always)]
-    pub(crate) fn advance(&mut self) -> [u32; 2] {
-        let at @ [u, v] = self.at;
-        let [du, dv] = self.step;
-        self.at = [u.wrapping_add(du), v.wrapping_add(dv)];
-        at
-    }
-
-    /// A span of a triangle over which coordinates are linear.
-    #[inline(always)]
-    pub(super) fn affine([u, v]: &[Gradient; 2], Span { x, y, .. }: Span) -> Self {
-        Self { at: [u.at(x, y), v.at(x, y)], step: [u.step(), v.step()] }
+    fn next_run<L: Line>(&mut self) -> Option<(i32, L)> {
+        let Self { x, end, first: [u, v], step } = *self;
+        if x >= end {
+            return None;
+        }
+        let (from, to) = block(x, LARGEST_BLOCK);
+        self.x = to;
+        let along = |first: u32, step: u32| first.wrapping_add(step.wrapping_mul(from as u32));
+        let [du, dv] = step;
+        let line = L::of_block([along(u, du), along(v, dv)], step, LARGEST_BLOCK, x - from);
+        Some((to.min(end) - x, line))
     }
 }
 
-/// The runs of a span in perspective: their widths and coordinates.
+/// The block of 2^`bits` pixels, at a multiple of it on the screen, that holds a column: its begin and its end.
+#[inline(always)]
+const fn block(x: i32, bits: i32) -> (i32, i32) {
+    let mask = -1 << (bits & 31);
+    (x & mask, (x | !mask).wrapping_add(1))
+}
+
+/// The runs of a span in perspective.
 ///
 /// A pixel belongs to the largest block of 2^n pixels, at a multiple of 2^n on the screen, over which coordinates may be
 /// interpolated linearly. If they may over a block, they may over its halves, so that the search can begin at any size. A
 /// pixel shows the same texel however its row is cut into spans, by bands, by the depth buffer or by another target.
 pub(super) struct PerspectiveRuns<'g> {
     perspective: &'g Perspective,
-    start: i32,
+    /// In column 0.
+    row: Planes,
     x: i32,
-    y: i32,
     end: i32,
     /// The row's [curvature](Perspective::curvature).
     curvature: i32,
-    /// The sample at `x`, where the last run ended; none at the span's begin, and after a run of one pixel.
+    /// The sample at `x`, if the last run ended there with one.
     left: Sample,
+    /// The binary logarithm of the largest block that may begin at `x`, as far as q there decides; otherwise [`BEGIN`] or
+    /// [`SINGLE`].
+    reach: i32,
 }
+
+/// No run was before.
+const BEGIN: i32 = i32::MIN;
+
+/// The last run had one pixel.
+const SINGLE: i32 = i32::MIN + 1;
 
 impl<'g> PerspectiveRuns<'g> {
     #[inline(always)]
     pub(super) fn new(perspective: &'g Perspective, Span { x, y, width, .. }: Span) -> Self {
-        let curvature = perspective.curvature(x, y);
-        let end = x + width; // inside the guard band
-        Self { perspective, start: x, x, y, end, curvature, left: Sample::NONE }
+        Self {
+            perspective,
+            row: perspective.row(y),
+            x,
+            end: x + width, // inside the guard band
+            curvature: perspective.curvature(y),
+            left: Sample::ZERO,
+            reach: BEGIN,
+        }
     }
 
-    /// The next run.
+    /// The next run, up to the new `x` or the end.
     #[inline(never)] // its loop needs all registers
-    fn run(&mut self) -> (i32, Line) {
-        let Self { perspective, start, x, y, end, curvature, left } = *self;
-        // No block with this pixel has a larger minimum of q.
-        let q = perspective.q(x, y);
-        let mut bits = (perspective.largest_run as i32).min(Perspective::largest_block(curvature, q.max(1)));
-        if x > start {
-            // A block that began further left would have been the last run.
-            bits = bits.min(x.trailing_zeros() as i32);
+    fn run<L: Line>(&mut self) -> L {
+        let Self { perspective, row, x, curvature, reach, .. } = *self;
+        let is_next = reach > SINGLE;
+        // A block that began further left would have been the last run.
+        let mut bits = x.trailing_zeros() as i32;
+        if !is_next {
+            bits = self.most();
+        } else if reach < bits {
+            bits = reach;
         }
+        bits = bits.min(perspective.widest_block());
         while bits > 0 {
-            let mask = -1 << (bits & 31);
-            let (from, to) = (x & mask, (x | !mask).wrapping_add(1));
-            let behind @ (q_behind, st_behind) = perspective.at(to, y);
-            // A sample at the left end was the right end of the last run, so it had room: zeros pass the test.
-            let first @ (q_first, st_first) =
-                if left.is_none() { perspective.at(from, y) } else { (left.q, [0; 2]) };
-            if Perspective::has_room(&behind)
-                && Perspective::has_room(&first)
-                && Perspective::largest_block(curvature, q_first.min(q_behind)) >= bits
-            {
-                let left = if left.is_none() { perspective.divided(q_first, st_first) } else { left };
-                let right = perspective.divided(q_behind, st_behind);
-                let ([u, v], step @ [du, dv]) =
-                    (perspective.phases(&left), perspective.step(&left, &right, bits as u32));
-                let passed = (x - from) as u32; // at most 255
-                let at = [u.wrapping_add(du.wrapping_mul(passed)), v.wrapping_add(dv.wrapping_mul(passed))];
-                let width = to.min(end) - x;
-                (self.x, self.left) = (to, right);
-                return (width, Line { at, step });
+            let (from, to) = block(x, bits);
+            let behind = perspective.at(row, to);
+            let reach = Perspective::largest_block(curvature, behind.q);
+            if behind.has_room() && reach >= bits && (is_next || self.may_begin(from, bits)) {
+                let (left, right) = (self.left, perspective.divided(behind));
+                (self.x, self.reach, self.left) = (to, reach, right);
+                return perspective.line(left, right, bits, x - from);
             }
             bits -= 1;
         }
-        let sample = if left.is_none() { perspective.sample(x, y) } else { left };
-        (self.x, self.left) = (x + 1, Sample::NONE);
-        (1, Line { at: perspective.phases(&sample), step: [0; 2] })
+        if !is_next {
+            self.left = perspective.nearest(perspective.at(row, x));
+        }
+        (self.x, self.reach) = (x + 1, SINGLE);
+        L::of_block(perspective.phases(self.left), [0; 2], 0, 0)
+    }
+
+    /// The binary logarithm of the largest block that may hold `x`, as far as q there decides.
+    #[inline(never)]
+    fn most(&self) -> i32 {
+        let q = self.perspective.at(self.row, self.x).q;
+        let most = Perspective::largest_block(self.curvature, q);
+        match self.reach {
+            BEGIN => most,
+            // A block that began further left would have been the last run.
+            _ => most.min(self.x.trailing_zeros() as i32),
+        }
+    }
+
+    /// Whether a block may begin in column `from`, as far as q there decides: computes the sample there.
+    #[inline(never)]
+    fn may_begin(&mut self, from: i32, bits: i32) -> bool {
+        let Self { perspective, row, curvature, .. } = *self;
+        let first = perspective.at(row, from);
+        let may = first.has_room() && Perspective::largest_block(curvature, first.q) >= bits;
+        if may {
+            self.left = perspective.divided(first);
+        }
+        may
     }
 }
 
-impl Iterator for PerspectiveRuns<'_> {
-    type Item = (i32, Line);
+impl LineRuns for PerspectiveRuns<'_> {
+    #[inline(always)]
+    fn next_run<L: Line>(&mut self) -> Option<(i32, L)> {
+        let x = self.x;
+        if x >= self.end {
+            return None;
+        }
+        let line = self.run();
+        Some((self.x.min(self.end) - x, line))
+    }
+}
+
+/// [`LineRuns`] as an iterator.
+pub(super) struct Lines<R, L>(R, PhantomData<L>);
+
+impl<R: LineRuns, L: Line> Lines<R, L> {
+    #[inline(always)]
+    pub(super) const fn new(runs: R) -> Self {
+        Self(runs, PhantomData)
+    }
+}
+
+impl<R: LineRuns, L: Line> Iterator for Lines<R, L> {
+    type Item = (i32, L);
 
     #[inline(always)]
-    fn next(&mut self) -> Option<(i32, Line)> {
-        (self.x < self.end).then(|| self.run())
+    fn next(&mut self) -> Option<(i32, L)> {
+        let Self(runs, _) = self;
+        runs.next_run()
     }
 }
 
-/// The runs of a span.
+/// The runs of a span over a triangle of any kind.
 pub(super) enum Runs<'g> {
     /// The only one.
-    Affine(Option<(i32, Line)>),
+    Packed(Option<(i32, PackedLine)>),
+    Linear(LinearRuns),
     Perspective(PerspectiveRuns<'g>),
 }
 
@@ -122,20 +202,53 @@ impl<'g> Runs<'g> {
     #[inline(always)]
     pub(super) fn new(gradients: &'g Gradients, span: Span) -> Self {
         match gradients {
-            Gradients::Affine(gradients) => Self::Affine(Some((span.width, Line::affine(gradients, span)))),
+            Gradients::Packed(gradient) => {
+                Self::Packed(Some((span.width, PackedLine::of_row(gradient, span))))
+            }
+            Gradients::Linear(gradients) => Self::Linear(LinearRuns::new(gradients, span)),
+            Gradients::Rows(rows) => Self::Linear(LinearRuns::by_row(rows, span)),
             Gradients::Perspective(perspective) => Self::Perspective(PerspectiveRuns::new(perspective, span)),
         }
     }
 }
 
-impl Iterator for Runs<'_> {
-    type Item = (i32, Line);
+impl LineRuns for Runs<'_> {
+    #[inline(always)]
+    fn next_run<L: Line>(&mut self) -> Option<(i32, L)> {
+        match self {
+            Self::Packed(run) => {
+                let (width, line) = run.take()?;
+                Some((width, L::of_packed(line)?))
+            }
+            Self::Linear(runs) => runs.next_run(),
+            Self::Perspective(runs) => runs.next_run(),
+        }
+    }
+}
+
+/// [`Runs`] with the lines that texels of type `S` need.
+pub(super) struct TexelRuns<'g, S> {
+    runs: Runs<'g>,
+    texels: PhantomData<S>,
+}
+
+impl<'g, S: Texels> TexelRuns<'g, S> {
+    #[inline(always)]
+    pub(super) fn new(gradients: &'g Gradients, span: Span) -> Self {
+        Self { runs: Runs::new(gradients, span), texels: PhantomData }
+    }
+}
+
+impl<S: Texels> Iterator for TexelRuns<'_, S> {
+    type Item = (i32, TexelLine<S>);
 
     #[inline(always)]
-    fn next(&mut self) -> Option<(i32, Line)> {
-        match self {
-            Self::Affine(run) => run.take(),
-            Self::Perspective(runs) => runs.next(),
+    fn next(&mut self) -> Option<(i32, TexelLine<S>)> {
+        if S::WIDE {
+            let (width, line) = self.runs.next_run()?;
+            return Some((width, TexelLine::of_wide(line)));
         }
+        let (width, line) = self.runs.next_run()?;
+        Some((width, TexelLine::of_packed(line)))
     }
 }

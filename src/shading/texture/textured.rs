@@ -1,13 +1,13 @@
 //! The shader of a face that shows a texture.
 
 use super::gradients::Gradients;
+use super::line::{unpacked, PackedLine, WideLine};
 use super::mapping::Textured;
-use super::runs::{Line, PerspectiveRuns, Runs};
+use super::runs::{Lines, Runs, TexelRuns};
 use super::texels::Texels;
 use crate::clip::Barycentric;
 use crate::raster::{Span, Triangle};
 use crate::shading::{CornerValues, DrawRuns, Shader, SpanShader};
-use core::iter::once;
 
 impl<S: Texels> Shader for Textured<S> {
     type Varying = Barycentric;
@@ -38,7 +38,7 @@ pub struct TextureGradients<S> {
     gradients: Gradients,
 }
 
-impl<S: Copy> TextureGradients<S> {
+impl<S: Texels> TextureGradients<S> {
     #[inline(always)]
     pub(super) const fn texels(&self) -> &S {
         &self.texels
@@ -50,7 +50,7 @@ impl<S: Copy> TextureGradients<S> {
         &self,
         span: Span,
     ) -> impl Iterator<Item = (i32, impl Iterator<Item = [u32; 2]>)> + use<'_, S> {
-        Runs::new(&self.gradients, span)
+        TexelRuns::<S>::new(&self.gradients, span)
     }
 }
 
@@ -81,21 +81,23 @@ impl<S: Texels> SpanShader<S::Color> for Textured<S> {
         span: Span,
     ) -> impl Iterator<Item = (i32, impl Iterator<Item = Option<S::Color>>)> {
         let texels = setup.texels;
-        Runs::new(&setup.gradients, span)
+        setup
+            .coordinates(span)
             .map(move |(width, line)| (width, line.map(move |[u, v]| texels.kept_texel(u, v))))
     }
 
     #[inline(always)]
-    fn draw_runs<D: DrawRuns<S::Color>>(setup: &TextureGradients<S>, draw: D) {
-        let texels = setup.texels;
-        let texel = move |[u, v]: [u32; 2]| texels.texel(u, v);
-        match &setup.gradients {
-            Gradients::Affine(gradients) => {
-                draw.lines(|span| once((span.width, Line::affine(gradients, span))), texel);
-            }
-            Gradients::Perspective(perspective) => {
-                draw.lines(|span| PerspectiveRuns::new(perspective, span), texel);
-            }
+    fn draw_runs<D: DrawRuns<S::Color>>(setup: &TextureGradients<S>, mut draw: D) {
+        let texel = setup.texels.finder();
+        if let Gradients::Packed(gradient) = &setup.gradients
+            && draw.packed(gradient, move |word| texel(unpacked(word)))
+        {
+            return;
+        }
+        // One loop over rows for triangles of all kinds: another for each takes 2 KB of flash, with depth 3 KB.
+        match S::WIDE {
+            true => draw.lines(|span| Lines::<_, WideLine>::new(Runs::new(&setup.gradients, span)), texel),
+            false => draw.lines(|span| Lines::<_, PackedLine>::new(Runs::new(&setup.gradients, span)), texel),
         }
     }
 }

@@ -1,0 +1,422 @@
+//! Texture coordinates in perspective: quotients of two numbers that are linear on the screen.
+
+use super::gradients::{accuracy_bits, Gradients, FRACTION};
+use super::line::{Line, LARGEST_BLOCK};
+use super::mapping::Textured;
+use super::texels::Texels;
+use crate::math::num::{leading_zeros, mul_high, mul_wide, reciprocal_of_positive, Reciprocal};
+use crate::math::unrolled::{map2, map3};
+use crate::raster::{Gradient, GradientSetup, Triangle};
+use crate::shading::corner_values::inverse_w;
+
+/// Texture coordinates that are not linear on the screen. With q = 1/w, the numbers q, s = (u − u₀)·q and t = (v − v₀)·q are, and
+/// a pixel has u = u₀ + s/q. u₀ and v₀ are those of the farthest corner, where q is least exact: there s = t = 0.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Perspective {
+    /// In 2⁻³⁰ of their range over the triangle: 0 … 2³⁰ for q, and 2²⁹ more than s and t, which are −2²⁹ … 2²⁹.
+    planes: [Gradient; 3],
+    /// u₀ and v₀ in 2⁻³² of the sides.
+    origin: [u32; 2],
+    /// Four [`shifts`](Self::shifts), of 5 bits each.
+    shifts: u32,
+    /// The binary logarithm of the widest block.
+    largest_block: i32,
+    curvature: Curvature,
+}
+
+/// Texture coordinates in perspective that may be interpolated linearly over each row of a triangle.
+///
+/// With the notation of [`Curvature`], a row's tangent in a column that is D columns away at most is off by up to
+/// |K·q'|·D²/(q₀²·q₁) ≤ |K·q'|·(2·D)²/(4·m³), where m is the least q.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PerspectiveRows {
+    /// Its planes are counted from the anchor.
+    perspective: Perspective,
+    /// The column in the middle of the triangle.
+    anchor: i32,
+    /// The left shifts from products of K and 1/q² to the change from a pixel to the next, for mantissas of 1/q that are not
+    /// shifted.
+    steps: [i32; 2],
+}
+
+impl PerspectiveRows {
+    /// u and v in column 0 of a row, and their changes from a pixel to the next, in 2⁻³² of the sides.
+    #[inline(never)]
+    pub(super) fn line(&self, y: i32) -> [[u32; 2]; 2] {
+        let Self { perspective, anchor, steps } = self;
+        let planes @ Planes { q, .. } = perspective.row(y);
+        let r = reciprocal_of_positive(q); // 1/q = mantissa · 2^(shift − 61)
+        let [u, v] = perspective.phases(perspective.times(planes, r));
+        let square = mul_high(r.mantissa, r.mantissa); // 1/q² = square · 2^(2·shift − 90)
+        let ([k_s, k_t], [m, n]) = (perspective.curvature.k(y), *steps);
+        let step = |k: i32, up: i32| {
+            let (step, up) = (mul_high(k, square), up + 2 * r.shift as i32);
+            match up >= 0 {
+                true => step << (up & 31),
+                false => step >> (-up & 31),
+            }
+        };
+        let (du, dv) = (step(k_s, m) as u32, step(k_t, n) as u32);
+        let anchor = *anchor as u32;
+        [[u.wrapping_sub(du.wrapping_mul(anchor)), v.wrapping_sub(dv.wrapping_mul(anchor))], [du, dv]]
+    }
+}
+
+/// q, s and t at a pixel.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Planes {
+    pub(super) q: i32,
+    s: i32,
+    t: i32,
+}
+
+impl Planes {
+    /// Whether a [`Sample`] has room for the coordinates: they are at most 16 times as far from the farthest corner's as a corner's may
+    /// be.
+    #[inline(always)]
+    pub(super) fn has_room(&self) -> bool {
+        // From −q to q.
+        let is_within = |s: i32, q: i32| (s >> ROOM).wrapping_add(q) as u32 <= (q as u32) << 1;
+        let Self { q, s, t } = *self;
+        q > 0 && is_within(s, q) && is_within(t, q)
+    }
+}
+
+/// Texture coordinates relative to those of the farthest corner, in the unit that [`Perspective::shifts`] says: at most 2²⁹.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sample {
+    u: i32,
+    v: i32,
+}
+
+impl Sample {
+    pub(super) const ZERO: Self = Self { u: 0, v: 0 };
+}
+
+/// How fast coordinates depart from a line along a row.
+///
+/// Along a row s and q are linear, with the steps s' and q', so K = s'·q − s·q' is constant, and so is that of t; from row to row
+/// they are linear. Between pixels L columns apart with q₀ and q₁, s/q changes by K·L/(q₀·q₁), and q by q'·L: interpolated linearly
+/// in between, s/q is off by at most |K·q'|·L²/(4·q₀·q₁·min(q₀, q₁)) ≤ |K·q'|·L²/(4·m³) with m = min(q₀, q₁).
+#[derive(Clone, Copy, Debug)]
+struct Curvature {
+    /// K of s and of t in row 0, wrapping, and their changes from row to row, in a unit in which those of covered rows are below
+    /// 2³⁰: in texels, those of the larger unit of both.
+    rows: [[i32; 2]; 2],
+    /// The binary logarithm of that unit: 0 … 35.
+    cut: i32,
+    /// More than what K is off.
+    slack: u32,
+    /// What is added to the logarithm of |K| in this unit, as a fraction of 2³¹, for that of |K·q'|/(4·ε), as a fraction of 2⁹³: in
+    /// 2⁻¹⁶, like the logarithms.
+    bound: i32,
+}
+
+/// The binary logarithm in 2⁻¹⁶ of `v ≥ 1`, linear between powers of two: too small by less than [`ROUND_UP`].
+#[inline(always)]
+fn log_of(v: u32) -> i32 {
+    log_of_2_31(v) + (31 << 16)
+}
+
+/// [`log_of`] `v ≥ 1` as a fraction of 2³¹.
+#[inline(always)]
+fn log_of_2_31(v: u32) -> i32 {
+    let zeros = leading_zeros(v);
+    let fraction = (v << (zeros & 31)) << 1 >> 16; // without the leading bit
+    fraction as i32 - (zeros << 16)
+}
+
+/// More than log₂(1 + f) − f for f in 0 … 1, at most 0.08608, and more than what 16 bits of f cut off, in 2⁻¹⁶.
+const ROUND_UP: i32 = 5643;
+
+impl Curvature {
+    /// Of planes whose values at pixel (x, y) near the triangle are given.
+    fn new(planes: &[Gradient; 3], (x, y): (i32, i32), size: &Size, coarser: [u8; 2], exponent: i32) -> Self {
+        let [q, s, t] = planes;
+        let (q0, q_right, q_down) = (q.at(x, y) as i32, q.step() as i32, q.row_step() as i32);
+        let k = |s: &Gradient, coarser: u8| {
+            let (s0, right, down) =
+                (s.at(x, y).wrapping_sub(BIAS) as i32, s.step() as i32, s.row_step() as i32);
+            let (at, step) = match size.has_columns {
+                // Exact: q is below 2³¹, |s| and |t| are at most 2³⁰, and steps at most 2²⁹.
+                true => (
+                    mul_wide(right, q0).wrapping_sub(mul_wide(s0, q_right)),
+                    mul_wide(right, q_down).wrapping_sub(mul_wide(down, q_right)),
+                ),
+                // Steps from row to row may wrap: more than K at any pixel, as q is at most 2³⁰.
+                false => (i64::from(right.unsigned_abs().wrapping_add(q_right.unsigned_abs())) << 30, 0),
+            };
+            (at >> (coarser & 63), step >> (coarser & 63))
+        };
+        let [u, v] = coarser;
+        let (of_s @ (k_s, step_s), of_t @ (k_t, step_t)) = (k(s, u), k(t, v));
+        let steps = step_s.unsigned_abs() | step_t.unsigned_abs();
+        let largest = k_s.unsigned_abs() | k_t.unsigned_abs() | steps << (size.row_bits & 31);
+        // The sum of K and its steps has one bit more.
+        let cut = (64 - leading_zeros_64(largest) - 29).max(0); // at most 35
+        let row = |(k, step): (i64, i64)| {
+            let (k, step) = ((k >> (cut & 63)) as i32, (step >> (cut & 63)) as i32);
+            [k.wrapping_sub(step.wrapping_mul(y)), step]
+        };
+        let slope = log_of(q_right.unsigned_abs() | 1);
+        Self {
+            rows: [row(of_s), row(of_t)],
+            cut,
+            slack: 2 + (1 << (size.row_bits & 31)),
+            bound: slope + 2 * ROUND_UP + ((exponent + cut + 31 - 3 * 31) << 16),
+        }
+    }
+
+    /// K of s and of t in a row.
+    #[inline(always)]
+    fn k(&self, y: i32) -> [i32; 2] {
+        map2(self.rows, |[k, step]| k.wrapping_add(step.wrapping_mul(y)))
+    }
+
+    /// The binary logarithm of |K·q'|/(4·ε) in a row, as a fraction of 2⁹³, in 2⁻¹⁶.
+    #[inline(always)]
+    fn of_row(&self, y: i32) -> i32 {
+        let [s, t] = map2(self.k(y), i32::unsigned_abs);
+        log_of_2_31(s.max(t).wrapping_add(self.slack)) + self.bound
+    }
+}
+
+/// How far a triangle reaches.
+struct Size {
+    /// The binary logarithm of the widest block: at most the widest span, A/H with twice the area A and the height H, so that a
+    /// gradient changes by no more over it than over the triangle.
+    largest_block: i32,
+    /// Whether the longest column of pixels has two or more, so that a gradient changes by no more over two rows than over the
+    /// triangle.
+    has_columns: bool,
+    /// No covered row is 2^this rows or more from a corner's: 1 … 16.
+    row_bits: u32,
+    /// The rows of the highest and of the lowest corner.
+    rows: [i32; 2],
+    /// The column in the middle, and how many columns every covered pixel is from there at most.
+    middle: i32,
+    reach: i32,
+}
+
+impl Size {
+    fn of(triangle: &Triangle<'_>) -> Self {
+        let range = |[a, b, c]: [i32; 3]| (a.min(b).min(c), a.max(b).max(c));
+        let (left, right) = range(triangle.corners.map(|a| a.x));
+        let (top, bottom) = range(triangle.corners.map(|a| a.y));
+        let bits = |length: i32| 32 - leading_zeros(length as u32);
+        let (width, height) = (bits(right - left), bits(bottom - top));
+        // A/H in sub-pixels is at least 2^(bits of A − bits of H − 1); a pixel is 2⁸ of them.
+        let area = 64 - leading_zeros_64(triangle.area.unsigned_abs()) - 1 - 8;
+        Self {
+            largest_block: (area - height).clamp(0, LARGEST_BLOCK),
+            has_columns: area - width > 0,
+            row_bits: (height - 7).max(1) as u32,
+            rows: [top >> 8, bottom >> 8],
+            middle: (left + right) >> 9,
+            reach: ((right - left) >> 9) + 1,
+        }
+    }
+}
+
+#[inline(always)]
+fn leading_zeros_64(v: u64) -> i32 {
+    match (v >> 32) as u32 {
+        0 => 32 + leading_zeros(v as u32),
+        high => leading_zeros(high),
+    }
+}
+
+/// A [`Sample`] has room for s and t up to 2^this of q.
+const ROOM: i32 = 3;
+
+/// What the planes of s and t have more than s and t.
+const BIAS: u32 = 1 << 29;
+
+impl Perspective {
+    /// The gradients of a triangle: [`Gradients::Perspective`] or [`Gradients::Rows`].
+    pub(super) fn gradients<S: Texels>(shader: &Textured<S>, triangle: &Triangle<'_>) -> Gradients {
+        // Below 2²², so that there is room for samples beside the triangle.
+        let q = inverse_w(shader.w).map(|q| (q >> 9).max(1));
+        // The farthest corner first: errors of gradients grow with the distance from the first corner.
+        let ([qa, qb, qc], [a, b, c], [ua, ub, uc]) = (q, triangle.corners, shader.uv);
+        let (q, corners, uv) = if qb < qa && qb <= qc {
+            ([qb, qc, qa], [b, c, a], [ub, uc, ua])
+        } else if qc < qa {
+            ([qc, qa, qb], [c, a, b], [uc, ua, ub])
+        } else {
+            (q, triangle.corners, shader.uv)
+        };
+        let turned = Triangle { corners, ..*triangle };
+        let setup = GradientSetup::new(&turned);
+        let ([_, q1, q2], [[u, v], [u1, v1], [u2, v2]]) = (q, uv);
+        let (du, dv) = ([u1 - u, u2 - u], [v1 - v, v2 - v]); // below 2²⁴
+        let magnitude = |[a, b]: [i32; 2]| a.unsigned_abs() | b.unsigned_abs();
+        let n = 32 - leading_zeros(magnitude(du) | magnitude(dv)); // |difference| < 2^n, 0 … 24
+        let times = |difference: i32, q: i32| {
+            let product = i64::from(difference) * i64::from(q); // below 2^(n + 22)
+            ((product + (1 << (n & 31))) >> ((n + 1) & 31)) as i32 + (1 << 21)
+        };
+        let gradient = |[a, b]: [i32; 2]| setup.through(&[1 << 21, times(a, q1), times(b, q2)]);
+        let [u_unit, v_unit] = shader.texture.unit.map(i32::from);
+        let phase = |c: i32, unit: i32| (c as u32) << ((unit - FRACTION as i32) & 31);
+        // s/q in 2^(ROOM − 29) is a coordinate in 2^(n + unit − 36 + ROOM) of 2⁻³² of the side.
+        let (u_full, v_full) = (u_unit + n - 36 + ROOM, v_unit + n - 36 + ROOM);
+        let (u_up, v_up) = (u_full.max(LARGEST_BLOCK), v_full.max(LARGEST_BLOCK)); // at most 23
+        let planes = [setup.through(&q), gradient(du), gradient(dv)];
+        // An error ε of s/q is one of ε·2^(n + 1 + unit − FRACTION + bits − 32) texels.
+        let [w, h] = shader.texture.texels.size_bits().map(|bits| bits as i32);
+        let (u_texel, v_texel) = (u_unit + w, v_unit + h); // 19 … 40
+        let texel = u_texel.max(v_texel);
+        let coarser = [(texel - u_texel) as u8, (texel - v_texel) as u8];
+        // log₂(1/(4·ε)), rounded up.
+        let exponent = accuracy_bits(shader) as i32 + n + texel - 41;
+        let ([first, ..], size) = (corners, Size::of(triangle));
+        let curvature = Curvature::new(&planes, (first.x >> 8, first.y >> 8), &size, coarser, exponent);
+        let own = Self {
+            planes,
+            origin: [phase(u, u_unit), phase(v, v_unit)],
+            shifts: (u_up | v_up << 5 | (u_up - u_full) << 10 | (v_up - v_full) << 15) as u32,
+            largest_block: size.largest_block,
+            curvature,
+        };
+        if !own.is_linear_by_rows(qa.min(qb).min(qc), &size) {
+            return Gradients::Perspective(own);
+        }
+        let anchor = size.middle;
+        let planes = map3(planes, |plane| Gradient { origin: plane.at(anchor, 0), ..plane });
+        let step = texel + n + curvature.cut - 65;
+        Gradients::Rows(PerspectiveRows {
+            perspective: Self { planes, ..own },
+            anchor,
+            steps: [step - w, step - h],
+        })
+    }
+
+    /// Whether coordinates may be interpolated linearly over each row, given the least q of the corners: see [`PerspectiveRows`].
+    fn is_linear_by_rows(&self, least_q: i32, size: &Size) -> bool {
+        let Size { reach, rows: [top, bottom], .. } = *size;
+        let [q, s, t] = map3(self.planes, |plane| plane.step().cast_signed().unsigned_abs());
+        // More than the changes over `reach` columns. Steps are at most 2²⁹ where blocks may have two pixels.
+        let over = |step: u32| u64::from(step) * u64::from(reach as u32);
+        // Less than q within `reach` columns of a covered pixel: gradients are off by less than 2¹².
+        let least = (i64::from(least_q) << 8) - (1 << 12) - over(q) as i64;
+        if self.largest_block == 0 || !size.has_columns || least < 1 {
+            return false;
+        }
+        let has_room = (1 << 29) + (1 << 12) + over(s.max(t)) <= (least as u64) << ROOM;
+        let curvature = self.curvature.of_row(top).max(self.curvature.of_row(bottom));
+        has_room && curvature + 2 * (log_of(2 * reach as u32) + ROUND_UP) <= 3 * log_of_2_31(least as u32)
+    }
+
+    /// The planes in column 0 of a row.
+    #[inline(always)]
+    pub(super) fn row(&self, y: i32) -> Planes {
+        let [q, s, t] = map3(self.planes, |plane| plane.at(0, y));
+        Planes { q: q as i32, s: s.wrapping_sub(BIAS) as i32, t: t.wrapping_sub(BIAS) as i32 }
+    }
+
+    /// The curvature of a row, for [`largest_block`](Self::largest_block).
+    #[inline(always)]
+    pub(super) fn curvature(&self, y: i32) -> i32 {
+        self.curvature.of_row(y)
+    }
+
+    /// The planes in a column, given those in column 0.
+    #[inline(always)]
+    pub(super) fn at(&self, Planes { q, s, t }: Planes, x: i32) -> Planes {
+        let [q_step, s_step, t_step] = map3(self.planes, |plane| plane.step() as i32);
+        Planes {
+            q: q.wrapping_add(q_step.wrapping_mul(x)),
+            s: s.wrapping_add(s_step.wrapping_mul(x)),
+            t: t.wrapping_add(t_step.wrapping_mul(x)),
+        }
+    }
+
+    /// The coordinates where there is [room](Planes::has_room) for them; elsewhere, which is beside the triangle, those nearest to
+    /// them.
+    pub(super) fn nearest(&self, Planes { q, s, t }: Planes) -> Sample {
+        let q = q.max(1);
+        let most = i64::from(q) << ROOM;
+        let inside = |s: i32| i64::from(s).clamp(-most, most) as i32;
+        self.divided_called(Planes { q, s: inside(s), t: inside(t) })
+    }
+
+    #[inline(never)]
+    pub(super) fn divided_called(&self, planes: Planes) -> Sample {
+        self.divided(planes)
+    }
+
+    /// s/q and t/q, where there is [room](Planes::has_room).
+    #[inline(always)]
+    pub(super) fn divided(&self, planes: Planes) -> Sample {
+        self.times(planes, reciprocal_of_positive(planes.q))
+    }
+
+    /// s and t times 1/q = mantissa · 2^(shift − 61).
+    #[inline(always)]
+    fn times(&self, Planes { s, t, .. }: Planes, r: Reciprocal) -> Sample {
+        let divided = |s: i32, down: u32| mul_high(s >> ROOM << (r.shift & 31), r.mantissa) >> down;
+        let [.., u, v] = self.shifts();
+        Sample { u: divided(s, u), v: divided(t, v) }
+    }
+
+    /// The binary logarithm of the largest distance between two pixels over which coordinates may be interpolated linearly, if q
+    /// is `m` or more at both: |K·q'|·L² ≤ 4·ε·m³. Negative for none.
+    #[inline(always)]
+    pub(super) fn largest_block(curvature: i32, m: i32) -> i32 {
+        (3 * log_of_2_31(m as u32) - curvature) >> 17
+    }
+
+    /// The binary logarithm of the widest block, in pixels.
+    #[inline(always)]
+    pub(super) const fn widest_block(&self) -> i32 {
+        self.largest_block
+    }
+
+    /// The coordinates of a sample, in 2⁻³² of the sides.
+    #[inline(always)]
+    pub(super) fn phases(&self, Sample { u, v }: Sample) -> [u32; 2] {
+        let ([a, b], [m, n, ..]) = (self.origin, self.shifts());
+        [a.wrapping_add((u as u32) << m), b.wrapping_add((v as u32) << n)]
+    }
+
+    /// The line between two samples, 2^`bits` pixels from each other, from pixel `passed` on.
+    #[inline(always)]
+    pub(super) fn line<L: Line>(&self, left: Sample, right: Sample, bits: i32, passed: i32) -> L {
+        let [m, n, ..] = self.shifts();
+        L::between([left.u, left.v], [right.u, right.v], self.origin, [m, n], bits, passed)
+    }
+
+    /// For u and v, the binary logarithms of a [`Sample`]'s unit in 2⁻³² of the sides: [`LARGEST_BLOCK`] … 23, so that the steps over a
+    /// block are exact; and the right shifts from s/q and t/q in 2^([`ROOM`] − 29) to that unit: 0 … 23.
+    #[inline(always)]
+    fn shifts(&self) -> [u32; 4] {
+        let Self { shifts, .. } = *self;
+        [shifts & 31, shifts >> 5 & 31, shifts >> 10 & 31, shifts >> 15 & 31]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use super::*;
+
+    /// The bound of [`log_of`], which the error of textures rests on.
+    #[test]
+    fn logarithms_are_too_small_by_less_than_round_up() {
+        let mut largest = 0.0_f64;
+        for shift in 0..32 {
+            for fraction in 0..2048_u64 {
+                let v = ((1 << 11 | fraction) << shift >> 11) as u32;
+                if v == 0 {
+                    continue;
+                }
+                let (exact, own) = (f64::from(v).log2() * 65536.0, f64::from(log_of(v)));
+                assert!(own <= exact + 0.001 && exact < own + f64::from(ROUND_UP), "{v}: {own} for {exact}");
+                largest = largest.max(exact - own);
+            }
+        }
+        assert!(2.0 * largest > f64::from(ROUND_UP), "{largest}");
+    }
+}
