@@ -58,6 +58,20 @@ const NO_FACES: &[Part] = &[
     Part("shading/", None),
 ];
 
+/// Parts that draw faces. Strokes are parts of `shading/`, too.
+const LINES_ONLY: &[Part] = &[
+    NO_DEPTH[0],
+    NO_DEPTH[1],
+    FLAT[0],
+    DITHER,
+    NO_FACES[2],
+    NO_FACES[3],
+    NO_FACES[4],
+    NO_FACES[5],
+    NO_FACES[6],
+    NO_FACES[7],
+];
+
 pub(crate) const IMAGES: &[Image] = &[
     Image { name: "place", says: "a placed mesh", goal: None, without: NO_FACES, builds: WITH_RISCV },
     Image {
@@ -81,6 +95,13 @@ pub(crate) const IMAGES: &[Image] = &[
         goal: None,
         without: NO_FACES,
         builds: WITH_RISCV,
+    },
+    Image {
+        name: "wireframe_smooth",
+        says: "wireframe, anti-aliased, into a picture",
+        goal: None,
+        without: LINES_ONLY,
+        builds: ARM,
     },
     Image {
         name: "wireframe_bands",

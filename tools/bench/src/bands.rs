@@ -4,7 +4,7 @@ use crate::measure::Display;
 use crate::scene::{area, Scene, BACKGROUND, LINE, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{DepthBuffer, Frame, Lambert, ScreenVertex};
+use pinhole::{AntiAliased, DepthBuffer, Frame, Lambert, ScreenVertex};
 
 /// Sizes for the largest scene: its vertices, and its visible faces with a bit for each face of the mesh.
 const CORNERS: usize = 2892;
@@ -82,6 +82,24 @@ pub fn wireframe(
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let Ok(()) = edges.draw(LINE, &mut band.pixels());
+        display.take_bytes(band.bytes());
+    }
+    black_box(edges.statistics());
+    Some(())
+}
+
+/// A [`wireframe`] of anti-aliased lines.
+pub fn smooth_wireframe(
+    scene: &Scene,
+    Storage { corners, bin_storage, strip, .. }: Storage<'_>,
+    display: &mut Display,
+) -> Option<()> {
+    let instance = scene.place();
+    let projected = instance.transform(corners);
+    let mut edges = projected.bin_edges(bin_storage).ok()?;
+    let mut frame = Frame::new(area(), BACKGROUND);
+    while let Some(mut band) = frame.next_band(strip).ok()? {
+        let Ok(()) = edges.draw(AntiAliased(LINE), &mut band.pixels());
         display.take_bytes(band.bytes());
     }
     black_box(edges.statistics());

@@ -1,7 +1,7 @@
 //! The cells of `docs/speed.md`, a firmware each: the name of the image that is built chooses one of the list.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::cells::{self, Counted, Deep, Frame, Plain, Smooth, CUBE, ICO, TORUS};
-use bench::cells::{Strip16, Strip16Deep, Strip8, Strip8Deep};
+use bench::cells::{LineStrip8, Strip16, Strip16Deep, Strip8, Strip8Deep};
 use bench::position;
 
 /// A firmware of the list, by its number there.
@@ -75,7 +75,11 @@ cells! {
     "cell_s3_dt_z": Deep<TORUS>, cells::s3_dt_z;
     "cell_s3_dt_wire": Plain<TORUS>, cells::s3_dt_wire;
     "cell_s5_dt": Frame, cells::s5_dt;
-    // S6 anti-aliased.
+    // Anti-aliased: S1, S3's edges, at once, in bands and with a depth test, and S6.
+    "cell_s1_smooth": Plain<CUBE>, cells::s1_smooth;
+    "cell_s3_smooth": Plain<TORUS>, cells::s3_smooth;
+    "cell_s3_smooth_bands8": LineStrip8, cells::s3_smooth_bands;
+    "cell_s3_smooth_z": Deep<TORUS>, cells::s3_smooth_z;
     "cell_s6_smooth": Frame, cells::s6_smooth;
     "cell_s6_dt": Frame, cells::s6_dt;
     "cell_s7_dt": Frame, cells::s7_dt;

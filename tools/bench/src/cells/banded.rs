@@ -1,6 +1,7 @@
 //! S3 in bands of 8 and of 16 rows, as many pixels sent as a frame has, and the same frame in one piece. Both clear the
 //! picture and set the object's transform up in each frame. The mesh has no planes.
 
+use super::three::TORUS_EDGED;
 use super::{count, Counted, Deep, Plain, TORUS};
 use crate::bands::{self, bytes, pixels, Storage};
 use crate::board::Clock;
@@ -12,11 +13,13 @@ use pinhole::{DepthBuffer, ScreenVertex};
 
 /// The torus's visible faces, with some to spare, and a bit for each of its 1000 faces.
 const BIN_STORAGE: usize = 480 + 1000_usize.div_ceil(16);
+/// The torus's edges, and a bit for each.
+const EDGE_BINS: usize = 1500 + 1500_usize.div_ceil(16);
 
-/// Memory of a strip, of its depth if there is any, of the torus's vertices and its binned faces.
-pub struct Strip<const BYTES: usize, const DEPTHS: usize> {
+/// Memory of a strip, of its depth if there is any, of the torus's vertices and its binned faces or edges.
+pub struct Strip<const BYTES: usize, const DEPTHS: usize, const BINS: usize = BIN_STORAGE> {
     corners: [ScreenVertex; TORUS],
-    bin_storage: [u16; BIN_STORAGE],
+    bin_storage: [u16; BINS],
     strip: [u8; BYTES],
     depth: [u16; DEPTHS],
 }
@@ -26,11 +29,13 @@ pub type Strip8 = Strip<{ bytes(8) }, 0>;
 pub type Strip8Deep = Strip<{ bytes(8) }, { pixels(8) }>;
 pub type Strip16 = Strip<{ bytes(16) }, 0>;
 pub type Strip16Deep = Strip<{ bytes(16) }, { pixels(16) }>;
+/// For lines in bands of 8 rows.
+pub type LineStrip8 = Strip<{ bytes(8) }, 0, EDGE_BINS>;
 
-impl<const BYTES: usize, const DEPTHS: usize> Strip<BYTES, DEPTHS> {
+impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize> Strip<BYTES, DEPTHS, BINS> {
     pub const NEW: Self = Self {
         corners: [ScreenVertex::EMPTY; TORUS],
-        bin_storage: [0; BIN_STORAGE],
+        bin_storage: [0; BINS],
         strip: [0; BYTES],
         depth: [0; DEPTHS],
     };
@@ -55,6 +60,14 @@ pub fn s3_bands_z<const BYTES: usize, const DEPTHS: usize>(
     let scene = Scene::new(&scene::TORUS)?;
     let light = scene.light()?;
     count_bands(&mut |display| bands::depth(black_box(&scene), black_box(&light), memory.storage(), display))
+}
+
+/// S3's edges, anti-aliased.
+pub fn s3_smooth_bands<const BYTES: usize, const BINS: usize>(
+    memory: &mut Strip<BYTES, 0, BINS>,
+) -> Option<Counted> {
+    let scene = Scene::new(&TORUS_EDGED)?;
+    count_bands(&mut |display| bands::smooth_wireframe(black_box(&scene), memory.storage(), display))
 }
 
 /// Draws three frames, counts the second, and takes the checksum of the third.

@@ -15,7 +15,8 @@ mod textured;
 mod three;
 mod two;
 
-pub use banded::{s3_bands, s3_bands_z, s3_full, s3_full_z, Strip16, Strip16Deep, Strip8, Strip8Deep};
+pub use banded::{s3_bands, s3_bands_z, s3_full, s3_full_z, s3_smooth_bands};
+pub use banded::{LineStrip8, Strip16, Strip16Deep, Strip8, Strip8Deep};
 pub use blended::{s5_alpha, s5_half};
 pub use close::{c1, c1_planes, c1_planes_z, c1_wire, c1_z, c2, c2_planes, c2_planes_z, c2_wire, c2_z};
 pub use draw_target::{s1_dt, s2_dt, s2_dt_z, s3_dt, s3_dt_wire, s3_dt_z, s5_dt, s6_dt, s7_dt, s8_dt_z};
@@ -34,6 +35,7 @@ pub use textured::{
 #[cfg(not(target_os = "none"))]
 pub use three::placed;
 pub use three::{s1, s2, s2_z, s3, s3_wire, s3_z, s4, s4_z, s8_z};
+pub use three::{s1_smooth, s3_smooth, s3_smooth_z};
 pub use three::{s3_no_planes, s3_z_no_planes, s4_no_planes, s4_z_no_planes, s8_z_no_planes};
 pub use two::{s5, s6, s6_smooth, s7};
 
@@ -114,10 +116,15 @@ pub const USER_CELLS: &[Known] = &[
     ("S3", "dt-z", || s3_dt_z(&mut boxed(Deep::NEW))),
     ("S3", "dt-wire", || s3_dt_wire(&mut boxed(Plain::NEW))),
     ("S5", "dt", || s5_dt(&mut boxed(Frame::NEW))),
-    ("S6", "smooth", || s6_smooth(&mut boxed(Frame::NEW))),
     ("S6", "dt", || s6_dt(&mut boxed(Frame::NEW))),
     ("S7", "dt", || s7_dt(&mut boxed(Frame::NEW))),
     ("S8", "dt-z", || s8_dt_z(&mut boxed(Smooth::NEW))),
+    // Anti-aliased lines: wireframes, in bands and with a depth test too, and lines in the picture's plane.
+    ("S1", "smooth", || s1_smooth(&mut boxed(Plain::NEW))),
+    ("S3", "smooth", || s3_smooth(&mut boxed(Plain::NEW))),
+    ("S3", "smooth-bands8", || s3_smooth_bands(&mut boxed(LineStrip8::NEW))),
+    ("S3", "smooth-z", || s3_smooth_z(&mut boxed(Deep::NEW))),
+    ("S6", "smooth", || s6_smooth(&mut boxed(Frame::NEW))),
     // Textures.
     ("X1", "plain", || x1(&mut boxed(Plain::NEW))),
     ("X1", "z", || x1_z(&mut boxed(Deep::NEW))),

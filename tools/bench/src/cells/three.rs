@@ -9,7 +9,7 @@ use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 #[cfg(not(target_os = "none"))]
 use pinhole::ScreenVertex;
-use pinhole::{DepthBuffer, FacePlanes, Mesh, ShadeTable};
+use pinhole::{AntiAliased, DepthBuffer, FacePlanes, Mesh, ShadeTable};
 
 /// The torus with its edges alone, for wireframes.
 pub(super) static TORUS_EDGED: Model = edged(&scene::TORUS, &TORUS_EDGES);
@@ -38,6 +38,42 @@ pub(super) fn wire<const N: usize>(model: &'static Model, memory: &mut Plain<N>)
     let instance = scene.place();
     count(frame, &mut |picture| {
         let Ok(statistics) = black_box(&instance).wireframe(black_box(LINE), corners, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
+
+pub fn s1_smooth(memory: &mut Plain<CUBE>) -> Option<Counted> {
+    smooth_wire(&scene::CUBE, memory)
+}
+
+pub fn s3_smooth(memory: &mut Plain<TORUS>) -> Option<Counted> {
+    smooth_wire(&TORUS_EDGED, memory)
+}
+
+/// All edges of a model, anti-aliased.
+#[inline(always)]
+fn smooth_wire<const N: usize>(model: &'static Model, memory: &mut Plain<N>) -> Option<Counted> {
+    let scene = Scene::new(model)?;
+    let Plain { frame, corners } = memory;
+    let instance = scene.place();
+    count(frame, &mut |picture| {
+        let (stroke, mut pixels) = (AntiAliased(black_box(LINE)), picture.pixels());
+        let Ok(statistics) = black_box(&instance).wireframe(stroke, corners, &mut pixels);
+        black_box(statistics);
+        Some(())
+    })
+}
+
+/// S3's edges, anti-aliased and depth-tested, on a depth buffer that is clear.
+pub fn s3_smooth_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
+    let scene = Scene::new(&TORUS_EDGED)?;
+    let instance = scene.place();
+    count(frame, &mut |picture| {
+        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
+        let (stroke, mut pixels) = (AntiAliased(black_box(LINE)), picture.pixels());
+        let Ok(statistics) =
+            black_box(&instance).wireframe_depth_tested(stroke, corners, &mut depth, &mut pixels);
         black_box(statistics);
         Some(())
     })
