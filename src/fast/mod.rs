@@ -20,6 +20,7 @@
 
 #![cfg_attr(pinhole_plain, allow(dead_code))]
 
+pub(crate) mod anti_aliased_line;
 mod attach;
 mod back_face;
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]

@@ -1,28 +1,80 @@
 //! Anti-aliased lines into memory, with and without a depth test.
 //!
-//! There is no other path: targets whose pixels cannot be read do not compile with a stroke that is anti-aliased.
+//! Without a depth test, most lines are drawn by `fast::anti_aliased_line`. There is no path for a `DrawTarget`: targets whose pixels cannot be read do not compile with a stroke that is anti-aliased.
 
-use super::bounds::bounds;
 use crate::camera::UnpackedVertex;
-use crate::math::hints::{keep_rolled, opaque};
-use crate::raster::{Column, LineCoverage, LineDepth, Pixel, Scissor};
+use crate::fast::anti_aliased_line::anti_aliased_line;
+use crate::math::hints::opaque_next;
+use crate::raster::{rest, Column, LineCoverage, LineDepth, Pixel, Scissor};
 use crate::shading::Stroke;
 use crate::surface::{DepthBuffer, Memory, PixelStore, StoredPixel, Target};
-use core::ops::Range;
 
 /// How many pixels a line reaches beyond the rows and columns of its ends' pixels: it begins at a pixel border up to ½ pixel before the
 /// end, and its border is up to √2/2 pixel from its middle, so that is 1.21 pixels from an end, which may lie on the border of its pixel.
 pub(super) const BEYOND: i32 = 2;
 
-/// Mixes the pixels of a line inside the scissor, which lies in the target, for which `is_visible` is true, given column, row and
-/// coverage.
-#[inline(always)]
-pub(super) fn mix_line<T: Target, K: Stroke<T::Color>>(
+/// Draws a line between two points with coordinates in 1/256 pixel, without a depth test. `rounding`: as in [`LineCoverage::new`].
+#[inline(never)] // one copy for all callers
+fn line<T: Target, K: Stroke<T::Color>>(
+    ends: [[i32; 2]; 2],
+    rounding: i32,
+    viewport: Option<&Scissor>,
+    scissor: &Scissor,
+    stroke: K,
+    target: &mut T,
+) {
+    let mut line = LineCoverage::new(ends, rounding, scissor);
+    if !line.inside {
+        if viewport.is_some_and(|viewport| !meet(ends, viewport)) {
+            return;
+        }
+        line = line.clipped(scissor);
+        if line.tall && !line.inside {
+            line = ends_of_line(line, scissor, stroke, target);
+        }
+    }
+    if line.first < line.end && !anti_aliased_line(&line, scissor, stroke, target) {
+        // Copied, so that the line itself has no address, and its fields lie in registers.
+        by_pixels(&line.clone(), scissor, stroke, target);
+    }
+}
+
+/// Draws the columns of a line of which pixels may lie outside the scissor, and returns the others.
+#[cold]
+#[inline(never)]
+fn ends_of_line<T: Target, K: Stroke<T::Color>>(
+    line: LineCoverage,
+    scissor: &Scissor,
+    stroke: K,
+    target: &mut T,
+) -> LineCoverage {
+    let interior = line.interior(scissor);
+    by_pixels(&line.part(line.first..interior.first), scissor, stroke, target);
+    by_pixels(&line.part(interior.end..line.end), scissor, stroke, target);
+    interior
+}
+
+/// Mixes the pixels of a line that lie in the scissor.
+#[inline(never)]
+fn by_pixels<T: Target, K: Stroke<T::Color>>(
     line: &LineCoverage,
     scissor: &Scissor,
     stroke: K,
     target: &mut T,
-    mut is_visible: impl FnMut(i32, i32, i32) -> bool,
+) {
+    mix_columns::<false, _, _, _>(line, scissor, stroke, target, |_| (), |(), _, _, _| true);
+}
+
+/// Mixes the pixels of a line inside the scissor, which lies in the target, for which `is_visible` is true, given x, y and the
+/// area that the line covers, in 2⁻¹⁶.
+#[inline(always)]
+fn mix_columns<const UNROLLED: bool, T: Target, K: Stroke<T::Color>, D: Copy>(
+    line: &LineCoverage,
+    scissor: &Scissor,
+    stroke: K,
+    target: &mut T,
+    mut depth: impl FnMut(i32) -> D,
+    mut is_visible: impl FnMut(D, i32, i32, i32) -> bool,
 ) {
     const {
         // The compiler evaluates this for plain colours, too.
@@ -31,87 +83,54 @@ pub(super) fn mix_line<T: Target, K: Stroke<T::Color>>(
     }
     let Some((_, memory)) = target.memory().map(Memory::split) else { return };
     let (cells, scratch) = memory.parts();
-    let layout = scratch.layout;
-    let (along, across) = if line.tall { (layout.stride, 1) } else { (1, layout.stride) };
-    let (_, rows) = line.axes(scissor);
-    let cover = stroke.cover();
-    // The columns that begin in one of these many rows, from the first one on, lie in the scissor.
-    let inside = (rows.end - rows.start - 4).max(0) as u32;
-    // Index of the pixel in column 0 and row 0 of the line's axes.
-    let origin = layout.at(0, 0);
-    for column in line.columns(scissor) {
-        let first = column.first();
-        let mut at = (column.column as usize).wrapping_mul(along).wrapping_add(origin);
-        // Not known to LLVM, which would multiply again for each pixel.
-        at = opaque(at.wrapping_add((first as usize).wrapping_mul(across)));
-        if (first.wrapping_sub(rows.start) as u32) < inside
-            && let Some(cells) = cells.get_mut(at..)
-        {
-            line.each_pixel(&column, |pixel, coverage| {
-                let row = first + pixel as i32; // 0 … 4
-                let (x, y) = if line.tall { (row, column.column) } else { (column.column, row) };
-                if is_visible(x, y, coverage)
-                    && let Some(cell) = cells.get_mut(across.wrapping_mul(pixel))
-                {
-                    *cell = cover(T::Color::load(*cell), coverage as u16).stored();
-                    // 0 … 256
-                }
-            });
-        } else {
-            mix_clipped::<T, K>(line, &column, &rows, stroke, cells, [at, across], &mut is_visible);
+    let (layout, mix) = (scratch.layout, stroke.mixer());
+    // Not a branch, of which LLVM would make two loops.
+    let [tall, wide] = [line.tall, !line.tall].map(i32::from);
+    for Column { column, first, areas } in line.columns() {
+        let own = depth(column);
+        let mut pixel = 0;
+        while let Some(&area) = areas.get(pixel) {
+            let row = first + pixel as i32;
+            let row = if line.rises { !row } else { row };
+            let (x, y) = (column * wide + row * tall, column * tall + row * wide);
+            let rest = rest(area, K::SHARE_BITS);
+            if rest != 1 << K::SHARE_BITS
+                && scissor.rows().contains(&y)
+                && scissor.columns().contains(&x)
+                && is_visible(own, x, y, area)
+                && let Some(cell) = cells.get_mut(layout.at(x, y))
+            {
+                *cell = mix(T::Color::load(*cell), rest).stored();
+            }
+            pixel = if UNROLLED { pixel + 1 } else { opaque_next(pixel) };
         }
     }
-}
-
-/// Mixes the pixels of a column that lie in these rows. `at` is the index of the first pixel, `across` is added for each of the
-/// next ones.
-#[inline(never)] // few columns are clipped
-fn mix_clipped<T: Target, K: Stroke<T::Color>>(
-    line: &LineCoverage,
-    column: &Column,
-    rows: &Range<i32>,
-    stroke: K,
-    cells: &mut [<T::Store as PixelStore>::Cell],
-    [mut at, across]: [usize; 2],
-    is_visible: &mut impl FnMut(i32, i32, i32) -> bool,
-) {
-    for (row, coverage) in (column.first()..).zip(line.coverage(column)) {
-        let (x, y) = if line.tall { (row, column.column) } else { (column.column, row) };
-        if coverage != 0
-            && rows.contains(&row)
-            && is_visible(x, y, coverage)
-            && let Some(cell) = cells.get_mut(at)
-        {
-            *cell = stroke.covering(T::Color::load(*cell), coverage as u16).stored();
-            // 0 … 256
-        }
-        at = at.wrapping_add(across);
-        keep_rolled();
-    }
-}
-
-/// Draws a line without a depth test.
-#[inline(never)] // one copy for all callers
-pub(super) fn line<T: Target, K: Stroke<T::Color>>(
-    line: &LineCoverage,
-    scissor: &Scissor,
-    stroke: K,
-    target: &mut T,
-) {
-    mix_line(line, scissor, stroke, target, |_, _, _| true);
 }
 
 /// Draws a line between the centres of two pixels, from border to border.
-#[inline(never)]
+#[inline(always)]
 pub(super) fn line_between_pixels<T: Target, K: Stroke<T::Color>>(
     ends: [Pixel; 2],
     scissor: &Scissor,
     stroke: K,
     target: &mut T,
 ) {
-    // Pixels may lie beyond the guard band, within 2¹⁵; the line is set up relative to its first end, where the distance of
-    // both ends is below 2¹⁶ pixels.
-    line(&LineCoverage::between_pixels(ends), scissor, stroke, target);
+    // Pixels may lie beyond the guard band, within 2¹⁵. The border before the first centre is the nearest one beyond it.
+    line(ends.map(|p| [p.x, p.y].map(|v| 256 * i32::from(v) + 128)), 0, None, scissor, stroke, target);
+}
+
+/// The ends of an edge in 1/256 pixel.
+#[inline(always)]
+fn subpixels(ends: &[UnpackedVertex; 2]) -> [[i32; 2]; 2] {
+    ends.map(|end| [end.point.x, end.point.y])
+}
+
+/// Whether the box around the pixels of an edge's ends meets the viewport.
+#[inline(always)]
+fn meet(ends: [[i32; 2]; 2], viewport: &Scissor) -> bool {
+    let [[ax, ay], [bx, by]] = ends.map(|end| end.map(|v| v >> 8));
+    let pixels = Scissor::unclamped(ax.min(bx), ay.min(by), ax.max(bx) + 1, ay.max(by) + 1);
+    !pixels.intersection(viewport).is_empty()
 }
 
 /// Draws an edge of a mesh without a depth test, if its ends' pixels meet the viewport.
@@ -123,9 +142,7 @@ pub(super) fn edge<T: Target, K: Stroke<T::Color>>(
     stroke: K,
     target: &mut T,
 ) {
-    if !bounds(ends).intersection(viewport).is_empty() {
-        line(&LineCoverage::new(ends.map(|end| end.point)), scissor, stroke, target);
-    }
+    line(subpixels(ends), 128, Some(viewport), scissor, stroke, target);
 }
 
 /// Draws the pixels of an edge that are as near as the depth buffer, or for which `is_drawn_over` is true, given the stored depth
@@ -143,19 +160,24 @@ pub(super) fn visible_edge<T: Target, K: Stroke<T::Color>>(
     depth: &mut DepthBuffer<'_>,
     target: &mut T,
 ) {
-    if bounds(ends).intersection(viewport).is_empty() {
+    if !meet(subpixels(ends), viewport) {
         return;
     }
-    let points = ends.map(|end| end.point);
-    let line = LineCoverage::new(points);
-    let line_depth = LineDepth::on_axis(line.tall, points, ends.map(|end| end.depth));
-    mix_line(&line, scissor, stroke, target, |x, y, coverage| {
-        let Some([stored]) = depth.row(x, y, 1) else { return false };
-        let own = line_depth.depth(x, y);
-        let is_visible = own <= *stored || is_drawn_over(*stored, x, y);
-        if is_visible && stores && coverage >= 128 {
-            *stored = own;
-        }
-        is_visible
-    });
+    let line = LineCoverage::new(subpixels(ends), 128, scissor).clipped(scissor);
+    let line_depth = LineDepth::on_axis(line.tall, ends.map(|end| end.point), ends.map(|end| end.depth));
+    mix_columns::<true, _, _, _>(
+        &line,
+        scissor,
+        stroke,
+        target,
+        |column| line_depth.depth(column, column),
+        |own, x, y, area| {
+            let Some([stored]) = depth.row(x, y, 1) else { return false };
+            let is_visible = own <= *stored || is_drawn_over(*stored, x, y);
+            if is_visible && stores && area >= 1 << 15 {
+                *stored = own;
+            }
+            is_visible
+        },
+    );
 }

@@ -1,269 +1,169 @@
-//! Anti-aliased lines: how much of each pixel a line of one pixel's width covers.
+//! Anti-aliased lines: which columns a line has, and where it lies in each.
 //!
 //! The line is a parallelogram: the points at most ½ pixel from the infinite line through both ends, between two pixel borders,
 //! those nearest to the ends along the major axis. So it is a rectangle of width 1 but for its ends, which lie on pixel borders:
 //! lines that follow one another along one axis, as the edges of a curve do, share no pixel column and leave none out.
 //!
 //! The coverage of a pixel is the area of the parallelogram in the pixel's square: an unweighted area sampling with a box filter
-//! (Foley et al., 2nd ed., section 3.17.2; Gupta and Sproull, *Filtering edges for gray-scale displays*, 1981, use a cone).
-//! Wu's two pixels per column have the area only of a horizontal line.
-//!
-//! In one column of a line with slope m ≤ 1, an edge of the parallelogram crosses at most one grid line between two pixels, if
-//! it passes that grid line at a distance d < m/2 in the middle of the column. Then a triangle of area (m/2 − d)²/2m lies beyond
-//! the grid line; all else is as if the edge were level with its middle.
+//! (Foley et al., 2nd ed., section 3.17.2; Gupta and Sproull, *Filtering edges for gray-scale displays*, 1981, use a cone, and a table
+//! by the distance). Wu's two pixels per column have the area only of a horizontal line. It depends on the slope and on where the
+//! middle of the line lies in the column: `line_area.rs`.
 
-use super::{Pixel, Scissor, ScreenPoint};
-use crate::math::num::{divide, mul_wide, reciprocal};
+use super::{LineArea, Scissor, PIXELS};
+use crate::math::num::{mul_wide, reciprocal};
+use core::ops::Range;
 
-/// The parallelogram of a line. Coordinates are in the axes of the line: *columns* run along its major axis.
+/// An anti-aliased line. Coordinates are in the axes of the line: *columns* run along its major axis, rows along its minor axis.
+#[derive(Clone, Debug)]
 pub(crate) struct LineCoverage {
     /// Whether the major axis is y.
     pub(crate) tall: bool,
+    /// Whether the line goes upwards from column to column. Then `row` and `fraction` are those of its mirror image, whose rows are
+    /// counted upwards: row r is row −1 − r of the picture.
+    pub(crate) rises: bool,
+    /// Whether no column has a pixel outside the scissor's rows.
+    pub(crate) inside: bool,
     /// The columns that the line covers: `first` up to but excluding `end`.
-    first: i32,
-    end: i32,
-    /// The major and the minor extent in 1/256 pixel: `length` ≥ |`rise`|, at most 2²⁴.
-    length: i32,
-    rise: i32,
-    /// The column in whose middle the upper edge is at `top`, in 2⁻³².
-    from: i32,
-    top: i64,
-    /// The change of `top` per column: at most 2³² in magnitude. Its relative error is 2⁻²⁹, which over 2¹⁴ columns, the guard
-    /// band, makes 2⁻¹⁵ pixel, and over 2¹⁶ columns 2⁻¹³.
-    slope: i64,
-    /// The height of the parallelogram in a column, √(1 + m²), in 2⁻¹⁶: 65536 … 92682.
-    thickness: u32,
-    /// Half the slope's magnitude in 2⁻¹⁶, or 0 if the slope is below 2⁻¹⁰: then triangles have less than 2⁻¹³ pixel.
-    half_slope: u32,
-    /// 1/m in 2⁻¹²: below 2²³.
-    inverse: u32,
+    pub(crate) first: i32,
+    pub(crate) end: i32,
+    /// The row in which the middle of the line lies in the middle of column `first`, and where it lies in that row, in 2⁻³².
+    pub(crate) row: i32,
+    pub(crate) fraction: u32,
+    /// The change of the middle per column in 2⁻²⁹, 0 … 2²⁹ − 1. It is at most 1½ units off, which over 2¹⁴ columns, the guard
+    /// band, makes 2⁻¹⁴ pixel, and over 2¹⁶ columns 2⁻¹².
+    slope: u32,
 }
 
-/// A column of a line: `top` is the upper edge in its middle, in 2⁻³².
-#[derive(Clone, Copy)]
+/// A column of a line: the first of the rows in which the line may cover a pixel, and the areas of their pixels in 2⁻¹⁶.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Column {
     pub(crate) column: i32,
-    top: i64,
-}
-
-impl Column {
-    /// The row of the first of the five pixels that the line may cover.
-    #[inline(always)]
-    pub(crate) fn first(&self) -> i32 {
-        (self.top >> 32) as i32 - 1
-    }
+    pub(crate) first: i32,
+    pub(crate) areas: [i32; PIXELS],
 }
 
 impl LineCoverage {
-    /// The line between two points.
+    /// The line between two points with coordinates in 1/256 pixel, at most 2²³ in magnitude. `rounding` is added to the smaller major
+    /// coordinate, which is then rounded down to a border: 128 gives the nearest border, 0 the border before. [`inside`](Self::inside) is
+    /// true if two pixels lie between the ends' pixels and the scissor's border, and false if the line has yet to be
+    /// [clipped](Self::clipped).
     #[inline(always)]
-    pub(crate) fn new(ends: [ScreenPoint; 2]) -> Self {
-        Self::between(ends.map(|p| [p.x, p.y]))
-    }
-
-    /// The line between the centres of two pixels, both included: it ends at their outer borders.
-    #[inline(always)]
-    pub(crate) fn between_pixels(ends: [Pixel; 2]) -> Self {
-        let line = Self::between(ends.map(|p| [p.x, p.y].map(|v| 256 * i32::from(v) + 128)));
-        // The nearest border of the first centre, where two are equally near, is the one beyond it.
-        Self { first: line.from, ..line }
-    }
-
-    /// The line between two points with coordinates in 1/256 pixel, at most 2²³ in magnitude.
-    #[inline(never)]
-    fn between([a, b]: [[i32; 2]; 2]) -> Self {
-        let tall = (a[1] - b[1]).abs() > (a[0] - b[0]).abs();
-        let along = |[x, y]: [i32; 2]| if tall { (y, x) } else { (x, y) };
-        // Sorted along the major axis, and with equal coordinates there is no column.
-        let (a, b) = if along(a).0 <= along(b).0 { (along(a), along(b)) } else { (along(b), along(a)) };
-        let (length, rise) = (b.0 - a.0, b.1 - a.1); // 0 ≤ length ≤ 2²⁴, |rise| ≤ length
-                                                     // 1/length = mantissa · 2^(shift − 61): the slope in 2⁻³² is rise · mantissa · 2^(shift − 29). 25 + 31 + 2 bits.
+    pub(crate) fn new([[ax, ay], [bx, by]]: [[i32; 2]; 2], rounding: i32, scissor: &Scissor) -> Self {
+        let (left, right, top, bottom) = (ax.min(bx), ax.max(bx), ay.min(by), ay.max(by));
+        let inside = left >> 8 > scissor.left + 1
+            && right >> 8 < scissor.right - 2
+            && top >> 8 > scissor.top + 1
+            && bottom >> 8 < scissor.bottom - 2;
+        let (width, height) = (right - left, bottom - top);
+        let (tall, rises) = (height > width, (ax - bx) ^ (ay - by) < 0);
+        let (from, length, low, rise) =
+            if tall { (top, height, left, width) } else { (left, width, top, height) };
+        // With `length` 0 there is no column. 1/length = mantissa · 2^(shift − 61): this is rise/length · 2²⁹, as rise ≤ length < 2²⁵.
         let r = reciprocal(length);
-        let slope = (mul_wide(rise, r.mantissa) << 2) >> (31 - r.shift.min(30));
-        let m = ((slope.unsigned_abs() + (1 << 15)) >> 16) as u32; // at most 2¹⁶
-        let (mut half_slope, mut inverse) = (0, 0);
-        if m >= 1 << 6 {
-            half_slope = m >> 1;
-            // length/rise · 2¹² = length · mantissa · 2^(shift − 49): 25 + 31 bits, below 2²³.
-            let r = reciprocal(rise.abs());
-            inverse = (mul_wide(length, r.mantissa) >> (49 - r.shift.min(30))) as u32;
-        }
-        let thickness = thickness(m);
-        let from = a.0 >> 8;
-        let middle = 256 * from + 128 - a.0; // −127 … 128
-                                             // 24 + 24 bits, and 33 + 8 bits.
-        let top = (i64::from(a.1) << 24) + ((slope * i64::from(middle)) >> 8) - (i64::from(thickness) << 15);
-        let border = |p: i32| (p + 128) >> 8;
+        let slope = (((mul_wide(rise << r.shift, r.mantissa) + (1 << 31)) >> 32) as i32).min((1 << 29) - 1);
+        let (first, end) = ((from + rounding) >> 8, (from + length + 128) >> 8);
+        // From `from` to the middle of the first column: −127 … 256. The product is in 2⁻²⁹, below 2³⁰, and 2⁻²¹ off.
+        let change = (slope >> 8) * (256 * first + 128 - from);
+        let start = if rises { -(low + rise) } else { low };
+        let sum = ((start & 0xff) << 21) + change; // −2²⁹ … 2³⁰
         Self {
             tall,
-            first: border(a.0),
-            end: border(b.0),
-            length,
-            rise,
-            from,
-            top,
-            slope,
-            thickness,
-            half_slope,
-            inverse,
+            rises,
+            inside,
+            first,
+            end,
+            row: (start >> 8) + (sum >> 29),
+            fraction: (sum as u32) << 3,
+            slope: slope as u32,
         }
     }
 
-    /// What the line covers of each column of the scissor, in the direction of the major axis. Rows of a column may lie outside
-    /// the scissor.
+    /// The change of the middle per column in 2⁻³².
     #[inline(always)]
-    pub(crate) fn columns(&self, scissor: &Scissor) -> Columns {
+    pub(crate) fn slope(&self) -> u32 {
+        self.slope << 3
+    }
+
+    /// The slope, prepared for the areas of the line's columns.
+    #[inline(always)]
+    pub(crate) fn area(&self) -> LineArea {
+        LineArea::new(self.slope)
+    }
+
+    /// How far the middle moves in these many columns, in 2⁻³².
+    #[inline(always)]
+    pub(crate) fn distance(&self, columns: i32) -> i64 {
+        mul_wide(self.slope as i32, columns) << 3 // 29 + 17 + 3 bits
+    }
+
+    /// The line with the columns that lie in the scissor, but for most of those of which no pixel does.
+    #[inline(never)] // few lines, but for bands
+    pub(crate) fn clipped(self, scissor: &Scissor) -> Self {
         let (columns, rows) = self.axes(scissor);
-        let (mut first, mut end) = (self.first.max(columns.start), self.end.min(columns.end));
-        if first < end {
-            (first, end) = self.clipped_to_rows(first, end, rows);
+        let (first, end) = (self.first.max(columns.start), self.end.min(columns.end));
+        if first >= end {
+            return Self { end: self.first, ..self };
         }
-        // |first − from| ≤ 2¹⁶, times 2³².
-        let top = self.top.wrapping_add(self.slope.wrapping_mul(i64::from(first - self.from)));
-        Columns { slope: self.slope, column: first, end, top }
+        let line = self.part(first..end);
+        // A column has a pixel in the rows if its middle lies in one of them or at most two rows beyond. The middle lies anywhere in
+        // the first row.
+        let [enters, leaves] = line.columns_of([rows.start - 3 - line.row, rows.end + 2 - line.row]);
+        let start = (first + enters - 1).clamp(first, end);
+        let mut line = line.part(start..(first + leaves + 2).clamp(start, end));
+        let last = (line.middle(line.end - 1) >> 32) as i32;
+        line.inside = line.row > rows.start + 1 && last < rows.end - 2;
+        line
     }
 
-    /// The scissor's range along the major and along the minor axis.
+    /// The columns that have no pixel outside the scissor's rows, but for the outermost few.
     #[inline(always)]
-    pub(crate) fn axes(&self, scissor: &Scissor) -> (core::ops::Range<i32>, core::ops::Range<i32>) {
-        if self.tall {
-            (scissor.rows(), scissor.columns())
-        } else {
-            (scissor.columns(), scissor.rows())
-        }
+    pub(crate) fn interior(&self, scissor: &Scissor) -> Self {
+        let (_, rows) = self.axes(scissor);
+        let [enters, leaves] = self.columns_of([rows.start + 2 - self.row, rows.end - 3 - self.row]);
+        let start = (self.first + enters + 2).min(self.end);
+        Self { inside: true, ..self.part(start..(self.first + leaves).clamp(start, self.end)) }
     }
 
-    /// Columns `first` up to but excluding `end` without most of those in which the line lies outside of these rows.
-    #[inline(never)]
-    fn clipped_to_rows(&self, first: i32, end: i32, rows: core::ops::Range<i32>) -> (i32, i32) {
-        let row = |column: i32| {
-            let top = self.top.wrapping_add(self.slope.wrapping_mul(i64::from(column - self.from)));
-            (top >> 32) as i32
-        };
-        // A column has pixels in rows `row` − 1 to `row` + 3; one more row on either side covers the error of `slope`.
-        let (low, high) = (rows.start - 4, rows.end + 1);
-        let (a, b) = (row(first), row(end - 1));
-        if a.max(b) < low || a.min(b) > high || rows.is_empty() {
-            return (first, first);
-        }
-        // The number of columns from `first` in which the edge moves by `distance` rows, rounded down: 25 + 24 bits.
-        let columns = |distance: i32| {
-            let product = u64::from(distance.unsigned_abs() * 256) * u64::from(self.length.unsigned_abs());
-            (divide(product, self.rise.unsigned_abs()).0 >> 8).min(1 << 20) as i32
-        };
-        let (enters, leaves) = if self.rise > 0 { (low - a, high - a) } else { (a - high, a - low) };
-        // `row` is rounded down, so the edge may have moved by a row less or more: hence the further row. If the line enters
-        // or leaves, it is not level: `rise` is not 0.
-        let start = if enters > 1 { first + columns(enters - 1) } else { first };
-        let stop = if a.min(b) < low || a.max(b) > high {
-            if leaves >= 0 {
-                end.min(first + columns(leaves + 1) + 2)
-            } else {
-                first
-            }
-        } else {
-            end
-        };
-        (start.min(end), stop)
-    }
-
-    /// The triangle beyond a grid line, in 2⁻¹⁶ pixel, if the edge passes it at this distance in the middle of the column.
+    /// The numbers of columns in which the middle moves by these numbers of rows, at most 2¹⁷: within 1, and 0 for rows below 0.
     #[inline(always)]
-    fn beyond(&self, distance: u32) -> i32 {
-        let Some(reach) = self.half_slope.checked_sub(distance) else { return 0 };
-        // `reach` ≤ 2¹⁵ and reach/m ≤ ½, in 2⁻²⁸ below 2²⁸. Their product, halved, is in 2⁻³³.
-        let width = reach.wrapping_mul(self.inverse) >> 12;
-        (reach.wrapping_mul(width) >> 17) as i32
+    fn columns_of(&self, rows: [i32; 2]) -> [i32; 2] {
+        // 1/slope = mantissa · 2^(shift − 61) in 2²⁹, and `shift` is at least 2: 17 + 31 bits.
+        let r = reciprocal(self.slope as i32);
+        rows.map(|rows| (mul_wide(rows.max(0), r.mantissa) >> (32 - r.shift)).min(1 << 17) as i32)
     }
 
-    /// The coverage of the five pixels of a column, in 1/256 pixel.
-    #[inline(never)] // for columns that are clipped: most are not
-    pub(crate) fn coverage(&self, column: &Column) -> [i32; 5] {
-        let mut coverage = [0; 5];
-        self.each_pixel(column, |pixel, covered| {
-            if let Some(coverage) = coverage.get_mut(pixel) {
-                *coverage = covered;
-            }
-        });
-        coverage
-    }
-
-    /// Calls `put` with 0 … 4, for the pixel this many rows below a column's [first](Column::first), and its coverage in 1/256
-    /// pixel: for pixels 1 and 2, and for others if the line covers them.
+    /// The middle of the line in the middle of a column, in 2⁻³².
     #[inline(always)]
-    pub(crate) fn each_pixel(&self, column: &Column, mut put: impl FnMut(usize, i32)) {
-        const ONE: i32 = 1 << 16;
-        const HALF: u32 = 1 << 15;
-        // Rounded to nearest; an area of −2⁻¹⁶, from rounding, becomes 0.
-        let rounded = |area: i32| (area + 128) >> 8;
-        let upper = (column.top as u32) >> 16; // the part of pixel 1 above the edge
-        let lower = upper + self.thickness; // 65536 … 158217: the lower edge is in pixel 2 or 3
-        let mut second = ONE - upper as i32;
-        let mut third = ONE;
-        if upper < HALF {
-            let beyond = self.beyond(upper);
-            if rounded(beyond) != 0 {
-                put(0, rounded(beyond));
-            }
-            second -= beyond;
-        } else {
-            let beyond = self.beyond(ONE as u32 - upper);
-            second += beyond;
-            third -= beyond;
-        }
-        let part = lower & 0xffff;
-        let is_low = part < HALF;
-        let beyond = self.beyond(if is_low { part } else { ONE as u32 - part });
-        let (above, below) = if is_low { (beyond, 0) } else { (0, beyond) };
-        let area = part as i32 + above - below;
-        let mut fourth = area;
-        if lower < 2 << 16 {
-            second -= above;
-            third += area - ONE;
-            fourth = below;
-        } else {
-            third -= above;
-            if rounded(below) != 0 {
-                put(4, rounded(below));
-            }
-        }
-        put(1, rounded(second));
-        put(2, rounded(third));
-        if rounded(fourth) != 0 {
-            put(3, rounded(fourth));
-        }
+    fn middle(&self, column: i32) -> i64 {
+        (i64::from(self.row) << 32) + i64::from(self.fraction) + self.distance(column - self.first)
     }
-}
 
-/// √(1 + m²) in 2⁻¹⁶ for m in 2⁻¹⁶, at most 1: a polynomial of m², within 2⁻¹⁴.
-#[inline(always)]
-fn thickness(m: u32) -> u32 {
-    let s = ((m * (m >> 1)) >> 16) as i32; // m² in 2⁻¹⁵: m·m/2 ≤ 2³¹
-                                           // Interpolated at the Chebyshev nodes of 0 … 1, in 2⁻¹⁶; no factor has more than 16 bits.
-    let sum = [2919, -7833, 32726].into_iter().fold(-668, |sum, term| term + ((s * sum) >> 15));
-    ((1 << 16) + ((s * sum) >> 15)) as u32
-}
-
-/// An iterator over the columns of a line.
-pub(crate) struct Columns {
-    slope: i64,
-    column: i32,
-    end: i32,
-    top: i64,
-}
-
-impl Iterator for Columns {
-    type Item = Column;
-
+    /// These columns of the line.
     #[inline(always)]
-    fn next(&mut self) -> Option<Column> {
-        if self.column >= self.end {
-            return None;
-        }
-        let column = Column { column: self.column, top: self.top };
-        self.column += 1;
-        self.top = self.top.wrapping_add(self.slope);
-        Some(column)
+    pub(crate) fn part(&self, columns: Range<i32>) -> Self {
+        let middle = self.middle(columns.start);
+        let (row, fraction) = ((middle >> 32) as i32, middle as u32);
+        Self { row, fraction, first: columns.start, end: columns.end, ..*self }
+    }
+
+    /// The scissor's range along the major axis, and that along the minor axis in the line's rows.
+    #[inline(always)]
+    fn axes(&self, scissor: &Scissor) -> (Range<i32>, Range<i32>) {
+        let (columns, rows) =
+            if self.tall { (scissor.rows(), scissor.columns()) } else { (scissor.columns(), scissor.rows()) };
+        (columns, if self.rises { -rows.end..-rows.start } else { rows })
+    }
+
+    /// The columns of the line. Rows may lie outside the scissor that the line was clipped to.
+    #[inline(always)]
+    pub(crate) fn columns(&self) -> impl Iterator<Item = Column> + use<> {
+        let (mut middle, slope, area) = (self.middle(self.first), i64::from(self.slope()), self.area());
+        (self.first..self.end).map(move |column| {
+            let first = (middle >> 32) as i32 - 2;
+            let column = Column { column, first, areas: area.column(middle as u32) };
+            middle = middle.wrapping_add(slope);
+            column
+        })
     }
 }
 
@@ -273,7 +173,6 @@ mod tests {
 
     use super::*;
     use crate::math::random::Random;
-    use std::vec;
     use std::vec::Vec;
 
     /// The area of a convex polygon in the unit square whose first corner is (x, y): cut by four half-planes, then the shoelace
@@ -314,22 +213,25 @@ mod tests {
         (first < end).then_some(corners)
     }
 
+    /// Larger than every line.
+    const ALL: Scissor = Scissor::unclamped(-9000, -9000, 9000, 9000);
+
     #[test]
-    fn coverage_is_the_area_of_the_parallelogram_in_the_pixel() {
+    fn areas_are_those_of_the_parallelogram_in_the_pixels() {
         let random = &mut Random(31);
-        let (mut largest, mut partial) = (0.0_f64, 0);
+        let (mut errors, mut partial) = ([0.0_f64; 2], 0);
         for i in 0..20_000 {
-            let reach = [700, 3_000, 12_000, 2_000_000][i % 4];
+            let reach = [700, 3_000, 12_000, 2_000_000, 8_388_000][i % 5];
             let mut ends = [(); 2].map(|()| [random.within(reach), random.within(reach)]);
-            match i / 4 % 5 {
+            match i / 5 % 5 {
                 0 => ends[1][1] = ends[0][1] + random.within(40), // almost level
                 1 => ends[1] = [ends[0][0] + (ends[1][1] - ends[0][1]), ends[1][1]], // diagonal
                 2 => ends[1][1] = ends[0][1],
                 _ => {}
             }
-            let clamped = |v: i32| v.clamp(-2_097_152, 2_097_152);
+            let clamped = |v: i32| v.clamp(-8_388_480, 8_388_480);
             let ends = ends.map(|[x, y]| [clamped(x), clamped(y)]);
-            let line = LineCoverage::new(ends.map(|[x, y]| ScreenPoint::inside(x, y)));
+            let line = LineCoverage::new(ends, 128, &ALL);
             let axes = |[x, y]: [i32; 2]| if line.tall { [y, x] } else { [x, y] };
             let [a, b] = ends.map(|end| axes(end).map(|v| f64::from(v) / 256.0));
             let Some(polygon) = parallelogram(a, b) else {
@@ -337,80 +239,112 @@ mod tests {
                 continue;
             };
             assert_eq!((line.first, line.end), (polygon[0][0] as i32, polygon[1][0] as i32), "{ends:?}");
-            let all = Scissor::unclamped(-9000, -9000, 9000, 9000);
             let step = (line.end - line.first) as usize / 40 + 1;
             let offset = random.below(step as i64) as usize;
-            for column in line.columns(&all).skip(offset).step_by(step) {
+            let sample = (line.first..line.end).skip(offset).step_by(step);
+            for column in sample.flat_map(|column| line.part(column..column + 1).columns()) {
                 // Two more pixels on either side, where nothing is covered.
-                let covered = line.coverage(&column);
-                for row in column.first() - 2..column.first() + 7 {
-                    let slot = usize::try_from(row - column.first()).ok();
-                    let own = slot.and_then(|slot| covered.get(slot)).copied().unwrap_or(0);
+                for row in column.first - 2..column.first + 7 {
+                    let slot = usize::try_from(row - column.first).ok();
+                    let own = slot.and_then(|slot| column.areas.get(slot)).copied().unwrap_or(0);
+                    let row = if line.rises { !row } else { row };
                     let exact = area_in_pixel(&polygon, column.column.into(), row.into());
-                    assert!((0..=256).contains(&own));
-                    largest = largest.max((f64::from(own) / 256.0 - exact).abs());
+                    assert!((0..=65536 + 8).contains(&own));
+                    let error = &mut errors[usize::from(i % 5 == 4)];
+                    *error = error.max((f64::from(own) / 65536.0 - exact).abs());
                     partial += i32::from(exact > 0.01 && exact < 0.99);
                 }
             }
         }
-        // 2⁻⁹ for rounding to 1/256, and 2⁻¹² for all else.
-        let bound = 1.0 / 512.0 + 1.0 / 4096.0;
-        assert!(largest <= bound && largest > bound / 2.0, "{largest}");
+        // In the guard band, and up to 2¹⁶ columns.
+        for (largest, bound) in errors.into_iter().zip([1.0 / 8192.0, 1.0 / 4096.0]) {
+            assert!(largest <= bound && largest > bound / 2.0, "{errors:?}");
+        }
         assert!(partial > 100_000, "{partial}");
     }
 
     #[test]
     fn a_clipped_line_has_the_columns_of_the_line() {
         let random = &mut Random(32);
-        let mut compared = 0;
+        let (mut compared, mut interiors) = (0, 0);
         for i in 0..15_000 {
             let reach = [2_000, 20_000, 2_000_000][i % 3];
-            let mut point = || ScreenPoint::clamped(random.within(reach), random.within(reach));
-            let line = LineCoverage::new([point(), point()]);
+            let mut point = || [random.within(reach), random.within(reach)];
+            let line = LineCoverage::new([point(), point()], 128, &ALL);
             let [left, top] = [0; 2].map(|_| random.within(60));
             let (width, height) = (random.below(40) as i32 + 1, random.below(40) as i32 + 1);
             let scissor = Scissor::new(left, top, left + width, top + height);
             let (columns, rows) = line.axes(&scissor);
-            let all = line.columns(&Scissor::GUARD_BAND);
             let pixels = |column: Column| {
                 let rows = rows.clone();
-                let covered = (column.first()..).zip(line.coverage(&column));
+                let covered = (column.first..).zip(column.areas);
                 let rows = covered.filter(move |(row, _)| rows.contains(row));
-                rows.filter(|&(_, c)| c != 0).map(move |(row, c)| (column.column, row, c))
+                rows.filter(|&(_, area)| area != 0).map(move |(row, area)| (column.column, row, area))
             };
-            let exact = all.filter(|column| columns.contains(&column.column)).flat_map(pixels);
-            let exact: Vec<_> = exact.collect();
-            let clipped: Vec<_> = line.columns(&scissor).flat_map(pixels).collect();
-            assert_eq!(clipped, exact);
+            let all = line.columns().filter(|column| columns.contains(&column.column));
+            let exact: Vec<_> = all.flat_map(pixels).collect();
+            let clipped = line.clone().clipped(&scissor);
+            let own: Vec<_> = clipped.columns().flat_map(pixels).collect();
+            assert_eq!(own, exact);
             compared += exact.len();
             // Clipping leaves out most columns of which nothing lies in the scissor.
-            let visited = line.columns(&scissor).count() as i64;
-            let useful = exact.iter().map(|(column, ..)| column).fold(vec![], |mut all, column| {
-                if all.last() != Some(column) {
-                    all.push(*column);
-                }
-                all
-            });
-            let per_row = i64::from(line.length) / i64::from(line.rise.abs().max(1)) + 1;
+            let visited = i64::from(clipped.end - clipped.first);
+            let mut useful: Vec<_> = exact.iter().map(|(column, ..)| column).collect();
+            useful.dedup();
+            let per_row = (1_i64 << 29) / i64::from(line.slope.max(1)) + 1;
             assert!(
                 visited <= useful.len() as i64 + 16 * per_row + 16,
                 "{visited} {} {per_row}",
                 useful.len()
             );
+            // Of the interior, and of a line that is inside, all five pixels lie in the scissor's rows, which loops rely on.
+            let within = |column: Column| column.first >= rows.start && column.first + 5 <= rows.end;
+            assert!(!clipped.inside || clipped.columns().all(within));
+            let interior = clipped.interior(&scissor);
+            assert!(interior.columns().all(within));
+            interiors += interior.columns().count();
+            let [before, after] =
+                [clipped.first..interior.first, interior.end..clipped.end].map(|part| clipped.part(part));
+            let parts = before.columns().chain(interior.columns()).chain(after.columns());
+            assert!(parts
+                .map(|column| (column.column, column.areas))
+                .eq(clipped.columns().map(|c| (c.column, c.areas))));
         }
-        assert!(compared > 20_000, "{compared}");
+        assert!(compared > 20_000 && interiors > 5_000, "{compared} {interiors}");
+    }
+
+    /// A line that is inside before clipping has no pixel outside the scissor.
+    #[test]
+    fn a_line_two_pixels_from_the_border_is_inside() {
+        let random = &mut Random(33);
+        let mut inside = 0;
+        for _ in 0..40_000 {
+            let scissor = Scissor::new(3, 5, 3 + 12, 5 + 11);
+            let mut point = || [random.below(16 * 256) as i32, random.below(16 * 256) as i32];
+            for rounding in [0, 128] {
+                let line = LineCoverage::new([point(), point()], rounding, &scissor);
+                if line.inside {
+                    inside += 1;
+                    let (columns, rows) = line.axes(&scissor);
+                    assert!(columns.start <= line.first && line.end <= columns.end);
+                    for column in line.columns() {
+                        let mut covered = (column.first..).zip(column.areas).filter(|&(_, area)| area != 0);
+                        assert!(covered.all(|(row, _)| rows.contains(&row)), "{line:?}");
+                    }
+                }
+            }
+        }
+        assert!(inside > 1_000, "{inside}");
     }
 
     /// The sum over a column is the height of the parallelogram, so a line is equally bright in all directions.
     #[test]
     fn a_line_covers_its_length_times_its_width() {
         for (x, y) in [(40, 0), (40, 3), (40, 17), (40, 40), (17, 40), (3, -40), (-40, 9)] {
-            let end = ScreenPoint::inside(x * 256, y * 256);
-            let line = LineCoverage::new([ScreenPoint::ORIGIN, end]);
-            let columns = line.columns(&Scissor::GUARD_BAND);
-            let sum: i32 = columns.map(|column| line.coverage(&column).iter().sum::<i32>()).sum();
-            let area = f64::from(sum) / 256.0;
-            assert!((area - f64::from(x).hypot(f64::from(y))).abs() < 0.05, "{area}");
+            let line = LineCoverage::new([[0, 0], [x * 256, y * 256]], 128, &ALL);
+            let sum: i32 = line.columns().map(|column| column.areas.iter().sum::<i32>()).sum();
+            let area = f64::from(sum) / 65536.0;
+            assert!((area - f64::from(x).hypot(f64::from(y))).abs() < 0.005, "{area}");
         }
     }
 }

@@ -24,6 +24,10 @@ use embedded_graphics_core::pixelcolor::{
     note = "all color types of embedded-graphics can be mixed; implement `Blend` for your own color type"
 )]
 pub trait Blend: PixelColor {
+    /// Shares of [`mixer`](Self::mixer) are in 2^−`SHARE_BITS`.
+    #[doc(hidden)]
+    const SHARE_BITS: u32 = 8;
+
     /// The mean of this color and `stored`, channel by channel: half of this one rounded up, plus half of the stored one rounded
     /// down, which is within ½ level of the mean.
     #[must_use]
@@ -52,13 +56,13 @@ pub trait Blend: PixelColor {
         move |alpha| self.mix(other, alpha)
     }
 
-    /// A function that returns this color [over](Self::over) a stored one, for loops: parts that depend on this color alone are
-    /// computed once.
+    /// [`over`](Self::over) as a function for loops, of the stored color and of its share: what this color does not cover.
     #[must_use]
     #[doc(hidden)]
     #[inline(always)]
-    fn cover(self) -> impl Fn(Self, u16) -> Self + Copy {
-        move |stored, coverage| self.over(stored, coverage)
+    fn mixer(self) -> impl Fn(Self, u32) -> Self + Copy {
+        move |stored, rest| self.over(stored, 256_u32.wrapping_sub(rest) as u16)
+        // 0 … 256
     }
 }
 
@@ -82,6 +86,8 @@ const fn mix(own: u32, stored: u32, share: u32, bits: u32, all: u32, lowest: u32
 macro_rules! blend_16 {
     ($($color:ty: $low:literal, $spread:literal, $lowest:expr;)*) => {$(
         impl Blend for $color {
+            const SHARE_BITS: u32 = 5;
+
             #[inline(always)]
             fn half(self, stored: Self) -> Self {
                 Self::decode(half(self.encode(), stored.encode(), $low))
@@ -107,17 +113,16 @@ macro_rules! blend_16 {
             }
 
             #[inline(always)]
-            fn cover(self) -> impl Fn(Self, u16) -> Self + Copy {
+            fn mixer(self) -> impl Fn(Self, u32) -> Self + Copy {
                 // Not known to LLVM, which would make two masks of it, and load each anew where registers are few.
                 let all = opaque($spread);
-                let half = opaque($lowest << 4);
-                let spread = move |color: Self| (color.encode() | color.encode() << 16) & all;
-                let own = spread(self);
-                move |stored, coverage| {
-                    // `mix` by one product: modulo 2³², own·a + stored·(32 − a) = 32·stored + (own − stored)·a.
-                    let (stored, alpha) = (spread(stored), u32::from(coverage.wrapping_add(4) >> 3));
-                    let sum = (stored << 5).wrapping_add(half);
-                    let mixed = sum.wrapping_add(own.wrapping_sub(stored).wrapping_mul(alpha)) >> 5 & all;
+                let spread = |color: Self| color.encode() | color.encode() << 16;
+                let own = spread(self) & $spread;
+                let all_own = (own << 5) + ($lowest << 4);
+                move |stored, rest| {
+                    // `mix` by one product: own·(32 − rest) + stored·rest = 32·own + (stored − own)·rest modulo 2³².
+                    let sum = all_own.wrapping_add((spread(stored) & all).wrapping_sub(own).wrapping_mul(rest));
+                    let mixed = sum >> 5 & all;
                     Self::decode((mixed | mixed >> 16) & 0xffff)
                 }
             }
@@ -226,7 +231,10 @@ mod tests {
                     check(7, 250, alpha, mixed.b());
                     assert_eq!(
                         mixed,
-                        Rgb888::new(own, below, 7).cover()(Rgb888::new(below, own, 250), alpha)
+                        Rgb888::new(own, below, 7).mixer()(
+                            Rgb888::new(below, own, 250),
+                            256 - u32::from(alpha)
+                        )
                     );
                 }
             }
@@ -243,7 +251,7 @@ mod tests {
                     let [r, g, b] = own;
                     let mixed = Rgb565::new(r, g, b).over(Rgb565::new(below[0], below[1], below[2]), alpha);
                     let stored = Rgb565::new(below[0], below[1], below[2]);
-                    assert_eq!(mixed, Rgb565::new(r, g, b).cover()(stored, alpha));
+                    assert_eq!(mixed, Rgb565::new(r, g, b).mixer()(stored, 32 - u32::from(rounded / 8)));
                     check(r, below[0], rounded, mixed.r());
                     check(g, below[1], rounded, mixed.g());
                     check(b, below[2], rounded, mixed.b());
@@ -253,7 +261,7 @@ mod tests {
                     check(g / 2, below[1] / 2, rounded, mixed.g());
                     check(b, below[2], rounded, mixed.b());
                     let stored = Bgr555::new(below[0], below[1] / 2, below[2]);
-                    assert_eq!(mixed, Bgr555::new(r, g / 2, b).cover()(stored, alpha));
+                    assert_eq!(mixed, Bgr555::new(r, g / 2, b).mixer()(stored, 32 - u32::from(rounded / 8)));
                 }
             }
         }

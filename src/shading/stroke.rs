@@ -28,11 +28,16 @@ pub trait Stroke<C: PixelColor>: Copy {
         self.color()
     }
 
-    /// [`covering`](Self::covering) as a function, for loops: parts that depend on the stroke alone are computed once.
+    /// Shares of [`mixer`](Self::mixer) are in 2^−`SHARE_BITS`.
+    #[doc(hidden)]
+    const SHARE_BITS: u32 = 8;
+
+    /// [`covering`](Self::covering) as a function for loops, of the stored color and of its share: what the line does not cover.
     #[doc(hidden)]
     #[inline(always)]
-    fn cover(self) -> impl Fn(C, u16) -> C + Copy {
-        move |below, coverage| self.covering(below, coverage)
+    fn mixer(self) -> impl Fn(C, u32) -> C + Copy {
+        move |below, rest| self.covering(below, 256_u32.wrapping_sub(rest) as u16)
+        // 0 … 256
     }
 }
 
@@ -52,8 +57,9 @@ impl<C: PixelColor> Stroke<C> for C {
 /// pixel, and a line of less than that may have no pixel. Ends are not rounded to pixels across the line, unlike those of plain
 /// lines. (Area sampling by a box filter: Foley et al., *Computer Graphics: Principles and Practice*, 2nd ed., section 3.17.2.)
 ///
-/// Coverage is within 2⁻⁹ + 2⁻¹² pixel of the area, asserted against polygons cut in f64; [`Blend::over`] then rounds it to 1/32 for
-/// colours of 15 and 16 bits, and each channel to nearest. A clipped line has the pixels of the line that lie inside, so bands
+/// The area is within 2⁻¹³ pixel of the exact one in the guard band, and within 2⁻¹² up to 2¹⁶ columns, asserted against polygons cut
+/// in f64. It is rounded once: to 1/32, which is at most 1/64 off, for colours of 15 and 16 bits, and to 1/256 for others, which
+/// [`Blend::over`] mixes, each channel rounded to nearest. A clipped line has the pixels of the line that lie inside, so bands
 /// equal one piece. Where lines cross, each is mixed over those before: the order matters, though not with one colour.
 ///
 /// An edge of a mesh is drawn if the box around the pixels of its ends meets the viewport, as with a plain colour.
@@ -99,8 +105,10 @@ impl<C: Blend> Stroke<C> for AntiAliased<C> {
         self.0.over(below, coverage)
     }
 
+    const SHARE_BITS: u32 = C::SHARE_BITS;
+
     #[inline(always)]
-    fn cover(self) -> impl Fn(C, u16) -> C + Copy {
-        self.0.cover()
+    fn mixer(self) -> impl Fn(C, u32) -> C + Copy {
+        self.0.mixer()
     }
 }

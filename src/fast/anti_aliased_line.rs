@@ -1,0 +1,189 @@
+//! Anti-aliased lines without a depth test.
+//!
+//! - **Plain twin**: `pipeline::anti_aliased::mix_columns`, which tests each pixel.
+//! - **Domain**: lines that run more to the right than down or up, clipped or not, and all others that lie between the scissor's
+//!   columns, on a target whose pixels lie in memory.
+//! - **Gain**: S6 anti-aliased takes 4.0 million instructions on an M3, 6.1 on an M0; one loop for lines with and without depth took 6.9 and
+//!   9.6 million.
+//! - **Test**: `tests/pipeline/anti_aliased.rs`, which compares lines with those that a clear depth buffer hides nothing of, which the
+//!   plain twin draws, and with their parts in bands.
+//!
+//! A tall line is drawn through three slices, of the pixels before its middle, in its middle and after it. They have one length and begin
+//! one pixel apart, so one bounds check serves all three and also ends the loop; the index is a fixed-point number with 32 fractional
+//! bits, whose carry is the step to the next pixel of a row. A flat line is drawn into the slice of the scissor's rows, in which the
+//! bounds check of a pixel is also the test whether its row lies in the scissor. The outermost two of the five pixels of a column are
+//! covered in few columns of steep lines only, and have a function of their own.
+
+use crate::math::hints::keep_rolled;
+use crate::raster::{rest, share, unrounded_rest, LineArea, LineCoverage, Scissor};
+use crate::shading::Stroke;
+use crate::surface::{StoredPixel, Target};
+use core::cell::Cell;
+
+use super::memory_of;
+
+/// Draws a line, whose columns lie in the scissor, which lies in the target, and returns `true`; or draws nothing.
+#[inline(always)]
+pub(crate) fn anti_aliased_line<T: Target, K: Stroke<T::Color>>(
+    line: &LineCoverage,
+    scissor: &Scissor,
+    stroke: K,
+    target: &mut T,
+) -> bool {
+    if line.tall && !line.inside {
+        return false;
+    }
+    let Some(memory) = memory_of(target) else { return false };
+    let (cells, scratch) = memory.parts();
+    let layout = scratch.layout;
+    let mix = stroke.mixer();
+    let mix = move |cell, rest| mix(T::Color::load(cell), rest).stored();
+    let (area, slope) = (line.area(), line.slope());
+    let row = if line.rises { !line.row } else { line.row };
+    let count = line.end - line.first; // at least 1
+    if line.tall {
+        // The line itself, if it is mirrored: the complements of row and fraction, and the slope the other way.
+        let fraction = if line.rises { !line.fraction } else { line.fraction };
+        let signed =
+            |distance: i64| if line.rises { distance.wrapping_neg() as u64 } else { distance as u64 };
+        let stride = (layout.stride as u64) << 32;
+        let last = u64::from(fraction)
+            .wrapping_add(stride.wrapping_mul((count - 1) as u64))
+            .wrapping_add(signed(line.distance(count - 1)));
+        // Two pixels before the first one, up to two pixels after the last one.
+        let first = layout.at(row - 2, line.first);
+        if let Some(cells) = cells.get_mut(first..first.wrapping_add((last >> 32) as usize + 5)) {
+            let cells = Cell::from_mut(cells).as_slice_of_cells();
+            let step = stride.wrapping_add(signed(slope.into()));
+            tall(cells, fraction.into(), step, &area, K::SHARE_BITS, mix);
+        }
+    } else {
+        let (rows, columns) = (scissor.rows(), scissor.columns());
+        let first = layout.at(columns.start, rows.start);
+        let at = layout.at(line.first, row).wrapping_sub(first);
+        let down = if line.rises { layout.stride.wrapping_neg() } else { layout.stride };
+        if let Some(cells) = cells.get_mut(first..layout.at(columns.end, rows.end - 1)) {
+            wide(cells, at, count, down, [line.fraction, slope], &area, K::SHARE_BITS, mix);
+        }
+    }
+    true
+}
+
+/// Draws a line with one row per column. `at` is the index of the middle pixel relative to the first one, in 32.32, in which the position
+/// in that pixel is the fraction; `cells` begins two pixels before the first one and ends two after the last one.
+#[inline(never)] // its loop needs all registers
+fn tall<C: Copy>(
+    cells: &[Cell<C>],
+    mut at: u64,
+    step: u64,
+    area: &LineArea,
+    bits: u32,
+    mix: impl Fn(C, u32) -> C,
+) {
+    let [_, before @ ..] = cells else { return };
+    let [_, middle @ ..] = before else { return };
+    let [_, after @ .., _] = middle else { return };
+    let (Some(before), Some(middle)) = (before.get(..after.len()), middle.get(..after.len())) else { return };
+    let all_left = unrounded_rest(area.height, bits);
+    while let Some(pixel) = middle.get((at >> 32) as usize) {
+        let index = (at >> 32) as usize;
+        let mut left = all_left;
+        let [above, below] = area.beyond(at as u32);
+        if above > 0 {
+            let (beyond, far) = area.area(above);
+            left += beyond;
+            if let Some(far) = far {
+                put(cells, index, rest(far, bits), &mix);
+            }
+            let share = share(beyond - far.unwrap_or(0), bits);
+            if share != 0
+                && let Some(pixel) = before.get(index)
+            {
+                pixel.set(mix(pixel.get(), (1 << bits) - share));
+            }
+        }
+        if below > 0 {
+            let (beyond, far) = area.area(below);
+            left += beyond;
+            if let Some(far) = far {
+                put(cells, index + 4, rest(far, bits), &mix);
+            }
+            let share = share(beyond - far.unwrap_or(0), bits);
+            if share != 0
+                && let Some(pixel) = after.get(index)
+            {
+                pixel.set(mix(pixel.get(), (1 << bits) - share));
+            }
+        }
+        pixel.set(mix(pixel.get(), (left >> (16 - bits)) as u32));
+        at = at.wrapping_add(step);
+        keep_rolled();
+    }
+}
+
+/// Mixes a pixel, if it is one of these cells.
+#[cold]
+#[inline(never)]
+fn put<C: Copy>(cells: &[Cell<C>], index: usize, rest: u32, mix: &impl Fn(C, u32) -> C) {
+    if let Some(pixel) = cells.get(index) {
+        pixel.set(mix(pixel.get(), rest));
+    }
+}
+
+/// Draws a line with one pixel column per column. `at` is the index of the first middle pixel; where the sum of the fraction and the slope
+/// carries, the next one lies `down` further.
+#[inline(never)] // its loop needs all registers
+#[allow(clippy::too_many_arguments)]
+fn wide<C: Copy>(
+    cells: &mut [C],
+    mut at: usize,
+    count: i32,
+    down: usize,
+    [mut fraction, slope]: [u32; 2],
+    area: &LineArea,
+    bits: u32,
+    mix: impl Fn(C, u32) -> C,
+) {
+    let cells = Cell::from_mut(cells).as_slice_of_cells();
+    let all_left = unrounded_rest(area.height, bits);
+    for _ in 0..count {
+        let mut left = all_left;
+        let [above, below] = area.beyond(fraction);
+        if above > 0 {
+            let (beyond, far) = area.area(above);
+            left += beyond;
+            if let Some(far) = far {
+                put(cells, at.wrapping_sub(down.wrapping_mul(2)), rest(far, bits), &mix);
+            }
+            let share = share(beyond - far.unwrap_or(0), bits);
+            if share != 0
+                && let Some(pixel) = cells.get(at.wrapping_sub(down))
+            {
+                pixel.set(mix(pixel.get(), (1 << bits) - share));
+            }
+        }
+        if below > 0 {
+            let (beyond, far) = area.area(below);
+            left += beyond;
+            if let Some(far) = far {
+                put(cells, at.wrapping_add(down.wrapping_mul(2)), rest(far, bits), &mix);
+            }
+            let share = share(beyond - far.unwrap_or(0), bits);
+            if share != 0
+                && let Some(pixel) = cells.get(at.wrapping_add(down))
+            {
+                pixel.set(mix(pixel.get(), (1 << bits) - share));
+            }
+        }
+        if let Some(pixel) = cells.get(at) {
+            pixel.set(mix(pixel.get(), (left >> (16 - bits)) as u32));
+        }
+        let carries;
+        (fraction, carries) = fraction.overflowing_add(slope);
+        if carries {
+            at = at.wrapping_add(down);
+        }
+        at = at.wrapping_add(1);
+        keep_rolled();
+    }
+}
