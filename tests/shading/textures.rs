@@ -461,7 +461,8 @@ fn linear_coordinates_stay_between_those_of_the_corners() {
     assert!((PACKING / 2.0..PACKING).contains(&packed) && wide < 2f64.powi(-13), "{packed}, {wide}");
 }
 
-/// What is linear over a triangle with these values at its corners, at a point; and the sum of its changes per pixel.
+/// A function that is linear over a triangle and has these values at its corners: its value at a point, and the sum of its changes
+/// per pixel.
 fn linear([a, b, c]: [[f64; 2]; 3], [u, v, w]: [f64; 3], at: [f64; 2]) -> (f64, f64) {
     let [[bx, by], [cx, cy], [x, y]] = [b, c, at].map(|p| [p[0] - a[0], p[1] - a[1]]);
     let area = bx * cy - by * cx;

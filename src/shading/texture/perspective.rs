@@ -107,8 +107,8 @@ struct Curvature {
     cut: i32,
     /// More than what K is off.
     slack: u32,
-    /// What is added to the logarithm of |K| in this unit, as a fraction of 2³¹, for that of |K·q'|/(4·ε), as a fraction of 2⁹³: in
-    /// 2⁻¹⁶, like the logarithms.
+    /// The logarithm of |K·q'|/(4·ε), as a fraction of 2⁹³, less the logarithm of |K| in this unit, as a fraction of 2³¹: in 2⁻¹⁶, like
+    /// the logarithms.
     bound: i32,
 }
 
