@@ -57,7 +57,6 @@ public_types![
     Barycentric,
     BinError,
     Alpha,
-    Blended<Flat>,
     Camera,
     Canonical,
     ClipPoint,
@@ -141,7 +140,6 @@ public_types![
     TableShader<'static, Plain>,
     Accuracy,
     Half,
-    HalfBlended<Flat>,
     DepthTested<Flat>,
     ExponentialFog,
     Fog,
@@ -185,6 +183,7 @@ public_types![
     Window,
     Tracked<Plain>,
     TransferCost,
+    Translucent<Flat, Half>,
     World,
 ];
 
@@ -194,8 +193,8 @@ const NOT_NAMED: [&str; 9] = [
     "DitheredColor",
     "FogLevel",
     "FoggedSetup",
-    "Line",
     "LitTextureGradients",
+    "PackedLine",
     "ScreenDoorSetup",
     "TableGradient",
     "TextureGradients",

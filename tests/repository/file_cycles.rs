@@ -201,7 +201,8 @@ fn read(file: &str, text: &str, modules: &mut BTreeMap<ModulePath, Module>) {
                 i = if next(1) == "(" { after_closing(&code, i + 1) } else { i + 1 };
                 continue;
             }
-            "use" => {
+            // `use<…>` of a type lists what it captures.
+            "use" if next(1) != "<" => {
                 let mut found = Vec::new();
                 i = use_tree(&code, i + 1, Vec::new(), &mut found);
                 module.imports.extend(found.into_iter().map(|import| Import { re_export: public, ..import }));

@@ -128,8 +128,7 @@ fn faces(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String>
 
     if choice.style == Style::Textured {
         replace(FACES, "texture::at(mesh, face).lit([level(face); 3])")?;
-        replace(" Dim,", "")?;
-        replace("color: impl Fn(usize) -> Rgb565", "_: impl Fn(usize) -> Rgb565")?;
+        replace("color: impl Fn(usize, u16) -> Rgb565", "_: impl Fn(usize, u16) -> Rgb565")?;
         // By its path, as a host that includes this file has another folder.
         replace("\nconst BACKGROUND", "\n#[path = \"texture.rs\"]\nmod texture;\n\nconst BACKGROUND")?;
         return Ok(without_unused(text));
@@ -375,7 +374,7 @@ mod tests {
             let made = picture(template, &look, &sphere).expect("a picture");
             assert!(made.contains("|face| texture::at(mesh, face).lit([level(face); 3])"), "{made}");
             assert!(made.contains("#[path = \"texture.rs\"]\nmod texture;\n"), "{made}");
-            assert!(!made.contains(" Dim,"), "{made}");
+            assert!(made.contains("_: impl Fn(usize, u16) -> Rgb565"), "{made}");
             let mut plain = mesh(format!("{TRIANGLE}f 1 2 3\n"));
             let before = plain.clone();
             let made = texture(template, &mut plain, &image);

@@ -1,7 +1,7 @@
 //! Texture coordinates over a triangle.
 
-use super::linear::{self, is_linear, range};
-use super::mapping::{Accuracy, Textured};
+use super::linear::{is_linear, linear_gradients, packed_gradient, range};
+use super::mapping::{Textured, FRACTION};
 use super::perspective::{Perspective, PerspectiveRows};
 use super::texels::Texels;
 use crate::raster::{Gradient, Triangle};
@@ -19,8 +19,6 @@ pub(super) enum Gradients {
     Perspective(Perspective),
 }
 
-pub(super) const FRACTION: u32 = Textured::<()>::FRACTION;
-
 impl Gradients {
     #[inline(never)] // its stack frame is gone when it returns, and what it returns is not copied
     pub(super) fn new<S: Texels>(shader: &Textured<S>, triangle: &Triangle<'_>) -> Self {
@@ -31,8 +29,9 @@ impl Gradients {
         // A unit is 2^(unit − FRACTION + bits − 32) texel: |Δu·Δw| ≤ 4·2^−accuracy texels · w, in 2²⁸. The right shifts of w are
         // 5 … 30.
         let (unit @ [u_unit, v_unit], [w, h]) = (shader.texture.unit, shader.texture.texels.size_bits());
-        let shift =
-            |unit: u8, bits: u32| (accuracy_bits(shader) + u32::from(unit) + bits).wrapping_sub(FRACTION + 6);
+        let shift = |unit: u8, bits: u32| {
+            (shader.accuracy_bits() + u32::from(unit) + bits).wrapping_sub(FRACTION + 6)
+        };
         let [w, h] = [shift(u_unit, w), shift(v_unit, h)];
         // (1/w₀ − 1/w₁)/(1/w₁) = (w₁ − w₀)/w₀.
         let (nearest, apart) = range(&shader.w);
@@ -40,22 +39,12 @@ impl Gradients {
             && is_linear(height as u32, apart as u32, nearest, h)
         {
             if !S::WIDE
-                && let Some(gradient) = linear::packed_gradient(triangle, &values, &ranges, unit)
+                && let Some(gradient) = packed_gradient(triangle, &values, &ranges, unit)
             {
                 return Self::Packed(gradient);
             }
-            return Self::Linear(linear::gradients(triangle, &values, &ranges, unit, S::WIDE));
+            return Self::Linear(linear_gradients(triangle, &values, &ranges, unit, S::WIDE));
         }
-        Perspective::gradients(shader, triangle)
-    }
-}
-
-/// The binary logarithm of 1/[`Accuracy`].
-#[inline(always)]
-pub(super) fn accuracy_bits<S>(shader: &Textured<S>) -> u32 {
-    match shader.texture.accuracy {
-        Accuracy::Quarter => 2,
-        Accuracy::Eighth => 3,
-        Accuracy::Sixteenth => 4,
+        Perspective::set_up(shader, triangle, Self::Rows, Self::Perspective)
     }
 }

@@ -6,6 +6,11 @@ use crate::raster::{Gradient, Span};
 use core::marker::PhantomData;
 
 /// Texture coordinates of pixels from left to right, in 2⁻³² of the sides: linear, without end.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a line of texture coordinates",
+    label = "no `Line`",
+    note = "leave `draw_runs` as the trait has it"
+)]
 pub trait Line: Iterator<Item = [u32; 2]> + Copy {
     /// The line of a block of 2^`bits` pixels, 0 … [`LARGEST_BLOCK`], from its pixel `passed` on, given the exact coordinates of the
     /// block's first pixel and the change from a pixel to the next.

@@ -1,7 +1,7 @@
 //! Texture coordinates that are linear on the screen.
 
-use super::gradients::FRACTION;
 use super::line::packed;
+use super::mapping::FRACTION;
 use crate::math::num::{leading_zeros, mul_high, reciprocal_of_positive};
 use crate::math::unrolled::map3;
 use crate::raster::{Gradient, GradientSetup, Triangle};
@@ -32,7 +32,7 @@ const MARGIN: i32 = 9;
 const LARGE_MARGIN: i32 = 71;
 
 /// The gradients of u and v.
-pub(super) fn gradients(
+pub(super) fn linear_gradients(
     triangle: &Triangle<'_>,
     [u, v]: &[[i32; 3]; 2],
     &[u_range, v_range]: &[(i32, i32); 2],

@@ -166,7 +166,20 @@ pub struct Textured<S> {
 impl<S> Textured<S> {
     /// The fractional bits of a corner's coordinates: clipping rounds the coordinates of new corners to 2⁻⁸ of the texture's unit.
     pub(super) const FRACTION: u32 = 8;
+
+    /// The binary logarithm of 1/[`Accuracy`].
+    #[inline(always)]
+    pub(super) fn accuracy_bits(&self) -> u32 {
+        match self.texture.accuracy {
+            Accuracy::Quarter => 2,
+            Accuracy::Eighth => 3,
+            Accuracy::Sixteenth => 4,
+        }
+    }
 }
+
+/// [`Textured::FRACTION`], which is the same for all formats.
+pub(super) const FRACTION: u32 = Textured::<()>::FRACTION;
 
 #[cfg(feature = "defmt")]
 impl<S> defmt::Format for Texture<S> {

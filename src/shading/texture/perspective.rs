@@ -1,8 +1,7 @@
 //! Texture coordinates in perspective: quotients of two numbers that are linear on the screen.
 
-use super::gradients::{accuracy_bits, Gradients, FRACTION};
 use super::line::{Line, LARGEST_BLOCK};
-use super::mapping::Textured;
+use super::mapping::{Textured, FRACTION};
 use super::texels::Texels;
 use crate::math::num::{leading_zeros, mul_high, mul_wide, reciprocal_of_positive, Reciprocal};
 use crate::math::unrolled::{map2, map3};
@@ -233,8 +232,13 @@ const ROOM: i32 = 3;
 const BIAS: u32 = 1 << 29;
 
 impl Perspective {
-    /// The gradients of a triangle: [`Gradients::Perspective`] or [`Gradients::Rows`].
-    pub(super) fn gradients<S: Texels>(shader: &Textured<S>, triangle: &Triangle<'_>) -> Gradients {
+    /// The gradients of a triangle, as `rows` or `whole` wraps them: linear over each row, or not.
+    pub(super) fn set_up<S: Texels, G>(
+        shader: &Textured<S>,
+        triangle: &Triangle<'_>,
+        rows: impl FnOnce(PerspectiveRows) -> G,
+        whole: impl FnOnce(Self) -> G,
+    ) -> G {
         // Below 2²², so that there is room for samples beside the triangle.
         let q = inverse_w(shader.w).map(|q| (q >> 9).max(1));
         // The farthest corner first: errors of gradients grow with the distance from the first corner.
@@ -269,7 +273,7 @@ impl Perspective {
         let texel = u_texel.max(v_texel);
         let coarser = [(texel - u_texel) as u8, (texel - v_texel) as u8];
         // log₂(1/(4·ε)), rounded up.
-        let exponent = accuracy_bits(shader) as i32 + n + texel - 41;
+        let exponent = shader.accuracy_bits() as i32 + n + texel - 41;
         let ([first, ..], size) = (corners, Size::of(triangle));
         let curvature = Curvature::new(&planes, (first.x >> 8, first.y >> 8), &size, coarser, exponent);
         let own = Self {
@@ -280,16 +284,12 @@ impl Perspective {
             curvature,
         };
         if !own.is_linear_by_rows(qa.min(qb).min(qc), &size) {
-            return Gradients::Perspective(own);
+            return whole(own);
         }
         let anchor = size.middle;
         let planes = map3(planes, |plane| Gradient { origin: plane.at(anchor, 0), ..plane });
         let step = texel + n + curvature.cut - 65;
-        Gradients::Rows(PerspectiveRows {
-            perspective: Self { planes, ..own },
-            anchor,
-            steps: [step - w, step - h],
-        })
+        rows(PerspectiveRows { perspective: Self { planes, ..own }, anchor, steps: [step - w, step - h] })
     }
 
     /// Whether coordinates may be interpolated linearly over each row, given the least q of the corners: see [`PerspectiveRows`].

@@ -271,7 +271,7 @@ fn entry_blended(
 fn entry_blend(bits: [u32; 2], alpha: u8) -> [u32; 3] {
     fn both<C: Blend + PixelFormat>([own, stored]: [u32; 2], alpha: u8) -> [u32; 3] {
         let [own, stored] = [own, stored].map(C::decode);
-        black_box(own.cover()(stored, any() as u16).encode());
+        black_box(own.mixer()(stored, any()).encode());
         black_box(own.fade(stored)(alpha).encode());
         [own.half(stored).encode(), own.mix(stored, alpha).encode(), own.over(stored, any() as u16).encode()]
     }
