@@ -10,10 +10,10 @@ use embedded_graphics_core::primitives::Rectangle;
 use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
 use pinhole::{
-    Accuracy, Blend, Blended, ColorKeyed, CornerValues, DepthBuffer, DepthTested, HalfBlended, IndexKeyed,
-    IndexedTexels, LitPalette, LitTexels, Memory, MeshInstance, Painter, PainterError, PictureError,
-    PixelFormat, Pixels, ScreenDoor, ScreenVertex, Shader, SpanShader, Statistics, StoredPixel, TexelSlice,
-    Texels, Texture, TextureError, WithPlanes,
+    Accuracy, Blend, Blended, ColorKeyed, CornerValues, DepthBuffer, DepthTested, Dim, HalfBlended,
+    IndexKeyed, IndexedTexels, LitPalette, LitTexels, Memory, MeshInstance, Painter, PainterError,
+    PictureError, PixelFormat, Pixels, ScreenDoor, ScreenVertex, Shader, SpanShader, Statistics, StoredPixel,
+    TexelSlice, Texels, Texture, TextureError, Translucent, WithPlanes,
 };
 
 /// Depths, 1/w and the weights of each corner, and the pixels that are there.
@@ -255,6 +255,8 @@ fn entry_blended(
     let Ok(solid) = instance.solid(half, cache, &mut target);
     let Ok(_) = instance.solid(|_| HalfBlended::new(color()), cache, &mut target);
     let Ok(_) = instance.solid(|_| Blended::new(color(), any() as u8), cache, &mut target);
+    let light = |_| Translucent::by(color(), |own: Rgb565, stored: Rgb565| stored.emitting(own));
+    let Ok(_) = instance.solid(light, cache, &mut target);
     let [mut tested, mut mixed] = [Statistics::default(); 2];
     if let Ok(mut depth) = DepthBuffer::new(area(), depths) {
         let Ok(statistics) = instance.depth_tested(half, cache, &mut depth, &mut target);
@@ -271,7 +273,7 @@ fn entry_blended(
 fn entry_blend(bits: [u32; 2], alpha: u8) -> [u32; 3] {
     fn both<C: Blend + PixelFormat>([own, stored]: [u32; 2], alpha: u8) -> [u32; 3] {
         let [own, stored] = [own, stored].map(C::decode);
-        black_box(own.mixer()(stored, any()).encode());
+        black_box(own.mixer()(stored, any() as u32).encode());
         black_box(own.fade(stored)(alpha).encode());
         [own.half(stored).encode(), own.mix(stored, alpha).encode(), own.over(stored, any() as u16).encode()]
     }

@@ -22,9 +22,9 @@ const IMAGE: usize = position(
         "flash_textured_both",
     ],
 );
-const TEXTURED: bool = IMAGE >= 3;
+const TEXTURED: bool = matches!(IMAGE, 3..=5);
 const PLAIN: bool = IMAGE % 3 != 1;
-const DEPTH: bool = IMAGE % 3 != 0;
+const DEPTH: bool = matches!(IMAGE % 3, 1 | 2);
 
 /// 128 bytes, which count.
 static TEXELS: [[Rgb565; 8]; 8] = {
