@@ -239,6 +239,20 @@ pub(crate) const IMAGES: &[Image] = &[
         builds: FAST,
     },
     Image { name: "hidden_bands", says: "hidden lines in bands", goal: None, without: FLAT, builds: FAST },
+    Image {
+        name: "textured",
+        says: "textured faces, into a picture in memory",
+        goal: None,
+        without: NO_DEPTH,
+        builds: ARM,
+    },
+    Image {
+        name: "textured_depth",
+        says: "textured faces with depth, into a picture in memory",
+        goal: None,
+        without: FLAT,
+        builds: ARM,
+    },
     Image { name: "everything", says: "everything", goal: Some(20 << 10), without: &[], builds: ARM },
     Image {
         name: "everything_inside",
