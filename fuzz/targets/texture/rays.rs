@@ -110,20 +110,16 @@ impl Face {
         let [largest, least] =
             [w.iter().copied().fold(0.0, f64::max), w.iter().copied().fold(f64::MAX, f64::min)];
         let unit = self.unit();
-        [0, 1].map(|axis| {
-            let values = self.uv.map(|uv| f64::from(uv[axis]) * unit[axis]);
-            let [high, low] = [
-                values.iter().copied().fold(f64::MIN, f64::max),
-                values.iter().copied().fold(f64::MAX, f64::min),
-            ];
-            let range = high - low;
-            // Six planes round the coordinates of new corners to 1/256 unit.
-            chosen
-                + 0.03
-                + range * 2f64.powi(-13)
-                + 6.0 / 512.0 * unit[axis]
-                + 8.0 * 2f64.powi(-24) * range * largest / least
-        })
+        // In units.
+        let ranges = [0, 1].map(|axis| {
+            let values = self.uv.map(|uv| f64::from(uv[axis]));
+            let high = values.iter().copied().fold(f64::MIN, f64::max);
+            high - values.iter().copied().fold(f64::MAX, f64::min)
+        });
+        // The planes of u and v have one unit.
+        let planes = 8.0 * 2f64.powi(-24) * ranges[0].max(ranges[1]) * largest / least;
+        // Six planes round the coordinates of new corners to 1/256 unit.
+        [0, 1].map(|axis| chosen + 0.03 + (ranges[axis] * 2f64.powi(-13) + 6.0 / 512.0 + planes) * unit[axis])
     }
 }
 

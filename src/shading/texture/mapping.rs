@@ -67,7 +67,8 @@ pub enum Accuracy {
 /// **Error of the planes.** u·q and q have 22 bits at the corners, and the error of
 /// [`Triangle::gradient`](crate::raster::Triangle::gradient), relative to the farthest corner, where q is least. Where this is not a
 /// shift of 1/64 pixel, a pixel may be off by up to 8·2⁻²⁴·E·r texels, E the face's range of coordinates in texels and r the
-/// ratio of its largest w to its least: 1/128 texel at E = 64 and r = 256. `tests/shading/texture_projections.rs` asserts that up to
+/// ratio of its largest w to its least: 1/128 texel at E = 64 and r = 256. Of u and v it is the larger range, in the texture's units,
+/// as both are stored in one unit: a face with a long u has a coarser v, too. `tests/shading/texture_projections.rs` asserts that up to
 /// 4096 texels and r = 32767, and meets half of it on faces that reach far out of the picture with one corner close to the eye.
 /// Most faces stay far below: `tests/shading/textures.rs` asserts 0.02 texel for floors of 1600 texels that reach a thousand times as
 /// far as the near plane, and for random triangles. Where coordinates are interpolated linearly, they are kept between those of the
