@@ -10,10 +10,10 @@
 //! | [`GRID`] | 81, 128, 144 | 3.6 KB | 8 × 8 squares in the xz plane, −1 … 1, seen from above; vertex normals |
 //! | [`AXES`] | 4, 0, 3 | 48 B | lines from the origin to 1 on x, y and z, in this order |
 //!
-//! Faces are counter-clockwise, and all meshes but the grid and the axes are closed. Each has face normals, edges without
-//! diagonals, and edge faces, so that every draw call works. The sphere and the torus have [face planes](Mesh::with_planes);
-//! culling by planes would take longer than it saves for the others, of fewer faces or open. `TORUS.without_planes()` has the
-//! type of those.
+//! Faces are counter-clockwise, and all meshes except the grid and the axes are closed. Each has face normals, edges without
+//! diagonals, and edge faces, so that every draw call works. The sphere and the torus have [face planes](Mesh::with_planes). The
+//! other meshes have few faces, or are open: culling by planes would cost more than it saves. `TORUS.without_planes()` has the
+//! same type as a mesh without planes.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};

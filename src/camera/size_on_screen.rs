@@ -21,7 +21,7 @@ pub(crate) struct SizeOnScreen {
 }
 
 impl SizeOnScreen {
-    /// For vertices in 2^`unit` of an object that `model` places before the camera.
+    /// The factors at the vertices of a mesh in units of 2^`unit`, which `model` places before the camera.
     #[inline(never)] // set-up: code size counts, speed does not
     pub(crate) fn new(camera: &Camera, model: &Affine<Model, World>, unit: i32) -> Self {
         let (m, m_exponent) = model.linear();
@@ -38,8 +38,8 @@ impl SizeOnScreen {
         Self { w, unit, factors: [(a.abs(), x.exponent + up), (b.abs(), y.exponent + up)] }
     }
 
-    /// Width and height on the screen in sub-pixels of a rectangle at a vertex, given in world units, at most `largest` each, and 0
-    /// for lengths that are not positive. `None` if w is not positive: the vertex lies in the plane of the eye.
+    /// Width and height on the screen, in sub-pixels, of a rectangle at a vertex of `size` in world units: at most `largest`
+    /// each, and 0 for lengths that are not positive. `None` if w is not positive: the vertex lies in the plane of the eye.
     #[inline(never)] // code size: the last of its arguments is a constant
     pub(crate) fn at<V: Coordinate>(
         &self,
@@ -145,7 +145,7 @@ mod tests {
     /// The bounds in the documentation of `Sprite::with_size`, at most twice the largest errors met.
     #[test]
     fn lengths_are_within_the_documented_error() {
-        // Of a point, the rounding of w near the eye; of an object, its coefficients.
+        // The bound covers, for a point, the rounding of w near the eye; for an object, the rounding of its coefficients.
         for reach in [0.0, 100.0] {
             let largest = largest_error(reach);
             assert!((0.5..=1.0).contains(&largest), "{reach}: {largest}");

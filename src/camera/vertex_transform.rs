@@ -248,7 +248,7 @@ impl VertexTransform {
         ScreenVertex::new::<DEPTH>(x, y, self.bias, depth)
     }
 
-    /// x/w and y/w in clip space are in units of 2^this sub-pixels: 7 … 21.
+    /// Returns n, 7 … 21, where x/w and y/w in clip space are in units of 2ⁿ sub-pixels.
     pub(crate) fn sub_pixels(&self) -> i32 {
         self.xy_over_w + self.screen.unit
     }

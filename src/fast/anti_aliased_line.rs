@@ -5,8 +5,8 @@
 //!   columns, on a target whose pixels lie in memory.
 //! - **Gain**: S6 anti-aliased takes 4.1 million instructions on an M3, 6.1 on an M0; one loop for lines with and without depth took 6.9 and
 //!   9.6 million.
-//! - **Test**: `tests/pipeline/anti_aliased.rs`, which compares lines with those that a clear depth buffer hides nothing of, which the
-//!   plain twin draws, and with their parts in bands.
+//! - **Test**: `tests/pipeline/anti_aliased.rs`, which compares lines with the plain twin's, drawn against a clear depth buffer,
+//!   and with their parts in bands.
 //!
 //! A tall line is drawn through three slices, of the pixels before its middle, in its middle and after it. They have one length and begin
 //! one pixel apart, so one bounds check serves all three and also ends the loop; the index is a fixed-point number with 32 fractional
@@ -42,7 +42,7 @@ pub(crate) fn anti_aliased_line<T: Target, K: Stroke<T::Color>>(
     let row = if line.rises { !line.row } else { line.row };
     let count = line.end - line.first; // at least 1
     if line.tall {
-        // The line itself, if it is mirrored: the complements of row and fraction, and the slope the other way.
+        // A mirrored line is turned back: the complements of its row and fraction, and the opposite slope.
         let fraction = if line.rises { !line.fraction } else { line.fraction };
         let signed =
             |distance: i64| if line.rises { distance.wrapping_neg() as u64 } else { distance as u64 };

@@ -3,9 +3,10 @@
 //! - **Plain twins**: `pipeline::fill::fill` and `fill_nearer` with the spans of [`Fogged`](crate::Fogged).
 //! - **Domain**: every triangle, on a target whose pixels lie in memory; with depth, only where the depth buffer is laid out as the
 //!   memory is.
-//! - **Gain**: a colour is mixed where the level changes, not at each pixel; a row in one level, the common case, is filled as one
-//!   of a plain colour, at two comparisons. With depth, the gradient of depth serves fog too. By shaded rows G1 takes 20 % more
-//!   on an M3, and 67 % more with depth (`tools/bench/run cells G1 G2`).
+//! - **Gain**: a colour is mixed where the level changes, not at each pixel; a row in one level, the common case, is filled like
+//!   a row of one colour, after two comparisons. With depth, the gradient of depth serves fog too. Through the loops of
+//!   [`shaded_fill`](super::shaded_fill) instead, G1 takes 20 % more instructions on an M3, and 67 % more with depth
+//!   (`tools/bench/run cells G1 G2`).
 //! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`.
 
 use super::depth_fill::{
@@ -145,8 +146,8 @@ struct Known<Cell> {
     pair: [Cell; 2],
 }
 
-/// The levels of a triangle: that of the first pixel of the last row, and the last other one. Most rows go from one level to
-/// another one, and so does the next row.
+/// Two levels of a triangle: the level of the first pixel of the row filled last, and the other level that this row ended with.
+/// Most rows go from one level to another one, and the next row mostly has these two again.
 struct Levels<'t, Cell, F> {
     bounds: &'t FogBounds,
     color: F,
@@ -187,7 +188,7 @@ impl<'t, Cell: Copy, F: Fn(u8) -> Cell> Levels<'t, Cell, F> {
         self.other
     }
 
-    /// Sets the level of the first pixel to that of a depth, and the other one to that of the first pixel.
+    /// Sets the level of the first pixel to the level of `depth`, and the other level to the former first one.
     #[inline(never)] // it would take the registers of the loops over pixels
     fn find_first(&mut self, depth: u32) {
         if !self.other.level.has(depth) {
@@ -197,7 +198,7 @@ impl<'t, Cell: Copy, F: Fn(u8) -> Cell> Levels<'t, Cell, F> {
     }
 
     /// Sets the other level to that of a depth, and mixes its colour.
-    #[inline(never)] // its loops would take the registers of those over pixels
+    #[inline(never)] // its loops would take the registers of the loops over pixels
     fn find(&mut self, depth: u32) {
         let level = self.other.level.at(depth, self.bounds);
         self.other = Known { level, pair: pair((self.color)(level.level())) };

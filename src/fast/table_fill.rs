@@ -57,7 +57,7 @@ impl<C: StoredPixel<Cell>, Cell: Copy> DepthFill<Cell> for &TableShader<'_, C> {
     }
 }
 
-/// Rows that are filled with the colours that a function has for the values of a gradient.
+/// Rows filled with the colours that a function returns for the values of a gradient.
 pub(super) struct LookupRows<'a, F, Cell> {
     steps: Steps<F>,
     cells: &'a mut [Cell],

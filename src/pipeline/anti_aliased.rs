@@ -9,8 +9,9 @@ use crate::raster::{rest, Column, LineCoverage, LineDepth, Pixel, Scissor};
 use crate::shading::Stroke;
 use crate::surface::{DepthBuffer, Memory, PixelStore, StoredPixel, Target};
 
-/// How many pixels a line reaches beyond the rows and columns of its ends' pixels: it begins at a pixel border up to ½ pixel before the
-/// end, and its border is up to √2/2 pixel from its middle, so that is 1.21 pixels from an end, which may lie on the border of its pixel.
+/// How many pixels a line reaches beyond the rows and columns of its ends' pixels: it begins at a pixel border up to ½ pixel
+/// before the end, and its sides are up to √2/2 pixel from its middle. Both together are 1.21 pixels from an end, which may lie
+/// on the border of its pixel.
 pub(super) const BEYOND: i32 = 2;
 
 /// Draws a line between two points with coordinates in 1/256 pixel, without a depth test. `rounding`: as in [`LineCoverage::new`].
@@ -39,7 +40,7 @@ fn line<T: Target, K: Stroke<T::Color>>(
     }
 }
 
-/// Draws the columns of a line of which pixels may lie outside the scissor, and returns the others.
+/// Draws the columns of a line that may have pixels outside the scissor, and returns the line's other columns.
 #[cold]
 #[inline(never)]
 fn ends_of_line<T: Target, K: Stroke<T::Color>>(
@@ -84,7 +85,7 @@ fn mix_columns<const UNROLLED: bool, T: Target, K: Stroke<T::Color>, D: Copy>(
     let Some((_, memory)) = target.memory().map(Memory::split) else { return };
     let (cells, scratch) = memory.parts();
     let (layout, mix) = (scratch.layout, stroke.mixer());
-    // Not a branch, of which LLVM would make two loops.
+    // Without a branch, from which LLVM would make two loops.
     let [tall, wide] = [line.tall, !line.tall].map(i32::from);
     for Column { column, first, areas } in line.columns() {
         let own = depth(column);

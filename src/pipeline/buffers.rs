@@ -141,8 +141,6 @@ macro_rules! MeshBuffers {
     };
 }
 
-// For the prelude, by way of the module.
-
 /// The largest of the lengths, 0 if there are none: for the macros.
 #[doc(hidden)]
 pub const fn largest(lengths: &[usize]) -> usize {

@@ -187,7 +187,8 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         self.clip_with(face, &mut triangles.fan, &mut triangles.varyings)
     }
 
-    /// [`clip_face`](Self::clip_face) for an instance that is not clipped: a face with a corner elsewhere is not drawn.
+    /// [`clip_face`](Self::clip_face) for an instance that is not clipped: a face with a corner that is not on the screen is not
+    /// drawn.
     fn face_on_screen(&self, face: &[u16; 3], fan: &mut Fan<'_>) -> Outcome {
         let Some(corners) = self.uncached_corners(face) else { return Outcome::Outside };
         let area = area::<DEPTH>(&corners);
@@ -263,8 +264,8 @@ mod tests {
     use crate::scene::Mesh;
     use embedded_graphics_core::geometry::{Point, Size};
 
-    /// Random faces about the near plane, large and small, slender and edge-on ones among them: culled before they are cut or
-    /// after it, they are culled exactly if what clipping leaves of them is turned away after rounding.
+    /// Random faces about the near plane, also large, small, slender and edge-on ones: whether culled before or after cutting, a
+    /// face is culled exactly if what clipping leaves of it is turned away after rounding.
     #[test]
     fn back_faces_are_known_before_they_are_cut() {
         let number = Scalar::from_num::<f64>;

@@ -11,8 +11,8 @@ use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangl
 use crate::shading::SpanShader;
 use crate::surface::{drawable, each_run, DepthTarget, PixelStore, StoredPixel, Target};
 
-/// Fills the pixels of a triangle inside the scissor, which lies in the target. `is_clipped`: the triangle
-/// probably has rows outside the scissor, as most have in a band; a constant on which no pixel depends.
+/// Fills the pixels of a triangle inside the scissor, which lies in the target. `is_clipped`: whether the triangle probably has
+/// rows outside the scissor, as most triangles in a band have; it changes no pixel, only which path is tried.
 #[inline(always)]
 pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
     triangle: &Triangle<'_>,
@@ -198,7 +198,7 @@ fn kept_pixels<T: Target, S: SpanShader<T::Color>>(setup: &S::Setup, span: Span)
     move || colors.next().flatten().is_some()
 }
 
-/// Draws a run of a shader that leaves out pixels, or blends: all of its pixels are drawn.
+/// Draws one run of kept pixels, for a shader that leaves out pixels or blends.
 #[inline(always)]
 fn draw_run<T: Target, S: SpanShader<T::Color>>(
     setup: &S::Setup,
@@ -420,7 +420,7 @@ mod tests {
         fog: Fog,
     }
 
-    /// Texels whose color says the upper bits of both coordinates.
+    /// Texels whose colour says the upper bits of both coordinates.
     #[derive(Clone, Copy)]
     struct Bits;
 

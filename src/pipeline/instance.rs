@@ -19,7 +19,7 @@ pub struct MeshInstance<'m, V: Coordinate = i16, P: FacePlanes = WithoutPlanes> 
     planes: PhantomData<P>,
 }
 
-/// A mesh instance, whether its mesh has planes or not: only the choice of a face source needs to know, so that firmware which
+/// A mesh instance, whether its mesh has planes or not. Only the choice of a face source depends on planes, so firmware that
 /// draws both kinds of meshes has one copy of all other code.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct AnyInstance<'m, V: Coordinate> {
@@ -27,9 +27,9 @@ pub(super) struct AnyInstance<'m, V: Coordinate> {
     clipping: PhantomData<V>,
 }
 
-/// All of an instance but whether it is clipped. In a struct of their own, they are moved as one: if each field of the instance
-/// were moved to the one [`without_clipping`](MeshInstance::without_clipping), LLVM would keep both instances, and call `memcpy`,
-/// which is 394 bytes on an M3.
+/// All of an instance except whether it is clipped. These fields are a struct of their own so that they are moved as one: if each
+/// field were moved to the instance that [`without_clipping`](MeshInstance::without_clipping) returns, LLVM would keep both
+/// instances, and call `memcpy`, which is 394 bytes on an M3.
 #[derive(Clone, Copy, Debug)]
 struct Parts<'m, S: Coordinate> {
     mesh: &'m MeshData<'m, S>,

@@ -32,7 +32,7 @@ pub struct Picked {
 }
 
 impl Picked {
-    /// The world point under the pixel's centre: see [`Camera::unproject`] for its error. `None` where that has no answer.
+    /// The world point under the pixel's centre, or `None`: see [`Camera::unproject`] for its error, and for when there is none.
     pub fn point(&self, camera: &Camera) -> Option<Point3<World>> {
         camera.unproject(self.at, self.depth)
     }

@@ -103,7 +103,7 @@ impl<V: Coordinate> AnyInstance<'_, V> {
         let mut joint = if closed { first } else { None };
         for index in 1..count {
             if K::IS_ANTI_ALIASED {
-                // Such lines end at pixel borders: no pixel is shared by two that follow one another along one axis.
+                // Anti-aliased lines end at pixel borders: two that follow one another along one axis share no pixel.
                 if let Some(ends) = mesh.edge([(index - 1) as u16, index as u16], &mut statistics) {
                     anti_aliased::edge(&ends, &viewport, &scissor, stroke, target);
                 }

@@ -66,15 +66,15 @@ impl core::error::Error for SceneError {}
 /// Up to `OBJECTS` objects. In every frame: [`place`](Self::place) those that a camera sees, [bin](PlacedScene::bin_faces) their
 /// faces, and draw band by band.
 ///
-/// `M` is the material of an object, any type, such as a colour. The closure that shades gets the object's index too, by which it
-/// finds what else is stored elsewhere.
+/// `M` is the material of an object, any type, such as a colour. The closure that returns shaders also gets the object's index,
+/// by which it can look up data that is stored elsewhere.
 ///
-/// `P` says whether the meshes have face planes, and is of one type for all objects. Where only some have, take either
-/// [`Mesh::without_planes`] of those, or, if they are the large ones, [`Mesh::with_planes_if_any`] of the others.
+/// `P` says whether the meshes have face planes, and is one type for all objects. If only some meshes have planes, ignore these
+/// by [`Mesh::without_planes`] or, if the large meshes have them, convert the other ones by [`Mesh::with_planes_if_any`].
 ///
-/// **Memory** beside the objects themselves, all of it on the stack during a frame: 184 bytes per object for
-/// [`PlacedScene`] (212 on a Cortex-M0) and 92 for [`BinnedScene`] on a 32-bit core, with room for `OBJECTS` of them; and one vertex cache and one bin
-/// storage for all visible objects.
+/// **Memory** beside the objects themselves, all of it on the stack during a frame, on a 32-bit core: for each of the `OBJECTS`,
+/// 184 bytes in [`PlacedScene`] (212 on a Cortex-M0) and 92 in [`BinnedScene`]; and one vertex cache and one bin storage for all
+/// visible objects.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
@@ -183,9 +183,9 @@ impl<'m, M, const OBJECTS: usize, P> Scene<'m, M, OBJECTS, P> {
 }
 
 impl<'m, M, const OBJECTS: usize, P: FacePlanes> Scene<'m, M, OBJECTS, P> {
-    /// Places the objects before a camera for one frame, but those whose bounding spheres lie [outside](Visibility::Outside) of the
-    /// view volume: such an object costs the test of its sphere and nothing else. The far plane counts, even if the camera does
-    /// not clip there.
+    /// Places the objects before a camera for one frame, except those whose bounding spheres lie [outside](Visibility::Outside)
+    /// of the view volume: such an object costs the test of its sphere and nothing else. The far plane counts, even if the camera
+    /// does not clip there.
     pub fn place<'s>(&'s self, camera: &Camera) -> PlacedScene<'s, 'm, M, OBJECTS, P> {
         let frustum = camera.frustum();
         let mut placed = PlacedScene { objects: &self.objects, instances: Vec::new() };
@@ -218,8 +218,8 @@ impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJE
         self.instances.is_empty()
     }
 
-    /// The objects that may be seen, in the order of the scene, with their instances: for all that instances can do beside what
-    /// this type does, such as wireframes.
+    /// The objects that may be seen, in the order of the scene, with their instances: for what this type has no method for, such
+    /// as wireframes.
     pub fn iter(&self) -> impl Iterator<Item = (&'s Object<'m, M, P>, &MeshInstance<'m, i16, P>)> {
         self.indexed().map(|(_, object, instance)| (object, instance))
     }
@@ -241,9 +241,10 @@ impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJE
     }
 
     /// Draws all objects with a depth test, in one piece. `shade` is called once for each visible object, with its index in the
-    /// scene, and what it returns once for each face that is drawn, with the face's index. Write the closure in the call itself where it borrows from the object's
-    /// material: Rust cannot infer this for a closure in a variable. The objects share the vertex cache one after the other: it should have
-    /// room for the largest mesh, and may be shorter. [`MeshInstance::depth_tested`] says how faces are drawn.
+    /// scene, and returns a closure that is called once for each face that is drawn, with the face's index. Where this closure
+    /// borrows from the object's material, write it in the call itself: Rust cannot infer its type in a variable. The objects
+    /// share the vertex cache one after the other: it should have room for the largest mesh, and may be shorter.
+    /// [`MeshInstance::depth_tested`] says how faces are drawn.
     ///
     /// # Errors
     ///
@@ -330,9 +331,9 @@ pub struct BinnedScene<'f, 'm, M, const OBJECTS: usize, P = WithoutPlanes> {
 
 impl<'f, 'm, M, const OBJECTS: usize, P> BinnedScene<'f, 'm, M, OBJECTS, P> {
     /// Draws the faces that lie in a band, with a depth test. `shade` is called once for each object whose bounds meet the band,
-    /// with its index in the scene, and what it returns once for each face that is drawn, with the face's index. Write the closure in the call itself where it borrows
-    /// from the object's material: Rust cannot infer this for a closure in a variable. The picture of all bands is, pixel by pixel, that of
-    /// [`PlacedScene::depth_tested`].
+    /// with its index in the scene, and returns a closure that is called once for each face that is drawn, with the face's index.
+    /// Where this closure borrows from the object's material, write it in the call itself: Rust cannot infer its type in a
+    /// variable. All bands together are, pixel by pixel, the picture of [`PlacedScene::depth_tested`].
     ///
     /// # Errors
     ///

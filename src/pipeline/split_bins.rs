@@ -40,7 +40,7 @@ struct Half {
 
 impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// Divides [binning](Self::bin_faces) between two cores: what [`finish`](SplitBins::finish) returns is what `bin_faces`
-    /// returns, bit for bit. `storage` is as there.
+    /// returns, bit for bit. `storage` is as for `bin_faces`.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};

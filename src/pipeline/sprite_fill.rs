@@ -1,4 +1,4 @@
-//! The pixels of a sprite: row by row into the target, those that are transparent or hidden left out.
+//! Fills sprites row by row, and leaves out pixels that are transparent or hidden.
 //!
 //! The plain path passes each run of drawn pixels to the target; the call before it attaches the fast path for memory.
 
@@ -63,7 +63,7 @@ struct TexelRow<'s, S> {
 }
 
 impl<S: SpriteSource> TexelRow<'_, S> {
-    /// The colours of the pixels of a row from one on whose texel is known, without end: `None` where they are transparent.
+    /// The colours of a row's pixels from a pixel whose texel is known, without end: `None` where a texel is transparent.
     #[inline(always)]
     fn colors(&self, mut walk: TexelWalk) -> impl Iterator<Item = Option<S::Color>> {
         core::iter::repeat_with(move || {

@@ -54,7 +54,7 @@ impl Camera {
     /// ```
     #[inline(never)] // set-up: code size counts, speed does not
     pub fn place_sprite(&self, at: Point3<World>) -> PlacedSprites<'static> {
-        // A model transform of scale 0 maps the vertex to this point, at the bits of `Camera::project`.
+        // A model transform of scale 0 maps the vertex to this point, bit for bit where `Camera::project` projects it.
         let to = Affine::<Model, World>::translation(Vector3::new(at.x(), at.y(), at.z()));
         self.place_sprites(&ORIGIN, &Affine::<Model, Model>::scale(Scalar::ZERO).then(&to))
     }
@@ -199,7 +199,7 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
     }
 }
 
-/// The length in sub-pixels of so many texels of so many pixels each.
+/// The length of `texels` texels of `pixels` pixels each, in sub-pixels.
 fn fixed_size(texels: u32, pixels: u8) -> i32 {
     let sub_pixels = u64::from(texels) * (u64::from(pixels) << 8); // below 2⁴⁸
     sub_pixels.min(SpriteAxis::LARGEST as u64) as i32

@@ -160,7 +160,7 @@ impl<V: Coordinate> AnyInstance<'_, V> {
         Err(transform.why_not_projected(&transform.clip(vertex)).unwrap_or(ProjectError::OutsideGuardBand))
     }
 
-    /// A projected vertex, for drawing: without the reason if it is not on the screen, which would take code.
+    /// A projected vertex, for drawing: `None` if it is not on the screen, since a reason would take code.
     pub(super) fn projected(&self, index: usize) -> Option<Projected> {
         let index = u16::try_from(index).ok().filter(|_| index < self.mesh().vertices.len())?;
         let vertex = TransformedMesh::<V, true>::with_cache(self, false, &[]).vertex(index)?;

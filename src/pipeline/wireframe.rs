@@ -33,8 +33,9 @@ pub(super) fn each_edge<V: Coordinate, E, const DEPTH: bool>(
 }
 
 impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
-    /// Draws the mesh's edges, each as a line: a Bresenham line of one colour, or [`AntiAliased`](crate::AntiAliased). Clipping at the target's border does not change an
-    /// edge's pixels; an end that is clipped at the near plane, the far plane or the guard band is rounded to 1/256 px.
+    /// Draws the mesh's edges, each as a line: a Bresenham line of one colour, or [`AntiAliased`](crate::AntiAliased). Clipping
+    /// at the target's border does not change an edge's pixels; an end that is clipped at the near plane, the far plane or the
+    /// guard band is rounded to 1/256 px.
     ///
     /// `cache` is memory for transformed vertices. If it is as long as the mesh's vertex list, each vertex is transformed once.
     /// If it is shorter, or empty, the vertices beyond its end are transformed whenever an edge needs them: slower, but the

@@ -174,14 +174,13 @@ impl<'t> GradientSetup<'t> {
 
     /// The gradient through values 0 … 2²⁴ − 1 at the corners.
     ///
-    /// **Error.** In 2⁻⁸ of the corners' unit, a pixel w columns and h rows from the first corner's pixel, and
-    /// not farther than the corners, is off by less than `(w + h)·½` for the rounding of the steps, 34
-    /// for the rounding of the origin, and, but for slivers and beyond 512 pixels, 2¹⁰·⁶ for what follows.
+    /// **Error.** In 2⁻⁸ of the corners' unit, a pixel w columns and h rows from the first corner's pixel, and not farther than
+    /// the corners, is off by less than `(w + h)·½` for the rounding of the steps, 34 for the rounding of the origin, and, except
+    /// for slivers and beyond 512 pixels, 2¹⁰·⁶ for the following errors.
     ///
-    /// The last term bounds these errors: No step is larger than 2²⁸. Within 128 pixels the reciprocal has a relative error of
-    /// 2⁻²⁸, at most 2⁸. Differences of values may lose two bits, as if corners had been up to 4 units lower: 2¹⁰. Within 512
-    /// pixels area and numerator are truncated to 31 bits, a relative error of 2⁻³⁰ each, in all less than 2⁻²⁷·⁴ of the step:
-    /// 2⁹·⁶ for x and for y.
+    /// No step is larger than 2²⁸. Within 128 pixels the reciprocal has a relative error of 2⁻²⁸, at most 2⁸. Differences of
+    /// values may lose two bits, as if corners had been up to 4 units lower: 2¹⁰. Within 512 pixels area and numerator are
+    /// truncated to 31 bits, a relative error of 2⁻³⁰ each, in all less than 2⁻²⁷·⁴ of the step: 2⁹·⁶ for x and for y.
     // No inline hint: LLVM inlines it in firmware that calls it once.
     pub(crate) fn through(&self, values: &[i32; 3]) -> Gradient {
         let numerators = Numerators::new(self.triangle, self.extent.headroom(), values);

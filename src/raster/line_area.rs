@@ -1,20 +1,22 @@
 //! The areas that an anti-aliased line covers of the pixels of a column.
 //!
-//! A line of slope m ≤ 1 is √(1 + m²) high in a column, which is 1 wide. Let its middle, in the middle of the column, lie in a pixel at
-//! f of its height, 0 ≤ f < 1. In this column the line reaches up to h = (√(1 + m²) + m)/2 above its middle, so x = h − f above the
-//! pixel. What lies there is a triangle of area x²/2m as long as x < m, and of x − m/2 beyond: the upper edge rises by m. The part below
-//! the pixel has these areas of x = h − (1 − f), and the pixel has the rest. h is at most 1.21, so one more pixel on either side may have a
-//! triangle, of (x − 1)²/2m, at most 0.0215: where x > 1, so that m > 3/4.
+//! A line of slope m ≤ 1 is √(1 + m²) high in a column, which is 1 wide. Let its middle, in the middle of the column, lie in a
+//! pixel at f of its height, 0 ≤ f < 1. In this column the line reaches up to h = (√(1 + m²) + m)/2 above its middle, so x = h −
+//! f above the pixel. Its part above the pixel is a triangle of area x²/2m while x < m; beyond, the area is x − m/2, because the
+//! upper edge rises by m. The part below the pixel has the areas for x = h − (1 − f), and the pixel itself has the rest. h is at
+//! most 1.21, so the line may also cover a triangle of the pixel after the next one, of area (x − 1)²/2m, at most 0.0215: where x
+//! > 1, which takes m > 3/4.
 
 use crate::math::num::reciprocal;
 
 /// 1 in areas, lengths and slopes: 2⁻¹⁶.
 const ONE: i32 = 1 << 16;
 
-/// The pixels of a column that a line may cover, in the order of their rows: the line's middle lies in that with index 2.
+/// The number of pixels of a column that a line may cover. In the order of their rows, the line's middle lies in the one with
+/// index 2.
 pub(crate) const PIXELS: usize = 5;
 
-/// The slope of a line, prepared for the areas of its columns: all in 2⁻¹⁶ but for `inverse`.
+/// The slope of a line, prepared for the areas of its columns: all in 2⁻¹⁶ except `inverse`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LineArea {
     /// √(1 + m²): 65536 … 92682.
@@ -28,7 +30,7 @@ pub(crate) struct LineArea {
 }
 
 impl LineArea {
-    /// For a slope of 0 … 2²⁹ − 1 in 2⁻²⁹.
+    /// The preparation for a slope of 0 … 2²⁹ − 1 in 2⁻²⁹.
     #[inline(always)]
     pub(crate) fn new(slope: u32) -> Self {
         // 1/slope = mantissa · 2^(shift − 61) in 2²⁹: this is 2⁴⁴/slope. `shift` is at most 11 if the slope is at least 2¹⁹.
@@ -48,8 +50,8 @@ impl LineArea {
         [self.reach - f, self.reach - (ONE - 1) + f]
     }
 
-    /// The area beyond a border between pixels of a line that reaches `x` beyond it, and what of it is [more](Self::far) than a pixel
-    /// beyond. `x` is above 0.
+    /// For a line that reaches `x`, above 0, beyond a border between two pixels: the area beyond the border, and the part of this
+    /// area that is [more](Self::far) than a pixel beyond it.
     #[inline(always)]
     pub(crate) fn area(&self, x: i32) -> (i32, Option<i32>) {
         if x < self.slope {
@@ -78,7 +80,8 @@ impl LineArea {
     }
 }
 
-/// What of a pixel is left by this area, 0 … 2¹⁶ in 2⁻¹⁶, in 2^−`bits`, 1 … 15; rounded to nearest, and down where two are equally near.
+/// The part of a pixel that `area`, 0 … 2¹⁶ in 2⁻¹⁶, leaves uncovered, in 2^−`bits`, `bits` 1 … 15: rounded to nearest, and down
+/// where two are equally near.
 #[inline(always)]
 pub(crate) const fn rest(area: i32, bits: u32) -> u32 {
     (unrounded_rest(area, bits) >> (16 - bits)) as u32
@@ -142,7 +145,7 @@ mod tests {
     fn level_and_diagonal_lines_through_centers() {
         for fraction in [(1 << 31) - 1, 1 << 31] {
             assert_eq!(LineArea::new(0).column(fraction).map(|area| rest(area, 8)), [256, 256, 0, 256, 256]);
-            // √2 − 2·(√2/2)²/2 of the middle and ¼ of each of the others.
+            // The middle: √2 minus two triangles of (√2/2)²/2 above and below it. Each of its neighbours: ¼.
             let diagonal = LineArea::new((1 << 29) - 1).column(fraction);
             assert_eq!(diagonal.map(|area| rest(area, 8)), [256, 192, 22, 192, 256]);
         }

@@ -1,13 +1,13 @@
 //! Anti-aliased lines: which columns a line has, and where it lies in each.
 //!
 //! The line is a parallelogram: the points at most ½ pixel from the infinite line through both ends, between two pixel borders,
-//! those nearest to the ends along the major axis. So it is a rectangle of width 1 but for its ends, which lie on pixel borders:
-//! lines that follow one another along one axis, as the edges of a curve do, share no pixel column and leave none out.
+//! those nearest to the ends along the major axis. So it is a rectangle of width 1 except for its ends, which lie on pixel
+//! borders: lines that follow one another along one axis, like the edges of a curve, share no pixel column and leave none out.
 //!
 //! The coverage of a pixel is the area of the parallelogram in the pixel's square: an unweighted area sampling with a box filter
-//! (Foley et al., 2nd ed., section 3.17.2; Gupta and Sproull, *Filtering edges for gray-scale displays*, 1981, use a cone, and a table
-//! by the distance). Wu's two pixels per column have the area only of a horizontal line. It depends on the slope and on where the
-//! middle of the line lies in the column: `line_area.rs`.
+//! (Foley et al., 2nd ed., section 3.17.2; Gupta and Sproull, *Filtering edges for gray-scale displays*, 1981, use a cone, and a
+//! table by the distance). Wu's two pixels per column have this area only for a horizontal line. The area depends on the slope
+//! and on where the middle of the line lies in the column: `line_area.rs` computes it.
 
 use super::{LineArea, Scissor, PIXELS};
 use crate::math::num::{mul_wide, reciprocal};
@@ -18,7 +18,7 @@ use core::ops::Range;
 pub(crate) struct LineCoverage {
     /// Whether the major axis is y.
     pub(crate) tall: bool,
-    /// Whether the line goes upwards from column to column. Then `row` and `fraction` are those of its mirror image, whose rows are
+    /// Whether the line goes upwards from column to column. Then `row` and `fraction` describe its mirror image, whose rows are
     /// counted upwards: row r is row −1 − r of the picture.
     pub(crate) rises: bool,
     /// Whether no column has a pixel outside the scissor's rows.
@@ -90,13 +90,14 @@ impl LineCoverage {
         LineArea::new(self.slope)
     }
 
-    /// How far the middle moves in these many columns, in 2⁻³².
+    /// How far the middle moves over `columns` columns, in 2⁻³².
     #[inline(always)]
     pub(crate) fn distance(&self, columns: i32) -> i64 {
         mul_wide(self.slope as i32, columns) << 3 // 29 + 17 + 3 bits
     }
 
-    /// The line with the columns that lie in the scissor, but for most of those of which no pixel does.
+    /// The part of the line in the scissor's columns, without most of the columns whose pixels all lie outside the scissor's
+    /// rows.
     #[inline(never)] // few lines, but for bands
     pub(crate) fn clipped(self, scissor: &Scissor) -> Self {
         let (columns, rows) = self.axes(scissor);
@@ -115,7 +116,7 @@ impl LineCoverage {
         line
     }
 
-    /// The columns that have no pixel outside the scissor's rows, but for the outermost few.
+    /// The columns whose pixels all lie in the scissor's rows; a few of the outermost ones may be missing.
     #[inline(always)]
     pub(crate) fn interior(&self, scissor: &Scissor) -> Self {
         let (_, rows) = self.axes(scissor);
@@ -297,7 +298,8 @@ mod tests {
                 "{visited} {} {per_row}",
                 useful.len()
             );
-            // Of the interior, and of a line that is inside, all five pixels lie in the scissor's rows, which loops rely on.
+            // All five pixels of a column of the interior, or of a line that is inside, lie in the scissor's rows: loops rely on
+            // this.
             let within = |column: Column| column.first >= rows.start && column.first + 5 <= rows.end;
             assert!(!clipped.inside || clipped.columns().all(within));
             let interior = clipped.interior(&scissor);

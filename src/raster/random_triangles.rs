@@ -53,8 +53,8 @@ impl RandomTriangle {
         Triangle::new(self.points(), area(&self.points()), &self.scissor)
     }
 
-    /// Calls `visit` with the first and the last pixel of each covered row, and the exact value there of what is `values` at
-    /// the corners, as a numerator and its denominator.
+    /// Calls `visit` with the first and the last pixel of each covered row, and the exact value there of an attribute that has
+    /// `values` at the corners, as a numerator and its denominator.
     pub(crate) fn each_row_end(&self, values: [i32; 3], mut visit: impl FnMut(i32, i32, i128, i128)) {
         let [a, b, c] = self.corners;
         let cross = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {

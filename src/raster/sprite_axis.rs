@@ -52,7 +52,8 @@ impl SpriteAxis {
     }
 }
 
-/// A texel, and what leads to that of the next pixel without a division: a quotient and a remainder of `size`.
+/// The texel of a pixel, and the step to the next pixel's texel without a division: each is a quotient and a remainder of a
+/// division by `size`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TexelWalk {
     texel: u32,

@@ -1,5 +1,5 @@
-//! What a model's materials say of its faces, beside the mesh: colours, the light that they emit, and texture coordinates. A mesh
-//! does not know of them, so that firmware which draws none of them has none of them in flash.
+//! What a model's materials say about its faces, beside the mesh: colours, the light that they emit, and texture coordinates. A
+//! mesh has no reference to them, so firmware that does not draw them does not have them in flash.
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 
@@ -16,7 +16,8 @@ pub enum MaterialError {
         /// How many colours or coordinates there are.
         count: usize,
     },
-    /// The list of emitted colours is not as long as the palette: give one for each colour, black for those that emit nothing.
+    /// The list of emitted colours is not as long as the palette: give one for each colour, black for a colour that emits
+    /// nothing.
     Emission {
         /// How many emitted colours there are.
         emission: usize,
@@ -97,8 +98,8 @@ impl<'a> FaceColors<'a> {
         Ok(Self { palette, emission: &[], faces })
     }
 
-    /// These colours, and the light that a face of each emits: one colour `[red, green, blue]` for each colour of the palette, black
-    /// for none. An index stands for both, so the palette may have a colour twice.
+    /// These colours, and the light that faces emit: one colour `[red, green, blue]` for each colour of the palette, black for
+    /// none. An index stands for a colour and its emission, so the palette may have a colour twice.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Rgb888;
@@ -132,7 +133,7 @@ impl<'a> FaceColors<'a> {
         Rgb888::new(red, green, blue).into()
     }
 
-    /// The light that a face emits, as [`color`](Self::color) has its colour; black if it emits none.
+    /// The light that a face emits, converted like [`color`](Self::color); black if it emits none.
     pub fn emission<C: From<Rgb888>>(&self, face: usize) -> C {
         let [red, green, blue] = self.of(face, self.emission).unwrap_or_default();
         Rgb888::new(red, green, blue).into()
@@ -166,13 +167,13 @@ impl defmt::Format for FaceColors<'_> {
     }
 }
 
-/// Texture coordinates of the corners of a mesh's faces: each pair once, 4 bytes, and three indices a face, 6 bytes.
-/// `pinhole-import` makes them of an OBJ model's.
+/// Texture coordinates of the corners of a mesh's faces: each different pair once, 4 bytes, and three indices a face, 6 bytes.
+/// `pinhole-import` makes them from an OBJ model.
 ///
-/// A coordinate is `[u, v]` in units of 2^exponent of a texture's side: u to the right, v down, as the rows of a picture
-/// lie in memory, and the origin is the upper left corner of the texel in column 0 and row 0, whose centre is half a
-/// texel from there. In a texture of 2ʷ texels a side, a coordinate c lies in the texel `(c << w) >> -exponent`, rounded
-/// down also where c is negative, modulo 2ʷ where the texture repeats.
+/// A coordinate is `[u, v]` in units of 2^exponent of a texture's side. u grows to the right and v downwards, like the rows of a
+/// picture in memory. The origin is the upper left corner of the texel in column 0 and row 0; the centre of this texel is half a
+/// texel from there. In a texture of 2ʷ texels a side, a coordinate c lies in the texel `(c << w) >> -exponent`, rounded down
+/// also where c is negative, modulo 2ʷ where the texture repeats.
 ///
 /// ```
 /// use pinhole::TextureCoords;
@@ -191,7 +192,7 @@ pub struct TextureCoords<'a> {
 }
 
 impl<'a> TextureCoords<'a> {
-    /// Coordinates in units of 2^exponent of a texture's side, and those of the corners of each face.
+    /// From coordinates in units of 2^exponent of a texture's side, and for each face the indices of its corners' coordinates.
     ///
     /// # Errors
     ///

@@ -40,7 +40,8 @@ pub struct Mesh<'a, V = i16, P = WithoutPlanes> {
     planes: PhantomData<P>,
 }
 
-/// The data of a mesh. What is drawn from it is one type, so one copy of the code, whether the mesh has planes or not.
+/// The data of a mesh. Everything is drawn from this one type, so there is one copy of the code, whether meshes have planes or
+/// not.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct MeshData<'a, V> {
     pub(crate) vertices: &'a [[V; 3]],
@@ -567,10 +568,9 @@ impl<'a, V, P> Mesh<'a, V, P> {
         Mesh::of(MeshData { planes: &[], ..self.data })
     }
 
-    /// The mesh in the type of meshes with planes, with those planes that it has, if any: for a [`Scene`](crate::Scene) in
-    /// which some meshes have planes and others have none. A face without a plane is culled by its area on the screen alone, so
-    /// the picture is that of the mesh as it was. Drawing takes longer than drawing the mesh as it was, by about as much as
-    /// transforming ten vertices.
+    /// The mesh in the type of meshes with planes, keeping the planes that it has, if any: for a [`Scene`](crate::Scene) in which
+    /// some meshes have planes and others have none. A face without a plane is culled by its area on the screen alone, so the
+    /// picture does not change. Drawing takes longer, by about as much as transforming ten vertices takes.
     ///
     /// ```
     /// use pinhole::{meshes::{CUBE, TORUS}, prelude::*};

@@ -1,4 +1,4 @@
-//! Colors that can be mixed with stored ones.
+//! Colours that can be mixed with stored ones.
 
 use crate::math::hints::opaque;
 use crate::surface::PixelFormat;
@@ -7,8 +7,8 @@ use embedded_graphics_core::pixelcolor::{
     Rgb888,
 };
 
-/// A color type whose colors can be mixed channel by channel, for [`Translucent`](crate::Translucent)
-/// faces and [`AntiAliased`](crate::AntiAliased) lines. All color types of embedded-graphics implement it; channels
+/// A colour type whose colours can be mixed channel by channel, for [`Translucent`](crate::Translucent)
+/// faces and [`AntiAliased`](crate::AntiAliased) lines. All colour types of embedded-graphics implement it; channels
 /// are mixed side by side in one word, without a division.
 ///
 /// ```
@@ -28,27 +28,27 @@ pub trait Blend: PixelColor {
     #[doc(hidden)]
     const SHARE_BITS: u32 = 8;
 
-    /// The mean of this color and `stored`, channel by channel: half of this one rounded up, plus half of the stored one rounded
+    /// The mean of this colour and `stored`, channel by channel: half of this one rounded up, plus half of the stored one rounded
     /// down, which is within ½ level of the mean.
     #[must_use]
     fn half(self, stored: Self) -> Self;
 
-    /// `alpha` 32nds of this color plus the rest of `stored`, channel by channel, rounded to the nearest level, and up where two
-    /// are equally near. `alpha` is 0 … 32; more gives a color without meaning.
+    /// `alpha` 32nds of this colour plus the rest of `stored`, channel by channel, rounded to the nearest level, and up where two
+    /// are equally near. `alpha` is 0 … 32; more gives a meaningless colour.
     #[must_use]
     fn mix(self, stored: Self, alpha: u8) -> Self;
 
-    /// `coverage` 256ths of this color plus the rest of `stored`, channel by channel, rounded to the nearest level. `coverage` is
-    /// 0 … 256; more gives a color without meaning. Colors of 15 and 16 bits round it to 1/32 first, which is at most 1/64 off, and
-    /// this is what a type of your own gets from [`mix`](Self::mix).
+    /// `coverage` 256ths of this colour plus the rest of `stored`, channel by channel, rounded to the nearest level. `coverage`
+    /// is 0 … 256; more gives a meaningless colour. Colours of 15 and 16 bits first round `coverage` to 1/32, which is at most
+    /// 1/64 off, and so does this default for a colour type of your own.
     #[must_use]
     #[inline(always)]
     fn over(self, stored: Self, coverage: u16) -> Self {
         self.mix(stored, (coverage.wrapping_add(4) >> 3) as u8)
     }
 
-    /// A function of `alpha`, 0 … 32, that [mixes](Self::mix) this color with another one: parts that depend on both colors alone are
-    /// computed once.
+    /// A function of `alpha`, 0 … 32, that [mixes](Self::mix) this colour with another one: what depends only on the two colours
+    /// is computed once.
     #[must_use]
     #[doc(hidden)]
     #[inline(always)]
@@ -56,7 +56,8 @@ pub trait Blend: PixelColor {
         move |alpha| self.mix(other, alpha)
     }
 
-    /// [`over`](Self::over) as a function for loops, of the stored color and of its share: what this color does not cover.
+    /// [`over`](Self::over) as a function for loops. Its arguments are the stored colour and its share, the part that this colour
+    /// does not cover.
     #[must_use]
     #[doc(hidden)]
     #[inline(always)]
@@ -66,14 +67,15 @@ pub trait Blend: PixelColor {
     }
 }
 
-/// The mean of packed channels. `low`: all bits of all channels but their highest ones, which a right shift by 1 leaves alone.
+/// The mean of packed channels. `low` has all bits of the channels except the highest bit of each, into which a right shift by 1
+/// moves a bit of the channel above.
 #[inline(always)]
 const fn half(own: u32, stored: u32, low: u32) -> u32 {
     // Half rounded up is the number minus half rounded down. No channel overflows: ⌈max/2⌉ + ⌊max/2⌋ = max.
     own.wrapping_sub(own >> 1 & low).wrapping_add(stored >> 1 & low)
 }
 
-/// Mixes channels that have at least `bits` free bits above each: `share` parts of 2^`bits`, 5 or 8, of one color, and the rest of
+/// Mixes channels that have at least `bits` free bits above each: `share` parts of 2^`bits`, 5 or 8, of one colour, and the rest of
 /// the other. `all`: the bits of the channels; `lowest`: the lowest bit of each.
 #[inline(always)]
 const fn mix(own: u32, stored: u32, share: u32, bits: u32, all: u32, lowest: u32) -> u32 {
@@ -114,7 +116,7 @@ macro_rules! blend_16 {
 
             #[inline(always)]
             fn mixer(self) -> impl Fn(Self, u32) -> Self + Copy {
-                // Not known to LLVM, which would make two masks of it, and load each anew where registers are few.
+                // Hidden from LLVM, which would make two masks of it and load each again where registers are few.
                 let all = opaque($spread);
                 let spread = |color: Self| color.encode() | color.encode() << 16;
                 let own = spread(self) & $spread;
@@ -267,8 +269,8 @@ mod tests {
         }
     }
 
-    /// `fade` is `mix` with its colours known beforehand, for every alpha: of every pair of levels of six bits, at each bit of a
-    /// colour, and of random pairs of colours.
+    /// `fade` equals `mix` for every alpha: for every pair of levels of six bits, at each bit of a colour, and for random pairs
+    /// of colours.
     fn check_fade<C: Blend + PixelFormat + core::fmt::Debug>() {
         let mut random = Random(5);
         let check = |own: u32, other: u32| {

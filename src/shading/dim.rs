@@ -27,8 +27,8 @@ pub trait Dim: PixelColor {
     #[must_use]
     fn dim(self, level: u16) -> Self;
 
-    /// This colour plus `emission`, channel by channel, at most full: for faces that emit light of their own, after
-    /// [`dim`](Self::dim). A `BinaryColor` is on if one of both is.
+    /// This colour plus `emission`, each channel saturating at full: for faces that emit light of their own, after
+    /// [`dim`](Self::dim). A `BinaryColor` is on if either colour is.
     #[must_use]
     fn emitting(self, emission: Self) -> Self;
 }

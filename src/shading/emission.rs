@@ -26,7 +26,7 @@ impl FaceColors<'_> {
 }
 
 impl Flat {
-    /// This colour plus `emission`, channel by channel, at most full: the colour of a face that emits light of its own, such as a
+    /// This colour plus `emission`, each channel saturating at full: the colour of a face that emits light of its own, such as a
     /// lamp or a display. Exact.
     ///
     /// Emission is not dimmed, so light comes first:
@@ -49,8 +49,9 @@ impl Flat {
 }
 
 impl Lit {
-    /// The shader of a face that emits light of its own: `emission` is added at each corner, at most full, and the sums are
-    /// interpolated. Channels that are full at some corners only bend there as [`Gouraud`] does between any three colours.
+    /// The shader of a face that emits light of its own: `emission` is added at each corner, each channel saturating at full, and
+    /// the sums are interpolated. A channel that saturates at only some of the corners is darker between them than light plus
+    /// emission would be.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb888, WebColors};
@@ -67,8 +68,8 @@ impl Lit {
 }
 
 impl<C: Channels> ShadeTable<C> {
-    /// A table for faces that emit light of their own: the colours of the target nearest to `emission` plus 0/255, 1/255 … 255/255
-    /// of `color`, channel by channel, at most full; halves are rounded up. A face takes no more instructions than with
+    /// A table for faces that emit light of their own: entry i is the colour of the target nearest to i/255 of `color` plus
+    /// `emission`, each channel saturating at full; halves are rounded up. A face takes no more instructions than with
     /// [`new`](Self::new).
     ///
     /// ```
@@ -88,9 +89,9 @@ impl<C: Channels> ShadeTable<C> {
 }
 
 impl<C: Channels, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROWS> {
-    /// A palette of texels that emit light of their own, such as the digits of a dial: rows from `emission` alone to `emission` plus
-    /// the palette's colours, at 0/(`ROWS` − 1), 1/(`ROWS` − 1) … of these colours; channels are at most full, halves are rounded up.
-    /// A colour that emits nothing has the emission black.
+    /// A palette of texels that emit light of their own, such as the digits of a dial: row i has i/(`ROWS` − 1) of the palette's
+    /// colours plus `emission`, so row 0 is the emission alone; channels saturate at full, halves are rounded up. The emission of
+    /// a colour that emits nothing is black.
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};

@@ -115,7 +115,7 @@ impl Rounding for Nearest {
     }
 }
 
-/// The colours of a span from left to right, an iterator without end.
+/// The colours of a span from left to right: an endless iterator.
 pub(crate) struct SpanColors<C, R> {
     levels: [u32; 3],
     steps: [u32; 3],

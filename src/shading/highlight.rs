@@ -24,12 +24,12 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 /// *Models of light reflection for computer synthesized pictures*, 1977; Foley et al., *Computer Graphics*, 2nd ed., section
 /// 16.1.4.)
 ///
-/// Highlights look right per vertex where faces are small beside the highlight: choose a low shininess for coarse meshes. Normals
-/// are transformed as by [`Lambert`](crate::Lambert).
+/// Highlights per vertex look right only where faces are small beside the highlight: choose a low shininess for coarse meshes.
+/// Normals are transformed as by [`Lambert`](crate::Lambert).
 ///
-/// **Error.** A level is within 5/8 + shininess/64 of the exact one; the cosine of the half vector is raised to a power, and so is
-/// its error. Where the light grazes the surface to within 2⁻¹³ rad, the highlight may be there or not. κ, the largest scale factor
-/// of the model transform divided by its smallest, adds κ·shininess·2⁻²².
+/// **Error.** A level is within 5/8 + shininess/64 of the exact one: raising the cosine of the half vector to a power multiplies
+/// its error. Where the light grazes the surface to within 2⁻¹³ rad, the highlight may be there or not. κ, the largest scale
+/// factor of the model transform divided by its smallest, adds κ·shininess·2⁻²².
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor, WebColors};
@@ -128,8 +128,8 @@ impl BlinnPhong {
 }
 
 impl<C: Channels> ShadeTable<C> {
-    /// The table for the levels of [`BlinnPhong`]: black to `color` over the first three quarters, `color` to `highlight` over the
-    /// last one. Each channel is within ½ + 2⁻⁷ level of the target of the colour at 0/255, 1/255 … 255/255 of the table.
+    /// The table for the levels of [`BlinnPhong`]: black to `color` over the first three quarters, `color` to `highlight` over
+    /// the last one. Entry i is the colour at i/255 of the table, each channel within ½ + 2⁻⁷ level of the target.
     ///
     /// [`BlinnPhong`] has an example.
     pub fn with_highlight(color: Rgb888, highlight: Rgb888) -> Self {

@@ -12,8 +12,8 @@ use crate::space::{Model, World};
 ///
 /// Normals are transformed by the inverse transpose of the model transform. If the transform is conformal (a rotation or
 /// reflection with uniform scale), the light direction is transformed to model space instead, and a normal takes three
-/// multiplications. [`RigidLambert`] takes such transforms alone, and less flash. (Lambert's law: Foley et al.,
-/// *Computer Graphics*, 2nd ed., section 16.1; normals: section 5.6.)
+/// multiplications. [`RigidLambert`] takes only conformal transforms, and less flash. (Lambert's law: Foley et al., *Computer
+/// Graphics*, 2nd ed., section 16.1; normals: section 5.6.)
 ///
 /// ```
 /// use pinhole::{space::{Model, World}, Affine, Lambert, LightError, Vector3};
@@ -50,7 +50,7 @@ impl core::fmt::Display for LightError {
                 "the direction towards the light has length zero: give a vector that points to the light"
             }
             Self::NotRigid => {
-                "the model transform stretches or shears, which RigidLambert leaves out: use Lambert"
+                "the model transform stretches or shears, which RigidLambert does not support: use Lambert"
             }
         })
     }
@@ -127,7 +127,7 @@ impl Lambert {
     }
 }
 
-/// A light direction and ambient light, in the space of the normals that it is asked for.
+/// A light direction and ambient light, in the space of the normals that it lights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct ScaledLight {
@@ -193,7 +193,8 @@ impl RigidLambert {
     /// # Errors
     ///
     /// [`LightError::ZeroDirection`] if `towards_light` has length zero; [`LightError::NotRigid`] if `model` stretches or shears:
-    /// the dot products of its rows, divided by the first row's with itself, are more than 2⁻¹⁰ off 1 (a row with itself) or 0.
+    /// if, relative to the squared length of its first row, the squared length of another row differs from 1 or the dot product
+    /// of two rows from 0 by more than 2⁻¹⁰.
     #[inline(never)] // set-up: its stack frame is gone before faces are drawn
     pub fn new(
         model: &Affine<Model, World>,

@@ -27,23 +27,23 @@ pub(super) fn levels<C: Channels>(color: Flat) -> [i32; 3] {
     }
 }
 
-/// The colour of the target nearest to `color` at `step`/`steps` of its light; halves are rounded up. `steps` is 1 … 255, and `step`
-/// not more.
+/// The colour of the target nearest to `color` at `step`/`steps` of its light; halves are rounded up. `steps` is 1 … 255, and
+/// `step` is 0 … `steps`.
 #[inline(always)] // `steps` is a constant of each caller
 pub(super) fn lit<C: Channels>(color: Rgb888, step: u32, steps: u32) -> C {
     nearest(channels(color).map(|channel| channel * step), steps)
 }
 
-/// The colour of the target nearest to `step`/`steps` of `color` and the rest of `fog`; halves are rounded up. `steps` is 1 … 255,
-/// and `step` not more.
+/// The colour of the target nearest to `step`/`steps` of `color` and the rest of `fog`; halves are rounded up. `steps` is 1 …
+/// 255, and `step` is 0 … `steps`.
 pub(super) fn faded<C: Channels>(color: Rgb888, fog: Rgb888, step: u32, steps: u32) -> C {
     let ([r, g, b], [s, t, u]) = (channels(color), channels(fog));
     let mix = |own: u32, fog: u32| own * step + fog * steps.saturating_sub(step);
     nearest([mix(r, s), mix(g, t), mix(b, u)], steps)
 }
 
-/// The colour of the target nearest to `color` at `step`/`steps` of its light, plus `emission`, at most full; halves are rounded up.
-/// `steps` is 1 … 255, and `step` not more.
+/// The colour of the target nearest to `color` at `step`/`steps` of its light, plus `emission`, each channel saturating at full;
+/// halves are rounded up. `steps` is 1 … 255, and `step` is 0 … `steps`.
 pub(super) fn emissive<C: Channels>(color: Rgb888, emission: Rgb888, step: u32, steps: u32) -> C {
     let ([r, g, b], [s, t, u]) = (channels(color), channels(emission));
     let sum = |own: u32, emission: u32| (own * step + emission * steps).min(255 * steps);

@@ -55,7 +55,7 @@ impl Lit {
         Self { light: corners.map(|weights| weighted_mean(self.light, weights, FULL)), ..*self }
     }
 
-    /// The colour, and the light levels at the corners, 0 … 256: those of [`Gouraud::lit`], or the nearest to those of a sub-face.
+    /// The colour, and the light levels at the corners, 0 … 256: exact for [`Gouraud::lit`], the nearest levels for a sub-face.
     pub(super) fn parts(&self) -> (Rgb888, [u16; 3]) {
         let [r, g, b] = self.color;
         // Up to `FULL`, which is less than 2²²·256/255 + 1: the product is less than 2³⁰ + 2⁸.

@@ -23,7 +23,7 @@ impl NormalSpace {
         Self { matrix, conformal: is_conformal(matrix.rows()) }
     }
 
-    /// A unit vector of world space, in 2⁻³⁰, in the space of normals: again in 2⁻³⁰, each component within 2⁻²⁸.
+    /// Transforms a unit vector, in 2⁻³⁰, from world space to the space of normals: each component is within 2⁻²⁸.
     #[inline(never)] // set-up: code size counts, speed does not
     pub(super) fn direction(&self, unit: [i32; 3]) -> [i32; 3] {
         // n·(Cᵀ·l) = (C·n)·l.
@@ -33,7 +33,7 @@ impl NormalSpace {
         }
     }
 
-    /// A unit normal of model space, in 2⁻¹⁵, in the space of the directions.
+    /// Transforms a unit normal, in 2⁻¹⁵, from model space to the space of directions.
     #[inline(always)]
     pub(super) fn normal(&self, normal: [i16; 3]) -> [i16; 3] {
         match self.conformal {
@@ -56,7 +56,7 @@ pub(super) fn dot_words([a, b, c]: [i16; 3], [x, y, z]: [i16; 3]) -> i32 {
     product(a, x).wrapping_add(product(b, y)).wrapping_add(product(c, z))
 }
 
-/// A unit vector in 2⁻³⁰ in 2⁻¹⁵: rounded to nearest, +1 becomes 32767.
+/// Converts a unit vector from 2⁻³⁰ to 2⁻¹⁵, rounded to nearest: +1 becomes 32767.
 pub(super) fn to_words(unit: [i32; 3]) -> [i16; 3] {
     unit.map(component_to_q15)
 }

@@ -11,15 +11,15 @@ use crate::space::{Model, World};
 /// A light at a point of the world, set up for one object: it lights vertices and faces by their position and normal, and
 /// nothing beyond its range.
 ///
-/// At distance r of a position to the light, with unit normal n and unit vector l towards the light, a level is
-/// `strength · max(0, n·l) · (1 − r²/range²)²`, and 0 beyond the range: light falls to nothing at the range, without an edge.
-/// (Akenine-Möller et al., *Real-Time Rendering*, 4th ed., section 5.2.2, windowing functions.) A point light has no ambient part:
-/// add its level to that of a [`Lambert`](crate::Lambert) or of [`Lights`](crate::Lights). Whatever takes levels counts more than
+/// At distance r of a position to the light, with unit normal n and unit vector l towards the light, a level is `strength ·
+/// max(0, n·l) · (1 − r²/range²)²`, and 0 beyond the range: light falls to nothing at the range, without an edge. (Akenine-Möller
+/// et al., *Real-Time Rendering*, 4th ed., section 5.2.2, windowing functions.) A point light has no ambient part: add its level
+/// to the level of a [`Lambert`](crate::Lambert) or of [`Lights`](crate::Lights). Sums may exceed 256: shaders count more than
 /// 256 as 256.
 ///
-/// **Error.** A level is within 5/8 + κ·2⁻²² + 2⁻¹⁵·range/r of the exact one, where κ is the largest scale factor of the model
-/// transform divided by its smallest, and the object is at most 64 times as large as the range. At the light's own position the level is 0, as no direction
-/// leads to it.
+/// **Error.** A level is within 5/8 + κ·2⁻²² + 2⁻¹⁵·range/r of the exact one for objects at most 64 times as large as the range,
+/// where κ is the largest scale factor of the model transform divided by its smallest. At the light's own position the level is
+/// 0, because no direction leads to it.
 ///
 /// ```
 /// use pinhole::{space::{Model, World}, Affine, Point3, PointLight, Scalar};

@@ -10,14 +10,14 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// (Akenine-Möller et al., *Real-Time Rendering*, 4th ed., section 5.5.)
 ///
 /// **The pattern** is that of [`Dithered`](crate::Dithered) (Bayer 1973) and depends only on the pixel's coordinates in the
-/// frame: it does not move with objects, and it is equal in bands. A pattern of fewer pixels is a part of every pattern of
-/// more, so of two faces with equal coverage, one behind the other, only the nearer is seen.
+/// frame: it does not move with objects, and it continues across bands. The pixels of a lower coverage are among those of every
+/// higher one, so of two faces with equal coverage, one behind the other, only the nearer is seen.
 ///
 /// **On displays** each run of drawn pixels is a window of its own, and most runs are one pixel wide: draw into a
 /// [`Band`](crate::Band) or a [`Picture`](crate::Picture), and send that.
 ///
-/// **With [`Dithered`](crate::Dithered)** both patterns are the same, so the shades of a dithered face with a screen door are up to
-/// one level too bright: the pixels that are drawn are those with the low thresholds.
+/// **With [`Dithered`](crate::Dithered)** both patterns have equal thresholds, so the shades of a dithered face with a screen
+/// door are up to one level too bright: the drawn pixels are those with low thresholds.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};

@@ -161,7 +161,7 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// The result of [`set_up`](Self::set_up), usually gradients.
     type Setup;
 
-    /// Whether the shader leaves out pixels, by [`kept`](Self::kept): others see what is behind the face there.
+    /// Whether the shader leaves out pixels, by [`kept`](Self::kept): what lies behind the face is seen there.
     const LEAVES_OUT: bool = false;
 
     /// Whether the shader's colours are mixed with the stored pixels, by [`blend`](Self::blend). Such a shader compiles only for
@@ -180,9 +180,9 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// the triangle covers.
     fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = C>;
 
-    /// The colours of a span as runs, from left to right: the width of each, and its colours, at least as many. Override it if
-    /// colours are cheap to compute within a run, and not across: for targets whose pixels lie in memory it is called instead of
-    /// [`span`](Self::span), and must give the same colours.
+    /// The colours of a span as runs, from left to right: the width of each run, and its colours, at least that many. Override it
+    /// if colours are cheap to compute within a run but not from run to run. For targets whose pixels lie in memory it is called
+    /// instead of [`span`](Self::span), and must give equal colours.
     #[inline(always)]
     fn runs(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = C>)> {
         once((span.width, Self::span(setup, span)))
@@ -192,8 +192,8 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// [`LEAVES_OUT`](Self::LEAVES_OUT) is true; the other pixels must have the colours that [`span`](Self::span) gives. Depth is
     /// stored for pixels that are drawn, and for no others.
     ///
-    /// Targets whose pixels lie in memory are drawn to from this alone. Others get each run of drawn pixels by a call of their own,
-    /// with the colours that `span` gives for the run.
+    /// Targets whose pixels lie in memory are drawn by this function alone. Other targets get each run of drawn pixels in one
+    /// call, with the colours that `span` gives for the run.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -296,8 +296,8 @@ pub trait SpanShader<C: PixelColor>: Shader {
         None
     }
 
-    /// Hands one colour for each level of fog to a loop over the rows of a triangle, for targets whose pixels lie in memory, if these
-    /// are the shader's colours. Returns whether the triangle is drawn.
+    /// Hands one colour for each level of fog to a loop over the rows of a triangle, for targets whose pixels lie in memory, if
+    /// the shader's colours consist of these. Returns whether the triangle is drawn.
     #[doc(hidden)]
     #[inline(always)]
     fn draw_levels<D: DrawLevels<C>>(&self, draw: D) -> bool {
@@ -308,7 +308,7 @@ pub trait SpanShader<C: PixelColor>: Shader {
 
 /// A loop over the rows of a triangle, into memory.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no loop over the rows of a triangle",
+    message = "`{Self}` is not a loop over the rows of a triangle",
     note = "leave `draw_runs` as the trait has it, and override `runs`"
 )]
 pub trait DrawRuns<C>: Sized {
@@ -325,8 +325,8 @@ pub trait DrawRuns<C>: Sized {
         self.runs(|span| lines(span).map(|(width, line)| (width, line.map(texel))));
     }
 
-    /// Fills the triangle with the colours of `texel`, given a gradient of texture coordinates that share a word; or declines, with
-    /// `false`, and nothing is drawn.
+    /// Fills the triangle with the colours of `texel`, given a gradient of texture coordinates that share a word; or draws
+    /// nothing and returns `false`.
     fn packed(&mut self, _gradient: &Gradient, _texel: impl Fn(u32) -> C + Copy) -> bool {
         false
     }
@@ -334,7 +334,7 @@ pub trait DrawRuns<C>: Sized {
 
 /// A loop over the rows of a triangle in fog, into memory.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no loop over the rows of a triangle in fog",
+    message = "`{Self}` is not a loop over the rows of a triangle in fog",
     note = "leave `draw_levels` as the trait has it"
 )]
 pub trait DrawLevels<C>: Sized {
@@ -349,7 +349,7 @@ pub trait DrawLevels<C>: Sized {
     ) -> bool;
 }
 
-/// [`Shader::with_corners`] of a shader inside another one: the shader as it is, if it asks for nothing.
+/// Calls [`Shader::with_corners`] of a wrapped shader; a shader that asks for nothing is returned as it is.
 #[inline(always)]
 pub(super) fn inner_with_corners<S: Shader>(shader: &S, corners: &CornerValues) -> S {
     match S::NEEDS_DEPTH || S::NEEDS_W {

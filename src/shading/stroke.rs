@@ -20,7 +20,7 @@ pub trait Stroke<C: PixelColor>: Copy {
     /// The colour of a pixel that the line covers.
     fn color(&self) -> C;
 
-    /// The colour of a pixel that the line covers in part, 0 … 256 in 1/256 pixel, where `below` is stored. Called only if
+    /// The colour to store in a pixel of which the line covers `coverage`/256, and in which `below` is stored. Called only if
     /// [`IS_ANTI_ALIASED`](Self::IS_ANTI_ALIASED) is true.
     #[inline(always)]
     fn covering(&self, below: C, coverage: u16) -> C {
@@ -32,7 +32,8 @@ pub trait Stroke<C: PixelColor>: Copy {
     #[doc(hidden)]
     const SHARE_BITS: u32 = 8;
 
-    /// [`covering`](Self::covering) as a function for loops, of the stored color and of its share: what the line does not cover.
+    /// [`covering`](Self::covering) as a function for loops. Its arguments are the stored colour and its share, the part that the
+    /// line does not cover.
     #[doc(hidden)]
     #[inline(always)]
     fn mixer(self) -> impl Fn(C, u32) -> C + Copy {
@@ -53,14 +54,15 @@ impl<C: PixelColor> Stroke<C> for C {
 ///
 /// The line is the parallelogram of the points within ½ pixel of the straight line through both ends, between two pixel borders:
 /// those nearest to the ends along the major axis (x or y, whichever changes more). So lines that follow one another along one
-/// axis, such as the edges of a curve, mix no pixel column twice and leave none out; the end of a line is off by at most ½
-/// pixel, and a line of less than that may have no pixel. Ends are not rounded to pixels across the line, unlike those of plain
+/// axis, such as the edges of a curve, mix no pixel column twice and leave none out; the end of a line is off by at most ½ pixel,
+/// and a line shorter than that may have no pixel. Across the line, ends are not rounded to pixels, unlike the ends of plain
 /// lines. (Area sampling by a box filter: Foley et al., *Computer Graphics: Principles and Practice*, 2nd ed., section 3.17.2.)
 ///
-/// The area is within 2⁻¹³ pixel of the exact one in the guard band, and within 2⁻¹² up to 2¹⁶ columns, asserted against polygons cut
-/// in f64. It is rounded once: to 1/32, which is at most 1/64 off, for colours of 15 and 16 bits, and to 1/256 for others, which
-/// [`Blend::over`] mixes, each channel rounded to nearest. A clipped line has the pixels of the line that lie inside, so bands
-/// equal one piece. Where lines cross, each is mixed over those before: the order matters, though not with one colour.
+/// The area is within 2⁻¹³ pixel of the exact one in the guard band, and within 2⁻¹² up to 2¹⁶ columns, asserted against polygons
+/// cut in f64. It is rounded once: to 1/32, which is at most 1/64 off, for colours of 15 and 16 bits, and to 1/256 for other
+/// colours; [`Blend::over`] then mixes, each channel rounded to nearest. A clipped line has exactly those pixels of the whole
+/// line that lie inside, so a frame in bands equals a frame in one piece. Where lines cross, the later one is mixed over the
+/// earlier one: the order matters, unless both have one colour.
 ///
 /// An edge of a mesh is drawn if the box around the pixels of its ends meets the viewport, as with a plain colour.
 ///

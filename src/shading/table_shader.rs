@@ -1,4 +1,4 @@
-//! Colors that are looked up in a [`ShadeTable`](crate::ShadeTable) along a span.
+//! Colours that are looked up in a [`ShadeTable`](crate::ShadeTable) along a span.
 
 use super::levels::weighted_mean;
 use super::shader::{Shader, SpanShader};

@@ -1,22 +1,22 @@
-//! Translucent faces: colors mixed with the stored pixels.
+//! Translucent faces: colours mixed with the stored pixels.
 
 use super::{Blend, CornerValues, Shader, SpanShader};
 use crate::raster::{Span, Triangle};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-/// How the color of a [`Translucent`] face or sprite is mixed with a stored pixel: [`Half`], [`Alpha`], or any function of both
-/// colors, such as `|own: Rgb565, stored: Rgb565| stored.emitting(own)`, which adds light.
+/// How the colour of a [`Translucent`] face or sprite is mixed with a stored pixel: [`Half`], [`Alpha`], or any function of both
+/// colours, such as `|own: Rgb565, stored: Rgb565| stored.emitting(own)`, which adds light.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not mix colors of `{C}`",
     label = "not a `BlendMode<{C}>`",
-    note = "take `Half`, `Alpha`, or a closure that takes the own and the stored color, both with their type, and returns a color"
+    note = "use `Half`, `Alpha`, or a closure that takes the shader's color and the stored color, both with their type, and returns a color"
 )]
 pub trait BlendMode<C>: Copy {
-    /// The color to store in a pixel.
+    /// The colour to store in a pixel.
     fn blend(self, own: C, stored: C) -> C;
 }
 
-/// Half of the own color, half of the stored one, by [`Blend::half`]: an addition of both colors, where [`Alpha`] multiplies.
+/// Half of the own colour, half of the stored one, by [`Blend::half`]: an addition of both colours, where [`Alpha`] multiplies.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -34,7 +34,7 @@ impl<C: Blend> BlendMode<C> for Half {
     }
 }
 
-/// A constant part of the own color, and the rest of the stored one, by [`Blend::mix`].
+/// A constant part of the own colour, and the rest of the stored one, by [`Blend::mix`].
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -46,7 +46,7 @@ impl<C: Blend> BlendMode<C> for Half {
 pub struct Alpha(u8);
 
 impl Alpha {
-    /// A part in 1/32: 0 leaves the stored pixels as they are, 32 is the own color alone (more counts as 32).
+    /// A part in 1/32: 0 leaves the stored pixels as they are, 32 is the own colour alone (more counts as 32).
     pub const fn new(alpha: u8) -> Self {
         Self(if alpha < 32 { alpha } else { 32 })
     }
@@ -66,15 +66,16 @@ impl<C, F: Fn(C, C) -> C + Copy> BlendMode<C> for F {
     }
 }
 
-/// A translucent shader, or a translucent picture of a sprite: its colors are mixed with the stored pixels by a [`BlendMode`].
-/// [`HalfBlended`] and [`Blended`] are those of [`Half`] and [`Alpha`].
+/// A translucent shader, or a translucent picture of a sprite: its colours are mixed with the stored pixels by a [`BlendMode`].
+/// [`HalfBlended`] and [`Blended`] are the types for the modes [`Half`] and [`Alpha`].
 ///
 /// It reads pixels, so it draws into [memory](crate::Target::memory) alone: a [`Picture`](crate::Picture), or the pixels of a
 /// [`Band`](crate::Band). With another target it does not compile; [`ScreenDoor`](crate::ScreenDoor) draws into every target.
 ///
-/// **Order.** What is behind has to be drawn before: opaque faces first, then translucent ones from far to near, by a
-/// [`Painter`](crate::Painter) (with a depth buffer, of [`DepthTested`](crate::DepthTested) shaders) or object by object. Depth is tested and not stored, so a translucent face hides nothing. Of a
-/// convex object, the faces seen from behind ([`Cull::Front`](crate::Cull)) and then those seen from the front are in order.
+/// **Order.** What is behind must be drawn before: opaque faces first, then translucent ones from far to near, by a
+/// [`Painter`](crate::Painter) or object by object. Among opaque faces, use a depth buffer and a `Painter` of
+/// [`DepthTested`](crate::DepthTested) shaders. Depth is tested and not stored, so a translucent face hides nothing. A convex
+/// object needs no painter: draw the faces seen from behind ([`Cull::Front`](crate::Cull)), then those seen from the front.
 ///
 /// **Error.** At most ½ level of each channel: see [`Blend::half`] and [`Blend::mix`].
 ///
@@ -111,10 +112,10 @@ pub struct Translucent<S, M> {
     mode: M,
 }
 
-/// A translucent shader: half of its color, half of the stored pixel. [`Translucent`] says what holds for it.
+/// A translucent shader: half of its colour, half of the stored pixel. [`Translucent`] has the rules.
 pub type HalfBlended<S> = Translucent<S, Half>;
 
-/// A translucent shader: `alpha` 32nds of its color, and the rest of the stored pixel. [`Translucent`] says what holds for it.
+/// A translucent shader: `alpha` 32nds of its colour, and the rest of the stored pixel. [`Translucent`] has the rules.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
@@ -130,14 +131,14 @@ pub type HalfBlended<S> = Translucent<S, Half>;
 pub type Blended<S> = Translucent<S, Alpha>;
 
 impl<S> Translucent<S, Half> {
-    /// A shader or picture whose colors are mixed with the stored pixels in equal parts.
+    /// A shader or picture whose colours are mixed with the stored pixels in equal parts.
     pub const fn new(shader: S) -> Self {
         Self { shader, mode: Half }
     }
 }
 
 impl<S> Translucent<S, Alpha> {
-    /// A shader or picture whose colors are mixed with the stored pixels by `alpha`, in 1/32: 0 leaves the stored pixels as they are,
+    /// A shader or picture whose colours are mixed with the stored pixels by `alpha`, in 1/32: 0 leaves the stored pixels as they are,
     /// 32 is the shader itself (more counts as 32).
     pub const fn new(shader: S, alpha: u8) -> Self {
         Self { shader, mode: Alpha::new(alpha) }
@@ -145,12 +146,12 @@ impl<S> Translucent<S, Alpha> {
 }
 
 impl<S, M> Translucent<S, M> {
-    /// A shader or picture whose colors are mixed with the stored pixels by any [`BlendMode`].
+    /// A shader or picture whose colours are mixed with the stored pixels by any [`BlendMode`].
     pub const fn by(shader: S, mode: M) -> Self {
         Self { shader, mode }
     }
 
-    /// The shader or picture, and how its colors are mixed with the stored pixels.
+    /// The shader or picture, and how its colours are mixed with the stored pixels.
     #[inline(always)]
     pub(super) const fn parts(&self) -> (&S, &M) {
         (&self.shader, &self.mode)

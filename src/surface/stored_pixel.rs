@@ -1,12 +1,12 @@
-//! Colors as cells of memory.
+//! Colours as cells of memory.
 
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-/// A color as a cell of memory: the color itself, its bytes in the order in which displays take them, or its number.
+/// A colour as a cell of memory: the colour itself, its bytes in the order in which displays take them, or its number.
 ///
-/// | cell | memory holds | colors |
+/// | cell | memory holds | colours |
 /// |---|---|---|
-/// | the color | whatever the type is | all |
+/// | the colour | whatever the type is | all |
 /// | `[u8; N]` | [`PixelFormat`](crate::PixelFormat)'s bits, most significant byte first | those of 8, 16 and 24 bits |
 /// | `u16` | the number in the core's own byte order, as LCD controllers and 16-bit SPI take it | `Rgb565`, `Bgr565`, `Rgb555`, `Bgr555` |
 ///
@@ -27,7 +27,7 @@ pub trait StoredPixel<Cell>: PixelColor {
     /// The colour as a cell of memory.
     fn stored(self) -> Cell;
 
-    /// The color of a cell, for shaders that blend with the pixel that is there: what [`stored`](Self::stored) was given.
+    /// The colour of a cell, for shaders that blend with the pixel that is there: what [`stored`](Self::stored) was given.
     fn load(cell: Cell) -> Self;
 }
 

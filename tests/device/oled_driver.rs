@@ -112,7 +112,7 @@ fn windows_that_split_a_byte_are_refused_and_nothing_is_sent() {
     assert_eq!(wires.count(), count);
 }
 
-/// As for any DrawTarget: the colors of pixels outside are skipped.
+/// As for any DrawTarget: the colours of pixels outside are skipped.
 #[test]
 fn a_drawn_window_may_reach_beyond_the_panel() {
     for area in [window(-4, -3, 10, 7), window(120, 60, 20, 9), window(-6, 5, 200, 3), window(200, 0, 4, 4)] {

@@ -1,4 +1,4 @@
-//! No input panics: all arguments extreme at once, drawn by every call in a solid color, with overflow checks (other
+//! No input panics: all arguments extreme at once, drawn by every call in a solid colour, with overflow checks (other
 //! shaders: `shading`, `properties` and the fuzz targets). No scene writes outside viewport ∩ target.
 
 use embedded_graphics_core::draw_target::DrawTarget;

@@ -236,7 +236,7 @@ fn painter_sorts_by_the_mean_depth_of_the_corners() {
 #[test]
 fn the_painter_has_its_documented_size() {
     use core::mem::size_of;
-    // 8 bytes for a vertex; 10 bytes and a color for a face.
+    // 8 bytes for a vertex; 10 bytes and a colour for a face.
     assert_eq!(size_of::<pinhole::ScreenVertex>(), 8);
     let empty = size_of::<Painter<Shader, 0, 0>>();
     assert_eq!(size_of::<Painter<Shader, 100, 0>>() - empty, 800);

@@ -44,7 +44,7 @@ fn mixed() -> [Mesh<'static, i16, WithPlanes>; 2] {
     [cube.with_planes(planes.to_vec().leak()).expect("planes"), tetrahedron.with_planes_if_any()]
 }
 
-/// The number of a face of an object, as a color. Black, 0, is the background.
+/// The number of a face of an object, as a colour. Black, 0, is the background.
 fn number(object: usize, face: usize) -> Rgb565 {
     Rgb565::from(RawU16::new((object * 12 + face + 1) as u16))
 }

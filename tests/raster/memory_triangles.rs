@@ -113,7 +113,7 @@ fn r9_triangles_match_in_bands_away_from_the_origin() {
 
 const SIZE: Size = Size::new(90, 70);
 
-/// Colors and depths of a mesh, drawn into the picture's memory or as on any target, with a depth buffer for an area.
+/// Colours and depths of a mesh, drawn into the picture's memory or as on any target, with a depth buffer for an area.
 fn tested<I: SpanShader<Rgb565>>(
     mesh: &Mesh<'_>,
     area: Rectangle,

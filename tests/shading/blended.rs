@@ -1,4 +1,4 @@
-//! Translucency: levels of every color type against fractions, and faces over what is behind them, face by face.
+//! Translucency: levels of every colour type against fractions, and faces over what is behind them, face by face.
 
 use crate::every_target::{in_memory, SKY};
 use crate::textures::{floor, quad, soup, Scene, SIDE};
@@ -73,7 +73,7 @@ fn levels_of_every_color_type_are_the_nearest() {
     check([1, 0, 0], |[luma, ..]| BinaryColor::from(luma == 1), |c| [u8::from(c.is_on()), 0, 0]);
 }
 
-/// The mixed color, by fractions.
+/// The mixed colour, by fractions.
 fn mixed(own: Rgb888, stored: Rgb888, alpha: u32) -> Rgb888 {
     let level =
         |own: u8, stored: u8| ((u32::from(own) * alpha + u32::from(stored) * (32 - alpha) + 16) / 32) as u8;
@@ -191,7 +191,7 @@ fn translucent_faces_are_mixed_with_what_is_behind_them() {
     let smooth = |face: usize| Gouraud::new([color(face), color(face + 70), color(face + 140)]);
     check_scene(&scene, smooth, |face| Blended::new(smooth(face), 20), |own, stored| mixed(own, stored, 20));
     check_scene(&scene, smooth, |face| HalfBlended::new(smooth(face)), halved);
-    // Any function of both colors: light that is added.
+    // Any function of both colours: light that is added.
     let added = |own: Rgb888, stored: Rgb888| {
         let sum = |own: u8, stored: u8| own.saturating_add(stored);
         Rgb888::new(sum(own.r(), stored.r()), sum(own.g(), stored.g()), sum(own.b(), stored.b()))

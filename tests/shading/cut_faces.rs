@@ -1,5 +1,5 @@
-//! Colors of faces that the near plane, the far plane or the guard band cuts. A cut corner has the color that its point of
-//! the face has in space, and over each triangle of the clipped polygon colors are linear on the screen.
+//! Colours of faces that the near plane, the far plane or the guard band cuts. A cut corner has the colour that its point of
+//! the face has in space, and over each triangle of the clipped polygon colours are linear on the screen.
 
 use crate::scene::{
     draw, for_every_colour, gouraud, lit, mesh, random_colour, random_lights, shaded, Colour, Picture, SIZE,
@@ -78,7 +78,7 @@ enum Rounding {
     Pattern,
 }
 
-/// Every pixel that is surely inside one triangle of the clipped polygon has the color of the oracle, within the documented
+/// Every pixel that is surely inside one triangle of the clipped polygon has the colour of the oracle, within the documented
 /// bound and the change that the snap of the corners explains. Adds the number of pixels to `seen`.
 fn check<C: Colour, I: SpanShader<C>>(
     (planes, bits): (Planes, [[i32; 3]; 3]),
@@ -167,7 +167,7 @@ fn faces_cut_by_the_guard_band_have_the_colors_of_the_oracle() {
     for_every_colour!(every_shader(Planes::GuardBand, 150));
 }
 
-/// A corner moves from the near plane to 2⁻¹⁶ behind it: no pixel's color jumps.
+/// A corner moves from the near plane to 2⁻¹⁶ behind it: no pixel's colour jumps.
 #[test]
 fn colors_do_not_jump_as_a_corner_passes_the_near_plane() {
     let mut rng = Rng::new(0x91);

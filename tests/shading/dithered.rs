@@ -13,7 +13,7 @@ use support::oracle::coverage::centre;
 use support::oracle::rng::Rng;
 use support::oracle::shade::{bayer, dithered, Fraction, Lit};
 
-/// Bounds in levels: the rounding of the corners' colors, and the error of a gradient over a triangle.
+/// Bounds in levels: the rounding of the corners' colours, and the error of a gradient over a triangle.
 const EVEN: Fraction = (1, 1 << 16);
 const SMOOTH: Fraction = (1, 512);
 
@@ -21,7 +21,7 @@ fn rank(pattern: &[Vec<i128>], p: Point) -> i128 {
     pattern[p.y.rem_euclid(8) as usize][p.x.rem_euclid(8) as usize]
 }
 
-/// A picture filled with one color.
+/// A picture filled with one colour.
 fn everywhere<C: Colour>(shader: pinhole::Dithered<Flat>) -> Picture<C> {
     let vertices = [(-20_000, -20_000), (60_000, -20_000), (-20_000, 60_000)].map(vertex);
     let (camera, mesh) = (flat_camera(), mesh(&vertices));
@@ -68,7 +68,7 @@ fn even<C: Colour>(colour: Lit, rng: &mut Rng) {
     for (p, drawn) in picture.drawn() {
         for (level, exact) in drawn.levels().into_iter().zip(&exact) {
             assert!(dithered(*exact, rank(&pattern, p), EVEN).contains(&level), "{p:?} {colour:?}");
-            // A color that is exactly a level is not dithered.
+            // A colour that is exactly a level is not dithered.
             assert!(exact.0 % exact.1 != 0 || level == exact.0 / exact.1, "{p:?} {colour:?}");
         }
     }

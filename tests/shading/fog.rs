@@ -256,7 +256,7 @@ fn factors_are_the_nearest_at_every_depth() {
         (Lens { near: -4.0, far: 9.0, parallel: Some(3.0) }, [-3.5, 8.0]),
         (Lens { near: 1.0, far: 30_000.0, parallel: None }, [0.25, 30_000.0]),
     ];
-    // The part of the way from start to end at which this part of a color is left.
+    // The part of the way from start to end at which this part of a colour is left.
     type Profile = fn(f64) -> f64;
     let profiles: [Profile; 3] = [|left| 1.0 - left, |left| -left.log(64.0), |left| (-left.log(64.0)).sqrt()];
     for (case, (lens, fog)) in cases.into_iter().flat_map(|case| [(0, case), (1, case), (2, case)]) {
@@ -305,7 +305,7 @@ fn set_ups_that_cannot_be_are_refused() {
     assert_eq!(error, FogError::TooFewSteps { steps: 4 });
     assert_eq!(
         error.to_string(),
-        "the fog lies within 4 of 65535 steps of depth, and takes 8: move the near plane away from the eye, or the fog's start and end apart"
+        "the fog spans 4 of 65535 steps of depth, but needs 8: move the near plane away from the eye, or the fog's start and end apart"
     );
     assert!(table(&lens, 300.0, 1000.0).is_ok()); // 9.6
                                                   // Nothing but fog, and none.

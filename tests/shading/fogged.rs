@@ -40,7 +40,7 @@ fn check<S: SpanShader<Rgb888>>(scene: &Scene, shade: impl Fn(usize) -> S) {
     let white = table(Rgb888::BLACK);
     let fogged = on_every_target(scene, |face| Fogged::new(shade(face), &fog));
     let alone = on_every_target(scene, &shade);
-    // A plain color in this fog shows the factor of each pixel: by the order of drawing, of the same face as in `fogged`.
+    // A plain colour in this fog shows the factor of each pixel: by the order of drawing, of the same face as in `fogged`.
     let factor = on_every_target(scene, |_| Fogged::new(Rgb888::new(0, 0, 32 * LEVEL), &white));
     assert!(fogged.depths == alone.depths);
     let (mut counts, mut compared) = ([0; 33], 0);

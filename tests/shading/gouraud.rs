@@ -1,4 +1,4 @@
-//! Gouraud colors against the plane through the corners' levels, at the centers of pixels.
+//! Gouraud colours against the plane through the corners' levels, at the centres of pixels.
 
 use crate::scene::{
     corners, draw, flat, flat_camera, for_every_colour, gouraud, lit, mesh, random_colour, random_lights,
@@ -58,7 +58,7 @@ fn gouraud_colors_are_the_nearest_levels_of_their_gradients() {
     for_every_colour!(random(1500));
 }
 
-/// Three equal corner colors give the color of a flat face in every pixel, to the last bit.
+/// Three equal corner colours give the colour of a flat face in every pixel, to the last bit.
 fn even<C: Colour>(rng: &mut Rng) {
     let (camera, colour) = (flat_camera(), random_colour(rng));
     let vertices = random_triangle(rng).map(vertex);

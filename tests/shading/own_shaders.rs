@@ -36,7 +36,7 @@ fn unit(a: V) -> V {
     a.map(|c| c / dot(a, a).sqrt())
 }
 
-/// What a ray meets first, and how its color was made.
+/// What a ray meets first, and how its colour was made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Seen {
     Sky,

@@ -1,4 +1,4 @@
-//! Targets of every color type, and triangles with given positions on the screen.
+//! Targets of every colour type, and triangles with given positions on the screen.
 
 use embedded_graphics_core::pixelcolor::{
     BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb565, Rgb888, RgbColor,
@@ -16,7 +16,7 @@ use support::oracle::coverage::P;
 use support::oracle::rng::Rng;
 use support::oracle::shade::{Depths, Lit};
 
-/// A color whose channels the tests can read.
+/// A colour whose channels the tests can read.
 pub(crate) trait Colour: Channels + PixelFormat + core::fmt::Debug + 'static {
     const DEPTHS: Depths;
     fn levels(self) -> Vec<i128>;
@@ -51,7 +51,7 @@ impl Colour for BinaryColor {
     }
 }
 
-/// A custom color: 32 bits on the wire, and channels whose highest levels are not powers of two minus one.
+/// A custom colour: 32 bits on the wire, and channels whose highest levels are not powers of two minus one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Own([u8; 3]);
 
@@ -221,7 +221,7 @@ pub(crate) fn draw<C: Colour, I: SpanShader<C>>(
     picture
 }
 
-/// A random color, often at the ends of its ranges.
+/// A random colour, often at the ends of its ranges.
 pub(crate) fn random_colour(rng: &mut Rng) -> Lit {
     let mut channel = || match rng.below(4) {
         0 => 0,
@@ -249,13 +249,13 @@ pub(crate) fn lit([a, b, c]: [Lit; 3]) -> pinhole::Lit {
     Gouraud::lit(Rgb888::new(red, green, blue), [a.level, b.level, c.level])
 }
 
-/// A table of the first corner's color, leaked so that a shader can borrow it.
+/// A table of the first corner's colour, leaked so that a shader can borrow it.
 pub(crate) fn table<C: Colour>([a, ..]: [Lit; 3]) -> &'static ShadeTable<C> {
     let [red, green, blue] = a.rgb;
     Box::leak(Box::new(ShadeTable::new(Rgb888::new(red, green, blue))))
 }
 
-/// Corners as in [`lit`], shaded by the table of their color.
+/// Corners as in [`lit`], shaded by the table of their colour.
 pub(crate) fn shaded<C: Colour>(lights: [Lit; 3]) -> TableShader<'static, C> {
     table(lights).lit(lights.map(|light| light.level))
 }

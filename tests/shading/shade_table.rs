@@ -1,4 +1,4 @@
-//! Colors of a shade table against the plane through the corners' light, at the centers of pixels.
+//! Colours of a shade table against the plane through the corners' light, at the centres of pixels.
 
 use crate::scene::{
     corners, draw, flat_camera, for_every_colour, mesh, random_lights, random_triangle, shaded, table,
@@ -22,7 +22,7 @@ fn white(light: Lit) -> Lit {
     Lit { rgb: [255; 3], ..light }
 }
 
-/// A color type of indices: the entry that a pixel shows.
+/// A colour type of indices: the entry that a pixel shows.
 fn numbers() -> ShadeTable<Rgb888> {
     ShadeTable::from_colors(core::array::from_fn(|i| Rgb888::new(i as u8, 255 - i as u8, 7)))
 }

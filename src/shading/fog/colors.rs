@@ -5,10 +5,11 @@ use crate::shading::{Channels, Flat, LitPalette, ShadeTable};
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
 impl Flat {
-    /// This colour in fog of the colour `fog`, where `factor`/256 of it is seen, as [`VertexFog`](crate::VertexFog) says (more
-    /// than 256 counts as 256). Each channel is rounded to the nearest 1/256 of a step of `Rgb888`.
+    /// This colour mixed with the fog's colour `fog`: `factor`/256 of this colour and the rest of `fog`. A
+    /// [`VertexFog`](crate::VertexFog) computes the factor (more than 256 counts as 256). Each channel is rounded to the nearest
+    /// 1/256 of a step of `Rgb888`.
     ///
-    /// Light and fog at each corner, smooth in between:
+    /// Light and fog at each corner, interpolated between them:
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb888, WebColors};
@@ -33,8 +34,9 @@ impl Flat {
 }
 
 impl<C: Channels> ShadeTable<C> {
-    /// A table for fog: the colours of the target nearest to 0/255, 1/255 … 255/255 of `color` and the rest of `fog`; halves are
-    /// rounded up. [`lit`](Self::lit) takes the factors of [`VertexFog`](crate::VertexFog) at the corners of a face.
+    /// A table that fades `color` into `fog`: entry i is the colour of the target nearest to i/255 of `color` and the rest of
+    /// `fog`; halves are rounded up. [`lit`](Self::lit) takes the factors of a [`VertexFog`](crate::VertexFog) at the corners of
+    /// a face.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
@@ -55,9 +57,10 @@ impl<C: Channels> ShadeTable<C> {
 }
 
 impl<C: Channels, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROWS> {
-    /// A palette for fog: rows from the fog's colour alone to the palette's colours, at 0/(`ROWS` − 1), 1/(`ROWS` − 1) … of these
-    /// colours; halves are rounded up. [`row`](Self::row) takes the factor of [`VertexFog::face_factor`](crate::VertexFog::face_factor),
-    /// [`Textured::lit`](crate::Textured::lit) the factors of [`VertexFog::factors`](crate::VertexFog::factors).
+    /// A palette that fades into fog: row i has i/(`ROWS` − 1) of the palette's colours and the rest of the fog's colour, so row
+    /// 0 is fog alone; halves are rounded up. [`row`](Self::row) takes the factor of
+    /// [`VertexFog::face_factor`](crate::VertexFog::face_factor), [`Textured::lit`](crate::Textured::lit) the factors of
+    /// [`VertexFog::factors`](crate::VertexFog::factors).
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};

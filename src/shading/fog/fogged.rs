@@ -7,12 +7,13 @@ use crate::shading::shader::{inner_with_corners, DrawLevels, DrawRuns};
 use crate::shading::{Blend, CornerValues, Shader, SpanShader, TableShader};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-/// A shader in fog: its colours, mixed with the fog's by the depth of each pixel. It wraps any shader, in any draw call: colours,
-/// smooth, lit, textured and translucent faces, with colour keys and screen doors; into every target whose colours can be [mixed](Blend).
+/// A shader in fog: its colours are mixed with the fog's colour by the depth of each pixel. It wraps any shader (colours, smooth,
+/// lit, textured and translucent faces, with colour keys and screen doors), in any draw call, into every target whose colours can
+/// be [mixed](Blend).
 ///
-/// A face without fog is drawn by the shader alone; a face of one colour in one level of fog is filled with one colour. A face of
-/// one colour in several levels, on a target whose pixels lie in memory, is filled level by level: a colour is mixed where the level
-/// changes. All others mix each pixel.
+/// A face without fog is drawn by the wrapped shader alone. A face of one colour whose pixels have one level of fog is filled
+/// with one colour. A face of one colour in several levels, on a target whose pixels lie in memory, is filled level by level: a
+/// colour is mixed only where the level changes. For all other faces, each pixel is mixed.
 ///
 /// **Draw calls** transform vertices with depth and clip at the far plane. [`fill_triangle`](crate::fill_triangle) has no depth: it
 /// draws in the fog of the near plane.
@@ -20,10 +21,11 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// **Order of wrappers.** `ScreenDoor` and `Translucent` may be inside or outside: fog changes a shader's own colours before they are mixed with
 /// the stored pixels.
 ///
-/// **Error.** A pixel's factor is that of the exact distance of a point within 1/256 pixel and 1/64 step of depth, rounded to the
-/// nearest 1/32; in the last step before the far plane, within 0.54 step, since depth ends at 65534.46. For triangles larger than 512 pixels
-/// no more than 1/64 step has been seen, and ¼ is proved. Each channel is
-/// then rounded to the nearest level of the target. [`FogTable`] says what a step of depth is in distance. A triangle whose three
+/// **Error.** A pixel's factor is the factor at the exact distance of a point within 1/256 pixel and 1/64 step of depth from it,
+/// rounded to the nearest 1/32; in the last step before the far plane within 0.54 step, since depth ends at 65534.46. For
+/// triangles larger than 512 pixels no more than 1/64 step has been seen, and ¼ is proved. Each channel is then rounded to the
+/// nearest level of the target. [`FogTable`] says what a step of depth is in distance. A triangle whose three corners have one
+/// level is drawn in this level.
 /// corners have one level has this level.
 ///
 /// ```

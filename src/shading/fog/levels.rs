@@ -5,12 +5,11 @@ use super::table::LEVELS;
 /// The depths at which levels begin, as [`FogTable`](crate::FogTable) has them.
 pub(crate) type Bounds = [u32; LEVELS + 2];
 
-/// The level of fog at a depth, found from that of a depth near by: a level begins where the one before it ends, and neighbouring
-/// pixels mostly have one level.
+/// The level of fog at a depth, found by a search from the level of a nearby depth: neighbouring pixels mostly have one level.
 #[derive(Clone, Copy, Debug)]
 pub struct FogLevel {
     level: usize,
-    /// The depths of the level: so many, from the first on.
+    /// The least depth that has the level, and how many depths from there on have it.
     from: u32,
     reach: u32,
 }
@@ -31,7 +30,7 @@ impl FogLevel {
         Self { level, from, reach: to.wrapping_sub(from) }
     }
 
-    /// Whether a depth has this level: a value of [`Gradient::of_depth`](crate::raster::Gradient::of_depth).
+    /// Whether `depth`, a value of [`Gradient::of_depth`](crate::raster::Gradient::of_depth), has this level.
     #[inline(always)]
     pub(crate) fn has(&self, depth: u32) -> bool {
         depth.wrapping_sub(self.from) < self.reach
@@ -72,8 +71,8 @@ impl FogLevel {
     }
 }
 
-/// The level of each pixel of a span, from left to right. Depth of pixel k is `depth + k·step`, exactly and modulo 2³², so a pixel
-/// has the level of its own depth, however the span is cut.
+/// The level of each pixel of a span, from left to right. The depth of pixel k is exactly `depth + k·step`, modulo 2³², so a
+/// pixel has the level of its own depth, however the span is cut.
 pub(super) struct FogLevels<'t> {
     bounds: &'t Bounds,
     level: FogLevel,

@@ -4,24 +4,24 @@ use super::profile::{ExponentialFog, LinearFog, SquaredFog};
 use crate::math::Scalar;
 use core::marker::PhantomData;
 
-/// What [`FogTable::LEAST_STEPS`](crate::FogTable::LEAST_STEPS) documents.
+/// The value of [`FogTable::LEAST_STEPS`](crate::FogTable::LEAST_STEPS).
 pub(super) const LEAST_STEPS: u16 = 8;
 
 /// Fog that begins at one distance from the camera, is full at another, and by default grows linearly in between. Its *factor* is the part of
 /// a colour that is still seen: all of it at `start` and nearer, none at `end` and beyond. (OpenGL 2.1 specification, section
 /// 3.10, `GL_LINEAR`; Akenine-Möller et al., *Real-Time Rendering*, 4th ed., section 14.4.)
 ///
-/// **Distance** is that along the camera's axis, −n in view coordinates, in world units: fog does not change as the camera turns about its eye's
-/// axis, and all points of a plane parallel to the view plane are equally foggy.
+/// **Distance** is measured along the camera's axis, −n in view coordinates, in world units: fog does not change as the camera
+/// turns about this axis, and all points of a plane parallel to the view plane are equally foggy.
 ///
-/// | fog | type | instructions a pixel | draws |
+/// | fog | type | work for each pixel | works with |
 /// |---|---|---|---|
 /// | by face or by vertex | [`VertexFog`](crate::VertexFog) | none | whatever takes levels of light, and one colour a face |
-/// | by pixel | [`FogTable`](crate::FogTable), [`Fogged`](crate::Fogged) | those of a mix of two colours; for faces of one colour in memory, of a mix where the level changes | every shader |
+/// | by pixel | [`FogTable`](crate::FogTable), [`Fogged`](crate::Fogged) | a mix of two colours; for faces of one colour in memory, a mix only where the level changes | every shader |
 ///
-/// **Price by pixel**, in instructions on a Cortex-M3 of `tools/bench/run cells S3 X1 G1 G3`, for a torus of 1000 faces that has all 32 levels:
-/// of one colour a face 252 000 without fog and 683 000 in it, of which depth at vertices and faces is a part; with a depth buffer 534 000 and
-/// 803 000; textured, with a depth buffer, 1 099 000 and 2 246 000.
+/// **Cost by pixel**, in instructions on a Cortex-M3 (`tools/bench/run cells S3 X1 G1 G3`), for a torus of 1000 faces that has
+/// all 32 levels: with one colour a face 252 000 without fog and 683 000 in fog, which include depth at vertices and over faces;
+/// with a depth buffer 534 000 and 803 000; textured, with a depth buffer, 1 099 000 and 2 246 000.
 ///
 /// ```
 /// use pinhole::{Fog, FogError, Scalar};
@@ -33,8 +33,8 @@ pub(super) const LEAST_STEPS: u16 = 8;
 /// # Ok::<(), FogError>(())
 /// ```
 ///
-/// **Other profiles.** [`exponential`](Fog::exponential) and [`squared`](Fog::squared) fog, by pixel only: the type of the fog, `P`,
-/// says which profile it has, so a program links what it uses.
+/// **Other profiles.** [`exponential`](Fog::exponential) and [`squared`](Fog::squared) fog exist by pixel only. The profile is
+/// part of the fog's type, `P`, so a program links only the profiles that it uses.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Fog<P = LinearFog> {
     start: Scalar,
@@ -60,11 +60,12 @@ pub enum FogError {
         /// The distance at which it was to be full.
         end: Scalar,
     },
-    /// The projection's depth does not depend on the distance alone, as that of some matrices: use a
+    /// The projection's depth does not depend on the distance alone, which matrices can cause: use a
     /// [`VertexFog`](crate::VertexFog), or a projection from another constructor.
     SlantedDepth,
-    /// Depth hardly changes from where the fog begins to where it is full: by fewer steps than a [`FogTable`](crate::FogTable)
-    /// needs, which are [`FogTable::LEAST_STEPS`](crate::FogTable::LEAST_STEPS). Move the near plane away from the eye, or the ends of the fog apart.
+    /// Too few steps of depth lie between the distances where the fog begins and where it is full: a
+    /// [`FogTable`](crate::FogTable) needs [`FogTable::LEAST_STEPS`](crate::FogTable::LEAST_STEPS). Move the near plane away from
+    /// the eye, or the fog's start and end apart.
     TooFewSteps {
         /// The steps of depth in the fog, rounded down.
         steps: u16,
@@ -79,11 +80,11 @@ impl core::fmt::Display for FogError {
                 "fog must begin before it is full: its start, {start}, is not less than its end, {end}"
             ),
             Self::SlantedDepth => f.write_str(
-                "this projection's depth is not that of a distance alone: use VertexFog, or another projection",
+                "this projection's depth does not depend on the distance alone: use VertexFog, or another projection",
             ),
             Self::TooFewSteps { steps } => write!(
                 f,
-                "the fog lies within {steps} of 65535 steps of depth, and takes {}: move the near plane away from the eye, or the fog's start and end apart",
+                "the fog spans {steps} of 65535 steps of depth, but needs {}: move the near plane away from the eye, or the fog's start and end apart",
                 LEAST_STEPS
             ),
         }
@@ -105,8 +106,9 @@ impl Fog<LinearFog> {
 }
 
 impl Fog<ExponentialFog> {
-    /// Fog that takes an equal part of a colour over each unit of distance, from `start` on: air of one density (`GL_EXP`). What is
-    /// left is 64^(−t), where t is 0 at `start` and 1 at `end`. At `end` and beyond, less than 1/64 is left, which is rounded to none.
+    /// Fog of constant density (`GL_EXP`): over each unit of distance from `start` on, a colour loses an equal part of what is
+    /// left of it. At the part t of the way from `start` to `end`, 64^(−t) is left. At `end` and beyond, less than 1/64 is left,
+    /// which is rounded to none.
     ///
     /// OpenGL's density d, with fog from the eye on, is ln 64/d = 4.159/d for `end` and 0 for `start`. For a [`FogTable`](crate::FogTable)
     /// only: the factor is not linear in the distance, so a [`VertexFog`](crate::VertexFog) does not take it.
@@ -127,11 +129,11 @@ impl Fog<ExponentialFog> {
 }
 
 impl Fog<SquaredFog> {
-    /// Fog that is thin near `start` and then grows fast (`GL_EXP2`). What is left is 64^(−t²), where t is 0 at `start` and 1 at `end`.
-    /// At `end` and beyond, less than 1/64 is left, which is rounded to none.
+    /// Fog that is thin near `start` and then grows fast (`GL_EXP2`). At the part t of the way from `start` to `end`, 64^(−t²) of
+    /// a colour is left. At `end` and beyond, less than 1/64 is left, which is rounded to none.
     ///
     /// OpenGL's density d, with fog from the eye on, is √(ln 64)/d = 2.039/d for `end` and 0 for `start`. For a
-    /// [`FogTable`](crate::FogTable) only, as [`exponential`](Fog::exponential) fog is.
+    /// [`FogTable`](crate::FogTable) only, like [`exponential`](Fog::exponential) fog.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};

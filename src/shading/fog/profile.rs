@@ -3,28 +3,28 @@
 /// How [`Fog`](crate::Fog) grows with distance: [`LinearFog`], [`ExponentialFog`] or [`SquaredFog`]. A
 /// [`FogTable`](crate::FogTable) takes fog of each.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no profile of fog",
+    message = "`{Self}` is not a fog profile",
     label = "not a `FogProfile`",
     note = "the profiles are those of `Fog::linear`, `Fog::exponential` and `Fog::squared`"
 )]
 pub trait FogProfile: sealed::Sealed {
-    /// Where the factor is half-way between two levels, `odd`/64 less than 1: in 2⁻³⁰ of the way from start to end, rounded to nearest.
+    /// How far on the way from start to end the factor is 1 − `odd`/64, half-way between two levels: in 2⁻³⁰, rounded to nearest.
     /// `odd` is 1, 3 … 63.
     #[doc(hidden)]
     fn share(odd: u32) -> u32;
 }
 
-/// Fog that grows linearly, of [`Fog::linear`](crate::Fog::linear).
+/// The profile of [`Fog::linear`](crate::Fog::linear): the factor is linear in the distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LinearFog;
 
-/// Fog of one density, of [`Fog::exponential`](crate::Fog::exponential).
+/// The profile of [`Fog::exponential`](crate::Fog::exponential): one density everywhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ExponentialFog;
 
-/// Fog that is thin near its start, of [`Fog::squared`](crate::Fog::squared).
+/// The profile of [`Fog::squared`](crate::Fog::squared): thin near its start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SquaredFog;
@@ -85,7 +85,7 @@ impl FogProfile for ExponentialFog {
     }
 }
 
-/// The square root of the share that [`ExponentialFog`] has, in 2⁻³⁰.
+/// The square root of the shares of [`ExponentialFog`], in 2⁻³⁰.
 impl FogProfile for SquaredFog {
     #[inline(always)]
     fn share(odd: u32) -> u32 {

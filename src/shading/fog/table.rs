@@ -9,13 +9,14 @@ use crate::shading::Blend;
 /// The levels of fog besides none.
 pub(super) const LEVELS: usize = 32;
 
-/// Fog by depth, in 32 levels, for [`Fogged`](crate::Fogged) faces, points, labels and lines: the depths at which the levels begin, so the levels
-/// are spread over the fog's own range, and each takes 1/32 of the factor, not of depth. It takes 136 bytes and
-/// a colour, and holds as long as the camera's projection does: the camera may move and turn.
+/// Fog by depth, in 32 levels, for [`Fogged`] faces, points, labels and lines. Levels are equal steps of the factor, 1/32 each,
+/// and the table has the depth at which each level begins, so all levels lie within the fog's own range of depth. It takes 136
+/// bytes and a colour, and holds as long as the camera's projection does: the camera may move and turn.
 ///
-/// **Error.** The factor is that of the exact distance, rounded to the nearest 1/32, if the distance is exact: off by at most 1/64.
-/// Depth has the error that [`DepthBuffer`](crate::DepthBuffer) and [`Projected`](crate::Projected) have; a distance is off by what a step of depth
-/// stands for there: distance²·(far − near)/(65535·near·far) in perspective, (far − near)/65535 in parallel projections.
+/// **Error.** At an exact depth, the factor is the factor at the exact distance, rounded to the nearest 1/32: off by at most
+/// 1/64. Depth itself has the error that [`DepthBuffer`](crate::DepthBuffer) and [`Projected`](crate::Projected) state; one step
+/// of depth is a distance of distance²·(far − near)/(65535·near·far) in perspective, and of (far − near)/65535 in parallel
+/// projections.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
@@ -48,16 +49,17 @@ impl<C> FogTable<C> {
     ///
     /// # Errors
     ///
-    /// [`FogError::SlantedDepth`] if the projection's depth is not that of a distance alone: only matrices of your own have such
-    /// depth. [`FogError::TooFewSteps`] if fewer than [`LEAST_STEPS`](Self::LEAST_STEPS) steps of depth lie between the start
-    /// and the end of the fog, or the part of it that lies between the near and the far plane.
+    /// [`FogError::SlantedDepth`] if the projection's depth does not depend on the distance alone: only projections from matrices
+    /// have such depth. [`FogError::TooFewSteps`] if fewer than [`LEAST_STEPS`](Self::LEAST_STEPS) steps of depth lie between the
+    /// start and the end of the fog, or in the part of it between the near and the far plane.
     #[inline(never)] // set-up: code size counts, speed does not
     pub fn new<P: FogProfile>(fog: &Fog<P>, camera: &Camera, color: C) -> Result<Self, FogError> {
         let [start, end] = fog.range().map(i64::from);
         let depth_at = |distance| camera.depth_at(distance).ok_or(FogError::SlantedDepth);
         let (first, last) = (depth_at(start << 16)?, depth_at(end << 16)?);
         let steps = (last.saturating_sub(first) >> 16) as u16;
-        // Fog that is full before the near plane, or begins beyond the far plane, needs no depth: within a step of them.
+        // Fog that is full within a step of the near plane, or begins within a step of the far plane, needs no steps between its
+        // levels.
         let (near, far) = (1 << 16, 65_534 << 16);
         if steps < LEAST_STEPS && last > near && first < far {
             return Err(FogError::TooFewSteps { steps });
@@ -65,7 +67,8 @@ impl<C> FogTable<C> {
         let mut bounds = [0; LEVELS + 2];
         let mut least = 0;
         for (odd, bound) in (1_u32..).step_by(2).zip(bounds.iter_mut().skip(1).take(LEVELS)) {
-            // Half-way between two levels: a share of the range, which has 33 bits, in 2⁻⁴⁶, 63 bits, and then in 2⁻³².
+            // Half-way between two levels: a share of the range. The range has 33 bits, the product with a share in 2⁻⁴⁶ has 63,
+            // shifted to 2⁻³².
             let depth = depth_at((start << 16) + (((end - start) * i64::from(P::share(odd))) >> 14))?;
             least = depth.saturating_add(Gradient::DEPTH_BIAS).max(least);
             *bound = least;

@@ -7,13 +7,14 @@ use crate::math::unrolled::map3;
 use crate::math::Affine;
 use crate::space::{Model, World};
 
-/// The factor of fog at the vertices and faces of one object: fog that costs no instruction a pixel. The distance before the camera
-/// is a linear form of a vertex's coordinates, and so is the factor, but for its ends: three multiplications.
+/// The factor of fog at the vertices and faces of one object: fog that costs no instruction per pixel. The distance before the
+/// camera is a linear form of a vertex's coordinates, and so is the factor between the fog's start and end: a vertex takes three
+/// multiplications.
 ///
-/// A factor is 256 without fog and 0 where nothing but fog is seen, so it is used as a level of light is:
+/// A factor is 256 without fog and 0 where nothing but fog is seen, so it can be used like a level of light:
 ///
 /// - **a colour for each face**: `color.over(fog_color, factor)`, of [`Blend`](crate::Blend); for any target, [`Flat::in_fog`](crate::Flat::in_fog);
-/// - **smooth over faces**: [`ShadeTable::in_fog`](crate::ShadeTable::in_fog) has a colour's way into the fog; with light,
+/// - **interpolated over faces**: [`ShadeTable::in_fog`](crate::ShadeTable::in_fog) fades one colour into fog; for lit faces,
 ///   [`Gouraud::new`](crate::Gouraud::new) of three [`Flat::in_fog`](crate::Flat::in_fog);
 /// - **textures**: the rows of [`LitPalette::in_fog`](crate::LitPalette::in_fog), by face or by vertex;
 /// - **edges**: [`MeshInstance::wireframe_by_edge`](crate::MeshInstance::wireframe_by_edge), the depth cue of wireframes.
@@ -42,7 +43,7 @@ use crate::space::{Model, World};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct VertexFog {
-    /// What a step of the mesh along each axis changes, in 2^−`shift` … of 2⁻³² of a factor: 30 bits.
+    /// The change of the factor over one unit of the mesh along each axis, in 2^−`shift` of 2⁻³²: 30 bits.
     linear: [i32; 3],
     shift: i32,
     /// The factor of the mesh's origin, in 2⁻³².
@@ -64,7 +65,7 @@ impl VertexFog {
         self.factor_at(map3(vertex, i32::from))
     }
 
-    /// The factor at a face, from its corners: that at their mean, the centroid, rounded down to a step of the mesh.
+    /// The factor at the centroid of a face, the mean of its corners, rounded down to a unit of the mesh.
     #[inline]
     pub fn face_factor(&self, [a, b, c]: [[i16; 3]; 3]) -> u16 {
         let mean = |a: i16, b: i16, c: i16| {
@@ -76,7 +77,7 @@ impl VertexFog {
         self.factor_at([mean(a0, b0, c0), mean(a1, b1, c1), mean(a2, b2, c2)])
     }
 
-    /// The factor at a point of 16 bits.
+    /// The factor at a point whose coordinates have 16 bits.
     fn factor_at(&self, [x, y, z]: [i32; 3]) -> u16 {
         let [a, b, c] = self.linear;
         let sum = mul_wide(a, x) + mul_wide(b, y) + mul_wide(c, z); // below 3·2⁴⁵

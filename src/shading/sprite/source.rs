@@ -33,7 +33,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// assert_eq!(Glow.color_at(0, 0), None);
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no picture of a sprite",
+    message = "`{Self}` is not a picture for a sprite",
     label = "not a `SpriteSource`",
     note = "pass `Texels`, `SpriteImage::new(&image)` of an embedded-graphics image, or `SolidTexel`, or implement `SpriteSource`"
 )]

@@ -14,10 +14,10 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// the point. Its size is fixed, in [pixels](Self::magnified), or in [world units](Self::with_size), so that it shrinks with distance.
 /// [`Camera::place_sprite`](crate::Camera::place_sprite) and [`Camera::place_sprites`](crate::Camera::place_sprites) draw it.
 ///
-/// **Which pixel shows which texel.** The image of the point is rounded to 1/256 px, as that of a vertex; so are the borders of the
-/// rectangle. A pixel is covered if its centre lies in the rectangle, or on its left or upper border, and shows the texel that holds
-/// the centre: `⌊(pixel + ½ − left) · columns / width⌋`, exactly, and so for rows. At one pixel per texel each texel is shown once, whatever
-/// the fraction of the point's position. No division or 64-bit product is done for a pixel.
+/// **Which pixel shows which texel.** The image of the point is rounded to 1/256 px, like a vertex; so are the borders of the
+/// rectangle. A pixel is covered if its centre lies in the rectangle, or on its left or upper border, and shows the texel that
+/// holds the centre: column `⌊(pixel + ½ − left) · columns / width⌋`, exactly; the row is computed likewise. At one pixel per
+/// texel each texel is shown once, whatever the fraction of the point's position. No pixel takes a division or a 64-bit product.
 ///
 /// **Depth** is that of the point for all pixels of the sprite.
 ///
@@ -48,12 +48,12 @@ pub struct Sprite<S> {
     anchor: Anchor,
 }
 
-/// The point of the picture at the point of the world.
+/// The point of the picture that lies at the point of the world.
 #[derive(Clone, Copy, Debug)]
 enum Anchor {
-    /// The parts of width and height left of and above it, in halves: 0, 1 or 2.
+    /// The parts of width and height to its left and above it, in halves: 0, 1 or 2.
     Halves([u8; 2]),
-    /// The columns and rows left of and above it.
+    /// The columns and rows to its left and above it.
     Texels([u32; 2]),
 }
 
@@ -72,7 +72,7 @@ impl<S> Sprite<S> {
         Self { source, size: SpriteSize::Pixels(1), anchor: Anchor::Halves([1, 1]) }
     }
 
-    /// This sprite at so many pixels per texel, each way, at any distance. 0 draws nothing.
+    /// This sprite with squares of `pixels` × `pixels` for its texels, at any distance. 0 draws nothing.
     #[must_use]
     pub const fn magnified(mut self, pixels: u8) -> Self {
         self.size = SpriteSize::Pixels(pixels);
@@ -82,9 +82,9 @@ impl<S> Sprite<S> {
     /// This sprite with a width and a height in world units, parallel to the view plane: it shrinks with distance in perspective.
     /// A size that is not positive draws nothing.
     ///
-    /// **Error.** For points in the picture that are 1/64 world units or more ahead of the eye, and a picture of up to 90°, both are
-    /// within 1/512 px and 1.2·10⁻⁸ of themselves. At the vertices of a mesh that reaches r world units from its origin, add 2⁻²⁸·r/w, where w is
-    /// the distance ahead. Sprites larger than 2²² px are drawn at that size.
+    /// **Error.** For points in the picture that are 1/64 world units or more ahead of the eye, and a picture of up to 90°, width
+    /// and height are off by at most 1/512 px plus 1.2·10⁻⁸ of themselves. At the vertices of a mesh that reaches r world units
+    /// from its origin, add 2⁻²⁸·r/w, where w is the distance ahead. Sprites larger than 2²² px are drawn at that size.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -112,7 +112,7 @@ impl<S> Sprite<S> {
     }
 
     /// This sprite with another point of its picture at the point of the world. The default is the middle, `AnchorPoint::Center`;
-    /// what stands on a floor has `AnchorPoint::BottomCenter`.
+    /// for an object that stands on a floor, take `AnchorPoint::BottomCenter`.
     #[must_use]
     pub const fn with_anchor(mut self, anchor: AnchorPoint) -> Self {
         use AnchorPoint as A;
@@ -130,8 +130,8 @@ impl<S> Sprite<S> {
         self
     }
 
-    /// This sprite with the upper left corner of a texel at the point of the world, as the hot spot of a cursor. A column or row beyond the
-    /// picture counts as its right or lower border.
+    /// This sprite with the upper left corner of a texel at the point of the world, like the hot spot of a cursor. A column or
+    /// row beyond the picture counts as its right or lower border.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -208,7 +208,7 @@ const fn halves(length: i32, count: u8) -> i32 {
     }
 }
 
-/// The part of a length, 0 … 2³⁰, that so many of its texels take; all of it from their number on.
+/// The part of `length`, 0 … 2³⁰, that `count` of its `texels` take: all of it if `count` is not less than `texels`.
 fn part(length: i32, count: u32, texels: u32) -> i32 {
     if count >= texels {
         return length;

@@ -5,12 +5,12 @@ use super::texels::Texels;
 /// Texels whose edge continues without end, where other [`Texels`] repeat: a coordinate beyond the picture, below 0 too, shows the
 /// nearest texel of the edge. [`Texture::clamped_at`](crate::Texture::clamped_at) makes it. (OpenGL: `CLAMP_TO_EDGE`.)
 ///
-/// Two comparisons more for each coordinate of a pixel than where the picture repeats.
+/// Costs two comparisons more for each coordinate of a pixel than a picture that repeats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ClampedTexels<S> {
     texels: S,
-    /// How many widths and heights the coordinates of [`Texels::texel`] span, as binary logarithms: 1 … 17. The picture begins in
-    /// the middle of them, at coordinate 0; coordinates from 2³¹ up are negative.
+    /// How many widths and heights of the picture the coordinates of [`Texels::texel`] span, as binary logarithms: 1 … 17. The
+    /// picture begins in the middle of the span, at coordinate 0; coordinates from 2³¹ up are negative.
     sides: [u8; 2],
 }
 
@@ -46,7 +46,7 @@ const fn clamped(coordinate: u32, sides: u8) -> u32 {
 impl<S: Texels> Texels for ClampedTexels<S> {
     type Color = S::Color;
 
-    /// The bits of all texels that coordinates span, so up to 25.
+    /// The binary logarithms of the numbers of texels that coordinates span: up to 25.
     #[inline(always)]
     fn size_bits(&self) -> [u32; 2] {
         let ([w, h], [across, down]) = (self.texels.size_bits(), self.sides);

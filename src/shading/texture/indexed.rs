@@ -3,8 +3,8 @@
 use super::texels::{checked_bits, index, Texels, TextureError};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-/// Texels of `BITS` bits each, 1, 2, 4 or 8, that name colours of a palette: a picture of 64 × 64 takes 512 to 4096 bytes. Other
-/// palettes give it other colours, or the same in other light, at no instruction a pixel.
+/// Texels of `BITS` bits each, 1, 2, 4 or 8, that name colours of a palette: a picture of 64 × 64 takes 512 to 4096 bytes.
+/// Another palette gives the picture other colours, or its colours in other light, at no instruction per pixel.
 ///
 /// Texels lie row by row, the upper row first, and the left texel of a byte is in its highest bits, as in `ImageRaw` of
 /// embedded-graphics.
@@ -25,7 +25,7 @@ pub struct IndexedTexels<'t, C, const BITS: u32> {
     bytes: &'t [u8],
     bits: [u32; 2],
     palette: &'t [C],
-    /// What stands for a colour that the palette lacks: it lacks none.
+    /// The palette's first colour: the fallback of a look-up that never fails, since the palette has a colour for each index.
     first: C,
 }
 

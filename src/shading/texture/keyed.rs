@@ -38,7 +38,7 @@ pub struct ColorKeyed<S, C> {
 }
 
 impl<S: Texels> ColorKeyed<S, S::Color> {
-    /// These texels without those of the colour `key`.
+    /// These texels, with those of the colour `key` transparent.
     pub const fn new(texels: S, key: S::Color) -> Self {
         Self { texels, key }
     }
@@ -65,8 +65,8 @@ impl<S: Texels> Texels for ColorKeyed<S, S::Color> {
     }
 }
 
-/// [`IndexedTexels`] of which one index is transparent: a pixel that would show it is left out, and its depth is not stored. Its
-/// colour in the palette is never shown, and another index of equal colour is.
+/// [`IndexedTexels`] of which one index is transparent: a pixel that would show it is left out, and its depth is not stored. The
+/// palette's colour at this index is never shown; another index with an equal colour is.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -85,7 +85,7 @@ pub struct IndexKeyed<'t, C, const BITS: u32> {
 }
 
 impl<'t, C: PixelColor, const BITS: u32> IndexKeyed<'t, C, BITS> {
-    /// These texels without those of the index `key`; an index of 2^`BITS` or more leaves out nothing.
+    /// These texels, with those of the index `key` transparent; with an index of 2^`BITS` or more, no texel is.
     pub const fn new(texels: IndexedTexels<'t, C, BITS>, key: u8) -> Self {
         Self { texels, key }
     }

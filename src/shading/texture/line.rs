@@ -5,15 +5,15 @@ use crate::math::hints::opaque;
 use crate::raster::{Gradient, Span};
 use core::marker::PhantomData;
 
-/// Texture coordinates of pixels from left to right, in 2⁻³² of the sides: linear, without end.
+/// Texture coordinates of pixels from left to right, in 2⁻³² of the sides: an endless linear sequence.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a line of texture coordinates",
     label = "no `Line`",
     note = "leave `draw_runs` as the trait has it"
 )]
 pub trait Line: Iterator<Item = [u32; 2]> + Copy {
-    /// The line of a block of 2^`bits` pixels, 0 … [`LARGEST_BLOCK`], from its pixel `passed` on, given the exact coordinates of the
-    /// block's first pixel and the change from a pixel to the next.
+    /// The line of a block of 2^`bits` pixels from its pixel `passed` on, given the exact coordinates of the block's first pixel
+    /// and the change from a pixel to the next. `bits` is 0 … [`LARGEST_BLOCK`].
     fn of_block(first: [u32; 2], step: [u32; 2], bits: i32, passed: i32) -> Self;
 
     /// [`of_block`](Self::of_block) from the coordinates at both ends, 2^`bits` pixels from each other, in 2^`up` of 2⁻³² of the
@@ -33,7 +33,7 @@ pub trait Line: Iterator<Item = [u32; 2]> + Copy {
     /// The coordinates of the next pixel; advances to the pixel after it.
     fn advance(&mut self) -> [u32; 2];
 
-    /// The line behind a value that the compiler does not know.
+    /// This line, with a value that the compiler cannot know.
     fn hidden(self) -> Self;
 }
 
@@ -176,7 +176,7 @@ fn steps([a, b]: [i32; 2], [c, d]: [i32; 2], up: [u32; 2], bits: i32) -> [u32; 2
     [((c - a) as u32) << m, ((d - b) as u32) << n]
 }
 
-/// A line that texels of type `S` need: wide or packed. The other one is not used.
+/// The kind of line that texels of type `S` need, wide or packed; the other kind is not used.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TexelLine<S> {
     wide: WideLine,
@@ -205,11 +205,11 @@ impl<S: Texels> Iterator for TexelLine<S> {
     }
 }
 
-/// Both coordinates, or their steps, in one word, from 2⁻³² of the sides: the number that is nearest to u among those whose lower 16
-/// bits are v, rounded to 2⁻¹⁶. Each is off by at most ½ of 2⁻¹⁶ of its side.
+/// Both coordinates, or their steps, from 2⁻³² of the sides into one word: the word nearest to u whose lower 16 bits are v,
+/// rounded to 2⁻¹⁶. Each is off by at most ½ of 2⁻¹⁶ of its side.
 ///
-/// Sums of such words wrap where v does, and what v carries is part of u: after n steps of the word u and v are off by at most
-/// (n + 1)·½ of 2⁻¹⁶ of a side, however often they wrap.
+/// Sums of such words wrap as v wraps, and a carry out of v becomes part of u: after n steps of the word u and v are off by at
+/// most (n + 1)·½ of 2⁻¹⁶ of a side, however often they wrap.
 #[inline(always)]
 pub(super) const fn packed([u, v]: [u32; 2]) -> u32 {
     const HALF: u32 = 1 << 15;

@@ -6,7 +6,7 @@ use crate::math::num::{leading_zeros, mul_high, reciprocal_of_positive};
 use crate::math::unrolled::map3;
 use crate::raster::{Gradient, GradientSetup, Triangle};
 
-/// The least value, and the difference between the largest and it: less than 2²⁴.
+/// The least value, and the largest minus the least: less than 2²⁴.
 #[inline(always)]
 pub(super) fn range(&[a, b, c]: &[i32; 3]) -> (i32, i32) {
     let least = a.min(b).min(c);
@@ -23,8 +23,9 @@ pub(super) fn is_linear(du: u32, dw: u32, w: i32, tolerance: u32) -> bool {
     (product as u32) < (w as u32) >> (tolerance & 31)
 }
 
-/// What keeps coordinates between those of the corners in spite of the error of [`GradientSetup::through`], in units of its
-/// values: w columns and h rows from the first corner that is less than ((w + h)/2 + 34 + 1552)/256, and w + h is at most 1026
+/// By how much the corners' coordinates are moved inwards, so that interpolated coordinates stay between the corners' in spite of
+/// the error of [`GradientSetup::through`]. In units of its values, this error is less than ((w + h)/2 + 34 + 1552)/256 at w
+/// columns and h rows from the first corner, and w + h is at most 1026 in triangles of up to 512 pixels.
 /// within 512 pixels.
 const MARGIN: i32 = 9;
 
@@ -57,13 +58,14 @@ pub(super) fn linear_gradients(
     [gradient(u, u_range, u_unit), gradient(v, v_range, v_unit)]
 }
 
-/// The least and the largest value of a corner, where values reach from 0 to `extent` and errors up to `margin`.
+/// The range into which the values of corners, 0 to `extent`, are moved, so that errors up to `margin` do not leave 0 to
+/// `extent`.
 #[inline(always)]
 fn inside(extent: i32, margin: i32) -> (i32, i32) {
     (margin.min(extent >> 1), (extent - margin).max(extent >> 1))
 }
 
-/// A coordinate in 2^−[`FRACTION`] of a unit, which is 2^`unit` of 2⁻³² of the side, in 2⁻³² of the side.
+/// A coordinate in 2⁻³² of the side, from 2^−[`FRACTION`] of a unit of 2^`unit` of 2⁻³² of the side.
 #[inline(always)]
 fn phase(coord: i32, unit: i32) -> u32 {
     (coord as u32) << ((unit - FRACTION as i32) & 31)
@@ -76,9 +78,9 @@ const PACKED_MARGIN: i32 = 37;
 /// coordinates of less than one side.
 ///
 /// **Error.** The word is packed in the middle of the pixels, at most 16 columns and 16 rows from each, so that steps add up to
-/// (32 + 1)·½ of 2⁻¹⁶ of a side. Corners are rounded to 2⁻¹⁷ of a side, ½ of these. Steps are less than 1 of 2⁻³² of a side too
-/// small per sub-pixel, of which 2 · 2¹³ are in the triangle, and the reciprocal takes 2⁻²⁹ of 2¹⁷/|den| sides per sub-pixel, with
-/// twice the area as den, at least 2¹⁷: less than ½ in all.
+/// (32 + 1)·½ of 2⁻¹⁶ of a side. Corners are rounded to 2⁻¹⁷ of a side, which is ½ of 2⁻¹⁶. Steps are too small by less than 2⁻³²
+/// of a side per sub-pixel, and the triangle has 2 · 2¹³ sub-pixels; the reciprocal adds 2⁻²⁹ of 2¹⁷/|den| sides per sub-pixel,
+/// with twice the area as den, at least 2¹⁷: both together are less than ½.
 #[inline(always)]
 pub(super) fn packed_gradient(
     triangle: &Triangle<'_>,
@@ -113,10 +115,10 @@ pub(super) fn packed_gradient(
     Some(Gradient { origin, right, down })
 }
 
-/// A triangle as its first corner has it.
+/// A triangle relative to its first corner.
 #[derive(Clone, Copy)]
 struct Corner {
-    /// From the first corner to the others, in sub-pixels: below 2¹³.
+    /// From the first corner to the other two, in sub-pixels: below 2¹³.
     second: [i32; 2],
     third: [i32; 2],
     /// From the first corner to the centre of the pixel in the middle.

@@ -24,7 +24,7 @@ use crate::shading::{CornerValues, Dim, Shader, SpanShader};
 /// assert_eq!((&picture).lit_texel(0, 0, 63), Gray8::new(49));
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` are no texels that can be lit",
+    message = "`{Self}` are not texels that can be lit",
     label = "not `LitTexels`",
     note = "use texels whose colors implement `Dim`, or `IndexedTexels::with_lit_palette`"
 )]
@@ -32,8 +32,8 @@ pub trait LitTexels: Texels {
     /// The binary logarithm of the number of levels: 1 … 8.
     const LEVEL_BITS: u32;
 
-    /// The colour of the texel that holds a point, as [`Texels::texel`], at `level`/(2^[`LEVEL_BITS`](Self::LEVEL_BITS) − 1) of its
-    /// light. `level` is below 2^`LEVEL_BITS`.
+    /// The colour of the texel that holds a point, as [`Texels::texel`] returns it, in
+    /// `level`/(2^[`LEVEL_BITS`](Self::LEVEL_BITS) − 1) of full light. `level` is below 2^`LEVEL_BITS`.
     fn lit_texel(&self, u: u32, v: u32, level: u32) -> Self::Color;
 }
 
@@ -81,7 +81,8 @@ impl<S: LitTexels> LitTexels for ClampedTexels<S> {
     }
 }
 
-/// A texture on a face, with light of its own at each corner, linear in between on the screen: [`Textured::lit`] makes it.
+/// A texture on a face, with light of its own at each corner, linear on the screen between the corners: [`Textured::lit`] makes
+/// it.
 ///
 /// **Error.** The texel is that of [`Textured`]. Its light is rounded to the nearest of the levels that the texels have, after an
 /// error of 2⁻⁹ of a level.

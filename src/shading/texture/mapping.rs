@@ -3,8 +3,8 @@
 use super::clamped::ClampedTexels;
 use super::texels::{Texels, TextureError};
 
-/// How far the texel that a pixel shows may be from the right one: the error of interpolation, which chooses how finely rows
-/// are divided.
+/// The error bound of interpolated texture coordinates: how far the texel that a pixel shows may be from the exact one. A lower
+/// bound divides rows into shorter runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Accuracy {
@@ -57,7 +57,8 @@ pub enum Accuracy {
 /// 2000), so it is at most E·(M − m)/(4·√(M·m)) ≤ E·(M − m)/(4·m).
 ///
 /// - A triangle for which this is at most the [`Accuracy`] is interpolated linearly.
-/// - A triangle each row of which allows it is interpolated linearly along rows, by the tangent in the middle of the triangle.
+/// - A triangle each of whose rows meets the [`Accuracy`] is interpolated linearly along rows, by the tangent in the middle of
+///   the triangle.
 /// - Otherwise s = (u − u₀)·q and q are interpolated linearly, and divided at both ends of a run of pixels. Along a row they have
 ///   steps s' and q', and K = s'·q − s·q' is constant: over L pixels u changes by K·L/(q₀·q₁) and q by q'·L, so coordinates that
 ///   are linear in between are off by at most |K·q'|·L²/(4·m³), m the lesser q of both ends. Each pixel belongs to the longest
@@ -67,19 +68,19 @@ pub enum Accuracy {
 /// **Error of the planes.** u·q and q have 22 bits at the corners, and the error of
 /// [`Triangle::gradient`](crate::raster::Triangle::gradient), relative to the farthest corner, where q is least. Where this is not a
 /// shift of 1/64 pixel, a pixel may be off by up to 8·2⁻²⁴·E·r texels, E the face's range of coordinates in texels and r the
-/// ratio of its largest w to its least: 1/128 texel at E = 64 and r = 256. Of u and v it is the larger range, in the texture's units,
-/// as both are stored in one unit: a face with a long u has a coarser v, too. `tests/shading/texture_projections.rs` asserts that up to
-/// 4096 texels and r = 32767, and meets half of it on faces that reach far out of the picture with one corner close to the eye.
-/// Most faces stay far below: `tests/shading/textures.rs` asserts 0.02 texel for floors of 1600 texels that reach a thousand times as
-/// far as the near plane, and for random triangles. Where coordinates are interpolated linearly, they are kept between those of the
-/// corners, which adds at most 2⁻¹³ of their range, or 1/400 texel.
+/// ratio of its largest w to its least: 1/128 texel at E = 64 and r = 256. E is the larger range of u and v in the texture's
+/// units, because both are stored in one unit: a face with a long u has a coarser v, too. `tests/shading/texture_projections.rs`
+/// asserts this bound up to 4096 texels and r = 32767, and meets half of it on faces that reach far out of the picture with one
+/// corner close to the eye. Most faces stay far below it: `tests/shading/textures.rs` asserts 0.02 texel for floors of 1600
+/// texels that reach a thousand times as far as the near plane, and for random triangles. Coordinates that are interpolated
+/// linearly are kept between those of the corners, which adds at most 2⁻¹³ of their range, or 1/400 texel.
 ///
 /// **Error of packing.** Unless texels ask for 32 bits ([`Texels::WIDE`]), u and v share a word: at most 37·2⁻¹⁶ of a side more, 1/27 texel
 /// of 64.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Texture<S> {
     pub(super) texels: S,
-    /// One unit of u and of v is 2^this of 2⁻³² of the side: 16 … 32.
+    /// One unit of u and of v is 2^`unit` of 2⁻³² of the side: 16 … 32.
     pub(super) unit: [u8; 2],
     pub(super) accuracy: Accuracy,
 }
@@ -160,7 +161,8 @@ pub struct Textured<S> {
     pub(super) texture: Texture<S>,
     /// Texture coordinates of the corners, with [`FRACTION`](Self::FRACTION) fractional bits: 24 bits with the sign.
     pub(super) uv: [[i32; 2]; 3],
-    /// w of the corners, in any unit: equal, and so linear on the screen, until a draw call says otherwise.
+    /// w of the corners, in any unit: equal, so that coordinates are linear on the screen, until a draw call passes the corners'
+    /// own.
     pub(super) w: [i32; 3],
 }
 

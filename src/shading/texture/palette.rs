@@ -11,8 +11,8 @@ use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
 /// multiplication. 16 colours in 32 levels take 1 KB as `Rgb565`. (Quake's *colormap* is such a table: Abrash, *Graphics
 /// Programming Black Book*, chapter 68.)
 ///
-/// `ROWS` is 2, 4, 8 … 256. Row 0 has no light, the last row full light, and light in between is rounded to the nearest row: it is
-/// off by at most 1/(2·(`ROWS` − 1)) of full light.
+/// `ROWS` is 2, 4, 8 … 256. Row 0 has no light, the last row full light, and a level of light is rounded to the nearest row: it
+/// is off by at most 1/(2·(`ROWS` − 1)) of full light.
 ///
 /// - **Light by face** costs no instruction a pixel: [`Texture::with_palette`] takes the [`row`](Self::row) of the face's level.
 /// - **Light by vertex**, linear on the screen: [`IndexedTexels::with_lit_palette`], and [`Textured::lit`](crate::Textured::lit) for
@@ -90,7 +90,7 @@ impl<C: Channels, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, 
 }
 
 impl<'t, C: PixelColor, const BITS: u32> Texture<IndexedTexels<'t, C, BITS>> {
-    /// This texture with the colours of another palette, such as a [row](LitPalette::row) of a [`LitPalette`]. A palette with less
+    /// This texture with the colours of another palette, such as a [row](LitPalette::row) of a [`LitPalette`]. A palette with fewer
     /// than 2^`BITS` colours does not compile.
     #[must_use]
     #[inline]

@@ -104,14 +104,14 @@ struct Curvature {
     rows: [[i32; 2]; 2],
     /// The binary logarithm of that unit: 0 … 35.
     cut: i32,
-    /// More than what K is off.
+    /// An upper bound of K's error.
     slack: u32,
     /// The logarithm of |K·q'|/(4·ε), as a fraction of 2⁹³, less the logarithm of |K| in this unit, as a fraction of 2³¹: in 2⁻¹⁶, like
     /// the logarithms.
     bound: i32,
 }
 
-/// The binary logarithm in 2⁻¹⁶ of `v ≥ 1`, linear between powers of two: too small by less than [`ROUND_UP`].
+/// The binary logarithm of `v ≥ 1` in 2⁻¹⁶, linear between powers of two: too small by less than [`ROUND_UP`].
 #[inline(always)]
 fn log_of(v: u32) -> i32 {
     log_of_2_31(v) + (31 << 16)
@@ -125,7 +125,7 @@ fn log_of_2_31(v: u32) -> i32 {
     fraction as i32 - (zeros << 16)
 }
 
-/// More than log₂(1 + f) − f for f in 0 … 1, at most 0.08608, and more than what 16 bits of f cut off, in 2⁻¹⁶.
+/// An upper bound of log₂(1 + f) − f for f in 0 … 1, which is 0.08608, and of what f loses by having 16 bits, in 2⁻¹⁶.
 const ROUND_UP: i32 = 5643;
 
 impl Curvature {
@@ -185,14 +185,14 @@ struct Size {
     /// The binary logarithm of the widest block: at most the widest span, A/H with twice the area A and the height H, so that a
     /// gradient changes by no more over it than over the triangle.
     largest_block: i32,
-    /// Whether the longest column of pixels has two or more, so that a gradient changes by no more over two rows than over the
+    /// Whether the longest column of pixels has two or more, so that a gradient changes over two rows by no more than over the
     /// triangle.
     has_columns: bool,
-    /// No covered row is 2^this rows or more from a corner's: 1 … 16.
+    /// Every covered row is less than 2^`row_bits` rows from each corner's row: 1 … 16.
     row_bits: u32,
     /// The rows of the highest and of the lowest corner.
     rows: [i32; 2],
-    /// The column in the middle, and how many columns every covered pixel is from there at most.
+    /// The column in the middle of the triangle, and the largest distance of a covered pixel from it, in columns.
     middle: i32,
     reach: i32,
 }
@@ -225,10 +225,10 @@ fn leading_zeros_64(v: u64) -> i32 {
     }
 }
 
-/// A [`Sample`] has room for s and t up to 2^this of q.
+/// A [`Sample`] has room for s and t up to 2^`ROOM` times q.
 const ROOM: i32 = 3;
 
-/// What the planes of s and t have more than s and t.
+/// What is added to s and t, so that their planes have no negative values.
 const BIAS: u32 = 1 << 29;
 
 impl Perspective {

@@ -192,7 +192,7 @@ impl<R: LineRuns, L: Line> Iterator for Lines<R, L> {
 
 /// The runs of a span over a triangle of any kind.
 pub(super) enum Runs<'g> {
-    /// The only one.
+    /// Of a small triangle: the only run of the span.
     Packed(Option<(i32, PackedLine)>),
     Linear(LinearRuns),
     Perspective(PerspectiveRuns<'g>),

@@ -27,7 +27,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// assert_eq!(Chessboard.texel(0, 1 << 29), BinaryColor::Off);
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no source of texels",
+    message = "`{Self}` is not a source of texels",
     label = "not `Texels`",
     note = "pass `&[[C; W]; H]`, a `TexelSlice` or `IndexedTexels` to `Texture::new`, or implement `Texels` for a type of your own"
 )]
@@ -42,7 +42,7 @@ pub trait Texels: Copy {
     /// height. The texel's column is `u >> (32 − bits)`, rounded down.
     fn texel(&self, u: u32, v: u32) -> Self::Color;
 
-    /// [`texel`](Self::texel) as a function, for loops. What its pixels have in common is computed once, and held in registers.
+    /// [`texel`](Self::texel) as a function, for loops: what all pixels need is computed once, and held in registers.
     #[doc(hidden)]
     #[inline(always)]
     fn finder(&self) -> impl Fn([u32; 2]) -> Self::Color + Copy {
@@ -53,9 +53,9 @@ pub trait Texels: Copy {
     /// Whether u and v take 32 bits each. If not, they have 16 bits each and lie in one word, which saves two instructions a pixel
     /// on a Cortex-M3.
     ///
-    /// **Error.** In one word, coordinates are off by at most 37·2⁻¹⁶ of a side more, which is 1/27 texel of 64 and 1/6 of 256: 18 of
-    /// them by rounding, which adds up over at most 32 pixels, and 19 because those of the corners are moved inwards, so that no
-    /// pixel shows what lies beyond them. `tests/shading/textures.rs` asserts it, and meets 33.
+    /// **Error.** In one word, coordinates are off by at most 37·2⁻¹⁶ of a side more, which is 1/27 texel of 64 and 1/6 of 256:
+    /// 18 of these 37 by rounding, which adds up over at most 32 pixels, and 19 because the corners' coordinates are moved
+    /// inwards, so that no pixel shows what lies beyond them. `tests/shading/textures.rs` asserts the bound, and meets 33.
     const WIDE: bool = false;
 
     /// Whether some texels are transparent: then [`kept_texel`](Self::kept_texel) is called instead of [`texel`](Self::texel).
@@ -68,7 +68,7 @@ pub trait Texels: Copy {
     }
 }
 
-/// The index of the column or row that holds `coordinate`, in 2⁻³² of a side with 2^`bits` of them; `bits` is 1 … 31.
+/// The index of the column or row that holds `coordinate`, in 2⁻³² of a side with 2^`bits` columns or rows; `bits` is 1 … 31.
 #[inline(always)]
 pub(super) const fn index(coordinate: u32, bits: u32) -> usize {
     (coordinate >> (32u32.wrapping_sub(bits) & 31)) as usize // below 2^bits
@@ -192,7 +192,7 @@ pub(super) const fn checked_bits(width: usize, height: usize) -> Result<[u32; 2]
 pub struct TexelSlice<'t, C> {
     texels: &'t [C],
     bits: [u32; 2],
-    /// What stands for a texel that does not exist: there is none.
+    /// The slice's first colour: the fallback of a look-up that never fails.
     first: C,
 }
 

@@ -43,8 +43,8 @@ impl TransferCost {
 /// [`take`](Self::take) the dirty rectangles and draw the background and the objects in each of them. Pixels outside do not change.
 /// Two rectangles are merged where the rectangle around both takes no more bytes to send than the two separately.
 ///
-/// An object that changes in every frame can do without: [`mark`](Self::mark) the rectangle that it is drawn in. That is sent in
-/// the frame and once more in the next one, which erases it, whether anything has changed or not.
+/// An object that changes in every frame needs no `Tracked`: [`mark`](Self::mark) the rectangle that it is drawn in. The
+/// rectangle is sent in this frame and once more in the next one, which erases it, whether anything has changed or not.
 ///
 /// `N` is the largest number of rectangles that are stored per frame, and the largest number returned by `take`. A moving
 /// object needs two, its old and its new rectangle; with a third, the corners of the enclosing rectangle that lie in neither
@@ -182,8 +182,8 @@ impl<const N: usize> DirtyRegions<N> {
         self.area
     }
 
-    /// Marks a rectangle that this frame draws, and that the next frame erases: it is sent in both, also where the picture in it
-    /// stays as it is. [`Tracked`] sends it only when it changes. Parts outside the area are ignored.
+    /// Marks a rectangle that this frame draws, and that the next frame erases: it is sent in both frames, even if its pixels do
+    /// not change. [`Tracked`] sends a rectangle only when it changes. Parts outside the area are ignored.
     pub fn mark(&mut self, rectangle: Rectangle) {
         let bytes = self.transfer_bytes();
         if let Some(cells) = self.cells(&rectangle) {

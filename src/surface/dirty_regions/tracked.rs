@@ -3,11 +3,11 @@
 use super::DirtyRegions;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// An object that [`DirtyRegions`] follows from frame to frame: it is sent when it looks different, and not while it looks the
-/// same. `S` is all that its picture depends on, such as an angle, a number or a text.
+/// An object that [`DirtyRegions`] follows from frame to frame: its rectangle is sent when its picture has changed, and otherwise
+/// not. `S` is all that its picture depends on, such as an angle, a number or a text.
 ///
-/// In every frame, call [`show`](Self::show) for each object, then draw all objects in each rectangle of
-/// [`DirtyRegions::take`]. When nothing has changed, there are no rectangles. It takes the memory of `S` and 16 to 20 bytes.
+/// In every frame, call [`show`](Self::show) for each object, then draw all objects in each rectangle of [`DirtyRegions::take`].
+/// When nothing has changed, there are no rectangles. A `Tracked` takes the memory of `S` and 16 to 20 bytes.
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, pixelcolor::BinaryColor, primitives::Rectangle};

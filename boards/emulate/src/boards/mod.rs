@@ -52,7 +52,7 @@ pub(crate) struct Display {
     pub(crate) held: Held,
     /// Whether the glass has blue where others have red.
     pub(crate) bgr: bool,
-    /// Whether the glass shows right colors only with inversion on.
+    /// Whether the glass shows right colours only with inversion on.
     pub(crate) inverted: bool,
     /// The shortest bit on the bus, in nanoseconds.
     pub(crate) bit: u64,

@@ -1,4 +1,4 @@
-//! Draws scenes with the library onto recorders, in a color type of the tests.
+//! Draws scenes with the library onto recorders, in a colour type of the tests.
 
 use super::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use crate::oracle::target::{Recorder, Refused};
@@ -6,7 +6,7 @@ use embedded_graphics_core::pixelcolor::raw::RawU16;
 use embedded_graphics_core::pixelcolor::PixelColor;
 use pinhole::{Coordinate, DepthBuffer, Mesh, MeshInstance, Painter, ScreenVertex, Statistics};
 
-/// A color that names what was drawn, such as the index of the face.
+/// A colour that names what was drawn, such as the index of the face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shader(pub u16);
 

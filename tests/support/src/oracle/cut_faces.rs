@@ -1,4 +1,4 @@
-//! Colors of a face that planes of the view volume cut, in f64: the clipped polygon in clip space, its fan of triangles
+//! Colours of a face that planes of the view volume cut, in f64: the clipped polygon in clip space, its fan of triangles
 //! on the screen, and the level of each channel at a pixel's center.
 //!
 //! A channel at a cut corner is the linear interpolation in clip space of the channel at the ends of the cut edge, which

@@ -11,7 +11,7 @@
 //! * [`volume`] the homogeneous view volume: distances, and what of a line is inside
 //! * [`shade`] colours over a triangle and dithered, in exact fractions
 //! * [`texture`] the texture coordinates that pixels show, in f64, by one ray per pixel
-//! * [`cut_faces`] colors of faces that the near plane, the far plane or the guard band cuts, in f64
+//! * [`cut_faces`] colours of faces that the near plane, the far plane or the guard band cuts, in f64
 //! * [`rng`] a seeded generator, so that every run draws the same cases
 
 pub mod cases;

@@ -26,7 +26,7 @@ const FACES: [[u16; 3]; 12] = [
     [4, 0, 3],
     [4, 3, 7],
 ];
-/// The color of each pair of faces.
+/// The colour of each pair of faces.
 const NORMALS: [[i16; 3]; 6] =
     [[0, 0, 32767], [0, 0, -32767], [0, 32767, 0], [0, -32767, 0], [32767, 0, 0], [-32767, 0, 0]];
 /// The orientation of the cube of S2.

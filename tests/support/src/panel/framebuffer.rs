@@ -11,7 +11,7 @@ pub struct Framebuffer<C> {
 }
 
 impl<C: PixelColor> Framebuffer<C> {
-    /// A picture of one color.
+    /// A picture of one colour.
     pub fn new(size: Size, color: C) -> Self {
         Framebuffer { size, pixels: vec![color; size.width as usize * size.height as usize] }
     }

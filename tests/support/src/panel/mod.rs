@@ -55,7 +55,7 @@ pub struct Controller {
     windows: usize,
     /// The pixels of the last memory write.
     filled: u32,
-    /// Whether the glass shows each color as its complement.
+    /// Whether the glass shows each colour as its complement.
     inverted: bool,
     /// Commands and pixels that the next command cut off, and that had no effect.
     pub cut_off: usize,
@@ -97,7 +97,7 @@ impl Controller {
         }
     }
 
-    /// A controller behind a glass with the opposite order of the color channels.
+    /// A controller behind a glass with the opposite order of the colour channels.
     pub fn with_bgr(self) -> Self {
         Self { bgr: true, ..self }
     }
@@ -116,7 +116,7 @@ impl Controller {
         *self = Self { memory, bytes, windows, cut_off, partly_filled, overfilled, bgr, errors, ..new };
     }
 
-    /// Whether the inversion of colors is switched on.
+    /// Whether the inversion of colours is switched on.
     pub fn inverted(&self) -> bool {
         self.inverted
     }

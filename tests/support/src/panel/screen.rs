@@ -1,4 +1,4 @@
-//! The driver mipidsi at the bus of the controller, for the panels and colors that the tests use.
+//! The driver mipidsi at the bus of the controller, for the panels and colours that the tests use.
 
 use super::bus::{DataOrCommand, NoDelay, Panel};
 use super::Held;
@@ -54,7 +54,7 @@ impl Kind for ILI9341Rgb666 {
     }
 }
 
-/// A color as the controller's memory stores it.
+/// A colour as the controller's memory stores it.
 pub trait StoredPixel: PixelColor {
     fn stored(self) -> u32;
 }

@@ -7,7 +7,7 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{Dim, DirtyRegions, Frame, PixelFormat, TransferCost};
 
-/// A color with all traits that these functions need.
+/// A colour with all traits that these functions need.
 pub trait Colour: PixelFormat + Dim + StoredPixel + From<Rgb888> {}
 impl<C: PixelFormat + Dim + StoredPixel + From<Rgb888>> Colour for C {}
 

@@ -1,4 +1,4 @@
-//! Faces at once, into a picture in memory: some rows of one. A firmware each: in one color and textured, without depth, with it, and
+//! Faces at once, into a picture in memory: some rows of one. A firmware each: in one colour and textured, without depth, with it, and
 //! one frame of each.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::bands::pixels;
