@@ -336,7 +336,7 @@ fn the_readme_says_how_much_ram_the_template_takes() {
     let strip = size_of_val(&pinhole::strip_buffers!(embedded_graphics::pixelcolor::Rgb565, 240, 8));
     assert_eq!((buffers, strip), (500 * 8 + 1063 * 2 + 2, 240 * 32)); // 2 bytes align the next buffer
     let readme = read("README.md");
-    let said = "a model of 500 vertices and 1000 faces the template takes 15 KB of RAM and the stack";
+    let said = "a model of 500 vertices and 1000 faces the template takes 15 KB of RAM plus the stack";
     assert!(
         readme.contains(said)
             && readme.contains("8 bytes for a vertex,\nabout 2 for a face, and 32 for each column")

@@ -35,7 +35,7 @@ fn errors(lines: &mut Vec<String>) -> Result<(), String> {
     let [ours, float, fixed] = designs.map(|design| page.cell(&design, "D max"));
     let (ours, float, fixed) = (ours?, float?, fixed?);
     lines.push(format!(
-        "| how far a corner of an object in view is off, at most, in pixels | {ours} | matrices of f32 {float}, of Q16.16 {fixed} |"
+        "| largest error of a vertex of an object in view, in pixels | {ours} | f32 matrices {float}, Q16.16 matrices {fixed} |"
     ));
     Ok(())
 }
@@ -45,7 +45,7 @@ fn speed(lines: &mut Vec<String>) -> Result<(), String> {
     for (what, core) in [
         ("instructions for a frame of 1000 lit triangles with a depth buffer, on a Cortex-M0", "M0"),
         ("– on a Cortex-M3", "M3"),
-        ("– on a Cortex-M4 whose FPU only the others use", "M4F"),
+        ("– on a Cortex-M4F, whose FPU only the others use", "M4F"),
     ] {
         let row = page.row("The cells", &["S3", "z", core])?;
         let best = match row.get("best rival")? {
@@ -74,14 +74,14 @@ fn memory(lines: &mut Vec<String>) -> Result<(), String> {
     let bands = Page::read("docs/bands.md")?;
     let ram = bands.row("RAM", &["S3"])?.get("together")?;
     lines.push(format!(
-        "| RAM for that frame in bands, with the stack, in bytes | {ram} | a whole frame: {} |",
+        "| RAM for this frame in bands, stack included, in bytes | {ram} | without bands: {} |",
         others(|peer| peer.depth + peer.frame)
     ));
     let speed = Page::read("docs/speed.md")?;
     let torus = speed.row("Memory", &["S3", "z"])?;
     let code = number(torus.get("flash")?)? - number(torus.get("of that, data")?)?;
     lines.push(format!(
-        "| code for that frame, not in bands, in bytes | {} | {} |",
+        "| code for this frame, without bands, in bytes | {} | {} |",
         grouped(code),
         others(|peer| peer.code)
     ));
