@@ -1,5 +1,6 @@
-//! Figures for the planner, from the pages that `tools/bench/run` writes: `docs/growth.md` has what a vertex, a face, a row and a
-//! pixel cost, and the cycles of an instruction; `docs/speed.md` the chips; `docs/footprint.md` the flash of code. And the model of the templates, in fewer bytes.
+//! Figures for the planner, from the pages that `tools/bench/run` writes: `docs/growth.md` has the cost of a vertex, a face, a
+//! row and a pixel, and the cycles of an instruction; `docs/speed.md` the chips; `docs/footprint.md` the flash of code. Also the
+//! model of the templates, in fewer bytes than its file.
 
 use std::error::Error;
 use std::fmt::Write;
@@ -7,7 +8,7 @@ use std::path::Path;
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
-/// The tables of constants: the heading of each, its name here, and how many rows of constants there are.
+/// The tables of constants: the heading of each, the name of its constant here, and its number of rows.
 const WAYS: [(&str, &str, usize); 13] = [
     ("### Edges as lines", "LINES", 8),
     ("### Faces without depth", "FACES", 11),
@@ -24,7 +25,7 @@ const WAYS: [(&str, &str, usize); 13] = [
     ("### Faces in painter's order in bands", "PAINTED_BANDS", 12),
 ];
 
-/// The chips of `docs/speed.md` by the names that choices have, and of each the row of `docs/growth.md` that has its cycles.
+/// The chips of `docs/speed.md`: the row of each, its name in choices, and the row of `docs/growth.md` that has its cycles.
 const CHIPS: [(&str, &str, &str); 7] = [
     ("rp2040", "RP2040, code in flash", "RP2040, code in flash, 125 MHz"),
     ("rp2040-ram", "RP2040, code in RAM", "M0+, no wait states"),
@@ -120,7 +121,8 @@ fn esp32c3(growth: &str, out: &mut String) -> Result<()> {
 /// The bytes of an image on the cores M0, M3, M4F (as on the M3) and RV32.
 fn bytes(table: &str, image: &str) -> Result<String> {
     let row = row(table, image).map_err(|e| format!("docs/footprint.md: {e}"))?;
-    // A figure of all builds; thumbv7m at 3 and s, thumbv6m at 3 and s, riscv32imc at 3.
+    // The columns of `docs/footprint.md`, for M0, M3, M4F and RV32. A size is one figure for all builds, or one each for thumbv7m
+    // at 3 and s, thumbv6m at 3 and s, and riscv32imc at 3.
     let bytes = [4, 2, 2, 6]
         .map(|column| row.get(column).map_or(String::new(), |cell| cell.split_whitespace().collect()));
     let is_number = |bytes: &String| bytes.parse::<i32>().is_ok();
@@ -131,11 +133,11 @@ fn bytes(table: &str, image: &str) -> Result<String> {
         .ok_or_else(|| format!("docs/footprint.md: {row:?}").into())
 }
 
-/// The vertices and faces of a binary STL file, as Rust: each position once.
+/// The vertices and faces of a binary STL file, as Rust: each position is written once.
 fn gear(stl: &[u8]) -> Result<String> {
     let mut vertices: Vec<[f32; 3]> = Vec::new();
     let mut faces = Vec::new();
-    // A header of 84 bytes; of each record of 50 a normal, three corners, two bytes.
+    // A header of 84 bytes, then records of 50: a normal, three corners, two bytes.
     for record in stl.get(84..).ok_or("model.stl: too short")?.chunks_exact(50) {
         let number = |at: usize| -> Result<f32> { Ok(f32::from_le_bytes(record[at..at + 4].try_into()?)) };
         let mut face = [0; 3];
@@ -156,7 +158,7 @@ fn gear(stl: &[u8]) -> Result<String> {
     ))
 }
 
-/// The constants of a way to draw, of the cores M0, M3, M4F and RV32, and the largest error of the formula, in percent.
+/// The constants of a way to draw, for the cores M0, M3, M4F and RV32, and the largest error of the formula, in percent.
 fn way(page: &str, heading: &str, name: &str, count: usize, out: &mut String) -> Result<()> {
     let table = section(page, heading)?;
     let header = rows(table).next().ok_or("no table")?;

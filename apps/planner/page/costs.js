@@ -3,7 +3,7 @@
 
 let costTimer;
 
-// After the changes of a moment: counting the work of a frame takes as long as drawing it.
+// Waits until changes pause: counting the work of a frame takes as long as drawing it.
 function showCosts(library, choice) {
   clearTimeout(costTimer);
   costTimer = setTimeout(() => {
@@ -19,7 +19,7 @@ function showCosts(library, choice) {
 
 const kilobytes = (bytes) => `${(bytes / 1024).toFixed(1)} KB`;
 
-// A time, or the likely one and the range where the chip's cycles are not all known; and the error of the instructions.
+// A time; for a chip whose cycles are not all known, the likely time and its range; and the error of the instructions.
 function drawing({ drawing, range, error }) {
   const span = range.length ? ` (${range.join('–')})` : '';
   return `${drawing} ms${span} ± ${Math.round(error)} %`;
@@ -46,7 +46,7 @@ function costTable(costs) {
 
 const chosenOf = (costs) => costs.ways.find((way) => way.chosen) ?? costs.ways[0];
 
-// What to change where the chosen way does not fit, or is slow.
+// What to change if the chosen way to draw does not fit.
 function advice(costs) {
   const chosen = chosenOf(costs);
   if (chosen.fits) return [];
@@ -59,7 +59,7 @@ function advice(costs) {
 
 function notes(costs) {
   const { stack } = chosenOf(costs);
-  const inexact = costs.exact ? '' : ' Drawing was measured in 16-bit colour; pixels of fewer bits than a byte take longer.';
+  const inexact = costs.exact ? '' : ' Drawing was measured in 16-bit colour; pixels of less than a byte take longer.';
   return element('p', { className: 'note' },
-    `${costs.chip}, ${costs.core} at ${costs.clock} MHz, sending at ${costs.spi} MHz. RAM is that of variables, to the byte; the stack takes ${kilobytes(stack)} more. Flash is the mesh and the code that draws, at opt-level 3, ± ${costs.flashError} %; drivers and logs come on top. Times are by the formula of docs/growth.md: ± is the largest error of its instructions in any case measured. Cycles of an instruction differ by up to ${costs.cyclesError} % from model to model; the chip adds: ${costs.error}.${inexact}`);
+    `${costs.chip}, ${costs.core} at ${costs.clock} MHz, sending at ${costs.spi} MHz. RAM is the size of the variables, exact to the byte; the stack takes ${kilobytes(stack)} more. Flash is the mesh and the code that draws, at opt-level 3, ± ${costs.flashError} %; drivers and logs come on top. Times are computed by the formula of docs/growth.md; ± is the largest error of its instructions in any measured case. Cycles per instruction differ by up to ${costs.cyclesError} % from model to model; the chip adds: ${costs.error}.${inexact}`);
 }

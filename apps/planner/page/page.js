@@ -1,4 +1,4 @@
-// The page: controls, mouse, touch and keys change a state; the state is drawn by the library and stands in the address.
+// The page: controls, mouse, touch and keys change a state. The library draws the state, and the address contains it.
 'use strict';
 
 const $ = (id) => document.getElementById(id);
@@ -20,10 +20,11 @@ let allFaces = 0; // of the model, without decimation
 let slowest = 0; // milliseconds of the last frame that a new mesh was made for
 let asked = false;
 
-// What the library is asked: every part of the state.
+// The choice that is passed to the library: every part of the state.
 const choice = (of = state) => Object.entries(of).map(([key, value]) => `${key}=${value}`).join('&');
 
-// The address has what differs from the defaults. Files are not in it: who gets the link does not have them.
+// The address has the parts of the state that differ from the defaults. Files are not in it: a receiver of the link does not have
+// them.
 function writeAddress() {
   const isOfFile = (key, value) => ['mesh', 'texture'].includes(key) && value === 'file';
   const parts = Object.entries(state).filter(([key, value]) => value !== DEFAULTS[key] && !isOfFile(key, value));
@@ -43,7 +44,7 @@ function readAddress() {
   return read;
 }
 
-// Draws before the next frame of the screen, once, however many changes there were.
+// Draws once before the next frame of the screen, however many changes there were.
 function change(changes) {
   Object.assign(state, changes);
   if (!asked) {
@@ -76,13 +77,13 @@ function show() {
     say(problem.message, true);
     drawnModel = '';
     const buttons = remedyButtons(problem.message);
-    $('warnings').replaceChildren(...(buttons.length ? [element('div', { className: 'warning' }, 'The page can do that: ', ...buttons)] : []));
+    $('warnings').replaceChildren(...(buttons.length ? [element('div', { className: 'warning' }, 'This page can do it: ', ...buttons)] : []));
     $('model').textContent = '';
   }
   if (!turning) writeAddress();
 }
 
-// Boards whose templates do not draw such pictures cannot be chosen.
+// Boards whose templates do not draw the chosen style and format cannot be chosen.
 function showBoards() {
   const boards = boardsFor(templates, state);
   for (const option of $('board').options) option.disabled = !boards.includes(option.value);
@@ -93,7 +94,7 @@ function showBoards() {
   $('no-firmware').hidden = boards.length > 0;
 }
 
-// Where a board has another display than the page shows: its firmware frames the model for the board's.
+// A note if the board's display differs from the one that the page shows: its firmware frames the model for the board's display.
 let otherDisplay = '';
 
 function showOtherDisplay() {
@@ -134,7 +135,8 @@ function remedyButtons(message, remedies = []) {
     return remedyButton(`${value ? 'Use' : 'Leave out'} ${name}`, { [part]: value });
   });
   if (menu.decimates && message.includes('--decimate N')) {
-    // Half of what there is, as long as a press helps; of a model that is too large for a mesh, what a display can show.
+    // Half of the present faces, as long as that still helps; for a model too large for a mesh, as many faces as a display can
+    // show.
     const now = state.decimate || allFaces;
     const faces = drawnModel && now ? Math.max(Math.min(Math.floor(now / 2), 20_000), 4) : Math.min(20_000, Math.floor((state.decimate || 40_000) / 2));
     if (faces < (state.decimate || Infinity)) made.push(remedyButton(`Decimate to ${count(faces)} faces`, { decimate: faces }));
@@ -148,7 +150,7 @@ function remedyButton(text, changes) {
   return button;
 }
 
-// The slider, from 4 faces to all; at its end nothing is decimated.
+// The slider goes from 4 faces to all; at its end nothing is decimated.
 function showDecimation(decimate) {
   const most = Math.max(allFaces, decimate, 4);
   $('decimation').hidden = !menu.decimates;
@@ -163,7 +165,7 @@ function element(name, properties, ...content) {
   return made;
 }
 
-// Whole pixels of the screen for each pixel of the display, as many as fit.
+// Each pixel of the display takes a whole number of screen pixels, as many as fit.
 function scale() {
   const canvas = $('display');
   const room = $('frame').clientWidth - 24;
@@ -174,7 +176,7 @@ function scale() {
   canvas.style.height = `${canvas.height * times}px`;
 }
 
-// Changes the state, and the controls with it.
+// Changes the state and the controls.
 function set(changes) {
   change(changes);
   showControls();
@@ -221,7 +223,7 @@ function buildControls() {
   options($('board'), [...new Set([...templates.keys()].map((path) => path.split('/')[0]))].map((name) => [name, name]));
   options($('up'), [['auto', 'as usual for the file'], ...menu.axes.map((name) => [name, name])]);
 
-  // Another mesh has other faces.
+  // Another mesh has another number of faces.
   $('mesh').addEventListener('input', (e) => set({ mesh: e.target.value, decimate: 0 }));
   for (const key of ['style', 'texture', 'up', 'format', 'chip']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value }));
   for (const key of ['yaw', 'pitch', 'zoom', 'ambient']) $(key).addEventListener('input', (e) => set({ [key]: Number(e.target.value) }));
@@ -233,7 +235,7 @@ function buildControls() {
   }
   for (const key of ['color', 'background']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value.slice(1) }));
   const decimated = () => ($('decimate').value === $('decimate').max ? 0 : Number($('decimate').value));
-  // While it is dragged, where the mesh is made fast enough; in any case when it is let go.
+  // Decimates while the slider is dragged, if the mesh is made fast enough; otherwise when it is released.
   $('decimate').addEventListener('input', () => {
     if (slowest < 250) set({ decimate: decimated() });
     else showDecimation(decimated());
@@ -353,7 +355,7 @@ function orbit(right, up) {
   set({ yaw: hundredths(yaw), pitch: hundredths(within(state.pitch + up, -steepest, steepest)) });
 }
 
-// In pixels of the screen.
+// Moves the picture by pixels of the screen.
 function move(right, down) {
   const canvas = $('display');
   const half = Math.min(canvas.clientWidth, canvas.clientHeight) / 2;
@@ -376,7 +378,7 @@ function turntable() {
   turning = !turning;
   $('turntable').setAttribute('aria-pressed', turning);
   let last;
-  // By the time that has passed, so that a slow tab turns as fast, in larger steps: a turn in 4 seconds.
+  // Steps follow the time that has passed, so a slow tab turns as fast, in larger steps: a turn takes 4 seconds.
   let at = state.turn;
   const step = (time) => {
     if (!turning) return;
@@ -438,7 +440,7 @@ function listenToKeys() {
   });
 }
 
-// Taking away
+// Downloads
 
 function save(name, blob) {
   const link = element('a', { href: URL.createObjectURL(blob), download: name });
@@ -452,7 +454,8 @@ function savePng() {
   $('display').toBlob((blob) => save(`${modelName()}.png`, blob));
 }
 
-// The frames are made one by one, and between two the page listens: also to the button that cancels, and another file or picture does.
+// The frames are made one by one. Between two of them the page handles events: the cancel button, another file or another picture
+// ends the film.
 let filming = false;
 
 async function saveGif() {
@@ -479,7 +482,7 @@ async function saveGif() {
   if (hadFocus) $('gif').focus();
 }
 
-// A message where it fails.
+// Runs an action that saves a file, and shows a message if it fails.
 function saved(action) {
   return () => {
     try {
@@ -490,7 +493,7 @@ function saved(action) {
   };
 }
 
-// The firmware turns the model itself.
+// The choice without a turn, because the firmware turns the model itself.
 const still = () => choice({ ...state, turn: 0 });
 
 function saveZip() {
@@ -498,7 +501,7 @@ function saveZip() {
   save(`${board}.zip`, new Blob([zip(firmware(library, templates, board, still()))], { type: 'application/zip' }));
 }
 
-// A file of the firmware's own code.
+// Saves one file of the firmware's own code.
 function saveSource(name) {
   const files = firmware(library, templates, $('board').value, still());
   save(name, new Blob([files.get(`firmware/src/${name}`)]));
@@ -510,7 +513,7 @@ function saveRust() {
 
 async function copyLink() {
   writeAddress();
-  const isFile = state.mesh === 'file' || state.texture === 'file' ? ' Your files are not in it.' : '';
+  const isFile = state.mesh === 'file' || state.texture === 'file' ? ' Your files are not part of it.' : '';
   try {
     await navigator.clipboard.writeText(location.href);
     say(`The link is in the clipboard.${isFile}`);
@@ -524,7 +527,7 @@ async function start() {
     library = await Pinhole.from(await unpacked(PINHOLE));
     templates = untar(await unpacked(BOARDS));
   } catch (problem) {
-    say(`This browser cannot run the page: ${problem.message}. It needs WebAssembly and DecompressionStream, of 2023 or later.`, true);
+    say(`This browser cannot run the page: ${problem.message}. It needs WebAssembly and DecompressionStream, which browsers have since 2023.`, true);
     return;
   }
   menu = library.menu();

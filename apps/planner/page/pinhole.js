@@ -1,8 +1,8 @@
-// The library: calls of its exports, with texts and bytes passed through its memory. For the page and for node.
+// The library: wraps the calls of its exports, which exchange texts and bytes through its memory. For the page and for node.
 'use strict';
 
 class Pinhole {
-  // From the bytes of the library.
+  // Makes a library from its WebAssembly bytes.
   static async from(bytes) {
     const { instance } = await WebAssembly.instantiate(bytes, {});
     return new Pinhole(instance.exports);
@@ -12,7 +12,7 @@ class Pinhole {
     this.exports = exports;
   }
 
-  // A name, and the bytes of its file.
+  // Loads a model: the name of a file, and its bytes.
   load(name, bytes) {
     const start = new TextEncoder().encode(name);
     const input = this.input(start.length + bytes.length);
@@ -21,7 +21,7 @@ class Pinhole {
     this.answer(this.exports.load(start.length));
   }
 
-  // A picture for textures: its width, and red, green, blue and opacity of its pixels.
+  // Loads a picture for textures: its width, and red, green, blue and opacity of its pixels.
   picture(width, bytes) {
     this.input(bytes.length).set(bytes);
     this.answer(this.exports.picture(width));
@@ -31,7 +31,7 @@ class Pinhole {
     return JSON.parse(this.answer(this.exports.menu()));
   }
 
-  // The pixels of a choice and what the frame was; throws an Error with a message for the user.
+  // Draws a choice. Returns the pixels and a description of the frame; throws an Error with a message for the user.
   draw(choice) {
     this.write(choice);
     const about = JSON.parse(this.answer(this.exports.draw()));
@@ -39,8 +39,8 @@ class Pinhole {
     return { pixels, about };
   }
 
-  // A turn of the model as the bytes of a GIF file. After each frame, `goesOn` gets how many are done and all that there are: its
-  // promise is of whether to go on. Otherwise there is no file.
+  // A turn of the model as the bytes of a GIF file. After each frame, `goesOn` gets the number of frames done and the number of
+  // all frames, and promises whether to go on. If not, the result is `null`.
   async gif(choice, goesOn) {
     let [done, all] = [0, 1];
     while (done < all) {
@@ -50,14 +50,14 @@ class Pinhole {
     return this.bytes('gif', '');
   }
 
-  // The name that the model's file has in a firmware, and its bytes.
+  // The name of the model's file in a firmware, and the file's bytes.
   model(choice) {
     const bytes = this.bytes('model', choice);
     const end = bytes.indexOf(0);
     return [new TextDecoder().decode(bytes.subarray(0, end)), bytes.subarray(end + 1)];
   }
 
-  // A function from a text to bytes.
+  // Calls an export that takes a text and returns bytes.
   bytes(name, text) {
     this.write(text);
     const isGood = this.exports[name]();
@@ -66,7 +66,7 @@ class Pinhole {
     return bytes;
   }
 
-  // A function from a text to a text.
+  // Calls an export that takes a text and returns a text.
   ask(name, text) {
     this.write(text);
     return this.answer(this.exports[name]());
@@ -77,7 +77,7 @@ class Pinhole {
     this.input(bytes.length).set(bytes);
   }
 
-  // The memory may have moved: a view is of one call only.
+  // Growing memory may move it, so a view is valid for one call only.
   input(length) {
     const start = this.exports.input(length);
     return new Uint8Array(this.exports.memory.buffer, start, length);

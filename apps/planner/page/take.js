@@ -1,4 +1,4 @@
-// Taking away: archives, read and written. For the page and for node.
+// Reads and writes archives. For the page and for node.
 'use strict';
 
 // The files of a tar archive: a Map from paths to bytes.
@@ -13,7 +13,7 @@ function untar(bytes) {
   return files;
 }
 
-// A ZIP archive of files, stored: a Map from paths to bytes (PKWARE, APPNOTE.TXT, sections 4.3.7, 4.3.12 and 4.3.16).
+// A ZIP archive of files, uncompressed: a Map from paths to bytes (PKWARE, APPNOTE.TXT, sections 4.3.7, 4.3.12 and 4.3.16).
 function zip(files) {
   const parts = [];
   const directory = [];
@@ -34,7 +34,7 @@ function zip(files) {
   return out;
 }
 
-// Numbers of so many bytes, the least significant first.
+// Numbers of the given bytes each, the least significant byte first.
 function numbers(list) {
   return Uint8Array.from(list.flatMap(([value, bytes]) => Array.from({ length: bytes }, (_, i) => (value >>> (8 * i)) & 255)));
 }
@@ -48,28 +48,29 @@ function crc32(bytes) {
   return ~sum >>> 0;
 }
 
-// Bytes of gzip in base64.
+// Unpacks bytes in gzip in base64.
 async function unpacked(text) {
   const packed = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// The boards whose templates draw a style in a format of pixels.
+// The boards whose templates draw this style in this pixel format.
 function boardsFor(templates, { style, format }) {
   const isOfLines = (path) => new TextDecoder().decode(templates.get(path)).includes('.hidden_line(');
   const isWanted = (path) => (isOfLines(path) ? style === 'hidden-line' && format === 'mono' : ['flat', 'gouraud', 'textured'].includes(style) && format === 'rgb565');
   return [...templates.keys()].filter((path) => path.endsWith('/src/picture.rs') && isWanted(path)).map((path) => path.split('/')[0]);
 }
 
-// The sides of a board's display, which its README begins with. `null` for a board that takes any display.
+// The sides of a board's display, from the beginning of its README; `null` for a board that takes any display.
 function displayOf(templates, board) {
   const readme = new TextDecoder().decode(templates.get(`${board}/README.md`));
   const [, width, height] = /(\d+) × (\d+)/.exec(readme) ?? [];
   return width ? { width: Number(width), height: Number(height) } : null;
 }
 
-// The folder `firmware` of a board, of the templates in an archive, as it draws a choice on its display: a Map from paths to bytes.
+// The folder `firmware` of a board that draws a choice on its display, made from the archive of templates: a Map from paths to
+// bytes.
 function firmware(library, templates, board, text) {
   const files = new Map();
   const parts = new URLSearchParams(text);

@@ -1,4 +1,4 @@
-//! What the user chose, and its text.
+//! What the user chose, and its form as text.
 
 use crate::cost;
 use crate::display::{Format, DISPLAYS};
@@ -22,7 +22,7 @@ pub enum Style {
     Flat,
     /// Light interpolated over each face.
     Gouraud,
-    /// A picture on the faces.
+    /// A texture on the faces.
     Textured,
 }
 
@@ -36,7 +36,7 @@ impl Style {
         ("textured", Self::Textured),
     ];
 
-    /// Whether edges are drawn instead of faces.
+    /// Whether this style draws edges instead of faces.
     pub const fn is_of_lines(self) -> bool {
         matches!(self, Self::Wireframe | Self::HiddenLine)
     }
@@ -45,32 +45,32 @@ impl Style {
 /// Everything that the user chose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
-    /// A ready mesh by its name, or `file` for the file that was loaded.
+    /// The name of a ready mesh, or `file` for the file that was loaded.
     pub mesh: String,
     /// The display's pixels.
     pub size: Size,
-    /// Their format.
+    /// The format of the display's pixels.
     pub format: Format,
     /// How the model is drawn.
     pub style: Style,
-    /// Whether colours between those of the display are dithered.
+    /// Whether faces are dithered.
     pub dither: bool,
     /// The projection.
     pub(crate) projection: Named,
     /// Angles of the eye in hundredths of a degree.
     pub(crate) yaw: i32,
     pub(crate) pitch: i32,
-    /// Percent.
+    /// The magnification in percent.
     pub(crate) zoom: i32,
     /// How far the picture is moved, in thousandths of the narrower half side, to the right and up.
     pub(crate) pan: [i32; 2],
-    /// Of `TURNS` steps of a turn about the upright axis.
+    /// The step of a turn about the upright axis, of `TURNS`.
     pub(crate) turn: i32,
     pub(crate) color: Rgb888,
     pub(crate) background: Rgb888,
     /// The direction to the lamp.
     pub(crate) light: [i16; 3],
-    /// Light on faces that are turned away from the lamp; 256 is full.
+    /// Ambient light, 0 … 256: the light on faces that are turned away from the lamp.
     pub(crate) ambient: u16,
     /// What textured faces show.
     pub(crate) texture: Pattern,
@@ -78,7 +78,7 @@ pub struct Choice {
     pub(crate) flip: bool,
     pub(crate) fix_winding: bool,
     pub(crate) two_sided: bool,
-    /// The most faces, or 0 for all.
+    /// The number of faces to decimate the mesh to, or 0 for all faces.
     pub(crate) decimate: u32,
     /// Rows of a band.
     pub(crate) rows: u32,
@@ -88,7 +88,7 @@ pub struct Choice {
 
 /// Steps of a turn.
 pub(crate) const TURNS: u32 = 120;
-/// Faces of a mesh that decimation is asked for; a display has fewer pixels.
+/// The most faces that decimation can be asked for, far more than a display has pixels.
 const MOST_FACES: u32 = 1_000_000;
 /// The longest side of a display, in pixels.
 const LONGEST: u32 = 1024;
@@ -126,15 +126,16 @@ impl Default for Choice {
 }
 
 impl Choice {
-    /// The choice that a text such as `mesh=torus&style=gouraud&width=240` makes: what it does not name is as by default.
+    /// The choice that a text such as `mesh=torus&style=gouraud&width=240` describes. Parts that the text does not name have
+    /// their defaults.
     ///
     /// # Errors
     ///
-    /// A message that names the part that is not understood, and what may stand there.
+    /// A message that names the part that is not understood, and the values that it can have.
     pub fn parse(text: &str) -> Result<Self, String> {
         let mut choice = Self::default();
         let pairs = || text.split('&').filter(|pair| !pair.is_empty()).map(|pair| pair.split_once('='));
-        // First, because it has directions of its own.
+        // The projection comes first, because it sets directions, which later parts may change.
         for (_, value) in pairs().flatten().filter(|(key, _)| *key == "projection") {
             let projection = lens::named(value)?;
             choice.projection = projection;
@@ -179,7 +180,7 @@ impl Choice {
         Ok(())
     }
 
-    /// The importer's options: those of the templates' build scripts, and edges or normals where the style draws them.
+    /// The importer's options: those of the templates' build scripts, with edges or normals if the style needs them.
     pub(crate) fn options(&self) -> Options {
         Options {
             fit: Some(2.0),
@@ -190,7 +191,7 @@ impl Choice {
             decimate: (self.decimate > 0).then_some(self.decimate as usize),
             edges: match self.style {
                 Style::Wireframe => Edges::All,
-                // Without the diagonals of flat faces, which are edges of the triangles, not of the model.
+                // Without the diagonals of flat faces, which are edges of triangles but not of the model.
                 Style::HiddenLine => Edges::Feature { degrees: 1.0 },
                 Style::Flat | Style::Gouraud | Style::Textured => Edges::None,
             },

@@ -11,13 +11,13 @@ use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::{Affine, Mesh, Painter, Projected, ScreenVertex};
 use pinhole_import::ImportedMesh;
 
-/// Instructions for each thing that a frame has, on the cores M0, M3, M4F and RV32, and the largest error of their sum in percent.
+/// Instructions per vertex, face and so on, on the cores M0, M3, M4F and RV32, and the largest error of their sum in percent.
 pub(crate) struct Constants<const N: usize> {
     of: [[f32; N]; 4],
     error: f32,
 }
 
-/// Bytes that the code takes on the cores M0, M3, M4F and RV32, at opt-level 3; an M4F's is that of an M3.
+/// The size of code in bytes on the cores M0, M3, M4F and RV32, at opt-level 3. An M4F has the figures of an M3.
 #[derive(Clone, Copy)]
 pub(crate) struct Code {
     flash: [i32; 4],
@@ -30,23 +30,23 @@ pub(crate) struct Chip {
     pub(crate) key: &'static str,
     pub(crate) name: &'static str,
     core: &'static str,
-    /// Of [`Constants`].
+    /// The index of its core in [`Constants`].
     column: usize,
-    /// MHz.
+    /// The clock in MHz.
     clock: f64,
-    /// Of the fastest SPI, MHz.
+    /// The clock of the fastest SPI in MHz.
     spi: f64,
-    /// KB.
+    /// RAM in KB.
     ram: f64,
     error: &'static str,
-    /// Cycles of an instruction: lines, faces, faces with depth.
+    /// Cycles per instruction: for lines, faces, faces with depth.
     cycles: [f64; 3],
-    /// The least and the most that these may be, where the core's rules are not all known.
+    /// The least and the most cycles per instruction, if not all of the core's rules are known.
     range: Option<[[f64; 3]; 2]>,
 }
 
 impl Chip {
-    /// Of the chip's own `cycles`, or of a bound of its range, those for a kind of drawing.
+    /// The cycles per instruction for a kind of drawing: `cycles` is the chip's own, or a bound of its range.
     fn of_kind(&self, cycles: &[f64; 3], kind: usize) -> f64 {
         match (self.key, kind) {
             ("rp2040", LARGE) => LARGE_CYCLES,
@@ -54,8 +54,8 @@ impl Chip {
         }
     }
 
-    /// The largest difference between the cycles of an instruction that are shown and those of linked firmware, in percent:
-    /// `apps/planner/sizes --times` compares them, and finds more than half.
+    /// The largest difference between the stated cycles per instruction and those of linked firmware, in percent.
+    /// `apps/planner/sizes --times` compares them, and finds more than half of this.
     fn cycles_error(&self) -> u32 {
         match self.key {
             "esp32c3" => 40,
@@ -77,7 +77,7 @@ const ESP32C3: Chip = Chip {
     column: 3,
     clock: 160.0,
     spi: 80.0,
-    // Of 400 KB, 16 are the cache.
+    // 400 KB, of which 16 are the cache.
     ram: 384.0,
     error: "a range, as products of two words, divisions and stores in a row were not measured on it",
     cycles: ESP32C3_CYCLES[1],
@@ -93,23 +93,23 @@ pub(crate) const CHIPS: [Chip; MODELLED.len() + 1] = {
 /// A way to draw.
 struct Way {
     name: String,
-    /// What it costs in bytes of RAM: vertex cache, bins, pixels, depths.
+    /// Bytes of RAM: vertex cache, bins, pixels, depths.
     ram: [usize; 4],
     code: Code,
-    /// On the four cores, and the largest error in percent.
+    /// The instructions on the four cores, and their largest error in percent.
     time: ([f64; 4], f32),
-    /// Of [`Chip::cycles`], or [`LARGE`].
+    /// The index into [`Chip::cycles`], or [`LARGE`].
     kind: usize,
-    /// Bands of a frame, which are sent one after the other.
+    /// The number of bands in a frame, which are sent one after the other.
     bands: u32,
-    /// The choice that draws so, if the page can.
+    /// The number of rows to choose for this way to draw, if the page can draw it.
     rows: Option<u32>,
-    /// Why it is not for every model.
+    /// Why not every model can be drawn so.
     note: &'static str,
 }
 
 impl Code {
-    /// The code of an image to which is added what another one has and `without` has not.
+    /// This code plus the code that image `with` has and image `without` has not.
     const fn and(self, with: Self, without: Self) -> Self {
         let (mut sum, mut core) = (self, 0);
         while core < 4 {
@@ -127,28 +127,30 @@ impl<const N: usize> Constants<N> {
     }
 }
 
-/// The largest difference between the flash that is shown and that of linked firmware, in percent: `apps/planner/sizes` compares them,
-/// and finds 8.3 at most.
+/// The largest difference between the stated flash and that of linked firmware, in percent: `apps/planner/sizes` compares them,
+/// and finds at most 8.3.
 const FLASH_ERROR: u32 = 10;
 
-/// The least error of instructions that is stated, in percent: where the cases of docs/growth.md have less, `apps/planner/sizes --times`
-/// finds up to 8.6.
+/// The least error of instructions that the page states, in percent, even if the cases of docs/growth.md have less:
+/// `apps/planner/sizes --times` finds up to 8.6.
 const LEAST_ERROR: f32 = 10.0;
 
 /// The kind of faces with depth whose code is larger than a cache of 16 KB.
 const LARGE: usize = 3;
-/// Their cycles of an instruction on an RP2040 whose code is in flash, which has such a cache. `apps/planner/sizes --times` finds 2.16 to 3.42.
+/// Cycles per instruction of such code on an RP2040, whose flash has a cache of 16 KB. `apps/planner/sizes --times` finds 2.16 to
+/// 3.42.
 const LARGE_CYCLES: f64 = 2.7;
 
-/// Bytes of commands before a band: its window.
+/// Bytes of the commands that set a band's window.
 const COMMANDS: u32 = 11;
 
-/// Bytes of rows of a display.
+/// The bytes of `rows` rows of the display.
 fn strip_bytes(choice: &Choice, rows: u32) -> usize {
     choice.format.bytes(choice.size.width, rows)
 }
 
-/// Bytes of flash that the colours of faces take, where these have materials and are shown in them, or an image and its coordinates.
+/// Bytes of flash for the colours of faces, if the model has materials and the style shows them, or for a texture and its
+/// coordinates.
 fn materials(model: &ImportedMesh, choice: &Choice, image: &TextureImage) -> usize {
     match choice.style {
         Style::Flat | Style::Gouraud => size_of_val(&model.palette[..]) + model.face_colors.len(),
@@ -161,7 +163,7 @@ fn materials(model: &ImportedMesh, choice: &Choice, image: &TextureImage) -> usi
     }
 }
 
-/// The costs of a choice, as JSON, of a model that shows an image if it is textured.
+/// The costs of a choice as JSON. `image` is the texture of textured faces.
 pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage) -> Result<String, String> {
     let mesh = model.mesh().map_err(|e| e.to_string())?;
     let sphere = mesh.bounding_sphere();
@@ -180,7 +182,7 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage)
         image.sides().iter().enumerate().all(|(axis, &side)| {
             let [a, b, c] = coords.corners(face).map(|uv| f64::from(uv[axis]));
             let texels = (a.max(b).max(c) - a.min(b).min(c)) * unit * side as f64;
-            // What the library lets the coordinates be off, in texels.
+            // The error that the library permits for texture coordinates, in texels.
             texels * (far - near) / (4.0 * near) < 0.25
         })
     };
@@ -197,7 +199,7 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage)
     let chip = CHIPS.iter().find(|chip| chip.key == choice.chip).unwrap_or(&CHIPS[0]);
     let frame = strip(choice.size.height);
     let data = model.flash_bytes() + materials(model, choice, image);
-    // The first one with the rows of the choice: with depth, where there are several.
+    // The first way with the chosen rows: with depth, if there are several.
     let chosen = ways.iter().position(|way| way.rows == Some(choice.rows));
     let ways = ways.iter().enumerate().map(|(at, way)| way.on(chip, frame, data, chosen == Some(at)));
     Ok(object([
@@ -219,14 +221,14 @@ fn cache(mesh: &Mesh<'_>) -> usize {
     mesh.cache_len() * size_of::<ScreenVertex>()
 }
 
-/// Bytes of a face in a painter: five indices of 16 bits, and its colour.
+/// Bytes of a face in a painter: five indices of 16 bits, and a colour.
 const PAINTED: usize = 12;
 
 fn depths(choice: &Choice, rows: u32) -> usize {
     choice.size.width as usize * rows as usize * size_of::<u16>()
 }
 
-/// The heights of bands that are compared: that of the choice, and others.
+/// The heights of bands that are compared: the chosen one, and others.
 fn heights(choice: &Choice) -> Vec<u32> {
     let mut rows = vec![8, 16, 48, choice.rows];
     rows.retain(|rows| *rows <= choice.size.height);
@@ -235,12 +237,13 @@ fn heights(choice: &Choice) -> Vec<u32> {
     rows
 }
 
-/// Whether pixels are whole bytes in memory, into which the fastest code draws.
+/// Whether a pixel is a number of whole bytes, into which the fastest code draws.
 fn is_in_memory(choice: &Choice) -> bool {
     choice.format == Format::Rgb565
 }
 
-/// The code that draws into bands of a format. Images are measured in 16-bit colour; other formats draw into a band as into any target.
+/// The code that draws into bands of a format. Images are measured in 16-bit colour; other formats draw into a band as into any
+/// target.
 fn into(choice: &Choice, code: Code) -> Code {
     if is_in_memory(choice) {
         code
@@ -275,7 +278,7 @@ fn faces(mesh: &Mesh<'_>, choice: &Choice, work: &FaceWork, strip: &dyn Fn(u32) 
     };
     let in_bands = |rows: u32| {
         let ram = [cache(mesh), bins, strip(rows), depths(choice, rows)];
-        // Code for flat faces has no smooth shading and no texture.
+        // Code for flat faces has neither smooth shading nor textures.
         let kind = if choice.style == Style::Flat { 2 } else { LARGE };
         way("with depth", ram, into(choice, code), time(rows), kind, Some(rows), "")
     };
@@ -283,7 +286,7 @@ fn faces(mesh: &Mesh<'_>, choice: &Choice, work: &FaceWork, strip: &dyn Fn(u32) 
     if !(is_plain && is_in_memory(choice)) {
         return ways;
     }
-    // Room for all faces, as another view may show others.
+    // Room for all faces, because another view may show more of them.
     let painted = size_of::<Painter<Rgb565, 0, 0>>() + PAINTED * mesh.faces().len();
     let (small, rows) = ("small faces that do not pierce each other", choice.rows);
     let ram = [cache(mesh), painted, strip(rows), 0];
@@ -358,7 +361,7 @@ impl Way {
         let ram: usize = self.ram.iter().sum();
         let bytes = frame as f64 + f64::from(COMMANDS * self.bands);
         let bus = bytes * 8.0 / (chip.spi * 1000.0); // ms
-                                                     // The templates' firmware has the camera too.
+                                                     // The templates' firmware also has the camera.
         let code = self.code.and(FRAMED_CODE, BANDS_CODE);
         let of = |bytes: [i32; 4]| bytes.get(chip.column).copied().unwrap_or_default();
         let stack = of(code.stack);
@@ -394,7 +397,7 @@ impl Way {
     }
 }
 
-/// The chips by the names of choices, and in words, as JSON.
+/// The chips by their names in choices, with descriptions, as JSON.
 pub(crate) fn chips() -> String {
     list(CHIPS.iter().map(|chip| object([("key", text(chip.key)), ("name", text(chip.name))])))
 }

@@ -30,7 +30,7 @@ impl Format {
         ("tricolor", Self::Tricolor),
     ];
 
-    /// Whether faces are dithered in any case: without it, so few colours show no shape.
+    /// Whether faces are always dithered, because without it so few colours show no shape.
     pub const fn always_dithers(self) -> bool {
         matches!(self, Self::Mono | Self::Tricolor)
     }
@@ -45,11 +45,11 @@ impl Format {
 pub struct Display {
     /// What it is.
     pub name: &'static str,
-    /// Its pixels.
+    /// Its columns.
     pub width: u32,
-    /// Its pixels.
+    /// Its rows.
     pub height: u32,
-    /// Their format.
+    /// The format of its pixels.
     pub format: Format,
 }
 
@@ -76,7 +76,7 @@ pub const DISPLAYS: [Display; 9] = [
     display("e-paper, 212 × 104, black, white and red", 212, 104, Format::Tricolor),
 ];
 
-/// A pixel that can be drawn and shown.
+/// A colour type of a pixel that can be drawn, and shown on the page.
 pub(crate) trait Shown: PixelFormat + Channels + From<Rgb888> + Into<Rgb888> {}
 impl Shown for Rgb565 {}
 impl Shown for BinaryColor {}
@@ -99,7 +99,7 @@ impl PixelColor for Tricolor {
     type Raw = RawU2;
 }
 
-/// Two bits, as controllers keep them in two planes: white, and red.
+/// Two bits, as the controller stores them in two planes: white, and red.
 impl PixelFormat for Tricolor {
     const BITS: u32 = 2;
 
@@ -120,7 +120,7 @@ impl PixelFormat for Tricolor {
     }
 }
 
-/// Each channel is there or not; red is a colour with red and without green, and every other one is black or white by its green.
+/// Each channel has levels 0 and 1. A colour with red and without green is red; any other colour is black or white by its green.
 impl Channels for Tricolor {
     const GRAY: bool = false;
     const MAX: [u8; 3] = [1; 3];

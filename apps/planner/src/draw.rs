@@ -14,7 +14,7 @@ use pinhole::{
 };
 use pinhole_import::ImportedMesh;
 
-/// A frame, and what it was.
+/// A drawn frame and its statistics.
 pub(crate) struct Drawn {
     /// Red, green, blue and opacity of each pixel, row by row.
     pub(crate) pixels: Vec<u8>,
@@ -43,7 +43,7 @@ pub(crate) fn draw(model: &ImportedMesh, choice: &Choice, image: &TextureImage) 
     let mut face_bins = vec![0; mesh.face_bins_len()];
     let mut edge_bins = vec![0; mesh.edge_bins_len()];
     if choice.style == Style::Wireframe {
-        // Lines without depth test: no far plane may clip them.
+        // Lines without a depth test are not clipped at the far plane.
         let mut edges =
             instance.transform(&mut cache).bin_edges(&mut edge_bins).map_err(|e| e.to_string())?;
         return picture(choice, Job::Lines(&mut edges));
@@ -82,7 +82,7 @@ impl<'a> Shades<'a> {
         self.colors.map_or(self.choice.color, |colors| colors.color(face))
     }
 
-    /// As firmware hands it to shaders: from 16 bits.
+    /// The colour of a face as firmware passes it to shaders: converted from 16 bits.
     fn of_16_bits(&self, face: usize) -> Rgb888 {
         Rgb565::from(self.color(face)).into()
     }
@@ -141,7 +141,7 @@ fn picture(choice: &Choice, job: Job<'_, '_>) -> Result<Drawn, String> {
     })
 }
 
-/// A display in memory, that bands are sent to.
+/// A display in memory, to which bands are sent.
 struct Canvas {
     frame: Frame<Stored>,
     rows: u32,

@@ -1,12 +1,12 @@
-//! What the page calls. It writes a text or a file into the memory at `input(length)`, calls one of the functions below, and
-//! reads what came of it at `output()`, `output_len()` bytes, and after `draw` the pixels at `pixels()`, `pixels_len()` bytes.
-//! Each gives 1 where it succeeded; otherwise the output is a message.
+//! The functions that the page calls. The page writes a text or a file into the memory at `input(length)`, calls one of the
+//! functions below, and reads the result at `output()`, `output_len()` bytes, and after `draw` also the pixels at `pixels()`,
+//! `pixels_len()` bytes. Each function returns 1 on success; otherwise the output is a message.
 
 use crate::choice::Choice;
 use crate::planner::Planner;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// The planner of the page, and what passes between both.
+/// The planner of the page, with its input and output.
 struct Desk {
     planner: Planner,
     input: Vec<u8>,
@@ -16,7 +16,7 @@ struct Desk {
 
 static DESK: Mutex<Option<Desk>> = Mutex::new(None);
 
-/// A page has one thread: nobody waits here.
+/// The state. A page has one thread, so the lock is always free.
 fn desk() -> MutexGuard<'static, Option<Desk>> {
     DESK.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -35,7 +35,7 @@ impl Desk {
         u32::from(is_good)
     }
 
-    /// The parts of the input, with a zero byte between two.
+    /// The parts of the input, which zero bytes separate.
     fn parts(&self) -> Result<Vec<String>, String> {
         let text = std::str::from_utf8(&self.input).map_err(|e| e.to_string())?;
         Ok(text.split('\0').map(str::to_owned).collect())
@@ -46,7 +46,7 @@ impl Desk {
     }
 }
 
-/// Room for so many bytes.
+/// Makes room for `length` bytes of input, and returns its address.
 #[unsafe(no_mangle)]
 extern "C" fn input(length: usize) -> *mut u8 {
     with(|desk| {
@@ -55,37 +55,37 @@ extern "C" fn input(length: usize) -> *mut u8 {
     })
 }
 
-/// Where the output is.
+/// The address of the output.
 #[unsafe(no_mangle)]
 extern "C" fn output() -> *const u8 {
     with(|desk| desk.output.as_ptr())
 }
 
-/// How long the output is.
+/// The length of the output in bytes.
 #[unsafe(no_mangle)]
 extern "C" fn output_len() -> usize {
     with(|desk| desk.output.len())
 }
 
-/// Where the pixels are.
+/// The address of the pixels.
 #[unsafe(no_mangle)]
 extern "C" fn pixels() -> *const u8 {
     with(|desk| desk.pixels.as_ptr())
 }
 
-/// How many bytes the pixels have.
+/// The length of the pixels in bytes.
 #[unsafe(no_mangle)]
 extern "C" fn pixels_len() -> usize {
     with(|desk| desk.pixels.len())
 }
 
-/// Gives the menu.
+/// Outputs the menu.
 #[unsafe(no_mangle)]
 extern "C" fn menu() -> u32 {
     with(|desk| desk.answer(Ok(Planner::menu())))
 }
 
-/// Takes a file: its name in so many bytes, and after them its bytes.
+/// Takes a file. The input is its name, of `name` bytes, followed by its content.
 #[unsafe(no_mangle)]
 extern "C" fn load(name: usize) -> u32 {
     with(|desk| {
@@ -96,7 +96,7 @@ extern "C" fn load(name: usize) -> u32 {
     })
 }
 
-/// Takes a picture for textures: of so many pixels a row, red, green, blue and opacity of each.
+/// Takes a picture for textures, of `width` pixels a row. The input has red, green, blue and opacity of each pixel.
 #[unsafe(no_mangle)]
 extern "C" fn picture(width: usize) -> u32 {
     with(|desk| {
@@ -106,7 +106,7 @@ extern "C" fn picture(width: usize) -> u32 {
     })
 }
 
-/// Draws by a choice.
+/// Draws a frame. The input is a choice.
 #[unsafe(no_mangle)]
 extern "C" fn draw() -> u32 {
     with(|desk| {
@@ -119,7 +119,7 @@ extern "C" fn draw() -> u32 {
     })
 }
 
-/// Gives the costs of a choice.
+/// Outputs the costs of a choice.
 #[unsafe(no_mangle)]
 extern "C" fn costs() -> u32 {
     with(|desk| {
@@ -128,7 +128,7 @@ extern "C" fn costs() -> u32 {
     })
 }
 
-/// Gives a file of the firmware of a choice. The input has the choice, the path of the file and its text in the template.
+/// Outputs a file of a choice's firmware. The input is the choice, the path of the file, and its text in the template.
 #[unsafe(no_mangle)]
 extern "C" fn firmware() -> u32 {
     with(|desk| {
@@ -140,7 +140,7 @@ extern "C" fn firmware() -> u32 {
     })
 }
 
-/// Gives the mesh of a choice as Rust.
+/// Outputs the mesh of a choice as Rust.
 #[unsafe(no_mangle)]
 extern "C" fn rust() -> u32 {
     with(|desk| {
@@ -149,8 +149,8 @@ extern "C" fn rust() -> u32 {
     })
 }
 
-/// Draws the next frame of a turn of the model, for a GIF file: with a choice the first one. Gives the frames that are done, and all
-/// that there are, with a space between.
+/// Draws the next frame of a turn of the model, for a GIF file. If the input is a choice, the frame is the first. Outputs the
+/// number of frames done and the number of all frames, with a space between them.
 #[unsafe(no_mangle)]
 extern "C" fn film() -> u32 {
     with(|desk| {
@@ -160,7 +160,7 @@ extern "C" fn film() -> u32 {
     })
 }
 
-/// Gives the GIF file of the frames that were drawn.
+/// Outputs the GIF file of the frames that were drawn.
 #[unsafe(no_mangle)]
 extern "C" fn gif() -> u32 {
     with(|desk| match desk.planner.gif() {
@@ -172,7 +172,7 @@ extern "C" fn gif() -> u32 {
     })
 }
 
-/// Gives the name that the model's file has in the folder of a firmware, a zero byte, and its bytes.
+/// Outputs the name of the model's file in the folder of a firmware, a zero byte, and the file's bytes.
 #[unsafe(no_mangle)]
 extern "C" fn model() -> u32 {
     with(|desk| {
@@ -187,12 +187,12 @@ extern "C" fn model() -> u32 {
     })
 }
 
-/// C++'s memory, for decimation: no library of C++ is linked.
+/// Memory for the C++ code of the decimation, because no C++ library is linked.
 #[cfg(all(target_family = "wasm", feature = "decimate"))]
 mod memory {
     use std::sync::{Mutex, PoisonError};
 
-    /// The blocks in use. A vector that moves leaves its elements where they are.
+    /// The blocks in use. Moving a vector leaves its elements where they are, so addresses stay valid.
     static BLOCKS: Mutex<Vec<Vec<u64>>> = Mutex::new(Vec::new());
 
     /// `operator new(unsigned long)`.

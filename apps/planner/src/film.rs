@@ -7,12 +7,12 @@ use gif::{Encoder, EncodingError, Frame, Repeat};
 /// Duration of a turn, in hundredths of a second.
 const TURN: u32 = 400;
 
-/// An endless film that is not complete yet.
+/// An endless film in the making.
 pub(crate) struct Film {
-    /// The first frame's.
+    /// The choice of the first frame.
     pub(crate) choice: Choice,
     file: Encoder<Vec<u8>>,
-    /// All of them, and those that are in the file.
+    /// The number of all frames, and of those in the file.
     pub(crate) frames: u32,
     pub(crate) done: u32,
 }
@@ -25,8 +25,8 @@ impl Film {
         Ok(Self { choice, file, frames, done: 0 })
     }
 
-    /// Adds the next frame: red, green, blue and opacity of its pixels. One of at most 256 colours has its own ones; another one those
-    /// that median cut chooses.
+    /// Adds the next frame, given as red, green, blue and opacity of its pixels. A frame of at most 256 colours keeps its
+    /// colours; for any other one, median cut chooses 256.
     pub(crate) fn add(&mut self, pixels: &[u8]) -> Result<(), String> {
         let colors = || pixels.chunks_exact(4).filter_map(|pixel| pixel.first_chunk::<3>()).copied();
         let palette = Palette::of(colors());

@@ -9,12 +9,12 @@ use embedded_graphics_core::pixelcolor::{BinaryColor, Rgb565, RgbColor};
 use pinhole::{Sphere, Window};
 use pinhole_import::{Axis, Edges, ImportedMesh};
 
-/// A file of a template, by its path in the folder, as it is in the firmware of a choice. `model` is the name of the model's file,
-/// `sphere` the mesh's bounding sphere.
+/// A template's file, given by its path in the template's folder, changed for the firmware of a choice. `model` is the name of
+/// the model's file, `sphere` the mesh's bounding sphere.
 ///
 /// # Errors
 ///
-/// What no template draws, or what the template does not have.
+/// If no template draws such a picture, or the template lacks the text to replace.
 pub(crate) fn file(
     path: &str,
     text: &str,
@@ -24,7 +24,7 @@ pub(crate) fn file(
 ) -> Result<String, String> {
     match path {
         "src/picture.rs" => picture(text, choice, sphere),
-        // Of the board that takes any display.
+        // Only the board that takes any display has this file.
         "src/display.rs" => {
             let [usual, size] = [Choice::default().size, choice.size];
             let of = |size: Size| format!("SIZE: Size = Size::new({}, {})", size.width, size.height);
@@ -38,7 +38,7 @@ pub(crate) fn file(
     .map_err(|problem| format!("{path}: {problem}"))
 }
 
-/// The name that a model's file has in the folder.
+/// The name of the model's file in the folder of the firmware.
 pub(crate) fn model_file(name: &str) -> &'static str {
     match name.rsplit_once('.') {
         Some((_, extension)) if extension.eq_ignore_ascii_case("obj") => "model.obj",
@@ -46,7 +46,7 @@ pub(crate) fn model_file(name: &str) -> &'static str {
     }
 }
 
-/// Replaces what a template has once.
+/// Replaces a text that the template must contain exactly once.
 fn replaced(text: &str, from: &str, to: &str) -> Result<String, String> {
     if text.matches(from).count() != 1 {
         return Err(format!("the template does not have `{from}` once"));
@@ -54,11 +54,11 @@ fn replaced(text: &str, from: &str, to: &str) -> Result<String, String> {
     Ok(text.replace(from, to))
 }
 
-/// Text that the drawing code has where it draws hidden lines, and where it draws faces.
+/// Text of drawing code that draws hidden lines, and of drawing code that draws faces.
 const HIDDEN_LINES: &str = "hidden_line(BinaryColor::On, ";
 const FACES: &str = "color(face, level(face))";
 
-/// The drawing code, as the choice draws.
+/// The drawing code, changed to draw as the choice says.
 fn picture(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String> {
     let is_for_lines = text.contains(HIDDEN_LINES);
     let draws = match (choice.style, choice.format) {
@@ -93,7 +93,7 @@ fn with_camera(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, S
     }
 }
 
-/// The drawing code of hidden lines, with the colours and the camera of the choice. The text on top has the colour of the lines.
+/// The drawing code of hidden lines, with the colours and the camera of the choice. The text on top gets the colour of the lines.
 fn lines(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String> {
     let [color, background]: [BinaryColor; 2] = [choice.color.into(), choice.background.into()];
     let (before, after) = text
@@ -129,7 +129,7 @@ fn faces(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String>
     if choice.style == Style::Textured {
         replace(FACES, "texture::at(mesh, face).lit([level(face); 3])")?;
         replace("color: impl Fn(usize, u16) -> Rgb565", "_: impl Fn(usize, u16) -> Rgb565")?;
-        // By its path, as a host that includes this file has another folder.
+        // With a path, because a host program that includes the file does so from another folder.
         replace("\nconst BACKGROUND", "\n#[path = \"texture.rs\"]\nmod texture;\n\nconst BACKGROUND")?;
         return Ok(without_unused(text));
     }
@@ -152,7 +152,7 @@ fn faces(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String>
     Ok(without_unused(text))
 }
 
-/// What textured faces show, as a file beside the drawing code, of which `picture` is the text in the template.
+/// The texture and its coordinates as Rust, for a file beside the drawing code. `picture` is the template's drawing code.
 pub(crate) fn texture(picture: &str, mesh: &mut ImportedMesh, image: &TextureImage) -> String {
     let library = if picture.contains("embedded_graphics_core::") {
         "embedded_graphics_core"
@@ -184,10 +184,10 @@ pub fn at({unused}mesh: &Mesh<'_>, face: usize) -> Textured<IndexedTexels<'stati
     )
 }
 
-/// The page's own function, as firmware has it, too.
+/// The page's own function, which the firmware gets too.
 const BY_SIDES: &str = include_str!("corners.rs");
 
-/// Traits of colours are imported for the constants that need them.
+/// Removes imports of colour traits that no constant needs.
 fn without_unused(mut text: String) -> String {
     for (name, users) in [("WebColors", &["CSS_"][..]), ("RgbColor", &["::BLACK", "::WHITE"])] {
         if !users.iter().any(|user| text.contains(user)) {
@@ -201,7 +201,7 @@ fn color(color: Rgb565) -> String {
     format!("Rgb565::new({}, {}, {})", color.r(), color.g(), color.b())
 }
 
-/// An angle in hundredths of a degree.
+/// An angle in hundredths of a degree, as Rust.
 fn angle(hundredths: i32) -> String {
     match hundredths % 100 {
         0 => format!("Angle::degrees({})", hundredths / 100),
@@ -209,7 +209,7 @@ fn angle(hundredths: i32) -> String {
     }
 }
 
-/// A `Result` of a camera; numbers are bits, so that they are those of the page.
+/// The camera as Rust, an expression of type `Result`. Numbers are written as bits, so that they equal the page's exactly.
 fn camera(lens: &Lens) -> String {
     let bits = |scalar: pinhole::Scalar| format!("pinhole::Scalar::from_bits({})", scalar.to_bits());
     let rectangle = |Window { left, right, bottom, top }: Window| {
@@ -281,11 +281,11 @@ fn script(text: &str, choice: &Choice, model: &str) -> Result<String, String> {
     if options.edges == Edges::None {
         return replaced(&text, "edges: Edges::None, ..", &format!("edges: Edges::None{fields}, .."));
     }
-    // Hidden lines: their template has edge faces.
+    // The template of hidden lines has edge faces already.
     replaced(&text, "degrees: 30.0 }", &format!("degrees: 1.0 }}{fields}"))
 }
 
-/// The manifest, as `boards/new` makes it, in a folder beside the repository's.
+/// The manifest as `boards/new` writes it, for a folder beside the repository's.
 fn manifest(text: &str, choice: &Choice) -> Result<String, String> {
     let lines = text.lines().filter(|line| !line.contains("{%"));
     let text: String = lines.map(|line| line.replace("\"../..", "\"../pinhole") + "\n").collect();
@@ -297,7 +297,7 @@ fn manifest(text: &str, choice: &Choice) -> Result<String, String> {
     replaced(&text, plain, &plain.replace(" }", ", features = [\"decimate\"] }"))
 }
 
-/// The README of a folder that lies beside the repository and needs not be made from the template.
+/// The README for a folder that lies beside the repository and is complete, so it does not say how to make one from the template.
 fn readme(text: &str) -> String {
     let text = text.replace("](../", "](../pinhole/boards/").replace("/boards/../", "/");
     text.split_inclusive('\n').filter(|line| !line.contains("pinhole/boards/new ")).collect()
@@ -325,7 +325,7 @@ mod tests {
         assert_eq!(script(SCRIPT, &Choice::default(), "model.stl").as_deref(), Ok(SCRIPT));
     }
 
-    /// Of the template of hidden lines: where the page draws them by another angle, and with another camera.
+    /// The template of hidden lines: the page changes its angle of edges and its camera.
     #[test]
     fn hidden_lines_have_the_colors_the_camera_and_the_edges_of_the_choice() {
         let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_num(1));
@@ -363,7 +363,7 @@ mod tests {
         import_bytes(obj.into_bytes(), "part.obj".as_ref(), &options).expect("a mesh")
     }
 
-    /// Two colours of the page are one bit a texel in the firmware.
+    /// A picture of two colours on the page has one bit per texel in the firmware.
     #[test]
     fn a_texture_is_a_file_of_its_own() {
         let look = choice("style=textured&texture=grid&color=ff8000");

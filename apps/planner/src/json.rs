@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-/// A text in quotation marks.
+/// A text in quotation marks, with special characters escaped.
 pub(crate) fn text(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {

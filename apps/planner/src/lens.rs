@@ -1,11 +1,11 @@
-//! The camera of a choice, by the constructors that firmware has.
+//! The camera of a choice, made by the constructors that firmware uses.
 
 use crate::choice::Choice;
 use crate::projections::{Kind, Named};
 use embedded_graphics_core::geometry::Point;
 use pinhole::{Angle, Camera, Projection, Scalar, Sphere, ViewTransform, Viewport, Window};
 
-/// The projection of a name.
+/// The projection of this name.
 pub(crate) fn named(name: &str) -> Result<Named, String> {
     Named::ALL.iter().find(|named| named.name == name).copied().ok_or_else(|| {
         let names: Vec<_> = Named::ALL.iter().map(|named| named.name).collect();
@@ -13,22 +13,22 @@ pub(crate) fn named(name: &str) -> Result<Named, String> {
     })
 }
 
-/// A projection with its numbers.
+/// A projection with its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Lens {
-    /// `Camera::framing`, and the distances of its near and far plane.
+    /// [`Camera::framing`], with the distances of its near and far planes.
     Framing { field_of_view: i32, range: [f64; 2] },
-    /// A perspective that is magnified, moved, or whose view plane is upright. The eye looks at a point beside the centre.
+    /// A perspective that is magnified or moved, or whose view plane is upright. The eye looks at a point beside the centre.
     Frustum { aside: [Scalar; 3], distance: Scalar, window: Window, near: Scalar, far: Scalar },
-    /// The eye is the centre of the mesh, and the depth runs from before it to behind it.
+    /// The eye is at the centre of the mesh, and depth runs from in front of it to behind it.
     Orthographic { window: Window, depth: Scalar },
-    /// As [`Lens::Orthographic`]; the angle in hundredths of a degree.
+    /// Like [`Lens::Orthographic`]; the angle is in hundredths of a degree.
     Oblique { window: Window, depth: Scalar, angle: i32, factor: Scalar },
-    /// From clip space of a view whose origin is the centre of the mesh.
+    /// From a view whose origin is the centre of the mesh to clip space.
     Matrix([[f64; 4]; 4]),
 }
 
-/// The part of the narrower half side that the bounding sphere fills, as in [`Camera::framing`].
+/// The part of half the narrower side that the bounding sphere fills, as in [`Camera::framing`].
 const FILL: f64 = 31.0 / 32.0;
 
 impl Lens {
@@ -39,7 +39,7 @@ impl Lens {
         let (width, height) = (f64::from(choice.size.width), f64::from(choice.size.height));
         let narrow = width.min(height);
         let pan = choice.pan.map(|pan| f64::from(pan) / 1000.0);
-        // Half a narrower side, and how far the window is off the axis.
+        // The window of a given half narrower side, off the axis by `off`.
         let window = |half: f64, off: [f64; 2]| {
             let unit = half / zoom / narrow;
             let [x, y] = [0, 1].map(|axis| pan[axis] * half / zoom - off[axis]);
@@ -110,7 +110,8 @@ impl Lens {
         }
     }
 
-    /// The distance of a point that has a depth, along the direction of view. Only ratios count: in a parallel projection all are 1.
+    /// The distance along the direction of view of a point with this depth. Only ratios of distances are used: in a parallel
+    /// projection all are 1.
     pub(crate) fn distance(&self, depth: u16) -> f64 {
         let depth = f64::from(depth) / 65_535.0;
         let between = |near: f64, far: f64| far * near / (far - (far - near) * depth);
@@ -156,9 +157,9 @@ impl Lens {
     }
 }
 
-/// Of an upright view plane, the yaw of its normal in hundredths of a degree, and the slope of the projectors to the right and up,
-/// per unit towards the eye: that of `Kind::stance`, by integer angles, which are the same in every browser. `None` for a plane that
-/// is perpendicular to the direction of view.
+/// For an upright view plane: the yaw of its normal in hundredths of a degree, and the slope of the projectors to the right and
+/// up, per unit towards the eye. Computed like `Kind::stance`, but by integer angles, which are equal in every browser. `None`
+/// for a plane perpendicular to the direction of view.
 fn upright(choice: &Choice) -> Option<(i32, [f64; 2])> {
     let kind = choice.projection.kind;
     let steepest = (100.0 * kind.steepest()) as i32; // 7000
@@ -167,7 +168,7 @@ fn upright(choice: &Choice) -> Option<(i32, [f64; 2])> {
     match kind {
         Kind::Upright => Some((choice.yaw, [0.0, up])),
         Kind::Frontal => {
-            // The nearest axis; half way between two, the one that is farther from yaw 0.
+            // The nearest axis; half way between two axes, the one farther from yaw 0.
             let axis = (choice.yaw.abs() + 4500) / 9000 * 9000 * choice.yaw.signum();
             let (sine, cosine) = sine_cosine(choice.yaw - axis);
             Some((axis, [sine / cosine, up / cosine]))
@@ -176,7 +177,7 @@ fn upright(choice: &Choice) -> Option<(i32, [f64; 2])> {
     }
 }
 
-/// Of an angle in hundredths of a degree.
+/// Sine and cosine of an angle in hundredths of a degree.
 fn sine_cosine(angle: i32) -> (f64, f64) {
     // In 2⁻³⁰.
     let (sine, cosine) = Angle::turns(angle, 36_000).sin_cos();
@@ -188,7 +189,7 @@ pub(crate) fn direction(choice: &Choice) -> [i32; 2] {
     upright(choice).map_or([choice.yaw, choice.pitch], |(yaw, _)| [yaw, 0])
 }
 
-/// The nearest number of the library's; lengths here are far below its 32 768.
+/// The library's nearest number; lengths here are far below its limit of 32 768.
 fn scalar(value: f64) -> Scalar {
     Scalar::from_bits((value * 65_536.0).round() as i32)
 }
@@ -216,7 +217,7 @@ mod tests {
         }
     }
 
-    /// By points of the sphere, near to and far from the eye.
+    /// Checks points of the sphere, near to and far from the eye.
     #[test]
     fn the_sphere_fills_the_picture_and_its_centre_is_in_the_middle() {
         let sphere = Sphere::new(Point3::from_ints(1, -2, 3), Scalar::from_num(1.5));

@@ -1,7 +1,7 @@
-//! The planner's library: draws a model as firmware will, on the display of a microcontroller. The page in `page` has it as
-//! WebAssembly; tests have it on the host, where it draws the same pixels.
+//! The planner's library: draws a model on the display of a microcontroller, as firmware would. The page in `page` runs it as
+//! WebAssembly; tests run it on the host, where it draws equal pixels.
 //!
-//! A [`Choice`] is everything that the user chose, and its text is what the page has in its address.
+//! A [`Choice`] is everything that the user chose; its text form is the end of the page's address.
 
 mod choice;
 mod corners;

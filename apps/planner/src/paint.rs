@@ -1,5 +1,6 @@
-//! Shaders for a display whose format is known only when the page runs. All formats share one copy of the code that draws faces, so
-//! that the library for browsers is small: a colour is its bits, and a shader is set up for its format by a call at run time.
+//! Shaders for a display whose format is known only when the page runs. All formats share one copy of the code that draws faces,
+//! so that the library for browsers is small: a colour is stored as its bits, and a shader is set up for its format by a call at
+//! run time.
 
 use crate::display::{Format, Shown};
 use embedded_graphics_core::pixelcolor::raw::RawU16;
@@ -76,12 +77,12 @@ impl Format {
         by_format!(self, C => C::decode(color.encode()).into())
     }
 
-    /// The bytes of so many rows.
+    /// The bytes of `rows` rows of `width` pixels.
     pub(crate) fn bytes(self, width: u32, rows: u32) -> usize {
         by_format!(self, C => pinhole::Frame::<C>::strip_bytes(width, rows))
     }
 
-    /// The nearest colour in a level of light. One of few colours has no shades, and is not dimmed.
+    /// The nearest colour at a level of light. Formats of few colours have no shades, so their colours are not dimmed.
     pub(crate) fn dimmed(self, color: Rgb888, level: u16) -> Stored {
         match self {
             Self::Rgb565 => Stored::of(Rgb565::from(color).dim(level)),
@@ -115,12 +116,12 @@ impl LitTexels for Picture<'_> {
     const LEVEL_BITS: u32 = 8;
 
     fn lit_texel(&self, u: u32, v: u32, level: u32) -> Stored {
-        // As the library dims texels: 0 … 256, at most ½ from level·256/255.
+        // As the library dims texels: the level becomes 0 … 256, at most ½ from level·256/255.
         self.format.dimmed(self.texels.texel(u, v), (level + (level >> 7)) as u16)
     }
 }
 
-/// What a face is filled with.
+/// The content of a face.
 #[derive(Clone, Copy)]
 pub(crate) enum Paint<'t> {
     Plain(Stored),

@@ -1,4 +1,4 @@
-//! The model of the moment, and what is asked about it.
+//! The loaded model, and the page's queries about it.
 
 use crate::choice::{Choice, Style, TURNS};
 use crate::cost;
@@ -14,23 +14,23 @@ use crate::warning::remedies;
 use pinhole_import::{import_bytes, Axis, ImportedMesh, Options};
 use std::borrow::Cow;
 
-/// Frames of a GIF file: a part of the steps of a turn.
+/// The frames of a GIF file: every third step of a turn.
 const FRAMES: u32 = TURNS / 3;
 
-/// A file that was loaded, and the mesh that was made of it or of a ready mesh.
+/// The loaded file, and the mesh that was made last, from this file or a ready mesh.
 #[derive(Default)]
 pub struct Planner {
     file: Option<(String, Vec<u8>)>,
-    /// The picture that was loaded.
+    /// The loaded picture.
     picture: TextureImage,
-    /// With what it was made of.
+    /// The mesh, with the name and the options that it was made from.
     mesh: Option<(String, Options, ImportedMesh)>,
-    /// A GIF file that is not complete yet: of the file and the picture that are loaded.
+    /// A GIF file in the making, of the loaded file and picture.
     film: Option<Film>,
 }
 
 impl Planner {
-    /// Takes a file, which a choice then calls `file`.
+    /// Takes a file, which choices then name `file`.
     pub fn load(&mut self, name: &str, bytes: Vec<u8>) {
         self.file = Some((name.into(), bytes));
         self.mesh = None;
@@ -41,18 +41,19 @@ impl Planner {
     ///
     /// # Errors
     ///
-    /// Sides that a texture cannot have.
+    /// If a side is none that a texture can have.
     pub fn load_picture(&mut self, bytes: &[u8], width: usize) -> Result<(), String> {
         self.picture = TextureImage::from_rgba(bytes, width)?;
         self.film = None;
         Ok(())
     }
 
-    /// Draws a frame by a choice: red, green, blue and opacity of each pixel, row by row, and what it was, as JSON.
+    /// Draws a frame of a choice. Returns red, green, blue and opacity of each pixel, row by row, and a description of the frame
+    /// as JSON.
     ///
     /// # Errors
     ///
-    /// The problems of the choice and the model, each with its remedy.
+    /// What is wrong with the choice or the model, with a remedy.
     pub fn draw(&mut self, choice: &Choice) -> Result<(Vec<u8>, String), String> {
         self.mesh(choice)?;
         let mesh = self.made()?;
@@ -76,12 +77,12 @@ impl Planner {
         Ok((drawn.pixels, what))
     }
 
-    /// Draws and encodes the next frame of a turn of the model by a choice, as a GIF file: the first one where `begins` has a choice,
-    /// else that of the film that was begun last. Gives the frames that are done, and all that there are.
+    /// Draws and encodes the next frame of a turn of the model, for a GIF file. `begins` is the choice of a new film; with
+    /// `None`, the film begun last continues. Returns the number of frames done and the number of all frames.
     ///
     /// # Errors
     ///
-    /// As [`draw`](Self::draw).
+    /// The errors of [`draw`](Self::draw).
     pub fn film(&mut self, begins: Option<&Choice>) -> Result<[u32; 2], String> {
         let film = match begins {
             Some(choice) => Some(Film::new(choice.clone(), FRAMES)?),
@@ -96,11 +97,11 @@ impl Planner {
         Ok(frames)
     }
 
-    /// The GIF file of the film, as far as it is done.
+    /// The GIF file of the film, with the frames drawn so far.
     ///
     /// # Errors
     ///
-    /// Where none was begun.
+    /// If no film was begun.
     pub fn gif(&mut self) -> Result<Vec<u8>, String> {
         self.film.take().ok_or("no film was begun")?.finish()
     }
@@ -109,18 +110,18 @@ impl Planner {
     ///
     /// # Errors
     ///
-    /// As [`draw`](Self::draw).
+    /// The errors of [`draw`](Self::draw).
     pub fn costs(&mut self, choice: &Choice) -> Result<String, String> {
         self.mesh(choice)?;
         cost::costs(self.made()?, choice, &self.image(choice))
     }
 
-    /// A file of a template for firmware, as it is in the firmware of a choice; for textured faces also `src/texture.rs`, made from the
-    /// template's `src/picture.rs`.
+    /// A file of a firmware template, changed for a choice; for textured faces also `src/texture.rs`, made from the template's
+    /// `src/picture.rs`.
     ///
     /// # Errors
     ///
-    /// As [`draw`](Self::draw), and what no template draws.
+    /// The errors of [`draw`](Self::draw), and a choice that no template draws.
     pub fn firmware(&mut self, choice: &Choice, path: &str, template: &str) -> Result<String, String> {
         if path == "src/texture.rs" {
             self.mesh(choice)?;
@@ -138,24 +139,24 @@ impl Planner {
     ///
     /// # Errors
     ///
-    /// As [`draw`](Self::draw).
+    /// The errors of [`draw`](Self::draw).
     pub fn rust(&mut self, choice: &Choice) -> Result<String, String> {
         let (name, _) = self.source(choice)?;
         let source = self.mesh(choice)?.to_rust_mesh("MODEL", name.as_ref(), "the planner of pinhole");
         source.ok_or_else(|| "MODEL is no name of a constant".into())
     }
 
-    /// The name that the model's file has in the folder of a firmware, and its bytes.
+    /// The name of the model's file in the folder of a firmware, and the file's bytes.
     ///
     /// # Errors
     ///
-    /// Where there is no file.
+    /// If there is no file.
     pub fn model(&self, choice: &Choice) -> Result<(&'static str, Vec<u8>), String> {
         let (name, bytes) = self.source(choice)?;
         Ok((firmware::model_file(&name), bytes))
     }
 
-    /// The file that a mesh is made of.
+    /// The file of the chosen mesh, with its name.
     fn source(&self, choice: &Choice) -> Result<(String, Vec<u8>), String> {
         match ready::file(&choice.mesh) {
             Some(file) => Ok(file),
@@ -165,7 +166,7 @@ impl Planner {
         }
     }
 
-    /// The mesh of a choice, made again only where it is another one.
+    /// The mesh of a choice, made again only if it differs from the last one.
     fn mesh(&mut self, choice: &Choice) -> Result<&ImportedMesh, String> {
         let options = choice.options();
         let is_made = matches!(&self.mesh, Some((name, made, _)) if *name == choice.mesh && *made == options);
@@ -177,7 +178,7 @@ impl Planner {
         self.made()
     }
 
-    /// What textured faces show.
+    /// The texture of the choice.
     fn image(&self, choice: &Choice) -> Cow<'_, TextureImage> {
         TextureImage::ready(choice).map_or(Cow::Borrowed(&self.picture), Cow::Owned)
     }
@@ -192,7 +193,7 @@ impl Planner {
         Named::ALL.iter().map(|named| named.name)
     }
 
-    /// What there is to choose from, as JSON.
+    /// The options of the page, as JSON.
     pub fn menu() -> String {
         let names = |names: &mut dyn Iterator<Item = &str>| list(names.map(text));
         let displays = DISPLAYS.iter().map(|display| {
@@ -216,7 +217,7 @@ impl Planner {
             ("meshes", names(&mut READY.iter().map(|(name, _)| *name))),
             ("displays", list(displays)),
             ("formats", names(&mut Format::ALL.iter().map(|(name, _)| *name))),
-            // Formats in which faces are always dithered.
+            // The formats in which faces are always dithered.
             ("dithered", {
                 let dithered = Format::ALL.iter().filter(|(_, format)| format.always_dithers());
                 names(&mut dithered.map(|(name, _)| *name))
@@ -231,7 +232,7 @@ impl Planner {
     }
 }
 
-/// A model's size, and what is doubtful about it.
+/// The size of a model, and the warnings about it.
 fn about(mesh: &ImportedMesh, choice: &Choice) -> String {
     let is_laid_on = choice.style == Style::Textured && mesh.texture_faces.is_empty();
     let messages = mesh.warnings.iter().map(ToString::to_string).chain(is_laid_on.then(|| BY_SIDES.into()));
@@ -245,7 +246,7 @@ fn about(mesh: &ImportedMesh, choice: &Choice) -> String {
         ("vertices", mesh.vertices.len().to_string()),
         ("faces", mesh.faces.len().to_string()),
         ("edges", mesh.edges.len().to_string()),
-        // Without decimation.
+        // The number of faces without decimation.
         ("all", (mesh.faces.len() + mesh.report.decimated).to_string()),
         ("flash", mesh.flash_bytes().to_string()),
         ("warnings", list(warnings)),

@@ -5,16 +5,16 @@ use pinhole_import::Axis;
 
 /// A mesh of the library, or the triangles of a file.
 pub enum Ready {
-    /// y is up.
+    /// With y up.
     Mesh(Mesh<'static>),
-    /// Vertices and faces of an STL file: z is up.
+    /// Vertices and faces of an STL file, with z up.
     Triangles(&'static [[f32; 3]], &'static [[u16; 3]]),
 }
 
-// GEAR_VERTICES and GEAR_FACES, from the model of the templates: as a file it is four times as large.
+// The constants GEAR_VERTICES and GEAR_FACES, made from the templates' model, whose file is four times as large.
 include!(concat!(env!("OUT_DIR"), "/gear.rs"));
 
-/// Vertices and faces alone: a page without the edges and normals of the ready meshes is 10 KB smaller.
+/// Vertices and faces only: without the edges and normals of the ready meshes, the page is 10 KB smaller.
 const fn bare(vertices: &'static [[i16; 3]], exponent: i8, faces: &'static [[u16; 3]]) -> Ready {
     match Mesh::new(vertices, exponent, faces) {
         Ok(mesh) => Ready::Mesh(mesh),
@@ -45,10 +45,10 @@ pub const READY: [(&str, Ready); 8] = [
     ("floor", bare!(GRID)),
 ];
 
-/// The name of the loaded file, as a mesh.
+/// The name by which a choice names the loaded file as its mesh.
 pub(crate) const FILE: &str = "file";
 
-/// A name that a mesh has.
+/// Checks the name of a mesh.
 pub(crate) fn named(name: &str) -> Result<&'static str, String> {
     let names = || READY.iter().map(|(name, _)| *name).chain([FILE]);
     names()
@@ -56,7 +56,7 @@ pub(crate) fn named(name: &str) -> Result<&'static str, String> {
         .ok_or_else(|| format!("none of {}", names().collect::<Vec<_>>().join(", ")))
 }
 
-/// The axis that is up in a ready mesh, if its file does not say it.
+/// The axis that is up in a ready mesh, if its STL file does not imply it.
 pub(crate) fn up(name: &str) -> Option<Axis> {
     READY.iter().any(|(other, ready)| *other == name && matches!(ready, Ready::Mesh(_))).then_some(Axis::Y)
 }

@@ -1,4 +1,4 @@
-//! What textured faces show, and where on them.
+//! The textures of faces, and their coordinates.
 
 use crate::choice::Choice;
 use crate::corners::corners;
@@ -10,11 +10,11 @@ use pinhole_import::{ImportedMesh, IndexedPicture};
 /// What textured faces show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Pattern {
-    /// Squares of the choice's colour and of a quarter of it.
+    /// Squares in the chosen colour and in a quarter of it.
     Checker,
     /// A grid of lines.
     Grid,
-    /// The picture that was loaded.
+    /// The loaded picture.
     File,
 }
 
@@ -23,16 +23,16 @@ impl Pattern {
         [("checker", Self::Checker), ("grid", Self::Grid), ("file", Self::File)];
 }
 
-/// Colours of a palette.
+/// The most colours of a palette.
 const COLORS: usize = 256;
 
-/// The texels of a picture, row by row, as indices of a palette: of at most 256 colours, as firmware stores them. Its sides are powers
+/// A texture: texels, row by row, as indices into a palette of at most 256 colours, as firmware stores them. Its sides are powers
 /// of two, 8 … 256.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct TextureImage {
     texels: Vec<u8>,
     width: usize,
-    /// All of them, black behind those that are used.
+    /// 256 colours: black after those that are used.
     palette: Vec<Rgb888>,
     used: usize,
 }
@@ -51,7 +51,7 @@ impl TextureImage {
     ///
     /// # Errors
     ///
-    /// Sides that a texture cannot have.
+    /// If a side is none that a texture can have.
     pub(crate) fn from_rgba(bytes: &[u8], width: usize) -> Result<Self, String> {
         let colors = || bytes.chunks_exact(4).filter_map(|texel| texel.first_chunk::<3>()).copied();
         let palette = Palette::of(colors());
@@ -62,7 +62,7 @@ impl TextureImage {
         Ok(image)
     }
 
-    /// A ready pattern in the colour of a choice. `None` for the picture that was loaded.
+    /// A ready pattern in the colour of a choice; `None` for the loaded picture.
     pub(crate) fn ready(choice: &Choice) -> Option<Self> {
         let colors = [1, 4].map(|part| {
             Rgb888::new(choice.color.r() / part, choice.color.g() / part, choice.color.b() / part)
@@ -76,7 +76,7 @@ impl TextureImage {
         Some(Self::new(texels.collect(), SIDE, colors.into()))
     }
 
-    /// Columns and rows.
+    /// The numbers of columns and rows.
     pub(crate) fn sides(&self) -> [usize; 2] {
         [self.width, self.texels.len().checked_div(self.width).unwrap_or(0)]
     }
@@ -85,7 +85,7 @@ impl TextureImage {
     ///
     /// # Errors
     ///
-    /// Where no picture was loaded.
+    /// If no picture was loaded.
     pub(crate) fn texels(&self) -> Result<IndexedTexels<'_, Rgb888, 8>, String> {
         let [width, height] = self.sides();
         if width == 0 {
@@ -94,7 +94,7 @@ impl TextureImage {
         IndexedTexels::new(&self.texels, width, height, &self.palette).map_err(|e| e.to_string())
     }
 
-    /// As firmware for a display in 16-bit colour stores it; `color` is the path of the colours' type.
+    /// The texture as firmware for a display in 16-bit colour stores it; `color` is the path of the colour type.
     pub(crate) fn picture(&self, color: String) -> IndexedPicture {
         let bits = [1, 2, 4].into_iter().find(|bits| 1 << bits >= self.used).unwrap_or(8);
         let [width, height] = self.sides();
@@ -111,23 +111,23 @@ impl TextureImage {
         }
     }
 
-    /// The bytes that the texels and the palette take of flash.
+    /// The bytes of flash that texels and palette take.
     pub(crate) fn flash_bytes(&self) -> usize {
         self.picture(String::from("Rgb565")).flash_bytes()
     }
 }
 
-/// Units of a coordinate that the texture's side takes: a model that is as large as coordinates allow shows it four times.
+/// The exponent of the coordinates' unit, in sides of the texture: a model of the largest size repeats the texture four times.
 pub(crate) const UNIT: i8 = -14;
 
 /// The warning about a model whose texture coordinates the planner makes.
 pub(crate) const BY_SIDES: &str = "no texture coordinates: the picture is laid on from six sides; for coordinates of your own, unwrap the model (UV) in the program that made it and export an OBJ file with `vt` lines";
 
-/// Where the corners of faces lie on a texture.
+/// Where the texture coordinates of faces come from.
 #[derive(Clone, Copy)]
 pub(crate) enum Coordinates<'a> {
     OfFile(TextureCoords<'a>),
-    /// Each face takes them from two of its corners' coordinates.
+    /// Computed from two of each corner's coordinates.
     BySides(&'a Mesh<'a>),
 }
 
@@ -137,7 +137,7 @@ impl<'a> Coordinates<'a> {
         Ok(of_file.map_or(Self::BySides(mesh), Self::OfFile))
     }
 
-    /// The unit of coordinates as a power of two, in sides of the texture.
+    /// The exponent of the unit of coordinates, in sides of the texture.
     pub(crate) fn exponent(&self) -> i8 {
         match self {
             Self::OfFile(coords) => coords.exponent(),

@@ -1,10 +1,10 @@
 //! The importer's warnings, and the remedies that they name.
 
-/// What helps: parts of a choice that the page has a button for.
+/// The remedies for which the page has a button: options of the importer.
 const REMEDIES: [(&str, &str); 3] =
     [("--two-sided", "two-sided"), ("--fix-winding", "fix-winding"), ("--flip", "flip")];
 
-/// A remedy that a message names: the part of a choice, and its value.
+/// The remedies that a message names: the part of a choice, and its value.
 pub(crate) fn remedies(message: &str) -> Vec<(&'static str, bool)> {
     // "leave out --flip", "use --fix-winding instead of --flip".
     let is_left_out = |option: &str| {

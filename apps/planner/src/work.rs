@@ -1,4 +1,5 @@
-//! The work of a frame in the terms of docs/growth.md: what there is of each thing that costs instructions.
+//! The work of a frame in the terms of docs/growth.md: the numbers of vertices, faces, rows, pixels and so on, each of which
+//! costs instructions.
 
 use core::convert::Infallible;
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -20,7 +21,7 @@ pub(crate) struct FaceWork {
     rows: u32,
     pixels: u32,
     size: Size,
-    /// The drawn faces that are not cut.
+    /// The drawn faces that clipping does not cut.
     extents: Vec<Extent>,
     /// Whether each face is drawn.
     is_drawn: Vec<bool>,
@@ -45,14 +46,14 @@ pub(crate) struct LineWork {
     cut: u32,
     pixels: u32,
     size: Size,
-    /// The first and the last row of each edge that is not clipped, and the number of drawn faces beside it.
+    /// The first and the last row of each edge that is not clipped, and the number of drawn faces beside the edge.
     extents: Vec<([i32; 2], u32)>,
 }
 
-/// Rows up to which a triangle between the left and the right border takes a fast path.
+/// A triangle of at most this many rows between the left and the right border takes a fast path.
 const LOW: i32 = 31;
 
-/// Draws the faces of an instance into a watch. Gives those that are drawn, too.
+/// Draws the faces of an instance into a counting target. Also returns the drawn faces.
 fn watched(instance: &MeshInstance<'_>, size: Size) -> (Watch, Statistics, Vec<usize>) {
     let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().cache_len()];
     let (mut watch, mut seen) = (Watch::new(size), Vec::new());
@@ -81,7 +82,7 @@ impl FaceWork {
             Some([a?, b?, c?])
         };
         let must_be_clipped = mesh.faces().iter().filter(|face| corners(face).is_none()).count() as u32;
-        // Faces outside, front and back, are part of `must_be_clipped`, but need no clipping.
+        // Faces in front of the near plane or beyond the far plane count in `must_be_clipped`, but need no clipping.
         let outside = match must_be_clipped {
             0 => statistics.outside,
             _ => watched(&instance.with_cull(Cull::None), size).1.outside,
@@ -105,11 +106,12 @@ impl FaceWork {
             let is_low = is_within && y[1] - y[0] <= LOW << 8;
             let is_large = !(is_beside || is_low);
             large += u32::from(is_large);
-            // Rows whose centres, at half a pixel, lie between both.
+            // The rows whose centres, at half a pixel, lie between the first and the last point.
             let row = |at: i32| (at + 127) >> 8;
             let rows = [row(y[0]).max(0), (row(y[1]) - 1).min(size.height as i32 - 1)];
             let is_in_perspective = !is_linear(face, corners);
-            // Half the product of its sides; of a face across the border, the part of its rectangle that lies inside.
+            // Half the area of the face's bounding rectangle; for a face across the border, only the part of the rectangle
+            // inside.
             let pixels =
                 if is_in_perspective { area(corners) * inside(x, width) * inside(y, height) } else { 0.0 };
             extents.push(Extent { rows, pixels, is_large, is_in_perspective });
@@ -153,7 +155,7 @@ impl FaceWork {
         .map(f64::from)
     }
 
-    /// The counts of a frame in bands of so many rows, in the order of docs/growth.md.
+    /// The counts of a frame in bands of `rows` rows, in the order of docs/growth.md.
     pub(crate) fn in_bands(&self, rows: u32) -> [f64; 13] {
         let (mut all, mut large) = (0, 0);
         for extent in &self.extents {
@@ -161,7 +163,7 @@ impl FaceWork {
             large += if extent.is_large { met(extent.rows, rows) } else { 0 };
         }
         let bands = self.size.height.div_ceil(rows.max(1));
-        // A cut face is clipped again in each band that it may reach: in all.
+        // A cut face is clipped again in each band that it may reach; here, in all of them.
         let cut = self.cut * bands;
         [
             1,
@@ -183,7 +185,7 @@ impl FaceWork {
 }
 
 impl FaceWork {
-    /// The counts of a frame of textured faces in bands of so many rows, in the order of docs/growth.md.
+    /// The counts of a frame of textured faces in bands of `rows` rows, in the order of docs/growth.md.
     pub(crate) fn textured_in_bands(&self, rows: u32) -> [f64; 13] {
         let [frame, vertices, _, _, _, _, met_all, large, cut, of_faces, pixels, area, bands] =
             self.in_bands(rows);
@@ -198,14 +200,15 @@ impl FaceWork {
         [frame, vertices, all, met_all, large, cut, of_faces, pixels, area, bands, met, rows, inside]
     }
 
-    /// The counts of a frame in painter's order, in one piece, in the order of docs/growth.md. There is room for each vertex.
+    /// The counts of a frame in painter's order, in one piece, in the order of docs/growth.md. The cache has room for all
+    /// vertices.
     pub(crate) fn painted(&self) -> [f64; 11] {
         let mut counts = self.whole();
         counts[0] = counts[1];
         counts
     }
 
-    /// The counts of a frame in painter's order, in bands of so many rows, in the order of docs/growth.md.
+    /// The counts of a frame in painter's order, in bands of `rows` rows, in the order of docs/growth.md.
     pub(crate) fn painted_in_bands(&self, rows: u32) -> [f64; 12] {
         let [_, vertices, _, _, _, cut, met, large, cut_in_bands, of_faces, pixels, area, bands] =
             self.in_bands(rows);
@@ -214,7 +217,8 @@ impl FaceWork {
         [vertices, vertices, all, drawn, cut, drawn * bands, met, large, of_faces, pixels, area, bands]
     }
 
-    /// The counts of a frame of faces in another shade, or without depth, in bands of so many rows, in the order of docs/growth.md.
+    /// The counts of a frame of faces with another shading, or without depth, in bands of `rows` rows, in the order of
+    /// docs/growth.md.
     pub(crate) fn shaded_in_bands(&self, rows: u32) -> [f64; 11] {
         let [frame, vertices, _, _, _, cut, met, large, cut_in_bands, of_faces, pixels, area, bands] =
             self.in_bands(rows);
@@ -223,7 +227,7 @@ impl FaceWork {
     }
 }
 
-/// The number of bands of so many rows that the first and the last row and those between them touch.
+/// The number of bands of `rows` rows that the rows `first` to `last` touch.
 fn met([first, last]: [i32; 2], rows: u32) -> u32 {
     let band = |row: i32| row / rows.max(1) as i32; // at most 1024
     if last < first {
@@ -233,7 +237,7 @@ fn met([first, last]: [i32; 2], rows: u32) -> u32 {
     }
 }
 
-/// The counts of a frame of hidden lines in bands of so many rows, in the order of docs/growth.md.
+/// The counts of a frame of hidden lines in bands of `rows` rows, in the order of docs/growth.md.
 pub(crate) fn hidden_in_bands(faces: &FaceWork, lines: &LineWork, rows: u32) -> [f64; 15] {
     let [frame, vertices, all, cut, met, large, cut_in_bands, of_faces, pixels, area, bands] =
         faces.shaded_in_bands(rows);
@@ -259,7 +263,7 @@ pub(crate) fn hidden_in_bands(faces: &FaceWork, lines: &LineWork, rows: u32) -> 
 }
 
 impl LineWork {
-    /// Counts the work of the edges of an instance on a display of a size; `faces`: what is drawn of its faces, if they hide lines.
+    /// Counts the work of the edges of an instance on a display of a size. `faces` is the work of its faces, if they hide lines.
     pub(crate) fn new(instance: &MeshInstance<'_>, size: Size, faces: Option<&FaceWork>) -> Self {
         let mesh = instance.mesh();
         let mut watch = Watch::new(size);
@@ -312,7 +316,7 @@ impl LineWork {
             .map(f64::from)
     }
 
-    /// The edges in each band of so many rows, and the drawn faces beside these edges.
+    /// The edges in each band of `rows` rows, summed over the bands, and the drawn faces beside these edges.
     fn met(&self, rows: u32) -> (u32, u32) {
         // An edge that is cut may reach every band, with two faces beside it.
         let cut = self.cut * self.size.height.div_ceil(rows.max(1));
@@ -322,7 +326,7 @@ impl LineWork {
         })
     }
 
-    /// The counts of a frame in bands of so many rows, in the order of docs/growth.md.
+    /// The counts of a frame in bands of `rows` rows, in the order of docs/growth.md.
     pub(crate) fn in_bands(&self, rows: u32) -> [f64; 8] {
         let (met, _) = self.met(rows);
         let bands = self.size.height.div_ceil(rows.max(1));
@@ -339,7 +343,7 @@ fn area([a, b, c]: [Projected; 3]) -> f64 {
     (bx * cy - by * cx).abs() / 2.0
 }
 
-/// The part of what reaches from one place to another that lies between 0 and `side`.
+/// The part of the range `from` … `to` that lies between 0 and `side`.
 fn inside([from, to]: [i32; 2], side: i32) -> f64 {
     f64::from((to.min(side) - from.max(0)).max(0)) / f64::from((to - from).max(1))
 }
@@ -372,13 +376,13 @@ impl DrawTarget for Watch {
     type Error = Infallible;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<BinaryColor>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        // A line: its pixels lie in the picture.
+        // The pixels of a line, which lie in the picture.
         self.pixels += pixels.into_iter().count() as u32;
         Ok(())
     }
 
     fn fill_solid(&mut self, area: &Rectangle, _: BinaryColor) -> Result<(), Infallible> {
-        // One row of a face; where a large one is as wide as the picture, many.
+        // One row of a face; for a face wider than the picture, several rows at once.
         self.rows += area.size.height;
         self.pixels += area.size.width * area.size.height;
         Ok(())

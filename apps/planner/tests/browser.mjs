@@ -1,4 +1,4 @@
-// The page in a headless Chromium, from disk: what a user does with mouse, keys, files and buttons.
+// Tests the page in a headless Chromium, opened from disk: what a user does with mouse, keys, files and buttons.
 //
 //   node browser.mjs PAGE PLAYWRIGHT [FOLDER]
 //
@@ -140,7 +140,7 @@ const tests = {
     await load(tab, 'sheet.obj', Buffer.from(SHEET));
     assert.doesNotMatch(await tab.textContent('#warnings'), /texture coordinates/);
     await tab.selectOption('#projection', 'front');
-    // The model faces the eye, and so shows the halves as they are.
+    // The model faces the eye, so the halves of the picture are seen side by side.
     await dropPicture(tab);
     await tab.locator('#ambient').fill('256');
     await settled(tab);
@@ -162,7 +162,7 @@ const tests = {
     const [download] = await Promise.all([tab.waitForEvent('download'), tab.click('#gif')]);
     assert.equal(download.suggestedFilename(), 'gear.gif');
     const bytes = readFileSync(await download.path());
-    // By the browser's own decoder: how many frames, how long they last, and the pixels of one of them.
+    // Decodes a film by the browser's own decoder: the number of frames, their duration, and the pixels of one frame.
     const decoded = (index) => tab.evaluate(async ([bytes, index]) => {
       const decoder = new ImageDecoder({ data: new Uint8Array(bytes), type: 'image/gif' });
       await decoder.tracks.ready;
@@ -193,7 +193,7 @@ const tests = {
     tab.on('download', (download) => files.push(download.suggestedFilename()));
     const slow = await tab.context().newCDPSession(tab);
     await slow.send('Emulation.setCPUThrottlingRate', { rate: 4 });
-    // As a user has it who saves and then orbits: pictures of the display and of the film in turn.
+    // A user saves a film and then orbits: the display and the film are drawn in turn.
     const before = await pixels(tab);
     await tab.click('#gif');
     assert.ok(await tab.isDisabled('#gif'));
@@ -207,7 +207,7 @@ const tests = {
     await tab.waitForFunction(() => !document.querySelector('#gif').disabled);
     assert.match(await tab.textContent('#status'), /cancelled/);
     assert.ok(!(await tab.isVisible('#filming')));
-    // Another file cancels it, too.
+    // Loading another file also cancels the film.
     await tab.click('#gif');
     await tab.waitForFunction(() => document.querySelector('#filmed').value >= 1);
     await load(tab, 'other.stl', stl(12));
@@ -246,7 +246,7 @@ const tests = {
   },
 
   async 'a file of 50 MB is read'(tab) {
-    // A million triangles, of a hundred bodies that lie in one another: duplicates are dropped.
+    // A million triangles in a hundred copies of a body: duplicates are dropped.
     const once = stl(10_000).subarray(84);
     const count = Math.ceil(50e6 / once.length);
     const header = Buffer.alloc(84);
@@ -374,7 +374,7 @@ const tests = {
     assert.match(readFileSync(await (await saves('#picture')).path(), 'utf8'), /pinhole::Projection::oblique\(/);
     assert.match(readFileSync(await (await saves('#rust')).path(), 'utf8'), /pub const MODEL: pinhole::Mesh/);
 
-    // Textured faces have a file more: of a model without coordinates, and of one with coordinates and a picture.
+    // Textured faces have one more file: for a model without coordinates, and for one with coordinates and a picture.
     const texture = async () => readFileSync(await (await saves('#texels')).path(), 'utf8');
     assert.ok(!(await tab.isVisible('#texels')));
     await tab.selectOption('#style', 'textured');
@@ -459,7 +459,7 @@ const SHEET = 'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 
 const settled = (tab) => tab.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 const pixels = (tab) => tab.evaluate(() => document.querySelector('#display').toDataURL());
 const faces = async (tab) => Number(/([\d\u202f]+) faces/.exec(await tab.textContent('#model'))[1].replaceAll('\u202f', ''));
-// A page that was built without Clang does not.
+// A page built without Clang does not decimate.
 const decimates = (tab) => tab.isVisible('#decimate');
 const isGood = (tab) => tab.evaluate(() => !document.querySelector('#status').classList.contains('bad'));
 
@@ -471,7 +471,7 @@ async function drag(tab, right, down) {
   await tab.mouse.up();
 }
 
-// Chosen by the control, from its bytes or its path; waits for what the page says of it.
+// Chooses a file by the control, given its bytes or its path, and waits until the page describes it.
 async function load(tab, name, buffer, timeout = 30_000) {
   await tab.setInputFiles('#file', typeof buffer === 'string' ? buffer : { name, mimeType: 'application/octet-stream', buffer });
   await tab.waitForFunction((name) => {
@@ -498,7 +498,7 @@ async function dropPicture(tab) {
   await tab.waitForFunction(() => document.querySelector('#texture').selectedOptions[0].textContent === 'halves.png');
 }
 
-// A binary STL file of a surface of triangles around an axis, of no thickness at its ends.
+// A binary STL file of a surface of triangles around an axis, pointed at its ends.
 function stl(count) {
   const bytes = Buffer.alloc(84 + 50 * count);
   bytes.writeUInt32LE(count, 80);
@@ -510,7 +510,7 @@ function stl(count) {
   return bytes;
 }
 
-// One test by a part of its name, while it is written.
+// ONLY selects tests by a part of their name, for work on one of them.
 const only = process.env.ONLY ?? '';
 for (const [name, test] of Object.entries(tests).filter(([name]) => name.includes(only))) {
   const tab = await open();

@@ -1,4 +1,4 @@
-//! What choices say and draw.
+//! How choices are parsed, and what they draw.
 
 use pinhole_planner::{Choice, Planner, Style, DISPLAYS, READY};
 
@@ -103,7 +103,7 @@ fn rows_of_a_band_change_no_pixel() {
     }
 }
 
-/// The emulated board counts cycles of its own; the estimate states how far it may be off.
+/// The emulated board counts its own cycles; the page states how far its estimate may be off.
 #[test]
 fn the_estimate_for_the_rp2040_is_what_the_emulated_board_shows() {
     let readme = include_str!("../../../boards/rp2040-st7789/README.md");
@@ -115,7 +115,7 @@ fn the_estimate_for_the_rp2040_is_what_the_emulated_board_shows() {
     for turn in (0..120).step_by(8) {
         let choice = Choice::parse(&format!("mesh=gear&chip=rp2040&rows=8&turn={turn}")).expect("a choice");
         let costs = planner.costs(&choice).expect("costs");
-        // Of the way that is chosen, which is the first one.
+        // The way that is chosen, which is the first one.
         let number = |name: &str| -> f64 {
             let (_, rest) = costs.split_once(&format!("\"{name}\":")).expect(name);
             rest.trim_start_matches('"')
@@ -143,7 +143,7 @@ fn the_estimate_for_the_rp2040_is_what_the_emulated_board_shows() {
     );
 }
 
-/// Every style has a time of its own on every chip, RISC-V among them, for all bands that are compared.
+/// Every style has a time of its own on every chip, RISC-V among them, in bands of every compared height.
 #[test]
 fn each_style_has_its_own_time_on_each_chip() {
     let mut planner = Planner::default();
@@ -173,7 +173,7 @@ fn each_style_has_its_own_time_on_each_chip() {
     }
 }
 
-/// Of flat faces in 16-bit colour all ways to draw are compared, each with its time; of others those that are measured.
+/// For flat faces in 16-bit colour all ways to draw are compared, each with its time; for other styles the measured ways.
 #[test]
 fn ways_to_draw_are_compared() {
     let mut planner = Planner::default();

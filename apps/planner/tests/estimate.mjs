@@ -2,7 +2,7 @@
 //
 //   node estimate.mjs LIBRARY.wasm CHOICE FRAMES SHOWN
 //
-// SHOWN are the frames per second of the first FRAMES steps of a turn. The page says how far its estimate may be off.
+// SHOWN is the number of frames per second in the first FRAMES steps of a turn. The page states how far its estimate may be off.
 import { withFiles } from './library.mjs';
 
 const [file, choice, frames, shown] = process.argv.slice(2);

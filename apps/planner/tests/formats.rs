@@ -1,5 +1,5 @@
-//! The page's one copy of the drawing code for all formats gives the pixels that firmware has, which is compiled for its format: drawn
-//! here by the library's own shaders, colours and texels, and not in bands.
+//! The page has one copy of the drawing code for all formats. Its pixels equal those of firmware, which is compiled for its
+//! format: drawn here by the library's own shaders, colours and texels, in one piece.
 
 use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Rgb565, Rgb888, RgbColor};
@@ -14,7 +14,7 @@ use pinhole_planner::{Choice, Planner, Tricolor};
 const SIZE: Size = Size::new(101, 83); // rows of some formats do not end with a byte
 const COLOR: Rgb888 = Rgb888::new(0xf8, 0xfc, 0x58);
 
-/// A box, each side with a part of the texture, one with two of it.
+/// A box, each side with a part of the texture; one side shows two parts.
 const BOX: &str = "v -2 -1 -1\nv 2 -1 -1\nv 2 1 -1\nv -2 1 -1\nv -2 -1 1\nv 2 -1 1\nv 2 1 1\nv -2 1 1\n\
     vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 2 0\nvt 2 2\nvt 0 2\n\
     f 5/1 6/2 7/3 8/4\nf 2/1 1/2 4/3 3/4\nf 6/1 2/5 3/6 7/7\nf 1/1 5/2 8/3 4/4\nf 8/1 7/2 3/3 4/4\nf 1/1 2/2 6/3 5/4\n";
@@ -58,12 +58,12 @@ fn page(rest: &str) -> Vec<u8> {
     planner.draw(&Choice::parse(&text).expect(&text)).expect(&text).0
 }
 
-/// The colour as the page hands it to shaders: from 16 bits.
+/// The colour as the page passes it to shaders: converted from 16 bits.
 fn of_16_bits() -> Rgb888 {
     Rgb565::from(COLOR).into()
 }
 
-/// Styles of a format that shades: plain and dithered.
+/// Styles of a format that has shades: plain and dithered.
 fn dithered_are_equal<C: PixelFormat + Channels + From<Rgb888> + Into<Rgb888>>(format: &str) {
     let (flat, smooth) = (model(false), model(true));
     let mesh = smooth.mesh().expect("a mesh");

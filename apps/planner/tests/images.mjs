@@ -1,8 +1,8 @@
-// The firmware of apps/planner/linked: which choice of the page each image draws, and in which way.
+// The firmware of apps/planner/linked: the page's choice and way to draw for each image.
 import { readFileSync } from 'node:fs';
 import '../page/pinhole.js';
 
-// Of each image: the choice, the way to draw in the page's table, and what the source needs to know.
+// For each image: the choice, the way to draw in the page's table, and the parameters of its source.
 export const IMAGES = {
   flat_bands: ['mesh=gear&width=128&height=128&rows=8', 'bands of 8 rows, with depth', 'flat'],
   smooth_bands: ['mesh=teapot&width=160&height=120&style=gouraud&rows=8', 'bands of 8 rows, with depth', 'smooth'],
@@ -21,10 +21,10 @@ export const IMAGES = {
   gray_bands: ['mesh=torus&width=128&height=128&format=gray4&rows=8', 'bands of 8 rows, with depth', 'flat'],
   mono_bands: ['mesh=cylinder&width=200&height=200&format=mono&rows=8', 'bands of 8 rows, with depth', 'dithered'],
 };
-// A chip for each target, of those whose times are compared.
+// For each target, one of the chips whose times are compared.
 export const CHIPS = { 'thumbv6m-none-eabi': 'rp2040', 'thumbv7m-none-eabi': 'stm32f103', 'riscv32imc-unknown-none-elf': 'esp32c3' };
 
-// What the page states of a choice, by the library in a file.
+// The page's costs of a choice, computed by the library in a file.
 export async function costsBy(file) {
   const library = await Pinhole.from(readFileSync(file));
   return { library, costs: (choice) => JSON.parse(library.ask('costs', choice)) };

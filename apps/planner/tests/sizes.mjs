@@ -1,10 +1,10 @@
-// The sizes that the page states, and those of linked firmware:
+// Compares the sizes that the page states with those of linked firmware:
 //
 //   node sizes.mjs LIBRARY.wasm models FOLDER            writes the mesh and the sizes of each image of apps/planner/linked
 //   node sizes.mjs LIBRARY.wasm compare FOLDER...        compares the images in these folders, TARGET/release, with the page
 //
-// RAM is the image's variables, which must be those that the page states; the linker may align each. Flash is what the image has more
-// than one that draws nothing, and must be as near as the page says.
+// RAM is the image's variables, which must equal the page's figure, except that the linker may align each. Flash is the image's
+// flash less that of an image that draws nothing, and must be within the error that the page states.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { CHIPS, IMAGES, costsBy } from './images.mjs';
@@ -26,7 +26,7 @@ function writeModels(folder) {
   }
 }
 
-// What takes flash, and what takes RAM from the start, by the sections of an ELF file of 32 bits.
+// The bytes of flash, and the bytes of RAM that are taken from the start, from the sections of an ELF file of 32 bits.
 function sections(path) {
   const elf = readFileSync(path);
   const [table, size, count] = [elf.readUInt32LE(32), elf.readUInt16LE(46), elf.readUInt16LE(48)];
@@ -34,7 +34,7 @@ function sections(path) {
   let [flash, variables, kinds] = [0, 0, 0];
   for (let at = table; at < table + size * count; at += size) {
     const [name, type, flags, bytes] = [0, 4, 8, 20].map((field) => elf.readUInt32LE(at + field));
-    // riscv-rt gives these all the RAM that is left.
+    // riscv-rt gives all free RAM to these sections.
     if (['.stack', '.heap'].includes(elf.toString('latin1', names + name, elf.indexOf(0, names + name)))) continue;
     const [isWritable, isAllocated, isEmpty] = [flags & 1, flags & 2, type === 8];
     if (isAllocated && !isEmpty) flash += bytes;

@@ -1,4 +1,4 @@
-//! The page draws by default what the templates for firmware draw, by their own code.
+//! By default the page draws what the templates for firmware draw, by their own code.
 
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, Rgb888, RgbColor};
 use embedded_graphics::prelude::{Point, Size};
@@ -36,7 +36,7 @@ fn the_default_picture_is_the_templates() {
     }
 }
 
-/// With the angle of the page's edges, which the firmware that the page saves has, too.
+/// With the page's angle of edges, which the firmware that the page saves has, too.
 #[test]
 fn hidden_lines_are_the_templates() {
     let gear = concat!(env!("CARGO_MANIFEST_DIR"), "/../../boards/stm32-ssd1306/model.stl");
@@ -48,7 +48,7 @@ fn hidden_lines_are_the_templates() {
     let mut depths = vec![0; hidden_lines::PIXELS];
     let bins = [&mut face_bins[..], &mut edge_bins[..]];
     let mut picture = hidden_lines::Picture::new(&mesh, &mut cache, bins, &mut depths).expect("a picture");
-    // The text in the upper left corner is the firmware's own.
+    // The text in the upper left corner is drawn by the firmware alone.
     let text = Rectangle::new(Point::zero(), Size::new(18, 10));
     for turn in [0, 7, 33] {
         let mut turned = picture.turned(turn).expect("a frame");

@@ -1,4 +1,4 @@
-// The instructions and cycles that the page states, and those of linked firmware:
+// Compares the instructions and cycles that the page states with those of linked firmware:
 //
 //   node times.mjs LIBRARY.wasm images           prints the images of apps/planner/linked whose times the page states
 //   node times.mjs LIBRARY.wasm compare FILE     compares what `tools/bench/run images` prints of them, in a file, with the page
@@ -8,7 +8,7 @@ import { IMAGES, costsBy } from './images.mjs';
 const [file, verb, printed] = process.argv.slice(2);
 const { library, costs } = await costsBy(file);
 
-// Of displays with fewer bits a pixel the page says that they take longer, and not how much.
+// For displays with fewer bits per pixel the page states that drawing takes longer, but not how much.
 const timed = Object.entries(IMAGES).filter(([, [choice]]) => costs(choice).exact);
 
 // The page's chips by their names, and the emulated cores of their images.
@@ -22,7 +22,7 @@ function compare(lines) {
     const [choice, name] = IMAGES[image];
     const { ways, cyclesError } = costs(`${choice}&chip=${chips.get(chip)}`);
     const way = ways.find((other) => other.name === name);
-    // Of an ESP32-C3 the likely cycles, between the least and the most.
+    // For an ESP32-C3 the likely cycles, which lie between the least and the most.
     const cycles = Number(taken.length === 3 ? taken[1] : taken[0]);
     const [off, per] = [way.instructions / counted - 1, way.cycles / way.instructions / (cycles / counted) - 1].map((part) => 100 * part);
     const isGood = Math.abs(off) <= way.error && Math.abs(per) <= cyclesError;
@@ -33,7 +33,7 @@ function compare(lines) {
     console.log(`${isGood ? 'ok' : 'WRONG'}: ${chip}, ${image}: instructions ${way.instructions}, counted ${counted}: ${off.toFixed(1)} %, stated ${way.error} %; cycles an instruction ${per.toFixed(1)} %, stated ${cyclesError} %`);
   }
   for (const [what, size] of largest) console.log(`at most ${size.toFixed(1)} %: ${what}`);
-  // Every image on every chip.
+  // Every image was compared on every chip.
   return wrong === 0 && lines.length === timed.length * chips.size;
 }
 

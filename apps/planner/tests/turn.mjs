@@ -2,7 +2,7 @@
 //
 //   node turn.mjs LIBRARY.wasm CHOICE FRAMES OUT
 //
-// The first FRAMES steps of a turn, one picture behind the other; of each pixel two bytes, the high one first.
+// Writes the first FRAMES steps of a turn, one picture after the other, two bytes per pixel, the high byte first.
 import { writeFileSync } from 'node:fs';
 import { withFiles } from './library.mjs';
 

@@ -1,7 +1,9 @@
-//! What the firmware shares: a display that takes pixels and shows nothing, the camera of the templates, and the frames that are counted.
+//! What all images share: a display that takes pixels and shows nothing, the camera of the templates, and counting the
+//! instructions of frames.
 //!
-//! An image's mesh and sizes are in a file of its name in the folder that the variable `PLANNER_MODELS` names: the constants `MODEL`,
-//! `WIDTH`, `HEIGHT`, `ROWS`, `SIDE`, in texels, and `SHADING`; and `Color`, the colours of the display.
+//! The environment variable `PLANNER_MODELS` names a folder with one file per image, of the image's name. The file has the
+//! image's mesh and sizes: the constants `MODEL`, `WIDTH`, `HEIGHT`, `ROWS`, `SIDE` (in texels) and `SHADING`, and the type
+//! `Color` of the display's colours.
 #![no_std]
 
 use bench::board::{println, Clock};
@@ -20,14 +22,14 @@ pub const COLOR: Rgb565 = Rgb565::new(31, 52, 14);
 /// The colour of the model, for shaders.
 pub const LIT: Rgb888 = Rgb888::new(255, 215, 0);
 
-/// A display that shows nothing: a driver is not the library's.
+/// A display that shows nothing: drivers are not part of what is measured.
 pub struct Display<C> {
     size: Size,
     color: PhantomData<C>,
 }
 
 impl<C> Display<C> {
-    /// Of a size that the compiler does not know.
+    /// A display of a size that the compiler does not know.
     pub fn new(width: u32, height: u32) -> Self {
         Self { size: black_box(Size::new(width, height)), color: PhantomData }
     }
@@ -56,7 +58,7 @@ impl<C: PixelColor> DrawTarget for Display<C> {
         colors: I,
     ) -> Result<(), Infallible> {
         black_box(area);
-        // The code is in the image, but sending takes the page's time of the bus.
+        // The code that sends is in the image but not executed: the page computes the time of the bus.
         if black_box(false) {
             colors.into_iter().for_each(|color| _ = black_box(color));
         }
@@ -77,13 +79,13 @@ pub fn light(model: &Affine<pinhole::space::Model, pinhole::space::World>) -> Op
     Lambert::new(model, Vector3::from_ints(2, 3, 4), 48).ok()
 }
 
-/// The level of a face's light.
+/// The light level of a face.
 pub fn level(mesh: &Mesh<'_>, light: &Lambert, face: usize) -> u16 {
     mesh.normals().get(face).map_or(256, |&normal| light.level(normal))
 }
 
-/// Texture coordinates of a face's corners where the mesh has none, as the planner lays a picture on: by the two axes that the face
-/// is turned to least.
+/// Texture coordinates of a face's corners for a mesh that has none, as the planner computes them: from the two axes to which the
+/// face is turned least.
 pub fn coordinates(mesh: &Mesh<'_>, face: usize) -> [[i16; 2]; 3] {
     let normal = mesh.normals().get(face).copied().unwrap_or_default();
     let [x, y, z] = normal.map(i16::unsigned_abs);
@@ -94,11 +96,11 @@ pub fn coordinates(mesh: &Mesh<'_>, face: usize) -> [[i16; 2]; 3] {
     })
 }
 
-/// The steps of a turn, of 120, that are drawn and counted.
+/// The steps of a turn that are drawn and counted, of 120.
 pub const TURNS: [i32; 2] = [0, 23];
 
-/// A firmware that draws a model in the directions of [`TURNS`], and prints a line `turn,instructions` for each: the variables, each
-/// in a static of its own, and what draws a frame.
+/// A firmware that draws a model in the directions of [`TURNS`] and prints a line `turn,instructions` for each. The arguments are
+/// the variables, each in a static of its own, and the function that draws a frame.
 #[macro_export]
 macro_rules! firmware {
     (|$camera:ident, $turn:ident, $display:ident: $color:ty| $($name:ident: $type:ty = $start:expr,)* $body:block) => {
@@ -128,7 +130,7 @@ macro_rules! firmware {
     };
 }
 
-/// Where a firmware starts, which is done well if this is not `None`.
+/// The entry point of a firmware, whose body returns `None` if it fails.
 #[macro_export]
 macro_rules! start {
     ($run:expr) => {

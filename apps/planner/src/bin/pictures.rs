@@ -1,5 +1,5 @@
-//! Draws every ready mesh in every style on every display, and prints a checksum of each picture: `CHOICE CHECKSUM`. With lines
-//! of choices as input, draws these.
+//! Draws every ready mesh in every style on every display, and prints a checksum of each picture: `CHOICE CHECKSUM`. If the input
+//! has lines of choices, draws those instead.
 
 use pinhole_planner::{Choice, Planner, Style, DISPLAYS, READY};
 use std::process::ExitCode;
@@ -41,7 +41,7 @@ fn choices() -> Vec<String> {
             }
         }
     }
-    // Decimation is a feature, of both builds or of none.
+    // Decimation is a feature, which both builds have or neither.
     if cfg!(feature = "decimate") {
         for (mesh, _) in &READY {
             for faces in [12, 60, 150, 400] {

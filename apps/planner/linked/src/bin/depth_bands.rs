@@ -1,4 +1,4 @@
-//! Faces with depth in bands, as the templates draw them, in the shading of the image's name.
+//! Faces with depth in bands, as the templates draw them, in the shading that the image is named for.
 #![no_std]
 #![no_main]
 
@@ -15,7 +15,7 @@ include!(concat!(env!("PLANNER_MODELS"), "/", env!("CARGO_BIN_NAME"), ".rs"));
 
 static TEXELS: [u8; SIDE * SIDE] = [1; SIDE * SIDE];
 static PALETTE: [Rgb565; 256] = [COLOR; 256];
-/// As the planner lays a picture on a mesh without texture coordinates.
+/// The exponent of the planner's own texture coordinates, for a mesh that has none.
 const UNIT: i8 = -14;
 
 firmware!(|camera, turn, display: Rgb565|

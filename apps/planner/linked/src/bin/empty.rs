@@ -1,4 +1,5 @@
-//! What every image has, too: a start, a clock and a display. The others are measured against it.
+//! The firmware that draws nothing: a start, a clock and a display, which every image has. The sizes of other images are measured
+//! against it.
 #![no_std]
 #![no_main]
 
