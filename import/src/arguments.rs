@@ -32,7 +32,7 @@ pub(crate) fn arguments() -> [Arg; 4] {
     ]
 }
 
-/// The default options with what is given.
+/// The default options, changed by the given ones.
 pub(crate) fn options(given: &ArgMatches) -> Options {
     let axis = |name: &String| Axis::ALL.iter().find(|(other, _)| other == name).map(|&(_, axis)| axis);
     Options {

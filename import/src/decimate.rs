@@ -3,8 +3,8 @@
 use crate::weld::Welded;
 use crate::Problem;
 
-/// Leaves about `wanted` triangles, and the vertices that they name. Gives how many went, and an estimate of how far the
-/// surface moved, in the positions' unit.
+/// Reduces the mesh to about `wanted` triangles and the vertices that they use. Returns the number of removed triangles, and an
+/// estimate of how far the surface moved, in the positions' unit.
 #[cfg(feature = "decimate")]
 pub(crate) fn decimate(
     mesh: &mut Welded,
@@ -13,7 +13,7 @@ pub(crate) fn decimate(
 ) -> Result<(usize, f64), Problem> {
     use crate::grid::extent;
     use std::collections::HashMap;
-    // meshopt has f32: relative to the first vertex, and within ±1, they have 24 bits of the model.
+    // meshopt takes f32: relative to the first vertex and within ±1, numbers keep 24 bits of the model.
     let (origin, size) = (positions[0], extent(positions));
     let near = |p: &[f64; 3]| [0, 1, 2].map(|axis| ((p[axis] - origin[axis]) / size) as f32);
     let bytes: Vec<u8> = positions.iter().flat_map(near).flat_map(f32::to_ne_bytes).collect();
@@ -41,7 +41,7 @@ pub(crate) fn decimate(
     Ok((before - mesh.faces.len(), f64::from(moved) * size))
 }
 
-/// Says how to get it.
+/// Without the feature: an error that says how to get it.
 #[cfg(not(feature = "decimate"))]
 pub(crate) fn decimate(_: &mut Welded, _: &mut Vec<[f64; 3]>, _: usize) -> Result<(usize, f64), Problem> {
     Err(Problem::NoDecimation)

@@ -10,18 +10,17 @@
 //! # Ok::<(), pinhole_import::ImportError>(())
 //! ```
 //!
-//! A reader gives [`Triangles`]; everything after that is the same for all formats, and most of it can be chosen by
-//! [`Options`]:
+//! A reader gives [`Triangles`]; all further steps are equal for all formats, and most of them are chosen by [`Options`]:
 //!
 //! 1. equal positions are welded, degenerate and duplicate faces dropped, vertices that no face uses left out;
-//! 2. the model is turned, scaled and decimated, if that is asked for;
+//! 2. the model is turned, scaled and decimated, on request;
 //! 3. the centre of the bounding box is subtracted ([`ImportedMesh::offset`]; give it back in the model transform);
 //! 4. coordinates are rounded to the finest power-of-two grid on which they fit ±32767, so each lies within 1/65000 of
 //!    the largest extent ([`quantise`] has the derivation);
-//! 5. positions that fell together are welded as in 1;
-//! 6. faces and vertices are put in an order in which neighbours follow each other, if that is asked for;
-//! 7. faces are wound outwards and get backs, if that is asked for;
-//! 8. edges, the faces beside them, normals, and the planes of faces are derived from what is left.
+//! 5. positions that became equal are welded as in step 1;
+//! 6. faces and vertices are put in an order in which neighbours follow each other, on request;
+//! 7. faces are wound outwards and get backs, on request;
+//! 8. edges, the faces beside them, normals, and the planes of faces are derived.
 //!
 //! The diffuse colours and texture coordinates of OBJ files stand beside the mesh: [`ImportedMesh::colors`],
 //! [`ImportedMesh::texture`]; and, if [`Options::texture`] asks for it, the picture that its materials name:
@@ -134,7 +133,7 @@ pub fn import(file: &Path, options: &Options) -> Result<ImportedMesh, ImportErro
     import_with(file, options, |_| ())
 }
 
-/// As [`import`], and says what begins, for a progress bar.
+/// [`import`] that reports each step as it begins, for a progress bar.
 ///
 /// # Errors
 ///
@@ -149,8 +148,8 @@ pub fn import_with(
     fits(mesh).map_err(|problem| problem.at(file, None))
 }
 
-/// As [`import`], from the bytes of a file that is elsewhere, such as in a browser; the extension of `file` says its format, and
-/// messages name it. Files beside it, such as material libraries, are looked for in its folder.
+/// [`import`] from the bytes of a file, for programs without files, such as in a browser. The extension of `file` says the
+/// format, and messages name `file`. Files beside it, such as material libraries, are looked for in its folder.
 ///
 /// ```
 /// use pinhole_import::{import_bytes, Axis, Options};

@@ -31,7 +31,7 @@ fn command() -> Command {
     let choice = |name: &'static str, values: &[&'static str]| {
         Arg::new(name).long(name).value_parser(PossibleValuesParser::new(values.to_vec()))
     };
-    // Negative ones too: that they make no sense is said better than that they are unexpected.
+    // Negative numbers too, so that the message says why they make no sense, not that they are unexpected.
     let number = |name: &'static str| {
         Arg::new(name).long(name).allow_negative_numbers(true).value_parser(value_parser!(f64))
     };
@@ -51,7 +51,7 @@ fn command() -> Command {
             choice("edges", &["all", "feature", "none"])
                 .default_value("all")
                 .help(
-                    "Which edges: all of all triangles; feature, those where the surface turns by more than --feature-angle, \
+                    "Which edges: all of all triangles; feature, edges where the surface turns by more than --feature-angle, \
                      or ends, so that flat faces have no diagonals; or none",
                 ),
         )
@@ -69,7 +69,7 @@ fn command() -> Command {
         )
         .arg(
             flag("planes")
-                .help("The plane of each face, to leave out early what is turned away: 2 bytes a face"),
+                .help("The plane of each face, for early back-face culling: 2 bytes a face"),
         )
         .arg(
             choice("texture", &["2", "4", "16", "256"])
@@ -143,7 +143,7 @@ fn texture(given: &ArgMatches) -> Option<TextureFormat> {
     Some(TextureFormat { colors, color: word("texture-color").cloned().unwrap_or(default.color) })
 }
 
-/// Refuses what was typed and would change nothing.
+/// Refuses options that would change nothing.
 fn refuse_idle(given: &ArgMatches) -> Result<(), String> {
     let typed = |name| given.value_source(name) == Some(ValueSource::CommandLine);
     let word = |name: &str| given.get_one::<String>(name).map_or("", String::as_str);
@@ -211,7 +211,7 @@ fn doing(step: Step) -> &'static str {
     }
 }
 
-/// What was typed, for the file's header, but of paths only the files' names: the same on every machine.
+/// The command line, for the header of the file. Of paths it has only the files' names, so it is equal on every machine.
 fn command_line(paths: [&Path; 2]) -> String {
     let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     std::env::args_os().skip(1).fold("pinhole-import".to_string(), |line, word| {

@@ -99,10 +99,10 @@ pub(crate) fn find(name: &str, model: &Path) -> Option<PathBuf> {
 fn library(name: &str, model: &Path) -> Result<HashMap<String, Material>, String> {
     let path = find(name, model).ok_or("is not there")?;
     let bytes = crate::bytes(&path).map_err(|error| error.problem.to_string())?;
-    // All else of a material is not used, and cannot be wrong.
+    // Other lines of a material are ignored, so errors in them do no harm.
     let is_used =
         |line: &&str| matches!(line.split_whitespace().next(), Some("newmtl" | "Kd" | "Ke" | "map_Kd"));
-    // A picture without a name is none; tobj would refuse the library.
+    // A `map_Kd` without a name counts as no picture; tobj would refuse the whole library.
     let is_named = |line: &&str| line.split_whitespace().nth(1).is_some();
     let text: String = crate::text::text(&bytes)
         .lines()
@@ -122,7 +122,8 @@ fn library(name: &str, model: &Path) -> Result<HashMap<String, Material>, String
     Ok(materials.into_iter().map(material).collect())
 }
 
-/// The file that `map_Kd` names: all that follows, as names may have spaces, but the last word where options come first.
+/// The file that `map_Kd` names: the rest of the line, because names may have spaces, or only its last word if options come
+/// first.
 fn file_name(text: &str) -> String {
     let name = match text.starts_with('-') {
         true => text.split_whitespace().next_back().unwrap_or_default(),

@@ -1,4 +1,4 @@
-//! The mesh that comes out, and what is told of its making.
+//! The mesh that an import makes, and the report about it.
 
 use crate::edges::Sides;
 use crate::grid::power_of_two;
@@ -6,7 +6,7 @@ use crate::{IndexedPicture, Warning};
 use pinhole::{FaceColors, MaterialError, Mesh, MeshError, TextureCoords, WithPlanes};
 use std::path::PathBuf;
 
-/// A mesh as `pinhole` draws it, owned, with what is known of its making.
+/// A mesh as `pinhole` draws it, owned, with a report about the import.
 ///
 /// A position in model units is `vertex * 2^exponent + offset`; model units are those of the file, times
 /// [`Report::scale`], and turned as [`Options::up`](crate::Options::up) says.
@@ -161,14 +161,14 @@ impl ImportedMesh {
         (!self.texture_faces.is_empty()).then(coords).transpose()
     }
 
-    /// The plane of each face; nothing where the exponent is beyond that of a mesh, which `import` then refuses.
+    /// The plane of each face; empty if the exponent is one that no mesh has, which `import` then refuses.
     pub(crate) fn find_planes(&self) -> Vec<i16> {
         self.mesh()
             .map_or(Vec::new(), |mesh| (0..self.faces.len()).map(|face| mesh.face_plane(face)).collect())
     }
 
-    /// The bytes that the mesh's lists take in flash: 6 a vertex, face or normal, 4 an edge or its pair of faces, 2 a plane.
-    /// Colours and texture coordinates are not the mesh's; only firmware that uses them has them, too.
+    /// The bytes that the mesh's lists take in flash: 6 for a vertex, face or normal, 4 for an edge or its pair of faces, 2 for a
+    /// plane. Colours and texture coordinates do not count: only firmware that uses them has them in flash.
     pub fn flash_bytes(&self) -> usize {
         size_of_val(&self.vertices[..])
             + size_of_val(&self.faces[..])
@@ -179,7 +179,7 @@ impl ImportedMesh {
             + size_of_val(&self.vertex_normals[..])
     }
 
-    /// How large it is, in words: vertices, faces, edges, and bytes of flash.
+    /// The size of the mesh as a message: vertices, faces, edges, and bytes of flash.
     pub fn size(&self) -> String {
         let [vertices, faces, edges] = [self.vertices.len(), self.faces.len(), self.edges.len()];
         format!("{vertices} vertices, {faces} faces, {edges} edges; {} bytes of flash", self.flash_bytes())

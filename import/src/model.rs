@@ -1,11 +1,11 @@
-//! What a reader delivers: triangles, where each stands in the file, and what is doubtful.
+//! The result of a reader: triangles, where each is in the file, and doubtful points.
 
 use crate::materials::Pictures;
 use crate::Triangles;
 use std::fmt;
 use std::path::PathBuf;
 
-/// A model as it stands in its file.
+/// A model as it is in its file.
 #[derive(Debug, Default)]
 pub(crate) struct Model {
     pub(crate) triangles: Triangles,
@@ -17,7 +17,7 @@ pub(crate) struct Model {
     pub(crate) texture: Option<TextureFaces>,
     /// The pictures that materials name.
     pub(crate) pictures: Pictures,
-    /// Where pictures are beside.
+    /// The file, beside which pictures are looked for.
     pub(crate) file: PathBuf,
     /// Files read beside the model.
     pub(crate) libraries: Vec<PathBuf>,
@@ -41,7 +41,7 @@ pub(crate) struct TextureFaces {
     pub(crate) faces: Vec<[usize; 3]>,
 }
 
-/// Where the triangles stand.
+/// Where the triangles are in the file.
 #[derive(Debug, Default)]
 pub(crate) enum Places {
     /// Nowhere: they come from a program.
@@ -76,12 +76,12 @@ pub(crate) const NOWHERE: usize = usize::MAX;
 pub struct Warning {
     /// The line of the file, counted from 1, where it is seen first, if that is known.
     pub line: Option<usize>,
-    /// What it is.
+    /// What is doubtful.
     pub message: String,
 }
 
 impl Warning {
-    /// A warning about several triangles: what, the place of the first, and what follows and what to do.
+    /// A warning about several triangles: what is doubtful, the place of the first, and what follows from it and what to do.
     pub(crate) fn at(what: &str, places: &Places, first: usize, then: &str) -> Self {
         let (place, line) = places.of(first);
         let place = place.map_or_else(String::new, |at| format!(", the first at {at}"));

@@ -17,7 +17,7 @@ pub(crate) fn read(bytes: &[u8], file: &Path) -> Result<Model, ImportError> {
     let mut model = Model::default();
     let mut loaded = load(&kept.text);
     if let Err((Problem::Syntax(problem @ (TEXTURE | TEXTURE_INDEX)), line)) = loaded {
-        // A mesh can do without.
+        // The mesh needs no texture coordinates.
         let message = format!("no texture coordinates: {problem}; they are left out: export them again");
         model.warnings.push(Warning { line, message });
         kept = what_a_mesh_uses(&whole, false);
@@ -34,12 +34,12 @@ pub(crate) fn read(bytes: &[u8], file: &Path) -> Result<Model, ImportError> {
     for tobj::Model { mesh, .. } in models {
         let first = model.triangles.positions.len();
         let first_coord = texture.coords.len();
-        // Up is down: the origin of a picture is its upper left corner.
+        // v changes its direction: the origin of a picture is its upper left corner.
         texture.coords.extend(mesh.texcoords.chunks_exact(2).map(|uv| [uv[0], 1.0 - uv[1]]));
         let mut texture_indices = mesh.texcoord_indices.iter().map(|&i| first_coord + i as usize);
         model.triangles.positions.extend(mesh.positions.chunks_exact(3).map(|p| [p[0], p[1], p[2]]));
         let mut indices = mesh.indices.iter().map(|&i| first + i as usize);
-        // Where all faces are triangles, tobj does not say of each that it is one.
+        // If all faces are triangles, tobj gives no list of their numbers of corners.
         let triangles =
             std::iter::repeat_n(3, mesh.indices.len() / 3 * usize::from(mesh.face_arities.is_empty()));
         for corners in mesh.face_arities.iter().copied().chain(triangles) {
@@ -131,7 +131,7 @@ fn load(text: &str) -> Result<Vec<tobj::Model>, (Problem, Option<usize>)> {
     })
 }
 
-/// What a mesh is made of.
+/// The parts of the text that a mesh uses.
 struct Kept {
     text: String,
     /// The number of each face's line.

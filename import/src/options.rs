@@ -1,4 +1,4 @@
-//! What the user may choose.
+//! The options of an import.
 
 use crate::Problem;
 use std::path::Path;
@@ -62,7 +62,7 @@ pub struct Options {
     pub texture: Option<TextureFormat>,
 }
 
-/// What a picture of a material becomes. Only with the feature `textures`.
+/// The format of a material's picture. Only with the feature `textures`.
 ///
 /// ```
 /// use pinhole_import::{Options, TextureFormat};

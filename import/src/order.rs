@@ -7,7 +7,7 @@
 /// Corners that the orders are judged and made for: 128 bytes of them, a few lines of a small cache.
 const CACHE: usize = 16;
 
-/// Orders faces, what is known of each, and vertices, if fewer are fetched then. Gives how many are.
+/// Orders faces, the data of each face, and vertices, if that lowers the number of fetches. Returns this number per face.
 pub(crate) fn reorder<S: Copy>(
     faces: &mut Vec<[usize; 3]>,
     sources: &mut Vec<S>,

@@ -64,7 +64,7 @@ impl IndexedPicture {
     }
 }
 
-/// What a colour type of embedded-graphics consists of.
+/// The channels of a colour type of embedded-graphics.
 pub(crate) struct Channels {
     is_gray: bool,
     /// The highest level of each channel.
@@ -238,8 +238,9 @@ mod decode {
         [8, 16, 32, 64, 128].into_iter().find(|&side| given * given < 2 * side * side).unwrap_or(256)
     }
 
-    /// A palette of so many colours, the index of each pixel's colour in it, and how many colours there are: these colours as
-    /// they are, by their first use, if the palette holds them, otherwise those that NeuQuant (Dekker 1994) finds.
+    /// A palette of at most `most` colours, the index of each pixel's colour in it, and the number of colours of the picture. If
+    /// the palette holds them, its colours are those of the picture, by their first use; otherwise NeuQuant (Dekker 1994) finds
+    /// them.
     fn reduce(pixels: &[[u8; 3]], most: usize) -> (Vec<[u8; 3]>, Vec<u8>, usize) {
         let mut numbers = BTreeMap::new();
         let mut palette = Vec::new();

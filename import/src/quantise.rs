@@ -35,7 +35,7 @@ pub fn quantise(model: &Triangles) -> Result<ImportedMesh, Problem> {
     Ok(ImportedMesh { warnings: made.warnings, ..made.mesh? })
 }
 
-/// What became of a model.
+/// The result for a model.
 pub(crate) struct Made {
     /// For each triangle of the file whether its corners were reversed. Not after decimation, which makes new triangles.
     pub(crate) reversed: Vec<bool>,
@@ -72,7 +72,7 @@ pub(crate) fn make(
     begins(Step::Weld);
     // Adding 0.0 makes one of the two zeros.
     let bits: Vec<_> = read.iter().map(|p| p.map(|c| (c + 0.0).to_bits())).collect();
-    // What has no area must not decide about the grid either.
+    // Triangles without area must not influence the grid either.
     let mut exact = weld(&bits, &faces, |corners| on_one_line(corners.map(|p| p.map(f64::from_bits))));
     drop(bits);
     let vertices_read = read.len();
@@ -321,7 +321,7 @@ fn fix_winding(faces: &mut [[usize; 3]], vertices: &[[i16; 3]]) {
     }
 }
 
-/// For each triangle of the file whether it was reversed: as its face was, and that of which it is a duplicate.
+/// For each triangle of the file whether it was reversed: as its face was, or the face of which it is a duplicate.
 fn in_the_file(
     reversed: &[bool],
     exact: &Welded,
@@ -380,7 +380,7 @@ fn add_backs(
     Ok(())
 }
 
-/// The positions turned and scaled, and by what they were scaled.
+/// The positions, turned and scaled, and the factor of the scale.
 fn placed(
     mut positions: Vec<[f64; 3]>,
     up: Axis,

@@ -10,10 +10,10 @@ use embedded_graphics_core::geometry::{Point, Size};
 use pinhole::space::{Model, View, World};
 use pinhole::{Affine, Angle, PlanarProjection, Point3, Projection, ReferenceVolume, Viewport};
 
-/// What a bound is and what was found.
+/// A documented bound, and the largest error that was measured.
 pub(crate) struct Measured {
     pub(crate) what: &'static str,
-    /// Of what the error is a part.
+    /// The unit of both.
     pub(crate) unit: &'static str,
     pub(crate) error: f64,
     pub(crate) bound: f64,

@@ -12,7 +12,7 @@ pub(crate) struct Picture {
 }
 
 impl Picture {
-    /// Both at most 4096.
+    /// A picture with sides of at most 4096 pixels.
     pub(crate) fn new(width: u16, height: u16) -> Self {
         let stride = usize::from(width) + 1;
         Self {

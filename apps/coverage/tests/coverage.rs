@@ -19,7 +19,7 @@ fn tool<S: AsRef<std::ffi::OsStr>>(arguments: &[S]) -> Output {
     COVERAGE.run(arguments)
 }
 
-/// What the tool makes of a JSON text: the counts, and what it says.
+/// The counts that the tool writes for a JSON text, and its output.
 fn counts(folder: &Path, json: &str) -> (Vec<u32>, String) {
     let (from, to) = (folder.join("in.json"), folder.join("out"));
     fs::write(&from, json).unwrap();

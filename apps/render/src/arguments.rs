@@ -41,7 +41,7 @@ frames the bounding sphere. Faces have the diffuse and emissive colours of an OB
 
 Bad input: one line on stderr, exit code 2, and no file is changed."#;
 
-/// What the template's code decides, and other outputs.
+/// Options that `--firmware` excludes: the template's code decides them, or they name other outputs.
 const NOT_IN_FIRMWARE: [&str; 24] = [
     "alpha",
     "ascii",

@@ -24,11 +24,11 @@ pub const FRAMES: u32 = 120;
 /// Rows of a band. Any number gives the same pixels.
 pub const ROWS: u32 = 8;
 
-/// What firmware is made of, compiled for the host.
+/// The parts of a firmware project that draw its picture, compiled for the host.
 pub struct Code {
     /// The folder of the project, if it is not the template that this program has.
     pub project: Option<&'static str>,
-    /// What the build script asks of the importer.
+    /// The importer's options in the build script.
     pub options: fn() -> Options,
     /// Draws the model, turned by an angle: the first frame is at angle 0. The error is what the firmware would log before it
     /// stops.
@@ -38,7 +38,7 @@ pub struct Code {
 /// The template `boards/any-cortex-m`.
 pub const TEMPLATE: Code = Code { project: None, options: script::options, draw };
 
-/// What the build script asks of the importer, and what was asked for here.
+/// The importer's options in the build script, changed by the options that were given here.
 pub fn options(code: &Code, given: &Options) -> Options {
     let own = (code.options)();
     Options {
@@ -50,8 +50,8 @@ pub fn options(code: &Code, given: &Options) -> Options {
     }
 }
 
-/// Defines `draw`, which draws a model by the module of a `picture.rs` into any target in 16-bit colour: for those which have
-/// `camera` and `draw`.
+/// Defines `draw`, which draws a model by a module made of a `picture.rs` into any target in 16-bit colour, for a `picture.rs`
+/// that has `camera` and `draw`.
 #[macro_export]
 macro_rules! draws_into_a_target {
     ($picture:ident) => {
@@ -59,7 +59,7 @@ macro_rules! draws_into_a_target {
         ///
         /// # Errors
         ///
-        /// What the firmware would log before it stops.
+        /// The message that the firmware would log before it stops.
         pub fn draw<D>(
             model: &pinhole_import::ImportedMesh,
             turn: pinhole::Angle,
@@ -84,7 +84,7 @@ macro_rules! draws_into_a_target {
     };
 }
 
-/// As [`draws_into_a_target!`], for a `picture.rs` that gives its bands to DMA: one with `Picture` and `Turned`.
+/// Like [`draws_into_a_target!`], for a `picture.rs` that passes its bands to DMA: one that has `Picture` and `Turned`.
 #[macro_export]
 macro_rules! draws_bands {
     ($picture:ident) => {
@@ -92,7 +92,7 @@ macro_rules! draws_bands {
         ///
         /// # Errors
         ///
-        /// What the firmware would log before it stops.
+        /// The message that the firmware would log before it stops.
         pub fn draw<D>(
             model: &pinhole_import::ImportedMesh,
             turn: pinhole::Angle,
@@ -135,7 +135,7 @@ pub struct Buffers {
 }
 
 impl Buffers {
-    /// Memory for a mesh on a display of a width.
+    /// Memory for a mesh on a display `width` pixels wide.
     pub fn new(mesh: &pinhole::Mesh<'_>, width: u32) -> Self {
         Self {
             cache: vec![pinhole::ScreenVertex::EMPTY; mesh.cache_len()],
@@ -153,7 +153,7 @@ pub fn project(model: &Path) -> Option<PathBuf> {
     let files = ["src/picture.rs", "build.rs"];
     let folder =
         model.ancestors().skip(1).find(|folder| files.iter().all(|file| folder.join(file).is_file()))?;
-    // Without what a checkout may change of the ends of lines.
+    // Without carriage returns, which a checkout may add.
     let text = |text: String| text.replace('\r', "");
     let is_ours = |(file, ours): (&str, &str)| {
         std::fs::read_to_string(folder.join(file)).is_ok_and(|theirs| text(theirs) == text(ours.into()))
@@ -172,7 +172,7 @@ pub const PROJECT: &str = "PINHOLE_PROJECT";
 ///
 /// # Errors
 ///
-/// A message where that does not build.
+/// A message if the project does not build.
 pub fn run_in(project: &Path) -> Result<ExitCode, String> {
     let here = std::env::current_exe().map_err(|e| format!("this program does not find itself: {e}"))?;
     let (folder, name) =

@@ -40,7 +40,7 @@ impl FogStyle {
         }
     }
 
-    /// From the text of `--fog`.
+    /// Parses the text of `--fog`.
     pub(crate) fn parse(text: &str) -> Result<Self, String> {
         let wrong = || {
             format!(
@@ -60,7 +60,7 @@ impl FogStyle {
         Ok(Self { profile, ..Self::between(range.into())? })
     }
 
-    /// The table of this fog in a scene, of a colour.
+    /// The table of this fog in the colour `color`, for a scene.
     pub(crate) fn table<C: Colour>(
         &self,
         scene: &Scene,

@@ -14,7 +14,7 @@ pub fn arguments() -> [Arg; 4] {
     arguments::arguments()
 }
 
-/// What was given of these options.
+/// The given ones of these options.
 pub fn options(given: &ArgMatches) -> Options {
     arguments::options(given)
 }
@@ -40,7 +40,7 @@ pub fn colors(model: &mut Preview) -> Colors {
     Colors { faces: std::mem::take(&mut model.colors), emission: std::mem::take(&mut model.emission) }
 }
 
-/// What a firmware with this model has in flash, in words.
+/// The flash that this model takes in a firmware, as a message.
 pub fn size(preview: &Preview) -> Option<String> {
     Some(format!("in firmware: {}", preview.mesh.as_ref().ok()?.size()))
 }

@@ -14,9 +14,9 @@ pub const LARGEST: u32 = 4096;
 /// The colours of triangles.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Colors {
-    /// Of each triangle in full light, or nothing.
+    /// The colour of each triangle in full light; empty if triangles have none.
     pub faces: Vec<[u8; 3]>,
-    /// Of the light that each triangle emits, or nothing.
+    /// The light that each triangle emits; empty if none does.
     pub emission: Vec<[u8; 3]>,
 }
 

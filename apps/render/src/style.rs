@@ -9,7 +9,8 @@ const CLAY: Rgb888 = Rgb888::new(240, 160, 98);
 const INK: Rgb888 = Rgb888::new(34, 48, 72);
 const CHALK: Rgb888 = Rgb888::new(214, 240, 250);
 
-/// The chosen style of opaque faces, textures without light and plain lines, with defaults that are visible in the format. A colour that is chosen replaces the model's own.
+/// The chosen style of opaque faces, unlit textures and plain lines, with defaults that are visible in the format. A chosen
+/// colour replaces the model's own.
 pub fn chosen(
     mode: Mode,
     format: Format,

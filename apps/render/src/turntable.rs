@@ -28,7 +28,7 @@ pub(crate) fn gif(
     for frame in 0..frames {
         // The camera moves left, so that the mesh appears to turn right.
         let yaw = look.yaw - 360.0 * f64::from(frame) / f64::from(frames);
-        // A sphere has one size from all sides; an outline is that of all of them.
+        // A sphere has one size from all sides; an outline must fit from all sides.
         let fit = if look.fit == Fit::Outline { Fit::Turn } else { look.fit };
         let look = Look { yaw, fit, ..*look };
         let (quantised, used) = Quantised::settle(&model::scene(mesh.clone(), colors.clone(), &look)?)?;

@@ -20,7 +20,7 @@ mod stm32f4;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 const ROWS: u32 = 8;
-/// What no template draws.
+/// A colour that no template draws.
 const UNSENT: Rgb565 = Rgb565::MAGENTA;
 
 /// A colour for each face.

@@ -17,11 +17,11 @@ const PALETTE: [[u8; 3]; 7] =
     [[255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 0], [255, 0, 255], [0, 255, 255], [255; 3]];
 /// How far a vertex may be off on the screen: the snap to 1/256 px, and the rounding of constructors.
 const OFF: f64 = 1.0 / 128.0;
-/// In steps of the depth buffer: faces that are two apart stay apart (ARCHITECTURE.md, "Numbers"), and a tenth for the distance
-/// of the near and far planes, which is not known here to a step.
+/// The largest error of depth, in steps of the depth buffer: faces two steps apart stay apart (ARCHITECTURE.md, "Numbers"), and a
+/// tenth is for the distances of the near and far planes, which are not known here to a step.
 const DEPTH: f64 = 2.2;
 
-/// The mesh that firmware has of a body, each face in another colour than the next ones.
+/// The mesh that firmware has of a body, each face in another colour than the faces listed next to it.
 fn imported(name: &str, body: &Body) -> ImportedMesh {
     let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::write(&file, stl(body)).unwrap();
@@ -51,14 +51,14 @@ fn unit(v: V3) -> V3 {
 
 /// A picture by rays.
 struct Rays {
-    /// In the world, turned.
+    /// The faces in the world, turned.
     faces: Vec<[V3; 3]>,
     /// The colour of each face in the light, channels from 0 to 1.
     colors: Vec<V3>,
     eye: V3,
-    /// To the right, up and ahead.
+    /// The axes to the right, up and ahead.
     axes: [V3; 3],
-    /// Pixels for a tangent of 1.
+    /// Pixels per unit of the tangent.
     scale: f64,
     size: Size,
     /// The distances of the near and the far plane.

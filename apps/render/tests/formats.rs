@@ -661,7 +661,7 @@ fn faces_may_be_in_fog() {
         ("2", "--fog: 2 is not auto or START,END"),
         ("1,2,thick", "--fog: 1,2,thick is not auto or START,END"),
         ("-9,-8", "fog: -9 to -8 is not where the scene is: its vertices are -0.5 to 0 before the camera"),
-        ("0,0.0001", "fog: the fog lies within 3 of 65535 steps of depth"),
+        ("0,0.0001", "fog: the fog spans 3 of 65535 steps of depth"),
     ] {
         let said = refusal(&RENDER.run(&[text(&own), "--png", text(&picture), "--fog", fog]));
         assert!(said.contains(wanted), "{said}");

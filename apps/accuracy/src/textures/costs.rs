@@ -10,7 +10,7 @@ const FRAMES: [(&str, [u32; METHODS.len()]); 4] = [
     ("X4", [971_724, 1_092_838, 1_256_582, 2_156_171, 755_821]),
 ];
 
-/// Instructions for each of the pixels that a method, by its place in [`METHODS`], draws of a scene.
+/// Instructions for each pixel that a method, given by its index in [`METHODS`], draws of a scene.
 pub(crate) fn per_pixel(cell: &str, method: usize, pixels: usize) -> Option<f64> {
     let (_, frames) = FRAMES.iter().find(|(known, _)| *known == cell)?;
     Some(f64::from(*frames.get(method)?) / pixels as f64)

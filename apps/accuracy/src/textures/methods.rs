@@ -40,7 +40,7 @@ pub(crate) enum Method {
     EverySixteen,
 }
 
-/// In the order of the page, and what they are called there.
+/// In the order of the page, with their names there.
 pub(crate) const METHODS: [(Method, &str); 5] = [
     (Method::Ours(Accuracy::Quarter), "`Accuracy::Quarter`"),
     (Method::Ours(Accuracy::Eighth), "`Accuracy::Eighth`"),

@@ -28,7 +28,7 @@ pub(crate) struct Measured {
     others: [f64; METHODS.len()],
 }
 
-/// What [`pinhole::Texture`] documents beside the accuracy, for faces that no corner of which is close to the eye.
+/// The error bound that [`pinhole::Texture`] documents in addition to the accuracy, for faces without a corner close to the eye.
 const PLANES: f64 = 0.02;
 
 pub(crate) fn measure() -> Result<Vec<Measured>, String> {

@@ -6,10 +6,10 @@ use super::Measured;
 use pinhole::Accuracy;
 use std::fmt::Write as _;
 
-/// Of a panel, in pixels, and its margins: left, top, right, bottom.
+/// The size of a panel in pixels, and its margins: left, top, right, bottom.
 const PANEL: [f64; 2] = [430.0, 330.0];
 const MARGIN: [f64; 4] = [62.0, 34.0, 14.0, 44.0];
-/// Instructions for each pixel, and texels; both are logarithmic.
+/// The ranges of the axes: instructions for each pixel, and texels. Both axes are logarithmic.
 const X: [f64; 2] = [7.0, 160.0];
 const Y: [f64; 2] = [1e-3, 64.0];
 const X_TICKS: [f64; 5] = [10.0, 20.0, 40.0, 80.0, 160.0];

@@ -96,7 +96,7 @@ fn torus() -> Scene {
     }
 }
 
-/// A quad with so many texels along its sides.
+/// A quad with a number of texels along its sides.
 fn floor(
     (name, cell, about): (&'static str, &'static str, &'static str),
     [a, b, c, d]: [[i16; 3]; 4],
