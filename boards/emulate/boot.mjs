@@ -1,4 +1,4 @@
-// An RP2040 with our boot ROM, and what the chip's own ROM asks of the firmware.
+// An RP2040 with our boot ROM, and the start-up that the chip's own ROM does for the firmware.
 
 import { createRequire } from 'node:module';
 import { resolve } from 'node:path';

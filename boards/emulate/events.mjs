@@ -1,5 +1,5 @@
-// What an emulator reports, on standard output: records of 8 bytes, which src/events.rs reads. A record is a value, a kind, and
-// a time in nanoseconds of 48 bits, which last three days; little-endian.
+// The records by which an emulator reports on standard output; src/events.rs reads them. A record has 8 bytes: a value, a kind,
+// and a time of 48 bits in nanoseconds, which suffice for three days; little-endian.
 
 import { writeSync } from 'node:fs';
 

@@ -85,8 +85,8 @@ spi.onTransmit = (value) => {
   arrived.schedule((dataBits * 1e9) / clockFrequency);
 };
 
-// Waiting: the core polls a status that says that SPI or DMA are busy, or it sleeps. Polls apart by more than a loop takes do
-// not belong together.
+// Waiting: the core polls a status that says that SPI or DMA are busy, or it sleeps. Two polls that are further apart than a loop
+// takes are not one wait.
 const LOOP = 100;
 let [waited, polled] = [0, 0];
 function poll() {
@@ -113,7 +113,7 @@ spi.readUint32 = (offset) => {
   return value;
 };
 
-// The log: what the image has put into the first channel of RTT is taken out.
+// The log: takes out what the image has put into the first channel of RTT.
 const rtt = number('log');
 const [BUFFER, SIZE, WRITTEN, READ] = [28, 32, 36, 40].map((offset) => rtt + offset);
 function takeLog() {

@@ -26,7 +26,7 @@ fn main() -> Result<()> {
     std::fs::write(format!("{out}/models.rs"), text)?;
     std::fs::write(format!("{out}/lists.rs"), lists(&scenes)?)?;
     std::fs::write(format!("{out}/shapes.rs"), shapes(&scenes)?)?;
-    // Of RISC-V's board; the flag that names it is in the root's configuration.
+    // The memory.x of RISC-V's board; the flag that names it is in the root's configuration.
     let here = std::path::PathBuf::from(std::env::var("CARGO_MANIFEST_DIR")?);
     let root = here.ancestors().nth(2).ok_or("the project's root")?;
     println!("cargo::rustc-link-search={}", root.display());
@@ -66,7 +66,7 @@ fn write_model(text: &mut String, name: &str, model: &Value) -> Result<()> {
     Ok(())
 }
 
-/// In the finest unit 2^−k with which all fit, and that k.
+/// The vertices in the finest unit 2^−k in which all fit 16 bits, and k.
 fn quantised(vertices: &[[f64; 3]]) -> Result<(u32, Vec<[i16; 3]>)> {
     let largest = vertices.iter().flatten().fold(0.0f64, |m, c| m.max(c.abs()));
     let k = (0..31).rev().find(|&k| largest * f64::from(1u32 << k) <= 32767.0).ok_or("too large")?;
@@ -139,7 +139,7 @@ fn beside(edges: &[[u16; 2]], faces: &[[u16; 3]]) -> Vec<[u16; 2]> {
     edges.iter().map(of_edge).collect()
 }
 
-/// The torus's normals at its vertices and its edges, and what is 2D.
+/// The torus's vertex normals and edges, and the lists of 2D lines and triangles.
 fn lists(scenes: &Value) -> Result<String> {
     let normals = list(&scenes["models"]["torus"]["vertices"], triple)?.into_iter().map(torus_normal);
     let normals: Vec<[i16; 3]> = normals.map(|normal| normal.map(unit)).collect::<Result<_>>()?;
@@ -161,7 +161,7 @@ fn lists(scenes: &Value) -> Result<String> {
     ))
 }
 
-/// In 2⁻¹⁵.
+/// A unit normal in 2⁻¹⁵.
 fn unit(normal: [f64; 3]) -> [i16; 3] {
     normal.map(|c| (c * 32767.0).round() as i16)
 }
@@ -170,7 +170,7 @@ fn slice(list: &[impl Debug]) -> String {
     format!("&{list:?}")
 }
 
-/// In 2⁻¹⁶.
+/// A vector in 2⁻¹⁶.
 fn bits(v: &[f64; 3]) -> [i32; 3] {
     v.map(|c| (c * 65536.0).round() as i32)
 }

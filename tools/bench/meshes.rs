@@ -1,4 +1,4 @@
-//! Meshes of any number of triangles, for what depends on it: `build.rs` makes them into constants.
+//! Meshes of any number of triangles, for measuring growth with the size: `build.rs` makes constants of them.
 
 /// Vertices and faces, counter-clockwise from outside.
 pub(crate) type Shape = (Vec<[f64; 3]>, Vec<[u16; 3]>);
@@ -13,7 +13,7 @@ pub(crate) fn torus(around: u16, across: u16) -> Shape {
     (vertices, quads(around, across, index))
 }
 
-/// Of radius 1: `2·around·(down − 1)` triangles.
+/// A sphere of radius 1: `2·around·(down − 1)` triangles.
 pub(crate) fn sphere(around: u16, down: u16) -> Shape {
     let ring = |i: u16, j: u16| {
         let ((s, c), polar) = (turn(i, around), f64::from(j + 1) / f64::from(down) * std::f64::consts::PI);

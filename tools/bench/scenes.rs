@@ -1,10 +1,10 @@
-//! Reading `scenes.json`: what the build scripts share, this directory's and that of `rivals`.
+//! Reads `scenes.json`, for the build scripts of this directory and of `rivals`.
 
 use serde_json::Value;
 
 pub(crate) type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
-/// Of unit length: away from the circle of radius 1 about z, on which the tube's centre runs.
+/// The unit normal of the torus: away from the circle of radius 1 about z, the centre line of the tube.
 pub(crate) fn torus_normal([x, y, z]: [f64; 3]) -> Result<[f64; 3]> {
     let from_axis = x.hypot(y);
     let away = [x - x / from_axis, y - y / from_axis, z];

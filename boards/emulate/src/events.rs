@@ -1,4 +1,4 @@
-//! What an emulator reports: the records that `events.mjs` and `events.py` write.
+//! The records of an emulator, which `events.mjs` and `events.py` write.
 
 use std::io::{self, Read};
 
@@ -24,12 +24,12 @@ pub(crate) enum What {
     Time,
     /// A byte on the bus takes this many nanoseconds from now on.
     Clock(u64),
-    /// The bus has broken, as it was asked to.
+    /// The bus has broken, on request.
     Broken,
 }
 
 impl Event {
-    /// The next one, or none if the emulator has ended.
+    /// Reads the next event; `None` if the emulator has ended.
     pub(crate) fn read(from: &mut impl Read) -> io::Result<Option<Self>> {
         let mut record = [0; 8];
         match from.read_exact(&mut record) {

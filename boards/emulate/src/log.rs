@@ -1,4 +1,4 @@
-//! The firmware's log: where it is in memory, and what it says.
+//! The firmware's log: its place in memory, and its lines.
 
 use defmt_decoder::{DecodeError, StreamDecoder, Table};
 use object::{Object, ObjectSymbol};
@@ -36,7 +36,7 @@ pub(crate) struct Line {
 }
 
 impl Log<'_> {
-    /// The line that ends with this byte, if one does.
+    /// Takes a byte; returns the line that it completes, if any.
     pub(crate) fn line(&mut self, byte: u8) -> Result<Option<Line>, String> {
         self.0.received(&[byte]);
         match self.0.decode() {

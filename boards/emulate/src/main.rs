@@ -116,11 +116,11 @@ struct Run<'a> {
     break_at: Option<u32>,
     /// Changes of pins, as `rp2040.mjs` takes them.
     inputs: Option<&'a str>,
-    /// What the frames must show, in place of what the host draws.
+    /// The pictures that frames must show, in place of the host's drawing.
     pictures: Option<&'a Path>,
 }
 
-/// The frames that the firmware has shown; all were as the host draws them.
+/// Runs the firmware and returns the frames that it has shown, all of which equal the host's drawing.
 fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<Vec<Frame>, String> {
     let &Run { frames, break_at, inputs, pictures } = run;
     let bytes = std::fs::read(image).map_err(|error| format!("{}: {error}", image.display()))?;
@@ -215,7 +215,7 @@ fn emulator(chip: &Chip, image: &Path, tools: &Path, log: u64) -> process::Comma
     }
 }
 
-/// An emulator, which ends when nobody looks at it any more.
+/// An emulator, which is ended when this is dropped.
 struct Running(process::Child);
 
 impl Drop for Running {
@@ -225,7 +225,7 @@ impl Drop for Running {
     }
 }
 
-/// What a run was: between the ends of the first frame and the last one.
+/// A line about the time between the ends of the first and the last frame.
 fn summary(frames: &[Frame]) -> String {
     let [first, .., last] = frames else { return "no time between frames".into() };
     let (count, time) = (frames.len() - 1, last.time - first.time);

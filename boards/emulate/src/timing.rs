@@ -1,7 +1,7 @@
 //! The waiting times of a display controller.
 //!
 //! After the data sheets' chapters on reset, on the commands SWRESET, SLPIN and SLPOUT, and on the timing of the reset line
-//! (Sitronix ST7789V; Ilitek ILI9341): they ask for the same times.
+//! (Sitronix ST7789V; Ilitek ILI9341), which ask for equal times.
 
 const US: u64 = 1000;
 const MS: u64 = 1000 * US;
@@ -16,10 +16,10 @@ const SWRESET: u8 = 0x01;
 const SLPIN: u8 = 0x10;
 const SLPOUT: u8 = 0x11;
 
-/// When the controller takes what.
+/// The times from which on the controller takes commands.
 #[derive(Debug)]
 pub(crate) struct Timing {
-    /// Since when the reset line is low, while it is.
+    /// The time since which the reset line is low, while it is low.
     reset: Option<u64>,
     /// The earliest time of any command, and why.
     any: (u64, &'static str),
@@ -33,7 +33,7 @@ impl Timing {
         Self { reset: None, any: (SUPPLY, "power on"), sleep: (SLEEP, "power on") }
     }
 
-    /// The reset line has changed. Whether it has reset the controller.
+    /// The reset line has changed. Returns whether this has reset the controller.
     pub(crate) fn reset_line(&mut self, high: bool, time: u64) -> Result<bool, String> {
         if !high {
             self.reset.get_or_insert(time);

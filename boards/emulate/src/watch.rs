@@ -15,16 +15,16 @@ pub(crate) struct Watch<'a> {
     frames: Vec<Frame>,
     /// Frames that the firmware has given up.
     lost: u32,
-    /// Whether the bus has broken since the last whole frame: what was on its way may be cut off.
+    /// Whether the bus has broken since the last complete frame: data on its way may be cut off.
     broken: bool,
-    /// The last picture that was shown, and those that may be next, with their steps of the turn: see [`Sends::Changes`].
+    /// The last picture that was shown, and the pictures that may be next, with their steps of the turn: see [`Sends::Changes`].
     last: Vec<u32>,
     next: Vec<(u32, Vec<u32>)>,
     /// Whether the step before the last one may be next, too: an encoder turns the model.
     steps_back: bool,
 }
 
-/// A frame that the display has got completely.
+/// A frame that has arrived at the display completely.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Frame {
     /// When its last pixel arrived.
@@ -33,7 +33,7 @@ pub(crate) struct Frame {
     pub(crate) waited: u64,
     /// Bytes since the frame before.
     pub(crate) bytes: usize,
-    /// Of the turn.
+    /// The step of the turn.
     pub(crate) step: u32,
 }
 
@@ -70,7 +70,7 @@ impl<'a> Watch<'a> {
         self.lost += 1;
     }
 
-    /// Takes an event that is not of the log. An error says what no display would show, or what differs.
+    /// Takes an event that is not one of the log. An error says what a real display would not have shown, or which pixels differ.
     pub(crate) fn event(&mut self, event: Event) -> Result<(), String> {
         match event.what {
             What::Byte { byte, data, selected } => self.byte(byte, data, selected, event.time),
@@ -119,7 +119,7 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// What the controller would not have understood.
+    /// Reports what the controller would not have understood.
     fn refusals(&mut self) -> Result<(), String> {
         let controller = &mut self.controller;
         if self.broken {
@@ -230,7 +230,7 @@ mod tests {
     const PIXELS: [u8; 8] = [0x12, 0x34, 0x56, 0x78, 0x9a, 0xbc, 0xde, 0xf0];
     const MS: u64 = 1_000_000;
 
-    /// What a driver sends, with the time since what it has sent before.
+    /// The bytes of a driver, with the time since its last byte.
     struct Driver {
         watch: Watch<'static>,
         time: u64,

@@ -1,4 +1,4 @@
-//! Firmware with a fault fails on the emulated board, for the reason that it should, and a bus that fails does no lasting harm.
+//! Firmware with a fault fails on the emulated board for the right reason, and a bus that fails does no lasting harm.
 //! Each firmware is a copy of the template in which a few words are replaced, built and linked as the template is.
 
 use std::fs;
@@ -61,7 +61,7 @@ fn without_waiting_the_reset_is_too_short() {
     RP2040.fails(&edits, "a reset pulse of");
 }
 
-/// The template itself passes: what the mutants fail for is their fault.
+/// The template itself passes, so the mutants fail because of their own faults.
 #[test]
 fn the_template_for_the_rp2040_passes() {
     RP2040.passes(&[], &[]);
@@ -153,7 +153,7 @@ fn a_bus_error_during_the_start_is_logged() {
 }
 
 impl Template {
-    /// Builds it with the edits, and runs it: the run must end with this problem.
+    /// Builds the firmware with the edits and runs it: the run must end with this problem.
     #[track_caller]
     fn fails(&self, edits: &[Edit], problem: &str) {
         self.ends(edits, &[], problem);
@@ -166,7 +166,7 @@ impl Template {
         assert!(!output.status.success() && said.contains(problem), "not {problem:?} but {output:?}");
     }
 
-    /// The run must end well. What it prints; none if the tools are missing.
+    /// The run must succeed. Returns its output; `None` if the tools are missing.
     #[track_caller]
     fn passes(&self, edits: &[Edit], options: &[&str]) -> Option<String> {
         let output = self.run(edits, options)?;
@@ -178,8 +178,8 @@ impl Template {
         Some(said)
     }
 
-    /// The runs of steps in one direction between those at the start and at the end of a run in which the button and the encoder
-    /// are used, which all must be as the host draws them. None if the tools are missing.
+    /// The steps in one direction, run by run, without the first and the last one, of a turn in which the button and the encoder
+    /// are used; all frames must equal the host's. `None` if the tools are missing.
     #[track_caller]
     fn steps(&self, edits: &[Edit]) -> Option<Vec<i32>> {
         const BUTTON: u8 = 12;
@@ -214,7 +214,7 @@ impl Template {
         Some(runs[1..runs.len() - 1].to_vec())
     }
 
-    /// None if the tools are missing.
+    /// Runs the firmware with the edits; `None` if the tools are missing.
     fn run(&self, edits: &[Edit], options: &[&str]) -> Option<Output> {
         if !self.has_tools() {
             return None;

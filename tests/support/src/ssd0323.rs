@@ -114,7 +114,7 @@ impl Wires {
         self.0.borrow_mut().failure = Some((what, after));
     }
 
-    /// Bytes past the driver.
+    /// Receives bytes without the driver.
     pub fn receive(&self, bytes: &[u8], data: bool) {
         let state = &mut *self.0.borrow_mut();
         state.count += bytes.len();

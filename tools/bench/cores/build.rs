@@ -1,4 +1,4 @@
-//! memory.x of the board.
+//! Provides the board's memory.x.
 
 fn main() {
     println!("cargo::rerun-if-changed=memory.x");

@@ -17,7 +17,7 @@ const BINS: &[&str] = &[
     "band_depth",
 ];
 
-/// By `scene,way,how`: a number of instructions, and the picture's checksum.
+/// The results by `scene,way,how`: a number of instructions, and the picture's checksum.
 pub(crate) type Lines = BTreeMap<String, (u64, String)>;
 
 pub(crate) struct Speed {
@@ -77,7 +77,7 @@ pub(crate) fn parse(text: &str, lines: &mut Lines) -> Result<()> {
     Ok(())
 }
 
-/// What the images print when they run on the host.
+/// The lines that the images print when they run on the host.
 pub(crate) fn host() -> Result<Lines> {
     let cargo = |arguments: &[&str]| -> Result<String> {
         let mut command = Command::new("cargo");

@@ -36,11 +36,11 @@ pub(crate) struct Cell {
     pub(crate) level: &'static str,
     pub(crate) core: Core,
     pub(crate) instructions: u64,
-    /// In bytes: code and constants, more than a firmware has that draws nothing.
+    /// Code and constants in bytes, without those of a firmware that draws nothing.
     pub(crate) flash: u64,
-    /// In bytes: variables, among them the picture, depth and the vertices.
+    /// Variables in bytes: picture, depth and vertices among them.
     pub(crate) ram: u64,
-    /// In bytes: at its deepest, set-up and the firmware's own frames included.
+    /// The deepest stack in bytes, with set-up and the firmware's own frames.
     pub(crate) stack: u64,
     pub(crate) crc: u32,
 }
@@ -65,7 +65,7 @@ pub(crate) fn named(variant: &str, level: &str) -> String {
     }
 }
 
-/// The variant and opt-level of such a name.
+/// The variant and opt-level of a name.
 pub(crate) fn split(name: &str) -> (&str, &'static str) {
     match name.strip_suffix(SMALL_SUFFIX) {
         Some(variant) => (variant, SMALL),
@@ -73,8 +73,8 @@ pub(crate) fn split(name: &str) -> (&str, &'static str) {
     }
 }
 
-/// The scenes, variants and cores that the command line names. A kind of which it names none is not limited, but that
-/// only the [`MAIN`] cells are measured at opt-level s.
+/// The scenes, variants and cores that the command line names. If it names none of a kind, all of that kind are measured, except
+/// that only the [`MAIN`] cells are measured at opt-level s.
 #[derive(Default)]
 pub(crate) struct Choice {
     scenes: Vec<String>,
@@ -113,7 +113,7 @@ impl Choice {
     }
 
     fn has(&self, scene: &str, variant: &str, level: &'static str) -> bool {
-        // No page has them, so no run for the pages measures them.
+        // No page lists these cells, so a run for the pages does not measure them.
         let is_method = TEXTURE_METHODS.iter().any(|cell| (cell.0, cell.1) == (scene, variant));
         if is_method && self.scenes.is_empty() && self.variants.is_empty() {
             return false;

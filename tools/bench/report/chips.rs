@@ -1,4 +1,4 @@
-//! Frames of chips that users have: what their flash adds, and how long the display's bus takes.
+//! Frames on chips that users have: the waits for their flash, and the time of the display's bus.
 
 use crate::cycles::emulated;
 use crate::registers::{self, Frames};
@@ -15,18 +15,18 @@ pub(crate) struct Chip {
     pub(crate) name: &'static str,
     pub(crate) core: &'static str,
     pub(crate) pipeline: Pipeline,
-    /// Whose images it runs.
+    /// The core whose images the chip runs.
     pub(crate) image: &'static str,
     pub(crate) mhz: f64,
     /// `None`: the code and the mesh are in RAM.
     pub(crate) flash: Option<FlashRules>,
-    /// What the page says about it.
+    /// The description of the flash on the page.
     pub(crate) flash_says: &'static str,
     /// The fastest clock of its SPI, by its data sheet.
     pub(crate) spi_mhz: f64,
-    /// In bytes.
+    /// RAM in bytes.
     pub(crate) ram: u32,
-    /// Of a band.
+    /// The rows of a band.
     pub(crate) rows: u32,
     pub(crate) error: &'static str,
 }
@@ -153,12 +153,12 @@ pub(crate) static CHIPS: [Chip; 7] = [
 /// A frame of `bench::timed::TIMED` on a chip.
 pub(crate) struct ChipFrame {
     pub(crate) chip: &'static Chip,
-    /// Its number there.
+    /// The number of the frame in `bench::timed::TIMED`.
     pub(crate) timed: usize,
     /// The rows of a band; `None` for a whole picture.
     pub(crate) rows: Option<u32>,
     pub(crate) instructions: u64,
-    /// From flash, with what it waits for.
+    /// Cycles with code in flash, waits included.
     pub(crate) cycles: u64,
     pub(crate) waited: u64,
     /// Without wait states.
@@ -168,7 +168,7 @@ pub(crate) struct ChipFrame {
 }
 
 impl ChipFrame {
-    /// In milliseconds.
+    /// The time of drawing in milliseconds.
     pub(crate) fn drawing(&self) -> f64 {
         self.cycles as f64 / self.chip.mhz / 1000.0
     }
@@ -200,7 +200,7 @@ fn period(draw: &[f64], send: f64) -> f64 {
     // The first frames start with an idle bus; after a few the delay repeats.
     for _ in 0..8 {
         for band in draw {
-            // A strip is free when what was in it, two bands ago, is sent.
+            // A strip is free when its last content, two bands ago, has been sent.
             drawn = drawn.max(sent_before) + band;
             sent_before = sent;
             sent = drawn.max(sent) + send;
@@ -279,7 +279,7 @@ fn measure(failures: &mut Vec<String>) -> Result<Vec<ChipFrame>> {
     Ok(frames)
 }
 
-/// What an image has drawn and printed, and where the function is that takes the pixels.
+/// Runs an image and returns its recorded frames, its output, and the address of the function that takes the pixels.
 fn record(core: &str, image: usize) -> Result<(Frames, String, u32)> {
     let core = emulated(core)?;
     let path = core.build().image(IMAGES[image].0);
@@ -289,7 +289,7 @@ fn record(core: &str, image: usize) -> Result<(Frames, String, u32)> {
     Ok((registers::record(core, &path, &places, TIMED.len())?, core.run(&path)?, mark))
 }
 
-/// Fails where the clock counted something else than was recorded, or the picture is not the host's.
+/// Fails if the clock counted something else than was recorded, or if the picture is not the host's.
 fn compare(
     name: &str,
     rows: Option<u32>,
@@ -314,7 +314,7 @@ fn compare(
     Ok(())
 }
 
-/// A frame behind another of its kind, so that caches are warm.
+/// Times a frame that follows another one of its kind, so that caches are warm.
 fn time(
     chip: &'static Chip,
     timed: usize,
@@ -329,7 +329,7 @@ fn time(
     let ideal = pass(None).cycles;
     pass(flash.as_mut());
     let taken = pass(flash.as_mut());
-    // What comes behind the last band belongs to the first of the next frame.
+    // The cycles after the last band belong to the first band of the next frame.
     let first = taken.marks.first().copied().unwrap_or_default();
     let last = taken.marks.last().copied().unwrap_or_default();
     let between = taken.marks.windows(2).map(|pair| pair[1] - pair[0]);

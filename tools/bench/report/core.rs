@@ -24,12 +24,12 @@ impl Core {
         Build { target: self.target, level: "3" }
     }
 
-    /// What a firmware prints.
+    /// Runs a firmware and returns its output.
     pub(crate) fn run(self, image: &Path) -> Result<String> {
         self.run_on(self.name, image)
     }
 
-    /// What a firmware for this core prints on a board of `tools/bench/emulate`.
+    /// Runs a firmware for this core on a board of `tools/bench/emulate` and returns its output.
     pub(crate) fn run_on(self, board: &str, image: &Path) -> Result<String> {
         let output = emulate(board, image).output()?;
         let (printed, console) = (String::from_utf8(output.stdout)?, String::from_utf8_lossy(&output.stderr));

@@ -40,7 +40,7 @@ impl Build {
         Ok(())
     }
 
-    /// What a firmware prints, and how deep its stack was.
+    /// Runs a firmware; returns its output and the depth of its stack.
     pub(crate) fn run(self, bin: &str) -> Result<(String, u64)> {
         let output = self.command("run").args(["--bin", bin]).stdin(Stdio::null()).output()?;
         let (printed, console) = (String::from_utf8(output.stdout)?, String::from_utf8(output.stderr)?);
@@ -79,10 +79,10 @@ fn cross() -> Command {
 
 /// The compiler that the firmware is built with.
 pub(crate) fn compiler() -> Result<String> {
-    // Named, the target makes `tools/cross` choose.
+    // The name of the target makes `tools/cross` choose the compiler.
     let output =
         cross().args(["bash", "-c", "\"${RUSTC:-rustc}\" --version", "--target", crate::M3]).output()?;
     let text = String::from_utf8(output.stdout)?;
-    // Without the date and what the distributor adds.
+    // Without the date and the distributor's additions.
     Ok(text.split_whitespace().take(2).collect::<Vec<_>>().join(" "))
 }

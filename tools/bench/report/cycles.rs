@@ -10,7 +10,7 @@ use crate::{provenance, trace, Result};
 use bench::cells::CELLS;
 use std::fmt;
 
-/// A core with a timing table, and whose images it runs.
+/// A core with a timing table, and the core whose images it runs.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct TimedCore {
     pub(crate) name: &'static str,
@@ -30,7 +30,7 @@ pub(crate) const TIMED_CORES: [TimedCore; 5] = [
 /// A cell on a core, without wait states.
 pub(crate) struct CellCycles {
     pub(crate) scene: &'static str,
-    /// With its opt-level.
+    /// The variant, with its opt-level.
     pub(crate) variant: String,
     pub(crate) core: TimedCore,
     pub(crate) instructions: u64,
@@ -50,7 +50,7 @@ impl fmt::Display for CellCycles {
     }
 }
 
-/// What the command line names: scenes and variants, and cores of [`TIMED_CORES`], all of them if it names none.
+/// The scenes, variants and cores of [`TIMED_CORES`] that the command line names; all of them if it names none.
 pub(crate) struct Asked {
     choice: Choice,
     cores: Vec<TimedCore>,
@@ -80,7 +80,7 @@ pub(crate) fn print(asked: &Asked, failures: &mut Vec<String>) -> Result<()> {
     Ok(())
 }
 
-/// The cells of the page: those that have targets, and some of what users draw.
+/// Whether a cell is on the page: cells that have targets, and some of what users draw.
 pub(crate) fn is_on_page(cell: &Cell) -> bool {
     let some = ["C1", "T1", "F50"].contains(&cell.scene) && ["plain", "z"].contains(&cell.variant);
     let target = CELLS.iter().any(|known| (known.0, known.1) == (cell.scene, cell.variant));
@@ -100,7 +100,7 @@ pub(crate) fn time(
     })?;
     let mut all = Vec::new();
     for (cell, (instructions, cycles)) in cells.iter().zip(timed) {
-        // The clock takes off what counting takes.
+        // The clock subtracts its own cost.
         if instructions.abs_diff(cell.instructions) > crate::profile::APART && !cycles.is_empty() {
             failures.push(format!("{cell}: {instructions} instructions in the log"));
         }

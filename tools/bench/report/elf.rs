@@ -4,15 +4,15 @@ use crate::Result;
 use std::ops::Range;
 use std::path::Path;
 
-/// In bytes.
+/// The sizes of an image in bytes.
 pub(crate) struct Sizes {
-    /// What takes flash: code, constants and the start values of variables.
+    /// Bytes of flash: code, constants and the start values of variables.
     pub(crate) flash: u64,
-    /// What takes RAM from the start: variables.
+    /// Bytes of RAM that are taken from the start: variables.
     pub(crate) statics: u64,
-    /// Where the instructions are.
+    /// The addresses of the instructions.
     pub(crate) code: Range<u64>,
-    /// Where they are in the file.
+    /// Their place in the file.
     code_offset: Range<usize>,
 }
 
@@ -45,7 +45,7 @@ pub(crate) fn sizes(image: &Path) -> Result<Sizes> {
             let (kind, flags) = (word(at + 4)?, word(at + 8)?);
             let (from, bytes) = (word(at + 12)? as u64, word(at + 20)? as u64);
             let (allocated, writable, empty) = (flags & 2 != 0, flags & 1 != 0, kind == 8);
-            // What riscv-rt leaves of RAM.
+            // The section of the RAM that riscv-rt leaves free.
             let name = file.get(names + word(at)?..)?;
             if name.starts_with(b".stack\0") || name.starts_with(b".heap\0") {
                 continue;

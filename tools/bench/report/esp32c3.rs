@@ -9,16 +9,16 @@ use bench::timed::{Variant, IMAGES, TIMED};
 /// The image in bands of 16 rows.
 const IMAGE: usize = 1;
 
-/// Code and constants in flash: a read-only cache of 16 KB, 8 ways, lines of 32 bytes (data sheet, section 3.1.5). Of its waits only the
-/// number counts.
+/// Code and constants in flash: a read-only cache of 16 KB, 8 ways, lines of 32 bytes (data sheet, section 3.1.5). Only the
+/// number of its waits is used.
 const FLASH: FlashRules =
     FlashRules { wait: 1, line: 32, prefetch: false, lines: 512, ways: 8, data: DataCache::Shared };
 
-/// Cycles of a line, for [`Rules::Least`], [`Rules::Likely`] and [`Rules::Most`]: 84 clocks of 80 MHz by four wires, what a load that misses
-/// took on an ESP32-C6 (LLTA-Bench, as in `timing/riscv.rs`), and 152 clocks of 40 MHz by two wires.
+/// Cycles of a line, for [`Rules::Least`], [`Rules::Likely`] and [`Rules::Most`]: 84 clocks of 80 MHz by four wires; a load that
+/// misses, measured on an ESP32-C6 (LLTA-Bench, as in `timing/riscv.rs`); and 152 clocks of 40 MHz by two wires.
 const MISS: [u64; 3] = [168, 347, 608];
 
-/// Frames of a kind. Cycles are by [`Rules::Least`], [`Rules::Likely`] and [`Rules::Most`].
+/// The sum of frames of a kind, with cycles by [`Rules::Least`], [`Rules::Likely`] and [`Rules::Most`].
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Sum {
     instructions: u64,
@@ -47,9 +47,9 @@ impl Sum {
         self.instructions
     }
 
-    /// Adds a frame: a run of `Clock::count`, over a mesh and other constants of so many bytes.
+    /// Adds a frame: a run of `Clock::count`, with a mesh and other constants of `constants` bytes.
     pub(crate) fn add(&mut self, program: &Program, run: &[u32], constants: u32) -> Result<()> {
-        // What the clock calls, by its only jump to a register.
+        // The function that the clock calls, by its only jump to a register.
         let is_call = |at: &u32| program.instruction(*at).is_some_and(|it| it.kind == Kind::JumpTo);
         let call = run.iter().position(is_call).ok_or("the clock calls nothing")?;
         let end = run[call] + program.instruction(run[call]).map_or(0, |it| it.size);
@@ -65,7 +65,7 @@ impl Sum {
     }
 }
 
-/// Lines, faces, and faces with depth.
+/// Measures lines, faces, and faces with depth.
 pub(crate) fn measure() -> Result<[Sum; 3]> {
     let core = emulated("RV32")?;
     let name = IMAGES[IMAGE].0;

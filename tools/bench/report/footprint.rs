@@ -22,25 +22,25 @@ pub(crate) const BUILDS: [Build; 5] = [
     Build { target: RV32, level: "3" },
 ];
 const ARM: &[Build] = &[BUILDS[0], BUILDS[1], BUILDS[2], BUILDS[3]];
-/// With RISC-V, for the planner's page, which compares ways to draw.
+/// Builds with RISC-V, for the planner's page, which compares ways to draw.
 const WITH_RISCV: &[Build] = &BUILDS;
-/// Ways to draw that only the planner compares: at the level whose time it knows.
+/// Builds of ways to draw that only the planner compares: at the opt-level whose times it knows.
 const FAST: &[Build] = &[BUILDS[0], BUILDS[2], BUILDS[4]];
 
-/// An image, and the parts of the library that it must hold nothing of. All of these are in the image `WITNESS`, or the
+/// An image, and the parts of the library that it must not contain. All of these parts are in the image `WITNESS`, otherwise the
 /// check would be blind.
 pub(crate) struct Image {
     pub(crate) name: &'static str,
-    /// On the page.
+    /// The name on the page.
     pub(crate) says: &'static str,
-    /// What it is to come down to on the M3 at level 3.
+    /// The goal for its flash on the M3 at level 3.
     pub(crate) goal: Option<u64>,
     without: &'static [Part],
-    /// What it is built for.
+    /// The builds that it is measured in.
     builds: &'static [Build],
 }
 
-/// What the stack of all of them is to come down to on the M3 at level 3, the program's own frames included.
+/// The goal for the stack of all images on the M3 at level 3, with the program's own frames.
 pub(crate) const STACK: u64 = 1792;
 
 const DITHER: Part = Part("shading/dither.rs", None);
@@ -269,14 +269,14 @@ const LIMITS: &str = "tools/bench/footprint.txt";
 
 pub(crate) struct Footprint {
     pub(crate) sizes: BTreeMap<(&'static str, Build), Size>,
-    /// Where the code comes from, on the M3 at level 3.
+    /// The source of the code, on the M3 at level 3.
     pub(crate) code: BTreeMap<&'static str, Provenance>,
 }
 
-/// In bytes.
+/// The sizes of an image in bytes.
 #[derive(Clone, Copy)]
 pub(crate) struct Size {
-    /// More than the empty image has.
+    /// The flash without that of the empty image.
     pub(crate) flash: u64,
     pub(crate) variables: u64,
     pub(crate) stack: u64,
@@ -290,7 +290,7 @@ impl Size {
 }
 
 impl Image {
-    /// Of its [`Size::figures`], those of a build: the goals are the M3's at level 3.
+    /// The goals for [`Size::figures`] in a build: all goals are for the M3 at level 3.
     fn goals(&self, build: Build) -> [Option<u64>; 3] {
         if build == BUILDS[0] {
             [self.goal, None, Some(STACK)]
@@ -321,7 +321,7 @@ fn is_for(Part(file, _): &Part, build: Build) -> bool {
 }
 
 pub(crate) fn measure(rebase: bool, failures: &mut Vec<String>) -> Result<Footprint> {
-    // Or the stack of cutting would not be seen.
+    // Otherwise the stack of cutting would not be measured.
     match bench::image::cut().ok_or("a camera")?.as_slice() {
         [[0, 0], [a, b]] if *a > 0 && *b > 0 => {}
         cut => failures.push(format!("of the cubes these faces are cut, not none, then some: {cut:?}")),
@@ -375,8 +375,8 @@ pub(crate) fn without_floats(name: &str, image: &Path, failures: &mut Vec<String
     Ok(())
 }
 
-/// What a figure may be that once was `before`: 5 % more, but where that met its goal, by the same compiler, it has to meet it
-/// still.
+/// The limit of a figure that once was `before`: 5 % more; but if it met its goal, by the same compiler, it must still meet the
+/// goal.
 fn most(before: u64, goal: Option<u64>, same: bool) -> u64 {
     let more = before + before / 20;
     match goal {
@@ -385,8 +385,7 @@ fn most(before: u64, goal: Option<u64>, same: bool) -> u64 {
     }
 }
 
-/// Holds every figure against what was once committed. For `rebase` today's are written instead, unless a goal would
-/// be lost.
+/// Compares every figure with the committed one. With `rebase`, today's figures are written instead, unless a goal would be lost.
 fn limits(
     rebase: bool,
     sizes: &BTreeMap<(&'static str, Build), Size>,

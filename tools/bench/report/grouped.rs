@@ -1,6 +1,6 @@
-//! How large numbers read: for all pages that are measured, and for those that quote them (`apps/pages`).
+//! The format of large numbers, for all pages that are measured and pages that quote them (`apps/pages`).
 
-/// Between the digits: a space that does not break.
+/// The separator of groups of digits: a space that does not break.
 pub(crate) const SPACE: char = '\u{a0}';
 
 /// 1234567 as 1 234 567.

@@ -9,7 +9,7 @@ use bench::growth::{names, Case, Way, Work, CASES, WAYS};
 pub(crate) struct Growth {
     pub(crate) core: Core,
     pub(crate) ways: &'static [Way],
-    /// As `bench::growth::names` has them.
+    /// The constants, in the order of `bench::growth::names`.
     pub(crate) constants: Vec<f64>,
     pub(crate) drawn: Vec<Drawn>,
 }
@@ -22,12 +22,12 @@ pub(crate) struct Drawn {
 }
 
 impl Growth {
-    /// What the constants say, over what was counted.
+    /// The instructions by the constants, divided by those that were counted.
     pub(crate) fn ratio(&self, drawn: &Drawn) -> f64 {
         dot(&drawn.work.counts(drawn.way), &self.constants) / drawn.instructions as f64
     }
 
-    /// The errors of cases that `chosen` chooses: their mean, that of their sizes, and the largest size.
+    /// The errors of the cases that `chosen` chooses: their mean, the mean of their magnitudes, and the largest magnitude.
     pub(crate) fn errors(&self, chosen: impl Fn(&Drawn) -> bool) -> [f64; 3] {
         let drawn = self.drawn.iter().filter(|drawn| chosen(drawn));
         let errors: Vec<f64> = drawn.map(|drawn| self.ratio(drawn) - 1.0).collect();
@@ -37,7 +37,7 @@ impl Growth {
     }
 }
 
-/// On the cores of the table, in the order of `WAYS`; and the instructions of placing an object on these cores.
+/// Measures the cores of the table, in the order of `WAYS`; also the instructions of placing an object on these cores.
 pub(crate) fn measure() -> Result<(Vec<Growth>, Vec<u64>)> {
     let works = works()?;
     let (mut all, mut placing) = (Vec::new(), Vec::new());
@@ -79,7 +79,7 @@ fn works() -> Result<Vec<(&'static Case, Way, Work)>> {
     .collect()
 }
 
-/// Relative errors count alike.
+/// Least squares of the relative errors.
 fn constants(drawn: &[Drawn]) -> Result<Vec<f64>> {
     let part = |drawn: &Drawn| -> Vec<f64> {
         let counts = drawn.work.counts(drawn.way).into_iter();

@@ -116,7 +116,7 @@ pub(crate) fn text(compiler: &str, all: &[Growth], placing: &[u64], per_instruct
     text
 }
 
-/// In the order of `WAYS`.
+/// The titles in the order of `WAYS`.
 const TITLES: [&str; 16] = [
     "Edges as lines",
     "Faces without depth",
@@ -168,7 +168,7 @@ fn constants(text: &mut String, title: &str, cores: &[&Growth]) {
     }
 }
 
-/// With its sign, unless it rounds to nothing.
+/// A percentage with its sign, unless it rounds to zero.
 fn signed(percent: f64, digits: usize) -> String {
     let unit = 10f64.powi(digits as i32);
     match (percent * unit).round() / unit {
@@ -179,7 +179,7 @@ fn signed(percent: f64, digits: usize) -> String {
 
 type Chosen = fn(&Drawn) -> bool;
 
-/// Not used in the fit, and with something to draw: some meshes have no edges.
+/// Whether a case was not used in the fit, and has something to draw: some meshes have no edges.
 fn is_check(drawn: &Drawn) -> bool {
     !drawn.case.fitted && drawn.work.faces > 0
 }

@@ -1,5 +1,5 @@
-//! Whether a change has made S1, S2 or S3 slower on M0 or M3: `baseline.txt` says what they took when it was written. The
-//! targets stay, however often that is written anew.
+//! Checks whether a change has made S1, S2 or S3 slower on M0 or M3: `baseline.txt` has their counts at the time when it was
+//! written. The targets stay, however often the baseline is written again.
 
 use crate::cells::{self, Cell, Choice};
 use crate::page::BUILT;
@@ -8,11 +8,11 @@ use std::fmt::Write;
 
 const BASELINE: &str = "tools/bench/baseline.txt";
 const GUARDED: [&str; 7] = ["S1", "S2", "S3", "plain", "z", "M0", "M3"];
-/// Percent that a cell may take more.
+/// The percentage by which a cell may grow.
 const MORE: f64 = 2.0;
 
-/// Prints the guarded cells and how they have changed. What takes more fails, where the compiler is the same; what is
-/// beyond 1.12 times its target fails anyway.
+/// Prints the guarded cells and their changes. A cell that grew too much fails, if the compiler is the same; a cell beyond 1.12
+/// times its target fails in any case.
 pub(crate) fn check(failures: &mut Vec<String>) -> Result<()> {
     let path = cross::root().join(BASELINE);
     let baseline = std::fs::read_to_string(path).map_err(|error| format!("{BASELINE}: {error}"))?;
@@ -38,7 +38,7 @@ pub(crate) fn check(failures: &mut Vec<String>) -> Result<()> {
     Ok(())
 }
 
-/// Takes today's counts, but fails too where one is beyond 1.12 times its target.
+/// Writes today's counts as the baseline, but also fails if one is beyond 1.12 times its target.
 pub(crate) fn rebase(failures: &mut Vec<String>) -> Result<()> {
     let mut text = format!(
         "# Instructions a frame; {MORE} % more fail. `tools/bench/run guard --rebase` writes this.\n{}\n",

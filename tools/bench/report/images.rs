@@ -1,4 +1,4 @@
-//! Cycles of images that are built elsewhere, which count one frame or more by the clock: on the chips that run them.
+//! Cycles of images that are built elsewhere and count one frame or more by the clock, on the chips that run them.
 
 use crate::chips::CHIPS;
 use crate::core::Core;
@@ -51,7 +51,7 @@ fn of(image: &Path) -> Result<Vec<String>> {
         let mut flash = chip.flash.map(Flash::new);
         let mut pass =
             || recorded.program.cycles(&frame.run, frame.end, chip.pipeline, flash.as_mut(), None).cycles;
-        // The frame behind another one, so that caches are warm.
+        // Time a frame that follows another one, so that caches are warm.
         pass();
         format!("{name};{};{};{}", chip.name, frame.run.len(), pass())
     });

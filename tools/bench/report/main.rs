@@ -101,7 +101,7 @@ impl Task {
         })
     }
 
-    /// What does not hold.
+    /// Runs the task; returns the checks that failed.
     fn run(self) -> Result<Vec<String>> {
         let mut failures = Vec::new();
         match self {
@@ -131,7 +131,7 @@ impl Task {
     }
 }
 
-/// All pages, if none is named.
+/// The named pages, or all if none is named.
 fn named(names: &[String]) -> Result<Vec<Page>> {
     if names.is_empty() {
         return Ok(PAGES.to_vec());

@@ -1,11 +1,11 @@
-//! What the pages have in common: who built the firmware, and whether an older page says the same.
+//! Code that the pages share: the line about the compiler, and the comparison with an older page.
 
 use crate::grouped::SPACE;
 
 /// The line that says what built the firmware.
 pub(crate) const BUILT: &str = "Built with ";
 
-/// What a number of bytes may differ by where 2 % are less: little functions come and go.
+/// The difference allowed for a number of bytes where 2 % are less: small functions come and go.
 const BYTES: f64 = 64.0;
 
 /// Fails for each line of the new page whose words differ from the old page, or a number by more than 2 %.

@@ -1,4 +1,4 @@
-//! The pages in `docs/`, each with what it takes to measure it.
+//! The pages in `docs/`, each with the measurements that it needs.
 
 use crate::bands::{self, Speed};
 use crate::cells::{self, Cell, Choice};
@@ -38,7 +38,7 @@ impl Page {
         format!("docs/{}.md", self.name())
     }
 
-    /// Measures what stands on it. `rebase` takes today's sizes for limits.
+    /// Measures the figures of a page. `rebase` takes today's sizes for limits.
     pub(crate) fn text(self, compiler: &str, rebase: bool, failures: &mut Vec<String>) -> Result<String> {
         Ok(match self {
             Self::Speed => speed(compiler, failures)?,
@@ -60,7 +60,7 @@ impl Page {
     }
 }
 
-/// All cells, which are printed as they come, and those that have planes without these.
+/// Measures all cells, which are printed as they come, and the cells that have planes once more without them.
 fn speed(compiler: &str, failures: &mut Vec<String>) -> Result<String> {
     scenes::compare_models(failures);
     scenes::compare_lists(failures);
@@ -89,7 +89,7 @@ fn speed(compiler: &str, failures: &mut Vec<String>) -> Result<String> {
     Ok(speed_page::text(compiler, &figures) + &cycles_page::cycles(&cycles) + &frames)
 }
 
-/// By planes and without the picture is the same.
+/// Asserts that pictures by planes and without planes are equal.
 fn compare_pictures(cells: &[Cell], without: &[Cell], failures: &mut Vec<String>) {
     for cell in without {
         let same = |of: &&Cell| (of.scene, of.variant, of.core) == (cell.scene, cell.variant, cell.core);

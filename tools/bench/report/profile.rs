@@ -1,5 +1,5 @@
-//! Where a cell's instructions go: each is of the stage that it was written for. What is inlined there from elsewhere, and
-//! what is called and belongs to no stage, as a division, is of the stage that runs.
+//! The instructions of a cell by stages. An instruction belongs to the stage for which its code was written. Code that is inlined
+//! there from elsewhere, and called functions that belong to no stage, such as a division, count for the stage that runs.
 
 use crate::cells::{self, Cell, Choice};
 use crate::core::Core;
@@ -25,7 +25,7 @@ impl Profile {
         STAGES.iter().zip(self.stages).filter(|of| *of.0 == stage).map(|of| of.1).sum()
     }
 
-    /// From the clock's count.
+    /// The difference from the clock's count.
     pub(crate) fn apart(&self) -> u64 {
         self.sum().abs_diff(self.cell.instructions)
     }
@@ -35,7 +35,7 @@ impl Profile {
     }
 }
 
-/// Of all cells on the cores that have targets.
+/// Measures all cells on the cores that have targets.
 pub(crate) fn measure(failures: &mut Vec<String>) -> Result<Vec<Profile>> {
     let mut names: Vec<String> = ["plain", "z", "M0", "M3", "M4F"].map(String::from).to_vec();
     names.extend(CELLS.iter().map(|cell| cell.0.to_string()));
@@ -55,7 +55,7 @@ pub(crate) fn measure(failures: &mut Vec<String>) -> Result<Vec<Profile>> {
         if profile.apart() > APART {
             failures.push(format!("{cell}: {sum} instructions in the log"));
         }
-        // A loop by a name that no rule has counts for another stage.
+        // A loop with a name that no rule has counts for another stage.
         if profile.of(Stage::Pixels) + profile.of(Stage::LinePixels) == 0 {
             failures.push(format!("{cell}: no instruction is for a pixel"));
         }
@@ -64,11 +64,11 @@ pub(crate) fn measure(failures: &mut Vec<String>) -> Result<Vec<Profile>> {
     Ok(profiles)
 }
 
-/// What an instruction is for.
+/// The purpose of an instruction.
 #[derive(Clone, Copy, PartialEq)]
 enum Place {
     Of(Stage),
-    /// What runs: a stage, or the clock.
+    /// The purpose of the code that runs: a stage, or the clock.
     Any,
     /// Counting itself, which is not counted.
     Clock,

@@ -269,7 +269,7 @@ const TABLE: &str = "
 |---|---|--:|--:|--:|--:|--:|--:|--:|
 ";
 
-/// As it was noted.
+/// The figure in the form in which it was noted.
 fn range((from, to): Noted) -> String {
     let whole = |number: f64| match number.fract() == 0.0 {
         true => grouped(number as u64),

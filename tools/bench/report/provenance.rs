@@ -1,5 +1,5 @@
-//! Which source each byte of an image's code comes from, functions that vanished by inlining included: from the
-//! image's debug information, which `llvm-symbolizer` reads.
+//! The source of each byte of an image's code, with functions that vanished by inlining: from the image's debug information,
+//! which `llvm-symbolizer` reads.
 
 use crate::{cross, elf, Result};
 use std::io::Write;
@@ -19,7 +19,7 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
-    /// From this folder on, if it lies there.
+    /// The frame with its path relative to this folder, if it lies there.
     pub(crate) fn within(self, folder: &Path) -> Option<Self> {
         let file = Path::new(&self.file).strip_prefix(folder).ok()?.display().to_string();
         Some(Self { file, ..self })
@@ -77,7 +77,7 @@ impl Provenance {
         Ok(Self { places: frames(image)?.into_iter().map(within).collect() })
     }
 
-    /// Bytes of code from one of these files, or inlined there from other libraries.
+    /// Bytes of code from this file, or inlined there from other libraries.
     pub(crate) fn of_file(&self, file: &str) -> u64 {
         let innermost = |place: &&Vec<Frame>| place.first().is_some_and(|frame| frame.file.starts_with(file));
         STEP * self.places.iter().filter(innermost).count() as u64

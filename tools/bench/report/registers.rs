@@ -19,13 +19,13 @@ pub(crate) struct Frames {
     pub(crate) frames: Vec<Recorded>,
 }
 
-/// A frame, and the address of what comes after it.
+/// A frame, and the address of the instruction after it.
 pub(crate) struct Recorded {
     pub(crate) run: Vec<Executed>,
     pub(crate) end: u32,
 }
 
-/// Where the first function of this name begins.
+/// The address of the first function of this name.
 pub(crate) fn function(image: &Path, places: &[Vec<Frame>], name: &str) -> Result<u32> {
     let named = |place: &Vec<Frame>| place.last().is_some_and(|frame| frame.function.ends_with(name));
     let at = places.iter().position(named).ok_or_else(|| format!("{}: no {name}", image.display()))?;
@@ -48,7 +48,7 @@ pub(crate) fn record(core: Core, image: &Path, places: &[Vec<Frame>], count: usi
         }
         recorder.read(&line);
     }
-    // What comes after the frames is of no interest.
+    // QEMU is stopped: only the frames are needed.
     let _ = qemu.kill();
     qemu.wait()?;
     match recorder.frames.len() {
@@ -67,15 +67,15 @@ pub(crate) fn record(core: Core, image: &Path, places: &[Vec<Frame>], count: usi
 #[derive(Default)]
 struct Recorder {
     program: Program,
-    /// Where the function begins that starts and stops the clock.
+    /// The address of the function that starts and stops the clock.
     clock: u32,
-    /// Of the instruction that is being read, and of that before it.
+    /// The state before the instruction that is being read, and before the one before it.
     state: State,
     before: State,
     conditions: Conditions,
-    /// How often the clock was called.
+    /// The number of calls of the clock.
     calls: u32,
-    /// Where it returns to from a frame, as long as that lasts.
+    /// The address to which the clock returns from a frame, while the frame lasts.
     back: Option<u32>,
     run: Vec<Executed>,
     frames: Vec<Vec<Executed>>,
@@ -133,7 +133,7 @@ fn value(digit: u8) -> u32 {
     }
 }
 
-/// Up to eight digits.
+/// A number of up to eight hexadecimal digits.
 fn hexadecimal(digits: &[u8]) -> u32 {
     digits.iter().take(8).fold(0, |sum, digit| sum << 4 | value(*digit))
 }

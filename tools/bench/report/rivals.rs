@@ -5,7 +5,7 @@ use crate::cross::BENCH;
 use crate::Result;
 use bench::cells::{CELLS, USER_CELLS};
 
-/// Of one library.
+/// The instructions of one library.
 pub(crate) struct Rival {
     pub(crate) name: &'static str,
     pub(crate) scene: String,
@@ -14,10 +14,10 @@ pub(crate) struct Rival {
     pub(crate) instructions: u64,
 }
 
-/// By their firmwares.
+/// The libraries, by their firmware.
 const RIVALS: [(&str, &str); 2] = [("3DG", "gfx"), ("EG", "graphics")];
 
-/// On the cores of the table.
+/// Measures the rivals on the cores of the table.
 pub(crate) fn measure(failures: &mut Vec<String>) -> Result<Vec<Rival>> {
     let mut rivals = Vec::new();
     for core in CORES.into_iter().filter(|core| core.name != "RV32") {

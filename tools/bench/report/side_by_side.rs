@@ -1,5 +1,5 @@
-//! What takes long, as many at once as the host has cores. Instructions are counted by the emulator's own clock: what runs
-//! beside it changes no count.
+//! Runs long tasks in parallel, as many as the host has cores. Instructions are counted by the emulator's own clock, so tasks
+//! that run at the same time change no count.
 
 use crate::Result;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -16,7 +16,7 @@ pub(crate) fn side_by_side<T: Sync, R: Send>(
         loop {
             let at = next.fetch_add(1, Ordering::Relaxed);
             let Some(this) = these.get(at) else { break done };
-            // An error may stay in its thread, its words may not.
+            // Errors stay in their thread; their messages are passed on.
             done.push((at, each(this).map_err(|error| error.to_string())));
         }
     };

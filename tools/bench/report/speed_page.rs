@@ -137,7 +137,7 @@ impl Figures<'_> {
         self.rivals.iter().find(same).map(|rival| rival.instructions)
     }
 
-    /// At opt-level 3.
+    /// A cell at opt-level 3.
     pub(crate) fn cell(&self, scene: &str, variant: &str, core: &str) -> Option<&Cell> {
         self.at(scene, variant, FAST, core)
     }

@@ -1,4 +1,4 @@
-//! `targets.txt`: what each cell is measured against.
+//! `targets.txt`: the targets of the cells.
 
 use crate::cells::{split, Cell, FAST};
 use crate::Result;
@@ -6,7 +6,7 @@ use bench::cells::USER_CELLS;
 
 const TARGETS: &str = include_str!("../targets.txt");
 
-/// In instructions a frame.
+/// A target of a cell, in instructions a frame.
 pub(crate) struct Target {
     pub(crate) scene: &'static str,
     pub(crate) variant: &'static str,
@@ -16,7 +16,7 @@ pub(crate) struct Target {
     /// The best rival.
     pub(crate) rival: &'static str,
     pub(crate) best: u64,
-    /// Of embedded-3dgfx.
+    /// The instructions of embedded-3dgfx.
     pub(crate) gfx: u64,
 }
 

@@ -15,10 +15,10 @@ use std::process::Stdio;
 /// (`exec`), if blocks are not chained. A log that is named as a file is written line by line, a plain stderr word by word.
 const LOG: [&str; 4] = ["-d", "exec,nochain,in_asm", "-D", "/dev/stderr"];
 
-/// `Clock::count` is called so often before it counts the frame: `Clock::new` does that.
+/// `Clock::count` is called this often before it counts the frame: by `Clock::new`.
 pub(crate) const EARLIER: u32 = 3;
 
-/// Where `Clock::count` begins, given what stands at every [`STEP`] of the code.
+/// The address of `Clock::count`, given the frames at every [`STEP`] of the code.
 pub(crate) fn clock(image: &Path, places: &[Vec<Frame>]) -> Result<u64> {
     let counts = |place: &Vec<Frame>| {
         place.last().is_some_and(|f| f.function.contains("Clock") && f.function.ends_with("count"))
@@ -36,7 +36,7 @@ pub(crate) fn clock_code(image: &Path, places: &[Vec<Frame>]) -> Result<Range<u3
     Ok(u32::try_from(start)?..u32::try_from(start + STEP * count as u64)?)
 }
 
-/// What of a run of `Clock::count` is counted, and the address behind: what it calls by its only `BLX`, of two bytes.
+/// The counted part of a run of `Clock::count`, and the address after it: from the call by its only `BLX`, of two bytes.
 pub(crate) fn counted(run: &[Executed], clock: Range<u32>) -> Result<(&[Executed], u32)> {
     let outside = |executed: &Executed| !clock.contains(&executed.at);
     let start = run.iter().position(outside).filter(|start| *start > 0).ok_or("the clock counts nothing")?;
@@ -72,18 +72,19 @@ fn is_elsewhere(frame: &Frame) -> bool {
         || ["Checksum", "Clock::turns", "Clock>::turns"].iter().any(|name| frame.function.contains(name))
 }
 
-/// What the log has said so far.
+/// The state of reading the log.
 #[derive(Default)]
 struct Log {
     /// The instruction addresses of each block, by the block's address in QEMU's cache.
     blocks: HashMap<u64, Vec<u64>>,
     /// The block that is being translated.
     new: Option<Vec<u64>>,
-    /// Entered; not executed if QEMU has to see to something else first.
+    /// The block that was entered; it is not executed if QEMU must do something else first.
     entered: Option<u64>,
-    /// Executed before that.
+    /// The block that was executed before it.
     before: Vec<u64>,
-    /// How often the clock was called, and where that returns to in the frame that is counted: behind this instruction.
+    /// The number of calls of the clock, and the address to which the clock returns in the counted frame, which lies after this
+    /// instruction.
     calls: u32,
     call: Option<u64>,
 }
@@ -121,7 +122,7 @@ pub(crate) fn frames(
             (log.call, number) = (None, number + 1);
         }
     }
-    // What comes after the frames is of no interest.
+    // QEMU is stopped: only the frames are needed.
     let _ = qemu.kill();
     qemu.wait()?;
     match number == count {
@@ -152,7 +153,7 @@ impl Log {
         false
     }
 
-    /// What was entered last. Whether that is behind the frame.
+    /// Takes the block that was entered last as executed. Returns whether it lies after the frame.
     fn execute(&mut self, clock: u64, each: &mut impl FnMut(&[u64])) -> bool {
         let Some(block) = self.entered.and_then(|kept| self.blocks.get(&kept)) else { return false };
         let first = block.first().copied().unwrap_or_default();
@@ -174,7 +175,7 @@ impl Log {
     }
 }
 
-/// The number at the start.
+/// The hexadecimal number at the start.
 fn hexadecimal(text: &[u8]) -> Option<u64> {
     let digits = text.iter().position(|byte| !byte.is_ascii_hexdigit()).unwrap_or(text.len());
     u64::from_str_radix(std::str::from_utf8(text.get(..digits)?).ok()?, 16).ok()

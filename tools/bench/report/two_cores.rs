@@ -11,7 +11,7 @@ use std::fmt::Write;
 /// The most that a frame by two cores may take of one core's instructions.
 const MOST: f64 = 0.62;
 
-/// By core, scene and way.
+/// The results by core, scene and way.
 pub(crate) struct Frame {
     core: &'static str,
     scene: &'static str,
@@ -33,7 +33,7 @@ fn cores() -> impl Iterator<Item = Core> {
     CORES.into_iter().filter(|core| matches!(core.name, "M0" | "M3"))
 }
 
-/// Runs the firmware, which fails where the picture of two cores is not that of one. `host` has the host's checksums.
+/// Runs the firmware, which fails if the picture of two cores differs from that of one. `host` has the host's checksums.
 pub(crate) fn measure(host: &Lines, failures: &mut Vec<String>) -> Result<Vec<Frame>> {
     let mut frames = Vec::new();
     for core in cores() {

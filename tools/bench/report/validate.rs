@@ -17,10 +17,10 @@ const PUBLISHED: [(&str, u64); 4] = [
     ("P-256 shared secret", 906_000),
 ];
 
-/// How far off the tables may be: their stated error.
+/// The stated error of the tables.
 const MOST: f64 = 0.04;
 
-/// Prints a line for each: what, chip, published cycles, cycles by the tables, error in per cent.
+/// Prints a line for each function: name, chip, published cycles, cycles by the tables, error in per cent.
 pub(crate) fn run(failures: &mut Vec<String>) -> Result<()> {
     let (core, chip) = (emulated("M4F")?, CHIPS.iter().find(|chip| chip.name == "nRF52840"));
     let rules = chip.and_then(|chip| chip.flash).ok_or("no flash of an nRF52840")?;
@@ -41,8 +41,8 @@ pub(crate) fn run(failures: &mut Vec<String>) -> Result<()> {
     Ok(())
 }
 
-/// A copy of an image in which a multiple load or store of one register is a single one, as GNU's assembler has it. LLVM's leaves it, which
-/// the architecture calls unpredictable and QEMU takes for undefined.
+/// A copy of an image in which a multiple load or store of one register is replaced by a single one, as GNU's assembler writes
+/// it. LLVM's assembler leaves it, which the architecture calls unpredictable and QEMU treats as undefined.
 fn with_single_accesses(image: &Path) -> Result<PathBuf> {
     let code = elf::code(image)?;
     let mut halves: Vec<u16> =

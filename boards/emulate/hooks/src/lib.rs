@@ -1,17 +1,17 @@
-//! What the emulated STM32F411 does in every basic block and for every byte on its bus, as callbacks for Unicorn.
+//! The emulated STM32F411 in every basic block and for every byte on its bus, as callbacks for Unicorn.
 //!
 //! A turn of the board is 60 million blocks and 30 million accesses to SPI1. A callback in Python takes half a microsecond, one
-//! of these some nanoseconds. All else is in `stm32f411.py`, which makes a [`Hooks`], calls the functions here, and is called
-//! back where something happens that is rare.
+//! of these functions some nanoseconds. Everything else is in `stm32f411.py`, which makes a [`Hooks`], calls the functions here,
+//! and is called back for rare events.
 #![allow(unsafe_code)] // callbacks by pointer, from C and to Python
 
 use std::cell::Cell;
 
-/// Cycles that an access to a peripheral takes more.
+/// Additional cycles of an access to a peripheral.
 const PERIPHERAL: u64 = 2;
-/// What a branch takes more if it is taken.
+/// Additional cycles of a branch that is taken.
 const TAKEN: u64 = 1;
-/// Rounds of a loop of one block after which `skip` may count it down.
+/// Rounds after which `skip` may count down a loop of one block.
 const ROUNDS: u64 = 100;
 /// Bytes of such a loop: two short instructions.
 const COUNTDOWN: u32 = 4;
@@ -19,7 +19,7 @@ const COUNTDOWN: u32 = 4;
 const FLASH: u64 = 0x0800_0000;
 /// Halfwords of flash: an instruction begins at each of them.
 const HALFWORDS: usize = 256 << 10;
-/// Records that fit before they are written.
+/// The number of records that are collected before they are written.
 const RECORDS: usize = 8192;
 
 /// Offsets of SPI1's status and data in the page of its registers.
@@ -34,22 +34,22 @@ const BUSY: u64 = 1 << 7;
 const BYTE: u64 = 0x00;
 const BROKEN: u64 = 0x50;
 
-/// For [`Hooks::waiting`] and others: none.
+/// The value that stands for none, in [`Hooks::waiting`] and other fields.
 const NONE: u64 = u64::MAX;
 
-/// The state that is shared with `stm32f411.py`, which declares the fields in the same order. `Cell`, because a function that
-/// is called back changes fields, too.
+/// The state shared with `stm32f411.py`, which declares the fields in the same order. Fields are `Cell`s, because functions that
+/// are called back change them, too.
 #[repr(C)]
 pub struct Hooks {
-    /// Time: cycles since power on, and since when the frequency is as it is.
+    /// Time: the cycles since power on, and since the last change of the frequency.
     cycles: Cell<u64>,
     since: Cell<u64>,
     nanoseconds: Cell<u64>,
     frequency: Cell<u64>,
-    /// When `look` is called, in cycles.
+    /// The cycle at which `look` is called.
     due: Cell<u64>,
 
-    /// The current block, where it ends, and how often it has run without another between.
+    /// The current block, its end, and how often it has run without another block in between.
     current: Cell<u64>,
     after: Cell<u64>,
     repeated: Cell<u64>,
@@ -59,22 +59,22 @@ pub struct Hooks {
     select: u64,
     command: u64,
 
-    /// SPI1: whether it has a clock; a byte that waits, a byte that is shifted out, and when that ends, in cycles.
+    /// SPI1: whether it has a clock; the byte that waits, the byte that is shifted out, and the cycle at which that ends.
     clocked: Cell<u64>,
     waiting: Cell<u64>,
     shifting: Cell<u64>,
     end: Cell<u64>,
-    /// Whether a byte was shifted in, one was lost, and CS was high while a byte was shifted.
+    /// Whether a byte was shifted in, whether one was lost, and whether CS was high while a byte was shifted.
     received: Cell<u64>,
     overrun: Cell<u64>,
     unselected: Cell<u64>,
     /// Cycles of a bit; 0 until SPI1 is found to be set up.
     bit_cycles: Cell<u64>,
-    /// The status that was read last, when and in which block; no status if something has happened since.
+    /// The status that was read last, and when and in which block; no status if something has happened since.
     polled: Cell<u64>,
     polled_at: Cell<u64>,
     polled_in: Cell<u64>,
-    /// Bytes that were sent, and the one with which the overrun flag is set.
+    /// The number of bytes sent, and the number of the byte at which the overrun flag is set.
     sent: Cell<u64>,
     fail_at: u64,
     /// Cycles for which the core has waited for the bus.
@@ -94,11 +94,11 @@ pub struct Hooks {
     records: [Cell<u64>; RECORDS],
     /// Cycles of the block that begins at a halfword; 0 if they are not known.
     costs: [Cell<u16>; HALFWORDS],
-    /// Cycles of a loop that polls SPI1, by the block that it is entered with; 0 if it is not known.
+    /// Cycles of a loop that polls SPI1, by the block at which it is entered; 0 if they are not known.
     rounds: [Cell<u32>; HALFWORDS],
 }
 
-/// The size of [`Hooks`], by which the caller sees that it declares the same fields.
+/// The size of [`Hooks`], by which the caller checks that it declares equal fields.
 #[no_mangle]
 pub extern "C" fn hooks_size() -> usize {
     size_of::<Hooks>()
@@ -210,8 +210,8 @@ impl Hooks {
         }
     }
 
-    /// The status. A loop that waits for the end of a byte is known once it has read the same status twice. Its rounds until
-    /// the end go by at once.
+    /// The status. A loop that waits for the end of a byte is recognised when it has read the same status twice; its rounds until
+    /// the end are then skipped.
     fn poll(&self) -> u64 {
         let mut status = self.status();
         if self.shifting.get() != NONE {
@@ -248,7 +248,7 @@ impl Hooks {
             | flag(self.shifting.get() != NONE, BUSY)
     }
 
-    /// What has happened on the bus until now.
+    /// Brings the bus up to date.
     fn settle(&self) {
         while self.shifting.get() != NONE && self.end.get() <= self.cycles.get() {
             let end = self.end.get();

@@ -7,7 +7,7 @@ mod stm32f4_ili9341;
 use std::path::Path;
 use support::panel::Held;
 
-/// A firmware of `boards`, and what is soldered to its microcontroller.
+/// A firmware of `boards`, and the circuit around its microcontroller.
 pub(crate) struct Board {
     /// Its folder in `boards`.
     pub(crate) name: &'static str,
@@ -19,7 +19,7 @@ pub(crate) struct Board {
     pub(crate) pictures: MakePictures,
 }
 
-/// What a frame sends after the first one, and so how its end shows.
+/// What a frame sends after the first one, which decides how the end of a frame is recognised.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sends {
     /// All pixels: a frame ends with the last one.
@@ -60,7 +60,7 @@ pub(crate) struct Display {
 
 /// The pixels of a frame of the turn as the display's memory stores them, row by row.
 pub(crate) type Pictures = Box<dyn FnMut(u32) -> Result<Vec<u32>, String>>;
-/// From the model that the board draws.
+/// Makes the pictures, given the file of the model that the board draws.
 pub(crate) type MakePictures = fn(&Path) -> Result<Pictures, String>;
 
 pub(crate) const BOARDS: &[Board] = &[
@@ -112,7 +112,8 @@ fn import(model: &Path, options: &pinhole_import::Options) -> Result<pinhole_imp
     pinhole_import::import(model, options).map_err(|error| error.to_string())
 }
 
-/// The pictures of a turn from a file, whose format the command's help describes. They may be fewer than a turn has.
+/// Reads the pictures of a turn from a file, in the format that the command's help describes. The file may have fewer pictures
+/// than a turn.
 pub(crate) fn read(board: &Board, file: &Path) -> Result<Pictures, String> {
     let bytes = std::fs::read(file).map_err(|error| format!("{}: {error}", file.display()))?;
     let length = usize::from(board.display.width) * usize::from(board.display.height) * 2;

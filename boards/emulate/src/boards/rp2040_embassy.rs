@@ -13,7 +13,7 @@ mod script;
 
 pub(crate) const FRAMES: u32 = picture::STEPS as u32;
 
-/// Whole pictures, where the firmware sends the rectangles that have changed.
+/// Complete pictures, while the firmware sends only the rectangles that have changed.
 pub(crate) fn pictures(model: &Path) -> Result<Pictures, String> {
     let imported = super::import(model, &script::options())?;
     Ok(Box::new(move |frame| {

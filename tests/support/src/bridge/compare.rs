@@ -43,7 +43,7 @@ pub fn line_both_ways(a: P, b: P, area: Area) {
 /// Half a unit of the last place of I16F16, and a little for earlier roundings.
 pub const HALF: f64 = 0.51 / 65536.0;
 
-/// Each coordinate, within a bound.
+/// Asserts that each coordinate is within a bound.
 pub fn close3(ours: V3, exact: V3, bound: f64, what: &str) {
     for i in 0..3 {
         let error = (ours[i] - exact[i]).abs();

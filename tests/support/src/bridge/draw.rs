@@ -18,7 +18,7 @@ impl PixelColor for Shader {
 pub const CUBE: [[i16; 3]; 8] =
     [[-1, -1, -1], [1, -1, -1], [-1, 1, -1], [1, 1, -1], [-1, -1, 1], [1, -1, 1], [-1, 1, 1], [1, 1, 1]];
 
-/// Counter-clockwise from outside: +x, −x, +y, −y, +z, −z, two each.
+/// The faces, counter-clockwise from outside: +x, −x, +y, −y, +z, −z, two each.
 pub const CUBE_FACES: [[u16; 3]; 12] = [
     [1, 3, 7],
     [1, 7, 5],
@@ -42,7 +42,7 @@ pub fn room_faces() -> [[u16; 3]; 12] {
 pub const CUBE_EDGES: [[u16; 2]; 12] =
     [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 
-/// Front faces in mesh order; face k in Shader(k).
+/// Draws front faces in mesh order; face k in Shader(k).
 pub fn solid<V: Coordinate>(
     instance: &MeshInstance<'_, V>,
     target: &mut Recorder<Shader>,
@@ -56,7 +56,7 @@ pub fn wireframe(instance: &MeshInstance<'_>, target: &mut Recorder<Shader>) -> 
     instance.wireframe(Shader(7), &mut cache, target)
 }
 
-/// At a turned cube, from above and before it.
+/// A camera in front of a turned cube, looking down at it.
 pub fn cube_camera(viewport: (i32, i32, u32, u32)) -> CameraBits {
     CameraBits {
         view: ViewBits::LookAt([0, ONE, 3 * ONE], [0; 3], [0, ONE, 0]),
@@ -76,7 +76,7 @@ pub enum Way {
 /// The ways to draw a mesh.
 pub const WAYS: [Way; 4] = [Way::Wireframe, Way::Solid, Way::Painter, Way::Depth];
 
-/// A turned cube, any way, onto a target.
+/// Draws a turned cube in one of the ways onto a target.
 pub fn turned_cube(
     way: Way,
     camera: &CameraBits,

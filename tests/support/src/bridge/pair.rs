@@ -1,4 +1,4 @@
-//! Everything twice from the same bits: once for the library, once for the f64 oracle.
+//! Makes everything twice from the same bits: once for the library, once for the f64 oracle.
 
 use super::{point, rectangle, scalar, vector};
 use crate::oracle::chain::{self, fx, M4};

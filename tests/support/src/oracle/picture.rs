@@ -24,7 +24,7 @@ pub struct Scene {
 /// A triangle on the screen, in pixels, y down.
 struct Polygon {
     corners: Vec<[f64; 2]>,
-    /// Of the triangle that it was cut from: depth = a·x + b·y + c, 0 … 65535.
+    /// The depth plane of the triangle that it was cut from: depth = a·x + b·y + c, 0 … 65535.
     plane: V3,
     /// The smallest w of a corner.
     w: f64,
@@ -162,7 +162,7 @@ pub struct Comparison {
     pub shift: f64,
     /// Pixels whose centre shows something else than the exact scene: they need the move.
     pub moved: usize,
-    /// Of those, the ones where there is something instead of nothing or the other way round.
+    /// Of these, the pixels where there is a triangle instead of nothing, or nothing instead of a triangle.
     pub background: usize,
     /// The largest distance of a stored depth from the exact one, in steps, beyond what a move of the
     /// edges by `SNAP` changes and what the chain may do to the corners' depths.

@@ -11,9 +11,9 @@ use std::collections::BTreeMap;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Call<C> {
     Solid(Rectangle, C),
-    /// The rectangle and how many colours came.
+    /// The rectangle and the number of colours that came.
     Contiguous(Rectangle, usize),
-    /// How many single pixels came.
+    /// The number of single pixels that came.
     Pixels(usize),
     Clear,
 }

@@ -5,9 +5,9 @@ use super::chain::{cross, dot, Affine, Camera, V3};
 /// A face and the texture coordinates of its corners, as a camera sees them.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    /// x·w, y·w and w, x and y in pixels.
+    /// The corners as x·w, y·w and w, with x and y in pixels.
     corners: [V3; 3],
-    /// In texels.
+    /// The texture coordinates of the corners, in texels.
     uv: [[f64; 2]; 3],
 }
 
@@ -15,13 +15,13 @@ pub struct Ray {
 pub type Range = (f64, f64);
 
 impl Ray {
-    /// Corners in model space, and their coordinates in texels.
+    /// From corners in model space, and their coordinates in texels.
     pub fn new(camera: &Camera, model: &Affine, corners: [V3; 3], uv: [[f64; 2]; 3]) -> Self {
         Self { corners: corners.map(|at| camera.homogeneous_screen(camera.clip(model, at))), uv }
     }
 
-    /// u and v in texels of what lies on the ray through a point of the screen; none where the ray meets the face's plane behind
-    /// the eye, or so nearly along it that f64 cannot tell.
+    /// u and v in texels of the point on the ray through a point of the screen; `None` where the ray meets the face's plane
+    /// behind the eye, or so nearly along the plane that f64 cannot tell.
     pub fn at(&self, x: f64, y: f64) -> Option<[f64; 2]> {
         // The corners' weights in space: Σ weight · corner is a multiple of (x, y, 1).
         let ([a, b, c], p) = (self.corners, [x, y, 1.0]);

@@ -2,7 +2,7 @@
 
 use super::chain::V4;
 
-/// From its six planes, in the order of the outcode's bits.
+/// The distances from its six planes, in the order of the outcode's bits.
 pub fn distances([x, y, z, w]: V4) -> [f64; 6] {
     [w + x, w - x, w + y, w - y, w + z, w - z]
 }

@@ -36,7 +36,7 @@ pub fn dirty<C: PixelFormat>(area: Rectangle) -> DirtyRegions<4> {
     DirtyRegions::new(area, TransferCost::new(C::BITS, TransferCost::MIPI_DCS))
 }
 
-/// What moves, where it was and where it is.
+/// The rectangles of moving objects: where they were and where they are.
 pub fn changes<D: DrawTarget<Color: Colour>>(
     things: &mut [Recorded<'_>],
     dirty: &mut DirtyRegions<4>,

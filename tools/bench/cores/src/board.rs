@@ -22,12 +22,12 @@ fn write(register: usize, value: u32) {
 
 /// Counts instructions of one core, exactly to the one or two that are cut off at both ends.
 pub(crate) struct Clock {
-    /// What a measurement of nothing counts.
+    /// The count of a measurement of nothing.
     own: u32,
 }
 
 impl Clock {
-    /// `None` if the emulator's clock is another one: a loop of known length tells.
+    /// `None` if the emulator's clock is not the expected one: a loop of known length tells.
     pub(crate) fn new() -> Option<Self> {
         write(RELOAD, u32::MAX);
         write(VALUE, u32::MAX);
@@ -55,7 +55,7 @@ fn now() -> u32 {
     unsafe { with_exposed_provenance::<u32>(VALUE).read_volatile() }
 }
 
-/// A vector table: the stack's end, and where to begin.
+/// A vector table: the end of the stack, and the entry point.
 #[repr(C, align(128))]
 struct Vectors {
     stack: *const Stack,
@@ -73,12 +73,12 @@ static VECTORS: Vectors =
     // SAFETY: the address behind the stack is computed, not read.
     Vectors { stack: unsafe { (&raw const STACK).add(1) }, reset: second };
 
-/// Where the second core begins. All memory is as the first one has set it up.
+/// The entry point of the second core. The first core has set up all memory.
 extern "C" fn second() -> ! {
     serve()
 }
 
-/// Lets the second core begin.
+/// Starts the second core.
 pub(crate) fn start_second() {
     write(SECOND_VECTORS, (&raw const VECTORS).expose_provenance() as u32);
     write(CPU_WAIT, 0);

@@ -1,4 +1,4 @@
-//! A frame for two cores, whoever runs them.
+//! A frame drawn by two cores, independent of how they are run.
 
 use bench::bands::{bytes, pixels};
 use bench::scene::{area, Scene, BACKGROUND};
@@ -9,7 +9,8 @@ use pinhole::{Band, BinnedFaces, DepthBuffer, Frame, Lambert, ScreenVertex};
 /// Rows of a band.
 pub(crate) const ROWS: u32 = 16;
 
-/// For S4, the larger scene: vertices, visible faces with a bit for each face of the mesh, and these bits once more.
+/// The sizes for S4, the larger scene: vertices; visible faces with a bit for each face of the mesh; and these bits once more for
+/// the second cursor.
 pub(crate) const VERTICES: usize = 2892;
 pub(crate) const CURSOR: usize = 5780_usize.div_ceil(16);
 pub(crate) const BIN_STORAGE: usize = 1800 + CURSOR;
@@ -29,7 +30,7 @@ pub(crate) trait Cores {
     fn both(&mut self, ours: impl FnOnce(), theirs: impl FnOnce() + Send);
 }
 
-/// Which band a core draws after another one: `core` is 0 or 1.
+/// Chooses the band that a core draws after another one: `core` is 0 or 1.
 pub(crate) trait Deal: Sync {
     fn next(&self, core: u32, before: Option<u32>) -> u32;
 }
@@ -43,7 +44,7 @@ impl Deal for Alternating {
     }
 }
 
-/// A way to draw frames. `take` gets each band's number and its bytes.
+/// A way to draw frames. `take` gets the number and the bytes of each band.
 pub(crate) trait Way {
     const NAME: &'static str;
 

@@ -32,7 +32,7 @@ type Pixels = [AtomicU32; bytes(SIZE) / 4];
 /// Both parts on the first core, one after the other, and counted.
 struct Counted<'c> {
     clock: &'c Clock,
-    /// Instructions of the second core's parts, and how many the first core waits for it.
+    /// The instructions of the second core's parts, and those for which the first core waits for it.
     second: u32,
     waits: u32,
 }
@@ -52,7 +52,7 @@ impl Cores for OtherCore {
     }
 }
 
-/// Whoever is free draws the next band.
+/// The core that is free draws the next band.
 #[cfg(target_has_atomic = "32")]
 struct Counter(AtomicU32);
 

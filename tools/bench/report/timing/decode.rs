@@ -1,5 +1,5 @@
-//! What a Thumb instruction costs depends on: its kind, its registers and where it goes in memory. Encodings: Arm,
-//! *ARMv7-M Architecture Reference Manual* (DDI 0403), chapter A5.
+//! The properties of a Thumb instruction that decide its cycles: kind, registers and memory address. Encodings: Arm, *ARMv7-M
+//! Architecture Reference Manual* (DDI 0403), chapter A5.
 
 /// A set of the sixteen core registers, a bit each.
 pub(crate) type Registers = u16;
@@ -50,16 +50,16 @@ pub(crate) enum Kind {
     IfThen,
     /// `MRS`, `MSR`, barriers, `CPS`, `SVC`, `BKPT`.
     System,
-    /// Of the FPU, with the cycles of the M4's table.
+    /// An instruction of the FPU, with the cycles of the M4's table.
     Float(u32),
 }
 
-/// Where a load or store goes: to the sum of two.
+/// The address of a load or store: the sum of two terms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Address {
     pub(crate) base: u32,
     pub(crate) offset: Offset,
-    /// In bytes, from the address on.
+    /// Bytes that are added to the address.
     pub(crate) bytes: u32,
 }
 
@@ -72,10 +72,10 @@ pub(crate) enum Offset {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Instruction {
-    /// In bytes: 2 or 4.
+    /// The size in bytes: 2 or 4.
     pub(crate) size: u32,
     pub(crate) kind: Kind,
-    /// The registers that it takes numbers from, other than `address_registers`.
+    /// The registers that it reads, other than `address_registers`.
     pub(crate) reads: Registers,
     pub(crate) address_registers: Registers,
     pub(crate) writes: Registers,
@@ -110,7 +110,7 @@ pub(crate) const fn is_wide(first: u16) -> bool {
 }
 
 impl Instruction {
-    /// The second half counts only if [`is_wide`] says so.
+    /// Decodes an instruction; the second half is used only if [`is_wide`] is true.
     pub(crate) fn decode(first: u16, second: u16) -> Self {
         match is_wide(first) {
             true => wide(first, second),

@@ -1,28 +1,28 @@
 //! The cycles that a core waits for flash: a line of it takes some cycles more than one, the next line may be fetched while
 //! the core runs, and a cache keeps some lines.
 
-/// How a chip's flash answers.
+/// The timing of a chip's flash.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct FlashRules {
-    /// Cycles beyond one for a line.
+    /// Additional cycles of a line, beyond one.
     pub(crate) wait: u64,
     /// The bytes of a line.
     pub(crate) line: u32,
-    /// Whether the line behind the current one is fetched while that is executed.
+    /// Whether the next line is fetched while the current one is executed.
     pub(crate) prefetch: bool,
-    /// Lines for instructions that a cache keeps, and in how many ways; 0 without a cache.
+    /// The lines that the instruction cache keeps, and its ways; 0 lines without a cache.
     pub(crate) lines: usize,
     pub(crate) ways: usize,
     pub(crate) data: DataCache,
 }
 
-/// What keeps lines that loads read.
+/// The cache of lines that loads read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum DataCache {
     None,
-    /// The one for instructions.
+    /// The cache for instructions.
     Shared,
-    /// Its own, of this many lines, any line in any of them.
+    /// A cache of its own, of this many lines, fully associative.
     Own(usize),
 }
 
@@ -35,7 +35,7 @@ pub(crate) struct Flash {
     /// The line that the core takes instructions from, and that of its last load.
     line: Option<u32>,
     loaded: Option<u32>,
-    /// When the line behind `line` is there.
+    /// The time at which the line after `line` is there.
     ready: u64,
 }
 
@@ -95,7 +95,7 @@ impl Flash {
     }
 }
 
-/// Sets of lines; in each the line that was used longest ago makes room.
+/// Sets of lines, each of which drops the line that was used longest ago.
 #[derive(Clone)]
 struct Cache {
     /// The lines of each set, the last used one first.
@@ -109,7 +109,7 @@ impl Cache {
         Self { sets: vec![Vec::new(); sets], ways }
     }
 
-    /// Whether it keeps the line; from now on it does.
+    /// Whether the cache has the line; it has it from now on.
     fn has(&mut self, line: u32) -> bool {
         let count = self.sets.len();
         if count == 0 {

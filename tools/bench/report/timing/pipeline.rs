@@ -16,7 +16,7 @@ pub(crate) enum Pipeline {
     M33,
 }
 
-/// On the M3 and M4 from 2 to 12, on the M33 from 2 to 11: in the middle.
+/// Divisions take 2 to 12 cycles on the M3 and M4 and 2 to 11 on the M33: the middle is taken.
 const DIVISION: u32 = 7;
 /// The M3's UMULL and SMULL: 3 to 5. Only products of small numbers end early.
 const LONG_PRODUCT: u32 = 5;
@@ -29,15 +29,15 @@ const REFILL: u32 = 1;
 const REFILL_FROM_REGISTER: u32 = 2;
 const REFILL_FROM_MEMORY: u32 = 3;
 
-/// One instruction that was executed, and what is known about it.
+/// An executed instruction, with the facts that decide its cycles.
 #[derive(Clone, Copy)]
 pub(crate) struct Step<'i> {
     pub(crate) instruction: &'i Instruction,
-    /// Whether the next instruction is another than that behind it.
+    /// Whether the next instruction is not the one at the following address.
     pub(crate) taken: bool,
     /// Whether the next instruction takes four bytes that do not start at a multiple of four.
     pub(crate) next_unaligned: bool,
-    /// The condition of an IT block did not hold.
+    /// Whether the condition of its IT block did not hold.
     pub(crate) skipped: bool,
 }
 
@@ -45,11 +45,11 @@ pub(crate) struct Step<'i> {
 #[derive(Clone)]
 pub(crate) struct Cycles {
     pipeline: Pipeline,
-    /// What the last instruction loaded, if the next load can overlap with it.
+    /// The registers that the last instruction loaded, if the next load can overlap with it.
     loaded: Registers,
     /// Whether the last instruction took two bytes and an IT can hide behind it (M3, M4), or another can join it (M33).
     joinable: bool,
-    /// What the last instruction wrote.
+    /// The registers that the last instruction wrote.
     written: Registers,
 }
 

@@ -10,7 +10,7 @@ use std::path::Path;
 #[derive(Default)]
 pub(crate) struct Program {
     start: u32,
-    /// One for every two bytes, those between instructions included.
+    /// One for every two bytes, also in the middle of instructions.
     instructions: Vec<Instruction>,
     halves: Vec<u16>,
 }
@@ -24,14 +24,14 @@ pub(crate) struct Executed {
     pub(crate) at: u32,
     /// The address in flash that it loads from, or [`Self::NOTHING`].
     read: u32,
-    /// The condition of its IT block did not hold.
+    /// Whether the condition of its IT block did not hold.
     skipped: bool,
 }
 
 impl Executed {
     const NOTHING: u32 = u32::MAX;
 
-    /// One of which only the address is known.
+    /// An instruction of which only the address is known.
     pub(crate) const fn at(at: u32) -> Self {
         Self { at, read: Self::NOTHING, skipped: false }
     }
@@ -66,11 +66,11 @@ impl State {
 #[derive(Default)]
 pub(crate) struct Conditions(Vec<u16>);
 
-/// What a run takes.
+/// The cycles of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Taken {
     pub(crate) cycles: u64,
-    /// Cycles of these that the core waited for flash.
+    /// The cycles among these for which the core waited for flash.
     pub(crate) waited: u64,
     /// The cycles before each of the marked instructions.
     pub(crate) marks: Vec<u64>,
@@ -95,7 +95,7 @@ impl Program {
         (at.wrapping_sub(self.start) / 2) as usize
     }
 
-    /// The instruction at an address; behind the code there is none.
+    /// The instruction at an address; `None` outside of the code.
     fn instruction(&self, at: u32) -> Option<&Instruction> {
         self.instructions.get(self.index(at))
     }

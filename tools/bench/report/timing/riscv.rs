@@ -23,9 +23,9 @@ use std::path::Path;
 pub(crate) enum Rules {
     /// The rules above.
     Likely,
-    /// Products of two words take a cycle, divisions and jumps to registers as little as they can.
+    /// The least: a product of two words takes one cycle, divisions and jumps to registers as few as possible.
     Least,
-    /// These take twice as long as is likely, and each second store waits in place of each fourth load.
+    /// The most: these take twice as many as likely, and each second store waits in place of each fourth load.
     Most,
 }
 
@@ -40,11 +40,11 @@ impl Rules {
     }
 }
 
-/// What an instruction costs depends on: its kind and its registers (*The RISC-V Instruction Set Manual*, volume I, chapters 2, 7
-/// and 16).
+/// The properties of an instruction that decide its cycles: kind and registers (*The RISC-V Instruction Set Manual*, volume I,
+/// chapters 2, 7 and 16).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Instruction {
-    /// In bytes: 2 or 4.
+    /// The size in bytes: 2 or 4.
     pub(crate) size: u32,
     pub(crate) kind: Kind,
     /// The registers that it reads, a bit each.
@@ -76,7 +76,7 @@ const fn bits(code: u32, from: u32, count: u32) -> u32 {
 }
 
 impl Instruction {
-    /// Of the first and the second half; the second one counts for an instruction of four bytes.
+    /// Decodes an instruction from its first and second half; the second one is used for an instruction of four bytes.
     pub(crate) fn decode(first: u16, second: u16) -> Self {
         match first & 3 {
             3 => wide(u32::from(first) | u32::from(second) << 16),
@@ -180,7 +180,7 @@ impl Program {
         Ok(Self { start: u32::try_from(elf::sizes(image)?.code.start)?, halves })
     }
 
-    /// The instruction at an address; outside of the code there is none.
+    /// The instruction at an address; `None` outside of the code.
     pub(crate) fn instruction(&self, at: u32) -> Option<Instruction> {
         let index = (at.wrapping_sub(self.start) / 2) as usize;
         let second = self.halves.get(index + 1).copied().unwrap_or_default();

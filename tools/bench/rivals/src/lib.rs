@@ -1,4 +1,4 @@
-//! What the rivals' programs share.
+//! Code that the rivals' programs share.
 #![cfg_attr(target_os = "none", no_std)]
 
 pub mod models;

@@ -5,11 +5,11 @@ pub struct Model {
     pub faces: &'static [[usize; 3]],
     pub edges: &'static [[usize; 2]],
     pub normals: &'static [[f32; 3]],
-    /// Of the torus.
+    /// The normals at the vertices, for the torus.
     pub vertex_normals: &'static [[f32; 3]],
-    /// Row major.
+    /// The rotation, row-major.
     pub rotation: [[f32; 3]; 3],
-    /// Of the eye from the origin.
+    /// The distance of the eye from the origin.
     pub distance: f32,
 }
 

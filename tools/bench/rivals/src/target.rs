@@ -1,5 +1,5 @@
-//! The memory that other libraries draw into: this library's picture, and the DrawTarget of the variant `dt`. Counted is
-//! the one that takes fewer instructions.
+//! The memory that other libraries draw into: this library's picture, and the DrawTarget of the variant `dt`. The count is that
+//! of the memory that takes fewer instructions.
 
 use bench::board::Clock;
 use bench::cells::{count_by, count_screen_by, Counted, Frame, Picture};

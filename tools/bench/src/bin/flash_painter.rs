@@ -15,7 +15,7 @@ const IN_BANDS: bool = position(env!("CARGO_BIN_NAME"), &["flash_painter", "flas
 const FACES: usize = 12;
 type Order = Painter<Rgb565, { 4 * CORNERS }, { 2 * FACES }>;
 
-/// Of a band, or of the picture.
+/// The bytes of the strip of a band; none for a picture.
 const STRIP: usize = if IN_BANDS { bytes(ROWS) } else { 0 };
 const PIXELS: usize = if IN_BANDS { 0 } else { pixels(ROWS) };
 

@@ -11,7 +11,7 @@ use pinhole::{DepthBuffer, Picture, ScreenVertex};
 
 /// The firmware that is built.
 const WITH_DEPTH: bool = position(env!("CARGO_BIN_NAME"), &["flash_picture", "flash_depth_picture"]) == 1;
-/// Of the depth buffer.
+/// The number of depths in the depth buffer.
 const DEPTHS: usize = if WITH_DEPTH { pixels(ROWS) } else { 0 };
 
 image!(

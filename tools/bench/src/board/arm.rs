@@ -24,8 +24,8 @@ impl Counter {
         write(VALUE, u32::MAX);
     }
 
-    /// Of the last tick a part is missing, less than an instruction. What takes a whole round, 2 684 354 559 instructions,
-    /// is not told from nothing.
+    /// A part of the last tick is missing, less than an instruction. A full round of the timer, 2 684 354 559 instructions, looks
+    /// like nothing.
     #[inline(always)]
     pub(super) fn instructions(&mut self) -> Option<u32> {
         // SAFETY: a register of the board on which this runs; reading changes nothing.
@@ -40,7 +40,7 @@ fn write(register: usize, value: u32) {
     unsafe { with_exposed_provenance_mut::<u32>(register).write_volatile(value) };
 }
 
-/// Of [`turns`], in instructions.
+/// Instructions of a turn of [`turns`].
 pub(super) const TURN: u32 = 2;
 
 /// A loop of known length.

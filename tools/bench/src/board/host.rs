@@ -9,13 +9,13 @@ impl Counter {
 
     pub(super) fn start(&mut self) {}
 
-    /// None.
+    /// The host counts no instructions.
     pub(super) fn instructions(&mut self) -> Option<u32> {
         Some(0)
     }
 }
 
-/// Of [`turns`], in instructions.
+/// Instructions of a turn of [`turns`].
 pub(super) const TURN: u32 = 0;
 
 /// Not even a loop.

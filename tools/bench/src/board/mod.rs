@@ -24,12 +24,12 @@ pub use std::println;
 /// Counts instructions, exactly.
 pub struct Clock {
     counter: counter::Counter,
-    /// What starting and stopping it costs.
+    /// The cost of starting and stopping the clock.
     own: u32,
 }
 
 impl Clock {
-    /// `None` if the emulator's clock is another one: a loop of known length tells.
+    /// `None` if the emulator's clock is not the expected one: a loop of known length tells.
     pub fn new() -> Option<Self> {
         let mut clock = Self { counter: counter::Counter::new()?, own: 0 };
         clock.own = clock.count(&mut || ())?;

@@ -24,7 +24,7 @@ impl Counter {
     }
 }
 
-/// Of [`turns`], in instructions.
+/// Instructions of a turn of [`turns`].
 pub(super) const TURN: u32 = 2;
 
 /// A loop of known length.

@@ -41,7 +41,7 @@ struct Fifty {
     sphere: Sphere,
     lens: Projection,
     viewport: Viewport,
-    /// Counts up.
+    /// The number of the frame.
     time: i32,
 }
 

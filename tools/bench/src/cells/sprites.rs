@@ -9,7 +9,7 @@ use pinhole::{ColorKeyed, DepthBuffer, Mesh, Scalar, Sprite};
 /// A side of the picture, in texels.
 const SIDE: usize = 16;
 
-/// A disc on a background that is left out, in a colour of its own for each texel but for a few.
+/// A disc on a transparent background, with a different colour for nearly every texel.
 static DISC: [[Rgb565; SIDE]; SIDE] = {
     let mut picture = [[KEY; SIDE]; SIDE];
     let mut at = 0;

@@ -16,7 +16,7 @@ const FRACTION: u32 = 8;
 #[derive(Clone, Copy)]
 pub(crate) struct Stepped<S, const STEP: i32> {
     texels: S,
-    /// Of the corners, 24 bits with the sign.
+    /// Texture coordinates of the corners: 24 bits with the sign.
     uv: [[i32; 2]; 3],
     /// Proportional to 1/w, below 2²⁴.
     q: [i32; 3],

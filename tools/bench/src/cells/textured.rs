@@ -18,7 +18,7 @@ use pinhole::{
 /// A side of the picture, in texels.
 const SIDE: usize = 64;
 
-/// A colour of its own for each texel but for a few.
+/// A picture with a different colour for nearly every texel.
 pub(super) static PICTURE: [[Rgb565; SIDE]; SIDE] = {
     let mut picture = [[Rgb565::new(0, 0, 0); SIDE]; SIDE];
     let mut at = 0;

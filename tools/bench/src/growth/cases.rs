@@ -14,7 +14,7 @@ pub struct Case {
     pub(super) eye: [i32; 3],
     pub size: [u32; 2],
     pub(super) cull: Cull,
-    /// Not turned.
+    /// Whether the mesh is not turned.
     pub(super) level: bool,
     /// Whether the constants are fitted to it.
     pub fitted: bool,
@@ -22,12 +22,12 @@ pub struct Case {
 
 pub(super) enum What {
     Shape(&'static Shape),
-    /// Its vertices alone.
+    /// The vertices of a mesh alone.
     Points(&'static Shape),
 }
 
 impl What {
-    /// As a way draws it: hidden lines have the faces beside the edges.
+    /// The mesh for a way to draw: for hidden lines it has the faces beside the edges.
     pub(super) fn mesh(&self, way: Way) -> Option<Mesh<'static, i16, WithPlanes>> {
         match (self, way) {
             (Self::Shape(shape), Way::HiddenBands(_)) => shape.with_edge_faces(1),
@@ -46,12 +46,12 @@ impl Case {
     }
 }
 
-/// Where a mesh has few edges, it has one of every four.
+/// A mesh with few edges has one of every four.
 const FEW: usize = 4;
 
-/// Before the eye, so that the torus of radius 1.4 fills the picture.
+/// A distance at which the torus of radius 1.4 fills the picture.
 const WHOLE: [i32; 3] = [0, 0, 34 << 12];
-/// So that the near plane cuts it.
+/// A distance at which the near plane cuts the torus.
 const NEAR: [i32; 3] = [0, 0, 12 << 12];
 
 const fn case(name: &'static str, what: What, eye: [i32; 3], size: [u32; 2], fitted: bool) -> Case {
