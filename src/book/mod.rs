@@ -20,7 +20,7 @@
 pub mod ch1_tour {}
 
 #[doc = include_str!("ch2_coordinates.md")]
-#[doc = ""] // an empty line ends what stands before, and the figure
+#[doc = ""] // an empty line ends the text before it, and the figure
 #[doc = include_str!("coordinates.svg")]
 #[doc = ""]
 #[doc = include_str!("ch2_signs.md")]

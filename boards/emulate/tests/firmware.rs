@@ -178,8 +178,8 @@ impl Template {
         Some(said)
     }
 
-    /// The steps in one direction, run by run, without the first and the last one, of a turn in which the button and the encoder
-    /// are used; all frames must equal the host's. `None` if the tools are missing.
+    /// Uses the button and the encoder. Returns the runs of steps in one direction, without the first and the last run; all frames
+    /// must equal the host's. `None` if the tools are missing.
     #[track_caller]
     fn steps(&self, edits: &[Edit]) -> Option<Vec<i32>> {
         const BUTTON: u8 = 12;

@@ -14,7 +14,7 @@ Instructions and RAM, measured on an emulated Cortex-M. This page is written by
 tools/bench/run
 ```
 
-and CI runs that with `--check`: it fails where a limit is broken or, with the same compiler, a figure is not within 2 %
+and CI runs it with `--check`: the check fails if a limit is broken or, with the same compiler, a figure is not within 2 %
 (or 64 bytes) of this page's. Code size is in [footprint.md](footprint.md). ";
 
 const SPEED: &str = "
@@ -31,7 +31,7 @@ equals the host's, by checksum, and each scene covers as many pixels as `tools/b
 *bands* the frame is drawn strip by strip, by `Band::pixels`. (A whole frame by `Picture::pixels` takes less than
 either: see [speed.md](speed.md). S3 and S4 are culled by face planes there; here, by the area of the projected
 corners.) *Empty* is a frame in which nothing is drawn: the cost of the clears. The last columns divide the bands of 16 rows
-by the frame drawn at once, with the clears and without; for the torus with depth the limit of the former is 1.25.
+by the frame drawn at once, with the clears and without; for the torus with depth, the quotient with the clears may be at most 1.25.
 
 | scene | | at once | one band of 240 rows | bands of 16 rows | of 8 rows | 16 rows / at once | without the clears |
 |---|---|--:|--:|--:|--:|--:|--:|

@@ -15,7 +15,7 @@ Flash, RAM and stack of each feature. This page is written by
 tools/bench/run
 ```
 
-and CI runs that with `--check`: it fails if flash, variables or stack are 5 % above `tools/bench/footprint.txt` or,
+and CI runs it with `--check`: the check fails if flash, variables or stack are 5 % above `tools/bench/footprint.txt` or,
 with the same compiler, a goal that was met is missed, or a figure is not within 2 % (or 64 bytes) of this page's. It also fails
 if an image holds a floating-point routine. ";
 
@@ -30,11 +30,11 @@ and points, in bands and dirty rectangles, from two cameras, one of them made at
 opt-level 3.
 
 Rows with `pixels()` draw into a band's memory (`&mut band.pixels()`), as the templates do: faster, and larger. The other rows in bands
-draw into it as into any DrawTarget (`&mut band`). *By planes* is of a mesh with planes (`Mesh::with_planes`), the only image whose mesh has them.
+draw into it as into any DrawTarget (`&mut band`). *By planes* is the only image whose mesh has planes (`Mesh::with_planes`).
 *Without clipping* is `MeshInstance::without_clipping()`: of the two frames, only the cube that stays in view is drawn whole.
-Flat faces that are not in bands are lit by `RigidLambert`, which takes rotations, and all others by `Lambert`, which also takes
-objects that are stretched; so are those with depth in a picture in memory, and those in painter's order. Hidden lines are those of a mesh with the
-faces beside its edges. Rows with figures at opt-level 3 alone, and the column for RISC-V, are for `apps/planner`, which compares ways
+Flat faces that are not in bands are lit by `RigidLambert`, which takes rotations. All other faces, and those with depth in a picture in
+memory or in painter's order, are lit by `Lambert`, which also takes stretched objects. The mesh of hidden lines has the faces beside its
+edges. Rows with figures at opt-level 3 alone, and the column for RISC-V, are for `apps/planner`, which compares ways
 to draw; its tests link other firmware and compare it with these figures.
 `Camera::framing` makes the camera that frames a mesh, as the templates do.
 

@@ -40,8 +40,8 @@ anyway:
   out, and others beyond a border as *face beside the picture*.
 * *large face*: a drawn face that is higher than 31 rows, crosses the left or right border of the picture, or is cut by a clip
   plane.
-* *face to be clipped*: a corner in front of the near plane or far outside the picture, but not outside; there is none if the
-  whole object is in front of the camera. *Face cut*: a face to be clipped that is drawn. Of a mesh with planes, all faces to be
+* *face to be clipped*: a face that is not outside, with a corner in front of the near plane or far outside the picture; there is none
+  if the whole object is in front of the camera. *Face cut*: a face to be clipped that is drawn. Of a mesh with planes, all faces to be
   clipped are front faces, and nearly all are cut.
 * *row of a face*: over all drawn faces, the rows of pixels in each. *Pixel of a face*: over all drawn faces, the pixels in each,
   hidden later or not.
@@ -53,11 +53,12 @@ anyway:
 * *edge in a band*: the sum over bands of the edges touching each. *Drawn face beside an edge in a
   band*: for each edge in a band, those of the two faces beside it (`Mesh::with_edge_faces`) that are drawn. *Pixel of a
   line*: over all drawn edges, the pixels in each, hidden or not.
-* *face in perspective*: over which a texture's coordinates may not be interpolated linearly. They may be where the difference of a
-  coordinate over the face in texels, times the difference of the corners' distances, is less than the nearest distance: for a quarter of a texel.
-  A parallel projection has no such faces. The textured faces that were counted show 64 × 64 texels, four times over the mesh.
+* *face in perspective*: a face over which texture coordinates may not be interpolated linearly, because the difference of a coordinate
+  over the face in texels, times the difference of the corners' distances, is not less than the nearest distance (for an accuracy of a
+  quarter of a texel). A parallel projection has no such faces. The textured faces that were counted show 64 × 64 texels, four times over
+  the mesh.
 * *room for a vertex*: the number of vertices that the painter can store, `VERTICES`. *Drawn face, for each band of the
-  picture*: drawn faces × bands, as each band looks at all of them.
+  picture*: drawn faces × bands, because each band visits all of them.
 * *edge across the border*: a drawn edge that lies partly outside the picture, on any side. *Edge to be clipped*: has an
   end in front of the near plane or far outside the picture. *Edge cut*: an edge to be clipped of which a part is drawn.
 
@@ -80,7 +81,7 @@ const FITTED: &str = "
 
 Least squares of the relative error, over these cases: tori, a sphere and land (with their numbers of triangles), and vertices alone;
 seen whole, from close by, and cut by the near plane. The columns give the error of the formula on the M3 for each way of drawing.
-Of bands, those of 8 rows are listed. There is no figure where both sides of faces show, because planes are not used there. The error is largest with depth, where a few
+Only bands of 8 rows are listed. There is no figure where both sides of faces show, because planes are not used there. The error is largest with depth, where a few
 faces fill a small picture or many pixels are drawn behind others: there the estimate is too low.
 
 ";

@@ -64,10 +64,9 @@ const CELLS_HEAD: &str = "
 ## The cells
 
 *Best rival* is the fastest of S3L (small3dlib), TGX (tgx) and 3DG (embedded-3dgfx 0.7.2) on that scene and core, each
-measured once, with the targets, on the same scenes and emulator; which versions of S3L and TGX these were was not noted. S8 of S3L was measured later,
-with a table of colours like ours.
-The lines and triangles of embedded-graphics itself, which need our projection in S1, stand
-[below](#rivals-in-the-same-run).
+measured once, when the targets were set, on equal scenes and the same emulator; the versions of S3L and TGX were not noted. S8 of S3L
+was measured later, with a table of colours like ours. The lines and triangles of embedded-graphics itself, which need our projection in
+S1, are [below](#rivals-in-the-same-run).
 *Of target* is below 1 where the target is beaten; *best rival / ours* is the best rival's instructions divided by ours.
 
 | scene | | core | instructions | target | stretch | of target | best rival | | best rival / ours |
@@ -82,7 +81,7 @@ fewer instructions than its 16) and the lines and filled triangles of embedded-g
 same level of optimisation, counted by the same clock. Each draws into this library's picture and into the DrawTarget of
 [`dt`](#any-drawtarget), and the table has the smaller of both counts; ours is that of `Picture::pixels`, which rivals cannot use. Each
 draws the same scene, and the number of pixels differs by at most 8 %: both round corners to pixels and fill all edges. 3DG
-records and executes (without depth: draws what it has recorded); S1 of EG are its lines between points that we project.
+records and executes (without depth: draws what it has recorded); S1 of EG has its lines between points that we project.
 *Then* is 3DG's figure from when the targets were set, measured by another program, which may have used 3DG differently.
 
 | scene | | core | ours | 3DG | then | 3DG / ours | EG | EG / ours |

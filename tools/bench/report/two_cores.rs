@@ -75,7 +75,7 @@ What each of two cores takes of a frame. This page is written by
 tools/bench/run cores
 ```
 
-and CI runs that with `--check`: it fails where a frame by two cores takes more than 0.62 of one core's instructions, where its picture is
+and CI runs it with `--check`: the check fails where a frame by two cores takes more than 0.62 of one core's instructions, where its picture is
 not that of one core or, with the same compiler, a figure is not within 2 % of this page's. ";
 
 const TABLE: &str = "
