@@ -76,7 +76,7 @@ pub(crate) const NOWHERE: usize = usize::MAX;
 pub struct Warning {
     /// The line of the file, counted from 1, where it is seen first, if that is known.
     pub line: Option<usize>,
-    /// What is doubtful.
+    /// A message that says what looks wrong in the file, and what to do.
     pub message: String,
 }
 

@@ -21,7 +21,10 @@ pub(super) trait VertexCache<'a, V: Coordinate, const DEPTH: bool> {
     fn corners(&mut self, face: &[u16; 3]) -> Option<[ScreenVertex; 3]>;
 
     /// The `corners` that [`corners`](Self::corners) returned for this face, loaded again if that saves registers.
-    fn reload_corners(&mut self, face: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]>;
+    #[inline(always)]
+    fn reload_corners(&mut self, _face: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]> {
+        Some(corners)
+    }
 
     /// The instance whose vertices are cached.
     fn instance(&self) -> &'a AnyInstance<'a, V>;
@@ -318,11 +321,6 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for BinnedV
     }
 
     #[inline(always)]
-    fn reload_corners(&mut self, _: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]> {
-        Some(corners)
-    }
-
-    #[inline(always)]
     fn instance(&self) -> &'a AnyInstance<'a, V> {
         self.0.instance
     }
@@ -398,11 +396,6 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for LazyCac
             (Some(a), Some(b), Some(c)) => Some([a, b, c]),
             _ => self.view().uncached_corners(face),
         }
-    }
-
-    #[inline(always)]
-    fn reload_corners(&mut self, _: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]> {
-        Some(corners)
     }
 
     #[inline(always)]

@@ -71,6 +71,23 @@ impl<V> Clone for MeshData<'_, V> {
 }
 impl<V> Copy for MeshData<'_, V> {}
 
+impl<'a, V> MeshData<'a, V> {
+    /// Vertices and faces alone.
+    const fn new(vertices: &'a [[V; 3]], faces: &'a [[u16; 3]], exponent: i8, justify: u8) -> Self {
+        Self {
+            vertices,
+            faces,
+            edges: &[],
+            edge_faces: &[],
+            normals: &[],
+            planes: &[],
+            vertex_normals: &[],
+            exponent,
+            justify,
+        }
+    }
+}
+
 /// Why a mesh cannot be made of the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -287,18 +304,7 @@ impl<'a> Mesh<'a, i16> {
             i += 1;
         }
         let justify = justify(magnitude);
-        let data = MeshData {
-            vertices,
-            faces,
-            edges: &[],
-            edge_faces: &[],
-            normals: &[],
-            planes: &[],
-            vertex_normals: &[],
-            exponent,
-            justify,
-        };
-        Ok(Self::of(data))
+        Ok(Self::of(MeshData::new(vertices, faces, exponent, justify)))
     }
 }
 
@@ -386,18 +392,7 @@ impl<'a> Mesh<'a, Scalar> {
             i += 1;
         }
         let justify = justify(magnitude);
-        let data = MeshData {
-            vertices,
-            faces,
-            edges: &[],
-            edge_faces: &[],
-            normals: &[],
-            planes: &[],
-            vertex_normals: &[],
-            exponent: -16,
-            justify,
-        };
-        Ok(Self::of(data))
+        Ok(Self::of(MeshData::new(vertices, faces, -16, justify)))
     }
 }
 

@@ -5,8 +5,9 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::raster::Pixel;
 use pinhole::{
-    draw_line, edge_faces, AntiAliased, Blend, DepthBuffer, Frame, Mesh, MeshInstance, Picture, PixelFormat,
-    Pixels, ScreenVertex, StoredPixel, Stroke,
+    draw_line, edge_faces, Affine, AntiAliased, Blend, Camera, DepthBuffer, Frame, Mesh, MeshInstance,
+    Picture, PixelFormat, Pixels, Point3, Projection, Scalar, ScreenVertex, Side, StoredPixel, Stroke,
+    ViewTransform, Viewport, Window,
 };
 use support::bridge::draw::{cube_camera, CUBE, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{ModelBits, Step};
@@ -261,18 +262,21 @@ fn faces_hide_the_lines_behind_them() {
     );
 }
 
+/// A camera that looks at the plane z = 0 with 16 units to a pixel: vertices are exact on the screen.
+fn flat_camera() -> Camera {
+    let viewport = Viewport::new(Point::zero(), Size::new(WIDTH, HEIGHT)).expect("a viewport");
+    let [zero, one] = [0, 1].map(Scalar::from_num);
+    let [right, top] = [WIDTH, HEIGHT].map(|v| Scalar::from_num(v * 16));
+    let window = Window { left: zero, right, bottom: zero, top };
+    let view = ViewTransform::multiview(Point3::from_ints(0, 0, 0), Side::Front);
+    Camera::new(&view, &Projection::orthographic(window, -one, one).expect("a box"), &viewport)
+}
+
 /// Lines that follow one another along one axis share no pixel column: the parts of a line have the pixels of the line, wherever
 /// it is divided.
 #[test]
 fn the_parts_of_a_line_are_the_line() {
-    use pinhole::{Affine, Camera, Point3, Projection, Scalar, Side, ViewTransform, Viewport, Window};
-    let viewport = Viewport::new(Point::zero(), Size::new(WIDTH, HEIGHT)).expect("a viewport");
-    let [zero, one] = [0, 1].map(Scalar::from_num);
-    // 16 units to a pixel: vertices are exact on the screen.
-    let [right, top] = [WIDTH, HEIGHT].map(|v| Scalar::from_num(v * 16));
-    let window = Window { left: zero, right, bottom: zero, top };
-    let view = ViewTransform::multiview(Point3::from_ints(0, 0, 0), Side::Front);
-    let camera = Camera::new(&view, &Projection::orthographic(window, -one, one).expect("a box"), &viewport);
+    let camera = flat_camera();
     let mut rng = Rng::new(0x1A);
     for _ in 0..50 {
         let start = [rng.int(0, 200) as i16, rng.int(0, 200) as i16, 0];
@@ -306,14 +310,7 @@ fn the_parts_of_a_line_are_the_line() {
 /// which no other pixel of the edge lies have this corner, too.
 #[test]
 fn bands_have_the_corners_of_edges_two_rows_beyond_the_ends() {
-    use pinhole::{Affine, Camera, Point3, Projection, Scalar, Side, ViewTransform, Viewport, Window};
-    let viewport = Viewport::new(Point::zero(), Size::new(WIDTH, HEIGHT)).expect("a viewport");
-    let [zero, one] = [0, 1].map(Scalar::from_num);
-    // 16 units to a pixel: vertices are exact on the screen.
-    let [right, top] = [WIDTH, HEIGHT].map(|v| Scalar::from_num(v * 16));
-    let window = Window { left: zero, right, bottom: zero, top };
-    let view = ViewTransform::multiview(Point3::from_ints(0, 0, 0), Side::Front);
-    let camera = Camera::new(&view, &Projection::orthographic(window, -one, one).expect("a box"), &viewport);
+    let camera = flat_camera();
     let mut rng = Rng::new(0x2B);
     let mut two_beyond = 0;
     for i in 0..200 {

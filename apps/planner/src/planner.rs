@@ -53,7 +53,7 @@ impl Planner {
     ///
     /// # Errors
     ///
-    /// What is wrong with the choice or the model, with a remedy.
+    /// A message that says why the choice or the model cannot be drawn, with a remedy.
     pub fn draw(&mut self, choice: &Choice) -> Result<(Vec<u8>, String), String> {
         self.mesh(choice)?;
         let mesh = self.made()?;

@@ -228,7 +228,7 @@ fn leading_zeros_64(v: u64) -> i32 {
 /// A [`Sample`] has room for s and t up to 2^`ROOM` times q.
 const ROOM: i32 = 3;
 
-/// What is added to s and t, so that their planes have no negative values.
+/// Added to s and t, so that their planes have no negative values.
 const BIAS: u32 = 1 << 29;
 
 impl Perspective {

@@ -1,5 +1,5 @@
 //! Random triangles and lines, dense in cases that rasterizers get wrong: ties, slivers, the ends of the range. Vertices
-//! spread evenly over all sub-pixels hardly ever meet a pixel center.
+//! spread evenly over all sub-pixels hardly ever meet a pixel centre.
 
 use super::coverage::{centre, Area, P};
 use super::rng::Rng;

@@ -162,7 +162,7 @@ pub struct Comparison {
     pub shift: f64,
     /// Pixels whose centre shows something else than the exact scene: they need the move.
     pub moved: usize,
-    /// Of these, the pixels where there is a triangle instead of nothing, or nothing instead of a triangle.
+    /// Moved pixels that show a triangle instead of the background, or the background instead of a triangle.
     pub background: usize,
     /// The largest distance of a stored depth from the exact one, in steps, beyond what a move of the
     /// edges by `SNAP` changes and what the chain may do to the corners' depths.
