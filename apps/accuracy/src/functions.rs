@@ -74,7 +74,7 @@ pub(crate) fn angles() -> [Measured; 2] {
     let full = 4_294_967_296.0;
     for _ in 0..1 << 18 {
         let (n, d) = (rng.bits() as i32 >> rng.below(31), (rng.bits() >> rng.below(31)).max(1));
-        // Exactly: what is missing to n·2³² is at most half of d.
+        // In exact integers: bits · d differs from n·2³² by at most half of d.
         let got = i128::from(Angle::turns(n, d).bits()) * i128::from(d);
         let off = ((i128::from(n) << 32) - got).rem_euclid(i128::from(d) << 32);
         turns = turns.max(off.min((i128::from(d) << 32) - off) as f64 / f64::from(d));
@@ -125,7 +125,7 @@ pub(crate) fn roots() -> [Measured; 1] {
             check((rng.next() >> k).min(u64::MAX - (1 << 32)));
         }
     }
-    // On both sides of where the rounding turns.
+    // On both sides of the values at which the rounding changes.
     for _ in 0..100_000 {
         let r = u64::from(rng.bits() >> rng.below(31)).min(u64::from(u32::MAX) - 1);
         check(r * r + r);
@@ -203,12 +203,12 @@ pub(crate) fn rotations() -> [Measured; 4] {
     let (mut about, mut shift, mut parts, mut matrix) = (0f64, 0f64, 0f64, 0f64);
     for k in 0..300_000 {
         let (axis, angle) = (random_axis(&mut rng), rng.bits());
-        // In bits of which f64 has all products.
+        // With so few bits that f64 holds all products.
         let through = [0; 3].map(|_| (rng.bits() as i32 >> 1) & !0xfff);
         let turn = Affine::<Model, World>::rotation(point(through), vector(axis), Angle::from_bits(angle));
         let (got, exact) = (turn.map(|t| t.to_matrix()).unwrap_or_default(), rodrigues(fx3(axis), angle));
         about = about.max(gap(&linear(&got), &exact));
-        // The translation follows from the matrix: through − R·through, R as it is.
+        // The translation follows from the matrix as stored: through − R·through.
         for (row, at) in got.iter().zip(through) {
             let wanted = fx(at) - dot([row[0], row[1], row[2]], fx3(through));
             shift = shift.max((row[3] - wanted).abs());
@@ -230,7 +230,7 @@ pub(crate) fn rotations() -> [Measured; 4] {
         let ours = pinhole::Quaternion::new(w, x, y, z).map(Affine::<Model, World>::from_quaternion);
         let got = linear(&ours.map(|turn| turn.to_matrix()).unwrap_or_default());
         let [w, x, y, z] = real;
-        // The sandwich product of the quaternion as it is, over its norm.
+        // The sandwich product of the quaternion as stored, over its norm.
         let exact = [
             [w * w + x * x - y * y - z * z, 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
             [2.0 * (x * y + w * z), w * w - x * x + y * y - z * z, 2.0 * (y * z - w * x)],
@@ -247,7 +247,7 @@ pub(crate) fn rotations() -> [Measured; 4] {
     ]
 }
 
-/// A rotation by three angles, as f64 has it.
+/// A rotation by three angles, in f64.
 fn any_turn(rng: &mut Rng) -> M3 {
     ModelBits(vec![Step::X(rng.bits()), Step::Y(rng.bits()), Step::Z(rng.bits())]).exact().m
 }
@@ -293,10 +293,10 @@ pub(crate) fn compositions() -> [Measured; 6] {
             ours
         };
         let (a, b) = (any(), any());
-        // The exact product of the two as they are.
+        // The exact product of the two as stored.
         let (product, exact) = (a.then(&b).to_matrix(), chain::matmul4(&b.to_matrix(), &a.to_matrix()));
         then = then.max(gap(&linear(&product), &linear(&exact)) / largest(&linear(&exact)));
-        // Where f64 resolves it: products below 2¹⁰.
+        // Only where f64 resolves the difference: products below 2¹⁰.
         let (t, m) = (a.to_matrix(), b.to_matrix());
         for i in 0..3 {
             if (0..3).all(|k| (m[i][k] * t[k][3]).abs() < 1024.0) {
@@ -310,7 +310,7 @@ pub(crate) fn compositions() -> [Measured; 6] {
                 image = image.max((got - wanted).abs() * 65_536.0);
             }
         }
-        // The inverse of a matrix as it is, whose stretches are known.
+        // The inverse of a matrix as stored, whose stretches are known.
         let size = rng.log(0.01, 100.0);
         let stretches = [size, size * rng.log(1.0, 100.0), size * rng.log(1.0, 100.0)];
         let (least, most) = stretches.iter().fold((f64::MAX, 0f64), |(a, b), &s| (a.min(s), b.max(s)));
@@ -329,7 +329,7 @@ pub(crate) fn compositions() -> [Measured; 6] {
         Measured::new("`Affine::from_matrix`", of, door, two(-30.0), test),
         Measured::new("`Affine::then`", of, then, two(-30.0), test),
         Measured::new("– its translation", "1", shift, two(-33.0), test),
-        Measured::new("`Affine::apply`, the matrix as it is", "2⁻¹⁶", image, 0.5 + two(-17.0), test),
+        Measured::new("`Affine::apply`, the matrix as stored", "2⁻¹⁶", image, 0.5 + two(-17.0), test),
         Measured::new(
             "`Affine::inverse`",
             "largest coefficient × ratio of stretches",
@@ -388,7 +388,7 @@ pub(crate) fn views() -> [Measured; 3] {
                 column = column.max((*got as f64 / 4_294_967_296.0 + dot(row, exact.eye)).abs());
             }
         }
-        // A point of the view as it is.
+        // A point of the view as stored.
         let p = [0; 3].map(|_| rng.bits() as i32);
         let wanted = chain::mul3(&got, core::array::from_fn(|i| fx(p[i]) - exact.eye[i]));
         for (got, wanted) in reals(ours.apply(point(p))).iter().zip(wanted) {
@@ -401,11 +401,11 @@ pub(crate) fn views() -> [Measured; 3] {
     [
         Measured::new("`ViewTransform`: u, v, n", "1 ÷ sine of VUP and VPN", rows, two(-28.0), test),
         Measured::new("`ViewTransform::translation`", "1", column, two(-13.0), test),
-        Measured::new("`ViewTransform::apply`, the view as it is", "2⁻¹⁶", image, 0.5 + two(-17.0), test),
+        Measured::new("`ViewTransform::apply`, the view as stored", "2⁻¹⁶", image, 0.5 + two(-17.0), test),
     ]
 }
 
-/// The coefficients of each row against the largest of the row's three, and the constant against itself.
+/// The largest error of a row's three coefficients, relative to the largest of them. Constants are measured by themselves.
 fn projection_error(got: &M4, exact: &M4) -> f64 {
     let mut worst = 0f64;
     for row in [0, 1, 3] {
@@ -420,7 +420,7 @@ fn projection_error(got: &M4, exact: &M4) -> f64 {
     worst
 }
 
-/// (z + w)/2, which the library keeps: its coefficient of z against itself.
+/// The error of the coefficient of z in (z + w)/2, the row that the library stores, relative to itself.
 fn depth_error(got: &M4, exact: &M4) -> f64 {
     let d = |m: &M4| (m[2][2] + m[3][2]) / 2.0;
     (d(got) / d(exact) - 1.0).abs()
@@ -465,7 +465,7 @@ pub(crate) fn projections() -> [Measured; 9] {
                 let (got, exact) = (matrix[row][3], exact[row][3]);
                 constants = constants.max((got - exact).abs() / (exact.abs() + 0.125));
             }
-            // A point of the projection as it is.
+            // A point of the projection as stored.
             let p = [0; 3].map(|_| rng.bits() as i32 >> rng.below(24));
             let wanted = chain::mul4(&matrix, [fx(p[0]), fx(p[1]), fx(p[2]), 1.0]);
             let point = ours.apply(Point3::<View>::new(scalar(p[0]), scalar(p[1]), scalar(p[2])));
@@ -520,7 +520,7 @@ pub(crate) fn projections() -> [Measured; 9] {
         Measured::new("`Projection::perspective`: cot(fov/2)", "itself ÷ sin(fov)", field, two(-27.0), test),
         Measured::new("`Projection::frustum`, `orthographic`", own, windows, two(-29.0), test),
         Measured::new("– their constants in x and y", "itself and ⅛", constants, two(-30.0), test),
-        Measured::new("`Projection::oblique`", "the same × (1 + factor)", slanted, two(-29.0), test),
+        Measured::new("`Projection::oblique`", "row's largest coefficient × (1 + factor)", slanted, two(-29.0), test),
         Measured::new(
             "`perspective`, `frustum`, `orthographic`: (z + w)/2",
             "itself",
@@ -537,13 +537,13 @@ pub(crate) fn projections() -> [Measured; 9] {
             test,
         ),
         Measured::new(
-            "`Projection::apply`, the matrix as it is",
+            "`Projection::apply`, the matrix as stored",
             "largest of x, y, z, w, and 2",
             clip,
             two(-30.0),
             test,
         ),
-        Measured::new("`ClipPoint::ndc`, the point as it is", "2⁻¹⁶", ndc, 0.5, test),
+        Measured::new("`ClipPoint::ndc`, the point as stored", "2⁻¹⁶", ndc, 0.5, test),
     ]
 }
 
@@ -611,7 +611,7 @@ pub(crate) fn planes() -> [Measured; 2] {
         ),
         Measured::new(
             "`Camera::vanishing_points`, beyond 1/512 px",
-            "what turning the axis by 1 rad moves it",
+            "how far it moves when the axis turns by 1 rad",
             turn,
             two(-28.0),
             test,
@@ -689,7 +689,7 @@ pub(crate) fn viewports() -> [Measured; 1] {
     [Measured::new("`Viewport::apply`", "1/256 px", worst, 0.5, "s6_viewports")]
 }
 
-/// All of them, in the page's order.
+/// All measured functions, in the page's order.
 #[allow(dead_code)] // the tests take them one by one
 pub(crate) fn all() -> Vec<Measured> {
     let mut all = Vec::new();

@@ -17,7 +17,7 @@ const DEEP: f64 = 2.0;
 const HEAD: &str = "\
 # Accuracy
 
-What the integers cost, measured. This page is written by
+How far the integers are from exact results, measured. This page is written by
 
 ```sh
 cargo run --release -p pinhole-accuracy
@@ -25,9 +25,9 @@ cargo run --release -p pinhole-accuracy
 
 and CI checks that it is current (`-- --check`). The reference is f64 from the same quantised inputs: the bits of
 angles, eyes, vertices and matrices, never the library's own intermediate results (`tests/support/src/oracle`). All inputs come from
-a seeded generator. Every bound on this page stands in the documentation of the function and is asserted by the test named
-beside it. That a bound is at most twice the largest error found is asserted for the functions of `tests/bounds.rs`; the
-margins of `Camera::visibility` and of culling by planes are derived, and err on the safe side. A Cortex-M0, whose multiplier
+a seeded generator. The documentation of each function states its bound, and the test named beside it asserts it.
+`tests/bounds.rs` also asserts that a bound is at most twice the largest error found; the margins of `Camera::visibility` and
+of culling by planes are derived instead, and err on the safe side. A Cortex-M0, whose multiplier
 keeps 32 bits, computes the same bits as all other cores (`both_forms_give_the_same_bits`, `tests/device`), so this page
 holds for it too.
 ";
@@ -35,8 +35,8 @@ holds for it too.
 const CHAIN: &str = "\
 ## Vertices on the screen
 
-Each line is COUNT visible vertices before random cameras. An error is the larger one of those in x and in y, in
-pixels; *before* the snap to 1/256 px (`MeshInstance::project_unsnapped`) and *after* it (`MeshInstance::project`, for points
+Each line stands for COUNT visible vertices before random cameras. An error is the larger of the errors in x and in y, in
+pixels, *before* the snap to 1/256 px (`MeshInstance::project_unsnapped`) and *after* it (`MeshInstance::project`, for points
 `Camera::project`). The snap alone costs up to 1/512 = 1.95·10⁻³ px.
 
 | population | world | least distance z | viewport | cameras |
@@ -59,7 +59,7 @@ const DEPTHS: &str = "\
 ## Depth
 
 In steps of 65536, against 65535·(z/w + 1)/2, *before* and *after* rounding to a whole step; the three populations
-together. What the rounding of coefficients costs grows as far/(far − near) and as r/z.
+together. The error from the rounding of coefficients grows with far/(far − near) and with r/z.
 
 | far ÷ near | | before: max | 99.9 % | RMS | after: max | 99.9 % | RMS | bound |
 |---|---|---|---|---|---|---|---|---|
@@ -83,7 +83,7 @@ Bounds that other tests hold, with their own measurements:
 | `MeshInstance::project`, any projection, viewport and focal length | the budget in ARCHITECTURE.md, \"Numbers\" | `tests/camera/vertex_chain.rs`, `tests/camera/random_projections.rs` |
 | `MeshInstance::project`, r/z > 300, 480 × 320 px, focal lengths to 700 px | 1/512 + 6.5·10⁻⁶·r/z px | `vertices_of_objects_beyond_300_times_their_distance` |
 | `Camera::unproject` | half a sub-pixel and half a step, and `project`'s own error, carried back | `unproject_gives_the_projected_point_back` |
-| `Camera::ray` | 2⁻¹⁵ and 2⁻²⁷ of the distance, and `project`'s own error, carried back | the same |
+| `Camera::ray` | 2⁻¹⁵ and 2⁻²⁷ of the distance, and `project`'s own error, carried back | `unproject_gives_the_projected_point_back` |
 | `Camera::visibility` | 2⁻²⁰ of size and distance, on the safe side | `s5_bounding_spheres_are_classified_as_their_vertices` |
 | `Mesh::with_planes`: the eye behind a plane | known beyond 1/290 of the eye's distance or the mesh's largest coordinate, on the safe side | `faces_are_left_out_only_where_the_eye_is_behind_their_plane` |
 | `MeshInstance::depth_tested`, between the corners | 0.54 step; beyond 512 px ½ + 2⁻¹³ + 2⁻¹⁷ a column and a row; 1.1 on the far plane | `d2_…` in `raster/depth.rs` |

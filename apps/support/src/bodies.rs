@@ -32,7 +32,7 @@ pub fn circle(corners: usize, radius: impl Fn(usize) -> f64) -> Vec<[f64; 2]> {
     (0..corners).map(at).collect()
 }
 
-/// A gear of 300 mm with a hole, as high as 60 mm along z.
+/// A gear with a hole, 300 mm wide and 60 mm high along z.
 pub fn gear() -> Body {
     let teeth = |i: usize| if i % 4 < 2 { 150.0 } else { 120.0 };
     prism(&circle(32, teeth), &circle(32, |_| 50.0), 60.0)
@@ -80,7 +80,7 @@ pub fn cuboid([a, b, c]: [f64; 3]) -> Body {
     sides.iter().flat_map(|&[p, q, r, s]| [[p, q, r], [p, r, s]]).map(|t| t.map(at)).collect()
 }
 
-/// The body with its points elsewhere.
+/// The body with each of its points moved by `to`.
 pub fn moved(body: &[[[f64; 3]; 3]], to: impl Fn([f64; 3]) -> [f64; 3]) -> Body {
     body.iter().map(|corners| corners.map(&to)).collect()
 }

@@ -25,7 +25,7 @@ pub fn complain(line: impl Display) {
     say::complain(line);
 }
 
-/// Prints what is doubtful about a model to standard error, a line each.
+/// Prints the warnings about a model to standard error, one on each line.
 pub fn warn(model: &Path, warnings: impl IntoIterator<Item = impl Display>) {
     say::warn(model, warnings);
 }
@@ -56,7 +56,7 @@ pub fn matches(command: Command) -> Result<ArgMatches, String> {
     })
 }
 
-/// What follows a refused argument in its message, beginning with a colon.
+/// The advice that ends the message about a refused argument, from its colon on.
 fn what_to_do(error: &clap::Error) -> &'static str {
     match (error.kind(), error.get(ContextKind::InvalidArg)) {
         // A value after a space where the option can stand alone, or a second file.

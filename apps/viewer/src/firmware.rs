@@ -41,8 +41,8 @@ impl Oled {
         Self { scratch: Box::new(Scratch::new()), nodes: Box::new(SOLAR_SYSTEM), shown: None }
     }
 
-    /// Draws the frame of a point in time unless the panel shows it: only the difference from the frame before, as firmware
-    /// sends it, or the complete frame if the panel shows any other.
+    /// Draws the frame at `step`, unless the panel shows it already: only its difference from the frame before, as firmware sends
+    /// it, or the whole frame if the panel shows any other frame.
     pub(crate) fn draw(&mut self, step: u32, rows: u32, picture: &mut Canvas<Rgb888>) -> Option<Sent> {
         let frame = step / PACE % FRAMES;
         if self.shown == Some(frame) {

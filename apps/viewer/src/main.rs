@@ -87,7 +87,7 @@ fn arguments() -> Command {
                 .value_parser(value_parser!(PathBuf)),
         )
         .arg(
-            text("stay", "MS", "Milliseconds until it ends after that")
+            text("stay", "MS", "Milliseconds from the screenshot to the end of the program")
                 .value_parser(value_parser!(u64).range(..=600_000)),
         )
 }
@@ -106,7 +106,7 @@ fn size(given: &mut ArgMatches, source: &Source) -> Result<Size, String> {
     let Size { width, height } = size;
     let (low, high) = (SIDES.start(), SIDES.end());
     Err(source
-        .named(&format!("is of {width} x {height} pixels, a display of {low} to {high}: give it by --size")))
+        .named(&format!("is of {width} x {height} pixels, but a display has {low} to {high} on a side: state its size by --size")))
 }
 
 /// A script, which replaces a user's input.

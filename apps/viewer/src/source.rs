@@ -19,9 +19,9 @@ pub struct Source {
     own: Option<Scene>,
     /// The file, unless the mesh is built in.
     file: Option<PathBuf>,
-    /// What the importer says of a model.
+    /// The importer's result for a model file, with its warnings.
     imported: Option<Preview>,
-    /// How it was imported.
+    /// The options of the import.
     options: Options,
     /// The mesh that firmware of the template has, or why it has none: imported when it is shown.
     in_firmware: OnceCell<Result<ImportedMesh, String>>,
@@ -77,8 +77,8 @@ impl Source {
         }
     }
 
-    /// The mesh that firmware made from the template has of the model: of the teapot where there is none. The error says why
-    /// there is no such mesh.
+    /// The mesh that the template's firmware would have for this model, or for the teapot if the mesh is built in. The error says
+    /// why there is no such mesh.
     pub(crate) fn in_firmware(&self) -> Result<&ImportedMesh, String> {
         let make = || match (&self.file, &self.imported) {
             (Some(file), Some(_)) => {
@@ -98,7 +98,7 @@ impl Source {
         self.imported.iter().flat_map(|model| &model.warnings).map(ToString::to_string)
     }
 
-    /// What a firmware with this model has in flash, in words.
+    /// The size of this model in the flash of a firmware, as a sentence.
     pub fn size_in_firmware(&self) -> Option<String> {
         self.imported.as_ref().and_then(import::size)
     }
@@ -165,7 +165,7 @@ fn in_the_world(scene: &Scene, [x, y, z]: [f64; 3]) -> [f64; 3] {
     })
 }
 
-/// The scene of a file, turned about its centre opposite to the eye, and magnified.
+/// The scene of a file, turned about its centre against the movement of the eye, and magnified.
 fn turned(own: &Scene, state: &State, size: Size) -> Scene {
     let middle = {
         let (low, high) = own.bounds();

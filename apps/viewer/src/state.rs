@@ -40,7 +40,7 @@ pub struct State {
     own_cull: bool,
 }
 
-/// The things to show.
+/// What the viewer can show.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Thing {
     /// The file, or the built-in mesh.
@@ -86,7 +86,7 @@ pub enum Action {
     Help,
     /// Toggles turning.
     Turn,
-    /// Shows the next thing.
+    /// Shows the next [`Thing`].
     Thing,
     /// Resets the view.
     Reset,
@@ -113,7 +113,7 @@ pub(crate) const KEYS: [(&str, &str); 13] = [
     ("x q", "screenshot, quit"),
 ];
 
-/// Opaque, half of the pixels of a screen door, half and half, and a quarter of the face.
+/// Opaque, a screen door with half of the pixels, blended in equal parts, and blended with a quarter of the face's colour.
 const TRANSLUCENCIES: [Translucency; 4] =
     [Translucency::Opaque, Translucency::Door(32), Translucency::Half, Translucency::Alpha(8)];
 const ROWS: [Option<u32>; 5] = [Some(1), Some(4), Some(8), Some(16), None];
@@ -219,7 +219,7 @@ impl State {
         }
     }
 
-    /// The mouse was dragged by pixels to the right and down: the model turns with it.
+    /// Turns the model after a drag of the mouse, in pixels to the right and down.
     pub fn drag(&mut self, right: i32, down: i32) {
         self.orbit(-DRAG * f64::from(right), DRAG * f64::from(down));
     }

@@ -46,7 +46,7 @@ fn file(name: &str, bytes: impl AsRef<[u8]>) -> PathBuf {
     file
 }
 
-/// The pixels that firmware draws of a mesh: by the library's default culling, with a depth buffer, framed by the library.
+/// The pixels of a mesh as firmware draws it: with the library's default culling and framing, and a depth buffer.
 fn in_firmware(mesh: &ImportedMesh) -> Vec<bool> {
     let mesh = mesh.mesh().unwrap();
     let usual = Named::ALL[0];
@@ -107,8 +107,8 @@ fn in_viewer(file: &Path, options: &Options) -> Result<(Vec<bool>, Vec<String>),
     Ok((drawn(viewer.pixels()), warnings))
 }
 
-/// The pixels of the firmware that is made from the template with a model, and the importer's warnings but that of the size in
-/// flash: the template has no edges.
+/// The pixels of the firmware that is made from the template with a model, and the importer's warnings, except the one about the
+/// size in flash, because the template has no edges.
 fn in_template(file: &Path, options: &Options) -> Result<(Vec<bool>, Vec<String>), String> {
     let options = firmware::options(&firmware::TEMPLATE, options);
     let mesh = pinhole_import::import(file, &options).map_err(|e| e.to_string())?;
@@ -118,12 +118,12 @@ fn in_template(file: &Path, options: &Options) -> Result<(Vec<bool>, Vec<String>
     Ok((drawn, mesh.warnings.iter().map(ToString::to_string).collect()))
 }
 
-/// How many pixels are drawn in one picture alone.
+/// How many pixels are drawn in only one of the two pictures.
 fn differ(a: &[bool], b: &[bool]) -> usize {
     a.iter().zip(b).filter(|(a, b)| a != b).count()
 }
 
-/// Draws a model with all tools, and asserts that they agree. Gives the pixels and the warnings.
+/// Draws a model with all tools, and asserts that they agree. Returns the pixels and the warnings.
 #[track_caller]
 fn agreed(file: &Path, options: &Options) -> (Vec<bool>, Vec<String>) {
     let mesh = pinhole_import::import(file, options).unwrap_or_else(|e| panic!("{e}"));
@@ -143,14 +143,14 @@ fn agreed(file: &Path, options: &Options) -> (Vec<bool>, Vec<String>) {
             }
         };
         assert_eq!(warnings, said, "{}", file.display());
-        // Vertices on the grid of the mesh are elsewhere by 1/65000 of its size: a pixel of its outline at times.
+        // The mesh's grid moves vertices by up to 1/65000 of its size, which at times changes a pixel of its outline.
         let differ = differ(&pixels, &firmware);
         assert!(differ <= 3, "{}: {differ} pixels differ, with {options:?}", file.display());
     }
     (firmware, said)
 }
 
-/// Asserts that all tools refuse a file in one and the same line.
+/// Asserts that all tools refuse a file with the same line.
 #[track_caller]
 fn refused(file: &Path, what: &str) {
     let error = pinhole_import::import(file, &NONE).unwrap_err().to_string();
@@ -179,7 +179,7 @@ fn up_is_z_of_stl_and_y_of_obj_in_all_tools() {
     assert!(rows(&standing) > columns(&standing), "{} {}", rows(&standing), columns(&standing));
     let (lying, _) = agreed(&obj, &NONE);
     assert!(rows(&lying) < columns(&lying), "{} {}", rows(&lying), columns(&lying));
-    // Either way when told so.
+    // Either axis, if the options name it.
     let up = |axis| Options { up: Some(axis), ..NONE };
     assert!(agreed(&stl, &up(pinhole_import::Axis::Y)).0 == lying);
     assert!(agreed(&obj, &up(pinhole_import::Axis::Z)).0 == standing);
@@ -192,7 +192,7 @@ fn up_is_z_of_stl_and_y_of_obj_in_all_tools() {
 fn a_sound_part_with_a_hole_is_one_picture_without_a_word() {
     let (pixels, said) = agreed(&file("gear.stl", stl(&gear())), &NONE);
     assert_eq!(said, Vec::<String>::new());
-    // From 20 degrees above some rows show the background through the hole, whose walls would hide it in mesh order.
+    // From 20 degrees above, some rows show the background through the hole. In mesh order, without depth, walls would hide it.
     let width = SIZE.width as usize;
     let row = |y: usize| &pixels[y * width..(y + 1) * width];
     let holes = (0..SIZE.height as usize).filter(|&y| {
@@ -200,7 +200,7 @@ fn a_sound_part_with_a_hole_is_one_picture_without_a_word() {
         first.is_some_and(|first| row(y)[first..].windows(2).filter(|two| two[0] != two[1]).count() > 1)
     });
     assert!((4..20).contains(&holes.count()));
-    // Its frame is the sphere's: 31/32 of the height at most, and as wide as the gear is against its sphere.
+    // The gear's bounding sphere takes at most 31/32 of the height, and the gear is almost as wide as its sphere.
     assert!(rows(&pixels) < 117 && columns(&pixels) < 117 && columns(&pixels) > 95, "{}", columns(&pixels));
 }
 
@@ -219,7 +219,7 @@ fn models_inside_out_are_so_everywhere_and_flip_mends_them() {
     let gear_file = file("sound.stl", stl(&gear()));
     let sound = agreed(&gear_file, &NONE).0;
     let flipped = file("flipped.stl", stl(&reversed(&gear())));
-    // Seen are the insides of the far walls, with the light of these: the same outline in other colours.
+    // The picture shows the insides of the far walls, in their light: the same outline in other colours.
     let (pixels, said) = agreed(&flipped, &NONE);
     assert!(
         said.len() == 1 && said[0].starts_with("parts inside out: 1 of 1, the first at triangle 1;"),
@@ -237,7 +237,7 @@ fn models_inside_out_are_so_everywhere_and_flip_mends_them() {
     }
     assert!(colours(&flipped, &BOTH_SIDES) == right);
     assert_eq!(agreed(&flipped, &BOTH_SIDES), (sound, vec![]));
-    // What was reversed once too often is told to be left as it is.
+    // For a model that --flip turned inside out, the warning says to leave --flip out.
     let (_, said) = agreed(&gear_file, &FLIP);
     let wanted = "parts inside out: 1 of 1, the first at triangle 1; the outside shows nothing: leave out --flip, unless it is \
                   a room seen from inside";
@@ -264,7 +264,7 @@ fn mixed_winding_is_so_everywhere_and_can_be_fixed() {
 
 #[test]
 fn open_models_show_nothing_from_behind_unless_two_sided() {
-    // A box without its two sides that are seen from the right, the front and above: front, right, top.
+    // A box without the three sides that are seen from the right, the front and above.
     let open: Body = cuboid([2.0; 3])
         .into_iter()
         .enumerate()
@@ -386,7 +386,7 @@ fn materials_are_one_picture_in_render_and_viewer() {
     });
     let all = pixels.iter().filter(|drawn| **drawn).count();
     for [green, magenta] in counts {
-        // Front and right, and the top: all that is drawn is the one or the other.
+        // The front and the right side are green, the top is magenta, and no drawn pixel has another colour.
         assert!(
             green > magenta && magenta > 500 && (green + magenta).abs_diff(all) <= 3,
             "{green} {magenta} {all}"

@@ -1,4 +1,4 @@
-//! What keys do, and what goes to the display for it: without a window.
+//! What keys do, and what is sent to the display for them. No window is needed.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics::prelude::*;
@@ -32,14 +32,14 @@ fn viewer() -> Viewer {
     Viewer::new(Source::built_in(), SIZE)
 }
 
-/// What a display that was dark shows.
+/// The pixels of a display that was dark before.
 fn alone(state: &State) -> Vec<Rgb888> {
     let mut viewer = viewer();
     viewer.draw(state).unwrap();
     viewer.pixels().to_vec()
 }
 
-/// Colours met.
+/// The colours among the pixels.
 fn colours(pixels: &[Rgb888]) -> BTreeSet<[u8; 3]> {
     pixels.iter().map(|c| [c.r(), c.g(), c.b()]).collect()
 }
@@ -76,11 +76,11 @@ fn keys_go_round_and_back() {
 fn the_mouse_holds_what_it_drags() {
     let mut state = pressed("");
     state.drag(10, 4);
-    // Half a degree a pixel: to the right goes the eye to the left.
+    // Half a degree for each pixel; a drag to the right moves the eye to the left.
     let mut by_keys = pressed("left");
     by_keys.apply(Action::Orbit(0.0, 2.0));
     assert_eq!(state, by_keys);
-    // Over the top it does not go, and once around is where it was.
+    // The eye does not go over the top, and a whole turn ends where it began.
     (0..99).for_each(|_| state.drag(0, 20));
     let top = state;
     state.drag(0, 20);
@@ -104,7 +104,7 @@ fn turning_goes_on_by_itself() {
 
 #[test]
 fn what_was_sent_before_and_now_is_the_whole_picture() {
-    // Every frame is brought about from the last one, by the rectangles that differ.
+    // Every frame is made from the last one, by sending the rectangles that differ.
     let mut viewer = viewer();
     let mut state = pressed("");
     let mut sent = Vec::new();
@@ -176,7 +176,7 @@ fn what_is_drawn_already_is_not_sent_again() {
 
 #[test]
 fn statistics_are_those_of_what_was_sent() {
-    // 992 faces and 1520 edges has the teapot. 96 × 72 pixels of two bytes; a window takes 11 more.
+    // The teapot has 992 faces and 1520 edges. 96 × 72 pixels take two bytes each, and a window takes 11 bytes more.
     let of = |keys: &str| {
         let mut viewer = viewer();
         viewer.draw(&pressed(keys)).unwrap().clone()
@@ -189,7 +189,7 @@ fn statistics_are_those_of_what_was_sent() {
     // At 391 of its edges the surface turns by at most a degree, by the vertices of assets/teapot.obj: hidden lines leave these out.
     assert_eq!((faces("w"), faces("l")), (1520, 1520 - 391));
     assert_eq!(of("k").statistics.culled, 0);
-    // Of a closed mesh about half the faces are turned away.
+    // About half the faces of a closed mesh are turned away.
     let culled = of("").statistics.culled;
     assert!((300..700).contains(&culled), "{culled}");
     for (keys, bands, bytes) in [
@@ -223,7 +223,7 @@ fn bands_of_any_height_are_one_picture() {
 
 #[test]
 fn formats_have_their_colours_and_no_others() {
-    // From rgb565, which is first: gray8, gray4, gray2, mono, rgb888, rgb666.
+    // The formats after rgb565, which is first: gray8, gray4, gray2, mono, rgb888, rgb666.
     let of = |keys: &str| colours(&alone(&pressed(keys)));
     let grey = |keys, shades: usize| {
         let met = of(keys);
@@ -254,7 +254,8 @@ fn every_projection_shows_something_whole() {
             .flat_map(|x| [(x, 0), (x, SIZE.height - 1)])
             .chain((0..SIZE.height).flat_map(|y| [(0, y), (SIZE.width - 1, y)]));
         assert!(pixels.iter().filter(|c| **c != paper).count() > 300, "{state:?}");
-        // The sphere about it fits where it is not magnified: here it is, by a quarter, but the teapot is flat.
+        // Unmagnified, the bounding sphere fits the display. Here it is magnified by a quarter, but the teapot is flatter than
+        // its sphere.
         let reached = border.filter(|&(x, y)| at(x, y) != paper).count();
         assert!(reached < 40, "{reached} {state:?}");
         pictures.insert(pixels.iter().map(|c| c.into_storage()).collect::<Vec<_>>());
@@ -321,14 +322,14 @@ fn overlays_are_in_the_window_and_not_on_the_display() {
 
 #[test]
 fn the_firmware_s_scenes_are_its_pictures() {
-    // The OLED's panel is 128 × 64 of 16 greys; where there is room, each of its pixels is 2 × 2.
+    // The OLED's panel is 128 × 64 pixels of 16 greys; where there is room, each of its pixels is shown as 2 × 2.
     let size = Size::new(256, 128);
     let mut viewer = Viewer::new(Source::built_in(), size);
     let mut state = pressed("m space");
     let mut pictures = BTreeSet::new();
     for frame in 0..24 {
         let shown = viewer.draw(&state).unwrap().clone();
-        // All of it, two pixels a byte, where a scene of eight frames begins; then what differs.
+        // The first frame of each scene of eight frames is sent whole, at two pixels a byte; of the others, what differs.
         assert_eq!(shown.bytes == 128 * 64 / 2, frame % 8 == 0, "{frame}");
         assert_eq!(shown.pixels, 2 * shown.bytes);
         let mut other = Viewer::new(Source::built_in(), size);
@@ -373,7 +374,7 @@ fn the_firmware_s_model_is_the_user_s() {
         state.tick();
     }
 
-    // 90 000 vertices: the model is shown, and in place of the firmware's picture what is wrong.
+    // 90 000 vertices: the model is shown, and a message in place of the firmware's picture.
     let mut vast = String::new();
     for (x, y) in (0..300).flat_map(|y| (0..300).map(move |x| (x, y))) {
         vast += &format!("v {x} 0 {y}\n");
@@ -437,19 +438,19 @@ fn a_scene_begins_with_its_own_camera() {
     };
     // Pixels whose centres have x + y < 0.
     assert_eq!(covered(&viewer), 64 * 63 / 2);
-    // From 60 degrees to the side its width is half.
+    // Seen from 60 degrees to the side, the triangle is half as wide.
     let middle = covered(&viewer);
     (0..12).for_each(|_| press(&mut state, "right"));
     viewer.draw(&state).unwrap();
     let aside = covered(&viewer);
     assert!(aside.abs_diff(middle / 2) < 64, "{aside} of {middle}");
-    // Half as large either way.
+    // Half as wide and half as high.
     press(&mut state, "0 - - - - - - -");
     viewer.draw(&state).unwrap();
     let small = covered(&viewer) as f64;
     let expected = middle as f64 / 1.1f64.powi(14);
     assert!((small - expected).abs() < 64.0, "{small} {expected}");
-    // And from there to the named ones.
+    // The next projections are the named ones.
     press(&mut state, "0 p");
     assert_eq!(viewer.draw(&state).unwrap().statistics.drawn, 1);
 }

@@ -150,7 +150,7 @@ fn a_scene_too_small_for_a_display_says_so_itself() {
         viewer.arg(&scene).args(size);
         refusal(viewer)
     };
-    let expected = "is of 8 x 64 pixels, a display of 16 to 1024: give it by --size\n";
+    let expected = "is of 8 x 64 pixels, but a display has 16 to 1024 on a side: state its size by --size\n";
     assert_eq!(viewer(&[]), format!("{}: {expected}", scene.display()));
     let said = viewer(&["--size", "8x64"]);
     assert!(said.starts_with("--size: 8x64 is not WxH, each from 16 to 1024"), "{said}");

@@ -46,7 +46,7 @@ pub(crate) const METHODS: [(Method, &str); 5] = [
     (Method::Ours(Accuracy::Eighth), "`Accuracy::Eighth`"),
     (Method::Ours(Accuracy::Sixteenth), "`Accuracy::Sixteenth`"),
     (Method::EveryPixel, "a division for each pixel"),
-    (Method::EverySixteen, "one for every 16 pixels"),
+    (Method::EverySixteen, "a division for every 16 pixels"),
 ];
 
 /// A DrawTarget that lists what is drawn.

@@ -68,8 +68,8 @@ fn of_scene(scene: Scene) -> Result<Measured, pinhole::MeshError> {
 const HEAD: &str = "\
 ## Textures
 
-The texel coordinates that a pixel shows, against a ray in f64 through its centre: the larger error of u and of v in texels, beyond those
-of all points within 1/64 pixel of the centre, because corners lie on 1/256 pixel. *Another* is the share of pixels that show another texel
+The texel coordinates that a pixel shows, against a ray in f64 through its centre: the larger error of u and of v in texels, beyond the
+coordinates of all points within 1/64 pixel of the centre, because corners are snapped to 1/256 pixel. *Another* is the share of pixels that show another texel
 than the ray's. Each face is drawn alone into 240 × 240 pixels, with a texture of 64 × 64 texels, so an error of 32 is the largest that can
 be seen. The last two methods are the common ones of other libraries, on the same triangles (`tools/bench/src/cells/stepped.rs`):
 u/w, v/w and 1/w are linear on the screen and divided, by a reciprocal of 16 bits, at each pixel, or at every sixteenth pixel of a span and
@@ -102,7 +102,7 @@ pub(crate) fn text(measured: &mut [Measured]) -> String {
 
 The library's error is at most its accuracy and that of the planes: {PLANES} texel here, asserted by `tests/shading/textures.rs`; the general
 bound stands at `Texture`. A fixed step has no bound: on the rolled floor, and wherever w changes much within sixteen pixels, it shows
-texels of elsewhere. Where a step is right, it is because a floor that is not rolled has one w for each row.
+texels from elsewhere in the texture. On the floor that is not rolled it is right, because w is constant along each row.
 
 "
     );
