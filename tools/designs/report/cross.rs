@@ -18,7 +18,7 @@ fn cross() -> Command {
     command
 }
 
-/// For all these targets at once, on as many cores as there are.
+/// Builds a firmware for all these targets at once, on as many cores as there are.
 pub(crate) fn build(bin: &str, targets: &[&str]) -> Result<()> {
     let mut command = cross();
     command.args(["cargo", "build", "--quiet", "--locked", "--release", "--bin", bin]);
@@ -30,7 +30,7 @@ pub(crate) fn build(bin: &str, targets: &[&str]) -> Result<()> {
     Ok(())
 }
 
-/// What a firmware prints.
+/// Runs a firmware, and returns its output.
 pub(crate) fn run(bin: &str, target: &str) -> Result<String> {
     let mut command = cross();
     command.args(["cargo", "run", "--quiet", "--locked", "--release", "--bin", bin, "--target", target]);
@@ -42,11 +42,11 @@ pub(crate) fn run(bin: &str, target: &str) -> Result<String> {
     Ok(String::from_utf8(output.stdout)?)
 }
 
-/// The compiler that builds firmware here: which one that is, is a question of the target.
+/// The compiler that builds firmware here, which the target decides.
 pub(crate) fn compiler() -> Result<String> {
     let version = "\"${RUSTC:-rustc}\" --version";
     let output = cross().args(["bash", "-c", version, "--target", crate::speed::CORES[0].1]).output()?;
     let text = String::from_utf8(output.stdout)?;
-    // Without the date and what the distributor adds.
+    // Without the date and the distributor's additions.
     Ok(text.split_whitespace().take(2).collect::<Vec<_>>().join(" "))
 }

@@ -11,18 +11,18 @@ use designs::torus::{DEGREES, DISTANCE, EXPONENT, FACES, FAR, NEAR, SIZE, VERTIC
 use designs::{Object, Vertex};
 use pinhole::{Coordinate, Mesh, Scalar};
 
-/// Pictures at each place.
+/// The number of pictures at each place.
 pub(crate) const TURNS: usize = 16;
 /// Where the torus is, in whole units: at the origin, and far out.
 pub(crate) const PLACES: [[i32; 3]; 2] = [[0, 0, 0], [20_000, -20_000, 20_000]];
 
-/// In px, for each place.
+/// Shifts in px, for each place.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Edges {
     pub(crate) shift: [f64; PLACES.len()],
 }
 
-/// In the order of [`about::ALL`].
+/// The shifts of every design, in the order of [`about::ALL`].
 pub(crate) fn measure() -> Result<Vec<Edges>> {
     let mut edges = vec![Edges::default(); about::ALL.len()];
     let mut rng = Rng::new(0xE);
@@ -72,7 +72,7 @@ fn library<V: Coordinate<Stored = V>>(
     Ok(())
 }
 
-/// In pixels from the picture's top left.
+/// The exact position of a point, in pixels from the picture's top left.
 fn image(object: &Object, from_eye: [f64; 3]) -> [f64; 2] {
     let [x, y, _] = object.image(from_eye);
     [x + object.centre[0], y + object.centre[1]]
@@ -115,7 +115,7 @@ fn picture(exact: &[[f64; 2]], corners: &[(i64, i64)]) -> f64 {
         for row in top..bottom {
             for column in left..right {
                 let inside = inside(true_, [column as f64 + 0.5, row as f64 + 0.5]);
-                // Only what is wrong by more matters.
+                // Only larger errors matter.
                 if inside.abs() > shift && (inside > 0.0) != covers(drawn, column, row) {
                     shift = inside.abs();
                 }

@@ -2,7 +2,7 @@
 
 use crate::number::decimal;
 
-/// The largest, and what one in a thousand exceeds: in pixels.
+/// The largest error, and the error that one vertex in a thousand exceeds, in pixels.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Figures {
     pub(crate) largest: f64,
@@ -20,23 +20,23 @@ impl Figures {
         Self { largest: largest.into(), nearly: nearly.into() }
     }
 
-    /// Two cells.
+    /// Two cells of a table.
     pub(crate) fn cells(&self) -> String {
         format!("{} | {}", decimal(self.largest), decimal(self.nearly))
     }
 }
 
-/// Before and after the snap.
+/// Errors before and after the snap.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Pair {
     pub(crate) before: Figures,
     pub(crate) after: Figures,
 }
 
-/// In the order of [`sweep::CLASSES`](crate::sweep::CLASSES).
+/// Errors by class, in the order of [`sweep::CLASSES`](crate::sweep::CLASSES).
 pub(crate) type Classes = [Pair; crate::sweep::CLASSES.len()];
 
-/// What a design's errors are.
+/// The errors of a design.
 #[derive(Clone, Default)]
 pub(crate) struct Errors {
     pub(crate) classes: Classes,

@@ -60,7 +60,7 @@ struct Measured {
     edges: edges::Edges,
 }
 
-/// What does not hold.
+/// Measures everything. Returns what does not hold, one text for each failure.
 fn run(check: bool) -> Result<Vec<String>> {
     let compiler = cross::compiler()?;
     // The compilers keep all cores busy; what is measured on the host comes after.
@@ -87,7 +87,7 @@ fn run(check: bool) -> Result<Vec<String>> {
         if let Some(first) = differences.first() {
             let count = differences.len();
             let what = format!("{file}: not current, {count} lines differ: tools/designs/run\n{first}");
-            // With another compiler other counts are no fault.
+            // Other counts by another compiler are no fault.
             if page::is_of(&std::fs::read_to_string(cross::root().join(PAGE))?, &compiler) {
                 failures.push(what);
             } else {

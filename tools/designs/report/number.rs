@@ -1,4 +1,4 @@
-//! How numbers read.
+//! How numbers are written.
 
 /// Two digits: as a decimal fraction where that is short, else with a power of ten.
 pub(crate) fn decimal(v: f64) -> String {

@@ -10,11 +10,11 @@ use std::ops::Range;
 
 const SIZE: (u32, u32) = (1120, 1060);
 const FONT: &str = "sans-serif";
-/// Instructions a vertex, and pixels.
+/// The ranges of the axes: instructions a vertex, and pixels.
 const X: Range<f64> = 20.0..6000.0;
 const Y: Range<f64> = 3e-7..1e3;
 const TICKS: [f64; 8] = [20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0, 5000.0];
-/// What the snap to 1/256 px alone costs.
+/// The error of the snap to 1/256 px alone.
 const SNAP: f64 = 1.0 / 512.0;
 /// Dots of one family nearer than this share a label: as factors of instructions and error.
 const NEAR: (f64, f64) = (1.5, 2.0);
@@ -83,7 +83,7 @@ fn draw(panel: &Area<'_>, core: usize, measured: &[Measured]) -> Result<()> {
     chart.draw_series([PathElement::new([(X.start, SNAP), (X.end, SNAP)], grey.stroke_width(1))])?;
     let style = (FONT, 12).into_font().color(&grey).pos(Pos::new(HPos::Right, VPos::Bottom));
     chart.draw_series([Text::new("the snap to 1/256 px", (X.end * 0.97, SNAP * 1.15), style)])?;
-    // What differs from another in its snap alone has no dot of its own.
+    // A design that differs from another one only in its snap has no dot of its own.
     let shown: Vec<_> = measured.iter().enumerate().filter(|(_, one)| one.about.id != "i16-4bits").collect();
     let front = front(shown.iter().map(|(_, one)| *one), core);
     chart.draw_series([PathElement::new(front, colour(Family::Thirty).mix(0.4).stroke_width(2))])?;
@@ -102,7 +102,7 @@ fn draw(panel: &Area<'_>, core: usize, measured: &[Measured]) -> Result<()> {
             *other == family && !apart(*x, at.0, NEAR.0) && !apart(*y, at.1, NEAR.1)
         });
         match beside {
-            // Beside them all.
+            // Beside all dots of its family: to the left of them, or to the right.
             Some((_, (x, _), text)) => {
                 *x = match family {
                     Family::Thirty | Family::Scaled => x.min(at.0),

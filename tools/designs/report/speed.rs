@@ -11,7 +11,7 @@ pub(crate) const CORES: [(&str, &str); 4] = [
     ("RV32", "riscv32imc-unknown-none-elf"),
 ];
 
-/// In the order of [`about::ALL`].
+/// Instructions a vertex of every design, in the order of [`about::ALL`].
 pub(crate) fn measure() -> Result<Vec<[f64; CORES.len()]>> {
     let mut host: Vec<Counted> = Vec::new();
     count(&mut |counted| host.push(counted)).ok_or("a design fails on the host")?;

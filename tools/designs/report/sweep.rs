@@ -13,7 +13,7 @@ use pinhole::{Coordinate, Mesh, MeshInstance, Scalar};
 
 /// Vertices of a class.
 pub(crate) const COUNT: usize = 250_000;
-/// No farther: beyond, the view coordinates of Q16.16 leave 32 bits.
+/// The farthest distance of a vertex: beyond it, the view coordinates of Q16.16 leave 32 bits.
 const FARTHEST: f64 = 8192.0;
 
 pub(crate) struct Class {
@@ -35,7 +35,7 @@ pub(crate) const CLASSES: [Class; 4] = [
     },
 ];
 
-/// In the order of [`about::ALL`].
+/// The errors of every design, in the order of [`about::ALL`].
 pub(crate) fn measure() -> Result<Vec<Errors>> {
     let classes: Result<Vec<Vec<Pair>>> = std::thread::scope(|scope| {
         let threads: Vec<_> = CLASSES.iter().map(|class| scope.spawn(|| sweep(class))).collect();
@@ -51,7 +51,7 @@ pub(crate) fn measure() -> Result<Vec<Errors>> {
 struct Raw {
     before: Vec<f32>,
     after: Vec<f32>,
-    /// Vertices in the picture that the design takes for ones before the near plane.
+    /// Vertices in the picture that the design takes for vertices in front of the near plane.
     lost: usize,
     /// The largest distance of a corner from the place that it was rounded from, in sub-pixels.
     snap: f64,
@@ -87,7 +87,7 @@ fn sweep(class: &Class) -> Result<Vec<Pair>> {
             is_seen(&case.object, from_eye) && o.half_extent / z <= ratio.1 && population.inside(world)
         };
         let vertices: Vec<[i16; 3]> = o.short[..VERTICES].iter().copied().filter(visible).collect();
-        // A mesh knows how large it is: it has the corner of the box, too.
+        // The library computes a mesh's size from its vertices, so the corner of the box is one of them.
         let mut mesh = vertices.clone();
         mesh.push(o.short[VERTICES]);
         let fixed: Vec<_> = mesh.iter().map(|v| fixed(*v, o.exponent)).collect();
@@ -101,13 +101,14 @@ fn sweep(class: &Class) -> Result<Vec<Pair>> {
         all(&mut Meter { object: &case.object, vertices: &vertices, raw: raw[2..].iter_mut() });
     }
     for (about, raw) in about::ALL.iter().zip(&raw) {
-        // Where depth is off by more than a vertex's distance from the near plane, that happens; elsewhere it is a fault.
+        // This happens where the error of depth is larger than a vertex's distance from the near plane; elsewhere it is a fault.
         if raw.lost > 0 && about.exact_depth() {
             return Err(format!("{} has no place for {} vertices in the picture", about.id, raw.lost).into());
         }
     }
     for (about, raw) in about::ALL.iter().zip(&raw) {
-        // Half a sub-pixel, and what was dropped before the rounding; f32 is cut, which left of the picture is no rounding.
+        // Half a sub-pixel, and what was dropped before the rounding. f32 is cut towards zero, which is no rounding for vertices
+        // left of the picture.
         let most = if about.family == Family::Float { 1.5 } else { 0.6 };
         if raw.snap > most {
             return Err(format!("{} snaps by {} sub-pixels", about.id, raw.snap).into());
@@ -170,7 +171,7 @@ impl Visit for Meter<'_> {
         for &v in self.vertices {
             let v = D::Vertex::of(self.object, v);
             let from_eye = v.relative(self.object);
-            // A coarser type may have moved it out.
+            // A coarser vertex type may have moved it out of the picture.
             if !is_seen(self.object, from_eye) {
                 continue;
             }

@@ -14,14 +14,14 @@ mod arm {
     /// SysTick, 25 MHz. Under `-icount shift=6` an instruction takes 64 ns, so 5/8 instructions pass in a tick.
     pub struct Clock {
         timer: SYST,
-        /// What starting and stopping it costs.
+        /// The ticks that starting and stopping take.
         own: u32,
     }
 
     const RELOAD: u32 = 0x00ff_ffff;
 
     impl Clock {
-        /// `None` if the emulator's clock is another one: a loop of known length tells.
+        /// `None` if the emulator's clock runs at another rate, which a loop of known length shows.
         pub fn new() -> Option<Self> {
             let mut timer = cortex_m::Peripherals::take()?.SYST;
             timer.set_clock_source(SystClkSource::Core);
@@ -30,7 +30,7 @@ mod arm {
             timer.enable_counter();
             let mut clock = Self { timer, own: 0 };
             clock.own = clock.count(&mut || ())?;
-            // Two instructions a turn.
+            // Two instructions for each turn of the loop.
             let short = clock.count(&mut || cortex_m::asm::delay(100))?;
             let long = clock.count(&mut || cortex_m::asm::delay(50_100))?;
             (long.abs_diff(short).abs_diff(100_000) <= 1).then_some(clock)
@@ -57,12 +57,12 @@ mod riscv32 {
 
     /// The core's own counter of instructions, under `-icount shift=0`.
     pub struct Clock {
-        /// What starting and stopping it costs.
+        /// The instructions that starting and stopping take.
         own: u32,
     }
 
     impl Clock {
-        /// `None` if the counter counts something else: loops of known lengths tell.
+        /// `None` if the counter counts something else, which loops of known lengths show.
         pub fn new() -> Option<Self> {
             let mut clock = Self { own: 0 };
             clock.own = clock.count(&mut || ())?;

@@ -6,25 +6,25 @@ use core::hint::black_box;
 /// A vertex on the screen: 8 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ScreenVertex {
-    /// In sub-pixels.
+    /// The horizontal position in sub-pixels.
     pub x: i32,
     pub y: i32,
 }
 
 impl ScreenVertex {
-    /// Of a vertex that must be clipped.
+    /// The vertex of a point that must be clipped.
     pub const EMPTY: Self = Self { x: i32::MIN, y: 0 };
 }
 
-/// A number design, with the numbers of one object in it.
+/// A number design, set up for one object.
 pub trait Design: Sized {
     type Vertex: Vertex;
-    /// Sub-pixels in a pixel, as bits.
+    /// The number of sub-pixels in a pixel, as a power of two.
     const BITS: u32 = 8;
     /// Whether corners are measured from the viewport's centre, or from its top left.
     const FROM_CENTRE: bool = true;
 
-    /// `None` where the design cannot show such an object.
+    /// Sets the design up. `None` if it cannot show such an object.
     fn new(object: &Object) -> Option<Self>;
     /// The counted part: near test, projection, range test if integers could wrap, and snap.
     fn corner(&self, vertex: Self::Vertex) -> ScreenVertex;
@@ -35,12 +35,12 @@ pub trait Design: Sized {
 /// A loop over vertices.
 pub type Loop<D> = fn(&D, &[<D as Design>::Vertex], &mut [ScreenVertex]);
 
-/// The vertex loop, in the ways in which a compiler may be given it: it depends on the core and the design which is best.
+/// The vertex loop in the forms that a compiler may be given: which one is fastest depends on the core and the design.
 pub fn ways<D: Design>() -> [Loop<D>; 4] {
     [hoisted::<D, false>, loaded::<D, false>, hoisted::<D, true>, loaded::<D, true>]
 }
 
-/// Constants may stay in registers.
+/// With constants that may stay in registers.
 #[inline(never)]
 fn hoisted<D: Design, const POINTERS: bool>(
     design: &D,
@@ -50,14 +50,14 @@ fn hoisted<D: Design, const POINTERS: bool>(
     each::<D, POINTERS>(vertices, corners, |vertex| design.corner(vertex));
 }
 
-/// Constants are loaded when needed: where registers are few, that spills less.
+/// With constants that are loaded when they are needed, which spills less where registers are few.
 #[inline(never)]
 fn loaded<D: Design, const POINTERS: bool>(design: &D, vertices: &[D::Vertex], corners: &mut [ScreenVertex]) {
     each::<D, POINTERS>(vertices, corners, |vertex| black_box(design).corner(vertex));
 }
 
-/// By an index, or by pointers. Of an index the compiler makes pointers in innermost loops alone, and normalising w may be
-/// another.
+/// With an index or with pointers. The compiler turns an index into pointers in innermost loops only, and the normalising of w
+/// may contain a loop.
 #[inline(always)]
 fn each<D: Design, const POINTERS: bool>(
     vertices: &[D::Vertex],
@@ -75,7 +75,7 @@ fn each<D: Design, const POINTERS: bool>(
     }
 }
 
-/// Of corners, to tell that two machines compute the same.
+/// A checksum of corners, to compare what two machines compute.
 pub fn checksum(corners: impl Iterator<Item = ScreenVertex>) -> u32 {
     // FNV-1a, by words.
     corners

@@ -10,7 +10,7 @@ use core::hint::black_box;
 
 pub const COUNT: usize = VERTICES.len();
 
-/// The vertices that a design takes for a loop, and their corners' checksum.
+/// The instructions that a design takes for a vertex loop, and the checksum of the corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Counted {
     pub id: &'static str,
@@ -18,7 +18,7 @@ pub struct Counted {
     pub checksum: u32,
 }
 
-/// Every design to `take`; `None` if a clock or a design fails.
+/// Passes the count of every design to `take`; `None` if a clock or a design fails.
 pub fn count(take: &mut dyn FnMut(Counted)) -> Option<()> {
     let mut counter = Counter { clock: Clock::new()?, take, good: true };
     counter.library::<Short>()?;
@@ -42,7 +42,7 @@ impl Visit for Counter<'_> {
 impl Counter<'_> {
     #[inline(never)]
     fn design<D: Design>(&mut self, id: &'static str) -> Option<()> {
-        // Farther away for a design that cannot show it near.
+        // Farther away for a design that cannot show a near object.
         let [near, far] = [1, 8].map(|times| black_box(torus::object(times)));
         let (object, design) = match D::new(&near) {
             Some(design) => (near, design),

@@ -5,7 +5,7 @@ use crate::num::{mul_high, mul_wide};
 /// A divisor w > 0 of numbers |x| < w.
 pub(crate) trait Divide {
     type By: Copy;
-    /// And n.
+    /// The divisor in the form that [`high`](Self::high) takes, and n.
     fn by(w: i32) -> (Self::By, u32);
     /// `x/w · 2^(29 − n)`, rounded down.
     fn high(x: i32, by: Self::By) -> i32;
@@ -40,7 +40,7 @@ impl<R: Reciprocal> Divide for R {
     }
 }
 
-/// Least w that [`normalised`] takes.
+/// The smallest w that [`normalised`] takes.
 pub(crate) const LEAST: i32 = 1 << 15;
 
 /// w at the top of 31 bits, and by how much it was shifted. A core that cannot count leading zeros shifts one by one: the
@@ -72,13 +72,13 @@ const TABLE: [u8; 256] = {
     table
 };
 
-/// In 2⁻⁹.
+/// The reciprocal by the table, in 2⁻⁹.
 #[inline(always)]
 fn nine_bits(m: i32) -> i32 {
     256 + i32::from(TABLE[(m >> 22) as usize & 0xff])
 }
 
-/// Nothing but the table.
+/// The table alone.
 pub(crate) struct Table;
 /// The table and a Newton step.
 pub(crate) struct OneStep;

@@ -1,13 +1,13 @@
-//! f32, which a core with an FPU does fast.
+//! f32, for which a core with an FPU is fast.
 
 use crate::chain::{Design, ScreenVertex};
 use crate::Object;
 
-/// As other libraries do it: a 4 × 4 matrix for model, view and projection, multiplied in f32, with the world's absolute
+/// As other libraries do it: a 4 × 4 matrix, the product of model, view and projection in f32, with the world's absolute
 /// translations in it; three divisions; the viewport.
 pub(crate) struct Matrix {
     mvp: [[f32; 4]; 4],
-    /// In sub-pixels.
+    /// Half the viewport's size, in sub-pixels.
     half: [f32; 2],
 }
 
@@ -26,11 +26,11 @@ impl Matrix {
         self.mvp.map(|[a, b, c, d]| a * x + b * y + c * z + d)
     }
 
-    /// In sub-pixels.
+    /// The corner before the snap, in sub-pixels.
     #[inline(always)]
     fn place(&self, [x, y, z, w]: [f32; 4]) -> [f32; 3] {
         let [half_width, half_height] = self.half;
-        // Rows count downwards already; depth is not stored, but rivals divide it too.
+        // Rows count downwards already. Depth is not stored, but other libraries divide it, too.
         [(x / w + 1.0) * half_width, (y / w + 1.0) * half_height, z / w]
     }
 }
@@ -43,7 +43,7 @@ impl Design for Matrix {
         let narrow = |v: [f64; 3]| v.map(|c| c as f32);
         let (axes, eye) = (object.axes.map(narrow), narrow(object.eye));
         let model = affine(object.model.map(narrow), narrow(object.place));
-        // −R·eye from the rows as they are.
+        // −R·eye from the rounded rows.
         let view = affine(axes, axes.map(|[a, b, c]| -(a * eye[0] + b * eye[1] + c * eye[2])));
         let [cx, cy] = object.centre.map(|c| c as f32);
         let (focal, near, far) = (object.focal as f32, object.near as f32, object.far as f32);
@@ -74,7 +74,7 @@ impl Design for Matrix {
     }
 }
 
-/// As f32 does it best: three rows from the eye, the focal length in sub-pixels folded in, one division.
+/// The best that f32 can do: three rows from the eye, with the focal length in sub-pixels folded in, and one division.
 pub(crate) struct EyeRelative {
     rows: [[f32; 4]; 3],
     near: f32,
@@ -111,7 +111,7 @@ impl Design for EyeRelative {
     #[inline(always)]
     fn corner(&self, v: [f32; 3]) -> ScreenVertex {
         let Some(place) = self.place(v) else { return ScreenVertex::EMPTY };
-        // Right up to 2²² sub-pixels: twice the guard band.
+        // Correct up to 2²² sub-pixels: twice the guard band.
         let [x, y] = place.map(|c| (c + ROUND).to_bits() as i32 - ROUND.to_bits() as i32);
         ScreenVertex { x, y }
     }

@@ -12,10 +12,10 @@ pub(crate) fn exponent(row: [f64; 3], offset: f64) -> i32 {
 
 /// `⌊row · v + offset + ½⌋`.
 pub(crate) struct Form {
-    /// In 2⁻¹⁶.
+    /// The offset in 2⁻¹⁶.
     #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
     row: [i32; 3],
-    /// In 2⁻³², the rounding half included.
+    /// The offset in 2⁻³², the rounding half included.
     #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
     offset: i64,
     #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
@@ -32,7 +32,7 @@ struct Halves {
 }
 
 impl Form {
-    /// In units of 2^exponent.
+    /// The form in units of 2^exponent.
     pub(crate) fn new(row: [f64; 3], offset: f64, exponent: i32) -> Self {
         Self::scaled(row, offset, exp2(-exponent))
     }
@@ -51,7 +51,7 @@ impl Form {
         }
     }
 
-    /// At a vertex, its coordinates as [`lifted`] gives them.
+    /// The value at a vertex, whose coordinates [`lifted`] has prepared.
     #[inline(always)]
     pub(crate) fn at(&self, v: [i32; 3]) -> i32 {
         #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
@@ -70,7 +70,7 @@ impl Form {
     }
 }
 
-/// Where the multiplier gives 64 bits, coordinates go to the top of 32: then the form is the high word.
+/// Prepares coordinates: where the multiplier gives 64 bits, they go to the top of 32, so that the form is the high word.
 #[inline(always)]
 pub(crate) fn lifted(v: [i16; 3]) -> [i32; 3] {
     #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]

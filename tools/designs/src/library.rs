@@ -9,13 +9,13 @@ use pinhole::{
     ViewTransform, Viewport,
 };
 
-/// A way in which the library takes vertices.
+/// A vertex type of the library.
 pub(crate) trait Library {
     const ID: &'static str;
     type Coordinate: Coordinate<Stored = Self::Coordinate> + 'static;
-    /// In the type's own unit.
+    /// A coordinate in the type's own unit.
     fn coordinate(vertex: i16) -> Self::Coordinate;
-    /// `None` where the library refuses what is known to be right.
+    /// `None` if the library refuses the mesh, which is known to be valid.
     fn mesh(vertices: &[[Self::Coordinate; 3]]) -> Option<Mesh<'_, Self::Coordinate>>;
 }
 
@@ -47,7 +47,7 @@ impl Library for Fixed {
     }
 }
 
-/// The torus before its camera, for `work`.
+/// Calls `work` with the torus, placed before its camera.
 pub(crate) fn before_torus<L: Library, T>(
     work: impl FnOnce(&MeshInstance<'_, L::Coordinate>, &mut [ScreenVertex]) -> Option<T>,
 ) -> Option<T> {

@@ -1,4 +1,4 @@
-//! What every design makes its numbers from: an object before a camera, in f64.
+//! The object before a camera, in f64, from which every design makes its numbers.
 
 use crate::num::dot;
 
@@ -6,10 +6,10 @@ use crate::num::dot;
 /// view lies at positive z.
 #[derive(Clone, Copy, Debug)]
 pub struct Object {
-    /// A vertex's integers to the world: the mesh's unit is in it.
+    /// From a vertex's integers to the world; the mesh's unit is a factor of it.
     pub model: [[f64; 3]; 3],
     pub place: [f64; 3],
-    /// Right, down and forward.
+    /// The camera's axes: right, down and forward.
     pub axes: [[f64; 3]; 3],
     pub eye: [f64; 3],
     /// Both in pixels.
@@ -21,7 +21,7 @@ pub struct Object {
 }
 
 impl Object {
-    /// No coordinate of a vertex is larger.
+    /// The largest coordinate of a vertex.
     pub const REACH: f64 = 32_768.0;
 
     /// Model to view: a vertex's integers to the camera's axes.
@@ -29,13 +29,14 @@ impl Object {
         self.axes.map(|row| [0, 1, 2].map(|j| (0..3).map(|k| row[k] * self.model[k][j]).sum()))
     }
 
-    /// The mesh's origin from the eye, in view coordinates.
+    /// The mesh's origin relative to the eye, in view coordinates.
     pub fn offset(&self) -> [f64; 3] {
         let from_eye = [0, 1, 2].map(|i| self.place[i] - self.eye[i]);
         self.axes.map(|row| dot(row, from_eye))
     }
 
-    /// Where a point of the world, given from the eye, lies: pixels from the viewport's centre, and its distance.
+    /// Where a point of the world, given relative to the eye, lies on the screen: pixels from the viewport's centre, and its
+    /// distance.
     pub fn image(&self, from_eye: [f64; 3]) -> [f64; 3] {
         let [x, y, z] = self.axes.map(|row| dot(row, from_eye));
         [x / z * self.focal, y / z * self.focal, z]

@@ -1,4 +1,4 @@
-//! For objects that lie between a distance and twice that: scaled so that w needs no normalising.
+//! Designs for objects that lie between a distance and twice that distance: they are scaled so that w needs no normalising.
 
 use crate::chain::{Design, ScreenVertex};
 use crate::divide::{sixteen_bits, OneStep, Reciprocal, TwoSteps};
@@ -6,8 +6,8 @@ use crate::form::{lifted, Form};
 use crate::num::{exp2, log2_above, mul_high, mul_wide, nearest32, sum_of, within};
 use crate::Object;
 
-/// What brings the farthest vertex to just below 2³¹, and the bits that x and y have less: `None` where the nearest does
-/// not stay above 2³⁰ then.
+/// The factor that brings the farthest vertex to just below 2³¹, and the number of bits by which x and y are shorter. `None` if
+/// the nearest vertex is then below 2³⁰.
 fn factor(object: &Object) -> Option<(f64, i32)> {
     let (row, offset) = (object.linear()[2], object.offset()[2]);
     let reach = sum_of(row) * Object::REACH;
@@ -40,7 +40,7 @@ impl Design for ScaledThirty {
         let (factor, beyond) = factor(object)?;
         let ([x, y, w], [ox, oy, ow]) = (object.linear(), object.offset());
         let to_xy = factor * object.focal * exp2(-beyond);
-        // Far to the side it does not fit.
+        // Far to the side, x does not fit.
         let fits = |row, offset: f64| (sum_of(row) * Object::REACH + offset.abs()) * to_xy < exp2(31) - 2.0;
         (fits(x, ox) && fits(y, oy)).then(|| Self {
             x: Form::scaled(x, ox, to_xy),
@@ -68,7 +68,7 @@ impl Design for ScaledThirty {
     }
 }
 
-/// One 32-bit product each, as [`OneProduct`](crate::short::OneProduct).
+/// One 32-bit product for each coefficient, like [`OneProduct`](crate::short::OneProduct).
 pub(crate) struct ScaledShort {
     rows: [[i32; 3]; 3],
     offsets: [i32; 3],

@@ -7,8 +7,7 @@ use crate::num::{exp2, log2_above, mul_middle, nearest, nearest32, sum_of, withi
 use crate::vertex::Coarse;
 use crate::{Object, Vertex};
 
-/// What these designs have in common once x, y and w are there. `WIDE`: quotients by products of 32 × 16 bits instead of
-/// 16 × 16.
+/// The part that these designs share, from x, y and w on. `WIDE`: quotients by products of 32 × 16 bits instead of 16 × 16.
 struct Screen<const WIDE: bool> {
     near: i32,
     narrow: u32,
@@ -29,7 +28,7 @@ impl<const WIDE: bool> Screen<WIDE> {
 
     #[inline(always)]
     fn quotients<R: Reciprocal>(&self, [x, y, w]: [i32; 3]) -> Option<Quotients> {
-        // A little less, so that rounding to 16 bits stays inside.
+        // A little less than w, so that rounding to 16 bits stays inside.
         let limit = (w - (w >> 12)) >> (self.narrow & 31);
         if w < self.near || !within(x, limit) || !within(y, limit) {
             return None;
@@ -57,7 +56,7 @@ impl<const WIDE: bool> Screen<WIDE> {
     }
 }
 
-/// Rows in units of x, y and w, the exponents of these, and their offsets.
+/// Rows in units of x, y and w, the exponents of these units, and the offsets.
 fn rows(object: &Object, exponent: impl Fn([f64; 3], f64) -> i32) -> ([[f64; 3]; 3], [f64; 3], i32, i32) {
     let ([x, y, w], [ox, oy, ow]) = (object.linear(), object.offset());
     let focal = object.focal;
@@ -69,7 +68,7 @@ fn rows(object: &Object, exponent: impl Fn([f64; 3], f64) -> i32) -> ([[f64; 3];
     ([scaled(x, e_xy), scaled(y, e_xy), scaled(w, e_w)], offsets, e_xy, e_w)
 }
 
-/// One 32-bit product for each coefficient: what the vertex has fewer of 16 bits, the coefficient has more.
+/// One 32-bit product for each coefficient, which has as many bits more as a vertex has fewer than 16.
 pub(crate) struct OneProduct<const KEPT: u32, T, const WIDE: bool> {
     rows: [[i32; 3]; 3],
     offsets: [i32; 3],

@@ -5,13 +5,13 @@ use crate::num::{dot, exp2, nearest, nearest32};
 use crate::vertex::InWorld;
 use crate::Object;
 
-/// A view coordinate over depth, in 2⁻¹⁶ px.
+/// A view coordinate divided by depth, in 2⁻¹⁶ px.
 #[inline(always)]
 fn quotient(v: i32, focal: i32, z: i32) -> i32 {
     (i64::from(v) * i64::from(focal)).checked_div(z.into()).unwrap_or(0) as i32
 }
 
-/// The view point on the screen.
+/// The position of a view point on the screen.
 #[inline(always)]
 fn corner([x, y, z]: [i32; 3], near: i32, focal: i32) -> ScreenVertex {
     if z < near {
@@ -35,7 +35,7 @@ fn times(a: i32, b: i32) -> i32 {
     ((i64::from(a) * i64::from(b)) >> 16) as i32
 }
 
-/// A view matrix with an absolute translation, as one writes it down first.
+/// A view matrix with an absolute translation, which is what most people write first.
 pub(crate) struct Naive {
     rows: [[i32; 3]; 3],
     translation: [i32; 3],
@@ -59,7 +59,7 @@ impl Design for Naive {
     fn new(object: &Object) -> Option<Self> {
         let rows = object.axes.map(|row| row.map(q16));
         let [x, y, z] = object.eye.map(q16);
-        // From the rows as they are.
+        // From the rounded rows.
         let translation = rows
             .map(|[a, b, c]| times(a, x).wrapping_add(times(b, y)).wrapping_add(times(c, z)).wrapping_neg());
         Some(Self { rows, translation, focal: q16(object.focal), near: q16(object.near) })
@@ -75,10 +75,10 @@ impl Design for Naive {
     }
 }
 
-/// Sums of 64 bits, but a translation from the exact rotation, which the rounded rows do not fit.
+/// Sums of 64 bits, but a translation from the exact rotation, which does not fit the rounded rows.
 pub(crate) struct Mismatched {
     rows: [[i32; 3]; 3],
-    /// In 2⁻³².
+    /// The translation in 2⁻³².
     translation: [i64; 3],
     focal: i32,
     near: i32,

@@ -1,5 +1,6 @@
-//! The library's number design, bare: i16 vertices, rows of 30 bits with one exponent an object, the focal length folded
-//! in, the eye subtracted first, high words, one reciprocal. Its forms are the library's; how it divides is a parameter.
+//! The library's number design in a bare loop: i16 vertices, rows of 30 bits with one exponent per object, the focal length
+//! folded in, the eye subtracted first, high words, one reciprocal. Its forms are the library's; the way to divide is a
+//! parameter.
 
 use crate::chain::{Design, ScreenVertex};
 use crate::divide::Divide;
@@ -12,7 +13,7 @@ pub(crate) struct Thirty<D, const BITS: u32> {
     x: Form,
     y: Form,
     w: Form,
-    /// Least w that is drawn.
+    /// The smallest w that is drawn.
     near: i32,
     /// |x|, |y| < w >> narrow lie within 1024 px of the centre.
     narrow: u32,

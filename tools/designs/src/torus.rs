@@ -5,9 +5,9 @@ use crate::Object;
 include!(concat!(env!("OUT_DIR"), "/torus.rs"));
 
 pub const SIZE: u32 = 240;
-/// Of the field of view, from top to bottom.
+/// The field of view from top to bottom.
 pub const DEGREES: i32 = 60;
-/// In 2⁻¹⁶.
+/// The near plane's distance in 2⁻¹⁶.
 pub const NEAR: i32 = 1 << 15;
 pub const FAR: i32 = 20 << 16;
 

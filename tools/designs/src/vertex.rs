@@ -1,12 +1,12 @@
-//! How a design is given its vertices. The error of a design is measured from the vertex as given.
+//! The types of a design's vertices. The error of a design is measured from the vertex in its type.
 
 use crate::num::{dot, nearest32};
 use crate::Object;
 
 pub trait Vertex: Copy {
-    /// The mesh's vertex, rounded to what this type holds.
+    /// The mesh's vertex, rounded to the bits of this type.
     fn of(object: &Object, vertex: [i16; 3]) -> Self;
-    /// Exactly where that is in the world, from the eye.
+    /// The exact position of this vertex in the world, relative to the eye.
     fn relative(self, object: &Object) -> [f64; 3];
 }
 
@@ -14,7 +14,7 @@ fn in_world(object: &Object, vertex: [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(|i| dot(object.model[i], vertex) + (object.place[i] - object.eye[i]))
 }
 
-/// 6 bytes.
+/// 6 bytes for each vertex.
 impl Vertex for [i16; 3] {
     fn of(_: &Object, vertex: [i16; 3]) -> Self {
         vertex
@@ -24,7 +24,7 @@ impl Vertex for [i16; 3] {
     }
 }
 
-/// 12 bytes: the same integers.
+/// 12 bytes for each vertex: the same integers.
 impl Vertex for [f32; 3] {
     fn of(_: &Object, vertex: [i16; 3]) -> Self {
         vertex.map(f32::from)
@@ -34,7 +34,7 @@ impl Vertex for [f32; 3] {
     }
 }
 
-/// The upper `KEPT` of 16 bits.
+/// The upper `KEPT` of a coordinate's 16 bits.
 #[derive(Clone, Copy)]
 pub(crate) struct Coarse<const KEPT: u32, T>([T; 3]);
 
@@ -55,7 +55,7 @@ impl<const KEPT: u32, T: Copy + Into<i32> + TryFrom<i16> + Default> Vertex for C
     }
 }
 
-/// 12 bytes: a point of the world in 2⁻¹⁶, turned and moved beforehand.
+/// 12 bytes for each vertex: a point of the world in 2⁻¹⁶, turned and moved beforehand.
 #[derive(Clone, Copy)]
 pub(crate) struct InWorld(pub(crate) [i32; 3]);
 

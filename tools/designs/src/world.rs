@@ -1,5 +1,5 @@
-//! Vertices in world coordinates of 32 bits: the eye first, rows in Q2.30 with the focal length folded in, each vertex
-//! scaled to what 31 bits hold.
+//! Vertices in world coordinates of 32 bits: the eye is subtracted first, rows are Q2.30 with the focal length folded in, and
+//! each vertex is scaled to 31 bits.
 
 use crate::chain::{Design, ScreenVertex};
 use crate::divide::Divide;
@@ -11,9 +11,9 @@ use core::marker::PhantomData;
 pub(crate) struct BlockScaled<D> {
     rows: [[i32; 3]; 3],
     eye: [i32; 3],
-    /// In 2⁻¹⁴.
+    /// The near plane's distance in 2⁻¹⁴.
     near: i32,
-    /// Least w, scaled.
+    /// The smallest w, scaled.
     least: i32,
     narrow: u32,
     beyond: i32,

@@ -18,7 +18,7 @@ use pinhole::{
     WithPlanes,
 };
 
-/// Things set up elsewhere, so that nothing is known of them here.
+/// A scene that is set up elsewhere, so that the compiler knows nothing of it here.
 struct Scene<'a, C> {
     camera: Camera,
     model: Affine<Model, World>,
@@ -60,7 +60,7 @@ fn shade<D: DrawTarget<Color: Dim + Channels + pinhole::PixelFormat>>(
     let smooth = |face| Gouraud::lit(colour(), mesh.corners_of(face, levels));
     let ends = || Gouraud::new([colour(), colour(), colour()]);
     let flat = || Flat::lit(colour(), any() as u16);
-    // One shader per function: so the calls with one shader can be inlined.
+    // One shader per function, so that the calls with one shader can be inlined.
     match any() {
         0 => fill_all(scene, &instance, smooth, target),
         1 => fill_all(scene, &instance, |_| ends().dithered(), target),
@@ -129,7 +129,7 @@ fn fill_all<D: DrawTarget<Color: pinhole::PixelFormat>, I: SpanShader<D::Color>>
     }
 }
 
-/// Lines, and what else may come, in a band.
+/// Lines with depth, hidden lines, and edges in a band.
 fn draw_edges<D: DrawTarget<Color: pinhole::PixelFormat>>(
     scene: &mut Scene<'_, D::Color>,
     by_planes: &MeshInstance<'_, i16, WithPlanes>,
@@ -209,7 +209,7 @@ fn draw_instance<D: DrawTarget<Color: Dim>, V: Coordinate>(
     report(instance.polyline(wire, target));
 }
 
-/// A result is looked at, or computing it might be left out.
+/// Uses a result, because otherwise the compiler might leave its computation out.
 fn report<T, E>(result: Result<T, E>) {
     match result {
         Ok(value) => drop(black_box(Some(value))),

@@ -38,7 +38,7 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
 
 #[cfg(not(feature = "provoke"))]
 unsafe extern "Rust" {
-    /// A number of which nothing is known. It exists nowhere either.
+    /// A number that the compiler knows nothing of. This function exists nowhere, either.
     safe fn any() -> i32;
 }
 

@@ -1,4 +1,4 @@
-//! A shader of one's own that asks for everything a shader may ask for, drawn by every call, into memory of one's own.
+//! A shader of our own that asks for everything that a shader may ask for, drawn by every call, into memory of our own.
 
 use crate::any;
 use core::hint::black_box;
@@ -214,7 +214,7 @@ fn entry_texture_with_key(
     let [solid, tested] = textured(IndexKeyed::new(texels, any() as u8), instance, cache, cells, depths)?;
     let key = Rgb565::load(any() as u16);
     let [other_solid, other_tested] = textured(ColorKeyed::new(texels, key), instance, cache, cells, depths)?;
-    // Of textures, which need the corners' 1/w, as wrappers of shaders pass on; without the picture's copies, too.
+    // Textures need the corners' 1/w, and wrappers of shaders pass it on; also without the picture's copies.
     let texture = Texture::new(ColorKeyed::new(texels, key));
     shaded(|_| texture.clamped_at([[any() as i16, any() as i16]; 3]), instance, cache, cells, depths)?;
     let face = |_| texture.at([[any() as i16, any() as i16]; 3]);

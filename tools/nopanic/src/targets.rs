@@ -10,7 +10,7 @@ use embedded_graphics_core::{
     Pixel,
 };
 
-/// Sends areas and colours, and every word may fail.
+/// Sends areas and colours; every call may fail.
 pub(crate) struct Wire<C>(pub(crate) C);
 
 /// The wire is broken.
@@ -55,7 +55,7 @@ impl<C: PixelColor> DrawTarget for Wire<C> {
     }
 }
 
-/// Pixel by pixel, with a bounding box anywhere; all else is as the trait has it.
+/// Draws pixel by pixel, with a bounding box anywhere; all other methods are the trait's.
 pub(crate) struct Least<C>(pub(crate) C);
 
 impl<C> Dimensions for Least<C> {
