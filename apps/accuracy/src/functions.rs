@@ -520,7 +520,13 @@ pub(crate) fn projections() -> [Measured; 9] {
         Measured::new("`Projection::perspective`: cot(fov/2)", "itself ÷ sin(fov)", field, two(-27.0), test),
         Measured::new("`Projection::frustum`, `orthographic`", own, windows, two(-29.0), test),
         Measured::new("– their constants in x and y", "itself and ⅛", constants, two(-30.0), test),
-        Measured::new("`Projection::oblique`", "row's largest coefficient × (1 + factor)", slanted, two(-29.0), test),
+        Measured::new(
+            "`Projection::oblique`",
+            "row's largest coefficient × (1 + factor)",
+            slanted,
+            two(-29.0),
+            test,
+        ),
         Measured::new(
             "`perspective`, `frustum`, `orthographic`: (z + w)/2",
             "itself",
