@@ -9,9 +9,9 @@ use crate::shading::Blend;
 /// The levels of fog besides none.
 pub(super) const LEVELS: usize = 32;
 
-/// Fog by depth, in 32 levels, for [`Fogged`] faces, points, labels and lines. Levels are equal steps of the factor, 1/32 each,
-/// and the table has the depth at which each level begins, so all levels lie within the fog's own range of depth. It takes 136
-/// bytes and a colour, and holds as long as the camera's projection does: the camera may move and turn.
+/// Fog by depth, in 32 levels, for [`Fogged`](crate::Fogged) faces, points, labels and lines. Levels are equal steps of the
+/// factor, 1/32 each, and the table has the depth at which each level begins, so all levels lie within the fog's own range of
+/// depth. It takes 136 bytes and a colour, and holds as long as the camera's projection does: the camera may move and turn.
 ///
 /// **Error.** At an exact depth, the factor is the factor at the exact distance, rounded to the nearest 1/32: off by at most
 /// 1/64. Depth itself has the error that [`DepthBuffer`](crate::DepthBuffer) and [`Projected`](crate::Projected) state; one step
