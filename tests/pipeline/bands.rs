@@ -247,7 +247,7 @@ fn a_mesh_larger_than_the_storage_streams_in_chunks() {
     let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
     instance.depth_tested(shade, &mut [], &mut depth, &mut reference).expect("no error");
 
-    // In chunks: geometry again for every band, storage for two rows of posts.
+    // In chunks: each chunk is transformed again for every band, with storage for two rows of posts.
     let chunk_faces: Vec<[u16; 3]> = (0..255).flat_map(|x| quad(x, 0)).collect();
     let mut corners = [ScreenVertex::EMPTY; 512];
     let mut frame = Frame::new(area, Gray8::BLACK);

@@ -126,7 +126,7 @@ struct Tally {
     drawn: u32,
     culled: u32,
     clipped: u32,
-    /// Turned away, and to the front by rounding.
+    /// Faces that are turned away, and that rounding turns to the front.
     turned: usize,
 }
 

@@ -99,9 +99,9 @@ struct Score {
     seen: u32,
     missed: u32,
     drawn: u32,
-    /// Pixels drawn though the point of the edge is hidden.
+    /// Pixels that are drawn although the point of the edge is hidden.
     behind: u32,
-    /// Pixels drawn though a face that is not adjacent to the edge lies before it at the pixel's center.
+    /// Pixels that are drawn although a face that is not adjacent to the edge lies before it at the pixel's centre.
     behind_centre: u32,
 }
 

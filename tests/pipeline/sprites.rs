@@ -57,7 +57,7 @@ struct Shape {
 
 #[derive(Clone, Copy, Debug)]
 enum Anchor {
-    /// Of width and height.
+    /// In halves of the width and of the height.
     Halves([i128; 2]),
     Texels([u32; 2]),
 }
@@ -65,7 +65,7 @@ enum Anchor {
 #[derive(Clone, Copy, Debug)]
 enum Extent {
     Pixels(u8),
-    /// In I16F16.
+    /// Width and height in world units, in I16F16.
     World([i32; 2]),
 }
 
@@ -134,11 +134,11 @@ fn sure(value: f64) -> Option<i128> {
     ((value.fract().abs() - 0.5).abs() > 0.02).then(|| value.round() as i128)
 }
 
-/// What becomes of a point.
+/// Where a point leads to: a sprite, or none for a reason.
 enum Fate {
     Unsure,
     Outside,
-    /// Without a size.
+    /// Its sprite has no size.
     Degenerate,
     Seen(Seen),
 }
@@ -646,8 +646,8 @@ fn sprites_far_outside_draw_what_reaches_in() {
     assert_eq!(drawn, 5);
 }
 
-/// Of sprites at one depth the first stays, as of faces; before the near plane nothing is drawn; beyond the far plane sprites are drawn
-/// without a depth buffer unless the camera clips there, and never with one.
+/// Of sprites at one depth the first one stays, as with faces. In front of the near plane nothing is drawn. Beyond the far plane,
+/// sprites are drawn without a depth buffer unless the camera clips there, and never with one.
 #[test]
 fn equal_depths_and_both_planes() {
     let colors = [Rgb888::RED, Rgb888::BLUE];

@@ -526,7 +526,7 @@ fn s5_points_in_an_off_axis_picture_are_inside() {
     assert!(shown > 1000);
 }
 
-/// One frustum for many objects before a camera answers as the camera does for each, also where a radius is too large.
+/// One frustum for many objects before a camera gives the camera's answer for each, also where a radius is too large.
 #[test]
 fn a_frustum_answers_as_its_camera_for_many_objects() {
     let mut rng = Rng::new(0x508);
@@ -562,7 +562,7 @@ fn s5_outcodes_of_far_points_match_f64() {
         let projection = ProjectionBits::Frustum(w, ONE, 30_000 * ONE);
         let camera = CameraBits { view: random_view(&mut rng), projection, viewport: (0, 0, 320, 200) };
         let exact = camera.exact();
-        // Next to the plane through the right border: from far less than that counts to more.
+        // Next to the plane through the right border, at distances from far below the error to above it.
         let z = rng.log(1_000.0, 20_000.0);
         let at =
             [chain::fx(w[1]) * z + rng.real(-1.0, 1.0) * rng.log(1e-4, 1.0), z * rng.real(-0.5, 0.5), -z];

@@ -13,8 +13,7 @@ use support::oracle::rng::Rng;
 /// The numbers of triangles and of lines.
 const NUMBER: usize = 1_000_000;
 
-/// The library's pixels inside a window at most 64 wide, as words; how many were drawn more than once goes to
-/// `twice`.
+/// The library's pixels inside a window at most 64 wide, as words; the number of those drawn more than once is added to `twice`.
 fn words(spans: &[pinhole::raster::Span], window: Area, twice: &mut u64) -> Vec<u64> {
     let mut words = vec![0u64; window.height()];
     for span in spans {

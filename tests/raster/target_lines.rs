@@ -175,7 +175,7 @@ fn a_target_that_cannot_fail_gets_a_line_in_one_call() {
     assert_eq!(draw_line(a, b, INK, &mut target), Ok(()));
     assert_eq!((target.calls.len(), target.pixel_by_pixel()), (21, false));
 
-    /// As an enum of a driver whose bus cannot fail.
+    /// An enum, like the error of a driver whose bus cannot fail.
     #[allow(dead_code)]
     enum NoError {
         Bus(Infallible),

@@ -86,7 +86,7 @@ fn halved(own: Rgb888, stored: Rgb888) -> Rgb888 {
 }
 
 /// A scene behind, drawn with depth, and translucent faces in the order of the mesh; `opaque` is the shader without translucency.
-/// What each face alone draws where it is nearer than the scene behind is mixed with the pixels before it.
+/// The pixels that each face alone draws in front of the scene are mixed with the pixels before it.
 fn check_scene<S: SpanShader<Rgb888>, B: SpanShader<Rgb888>>(
     front: &Scene,
     opaque: impl Fn(usize) -> S,
@@ -118,7 +118,7 @@ fn check_scene<S: SpanShader<Rgb888>, B: SpanShader<Rgb888>>(
         let (mut own, mut all) = (vec![none; pixels.len()], vec![none; pixels.len()]);
         let Ok(_) =
             instance.solid(|_| opaque(face), &mut cache, &mut Picture::new(&mut all, size).unwrap().pixels());
-        // A depth buffer begins clear: what is behind is drawn into it again.
+        // A depth buffer begins clear, so the scene behind is drawn into it again.
         let mut copy = stored.clone();
         let mut depth = DepthBuffer::new(area, &mut copy).unwrap();
         let mut ignored = vec![none; pixels.len()];
@@ -191,7 +191,7 @@ fn translucent_faces_are_mixed_with_what_is_behind_them() {
     let smooth = |face: usize| Gouraud::new([color(face), color(face + 70), color(face + 140)]);
     check_scene(&scene, smooth, |face| Blended::new(smooth(face), 20), |own, stored| mixed(own, stored, 20));
     check_scene(&scene, smooth, |face| HalfBlended::new(smooth(face)), halved);
-    // Any function of both colours: light that is added.
+    // Any function of both colours: here, light that is added.
     let added = |own: Rgb888, stored: Rgb888| {
         let sum = |own: u8, stored: u8| own.saturating_add(stored);
         Rgb888::new(sum(own.r(), stored.r()), sum(own.g(), stored.g()), sum(own.b(), stored.b()))
@@ -202,7 +202,7 @@ fn translucent_faces_are_mixed_with_what_is_behind_them() {
     assert!(nothing.solid.iter().all(|&pixel| pixel == SKY));
 }
 
-/// Keyed textures and screen doors leave out the pixels of translucent faces that they leave out of opaque ones.
+/// Keyed textures and screen doors leave out the same pixels of translucent and of opaque faces.
 #[test]
 fn translucent_faces_may_leave_out_pixels() {
     let scenes = [soup(34, 1200, 30), quad(floor(0.9, 300.0, 200.0), 20.0, 60, -6)];

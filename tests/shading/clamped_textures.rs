@@ -79,7 +79,7 @@ fn coordinates_at_the_ends_of_i16_show_the_edge() {
         // One side is 2^−exponent units.
         let unit = bits.map(|bits: i32| 2f64.powi(bits + i32::from(exponent)));
         let texture = Texture::new(numbered(bits.map(|bits| bits as u32))).with_exponent(exponent).unwrap();
-        // Everything at one end; from end to end; and from an end by 99 units.
+        // All corners at one end; from end to end; and from an end by 99 units.
         let mut scenes = vec![];
         for at in ends {
             scenes.push(screen_filling([at; 2], [at; 2]));
@@ -107,7 +107,7 @@ fn coordinates_at_the_ends_of_i16_show_the_edge() {
     }
 }
 
-/// Of a picture with sides of its own, the texels of the edge, by hand.
+/// The texels of the edge of a picture with sides of different lengths, by hand.
 #[test]
 fn the_edge_is_that_of_each_side() {
     let picture: [[Gray8; 16]; 8] =

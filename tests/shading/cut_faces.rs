@@ -67,14 +67,14 @@ impl Planes {
     }
 }
 
-/// The error that a shader may add to a channel, besides those of the gradients and of rounded cut corners.
+/// The error that a shader may add to a channel, beside the errors of the gradients and of rounded cut corners.
 #[derive(Clone, Copy)]
 enum Rounding {
-    /// To the nearest level.
+    /// The colour is rounded to the nearest level.
     Level,
-    /// Of light to one of 256 entries, each of which has its nearest level.
+    /// Light is rounded to one of 256 entries, and each entry to its nearest level.
     Entry,
-    /// To the level that the pattern of 8 × 8 thresholds selects.
+    /// The colour is rounded to the level that the pattern of 8 × 8 thresholds selects.
     Pattern,
 }
 

@@ -1,4 +1,4 @@
-//! Faces that emit light: what is added after light, against sums in f64.
+//! Faces that emit light: the sum of lit colour and emission, against sums in f64.
 
 use crate::scene::{
     corners, draw, flat, flat_camera, for_every_colour, lit, mesh, random_colour, random_lights,
@@ -93,7 +93,7 @@ fn tables<C: Colour>(cases: usize) {
                 assert!(off(color, at(i, row, 31)) <= 0.5 + 1e-9, "{colors:?} {emissions:?} {row}");
             }
         }
-        // What emits nothing has the shades of light alone.
+        // A face that emits nothing has the shades of light alone.
         assert_eq!(ShadeTable::<C>::emitting(rgb(colors[0]), Rgb888::BLACK), ShadeTable::new(rgb(colors[0])));
     }
 }

@@ -8,7 +8,7 @@ use pinhole::{Accuracy, ColorKeyed, DepthBuffer, IndexKeyed, IndexedTexels, Texe
 const KEY: Rgb888 = Rgb888::new(255, 0, 255);
 const SIDE_BITS: u32 = 3;
 
-/// A chessboard of 8 × 8 texels: the upper left one has the key's colour, and its neighbours have colours of their own.
+/// A chessboard of 8 × 8 texels: its upper left texel has the key's colour, and the texels beside it have colours of their own.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Chessboard;
 
@@ -83,7 +83,7 @@ fn pixels_of_transparent_texels_are_left_out_with_their_depth() {
                 } else {
                     let [column, row] = [column, row].map(|c| c.rem_euclid(8) as u8);
                     assert_eq!(pixel, Rgb888::new(20 + column, 40 + row, 60), "{centre:?}");
-                    // One step of rounding, and what depth changes by within 1/64 pixel.
+                    // One step of rounding, and the change of depth within 1/64 pixel.
                     let near = around(centre).map(|point| depth(&alone, 0, point));
                     let (low, high) = (
                         near.iter().copied().fold(f64::MAX, f64::min),
@@ -118,7 +118,7 @@ fn keyed_faces_show_what_is_behind_them() {
     }
 }
 
-/// A key of an index leaves out the pixels that a key of the index's colour does; an index that no texel has leaves out none.
+/// A key of an index leaves out the same pixels as a key of the index's colour; an index that no texel has leaves out none.
 #[test]
 fn a_key_is_a_colour_or_an_index() {
     let scene = quad(floor(0.5, 9.5, 6.0), 25.0, 40, -10);

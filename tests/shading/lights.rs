@@ -157,7 +157,7 @@ fn highlights_end_where_light_does() {
     let up = vector([0, 0, ONE]);
     assert_eq!(BlinnPhong::new(&model, vector([0; 3]), up, 0, 8), Err(LightError::ZeroDirection));
     assert_eq!(BlinnPhong::new(&model, up, vector([0; 3]), 0, 8), Err(LightError::ZeroDirection));
-    // The light straight behind: what faces the viewer is unlit, and nothing shines.
+    // The light straight behind: a side that faces the viewer is unlit, and nothing shines.
     let behind = BlinnPhong::new(&model, vector([0, 0, -ONE]), up, 64, 8).expect("a light");
     assert_eq!(behind.level([0, 0, 32767]), 48);
     assert_eq!(behind.level([0, 0, -32767]), 192);

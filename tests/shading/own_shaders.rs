@@ -36,7 +36,7 @@ fn unit(a: V) -> V {
     a.map(|c| c / dot(a, a).sqrt())
 }
 
-/// What a ray meets first, and how its colour was made.
+/// What a ray meets first, and how the colour is made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Seen {
     Sky,
@@ -46,7 +46,7 @@ enum Seen {
 
 struct Ray {
     seen: Seen,
-    /// Whether glass is before it.
+    /// Whether there is glass in front of it.
     glass: bool,
     color: [f64; 3],
 }

@@ -13,14 +13,14 @@ use pinhole::{
 use support::oracle::chain::{self, M4};
 use support::oracle::rng::Rng;
 
-/// w that grows to the right and downwards too, and depth across the line of sight.
+/// w that grows to the right and downwards, too, and depth across the line of sight.
 fn slanted() -> M4 {
     let [x, y, ..] = perspective(100.0);
     [x, y, [0.4, -0.3, -1.1, -3.0], [0.15, -0.2, -1.0, 0.0]]
 }
 
 /// A perspective whose near plane is not across the line of sight (Lengyel, *Oblique view frustum depth projection and clipping*,
-/// 2005): w as ever, and depth that depends on x and y.
+/// 2005): w as usual, and depth that depends on x and y.
 fn oblique_near_plane() -> M4 {
     let [x, y, _, w] = perspective(100.0);
     [x, y, [0.2, 0.5, -1.0, -2.5], w]

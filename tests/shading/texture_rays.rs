@@ -48,7 +48,7 @@ impl Faces {
         (0..self.uv.len() as u16).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()
     }
 
-    /// What one of the faces shows alone.
+    /// The pixels of one of the faces alone.
     pub(crate) fn draw<S: SpanShader<Shown>>(
         &self,
         face: usize,
@@ -77,7 +77,7 @@ impl Faces {
     }
 }
 
-/// What lies on the rays through the pixels of one face.
+/// The coordinates on the rays through the pixels of one face.
 pub(crate) struct FaceRay(Ray);
 
 impl FaceRay {
@@ -87,7 +87,7 @@ impl FaceRay {
         self.worst(picture, bits, off_repeated)
     }
 
-    /// The worst error, and the number of pixels, where the edge of the picture continues.
+    /// The largest error, and the number of pixels, where the edge of the picture continues.
     pub(crate) fn worst_clamped(&self, picture: &[Option<Shown>], bits: [u32; 2]) -> (f64, usize) {
         self.worst(picture, bits, off_clamped)
     }
