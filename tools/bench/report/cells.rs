@@ -104,7 +104,7 @@ impl Choice {
                 choice.variants.push(name);
             } else {
                 return Err(format!(
-                    "no scene, variant or core is called {name}: {scenes:?}, {variants:?} and with {SMALL_SUFFIX}, {cores:?}"
+                    "there is no scene, variant or core {name}: {scenes:?}, {variants:?} and with {SMALL_SUFFIX}, {cores:?}"
                 )
                 .into());
             }

@@ -396,8 +396,8 @@ fn limits(
     let old = std::fs::read_to_string(&path).map_err(|error| format!("{LIMITS}: {error}"))?;
     let same = old.lines().any(|line| line == built);
     let mut new = format!(
-        "# Bytes of flash above the empty image, of variables and of stack. 5 % more fail, and what is above a goal that is \
-         met here. `tools/bench/run --rebase` writes this.\n{built}\n"
+        "# Bytes of flash above the empty image, of variables and of stack. The check fails at 5 % more, and where a \
+         goal that is met here is exceeded. `tools/bench/run --rebase` writes this.\n{built}\n"
     );
     let mut lost = false;
     for image in IMAGES {

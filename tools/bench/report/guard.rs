@@ -41,7 +41,7 @@ pub(crate) fn check(failures: &mut Vec<String>) -> Result<()> {
 /// Writes today's counts as the baseline, but also fails if one is beyond 1.12 times its target.
 pub(crate) fn rebase(failures: &mut Vec<String>) -> Result<()> {
     let mut text = format!(
-        "# Instructions a frame; {MORE} % more fail. `tools/bench/run guard --rebase` writes this.\n{}\n",
+        "# Instructions a frame; the check fails at {MORE} % more. `tools/bench/run guard --rebase` writes this.\n{}\n",
         built(&cross::compiler()?)
     );
     for cell in measure(failures)? {
