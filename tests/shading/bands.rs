@@ -64,7 +64,7 @@ impl Scene {
         .library()
     }
 
-    fn check<C: Colour, I: SpanShader<C>>(&self, shader: impl Fn(usize) -> I) {
+    fn check<C: Colour, I: SpanShader<C>>(&self, shader: &dyn Fn(usize) -> I) {
         let (camera, background) = (self.camera(), C::decode(0));
         let mesh = Mesh::new(&self.vertices, -6, &self.faces).expect("a mesh");
         let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
@@ -72,12 +72,12 @@ impl Scene {
         let (mut corners, mut bin_storage) = ([ScreenVertex::EMPTY; VERTICES], [0; FACES + 1]);
 
         let [mut solid, mut nearer, mut painted] = [0; 3].map(|_| Picture::<C>::new(self.frame));
-        let Ok(_) = instance.solid(&shader, &mut corners, &mut solid);
+        let Ok(_) = instance.solid(shader, &mut corners, &mut solid);
         let mut storage = vec![0; pixels];
         let mut depth = DepthBuffer::new(self.frame, &mut storage).expect("storage");
-        let Ok(_) = instance.depth_tested(&shader, &mut corners, &mut depth, &mut nearer);
+        let Ok(_) = instance.depth_tested(shader, &mut corners, &mut depth, &mut nearer);
         let mut painter = Box::new(Painter::<I, 200, 80>::new());
-        painter.add(&instance, &shader).expect("room");
+        painter.add(&instance, shader).expect("room");
         let order = painter.order();
         let Ok(()) = order.draw(&mut painted);
 
@@ -101,7 +101,7 @@ impl Scene {
             let projected = instance.transform(&mut corners);
             let mut faces = projected.bin_faces(&mut bin_storage).expect("room");
             let bands = banded(rows, &mut |band| {
-                let Ok(()) = faces.solid(&shader, band);
+                let Ok(()) = faces.solid(shader, band);
             });
             assert!(bands == solid.before(background), "{name}: {rows} rows");
             let projected = instance.transform_depth(&mut corners);
@@ -109,7 +109,7 @@ impl Scene {
             let bands = banded(rows, &mut |band| {
                 let mut storage = vec![0; pixels];
                 let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
-                let Ok(()) = faces.depth_tested(&shader, &mut depth, band);
+                let Ok(()) = faces.depth_tested(shader, &mut depth, band);
             });
             assert!(bands == nearer.before(background), "{name}: with depth, {rows} rows");
         }
@@ -119,12 +119,12 @@ impl Scene {
 fn every_ink<C: Colour>(scene: &Scene) {
     let smooth = |face: usize| scene.shaders[face].1;
     let even = |face: usize| scene.shaders[face].0;
-    scene.check::<C, Gouraud>(smooth);
-    scene.check::<C, Dithered<Gouraud>>(|face| smooth(face).dithered());
+    scene.check::<C, Gouraud>(&smooth);
+    scene.check::<C, Dithered<Gouraud>>(&|face| smooth(face).dithered());
     let tables: Vec<_> = scene.lights.iter().map(|&lights| shaded::<C>(lights)).collect();
-    scene.check::<C, TableShader<'_, C>>(|face| tables[face]);
-    scene.check::<C, Flat>(even);
-    scene.check::<C, Dithered<Flat>>(|face| even(face).dithered());
+    scene.check::<C, TableShader<'_, C>>(&|face| tables[face]);
+    scene.check::<C, Flat>(&even);
+    scene.check::<C, Dithered<Flat>>(&|face| even(face).dithered());
 }
 
 #[test]

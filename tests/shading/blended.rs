@@ -89,14 +89,15 @@ fn halved(own: Rgb888, stored: Rgb888) -> Rgb888 {
 /// The pixels that each face alone draws in front of the scene are mixed with the pixels before it.
 fn check_scene<S: SpanShader<Rgb888>, B: SpanShader<Rgb888>>(
     front: &Scene,
-    opaque: impl Fn(usize) -> S,
-    translucent: impl Fn(usize) -> B,
-    mix: impl Fn(Rgb888, Rgb888) -> Rgb888,
+    opaque: &dyn Fn(usize) -> S,
+    translucent: &dyn Fn(usize) -> B,
+    mix: &dyn Fn(Rgb888, Rgb888) -> Rgb888,
 ) {
     let size = Size::new(SIDE, SIDE);
     let area = Rectangle::new(Point::zero(), size);
     let behind = soup(31, 1500, 10);
-    let paint = |face: usize| Rgb888::new(40 + face as u8, !(face as u8), (17 * face) as u8);
+    let paint: &dyn Fn(usize) -> Rgb888 =
+        &|face| Rgb888::new(40 + face as u8, !(face as u8), (17 * face) as u8);
     let camera = Scene::camera();
     let (mut pixels, mut depths) = (vec![SKY; (SIDE * SIDE) as usize], vec![0; (SIDE * SIDE) as usize]);
     let mut cache = vec![ScreenVertex::EMPTY; 4000];
@@ -115,9 +116,9 @@ fn check_scene<S: SpanShader<Rgb888>, B: SpanShader<Rgb888>>(
         let alone = [corners];
         let mesh = Mesh::new(&front.vertices, front.exponent, &alone).unwrap();
         let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
+        let opaque: &dyn Fn(usize) -> S = &|_| opaque(face);
         let (mut own, mut all) = (vec![none; pixels.len()], vec![none; pixels.len()]);
-        let Ok(_) =
-            instance.solid(|_| opaque(face), &mut cache, &mut Picture::new(&mut all, size).unwrap().pixels());
+        let Ok(_) = instance.solid(opaque, &mut cache, &mut Picture::new(&mut all, size).unwrap().pixels());
         // A depth buffer begins clear, so the scene behind is drawn into it again.
         let mut copy = stored.clone();
         let mut depth = DepthBuffer::new(area, &mut copy).unwrap();
@@ -131,7 +132,7 @@ fn check_scene<S: SpanShader<Rgb888>, B: SpanShader<Rgb888>>(
             &mut Picture::new(&mut ignored, size).unwrap().pixels(),
         );
         let mut picture = Picture::new(&mut own, size).unwrap();
-        let Ok(_) = instance.depth_tested(|_| opaque(face), &mut cache, &mut depth, &mut picture.pixels());
+        let Ok(_) = instance.depth_tested(opaque, &mut cache, &mut depth, &mut picture.pixels());
         for (wanted, own) in wanted.iter_mut().zip(&own).filter(|(_, own)| **own != none) {
             *wanted = mix(*own, *wanted);
             counts[0] += 1;
@@ -151,12 +152,12 @@ fn check_scene<S: SpanShader<Rgb888>, B: SpanShader<Rgb888>>(
         let mut picture = Picture::new(&mut drawn, size).unwrap();
         let Ok(_) = first.depth_tested(paint, &mut cache, &mut depth, &mut picture.pixels());
         let kept = depth.values().to_vec();
-        let Ok(_) = instance.depth_tested(&translucent, &mut cache, &mut depth, &mut picture.pixels());
+        let Ok(_) = instance.depth_tested(translucent, &mut cache, &mut depth, &mut picture.pixels());
         assert!(depth.values() == kept, "depth is not stored");
         assert!(drawn == wanted && drawn != before);
     }
     // In bands, and without depth: all pictures are equal, and no depth is stored.
-    let alone = in_memory(front, &translucent);
+    let alone = in_memory(front, translucent);
     assert!(alone.depths.iter().all(|&depth| depth == DepthBuffer::NOTHING) && alone.deep == alone.solid);
 }
 
@@ -179,26 +180,25 @@ impl Texels for Stripes {
 fn translucent_faces_are_mixed_with_what_is_behind_them() {
     let scene = soup(33, 1200, 30);
     let color = |face: usize| Rgb888::new(!(face as u8), (3 * face) as u8, 100);
-    check_scene(&scene, color, |face| HalfBlended::new(color(face)), halved);
+    check_scene(&scene, &color, &|face| HalfBlended::new(color(face)), &halved);
     for alpha in [1, 11, 31, 32, 77] {
-        check_scene(
-            &scene,
-            color,
-            |face| Blended::new(color(face), alpha),
-            |own, stored| mixed(own, stored, u32::from(alpha).min(32)),
-        );
+        check_scene(&scene, &color, &|face| Blended::new(color(face), alpha), &|own, stored| {
+            mixed(own, stored, u32::from(alpha).min(32))
+        });
     }
     let smooth = |face: usize| Gouraud::new([color(face), color(face + 70), color(face + 140)]);
-    check_scene(&scene, smooth, |face| Blended::new(smooth(face), 20), |own, stored| mixed(own, stored, 20));
-    check_scene(&scene, smooth, |face| HalfBlended::new(smooth(face)), halved);
+    check_scene(&scene, &smooth, &|face| Blended::new(smooth(face), 20), &|own, stored| {
+        mixed(own, stored, 20)
+    });
+    check_scene(&scene, &smooth, &|face| HalfBlended::new(smooth(face)), &halved);
     // Any function of both colours: here, light that is added.
     let added = |own: Rgb888, stored: Rgb888| {
         let sum = |own: u8, stored: u8| own.saturating_add(stored);
         Rgb888::new(sum(own.r(), stored.r()), sum(own.g(), stored.g()), sum(own.b(), stored.b()))
     };
-    check_scene(&scene, color, |face| Translucent::by(color(face), added), added);
-    check_scene(&scene, smooth, |face| Translucent::by(smooth(face), added), added);
-    let nothing = in_memory(&scene, |face| Blended::new(color(face), 0));
+    check_scene(&scene, &color, &|face| Translucent::by(color(face), added), &added);
+    check_scene(&scene, &smooth, &|face| Translucent::by(smooth(face), added), &added);
+    let nothing = in_memory(&scene, &|face| Blended::new(color(face), 0));
     assert!(nothing.solid.iter().all(|&pixel| pixel == SKY));
 }
 
@@ -210,10 +210,12 @@ fn translucent_faces_may_leave_out_pixels() {
         let texture = Texture::new(ColorKeyed::new(Stripes, Stripes.texel(3 << 29, 5 << 29)));
         let corners = |face: usize| scene.faces[face].map(|vertex| scene.uv[usize::from(vertex)]);
         let shade = |face: usize| texture.at(corners(face));
-        check_scene(scene, shade, |face| HalfBlended::new(shade(face)), halved);
-        check_scene(scene, shade, |face| Blended::new(shade(face), 9), |own, stored| mixed(own, stored, 9));
+        check_scene(scene, &shade, &|face| HalfBlended::new(shade(face)), &halved);
+        check_scene(scene, &shade, &|face| Blended::new(shade(face), 9), &|own, stored| {
+            mixed(own, stored, 9)
+        });
         let door = |face: usize| ScreenDoor::new(shade(face), 23);
-        check_scene(scene, door, |face| Blended::new(door(face), 9), |own, stored| mixed(own, stored, 9));
-        check_scene(scene, door, |face| ScreenDoor::new(HalfBlended::new(shade(face)), 23), halved);
+        check_scene(scene, &door, &|face| Blended::new(door(face), 9), &|own, stored| mixed(own, stored, 9));
+        check_scene(scene, &door, &|face| ScreenDoor::new(HalfBlended::new(shade(face)), 23), &halved);
     }
 }

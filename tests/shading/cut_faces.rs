@@ -82,7 +82,7 @@ enum Rounding {
 /// bound and the change that the snap of the corners explains. Adds the number of pixels to `seen`.
 fn check<C: Colour, I: SpanShader<C>>(
     (planes, bits): (Planes, [[i32; 3]; 3]),
-    shader: impl Fn([Lit; 3]) -> I,
+    shader: &dyn Fn([Lit; 3]) -> I,
     colors: [Lit; 3],
     rounding: Rounding,
     seen: &mut usize,
@@ -142,11 +142,11 @@ fn every_shader<C: Colour>(planes: Planes, cases: usize) {
         let mut lights = || random_lights(&mut rng);
         let [third, fourth, fifth] = [lights(), lights(), lights()];
         let [a, b, c, d, e] = &mut seen;
-        check::<C, _>(faces[0], gouraud, first, Rounding::Level, a);
-        check::<C, _>(faces[1], lit, third, Rounding::Level, b);
-        check::<C, _>(faces[2], shaded, fourth, Rounding::Entry, c);
-        check::<C, _>(faces[3], |colors| gouraud(colors).dithered(), second, Rounding::Pattern, d);
-        check::<C, _>(faces[4], |lights| lit(lights).dithered(), fifth, Rounding::Pattern, e);
+        check::<C, _>(faces[0], &gouraud, first, Rounding::Level, a);
+        check::<C, _>(faces[1], &lit, third, Rounding::Level, b);
+        check::<C, _>(faces[2], &shaded, fourth, Rounding::Entry, c);
+        check::<C, _>(faces[3], &|colors| gouraud(colors).dithered(), second, Rounding::Pattern, d);
+        check::<C, _>(faces[4], &|lights| lit(lights).dithered(), fifth, Rounding::Pattern, e);
     }
     println!("{planes:?}: {seen:?} pixels");
     assert!(seen.iter().all(|&pixels| pixels > 100 * cases), "{planes:?}: {seen:?} pixels of {cases} faces");

@@ -35,13 +35,13 @@ fn factors(drawn: &[Rgb888]) -> Vec<u8> {
 
 /// A shader in fog shows what the shader shows alone, mixed by the factor at the pixel: on every target, in bands, with depth and
 /// without.
-fn check<S: SpanShader<Rgb888>>(scene: &Scene, shade: impl Fn(usize) -> S) {
+fn check<S: SpanShader<Rgb888>>(scene: &Scene, shade: &dyn Fn(usize) -> S) {
     let fog = table(FOG);
     let white = table(Rgb888::BLACK);
-    let fogged = on_every_target(scene, |face| Fogged::new(shade(face), &fog));
-    let alone = on_every_target(scene, &shade);
+    let fogged = on_every_target(scene, &|face| Fogged::new(shade(face), &fog));
+    let alone = on_every_target(scene, shade);
     // A plain colour in this fog shows the factor of each pixel: by the order of drawing, of the same face as in `fogged`.
-    let factor = on_every_target(scene, |_| Fogged::new(Rgb888::new(0, 0, 32 * LEVEL), &white));
+    let factor = on_every_target(scene, &|_| Fogged::new(Rgb888::new(0, 0, 32 * LEVEL), &white));
     assert!(fogged.depths == alone.depths);
     let (mut counts, mut compared) = ([0; 33], 0);
     for (pictures, factor) in [(&fogged.solid, &alone.solid), (&fogged.deep, &alone.deep)]
@@ -91,15 +91,15 @@ fn every_shader_is_mixed_with_the_fog_at_its_pixels() {
     let lit = Texture::new(lit.with_lit_palette(&palette));
     for scene in &scenes {
         let corners = |face: usize| scene.faces[face].map(|vertex| scene.uv[usize::from(vertex)]);
-        check(scene, |face| colors(face)[0]);
-        check(scene, |face| Flat::lit(colors(face)[1], 200));
-        check(scene, |face| Flat::lit(colors(face)[1], 177).dithered());
-        check(scene, |face| Gouraud::new(colors(face)));
-        check(scene, |face| Gouraud::new(colors(face)).dithered());
-        check(scene, |face| Gouraud::lit(colors(face)[2], [256, 90, 180]));
-        check(scene, |face| shades.lit([256, 20 + face as u16, 180]));
-        check(scene, |face| Texture::new(Stripes).at(corners(face)));
-        check(scene, |face| lit.at(corners(face)).lit([256, 90, 180]));
+        check(scene, &|face| colors(face)[0]);
+        check(scene, &|face| Flat::lit(colors(face)[1], 200));
+        check(scene, &|face| Flat::lit(colors(face)[1], 177).dithered());
+        check(scene, &|face| Gouraud::new(colors(face)));
+        check(scene, &|face| Gouraud::new(colors(face)).dithered());
+        check(scene, &|face| Gouraud::lit(colors(face)[2], [256, 90, 180]));
+        check(scene, &|face| shades.lit([256, 20 + face as u16, 180]));
+        check(scene, &|face| Texture::new(Stripes).at(corners(face)));
+        check(scene, &|face| lit.at(corners(face)).lit([256, 90, 180]));
     }
 }
 
@@ -118,26 +118,26 @@ fn fogged_faces_may_leave_out_pixels() {
                 exponent: scene.exponent,
             };
             let at = face.map(|vertex| scene.uv[usize::from(vertex)]);
-            let own = in_memory(&alone, |_| texture.at(at));
-            let fogged = in_memory(&alone, |_| Fogged::new(texture.at(at), &fog));
+            let own = in_memory(&alone, &|_| texture.at(at));
+            let fogged = in_memory(&alone, &|_| Fogged::new(texture.at(at), &fog));
             let black = table(Rgb888::BLACK);
-            let factor = in_memory(&alone, |_| Fogged::new(Rgb888::new(0, 0, 32 * LEVEL), &black));
+            let factor = in_memory(&alone, &|_| Fogged::new(Rgb888::new(0, 0, 32 * LEVEL), &black));
             assert!(fogged.depths == own.depths);
             for ((&pixel, &own), factor) in fogged.solid.iter().zip(&own.solid).zip(factors(&factor.solid)) {
                 assert_eq!(pixel, if own == SKY { SKY } else { mixed(own, FOG, factor) });
             }
         }
         let shade = |face: usize| texture.at(corners(face));
-        let inside = on_every_target(&scene, |face| Fogged::new(ScreenDoor::new(shade(face), 23), &fog));
-        let outside = on_every_target(&scene, |face| ScreenDoor::new(Fogged::new(shade(face), &fog), 23));
+        let inside = on_every_target(&scene, &|face| Fogged::new(ScreenDoor::new(shade(face), 23), &fog));
+        let outside = on_every_target(&scene, &|face| ScreenDoor::new(Fogged::new(shade(face), &fog), 23));
         assert!(
             inside.deep == outside.deep && inside.solid == outside.solid && inside.depths == outside.depths
         );
         assert!(inside.solid.iter().filter(|&&pixel| pixel != SKY).count() > 500);
-        let inside = in_memory(&scene, |face| Fogged::new(Blended::new(shade(face), 11), &fog));
-        let outside = in_memory(&scene, |face| Blended::new(Fogged::new(shade(face), &fog), 11));
+        let inside = in_memory(&scene, &|face| Fogged::new(Blended::new(shade(face), 11), &fog));
+        let outside = in_memory(&scene, &|face| Blended::new(Fogged::new(shade(face), &fog), 11));
         assert!(inside.deep == outside.deep && inside.solid == outside.solid);
-        let half = in_memory(&scene, |face| HalfBlended::new(Fogged::new(shade(face), &fog)));
+        let half = in_memory(&scene, &|face| HalfBlended::new(Fogged::new(shade(face), &fog)));
         assert!(half.solid != inside.solid);
     }
 }

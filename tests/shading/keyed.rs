@@ -60,9 +60,9 @@ fn pixels_of_transparent_texels_are_left_out_with_their_depth() {
             let alone =
                 Scene { faces: vec![face], vertices: scene.vertices.clone(), uv: scene.uv.clone(), ..scene };
             let corners = face.map(|vertex| alone.uv[usize::from(vertex)]);
-            let full = on_every_target(&alone, |_| Texture::new(Chessboard).at(corners));
+            let full = on_every_target(&alone, &|_| Texture::new(Chessboard).at(corners));
             let texture = Texture::new(ColorKeyed::new(Chessboard, KEY)).with_accuracy(Accuracy::Sixteenth);
-            let Drawn { solid, deep, depths } = on_every_target(&alone, |_| texture.at(corners));
+            let Drawn { solid, deep, depths } = on_every_target(&alone, &|_| texture.at(corners));
             assert!(solid == deep, "one face hides nothing of itself");
             for (i, &pixel) in solid.iter().enumerate() {
                 if full.solid[i] == SKY {
@@ -109,7 +109,7 @@ fn keyed_faces_show_what_is_behind_them() {
         let scene = soup(seed, 1200, 200);
         let corners = |face: usize| scene.faces[face].map(|vertex| scene.uv[usize::from(vertex)]);
         let texture = Texture::new(ColorKeyed::new(Chessboard, KEY));
-        let Drawn { solid, deep, depths } = on_every_target(&scene, |face| texture.at(corners(face)));
+        let Drawn { solid, deep, depths } = on_every_target(&scene, &|face| texture.at(corners(face)));
         assert!(solid.iter().chain(&deep).all(|&pixel| pixel != KEY));
         for (pixel, depth) in deep.iter().zip(&depths) {
             assert_eq!(*pixel == SKY, *depth == DepthBuffer::NOTHING);
@@ -128,18 +128,18 @@ fn a_key_is_a_colour_or_an_index() {
     let texels = IndexedTexels::<_, 4>::new(&bytes, 8, 8, &palette).unwrap();
     for key in [0, 5, 10, 16, 255] {
         let by_index = Texture::new(IndexKeyed::new(texels, key));
-        let drawn = on_every_target(&scene, |face| by_index.at(corners(face)));
+        let drawn = on_every_target(&scene, &|face| by_index.at(corners(face)));
         match palette.get(usize::from(key)) {
             Some(&color) => {
                 let by_color = Texture::new(ColorKeyed::new(texels, color));
-                let other = on_every_target(&scene, |face| by_color.at(corners(face)));
+                let other = on_every_target(&scene, &|face| by_color.at(corners(face)));
                 assert!(drawn.deep == other.deep && drawn.depths == other.depths);
-                let full = on_every_target(&scene, |face| Texture::new(texels).at(corners(face)));
+                let full = on_every_target(&scene, &|face| Texture::new(texels).at(corners(face)));
                 let without = full.deep.iter().map(|&pixel| if pixel == color { SKY } else { pixel });
                 assert!(drawn.deep.iter().copied().eq(without) && drawn.deep != full.deep);
             }
             None => {
-                let full = on_every_target(&scene, |face| Texture::new(texels).at(corners(face)));
+                let full = on_every_target(&scene, &|face| Texture::new(texels).at(corners(face)));
                 assert!(drawn.deep == full.deep && drawn.depths == full.depths);
             }
         }

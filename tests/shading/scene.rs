@@ -217,7 +217,8 @@ pub(crate) fn draw<C: Colour, I: SpanShader<C>>(
     shader: I,
 ) -> Picture<C> {
     let mut picture = Picture::new(screen());
-    let Ok(_) = instance.with_cull(pinhole::Cull::None).solid(|_| shader, &mut [], &mut picture);
+    let shade: &dyn Fn(usize) -> I = &|_| shader;
+    let Ok(_) = instance.with_cull(pinhole::Cull::None).solid(shade, &mut [], &mut picture);
     picture
 }
 

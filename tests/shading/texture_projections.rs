@@ -176,7 +176,7 @@ fn equal_everywhere<S: SpanShader<Rgb888>>(
     name: &str,
     faces: &Faces,
     camera: &Camera,
-    shade: impl Fn(usize) -> S,
+    shade: &dyn Fn(usize) -> S,
 ) {
     let sky = Rgb888::new(1, 2, 3);
     let area = Rectangle::new(Point::zero(), Size::new(SIDE, SIDE));
@@ -188,30 +188,30 @@ fn equal_everywhere<S: SpanShader<Rgb888>>(
     let mut numbers = vec![0; (SIDE * SIDE) as usize];
 
     let mut display = Display(blank());
-    let Ok(_) = instance.solid(&shade, &mut cache, &mut display);
+    let Ok(_) = instance.solid(shade, &mut cache, &mut display);
     let drawn = display.0.iter().filter(|&&pixel| pixel != sky).count();
     assert!(drawn > 5_000, "{name}: {drawn}");
     let mut pixels = blank();
     let Ok(_) =
-        instance.solid(&shade, &mut cache, &mut Picture::new(&mut pixels, area.size).unwrap().pixels());
+        instance.solid(shade, &mut cache, &mut Picture::new(&mut pixels, area.size).unwrap().pixels());
     assert!(pixels == display.0, "{name}: memory");
 
     let mut deep = Display(blank());
     let mut depth = DepthBuffer::new(area, &mut numbers).unwrap();
-    let Ok(_) = instance.depth_tested(&shade, &mut cache, &mut depth, &mut deep);
+    let Ok(_) = instance.depth_tested(shade, &mut cache, &mut depth, &mut deep);
     let mut pixels = blank();
     let mut depth = DepthBuffer::new(area, &mut numbers).unwrap();
     let mut picture = Picture::new(&mut pixels, area.size).unwrap();
-    let Ok(_) = instance.depth_tested(&shade, &mut cache, &mut depth, &mut picture.pixels());
+    let Ok(_) = instance.depth_tested(shade, &mut cache, &mut depth, &mut picture.pixels());
     assert!(pixels == deep.0, "{name}: memory, with depth");
 
     // The painter's order is that of the faces' distances, so its target and its memory are compared.
     let mut painter = Painter::<S, 512, 128>::new();
-    painter.add(&instance, &shade).unwrap();
+    painter.add(&instance, shade).unwrap();
     let mut painted = Display(blank());
     let Ok(_) = painter.draw(&mut painted);
     let mut pixels = blank();
-    painter.add(&instance, &shade).unwrap();
+    painter.add(&instance, shade).unwrap();
     let Ok(_) = painter.draw(&mut Picture::new(&mut pixels, area.size).unwrap().pixels());
     assert!(pixels == painted.0, "{name}: painter");
     // One face alone shows through the painter what it shows without.
@@ -219,9 +219,9 @@ fn equal_everywhere<S: SpanShader<Rgb888>>(
     let mesh_of_one = Mesh::new(&faces.vertices, faces.exponent, &one).unwrap();
     let alone = camera.place(&mesh_of_one, &Affine::<Model, World>::identity()).with_cull(Cull::None);
     let (mut own, mut through) = (Display(blank()), Display(blank()));
-    let Ok(_) = alone.solid(&shade, &mut [], &mut own);
+    let Ok(_) = alone.solid(shade, &mut [], &mut own);
     painter.clear();
-    painter.add(&alone, &shade).unwrap();
+    painter.add(&alone, shade).unwrap();
     let Ok(_) = painter.draw(&mut through);
     assert!(own.0 == through.0, "{name}: one face through the painter");
 
@@ -235,8 +235,8 @@ fn equal_everywhere<S: SpanShader<Rgb888>>(
             while let Some(mut band) = frame.next_band(&mut strip).unwrap() {
                 let mut depth = DepthBuffer::new(band.area(), &mut numbers).unwrap();
                 let Ok(()) = match by_memory {
-                    true => bins.depth_tested(&shade, &mut depth, &mut band.pixels()),
-                    false => bins.depth_tested(&shade, &mut depth, &mut band),
+                    true => bins.depth_tested(shade, &mut depth, &mut band.pixels()),
+                    false => bins.depth_tested(shade, &mut depth, &mut band),
                 };
                 let Ok(()) = band.send(&mut banded);
             }
@@ -244,8 +244,8 @@ fn equal_everywhere<S: SpanShader<Rgb888>>(
             let mut bins = instance.transform(&mut cache).bin_faces(&mut bin_storage).unwrap();
             while let Some(mut band) = frame.next_band(&mut strip).unwrap() {
                 let Ok(()) = match by_memory {
-                    true => bins.solid(&shade, &mut band.pixels()),
-                    false => bins.solid(&shade, &mut band),
+                    true => bins.solid(shade, &mut band.pixels()),
+                    false => bins.solid(shade, &mut band),
                 };
                 let Ok(()) = band.send(&mut banded);
             }
@@ -277,9 +277,9 @@ fn cut_textured_faces_are_equal_by_every_draw_call() {
         let levels: Vec<[u16; 3]> =
             faces.uv.iter().map(|_| [(); 3].map(|()| rng.int(0, 256) as u16)).collect();
         let (texture, lit) = (Texture::new(Colored), Texture::new(LitColored));
-        equal_everywhere(name, &faces, &camera, |face| texture.at(faces.uv[face]));
-        equal_everywhere(name, &faces, &camera, |face| texture.clamped_at(faces.uv[face]));
-        equal_everywhere(name, &faces, &camera, |face| lit.at(faces.uv[face]).lit(levels[face]));
-        equal_everywhere(name, &faces, &camera, |face| lit.clamped_at(faces.uv[face]).lit(levels[face]));
+        equal_everywhere(name, &faces, &camera, &|face| texture.at(faces.uv[face]));
+        equal_everywhere(name, &faces, &camera, &|face| texture.clamped_at(faces.uv[face]));
+        equal_everywhere(name, &faces, &camera, &|face| lit.at(faces.uv[face]).lit(levels[face]));
+        equal_everywhere(name, &faces, &camera, &|face| lit.clamped_at(faces.uv[face]).lit(levels[face]));
     }
 }

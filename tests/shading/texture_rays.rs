@@ -60,7 +60,8 @@ impl Faces {
         let mesh = Mesh::new(&self.vertices, self.exponent, &faces).unwrap();
         let instance = camera.place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
         let mut screen = Screen(vec![None; (SIDE * SIDE) as usize]);
-        let Ok(_) = instance.solid(|_| shader, &mut [], &mut screen);
+        let shade: &dyn Fn(usize) -> S = &|_| shader;
+        let Ok(_) = instance.solid(shade, &mut [], &mut screen);
         screen.0
     }
 
