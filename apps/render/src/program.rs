@@ -46,8 +46,9 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
             model.libraries.iter().try_for_each(|library| apart(library))?;
             let look = &Look { up: model.up, ..*look };
             let colors = import::colors(&mut model);
+            let texture = texture::of_model(&model);
             if let Some(path) = &options.gif {
-                let mesh = (&model.triangles, &colors);
+                let mesh = (&model.triangles, &colors, texture.as_ref());
                 let film = turntable::gif(
                     mesh,
                     look,
@@ -59,7 +60,6 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
                 outputs.push((path, film.map_err(named)?));
             }
             let triangles = std::mem::take(&mut model.triangles);
-            let texture = texture::of_model(&model);
             imported = Some(model);
             Scene { texture, ..model::scene(triangles, colors, look)? }
         }
@@ -70,6 +70,16 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
             scene
         }
     };
+    if options.style.lit_texture && scene.texture.as_ref().is_none_or(|texture| texture.picture.is_none()) {
+        match options.look {
+            // The importer says why there is none.
+            Some(_) if options.import.texture.is_some() => {}
+            Some(_) => return Err("--lit-texture: no texture is shown: give --texture COLORS too".into()),
+            None => {
+                return Err("--lit-texture: the scene has no picture: give it \"uv\" and \"texture\"".into())
+            }
+        }
+    }
     let (quantised, used) = Quantised::settle(&scene).map_err(named)?;
     // The statistics of any one output: all outputs draw the same faces or edges.
     let (mut report, mut text) = (None, None);
@@ -124,6 +134,9 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
             command::say(format_args!("{}: {size}", options.scene.display()))?;
         }
         command::warn(&options.scene, &model.warnings);
+        if let Some(hint) = import::hint(model, &options.import) {
+            command::complain(named(hint));
+        }
     }
     Ok(())
 }

@@ -8,6 +8,7 @@ use pinhole_import::{Axis, ImportedMesh, Options, Preview, Triangles};
 use pinhole_render::model::{self, Fit, Look};
 use pinhole_render::scene::{bounds, Colors, Matrix, Scene};
 use pinhole_render::sprites::{Anchor, SceneSprites, Shape, SpritePicture, SpriteSize};
+use pinhole_render::texture::{self, SceneTexture};
 use pinhole_render::{firmware as template, import};
 use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
@@ -16,6 +17,7 @@ use std::path::{Path, PathBuf};
 pub struct Source {
     mesh: Triangles,
     colors: Colors,
+    texture: Option<SceneTexture>,
     up: Axis,
     own: Option<Scene>,
     /// The file, unless the mesh is built in.
@@ -40,15 +42,17 @@ impl Source {
             let own = Scene::read(file)?;
             let positions = own.vertices.iter().map(|&vertex| own.in_the_world(vertex)).collect();
             let mesh = Triangles { positions, faces: own.triangles.clone() };
-            let (colors, file) = (own.colors.clone(), Some(file.into()));
-            return Ok(Self { mesh, colors, up: Axis::Y, own: Some(own), file, ..Self::built_in() });
+            let (colors, texture, file) = (own.colors.clone(), own.texture.clone(), Some(file.into()));
+            return Ok(Self { mesh, colors, texture, up: Axis::Y, own: Some(own), file, ..Self::built_in() });
         }
         let mut model = import::read(file, options)?;
+        let texture = texture::of_model(&model);
         let mesh = std::mem::take(&mut model.triangles);
         let (colors, file) = (import::colors(&mut model), Some(file.into()));
         Ok(Self {
             mesh,
             colors,
+            texture,
             up: model.up,
             own: None,
             file,
@@ -69,6 +73,7 @@ impl Source {
         Self {
             mesh,
             colors: Colors::default(),
+            texture: None,
             up: Axis::Y,
             own: None,
             file: None,
@@ -102,6 +107,11 @@ impl Source {
     /// What a firmware with this model has in flash, in words.
     pub fn size_in_firmware(&self) -> Option<String> {
         self.imported.as_ref().and_then(import::size)
+    }
+
+    /// What to do for a picture that the model's materials name and nobody asked for, if there is one.
+    pub fn hint(&self) -> Option<String> {
+        import::hint(self.imported.as_ref()?, &self.options).map(|hint| self.named(&hint))
     }
 
     /// The file that is shown, unless the mesh is built in.
@@ -155,7 +165,7 @@ impl Source {
                 };
                 let scene = model::scene(self.mesh.clone(), self.colors.clone(), &look)?;
                 let sprites = self.own.as_ref().map_or(Vec::new(), |own| own.sprites.clone());
-                Scene { sprites, ..scene }
+                Scene { texture: self.texture.clone(), sprites, ..scene }
             }
         };
         let sprites = scene.sprites.iter().cloned().chain(markers(&scene, state)).collect();
