@@ -19,6 +19,8 @@ pub struct Preview {
     /// The texture coordinates of the corners of each triangle, u to the right and v down, in sides of a texture; or nothing, where
     /// the file has none. The mesh has the picture.
     pub texture: Vec<[[f64; 2]; 3]>,
+    /// The pictures that the materials name (`map_Kd`), in the order of their first use, whether or not the mesh has one.
+    pub pictures: Vec<String>,
     /// Files that were read beside the model: material libraries.
     pub libraries: Vec<PathBuf>,
     /// How many of the triangles are backs.
@@ -52,6 +54,7 @@ pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
     let up = options.up.unwrap_or(Axis::of_file(file));
     let model = read_model(file)?;
     let mut triangles = model.triangles.clone();
+    let pictures = model.pictures.names.clone();
     let mut texture: Vec<[[f64; 2]; 3]> = match &model.texture {
         Some(texture) => texture.faces.iter().map(|face| face.map(|i| texture.coords[i])).collect(),
         None => Vec::new(),
@@ -90,7 +93,18 @@ pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
     if let Err(problem) = &mesh {
         warnings.push(Warning { line: None, message: format!("not for firmware: {problem}") });
     }
-    Ok(Preview { triangles, colors, emission, texture, libraries, backs: count, up, mesh, warnings })
+    Ok(Preview {
+        triangles,
+        colors,
+        emission,
+        texture,
+        pictures,
+        libraries,
+        backs: count,
+        up,
+        mesh,
+        warnings,
+    })
 }
 
 fn reversed<T>([a, b, c]: [T; 3]) -> [T; 3] {

@@ -5,8 +5,8 @@
 //!   columns, on a target whose pixels lie in memory.
 //! - **Gain**: S6 anti-aliased takes 4.1 million instructions on an M3, 6.1 on an M0; one loop for lines with and without depth took 6.9 and
 //!   9.6 million.
-//! - **Test**: `tests/pipeline/anti_aliased.rs`, which compares lines with the plain twin's, drawn against a clear depth buffer,
-//!   and with their parts in bands.
+//! - **Test**: `the_fast_path_mixes_the_pixels_of_the_plain_one` and `hard_lines_are_mixed_as_by_the_plain_path` in
+//!   `pipeline/anti_aliased.rs`, which compare both pixel by pixel; `tests/pipeline/anti_aliased.rs`, in bands and with depth.
 //!
 //! A tall line is drawn through three slices, of the pixels before its middle, in its middle and after it. They have one length and begin
 //! one pixel apart, so one bounds check serves all three and also ends the loop; the index is a fixed-point number with 32 fractional

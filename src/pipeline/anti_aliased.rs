@@ -182,3 +182,212 @@ pub(super) fn visible_edge<T: Target, K: Stroke<T::Color>>(
         },
     );
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::random::Random;
+    use crate::shading::{AntiAliased, Blend};
+    use crate::surface::{Picture, PixelFormat, Pixels};
+    use embedded_graphics_core::geometry::Size;
+    use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
+    use embedded_graphics_core::prelude::{GrayColor, RgbColor};
+
+    const SIZE: Size = Size::new(40, 33);
+    /// The pixels of a picture.
+    type Cells<C> = [C; 40 * 33];
+
+    /// A stroke that shows each mix, its share and its order: any other gives another pixel, but for one of 2²⁴.
+    #[derive(Clone, Copy)]
+    struct Trace<const BITS: u32>;
+
+    impl<const BITS: u32> Stroke<Rgb888> for Trace<BITS> {
+        const IS_ANTI_ALIASED: bool = true;
+        const SHARE_BITS: u32 = BITS;
+
+        fn color(&self) -> Rgb888 {
+            Rgb888::WHITE
+        }
+
+        fn mixer(self) -> impl Fn(Rgb888, u32) -> Rgb888 + Copy {
+            |below, rest| {
+                assert!(rest <= 1 << BITS, "{rest}");
+                if rest == 1 << BITS {
+                    return below; // nothing is covered
+                }
+                Rgb888::decode((below.encode() ^ (rest + 1)).wrapping_mul(0x9e_3779) & 0xff_ffff)
+            }
+        }
+    }
+
+    /// How many lines the fast path took, and how many of them are tall.
+    #[derive(Default, Debug)]
+    struct Taken {
+        tall: usize,
+        wide: usize,
+        pixels: usize,
+    }
+
+    /// A picture of a background that `draw` draws over.
+    fn picture<C: PixelFormat>(background: &Cells<C>, draw: impl FnOnce(&mut Pixels<'_, C>)) -> Cells<C> {
+        let mut cells = *background;
+        draw(&mut Picture::new(&mut cells, SIZE).expect("cells").pixels());
+        cells
+    }
+
+    /// Draws a line by the fast path and by the plain one, as `line` attaches them, and compares each pixel.
+    fn compare<C: PixelFormat + core::fmt::Debug, K: Stroke<C>>(
+        ends: [[i32; 2]; 2],
+        scissor: &Scissor,
+        stroke: K,
+        background: &Cells<C>,
+        taken: &mut Taken,
+    ) {
+        for (ends, rounding) in [(ends, 0), (ends, 128), ([ends[1], ends[0]], 128)] {
+            let whole = LineCoverage::new(ends, rounding, scissor);
+            let equal = |fast: &Cells<C>, plain: &Cells<C>, what: &str| {
+                let unequal = fast.iter().zip(plain).position(|(fast, plain)| fast != plain);
+                let at = unequal
+                    .map(|at| (at % SIZE.width as usize, at / SIZE.width as usize, fast[at], plain[at]));
+                assert!(at.is_none(), "{what}, {ends:?}, {rounding}, {scissor:?}: {at:?}");
+            };
+            let plain = picture(background, |pixels| by_pixels(&whole, scissor, stroke, pixels));
+            let fast = picture(background, |pixels| line(ends, rounding, None, scissor, stroke, pixels));
+            equal(&fast, &plain, "the line");
+            taken.pixels += fast.iter().zip(background).filter(|(fast, below)| fast != below).count();
+            // The loop alone, in the parts that it takes.
+            let part = if whole.inside { whole } else { whole.clipped(scissor) };
+            let part = if part.tall && !part.inside { part.interior(scissor) } else { part };
+            if part.first < part.end {
+                let mut is_taken = false;
+                let fast = picture(background, |pixels| {
+                    is_taken = anti_aliased_line(&part, scissor, stroke, pixels);
+                });
+                if is_taken {
+                    equal(
+                        &fast,
+                        &picture(background, |pixels| by_pixels(&part, scissor, stroke, pixels)),
+                        "a part",
+                    );
+                    *(if part.tall { &mut taken.tall } else { &mut taken.wide }) += 1;
+                }
+            }
+        }
+    }
+
+    /// Compares a line in every format, over a background of random colors.
+    fn in_all_formats(ends: [[i32; 2]; 2], scissor: &Scissor, random: &mut Random, taken: &mut Taken) {
+        fn one<C: PixelFormat + Blend + core::fmt::Debug>(
+            color: C,
+            ends: [[i32; 2]; 2],
+            scissor: &Scissor,
+            random: &mut Random,
+            taken: &mut Taken,
+        ) {
+            let random = [(); 40 * 33].map(|()| C::decode(random.bits() & ((1 << C::BITS) - 1)));
+            for background in [[C::decode(0); 40 * 33], random] {
+                compare(ends, scissor, AntiAliased(color), &background, taken);
+            }
+        }
+        one(Gray8::WHITE, ends, scissor, random, taken);
+        one(Gray4::new(13), ends, scissor, random, taken);
+        one(Gray2::WHITE, ends, scissor, random, taken);
+        one(BinaryColor::On, ends, scissor, random, taken);
+        one(Rgb565::new(31, 40, 3), ends, scissor, random, taken);
+        one(Rgb666::YELLOW, ends, scissor, random, taken);
+        one(Rgb888::new(255, 130, 7), ends, scissor, random, taken);
+    }
+
+    /// Compares a line in all formats now and then, and by its shares always.
+    fn check(ends: [[i32; 2]; 2], scissor: &Scissor, random: &mut Random, taken: &mut Taken) {
+        let background = [(); 40 * 33].map(|()| Rgb888::decode(random.bits() & 0xff_ffff));
+        compare(ends, scissor, Trace::<8>, &background, taken);
+        compare(ends, scissor, Trace::<5>, &background, taken);
+        if random.below(20) == 0 {
+            in_all_formats(ends, scissor, random, taken);
+        }
+    }
+
+    fn scissor(random: &mut Random) -> Scissor {
+        let picture = Scissor::new(0, 0, 40, 33);
+        match random.below(4) {
+            0 => picture,
+            1 => Scissor::new(3, 2, 36, 30),
+            _ => {
+                let [left, top] = [40, 33].map(|side| random.below(side) as i32);
+                let [width, height] = [0; 2].map(|_| random.below(14) as i32 + 1);
+                Scissor::new(left, top, left + width, top + height).intersection(&picture)
+            }
+        }
+    }
+
+    #[test]
+    fn the_fast_path_mixes_the_pixels_of_the_plain_one() {
+        let random = &mut Random(0xAA17);
+        let mut taken = Taken::default();
+        for i in 0..3_000 {
+            let scissor = scissor(random);
+            // Within the picture, across its borders, from beyond one border to beyond another, and over the guard band.
+            let reach =
+                [20 * 256, 20 * 256, 40 * 256, 200 * 256, 8_000 * 256][if i % 50 == 0 { 4 } else { i % 4 }];
+            let mut end = || [20 * 256 + random.within(reach), 16 * 256 + random.within(reach)];
+            check([end(), end()], &scissor, random, &mut taken);
+        }
+        assert!(
+            cfg!(pinhole_plain) || taken.tall > 3_000 && taken.wide > 3_000 && taken.pixels > 200_000,
+            "{taken:?}"
+        );
+    }
+
+    #[test]
+    fn hard_lines_are_mixed_as_by_the_plain_path() {
+        let random = &mut Random(0xAA18);
+        let mut taken = Taken::default();
+        // Level, diagonal, nearly so, and steep, in all directions; of less than a pixel up to beyond all borders.
+        let slopes = [
+            [256, 0],
+            [256, 1],
+            [256, 13],
+            [256, 100],
+            [256, 181],
+            [256, 255],
+            [256, 256],
+            [255, 256],
+            [181, 256],
+            [100, 256],
+            [13, 256],
+            [1, 256],
+            [0, 256],
+        ];
+        for [x, y] in slopes {
+            for [x, y] in [[x, y], [-x, y], [x, -y], [-x, -y]] {
+                for length in [0, 1, 2, 5, 12, 60] {
+                    // At pixel borders, centres and in between, from the middle and beside each border.
+                    for [left, top] in [
+                        [20, 16],
+                        [0, 0],
+                        [1, 30],
+                        [38, 1],
+                        [39, 32],
+                        [2, 2],
+                        [-1, 16],
+                        [20, -2],
+                        [20, 34],
+                        [41, 9],
+                    ] {
+                        let at = [left * 256, top * 256]
+                            .map(|v| v + [0, 128, random.below(256) as i32][random.below(3) as usize]);
+                        let ends = [at, [at[0] + x * length, at[1] + y * length]];
+                        let scissor =
+                            if random.below(3) == 0 { scissor(random) } else { Scissor::new(0, 0, 40, 33) };
+                        check(ends, &scissor, random, &mut taken);
+                    }
+                }
+            }
+        }
+        assert!(
+            cfg!(pinhole_plain) || taken.tall > 2_000 && taken.wide > 2_000 && taken.pixels > 100_000,
+            "{taken:?}"
+        );
+    }
+}

@@ -23,17 +23,26 @@ SCENE.json:
    "colors": [[r, g, b], ...] of the triangles, 0 to 255 (optional),
    "emission": [[r, g, b], ...] of the light that the triangles emit, added to the lit colours (optional; not on textures),
    "uv": [[u, v], ...] of the vertices, or [[[u, v], [u, v], [u, v]], ...] of the triangles' corners, in texels, (0, 0) at the upper left,
-   "texture": [W, H] or "FILE.png", 8 to 256 a side, powers of two, "wrap": "repeat" | "clamp" (optional; uv and texture belong together),
+   "texture": [W, H] or "FILE.png" or ".bmp", 8 to 256 a side, powers of two, "wrap": "repeat" | "clamp" (optional; uv and texture belong together),
    "fog": [START, END] (optional: linear fog of the background's colour, between two distances before the camera),
+   "sprites": [SPRITE, ...] (optional: pictures that face the viewer, drawn after faces or edges),
    "width": W, "height": H (1 to 4096), "viewport": [x, y, w, h] (default: the picture), "cull": "none" | "back",
    "name", "source", "licence": any text, ignored}
+SPRITE:
+  {"at": [x, y, z] of the world, or [[x, y, z], ...] for particles,
+   "picture": "FILE.png" or ".bmp" (relative to the scene's folder), "key": [r, g, b] of transparent pixels (optional; pixels that are less
+     than half opaque are transparent, too),  or  "color": [r, g, b], "picture": "square" | "disc" (default: square),
+   "pixels": N for each pixel of the file, or of the side of a square or disc, 1 to 255,  or  "size": [width, height],  or  "height": H in
+     world units, which shrink with distance (default: "pixels": 1),
+   "anchor": the point of the picture at the point of the world: "center" (default) | "top-left" | "bottom-center" ... | [column, row],
+   "alpha": N of 32 parts, mixed with what is behind, from far to near (optional), "depth": "test" (default) | "none": over everything}
 Matrices are row-major and multiply column vectors. A .json mesh is {"vertices": ..., "triangles": ...}.
 
 --ids: a little-endian i32 per pixel, row by row from the top: the index of the visible triangle, or -1.
 --depth: a little-endian u16 per pixel: 0 (near) to 65534 (far), linear in z/w; 65535 where nothing is drawn.
 --used: the scene after rounding to the crate's number formats; drawing this file gives the same bits.
 --texels: a little-endian u16 per pixel: 0 where no triangle is, otherwise 32768 and the texel's number, row * W + column.
-With one of these four the default --size of a mesh is 320x240.
+These four are of triangles alone, without sprites. With one of them the default --size of a mesh is 320x240.
 
 An .obj or .stl is drawn as the mesh that pinhole-import makes of it, and with its warnings: z of .stl and y of .obj are up, faces
 are seen from their front alone (counter-clockwise) unless --two-sided, and the camera is that of the firmware templates, which
@@ -186,10 +195,7 @@ pub(crate) fn command() -> Command {
             "WHAT",
             "What fills the picture: sphere, about the mesh, as in firmware, or outline, larger [default: sphere]".into(),
         ))
-        .arg(
-            text("texture", "COLORS", "Show the picture of an .obj's materials in so many colours, as pinhole-import writes it".into())
-                .value_parser(PossibleValuesParser::new(["2", "4", "16", "256"])),
-        )
+        .arg(import::texture_argument())
         .args(import::arguments())
         .arg(
             Arg::new("firmware")

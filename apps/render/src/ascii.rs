@@ -1,11 +1,10 @@
 //! A picture as text, one character for 2 × 4 pixels: characters are about twice as high as wide, so these pixels are square.
 
-use crate::paint::{Style, Subject};
+use crate::paint::{Report, Style, Subject};
 use crate::picture::{luma, picture, Format};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
-use pinhole::Statistics;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Characters {
@@ -25,13 +24,13 @@ const CELL: [usize; 2] = [2, 4];
 /// The bit of each dot in a braille pattern, row by row.
 const DOTS: [[u32; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
 
-/// The picture as lines of equal length, bright on a dark terminal, and the statistics of the scene's faces or edges.
+/// The picture as lines of equal length, bright on a dark terminal, and the statistics of the frame.
 pub(crate) fn text(
     subject: &Subject,
     scene: (&Scene, &Quantised),
     style: &Style,
     characters: Characters,
-) -> Result<(String, Statistics), String> {
+) -> Result<(String, Report), String> {
     let braille = characters == Characters::Braille;
     let style = Style {
         colour: Rgb888::WHITE,
@@ -41,7 +40,7 @@ pub(crate) fn text(
         ..*style
     };
     let format = if braille { Format::Mono } else { Format::Gray8 };
-    let (pixels, statistics) = picture(subject, scene, &style, format)?;
+    let (pixels, report) = picture(subject, scene, &style, format)?;
     let (width, height) = (scene.0.width as usize, scene.0.height as usize);
     let [across, down] = CELL;
     let mut text = String::new();
@@ -68,5 +67,5 @@ pub(crate) fn text(
         }
         text.push('\n');
     }
-    Ok((text, statistics))
+    Ok((text, report))
 }

@@ -60,6 +60,18 @@ impl FogStyle {
         Ok(Self { profile, ..Self::between(range.into())? })
     }
 
+    /// 32nds of a sprite that are seen in this fog, at a point of the world: by the definition of [`Fog`]'s profiles.
+    pub(crate) fn seen(&self, scene: &Scene, point: [f64; 3]) -> u8 {
+        let [start, end] = self.range.unwrap_or_else(|| extent(scene));
+        let way = ((scene.distance(point) - start) / (end - start)).clamp(0.0, 1.0);
+        let seen = match self.profile {
+            Profile::Linear => 1.0 - way,
+            Profile::Exponential => 64f64.powf(-way),
+            Profile::Squared => 64f64.powf(-way * way),
+        };
+        32 - (32.0 * (1.0 - seen) + 0.5).floor() as u8 // 0 to 32
+    }
+
     /// The table of this fog in the colour `color`, for a scene.
     pub(crate) fn table<C: Colour>(
         &self,
@@ -89,13 +101,6 @@ impl FogStyle {
 
 /// The distances of the nearest and the farthest vertex before the camera.
 fn extent(scene: &Scene) -> [f64; 2] {
-    let along = |vertex: &[f64; 3]| {
-        let mut p = [vertex[0], vertex[1], vertex[2], 1.0];
-        for m in [&scene.model, &scene.view] {
-            p = m.map(|row| row.iter().zip(p).map(|(a, b)| a * b).sum());
-        }
-        0.0 - p[2]
-    };
-    let distances = scene.vertices.iter().map(along);
+    let distances = scene.vertices.iter().map(|&vertex| scene.distance(scene.in_the_world(vertex)));
     distances.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], d| [low.min(d), high.max(d)])
 }

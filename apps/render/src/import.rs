@@ -1,9 +1,10 @@
 //! Models as `pinhole-import` makes them: its options, its up axis, its winding and its warnings.
 
 use crate::scene::Colors;
+use clap::builder::PossibleValuesParser;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches};
-use pinhole_import::{Options, Preview};
+use pinhole_import::{Options, Preview, TextureFormat};
 use std::path::Path;
 
 #[path = "../../../import/src/arguments.rs"]
@@ -14,9 +15,32 @@ pub fn arguments() -> [Arg; 4] {
     arguments::arguments()
 }
 
-/// The given ones of these options.
+/// The option that shows a model's picture.
+pub fn texture_argument() -> Arg {
+    Arg::new("texture")
+        .long("texture")
+        .value_name("COLORS")
+        .help("Show the picture of an .obj's materials in so many colours, as pinhole-import writes it")
+        .value_parser(PossibleValuesParser::new(["2", "4", "16", "256"]))
+}
+
+/// The given ones of these options and of [`texture_argument`].
 pub fn options(given: &ArgMatches) -> Options {
-    arguments::options(given)
+    let colors = given.get_one::<String>("texture").and_then(|colors| colors.parse().ok()); // one of the choices
+    let texture = colors.map(|colors| TextureFormat { colors, ..TextureFormat::default() });
+    Options { texture, ..arguments::options(given) }
+}
+
+/// Whether a model's picture was asked for, in a program that shows a scene.
+///
+/// # Errors
+///
+/// A message that names the option.
+pub fn refuse_texture(given: &ArgMatches) -> Result<(), String> {
+    match given.contains_id("texture") {
+        true => Err("--texture: a scene has its own texture; use this option with .obj".into()),
+        false => Ok(()),
+    }
 }
 
 /// The first of these options that was typed, if any.
@@ -38,6 +62,12 @@ pub fn read(file: &Path, options: &Options) -> Result<Preview, String> {
 /// The colours of a model's triangles, taken out of it.
 pub fn colors(model: &mut Preview) -> Colors {
     Colors { faces: std::mem::take(&mut model.colors), emission: std::mem::take(&mut model.emission) }
+}
+
+/// What to do for a picture that the model's materials name and nobody asked for, if there is one.
+pub fn hint(model: &Preview, options: &Options) -> Option<String> {
+    let name = model.pictures.first().filter(|_| options.texture.is_none() && !model.texture.is_empty())?;
+    Some(format!("note: its materials name a picture, {name}: --texture 16 shows it in 16 colours"))
 }
 
 /// The flash that this model takes in a firmware, as a message.

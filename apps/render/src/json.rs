@@ -55,11 +55,12 @@ impl<'a> Field<'a> {
         let Json::Object(members) = self.value else { return Err(self.is_no("an object")) };
         let mut fields = [const { None }; N];
         for (name, value) in members {
-            let field = Field { place: name.clone(), value };
+            let place = if self.place.is_empty() { name.clone() } else { format!("{}.{name}", self.place) };
+            let field = Field { place, value };
             match known.iter().position(|k| k == name) {
                 Some(index) => fields[index] = Some(field),
                 None if ABOUT.contains(&name.as_str()) => drop(field.text()?),
-                None => return Err(format!("{name}: is not a field of this format")),
+                None => return Err(field.error("is not a field of this format")),
             }
         }
         Ok(fields)
@@ -70,6 +71,17 @@ impl<'a> Field<'a> {
             Json::Text(text) => Ok(text),
             _ => Err(self.is_no("a text")),
         }
+    }
+
+    /// The value that a text stands for. The error lists the known texts.
+    pub(crate) fn one_of<T: Copy>(&self, known: &[(&str, T)]) -> Result<T, String> {
+        let text = self.text()?;
+        if let Some((_, value)) = known.iter().find(|(name, _)| *name == text) {
+            return Ok(*value);
+        }
+        let names: Vec<_> = known.iter().map(|(name, _)| format!("\"{name}\"")).collect();
+        let (last, before) = names.split_last().map_or(("", [].as_slice()), |(last, before)| (last, before));
+        Err(self.error(format_args!("is \"{text}\" and should be {} or {last}", before.join(", "))))
     }
 
     pub(crate) fn number(&self) -> Result<f64, String> {

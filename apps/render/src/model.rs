@@ -130,6 +130,7 @@ pub fn scene(mesh: Triangles, colors: Colors, look: &Look) -> Result<Scene, Stri
         cull: true, // as firmware does unless it says otherwise; `--two-sided` adds backs
         texture: None,
         fog: None,
+        sprites: Vec::new(),
         mesh_file: None,
     })
 }

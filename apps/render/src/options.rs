@@ -13,7 +13,7 @@ use crate::scene::LARGEST;
 use crate::style;
 use clap::ArgMatches;
 use embedded_graphics::geometry::Size;
-use pinhole_import::{Axis, TextureFormat};
+use pinhole_import::Axis;
 use std::path::{Path, PathBuf};
 
 pub(crate) struct Options {
@@ -63,13 +63,9 @@ pub(crate) fn read() -> Result<Options, String> {
     let painted = painted.or_else(|| flags.into_iter().find(|name| given.get_flag(name)));
     let (style, format) = style(&mut given)?;
     let least_turn = edges(&given, style.mode)?;
-    let mut import = import::options(&given);
-    let colors: Option<String> = given.get_one("texture").cloned();
-    if colors.is_some() && !import::is_model(&scene) {
-        return Err("--texture: a scene has its own texture; use this option with .obj".into());
-    }
-    if let Some(colors) = colors.and_then(|colors| colors.parse().ok()) {
-        import.texture = Some(TextureFormat { colors, ..TextureFormat::default() });
+    let import = import::options(&given);
+    if !import::is_model(&scene) {
+        import::refuse_texture(&given)?;
     }
     let firmware: Option<u32> = given.get_one("firmware").copied();
     if firmware.is_some() && !import::is_model(&scene) {

@@ -7,6 +7,7 @@ use crate::normals;
 use crate::parts::{parts, Part};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
+use crate::sprite_paint::Sprites;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
@@ -171,6 +172,8 @@ impl Subject {
 pub struct Report {
     /// Statistics of faces, or of edges where the mode draws edges.
     pub statistics: Statistics,
+    /// Statistics of the scene's sprites.
+    pub sprites: Statistics,
     pub bands: usize,
     /// Bytes of the pixels in the display's format.
     pub bytes: usize,
@@ -210,8 +213,12 @@ fn paint<C: Colour>(
     let bin_storage = |count: usize| vec![0; count + count.div_ceil(16)];
     let mut face_bin_storage: Vec<_> = meshes.iter().map(|mesh| bin_storage(mesh.faces().len())).collect();
     let mut edge_bin_storage: Vec<_> = meshes.iter().map(|mesh| bin_storage(mesh.edges().len())).collect();
-    let out = Out { size: Size::new(scene.width, scene.height), style, rows, send };
-    let size = out.size;
+    let size = Size::new(scene.width, scene.height);
+    let fog = style.fog.or(scene.fog);
+    let sprites = Sprites::new(scene, quantised, fog.as_ref(), C::from(style.background));
+    let sprites_reach = sprites.bounds;
+    let with_sprites = |drawn: Rectangle| around([drawn, sprites_reach].into_iter());
+    let out = Out { size, style, rows, send, sprites };
     // Anti-aliased lines reach two pixels beyond the edges.
     let reached = |edges: Rectangle| match style.smooth_lines && !edges.is_zero_sized() {
         false => edges,
@@ -223,7 +230,7 @@ fn paint<C: Colour>(
         // Lines without depth test: no far plane may clip them.
         let transformed: Vec<_> = instances.iter().zip(&mut corners).map(|(p, c)| p.transform(c)).collect();
         let (mut edges, statistics, bounds) = edges(&transformed, &mut edge_bin_storage)?;
-        return out.bands(statistics, &plan(reached(bounds)), |band, _| {
+        return out.bands(statistics, &plan(with_sprites(reached(bounds))), |band, _| {
             let colour = C::from(style.colour);
             match style.smooth_lines {
                 false => edges.iter_mut().for_each(|edges| {
@@ -247,7 +254,7 @@ fn paint<C: Colour>(
         .map_err(|e| e.to_string())?;
     if style.mode == Mode::HiddenLine {
         let (mut edges, statistics, bounds) = edges(&transformed, &mut edge_bin_storage)?;
-        return out.bands(statistics, &plan(reached(bounds)), |band, depth| {
+        return out.bands(statistics, &plan(with_sprites(reached(bounds))), |band, depth| {
             // Any part may hide any other.
             faces.iter_mut().for_each(|faces| faces.depth_only(depth));
             let colour = C::from(style.colour);
@@ -265,7 +272,7 @@ fn paint<C: Colour>(
     }
 
     let statistics = faces.iter().map(BinnedFaces::statistics).fold(Statistics::default(), Statistics::and);
-    let areas = plan(around(faces.iter().map(BinnedFaces::bounds)));
+    let areas = plan(with_sprites(around(faces.iter().map(BinnedFaces::bounds))));
     let light = Light::new(scene, quantised);
     let levels = |part: &Part, face: usize| light.corners(number(part, face), &subject.normals);
     let colour = |part: &Part, face: usize| {
@@ -282,7 +289,6 @@ fn paint<C: Colour>(
     let smooth = |part: &Part, face| Gouraud::lit(colour(part, face), levels(part, face));
     let glowing = |part: &Part, face| smooth(part, face).emitting(emission(part, face));
     let solid = Solid { parts: all_parts, faces: &mut faces };
-    let fog = style.fog.or(scene.fog);
     let fog = fog.map(|fog| fog.table(scene, quantised, C::from(style.background))).transpose()?;
     let fog = fog.as_ref();
     let all = Faces { out, statistics, areas: &areas, solid, translucency: style.translucency };
@@ -331,19 +337,8 @@ struct Sorted {
 
 impl Sorted {
     fn new(scene: &Scene) -> Self {
-        // Nearer than the near plane is −1.
-        let depths: Vec<f64> = scene
-            .vertices
-            .iter()
-            .map(|&vertex| {
-                let [_, _, z, w] = scene.clip(vertex);
-                if w > 0.0 {
-                    (z / w).clamp(-1.0, 1.0)
-                } else {
-                    -1.0
-                }
-            })
-            .collect();
+        let depths: Vec<f64> =
+            scene.vertices.iter().map(|&vertex| crate::scene::depth(scene.clip(vertex))).collect();
         let depth =
             |triangle: usize| -> f64 { scene.triangles[triangle].iter().map(|&vertex| depths[vertex]).sum() };
         let mut order: Vec<usize> = (0..scene.triangles.len()).collect();
@@ -354,7 +349,7 @@ impl Sorted {
 }
 
 /// Draws a band's pixels in memory, which shaders and lines can read, whatever the format.
-fn in_memory<C: Colour>(band: &mut Band<'_, C>, draw: impl FnOnce(&mut Pixels<'_, C>)) {
+pub(crate) fn in_memory<C: Colour>(band: &mut Band<'_, C>, draw: impl FnOnce(&mut Pixels<'_, C>)) {
     let area = band.area();
     let mut cells: Vec<C> = band.colors().collect();
     if let Ok(mut pixels) = Pixels::new(&mut cells, area) {
@@ -440,6 +435,8 @@ struct Out<'a, C> {
     style: &'a Style,
     rows: u32,
     send: Send<'a, C>,
+    /// What is drawn after faces or edges.
+    sprites: Sprites<C>,
 }
 
 impl<C: Colour> Out<'_, C> {
@@ -449,7 +446,7 @@ impl<C: Colour> Out<'_, C> {
         areas: &[Rectangle],
         mut draw: impl FnMut(&mut Band<'_, C>, &mut DepthBuffer<'_>),
     ) -> Result<Report, String> {
-        let mut report = Report { statistics, ..Report::default() };
+        let mut report = Report { statistics, sprites: self.sprites.statistics, ..Report::default() };
         let mut strip = vec![0; Frame::<C>::strip_bytes(self.size.width, self.rows)];
         // A strip holds more rows of a narrower area; a row may take up to seven pixels more.
         let mut depths = vec![0; (self.size.width as usize + 7) * self.rows as usize];
@@ -458,6 +455,7 @@ impl<C: Colour> Out<'_, C> {
             while let Some(mut band) = frame.next_band(&mut strip).map_err(|e| e.to_string())? {
                 let mut depth = DepthBuffer::new(band.area(), &mut depths).map_err(|e| e.to_string())?;
                 draw(&mut band, &mut depth);
+                self.sprites.draw(&mut band, &mut depth);
                 report.bands += 1;
                 report.bytes += band.bytes().len();
                 report.pixels += (band.area().size.width * band.area().size.height) as usize;

@@ -1,12 +1,11 @@
 //! A picture in the pixel format of a display.
 
-use crate::paint::{Colour, Style, Subject};
+use crate::paint::{Colour, Report, Style, Subject};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::Statistics;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Format {
@@ -41,13 +40,13 @@ impl Format {
     }
 }
 
-/// The pixels of a scene, row by row, and the statistics of its faces or edges.
+/// The pixels of a scene, row by row, and the statistics of the frame.
 pub fn picture(
     subject: &Subject,
     scene: (&Scene, &Quantised),
     style: &Style,
     format: Format,
-) -> Result<(Vec<Rgb888>, Statistics), String> {
+) -> Result<(Vec<Rgb888>, Report), String> {
     match format {
         Format::Rgb888 => whole::<Rgb888>(subject, scene, style),
         Format::Rgb666 => whole::<Rgb666>(subject, scene, style),
@@ -63,14 +62,14 @@ fn whole<C: Colour>(
     subject: &Subject,
     scene: (&Scene, &Quantised),
     style: &Style,
-) -> Result<(Vec<Rgb888>, Statistics), String> {
+) -> Result<(Vec<Rgb888>, Report), String> {
     let size = Size::new(scene.0.width, scene.0.height);
     let mut pixels = Vec::new();
     let mut all = |_| vec![Rectangle::new(Point::zero(), size)];
     let report = C::paint(subject, scene, style, size.height, &mut all, &mut |band| {
         pixels.extend(band.colors().map(Into::<Rgb888>::into));
     })?;
-    Ok((pixels, report.statistics))
+    Ok((pixels, report))
 }
 
 /// Luma of a colour, 0 to 255, as the grey formats take it.

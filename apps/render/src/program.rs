@@ -3,7 +3,7 @@
 use crate::firmware::{self, Code};
 use crate::model::Look;
 use crate::options::{self, Options};
-use crate::paint::Subject;
+use crate::paint::{Report, Subject};
 use crate::quantised::{self, Quantised};
 use crate::scene::Scene;
 use crate::{ascii, texture, turntable, used};
@@ -46,8 +46,9 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
             model.libraries.iter().try_for_each(|library| apart(library))?;
             let look = &Look { up: model.up, ..*look };
             let colors = import::colors(&mut model);
+            let texture = texture::of_model(&model);
             if let Some(path) = &options.gif {
-                let mesh = (&model.triangles, &colors);
+                let mesh = (&model.triangles, &colors, texture.as_ref());
                 let film = turntable::gif(
                     mesh,
                     look,
@@ -59,21 +60,29 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
                 outputs.push((path, film.map_err(named)?));
             }
             let triangles = std::mem::take(&mut model.triangles);
-            let texture = texture::of_model(&model);
             imported = Some(model);
             Scene { texture, ..model::scene(triangles, colors, look)? }
         }
         None => {
             let scene = Scene::read(&options.scene)?;
             scene.mesh_file.as_deref().map_or(Ok(()), apart)?;
-            let picture = scene.texture.as_ref().and_then(|texture| texture.picture.as_ref());
-            picture.map_or(Ok(()), |(_, file)| apart(file))?;
+            scene.pictures().try_for_each(apart)?;
             scene
         }
     };
+    if options.style.lit_texture && scene.texture.as_ref().is_none_or(|texture| texture.picture.is_none()) {
+        match options.look {
+            // The importer says why there is none.
+            Some(_) if options.import.texture.is_some() => {}
+            Some(_) => return Err("--lit-texture: no texture is shown: give --texture COLORS too".into()),
+            None => {
+                return Err("--lit-texture: the scene has no picture: give it \"uv\" and \"texture\"".into())
+            }
+        }
+    }
     let (quantised, used) = Quantised::settle(&scene).map_err(named)?;
     // The statistics of any one output: all outputs draw the same faces or edges.
-    let (mut statistics, mut text) = (None, None);
+    let (mut report, mut text) = (None, None);
     if options.ids.is_some() || options.depth.is_some() {
         let solid = crate::draw::solid(&used, &quantised).map_err(named)?;
         if let Some(path) = &options.ids {
@@ -83,12 +92,12 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
         if let Some(path) = &options.depth {
             outputs.push((path, solid.depth.iter().flat_map(|d| d.to_le_bytes()).collect()));
         }
-        statistics = Some(solid.statistics);
+        report = Some(Report { statistics: solid.statistics, ..Report::default() });
     }
     if let Some(path) = &options.texels {
         let (numbers, drawn) = texture::numbers(&used, &quantised)?;
         outputs.push((path, numbers.iter().flat_map(|number| number.to_le_bytes()).collect()));
-        statistics = Some(drawn);
+        report = Some(Report { statistics: drawn, ..Report::default() });
     }
     let subject = LazyCell::new(|| Subject::with_edges(&used, options.style.mode, options.least_turn));
     let picture = || picture::picture(&subject, (&used, &quantised), &options.style, options.format);
@@ -96,20 +105,20 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
         let (pixels, drawn) = picture().map_err(named)?;
         let size = Size::new(used.width, used.height);
         outputs.push((path, still::png(size, &pixels).map_err(|e| e.to_string())?));
-        statistics = Some(drawn);
+        report = Some(drawn);
     }
     if let Some(characters) = options.ascii {
         let from = (&used, &quantised);
         let (lines, drawn) = ascii::text(&subject, from, &options.style, characters).map_err(named)?;
         text = Some(lines);
-        statistics = Some(drawn);
+        report = Some(drawn);
     }
     if let Some(path) = &options.used {
         outputs.push((path, used::json(&used).into()));
     }
     let told = options.stats || options.unasked || (outputs.is_empty() && text.is_none());
-    if told && statistics.is_none() {
-        statistics = Some(picture().map_err(named)?.1);
+    if told && report.is_none() {
+        report = Some(picture().map_err(named)?.1);
     }
     if let Some(folder) = options.png.as_deref().and_then(Path::parent).filter(|_| options.unasked) {
         command::folder(folder)?;
@@ -119,12 +128,15 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
         command::say(text.trim_end_matches('\n'))?;
     }
     let parts = if options.style.mode.of_lines() { subject.parts.len() } else { 1 };
-    tell(options, &scene, &used, parts, statistics.filter(|_| told), &outputs)?;
+    tell(options, &scene, &used, parts, report.filter(|_| told), &outputs)?;
     if let Some(model) = &imported {
         if let Some(size) = import::size(model).filter(|_| told) {
             command::say(format_args!("{}: {size}", options.scene.display()))?;
         }
         command::warn(&options.scene, &model.warnings);
+        if let Some(hint) = import::hint(model, &options.import) {
+            command::complain(named(hint));
+        }
     }
     Ok(())
 }
@@ -194,10 +206,11 @@ fn tell(
     scene: &Scene,
     used: &Scene,
     parts: usize,
-    statistics: Option<Statistics>,
+    report: Option<Report>,
     outputs: &[(&Path, Vec<u8>)],
 ) -> Result<(), String> {
-    if let Some(Statistics { drawn, culled, clipped, outside, degenerate, .. }) = statistics {
+    if let Some(Report { statistics, sprites, .. }) = report {
+        let Statistics { drawn, culled, clipped, outside, degenerate, .. } = statistics;
         let (what, count) = match options.style.mode.of_lines() {
             false => ("triangles".into(), scene.triangles.len()),
             true => {
@@ -217,6 +230,14 @@ fn tell(
             scene.height,
             scene.vertices.len(),
         ))?;
+        let Statistics { drawn, outside, degenerate, .. } = sprites;
+        let count = drawn + outside + degenerate;
+        if count > 0 {
+            command::say(format_args!(
+                "{}: of {count} sprites {drawn} drawn, {outside} outside, {degenerate} without size",
+                options.scene.display()
+            ))?;
+        }
     }
     if options.stats {
         let (part, pixels) = quantised::moved(scene, used);

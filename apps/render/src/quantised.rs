@@ -4,10 +4,11 @@
 //! to ±32768 of its own units, and eye and mesh to within 2¹³ to 2¹⁴ world units. Such scales change exponents alone.
 
 use crate::scene::Scene;
+use crate::sprites::SceneSprites;
 use crate::texture::{QuantisedTexture, SceneTexture};
 use embedded_graphics::geometry::{Point, Size};
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Camera, Projection, Scalar, ViewTransform, Viewport};
+use pinhole::{Affine, Camera, Point3, Projection, Scalar, ViewTransform, Viewport};
 
 pub struct Quantised {
     pub vertices: Vec<[Scalar; 3]>,
@@ -98,12 +99,20 @@ impl Quantised {
         let factor = if largest > 0.0 { two_to(-largest.log2().ceil() as i32) } else { 1.0 };
         let projection = projection.map(|row| row.map(|c| c * factor));
         let texture = like.texture.as_ref().zip(self.texture.as_ref()).map(|(like, uv)| like.with(uv));
-        Scene { vertices, model, view, projection, texture, ..like.clone() }
+        let rounded = |c: f64| f64::from(self.distance(c).to_bits()) / 65_536.0 * world;
+        let sprites = like.sprites.iter().map(|entry| entry.map_numbers(rounded)).collect();
+        Scene { vertices, model, view, projection, texture, sprites, ..like.clone() }
     }
 
     /// A distance in the scene's units in the crate's; the largest or smallest number for one beyond.
     pub(crate) fn distance(&self, distance: f64) -> Scalar {
         Scalar::saturating_from_num(distance * two_to(self.units.world))
+    }
+
+    /// A point of the world in the crate's numbers.
+    pub(crate) fn point(&self, point: [f64; 3]) -> Point3<World> {
+        let [x, y, z] = point.map(|c| self.distance(c));
+        Point3::new(x, y, z)
     }
 
     pub fn camera(&self) -> Camera {
@@ -130,7 +139,16 @@ impl Units {
         for ((x, y), z) in u.iter().zip(v).zip(n).take(3) {
             reach = reach.max((x * u[3] + y * v[3] + z * n[3]).abs());
         }
-        for (value, field) in [(half, "vertices"), (farthest, "vertices"), (reach, "model or view")] {
+        let sprites = scene.sprites.iter().flat_map(SceneSprites::world_numbers);
+        let farthest_sprite = sprites.fold(0.0f64, |a, b| a.max(b.abs()));
+        let reaches = [
+            (half, "vertices"),
+            (farthest, "vertices"),
+            (reach, "model or view"),
+            (farthest_sprite, "sprites"),
+        ];
+        let reach = reach.max(farthest_sprite);
+        for (value, field) in reaches {
             if value != 0.0 && !(1e-100..1e100).contains(&value) {
                 return Err(format!("{field}: {value:e} is out of range"));
             }

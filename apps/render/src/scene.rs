@@ -2,6 +2,7 @@
 
 use crate::fog::FogStyle;
 use crate::json::{Field, Json};
+use crate::sprites::{self, SceneSprites};
 use crate::texture::{self, SceneTexture};
 use pinhole_import::Triangles;
 use std::path::{Path, PathBuf};
@@ -38,6 +39,8 @@ pub struct Scene {
     pub texture: Option<SceneTexture>,
     /// Fog in pictures, unless an option sets it.
     pub fog: Option<FogStyle>,
+    /// Pictures at points of the world.
+    pub sprites: Vec<SceneSprites>,
     /// The mesh file, if the scene names one.
     pub mesh_file: Option<PathBuf>,
 }
@@ -47,7 +50,7 @@ impl Scene {
     pub fn read(file: &Path) -> Result<Self, String> {
         let json = parse(file)?;
         let problem = |e: String| format!("{}: {e}", file.display());
-        let [mesh, vertices, triangles, model, view, projection, width, height, viewport, cull, colors, emission, uv, texture, wrap, fog] =
+        let [mesh, vertices, triangles, model, view, projection, width, height, viewport, cull, colors, emission, uv, texture, wrap, fog, sprites] =
             Field::root(&json)
                 .fields([
                     "mesh",
@@ -66,6 +69,7 @@ impl Scene {
                     "texture",
                     "wrap",
                     "fog",
+                    "sprites",
                 ])
                 .map_err(problem)?;
         let mut mesh_file = None;
@@ -84,6 +88,8 @@ impl Scene {
         };
         let folder = file.parent().unwrap_or(Path::new(""));
         let texture = texture::read([uv, texture, wrap], folder, &triangles).map_err(problem)?;
+        let sprites =
+            sprites.map_or(Ok(Vec::new()), |field| sprites::read(&field, folder)).map_err(problem)?;
         let Triangles { positions: vertices, faces: triangles } = triangles;
         let rest = || -> Result<Self, String> {
             let size = |field: Option<Field<'_>>, name| needed(field, name)?.integer(1, LARGEST.into());
@@ -92,18 +98,7 @@ impl Scene {
                 Some(field) => field.array(|f| f.integer(-1 << 30, 1 << 30))?.map(|v| v as i32), // 31 bits
                 None => [0, 0, width as i32, height as i32],
             };
-            let cull = match cull {
-                None => false,
-                Some(field) => match field.text()? {
-                    "none" => false,
-                    "back" => true,
-                    other => {
-                        return Err(
-                            field.error(format_args!("is \"{other}\" and should be \"none\" or \"back\""))
-                        )
-                    }
-                },
-            };
+            let cull = cull.map_or(Ok(false), |field| field.one_of(&[("none", false), ("back", true)]))?;
             let colors =
                 Colors { faces: colors_of(&triangles, colors)?, emission: colors_of(&triangles, emission)? };
             let between = |field: Field<'_>| {
@@ -122,6 +117,7 @@ impl Scene {
                 cull,
                 texture,
                 fog: fog.map(between).transpose()?,
+                sprites,
                 mesh_file,
             })
         };
@@ -130,11 +126,23 @@ impl Scene {
 
     /// Transforms a vertex to clip space in f64.
     pub fn clip(&self, vertex: [f64; 3]) -> [f64; 4] {
-        let mut p = [vertex[0], vertex[1], vertex[2], 1.0];
-        for m in [&self.model, &self.view, &self.projection] {
-            p = m.map(|row| row.iter().zip(p).map(|(a, b)| a * b).sum());
-        }
-        p
+        transform([&self.model, &self.view, &self.projection], vertex)
+    }
+
+    /// A vertex in world coordinates.
+    pub fn in_the_world(&self, vertex: [f64; 3]) -> [f64; 3] {
+        let [x, y, z, _] = transform([&self.model], vertex); // the last row is that of a point
+        [x, y, z]
+    }
+
+    /// The depth of a point of the world, z/w: 1 at the far plane, −1 at the near plane and before it.
+    pub(crate) fn depth(&self, point: [f64; 3]) -> f64 {
+        depth(transform([&self.view, &self.projection], point))
+    }
+
+    /// The distance of a point of the world before the camera.
+    pub(crate) fn distance(&self, point: [f64; 3]) -> f64 {
+        0.0 - transform([&self.view], point)[2]
     }
 
     /// Maps a clip point to the screen, in pixels.
@@ -142,6 +150,13 @@ impl Scene {
         let [x, y, _, w] = clip;
         let [left, top, width, height] = self.viewport.map(f64::from);
         [left + (x / w + 1.0) * width / 2.0, top + (1.0 - y / w) * height / 2.0]
+    }
+
+    /// The files of pictures that the scene names.
+    pub fn pictures(&self) -> impl Iterator<Item = &Path> {
+        let texture = self.texture.iter().filter_map(|texture| texture.picture.as_ref());
+        let sprites = self.sprites.iter().filter_map(SceneSprites::file);
+        texture.map(|(_, file)| file.as_path()).chain(sprites)
     }
 
     /// The longest side of the mesh's bounding box.
@@ -153,6 +168,21 @@ impl Scene {
     /// The mesh's bounding box; the origin, where there are no vertices.
     pub fn bounds(&self) -> ([f64; 3], [f64; 3]) {
         bounds(&self.vertices)
+    }
+}
+
+/// A point after some matrices.
+fn transform<const N: usize>(matrices: [&Matrix; N], [x, y, z]: [f64; 3]) -> [f64; 4] {
+    let along = |p: [f64; 4], m: &Matrix| m.map(|row| row.iter().zip(p).map(|(a, b)| a * b).sum());
+    matrices.into_iter().fold([x, y, z, 1.0], along)
+}
+
+/// The depth z/w of a clip point: −1 at the near plane and before it.
+pub(crate) fn depth([_, _, z, w]: [f64; 4]) -> f64 {
+    if w > 0.0 {
+        (z / w).clamp(-1.0, 1.0)
+    } else {
+        -1.0
     }
 }
 

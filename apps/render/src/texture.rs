@@ -2,6 +2,7 @@
 
 use crate::draw;
 use crate::json::Field;
+use crate::picture_file;
 use crate::quantised::Quantised;
 use crate::scene::Scene;
 use embedded_graphics::pixelcolor::Rgb888;
@@ -38,19 +39,8 @@ pub(crate) fn read(
     let (uv, texture, clamped) = match fields {
         [None, None, None] => return Ok(None),
         [Some(uv), Some(texture), wrap] => {
-            let clamped = match &wrap {
-                None => false,
-                Some(wrap) => match wrap.text()? {
-                    "repeat" => false,
-                    "clamp" => true,
-                    other => {
-                        return Err(
-                            wrap.error(format_args!("is \"{other}\" and should be \"repeat\" or \"clamp\""))
-                        )
-                    }
-                },
-            };
-            (uv, texture, clamped)
+            let clamped = |wrap: Field<'_>| wrap.one_of(&[("repeat", false), ("clamp", true)]);
+            (uv, texture, wrap.map_or(Ok(false), clamped)?)
         }
         [Some(_), None, _] => return Err("texture: is missing, and uv is given".into()),
         [None, _, _] => return Err("uv: is missing, and texture or wrap is given".into()),
@@ -58,8 +48,8 @@ pub(crate) fn read(
     let (size, picture) = match texture.text() {
         Ok(name) => {
             let path = folder.join(name);
-            let (size, texels) = read_png(&path).map_err(|problem| texture.error(problem))?;
-            (size, Some((texels, path)))
+            let (size, pixels) = picture_file::read(&path, 256).map_err(|problem| texture.error(problem))?;
+            (size, Some((pixels.iter().map(|&[r, g, b, _]| [r, g, b]).collect(), path)))
         }
         Err(_) => (texture.array(|side| side.integer(1, 1 << 16).map(|side| side as usize))?, None),
     };
@@ -89,28 +79,6 @@ fn read_uv(uv: &Field<'_>, mesh: &Triangles) -> Result<Vec<[[f64; 2]; 3]>, Strin
     }
     let pairs = uv.list()?.map(pair).collect::<Result<Vec<[f64; 2]>, _>>()?;
     Ok(mesh.faces.iter().map(|face| face.map(|vertex| pairs[vertex])).collect())
-}
-
-/// The size and pixels of a PNG file.
-fn read_png(path: &Path) -> Result<([usize; 2], Vec<[u8; 3]>), String> {
-    let problem = |e: &dyn std::fmt::Display| format!("{}: cannot be read: {e}", path.display());
-    let file = std::fs::File::open(path).map_err(|e| problem(&e))?;
-    let mut decoder = png::Decoder::new(std::io::BufReader::new(file));
-    decoder.set_transformations(png::Transformations::normalize_to_color8());
-    let mut reader = decoder.read_info().map_err(|e| problem(&e))?;
-    let (width, height) = (reader.info().width as usize, reader.info().height as usize);
-    if width > 256 || height > 256 {
-        return Err(format!("{}: has {width} x {height} pixels, and may have 256 a side", path.display()));
-    }
-    let mut bytes = vec![0; reader.output_buffer_size().unwrap_or_default()];
-    let frame = reader.next_frame(&mut bytes).map_err(|e| problem(&e))?;
-    let channels = frame.color_type.samples();
-    let texels = bytes.chunks_exact(channels).take(width * height).map(|pixel| match *pixel {
-        [r, g, b, ..] => [r, g, b],
-        [luma, ..] => [luma; 3],
-        [] => [0; 3],
-    });
-    Ok(([width, height], texels.collect()))
 }
 
 /// The texture of an imported model, if it has a picture.

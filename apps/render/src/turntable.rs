@@ -5,7 +5,8 @@ use crate::paint::{Style, Subject};
 use crate::palette::Palette;
 use crate::picture::{picture, Format};
 use crate::quantised::Quantised;
-use crate::scene::Colors;
+use crate::scene::{Colors, Scene};
+use crate::texture::SceneTexture;
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use pinhole_apps_support::animation::Animation;
@@ -16,7 +17,7 @@ use std::error::Error;
 const TURN: u32 = 400;
 
 pub(crate) fn gif(
-    (mesh, colors): (&Triangles, &Colors),
+    (mesh, colors, texture): (&Triangles, &Colors, Option<&SceneTexture>),
     look: &Look,
     style: &Style,
     format: Format,
@@ -31,7 +32,8 @@ pub(crate) fn gif(
         // A sphere has one size from all sides; an outline must fit from all sides.
         let fit = if look.fit == Fit::Outline { Fit::Turn } else { look.fit };
         let look = Look { yaw, fit, ..*look };
-        let (quantised, used) = Quantised::settle(&model::scene(mesh.clone(), colors.clone(), &look)?)?;
+        let scene = model::scene(mesh.clone(), colors.clone(), &look)?;
+        let (quantised, used) = Quantised::settle(&Scene { texture: texture.cloned(), ..scene })?;
         let subject = subject.get_or_insert_with(|| Subject::with_edges(&used, style.mode, least_turn));
         pictures.push(picture(subject, (&used, &quantised), style, format)?.0);
     }

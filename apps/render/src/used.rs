@@ -2,6 +2,7 @@
 
 use crate::scene::{Matrix, Scene};
 use std::fmt::{Display, Write};
+use std::path::Path;
 
 pub(crate) fn json(scene: &Scene) -> String {
     let Scene { width, height, viewport, .. } = scene;
@@ -23,11 +24,7 @@ pub(crate) fn json(scene: &Scene) -> String {
             let pair = |uv: &[f64; 2]| list(uv.iter().map(|&c| decimal(c)));
             let uv = list(texture.uv.iter().map(|corners| list(corners.iter().map(pair))));
             let picture = match &texture.picture {
-                // From this folder, wherever the file is written to.
-                Some((_, file)) => {
-                    let file = file.canonicalize().unwrap_or_else(|_| file.clone());
-                    serde_json::Value::from(file.to_string_lossy()).to_string()
-                }
+                Some((_, file)) => path(file),
                 None => list(texture.size.iter()),
             };
             let wrap = if texture.clamped { ", \"wrap\": \"clamp\"" } else { "" };
@@ -37,11 +34,21 @@ pub(crate) fn json(scene: &Scene) -> String {
     let fog = scene.fog.and_then(|fog| fog.range).map_or(String::new(), |range| {
         format!(",\n\"fog\": {}", list(range.iter().map(|&distance| decimal(distance))))
     });
+    let sprites = match &scene.sprites[..] {
+        [] => String::new(),
+        sprites => format!(",\n\"sprites\": {}", list(sprites.iter().map(|entry| entry.json(decimal, path)))),
+    };
     format!(
         "{{\"vertices\": {vertices},\n\"triangles\": {triangles},\n\"model\": {model},\n\"view\": {view},\n\
          \"projection\": {projection},\n\
-         \"width\": {width}, \"height\": {height}, \"viewport\": {viewport}, \"cull\": \"{cull}\"{colors}{texture}{fog}}}\n"
+         \"width\": {width}, \"height\": {height}, \"viewport\": {viewport}, \"cull\": \"{cull}\"{colors}{texture}{fog}{sprites}}}\n"
     )
+}
+
+/// The path of a file from this folder, wherever the scene is written to.
+fn path(file: &Path) -> String {
+    let file = file.canonicalize().unwrap_or_else(|_| file.to_path_buf());
+    serde_json::Value::from(file.to_string_lossy()).to_string()
 }
 
 fn list(items: impl Iterator<Item = impl Display>) -> String {

@@ -636,3 +636,43 @@ fn messages_for_bad_options_name_the_alternatives() {
         assert!(said.contains(option[0]) && said.contains("drawn as it stands"), "{said}");
     }
 }
+
+/// A picture that the materials name is shown if it is asked for, in films, too; if not, a note says how to ask.
+#[test]
+fn a_model_s_picture_is_shown_where_it_is_asked_for() {
+    let to = RENDER.folder("people", "picture");
+    let mut encoder = png::Encoder::new(fs::File::create(to.join("skin.png")).unwrap(), 8, 8);
+    encoder.set_color(png::ColorType::Rgb);
+    let pixels: Vec<u8> = (0..64).flat_map(|i| if i % 8 < 4 { [255, 0, 0] } else { [0, 0, 255] }).collect();
+    encoder.write_header().unwrap().write_image_data(&pixels).unwrap();
+    fs::write(to.join("skin.mtl"), "newmtl skin\nKd 1 1 1\nmap_Kd skin.png\n").unwrap();
+    let model =
+        "mtllib skin.mtl\nusemtl skin\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n\
+                 f 1/1 2/2 3/3 4/4\n";
+    let (file, film) = (write(&to, "skin.obj", model.into()), to.join("film.gif"));
+    let run = |options: &[&str]| {
+        let done = RENDER.run(&[&[text(&file), "--two-sided", "--size", "64x48"], options].concat());
+        (done.status.success(), String::from_utf8(done.stderr).unwrap())
+    };
+    let note = "note: its materials name a picture, skin.png: --texture 16 shows it in 16 colours";
+    let film_of = |options: &[&str]| {
+        let fixed = ["--gif", text(&film), "--frames", "2"];
+        let (is_done, said) = run(&[&fixed, options].concat());
+        assert!(is_done, "{said}");
+        let mut decoder = gif::DecodeOptions::new();
+        decoder.set_color_output(gif::ColorOutput::RGBA);
+        let mut decoder = decoder.read_info(fs::File::open(&film).unwrap()).unwrap();
+        let frame = decoder.read_next_frame().unwrap().unwrap();
+        let met = |color: [u8; 3]| frame.buffer.chunks(4).any(|pixel| pixel[..3] == color);
+        (met([255, 0, 0]) && met([0, 0, 255]), said)
+    };
+    let (is_shown, said) = film_of(&[]);
+    assert!(!is_shown && said.contains(note), "{said}");
+    let (is_shown, said) = film_of(&["--texture", "4"]);
+    assert!(is_shown && !said.contains("note"), "{said}");
+    let (is_done, said) = run(&["--png", text(&to.join("out.png")), "--lit-texture"]);
+    assert!(
+        !is_done && said.contains("--lit-texture: no texture is shown: give --texture COLORS too"),
+        "{said}"
+    );
+}

@@ -92,8 +92,14 @@ fn is_explained(found: &Comparison) -> bool {
 fn the_samples_are_explained_by_moving_edges_less_than_half_a_sub_pixel() {
     let to = RENDER.folder("pictures", "samples");
     let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/scenes");
-    for name in ["cube_inside", "cube_through_near", "teapot", "teapot_far_from_origin", "teapot_ortho_cull"]
-    {
+    for name in [
+        "cube_inside",
+        "cube_through_near",
+        "teapot",
+        "teapot_among_sprites",
+        "teapot_far_from_origin",
+        "teapot_ortho_cull",
+    ] {
         let found = check(&samples.join(name).with_extension("json"), &to.join(name).with_extension("x"));
         println!("{name}: {found:?}");
         assert!(found.covered * 10 > found.pixels, "{name} shows little: {found:?}");

@@ -20,6 +20,8 @@ use pinhole_render::style;
 pub struct Shown {
     /// Statistics of faces, or of edges where the mode draws edges; all zero for the OLED's scene.
     pub statistics: Statistics,
+    /// Statistics of sprites.
+    pub sprites: Statistics,
     /// Why the firmware cannot draw the model, in one line.
     pub problem: Option<String>,
     /// Bands sent.
@@ -143,9 +145,9 @@ impl Viewer {
         let report = C::paint(subject, (&used, &quantised), &style, rows, &mut plan, &mut |band| {
             let Ok(()) = display.fill_contiguous(&band.area(), band.colors().map(Into::into));
         })?;
-        let Report { statistics, bands, bytes, pixels } = report;
+        let Report { statistics, sprites, bands, bytes, pixels } = report;
         let bytes = bytes + bands * usize::from(TransferCost::MIPI_DCS);
-        Ok(Shown { statistics, problem: None, bands, pixels, bytes, areas })
+        Ok(Shown { statistics, sprites, problem: None, bands, pixels, bytes, areas })
     }
 
     fn firmware(&mut self, state: &State) -> Shown {
@@ -173,6 +175,6 @@ impl Viewer {
         };
         // The panel shows one frame during several of the window's.
         let Some(Sent { areas, pixels, bytes }) = sent else { return self.shown.clone() };
-        Shown { statistics, problem: None, bands: areas.len(), pixels, bytes, areas }
+        Shown { statistics, bands: areas.len(), pixels, bytes, areas, ..Shown::default() }
     }
 }

@@ -28,10 +28,13 @@ fn main() -> ExitCode {
                         "--{name}: a scene is drawn as it stands; use this option with .obj and .stl"
                     ));
                 }
+                if !import::is_model(&file) {
+                    import::refuse_texture(&given)?;
+                }
                 Source::read(&file, &import::options(&given))?
             }
-            None if import::typed(&given).is_some() => {
-                return Err("--up, --flip, --fix-winding, --two-sided: are for a FILE".into())
+            None if import::typed(&given).is_some() || given.contains_id("texture") => {
+                return Err("--up, --flip, --fix-winding, --two-sided, --texture: are for a FILE".into())
             }
             None => Source::built_in(),
         };
@@ -40,13 +43,14 @@ fn main() -> ExitCode {
         let size = size(&mut given, &source)?;
         let mut state = source.state();
         let (warnings, in_firmware) = (source.warnings().collect::<Vec<_>>(), source.size_in_firmware());
-        let file = source.file().map(Path::to_path_buf).unwrap_or_default();
+        let (hint, file) = (source.hint(), source.file().map(Path::to_path_buf).unwrap_or_default());
         let mut viewer = Viewer::new(source, size);
         viewer.draw(&state)?;
         if let Some(size) = in_firmware {
             command::say(format_args!("{}: {size}", file.display()))?;
         }
         command::warn(&file, &warnings);
+        hint.iter().for_each(command::complain);
         for action in actions(&mut given)? {
             state.apply(action);
             viewer.draw(&state)?; // so that what changes is what the last key changed
@@ -69,6 +73,7 @@ fn arguments() -> Command {
                 .value_parser(value_parser!(PathBuf)),
         )
         .args(import::arguments())
+        .arg(import::texture_argument())
         .arg(text(
             "size",
             "WxH",

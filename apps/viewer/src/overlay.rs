@@ -115,6 +115,10 @@ fn information(state: &State, shown: &Shown, time: Option<Duration>) -> Vec<Stri
                 "{what}: {drawn} drawn, {culled} culled, {clipped} cut, {} dropped",
                 outside + degenerate
             ));
+            let Statistics { drawn, outside, degenerate, .. } = shown.sprites;
+            if drawn + outside + degenerate > 0 {
+                lines.push(format!("sprites: {drawn} drawn, {} dropped", outside + degenerate));
+            }
         }
     }
     let rows = match (state.thing, state.rows) {

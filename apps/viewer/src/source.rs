@@ -1,12 +1,14 @@
 //! The model: a file, or the mesh of the firmware examples.
 
 use crate::firmware;
-use crate::state::State;
-use embedded_graphics::geometry::Size;
+use crate::state::{Markers, State};
+use embedded_graphics::geometry::{AnchorPoint, Size};
 use pinhole_apps_support::files;
 use pinhole_import::{Axis, ImportedMesh, Options, Preview, Triangles};
 use pinhole_render::model::{self, Fit, Look};
-use pinhole_render::scene::{Colors, Matrix, Scene};
+use pinhole_render::scene::{bounds, Colors, Matrix, Scene};
+use pinhole_render::sprites::{Anchor, SceneSprites, Shape, SpritePicture, SpriteSize};
+use pinhole_render::texture::{self, SceneTexture};
 use pinhole_render::{firmware as template, import};
 use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
@@ -15,6 +17,7 @@ use std::path::{Path, PathBuf};
 pub struct Source {
     mesh: Triangles,
     colors: Colors,
+    texture: Option<SceneTexture>,
     up: Axis,
     own: Option<Scene>,
     /// The file, unless the mesh is built in.
@@ -37,17 +40,19 @@ impl Source {
     pub fn read(file: &Path, options: &Options) -> Result<Self, String> {
         if file.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
             let own = Scene::read(file)?;
-            let positions = own.vertices.iter().map(|&v| in_the_world(&own, v)).collect();
+            let positions = own.vertices.iter().map(|&vertex| own.in_the_world(vertex)).collect();
             let mesh = Triangles { positions, faces: own.triangles.clone() };
-            let (colors, file) = (own.colors.clone(), Some(file.into()));
-            return Ok(Self { mesh, colors, up: Axis::Y, own: Some(own), file, ..Self::built_in() });
+            let (colors, texture, file) = (own.colors.clone(), own.texture.clone(), Some(file.into()));
+            return Ok(Self { mesh, colors, texture, up: Axis::Y, own: Some(own), file, ..Self::built_in() });
         }
         let mut model = import::read(file, options)?;
+        let texture = texture::of_model(&model);
         let mesh = std::mem::take(&mut model.triangles);
         let (colors, file) = (import::colors(&mut model), Some(file.into()));
         Ok(Self {
             mesh,
             colors,
+            texture,
             up: model.up,
             own: None,
             file,
@@ -68,6 +73,7 @@ impl Source {
         Self {
             mesh,
             colors: Colors::default(),
+            texture: None,
             up: Axis::Y,
             own: None,
             file: None,
@@ -103,6 +109,11 @@ impl Source {
         self.imported.as_ref().and_then(import::size)
     }
 
+    /// What to do for a picture that the model's materials name and nobody asked for, if there is one.
+    pub fn hint(&self) -> Option<String> {
+        import::hint(self.imported.as_ref()?, &self.options).map(|hint| self.named(&hint))
+    }
+
     /// The file that is shown, unless the mesh is built in.
     pub fn file(&self) -> Option<&Path> {
         self.file.as_deref()
@@ -121,7 +132,8 @@ impl Source {
     pub fn apart_from(&self, output: &Path) -> Result<(), String> {
         let mesh = self.own.as_ref().and_then(|own| own.mesh_file.as_deref());
         let libraries = self.imported.iter().flat_map(|model| &model.libraries).map(PathBuf::as_path);
-        let inputs = self.file.as_deref().into_iter().chain(mesh).chain(libraries);
+        let pictures = self.own.iter().flat_map(Scene::pictures);
+        let inputs = self.file.as_deref().into_iter().chain(mesh).chain(libraries).chain(pictures);
         inputs.into_iter().try_for_each(|input| files::apart(input, [output]))
     }
 
@@ -151,17 +163,40 @@ impl Source {
                     up: self.up,
                     fit: Fit::Sphere { zoom: state.zoom },
                 };
-                model::scene(self.mesh.clone(), self.colors.clone(), &look)?
+                let scene = model::scene(self.mesh.clone(), self.colors.clone(), &look)?;
+                let sprites = self.own.as_ref().map_or(Vec::new(), |own| own.sprites.clone());
+                Scene { texture: self.texture.clone(), sprites, ..scene }
             }
         };
-        Ok(Scene { cull: state.cull, ..scene })
+        let sprites = scene.sprites.iter().cloned().chain(markers(&scene, state)).collect();
+        Ok(Scene { cull: state.cull, sprites, ..scene })
     }
 }
 
-fn in_the_world(scene: &Scene, [x, y, z]: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|i| {
-        let [a, b, c, d] = scene.model[i];
-        a * x + b * y + c * z + d
+/// Sprites at the vertices of a scene, in a colour that differs from faces and lines.
+fn markers(scene: &Scene, state: &State) -> Option<SceneSprites> {
+    let points: Vec<_> = scene.vertices.iter().map(|&vertex| scene.in_the_world(vertex)).collect();
+    let (shape, size) = match state.markers {
+        Markers::None => return None,
+        Markers::Squares => (Shape::Square, SpriteSize::Pixels(3)),
+        Markers::Discs => {
+            let (low, high) = bounds(&points);
+            let longest = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+            (Shape::Disc, SpriteSize::World([longest / 50.0; 2]))
+        }
+    };
+    let color = match (state.format.is_grey(), state.mode.of_lines()) {
+        (false, _) => [30, 110, 220],
+        (true, false) => [0; 3],
+        (true, true) => [255; 3],
+    };
+    Some(SceneSprites {
+        picture: SpritePicture::Ready(shape, color),
+        points,
+        size,
+        anchor: Anchor::Named(AnchorPoint::Center),
+        alpha: None,
+        depth_tested: true,
     })
 }
 
@@ -169,7 +204,7 @@ fn in_the_world(scene: &Scene, [x, y, z]: [f64; 3]) -> [f64; 3] {
 fn turned(own: &Scene, state: &State, size: Size) -> Scene {
     let middle = {
         let (low, high) = own.bounds();
-        in_the_world(own, [0, 1, 2].map(|i| f64::midpoint(low[i], high[i])))
+        own.in_the_world([0, 1, 2].map(|i| f64::midpoint(low[i], high[i])))
     };
     let ((sin_yaw, cos_yaw), (sin_pitch, cos_pitch)) =
         ((-state.yaw).to_radians().sin_cos(), state.pitch.to_radians().sin_cos());
@@ -195,7 +230,13 @@ fn turned(own: &Scene, state: &State, size: Size) -> Scene {
     for value in projection.iter_mut().take(2).flatten() {
         *value *= state.zoom;
     }
+    // Sprites turn with the model: their points, not their pictures.
+    let along = |i: usize, point: [f64; 3]| product(&|j| about[i][j] * (point[j] - middle[j])) + middle[i];
+    let turned = |sprites: &SceneSprites| sprites.at(|point| [0, 1, 2].map(|i| along(i, point)));
     let unturned = state.yaw == 0.0 && state.pitch == 0.0;
-    let model = if unturned { own.model } else { model };
-    Scene { model, projection, width: size.width, height: size.height, ..own.clone() }
+    let (model, sprites) = match unturned {
+        true => (own.model, own.sprites.clone()),
+        false => (model, own.sprites.iter().map(turned).collect()),
+    };
+    Scene { model, projection, sprites, width: size.width, height: size.height, ..own.clone() }
 }

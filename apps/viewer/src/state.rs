@@ -23,6 +23,8 @@ pub struct State {
     pub(crate) lit_texture: bool,
     /// Whether there is fog over the model.
     pub(crate) fog: bool,
+    /// What each vertex of the model shows, beside the scene's own sprites.
+    pub(crate) markers: Markers,
     /// Whether back faces are culled.
     pub(crate) cull: bool,
     /// Rows of a band; `None` draws the picture in one piece.
@@ -38,6 +40,16 @@ pub struct State {
     own: bool,
     /// The initial value of `cull`.
     own_cull: bool,
+}
+
+/// Sprites at the vertices of the model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Markers {
+    None,
+    /// A square of a few pixels, whatever the distance.
+    Squares,
+    /// A disc that shrinks with distance.
+    Discs,
 }
 
 /// What the viewer can show.
@@ -74,6 +86,8 @@ pub enum Action {
     LitTexture,
     /// Toggles fog from the nearest to the farthest vertex.
     Fog,
+    /// The next kind of sprites at vertices.
+    Markers,
     /// Toggles back-face culling.
     Cull,
     /// The next or the previous band height.
@@ -97,7 +111,7 @@ pub enum Action {
 }
 
 /// Keys and what they do.
-pub(crate) const KEYS: [(&str, &str); 13] = [
+pub(crate) const KEYS: [(&str, &str); 14] = [
     ("drag, arrows", "orbit"),
     ("wheel, + -", "zoom"),
     ("s f g w l", "solid flat Gouraud wire hidden line"),
@@ -105,6 +119,7 @@ pub(crate) const KEYS: [(&str, &str); 13] = [
     ("c C", "colour format"),
     ("d", "dither"),
     ("t a n", "translucent, smooth lines, lit texture"),
+    ("v", "sprites at vertices: squares, discs"),
     ("b B", "rows of a band"),
     ("k o", "cull faces turned away, fog"),
     ("r", "rectangles that were sent"),
@@ -140,6 +155,7 @@ impl State {
             smooth_lines: false,
             lit_texture: false,
             fog: false,
+            markers: Markers::None,
             cull,
             rows: Some(8),
             step: 0,
@@ -171,6 +187,7 @@ impl State {
             "a" => Action::SmoothLines,
             "n" => Action::LitTexture,
             "o" => Action::Fog,
+            "v" => Action::Markers,
             "k" => Action::Cull,
             "b" => Action::Rows(1),
             "B" => Action::Rows(-1),
@@ -207,6 +224,9 @@ impl State {
             Action::SmoothLines => self.smooth_lines ^= true,
             Action::LitTexture => self.lit_texture ^= true,
             Action::Fog => self.fog ^= true,
+            Action::Markers => {
+                self.markers = next(&[Markers::None, Markers::Squares, Markers::Discs], self.markers, 1);
+            }
             Action::Cull => self.cull ^= true,
             Action::Rows(by) => self.rows = next(&ROWS, self.rows, by),
             Action::Outlines => self.outlines ^= true,

@@ -48,7 +48,7 @@ fn colours(pixels: &[Rgb888]) -> BTreeSet<[u8; 3]> {
 fn keys_go_round_and_back() {
     let first = pressed("");
     for (key, count) in
-        [("p", 21), ("P", 21), ("c", 7), ("C", 7), ("b", 5), ("B", 5), ("m", 3), ("t", 4), ("o", 2)]
+        [("p", 21), ("P", 21), ("c", 7), ("C", 7), ("b", 5), ("B", 5), ("m", 3), ("t", 4), ("o", 2), ("v", 3)]
     {
         let mut state = first;
         let mut met = vec![state];
@@ -132,6 +132,14 @@ fn what_was_sent_before_and_now_is_the_whole_picture() {
         "o",
         "left",
         "o",
+        "v",
+        "left",
+        "v",
+        "- - -",
+        "w",
+        "right",
+        "v",
+        "g",
         "d",
         "c",
         "down",
@@ -453,6 +461,91 @@ fn a_scene_begins_with_its_own_camera() {
     // The next projections are the named ones.
     press(&mut state, "0 p");
     assert_eq!(viewer.draw(&state).unwrap().statistics.drawn, 1);
+}
+
+/// A triangle and two sprites in a corner of the clip square, one of which the triangle hides.
+fn scene_with_sprites() -> Source {
+    let json = r#"{"vertices": [[-1, -1, 0], [1, -1, 0], [-1, 1, 0]], "triangles": [[0, 1, 2]],
+        "model": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]], "view": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]],
+        "projection": [[1,0,0,0],[0,1,0,0],[0,0,-0.4,0],[0,0,0,1]], "width": 64, "height": 64,
+        "sprites": [{"color": [0, 0, 255], "pixels": 6, "at": [[0.5, 0.5, 0], [-0.5, -0.5, -0.5]]}]}"#;
+    read(&file("sprites.json", json)).unwrap()
+}
+
+#[test]
+fn sprites_of_a_scene_turn_with_it() {
+    let source = scene_with_sprites();
+    let mut state = source.state();
+    let mut viewer = Viewer::new(source, Size::new(64, 64));
+    // The columns and rows of pixels of the sprites' colour.
+    let mut blue = |state: &State| {
+        let shown = viewer.draw(state).unwrap();
+        assert_eq!((shown.sprites.drawn, shown.statistics.drawn), (2, 1));
+        let all = viewer.pixels().iter().enumerate().filter(|(_, &pixel)| pixel == Rgb888::BLUE);
+        let all: Vec<_> = all.map(|(at, _)| [at % 64, at / 64]).collect();
+        let side = |i: usize| all.iter().map(move |at| at[i]);
+        (all.len(), [0, 1].map(|i| [side(i).min().unwrap(), side(i).max().unwrap()]))
+    };
+    assert_eq!(blue(&state), (36, [[45, 50], [13, 18]]));
+    // From 60 degrees to the side, half as far from the middle: upright, and as large. The other one comes out beside the triangle.
+    (0..12).for_each(|_| press(&mut state, "right"));
+    let (count, [columns, rows]) = blue(&state);
+    assert_eq!((rows[0], columns[1]), (13, 42));
+    assert!((36..=72).contains(&count), "{count}");
+    // The named projections show them, too.
+    press(&mut state, "0 p");
+    assert!(blue(&state).0 > 0);
+}
+
+#[test]
+fn vertices_are_sprites_that_keep_their_size_or_shrink() {
+    // A quadrilateral of which one end is far away, seen along it.
+    let sheet = file("sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 0 -9\nv 0 0 -9\nf 1 2 3 4\n");
+    let source = read(&sheet).unwrap();
+    let mut state = source.state();
+    let mut viewer = Viewer::new(source, Size::new(320, 240));
+    press(&mut state, "w C C"); // lines, and rgb888
+    let mut marked = |state: &State| {
+        let drawn = viewer.draw(state).unwrap().sprites.drawn;
+        let count = viewer.pixels().iter().filter(|&&pixel| pixel == Rgb888::new(30, 110, 220)).count();
+        (drawn, count)
+    };
+    assert_eq!(marked(&state), (0, 0));
+    press(&mut state, "v");
+    assert_eq!(marked(&state), (4, 4 * 9));
+    press(&mut state, "- - -");
+    assert_eq!(marked(&state), (4, 4 * 9));
+    press(&mut state, "0 w C C v v");
+    let (drawn, small) = marked(&state);
+    assert!(drawn == 4 && (30..100).contains(&small), "{small}");
+    press(&mut state, "- - - - -");
+    let smaller = marked(&state).1;
+    assert!(smaller > 3 && 2 * smaller < small + 12, "{smaller}, {small}");
+}
+
+/// A model's picture is shown in every projection, if it is asked for.
+#[test]
+fn a_model_s_picture_is_its_texture() {
+    let folder = file("textured.mtl", "newmtl skin\nKd 1 1 1\nmap_Kd skin.png\n");
+    let mut encoder =
+        png::Encoder::new(std::fs::File::create(folder.with_file_name("skin.png")).unwrap(), 8, 8);
+    encoder.set_color(png::ColorType::Rgb);
+    let pixels: Vec<u8> = (0..64).flat_map(|i| if i % 8 < 4 { [255, 0, 0] } else { [0, 0, 255] }).collect();
+    encoder.write_header().unwrap().write_image_data(&pixels).unwrap();
+    let model = file(
+        "textured.obj",
+        "mtllib textured.mtl\nusemtl skin\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n",
+    );
+    let options = Options { texture: Some(pinhole_import::TextureFormat::default()), ..Options::default() };
+    for keys in ["C C", "C C p p p"] {
+        let mut viewer = Viewer::new(Source::read(&model, &options).unwrap(), SIZE);
+        viewer.draw(&pressed(keys)).unwrap();
+        let met = colours(viewer.pixels());
+        assert!(met.contains(&[255, 0, 0]) && met.contains(&[0, 0, 255]), "{keys}: {met:?}");
+    }
+    let mut viewer = Viewer::new(read(&model).unwrap(), SIZE);
+    viewer.draw(&pressed("C C")).unwrap();
+    assert!(!colours(viewer.pixels()).contains(&[255, 0, 0]));
 }
 
 #[test]

@@ -1,17 +1,20 @@
-//! What the methods cost, as `tools/bench/run cells X1 X2 X3 X4 plain eighth sixteenth each every16 M3` prints it.
+//! What the methods cost, from the counts that `tools/bench/run guard` compares with measured ones.
 
 use super::methods::METHODS;
 
-/// Scene, and instructions of a frame on an M3, in the order of [`METHODS`].
-const FRAMES: [(&str, [u32; METHODS.len()]); 4] = [
-    ("X1", [672_958, 671_983, 1_161_000, 2_335_533, 1_809_783]),
-    ("X2", [489_247, 489_242, 489_242, 4_097_027, 1_279_449]),
-    ("X3", [656_651, 774_991, 938_450, 1_715_339, 616_005]),
-    ("X4", [971_724, 1_092_838, 1_256_582, 2_156_171, 755_821]),
-];
+const BASELINE: &str = include_str!("../../../../tools/bench/baseline.txt");
+/// The variant of each of the [`METHODS`] there.
+const VARIANTS: [&str; METHODS.len()] = ["plain", "eighth", "sixteenth", "each", "every16"];
 
-/// Instructions for each pixel that a method, given by its index in [`METHODS`], draws of a scene.
-pub(crate) fn per_pixel(cell: &str, method: usize, pixels: usize) -> Option<f64> {
-    let (_, frames) = FRAMES.iter().find(|(known, _)| *known == cell)?;
-    Some(f64::from(*frames.get(method)?) / pixels as f64)
+/// Instructions of a frame of a scene on an M3, in the order of [`METHODS`].
+pub(crate) fn of_scene(cell: &str) -> Result<[f64; METHODS.len()], String> {
+    let mut costs = [0.0; METHODS.len()];
+    for (cost, variant) in costs.iter_mut().zip(VARIANTS) {
+        let key = format!("{cell} {variant} M3 ");
+        let count = BASELINE.lines().find_map(|line| line.strip_prefix(&key)?.parse().ok());
+        *cost = count.ok_or_else(|| {
+            format!("tools/bench/baseline.txt: has no line `{key}`: run tools/bench/run guard --rebase")
+        })?;
+    }
+    Ok(costs)
 }

@@ -26,18 +26,31 @@ pub(crate) struct Measured {
     errors: [Errors; METHODS.len()],
     /// Percent of the pixels that show another texel than the ray's.
     others: [f64; METHODS.len()],
+    /// Instructions of a frame, if the benchmark has the scene.
+    costs: Option<[f64; METHODS.len()]>,
+}
+
+impl Measured {
+    /// Instructions for each of the pixels that a method, by its place in [`METHODS`], draws.
+    fn per_pixel(&self, method: usize) -> Option<f64> {
+        Some(self.costs?.get(method)? / self.errors.get(method)?.count() as f64)
+    }
 }
 
 /// The error bound that [`pinhole::Texture`] documents in addition to the accuracy, for faces without a corner close to the eye.
 const PLANES: f64 = 0.02;
 
 pub(crate) fn measure() -> Result<Vec<Measured>, String> {
-    scenes::all().into_iter().map(|scene| of_scene(scene).map_err(|error| error.to_string())).collect()
+    let one = |scene: Scene| {
+        let costs = scene.cell.map(costs::of_scene).transpose()?;
+        of_scene(scene, costs).map_err(|error| error.to_string())
+    };
+    scenes::all().into_iter().map(one).collect()
 }
 
-fn of_scene(scene: Scene) -> Result<Measured, pinhole::MeshError> {
+fn of_scene(scene: Scene, costs: Option<[f64; METHODS.len()]>) -> Result<Measured, pinhole::MeshError> {
     let (camera, exact) = (CAMERA.library(), CAMERA.exact());
-    let mut measured = Measured { scene, errors: Default::default(), others: [0.0; METHODS.len()] };
+    let mut measured = Measured { scene, errors: Default::default(), others: [0.0; METHODS.len()], costs };
     for (corners, uv) in &measured.scene.faces {
         let mesh = Mesh::new(corners, measured.scene.exponent, &[[0, 1, 2]])?;
         let instance =
@@ -83,11 +96,11 @@ pixel that is drawn: `tools/bench/run cells X1 X2 X3 X4 M3`.
 /// The section of the page.
 pub(crate) fn text(measured: &mut [Measured]) -> String {
     let mut text = String::from(HEAD);
-    for Measured { scene, errors, others } in &mut *measured {
+    for one in &mut *measured {
         for (i, (_, name)) in METHODS.into_iter().enumerate() {
+            let cost = one.per_pixel(i).map_or("–".into(), |cost| format!("{cost:.1}"));
+            let Measured { scene, errors, others, .. } = &mut *one;
             let first = if i == 0 { format!("{}: {}", scene.name, scene.about) } else { String::new() };
-            let cost = scene.cell.and_then(|cell| costs::per_pixel(cell, i, errors[i].count()));
-            let cost = cost.map_or("–".into(), |cost| format!("{cost:.1}"));
             let _ = writeln!(
                 text,
                 "| {first} | {name} | {} | {} | {cost} |",

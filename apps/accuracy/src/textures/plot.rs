@@ -1,6 +1,5 @@
 //! The plot: a panel for each scene that the benchmark has, instructions to the right and the largest error upwards.
 
-use super::costs::per_pixel;
 use super::methods::{Method, METHODS};
 use super::Measured;
 use pinhole::Accuracy;
@@ -94,7 +93,7 @@ fn panel(text: &mut String, [left, top]: [f64; 2], one: &Measured, cell: &str) {
     // Methods that draw equal pictures at equal cost share a label.
     let mut labels: Vec<(Method, [f64; 2], String)> = Vec::new();
     for (i, ((method, _), errors)) in METHODS.into_iter().zip(&one.errors).enumerate() {
-        let Some(cost) = per_pixel(cell, i, errors.count()) else { continue };
+        let Some(cost) = one.per_pixel(i) else { continue };
         let at = [x(cost), y(errors.largest())];
         put(format_args!(
             "<circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"5\" fill=\"{}\"/>",
