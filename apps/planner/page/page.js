@@ -6,7 +6,7 @@ const TURNS = 120; // steps of a turn, as in the library
 const DEFAULTS = {
   mesh: 'gear', width: 240, height: 240, format: 'rgb565', style: 'flat', dither: 0, projection: 'perspective', yaw: 30, pitch: 20,
   zoom: 100, x: 0, y: 0, turn: 0, color: 'ffd700', background: '000000', light: '2,3,4', ambient: 48, up: 'auto', flip: 0,
-  'fix-winding': 0, 'two-sided': 0, decimate: 0, texture: 'checker', rows: 8, chip: 'rp2040',
+  'fix-winding': 0, 'two-sided': 0, decimate: 0, texture: 'checker', rows: 8, chip: 'rp2040', spi: 0,
 };
 const NUMBERS = Object.keys(DEFAULTS).filter((key) => typeof DEFAULTS[key] === 'number');
 
@@ -64,6 +64,7 @@ function show() {
     }
     canvas.getContext('2d').putImageData(new ImageData(new Uint8ClampedArray(pixels), about.width, about.height), 0, 0);
     scale();
+    canvas.classList.remove('stale');
     const { drawn, culled, clipped } = about.statistics;
     const what = ['wireframe', 'hidden-line'].includes(state.style) ? 'edges' : 'faces';
     say(`${about.width} × ${about.height}: ${drawn} ${what} drawn, ${culled} culled, ${clipped} clipped; ${count(about.bytes)} bytes a frame`);
@@ -75,6 +76,10 @@ function show() {
   } catch (problem) {
     say(problem.message, true);
     drawnModel = '';
+    canvas.classList.add('stale');
+    $('decimation').hidden = true;
+    hideCosts();
+    showBoards();
     const buttons = remedyButtons(problem.message);
     $('warnings').replaceChildren(...(buttons.length ? [element('div', { className: 'warning' }, 'The page can do that: ', ...buttons)] : []));
     $('model').textContent = '';
@@ -84,13 +89,14 @@ function show() {
 
 // Boards whose templates do not draw such pictures cannot be chosen.
 function showBoards() {
-  const boards = boardsFor(templates, state);
+  const boards = drawnModel ? boardsFor(templates, state) : [];
   for (const option of $('board').options) option.disabled = !boards.includes(option.value);
   if (boards.length > 0 && !boards.includes($('board').value)) $('board').value = boards[0];
   for (const id of ['zip', 'picture', 'texels']) $(id).disabled = boards.length === 0;
+  $('rust').disabled = !drawnModel;
   $('texels').hidden = state.style !== 'textured';
   showOtherDisplay();
-  $('no-firmware').hidden = boards.length > 0;
+  $('no-firmware').hidden = boards.length > 0 || !drawnModel;
 }
 
 // Where a board has another display than the page shows: its firmware frames the model for the board's.
@@ -120,7 +126,7 @@ function showModel(model) {
   if (text === drawnModel) return;
   drawnModel = text;
   $('model').textContent =
-    `${count(model.vertices)} vertices, ${count(model.faces)} faces, ${count(model.edges)} edges; ${count(model.flash)} bytes of flash`;
+    `${count(model.vertices)} vertices, ${count(model.faces)} faces${model.edges ? `, ${count(model.edges)} edges` : ''}; ${count(model.flash)} bytes of flash`;
   allFaces = model.all;
   showDecimation(state.decimate);
   $('warnings').replaceChildren(...model.warnings.map(({ message, remedies }) =>
@@ -151,7 +157,7 @@ function remedyButton(text, changes) {
 // The slider, from 4 faces to all; at its end nothing is decimated.
 function showDecimation(decimate) {
   const most = Math.max(allFaces, decimate, 4);
-  $('decimation').hidden = !menu.decimates;
+  $('decimation').hidden = !menu.decimates || !drawnModel;
   $('decimate').max = most;
   $('decimate').value = decimate || most;
   $('decimate-faces').textContent = decimate ? `${count(decimate)} of ${count(most)} faces` : `all ${count(most)} faces`;
@@ -180,13 +186,21 @@ function set(changes) {
   showControls();
 }
 
+// The display of the menu that has these pixels.
+const panelOf = ({ width, height, format }) => menu.displays.find((d) => d.width === width && d.height === height && d.format === format);
+
+// MHz that a controller's SPI takes by its data sheet, of an ILI9341 those of the board; an ST7789 takes what the chips have.
+const CLOCKS = { ILI9341: 25, ST7735: 15, SSD1306: 10, SSD1327: 10, 'e-paper': 10 };
+
 function showControls() {
   for (const key of ['mesh', 'style', 'projection', 'up', 'format', 'width', 'height', 'yaw', 'pitch', 'zoom', 'ambient', 'chip', 'rows']) {
     $(key).value = state[key];
   }
   for (const key of ['dither', 'flip', 'fix-winding', 'two-sided']) $(key).checked = state[key] === 1;
   for (const key of ['color', 'background']) $(key).value = `#${state[key]}`;
-  const panel = menu.displays.findIndex((d) => d.width === state.width && d.height === state.height && d.format === state.format);
+  $('spi').value = state.spi || '';
+  $('lamp').hidden = ['wireframe', 'hidden-line'].includes(state.style);
+  const panel = menu.displays.indexOf(panelOf(state));
   if ($('panel-type').value !== 'own' || panel >= 0) $('panel-type').value = panel >= 0 ? panel : 'own';
   $('own').hidden = $('panel-type').value !== 'own';
   $('texture').value = state.texture;
@@ -228,6 +242,7 @@ function buildControls() {
   for (const key of ['width', 'height', 'rows']) {
     $(key).addEventListener('change', (e) => set({ [key]: Math.min(Math.max(Math.round(Number(e.target.value)) || 1, 1), 1024) }));
   }
+  $('spi').addEventListener('change', (e) => set({ spi: within(Math.round(Number(e.target.value)) || 0, 0, 200) }));
   for (const key of ['dither', 'flip', 'fix-winding', 'two-sided']) {
     $(key).addEventListener('input', (e) => set({ [key]: e.target.checked ? 1 : 0 }));
   }
@@ -257,13 +272,19 @@ function buildControls() {
       const isPaper = display.name.startsWith('e-paper');
       const wasPaper = state.background === 'ffffff';
       const { width, height, format } = display;
-      set({ width, height, format, ...(isPaper === wasPaper ? {} : { background: isPaper ? 'ffffff' : '000000' }) });
+      const spi = CLOCKS[display.name.split(',')[0]] ?? 0;
+      set({ width, height, format, spi, ...(isPaper === wasPaper ? {} : { background: isPaper ? 'ffffff' : '000000' }) });
     } else {
       showControls();
     }
   });
   for (const id of ['file', 'picture-file']) $(id).addEventListener('change', (e) => e.target.files[0] && open(e.target.files[0]));
-  $('board').addEventListener('input', showOtherDisplay);
+  $('board').addEventListener('input', (e) => {
+    const { chip } = partsOf(e.target.value);
+    if (chip) set({ chip });
+    showOtherDisplay();
+    showBuffers();
+  });
   $('panel').addEventListener('submit', (e) => e.preventDefault());
   $('reset').addEventListener('click', reset);
   $('nearer').addEventListener('click', () => zoom(1.25));

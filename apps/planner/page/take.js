@@ -62,6 +62,26 @@ function boardsFor(templates, { style, format }) {
   return [...templates.keys()].filter((path) => path.endsWith('/src/picture.rs') && isWanted(path)).map((path) => path.split('/')[0]);
 }
 
+// A board's chip, by its name in a choice, and its bands in memory: those whose pixels are kept, as one is drawn while another is sent,
+// and those whose depths are. A board that is not here takes any chip and has one band.
+const PARTS = {
+  'esp32c3-st7789': { chip: 'esp32c3' },
+  'nrf52840-embassy': { chip: 'nrf52840', strips: 3 },
+  'rp2040-embassy': { chip: 'rp2040', strips: 3 },
+  'rp2040-st7789': { chip: 'rp2040', strips: 2 },
+  'rp2040-two-cores': { chip: 'rp2040', strips: 4, depths: 2 },
+  'rp2350-embassy': { chip: 'rp2350-ram', strips: 3 },
+  'stm32-ssd1306': { chip: 'stm32f411' },
+  'stm32f4-ili9341': { chip: 'stm32f411' },
+};
+const partsOf = (board) => ({ strips: 1, depths: 1, ...PARTS[board] });
+
+// The bytes of the buffers in a board's firmware, from those of one band.
+function buffersOf(board, { parts: [cache, bins, pixels, depths] }) {
+  const bands = partsOf(board);
+  return cache + bins + bands.strips * pixels + bands.depths * depths;
+}
+
 // The sides of a board's display, which its README begins with. `null` for a board that takes any display.
 function displayOf(templates, board) {
   const readme = new TextDecoder().decode(templates.get(`${board}/README.md`));
@@ -90,4 +110,4 @@ function firmware(library, templates, board, text) {
   return files;
 }
 
-Object.assign(globalThis, { untar, zip, unpacked, boardsFor, displayOf, firmware });
+Object.assign(globalThis, { untar, zip, unpacked, boardsFor, buffersOf, displayOf, firmware });

@@ -195,16 +195,17 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage)
         Style::Flat | Style::Gouraud | Style::Textured => faces(&mesh, choice, &work(), &strip),
     };
     let chip = CHIPS.iter().find(|chip| chip.key == choice.chip).unwrap_or(&CHIPS[0]);
+    let spi = if choice.spi == 0 { chip.spi } else { chip.spi.min(choice.spi.into()) };
     let frame = strip(choice.size.height);
     let data = model.flash_bytes() + materials(model, choice, image);
     // The first one with the rows of the choice: with depth, where there are several.
     let chosen = ways.iter().position(|way| way.rows == Some(choice.rows));
-    let ways = ways.iter().enumerate().map(|(at, way)| way.on(chip, frame, data, chosen == Some(at)));
+    let ways = ways.iter().enumerate().map(|(at, way)| way.on(chip, spi, [frame, data], chosen == Some(at)));
     Ok(object([
         ("chip", text(chip.name)),
         ("core", text(chip.core)),
         ("clock", chip.clock.to_string()),
-        ("spi", chip.spi.to_string()),
+        ("spi", spi.to_string()),
         ("ram", (chip.ram * 1024.0).to_string()),
         ("error", text(chip.error)),
         ("mesh", data.to_string()),
@@ -353,12 +354,13 @@ fn hidden_lines(
 }
 
 impl Way {
-    /// The costs on a chip, as JSON: bytes, instructions, milliseconds and frames per second.
-    fn on(&self, chip: &Chip, frame: usize, data: usize, is_chosen: bool) -> String {
+    /// The costs on a chip whose SPI has so many MHz, of pixels and a mesh of so many bytes, as JSON: bytes, instructions, milliseconds and frames per second.
+    fn on(&self, chip: &Chip, spi: f64, [frame, data]: [usize; 2], is_chosen: bool) -> String {
         let ram: usize = self.ram.iter().sum();
         let bytes = frame as f64 + f64::from(COMMANDS * self.bands);
-        let bus = bytes * 8.0 / (chip.spi * 1000.0); // ms
-                                                     // The templates' firmware has the camera too.
+        let bus = bytes * 8.0 / (spi * 1000.0); // ms
+
+        // The templates' firmware has the camera too.
         let code = self.code.and(FRAMED_CODE, BANDS_CODE);
         let of = |bytes: [i32; 4]| bytes.get(chip.column).copied().unwrap_or_default();
         let stack = of(code.stack);

@@ -87,6 +87,9 @@ const tests = {
     await load(tab, 'broken.stl', Buffer.from('this is no model'));
     assert.match(await tab.textContent('#status'), /^broken\.stl: /);
     assert.ok(!(await isGood(tab)));
+    // Nothing of the model before it is left.
+    for (const part of ['#costs', '#decimation']) assert.ok(!(await tab.isVisible(part)), part);
+    for (const button of ['#zip', '#picture', '#rust']) assert.ok(await tab.isDisabled(button), button);
     await load(tab, 'large.stl', stl(70_000));
     assert.match(await tab.textContent('#status'), /vertices, more than the 65536 of a mesh/);
     if (await decimates(tab)) {
@@ -350,6 +353,14 @@ const tests = {
       assert.match(await costs(), /Frames/, value);
     }
     assert.notEqual(await costs(), before);
+    // What does not fit has a remedy; a display's SPI may be slower than the chip's.
+    await tab.selectOption('#chip', 'stm32f030');
+    await tab.locator('#rows').fill('64');
+    await tab.locator('#rows').press('Tab');
+    await tab.click('#cost button.remedy');
+    assert.equal(await tab.inputValue('#rows'), '8');
+    await tab.selectOption('#panel-type', { label: 'SSD1306, 128 × 64, black and white' });
+    await tab.waitForFunction(() => /SPI at 10 MHz[^]*I²C at 400 kHz[^]* 23 ms/.test(document.querySelector('#cost').textContent));
   },
 
   async 'the firmware of every board is saved, and so are picture.rs and the mesh'(tab) {
@@ -373,6 +384,22 @@ const tests = {
     assert.ok((await zips()).length >= 8);
     assert.match(readFileSync(await (await saves('#picture')).path(), 'utf8'), /pinhole::Projection::oblique\(/);
     assert.match(readFileSync(await (await saves('#rust')).path(), 'utf8'), /pub const MODEL: pinhole::Mesh/);
+
+    // Bands have the page's rows. The strips of two cores are two bands high, and fill the display.
+    const bands = async (rows) => {
+      await tab.locator('#rows').fill(rows);
+      await tab.locator('#rows').press('Tab');
+      await tab.waitForFunction((rows) => document.querySelector('#buffers').textContent.includes(`in bands of ${rows} rows`), rows);
+    };
+    await tab.selectOption('#board', 'rp2040-st7789');
+    await bands('16');
+    assert.match(await tab.textContent('#buffers'), /with the pixels of 2 bands/);
+    assert.equal(await tab.inputValue('#chip'), 'rp2040');
+    assert.match(readFileSync(await (await saves('#zip')).path(), 'latin1'), /const ROWS: u32 = 16;/);
+    await tab.selectOption('#board', 'rp2040-two-cores');
+    await tab.click('#zip');
+    assert.match(await tab.textContent('#status'), /rows that divides 120$/);
+    await bands('8');
 
     // Textured faces have a file more: of a model without coordinates, and of one with coordinates and a picture.
     const texture = async () => readFileSync(await (await saves('#texels')).path(), 'utf8');
