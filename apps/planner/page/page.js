@@ -14,6 +14,7 @@ let library;
 let menu;
 let templates;
 let fileName;
+const materials = new Map(); // the material libraries that were opened, by their names
 let state = { ...DEFAULTS };
 let drawnModel = '';
 let allFaces = 0; // of the model, without decimation
@@ -278,7 +279,7 @@ function buildControls() {
       showControls();
     }
   });
-  for (const id of ['file', 'picture-file']) $(id).addEventListener('change', (e) => e.target.files[0] && open(e.target.files[0]));
+  for (const id of ['file', 'picture-file']) $(id).addEventListener('change', (e) => openAll(e.target.files));
   $('board').addEventListener('input', (e) => {
     const { chip } = partsOf(e.target.value);
     if (chip) set({ chip });
@@ -313,6 +314,12 @@ async function open(file) {
     const bytes = new Uint8Array(await file.arrayBuffer());
     await new Promise((done) => setTimeout(done)); // so that the line above is seen
     library.load(file.name, bytes);
+    if (isLibrary(file)) {
+      materials.set(file.name, bytes);
+      drawnModel = '';
+      change({});
+      return;
+    }
     fileName = file.name;
     if (!$('mesh').querySelector('[value=file]')) $('mesh').append(element('option', { value: 'file' }));
     $('mesh').querySelector('[value=file]').textContent = file.name;
@@ -342,10 +349,12 @@ async function openPicture(file) {
   set({ style: 'textured', texture: 'file' });
 }
 
-// A model and its picture may be dropped together.
+// A model, its material libraries and a picture may be dropped together: the libraries first, so that the model is drawn in their colours.
 async function openAll(files) {
-  for (const file of files) await open(file);
+  for (const file of [...files].sort((a, b) => isLibrary(b) - isLibrary(a))) await open(file);
 }
+
+const isLibrary = ({ name }) => /\.mtl$/i.test(name);
 
 function listenForDrops() {
   const isFile = (e) => e.dataTransfer?.types.includes('Files');
@@ -359,7 +368,7 @@ function listenForDrops() {
     $('frame').classList.remove('drop');
     if (!isFile(e)) return;
     e.preventDefault();
-    openAll([...e.dataTransfer.files]);
+    openAll(e.dataTransfer.files);
   });
 }
 
@@ -516,7 +525,7 @@ const still = () => choice({ ...state, turn: 0 });
 
 function saveZip() {
   const board = $('board').value;
-  save(`${board}.zip`, new Blob([zip(firmware(library, templates, board, still()))], { type: 'application/zip' }));
+  save(`${board}.zip`, new Blob([zip(firmware(library, templates, board, still(), state.mesh === 'file' ? materials : undefined))], { type: 'application/zip' }));
 }
 
 // A file of the firmware's own code.

@@ -89,8 +89,9 @@ function displayOf(templates, board) {
   return width ? { width: Number(width), height: Number(height) } : null;
 }
 
-// The folder `firmware` of a board, of the templates in an archive, as it draws a choice on its display: a Map from paths to bytes.
-function firmware(library, templates, board, text) {
+// The folder `firmware` of a board, of the templates in an archive, as it draws a choice on its display, with the material libraries of
+// its model: a Map from paths to bytes.
+function firmware(library, templates, board, text, materials = new Map()) {
   const files = new Map();
   const parts = new URLSearchParams(text);
   for (const [side, pixels] of Object.entries(displayOf(templates, board) ?? {})) parts.set(side, pixels);
@@ -107,6 +108,7 @@ function firmware(library, templates, board, text) {
   }
   const [name, bytes] = library.model(choice);
   files.set(`firmware/${name}`, bytes);
+  if (name === 'model.obj') materials.forEach((bytes, name) => files.set(`firmware/${name}`, bytes));
   return files;
 }
 

@@ -389,7 +389,7 @@ mod tests {
 
     fn mesh(obj: String) -> ImportedMesh {
         let options = Options { two_sided: true, ..Options::default() };
-        import_bytes(obj.into_bytes(), "part.obj".as_ref(), &options).expect("a mesh")
+        import_bytes(obj.into_bytes(), "part.obj".as_ref(), &[], &options).expect("a mesh")
     }
 
     /// Two colours of the page are one bit a texel in the firmware.

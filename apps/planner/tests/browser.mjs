@@ -71,6 +71,21 @@ const tests = {
     assert.ok(await tab.isChecked('#two-sided'));
   },
 
+  async 'an OBJ file is drawn in the colours of its material library, which the ZIP has'(tab) {
+    const files = { 'part.obj': `mtllib part.mtl\nusemtl leaf\n${SHEET}`, 'part.mtl': 'newmtl leaf\nKd 0 1 0\n' };
+    await tab.setInputFiles('#file', Object.entries(files).map(([name, text]) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) })));
+    await tab.waitForFunction(() => document.querySelector('#mesh').value === 'file');
+    await tab.selectOption('#projection', 'front');
+    await tab.locator('#ambient').fill('256');
+    await settled(tab);
+    assert.ok(await isGood(tab), await tab.textContent('#status'));
+    assert.doesNotMatch(await tab.textContent('#warnings'), /material/);
+    const pixel = await tab.evaluate(() => [...document.querySelector('#display').getContext('2d').getImageData(100, 120, 1, 1).data]);
+    assert.deepEqual(pixel, [0, 255, 0, 255]);
+    const [download] = await Promise.all([tab.waitForEvent('download'), tab.click('#zip')]);
+    assert.match(readFileSync(await download.path(), 'latin1'), /firmware\/part\.mtlnewmtl leaf/);
+  },
+
   async 'an STL file is dropped'(tab) {
     const data = await tab.evaluateHandle((bytes) => {
       const transfer = new DataTransfer();
