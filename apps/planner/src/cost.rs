@@ -137,8 +137,14 @@ const LEAST_ERROR: f32 = 10.0;
 
 /// The kind of faces with depth whose code is larger than a cache of 16 KB.
 const LARGE: usize = 3;
-/// Their cycles of an instruction on an RP2040 whose code is in flash, which has such a cache. `apps/planner/sizes --times` finds 2.16 to 3.42.
-const LARGE_CYCLES: f64 = 2.7;
+/// Their cycles of an instruction on an RP2040 whose code is in flash, which has such a cache. `apps/planner/sizes --times` finds 2.03 to 3.42.
+const LARGE_CYCLES: f64 = 2.55;
+
+/// How many times the instructions of 16-bit colour faces take that are drawn into a band as into any target, which fewer bits a pixel
+/// need: in one colour each, or by a shader. Linked firmware took 1.08 to 1.61 and 1.41 to 1.92 times as many.
+const INDIRECT: [f64; 2] = [1.4, 1.6];
+/// The error of such instructions, in percent: 29 was found.
+const INDIRECT_ERROR: f32 = 35.0;
 
 /// Bytes of commands before a band: its window.
 const COMMANDS: u32 = 11;
@@ -250,6 +256,13 @@ fn into(choice: &Choice, code: Code) -> Code {
     }
 }
 
+/// The time of a frame of faces that take so many times the instructions of 16-bit colour, with a lamp, which is turned to the object
+/// first.
+fn lit((mut time, error): ([f64; 4], f32), times: f64) -> ([f64; 4], f32) {
+    time.iter_mut().zip(LIGHTING).for_each(|(time, light)| *time = *time * times + light);
+    (time, if times > 1.0 { error.max(INDIRECT_ERROR) } else { error })
+}
+
 fn faces(mesh: &Mesh<'_>, choice: &Choice, work: &FaceWork, strip: &dyn Fn(u32) -> usize) -> Vec<Way> {
     let whole = choice.size.height;
     let bins = mesh.face_bins_len() * size_of::<u16>();
@@ -264,11 +277,12 @@ fn faces(mesh: &Mesh<'_>, choice: &Choice, work: &FaceWork, strip: &dyn Fn(u32) 
         (_, true) => (DITHERED_BANDS_CODE, &|rows| shaded(&DITHERED_BANDS, rows)),
         (_, false) => (BANDS_CODE, &|rows| BANDS.time(&work.in_bands(rows))),
     };
+    let times = if is_in_memory(choice) { 1.0 } else { INDIRECT[usize::from(!is_plain)] };
     let way = |name: &str, ram: [usize; 4], code, time, kind, rows: Option<u32>, note| Way {
         name: rows.map_or(name.into(), |rows| format!("bands of {rows} rows, {name}")),
         ram,
         code,
-        time,
+        time: lit(time, times),
         kind,
         bands: rows.map_or(1, |rows| whole.div_ceil(rows)),
         rows,
