@@ -95,6 +95,11 @@ function firmware(library, templates, board, text, materials = new Map()) {
   const files = new Map();
   const parts = new URLSearchParams(text);
   for (const [side, pixels] of Object.entries(displayOf(templates, board) ?? {})) parts.set(side, pixels);
+  // Each core draws a band of a strip, and strips fill the display.
+  const [rows, height] = ['rows', 'height'].map((key) => Number(parts.get(key)));
+  if (board === 'rp2040-two-cores' && height % (2 * rows)) {
+    throw new Error(`Each core of ${board} draws every other band, as many as the other one: choose a number of rows that divides ${height / 2}.`);
+  }
   const choice = [...parts].map(([key, value]) => `${key}=${value}`).join('&');
   for (const [path, bytes] of templates) {
     if (!path.startsWith(`${board}/`)) continue;

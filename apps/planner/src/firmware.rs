@@ -23,8 +23,8 @@ pub(crate) fn file(
     sphere: &Sphere,
 ) -> Result<String, String> {
     match path {
-        "src/picture.rs" => picture(text, choice, sphere).and_then(|text| with_rows(&text, choice)),
-        "src/main.rs" => with_rows(text, choice),
+        "src/picture.rs" => picture(text, choice, sphere).map(|text| with_rows(&text, choice)),
+        "src/main.rs" => Ok(with_rows(text, choice)),
         // Of the board that takes any display.
         "src/display.rs" => {
             let [usual, size] = [Choice::default().size, choice.size];
@@ -56,18 +56,11 @@ fn replaced(text: &str, from: &str, to: &str) -> Result<String, String> {
 }
 
 /// A file that may have the rows of a band, with those of the choice.
-fn with_rows(text: &str, choice: &Choice) -> Result<String, String> {
-    let (rows, height) = (choice.rows, choice.size.height);
-    if text.contains("% (2 * ROWS) == 0") && height % (2 * rows) != 0 {
-        let half = height / 2;
-        return Err(format!(
-            "each of the two cores draws a band of a strip, and strips fill the display's {height} rows: choose bands of a \
-             number of rows that divides {half}"
-        ));
-    }
+fn with_rows(text: &str, choice: &Choice) -> String {
+    let rows = choice.rows;
     let template = text.split_once("const ROWS: u32 = ");
     let parts = template.and_then(|(before, after)| Some((before, after.split_once(';')?.1)));
-    Ok(parts.map_or(text.into(), |(before, after)| format!("{before}const ROWS: u32 = {rows};{after}")))
+    parts.map_or(text.into(), |(before, after)| format!("{before}const ROWS: u32 = {rows};{after}"))
 }
 
 /// Text that the drawing code has where it draws hidden lines, and where it draws faces.
@@ -468,11 +461,6 @@ mod tests {
         assert_eq!(file("src/main.rs", main, "rows=12").as_deref(), Ok(&expected[..]));
         let made = file("src/picture.rs", PICTURE, "rows=40").expect("a picture");
         assert_eq!(made, PICTURE.replace("ROWS: u32 = 32;", "ROWS: u32 = 40;"));
-        // Strips of two bands, which fill the 240 rows.
-        let both = include_str!("../../../boards/rp2040-two-cores/src/picture.rs");
-        assert!(file("src/picture.rs", both, "rows=12").is_ok_and(|made| made.contains("ROWS: u32 = 12;")));
-        let problem = file("src/picture.rs", both, "rows=16").expect_err("15 bands of 16 rows");
-        assert!(problem.ends_with("choose bands of a number of rows that divides 120"), "{problem}");
     }
 
     #[test]

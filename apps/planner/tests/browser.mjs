@@ -375,7 +375,8 @@ const tests = {
     await tab.click('#cost button.remedy');
     assert.equal(await tab.inputValue('#rows'), '8');
     await tab.selectOption('#panel-type', { label: 'SSD1306, 128 × 64, black and white' });
-    await tab.waitForFunction(() => /SPI at 10 MHz[^]*I²C at 400 kHz[^]* 23 ms/.test(document.querySelector('#cost').textContent));
+    // Of 1024 bytes and 8 windows of 11, nine bits each.
+    await tab.waitForFunction(() => /SPI at 10 MHz[^]*I²C at 400 kHz[^]* 25 ms/.test(document.querySelector('#cost').textContent));
   },
 
   async 'the firmware of every board is saved, and so are picture.rs and the mesh'(tab) {
@@ -413,7 +414,7 @@ const tests = {
     assert.match(readFileSync(await (await saves('#zip')).path(), 'latin1'), /const ROWS: u32 = 16;/);
     await tab.selectOption('#board', 'rp2040-two-cores');
     await tab.click('#zip');
-    assert.match(await tab.textContent('#status'), /rows that divides 120$/);
+    assert.match(await tab.textContent('#status'), /rows that divides 120\.$/);
     await bands('8');
 
     // Textured faces have a file more: of a model without coordinates, and of one with coordinates and a picture.
