@@ -2,9 +2,9 @@
 //! that it executes.
 
 use crate::core::Core;
+use crate::log::lines;
 use crate::provenance::{Frame, STEP};
 use crate::timing::program::Executed;
-use crate::log::lines;
 use crate::{elf, Result};
 use std::collections::HashMap;
 use std::io::BufRead;
