@@ -89,16 +89,17 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-/// The instructions of placing an object, on the cores M0, M3, M4F and RV32.
+/// The instructions of placing an object, and of turning its light, on the cores M0, M3, M4F and RV32.
 fn placing(growth: &str, out: &mut String) -> Result<()> {
     let table = rows(section(growth, "### Placing an object")?).collect::<Vec<_>>();
-    let [header, _, figures] = &table[..] else { return Err("not one row".into()) };
+    let [header, _, place, light] = &table[..] else { return Err("not two rows".into()) };
     if header.get(1..) != Some(&["M0", "M3", "M4F", "RV32"]) {
         return Err("other cores".into());
     }
-    let figures = figures.iter().skip(1).map(|cell| number(&cell.replace(char::is_whitespace, "")));
-    let figures: Vec<String> = figures.collect::<Result<_>>()?;
-    writeln!(out, "const PLACING: [f64; 4] = [{}];", figures.join(", "))?;
+    for (name, figures) in [("PLACING", place), ("LIGHTING", light)] {
+        let figures: Vec<String> = figures.iter().skip(1).map(|cell| number(cell)).collect::<Result<_>>()?;
+        writeln!(out, "const {name}: [f64; 4] = [{}];", figures.join(", "))?;
+    }
     Ok(())
 }
 

@@ -149,13 +149,13 @@ pub fn import_with(
 }
 
 /// [`import`] from the bytes of a file, for programs without files, such as in a browser. The extension of `file` says the
-/// format, and messages name `file`. Files beside it, such as material libraries, are looked for in its folder.
+/// format, and messages name `file`. Its material libraries are looked for in `beside`, names and bytes of files, and then in its folder.
 ///
 /// ```
 /// use pinhole_import::{import_bytes, Axis, Options};
 /// let text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n".to_vec();
 /// let options = Options { up: Some(Axis::Z), fit: Some(2.0), ..Options::default() };
-/// let model = import_bytes(text, "tetrahedron.obj".as_ref(), &options)?;
+/// let model = import_bytes(text, "tetrahedron.obj".as_ref(), &[], &options)?;
 /// assert_eq!((model.faces.len(), model.report.extent), (4, 2.0));
 /// # Ok::<(), pinhole_import::ImportError>(())
 /// ```
@@ -163,8 +163,13 @@ pub fn import_with(
 /// # Errors
 ///
 /// As [`import`].
-pub fn import_bytes(bytes: Vec<u8>, file: &Path, options: &Options) -> Result<ImportedMesh, ImportError> {
-    let mesh = finish(model_of(bytes, file)?, file, options, &mut |_| ())?;
+pub fn import_bytes(
+    bytes: Vec<u8>,
+    file: &Path,
+    beside: &[(String, Vec<u8>)],
+    options: &Options,
+) -> Result<ImportedMesh, ImportError> {
+    let mesh = finish(model_of(bytes, file, beside)?, file, options, &mut |_| ())?;
     fits(mesh).map_err(|problem| problem.at(file, None))
 }
 
@@ -186,7 +191,7 @@ pub fn read_triangles(file: &Path) -> Result<Triangles, ImportError> {
 ///
 /// As [`read`].
 pub fn read_obj(text: &[u8], file: &Path) -> Result<ImportedMesh, ImportError> {
-    finish(obj::read(text, file)?, file, &Options::default(), &mut |_| ())
+    finish(obj::read(text, file, &[])?, file, &Options::default(), &mut |_| ())
 }
 
 /// Reads the bytes of an STL file, binary or ASCII; `file` is only named in errors. Colours, which some programs hide in a
@@ -209,12 +214,12 @@ fn fits(mesh: ImportedMesh) -> Result<ImportedMesh, Problem> {
 
 fn read_model(file: &Path) -> Result<Model, ImportError> {
     Format::of(file)?; // before a large file is read
-    model_of(bytes(file)?, file)
+    model_of(bytes(file)?, file, &[])
 }
 
-fn model_of(bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError> {
+fn model_of(bytes: Vec<u8>, file: &Path, beside: &[(String, Vec<u8>)]) -> Result<Model, ImportError> {
     match Format::of(file)? {
-        Format::Obj => obj::read(&bytes, file),
+        Format::Obj => obj::read(&bytes, file, beside),
         Format::Stl => stl::read(bytes, file),
     }
 }

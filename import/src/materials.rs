@@ -1,6 +1,7 @@
 //! Materials: diffuse and emissive colours as a palette, the names of their pictures, and texture coordinates on a grid.
 
 use crate::model::{Colors, TextureFaces, Warning};
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
@@ -32,12 +33,12 @@ pub(crate) struct Pictures {
 }
 
 /// The colour of each triangle, by its material, and the pictures that the materials name. No colours where no triangle has a
-/// material, or no library can be read.
+/// material, or no library can be read. Libraries lie beside the model: as files that were given with it, or in its folder.
 pub(crate) fn read(
     names: &[String],
     of_triangles: Vec<Option<usize>>,
     libraries: &[String],
-    file: &Path,
+    (file, beside): (&Path, &[(String, Vec<u8>)]),
     warnings: &mut Vec<Warning>,
 ) -> (Option<Colors>, Pictures) {
     let mut pictures = Pictures::default();
@@ -47,7 +48,7 @@ pub(crate) fn read(
     let mut known = HashMap::new();
     let mut warn = |message| warnings.push(Warning { line: None, message });
     for name in libraries {
-        match library(name, file) {
+        match library(name, file, beside) {
             Ok(materials) => known.extend(materials),
             Err(problem) => warn(format!(
                 "material library {name}: {problem}; its materials are grey: put it beside the model"
@@ -96,9 +97,19 @@ pub(crate) fn find(name: &str, model: &Path) -> Option<PathBuf> {
 }
 
 /// The materials of a library, by their names.
-fn library(name: &str, model: &Path) -> Result<HashMap<String, Material>, String> {
-    let path = find(name, model).ok_or("is not there")?;
-    let bytes = crate::bytes(&path).map_err(|error| error.problem.to_string())?;
+fn library(
+    name: &str,
+    model: &Path,
+    beside: &[(String, Vec<u8>)],
+) -> Result<HashMap<String, Material>, String> {
+    let last = name.rsplit(['/', '\\']).next();
+    let bytes = match beside.iter().find(|(other, _)| Some(&other[..]) == last) {
+        Some((_, bytes)) => Cow::Borrowed(&bytes[..]),
+        None => {
+            let path = find(name, model).ok_or("is not there")?;
+            Cow::Owned(crate::bytes(&path).map_err(|error| error.problem.to_string())?)
+        }
+    };
     // Other lines of a material are ignored, so errors in them do no harm.
     let is_used =
         |line: &&str| matches!(line.split_whitespace().next(), Some("newmtl" | "Kd" | "Ke" | "map_Kd"));

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use std::path::Path;
 
 /// Reads OBJ text; `file` is only named in errors.
-pub(crate) fn read(bytes: &[u8], file: &Path) -> Result<Model, ImportError> {
+pub(crate) fn read(bytes: &[u8], file: &Path, beside: &[(String, Vec<u8>)]) -> Result<Model, ImportError> {
     if let Some(byte) = bytes.iter().position(|&byte| byte == 0) {
         return Err(Problem::NotText { byte }.at(file, None));
     }
@@ -93,7 +93,7 @@ pub(crate) fn read(bytes: &[u8], file: &Path) -> Result<Model, ImportError> {
         model.warnings.push(Warning { line: Some(line as usize), message });
     }
     (model.colors, model.pictures) =
-        materials::read(&materials.names, of_materials, &libraries, file, &mut model.warnings);
+        materials::read(&materials.names, of_materials, &libraries, (file, beside), &mut model.warnings);
     model.file = file.to_path_buf();
     model.libraries = libraries.iter().filter_map(|name| materials::find(name, file)).collect();
     model.places = Places::Lines(lines);

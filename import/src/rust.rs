@@ -126,7 +126,7 @@ impl ImportedMesh {
     ///
     /// ```
     /// let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
-    /// let mesh = pinhole_import::import_bytes(obj.into(), "part.obj".as_ref(), &pinhole_import::Options::default())?;
+    /// let mesh = pinhole_import::import_bytes(obj.into(), "part.obj".as_ref(), &[], &pinhole_import::Options::default())?;
     /// assert!(mesh.to_rust_texture("MODEL").contains("pub const MODEL_TEXTURE: pinhole::TextureCoords<'static>"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

@@ -6,7 +6,7 @@ const TURNS = 120; // steps of a turn, as in the library
 const DEFAULTS = {
   mesh: 'gear', width: 240, height: 240, format: 'rgb565', style: 'flat', dither: 0, projection: 'perspective', yaw: 30, pitch: 20,
   zoom: 100, x: 0, y: 0, turn: 0, color: 'ffd700', background: '000000', light: '2,3,4', ambient: 48, up: 'auto', flip: 0,
-  'fix-winding': 0, 'two-sided': 0, decimate: 0, texture: 'checker', rows: 8, chip: 'rp2040',
+  'fix-winding': 0, 'two-sided': 0, decimate: 0, texture: 'checker', rows: 8, chip: 'rp2040', spi: 0,
 };
 const NUMBERS = Object.keys(DEFAULTS).filter((key) => typeof DEFAULTS[key] === 'number');
 
@@ -14,6 +14,7 @@ let library;
 let menu;
 let templates;
 let fileName;
+const materials = new Map(); // the material libraries that were opened, by their names
 let state = { ...DEFAULTS };
 let drawnModel = '';
 let allFaces = 0; // of the model, without decimation
@@ -65,6 +66,7 @@ function show() {
     }
     canvas.getContext('2d').putImageData(new ImageData(new Uint8ClampedArray(pixels), about.width, about.height), 0, 0);
     scale();
+    canvas.classList.remove('stale');
     const { drawn, culled, clipped } = about.statistics;
     const what = ['wireframe', 'hidden-line'].includes(state.style) ? 'edges' : 'faces';
     say(`${about.width} × ${about.height}: ${drawn} ${what} drawn, ${culled} culled, ${clipped} clipped; ${count(about.bytes)} bytes a frame`);
@@ -76,6 +78,10 @@ function show() {
   } catch (problem) {
     say(problem.message, true);
     drawnModel = '';
+    canvas.classList.add('stale');
+    $('decimation').hidden = true;
+    hideCosts();
+    showBoards();
     const buttons = remedyButtons(problem.message);
     $('warnings').replaceChildren(...(buttons.length ? [element('div', { className: 'warning' }, 'This page can do it: ', ...buttons)] : []));
     $('model').textContent = '';
@@ -85,13 +91,14 @@ function show() {
 
 // Boards whose templates do not draw the chosen style and format cannot be chosen.
 function showBoards() {
-  const boards = boardsFor(templates, state);
+  const boards = drawnModel ? boardsFor(templates, state) : [];
   for (const option of $('board').options) option.disabled = !boards.includes(option.value);
   if (boards.length > 0 && !boards.includes($('board').value)) $('board').value = boards[0];
   for (const id of ['zip', 'picture', 'texels']) $(id).disabled = boards.length === 0;
+  $('rust').disabled = !drawnModel;
   $('texels').hidden = state.style !== 'textured';
   showOtherDisplay();
-  $('no-firmware').hidden = boards.length > 0;
+  $('no-firmware').hidden = boards.length > 0 || !drawnModel;
 }
 
 // A note if the board's display differs from the one that the page shows: its firmware frames the model for the board's display.
@@ -121,7 +128,7 @@ function showModel(model) {
   if (text === drawnModel) return;
   drawnModel = text;
   $('model').textContent =
-    `${count(model.vertices)} vertices, ${count(model.faces)} faces, ${count(model.edges)} edges; ${count(model.flash)} bytes of flash`;
+    `${count(model.vertices)} vertices, ${count(model.faces)} faces${model.edges ? `, ${count(model.edges)} edges` : ''}; ${count(model.flash)} bytes of flash`;
   allFaces = model.all;
   showDecimation(state.decimate);
   $('warnings').replaceChildren(...model.warnings.map(({ message, remedies }) =>
@@ -153,7 +160,7 @@ function remedyButton(text, changes) {
 // The slider goes from 4 faces to all; at its end nothing is decimated.
 function showDecimation(decimate) {
   const most = Math.max(allFaces, decimate, 4);
-  $('decimation').hidden = !menu.decimates;
+  $('decimation').hidden = !menu.decimates || !drawnModel;
   $('decimate').max = most;
   $('decimate').value = decimate || most;
   $('decimate-faces').textContent = decimate ? `${count(decimate)} of ${count(most)} faces` : `all ${count(most)} faces`;
@@ -182,13 +189,21 @@ function set(changes) {
   showControls();
 }
 
+// The display of the menu that has these pixels.
+const panelOf = ({ width, height, format }) => menu.displays.find((d) => d.width === width && d.height === height && d.format === format);
+
+// MHz that a controller's SPI takes by its data sheet, of an ILI9341 those of the board; an ST7789 takes what the chips have.
+const CLOCKS = { ILI9341: 25, ST7735: 15, SSD1306: 10, SSD1327: 10, 'e-paper': 10 };
+
 function showControls() {
   for (const key of ['mesh', 'style', 'projection', 'up', 'format', 'width', 'height', 'yaw', 'pitch', 'zoom', 'ambient', 'chip', 'rows']) {
     $(key).value = state[key];
   }
   for (const key of ['dither', 'flip', 'fix-winding', 'two-sided']) $(key).checked = state[key] === 1;
   for (const key of ['color', 'background']) $(key).value = `#${state[key]}`;
-  const panel = menu.displays.findIndex((d) => d.width === state.width && d.height === state.height && d.format === state.format);
+  $('spi').value = state.spi || '';
+  $('lamp').hidden = ['wireframe', 'hidden-line'].includes(state.style);
+  const panel = menu.displays.indexOf(panelOf(state));
   if ($('panel-type').value !== 'own' || panel >= 0) $('panel-type').value = panel >= 0 ? panel : 'own';
   $('own').hidden = $('panel-type').value !== 'own';
   $('texture').value = state.texture;
@@ -230,6 +245,7 @@ function buildControls() {
   for (const key of ['width', 'height', 'rows']) {
     $(key).addEventListener('change', (e) => set({ [key]: Math.min(Math.max(Math.round(Number(e.target.value)) || 1, 1), 1024) }));
   }
+  $('spi').addEventListener('change', (e) => set({ spi: within(Math.round(Number(e.target.value)) || 0, 0, 200) }));
   for (const key of ['dither', 'flip', 'fix-winding', 'two-sided']) {
     $(key).addEventListener('input', (e) => set({ [key]: e.target.checked ? 1 : 0 }));
   }
@@ -259,13 +275,19 @@ function buildControls() {
       const isPaper = display.name.startsWith('e-paper');
       const wasPaper = state.background === 'ffffff';
       const { width, height, format } = display;
-      set({ width, height, format, ...(isPaper === wasPaper ? {} : { background: isPaper ? 'ffffff' : '000000' }) });
+      const spi = CLOCKS[display.name.split(',')[0]] ?? 0;
+      set({ width, height, format, spi, ...(isPaper === wasPaper ? {} : { background: isPaper ? 'ffffff' : '000000' }) });
     } else {
       showControls();
     }
   });
-  for (const id of ['file', 'picture-file']) $(id).addEventListener('change', (e) => e.target.files[0] && open(e.target.files[0]));
-  $('board').addEventListener('input', showOtherDisplay);
+  for (const id of ['file', 'picture-file']) $(id).addEventListener('change', (e) => openAll(e.target.files));
+  $('board').addEventListener('input', (e) => {
+    const { chip } = partsOf(e.target.value);
+    if (chip) set({ chip });
+    showOtherDisplay();
+    showBuffers();
+  });
   $('panel').addEventListener('submit', (e) => e.preventDefault());
   $('reset').addEventListener('click', reset);
   $('nearer').addEventListener('click', () => zoom(1.25));
@@ -294,6 +316,12 @@ async function open(file) {
     const bytes = new Uint8Array(await file.arrayBuffer());
     await new Promise((done) => setTimeout(done)); // so that the line above is seen
     library.load(file.name, bytes);
+    if (isLibrary(file)) {
+      materials.set(file.name, bytes);
+      drawnModel = '';
+      change({});
+      return;
+    }
     fileName = file.name;
     if (!$('mesh').querySelector('[value=file]')) $('mesh').append(element('option', { value: 'file' }));
     $('mesh').querySelector('[value=file]').textContent = file.name;
@@ -323,10 +351,12 @@ async function openPicture(file) {
   set({ style: 'textured', texture: 'file' });
 }
 
-// A model and its picture may be dropped together.
+// A model, its material libraries and a picture may be dropped together: the libraries first, so that the model is drawn in their colours.
 async function openAll(files) {
-  for (const file of files) await open(file);
+  for (const file of [...files].sort((a, b) => isLibrary(b) - isLibrary(a))) await open(file);
 }
+
+const isLibrary = ({ name }) => /\.mtl$/i.test(name);
 
 function listenForDrops() {
   const isFile = (e) => e.dataTransfer?.types.includes('Files');
@@ -340,7 +370,7 @@ function listenForDrops() {
     $('frame').classList.remove('drop');
     if (!isFile(e)) return;
     e.preventDefault();
-    openAll([...e.dataTransfer.files]);
+    openAll(e.dataTransfer.files);
   });
 }
 
@@ -498,7 +528,7 @@ const still = () => choice({ ...state, turn: 0 });
 
 function saveZip() {
   const board = $('board').value;
-  save(`${board}.zip`, new Blob([zip(firmware(library, templates, board, still()))], { type: 'application/zip' }));
+  save(`${board}.zip`, new Blob([zip(firmware(library, templates, board, still(), state.mesh === 'file' ? materials : undefined))], { type: 'application/zip' }));
 }
 
 // Saves one file of the firmware's own code.

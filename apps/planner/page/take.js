@@ -62,6 +62,26 @@ function boardsFor(templates, { style, format }) {
   return [...templates.keys()].filter((path) => path.endsWith('/src/picture.rs') && isWanted(path)).map((path) => path.split('/')[0]);
 }
 
+// A board's chip, by its name in a choice, and its bands in memory: those whose pixels are kept, as one is drawn while another is sent,
+// and those whose depths are. A board that is not here takes any chip and has one band.
+const PARTS = {
+  'esp32c3-st7789': { chip: 'esp32c3' },
+  'nrf52840-embassy': { chip: 'nrf52840', strips: 3 },
+  'rp2040-embassy': { chip: 'rp2040', strips: 3 },
+  'rp2040-st7789': { chip: 'rp2040', strips: 2 },
+  'rp2040-two-cores': { chip: 'rp2040', strips: 4, depths: 2 },
+  'rp2350-embassy': { chip: 'rp2350-ram', strips: 3 },
+  'stm32-ssd1306': { chip: 'stm32f411' },
+  'stm32f4-ili9341': { chip: 'stm32f411' },
+};
+const partsOf = (board) => ({ strips: 1, depths: 1, ...PARTS[board] });
+
+// The bytes of the buffers in a board's firmware, from those of one band.
+function buffersOf(board, { parts: [cache, bins, pixels, depths] }) {
+  const bands = partsOf(board);
+  return cache + bins + bands.strips * pixels + bands.depths * depths;
+}
+
 // The sides of a board's display, from the beginning of its README; `null` for a board that takes any display.
 function displayOf(templates, board) {
   const readme = new TextDecoder().decode(templates.get(`${board}/README.md`));
@@ -69,12 +89,17 @@ function displayOf(templates, board) {
   return width ? { width: Number(width), height: Number(height) } : null;
 }
 
-// The folder `firmware` of a board that draws a choice on its display, made from the archive of templates: a Map from paths to
-// bytes.
-function firmware(library, templates, board, text) {
+// The folder `firmware` of a board that draws a choice on its display, made from the archive of templates and the material libraries of
+// the model: a Map from paths to bytes.
+function firmware(library, templates, board, text, materials = new Map()) {
   const files = new Map();
   const parts = new URLSearchParams(text);
   for (const [side, pixels] of Object.entries(displayOf(templates, board) ?? {})) parts.set(side, pixels);
+  // Each core draws a band of a strip, and strips fill the display.
+  const [rows, height] = ['rows', 'height'].map((key) => Number(parts.get(key)));
+  if (board === 'rp2040-two-cores' && height % (2 * rows)) {
+    throw new Error(`Each core of ${board} draws every other band, as many as the other one: choose a number of rows that divides ${height / 2}.`);
+  }
   const choice = [...parts].map(([key, value]) => `${key}=${value}`).join('&');
   for (const [path, bytes] of templates) {
     if (!path.startsWith(`${board}/`)) continue;
@@ -88,7 +113,8 @@ function firmware(library, templates, board, text) {
   }
   const [name, bytes] = library.model(choice);
   files.set(`firmware/${name}`, bytes);
+  if (name === 'model.obj') materials.forEach((bytes, name) => files.set(`firmware/${name}`, bytes));
   return files;
 }
 
-Object.assign(globalThis, { untar, zip, unpacked, boardsFor, displayOf, firmware });
+Object.assign(globalThis, { untar, zip, unpacked, boardsFor, buffersOf, displayOf, firmware });

@@ -84,12 +84,16 @@ pub struct Choice {
     pub(crate) rows: u32,
     /// The microcontroller whose costs are shown.
     pub(crate) chip: &'static str,
+    /// The most MHz of its SPI that the display takes, or 0 for the fastest of the microcontroller.
+    pub(crate) spi: u32,
 }
 
 /// Steps of a turn.
 pub(crate) const TURNS: u32 = 120;
 /// The most faces that decimation can be asked for, far more than a display has pixels.
 const MOST_FACES: u32 = 1_000_000;
+/// MHz that no display's SPI exceeds.
+const FASTEST: u32 = 200;
 /// The longest side of a display, in pixels.
 const LONGEST: u32 = 1024;
 
@@ -121,6 +125,7 @@ impl Default for Choice {
             decimate: 0,
             rows: 8,
             chip: cost::CHIPS[0].key,
+            spi: 0,
         }
     }
 }
@@ -175,6 +180,7 @@ impl Choice {
             "two-sided" => self.two_sided = switch(value)?,
             "rows" => self.rows = within(value, 1, LONGEST)?,
             "chip" => self.chip = cost::named(value)?,
+            "spi" => self.spi = within(value, 0, FASTEST)?,
             _ => return Err("no such part".into()),
         }
         Ok(())

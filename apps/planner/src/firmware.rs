@@ -23,7 +23,8 @@ pub(crate) fn file(
     sphere: &Sphere,
 ) -> Result<String, String> {
     match path {
-        "src/picture.rs" => picture(text, choice, sphere),
+        "src/picture.rs" => picture(text, choice, sphere).map(|text| with_rows(&text, choice)),
+        "src/main.rs" => Ok(with_rows(text, choice)),
         // Only the board that takes any display has this file.
         "src/display.rs" => {
             let [usual, size] = [Choice::default().size, choice.size];
@@ -32,7 +33,7 @@ pub(crate) fn file(
         }
         "build.rs" => script(text, choice, model),
         "Cargo.toml" => manifest(text, choice),
-        "README.md" => Ok(readme(text)),
+        "README.md" => Ok(readme(text, choice)),
         _ => Ok(text.into()),
     }
     .map_err(|problem| format!("{path}: {problem}"))
@@ -52,6 +53,14 @@ fn replaced(text: &str, from: &str, to: &str) -> Result<String, String> {
         return Err(format!("the template does not have `{from}` once"));
     }
     Ok(text.replace(from, to))
+}
+
+/// A file that may have the rows of a band, with those of the choice.
+fn with_rows(text: &str, choice: &Choice) -> String {
+    let rows = choice.rows;
+    let template = text.split_once("const ROWS: u32 = ");
+    let parts = template.and_then(|(before, after)| Some((before, after.split_once(';')?.1)));
+    parts.map_or(text.into(), |(before, after)| format!("{before}const ROWS: u32 = {rows};{after}"))
 }
 
 /// Text of drawing code that draws hidden lines, and of drawing code that draws faces.
@@ -298,9 +307,16 @@ fn manifest(text: &str, choice: &Choice) -> Result<String, String> {
 }
 
 /// The README for a folder that lies beside the repository and is complete, so it does not say how to make one from the template.
-fn readme(text: &str) -> String {
+fn readme(text: &str, choice: &Choice) -> String {
     let text = text.replace("](../", "](../pinhole/boards/").replace("/boards/../", "/");
-    text.split_inclusive('\n').filter(|line| !line.contains("pinhole/boards/new ")).collect()
+    let text: String =
+        text.split_inclusive('\n').filter(|line| !line.contains("pinhole/boards/new ")).collect();
+    let (title, rest) = text.split_once('\n').unwrap_or((&text, ""));
+    let rows = choice.rows;
+    format!(
+        "{title}\n\nSaved by pinhole's planner, with bands of {rows} rows. The figures and rows below are those of the template, which \
+         shows a gear.\n{rest}"
+    )
 }
 
 #[cfg(test)]
@@ -348,7 +364,13 @@ mod tests {
     #[test]
     fn the_readme_is_of_the_folder_that_is_unpacked() {
         let template = include_str!("../../../boards/rp2040-st7789/README.md");
-        let made = readme(template);
+        let made = readme(template, &choice("rows=12"));
+        assert!(
+            made.starts_with(
+                "# RP2040 with an ST7789\n\nSaved by pinhole's planner, with bands of 12 rows. "
+            ),
+            "{made}"
+        );
         assert!(made.contains("](../pinhole/boards/emulate/README.md)"), "{made}");
         assert!(made.contains("](../pinhole/docs/wire.md)"), "{made}");
         assert!(!made.contains("](../../"), "{made}");
@@ -360,7 +382,7 @@ mod tests {
 
     fn mesh(obj: String) -> ImportedMesh {
         let options = Options { two_sided: true, ..Options::default() };
-        import_bytes(obj.into_bytes(), "part.obj".as_ref(), &options).expect("a mesh")
+        import_bytes(obj.into_bytes(), "part.obj".as_ref(), &[], &options).expect("a mesh")
     }
 
     /// A picture of two colours on the page has one bit per texel in the firmware.
@@ -425,6 +447,20 @@ mod tests {
             script(SCRIPT, &choice("mesh=torus&style=gouraud&two-sided=1"), "model.obj").expect("a script");
         let expected = "edges: Edges::None, up: Some(pinhole_import::Axis::Y), two_sided: true, vertex_normals: true, ..";
         assert!(made.contains(expected) && made.contains("FILE: &str = \"model.obj\";"), "{made}");
+    }
+
+    #[test]
+    fn bands_have_the_rows_of_the_choice() {
+        let file = |path: &str, template: &str, text: &str| {
+            let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_num(1));
+            super::file(path, template, &choice(text), "model.stl", &sphere)
+        };
+        let main = include_str!("../../../boards/rp2040-st7789/src/main.rs");
+        let expected = main.replace("ROWS: u32 = 8;", "ROWS: u32 = 12;");
+        assert_ne!(expected, main);
+        assert_eq!(file("src/main.rs", main, "rows=12").as_deref(), Ok(&expected[..]));
+        let made = file("src/picture.rs", PICTURE, "rows=40").expect("a picture");
+        assert_eq!(made, PICTURE.replace("ROWS: u32 = 32;", "ROWS: u32 = 40;"));
     }
 
     #[test]

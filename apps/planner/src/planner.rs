@@ -21,6 +21,8 @@ const FRAMES: u32 = TURNS / 3;
 #[derive(Default)]
 pub struct Planner {
     file: Option<(String, Vec<u8>)>,
+    /// The material libraries that were loaded, by their names.
+    libraries: Vec<(String, Vec<u8>)>,
     /// The loaded picture.
     picture: TextureImage,
     /// The mesh, with the name and the options that it was made from.
@@ -30,9 +32,13 @@ pub struct Planner {
 }
 
 impl Planner {
-    /// Takes a file, which choices then name `file`.
+    /// Takes a file, which choices then name `file`, or a material library (MTL), which belongs to the files that name it.
     pub fn load(&mut self, name: &str, bytes: Vec<u8>) {
-        self.file = Some((name.into(), bytes));
+        if name.to_ascii_lowercase().ends_with(".mtl") {
+            self.libraries.insert(0, (name.into(), bytes)); // before an older one of this name
+        } else {
+            self.file = Some((name.into(), bytes));
+        }
         self.mesh = None;
         self.film = None;
     }
@@ -172,7 +178,8 @@ impl Planner {
         let is_made = matches!(&self.mesh, Some((name, made, _)) if *name == choice.mesh && *made == options);
         if !is_made {
             let (name, bytes) = self.source(choice)?;
-            let mesh = import_bytes(bytes, name.as_ref(), &options).map_err(|e| e.to_string())?;
+            let mesh =
+                import_bytes(bytes, name.as_ref(), &self.libraries, &options).map_err(|e| e.to_string())?;
             self.mesh = Some((choice.mesh.clone(), options, mesh));
         }
         self.made()

@@ -71,6 +71,21 @@ const tests = {
     assert.ok(await tab.isChecked('#two-sided'));
   },
 
+  async 'an OBJ file is drawn in the colours of its material library, which the ZIP has'(tab) {
+    const files = { 'part.obj': `mtllib part.mtl\nusemtl leaf\n${SHEET}`, 'part.mtl': 'newmtl leaf\nKd 0 1 0\n' };
+    await tab.setInputFiles('#file', Object.entries(files).map(([name, text]) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) })));
+    await tab.waitForFunction(() => document.querySelector('#mesh').value === 'file');
+    await tab.selectOption('#projection', 'front');
+    await tab.locator('#ambient').fill('256');
+    await settled(tab);
+    assert.ok(await isGood(tab), await tab.textContent('#status'));
+    assert.doesNotMatch(await tab.textContent('#warnings'), /material/);
+    const pixel = await tab.evaluate(() => [...document.querySelector('#display').getContext('2d').getImageData(100, 120, 1, 1).data]);
+    assert.deepEqual(pixel, [0, 255, 0, 255]);
+    const [download] = await Promise.all([tab.waitForEvent('download'), tab.click('#zip')]);
+    assert.match(readFileSync(await download.path(), 'latin1'), /firmware\/part\.mtlnewmtl leaf/);
+  },
+
   async 'an STL file is dropped'(tab) {
     const data = await tab.evaluateHandle((bytes) => {
       const transfer = new DataTransfer();
@@ -87,6 +102,9 @@ const tests = {
     await load(tab, 'broken.stl', Buffer.from('this is no model'));
     assert.match(await tab.textContent('#status'), /^broken\.stl: /);
     assert.ok(!(await isGood(tab)));
+    // Nothing of the model before it is left.
+    for (const part of ['#costs', '#decimation']) assert.ok(!(await tab.isVisible(part)), part);
+    for (const button of ['#zip', '#picture', '#rust']) assert.ok(await tab.isDisabled(button), button);
     await load(tab, 'large.stl', stl(70_000));
     assert.match(await tab.textContent('#status'), /vertices, more than the 65536 of a mesh/);
     if (await decimates(tab)) {
@@ -350,6 +368,15 @@ const tests = {
       assert.match(await costs(), /Frames/, value);
     }
     assert.notEqual(await costs(), before);
+    // What does not fit has a remedy; a display's SPI may be slower than the chip's.
+    await tab.selectOption('#chip', 'stm32f030');
+    await tab.locator('#rows').fill('64');
+    await tab.locator('#rows').press('Tab');
+    await tab.click('#cost button.remedy');
+    assert.equal(await tab.inputValue('#rows'), '8');
+    await tab.selectOption('#panel-type', { label: 'SSD1306, 128 × 64, black and white' });
+    // Of 1024 bytes and 8 windows of 11, nine bits each.
+    await tab.waitForFunction(() => /SPI at 10 MHz[^]*I²C at 400 kHz[^]* 25 ms/.test(document.querySelector('#cost').textContent));
   },
 
   async 'the firmware of every board is saved, and so are picture.rs and the mesh'(tab) {
@@ -373,6 +400,22 @@ const tests = {
     assert.ok((await zips()).length >= 8);
     assert.match(readFileSync(await (await saves('#picture')).path(), 'utf8'), /pinhole::Projection::oblique\(/);
     assert.match(readFileSync(await (await saves('#rust')).path(), 'utf8'), /pub const MODEL: pinhole::Mesh/);
+
+    // Bands have the page's rows. The strips of two cores are two bands high, and fill the display.
+    const bands = async (rows) => {
+      await tab.locator('#rows').fill(rows);
+      await tab.locator('#rows').press('Tab');
+      await tab.waitForFunction((rows) => document.querySelector('#buffers').textContent.includes(`in bands of ${rows} rows`), rows);
+    };
+    await tab.selectOption('#board', 'rp2040-st7789');
+    await bands('16');
+    assert.match(await tab.textContent('#buffers'), /with the pixels of 2 bands/);
+    assert.equal(await tab.inputValue('#chip'), 'rp2040');
+    assert.match(readFileSync(await (await saves('#zip')).path(), 'latin1'), /const ROWS: u32 = 16;/);
+    await tab.selectOption('#board', 'rp2040-two-cores');
+    await tab.click('#zip');
+    assert.match(await tab.textContent('#status'), /rows that divides 120\.$/);
+    await bands('8');
 
     // Textured faces have one more file: for a model without coordinates, and for one with coordinates and a picture.
     const texture = async () => readFileSync(await (await saves('#texels')).path(), 'utf8');

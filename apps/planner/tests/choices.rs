@@ -31,6 +31,22 @@ fn no_file_is_a_message() {
 }
 
 #[test]
+fn a_model_has_the_colors_of_its_material_library() {
+    let mut planner = Planner::default();
+    let model = "mtllib part.mtl\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nusemtl leaf\nf 1 2 3 4\n";
+    planner.load("part.obj", model.into());
+    let choice = Choice::parse("mesh=file&projection=front&ambient=256").expect("a choice");
+    let middle = |planner: &mut Planner| -> [u8; 4] {
+        let (pixels, _) = planner.draw(&choice).expect("a picture");
+        let at = 4 * (120 * 240 + 100);
+        std::array::from_fn(|channel| pixels[at + channel])
+    };
+    assert_eq!(middle(&mut planner), [255, 215, 0, 255], "the page's colour");
+    planner.load("part.mtl", b"newmtl leaf\nKd 0 1 0\n".into());
+    assert_eq!(middle(&mut planner), [0, 255, 0, 255]);
+}
+
+#[test]
 fn a_broken_file_is_a_message_and_a_doubtful_one_a_warning_with_its_remedy() {
     let mut planner = Planner::default();
     let file = Choice::parse("mesh=file").expect("a choice");

@@ -21,7 +21,7 @@ const BOX: &str = "v -2 -1 -1\nv 2 -1 -1\nv 2 1 -1\nv -2 1 -1\nv -2 -1 1\nv 2 -1
 
 fn model(vertex_normals: bool) -> ImportedMesh {
     let options = Options { fit: Some(2.0), edges: Edges::None, vertex_normals, ..Options::default() };
-    import_bytes(BOX.into(), "box.obj".as_ref(), &options).expect("a box")
+    import_bytes(BOX.into(), "box.obj".as_ref(), &[], &options).expect("a box")
 }
 
 /// The pixels of the box, as red, green, blue and opacity, filled by what `shader` gives for a face and its light.

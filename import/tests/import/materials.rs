@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use pinhole::{FaceColors, TextureCoords};
-use pinhole_import::{import, preview, Axis, ImportedMesh, Options};
+use pinhole_import::{import, import_bytes, preview, Axis, ImportedMesh, Options};
 use std::path::{Path, PathBuf};
 
 fn file(name: &str, text: &str) -> PathBuf {
@@ -34,6 +34,20 @@ fn painted() -> String {
 
 const LIBRARY: &str =
     "# by hand\nnewmtl rust\nKa nonsense\nKd .6 .2 0\nKe 1.5 .4 0\nmap_Kd rust.png\nnewmtl sky\nNs 3\nKd 0 .5 1\n";
+
+/// Of files that are in no folder, as in a browser: by the last part of the name, with the separators of any system.
+#[test]
+fn a_library_may_be_given_as_bytes() {
+    let beside = [("painted.mtl".to_string(), LIBRARY.into())];
+    for name in ["painted.mtl", "parts/painted.mtl", r"C:\parts\painted.mtl"] {
+        let model = painted().replace("painted.mtl", name).into_bytes();
+        let mesh = import_bytes(model.clone(), "no.obj".as_ref(), &beside, &Options::default()).unwrap();
+        assert_eq!((mesh.palette.len(), said(&mesh)), (2, Vec::<String>::new()), "{name}");
+        let others = import_bytes(model, "no.obj".as_ref(), &[], &Options::default()).unwrap();
+        assert_eq!(others.palette.len(), 0);
+        assert!(said(&others).iter().any(|warning| warning.contains("is not there")), "{:?}", said(&others));
+    }
+}
 
 /// The vertex of the tetrahedron at a corner, by where it is: 1 at the origin, and 2, 3, 4 on the axes.
 fn vertex(mesh: &ImportedMesh, face: usize, corner: usize) -> usize {

@@ -37,8 +37,9 @@ impl Growth {
     }
 }
 
-/// Measures the cores of the table, in the order of `WAYS`; also the instructions of placing an object on these cores.
-pub(crate) fn measure() -> Result<(Vec<Growth>, Vec<u64>)> {
+/// Measures the cores of the table, in the order of `WAYS`; also the instructions of placing an object and of turning its light on
+/// these cores.
+pub(crate) fn measure() -> Result<(Vec<Growth>, Vec<[u64; 2]>)> {
     let works = works()?;
     let (mut all, mut placing) = (Vec::new(), Vec::new());
     for core in CORES {
@@ -47,7 +48,9 @@ pub(crate) fn measure() -> Result<(Vec<Growth>, Vec<u64>)> {
         // In the same order.
         let counts = printed.lines().map(|line| line.rsplit(',').next().unwrap_or(line).parse::<u64>());
         let mut counts = counts.collect::<std::result::Result<Vec<_>, _>>()?;
-        placing.extend(counts.pop());
+        if let (Some(light), Some(place)) = (counts.pop(), counts.pop()) {
+            placing.push([place, light]);
+        }
         if counts.len() != works.len() {
             return Err(format!("growth on {}: {} cases", core.name, counts.len()).into());
         }

@@ -86,8 +86,8 @@ faces fill a small picture or many pixels are drawn behind others: there the est
 
 ";
 
-/// `placing`: the instructions of placing an object on each core; `per_instruction`: the section on cycles.
-pub(crate) fn text(compiler: &str, all: &[Growth], placing: &[u64], per_instruction: &str) -> String {
+/// `placing`: the instructions of placing an object and of turning its light on each core; `per_instruction`: the section on cycles.
+pub(crate) fn text(compiler: &str, all: &[Growth], placing: &[[u64; 2]], per_instruction: &str) -> String {
     let mut text = format!("{HEAD}{BUILT}{compiler}.\n{FORMULA}");
     let root = rows_of_root(all);
     let _ = writeln!(text, "\n    rows  = {root:.2} · √(faces drawn × pixels of faces)");
@@ -96,17 +96,15 @@ pub(crate) fn text(compiler: &str, all: &[Growth], placing: &[u64], per_instruct
         writeln!(text, "\nNone are large below {SOME} rows a face, all from {ALL} on.\n\n## The constants\n");
     text += "In instructions, at opt-level 3 with fat LTO, drawn into memory, every face lit. In bands, faces go into `band.pixels()`, and \
              lines\ninto the band as into any target (`&mut band`), which displays of one bit need.\n";
-    text += "\n### Placing an object\n\nNot in the constants below: turning the object, turning the light to it, and placing it before the camera.\n\n|";
+    text += "\n### Placing an object\n\nNot in the constants below: turning the object and placing it before the camera; and turning the light to it, unless lines are drawn.\n\n|";
     for core in crate::core::CORES {
         let _ = write!(text, " | {}", core.name);
     }
     let _ = writeln!(text, " |\n|---|{}", "--:|".repeat(placing.len()));
-    let figures = placing.iter().map(|instructions| format!(" {} |", grouped(*instructions)));
-    let _ = writeln!(
-        text,
-        "| `Affine::rotation_y`, `Lambert::new`, `Camera::place` |{}",
-        figures.collect::<String>()
-    );
+    for (at, name) in ["`Affine::rotation_y`, `Camera::place`", "`Lambert::new`"].into_iter().enumerate() {
+        let figures = placing.iter().map(|instructions| format!(" {} |", grouped(instructions[at])));
+        let _ = writeln!(text, "| {name} |{}", figures.collect::<String>());
+    }
     for (ways, title) in all.iter().map(|growth| growth.ways).zip(TITLES) {
         let cores: Vec<&Growth> = all.iter().filter(|growth| growth.ways == ways).collect();
         constants(&mut text, title, &cores);

@@ -20,6 +20,7 @@ mod growth;
 mod growth_page;
 mod guard;
 mod images;
+mod log;
 mod page;
 mod pages;
 mod profile;

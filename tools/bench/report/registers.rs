@@ -2,11 +2,12 @@
 //! instruction at a time.
 
 use crate::core::Core;
+use crate::log::lines;
 use crate::provenance::Frame;
 use crate::timing::program::{Conditions, Executed, Program, State};
 use crate::trace::{clock_code, counted, filter, EARLIER};
 use crate::{elf, provenance, Result};
-use std::io::{BufRead, BufReader};
+use std::io::BufRead;
 use std::path::Path;
 use std::process::Stdio;
 
@@ -38,7 +39,7 @@ pub(crate) fn record(core: Core, image: &Path, places: &[Vec<Frame>], count: usi
     let mut command = core.emulate(image);
     command.args(LOG).args(filter(image, places)?);
     let mut qemu = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn()?;
-    let mut lines = BufReader::with_capacity(1 << 20, qemu.stderr.take().ok_or("its log")?);
+    let mut lines = lines(qemu.stderr.take().ok_or("its log")?);
     let mut recorder = Recorder { program: Program::of(image)?, clock: clock.start, ..Recorder::default() };
     let mut line = Vec::new();
     while recorder.frames.len() < count {

@@ -2,11 +2,12 @@
 //! that it executes.
 
 use crate::core::Core;
+use crate::log::lines;
 use crate::provenance::{Frame, STEP};
 use crate::timing::program::Executed;
 use crate::{elf, Result};
 use std::collections::HashMap;
-use std::io::{BufRead, BufReader};
+use std::io::BufRead;
 use std::ops::Range;
 use std::path::Path;
 use std::process::Stdio;
@@ -111,7 +112,7 @@ pub(crate) fn frames(
     let mut command = core.emulate(image);
     command.args(LOG).args(filter(image, places)?);
     let mut qemu = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn()?;
-    let mut lines = BufReader::with_capacity(1 << 20, qemu.stderr.take().ok_or("its log")?);
+    let mut lines = lines(qemu.stderr.take().ok_or("its log")?);
     let (mut line, mut log, mut number) = (Vec::new(), Log::default(), 0);
     while number < count {
         line.clear();

@@ -1,4 +1,4 @@
-//! Prints a line `case,way,instructions` for every case and way, and at last `placing,instructions`.
+//! Prints a line `case,way,instructions` for every case and way, and at last of placing an object and of turning its light.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::board::{println, Clock};
 use bench::firmware;
@@ -11,6 +11,7 @@ firmware!(memory: Memory = Memory::NEW, {
             println!("{at},{way},{}", case.count(way, memory, &mut clock)?);
         }
     }
-    println!("placing,{}", placing(&mut clock)?);
+    let [place, light] = placing(&mut clock)?;
+    println!("placing,{place}\nlight,{light}");
     Some(())
 });

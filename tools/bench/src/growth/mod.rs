@@ -160,19 +160,22 @@ impl core::fmt::Display for Way {
     }
 }
 
-/// The instructions of what comes before a frame: turning the object, its light, and placing it before the camera.
-pub fn placing(clock: &mut Clock) -> Option<u32> {
+/// The instructions of what comes before a frame: turning the object and placing it before the camera; and turning its light.
+pub fn placing(clock: &mut Clock) -> Option<[u32; 2]> {
     let camera = crate::scene::TORUS.camera()?;
     let (mesh, turn, light) =
         black_box((crate::scene::TORUS.mesh, Angle::turns(23, 120), Vector3::from_ints(2, 3, 4)));
-    let mut good = None;
-    let instructions = clock.count(&mut || {
+    let place = clock.count(&mut || {
         let model = Affine::rotation_y(turn);
+        black_box((camera.place(&mesh, &model), model));
+    })?;
+    let (model, mut good) = (black_box(Affine::rotation_y(turn)), None);
+    let light = clock.count(&mut || {
         let light = Lambert::new(&model, light, 48).ok();
-        black_box((&light, camera.place(&mesh, &model)));
+        black_box(&light);
         good = light.map(|_| ());
     })?;
-    good.map(|()| instructions)
+    good.map(|()| [place, light])
 }
 
 impl Case {
