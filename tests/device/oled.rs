@@ -90,6 +90,17 @@ fn the_frames_of_the_show_differ() {
     assert!(frames.iter().all(|levels| levels.iter().filter(|level| **level > 0).count() > 200));
 }
 
+/// The last scene is in black and white alone, with enough of both.
+#[test]
+fn the_last_scene_is_of_one_bit() {
+    for picture in &host()[FRAMES as usize - STEPS as usize..] {
+        let white = picture.levels().iter().filter(|level| **level == 15).count();
+        let black = picture.levels().iter().filter(|level| **level == 0).count();
+        assert_eq!(white + black, picture.levels().len());
+        assert!(black.min(white) > 1000, "{black} {white}");
+    }
+}
+
 /// The check itself must be able to fail.
 #[test]
 fn a_single_wrong_pixel_is_reported() {

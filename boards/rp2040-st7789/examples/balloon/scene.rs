@@ -1,0 +1,389 @@
+//! A balloon drifts over fields in the mist, among trees: textures in perspective with fog by pixel, light by palette rows, sprites,
+//! and a shadow by a screen door. It is drawn in any colour type, into any target, and needs no file but this one; the OLED
+//! example of pinhole's repository shows it in 16 greys and in dithered black and white.
+
+use embedded_graphics_core::geometry::{AnchorPoint, Point, Size};
+use embedded_graphics_core::pixelcolor::Rgb888;
+use pinhole::meshes::{CUBE, SPHERE};
+use pinhole::space::Model;
+use pinhole::{
+    mesh_buffers, Affine, Angle, BinnedFaces, Blend, Camera, Channels, DepthBuffer, Fog, FogTable, Fogged,
+    IndexedTexels, Lambert, LitPalette, Mesh, MeshBuffers, MeshInstance, PlacedSprites, Point3, Projection,
+    Scalar, ScreenDoor, ScreenVertex, Sprite, SpriteSource, Target, Texture, Textured, Vector3, VertexFog,
+    ViewTransform, Viewport,
+};
+
+/// The way after which everything looks as before, in 1/32 world units: trees repeat after 48 units, fields after 16.
+pub const WAY: i32 = 48 * 32;
+
+/// What can be drawn in.
+pub trait Ink: Channels + Blend + From<Rgb888> {}
+impl<C: Channels + Blend + From<Rgb888>> Ink for C {}
+
+/// The colours of the scene.
+#[derive(Clone, Copy)]
+pub struct Colors {
+    /// The sky, and what everything fades into.
+    pub mist: Rgb888,
+    /// Soil, meadow, wheat, paths.
+    pub fields: [Rgb888; 4],
+    /// Of trees in the light, in the shade, and of trunks.
+    pub tree: [Rgb888; 3],
+    /// The gores of the balloon by turns, its belt, and the basket, in full light.
+    pub balloon: [Rgb888; 4],
+    pub shadow: Rgb888,
+}
+
+/// The colours of a morning.
+pub const MORNING: Colors = Colors {
+    mist: Rgb888::new(206, 214, 222),
+    fields: [
+        Rgb888::new(112, 82, 56),
+        Rgb888::new(92, 138, 62),
+        Rgb888::new(206, 176, 84),
+        Rgb888::new(222, 206, 170),
+    ],
+    tree: [Rgb888::new(52, 112, 66), Rgb888::new(26, 72, 52), Rgb888::new(84, 58, 40)],
+    balloon: [
+        Rgb888::new(226, 54, 44),
+        Rgb888::new(250, 236, 206),
+        Rgb888::new(30, 74, 140),
+        Rgb888::new(150, 104, 60),
+    ],
+    shadow: Rgb888::new(38, 46, 30),
+};
+
+/// Half of a side of the ground, in world units: its far edge lies where nothing but mist is seen.
+const HALF_SIDE: i16 = 128;
+const NO_MESH: &str = "a list of the scene does not fit its mesh";
+
+const GROUND: Mesh<'static> = {
+    const S: i16 = HALF_SIDE;
+    match Mesh::new(&[[-S, 0, S], [S, 0, S], [S, 0, -S], [-S, 0, -S]], 0, &[[0, 1, 2], [0, 2, 3]]) {
+        Ok(mesh) => mesh,
+        Err(_) => panic!("faces"),
+    }
+};
+/// A disc of radius 1.
+const SHADOW: Mesh<'static> = {
+    const R: i16 = 64;
+    const H: i16 = 45; // R/√2
+    const RIM: [[i16; 3]; 8] =
+        [[R, 0, 0], [H, 0, -H], [0, 0, -R], [-H, 0, -H], [-R, 0, 0], [-H, 0, H], [0, 0, R], [H, 0, H]];
+    match Mesh::new(&RIM, -6, &[[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5], [0, 5, 6], [0, 6, 7]]) {
+        Ok(mesh) => mesh,
+        Err(_) => panic!("faces"),
+    }
+};
+const CANOPY: Mesh<'static> = SPHERE.without_planes();
+const BASKET: Mesh<'static> = CUBE;
+/// A tree at each vertex, far ones first.
+const TREES: Mesh<'static> = match Mesh::new(&TREE_POINTS, 0, &[]) {
+    Ok(mesh) => mesh,
+    Err(_) => panic!("vertices"),
+};
+
+/// Seven trees, four times, one behind the other.
+static TREE_POINTS: [[i16; 3]; 28] = {
+    const GROUP: [[i16; 3]; 7] =
+        [[30, 0, -46], [-19, 0, -39], [12, 0, -32], [-44, 0, -26], [-10, 0, -18], [21, 0, -11], [-25, 0, -4]];
+    let mut points = [[0; 3]; 28];
+    let mut at = 0;
+    while at < 28 {
+        let [x, y, z] = GROUP[at % 7];
+        points[at] = [x, y, z - 48 * (2 - (at / 7) as i16)];
+        at += 1;
+    }
+    points
+};
+
+/// Packs a picture of `W` columns, two bits a texel.
+macro_rules! picture {
+    ($width:literal, $height:literal, |$column:ident, $row:ident| $texel:expr) => {{
+        let mut bytes = [0u8; $width * $height / 4];
+        let mut at = 0;
+        while at < $width * $height {
+            let ($column, $row) = (at % $width, at / $width);
+            let texel: u8 = $texel;
+            bytes[at / 4] |= texel << (6 - 2 * (at % 4));
+            at += 1;
+        }
+        bytes
+    }};
+}
+
+/// Four fields between paths: ploughed along the way, wheat, a meadow, ploughed across. A texel is half a world unit.
+static FIELDS: [u8; 256] = picture!(32, 32, |column, row| match (row / 16, column / 16) {
+    _ if row % 16 == 0 || column % 16 == 0 => 3,
+    (0, 0) => (column / 2 % 2) as u8,
+    (0, _) => 2 + ((7 * row + 3 * column) % 11 == 0) as u8,
+    (_, 0) => (row / 2 % 2) as u8 + 1,
+    _ => ((5 * row + 11 * column) % 13 != 0) as u8,
+});
+
+/// Two gores of the balloon, with a belt of zigzags.
+static CLOTH: [u8; 64] = picture!(8, 32, |column, row| {
+    let from_middle = if column < 4 { 3 - column } else { column - 4 };
+    let low = 11 + 2 * from_middle;
+    match row {
+        _ if row >= low && row < low + 4 => 2,
+        _ => (column / 4) as u8,
+    }
+});
+/// The basket's, of one colour.
+static WICKER: [u8; 16] = [0xff; 16];
+
+/// What stays from frame to frame.
+pub struct Scene<C> {
+    camera: Camera,
+    fog: Fog,
+    table: FogTable<C>,
+    mist: C,
+    fields: [C; 4],
+    balloon: LitPalette<C, 4, 16>,
+    tree: [C; 3],
+    shadow: C,
+}
+
+/// The memory of a frame: zeros at first, so that a static takes no flash.
+pub struct Buffers {
+    placed: Option<Placed>,
+    ground: MeshBuffers!(GROUND),
+    shadow: MeshBuffers!(SHADOW),
+    canopy: MeshBuffers!(CANOPY),
+    basket: MeshBuffers!(BASKET),
+}
+
+impl Buffers {
+    #[allow(clippy::new_without_default)]
+    pub const fn new() -> Self {
+        Self {
+            placed: None,
+            ground: mesh_buffers!(GROUND),
+            shadow: mesh_buffers!(SHADOW),
+            canopy: mesh_buffers!(CANOPY),
+            basket: mesh_buffers!(BASKET),
+        }
+    }
+}
+
+/// Everything before the camera.
+struct Placed {
+    ground: MeshInstance<'static>,
+    shadow: MeshInstance<'static>,
+    canopy: MeshInstance<'static>,
+    basket: MeshInstance<'static>,
+    trees: PlacedSprites<'static>,
+    tree_fog: VertexFog,
+    light: Lambert,
+}
+
+/// A frame, which draws itself band by band.
+pub struct Frame<'a, C> {
+    scene: &'a Scene<C>,
+    placed: &'a Placed,
+    /// Of each [`Body`].
+    textures: [Texture<IndexedTexels<'a, C, 2>>; 3],
+    /// How far the fields have come, in units of their texture.
+    passed: i16,
+    bodies: [BinnedFaces<'a, i16, true>; 3],
+    shadow: BinnedFaces<'a, i16, true>,
+}
+
+impl<C: Ink> Scene<C> {
+    /// The scene on a screen of this size.
+    #[inline(never)] // set-up: its variables leave the stack
+    pub fn new(size: Size, colors: &Colors) -> Result<Self, &'static str> {
+        let eye = Point3::from_ints(0, 7, 34);
+        let view = ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
+        let [near, far] = [2, 200].map(Scalar::const_from_int);
+        let lens = Projection::perspective(Angle::degrees(50), size, near, far);
+        let viewport = Viewport::new(Point::zero(), size).map_err(|_| "the screen has no pixels")?;
+        let (Ok(view), Ok(lens)) = (view, lens) else { return Err("no camera") };
+        let camera = Camera::new(&view, &lens, &viewport);
+        let fog =
+            Fog::linear(Scalar::const_from_int(14), Scalar::const_from_int(110)).map_err(|_| "no fog")?;
+        let mist = colors.mist.into();
+        Ok(Self {
+            table: FogTable::new(&fog, &camera, mist).map_err(|_| "no fog")?,
+            camera,
+            fog,
+            mist,
+            fields: colors.fields.map(C::from),
+            balloon: LitPalette::new(&colors.balloon),
+            tree: colors.tree.map(C::from),
+            shadow: colors.shadow.into(),
+        })
+    }
+
+    /// The frame at a part of the [`WAY`].
+    pub fn frame<'a>(&'a self, way: i32, buffers: &'a mut Buffers) -> Result<Frame<'a, C>, &'static str> {
+        let Buffers { placed, ground, shadow, canopy, basket } = buffers;
+        let placed = self.place(way, placed)?;
+        let texture = |bytes, width, height, palette| match IndexedTexels::new(bytes, width, height, palette)
+        {
+            Ok(texels) => Ok(Texture::new(texels)),
+            Err(_) => Err("a picture of the scene is too short"),
+        };
+        let dark = self.balloon.row(0);
+        Ok(Frame {
+            scene: self,
+            placed,
+            textures: [
+                texture(FIELDS.as_slice(), 32, 32, self.fields.as_slice())?,
+                texture(&CLOTH, 8, 32, dark)?,
+                texture(&WICKER, 8, 8, dark)?,
+            ],
+            passed: (way % WAY) as i16,
+            bodies: [
+                bin(&placed.ground, &mut ground.cache, &mut ground.bins)?,
+                bin(&placed.canopy, &mut canopy.cache, &mut canopy.bins)?,
+                bin(&placed.basket, &mut basket.cache, &mut basket.bins)?,
+            ],
+            shadow: bin(&placed.shadow, &mut shadow.cache, &mut shadow.bins)?,
+        })
+    }
+
+    /// The balloon sways and turns. Not inlined: the transforms leave the stack.
+    #[inline(never)]
+    fn place<'p>(&self, way: i32, placed: &'p mut Option<Placed>) -> Result<&'p Placed, &'static str> {
+        let turn = Angle::turns(way % WAY, WAY as u32);
+        let [x, y] = [turn, turn + turn].map(Angle::sin);
+        let at = |up: Scalar, scale: [Scalar; 3]| {
+            let [a, b, c] = scale;
+            let moved =
+                Vector3::new(x.saturating_mul(Scalar::const_from_int(5)), up, Scalar::const_from_int(13));
+            Affine::<Model, Model>::scale_axes(a, b, c)
+                .then::<Model>(&Affine::rotation_y(turn))
+                .then(&Affine::translation(moved))
+        };
+        let tenths = |tenths: i32| Scalar::from_bits((tenths << 16) / 10);
+        let height = tenths(70).saturating_add(y);
+        let canopy = at(height, [tenths(31), tenths(35), tenths(31)]);
+        let trees = Affine::translation(Vector3::new(
+            Scalar::ZERO,
+            Scalar::ZERO,
+            Scalar::from_bits((way % WAY) << 11),
+        ));
+        let light = Lambert::new(&canopy, Vector3::from_ints(-3, 3, 2), 96).map_err(|_| "no light")?;
+        let camera = &self.camera;
+        Ok(placed.insert(Placed {
+            ground: camera.place(&GROUND, &Affine::identity()),
+            shadow: camera.place(&SHADOW, &at(tenths(1), [tenths(31); 3])),
+            basket: camera.place(&BASKET, &at(height.saturating_sub(tenths(46)), [tenths(6); 3])),
+            trees: camera.place_sprites(&TREES, &trees),
+            tree_fog: VertexFog::new(&self.fog, camera, &trees, TREES.exponent()),
+            canopy: camera.place(&CANOPY, &canopy),
+            light,
+        }))
+    }
+}
+
+/// Not inlined: its variables leave the stack.
+#[inline(never)]
+fn bin<'a>(
+    instance: &'a MeshInstance<'static>,
+    cache: &'a mut [ScreenVertex],
+    bins: &'a mut [u16],
+) -> Result<BinnedFaces<'a, i16, true>, &'static str> {
+    instance.transform_depth(cache).bin_faces(bins).map_err(|_| NO_MESH)
+}
+
+/// What is textured.
+#[derive(Clone, Copy)]
+enum Body {
+    Ground,
+    Canopy,
+    Basket,
+}
+
+impl<'a, C: Ink> Frame<'a, C> {
+    /// Draws what lies in a target, whose background is the mist.
+    pub fn draw<T: Target<Color = C>>(
+        &mut self,
+        depth: &mut DepthBuffer<'_>,
+        target: &mut T,
+    ) -> Result<(), T::Error> {
+        let Self { scene, placed, textures, passed, bodies, shadow } = self;
+        // One loop and one type of closure, so that the code that draws textured faces is linked once.
+        let names = [Body::Ground, Body::Canopy, Body::Basket];
+        for ((faces, texture), body) in bodies.iter_mut().zip(*textures).zip(names) {
+            faces.depth_tested(shader(scene, placed, texture, body, *passed), depth, target)?;
+        }
+        shadow.depth_tested(|_| ScreenDoor::new(scene.shadow, 40), depth, target)?;
+        let tree = |vertex: usize| {
+            let factor = TREE_POINTS.get(vertex).map_or(0, |&point| placed.tree_fog.factor(point));
+            let tree = Sprite::new(Tree(scene.tree.map(|color| color.over(scene.mist, factor))));
+            tree.with_height(Scalar::const_from_int(9)).with_anchor(AnchorPoint::BottomCenter)
+        };
+        placed.trees.depth_tested(tree, depth, target)?;
+        Ok(())
+    }
+}
+
+/// The shaders of a body's faces: its texture at their corners, in a palette for their light, in the mist.
+fn shader<'a, C: Ink>(
+    scene: &'a Scene<C>,
+    placed: &'a Placed,
+    texture: Texture<IndexedTexels<'a, C, 2>>,
+    body: Body,
+    passed: i16,
+) -> impl Fn(usize) -> Fogged<'a, Textured<IndexedTexels<'a, C, 2>>, C> {
+    let lit = move |mesh: &Mesh<'_>, face: usize| {
+        let level = mesh.normals().get(face).map_or(256, |&normal| placed.light.level(normal));
+        scene.balloon.row(level)
+    };
+    move |face| {
+        let (palette, corners) = match body {
+            Body::Ground => (&scene.fields, field_corners(face, passed)),
+            Body::Canopy => (lit(&CANOPY, face), cloth_corners(face)),
+            Body::Basket => (lit(&BASKET, face), [[0; 2]; 3]),
+        };
+        Fogged::new(texture.with_palette(palette).at(corners), &scene.table)
+    }
+}
+
+/// Texture coordinates of the ground, in 1/16 texel: 32 for a world unit.
+fn field_corners(face: usize, passed: i16) -> [[i16; 2]; 3] {
+    const SIDE: i16 = 2 * 32 * HALF_SIDE;
+    let (near, far) = (SIDE - passed, -passed);
+    GROUND.corners_of(face, &[[0, near], [SIDE, near], [SIDE, far], [0, far]])
+}
+
+/// Texture coordinates of the balloon, in 1/16 texel: 4 texels for each of the 16 columns of the sphere and each of the 8 rows from pole to pole.
+fn cloth_corners(face: usize) -> [[i16; 2]; 3] {
+    // 14 faces to a column; the vertices are 7 rings of 16 from the lowest on, and the poles.
+    let column = (face / 14) as i16;
+    let corners = CANOPY.faces().get(face).copied().unwrap_or_default();
+    corners.map(|vertex| match vertex as i16 {
+        112 => [64 * column + 32, 8 * 64],
+        113 => [64 * column + 32, 0],
+        // A column's right side is the next one's left, and of the last one that of the first.
+        vertex => [64 * (column + i16::from(vertex % 16 != column)), 64 * (7 - vertex / 16)],
+    })
+}
+
+/// A conifer of 15 × 24 texels in the light from the left.
+struct Tree<C>([C; 3]);
+
+impl<C: Ink> SpriteSource for Tree<C> {
+    type Color = C;
+
+    fn picture_size(&self) -> Size {
+        Size::new(15, 24)
+    }
+
+    fn color_at(&self, column: u32, row: u32) -> Option<C> {
+        let Self([light, dark, trunk]) = *self;
+        let away = column.abs_diff(7);
+        // Three skirts of branches, each wider than the one above.
+        let (top, reach) = match row {
+            0..7 => (0, 1),
+            7..14 => (7, 3),
+            14..21 => (14, 4),
+            _ => return (away <= 1).then_some(trunk),
+        };
+        let is_lit = column + (row - top) / 3 < 7;
+        (away <= reach + (row - top) / 2).then_some(if is_lit { light } else { dark })
+    }
+}
