@@ -48,8 +48,8 @@ pub(crate) struct Scratch {
     rings: [([ScreenVertex; RING_CORNERS], [u16; bin_storage_len(RING_CORNERS)]); 2],
     ship: ([ScreenVertex; 8], [u16; bin_storage_len(12)], [u16; bin_storage_len(17)]),
     balloon: balloon::Buffers,
-    greys: Option<balloon::Scene<Gray4>>,
-    dithered: Option<balloon::Scene<Gray8>>,
+    greys: Vec<balloon::Scene<Gray4>, 1>,
+    dithered: Vec<balloon::Scene<Gray8>, 1>,
 }
 
 /// The largest number of objects in a scene. Each takes 176 bytes, which are not on the stack.
@@ -91,8 +91,8 @@ impl Scratch {
             rings: [([ScreenVertex::EMPTY; RING_CORNERS], [0; bin_storage_len(RING_CORNERS)]); 2],
             ship: ([ScreenVertex::EMPTY; 8], [0; bin_storage_len(12)], [0; bin_storage_len(17)]),
             balloon: balloon::Buffers::new(),
-            greys: None,
-            dithered: None,
+            greys: Vec::new(),
+            dithered: Vec::new(),
         }
     }
 
@@ -269,7 +269,8 @@ impl Scratch {
     #[inline(never)]
     fn balloon<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
         let scene = stay(&mut self.greys, &MORNING);
-        let mut frame = scene.frame(way(step), &mut self.balloon).expect("buffers for all of it");
+        let mut frame = scene.frame(way(step), &mut self.balloon);
+        let frame = frame.as_mut().expect("buffers for all of it");
         screen.mark(CHANGES);
         screen.show_on_bright(MORNING.mist.into(), SCENES[7], |band, depth| {
             let Ok(()) = frame.draw(depth, band);
@@ -280,7 +281,8 @@ impl Scratch {
     #[inline(never)]
     fn one_bit<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
         let scene = stay(&mut self.dithered, &PRINT);
-        let mut frame = scene.frame(way(step), &mut self.balloon).expect("buffers for all of it");
+        let mut frame = scene.frame(way(step), &mut self.balloon);
+        let frame = frame.as_mut().expect("buffers for all of it");
         screen.mark(CHANGES);
         screen.show_dithered(PRINT.mist.into(), SCENES[8], |greys, depth| {
             let Ok(()) = frame.draw(depth, greys);
@@ -318,12 +320,16 @@ fn way(step: i32) -> i32 {
     step * (3 * 32) % WAY
 }
 
-/// The balloon's scene, made when it is first needed.
+/// The balloon's scene, made when it is first needed. Not inlined: what makes it leaves the stack.
+#[inline(never)]
 fn stay<'s, C: Ink>(
-    scene: &'s mut Option<balloon::Scene<C>>,
+    scene: &'s mut Vec<balloon::Scene<C>, 1>,
     colors: &balloon::Colors,
 ) -> &'s balloon::Scene<C> {
-    scene.get_or_insert_with(|| balloon::Scene::new(SIZE, colors).expect("a scene"))
+    if let (true, Ok(made)) = (scene.is_empty(), balloon::Scene::new(SIZE, colors)) {
+        let _ = scene.push(made); // there is room for one
+    }
+    scene.first().expect("a scene")
 }
 
 const STARS: [(i32, i32); 12] = [

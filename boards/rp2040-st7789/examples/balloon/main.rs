@@ -40,7 +40,7 @@ const MEGAHERTZ: u32 = 125;
 const FRAMES: i32 = 96;
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
 /// Rows of a band: more are faster, and take more memory.
-const ROWS: u32 = 8;
+const ROWS: u32 = 40;
 
 #[hal::entry]
 fn main() -> ! {

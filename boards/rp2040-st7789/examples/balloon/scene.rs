@@ -1,15 +1,15 @@
-//! A balloon drifts over fields in the mist, among trees: textures in perspective with fog by pixel, light by palette rows, sprites,
-//! and a shadow by a screen door. It is drawn in any colour type, into any target, and needs no file but this one; the OLED
+//! A balloon drifts over fields in the mist, among trees: textures in perspective, light and fog by rows of palettes, which cost no
+//! instruction a pixel, sprites, and a shadow by a screen door. It is drawn in any colour type, into any target, and needs no file but this one; the OLED
 //! example of pinhole's repository shows it in 16 greys and in dithered black and white.
 
 use embedded_graphics_core::geometry::{AnchorPoint, Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb888;
 use pinhole::meshes::{CUBE, SPHERE};
-use pinhole::space::Model;
+use pinhole::space::{Model, World};
 use pinhole::{
-    mesh_buffers, Affine, Angle, BinnedFaces, Blend, Camera, Channels, DepthBuffer, Fog, FogTable, Fogged,
-    IndexedTexels, Lambert, LitPalette, Mesh, MeshBuffers, MeshInstance, PlacedSprites, Point3, Projection,
-    Scalar, ScreenDoor, ScreenVertex, Sprite, SpriteSource, Target, Texture, Textured, Vector3, VertexFog,
+    mesh_buffers, Affine, Angle, BinnedFaces, Blend, Camera, Channels, DepthBuffer, Fog, IndexedTexels,
+    Lambert, LitPalette, Mesh, MeshBuffers, MeshInstance, PlacedSprites, Point3, Projection, Scalar,
+    ScreenDoor, ScreenVertex, Sprite, SpriteSource, Target, Texture, Textured, Vector3, VertexFog,
     ViewTransform, Viewport,
 };
 
@@ -53,13 +53,40 @@ pub const MORNING: Colors = Colors {
     shadow: Rgb888::new(38, 46, 30),
 };
 
-/// Half of a side of the ground, in world units: its far edge lies where nothing but mist is seen.
-const HALF_SIDE: i16 = 128;
 const NO_MESH: &str = "a list of the scene does not fit its mesh";
 
+/// Half of the ground's width, in world units.
+const HALF_WIDTH: i16 = 128;
+/// The ground in strips across the view, each in one level of fog, from behind the eye to where nothing but mist is seen.
+const STRIPS: usize = 24;
+/// Their depth.
+const STRIP: i16 = 6;
+const NEAR_EDGE: i16 = 36;
+
 const GROUND: Mesh<'static> = {
-    const S: i16 = HALF_SIDE;
-    match Mesh::new(&[[-S, 0, S], [S, 0, S], [S, 0, -S], [-S, 0, -S]], 0, &[[0, 1, 2], [0, 2, 3]]) {
+    // The left and the right end of each edge between strips, from the nearest on.
+    const ENDS: [[i16; 3]; 2 * STRIPS + 2] = {
+        let mut ends = [[0; 3]; 2 * STRIPS + 2];
+        let mut at = 0;
+        while at < ends.len() {
+            let side = if at % 2 == 0 { -HALF_WIDTH } else { HALF_WIDTH };
+            ends[at] = [side, 0, NEAR_EDGE - STRIP * (at / 2) as i16];
+            at += 1;
+        }
+        ends
+    };
+    const FACES: [[u16; 3]; 2 * STRIPS] = {
+        let mut faces = [[0; 3]; 2 * STRIPS];
+        let mut at = 0;
+        while at < STRIPS {
+            let left = 2 * at as u16;
+            faces[2 * at] = [left, left + 1, left + 3];
+            faces[2 * at + 1] = [left, left + 3, left + 2];
+            at += 1;
+        }
+        faces
+    };
+    match Mesh::new(&ENDS, 0, &FACES) {
         Ok(mesh) => mesh,
         Err(_) => panic!("faces"),
     }
@@ -137,9 +164,9 @@ static WICKER: [u8; 16] = [0xff; 16];
 pub struct Scene<C> {
     camera: Camera,
     fog: Fog,
-    table: FogTable<C>,
     mist: C,
-    fields: [C; 4],
+    /// From nothing but mist to none.
+    fields: LitPalette<C, 4, 32>,
     balloon: LitPalette<C, 4, 16>,
     tree: [C; 3],
     shadow: C,
@@ -147,18 +174,37 @@ pub struct Scene<C> {
 
 /// The memory of a frame: zeros at first, so that a static takes no flash.
 pub struct Buffers {
-    placed: Option<Placed>,
+    placed: [Slot<MeshInstance<'static>>; 4],
+    trees: Slot<PlacedSprites<'static>>,
     ground: MeshBuffers!(GROUND),
     shadow: MeshBuffers!(SHADOW),
     canopy: MeshBuffers!(CANOPY),
     basket: MeshBuffers!(BASKET),
 }
 
+/// An `Option` that is zeros when it is empty.
+#[repr(u8)]
+enum Slot<T> {
+    Empty,
+    Full(T),
+}
+
+impl<T> Slot<T> {
+    fn put(&mut self, value: T) -> Result<&T, &'static str> {
+        *self = Self::Full(value);
+        match self {
+            Self::Full(value) => Ok(value),
+            Self::Empty => Err("an empty slot"),
+        }
+    }
+}
+
 impl Buffers {
     #[allow(clippy::new_without_default)]
     pub const fn new() -> Self {
         Self {
-            placed: None,
+            placed: [Slot::Empty, Slot::Empty, Slot::Empty, Slot::Empty],
+            trees: Slot::Empty,
             ground: mesh_buffers!(GROUND),
             shadow: mesh_buffers!(SHADOW),
             canopy: mesh_buffers!(CANOPY),
@@ -167,27 +213,32 @@ impl Buffers {
     }
 }
 
-/// Everything before the camera.
-struct Placed {
-    ground: MeshInstance<'static>,
-    shadow: MeshInstance<'static>,
-    canopy: MeshInstance<'static>,
-    basket: MeshInstance<'static>,
-    trees: PlacedSprites<'static>,
-    tree_fog: VertexFog,
+/// Where everything is: the balloon sways and turns.
+struct Poses {
+    shadow: Affine<Model, World>,
+    canopy: Affine<Model, World>,
+    basket: Affine<Model, World>,
+    trees: Affine<Model, World>,
+}
+
+/// Of the light and the fog on things.
+struct Levels {
     light: Lambert,
+    ground: VertexFog,
+    trees: VertexFog,
 }
 
 /// A frame, which draws itself band by band.
 pub struct Frame<'a, C> {
     scene: &'a Scene<C>,
-    placed: &'a Placed,
+    levels: Levels,
     /// Of each [`Body`].
     textures: [Texture<IndexedTexels<'a, C, 2>>; 3],
     /// How far the fields have come, in units of their texture.
     passed: i16,
     bodies: [BinnedFaces<'a, i16, true>; 3],
     shadow: BinnedFaces<'a, i16, true>,
+    trees: &'a PlacedSprites<'static>,
 }
 
 impl<C: Ink> Scene<C> {
@@ -202,14 +253,12 @@ impl<C: Ink> Scene<C> {
         let (Ok(view), Ok(lens)) = (view, lens) else { return Err("no camera") };
         let camera = Camera::new(&view, &lens, &viewport);
         let fog =
-            Fog::linear(Scalar::const_from_int(14), Scalar::const_from_int(110)).map_err(|_| "no fog")?;
-        let mist = colors.mist.into();
+            Fog::linear(Scalar::const_from_int(20), Scalar::const_from_int(112)).map_err(|_| "no fog")?;
         Ok(Self {
-            table: FogTable::new(&fog, &camera, mist).map_err(|_| "no fog")?,
             camera,
             fog,
-            mist,
-            fields: colors.fields.map(C::from),
+            mist: colors.mist.into(),
+            fields: LitPalette::in_fog(&colors.fields, colors.mist),
             balloon: LitPalette::new(&colors.balloon),
             tree: colors.tree.map(C::from),
             shadow: colors.shadow.into(),
@@ -217,66 +266,82 @@ impl<C: Ink> Scene<C> {
     }
 
     /// The frame at a part of the [`WAY`].
+    #[inline(never)] // its variables leave the stack
     pub fn frame<'a>(&'a self, way: i32, buffers: &'a mut Buffers) -> Result<Frame<'a, C>, &'static str> {
-        let Buffers { placed, ground, shadow, canopy, basket } = buffers;
-        let placed = self.place(way, placed)?;
+        let Buffers { placed: [a, b, c, d], trees, ground, shadow, canopy, basket } = buffers;
+        let poses = Poses::at(way % WAY);
         let texture = |bytes, width, height, palette| match IndexedTexels::new(bytes, width, height, palette)
         {
             Ok(texels) => Ok(Texture::new(texels)),
             Err(_) => Err("a picture of the scene is too short"),
         };
         let dark = self.balloon.row(0);
+        let camera = &self.camera;
         Ok(Frame {
             scene: self,
-            placed,
+            levels: self.levels(&poses)?,
             textures: [
-                texture(FIELDS.as_slice(), 32, 32, self.fields.as_slice())?,
+                texture(FIELDS.as_slice(), 32, 32, self.fields.row(0))?,
                 texture(&CLOTH, 8, 32, dark)?,
                 texture(&WICKER, 8, 8, dark)?,
             ],
             passed: (way % WAY) as i16,
             bodies: [
-                bin(&placed.ground, &mut ground.cache, &mut ground.bins)?,
-                bin(&placed.canopy, &mut canopy.cache, &mut canopy.bins)?,
-                bin(&placed.basket, &mut basket.cache, &mut basket.bins)?,
+                bin(place(a, camera, &GROUND, &Affine::identity())?, &mut ground.cache, &mut ground.bins)?,
+                bin(place(b, camera, &CANOPY, &poses.canopy)?, &mut canopy.cache, &mut canopy.bins)?,
+                bin(place(c, camera, &BASKET, &poses.basket)?, &mut basket.cache, &mut basket.bins)?,
             ],
-            shadow: bin(&placed.shadow, &mut shadow.cache, &mut shadow.bins)?,
+            shadow: bin(place(d, camera, &SHADOW, &poses.shadow)?, &mut shadow.cache, &mut shadow.bins)?,
+            trees: trees.put(camera.place_sprites(&TREES, &poses.trees))?,
         })
     }
 
-    /// The balloon sways and turns. Not inlined: the transforms leave the stack.
-    #[inline(never)]
-    fn place<'p>(&self, way: i32, placed: &'p mut Option<Placed>) -> Result<&'p Placed, &'static str> {
-        let turn = Angle::turns(way % WAY, WAY as u32);
-        let [x, y] = [turn, turn + turn].map(Angle::sin);
-        let at = |up: Scalar, scale: [Scalar; 3]| {
-            let [a, b, c] = scale;
-            let moved =
-                Vector3::new(x.saturating_mul(Scalar::const_from_int(5)), up, Scalar::const_from_int(13));
-            Affine::<Model, Model>::scale_axes(a, b, c)
-                .then::<Model>(&Affine::rotation_y(turn))
-                .then(&Affine::translation(moved))
-        };
-        let tenths = |tenths: i32| Scalar::from_bits((tenths << 16) / 10);
-        let height = tenths(70).saturating_add(y);
-        let canopy = at(height, [tenths(31), tenths(35), tenths(31)]);
-        let trees = Affine::translation(Vector3::new(
-            Scalar::ZERO,
-            Scalar::ZERO,
-            Scalar::from_bits((way % WAY) << 11),
-        ));
-        let light = Lambert::new(&canopy, Vector3::from_ints(-3, 3, 2), 96).map_err(|_| "no light")?;
-        let camera = &self.camera;
-        Ok(placed.insert(Placed {
-            ground: camera.place(&GROUND, &Affine::identity()),
-            shadow: camera.place(&SHADOW, &at(tenths(1), [tenths(31); 3])),
-            basket: camera.place(&BASKET, &at(height.saturating_sub(tenths(46)), [tenths(6); 3])),
-            trees: camera.place_sprites(&TREES, &trees),
-            tree_fog: VertexFog::new(&self.fog, camera, &trees, TREES.exponent()),
-            canopy: camera.place(&CANOPY, &canopy),
-            light,
-        }))
+    #[inline(never)] // its variables leave the stack
+    fn levels(&self, poses: &Poses) -> Result<Levels, &'static str> {
+        let fog = |model: &Affine<Model, World>| VertexFog::new(&self.fog, &self.camera, model, 0);
+        Ok(Levels {
+            light: Lambert::new(&poses.canopy, Vector3::from_ints(-3, 3, 2), 96).map_err(|_| "no light")?,
+            ground: fog(&Affine::identity()),
+            trees: fog(&poses.trees),
+        })
     }
+}
+
+impl Poses {
+    #[inline(never)] // its variables leave the stack
+    fn at(way: i32) -> Self {
+        let turn = Angle::turns(way, WAY as u32);
+        let [x, y] = [turn, turn + turn].map(Angle::sin);
+        let tenths = |tenths: i32| Scalar::from_bits((tenths << 16) / 10);
+        let balloon = |height: Scalar, width: i32, tall: i32| {
+            let [width, tall] = [width, tall].map(tenths);
+            let at =
+                Vector3::new(x.saturating_mul(Scalar::const_from_int(5)), height, Scalar::const_from_int(13));
+            Affine::scale_axes(width, tall, width).rotate_y(turn).translate(at)
+        };
+        let height = tenths(70).saturating_add(y);
+        Self {
+            shadow: balloon(tenths(1), 31, 10),
+            canopy: balloon(height, 31, 35),
+            basket: balloon(height.saturating_sub(tenths(46)), 6, 6),
+            trees: Affine::translation(Vector3::new(
+                Scalar::ZERO,
+                Scalar::ZERO,
+                Scalar::from_bits(way << 11),
+            )),
+        }
+    }
+}
+
+/// Not inlined: an instance leaves the stack.
+#[inline(never)]
+fn place<'p>(
+    slot: &'p mut Slot<MeshInstance<'static>>,
+    camera: &Camera,
+    mesh: &'static Mesh<'static>,
+    model: &Affine<Model, World>,
+) -> Result<&'p MeshInstance<'static>, &'static str> {
+    slot.put(camera.place(mesh, model))
 }
 
 /// Not inlined: its variables leave the stack.
@@ -304,50 +369,56 @@ impl<'a, C: Ink> Frame<'a, C> {
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<(), T::Error> {
-        let Self { scene, placed, textures, passed, bodies, shadow } = self;
+        let Self { scene, levels, textures, passed, bodies, shadow, trees } = self;
         // One loop and one type of closure, so that the code that draws textured faces is linked once.
         let names = [Body::Ground, Body::Canopy, Body::Basket];
         for ((faces, texture), body) in bodies.iter_mut().zip(*textures).zip(names) {
-            faces.depth_tested(shader(scene, placed, texture, body, *passed), depth, target)?;
+            faces.depth_tested(shader(scene, levels, texture, body, *passed), depth, target)?;
         }
         shadow.depth_tested(|_| ScreenDoor::new(scene.shadow, 40), depth, target)?;
         let tree = |vertex: usize| {
-            let factor = TREE_POINTS.get(vertex).map_or(0, |&point| placed.tree_fog.factor(point));
+            let factor = TREE_POINTS.get(vertex).map_or(0, |&point| levels.trees.factor(point));
             let tree = Sprite::new(Tree(scene.tree.map(|color| color.over(scene.mist, factor))));
             tree.with_height(Scalar::const_from_int(9)).with_anchor(AnchorPoint::BottomCenter)
         };
-        placed.trees.depth_tested(tree, depth, target)?;
+        trees.depth_tested(tree, depth, target)?;
         Ok(())
     }
 }
 
-/// The shaders of a body's faces: its texture at their corners, in a palette for their light, in the mist.
-fn shader<'a, C: Ink>(
+/// The shaders of a body's faces: its texture at their corners, in a palette for their fog or light.
+fn shader<'a, 'l, C: Ink>(
     scene: &'a Scene<C>,
-    placed: &'a Placed,
+    levels: &'l Levels,
     texture: Texture<IndexedTexels<'a, C, 2>>,
     body: Body,
     passed: i16,
-) -> impl Fn(usize) -> Fogged<'a, Textured<IndexedTexels<'a, C, 2>>, C> {
+) -> impl Fn(usize) -> Textured<IndexedTexels<'a, C, 2>> + use<'a, 'l, C> {
     let lit = move |mesh: &Mesh<'_>, face: usize| {
-        let level = mesh.normals().get(face).map_or(256, |&normal| placed.light.level(normal));
+        let level = mesh.normals().get(face).map_or(256, |&normal| levels.light.level(normal));
         scene.balloon.row(level)
     };
     move |face| {
         let (palette, corners) = match body {
-            Body::Ground => (&scene.fields, field_corners(face, passed)),
+            Body::Ground => {
+                // Both faces of a strip have the fog of the strip's far left end.
+                let end = GROUND.vertices().get(face / 2 * 2 + 2).copied().unwrap_or_default();
+                (scene.fields.row(levels.ground.factor(end)), field_corners(face, passed))
+            }
             Body::Canopy => (lit(&CANOPY, face), cloth_corners(face)),
             Body::Basket => (lit(&BASKET, face), [[0; 2]; 3]),
         };
-        Fogged::new(texture.with_palette(palette).at(corners), &scene.table)
+        texture.with_palette(palette).at(corners)
     }
 }
 
 /// Texture coordinates of the ground, in 1/16 texel: 32 for a world unit.
 fn field_corners(face: usize, passed: i16) -> [[i16; 2]; 3] {
-    const SIDE: i16 = 2 * 32 * HALF_SIDE;
-    let (near, far) = (SIDE - passed, -passed);
-    GROUND.corners_of(face, &[[0, near], [SIDE, near], [SIDE, far], [0, far]])
+    let corners = GROUND.faces().get(face).copied().unwrap_or_default();
+    corners.map(|vertex| {
+        let [x, _, z] = GROUND.vertices().get(usize::from(vertex)).copied().unwrap_or_default();
+        [32 * x, 32 * z - passed]
+    })
 }
 
 /// Texture coordinates of the balloon, in 1/16 texel: 4 texels for each of the 16 columns of the sphere and each of the 8 rows from pole to pole.
