@@ -7,7 +7,7 @@ use core::cell::RefCell;
 use core::fmt::Write;
 use cortex_m as _; // its critical sections
 use critical_section::Mutex;
-use embedded_graphics::pixelcolor::Gray4;
+use embedded_graphics::pixelcolor::{BinaryColor, Gray4};
 use embedded_graphics::primitives::Rectangle;
 use embedded_hal::digital::OutputPin;
 use embedded_hal::spi::SpiBus;
@@ -21,12 +21,14 @@ struct Memory {
     scratch: Scratch,
     colours: [u8; Frame::<Gray4>::strip_bytes(SIZE.width, ROWS)],
     depths: [u16; (SIZE.width * ROWS) as usize],
+    bits: [u8; Frame::<BinaryColor>::strip_bytes(SIZE.width, ROWS)],
 }
 
 static MEMORY: Mutex<RefCell<Memory>> = Mutex::new(RefCell::new(Memory {
     scratch: Scratch::new(),
     colours: [0; Frame::<Gray4>::strip_bytes(SIZE.width, ROWS)],
     depths: [0; (SIZE.width * ROWS) as usize],
+    bits: [0; Frame::<BinaryColor>::strip_bytes(SIZE.width, ROWS)],
 }));
 
 /// By themselves: a static that is not all zeros takes as much flash.
@@ -46,9 +48,9 @@ fn main() -> ! {
     let Board { spi, data_command, mut serial } = Board::take().expect("the first to take it");
     let mut panel = Ssd0323::new(spi, data_command).expect("a panel");
     let command = critical_section::with(|token| {
-        let Memory { scratch, colours, depths } = &mut *MEMORY.borrow_ref_mut(token);
+        let Memory { scratch, colours, depths, bits } = &mut *MEMORY.borrow_ref_mut(token);
         let nodes = &mut *NODES.borrow_ref_mut(token);
-        let mut screen = Screen::new(&mut panel, colours, depths);
+        let mut screen = Screen::new(&mut panel, colours, depths, bits);
         for frame in 0..FRAMES {
             scratch.draw(frame, nodes, &mut screen).expect("a panel");
             // Whoever looks answers: the next frame, or no more, but this for a command.

@@ -37,7 +37,8 @@ impl Picture {
         // A level that no display has, so that a pixel that is not sent shows.
         let mut picture = Self { levels: vec![0xff; WIDTH * HEIGHT] };
         let (mut colours, mut depths) = (vec![0; WIDTH * HEIGHT / 2], vec![0; WIDTH * HEIGHT]);
-        let mut screen = Screen::new(&mut picture, &mut colours, &mut depths);
+        let mut bits = vec![0; WIDTH * HEIGHT / 8];
+        let mut screen = Screen::new(&mut picture, &mut colours, &mut depths, &mut bits);
         let Ok(()) = Scratch::new().draw(frame, &mut { SOLAR_SYSTEM }, &mut screen);
         picture
     }

@@ -31,6 +31,6 @@ impl Camera {
         let towards = Row::new(&row_times(back, m), exponent - 60, add(offset, i64::from(end) << 16));
         // −n is the distance: end − distance. In world units, `full` is reached within the extent, 32 bits.
         let extent = (i64::from(end) - i64::from(start)).unsigned_abs().max(1);
-        towards.linear_combination(ratio(i64::from(full) << 16, extent), &Row::ZERO, (0, 0))
+        towards.times(ratio(i64::from(full) << 16, extent))
     }
 }

@@ -107,6 +107,13 @@ impl Row {
         into.exponent = block_scaled(&sums, own + inner.exponent - 30, &mut into.linear);
     }
 
+    /// `self · factor`, of 30 bits and an exponent.
+    pub(crate) fn times(&self, (m, e): (i64, i32)) -> Self {
+        let sums = self.linear.map(|c| i64::from(c) * m); // at most 2⁶⁰
+        Self::new(&sums, self.exponent - 30 + e, mul_translation(m as i32, e, self.offset))
+        // |m| ≤ 2³⁰
+    }
+
     /// `self · a + other · b` for factors of 30 bits and an exponent each.
     pub(crate) fn linear_combination(&self, a: (i64, i32), other: &Self, b: (i64, i32)) -> Self {
         // Products of at most 2⁶⁰; the one with the smaller exponent is brought to the other's.
@@ -131,6 +138,23 @@ impl Row {
 mod tests {
     use super::*;
     use crate::math::random::mixed as random;
+
+    /// A multiple is the combination with nothing else.
+    #[test]
+    fn a_multiple_is_a_combination_with_nothing() {
+        let mut state = 5;
+        let mut next = |bits: u32| (random(&mut state) as i64) >> (64 - bits);
+        for case in 0..10_000 {
+            let linear = if case % 10 == 0 { [0; 3] } else { [0; 3].map(|_| next(31) as i32) };
+            let row = Row { linear, exponent: next(6) as i32, offset: next(62) };
+            let factor = if case % 7 == 0 { (0, 0) } else { (next(31), next(6) as i32 - 30) };
+            assert_eq!(
+                row.times(factor),
+                row.linear_combination(factor, &Row::ZERO, (0, 0)),
+                "{row:?} {factor:?}"
+            );
+        }
+    }
 
     #[test]
     fn a_row_that_does_not_overflow_is_known_without_its_magnitude() {

@@ -1,16 +1,21 @@
-//! The show: eight scenes of eight frames, each with another way to draw. Firmware and host share this code, so that tests can
+//! The show: nine scenes of eight frames, each with another way to draw. Firmware and host share this code, so that tests can
 //! compare every pixel.
 #![allow(dead_code)] // firmware, host and test each take what they need
 
+#[path = "../../../boards/rp2040-st7789/examples/balloon/scene.rs"]
+#[allow(unreachable_pub)] // as a file of its own it is right
+mod balloon;
+mod dithered;
 mod meshes;
 mod screen;
-mod valley;
 
 pub(crate) use screen::{Display, Screen, SIZE};
 
+use balloon::{Ink, MORNING, WAY};
 use embedded_graphics::mono_font::{ascii::FONT_5X8, MonoTextStyle};
-use embedded_graphics::pixelcolor::{Gray4, Rgb888};
+use embedded_graphics::pixelcolor::{Gray4, Gray8, Rgb888};
 use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::Text;
 use heapless::Vec;
 use meshes::{
@@ -20,14 +25,13 @@ use meshes::{
 use pinhole::space::{Model, World};
 use pinhole::{
     Affine, Angle, BinnedEdges, BinnedFaces, Camera, Dim, Gouraud, Hierarchy, Lambert, Mesh, MeshInstance,
-    Node, PlacedSprites, Point3, Projection, Scalar, ScreenVertex, TransformedMesh, Vector3, ViewTransform,
-    Viewport,
+    Node, Point3, Projection, Scalar, ScreenVertex, TransformedMesh, Vector3, ViewTransform, Viewport,
 };
 
 /// Frames of a scene.
 pub(crate) const STEPS: u32 = 8;
-pub(crate) const SCENES: [&str; 8] =
-    ["wireframe", "hidden line", "flat", "Gouraud", "hierarchy", "dirty", "labels", "valley"];
+pub(crate) const SCENES: [&str; 9] =
+    ["wireframe", "hidden line", "flat", "Gouraud", "hierarchy", "dirty", "labels", "balloon", "one bit"];
 pub(crate) const FRAMES: u32 = STEPS * SCENES.len() as u32;
 
 /// The scene of a frame.
@@ -43,8 +47,9 @@ pub(crate) struct Scratch {
     balls: [([ScreenVertex; BALL_CORNERS], [u16; bin_storage_len(BALL_COUNT)], [u16; BALL_CORNERS]); 3],
     rings: [([ScreenVertex; RING_CORNERS], [u16; bin_storage_len(RING_CORNERS)]); 2],
     ship: ([ScreenVertex; 8], [u16; bin_storage_len(12)], [u16; bin_storage_len(17)]),
-    ground: ([ScreenVertex; 4], [u16; bin_storage_len(2)]),
-    trees: Vec<PlacedSprites<'static>, 1>,
+    balloon: balloon::Buffers,
+    greys: Vec<balloon::Scene<Gray4>, 1>,
+    dithered: Vec<balloon::Scene<Gray8>, 1>,
 }
 
 /// The largest number of objects in a scene. Each takes 176 bytes, which are not on the stack.
@@ -85,12 +90,13 @@ impl Scratch {
             ); 3],
             rings: [([ScreenVertex::EMPTY; RING_CORNERS], [0; bin_storage_len(RING_CORNERS)]); 2],
             ship: ([ScreenVertex::EMPTY; 8], [0; bin_storage_len(12)], [0; bin_storage_len(17)]),
-            ground: ([ScreenVertex::EMPTY; 4], [0; bin_storage_len(2)]),
-            trees: Vec::new(),
+            balloon: balloon::Buffers::new(),
+            greys: Vec::new(),
+            dithered: Vec::new(),
         }
     }
 
-    /// Draws any frame. The scenes are not inlined, because the stack would then hold the variables of all eight at once.
+    /// Draws any frame. The scenes are not inlined, because the stack would then hold the variables of all nine at once.
     pub(crate) fn draw<D: Display>(
         &mut self,
         frame: u32,
@@ -109,7 +115,8 @@ impl Scratch {
             4 => self.hierarchy(step, nodes, screen),
             5 => self.dirty(step, screen),
             6 => self.labels(step, screen),
-            _ => self.valley(step, screen),
+            7 => self.balloon(step, screen),
+            _ => self.one_bit(step, screen),
         }
     }
 
@@ -258,25 +265,27 @@ impl Scratch {
         })
     }
 
-    /// A flight over fields, among trees.
+    /// A balloon over misty fields, in 16 greys.
     #[inline(never)]
-    fn valley<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
-        let model = valley::ship(step);
-        place_valley(&mut self.stage, &mut self.trees, step, &model);
-        let ([ground, small], [trees]) = (self.stage.as_slice(), self.trees.as_slice()) else {
-            return Ok(());
-        };
-        let (corners, bin_storage) = &mut self.ground;
-        let mut ground = faces(&ground.transform_depth(corners), bin_storage);
-        let (corners, bin_storage, _) = &mut self.ship;
-        let sun = light(&model, FROM_ABOVE);
-        let mut ship = faces(&small.transform_depth(corners), bin_storage);
-        screen.mark(valley::CHANGES);
-        let fields = valley::fields(step);
-        screen.show(SCENES[7], |band, depth| {
-            let Ok(()) = ground.depth_tested(&fields, depth, band);
-            let Ok(_) = trees.depth_tested(|_| valley::tree(), depth, band);
-            let Ok(()) = ship.depth_tested(|face| ship_colour(&sun, face), depth, band);
+    fn balloon<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
+        let scene = stay(&mut self.greys, &MORNING);
+        let mut frame = scene.frame(way(step), &mut self.balloon);
+        let frame = frame.as_mut().expect("buffers for all of it");
+        screen.mark(CHANGES);
+        screen.show_on_bright(MORNING.mist.into(), SCENES[7], |band, depth| {
+            let Ok(()) = frame.draw(depth, band);
+        })
+    }
+
+    /// The balloon in black and white.
+    #[inline(never)]
+    fn one_bit<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
+        let scene = stay(&mut self.dithered, &PRINT);
+        let mut frame = scene.frame(way(step), &mut self.balloon);
+        let frame = frame.as_mut().expect("buffers for all of it");
+        screen.mark(CHANGES);
+        screen.show_dithered(PRINT.mist.into(), SCENES[8], |greys, depth| {
+            let Ok(()) = frame.draw(depth, greys);
         })
     }
 }
@@ -288,6 +297,40 @@ pub(crate) const fn teapot() -> &'static Mesh<'static> {
 }
 
 const FROM_ABOVE: Vector3<World> = Vector3::from_ints(-4, 4, 3);
+
+/// The balloon's colours in black and white, which dither well: all fades into white.
+const PRINT: balloon::Colors = {
+    const fn gray(level: u8) -> Rgb888 {
+        Rgb888::new(level, level, level)
+    }
+    balloon::Colors {
+        mist: gray(255),
+        fields: [gray(24), gray(150), gray(236), gray(255)],
+        tree: [gray(40), gray(0), gray(0)],
+        balloon: [gray(0), gray(255), gray(96), gray(0)],
+        shadow: gray(0),
+    }
+};
+
+/// Where something moves in the balloon's scene: in whole rows, all but the sky above it.
+const CHANGES: Rectangle = Rectangle::new(Point::new(0, 1), Size::new(SIZE.width, SIZE.height - 1));
+
+/// How far the balloon has come: three world units a step.
+fn way(step: i32) -> i32 {
+    step * (3 * 32) % WAY
+}
+
+/// The balloon's scene, made when it is first needed. Not inlined: what makes it leaves the stack.
+#[inline(never)]
+fn stay<'s, C: Ink>(
+    scene: &'s mut Vec<balloon::Scene<C>, 1>,
+    colors: &balloon::Colors,
+) -> &'s balloon::Scene<C> {
+    if let (true, Ok(made)) = (scene.is_empty(), balloon::Scene::new(SIZE, colors)) {
+        let _ = scene.push(made); // there is room for one
+    }
+    scene.first().expect("a scene")
+}
 
 const STARS: [(i32, i32); 12] = [
     (5, 9),
@@ -399,20 +442,6 @@ fn show_to(camera: &Camera, objects: &[Object<'_>], stage: &mut Stage) {
     for (mesh, model) in objects {
         let _ = stage.push(camera.place(mesh, model)); // no scene has more than there is room for
     }
-}
-
-#[inline(never)]
-fn place_valley(
-    stage: &mut Stage,
-    trees: &mut Vec<PlacedSprites<'static>, 1>,
-    step: i32,
-    ship: &Affine<Model, World>,
-) {
-    let camera = camera([0, 7, 34], 50);
-    show_to(&camera, &[(&valley::GROUND, &Affine::identity()), (&SHIP, ship)], stage);
-    trees.clear();
-    let _ = trees.push(camera.place_sprites(&valley::TREES, &valley::passed(step)));
-    // room for one
 }
 
 /// A mesh and its transform.

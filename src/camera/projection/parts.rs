@@ -52,10 +52,3 @@ pub(super) const fn extent(low: Scalar, high: Scalar) -> Option<u64> {
 
 /// The factor 1.
 pub(super) const ONE: (i64, i32) = (1 << 30, -30);
-
-impl Row {
-    /// `self · factor`.
-    pub(super) fn times(&self, factor: (i64, i32)) -> Self {
-        self.linear_combination(factor, &Self::ZERO, (0, 0))
-    }
-}

@@ -26,6 +26,8 @@ const ARM: &[Build] = &[BUILDS[0], BUILDS[1], BUILDS[2], BUILDS[3]];
 const WITH_RISCV: &[Build] = &BUILDS;
 /// Builds of ways to draw that only the planner compares: at the opt-level whose times it knows.
 const FAST: &[Build] = &[BUILDS[0], BUILDS[2], BUILDS[4]];
+/// For [`ADDITIONS`], which are compared there.
+const M3_AT_3: &[Build] = &[BUILDS[0]];
 
 /// An image, and the parts of the library that it must not contain. All of these parts are in the image `WITNESS`, otherwise the
 /// check would be blind.
@@ -253,6 +255,62 @@ pub(crate) const IMAGES: &[Image] = &[
         without: FLAT,
         builds: ARM,
     },
+    Image {
+        name: "color",
+        says: "faces of constant colours, into a picture in memory",
+        goal: None,
+        without: NO_DEPTH,
+        builds: M3_AT_3,
+    },
+    Image {
+        name: "screen_door",
+        says: "faces of constant colours behind a screen door, into a picture in memory",
+        goal: None,
+        without: NO_DEPTH,
+        builds: M3_AT_3,
+    },
+    Image {
+        name: "half",
+        says: "faces of constant colours, half mixed, into a picture in memory",
+        goal: None,
+        without: NO_DEPTH,
+        builds: M3_AT_3,
+    },
+    Image {
+        name: "fogged",
+        says: "faces of constant colours in fog by pixel, into a picture in memory",
+        goal: None,
+        without: FLAT,
+        builds: M3_AT_3,
+    },
+    Image {
+        name: "keyed",
+        says: "textured faces with a transparent colour, into a picture in memory",
+        goal: None,
+        without: NO_DEPTH,
+        builds: M3_AT_3,
+    },
+    Image {
+        name: "shades",
+        says: "smooth faces by a shade table, into a picture in memory",
+        goal: None,
+        without: NO_DEPTH,
+        builds: M3_AT_3,
+    },
+    Image {
+        name: "vertex_fog",
+        says: "faces in fog by vertex, by a shade table, into a picture in memory",
+        goal: None,
+        without: NO_DEPTH,
+        builds: M3_AT_3,
+    },
+    Image {
+        name: "sprites",
+        says: "sprites with a transparent colour, into a picture in memory",
+        goal: None,
+        without: &[NO_DEPTH[0], NO_DEPTH[1], NO_FACES[2], NO_FACES[3], NO_FACES[7], FLAT[0], DITHER],
+        builds: M3_AT_3,
+    },
     Image { name: "everything", says: "everything", goal: Some(20 << 10), without: &[], builds: ARM },
     Image {
         name: "everything_inside",
@@ -262,6 +320,27 @@ pub(crate) const IMAGES: &[Image] = &[
         builds: ARM,
     },
 ];
+
+/// An image that draws as another one does, with one feature more.
+pub(crate) struct Addition {
+    pub(crate) feature: &'static str,
+    pub(crate) image: &'static str,
+    pub(crate) without: &'static str,
+    /// The most bytes of flash that it may add, and of these the bytes of code in [`DRAWING`].
+    most: [i64; 2],
+}
+
+pub(crate) const ADDITIONS: &[Addition] = &[
+    Addition { feature: "a screen door", image: "screen_door", without: "color", most: [0, 0] },
+    Addition { feature: "half mixed", image: "half", without: "color", most: [0, 0] },
+    Addition { feature: "a transparent colour", image: "keyed", without: "textured", most: [0, 0] },
+    Addition { feature: "fog by vertex", image: "vertex_fog", without: "shades", most: [1024, 0] },
+    Addition { feature: "fog by pixel", image: "fogged", without: "color", most: [6912, 4608] },
+    Addition { feature: "sprites", image: "sprites", without: "place", most: [5376, 2560] },
+];
+
+/// The modules whose code runs for each face, row or pixel.
+const DRAWING: [&str; 5] = ["clip.rs", "raster/", "surface/", "fast/", "pipeline/"];
 
 /// Links everything that other images must not link.
 const WITNESS: &str = "dither";
@@ -357,7 +436,32 @@ pub(crate) fn measure(rebase: bool, failures: &mut Vec<String>) -> Result<Footpr
         }
     }
     limits(rebase, &sizes, failures)?;
-    Ok(Footprint { sizes, code })
+    let footprint = Footprint { sizes, code };
+    for addition in ADDITIONS {
+        let added = footprint.added(addition).ok_or("an image that adds to another one")?;
+        for ((bytes, most), what) in added.into_iter().zip(addition.most).zip(["flash", "drawing code"]) {
+            if bytes > most {
+                let Addition { feature, without, .. } = addition;
+                failures
+                    .push(format!("{feature}: {bytes} bytes of {what} beyond {without}; {most} are allowed"));
+            }
+        }
+    }
+    Ok(footprint)
+}
+
+impl Footprint {
+    /// The bytes of flash that a feature adds, and of these those of code in [`DRAWING`].
+    pub(crate) fn added(&self, addition: &Addition) -> Option<[i64; 2]> {
+        let bytes = |name| {
+            let code = self.code.get(name)?;
+            let drawing = DRAWING.iter().map(|file| code.of_file(file)).sum();
+            Some([self.sizes.get(&(name, BUILDS[0]))?.flash, drawing].map(u64::cast_signed))
+        };
+        let ([flash, drawing], [flash_without, drawing_without]) =
+            (bytes(addition.image)?, bytes(addition.without)?);
+        Some([flash - flash_without, drawing - drawing_without])
+    }
 }
 
 /// Fails for each float routine that is linked into an image.

@@ -1,7 +1,7 @@
 //! `docs/footprint.md`.
 
 use crate::cross::Build;
-use crate::footprint::{Footprint, Image, Size, BUILDS, IMAGES, STACK};
+use crate::footprint::{Addition, Footprint, Image, Size, ADDITIONS, BUILDS, IMAGES, STACK};
 use crate::grouped::grouped;
 use crate::page::BUILT;
 use std::fmt::Write;
@@ -44,6 +44,26 @@ several calls with one named function.
 
 | bytes | goal |";
 
+const ADDED: &str = "
+## What a feature adds
+
+Two images each that draw alike, one of them with one feature more: what the feature adds to flash on thumbv7m at opt-level 3, and
+what of this is code that runs for faces, rows and pixels (`clip.rs`, `raster`, `surface`, `fast`, `pipeline`). CI fails if a feature adds
+more than its limit in `tools/bench/report/footprint.rs`.
+
+- **Screen door, half mixed, transparent colour**: less than nothing. One loop, which asks for each pixel whether it is drawn, is in place of
+  the loops for opaque faces; the patterns of a screen door take 520 bytes. A firmware that also draws opaque faces links both, as
+  it does for any two shaders.
+- **Fog by vertex**: set-up alone, which is `VertexFog::new` with a division, and `VertexFog::factors`. Faces, rows and pixels are drawn by the code of the
+  shade table.
+- **Fog by pixel**: `FogTable::new`; depth at vertices and over faces, which a depth buffer needs as well; loops that fill level by level, beside
+  those for faces in one level, which are the loops of flat faces.
+- **Sprites**: their points, their size on the screen, and their rows of texels. No code of faces is linked.
+
+| bytes | beyond | flash | code that draws |
+|---|---|--:|--:|
+";
+
 const STACK_TEXT: &str = "
 ## RAM and stack
 
@@ -85,6 +105,14 @@ pub(crate) fn text(compiler: &str, footprint: &Footprint) -> String {
     }
     let flash = |image: &Image| Some((size(image.name, BUILDS[0])?.flash, image.goal?));
     let _ = writeln!(text, "\n{}", standing(flash));
+    text += ADDED;
+    for addition in ADDITIONS {
+        let &Addition { feature, without, .. } = addition;
+        let says = IMAGES.iter().find(|image| image.name == without).map_or(without, |image| image.says);
+        let [flash, drawing] =
+            footprint.added(addition).map_or(["–".into(), "–".into()], |added| added.map(signed));
+        let _ = writeln!(text, "| {feature} | {says} | {flash} | {drawing} |");
+    }
     text += STACK_TEXT;
     text += " variables |";
     builds(&mut text, ": stack");
@@ -118,6 +146,11 @@ pub(crate) fn text(compiler: &str, footprint: &Footprint) -> String {
         text.push('\n');
     }
     text
+}
+
+fn signed(bytes: i64) -> String {
+    let sign = if bytes < 0 { "-" } else { "" };
+    format!("{sign}{}", grouped(bytes.unsigned_abs()))
 }
 
 /// Which goals are met and which are not, of images with a figure and a goal for it.

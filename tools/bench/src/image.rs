@@ -203,10 +203,20 @@ impl Turntable {
         Self { model: Affine::rotation_y(Angle::from_bits(black_box(1 << 29))) }
     }
 
-    /// Of the camera the compiler does not see that there is but one.
     #[inline(always)]
     pub fn place<P: FacePlanes>(&self, cube: &'static Model<P>) -> MeshInstance<'static, i16, P> {
-        black_box(&CAMERA).place(&cube.mesh, &self.model)
+        self.camera().place(&cube.mesh, &self.model)
+    }
+
+    /// The compiler does not see that there is but one.
+    #[inline(always)]
+    pub fn camera(&self) -> &'static Camera {
+        black_box(&CAMERA)
+    }
+
+    /// How the cube is turned.
+    pub const fn model(&self) -> &Affine<ModelSpace, World> {
+        &self.model
     }
 
     pub fn light(&self) -> Option<Lambert> {

@@ -2,6 +2,7 @@
 
 mod rp2040_embassy;
 mod rp2040_st7789;
+mod rp2040_st7789_balloon;
 mod stm32f4_ili9341;
 
 use std::path::Path;
@@ -9,7 +10,7 @@ use support::panel::Held;
 
 /// A firmware of `boards`, and the circuit around its microcontroller.
 pub(crate) struct Board {
-    /// Its folder in `boards`.
+    /// Its folder in `boards`, and for an example of it the example's name behind a slash.
     pub(crate) name: &'static str,
     pub(crate) chip: Chip,
     pub(crate) display: Display,
@@ -71,6 +72,14 @@ pub(crate) const BOARDS: &[Board] = &[
         frames: rp2040_st7789::FRAMES,
         sends: Sends::All,
         pictures: rp2040_st7789::pictures,
+    },
+    Board {
+        name: "rp2040-st7789/balloon",
+        chip: PICO,
+        display: ST7789,
+        frames: rp2040_st7789_balloon::FRAMES,
+        sends: Sends::All,
+        pictures: rp2040_st7789_balloon::pictures,
     },
     Board {
         name: "rp2040-embassy",

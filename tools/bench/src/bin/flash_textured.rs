@@ -1,5 +1,6 @@
-//! Faces at once, into a picture in memory: some rows of one. A firmware each: in one colour and textured, without depth, with it, and
-//! one frame of each.
+//! Faces into a picture in memory, a firmware for each shader: of one colour and textured, without depth, with it, and one frame
+//! of each; and, without depth, with a screen door, half mixed, in fog, with keyed texels, and by a table of shades whose light or
+//! fog is that of vertices.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::bands::pixels;
 use bench::image::{Turntable, CORNERS, ROWS};
@@ -8,7 +9,10 @@ use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{DepthBuffer, Picture, ScreenVertex, SpanShader, Texture};
+use pinhole::{
+    ColorKeyed, DepthBuffer, Fog, FogTable, Fogged, HalfBlended, Picture, Scalar, ScreenDoor, ScreenVertex,
+    ShadeTable, SpanShader, Texture, VertexFog,
+};
 
 /// The firmware that is built.
 const IMAGE: usize = position(
@@ -20,11 +24,16 @@ const IMAGE: usize = position(
         "flash_textured",
         "flash_textured_depth",
         "flash_textured_both",
+        "flash_screen_door",
+        "flash_half",
+        "flash_fogged",
+        "flash_keyed",
+        "flash_shades",
+        "flash_vertex_fog",
     ],
 );
-const TEXTURED: bool = matches!(IMAGE, 3..=5);
-const PLAIN: bool = IMAGE % 3 != 1;
-const DEPTH: bool = matches!(IMAGE % 3, 1 | 2);
+const PLAIN: bool = !matches!(IMAGE, 1 | 4);
+const DEPTH: bool = matches!(IMAGE, 1 | 2 | 4 | 5);
 
 /// 128 bytes, which count.
 static TEXELS: [[Rgb565; 8]; 8] = {
@@ -36,39 +45,84 @@ static TEXELS: [[Rgb565; 8]; 8] = {
 /// The coordinates of the corners of both faces of a side.
 const UV: [[[i16; 2]; 3]; 2] = [[[0, 128], [128, 128], [128, 0]], [[0, 128], [128, 0], [0, 0]]];
 
+/// 512 bytes, which count.
+static SHADES: ShadeTable<Rgb565> = {
+    let mut shades = [Rgb565::BLACK; 256];
+    let mut at = 0;
+    while at < 256 {
+        shades[at] = Rgb565::new(at as u8 / 8, 0, 0);
+        at += 1;
+    }
+    ShadeTable::from_colors(shades)
+};
+
 image!(
     cube,
     corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS],
     memory: [Rgb565; pixels(ROWS)] = [scene::BACKGROUND; pixels(ROWS)],
     storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)],
     {
-        let texture = Texture::new(black_box(&TEXELS));
-        match TEXTURED {
-            true => draw(cube, |face| texture.at(UV[face & 1]), corners, memory, storage),
-            false => draw(cube, |face| if face & 1 == 0 { Rgb565::RED } else { scene::BACKGROUND }, corners, memory, storage),
+        let scene = Turntable::new();
+        let frame = Frame { cube, scene: &scene, corners, memory, storage };
+        let color = |face| if face & 1 == 0 { Rgb565::RED } else { scene::BACKGROUND };
+        let fog = || {
+            let [start, end] = black_box([1 << 16, 4 << 16]).map(Scalar::from_bits);
+            Fog::linear(start, end).ok()
+        };
+        match IMAGE {
+            0..3 => frame.draw(color),
+            3..6 => {
+                let texture = Texture::new(black_box(&TEXELS));
+                frame.draw(|face| texture.at(UV[face & 1]))
+            }
+            6 => frame.draw(|face| ScreenDoor::new(color(face), black_box(40))),
+            7 => frame.draw(|face| HalfBlended::new(color(face))),
+            8 => {
+                let table = FogTable::new(&fog()?, scene.camera(), scene::BACKGROUND).ok()?;
+                frame.draw(|face| Fogged::new(color(face), &table))
+            }
+            9 => {
+                let texture = Texture::new(ColorKeyed::new(black_box(&TEXELS), Rgb565::GREEN));
+                frame.draw(|face| texture.at(UV[face & 1]))
+            }
+            10 => {
+                let levels = black_box([32, 64, 96, 128, 160, 192, 224, 256]);
+                frame.draw(|face| SHADES.lit(cube.mesh.corners_of(face, &levels)))
+            }
+            _ => {
+                let fog = VertexFog::new(&fog()?, scene.camera(), scene.model(), cube.mesh.exponent());
+                let mut factors = [0; CORNERS];
+                fog.factors(cube.mesh.vertices(), &mut factors);
+                frame.draw(|face| SHADES.lit(cube.mesh.corners_of(face, &factors)))
+            }
         }
     }
 );
 
-#[inline(always)]
-fn draw<S: SpanShader<Rgb565>>(
+/// What the faces are drawn with.
+struct Frame<'a> {
     cube: &'static scene::Model,
-    shade: impl Fn(usize) -> S,
-    corners: &mut [ScreenVertex],
-    memory: &mut [Rgb565],
-    storage: &mut [u16],
-) -> Option<()> {
-    let scene = Turntable::new();
-    let instance = scene.place(cube);
-    let size = black_box(Size::new(scene::SIZE, ROWS));
-    let mut picture = Picture::new(memory, size).ok()?;
-    if PLAIN {
-        let Ok(_) = instance.solid(&shade, corners, &mut picture.pixels());
+    scene: &'a Turntable,
+    corners: &'a mut [ScreenVertex],
+    memory: &'a mut [Rgb565],
+    storage: &'a mut [u16],
+}
+
+impl Frame<'_> {
+    #[inline(always)]
+    fn draw<S: SpanShader<Rgb565>>(self, shade: impl Fn(usize) -> S) -> Option<()> {
+        let Self { cube, scene, corners, memory, storage } = self;
+        let instance = scene.place(cube);
+        let size = black_box(Size::new(scene::SIZE, ROWS));
+        let mut picture = Picture::new(memory, size).ok()?;
+        if PLAIN {
+            let Ok(_) = instance.solid(&shade, corners, &mut picture.pixels());
+        }
+        if DEPTH {
+            let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), storage).ok()?;
+            let Ok(_) = instance.depth_tested(&shade, corners, &mut depth, &mut picture.pixels());
+        }
+        black_box(picture.colors());
+        Some(())
     }
-    if DEPTH {
-        let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), storage).ok()?;
-        let Ok(_) = instance.depth_tested(&shade, corners, &mut depth, &mut picture.pixels());
-    }
-    black_box(picture.colors());
-    Some(())
 }

@@ -1,0 +1,113 @@
+//! A balloon over misty fields, on an RP2040 with an ST7789: `cargo run --release --example balloon`. Each frame logs its time. Run on
+//! an emulated RP2040, not on hardware.
+#![no_std]
+#![no_main]
+
+#[path = "../../src/clock.rs"]
+mod clock;
+#[path = "../../src/panel.rs"]
+mod panel;
+mod scene;
+#[path = "../../src/stop.rs"]
+mod stop;
+
+use clock::Clock;
+use core::ops::ControlFlow::{Break, Continue};
+use cortex_m::singleton;
+use defmt_rtt as _; // logs go through the probe; without one they are dropped
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::{pixelcolor::Rgb565, primitives::Rectangle};
+use embedded_hal::spi::MODE_3;
+use panel::Panel;
+use pinhole::{strip_buffers, DepthBuffer, Frame, StripBuffers};
+use rp2040_hal as hal;
+use rp2040_hal::fugit::RateExtU32;
+use rp2040_hal::{dma::DMAExt, gpio::Pins, pac, Clock as _, Sio, Spi, Timer, Watchdog};
+use scene::{Buffers, Scene, MORNING, WAY};
+use stop::stop;
+
+/// The second stage of booting, for the flash on a Pico.
+#[allow(unsafe_code)]
+#[link_section = ".boot2"]
+#[used]
+static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
+
+/// Of the crystal.
+const CRYSTAL: u32 = 12_000_000;
+/// The core's clock, as `init_clocks_and_plls` sets it.
+const MEGAHERTZ: u32 = 125;
+/// Frames until everything looks as before.
+const FRAMES: i32 = 96;
+const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
+/// Rows of a band: more are faster, and take more memory.
+const ROWS: u32 = 40;
+
+#[hal::entry]
+fn main() -> ! {
+    // In statics, so that the linker says if they do not fit, and DMA may own the strips. The rest of RAM is the stack.
+    let buffers = singleton!(: Buffers = Buffers::new());
+    let strip = singleton!(: StripBuffers!(Rgb565, SCREEN.size.width, ROWS) = strip_buffers!(Rgb565, SCREEN.size.width, ROWS));
+    let other = singleton!(: StripBuffers!(Rgb565, SCREEN.size.width, ROWS, no depth) = strip_buffers!(Rgb565, SCREEN.size.width, ROWS, no depth));
+    let (Some(buffers), Some(strip), Some(other)) = (buffers, strip, other) else {
+        stop("the buffers are in use")
+    };
+
+    let (Some(core), Some(mut p)) = (pac::CorePeripherals::take(), pac::Peripherals::take()) else {
+        stop("the peripherals are in use")
+    };
+    let mut watchdog = Watchdog::new(p.WATCHDOG);
+    let clocks = hal::clocks::init_clocks_and_plls(
+        CRYSTAL,
+        p.XOSC,
+        p.CLOCKS,
+        p.PLL_SYS,
+        p.PLL_USB,
+        &mut p.RESETS,
+        &mut watchdog,
+    );
+    let Ok(clocks) = clocks else { stop("the clocks do not start") };
+    let clock = Clock::start(core.SYST);
+    let mut delay = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
+
+    let pins = Pins::new(p.IO_BANK0, p.PADS_BANK0, Sio::new(p.SIO).gpio_bank0, &mut p.RESETS);
+    let bus = Spi::<_, _, _, 8>::new(p.SPI0, (pins.gpio19.into_function(), pins.gpio18.into_function()))
+        .init(&mut p.RESETS, clocks.peripheral_clock.freq(), 62_500_000.Hz(), MODE_3);
+    let [select, command, reset] = [
+        pins.gpio17.into_push_pull_output().into_dyn_pin(),
+        pins.gpio20.into_push_pull_output().into_dyn_pin(),
+        pins.gpio21.into_push_pull_output().into_dyn_pin(),
+    ];
+    let channel = p.DMA.split(&mut p.RESETS).ch0;
+    let panel = Panel::new(bus, channel, select, command, reset, &mut delay);
+
+    let scene = Scene::<Rgb565>::new(SCREEN.size, &MORNING).unwrap_or_else(|problem| stop(problem));
+    let mut free: &'static mut [u8] = &mut strip.colors;
+    // The first to leave is black.
+    let first_band = Rectangle::new(SCREEN.top_left, Size::new(SCREEN.size.width, ROWS));
+    let mut transfer = panel.send(&first_band, &mut other.colors);
+    loop {
+        for number in 0..FRAMES {
+            let start = clock.cycles();
+            let view = scene.frame(number * WAY / FRAMES, buffers);
+            let mut view = view.unwrap_or_else(|problem| stop(problem));
+            let mut frame = Frame::<Rgb565>::new(SCREEN, MORNING.mist.into());
+            free = loop {
+                let band =
+                    frame.band_or_strip(free).unwrap_or_else(|_| stop("the strip is shorter than a row"));
+                let mut band = match band {
+                    Break(strip) => break strip,
+                    Continue(band) => band,
+                };
+                let depth = DepthBuffer::new(band.area(), &mut strip.depths);
+                let mut depth = depth.unwrap_or_else(|_| stop("fewer depths than pixels in the strip"));
+                let Ok(()) = view.draw(&mut depth, &mut band.pixels());
+                let area = band.area();
+                let (panel, sent) = transfer.wait();
+                transfer = panel.send(&area, band.into_bytes());
+                free = sent;
+            };
+            let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
+            defmt::info!("frame {=i32}: {=u32} us", number, time);
+        }
+    }
+}
