@@ -112,6 +112,22 @@ fn s4_vertices_through_any_matrix_are_within_1_256_px() {
     );
 }
 
+/// Also of a matrix without constants, whose near plane passes through the eye.
+#[test]
+fn s4_a_factor_of_a_projection_matrix_changes_nothing() {
+    let far_only = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, -0.25, 0.0], [0.0, 0.0, -1.0, 0.0]];
+    let near = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.25, 2.0], [0.0, 0.0, -1.0, 0.0]];
+    for (matrix, z) in [(far_only, 0.25), (near, -0.75)] {
+        for exponent in -300..=300 {
+            let scaled = matrix.map(|row| row.map(|c| c * f64::exp2(exponent.into())));
+            let lens = Projection::from_matrix(&scaled).expect("a matrix");
+            let ndc = lens.apply(pinhole::Point3::from_ints(2, -1, -4)).ndc().expect("a point before the eye");
+            let found = [ndc.x(), ndc.y(), ndc.z()].map(|c| c.to_num::<f64>());
+            assert_eq!(found, [0.5, -0.25, z], "2^{exponent} times {matrix:?}");
+        }
+    }
+}
+
 #[test]
 fn s4_invalid_projection_matrices_are_refused() {
     let good = chain::frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 10.0);
