@@ -51,7 +51,11 @@ fn number(object: usize, face: usize) -> Rgb565 {
 
 /// What is culled of an object, whatever the library says of it.
 fn cull(object: usize) -> Cull {
-    if object % 4 == 1 { Cull::None } else { Cull::Back }
+    if object % 4 == 1 {
+        Cull::None
+    } else {
+        Cull::Back
+    }
 }
 
 /// Objects around the camera: before and behind it, near, far and beside it, some of them through others.
