@@ -202,6 +202,7 @@ mod tests {
             }
             if let Ok(v @ 1..) = i32::try_from(v) {
                 assert_eq!(normalised_by_steps(v), normalised_plainly(v), "{v}");
+                assert_eq!(normalised_by_bits(v), normalised_plainly(v), "{v}");
             }
         }
     }

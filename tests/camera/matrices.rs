@@ -3,7 +3,9 @@
 //! of the matrix in f64. Affine and view matrices, their round trips, and the matrices that are refused.
 
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Camera, MatrixError, Projection, ProjectionError, ViewTransform, ViewTransformError};
+use pinhole::{
+    Affine, Camera, MatrixError, Point3, Projection, ProjectionError, ViewTransform, ViewTransformError,
+};
 use support::bridge::pair::{bits, random_view, ModelBits};
 use support::bridge::{point, rectangle};
 use support::oracle::chain::{self, length, Viewport, M4, V3};
@@ -110,6 +112,25 @@ fn s4_vertices_through_any_matrix_are_within_1_256_px() {
         "matrices: {worst:.7} px, beyond the snap {:.2e} px, depth {steps_worst} steps",
         worst - 1.0 / 512.0
     );
+}
+
+/// Also of a matrix without constants, whose near plane passes through the eye, and of one with nothing else, which has all
+/// points in one place.
+#[test]
+fn s4_a_factor_of_a_projection_matrix_changes_nothing() {
+    let w = [0.0, 0.0, -1.0, 0.0];
+    let lens = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.25, 2.0], w];
+    let linear = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, -0.25, 0.0], w];
+    let constant = [2.0, -1.0, 1.0, 4.0].map(|c| [0.0, 0.0, 0.0, c]);
+    for (matrix, z) in [(lens, -0.75), (linear, 0.25), (constant, 0.25)] {
+        for exponent in -300..=300 {
+            let scaled = matrix.map(|row| row.map(|c| c * f64::exp2(exponent.into())));
+            let lens = Projection::from_matrix(&scaled).expect("a matrix");
+            let ndc = lens.apply(Point3::from_ints(2, -1, -4)).ndc().expect("a point before the eye");
+            let found = [ndc.x(), ndc.y(), ndc.z()].map(|c| c.to_num::<f64>());
+            assert_eq!(found, [0.5, -0.25, z], "2^{exponent} times {matrix:?}");
+        }
+    }
 }
 
 #[test]

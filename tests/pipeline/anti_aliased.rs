@@ -89,11 +89,16 @@ fn lines_between_pixels_cover_the_area_of_the_parallelogram() {
 }
 
 /// A turned cube, with an instance that fills most of the picture, or reaches beyond its borders and the near plane.
-fn cubes(mut with: impl FnMut(&MeshInstance<'_>)) {
+fn cubes(with: impl FnMut(&MeshInstance<'_>)) {
+    cubes_in((0, 0, WIDTH, HEIGHT), with);
+}
+
+/// [`cubes`] in a viewport.
+fn cubes_in(viewport: (i32, i32, u32, u32), mut with: impl FnMut(&MeshInstance<'_>)) {
     let beside = edge_faces(&CUBE_EDGES, &CUBE_FACES);
     let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).expect("a mesh");
     let mesh = mesh.with_edges(&CUBE_EDGES).expect("edges").with_edge_faces(&beside).expect("faces");
-    let camera = cube_camera((0, 0, WIDTH, HEIGHT)).library();
+    let camera = cube_camera(viewport).library();
     let one = 1 << 16;
     for turn in 0..4 {
         for [x, y, z] in [[0, 0, 0], [2 * one, one, 0], [0, one / 2, 2 * one]] {
@@ -211,6 +216,34 @@ fn copy<C: PixelFormat>(cells: &[C], area: Rectangle, target: &mut Pixels<'_, C>
 fn edges_are_equal_in_bands_and_in_one_piece() {
     all_ways(Rgb565::YELLOW, Rgb565::new(3, 9, 14));
     all_ways(Gray8::WHITE, Gray8::new(70));
+}
+
+/// The target is larger: the pixels of a line that leaves the viewport end at its border, in columns too that the border divides.
+#[test]
+fn no_pixel_outside_the_viewport_changes() {
+    let (x, y, width, height) = (6, 9, WIDTH - 13, HEIGHT - 20);
+    let viewport = Rectangle::new(Point::new(x, y), Size::new(width, height));
+    let mut at_border = 0;
+    cubes_in((x, y, width, height), |instance| {
+        let mut depths = vec![0; (WIDTH * HEIGHT) as usize];
+        let area = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
+        for depth_tested in [false, true] {
+            let pixels = picture::<Gray8>(|target| {
+                let mut depth = DepthBuffer::new(area, &mut depths).expect("depths");
+                let stroke = AntiAliased(Gray8::WHITE);
+                let Ok(_) = match depth_tested {
+                    false => instance.wireframe(stroke, &mut [], target),
+                    true => instance.wireframe_depth_tested(stroke, &mut [], &mut depth, target),
+                };
+            });
+            for (point, pixel) in area.points().zip(pixels) {
+                assert!(viewport.contains(point) || pixel == Gray8::BLACK, "{point}: {pixel:?}");
+                let is_inner = viewport.offset(-1).contains(point);
+                at_border += u32::from(!is_inner && pixel != Gray8::BLACK);
+            }
+        }
+    });
+    assert!(at_border > 50, "{at_border}");
 }
 
 /// The edges at the back of a closed solid lie behind its faces; those in front are drawn in full strength.

@@ -386,7 +386,12 @@ fn camera(rng: &mut Rng, kind: usize) -> CameraBits {
 fn shape(rng: &mut Rng) -> Shape {
     let side = |rng: &mut Rng| {
         let reach = [2, 8, 40, 300][rng.below(4)];
-        1 + rng.below(reach) as u32
+        // A picture may be empty.
+        if rng.one_in(30) {
+            0
+        } else {
+            1 + rng.below(reach) as u32
+        }
     };
     let picture = Noise { size: Size::new(side(rng), side(rng)), seed: rng.next() as u32 };
     // From a pixel for 64 texels to 64 pixels for one.
