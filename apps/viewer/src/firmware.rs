@@ -54,7 +54,8 @@ impl Oled {
         let rows = rows.min(SIZE.height) as usize;
         let mut colours = vec![0; SIZE.width as usize / 2 * rows];
         let mut depths = vec![0; SIZE.width as usize * rows];
-        let mut screen = Screen::new(&mut panel, &mut colours, &mut depths);
+        let mut bits = vec![0; SIZE.width as usize / 8 * rows];
+        let mut screen = Screen::new(&mut panel, &mut colours, &mut depths, &mut bits);
         if let Some(before) = frame.checked_sub(1).filter(|before| self.shown == Some(*before)) {
             // Draws the frame on the panel again, so that the screen computes the difference from it.
             let Ok(()) = self.scratch.draw(before, &mut self.nodes, &mut screen);
