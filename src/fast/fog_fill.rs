@@ -52,7 +52,7 @@ impl<T: Target> DrawLevels<T::Color> for Fill<'_, '_, T> {
         let Some(memory) = memory_of(target) else { return false };
         let gradient = depth_gradient(triangle, depths);
         let mut levels = Levels::new(bounds, level, move |level| color(level).stored());
-        fill(memory, triangle, scissor, |cells, _, span| {
+        fill(memory, triangle, scissor, &mut |cells, span| {
             let (first, step, width) = (gradient.at(span.x, span.y), gradient.step(), cells.len());
             if width < BLOCK {
                 levels.short_row(cells, first, step);

@@ -2,8 +2,7 @@
 //!
 //! - **Plain twins**: `pipeline::fill::fill_kept` and `fill_kept_nearer`, which pass each run of kept pixels to
 //!   `Target::fill_run`.
-//! - **Domain**: every triangle and shader, on a target whose pixels lie in memory; with depth, only where the depth buffer is
-//!   laid out as the memory is.
+//! - **Domain**: every triangle and shader, on a target whose pixels lie in memory.
 //! - **Gain**: a pixel's colour is computed once; for targets without memory a span is computed twice, for the runs and for their
 //!   colours. One blended colour is mixed eight pixels at a time: 4.6 instructions a pixel in place of 6.4 for S5 half on an M3,
 //!   8.6 in place of 10.7 for S5 alpha. Rows are walked by the loops of [`shaded_fill`](super::shaded_fill).
@@ -30,7 +29,7 @@ pub(crate) fn triangle<T: Target, R: Iterator<Item = (i32, Q)>, Q: Iterator<Item
     merge: impl Fn(CellOf<T>, CellOf<T>) -> CellOf<T> + Copy,
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
-    fill(memory, triangle, scissor, |cells, _, span| {
+    fill(memory, triangle, scissor, &mut |cells, span| {
         let mixed = merge; // a copy, in registers
         each_run(cells, runs(span), |pixels, run| {
             for (pixel, color) in pixels.iter_mut().zip(run) {
@@ -53,7 +52,7 @@ pub(crate) fn solid_triangle<T: Target>(
     merge: impl Fn(CellOf<T>) -> CellOf<T> + Copy,
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
-    fill(memory, triangle, scissor, |cells, _, _| {
+    fill(memory, triangle, scissor, &mut |cells, _| {
         let mixed = merge; // a copy, in registers
         let (blocks, rest) = cells.as_chunks_mut::<BLOCK>();
         for pixels in blocks {
@@ -68,8 +67,7 @@ pub(crate) fn solid_triangle<T: Target>(
     true
 }
 
-/// [`triangle`] for the pixels that are nearer than the depth buffer, whose depths are stored if `WRITES`; declines too if the
-/// depth buffer does not [have the layout of the memory](DepthTarget::is_aligned).
+/// [`triangle`] for the pixels that are nearer than the depth buffer, whose depths are stored if `WRITES`.
 #[inline(always)]
 pub(crate) fn triangle_nearer<
     const WRITES: bool,
@@ -84,12 +82,11 @@ pub(crate) fn triangle_nearer<
     runs: impl Fn(Span) -> R,
     merge: impl Fn(CellOf<T>, CellOf<T>) -> CellOf<T> + Copy,
 ) -> bool {
-    let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
-    let (depths, gradient) =
-        (depth.buffer.values_mut(), depth_gradient(&triangle.triangle, &triangle.depths));
-    fill(memory, &triangle.triangle, scissor, |cells, from, span| {
+    let Some(memory) = memory_of(target) else { return false };
+    let gradient = depth_gradient(&triangle.triangle, &triangle.depths);
+    fill(memory, &triangle.triangle, scissor, &mut |cells, span| {
         let mixed = merge; // a copy, in registers
-        each_run_nearer(cells, depths, from, span, &gradient, runs(span), |pixels, depths, mut z, run| {
+        each_run_nearer(cells, depth.buffer, span, &gradient, runs(span), |pixels, depths, mut z, run| {
             for ((pixel, stored), color) in pixels.iter_mut().zip(depths).zip(run) {
                 if let Some(color) = color
                     && z >> 16 < u32::from(*stored)

@@ -14,6 +14,7 @@ use super::{depth_gradient, RowOrigin, Rows, Small};
 use crate::math::hints::{keep_rolled, opaque};
 use crate::math::unrolled::each8;
 use crate::raster::{DepthTriangle, Gradient, Scissor, Triangle};
+use crate::shading::hidden;
 use crate::surface::{PixelRows, PixelStore, StoredPixel};
 
 /// Fills a triangle of the [`Small`] tier; otherwise draws nothing and returns `false`.
@@ -82,7 +83,7 @@ impl<Cell: Copy, C: StoredPixel<Cell>, F: Fn(u32) -> C + Copy> DepthFill<Cell> f
         Cell: 'a,
         Self: 'a,
     {
-        LookupRows::new(self.texel, gradients, cells, depths, start)
+        LookupRows::<_, _, true>::new(self.texel, gradients, cells, depths, start)
     }
 }
 
@@ -128,13 +129,14 @@ impl<C: StoredPixel<Cell>, F: Fn(u32) -> C + Copy, Cell> PackedRows<'_, F, Cell>
         let (mut word, step, texel) =
             (self.first.wrapping_add(self.step.wrapping_mul(left as u32)), self.step, self.texel);
         if let Some(pixels) = self.cells.get_mut(from..from.wrapping_add(width)) {
-            let (blocks, rest) = pixels.as_chunks_mut::<BLOCK>();
+            let (zero, (blocks, rest)) = (opaque(0), pixels.as_chunks_mut::<BLOCK>());
             for pixels in blocks {
                 each8(pixels, |pixel| {
                     *pixel = texel(word).stored();
                     word = word.wrapping_add(step);
                 });
-                word = opaque(word);
+                word = hidden(word, zero);
+                keep_rolled();
             }
             for pixel in rest {
                 *pixel = texel(word).stored();

@@ -2,8 +2,7 @@
 //!
 //! - **Plain twins**: `pipeline::fill::fill` and `fill_nearer`, which pass each span to `Target::fill_run`, with depth each run
 //!   of nearer pixels.
-//! - **Domain**: every triangle and shader, on a target whose pixels lie in memory; with depth, only where the depth buffer is
-//!   laid out as the memory is.
+//! - **Domain**: every triangle and shader, on a target whose pixels lie in memory.
 //! - **Gain**: the shader's colours are stored in one loop with the edge walker, run by run (`SpanShader::runs`), so that a
 //!   shader computes what a run has in common once. With depth, the shader is called once per row, not once per run of visible
 //!   pixels. Texels are stored eight in a turn, with depth where the depth buffer is still clear: 7.4 instructions for a texel
@@ -12,11 +11,11 @@
 
 use super::depth_fill::{is_clear, put_nearer, BLOCK};
 use super::{depth_gradient, memory_of, packed_fill, Low, RowOrigin, Rows};
-use crate::math::hints::keep_rolled;
+use crate::math::hints::{keep_rolled, opaque};
 use crate::math::unrolled::each8;
 use crate::raster::{AnyTriangle, DepthTriangle, Gradient, PixelLayout, Scissor, Span, Trapezoid, Triangle};
 use crate::shading::{DrawRuns, Line, SpanShader};
-use crate::surface::{DepthTarget, PixelRows, PixelStore, StoredPixel, Target};
+use crate::surface::{DepthBuffer, DepthTarget, PixelRows, PixelStore, StoredPixel, Target};
 
 /// Fills a triangle with the colours of a shader that is set up for it, if the target's pixels lie in memory; otherwise draws
 /// nothing and returns `false`.
@@ -43,7 +42,7 @@ impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for Fill<'_, '_, S> {
     #[inline(always)]
     fn runs<R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = C>>(self, runs: impl Fn(Span) -> R) {
         let Self { memory, triangle, scissor } = self;
-        fill(memory, triangle, scissor, |cells, _, span| {
+        fill(memory, triangle, scissor, &mut |cells, span| {
             each_run(cells, runs(span), |pixels, run| {
                 pixels.iter_mut().zip(run).for_each(|(pixel, color)| *pixel = color.stored());
             });
@@ -57,7 +56,7 @@ impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for Fill<'_, '_, S> {
         texel: impl Fn([u32; 2]) -> C + Copy,
     ) {
         let Self { memory, triangle, scissor } = self;
-        fill(memory, triangle, scissor, |cells, _, span| {
+        fill(memory, triangle, scissor, &mut |cells, span| {
             let of = texel; // a copy, in a register
             each_run(cells, lines(span), |pixels, line| put_line(pixels, line, of));
         });
@@ -90,24 +89,29 @@ fn put_line<Cell, C: StoredPixel<Cell>>(
     mut line: impl Line,
     texel: impl Fn([u32; 2]) -> C,
 ) {
+    let zero = opaque(0);
     let (blocks, rest) = pixels.as_chunks_mut::<BLOCK>();
     for pixels in blocks {
         each8(pixels, |pixel| *pixel = texel(line.advance()).stored());
-        line = line.hidden(); // LLVM would keep multiples of the steps on the stack
+        line = line.hidden(zero); // LLVM would keep multiples of the steps on the stack
+        keep_rolled();
     }
-    for i in 0..BLOCK - 1 {
-        let Some(pixel) = rest.get_mut(i) else { return };
+    for pixel in rest {
         *pixel = texel(line.advance()).stored();
+        keep_rolled();
     }
 }
 
-/// Calls `row` with the cells of each row, the index of the first one, and its span.
+/// Calls `row` with the cells and the span of each row.
+///
+/// `row` has loops that need all registers, so it is a function of its own anyway: by `dyn`, this function is there once for all shaders,
+/// with and without depth.
 #[inline(never)] // its loop needs all registers
 pub(super) fn fill<S: PixelStore>(
     memory: &mut PixelRows<S>,
     triangle: &Triangle<'_>,
     scissor: &Scissor,
-    mut row: impl FnMut(&mut [S::Cell], usize, Span),
+    row: &mut dyn FnMut(&mut [S::Cell], Span),
 ) {
     let Some(low) = Low::new(triangle, scissor, memory.scratch()) else {
         // In close-ups, most triangles that `Low` declines lie beside the picture.
@@ -126,7 +130,7 @@ pub(super) fn fill<S: PixelStore>(
         if width > 0
             && let Some(cells) = cells.get_mut(from..from.wrapping_add(width as usize))
         {
-            row(cells, from, Span { x: x.wrapping_add(left), y, width, height: 1 });
+            row(cells, Span { x: x.wrapping_add(left), y, width, height: 1 });
         }
         (x, y) = (x.wrapping_sub(shear), y + 1);
     });
@@ -139,7 +143,7 @@ fn fill_any<Cell>(
     layout: PixelLayout,
     triangle: &Triangle<'_>,
     scissor: &Scissor,
-    mut row: impl FnMut(&mut [Cell], usize, Span),
+    row: &mut dyn FnMut(&mut [Cell], Span),
 ) {
     let (mut triangle, mut trapezoid) = (AnyTriangle::new(triangle, scissor), Trapezoid::without_rows());
     while triangle.trapezoid(&mut trapezoid) {
@@ -149,15 +153,14 @@ fn fill_any<Cell>(
             if width > 0
                 && let Some(cells) = cells.get_mut(from..from.wrapping_add(width as usize))
             {
-                row(cells, from, Span { x: x.wrapping_add(left), y, width, height: 1 });
+                row(cells, Span { x: x.wrapping_add(left), y, width, height: 1 });
             }
             y += 1;
         });
     }
 }
 
-/// [`triangle`] for the pixels that are nearer than the depth buffer; declines too if the depth buffer does not
-/// [have the layout of the memory](DepthTarget::is_aligned).
+/// [`triangle`] for the pixels that are nearer than the depth buffer, whose rows may lie otherwise than those of the memory.
 #[inline(always)]
 pub(crate) fn triangle_nearer<T: Target, S: SpanShader<T::Color>>(
     triangle: &DepthTriangle<'_>,
@@ -166,30 +169,28 @@ pub(crate) fn triangle_nearer<T: Target, S: SpanShader<T::Color>>(
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> bool {
-    let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
-    let depths = depth.buffer.values_mut();
-    S::draw_runs(setup, FillNearer { memory, depths, triangle, scissor });
+    let Some(memory) = memory_of(target) else { return false };
+    S::draw_runs(setup, FillNearer { memory, depth, triangle, scissor });
     true
 }
 
 /// A triangle, and the memory and depth buffer that it is filled into.
-struct FillNearer<'a, 't, S> {
+struct FillNearer<'a, 't, 'd, 'b, S> {
     memory: &'a mut PixelRows<S>,
-    depths: &'a mut [u16],
+    depth: &'a mut DepthTarget<'d, 'b>,
     triangle: &'a DepthTriangle<'t>,
     scissor: &'a Scissor,
 }
 
-impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for FillNearer<'_, '_, S> {
+impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for FillNearer<'_, '_, '_, '_, S> {
     #[inline(always)]
     fn runs<R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = C>>(self, runs: impl Fn(Span) -> R) {
-        let Self { memory, depths, triangle, scissor } = self;
+        let Self { memory, depth, triangle, scissor } = self;
         let gradient = depth_gradient(&triangle.triangle, &triangle.depths);
-        fill(memory, &triangle.triangle, scissor, |cells, from, span| {
+        fill(memory, &triangle.triangle, scissor, &mut |cells, span| {
             each_run_nearer(
                 cells,
-                depths,
-                from,
+                depth.buffer,
                 span,
                 &gradient,
                 runs(span),
@@ -211,11 +212,11 @@ impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for FillNearer<'_, '_, 
         lines: impl Fn(Span) -> R,
         texel: impl Fn([u32; 2]) -> C + Copy,
     ) {
-        let Self { memory, depths, triangle, scissor } = self;
+        let Self { memory, depth, triangle, scissor } = self;
         let gradient = depth_gradient(&triangle.triangle, &triangle.depths);
-        fill(memory, &triangle.triangle, scissor, |cells, from, span| {
+        fill(memory, &triangle.triangle, scissor, &mut |cells, span| {
             let of = texel; // a copy, in a register
-            each_run_nearer(cells, depths, from, span, &gradient, lines(span), |pixels, depths, z, line| {
+            each_run_nearer(cells, depth.buffer, span, &gradient, lines(span), |pixels, depths, z, line| {
                 put_line_nearer(pixels, depths, z, gradient.step(), line, of)
             });
         });
@@ -223,8 +224,9 @@ impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for FillNearer<'_, '_, 
 
     #[inline(always)]
     fn packed(&mut self, gradient: &Gradient, texel: impl Fn(u32) -> C + Copy) -> bool {
-        let Self { memory, depths, triangle, scissor } = self;
-        packed_fill::fill_small_nearer(memory, depths, triangle, scissor, gradient, texel)
+        let Self { memory, depth, triangle, scissor } = self;
+        let depths = depth.buffer.values_mut();
+        depth.is_aligned && packed_fill::fill_small_nearer(memory, depths, triangle, scissor, gradient, texel)
     }
 }
 
@@ -232,14 +234,13 @@ impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for FillNearer<'_, '_, 
 #[inline(always)]
 pub(super) fn each_run_nearer<Cell, Q>(
     mut cells: &mut [Cell],
-    depths: &mut [u16],
-    from: usize,
+    depth: &mut DepthBuffer<'_>,
     span: Span,
     gradient: &Gradient,
     runs: impl Iterator<Item = (i32, Q)>,
     put: impl Fn(&mut [Cell], &mut [u16], u32, Q) -> u32,
 ) {
-    let Some(mut depths) = depths.get_mut(from..from.wrapping_add(cells.len())) else { return };
+    let Some(mut depths) = depth.row(span.x, span.y, span.width) else { return };
     let mut z = gradient.at(span.x, span.y);
     for (width, run) in runs {
         let (Some((pixels, more)), Some((stored, further))) =
@@ -264,6 +265,7 @@ fn put_line_nearer<Cell: Copy, C: StoredPixel<Cell>>(
 ) -> u32 {
     // The lengths are equal already; this tells the compiler.
     let Some(depths) = depths.get_mut(..pixels.len()) else { return z };
+    let zero = opaque(0);
     let ((blocks, rest), (depth_blocks, depth_rest)) =
         (pixels.as_chunks_mut::<BLOCK>(), depths.as_chunks_mut::<BLOCK>());
     for (pixels, depths) in blocks.iter_mut().zip(depth_blocks) {
@@ -274,15 +276,18 @@ fn put_line_nearer<Cell: Copy, C: StoredPixel<Cell>>(
             });
             each8(pixels, |pixel| *pixel = texel(line.advance()).stored());
         } else {
-            for (pixel, stored) in pixels.iter_mut().zip(depths) {
+            // Lengths that the compiler does not know keep it from unrolling the loop.
+            for (pixel, stored) in opaque(pixels.as_mut_slice()).iter_mut().zip(opaque(depths.as_mut_slice()))
+            {
                 put_nearer(pixel, stored, z, texel(line.advance()).stored());
                 z = z.wrapping_add(step);
                 keep_rolled();
             }
         }
-        line = line.hidden();
+        line = line.hidden(zero);
+        keep_rolled();
     }
-    for (pixel, stored) in rest.iter_mut().zip(depth_rest) {
+    for (pixel, stored) in opaque(rest).iter_mut().zip(opaque(depth_rest)) {
         put_nearer(pixel, stored, z, texel(line.advance()).stored());
         z = z.wrapping_add(step);
         keep_rolled();

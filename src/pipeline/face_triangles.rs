@@ -180,6 +180,7 @@ impl<'v> Fan<'v> {
     }
 
     /// Clip space's w at the corners of the current triangle, for a clipped face.
+    #[inline(never)] // rare: code size matters more than speed
     pub(super) fn clip_w(&self) -> [i32; 3] {
         self.slots().map(|slot| match self.polygon.corner(slot) {
             Some(ClipCoords { xydw: [.., w] }) => *w,
@@ -210,6 +211,7 @@ impl<'v> Fan<'v> {
     }
 
     /// The slots of the current triangle's corners.
+    #[inline(never)] // rare: code size matters more than speed
     fn slots(&self) -> [usize; 3] {
         let at = usize::from(self.at);
         [0, at, at + 1].map(|corner| self.slot(corner))

@@ -104,13 +104,19 @@ pub(super) fn triangle_shader<V: Coordinate, S: Shader>(
     } else if V::CLIPS && triangles.fan.is_cut() {
         triangles.fan.clip_w()
     } else {
-        let vertices = instance.mesh().vertices;
-        face.map(|index| {
-            let vertex = vertices.get(usize::from(index)); // Mesh has checked that there is one
-            vertex.map_or(1, |vertex| instance.vertex_transform().w(vertex))
-        })
+        w_of_corners(instance, face)
     };
     shader.with_corners(&CornerValues::new(triangles.fan.triangle().depths, w))
+}
+
+/// Clip space's w at the corners of a face that is not cut.
+#[inline(never)] // code size
+fn w_of_corners<V: Coordinate>(instance: &AnyInstance<'_, V>, face: &[u16; 3]) -> [i32; 3] {
+    let (vertices, transform) = (instance.mesh().vertices, instance.vertex_transform());
+    map3(*face, |index| {
+        let vertex = vertices.get(usize::from(index)); // Mesh has checked that there is one
+        vertex.map_or(1, |vertex| transform.w(vertex))
+    })
 }
 
 /// Draws the triangles of a face: `draw` gets each with its shader.

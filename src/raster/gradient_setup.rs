@@ -140,6 +140,12 @@ impl<'t> GradientSetup<'t> {
         Self::with_extent(triangle, Extent::of(triangle))
     }
 
+    /// [`new`](Self::new) as a function, where code size matters more than speed.
+    #[inline(never)]
+    pub(crate) fn called(triangle: &'t Triangle<'t>) -> Self {
+        Self::new(triangle)
+    }
+
     /// Set-up for a triangle whose extent is known.
     #[inline(always)]
     pub(crate) fn with_extent(triangle: &'t Triangle<'t>, extent: Extent) -> Self {

@@ -1,6 +1,7 @@
 //! Depth and 1/w at the corners of a triangle, for shaders that ask for them.
 
-use crate::math::num::reciprocal;
+use crate::math::num::reciprocal_called;
+use crate::math::unrolled::map3;
 
 /// Depth and 1/w at the corners of a triangle, in the order of its corners: see
 /// [`Shader::with_corners`](crate::Shader::with_corners).
@@ -43,9 +44,9 @@ impl CornerValues {
 /// Reciprocals of three w with one common factor, as [`CornerValues::inverse_w`] returns them.
 pub(super) fn inverse_w(w: [i32; 3]) -> [i32; 3] {
     // 1/w = mantissa · 2^(shift − 61), mantissa 2³⁰ … 2³¹ − 1: the smallest w has the largest shift.
-    let reciprocals = w.map(|w| reciprocal(w.max(1)));
+    let reciprocals = map3(w, |w| reciprocal_called(w.max(1)));
     let most = reciprocals.iter().fold(0, |most, r| r.shift.max(most));
-    reciprocals.map(|r| r.mantissa >> most.wrapping_sub(r.shift).min(31))
+    map3(reciprocals, |r| r.mantissa >> most.wrapping_sub(r.shift).min(31))
 }
 
 #[cfg(test)]

@@ -15,7 +15,9 @@ pub(crate) use accumulator::Accumulator;
 pub(crate) use bits::{bits_of, leading_zeros, magnitude, max, min, shift_to_fit};
 pub(crate) use division::{divide, fraction, proper_fraction};
 pub(crate) use product::{dot, mul_called, mul_high, mul_wide, row_times, transposed};
-pub(crate) use reciprocal::{reciprocal, reciprocal_of_large, reciprocal_of_positive, Reciprocal};
+pub(crate) use reciprocal::{
+    reciprocal, reciprocal_called, reciprocal_of_large, reciprocal_of_positive, Reciprocal,
+};
 pub(crate) use saturating::{add, evaluate, mul_translation, SATURATED};
 pub(crate) use scaling::{scale, scale_to_word, scale_word};
 pub(crate) use square_root::{sqrt, sqrt_word};

@@ -51,6 +51,12 @@ pub(crate) fn reciprocal_of_positive(v: i32) -> Reciprocal {
     reciprocal_of_normalised(normalised(v))
 }
 
+/// [`reciprocal_of_positive`] as a function, where code size matters more than speed.
+#[inline(never)]
+pub(crate) fn reciprocal_called(v: i32) -> Reciprocal {
+    reciprocal_of_positive(v)
+}
+
 /// [`reciprocal`] for `v ≥ 1`; fastest for v near 2³⁰, the common case.
 #[inline(always)]
 pub(crate) fn reciprocal_of_large(v: i32) -> Reciprocal {

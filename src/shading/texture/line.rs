@@ -1,6 +1,7 @@
 //! Texture coordinates of a run of pixels: linear, with 16 or 32 bits for each coordinate.
 
 use super::texels::Texels;
+use crate::math::cores::CORTEX_M0;
 use crate::math::hints::opaque;
 use crate::raster::{Gradient, Span};
 use core::marker::PhantomData;
@@ -33,8 +34,8 @@ pub trait Line: Iterator<Item = [u32; 2]> + Copy {
     /// The coordinates of the next pixel; advances to the pixel after it.
     fn advance(&mut self) -> [u32; 2];
 
-    /// This line, with a value that the compiler cannot know.
-    fn hidden(self) -> Self;
+    /// The line, in a form in which the compiler does not see that its coordinates are linear; `zero` is 0, [opaque] to it.
+    fn hidden(self, zero: u32) -> Self;
 }
 
 /// The binary logarithm of the widest block, in pixels.
@@ -92,8 +93,9 @@ impl Line for WideLine {
     }
 
     #[inline(always)]
-    fn hidden(self) -> Self {
-        Self { at: opaque(self.at), ..self }
+    fn hidden(self, zero: u32) -> Self {
+        let [u, v] = self.at;
+        Self { at: [hidden(u, zero), hidden(v, zero)], ..self }
     }
 }
 
@@ -164,8 +166,18 @@ impl Line for PackedLine {
     }
 
     #[inline(always)]
-    fn hidden(self) -> Self {
-        Self { at: opaque(self.at), ..self }
+    fn hidden(self, zero: u32) -> Self {
+        Self { at: hidden(self.at, zero), ..self }
+    }
+}
+
+/// `at`, without the compiler's knowledge of how it changes from turn to turn. An exclusive or with an unknown 0 is one instruction;
+/// [`opaque`] stores the number and loads it again, which a Cortex-M0 can do better than keep another register.
+#[inline(always)]
+pub(crate) fn hidden(at: u32, zero: u32) -> u32 {
+    match CORTEX_M0 {
+        true => opaque(at),
+        false => at ^ zero,
     }
 }
 

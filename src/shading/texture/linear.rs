@@ -33,29 +33,41 @@ const MARGIN: i32 = 9;
 const LARGE_MARGIN: i32 = 71;
 
 /// The gradients of u and v.
+#[inline(never)] // less frequent than packed ones: code size matters more than speed
 pub(super) fn linear_gradients(
     triangle: &Triangle<'_>,
     [u, v]: &[[i32; 3]; 2],
-    &[u_range, v_range]: &[(i32, i32); 2],
+    [u_range, v_range]: &[(i32, i32); 2],
     [u_unit, v_unit]: [u8; 2],
     is_wide: bool,
 ) -> [Gradient; 2] {
-    let setup = GradientSetup::new(triangle);
+    let setup = GradientSetup::called(triangle);
+    [
+        linear_gradient(&setup, u, u_range, u_unit.into(), is_wide),
+        linear_gradient(&setup, v, v_range, v_unit.into(), is_wide),
+    ]
+}
+
+/// The gradient of one coordinate.
+#[inline(never)]
+fn linear_gradient(
+    setup: &GradientSetup<'_>,
+    coords: &[i32; 3],
+    &(least, extent): &(i32, i32),
+    unit: i32,
+    is_wide: bool,
+) -> Gradient {
     let margin = if setup.extent.is_large() { LARGE_MARGIN } else { MARGIN };
-    let gradient = |coords: &[i32; 3], (least, extent): (i32, i32), unit: u8| {
-        // Values up to 2¹⁷ keep the numerators of the set-up in 32 bits. The finer the unit, the smaller are the margin and the
-        // error of the gradient against the extent.
-        let unit = i32::from(unit);
-        let finer = (unit - 16).min(leading_zeros(extent as u32) - 15).max(0) & 15; // 2¹⁷, or more that is given
-        let up = (unit - 16 - finer) & 31; // 0 … 16
-        let margin = if is_wide { margin } else { margin + (PACKED_MARGIN << 7 >> up) };
-        let (low, high) = inside(extent << finer, margin);
-        let value = |coord: i32| ((coord - least) << finer).max(low).min(high);
-        // In 2^−(FRACTION + 8 + finer) units.
-        let Gradient { origin, right, down } = setup.through(&map3(*coords, value));
-        Gradient { origin: origin << up, right: right << up, down: down << up }.add_bias(phase(least, unit))
-    };
-    [gradient(u, u_range, u_unit), gradient(v, v_range, v_unit)]
+    // Values up to 2¹⁷ keep the numerators of the set-up in 32 bits. The finer the unit, the smaller are the margin and the
+    // error of the gradient against the extent.
+    let finer = (unit - 16).min(leading_zeros(extent as u32) - 15).max(0) & 15; // 2¹⁷, or more that is given
+    let up = (unit - 16 - finer) & 31; // 0 … 16
+    let margin = if is_wide { margin } else { margin + (PACKED_MARGIN << 7 >> up) };
+    let (low, high) = inside(extent << finer, margin);
+    let value = |coord: i32| ((coord - least) << finer).max(low).min(high);
+    // In 2^−(FRACTION + 8 + finer) units.
+    let Gradient { origin, right, down } = setup.through(&map3(*coords, value));
+    Gradient { origin: origin << up, right: right << up, down: down << up }.add_bias(phase(least, unit))
 }
 
 /// The range into which the values of corners, 0 to `extent`, are moved, so that errors up to `margin` do not leave 0 to
@@ -131,9 +143,9 @@ struct Corner {
 impl Corner {
     /// A coordinate in the middle, and its changes from a pixel to its right neighbour and to the pixel below, in 2⁻³² of the
     /// side.
-    #[inline(always)]
+    #[inline(never)] // code size
     fn slope(
-        self,
+        &self,
         &[ua, ub, uc]: &[i32; 3],
         (least, extent): (i32, i32),
         unit: u8,

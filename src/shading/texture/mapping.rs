@@ -115,8 +115,9 @@ impl<S: Texels> Texture<S> {
     /// or the unit that [`with_exponent`](Self::with_exponent) sets.
     #[inline]
     pub fn at(&self, corners: [[i16; 2]; 3]) -> Textured<S> {
-        let uv = corners.map(|uv| uv.map(|c| i32::from(c) << Textured::<S>::FRACTION));
-        Textured { texture: *self, uv, w: [1 << 30; 3] }
+        let uv = corners.map(|uv| uv.map(|c| i32::from(c) << FRACTION));
+        let Self { texels, unit, accuracy } = *self;
+        Textured { texels, coords: FaceCoords { uv, w: [1 << 30; 3], unit, accuracy } }
     }
 
     /// [`at`](Self::at) for a picture that does not repeat: coordinates beyond it, on either side, show the nearest texel of its
@@ -147,33 +148,41 @@ impl<S: Texels> Texture<S> {
     /// ```
     pub fn clamped_at(&self, corners: [[i16; 2]; 3]) -> Textured<ClampedTexels<S>> {
         // Coordinates are in units twice as large, of which 32 bits span 2¹⁶: room for all coordinates, and for the error beyond the last.
-        let uv = corners.map(|uv| uv.map(|c| i32::from(c) << (Textured::<S>::FRACTION - 1)));
+        let uv = corners.map(|uv| uv.map(|c| i32::from(c) << (FRACTION - 1)));
         // The 2¹⁷ units that 32 bits span are 2^(unit − 15) sides.
         let texels = ClampedTexels::new(self.texels, self.unit.map(|unit| unit.saturating_sub(15)));
-        let texture = Texture { texels, unit: [16; 2], accuracy: self.accuracy };
-        Textured { texture, uv, w: [1 << 30; 3] }
+        Textured {
+            texels,
+            coords: FaceCoords { uv, w: [1 << 30; 3], unit: [16; 2], accuracy: self.accuracy },
+        }
     }
 }
 
 /// A [`Texture`] on a face: [`Texture::at`] makes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Textured<S> {
-    pub(super) texture: Texture<S>,
-    /// Texture coordinates of the corners, with [`FRACTION`](Self::FRACTION) fractional bits: 24 bits with the sign.
+    pub(super) texels: S,
+    pub(super) coords: FaceCoords,
+}
+
+/// Texture coordinates of a face, without the texels that they are for: gradients are set up by code that is there once for all formats.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct FaceCoords {
+    /// Of the corners, with [`FRACTION`] fractional bits: 24 bits with the sign.
     pub(super) uv: [[i32; 2]; 3],
     /// w of the corners, in any unit: equal, so that coordinates are linear on the screen, until a draw call passes the corners'
     /// own.
     pub(super) w: [i32; 3],
+    /// As of a [`Texture`].
+    pub(super) unit: [u8; 2],
+    pub(super) accuracy: Accuracy,
 }
 
-impl<S> Textured<S> {
-    /// The fractional bits of a corner's coordinates: clipping rounds the coordinates of new corners to 2⁻⁸ of the texture's unit.
-    pub(super) const FRACTION: u32 = 8;
-
+impl FaceCoords {
     /// The binary logarithm of 1/[`Accuracy`].
     #[inline(always)]
     pub(super) fn accuracy_bits(&self) -> u32 {
-        match self.texture.accuracy {
+        match self.accuracy {
             Accuracy::Quarter => 2,
             Accuracy::Eighth => 3,
             Accuracy::Sixteenth => 4,
@@ -181,8 +190,8 @@ impl<S> Textured<S> {
     }
 }
 
-/// [`Textured::FRACTION`], which is the same for all formats.
-pub(super) const FRACTION: u32 = Textured::<()>::FRACTION;
+/// The fractional bits of a corner's coordinates: clipping rounds the coordinates of new corners to 2⁻⁸ of the texture's unit.
+pub(super) const FRACTION: u32 = 8;
 
 #[cfg(feature = "defmt")]
 impl<S> defmt::Format for Texture<S> {
@@ -201,7 +210,17 @@ impl<S> defmt::Format for Texture<S> {
 #[cfg(feature = "defmt")]
 impl<S> defmt::Format for Textured<S> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        let [a, b, c] = self.uv.map(|uv| uv.map(|c| c >> Self::FRACTION));
-        defmt::write!(f, "{} at {=[?]}, {=[?]} and {=[?]}", self.texture, a, b, c);
+        let FaceCoords { uv, unit: [u, v], accuracy, .. } = self.coords;
+        let [a, b, c] = uv.map(|uv| uv.map(|c| c >> FRACTION));
+        defmt::write!(
+            f,
+            "texture in 2^{=i8} and 2^{=i8} of its sides, to {} at {=[?]}, {=[?]} and {=[?]}",
+            u as i8 - 32,
+            v as i8 - 32,
+            accuracy,
+            a,
+            b,
+            c
+        );
     }
 }

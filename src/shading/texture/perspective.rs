@@ -1,11 +1,12 @@
 //! Texture coordinates in perspective: quotients of two numbers that are linear on the screen.
 
 use super::line::{Line, LARGEST_BLOCK};
-use super::mapping::{Textured, FRACTION};
-use super::texels::Texels;
+use super::linear::range;
+use super::mapping::{FaceCoords, FRACTION};
+use crate::math::hints::opaque_next;
 use crate::math::num::{leading_zeros, mul_high, mul_wide, reciprocal_of_positive, Reciprocal};
 use crate::math::unrolled::{map2, map3};
-use crate::raster::{Gradient, GradientSetup, Triangle};
+use crate::raster::{Gradient, GradientSetup, ScreenPoint, Triangle};
 use crate::shading::corner_values::inverse_w;
 
 /// Texture coordinates that are not linear on the screen. With q = 1/w, the numbers q, s = (u − u₀)·q and t = (v − v₀)·q are, and
@@ -21,44 +22,12 @@ pub(super) struct Perspective {
     /// The binary logarithm of the widest block.
     largest_block: i32,
     curvature: Curvature,
-}
-
-/// Texture coordinates in perspective that may be interpolated linearly over each row of a triangle.
-///
-/// With the notation of [`Curvature`], a row's tangent in a column that is D columns away at most is off by up to
-/// |K·q'|·D²/(q₀²·q₁) ≤ |K·q'|·(2·D)²/(4·m³), where m is the least q.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct PerspectiveRows {
-    /// Its planes are counted from the anchor.
-    perspective: Perspective,
-    /// The column in the middle of the triangle.
+    /// The column that planes are counted from: 0 unless coordinates are [linear by rows](is_linear_by_rows), otherwise that in
+    /// the middle of the triangle.
     anchor: i32,
-    /// The left shifts from products of K and 1/q² to the change from a pixel to the next, for mantissas of 1/q that are not
-    /// shifted.
+    /// For [`line`](Self::line): the left shifts from products of K and 1/q² to the change from a pixel to the next, for mantissas of
+    /// 1/q that are not shifted.
     steps: [i32; 2],
-}
-
-impl PerspectiveRows {
-    /// u and v in column 0 of a row, and their changes from a pixel to the next, in 2⁻³² of the sides.
-    #[inline(never)]
-    pub(super) fn line(&self, y: i32) -> [[u32; 2]; 2] {
-        let Self { perspective, anchor, steps } = self;
-        let planes @ Planes { q, .. } = perspective.row(y);
-        let r = reciprocal_of_positive(q); // 1/q = mantissa · 2^(shift − 61)
-        let [u, v] = perspective.phases(perspective.times(planes, r));
-        let square = mul_high(r.mantissa, r.mantissa); // 1/q² = square · 2^(2·shift − 90)
-        let ([k_s, k_t], [m, n]) = (perspective.curvature.k(y), *steps);
-        let step = |k: i32, up: i32| {
-            let (step, up) = (mul_high(k, square), up + 2 * r.shift as i32);
-            match up >= 0 {
-                true => step << (up & 31),
-                false => step >> (-up & 31),
-            }
-        };
-        let (du, dv) = (step(k_s, m) as u32, step(k_t, n) as u32);
-        let anchor = *anchor as u32;
-        [[u.wrapping_sub(du.wrapping_mul(anchor)), v.wrapping_sub(dv.wrapping_mul(anchor))], [du, dv]]
-    }
 }
 
 /// q, s and t at a pixel.
@@ -132,34 +101,14 @@ impl Curvature {
     /// Of planes whose values at pixel (x, y) near the triangle are given.
     fn new(planes: &[Gradient; 3], (x, y): (i32, i32), size: &Size, coarser: [u8; 2], exponent: i32) -> Self {
         let [q, s, t] = planes;
-        let (q0, q_right, q_down) = (q.at(x, y) as i32, q.step() as i32, q.row_step() as i32);
-        let k = |s: &Gradient, coarser: u8| {
-            let (s0, right, down) =
-                (s.at(x, y).wrapping_sub(BIAS) as i32, s.step() as i32, s.row_step() as i32);
-            let (at, step) = match size.has_columns {
-                // Exact: q is below 2³¹, |s| and |t| are at most 2³⁰, and steps at most 2²⁹.
-                true => (
-                    mul_wide(right, q0).wrapping_sub(mul_wide(s0, q_right)),
-                    mul_wide(right, q_down).wrapping_sub(mul_wide(down, q_right)),
-                ),
-                // Steps from row to row may wrap: more than K at any pixel, as q is at most 2³⁰.
-                false => (i64::from(right.unsigned_abs().wrapping_add(q_right.unsigned_abs())) << 30, 0),
-            };
-            (at >> (coarser & 63), step >> (coarser & 63))
-        };
         let [u, v] = coarser;
-        let (of_s @ (k_s, step_s), of_t @ (k_t, step_t)) = (k(s, u), k(t, v));
-        let steps = step_s.unsigned_abs() | step_t.unsigned_abs();
-        let largest = k_s.unsigned_abs() | k_t.unsigned_abs() | steps << (size.row_bits & 31);
+        let k = |s: &Gradient, coarser: u8| RowK::new(q, s, (x, y), size, coarser.into());
+        let (of_s, of_t) = (k(s, u), k(t, v));
         // The sum of K and its steps has one bit more.
-        let cut = (64 - leading_zeros_64(largest) - 29).max(0); // at most 35
-        let row = |(k, step): (i64, i64)| {
-            let (k, step) = ((k >> (cut & 63)) as i32, (step >> (cut & 63)) as i32);
-            [k.wrapping_sub(step.wrapping_mul(y)), step]
-        };
-        let slope = log_of(q_right.unsigned_abs() | 1);
+        let cut = (of_s.bits.max(of_t.bits) - 29).max(0); // at most 35
+        let slope = log_of(q.step().cast_signed().unsigned_abs() | 1);
         Self {
-            rows: [row(of_s), row(of_t)],
+            rows: [of_s.rows(cut, y), of_t.rows(cut, y)],
             cut,
             slack: 2 + (1 << (size.row_bits & 31)),
             bound: slope + 2 * ROUND_UP + ((exponent + cut + 31 - 3 * 31) << 16),
@@ -173,10 +122,47 @@ impl Curvature {
     }
 
     /// The binary logarithm of |K·q'|/(4·ε) in a row, as a fraction of 2⁹³, in 2⁻¹⁶.
-    #[inline(always)]
+    #[inline(never)] // code size
     fn of_row(&self, y: i32) -> i32 {
         let [s, t] = map2(self.k(y), i32::unsigned_abs);
         log_of_2_31(s.max(t).wrapping_add(self.slack)) + self.bound
+    }
+}
+
+/// K of s or t at a pixel, exactly or more.
+struct RowK {
+    k: i64,
+    /// The change from row to row.
+    step: i64,
+    /// The bits of the largest K of covered rows.
+    bits: i32,
+}
+
+impl RowK {
+    /// At pixel (x, y), in 2^`coarser`, at most 21.
+    #[inline(never)] // rare in fine meshes: code size matters more than speed
+    fn new(q: &Gradient, s: &Gradient, (x, y): (i32, i32), size: &Size, coarser: u32) -> Self {
+        let (q0, q_right, q_down) = (q.at(x, y) as i32, q.step() as i32, q.row_step() as i32);
+        let (s0, right, down) = (s.at(x, y).wrapping_sub(BIAS) as i32, s.step() as i32, s.row_step() as i32);
+        let (at, step) = match size.has_columns {
+            // Exact: q is below 2³¹, |s| and |t| are at most 2³⁰, and steps at most 2²⁹.
+            true => (
+                mul_wide(right, q0).wrapping_sub(mul_wide(s0, q_right)),
+                mul_wide(right, q_down).wrapping_sub(mul_wide(down, q_right)),
+            ),
+            // Steps from row to row may wrap: more than K at any pixel, as q is at most 2³⁰.
+            false => (i64::from(right.unsigned_abs().wrapping_add(q_right.unsigned_abs())) << 30, 0),
+        };
+        let (k, step) = (at >> (coarser & 31), step >> (coarser & 31));
+        let largest = k.unsigned_abs() | step.unsigned_abs() << (size.row_bits & 31);
+        Self { k, step, bits: 64 - leading_zeros_64(largest) }
+    }
+
+    /// K in row 0 and its change from row to row, in 2^`cut`, given that this is K in row `y`.
+    #[inline(never)] // rare in fine meshes: code size matters more than speed
+    fn rows(&self, cut: i32, y: i32) -> [i32; 2] {
+        let (k, step) = ((self.k >> (cut & 63)) as i32, (self.step >> (cut & 63)) as i32);
+        [k.wrapping_sub(step.wrapping_mul(y)), step]
     }
 }
 
@@ -199,25 +185,30 @@ struct Size {
 
 impl Size {
     fn of(triangle: &Triangle<'_>) -> Self {
-        let range = |[a, b, c]: [i32; 3]| (a.min(b).min(c), a.max(b).max(c));
-        let (left, right) = range(triangle.corners.map(|a| a.x));
-        let (top, bottom) = range(triangle.corners.map(|a| a.y));
+        let (left, across) = range_called(map3(triangle.corners, |a| a.x));
+        let (top, down) = range_called(map3(triangle.corners, |a| a.y));
         let bits = |length: i32| 32 - leading_zeros(length as u32);
-        let (width, height) = (bits(right - left), bits(bottom - top));
+        let (width, height) = (bits(across), bits(down));
         // A/H in sub-pixels is at least 2^(bits of A − bits of H − 1); a pixel is 2⁸ of them.
         let area = 64 - leading_zeros_64(triangle.area.unsigned_abs()) - 1 - 8;
         Self {
             largest_block: (area - height).clamp(0, LARGEST_BLOCK),
             has_columns: area - width > 0,
             row_bits: (height - 7).max(1) as u32,
-            rows: [top >> 8, bottom >> 8],
-            middle: (left + right) >> 9,
-            reach: ((right - left) >> 9) + 1,
+            rows: [top >> 8, (top + down) >> 8],
+            middle: (left + left + across) >> 9,
+            reach: (across >> 9) + 1,
         }
     }
 }
 
-#[inline(always)]
+/// [`range`] as a function.
+#[inline(never)]
+fn range_called(values: [i32; 3]) -> (i32, i32) {
+    range(&values)
+}
+
+#[inline(never)]
 fn leading_zeros_64(v: u64) -> i32 {
     match (v >> 32) as u32 {
         0 => 32 + leading_zeros(v as u32),
@@ -232,80 +223,78 @@ const ROOM: i32 = 3;
 const BIAS: u32 = 1 << 29;
 
 impl Perspective {
-    /// The gradients of a triangle, as `rows` or `whole` wraps them: linear over each row, or not.
-    pub(super) fn set_up<S: Texels, G>(
-        shader: &Textured<S>,
+    /// The gradients of a triangle, as `wrap` wraps them, given whether they are linear over each row. `size_bits` are the binary
+    /// logarithms of the texture's width and height, in bytes, so that four registers hold all arguments, and the caller's stack frame
+    /// is gone.
+    #[inline(never)] // less frequent than linear ones in fine meshes: code size matters more than speed
+    pub(super) fn set_up<G>(
+        coords: &FaceCoords,
+        size_bits: [u8; 2],
         triangle: &Triangle<'_>,
-        rows: impl FnOnce(PerspectiveRows) -> G,
-        whole: impl FnOnce(Self) -> G,
+        wrap: impl FnOnce(bool, Self) -> G,
     ) -> G {
-        // Below 2²², so that there is room for samples beside the triangle.
-        let q = inverse_w(shader.w).map(|q| (q >> 9).max(1));
-        // The farthest corner first: errors of gradients grow with the distance from the first corner.
-        let ([qa, qb, qc], [a, b, c], [ua, ub, uc]) = (q, triangle.corners, shader.uv);
-        let (q, corners, uv) = if qb < qa && qb <= qc {
-            ([qb, qc, qa], [b, c, a], [ub, uc, ua])
-        } else if qc < qa {
-            ([qc, qa, qb], [c, a, b], [uc, ua, ub])
-        } else {
-            (q, triangle.corners, shader.uv)
-        };
-        let turned = Triangle { corners, ..*triangle };
-        let setup = GradientSetup::new(&turned);
-        let ([_, q1, q2], [[u, v], [u1, v1], [u2, v2]]) = (q, uv);
-        let (du, dv) = ([u1 - u, u2 - u], [v1 - v, v2 - v]); // below 2²⁴
-        let magnitude = |[a, b]: [i32; 2]| a.unsigned_abs() | b.unsigned_abs();
-        let n = 32 - leading_zeros(magnitude(du) | magnitude(dv)); // |difference| < 2^n, 0 … 24
-        let times = |difference: i32, q: i32| {
-            let product = i64::from(difference) * i64::from(q); // below 2^(n + 22)
-            ((product + (1 << (n & 31))) >> ((n + 1) & 31)) as i32 + (1 << 21)
-        };
-        let gradient = |[a, b]: [i32; 2]| setup.through(&[1 << 21, times(a, q1), times(b, q2)]);
-        let [u_unit, v_unit] = shader.texture.unit.map(i32::from);
+        let corners = CornerPlanes::new(coords, triangle);
+        Self::of_planes(&corners, coords, size_bits, triangle, wrap)
+    }
+
+    #[inline(never)] // its stack frame does not exist while the planes are set up
+    fn of_planes<G>(
+        corners: &CornerPlanes,
+        coords: &FaceCoords,
+        size_bits: [u8; 2],
+        triangle: &Triangle<'_>,
+        wrap: impl FnOnce(bool, Self) -> G,
+    ) -> G {
+        let CornerPlanes { planes, first, least_q, uv: [u, v], n } = *corners;
+        let [u_unit, v_unit] = coords.unit.map(i32::from);
         let phase = |c: i32, unit: i32| (c as u32) << ((unit - FRACTION as i32) & 31);
         // s/q in 2^(ROOM − 29) is a coordinate in 2^(n + unit − 36 + ROOM) of 2⁻³² of the side.
         let (u_full, v_full) = (u_unit + n - 36 + ROOM, v_unit + n - 36 + ROOM);
         let (u_up, v_up) = (u_full.max(LARGEST_BLOCK), v_full.max(LARGEST_BLOCK)); // at most 23
-        let planes = [setup.through(&q), gradient(du), gradient(dv)];
-        // An error ε of s/q is one of ε·2^(n + 1 + unit − FRACTION + bits − 32) texels.
-        let [w, h] = shader.texture.texels.size_bits().map(|bits| bits as i32);
+                                                                                   // An error ε of s/q is one of ε·2^(n + 1 + unit − FRACTION + bits − 32) texels.
+        let [w, h] = size_bits.map(i32::from);
         let (u_texel, v_texel) = (u_unit + w, v_unit + h); // 19 … 40
         let texel = u_texel.max(v_texel);
         let coarser = [(texel - u_texel) as u8, (texel - v_texel) as u8];
         // log₂(1/(4·ε)), rounded up.
-        let exponent = shader.accuracy_bits() as i32 + n + texel - 41;
-        let ([first, ..], size) = (corners, Size::of(triangle));
+        let exponent = coords.accuracy_bits() as i32 + n + texel - 41;
+        let size = Size::of(triangle);
         let curvature = Curvature::new(&planes, (first.x >> 8, first.y >> 8), &size, coarser, exponent);
+        let is_by_rows = is_linear_by_rows(&planes, least_q, &size, &curvature);
+        let anchor = if is_by_rows { size.middle } else { 0 };
+        let step = texel + n + curvature.cut - 65;
         let own = Self {
-            planes,
+            planes: map3(planes, |plane| Gradient { origin: plane.at(anchor, 0), ..plane }),
             origin: [phase(u, u_unit), phase(v, v_unit)],
             shifts: (u_up | v_up << 5 | (u_up - u_full) << 10 | (v_up - v_full) << 15) as u32,
             largest_block: size.largest_block,
             curvature,
+            anchor,
+            steps: [step - w, step - h],
         };
-        if !own.is_linear_by_rows(qa.min(qb).min(qc), &size) {
-            return whole(own);
-        }
-        let anchor = size.middle;
-        let planes = map3(planes, |plane| Gradient { origin: plane.at(anchor, 0), ..plane });
-        let step = texel + n + curvature.cut - 65;
-        rows(PerspectiveRows { perspective: Self { planes, ..own }, anchor, steps: [step - w, step - h] })
+        wrap(is_by_rows, own)
     }
 
-    /// Whether coordinates may be interpolated linearly over each row, given the least q of the corners: see [`PerspectiveRows`].
-    fn is_linear_by_rows(&self, least_q: i32, size: &Size) -> bool {
-        let Size { reach, rows: [top, bottom], .. } = *size;
-        let [q, s, t] = map3(self.planes, |plane| plane.step().cast_signed().unsigned_abs());
-        // More than the changes over `reach` columns. Steps are at most 2²⁹ where blocks may have two pixels.
-        let over = |step: u32| u64::from(step) * u64::from(reach as u32);
-        // Less than q within `reach` columns of a covered pixel: gradients are off by less than 2¹².
-        let least = (i64::from(least_q) << 8) - (1 << 12) - over(q) as i64;
-        if self.largest_block == 0 || !size.has_columns || least < 1 {
-            return false;
-        }
-        let has_room = (1 << 29) + (1 << 12) + over(s.max(t)) <= (least as u64) << ROOM;
-        let curvature = self.curvature.of_row(top).max(self.curvature.of_row(bottom));
-        has_room && curvature + 2 * (log_of(2 * reach as u32) + ROUND_UP) <= 3 * log_of_2_31(least as u32)
+    /// Where coordinates are [linear by rows](is_linear_by_rows): u and v in column 0 of a row, and their changes from a pixel to the
+    /// next, in 2⁻³² of the sides.
+    #[inline(never)]
+    pub(super) fn line(&self, y: i32) -> [[u32; 2]; 2] {
+        let Self { curvature, anchor, steps, .. } = self;
+        let planes @ Planes { q, .. } = self.row(y);
+        let r = reciprocal_of_positive(q); // 1/q = mantissa · 2^(shift − 61)
+        let [u, v] = self.phases(self.times(planes, r));
+        let square = mul_high(r.mantissa, r.mantissa); // 1/q² = square · 2^(2·shift − 90)
+        let ([k_s, k_t], [m, n]) = (curvature.k(y), *steps);
+        let step = |k: i32, up: i32| {
+            let (step, up) = (mul_high(k, square), up + 2 * r.shift as i32);
+            match up >= 0 {
+                true => step << (up & 31),
+                false => step >> (-up & 31),
+            }
+        };
+        let (du, dv) = (step(k_s, m) as u32, step(k_t, n) as u32);
+        let anchor = *anchor as u32;
+        [[u.wrapping_sub(du.wrapping_mul(anchor)), v.wrapping_sub(dv.wrapping_mul(anchor))], [du, dv]]
     }
 
     /// The planes in column 0 of a row.
@@ -336,18 +325,14 @@ impl Perspective {
     /// them.
     pub(super) fn nearest(&self, Planes { q, s, t }: Planes) -> Sample {
         let q = q.max(1);
-        let most = i64::from(q) << ROOM;
-        let inside = |s: i32| i64::from(s).clamp(-most, most) as i32;
-        self.divided_called(Planes { q, s: inside(s), t: inside(t) })
-    }
-
-    #[inline(never)]
-    pub(super) fn divided_called(&self, planes: Planes) -> Sample {
-        self.divided(planes)
+        // In 32 bits: samples do not need the lower bits.
+        let most = if q >> (31 - ROOM) == 0 { q << ROOM } else { i32::MAX };
+        let inside = |s: i32| s.min(most).max(-most);
+        self.divided(Planes { q, s: inside(s), t: inside(t) })
     }
 
     /// s/q and t/q, where there is [room](Planes::has_room).
-    #[inline(always)]
+    #[inline(never)] // code size
     pub(super) fn divided(&self, planes: Planes) -> Sample {
         self.times(planes, reciprocal_of_positive(planes.q))
     }
@@ -382,7 +367,7 @@ impl Perspective {
 
     /// The line between two samples, 2^`bits` pixels from each other, from pixel `passed` on.
     #[inline(always)]
-    pub(super) fn line<L: Line>(&self, left: Sample, right: Sample, bits: i32, passed: i32) -> L {
+    pub(super) fn between<L: Line>(&self, left: Sample, right: Sample, bits: i32, passed: i32) -> L {
         let [m, n, ..] = self.shifts();
         L::between([left.u, left.v], [right.u, right.v], self.origin, [m, n], bits, passed)
     }
@@ -394,6 +379,79 @@ impl Perspective {
         let Self { shifts, .. } = *self;
         [shifts & 31, shifts >> 5 & 31, shifts >> 10 & 31, shifts >> 15 & 31]
     }
+}
+
+/// Whether coordinates in perspective may be interpolated linearly over each row of a triangle, given the least q of its corners.
+///
+/// With the notation of [`Curvature`], a row's tangent in a column that is D columns away at most is off by up to
+/// |K·q'|·D²/(q₀²·q₁) ≤ |K·q'|·(2·D)²/(4·m³), where m is the least q.
+#[inline(never)] // rare in fine meshes: code size matters more than speed
+fn is_linear_by_rows(planes: &[Gradient; 3], least_q: i32, size: &Size, curvature: &Curvature) -> bool {
+    let Size { reach, rows: [top, bottom], .. } = *size;
+    let [q, s, t] = map3(*planes, |plane| plane.step().cast_signed().unsigned_abs());
+    // More than the changes over `reach` columns. Steps are at most 2²⁹ where blocks may have two pixels.
+    let over = |step: u32| u64::from(step) * u64::from(reach as u32);
+    // Less than q within `reach` columns of a covered pixel: gradients are off by less than 2¹².
+    let least = (i64::from(least_q) << 8) - (1 << 12) - over(q) as i64;
+    if size.largest_block == 0 || !size.has_columns || least < 1 {
+        return false;
+    }
+    let has_room = (1 << 29) + (1 << 12) + over(s.max(t)) <= (least as u64) << ROOM;
+    let curvature = curvature.of_row(top).max(curvature.of_row(bottom));
+    has_room && curvature + 2 * (log_of(2 * reach as u32) + ROUND_UP) <= 3 * log_of_2_31(least as u32)
+}
+
+/// The planes of a triangle, set up from its farthest corner.
+struct CornerPlanes {
+    /// Of q, s and t.
+    planes: [Gradient; 3],
+    /// The farthest corner, q there and its coordinates.
+    first: ScreenPoint,
+    least_q: i32,
+    uv: [i32; 2],
+    /// Differences of coordinates are below 2^this, 0 … 24.
+    n: i32,
+}
+
+impl CornerPlanes {
+    #[inline(never)] // its stack frame is gone when it returns
+    fn new(coords: &FaceCoords, triangle: &Triangle<'_>) -> Self {
+        // Below 2²², so that there is room for samples beside the triangle.
+        let all_q = map3(inverse_w(coords.w), |q| (q >> 9).max(1));
+        // The farthest corner first: errors of gradients grow with the distance from the first corner.
+        let [qa, qb, qc] = all_q;
+        let farthest = match () {
+            () if qb < qa && qb <= qc => 1,
+            () if qc < qa => 2,
+            () => 0,
+        };
+        let (mut q, mut uv, mut turned, mut i) = (all_q, coords.uv, *triangle, 0);
+        while let (Some(q), Some(uv), Some(corner)) = (q.get_mut(i), uv.get_mut(i), turned.corners.get_mut(i))
+        {
+            let at = if i + farthest < 3 { i + farthest } else { i + farthest - 3 };
+            if let (Some(own_q), Some(own_uv), Some(own)) =
+                (all_q.get(at), coords.uv.get(at), triangle.corners.get(at))
+            {
+                (*q, *uv, *corner) = (*own_q, *own_uv, *own);
+            }
+            i = opaque_next(i);
+        }
+        let setup = GradientSetup::called(&turned);
+        let ([least_q, q1, q2], [[u, v], [u1, v1], [u2, v2]]) = (q, uv);
+        let (du, dv) = ([u1 - u, u2 - u], [v1 - v, v2 - v]); // below 2²⁴
+        let magnitude = |[a, b]: [i32; 2]| a.unsigned_abs() | b.unsigned_abs();
+        let n = 32 - leading_zeros(magnitude(du) | magnitude(dv));
+        let gradient = |[a, b]: [i32; 2]| setup.through(&[1 << 21, times(a, q1, n), times(b, q2, n)]);
+        let ([first, ..], planes) = (turned.corners, [setup.through(&q), gradient(du), gradient(dv)]);
+        Self { planes, first, least_q, uv: [u, v], n }
+    }
+}
+
+/// s or t at a corner, given the difference of its coordinate from the first corner's, below 2^n, and q: 22 bits.
+#[inline(never)] // code size
+fn times(difference: i32, q: i32, n: i32) -> i32 {
+    let product = mul_wide(difference, q); // below 2^(n + 22)
+    ((product + (1 << (n & 31))) >> ((n + 1) & 31)) as i32 + (1 << 21)
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::gradients::Gradients;
 use super::line::{Line, PackedLine, TexelLine, LARGEST_BLOCK};
-use super::perspective::{Perspective, PerspectiveRows, Planes, Sample};
+use super::perspective::{Perspective, Planes, Sample};
 use super::texels::Texels;
 use crate::raster::{Gradient, Span};
 use core::marker::PhantomData;
@@ -29,7 +29,7 @@ impl LinearRuns {
     }
 
     #[inline(always)]
-    pub(super) fn by_row(rows: &PerspectiveRows, span: Span) -> Self {
+    pub(super) fn by_row(rows: &Perspective, span: Span) -> Self {
         Self::of(rows.line(span.y), span)
     }
 
@@ -105,54 +105,56 @@ impl<'g> PerspectiveRuns<'g> {
     /// The next run, up to the new `x` or the end.
     #[inline(never)] // its loop needs all registers
     fn run<L: Line>(&mut self) -> L {
-        let Self { perspective, row, x, curvature, reach, .. } = *self;
+        let Self { perspective, x, reach, .. } = *self;
         let is_next = reach > SINGLE;
         // A block that began further left would have been the last run.
         let mut bits = x.trailing_zeros() as i32;
-        if !is_next {
-            bits = self.most();
-        } else if reach < bits {
-            bits = reach;
+        if is_next {
+            bits = bits.min(reach);
+        } else {
+            // Coordinates with room at both ends of a block have room between them.
+            let (_, most) = self.at(x);
+            bits = if reach == BEGIN { most } else { most.min(bits) };
         }
         bits = bits.min(perspective.widest_block());
         while bits > 0 {
             let (from, to) = block(x, bits);
-            let behind = perspective.at(row, to);
-            let reach = Perspective::largest_block(curvature, behind.q);
-            if behind.has_room() && reach >= bits && (is_next || self.may_begin(from, bits)) {
+            let (behind, reach) = self.at(to);
+            if reach >= bits && self.may_begin(is_next, from, bits) {
                 let (left, right) = (self.left, perspective.divided(behind));
                 (self.x, self.reach, self.left) = (to, reach, right);
-                return perspective.line(left, right, bits, x - from);
+                return perspective.between(left, right, bits, x - from);
             }
             bits -= 1;
         }
         if !is_next {
-            self.left = perspective.nearest(perspective.at(row, x));
+            self.left = perspective.nearest(perspective.at(self.row, x));
         }
         (self.x, self.reach) = (x + 1, SINGLE);
-        L::of_block(perspective.phases(self.left), [0; 2], 0, 0)
+        perspective.between(self.left, self.left, 0, 0)
     }
 
-    /// The binary logarithm of the largest block that may hold `x`, as far as q there decides.
+    /// The planes in a column, and the binary logarithm of the largest block that may begin or end there, as far as q there decides.
     #[inline(never)]
-    fn most(&self) -> i32 {
-        let q = self.perspective.at(self.row, self.x).q;
-        let most = Perspective::largest_block(self.curvature, q);
-        match self.reach {
-            BEGIN => most,
-            // A block that began further left would have been the last run.
-            _ => most.min(self.x.trailing_zeros() as i32),
+    fn at(&self, x: i32) -> (Planes, i32) {
+        let planes = self.perspective.at(self.row, x);
+        match planes.has_room() {
+            true => (planes, Perspective::largest_block(self.curvature, planes.q)),
+            false => (planes, 0),
         }
     }
 
-    /// Whether a block may begin in column `from`, as far as q there decides: computes the sample there.
+    /// Whether a block may begin in column `from`, as far as q there decides: computes the sample there, unless it is that at the end
+    /// of the run before.
     #[inline(never)]
-    fn may_begin(&mut self, from: i32, bits: i32) -> bool {
-        let Self { perspective, row, curvature, .. } = *self;
-        let first = perspective.at(row, from);
-        let may = first.has_room() && Perspective::largest_block(curvature, first.q) >= bits;
+    fn may_begin(&mut self, is_next: bool, from: i32, bits: i32) -> bool {
+        if is_next {
+            return true;
+        }
+        let (first, reach) = self.at(from);
+        let may = reach >= bits;
         if may {
-            self.left = perspective.divided(first);
+            self.left = self.perspective.divided(first);
         }
         may
     }

@@ -2,10 +2,13 @@
 
 use super::gradients::Gradients;
 use super::line::{unpacked, PackedLine, WideLine};
-use super::mapping::Textured;
+use super::linear::range;
+use super::mapping::{FaceCoords, Textured};
 use super::runs::{Lines, Runs, TexelRuns};
 use super::texels::Texels;
 use crate::clip::Barycentric;
+use crate::math::hints::opaque_next;
+use crate::math::num::dot;
 use crate::raster::{Span, Triangle};
 use crate::shading::{CornerValues, DrawRuns, Shader, SpanShader};
 
@@ -14,21 +17,33 @@ impl<S: Texels> Shader for Textured<S> {
     const NEEDS_W: bool = true;
 
     fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
-        let uv = corners.map(|corner| {
-            let weights = corner.weights();
-            [0, 1].map(|axis| {
-                let [a, b, c] = self.uv.map(|uv| uv.get(axis).copied().unwrap_or(0));
-                // Three products of 24 and 31 bits. Weights may be off by 6 units: the mean is kept between the corners'.
-                let sum: i64 = [a, b, c].iter().zip(weights).map(|(&c, w)| i64::from(c) * i64::from(w)).sum();
-                (((sum + (1 << 29)) >> 30) as i32).clamp(a.min(b).min(c), a.max(b).max(c))
-            })
-        });
-        Self { uv, ..*self }
+        let mut own = *self;
+        move_to(&mut own.coords.uv, &corners);
+        own
     }
 
     fn with_corners(&self, corners: &CornerValues) -> Self {
-        Self { w: corners.w(), ..*self }
+        Self { coords: FaceCoords { w: corners.w(), ..self.coords }, ..*self }
     }
+}
+
+/// Replaces the texture coordinates of a face's corners by those of three of its points.
+#[inline(never)] // rare: code size matters more than speed
+fn move_to(uv: &mut [[i32; 2]; 3], points: &[Barycentric; 3]) {
+    let [[ua, va], [ub, vb], [uc, vc]] = *uv;
+    let mut i = 0;
+    while let (Some(coords), Some(point)) = (uv.get_mut(i), points.get(i)) {
+        let weights = point.weights();
+        *coords = [mean([ua, ub, uc], weights), mean([va, vb, vc], weights)];
+        i = opaque_next(i);
+    }
+}
+
+/// The weighted mean of values of 24 bits, with weights in 2⁻³⁰. Weights may be off by 6 units: the mean is kept between the values.
+#[inline(never)] // rare: code size matters more than speed
+fn mean(values: [i32; 3], weights: [i32; 3]) -> i32 {
+    let (least, extent) = range(&values);
+    (((dot(&values, &weights) + (1 << 29)) >> 30) as i32).max(least).min(least + extent)
 }
 
 /// A [`Textured`] face set up for a triangle.
@@ -59,7 +74,9 @@ impl<S: Texels> SpanShader<S::Color> for Textured<S> {
     const LEAVES_OUT: bool = S::KEYED;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> TextureGradients<S> {
-        TextureGradients { texels: self.texture.texels, gradients: Gradients::new(self, triangle) }
+        let Self { texels, coords } = self;
+        let gradients = Gradients::new(coords, texels.size_bits(), S::WIDE, triangle);
+        TextureGradients { texels: *texels, gradients }
     }
 
     fn span(setup: &TextureGradients<S>, span: Span) -> impl Iterator<Item = S::Color> {
