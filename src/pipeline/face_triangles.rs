@@ -66,7 +66,9 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
     #[inline(always)]
     pub(super) fn shader<S: Shader<Varying = K>>(&self, shader: &S) -> S {
         if self.fan.is_cut() {
-            shader.sub_face(self.fan.slots().map(|slot| match self.varyings.get(slot) {
+            // A function for textures: firmware that draws them with depth and without has four callers.
+            let slots = if S::NEEDS_W { self.fan.slots_called() } else { self.fan.slots() };
+            shader.sub_face(slots.map(|slot| match self.varyings.get(slot) {
                 Some(varying) => *varying,
                 None => K::of(0), // the fan's slots exist
             }))
@@ -182,7 +184,7 @@ impl<'v> Fan<'v> {
     /// Clip space's w at the corners of the current triangle, for a clipped face.
     #[inline(never)] // rare: code size matters more than speed
     pub(super) fn clip_w(&self) -> [i32; 3] {
-        self.slots().map(|slot| match self.polygon.corner(slot) {
+        self.slots_called().map(|slot| match self.polygon.corner(slot) {
             Some(ClipCoords { xydw: [.., w] }) => *w,
             None => 1, // the fan's slots exist
         })
@@ -211,10 +213,15 @@ impl<'v> Fan<'v> {
     }
 
     /// The slots of the current triangle's corners.
-    #[inline(never)] // rare: code size matters more than speed
     fn slots(&self) -> [usize; 3] {
         let at = usize::from(self.at);
         [0, at, at + 1].map(|corner| self.slot(corner))
+    }
+
+    /// [`slots`](Self::slots) as a function, where code size matters more than speed.
+    #[inline(never)]
+    fn slots_called(&self) -> [usize; 3] {
+        self.slots()
     }
 
     /// The slot of a corner of the polygon.
