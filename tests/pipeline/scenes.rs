@@ -49,7 +49,7 @@ fn number(object: usize, face: usize) -> Rgb565 {
     Rgb565::from(RawU16::new((object * 12 + face + 1) as u16))
 }
 
-/// What is culled of an object, whatever the library says of it.
+/// The cull mode of an object, by a rule that shares no code with the library.
 fn cull(object: usize) -> Cull {
     if object % 4 == 1 {
         Cull::None

@@ -354,7 +354,7 @@ fn bin<'a>(
     instance.transform_depth(cache).bin_faces(bins).map_err(|_| NO_MESH)
 }
 
-/// What is textured.
+/// The parts of the scene that have a texture.
 #[derive(Clone, Copy)]
 enum Body {
     Ground,
