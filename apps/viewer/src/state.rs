@@ -100,7 +100,7 @@ pub enum Action {
     Help,
     /// Toggles turning.
     Turn,
-    /// Shows the next [`Thing`].
+    /// Shows the next of the model, the OLED and the template.
     Thing,
     /// Resets the view.
     Reset,
