@@ -435,7 +435,7 @@ struct Out<'a, C> {
     style: &'a Style,
     rows: u32,
     send: Send<'a, C>,
-    /// What is drawn after faces or edges.
+    /// The sprites, drawn after faces or edges.
     sprites: Sprites<C>,
 }
 
