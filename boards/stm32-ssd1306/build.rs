@@ -8,7 +8,7 @@ use std::path::Path;
 const FILE: &str = "model.stl";
 
 /// What the importer makes of the file: a mesh 2 units long, which suits the camera whatever the file's unit is, and the edges at
-/// which its surface turns by more than 30 degrees, with the faces beside each: without these, hidden lines are dotted.
+/// which its surface turns by more than 30 degrees, with the faces beside each: without these, hidden lines are drawn more slowly.
 pub fn options() -> Options {
     Options {
         fit: Some(2.0),

@@ -11,7 +11,7 @@ use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::fast;
 use crate::math::Coordinate;
 use crate::raster::{self, Gradient, LineDepth, Scissor, ScreenPoint, Span};
-use crate::scene::{FacePlanes, NO_FACE};
+use crate::scene::FacePlanes;
 use crate::shading::Stroke;
 use crate::surface::{DepthBuffer, Target};
 use heapless::Vec;
@@ -49,8 +49,9 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// A pixel of an edge is drawn if the edge is at least as near as the stored depth, or if the stored depth belongs to one
     /// of the two faces beside the edge ([`Mesh::with_edge_faces`](crate::Mesh::with_edge_faces)). The second rule is needed
     /// because a pixel's centre lies to one side of the edge, where the depth of a steep face differs much from that of the
-    /// edge. If the mesh has no edge faces, edges come out dotted: up to half of their pixels are missing. An edge whose two
-    /// ends lie in one pixel is tested by its nearer end.
+    /// edge. If the mesh has no edge faces, they are searched for among all faces, for each edge in each band: the same pixels,
+    /// but later (15 instructions a face and edge on a Cortex-M3: a gear of 384 faces and 288 edges in bands of 8 rows takes 7.2
+    /// million instead of 1.6 million). An edge whose two ends lie in one pixel is tested by its nearer end.
     ///
     /// So no pixel is drawn where the edge lies more than two steps behind the nearest face at the pixel's centre, unless that
     /// face is beside the edge. Errors are possible within a pixel of the point at which another face begins to hide the edge:
@@ -201,10 +202,9 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
         beside.clear();
         let (mesh, mut number) = (self.instance.mesh(), 0);
         let mut triangles = FaceTriangles::<()>::new(viewport);
-        for &face in mesh.edge_faces.get(edge).into_iter().flatten() {
-            // NO_FACE is also the index of the last face of a mesh of 65536 faces: no edge can refer to that face.
-            let named = mesh.faces.get(usize::from(face)).filter(|_| face != NO_FACE);
-            let Some(face) = named else { continue };
+        let most = if mesh.edge_faces.is_empty() { mesh.faces.len() } else { 2 };
+        for at in 0..most {
+            let Some(face) = mesh.face_beside(edge, at) else { continue };
             if !self.clip_face(face, &mut triangles).is_drawn() {
                 continue;
             }

@@ -86,6 +86,21 @@ impl<'a, V> MeshData<'a, V> {
             justify,
         }
     }
+
+    /// The face at a place in the list of those beside an edge or, if the mesh has no such lists, in the list of all faces, if
+    /// that face has both ends of the edge.
+    #[inline(never)] // called by one function, which then takes 250 bytes less
+    pub(crate) fn face_beside(&self, edge: usize, at: usize) -> Option<&'a [u16; 3]> {
+        if let Some(pair) = self.edge_faces.get(edge) {
+            // NO_FACE is also the index of the last face of a mesh of 65536 faces: a list cannot name that face.
+            return pair
+                .get(at)
+                .filter(|&&face| face != NO_FACE)
+                .and_then(|&face| self.faces.get(usize::from(face)));
+        }
+        let (face, &[from, to]) = (self.faces.get(at)?, self.edges.get(edge)?);
+        (face.contains(&from) && face.contains(&to)).then_some(face)
+    }
 }
 
 /// Why a mesh cannot be made of the data.
@@ -447,8 +462,8 @@ impl<'a, V, P> Mesh<'a, V, P> {
         Ok(Self { data: MeshData { edges, edge_faces: &[], ..self.data }, planes: PhantomData })
     }
 
-    /// Adds the two faces adjacent to each edge, for hidden-line drawing: [`edge_faces`] finds them. An edge of more than two
-    /// faces is listed once for every two of them.
+    /// Adds the two faces adjacent to each edge, for hidden-line drawing, which would search all faces for them otherwise:
+    /// [`edge_faces`] finds them. An edge of more than two faces is listed once for every two of them.
     ///
     /// # Errors
     ///

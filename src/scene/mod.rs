@@ -8,5 +8,5 @@ mod mesh;
 pub use face_planes::{FacePlanes, WithPlanes, WithoutPlanes};
 pub use hierarchy::{Hierarchy, HierarchyError, Node};
 pub use materials::{FaceColors, MaterialError, TextureCoords};
+pub(crate) use mesh::MeshData;
 pub use mesh::{edge_faces, Mesh, MeshError};
-pub(crate) use mesh::{MeshData, NO_FACE};

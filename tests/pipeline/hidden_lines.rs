@@ -4,7 +4,7 @@
 use support::teapot;
 
 use embedded_graphics_core::pixelcolor::BinaryColor;
-use pinhole::{DepthBuffer, Frame, Mesh, ScreenVertex};
+use pinhole::{DepthBuffer, Frame, Mesh, MeshInstance, ScreenVertex};
 use std::collections::{BTreeMap, BTreeSet};
 use support::bridge;
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -108,6 +108,27 @@ struct Score {
 const WIDTH: u32 = 240;
 const HEIGHT: u32 = 240;
 
+/// The hidden lines of a mesh: one bit a pixel, 16 rows at a time.
+fn in_bands(instance: &MeshInstance<'_>) -> Vec<BinaryColor> {
+    let (mesh, mut picture) = (instance.mesh(), Vec::new());
+    let mut corners = vec![ScreenVertex::EMPTY; mesh.cache_len()];
+    let projected = instance.transform_depth(&mut corners);
+    let (mut bin_storage, mut more) = (vec![0; mesh.face_bins_len()], vec![0; mesh.edge_bins_len()]);
+    let mut faces = projected.bin_faces(&mut bin_storage).expect("room");
+    let mut edges = projected.bin_edges(&mut more).expect("room");
+    let mut frame = Frame::new(bridge::rectangle(0, 0, WIDTH, HEIGHT), BinaryColor::Off);
+    let mut strip = vec![0; Frame::<BinaryColor>::strip_bytes(WIDTH, 16)];
+    let mut storage = vec![0; WIDTH as usize * 16];
+    while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
+        let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
+        faces.depth_only(&mut depth);
+        let Ok(()) = edges.hidden_line(BinaryColor::On, &mut depth, &mut band);
+        picture.extend(band.colors());
+    }
+    assert_eq!(faces.statistics().clipped + faces.statistics().outside, 0);
+    picture
+}
+
 fn score(solid: &Solid, camera: &CameraBits, model: &ModelBits) -> Score {
     let beside = solid.edge_faces();
     let mesh = Mesh::new(&solid.vertices, solid.exponent, &solid.faces)
@@ -116,24 +137,12 @@ fn score(solid: &Solid, camera: &CameraBits, model: &ModelBits) -> Score {
         .expect("a mesh");
     let (library, model) = (camera.library(), model.library());
     let instance = library.place(&mesh, &model);
-    // Drawn: one bit a pixel, 16 rows at a time.
-    let mut corners = vec![ScreenVertex::EMPTY; solid.vertices.len()];
-    let projected = instance.transform_depth(&mut corners);
-    let (mut bin_storage, mut more) = (vec![0; 2 * solid.faces.len()], vec![0; 2 * solid.edges.len()]);
-    let mut faces = projected.bin_faces(&mut bin_storage).expect("room");
-    let mut edges = projected.bin_edges(&mut more).expect("room");
-    let area = bridge::rectangle(0, 0, WIDTH, HEIGHT);
-    let mut frame = Frame::new(area, BinaryColor::Off);
-    let mut strip = vec![0; Frame::<BinaryColor>::strip_bytes(WIDTH, 16)];
-    let mut storage = vec![0; WIDTH as usize * 16];
-    let mut picture = Vec::new();
-    while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
-        let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
-        faces.depth_only(&mut depth);
-        let Ok(()) = edges.hidden_line(BinaryColor::On, &mut depth, &mut band);
-        picture.extend(band.colors());
-    }
-    assert_eq!(faces.statistics().clipped + faces.statistics().outside, 0);
+    let picture = in_bands(&instance);
+    // The library finds the faces beside an edge itself, in all of its faces; each edge once.
+    let mut once = solid.edges.clone();
+    once.dedup();
+    let unlisted = Mesh::new(&solid.vertices, solid.exponent, &solid.faces).and_then(|m| m.with_edges(&once));
+    assert_eq!(in_bands(&library.place(&unlisted.expect("a mesh"), &model)), picture);
     // Seen: from the snapped vertices, depth as the chain has it before rounding.
     let vertices: Vec<Vertex> = (0..solid.vertices.len())
         .map(|i| {
@@ -312,6 +321,16 @@ fn hidden_lines_draw_the_edges_of_clipped_faces() {
             instance.wireframe_depth_tested(BinaryColor::On, &mut [], &mut own, &mut line).expect("no error");
             let mut target = Recorder::<BinaryColor>::sized(SIDE, SIDE);
             instance.hidden_line(BinaryColor::On, &mut [], &mut depth, &mut target).expect("no error");
+            let unlisted = whole.with_edges(&edges).expect("an edge");
+            let mut same = Recorder::<BinaryColor>::sized(SIDE, SIDE);
+            camera
+                .place(&unlisted, &model)
+                .hidden_line(BinaryColor::On, &mut [], &mut depth, &mut same)
+                .expect("no error");
+            assert_eq!(
+                same.pixels, target.pixels,
+                "faces that are found, not listed: round {round}, {edge:?}"
+            );
             assert_eq!(depth.values(), held, "depth is looked at only");
             for &(x, y) in line.pixels.keys() {
                 let at = (y * SIDE as i32 + x) as usize;
