@@ -12,7 +12,6 @@ pub(crate) fn decimate(
     wanted: usize,
 ) -> Result<(usize, f64), Problem> {
     use crate::grid::extent;
-    use std::collections::HashMap;
     // meshopt takes f32: relative to the first vertex and within ±1, numbers keep 24 bits of the model.
     let (origin, size) = (positions[0], extent(positions));
     let near = |p: &[f64; 3]| [0, 1, 2].map(|axis| ((p[axis] - origin[axis]) / size) as f32);
@@ -26,11 +25,12 @@ pub(crate) fn decimate(
     let left = meshopt::simplify(&indices, &vertices, 3 * wanted, f32::MAX, options, Some(&mut moved));
 
     let before = mesh.faces.len();
-    let (mut new, mut kept, mut old_of_kept) = (HashMap::new(), Vec::new(), Vec::new());
+    let (mut new, mut kept, mut old_of_kept) = (vec![None; positions.len()], Vec::new(), Vec::new());
     let mut renumber = |old: u32| {
-        *new.entry(old).or_insert_with(|| {
-            kept.push(positions[old as usize]);
-            old_of_kept.push(mesh.vertices[old as usize]);
+        let old = old as usize;
+        *new[old].get_or_insert_with(|| {
+            kept.push(positions[old]);
+            old_of_kept.push(mesh.vertices[old]);
             kept.len() - 1
         })
     };

@@ -164,7 +164,7 @@ fn palette(of_triangles: &[Shade]) -> (Colors, usize) {
         kept.keys().copied().min_by_key(|&other| (distance(color, other), other)).unwrap_or(color)
     };
     let mut shown = Vec::<Shade>::new();
-    let mut numbers = HashMap::<Shade, u8>::new();
+    let mut numbers = HashMap::<Shade, usize>::new();
     let mut faces = Vec::new();
     for &color in of_triangles {
         let number = *numbers.entry(color).or_insert_with(|| {
@@ -173,9 +173,9 @@ fn palette(of_triangles: &[Shade]) -> (Colors, usize) {
             if place.is_none() {
                 shown.push(color);
             }
-            place.unwrap_or(shown.len() - 1) as u8 // at most 256 different ones are shown
+            place.unwrap_or(shown.len() - 1)
         });
-        faces.push(number);
+        faces.push(number as u8); // at most 256 different ones are shown
     }
     let mut emission: Vec<_> = shown.iter().map(|&[_, emission]| emission).collect();
     if emission.iter().all(|&emission| emission == BLACK) {

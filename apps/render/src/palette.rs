@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 pub(crate) struct Palette {
     pub(crate) colours: Vec<[u8; 3]>,
-    index: HashMap<[u8; 3], u8>,
+    index: HashMap<[u8; 3], usize>,
 }
 
 /// The colours that one palette entry replaces, and how often each occurs.
@@ -25,13 +25,13 @@ impl Palette {
         if !others.is_empty() {
             groups.extend(cut(others, 255));
         }
-        let index = (0..=255).zip(&groups).flat_map(|(i, group)| group.iter().map(move |&(c, _)| (c, i)));
+        let index = groups.iter().enumerate().flat_map(|(i, group)| group.iter().map(move |&(c, _)| (c, i)));
         Self { index: index.collect(), colours: groups.iter().map(mean).collect() }
     }
 
     /// Index of the entry for a colour that occurs.
     pub(crate) fn index(&self, colour: [u8; 3]) -> u8 {
-        self.index.get(&colour).copied().unwrap_or_default()
+        self.index.get(&colour).copied().unwrap_or_default() as u8 // at most 256 entries
     }
 }
 
