@@ -83,7 +83,7 @@ function advice(costs) {
 
 function notes(costs) {
   const { stack } = chosenOf(costs);
-  const inexact = costs.exact || ['wireframe', 'hidden-line'].includes(state.style) ? '' : ' Faces in fewer bits a pixel take 1.4 times the instructions of 16-bit colour, dithered or shaded 1.6 times: compared with some linked firmware only.';
+  const inexact = costs.exact || ofLines() ? '' : ' Faces in fewer bits a pixel take 1.4 times the instructions of 16-bit colour, dithered or shaded 1.6 times: compared with some linked firmware only.';
   const lines = [
     `${costs.chip}: ${costs.core} at ${costs.clock} MHz, SPI at ${costs.spi} MHz.`,
     `RAM: the variables of the way to draw, to the byte. The stack takes ${kilobytes(stack)} more.`,

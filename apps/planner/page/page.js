@@ -6,7 +6,7 @@ const TURNS = 120; // steps of a turn, as in the library
 const DEFAULTS = {
   mesh: 'gear', width: 240, height: 240, format: 'rgb565', style: 'flat', dither: 0, projection: 'perspective', yaw: 30, pitch: 20,
   zoom: 100, x: 0, y: 0, turn: 0, color: 'ffd700', background: '000000', light: '2,3,4', ambient: 48, up: 'auto', flip: 0,
-  'fix-winding': 0, 'two-sided': 0, decimate: 0, texture: 'checker', rows: 8, chip: 'rp2040', spi: 0,
+  'fix-winding': 0, 'two-sided': 0, decimate: 0, edges: 0, texture: 'checker', rows: 8, chip: 'rp2040', spi: 0,
 };
 const NUMBERS = Object.keys(DEFAULTS).filter((key) => typeof DEFAULTS[key] === 'number');
 
@@ -20,6 +20,9 @@ let drawnModel = '';
 let allFaces = 0; // of the model, without decimation
 let slowest = 0; // milliseconds of the last frame that a new mesh was made for
 let asked = false;
+
+// Whether the style draws edges instead of faces.
+const ofLines = () => ['wireframe', 'hidden-line'].includes(state.style);
 
 // The choice that is passed to the library: every part of the state.
 const choice = (of = state) => Object.entries(of).map(([key, value]) => `${key}=${value}`).join('&');
@@ -68,7 +71,7 @@ function show() {
     scale();
     canvas.classList.remove('stale');
     const { drawn, culled, clipped } = about.statistics;
-    const what = ['wireframe', 'hidden-line'].includes(state.style) ? 'edges' : 'faces';
+    const what = ofLines() ? 'edges' : 'faces';
     say(`${about.width} × ${about.height}: ${drawn} ${what} drawn, ${culled} culled, ${clipped} clipped; ${count(about.bytes)} bytes a frame`);
     canvas.setAttribute('aria-label', `${state.mesh === 'file' ? fileName : state.mesh}, ${state.style}, ${state.projection}, on ${about.width} × ${about.height} pixels`);
     if (JSON.stringify(about.model) !== drawnModel) slowest = took;
@@ -196,20 +199,21 @@ const panelOf = ({ width, height, format }) => menu.displays.find((d) => d.width
 const CLOCKS = { ILI9341: 25, ST7735: 15, SSD1306: 10, SSD1327: 10, 'e-paper': 10 };
 
 function showControls() {
-  for (const key of ['mesh', 'style', 'projection', 'up', 'format', 'width', 'height', 'yaw', 'pitch', 'zoom', 'ambient', 'chip', 'rows']) {
+  for (const key of ['mesh', 'style', 'projection', 'up', 'format', 'width', 'height', 'yaw', 'pitch', 'zoom', 'ambient', 'edges', 'chip', 'rows']) {
     $(key).value = state[key];
   }
   for (const key of ['dither', 'flip', 'fix-winding', 'two-sided']) $(key).checked = state[key] === 1;
   for (const key of ['color', 'background']) $(key).value = `#${state[key]}`;
   $('spi').value = state.spi || '';
-  $('lamp').hidden = ['wireframe', 'hidden-line'].includes(state.style);
+  $('lamp').hidden = ofLines();
+  $('lines').hidden = !ofLines();
   const panel = menu.displays.indexOf(panelOf(state));
   if ($('panel-type').value !== 'own' || panel >= 0) $('panel-type').value = panel >= 0 ? panel : 'own';
   $('own').hidden = $('panel-type').value !== 'own';
   $('texture').value = state.texture;
   $('textures').hidden = state.style !== 'textured';
   showDecimation(state.decimate);
-  $('dither').disabled = ['wireframe', 'hidden-line', 'textured'].includes(state.style) || menu.dithered.includes(state.format);
+  $('dither').disabled = ofLines() || state.style === 'textured' || menu.dithered.includes(state.format);
   const [x, y, z] = state.light.split(',').map(Number);
   $('around').value = Math.round((Math.atan2(x, z) * 180) / Math.PI);
   $('above').value = Math.round((Math.atan2(y, Math.hypot(x, z)) * 180) / Math.PI);
@@ -220,6 +224,7 @@ function showControls() {
 function showValues() {
   for (const key of ['around', 'above', 'yaw', 'pitch']) $(`${key}-value`).textContent = `${$(key).value.replace('-', '−')}°`;
   $('zoom-value').textContent = `${state.zoom} %`;
+  $('edges-value').textContent = state.edges ? `more than ${state.edges}°` : state.style === 'wireframe' ? 'any angle' : 'any angle but 0°';
   $('ambient-value').textContent = `${Math.round((state.ambient * 100) / 256)} %`;
 }
 
@@ -241,7 +246,7 @@ function buildControls() {
   // Another mesh has another number of faces.
   $('mesh').addEventListener('input', (e) => set({ mesh: e.target.value, decimate: 0 }));
   for (const key of ['style', 'texture', 'up', 'format', 'chip']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value }));
-  for (const key of ['yaw', 'pitch', 'zoom', 'ambient']) $(key).addEventListener('input', (e) => set({ [key]: Number(e.target.value) }));
+  for (const key of ['yaw', 'pitch', 'zoom', 'ambient', 'edges']) $(key).addEventListener('input', (e) => set({ [key]: Number(e.target.value) }));
   for (const key of ['width', 'height', 'rows']) {
     $(key).addEventListener('change', (e) => set({ [key]: Math.min(Math.max(Math.round(Number(e.target.value)) || 1, 1), 1024) }));
   }

@@ -74,6 +74,9 @@ pub struct Choice {
     pub(crate) ambient: u16,
     /// What textured faces show.
     pub(crate) texture: Pattern,
+    /// Lines are drawn where the surface turns by more than so many degrees; at 0 all edges of a wireframe are, and all hidden
+    /// lines but the diagonals of flat faces.
+    pub(crate) edges: u32,
     pub(crate) up: Option<Axis>,
     pub(crate) flip: bool,
     pub(crate) fix_winding: bool,
@@ -118,6 +121,7 @@ impl Default for Choice {
             light: [2, 3, 4],
             ambient: 48,
             texture: Pattern::Checker,
+            edges: 0,
             up: None,
             flip: false,
             fix_winding: false,
@@ -173,6 +177,7 @@ impl Choice {
             "light" => self.light = light(value)?,
             "ambient" => self.ambient = within(value, 0, 256)?,
             "texture" => self.texture = of(&Pattern::ALL, value)?,
+            "edges" => self.edges = within(value, 0, 180)?,
             "decimate" => self.decimate = within(value, 0, MOST_FACES)?,
             "up" => self.up = if value == "auto" { None } else { Some(of(&Axis::ALL, value)?) },
             "flip" => self.flip = switch(value)?,
@@ -196,9 +201,10 @@ impl Choice {
             two_sided: self.two_sided,
             decimate: (self.decimate > 0).then_some(self.decimate as usize),
             edges: match self.style {
-                Style::Wireframe => Edges::All,
-                // Without the diagonals of flat faces, which are edges of triangles but not of the model.
-                Style::HiddenLine => Edges::Feature { degrees: 1.0 },
+                Style::Wireframe if self.edges == 0 => Edges::All,
+                Style::Wireframe | Style::HiddenLine => {
+                    Edges::Feature { degrees: f64::from(self.edges.max(1)) }
+                }
                 Style::Flat | Style::Gouraud | Style::Textured => Edges::None,
             },
             edge_faces: self.style == Style::HiddenLine,

@@ -287,11 +287,13 @@ fn script(text: &str, choice: &Choice, model: &str) -> Result<String, String> {
         fields += &format!(", {name}: true");
     }
     let text = replaced(text, "FILE: &str = \"model.stl\"", &format!("FILE: &str = {model:?}"))?;
-    if options.edges == Edges::None {
-        return replaced(&text, "edges: Edges::None, ..", &format!("edges: Edges::None{fields}, .."));
+    match options.edges {
+        // The template of hidden lines has edge faces already.
+        Edges::Feature { degrees } => {
+            replaced(&text, "degrees: 30.0 }", &format!("degrees: {degrees:?} }}{fields}"))
+        }
+        _ => replaced(&text, "edges: Edges::None, ..", &format!("edges: Edges::None{fields}, ..")),
     }
-    // The template of hidden lines has edge faces already.
-    replaced(&text, "degrees: 30.0 }", &format!("degrees: 1.0 }}{fields}"))
 }
 
 /// The manifest as `boards/new` writes it, for a folder beside the repository's.
@@ -359,6 +361,8 @@ mod tests {
         let expected =
             "Edges::Feature { degrees: 1.0 }, up: Some(pinhole_import::Axis::Y),\n        edge_faces: true,";
         assert!(made.contains(expected), "{made}");
+        let made = script(template, &choice(&format!("{lines}&edges=25")), "model.stl").expect("a script");
+        assert!(made.contains("Edges::Feature { degrees: 25.0 }, "), "{made}");
     }
 
     #[test]

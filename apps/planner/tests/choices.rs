@@ -47,6 +47,27 @@ fn a_model_has_the_colors_of_its_material_library() {
 }
 
 #[test]
+fn lines_are_where_the_surface_turns_by_more_than_the_angle() {
+    // A roof: two slopes that meet at 90 degrees, each of two triangles, so that there is a diagonal on each.
+    let roof = "v 0 0 0\nv 4 0 0\nv 4 1 1\nv 0 1 1\nv 4 0 2\nv 0 0 2\nf 1 4 3 2\nf 4 6 5 3\n";
+    let mut planner = Planner::default();
+    planner.load("roof.obj", roof.into());
+    let mut edges = |text: &str| {
+        let choice = Choice::parse(&format!("mesh=file&format=mono&{text}")).expect("a choice");
+        let (_, about) = planner.draw(&choice).expect("a picture");
+        let (_, rest) = about.split_once(r#""edges":"#).expect("edges");
+        rest.split_once(',').map(|(number, _)| number.parse::<u32>())
+    };
+    // Six at the border of the sheet, the ridge, and the two diagonals.
+    assert_eq!(edges("style=wireframe"), Some(Ok(9)));
+    assert_eq!(edges("style=wireframe&edges=1"), Some(Ok(7)));
+    assert_eq!(edges("style=hidden-line"), Some(Ok(7)));
+    assert_eq!(edges("style=hidden-line&edges=89"), Some(Ok(7)));
+    assert_eq!(edges("style=hidden-line&edges=91"), Some(Ok(6)));
+    assert_eq!(edges("style=flat&edges=91"), Some(Ok(0)));
+}
+
+#[test]
 fn a_broken_file_is_a_message_and_a_doubtful_one_a_warning_with_its_remedy() {
     let mut planner = Planner::default();
     let file = Choice::parse("mesh=file").expect("a choice");

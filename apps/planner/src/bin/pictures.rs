@@ -25,7 +25,7 @@ fn print() -> Result<(), String> {
     Ok(())
 }
 
-/// Every mesh, display and style, dithered and not; every mesh decimated; then every projection, moved and magnified.
+/// Every mesh, display and style, dithered and not; every mesh decimated; sharp edges alone; then every projection, moved and magnified.
 fn choices() -> Vec<String> {
     let mut choices = Vec::new();
     for (mesh, _) in &READY {
@@ -48,6 +48,11 @@ fn choices() -> Vec<String> {
                 choices.push(format!("mesh={mesh}&decimate={faces}&style=gouraud"));
                 choices.push(format!("mesh={mesh}&decimate={faces}&fix-winding=1&style=hidden-line"));
             }
+        }
+    }
+    for mesh in ["gear", "cylinder", "teapot"] {
+        for style in ["wireframe", "hidden-line"] {
+            choices.push(format!("mesh={mesh}&style={style}&edges=30"));
         }
     }
     for texture in ["checker", "grid"] {
