@@ -69,7 +69,7 @@ fn main() -> Result<()> {
             .map_err(|e| format!("docs/growth.md, {heading}: {e}"))?;
     }
     placing(&growth, &mut out).map_err(|e| format!("docs/growth.md, placing an object: {e}"))?;
-    writeln!(out, "const MODELLED: [Chip; {}] = [", CHIPS.len())?;
+    writeln!(out, "pub(crate) const MODELLED: [Chip; {}] = [", CHIPS.len())?;
     for (key, name, cycles) in CHIPS {
         chip(&speed, &growth, [key, name, cycles], &mut out)
             .map_err(|e| format!("docs/speed.md, {name}: {e}"))?;
@@ -98,7 +98,7 @@ fn placing(growth: &str, out: &mut String) -> Result<()> {
     }
     for (name, figures) in [("PLACING", place), ("LIGHTING", light)] {
         let figures: Vec<String> = figures.iter().skip(1).map(|cell| number(cell)).collect::<Result<_>>()?;
-        writeln!(out, "const {name}: [f64; 4] = [{}];", figures.join(", "))?;
+        writeln!(out, "pub(crate) const {name}: [f64; 4] = [{}];", figures.join(", "))?;
     }
     Ok(())
 }
@@ -115,7 +115,7 @@ fn esp32c3(growth: &str, out: &mut String) -> Result<()> {
         }
     }
     let [least, likely, most] = cycles.map(|of| of.join(", "));
-    writeln!(out, "const ESP32C3_CYCLES: [[f64; 3]; 3] = [[{least}], [{likely}], [{most}]];")?;
+    writeln!(out, "pub(crate) const ESP32C3_CYCLES: [[f64; 3]; 3] = [[{least}], [{likely}], [{most}]];")?;
     Ok(())
 }
 

@@ -1,6 +1,6 @@
 //! What the user chose, and its form as text.
 
-use crate::cost;
+use crate::chip;
 use crate::display::{Format, DISPLAYS};
 use crate::lens;
 use crate::projections::Named;
@@ -83,7 +83,7 @@ pub struct Choice {
     pub(crate) two_sided: bool,
     /// The number of faces to decimate the mesh to, or 0 for all faces.
     pub(crate) decimate: u32,
-    /// Rows of a band.
+    /// Rows of a band, if the display has as many.
     pub(crate) rows: u32,
     /// The microcontroller whose costs are shown.
     pub(crate) chip: &'static str,
@@ -128,7 +128,7 @@ impl Default for Choice {
             two_sided: false,
             decimate: 0,
             rows: 8,
-            chip: cost::CHIPS[0].key,
+            chip: chip::CHIPS[0].key,
             spi: 0,
         }
     }
@@ -184,7 +184,7 @@ impl Choice {
             "fix-winding" => self.fix_winding = switch(value)?,
             "two-sided" => self.two_sided = switch(value)?,
             "rows" => self.rows = within(value, 1, LONGEST)?,
-            "chip" => self.chip = cost::named(value)?,
+            "chip" => self.chip = chip::named(value)?,
             "spi" => self.spi = within(value, 0, FASTEST)?,
             _ => return Err("no such part".into()),
         }
@@ -211,6 +211,11 @@ impl Choice {
             vertex_normals: self.style == Style::Gouraud,
             ..Options::default()
         }
+    }
+
+    /// Rows of a band.
+    pub(crate) fn rows(&self) -> u32 {
+        self.rows.min(self.size.height)
     }
 
     /// Whether faces are dithered.

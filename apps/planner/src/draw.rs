@@ -154,7 +154,7 @@ impl Canvas {
         let area = Rectangle::new(Point::zero(), choice.size);
         let pixels = Vec::with_capacity(4 * choice.size.width as usize * choice.size.height as usize);
         let frame = Frame::new(area, choice.format.store(choice.background));
-        Self { frame, rows: choice.rows, format: choice.format, pixels }
+        Self { frame, rows: choice.rows(), format: choice.format, pixels }
     }
 
     fn bands(

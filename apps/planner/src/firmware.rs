@@ -57,7 +57,7 @@ fn replaced(text: &str, from: &str, to: &str) -> Result<String, String> {
 
 /// A file that may have the rows of a band, with those of the choice.
 fn with_rows(text: &str, choice: &Choice) -> String {
-    let rows = choice.rows;
+    let rows = choice.rows();
     let template = text.split_once("const ROWS: u32 = ");
     let parts = template.and_then(|(before, after)| Some((before, after.split_once(';')?.1)));
     parts.map_or(text.into(), |(before, after)| format!("{before}const ROWS: u32 = {rows};{after}"))
@@ -314,7 +314,7 @@ fn readme(text: &str, choice: &Choice) -> String {
     let text: String =
         text.split_inclusive('\n').filter(|line| !line.contains("pinhole/boards/new ")).collect();
     let (title, rest) = text.split_once('\n').unwrap_or((&text, ""));
-    let rows = choice.rows;
+    let rows = choice.rows();
     format!(
         "{title}\n\nSaved by pinhole's planner, with bands of {rows} rows. The figures and rows below are those of the template, which \
          shows a gear.\n{rest}"

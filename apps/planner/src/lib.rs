@@ -3,6 +3,7 @@
 //!
 //! A [`Choice`] is everything that the user chose; its text form is the end of the page's address.
 
+mod chip;
 mod choice;
 mod corners;
 mod cost;
@@ -10,6 +11,7 @@ mod display;
 mod draw;
 #[allow(unsafe_code)] // an export has `#[unsafe(no_mangle)]`; there is no other unsafe code
 mod exports;
+mod figures;
 mod film;
 mod firmware;
 mod json;
@@ -24,6 +26,7 @@ mod projections;
 mod ready;
 mod texture;
 mod warning;
+mod ways;
 mod work;
 
 pub use choice::{Choice, Style};

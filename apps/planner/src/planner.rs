@@ -1,5 +1,6 @@
 //! The loaded model, and the page's queries about it.
 
+use crate::chip;
 use crate::choice::{Choice, Style, TURNS};
 use crate::cost;
 use crate::display::{Format, DISPLAYS};
@@ -233,7 +234,7 @@ impl Planner {
             ("decimates", cfg!(feature = "decimate").to_string()),
             ("textures", names(&mut Pattern::ALL.iter().map(|(name, _)| *name))),
             ("projections", list(projections)),
-            ("chips", cost::chips()),
+            ("chips", chip::chips()),
             ("axes", names(&mut Axis::ALL.iter().map(|(name, _)| *name))),
         ])
     }

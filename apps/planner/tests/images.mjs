@@ -17,9 +17,11 @@ export const IMAGES = {
   line_bands: ['mesh=torus&width=160&height=128&style=wireframe&rows=8', 'lines in bands of 8 rows', 'lines'],
   line_picture: ['mesh=gear&style=wireframe&width=128&height=128', 'lines in a whole picture', 'lines'],
   hidden_bands: ['mesh=gear&width=128&height=64&format=mono&style=hidden-line&rows=16', 'hidden lines in bands of 16 rows', 'lines'],
-  hidden_color_bands: ['mesh=gear&width=128&height=64&style=hidden-line&rows=16', 'hidden lines in bands of 16 rows', 'lines'],
+  hidden_color_bands: ['mesh=cylinder&width=128&height=64&style=hidden-line&rows=16', 'hidden lines in bands of 16 rows', 'lines'],
   gray_bands: ['mesh=torus&width=128&height=128&format=gray4&rows=8', 'bands of 8 rows, with depth', 'flat'],
-  mono_bands: ['mesh=cylinder&width=200&height=200&format=mono&rows=8', 'bands of 8 rows, with depth', 'dithered'],
+  gray_smooth_bands: ['mesh=teapot&width=96&height=64&format=gray4&style=gouraud&rows=16', 'bands of 16 rows, with depth', 'smooth'],
+  gray_textured_bands: ['mesh=cylinder&width=128&height=96&format=gray4&style=textured&rows=8', 'bands of 8 rows, with depth', 'textured'],
+  mono_bands: ['mesh=cylinder&width=96&height=96&format=mono&rows=8', 'bands of 8 rows, with depth', 'dithered'],
 };
 // For each target, one of the chips whose times are compared.
 export const CHIPS = { 'thumbv6m-none-eabi': 'rp2040', 'thumbv7m-none-eabi': 'stm32f103', 'riscv32imc-unknown-none-elf': 'esp32c3' };

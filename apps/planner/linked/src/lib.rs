@@ -96,6 +96,9 @@ pub fn coordinates(mesh: &Mesh<'_>, face: usize) -> [[i16; 2]; 3] {
     })
 }
 
+/// The exponent of the planner's own texture coordinates, which [`coordinates`] computes.
+pub const UNIT: i8 = -14;
+
 /// The steps of a turn that are drawn and counted, of 120.
 pub const TURNS: [i32; 2] = [0, 23];
 

@@ -5,7 +5,7 @@
 use embedded_graphics_core::geometry::OriginDimensions;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
-use linked::{coordinates, firmware, level, light, COLOR, LIT};
+use linked::{coordinates, firmware, level, light, COLOR, LIT, UNIT};
 use pinhole::{
     mesh_buffers, strip_buffers, Affine, DepthBuffer, Dim, Flat, Frame, Gouraud, IndexedTexels, MeshBuffers,
     StripBuffers, Texture,
@@ -15,8 +15,6 @@ include!(concat!(env!("PLANNER_MODELS"), "/", env!("CARGO_BIN_NAME"), ".rs"));
 
 static TEXELS: [u8; SIDE * SIDE] = [1; SIDE * SIDE];
 static PALETTE: [Rgb565; 256] = [COLOR; 256];
-/// The exponent of the planner's own texture coordinates, for a mesh that has none.
-const UNIT: i8 = -14;
 
 firmware!(|camera, turn, display: Rgb565|
     mesh: MeshBuffers!(MODEL) = mesh_buffers!(MODEL),

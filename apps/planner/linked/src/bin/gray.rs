@@ -1,14 +1,20 @@
-//! Faces with depth in bands, on a display of 16 greys.
+//! Faces with depth in bands, on a display of 16 greys, in the shading that the image is named for.
 #![no_std]
 #![no_main]
 
 use embedded_graphics_core::geometry::OriginDimensions;
 use embedded_graphics_core::pixelcolor::{Gray4, GrayColor};
 use embedded_graphics_core::primitives::Rectangle;
-use linked::{firmware, level, light, LIT};
-use pinhole::{mesh_buffers, strip_buffers, Affine, DepthBuffer, Dim, Frame, MeshBuffers, StripBuffers};
+use linked::{coordinates, firmware, level, light, LIT, UNIT};
+use pinhole::{
+    mesh_buffers, strip_buffers, Affine, DepthBuffer, Dim, Frame, Gouraud, IndexedTexels, MeshBuffers,
+    StripBuffers, Texture,
+};
 
 include!(concat!(env!("PLANNER_MODELS"), "/", env!("CARGO_BIN_NAME"), ".rs"));
+
+static TEXELS: [u8; SIDE * SIDE] = [1; SIDE * SIDE];
+static PALETTE: [Gray4; 256] = [Gray4::WHITE; 256];
 
 firmware!(|camera, turn, display: Gray4|
     mesh: MeshBuffers!(MODEL) = mesh_buffers!(MODEL),
@@ -16,13 +22,27 @@ firmware!(|camera, turn, display: Gray4|
     {
         let model = Affine::rotation_y(turn);
         let light = light(&model)?;
-        let shade = |face| Gray4::from(LIT).dim(level(&MODEL, &light, face));
+        let level = |face| level(&MODEL, &light, face);
+        let smooth = |face| {
+            let normals = MODEL.corners_of(face, MODEL.vertex_normals());
+            Gouraud::lit(LIT, normals.map(|normal| light.level(normal)))
+        };
+        let texture = Texture::new(IndexedTexels::<_, 8>::new(&TEXELS, SIDE, SIDE, &PALETTE).ok()?);
+        let texture = texture.with_exponent(UNIT).ok()?;
         let instance = camera.place(&MODEL, &model);
         let mut faces = instance.transform_depth(&mut mesh.cache).bin_faces(&mut mesh.bins).ok()?;
         let mut frame = Frame::new(Rectangle::new(Default::default(), display.size()), Gray4::BLACK);
         while let Some(mut band) = frame.next_band(&mut strip.colors).ok()? {
             let mut depth = DepthBuffer::new(band.area(), &mut strip.depths).ok()?;
-            let Ok(()) = faces.depth_tested(shade, &mut depth, &mut band);
+            let (depth, target) = (&mut depth, &mut band);
+            let Ok(()) = match SHADING {
+                "flat" => faces.depth_tested(|face| Gray4::from(LIT).dim(level(face)), depth, target),
+                "smooth" => faces.depth_tested(smooth, depth, target),
+                _ => {
+                    let shade = |face| texture.at(coordinates(&MODEL, face)).lit([level(face); 3]);
+                    faces.depth_tested(shade, depth, target)
+                }
+            };
             band.send(display).ok()?;
         }
         Some(())
