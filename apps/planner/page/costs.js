@@ -1,4 +1,4 @@
-// What a frame costs, as a table of the ways to draw it.
+// What a frame costs: a sentence below the display, and a table of the ways to draw it.
 'use strict';
 
 let costTimer;
@@ -10,9 +10,10 @@ function showCosts(library, choice) {
   costTimer = setTimeout(() => {
     try {
       const costs = JSON.parse(library.ask('costs', choice));
-      $('cost').replaceChildren(...advice(costs), costTable(costs), notes(costs));
-      $('costs').hidden = false;
       costsShown = costs;
+      $('verdict').replaceChildren(...verdict(costs), ...advice(costs));
+      $('cost').replaceChildren(costTable(costs), notes(costs));
+      $('costs').hidden = false;
       showBuffers();
     } catch {
       hideCosts(); // the message stands below the display
@@ -23,38 +24,100 @@ function showCosts(library, choice) {
 function hideCosts() {
   clearTimeout(costTimer);
   $('costs').hidden = true;
+  $('verdict').replaceChildren();
   costsShown = undefined;
   showBuffers();
 }
 
-const kilobytes = (bytes) => `${(bytes / 1024).toFixed(1)} KB`;
+const kilobytes = (bytes, digits = 1) => `${(bytes / 1024).toFixed(digits).replace(/\B(?=(\d{3})+(?!\d))/g, '\u202f')} KB`;
+const millions = (number) => (number < 1e5 ? `${Math.round(number / 1e3)}\u00a0k` : `${(number / 1e6).toFixed(2)}\u00a0M`);
 
-// A time; for a chip whose cycles are not all known, the likely time and its range; and the error of the instructions.
-function drawing({ drawing, range, error }) {
-  const span = range.length ? ` (${range.map((time) => time.toFixed(2)).join('–')})` : '';
-  return `${drawing.toFixed(2)}\u00a0ms${span} ±\u00a0${Math.round(error)}\u00a0%`;
+const chosenOf = (costs) => costs.ways.find((way) => way.chosen) ?? costs.ways[0];
+
+// The least and the most frames per second, if the instructions and the cycles of one are off as far as they can be, in one direction.
+function frameRates(costs, { drawing, bus, error, range }) {
+  const off = (1 + error / 100) * (1 + (range.length ? 0 : costs.cyclesError) / 100);
+  const [least, most] = range.length ? range : [drawing, drawing];
+  return [most * off, least / off].map((time) => 1000 / (time + Number(bus)));
 }
 
+const rate = (frames) => (frames < 9.95 ? frames.toFixed(1) : frames.toFixed(0));
+
+// Whether the chosen way fits the chip, and how fast it is.
+function verdict(costs) {
+  const way = chosenOf(costs);
+  const fits = way.fits && way.fitsFlash;
+  const [slow, fast] = frameRates(costs, way);
+  const uses = `${kilobytes(way.ram + way.beside)} of RAM (it has ${kilobytes(costs.ram, 0)}), ${kilobytes(way.flash)} of flash (${kilobytes(costs.rom, 0)})`;
+  const text = `${fits ? 'Fits' : 'Does not fit'} the ${costs.chip}: ${uses}. ${rate(way.blocking)} frames/s (${rate(slow)} to ${rate(fast)}), limited by the ${way.limit}.`;
+  return [element('p', { className: fits ? 'verdict' : 'verdict bad' }, text)];
+}
+
+// What to change if the chosen way to draw does not fit.
+function advice(costs) {
+  const way = chosenOf(costs);
+  if (way.fits && way.fitsFlash) return [];
+  const { rows, faces } = costs.advice;
+  const made = [];
+  if (rows) made.push(remedyButton(`Use bands of ${rows} ${rows === 1 ? 'row' : 'rows'}`, { rows }));
+  if (faces && menu.decimates) made.push(remedyButton(`Decimate to ${count(faces)} faces`, { decimate: faces }));
+  const others = costs.ways.filter((other) => other.fits && other.fitsFlash && other.note);
+  const other = others.length ? ` ${others[0].name}, for ${others[0].note}, fits: write it yourself by the library's documentation.` : '';
+  const none = made.length || other ? '' : ' Choose a chip with more memory.';
+  const needs = `${way.name}: ${kilobytes(way.ram)} of variables and ${kilobytes(way.beside)} of stack${costs.inRam ? ' and code' : ''}, and ${kilobytes(way.flash)} of flash.`;
+  return [element('div', { className: 'advice' }, `${capital(needs)}${capital(other, 1)}${none} `, ...made)];
+}
+
+// With a capital letter at a place.
+const capital = (text, at = 0) => text.slice(0, at) + text.slice(at, at + 1).toUpperCase() + text.slice(at + 1);
+
+const HEAD = ['Way to draw', 'RAM', 'Flash', 'Frames/s', 'by DMA', 'Drawing', 'Sending', 'Limit', 'Instructions', 'Cycles'];
+
 function costTable(costs) {
-  const head = ['Way to draw', 'RAM', 'Flash', 'Frames/s', 'by DMA', 'Drawing', 'Sending', 'Limit', 'Instructions', 'Cycles'];
-  const table = element('table', {}, element('thead', {}, element('tr', {}, ...head.map((text) => element('th', { scope: 'col' }, text)))));
-  const body = element('tbody', {});
-  for (const way of costs.ways) {
-    const [cache, bins, pixels, depths] = way.parts;
-    const name = element('th', { scope: 'row' }, way.name, ...(way.note ? [element('div', { className: 'note' }, way.note)] : []));
-    const ram = element('td', { className: way.fits ? '' : 'bad' }, kilobytes(way.ram), ...(way.fits ? [] : [element('div', {}, 'does not fit')]));
-    ram.title = `vertices ${count(cache)}, bins or sorted faces ${count(bins)}, pixels ${count(pixels)}, depths ${count(depths)} bytes`;
-    const cells = [ram, kilobytes(way.flash), way.blocking.toFixed(1), way.dma.toFixed(1), drawing(way), `${way.bus.toFixed(2)}\u00a0ms`, way.limit, count(way.instructions),
-      count(way.cycles)];
-    const row = element('tr', { className: way.chosen ? 'chosen' : '' }, name);
-    row.append(...cells.map((cell) => (cell instanceof Node ? cell : element('td', {}, cell))));
-    body.append(row);
-  }
-  table.append(body);
+  const heads = HEAD.map((text) => element('th', { scope: 'col' }, text));
+  const body = element('tbody', {}, ...costs.ways.map((way) => costRow(costs, way)));
+  const table = element('table', {}, element('thead', {}, element('tr', {}, ...heads)), body);
   return element('div', { className: 'table', tabIndex: 0, role: 'region', ariaLabel: 'Costs of the ways to draw' }, table);
 }
 
-const chosenOf = (costs) => costs.ways.find((way) => way.chosen) ?? costs.ways[0];
+function costRow(costs, way) {
+  const dma = way.fitsTwice ? way.dma.toFixed(1) : 'no room';
+  const contents = [
+    memory(way), element('span', {}, kilobytes(way.flash), ...(way.fitsFlash ? [] : [misfit()])), way.blocking.toFixed(1), dma, drawing(way),
+    `${way.bus.toFixed(2)}\u00a0ms`, way.limit, millions(way.instructions), millions(way.cycles),
+  ];
+  const bad = [!way.fits, !way.fitsFlash];
+  const cells = contents.map((content, at) => {
+    const cell = element('td', { className: bad[at] ? 'bad' : '' }, content);
+    cell.dataset.head = HEAD[at + 1]; // shown on narrow screens, where a row is a card
+    return cell;
+  });
+  return element('tr', { className: way.chosen ? 'chosen' : '' }, wayName(way), ...cells);
+}
+
+const misfit = () => element('div', {}, 'does not fit');
+
+// The name of a way to draw; a button if it differs from the chosen one by its rows, which it then sets.
+function wayName(way) {
+  const isOther = way.rows && !way.chosen && !way.note;
+  const name = isOther ? element('button', { type: 'button', className: 'way', title: `Use bands of ${way.rows} rows` }, way.name) : way.name;
+  if (isOther) name.addEventListener('click', () => set({ rows: way.rows }));
+  return element('th', { scope: 'row' }, name, ...(way.note ? [element('div', { className: 'note' }, way.note)] : []));
+}
+
+// The bytes of variables, and what they are.
+function memory(way) {
+  const names = ['vertices', 'bins or sorted faces', 'pixels', 'depths'];
+  const parts = way.parts.map((bytes, at) => [bytes, names[at]]).filter(([bytes]) => bytes > 0);
+  const summary = element('summary', {}, kilobytes(way.ram), ...(way.fits ? [] : [misfit()]));
+  return element('details', {}, summary, ...parts.map(([bytes, name]) => element('div', { className: 'note' }, `${name} ${kilobytes(bytes)}`)));
+}
+
+// A time; for a chip whose cycles are not all known, the likely time and its range; and the error of the instructions.
+function drawing({ drawing, range, error }) {
+  const span = range.length ? ` (${range.map((time) => time.toFixed(1)).join('–')})` : '';
+  return `${drawing.toFixed(1)}\u00a0ms${span} ±\u00a0${Math.round(error)}\u00a0%`;
+}
 
 // The buffers of the board's firmware, whose display may have other sides than the page shows.
 function showBuffers() {
@@ -65,30 +128,15 @@ function showBuffers() {
   $('buffers').textContent = isShown ? `Its buffers take ${kilobytes(buffersOf(board, way))} of RAM in bands of ${way.rows} rows${more}.` : '';
 }
 
-// What to change if the chosen way to draw does not fit.
-function advice(costs) {
-  const chosen = chosenOf(costs);
-  if (chosen.fits) return [];
-  const smaller = costs.ways.filter((way) => way.fits && way.rows).sort((a, b) => a.ram - b.ram)[0];
-  if (smaller) {
-    const text = `${chosen.name}: ${kilobytes(chosen.ram)} of RAM, but the ${costs.chip} has ${kilobytes(costs.ram)}. Use ${smaller.name}: ${kilobytes(smaller.ram)}. `;
-    const page = smaller.rows === state.rows ? [] : [remedyButton(`Use bands of ${smaller.rows} rows`, { rows: smaller.rows })];
-    return [element('p', { className: 'advice' }, text, ...page)];
-  }
-  const [cache, bins] = chosen.parts;
-  const mesh = cache + bins;
-  const text = `No way to draw fits the ${kilobytes(costs.ram)} of the ${costs.chip}. Vertices and bins take ${kilobytes(mesh)}: use fewer faces (pinhole-import --decimate N), or a chip with more RAM. `;
-  return [element('p', { className: 'advice' }, text, ...remedyButtons(text))];
-}
-
 function notes(costs) {
   const { stack } = chosenOf(costs);
-  const inexact = costs.exact || ofLines() ? '' : ' Faces in fewer bits a pixel take 1.4 times the instructions of 16-bit colour, dithered or shaded 1.6 times: compared with some linked firmware only.';
+  const inexact = costs.exact || ofLines() ? '' : ' Faces in fewer bits a pixel take 1.3 to 1.6 times the instructions of 16-bit colour: compared with some linked firmware only.';
   const lines = [
     `${costs.chip}: ${costs.core} at ${costs.clock} MHz, SPI at ${costs.spi} MHz.`,
-    `RAM: the variables of the way to draw, to the byte. The stack takes ${kilobytes(stack)} more.`,
+    `Bands: the frame is drawn in strips of some rows, each of which is sent before the next is drawn, so no picture of the whole display is in memory. With depth: the nearest face shows, at each pixel. Painter's order: faces are drawn from the farthest to the nearest, without a depth for each pixel. Bins: which faces each band has.`,
+    `RAM: the variables of the way to draw, to the byte. The stack takes ${kilobytes(stack)} more${costs.inRam ? ', and the code, which is copied to RAM, as much as it takes in flash' : ''}. The driver and the log of a firmware take about 1 KB more.`,
     `Flash: the mesh and the code that draws, at opt-level 3, ± ${costs.flashError} %. Drivers and logs come on top.`,
-    `Frames/s: each band is drawn, then sent; by DMA: one is drawn while another is sent.`,
+    `Frames/s: each band is drawn, then sent; by DMA: one is drawn while another is sent, so there are two of them in RAM, if there is room.`,
     ...displayNotes(costs),
     `Drawing: ± is the largest error of the instructions in any case measured (docs/growth.md).${inexact} The cycles of an instruction differ by up to ${costs.cyclesError} % from model to model. Error of the chip's timing: ${costs.error}.`,
   ];

@@ -308,7 +308,8 @@ const tests = {
     const controls = await tab.evaluate(() =>
       [...document.querySelectorAll('button, input, select, canvas')].filter((e) => e.checkVisibility() && !e.disabled).map((e) => e.id));
     const reached = [];
-    for (let i = 0; i < controls.length + 12; i++) {
+    // The costs have more that can be opened or moved by keys.
+    for (let i = 0; i < controls.length + 40; i++) {
       await tab.keyboard.press('Tab');
       const [id, outline] = await tab.evaluate(() => [document.activeElement.id, getComputedStyle(document.activeElement).outlineStyle]);
       if (controls.includes(id)) {
@@ -372,11 +373,46 @@ const tests = {
     await tab.selectOption('#chip', 'stm32f030');
     await tab.locator('#rows').fill('64');
     await tab.locator('#rows').press('Tab');
-    await tab.click('#cost button.remedy');
+    await tab.waitForFunction(() => /^Does not fit the STM32F030xC: .*\(it has 32 KB\)/.test(document.querySelector('#verdict').textContent));
+    await tab.click('#verdict button.remedy');
+    await tab.waitForFunction(() => /^Fits the STM32F030xC/.test(document.querySelector('#verdict').textContent));
+    assert.equal(await tab.inputValue('#rows'), '24');
+    // A row of the table sets the rows of a band; the parts of its RAM can be opened.
+    await tab.click('#cost button.way >> nth=0');
     assert.equal(await tab.inputValue('#rows'), '8');
+    await tab.waitForFunction(() => /bands of 8 rows/.test(document.querySelector('#cost tr.chosen').textContent));
+    await tab.click('#cost tr.chosen summary');
+    assert.match(await tab.innerText('#cost tr.chosen details'), /vertices 1\.5 KB[^]*depths 3\.8 KB/);
     await tab.selectOption('#panel-type', { label: 'SSD1306, 128 × 64, black and white' });
     // Of 1024 bytes and 8 windows of 11, nine bits each.
     await tab.waitForFunction(() => /SPI at 10 MHz[^]*I²C at 400 kHz[^]* 25 ms/.test(document.querySelector('#cost').textContent));
+  },
+
+  async 'what does not fit a chip fits after the advice of the page'(tab) {
+    const strips = (rings) => {
+      const [lines, sides] = [[], 40];
+      for (let ring = 0; ring <= rings; ring++) {
+        for (let side = 0; side < sides; side++) lines.push(`v ${Math.sin((side * 6.28) / sides)} ${Math.cos((side * 6.28) / sides)} ${ring / 50}`);
+      }
+      for (let ring = 0; ring < rings; ring++) {
+        for (let side = 0; side < sides; side++) {
+          const [a, b] = [ring * sides + side + 1, ring * sides + ((side + 1) % sides) + 1];
+          lines.push(`f ${a} ${b} ${b + sides} ${a + sides}`);
+        }
+      }
+      return lines.join('\n');
+    };
+    await load(tab, 'long.obj', Buffer.from(strips(250))); // 20 000 faces
+    await tab.selectOption('#chip', 'stm32f030');
+    await tab.waitForFunction(() => /^Does not fit/.test(document.querySelector('#verdict').textContent));
+    for (let press = 0; press < 2 && /^Does not fit/.test(await tab.textContent('#verdict')); press++) {
+      const before = await tab.textContent('#verdict');
+      await tab.click('#verdict button.remedy');
+      await tab.waitForFunction((before) => document.querySelector('#verdict').textContent !== before, before);
+    }
+    assert.match(await tab.textContent('#verdict'), /^Fits the STM32F030xC/);
+    const faces = Number(/([\d\u202f]+) faces/.exec(await tab.textContent('#model'))[1].replaceAll('\u202f', ''));
+    assert.ok(faces > 1000 && faces < 5000, `${faces} faces`);
   },
 
   async 'the firmware of every board is saved, and so are picture.rs and the mesh'(tab) {
