@@ -1,0 +1,115 @@
+// The controls change the state, and follow it.
+'use strict';
+
+// MHz that a controller's SPI takes by its data sheet, of an ILI9341 those of the board; an ST7789 takes what the chips have.
+const CLOCKS = { ILI9341: 25, ST7735: 15, SSD1306: 10, SSD1327: 10, 'e-paper': 10 };
+
+function showControls() {
+  for (const key of ['mesh', 'style', 'projection', 'up', 'format', 'width', 'height', 'yaw', 'pitch', 'zoom', 'ambient', 'edges', 'chip', 'rows']) {
+    $(key).value = state[key];
+  }
+  for (const key of ['dither', 'flip', 'fix-winding', 'two-sided']) $(key).checked = state[key] === 1;
+  for (const key of ['color', 'background']) $(key).value = `#${state[key]}`;
+  $('spi').value = state.spi || '';
+  $('lamp').hidden = ofLines();
+  $('lines').hidden = !ofLines();
+  const panel = menu.displays.indexOf(panelOf(state));
+  if ($('panel-type').value !== 'own' || panel >= 0) $('panel-type').value = panel >= 0 ? panel : 'own';
+  $('own').hidden = $('panel-type').value !== 'own';
+  $('texture').value = state.texture;
+  $('textures').hidden = state.style !== 'textured';
+  showDecimation(state.decimate);
+  $('dither').disabled = ofLines() || state.style === 'textured' || menu.dithered.includes(state.format);
+  const [x, y, z] = state.light.split(',').map(Number);
+  $('around').value = Math.round((Math.atan2(x, z) * 180) / Math.PI);
+  $('above').value = Math.round((Math.atan2(y, Math.hypot(x, z)) * 180) / Math.PI);
+  showValues();
+}
+
+// The numbers of the sliders, beside their names.
+function showValues() {
+  for (const key of ['around', 'above', 'yaw', 'pitch']) $(`${key}-value`).textContent = `${$(key).value.replace('-', '−')}°`;
+  $('zoom-value').textContent = `${state.zoom} %`;
+  $('edges-value').textContent = state.edges ? `more than ${state.edges}°` : state.style === 'wireframe' ? 'any angle' : 'any angle but 0°';
+  $('ambient-value').textContent = `${Math.round((state.ambient * 100) / 256)} %`;
+}
+
+function options(select, items) {
+  select.replaceChildren(...items.map(([value, text]) => element('option', { value }, text)));
+}
+
+function buildControls() {
+  options($('mesh'), menu.meshes.map((name) => [name, name]));
+  options($('panel-type'), [...menu.displays.map(({ name }, i) => [i, name]), ['own', 'another size']]);
+  options($('format'), menu.formats.map((name) => [name, name]));
+  options($('style'), menu.styles.map((name) => [name, { 'hidden-line': 'hidden line', flat: 'flat faces', gouraud: 'Gouraud' }[name] ?? name]));
+  options($('projection'), menu.projections.map(({ name }) => [name, name]));
+  options($('texture'), menu.textures.filter((name) => name !== 'file').map((name) => [name, name]));
+  options($('chip'), menu.chips.map(({ key, name }) => [key, name]));
+  options($('board'), [...new Set([...templates.keys()].map((path) => path.split('/')[0]))].map((name) => [name, name]));
+  options($('up'), [['auto', 'as usual for the file'], ...menu.axes.map((name) => [name, name])]);
+
+  // Another mesh has another number of faces.
+  $('mesh').addEventListener('input', (e) => set({ mesh: e.target.value, decimate: 0 }));
+  for (const key of ['style', 'texture', 'up', 'format', 'chip']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value }));
+  for (const key of ['yaw', 'pitch', 'zoom', 'ambient', 'edges']) $(key).addEventListener('input', (e) => set({ [key]: Number(e.target.value) }));
+  for (const key of ['width', 'height', 'rows']) {
+    $(key).addEventListener('change', (e) => set({ [key]: Math.min(Math.max(Math.round(Number(e.target.value)) || 1, 1), 1024) }));
+  }
+  $('spi').addEventListener('change', (e) => set({ spi: within(Math.round(Number(e.target.value)) || 0, 0, 200) }));
+  for (const key of ['dither', 'flip', 'fix-winding', 'two-sided']) {
+    $(key).addEventListener('input', (e) => set({ [key]: e.target.checked ? 1 : 0 }));
+  }
+  for (const key of ['color', 'background']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value.slice(1) }));
+  const decimated = () => ($('decimate').value === $('decimate').max ? 0 : Number($('decimate').value));
+  // Decimates while the slider is dragged, if the mesh is made fast enough; otherwise when it is released.
+  $('decimate').addEventListener('input', () => {
+    if (slowest < 250) set({ decimate: decimated() });
+    else showDecimation(decimated());
+  });
+  $('decimate').addEventListener('change', () => set({ decimate: decimated() }));
+  for (const key of ['around', 'above']) {
+    $(key).addEventListener('input', () => {
+      const [around, above] = [$('around').value, $('above').value].map((degrees) => (degrees * Math.PI) / 180);
+      const direction = [Math.sin(around) * Math.cos(above), Math.sin(above), Math.cos(around) * Math.cos(above)];
+      change({ light: direction.map((c) => Math.round(60 * c) + 0).join(',') });
+      showValues();
+    });
+  }
+  $('projection').addEventListener('input', (e) => {
+    const { name, yaw, pitch } = menu.projections.find(({ name }) => name === e.target.value);
+    set({ projection: name, yaw, pitch });
+  });
+  $('panel-type').addEventListener('input', (e) => {
+    const display = menu.displays[e.target.value];
+    if (display) {
+      const isPaper = display.name.startsWith('e-paper');
+      const wasPaper = state.background === 'ffffff';
+      const { width, height, format } = display;
+      const spi = CLOCKS[display.name.split(',')[0]] ?? 0;
+      set({ width, height, format, spi, ...(isPaper === wasPaper ? {} : { background: isPaper ? 'ffffff' : '000000' }) });
+    } else {
+      showControls();
+    }
+  });
+  for (const id of ['file', 'picture-file']) $(id).addEventListener('change', (e) => openAll(e.target.files));
+  $('board').addEventListener('input', (e) => {
+    const { chip } = partsOf(e.target.value);
+    if (chip) set({ chip });
+    showOtherDisplay();
+    showBuffers();
+  });
+  $('panel').addEventListener('submit', (e) => e.preventDefault());
+  $('reset').addEventListener('click', reset);
+  $('nearer').addEventListener('click', () => zoom(1.25));
+  $('farther').addEventListener('click', () => zoom(0.8));
+  $('turntable').addEventListener('click', turntable);
+  $('png').addEventListener('click', savePng);
+  $('gif').addEventListener('click', saveGif);
+  $('cancel').addEventListener('click', () => (filming = false));
+  $('link').addEventListener('click', copyLink);
+  $('zip').addEventListener('click', saved(saveZip));
+  $('picture').addEventListener('click', saved(() => saveSource('picture.rs')));
+  $('texels').addEventListener('click', saved(() => saveSource('texture.rs')));
+  $('rust').addEventListener('click', saved(saveRust));
+}

@@ -1,0 +1,117 @@
+// Draws the state, and shows what the library says about it: the picture, the model, its warnings and the boards.
+'use strict';
+
+function show() {
+  asked = false;
+  const canvas = $('display');
+  try {
+    const before = performance.now();
+    const { pixels, about } = library.draw(choice());
+    const took = performance.now() - before;
+    if (canvas.width !== about.width || canvas.height !== about.height) {
+      [canvas.width, canvas.height] = [about.width, about.height];
+    }
+    canvas.getContext('2d').putImageData(new ImageData(new Uint8ClampedArray(pixels), about.width, about.height), 0, 0);
+    scale();
+    canvas.classList.remove('stale');
+    const { drawn, culled, clipped } = about.statistics;
+    const what = ofLines() ? 'edges' : 'faces';
+    say(`${about.width} × ${about.height}: ${drawn} ${what} drawn, ${culled} culled, ${clipped} clipped; ${count(about.bytes)} bytes a frame`);
+    canvas.setAttribute('aria-label', `${state.mesh === 'file' ? fileName : state.mesh}, ${state.style}, ${state.projection}, on ${about.width} × ${about.height} pixels`);
+    if (JSON.stringify(about.model) !== drawnModel) slowest = took;
+    showModel(about.model);
+    showCosts(library, choice());
+    showBoards();
+  } catch (problem) {
+    say(problem.message, true);
+    drawnModel = '';
+    canvas.classList.add('stale');
+    $('decimation').hidden = true;
+    hideCosts();
+    showBoards();
+    const buttons = remedyButtons(problem.message);
+    $('warnings').replaceChildren(...(buttons.length ? [element('div', { className: 'warning' }, 'This page can do it: ', ...buttons)] : []));
+    $('model').textContent = '';
+  }
+  if (!turning) writeAddress();
+}
+
+// Boards whose templates do not draw the chosen style and format cannot be chosen.
+function showBoards() {
+  const boards = drawnModel ? boardsFor(templates, state) : [];
+  for (const option of $('board').options) option.disabled = !boards.includes(option.value);
+  if (boards.length > 0 && !boards.includes($('board').value)) $('board').value = boards[0];
+  for (const id of ['zip', 'picture', 'texels']) $(id).disabled = boards.length === 0;
+  $('rust').disabled = !drawnModel;
+  $('texels').hidden = state.style !== 'textured';
+  showOtherDisplay();
+  $('no-firmware').hidden = boards.length > 0 || !drawnModel;
+}
+
+// A note if the board's display differs from the one that the page shows: its firmware frames the model for the board's display.
+let otherDisplay = '';
+
+function showOtherDisplay() {
+  const { width, height } = displayOf(templates, $('board').value) ?? state;
+  const isOther = !$('zip').disabled && (width !== state.width || height !== state.height);
+  const text = isOther ? `The display of ${$('board').value} has ${width} × ${height} pixels, and its firmware frames the model for them. ` : '';
+  if (text === otherDisplay) return;
+  otherDisplay = text;
+  $('other-display').hidden = !isOther;
+  $('other-display').replaceChildren(text, ...(isOther ? [remedyButton(`Show ${width} × ${height} pixels`, { width, height })] : []));
+}
+
+// The importer's warnings, with a button for each remedy that the page has.
+function showModel(model) {
+  const text = JSON.stringify(model);
+  if (text === drawnModel) return;
+  drawnModel = text;
+  $('model').textContent =
+    `${count(model.vertices)} vertices, ${count(model.faces)} faces${model.edges ? `, ${count(model.edges)} edges` : ''}; ${count(model.flash)} bytes of flash`;
+  allFaces = model.all;
+  showDecimation(state.decimate);
+  $('warnings').replaceChildren(...model.warnings.map(({ message, remedies }) =>
+    element('div', { className: 'warning' }, `Warning: ${message} `, ...remedyButtons(message, remedies))));
+}
+
+// A button for each remedy of a message.
+function remedyButtons(message, remedies = []) {
+  const made = remedies.map(({ part, value }) => {
+    const name = { 'two-sided': 'faces from behind', 'fix-winding': 'winding outwards', flip: 'reversed faces' }[part];
+    return remedyButton(`${value ? 'Use' : 'Leave out'} ${name}`, { [part]: value });
+  });
+  if (menu.decimates && message.includes('--decimate N')) {
+    // Half of the present faces, as long as that still helps; for a model too large for a mesh, as many faces as a display can
+    // show.
+    const now = state.decimate || allFaces;
+    const faces = drawnModel && now ? Math.max(Math.min(Math.floor(now / 2), 20_000), 4) : Math.min(20_000, Math.floor((state.decimate || 40_000) / 2));
+    if (faces < (state.decimate || Infinity)) made.push(remedyButton(`Decimate to ${count(faces)} faces`, { decimate: faces }));
+  }
+  return made;
+}
+
+function remedyButton(text, changes) {
+  const button = element('button', { type: 'button', className: 'remedy' }, text);
+  button.addEventListener('click', () => set(changes));
+  return button;
+}
+
+// The slider goes from 4 faces to all; at its end nothing is decimated.
+function showDecimation(decimate) {
+  const most = Math.max(allFaces, decimate, 4);
+  $('decimation').hidden = !menu.decimates || !drawnModel;
+  $('decimate').max = most;
+  $('decimate').value = decimate || most;
+  $('decimate-faces').textContent = decimate ? `${count(decimate)} of ${count(most)} faces` : `all ${count(most)} faces`;
+}
+
+// Each pixel of the display takes a whole number of screen pixels, as many as fit.
+function scale() {
+  const canvas = $('display');
+  const room = $('frame').clientWidth - 24;
+  const fits = Math.min(room / canvas.width, Math.max(innerHeight * 0.6, 240) / canvas.height);
+  const fine = devicePixelRatio || 1;
+  const times = fits * fine >= 1 ? Math.floor(fits * fine) / fine : fits;
+  canvas.style.width = `${canvas.width * times}px`;
+  canvas.style.height = `${canvas.height * times}px`;
+}

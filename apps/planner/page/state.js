@@ -1,0 +1,60 @@
+// The state of the page: what the user chose, and what was loaded.
+'use strict';
+
+const $ = (id) => document.getElementById(id);
+const TURNS = 120; // steps of a turn, as in the library
+const DEFAULTS = {
+  mesh: 'gear', width: 240, height: 240, format: 'rgb565', style: 'flat', dither: 0, projection: 'perspective', yaw: 30, pitch: 20,
+  zoom: 100, x: 0, y: 0, turn: 0, color: 'ffd700', background: '000000', light: '2,3,4', ambient: 48, up: 'auto', flip: 0,
+  'fix-winding': 0, 'two-sided': 0, decimate: 0, edges: 0, texture: 'checker', rows: 8, chip: 'rp2040', spi: 0,
+};
+const NUMBERS = Object.keys(DEFAULTS).filter((key) => typeof DEFAULTS[key] === 'number');
+
+let library;
+let menu;
+let templates;
+let fileName;
+const materials = new Map(); // the material libraries that were opened, by their names
+let state = { ...DEFAULTS };
+let drawnModel = '';
+let allFaces = 0; // of the model, without decimation
+let slowest = 0; // milliseconds of the last frame that a new mesh was made for
+let asked = false;
+
+// Whether the style draws edges instead of faces.
+const ofLines = () => ['wireframe', 'hidden-line'].includes(state.style);
+
+// The choice that is passed to the library: every part of the state.
+const choice = (of = state) => Object.entries(of).map(([key, value]) => `${key}=${value}`).join('&');
+
+// The display of the menu that has these pixels.
+const panelOf = ({ width, height, format }) => menu.displays.find((d) => d.width === width && d.height === height && d.format === format);
+
+// Draws once before the next frame of the screen, however many changes there were.
+function change(changes) {
+  Object.assign(state, changes);
+  if (!asked) {
+    asked = true;
+    requestAnimationFrame(show);
+  }
+}
+
+// Changes the state and the controls.
+function set(changes) {
+  change(changes);
+  showControls();
+}
+
+const count = (number) => number.toLocaleString('en').replaceAll(',', '\u202f');
+
+function say(text, isBad = false) {
+  // Written only where it differs, so that a screen reader does not repeat it.
+  if ($('status').textContent !== text) $('status').textContent = text;
+  $('status').classList.toggle('bad', isBad);
+}
+
+function element(name, properties, ...content) {
+  const made = Object.assign(document.createElement(name), properties);
+  made.append(...content);
+  return made;
+}
