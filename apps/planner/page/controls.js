@@ -1,9 +1,6 @@
 // The controls change the state, and follow it.
 'use strict';
 
-// MHz that a controller's SPI takes by its data sheet, of an ILI9341 those of the board; an ST7789 takes what the chips have.
-const CLOCKS = { ILI9341: 25, ST7735: 15, SSD1306: 10, SSD1327: 10, 'e-paper': 10 };
-
 function showControls() {
   for (const key of ['mesh', 'style', 'projection', 'up', 'format', 'width', 'height', 'yaw', 'pitch', 'zoom', 'ambient', 'edges', 'chip', 'rows']) {
     $(key).value = state[key];
@@ -46,7 +43,7 @@ function buildControls() {
   options($('projection'), menu.projections.map(({ name }) => [name, name]));
   options($('texture'), menu.textures.filter((name) => name !== 'file').map((name) => [name, name]));
   options($('chip'), menu.chips.map(({ key, name }) => [key, name]));
-  options($('board'), [...new Set([...templates.keys()].map((path) => path.split('/')[0]))].map((name) => [name, name]));
+  options($('board'), boardsOf(templates));
   options($('up'), [['auto', 'as usual for the file'], ...menu.axes.map((name) => [name, name])]);
 
   // Another mesh has another number of faces.
@@ -86,7 +83,7 @@ function buildControls() {
       const isPaper = display.name.startsWith('e-paper');
       const wasPaper = state.background === 'ffffff';
       const { width, height, format } = display;
-      const spi = CLOCKS[display.name.split(',')[0]] ?? 0;
+      const spi = clockOf(display);
       set({ width, height, format, spi, ...(isPaper === wasPaper ? {} : { background: isPaper ? 'ffffff' : '000000' }) });
     } else {
       showControls();
@@ -94,10 +91,8 @@ function buildControls() {
   });
   for (const id of ['file', 'picture-file']) $(id).addEventListener('change', (e) => openAll(e.target.files));
   $('board').addEventListener('input', (e) => {
-    const { chip } = partsOf(e.target.value);
-    if (chip) set({ chip });
-    showOtherDisplay();
-    showBuffers();
+    const board = e.target.value;
+    set({ board, chip: partsOf(board).chip ?? state.chip });
   });
   $('panel').addEventListener('submit', (e) => e.preventDefault());
   $('reset').addEventListener('click', reset);

@@ -14,7 +14,7 @@ function showCosts(library, choice) {
       $('verdict').replaceChildren(...verdict(costs), ...advice(costs));
       $('cost').replaceChildren(costTable(costs), notes(costs));
       $('costs').hidden = false;
-      showBuffers();
+      showFirmware();
     } catch {
       hideCosts(); // the message stands below the display
     }
@@ -26,7 +26,7 @@ function hideCosts() {
   $('costs').hidden = true;
   $('verdict').replaceChildren();
   costsShown = undefined;
-  showBuffers();
+  showFirmware();
 }
 
 const kilobytes = (bytes, digits = 1) => `${(bytes / 1024).toFixed(digits).replace(/\B(?=(\d{3})+(?!\d))/g, '\u202f')} KB`;
@@ -117,15 +117,6 @@ function memory(way) {
 function drawing({ drawing, range, error }) {
   const span = range.length ? ` (${range.map((time) => time.toFixed(1)).join('–')})` : '';
   return `${drawing.toFixed(1)}\u00a0ms${span} ±\u00a0${Math.round(error)}\u00a0%`;
-}
-
-// The buffers of the board's firmware, whose display may have other sides than the page shows.
-function showBuffers() {
-  const [board, way] = [$('board').value, costsShown && chosenOf(costsShown)];
-  const isShown = way?.rows && !$('zip').disabled && $('other-display').hidden;
-  const { strips } = partsOf(board);
-  const more = strips > 1 ? `, with the pixels of ${strips} bands, as one is drawn while another is sent` : '';
-  $('buffers').textContent = isShown ? `Its buffers take ${kilobytes(buffersOf(board, way))} of RAM in bands of ${way.rows} rows${more}.` : '';
 }
 
 function notes(costs) {

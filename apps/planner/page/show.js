@@ -36,31 +36,6 @@ function show() {
   if (!turning) writeAddress();
 }
 
-// Boards whose templates do not draw the chosen style and format cannot be chosen.
-function showBoards() {
-  const boards = drawnModel ? boardsFor(templates, state) : [];
-  for (const option of $('board').options) option.disabled = !boards.includes(option.value);
-  if (boards.length > 0 && !boards.includes($('board').value)) $('board').value = boards[0];
-  for (const id of ['zip', 'picture', 'texels']) $(id).disabled = boards.length === 0;
-  $('rust').disabled = !drawnModel;
-  $('texels').hidden = state.style !== 'textured';
-  showOtherDisplay();
-  $('no-firmware').hidden = boards.length > 0 || !drawnModel;
-}
-
-// A note if the board's display differs from the one that the page shows: its firmware frames the model for the board's display.
-let otherDisplay = '';
-
-function showOtherDisplay() {
-  const { width, height } = displayOf(templates, $('board').value) ?? state;
-  const isOther = !$('zip').disabled && (width !== state.width || height !== state.height);
-  const text = isOther ? `The display of ${$('board').value} has ${width} × ${height} pixels, and its firmware frames the model for them. ` : '';
-  if (text === otherDisplay) return;
-  otherDisplay = text;
-  $('other-display').hidden = !isOther;
-  $('other-display').replaceChildren(text, ...(isOther ? [remedyButton(`Show ${width} × ${height} pixels`, { width, height })] : []));
-}
-
 // The importer's warnings, with a button for each remedy that the page has.
 function showModel(model) {
   const text = JSON.stringify(model);

@@ -6,7 +6,7 @@ const TURNS = 120; // steps of a turn, as in the library
 const DEFAULTS = {
   mesh: 'gear', width: 240, height: 240, format: 'rgb565', style: 'flat', dither: 0, projection: 'perspective', yaw: 30, pitch: 20,
   zoom: 100, x: 0, y: 0, turn: 0, color: 'ffd700', background: '000000', light: '2,3,4', ambient: 48, up: 'auto', flip: 0,
-  'fix-winding': 0, 'two-sided': 0, decimate: 0, edges: 0, texture: 'checker', rows: 8, chip: 'rp2040', spi: 0,
+  'fix-winding': 0, 'two-sided': 0, decimate: 0, edges: 0, texture: 'checker', rows: 8, chip: 'rp2040', spi: 0, board: 'rp2040-st7789',
 };
 const NUMBERS = Object.keys(DEFAULTS).filter((key) => typeof DEFAULTS[key] === 'number');
 
@@ -24,11 +24,16 @@ let asked = false;
 // Whether the style draws edges instead of faces.
 const ofLines = () => ['wireframe', 'hidden-line'].includes(state.style);
 
-// The choice that is passed to the library: every part of the state.
-const choice = (of = state) => Object.entries(of).map(([key, value]) => `${key}=${value}`).join('&');
+// The choice that is passed to the library: every part of the state but the board, which changes neither the picture nor its costs.
+const choice = ({ board, ...of } = state) => Object.entries(of).map(([key, value]) => `${key}=${value}`).join('&');
 
 // The display of the menu that has these pixels.
 const panelOf = ({ width, height, format }) => menu.displays.find((d) => d.width === width && d.height === height && d.format === format);
+
+// MHz that a controller's SPI takes by its data sheet; an ILI9341, whose data sheet has 10, is usually run at 25 to 40. An ST7789 takes
+// 62.5, more than most chips have.
+const CLOCKS = { ILI9341: 25, ST7735: 15, SSD1306: 10, SSD1327: 10, 'e-paper': 10 };
+const clockOf = (panel) => CLOCKS[panel?.name.split(',')[0]] ?? 0;
 
 // Draws once before the next frame of the screen, however many changes there were.
 function change(changes) {

@@ -62,6 +62,13 @@ function boardsFor(templates, { style, format }) {
   return [...templates.keys()].filter((path) => path.endsWith('/src/picture.rs') && isWanted(path)).map((path) => path.split('/')[0]);
 }
 
+// The boards of the archive with the titles of their READMEs, those for any display last.
+function boardsOf(templates) {
+  const title = (board) => new TextDecoder().decode(templates.get(`${board}/README.md`)).split('\n')[0].replace('# ', '');
+  const boards = [...new Set([...templates.keys()].map((path) => path.split('/')[0]))];
+  return boards.map((board) => [board, title(board)]).sort(([a], [b]) => a.startsWith('any-') - b.startsWith('any-'));
+}
+
 // A board's chip, by its name in a choice, and its bands in memory: those whose pixels are kept, as one is drawn while another is sent,
 // and those whose depths are. A board that is not here takes any chip and has one band.
 const PARTS = {
@@ -117,4 +124,4 @@ function firmware(library, templates, board, text, materials = new Map()) {
   return files;
 }
 
-Object.assign(globalThis, { untar, zip, unpacked, boardsFor, buffersOf, displayOf, firmware });
+Object.assign(globalThis, { untar, zip, unpacked, boardsFor, boardsOf, buffersOf, displayOf, firmware });

@@ -315,8 +315,13 @@ fn readme(text: &str, choice: &Choice) -> String {
         text.split_inclusive('\n').filter(|line| !line.contains("pinhole/boards/new ")).collect();
     let (title, rest) = text.split_once('\n').unwrap_or((&text, ""));
     let rows = choice.rows();
+    let decimated = match choice.decimate {
+        0 => "",
+        _ => " The build decimates the model by a library in C++: install g++ or clang first.",
+    };
     format!(
-        "{title}\n\nSaved by pinhole's planner, with bands of {rows} rows. The figures and rows below are those of the template, which \
+        "{title}\n\nSaved by pinhole's planner, with bands of {rows} rows. The folder is complete: your model is in it, and what is said \
+         below of making a copy and of putting your model into it is done.{decimated} The figures below are those of the template, which \
          shows a gear.\n{rest}"
     )
 }
@@ -371,11 +376,13 @@ mod tests {
         let made = readme(template, &choice("rows=12"));
         assert!(
             made.starts_with(
-                "# RP2040 with an ST7789\n\nSaved by pinhole's planner, with bands of 12 rows. "
+                "# RP2040 with an ST7789\n\nSaved by pinhole's planner, with bands of 12 rows. The folder is complete: "
             ),
             "{made}"
         );
         assert!(made.contains("](../pinhole/boards/emulate/README.md)"), "{made}");
+        assert!(!made.contains("C++"), "{made}");
+        assert!(readme(template, &choice("decimate=100")).contains("C++: install g++ or clang first."));
         assert!(made.contains("](../pinhole/docs/wire.md)"), "{made}");
         assert!(!made.contains("](../../"), "{made}");
         let commands = "```sh\ncd firmware\ncargo build --release\n";

@@ -246,6 +246,7 @@ const tests = {
     await settled(tab);
     for (const [board, sides] of [['stm32f4-ili9341', '320 × 240'], ['rp2040-st7789', '240 × 240']]) {
       await tab.selectOption('#board', board);
+      await settled(tab);
       assert.match(await tab.textContent('#other-display'), new RegExp(`${board} has ${sides} pixels`));
       const [zip, picture] = [await saved('#zip'), await pixels(tab)];
       await tab.click('#other-display button');
@@ -261,6 +262,35 @@ const tests = {
     await settled(tab);
     assert.ok(!(await tab.isVisible('#other-display')));
     assert.ok((await saved('#zip')).includes('SIZE: Size = Size::new(128, 128)'));
+  },
+
+  async 'the board has its own chip, which the page shows at a press, and is part of the link'(tab) {
+    await tab.selectOption('#board', 'stm32f4-ili9341');
+    await settled(tab);
+    assert.equal(await tab.inputValue('#chip'), 'stm32f411');
+    assert.ok(!(await tab.isVisible('#other-chip')));
+    await tab.selectOption('#chip', 'esp32c3');
+    await settled(tab);
+    assert.match(await tab.textContent('#other-chip'), /those of the ESP32-C3, code in flash, which is not the chip of stm32f4-ili9341/);
+    const other = await open(tab.url());
+    assert.equal(await other.inputValue('#board'), 'stm32f4-ili9341');
+    await other.context().close();
+    await tab.click('#other-chip button');
+    await settled(tab);
+    assert.equal(await tab.inputValue('#chip'), 'stm32f411');
+    assert.ok(!(await tab.isVisible('#other-chip')));
+    // A driver must be added where the display is not known, and decimation needs a compiler for C++.
+    assert.match(await tab.textContent('#wiring'), /README has the wiring/);
+    await tab.selectOption('#board', 'any-cortex-m');
+    await tab.locator('#decimate').focus();
+    await tab.keyboard.press('ArrowLeft');
+    await settled(tab);
+    assert.match(await tab.textContent('#wiring'), /driver of your display into src\/display\.rs.*install g\+\+ or clang/);
+    // Four bands of pixels and two of depths beside each other, of half the display's rows each, are too much.
+    await tab.selectOption('#board', 'rp2040-two-cores');
+    await tab.locator('#rows').fill('120');
+    await tab.locator('#rows').press('Tab');
+    await tab.waitForFunction(() => /does not fit the 264 KB/.test(document.querySelector('#buffers').textContent));
   },
 
   async 'a file of 50 MB is read'(tab) {
@@ -312,7 +342,7 @@ const tests = {
     for (let i = 0; i < controls.length + 40; i++) {
       await tab.keyboard.press('Tab');
       const [id, outline] = await tab.evaluate(() => [document.activeElement.id, getComputedStyle(document.activeElement).outlineStyle]);
-      if (controls.includes(id)) {
+      if (id && controls.includes(id)) {
         reached.push(id);
         assert.notEqual(outline, 'none', id);
       }
