@@ -57,10 +57,12 @@ function verdict(costs) {
 function advice(costs) {
   const way = chosenOf(costs);
   if (way.fits && way.fitsFlash) return [];
-  const { rows, faces } = costs.advice;
+  const { rows, faces, both } = advised(costs, way, state.decimate || allFaces);
+  const bands = (rows) => `bands of ${rows} ${rows === 1 ? 'row' : 'rows'}`;
   const made = [];
-  if (rows) made.push(remedyButton(`Use bands of ${rows} ${rows === 1 ? 'row' : 'rows'}`, { rows }));
+  if (rows) made.push(remedyButton(`Use ${bands(rows)}`, { rows }));
   if (faces && menu.decimates) made.push(remedyButton(`Decimate to ${count(faces)} faces`, { decimate: faces }));
+  if (both && menu.decimates) made.push(remedyButton(`Use ${bands(both.rows)} and ${count(both.faces)} faces`, { rows: both.rows, decimate: both.faces }));
   const others = costs.ways.filter((other) => other.fits && other.fitsFlash && other.note);
   const other = others.length ? ` ${others[0].name}, for ${others[0].note}, fits: write it yourself by the library's documentation.` : '';
   const none = made.length || other ? '' : ' Choose a chip with more memory.';

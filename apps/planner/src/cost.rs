@@ -100,7 +100,6 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage)
     let data = model.flash_bytes() + materials(model, choice, image);
     // The first way with the chosen rows: with depth, if there are several.
     let chosen = ways.iter().position(|way| way.rows == Some(choice.rows()));
-    let advice = chosen.and_then(|at| ways.get(at)).map(|way| way.advice(chip, mesh.faces().len(), data));
     let ways = ways.iter().enumerate().map(|(at, way)| way.on(chip, spi, [frame, data], chosen == Some(at)));
     let is_in_few_bits = choice.format != Format::Rgb565 && !choice.style.is_of_lines();
     Ok(object([
@@ -116,7 +115,6 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage)
         ("cyclesError", chip.cycles_error(is_in_few_bits).to_string()),
         ("flashError", FLASH_ERROR.to_string()),
         ("exact", u8::from(choice.format == Format::Rgb565).to_string()),
-        ("advice", advice.unwrap_or_else(|| object([]))),
         ("ways", list(ways)),
     ]))
 }
@@ -132,34 +130,6 @@ impl Way {
     fn beside(&self, chip: &Chip) -> f64 {
         let [code, stack] = self.code_on(chip);
         stack + if chip.is_in_ram() { code } else { 0.0 }
-    }
-
-    /// What makes this way to draw fit, as JSON: `rows` of a band, or a number of `faces`; each only if it helps.
-    fn advice(&self, chip: &Chip, faces: usize, data: usize) -> String {
-        let [cache, bins, pixels, depths] = self.ram.map(|bytes| bytes as f64);
-        let [ram, rom] = [chip.ram, chip.flash()].map(|kilobytes| kilobytes * 1024.0 - 1.0);
-        let rows = f64::from(self.rows.unwrap_or(1));
-        let a_row = (pixels + depths) / rows;
-        let room = ram - self.beside(chip);
-        let lower = [48, 32, 24, 16, 12, 8, 6, 4, 2, 1].into_iter().find(|&lower| {
-            let lower = f64::from(lower);
-            lower < rows && cache + bins + a_row * lower <= room
-        });
-        // Both what a mesh takes in RAM and what it takes in flash grow by its faces, or less.
-        let [code, _] = self.code_on(chip);
-        let parts = (room - a_row * rows.min(8.0)) / (cache + bins);
-        let part = parts.min((rom - code) / data as f64);
-        let fewer = (faces as f64 * part * 0.95).floor();
-        let mut advice = Vec::new();
-        if !self.fits(chip, 0.0) {
-            advice.extend(lower.map(|rows| ("rows", rows.to_string())));
-        }
-        if part < 1.0 && fewer >= 4.0 {
-            // Two digits are as much as the estimate is good for.
-            let digit = 10.0f64.powf(fewer.log10().floor() - 1.0).max(1.0);
-            advice.push(("faces", ((fewer / digit).floor() * digit).to_string()));
-        }
-        object(advice)
     }
 
     /// Whether the RAM is large enough, with so many more bytes.
