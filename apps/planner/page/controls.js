@@ -4,6 +4,9 @@
 // MHz that a controller's SPI takes by its data sheet, of an ILI9341 those of the board; an ST7789 takes what the chips have.
 const CLOCKS = { ILI9341: 25, ST7735: 15, SSD1306: 10, SSD1327: 10, 'e-paper': 10 };
 
+// Whether the user types the sides, even if a panel of the menu has these sides.
+let isOwnSize = false;
+
 function showControls() {
   for (const key of ['mesh', 'style', 'projection', 'up', 'format', 'width', 'height', 'yaw', 'pitch', 'zoom', 'ambient', 'edges', 'chip', 'rows']) {
     $(key).value = state[key];
@@ -14,8 +17,9 @@ function showControls() {
   $('lamp').hidden = ofLines();
   $('lines').hidden = !ofLines();
   const panel = menu.displays.indexOf(panelOf(state));
-  if ($('panel-type').value !== 'own' || panel >= 0) $('panel-type').value = panel >= 0 ? panel : 'own';
-  $('own').hidden = $('panel-type').value !== 'own';
+  isOwnSize ||= panel < 0;
+  $('panel-type').value = isOwnSize ? 'own' : panel;
+  $('own').hidden = !isOwnSize;
   $('texture').value = state.texture;
   $('textures').hidden = state.style !== 'textured';
   showDecimation(state.decimate);
@@ -82,6 +86,7 @@ function buildControls() {
   });
   $('panel-type').addEventListener('input', (e) => {
     const display = menu.displays[e.target.value];
+    isOwnSize = !display;
     if (display) {
       const isPaper = display.name.startsWith('e-paper');
       const wasPaper = state.background === 'ffffff';

@@ -16,7 +16,10 @@ async function start() {
   listenToKeys();
   set(readAddress());
   addEventListener('resize', scale);
-  addEventListener('hashchange', () => set(readAddress()));
+  addEventListener('hashchange', () => {
+    isOwnSize = false;
+    set(readAddress());
+  });
 }
 
 start();

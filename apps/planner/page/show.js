@@ -29,8 +29,12 @@ function show() {
     $('decimation').hidden = true;
     hideCosts();
     showBoards();
-    const buttons = remedyButtons(problem.message);
-    $('warnings').replaceChildren(...(buttons.length ? [element('div', { className: 'warning' }, 'This page can do it: ', ...buttons)] : []));
+    // A turn would fail at each step: an import of half a second, again and again.
+    if (turning) turntable();
+    showWarnings(`failed ${problem.message}`, () => {
+      const buttons = remedyButtons(problem.message);
+      return buttons.length ? [element('div', { className: 'warning' }, 'This page can do it: ', ...buttons)] : [];
+    });
     $('model').textContent = '';
   }
   if (!turning) writeAddress();
@@ -70,8 +74,19 @@ function showModel(model) {
     `${count(model.vertices)} vertices, ${count(model.faces)} faces${model.edges ? `, ${count(model.edges)} edges` : ''}; ${count(model.flash)} bytes of flash`;
   allFaces = model.all;
   showDecimation(state.decimate);
-  $('warnings').replaceChildren(...model.warnings.map(({ message, remedies }) =>
+  showWarnings(text, () => model.warnings.map(({ message, remedies }) =>
     element('div', { className: 'warning' }, `Warning: ${message} `, ...remedyButtons(message, remedies))));
+}
+
+// What the warnings are about. They are made again only if this differs: a button that is replaced between press and release is
+// not clicked.
+let warnedOf = '';
+
+function showWarnings(about, make) {
+  const text = `${about} ${state.decimate}`; // a remedy offers fewer faces than now
+  if (text === warnedOf) return;
+  warnedOf = text;
+  $('warnings').replaceChildren(...make());
 }
 
 // A button for each remedy of a message.
@@ -92,7 +107,13 @@ function remedyButtons(message, remedies = []) {
 
 function remedyButton(text, changes) {
   const button = element('button', { type: 'button', className: 'remedy' }, text);
-  button.addEventListener('click', () => set(changes));
+  button.addEventListener('click', () => {
+    set(changes);
+    // The button goes away, and the focus with it, unless it is moved: to the control that changed, if it is seen.
+    const [key] = Object.keys(changes);
+    const control = key === 'width' ? $('panel-type') : $(key);
+    (control?.checkVisibility() && !control.disabled ? control : $('status')).focus();
+  });
   return button;
 }
 

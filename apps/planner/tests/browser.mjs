@@ -10,6 +10,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { mistakes } from './mistakes.mjs';
 
 const [page, playwright, folder] = process.argv.slice(2).map((path) => resolve(path));
 const { chromium } = createRequire(import.meta.url)(playwright);
@@ -524,9 +525,15 @@ async function load(tab, name, buffer, timeout = 30_000) {
   await settled(tab);
 }
 
-// A PNG of 16 × 16 pixels: the left half green, the right half blue.
+// Drops the picture `halves.png` alone.
 async function dropPicture(tab) {
-  const data = await tab.evaluateHandle(async () => {
+  await dropFiles(tab, [], true);
+}
+
+// Drops files together, given their names and texts; with a picture, also a PNG of 16 × 16 pixels: the left half green, the right half
+// blue.
+async function dropFiles(tab, files, hasPicture = false) {
+  const data = await tab.evaluateHandle(async ([files, hasPicture]) => {
     const canvas = Object.assign(document.createElement('canvas'), { width: 16, height: 16 });
     const context = canvas.getContext('2d');
     ['#00ff00', '#0000ff'].forEach((color, i) => {
@@ -534,10 +541,12 @@ async function dropPicture(tab) {
       context.fillRect(8 * i, 0, 8, 16);
     });
     const transfer = new DataTransfer();
-    transfer.items.add(new File([await new Promise((done) => canvas.toBlob(done))], 'halves.png'));
+    for (const [name, text] of files) transfer.items.add(new File([text], name));
+    if (hasPicture) transfer.items.add(new File([await new Promise((done) => canvas.toBlob(done))], 'halves.png'));
     return transfer;
-  });
+  }, [files, hasPicture]);
   await tab.dispatchEvent('#frame', 'drop', { dataTransfer: data });
+  if (!hasPicture) return;
   await tab.waitForFunction(() => document.querySelector('#texture').selectedOptions[0].textContent === 'halves.png');
 }
 
@@ -553,9 +562,11 @@ function stl(count) {
   return bytes;
 }
 
-// ONLY selects tests by a part of their name, for work on one of them.
+Object.assign(tests, mistakes({ address, open, pixels, settled, load, faces, decimates, isGood, dropFiles, stl, SHEET }));
+
+// ONLY selects tests by parts of their names with `|` between them, for work on some of them.
 const only = process.env.ONLY ?? '';
-for (const [name, test] of Object.entries(tests).filter(([name]) => name.includes(only))) {
+for (const [name, test] of Object.entries(tests).filter(([name]) => only.split('|').some((part) => name.includes(part)))) {
   const tab = await open();
   problems.length = 0;
   try {
