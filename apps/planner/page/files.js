@@ -21,7 +21,8 @@ async function open(file) {
     fileName = file.name;
     if (!$('mesh').querySelector('[value=file]')) $('mesh').append(element('option', { value: 'file' }));
     $('mesh').querySelector('[value=file]').textContent = file.name;
-    set({ mesh: 'file', up: 'auto', flip: 0, 'fix-winding': 0, 'two-sided': 0, decimate: 0 });
+    const settings = Object.fromEntries(OF_FILE.map((key) => [key, DEFAULTS[key]]));
+    set({ mesh: 'file', ...settings, ...awaited.model?.settings });
   } catch (problem) {
     say(`${file.name}: ${problem.message}`, true);
   }
@@ -44,6 +45,7 @@ async function openPicture(file) {
   library.picture(width, new Uint8Array(context.getImageData(0, 0, width, height).data.buffer));
   if (!$('texture').querySelector('[value=file]')) $('texture').append(element('option', { value: 'file' }));
   $('texture').querySelector('[value=file]').textContent = file.name;
+  pictureName = file.name;
   set({ style: 'textured', texture: 'file' });
 }
 

@@ -1,6 +1,13 @@
 // Starts the page. Controls, mouse, touch and keys change a state; the library draws the state, and the address contains it.
 'use strict';
 
+// Shows the state of the address.
+function followAddress() {
+  isOwnSize = false;
+  change(readAddress());
+  showControls();
+}
+
 async function start() {
   try {
     library = await Pinhole.from(await unpacked(PINHOLE));
@@ -14,12 +21,9 @@ async function start() {
   listenForDrops();
   listenToPointers();
   listenToKeys();
-  set(readAddress());
+  followAddress();
   addEventListener('resize', scale);
-  addEventListener('hashchange', () => {
-    isOwnSize = false;
-    set(readAddress());
-  });
+  addEventListener('hashchange', followAddress);
 }
 
 start();

@@ -13,7 +13,8 @@ const NUMBERS = Object.keys(DEFAULTS).filter((key) => typeof DEFAULTS[key] === '
 let library;
 let menu;
 let templates;
-let fileName;
+let fileName; // of the model that was opened
+let pictureName; // of the picture that was opened
 const materials = new Map(); // the material libraries that were opened, by their names
 let state = { ...DEFAULTS };
 let drawnModel = '';
@@ -41,6 +42,7 @@ function change(changes) {
 
 // Changes the state and the controls.
 function set(changes) {
+  stopAwaiting(changes);
   change(changes);
   showControls();
 }
@@ -51,6 +53,11 @@ function say(text, isBad = false) {
   // Written only where it differs, so that a screen reader does not repeat it.
   if ($('status').textContent !== text) $('status').textContent = text;
   $('status').classList.toggle('bad', isBad);
+}
+
+// What the user should know beside the picture, until something else takes its place.
+function notice(text) {
+  $('notice').textContent = text.trim();
 }
 
 function element(name, properties, ...content) {
