@@ -17,8 +17,9 @@ function show() {
     const { drawn, culled, clipped } = about.statistics;
     const what = ofLines() ? 'edges' : 'faces';
     say(`${about.width} × ${about.height}: ${drawn} ${what} drawn, ${culled} culled, ${clipped} clipped; ${count(about.bytes)} bytes a frame`);
-    canvas.setAttribute('aria-label', `${state.mesh === 'file' ? fileName : state.mesh}, ${state.style}, ${state.projection}, on ${about.width} × ${about.height} pixels`);
-    if (JSON.stringify(about.model) !== drawnModel) slowest = took;
+    canvas.setAttribute('aria-label', `${meshName()}, ${state.style}, ${state.projection}, on ${about.width} × ${about.height} pixels`);
+    if (JSON.stringify(about.model) !== drawnModel) slowest = Math.max(took, imported);
+    imported = 0;
     showModel(about.model);
     showCosts(library, choice());
     showBoards();
@@ -89,13 +90,16 @@ function showWarnings(about, make) {
   $('warnings').replaceChildren(...make());
 }
 
+// Whether decimation makes a model one that can be drawn.
+const isRemedied = (message) => menu.decimates && message.includes('--decimate N');
+
 // A button for each remedy of a message.
 function remedyButtons(message, remedies = []) {
   const made = remedies.map(({ part, value }) => {
     const name = { 'two-sided': 'faces from behind', 'fix-winding': 'winding outwards', flip: 'reversed faces' }[part];
     return remedyButton(`${value ? 'Use' : 'Leave out'} ${name}`, { [part]: value });
   });
-  if (menu.decimates && message.includes('--decimate N')) {
+  if (isRemedied(message)) {
     // Half of the present faces, as long as that still helps; for a model too large for a mesh, as many faces as a display can
     // show.
     const now = state.decimate || allFaces;

@@ -20,10 +20,14 @@ let state = { ...DEFAULTS };
 let drawnModel = '';
 let allFaces = 0; // of the model, without decimation
 let slowest = 0; // milliseconds of the last frame that a new mesh was made for
+let imported = 0; // milliseconds in which the file that was opened last was drawn first
 let asked = false;
 
 // Whether the style draws edges instead of faces.
 const ofLines = () => ['wireframe', 'hidden-line'].includes(state.style);
+
+// The name of the chosen mesh in the menu.
+const meshName = () => (state.mesh === 'file' ? fileName : state.mesh);
 
 // The choice that is passed to the library: every part of the state.
 const choice = (of = state) => Object.entries(of).map(([key, value]) => `${key}=${value}`).join('&');

@@ -100,13 +100,17 @@ const tests = {
   },
 
   async 'a broken file, and one with too many vertices, are messages, and the page goes on'(tab) {
-    await load(tab, 'broken.stl', Buffer.from('this is no model'));
+    await tab.setInputFiles('#file', { name: 'broken.stl', mimeType: 'application/octet-stream', buffer: Buffer.from('this is no model') });
+    await tab.waitForFunction(() => document.querySelector('#status').classList.contains('bad'));
     assert.match(await tab.textContent('#status'), /^broken\.stl: /);
-    assert.ok(!(await isGood(tab)));
-    // Nothing of the model before it is left.
-    for (const part of ['#costs', '#decimation']) assert.ok(!(await tab.isVisible(part)), part);
-    for (const button of ['#zip', '#picture', '#rust']) assert.ok(await tab.isDisabled(button), button);
+    // The ready mesh stays.
+    assert.equal(await tab.inputValue('#mesh'), 'gear');
+    for (const button of ['#zip', '#picture', '#rust']) assert.ok(!(await tab.isDisabled(button)), button);
     await load(tab, 'large.stl', stl(70_000));
+    // Nothing of the model before it is left.
+    assert.ok(!(await isGood(tab)));
+    assert.ok(!(await tab.isVisible('#costs')));
+    for (const button of ['#zip', '#picture', '#rust']) assert.ok(await tab.isDisabled(button), button);
     assert.match(await tab.textContent('#status'), /vertices, more than the 65536 of a mesh/);
     if (await decimates(tab)) {
       // The page's own remedy.
