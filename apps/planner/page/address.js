@@ -16,7 +16,27 @@ function addressText(of = state) {
   return parts.map(([key, value]) => `${key}=${encodeURIComponent(value)}`).join('&');
 }
 
+// The address is written at most 20 times at once, and then every 400 ms: Safari permits 100 times in 30 seconds.
+let written; // the text that was written last, without a turn that goes on
+let addressTimer = 0;
+let [permits, permitsAt] = [20, 0];
+
+function addressSoon() {
+  const text = addressText(turning ? { ...state, turn: 0 } : state);
+  if (text === written) return;
+  written = text;
+  if (addressTimer) return;
+  const now = performance.now();
+  permits = Math.min(permits + (now - permitsAt) / 400, 20);
+  permitsAt = now;
+  if (permits >= 1) writeAddress();
+  else addressTimer = setTimeout(writeAddress, (1 - permits) * 400);
+}
+
 function writeAddress() {
+  clearTimeout(addressTimer);
+  addressTimer = 0;
+  permits -= 1;
   const text = addressText();
   history.replaceState(null, '', text ? `#${text}` : location.pathname + location.search);
 }

@@ -8,7 +8,7 @@ const CLOCKS = { ILI9341: 25, ST7735: 15, SSD1306: 10, SSD1327: 10, 'e-paper': 1
 let isOwnSize = false;
 
 function showControls() {
-  for (const key of ['mesh', 'style', 'projection', 'up', 'format', 'width', 'height', 'yaw', 'pitch', 'zoom', 'ambient', 'edges', 'chip', 'rows']) {
+  for (const key of ['mesh', 'style', 'projection', 'up', 'format', 'width', 'height', 'yaw', 'pitch', 'ambient', 'edges', 'chip', 'rows']) {
     $(key).value = state[key];
   }
   for (const key of ['dither', 'flip', 'fix-winding', 'two-sided']) $(key).checked = state[key] === 1;
@@ -24,18 +24,26 @@ function showControls() {
   $('textures').hidden = state.style !== 'textured';
   showDecimation(state.decimate);
   $('dither').disabled = ofLines() || state.style === 'textured' || menu.dithered.includes(state.format);
-  const [x, y, z] = state.light.split(',').map(Number);
-  $('around').value = Math.round((Math.atan2(x, z) * 180) / Math.PI);
-  $('above').value = Math.round((Math.atan2(y, Math.hypot(x, z)) * 180) / Math.PI);
+  moveSlider($('zoom'), ZOOMS, state.zoom);
+  readLamp();
+  for (const key of ['around', 'above']) $(key).value = lamp[key];
   showValues();
+}
+
+// Shows a slider's value in words: a slider has steps and a scale, so its own number may be another one.
+function showValue(key, text) {
+  $(`${key}-value`).textContent = text;
+  $(key).ariaValueText = text;
 }
 
 // The numbers of the sliders, beside their names.
 function showValues() {
-  for (const key of ['around', 'above', 'yaw', 'pitch']) $(`${key}-value`).textContent = `${$(key).value.replace('-', '−')}°`;
-  $('zoom-value').textContent = `${state.zoom} %`;
-  $('edges-value').textContent = state.edges ? `more than ${state.edges}°` : state.style === 'wireframe' ? 'any angle' : 'any angle but 0°';
-  $('ambient-value').textContent = `${Math.round((state.ambient * 100) / 256)} %`;
+  const angles = { around: lamp.around, above: lamp.above, yaw: state.yaw, pitch: state.pitch };
+  for (const [key, degrees] of Object.entries(angles)) showValue(key, `${String(hundredths(degrees)).replace('-', '−')}°`);
+  showValue('zoom', `${state.zoom} %`);
+  const edges = state.edges ? `more than ${state.edges}°` : state.style === 'wireframe' ? 'any angle' : 'any angle but 0°';
+  showValue('edges', edges);
+  showValue('ambient', `${Math.round((state.ambient * 100) / 256)} %`);
 }
 
 function options(select, items) {
@@ -56,7 +64,8 @@ function buildControls() {
   // Another mesh has another number of faces.
   $('mesh').addEventListener('input', (e) => set({ mesh: e.target.value, decimate: 0 }));
   for (const key of ['style', 'texture', 'up', 'format', 'chip']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value }));
-  for (const key of ['yaw', 'pitch', 'zoom', 'ambient', 'edges']) $(key).addEventListener('input', (e) => set({ [key]: Number(e.target.value) }));
+  for (const key of ['yaw', 'pitch', 'ambient', 'edges']) $(key).addEventListener('input', (e) => set({ [key]: Number(e.target.value) }));
+  $('zoom').addEventListener('input', (e) => set({ zoom: numberAt(e.target, ZOOMS) }));
   for (const key of ['width', 'height', 'rows']) {
     $(key).addEventListener('change', (e) => set({ [key]: Math.min(Math.max(Math.round(Number(e.target.value)) || 1, 1), 1024) }));
   }
@@ -73,12 +82,7 @@ function buildControls() {
   });
   $('decimate').addEventListener('change', () => set({ decimate: decimated() }));
   for (const key of ['around', 'above']) {
-    $(key).addEventListener('input', () => {
-      const [around, above] = [$('around').value, $('above').value].map((degrees) => (degrees * Math.PI) / 180);
-      const direction = [Math.sin(around) * Math.cos(above), Math.sin(above), Math.cos(around) * Math.cos(above)];
-      change({ light: direction.map((c) => Math.round(60 * c) + 0).join(',') });
-      showValues();
-    });
+    $(key).addEventListener('input', (e) => moveLamp(key, Number(e.target.value)));
   }
   $('projection').addEventListener('input', (e) => {
     const { name, yaw, pitch } = menu.projections.find(({ name }) => name === e.target.value);
@@ -106,6 +110,7 @@ function buildControls() {
   });
   $('panel').addEventListener('submit', (e) => e.preventDefault());
   $('reset').addEventListener('click', reset);
+  $('reset-all').addEventListener('click', resetAll);
   $('nearer').addEventListener('click', () => zoom(1.25));
   $('farther').addEventListener('click', () => zoom(0.8));
   $('turntable').addEventListener('click', turntable);

@@ -4,8 +4,14 @@
 // Shows the state of the address.
 function followAddress() {
   isOwnSize = false;
+  written = undefined;
   change(readAddress());
   showControls();
+}
+
+function resetAll() {
+  history.replaceState(null, '', location.pathname + location.search);
+  followAddress();
 }
 
 async function start() {

@@ -14,16 +14,18 @@ function show() {
     canvas.getContext('2d').putImageData(new ImageData(new Uint8ClampedArray(pixels), about.width, about.height), 0, 0);
     scale();
     canvas.classList.remove('stale');
-    const { drawn, culled, clipped } = about.statistics;
-    const what = ofLines() ? 'edges' : 'faces';
-    say(`${about.width} × ${about.height}: ${drawn} ${what} drawn, ${culled} culled, ${clipped} clipped; ${count(about.bytes)} bytes a frame`);
-    canvas.setAttribute('aria-label', `${meshName()}, ${state.style}, ${state.projection}, on ${about.width} × ${about.height} pixels`);
+    if (!turning) describe(about);
+    // While the model turns, only another choice changes what is shown beside it.
+    const kind = JSON.stringify([{ ...state, turn: 0 }, about.model]);
+    if (turning && drawnModel && kind === shownKind) return;
+    shownKind = kind;
     if (JSON.stringify(about.model) !== drawnModel) slowest = Math.max(took, imported);
     imported = 0;
     showModel(about.model);
     showCosts(library, choice());
     showBoards();
   } catch (problem) {
+    shownKind = '';
     say(problem.message, true);
     drawnModel = '';
     canvas.classList.add('stale');
@@ -31,14 +33,24 @@ function show() {
     hideCosts();
     showBoards();
     // A turn would fail at each step: an import of half a second, again and again.
-    if (turning) turntable();
+    stopTurning();
     showWarnings(`failed ${problem.message}`, () => {
       const buttons = remedyButtons(problem.message);
       return buttons.length ? [element('div', { className: 'warning' }, 'This page can do it: ', ...buttons)] : [];
     });
     $('model').textContent = '';
   }
-  if (!turning) writeAddress();
+  addressSoon();
+}
+
+// The choice, without the turn, and the model that the page shows now.
+let shownKind = '';
+
+// Describes the frame in words. While the model turns it says nothing, because a screen reader would never end.
+function describe({ width, height, bytes, statistics: { drawn, culled, clipped } }) {
+  say(`${width} × ${height}: ${counted(drawn, ofLines() ? 'edge' : 'face')} drawn, ${count(culled)} culled, ${count(clipped)} clipped; ${count(bytes)} bytes a frame`);
+  const label = `${meshName()}, ${state.style}, ${state.projection}, on ${width} × ${height} pixels`;
+  if ($('display').getAttribute('aria-label') !== label) $('display').setAttribute('aria-label', label);
 }
 
 // Boards whose templates do not draw the chosen style and format cannot be chosen.
@@ -72,7 +84,7 @@ function showModel(model) {
   if (text === drawnModel) return;
   drawnModel = text;
   $('model').textContent =
-    `${count(model.vertices)} vertices, ${count(model.faces)} faces${model.edges ? `, ${count(model.edges)} edges` : ''}; ${count(model.flash)} bytes of flash`;
+    `${counted(model.vertices, 'vertex', 'vertices')}, ${counted(model.faces, 'face')}${model.edges ? `, ${counted(model.edges, 'edge')}` : ''}; ${count(model.flash)} bytes of flash`;
   allFaces = model.all;
   showDecimation(state.decimate);
   showWarnings(text, () => model.warnings.map(({ message, remedies }) =>

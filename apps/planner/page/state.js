@@ -53,6 +53,8 @@ function set(changes) {
 
 const count = (number) => number.toLocaleString('en').replaceAll(',', '\u202f');
 
+const counted = (number, one, many = `${one}s`) => `${count(number)} ${number === 1 ? one : many}`;
+
 function say(text, isBad = false) {
   // Written only where it differs, so that a screen reader does not repeat it.
   if ($('status').textContent !== text) $('status').textContent = text;
