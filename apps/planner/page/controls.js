@@ -11,7 +11,7 @@ function showControls() {
   for (const key of ['mesh', 'style', 'projection', 'up', 'format', 'width', 'height', 'yaw', 'pitch', 'ambient', 'edges', 'chip', 'rows']) {
     $(key).value = state[key];
   }
-  for (const key of ['dither', 'flip', 'fix-winding', 'two-sided']) $(key).checked = state[key] === 1;
+  for (const key of ['flip', 'fix-winding', 'two-sided']) $(key).checked = state[key] === 1;
   for (const key of ['color', 'background']) $(key).value = `#${state[key]}`;
   $('spi').value = state.spi || '';
   $('lamp').hidden = ofLines();
@@ -23,7 +23,10 @@ function showControls() {
   $('texture').value = state.texture;
   $('textures').hidden = state.style !== 'textured';
   showDecimation(state.decimate);
-  $('dither').disabled = ofLines() || state.style === 'textured' || menu.dithered.includes(state.format);
+  // Some formats always dither faces.
+  const isDithered = menu.dithered.includes(state.format);
+  $('dither').checked = !ofLines() && (isDithered || state.dither === 1);
+  $('dither').disabled = ofLines() || state.style === 'textured' || isDithered;
   moveSlider($('zoom'), ZOOMS, state.zoom);
   readLamp();
   for (const key of ['around', 'above']) $(key).value = lamp[key];
@@ -50,6 +53,23 @@ function options(select, items) {
   select.replaceChildren(...items.map(([value, text]) => element('option', { value }, text)));
 }
 
+// A field for whole numbers. One that is empty is `empty`, if that is given; any other value that it cannot have is refused with the
+// range, and the number before it stays.
+function takeNumber(id, key = id, empty = undefined) {
+  $(id).addEventListener('change', ({ target: field }) => {
+    const isEmpty = field.value === '' && !field.validity.badInput;
+    const isGood = isEmpty ? empty !== undefined : field.checkValidity();
+    if (isGood) {
+      set({ [key]: isEmpty ? empty : Number(field.value) });
+      return;
+    }
+    field.value = ''; // of letters, too, which a browser keeps otherwise
+    showControls();
+    const kept = field.value ? `${count(Number(field.value))} stays` : 'it stays empty';
+    say(`${field.labels[0].textContent.trim()}: a whole number from ${count(Number(field.min))} to ${count(Number(field.max))}; ${kept}.`, true);
+  });
+}
+
 function buildControls() {
   options($('mesh'), menu.meshes.map((name) => [name, name]));
   options($('panel-type'), [...menu.displays.map(({ name }, i) => [i, name]), ['own', 'another size']]);
@@ -62,25 +82,28 @@ function buildControls() {
   options($('up'), [['auto', 'as usual for the file'], ...menu.axes.map((name) => [name, name])]);
 
   // Another mesh has another number of faces.
-  $('mesh').addEventListener('input', (e) => set({ mesh: e.target.value, decimate: 0 }));
+  $('mesh').addEventListener('input', (e) => {
+    allFaces = 0;
+    set({ mesh: e.target.value, decimate: 0 });
+  });
   for (const key of ['style', 'texture', 'up', 'format', 'chip']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value }));
   for (const key of ['yaw', 'pitch', 'ambient', 'edges']) $(key).addEventListener('input', (e) => set({ [key]: Number(e.target.value) }));
   $('zoom').addEventListener('input', (e) => set({ zoom: numberAt(e.target, ZOOMS) }));
   for (const key of ['width', 'height', 'rows']) {
-    $(key).addEventListener('change', (e) => set({ [key]: Math.min(Math.max(Math.round(Number(e.target.value)) || 1, 1), 1024) }));
+    takeNumber(key);
   }
-  $('spi').addEventListener('change', (e) => set({ spi: within(Math.round(Number(e.target.value)) || 0, 0, 200) }));
+  takeNumber('spi', 'spi', 0);
   for (const key of ['dither', 'flip', 'fix-winding', 'two-sided']) {
     $(key).addEventListener('input', (e) => set({ [key]: e.target.checked ? 1 : 0 }));
   }
   for (const key of ['color', 'background']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value.slice(1) }));
-  const decimated = () => ($('decimate').value === $('decimate').max ? 0 : Number($('decimate').value));
   // Decimates while the slider is dragged, if the mesh is made fast enough; otherwise when it is released.
   $('decimate').addEventListener('input', () => {
     if (slowest < 250) set({ decimate: decimated() });
     else showDecimation(decimated());
   });
   $('decimate').addEventListener('change', () => set({ decimate: decimated() }));
+  takeNumber('decimate-to', 'decimate', 0);
   for (const key of ['around', 'above']) {
     $(key).addEventListener('input', (e) => moveLamp(key, Number(e.target.value)));
   }

@@ -25,10 +25,11 @@ async function open(file) {
     if (!$('mesh').querySelector('[value=file]')) $('mesh').append(element('option', { value: 'file' }));
     $('mesh').querySelector('[value=file]').textContent = file.name;
     drawnModel = ''; // its measures may be those of the model before it
+    allFaces = 0;
     set({ mesh: 'file', ...settings });
   } catch (problem) {
     // Messages of the library begin with the name.
-    say(`${file.name}: ${problem.message.replace(`${file.name}: `, '')}`, true);
+    say(`${file.name}: ${grouped(problem.message.replace(`${file.name}: `, ''))}`, true);
   }
 }
 

@@ -26,10 +26,11 @@ function show() {
     showBoards();
   } catch (problem) {
     shownKind = '';
-    say(problem.message, true);
+    say(grouped(problem.message), true);
     drawnModel = '';
     canvas.classList.add('stale');
-    $('decimation').hidden = true;
+    isTooLarge = isRemedied(problem.message);
+    showDecimation(state.decimate);
     hideCosts();
     showBoards();
     // A turn would fail at each step: an import of half a second, again and again.
@@ -86,9 +87,10 @@ function showModel(model) {
   $('model').textContent =
     `${counted(model.vertices, 'vertex', 'vertices')}, ${counted(model.faces, 'face')}${model.edges ? `, ${counted(model.edges, 'edge')}` : ''}; ${count(model.flash)} bytes of flash`;
   allFaces = model.all;
+  isTooLarge = false;
   showDecimation(state.decimate);
   showWarnings(text, () => model.warnings.map(({ message, remedies }) =>
-    element('div', { className: 'warning' }, `Warning: ${message} `, ...remedyButtons(message, remedies))));
+    element('div', { className: 'warning' }, `Warning: ${grouped(message)} `, ...remedyButtons(message, remedies))));
 }
 
 // What the warnings are about. They are made again only if this differs: a button that is replaced between press and release is
@@ -133,15 +135,6 @@ function remedyButton(text, changes) {
   return button;
 }
 
-// The slider goes from 4 faces to all; at its end nothing is decimated.
-function showDecimation(decimate) {
-  const most = Math.max(allFaces, decimate, 4);
-  $('decimation').hidden = !menu.decimates || !drawnModel;
-  $('decimate').max = most;
-  $('decimate').value = decimate || most;
-  $('decimate-faces').textContent = decimate ? `${count(decimate)} of ${count(most)} faces` : `all ${count(most)} faces`;
-}
-
 // Each pixel of the display takes a whole number of screen pixels, as many as fit.
 function scale() {
   const canvas = $('display');
@@ -149,6 +142,7 @@ function scale() {
   const fits = Math.min(room / canvas.width, Math.max(innerHeight * 0.6, 240) / canvas.height);
   const fine = devicePixelRatio || 1;
   const times = fits * fine >= 1 ? Math.floor(fits * fine) / fine : fits;
-  canvas.style.width = `${canvas.width * times}px`;
-  canvas.style.height = `${canvas.height * times}px`;
+  // A display of one row, or of one column, is seen, too.
+  canvas.style.width = `${Math.max(canvas.width * times, 1)}px`;
+  canvas.style.height = `${Math.max(canvas.height * times, 1)}px`;
 }

@@ -1,4 +1,5 @@
-// What sliders need beside their own value: logarithmic scales, and the angles of the lamp, which are more than its direction.
+// What sliders need beside their own value: logarithmic scales, the faces of a decimation, and the angles of the lamp, which are more
+// than its direction.
 'use strict';
 
 const ZOOMS = [20, 2000]; // per cent, as in the library
@@ -11,6 +12,26 @@ const numberAt = (slider, [least, most]) => Math.round(least * (most / least) **
 // not pass them.
 function moveSlider(slider, [least, most], number) {
   if (most > least && numberAt(slider, [least, most]) !== number) slider.value = Math.round((STEPS * Math.log(number / least)) / Math.log(most / least));
+}
+
+// From 4 faces to all. All faces of a model that is too large are not known until it is decimated: then the slider reaches twice the
+// most vertices of a mesh, about as many faces as these have.
+const facesRange = () => [4, Math.max(allFaces || (isTooLarge ? 131_072 : 0), 4)];
+
+// The faces that the slider stands for; at its end nothing is decimated, which is 0.
+const decimated = () => (Number($('decimate').value) === STEPS ? 0 : numberAt($('decimate'), facesRange()));
+
+function showDecimation(decimate) {
+  const [, most] = facesRange();
+  const isAll = !decimate || (allFaces > 0 && decimate >= allFaces);
+  $('decimation').hidden = !menu.decimates || !(drawnModel || isTooLarge);
+  $('decimate').disabled = $('decimate-to').disabled = most <= 4; // nothing is left to decimate
+  if (isAll) $('decimate').value = STEPS;
+  else if (decimated() !== decimate) moveSlider($('decimate'), facesRange(), Math.min(decimate, most));
+  $('decimate-to').max = allFaces || 1_000_000;
+  $('decimate-to').value = decimate || '';
+  const all = allFaces === 1 ? '' : 'all ';
+  showValue('decimate', isAll ? (allFaces ? `${all}${counted(allFaces, 'face')}` : 'all faces') : `${count(decimate)}${allFaces ? ` of ${count(allFaces)}` : ''} faces`);
 }
 
 // The angles to the lamp in degrees, and the direction that they were of. A lamp overhead has an angle around, too, to which it

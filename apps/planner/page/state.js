@@ -18,7 +18,8 @@ let pictureName; // of the picture that was opened
 const materials = new Map(); // the material libraries that were opened, by their names
 let state = { ...DEFAULTS };
 let drawnModel = '';
-let allFaces = 0; // of the model, without decimation
+let allFaces = 0; // of the model, without decimation; 0 if they are not known
+let isTooLarge = false; // whether the model cannot be drawn with as many faces as now
 let slowest = 0; // milliseconds of the last frame that a new mesh was made for
 let imported = 0; // milliseconds in which the file that was opened last was drawn first
 let asked = false;
@@ -52,6 +53,13 @@ function set(changes) {
 }
 
 const count = (number) => number.toLocaleString('en').replaceAll(',', '\u202f');
+
+// A message of the library, with its numbers written as the page's own.
+// It may begin with the name of the file, which stays as it is.
+function grouped(message) {
+  const name = message.startsWith(`${fileName}: `) ? `${fileName}: ` : '';
+  return name + message.slice(name.length).replace(/(?<![\w.])\d{4,}(?![\w]|\.\d)/g, (digits) => count(Number(digits)));
+}
 
 const counted = (number, one, many = `${one}s`) => `${count(number)} ${number === 1 ? one : many}`;
 

@@ -191,7 +191,7 @@ export const mistakes = ({ address, open, pixels, settled, load, faces, decimate
     assert.ok(await tab.isVisible('#decimate'), 'no slider while the model is too large');
     await tab.click('#warnings button.remedy');
     await tab.waitForFunction(() => !document.querySelector('#status').classList.contains('bad'));
-    assert.match(await tab.textContent('#decimate-faces'), /20\u202f000 of 70\u202f000 faces/);
+    assert.match(await tab.textContent('#decimate-value'), /20\u202f000 of 70\u202f000 faces/);
     // A step of the slider is a part of the faces, not a number of them.
     await type(tab, '#decimate-to', '100');
     await settled(tab);
@@ -212,7 +212,7 @@ export const mistakes = ({ address, open, pixels, settled, load, faces, decimate
     for (let i = 0; i < 40; i++) await tab.locator('#decimate').press('ArrowRight');
     assert.ok(Number(await tab.inputValue('#decimate-to')) > 5);
     await load(tab, 'one.obj', Buffer.from('v 0 0 0\nv 3 0 0\nv 3 2 0\nf 1 2 3\n'));
-    assert.match(await tab.textContent('#decimate-faces'), /^1 face$/);
+    assert.match(await tab.textContent('#decimate-value'), /^1 face$/);
     assert.match(await tab.textContent('#model'), /3 vertices, 1 face;/);
     assert.match(await tab.textContent('#status'), /\b[01] faces? drawn/);
     assert.doesNotMatch(await tab.textContent('#status'), /\b1 faces/);
@@ -274,7 +274,8 @@ export const mistakes = ({ address, open, pixels, settled, load, faces, decimate
     for (const [field, wrong, range] of [['#spi', '0.4', '1 to 200'], ['#spi', '-3', '1 to 200'], ['#rows', '0', '1 to 1024'], ['#width', '-5', '1 to 1024'], ['#width', '', '1 to 1024'], ['#height', '5000', '1 to 1024']]) {
       const [before, link] = [await tab.inputValue(field), tab.url()];
       await type(tab, field, wrong);
-      assert.ok((await tab.textContent('#status')).includes(range), `${field} ${wrong}: ${await tab.textContent('#status')}`);
+      const said = (await tab.textContent('#status')).replaceAll('\u202f', '');
+      assert.ok(said.includes(range), `${field} ${wrong}: ${said}`);
       assert.equal(await tab.inputValue(field), before);
       await settled(tab);
       assert.equal(tab.url(), link);
@@ -302,9 +303,11 @@ export const mistakes = ({ address, open, pixels, settled, load, faces, decimate
     assert.doesNotMatch(tab.url(), /dither/);
     await tab.selectOption('#panel-type', '0');
     assert.ok(!(await tab.isChecked('#dither')) && !(await tab.isDisabled('#dither')));
-    await load(tab, 'some.stl', stl(20_000));
+    await load(tab, 'some 2024.stl', stl(20_000));
     const texts = await tab.evaluate(() => ['status', 'model', 'warnings'].map((id) => document.getElementById(id).textContent));
     assert.doesNotMatch(texts.join(' '), /\d{5}/);
+    await load(tab, 'large 2024.stl', stl(70_000));
+    assert.match(await tab.textContent('#status'), /^large 2024\.stl: .*65\u202f536/);
   },
 });
 
