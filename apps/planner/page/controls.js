@@ -1,38 +1,70 @@
 // The controls change the state, and follow it.
 'use strict';
 
+// Whether the user types the sides, even if a panel of the menu has these sides.
+let isOwnSize = false;
+
 function showControls() {
-  for (const key of ['mesh', 'style', 'projection', 'up', 'format', 'width', 'height', 'yaw', 'pitch', 'zoom', 'ambient', 'edges', 'chip', 'rows']) {
+  for (const key of ['mesh', 'style', 'projection', 'up', 'format', 'width', 'height', 'yaw', 'pitch', 'ambient', 'edges', 'chip', 'rows']) {
     $(key).value = state[key];
   }
-  for (const key of ['dither', 'flip', 'fix-winding', 'two-sided']) $(key).checked = state[key] === 1;
+  for (const key of ['flip', 'fix-winding', 'two-sided']) $(key).checked = state[key] === 1;
   for (const key of ['color', 'background']) $(key).value = `#${state[key]}`;
   $('spi').value = state.spi || '';
   $('lamp').hidden = ofLines();
   $('lines').hidden = !ofLines();
   const panel = menu.displays.indexOf(panelOf(state));
-  if ($('panel-type').value !== 'own' || panel >= 0) $('panel-type').value = panel >= 0 ? panel : 'own';
-  $('own').hidden = $('panel-type').value !== 'own';
+  isOwnSize ||= panel < 0;
+  $('panel-type').value = isOwnSize ? 'own' : panel;
+  $('own').hidden = !isOwnSize;
   $('texture').value = state.texture;
   $('textures').hidden = state.style !== 'textured';
   showDecimation(state.decimate);
-  $('dither').disabled = ofLines() || state.style === 'textured' || menu.dithered.includes(state.format);
-  const [x, y, z] = state.light.split(',').map(Number);
-  $('around').value = Math.round((Math.atan2(x, z) * 180) / Math.PI);
-  $('above').value = Math.round((Math.atan2(y, Math.hypot(x, z)) * 180) / Math.PI);
+  // Some formats always dither faces.
+  const isDithered = menu.dithered.includes(state.format);
+  $('dither').checked = !ofLines() && (isDithered || state.dither === 1);
+  $('dither').disabled = ofLines() || state.style === 'textured' || isDithered;
+  moveSlider($('zoom'), ZOOMS, state.zoom);
+  readLamp();
+  for (const key of ['around', 'above']) $(key).value = lamp[key];
   showValues();
+}
+
+// Shows a slider's value in words: a slider has steps and a scale, so its own number may be another one.
+function showValue(key, text) {
+  $(`${key}-value`).textContent = text;
+  $(key).ariaValueText = text;
 }
 
 // The numbers of the sliders, beside their names.
 function showValues() {
-  for (const key of ['around', 'above', 'yaw', 'pitch']) $(`${key}-value`).textContent = `${$(key).value.replace('-', '−')}°`;
-  $('zoom-value').textContent = `${state.zoom} %`;
-  $('edges-value').textContent = state.edges ? `more than ${state.edges}°` : state.style === 'wireframe' ? 'any angle' : 'any angle but 0°';
-  $('ambient-value').textContent = `${Math.round((state.ambient * 100) / 256)} %`;
+  const angles = { around: lamp.around, above: lamp.above, yaw: state.yaw, pitch: state.pitch };
+  for (const [key, degrees] of Object.entries(angles)) showValue(key, `${String(hundredths(degrees)).replace('-', '−')}°`);
+  showValue('zoom', `${state.zoom} %`);
+  const edges = state.edges ? `more than ${state.edges}°` : state.style === 'wireframe' ? 'any angle' : 'any angle but 0°';
+  showValue('edges', edges);
+  showValue('ambient', `${Math.round((state.ambient * 100) / 256)} %`);
 }
 
 function options(select, items) {
   select.replaceChildren(...items.map(([value, text]) => element('option', { value }, text)));
+}
+
+// A field for whole numbers. One that is empty is `empty`, if that is given; any other value that it cannot have is refused with the
+// range, and the number before it stays.
+function takeNumber(id, key = id, empty = undefined) {
+  $(id).addEventListener('change', ({ target: field }) => {
+    const isEmpty = field.value === '' && !field.validity.badInput;
+    const isGood = isEmpty ? empty !== undefined : field.checkValidity();
+    if (isGood) {
+      set({ [key]: isEmpty ? empty : Number(field.value) });
+      return;
+    }
+    field.value = ''; // of letters, too, which a browser keeps otherwise
+    showControls();
+    const kept = field.value ? `${count(Number(field.value))} stays` : 'it stays empty';
+    say(`${field.labels[0].textContent.trim()}: a whole number from ${count(Number(field.min))} to ${count(Number(field.max))}; ${kept}.`, true);
+  });
 }
 
 function buildControls() {
@@ -47,31 +79,30 @@ function buildControls() {
   options($('up'), [['auto', 'as usual for the file'], ...menu.axes.map((name) => [name, name])]);
 
   // Another mesh has another number of faces.
-  $('mesh').addEventListener('input', (e) => set({ mesh: e.target.value, decimate: 0 }));
+  $('mesh').addEventListener('input', (e) => {
+    allFaces = 0;
+    set({ mesh: e.target.value, decimate: 0 });
+  });
   for (const key of ['style', 'texture', 'up', 'format', 'chip']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value }));
-  for (const key of ['yaw', 'pitch', 'zoom', 'ambient', 'edges']) $(key).addEventListener('input', (e) => set({ [key]: Number(e.target.value) }));
+  for (const key of ['yaw', 'pitch', 'ambient', 'edges']) $(key).addEventListener('input', (e) => set({ [key]: Number(e.target.value) }));
+  $('zoom').addEventListener('input', (e) => set({ zoom: numberAt(e.target, ZOOMS) }));
   for (const key of ['width', 'height', 'rows']) {
-    $(key).addEventListener('change', (e) => set({ [key]: Math.min(Math.max(Math.round(Number(e.target.value)) || 1, 1), 1024) }));
+    takeNumber(key);
   }
-  $('spi').addEventListener('change', (e) => set({ spi: within(Math.round(Number(e.target.value)) || 0, 0, 200) }));
+  takeNumber('spi', 'spi', 0);
   for (const key of ['dither', 'flip', 'fix-winding', 'two-sided']) {
     $(key).addEventListener('input', (e) => set({ [key]: e.target.checked ? 1 : 0 }));
   }
   for (const key of ['color', 'background']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value.slice(1) }));
-  const decimated = () => ($('decimate').value === $('decimate').max ? 0 : Number($('decimate').value));
   // Decimates while the slider is dragged, if the mesh is made fast enough; otherwise when it is released.
   $('decimate').addEventListener('input', () => {
     if (slowest < 250) set({ decimate: decimated() });
     else showDecimation(decimated());
   });
   $('decimate').addEventListener('change', () => set({ decimate: decimated() }));
+  takeNumber('decimate-to', 'decimate', 0);
   for (const key of ['around', 'above']) {
-    $(key).addEventListener('input', () => {
-      const [around, above] = [$('around').value, $('above').value].map((degrees) => (degrees * Math.PI) / 180);
-      const direction = [Math.sin(around) * Math.cos(above), Math.sin(above), Math.cos(around) * Math.cos(above)];
-      change({ light: direction.map((c) => Math.round(60 * c) + 0).join(',') });
-      showValues();
-    });
+    $(key).addEventListener('input', (e) => moveLamp(key, Number(e.target.value)));
   }
   $('projection').addEventListener('input', (e) => {
     const { name, yaw, pitch } = menu.projections.find(({ name }) => name === e.target.value);
@@ -79,6 +110,7 @@ function buildControls() {
   });
   $('panel-type').addEventListener('input', (e) => {
     const display = menu.displays[e.target.value];
+    isOwnSize = !display;
     if (display) {
       const isPaper = display.name.startsWith('e-paper');
       const wasPaper = state.background === 'ffffff';
@@ -96,6 +128,7 @@ function buildControls() {
   });
   $('panel').addEventListener('submit', (e) => e.preventDefault());
   $('reset').addEventListener('click', reset);
+  $('reset-all').addEventListener('click', resetAll);
   $('nearer').addEventListener('click', () => zoom(1.25));
   $('farther').addEventListener('click', () => zoom(0.8));
   $('turntable').addEventListener('click', turntable);

@@ -72,7 +72,7 @@ function saveRust() {
 
 async function copyLink() {
   writeAddress();
-  const isFile = state.mesh === 'file' || state.texture === 'file' ? ' Your files are not part of it.' : '';
+  const isFile = state.mesh === 'file' || state.texture === 'file' ? ' Your files are not part of it: who opens it is asked for them.' : '';
   try {
     await navigator.clipboard.writeText(location.href);
     say(`The link is in the clipboard.${isFile}`);

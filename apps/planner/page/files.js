@@ -5,25 +5,49 @@ async function open(file) {
   filming = false;
   say(`Reading ${file.name} …`);
   try {
-    if (/\.(png|bmp|jpe?g|gif|webp)$/i.test(file.name)) {
+    if (isPicture(file)) {
       await openPicture(file);
       return;
     }
     const bytes = new Uint8Array(await file.arrayBuffer());
     await new Promise((done) => setTimeout(done)); // so that the line above is seen
-    library.load(file.name, bytes);
     if (isLibrary(file)) {
+      library.load(file.name, bytes);
       materials.set(file.name, bytes);
       drawnModel = '';
       change({});
       return;
     }
+    const settings = { ...Object.fromEntries(OF_FILE.map((key) => [key, DEFAULTS[key]])), ...awaited.model?.settings };
+    tryModel(file.name, bytes, settings);
+    opened = { name: file.name, bytes };
     fileName = file.name;
     if (!$('mesh').querySelector('[value=file]')) $('mesh').append(element('option', { value: 'file' }));
     $('mesh').querySelector('[value=file]').textContent = file.name;
-    set({ mesh: 'file', up: 'auto', flip: 0, 'fix-winding': 0, 'two-sided': 0, decimate: 0 });
+    drawnModel = ''; // its measures may be those of the model before it
+    allFaces = 0;
+    set({ mesh: 'file', ...settings });
   } catch (problem) {
-    say(`${file.name}: ${problem.message}`, true);
+    // Messages of the library begin with the name.
+    say(`${file.name}: ${grouped(problem.message.replace(`${file.name}: `, ''))}`, true);
+  }
+}
+
+let opened; // the model that the page shows or has in its menu: its name and its bytes
+
+// Loads a model, and draws it once. If it cannot be read, the model before it stays; if decimation makes it one that can be drawn, it is
+// taken, because the page has a button for that.
+function tryModel(name, bytes, settings) {
+  library.load(name, bytes);
+  const before = performance.now();
+  try {
+    library.draw(choice({ ...state, mesh: 'file', ...settings }));
+  } catch (problem) {
+    if (isRemedied(problem.message)) return;
+    if (opened) library.load(opened.name, opened.bytes);
+    throw new Error(drawnModel ? `${problem.message}. The page keeps ${meshName()}.` : problem.message);
+  } finally {
+    imported = performance.now() - before;
   }
 }
 
@@ -44,15 +68,24 @@ async function openPicture(file) {
   library.picture(width, new Uint8Array(context.getImageData(0, 0, width, height).data.buffer));
   if (!$('texture').querySelector('[value=file]')) $('texture').append(element('option', { value: 'file' }));
   $('texture').querySelector('[value=file]').textContent = file.name;
+  pictureName = file.name;
   set({ style: 'textured', texture: 'file' });
 }
 
 // A model, its material libraries and a picture may be dropped together: the libraries first, so that the model is drawn in their colours.
 async function openAll(files) {
-  for (const file of [...files].sort((a, b) => isLibrary(b) - isLibrary(a))) await open(file);
+  const [libraries, pictures] = [[...files].filter(isLibrary), [...files].filter(isPicture)];
+  // Of what is neither, a model is a model by its name, if one is.
+  const others = [...files].filter((file) => !isLibrary(file) && !isPicture(file)).sort((a, b) => isModel(b) - isModel(a));
+  for (const file of [...libraries, ...others.slice(0, 1), ...pictures.slice(0, 1)]) await open(file);
+  const left = [...others.slice(1), ...pictures.slice(1)].map(({ name }) => name);
+  const taken = [...others.slice(0, 1), ...pictures.slice(0, 1)].map(({ name }) => name);
+  notice(`${left.length ? `The page shows one model and one picture: ${taken.join(' and ')}, not ${left.join(', ')}.` : ''} ${askForFiles()}`);
 }
 
 const isLibrary = ({ name }) => /\.mtl$/i.test(name);
+const isModel = ({ name }) => /\.(stl|obj)$/i.test(name);
+const isPicture = ({ name }) => /\.(png|bmp|jpe?g|gif|webp)$/i.test(name);
 
 function listenForDrops() {
   const isFile = (e) => e.dataTransfer?.types.includes('Files');

@@ -1,6 +1,19 @@
 // Starts the page. Controls, mouse, touch and keys change a state; the library draws the state, and the address contains it.
 'use strict';
 
+// Shows the state of the address.
+function followAddress() {
+  isOwnSize = false;
+  written = undefined;
+  change(readAddress());
+  showControls();
+}
+
+function resetAll() {
+  history.replaceState(null, '', location.pathname + location.search);
+  followAddress();
+}
+
 async function start() {
   try {
     library = await Pinhole.from(await unpacked(PINHOLE));
@@ -14,9 +27,9 @@ async function start() {
   listenForDrops();
   listenToPointers();
   listenToKeys();
-  set(readAddress());
+  followAddress();
   addEventListener('resize', scale);
-  addEventListener('hashchange', () => set(readAddress()));
+  addEventListener('hashchange', followAddress);
 }
 
 start();

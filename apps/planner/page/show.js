@@ -14,26 +14,44 @@ function show() {
     canvas.getContext('2d').putImageData(new ImageData(new Uint8ClampedArray(pixels), about.width, about.height), 0, 0);
     scale();
     canvas.classList.remove('stale');
-    const { drawn, culled, clipped } = about.statistics;
-    const what = ofLines() ? 'edges' : 'faces';
-    say(`${about.width} × ${about.height}: ${drawn} ${what} drawn, ${culled} culled, ${clipped} clipped; ${count(about.bytes)} bytes a frame`);
-    canvas.setAttribute('aria-label', `${state.mesh === 'file' ? fileName : state.mesh}, ${state.style}, ${state.projection}, on ${about.width} × ${about.height} pixels`);
-    if (JSON.stringify(about.model) !== drawnModel) slowest = took;
+    if (!turning) describe(about);
+    // While the model turns, only another choice changes what is shown beside it.
+    const kind = JSON.stringify([{ ...state, turn: 0 }, about.model]);
+    if (turning && drawnModel && kind === shownKind) return;
+    shownKind = kind;
+    if (JSON.stringify(about.model) !== drawnModel) slowest = Math.max(took, imported);
+    imported = 0;
     showModel(about.model);
     showCosts(library, choice());
     showBoards();
   } catch (problem) {
-    say(problem.message, true);
+    shownKind = '';
+    say(grouped(problem.message), true);
     drawnModel = '';
     canvas.classList.add('stale');
-    $('decimation').hidden = true;
+    isTooLarge = isRemedied(problem.message);
+    showDecimation(state.decimate);
     hideCosts();
     showBoards();
-    const buttons = remedyButtons(problem.message);
-    $('warnings').replaceChildren(...(buttons.length ? [element('div', { className: 'warning' }, 'This page can do it: ', ...buttons)] : []));
+    // A turn would fail at each step: an import of half a second, again and again.
+    stopTurning();
+    showWarnings(`failed ${problem.message}`, () => {
+      const buttons = remedyButtons(problem.message);
+      return buttons.length ? [element('div', { className: 'warning' }, 'This page can do it: ', ...buttons)] : [];
+    });
     $('model').textContent = '';
   }
-  if (!turning) writeAddress();
+  addressSoon();
+}
+
+// The choice, without the turn, and the model that the page shows now.
+let shownKind = '';
+
+// Describes the frame in words. While the model turns it says nothing, because a screen reader would never end.
+function describe({ width, height, bytes, statistics: { drawn, culled, clipped } }) {
+  say(`${width} × ${height}: ${counted(drawn, ofLines() ? 'edge' : 'face')} drawn, ${count(culled)} culled, ${count(clipped)} clipped; ${count(bytes)} bytes a frame`);
+  const label = `${meshName()}, ${state.style}, ${state.projection}, on ${width} × ${height} pixels`;
+  if ($('display').getAttribute('aria-label') !== label) $('display').setAttribute('aria-label', label);
 }
 
 // The importer's warnings, with a button for each remedy that the page has.
@@ -42,12 +60,27 @@ function showModel(model) {
   if (text === drawnModel) return;
   drawnModel = text;
   $('model').textContent =
-    `${count(model.vertices)} vertices, ${count(model.faces)} faces${model.edges ? `, ${count(model.edges)} edges` : ''}; ${count(model.flash)} bytes of flash`;
+    `${counted(model.vertices, 'vertex', 'vertices')}, ${counted(model.faces, 'face')}${model.edges ? `, ${counted(model.edges, 'edge')}` : ''}; ${count(model.flash)} bytes of flash`;
   allFaces = model.all;
+  isTooLarge = false;
   showDecimation(state.decimate);
-  $('warnings').replaceChildren(...model.warnings.map(({ message, remedies }) =>
-    element('div', { className: 'warning' }, `Warning: ${message} `, ...remedyButtons(message, remedies))));
+  showWarnings(text, () => model.warnings.map(({ message, remedies }) =>
+    element('div', { className: 'warning' }, `Warning: ${grouped(message)} `, ...remedyButtons(message, remedies))));
 }
+
+// What the warnings are about. They are made again only if this differs: a button that is replaced between press and release is
+// not clicked.
+let warnedOf = '';
+
+function showWarnings(about, make) {
+  const text = `${about} ${state.decimate}`; // a remedy offers fewer faces than now
+  if (text === warnedOf) return;
+  warnedOf = text;
+  $('warnings').replaceChildren(...make());
+}
+
+// Whether decimation makes a model one that can be drawn.
+const isRemedied = (message) => menu.decimates && message.includes('--decimate N');
 
 // A button for each remedy of a message.
 function remedyButtons(message, remedies = []) {
@@ -55,7 +88,7 @@ function remedyButtons(message, remedies = []) {
     const name = { 'two-sided': 'faces from behind', 'fix-winding': 'winding outwards', flip: 'reversed faces' }[part];
     return remedyButton(`${value ? 'Use' : 'Leave out'} ${name}`, { [part]: value });
   });
-  if (menu.decimates && message.includes('--decimate N')) {
+  if (isRemedied(message)) {
     // Half of the present faces, as long as that still helps; for a model too large for a mesh, as many faces as a display can
     // show.
     const now = state.decimate || allFaces;
@@ -67,17 +100,14 @@ function remedyButtons(message, remedies = []) {
 
 function remedyButton(text, changes) {
   const button = element('button', { type: 'button', className: 'remedy' }, text);
-  button.addEventListener('click', () => set(changes));
+  button.addEventListener('click', () => {
+    set(changes);
+    // The button goes away, and the focus with it, unless it is moved: to the control that changed, if it is seen.
+    const [key] = Object.keys(changes);
+    const control = key === 'width' ? $('panel-type') : $(key);
+    (control?.checkVisibility() && !control.disabled ? control : $('status')).focus();
+  });
   return button;
-}
-
-// The slider goes from 4 faces to all; at its end nothing is decimated.
-function showDecimation(decimate) {
-  const most = Math.max(allFaces, decimate, 4);
-  $('decimation').hidden = !menu.decimates || !drawnModel;
-  $('decimate').max = most;
-  $('decimate').value = decimate || most;
-  $('decimate-faces').textContent = decimate ? `${count(decimate)} of ${count(most)} faces` : `all ${count(most)} faces`;
 }
 
 // Each pixel of the display takes a whole number of screen pixels, as many as fit.
@@ -87,6 +117,7 @@ function scale() {
   const fits = Math.min(room / canvas.width, Math.max(innerHeight * 0.6, 240) / canvas.height);
   const fine = devicePixelRatio || 1;
   const times = fits * fine >= 1 ? Math.floor(fits * fine) / fine : fits;
-  canvas.style.width = `${canvas.width * times}px`;
-  canvas.style.height = `${canvas.height * times}px`;
+  // A display of one row, or of one column, is seen, too.
+  canvas.style.width = `${Math.max(canvas.width * times, 1)}px`;
+  canvas.style.height = `${Math.max(canvas.height * times, 1)}px`;
 }

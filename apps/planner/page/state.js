@@ -13,16 +13,22 @@ const NUMBERS = Object.keys(DEFAULTS).filter((key) => typeof DEFAULTS[key] === '
 let library;
 let menu;
 let templates;
-let fileName;
+let fileName; // of the model that was opened
+let pictureName; // of the picture that was opened
 const materials = new Map(); // the material libraries that were opened, by their names
 let state = { ...DEFAULTS };
 let drawnModel = '';
-let allFaces = 0; // of the model, without decimation
+let allFaces = 0; // of the model, without decimation; 0 if they are not known
+let isTooLarge = false; // whether the model cannot be drawn with as many faces as now
 let slowest = 0; // milliseconds of the last frame that a new mesh was made for
+let imported = 0; // milliseconds in which the file that was opened last was drawn first
 let asked = false;
 
 // Whether the style draws edges instead of faces.
 const ofLines = () => ['wireframe', 'hidden-line'].includes(state.style);
+
+// The name of the chosen mesh in the menu.
+const meshName = () => (state.mesh === 'file' ? fileName : state.mesh);
 
 // The choice that is passed to the library: every part of the state but the board, which changes neither the picture nor its costs.
 const choice = ({ board, ...of } = state) => Object.entries(of).map(([key, value]) => `${key}=${value}`).join('&');
@@ -46,16 +52,31 @@ function change(changes) {
 
 // Changes the state and the controls.
 function set(changes) {
+  stopAwaiting(changes);
   change(changes);
   showControls();
 }
 
 const count = (number) => number.toLocaleString('en').replaceAll(',', '\u202f');
 
+// A message of the library, with its numbers written as the page's own.
+// It may begin with the name of the file, which stays as it is.
+function grouped(message) {
+  const name = message.startsWith(`${fileName}: `) ? `${fileName}: ` : '';
+  return name + message.slice(name.length).replace(/(?<![\w.])\d{4,}(?![\w]|\.\d)/g, (digits) => count(Number(digits)));
+}
+
+const counted = (number, one, many = `${one}s`) => `${count(number)} ${number === 1 ? one : many}`;
+
 function say(text, isBad = false) {
   // Written only where it differs, so that a screen reader does not repeat it.
   if ($('status').textContent !== text) $('status').textContent = text;
   $('status').classList.toggle('bad', isBad);
+}
+
+// What the user should know beside the picture, until something else takes its place.
+function notice(text) {
+  $('notice').textContent = text.trim();
 }
 
 function element(name, properties, ...content) {

@@ -18,8 +18,13 @@ function move(right, down) {
   set({ x: within(Math.round(state.x + by(right)), -4000, 4000), y: within(Math.round(state.y - by(down)), -4000, 4000) });
 }
 
+// The zoom with the fractions that the state does not have, so that small steps of a trackpad add up.
+let fineZoom = 100;
+
 function zoom(times) {
-  set({ zoom: within(Math.round(state.zoom * times), 20, 2000) });
+  if (Math.round(fineZoom) !== state.zoom) fineZoom = state.zoom;
+  fineZoom = within(fineZoom * times, ...ZOOMS);
+  if (Math.round(fineZoom) !== state.zoom) set({ zoom: Math.round(fineZoom) });
 }
 
 function reset() {
@@ -29,22 +34,32 @@ function reset() {
 
 let turning = false;
 
+function stopTurning() {
+  turning = false;
+  $('turntable').setAttribute('aria-pressed', false);
+}
+
 function turntable() {
-  turning = !turning;
-  $('turntable').setAttribute('aria-pressed', turning);
+  if (turning) {
+    stopTurning();
+    change({}); // the frame at which the turn ended is described, and its costs and address are shown
+    return;
+  }
+  turning = true;
+  $('turntable').setAttribute('aria-pressed', true);
   let last;
   // Steps follow the time that has passed, so a slow tab turns as fast, in larger steps: a turn takes 4 seconds.
   let at = state.turn;
   const step = (time) => {
     if (!turning) return;
+    if (Math.floor(at) % TURNS !== state.turn) at = state.turn; // it was reset meanwhile
     at += last === undefined ? 0 : within(time - last, 0, 1000) * (TURNS / 4000);
     last = time;
     const turn = Math.floor(at) % TURNS;
     if (turn !== state.turn) change({ turn });
     requestAnimationFrame(step);
   };
-  if (turning) requestAnimationFrame(step);
-  else writeAddress();
+  requestAnimationFrame(step);
 }
 
 function listenToPointers() {
@@ -75,7 +90,8 @@ function listenToPointers() {
   canvas.addEventListener('contextmenu', (e) => e.preventDefault());
   canvas.addEventListener('wheel', (e) => {
     e.preventDefault();
-    zoom(Math.exp(-e.deltaY / 500));
+    const pixels = e.deltaY * [1, 16, 400][e.deltaMode]; // some browsers count lines or pages
+    zoom(Math.exp(-pixels / 500));
   }, { passive: false });
 }
 
