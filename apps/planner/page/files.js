@@ -13,6 +13,7 @@ async function open(file) {
     await new Promise((done) => setTimeout(done)); // so that the line above is seen
     if (isLibrary(file)) {
       library.load(file.name, bytes);
+      tooLarge = {};
       materials.set(file.name, bytes);
       drawnModel = '';
       change({});
@@ -39,9 +40,10 @@ let opened; // the model that the page shows or has in its menu: its name and it
 // taken, because the page has a button for that.
 function tryModel(name, bytes, settings) {
   library.load(name, bytes);
+  tooLarge = {};
   const before = performance.now();
   try {
-    library.draw(choice({ ...state, mesh: 'file', ...settings }));
+    drawState({ ...state, mesh: 'file', ...settings });
   } catch (problem) {
     if (isRemedied(problem.message)) return;
     if (opened) library.load(opened.name, opened.bytes);
