@@ -29,6 +29,7 @@ async function open(file) {
     allFaces = 0;
     set({ mesh: 'file', ...settings });
   } catch (problem) {
+    for (const id of ['file', 'picture-file']) $(id).value = ''; // the page does not have this file
     // Messages of the library begin with the name.
     say(`${file.name}: ${grouped(problem.message.replace(`${file.name}: `, ''))}`, true);
   }
@@ -44,12 +45,11 @@ function tryModel(name, bytes, settings) {
   const before = performance.now();
   try {
     drawState({ ...state, mesh: 'file', ...settings });
+    imported = performance.now() - before;
   } catch (problem) {
     if (isRemedied(problem.message)) return;
     if (opened) library.load(opened.name, opened.bytes);
     throw new Error(drawnModel ? `${problem.message}. The page keeps ${meshName()}.` : problem.message);
-  } finally {
-    imported = performance.now() - before;
   }
 }
 

@@ -118,6 +118,7 @@ export const mistakes = ({ address, open, pixels, settled, load, faces, decimate
     await tab.waitForFunction(() => document.querySelector('#status').classList.contains('bad'));
     assert.match(await tab.textContent('#status'), /^notes\.zip: .*good\.stl/);
     assert.equal(await tab.evaluate(() => document.querySelector('#mesh').selectedOptions[0].textContent), 'good.stl');
+    assert.equal(await tab.inputValue('#file'), '');
     assert.ok(!(await tab.evaluate(() => document.querySelector('#display').classList.contains('stale'))));
     assert.equal(await tab.textContent('#model').then((text) => /faces/.test(text)), true);
     await tab.waitForTimeout(300);
