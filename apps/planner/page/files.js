@@ -13,6 +13,7 @@ async function open(file) {
     await new Promise((done) => setTimeout(done)); // so that the line above is seen
     if (isLibrary(file)) {
       library.load(file.name, bytes);
+      tooLarge = {};
       materials.set(file.name, bytes);
       drawnModel = '';
       change({});
@@ -28,6 +29,7 @@ async function open(file) {
     allFaces = 0;
     set({ mesh: 'file', ...settings });
   } catch (problem) {
+    for (const id of ['file', 'picture-file']) $(id).value = ''; // the page does not have this file
     // Messages of the library begin with the name.
     say(`${file.name}: ${grouped(problem.message.replace(`${file.name}: `, ''))}`, true);
   }
@@ -39,15 +41,15 @@ let opened; // the model that the page shows or has in its menu: its name and it
 // taken, because the page has a button for that.
 function tryModel(name, bytes, settings) {
   library.load(name, bytes);
+  tooLarge = {};
   const before = performance.now();
   try {
-    library.draw(choice({ ...state, mesh: 'file', ...settings }));
+    drawState({ ...state, mesh: 'file', ...settings });
+    imported = performance.now() - before;
   } catch (problem) {
     if (isRemedied(problem.message)) return;
     if (opened) library.load(opened.name, opened.bytes);
     throw new Error(drawnModel ? `${problem.message}. The page keeps ${meshName()}.` : problem.message);
-  } finally {
-    imported = performance.now() - before;
   }
 }
 

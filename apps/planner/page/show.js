@@ -6,7 +6,7 @@ function show() {
   const canvas = $('display');
   try {
     const before = performance.now();
-    const { pixels, about } = library.draw(choice());
+    const { pixels, about } = drawState();
     const took = performance.now() - before;
     if (canvas.width !== about.width || canvas.height !== about.height) {
       [canvas.width, canvas.height] = [about.width, about.height];
@@ -14,11 +14,11 @@ function show() {
     canvas.getContext('2d').putImageData(new ImageData(new Uint8ClampedArray(pixels), about.width, about.height), 0, 0);
     scale();
     canvas.classList.remove('stale');
-    if (!turning) describe(about);
-    // While the model turns, only another choice changes what is shown beside it.
+    // While the model turns, only another choice changes what is shown beside it: a screen reader that reads each frame never ends.
     const kind = JSON.stringify([{ ...state, turn: 0 }, about.model]);
     if (turning && drawnModel && kind === shownKind) return;
     shownKind = kind;
+    describe(about);
     if (JSON.stringify(about.model) !== drawnModel) slowest = Math.max(took, imported);
     imported = 0;
     showModel(about.model);
@@ -44,10 +44,25 @@ function show() {
   addressSoon();
 }
 
+// The last model that was too large, and its message: it is not read again for each view of it.
+let tooLarge = {};
+const modelKey = (of) => JSON.stringify(['mesh', 'style', 'edges', ...OF_FILE].map((key) => of[key]));
+
+function drawState(of = state) {
+  const model = modelKey(of);
+  if (tooLarge.model === model) throw new Error(tooLarge.message);
+  try {
+    return library.draw(choice(of));
+  } catch (problem) {
+    if (isRemedied(problem.message)) tooLarge = { model, message: problem.message };
+    throw problem;
+  }
+}
+
 // The choice, without the turn, and the model that the page shows now.
 let shownKind = '';
 
-// Describes the frame in words. While the model turns it says nothing, because a screen reader would never end.
+// Describes the frame in words.
 function describe({ width, height, bytes, statistics: { drawn, culled, clipped } }) {
   say(`${width} × ${height}: ${counted(drawn, ofLines() ? 'edge' : 'face')} drawn, ${count(culled)} culled, ${count(clipped)} clipped; ${count(bytes)} bytes a frame`);
   const label = `${meshName()}, ${state.style}, ${state.projection}, on ${width} × ${height} pixels`;

@@ -26,6 +26,15 @@ export const mistakes = ({ address, open, pixels, settled, load, faces, decimate
     await tab.locator('#display').press('ArrowLeft');
     await settled(tab);
     assert.ok(await tab.evaluate(() => window.button.isConnected), 'the same warning was made again');
+    // Nor is the model read again for another view of it.
+    await tab.evaluate(() => {
+      window.draws = 0;
+      const draw = Pinhole.prototype.draw;
+      Pinhole.prototype.draw = function (text) { window.draws += 1; return draw.call(this, text); };
+    });
+    await tab.locator('#display').press('ArrowLeft');
+    await settled(tab);
+    assert.equal(await tab.evaluate(() => window.draws), 0);
     await tab.click('#warnings button.remedy');
     await tab.waitForFunction(() => !document.querySelector('#status').classList.contains('bad'));
     assert.ok((await faces(tab)) <= 20_000);
@@ -109,6 +118,7 @@ export const mistakes = ({ address, open, pixels, settled, load, faces, decimate
     await tab.waitForFunction(() => document.querySelector('#status').classList.contains('bad'));
     assert.match(await tab.textContent('#status'), /^notes\.zip: .*good\.stl/);
     assert.equal(await tab.evaluate(() => document.querySelector('#mesh').selectedOptions[0].textContent), 'good.stl');
+    assert.equal(await tab.inputValue('#file'), '');
     assert.ok(!(await tab.evaluate(() => document.querySelector('#display').classList.contains('stale'))));
     assert.equal(await tab.textContent('#model').then((text) => /faces/.test(text)), true);
     await tab.waitForTimeout(300);
@@ -160,6 +170,14 @@ export const mistakes = ({ address, open, pixels, settled, load, faces, decimate
     await tab.waitForTimeout(300);
     assert.match(await tab.textContent('#status'), /drawn/);
     assert.equal((await writes()).cost, cost + 1);
+    // A file that is read meanwhile is described.
+    await tab.click('#turntable');
+    await load(tab, 'turned.stl', stl(12));
+    assert.match(await tab.textContent('#status'), /drawn/);
+    assert.match(await tab.textContent('#model'), /12 faces/);
+    await tab.click('#turntable');
+    await tab.selectOption('#mesh', 'gear');
+    await settled(tab);
     const outputs = await tab.locator('output').evaluateAll((all) => all.filter((o) => o.ariaLive !== 'off').map((o) => o.id));
     assert.deepEqual(outputs, []);
     // An image takes no keys.
