@@ -49,9 +49,9 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// A pixel of an edge is drawn if the edge is at least as near as the stored depth, or if the stored depth belongs to one
     /// of the two faces beside the edge ([`Mesh::with_edge_faces`](crate::Mesh::with_edge_faces)). The second rule is needed
     /// because a pixel's centre lies to one side of the edge, where the depth of a steep face differs much from that of the
-    /// edge. If the mesh has no edge faces, they are searched for among all faces, for each edge in each band: the same pixels,
-    /// but later (15 instructions a face and edge on a Cortex-M3: a gear of 384 faces and 288 edges in bands of 8 rows takes 7.2
-    /// million instead of 1.6 million). An edge whose two ends lie in one pixel is tested by its nearer end.
+    /// edge. If the mesh has no edge faces, all faces are searched for them, for each edge in each band: the same pixels, in a
+    /// time that grows with the number of faces times that of edges. An edge whose two ends lie in one pixel is tested by its
+    /// nearer end.
     ///
     /// So no pixel is drawn where the edge lies more than two steps behind the nearest face at the pixel's centre, unless that
     /// face is beside the edge. Errors are possible within a pixel of the point at which another face begins to hide the edge:
