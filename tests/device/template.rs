@@ -393,6 +393,8 @@ impl Folder {
             }
         }
         command.envs(variables.iter().copied());
+        // As in boards/check, whose builds these share.
+        command.env("CARGO_PROFILE_RELEASE_DEBUG", "false");
         // These would replace the flags of the templates.
         command.env_remove("RUSTFLAGS").env_remove("CARGO_ENCODED_RUSTFLAGS");
         let output = command.current_dir(&self.path).stdin(Stdio::null()).output().expect("bash");

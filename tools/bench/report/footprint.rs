@@ -27,7 +27,7 @@ const WITH_RISCV: &[Build] = &BUILDS;
 /// Builds of ways to draw that only the planner compares: at the opt-level whose times it knows.
 const FAST: &[Build] = &[BUILDS[0], BUILDS[2], BUILDS[4]];
 /// For [`ADDITIONS`], which are compared there.
-const M3_AT_3: &[Build] = &[BUILDS[0]];
+pub(crate) const M3_AT_3: &[Build] = &[BUILDS[0]];
 
 /// An image, and the parts of the library that it must not contain. All of these parts are in the image `WITNESS`, otherwise the
 /// check would be blind.
@@ -399,14 +399,15 @@ fn is_for(Part(file, _): &Part, build: Build) -> bool {
     }
 }
 
-pub(crate) fn measure(rebase: bool, failures: &mut Vec<String>) -> Result<Footprint> {
+/// Measures the images in these builds, the M3 at level 3 among them.
+pub(crate) fn measure(builds: &[Build], rebase: bool, failures: &mut Vec<String>) -> Result<Footprint> {
     // Otherwise the stack of cutting would not be measured.
     match bench::image::cut().ok_or("a camera")?.as_slice() {
         [[0, 0], [a, b]] if *a > 0 && *b > 0 => {}
         cut => failures.push(format!("of the cubes these faces are cut, not none, then some: {cut:?}")),
     }
     let (mut sizes, mut code) = (BTreeMap::new(), BTreeMap::new());
-    for build in BUILDS {
+    for &build in builds {
         build.cargo("build", &bins(build))?;
         let image = |name: &str| build.image(&format!("flash_{name}"));
         let empty = elf::sizes(&image("empty"))?.flash;

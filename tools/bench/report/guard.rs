@@ -1,10 +1,11 @@
 //! Checks whether a change has made S1, S2 or S3 slower on M0 or M3: `baseline.txt` has their counts at the time when it was
 //! written. The targets stay, however often the baseline is written again. The baseline also has the instructions of textures by each
-//! method of `docs/accuracy.md`, which `apps/accuracy` reads from it: for these, a count fails if it is too high or too low.
+//! method of `docs/accuracy.md`, which `apps/accuracy` reads from it: for these, a count fails if it is too high or too low. Sizes of
+//! images for an M3 are compared with their limits.
 
 use crate::cells::{self, Cell, Choice};
 use crate::page::BUILT;
-use crate::{cross, targets, Result};
+use crate::{cross, footprint, targets, Result};
 use std::fmt::Write;
 
 const BASELINE: &str = "tools/bench/baseline.txt";
@@ -36,6 +37,7 @@ pub(crate) fn check(failures: &mut Vec<String>) -> Result<()> {
     if !same {
         eprintln!("{BASELINE} is another compiler's than {compiler}: no change of this fails.");
     }
+    footprint::measure(footprint::M3_AT_3, false, failures)?;
     Ok(())
 }
 

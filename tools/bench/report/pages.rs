@@ -55,7 +55,9 @@ impl Page {
             }
             Self::Bands => bands_page::text(compiler, &measure_bands(failures)?),
             Self::Cores => two_cores::text(compiler, &two_cores::measure(&bands::host()?, failures)?),
-            Self::Footprint => footprint_page::text(compiler, &footprint::measure(rebase, failures)?),
+            Self::Footprint => {
+                footprint_page::text(compiler, &footprint::measure(&footprint::BUILDS, rebase, failures)?)
+            }
         })
     }
 }
