@@ -6,9 +6,9 @@
 //!
 //! ```
 //! use pinhole::{clip, space::View, Point3, Projection, Scalar, Window};
-//! let one = Scalar::from_num(1);
+//! let one = Scalar::from_int(1);
 //! let window = Window { left: -one, right: one, bottom: -one, top: one };
-//! let view = Projection::orthographic(window, one, Scalar::from_num(3))?;
+//! let view = Projection::orthographic(window, one, Scalar::from_int(3))?;
 //! let inside = view.apply(Point3::<View>::from_ints(0, 0, -2));
 //! let right = view.apply(Point3::<View>::from_ints(2, 0, -2));
 //! assert_eq!(right.outcode(), pinhole::Outcode::RIGHT);
@@ -314,9 +314,9 @@ pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
 ///
 /// ```
 /// use pinhole::{clip::{self, ClipVertex}, space::View, Point3, Projection, Scalar, Window};
-/// let one = Scalar::from_num(1);
+/// let one = Scalar::from_int(1);
 /// let window = Window { left: -one, right: one, bottom: -one, top: one };
-/// let view = Projection::orthographic(window, one, Scalar::from_num(3))?;
+/// let view = Projection::orthographic(window, one, Scalar::from_int(3))?;
 /// // Twice as wide as the window, with an attribute from 0 to 200.
 /// let corner = |x, y, light| {
 ///     ClipVertex { point: view.apply(Point3::<View>::from_ints(x, y, -2)), attributes: [light] }

@@ -269,11 +269,11 @@ fn s5_a_sphere_beyond_the_scalars_is_partly_visible() {
         let model = if corner > 0 {
             Affine::<Model, World>::identity()
         } else {
-            Affine::scale(Scalar::from_num(0.25)) // 60 000 to 15 000
+            Affine::scale(Scalar::from_ratio(1, 4)) // 60 000 to 15 000
         };
         let at = if corner > 0 { corner } else { 15_000 };
         let window = bridge::pair::window([-10 << 16, 10 << 16, -10 << 16, 10 << 16]);
-        let lens = Projection::orthographic(window, Scalar::from_num(1), Scalar::from_num(2000));
+        let lens = Projection::orthographic(window, Scalar::from_int(1), Scalar::from_int(2000));
         let view = ViewTransform::look_along(
             Point3::from_ints(at, at, at + 1000),
             Vector3::from_ints(0, 0, -1),

@@ -135,6 +135,7 @@ public_types![
     SceneError,
     ReferenceVolume,
     RigidLambert,
+    Scalar,
     Scissor,
     ShadeTable<Plain>,
     TableShader<'static, Plain>,

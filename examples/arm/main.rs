@@ -97,7 +97,7 @@ fn camera(size: Size) -> Result<Camera, Box<dyn Error>> {
         Vector3::from_ints(0, 1, 0),
     )?;
     let projection =
-        Projection::perspective(Angle::degrees(34), size, Scalar::from_num(2), Scalar::from_num(20))?;
+        Projection::perspective(Angle::degrees(34), size, Scalar::from_int(2), Scalar::from_int(20))?;
     Ok(Camera::new(&viewing, &projection, &Viewport::new(Point::zero(), size)?))
 }
 

@@ -83,8 +83,7 @@ pub(crate) struct Part {
 }
 
 fn shift(x: f32, y: f32, z: f32) -> Affine<Model, Model> {
-    let number = |v: f32| Scalar::from_num(v);
-    Affine::translation(Vector3::new(number(x), number(y), number(z)))
+    Affine::translation(Vector3::from_f32(x, y, z).expect("in range"))
 }
 
 /// An angle of `amplitude` degrees times the sine of `phase`.
@@ -125,7 +124,7 @@ pub(crate) fn nodes() -> [Node; NODES] {
         *node = Node::child(parent as u16, local);
     }
     for (node, shape) in nodes[JOINTS..].iter_mut().zip(&SHAPES) {
-        let [across, up, deep] = shape.half.map(|v: f32| Scalar::from_num(v));
+        let [across, up, deep] = shape.half.map(|v| Scalar::from_f32(v).expect("in range"));
         let sized = Affine::<Model, Model>::scale_axes(across, up, deep);
         let turned: Affine<Model, Model> =
             if shape.lying { Affine::rotation_x(Angle::QUARTER_TURN) } else { Affine::identity() };
@@ -156,6 +155,6 @@ pub(crate) fn parts<'r>(robot: &'r Hierarchy<'_>) -> impl Iterator<Item = Part> 
 
 /// The point between the tips of the fingers.
 pub(crate) fn tip(robot: &Hierarchy<'_>) -> Point3<World> {
-    let tip = Point3::new(Scalar::ZERO, Scalar::from_num(HAND_LENGTH + FINGER), Scalar::ZERO);
+    let tip = Point3::from_f32(0.0, HAND_LENGTH + FINGER, 0.0).expect("in range");
     robot.world(HAND).map_or(Point3::from_ints(0, 0, 0), |hand| hand.apply(tip))
 }

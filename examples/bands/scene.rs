@@ -53,7 +53,7 @@ impl Scene {
             Vector3::from_ints(0, 1, 0),
         )?;
         let projection =
-            Projection::perspective(Angle::degrees(45), SIZE, Scalar::from_num(10), Scalar::from_num(60))?;
+            Projection::perspective(Angle::degrees(45), SIZE, Scalar::from_int(10), Scalar::from_int(60))?;
         let model = Affine::rotation_y(Angle::degrees(-25));
         Ok(Self {
             instance: Camera::new(&view, &projection, &viewport).place(&TEAPOT, &model),

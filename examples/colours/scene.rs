@@ -46,7 +46,7 @@ impl Scene {
             Vector3::from_ints(0, 1, 0),
         )?;
         let projection =
-            Projection::perspective(Angle::degrees(31), size, Scalar::from_num(10), Scalar::from_num(90))?;
+            Projection::perspective(Angle::degrees(31), size, Scalar::from_int(10), Scalar::from_int(90))?;
         let camera = Camera::new(&viewing, &projection, &Viewport::new(Point::zero(), size)?);
         let model = Affine::<Model, World>::rotation_y(Angle::degrees(-25));
         // The light comes from above, the left and the front.

@@ -61,7 +61,7 @@ fn gauge() -> Result<Canvas<BinaryColor>, Box<dyn Error>> {
 /// Along the street, looking a little to the left.
 fn walk() -> Result<Canvas<Rgb565>, Box<dyn Error>> {
     let mut display = colour_display(320, 240);
-    let eye = Point3::new(Scalar::ZERO, Scalar::from_num(1.8), Scalar::from_num(25));
+    let eye = Point3::new(Scalar::ZERO, Scalar::from_ratio(9, 5), Scalar::from_int(25));
     walk::draw(&walk::build(), (eye, Angle::degrees(8)), &mut display)?;
     Ok(display)
 }

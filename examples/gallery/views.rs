@@ -18,7 +18,7 @@ pub(crate) struct View {
 }
 
 fn number(v: f32) -> Scalar {
-    Scalar::from_num(v)
+    Scalar::from_f32(v).expect("in range")
 }
 
 /// A square window centred on the axis.

@@ -43,7 +43,7 @@ pub(crate) fn fog(_face: usize) -> Fog {
 pub(crate) fn camera() -> Result<(ViewTransform, Projection, Viewport), Box<dyn Error>> {
     let [eye, towards] = [EYE, TOWARDS].map(|[x, y, z]| Point3::from_ints(x, y, z));
     let view = ViewTransform::look_at(eye, towards, Vector3::from_ints(0, 1, 0))?;
-    let [near, far] = NEAR_FAR.map(Scalar::from_num);
+    let [near, far] = NEAR_FAR.map(Scalar::from_int);
     let projection = Projection::perspective(Angle::degrees(FIELD_OF_VIEW.into()), SIZE, near, far)?;
     Ok((view, projection, Viewport::new(Point::zero(), SIZE)?))
 }

@@ -102,7 +102,7 @@ fn camera(distance: i16) -> Camera {
     let eye = Point3::from_ints(0, distance / 3, distance);
     let viewing = ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))
         .expect("a direction");
-    let (near, far) = (Scalar::const_from_int(1), Scalar::const_from_int(100));
+    let (near, far) = (Scalar::from_int(1), Scalar::from_int(100));
     let projection = Projection::perspective(Angle::degrees(30), SIZE, near, far).expect("a field of view");
     let viewport = Viewport::new(Point::zero(), SIZE).expect("a picture");
     Camera::new(&viewing, &projection, &viewport)

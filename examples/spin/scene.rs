@@ -50,8 +50,8 @@ impl<'m> Turntable<'m> {
         let projection = Projection::perspective(
             Angle::degrees(30),
             size,
-            Scalar::from_num((distance - radius) * 0.99),
-            Scalar::from_num((distance + radius) * 1.01),
+            Scalar::from_f64((distance - radius) * 0.99)?,
+            Scalar::from_f64((distance + radius) * 1.01)?,
         )?;
         let viewport = Viewport::new(Point::zero(), size)?;
         Ok(Turntable {

@@ -135,6 +135,6 @@ fn camera(size: Size) -> Result<Camera, Box<dyn Error>> {
         Vector3::from_ints(0, 0, 1),
     )?;
     let projection =
-        Projection::perspective(Angle::degrees(41), size, Scalar::from_num(2), Scalar::from_num(14))?;
+        Projection::perspective(Angle::degrees(41), size, Scalar::from_int(2), Scalar::from_int(14))?;
     Ok(Camera::new(&viewing, &projection, &Viewport::new(Point::zero(), size)?))
 }

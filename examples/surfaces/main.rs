@@ -87,14 +87,14 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
 
 /// The view from an eye to the origin, rolled by an angle.
 fn view(eye: [f64; 3], roll: f64) -> Result<ViewTransform, Box<dyn Error>> {
-    let [x, y, z] = eye.map(Scalar::from_num);
+    let [x, y, z] = eye.map(Scalar::from_f64);
     let up = Vector3::from_f32(roll.to_radians().sin() as f32, roll.to_radians().cos() as f32, 0.0)?;
-    Ok(ViewTransform::look_at(Point3::new(x, y, z), Point3::from_ints(0, 0, 0), up)?)
+    Ok(ViewTransform::look_at(Point3::new(x?, y?, z?), Point3::from_ints(0, 0, 0), up)?)
 }
 
 fn camera(view: &ViewTransform, near: f64, far: f64) -> Result<Camera, Box<dyn Error>> {
     let viewport = Viewport::new(Point::zero(), PICTURE)?;
-    let [near, far] = [near, far].map(Scalar::from_num);
+    let [near, far] = [Scalar::from_f64(near)?, Scalar::from_f64(far)?];
     let projection = Projection::perspective(Angle::degrees(38), PICTURE, near, far)?;
     Ok(Camera::new(view, &projection, &viewport))
 }
@@ -180,7 +180,7 @@ fn lamps() -> Drawn {
             let mut levels = vec![16; body.vertices.len()];
             for [x, y, z] in lamps {
                 let at = Point3::from_f32(x, y, z)?;
-                let lamp = PointLight::new(&model, mesh.exponent(), at, Scalar::from_num(1.8), 256);
+                let lamp = PointLight::new(&model, mesh.exponent(), at, Scalar::from_ratio(9, 5), 256);
                 lamp.add_levels(&body.vertices, &body.normals, &mut levels);
             }
             let shader = |face: usize| table.lit(mesh.corners_of(face, &levels));

@@ -89,7 +89,7 @@ pub(crate) fn wood() -> Drawn {
             .collect();
         let mesh = Mesh::new(&points, -12, &[])?;
         let tree = Sprite::new(ColorKeyed::new(&conifer, KEY))
-            .with_height(Scalar::from_num(1.3))
+            .with_height(Scalar::from_ratio(13, 10))
             .with_anchor(AnchorPoint::BottomCenter);
         camera.place_sprites(&mesh, &Affine::identity()).depth_tested(|_| tree, depth, target)?;
         Ok(())
@@ -121,7 +121,7 @@ pub(crate) fn fountain() -> Drawn {
                 let number = (3 * z + x + 30) as usize;
                 let [dx, dy] = [0, 1].map(|of| scattered(number, of) as f32 - 0.5);
                 let at = Point3::from_f32(x as f32 * 1.1 + dx, 1.0 + 0.9 * dy, z as f32 * 0.18)?;
-                let size = Scalar::from_num(0.5 + 0.4 * scattered(number, 2));
+                let size = Scalar::from_f64(0.5 + 0.4 * scattered(number, 2))?;
                 let puff =
                     Sprite::new(HalfBlended::new(Puff(120 + 20 * (number % 4) as u8))).with_size(size, size);
                 camera.place_sprite(at).depth_tested(|_| puff, depth, target)?;

@@ -36,14 +36,14 @@ impl SpriteSource for Picked {
 
 /// One world unit is a pixel: positions and lengths are exact in 1/256.
 fn camera() -> Camera {
-    let [zero, width, height] = [0, 64, 48].map(Scalar::from_num);
+    let [zero, width, height] = [0, 64, 48].map(Scalar::from_int);
     let view = ViewTransform::look_along(
         Point3::from_ints(0, 0, 0),
         Vector3::from_ints(0, 0, -1),
         Vector3::from_ints(0, 1, 0),
     );
     let window = Window { left: zero, right: width, bottom: -height, top: zero };
-    let lens = Projection::orthographic(window, Scalar::from_num(1), Scalar::from_num(257));
+    let lens = Projection::orthographic(window, Scalar::from_int(1), Scalar::from_int(257));
     Camera::new(&view.unwrap(), &lens.unwrap(), &Viewport::new(Point::zero(), SIZE).unwrap())
 }
 
@@ -104,8 +104,11 @@ fuzz_target!(|data: &[u8]| {
             }
         };
         // y is down on the screen.
-        let at =
-            Point3::new(Scalar::from_bits(x << 8), Scalar::from_bits(-y << 8), Scalar::from_num(-distance));
+        let at = Point3::new(
+            Scalar::from_bits(x << 8),
+            Scalar::from_bits(-y << 8),
+            Scalar::from_int(-i32::from(distance)),
+        );
         let seen = camera.project(at).expect("inside");
         assert_eq!((seen.point.x(), seen.point.y()), (x, y));
         drawn.push((at, sprite));

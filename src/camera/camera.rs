@@ -20,7 +20,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
 /// let camera = Camera::new(
 ///     &ViewTransform::look_at(Point3::from_ints(0, 2, 6), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-///     &Projection::perspective(Angle::degrees(50), viewport.size(), Scalar::from_num(1), Scalar::from_num(50))?,
+///     &Projection::perspective(Angle::degrees(50), viewport.size(), Scalar::from_int(1), Scalar::from_int(50))?,
 ///     &viewport,
 /// );
 /// # let _ = camera;
@@ -37,7 +37,7 @@ use embedded_graphics_core::primitives::Rectangle;
 ///     let (eye, origin, up) = (Point3::from_ints(0, 2, 6), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
 ///     let Ok(viewing) = ViewTransform::look_at(eye, origin, up) else { panic!("the direction") };
 ///     let Ok(viewport) = Viewport::new(Point::zero(), Size::new(240, 240)) else { panic!("the size") };
-///     let (near, far) = (Scalar::const_from_int(1), Scalar::const_from_int(50));
+///     let (near, far) = (Scalar::from_int(1), Scalar::from_int(50));
 ///     let Ok(lens) = Projection::perspective(Angle::degrees(50), viewport.size(), near, far) else { panic!("the lens") };
 ///     Camera::new(&viewing, &lens, &viewport)
 /// };
@@ -116,7 +116,7 @@ impl Camera {
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
     /// # let up = Vector3::from_ints(0, 1, 0);
-    /// # let [near, far] = [1, 9].map(Scalar::from_num);
+    /// # let [near, far] = [1, 9].map(Scalar::from_int);
     /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
     /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// let beyond = Point3::from_ints(0, 0, -20); // 25 from the eye, where far is 9

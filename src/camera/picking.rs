@@ -39,7 +39,7 @@ impl Camera {
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
     /// use pinhole::{Angle, Camera, Point3, Projected, Projection, Scalar, Vector3, ViewTransform, Viewport};
-    /// # let (near, far) = (Scalar::from_num(1), Scalar::from_num(9));
+    /// # let (near, far) = (Scalar::from_int(1), Scalar::from_int(9));
     /// # let (eye, origin, up) = (Point3::from_ints(0, 3, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
     /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
     /// let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
@@ -48,11 +48,11 @@ impl Camera {
     /// let Projected { point: at, depth } = camera.project(Point3::from_ints(1, 0, 1))?;
     /// // ... what was touched there, ...
     /// let back = camera.unproject(at, depth).ok_or("outside the world")?;
-    /// let close = |a: Scalar, b: i16| (a - Scalar::from_num(b)).abs() < Scalar::from_num(0.01);
+    /// let close = |a: Scalar, b: i16| (a - b.into()).abs() < Scalar::from_ratio(1, 100);
     /// assert!(close(back.x(), 1) && close(back.y(), 0) && close(back.z(), 1));
     /// // ... and the line on which it lies, whatever its depth: from the near plane into the picture.
     /// let ray = camera.ray(at).ok_or("too flat a view")?;
-    /// assert!(ray.direction.y() < 0 && ray.direction.z() < 0 && ray.origin.y() < eye.y());
+    /// assert!(ray.direction.y() < Scalar::ZERO && ray.direction.z() < Scalar::ZERO && ray.origin.y() < eye.y());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -119,7 +119,7 @@ impl Camera {
     /// use embedded_graphics::geometry::{Point, Size};
     /// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
     /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
-    /// # let (near, far) = (Scalar::from_num(1), Scalar::from_num(9));
+    /// # let (near, far) = (Scalar::from_int(1), Scalar::from_int(9));
     /// let lens = Projection::perspective(Angle::degrees(90), viewport.size(), near, far)?;
     /// // From (5, 0, 5): parallels to x and to z meet at 45° to the gaze, on the borders; those to y stay parallel.
     /// let eye = Point3::from_ints(5, 0, 5);

@@ -14,7 +14,7 @@ use embedded_graphics_core::geometry::Point;
 /// use pinhole::{Camera, Point3, Projected, ProjectError, Viewport};
 /// # let origin = Point3::from_ints(0, 0, 0);
 /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-/// # let sphere = Sphere { centre: origin, radius: Scalar::from_num(2) };
+/// # let sphere = Sphere { centre: origin, radius: Scalar::from_int(2) };
 /// # let camera = Camera::framing(&sphere, &viewport, Angle::degrees(30), Angle::ZERO, Angle::ZERO)?;
 /// let Projected { point, depth } = camera.project(Point3::from_ints(0, 0, 0))?;
 /// assert_eq!((point.x(), point.y()), (32 * 256, 32 * 256)); // in 1/256 pixel

@@ -98,7 +98,7 @@ mod tests {
         let size = Size::new(240, 180);
         let viewport = Viewport::new(Point::new(3, -5), size).unwrap();
         // A window of 1/32 × 3/128 world units at 1/64: 90° across.
-        let (near, far) = (Scalar::from_bits(1 << 10), Scalar::from_num(3000));
+        let (near, far) = (Scalar::from_bits(1 << 10), Scalar::from_int(3000));
         let [x, y] = [1 << 10, 3 << 8].map(Scalar::from_bits);
         let lens = Projection::frustum(Window { left: -x, right: x, bottom: -y, top: y }, near, far).unwrap();
         let focal = 120.0 * 256.0 / 65536.0; // sub-pixels at distance 1 of 2⁻¹⁶ world units
@@ -160,10 +160,10 @@ mod tests {
             Vector3::from_ints(0, 1, 0),
         );
         let viewport = Viewport::new(Point::zero(), Size::new(64, 64)).unwrap();
-        let (near, far) = (Scalar::from_num(1), Scalar::from_num(9));
+        let (near, far) = (Scalar::from_int(1), Scalar::from_int(9));
         let lens = Projection::perspective(Angle::degrees(60), Size::new(64, 64), near, far).unwrap();
         let size = SizeOnScreen::new(&Camera::new(&view.unwrap(), &lens, &viewport), &Affine::identity(), 0);
-        let at = |z| size.at([3i16, -4, z], [Scalar::from_num(1); 2], 1 << 30);
+        let at = |z| size.at([3i16, -4, z], [Scalar::from_int(1); 2], 1 << 30);
         assert_eq!((at(0), at(1)), (None, None));
         assert!(at(-1).is_some());
         assert_eq!(size.at([0i16, 0, -2], [Scalar::ZERO, -Scalar::ONE], 1 << 30), Some([0, 0]));

@@ -450,7 +450,7 @@ mod tests {
     /// Compares `project` and `project_wide` bit by bit for random vertices; returns how many `project` gave a position.
     fn compare(lens: &Projection, eye: f32, seed: u64) -> usize {
         let viewport = Viewport::new(Point::new(-7, 3), Size::new(240, 180)).unwrap();
-        let at = Point3::new(Scalar::from_num(eye * 0.3), Scalar::from_num(eye * 0.2), Scalar::from_num(eye));
+        let at = Point3::from_f32(eye * 0.3, eye * 0.2, eye).unwrap();
         let origin = Point3::from_ints(0, 0, 0);
         let viewing = ViewTransform::look_at(at, origin, Vector3::from_ints(0, 1, 0)).unwrap();
         let camera = Camera::new(&viewing, lens, &viewport);
@@ -522,7 +522,7 @@ mod tests {
     /// ARCHITECTURE.md, "Numbers": half a unit from rounding, and the bits truncated before.
     #[test]
     fn depth_of_a_vertex_is_within_0_7_of_its_unit() {
-        let number = Scalar::from_num::<f64>;
+        let number = |v| Scalar::from_f64(v).expect("in range");
         let viewport = Viewport::new(Point::zero(), Size::new(240, 180)).unwrap();
         let (mut random, mut largest, mut counts) = (Random(7), [0.0_f64; 2], [0; 2]);
         for (near, far) in
@@ -560,7 +560,7 @@ mod tests {
     #[test]
     fn the_packed_and_the_wide_path_give_the_same_bits() {
         let size = Size::new(240, 180);
-        let number = Scalar::from_num::<f64>;
+        let number = |v| Scalar::from_f64(v).expect("in range");
         let mut positions = 0;
         for (near, far) in [(0.05, 3.0), (0.5, 20.0), (1.0, 1.2), (1.0, 3000.0), (2.5, 3.5), (0.001, 9.0)] {
             for eye in [0.6, 1.4, 3.0, 12.0] {
@@ -579,7 +579,7 @@ mod tests {
     #[test]
     fn planes_outside_are_those_of_negative_distance() {
         let (size, random) = (Size::new(240, 180), &mut Random(44));
-        let (near, far) = (Scalar::from_num(0.5), Scalar::from_num(20));
+        let (near, far) = (Scalar::from_ratio(1, 2), Scalar::from_int(20));
         let lens = Projection::perspective(Angle::degrees(60), size, near, far).unwrap();
         let view = ViewTransform::look_at(
             Point3::from_ints(1, 2, 3),

@@ -145,7 +145,7 @@ impl ViewTransform {
     /// ```
     /// use pinhole::{Angle, Point3, Scalar, ViewTransform};
     /// let target = Point3::from_ints(1, 2, 3);
-    /// let from_the_right = ViewTransform::orbit(target, Scalar::from_num(5), Angle::QUARTER_TURN, Angle::ZERO);
+    /// let from_the_right = ViewTransform::orbit(target, Scalar::from_int(5), Angle::QUARTER_TURN, Angle::ZERO);
     /// assert_eq!(from_the_right.eye(), [6 << 32, 2 << 32, 3 << 32]);
     /// assert_eq!(from_the_right.apply(target), Point3::from_ints(0, 0, -5));
     /// ```
@@ -203,11 +203,11 @@ impl ViewTransform {
     ///
     /// ```
     /// use pinhole::{Point3, Scalar, Side, Vector3, ViewTransform, ViewTransformError};
-    /// let (origin, up) = (Point3::from_ints(0, 0, 0), Scalar::from_num(2));
+    /// let (origin, up) = (Point3::from_ints(0, 0, 0), Scalar::from_int(2));
     /// let views = [
     ///     ViewTransform::multiview(origin, Side::Top),
     ///     ViewTransform::isometric(origin),
-    ///     ViewTransform::dimetric(origin, Scalar::from_num(1), up)?, // VPN (1, 2, 1)
+    ///     ViewTransform::dimetric(origin, Scalar::from_int(1), up)?, // VPN (1, 2, 1)
     ///     ViewTransform::trimetric(origin, Vector3::from_ints(1, 2, 3))?,
     /// ];
     /// // The foreshortening of each axis is √(1 − nᵢ²).
@@ -441,7 +441,7 @@ mod tests {
         let (target, distance) = (Point3::from_ints(100, -20, 7), 640.5);
         for step in 0..400 {
             let (yaw, pitch) = (Angle::turns(step * 7, 400), Angle::turns(step * 11 + 1, 44));
-            let view = ViewTransform::orbit(target, Scalar::from_num(distance), yaw, pitch);
+            let view = ViewTransform::orbit(target, Scalar::from_ratio(1281, 2), yaw, pitch);
             let [yaw, pitch] =
                 [yaw, pitch].map(|a| f64::from(a.bits()) / 4_294_967_296.0 * core::f64::consts::TAU);
             let ((sy, cy), (sp, cp)) = (yaw.sin_cos(), pitch.sin_cos());
@@ -464,7 +464,7 @@ mod tests {
         let same = ViewTransform::look_at(Point3::from_ints(3, 0, 0), Point3::from_ints(0, 0, 0), up);
         let origin = Point3::from_ints(0, 0, 0);
         assert_eq!(
-            Ok(ViewTransform::orbit(origin, Scalar::from_num(3), Angle::QUARTER_TURN, Angle::ZERO)),
+            Ok(ViewTransform::orbit(origin, Scalar::from_int(3), Angle::QUARTER_TURN, Angle::ZERO)),
             same
         );
     }

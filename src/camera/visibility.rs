@@ -31,7 +31,7 @@ impl Camera {
     /// use embedded_graphics::geometry::{Point, Size};
     /// use pinhole::{Affine, Angle, Camera, Mesh, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport, Visibility};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
-    /// # let (near, far) = (Scalar::from_num(1), Scalar::from_num(9));
+    /// # let (near, far) = (Scalar::from_int(1), Scalar::from_int(9));
     /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
     /// # let (eye, origin, up) = (Point3::from_ints(0, 0, 5), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
     /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
@@ -54,7 +54,7 @@ impl Camera {
     /// use embedded_graphics::geometry::{Point, Size};
     /// use pinhole::{Affine, Angle, Camera, Mesh, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport, Visibility};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
-    /// # let (near, far) = (Scalar::from_num(1), Scalar::from_num(9));
+    /// # let (near, far) = (Scalar::from_int(1), Scalar::from_int(9));
     /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
     /// # let (eye, origin, up) = (Point3::from_ints(0, 0, 5), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
     /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
@@ -194,10 +194,10 @@ mod tests {
         let eye = Point3::from_ints(0, 0, 10);
         let up = Vector3::from_ints(0, 1, 0);
         let viewing = ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), up).unwrap();
-        let (near, far) = (Scalar::from_num(1), Scalar::from_num(20));
+        let (near, far) = (Scalar::from_int(1), Scalar::from_int(20));
         let lens = Projection::perspective(Angle::degrees(90), size, near, far).unwrap();
         let camera = Camera::new(&viewing, &lens, &Viewport::new(Point::zero(), size).unwrap());
-        let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_num(0.5) };
+        let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_ratio(1, 2) };
         let at = |x, y, z| camera.visibility(&sphere, &Affine::translation(Vector3::from_ints(x, y, z)));
         assert_eq!(size_of::<Frustum>(), 264); // what its documentation says
         for [x, y, z] in [[0, 0, 0], [8, 0, 0], [-8, 0, 0], [0, 8, 0], [0, -8, 0], [0, 0, 8], [0, 0, -9]] {

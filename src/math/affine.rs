@@ -333,7 +333,7 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// ```
     /// use pinhole::{space::{Model, World}, Affine, Angle, Point3, Scalar, Vector3};
     /// let quarter = Angle::QUARTER_TURN;
-    /// let place = Affine::identity().scale_by(Scalar::from_num(2)).rotate_z(quarter).translate(Vector3::from_ints(0, 0, -5));
+    /// let place = Affine::identity().scale_by(Scalar::from_int(2)).rotate_z(quarter).translate(Vector3::from_ints(0, 0, -5));
     /// assert_eq!(place.apply(Point3::<Model>::from_ints(1, 0, 0)), Point3::<World>::from_ints(0, 2, -5));
     /// ```
     #[must_use]
@@ -543,7 +543,7 @@ mod tests {
     #[test]
     fn chains_compose() {
         let (angle, t, factor) =
-            (Angle::degrees(25), Vector3::from_ints(1, -2, 30_000), Scalar::from_num(1.25));
+            (Angle::degrees(25), Vector3::from_ints(1, -2, 30_000), Scalar::from_ratio(5, 4));
         let base =
             Affine::<Model, World>::rotation_y(Angle::degrees(70)).translate(Vector3::from_ints(5, 6, 7));
         let steps = [

@@ -114,8 +114,8 @@ impl Angle {
     ///
     /// ```
     /// use pinhole::{Angle, Scalar};
-    /// assert_eq!(Angle::degrees(30).sin(), Scalar::from_num(0.5));
-    /// assert_eq!(Angle::degrees(180).cos(), Scalar::from_num(-1));
+    /// assert_eq!(Angle::degrees(30).sin(), Scalar::from_ratio(1, 2));
+    /// assert_eq!(Angle::degrees(180).cos(), Scalar::from_int(-1));
     /// ```
     pub const fn sin(self) -> Scalar {
         to_scalar(self.sin_cos().0)
@@ -131,7 +131,7 @@ impl Angle {
     ///
     /// ```
     /// use pinhole::{Angle, Scalar};
-    /// let [zero, one, two] = [0, 1, 2].map(Scalar::from_num);
+    /// let [zero, one, two] = [0, 1, 2].map(Scalar::from_int);
     /// assert_eq!(Angle::atan2(two, zero), Angle::QUARTER_TURN);
     /// assert_eq!(Angle::atan2(zero, -one), Angle::HALF_TURN);
     /// let error = Angle::atan2(one, one) - Angle::degrees(45);

@@ -9,9 +9,9 @@ use crate::space::Ndc;
 ///
 /// ```
 /// use pinhole::{Projection, Window, Scalar, Point3, space::View};
-/// let one = Scalar::from_num(1);
+/// let one = Scalar::from_int(1);
 /// let window = Window { left: -one, right: one, bottom: -one, top: one };
-/// let frustum = Projection::frustum(window, one, Scalar::from_num(3))?;
+/// let frustum = Projection::frustum(window, one, Scalar::from_int(3))?;
 /// let clip = frustum.apply(Point3::<View>::from_ints(0, 0, -3));
 /// assert_eq!(clip.ndc(), Some(Point3::from_ints(0, 0, 1)));
 /// # Ok::<(), pinhole::ProjectionError>(())

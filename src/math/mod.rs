@@ -18,6 +18,7 @@ pub(crate) mod quaternion;
 #[cfg(test)]
 pub(crate) mod random;
 pub(crate) mod row;
+mod scalar;
 mod sphere;
 pub(crate) mod unit;
 pub(crate) mod unrolled;
@@ -33,8 +34,9 @@ pub(crate) use form::ClipCoords;
 pub use form::{Coordinate, Inside};
 pub(crate) use normal::component_to_q15;
 pub use normal::NormalMatrix;
-pub use number::{NumberError, Scalar};
+pub use number::NumberError;
 pub use point::{Point3, Vector3};
 pub use quaternion::{Quaternion, QuaternionError};
 pub(crate) use row::{homogeneous, Row};
+pub use scalar::Scalar;
 pub use sphere::Sphere;

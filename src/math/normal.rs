@@ -15,7 +15,7 @@ use core::marker::PhantomData;
 ///
 /// ```
 /// use pinhole::{space::{Model, World}, Affine, Scalar};
-/// let flatten = Affine::<Model, World>::scale_axes(Scalar::from_num(1), Scalar::from_num(1), Scalar::from_num(0.5));
+/// let flatten = Affine::<Model, World>::scale_axes(Scalar::from_int(1), Scalar::from_int(1), Scalar::from_ratio(1, 2));
 /// let slope = [23170, 0, 23170]; // 45° in x and z, in 2⁻¹⁵
 /// let [x, _, z] = flatten.normals().apply(slope);
 /// assert_eq!((x, z), (14654, 29309)); // z doubles against x, and the length is one again

@@ -9,7 +9,7 @@ use core::marker::PhantomData;
 /// use pinhole::{space::World, Point3, Scalar};
 /// let p = Point3::<World>::from_ints(1, -2, 3);
 /// assert_eq!(p, Point3::from_f32(1.0, -2.0, 3.0)?);
-/// assert_eq!(p.z(), Scalar::from_num(3));
+/// assert_eq!(p.z(), Scalar::from_int(3));
 /// # Ok::<(), pinhole::NumberError>(())
 /// ```
 #[derive(Debug, PartialEq, Eq)]
@@ -25,24 +25,12 @@ pub struct Vector3<S> {
     space: PhantomData<S>,
 }
 
-/// Nearest [`Scalar`] bits of `v`, ties away from zero. Exact: a float's own step is a power of two.
-fn scalar_from_f32(v: f32) -> Result<i32, NumberError> {
-    if !v.is_finite() {
-        return Err(NumberError::NotFinite);
-    }
-    let scaled = f64::from(v) * 65536.0;
-    let rounded = scaled + if scaled < 0.0 { -0.5 } else { 0.5 };
-    if !(-2_147_483_649.0 < rounded && rounded < 2_147_483_648.0) {
-        return Err(NumberError::OutOfRange);
-    }
-    Ok(rounded as i32) // truncates towards zero: in range by the test above
-}
-
 macro_rules! coordinates {
     ($name:ident) => {
         impl<S> $name<S> {
             /// From coordinates in units of the space, exact.
-            pub const fn new(x: Scalar, y: Scalar, z: Scalar) -> Self {
+            // The compiler shows the comment of the next line for an argument of another type.
+            pub const fn new(x: Scalar, y: Scalar, z: Scalar) -> Self /* Scalar::from_int(2), from_ratio(1, 2), from_f32(0.5)? */ {
                 Self::from_bits([x.to_bits(), y.to_bits(), z.to_bits()])
             }
 
@@ -58,7 +46,7 @@ macro_rules! coordinates {
             ///
             /// [`NumberError`] when a number is NaN, infinite or outside ±32768.
             pub fn from_f32(x: f32, y: f32, z: f32) -> Result<Self, NumberError> {
-                Ok(Self::from_bits([scalar_from_f32(x)?, scalar_from_f32(y)?, scalar_from_f32(z)?]))
+                Ok(Self::new(Scalar::from_f32(x)?, Scalar::from_f32(y)?, Scalar::from_f32(z)?))
             }
 
             pub(crate) const fn from_bits(bits: [i32; 3]) -> Self {
@@ -98,7 +86,6 @@ macro_rules! coordinates {
         impl<S> defmt::Format for $name<S> {
             fn format(&self, f: defmt::Formatter<'_>) {
                 let [x, y, z] = self.bits;
-                // The scalar of this `fixed` version has no Format of its own: 2⁻¹⁶ units.
                 defmt::write!(f, "({=i32}, {=i32}, {=i32})/65536", x, y, z);
             }
         }
@@ -118,23 +105,5 @@ impl<S> TryFrom<micromath::vector::F32x3> for Vector3<S> {
 
     fn try_from(v: micromath::vector::F32x3) -> Result<Self, NumberError> {
         Self::from_f32(v.x, v.y, v.z)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::space::World;
-
-    #[test]
-    fn floats_are_rounded_to_nearest_and_refused_out_of_range() {
-        let p = |v| Point3::<World>::from_f32(v, 0.0, 0.0).map(|p| p.bits()[0]);
-        assert_eq!(p(1.0 / 131_072.0), Ok(1)); // a tie, away from zero
-        assert_eq!(p(-1.0 / 131_072.0), Ok(-1));
-        assert_eq!(p(0.4 / 65536.0), Ok(0));
-        assert_eq!(p(-32768.0), Ok(i32::MIN));
-        assert_eq!(p(32768.0), Err(NumberError::OutOfRange));
-        assert_eq!(p(f32::NAN), Err(NumberError::NotFinite));
-        assert_eq!(p(f32::NEG_INFINITY), Err(NumberError::NotFinite));
     }
 }

@@ -8,7 +8,7 @@ use super::{NumberError, Scalar};
 ///
 /// ```
 /// use pinhole::{space::{Model, World}, Affine, Angle, Quaternion, QuaternionError, Scalar};
-/// let one = Scalar::from_num(1);
+/// let one = Scalar::from_int(1);
 /// let quarter = Quaternion::new(one, Scalar::ZERO, Scalar::ZERO, one)?; // 90° about z, any length
 /// let turn = Affine::<Model, World>::from_quaternion(quarter);
 /// let p = pinhole::Point3::from_ints(1, 0, 0);

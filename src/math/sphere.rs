@@ -11,7 +11,7 @@ use crate::space::{Model, World};
 /// const VERTICES: [[i16; 3]; 2] = [[-3, 0, 0], [1, 0, 0]];
 /// let mesh = Mesh::new(&VERTICES, 0, &[]).unwrap();
 /// let sphere: Sphere = mesh.bounding_sphere();
-/// assert!(sphere.radius >= Scalar::from_num(2) && sphere.radius < Scalar::from_num(2.01));
+/// assert!(sphere.radius >= Scalar::from_int(2) && sphere.radius < Scalar::from_ratio(201, 100));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sphere {
@@ -27,8 +27,8 @@ impl Sphere {
     ///
     /// ```
     /// use pinhole::{Point3, Scalar, Sphere};
-    /// const SPHERE: Sphere = Sphere::new(Point3::from_ints(0, 2, 0), Scalar::const_from_int(5));
-    /// assert_eq!(SPHERE.radius, 5);
+    /// const SPHERE: Sphere = Sphere::new(Point3::from_ints(0, 2, 0), Scalar::from_int(5));
+    /// assert_eq!(SPHERE.radius, Scalar::from_int(5));
     /// ```
     pub const fn new(centre: Point3<Model>, radius: Scalar) -> Self {
         Self { centre, radius }
@@ -44,7 +44,7 @@ impl Sphere {
     /// let [left, right] = [-4, 6].map(|x| Sphere::new(Point3::from_ints(x, 0, 0), Scalar::ONE));
     /// let both = Sphere::around([left, right]); // from -5 to 7
     /// assert_eq!(both.centre, Point3::from_ints(1, 0, 0));
-    /// assert!(both.radius >= 6 && both.radius < Scalar::from_num(6.001));
+    /// assert!(both.radius >= Scalar::from_int(6) && both.radius < Scalar::from_ratio(6001, 1000));
     /// ```
     #[inline(never)] // set-up: code size counts
     pub fn around<I: IntoIterator<Item = Self>>(spheres: I) -> Self
@@ -86,10 +86,10 @@ impl Sphere {
     /// ```
     /// use pinhole::{prelude::*, Angle};
     /// let sphere = Sphere::new(Point3::from_ints(1, 0, 0), Scalar::ONE);
-    /// let model = Affine::<Model, World>::scale(Scalar::from_num(2)).rotate_z(Angle::degrees(90));
+    /// let model = Affine::<Model, World>::scale(Scalar::from_int(2)).rotate_z(Angle::degrees(90));
     /// let placed = sphere.transformed(&model.translate(Vector3::from_ints(0, 0, -7)));
     /// assert_eq!(placed.centre, Point3::from_ints(0, 2, -7));
-    /// assert!(placed.radius >= 2 && placed.radius < Scalar::from_num(2.001));
+    /// assert!(placed.radius >= Scalar::from_int(2) && placed.radius < Scalar::from_ratio(2001, 1000));
     /// ```
     #[inline(never)] // set-up: code size counts
     pub fn transformed(&self, model: &Affine<Model, World>) -> Self {
@@ -119,6 +119,6 @@ impl Sphere {
 #[cfg(feature = "defmt")]
 impl defmt::Format for Sphere {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{} radius {=i32}/65536", self.centre, self.radius.to_bits());
+        defmt::write!(f, "{} radius {}", self.centre, self.radius);
     }
 }

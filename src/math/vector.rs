@@ -2,13 +2,9 @@
 //! panic.
 
 use super::num::{scale, sqrt, Accumulator};
+use super::scalar::saturated;
 use super::{Point3, Scalar, Vector3};
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
-
-/// The nearest 32-bit number.
-fn saturated(v: i64) -> i32 {
-    v.clamp(i32::MIN.into(), i32::MAX.into()) as i32 // in range by the clamp
-}
 
 /// `a + sign · b`, coordinate by coordinate, saturating: 33 bits before.
 fn sum([a, b, c]: [i32; 3], [x, y, z]: [i32; 3], sign: i64) -> [i32; 3] {
@@ -87,7 +83,7 @@ impl<S> Vector3<S> {
     /// ```
     /// use pinhole::{space::World, Scalar, Vector3};
     /// let (a, b) = (Vector3::<World>::from_ints(1, 2, 3), Vector3::from_ints(4, -5, 6));
-    /// assert_eq!(a.dot(b), Scalar::from_num(12));
+    /// assert_eq!(a.dot(b), Scalar::from_int(12));
     /// ```
     pub fn dot(self, other: Self) -> Scalar {
         let ([a, b, c], [x, y, z]) = (self.bits(), other.bits().map(i64::from));
@@ -112,7 +108,7 @@ impl<S> Vector3<S> {
     ///
     /// ```
     /// use pinhole::{space::World, Scalar, Vector3};
-    /// assert_eq!(Vector3::<World>::from_ints(2, 3, -6).length(), Scalar::from_num(7));
+    /// assert_eq!(Vector3::<World>::from_ints(2, 3, -6).length(), Scalar::from_int(7));
     /// ```
     pub fn length(self) -> Scalar {
         let [x, y, z] = self.bits().map(|c| u64::from(c.unsigned_abs()));
@@ -134,8 +130,8 @@ impl<S> Point3<S> {
     /// ```
     /// use pinhole::{space::World, Point3, Scalar};
     /// let (a, b) = (Point3::<World>::from_ints(0, 10, -4), Point3::from_ints(8, 10, 4));
-    /// assert_eq!(a.lerp(b, Scalar::from_num(0.25)), Point3::from_ints(2, 10, -2));
-    /// assert_eq!(a + (b - a) * Scalar::from_num(0.25), Point3::from_ints(2, 10, -2));
+    /// assert_eq!(a.lerp(b, Scalar::from_ratio(1, 4)), Point3::from_ints(2, 10, -2));
+    /// assert_eq!(a + (b - a) * Scalar::from_ratio(1, 4), Point3::from_ints(2, 10, -2));
     /// ```
     pub fn lerp(self, other: Self, t: Scalar) -> Self {
         Self::from_bits(between(self.bits(), other.bits(), t))

@@ -35,7 +35,7 @@ impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V,
     /// # let mut display = MockDisplay::<Gray8>::new();
     /// # let viewport = Viewport::new(Point::zero(), display.size())?;
     /// # let view = ViewTransform::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?;
-    /// # let [near, far] = [1, 9].map(Scalar::from_num);
+    /// # let [near, far] = [1, 9].map(Scalar::from_int);
     /// # let lens = Projection::perspective(Angle::degrees(40), viewport.size(), near, far)?;
     /// # let camera = Camera::new(&view, &lens, &viewport);
     /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];

@@ -438,7 +438,7 @@ mod tests {
 
     impl Item {
         fn camera() -> Camera {
-            let [near, far] = [1, 100].map(Scalar::from_num);
+            let [near, far] = [1, 100].map(Scalar::from_int);
             let view = ViewTransform::look_at(
                 Point3::from_ints(0, 0, 0),
                 Point3::from_ints(0, 0, -1),
@@ -567,7 +567,8 @@ mod tests {
                 fog: {
                     // From all levels in a few steps of depth to levels over most of the range.
                     let start = 1 + random.below(40);
-                    let [start, end] = [start, start + 1 + random.below(50)].map(Scalar::from_num);
+                    let [start, end] =
+                        [start, start + 1 + random.below(50)].map(|v| Scalar::from_int(v as i32));
                     Fog::linear(start, end).unwrap()
                 },
             });

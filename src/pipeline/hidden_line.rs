@@ -75,7 +75,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// let viewport = Viewport::new(Point::zero(), display.size())?;
     /// let camera = Camera::new(
     ///     &ViewTransform::look_at(Point3::from_ints(0, 0, 5), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-    ///     &Projection::perspective(Angle::degrees(45), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+    ///     &Projection::perspective(Angle::degrees(45), viewport.size(), Scalar::from_int(1), Scalar::from_int(9))?,
     ///     &viewport,
     /// );
     /// let model = Affine::<Model, World>::rotation_y(Angle::degrees(20));

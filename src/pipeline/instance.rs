@@ -106,7 +106,7 @@ impl<'m, V: Coordinate, P: FacePlanes> MeshInstance<'m, V, P> {
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
     /// # let up = Vector3::from_ints(0, 1, 0);
-    /// # let [near, far] = [1, 9].map(Scalar::from_num);
+    /// # let [near, far] = [1, 9].map(Scalar::from_int);
     /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
     /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// // The second triangle reaches behind the eye.
@@ -150,7 +150,7 @@ impl<'m, V: Coordinate, P: FacePlanes> MeshInstance<'m, V, P> {
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
     /// # let up = Vector3::from_ints(0, 1, 0);
-    /// # let [near, far] = [1, 9].map(Scalar::from_num);
+    /// # let [near, far] = [1, 9].map(Scalar::from_int);
     /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
     /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// let from_behind = Mesh::new(&[[-1, -1, 0], [0, 1, 0], [1, -1, 0]], 0, &[[0, 1, 2]])?; // clockwise

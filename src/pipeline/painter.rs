@@ -41,7 +41,7 @@ use heapless::Vec;
 /// let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
 /// let camera = Camera::new(
 ///     &ViewTransform::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-///     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+///     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(9))?,
 ///     &viewport,
 /// );
 /// let mut painter = Painter::<Gray8, 6, 2>::new();
@@ -352,7 +352,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     /// # let mut display = MockDisplay::<Gray8>::new();
     /// # let viewport = Viewport::new(Point::zero(), display.size())?;
     /// # let view = ViewTransform::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?;
-    /// # let [near, far] = [1, 9].map(Scalar::from_num);
+    /// # let [near, far] = [1, 9].map(Scalar::from_int);
     /// # let lens = Projection::perspective(Angle::degrees(40), viewport.size(), near, far)?;
     /// # let camera = Camera::new(&view, &lens, &viewport);
     /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];

@@ -59,7 +59,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// let picked = instance.pick(Point::new(24, 24), &mut []).ok_or("background")?;
     /// assert_eq!(picked.face, 2); // the corners at the upper right, upper left and lower left
     /// let point = picked.point(&camera).ok_or("far away")?;
-    /// assert!(point.x() < 0 && point.y() > 0 && point.z() > -1);
+    /// assert!(point.x() < Scalar::ZERO && point.y() > Scalar::ZERO && point.z() > -Scalar::ONE);
     /// assert_eq!(instance.pick(Point::new(0, 0), &mut []), None);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

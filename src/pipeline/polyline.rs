@@ -32,7 +32,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// use pinhole::{Affine, Camera, Mesh, Point3, Projection, Scalar, Side, ViewTransform, Viewport, Window};
     /// // A plot: a mesh without faces is a list of points.
     /// let mesh = Mesh::new(&[[0, 0, 0], [2, 3, 0], [4, 1, 0]], 0, &[])?;
-    /// let [zero, one, four, five] = [0, 1, 4, 5].map(Scalar::from_num);
+    /// let [zero, one, four, five] = [0, 1, 4, 5].map(Scalar::from_int);
     /// let viewport = Viewport::new(Point::zero(), Size::new(5, 4))?;
     /// let window = Window { left: zero, right: five, bottom: zero, top: four };
     /// let view = ViewTransform::multiview(Point3::from_f32(-0.5, -0.5, 0.0)?, Side::Front); // to pixel centres

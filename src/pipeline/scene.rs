@@ -92,8 +92,8 @@ impl core::error::Error for SceneError {}
 /// }
 /// let mut display = MockDisplay::<Rgb565>::new();
 /// let viewport = Viewport::new(Point::zero(), display.size())?;
-/// let view = ViewTransform::orbit(Point3::from_ints(0, 0, 0), Scalar::from_num(12), Angle::ZERO, Angle::degrees(20));
-/// let lens = Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_num(1), Scalar::from_num(40))?;
+/// let view = ViewTransform::orbit(Point3::from_ints(0, 0, 0), Scalar::from_int(12), Angle::ZERO, Angle::degrees(20));
+/// let lens = Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_int(1), Scalar::from_int(40))?;
 /// let camera = Camera::new(&view, &lens, &viewport);
 /// let mut buffers = mesh_buffers!([MESH; 8]); // for 8 visible objects
 /// let mut strip = strip_buffers!(Rgb565, 64, 8);

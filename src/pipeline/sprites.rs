@@ -38,7 +38,7 @@ impl Camera {
     /// let mut pixels = [Rgb565::BLACK; 64 * 64];
     /// let mut picture = Picture::new(&mut pixels, Size::new(64, 64))?;
     /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// let all = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_num(3) };
+    /// let all = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_int(3) };
     /// let camera = Camera::framing(&all, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let mut depths = [0; 64 * 64];
     /// let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;
@@ -101,7 +101,7 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
     /// # use pinhole::{prelude::*, Angle};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// # let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_num(2) };
+    /// # let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_int(2) };
     /// # let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let smoke = Sprite::new(HalfBlended::new(SolidTexel::new(Rgb565::RED)));
     /// let placed = camera.place_sprite(Point3::from_ints(0, 0, 0));

@@ -83,7 +83,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// let viewport = Viewport::new(Point::zero(), display.size())?;
     /// let camera = Camera::new(
     ///     &ViewTransform::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-    ///     &Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+    ///     &Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_int(1), Scalar::from_int(9))?,
     ///     &viewport,
     /// );
     /// let model = Affine::<Model, World>::identity();
@@ -124,7 +124,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
     /// # let up = Vector3::from_ints(0, 1, 0);
-    /// # let [near, far] = [1, 9].map(Scalar::from_num);
+    /// # let [near, far] = [1, 9].map(Scalar::from_int);
     /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
     /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// let mesh = Mesh::new(&[[0, 0, 0], [0, 0, 8]], 0, &[])?;

@@ -68,10 +68,10 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let [eye, origin] = [16, 0].map(|z| Point3::from_ints(0, 0, z));
     /// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
-    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(50))?;
+    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(50))?;
     /// # let camera = Camera::new(&view, &lens, &viewport);
     /// let model = Affine::identity();
-    /// let fog = Fog::linear(Scalar::from_num(12), Scalar::from_num(20))?; // the camera is at z = 16
+    /// let fog = Fog::linear(Scalar::from_int(12), Scalar::from_int(20))?; // the camera is at z = 16
     /// let fog = VertexFog::new(&fog, &camera, &model, mesh.exponent());
     /// let mut factors = [0; VERTICES.len()];
     /// fog.factors(&VERTICES, &mut factors); // once per frame

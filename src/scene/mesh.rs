@@ -540,7 +540,7 @@ impl<'a, V, P> Mesh<'a, V, P> {
     /// let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
     /// let camera = Camera::new(
     ///     &ViewTransform::look_at(Point3::from_ints(3, 2, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-    ///     &Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+    ///     &Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_int(1), Scalar::from_int(9))?,
     ///     &viewport,
     /// );
     /// let mut display = MockDisplay::<Gray8>::new();

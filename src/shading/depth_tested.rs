@@ -17,7 +17,7 @@ use super::{CornerValues, Shader};
 /// let mesh = Mesh::new(&VERTICES, 0, &[[0, 1, 2]])?;
 /// # let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
 /// # let view = ViewTransform::look_at(Point3::from_ints(0, 0, 8), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?;
-/// # let lens = Projection::perspective(pinhole::Angle::degrees(40), viewport.size(), Scalar::from_num(1), Scalar::from_num(20))?;
+/// # let lens = Projection::perspective(pinhole::Angle::degrees(40), viewport.size(), Scalar::from_int(1), Scalar::from_int(20))?;
 /// # let camera = Camera::new(&view, &lens, &viewport);
 /// let at = |z| camera.place(&mesh, &Affine::translation(Vector3::from_ints(0, 0, z)));
 /// # let (mut pixels, mut depths) = ([Gray8::BLACK; 32 * 32], [0; 32 * 32]);

@@ -27,7 +27,7 @@ use core::marker::PhantomData;
 /// let viewport = Viewport::new(Point::zero(), Size::new(8, 8))?;
 /// let camera = Camera::new(
 ///     &ViewTransform::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-///     &Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+///     &Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_int(1), Scalar::from_int(9))?,
 ///     &viewport,
 /// );
 /// let mut display = MockDisplay::<BinaryColor>::new();

@@ -174,7 +174,7 @@ impl ScaledLight {
 /// let light = RigidLambert::new(&model, Vector3::from_ints(9, 0, 0), 64)?;
 /// assert_eq!(light.level([0, 0, 32767]), 256); // turned from +z to +x, it faces the light
 /// assert_eq!(light.level([32767, 0, 0]), 64); // grazed: ambient only
-/// let [one, two] = [1, 2].map(Scalar::from_num);
+/// let [one, two] = [1, 2].map(Scalar::from_int);
 /// let stretched = Affine::<Model, World>::scale_axes(one, two, one);
 /// assert_eq!(RigidLambert::new(&stretched, Vector3::from_ints(9, 0, 0), 64), Err(LightError::NotRigid));
 /// # Ok::<(), LightError>(())

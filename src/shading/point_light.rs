@@ -25,7 +25,7 @@ use crate::space::{Model, World};
 /// use pinhole::{space::{Model, World}, Affine, Point3, PointLight, Scalar};
 /// // A mesh in steps of 2⁻⁴ world units, and a lamp 2 above its origin that reaches 4 units far.
 /// let (model, lamp) = (Affine::<Model, World>::identity(), Point3::from_ints(0, 2, 0));
-/// let light = PointLight::new(&model, -4, lamp, Scalar::from_num(4), 256);
+/// let light = PointLight::new(&model, -4, lamp, Scalar::from_int(4), 256);
 /// let up = [0, 32767, 0];
 /// assert_eq!(light.level([0, 0, 0], up), 144); // (1 − ¼)² of 256
 /// assert_eq!(light.level([0, 16, 0], up), 225); // one unit nearer: (1 − 1/16)²
@@ -166,7 +166,7 @@ impl PointLight {
     /// let (vertices, normals) = ([[0, 0, 0], [3, 0, 0]], [[0, 32767, 0]; 2]);
     /// let mut levels = [0; 2];
     /// Lambert::new(&model, Vector3::from_ints(0, 0, 1), 40)?.levels(&normals, &mut levels);
-    /// let lamp = PointLight::new(&model, 0, Point3::from_ints(0, 2, 0), Scalar::from_num(4), 256);
+    /// let lamp = PointLight::new(&model, 0, Point3::from_ints(0, 2, 0), Scalar::from_int(4), 256);
     /// lamp.add_levels(&vertices, &normals, &mut levels);
     /// assert_eq!(levels, [40 + 144, 40 + 5]);
     /// # Ok::<(), pinhole::LightError>(())

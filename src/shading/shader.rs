@@ -31,7 +31,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// # let viewport = Viewport::new(Point::zero(), Size::new(48, 48))?;
 /// # let camera = Camera::new(
 /// #     &ViewTransform::look_at(Point3::from_ints(0, 0, 9), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-/// #     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(20))?,
+/// #     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(20))?,
 /// #     &viewport,
 /// # );
 /// let model = Affine::<Model, World>::identity();
@@ -141,7 +141,7 @@ pub trait Shader: Copy {
 /// # let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
 /// # let camera = Camera::new(
 /// #     &ViewTransform::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-/// #     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+/// #     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(9))?,
 /// #     &viewport,
 /// # );
 /// # let instance = camera.place(&mesh, &Affine::identity());

@@ -180,7 +180,7 @@ fn a_framing_camera_can_be_const() {
     const CAMERA: Camera = {
         let centre = Point3::from_ints(1, 2, 3);
         let Ok(viewport) = Viewport::new(Point::zero(), Size::new(128, 64)) else { panic!("the size") };
-        let sphere = Sphere { centre, radius: Scalar::const_from_int(10) };
+        let sphere = Sphere { centre, radius: Scalar::from_int(10) };
         match Camera::framing(&sphere, &viewport, Angle::degrees(30), Angle::ZERO, Angle::ZERO) {
             Ok(camera) => camera,
             Err(_) => panic!("the sphere"),

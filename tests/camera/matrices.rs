@@ -127,7 +127,7 @@ fn s4_a_factor_of_a_projection_matrix_changes_nothing() {
             let scaled = matrix.map(|row| row.map(|c| c * f64::exp2(exponent.into())));
             let lens = Projection::from_matrix(&scaled).expect("a matrix");
             let ndc = lens.apply(Point3::from_ints(2, -1, -4)).ndc().expect("a point before the eye");
-            let found = [ndc.x(), ndc.y(), ndc.z()].map(|c| c.to_num::<f64>());
+            let found = [ndc.x(), ndc.y(), ndc.z()].map(|c| c.to_f64());
             assert_eq!(found, [0.5, -0.25, z], "2^{exponent} times {matrix:?}");
         }
     }

@@ -191,7 +191,7 @@ mod constant {
     const UP: Vector3<World> = Vector3::from_ints(1, 9, 2);
     const EYE: Point3<World> = Point3::from_ints(7, -3, 11);
     const NEAR: Scalar = Scalar::from_bits(45_678);
-    const FAR: Scalar = Scalar::const_from_int(77);
+    const FAR: Scalar = Scalar::from_int(77);
     const WINDOW: Window = Window {
         left: Scalar::from_bits(-33_333),
         right: Scalar::from_bits(44_444),

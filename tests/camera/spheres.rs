@@ -70,7 +70,7 @@ fn a_sphere_around_what_has_no_bound_has_none() {
     let away = Affine::translation(Vector3::from_ints(32767, 0, 0));
     let far = Sphere::new(Point3::from_ints(30000, 0, 0), Scalar::ONE).transformed(&away);
     assert_eq!(far.radius, Scalar::MAX, "its centre is beyond Scalar");
-    assert_eq!(sphere([0; 3], 1 << 30).transformed(&Affine::scale(Scalar::from_num(3))).radius, Scalar::MAX);
+    assert_eq!(sphere([0; 3], 1 << 30).transformed(&Affine::scale(Scalar::from_int(3))).radius, Scalar::MAX);
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn a_transformed_sphere_holds_what_the_transform_makes_of_it() {
     let mut rng = Rng::new(0x5f02);
     for case in 0..3000 {
         let angles: [Angle; 6] = [0; 6].map(|_| Angle::from_bits(rng.bits()));
-        let scales = [0; 3].map(|_| Scalar::from_num(rng.log(0.02, 40.0)));
+        let scales = [0; 3].map(|_| Scalar::from_f64(rng.log(0.02, 40.0)).expect("in range"));
         let moved = Vector3::from_ints(rng.int(-90, 90) as i16, 5, rng.int(-9000, 9000) as i16);
         // Scales along the axes, then a rotation; every second one after another rotation, which shears.
         let mut model = Affine::<Model, World>::identity();
@@ -105,7 +105,7 @@ fn a_transformed_sphere_holds_what_the_transform_makes_of_it() {
             let reached = distance(image([0, 1, 2].map(|i| from[i] + r * direction[i])), to);
             assert!(reached <= radius, "{reached} {radius}");
         }
-        let stretch = scales.map(|c| c.to_num::<f64>()).into_iter().fold(0.0, f64::max);
+        let stretch = scales.map(|c| c.to_f64()).into_iter().fold(0.0, f64::max);
         // A rotation before the scales leaves their lengths, but the rows of the product are not along axes.
         let factor = if case % 2 == 0 { 1.0 } else { 1.32 };
         let most = stretch * factor * r * (1.0 + 2f64.powi(-25)) + 4.0;
@@ -120,7 +120,7 @@ fn a_scene_s_sphere_is_around_its_objects() {
     assert_eq!(scene.bounding_sphere(), sphere([0; 3], 0));
     let placed = [
         (&CUBE, Affine::identity().rotate_y(Angle::degrees(45)).translate(Vector3::from_ints(-7, 0, 0))),
-        (&torus, Affine::scale(Scalar::from_num(2)).translate(Vector3::from_ints(5, 3, 1))),
+        (&torus, Affine::scale(Scalar::from_int(2)).translate(Vector3::from_ints(5, 3, 1))),
     ];
     for (mesh, model) in placed {
         scene.add(Object::new(mesh, model, 0)).expect("room for three");

@@ -176,7 +176,7 @@ fn the_gauge_sends_what_has_changed_and_nothing_else() {
 #[test]
 fn the_town_is_before_the_walker_and_not_behind() {
     let town = walk::build();
-    let start = Point3::new(Scalar::ZERO, Scalar::from_num(1.8), Scalar::from_num(25));
+    let start = Point3::new(Scalar::ZERO, Scalar::from_ratio(9, 5), Scalar::from_int(25));
     let mut display = rgb(320, 240);
     let Ok(seen) = walk::draw(&town, (start, Angle::ZERO), &mut display);
     let colours: std::collections::BTreeSet<u16> =
@@ -186,7 +186,7 @@ fn the_town_is_before_the_walker_and_not_behind() {
     assert_eq!(seen.drawn, 0);
     assert_eq!(count(&display, Rgb565::CSS_LIGHT_SKY_BLUE), 320 * 120);
     // Among the houses, some are clipped by the near plane.
-    let among = Point3::new(Scalar::from_num(-1), Scalar::from_num(1.8), Scalar::ZERO);
+    let among = Point3::new(Scalar::from_int(-1), Scalar::from_ratio(9, 5), Scalar::ZERO);
     let Ok(seen) = walk::draw(&town, (among, Angle::degrees(40)), &mut display);
     assert!(seen.clipped > 0, "{seen:?}");
     assert_eq!(count(&display, Rgb565::MAGENTA), 0);

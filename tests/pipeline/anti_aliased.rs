@@ -298,8 +298,8 @@ fn faces_hide_the_lines_behind_them() {
 /// A camera that looks at the plane z = 0 with 16 units to a pixel: vertices are exact on the screen.
 fn flat_camera() -> Camera {
     let viewport = Viewport::new(Point::zero(), Size::new(WIDTH, HEIGHT)).expect("a viewport");
-    let [zero, one] = [0, 1].map(Scalar::from_num);
-    let [right, top] = [WIDTH, HEIGHT].map(|v| Scalar::from_num(v * 16));
+    let [zero, one] = [0, 1].map(Scalar::from_int);
+    let [right, top] = [WIDTH, HEIGHT].map(|v| Scalar::from_int(v as i32 * 16));
     let window = Window { left: zero, right, bottom: zero, top };
     let view = ViewTransform::multiview(Point3::from_ints(0, 0, 0), Side::Front);
     Camera::new(&view, &Projection::orthographic(window, -one, one).expect("a box"), &viewport)

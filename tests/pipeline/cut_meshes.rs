@@ -223,7 +223,7 @@ fn every_way<V: Coordinate>(
 #[test]
 fn meshes_that_are_cut_are_equal_in_every_way_of_drawing() {
     let torus = torus();
-    let number = Scalar::from_num::<f64>;
+    let number = |v| Scalar::from_f64(v).expect("in range");
     let mut rng = Rng::new(26);
     let viewport =
         Viewport::new(embedded_graphics_core::prelude::Point::zero(), Size::new(WIDTH, HEIGHT)).unwrap();

@@ -342,7 +342,7 @@ mod translucent {
 
     fn camera() -> Camera {
         let viewport = Viewport::new(Point::zero(), Size::new(SIDE as u32, SIDE as u32)).expect("a viewport");
-        let [zero, side, depth] = [0, 16 * SIDE, 1000].map(Scalar::from_num);
+        let [zero, side, depth] = [0, 16 * SIDE, 1000].map(Scalar::from_int);
         let window = Window { left: zero, right: side, bottom: zero, top: side };
         let view = ViewTransform::multiview(Point3::from_ints(0, 0, 0), Side::Front);
         Camera::new(&view, &Projection::orthographic(window, -depth, depth).expect("a box"), &viewport)

@@ -65,9 +65,9 @@ fn random<'m, P>(rng: &mut Rng, meshes: &'m [Mesh<'m, i16, P>; 2]) -> Scene<'m, 
         let turned = Affine::<Model, World>::identity()
             .rotate_x(Angle::from_bits(rng.bits()))
             .rotate_y(Angle::from_bits(rng.bits()))
-            .scale_by(Scalar::from_num(rng.log(0.3, 2.0)));
-        let [x, y, z] =
-            [rng.real(-9.0, 9.0), rng.real(-6.0, 6.0), rng.real(-14.0, 6.0)].map(Scalar::from_num);
+            .scale_by(Scalar::from_f64(rng.log(0.3, 2.0)).expect("in range"));
+        let [x, y, z] = [rng.real(-9.0, 9.0), rng.real(-6.0, 6.0), rng.real(-14.0, 6.0)]
+            .map(|v| Scalar::from_f64(v).expect("in range"));
         let model = turned.translate(Vector3::new(x, y, z));
         let object = Object::new(&meshes[rng.below(2)], model, index).with_cull(cull(index));
         assert_eq!(scene.add(object), Ok(index));
@@ -80,8 +80,9 @@ fn camera(rng: &mut Rng) -> Camera {
     let viewport = Viewport::new(Point::new(3, -2), Size::new(WIDTH - 5, HEIGHT)).expect("a viewport");
     let (yaw, pitch) = (Angle::from_bits(rng.bits() >> 4), Angle::from_bits(rng.bits() >> 5));
     let centre = Point3::from_ints(0, 0, -4);
-    let view = ViewTransform::orbit(centre, Scalar::from_num(rng.real(2.0, 9.0)), yaw, pitch);
-    let [near, far] = [1, 14].map(Scalar::from_num);
+    let view =
+        ViewTransform::orbit(centre, Scalar::from_f64(rng.real(2.0, 9.0)).expect("in range"), yaw, pitch);
+    let [near, far] = [1, 14].map(Scalar::from_int);
     let lens = Projection::perspective(Angle::degrees(65), viewport.size(), near, far).expect("a lens");
     Camera::new(&view, &lens, &viewport)
 }

@@ -9,6 +9,7 @@ mod bands;
 mod clips;
 mod dirty;
 mod raster;
+mod scalar;
 mod scenes;
 mod strategies;
 mod transforms;

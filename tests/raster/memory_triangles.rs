@@ -123,7 +123,7 @@ fn tested<I: SpanShader<Rgb565>>(
     let viewport = Viewport::new(bridge::rectangle(0, 0, 0, 0).top_left, SIZE).expect("a viewport");
     let (eye, up) = (Point3::from_ints(0, 1, 6), Vector3::from_ints(0, 1, 0));
     let view = ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), up).expect("a direction");
-    let [near, far] = [2, 12].map(Scalar::from_num);
+    let [near, far] = [2, 12].map(Scalar::from_int);
     let lens = Projection::perspective(Angle::degrees(60), SIZE, near, far).expect("near before far");
     let camera = Camera::new(&view, &lens, &viewport);
     let model = Affine::<Model, World>::identity();

@@ -13,7 +13,7 @@ use pinhole::{
 use support::oracle::rng::Rng;
 
 fn number(v: f64) -> Scalar {
-    Scalar::from_num(v)
+    Scalar::from_f64(v).expect("in range")
 }
 
 /// A view volume, in f64, of 240 × 240 pixels: in perspective with 60 degrees, or parallel with a window of ±`half`.
@@ -337,7 +337,7 @@ fn factors_of_vertices_are_linear_in_distance() {
     for case in 0..3_000 {
         let reach = [20.0, 3000.0, 0.5][case % 3];
         let mut vector = |size: f64| [0; 3].map(|_| number(rng.real(-size, size)));
-        let f64s = |v: [Scalar; 3]| v.map(|c| c.to_num::<f64>());
+        let f64s = |v: [Scalar; 3]| v.map(|c| c.to_f64());
         let [axes @ .., origin, eye, ahead] = [
             vector(2.0),
             vector(2.0),
@@ -384,7 +384,7 @@ fn factors_of_vertices_are_linear_in_distance() {
         }
         let fog = Fog::linear(start, end).unwrap();
         let fog = VertexFog::new(&fog, &camera, &model, exponent);
-        let [start, end] = [start, end].map(|c| c.to_num::<f64>());
+        let [start, end] = [start, end].map(|c| c.to_f64());
         let exact = |v: V| (256.0 * (end - distance(v)) / (end - start)).clamp(0.0, 256.0);
         let mut factors = vec![0; vertices.len()];
         fog.factors(&vertices, &mut factors);

@@ -24,7 +24,7 @@ fn mixed(own: Rgb888, fog: Rgb888, factor: u8) -> Rgb888 {
 const FOG: Rgb888 = Rgb888::new(200, 90, 30);
 
 fn table(color: Rgb888) -> FogTable<Rgb888> {
-    let fog = Fog::linear(Scalar::from_num(2), Scalar::from_num(30)).unwrap();
+    let fog = Fog::linear(Scalar::from_int(2), Scalar::from_int(30)).unwrap();
     FogTable::new(&fog, &Scene::camera(), color).unwrap()
 }
 

@@ -47,7 +47,7 @@ fn draw<C: PixelColor, S: SpanShader<C>>(corners: [[i64; 2]; 3], shader: S) -> V
     let vertices = corners.map(|[x, y]| [x as i16, -y as i16, 0]);
     let mesh = Mesh::new(&vertices, -6, &[[0, 1, 2]]).unwrap();
     // A unit is a pixel, and the origin is the upper left corner.
-    let [zero, one, side] = [0, 1, SIDE].map(Scalar::from_num);
+    let [zero, one, side] = [0, 1, SIDE as i32].map(Scalar::from_int);
     let window = Window { left: zero, right: side, bottom: -side, top: zero };
     let camera = camera(&Projection::orthographic(window, -one, one).unwrap());
     let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);

@@ -154,8 +154,8 @@ fn a_shader_gets_depth_and_w_whichever_call_draws_it() {
     let model = Affine::<Model, World>::identity();
     let (view, projection, viewport) = scene::camera().expect("a camera");
     let oblique = {
-        let near_far = NEAR_FAR.map(Scalar::from_num);
-        let [half, left, right] = [0.4_f32, -0.9, 0.5].map(Scalar::from_num);
+        let near_far = NEAR_FAR.map(Scalar::from_int);
+        let [half, left, right] = [4, -9, 5].map(|tenths| Scalar::from_ratio(tenths, 10));
         let window = Window { left, right, bottom: -half, top: half };
         Projection::frustum(window, near_far[0], near_far[1]).expect("a frustum")
     };

@@ -34,10 +34,10 @@ fn reverse() -> M4 {
 /// Cabinet: receding lines run upwards to the right, half as long.
 fn cabinet() -> (M4, Projection) {
     let (near, far, half) = (-20, 60, 20);
-    let [l, h] = [-half, half].map(Scalar::from_num);
+    let [l, h] = [-half, half].map(Scalar::from_int);
     let window = Window { left: l, right: h, bottom: l, top: h };
-    let [near_, far_] = [near, far].map(Scalar::from_num);
-    let factor = Scalar::from_num(0.5);
+    let [near_, far_] = [near, far].map(Scalar::from_int);
+    let factor = Scalar::from_ratio(1, 2);
     let lens = Projection::oblique(window, near_, far_, Angle::degrees(45), factor).unwrap();
     let mut matrix = chain::orthographic(-20.0, 20.0, -20.0, 20.0, near.into(), far.into());
     // x' = x − z·cos 45°/2, and y' so: in halves of the window, 20.

@@ -97,7 +97,7 @@ pub(crate) struct Scene {
 impl Scene {
     pub(crate) fn camera() -> Camera {
         let viewport = Viewport::new(Point::zero(), Size::new(SIDE, SIDE)).unwrap();
-        let number = |v: f64| Scalar::from_num(v);
+        let number = |v| Scalar::from_f64(v).expect("in range");
         let lens =
             Projection::perspective(Angle::degrees(60), viewport.size(), number(NEAR), number(FAR)).unwrap();
         let [eye, ahead] = [0, -1].map(|z| Point3::from_ints(0, 0, z));
@@ -350,9 +350,9 @@ fn parallel_projections_are_exact() {
 fn parallel_projection_is_off_by(texels: impl Texels<Color = Shown>, packing: f64) -> f64 {
     let scene = quad(floor(1.0, 9.0, 3.0), 33.0, 500, -10);
     let size = Size::new(SIDE, SIDE);
-    let one = Scalar::from_num(4);
+    let one = Scalar::from_int(4);
     let window = Window { left: -one, right: one, bottom: -one, top: one };
-    let lens = Projection::orthographic(window, Scalar::from_num(-20), Scalar::from_num(20)).unwrap();
+    let lens = Projection::orthographic(window, Scalar::from_int(-20), Scalar::from_int(20)).unwrap();
     let [eye, ahead] = [[0, 3, 0], [0, 0, -3]].map(|[x, y, z]| Point3::from_ints(x, y, z));
     let view = ViewTransform::look_at(eye, ahead, Vector3::from_ints(0, 1, 0)).unwrap();
     let camera = Camera::new(&view, &lens, &Viewport::new(Point::zero(), size).unwrap());
@@ -400,7 +400,7 @@ fn parallel_projection_is_off_by(texels: impl Texels<Color = Shown>, packing: f6
 #[test]
 fn linear_coordinates_stay_between_those_of_the_corners() {
     let size = Size::new(SIDE, SIDE);
-    let number = |v: i32| Scalar::from_num(v);
+    let number = Scalar::from_int;
     let window = Window { left: number(-4), right: number(4), bottom: number(-4), top: number(4) };
     let lens = Projection::orthographic(window, number(-20), number(20)).unwrap();
     let [eye, ahead] = [0, -1].map(|z| Point3::from_ints(0, 0, z));

@@ -3,7 +3,7 @@
 
 use crate::bridge::pair::{random_view, window, CameraBits, ModelBits, ProjectionBits, Step, ViewBits};
 use crate::bridge::{point, reals, scalar, vector};
-use crate::math::{num, quaternion, unit};
+use crate::math::{self, num, quaternion, unit};
 use crate::oracle::chain::{self, cross, dot, fx, fx3, length, normalise, M3, M4, V3};
 use crate::oracle::rng::Rng;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -220,13 +220,14 @@ pub(crate) fn rotations() -> [Measured; 4] {
         if q == [0; 4] {
             continue;
         }
-        let [w, x, y, z] = q.map(scalar);
         let real = q.map(f64::from);
         let square = real.iter().map(|c| c * c).sum::<f64>();
+        let [w, x, y, z] = q.map(math::Scalar::from_bits);
         let kept = quaternion::Quaternion::new(w, x, y, z).map_or([0; 4], quaternion::Quaternion::components);
         for (got, exact) in kept.iter().zip(real) {
             parts = parts.max((q30(*got) - exact / square.sqrt()).abs());
         }
+        let [w, x, y, z] = q.map(scalar);
         let ours = pinhole::Quaternion::new(w, x, y, z).map(Affine::<Model, World>::from_quaternion);
         let got = linear(&ours.map(|turn| turn.to_matrix()).unwrap_or_default());
         let [w, x, y, z] = real;

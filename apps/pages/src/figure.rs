@@ -80,8 +80,8 @@ fn world(svg: &mut String) -> Result<()> {
     let lens = Projection::perspective(
         Angle::degrees(36),
         viewport.size(),
-        Scalar::from_num(1),
-        Scalar::from_num(40),
+        Scalar::from_int(1),
+        Scalar::from_int(40),
     )?;
     let camera = Camera::new(&viewing, &lens, &viewport);
     let at = |[x, y, z]: [f32; 3]| -> Result<Place> {
@@ -125,15 +125,15 @@ fn world(svg: &mut String) -> Result<()> {
 
 /// The view volume and the box in NDC, seen from the right: z/w across, y/w up.
 fn ndc(svg: &mut String) -> Result<()> {
-    let near = Scalar::from_num(NEAR);
-    let [half_width, half_height] = SLOPE.map(|slope| Scalar::from_num(slope * NEAR));
+    let near = Scalar::from_f32(NEAR)?;
+    let [half_width, half_height] = [Scalar::from_f32(SLOPE[0] * NEAR)?, Scalar::from_f32(SLOPE[1] * NEAR)?];
     let window =
         pinhole::Window { left: -half_width, right: half_width, bottom: -half_height, top: half_height };
-    let lens = Projection::frustum(window, near, Scalar::from_num(FAR))?;
+    let lens = Projection::frustum(window, near, Scalar::from_f32(FAR)?)?;
     let (middle, half) = ([410.0, 120.0], 75.0);
     let at = |[x, y, z]: [f32; 3]| -> Result<Place> {
         let ndc = lens.apply(Point3::<View>::from_f32(x, y, z)?).ndc().ok_or("behind the eye")?;
-        Ok([middle[0] + half * ndc.z().to_num::<f32>(), middle[1] - half * ndc.y().to_num::<f32>()])
+        Ok([middle[0] + half * ndc.z().to_f32(), middle[1] - half * ndc.y().to_f32()])
     };
     let volume = frustum(NEAR, FAR);
     for [from, to] in edges().filter(|[from, to]| from & 1 == 1 && to & 1 == 1) {

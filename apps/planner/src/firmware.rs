@@ -343,7 +343,7 @@ mod tests {
 
     #[test]
     fn the_default_is_the_template() {
-        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_num(1));
+        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_int(1));
         assert_eq!(picture(PICTURE, &Choice::default(), &sphere).as_deref(), Ok(PICTURE));
         assert_eq!(script(SCRIPT, &Choice::default(), "model.stl").as_deref(), Ok(SCRIPT));
     }
@@ -351,7 +351,7 @@ mod tests {
     /// The template of hidden lines: the page changes its angle of edges and its camera.
     #[test]
     fn hidden_lines_have_the_colors_the_camera_and_the_edges_of_the_choice() {
-        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_num(1));
+        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_int(1));
         let template = include_str!("../../../boards/stm32-ssd1306/src/picture.rs");
         let lines = "mesh=cube&format=mono&style=hidden-line&color=ffffff";
         assert_eq!(picture(template, &choice(lines), &sphere).as_deref(), Ok(template));
@@ -400,7 +400,7 @@ mod tests {
     #[test]
     fn a_texture_is_a_file_of_its_own() {
         let look = choice("style=textured&texture=grid&color=ff8000");
-        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_num(1));
+        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_int(1));
         let image = TextureImage::ready(&look).expect("a ready pattern");
         let core = include_str!("../../../boards/stm32f4-ili9341/src/picture.rs");
         for (template, library) in [(PICTURE, "embedded_graphics"), (core, "embedded_graphics_core")] {
@@ -433,7 +433,7 @@ mod tests {
 
     #[test]
     fn a_template_of_other_pictures_is_refused() {
-        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_num(1));
+        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_int(1));
         for text in ["style=hidden-line&format=mono", "style=wireframe", "format=mono", "format=gray4"] {
             let problem = picture(PICTURE, &choice(text), &sphere).expect_err(text);
             assert!(problem.starts_with("this board draws something else"), "{problem}");
@@ -442,7 +442,7 @@ mod tests {
 
     #[test]
     fn a_view_plane_that_is_upright_has_an_eye_beside_the_centre() {
-        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_num(1));
+        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_int(1));
         let made = picture(PICTURE, &choice("projection=two-point"), &sphere).expect("a picture");
         // The plane's own direction, and the eye above.
         assert!(made.contains("let (yaw, pitch) = (Angle::degrees(40), Angle::degrees(0));"), "{made}");
@@ -463,7 +463,7 @@ mod tests {
     #[test]
     fn bands_have_the_rows_of_the_choice() {
         let file = |path: &str, template: &str, text: &str| {
-            let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_num(1));
+            let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_int(1));
             super::file(path, template, &choice(text), "model.stl", &sphere)
         };
         let main = include_str!("../../../boards/rp2040-st7789/src/main.rs");

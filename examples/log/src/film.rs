@@ -66,7 +66,7 @@ pub(crate) fn camera(distance: i16) -> Camera {
     let origin = Point3::from_ints(0, 0, 0);
     let up = Vector3::from_ints(0, 1, 0);
     let view = ViewTransform::look_at(Point3::from_ints(0, 6, distance), origin, up).expect("a direction");
-    let (near, far) = (Scalar::const_from_int(1), Scalar::const_from_int(100));
+    let (near, far) = (Scalar::from_int(1), Scalar::from_int(100));
     let projection =
         Projection::perspective(Angle::degrees(30), AREA.size, near, far).expect("a field of view");
     Camera::new(&view, &projection, &Viewport::new(AREA.top_left, AREA.size).expect("a picture"))

@@ -60,7 +60,7 @@ pub(crate) fn log() {
     debug!("{}", grey);
     debug!("{}", grey.lit([256, 128, 0]));
 
-    let [zero, one, two] = [0, 1, 2].map(Scalar::const_from_int);
+    let [zero, one, two] = [0, 1, 2].map(Scalar::from_int);
     let window = Window { left: -two, right: two, bottom: -one, top: one };
     let volume = ReferenceVolume::parallel(Point3::from_ints(0, 0, 1), window, zero, -two);
     debug!("{}", volume.expect("a volume"));

@@ -373,7 +373,7 @@ fn turn(solar: &mut Hierarchy<'_>, step: i32) {
     solar.set_local(0, out(18).then(&Affine::rotation_y(year)));
     solar.set_local(1, out(7).then(&Affine::rotation_y(month)));
     for (node, radius) in [(2, 8), (3, 4), (4, 2), (5, 18), (6, 7)] {
-        solar.set_local(node, Affine::scale(Scalar::from_num(radius)));
+        solar.set_local(node, Affine::scale(Scalar::from_int(radius)));
     }
     solar.update();
 }
@@ -402,7 +402,7 @@ fn camera([x, y, z]: [i16; 3], degrees: i32) -> Camera {
     let eye = Point3::from_ints(x, y, z);
     let viewing = ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))
         .expect("a direction");
-    let (near, far) = (Scalar::const_from_int(2), Scalar::const_from_int(200));
+    let (near, far) = (Scalar::from_int(2), Scalar::from_int(200));
     let projection =
         Projection::perspective(Angle::degrees(degrees), SIZE, near, far).expect("a field of view");
     let viewport = Viewport::new(Point::zero(), SIZE).expect("a picture");
@@ -417,14 +417,14 @@ fn turning(step: i32) -> Affine<Model, World> {
 /// Position of the large planet.
 #[inline(never)]
 fn planet() -> Affine<Model, World> {
-    Affine::<Model, Model>::scale(Scalar::from_num(16))
+    Affine::<Model, Model>::scale(Scalar::from_int(16))
         .then(&Affine::translation(Vector3::from_ints(22, -4, 0)))
 }
 
 /// Transform of the ship, which flies past the planet.
 #[inline(never)]
 fn flight(step: i32) -> Affine<Model, World> {
-    Affine::<Model, Model>::scale(Scalar::from_num(7) / 10)
+    Affine::<Model, Model>::scale(Scalar::from_ratio(7, 10))
         .then::<Model>(&Affine::rotation_z(Angle::degrees(40 * step)))
         .then::<Model>(&Affine::rotation_y(Angle::degrees(105)))
         .then(&Affine::translation(Vector3::from_ints(-30 + 8 * step as i16, 8 - step as i16, 20)))

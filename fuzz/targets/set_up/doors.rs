@@ -62,6 +62,7 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
                 }
                 Err(NumberError::NotFinite) => assert!(!degrees.is_finite()),
                 Err(NumberError::OutOfRange) => assert!(degrees.abs() > 1e6, "{degrees}"),
+                Err(NumberError::Syntax) => panic!("{degrees} is no text"),
             }
         }
         3 => {
@@ -95,6 +96,7 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
                     assert!(q.iter().any(|c| !c.is_finite()))
                 }
                 Err(QuaternionError::Number(NumberError::OutOfRange)) => assert!(q.iter().any(beyond)),
+                Err(QuaternionError::Number(NumberError::Syntax)) => panic!("{q:?} is no text"),
                 Err(QuaternionError::Zero) => {
                     assert!(q.iter().all(|c| f64::from(c.abs()) * TURN < 1.0), "{q:?}")
                 }

@@ -262,14 +262,14 @@ fn the_source_is_drawn_without_conversion() {
     const SIDE: u32 = 64;
     const EYE: [f64; 3] = [1.5, 1.0, 2.5];
     let viewport = Viewport::new(Point::zero(), Size::new_equal(SIDE)).unwrap();
-    let [x, y, z] = EYE.map(Scalar::from_num);
+    let [x, y, z] = EYE.map(|c| Scalar::from_f64(c).unwrap());
     let view =
         ViewTransform::look_at(Point3::new(x, y, z), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
     let projection = Projection::perspective(
         Angle::degrees(40),
         viewport.size(),
-        Scalar::from_num(1),
-        Scalar::from_num(9),
+        Scalar::from_int(1),
+        Scalar::from_int(9),
     );
     let camera = Camera::new(&view.unwrap(), &projection.unwrap(), &viewport);
     let texture = Texture::new(TEXTURED_TEXELS).with_exponent(TEXTURED_TEXTURE.exponent()).unwrap();

@@ -27,7 +27,7 @@ pub const NEEDLE: Mesh<'static> = match Mesh::new(&WEDGE, 0, &[[0, 2, 1], [2, 3,
 };
 const CAMERA: Camera = {
     let Ok(viewport) = Viewport::new(SCREEN.top_left, SCREEN.size) else { panic!("the size") };
-    let sphere = Sphere { centre: Point3::from_ints(0, 28, 0), radius: Scalar::const_from_int(52) };
+    let sphere = Sphere { centre: Point3::from_ints(0, 28, 0), radius: Scalar::from_int(52) };
     let (fov, yaw, pitch) = (Angle::degrees(20), Angle::ZERO, Angle::degrees(-35));
     let Ok(camera) = Camera::framing(&sphere, &viewport, fov, yaw, pitch) else { panic!("the view") };
     camera

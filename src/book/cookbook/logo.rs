@@ -35,7 +35,7 @@ const LOGO: Mesh<'static> = {
 };
 const CAMERA: Camera = {
     let Ok(viewport) = Viewport::new(Point::zero(), SIZE) else { panic!("the size") };
-    let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::const_from_int(120) };
+    let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_int(120) };
     let (fov, yaw, pitch) = (Angle::degrees(28), Angle::ZERO, Angle::degrees(20));
     let Ok(camera) = Camera::framing(&sphere, &viewport, fov, yaw, pitch) else { panic!("the view") };
     camera

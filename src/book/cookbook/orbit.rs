@@ -29,7 +29,7 @@ impl Chart {
         let mut bars = Scene::new();
         for (bar, &value) in self.values.iter().enumerate() {
             let (x, z) = (3 * (bar as i16 % 4) - 4, 3 * (bar as i16 / 4) - 3);
-            let height = Scalar::from_num(value) / 24; // half of it, as the cube is 2 high
+            let height = Scalar::from_ratio(value.into(), 24); // half of it, as the cube is 2 high
             let up = Vector3::new(x.into(), height, z.into());
             let model = Affine::scale_axes(Scalar::ONE, height, Scalar::ONE).translate(up);
             bars.add(Object::new(&CUBE, model, ())).expect("room for 12");
@@ -39,7 +39,7 @@ impl Chart {
 
     fn camera(&self) -> Camera {
         let viewport = Viewport::new(SCREEN.top_left, SCREEN.size).expect("a small display");
-        let sphere = Sphere { centre: Point3::from_ints(1, 1, 0), radius: Scalar::from_num(7) };
+        let sphere = Sphere { centre: Point3::from_ints(1, 1, 0), radius: Scalar::from_int(7) };
         Camera::framing(&sphere, &viewport, Angle::degrees(30), self.yaw, Angle::degrees(28))
             .expect("a radius")
     }

@@ -31,7 +31,7 @@ const fn surface(vertices: &[[i16; 3]; 32 * ROWS]) -> Mesh<'_> {
 pub const AT_REST: Mesh<'static> = surface(&[[0; 3]; 32 * ROWS]);
 const CAMERA: Camera = {
     let Ok(viewport) = Viewport::new(SCREEN.top_left, SCREEN.size) else { panic!("the size") };
-    let sphere = Sphere { centre: Point3::from_ints(0, 8, 8), radius: Scalar::const_from_int(52) };
+    let sphere = Sphere { centre: Point3::from_ints(0, 8, 8), radius: Scalar::from_int(52) };
     let (fov, yaw, pitch) = (Angle::degrees(30), Angle::degrees(-28), Angle::degrees(32));
     let Ok(camera) = Camera::framing(&sphere, &viewport, fov, yaw, pitch) else { panic!("the view") };
     camera

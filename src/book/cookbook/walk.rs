@@ -11,7 +11,7 @@ const COLORS: [Rgb565; 5] = [
     Rgb565::CSS_THISTLE,
 ];
 const LENS: Projection = {
-    let [near, far] = [Scalar::const_from_int(1), Scalar::const_from_int(80)];
+    let [near, far] = [Scalar::from_int(1), Scalar::from_int(80)];
     let Ok(lens) = Projection::perspective(Angle::degrees(50), SIZE, near, far) else { panic!("near < far") };
     lens
 };
@@ -22,9 +22,9 @@ pub type Town = Scene<'static, Rgb565, 50>;
 pub fn build() -> Town {
     let mut town = Town::new();
     for house in 0..50 {
-        let width = Scalar::from_num(house * 5 % 4) / 6 + Scalar::ONE; // half of it, as the cube is 2 wide
-        let height = Scalar::from_num(house * house * 7 % 13 + 4) / 4;
-        let [x, z] = [house % 5 * 6 - 15, 20 - house / 5 * 6].map(Scalar::from_num);
+        let width = Scalar::from_ratio(house * 5 % 4, 6) + Scalar::ONE; // half of it, as the cube is 2 wide
+        let height = Scalar::from_ratio(house * house * 7 % 13 + 4, 4);
+        let [x, z] = [house % 5 * 6 - 15, 20 - house / 5 * 6].map(Scalar::from_int);
         let model = Affine::scale_axes(width, height, width).translate(Vector3::new(x, height, z));
         town.add(Object::new(&CUBE, model, COLORS[(house * 3 + house / 5) as usize % 5]))
             .expect("room for 50");

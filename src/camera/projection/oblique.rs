@@ -19,9 +19,9 @@ impl Projection {
     ///
     /// ```
     /// use pinhole::{Angle, Projection, ProjectionError, Scalar, Window};
-    /// let two = Scalar::from_num(2);
+    /// let two = Scalar::from_int(2);
     /// let window = Window { left: -two, right: two, bottom: -two, top: two };
-    /// let half = Scalar::from_num(0.5);
+    /// let half = Scalar::from_ratio(1, 2);
     /// let cabinet = Projection::oblique(window, -two, two, Angle::degrees(45), half)?;
     /// # let _ = cabinet;
     /// # Ok::<(), ProjectionError>(())

@@ -14,7 +14,7 @@ use crate::space::View;
 ///
 /// ```
 /// use pinhole::{PlanarProjection, Point3, ProjectionError, Scalar, space::View};
-/// let onto_5 = PlanarProjection::eye_at_origin(Scalar::from_num(5))?;
+/// let onto_5 = PlanarProjection::eye_at_origin(Scalar::from_int(5))?;
 /// assert_eq!(onto_5.apply(Point3::<View>::from_ints(2, 4, 10)), Some(Point3::from_ints(1, 2, 5)));
 /// # Ok::<(), ProjectionError>(())
 /// ```
@@ -196,7 +196,7 @@ impl Projection {
     ///
     /// ```
     /// use pinhole::{PlanarProjection, Projection, ProjectionError, Scalar, Vector3, Window};
-    /// let [one, two] = [1, 2].map(Scalar::from_num);
+    /// let [one, two] = [1, 2].map(Scalar::from_int);
     /// let window = Window { left: -two, right: two, bottom: -two, top: two };
     /// // Parallel, along (0, -1, 1): shapes parallel to the plane z = 0 are preserved.
     /// let planar = PlanarProjection::general(Scalar::ZERO, None, Vector3::from_ints(0, -1, 1))?;

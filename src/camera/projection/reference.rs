@@ -22,7 +22,7 @@ use crate::space::{Canonical, View};
 ///
 /// ```
 /// use pinhole::{Point3, Projection, ProjectionError, ReferenceVolume, Scalar, Window};
-/// let number = |v: f32| Scalar::from_num(v);
+/// let number = |v| Scalar::from_f32(v).unwrap();
 /// let window = Window { left: number(-1.0), right: number(3.0), bottom: number(-1.0), top: number(3.0) };
 /// let prp = Point3::from_f32(0.5, 0.5, 1.0).unwrap();
 /// let volume = ReferenceVolume::perspective(prp, window, number(0.5), number(-4.0))?;

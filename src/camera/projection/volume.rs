@@ -25,7 +25,7 @@ impl Projection {
     /// ```
     /// use embedded_graphics::geometry::Size;
     /// use pinhole::{Angle, Projection, ProjectionError, Scalar};
-    /// let (near, far) = (Scalar::from_num(1), Scalar::from_num(20));
+    /// let (near, far) = (Scalar::from_int(1), Scalar::from_int(20));
     /// let _ = Projection::perspective(Angle::degrees(60), Size::new(240, 240), near, far)?;
     /// let flat = Projection::perspective(Angle::degrees(180), Size::new(240, 240), near, far);
     /// assert_eq!(flat, Err(ProjectionError::FieldOfView));
@@ -97,7 +97,7 @@ impl Projection {
     ///
     /// ```
     /// use pinhole::{space::View, Point3, Projection, ProjectionError, Scalar, Window};
-    /// let [zero, one, two] = [0, 1, 2].map(Scalar::from_num);
+    /// let [zero, one, two] = [0, 1, 2].map(Scalar::from_int);
     /// // The right half of a picture, for the second of two displays.
     /// let right = Window { left: zero, right: one, bottom: -one, top: one };
     /// let lens = Projection::frustum(right, one, two)?;
@@ -165,7 +165,7 @@ impl Projection {
     ///
     /// ```
     /// use pinhole::{space::View, Point3, Projection, ProjectionError, Scalar, Window};
-    /// let [one, two, three] = [1, 2, 3].map(Scalar::from_num);
+    /// let [one, two, three] = [1, 2, 3].map(Scalar::from_int);
     /// let window = Window { left: -two, right: two, bottom: -one, top: one };
     /// let lens = Projection::orthographic(window, one, three)?;
     /// let ndc = |z| lens.apply(Point3::<View>::from_ints(1, 1, z)).ndc();

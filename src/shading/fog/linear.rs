@@ -25,7 +25,7 @@ pub(super) const LEAST_STEPS: u16 = 8;
 ///
 /// ```
 /// use pinhole::{Fog, FogError, Scalar};
-/// let [near, far] = [4, 20].map(Scalar::from_num);
+/// let [near, far] = [4, 20].map(Scalar::from_int);
 /// let fog = Fog::linear(near, far)?;
 /// assert_eq!([fog.start(), fog.end()], [near, far]);
 /// let error = Fog::linear(far, near).unwrap_err();
@@ -52,6 +52,7 @@ impl<P> Copy for Fog<P> {}
 
 /// Why fog cannot be set up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FogError {
     /// Fog would be full before it begins: `start` must be less than `end`.
     EmptyRange {
@@ -116,8 +117,8 @@ impl Fog<ExponentialFog> {
     /// ```
     /// use pinhole::{Fog, Scalar};
     /// let density = 0.25;
-    /// let haze = Fog::exponential(Scalar::ZERO, Scalar::from_num(4.159 / density))?;
-    /// # Ok::<(), pinhole::FogError>(())
+    /// let haze = Fog::exponential(Scalar::ZERO, Scalar::from_f32(4.159 / density)?)?;
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     ///
     /// # Errors
@@ -143,9 +144,9 @@ impl Fog<SquaredFog> {
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let [eye, origin] = [8, 0].map(|z| Point3::from_ints(0, 0, z));
     /// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
-    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(100))?;
+    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(100))?;
     /// # let camera = Camera::new(&view, &lens, &viewport);
-    /// let [start, end] = [0, 16].map(Scalar::from_num);
+    /// let [start, end] = [0, 16].map(Scalar::from_int);
     /// let depth = camera.project(Point3::from_ints(0, 0, 0))?.depth; // 8 before the camera, half of the way
     /// let factor = |table: FogTable<Gray8>| table.factor(depth);
     /// assert_eq!(factor(FogTable::new(&Fog::squared(start, end)?, &camera, Gray8::WHITE)?), 11); // 32·64^(−1/4) = 11.3
@@ -186,23 +187,9 @@ impl<P> Fog<P> {
     }
 }
 
-// `Scalar` has no `Format`.
 #[cfg(feature = "defmt")]
 impl<P> defmt::Format for Fog<P> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "fog from {=i32}/2^16 to {=i32}/2^16", self.start.to_bits(), self.end.to_bits());
-    }
-}
-
-#[cfg(feature = "defmt")]
-impl defmt::Format for FogError {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        match self {
-            Self::EmptyRange { start, end } => {
-                defmt::write!(f, "EmptyRange {=i32}/2^16 to {=i32}/2^16", start.to_bits(), end.to_bits());
-            }
-            Self::SlantedDepth => defmt::write!(f, "SlantedDepth"),
-            Self::TooFewSteps { steps } => defmt::write!(f, "TooFewSteps {=u16}", steps),
-        }
+        defmt::write!(f, "fog from {} to {}", self.start, self.end);
     }
 }

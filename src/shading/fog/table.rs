@@ -24,9 +24,9 @@ pub(super) const LEVELS: usize = 32;
 /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
 /// # let [eye, origin] = [8, 0].map(|z| Point3::from_ints(0, 0, z));
 /// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
-/// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(100))?;
+/// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(100))?;
 /// let camera = Camera::new(&view, &lens, &viewport); // 8 before the origin
-/// let fog = Fog::linear(Scalar::from_num(4), Scalar::from_num(20))?;
+/// let fog = Fog::linear(Scalar::from_int(4), Scalar::from_int(20))?;
 /// let table = FogTable::new(&fog, &camera, Rgb565::WHITE)?;
 /// let depth = camera.project(Point3::from_ints(0, 0, 0))?.depth;
 /// assert_eq!(table.factor(depth), 24); // a quarter of the way: 24 of 32 are left

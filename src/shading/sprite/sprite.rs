@@ -29,7 +29,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// let image = ImageRaw::<BinaryColor>::new(&[0b11111_000, 0b11111_000, 0b10000_000, 0b10000_000], 5);
 /// let flag = Sprite::new(SpriteImage::new(&image).with_key(BinaryColor::Off)).with_anchor(AnchorPoint::BottomLeft);
 /// let viewport = Viewport::new(Point::zero(), Size::new(12, 8))?;
-/// let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_num(1) };
+/// let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_int(1) };
 /// let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
 /// let mut display = MockDisplay::new();
 /// camera.place_sprite(Point3::from_ints(0, 0, 0)).draw(|_| flag, &mut display)?;
@@ -92,9 +92,9 @@ impl<S> Sprite<S> {
     /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// let (eye, up) = (Point3::from_ints(0, 0, 8), Vector3::from_ints(0, 1, 0));
     /// let view = ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), up)?;
-    /// let [near, far] = [1, 100].map(Scalar::from_num);
+    /// let [near, far] = [1, 100].map(Scalar::from_int);
     /// let camera = Camera::new(&view, &Projection::perspective(Angle::degrees(90), viewport.size(), near, far)?, &viewport);
-    /// let unit = Scalar::from_num(1);
+    /// let unit = Scalar::from_int(1);
     /// let square = |color| Sprite::new(SolidTexel::new(color)).with_size(unit, unit);
     /// let mut display = MockDisplay::new();
     /// // Within 90°, 16 world units are 64 pixels at a distance of 8, and 32 at 16.
@@ -137,7 +137,7 @@ impl<S> Sprite<S> {
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
     /// use pinhole::{prelude::*, Angle};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// # let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_num(1) };
+    /// # let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_int(1) };
     /// # let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let picture = [[Gray8::WHITE; 8]; 8];
     /// let mut display = MockDisplay::new();
@@ -183,7 +183,7 @@ impl<S: SpriteSource> Sprite<S> {
     /// use embedded_graphics::{image::ImageRaw, pixelcolor::Gray8};
     /// use pinhole::{Scalar, Sprite, SpriteImage};
     /// let image = ImageRaw::<Gray8>::new(&[0; 15], 3); // 3 × 5 texels
-    /// let tree = Sprite::new(SpriteImage::new(&image)).with_height(Scalar::from_num(10)); // 6 wide
+    /// let tree = Sprite::new(SpriteImage::new(&image)).with_height(Scalar::from_int(10)); // 6 wide
     /// # let _ = tree;
     /// ```
     #[must_use]

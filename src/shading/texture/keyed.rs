@@ -20,7 +20,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// # let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
 /// # let camera = Camera::new(
 /// #     &ViewTransform::look_at(Point3::from_ints(0, 0, 3), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-/// #     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+/// #     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(9))?,
 /// #     &viewport,
 /// # );
 /// # let instance = camera.place(&mesh, &Affine::identity());

@@ -35,7 +35,7 @@ pub enum Accuracy {
 /// let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
 /// let camera = Camera::new(
 ///     &ViewTransform::look_at(Point3::from_ints(0, 0, 3), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-///     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+///     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(9))?,
 ///     &viewport,
 /// );
 /// let instance = camera.place(&mesh, &Affine::identity());
@@ -127,11 +127,11 @@ impl<S: Texels> Texture<S> {
     /// use embedded_graphics::{pixelcolor::{Gray8, GrayColor}, prelude::*};
     /// use pinhole::{Affine, Camera, Mesh, Picture, Point3, Projection, Scalar, Texture, Vector3, ViewTransform, Viewport, Window};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// # let (one, two) = (Scalar::from_num(1), Scalar::from_num(2));
+    /// # let (one, two) = (Scalar::from_int(1), Scalar::from_int(2));
     /// # let window = Window { left: -two, right: two, bottom: -two, top: two };
     /// # let camera = Camera::new(
     /// #     &ViewTransform::look_at(Point3::from_ints(0, 0, 3), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-    /// #     &Projection::orthographic(window, one, Scalar::from_num(9))?,
+    /// #     &Projection::orthographic(window, one, Scalar::from_int(9))?,
     /// #     &viewport,
     /// # );
     /// // A square that fills a picture of 64 pixels: from one width left of the texture to two widths right of it.

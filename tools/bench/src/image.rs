@@ -187,7 +187,7 @@ const CAMERA: Camera = {
     let Ok(viewing) = ViewTransform::look_at(eye, origin, up) else { panic!("the direction") };
     let size = Size::new(SIZE, SIZE);
     let Ok(viewport) = Viewport::new(Point::zero(), size) else { panic!("the size") };
-    let (near, far) = (Scalar::const_from_int(1), Scalar::const_from_int(20));
+    let (near, far) = (Scalar::from_int(1), Scalar::from_int(20));
     let Ok(lens) = Projection::perspective(Angle::degrees(60), size, near, far) else { panic!("the lens") };
     Camera::new(&viewing, &lens, &viewport)
 };

@@ -247,13 +247,12 @@ impl<C: Ink> Scene<C> {
     pub fn new(size: Size, colors: &Colors) -> Result<Self, &'static str> {
         let eye = Point3::from_ints(0, 7, 34);
         let view = ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
-        let [near, far] = [2, 200].map(Scalar::const_from_int);
+        let [near, far] = [2, 200].map(Scalar::from_int);
         let lens = Projection::perspective(Angle::degrees(50), size, near, far);
         let viewport = Viewport::new(Point::zero(), size).map_err(|_| "the screen has no pixels")?;
         let (Ok(view), Ok(lens)) = (view, lens) else { return Err("no camera") };
         let camera = Camera::new(&view, &lens, &viewport);
-        let fog =
-            Fog::linear(Scalar::const_from_int(20), Scalar::const_from_int(112)).map_err(|_| "no fog")?;
+        let fog = Fog::linear(Scalar::from_int(20), Scalar::from_int(112)).map_err(|_| "no fog")?;
         Ok(Self {
             camera,
             fog,
@@ -315,15 +314,14 @@ impl Poses {
         let tenths = |tenths: i32| Scalar::from_bits((tenths << 16) / 10);
         let balloon = |height: Scalar, width: i32, tall: i32| {
             let [width, tall] = [width, tall].map(tenths);
-            let at =
-                Vector3::new(x.saturating_mul(Scalar::const_from_int(5)), height, Scalar::const_from_int(13));
+            let at = Vector3::new(x * Scalar::from_int(5), height, Scalar::from_int(13));
             Affine::scale_axes(width, tall, width).rotate_y(turn).translate(at)
         };
-        let height = tenths(70).saturating_add(y);
+        let height = tenths(70) + y;
         Self {
             shadow: balloon(tenths(1), 31, 10),
             canopy: balloon(height, 31, 35),
-            basket: balloon(height.saturating_sub(tenths(46)), 6, 6),
+            basket: balloon(height - tenths(46), 6, 6),
             trees: Affine::translation(Vector3::new(
                 Scalar::ZERO,
                 Scalar::ZERO,
@@ -379,7 +377,7 @@ impl<'a, C: Ink> Frame<'a, C> {
         let tree = |vertex: usize| {
             let factor = TREE_POINTS.get(vertex).map_or(0, |&point| levels.trees.factor(point));
             let tree = Sprite::new(Tree(scene.tree.map(|color| color.over(scene.mist, factor))));
-            tree.with_height(Scalar::const_from_int(9)).with_anchor(AnchorPoint::BottomCenter)
+            tree.with_height(Scalar::from_int(9)).with_anchor(AnchorPoint::BottomCenter)
         };
         trees.depth_tested(tree, depth, target)?;
         Ok(())

@@ -61,7 +61,7 @@ pub struct Thing {
 }
 
 fn camera(size: Size) -> Camera {
-    let number = |v: f32| Scalar::from_num(v);
+    let number = |v| Scalar::from_f32(v).expect("in range");
     let eye = Point3::from_f32(0.0, 0.0, DISTANCE).expect("in range");
     let along = (Vector3::from_ints(0, 0, -1), Vector3::from_ints(0, 1, 0));
     Camera::new(

@@ -12,7 +12,7 @@ use pinhole::{Affine, Camera, DepthBuffer, Fog, FogTable, Fogged, Scalar, Textur
 /// Fog between these distances.
 #[inline(never)] // set-up: off the stack when it returns
 fn fog(range: [i32; 2], camera: &Camera) -> Option<FogTable<Rgb565>> {
-    let [start, end] = black_box(range).map(Scalar::from_num);
+    let [start, end] = black_box(range).map(Scalar::from_int);
     FogTable::new(&Fog::linear(start, end).ok()?, camera, Rgb565::CSS_LIGHT_STEEL_BLUE).ok()
 }
 

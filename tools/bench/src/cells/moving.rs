@@ -65,8 +65,8 @@ impl Fifty {
         // A sixteenth of a unit a frame.
         let x = Scalar::from_bits((self.time << 12) - (1 << 15));
         let (eye, ahead) = (
-            Point3::new(x, Scalar::from_num(3), Scalar::from_num(0)),
-            Point3::new(x, Scalar::from_num(0), Scalar::from_num(-12)),
+            Point3::new(x, Scalar::from_int(3), Scalar::from_int(0)),
+            Point3::new(x, Scalar::from_int(0), Scalar::from_int(-12)),
         );
         let view = ViewTransform::look_at(eye, ahead, Vector3::from_ints(0, 1, 0)).ok()?;
         let camera = Camera::new(&view, &self.lens, &self.viewport);

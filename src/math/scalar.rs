@@ -1,0 +1,256 @@
+//! The public fixed-point number.
+
+use super::num::divide;
+use super::NumberError;
+use core::fmt::{Debug, Display, Formatter};
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::str::FromStr;
+use fixed::types::I16F16;
+
+/// A fixed-point number: 16 integer and 16 fractional bits, ±32768 in steps of 2⁻¹⁶.
+///
+/// | from | by |
+/// |---|---|
+/// | a whole number | [`Scalar::from_int`], or `.into()` from an `i16` |
+/// | a fraction, such as 2/5 for 0.4 | [`Scalar::from_ratio`] |
+/// | an `f32` or `f64` | [`Scalar::from_f32`], [`Scalar::from_f64`], with an error for NaN and for numbers out of range |
+/// | text, such as `"-2.5"` | [`str::parse`] |
+/// | an `I16F16` of the crate `fixed` | `.into()`, which converts back, too |
+///
+/// Operators saturate: a result beyond the range is [`Scalar::MIN`] or [`Scalar::MAX`]. Sums, differences and negation are exact
+/// within the range. Products are rounded to the nearest 2⁻¹⁶, ties up, like `Vector3 * Scalar`; quotients as
+/// [`Scalar::from_ratio`] says, also for a divisor of zero. Text has as many digits as distinguish the number from its neighbours.
+///
+/// ```
+/// use pinhole::{NumberError, Scalar};
+/// const NEAR: Scalar = Scalar::from_ratio(2, 5);
+/// assert_eq!(NEAR.to_string(), "0.4");
+/// assert_eq!(Scalar::from_f32(2.5)? + Scalar::from_int(1), "3.5".parse()?);
+/// assert_eq!(Scalar::from_int(300) * Scalar::from_int(300), Scalar::MAX);
+/// assert_eq!(Scalar::from_f32(f32::NAN), Err(NumberError::NotFinite));
+/// # Ok::<(), NumberError>(())
+/// ```
+#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(transparent)]
+pub struct Scalar(I16F16);
+
+/// The nearest 32-bit number.
+pub(super) const fn saturated(v: i64) -> i32 {
+    if v > i32::MAX as i64 {
+        i32::MAX
+    } else if v < i32::MIN as i64 {
+        i32::MIN
+    } else {
+        v as i32 // in range by the tests
+    }
+}
+
+impl Scalar {
+    /// 0.
+    pub const ZERO: Self = Self::from_bits(0);
+    /// 1.
+    pub const ONE: Self = Self::from_bits(1 << 16);
+    /// The smallest number, −32768.
+    pub const MIN: Self = Self::from_bits(i32::MIN);
+    /// The largest number, 32768 − 2⁻¹⁶.
+    pub const MAX: Self = Self::from_bits(i32::MAX);
+    /// The step between neighbouring numbers, 2⁻¹⁶.
+    pub const DELTA: Self = Self::from_bits(1);
+
+    /// From the number of steps of 2⁻¹⁶, exact.
+    #[inline]
+    pub const fn from_bits(bits: i32) -> Self {
+        Self(I16F16::from_bits(bits))
+    }
+
+    /// The number of steps of 2⁻¹⁶.
+    #[inline]
+    pub const fn to_bits(self) -> i32 {
+        self.0.to_bits()
+    }
+
+    /// A whole number: exact from −32768 to 32767, otherwise [`Scalar::MIN`] or [`Scalar::MAX`].
+    #[inline]
+    pub const fn from_int(number: i32) -> Self {
+        Self::from_bits(saturated((number as i64) << 16)) // 48 bits
+    }
+
+    /// The fraction `numerator / denominator`, rounded to the nearest 2⁻¹⁶, ties away from zero; beyond the range
+    /// [`Scalar::MIN`] or [`Scalar::MAX`]. A denominator of zero gives these by the numerator's sign, and 0 / 0 is 0.
+    ///
+    /// ```
+    /// use pinhole::Scalar;
+    /// const THIRD: Scalar = Scalar::from_ratio(-1, 3);
+    /// assert_eq!(THIRD.to_bits(), -21_845);
+    /// ```
+    pub const fn from_ratio(numerator: i32, denominator: i32) -> Self {
+        let (n, d) = ((numerator.unsigned_abs() as u64) << 16, denominator.unsigned_abs());
+        let magnitude = match d {
+            0 if n == 0 => 0,
+            0 => i64::MAX,
+            // At most 2⁴⁷ + 2³⁰.
+            d => divide(n + d as u64 / 2, d).0 as i64,
+        };
+        Self::from_bits(saturated(if (numerator < 0) != (denominator < 0) { -magnitude } else { magnitude }))
+    }
+
+    /// From a floating-point number, rounded to the nearest 2⁻¹⁶, ties away from zero.
+    ///
+    /// # Errors
+    ///
+    /// [`NumberError`] when the number is NaN, infinite or outside ±32768. It does not saturate, because a coordinate that was
+    /// moved is a fault that is hard to find in a picture.
+    pub const fn from_f32(number: f32) -> Result<Self, NumberError> {
+        Self::from_f64(number as f64)
+    }
+
+    /// From a floating-point number, rounded to the nearest 2⁻¹⁶, ties away from zero.
+    ///
+    /// # Errors
+    ///
+    /// [`NumberError`] when the number is NaN, infinite or outside ±32768.
+    pub const fn from_f64(number: f64) -> Result<Self, NumberError> {
+        if !number.is_finite() {
+            return Err(NumberError::NotFinite);
+        }
+        let scaled = number * 65_536.0; // exact, or infinite
+        if !(-2_147_483_648.5 < scaled && scaled < 2_147_483_647.5) {
+            return Err(NumberError::OutOfRange);
+        }
+        let whole = scaled as i32; // truncates towards zero
+        let rest = scaled - whole as f64; // exact
+        Ok(Self::from_bits(whole + (rest >= 0.5) as i32 - (rest <= -0.5) as i32))
+        // 32 bits by the test above
+    }
+
+    /// The nearest `f32`.
+    pub const fn to_f32(self) -> f32 {
+        self.to_bits() as f32 / 65_536.0 // rounded once: the divisor is a power of two
+    }
+
+    /// The number as an `f64`, exact.
+    pub const fn to_f64(self) -> f64 {
+        self.to_bits() as f64 / 65_536.0
+    }
+
+    /// The number without its sign; −32768 becomes [`Scalar::MAX`].
+    #[must_use]
+    pub const fn abs(self) -> Self {
+        Self(self.0.saturating_abs())
+    }
+}
+
+macro_rules! operators {
+    ($($operator:ident $method:ident $assign:ident $assign_method:ident, |$a:ident, $b:ident| $result:expr;)*) => {$(
+        impl $operator for Scalar {
+            type Output = Self;
+
+            #[inline]
+            fn $method(self, other: Self) -> Self {
+                let ($a, $b) = (self, other);
+                $result
+            }
+        }
+
+        impl $assign for Scalar {
+            #[inline]
+            fn $assign_method(&mut self, other: Self) {
+                *self = $operator::$method(*self, other);
+            }
+        }
+    )*};
+}
+
+operators! {
+    Add add AddAssign add_assign, |a, b| Self(a.0.saturating_add(b.0));
+    Sub sub SubAssign sub_assign, |a, b| Self(a.0.saturating_sub(b.0));
+    Mul mul MulAssign mul_assign, |a, b| {
+        let product = i64::from(a.to_bits()) * i64::from(b.to_bits()); // ≤ 2⁶²
+        Self::from_bits(saturated((product + (1 << 15)) >> 16))
+    };
+    Div div DivAssign div_assign, |a, b| Self::from_ratio(a.to_bits(), b.to_bits());
+}
+
+impl Neg for Scalar {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        Self(self.0.saturating_neg())
+    }
+}
+
+impl From<i16> for Scalar {
+    fn from(number: i16) -> Self {
+        Self::from_int(number.into())
+    }
+}
+
+#[diagnostic::do_not_recommend] // its name is longer than a line
+impl From<I16F16> for Scalar {
+    fn from(number: I16F16) -> Self {
+        Self(number)
+    }
+}
+
+#[diagnostic::do_not_recommend] // its name is longer than a line
+impl From<Scalar> for I16F16 {
+    fn from(number: Scalar) -> Self {
+        number.0
+    }
+}
+
+/// From decimal digits with or without a sign and a point, rounded to the nearest 2⁻¹⁶, ties away from zero.
+///
+/// # Errors
+///
+/// [`NumberError::Syntax`] for any other text, [`NumberError::OutOfRange`] for a number outside ±32768.
+impl FromStr for Scalar {
+    type Err = NumberError;
+
+    fn from_str(text: &str) -> Result<Self, NumberError> {
+        let (sign, digits) = match text.strip_prefix('-') {
+            Some(digits) => (-1, digits),
+            None => (1, text.strip_prefix('+').unwrap_or(text)),
+        };
+        let (whole, decimals) = digits.split_once('.').unwrap_or((digits, ""));
+        let mut all = whole.bytes().chain(decimals.bytes()).peekable();
+        if all.peek().is_none() || !all.all(|digit| digit.is_ascii_digit()) {
+            return Err(NumberError::Syntax);
+        }
+        let append = |n: u64, digit: u8| n.saturating_mul(10).saturating_add((digit & 15).into());
+        let whole = whole.bytes().fold(0, append).min(1 << 16) as i64; // beyond the range stays beyond it
+                                                                       // A multiple of half a step of 2⁻¹⁶ has 17 decimals at most: the further ones do not decide the rounding.
+        let mut rest = decimals.bytes().chain(core::iter::repeat(b'0')).take(17).fold(0, append); // below 2⁵⁷
+        let mut half_steps = 0;
+        for _ in 0..17 {
+            rest *= 2;
+            half_steps *= 2;
+            if rest >= 10u64.pow(17) {
+                rest -= 10u64.pow(17);
+                half_steps += 1;
+            }
+        }
+        let magnitude = (whole << 16) + ((half_steps + 1) >> 1); // ≤ 2³² + 2¹⁶
+        i32::try_from(sign * magnitude).map(Self::from_bits).map_err(|_| NumberError::OutOfRange)
+    }
+}
+
+impl Display for Scalar {
+    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
+        Display::fmt(&self.0, f)
+    }
+}
+
+impl Debug for Scalar {
+    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
+        Display::fmt(&self.0, f)
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Scalar {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=i32}/65536", self.to_bits());
+    }
+}
