@@ -231,3 +231,27 @@ fn meet(planes: [&Row; 3]) -> Option<[i64; 3]> {
     }
     Some(point)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{meet, Row};
+
+    /// Of x = 0 and two planes nearly through one line, which meet in (0, 0, 1): the determinant is `k`/2⁶⁰ of the largest product of
+    /// coefficients. It has 45 bits, so it is 1 for 2¹⁵, and lost below half of that.
+    #[test]
+    fn planes_meet_until_their_determinant_has_no_bit_left() {
+        const ONE: i32 = 1 << 30;
+        let plane = |linear: [i32; 3]| Row { linear, exponent: 0, offset: -4 * i64::from(linear[2]) };
+        for (k, meets) in [(1 << 29, true), (1 << 16, true), (1 << 15, true), (1 << 13, false), (0, false)] {
+            for sign in [1, -1] {
+                let planes = [plane([ONE, 0, 0]), plane([0, ONE - 1, k]), plane([0, sign * ONE, sign * k])];
+                let [a, b, c] = &planes;
+                let found = meet([a, b, c]);
+                assert_eq!(found.is_some(), meets, "{k} {sign}");
+                let away = found.map_or(0, |[x, y, z]| x.abs().max(y.abs()).max((z - (1 << 24)).abs()));
+                // The rounded determinant is off by up to a half, in 2⁻²⁴ of the point.
+                assert!(away <= (1 << 24) * (1 << 15) / k.max(1) as i64, "{k}: {found:?}");
+            }
+        }
+    }
+}

@@ -10,6 +10,7 @@ use crate::fast::{
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
 use crate::shading::SpanShader;
 use crate::surface::{drawable, each_run, DepthTarget, PixelStore, StoredPixel, Target};
+use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// Fills the pixels of a triangle inside the scissor, which lies in the target. `is_clipped`: whether the triangle probably has
 /// rows outside the scissor, as most triangles in a band have; it changes no pixel, only which path is tried.
@@ -157,7 +158,7 @@ fn fill_kept<T: Target, S: SpanShader<T::Color>>(
         return Ok(());
     }
     fast::spans(triangle, scissor).try_for_each(|span| {
-        let mut is_kept = kept_pixels::<T, S>(&setup, span);
+        let mut is_kept = kept_pixels::<T::Color, S>(&setup, span);
         let kept = (0..span.width as u16).map(|_| is_kept()); // the guard band is narrower than 2¹⁶
         each_run(span, kept, |run| draw_run::<T, S>(&setup, run, target))
     })
@@ -184,7 +185,7 @@ fn fill_kept_nearer<T: Target, S: SpanShader<T::Color>>(
     }
     let gradient = fast::depth_gradient(&triangle.triangle, &triangle.depths);
     fast::spans(&triangle.triangle, scissor).try_for_each(|span| {
-        let is_kept = kept_pixels::<T, S>(&setup, span);
+        let is_kept = kept_pixels::<T::Color, S>(&setup, span);
         depth
             .buffer
             .test_kept(span, &gradient, is_kept, S::WRITES_DEPTH, |run| draw_run::<T, S>(&setup, run, target))
@@ -193,7 +194,10 @@ fn fill_kept_nearer<T: Target, S: SpanShader<T::Color>>(
 
 /// Whether a shader draws the pixels of a span: each call answers for the next one, from left to right.
 #[inline(always)]
-fn kept_pixels<T: Target, S: SpanShader<T::Color>>(setup: &S::Setup, span: Span) -> impl FnMut() -> bool {
+pub(super) fn kept_pixels<C: PixelColor, S: SpanShader<C>>(
+    setup: &S::Setup,
+    span: Span,
+) -> impl FnMut() -> bool {
     let mut colors = S::kept(setup, span).flat_map(|(width, run)| run.take(width as usize));
     move || colors.next().flatten().is_some()
 }

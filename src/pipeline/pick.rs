@@ -2,8 +2,8 @@
 
 use super::draw_region::DrawRegion;
 use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
-use super::face_triangles::FaceTriangles;
-use super::faces::each_face;
+use super::faces::{draw_triangles, each_face};
+use super::fill::kept_pixels;
 use super::instance::MeshInstance;
 use super::vertex_cache::{LazyCache, TransformedMesh, VertexCache};
 use crate::camera::{Camera, ScreenVertex};
@@ -11,10 +11,12 @@ use crate::fast;
 use crate::math::{Coordinate, Point3};
 use crate::raster::ScreenPoint;
 use crate::scene::FacePlanes;
+use crate::shading::SpanShader;
 use crate::space::World;
 use crate::surface::DepthBuffer;
 use core::convert::Infallible;
 use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// The visible point in a pixel: the answer of [`MeshInstance::pick`] and [`PlacedScene::pick`](crate::PlacedScene::pick).
@@ -44,11 +46,15 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// and no depth buffer is needed. `None` if no face covers the pixel, or if it lies outside of the viewport or beyond 8192
     /// pixels.
     ///
+    /// `shade` is the closure of the draw call: a face whose shader leaves the pixel out, by a transparent texel or a
+    /// [`ScreenDoor`](crate::ScreenDoor), is not seen there. Where no shader leaves out pixels, return any colour. A translucent
+    /// face is seen like an opaque one.
+    ///
     /// `cache` is as in [`wireframe`](Self::wireframe); it may be empty. If the vertices are transformed already, call
     /// [`TransformedMesh::pick`].
     ///
     /// ```
-    /// # use embedded_graphics::geometry::{Point, Size};
+    /// # use embedded_graphics::{geometry::{Point, Size}, pixelcolor::BinaryColor};
     /// use pinhole::{Affine, Angle, Camera, Mesh, Picked, Scalar, Viewport};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// const VERTICES: [[i16; 3]; 4] = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
@@ -56,77 +62,103 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// let mesh = Mesh::new(&VERTICES, 0, &FACES)?;
     /// let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(30), Angle::ZERO, Angle::ZERO)?;
     /// let instance = camera.place(&mesh, &Affine::identity());
-    /// let picked = instance.pick(Point::new(24, 24), &mut []).ok_or("background")?;
+    /// let opaque = |_face| BinaryColor::On;
+    /// let picked = instance.pick(Point::new(24, 24), opaque, &mut []).ok_or("background")?;
     /// assert_eq!(picked.face, 2); // the corners at the upper right, upper left and lower left
     /// let point = picked.point(&camera).ok_or("far away")?;
     /// assert!(point.x() < Scalar::ZERO && point.y() > Scalar::ZERO && point.z() > -Scalar::ONE);
-    /// assert_eq!(instance.pick(Point::new(0, 0), &mut []), None);
+    /// assert_eq!(instance.pick(Point::new(0, 0), opaque, &mut []), None);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn pick(&self, pixel: Point, cache: &mut [ScreenVertex]) -> Option<Picked> {
-        self.pick_before(pixel, cache, DepthBuffer::NOTHING)
+    pub fn pick<C: PixelColor, S: SpanShader<C>>(
+        &self,
+        pixel: Point,
+        shade: impl FnMut(usize) -> S,
+        cache: &mut [ScreenVertex],
+    ) -> Option<Picked> {
+        pick_at(pixel, |depth| Some((0, self.pick_nearer(depth, shade, cache)?)))
     }
 
-    /// [`pick`](Self::pick) among the faces that are nearer than `depth`.
-    pub(super) fn pick_before(&self, pixel: Point, cache: &mut [ScreenVertex], depth: u16) -> Option<Picked> {
+    /// The face that is seen in the one pixel of the depth buffer, if one is nearer than its depth, which it replaces.
+    pub(super) fn pick_nearer<C: PixelColor, S: SpanShader<C>>(
+        &self,
+        depth: &mut DepthBuffer<'_>,
+        shade: impl FnMut(usize) -> S,
+        cache: &mut [ScreenVertex],
+    ) -> Option<usize> {
         if P::CULL {
             let source = PlaneOrder::new(&self.any);
-            pick(source, LazyCache::new(&self.any, true, cache), pixel, depth)
+            pick_nearer(source, LazyCache::new(&self.any, true, cache), depth, shade)
         } else {
-            pick(MeshOrder, TransformedMesh::new(&self.any, cache), pixel, depth)
+            pick_nearer(MeshOrder, TransformedMesh::new(&self.any, cache), depth, shade)
         }
     }
 }
 
 impl<V: Coordinate, P: FacePlanes> TransformedMesh<'_, V, true, P> {
     /// The face that is seen in a pixel of the target: see [`MeshInstance::pick`].
-    pub fn pick(&self, pixel: Point) -> Option<Picked> {
-        if P::CULL {
-            pick(PlaneOrder::new(self.instance), self.any(), pixel, DepthBuffer::NOTHING)
-        } else {
-            pick(MeshOrder, self.any(), pixel, DepthBuffer::NOTHING)
-        }
+    pub fn pick<C: PixelColor, S: SpanShader<C>>(
+        &self,
+        pixel: Point,
+        shade: impl FnMut(usize) -> S,
+    ) -> Option<Picked> {
+        pick_at(pixel, |depth| {
+            let face = if P::CULL {
+                pick_nearer(PlaneOrder::new(self.instance), self.any(), depth, shade)
+            } else {
+                pick_nearer(MeshOrder, self.any(), depth, shade)
+            };
+            Some((0, face?))
+        })
     }
 }
 
-/// The face of a source that is seen in a pixel, among the faces that are nearer than `depth`.
-fn pick<'a, V: Coordinate + 'a>(
-    source: impl FaceSource,
-    mut cache: impl VertexCache<'a, V, true>,
+/// What is seen in a pixel: `nearest` gets a depth buffer of this pixel and returns the nearest face, with its object's index.
+pub(super) fn pick_at(
     pixel: Point,
-    depth: u16,
+    nearest: impl FnOnce(&mut DepthBuffer<'_>) -> Option<(usize, usize)>,
 ) -> Option<Picked> {
     let at = pixel_centre(pixel)?;
-    let (area, mut storage) = (Rectangle::new(pixel, Size::new(1, 1)), [0]);
-    // A depth buffer of one pixel.
-    let mut buffer = DepthBuffer::new(area, &mut storage).ok()?;
-    buffer.values_mut().fill(depth);
-    let region = DrawRegion::shared(&area, cache.instance().area(), Some(&buffer));
+    let mut storage = [0];
+    let mut depth = DepthBuffer::new(Rectangle::new(pixel, Size::new(1, 1)), &mut storage).ok()?;
+    let (object, face) = nearest(&mut depth)?;
+    Some(Picked { object, face, at, depth: depth.at(pixel)? })
+}
+
+/// The last face of a source that passes the depth test in the one pixel of the depth buffer, and whose shader does not leave
+/// the pixel out. Its depth is stored, also where the shader is translucent and a drawing would not store it.
+fn pick_nearer<'a, V: Coordinate + 'a, C: PixelColor, S: SpanShader<C>>(
+    source: impl FaceSource,
+    mut cache: impl VertexCache<'a, V, true>,
+    depth: &mut DepthBuffer<'_>,
+    mut shade: impl FnMut(usize) -> S,
+) -> Option<usize> {
+    let instance = cache.instance();
+    let region = DrawRegion::shared(&depth.area(), instance.area(), None);
     if region.scissor.is_empty() {
         return None;
     }
     let mut nearest = None;
-    let Ok(_) =
-        each_face(source, &mut cache, &region.viewport, |face, _, triangles: &mut FaceTriangles<'_, ()>| {
-            loop {
-                let triangle = triangles.fan.triangle();
-                let mut spans = fast::spans(&triangle.triangle, &region.scissor);
-                if !spans.is_empty() {
-                    let gradient = fast::depth_gradient(&triangle.triangle, &triangle.depths);
-                    let Ok(()) = spans.try_for_each(|span| {
-                        buffer.test(span, &gradient, |_| {
-                            nearest = Some(face);
-                            Ok::<(), Infallible>(())
-                        })
-                    });
-                }
-                if !V::CLIPS || !triangles.fan.advance() {
-                    return Ok::<bool, Infallible>(true);
-                }
+    let Ok(_) = each_face(source, &mut cache, &region.viewport, |index, face, triangles| {
+        let shader = shade(index);
+        let Ok(()) = draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
+            let mut spans = fast::spans(&triangle.triangle, &region.scissor);
+            if spans.is_empty() {
+                return Ok(()); // the gradient is not set up
             }
+            let gradient = fast::depth_gradient(&triangle.triangle, &triangle.depths);
+            let setup = S::LEAVES_OUT.then(|| shader.set_up(&triangle.triangle));
+            spans.try_for_each(|span| {
+                let is_kept = || setup.as_ref().is_none_or(|setup| kept_pixels::<C, S>(setup, span)());
+                depth.test_kept(span, &gradient, is_kept, true, |_| {
+                    nearest = Some(index);
+                    Ok::<(), Infallible>(())
+                })
+            })
         });
-    let depth = buffer.at(pixel)?;
-    nearest.map(|face| Picked { object: 0, face, at, depth })
+        Ok::<bool, Infallible>(true)
+    });
+    nearest
 }
 
 /// The centre of a pixel; `None` beyond the guard band.

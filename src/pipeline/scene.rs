@@ -5,7 +5,7 @@ use super::bins::BinError;
 use super::cull::Cull;
 use super::instance::MeshInstance;
 use super::painter::{Painter, PainterError};
-use super::pick::Picked;
+use super::pick::{pick_at, Picked};
 use super::statistics::Statistics;
 use crate::camera::{Camera, ScreenVertex, Visibility};
 use crate::math::{Affine, Sphere};
@@ -14,6 +14,7 @@ use crate::shading::{Shader, SpanShader};
 use crate::space::{Model, World};
 use crate::surface::{DepthBuffer, Target};
 use embedded_graphics_core::geometry::Point;
+use embedded_graphics_core::pixelcolor::PixelColor;
 use heapless::Vec;
 
 /// An object of a [`Scene`]: a mesh, where it is, and what it is made of.
@@ -112,7 +113,8 @@ impl core::error::Error for SceneError {}
 ///     band.send(&mut display)?;
 /// }
 /// assert!(placed.len() < 8 && faces.statistics().drawn > 0);
-/// let picked = placed.pick(Point::new(32, 32), &mut []).ok_or("background")?;
+/// let opaque = |_index, _object: &Object<'_, Rgb565>| |_face| Rgb565::BLACK;
+/// let picked = placed.pick(Point::new(32, 32), opaque, &mut []).ok_or("background")?;
 /// assert_eq!(picked.object, 10); // the one in the middle
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -278,16 +280,22 @@ impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJE
     }
 
     /// The visible point in a pixel of the target, without drawing: the object, the face and the depth that
-    /// [`depth_tested`](Self::depth_tested) shows there. See [`MeshInstance::pick`].
-    pub fn pick(&self, pixel: Point, cache: &mut [ScreenVertex]) -> Option<Picked> {
-        let mut nearest: Option<Picked> = None;
-        for (object, instance) in &self.instances {
-            let before = nearest.map_or(DepthBuffer::NOTHING, |picked| picked.depth);
-            if let Some(picked) = instance.pick_before(pixel, cache, before) {
-                nearest = Some(Picked { object: *object, ..picked });
+    /// [`depth_tested`](Self::depth_tested) shows there, with the shaders that `shade` returns. Of faces with equal depth it is
+    /// that of the object that was added first. See [`MeshInstance::pick`].
+    pub fn pick<C: PixelColor, S: SpanShader<C>, F: FnMut(usize) -> S>(
+        &self,
+        pixel: Point,
+        mut shade: impl FnMut(usize, &'s Object<'m, M, P>) -> F,
+        cache: &mut [ScreenVertex],
+    ) -> Option<Picked> {
+        pick_at(pixel, |depth| {
+            let mut nearest = None;
+            for (index, object, instance) in self.indexed() {
+                let face = instance.pick_nearer(depth, shade(index, object), cache);
+                nearest = face.map(|face| (index, face)).or(nearest);
             }
-        }
-        nearest
+            nearest
+        })
     }
 
     /// Transforms the vertices of all visible objects and bins their faces, for drawing in bands. The objects share both

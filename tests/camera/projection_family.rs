@@ -324,6 +324,22 @@ fn s4_vanishing_points_beyond_all_numbers_keep_their_side() {
     }
 }
 
+/// Verticals meet in a point if the view plane is inclined to them by 2⁻²⁵ or more, and stay parallel if by less.
+#[test]
+fn s4_vanishing_points_begin_at_their_documented_angle() {
+    let lens = Family::FieldOfView(1 << 30, (240, 240), ONE, 9 * ONE).library().expect("a projection");
+    for (steps, is_finite) in [(33, true), (32, true), (31, false), (1, false), (0, false)] {
+        for sign in [1.0, -1.0] {
+            // The axis n has a component of so many 2⁻³⁰ along y.
+            let c = sign * f64::from(steps) * (-30f64).exp2();
+            let view = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, -c, 0.0], [0.0, c, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+            let view = ViewTransform::from_matrix(&view).expect("a rotation");
+            let [x, y, z] = drawing(&view, &lens).vanishing_points();
+            assert_eq!((x.is_some(), y.is_some(), z.is_some()), (false, is_finite, true), "{steps} {sign}");
+        }
+    }
+}
+
 /// A camera from `CameraBits` equals the camera from `Family` of these numbers.
 #[test]
 fn the_two_bridges_agree() {

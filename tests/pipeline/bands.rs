@@ -9,7 +9,7 @@ use pinhole::{
 };
 use support::bridge;
 use support::bridge::draw::{cube_camera, room_faces, CUBE, CUBE_EDGES, CUBE_FACES};
-use support::bridge::pair::{ModelBits, Step, ONE};
+use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::rectangle;
 use support::oracle::target::{Call, Recorder, Refused};
 
@@ -298,5 +298,33 @@ fn a_room_seen_from_inside_in_bands_is_complete() {
         assert!(statistics.clipped > 0);
         let picture = luma(&display);
         assert!(picture == whole(&instance, (0, 0, 64, 64)) && picture.iter().all(|&luma| luma != 0));
+    }
+}
+
+/// One unit is one pixel, with y up: faces and edges that only touch the viewport's borders from outside, which share no pixel with
+/// it, do not count in the bounds.
+#[test]
+fn bounds_leave_out_what_ends_at_the_borders() {
+    const SEEN: [[i16; 3]; 3] = [[20, -30, -5], [28, -30, -5], [20, -22, -5]];
+    let camera = CameraBits {
+        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
+        projection: ProjectionBits::Orthographic([0, 64 * ONE, -48 * ONE, 0], ONE, 100 * ONE),
+        viewport: (0, 0, 64, 48),
+    };
+    let camera = camera.library();
+    for beside in [
+        [[-8, -40, -5], [0, -40, -5], [-8, -4, -5]],  // left
+        [[64, -40, -5], [72, -40, -5], [64, -4, -5]], // right
+        [[4, 0, -5], [60, 0, -5], [4, 8, -5]],        // above
+        [[4, -56, -5], [60, -56, -5], [60, -48, -5]], // below
+    ] {
+        let vertices = [SEEN, beside].concat();
+        let mesh = Mesh::new(&vertices, 0, &[[0, 1, 2], [3, 4, 5]]).expect("a mesh");
+        let model = ModelBits::default().library();
+        let (mut cache, mut storage) = ([ScreenVertex::EMPTY; 6], [0; 4]);
+        let transformed = camera.place(&mesh, &model);
+        let transformed = transformed.transform_depth(&mut cache);
+        let faces = transformed.bin_faces(&mut storage).expect("room");
+        assert_eq!(faces.bounds(), rectangle(20, 22, 8, 8), "{beside:?}");
     }
 }

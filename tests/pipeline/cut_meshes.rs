@@ -179,9 +179,9 @@ fn every_way<V: Coordinate>(
         let at = (rng.below(WIDTH as usize) as i32, rng.below(HEIGHT as usize) as i32);
         let (pixel, drawn) = (at.into(), deep.get(&at).map(|(shader, _)| shader.0));
         let picked = [
-            instance.pick(pixel, &mut full),
-            by_planes.pick(pixel, &mut short),
-            by_planes.transform_depth(&mut empty).pick(pixel),
+            instance.pick(pixel, shader, &mut full),
+            by_planes.pick(pixel, shader, &mut short),
+            by_planes.transform_depth(&mut empty).pick(pixel, shader),
         ];
         for picked in picked {
             assert_eq!(picked.map(|picked| picked.face as u16 + 1), drawn, "{at:?}");

@@ -109,7 +109,7 @@ fn draw_every_way<V: Coordinate>(
     let mut depth = DepthBuffer::new(target.bounding_box(), &mut depths).expect("as large as the target");
     by_planes.depth_tested(|face| Shader(face as u16), cache, &mut depth, &mut target).expect("no error");
     by_planes.depth_only(cache, &mut depth);
-    by_planes.pick(Point::new(9, 7), cache);
+    by_planes.pick(Point::new(9, 7), |face| Shader(face as u16), cache);
     instance.depth_tested(|face| Shader(face as u16), cache, &mut depth, &mut target).expect("no error");
     instance.depth_only(cache, &mut depth);
     instance.wireframe(Shader(1), cache, &mut target).expect("no error");

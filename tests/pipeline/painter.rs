@@ -119,6 +119,19 @@ fn a_full_painter_names_the_parameter_and_value_to_raise() {
     let mut target = Recorder::sized(16, 16);
     assert_eq!(painter.draw(&mut target).expect("no error").drawn, 2);
     assert!(target.pixels.values().all(|&(c, n)| (c, n) == (Shader(0), 2)));
+    // A mesh that did not fit leaves its room free, and the viewport open.
+    let (empty, other) = (Mesh::new(&[[0; 3]; 8], 0, &[]), bridge::draw::cube_camera((3, 4, 9, 9)).library());
+    let mut painter = Painter::<Shader, 7, 9>::new();
+    let large = empty.expect("a mesh");
+    let full = Err(PainterError::Vertices { needed: 8, capacity: 7 });
+    assert_eq!(painter.add(&other.place(&large, &model), |_| Shader(0)), full);
+    for added in 0..2 {
+        painter.add(&instance, |_| Shader(0)).expect("enough room");
+        let full = Err(PainterError::Vertices { needed: 3 * added + 11, capacity: 7 });
+        assert_eq!(painter.add(&camera.place(&large, &model), |_| Shader(0)), full);
+    }
+    let mut target = Recorder::sized(16, 16);
+    assert_eq!(painter.draw(&mut target).expect("no error").drawn, 2);
     // With exactly that capacity the mesh fits.
     let mut painter = Painter::<Shader, 9, 3>::new();
     for _ in 0..3 {

@@ -7,8 +7,8 @@ use embedded_graphics_core::prelude::*;
 use pinhole::space::{Model, World};
 use pinhole::{
     Affine, Angle, BinError, Camera, Cull, DepthBuffer, FacePlanes, Frame, Mesh, Object, Painter, Picked,
-    Picture, Point3, Projection, Scalar, Scene, SceneError, ScreenVertex, Statistics, Vector3, ViewTransform,
-    Viewport, Visibility, WithPlanes,
+    Picture, Point3, Projection, Scalar, Scene, SceneError, ScreenDoor, ScreenVertex, SpanShader, Statistics,
+    Vector3, ViewTransform, Viewport, Visibility, WithPlanes,
 };
 use support::bridge::draw::{CUBE, CUBE_FACES};
 use support::bridge::rectangle;
@@ -88,8 +88,12 @@ fn camera(rng: &mut Rng) -> Camera {
 }
 
 /// All objects of a scene, placed and drawn one by one, without culling of objects or by planes: the faces as numbers, and their
-/// depths.
-fn by_hand<P: FacePlanes>(scene: &Scene<'_, usize, OBJECTS, P>, camera: &Camera) -> (Vec<Rgb565>, Vec<u16>) {
+/// depths. `shader` makes the shader of a face from its number.
+fn by_hand<P: FacePlanes, S: SpanShader<Rgb565>>(
+    scene: &Scene<'_, usize, OBJECTS, P>,
+    camera: &Camera,
+    shader: impl Fn(Rgb565) -> S,
+) -> (Vec<Rgb565>, Vec<u16>) {
     let mut pixels = vec![Rgb565::BLACK; (WIDTH * HEIGHT) as usize];
     let mut depths = vec![0; pixels.len()];
     let area = rectangle(0, 0, WIDTH, HEIGHT);
@@ -97,7 +101,7 @@ fn by_hand<P: FacePlanes>(scene: &Scene<'_, usize, OBJECTS, P>, camera: &Camera)
     let mut depth = DepthBuffer::new(area, &mut depths).expect("all pixels");
     for (index, object) in scene.objects().iter().enumerate() {
         let instance = camera.place(object.mesh, &object.model).with_cull(cull(index)).without_planes();
-        let shade = |face| number(index, face);
+        let shade = |face| shader(number(index, face));
         let Ok(_) = instance.depth_tested(shade, &mut [], &mut depth, &mut picture.pixels());
     }
     (pixels, depths)
@@ -143,7 +147,7 @@ fn drawn_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
     let (mut culled, mut drawn, mut clipped) = (0, 0, 0);
     for _ in 0..60 {
         let (scene, camera) = (random(&mut rng, meshes), camera(&mut rng));
-        let (wanted, _) = by_hand(&scene, &camera);
+        let (wanted, _) = by_hand(&scene, &camera, |number| number);
         for (rows, cache) in [(1, usize::MAX), (7, 30), (HEIGHT, 0)] {
             let (found, statistics) = in_bands(&scene, &camera, rows, cache);
             assert!(found == wanted, "{rows} rows");
@@ -182,6 +186,69 @@ fn drawn_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
     assert!(culled > 300 && drawn > 2000 && clipped > 300, "{culled} {drawn} {clipped}");
 }
 
+/// Of a binned scene, the shaders of an object are asked for in the bands that its faces meet, and in no others.
+#[test]
+fn a_band_asks_for_the_shaders_of_its_objects() {
+    let (mut rng, meshes) = (Rng::new(0xe5), meshes());
+    let (mut asked, mut not_asked) = (0, 0);
+    for _ in 0..20 {
+        let (scene, camera) = (random(&mut rng, &meshes), camera(&mut rng));
+        // The rows of each object's pixels, drawn alone.
+        let rows_of = |object: &Object<'_, usize>| {
+            let mut alone = Scene::<usize, OBJECTS>::new();
+            let far_off = Affine::translation(Vector3::from_ints(0, 20_000, 0));
+            for index in 0..OBJECTS {
+                let is_it = index == object.material;
+                let model = if is_it { object.model } else { far_off };
+                alone.add(Object { model, ..scene.objects()[index] }).expect("as many objects");
+            }
+            let (pixels, _) = by_hand(&alone, &camera, |number| number);
+            let drawn = |row: &i32| {
+                let row = *row as usize * WIDTH as usize;
+                pixels[row..row + WIDTH as usize].iter().any(|&pixel| pixel != Rgb565::BLACK)
+            };
+            let rows: Vec<i32> = (0..HEIGHT as i32).filter(drawn).collect();
+            rows.first().map(|&first| [first, rows[rows.len() - 1]])
+        };
+        // The rows of its vertices, among which its faces are, if none is clipped.
+        let box_of = |object: &Object<'_, usize>| {
+            let instance = camera.place(object.mesh, &object.model);
+            let row = |vertex| instance.project(vertex).map(|seen| Point::from(seen).y);
+            let rows = (0..object.mesh.vertices().len()).map(row).collect::<Result<Vec<i32>, _>>().ok()?;
+            Some([*rows.iter().min()?, *rows.iter().max()?])
+        };
+        let rows: Vec<_> = scene.objects().iter().map(|object| [rows_of(object), box_of(object)]).collect();
+        let placed = scene.place(&camera);
+        let mut bins = vec![0; placed.face_bins_len()];
+        let mut faces = placed.bin_faces(&mut [], &mut bins).expect("room for all faces");
+        let mut strip = vec![0; Frame::<Rgb565>::strip_bytes(WIDTH, 3)];
+        let mut depths = vec![0; (WIDTH * 3) as usize];
+        let mut frame = Frame::new(rectangle(0, 0, WIDTH, HEIGHT), Rgb565::BLACK);
+        while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
+            let area = band.area();
+            let mut depth = DepthBuffer::new(area, &mut depths).expect("a row");
+            let mut found = [false; OBJECTS];
+            let shade = |index: usize, _: &Object<'_, usize>| {
+                found[index] = true;
+                move |face| number(index, face)
+            };
+            let Ok(()) = faces.depth_tested(shade, &mut depth, &mut band.pixels());
+            let [first, last] = [area.top_left.y, area.top_left.y + area.size.height as i32 - 1];
+            for (&[drawn, vertices], is_asked) in rows.iter().zip(found) {
+                let meets = |[top, bottom]: [i32; 2]| top <= last && bottom >= first;
+                if drawn.is_some_and(meets) {
+                    assert!(is_asked, "{drawn:?} in {area:?}");
+                    asked += 1;
+                } else if vertices.is_some_and(|rows| !meets(rows)) {
+                    assert!(!is_asked, "{vertices:?} in {area:?}");
+                    not_asked += 1;
+                }
+            }
+        }
+    }
+    assert!(asked > 300 && not_asked > 1000, "{asked} {not_asked}");
+}
+
 #[test]
 fn a_scene_in_painters_order_is_its_objects_in_a_painter() {
     painted_scenes(&meshes());
@@ -217,24 +284,42 @@ fn painted_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
 }
 
 /// Every pixel of random scenes, culled and clipped faces and the borders of the viewport included: what is picked is what a
-/// depth-tested drawing shows.
+/// depth-tested drawing shows; of two objects in one place, it is the first.
 #[test]
 fn picking_finds_the_face_that_is_drawn() {
-    picked_scenes(&meshes());
-    picked_scenes(&mixed());
+    picked_scenes(&meshes(), |number| number);
+    picked_scenes(&mixed(), |number| number);
 }
 
-fn picked_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
+#[test]
+fn picking_finds_the_face_that_is_seen_through_screen_doors() {
+    let door = |number| ScreenDoor::new(number, (RawU16::from(number).into_inner() * 7 % 65) as u8);
+    picked_scenes(&meshes(), door);
+    picked_scenes(&mixed(), door);
+}
+
+fn picked_scenes<P: FacePlanes, S: SpanShader<Rgb565>>(
+    meshes: &[Mesh<'_, i16, P>; 2],
+    shader: impl Fn(Rgb565) -> S + Copy,
+) {
     let mut rng = Rng::new(0xe3);
-    let (mut hits, mut misses, mut points) = (0, 0, 0);
+    let (mut hits, mut misses, mut points, mut firsts) = (0, 0, 0, 0);
     for _ in 0..12 {
-        let (scene, camera) = (random(&mut rng, meshes), camera(&mut rng));
-        let (picture, depths) = by_hand(&scene, &camera);
+        let (mut scene, camera) = (random(&mut rng, meshes), camera(&mut rng));
+        let objects = scene.objects_mut();
+        for [first, second] in [[2, 3], [6, 20]] {
+            objects[second] = Object { material: second, ..objects[first] };
+        }
+        let (picture, depths) = by_hand(&scene, &camera, shader);
         let placed = scene.place(&camera);
         let mut cache = [ScreenVertex::EMPTY; 8];
+        let shade = |index: usize, object: &Object<'_, usize, P>| {
+            assert_eq!(index, object.material);
+            move |face| shader(number(index, face))
+        };
         for (at, (&color, &depth)) in rectangle(0, 0, WIDTH, HEIGHT).points().zip(picture.iter().zip(&depths))
         {
-            match placed.pick(at, &mut cache) {
+            match placed.pick(at, shade, &mut cache) {
                 None => {
                     assert_eq!(color, Rgb565::BLACK, "{at}");
                     misses += 1;
@@ -248,18 +333,23 @@ fn picked_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
                         assert_eq!(seen.map(Point::from), Ok(at));
                         points += 1;
                     }
+                    firsts += usize::from([2, 6].contains(&picked.object));
                     hits += 1;
                 }
             }
         }
     }
-    assert!(hits > 3000 && misses > 3000 && points > 3000, "{hits} {misses} {points}");
+    assert!(
+        hits > 3000 && misses > 3000 && points > 3000 && firsts > 100,
+        "{hits} {misses} {points} {firsts}"
+    );
 }
 
 /// One instance, with vertices cached, cached in part, and not at all; and beyond its viewport.
 #[test]
 fn picking_an_instance_needs_no_cache() {
     let (mut rng, meshes) = (Rng::new(0xe4), meshes());
+    let opaque = |_face| Rgb565::BLACK;
     for _ in 0..10 {
         let camera = camera(&mut rng);
         let model = Affine::<Model, World>::rotation_y(Angle::from_bits(rng.bits()))
@@ -268,15 +358,15 @@ fn picking_an_instance_needs_no_cache() {
         let mut cache = [ScreenVertex::EMPTY; 8];
         let all = instance.transform_depth(&mut cache);
         for at in rectangle(-4, -4, WIDTH + 8, HEIGHT + 8).points() {
-            let picked: Option<Picked> = all.pick(at);
-            assert_eq!(picked, instance.pick(at, &mut []));
-            assert_eq!(picked, instance.pick(at, &mut [ScreenVertex::EMPTY; 3]));
+            let picked: Option<Picked> = all.pick(at, opaque);
+            assert_eq!(picked, instance.pick(at, opaque, &mut []));
+            assert_eq!(picked, instance.pick(at, opaque, &mut [ScreenVertex::EMPTY; 3]));
             assert!(picked.is_none_or(|picked| picked.object == 0));
             let in_viewport = rectangle(3, -2, WIDTH - 5, HEIGHT).contains(at);
             assert!(in_viewport || picked.is_none());
         }
         for far_off in [Point::new(9000, 0), Point::new(0, i32::MIN), Point::new(i32::MAX, i32::MAX)] {
-            assert_eq!(instance.pick(far_off, &mut []), None);
+            assert_eq!(instance.pick(far_off, opaque, &mut []), None);
         }
     }
 }

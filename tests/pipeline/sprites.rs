@@ -512,6 +512,28 @@ fn flat() -> Camera {
     bits.library()
 }
 
+/// Of a height that gives a width half-way between two steps of a `Scalar`, the width is the larger one.
+#[test]
+fn a_tie_of_a_height_rounds_up() {
+    let raw = [255; 2 * 4 * 3];
+    let image = ImageRaw::<Rgb888>::new(&raw, 2);
+    // A step is 4 pixels.
+    let camera = CameraBits {
+        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
+        projection: ProjectionBits::Orthographic([-8, 8, -8, 8], ONE, 100 * ONE),
+        viewport: (0, 0, 64, 64),
+    };
+    let placed = camera.library().place_sprite(Point3::from_ints(0, 0, -10));
+    for (height, width) in [(2, 1), (3, 2), (4, 2), (5, 3)] {
+        let sprite = |_| Sprite::new(SpriteImage::new(&image)).with_height(Scalar::from_bits(height));
+        let mut pixels = vec![SKY; 64 * 64];
+        let mut picture = Picture::new(&mut pixels, Size::new(64, 64)).expect("room");
+        placed.draw(sprite, &mut picture.pixels()).expect("no error");
+        let drawn = pixels.iter().filter(|&&pixel| pixel != SKY).count();
+        assert_eq!(drawn, 4 * width * 4 * height as usize, "{height}");
+    }
+}
+
 /// A sprite at one pixel per texel shows what embedded-graphics' `Image` draws at its upper left corner.
 fn shows_the_image<I>(image: &I)
 where

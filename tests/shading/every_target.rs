@@ -104,7 +104,11 @@ pub(crate) fn in_memory<S: SpanShader<Rgb888>>(scene: &Scene, shade: &dyn Fn(usi
     drawn
 }
 
-/// Draws into memory and into a DrawTarget that is not the library's, in one piece and in bands. All pictures are equal.
+/// One pixel in so many is picked: the columns of successive rows differ.
+const PICKED: usize = 247;
+
+/// Draws into memory and into a DrawTarget that is not the library's, in one piece and in bands. All pictures are equal, and picking
+/// finds the depths that are stored.
 pub(crate) fn on_every_target<S: SpanShader<Rgb888>>(scene: &Scene, shade: &dyn Fn(usize) -> S) -> Drawn {
     let drawn = in_memory(scene, shade);
     let mut display = Display(sky());
@@ -118,6 +122,13 @@ pub(crate) fn on_every_target<S: SpanShader<Rgb888>>(scene: &Scene, shade: &dyn 
         let mut bin_storage = vec![0u16; 4096];
         let mut faces = instance.transform_depth(&mut cache).bin_faces(&mut bin_storage).unwrap();
         in_bands(&drawn.solid, &mut |band| faces.solid(shade, band).unwrap());
+        if S::WRITES_DEPTH {
+            let transformed = instance.transform_depth(&mut cache);
+            for (pixel, &depth) in area().points().zip(&drawn.depths).step_by(PICKED) {
+                let picked = transformed.pick(pixel, shade);
+                assert_eq!(picked.map_or(DepthBuffer::NOTHING, |picked| picked.depth), depth, "{pixel}");
+            }
+        }
     });
     drawn
 }

@@ -111,7 +111,7 @@ fn blinn_phong(n: V3, l: V3, v: V3, ambient: f64, shininess: i32) -> f64 {
 #[test]
 fn highlights_are_within_their_bound() {
     let mut rng = Rng::new(0xA3);
-    let mut worst = [0.0f64; 9];
+    let (mut worst, mut sum, mut count) = ([0.0f64; 9], 0.0, 0.0);
     for _ in 0..60_000 {
         let (model, _) = random_model(&mut rng);
         let (light, viewer) = (random_vector(&mut rng), random_vector(&mut rng));
@@ -139,13 +139,18 @@ fn highlights_are_within_their_bound() {
                 continue; // the light grazes
             }
             let level = blinn_phong(world, l, v, f64::from(ambient), 1 << power);
-            let error = (f64::from(ours.level(n)) - level).abs();
+            let off = f64::from(ours.level(n)) - level;
+            (sum, count) = (sum + off, count + 1.0);
+            let error = off.abs();
             let bound = 0.625 + f64::from(1 << power) / 64.0;
             assert!(error <= bound, "{error} off, 2^{power}: {model:?} {light:?} {viewer:?} {n:?}");
             worst[power] = worst[power].max(error);
         }
     }
-    println!("within {worst:.3?} levels");
+    let mean: f64 = sum / count;
+    println!("within {worst:.3?} levels, {mean:.4} on average");
+    // Rounded to the nearest level, not down: half a level less on average.
+    assert!(mean.abs() < 0.1, "{mean}");
     for (power, worst) in worst.into_iter().enumerate() {
         assert!(0.625 + f64::from(1 << power) / 64.0 <= 2.0 * worst, "2^{power}: {worst}");
     }
@@ -215,7 +220,7 @@ fn tables_with_a_highlight_are_the_nearest_colors() {
 #[test]
 fn point_lights_are_within_their_bound() {
     let mut rng = Rng::new(0xA4);
-    let [mut worst, mut near] = [0.0f64; 2];
+    let [mut worst, mut near, mut sum] = [0.0f64; 3];
     let mut lit = 0;
     for _ in 0..60_000 {
         let (model, _) = random_model(&mut rng);
@@ -243,16 +248,22 @@ fn point_lights_are_within_their_bound() {
         let fade = (1.0 - (r / range).powi(2)).max(0.0).powi(2);
         let cosine = chain::dot(normal(&exact, n.map(f64::from)), chain::normalise(towards)).max(0.0);
         let level = f64::from(strength) * cosine * fade;
-        let error = (f64::from(ours.level(vertex, n)) - level).abs();
+        let off = f64::from(ours.level(vertex, n)) - level;
+        let error = off.abs();
         let bound = 0.625 + range / r * (-15f64).exp2();
         assert!(error <= bound, "{error} off: {model:?} {vertex:?} 2^{exponent} {position:?} {range} {n:?}");
         worst = worst.max(error / bound);
         if r < range / 1000.0 {
             near = near.max((error - 0.5) * r / range);
         }
-        lit += usize::from(level > 1.0);
+        if level > 1.0 {
+            (lit, sum) = (lit + 1, sum + off);
+        }
     }
-    println!("{worst:.3} of the bound; 2^{:.2} range/r; {lit} lit", near.log2());
+    let mean: f64 = sum / f64::from(lit);
+    println!("{worst:.3} of the bound; 2^{:.2} range/r; {lit} lit, {mean:.4} off on average", near.log2());
+    // Rounded to the nearest level, not down: half a level less on average.
+    assert!(mean.abs() < 0.05, "{mean}");
     assert!(worst > 0.5 && near > (-16f64).exp2() && lit > 5_000, "{worst} {near} {lit}");
 }
 

@@ -14,8 +14,8 @@ use pinhole::space::{Model, World};
 use pinhole::{
     draw_line, fill_triangle, Affine, AntiAliased, Blend, Camera, Channels, Coordinate, Cull, DepthBuffer,
     Dim, DirtyRegions, FacePlanes, Flat, Frame, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Object,
-    Painter, Picture, Scalar, ScreenVertex, ShadeTable, SpanShader, Stroke, Target, Tracked, TransferCost,
-    WithPlanes,
+    Painter, Picture, Scalar, ScreenDoor, ScreenVertex, ShadeTable, SpanShader, Stroke, Target, Tracked,
+    TransferCost, WithPlanes,
 };
 
 /// A scene that is set up elsewhere, so that the compiler knows nothing of it here.
@@ -360,9 +360,10 @@ fn entry_pick(
 }
 
 fn pick<P: FacePlanes>(camera: &Camera, instance: &MeshInstance<'_, i16, P>, cache: &mut [ScreenVertex]) {
-    let picked = instance.pick(Point::new(any(), any()), cache);
+    let door = |_| ScreenDoor::new(Rgb565::BLACK, any() as u8);
+    let picked = instance.pick(Point::new(any(), any()), door, cache);
     report(picked.and_then(|picked| picked.point(camera)).ok_or(()));
-    report(instance.transform_depth(cache).pick(Point::new(any(), any())).ok_or(()));
+    report(instance.transform_depth(cache).pick(Point::new(any(), any()), |_| Rgb565::BLACK).ok_or(()));
 }
 
 #[unsafe(no_mangle)]
@@ -441,7 +442,7 @@ fn draw_scene<P: FacePlanes>(
         placed.face_bins_len(),
         placed.iter().count(),
     ));
-    report(placed.pick(Point::new(any(), any()), cache).ok_or(()));
+    report(placed.pick(Point::new(any(), any()), shade, cache).ok_or(()));
     report(placed.paint(shade, painter));
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     let Ok(mut depth) = DepthBuffer::new(area, depth) else { return };
