@@ -28,7 +28,11 @@ pub struct Vector3<S> {
 macro_rules! coordinates {
     ($name:ident) => {
         impl<S> $name<S> {
-            /// From coordinates in units of the space, exact.
+            /// From coordinates in units of the space, exact. [`Scalar`] says how to make one.
+            ///
+            /// ```compile_fail,E0308
+            /// let at = pinhole::Point3::<pinhole::space::World>::new(0.0, 1.0, 2.0); // f32: use from_f32
+            /// ```
             // The compiler shows the comment of the next line for an argument of another type.
             pub const fn new(x: Scalar, y: Scalar, z: Scalar) -> Self /* Scalar::from_int(2), from_ratio(1, 2), from_f32(0.5)? */ {
                 Self::from_bits([x.to_bits(), y.to_bits(), z.to_bits()])

@@ -2,7 +2,7 @@
 
 use super::num::divide;
 use super::NumberError;
-use core::fmt::{Debug, Display, Formatter};
+use core::fmt::{Display, Formatter};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 use core::str::FromStr;
 use fixed::types::I16F16;
@@ -30,7 +30,7 @@ use fixed::types::I16F16;
 /// assert_eq!(Scalar::from_f32(f32::NAN), Err(NumberError::NotFinite));
 /// # Ok::<(), NumberError>(())
 /// ```
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(transparent)]
 pub struct Scalar(I16F16);
 
@@ -237,12 +237,6 @@ impl FromStr for Scalar {
 }
 
 impl Display for Scalar {
-    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
-        Display::fmt(&self.0, f)
-    }
-}
-
-impl Debug for Scalar {
     fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
         Display::fmt(&self.0, f)
     }

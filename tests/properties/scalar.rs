@@ -101,7 +101,7 @@ proptest! {
         let text = number.to_string();
         prop_assert_eq!(text.parse(), Ok(number));
         prop_assert!((text.parse::<f64>().unwrap() - number.to_f64()).abs() < 1.0 / 131_072.0);
-        prop_assert_eq!(format!("{number:?}"), text);
+        prop_assert_eq!(format!("{number:?}"), format!("Scalar({text})"));
         prop_assert_eq!(I16F16::from(number), I16F16::from_bits(bits));
         prop_assert_eq!(Scalar::from(I16F16::from_bits(bits)), number);
     }

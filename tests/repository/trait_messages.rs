@@ -1,4 +1,5 @@
-//! Each public trait says what to do where a type does not implement it: the compiler's own message names the trait alone.
+//! Each public trait says what to do where a type does not implement it: the compiler's own message names the trait alone. It
+//! shows the line of a function whose argument has another type.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -52,6 +53,15 @@ fn every_public_trait_says_what_to_do() {
         }
     }
     assert!(count >= 12, "only {count} traits were found");
+}
+
+#[test]
+fn the_line_shown_for_a_coordinate_of_another_type_says_how_to_make_a_scalar() {
+    let source = include_str!("../../src/math/point.rs");
+    let line = source.lines().find(|line| line.contains("fn new(x: Scalar,")).expect("a constructor");
+    for way in ["Scalar::from_int(", "from_ratio(", "from_f32("] {
+        assert!(line.contains(way), "{line}");
+    }
 }
 
 #[test]

@@ -9,7 +9,7 @@ use pinhole::{meshes::TORUS, prelude::*, Angle};
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
 const CAMERA: Camera = {
     let Ok(viewport) = Viewport::new(SCREEN.top_left, SCREEN.size) else { panic!("the size") };
-    let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_bits(5 << 14) }; // 1.25
+    let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_ratio(5, 4) };
     let (fov, yaw, pitch) = (Angle::degrees(30), Angle::ZERO, Angle::degrees(40));
     let Ok(camera) = Camera::framing(&sphere, &viewport, fov, yaw, pitch) else { panic!("the view") };
     camera
