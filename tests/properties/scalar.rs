@@ -85,6 +85,8 @@ proptest! {
     fn floats_of_any_bits_are_refused_or_near(single in any::<u32>(), double in any::<u64>()) {
         let (single, double) = (f32::from_bits(single), f64::from_bits(double));
         prop_assert_eq!(Scalar::from_f32(single), Scalar::from_f64(single.into()));
+        let nearest = if double.is_nan() { 0.0 } else { double.clamp(-32_768.0, 32_768.0) };
+        prop_assert!((Scalar::from_num(double).to_f64() - nearest).abs() * 65_536.0 <= 1.0);
         match Scalar::from_f64(double) {
             Ok(number) => prop_assert!((number.to_f64() - double).abs() * 131_072.0 <= 1.0),
             Err(NumberError::OutOfRange) => prop_assert!(double.abs() > 32_767.0),

@@ -59,6 +59,7 @@ entries! {
     entry_scalar_assignments(a: &mut Scalar) -> () {{ *a += scalar(); *a -= scalar(); *a *= scalar(); *a /= scalar() }}
     entry_scalar_from(fixed: I16F16) -> [Scalar; 4] { [Scalar::from_int(any()), Scalar::from_ratio(any(), any()), Scalar::from(any() as i16), fixed.into()] }
     entry_scalar_from_floats(single: f32, double: f64) -> [Result<Scalar, NumberError>; 2] { [Scalar::from_f32(single), Scalar::from_f64(double)] }
+    entry_scalar_from_num(single: f32, double: f64) -> [Scalar; 2] { [Scalar::from_num(single), Scalar::from_num(double)] }
     entry_scalar_from_text(text: &str) -> Result<Scalar, NumberError> { text.parse() }
     entry_scalar_to(a: Scalar) -> (f32, f64, I16F16) { (a.to_f32(), a.to_f64(), a.into()) }
     entry_angle(a: Angle, b: Angle) -> (i32, i32) { (a + b - -Angle::turns(any(), any() as u32) + Angle::degrees(any())).sin_cos() }
