@@ -1,4 +1,6 @@
-use crate::script;
+use crate::remedy::{Remedy, Said};
+use crate::shown::shown;
+use crate::warning::{Warning, MOST_FACES};
 use std::error::Error;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -81,50 +83,80 @@ impl Problem {
     pub(crate) fn at(self, file: &Path, line: Option<usize>) -> ImportError {
         ImportError { file: file.to_owned(), line, problem: self, in_script: false }
     }
+
+    /// What to do about it: alternatives.
+    pub fn remedies(&self) -> Vec<Remedy> {
+        self.said().remedies
+    }
+
+    /// The message in one line, with the remedies in a program's own words: imperatives such as "use --flip".
+    pub fn worded(&self, words: impl Fn(Remedy) -> String) -> String {
+        self.said().worded(words)
+    }
+
+    /// The warning of a program that shows the model all the same.
+    pub(crate) fn as_warning(&self) -> Warning {
+        let Said { what, remedies, .. } = self.said();
+        Warning::NotForFirmware { problem: what, remedies }
+    }
+
+    fn said(&self) -> Said {
+        use Remedy as R;
+        match self {
+            Problem::Read(error) => Said::new(format!("cannot be read: {error}"), []),
+            Problem::Write(error) => Said::new(format!("cannot be written: {error}"), []),
+            Problem::UnknownFormat => Said::new("is not a model this program reads: ", [R::ExportFormat]),
+            Problem::TooLarge => Said::new("has more than 1 GiB: ", [R::ReduceModel]),
+            Problem::Syntax(what) => Said::new(*what, []),
+            Problem::Format(what) => Said::new(what, []),
+            Problem::NotText { byte } => {
+                Said::new(format!("is binary, not text, as byte {byte} is zero: "), [R::ExportFormat])
+            }
+            Problem::Truncated { given: 0, .. } => Said::new("is empty: ", [R::CopyAgain]),
+            Problem::Truncated { needed, given } => Said::new(
+                format!("ends before byte {given}, but should have {needed} bytes: "),
+                [R::CopyAgain],
+            ),
+            Problem::NoSuchVertex => Said::new("the face names a vertex that does not exist", []),
+            Problem::NotFinite => Said::new("a coordinate is not a finite number: ", [R::Repair]),
+            Problem::NotFiniteAt { byte } => {
+                Said::new(format!("the coordinate at byte {byte} is not a finite number: "), [R::Repair])
+            }
+            Problem::NoFaces => Said::new("has no faces: ", [R::ExportMesh]),
+            Problem::NoArea(faces) => Said::new(
+                format!("has no face with an area, as all {faces} are points or lines: "),
+                [R::ExportMesh],
+            ),
+            Problem::TooManyVertices(n) => Said::new(
+                format!("has {n} vertices, more than the 65536 of a mesh: "),
+                [R::Decimate(MOST_FACES), R::SplitModel],
+            ),
+            Problem::TooManyFaces(n) => Said::new(
+                format!("has {n} faces, more than the 65535 that can be named beside edges: "),
+                [R::NoEdgeFaces, R::Decimate(MOST_FACES)],
+            ),
+            Problem::Extent(extent) => {
+                Said::new(format!("has an extent of {extent:e}, out of range: "), [R::OtherUnit, R::Fit])
+            }
+            Problem::Exponent(exponent) => Said::new(
+                format!("needs a step of 2^{exponent}, but a mesh has 2^-32 to 2^15: "),
+                [R::OtherUnit, R::Fit],
+            ),
+            Problem::Options(what) => Said::new(*what, []),
+            Problem::NoTextures => {
+                Said::new("has a texture, but this build reads no pictures: ", [R::Feature("textures")])
+            }
+            Problem::NoDecimation => Said {
+                then: ", which needs a C++ compiler",
+                ..Said::new("cannot be decimated by this build: ", [R::Feature("decimate")])
+            },
+        }
+    }
 }
 
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Problem::Read(error) => write!(f, "cannot be read: {error}"),
-            Problem::Write(error) => write!(f, "cannot be written: {error}"),
-            Problem::UnknownFormat => f.write_str("is not a model this program reads: export .obj or .stl"),
-            Problem::TooLarge => f.write_str("has more than 1 GiB: reduce it in a modelling program"),
-            Problem::Syntax(what) => f.write_str(what),
-            Problem::Format(what) => f.write_str(what),
-            Problem::NotText { byte } => write!(f, "is binary, not text, as byte {byte} is zero: export .obj or .stl"),
-            Problem::Truncated { given: 0, .. } => f.write_str("is empty: copy or export it again"),
-            Problem::Truncated { needed, given } => {
-                write!(f, "ends before byte {given}, but should have {needed} bytes: copy or export it again")
-            }
-            Problem::NoSuchVertex => f.write_str("the face names a vertex that does not exist"),
-            Problem::NotFinite => f.write_str("a coordinate is not a finite number: repair or export the model again"),
-            Problem::NotFiniteAt { byte } => {
-                write!(f, "the coordinate at byte {byte} is not a finite number: repair or export the model again")
-            }
-            Problem::NoFaces => f.write_str("has no faces: export the model as a mesh"),
-            Problem::NoArea(faces) => write!(f, "has no face with an area, as all {faces} are points or lines: export the model as a mesh"),
-            Problem::TooManyVertices(n) => {
-                write!(f, "has {n} vertices, more than the 65536 of a mesh: use pinhole-import --decimate N, or split the model")
-            }
-            Problem::TooManyFaces(n) => {
-                write!(f, "has {n} faces, more than the 65535 that can be named beside edges: leave out --edge-faces, or use pinhole-import --decimate N")
-            }
-            Problem::Extent(extent) => write!(f, "has an extent of {extent:e}, out of range: use another unit, or pinhole-import --fit LENGTH"),
-            Problem::Exponent(exponent) => {
-                write!(
-                    f,
-                    "needs a step of 2^{exponent}, but a mesh has 2^-32 to 2^15: use another unit, or pinhole-import --fit LENGTH"
-                )
-            }
-            Problem::Options(what) => f.write_str(what),
-            Problem::NoTextures => f.write_str(
-                "has a texture, but this build reads no pictures: install it with the feature `textures`",
-            ),
-            Problem::NoDecimation => f.write_str(
-                "cannot be decimated by this build: install it with the feature `decimate`, which needs a C++ compiler",
-            ),
-        }
+        f.write_str(&self.worded(|remedy| remedy.to_string()))
     }
 }
 
@@ -136,12 +168,12 @@ impl fmt::Debug for ImportError {
 
 impl fmt::Display for ImportError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:", self.file.display())?;
+        write!(f, "{}:", shown(&self.file.to_string_lossy()))?;
         if let Some(line) = self.line {
             write!(f, "{line}:")?;
         }
         match self.in_script {
-            true => write!(f, " {}", script::in_script(&self.problem.to_string())),
+            true => write!(f, " {}", self.problem.said().in_script()),
             false => write!(f, " {}", self.problem),
         }
     }

@@ -44,21 +44,25 @@ mod parts;
 mod picture;
 mod preview;
 mod quantise;
+mod remedy;
 mod rust;
 mod script;
+mod shown;
 mod stl;
 mod text;
+mod warning;
 mod weld;
 
 pub use error::{ImportError, Problem};
 pub use mesh::{ImportedMesh, Report, Topology};
-pub use model::Warning;
 pub use options::{Axis, Centre, Edges, Options, TextureFormat};
 pub use picture::IndexedPicture;
 pub use preview::{preview, Preview};
 pub use quantise::quantise;
+pub use remedy::Remedy;
 pub use rust::is_constant_name;
 pub use script::build;
+pub use warning::{Place, Warning};
 
 /// The code of the README compiles.
 #[cfg(doctest)]
@@ -113,14 +117,14 @@ pub fn read(file: &Path) -> Result<ImportedMesh, ImportError> {
 /// Reads a model and makes a mesh of it that [`pinhole::Mesh`] takes, as the options say.
 ///
 /// ```
-/// use pinhole_import::{import, Edges, Options};
+/// use pinhole_import::{import, Edges, Options, Place, Warning};
 /// # let file = std::env::temp_dir().join(format!("pinhole-import-doc-{}.obj", std::process::id()));
 /// std::fs::write(&file, "v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nf 1 2 3 4\n")?;
 /// let options = Options { fit: Some(1.0), edges: Edges::Feature { degrees: 30.0 }, ..Options::default() };
 /// let sheet = import(&file, &options)?;
 /// assert_eq!(sheet.report.extent, 1.0);
 /// assert_eq!(sheet.edges.len(), 4, "the diagonal is no feature");
-/// assert!(sheet.warnings[0].message.starts_with("open edges: 4, the first at line 5; "));
+/// assert!(matches!(sheet.warnings[0], Warning::OpenEdges { count: 4, first: Place::Line(5) }));
 /// # std::fs::remove_file(&file)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

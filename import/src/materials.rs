@@ -1,6 +1,7 @@
 //! Materials: diffuse and emissive colours as a palette, the names of their pictures, and texture coordinates on a grid.
 
-use crate::model::{Colors, TextureFaces, Warning};
+use crate::model::{Colors, TextureFaces};
+use crate::Warning;
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -46,25 +47,21 @@ pub(crate) fn read(
         return (None, pictures);
     }
     let mut known = HashMap::new();
-    let mut warn = |message| warnings.push(Warning { line: None, message });
     for name in libraries {
         match library(name, file, beside) {
             Ok(materials) => known.extend(materials),
-            Err(problem) => warn(format!(
-                "material library {name}: {problem}; its materials are grey: put it beside the model"
-            )),
+            Err(problem) => warnings.push(Warning::Library { name: name.clone(), problem }),
         }
     }
     if known.is_empty() {
         if libraries.is_empty() {
-            warn("no material library (mtllib): faces have no colours".into());
+            warnings.push(Warning::NoLibrary);
         }
         return (None, pictures);
     }
     let unknown: Vec<&String> = names.iter().filter(|name| !known.contains_key(*name)).collect();
     if let Some(first) = unknown.first() {
-        let count = unknown.len();
-        warn(format!("materials that no library has: {count}, the first {first}; their faces are grey"));
+        warnings.push(Warning::UnknownMaterials { count: unknown.len(), first: first.to_string() });
     }
     let material = |number: Option<usize>| number.and_then(|number| known.get(names.get(number)?));
     for &number in &of_triangles {
@@ -80,10 +77,7 @@ pub(crate) fn read(
     let of_triangles: Vec<Shade> = of_triangles.into_iter().map(shade).collect();
     let (colors, count) = palette(&of_triangles);
     if count > colors.palette.len() {
-        let most = colors.palette.len();
-        warn(format!(
-            "colours: {count}, of which a palette holds {most}; the others become the nearest of these"
-        ));
+        warnings.push(Warning::Colors { count, kept: colors.palette.len() });
     }
     (Some(colors), pictures)
 }
@@ -198,18 +192,17 @@ pub(crate) struct Texture {
 ///
 /// # Errors
 ///
-/// What to do where they do not fit.
+/// The warning where they do not fit.
 pub(crate) fn texture(
     texture: &TextureFaces,
     faces: impl Iterator<Item = [usize; 3]>,
-) -> Result<Texture, &'static str> {
+) -> Result<Texture, Warning> {
     let faces: Vec<[usize; 3]> = faces.collect();
     let used = || faces.iter().flatten().filter_map(|&i| texture.coords.get(i));
     let on_grid = |c: f64, exponent: i8| (c * crate::grid::power_of_two(-exponent) + 0.5).floor();
     let fits =
         |exponent: &i8| used().flatten().all(|&c| (-32768.0..=32767.0).contains(&on_grid(c, *exponent)));
-    let exponent =
-        (-15..=0).find(fits).ok_or("they go beyond 32767 sides of the texture: repeat it less often")?;
+    let exponent = (-15..=0).find(fits).ok_or(Warning::TextureCoordsFar)?;
     let mut numbers = HashMap::new();
     let mut out = Texture { exponent, ..Texture::default() };
     for face in &faces {
@@ -221,9 +214,7 @@ pub(crate) fn texture(
                 out.coords.push(coord);
                 out.coords.len() - 1
             });
-            *corner = u16::try_from(number).map_err(|_| {
-                "there are more than 65536: use pinhole-import --decimate N, or split the model"
-            })?;
+            *corner = u16::try_from(number).map_err(|_| Warning::TextureCoordsMany)?;
         }
         out.faces.push(corners);
     }

@@ -2,6 +2,7 @@
 
 use crate::edges::Sides;
 use crate::grid::power_of_two;
+use crate::warning::MOST_FACES;
 use crate::{IndexedPicture, Warning};
 use pinhole::{FaceColors, MaterialError, Mesh, MeshError, TextureCoords, WithPlanes};
 use std::path::PathBuf;
@@ -190,11 +191,8 @@ impl ImportedMesh {
         const MANY: usize = 128 << 10;
         let (bytes, edges) =
             (self.flash_bytes(), size_of_val(&self.edges[..]) + size_of_val(&self.edge_faces[..]));
-        let remedy = if edges > 0 { "--edges none or --decimate N" } else { "--decimate N" };
-        let message = format!(
-            "size in flash: {bytes} bytes, {edges} of them for edges; if that is too much, use pinhole-import {remedy}"
-        );
-        (bytes > MANY).then_some(Warning { line: None, message })
+        let rest = (bytes - edges).max(1) / self.faces.len().max(1);
+        (bytes > MANY).then_some(Warning::Flash { bytes, edges, faces: MANY / rest.max(1) })
     }
 
     /// A warning, if the picture takes more flash than a small microcontroller can spare.
@@ -202,20 +200,13 @@ impl ImportedMesh {
         const MANY: usize = 16 << 10;
         let picture = self.picture.as_ref()?;
         let bytes = picture.flash_bytes();
-        let message = format!(
-            "texture of {} x {} texels: {bytes} bytes of flash; if that is too much, reduce the picture or use --texture 16",
-            picture.width, picture.height
-        );
-        (bytes > MANY).then_some(Warning { line: None, message })
+        (bytes > MANY).then_some(Warning::PictureFlash { size: [picture.width, picture.height], bytes })
     }
 
     /// A warning, if the mesh has more faces than `pinhole::TransformedMesh::bin_faces` takes.
     pub(crate) fn too_many_for_bands(&self) -> Option<Warning> {
-        let faces = self.faces.len();
-        let message = format!(
-            "{faces} faces, more than the 65535 that can be drawn in bands: use pinhole-import --decimate N, or split the model"
-        );
-        (faces > usize::from(u16::MAX)).then_some(Warning { line: None, message })
+        let count = self.faces.len();
+        (count > MOST_FACES).then_some(Warning::ManyFaces { count })
     }
 
     /// The faces without the backs of others.

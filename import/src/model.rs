@@ -1,8 +1,7 @@
 //! The result of a reader: triangles, where each is in the file, and doubtful points.
 
 use crate::materials::Pictures;
-use crate::Triangles;
-use std::fmt;
+use crate::{Place, Triangles, Warning};
 use std::path::PathBuf;
 
 /// A model as it is in its file.
@@ -54,43 +53,17 @@ pub(crate) enum Places {
 }
 
 impl Places {
-    /// A triangle's place in words, if it is known, and its line.
-    fn of(&self, triangle: usize) -> (Option<String>, Option<usize>) {
+    /// A triangle's place.
+    pub(crate) fn of(&self, triangle: usize) -> Place {
         match self {
-            Places::Unknown => (None, None),
             Places::Lines(lines) => {
-                let line = lines.get(triangle).map(|&line| line as usize);
-                (line.map(|line| format!("line {line}")), line)
+                lines.get(triangle).map_or(Place::Unknown, |&line| Place::Line(line as usize))
             }
-            Places::Records if triangle == NOWHERE => (None, None),
-            Places::Records => (Some(format!("triangle {}", triangle + 1)), None),
+            Places::Records if triangle != NOWHERE => Place::Triangle(triangle + 1),
+            _ => Place::Unknown,
         }
     }
 }
 
 /// The place of a triangle that is none of the file's.
 pub(crate) const NOWHERE: usize = usize::MAX;
-
-/// Something doubtful about a model that could be read. Its `Display` is one line.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Warning {
-    /// The line of the file, counted from 1, where it is seen first, if that is known.
-    pub line: Option<usize>,
-    /// A message that says what looks wrong in the file, and what to do.
-    pub message: String,
-}
-
-impl Warning {
-    /// A warning about several triangles: what is doubtful, the place of the first, and what follows from it and what to do.
-    pub(crate) fn at(what: &str, places: &Places, first: usize, then: &str) -> Self {
-        let (place, line) = places.of(first);
-        let place = place.map_or_else(String::new, |at| format!(", the first at {at}"));
-        Warning { line, message: format!("{what}{place}; {then}") }
-    }
-}
-
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)
-    }
-}

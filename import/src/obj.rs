@@ -1,9 +1,9 @@
 //! OBJ text to triangles, by `tobj`: positions, faces, texture coordinates, and the names of materials.
 
 use crate::materials;
-use crate::model::{Model, Places, TextureFaces, Warning};
+use crate::model::{Model, Places, TextureFaces};
 use crate::text::{a_vertex_needs_numbers, text};
-use crate::{ImportError, Problem};
+use crate::{ImportError, Place, Problem, Warning};
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -18,8 +18,7 @@ pub(crate) fn read(bytes: &[u8], file: &Path, beside: &[(String, Vec<u8>)]) -> R
     let mut loaded = load(&kept.text);
     if let Err((Problem::Syntax(problem @ (TEXTURE | TEXTURE_INDEX)), line)) = loaded {
         // The mesh needs no texture coordinates.
-        let message = format!("no texture coordinates: {problem}; they are left out: export them again");
-        model.warnings.push(Warning { line, message });
+        model.warnings.push(Warning::TextureCoords { problem, line });
         kept = what_a_mesh_uses(&whole, false);
         loaded = load(&kept.text);
     }
@@ -73,10 +72,7 @@ pub(crate) fn read(bytes: &[u8], file: &Path, beside: &[(String, Vec<u8>)]) -> R
     let is_used = bare_faces.is_none_or(|(_, count)| count < lines_of_faces);
     if is_used && !texture.coords.is_empty() && texture.coords.iter().flatten().all(|c| c.is_finite()) {
         if let Some((line, count)) = bare_faces {
-            let message = format!(
-                "faces without texture coordinates: {count}, the first at line {line}; they get those of the face before"
-            );
-            model.warnings.push(Warning { line: Some(line as usize), message });
+            model.warnings.push(Warning::BareFaces { count, first: Place::Line(line as usize) });
         }
         model.texture = Some(texture);
     }
@@ -86,11 +82,7 @@ pub(crate) fn read(bytes: &[u8], file: &Path, beside: &[(String, Vec<u8>)]) -> R
         return Err(Problem::NotFinite.at(file, line));
     }
     if let Some(&line) = concave.iter().min() {
-        let count = concave.len();
-        let message = format!(
-            "concave faces, whose triangles overlap: {count}, the first at line {line}; export triangles"
-        );
-        model.warnings.push(Warning { line: Some(line as usize), message });
+        model.warnings.push(Warning::Concave { count: concave.len(), first: Place::Line(line as usize) });
     }
     (model.colors, model.pictures) =
         materials::read(&materials.names, of_materials, &libraries, (file, beside), &mut model.warnings);

@@ -1,8 +1,7 @@
 //! The picture of a material as texels that name colours of a palette.
 
 use crate::materials::Pictures;
-use crate::model::Warning;
-use crate::{Problem, TextureFormat};
+use crate::{Problem, TextureFormat, Warning};
 use std::path::{Path, PathBuf};
 
 /// A picture as `pinhole::IndexedTexels` borrows it.
@@ -113,31 +112,25 @@ pub(crate) fn read(
     format: &TextureFormat,
     warnings: &mut Vec<Warning>,
 ) -> Result<Option<(PathBuf, IndexedPicture)>, Problem> {
-    let mut warn = |message| warnings.push(Warning { line: None, message });
     let Some(name) = pictures.names.first() else {
-        warn("no texture: no material names a picture (map_Kd)".into());
+        warnings.push(Warning::NoPicture);
         return Ok(None);
     };
     if let [_, other, ..] = &pictures.names[..] {
-        let count = pictures.names.len();
-        warn(format!(
-            "pictures of materials: {count}; only {name} is written, and faces that should show {other} show it, too: put them into one picture"
-        ));
+        let (written, other) = (name.clone(), other.clone());
+        warnings.push(Warning::Pictures { count: pictures.names.len(), written, other });
     }
     if pictures.bare > 0 {
-        warn(format!("faces whose material names no picture: {}; draw them in their colours", pictures.bare));
+        warnings.push(Warning::NoPictureFaces { count: pictures.bare });
     }
     let Some(path) = crate::materials::find(name, model) else {
-        warn(format!("no texture: picture {name} is not there: put it beside the model"));
+        warnings.push(Warning::PictureMissing { name: name.clone() });
         return Ok(None);
     };
-    match decode::indexed(&path, format)? {
-        Ok((picture, notes)) => {
-            notes.into_iter().for_each(|note| warn(format!("picture {name}: {note}")));
-            Ok(Some((path, picture)))
-        }
+    match decode::indexed(name, &path, format, warnings)? {
+        Ok(picture) => Ok(Some((path, picture))),
         Err(problem) => {
-            warn(format!("no texture: picture {name}: {problem}"));
+            warnings.push(Warning::Picture { name: name.clone(), problem });
             Ok(None)
         }
     }
@@ -146,13 +139,15 @@ pub(crate) fn read(
 #[cfg(not(feature = "textures"))]
 mod decode {
     use super::IndexedPicture;
-    use crate::{Problem, TextureFormat};
+    use crate::{Problem, TextureFormat, Warning};
     use std::path::Path;
 
     pub(super) fn indexed(
+        _: &str,
         _: &Path,
         _: &TextureFormat,
-    ) -> Result<Result<(IndexedPicture, Vec<String>), String>, Problem> {
+        _: &mut Vec<Warning>,
+    ) -> Result<Result<IndexedPicture, String>, Problem> {
         Err(Problem::NoTextures)
     }
 }
@@ -160,7 +155,7 @@ mod decode {
 #[cfg(feature = "textures")]
 mod decode {
     use super::IndexedPicture;
-    use crate::{rust, Problem, TextureFormat};
+    use crate::{rust, Problem, TextureFormat, Warning};
     use image::imageops::FilterType;
     use std::collections::BTreeMap;
     use std::path::Path;
@@ -168,30 +163,29 @@ mod decode {
     /// The longest side of a picture that is read: more would take minutes, and memory.
     const LONGEST: u32 = 8192;
 
-    /// The picture, and what was done to it; or why it is none.
+    /// The picture of this name in the materials, or why it is none. What was done to it is a warning.
     pub(super) fn indexed(
+        named: &str,
         path: &Path,
         format: &TextureFormat,
-    ) -> Result<Result<(IndexedPicture, Vec<String>), String>, Problem> {
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Result<IndexedPicture, String>, Problem> {
         let opened = match open(path) {
             Ok(opened) => opened,
             Err(problem) => return Ok(Err(problem)),
         };
-        let mut notes = Vec::new();
+        let named = || named.to_string();
         let read = opened.to_rgba8();
         let transparent = read.pixels().filter(|pixel| pixel[3] < 255).count();
         if transparent > 0 {
-            notes.push(format!("transparent pixels: {transparent}, written as if they were not"));
+            warnings.push(Warning::PictureTransparent { name: named(), pixels: transparent });
         }
         let read = opened.to_rgb8();
         let (from, to) = ((read.width(), read.height()), (side(read.width()), side(read.height())));
         let read = if from == to {
             read
         } else {
-            notes.push(format!(
-                "{} x {} pixels become {} x {}, as a side is a power of two of 8 to 256: resize the picture if it matters how",
-                from.0, from.1, to.0, to.1
-            ));
+            warnings.push(Warning::PictureResized { name: named(), from: from.into(), to: to.into() });
             image::imageops::resize(&read, to.0, to.1, FilterType::Triangle)
         };
         let pixels: Vec<[u8; 3]> = read.pixels().map(|pixel| pixel.0).collect();
@@ -202,10 +196,7 @@ mod decode {
         };
         let error = pixels.iter().zip(&indices).map(difference).max().unwrap_or_default();
         if all > format.colors {
-            notes.push(format!(
-                "{all} colours become {}, a channel off by up to {error} of 255",
-                format.colors
-            ));
+            warnings.push(Warning::PictureColors { name: named(), count: all, kept: format.colors, error });
         }
         let bits = format.colors.ilog2(); // 1, 2, 4 or 8
         let texels = indices
@@ -215,7 +206,7 @@ mod decode {
         let name = rust::one_line(&path.file_name().unwrap_or_default().to_string_lossy()).replace('`', "'");
         let color = format.color.clone();
         let (width, height) = (to.0 as usize, to.1 as usize);
-        Ok(Ok((IndexedPicture { name, width, height, palette, texels, color, error }, notes)))
+        Ok(Ok(IndexedPicture { name, width, height, palette, texels, color, error }))
     }
 
     fn open(path: &Path) -> Result<image::DynamicImage, String> {

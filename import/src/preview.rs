@@ -1,8 +1,9 @@
 //! A model for programs that show it before it is in a firmware.
 
-use crate::model::Warning;
 use crate::normals::on_one_line;
-use crate::{fits, quantise, read_model, Axis, ImportError, ImportedMesh, Options, Problem, Triangles};
+use crate::{
+    fits, quantise, read_model, Axis, ImportError, ImportedMesh, Options, Problem, Triangles, Warning,
+};
 use std::path::{Path, PathBuf};
 
 /// A model as [`import`](crate::import) makes it, but with the triangles of the file: for programs that show what a firmware
@@ -29,7 +30,7 @@ pub struct Preview {
     pub up: Axis,
     /// The mesh, or why no mesh can hold the model.
     pub mesh: Result<ImportedMesh, Problem>,
-    /// What [`import`](crate::import) warns about, in the same words, and why no mesh can hold the model.
+    /// What [`import`](crate::import) warns about, and why no mesh can hold the model.
     pub warnings: Vec<Warning>,
 }
 
@@ -91,7 +92,7 @@ pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
     let mesh = made.mesh.and_then(fits);
     let mut warnings = made.warnings;
     if let Err(problem) = &mesh {
-        warnings.push(Warning { line: None, message: format!("not for firmware: {problem}") });
+        warnings.push(problem.as_warning());
     }
     Ok(Preview {
         triangles,

@@ -4,12 +4,12 @@ use crate::edges::Sides;
 use crate::grid::{extent, Grid};
 use crate::materials::{self, Texture};
 use crate::mesh::{ImportedMesh, Report};
-use crate::model::{Model, Warning};
+use crate::model::Model;
 use crate::normals::{cross, of_vertices, on_one_line, unit};
 use crate::parts::Parts;
 use crate::picture;
 use crate::weld::{weld, Welded};
-use crate::{decimate, order, Axis, Options, Problem, Step, Triangles};
+use crate::{decimate, order, Axis, Options, Problem, Step, Triangles, Warning};
 use std::path::PathBuf;
 
 /// Makes a mesh of triangles: welds, centres, quantises, derives edges and normals. Scales and orders nothing: it has the
@@ -99,8 +99,7 @@ pub(crate) fn make(
             return Err(Problem::Options("decimation to so few triangles leaves none: allow more"));
         }
         if exact.faces.len() > wanted {
-            let message = format!("{} triangles are left: the shape allows no fewer", exact.faces.len());
-            warnings.push(Warning { line: None, message });
+            warnings.push(Warning::DecimatedLess { faces: exact.faces.len() });
         }
     }
 
@@ -151,39 +150,28 @@ pub(crate) fn make(
     let place = |face: usize| source(sources[face]);
     let (topology, faults) = sides.topology(place);
 
-    let mut warn = |count: usize, what: &str, first: Option<usize>, then: &str| {
-        if let Some(first) = first {
-            warnings.push(Warning::at(&format!("{what}: {count}"), &places, first, then));
-        }
-    };
-    let least = |places: &[usize]| places.iter().min().copied();
-    let dropped = "dropped, which changes no picture";
-    warn(degenerate.len(), "faces without area", least(&degenerate), dropped);
-    warn(duplicate.len(), "duplicate faces", least(&duplicate), dropped);
+    let least = |list: &[usize]| list.iter().min().map(|&triangle| places.of(triangle));
+    let at = |triangle: Option<usize>| triangle.map(|triangle| places.of(triangle));
+    let no_area = |first| Warning::NoArea { count: degenerate.len(), first };
+    let duplicates = |first| Warning::Duplicates { count: duplicate.len(), first };
+    warnings.extend(least(&degenerate).map(no_area));
+    warnings.extend(least(&duplicate).map(duplicates));
     if !options.two_sided {
-        let then = "faces show nothing from behind: close the surface, or use --two-sided";
-        warn(topology.open, "open edges", faults.open, then);
-        let then = "inside and outside are unclear there: separate the bodies, or use --two-sided";
-        warn(topology.crowded, "edges of more than two faces", faults.crowded, then);
-        let then = if parts.parts.iter().all(|part| part.is_one_sided == part.is_mixed) {
-            "the surface is one-sided, like a Möbius strip: use --two-sided"
-        } else {
-            "some faces show nothing from outside: use --fix-winding"
-        };
-        warn(topology.twisted, "edges between faces of opposite winding", faults.twisted, then);
+        let open = |first| Warning::OpenEdges { count: topology.open, first };
+        let crowded = |first| Warning::CrowdedEdges { count: topology.crowded, first };
+        let is_one_sided = parts.parts.iter().all(|part| part.is_one_sided == part.is_mixed);
+        let twisted = |first| Warning::TwistedEdges { count: topology.twisted, first, is_one_sided };
         let (inside_out, first) = parts.inside_out();
-        let then = match (inside_out == parts.parts.len(), options.flip) {
-            (true, false) => "the outside shows nothing: use --flip, unless it is a room seen from inside",
-            (true, true) => {
-                "the outside shows nothing: leave out --flip, unless it is a room seen from inside"
-            }
-            (false, false) => "their outside shows nothing: use --fix-winding",
-            (false, true) => "their outside shows nothing: use --fix-winding instead of --flip",
+        let inside_out = |first| Warning::InsideOut {
+            count: inside_out,
+            parts: parts.parts.len(),
+            first,
+            is_flipped: options.flip,
         };
-        let what = format!("parts inside out: {inside_out} of {}", parts.parts.len());
-        if let Some(first) = first {
-            warnings.push(Warning::at(&what, &places, place(first), then));
-        }
+        warnings.extend(at(faults.open).map(open));
+        warnings.extend(at(faults.crowded).map(crowded));
+        warnings.extend(at(faults.twisted).map(twisted));
+        warnings.extend(at(first.map(place)).map(inside_out));
     }
     let of_file = |faces: &[usize]| -> Vec<usize> {
         let mut list: Vec<usize> = faces.iter().map(|&face| place(face)).collect();
@@ -192,8 +180,7 @@ pub(crate) fn make(
     };
     let is_whole = decimated.0 == 0; // otherwise there are other triangles than those of the file
     if !is_whole && (colors.is_some() || texture.is_some()) {
-        let message = "decimation leaves out colours and texture coordinates: their faces are others now";
-        warnings.push(Warning { line: None, message: message.into() });
+        warnings.push(Warning::DecimatedMaterials);
     }
     let (colors, texture) = (colors.filter(|_| is_whole), texture.filter(|_| is_whole));
     let of_mesh = || (0..corners.len()).chain(backs.iter().copied());
@@ -212,16 +199,14 @@ pub(crate) fn make(
         };
         materials::texture(&texture, of_mesh().enumerate().map(corners_of))
     });
-    let texture = texture.unwrap_or_else(|problem| {
-        let message = format!("no texture coordinates: {problem}");
-        warnings.push(Warning { line: None, message });
+    let texture = texture.unwrap_or_else(|warning| {
+        warnings.push(warning);
         Texture::default()
     });
     let mut picture = None;
     match &options.texture {
         Some(_) if texture.faces.is_empty() => {
-            let message = "no texture: the model has no texture coordinates".into();
-            warnings.push(Warning { line: None, message });
+            warnings.push(Warning::NoTextureCoords);
         }
         Some(format) => {
             if let Some((path, read)) = picture::read(&pictures, &file, format, &mut warnings)? {

@@ -1,36 +1,8 @@
 //! For build scripts.
 
+use crate::shown::shown;
 use crate::{import, part, rust, ImportError, Options, Problem};
 use std::path::{Path, PathBuf};
-
-/// What messages call an option, and what it is in a build script.
-const FIELDS: [(&str, &str); 10] = [
-    ("pinhole-import --", "--"),
-    ("--edges none", "`edges: Edges::None`"),
-    ("--edge-faces", "`edge_faces`"),
-    ("--fit LENGTH", "`fit: Some(LENGTH)`"),
-    ("--fix-winding", "`fix_winding: true`"),
-    ("--flip", "`flip: true`"),
-    ("--two-sided", "`two_sided: true`"),
-    ("--decimate N", DECIMATE),
-    ("install it with the feature `textures`", "give pinhole-import the feature `textures` in Cargo.toml"),
-    ("install it with the feature `decimate`", "give pinhole-import the feature `decimate` in Cargo.toml"),
-];
-const DECIMATE: &str = if cfg!(feature = "decimate") {
-    "`decimate: Some(N)`"
-} else {
-    "`decimate: Some(N)` with features = [\"decimate\"] of pinhole-import in Cargo.toml and a C++ compiler"
-};
-
-/// A message about a model for the user of a build script: what it calls an option of the command line is named as a field of
-/// [`Options`].
-pub(crate) fn in_script(message: &str) -> String {
-    let named = FIELDS.iter().fold(message.to_owned(), |text, (option, field)| text.replace(option, field));
-    if named == message {
-        return named;
-    }
-    named + " (in the `Options` of build.rs)"
-}
 
 /// Imports a model in a `build.rs`: writes `$OUT_DIR/NAME.rs`, with the name in lower case, which has the constant `NAME`,
 /// a `pinhole::Mesh<'static>`; asks cargo to run the script again when the model changes; and passes on what is doubtful as
@@ -65,7 +37,7 @@ fn write(model: &Path, name: &str, options: &Options) -> Result<(), ImportError>
         .to_rust_mesh(name, model, "pinhole_import::build")
         .ok_or_else(|| Problem::Options(rust::NOT_A_NAME).at(model, None))?;
     for warning in &mesh.warnings {
-        println!("cargo::warning={}: {}", model.display(), rust::one_line(&in_script(&warning.message)));
+        println!("cargo::warning={}: {}", shown(&model.to_string_lossy()), warning.said().in_script());
     }
     let folder = std::env::var_os("OUT_DIR").map(PathBuf::from).ok_or_else(|| {
         let missing = std::io::Error::new(std::io::ErrorKind::NotFound, "no OUT_DIR: this is for build.rs");

@@ -36,7 +36,7 @@ function show() {
     // A turn would fail at each step: an import of half a second, again and again.
     stopTurning();
     showWarnings(`failed ${problem.message}`, () => {
-      const buttons = remedyButtons(problem.message);
+      const buttons = remedyButtons(isRemedied(problem.message) ? [{ changes: { decimate: 0 } }] : []);
       return buttons.length ? [element('div', { className: 'warning' }, 'This page can do it: ', ...buttons)] : [];
     });
     $('model').textContent = '';
@@ -80,7 +80,7 @@ function showModel(model) {
   isTooLarge = false;
   showDecimation(state.decimate);
   showWarnings(text, () => model.warnings.map(({ message, remedies }) =>
-    element('div', { className: 'warning' }, `Warning: ${grouped(message)} `, ...remedyButtons(message, remedies))));
+    element('div', { className: 'warning' }, `Warning: ${grouped(message)} `, ...remedyButtons(remedies))));
 }
 
 // What the warnings are about. They are made again only if this differs: a button that is replaced between press and release is
@@ -97,20 +97,19 @@ function showWarnings(about, make) {
 // Whether decimation makes a model one that can be drawn.
 const isRemedied = (message) => menu.decimates && message.includes('--decimate N');
 
-// A button for each remedy of a message.
-function remedyButtons(message, remedies = []) {
-  const made = remedies.map(({ part, value }) => {
-    const name = { 'two-sided': 'faces from behind', 'fix-winding': 'winding outwards', flip: 'reversed faces' }[part];
-    return remedyButton(`${value ? 'Use' : 'Leave out'} ${name}`, { [part]: value });
-  });
-  if (isRemedied(message)) {
-    // Half of the present faces, as long as that still helps; for a model too large for a mesh, as many faces as a display can
-    // show.
-    const now = state.decimate || allFaces;
-    const faces = drawnModel && now ? Math.max(Math.min(Math.floor(now / 2), 20_000), 4) : Math.min(20_000, Math.floor((state.decimate || 40_000) / 2));
-    if (faces < (state.decimate || Infinity)) made.push(remedyButton(`Decimate to ${count(faces)} faces`, { decimate: faces }));
-  }
-  return made;
+// A button for each remedy: its name, and what it changes in the choice.
+function remedyButtons(remedies) {
+  const button = ({ name, changes }) =>
+    'decimate' in changes ? decimationButtons() : [remedyButton(name[0].toUpperCase() + name.slice(1), changes)];
+  return remedies.flatMap(button);
+}
+
+// A button that decimates the model, as long as that still helps: to half of the present faces; for a model too large for a mesh, to as
+// many faces as a display can show.
+function decimationButtons() {
+  const now = state.decimate || allFaces;
+  const faces = drawnModel && now ? Math.max(Math.min(Math.floor(now / 2), 20_000), 4) : Math.min(20_000, Math.floor((state.decimate || 40_000) / 2));
+  return faces < (state.decimate || Infinity) ? [remedyButton(`Decimate to ${count(faces)} faces`, { decimate: faces })] : [];
 }
 
 function remedyButton(text, changes) {

@@ -11,7 +11,7 @@ use crate::json::{list, object, text};
 use crate::projections::Named;
 use crate::ready::{self, READY};
 use crate::texture::{Pattern, TextureImage, BY_SIDES};
-use crate::warning::remedies;
+use crate::warning::{buttons, words};
 use pinhole_import::{import_bytes, Axis, ImportedMesh, Options};
 use std::borrow::Cow;
 
@@ -243,12 +243,10 @@ impl Planner {
 /// The size of a model, and the warnings about it.
 fn about(mesh: &ImportedMesh, choice: &Choice) -> String {
     let is_laid_on = choice.style == Style::Textured && mesh.texture_faces.is_empty();
-    let messages = mesh.warnings.iter().map(ToString::to_string).chain(is_laid_on.then(|| BY_SIDES.into()));
-    let warnings = messages.map(|message| {
-        let remedies = remedies(&message)
-            .into_iter()
-            .map(|(part, value)| object([("part", text(part)), ("value", u8::from(value).to_string())]));
-        object([("remedies", list(remedies)), ("message", text(&message))])
+    let warnings = mesh.warnings.iter().map(|warning| (warning.worded(words), warning.remedies()));
+    let warnings = warnings.chain(is_laid_on.then(|| (BY_SIDES.into(), Vec::new())));
+    let warnings = warnings.map(|(message, remedies)| {
+        object([("remedies", list(buttons(&remedies))), ("message", text(&message))])
     });
     object([
         ("vertices", mesh.vertices.len().to_string()),

@@ -1,30 +1,52 @@
-//! The importer's warnings, and the remedies that they name.
+//! The importer's remedies in the words and the buttons of the page.
 
-/// The remedies for which the page has a button: options of the importer.
-const REMEDIES: [(&str, &str); 3] =
-    [("--two-sided", "two-sided"), ("--fix-winding", "fix-winding"), ("--flip", "flip")];
+use crate::json::{object, text};
+use pinhole_import::Remedy;
 
-/// The remedies that a message names: the part of a choice, and its value.
-pub(crate) fn remedies(message: &str) -> Vec<(&'static str, bool)> {
-    // "leave out --flip", "use --fix-winding instead of --flip".
-    let is_left_out = |option: &str| {
-        ["leave out ", "instead of "].iter().any(|words| message.contains(&format!("{words}{option}")))
-    };
-    let named = REMEDIES.iter().filter(|(option, _)| message.contains(option));
-    named.map(|(option, part)| (*part, !is_left_out(option))).collect()
+/// The button of a remedy, if the page has one: its name, and the parts of a choice that it sets.
+fn button(remedy: Remedy) -> Option<(&'static str, &'static [(&'static str, usize)])> {
+    Some(match remedy {
+        Remedy::TwoSided => ("use faces from behind", &[("two-sided", 1)]),
+        Remedy::FixWinding => ("use winding outwards", &[("fix-winding", 1)]),
+        Remedy::FixWindingNotFlip => {
+            ("use winding outwards instead of reversed faces", &[("fix-winding", 1), ("flip", 0)])
+        }
+        Remedy::Flip => ("use reversed faces", &[("flip", 1)]),
+        Remedy::NotFlip => ("leave out reversed faces", &[("flip", 0)]),
+        // The page finds the number of faces.
+        Remedy::Decimate(_) if cfg!(feature = "decimate") => ("decimate it", &[("decimate", 0)]),
+        _ => return None,
+    })
+}
+
+/// A remedy in words: the name of its button where there is one.
+pub(crate) fn words(remedy: Remedy) -> String {
+    match (button(remedy), remedy) {
+        (Some((name, _)), _) => name.into(),
+        (None, Remedy::NoEdges) => "choose a style without lines".into(),
+        (None, other) => other.to_string(),
+    }
+}
+
+/// The buttons of the remedies, as JSON.
+pub(crate) fn buttons(remedies: &[Remedy]) -> impl Iterator<Item = String> + '_ {
+    remedies.iter().filter_map(|&remedy| button(remedy)).map(|(name, parts)| {
+        let parts = object(parts.iter().map(|(part, value)| (*part, value.to_string())));
+        object([("name", text(name)), ("changes", parts)])
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::remedies;
+    use super::{buttons, words};
+    use pinhole_import::Remedy;
 
     #[test]
-    fn a_remedy_is_what_the_message_says() {
-        let open = "open edges: 4; faces show nothing from behind: close the surface, or use --two-sided";
-        assert_eq!(remedies(open), [("two-sided", true)]);
-        assert_eq!(remedies("the outside shows nothing: leave out --flip"), [("flip", false)]);
-        let both = "their outside shows nothing: use --fix-winding instead of --flip";
-        assert_eq!(remedies(both), [("fix-winding", true), ("flip", false)]);
-        assert_eq!(remedies("size in flash: 200000 bytes"), []);
+    fn a_remedy_is_a_button_where_the_page_has_one() {
+        let both = r#"{"name":"use winding outwards instead of reversed faces","changes":{"fix-winding":1,"flip":0}}"#;
+        let remedies = [Remedy::CloseSurface, Remedy::FixWindingNotFlip];
+        assert_eq!(buttons(&remedies).collect::<Vec<_>>(), [both]);
+        assert_eq!(words(Remedy::TwoSided), "use faces from behind");
+        assert_eq!(words(Remedy::CloseSurface), "close the surface");
     }
 }

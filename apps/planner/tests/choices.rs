@@ -78,7 +78,7 @@ fn a_broken_file_is_a_message_and_a_doubtful_one_a_warning_with_its_remedy() {
     planner.load("sheet.obj", b"v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nf 1 2 3 4\n".to_vec());
     let (_, about) = planner.draw(&file).expect("a sheet");
     assert!(
-        about.contains(r#""remedies":[{"part":"two-sided","value":1}],"message":"open edges: 4"#),
+        about.contains(r#""remedies":[{"name":"use faces from behind","changes":{"two-sided":1}}],"message":"open edges: 4"#),
         "{about}"
     );
     let (_, about) =

@@ -350,7 +350,9 @@ fn a_hundred_thousand_triangles_are_one_picture_and_a_warning_of_their_size() {
 #[test]
 fn more_vertices_than_a_mesh_has_are_refused_for_firmware_and_shown_as_such() {
     let path = file("vast.obj", field(300));
-    let problem = "has 90000 vertices, more than the 65536 of a mesh: use pinhole-import --decimate N, or split the model";
+    let decimate = pinhole_import::Remedy::Decimate(0);
+    let problem =
+        format!("has 90000 vertices, more than the 65536 of a mesh: {decimate}, or split the model");
     let error = pinhole_import::import(&path, &NONE).unwrap_err().to_string();
     assert_eq!(error, format!("{}: {problem}", path.display()));
     let (rendered, said) = in_render(&path, &NONE).unwrap();

@@ -2,10 +2,10 @@
 
 mod ascii;
 
-use crate::model::{Model, Places, Warning};
+use crate::model::{Model, Places};
 use crate::text::text;
 use crate::weld::Numbered;
-use crate::{ImportError, Problem, Triangles, LARGEST_FILE};
+use crate::{ImportError, Problem, Triangles, Warning, LARGEST_FILE};
 use std::path::Path;
 
 /// Header, count and triangles of a binary file.
@@ -20,11 +20,7 @@ pub(crate) fn read(bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError> {
         let ascii::Text { binary, lines, unended } =
             ascii::to_binary(&text(&bytes)).map_err(|(problem, line)| problem.at(file, line))?;
         let triangles = triangles(&binary);
-        let cut = |line| Warning {
-            line: Some(line),
-            message: format!("no `endsolid` after line {line}: perhaps the file was cut short"),
-        };
-        let warnings = unended.map(cut).into_iter().collect();
+        let warnings = unended.map(|line| Warning::NoEndsolid { line }).into_iter().collect();
         return Ok(Model { triangles, places: Places::Lines(lines), warnings, ..Model::default() });
     }
     let given = bytes.len() as u64;
@@ -44,8 +40,7 @@ pub(crate) fn read(bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError> {
     }
     let mut warnings = Vec::new();
     if given > needed {
-        let message = format!("{} bytes after the last triangle are passed over", given - needed);
-        warnings.push(Warning { line: None, message });
+        warnings.push(Warning::BytesAfter { count: given - needed });
     }
     let bytes = &bytes[..needed as usize];
     if let Some(byte) = first_not_finite(bytes) {

@@ -228,8 +228,8 @@ fn what_is_wrong_with_materials_leaves_the_mesh() {
     let wrong = format!("{CORNERS}vt x\n{a}{b}{c}{d}");
     let mesh = import(&file("wrong.obj", &wrong), &Options::default()).unwrap();
     assert_eq!((mesh.faces.len(), mesh.texture_faces.len()), (4, 0));
-    let doubt = "no texture coordinates: a texture coordinate needs two numbers; they are left out: export them again";
-    assert_eq!((mesh.warnings[0].line, said(&mesh)), (Some(17), vec![doubt.to_string()]));
+    let doubt = "no texture coordinates: a texture coordinate needs two numbers; they are left out: export the model again";
+    assert_eq!((mesh.warnings[0].line(), said(&mesh)), (Some(17), vec![doubt.to_string()]));
     let stray = format!("{CORNERS}{a}{b}{c}f 3/10 1/11 4/13\n");
     let mesh = import(&file("stray.obj", &stray), &Options::default()).unwrap();
     assert_eq!((mesh.faces.len(), mesh.texture_faces.len()), (4, 0));

@@ -1,6 +1,6 @@
 //! OBJ files as they come, sound and broken.
 
-use pinhole_import::{quantise, read, read_obj, ImportError, ImportedMesh, Problem, Triangles};
+use pinhole_import::{quantise, read, read_obj, ImportError, ImportedMesh, Problem, Remedy, Triangles};
 use std::collections::HashSet;
 use std::path::Path;
 
@@ -299,7 +299,10 @@ fn a_mesh_has_at_most_65536_vertices() {
     assert!(matches!(problem, Problem::TooManyVertices(65537)), "{problem:?}");
     assert_eq!(
         problem.to_string(),
-        "has 65537 vertices, more than the 65536 of a mesh: use pinhole-import --decimate N, or split the model"
+        format!(
+            "has 65537 vertices, more than the 65536 of a mesh: {}, or split the model",
+            Remedy::Decimate(0)
+        )
     );
 }
 
@@ -338,7 +341,7 @@ fn indices_out_of_range_are_an_error_from_any_reader() {
 
 /// The warnings of an import.
 fn warnings(text: &str) -> Vec<(Option<usize>, String)> {
-    import(text).unwrap().warnings.into_iter().map(|w| (w.line, w.message)).collect()
+    import(text).unwrap().warnings.into_iter().map(|w| (w.line(), w.to_string())).collect()
 }
 
 #[test]

@@ -92,9 +92,9 @@ fn faces_on_a_line_decide_nothing() {
         let report = mesh.report;
         assert_eq!((mesh.faces.len(), report.degenerate, report.unused), (4, 1, 2), "{far:e}");
         assert_eq!((report.extent, report.scale, mesh.offset), (2.0, 2.0, [1.0; 3]), "{far:e}");
-        let sliver = mesh.warnings.iter().find(|w| w.message.contains("without area")).unwrap();
+        let sliver = mesh.warnings.iter().find(|w| w.to_string().contains("without area")).unwrap();
         assert_eq!(
-            sliver.message,
+            sliver.to_string(),
             "faces without area: 1, the first at line 11; dropped, which changes no picture"
         );
     }
@@ -376,11 +376,11 @@ fn lines_are_right_after_faces_were_ordered() {
     let options = Options { reorder: true, ..Options::default() };
     let mesh = import(&file("hole.obj", text), &options).unwrap();
     let warning = &mesh.warnings[0];
-    assert!(warning.message.starts_with("open edges: 3, the first at line "), "{warning}");
-    let line = text.lines().nth(warning.line.unwrap() - 1).unwrap();
+    assert!(warning.to_string().starts_with("open edges: 3, the first at line "), "{warning}");
+    let line = text.lines().nth(warning.line().unwrap() - 1).unwrap();
     let corners: HashSet<_> = line.split_whitespace().skip(1).collect();
     assert_eq!(gone.intersection(&corners).count(), 2, "a neighbour of the hole");
-    assert_eq!(warning.line, Some(expected), "the first in the file");
+    assert_eq!(warning.line(), Some(expected), "the first in the file");
 }
 
 #[test]
@@ -392,9 +392,12 @@ fn the_third_face_of_an_edge_is_that_of_the_file() {
     let text = format!("{text}v 5 9 9\nf {} {} -1\n", corners[1], corners[2]);
     let options = Options { reorder: true, ..Options::default() };
     let mesh = import(&file("fin.obj", &text), &options).unwrap();
-    let crowded =
-        mesh.warnings.iter().find(|w| w.message.starts_with("edges of more than two faces: 1, ")).unwrap();
-    assert_eq!(crowded.line, Some(text.lines().count()));
+    let crowded = mesh
+        .warnings
+        .iter()
+        .find(|w| w.to_string().starts_with("edges of more than two faces: 1, "))
+        .unwrap();
+    assert_eq!(crowded.line(), Some(text.lines().count()));
 }
 
 #[test]

@@ -130,7 +130,7 @@ fn text_is_read_as_people_write_it() {
     let last = 1 + 4 * 7;
     let doubt = format!("no `endsolid` after line {last}: perhaps the file was cut short");
     assert_eq!(mesh.warnings.iter().map(ToString::to_string).collect::<Vec<_>>(), [doubt]);
-    assert_eq!((mesh.warnings[0].line, &mesh.faces), (Some(last), &good.faces));
+    assert_eq!((mesh.warnings[0].line(), &mesh.faces), (Some(last), &good.faces));
     // Several solids are one model.
     let (first, second) = (facet(0), facet(1));
     let two = import(format!("solid a\n{first}endsolid a\nsolid b\n{second}endsolid b\n")).unwrap();
@@ -144,7 +144,7 @@ fn text_is_read_as_people_write_it() {
     let one_line = format!("solid a\n{first}endsolid a\nsolid b c\n{second}endsolid b").replace('\n', " ");
     let one_line = import(one_line).unwrap();
     assert!(
-        one_line.warnings.iter().all(|w| w.message.starts_with("open edges: ")),
+        one_line.warnings.iter().all(|w| w.to_string().starts_with("open edges: ")),
         "{:?}",
         one_line.warnings
     );
@@ -258,8 +258,8 @@ fn doubtful_triangles_are_named_by_line_or_number() {
         (Some(16), "duplicate faces: 1, the first at line 16; dropped, which changes no picture"),
         (Some(2), OPEN_6),
     ];
-    let warnings: Vec<_> = mesh.warnings.iter().map(|w| (w.line, w.message.as_str())).collect();
-    assert_eq!(warnings, expected);
+    let warnings: Vec<_> = mesh.warnings.iter().map(|w| (w.line(), w.to_string())).collect();
+    assert_eq!(warnings, expected.map(|(line, message)| (line, message.to_string())));
 
     let mut bytes = binary(b"");
     bytes.drain(84..134); // the first face
@@ -267,7 +267,7 @@ fn doubtful_triangles_are_named_by_line_or_number() {
     let mesh = import(bytes).unwrap();
     let open = "open edges: 3, the first at triangle 1; faces show nothing from behind: close the surface, or use --two-sided";
     assert_eq!(mesh.warnings.len(), 1);
-    assert_eq!((mesh.warnings[0].line, mesh.warnings[0].message.as_str()), (None, open));
+    assert_eq!((mesh.warnings[0].line(), mesh.warnings[0].to_string().as_str()), (None, open));
 }
 
 /// Random finite numbers, by a linear congruence (Knuth, "The Art of Computer Programming" 2, section 3.3.4, table 1, line 16).

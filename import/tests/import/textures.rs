@@ -175,7 +175,7 @@ fn what_is_wrong_with_a_picture_leaves_the_mesh() {
     assert_eq!(doubt("glass", "map_Kd it.png", "it.png", glass), (true, 2, see_through.into()));
     let large = DynamicImage::from(RgbImage::from_pixel(256, 128, Rgb([1, 2, 3])));
     let path = square("large", "map_Kd it.png", "it.png", large);
-    let size = "texture of 256 x 128 texels: 33280 bytes of flash; if that is too much, reduce the picture or use --texture 16";
+    let size = "texture of 256 x 128 texels: 33280 bytes of flash; if that is too much, reduce the picture, or use --texture 16";
     assert_eq!(said(&import(&path, &with(256)).unwrap()), [size]);
     // Formats that there are not.
     let path = square("format", "map_Kd it.png", "it.png", picture());

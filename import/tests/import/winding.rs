@@ -1,6 +1,6 @@
 //! Which side of a face is its front: warnings, `flip`, `fix_winding` and `two_sided`.
 
-use pinhole_import::{import, preview, Edges, ImportedMesh, Options, Topology};
+use pinhole_import::{import, preview, Edges, ImportedMesh, Options, Remedy, Topology};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
@@ -165,7 +165,7 @@ fn cavities_point_inwards_and_what_is_in_a_frame_is_none() {
     let path = file("corner.obj", &obj(&[(corners, quads), block]));
     let mesh = import(&path, &Options::default()).unwrap();
     assert_eq!((mesh.topology(), mesh.warnings.len()), (Topology::default(), 1), "{:?}", mesh.warnings);
-    assert!(mesh.warnings[0].message.starts_with("parts inside out: 1 of 2, "), "{:?}", mesh.warnings);
+    assert!(mesh.warnings[0].to_string().starts_with("parts inside out: 1 of 2, "), "{:?}", mesh.warnings);
     let fixed = import(&path, &FIX).unwrap();
     assert!((fixed.volume() - (4.0 * 7.0 + 1.0)).abs() < 0.01, "{}", fixed.volume());
 }
@@ -324,7 +324,9 @@ fn what_no_mesh_holds_can_be_shown_and_says_so() {
     }
     let path = file("field.obj", &text);
     let error = import(&path, &Options::default()).unwrap_err();
-    let problem = "has 90000 vertices, more than the 65536 of a mesh: use pinhole-import --decimate N, or split the model";
+    let decimate = Remedy::Decimate(0);
+    let problem =
+        format!("has 90000 vertices, more than the 65536 of a mesh: {decimate}, or split the model");
     assert_eq!(error.to_string(), format!("{}: {problem}", path.display()));
     let shown = preview(&path, &Options::default()).unwrap();
     assert_eq!(shown.triangles.faces.len(), 2 * 299 * 299);
