@@ -3,14 +3,27 @@
 use crate::Problem;
 use std::borrow::Cow;
 
-/// Without a mark of UTF-8; where nothing but carriage returns ends lines, as on old Macs, they end as elsewhere.
+/// Without a mark of UTF-8 and the zeros or Ctrl-Z that some programs write behind the end; where nothing but carriage returns
+/// ends lines, as on old Macs, they end as elsewhere.
 pub(crate) fn text(bytes: &[u8]) -> Cow<'_, str> {
+    let bytes = without_end(bytes);
     let text = String::from_utf8_lossy(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
     if text.contains('\r') && !text.contains('\n') {
         text.replace('\r', "\n").into()
     } else {
         text
     }
+}
+
+/// The bytes of a text without zeros and Ctrl-Z at the end; all of them, if there is nothing else.
+pub(crate) fn without_end(bytes: &[u8]) -> &[u8] {
+    let end = bytes.iter().rposition(|byte| !b"\0\x1a".contains(byte));
+    bytes.get(..end.map_or(bytes.len(), |last| last + 1)).unwrap_or_default()
+}
+
+/// A line of numbers or indices without its comment, and without spaces around it.
+pub(crate) fn before_comment(line: &str) -> &str {
+    line.split('#').next().unwrap_or_default().trim()
 }
 
 /// The problem of a vertex whose coordinates are not three numbers. `found` is the text in their place: a comma is named, as

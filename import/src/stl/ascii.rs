@@ -1,10 +1,11 @@
 //! ASCII STL as people write it to binary STL, and what is wrong with it by lines.
 //!
 //! Taken are key words in any case, any number of words in a line, also all of them, several solids (they become one), facets
-//! without a sound normal (which exporters write for slivers), a start without `solid`, and an end without `endsolid`.
+//! without a sound normal (which exporters write for slivers), a start without `solid`, an end without `endsolid`, comments
+//! after `#`, lines of colours, other text behind a statement in its line, and `end` apart from what it ends.
 
 use super::{COUNT, HEADER};
-use crate::text::a_vertex_needs_numbers;
+use crate::text::{a_vertex_needs_numbers, before_comment};
 use crate::Problem;
 
 /// An ASCII file converted to binary STL, and the line in which each facet begins.
@@ -28,6 +29,7 @@ pub(super) fn to_binary(text: &str) -> Result<Text, Refusal> {
         if is(word, "facet") {
             out.lines.push(words.line as u32);
             facet(&mut words, &mut out.binary)?;
+            words.end_statement();
         } else if is(word, "solid") || ended {
             words.skip_name();
         } else {
@@ -51,6 +53,7 @@ fn facet(words: &mut Words<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
     }
     words.expect(word, "outer", "after the facet's normal should stand `outer loop`")?;
     words.expect_next("loop", "after `outer` should stand `loop`")?;
+    words.end_statement();
     out.extend([0; 12]);
     for _ in 0..3 {
         words.expect_next("vertex", "a facet has three vertices, each `vertex x y z`")?;
@@ -63,9 +66,11 @@ fn facet(words: &mut Words<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
                 Err(_) => return Err((a_vertex_needs_numbers(word), line)),
             }
         }
+        words.end_statement();
     }
     out.extend([0; 2]);
     words.expect_next("endloop", "after three vertices should stand `endloop`: a facet is a triangle")?;
+    words.end_statement();
     words.expect_next("endfacet", "after `endloop` should stand `endfacet`")
 }
 
@@ -73,7 +78,10 @@ fn is(word: &str, wanted: &str) -> bool {
     word.eq_ignore_ascii_case(wanted)
 }
 
-/// The words of a text, without the names of solids.
+/// The words that a statement begins with.
+const STATEMENTS: [&str; 8] = ["solid", "facet", "outer", "vertex", "end", "endloop", "endfacet", "endsolid"];
+
+/// The words of a text, without comments and the lines of colours that some programs write.
 struct Words<'t> {
     /// The number of the last word's line.
     line: usize,
@@ -85,19 +93,43 @@ impl<'t> Words<'t> {
     fn next(&mut self) -> Option<&'t str> {
         loop {
             if let Some(word) = self.words.next() {
-                return Some(word);
+                return Some(if is(word, "end") { self.joined(word) } else { word });
             }
-            self.words = self.lines.next()?.split_ascii_whitespace();
+            self.words = before_comment(self.lines.next()?).split_ascii_whitespace();
             self.line += 1;
+            if self.peek().is_some_and(|word| is(word, "color") || is(word, "colour")) {
+                self.words = "".split_ascii_whitespace();
+            }
+        }
+    }
+
+    /// The next word of the line.
+    fn peek(&self) -> Option<&'t str> {
+        self.words.clone().next()
+    }
+
+    /// `end` and the word that follows it in the line as one word, if they are one elsewhere.
+    fn joined(&mut self, end: &'t str) -> &'t str {
+        let words = [("loop", "endloop"), ("facet", "endfacet"), ("solid", "endsolid")];
+        let joined = words.into_iter().find(|(apart, _)| self.peek().is_some_and(|word| is(word, apart)));
+        joined.map_or(end, |(_, joined)| {
+            self.words.next();
+            joined
+        })
+    }
+
+    /// Skips what stands in the line behind a statement, up to the next statement.
+    fn end_statement(&mut self) {
+        while self.peek().is_some_and(|word| !STATEMENTS.iter().any(|statement| is(word, statement))) {
+            self.words.next();
         }
     }
 
     /// The name of a solid is the rest of its line, whatever words these are; but facets, if they stand there, are none.
     fn skip_name(&mut self) {
-        if !self.words.clone().any(|word| is(word, "outer")) {
-            self.words = "".split_ascii_whitespace();
-        }
-        while self.words.clone().next().is_some_and(|word| !is(word, "facet")) {
+        let mut rest = self.words.clone();
+        let has_facets = rest.any(|word| is(word, "facet")) && rest.any(|word| is(word, "outer"));
+        while self.peek().is_some_and(|word| !(has_facets && is(word, "facet"))) {
             self.words.next();
         }
     }

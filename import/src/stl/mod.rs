@@ -50,10 +50,14 @@ pub(crate) fn read(bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError> {
     Ok(Model { triangles, places: Places::Records, warnings, ..Model::default() })
 }
 
-/// Whether the file is one of text, with a solid or, without that line, a facet. A binary one may begin with "solid" too,
-/// but then it has its length, or a zero in its header or its count.
+/// Whether the file is one of text, with a solid or, without that line, a facet, below comments. A binary one may begin with
+/// "solid" too, but then it has its length, or a zero in its header or its count.
 fn is_text(bytes: &[u8]) -> bool {
-    let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
+    let mut start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
+    while start.starts_with(b"#") {
+        let end = start.iter().position(|byte| b"\r\n".contains(byte)).unwrap_or(start.len());
+        start = start.get(end..).unwrap_or_default().trim_ascii_start();
+    }
     let begins = |word: &[u8]| start.get(..5).is_some_and(|start| start.eq_ignore_ascii_case(word));
     let head = &bytes[..bytes.len().min(HEADER + COUNT)];
     (begins(b"solid") || begins(b"facet"))

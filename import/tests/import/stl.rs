@@ -119,6 +119,32 @@ fn text_is_read_as_people_write_it() {
         ("one line, and no name", tetrahedron.replace(" tetrahedron", "").replace('\n', "  ")),
         ("no `solid`", tetrahedron.replace("solid tetrahedron\nfacet", "facet")),
         ("facets in a line", tetrahedron.replace("\nouter", " outer").replace("\nvertex", "  vertex")),
+        ("a comment first", format!("# by hand\r\n\n  # twice\n{tetrahedron}")),
+        (
+            "comments",
+            tetrahedron.replace("facet\n", "facet # 1\n# facet\n").replace("vertex 1 ", "# x\nvertex 1 "),
+        ),
+        ("text after endfacet", tetrahedron.replace("endfacet", "endfacet colour 31")),
+        (
+            "text after the others",
+            tetrahedron.replace("loop", "loop 5").replace("vertex 0 0 0", "vertex 0 0 0 1 red"),
+        ),
+        ("end solid", tetrahedron.replace("endsolid", "end solid")),
+        (
+            "end loop, and end facet",
+            tetrahedron.replace("endloop", "END LOOP").replace("endfacet", "end\tfacet"),
+        ),
+        (
+            "colours",
+            tetrahedron
+                .replace("facet normal", "color 1 0 0\nfacet normal")
+                .replace("outer", "  COLOUR 1 0 0\nouter"),
+        ),
+        ("a zero at the end", format!("{tetrahedron}\0")),
+        ("Ctrl-Z and zeros at the end", format!("{tetrahedron}\x1a\0\0")),
+        ("a name like half a facet", tetrahedron.replace("tetrahedron", "outer facet")),
+        ("a name like a loop", tetrahedron.replace("tetrahedron", "outer loop vertex endsolid")),
+        ("a name with signs", tetrahedron.replace("tetrahedron", "box #1 color")),
         ("exponents", tetrahedron.replace("vertex 1 ", "vertex +10.0E-1 ")),
     ];
     for (what, text) in same {
@@ -211,7 +237,7 @@ fn what_is_wrong_with_text_is_named_with_its_line() {
     let error = import(good.replace("vertex 1 0 0", "vertex 1 0 x").replace('\n', "\r")).unwrap_err();
     assert_eq!(error.to_string(), "model.stl:5: a vertex needs three numbers");
     // Text that is not STL says so, and is not counted by its bytes.
-    for text in ["Dear reader, ".repeat(20), format!("# by hand\n{good}")] {
+    for text in ["Dear reader, ".repeat(20), "# by hand\nv 0 0 0\n".repeat(9), "#".repeat(200)] {
         let error = import(text).unwrap_err();
         assert_eq!(error.to_string(), "model.stl: is text, but no ASCII STL, which begins with `solid`: if it is an OBJ file, name it .obj, otherwise download or export it again");
     }
