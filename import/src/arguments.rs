@@ -2,15 +2,16 @@
 //! show a model before it is in a firmware.
 
 use clap::builder::PossibleValuesParser;
-use clap::{Arg, ArgAction, ArgMatches};
+use clap::{value_parser, Arg, ArgAction, ArgMatches};
 use pinhole_import::{Axis, Options};
+use std::path::PathBuf;
 
 /// The names of the options.
 #[allow(dead_code)] // for programs that take no model
-pub(crate) const NAMES: [&str; 4] = ["up", "flip", "fix-winding", "two-sided"];
+pub(crate) const NAMES: [&str; 5] = ["up", "flip", "fix-winding", "two-sided", "root"];
 
 /// The options themselves.
-pub(crate) fn arguments() -> [Arg; 4] {
+pub(crate) fn arguments() -> [Arg; 5] {
     let flag = |name: &'static str, help| Arg::new(name).long(name).action(ArgAction::SetTrue).help(help);
     let up = Arg::new("up")
         .long("up")
@@ -29,6 +30,9 @@ pub(crate) fn arguments() -> [Arg; 4] {
             "two-sided",
             "Show the backs of faces too, except of closed bodies: these faces count, and cost, twice",
         ),
+        Arg::new("root").long("root").value_name("FOLDER").value_parser(value_parser!(PathBuf)).help(
+            "A folder whose material libraries and pictures the model may name, besides its own folder",
+        ),
     ]
 }
 
@@ -40,6 +44,7 @@ pub(crate) fn options(given: &ArgMatches) -> Options {
         flip: given.get_flag("flip"),
         fix_winding: given.get_flag("fix-winding"),
         two_sided: given.get_flag("two-sided"),
+        root: given.get_one("root").cloned(),
         ..Options::default()
     }
 }

@@ -28,6 +28,9 @@
 //!
 //! Invalid input is an [`ImportError`]; doubtful input is imported, and listed in [`ImportedMesh::warnings`].
 
+mod beside;
+#[cfg(feature = "textures")]
+mod bmp;
 mod decimate;
 mod edges;
 mod error;
@@ -35,6 +38,7 @@ mod grid;
 mod materials;
 mod mesh;
 mod model;
+mod mtl;
 mod normals;
 mod obj;
 mod options;
@@ -42,6 +46,8 @@ mod order;
 mod part;
 mod parts;
 mod picture;
+#[cfg(feature = "textures")]
+mod pixels;
 mod preview;
 mod quantise;
 mod remedy;
@@ -53,6 +59,7 @@ mod text;
 mod warning;
 mod weld;
 
+pub use beside::Unread;
 pub use error::{ImportError, Problem};
 pub use mesh::{ImportedMesh, Report, Topology};
 pub use options::{Axis, Centre, Edges, Options, TextureFormat};
@@ -69,6 +76,7 @@ pub use warning::{Place, Warning};
 #[doc = include_str!("../README.md")]
 struct Readme;
 
+use beside::Beside;
 use model::Model;
 use std::io::Read;
 use std::path::Path;
@@ -111,7 +119,7 @@ const LARGEST_FILE: u64 = 1 << 30;
 ///
 /// [`ImportError`] names the file, the line if there is one, and what is wrong.
 pub fn read(file: &Path) -> Result<ImportedMesh, ImportError> {
-    finish(read_model(file)?, file, &Options::default(), &mut |_| ())
+    finish(read_model(file, None)?, file, &Options::default(), &mut |_| ())
 }
 
 /// Reads a model and makes a mesh of it that [`pinhole::Mesh`] takes, as the options say.
@@ -148,7 +156,7 @@ pub fn import_with(
     mut begins: impl FnMut(Step),
 ) -> Result<ImportedMesh, ImportError> {
     begins(Step::Read);
-    let mesh = finish(read_model(file)?, file, options, &mut begins)?;
+    let mesh = finish(read_model(file, options.root.as_deref())?, file, options, &mut begins)?;
     fits(mesh).map_err(|problem| problem.at(file, None))
 }
 
@@ -173,7 +181,8 @@ pub fn import_bytes(
     beside: &[(String, Vec<u8>)],
     options: &Options,
 ) -> Result<ImportedMesh, ImportError> {
-    let mesh = finish(model_of(bytes, file, beside)?, file, options, &mut |_| ())?;
+    let beside = Beside { model: file, given: beside, root: options.root.as_deref() };
+    let mesh = finish(model_of(bytes, beside)?, file, options, &mut |_| ())?;
     fits(mesh).map_err(|problem| problem.at(file, None))
 }
 
@@ -183,7 +192,7 @@ pub fn import_bytes(
 ///
 /// As [`read`].
 pub fn read_triangles(file: &Path) -> Result<Triangles, ImportError> {
-    Ok(read_model(file)?.triangles)
+    Ok(read_model(file, None)?.triangles)
 }
 
 /// Reads the text of an OBJ file; `file` is only named in errors.
@@ -195,7 +204,8 @@ pub fn read_triangles(file: &Path) -> Result<Triangles, ImportError> {
 ///
 /// As [`read`].
 pub fn read_obj(text: &[u8], file: &Path) -> Result<ImportedMesh, ImportError> {
-    finish(obj::read(text, file, &[])?, file, &Options::default(), &mut |_| ())
+    let model = obj::read(text, &Beside { model: file, given: &[], root: None })?;
+    finish(model, file, &Options::default(), &mut |_| ())
 }
 
 /// Reads the bytes of an STL file, binary or ASCII; `file` is only named in errors. Colours, which some programs hide in a
@@ -216,15 +226,15 @@ fn fits(mesh: ImportedMesh) -> Result<ImportedMesh, Problem> {
     }
 }
 
-fn read_model(file: &Path) -> Result<Model, ImportError> {
+fn read_model(file: &Path, root: Option<&Path>) -> Result<Model, ImportError> {
     Format::of(file)?; // before a large file is read
-    model_of(bytes(file)?, file, &[])
+    model_of(bytes(file)?, Beside { model: file, given: &[], root })
 }
 
-fn model_of(bytes: Vec<u8>, file: &Path, beside: &[(String, Vec<u8>)]) -> Result<Model, ImportError> {
-    match Format::of(file)? {
-        Format::Obj => obj::read(&bytes, file, beside),
-        Format::Stl => stl::read(bytes, file),
+fn model_of(bytes: Vec<u8>, beside: Beside<'_>) -> Result<Model, ImportError> {
+    match Format::of(beside.model)? {
+        Format::Obj => obj::read(&bytes, &beside),
+        Format::Stl => stl::read(bytes, beside.model),
     }
 }
 

@@ -177,7 +177,8 @@ fn run(given: &ArgMatches) -> Result<String, String> {
     let mesh = mesh.map_err(|e| e.to_string())?;
     warn(&model, &mesh.warnings);
 
-    let command = command_line([&model, &output]);
+    let root = path("root");
+    let command = command_line([&model, &output, &root]);
     let source = if given.get_flag("arrays") {
         mesh.to_rust(&command)
     } else {
@@ -212,12 +213,16 @@ fn doing(step: Step) -> &'static str {
 }
 
 /// The command line, for the header of the file. Of paths it has only the files' names, so it is equal on every machine.
-fn command_line(paths: [&Path; 2]) -> String {
+fn command_line(paths: [&Path; 3]) -> String {
     let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     std::env::args_os().skip(1).fold("pinhole-import".to_string(), |line, word| {
         let mut word = word.to_string_lossy().into_owned();
         for path in paths {
-            word = word.replace(&*path.to_string_lossy(), &name(path));
+            let start = word.strip_suffix(&*path.to_string_lossy());
+            // The path alone, or behind an option: `--root=PATH`, `-oPATH`.
+            if let Some(start) = start.filter(|start| start.is_empty() || start.starts_with('-')) {
+                word = start.to_string() + &name(path);
+            }
         }
         line + " " + &word
     })

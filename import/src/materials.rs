@@ -1,10 +1,12 @@
 //! Materials: diffuse and emissive colours as a palette, the names of their pictures, and texture coordinates on a grid.
 
+use crate::beside::Beside;
 use crate::model::{Colors, TextureFaces};
+use crate::mtl;
+use crate::text::{before_comment, text};
 use crate::Warning;
-use std::borrow::Cow;
-use std::collections::HashMap;
-use std::path::{Path, PathBuf};
+use std::collections::{HashMap, HashSet};
+use std::path::PathBuf;
 
 /// The diffuse colour of a material that has none.
 const GREY: [u8; 3] = [204; 3];
@@ -13,16 +15,6 @@ const BLACK: [u8; 3] = [0; 3];
 
 /// A diffuse colour, and the colour of emitted light.
 type Shade = [[u8; 3]; 2];
-
-/// What a library says of a material.
-#[derive(Clone, Default)]
-struct Material {
-    color: [u8; 3],
-    /// The colour of the light that it emits.
-    emission: [u8; 3],
-    /// The picture of the diffuse colour, as `map_Kd` names it.
-    picture: Option<String>,
-}
 
 /// The pictures of the materials that triangles use.
 #[derive(Debug, Default)]
@@ -33,108 +25,78 @@ pub(crate) struct Pictures {
     pub(crate) bare: usize,
 }
 
-/// The colour of each triangle, by its material, and the pictures that the materials name. No colours where no triangle has a
-/// material, or no library can be read. Libraries lie beside the model: as files that were given with it, or in its folder.
+/// The colour of each triangle, by its material, the pictures that the materials name, and the libraries that were read. No
+/// colours where no triangle has a material, or no library a material.
 pub(crate) fn read(
     names: &[String],
     of_triangles: Vec<Option<usize>>,
     libraries: &[String],
-    (file, beside): (&Path, &[(String, Vec<u8>)]),
+    beside: &Beside<'_>,
     warnings: &mut Vec<Warning>,
-) -> (Option<Colors>, Pictures) {
-    let mut pictures = Pictures::default();
+) -> (Option<Colors>, Pictures, Vec<PathBuf>) {
+    let (mut pictures, mut paths) = (Pictures::default(), Vec::new());
     if names.is_empty() {
-        return (None, pictures);
+        return (None, pictures, paths);
     }
     let mut known = HashMap::new();
-    for name in libraries {
-        match library(name, file, beside) {
-            Ok(materials) => known.extend(materials),
-            Err(problem) => warnings.push(Warning::Library { name: name.clone(), problem }),
+    if libraries.is_empty() {
+        warnings.push(Warning::NoLibrary);
+        return (None, pictures, paths);
+    }
+    let mut are_read = true;
+    let mut seen = HashSet::new();
+    let libraries = libraries.iter().filter(|names| seen.insert(*names));
+    for (name, found) in libraries.flat_map(|names| beside.find_all(names)) {
+        let name = name.to_owned();
+        match found.and_then(|found| Ok((beside.read(&found)?, found.path))) {
+            Ok((bytes, path)) => {
+                paths.push(path);
+                let library = mtl::read(&text(&bytes));
+                if let [(first, problem), ..] = library.doubts[..] {
+                    warnings.push(Warning::LibraryLines {
+                        name,
+                        count: library.doubts.len(),
+                        first,
+                        problem,
+                    });
+                }
+                known.extend(library.materials);
+            }
+            Err(why) => {
+                are_read = false;
+                warnings.push(Warning::Library { name, why });
+            }
         }
+    }
+    // A `#` may belong to a name, or begin a comment.
+    let material = |name: &String| known.get(name).or_else(|| known.get(before_comment(name)));
+    let unknown: Vec<&String> = names.iter().filter(|name| material(name).is_none()).collect();
+    if let Some(&first) = unknown.first().filter(|_| are_read || !known.is_empty()) {
+        warnings.push(Warning::UnknownMaterials { count: unknown.len(), first: first.clone() });
     }
     if known.is_empty() {
-        if libraries.is_empty() {
-            warnings.push(Warning::NoLibrary);
-        }
-        return (None, pictures);
+        return (None, pictures, paths);
     }
-    let unknown: Vec<&String> = names.iter().filter(|name| !known.contains_key(*name)).collect();
-    if let Some(first) = unknown.first() {
-        warnings.push(Warning::UnknownMaterials { count: unknown.len(), first: first.to_string() });
-    }
-    let material = |number: Option<usize>| number.and_then(|number| known.get(names.get(number)?));
+    let material = |number: Option<usize>| number.and_then(|number| material(names.get(number)?));
+    let mut named = HashSet::new();
     for &number in &of_triangles {
         match material(number).and_then(|material| material.picture.as_ref()) {
-            Some(name) if !pictures.names.contains(name) => pictures.names.push(name.clone()),
+            Some(name) if named.insert(name) => pictures.names.push(name.clone()),
             Some(_) => {}
             None => pictures.bare += 1,
         }
     }
     let shade = |number: Option<usize>| {
-        material(number).map_or([GREY, BLACK], |material| [material.color, material.emission])
+        let material = material(number);
+        let color = material.and_then(|material| material.color).unwrap_or(GREY);
+        [color, material.and_then(|material| material.emission).unwrap_or(BLACK)]
     };
     let of_triangles: Vec<Shade> = of_triangles.into_iter().map(shade).collect();
     let (colors, count) = palette(&of_triangles);
     if count > colors.palette.len() {
         warnings.push(Warning::Colors { count, kept: colors.palette.len() });
     }
-    (Some(colors), pictures)
-}
-
-/// The file of a material library or a picture, beside the model, if it is there.
-pub(crate) fn find(name: &str, model: &Path) -> Option<PathBuf> {
-    let folder = model.parent().unwrap_or(Path::new(""));
-    // A name may be written with the separators of another system.
-    let paths = [folder.join(name), folder.join(name.replace('\\', "/"))];
-    paths.into_iter().find(|path| path.is_file())
-}
-
-/// The materials of a library, by their names.
-fn library(
-    name: &str,
-    model: &Path,
-    beside: &[(String, Vec<u8>)],
-) -> Result<HashMap<String, Material>, String> {
-    let last = name.rsplit(['/', '\\']).next();
-    let bytes = match beside.iter().find(|(other, _)| Some(&other[..]) == last) {
-        Some((_, bytes)) => Cow::Borrowed(&bytes[..]),
-        None => {
-            let path = find(name, model).ok_or("is not there")?;
-            Cow::Owned(crate::bytes(&path).map_err(|error| error.problem.to_string())?)
-        }
-    };
-    // Other lines of a material are ignored, so errors in them do no harm.
-    let is_used =
-        |line: &&str| matches!(line.split_whitespace().next(), Some("newmtl" | "Kd" | "Ke" | "map_Kd"));
-    // A `map_Kd` without a name counts as no picture; tobj would refuse the whole library.
-    let is_named = |line: &&str| line.split_whitespace().nth(1).is_some();
-    let text: String = crate::text::text(&bytes)
-        .lines()
-        .filter(is_used)
-        .filter(|line| is_named(line) || !line.trim_start().starts_with("map_Kd"))
-        .flat_map(|line| [line, "\n"])
-        .collect();
-    let (materials, _) = tobj::load_mtl_buf(&mut text.as_bytes())
-        .map_err(|_| "cannot be understood: newmtl has a name, Kd and Ke have three numbers")?;
-    let material = |material: tobj::Material| {
-        let channels = |color: [f64; 3]| color.map(|c| (c * 255.0).round().clamp(0.0, 255.0) as u8); // NaN becomes 0
-        let color = material.diffuse.map_or(GREY, channels);
-        let emission = material.emissive.map_or(BLACK, channels);
-        let picture = material.diffuse_texture.map(|text| file_name(&text));
-        (material.name, Material { color, emission, picture })
-    };
-    Ok(materials.into_iter().map(material).collect())
-}
-
-/// The file that `map_Kd` names: the rest of the line, because names may have spaces, or only its last word if options come
-/// first.
-fn file_name(text: &str) -> String {
-    let name = match text.starts_with('-') {
-        true => text.split_whitespace().next_back().unwrap_or_default(),
-        false => text.trim(),
-    };
-    name.to_string()
+    (Some(colors), pictures, paths)
 }
 
 /// A palette of the colours, those that are used most if there are more than 256, in the order of their first use, and how

@@ -1,7 +1,7 @@
 //! The options of an import.
 
 use crate::Problem;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// How a model becomes a mesh. The default is what [`read`](crate::read) does: y up, scaled and ordered as in the file, centred,
 /// with all edges and face normals.
@@ -60,6 +60,9 @@ pub struct Options {
     /// The picture that the file's materials name (`map_Kd`), as a palette and texels: see
     /// [`ImportedMesh::picture`](crate::ImportedMesh::picture). `None` reads no picture.
     pub texture: Option<TextureFormat>,
+    /// A folder whose files the model may name as its material libraries and pictures. `None` permits those in the model's own
+    /// folder and below alone. Symbolic links are followed first, so that none leads out of these folders.
+    pub root: Option<PathBuf>,
 }
 
 /// The format of a material's picture. Only with the feature `textures`.
@@ -105,6 +108,7 @@ impl Default for Options {
             planes: false,
             vertex_normals: false,
             texture: None,
+            root: None,
         }
     }
 }

@@ -1,8 +1,9 @@
 //! The picture of a material as texels that name colours of a palette.
 
+use crate::beside::Beside;
 use crate::materials::Pictures;
-use crate::{Problem, TextureFormat, Warning};
-use std::path::{Path, PathBuf};
+use crate::{rust, Problem, TextureFormat, Warning};
+use std::path::PathBuf;
 
 /// A picture as `pinhole::IndexedTexels` borrows it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -108,7 +109,7 @@ pub(crate) fn channels(path: &str) -> Option<Channels> {
 /// Reads the picture that the materials name, in the format, and its path. What is doubtful is a warning.
 pub(crate) fn read(
     pictures: &Pictures,
-    model: &Path,
+    beside: &Beside<'_>,
     format: &TextureFormat,
     warnings: &mut Vec<Warning>,
 ) -> Result<Option<(PathBuf, IndexedPicture)>, Problem> {
@@ -123,12 +124,19 @@ pub(crate) fn read(
     if pictures.bare > 0 {
         warnings.push(Warning::NoPictureFaces { count: pictures.bare });
     }
-    let Some(path) = crate::materials::find(name, model) else {
-        warnings.push(Warning::PictureMissing { name: name.clone() });
-        return Ok(None);
+    let (bytes, path) = match beside.find(name).and_then(|found| Ok((beside.read(&found)?, found.path))) {
+        Ok(read) => read,
+        Err(why) => {
+            warnings.push(Warning::PictureUnread { name: name.clone(), why });
+            return Ok(None);
+        }
     };
-    match decode::indexed(name, &path, format, warnings)? {
-        Ok(picture) => Ok(Some((path, picture))),
+    match decode::indexed(name, &bytes, format, warnings)? {
+        Ok(picture) => {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            let name = rust::one_line(&name).replace('`', "'");
+            Ok(Some((path, IndexedPicture { name, ..picture })))
+        }
         Err(problem) => {
             warnings.push(Warning::Picture { name: name.clone(), problem });
             Ok(None)
@@ -140,11 +148,10 @@ pub(crate) fn read(
 mod decode {
     use super::IndexedPicture;
     use crate::{Problem, TextureFormat, Warning};
-    use std::path::Path;
 
     pub(super) fn indexed(
         _: &str,
-        _: &Path,
+        _: &[u8],
         _: &TextureFormat,
         _: &mut Vec<Warning>,
     ) -> Result<Result<IndexedPicture, String>, Problem> {
@@ -155,40 +162,31 @@ mod decode {
 #[cfg(feature = "textures")]
 mod decode {
     use super::IndexedPicture;
-    use crate::{rust, Problem, TextureFormat, Warning};
-    use image::imageops::FilterType;
+    use crate::{pixels, Problem, TextureFormat, Warning};
     use std::collections::BTreeMap;
-    use std::path::Path;
 
-    /// The longest side of a picture that is read: more would take minutes, and memory.
-    const LONGEST: u32 = 8192;
-
-    /// The picture of this name in the materials, or why it is none. What was done to it is a warning.
+    /// The picture, but for its file's name, or why it is none. What was done to it is a warning, which has its name in the materials.
     pub(super) fn indexed(
         named: &str,
-        path: &Path,
+        bytes: &[u8],
         format: &TextureFormat,
         warnings: &mut Vec<Warning>,
     ) -> Result<Result<IndexedPicture, String>, Problem> {
-        let opened = match open(path) {
-            Ok(opened) => opened,
+        let read = match pixels::read(bytes) {
+            Ok(read) => read,
             Err(problem) => return Ok(Err(problem)),
         };
         let named = || named.to_string();
-        let read = opened.to_rgba8();
-        let transparent = read.pixels().filter(|pixel| pixel[3] < 255).count();
+        let transparent = read.colors.iter().filter(|color| color[3] < 255).count();
         if transparent > 0 {
             warnings.push(Warning::PictureTransparent { name: named(), pixels: transparent });
         }
-        let read = opened.to_rgb8();
-        let (from, to) = ((read.width(), read.height()), (side(read.width()), side(read.height())));
-        let read = if from == to {
-            read
-        } else {
-            warnings.push(Warning::PictureResized { name: named(), from: from.into(), to: to.into() });
-            image::imageops::resize(&read, to.0, to.1, FilterType::Triangle)
-        };
-        let pixels: Vec<[u8; 3]> = read.pixels().map(|pixel| pixel.0).collect();
+        let (from, to) = ([read.width, read.height], [side(read.width), side(read.height)]);
+        let mut pixels: Vec<[u8; 3]> = read.colors.iter().map(|&[r, g, b, _]| [r, g, b]).collect();
+        if from != to {
+            warnings.push(Warning::PictureResized { name: named(), from, to });
+            pixels = pixels::resampled(&pixels, from, to);
+        }
         let (palette, indices, all) = reduce(&pixels, format.colors);
         let difference = |(pixel, &index): (&[u8; 3], &u8)| {
             let color = palette[usize::from(index)];
@@ -203,29 +201,14 @@ mod decode {
             .chunks(8 / bits as usize)
             .map(|texels| texels.iter().fold(0u32, |byte, &texel| byte << bits | u32::from(texel)) as u8)
             .collect();
-        let name = rust::one_line(&path.file_name().unwrap_or_default().to_string_lossy()).replace('`', "'");
+        let name = String::new();
         let color = format.color.clone();
-        let (width, height) = (to.0 as usize, to.1 as usize);
+        let [width, height] = to;
         Ok(Ok(IndexedPicture { name, width, height, palette, texels, color, error }))
     }
 
-    fn open(path: &Path) -> Result<image::DynamicImage, String> {
-        let problem = |error: &dyn std::fmt::Display| format!("cannot be read: {error}");
-        let file = std::fs::File::open(path).map_err(|e| problem(&e))?;
-        // By its first bytes, not by its name.
-        let mut reader = image::ImageReader::new(std::io::BufReader::new(file));
-        reader = reader.with_guessed_format().map_err(|e| problem(&e))?;
-        let mut limits = image::Limits::default();
-        (limits.max_image_width, limits.max_image_height) = (Some(LONGEST), Some(LONGEST));
-        reader.limits(limits);
-        if !matches!(reader.format(), Some(image::ImageFormat::Png | image::ImageFormat::Bmp)) {
-            return Err("is neither PNG nor BMP: convert it".into());
-        }
-        reader.decode().map_err(|e| problem(&e))
-    }
-
     /// The power of two of 8 to 256 next to a side, the larger one from √2 of the smaller on.
-    fn side(given: u32) -> u32 {
+    fn side(given: usize) -> usize {
         [8, 16, 32, 64, 128].into_iter().find(|&side| given * given < 2 * side * side).unwrap_or(256)
     }
 

@@ -1,5 +1,6 @@
 //! The way from triangles to a mesh.
 
+use crate::beside::Beside;
 use crate::edges::Sides;
 use crate::grid::{extent, Grid};
 use crate::materials::{self, Texture};
@@ -209,7 +210,8 @@ pub(crate) fn make(
             warnings.push(Warning::NoTextureCoords);
         }
         Some(format) => {
-            if let Some((path, read)) = picture::read(&pictures, &file, format, &mut warnings)? {
+            let beside = Beside { model: &file, given: &[], root: options.root.as_deref() };
+            if let Some((path, read)) = picture::read(&pictures, &beside, format, &mut warnings)? {
                 libraries.push(path);
                 picture = Some(read);
             }

@@ -68,6 +68,8 @@ pub enum Remedy {
     ExportTriangles,
     /// Put the file beside the model.
     PutBeside,
+    /// Set [`Options::root`](crate::Options::root) to the file's folder.
+    Root,
     /// Paint the picture so that the texture repeats less often.
     RepeatLess,
     /// Put the pictures of all materials into one.
@@ -97,6 +99,7 @@ impl Remedy {
             Self::NoEdges => "use `edges: Edges::None`",
             Self::NoEdgeFaces => "leave out `edge_faces`",
             Self::Fit => "use `fit: Some(LENGTH)`",
+            Self::Root => "use `root: Some(FOLDER)`",
             Self::Decimate(_) if cfg!(feature = "decimate") => "use `decimate: Some(N)`",
             Self::Decimate(_) => "use `decimate: Some(N)` with features = [\"decimate\"] of pinhole-import in Cargo.toml and a C++ compiler",
             Self::TextureColors(colors) => return format!("use `colors: {colors}` in `texture`"),
@@ -134,6 +137,7 @@ impl fmt::Display for Remedy {
             Self::ExportMesh => "export the model as a mesh",
             Self::ExportTriangles => "export triangles",
             Self::PutBeside => "put it beside the model",
+            Self::Root => "use --root FOLDER",
             Self::RepeatLess => "repeat it less often",
             Self::OnePicture => "put them into one picture",
             Self::ReducePicture => "reduce the picture",

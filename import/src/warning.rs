@@ -1,5 +1,6 @@
 //! What is doubtful about a model that could be read.
 
+use crate::beside::Unread;
 use crate::remedy::{Remedy, Said};
 use std::fmt;
 
@@ -82,12 +83,23 @@ pub enum Warning {
     },
     /// Faces have materials, but no library of materials is named.
     NoLibrary,
-    /// A material library cannot be read.
+    /// A material library is not read.
     Library {
         /// Its name in the model.
         name: String,
         /// Why.
-        problem: String,
+        why: Unread,
+    },
+    /// Lines of a material library that cannot be understood were passed over.
+    LibraryLines {
+        /// Its name in the model.
+        name: String,
+        /// How many.
+        count: usize,
+        /// The first, counted from 1.
+        first: usize,
+        /// Why the first cannot be understood.
+        problem: &'static str,
     },
     /// Materials that no library has.
     UnknownMaterials {
@@ -139,12 +151,14 @@ pub enum Warning {
         /// How many.
         count: usize,
     },
-    /// The picture that the materials name is not there.
-    PictureMissing {
+    /// The picture that the materials name is not read.
+    PictureUnread {
         /// Its name in the library.
         name: String,
+        /// Why.
+        why: Unread,
     },
-    /// The picture cannot be read.
+    /// The picture cannot be understood.
     Picture {
         /// Its name in the library.
         name: String,
@@ -163,9 +177,9 @@ pub enum Warning {
         /// Its name in the library.
         name: String,
         /// Columns and rows of the file.
-        from: [u32; 2],
+        from: [usize; 2],
         /// Columns and rows of the texture.
-        to: [u32; 2],
+        to: [usize; 2],
     },
     /// The picture has more colours than the palette.
     PictureColors {
@@ -297,9 +311,12 @@ impl Warning {
                 Said::new(format!("{count} bytes after the last triangle are passed over"), [])
             }
             Self::NoLibrary => Said::new("no material library (mtllib): faces have no colours", []),
-            Self::Library { name, problem } => Said::new(
-                format!("material library {name}: {problem}; its materials are grey: "),
-                [R::PutBeside],
+            Self::Library { name, why } => {
+                Said::new(format!("material library {name}: {why}; its materials are grey: "), why.remedies())
+            }
+            Self::LibraryLines { name, count, first, problem } => Said::new(
+                format!("material library {name}: lines passed over: {count}, the first at line {first}: {problem}"),
+                [],
             ),
             Self::UnknownMaterials { count, first } => Said::new(
                 format!("materials that no library has: {count}, the first {first}; their faces are grey"),
@@ -336,8 +353,8 @@ impl Warning {
             Self::NoPictureFaces { count } => {
                 Said::new(format!("faces whose material names no picture: {count}; "), [R::DrawColors])
             }
-            Self::PictureMissing { name } => {
-                Said::new(format!("no texture: picture {name} is not there: "), [R::PutBeside])
+            Self::PictureUnread { name, why } => {
+                Said::new(format!("no texture: picture {name} {why}: "), why.remedies())
             }
             Self::Picture { name, problem } => Said::new(format!("no texture: picture {name}: {problem}"), []),
             Self::PictureTransparent { name, pixels } => Said::new(

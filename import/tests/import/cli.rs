@@ -139,7 +139,7 @@ fn the_readme_has_the_options_of_the_help() {
     let mut known = options(&help, "--");
     known.retain(|name| !["help", "version"].contains(&name.as_str()));
     assert_eq!(options(readme, "| `--"), known);
-    assert!(known.len() == 17, "{help}");
+    assert!(known.len() == 18, "{help}");
 }
 
 #[test]
@@ -195,6 +195,52 @@ fn a_write_that_fails_leaves_what_was_there() {
     }
 }
 
+/// The name of a temporary file cannot be foretold, and no link there is followed.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_link_in_the_folder_of_temporary_files_is_not_followed() {
+    let folder = scratch("temporary");
+    let _ = std::fs::remove_dir_all(&folder); // from an earlier run
+    std::fs::create_dir(&folder).unwrap();
+    let (model, victim) = (folder.join("m.obj"), folder.join("victim"));
+    std::fs::write(&model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    std::fs::write(&victim, "precious").unwrap();
+    // Names made of the number of a process, which is one of the next.
+    for number in 0..4000 {
+        let name = format!("stdout.{}.part", std::process::id() + number);
+        std::os::unix::fs::symlink(&victim, folder.join(name)).unwrap();
+    }
+    let mut command = Command::new(env!("CARGO_BIN_EXE_pinhole-import"));
+    let done = command.env("TMPDIR", &folder).arg(&model).args(["-o", "/dev/stdout"]).output().unwrap();
+    assert!(String::from_utf8_lossy(&done.stdout).contains("pub const MESH"), "{done:?}");
+    assert_eq!(std::fs::read_to_string(&victim).unwrap(), "precious");
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 4002, "nothing is left");
+}
+
+/// Of the folder that may be read, too, the source has the name alone.
+#[test]
+fn the_command_takes_a_folder_of_libraries() {
+    let (folder, shared) = (scratch("rooted"), scratch("shared"));
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::create_dir_all(&shared).unwrap();
+    std::fs::write(shared.join("red.mtl"), "newmtl red\nKd 1 0 0\n").unwrap();
+    let (model, output) = (folder.join("m.obj"), folder.join("m.rs"));
+    let text = "mtllib ../shared/red.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    std::fs::write(&model, text).unwrap();
+    let outside = "material library ../shared/red.mtl: lies outside the model's folder";
+    for (root, colors) in [(None, 0), (Some(&shared), 1)] {
+        let root = root.map(|root| ["--root".as_ref(), root.as_os_str()]);
+        let mut command = Command::new(env!("CARGO_BIN_EXE_pinhole-import"));
+        command.arg(&model).arg("-o").arg(&output).args(root.into_iter().flatten());
+        let done = command.output().unwrap();
+        let said = String::from_utf8(done.stderr).unwrap();
+        assert_eq!((done.status.success(), said.contains(outside)), (true, colors == 0), "{said}");
+        let source = std::fs::read_to_string(&output).unwrap();
+        assert_eq!(source.contains("static PALETTE: [[u8; 3]; 1]"), colors == 1, "{source}");
+        assert!(!source.contains("/shared"), "{source}");
+    }
+}
+
 #[test]
 fn who_stops_reading_ends_nothing() {
     let (model, output) = (scratch("unread.obj"), scratch("unread.rs"));
@@ -222,9 +268,8 @@ fn who_stops_reading_ends_nothing() {
 fn textures_are_written_if_asked_for() {
     let (model, output) = (scratch("sheet.obj"), scratch("sheet.rs"));
     std::fs::write(scratch("sheet.mtl"), "newmtl a\nmap_Kd sheet.png\n").unwrap();
-    image::RgbImage::from_fn(8, 8, |x, y| image::Rgb([if x == y { 255 } else { 0 }, 0, 0]))
-        .save(scratch("sheet.png"))
-        .unwrap();
+    crate::images::Image::from_fn(8, 8, |x, y| [if x == y { 255 } else { 0 }, 0, 0])
+        .save(&scratch("sheet.png"));
     let text =
         "mtllib sheet.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n";
     std::fs::write(&model, text).unwrap();

@@ -3,6 +3,7 @@
 mod build_rs;
 mod cli;
 mod decimate;
+mod images;
 mod materials;
 mod obj;
 mod options;

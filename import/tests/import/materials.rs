@@ -143,8 +143,179 @@ fn materials_may_emit_light() {
     let grey = import("newmtl rust\nKe 1 0 0\nnewmtl sky\nKd 1 1 0\n");
     assert_eq!(grey.palette, [[255, 255, 0], [204, 204, 204]]);
     assert_eq!(grey.emission, [[0, 0, 0], [255, 0, 0]]);
-    let wrong = import("newmtl rust\nKe red\n");
-    assert!(said(&wrong)[0].contains("Kd and Ke have three numbers"), "{:?}", said(&wrong));
+    let one = import("newmtl rust\nKe .2\nnewmtl sky\n");
+    assert_eq!((one.palette, one.emission), (vec![[204; 3]; 2], vec![[0; 3], [51; 3]]));
+}
+
+#[test]
+fn a_line_that_is_not_understood_costs_that_line() {
+    let red = "newmtl rust\nKd 1 0 0\nnewmtl sky\n";
+    let numbers = "`Kd` and `Ke` have one or three numbers, red, green and blue";
+    for (row, (library, sky, doubt)) in [
+        (format!("{red}Kd 0 0 1\n"), [0, 0, 255], None),
+        (format!("{red}Kd .5\n"), [128; 3], None),
+        (format!("{red}Kd 0 0 1 .5 # blue\n"), [0, 0, 255], None),
+        (format!("{red}\t kD  0\t0 1\r\n"), [0, 0, 255], None),
+        (format!("\u{feff}{red}Kd 0 0 1\n\u{1a}"), [0, 0, 255], None),
+        (format!("{red}Kd 0 0 1\nKa\nNs x\nillum\nbump\nwhatever\n").replace('\n', "\r"), [0, 0, 255], None),
+        (format!("{red}Kd\n"), [204; 3], Some((4, numbers))),
+        (format!("{red}Kd # blue\n"), [204; 3], Some((4, numbers))),
+        (format!("{red}Kd 0,5 0 0\n"), [204; 3], Some((4, numbers))),
+        (format!("{red}Kd xyz .4 .2 .1\n"), [204; 3], Some((4, numbers))),
+        (format!("{red}Kd spectral sky.rfl\n"), [204; 3], Some((4, numbers))),
+        (format!("{red}Kd 0 0 1\nKd 0 x 1\n"), [0, 0, 255], Some((5, numbers))),
+        (format!("{red}Ke\nKd 0 0 1\n"), [0, 0, 255], Some((4, numbers))),
+        (format!("newmtl\nKd 0 1 0\n{red}Kd 0 0 1\n"), [0, 0, 255], Some((1, "`newmtl` has a name"))),
+        (format!("{red}Kd 0 0 1\nnewmtl \nKd 0 1 0\n"), [0, 0, 255], Some((5, "`newmtl` has a name"))),
+        (format!("Kd 0 1 0\n{red}Kd 0 0 1\n"), [0, 0, 255], Some((1, "a material begins with `newmtl`"))),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let name = format!("line-{row}.mtl");
+        file(&name, &library);
+        let text = painted().replace("painted.mtl", &name);
+        let mesh = import(&file(&format!("line-{row}.obj"), &text), &Options::default()).unwrap();
+        let doubt = doubt.map(|(line, why)| {
+            format!("material library {name}: lines passed over: 1, the first at line {line}: {why}")
+        });
+        assert_eq!(
+            (&mesh.palette[..], said(&mesh)),
+            (&[sky, [255, 0, 0]][..], Vec::from_iter(doubt)),
+            "{library}"
+        );
+    }
+}
+
+/// A `#` belongs to the name, unless only the name before it is known.
+#[test]
+fn names_of_materials_may_have_signs() {
+    file("signs.mtl", "newmtl Material #1\nKd 1 0 0\nnewmtl Material #2\nKd 0 0 1\nnewmtl plain\nKd 0 1 0\n");
+    let [a, b, c, d] = FACES;
+    let text = format!("mtllib signs.mtl\n{CORNERS}usemtl Material #1\n{a}usemtl  Material #2 \r\n{b}usemtl plain # green\n{c}{d}");
+    let mesh = import(&file("signs.obj", &text), &Options::default()).unwrap();
+    let [red, blue, green] = [[255, 0, 0], [0, 0, 255], [0, 255, 0]];
+    assert_eq!((mesh.palette, mesh.face_colors), (vec![red, blue, green], vec![0, 1, 2, 2]));
+}
+
+/// A model in a folder of its own, with two libraries.
+fn shelf(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("shelves").join(name);
+    let _ = std::fs::remove_dir_all(&folder); // of an earlier run
+    std::fs::create_dir_all(folder.join("model/Deep")).unwrap();
+    std::fs::write(folder.join("model/my sky.mtl"), "newmtl sky\nKd 0 0 1\n").unwrap();
+    std::fs::write(folder.join("model/Deep/Rust.MTL"), "newmtl rust\nKd 1 0 0\n").unwrap();
+    folder
+}
+
+/// The colours that a model has by these libraries, and the warnings.
+fn painted_by(folder: &Path, libraries: &str, root: Option<&Path>) -> (Vec<[u8; 3]>, Vec<String>) {
+    let path = folder.join("model/model.obj");
+    std::fs::write(&path, painted().replace("painted.mtl", libraries)).unwrap();
+    let mesh = import(&path, &Options { root: root.map(Path::to_owned), ..Options::default() }).unwrap();
+    assert_eq!(mesh.faces.len(), 4);
+    let said = said(&mesh);
+    (mesh.palette, said)
+}
+
+#[test]
+fn libraries_are_named_as_programs_write_them() {
+    let folder = shelf("names");
+    let [red, blue, grey] = [[255, 0, 0], [0, 0, 255], [204; 3]];
+    for (libraries, palette) in [
+        ("my sky.mtl", [blue, grey]),
+        ("\"my sky.mtl\"", [blue, grey]),
+        ("my\\ sky.mtl", [blue, grey]),
+        ("my%20sky.mtl", [blue, grey]),
+        ("MY Sky.mtl", [blue, grey]),
+        ("./my sky.mtl # of mine", [blue, grey]),
+        ("C:\\models\\my sky.mtl", [blue, grey]),
+        ("/home/me/models/my sky.mtl", [blue, grey]),
+        ("Deep/Rust.MTL", [grey, red]),
+        ("deep\\rust.mtl", [grey, red]),
+        ("Deep/../Deep/Rust.MTL", [grey, red]),
+        ("my\\ sky.mtl deep/rust.mtl", [blue, red]),
+        ("\"my sky.mtl\"  \"deep\\rust.mtl\" # both", [blue, red]),
+        ("my sky.mtl\nmtllib Deep/Rust.MTL\nmtllib my sky.mtl", [blue, red]),
+    ] {
+        let (found, said) = painted_by(&folder, libraries, None);
+        assert_eq!(found, palette, "{libraries}: {said:?}");
+        assert_eq!(said.len(), usize::from(palette.contains(&grey)), "{libraries}: {said:?}");
+    }
+    // The whole name comes first, and of several names each that is missing is named.
+    std::fs::write(folder.join("model/my"), "newmtl sky\nKd 0 1 0\n").unwrap();
+    assert_eq!(painted_by(&folder, "my sky.mtl", None).0, [blue, grey]);
+    let (found, said) = painted_by(&folder, "my none.mtl Deep/Rust.MTL", None);
+    assert_eq!(found, [[0, 255, 0], red]);
+    assert_eq!(
+        said,
+        ["material library none.mtl: is not there; its materials are grey: put it beside the model"]
+    );
+    // An empty library costs the colours, not without a word.
+    std::fs::write(folder.join("model/empty.mtl"), "").unwrap();
+    let (found, said) = painted_by(&folder, "empty.mtl", None);
+    assert_eq!(
+        (found, said),
+        (vec![], vec!["materials that no library has: 2, the first sky; their faces are grey".to_string()])
+    );
+}
+
+/// No reference leads out of the model's folder, or to what could wait for ever.
+#[cfg(unix)]
+#[test]
+fn libraries_elsewhere_are_skipped() {
+    use std::os::unix::fs::symlink;
+    let folder = shelf("elsewhere");
+    let model = folder.join("model");
+    std::fs::create_dir(folder.join("outside")).unwrap();
+    std::fs::write(folder.join("outside/far.mtl"), "newmtl sky\nKd 0 0 1\nnewmtl rust\nKd 1 0 0\n").unwrap();
+    symlink(folder.join("outside/far.mtl"), model.join("link.mtl")).unwrap();
+    symlink(folder.join("outside"), model.join("folder")).unwrap();
+    symlink("/dev/zero", model.join("zeros.mtl")).unwrap();
+    let pipe = model.join("pipe.mtl");
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let absolute = folder.join("outside/far.mtl");
+    let absolute = absolute.to_str().unwrap();
+    for (libraries, problem) in [
+        ("../outside/far.mtl", "lies outside the model's folder"),
+        ("Deep/../../outside/far.mtl", "lies outside the model's folder"),
+        (absolute, "lies outside the model's folder"),
+        ("link.mtl", "lies outside the model's folder"),
+        ("folder/far.mtl", "lies outside the model's folder"),
+        ("zeros.mtl", "lies outside the model's folder"),
+        (
+            "/proc/kmsg",
+            if cfg!(target_os = "linux") { "lies outside the model's folder" } else { "is not there" },
+        ),
+        ("pipe.mtl", "is no regular file"),
+        ("Deep", "is no regular file"),
+    ] {
+        let (found, said) = painted_by(&folder, libraries, None);
+        assert_eq!(found, Vec::<[u8; 3]>::new(), "{libraries}");
+        let root = if problem.starts_with("lies") { ", or use --root FOLDER" } else { "" };
+        assert_eq!(
+            said,
+            [format!(
+                "material library {libraries}: {problem}; its materials are grey: put it beside the model{root}"
+            )]
+        );
+    }
+    let outside = folder.join("outside");
+    for libraries in ["../outside/far.mtl", absolute, "link.mtl", "folder/far.mtl"] {
+        assert_eq!(
+            painted_by(&folder, libraries, Some(&outside)),
+            (vec![[0, 0, 255], [255, 0, 0]], vec![]),
+            "{libraries}"
+        );
+    }
+    // Files of the system that have no length are not waited for.
+    #[cfg(target_os = "linux")]
+    assert_eq!(painted_by(&folder, "/proc/kmsg", Some(Path::new("/"))).0, Vec::<[u8; 3]>::new());
+    assert_eq!(painted_by(&folder, "zeros.mtl", Some(Path::new("/"))).1.len(), 1);
+    // A folder of links, as some build systems make them: the folder is as the model names it.
+    std::fs::create_dir(folder.join("links")).unwrap();
+    symlink(&model, folder.join("links/model")).unwrap();
+    assert_eq!(painted_by(&folder.join("links"), "my sky.mtl", None).0[0], [0, 0, 255]);
 }
 
 #[test]
@@ -203,8 +374,8 @@ fn what_is_wrong_with_materials_leaves_the_mesh() {
         ),
         (
             body("mtllib broken.mtl\nusemtl rust"),
-            vec![],
-            "material library broken.mtl: cannot be understood: newmtl has a name, Kd and Ke have three numbers; its materials are grey: put it beside the model",
+            vec![[204; 3]],
+            "material library broken.mtl: lines passed over: 1, the first at line 2: `Kd` and `Ke` have one or three numbers, red, green and blue",
         ),
         (body("usemtl rust"), vec![], "no material library (mtllib): faces have no colours"),
         (
@@ -235,6 +406,7 @@ fn what_is_wrong_with_materials_leaves_the_mesh() {
     assert_eq!((mesh.faces.len(), mesh.texture_faces.len()), (4, 0));
     assert!(said(&mesh)[0]
         .starts_with("no texture coordinates: a face names a texture coordinate that does not exist; "));
+    assert_eq!(mesh.warnings[0].line, Some(20));
     let half = format!("{CORNERS}{a}{b}{c}f 3/10 1 4/12\n");
     let mesh = import(&file("half.obj", &half), &Options::default()).unwrap();
     assert_eq!(mesh.texture_faces.len(), 4);

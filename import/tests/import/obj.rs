@@ -262,9 +262,9 @@ fn a_broken_line_is_named() {
     }
     assert_error(
         &format!("{three}v 1e300 0 0 1e-300\nf 1 2 4\n"),
-        None,
+        Some(4),
         not_finite,
-        "model.obj: a coordinate is not a finite number: repair or export the model again",
+        "model.obj:4: a coordinate is not a finite number: repair or export the model again",
     );
 }
 
@@ -376,6 +376,16 @@ fn lines_go_on_after_a_backslash() {
     assert_eq!(import(&text).unwrap(), import(&format!("\n\n{three}f 1 2 3")).unwrap());
 }
 
+/// What a mesh has no use for may stand where other readers take it, too.
+#[test]
+fn what_stands_behind_indices_is_passed_over() {
+    let plain = import(CUBE).unwrap();
+    for corner in ["1/", "1//", "1/0", "1/0/0", "1//7", "1//x", "1/2/3/4"] {
+        assert_eq!(import(&CUBE.replace("f 1 ", &format!("f {corner} "))).unwrap(), plain, "{corner}");
+    }
+    assert_eq!(import(&CUBE.replace("\nf", " # x\n\tf ")).unwrap(), plain);
+}
+
 #[test]
 fn polygons_are_fans_and_those_that_overlap_are_named() {
     // An L of six corners: from corner 1 the fan covers each point once, from corner 2 not.
@@ -428,8 +438,14 @@ fn what_is_no_surface_is_named_with_its_line() {
 
 #[test]
 fn binary_files_are_no_obj() {
-    let error = read_obj(b"\x7fELF\x02\x01\x01\0\0\0", Path::new("model.obj")).unwrap_err();
+    let error = read_obj(b"\x7fELF\x02\x01\x01\0\0>", Path::new("model.obj")).unwrap_err();
     assert_eq!(error.to_string(), "model.obj: is binary, not text, as byte 7 is zero: export .obj or .stl");
+    // What old programs and copies of memory leave at the end is not the file's.
+    for end in ["\0", "\x1a", "\r\n\x1a\0\0\0"] {
+        assert_eq!(import(&format!("{CUBE}{end}")).unwrap(), import(CUBE).unwrap(), "{end:?}");
+    }
+    let nothing = read_obj(&[0; 9], Path::new("model.obj")).unwrap_err();
+    assert!(matches!(nothing.problem, Problem::NotText { byte: 0 }), "{nothing}");
     // Latin-1 in a comment is none of our business.
     assert!(read_obj(b"# \xe9t\xe9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", Path::new("a.obj")).is_ok());
 }

@@ -1,13 +1,13 @@
 //! Pictures of materials, from PNG and BMP files to texels, to Rust source, and to pixels.
 
+use crate::images::{bmp, Image};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics::prelude::*;
-use image::{DynamicImage, Rgb, RgbImage, Rgba, RgbaImage};
 use pinhole::{
     Affine, Angle, Camera, Picture, Point3, Projection, Scalar, Texels, Texture, Vector3, ViewTransform,
     Viewport,
 };
-use pinhole_import::{import, ImportedMesh, Options, TextureFormat};
+use pinhole_import::{import, ImportedMesh, IndexedPicture, Options, TextureFormat};
 use std::path::{Path, PathBuf};
 
 /// A square in the plane z = 0, with all of a picture on it.
@@ -15,12 +15,12 @@ const SQUARE: &str = "mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\
     vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl paint\nf 1/1 2/2 3/3 4/4\n";
 
 /// A new folder with the square, its library that names this picture, and the picture.
-fn square(test: &str, map: &str, file: &str, picture: impl Into<DynamicImage>) -> PathBuf {
+fn square(test: &str, map: &str, file: &str, picture: Image) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("textures").join(test);
     std::fs::create_dir_all(&folder).unwrap();
     std::fs::write(folder.join("square.mtl"), format!("newmtl paint\nKd 1 1 1\n{map}\n")).unwrap();
     std::fs::write(folder.join("square.obj"), SQUARE).unwrap();
-    picture.into().save(folder.join(file)).unwrap();
+    picture.save(&folder.join(file));
     folder.join("square.obj")
 }
 
@@ -35,8 +35,8 @@ fn said(mesh: &ImportedMesh) -> Vec<String> {
 }
 
 /// 16 × 8 pixels, each of its own colour, which 16-bit colour tells apart, too.
-fn numbered() -> RgbImage {
-    RgbImage::from_fn(16, 8, |x, y| Rgb([x as u8 * 16, y as u8 * 32, 255]))
+fn numbered() -> Image {
+    Image::from_fn(16, 8, |x, y| [x as u8 * 16, y as u8 * 32, 255])
 }
 
 #[test]
@@ -64,7 +64,7 @@ fn texels_are_the_pictures_pixels() {
 fn texels_of_few_bits_fill_bytes_from_the_left() {
     for (colors, bits) in [(2, 1), (4, 2), (16, 4)] {
         let of = |x: u32, y: u32| ((x * 7 + y * 3) % colors) as u8;
-        let picture = RgbImage::from_fn(32, 16, |x, y| Rgb([of(x, y) * 17, 255 - of(x, y), 9]));
+        let picture = Image::from_fn(32, 16, |x, y| [of(x, y) * 17, 255 - of(x, y), 9]);
         let path = square(&format!("bits-{bits}"), "map_Kd few.png", "few.png", picture.clone());
         let mesh = import(&path, &with(colors as usize)).unwrap();
         let read = mesh.picture.unwrap();
@@ -78,16 +78,16 @@ fn texels_of_few_bits_fill_bytes_from_the_left() {
                 _ => pinhole::IndexedTexels::<_, 4>::new(&read.texels, 32, 16, &palette).unwrap().texel(u, v),
             }
         };
-        for (x, y, pixel) in picture.enumerate_pixels() {
-            assert_eq!(read.color(x as usize, y as usize), pixel.0);
-            assert_eq!(shown(x << 27, y << 28), Rgb888::new(pixel.0[0], pixel.0[1], pixel.0[2]));
+        for (x, y, [r, g, b]) in picture.colors() {
+            assert_eq!(read.color(x as usize, y as usize), [r, g, b]);
+            assert_eq!(shown(x << 27, y << 28), Rgb888::new(r, g, b));
         }
     }
 }
 
 #[test]
 fn more_colours_than_a_palette_holds_become_fewer() {
-    let smooth = RgbImage::from_fn(64, 64, |x, y| Rgb([x as u8 * 4, y as u8 * 4, 128]));
+    let smooth = Image::from_fn(64, 64, |x, y| [x as u8 * 4, y as u8 * 4, 128]);
     // How far a channel is off on average, against a palette of so many colours on a square grid of red and green: a quarter of
     // a cell of 256/√n. NeuQuant weighs colours by how often they occur, and comes near that grid.
     for (colors, bits) in [(256, 8), (16, 4), (4, 2), (2, 1)] {
@@ -96,9 +96,9 @@ fn more_colours_than_a_palette_holds_become_fewer() {
         let read = mesh.picture.as_ref().unwrap();
         assert_eq!(read.palette.len(), colors);
         let (mut sum, mut worst) = (0, 0);
-        for (x, y, pixel) in smooth.enumerate_pixels() {
+        for (x, y, pixel) in smooth.colors() {
             let color = read.color(x as usize, y as usize);
-            let off = [0, 1, 2].map(|i| pixel.0[i].abs_diff(color[i]));
+            let off = [0, 1, 2].map(|i| pixel[i].abs_diff(color[i]));
             sum += u32::from(off[0]) + u32::from(off[1]);
             worst = worst.max(*off.iter().max().unwrap());
         }
@@ -119,13 +119,8 @@ fn other_sizes_are_resampled() {
     for (from, to) in
         [((8, 256), (8, 256)), ((100, 40), (128, 32)), ((3, 1000), (8, 256)), ((90, 91), (64, 128))]
     {
-        let halves = RgbImage::from_fn(from.0, from.1, |x, _| {
-            if 2 * x < from.0 {
-                Rgb([255, 0, 0])
-            } else {
-                Rgb([0, 0, 255])
-            }
-        });
+        let halves =
+            Image::from_fn(from.0, from.1, |x, _| if 2 * x < from.0 { [255, 0, 0] } else { [0, 0, 255] });
         let path = square(&format!("size-{}", from.0), "map_Kd halves.png", "halves.png", halves);
         let mesh = import(&path, &with(256)).unwrap();
         let read = mesh.picture.as_ref().unwrap();
@@ -144,22 +139,34 @@ fn other_sizes_are_resampled() {
 
 #[test]
 fn what_is_wrong_with_a_picture_leaves_the_mesh() {
-    let doubt = |test: &str, map: &str, file: &str, picture: DynamicImage| {
+    let doubt = |test: &str, map: &str, file: &str, picture: Image| {
         let mesh = import(&square(test, map, file, picture), &with(16)).unwrap();
         (mesh.picture.is_some(), mesh.texture_faces.len(), said(&mesh).join("|"))
     };
-    let picture = || DynamicImage::from(RgbImage::from_pixel(8, 8, Rgb([1, 2, 3])));
+    let picture = || Image::from_fn(8, 8, |_, _| [1, 2, 3]);
     let missing = "no texture: picture other.png is not there: put it beside the model";
     assert_eq!(doubt("missing", "map_Kd other.png", "it.png", picture()), (false, 2, missing.into()));
     let bare = "no texture: no material names a picture (map_Kd)";
     assert_eq!(doubt("bare", "Ns 1", "it.png", picture()), (false, 2, bare.into()));
     assert_eq!(doubt("nameless", "map_Kd", "it.png", picture()), (false, 2, bare.into()));
+    let outside = "no texture: picture ../outside.png lies outside the model's folder: put it beside the model, or use --root FOLDER";
+    assert_eq!(
+        doubt("outside", "map_Kd ../outside.png", "../outside.png", picture()),
+        (false, 2, outside.into())
+    );
     // Names with spaces and folders, and options before the name.
     assert_eq!(
         doubt("spaces", "map_Kd my picture.png", "my picture.png", picture()),
         (true, 2, String::new())
     );
-    assert_eq!(doubt("options", "map_Kd -s 1 1 1 it.png", "it.png", picture()), (true, 2, String::new()));
+    for map in [
+        "map_Kd -s 1 1 1 my it.png",
+        "map_kd -clamp on -imfchan r -bm 0.5 my it.png",
+        "map_Kd \"My it.PNG\"",
+        "map_Kd C:\\art\\my\\ it.png # paint",
+    ] {
+        assert_eq!(doubt("options", map, "my it.png", picture()), (true, 2, String::new()), "{map}");
+    }
     let path = square("text", "map_Kd it.png", "it.png", picture());
     std::fs::write(path.with_file_name("it.png"), "no picture").unwrap();
     let text = "no texture: picture it.png: is neither PNG nor BMP: convert it";
@@ -169,11 +176,11 @@ fn what_is_wrong_with_a_picture_leaves_the_mesh() {
     std::fs::write(path.with_file_name("it.png"), &whole[..whole.len() / 2]).unwrap();
     assert!(said(&import(&path, &with(16)).unwrap())[0]
         .starts_with("no texture: picture it.png: cannot be read: "));
-    let glass =
-        DynamicImage::from(RgbaImage::from_fn(8, 8, |x, _| Rgba([9, 9, 9, if x < 2 { 0 } else { 255 }])));
+    let mut glass = Image::from_fn(8, 8, |_, _| [9; 3]);
+    glass.pixels.iter_mut().step_by(4).for_each(|pixel| pixel[3] = 0);
     let see_through = "picture it.png: transparent pixels: 16, written as if they were not";
     assert_eq!(doubt("glass", "map_Kd it.png", "it.png", glass), (true, 2, see_through.into()));
-    let large = DynamicImage::from(RgbImage::from_pixel(256, 128, Rgb([1, 2, 3])));
+    let large = Image::from_fn(256, 128, |_, _| [1, 2, 3]);
     let path = square("large", "map_Kd it.png", "it.png", large);
     let size = "texture of 256 x 128 texels: 33280 bytes of flash; if that is too much, reduce the picture, or use --texture 16";
     assert_eq!(said(&import(&path, &with(256)).unwrap()), [size]);
@@ -189,6 +196,192 @@ fn what_is_wrong_with_a_picture_leaves_the_mesh() {
         let text = import(&path, &options).unwrap_err().to_string();
         assert!(text.contains(problem), "{text}");
     }
+}
+
+/// The picture in a file, and the warnings about it.
+fn read_picture(test: &str, file: &str, bytes: &[u8]) -> (Option<IndexedPicture>, String) {
+    let path = square(test, &format!("map_Kd {file}"), file, numbered());
+    std::fs::write(path.with_file_name(file), bytes).unwrap();
+    let mesh = import(&path, &with(256)).unwrap();
+    let said = said(&mesh).join("|");
+    (mesh.picture, said)
+}
+
+/// 8 × 8 pixels by all kinds of BMP files: what each writer means by its bits is written here from the format's definition.
+#[test]
+fn bmp_files_of_all_kinds_are_read() {
+    // Each pixel has one of four colours, whose channels are full or empty, so that all kinds hold them.
+    let palette: [[u8; 3]; 4] = [[0, 0, 0], [255, 0, 0], [0, 255, 255], [255, 255, 255]];
+    let of = |x: u32, y: u32| ((3 * x + y * y) % 4) as usize;
+    let entries: Vec<u8> = palette.iter().flat_map(|&[r, g, b]| [b, g, r, 0]).collect();
+    let old_entries: Vec<u8> = palette.iter().flat_map(|&[r, g, b]| [b, g, r]).collect();
+    // Rows from the bottom of pixels of so many bits, the left one in the highest bits, or the lowest byte first.
+    let upwards = || (0..8).rev();
+    let packed = |bits: u32| {
+        let row = move |y| {
+            let bits_of = |x| (0..bits).rev().map(move |bit| of(x, y) as u8 >> bit & 1);
+            let all: Vec<u8> = (0..8).flat_map(bits_of).collect();
+            let mut bytes: Vec<u8> =
+                all.chunks(8).map(|bits| bits.iter().fold(0, |byte, bit| byte << 1 | bit)).collect();
+            bytes.resize(bytes.len().div_ceil(4) * 4, 0);
+            bytes
+        };
+        upwards().flat_map(row).collect::<Vec<u8>>()
+    };
+    let words = |bytes: usize, masks: [u32; 3]| {
+        let word = move |x, y| {
+            let color = palette[of(x, y)];
+            let word = (0..3).map(|i| if color[i] == 255 { masks[i] } else { 0 }).sum::<u32>();
+            word.to_le_bytes().into_iter().take(bytes)
+        };
+        upwards().flat_map(move |y| (0..8).flat_map(move |x| word(x, y))).collect::<Vec<u8>>()
+    };
+    let masks = |masks: [u32; 3]| masks.iter().flat_map(|mask| mask.to_le_bytes()).collect::<Vec<u8>>();
+    let mut count_of_4 = bmp([8, 8], 8, 0, &entries, packed(8));
+    count_of_4[46] = 4;
+    let mut short_palette = bmp([8, 8], 4, 0, &entries, packed(4));
+    short_palette[46] = 4;
+    // A run for each pixel; then given pixels, at least 3 of them; then jumps over the black ones.
+    let run = |x, y, both: u8| [1, of(x, y) as u8 * both];
+    let runs = |both| {
+        upwards().flat_map(move |y| (0..8).flat_map(move |x| run(x, y, both)).chain([0, 0])).chain([0, 1])
+    };
+    let given =
+        upwards().flat_map(|y| [0, 8].into_iter().chain((0..8).map(move |x| of(x, y) as u8)).chain([0, 0]));
+    let pairs = upwards().flat_map(|y| {
+        [0, 8]
+            .into_iter()
+            .chain((0..4).map(move |x| (of(2 * x, y) << 4 | of(2 * x + 1, y)) as u8))
+            .chain([0, 0])
+    });
+    let jumps = upwards().flat_map(|y| {
+        let step = move |x| if of(x, y) == 0 { vec![0, 2, 1, 0] } else { run(x, y, 1).to_vec() };
+        (0..8).flat_map(step).chain([0, 0])
+    });
+    let four = |bytes: &[u8], count: u8| {
+        let mut bytes = bytes.to_vec();
+        bytes[46] = count;
+        bytes
+    };
+    let top_down = {
+        let rows = (0..8).flat_map(|y| {
+            (0..8).flat_map(move |x| [palette[of(x, y)][2], palette[of(x, y)][1], palette[of(x, y)][0]])
+        });
+        bmp([8, -8], 24, 0, &[], rows)
+    };
+    // The header of OS/2: sides of 16 bits, and no fourth byte in the palette.
+    let mut old = b"BM\0\0\0\0\0\0\0\0".to_vec();
+    old.extend([26 + 12, 0, 0, 0, 12, 0, 0, 0, 8, 0, 8, 0, 1, 0, 8, 0]);
+    old.extend(&old_entries);
+    old.extend(packed(8));
+    // A header of 108 bytes with masks of its own, also for opacity.
+    let mut new = bmp([8, 8], 32, 3, &[], []);
+    (new[10], new[14]) = (14 + 108, 108);
+    new.extend(masks([0xff00_0000, 0xff_0000, 0xff00]));
+    new.extend([0xff, 0, 0, 0]);
+    new.resize(14 + 108, 0);
+    new.extend(
+        words(4, [0xff00_0000, 0xff_0000, 0xff00])
+            .chunks(4)
+            .flat_map(|word| [255, word[1], word[2], word[3]]),
+    );
+    for (kind, bytes) in [
+        ("24 bits", bmp([8, 8], 24, 0, &[], words(3, [0xff_0000, 0xff00, 0xff]))),
+        ("the upper row first", top_down),
+        ("32 bits", bmp([8, 8], 32, 0, &[], words(4, [0xff_0000, 0xff00, 0xff]))),
+        ("15 bits", bmp([8, 8], 16, 0, &[], words(2, [0x7c00, 0x3e0, 0x1f]))),
+        (
+            "16 bits by masks",
+            bmp([8, 8], 16, 3, &masks([0xf800, 0x7e0, 0x1f]), words(2, [0xf800, 0x7e0, 0x1f])),
+        ),
+        (
+            "30 bits by masks",
+            bmp(
+                [8, 8],
+                32,
+                3,
+                &masks([0x3ff, 0xf_fc00, 0x3ff0_0000]),
+                words(4, [0x3ff, 0xf_fc00, 0x3ff0_0000]),
+            ),
+        ),
+        ("8 bits", four(&bmp([8, 8], 8, 0, &entries, packed(8)), 4)),
+        ("4 bits", four(&bmp([8, 8], 4, 0, &entries, packed(4)), 4)),
+        ("2 bits", bmp([8, 8], 2, 0, &entries, packed(2))),
+        ("runs", four(&bmp([8, 8], 8, 1, &entries, runs(1)), 4)),
+        ("runs of 4 bits", four(&bmp([8, 8], 4, 2, &entries, runs(17)), 4)),
+        ("given pixels", four(&bmp([8, 8], 8, 1, &entries, given), 4)),
+        ("given pixels of 4 bits", four(&bmp([8, 8], 4, 2, &entries, pairs), 4)),
+        ("jumps", four(&bmp([8, 8], 8, 1, &entries, jumps), 4)),
+        ("an old header", old),
+        ("a new header", new),
+    ] {
+        let (picture, said) = read_picture("bmp-kinds", "it.bmp", &bytes);
+        let picture = picture.unwrap_or_else(|| panic!("{kind}: {said}"));
+        assert_eq!(said, "", "{kind}");
+        for (x, y) in (0..8).flat_map(|y| (0..8).map(move |x| (x, y))) {
+            assert_eq!(picture.color(x as usize, y as usize), palette[of(x, y)], "{kind}: {x}, {y}");
+        }
+        // Cut anywhere, it is refused or read, and never ends the import.
+        for length in (0..bytes.len()).step_by(7) {
+            read_picture("bmp-cut", "it.bmp", &bytes[..length]);
+        }
+    }
+    for (kind, bytes, problem) in [
+        ("JPEG", bmp([8, 8], 24, 4, &[], [0; 192]), "is a BMP of a kind that is not read"),
+        ("wide", bmp([8193, 8], 24, 0, &[], [0; 192]), "has a side of no pixel, or of more than 8192"),
+        ("flat", bmp([8, 0], 24, 0, &[], [0; 192]), "has a side of no pixel, or of more than 8192"),
+        ("short", bmp([8, 8], 24, 0, &[], [0; 191]), "ends too soon"),
+    ] {
+        let (picture, said) = read_picture("bmp-problems", "it.bmp", &bytes);
+        let start = format!("no texture: picture it.bmp: cannot be read: {problem}");
+        assert!(picture.is_none() && said.starts_with(&start), "{kind}: {said}");
+    }
+}
+
+/// Levels of grey in 16 bits, in 2 bits, and colours of a palette.
+#[test]
+fn png_files_of_all_kinds_are_read() {
+    let write = |color, depth, palette: Option<Vec<u8>>, data: &[u8]| {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, 8, 8);
+        encoder.set_color(color);
+        encoder.set_depth(depth);
+        palette.map(|palette| encoder.set_palette(palette));
+        let mut writer = encoder.write_header().unwrap();
+        writer.write_image_data(data).unwrap();
+        writer.finish().unwrap();
+        bytes
+    };
+    let level = |x: usize, y: usize| (x + 8 * y) as u16;
+    let places = || (0..8).flat_map(|y| (0..8).map(move |x| (x, y)));
+    // 1023 of 65535 a step: 1023 / 257 = 3.98 of 255.
+    let deep: Vec<u8> = places().flat_map(|(x, y)| (level(x, y) * 1023).to_be_bytes()).collect();
+    let (picture, _) = read_picture(
+        "png-16",
+        "it.png",
+        &write(png::ColorType::Grayscale, png::BitDepth::Sixteen, None, &deep),
+    );
+    let picture = picture.unwrap();
+    for (x, y) in places() {
+        let expected = (f64::from(level(x, y) * 1023) / 257.0).round() as u8;
+        assert_eq!(picture.color(x, y), [expected; 3]);
+    }
+    let shallow = [0b00_01_10_11; 16];
+    let palette = vec![9, 8, 7, 255, 0, 0, 0, 255, 0, 0, 0, 255];
+    for (color, palette, expected) in [
+        (png::ColorType::Grayscale, None, [[0; 3], [85; 3], [170; 3], [255; 3]]),
+        (png::ColorType::Indexed, Some(palette), [[9, 8, 7], [255, 0, 0], [0, 255, 0], [0, 0, 255]]),
+    ] {
+        let (picture, said) =
+            read_picture("png-2", "it.png", &write(color, png::BitDepth::Two, palette, &shallow));
+        let picture = picture.unwrap_or_else(|| panic!("{said}"));
+        for (x, y) in places() {
+            assert_eq!(picture.color(x, y), expected[x % 4]);
+        }
+    }
+    let wide = Image::from_fn(8193, 1, |_, _| [0; 3]).png();
+    let (_, said) = read_picture("png-wide", "it.png", &wide);
+    assert_eq!(said, "no texture: picture it.png: cannot be read: has a side of more than 8192 pixels");
 }
 
 #[test]

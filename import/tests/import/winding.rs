@@ -61,6 +61,7 @@ const FIX: Options = Options {
     planes: false,
     vertex_normals: false,
     texture: None,
+    root: None,
 };
 
 /// Whether each face's normal points away from the centre of its own box, which is the one of `boxes` that it touches.

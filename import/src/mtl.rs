@@ -1,0 +1,89 @@
+//! Material libraries (MTL), line by line: a line that is not understood costs that line alone.
+
+use crate::text::before_comment;
+
+/// What a library says of a material. What it does not say is `None`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Material {
+    /// The diffuse colour.
+    pub(crate) color: Option<[u8; 3]>,
+    /// The colour of the light that it emits.
+    pub(crate) emission: Option<[u8; 3]>,
+    /// The picture of the diffuse colour, as `map_Kd` names it.
+    pub(crate) picture: Option<String>,
+}
+
+/// A library: its materials by their names, and what was not understood.
+#[derive(Debug, Default, PartialEq)]
+pub(crate) struct Library {
+    pub(crate) materials: Vec<(String, Material)>,
+    /// The lines, from 1, and why each is passed over.
+    pub(crate) doubts: Vec<(usize, &'static str)>,
+}
+
+/// Reads the text of a library.
+pub(crate) fn read(text: &str) -> Library {
+    let mut library = Library::default();
+    for (number, line) in (1..).zip(text.lines()) {
+        if let Err(doubt) = statement(line.trim(), &mut library.materials) {
+            library.doubts.push((number, doubt));
+        }
+    }
+    library
+}
+
+/// Takes what a line says, unless it is of no interest here; or says why it cannot be understood.
+fn statement(line: &str, materials: &mut Vec<(String, Material)>) -> Result<(), &'static str> {
+    let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
+    let word = word.to_ascii_lowercase();
+    match &word[..] {
+        "newmtl" => {
+            // A `#` belongs to the name, as in `Material #1`. A material without a name still begins here: what follows is not
+            // of the material before.
+            materials.push((rest.trim().to_owned(), Material::default()));
+            return if rest.is_empty() { Err("`newmtl` has a name") } else { Ok(()) };
+        }
+        "kd" | "ke" | "map_kd" => {}
+        _ => return Ok(()),
+    }
+    let (_, material) = materials.last_mut().ok_or("a material begins with `newmtl`")?;
+    match &word[..] {
+        "kd" => material.color = Some(color(rest)?),
+        "ke" => material.emission = Some(color(rest)?),
+        _ => material.picture = picture(rest).map(str::to_owned),
+    }
+    Ok(())
+}
+
+/// A colour of three numbers up to 1, or of one for all channels. What follows them is passed over.
+fn color(text: &str) -> Result<[u8; 3], &'static str> {
+    let channel = |word: &str| {
+        let level: f64 =
+            word.parse().map_err(|_| "`Kd` and `Ke` have one or three numbers, red, green and blue")?;
+        Ok((level * 255.0).round().clamp(0.0, 255.0) as u8) // NaN becomes 0
+    };
+    let mut words = before_comment(text).split_whitespace();
+    let red = channel(words.next().unwrap_or_default())?;
+    let mut other = || words.next().map_or(Ok(red), channel);
+    Ok([red, other()?, other()?])
+}
+
+/// The file that `map_Kd` names: the rest of the line behind options, because names may have spaces. Without one there is no
+/// picture.
+fn picture(text: &str) -> Option<&str> {
+    let mut name = text.trim();
+    // Options begin with `-` and have numbers, `on` or `off`, or the letter of a channel.
+    let is_option =
+        |word: &str| word.starts_with('-') || word == "on" || word == "off" || word.parse::<f64>().is_ok();
+    if name.starts_with('-') {
+        while let Some((word, rest)) =
+            name.split_once(char::is_whitespace).filter(|(word, _)| is_option(word))
+        {
+            name = rest.trim_start();
+            if word == "-imfchan" || word == "-type" {
+                name = name.split_once(char::is_whitespace).map_or(name, |(_, rest)| rest.trim_start());
+            }
+        }
+    }
+    Some(name).filter(|name| !name.is_empty())
+}
