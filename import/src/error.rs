@@ -7,9 +7,8 @@ use std::path::{Path, PathBuf};
 
 /// Why a file could not be turned into a mesh: the file, the line where that is known, and what is wrong with it.
 ///
-/// Its `Display` is one line, `file:line: problem`, and so is its `Debug`: that is what a `build.rs` prints whose `main` returns
-/// the error. It says what to do by the options of the command line, but from [`build`](crate::build) by the fields of
-/// [`Options`](crate::Options).
+/// Its `Display` is one line, `file:line: problem`, and so is its `Debug`: that is what a program prints whose `main` returns the
+/// error. It says what to do by the options of the command line.
 pub struct ImportError {
     /// The file, as the caller named it.
     pub file: PathBuf,
@@ -17,8 +16,6 @@ pub struct ImportError {
     pub line: Option<usize>,
     /// The problem.
     pub problem: Problem,
-    /// Whether the message is for the user of a build script, who has no command line.
-    pub(crate) in_script: bool,
 }
 
 /// The problems that a model can have.
@@ -81,7 +78,7 @@ pub enum Problem {
 impl Problem {
     /// The problem with the file it stands in.
     pub(crate) fn at(self, file: &Path, line: Option<usize>) -> ImportError {
-        ImportError { file: file.to_owned(), line, problem: self, in_script: false }
+        ImportError { file: file.to_owned(), line, problem: self }
     }
 
     /// What to do about it: alternatives.
@@ -100,7 +97,7 @@ impl Problem {
         Warning::NotForFirmware { problem: what, remedies }
     }
 
-    fn said(&self) -> Said {
+    pub(crate) fn said(&self) -> Said {
         use Remedy as R;
         match self {
             Problem::Read(error) => Said::new(format!("cannot be read: {error}"), []),
@@ -160,6 +157,14 @@ impl fmt::Display for Problem {
     }
 }
 
+impl ImportError {
+    /// The file, and the line if it is known.
+    pub(crate) fn place(&self) -> String {
+        let file = shown(&self.file.to_string_lossy());
+        self.line.map_or_else(|| file.clone(), |line| format!("{file}:{line}"))
+    }
+}
+
 impl fmt::Debug for ImportError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
@@ -168,14 +173,7 @@ impl fmt::Debug for ImportError {
 
 impl fmt::Display for ImportError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:", shown(&self.file.to_string_lossy()))?;
-        if let Some(line) = self.line {
-            write!(f, "{line}:")?;
-        }
-        match self.in_script {
-            true => write!(f, " {}", self.problem.said().in_script()),
-            false => write!(f, " {}", self.problem),
-        }
+        write!(f, "{}: {}", self.place(), self.problem)
     }
 }
 

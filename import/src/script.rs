@@ -8,23 +8,22 @@ use std::path::{Path, PathBuf};
 /// a `pinhole::Mesh<'static>`; asks cargo to run the script again when the model changes; and passes on what is doubtful as
 /// cargo's warnings, which name the fields of [`Options`] that help.
 ///
+/// If the model cannot be imported, or `name` is not the name of a constant ([`is_constant_name`](crate::is_constant_name)), cargo
+/// shows one error message and fails the build after the script has ended.
+///
 /// ```no_run
 /// // build.rs
 /// # use std::path::Path;
 /// use pinhole_import::{build, Options};
-/// fn main() -> Result<(), Box<dyn std::error::Error>> {
-///     build(Path::new("bracket.stl"), "BRACKET", &Options::default())?;
-///     Ok(())
+/// fn main() {
+///     build(Path::new("bracket.stl"), "BRACKET", &Options::default());
 /// }
 /// // and in main.rs: include!(concat!(env!("OUT_DIR"), "/bracket.rs"));
 /// ```
-///
-/// # Errors
-///
-/// As [`import`]; [`Problem::Options`] where the name is none of a constant ([`is_constant_name`](crate::is_constant_name));
-/// [`Problem::Write`], also where there is no `OUT_DIR`.
-pub fn build(model: &Path, name: &str, options: &Options) -> Result<(), ImportError> {
-    write(model, name, options).map_err(|error| ImportError { in_script: true, ..error })
+pub fn build(model: &Path, name: &str, options: &Options) {
+    if let Err(error) = write(model, name, options) {
+        println!("cargo::error={}: {}", error.place(), error.problem.said().in_script());
+    }
 }
 
 fn write(model: &Path, name: &str, options: &Options) -> Result<(), ImportError> {
