@@ -57,7 +57,7 @@ const still = () => choice({ ...state, turn: 0 });
 
 function saveZip() {
   const board = $('board').value;
-  save(`${board}.zip`, new Blob([zip(firmware(library, templates, board, still(), state.mesh === 'file' ? materials : undefined))], { type: 'application/zip' }));
+  save(`${board}.zip`, new Blob([zip(firmware(library, templates, board, still()))], { type: 'application/zip' }));
 }
 
 // Saves one file of the firmware's own code.

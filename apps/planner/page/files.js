@@ -14,7 +14,6 @@ async function open(file) {
     if (isLibrary(file)) {
       library.load(file.name, bytes);
       tooLarge = {};
-      materials.set(file.name, bytes);
       drawnModel = '';
       change({});
       return;

@@ -50,11 +50,22 @@ class Pinhole {
     return this.bytes('gif', '');
   }
 
-  // The name of the model's file in a firmware, and the file's bytes.
+  // The files of the model in a firmware, itself and its material libraries: for each its name and its bytes.
   model(choice) {
-    const bytes = this.bytes('model', choice);
-    const end = bytes.indexOf(0);
-    return [new TextDecoder().decode(bytes.subarray(0, end)), bytes.subarray(end + 1)];
+    let bytes = this.bytes('model', choice);
+    const word = () => {
+      const end = bytes.indexOf(0);
+      const text = new TextDecoder().decode(bytes.subarray(0, end));
+      bytes = bytes.subarray(end + 1);
+      return text;
+    };
+    const files = [];
+    while (bytes.length) {
+      const [name, length] = [word(), Number(word())];
+      files.push([name, bytes.subarray(0, length)]);
+      bytes = bytes.subarray(length);
+    }
+    return files;
   }
 
   // Calls an export that takes a text and returns bytes.

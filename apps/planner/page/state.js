@@ -15,7 +15,6 @@ let menu;
 let templates;
 let fileName; // of the model that was opened
 let pictureName; // of the picture that was opened
-const materials = new Map(); // the material libraries that were opened, by their names
 let state = { ...DEFAULTS };
 let drawnModel = '';
 let allFaces = 0; // of the model, without decimation; 0 if they are not known

@@ -96,9 +96,8 @@ function displayOf(templates, board) {
   return width ? { width: Number(width), height: Number(height) } : null;
 }
 
-// The folder `firmware` of a board that draws a choice on its display, made from the archive of templates and the material libraries of
-// the model: a Map from paths to bytes.
-function firmware(library, templates, board, text, materials = new Map()) {
+// The folder `firmware` of a board that draws a choice on its display, made from the archive of templates: a Map from paths to bytes.
+function firmware(library, templates, board, text) {
   const files = new Map();
   const parts = new URLSearchParams(text);
   for (const [side, pixels] of Object.entries(displayOf(templates, board) ?? {})) parts.set(side, pixels);
@@ -118,9 +117,7 @@ function firmware(library, templates, board, text, materials = new Map()) {
     add(inside);
     if (inside === 'src/picture.rs' && parts.get('style') === 'textured') add('src/texture.rs');
   }
-  const [name, bytes] = library.model(choice);
-  files.set(`firmware/${name}`, bytes);
-  if (name === 'model.obj') materials.forEach((bytes, name) => files.set(`firmware/${name}`, bytes));
+  for (const [name, bytes] of library.model(choice)) files.set(`firmware/${name}`, bytes);
   return files;
 }
 

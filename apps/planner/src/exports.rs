@@ -172,14 +172,18 @@ extern "C" fn gif() -> u32 {
     })
 }
 
-/// Outputs the name of the model's file in the folder of a firmware, a zero byte, and the file's bytes.
+/// Outputs the files of the model in the folder of a firmware: for each its name and its length, with a zero byte after each, and its
+/// bytes.
 #[unsafe(no_mangle)]
 extern "C" fn model() -> u32 {
     with(|desk| {
-        let model = desk.choice().and_then(|choice| desk.planner.model(&choice));
-        match model {
-            Ok((name, bytes)) => {
-                desk.output = [name.as_bytes(), &[0], &bytes].concat();
+        let files = desk.choice().and_then(|choice| desk.planner.model(&choice));
+        match files {
+            Ok(files) => {
+                let file = |(name, bytes): (String, Vec<u8>)| {
+                    [format!("{name}\0{}\0", bytes.len()).into_bytes(), bytes].concat()
+                };
+                desk.output = files.into_iter().flat_map(file).collect();
                 1
             }
             Err(problem) => desk.answer(Err(problem)),

@@ -14,6 +14,7 @@ use crate::texture::{Pattern, TextureImage, BY_SIDES};
 use crate::warning::{buttons, words};
 use pinhole_import::{import_bytes, Axis, ImportedMesh, Options};
 use std::borrow::Cow;
+use std::path::PathBuf;
 
 /// The frames of a GIF file: every third step of a turn.
 const FRAMES: u32 = TURNS / 3;
@@ -33,8 +34,10 @@ pub struct Planner {
 }
 
 impl Planner {
-    /// Takes a file, which choices then name `file`, or a material library (MTL), which belongs to the files that name it.
+    /// Takes a file, which choices then name `file`, or a material library (MTL), which belongs to the files that name it. Folders
+    /// in the name are left out.
     pub fn load(&mut self, name: &str, bytes: Vec<u8>) {
+        let name = name.rsplit(['/', '\\']).next().unwrap_or_default();
         if name.to_ascii_lowercase().ends_with(".mtl") {
             self.libraries.insert(0, (name.into(), bytes)); // before an older one of this name
         } else {
@@ -153,14 +156,22 @@ impl Planner {
         source.ok_or_else(|| "MODEL is no name of a constant".into())
     }
 
-    /// The name of the model's file in the folder of a firmware, and the file's bytes.
+    /// The files that the model takes in the folder of a firmware, by their names: the model's own, and the material libraries that
+    /// it uses.
     ///
     /// # Errors
     ///
-    /// If there is no file.
-    pub fn model(&self, choice: &Choice) -> Result<(&'static str, Vec<u8>), String> {
+    /// If there is no file, and the errors of [`draw`](Self::draw) if there are libraries.
+    pub fn model(&mut self, choice: &Choice) -> Result<Vec<(String, Vec<u8>)>, String> {
         let (name, bytes) = self.source(choice)?;
-        Ok((firmware::model_file(&name), bytes))
+        let mut files = vec![(firmware::model_file(&name).to_owned(), bytes)];
+        if !self.libraries.is_empty() {
+            let used = self.mesh(choice)?.libraries.clone();
+            let library =
+                |path: &PathBuf| self.libraries.iter().find(|(name, _)| path.as_os_str() == &name[..]);
+            files.extend(used.iter().filter_map(library).cloned());
+        }
+        Ok(files)
     }
 
     /// The file of the chosen mesh, with its name.
