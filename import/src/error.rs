@@ -159,7 +159,7 @@ impl fmt::Display for Problem {
 
 impl ImportError {
     /// The file, and the line if it is known.
-    pub(crate) fn place(&self) -> String {
+    pub(crate) fn location(&self) -> String {
         let file = shown(&self.file.to_string_lossy());
         self.line.map_or_else(|| file.clone(), |line| format!("{file}:{line}"))
     }
@@ -173,7 +173,7 @@ impl fmt::Debug for ImportError {
 
 impl fmt::Display for ImportError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.place(), self.problem)
+        write!(f, "{}: {}", self.location(), self.problem)
     }
 }
 

@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 /// ```
 pub fn build(model: &Path, name: &str, options: &Options) {
     if let Err(error) = write(model, name, options) {
-        println!("cargo::error={}: {}", error.place(), error.problem.said().in_script());
+        println!("cargo::error={}: {}", error.location(), error.problem.said().in_script());
     }
 }
 
