@@ -2,7 +2,7 @@
 
 use crate::remedy::Remedy;
 use crate::text::before_comment;
-use crate::LARGEST_FILE;
+use crate::{Options, LARGEST_FILE};
 use std::borrow::Cow;
 use std::fmt;
 use std::fs;
@@ -15,8 +15,8 @@ pub(crate) struct Beside<'a> {
     pub(crate) model: &'a Path,
     /// Names and bytes of files that were given with the model, as in a browser.
     pub(crate) given: &'a [(String, Vec<u8>)],
-    /// A folder whose files may be named, too.
-    pub(crate) root: Option<&'a Path>,
+    /// What may be read, and whether pictures are wanted.
+    pub(crate) options: &'a Options,
 }
 
 /// A file that a model names.
@@ -134,7 +134,7 @@ impl<'a> Beside<'a> {
     /// Whether a file may be read. It is not opened: that could wait for ever.
     fn check(&self, path: &Path) -> Result<(), Unread> {
         let real = path.canonicalize().map_err(|_| Unread::Missing)?;
-        let folders = [Some(here(self.folder())), self.root];
+        let folders = [Some(here(self.folder())), self.options.root.as_deref()];
         let is_in = |folder: &Path| folder.canonicalize().is_ok_and(|folder| real.starts_with(folder));
         if !folders.into_iter().flatten().any(is_in) {
             return Err(Unread::Outside);

@@ -119,7 +119,8 @@ const LARGEST_FILE: u64 = 1 << 30;
 ///
 /// [`ImportError`] names the file, the line if there is one, and what is wrong.
 pub fn read(file: &Path) -> Result<ImportedMesh, ImportError> {
-    finish(read_model(file, None)?, file, &Options::default(), &mut |_| ())
+    let options = &Options::default();
+    finish(read_model(file, options)?, file, options, &mut |_| ())
 }
 
 /// Reads a model and makes a mesh of it that [`pinhole::Mesh`] takes, as the options say.
@@ -156,12 +157,13 @@ pub fn import_with(
     mut begins: impl FnMut(Step),
 ) -> Result<ImportedMesh, ImportError> {
     begins(Step::Read);
-    let mesh = finish(read_model(file, options.root.as_deref())?, file, options, &mut begins)?;
+    let mesh = finish(read_model(file, options)?, file, options, &mut begins)?;
     fits(mesh).map_err(|problem| problem.at(file, None))
 }
 
 /// [`import`] from the bytes of a file, for programs without files, such as in a browser. The extension of `file` says the
-/// format, and messages name `file`. Its material libraries are looked for in `beside`, names and bytes of files, and then in its folder.
+/// format, and messages name `file`. Its material libraries and pictures are
+/// looked for in `beside`, names and bytes of files, and then in its folder.
 ///
 /// ```
 /// use pinhole_import::{import_bytes, Axis, Options};
@@ -181,7 +183,7 @@ pub fn import_bytes(
     beside: &[(String, Vec<u8>)],
     options: &Options,
 ) -> Result<ImportedMesh, ImportError> {
-    let beside = Beside { model: file, given: beside, root: options.root.as_deref() };
+    let beside = Beside { model: file, given: beside, options };
     let mesh = finish(model_of(bytes, beside)?, file, options, &mut |_| ())?;
     fits(mesh).map_err(|problem| problem.at(file, None))
 }
@@ -192,7 +194,7 @@ pub fn import_bytes(
 ///
 /// As [`read`].
 pub fn read_triangles(file: &Path) -> Result<Triangles, ImportError> {
-    Ok(read_model(file, None)?.triangles)
+    Ok(read_model(file, &Options::default())?.triangles)
 }
 
 /// Reads the text of an OBJ file; `file` is only named in errors.
@@ -204,8 +206,8 @@ pub fn read_triangles(file: &Path) -> Result<Triangles, ImportError> {
 ///
 /// As [`read`].
 pub fn read_obj(text: &[u8], file: &Path) -> Result<ImportedMesh, ImportError> {
-    let model = obj::read(text, &Beside { model: file, given: &[], root: None })?;
-    finish(model, file, &Options::default(), &mut |_| ())
+    let options = &Options::default();
+    finish(obj::read(text, &Beside { model: file, given: &[], options })?, file, options, &mut |_| ())
 }
 
 /// Reads the bytes of an STL file, binary or ASCII; `file` is only named in errors. Colours, which some programs hide in a
@@ -226,9 +228,9 @@ fn fits(mesh: ImportedMesh) -> Result<ImportedMesh, Problem> {
     }
 }
 
-fn read_model(file: &Path, root: Option<&Path>) -> Result<Model, ImportError> {
+fn read_model(file: &Path, options: &Options) -> Result<Model, ImportError> {
     Format::of(file)?; // before a large file is read
-    model_of(bytes(file)?, Beside { model: file, given: &[], root })
+    model_of(bytes(file)?, Beside { model: file, given: &[], options })
 }
 
 fn model_of(bytes: Vec<u8>, beside: Beside<'_>) -> Result<Model, ImportError> {

@@ -1,6 +1,6 @@
 //! Materials: diffuse and emissive colours as a palette, the names of their pictures, and texture coordinates on a grid.
 
-use crate::beside::Beside;
+use crate::beside::{Beside, Unread};
 use crate::model::{Colors, TextureFaces};
 use crate::mtl;
 use crate::text::{before_comment, text};
@@ -23,6 +23,8 @@ pub(crate) struct Pictures {
     pub(crate) names: Vec<String>,
     /// How many triangles have a material without a picture, or none.
     pub(crate) bare: usize,
+    /// The first one's file and its bytes, if pictures are wanted.
+    pub(crate) first: Option<Result<(PathBuf, Vec<u8>), Unread>>,
 }
 
 /// The colour of each triangle, by its material, the pictures that the materials name, and the libraries that were read. No
@@ -85,6 +87,12 @@ pub(crate) fn read(
             Some(_) => {}
             None => pictures.bare += 1,
         }
+    }
+    if let (Some(name), Some(_)) = (pictures.names.first(), &beside.options.texture) {
+        pictures.first = Some(beside.find(name).and_then(|found| {
+            let bytes = beside.read(&found)?.into_owned();
+            Ok((found.path, bytes))
+        }));
     }
     let shade = |number: Option<usize>| {
         let material = material(number);

@@ -16,8 +16,6 @@ pub(crate) struct Model {
     pub(crate) texture: Option<TextureFaces>,
     /// The pictures that materials name.
     pub(crate) pictures: Pictures,
-    /// The file, beside which pictures are looked for.
-    pub(crate) file: PathBuf,
     /// Files read beside the model.
     pub(crate) libraries: Vec<PathBuf>,
 }

@@ -90,7 +90,6 @@ pub(crate) fn read(bytes: &[u8], beside: &Beside<'_>) -> Result<Model, ImportErr
     }
     (model.colors, model.pictures, model.libraries) =
         materials::read(&read.materials, of_materials, &read.libraries, beside, &mut model.warnings);
-    model.file = file.to_path_buf();
     model.places = Places::Lines(lines);
     Ok(model)
 }

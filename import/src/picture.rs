@@ -1,6 +1,5 @@
 //! The picture of a material as texels that name colours of a palette.
 
-use crate::beside::Beside;
 use crate::materials::Pictures;
 use crate::{rust, Problem, TextureFormat, Warning};
 use std::path::PathBuf;
@@ -108,8 +107,7 @@ pub(crate) fn channels(path: &str) -> Option<Channels> {
 
 /// Reads the picture that the materials name, in the format, and its path. What is doubtful is a warning.
 pub(crate) fn read(
-    pictures: &Pictures,
-    beside: &Beside<'_>,
+    pictures: Pictures,
     format: &TextureFormat,
     warnings: &mut Vec<Warning>,
 ) -> Result<Option<(PathBuf, IndexedPicture)>, Problem> {
@@ -124,12 +122,13 @@ pub(crate) fn read(
     if pictures.bare > 0 {
         warnings.push(Warning::NoPictureFaces { count: pictures.bare });
     }
-    let (bytes, path) = match beside.find(name).and_then(|found| Ok((beside.read(&found)?, found.path))) {
-        Ok(read) => read,
-        Err(why) => {
+    let (path, bytes) = match pictures.first {
+        Some(Ok(read)) => read,
+        Some(Err(why)) => {
             warnings.push(Warning::PictureUnread { name: name.clone(), why });
             return Ok(None);
         }
+        None => return Ok(None), // not wanted
     };
     match decode::indexed(name, &bytes, format, warnings)? {
         Ok(picture) => {

@@ -53,7 +53,7 @@ pub struct Preview {
 pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
     let options = Options { reorder: false, decimate: None, ..options.clone() };
     let up = options.up.unwrap_or(Axis::of_file(file));
-    let model = read_model(file, options.root.as_deref())?;
+    let model = read_model(file, &options)?;
     let mut triangles = model.triangles.clone();
     let pictures = model.pictures.names.clone();
     let mut texture: Vec<[[f64; 2]; 3]> = match &model.texture {

@@ -1,6 +1,5 @@
 //! The way from triangles to a mesh.
 
-use crate::beside::Beside;
 use crate::edges::Sides;
 use crate::grid::{extent, Grid};
 use crate::materials::{self, Texture};
@@ -58,7 +57,7 @@ pub(crate) fn make(
     begins: &mut dyn FnMut(Step),
 ) -> Result<Made, Problem> {
     options.check()?;
-    let Model { triangles, places, mut warnings, colors, texture, pictures, file, mut libraries } = model;
+    let Model { triangles, places, mut warnings, colors, texture, pictures, mut libraries } = model;
     let Triangles { positions: read, faces } = triangles;
     if faces.iter().flatten().any(|&i| i >= read.len()) {
         return Err(Problem::NoSuchVertex);
@@ -210,8 +209,7 @@ pub(crate) fn make(
             warnings.push(Warning::NoTextureCoords);
         }
         Some(format) => {
-            let beside = Beside { model: &file, given: &[], root: options.root.as_deref() };
-            if let Some((path, read)) = picture::read(&pictures, &beside, format, &mut warnings)? {
+            if let Some((path, read)) = picture::read(pictures, format, &mut warnings)? {
                 libraries.push(path);
                 picture = Some(read);
             }

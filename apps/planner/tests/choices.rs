@@ -46,6 +46,23 @@ fn a_model_has_the_colors_of_its_material_library() {
     assert_eq!(middle(&mut planner), [0, 255, 0, 255]);
 }
 
+/// Folders in a name are left out: a ZIP with such a path would be unpacked outside its folder.
+#[test]
+fn a_firmware_has_the_libraries_that_its_model_uses() {
+    let mut planner = Planner::default();
+    for name in ["../../part.mtl", r"..\..\other.mtl", "build.mtl"] {
+        planner.load(name, b"newmtl leaf\nKd 0 1 0\n".into());
+    }
+    let model = "mtllib OTHER.mtl part.mtl\nv 0 0 0\nv 2 0 0\nv 2 2 0\nusemtl leaf\nf 1 2 3\n";
+    planner.load("/models/part.obj", model.into());
+    let mut names = |text: &str| {
+        let files = planner.model(&Choice::parse(text).expect("a choice")).expect("files");
+        files.into_iter().map(|(name, _)| name).collect::<Vec<_>>()
+    };
+    assert_eq!(names("mesh=file"), ["model.obj", "other.mtl", "part.mtl"]);
+    assert_eq!(names("mesh=gear"), ["model.stl"]);
+}
+
 #[test]
 fn lines_are_where_the_surface_turns_by_more_than_the_angle() {
     // A roof: two slopes that meet at 90 degrees, each of two triangles, so that there is a diagonal on each.

@@ -406,7 +406,7 @@ fn what_is_wrong_with_materials_leaves_the_mesh() {
     assert_eq!((mesh.faces.len(), mesh.texture_faces.len()), (4, 0));
     assert!(said(&mesh)[0]
         .starts_with("no texture coordinates: a face names a texture coordinate that does not exist; "));
-    assert_eq!(mesh.warnings[0].line, Some(20));
+    assert_eq!(mesh.warnings[0].line(), Some(20));
     let half = format!("{CORNERS}{a}{b}{c}f 3/10 1 4/12\n");
     let mesh = import(&file("half.obj", &half), &Options::default()).unwrap();
     assert_eq!(mesh.texture_faces.len(), 4);
