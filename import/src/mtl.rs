@@ -41,12 +41,12 @@ fn statement(line: &str, materials: &mut Vec<(String, Material)>) -> Result<(), 
             // A `#` belongs to the name, as in `Material #1`. A material without a name still begins here: what follows is not
             // of the material before.
             materials.push((rest.trim().to_owned(), Material::default()));
-            return if rest.is_empty() { Err("`newmtl` has a name") } else { Ok(()) };
+            return if rest.is_empty() { Err("`newmtl` needs a name") } else { Ok(()) };
         }
         "kd" | "ke" | "map_kd" => {}
         _ => return Ok(()),
     }
-    let (_, material) = materials.last_mut().ok_or("a material begins with `newmtl`")?;
+    let (_, material) = materials.last_mut().ok_or("no `newmtl` stands before it")?;
     match &word[..] {
         "kd" => material.color = Some(color(rest)?),
         "ke" => material.emission = Some(color(rest)?),
@@ -59,7 +59,7 @@ fn statement(line: &str, materials: &mut Vec<(String, Material)>) -> Result<(), 
 fn color(text: &str) -> Result<[u8; 3], &'static str> {
     let channel = |word: &str| {
         let level: f64 =
-            word.parse().map_err(|_| "`Kd` and `Ke` have one or three numbers, red, green and blue")?;
+            word.parse().map_err(|_| "`Kd` and `Ke` need one number, or three: red, green and blue")?;
         Ok((level * 255.0).round().clamp(0.0, 255.0) as u8) // NaN becomes 0
     };
     let mut words = before_comment(text).split_whitespace();

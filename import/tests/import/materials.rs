@@ -150,7 +150,7 @@ fn materials_may_emit_light() {
 #[test]
 fn a_line_that_is_not_understood_costs_that_line() {
     let red = "newmtl rust\nKd 1 0 0\nnewmtl sky\n";
-    let numbers = "`Kd` and `Ke` have one or three numbers, red, green and blue";
+    let numbers = "`Kd` and `Ke` need one number, or three: red, green and blue";
     for (row, (library, sky, doubt)) in [
         (format!("{red}Kd 0 0 1\n"), [0, 0, 255], None),
         (format!("{red}Kd .5\n"), [128; 3], None),
@@ -165,9 +165,9 @@ fn a_line_that_is_not_understood_costs_that_line() {
         (format!("{red}Kd spectral sky.rfl\n"), [204; 3], Some((4, numbers))),
         (format!("{red}Kd 0 0 1\nKd 0 x 1\n"), [0, 0, 255], Some((5, numbers))),
         (format!("{red}Ke\nKd 0 0 1\n"), [0, 0, 255], Some((4, numbers))),
-        (format!("newmtl\nKd 0 1 0\n{red}Kd 0 0 1\n"), [0, 0, 255], Some((1, "`newmtl` has a name"))),
-        (format!("{red}Kd 0 0 1\nnewmtl \nKd 0 1 0\n"), [0, 0, 255], Some((5, "`newmtl` has a name"))),
-        (format!("Kd 0 1 0\n{red}Kd 0 0 1\n"), [0, 0, 255], Some((1, "a material begins with `newmtl`"))),
+        (format!("newmtl\nKd 0 1 0\n{red}Kd 0 0 1\n"), [0, 0, 255], Some((1, "`newmtl` needs a name"))),
+        (format!("{red}Kd 0 0 1\nnewmtl \nKd 0 1 0\n"), [0, 0, 255], Some((5, "`newmtl` needs a name"))),
+        (format!("Kd 0 1 0\n{red}Kd 0 0 1\n"), [0, 0, 255], Some((1, "no `newmtl` stands before it"))),
     ]
     .into_iter()
     .enumerate()
@@ -375,7 +375,7 @@ fn what_is_wrong_with_materials_leaves_the_mesh() {
         (
             body("mtllib broken.mtl\nusemtl rust"),
             vec![[204; 3]],
-            "material library broken.mtl: lines passed over: 1, the first at line 2: `Kd` and `Ke` have one or three numbers, red, green and blue",
+            "material library broken.mtl: lines passed over: 1, the first at line 2: `Kd` and `Ke` need one number, or three: red, green and blue",
         ),
         (body("usemtl rust"), vec![], "no material library (mtllib): faces have no colours"),
         (

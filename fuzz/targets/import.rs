@@ -1,0 +1,50 @@
+//! Files of all formats that the importer reads: whatever is in them, it answers with a mesh that `pinhole::Mesh` takes or with an
+//! error of one line, and its warnings are of one line, too. The first byte chooses the format; zero bytes separate an OBJ file from
+//! the material library that it may name.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use pinhole_import::{import_bytes, Edges, Options, TextureFormat};
+use std::path::Path;
+
+/// A triangle with a picture.
+const PAINTED: &[u8] =
+    b"mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
+
+fn import(name: &str, bytes: &[u8], beside: &[(String, Vec<u8>)], bits: u8) {
+    let options = Options {
+        fix_winding: bits & 1 != 0,
+        two_sided: bits & 2 != 0,
+        reorder: bits & 4 != 0,
+        edges: if bits & 8 != 0 { Edges::Feature { degrees: 30.0 } } else { Edges::All },
+        edge_faces: bits & 16 != 0,
+        vertex_normals: bits & 32 != 0,
+        texture: Some(TextureFormat { colors: [2, 4, 16, 256][usize::from(bits >> 6)], ..Default::default() }),
+        ..Options::default()
+    };
+    match import_bytes(bytes.to_vec(), Path::new(name), beside, &options) {
+        Ok(mesh) => {
+            mesh.mesh().expect("a mesh");
+            mesh.colors().expect("colours of its faces");
+            mesh.texture().expect("texture coordinates of its faces");
+            mesh.to_rust("the fuzzer");
+            for warning in mesh.warnings {
+                assert_eq!(warning.to_string().lines().count(), 1, "{warning}");
+            }
+        }
+        Err(error) => assert_eq!(error.to_string().lines().count(), 1, "{error}"),
+    }
+}
+
+fuzz_target!(|data: &[u8]| {
+    let [format, bits, rest @ ..] = data else { return };
+    let mut parts = rest.splitn(2, |&byte| byte == 0);
+    let mut part = || parts.next().unwrap_or_default();
+    let file = |name: &str, bytes: &[u8]| (name.to_string(), bytes.to_vec());
+    match format % 4 {
+        0 => import("m.obj", part(), &[file("m.mtl", part())], *bits),
+        1 => import("m.stl", rest, &[], *bits),
+        2 => import("m.obj", PAINTED, &[file("m.mtl", rest)], *bits),
+        _ => import("m.obj", PAINTED, &[file("m.mtl", b"newmtl a\nmap_Kd p\n"), file("p", rest)], *bits),
+    }
+});
