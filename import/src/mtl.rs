@@ -36,21 +36,18 @@ pub(crate) fn read(text: &str) -> Library {
 fn statement(line: &str, materials: &mut Vec<(String, Material)>) -> Result<(), &'static str> {
     let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
     let word = word.to_ascii_lowercase();
-    match &word[..] {
-        "newmtl" => {
-            // A `#` belongs to the name, as in `Material #1`. A material without a name still begins here: what follows is not
-            // of the material before.
-            materials.push((rest.trim().to_owned(), Material::default()));
-            return if rest.is_empty() { Err("`newmtl` needs a name") } else { Ok(()) };
-        }
-        "kd" | "ke" | "map_kd" => {}
-        _ => return Ok(()),
+    if word == "newmtl" {
+        // A `#` belongs to the name, as in `Material #1`. What follows a material without a name is not of the material before.
+        materials.push((rest.trim().to_owned(), Material::default()));
+        return if rest.is_empty() { Err("`newmtl` needs a name") } else { Ok(()) };
     }
-    let (_, material) = materials.last_mut().ok_or("no `newmtl` stands before it")?;
+    let mut material =
+        || materials.last_mut().map(|(_, material)| material).ok_or("no `newmtl` stands before it");
     match &word[..] {
-        "kd" => material.color = Some(color(rest)?),
-        "ke" => material.emission = Some(color(rest)?),
-        _ => material.picture = picture(rest).map(str::to_owned),
+        "kd" => material()?.color = Some(color(rest)?),
+        "ke" => material()?.emission = Some(color(rest)?),
+        "map_kd" => material()?.picture = picture(rest).map(str::to_owned),
+        _ => {}
     }
     Ok(())
 }

@@ -11,7 +11,7 @@ use std::path::Path;
 mod arguments;
 
 /// The options that the command `pinhole-import` has, too.
-pub fn arguments() -> [Arg; 4] {
+pub fn arguments() -> [Arg; 5] {
     arguments::arguments()
 }
 

@@ -631,7 +631,7 @@ fn messages_for_bad_options_name_the_alternatives() {
         let said = refusal(&RENDER.run(&[&[text(&scene)], option].concat()));
         assert!(said.contains(option[0]) && said.contains("its own camera"), "{said}");
     }
-    for option in [&["--up", "z"][..], &["--flip"], &["--fix-winding"], &["--two-sided"]] {
+    for option in [&["--up", "z"][..], &["--flip"], &["--fix-winding"], &["--two-sided"], &["--root", "."]] {
         let said = refusal(&RENDER.run(&[&[text(&scene)], option].concat()));
         assert!(said.contains(option[0]) && said.contains("drawn as it stands"), "{said}");
     }

@@ -34,7 +34,9 @@ fn main() -> ExitCode {
                 Source::read(&file, &import::options(&given))?
             }
             None if import::typed(&given).is_some() || given.contains_id("texture") => {
-                return Err("--up, --flip, --fix-winding, --two-sided, --texture: are for a FILE".into())
+                return Err(
+                    "--up, --flip, --fix-winding, --two-sided, --root, --texture: are for a FILE".into()
+                )
             }
             None => Source::built_in(),
         };

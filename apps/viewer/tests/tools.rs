@@ -33,6 +33,7 @@ const NONE: Options = Options {
     planes: false,
     vertex_normals: false,
     texture: None,
+    root: None,
 };
 const FLIP: Options = Options { flip: true, ..NONE };
 const FIX: Options = Options { fix_winding: true, ..NONE };
