@@ -72,8 +72,10 @@ impl<'a> Beside<'a> {
             let name = name.trim().trim_matches('"');
             name.replace("\\ ", " ").replace("%20", " ").replace('\\', "/")
         };
+        let mut names = vec![name.to_owned(), plain(name), plain(before_comment(name))];
+        names.dedup();
         let mut unread = Unread::Missing;
-        for name in [name.to_owned(), plain(name), plain(before_comment(name))] {
+        for name in &names {
             let last = name.rsplit('/').next().unwrap_or_default();
             let given = || self.given.iter();
             let exact = given().find(|(other, _)| other == last);
@@ -81,7 +83,9 @@ impl<'a> Beside<'a> {
             {
                 return Ok(Found { path: name.into(), given: Some(bytes) });
             }
-            for path in [&name, last].into_iter().filter_map(|name| present(self.folder(), name)) {
+            let beside_the_model = Some(last).filter(|last| last != name);
+            for name in [&name[..]].into_iter().chain(beside_the_model) {
+                let Some(path) = present(self.folder(), name) else { continue };
                 match self.check(&path) {
                     Ok(()) => return Ok(Found { path, given: None }),
                     Err(why) => unread = why,

@@ -41,12 +41,11 @@ fn statement(line: &str, materials: &mut Vec<(String, Material)>) -> Result<(), 
         materials.push((rest.trim().to_owned(), Material::default()));
         return if rest.is_empty() { Err("`newmtl` needs a name") } else { Ok(()) };
     }
-    let mut material =
-        || materials.last_mut().map(|(_, material)| material).ok_or("no `newmtl` stands before it");
+    let material = materials.last_mut().map(|(_, material)| material).ok_or("no `newmtl` stands before it");
     match &word[..] {
-        "kd" => material()?.color = Some(color(rest)?),
-        "ke" => material()?.emission = Some(color(rest)?),
-        "map_kd" => material()?.picture = picture(rest).map(str::to_owned),
+        "kd" => material?.color = Some(color(rest)?),
+        "ke" => material?.emission = Some(color(rest)?),
+        "map_kd" => material?.picture = picture(rest).map(str::to_owned),
         _ => {}
     }
     Ok(())
