@@ -272,6 +272,7 @@ fn libraries_elsewhere_are_skipped() {
     symlink(folder.join("outside/far.mtl"), model.join("link.mtl")).unwrap();
     symlink(folder.join("outside"), model.join("folder")).unwrap();
     symlink("/dev/zero", model.join("zeros.mtl")).unwrap();
+    std::fs::File::create(model.join("huge.mtl")).unwrap().set_len((1 << 30) + 1).unwrap(); // takes no room
     let pipe = model.join("pipe.mtl");
     assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
     let absolute = folder.join("outside/far.mtl");
@@ -289,6 +290,7 @@ fn libraries_elsewhere_are_skipped() {
         ),
         ("pipe.mtl", "is no regular file"),
         ("Deep", "is no regular file"),
+        ("huge.mtl", "has more than 1 GiB"),
     ] {
         let (found, said) = painted_by(&folder, libraries, None);
         assert_eq!(found, Vec::<[u8; 3]>::new(), "{libraries}");
