@@ -346,7 +346,9 @@ fn png_files_of_all_kinds_are_read() {
         let mut encoder = png::Encoder::new(&mut bytes, 8, 8);
         encoder.set_color(color);
         encoder.set_depth(depth);
-        palette.map(|palette| encoder.set_palette(palette));
+        if let Some(palette) = palette {
+            encoder.set_palette(palette);
+        }
         let mut writer = encoder.write_header().unwrap();
         writer.write_image_data(data).unwrap();
         writer.finish().unwrap();
