@@ -46,6 +46,7 @@ pub fn options(code: &Code, given: &Options) -> Options {
         flip: given.flip || own.flip,
         fix_winding: given.fix_winding || own.fix_winding,
         two_sided: given.two_sided || own.two_sided,
+        root: given.root.clone().or(own.root),
         ..own
     }
 }
