@@ -1,7 +1,5 @@
 //! Linear forms over mesh vertices: the multiply-accumulate of the vertex loop.
 
-use super::Scalar;
-
 /// Homogeneous clip coordinates x, y, d, w as integers; the [`VertexTransform`](crate::camera) that made them has their
 /// exponents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,7 +8,7 @@ pub(crate) struct ClipCoords {
     pub(crate) xydw: [i32; 4],
 }
 
-/// A type of vertex coordinates: `i16`, in the mesh's unit of 2^exponent, or [`Scalar`], ±32768 in steps of 2⁻¹⁶. Sealed: no
+/// A type of vertex coordinates: `i16`, in the mesh's unit of 2^exponent, or [`Scalar`](crate::Scalar), ±32768 in steps of 2⁻¹⁶. Sealed: no
 /// other type can implement it.
 #[diagnostic::on_unimplemented(
     message = "vertices cannot have coordinates of `{Self}`",
@@ -55,19 +53,11 @@ impl Coordinate for i16 {
     type Stored = Self;
 }
 
-impl Coordinate for Scalar {
-    fn times(self, factor: i32) -> i32 {
-        self.to_bits().wrapping_mul(factor) // `Mesh` bounds the factor so that no bit is lost
-    }
-    const NARROW: bool = false;
-    type Stored = Self;
-}
-
-mod sealed {
+/// A public trait that no other crate can name.
+pub(super) mod sealed {
     pub trait Sealed {}
     impl Sealed for i16 {}
     impl<V> Sealed for super::Inside<V> {}
-    impl Sealed for super::Scalar {}
 }
 
 /// A linear form for cores with a 64-bit multiply-accumulate, `⌊(Σ linear · v · 2⁻³¹) + offset · 2⁻³² + ½⌋`; the offset is

@@ -1,7 +1,8 @@
 //! The public fixed-point number.
 
+use super::form::sealed::Sealed;
 use super::num::divide;
-use super::NumberError;
+use super::{Coordinate, NumberError};
 use core::fmt::{Display, Formatter};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 use core::str::FromStr;
@@ -197,6 +198,16 @@ impl Neg for Scalar {
     fn neg(self) -> Self {
         Self(self.0.saturating_neg())
     }
+}
+
+impl Sealed for Scalar {}
+
+impl Coordinate for Scalar {
+    fn times(self, factor: i32) -> i32 {
+        self.to_bits().wrapping_mul(factor) // `Mesh` bounds the factor so that no bit is lost
+    }
+    const NARROW: bool = false;
+    type Stored = Self;
 }
 
 impl From<i16> for Scalar {
