@@ -26,7 +26,6 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// triangles larger than 512 pixels no more than 1/64 step has been seen, and ¼ is proved. Each channel is then rounded to the
 /// nearest level of the target. [`FogTable`] says what a step of depth is in distance. A triangle whose three corners have one
 /// level is drawn in this level.
-/// corners have one level has this level.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
