@@ -156,6 +156,11 @@ impl<S, M> Translucent<S, M> {
     pub(super) const fn parts(&self) -> (&S, &M) {
         (&self.shader, &self.mode)
     }
+
+    /// The shader or picture, to be changed.
+    pub(super) const fn inner_mut(&mut self) -> &mut S {
+        &mut self.shader
+    }
 }
 
 impl<S: Shader, M: Copy> Shader for Translucent<S, M> {
