@@ -67,6 +67,11 @@ impl PlaneEye {
         Self { xyz: [x, y, z], w }
     }
 
+    /// An eye that every plane has on its other side, so that [`behind`](Self::behind) finds front faces.
+    pub(crate) fn opposite(self) -> Self {
+        Self { xyz: self.xyz.map(|c| -c), w: -self.w }
+    }
+
     /// Positive or zero only if a face with the plane n·v/2 = `plane` is certainly back-facing: its distance less the error
     /// bound, in 2⁻¹⁵ times a factor common to all faces of an object.
     #[inline(always)]

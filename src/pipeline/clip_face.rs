@@ -193,8 +193,8 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         let Some(corners) = self.uncached_corners(face) else { return Outcome::Outside };
         let area = area::<DEPTH>(&corners);
         match self.instance.cull().facing(area) {
-            Facing::Front => {}
-            Facing::Away => return Outcome::Culled,
+            Facing::Drawn => {}
+            Facing::Culled => return Outcome::Culled,
             Facing::EdgeOn => return Outcome::Degenerate,
         }
         fan.set_unclipped::<DEPTH>(&self.unpack(corners), area);
@@ -228,7 +228,11 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         if ScreenVertex::share_a_plane(a & b & c) {
             return Outcome::Outside; // of vertices that are not cached
         }
-        let may_be_known = ScreenVertex::is_near_alone(a | b | c) && self.instance.cull() == Cull::Back;
+        let culls_back = match self.instance.cull() {
+            Cull::Back => true,
+            Cull::Front | Cull::None => false,
+        };
+        let may_be_known = ScreenVertex::is_near_alone(a | b | c) && culls_back;
         if may_be_known && fast::is_back_face(clipper.slots, clipper.vertex_transform.sub_pixels()) {
             return Outcome::Culled;
         }

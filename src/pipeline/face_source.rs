@@ -58,8 +58,8 @@ impl FaceSource for PartOrder {
     }
 }
 
-/// The faces of a mesh, in its order, without those whose planes show that they are back faces: early back-face culling,
-/// before a vertex is transformed.
+/// The faces of a mesh, in its order, without those whose planes show that they are culled: early back-face culling, before a
+/// vertex is transformed.
 pub(super) struct PlaneOrder<'a, V: Coordinate> {
     instance: &'a AnyInstance<'a, V>,
     eye: PlaneEye,
@@ -92,18 +92,19 @@ impl<V: Coordinate> FaceSource for PlaneOrder<'_, V> {
 }
 
 impl<'a, V: Coordinate> PlaneOrder<'a, V> {
-    /// The faces of an instance that may be visible; all of them if it does not cull back faces.
+    /// The faces of an instance that may be drawn; all of them if it culls none.
     #[inline(always)]
     pub(super) fn new(instance: &'a AnyInstance<'a, V>) -> Self {
         let eye = match instance.cull() {
             Cull::Back => PlaneEye::new(instance.vertex_transform()),
+            Cull::Front => PlaneEye::new(instance.vertex_transform()).opposite(),
             Cull::None => PlaneEye::NOWHERE,
         };
         Self { instance, eye }
     }
 
     /// One bit for each of `count` faces (at most [`BATCH`]), the lowest for face `first`: 0 if the face's plane shows that it
-    /// is a back face.
+    /// is culled.
     #[inline(never)] // the loop gets all registers; one copy for all draw calls
     fn visible(&self, first: usize, count: usize) -> u32 {
         let (mesh, range, eye) = (self.instance.mesh(), first..first + count, self.eye);

@@ -135,9 +135,9 @@ impl<'v> Fan<'v> {
         let outcome = match (count, cull.facing(area)) {
             (0, _) => Outcome::Outside,
             (_, Facing::EdgeOn) => Outcome::Degenerate,
-            (_, Facing::Away) => Outcome::Culled,
-            (_, Facing::Front) if cut => Outcome::Clipped,
-            (_, Facing::Front) => Outcome::Unclipped,
+            (_, Facing::Culled) => Outcome::Culled,
+            (_, Facing::Drawn) if cut => Outcome::Clipped,
+            (_, Facing::Drawn) => Outcome::Unclipped,
         };
         // The triangles of a cut face are made counter-clockwise.
         self.reversed = cut && area < 0;

@@ -51,13 +51,13 @@ pub(super) fn each_face<
     let faces = instance.mesh().faces;
     source.push(faces, |index, face| {
         match cache.corners(face) {
-            // The common case. Back faces are not counted one by one: see `with_the_rest_culled`.
+            // The common case. Culled faces are not counted one by one: see `with_the_rest_culled`.
             Some(corners) => {
                 let area = area::<DEPTH>(&corners);
-                let facing = if C::CULLED { Facing::Front } else { instance.cull().facing(area) };
+                let facing = if C::CULLED { Facing::Drawn } else { instance.cull().facing(area) };
                 match facing {
-                    Facing::Front => {}
-                    Facing::Away => return Ok(true),
+                    Facing::Drawn => {}
+                    Facing::Culled => return Ok(true),
                     Facing::EdgeOn => {
                         statistics.count(Outcome::Degenerate);
                         return Ok(true);

@@ -153,12 +153,15 @@ impl<'m, V: Coordinate, P: FacePlanes> MeshInstance<'m, V, P> {
     /// # let [near, far] = [1, 9].map(Scalar::from_int);
     /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
     /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
+    /// # let mut display = MockDisplay::new();
+    /// # display.set_allow_overdraw(true);
     /// let from_behind = Mesh::new(&[[-1, -1, 0], [0, 1, 0], [1, -1, 0]], 0, &[[0, 1, 2]])?; // clockwise
     /// let instance = camera.place(&from_behind, &Affine::identity());
-    /// let mut display = MockDisplay::new();
     /// let statistics = instance.solid(|_| BinaryColor::On, &mut [], &mut display)?;
     /// assert_eq!((statistics.drawn, statistics.culled), (0, 1));
     /// let statistics = instance.with_cull(Cull::None).solid(|_| BinaryColor::On, &mut [], &mut display)?;
+    /// assert_eq!((statistics.drawn, statistics.culled), (1, 0));
+    /// let statistics = instance.with_cull(Cull::Front).solid(|_| BinaryColor::On, &mut [], &mut display)?;
     /// assert_eq!((statistics.drawn, statistics.culled), (1, 0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

@@ -5,7 +5,7 @@
 //! 2. Vertices go through the forms to the screen, into a cache that the caller provides: all before the first face
 //!    ([`TransformedMesh`]), or, of a mesh with planes, each when the first face needs it (`LazyCache`). Vertices that are not on
 //!    the screen are marked: they need clipping.
-//! 3. A source pushes faces into the face loop (`faces.rs`), in the order of the mesh: all faces, all except back faces found
+//! 3. A source pushes faces into the face loop (`faces.rs`), in the order of the mesh: all faces, all except culled faces found
 //!    by their planes if the mesh has planes, or the faces that may lie in a band. The loop culls each face by its area on the
 //!    screen; a face with a marked vertex is clipped in clip space and becomes a fan of triangles.
 //! 4. A sink takes the triangles: it fills them with their shader ([`MeshInstance::solid`]), fills their pixels that pass the

@@ -320,9 +320,6 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
         };
         self.vertices.truncate(room.first);
         self.faces.truncate(room.first_face);
-        if room.first == 0 {
-            self.area = None;
-        }
         Err(error)
     }
 

@@ -22,6 +22,12 @@ impl ScreenSprite {
     pub(super) fn is_empty(&self) -> bool {
         self.columns.is_empty() || self.rows.is_empty()
     }
+
+    /// The pixels inside the scissor that the sprite covers.
+    pub(super) fn covered(&self, scissor: &Scissor) -> Scissor {
+        let (columns, rows) = (self.columns.pixels(), self.rows.pixels());
+        Scissor::unclamped(columns.start, rows.start, columns.end, rows.end).intersection(scissor)
+    }
 }
 
 /// Draws the pixels of a sprite inside the scissor, which lies in the target. With `DEPTH`, only those that are nearer than the depth
@@ -34,8 +40,7 @@ pub(super) fn fill<T: Target, S: SpriteSource<Color = T::Color>, const DEPTH: bo
     mut depth: Option<&mut DepthBuffer<'_>>,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let (columns, rows) = (sprite.columns.pixels(), sprite.rows.pixels());
-    let covered = Scissor::unclamped(columns.start, rows.start, columns.end, rows.end).intersection(scissor);
+    let covered = sprite.covered(scissor);
     if covered.is_empty() {
         return Ok(());
     }

@@ -1,18 +1,20 @@
 //! Sprites: pictures that face the viewer, at points of the world.
 
-use super::draw_region::DrawRegion;
+use super::draw_region::{pixels, DrawRegion};
 use super::instance::AnyInstance;
 use super::sprite_fill::{fill, ScreenSprite};
 use super::statistics::{Outcome, Statistics};
 use super::vertex_cache::TransformedMesh;
 use crate::camera::{Camera, SizeOnScreen, UnpackedVertex};
 use crate::math::{Affine, Coordinate, Point3, Scalar, Vector3};
-use crate::raster::SpriteAxis;
+use crate::raster::{Scissor, SpriteAxis};
 use crate::scene::{FacePlanes, Mesh};
 use crate::shading::{Sprite, SpriteSize, SpriteSource};
 use crate::space::{Model, World};
-use crate::surface::{DepthBuffer, Target};
+use crate::surface::{rectangle, DepthBuffer, Target};
+use core::convert::Infallible;
 use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::primitives::Rectangle;
 
 /// Points before a camera, each of which shows a [`Sprite`]. [`Camera::place_sprite`] and [`Camera::place_sprites`] make it, once per
 /// frame.
@@ -144,6 +146,33 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
         })
     }
 
+    /// A rectangle inside the viewport around all pixels of the sprites, hidden and transparent ones too, for
+    /// [`DirtyRegions`](crate::DirtyRegions): no pixel outside it is drawn. It is empty if there are none. `sprite` is the closure of
+    /// [`draw`](Self::draw).
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+    /// use pinhole::{prelude::*, Angle};
+    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// # let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_int(2) };
+    /// # let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let marker = camera.place_sprite(Point3::from_ints(0, 0, 0)); // in the middle of 64 × 64 pixels
+    /// let bounds = marker.bounds(|_| Sprite::square(Gray8::WHITE, 4));
+    /// assert_eq!(bounds, Rectangle::new(Point::new(30, 30), Size::new(4, 4)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn bounds<S: SpriteSource>(&self, sprite: impl Fn(usize) -> Sprite<S>) -> Rectangle {
+        let (viewport, mut bounds) = (pixels(self.points.area()), Scissor::UNION_IDENTITY);
+        let Ok(_) = self.each(false, sprite, |image, _| {
+            let covered = image.covered(&viewport);
+            if !covered.is_empty() {
+                bounds = bounds.union(&covered);
+            }
+            Ok::<(), Infallible>(())
+        });
+        rectangle(&bounds.clipped_to(&viewport))
+    }
+
     /// Calls `draw` with each sprite that has pixels, and its picture. `far`: whether the far plane clips.
     #[inline(always)]
     fn each<S: SpriteSource, E>(
@@ -154,12 +183,13 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
     ) -> Result<Statistics, E> {
         let mut statistics = Statistics::default();
         for index in 0..self.points.mesh().vertices.len() {
-            let sprite = sprite(index);
+            let mut sprite = sprite(index);
             // `index as u16` is exact: a mesh has at most 65536 vertices.
             let outcome = match self.image(index as u16, far, &sprite) {
                 None => Outcome::Outside,
                 Some(image) if image.is_empty() => Outcome::Degenerate,
                 Some(image) => {
+                    sprite.source_mut().set_depth(image.depth);
                     draw(&image, sprite.source())?;
                     Outcome::Unclipped
                 }

@@ -3,7 +3,7 @@
 /// What the pipeline does with a face.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Outcome {
-    /// A back face.
+    /// With the side turned to the viewer that is culled.
     Culled,
     /// Without area on the screen.
     Degenerate,
@@ -42,7 +42,7 @@ impl Outcome {
 pub struct Statistics {
     /// Faces, edges or points passed to the rasteriser, whole or clipped.
     pub drawn: u32,
-    /// Back faces.
+    /// Back faces, or the faces that [`Cull`](crate::Cull) names.
     pub culled: u32,
     /// Clipped at the near plane, the far plane or the guard band, and drawn; also counted in `drawn`.
     pub clipped: u32,
@@ -84,8 +84,8 @@ impl Statistics {
         *field = field.wrapping_add(1);
     }
 
-    /// Completes the counts of a mesh of `faces` faces: each face that was not counted is culled. So a back face, the common
-    /// case, costs no instruction.
+    /// Completes the counts of a mesh of `faces` faces: each face that was not counted is culled. So a culled face, a
+    /// common case, costs no instruction.
     pub(super) fn with_the_rest_culled(self, faces: usize) -> Self {
         // Each count is below 2³², and so is their sum.
         let rest = (faces as u32).wrapping_sub(self.drawn + self.outside + self.degenerate);

@@ -513,7 +513,8 @@ impl<'a, V, P> Mesh<'a, V, P> {
     /// **Which faces are culled.** A face is culled by its plane if the eye lies behind the plane by more than 1/290 of the eye's
     /// distance or of the mesh's largest coordinate, whichever is larger, in model units. In a parallel projection a face is
     /// culled if its normal points away from the viewer by more than an angle whose sine is 1/290. No visible face is culled.
-    /// Faces that pass are culled by their area on the screen, as those of every mesh.
+    /// Faces that pass are culled by their area on the screen, as those of every mesh. With [`Cull::Front`](crate::Cull::Front) the
+    /// sides change places: a face is culled if the eye lies so far in front of its plane.
     ///
     /// The picture equals that of the mesh without planes, except for back faces so thin on the screen that rounding their
     /// vertices turns them to the front: slivers narrower than 1/100 pixel, of any length, if vertices are accurate to 1/256 px
@@ -580,7 +581,8 @@ impl<'a, V, P> Mesh<'a, V, P> {
 
     /// The mesh in the type of meshes with planes, keeping the planes that it has, if any: for a [`Scene`](crate::Scene) in which
     /// some meshes have planes and others have none. A face without a plane is culled by its area on the screen alone, so the
-    /// picture does not change. Drawing takes longer, by about as much as transforming ten vertices takes.
+    /// picture does not change. A mesh that has none is drawn more slowly in this type: computing the eye's position takes as long as
+    /// transforming about ten vertices, and a vertex is transformed when a face first needs it, which each face has to find out.
     ///
     /// ```
     /// use pinhole::{meshes::{CUBE, TORUS}, prelude::*};

@@ -75,7 +75,7 @@ impl<C, F: Fn(C, C) -> C + Copy> BlendMode<C> for F {
 /// **Order.** What is behind must be drawn before: opaque faces first, then translucent ones from far to near, by a
 /// [`Painter`](crate::Painter) or object by object. Among opaque faces, use a depth buffer and a `Painter` of
 /// [`DepthTested`](crate::DepthTested) shaders. Depth is tested and not stored, so a translucent face hides nothing. A convex
-/// object needs no painter: draw the faces seen from behind ([`Cull::Front`](crate::Cull)), then those seen from the front.
+/// object needs no painter: draw its back faces ([`Cull::Front`](crate::Cull::Front)), then its front faces.
 ///
 /// **Error.** At most ½ level of each channel: see [`Blend::half`] and [`Blend::mix`].
 ///
@@ -155,6 +155,11 @@ impl<S, M> Translucent<S, M> {
     #[inline(always)]
     pub(super) const fn parts(&self) -> (&S, &M) {
         (&self.shader, &self.mode)
+    }
+
+    /// The shader or picture, to be changed.
+    pub(super) const fn inner_mut(&mut self) -> &mut S {
+        &mut self.shader
     }
 }
 

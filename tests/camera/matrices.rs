@@ -137,16 +137,37 @@ fn s4_a_factor_of_a_projection_matrix_changes_nothing() {
 fn s4_invalid_projection_matrices_are_refused() {
     let good = chain::frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 10.0);
     assert!(Projection::from_matrix(&good).is_ok());
-    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        for i in 0..4 {
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300, 1e15] {
+        for (i, row) in ['x', 'y', 'z', 'w'].into_iter().enumerate() {
             for j in 0..4 {
                 let mut m = good;
                 m[i][j] = bad;
-                assert_eq!(Projection::from_matrix(&m), Err(ProjectionError::Matrix));
+                assert_eq!(
+                    Projection::from_matrix(&m),
+                    Err(ProjectionError::Matrix { row }),
+                    "{bad} at {i}, {j}"
+                );
+                // What counts is the number in comparison with the other rows.
+                let all = [(); 4].map(|()| [0, 1, 2, 3].map(|k| if k == j { bad } else { 0.0 }));
+                assert_eq!(Projection::from_matrix(&all).is_ok(), bad.is_finite());
             }
         }
     }
-    assert_eq!(Projection::from_matrix(&[[0.0; 4]; 4]), Err(ProjectionError::Matrix));
+    // The limit is 2³² times the largest of the other rows, which is 11/9 or 20/9.
+    for (row, largest) in [(0, 20.0 / 9.0), (1, 20.0 / 9.0), (2, 1.0), (3, 20.0 / 9.0)] {
+        for (factor, is_ok) in [(0.999, true), (1.001, false)] {
+            let mut m = good;
+            m[row][1] = -factor * largest * f64::exp2(32.0);
+            assert_eq!(Projection::from_matrix(&m).is_ok(), is_ok, "{row}");
+        }
+    }
+    for only in [[0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 0.0], [0.0; 4]] {
+        let mut m = good;
+        m[3] = [0.0; 4];
+        assert_eq!(Projection::from_matrix(&m), Err(ProjectionError::Matrix { row: 'w' }));
+        let alone = [[0.0; 4], [0.0; 4], [0.0; 4], only];
+        assert_eq!(Projection::from_matrix(&alone), Err(ProjectionError::Matrix { row: 'w' }));
+    }
 }
 
 /// A rotation, exact to f64.

@@ -5,6 +5,7 @@ mod anti_aliased;
 mod bands;
 mod buffers;
 mod clipped_faces;
+mod cull_front;
 mod culling_by_planes;
 mod cut_meshes;
 mod documented_ranges;

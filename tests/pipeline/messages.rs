@@ -70,7 +70,7 @@ fn each_message_names_the_fault_and_the_way_out() {
         (Box::new(ProjectionError::WindowTooSmall), &["window", "too small", "enlarge"]),
         (Box::new(ProjectionError::NoViewPlane), &["parallel to the view plane", "change"]),
         (Box::new(ProjectionError::ReferenceBehindPlane), &["reference point", "n > 0"]),
-        (Box::new(ProjectionError::Matrix), &["matrix", "zeros", "NaN"]),
+        (Box::new(ProjectionError::Matrix { row: 'y' }), &["row y", "matrix", "finite"]),
         (Box::new(ProjectionError::OutOfRange), &["2^30", "unit"]),
         (Box::new(ViewTransformError::ZeroDirection), &["viewing direction", "length zero", "eye"]),
         (Box::new(ViewTransformError::ZeroUp), &["up vector", "length zero"]),

@@ -51,10 +51,10 @@ fn number(object: usize, face: usize) -> Rgb565 {
 
 /// The cull mode of an object, by a rule that shares no code with the library.
 fn cull(object: usize) -> Cull {
-    if object % 4 == 1 {
-        Cull::None
-    } else {
-        Cull::Back
+    match object % 4 {
+        1 => Cull::None,
+        3 => Cull::Front,
+        _ => Cull::Back,
     }
 }
 

@@ -296,8 +296,23 @@ impl Scene {
         target.area().points().filter_map(|point| depth.at(point)).collect()
     }
 
+    /// The smallest rectangle that holds the pixels of the viewport that sprites cover.
+    fn bounds(&self) -> Rectangle {
+        let (left, top, width, height) = VIEWPORT;
+        let viewport = Rectangle::new(Point::new(left, top), Size::new(width, height));
+        let is_covered = |at: &Point| self.seen.iter().any(|seen| seen.texel([at.x, at.y]).is_some());
+        let corners = viewport.points().filter(is_covered).fold(None, |corners, at| {
+            let (low, high) = corners.unwrap_or((at, at));
+            Some((low.component_min(at), high.component_max(at)))
+        });
+        corners.map_or(Rectangle::zero(), |(low, high)| Rectangle::with_corners(low, high))
+    }
+
     /// The fast path, spans into a DrawTarget, and both in bands: all show the oracle's pixels.
     fn check(&self) {
+        let bounds = self.place(|points| points.bounds(|i| self.shapes[i].sprite(self.shapes[i].picture)));
+        assert_eq!(bounds, self.bounds());
+
         let keep = |_: usize, own: Rgb888, _: Rgb888| own;
         let (flat, _) = self.exact(Some((&vec![u16::MAX; 140 * 100], false)), keep);
         let (deep, depths) = self.exact(None, keep);
@@ -414,7 +429,7 @@ fn shape(rng: &mut Rng) -> Shape {
 fn every_target_shows_the_oracles_pixels() {
     let mut rng = Rng::new(0x59);
     let (mut seen, mut outside, mut degenerate) = (0, 0, 0);
-    for case in 0..120 {
+    for case in 0..240 {
         let reach = [400, 900, 3000][rng.below(3)];
         let model = ModelBits(vec![
             Step::Y(rng.next() as u32),
@@ -423,7 +438,9 @@ fn every_target_shows_the_oracles_pixels() {
         ]);
         let candidates: Vec<_> =
             (0..20).map(|_| ([0; 3].map(|_| rng.int(-reach, reach) as i16), shape(&mut rng))).collect();
-        let scene = Scene::new(camera(&mut rng, case % 4), model, &candidates);
+        // Few sprites too, so that their bounds are not those of the viewport.
+        let count = [20, 20, 2, 1][rng.below(4)];
+        let scene = Scene::new(camera(&mut rng, case % 4), model, &candidates[..count]);
         seen += scene.seen.len();
         outside += scene.outside;
         degenerate += scene.degenerate;

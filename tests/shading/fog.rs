@@ -7,8 +7,9 @@ use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
 use embedded_graphics::prelude::*;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Camera, Channels, Cull, Flat, Fog, FogError, FogTable, Fogged, LitPalette, Mesh, Picture,
-    Point3, Projection, Scalar, ShadeTable, SpanShader, Vector3, VertexFog, ViewTransform, Viewport, Window,
+    Affine, Angle, Blended, Camera, Channels, ColorKeyed, Cull, DepthBuffer, Flat, Fog, FogError, FogTable,
+    Fogged, LitPalette, Mesh, Picture, Point3, Projection, Scalar, ShadeTable, SolidTexel, SpanShader,
+    Sprite, Vector3, VertexFog, ViewTransform, Viewport, Window,
 };
 use support::oracle::rng::Rng;
 
@@ -79,6 +80,72 @@ impl Lens {
 /// White in black fog in 7/255 steps: a colour for each level; nothing else draws white.
 const LEVEL: u8 = 7;
 const NOTHING: Gray8 = Gray8::WHITE;
+
+/// A sprite has the level of its point, within a step of depth, by every draw call; a transparent texel is left out in fog, and a
+/// translucent one is mixed after fog.
+#[test]
+fn sprites_have_the_level_of_their_points() {
+    let mut rng = Rng::new(57);
+    let cases = [
+        (Lens { near: 1.0, far: 100.0, parallel: None }, [4.0, 40.0]),
+        (Lens { near: 0.25, far: 500.0, parallel: None }, [1.0, 9.0]),
+        (Lens { near: 1.0, far: 50.0, parallel: Some(8.0) }, [3.0, 30.0]),
+    ];
+    for (lens, range) in cases {
+        let camera = camera(&lens.projection());
+        let fog = Fog::linear(number(range[0]), number(range[1])).unwrap();
+        let table = FogTable::new(&fog, &camera, Gray8::BLACK).unwrap();
+        // The depth at which a level begins.
+        let begin = |level: f64| lens.bound(range[0] + (range[1] - range[0]) * (level - 0.5) / 32.0);
+        let mut counts = [0; 33];
+        for case in 0..2000 {
+            let bits = rng.int((lens.near * 65536.0) as i64 + 9, (1.3 * range[1] * 65536.0) as i64);
+            let at = Point3::new(Scalar::ZERO, Scalar::ZERO, Scalar::from_bits(-bits as i32));
+            let placed = camera.place_sprite(at);
+            let color = Gray8::new(32 * LEVEL);
+            let texels = [[color, color, color, color, NOTHING, NOTHING, NOTHING, NOTHING]; 8];
+            let (mut pixels, mut depths) = (vec![Gray8::new(99); 240 * 240], vec![0; 240 * 240]);
+            let mut picture = Picture::new(&mut pixels, Size::new(SIDE, SIDE)).unwrap();
+            let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths).unwrap();
+            let solid = |_| Sprite::new(Fogged::new(SolidTexel::new(color), &table)).magnified(4);
+            let keyed = |_| Sprite::new(Fogged::new(ColorKeyed::new(&texels, NOTHING), &table));
+            let inside =
+                |_| Sprite::new(Blended::new(Fogged::new(SolidTexel::new(color), &table), 8)).magnified(2);
+            let outside =
+                |_| Sprite::new(Fogged::new(Blended::new(SolidTexel::new(color), 8), &table)).magnified(2);
+            let is_blended = case % 6 > 3;
+            let Ok(_) = match case % 6 {
+                0 => placed.draw(solid, &mut picture),
+                1 => placed.draw(keyed, &mut picture.pixels()),
+                2 => placed.depth_tested(solid, &mut depth, &mut picture.pixels()),
+                3 => placed.depth_tested(keyed, &mut depth, &mut picture),
+                4 => placed.draw(inside, &mut picture.pixels()),
+                _ => placed.depth_tested(outside, &mut depth, &mut picture.pixels()),
+            };
+            let shown = pixels[119 * 240 + 119].luma();
+            // A quarter of the sprite's own colour, rounded to nearest.
+            let level = match is_blended {
+                false => 32 - shown / LEVEL,
+                true => (0..=32)
+                    .find(|l| (u32::from((32 - l) * LEVEL) * 8 + 99 * 24 + 16) / 32 == u32::from(shown))
+                    .unwrap(),
+            };
+            let depth = lens.depth(bits as f64 / 65536.0);
+            let [from, to] = [0.0, 1.0].map(|next| begin(f64::from(level) + next));
+            assert!(level == 0 || from <= depth + 1.0, "{lens:?}, {depth}: {level}");
+            assert!(level == 32 || depth - 1.0 <= to, "{lens:?}, {depth}: {level}");
+            counts[usize::from(level)] += 1;
+            if !is_blended {
+                assert_eq!(shown, (32 - level) * LEVEL);
+            }
+            // The right half of the keyed picture.
+            if case % 6 == 1 || case % 6 == 3 {
+                assert_eq!(pixels[119 * 240 + 121], Gray8::new(99));
+            }
+        }
+        assert!(counts.iter().all(|&count| count > 10), "{counts:?}");
+    }
+}
 
 /// The levels of fog of the pixels of one face, in memory.
 fn levels(

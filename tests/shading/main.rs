@@ -21,4 +21,5 @@ mod screen_door;
 mod shade_table;
 mod texture_projections;
 mod texture_rays;
+mod texture_units;
 mod textures;

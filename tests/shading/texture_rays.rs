@@ -8,8 +8,10 @@ use support::oracle::chain::{self, M4};
 use support::oracle::rng::Rng;
 use support::oracle::texture::{off_clamped, off_repeated, Range, Ray};
 
-/// Faces in view space, which is the world here, in units of 2^exponent, and texture coordinates of each corner.
+/// Faces in view space, which is the world here, in units of 2^exponent, and texture coordinates of each corner, on a screen of
+/// `side` × `side` pixels.
 pub(crate) struct Faces {
+    pub(crate) side: u32,
     pub(crate) vertices: Vec<[i16; 3]>,
     pub(crate) exponent: i8,
     pub(crate) uv: Vec<[[i16; 2]; 3]>,
@@ -17,7 +19,7 @@ pub(crate) struct Faces {
 
 impl Faces {
     pub(crate) const fn new(exponent: i8) -> Self {
-        Self { vertices: vec![], exponent, uv: vec![] }
+        Self { side: SIDE, vertices: vec![], exponent, uv: vec![] }
     }
 
     pub(crate) fn push(&mut self, corners: [[i16; 3]; 3], uv: [[i16; 2]; 3]) {
@@ -59,18 +61,18 @@ impl Faces {
         let faces = [[3 * index, 3 * index + 1, 3 * index + 2]];
         let mesh = Mesh::new(&self.vertices, self.exponent, &faces).unwrap();
         let instance = camera.place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
-        let mut screen = Screen(vec![None; (SIDE * SIDE) as usize]);
+        let mut screen = Screen(vec![None; (self.side * self.side) as usize]);
         let shade: &dyn Fn(usize) -> S = &|_| shader;
         let Ok(_) = instance.solid(shade, &mut [], &mut screen);
         screen.0
     }
 
-    /// The exact coordinates of a face, in units of `unit` texels, under a projection of SIDE × SIDE pixels.
+    /// The exact coordinates of a face, in units of `unit` texels, under a projection of the screen.
     pub(crate) fn ray(&self, face: usize, projection: &M4, unit: [f64; 2]) -> FaceRay {
         let camera = chain::Camera {
             view: chain::View { rows: chain::IDENTITY.m, eye: [0.0; 3] },
             projection: *projection,
-            viewport: chain::Viewport::new(0, 0, SIDE, SIDE),
+            viewport: chain::Viewport::new(0, 0, self.side, self.side),
         };
         let corners = [0, 1, 2].map(|i| chain::vertex(self.vertices[3 * face + i], self.exponent));
         let uv = self.uv[face].map(|[u, v]| [f64::from(u) * unit[0], f64::from(v) * unit[1]]);
@@ -102,7 +104,8 @@ impl FaceRay {
         let (mut worst, mut count) = (0.0f64, 0);
         for (i, shown) in picture.iter().enumerate() {
             let Some(Shown(shown)) = *shown else { continue };
-            let (x, y) = (i as i64 % i64::from(SIDE), i as i64 / i64::from(SIDE));
+            let columns = picture.len().isqrt();
+            let (x, y) = ((i % columns) as i64, (i / columns) as i64);
             // Beside the face's horizon a point within 1/64 pixel may show anything.
             let Some(exact) = self.0.around(x, y) else { continue };
             for axis in 0..2 {
@@ -117,8 +120,13 @@ impl FaceRay {
 
 /// A camera at the origin that looks along −z.
 pub(crate) fn camera(lens: &pinhole::Projection) -> Camera {
+    camera_on(SIDE, lens)
+}
+
+/// A camera at the origin that looks along −z, for a screen of `side` × `side` pixels.
+pub(crate) fn camera_on(side: u32, lens: &pinhole::Projection) -> Camera {
     use pinhole::{Point3, Vector3, ViewTransform};
-    let viewport = Viewport::new(Point::zero(), Size::new(SIDE, SIDE)).unwrap();
+    let viewport = Viewport::new(Point::zero(), Size::new_equal(side)).unwrap();
     let [eye, ahead] = [0, -1].map(|z| Point3::from_ints(0, 0, z));
     let view = ViewTransform::look_at(eye, ahead, Vector3::from_ints(0, 1, 0)).unwrap();
     Camera::new(&view, lens, &viewport)

@@ -63,12 +63,12 @@ impl<S: Texels> Texels for Wide<S> {
 /// The bound that `Texels::WIDE` documents for coordinates that share a word, in sides.
 pub(crate) const PACKING: f64 = 37.0 / 65536.0;
 
-/// A DrawTarget that is not the library's.
+/// A square DrawTarget that is not the library's.
 pub(crate) struct Screen(pub(crate) Vec<Option<Shown>>);
 
 impl OriginDimensions for Screen {
     fn size(&self) -> Size {
-        Size::new(SIDE, SIDE)
+        Size::new_equal(self.0.len().isqrt() as u32)
     }
 }
 
@@ -77,8 +77,9 @@ impl DrawTarget for Screen {
     type Error = Infallible;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<Shown>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        let columns = self.0.len().isqrt();
         for Pixel(Point { x, y }, color) in pixels {
-            self.0[y as usize * SIDE as usize + x as usize] = Some(color);
+            self.0[y as usize * columns + x as usize] = Some(color);
         }
         Ok(())
     }

@@ -60,18 +60,6 @@ impl FogStyle {
         Ok(Self { profile, ..Self::between(range.into())? })
     }
 
-    /// 32nds of a sprite that are seen in this fog, at a point of the world: by the definition of [`Fog`]'s profiles.
-    pub(crate) fn seen(&self, scene: &Scene, point: [f64; 3]) -> u8 {
-        let [start, end] = self.range.unwrap_or_else(|| extent(scene));
-        let way = ((scene.distance(point) - start) / (end - start)).clamp(0.0, 1.0);
-        let seen = match self.profile {
-            Profile::Linear => 1.0 - way,
-            Profile::Exponential => 64f64.powf(-way),
-            Profile::Squared => 64f64.powf(-way * way),
-        };
-        32 - (32.0 * (1.0 - seen) + 0.5).floor() as u8 // 0 to 32
-    }
-
     /// The table of this fog in the colour `color`, for a scene.
     pub(crate) fn table<C: Colour>(
         &self,

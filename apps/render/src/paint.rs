@@ -214,8 +214,11 @@ fn paint<C: Colour>(
     let mut face_bin_storage: Vec<_> = meshes.iter().map(|mesh| bin_storage(mesh.faces().len())).collect();
     let mut edge_bin_storage: Vec<_> = meshes.iter().map(|mesh| bin_storage(mesh.edges().len())).collect();
     let size = Size::new(scene.width, scene.height);
-    let fog = style.fog.or(scene.fog);
-    let sprites = Sprites::new(scene, quantised, fog.as_ref(), C::from(style.background));
+    // Lines are not in fog.
+    let fog = style.fog.or(scene.fog).filter(|_| !style.mode.of_lines() || !scene.sprites.is_empty());
+    let fog = fog.map(|fog| fog.table(scene, quantised, C::from(style.background))).transpose()?;
+    let fog = fog.as_ref();
+    let sprites = Sprites::new(scene, quantised, fog)?;
     let sprites_reach = sprites.bounds;
     let with_sprites = |drawn: Rectangle| around([drawn, sprites_reach].into_iter());
     let out = Out { size, style, rows, send, sprites };
@@ -289,8 +292,6 @@ fn paint<C: Colour>(
     let smooth = |part: &Part, face| Gouraud::lit(colour(part, face), levels(part, face));
     let glowing = |part: &Part, face| smooth(part, face).emitting(emission(part, face));
     let solid = Solid { parts: all_parts, faces: &mut faces };
-    let fog = fog.map(|fog| fog.table(scene, quantised, C::from(style.background))).transpose()?;
-    let fog = fog.as_ref();
     let all = Faces { out, statistics, areas: &areas, solid, translucency: style.translucency };
     let picture = scene.texture.as_ref().zip(quantised.texture.as_ref());
     if let Some((colours, (texture, coords))) =
@@ -436,7 +437,7 @@ struct Out<'a, C> {
     rows: u32,
     send: Send<'a, C>,
     /// The sprites, drawn after faces or edges.
-    sprites: Sprites<C>,
+    sprites: Sprites<'a, C>,
 }
 
 impl<C: Colour> Out<'_, C> {
@@ -467,7 +468,7 @@ impl<C: Colour> Out<'_, C> {
 }
 
 /// The bounding rectangle of all rectangles.
-fn around(areas: impl Iterator<Item = Rectangle>) -> Rectangle {
+pub(crate) fn around(areas: impl Iterator<Item = Rectangle>) -> Rectangle {
     let both = |a: Rectangle, b: Rectangle| {
         let corners = a.bottom_right().zip(b.bottom_right());
         corners.map_or(a, |(c, d)| {

@@ -1,23 +1,24 @@
 //! Draws the sprites of a scene after its faces or edges, band by band.
 
-use crate::fog::FogStyle;
-use crate::paint::{in_memory, Colour};
+use crate::paint::{around, in_memory, Colour};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
 use crate::sprites::{Anchor, SceneSprites, SpriteSize};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{Band, Blended, DepthBuffer, PlacedSprites, Sprite, SpriteSource, Statistics, Target};
+use pinhole::{
+    Band, Blended, DepthBuffer, FogTable, Fogged, Picture, PlacedSprites, Sprite, SpriteSource, Statistics,
+    Target,
+};
 use std::convert::Infallible;
-use std::marker::PhantomData;
 use std::rc::Rc;
 
 /// The sprites of a frame: those that are stored, in the scene's order, then those that are mixed with what is behind them, from
 /// far to near.
-pub(crate) struct Sprites<C> {
-    stored: Vec<Placed<Texels<C>>>,
-    mixed: Vec<Placed<Blended<Texels<C>>>>,
+pub(crate) struct Sprites<'t, C> {
+    stored: Vec<Placed<Texture<'t, C>>>,
+    mixed: Vec<Placed<Blended<Texture<'t, C>>>>,
     /// The area that they cover.
     pub(crate) bounds: Rectangle,
     pub(crate) statistics: Statistics,
@@ -34,8 +35,6 @@ struct Placed<S> {
 struct Texels<C> {
     size: Size,
     texels: Rc<[Option<C>]>,
-    /// The colour of fog, and 32nds of the sprite's own colour.
-    fog: Option<(C, u8)>,
 }
 
 impl<C: Colour> SpriteSource for Texels<C> {
@@ -46,18 +45,53 @@ impl<C: Colour> SpriteSource for Texels<C> {
     }
 
     fn color_at(&self, column: u32, row: u32) -> Option<C> {
-        let own = self.texels.get((row * self.size.width + column) as usize).copied().flatten()?;
-        Some(self.fog.map_or(own, |(fog, of_32)| own.mix(fog, of_32)))
+        self.texels.get((row * self.size.width + column) as usize).copied().flatten()
     }
 }
 
-impl<C: Colour> Sprites<C> {
-    /// The sprites of a scene, in fog of a colour if there is any.
-    pub(crate) fn new(scene: &Scene, quantised: &Quantised, fog: Option<&FogStyle>, colour: C) -> Self {
+/// The picture of a sprite, in fog if the scene has any.
+#[derive(Clone)]
+enum Texture<'t, C> {
+    Clear(Texels<C>),
+    InFog(Fogged<'t, Texels<C>, C>),
+}
+
+impl<C: Colour> SpriteSource for Texture<'_, C> {
+    type Color = C;
+
+    fn picture_size(&self) -> Size {
+        match self {
+            Self::Clear(texels) => texels.picture_size(),
+            Self::InFog(texels) => texels.picture_size(),
+        }
+    }
+
+    fn color_at(&self, column: u32, row: u32) -> Option<C> {
+        match self {
+            Self::Clear(texels) => texels.color_at(column, row),
+            Self::InFog(texels) => texels.color_at(column, row),
+        }
+    }
+
+    fn set_depth(&mut self, depth: u16) {
+        match self {
+            Self::Clear(texels) => texels.set_depth(depth),
+            Self::InFog(texels) => texels.set_depth(depth),
+        }
+    }
+}
+
+impl<'t, C: Colour> Sprites<'t, C> {
+    /// The sprites of a scene, in its fog if there is any.
+    pub(crate) fn new(
+        scene: &Scene,
+        quantised: &Quantised,
+        fog: Option<&'t FogTable<C>>,
+    ) -> Result<Self, String> {
         let (mut stored, mut mixed) = (Vec::new(), Vec::new());
-        let mut reach =
-            Reach { size: Size::new(scene.width, scene.height), bounds: None, colour: PhantomData };
-        let mut statistics = Statistics::default();
+        let (mut bounds, mut statistics) = (Vec::new(), Statistics::default());
+        // A target without pixels, where drawing only counts.
+        let mut nowhere = Picture::<C>::new(&mut [], Size::zero()).map_err(|e| e.to_string())?;
         for entry in &scene.sprites {
             let ([width, height], texels) = entry.texels();
             let colours = texels.iter().map(|texel| texel.map(|[r, g, b]| Rgb888::new(r, g, b).into()));
@@ -65,11 +99,17 @@ impl<C: Colour> Sprites<C> {
             let depth_tested = entry.depth_tested;
             let camera = quantised.camera().with_far_clip(depth_tested);
             for &point in &entry.points {
-                let fog = fog.map(|fog| (colour, fog.seen(scene, point)));
-                let picture = || Texels { size, texels: texels.clone(), fog };
+                let picture = || {
+                    let texels = Texels { size, texels: texels.clone() };
+                    match fog {
+                        None => Texture::Clear(texels),
+                        Some(fog) => Texture::InFog(Fogged::new(texels, fog)),
+                    }
+                };
                 let at = camera.place_sprite(quantised.point(point));
                 let sprite = sized(entry, picture(), quantised);
-                let Ok(drawn) = at.draw(|_| sprite.clone(), &mut reach);
+                bounds.push(at.bounds(|_| sprite.clone()));
+                let Ok(drawn) = at.draw(|_| sprite.clone(), &mut nowhere);
                 statistics = statistics.and(drawn);
                 match entry.alpha {
                     None => stored.push(Placed { at, sprite, depth_tested }),
@@ -82,8 +122,7 @@ impl<C: Colour> Sprites<C> {
         }
         mixed.sort_by(|(a, _), (b, _)| b.total_cmp(a)); // far ones first
         let mixed = mixed.into_iter().map(|(_, placed)| placed).collect();
-        let bounds = reach.bounds.map_or(Rectangle::zero(), |[low, high]| Rectangle::with_corners(low, high));
-        Self { stored, mixed, bounds, statistics }
+        Ok(Self { stored, mixed, bounds: around(bounds.into_iter()), statistics })
     }
 
     /// Draws the sprites into a band with the depths of what is drawn there.
@@ -121,32 +160,5 @@ fn sized<S: SpriteSource>(entry: &SceneSprites, picture: S, quantised: &Quantise
             sprite.with_size(quantised.distance(width), quantised.distance(height))
         }
         SpriteSize::Height(height) => sprite.with_height(quantised.distance(height)),
-    }
-}
-
-/// A picture that stores nothing but the first and the last column and row that are drawn.
-struct Reach<C> {
-    size: Size,
-    bounds: Option<[Point; 2]>,
-    colour: PhantomData<C>,
-}
-
-impl<C> OriginDimensions for Reach<C> {
-    fn size(&self) -> Size {
-        self.size
-    }
-}
-
-impl<C: PixelColor> DrawTarget for Reach<C> {
-    type Color = C;
-    type Error = Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        let area = self.bounding_box();
-        for Pixel(point, _) in pixels.into_iter().filter(|Pixel(point, _)| area.contains(*point)) {
-            let [low, high] = self.bounds.unwrap_or([point; 2]);
-            self.bounds = Some([low.component_min(point), high.component_max(point)]);
-        }
-        Ok(())
     }
 }

@@ -24,8 +24,12 @@ pub enum ProjectionError {
     NoViewPlane,
     /// The projection reference point is not in front of the view plane, at n > 0.
     ReferenceBehindPlane,
-    /// The matrix has a number that is NaN or infinite, or only zeros.
-    Matrix,
+    /// A row of the matrix has a number that is NaN, infinite or more than 2³² times the largest of the other rows, or is the last
+    /// one and has only zeros.
+    Matrix {
+        /// The row's name: x, y, z or w.
+        row: char,
+    },
     /// A constant of the matrix is beyond ±2³⁰: choose a larger unit, or a view plane nearer to the origin.
     OutOfRange,
 }
@@ -33,6 +37,12 @@ pub enum ProjectionError {
 impl core::fmt::Display for ProjectionError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
+            Self::Matrix { row } => {
+                return write!(
+                    f,
+                    "row {row} of the matrix: its numbers must be finite and at most 2^32 times those of the other rows, and those of row w not all 0"
+                );
+            }
             Self::FieldOfView => "field of view must be 0.09° to 179.9°",
             Self::EmptyAspect => "the aspect ratio has a width or height of zero: pass the viewport's size",
             Self::NearNotPositive => "the near plane of a perspective must be in front of the eye, at a distance greater than 0",
@@ -42,7 +52,6 @@ impl core::fmt::Display for ProjectionError {
             Self::WindowTooSmall => "the window is too small for its distance from the axis: enlarge or centre it",
             Self::NoViewPlane => "the projectors are parallel to the view plane, or start in it: change the direction or the distance",
             Self::ReferenceBehindPlane => "the projection reference point must be in front of the view plane, at n > 0",
-            Self::Matrix => "the matrix has only zeros, or a number that is NaN or infinite",
             Self::OutOfRange => "a constant of the projection is beyond 2^30: choose a larger unit, or a plane nearer to the origin",
         })
     }

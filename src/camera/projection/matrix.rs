@@ -8,6 +8,23 @@ fn sum(a: &[f64; 4], s: f64, b: &[f64; 4], t: f64) -> [f64; 4] {
     [a[0] * s + b[0] * t, a[1] * s + b[1] * t, a[2] * s + b[2] * t, a[3] * s + b[3] * t]
 }
 
+/// The names of a matrix's rows.
+const NAMES: [char; 4] = ['x', 'y', 'z', 'w'];
+
+/// How many times the largest number of the other rows a number may be, 2³²: more than in any matrix of another constructor.
+const LARGEST_RATIO: f64 = 4_294_967_296.0;
+
+/// The largest magnitude of four numbers or fewer.
+fn largest(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(0.0, |most: f64, v| most.max(v.abs()))
+}
+
+/// The exponent e of a finite number with 2^(e − 1) ≤ `v` < 2^e; `None` of 0.
+fn exponent(v: f64) -> Option<i32> {
+    let (m, e) = mantissa_and_exponent(v).filter(|&(m, _)| m != 0)?;
+    Some(e + 64 - m.unsigned_abs().leading_zeros() as i32)
+}
+
 impl Projection {
     /// The projection of a row-major matrix for column vectors, from view to clip space: visible points must have w > 0 and −w
     /// ≤ x, y, z ≤ w, with the near plane at z = −w. A positive factor of the whole matrix changes nothing.
@@ -17,7 +34,8 @@ impl Projection {
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::Matrix`] if a number is NaN or infinite, or all are zero.
+    /// [`ProjectionError::Matrix`] names a row that has a number that is NaN, infinite or more than 2³² times the largest of the
+    /// other rows, or row w if all its numbers are 0.
     ///
     /// ```
     /// use pinhole::{space::View, Point3, Projection, ProjectionError};
@@ -31,19 +49,21 @@ impl Projection {
     /// # Ok::<(), ProjectionError>(())
     /// ```
     pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, ProjectionError> {
-        // The exponents of the largest coefficient and of the largest constant.
-        let (mut linear, mut constant) = (None, None);
-        for (i, &v) in matrix.iter().flatten().enumerate() {
-            let (m, e) = mantissa_and_exponent(v).ok_or(ProjectionError::Matrix)?;
-            if m != 0 {
-                let largest = if i % 4 == 3 { &mut constant } else { &mut linear };
-                *largest = (*largest).max(Some(e + 64 - m.unsigned_abs().leading_zeros() as i32));
+        let rows = || matrix.iter().zip(NAMES);
+        for (row, name) in rows() {
+            let others = rows().filter(|&(_, other)| other != name);
+            let others = others.fold(0.0, |most: f64, (other, _)| most.max(largest(other)));
+            let is_in_range = largest(row) <= others * LARGEST_RATIO && (name != 'w' || largest(row) > 0.0);
+            if !is_in_range || !row.iter().all(|v| v.is_finite()) {
+                return Err(ProjectionError::Matrix { row: name });
             }
         }
+        let linear = exponent(largest(&matrix.map(|[a, b, c, _]| largest(&[a, b, c]))));
+        let constant = exponent(largest(&matrix.map(|[.., constant]| constant)));
         // Coefficients up to 2¹⁰ take points up to 2¹⁷ away to 2²⁹, constants are below 2²⁶: their
         // sums stay below 2³⁰, and as many bits as can be lie above the constants' 2⁻³³.
         let shift = match (linear, constant) {
-            (None, None) => return Err(ProjectionError::Matrix),
+            (None, None) => 0, // never: row w is not 0
             (Some(m), None) => 10 - m,
             (None, Some(c)) => 26 - c,
             (Some(m), Some(c)) => (10 - m).min(26 - c),
@@ -51,21 +71,15 @@ impl Projection {
         let [x, y, z, w] = matrix;
         // d = (z + w)/2 in f64, exact or nearly so, so that it is rounded to 30 bits only once.
         let d = sum(z, 0.5, w, 0.5);
-        let all =
-            (row_from_f64(x, shift), row_from_f64(y, shift), row_from_f64(&d, shift), row_from_f64(w, shift));
-        let (Some(x), Some(y), Some(d), Some(w)) = all else { return Err(ProjectionError::Matrix) };
-        Ok(Self { rows: [x, y, d, w] })
+        let stored = |row, name| row_from_f64(row, shift).ok_or(ProjectionError::Matrix { row: name });
+        Ok(Self { rows: [stored(x, 'x')?, stored(y, 'y')?, stored(&d, 'z')?, stored(w, 'w')?] })
     }
 
     /// The row-major matrix that the camera uses, scaled by a power of two so that the largest number of its last row is ½ to 1. Exact but
     /// for the row z, which is computed from (z + w)/2 and rounded to 53 bits. [`from_matrix`](Self::from_matrix) reads it back.
     pub fn to_matrix(&self) -> [[f64; 4]; 4] {
         let [x, y, d, w] = &self.rows;
-        let largest = coefficients(w, 0).into_iter().fold(0.0f64, |a, b| a.max(b.abs()));
-        let shift = match mantissa_and_exponent(largest) {
-            Some((m, e)) if m != 0 => -(e + 64 - m.leading_zeros() as i32),
-            _ => 0,
-        };
+        let shift = exponent(largest(&coefficients(w, 0))).map_or(0, |exponent| -exponent);
         let [x, y, d, w] = [x, y, d, w].map(|row| coefficients(row, shift));
         [x, y, sum(&d, 2.0, &w, -1.0), w]
     }

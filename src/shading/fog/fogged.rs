@@ -1,4 +1,4 @@
-//! The shader of faces in fog.
+//! Faces and sprites in fog.
 
 use super::levels::{FogLevel, FogLevels};
 use super::table::{FogTable, LEVELS};
@@ -18,6 +18,9 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// **Draw calls** transform vertices with depth and clip at the far plane. [`fill_triangle`](crate::fill_triangle) has no depth: it
 /// draws in the fog of the near plane.
 ///
+/// **Sprites.** It wraps the picture of a [`Sprite`](crate::Sprite), too, such as a tree: `Sprite::new(Fogged::new(picture, &table))`. All
+/// pixels of a sprite have the level of its point, by its depth as [`FogTable::factor`] takes it.
+///
 /// **Order of wrappers.** `ScreenDoor` and `Translucent` may be inside or outside: fog changes a shader's own colours before they are mixed with
 /// the stored pixels.
 ///
@@ -26,7 +29,6 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// triangles larger than 512 pixels no more than 1/64 step has been seen, and ¼ is proved. Each channel is then rounded to the
 /// nearest level of the target. [`FogTable`] says what a step of depth is in distance. A triangle whose three corners have one
 /// level is drawn in this level.
-/// corners have one level has this level.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
@@ -64,11 +66,32 @@ impl<'t, S, C> Fogged<'t, S, C> {
         Self { shader, table, depths: [0; 3], levels: [table.level(Gradient::DEPTH_BIAS); 2] }
     }
 
+    /// The wrapped shader or picture.
+    #[inline(always)]
+    pub(in crate::shading) const fn inner(&self) -> &S {
+        &self.shader
+    }
+
+    /// Sets the level to that of a depth, 0 … 65535, and returns the wrapped picture.
+    pub(in crate::shading) fn set_level_of(&mut self, depth: u16) -> &mut S {
+        self.levels = [LEVELS as u8 - self.table.factor(depth); 2];
+        &mut self.shader
+    }
+
     /// The only level of the triangle, if its corners have one.
     #[inline(always)]
     fn level(&self) -> Option<u8> {
         let [least, most] = self.levels;
         (least == most).then_some(least)
+    }
+}
+
+impl<S, C: Blend> Fogged<'_, S, C> {
+    /// A colour in the lowest level.
+    #[inline(always)]
+    pub(in crate::shading) fn in_nearest_level(&self, color: C) -> C {
+        let [least, _] = self.levels;
+        mixed(color, self.table.color, least)
     }
 }
 

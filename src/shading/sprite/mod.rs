@@ -1,8 +1,9 @@
 //! Sprites: pictures that face the viewer.
 //!
 //! `source` says what a picture is, `image` makes one of an image of embedded-graphics, `solid` of one colour, `translucent` of one
-//! that is mixed with what is behind it; `sprite` adds the size and the anchor.
+//! that is mixed with what is behind it, `fogged` of one in fog; `sprite` adds the size and the anchor.
 
+mod fogged;
 mod image;
 mod solid;
 mod source;

@@ -12,6 +12,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// | an image of embedded-graphics of any size: `ImageRaw`, `Framebuffer`, tinybmp's `Bmp` | [`SpriteImage`](crate::SpriteImage) |
 /// | one colour | [`SolidTexel`](crate::SolidTexel) |
 /// | one of these, mixed with what is behind it | [`Translucent`](crate::Translucent): [`HalfBlended`](crate::HalfBlended), [`Blended`](crate::Blended) |
+/// | one of these, in fog | [`Fogged`](crate::Fogged) |
 /// | a formula | an implementation of your own |
 ///
 /// ```
@@ -63,6 +64,13 @@ pub trait SpriteSource {
     fn blend(&self, own: Self::Color, stored: Self::Color) -> Self::Color {
         let _ = stored;
         own
+    }
+
+    /// Called with the depth of the sprite, 0 near to 65534 far, before it is drawn: for pictures whose colours depend on it. A picture
+    /// that wraps another one has to pass the call on.
+    #[inline(always)]
+    fn set_depth(&mut self, depth: u16) {
+        let _ = depth;
     }
 }
 

@@ -158,6 +158,12 @@ impl<S> Sprite<S> {
         &self.source
     }
 
+    /// The picture, to be changed.
+    #[inline(always)]
+    pub(crate) const fn source_mut(&mut self) -> &mut S {
+        &mut self.source
+    }
+
     /// The size.
     #[inline(always)]
     pub(crate) const fn size(&self) -> SpriteSize {

@@ -25,4 +25,8 @@ impl<S: SpriteSource, M: BlendMode<S::Color>> SpriteSource for Translucent<S, M>
         let (_, mode) = self.parts();
         mode.blend(own, stored)
     }
+
+    fn set_depth(&mut self, depth: u16) {
+        self.inner_mut().set_depth(depth);
+    }
 }

@@ -1,6 +1,7 @@
 //! Texels of a picture that does not repeat.
 
 use super::texels::Texels;
+use crate::math::num::leading_zeros;
 
 /// Texels whose edge continues without end, where other [`Texels`] repeat: a coordinate beyond the picture, below 0 too, shows the
 /// nearest texel of the edge. [`Texture::clamped_at`](crate::Texture::clamped_at) makes it. (OpenGL: `CLAMP_TO_EDGE`.)
@@ -9,9 +10,20 @@ use super::texels::Texels;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ClampedTexels<S> {
     texels: S,
-    /// How many widths and heights of the picture the coordinates of [`Texels::texel`] span, as binary logarithms: 1 … 17. The
-    /// picture begins in the middle of the span, at coordinate 0; coordinates from 2³¹ up are negative.
+    /// How many widths and heights of the picture the coordinates of [`Texels::texel`] span, as binary logarithms: see [`span`].
     sides: [u8; 2],
+}
+
+/// The binary logarithm of the number of sides that 32 bits span, 1 … 17, for the coordinates of a face's corners, in 2^`unit` of
+/// 2⁻³² of the side. The picture begins in the middle of the span, at coordinate 0; coordinates from 2³¹ up are negative.
+///
+/// Both halves of the span reach at least twice as far as the corners, so that no error of interpolation leaves it. It does not
+/// reach farther than such errors need, because the fewer sides 32 bits span, the more of them a texel has.
+#[inline(never)] // called for u and for v
+pub(super) fn span(corners: [i16; 3], unit: u8) -> u8 {
+    let magnitude = corners.iter().fold(0, |bits, &c| bits | (c ^ (c >> 15)) as u16); // −2ⁿ counts as 2ⁿ − 1
+    let bits = 32 - leading_zeros(magnitude.into()); // 0 … 15
+    (bits + 2 + i32::from(unit) - 32).max(1) as u8
 }
 
 impl<S: Texels> ClampedTexels<S> {

@@ -26,11 +26,16 @@ pub(super) fn is_linear(du: u32, dw: u32, w: i32, tolerance: u32) -> bool {
 /// By how much the corners' coordinates are moved inwards, so that interpolated coordinates stay between the corners' in spite of
 /// the error of [`GradientSetup::through`]. In units of its values, this error is less than ((w + h)/2 + 34 + 1552)/256 at w
 /// columns and h rows from the first corner, and w + h is at most 1026 in triangles of up to 512 pixels.
-/// within 512 pixels.
 const MARGIN: i32 = 9;
 
-/// [`MARGIN`] for triangles of up to 2¹⁴ columns and rows.
+/// [`MARGIN`] for triangles of up to 2¹⁴ columns and rows, which have no error of 1552/256.
 const LARGE_MARGIN: i32 = 71;
+
+/// The bits of the values that a gradient is set up from: so many that the numerators of the set-up have 32 bits.
+const VALUE_BITS: i32 = 17;
+
+/// [`VALUE_BITS`] for triangles beyond 512 pixels, whose set-up has 64 bits in any case.
+const LARGE_VALUE_BITS: i32 = 24;
 
 /// The gradients of u and v.
 #[inline(never)] // less frequent than packed ones: code size matters more than speed
@@ -57,10 +62,13 @@ fn linear_gradient(
     unit: i32,
     is_wide: bool,
 ) -> Gradient {
-    let margin = if setup.extent.is_large() { LARGE_MARGIN } else { MARGIN };
-    // Values up to 2¹⁷ keep the numerators of the set-up in 32 bits. The finer the unit, the smaller are the margin and the
-    // error of the gradient against the extent.
-    let finer = (unit - 16).min(leading_zeros(extent as u32) - 15).max(0) & 15; // 2¹⁷, or more that is given
+    let (bits, margin) = match setup.extent.is_large() {
+        true => (LARGE_VALUE_BITS, LARGE_MARGIN),
+        false => (VALUE_BITS, MARGIN),
+    };
+    // The finer the unit, the smaller are the margin and the error of the gradient against the extent. An extent that has more
+    // bits keeps them.
+    let finer = (unit - 16).min(15).min(leading_zeros(extent as u32) - (32 - bits)).max(0);
     let up = (unit - 16 - finer) & 31; // 0 … 16
     let margin = if is_wide { margin } else { margin + (PACKED_MARGIN << 7 >> up) };
     let (low, high) = inside(extent << finer, margin);
@@ -108,8 +116,9 @@ pub(super) fn packed_gradient(
     if ((right - left) | (bottom - top)) >> 13 != 0 || den < 1 << 17 {
         return None;
     }
-    let r = reciprocal_of_positive(den); // 1/den = mantissa · 2^(shift − 61), shift 5 … 13
-                                         // A covered pixel's centre is half a pixel from its column's begin: ±(width/2 + ½) is less than 16.5 pixels.
+    // 1/den = mantissa · 2^(shift − 61), shift 5 … 13.
+    let r = reciprocal_of_positive(den);
+    // A covered pixel's centre is half a pixel from its column's begin: ±(width/2 + ½) is less than 16.5 pixels.
     let (x, y) = ((left + right) >> 9, (top + bottom) >> 9);
     let corner = Corner {
         second: [b.x - a.x, b.y - a.y],

@@ -1,6 +1,6 @@
 //! A texture, and a texture on a face.
 
-use super::clamped::ClampedTexels;
+use super::clamped::{span, ClampedTexels};
 use super::texels::{Texels, TextureError};
 
 /// The error bound of interpolated texture coordinates: how far the texel that a pixel shows may be from the exact one. A lower
@@ -73,7 +73,8 @@ pub enum Accuracy {
 /// asserts this bound up to 4096 texels and r = 32767, and meets half of it on faces that reach far out of the picture with one
 /// corner close to the eye. Most faces stay far below it: `tests/shading/textures.rs` asserts 0.02 texel for floors of 1600
 /// texels that reach a thousand times as far as the near plane, and for random triangles. Coordinates that are interpolated
-/// linearly are kept between those of the corners, which adds at most 2⁻¹³ of their range, or 1/400 texel.
+/// linearly are kept between those of the corners, which adds at most 2⁻¹³ of their range, or 1/400 texel if that is more
+/// (`tests/shading/texture_units.rs`, in every unit). The range of coordinates of a picture that does not repeat includes 0.
 ///
 /// **Error of packing.** Unless texels ask for 32 bits ([`Texels::WIDE`]), u and v share a word: at most 37·2⁻¹⁶ of a side more, 1/27 texel
 /// of 64.
@@ -147,13 +148,15 @@ impl<S: Texels> Texture<S> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn clamped_at(&self, corners: [[i16; 2]; 3]) -> Textured<ClampedTexels<S>> {
-        // Coordinates are in units twice as large, of which 32 bits span 2¹⁶: room for all coordinates, and for the error beyond the last.
+        let [[ua, va], [ub, vb], [uc, vc]] = corners;
+        let [u, v] = self.unit;
+        let sides @ [w, h] = [span([ua, ub, uc], u), span([va, vb, vc], v)];
+        // In units twice as large: the span, up to 2¹⁷ of the texture's units, is then 2¹⁶ of them.
         let uv = corners.map(|uv| uv.map(|c| i32::from(c) << (FRACTION - 1)));
-        // The 2¹⁷ units that 32 bits span are 2^(unit − 15) sides.
-        let texels = ClampedTexels::new(self.texels, self.unit.map(|unit| unit.saturating_sub(15)));
+        let unit = [(u + 1).saturating_sub(w), (v + 1).saturating_sub(h)];
         Textured {
-            texels,
-            coords: FaceCoords { uv, w: [1 << 30; 3], unit: [16; 2], accuracy: self.accuracy },
+            texels: ClampedTexels::new(self.texels, sides),
+            coords: FaceCoords { uv, w: [1 << 30; 3], unit, accuracy: self.accuracy },
         }
     }
 }

@@ -250,8 +250,9 @@ impl Perspective {
         let phase = |c: i32, unit: i32| (c as u32) << ((unit - FRACTION as i32) & 31);
         // s/q in 2^(ROOM − 29) is a coordinate in 2^(n + unit − 36 + ROOM) of 2⁻³² of the side.
         let (u_full, v_full) = (u_unit + n - 36 + ROOM, v_unit + n - 36 + ROOM);
-        let (u_up, v_up) = (u_full.max(LARGEST_BLOCK), v_full.max(LARGEST_BLOCK)); // at most 23
-                                                                                   // An error ε of s/q is one of ε·2^(n + 1 + unit − FRACTION + bits − 32) texels.
+        // At most 23.
+        let (u_up, v_up) = (u_full.max(LARGEST_BLOCK), v_full.max(LARGEST_BLOCK));
+        // An error ε of s/q is one of ε·2^(n + 1 + unit − FRACTION + bits − 32) texels.
         let [w, h] = size_bits.map(i32::from);
         let (u_texel, v_texel) = (u_unit + w, v_unit + h); // 19 … 40
         let texel = u_texel.max(v_texel);

@@ -8,7 +8,8 @@ use super::runs::{Lines, Runs, TexelRuns};
 use super::texels::Texels;
 use crate::clip::Barycentric;
 use crate::math::hints::opaque_next;
-use crate::math::num::dot;
+use crate::math::num::{dot, leading_zeros};
+use crate::math::unrolled::map3;
 use crate::raster::{Span, Triangle};
 use crate::shading::{CornerValues, DrawRuns, Shader, SpanShader};
 
@@ -18,7 +19,7 @@ impl<S: Texels> Shader for Textured<S> {
 
     fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
         let mut own = *self;
-        move_to(&mut own.coords.uv, &corners);
+        move_to(&mut own.coords, self.texels.size_bits(), &corners);
         own
     }
 
@@ -27,16 +28,35 @@ impl<S: Texels> Shader for Textured<S> {
     }
 }
 
-/// Replaces the texture coordinates of a face's corners by those of three of its points.
+/// Replaces the texture coordinates of a face's corners by those of three of its points, of a texture whose width and height have
+/// these binary logarithms. The coordinates are rounded to 2⁻¹² texel, or as far as 24 bits allow, in a finer unit if need be.
 #[inline(never)] // rare: code size matters more than speed
-fn move_to(uv: &mut [[i32; 2]; 3], points: &[Barycentric; 3]) {
-    let [[ua, va], [ub, vb], [uc, vc]] = *uv;
+fn move_to(coords: &mut FaceCoords, [w, h]: [u32; 2], points: &[Barycentric; 3]) {
+    let FaceCoords { uv: [[ua, va], [ub, vb], [uc, vc]], unit: [u_unit, v_unit], .. } = *coords;
+    let (u, u_unit) = refined([ua, ub, uc], u_unit, w);
+    let (v, v_unit) = refined([va, vb, vc], v_unit, h);
+    coords.unit = [u_unit, v_unit];
     let mut i = 0;
-    while let (Some(coords), Some(point)) = (uv.get_mut(i), points.get(i)) {
+    while let (Some(own), Some(point)) = (coords.uv.get_mut(i), points.get(i)) {
         let weights = point.weights();
-        *coords = [mean([ua, ub, uc], weights), mean([va, vb, vc], weights)];
+        *own = [mean(u, weights), mean(v, weights)];
         i = opaque_next(i);
     }
+}
+
+/// Coordinates on a side of 2^`bits` texels in a unit, 2^`unit` of 2⁻³² of the side, of at most 2⁻¹² texel, or as fine as 24 bits
+/// allow: unchanged if theirs is so fine, otherwise less the sides below the least.
+#[inline(never)] // rare: code size matters more than speed
+fn refined(values: [i32; 3], unit: u8, bits: u32) -> ([i32; 3], u8) {
+    // A step is 2^(unit − 40 + bits) texel, and no unit is below 2¹⁶.
+    let coarser = i32::from(unit) - 28 + (bits as i32).min(12);
+    if coarser <= 0 {
+        return (values, unit);
+    }
+    let (least, extent) = range(&values);
+    let base = least & (-1 << (40u8.wrapping_sub(unit) & 31)); // a side has 2^(40 − unit) steps: 2⁸ … 2²³
+    let finer = coarser.min(leading_zeros((least - base + extent) as u32) - 8).max(0) & 31;
+    (map3(values, |value| (value - base) << finer), unit.wrapping_sub(finer as u8))
 }
 
 /// The weighted mean of values of 24 bits, with weights in 2⁻³⁰. Weights may be off by 6 units: the mean is kept between the values.

@@ -34,7 +34,11 @@ struct Scene<'a, C> {
 }
 
 fn draw<D: DrawTarget<Color: Dim>>(scene: &mut Scene<'_, D::Color>, target: &mut D) {
-    let cull = if any() == 0 { Cull::None } else { Cull::Back };
+    let cull = match any() {
+        0 => Cull::None,
+        1 => Cull::Front,
+        _ => Cull::Back,
+    };
     let (mesh, wide_mesh) = (scene.mesh, scene.wide_mesh);
     let instance = scene.camera.place(&mesh, &scene.model).with_cull(cull);
     draw_instance(scene, &instance, target);

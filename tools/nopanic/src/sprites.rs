@@ -7,9 +7,9 @@ use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Blended, Camera, ColorKeyed, Coordinate, DepthBuffer, HalfBlended, Mesh, Picture, PictureError,
-    Pixels, PlacedSprites, Point3, Scalar, SolidTexel, Sprite, SpriteImage, SpriteSource, Statistics,
-    StoredPixel, Target,
+    Affine, Blended, Camera, ColorKeyed, Coordinate, DepthBuffer, FogTable, Fogged, HalfBlended, Mesh,
+    Picture, PictureError, Pixels, PlacedSprites, Point3, Scalar, SolidTexel, Sprite, SpriteImage,
+    SpriteSource, Statistics, StoredPixel, Target,
 };
 
 fn color() -> Rgb565 {
@@ -65,6 +65,7 @@ fn entry_sprites_in_memory(
     mesh: &Mesh<'_>,
     model: &Affine<Model, World>,
     texels: &[[Rgb565; 64]; 32],
+    fog: &FogTable<Rgb565>,
     cells: &mut [u16],
     depths: &mut [u16],
 ) -> Result<[Option<Statistics>; 2], PictureError> {
@@ -86,6 +87,8 @@ fn entry_sprites_in_memory(
             &mut target,
         ),
         4 => draw(&placed, |_| Blended::new(texels, any() as u8), depths, &mut target),
+        5 => draw(&placed, |_| Blended::new(Fogged::new(texels, fog), any() as u8), depths, &mut target),
+        6 => draw(&placed, |_| Fogged::new(HalfBlended::new(texels), fog), depths, &mut target),
         _ => draw(&placed, |_| SolidTexel::new(color()), depths, &mut target),
     })
 }
@@ -114,8 +117,9 @@ fn entry_sprite(
     camera: &Camera,
     at: Point3<World>,
     pixels: &mut [Rgb565],
-) -> Result<Statistics, PictureError> {
+) -> Result<(Statistics, Rectangle), PictureError> {
     let mut target = Picture::new(pixels, Size::new(any() as u32, any() as u32))?;
-    let Ok(statistics) = camera.place_sprite(at).draw(|_| Sprite::square(color(), any() as u8), &mut target);
-    Ok(statistics)
+    let (placed, square) = (camera.place_sprite(at), |_| Sprite::square(color(), any() as u8));
+    let Ok(statistics) = placed.draw(square, &mut target);
+    Ok((statistics, placed.bounds(square)))
 }
