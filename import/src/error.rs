@@ -163,6 +163,11 @@ impl ImportError {
         let file = shown(&self.file.to_string_lossy());
         self.line.map_or_else(|| file.clone(), |line| format!("{file}:{line}"))
     }
+
+    /// The message in one line, with the remedies in a program's own words: imperatives such as "use --flip".
+    pub fn worded(&self, words: impl Fn(Remedy) -> String) -> String {
+        format!("{}: {}", self.location(), self.problem.worded(words))
+    }
 }
 
 impl fmt::Debug for ImportError {
@@ -173,7 +178,7 @@ impl fmt::Debug for ImportError {
 
 impl fmt::Display for ImportError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.location(), self.problem)
+        f.write_str(&self.worded(|remedy| remedy.to_string()))
     }
 }
 

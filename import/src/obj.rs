@@ -3,7 +3,7 @@
 use crate::beside::Beside;
 use crate::materials;
 use crate::model::{Model, Places, TextureFaces};
-use crate::text::{a_vertex_needs_numbers, before_comment, text, without_end};
+use crate::text::{a_vertex_needs_numbers, before_comment, is_utf16, text, without_end};
 use crate::{ImportError, Place, Problem, Warning};
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -12,7 +12,8 @@ use std::ops::Range;
 /// Reads OBJ text of a file, which is named in errors, and the material libraries beside it.
 pub(crate) fn read(bytes: &[u8], beside: &Beside<'_>) -> Result<Model, ImportError> {
     let file = beside.model;
-    if let Some(byte) = without_end(bytes).iter().position(|&byte| byte == 0) {
+    let zero = without_end(bytes).iter().position(|&byte| byte == 0);
+    if let Some(byte) = zero.filter(|_| !is_utf16(bytes)) {
         return Err(Problem::NotText { byte }.at(file, None));
     }
     let text = text(bytes);

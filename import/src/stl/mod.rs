@@ -3,7 +3,7 @@
 mod ascii;
 
 use crate::model::{Model, Places};
-use crate::text::text;
+use crate::text::{is_utf16, text};
 use crate::weld::Numbered;
 use crate::{ImportError, Problem, Triangles, Warning, LARGEST_FILE};
 use std::path::Path;
@@ -16,7 +16,7 @@ const TRIANGLE: usize = 50;
 /// Reads STL; `file` is only named in errors. Vertices with the same bits are one.
 pub(crate) fn read(bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError> {
     let as_it_is = |problem: Problem| problem.at(file, None);
-    if is_text(&bytes) {
+    if is_text(&bytes) || is_utf16(&bytes) && is_text(text(&bytes).as_bytes()) {
         let ascii::Text { binary, lines, unended } =
             ascii::to_binary(&text(&bytes)).map_err(|(problem, line)| problem.at(file, line))?;
         let triangles = triangles(&binary);

@@ -124,6 +124,30 @@ fn broken_input_is_one_line_exit_code_2_and_no_output() {
     }
 }
 
+/// Names that a terminal would take for a window's title, a colour, an erased screen or another direction of text.
+#[test]
+fn control_characters_are_shown_escaped() {
+    let tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    let names = "mtllib \x1b]0;title\x07\x1b[31mred.mtl\nusemtl \u{9b}2J\u{202e}a\n";
+    let (model, output) = (scratch("hostile.obj"), scratch("hostile.rs"));
+    std::fs::write(&model, format!("{names}{tetrahedron}")).unwrap();
+    let (named, broken) = (scratch("a\x1b[2J.obj"), scratch("b\x1b[2J.obj"));
+    std::fs::write(&named, &tetrahedron[..tetrahedron.len() - 8]).unwrap();
+    std::fs::write(&broken, "f\n").unwrap();
+    for (model, wanted) in [
+        (&model, &["material library \\u{1b}]0;title\\u{7}\\u{1b}[31mred.mtl: "][..]),
+        (&named, &["a\\u{1b}[2J.obj: warning: "]),
+        (&broken, &["b\\u{1b}[2J.obj:1: "]),
+        (&scratch("c\x1b[2J.obj"), &["c\\u{1b}[2J.obj: cannot be read"]),
+    ] {
+        let done = import(&[model, Path::new("-o"), &output]);
+        let said = String::from_utf8([done.stdout, done.stderr].concat()).unwrap();
+        let is_harmful = |c: char| c != '\n' && c.is_control() || c == '\u{202e}';
+        assert!(!said.contains(is_harmful), "{said:?}");
+        assert!(wanted.iter().all(|wanted| said.contains(wanted)), "{said}");
+    }
+}
+
 #[test]
 fn the_readme_has_the_options_of_the_help() {
     let help = Command::new(env!("CARGO_BIN_EXE_pinhole-import")).arg("--help").output().unwrap();

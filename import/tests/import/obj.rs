@@ -55,6 +55,16 @@ fn assert_is_the_cube(cube: &ImportedMesh) {
 }
 
 #[test]
+fn text_in_utf16_is_read() {
+    let units = || "\u{feff}".encode_utf16().chain(CUBE.encode_utf16());
+    let little: Vec<u8> = units().flat_map(u16::to_le_bytes).collect();
+    let big: Vec<u8> = units().flat_map(u16::to_be_bytes).collect();
+    for bytes in [little, big] {
+        assert_is_the_cube(&read_obj(&bytes, Path::new("model.obj")).unwrap());
+    }
+}
+
+#[test]
 fn a_cube_is_welded_and_its_edges_are_unique() {
     let cube = import(CUBE).unwrap();
     assert_is_the_cube(&cube);

@@ -61,6 +61,20 @@ fn both_kinds_give_the_files_triangles_in_order() {
 }
 
 #[test]
+fn text_in_utf16_is_read() {
+    let good = read_stl(&ascii(), Path::new("model.stl")).unwrap();
+    let ascii = ascii();
+    let units = || "\u{feff}".encode_utf16().chain(ascii.iter().map(|&byte| u16::from(byte)));
+    let little: Vec<u8> = units().flat_map(u16::to_le_bytes).collect();
+    let big: Vec<u8> = units().flat_map(u16::to_be_bytes).collect();
+    for bytes in [little, big] {
+        assert_eq!(read_stl(&bytes, Path::new("model.stl")).unwrap(), good);
+    }
+    // A binary file may begin with these two bytes.
+    assert_eq!(read_stl(&binary(b"\xff\xfe"), Path::new("model.stl")).unwrap().faces, good.faces);
+}
+
+#[test]
 fn a_file_cut_short_names_the_first_byte_missing() {
     let whole = binary(b"");
     for length in [whole.len() - 1, 100, 84, 83, 10, 0] {
