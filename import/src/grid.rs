@@ -41,6 +41,11 @@ impl Grid {
         [0, 1, 2].map(|axis| ((position[axis] - self.centre[axis]) / self.step).round() as i16)
     }
 
+    /// The position of a grid point.
+    pub(crate) fn position(&self, rounded: &[i16; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|axis| f64::from(rounded[axis]) * self.step + self.centre[axis])
+    }
+
     /// The largest distance along an axis between a position and its grid point.
     pub(crate) fn error(&self, position: &[f64; 3], rounded: &[i16; 3]) -> f64 {
         (0..3)

@@ -54,6 +54,7 @@ mod remedy;
 mod rust;
 mod script;
 mod shown;
+mod slivers;
 mod stl;
 mod text;
 mod warning;

@@ -1,7 +1,7 @@
 //! Materials: diffuse and emissive colours as a palette, the names of their pictures, and texture coordinates on a grid.
 
 use crate::beside::{Beside, Unread};
-use crate::model::{Colors, TextureFaces};
+use crate::model::Colors;
 use crate::mtl;
 use crate::text::{before_comment, text};
 use crate::Warning;
@@ -163,22 +163,16 @@ pub(crate) struct Texture {
 /// # Errors
 ///
 /// The warning where they do not fit.
-pub(crate) fn texture(
-    texture: &TextureFaces,
-    faces: impl Iterator<Item = [usize; 3]>,
-) -> Result<Texture, Warning> {
-    let faces: Vec<[usize; 3]> = faces.collect();
-    let used = || faces.iter().flatten().filter_map(|&i| texture.coords.get(i));
+pub(crate) fn texture(faces: &[[[f64; 2]; 3]]) -> Result<Texture, Warning> {
     let on_grid = |c: f64, exponent: i8| (c * crate::grid::power_of_two(-exponent) + 0.5).floor();
-    let fits =
-        |exponent: &i8| used().flatten().all(|&c| (-32768.0..=32767.0).contains(&on_grid(c, *exponent)));
-    let exponent = (-15..=0).find(fits).ok_or(Warning::TextureCoordsFar)?;
+    let fits = |c: &f64, exponent: i8| (-32768.0..=32767.0).contains(&on_grid(*c, exponent));
+    let all_fit = |exponent: &i8| faces.iter().flatten().flatten().all(|c| fits(c, *exponent));
+    let exponent = (-15..=0).find(all_fit).ok_or(Warning::TextureCoordsFar)?;
     let mut numbers = HashMap::new();
     let mut out = Texture { exponent, ..Texture::default() };
-    for face in &faces {
+    for face in faces {
         let mut corners = [0; 3];
-        for (corner, &index) in corners.iter_mut().zip(face) {
-            let coord = texture.coords.get(index).copied().unwrap_or_default();
+        for (corner, coord) in corners.iter_mut().zip(face) {
             let coord = coord.map(|c| on_grid(c, exponent) as i16); // it fits
             let number = *numbers.entry(coord).or_insert_with(|| {
                 out.coords.push(coord);

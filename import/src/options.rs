@@ -194,6 +194,18 @@ impl Axis {
             Axis::MinusZ => [x, -z, y],
         }
     }
+
+    /// Turns a point back: the inverse of [`to_y`](Self::to_y).
+    pub(crate) fn from_y(self, point: [f64; 3]) -> [f64; 3] {
+        let inverse = match self {
+            Axis::X => Axis::MinusX,
+            Axis::MinusX => Axis::X,
+            Axis::Z => Axis::MinusZ,
+            Axis::MinusZ => Axis::Z,
+            Axis::Y | Axis::MinusY => self,
+        };
+        inverse.to_y(point)
+    }
 }
 
 /// The point of a model that becomes the origin of its mesh.

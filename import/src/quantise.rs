@@ -8,7 +8,7 @@ use crate::model::Model;
 use crate::normals::{cross, of_vertices, on_one_line, unit};
 use crate::parts::Parts;
 use crate::picture;
-use crate::weld::{weld, Welded};
+use crate::weld::weld;
 use crate::{decimate, order, Axis, Options, Problem, Step, Triangles, Warning};
 use std::path::PathBuf;
 
@@ -37,10 +37,16 @@ pub fn quantise(model: &Triangles) -> Result<ImportedMesh, Problem> {
 
 /// The result for a model.
 pub(crate) struct Made {
-    /// For each triangle of the file whether its corners were reversed. Not after decimation, which makes new triangles.
-    pub(crate) reversed: Vec<bool>,
-    /// The triangles of the file, ascending, that the mesh has a second time, reversed.
-    pub(crate) backs: Vec<usize>,
+    /// The mesh's faces, however many there are, in the file's axes and units; backs are the last of them.
+    pub(crate) triangles: Triangles,
+    /// The colour of each triangle, or nothing.
+    pub(crate) colors: Vec<[u8; 3]>,
+    /// The light that each triangle emits, or nothing.
+    pub(crate) emission: Vec<[u8; 3]>,
+    /// The texture coordinates of each triangle's corners, or nothing.
+    pub(crate) texture: Vec<[[f64; 2]; 3]>,
+    /// How many of the triangles are backs.
+    pub(crate) backs: usize,
     /// Files that were read beside the model.
     pub(crate) libraries: Vec<PathBuf>,
     /// Warnings about the model, whether it fits a mesh or not.
@@ -73,7 +79,8 @@ pub(crate) fn make(
     // Adding 0.0 makes one of the two zeros.
     let bits: Vec<_> = read.iter().map(|p| p.map(|c| (c + 0.0).to_bits())).collect();
     // Triangles without area must not influence the grid either.
-    let mut exact = weld(&bits, &faces, |corners| on_one_line(corners.map(|p| p.map(f64::from_bits))));
+    let position = |p: [u64; 3]| p.map(f64::from_bits);
+    let mut exact = weld(&bits, &faces, position, |corners| on_one_line(corners.map(position)));
     drop(bits);
     let vertices_read = read.len();
     if exact.faces.is_empty() {
@@ -106,7 +113,8 @@ pub(crate) fn make(
     begins(Step::Quantise);
     let grid = Grid::around(&positions, options.centre)?;
     let rounded: Vec<[i16; 3]> = positions.iter().map(|p| grid.round(p)).collect();
-    let last = weld(&rounded, &exact.faces, |corners| cross(corners) == [0, 0, 0]);
+    let position = |p: [i16; 3]| p.map(f64::from);
+    let mut last = weld(&rounded, &exact.faces, position, |corners| cross(corners) == [0, 0, 0]);
     if last.faces.is_empty() {
         return Err(Problem::NoArea(faces.len()));
     }
@@ -114,40 +122,36 @@ pub(crate) fn make(
     let source = |place: usize| exact.sources[place];
     let degenerate: Vec<usize> =
         exact.degenerate.iter().copied().chain(last.degenerate.iter().map(|&face| source(face))).collect();
-    let duplicate: Vec<usize> = exact
-        .duplicate
-        .iter()
-        .map(|(place, _)| *place)
-        .chain(last.duplicate.iter().map(|(face, _)| source(*face)))
-        .collect();
+    let duplicate: Vec<usize> =
+        exact.duplicate.iter().copied().chain(last.duplicate.iter().map(|&face| source(face))).collect();
     let mut vertices: Vec<[i16; 3]> = last.vertices.iter().map(|&v| rounded[v]).collect();
-    let mut corners = last.faces;
-    // For each face its place in `exact.faces`: in the order of `last.faces`, and of `corners`.
-    let (last_sources, mut sources) = (last.sources.clone(), last.sources);
+    let mut corners = std::mem::take(&mut last.faces);
+    // For each face its number after welding.
+    let mut numbers: Vec<usize> = (0..corners.len()).collect();
     let too_many = (vertices.len() > 1 << 16).then_some(Problem::TooManyVertices(vertices.len()));
 
     let mut fetches = [order::fetches(&corners, vertices.len()); 2];
     if options.reorder && too_many.is_none() {
         begins(Step::Order);
-        fetches[1] = order::reorder(&mut corners, &mut sources, &mut vertices);
+        fetches[1] = order::reorder(&mut corners, &mut numbers, &mut vertices);
     }
 
     begins(Step::Derive);
     let mut sides = Sides::of(&corners);
     let mut parts = Parts::of(&corners, &vertices, &sides);
-    let mut reversed = vec![options.flip; exact.faces.len()];
+    let mut reversed = vec![false; corners.len()];
     let mut turned = 0;
     if options.fix_winding {
         for (face, corners) in corners.iter_mut().enumerate().filter(|(face, _)| parts.is_wrong(*face)) {
             reverse(corners);
-            reversed[sources[face]] ^= true;
+            reversed[face] = true;
             turned += 1;
         }
         sides.reverse(|face| parts.is_wrong(face));
         parts.set_right();
     }
     let backs = if options.two_sided { parts.seen_from_behind() } else { Vec::new() };
-    let place = |face: usize| source(sources[face]);
+    let place = |face: usize| source(last.sources[numbers[face]]);
     let (topology, faults) = sides.topology(place);
 
     let least = |list: &[usize]| list.iter().min().map(|&triangle| places.of(triangle));
@@ -173,11 +177,6 @@ pub(crate) fn make(
         warnings.extend(at(faults.twisted).map(twisted));
         warnings.extend(at(first.map(place)).map(inside_out));
     }
-    let of_file = |faces: &[usize]| -> Vec<usize> {
-        let mut list: Vec<usize> = faces.iter().map(|&face| place(face)).collect();
-        list.sort_unstable();
-        list
-    };
     let is_whole = decimated.0 == 0; // otherwise there are other triangles than those of the file
     if !is_whole && (colors.is_some() || texture.is_some()) {
         warnings.push(Warning::DecimatedMaterials);
@@ -188,17 +187,27 @@ pub(crate) fn make(
         Some(colors) => of_mesh().map(|face| colors.faces[place(face)]).collect(),
         None => Vec::new(),
     };
-    let texture = texture.map_or(Ok(Texture::default()), |texture| {
-        let corners_of = |(number, face): (usize, usize)| {
-            let mut coords = texture.faces[place(face)];
-            // Reversed as the face is, and once more where it is a back.
-            if reversed[sources[face]] != (number >= corners.len()) {
-                reverse(&mut coords);
-            }
-            coords
-        };
-        materials::texture(&texture, of_mesh().enumerate().map(corners_of))
-    });
+    let uv: Vec<[[f64; 2]; 3]> = match &texture {
+        Some(texture) => {
+            let corners_of = |(number, face): (usize, usize)| {
+                let mut values =
+                    texture.faces[place(face)].map(|i| texture.coords.get(i).copied().unwrap_or_default());
+                values = exact.values(last.sources[numbers[face]], values);
+                if options.flip {
+                    reverse(&mut values);
+                }
+                values = last.values(numbers[face], values);
+                // Reversed as the face is, and once more where it is a back.
+                if reversed[face] != (number >= corners.len()) {
+                    reverse(&mut values);
+                }
+                values
+            };
+            of_mesh().enumerate().map(corners_of).collect()
+        }
+        None => Vec::new(),
+    };
+    let texture = materials::texture(&uv);
     let texture = texture.unwrap_or_else(|warning| {
         warnings.push(warning);
         Texture::default()
@@ -216,9 +225,28 @@ pub(crate) fn make(
         }
         None => {}
     }
+    let shown = |of: &[[u8; 3]]| match of.is_empty() {
+        true => Vec::new(),
+        false => face_colors.iter().map(|&color| of[usize::from(color)]).collect(),
+    };
+    let (palette, emission) =
+        colors.map_or_else(Default::default, |colors| (colors.palette, colors.emission));
+    let mut triangles = Triangles {
+        positions: vertices.iter().map(|v| up.from_y(grid.position(v).map(|c| c / scale))).collect(),
+        faces: corners.clone(),
+    };
+    let back = |&face: &usize| {
+        let mut back = corners[face];
+        reverse(&mut back);
+        back
+    };
+    triangles.faces.extend(backs.iter().map(back));
     let made = Made {
-        reversed: in_the_file(&reversed, &exact, &last.duplicate, &last_sources, faces.len()),
-        backs: of_file(&backs),
+        triangles,
+        colors: shown(&palette),
+        emission: shown(&emission),
+        texture: uv,
+        backs: backs.len(),
         libraries: libraries.clone(),
         warnings,
         mesh: Err(Problem::NoFaces), // not made yet
@@ -242,8 +270,6 @@ pub(crate) fn make(
     if let Err(problem) = ends {
         return Ok(Made { mesh: Err(problem), ..made });
     }
-    let (palette, emission) =
-        colors.map_or_else(Default::default, |colors| (colors.palette, colors.emission));
     let mesh = ImportedMesh {
         vertices,
         exponent: grid.exponent,
@@ -269,6 +295,7 @@ pub(crate) fn make(
             welded_by_quantising: last.welded,
             degenerate: degenerate.len(),
             duplicate: duplicate.len(),
+            cut: exact.cut + last.cut,
             unused: exact.unused + last.unused,
             reversed: turned,
             backs: backs.len(),
@@ -304,32 +331,6 @@ fn fix_winding(faces: &mut [[usize; 3]], vertices: &[[i16; 3]]) {
             reverse(corners);
         }
     }
-}
-
-/// For each triangle of the file whether it was reversed: as its face was, or the face of which it is a duplicate.
-fn in_the_file(
-    reversed: &[bool],
-    exact: &Welded,
-    duplicates: &[(usize, usize)],
-    last_sources: &[usize],
-    count: usize,
-) -> Vec<bool> {
-    let mut reversed = reversed.to_vec();
-    for &(face, twin) in duplicates {
-        reversed[face] = reversed[last_sources[twin]];
-    }
-    let mut of_file = vec![false; count];
-    for (&place, &reversed) in exact.sources.iter().zip(&reversed) {
-        if let Some(of_file) = of_file.get_mut(place) {
-            *of_file = reversed;
-        }
-    }
-    for &(place, twin) in &exact.duplicate {
-        if let (Some(of_file), Some(&reversed)) = (of_file.get_mut(place), reversed.get(twin)) {
-            *of_file = reversed;
-        }
-    }
-    of_file
 }
 
 /// Adds faces a second time, reversed, with their normals. Where vertices have normals, the backs get vertices of their own.

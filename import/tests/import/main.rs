@@ -2,6 +2,7 @@
 
 mod build_rs;
 mod cli;
+mod closed;
 mod decimate;
 mod images;
 mod materials;
