@@ -31,6 +31,8 @@
 mod beside;
 #[cfg(feature = "textures")]
 mod bmp;
+mod bodies;
+mod boxes;
 mod decimate;
 mod edges;
 mod error;
