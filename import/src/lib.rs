@@ -50,6 +50,7 @@ mod parts;
 mod picture;
 #[cfg(feature = "textures")]
 mod pixels;
+mod polygon;
 mod preview;
 mod quantise;
 mod remedy;
@@ -203,7 +204,7 @@ pub fn read_triangles(file: &Path) -> Result<Triangles, ImportError> {
 /// Reads the text of an OBJ file; `file` is only named in errors.
 ///
 /// Vertices, faces and texture coordinates are read, and diffuse colours from the material libraries that the text names, in
-/// the folder of `file`. Polygons become fans; groups and objects become one mesh; the file's own normals are passed over.
+/// the folder of `file`. Polygons become triangles, concave ones too; groups and objects become one mesh; the file's own normals are passed over.
 ///
 /// # Errors
 ///

@@ -3,6 +3,7 @@
 use crate::beside::Beside;
 use crate::materials;
 use crate::model::{Model, Places, TextureFaces};
+use crate::polygon::{self, Triangulated};
 use crate::text::{a_vertex_needs_numbers, before_comment, is_utf16, text, without_end};
 use crate::{ImportError, Place, Problem, Warning};
 use std::borrow::Cow;
@@ -21,7 +22,7 @@ pub(crate) fn read(bytes: &[u8], beside: &Beside<'_>) -> Result<Model, ImportErr
     let mut model = Model::default();
     let mut lines = Vec::new();
     let mut of_materials = Vec::new();
-    let mut concave = Vec::new();
+    let mut crossing = Vec::new();
     let mut texture = TextureFaces::default();
     let mut bare_faces = None;
     // The vertices of the model are those that faces use, in the order of their first use.
@@ -52,25 +53,15 @@ pub(crate) fn read(bytes: &[u8], beside: &Beside<'_>) -> Result<Model, ImportErr
             last_coord
         });
         let coords: Vec<usize> = coords.collect();
-        let before = model.triangles.faces.len();
-        match polygon[..] {
-            [] => {}
-            // No area: dropped, and counted, as such.
-            [a] => model.triangles.faces.push([a; 3]),
-            [a, b] => model.triangles.faces.push([a, b, b]),
-            [a, ..] => {
-                model.triangles.faces.extend(polygon[1..].windows(2).map(|side| [a, side[0], side[1]]));
-            }
+        let positions: Vec<_> = polygon.iter().map(|&vertex| model.triangles.positions[vertex]).collect();
+        let Triangulated { triangles, overlap } = polygon::triangulate(&positions);
+        if overlap {
+            crossing.push(*line);
         }
-        let fan = &model.triangles.faces[before..];
-        if fan.len() > 1 && overlaps(fan, &model.triangles.positions) {
-            concave.push(*line);
-        }
-        lines.extend(std::iter::repeat_n(*line, fan.len()));
-        of_materials.extend(std::iter::repeat_n(*material, fan.len()));
-        // Of a face with an area; others are dropped.
-        let corner = |i: usize| coords.get(i).copied().unwrap_or_default();
-        texture.faces.extend((0..fan.len()).map(|i| [corner(0), corner(i + 1), corner(i + 2)]));
+        lines.extend(std::iter::repeat_n(*line, triangles.len()));
+        of_materials.extend(std::iter::repeat_n(*material, triangles.len()));
+        model.triangles.faces.extend(triangles.iter().map(|places| places.map(|place| polygon[place])));
+        texture.faces.extend(triangles.iter().map(|places| places.map(|place| coords[place])));
     }
     if let Some((line, problem)) = read.wrong_coords() {
         // The mesh needs no texture coordinates.
@@ -86,8 +77,8 @@ pub(crate) fn read(bytes: &[u8], beside: &Beside<'_>) -> Result<Model, ImportErr
             model.texture = Some(texture);
         }
     }
-    if let Some(&line) = concave.iter().min() {
-        model.warnings.push(Warning::Concave { count: concave.len(), first: Place::Line(line as usize) });
+    if let Some(&line) = crossing.iter().min() {
+        model.warnings.push(Warning::Crossing { count: crossing.len(), first: Place::Line(line as usize) });
     }
     (model.colors, model.pictures, model.libraries) =
         materials::read(&read.materials, of_materials, &read.libraries, beside, &mut model.warnings);
@@ -239,19 +230,4 @@ fn corner(word: &str, above: [usize; 2]) -> Option<Corner> {
         Some(index) => Some(place(index, above[1])?),
     };
     Some(Corner { vertex, coord })
-}
-
-/// Whether a triangle of a polygon's fan lies against the whole, by its area vector (Newell's normal is their sum): so it
-/// overlaps others. A concave polygon whose fan does not is cut rightly.
-fn overlaps(fan: &[[usize; 3]], positions: &[[f64; 3]]) -> bool {
-    let area = |&[a, b, c]: &[usize; 3]| {
-        let side = |to: usize| [0, 1, 2].map(|axis| positions[to][axis] - positions[a][axis]);
-        let (p, q) = (side(b), side(c));
-        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| p[i] * q[j] - p[j] * q[i])
-    };
-    let areas: Vec<[f64; 3]> = fan.iter().map(area).collect();
-    let whole = [0, 1, 2].map(|axis| areas.iter().map(|a| a[axis]).sum::<f64>());
-    let dot = |a: &[f64; 3]| a[0] * whole[0] + a[1] * whole[1] + a[2] * whole[2];
-    // A corner on a straight side makes a triangle of nothing but rounding.
-    areas.iter().any(|a| dot(a) < -1e-9 * dot(&whole))
 }

@@ -23,8 +23,8 @@ pub enum Warning {
         /// The first.
         first: Place,
     },
-    /// Concave polygons whose fan of triangles overlaps.
-    Concave {
+    /// Polygons that cross themselves, so that some of their triangles lie upon others.
+    Crossing {
         /// How many.
         count: usize,
         /// The first.
@@ -240,7 +240,7 @@ impl Warning {
         match *self {
             Self::NoArea { first: Place::Line(line), .. }
             | Self::Duplicates { first: Place::Line(line), .. }
-            | Self::Concave { first: Place::Line(line), .. }
+            | Self::Crossing { first: Place::Line(line), .. }
             | Self::OpenEdges { first: Place::Line(line), .. }
             | Self::CrowdedEdges { first: Place::Line(line), .. }
             | Self::TwistedEdges { first: Place::Line(line), .. }
@@ -268,8 +268,8 @@ impl Warning {
         match self {
             Self::NoArea { count, first } => Said::new(some("faces without area", count, first, DROPPED), []),
             Self::Duplicates { count, first } => Said::new(some("duplicate faces", count, first, DROPPED), []),
-            Self::Concave { count, first } => {
-                Said::new(some("concave faces, whose triangles overlap", count, first, ""), [R::ExportTriangles])
+            Self::Crossing { count, first } => {
+                Said::new(some("faces that cross themselves", count, first, "their triangles overlap: "), [R::ExportTriangles])
             }
             Self::OpenEdges { count, first } => Said::new(
                 some("open edges", count, first, "faces show nothing from behind: "),
