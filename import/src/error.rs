@@ -59,6 +59,8 @@ pub enum Problem {
     NoFaces,
     /// None of the model's faces, as many as this, has an area.
     NoArea(usize),
+    /// All of the model's faces, as many as this, lose their area by rounding to the grid.
+    TooThin(usize),
     /// More vertices than `u16` indices can name (65 536), after welding.
     TooManyVertices(usize),
     /// More faces than can be named beside an edge (65 535).
@@ -123,6 +125,12 @@ impl Problem {
             Problem::NoArea(faces) => Said::new(
                 format!("has no face with an area, as all {faces} are points or lines: "),
                 [R::ExportMesh],
+            ),
+            Problem::TooThin(faces) => Said::new(
+                format!(
+                    "has no face with an area on a grid of at most 65535 steps along its longest side, as all {faces} are thinner than a step: "
+                ),
+                [R::SplitModel, R::LeaveOutFar],
             ),
             Problem::TooManyVertices(n) => Said::new(
                 format!("has {n} vertices, more than the 65536 of a mesh: "),

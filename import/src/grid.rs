@@ -38,7 +38,12 @@ impl Grid {
 
     /// The nearest grid point. Every difference fits ±32767 by the choice of the exponent.
     pub(crate) fn round(&self, position: &[f64; 3]) -> [i16; 3] {
-        [0, 1, 2].map(|axis| ((position[axis] - self.centre[axis]) / self.step).round() as i16)
+        self.in_steps(position).map(|c| c.round() as i16)
+    }
+
+    /// A position in steps from the centre.
+    pub(crate) fn in_steps(&self, position: &[f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|axis| (position[axis] - self.centre[axis]) / self.step)
     }
 
     /// The position of a grid point.

@@ -27,8 +27,8 @@ use std::path::PathBuf;
 ///
 /// # Errors
 ///
-/// [`Problem::NotFinite`], [`Problem::NoFaces`], [`Problem::NoArea`], [`Problem::NoSuchVertex`],
-/// [`Problem::TooManyVertices`], [`Problem::Extent`].
+/// [`Problem::NotFinite`], [`Problem::NoFaces`], [`Problem::NoArea`], [`Problem::TooThin`],
+/// [`Problem::NoSuchVertex`], [`Problem::TooManyVertices`], [`Problem::Extent`].
 pub fn quantise(model: &Triangles) -> Result<ImportedMesh, Problem> {
     let model = Model { triangles: model.clone(), ..Model::default() };
     let made = make(model, Axis::Y, &Options::default(), &mut |_| ())?;
@@ -116,8 +116,11 @@ pub(crate) fn make(
     let position = |p: [i16; 3]| p.map(f64::from);
     let mut last = weld(&rounded, &exact.faces, position, |corners| cross(corners) == [0, 0, 0]);
     if last.faces.is_empty() {
-        return Err(Problem::NoArea(faces.len()));
+        return Err(Problem::TooThin(exact.faces.len()));
     }
+    let on_grid = exact.faces.iter().map(|face| face.map(|vertex| position(rounded[vertex])));
+    let in_file = exact.faces.iter().map(|face| face.map(|vertex| grid.in_steps(&positions[vertex])));
+    let area = area(on_grid) / area(in_file);
     let error = positions.iter().zip(&rounded).map(|(p, r)| grid.error(p, r)).fold(0.0, f64::max);
     let source = |place: usize| exact.sources[place];
     let degenerate: Vec<usize> =
@@ -160,6 +163,10 @@ pub(crate) fn make(
     let duplicates = |first| Warning::Duplicates { count: duplicate.len(), first };
     warnings.extend(least(&degenerate).map(no_area));
     warnings.extend(least(&duplicate).map(duplicates));
+    let (lost, count) = (last.degenerate.len(), exact.faces.len());
+    if 10 * lost >= count || !(0.9..=1.1).contains(&area) {
+        warnings.push(Warning::Coarse { lost, faces: count, area: (100.0 * area).round() as u32 });
+    }
     if !options.two_sided {
         let open = |first| Warning::OpenEdges { count: topology.open, first };
         let crowded = |first| Warning::CrowdedEdges { count: topology.crowded, first };
@@ -315,6 +322,16 @@ pub(crate) fn make(
     warnings.extend(mesh.large_picture());
     warnings.extend(mesh.too_many_for_bands());
     Ok(Made { mesh: Ok(mesh), warnings, ..made })
+}
+
+/// Twice the area of triangles.
+fn area(triangles: impl Iterator<Item = [[f64; 3]; 3]>) -> f64 {
+    let area = |[a, b, c]: [[f64; 3]; 3]| {
+        let side = |to: [f64; 3]| [0, 1, 2].map(|axis| to[axis] - a[axis]);
+        let ([ux, uy, uz], [vx, vy, vz]) = (side(b), side(c));
+        (uy * vz - uz * vy).hypot(uz * vx - ux * vz).hypot(ux * vy - uy * vx)
+    };
+    triangles.map(area).sum()
 }
 
 /// Turns a triangle over; its first corner stays.

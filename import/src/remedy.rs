@@ -50,6 +50,8 @@ pub enum Remedy {
     SeparateBodies,
     /// Split the model into several files.
     SplitModel,
+    /// Leave out parts that lie far from the others, so that the grid becomes finer.
+    LeaveOutFar,
     /// Reduce the number of faces in a modelling program.
     ReduceModel,
     /// Give the model another unit.
@@ -128,6 +130,7 @@ impl fmt::Display for Remedy {
             Self::CloseSurface => "close the surface",
             Self::SeparateBodies => "separate the bodies",
             Self::SplitModel => "split the model",
+            Self::LeaveOutFar => "leave out parts that lie far from the others",
             Self::ReduceModel => "reduce it in a modelling program",
             Self::OtherUnit => "use another unit",
             Self::CopyAgain => "copy or export it again",

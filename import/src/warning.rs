@@ -23,6 +23,15 @@ pub enum Warning {
         /// The first.
         first: Place,
     },
+    /// The grid is too coarse for the shape: a tenth of the faces have no area on it, or the area changes by a tenth.
+    Coarse {
+        /// How many faces have no area on the grid.
+        lost: usize,
+        /// How many have one in the file.
+        faces: usize,
+        /// The area on the grid in percent of that in the file.
+        area: u32,
+    },
     /// Polygons that cross themselves, so that some of their triangles lie upon others.
     Crossing {
         /// How many.
@@ -268,6 +277,13 @@ impl Warning {
         match self {
             Self::NoArea { count, first } => Said::new(some("faces without area", count, first, DROPPED), []),
             Self::Duplicates { count, first } => Said::new(some("duplicate faces", count, first, DROPPED), []),
+            Self::Coarse { lost, faces, area } => Said::new(
+                format!(
+                    "rounding to a grid of at most 65535 steps along the longest side changes the shape: {lost} of {faces} faces \
+                     have no area on it, and the area of all is {area} % of that in the file: "
+                ),
+                [R::SplitModel, R::LeaveOutFar],
+            ),
             Self::Crossing { count, first } => {
                 Said::new(some("faces that cross themselves", count, first, "their triangles overlap: "), [R::ExportTriangles])
             }
