@@ -55,8 +55,18 @@ pub enum Problem {
         /// Where its first byte is, counted from 0.
         byte: usize,
     },
-    /// The model has no face.
+    /// The model has no face, and no line.
     NoFaces,
+    /// An object is wanted ([`Options::objects`](crate::Options::objects)) that the file does not have.
+    NoSuchObject {
+        /// Its name.
+        name: String,
+        /// The names of the objects and groups that there are.
+        names: Vec<String>,
+    },
+    /// The model does not fit the grid of [`Options::step`](crate::Options::step); the finest that it fits has a step of 2 to
+    /// this power.
+    Step(i8),
     /// None of the model's faces, as many as this, has an area.
     NoArea(usize),
     /// All of the model's faces, as many as this, lose their area by rounding to the grid.
@@ -122,6 +132,17 @@ impl Problem {
                 Said::new(format!("the coordinate at byte {byte} is not a finite number: "), [R::Repair])
             }
             Problem::NoFaces => Said::new("has no faces: ", [R::ExportMesh]),
+            Problem::NoSuchObject { name, names } if names.is_empty() => {
+                Said::new(format!("has no object {name}, as none has a name"), [])
+            }
+            Problem::NoSuchObject { name, names } => Said::new(
+                format!("has no object {name}; its objects and groups are {}", names.join(", ")),
+                [],
+            ),
+            Problem::Step(finest) => Said::new(
+                format!("does not fit the grid: the finest step that it fits is 2^{finest}: "),
+                [R::Step(*finest)],
+            ),
             Problem::NoArea(faces) => Said::new(
                 format!("has no face with an area, as all {faces} are points or lines: "),
                 [R::ExportMesh],

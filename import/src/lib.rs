@@ -73,7 +73,7 @@ pub use quantise::quantise;
 pub use remedy::Remedy;
 pub use rust::is_constant_name;
 pub use script::build;
-pub use warning::{Place, Warning};
+pub use warning::{Element, Place, Warning};
 
 /// The code of the README compiles.
 #[cfg(doctest)]
@@ -203,8 +203,9 @@ pub fn read_triangles(file: &Path) -> Result<Triangles, ImportError> {
 
 /// Reads the text of an OBJ file; `file` is only named in errors.
 ///
-/// Vertices, faces and texture coordinates are read, and diffuse colours from the material libraries that the text names, in
-/// the folder of `file`. Polygons become triangles, concave ones too; groups and objects become one mesh; the file's own normals are passed over.
+/// Vertices with their colours, faces, lines and texture coordinates are read, and diffuse colours from the material libraries that
+/// the text names, in the folder of `file`. Polygons become triangles, concave ones too; groups and objects become one mesh; the
+/// file's own normals are passed over.
 ///
 /// # Errors
 ///
@@ -214,14 +215,15 @@ pub fn read_obj(text: &[u8], file: &Path) -> Result<ImportedMesh, ImportError> {
     finish(obj::read(text, &Beside { model: file, given: &[], options })?, file, options, &mut |_| ())
 }
 
-/// Reads the bytes of an STL file, binary or ASCII; `file` is only named in errors. Colours, which some programs hide in a
-/// facet's last two bytes, each in another way, are passed over.
+/// Reads the bytes of an STL file, binary or ASCII; `file` is only named in errors. Colours in the last two bytes of facets are
+/// read by the conventions of VisCAM and SolidView and, with `COLOR=` in the header, of Materialise Magics.
 ///
 /// # Errors
 ///
 /// As [`read`].
 pub fn read_stl(bytes: &[u8], file: &Path) -> Result<ImportedMesh, ImportError> {
-    finish(stl::read(bytes.to_vec(), file)?, file, &Options::default(), &mut |_| ())
+    let options = Options::default();
+    finish(stl::read(bytes.to_vec(), file, &options)?, file, &options, &mut |_| ())
 }
 
 /// The mesh, if its unit is one that a [`pinhole::Mesh`] may have.
@@ -240,7 +242,7 @@ fn read_model(file: &Path, options: &Options) -> Result<Model, ImportError> {
 fn model_of(bytes: Vec<u8>, beside: Beside<'_>) -> Result<Model, ImportError> {
     match Format::of(beside.model)? {
         Format::Obj => obj::read(&bytes, &beside),
-        Format::Stl => stl::read(bytes, beside.model),
+        Format::Stl => stl::read(bytes, beside.model, beside.options),
     }
 }
 

@@ -20,8 +20,6 @@ pub struct Preview {
     /// The texture coordinates of the corners of each triangle, u to the right and v down, in sides of a texture; or nothing, where
     /// the file has none. The mesh has the picture.
     pub texture: Vec<[[f64; 2]; 3]>,
-    /// The pictures that the materials name (`map_Kd`), in the order of their first use, whether or not the mesh has one.
-    pub pictures: Vec<String>,
     /// Files that were read beside the model: material libraries.
     pub libraries: Vec<PathBuf>,
     /// How many of the triangles are backs.
@@ -54,7 +52,6 @@ pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
     let options = Options { reorder: false, decimate: None, ..options.clone() };
     let up = options.up.unwrap_or(Axis::of_file(file));
     let model = read_model(file, &options)?;
-    let pictures = model.pictures.names.clone();
     let made = quantise::make(model, up, &options, &mut |_| ()).map_err(|problem| problem.at(file, None))?;
     let mesh = made.mesh.and_then(fits);
     let mut warnings = made.warnings;
@@ -66,7 +63,6 @@ pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
         colors: made.colors,
         emission: made.emission,
         texture: made.texture,
-        pictures,
         libraries: made.libraries,
         backs: made.backs,
         up,

@@ -8,8 +8,9 @@ use crate::model::Model;
 use crate::normals::{cross, of_vertices, on_one_line, unit};
 use crate::parts::Parts;
 use crate::picture;
-use crate::weld::weld;
-use crate::{decimate, order, Axis, Options, Problem, Step, Triangles, Warning};
+use crate::weld::{weld, Numbered};
+use crate::{decimate, order, Axis, Edges, Options, Problem, Step, Triangles, Warning};
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 /// Makes a mesh of triangles: welds, centres, quantises, derives edges and normals. Scales and orders nothing: it has the
@@ -63,7 +64,8 @@ pub(crate) fn make(
     begins: &mut dyn FnMut(Step),
 ) -> Result<Made, Problem> {
     options.check()?;
-    let Model { triangles, places, mut warnings, colors, texture, pictures, mut libraries } = model;
+    let Model { triangles, places, mut warnings, lines, colors, texture, pictures, mut libraries } = model;
+    let lines = if options.edges == Edges::None { Vec::new() } else { lines };
     let Triangles { positions: read, faces } = triangles;
     if faces.iter().flatten().any(|&i| i >= read.len()) {
         return Err(Problem::NoSuchVertex);
@@ -71,7 +73,7 @@ pub(crate) fn make(
     if read.iter().flatten().any(|c| !c.is_finite()) {
         return Err(Problem::NotFinite);
     }
-    if faces.is_empty() {
+    if faces.is_empty() && lines.is_empty() {
         return Err(Problem::NoFaces);
     }
 
@@ -83,12 +85,13 @@ pub(crate) fn make(
     let mut exact = weld(&bits, &faces, position, |corners| on_one_line(corners.map(position)));
     drop(bits);
     let vertices_read = read.len();
-    if exact.faces.is_empty() {
+    if exact.faces.is_empty() && lines.is_empty() {
         return Err(Problem::NoArea(faces.len()));
     }
-    let used = exact.vertices.iter().map(|&v| read[v]).collect();
+    let used = exact.vertices.iter().map(|&v| read[v]).chain(lines.into_iter().flatten()).collect();
     drop(read);
     let (mut positions, scale) = placed(used, up, options)?;
+    let ends_of_lines = positions.split_off(exact.vertices.len());
     if options.flip {
         exact.faces.iter_mut().for_each(reverse);
     }
@@ -97,7 +100,7 @@ pub(crate) fn make(
         begins(Step::Decimate);
         if options.fix_winding {
             // meshopt takes an edge between faces of opposite winding for a border, and keeps it.
-            let grid = Grid::around(&positions, options.centre)?;
+            let grid = Grid::around(&positions, options)?;
             let rounded: Vec<[i16; 3]> = positions.iter().map(|p| grid.round(p)).collect();
             fix_winding(&mut exact.faces, &rounded);
         }
@@ -111,17 +114,21 @@ pub(crate) fn make(
     }
 
     begins(Step::Quantise);
-    let grid = Grid::around(&positions, options.centre)?;
+    let of_faces = positions.len();
+    positions.extend(ends_of_lines);
+    let grid = Grid::around(&positions, options)?;
     let rounded: Vec<[i16; 3]> = positions.iter().map(|p| grid.round(p)).collect();
+    let (rounded, ends_of_lines, positions) = (&rounded[..of_faces], &rounded[of_faces..], &positions);
     let position = |p: [i16; 3]| p.map(f64::from);
-    let mut last = weld(&rounded, &exact.faces, position, |corners| cross(corners) == [0, 0, 0]);
-    if last.faces.is_empty() {
+    let mut last = weld(rounded, &exact.faces, position, |corners| cross(corners) == [0, 0, 0]);
+    if last.faces.is_empty() && ends_of_lines.is_empty() {
         return Err(Problem::TooThin(exact.faces.len()));
     }
     let on_grid = exact.faces.iter().map(|face| face.map(|vertex| position(rounded[vertex])));
     let in_file = exact.faces.iter().map(|face| face.map(|vertex| grid.in_steps(&positions[vertex])));
     let area = area(on_grid) / area(in_file);
-    let error = positions.iter().zip(&rounded).map(|(p, r)| grid.error(p, r)).fold(0.0, f64::max);
+    let all_rounded = rounded.iter().chain(ends_of_lines);
+    let error = positions.iter().zip(all_rounded).map(|(p, r)| grid.error(p, r)).fold(0.0, f64::max);
     let source = |place: usize| exact.sources[place];
     let degenerate: Vec<usize> =
         exact.degenerate.iter().copied().chain(last.degenerate.iter().map(|&face| source(face))).collect();
@@ -131,13 +138,14 @@ pub(crate) fn make(
     let mut corners = std::mem::take(&mut last.faces);
     // For each face its number after welding.
     let mut numbers: Vec<usize> = (0..corners.len()).collect();
-    let too_many = (vertices.len() > 1 << 16).then_some(Problem::TooManyVertices(vertices.len()));
 
     let mut fetches = [order::fetches(&corners, vertices.len()); 2];
-    if options.reorder && too_many.is_none() {
+    if options.reorder && vertices.len() <= MOST_VERTICES {
         begins(Step::Order);
         fetches[1] = order::reorder(&mut corners, &mut numbers, &mut vertices);
     }
+    let lines = joined(ends_of_lines, &mut vertices);
+    let too_many = (vertices.len() > MOST_VERTICES).then_some(Problem::TooManyVertices(vertices.len()));
 
     begins(Step::Derive);
     let mut sides = Sides::of(&corners);
@@ -164,7 +172,7 @@ pub(crate) fn make(
     warnings.extend(least(&degenerate).map(no_area));
     warnings.extend(least(&duplicate).map(duplicates));
     let (lost, count) = (last.degenerate.len(), exact.faces.len());
-    if 10 * lost >= count || !(0.9..=1.1).contains(&area) {
+    if count > 0 && (10 * lost >= count || !(0.9..=1.1).contains(&area)) {
         warnings.push(Warning::Coarse { lost, faces: count, area: (100.0 * area).round() as u32 });
     }
     if !options.two_sided {
@@ -230,7 +238,11 @@ pub(crate) fn make(
                 picture = Some(read);
             }
         }
-        None => {}
+        None => warnings.extend(pictures.names.first().map(|first| Warning::PicturesUnwanted {
+            count: pictures.names.len(),
+            first: first.clone(),
+            has_coords: !texture.faces.is_empty(),
+        })),
     }
     let shown = |of: &[[u8; 3]]| match of.is_empty() {
         true => Vec::new(),
@@ -265,7 +277,7 @@ pub(crate) fn make(
     let crosses: Vec<_> = corners.iter().map(|f| cross(f.map(|i| vertices[i]))).collect();
     // In range: there are at most 65536 vertices.
     let mut corners: Vec<[u16; 3]> = corners.iter().map(|f| f.map(|i| i as u16)).collect();
-    let selected = match sides.select(options.edges, options.edge_faces, &crosses, &backs) {
+    let selected = match sides.select(options, &lines, &crosses, &backs) {
         Ok(selected) => selected,
         Err(problem) => return Ok(Made { mesh: Err(problem), ..made }),
     };
@@ -333,6 +345,26 @@ fn area(triangles: impl Iterator<Item = [[f64; 3]; 3]>) -> f64 {
     };
     triangles.map(area).sum()
 }
+
+/// The vertices of lines between grid points; those where no vertex is are added.
+fn joined(ends: &[[i16; 3]], vertices: &mut Vec<[i16; 3]>) -> BTreeSet<[usize; 2]> {
+    if ends.is_empty() {
+        return BTreeSet::new();
+    }
+    let mut numbers: Numbered<_> =
+        vertices.iter().enumerate().map(|(number, &vertex)| (vertex, number)).collect();
+    let mut number = |end: [i16; 3]| {
+        *numbers.entry(end).or_insert_with(|| {
+            vertices.push(end);
+            vertices.len() - 1
+        })
+    };
+    let lines = ends.chunks_exact(2).filter(|ends| ends[0] != ends[1]);
+    lines.map(|ends| [number(ends[0]), number(ends[1])]).map(|[a, b]| [a.min(b), a.max(b)]).collect()
+}
+
+/// The most vertices that indices of `u16` can name.
+const MOST_VERTICES: usize = 1 << 16;
 
 /// Turns a triangle over; its first corner stays.
 fn reverse<T: Copy>(corners: &mut [T; 3]) {

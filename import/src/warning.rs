@@ -90,6 +90,31 @@ pub enum Warning {
         /// How many.
         count: u64,
     },
+    /// Materials that are transparent in their library; their faces are opaque.
+    Transparent {
+        /// How many.
+        count: usize,
+        /// The name of the first.
+        first: String,
+    },
+    /// Materials name pictures, and none is wanted ([`Options::texture`](crate::Options::texture)).
+    PicturesUnwanted {
+        /// How many.
+        count: usize,
+        /// The first.
+        first: String,
+        /// Whether the model has texture coordinates, without which a picture cannot be shown.
+        has_coords: bool,
+    },
+    /// Something that a mesh has no place for was left out.
+    LeftOut {
+        /// What.
+        what: Element,
+        /// How many.
+        count: usize,
+        /// The first.
+        first: Place,
+    },
     /// Faces have materials, but no library of materials is named.
     NoLibrary,
     /// A material library is not read.
@@ -231,6 +256,22 @@ pub enum Warning {
     },
 }
 
+/// Elements of a file that a mesh has no place for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum Element {
+    /// Points of an OBJ file (`p`).
+    Points,
+    /// Lines of an OBJ file (`l`) that cannot be understood, or that name a vertex that does not exist.
+    Lines,
+    /// Curves and surfaces of an OBJ file (`curv`, `surf` and others).
+    Curves,
+    /// Colours of the corners of faces whose material has a colour.
+    CoveredColors,
+    /// Colours of an ASCII STL file (`color`).
+    TextColors,
+}
+
 /// Where in a file something is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
@@ -255,6 +296,7 @@ impl Warning {
             | Self::TwistedEdges { first: Place::Line(line), .. }
             | Self::InsideOut { first: Place::Line(line), .. }
             | Self::BareFaces { first: Place::Line(line), .. }
+            | Self::LeftOut { first: Place::Line(line), .. }
             | Self::NoEndsolid { line } => Some(line),
             Self::TextureCoords { line, .. } => line,
             _ => None,
@@ -325,6 +367,29 @@ impl Warning {
             }
             Self::BytesAfter { count } => {
                 Said::new(format!("{count} bytes after the last triangle are passed over"), [])
+            }
+            Self::Transparent { count, first } => {
+                Said::new(format!("transparent materials: {count}, the first {first}; their faces are opaque"), [])
+            }
+            Self::PicturesUnwanted { count, first, has_coords: false } => Said::new(
+                format!("pictures of materials: {count}, the first {first}; left out, as there are no texture coordinates"),
+                [],
+            ),
+            Self::PicturesUnwanted { count, first, .. } => Said::new(
+                format!("pictures of materials: {count}, the first {first}; left out: "),
+                [R::TextureColors(16)],
+            ),
+            Self::LeftOut { what, count, first } => {
+                let (what, then, remedies) = match what {
+                    Element::Points => ("points (`p`)", "left out", vec![]),
+                    Element::Lines => ("lines (`l`) to vertices that do not exist", "left out: ", vec![R::ExportAgain]),
+                    Element::Curves => ("curves and surfaces", "left out: ", vec![R::ExportMesh]),
+                    Element::CoveredColors => {
+                        ("faces with a material and colours of vertices", "these colours are left out", vec![])
+                    }
+                    Element::TextColors => ("`color` lines", "left out", vec![]),
+                };
+                Said::new(some(what, count, first, then), remedies)
             }
             Self::NoLibrary => Said::new("no material library (mtllib): faces have no colours", []),
             Self::Library { name, why } => {

@@ -24,6 +24,7 @@ fn button(remedy: Remedy) -> Option<(&'static str, &'static [(&'static str, usiz
 pub(crate) fn words(remedy: Remedy) -> String {
     match (button(remedy), remedy) {
         (Some((name, _)), _) => name.into(),
+        (None, Remedy::TextureColors(_)) => "drop it on this page".into(),
         (None, Remedy::NoEdges) => "choose a style without lines".into(),
         (None, other) => other.to_string(),
     }

@@ -71,6 +71,8 @@ fn options_reach_the_mesh() {
     has("--centre origin", &["MESH_OFFSET: [i32; 3] = [0, 0, 0];"]);
     has("--up z --fit 8", &["the longest side is 8", "OFFSET: [i32; 3] = [262144, 65536, -131072];"]);
     has("--up -z", &["OFFSET: [i32; 3] = [131072, -32768, 65536];"]);
+    has("--step 2^-3", &["Mesh::new(&VERTICES, -3,"]);
+    has("--step .125 --materials-only", &["Mesh::new(&VERTICES, -3,"]);
     has("--arrays", &["pub const FACES: [[u16; 3]; 4] = ["]);
     let bare = with("--edges none --normals none");
     assert!(!bare.contains("EDGES") && !bare.contains("NORMALS"), "{bare}");
@@ -92,6 +94,10 @@ fn what_makes_no_sense_is_refused() {
         ("--edges none --edge-faces", "the faces beside edges belong to edges: ask for these too"),
         ("--name LEG --arrays", "--name: is that of a mesh"),
         ("--up w", "[possible values: x, y, z, -x, -y, -z]"),
+        ("--step 0.3", "the step is not a power of two"),
+        ("--step 2^x", "a power of two is a number such as 0.25, or 2^-2"),
+        ("--step -2", "the step is not a power of two"),
+        ("--object leg", "has no object leg, as none has a name"),
         ("--name leg", "--name leg: is not a constant's"),
         ("--decimate 0", "no triangles would be left"),
         ("--planes --normals vertex", "planes belong to the normals of faces: ask for these too"),
@@ -163,7 +169,7 @@ fn the_readme_has_the_options_of_the_help() {
     let mut known = options(&help, "--");
     known.retain(|name| !["help", "version"].contains(&name.as_str()));
     assert_eq!(options(readme, "| `--"), known);
-    assert!(known.len() == 18, "{help}");
+    assert!(known.len() == 21, "{help}");
 }
 
 #[test]

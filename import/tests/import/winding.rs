@@ -61,6 +61,9 @@ const FIX: Options = Options {
     vertex_normals: false,
     texture: None,
     root: None,
+    step: None,
+    objects: Vec::new(),
+    materials_only: false,
 };
 
 /// Whether each face's normal points away from the centre of its own box, which is the one of `boxes` that it touches.
