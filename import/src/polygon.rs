@@ -1,7 +1,7 @@
 //! Polygons of any number of corners to triangles.
 //!
-//! Seen along the axis that is nearest to its normal (Newell's), a polygon is cut in integers, so nothing is lost to rounding: its
-//! corners are put on a grid of 2⁻⁴⁸ of its longest side first, which is finer than `f64` stores most models.
+//! Seen along its normal (Newell's), a polygon is cut in integers, so nothing is lost to rounding: its corners are put on a grid of
+//! 2⁻³⁹ of its longest side first.
 //!
 //! **No triangles overlap.** Triangles whose sides add up to the polygon's sides, others being run along in both directions, cover
 //! each point as often as the polygon winds around it. So if all are counter-clockwise, as the polygon is, they cover it once.
@@ -31,7 +31,8 @@ pub(crate) fn triangulate(corners: &[[f64; 3]]) -> Triangulated {
         return Triangulated { triangles: fan(), overlap: false };
     }
     let points = projected(corners);
-    if (2..points.len()).all(|corner| turn([points[0], points[corner - 1], points[corner]]) >= 0) {
+    let is_turned = |corner: usize| turn([points[0], points[corner - 1], points[corner]]) < -ROUNDING;
+    if !(2..points.len()).any(is_turned) {
         return Triangulated { triangles: fan(), overlap: false };
     }
     match Ring::of(&points).ears() {
@@ -42,28 +43,41 @@ pub(crate) fn triangulate(corners: &[[f64; 3]]) -> Triangulated {
 
 type Point = [i64; 2];
 
-/// The corners on a grid, seen along an axis, counter-clockwise.
+/// The most by which rounding to the grid changes what [`turn`] finds: coordinates by 2¹⁶, their differences of 58 bits by 2¹⁷. So a
+/// corner on a straight side stays there.
+const ROUNDING: i128 = 1 << 77;
+
+/// The corners on a grid, seen against the normal: counter-clockwise. Nothing for a polygon that is a point.
 fn projected(corners: &[[f64; 3]]) -> Vec<Point> {
-    let least = |axis: usize| corners.iter().fold(f64::INFINITY, |least, corner| least.min(corner[axis]));
+    // Halves, as sides may be too long for f64.
+    let least =
+        |axis: usize| corners.iter().fold(f64::INFINITY, |least, corner| least.min(corner[axis] / 2.0));
     let low = [0, 1, 2].map(least);
-    let side =
-        corners.iter().flat_map(|corner| [0, 1, 2].map(|axis| corner[axis] - low[axis])).fold(0.0, f64::max);
-    // Twice halved, as sides may be too long for f64.
-    let grid =
-        |c: f64, axis: usize| ((c / 2.0 - low[axis] / 2.0) / (side / 2.0) * 2f64.powi(48)).round() as i64;
-    let corners: Vec<[i64; 3]> = corners.iter().map(|p| [0, 1, 2].map(|axis| grid(p[axis], axis))).collect();
-    // Coordinates have 48 bits, products of two sides 97, and sums of 2³⁰ of these fit.
-    let area = |[i, j]: [usize; 2]| -> i128 {
-        let product = |a: &[i64; 3], b: &[i64; 3]| {
+    let from_low = |corner: &[f64; 3]| [0, 1, 2].map(|axis| corner[axis] / 2.0 - low[axis]);
+    let side = corners.iter().flat_map(from_low).fold(0.0, f64::max);
+    let power = f64::from_bits(side.to_bits() & f64::INFINITY.to_bits()); // of two: without the mantissa
+    if !power.is_normal() {
+        return Vec::new();
+    }
+    let on_grid = |c: f64| (c / power * 2f64.powi(39)).round() as i64; // at most 2⁴⁰
+    let corners: Vec<[i64; 3]> = corners.iter().map(|corner| from_low(corner).map(on_grid)).collect();
+    let area = |i: usize, j: usize| -> i128 {
+        let next = corners.iter().cycle().skip(1);
+        let product = |(a, b): (&[i64; 3], &[i64; 3])| {
             i128::from(a[i]) * i128::from(b[j]) - i128::from(a[j]) * i128::from(b[i])
         };
-        let next = corners.iter().cycle().skip(1);
-        corners.iter().zip(next).map(|(a, b)| product(a, b)).sum()
+        corners.iter().zip(next).map(product).sum() // below 2⁸¹ for each of at most 2³⁰ corners
     };
-    let axes = [[1, 2], [2, 0], [0, 1]];
-    let [i, j] = axes.into_iter().max_by_key(|&axes| area(axes).abs()).unwrap_or([0, 1]);
-    let [i, j] = if area([i, j]) < 0 { [j, i] } else { [i, j] };
-    corners.iter().map(|p| [p[i], p[j]]).collect()
+    let normal = [area(1, 2), area(2, 0), area(0, 1)];
+    let largest = normal.iter().map(|c| c.unsigned_abs()).max().unwrap_or_default();
+    // 16 bits are enough to tell front from back.
+    let normal = normal.map(|c| (c >> (128 - 16u32).saturating_sub(largest.leading_zeros())) as i64);
+    let axis = (0..3).max_by_key(|&axis| normal[axis].abs()).unwrap_or_default();
+    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+    let (i, j) = if normal[axis] < 0 { (j, i) } else { (i, j) };
+    // Along the normal to where the coordinate of this axis is 0, times the normal's: 57 bits.
+    let along = |corner: &[i64; 3], i: usize| corner[i] * normal[axis] - corner[axis] * normal[i];
+    corners.iter().map(|corner| [along(corner, i), along(corner, j)]).collect()
 }
 
 /// Twice the area of a triangle: positive if it is counter-clockwise.
