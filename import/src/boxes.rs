@@ -26,9 +26,9 @@ impl<const D: usize> Boxes<D> {
             #[cfg(test)]
             looks: std::cell::Cell::default(),
         };
-        let mut left = vec![0..boxes.len()];
-        while let Some(range) = left.pop().filter(|range| !range.is_empty()) {
-            let items = &mut tree.order[range.clone()];
+        let mut left = vec![[0, boxes.len()]];
+        while let Some([start, end]) = left.pop().filter(|[start, end]| start < end) {
+            let items = &mut tree.order[start..end];
             let twice_centre = |item: usize, axis: usize| boxes[item][0][axis] + boxes[item][1][axis];
             let (mut bounds, mut centres) = ([[i64::MAX; D], [i64::MIN; D]], [[i64::MAX; D], [i64::MIN; D]]);
             for &item in &*items {
@@ -44,8 +44,8 @@ impl<const D: usize> Boxes<D> {
             if half > 0 {
                 let axis = (0..D).max_by_key(|&axis| centres[1][axis] - centres[0][axis]).unwrap_or_default();
                 items.select_nth_unstable_by_key(half, |&item| (twice_centre(item, axis), item));
-                let middle = range.start + half;
-                left.extend([middle..range.end, range.start..middle]);
+                let middle = start + half;
+                left.extend([[middle, end], [start, middle]]);
             }
         }
         tree

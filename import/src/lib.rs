@@ -12,7 +12,8 @@
 //!
 //! A reader gives [`Triangles`]; all further steps are equal for all formats, and most of them are chosen by [`Options`]:
 //!
-//! 1. equal positions are welded, degenerate and duplicate faces dropped, vertices that no face uses left out;
+//! 1. equal positions are welded, degenerate and duplicate faces dropped, vertices that no face uses left out; where a
+//!    degenerate face joined its neighbours, these are cut at its corners, so that a closed surface stays closed;
 //! 2. the model is turned, scaled and decimated, on request;
 //! 3. the centre of the bounding box is subtracted ([`ImportedMesh::offset`]; give it back in the model transform);
 //! 4. coordinates are rounded to the finest power-of-two grid on which they fit ±32767, so each lies within 1/65000 of

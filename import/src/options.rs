@@ -216,7 +216,7 @@ impl Axis {
     }
 
     /// Turns a point back: the inverse of [`to_y`](Self::to_y).
-    pub(crate) fn from_y(self, point: [f64; 3]) -> [f64; 3] {
+    pub(crate) fn turn_back(self, point: [f64; 3]) -> [f64; 3] {
         let inverse = match self {
             Axis::X => Axis::MinusX,
             Axis::MinusX => Axis::X,

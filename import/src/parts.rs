@@ -82,7 +82,7 @@ impl Parts {
         let mut nesting = Nesting::new(closed.iter().map(|&part| &bodies[part]).collect());
         for (body, &part) in closed.iter().enumerate() {
             if bodies[part].volume() < 0.0 {
-                found.parts[part].is_inward = nesting.depth(body) % 2 == 0;
+                found.parts[part].is_inward = nesting.depth(body).is_multiple_of(2);
             }
         }
         found

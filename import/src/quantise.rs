@@ -251,7 +251,7 @@ pub(crate) fn make(
     let (palette, emission) =
         colors.map_or_else(Default::default, |colors| (colors.palette, colors.emission));
     let mut triangles = Triangles {
-        positions: vertices.iter().map(|v| up.from_y(grid.position(v).map(|c| c / scale))).collect(),
+        positions: vertices.iter().map(|v| up.turn_back(grid.position(v).map(|c| c / scale))).collect(),
         faces: corners.clone(),
     };
     let back = |&face: &usize| {

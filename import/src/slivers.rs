@@ -19,7 +19,10 @@ use crate::weld::Numbered;
 pub(crate) type Weights = [[f64; 3]; 3];
 
 /// The weights of a face that is not cut.
-pub(crate) const WHOLE: Weights = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+const WHOLE: Weights = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// How often faces may be cut for each side of a group.
+const MANY: usize = 16;
 
 /// Faces on a line, in groups, and the positions of vertices.
 pub(crate) struct Slivers<P> {
@@ -34,7 +37,7 @@ impl<P: Fn(usize) -> [f64; 3]> Slivers<P> {
     /// Groups faces on a line; `faces` are all others. No two vertices have one position.
     pub(crate) fn new<'f>(
         slivers: &[[usize; 3]],
-        faces: impl Iterator<Item = &'f [usize; 3]>,
+        faces: impl Iterator<Item = &'f [usize; 3]> + Clone,
         position: P,
     ) -> Self {
         let mut sets = Sets((0..slivers.len()).collect());
@@ -46,17 +49,36 @@ impl<P: Fn(usize) -> [f64; 3]> Slivers<P> {
         }
         groups.values_mut().for_each(|group| *group = sets.first(*group));
         let mut cuts = vec![Vec::new(); slivers.len()];
-        for side in faces.flat_map(sides) {
-            if let Some(&group) = groups.get(&side) {
-                cuts[group].extend(side);
-            }
+        let of_groups = |side: [usize; 2]| groups.get(&side).map(|&group| (group, side));
+        for (group, side) in faces.clone().flat_map(sides).filter_map(of_groups) {
+            cuts[group].extend(side);
         }
         for cuts in &mut cuts {
             // By x, then y, then z: along a line, each of them grows, shrinks or stays throughout.
             cuts.sort_by(|&a, &b| position(a).partial_cmp(&position(b)).unwrap_or(a.cmp(&b)));
             cuts.dedup();
         }
-        Self { groups, cuts, position }
+        let mut slivers = Self { groups, cuts, position };
+        slivers.leave_many(faces);
+        slivers
+    }
+
+    /// Leaves out groups at which faces would be cut more than [`MANY`] times as often as the group has sides. At a surface that does
+    /// not fold back, no group has as many cuts as sides; but thousands of faces on one side of a file's own making, each cut
+    /// thousands of times, would fill the memory.
+    fn leave_many<'f>(&mut self, faces: impl Iterator<Item = &'f [usize; 3]>) {
+        let (mut sides_of, mut cuts_of) = (vec![0; self.cuts.len()], vec![0; self.cuts.len()]);
+        self.groups.values().for_each(|&group| sides_of[group] += 1);
+        for [a, b] in faces.flat_map(sides) {
+            if let Some(&group) = self.groups.get(&[a, b]) {
+                cuts_of[group] += self.between(a, b, group).len();
+            }
+        }
+        for (group, cuts) in self.cuts.iter_mut().enumerate() {
+            if cuts_of[group] > MANY * sides_of[group] {
+                cuts.clear();
+            }
+        }
     }
 
     /// The pieces of a face, cut at the vertices on its sides; none if it turns out to lie on a line.
@@ -66,7 +88,8 @@ impl<P: Fn(usize) -> [f64; 3]> Slivers<P> {
         let mut pieces = Vec::new();
         while let Some((corners, weights, groups)) = left.pop() {
             let cut = |side: usize| {
-                Some((side, self.between(corners[side], corners[(side + 1) % 3], groups[side]?)?))
+                let group = groups[side]?;
+                Some((side, *self.between(corners[side], corners[(side + 1) % 3], group).first()?))
             };
             let Some((from, vertex)) = (0..3).find_map(cut) else {
                 // The third corner may lie between the others, too, where a line is one only as far as f64 tells.
@@ -88,13 +111,14 @@ impl<P: Fn(usize) -> [f64; 3]> Slivers<P> {
         pieces
     }
 
-    /// The first vertex of a group's line between two others.
-    fn between(&self, a: usize, b: usize, group: usize) -> Option<usize> {
+    /// The vertices of a group's line between two others.
+    fn between(&self, a: usize, b: usize, group: usize) -> &[usize] {
         let cuts = &self.cuts[group];
         let [a, b] = [a, b].map(&self.position);
         let (low, high) = if a < b { (a, b) } else { (b, a) };
         let first = cuts.partition_point(|&vertex| (self.position)(vertex) <= low);
-        cuts.get(first).copied().filter(|&vertex| (self.position)(vertex) < high)
+        let end = cuts.partition_point(|&vertex| (self.position)(vertex) < high);
+        cuts.get(first..end).unwrap_or_default() // empty, if neither end is one of them
     }
 
     /// How far a vertex lies along a side, from 0 to 1.

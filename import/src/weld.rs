@@ -73,17 +73,17 @@ pub(crate) fn weld<K: Copy + Eq + Hash>(
             out.degenerate.push(place);
             continue;
         }
-        let is_whole = pieces.len() == 1;
         out.cut += pieces.len() - 1;
-        for (face, weights) in pieces {
-            let is_first = seen.insert(smallest_first(face));
-            let face = face.map(|vertex| {
+        for (corners, weights) in pieces {
+            let is_first = seen.insert(smallest_first(corners));
+            let is_whole = corners == face;
+            let corners = corners.map(|vertex| {
                 *new_index[vertex].get_or_insert_with(|| {
                     out.vertices.push(vertex);
                     out.vertices.len() - 1
                 })
             });
-            let piece = (place, face, (!is_whole).then_some(weights));
+            let piece = (place, corners, (!is_whole).then_some(weights));
             match is_first {
                 true => out.push(piece),
                 false => duplicates.push(piece),

@@ -124,6 +124,20 @@ fn faces_that_rounding_makes_equal_do_not_open_a_surface() {
     assert_eq!((mesh.faces.len(), mesh.report.duplicate, unbalanced(&mesh.faces)), (12, 12, 0));
 }
 
+/// A thousand faces on one side of a thousand faces on a line, each of which has another corner.
+#[test]
+fn no_file_has_its_faces_cut_to_pieces_without_number() {
+    let mut fan = Triangles { positions: vec![[0.0; 3], [2000.0, 0.0, 0.0]], faces: Vec::new() };
+    for i in 1..1000 {
+        let first = fan.positions.len();
+        let x = f64::from(i);
+        fan.positions.extend([[x, 0.0, 0.0], [x, 1000.0, 9.0], [x, x, 1000.0]]);
+        fan.faces.extend([[0, first, 1], [first, 0, first + 1], [1, 0, first + 2]]);
+    }
+    let report = quantise(&fan).unwrap().report;
+    assert_eq!((report.degenerate, report.cut), (999, 0));
+}
+
 const SIZE: Size = Size::new(120, 90);
 
 /// Which pixels are drawn.
