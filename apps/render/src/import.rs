@@ -56,7 +56,14 @@ pub fn is_model(file: &Path) -> bool {
 
 /// Reads a model.
 pub fn read(file: &Path, options: &Options) -> Result<Preview, String> {
-    pinhole_import::preview(file, options).map_err(|e| e.to_string())
+    let model = pinhole_import::preview(file, options).map_err(|e| e.to_string())?;
+    match model.triangles.faces.is_empty() {
+        true => Err(format!(
+            "{}: has lines alone, which firmware draws and this program does not",
+            file.display()
+        )),
+        false => Ok(model),
+    }
 }
 
 /// The colours of a model's triangles, taken out of it.
