@@ -84,12 +84,13 @@ fn parts_of_one_step_share_their_corners() {
     for case in 0..400 {
         let exponent = -(case % 26);
         let step = 2f64.powi(exponent);
-        // Some corners lie half way between grid points.
-        let mut coordinate = |scale: f64| match case % 4 {
-            0 => (random() * scale).floor() * step + step / 2.0,
-            _ => random() * scale * step,
+        let mut steps = |most: f64| match case % 4 {
+            0 => (random() * most).floor(),
+            _ => random() * most,
         };
-        let (low, wide) = ([(); 3].map(|()| coordinate(1e4) - 5e3 * step), coordinate(5e3) + step);
+        // In some cases all corners lie half way between grid points.
+        let low = [(); 3].map(|()| (steps(1e4) - 5e3 + 0.5) * step);
+        let wide = (steps(5e3) + 1.0) * step;
         let shared = low[0] + wide;
         let high = [shared, low[1] + wide, low[2] + wide];
         let left = cuboid(low, high);
