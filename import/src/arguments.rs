@@ -8,10 +8,11 @@ use std::path::PathBuf;
 
 /// The names of the options.
 #[allow(dead_code)] // for programs that take no model
-pub(crate) const NAMES: [&str; 5] = ["up", "flip", "fix-winding", "two-sided", "root"];
+pub(crate) const NAMES: [&str; 8] =
+    ["up", "flip", "fix-winding", "two-sided", "object", "step", "materials-only", "root"];
 
 /// The options themselves.
-pub(crate) fn arguments() -> [Arg; 5] {
+pub(crate) fn arguments() -> [Arg; 8] {
     let flag = |name: &'static str, help| Arg::new(name).long(name).action(ArgAction::SetTrue).help(help);
     let up = Arg::new("up")
         .long("up")
@@ -30,10 +31,28 @@ pub(crate) fn arguments() -> [Arg; 5] {
             "two-sided",
             "Show the backs of faces too, except of closed bodies: these faces count, and cost, twice",
         ),
+        Arg::new("object")
+            .long("object")
+            .value_name("NAME")
+            .action(ArgAction::Append)
+            .help("Only this object or group of an OBJ file; may be given several times"),
+        Arg::new("step").long("step").value_name("STEP").allow_hyphen_values(true).value_parser(step).help(
+            "The step of the grid, a power of two such as 2^-10 or 0.5: parts of one step fit together [default: the finest]",
+        ),
+        flag("materials-only", "Leave out colours of vertices (OBJ) and of facets (STL)"),
         Arg::new("root").long("root").value_name("FOLDER").value_parser(value_parser!(PathBuf)).help(
             "A folder whose material libraries and pictures the model may name, besides its own folder",
         ),
     ]
+}
+
+/// The value of `--step`: a number, or 2^ and an exponent.
+fn step(text: &str) -> Result<f64, String> {
+    let number = match text.strip_prefix("2^") {
+        Some(exponent) => exponent.parse().map(|exponent| 2f64.powi(exponent)).ok(),
+        None => text.parse().ok(),
+    };
+    number.ok_or_else(|| "a power of two is a number such as 0.25, or 2^-2".into())
 }
 
 /// The default options, changed by the given ones.
@@ -44,6 +63,9 @@ pub(crate) fn options(given: &ArgMatches) -> Options {
         flip: given.get_flag("flip"),
         fix_winding: given.get_flag("fix-winding"),
         two_sided: given.get_flag("two-sided"),
+        objects: given.get_many("object").into_iter().flatten().cloned().collect(),
+        step: given.get_one("step").copied(),
+        materials_only: given.get_flag("materials-only"),
         root: given.get_one("root").cloned(),
         ..Options::default()
     }

@@ -37,6 +37,7 @@ pub(crate) fn decimate(
     mesh.faces = left.chunks_exact(3).map(|f| [f[0], f[1], f[2]].map(&mut renumber)).collect();
     mesh.vertices = old_of_kept;
     mesh.sources = vec![crate::model::NOWHERE; mesh.faces.len()];
+    mesh.pieces.clear();
     *positions = kept;
     Ok((before - mesh.faces.len(), f64::from(moved) * size))
 }

@@ -1,7 +1,8 @@
 //! The edges of a mesh, and how the faces hang together along them.
 
 use crate::normals::turn;
-use crate::{Edges, Problem, Topology};
+use crate::{Edges, Options, Problem, Topology};
+use std::collections::BTreeSet;
 
 /// One side of a face: an edge, the lower vertex first, the face, and whether the face runs along it upwards. In one
 /// number, from the top, which is sorted fast in a build script too: 32 + 32 + 32 + 1 bits. A file of 2³⁰ bytes has fewer
@@ -93,26 +94,30 @@ impl Sides {
         (topology, first)
     }
 
-    /// The edges that are wanted, in ascending order, and with `beside` the faces beside each. `backs` are the faces that
-    /// the mesh has a second time, reversed, after all `crosses.len()` of them: their edges are listed with the backs, too.
+    /// The edges that are wanted, in ascending order, and, if they are wanted, too, the faces beside each. `lines` are edges, the
+    /// lower vertex first, whether a face has them or not. `backs` are the faces that the mesh has a second time, reversed, after
+    /// all `crosses.len()` of them: their edges are listed with the backs, too.
     ///
     /// # Errors
     ///
-    /// With `beside`, [`Problem::TooManyFaces`]: 65535 stands for no face.
+    /// With the faces beside edges, [`Problem::TooManyFaces`]: 65535 stands for no face.
     pub(crate) fn select(
         &self,
-        edges: Edges,
-        beside: bool,
+        options: &Options,
+        lines: &BTreeSet<[usize; 2]>,
         crosses: &[[i64; 3]],
         backs: &[usize],
     ) -> Result<Selected, Problem> {
-        let mut selected = Selected::default();
         let count = crosses.len() + backs.len();
-        if beside && count > usize::from(u16::MAX) {
+        if options.edge_faces && count > usize::from(u16::MAX) {
             return Err(Problem::TooManyFaces(count));
         }
+        let as_indices = |edge: [usize; 2]| edge.map(|vertex| vertex as u16); // a mesh has at most 65536 vertices
+        let mut selected = Vec::new();
+        let mut without_faces = lines.clone();
         for sides in self.edges() {
-            let wanted = match edges {
+            let is_line = !lines.is_empty() && without_faces.remove(&sides[0].edge());
+            let wanted = match options.edges {
                 Edges::All => true,
                 Edges::None => false,
                 Edges::Feature { degrees } => match (meeting(sides), sides) {
@@ -120,31 +125,40 @@ impl Sides {
                     _ => true,
                 },
             };
-            let edge = sides[0].edge().map(|vertex| vertex as u16); // a mesh has at most 65536 vertices
-            if wanted && beside {
-                for pair in sides.chunks(2) {
-                    let face = |i: usize| pair.get(i).map_or(u16::MAX, |side| side.face() as u16);
-                    selected.edges.push(edge);
-                    selected.beside.push([face(0), face(1)]);
-                    let back = |i: usize| {
-                        let place = backs.binary_search(&pair.get(i)?.face()).ok()?;
-                        Some((crosses.len() + place) as u16) // below 65535
-                    };
-                    let two = [back(0), back(1)];
-                    if two != [None; 2] {
-                        selected.edges.push(edge);
-                        selected.beside.push(two.map(|back| back.unwrap_or(u16::MAX)));
-                    }
+            let edge = as_indices(sides[0].edge());
+            if !(wanted || is_line) {
+                continue;
+            }
+            if !options.edge_faces {
+                selected.push((edge, NO_FACES));
+                continue;
+            }
+            for pair in sides.chunks(2) {
+                let face = |i: usize| pair.get(i).map_or(u16::MAX, |side| side.face() as u16);
+                selected.push((edge, [face(0), face(1)]));
+                let back = |i: usize| {
+                    let place = backs.binary_search(&pair.get(i)?.face()).ok()?;
+                    Some((crosses.len() + place) as u16) // below 65535
+                };
+                let two = [back(0), back(1)];
+                if two != [None; 2] {
+                    selected.push((edge, two.map(|back| back.unwrap_or(u16::MAX))));
                 }
-            } else if wanted {
-                selected.edges.push(edge);
             }
         }
-        Ok(selected)
+        selected.extend(without_faces.into_iter().map(|edge| (as_indices(edge), NO_FACES)));
+        selected.sort_by_key(|&(edge, _)| edge);
+        let (edges, mut beside): (Vec<_>, Vec<_>) = selected.into_iter().unzip();
+        if !options.edge_faces {
+            beside.clear();
+        }
+        Ok(Selected { edges, beside })
     }
 }
 
-#[derive(Default)]
+/// Beside an edge that no face has.
+const NO_FACES: [u16; 2] = [u16::MAX; 2];
+
 pub(crate) struct Selected {
     pub(crate) edges: Vec<[u16; 2]>,
     pub(crate) beside: Vec<[u16; 2]>,

@@ -55,10 +55,22 @@ pub enum Problem {
         /// Where its first byte is, counted from 0.
         byte: usize,
     },
-    /// The model has no face.
+    /// The model has no face, and no line.
     NoFaces,
+    /// An object is wanted ([`Options::objects`](crate::Options::objects)) that the file does not have.
+    NoSuchObject {
+        /// Its name.
+        name: String,
+        /// The names of the objects and groups that there are.
+        names: Vec<String>,
+    },
+    /// The model does not fit the grid of [`Options::step`](crate::Options::step); the finest that it fits has a step of 2 to
+    /// this power.
+    Step(i8),
     /// None of the model's faces, as many as this, has an area.
     NoArea(usize),
+    /// All of the model's faces, as many as this, lose their area by rounding to the grid.
+    TooThin(usize),
     /// More vertices than `u16` indices can name (65 536), after welding.
     TooManyVertices(usize),
     /// More faces than can be named beside an edge (65 535).
@@ -120,9 +132,26 @@ impl Problem {
                 Said::new(format!("the coordinate at byte {byte} is not a finite number: "), [R::Repair])
             }
             Problem::NoFaces => Said::new("has no faces: ", [R::ExportMesh]),
+            Problem::NoSuchObject { name, names } if names.is_empty() => {
+                Said::new(format!("has no object {name}, as none has a name"), [])
+            }
+            Problem::NoSuchObject { name, names } => Said::new(
+                format!("has no object {name}; its objects and groups are {}", names.join(", ")),
+                [],
+            ),
+            Problem::Step(finest) => Said::new(
+                format!("does not fit the grid: the finest step that it fits is 2^{finest}: "),
+                [R::Step(*finest)],
+            ),
             Problem::NoArea(faces) => Said::new(
                 format!("has no face with an area, as all {faces} are points or lines: "),
                 [R::ExportMesh],
+            ),
+            Problem::TooThin(faces) => Said::new(
+                format!(
+                    "has no face with an area on a grid of at most 65535 steps along its longest side, as all {faces} are thinner than a step: "
+                ),
+                [R::SplitModel, R::LeaveOutFar],
             ),
             Problem::TooManyVertices(n) => Said::new(
                 format!("has {n} vertices, more than the 65536 of a mesh: "),
@@ -163,6 +192,11 @@ impl ImportError {
         let file = shown(&self.file.to_string_lossy());
         self.line.map_or_else(|| file.clone(), |line| format!("{file}:{line}"))
     }
+
+    /// The message in one line, with the remedies in a program's own words: imperatives such as "use --flip".
+    pub fn worded(&self, words: impl Fn(Remedy) -> String) -> String {
+        format!("{}: {}", self.location(), self.problem.worded(words))
+    }
 }
 
 impl fmt::Debug for ImportError {
@@ -173,7 +207,7 @@ impl fmt::Debug for ImportError {
 
 impl fmt::Display for ImportError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.location(), self.problem)
+        f.write_str(&self.worded(|remedy| remedy.to_string()))
     }
 }
 

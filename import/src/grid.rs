@@ -1,6 +1,6 @@
 //! The grid onto which a model is rounded.
 
-use crate::{Centre, Problem};
+use crate::{Centre, Options, Problem};
 
 pub(crate) struct Grid {
     /// The longest side of the bounding box.
@@ -10,22 +10,28 @@ pub(crate) struct Grid {
     pub(crate) exponent: i8,
     /// `2^exponent`.
     step: f64,
+    /// Whether the grid is that of the file's origin, so that parts with other centres lie on it, too: the centre is a grid point.
+    is_common: bool,
 }
 
 impl Grid {
-    /// The finest power-of-two grid that holds all positions within ±32767: see [`quantise`](crate::quantise).
-    pub(crate) fn around(positions: &[[f64; 3]], centre: Centre) -> Result<Grid, Problem> {
+    /// The finest power-of-two grid that holds all positions within ±32767 ([`quantise`](crate::quantise)), or that of the step
+    /// that the options give.
+    pub(crate) fn around(positions: &[[f64; 3]], options: &Options) -> Result<Grid, Problem> {
         let (low, high) = bounds(positions);
         let extent = extent(positions);
         if extent == 0.0 {
             return Err(Problem::NoFaces);
         }
-        let mut middle = match centre {
+        let mut middle = match options.centre {
             Centre::Box => [0, 1, 2].map(|axis| low[axis] / 2.0 + high[axis] / 2.0),
             Centre::Origin => [0.0; 3],
         };
-        if extent >= 1.0 / 64.0 && middle.iter().all(|c| c.abs() < 32767.0) {
-            middle = middle.map(|c| (c * 65536.0).round() / 65536.0 + 0.0); // no -0
+        // The steps of an `I16F16`, where that holds the centre.
+        let finest = (extent >= 1.0 / 64.0 && middle.iter().all(|c| c.abs() < 32767.0)).then_some(-16);
+        let given = options.exponent();
+        if let Some(step) = finest.max(given).map(power_of_two) {
+            middle = middle.map(|c| (c / step).round() * step + 0.0); // no -0
         }
         let half =
             (0..3).map(|axis| (high[axis] - middle[axis]).max(middle[axis] - low[axis])).fold(0.0, f64::max);
@@ -33,12 +39,31 @@ impl Grid {
             .find(|&e| (half / power_of_two(e)).round() <= 32767.0)
             .filter(|&e| e > i8::MIN)
             .ok_or(Problem::Extent(extent))?;
-        Ok(Grid { extent, centre: middle, exponent, step: power_of_two(exponent) })
+        if given.is_some_and(|given| given < exponent) {
+            return Err(Problem::Step(exponent));
+        }
+        let exponent = given.unwrap_or(exponent);
+        let is_common = given.is_some();
+        Ok(Grid { extent, centre: middle, exponent, step: power_of_two(exponent), is_common })
     }
 
     /// The nearest grid point. Every difference fits ±32767 by the choice of the exponent.
     pub(crate) fn round(&self, position: &[f64; 3]) -> [i16; 3] {
-        [0, 1, 2].map(|axis| ((position[axis] - self.centre[axis]) / self.step).round() as i16)
+        [0, 1, 2].map(|axis| match self.is_common {
+            // Half steps go up, wherever the centre is, and nothing but a sum is rounded.
+            true => ((position[axis] / self.step + 0.5).floor() - self.centre[axis] / self.step) as i16,
+            false => self.in_steps(position)[axis].round() as i16,
+        })
+    }
+
+    /// A position in steps from the centre.
+    pub(crate) fn in_steps(&self, position: &[f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|axis| (position[axis] - self.centre[axis]) / self.step)
+    }
+
+    /// The position of a grid point.
+    pub(crate) fn position(&self, rounded: &[i16; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|axis| f64::from(rounded[axis]) * self.step + self.centre[axis])
     }
 
     /// The largest distance along an axis between a position and its grid point.

@@ -12,7 +12,8 @@
 //!
 //! A reader gives [`Triangles`]; all further steps are equal for all formats, and most of them are chosen by [`Options`]:
 //!
-//! 1. equal positions are welded, degenerate and duplicate faces dropped, vertices that no face uses left out;
+//! 1. equal positions are welded, degenerate and duplicate faces dropped, vertices that no face uses left out; where a
+//!    degenerate face joined its neighbours, these are cut at its corners, so that a closed surface stays closed;
 //! 2. the model is turned, scaled and decimated, on request;
 //! 3. the centre of the bounding box is subtracted ([`ImportedMesh::offset`]; give it back in the model transform);
 //! 4. coordinates are rounded to the finest power-of-two grid on which they fit ±32767, so each lies within 1/65000 of
@@ -31,6 +32,8 @@
 mod beside;
 #[cfg(feature = "textures")]
 mod bmp;
+mod bodies;
+mod boxes;
 mod decimate;
 mod edges;
 mod error;
@@ -48,12 +51,14 @@ mod parts;
 mod picture;
 #[cfg(feature = "textures")]
 mod pixels;
+mod polygon;
 mod preview;
 mod quantise;
 mod remedy;
 mod rust;
 mod script;
 mod shown;
+mod slivers;
 mod stl;
 mod text;
 mod warning;
@@ -69,7 +74,7 @@ pub use quantise::quantise;
 pub use remedy::Remedy;
 pub use rust::is_constant_name;
 pub use script::build;
-pub use warning::{Place, Warning};
+pub use warning::{Element, Place, Warning};
 
 /// The code of the README compiles.
 #[cfg(doctest)]
@@ -199,8 +204,9 @@ pub fn read_triangles(file: &Path) -> Result<Triangles, ImportError> {
 
 /// Reads the text of an OBJ file; `file` is only named in errors.
 ///
-/// Vertices, faces and texture coordinates are read, and diffuse colours from the material libraries that the text names, in
-/// the folder of `file`. Polygons become fans; groups and objects become one mesh; the file's own normals are passed over.
+/// Vertices with their colours, faces, lines and texture coordinates are read, and diffuse colours from the material libraries that
+/// the text names, in the folder of `file`. Polygons become triangles, concave ones too; groups and objects become one mesh; the
+/// file's own normals are passed over.
 ///
 /// # Errors
 ///
@@ -210,14 +216,15 @@ pub fn read_obj(text: &[u8], file: &Path) -> Result<ImportedMesh, ImportError> {
     finish(obj::read(text, &Beside { model: file, given: &[], options })?, file, options, &mut |_| ())
 }
 
-/// Reads the bytes of an STL file, binary or ASCII; `file` is only named in errors. Colours, which some programs hide in a
-/// facet's last two bytes, each in another way, are passed over.
+/// Reads the bytes of an STL file, binary or ASCII; `file` is only named in errors. Colours in the last two bytes of facets are
+/// read by the conventions of VisCAM and SolidView and, with `COLOR=` in the header, of Materialise Magics.
 ///
 /// # Errors
 ///
 /// As [`read`].
 pub fn read_stl(bytes: &[u8], file: &Path) -> Result<ImportedMesh, ImportError> {
-    finish(stl::read(bytes.to_vec(), file)?, file, &Options::default(), &mut |_| ())
+    let options = Options::default();
+    finish(stl::read(bytes.to_vec(), file, &options)?, file, &options, &mut |_| ())
 }
 
 /// The mesh, if its unit is one that a [`pinhole::Mesh`] may have.
@@ -236,7 +243,7 @@ fn read_model(file: &Path, options: &Options) -> Result<Model, ImportError> {
 fn model_of(bytes: Vec<u8>, beside: Beside<'_>) -> Result<Model, ImportError> {
     match Format::of(beside.model)? {
         Format::Obj => obj::read(&bytes, &beside),
-        Format::Stl => stl::read(bytes, beside.model),
+        Format::Stl => stl::read(bytes, beside.model, beside.options),
     }
 }
 

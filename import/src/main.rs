@@ -4,6 +4,7 @@ mod arguments;
 mod part;
 mod same;
 mod say;
+mod shown;
 
 use clap::builder::PossibleValuesParser;
 use clap::parser::ValueSource;

@@ -1,10 +1,10 @@
 //! Materials: diffuse and emissive colours as a palette, the names of their pictures, and texture coordinates on a grid.
 
 use crate::beside::{Beside, Unread};
-use crate::model::{Colors, TextureFaces};
-use crate::mtl;
+use crate::model::Colors;
+use crate::mtl::{self, Material};
 use crate::text::{before_comment, text};
-use crate::Warning;
+use crate::{Element, Place, Warning};
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 
@@ -27,27 +27,24 @@ pub(crate) struct Pictures {
     pub(crate) first: Option<Result<(PathBuf, Vec<u8>), Unread>>,
 }
 
-/// The colour of each triangle, by its material, the pictures that the materials name, and the libraries that were read. No
-/// colours where no triangle has a material, or no library a material.
+/// The colour of each triangle, by its material or, where that has none, its own, as long as `own` has any; the pictures that the
+/// materials name; and the libraries that were read. No colours where no triangle has a material or a colour, or no library a
+/// material.
 pub(crate) fn read(
-    names: &[String],
-    of_triangles: Vec<Option<usize>>,
+    (names, of_triangles): (&[String], &[Option<usize>]),
+    own: Vec<Option<[u8; 3]>>,
     libraries: &[String],
     beside: &Beside<'_>,
     warnings: &mut Vec<Warning>,
 ) -> (Option<Colors>, Pictures, Vec<PathBuf>) {
     let (mut pictures, mut paths) = (Pictures::default(), Vec::new());
-    if names.is_empty() {
-        return (None, pictures, paths);
-    }
     let mut known = HashMap::new();
-    if libraries.is_empty() {
+    if !names.is_empty() && libraries.is_empty() && own.is_empty() {
         warnings.push(Warning::NoLibrary);
-        return (None, pictures, paths);
     }
-    let mut are_read = true;
+    let mut are_read = !libraries.is_empty();
     let mut seen = HashSet::new();
-    let libraries = libraries.iter().filter(|names| seen.insert(*names));
+    let libraries = libraries.iter().filter(|library| !names.is_empty() && seen.insert(*library));
     for (name, found) in libraries.flat_map(|names| beside.find_all(names)) {
         let name = name.to_owned();
         match found.and_then(|found| Ok((beside.read(&found)?, found.path))) {
@@ -71,17 +68,17 @@ pub(crate) fn read(
         }
     }
     // A `#` may belong to a name, or begin a comment.
-    let material = |name: &String| known.get(name).or_else(|| known.get(before_comment(name)));
-    let unknown: Vec<&String> = names.iter().filter(|name| material(name).is_none()).collect();
+    let named_material = |name: &String| known.get(name).or_else(|| known.get(before_comment(name)));
+    let unknown: Vec<&String> = names.iter().filter(|name| named_material(name).is_none()).collect();
     if let Some(&first) = unknown.first().filter(|_| are_read || !known.is_empty()) {
         warnings.push(Warning::UnknownMaterials { count: unknown.len(), first: first.clone() });
     }
     if known.is_empty() {
-        return (None, pictures, paths);
+        return (of_faces(own, warnings), pictures, paths);
     }
-    let material = |number: Option<usize>| number.and_then(|number| material(names.get(number)?));
+    let material = |number: Option<usize>| number.and_then(|number| named_material(names.get(number)?));
     let mut named = HashSet::new();
-    for &number in &of_triangles {
+    for &number in of_triangles {
         match material(number).and_then(|material| material.picture.as_ref()) {
             Some(name) if named.insert(name) => pictures.names.push(name.clone()),
             Some(_) => {}
@@ -94,17 +91,42 @@ pub(crate) fn read(
             Ok((found.path, bytes))
         }));
     }
-    let shade = |number: Option<usize>| {
+    let mut covered = 0;
+    let shade = |(triangle, &number): (usize, &Option<usize>)| {
         let material = material(number);
-        let color = material.and_then(|material| material.color).unwrap_or(GREY);
+        let color = material.and_then(|material| material.color);
+        let own = own.get(triangle).copied().flatten();
+        covered += usize::from(color.is_some() && own.is_some());
+        let color = color.or(own).unwrap_or(GREY);
         [color, material.and_then(|material| material.emission).unwrap_or(BLACK)]
     };
-    let of_triangles: Vec<Shade> = of_triangles.into_iter().map(shade).collect();
-    let (colors, count) = palette(&of_triangles);
+    let shades: Vec<Shade> = of_triangles.iter().enumerate().map(shade).collect();
+    let is_transparent = |material: &Material| material.is_transparent == Some(true);
+    let transparent: Vec<&String> =
+        names.iter().filter(|name| named_material(name).is_some_and(is_transparent)).collect();
+    if let [first, ..] = transparent[..] {
+        warnings.push(Warning::Transparent { count: transparent.len(), first: first.clone() });
+    }
+    if covered > 0 {
+        let first = Place::Unknown;
+        warnings.push(Warning::LeftOut { what: Element::CoveredColors, count: covered, first });
+    }
+    (Some(colors(&shades, warnings)), pictures, paths)
+}
+
+/// The colours of triangles that have no materials; nothing where none has a colour.
+pub(crate) fn of_faces(own: Vec<Option<[u8; 3]>>, warnings: &mut Vec<Warning>) -> Option<Colors> {
+    let shades: Vec<Shade> = own.into_iter().map(|color| [color.unwrap_or(GREY), BLACK]).collect();
+    (!shades.is_empty()).then(|| colors(&shades, warnings))
+}
+
+/// Colours with a palette. What it does not hold is a warning.
+fn colors(shades: &[Shade], warnings: &mut Vec<Warning>) -> Colors {
+    let (colors, count) = palette(shades);
     if count > colors.palette.len() {
         warnings.push(Warning::Colors { count, kept: colors.palette.len() });
     }
-    (Some(colors), pictures, paths)
+    colors
 }
 
 /// A palette of the colours, those that are used most if there are more than 256, in the order of their first use, and how
@@ -163,22 +185,16 @@ pub(crate) struct Texture {
 /// # Errors
 ///
 /// The warning where they do not fit.
-pub(crate) fn texture(
-    texture: &TextureFaces,
-    faces: impl Iterator<Item = [usize; 3]>,
-) -> Result<Texture, Warning> {
-    let faces: Vec<[usize; 3]> = faces.collect();
-    let used = || faces.iter().flatten().filter_map(|&i| texture.coords.get(i));
+pub(crate) fn texture(faces: &[[[f64; 2]; 3]]) -> Result<Texture, Warning> {
     let on_grid = |c: f64, exponent: i8| (c * crate::grid::power_of_two(-exponent) + 0.5).floor();
-    let fits =
-        |exponent: &i8| used().flatten().all(|&c| (-32768.0..=32767.0).contains(&on_grid(c, *exponent)));
-    let exponent = (-15..=0).find(fits).ok_or(Warning::TextureCoordsFar)?;
+    let fits = |c: &f64, exponent: i8| (-32768.0..=32767.0).contains(&on_grid(*c, exponent));
+    let all_fit = |exponent: &i8| faces.iter().flatten().flatten().all(|c| fits(c, *exponent));
+    let exponent = (-15..=0).find(all_fit).ok_or(Warning::TextureCoordsFar)?;
     let mut numbers = HashMap::new();
     let mut out = Texture { exponent, ..Texture::default() };
-    for face in &faces {
+    for face in faces {
         let mut corners = [0; 3];
-        for (corner, &index) in corners.iter_mut().zip(face) {
-            let coord = texture.coords.get(index).copied().unwrap_or_default();
+        for (corner, coord) in corners.iter_mut().zip(face) {
             let coord = coord.map(|c| on_grid(c, exponent) as i16); // it fits
             let number = *numbers.entry(coord).or_insert_with(|| {
                 out.coords.push(coord);

@@ -71,8 +71,11 @@ pub struct Report {
     pub welded_by_quantising: usize,
     /// Faces dropped because their corners are fewer than three positions, or lie on a line.
     pub degenerate: usize,
-    /// Faces dropped because the same face, with the same winding, is there already.
+    /// Faces dropped because the same face, with the same winding, is there already, unless that would open a closed surface.
     pub duplicate: usize,
+    /// Faces that there are more because the neighbours of dropped faces were cut at the corners of these, so that a closed
+    /// surface stays closed.
+    pub cut: usize,
     /// Vertices dropped because only dropped faces named them.
     pub unused: usize,
     /// Faces that [`Options::fix_winding`](crate::Options::fix_winding) reversed.

@@ -10,7 +10,9 @@ pub(crate) struct Model {
     pub(crate) triangles: Triangles,
     pub(crate) places: Places,
     pub(crate) warnings: Vec<Warning>,
-    /// The colours of the triangles, if the file has materials.
+    /// The ends of lines that are no sides of faces.
+    pub(crate) lines: Vec<[[f64; 3]; 2]>,
+    /// The colours of the triangles, if the file has any.
     pub(crate) colors: Option<Colors>,
     /// The texture coordinates of the triangles' corners, if the file has any.
     pub(crate) texture: Option<TextureFaces>,

@@ -11,6 +11,8 @@ pub(crate) struct Material {
     pub(crate) emission: Option<[u8; 3]>,
     /// The picture of the diffuse colour, as `map_Kd` names it.
     pub(crate) picture: Option<String>,
+    /// Whether its opacity (`d`), or else its transparency (`Tr`), makes it transparent.
+    pub(crate) is_transparent: Option<bool>,
 }
 
 /// A library: its materials by their names, and what was not understood.
@@ -46,9 +48,25 @@ fn statement(line: &str, materials: &mut Vec<(String, Material)>) -> Result<(), 
         "kd" => material?.color = Some(color(rest)?),
         "ke" => material?.emission = Some(color(rest)?),
         "map_kd" => material?.picture = picture(rest).map(str::to_owned),
+        "d" => {
+            let material = material?;
+            let is_transparent = last_number(rest).map(|opacity| opacity < 1.0);
+            material.is_transparent = is_transparent.or(material.is_transparent);
+        }
+        // Some programs write both, and mean the opacity by both.
+        "tr" => {
+            let material = material?;
+            let is_transparent = last_number(rest).map(|transparency| transparency > 0.0);
+            material.is_transparent = material.is_transparent.or(is_transparent);
+        }
         _ => {}
     }
     Ok(())
+}
+
+/// The last number of a line: `d -halo 0.5` has an option before it.
+fn last_number(text: &str) -> Option<f64> {
+    before_comment(text).split_whitespace().next_back()?.parse().ok()
 }
 
 /// A colour of three numbers up to 1, or of one for all channels. What follows them is passed over.

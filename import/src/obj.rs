@@ -1,30 +1,37 @@
-//! OBJ text to triangles: positions, faces, texture coordinates, and the names of materials.
+//! OBJ text to triangles and lines: positions, colours of vertices, texture coordinates, and the names of materials.
 
 use crate::beside::Beside;
 use crate::materials;
 use crate::model::{Model, Places, TextureFaces};
-use crate::text::{a_vertex_needs_numbers, before_comment, text, without_end};
-use crate::{ImportError, Place, Problem, Warning};
+use crate::polygon::{self, Triangulated};
+use crate::text::{a_vertex_needs_numbers, before_comment, is_utf16, text, without_end};
+use crate::{Element, ImportError, Place, Problem, Warning};
 use std::borrow::Cow;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::Range;
 
 /// Reads OBJ text of a file, which is named in errors, and the material libraries beside it.
 pub(crate) fn read(bytes: &[u8], beside: &Beside<'_>) -> Result<Model, ImportError> {
-    let file = beside.model;
-    if let Some(byte) = without_end(bytes).iter().position(|&byte| byte == 0) {
+    let (file, options) = (beside.model, beside.options);
+    let zero = without_end(bytes).iter().position(|&byte| byte == 0);
+    if let Some(byte) = zero.filter(|_| !is_utf16(bytes)) {
         return Err(Problem::NotText { byte }.at(file, None));
     }
     let text = text(bytes);
-    let read = Statements::of(&text).map_err(|(problem, line)| problem.at(file, Some(line)))?;
-    let mut model = Model::default();
+    let mut read =
+        Statements::of(&text, &options.objects).map_err(|(problem, line)| problem.at(file, Some(line)))?;
+    if let Some(name) = options.objects.iter().find(|name| !read.names.contains(name)) {
+        return Err(Problem::NoSuchObject { name: name.clone(), names: read.names }.at(file, None));
+    }
+    let mut model = Model { lines: read.lines(), ..Model::default() };
     let mut lines = Vec::new();
     let mut of_materials = Vec::new();
-    let mut concave = Vec::new();
+    let mut crossing = Vec::new();
     let mut texture = TextureFaces::default();
     let mut bare_faces = None;
     // The vertices of the model are those that faces use, in the order of their first use.
     let mut numbers = vec![None; read.positions.len()];
+    let mut colors = Vec::new();
     let mut last_coord = 0;
     for Face { line, corners, material } in &read.faces {
         let corners = read.corners.get(corners.clone()).unwrap_or_default();
@@ -40,6 +47,7 @@ pub(crate) fn read(bytes: &[u8], beside: &Beside<'_>) -> Result<Model, ImportErr
             }
             polygon.push(*number.get_or_insert_with(|| {
                 model.triangles.positions.push(position);
+                colors.push(read.colors.get(corner.vertex).copied().flatten());
                 model.triangles.positions.len() - 1
             }));
         }
@@ -51,25 +59,15 @@ pub(crate) fn read(bytes: &[u8], beside: &Beside<'_>) -> Result<Model, ImportErr
             last_coord
         });
         let coords: Vec<usize> = coords.collect();
-        let before = model.triangles.faces.len();
-        match polygon[..] {
-            [] => {}
-            // No area: dropped, and counted, as such.
-            [a] => model.triangles.faces.push([a; 3]),
-            [a, b] => model.triangles.faces.push([a, b, b]),
-            [a, ..] => {
-                model.triangles.faces.extend(polygon[1..].windows(2).map(|side| [a, side[0], side[1]]));
-            }
+        let positions: Vec<_> = polygon.iter().map(|&vertex| model.triangles.positions[vertex]).collect();
+        let Triangulated { triangles, overlap } = polygon::triangulate(&positions);
+        if overlap {
+            crossing.push(*line);
         }
-        let fan = &model.triangles.faces[before..];
-        if fan.len() > 1 && overlaps(fan, &model.triangles.positions) {
-            concave.push(*line);
-        }
-        lines.extend(std::iter::repeat_n(*line, fan.len()));
-        of_materials.extend(std::iter::repeat_n(*material, fan.len()));
-        // Of a face with an area; others are dropped.
-        let corner = |i: usize| coords.get(i).copied().unwrap_or_default();
-        texture.faces.extend((0..fan.len()).map(|i| [corner(0), corner(i + 1), corner(i + 2)]));
+        lines.extend(std::iter::repeat_n(*line, triangles.len()));
+        of_materials.extend(std::iter::repeat_n(*material, triangles.len()));
+        model.triangles.faces.extend(triangles.iter().map(|places| places.map(|place| polygon[place])));
+        texture.faces.extend(triangles.iter().map(|places| places.map(|place| coords[place])));
     }
     if let Some((line, problem)) = read.wrong_coords() {
         // The mesh needs no texture coordinates.
@@ -85,11 +83,19 @@ pub(crate) fn read(bytes: &[u8], beside: &Beside<'_>) -> Result<Model, ImportErr
             model.texture = Some(texture);
         }
     }
-    if let Some(&line) = concave.iter().min() {
-        model.warnings.push(Warning::Concave { count: concave.len(), first: Place::Line(line as usize) });
+    if let Some(&line) = crossing.iter().min() {
+        model.warnings.push(Warning::Crossing { count: crossing.len(), first: Place::Line(line as usize) });
     }
+    let own = match options.materials_only {
+        true => Vec::new(),
+        false => means(&colors, &model.triangles.faces),
+    };
+    let of_materials = (&read.materials[..], &of_materials[..]);
     (model.colors, model.pictures, model.libraries) =
-        materials::read(&read.materials, of_materials, &read.libraries, beside, &mut model.warnings);
+        materials::read(of_materials, own, &read.libraries, beside, &mut model.warnings);
+    for (what, (count, line)) in read.left_out {
+        model.warnings.push(Warning::LeftOut { what, count, first: Place::Line(line) });
+    }
     model.places = Places::Lines(lines);
     Ok(model)
 }
@@ -102,13 +108,21 @@ type Refusal = (Problem, usize);
 struct Statements {
     /// Positions, and their lines.
     positions: Vec<([f64; 3], u32)>,
+    /// The colours of the first positions: up to the last one that has any.
+    colors: Vec<Option<[f32; 3]>>,
     /// Texture coordinates, v down.
     coords: Vec<[f64; 2]>,
     /// The first line of a texture coordinate that is none.
     no_coord: Option<usize>,
     faces: Vec<Face>,
-    /// The corners of all faces.
+    /// The corners of all faces and polylines.
     corners: Vec<Corner>,
+    /// The lines of polylines, and their corners.
+    polylines: Vec<(u32, Range<usize>)>,
+    /// The names of objects and groups.
+    names: Vec<String>,
+    /// What the model has no place for: how many statements, and the line of the first.
+    left_out: BTreeMap<Element, (usize, usize)>,
     /// The names of the materials, in the order of their first use.
     materials: Vec<String>,
     /// The material libraries, as they are named.
@@ -133,10 +147,13 @@ const NOWHERE: usize = usize::MAX;
 
 impl Statements {
     /// Reads all lines. A face may name vertices further down, so its indices are not compared with the number of vertices.
-    fn of(text: &str) -> Result<Self, Refusal> {
+    /// Of objects and groups only those are read that are wanted, all of them if `wanted` is empty.
+    fn of(text: &str, wanted: &[String]) -> Result<Self, Refusal> {
         let mut read = Self::default();
         let mut numbers = HashMap::new();
-        let mut material = None;
+        let (mut material, mut object) = (None, "");
+        let mut names = HashSet::new();
+        let mut is_wanted = wanted.is_empty();
         let mut lines = (1..).zip(text.lines());
         while let Some((number, line)) = lines.next() {
             let line = line.trim_start();
@@ -144,36 +161,91 @@ impl Statements {
             match word {
                 "v" => {
                     let rest = continued(rest, &mut lines);
-                    let position = position(&rest).map_err(|problem| (problem, number))?;
+                    let (position, color) = position(&rest).map_err(|problem| (problem, number))?;
+                    if color.is_some() {
+                        read.colors.resize(read.positions.len(), None);
+                        read.colors.push(color);
+                    }
                     read.positions.push((position, number as u32));
+                }
+                "o" | "g" => {
+                    let name = rest.trim();
+                    object = if word == "o" { name } else { object };
+                    // A face may be in several groups.
+                    let groups = if word == "g" { name } else { "" };
+                    let all = || [object, name].into_iter().chain(groups.split_whitespace());
+                    is_wanted =
+                        wanted.is_empty() || all().any(|name| wanted.iter().any(|other| other == name));
+                    for name in all().filter(|name| !name.is_empty()) {
+                        if names.insert(name) {
+                            read.names.push(name.to_owned());
+                        }
+                    }
                 }
                 "vt" => match coord(&continued(rest, &mut lines)) {
                     Some(coord) => read.coords.push(coord),
                     None => _ = read.no_coord.get_or_insert(number),
                 },
-                "f" => {
-                    let first = read.corners.len();
-                    let above = [read.positions.len(), read.coords.len()];
-                    for word in continued(rest, &mut lines).split_whitespace() {
-                        read.corners.push(corner(word, above).ok_or((Problem::Syntax(FACE), number))?);
-                    }
-                    let corners = first..read.corners.len();
+                "f" if is_wanted => {
+                    let corners =
+                        read.corners(&continued(rest, &mut lines)).ok_or((Problem::Syntax(FACE), number))?;
                     if corners.is_empty() {
                         return Err((Problem::Syntax("the face has no corners"), number));
                     }
+                    let material = material.map(|name| {
+                        *numbers.entry(name).or_insert_with_key(|name: &&str| {
+                            read.materials.push((*name).to_owned());
+                            read.materials.len() - 1
+                        })
+                    });
                     read.faces.push(Face { line: number as u32, corners, material });
                 }
-                "usemtl" => {
-                    material = Some(*numbers.entry(rest.trim()).or_insert_with_key(|name| {
-                        read.materials.push((*name).to_owned());
-                        read.materials.len() - 1
-                    }));
+                "l" if is_wanted => match read.corners(&continued(rest, &mut lines)) {
+                    Some(corners) => read.polylines.push((number as u32, corners)),
+                    None => read.leave_out(Element::Lines, number),
+                },
+                "p" if is_wanted => read.leave_out(Element::Points, number),
+                "curv" | "curv2" | "surf" | "bzp" | "bsp" | "cdc" | "cdp" if is_wanted => {
+                    read.leave_out(Element::Curves, number);
                 }
+                "usemtl" => material = Some(rest.trim()),
                 "mtllib" => read.libraries.push(rest.trim().to_owned()),
                 _ => {}
             }
         }
         Ok(read)
+    }
+
+    /// Adds corners, and returns where they are; or `None` where one of them cannot be understood.
+    fn corners(&mut self, text: &str) -> Option<Range<usize>> {
+        let first = self.corners.len();
+        let above = [self.positions.len(), self.coords.len()];
+        for word in text.split_whitespace() {
+            self.corners.push(corner(word, above)?);
+        }
+        Some(first..self.corners.len())
+    }
+
+    fn leave_out(&mut self, what: Element, line: usize) {
+        let (count, first) = self.left_out.entry(what).or_insert((0, line));
+        (*count, *first) = (*count + 1, line.min(*first));
+    }
+
+    /// The two ends of each line. A line to a vertex that does not exist is left out.
+    fn lines(&mut self) -> Vec<[[f64; 3]; 2]> {
+        let mut lines = Vec::new();
+        for (line, corners) in std::mem::take(&mut self.polylines) {
+            let corners = self.corners.get(corners).unwrap_or_default();
+            let position = |corner: &Corner| {
+                let (position, _) = *self.positions.get(corner.vertex)?;
+                position.iter().all(|c| c.is_finite()).then_some(position)
+            };
+            match corners.iter().map(position).collect::<Option<Vec<_>>>() {
+                Some(ends) => lines.extend(ends.windows(2).map(|ends| [ends[0], ends[1]])),
+                None => self.leave_out(Element::Lines, line as usize),
+            }
+        }
+        lines
     }
 
     /// What is wrong with the texture coordinates, and the first line where it is.
@@ -182,8 +254,9 @@ impl Statements {
             return Some((line, "a texture coordinate needs two numbers"));
         }
         let is_stray = |corner: &Corner| corner.coord.is_some_and(|coord| coord >= self.coords.len());
-        let first = self.corners.iter().position(is_stray).filter(|_| !self.coords.is_empty())?;
-        let face = self.faces.iter().find(|face| face.corners.contains(&first))?;
+        let corners = |face: &Face| self.corners.get(face.corners.clone()).unwrap_or_default();
+        let mut faces = self.faces.iter().filter(|_| !self.coords.is_empty());
+        let face = faces.find(|face| corners(face).iter().any(is_stray))?;
         Some((face.line as usize, "a face names a texture coordinate that does not exist"))
     }
 }
@@ -200,21 +273,43 @@ fn continued<'t>(first: &'t str, lines: &mut impl Iterator<Item = (usize, &'t st
     words
 }
 
-/// Three coordinates; a w divides them, and a colour is passed over.
-fn position(text: &str) -> Result<[f64; 3], Problem> {
+/// Three coordinates, which a w divides, or which a colour follows.
+fn position(text: &str) -> Result<([f64; 3], Option<[f32; 3]>), Problem> {
     let mut words = text.split_whitespace();
     let number = |word: Option<&str>| {
         word.and_then(|word| word.parse().ok()).ok_or_else(|| a_vertex_needs_numbers(text))
     };
     let position: [f64; 3] = [number(words.next())?, number(words.next())?, number(words.next())?];
-    match (words.next(), words.count()) {
-        (None, _) | (Some(_), 2) => Ok(position),
-        (w, 0) => match number(w)? {
+    let rest: Vec<&str> = words.collect();
+    match rest[..] {
+        [] => Ok((position, None)),
+        [w] => match number(Some(w))? {
             0.0 => Err(Problem::Syntax("the w of the vertex is zero")),
-            w => Ok(position.map(|c| c / w)),
+            w => Ok((position.map(|c| c / w), None)),
         },
+        [r, g, b] => {
+            let color = || -> Option<[f32; 3]> { Some([r.parse().ok()?, g.parse().ok()?, b.parse().ok()?]) };
+            Ok((position, color()))
+        }
         _ => Err(Problem::Syntax("a vertex is x y z, x y z w or x y z r g b")),
     }
+}
+
+/// The colour of each face, the mean of those of its corners, of at most 1; or of at most 255, where one is larger than 1. Nothing
+/// where no corner has a colour.
+fn means(colors: &[Option<[f32; 3]>], faces: &[[usize; 3]]) -> Vec<Option<[u8; 3]>> {
+    let largest = colors.iter().flatten().flatten().copied().reduce(f32::max);
+    let Some(largest) = largest else { return Vec::new() };
+    let unit = if largest > 1.0 { 1.0 } else { 255.0 };
+    let mean = |face: &[usize; 3]| {
+        let corners: Vec<[f32; 3]> = face.iter().filter_map(|&vertex| *colors.get(vertex)?).collect();
+        let channel = |channel: usize| {
+            let sum: f32 = corners.iter().map(|color| color[channel]).sum();
+            (sum / corners.len() as f32 * unit).round() as u8 // saturates, and NaN becomes 0
+        };
+        (!corners.is_empty()).then(|| [0, 1, 2].map(channel))
+    };
+    faces.iter().map(mean).collect()
 }
 
 /// A texture coordinate. The origin of a picture is its upper left corner, so v changes its direction.
@@ -238,19 +333,4 @@ fn corner(word: &str, above: [usize; 2]) -> Option<Corner> {
         Some(index) => Some(place(index, above[1])?),
     };
     Some(Corner { vertex, coord })
-}
-
-/// Whether a triangle of a polygon's fan lies against the whole, by its area vector (Newell's normal is their sum): so it
-/// overlaps others. A concave polygon whose fan does not is cut rightly.
-fn overlaps(fan: &[[usize; 3]], positions: &[[f64; 3]]) -> bool {
-    let area = |&[a, b, c]: &[usize; 3]| {
-        let side = |to: usize| [0, 1, 2].map(|axis| positions[to][axis] - positions[a][axis]);
-        let (p, q) = (side(b), side(c));
-        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| p[i] * q[j] - p[j] * q[i])
-    };
-    let areas: Vec<[f64; 3]> = fan.iter().map(area).collect();
-    let whole = [0, 1, 2].map(|axis| areas.iter().map(|a| a[axis]).sum::<f64>());
-    let dot = |a: &[f64; 3]| a[0] * whole[0] + a[1] * whole[1] + a[2] * whole[2];
-    // A corner on a straight side makes a triangle of nothing but rounding.
-    areas.iter().any(|a| dot(a) < -1e-9 * dot(&whole))
 }

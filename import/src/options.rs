@@ -1,5 +1,6 @@
 //! The options of an import.
 
+use crate::grid::power_of_two;
 use crate::Problem;
 use std::path::{Path, PathBuf};
 
@@ -43,6 +44,14 @@ pub struct Options {
     /// Orders faces so that neighbours follow each other (Sander, Nehab and Barczak, "Fast Triangle Reordering for Vertex
     /// Locality and Reduced Overdraw", 2007, section 3), unless the file's order is better, and vertices by first use.
     pub reorder: bool,
+    /// The step of the grid, in the mesh's units, a power of two; `None` is the finest that the model fits. Parts of one step lie on
+    /// one grid, whatever their centres: corners that they share in the file have equal positions, `vertex · step + offset`.
+    pub step: Option<f64>,
+    /// The objects and groups of an OBJ file (`o`, `g`) that are imported, by their names; empty for all.
+    pub objects: Vec<String>,
+    /// Leaves out the colours of an OBJ file's vertices and of an STL file's facets. Otherwise a face whose material has no colour
+    /// has the mean of those of its corners, or that of its facet.
+    pub materials_only: bool,
     /// Which edges the mesh gets.
     pub edges: Edges,
     /// The two faces beside each edge, which hidden lines need. An edge of more faces is then listed once for every two.
@@ -101,6 +110,9 @@ impl Default for Options {
             fit: None,
             decimate: None,
             centre: Centre::Box,
+            step: None,
+            objects: Vec::new(),
+            materials_only: false,
             reorder: false,
             edges: Edges::All,
             edge_faces: false,
@@ -114,10 +126,18 @@ impl Default for Options {
 }
 
 impl Options {
+    /// The power of two that is the step, if one is given that a mesh may have.
+    pub(crate) fn exponent(&self) -> Option<i8> {
+        (-32..=15).find(|&exponent| self.step == Some(power_of_two(exponent)))
+    }
+
     /// Refuses numbers out of range and options that exclude each other.
     pub(crate) fn check(&self) -> Result<(), Problem> {
         if self.fit.is_some_and(|side| !(side.is_finite() && side > 0.0)) {
             return Err(Problem::Options("the length to fit is not a positive number"));
+        }
+        if self.step.is_some() && self.exponent().is_none() {
+            return Err(Problem::Options("the step is not a power of two from 2^-32 to 2^15"));
         }
         if let Edges::Feature { degrees } = self.edges {
             if !(0.0..=180.0).contains(&degrees) {
@@ -193,6 +213,18 @@ impl Axis {
             Axis::MinusY => [x, -y, -z],
             Axis::MinusZ => [x, -z, y],
         }
+    }
+
+    /// Turns a point back: the inverse of [`to_y`](Self::to_y).
+    pub(crate) fn turn_back(self, point: [f64; 3]) -> [f64; 3] {
+        let inverse = match self {
+            Axis::X => Axis::MinusX,
+            Axis::MinusX => Axis::X,
+            Axis::Z => Axis::MinusZ,
+            Axis::MinusZ => Axis::Z,
+            Axis::Y | Axis::MinusY => self,
+        };
+        inverse.to_y(point)
     }
 }
 

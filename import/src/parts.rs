@@ -5,6 +5,7 @@
 //! decided by its signed volume (Zhang and Chen, "Efficient feature extraction for 2D/3D objects in mesh representation",
 //! 2001), of an open part about its own centre.
 
+use crate::bodies::{Body, Nesting};
 use crate::edges::Sides;
 use crate::normals::cross;
 
@@ -76,12 +77,12 @@ impl Parts {
             bodies.push(body);
         }
         // A closed part that points inwards is right where it is a cavity: inside an odd number of others.
-        for (number, body) in bodies.iter().enumerate() {
-            if found.parts[number].is_closed && !found.parts[number].is_one_sided && body.volume() < 0.0 {
-                let within = |other: &usize| {
-                    *other != number && found.parts[*other].is_closed && bodies[*other].holds(body)
-                };
-                found.parts[number].is_inward = (0..bodies.len()).filter(within).count() % 2 == 0;
+        let is_closed = |part: &usize| found.parts[*part].is_closed && !found.parts[*part].is_one_sided;
+        let closed: Vec<usize> = (0..bodies.len()).filter(is_closed).collect();
+        let mut nesting = Nesting::new(closed.iter().map(|&part| &bodies[part]).collect());
+        for (body, &part) in closed.iter().enumerate() {
+            if bodies[part].volume() < 0.0 {
+                found.parts[part].is_inward = nesting.depth(body).is_multiple_of(2);
             }
         }
         found
@@ -172,67 +173,6 @@ impl Parts {
     }
 }
 
-/// The triangles of a part, and sums over them.
-#[derive(Default)]
-struct Body {
-    triangles: Vec<[[i16; 3]; 3]>,
-    low: Option<[i16; 3]>,
-    high: [i16; 3],
-}
-
-impl Body {
-    fn add(&mut self, triangle: [[i16; 3]; 3]) {
-        let (mut low, mut high) = (self.low.unwrap_or(triangle[0]), self.high);
-        if self.low.is_none() {
-            high = triangle[0];
-        }
-        for vertex in triangle {
-            low = [0, 1, 2].map(|axis| low[axis].min(vertex[axis]));
-            high = [0, 1, 2].map(|axis| high[axis].max(vertex[axis]));
-        }
-        (self.low, self.high) = (Some(low), high);
-        self.triangles.push(triangle);
-    }
-
-    /// The volume between the triangles and the centre of the bounding box. Exactly zero where it is: sums are of integers.
-    fn volume(&self) -> f64 {
-        let low = self.low.unwrap_or_default();
-        let twice = [0, 1, 2].map(|axis| i64::from(low[axis]) + i64::from(self.high[axis]));
-        let six_tetrahedra = |triangle: &[[i16; 3]; 3]| {
-            // From the centre, in half units: 17 bits, products of 51, six of them.
-            let [a, b, c] = triangle.map(|v| [0, 1, 2].map(|axis| 2 * i64::from(v[axis]) - twice[axis]));
-            let minor = |i: usize, j: usize| b[i] * c[j] - b[j] * c[i];
-            i128::from(a[0] * minor(1, 2) + a[1] * minor(2, 0) + a[2] * minor(0, 1))
-        };
-        self.triangles.iter().map(six_tetrahedra).sum::<i128>() as f64 / 48.0
-    }
-
-    /// Whether another part lies inside this closed one: by the solid angle that the triangles fill, seen from a vertex of
-    /// the other (van Oosterom and Strackee, "The Solid Angle of a Plane Triangle", 1983).
-    fn holds(&self, other: &Body) -> bool {
-        let (Some(low), Some(lowest)) = (self.low, other.low) else { return false };
-        let is_around = (0..3).all(|axis| low[axis] <= lowest[axis] && other.high[axis] <= self.high[axis]);
-        let Some(&[eye, ..]) = other.triangles.first().filter(|_| is_around) else { return false };
-        let angle = |triangle: &[[i16; 3]; 3]| {
-            let corners = triangle.map(|v| [0, 1, 2].map(|axis| f64::from(v[axis]) - f64::from(eye[axis])));
-            let [a, b, c] = corners.map(length);
-            let [ab, bc, ca] = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| dot(corners[i], corners[j]));
-            2.0 * determinant(corners).atan2(a * b * c + ab * c + bc * a + ca * b)
-        };
-        self.triangles.iter().map(angle).sum::<f64>().abs() > std::f64::consts::TAU
-    }
-}
-
-fn determinant([a, b, c]: [[f64; 3]; 3]) -> f64 {
-    a[0] * (b[1] * c[2] - b[2] * c[1])
-        + a[1] * (b[2] * c[0] - b[0] * c[2])
-        + a[2] * (b[0] * c[1] - b[1] * c[0])
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
 fn length(vector: [f64; 3]) -> f64 {
-    dot(vector, vector).sqrt()
+    vector.iter().map(|c| c * c).sum::<f64>().sqrt()
 }

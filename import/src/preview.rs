@@ -6,12 +6,12 @@ use crate::{
 };
 use std::path::{Path, PathBuf};
 
-/// A model as [`import`](crate::import) makes it, but with the triangles of the file: for programs that show what a firmware
-/// will draw, and show a model that no firmware can hold, too.
+/// A model as [`import`](crate::import) makes it, in the axes and units of its file: for programs that show what a firmware will
+/// draw, and show a model that no firmware can hold, too.
 #[derive(Debug)]
 pub struct Preview {
-    /// All triangles in the file's order, in its axes and units, wound as the mesh's are; after them the backs that
-    /// [`Options::two_sided`] adds. With back faces culled they look as the mesh does.
+    /// The triangles that the mesh has, on its grid, in the file's axes and units; the last of them are the backs that
+    /// [`Options::two_sided`] adds.
     pub triangles: Triangles,
     /// The colour of each triangle, as the mesh's palette has it; or nothing, where the file has no materials.
     pub colors: Vec<[u8; 3]>,
@@ -20,8 +20,6 @@ pub struct Preview {
     /// The texture coordinates of the corners of each triangle, u to the right and v down, in sides of a texture; or nothing, where
     /// the file has none. The mesh has the picture.
     pub texture: Vec<[[f64; 2]; 3]>,
-    /// The pictures that the materials name (`map_Kd`), in the order of their first use, whether or not the mesh has one.
-    pub pictures: Vec<String>,
     /// Files that were read beside the model: material libraries.
     pub libraries: Vec<PathBuf>,
     /// How many of the triangles are backs.
@@ -54,62 +52,23 @@ pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
     let options = Options { reorder: false, decimate: None, ..options.clone() };
     let up = options.up.unwrap_or(Axis::of_file(file));
     let model = read_model(file, &options)?;
-    let mut triangles = model.triangles.clone();
-    let pictures = model.pictures.names.clone();
-    let mut texture: Vec<[[f64; 2]; 3]> = match &model.texture {
-        Some(texture) => texture.faces.iter().map(|face| face.map(|i| texture.coords[i])).collect(),
-        None => Vec::new(),
-    };
-    let mut colors: [Vec<[u8; 3]>; 2] = match &model.colors {
-        Some(colors) => [&colors.palette, &colors.emission].map(|of| match of.is_empty() {
-            true => Vec::new(),
-            false => colors.faces.iter().map(|&color| of[usize::from(color)]).collect(),
-        }),
-        None => Default::default(),
-    };
     let made = quantise::make(model, up, &options, &mut |_| ()).map_err(|problem| problem.at(file, None))?;
-    for (face, is_reversed) in triangles.faces.iter_mut().zip(made.reversed.iter().copied()) {
-        if is_reversed {
-            *face = reversed(*face);
-        }
-    }
-    for (coords, &is_reversed) in texture.iter_mut().zip(&made.reversed) {
-        if is_reversed {
-            *coords = reversed(*coords);
-        }
-    }
-    if !texture.is_empty() {
-        texture.extend(made.backs.iter().map(|&face| reversed(texture[face])).collect::<Vec<_>>());
-    }
-    let backs: Vec<_> = made.backs.iter().map(|&face| reversed(triangles.faces[face])).collect();
-    for colors in colors.iter_mut().filter(|colors| !colors.is_empty()) {
-        colors.extend(made.backs.iter().map(|&face| colors[face]).collect::<Vec<_>>());
-    }
-    let [colors, emission] = colors;
-    let count = backs.len();
-    triangles.faces.extend(backs);
-    let libraries = made.libraries;
     let mesh = made.mesh.and_then(fits);
     let mut warnings = made.warnings;
     if let Err(problem) = &mesh {
         warnings.push(problem.as_warning());
     }
     Ok(Preview {
-        triangles,
-        colors,
-        emission,
-        texture,
-        pictures,
-        libraries,
-        backs: count,
+        triangles: made.triangles,
+        colors: made.colors,
+        emission: made.emission,
+        texture: made.texture,
+        libraries: made.libraries,
+        backs: made.backs,
         up,
         mesh,
         warnings,
     })
-}
-
-fn reversed<T>([a, b, c]: [T; 3]) -> [T; 3] {
-    [a, c, b]
 }
 
 impl Triangles {

@@ -8,8 +8,9 @@ use crate::model::Model;
 use crate::normals::{cross, of_vertices, on_one_line, unit};
 use crate::parts::Parts;
 use crate::picture;
-use crate::weld::{weld, Welded};
-use crate::{decimate, order, Axis, Options, Problem, Step, Triangles, Warning};
+use crate::weld::{weld, Numbered};
+use crate::{decimate, order, Axis, Edges, Options, Problem, Step, Triangles, Warning};
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 /// Makes a mesh of triangles: welds, centres, quantises, derives edges and normals. Scales and orders nothing: it has the
@@ -27,8 +28,8 @@ use std::path::PathBuf;
 ///
 /// # Errors
 ///
-/// [`Problem::NotFinite`], [`Problem::NoFaces`], [`Problem::NoArea`], [`Problem::NoSuchVertex`],
-/// [`Problem::TooManyVertices`], [`Problem::Extent`].
+/// [`Problem::NotFinite`], [`Problem::NoFaces`], [`Problem::NoArea`], [`Problem::TooThin`],
+/// [`Problem::NoSuchVertex`], [`Problem::TooManyVertices`], [`Problem::Extent`].
 pub fn quantise(model: &Triangles) -> Result<ImportedMesh, Problem> {
     let model = Model { triangles: model.clone(), ..Model::default() };
     let made = make(model, Axis::Y, &Options::default(), &mut |_| ())?;
@@ -37,10 +38,16 @@ pub fn quantise(model: &Triangles) -> Result<ImportedMesh, Problem> {
 
 /// The result for a model.
 pub(crate) struct Made {
-    /// For each triangle of the file whether its corners were reversed. Not after decimation, which makes new triangles.
-    pub(crate) reversed: Vec<bool>,
-    /// The triangles of the file, ascending, that the mesh has a second time, reversed.
-    pub(crate) backs: Vec<usize>,
+    /// The mesh's faces, however many there are, in the file's axes and units; backs are the last of them.
+    pub(crate) triangles: Triangles,
+    /// The colour of each triangle, or nothing.
+    pub(crate) colors: Vec<[u8; 3]>,
+    /// The light that each triangle emits, or nothing.
+    pub(crate) emission: Vec<[u8; 3]>,
+    /// The texture coordinates of each triangle's corners, or nothing.
+    pub(crate) texture: Vec<[[f64; 2]; 3]>,
+    /// How many of the triangles are backs.
+    pub(crate) backs: usize,
     /// Files that were read beside the model.
     pub(crate) libraries: Vec<PathBuf>,
     /// Warnings about the model, whether it fits a mesh or not.
@@ -57,7 +64,8 @@ pub(crate) fn make(
     begins: &mut dyn FnMut(Step),
 ) -> Result<Made, Problem> {
     options.check()?;
-    let Model { triangles, places, mut warnings, colors, texture, pictures, mut libraries } = model;
+    let Model { triangles, places, mut warnings, lines, colors, texture, pictures, mut libraries } = model;
+    let lines = if options.edges == Edges::None { Vec::new() } else { lines };
     let Triangles { positions: read, faces } = triangles;
     if faces.iter().flatten().any(|&i| i >= read.len()) {
         return Err(Problem::NoSuchVertex);
@@ -65,7 +73,7 @@ pub(crate) fn make(
     if read.iter().flatten().any(|c| !c.is_finite()) {
         return Err(Problem::NotFinite);
     }
-    if faces.is_empty() {
+    if faces.is_empty() && lines.is_empty() {
         return Err(Problem::NoFaces);
     }
 
@@ -73,15 +81,17 @@ pub(crate) fn make(
     // Adding 0.0 makes one of the two zeros.
     let bits: Vec<_> = read.iter().map(|p| p.map(|c| (c + 0.0).to_bits())).collect();
     // Triangles without area must not influence the grid either.
-    let mut exact = weld(&bits, &faces, |corners| on_one_line(corners.map(|p| p.map(f64::from_bits))));
+    let position = |p: [u64; 3]| p.map(f64::from_bits);
+    let mut exact = weld(&bits, &faces, position, |corners| on_one_line(corners.map(position)));
     drop(bits);
     let vertices_read = read.len();
-    if exact.faces.is_empty() {
+    if exact.faces.is_empty() && lines.is_empty() {
         return Err(Problem::NoArea(faces.len()));
     }
-    let used = exact.vertices.iter().map(|&v| read[v]).collect();
+    let used = exact.vertices.iter().map(|&v| read[v]).chain(lines.into_iter().flatten()).collect();
     drop(read);
     let (mut positions, scale) = placed(used, up, options)?;
+    let ends_of_lines = positions.split_off(exact.vertices.len());
     if options.flip {
         exact.faces.iter_mut().for_each(reverse);
     }
@@ -90,7 +100,7 @@ pub(crate) fn make(
         begins(Step::Decimate);
         if options.fix_winding {
             // meshopt takes an edge between faces of opposite winding for a border, and keeps it.
-            let grid = Grid::around(&positions, options.centre)?;
+            let grid = Grid::around(&positions, options)?;
             let rounded: Vec<[i16; 3]> = positions.iter().map(|p| grid.round(p)).collect();
             fix_winding(&mut exact.faces, &rounded);
         }
@@ -104,50 +114,55 @@ pub(crate) fn make(
     }
 
     begins(Step::Quantise);
-    let grid = Grid::around(&positions, options.centre)?;
+    let of_faces = positions.len();
+    positions.extend(ends_of_lines);
+    let grid = Grid::around(&positions, options)?;
     let rounded: Vec<[i16; 3]> = positions.iter().map(|p| grid.round(p)).collect();
-    let last = weld(&rounded, &exact.faces, |corners| cross(corners) == [0, 0, 0]);
-    if last.faces.is_empty() {
-        return Err(Problem::NoArea(faces.len()));
+    let (rounded, ends_of_lines, positions) = (&rounded[..of_faces], &rounded[of_faces..], &positions);
+    let position = |p: [i16; 3]| p.map(f64::from);
+    let mut last = weld(rounded, &exact.faces, position, |corners| cross(corners) == [0, 0, 0]);
+    if last.faces.is_empty() && ends_of_lines.is_empty() {
+        return Err(Problem::TooThin(exact.faces.len()));
     }
-    let error = positions.iter().zip(&rounded).map(|(p, r)| grid.error(p, r)).fold(0.0, f64::max);
+    let on_grid = exact.faces.iter().map(|face| face.map(|vertex| position(rounded[vertex])));
+    let in_file = exact.faces.iter().map(|face| face.map(|vertex| grid.in_steps(&positions[vertex])));
+    let area = area(on_grid) / area(in_file);
+    let all_rounded = rounded.iter().chain(ends_of_lines);
+    let error = positions.iter().zip(all_rounded).map(|(p, r)| grid.error(p, r)).fold(0.0, f64::max);
     let source = |place: usize| exact.sources[place];
     let degenerate: Vec<usize> =
         exact.degenerate.iter().copied().chain(last.degenerate.iter().map(|&face| source(face))).collect();
-    let duplicate: Vec<usize> = exact
-        .duplicate
-        .iter()
-        .map(|(place, _)| *place)
-        .chain(last.duplicate.iter().map(|(face, _)| source(*face)))
-        .collect();
+    let duplicate: Vec<usize> =
+        exact.duplicate.iter().copied().chain(last.duplicate.iter().map(|&face| source(face))).collect();
     let mut vertices: Vec<[i16; 3]> = last.vertices.iter().map(|&v| rounded[v]).collect();
-    let mut corners = last.faces;
-    // For each face its place in `exact.faces`: in the order of `last.faces`, and of `corners`.
-    let (last_sources, mut sources) = (last.sources.clone(), last.sources);
-    let too_many = (vertices.len() > 1 << 16).then_some(Problem::TooManyVertices(vertices.len()));
+    let mut corners = std::mem::take(&mut last.faces);
+    // For each face its number after welding.
+    let mut numbers: Vec<usize> = (0..corners.len()).collect();
 
     let mut fetches = [order::fetches(&corners, vertices.len()); 2];
-    if options.reorder && too_many.is_none() {
+    if options.reorder && vertices.len() <= MOST_VERTICES {
         begins(Step::Order);
-        fetches[1] = order::reorder(&mut corners, &mut sources, &mut vertices);
+        fetches[1] = order::reorder(&mut corners, &mut numbers, &mut vertices);
     }
+    let lines = joined(ends_of_lines, &mut vertices);
+    let too_many = (vertices.len() > MOST_VERTICES).then_some(Problem::TooManyVertices(vertices.len()));
 
     begins(Step::Derive);
     let mut sides = Sides::of(&corners);
     let mut parts = Parts::of(&corners, &vertices, &sides);
-    let mut reversed = vec![options.flip; exact.faces.len()];
+    let mut reversed = vec![false; corners.len()];
     let mut turned = 0;
     if options.fix_winding {
         for (face, corners) in corners.iter_mut().enumerate().filter(|(face, _)| parts.is_wrong(*face)) {
             reverse(corners);
-            reversed[sources[face]] ^= true;
+            reversed[face] = true;
             turned += 1;
         }
         sides.reverse(|face| parts.is_wrong(face));
         parts.set_right();
     }
     let backs = if options.two_sided { parts.seen_from_behind() } else { Vec::new() };
-    let place = |face: usize| source(sources[face]);
+    let place = |face: usize| source(last.sources[numbers[face]]);
     let (topology, faults) = sides.topology(place);
 
     let least = |list: &[usize]| list.iter().min().map(|&triangle| places.of(triangle));
@@ -156,6 +171,10 @@ pub(crate) fn make(
     let duplicates = |first| Warning::Duplicates { count: duplicate.len(), first };
     warnings.extend(least(&degenerate).map(no_area));
     warnings.extend(least(&duplicate).map(duplicates));
+    let (lost, count) = (last.degenerate.len(), exact.faces.len());
+    if count > 0 && (10 * lost >= count || !(0.9..=1.1).contains(&area)) {
+        warnings.push(Warning::Coarse { lost, faces: count, area: (100.0 * area).round() as u32 });
+    }
     if !options.two_sided {
         let open = |first| Warning::OpenEdges { count: topology.open, first };
         let crowded = |first| Warning::CrowdedEdges { count: topology.crowded, first };
@@ -173,11 +192,6 @@ pub(crate) fn make(
         warnings.extend(at(faults.twisted).map(twisted));
         warnings.extend(at(first.map(place)).map(inside_out));
     }
-    let of_file = |faces: &[usize]| -> Vec<usize> {
-        let mut list: Vec<usize> = faces.iter().map(|&face| place(face)).collect();
-        list.sort_unstable();
-        list
-    };
     let is_whole = decimated.0 == 0; // otherwise there are other triangles than those of the file
     if !is_whole && (colors.is_some() || texture.is_some()) {
         warnings.push(Warning::DecimatedMaterials);
@@ -188,17 +202,27 @@ pub(crate) fn make(
         Some(colors) => of_mesh().map(|face| colors.faces[place(face)]).collect(),
         None => Vec::new(),
     };
-    let texture = texture.map_or(Ok(Texture::default()), |texture| {
-        let corners_of = |(number, face): (usize, usize)| {
-            let mut coords = texture.faces[place(face)];
-            // Reversed as the face is, and once more where it is a back.
-            if reversed[sources[face]] != (number >= corners.len()) {
-                reverse(&mut coords);
-            }
-            coords
-        };
-        materials::texture(&texture, of_mesh().enumerate().map(corners_of))
-    });
+    let uv: Vec<[[f64; 2]; 3]> = match &texture {
+        Some(texture) => {
+            let corners_of = |(number, face): (usize, usize)| {
+                let mut values =
+                    texture.faces[place(face)].map(|i| texture.coords.get(i).copied().unwrap_or_default());
+                values = exact.values(last.sources[numbers[face]], values);
+                if options.flip {
+                    reverse(&mut values);
+                }
+                values = last.values(numbers[face], values);
+                // Reversed as the face is, and once more where it is a back.
+                if reversed[face] != (number >= corners.len()) {
+                    reverse(&mut values);
+                }
+                values
+            };
+            of_mesh().enumerate().map(corners_of).collect()
+        }
+        None => Vec::new(),
+    };
+    let texture = materials::texture(&uv);
     let texture = texture.unwrap_or_else(|warning| {
         warnings.push(warning);
         Texture::default()
@@ -214,11 +238,34 @@ pub(crate) fn make(
                 picture = Some(read);
             }
         }
-        None => {}
+        None => warnings.extend(pictures.names.first().map(|first| Warning::PicturesUnwanted {
+            count: pictures.names.len(),
+            first: first.clone(),
+            has_coords: !texture.faces.is_empty(),
+        })),
     }
+    let shown = |of: &[[u8; 3]]| match of.is_empty() {
+        true => Vec::new(),
+        false => face_colors.iter().map(|&color| of[usize::from(color)]).collect(),
+    };
+    let (palette, emission) =
+        colors.map_or_else(Default::default, |colors| (colors.palette, colors.emission));
+    let mut triangles = Triangles {
+        positions: vertices.iter().map(|v| up.turn_back(grid.position(v).map(|c| c / scale))).collect(),
+        faces: corners.clone(),
+    };
+    let back = |&face: &usize| {
+        let mut back = corners[face];
+        reverse(&mut back);
+        back
+    };
+    triangles.faces.extend(backs.iter().map(back));
     let made = Made {
-        reversed: in_the_file(&reversed, &exact, &last.duplicate, &last_sources, faces.len()),
-        backs: of_file(&backs),
+        triangles,
+        colors: shown(&palette),
+        emission: shown(&emission),
+        texture: uv,
+        backs: backs.len(),
         libraries: libraries.clone(),
         warnings,
         mesh: Err(Problem::NoFaces), // not made yet
@@ -230,7 +277,7 @@ pub(crate) fn make(
     let crosses: Vec<_> = corners.iter().map(|f| cross(f.map(|i| vertices[i]))).collect();
     // In range: there are at most 65536 vertices.
     let mut corners: Vec<[u16; 3]> = corners.iter().map(|f| f.map(|i| i as u16)).collect();
-    let selected = match sides.select(options.edges, options.edge_faces, &crosses, &backs) {
+    let selected = match sides.select(options, &lines, &crosses, &backs) {
         Ok(selected) => selected,
         Err(problem) => return Ok(Made { mesh: Err(problem), ..made }),
     };
@@ -242,8 +289,6 @@ pub(crate) fn make(
     if let Err(problem) = ends {
         return Ok(Made { mesh: Err(problem), ..made });
     }
-    let (palette, emission) =
-        colors.map_or_else(Default::default, |colors| (colors.palette, colors.emission));
     let mesh = ImportedMesh {
         vertices,
         exponent: grid.exponent,
@@ -269,6 +314,7 @@ pub(crate) fn make(
             welded_by_quantising: last.welded,
             degenerate: degenerate.len(),
             duplicate: duplicate.len(),
+            cut: exact.cut + last.cut,
             unused: exact.unused + last.unused,
             reversed: turned,
             backs: backs.len(),
@@ -290,6 +336,36 @@ pub(crate) fn make(
     Ok(Made { mesh: Ok(mesh), warnings, ..made })
 }
 
+/// Twice the area of triangles.
+fn area(triangles: impl Iterator<Item = [[f64; 3]; 3]>) -> f64 {
+    let area = |[a, b, c]: [[f64; 3]; 3]| {
+        let side = |to: [f64; 3]| [0, 1, 2].map(|axis| to[axis] - a[axis]);
+        let ([ux, uy, uz], [vx, vy, vz]) = (side(b), side(c));
+        (uy * vz - uz * vy).hypot(uz * vx - ux * vz).hypot(ux * vy - uy * vx)
+    };
+    triangles.map(area).sum()
+}
+
+/// The vertices of lines between grid points; those where no vertex is are added.
+fn joined(ends: &[[i16; 3]], vertices: &mut Vec<[i16; 3]>) -> BTreeSet<[usize; 2]> {
+    if ends.is_empty() {
+        return BTreeSet::new();
+    }
+    let mut numbers: Numbered<_> =
+        vertices.iter().enumerate().map(|(number, &vertex)| (vertex, number)).collect();
+    let mut number = |end: [i16; 3]| {
+        *numbers.entry(end).or_insert_with(|| {
+            vertices.push(end);
+            vertices.len() - 1
+        })
+    };
+    let lines = ends.chunks_exact(2).filter(|ends| ends[0] != ends[1]);
+    lines.map(|ends| [number(ends[0]), number(ends[1])]).map(|[a, b]| [a.min(b), a.max(b)]).collect()
+}
+
+/// The most vertices that indices of `u16` can name.
+const MOST_VERTICES: usize = 1 << 16;
+
 /// Turns a triangle over; its first corner stays.
 fn reverse<T: Copy>(corners: &mut [T; 3]) {
     let [a, b, c] = *corners;
@@ -304,32 +380,6 @@ fn fix_winding(faces: &mut [[usize; 3]], vertices: &[[i16; 3]]) {
             reverse(corners);
         }
     }
-}
-
-/// For each triangle of the file whether it was reversed: as its face was, or the face of which it is a duplicate.
-fn in_the_file(
-    reversed: &[bool],
-    exact: &Welded,
-    duplicates: &[(usize, usize)],
-    last_sources: &[usize],
-    count: usize,
-) -> Vec<bool> {
-    let mut reversed = reversed.to_vec();
-    for &(face, twin) in duplicates {
-        reversed[face] = reversed[last_sources[twin]];
-    }
-    let mut of_file = vec![false; count];
-    for (&place, &reversed) in exact.sources.iter().zip(&reversed) {
-        if let Some(of_file) = of_file.get_mut(place) {
-            *of_file = reversed;
-        }
-    }
-    for &(place, twin) in &exact.duplicate {
-        if let (Some(of_file), Some(&reversed)) = (of_file.get_mut(place), reversed.get(twin)) {
-            *of_file = reversed;
-        }
-    }
-    of_file
 }
 
 /// Adds faces a second time, reversed, with their normals. Where vertices have normals, the backs get vertices of their own.

@@ -38,6 +38,8 @@ pub enum Remedy {
     NoEdgeFaces,
     /// Set [`Options::fit`](crate::Options::fit).
     Fit,
+    /// Set [`Options::step`](crate::Options::step) to 2 to this power.
+    Step(i8),
     /// Set [`Options::decimate`](crate::Options::decimate) to at most this number of triangles; needs the feature `decimate`.
     Decimate(usize),
     /// Set [`Options::texture`](crate::Options::texture) to at most this number of colours.
@@ -50,6 +52,8 @@ pub enum Remedy {
     SeparateBodies,
     /// Split the model into several files.
     SplitModel,
+    /// Leave out parts that lie far from the others, so that the grid becomes finer.
+    LeaveOutFar,
     /// Reduce the number of faces in a modelling program.
     ReduceModel,
     /// Give the model another unit.
@@ -102,7 +106,12 @@ impl Remedy {
             Self::Root => "use `root: Some(FOLDER)`",
             Self::Decimate(_) if cfg!(feature = "decimate") => "use `decimate: Some(N)`",
             Self::Decimate(_) => "use `decimate: Some(N)` with features = [\"decimate\"] of pinhole-import in Cargo.toml and a C++ compiler",
-            Self::TextureColors(colors) => return format!("use `colors: {colors}` in `texture`"),
+            Self::Step(exponent) => return format!("use `step: Some(2f64.powi({exponent}))`"),
+            Self::TextureColors(colors) => {
+                return format!(
+                    "use `texture: Some(TextureFormat {{ colors: {colors}, ..TextureFormat::default() }})`"
+                )
+            }
             Self::Feature(name) => return format!("give pinhole-import the feature `{name}` in Cargo.toml"),
             other => return other.to_string(),
         };
@@ -123,11 +132,13 @@ impl fmt::Display for Remedy {
             Self::Fit => "use pinhole-import --fit LENGTH",
             Self::Decimate(_) if cfg!(feature = "decimate") => "use pinhole-import --decimate N",
             Self::Decimate(_) => "use pinhole-import --decimate N of a build with the feature `decimate`",
+            Self::Step(exponent) => return write!(f, "use --step 2^{exponent}"),
             Self::TextureColors(colors) => return write!(f, "use --texture {colors}"),
             Self::Feature(name) => return write!(f, "install it with the feature `{name}`"),
             Self::CloseSurface => "close the surface",
             Self::SeparateBodies => "separate the bodies",
             Self::SplitModel => "split the model",
+            Self::LeaveOutFar => "leave out parts that lie far from the others",
             Self::ReduceModel => "reduce it in a modelling program",
             Self::OtherUnit => "use another unit",
             Self::CopyAgain => "copy or export it again",

@@ -23,8 +23,17 @@ pub enum Warning {
         /// The first.
         first: Place,
     },
-    /// Concave polygons whose fan of triangles overlaps.
-    Concave {
+    /// The grid is too coarse for the shape: a tenth of the faces have no area on it, or the area changes by a tenth.
+    Coarse {
+        /// How many faces have no area on the grid.
+        lost: usize,
+        /// How many have one in the file.
+        faces: usize,
+        /// The area on the grid in percent of that in the file.
+        area: u32,
+    },
+    /// Polygons that cross themselves, so that some of their triangles lie upon others.
+    Crossing {
         /// How many.
         count: usize,
         /// The first.
@@ -80,6 +89,31 @@ pub enum Warning {
     BytesAfter {
         /// How many.
         count: u64,
+    },
+    /// Materials that are transparent in their library; their faces are opaque.
+    Transparent {
+        /// How many.
+        count: usize,
+        /// The name of the first.
+        first: String,
+    },
+    /// Materials name pictures, and none is wanted ([`Options::texture`](crate::Options::texture)).
+    PicturesUnwanted {
+        /// How many.
+        count: usize,
+        /// The first.
+        first: String,
+        /// Whether the model has texture coordinates, without which a picture cannot be shown.
+        has_coords: bool,
+    },
+    /// Something that a mesh has no place for was left out.
+    LeftOut {
+        /// What.
+        what: Element,
+        /// How many.
+        count: usize,
+        /// The first.
+        first: Place,
     },
     /// Faces have materials, but no library of materials is named.
     NoLibrary,
@@ -222,6 +256,22 @@ pub enum Warning {
     },
 }
 
+/// Elements of a file that a mesh has no place for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum Element {
+    /// Points of an OBJ file (`p`).
+    Points,
+    /// Lines of an OBJ file (`l`) that cannot be understood, or that name a vertex that does not exist.
+    Lines,
+    /// Curves and surfaces of an OBJ file (`curv`, `surf` and others).
+    Curves,
+    /// Colours of the corners of faces whose material has a colour.
+    CoveredColors,
+    /// Colours of an ASCII STL file (`color`).
+    TextColors,
+}
+
 /// Where in a file something is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
@@ -240,12 +290,13 @@ impl Warning {
         match *self {
             Self::NoArea { first: Place::Line(line), .. }
             | Self::Duplicates { first: Place::Line(line), .. }
-            | Self::Concave { first: Place::Line(line), .. }
+            | Self::Crossing { first: Place::Line(line), .. }
             | Self::OpenEdges { first: Place::Line(line), .. }
             | Self::CrowdedEdges { first: Place::Line(line), .. }
             | Self::TwistedEdges { first: Place::Line(line), .. }
             | Self::InsideOut { first: Place::Line(line), .. }
             | Self::BareFaces { first: Place::Line(line), .. }
+            | Self::LeftOut { first: Place::Line(line), .. }
             | Self::NoEndsolid { line } => Some(line),
             Self::TextureCoords { line, .. } => line,
             _ => None,
@@ -268,8 +319,15 @@ impl Warning {
         match self {
             Self::NoArea { count, first } => Said::new(some("faces without area", count, first, DROPPED), []),
             Self::Duplicates { count, first } => Said::new(some("duplicate faces", count, first, DROPPED), []),
-            Self::Concave { count, first } => {
-                Said::new(some("concave faces, whose triangles overlap", count, first, ""), [R::ExportTriangles])
+            Self::Coarse { lost, faces, area } => Said::new(
+                format!(
+                    "rounding to a grid of at most 65535 steps along the longest side changes the shape: {lost} of {faces} faces \
+                     have no area on it, and the area of all is {area} % of that in the file: "
+                ),
+                [R::SplitModel, R::LeaveOutFar],
+            ),
+            Self::Crossing { count, first } => {
+                Said::new(some("faces that cross themselves", count, first, "their triangles overlap: "), [R::ExportTriangles])
             }
             Self::OpenEdges { count, first } => Said::new(
                 some("open edges", count, first, "faces show nothing from behind: "),
@@ -309,6 +367,29 @@ impl Warning {
             }
             Self::BytesAfter { count } => {
                 Said::new(format!("{count} bytes after the last triangle are passed over"), [])
+            }
+            Self::Transparent { count, first } => {
+                Said::new(format!("transparent materials: {count}, the first {first}; their faces are opaque"), [])
+            }
+            Self::PicturesUnwanted { count, first, has_coords: false } => Said::new(
+                format!("pictures of materials: {count}, the first {first}; left out, as there are no texture coordinates"),
+                [],
+            ),
+            Self::PicturesUnwanted { count, first, .. } => Said::new(
+                format!("pictures of materials: {count}, the first {first}; left out: "),
+                [R::TextureColors(16)],
+            ),
+            Self::LeftOut { what, count, first } => {
+                let (what, then, remedies) = match what {
+                    Element::Points => ("points (`p`)", "left out", vec![]),
+                    Element::Lines => ("lines (`l`) to vertices that do not exist", "left out: ", vec![R::ExportAgain]),
+                    Element::Curves => ("curves and surfaces", "left out: ", vec![R::ExportMesh]),
+                    Element::CoveredColors => {
+                        ("faces with a material and colours of vertices", "these colours are left out", vec![])
+                    }
+                    Element::TextColors => ("`color` lines", "left out", vec![]),
+                };
+                Said::new(some(what, count, first, then), remedies)
             }
             Self::NoLibrary => Said::new("no material library (mtllib): faces have no colours", []),
             Self::Library { name, why } => {

@@ -1,6 +1,7 @@
 //! Vertices at the same position become one, and faces that are left without area or twice go.
 
-use std::collections::HashMap;
+use crate::slivers::{Slivers, Weights};
+use std::collections::{HashMap, HashSet};
 use std::hash::{BuildHasherDefault, Hash, Hasher};
 
 /// The mesh after welding: for each new vertex the index of an old one, and the faces. New vertices are numbered in the order in
@@ -10,20 +11,26 @@ pub(crate) struct Welded {
     pub(crate) faces: Vec<[usize; 3]>,
     /// For each face its index in the input.
     pub(crate) sources: Vec<usize>,
+    /// The faces that are pieces of a face of the input, and which.
+    pub(crate) pieces: HashMap<usize, Weights>,
     /// Vertices at the position of an earlier one.
     pub(crate) welded: usize,
     /// Vertices (after welding) that no face names.
     pub(crate) unused: usize,
     /// The places of the faces that were dropped because they have no area.
     pub(crate) degenerate: Vec<usize>,
-    /// The places of the faces that were dropped because they are there already, and the new indices of those that stayed.
-    pub(crate) duplicate: Vec<(usize, usize)>,
+    /// The places of the faces that were dropped because they are there already. None are, if that would open a closed surface.
+    pub(crate) duplicate: Vec<usize>,
+    /// How many faces there are more because faces were cut.
+    pub(crate) cut: usize,
 }
 
-/// Welds vertices of equal keys. `is_flat` says of three different vertices whether they lie on one line.
+/// Welds vertices of equal keys, each of which is a position. `is_flat` says of three different positions whether they lie on one
+/// line.
 pub(crate) fn weld<K: Copy + Eq + Hash>(
     keys: &[K],
     faces: &[[usize; 3]],
+    position: impl Fn(K) -> [f64; 3],
     is_flat: impl Fn([K; 3]) -> bool,
 ) -> Welded {
     let mut first_with = Numbered::with_capacity_and_hasher(keys.len(), BuildHasherDefault::default());
@@ -31,36 +38,91 @@ pub(crate) fn weld<K: Copy + Eq + Hash>(
         keys.iter().enumerate().map(|(vertex, key)| *first_with.entry(*key).or_insert(vertex)).collect();
 
     let mut new_index = vec![None; keys.len()];
-    let mut seen = Numbered::with_capacity_and_hasher(faces.len(), BuildHasherDefault::default());
+    let mut seen = HashSet::<_, BuildHasherDefault<Mix>>::with_capacity_and_hasher(
+        faces.len(),
+        BuildHasherDefault::default(),
+    );
     let mut out = Welded {
         vertices: Vec::new(),
         faces: Vec::with_capacity(faces.len()),
         sources: Vec::with_capacity(faces.len()),
+        pieces: HashMap::new(),
         welded: keys.len() - first_with.len(),
         unused: 0,
         degenerate: Vec::new(),
         duplicate: Vec::new(),
+        cut: 0,
     };
+    let (mut with_area, mut slivers) = (Vec::with_capacity(faces.len()), Vec::new());
     for (place, face) in faces.iter().enumerate() {
         let face = face.map(|vertex| representative[vertex]);
         let [a, b, c] = face;
-        if a == b || b == c || c == a || is_flat(face.map(|vertex| keys[vertex])) {
+        let is_point_or_side = a == b || b == c || c == a;
+        if is_point_or_side || is_flat(face.map(|vertex| keys[vertex])) {
             out.degenerate.push(place);
-        } else if let Some(&twin) = seen.get(&smallest_first(face)) {
-            out.duplicate.push((place, twin));
+            slivers.extend((!is_point_or_side).then_some(face));
         } else {
-            seen.insert(smallest_first(face), out.faces.len());
-            out.sources.push(place);
-            out.faces.push(face.map(|vertex| {
+            with_area.push((place, face));
+        }
+    }
+    let slivers = Slivers::new(&slivers, with_area.iter().map(|(_, face)| face), |v| position(keys[v]));
+    let mut duplicates = Vec::new();
+    for &(place, face) in &with_area {
+        let pieces = slivers.pieces(face);
+        if pieces.is_empty() {
+            out.degenerate.push(place);
+            continue;
+        }
+        out.cut += pieces.len() - 1;
+        for (corners, weights) in pieces {
+            let is_first = seen.insert(smallest_first(corners));
+            let is_whole = corners == face;
+            let corners = corners.map(|vertex| {
                 *new_index[vertex].get_or_insert_with(|| {
                     out.vertices.push(vertex);
                     out.vertices.len() - 1
                 })
-            }));
+            });
+            let piece = (place, corners, (!is_whole).then_some(weights));
+            match is_first {
+                true => out.push(piece),
+                false => duplicates.push(piece),
+            }
         }
+    }
+    let with_duplicates = || out.faces.iter().chain(duplicates.iter().map(|(_, face, _)| face));
+    if !duplicates.is_empty() && !is_closed(out.faces.iter()) && is_closed(with_duplicates()) {
+        duplicates.into_iter().for_each(|piece| out.push(piece));
+    } else {
+        out.duplicate = duplicates.into_iter().map(|(place, ..)| place).collect();
     }
     out.unused = first_with.len() - out.vertices.len();
     out
+}
+
+/// Whether as many faces run along each side in one direction as in the other.
+fn is_closed<'f>(faces: impl Iterator<Item = &'f [usize; 3]>) -> bool {
+    let mut sides = HashMap::<_, isize, BuildHasherDefault<Mix>>::default();
+    for &[a, b, c] in faces {
+        for [a, b] in [[a, b], [b, c], [c, a]] {
+            *sides.entry([a.min(b), a.max(b)]).or_default() += if a < b { 1 } else { -1 };
+        }
+    }
+    sides.into_values().all(|sum| sum == 0)
+}
+
+impl Welded {
+    fn push(&mut self, (place, face, weights): (usize, [usize; 3], Option<Weights>)) {
+        self.pieces.extend(weights.map(|weights| (self.faces.len(), weights)));
+        self.sources.push(place);
+        self.faces.push(face);
+    }
+
+    /// Values at the corners of a face, by those at the corners of the face of the input.
+    pub(crate) fn values(&self, face: usize, values: [[f64; 2]; 3]) -> [[f64; 2]; 3] {
+        let Some(weights) = self.pieces.get(&face) else { return values };
+        weights.map(|of| [0, 1].map(|axis| (0..3).map(|corner| of[corner] * values[corner][axis]).sum()))
+    }
 }
 
 /// Rotates a triangle's indices so that the smallest comes first: equal triangles of equal winding get equal indices.

@@ -29,8 +29,9 @@ async function open(file) {
     set({ mesh: 'file', ...settings });
   } catch (problem) {
     for (const id of ['file', 'picture-file']) $(id).value = ''; // the page does not have this file
-    // Messages of the library begin with the name.
-    say(`${file.name}: ${grouped(problem.message.replace(`${file.name}: `, ''))}`, true);
+    // The library's messages about a file begin with its name, and the line where that is known.
+    const name = problem.message.startsWith(`${file.name}:`) ? '' : `${file.name}: `;
+    say(name + grouped(problem.message), true);
   }
 }
 
@@ -46,7 +47,7 @@ function tryModel(name, bytes, settings) {
     drawState({ ...state, mesh: 'file', ...settings });
     imported = performance.now() - before;
   } catch (problem) {
-    if (isRemedied(problem.message)) return;
+    if (isRemedied(problem)) return;
     if (opened) library.load(opened.name, opened.bytes);
     throw new Error(drawnModel ? `${problem.message}. The page keeps ${meshName()}.` : problem.message);
   }

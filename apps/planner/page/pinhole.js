@@ -31,7 +31,7 @@ class Pinhole {
     return JSON.parse(this.answer(this.exports.menu()));
   }
 
-  // Draws a choice. Returns the pixels and a description of the frame; throws an Error with a message for the user.
+  // Draws a choice. Returns the pixels and a description of the frame.
   draw(choice) {
     this.write(choice);
     const about = JSON.parse(this.answer(this.exports.draw()));
@@ -73,7 +73,7 @@ class Pinhole {
     this.write(text);
     const isGood = this.exports[name]();
     const bytes = new Uint8Array(this.exports.memory.buffer, this.exports.output(), this.exports.output_len()).slice();
-    if (!isGood) throw new Error(new TextDecoder().decode(bytes));
+    if (!isGood) refuse(new TextDecoder().decode(bytes));
     return bytes;
   }
 
@@ -97,9 +97,15 @@ class Pinhole {
   answer(isGood) {
     const bytes = new Uint8Array(this.exports.memory.buffer, this.exports.output(), this.exports.output_len());
     const text = new TextDecoder().decode(bytes);
-    if (!isGood) throw new Error(text);
+    if (!isGood) refuse(text);
     return text;
   }
+}
+
+// Throws an Error with a message for the user, and the buttons of its remedies.
+function refuse(text) {
+  const { message, remedies } = JSON.parse(text);
+  throw Object.assign(new Error(message), { remedies });
 }
 
 globalThis.Pinhole = Pinhole;

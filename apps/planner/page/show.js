@@ -29,14 +29,14 @@ function show() {
     say(grouped(problem.message), true);
     drawnModel = '';
     canvas.classList.add('stale');
-    isTooLarge = isRemedied(problem.message);
+    isTooLarge = isRemedied(problem);
     showDecimation(state.decimate);
     hideCosts();
     showBoards();
     // A turn would fail at each step: an import of half a second, again and again.
     stopTurning();
     showWarnings(`failed ${problem.message}`, () => {
-      const buttons = remedyButtons(isRemedied(problem.message) ? [{ changes: { decimate: 0 } }] : []);
+      const buttons = remedyButtons(problem.remedies);
       return buttons.length ? [element('div', { className: 'warning' }, 'This page can do it: ', ...buttons)] : [];
     });
     $('model').textContent = '';
@@ -44,17 +44,17 @@ function show() {
   addressSoon();
 }
 
-// The last model that was too large, and its message: it is not read again for each view of it.
+// The last model that was too large, and its error: it is not read again for each view of it.
 let tooLarge = {};
 const modelKey = (of) => JSON.stringify(['mesh', 'style', 'edges', ...OF_FILE].map((key) => of[key]));
 
 function drawState(of = state) {
   const model = modelKey(of);
-  if (tooLarge.model === model) throw new Error(tooLarge.message);
+  if (tooLarge.model === model) throw tooLarge.problem;
   try {
     return library.draw(choice(of));
   } catch (problem) {
-    if (isRemedied(problem.message)) tooLarge = { model, message: problem.message };
+    if (isRemedied(problem)) tooLarge = { model, problem };
     throw problem;
   }
 }
@@ -95,10 +95,10 @@ function showWarnings(about, make) {
 }
 
 // Whether decimation makes a model one that can be drawn.
-const isRemedied = (message) => menu.decimates && message.includes('--decimate N');
+const isRemedied = ({ remedies = [] }) => remedies.some(({ changes }) => 'decimate' in changes);
 
 // A button for each remedy: its name, and what it changes in the choice.
-function remedyButtons(remedies) {
+function remedyButtons(remedies = []) {
   const button = ({ name, changes }) =>
     'decimate' in changes ? decimationButtons() : [remedyButton(name[0].toUpperCase() + name.slice(1), changes)];
   return remedies.flatMap(button);

@@ -1,9 +1,11 @@
 //! The functions that the page calls. The page writes a text or a file into the memory at `input(length)`, calls one of the
 //! functions below, and reads the result at `output()`, `output_len()` bytes, and after `draw` also the pixels at `pixels()`,
-//! `pixels_len()` bytes. Each function returns 1 on success; otherwise the output is a message.
+//! `pixels_len()` bytes. Each function returns 1 on success; otherwise the output is JSON: a message,
+//! and the buttons of its remedies.
 
 use crate::choice::Choice;
 use crate::planner::Planner;
+use crate::warning::Refusal;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// The planner of the page, with its input and output.
@@ -28,21 +30,20 @@ fn with<T>(call: impl FnOnce(&mut Desk) -> T) -> T {
 }
 
 impl Desk {
-    fn answer(&mut self, result: Result<String, String>) -> u32 {
+    fn answer(&mut self, result: Result<String, Refusal>) -> u32 {
         let is_good = result.is_ok();
-        let (Ok(text) | Err(text)) = result;
-        self.output = text.into_bytes();
+        self.output = result.unwrap_or_else(|problem| problem.json()).into_bytes();
         u32::from(is_good)
     }
 
     /// The parts of the input, which zero bytes separate.
-    fn parts(&self) -> Result<Vec<String>, String> {
+    fn parts(&self) -> Result<Vec<String>, Refusal> {
         let text = std::str::from_utf8(&self.input).map_err(|e| e.to_string())?;
         Ok(text.split('\0').map(str::to_owned).collect())
     }
 
-    fn choice(&self) -> Result<Choice, String> {
-        Choice::parse(std::str::from_utf8(&self.input).map_err(|e| e.to_string())?)
+    fn choice(&self) -> Result<Choice, Refusal> {
+        Ok(Choice::parse(std::str::from_utf8(&self.input).map_err(|e| e.to_string())?)?)
     }
 }
 

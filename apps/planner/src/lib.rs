@@ -33,3 +33,4 @@ pub use choice::{Choice, Style};
 pub use display::{Format, Tricolor, DISPLAYS};
 pub use planner::Planner;
 pub use ready::READY;
+pub use warning::Refusal;

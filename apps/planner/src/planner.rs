@@ -11,8 +11,8 @@ use crate::json::{list, object, text};
 use crate::projections::Named;
 use crate::ready::{self, READY};
 use crate::texture::{Pattern, TextureImage, BY_SIDES};
-use crate::warning::{buttons, words};
-use pinhole_import::{import_bytes, Axis, ImportedMesh, Options};
+use crate::warning::{about, words, Refusal};
+use pinhole_import::{import_bytes, Axis, ImportedMesh, Options, Warning};
 use std::borrow::Cow;
 use std::path::PathBuf;
 
@@ -52,7 +52,7 @@ impl Planner {
     /// # Errors
     ///
     /// If a side is none that a texture can have.
-    pub fn load_picture(&mut self, bytes: &[u8], width: usize) -> Result<(), String> {
+    pub fn load_picture(&mut self, bytes: &[u8], width: usize) -> Result<(), Refusal> {
         self.picture = TextureImage::from_rgba(bytes, width)?;
         self.film = None;
         Ok(())
@@ -64,10 +64,11 @@ impl Planner {
     /// # Errors
     ///
     /// A message that says why the choice or the model cannot be drawn, with a remedy.
-    pub fn draw(&mut self, choice: &Choice) -> Result<(Vec<u8>, String), String> {
+    pub fn draw(&mut self, choice: &Choice) -> Result<(Vec<u8>, String), Refusal> {
         self.mesh(choice)?;
         let mesh = self.made()?;
-        let drawn = draw::draw(mesh, choice, &self.image(choice))?;
+        let drawn =
+            draw::draw(mesh, choice, &self.image(choice)).map_err(|problem| too_many(mesh, problem))?;
         let statistics = drawn.statistics;
         let counts = [
             ("drawn", statistics.drawn),
@@ -82,7 +83,7 @@ impl Planner {
             ("height", choice.size.height.to_string()),
             ("bytes", drawn.bytes.to_string()),
             ("statistics", counts),
-            ("model", about(mesh, choice)),
+            ("model", model(mesh, choice)),
         ]);
         Ok((drawn.pixels, what))
     }
@@ -93,7 +94,7 @@ impl Planner {
     /// # Errors
     ///
     /// The errors of [`draw`](Self::draw).
-    pub fn film(&mut self, begins: Option<&Choice>) -> Result<[u32; 2], String> {
+    pub fn film(&mut self, begins: Option<&Choice>) -> Result<[u32; 2], Refusal> {
         let film = match begins {
             Some(choice) => Some(Film::new(choice.clone(), FRAMES)?),
             None => self.film.take(),
@@ -112,8 +113,8 @@ impl Planner {
     /// # Errors
     ///
     /// If no film was begun.
-    pub fn gif(&mut self) -> Result<Vec<u8>, String> {
-        self.film.take().ok_or("no film was begun")?.finish()
+    pub fn gif(&mut self) -> Result<Vec<u8>, Refusal> {
+        Ok(self.film.take().ok_or("no film was begun")?.finish()?)
     }
 
     /// What a frame by a choice costs in RAM, flash and time, as JSON.
@@ -121,9 +122,10 @@ impl Planner {
     /// # Errors
     ///
     /// The errors of [`draw`](Self::draw).
-    pub fn costs(&mut self, choice: &Choice) -> Result<String, String> {
+    pub fn costs(&mut self, choice: &Choice) -> Result<String, Refusal> {
         self.mesh(choice)?;
-        cost::costs(self.made()?, choice, &self.image(choice))
+        let mesh = self.made()?;
+        cost::costs(mesh, choice, &self.image(choice)).map_err(|problem| too_many(mesh, problem))
     }
 
     /// A file of a firmware template, changed for a choice; for textured faces also `src/texture.rs`, made from the template's
@@ -132,7 +134,7 @@ impl Planner {
     /// # Errors
     ///
     /// The errors of [`draw`](Self::draw), and a choice that no template draws.
-    pub fn firmware(&mut self, choice: &Choice, path: &str, template: &str) -> Result<String, String> {
+    pub fn firmware(&mut self, choice: &Choice, path: &str, template: &str) -> Result<String, Refusal> {
         if path == "src/texture.rs" {
             self.mesh(choice)?;
             let image = self.image(choice).into_owned();
@@ -142,7 +144,7 @@ impl Planner {
         let model = firmware::model_file(&self.source(choice)?.0);
         let mesh = self.mesh(choice)?;
         let sphere = mesh.mesh().map_err(|e| e.to_string())?.bounding_sphere();
-        firmware::file(path, template, choice, model, &sphere)
+        Ok(firmware::file(path, template, choice, model, &sphere)?)
     }
 
     /// The mesh of a choice as Rust.
@@ -150,7 +152,7 @@ impl Planner {
     /// # Errors
     ///
     /// The errors of [`draw`](Self::draw).
-    pub fn rust(&mut self, choice: &Choice) -> Result<String, String> {
+    pub fn rust(&mut self, choice: &Choice) -> Result<String, Refusal> {
         let (name, _) = self.source(choice)?;
         let source = self.mesh(choice)?.to_rust_mesh("MODEL", name.as_ref(), "the planner of pinhole");
         source.ok_or_else(|| "MODEL is no name of a constant".into())
@@ -162,7 +164,7 @@ impl Planner {
     /// # Errors
     ///
     /// If there is no file, and the errors of [`draw`](Self::draw) if there are libraries.
-    pub fn model(&mut self, choice: &Choice) -> Result<Vec<(String, Vec<u8>)>, String> {
+    pub fn model(&mut self, choice: &Choice) -> Result<Vec<(String, Vec<u8>)>, Refusal> {
         let (name, bytes) = self.source(choice)?;
         let mut files = vec![(firmware::model_file(&name).to_owned(), bytes)];
         if !self.libraries.is_empty() {
@@ -175,7 +177,7 @@ impl Planner {
     }
 
     /// The file of the chosen mesh, with its name.
-    fn source(&self, choice: &Choice) -> Result<(String, Vec<u8>), String> {
+    fn source(&self, choice: &Choice) -> Result<(String, Vec<u8>), Refusal> {
         match ready::file(&choice.mesh) {
             Some(file) => Ok(file),
             None => {
@@ -185,13 +187,12 @@ impl Planner {
     }
 
     /// The mesh of a choice, made again only if it differs from the last one.
-    fn mesh(&mut self, choice: &Choice) -> Result<&ImportedMesh, String> {
+    fn mesh(&mut self, choice: &Choice) -> Result<&ImportedMesh, Refusal> {
         let options = choice.options();
         let is_made = matches!(&self.mesh, Some((name, made, _)) if *name == choice.mesh && *made == options);
         if !is_made {
             let (name, bytes) = self.source(choice)?;
-            let mesh =
-                import_bytes(bytes, name.as_ref(), &self.libraries, &options).map_err(|e| e.to_string())?;
+            let mesh = import_bytes(bytes, name.as_ref(), &self.libraries, &options)?;
             self.mesh = Some((choice.mesh.clone(), options, mesh));
         }
         self.made()
@@ -203,7 +204,7 @@ impl Planner {
     }
 
     /// The mesh that was made last.
-    fn made(&self) -> Result<&ImportedMesh, String> {
+    fn made(&self) -> Result<&ImportedMesh, Refusal> {
         self.mesh.as_ref().map(|(.., mesh)| mesh).ok_or_else(|| "no mesh".into())
     }
 
@@ -251,14 +252,18 @@ impl Planner {
     }
 }
 
+/// Why a mesh cannot be drawn: the importer's warning, which has a remedy, where it has too many faces.
+fn too_many(mesh: &ImportedMesh, problem: String) -> Refusal {
+    let known = mesh.warnings.iter().find(|warning| matches!(warning, Warning::ManyFaces { .. }));
+    known.map_or(problem.into(), Refusal::from)
+}
+
 /// The size of a model, and the warnings about it.
-fn about(mesh: &ImportedMesh, choice: &Choice) -> String {
+fn model(mesh: &ImportedMesh, choice: &Choice) -> String {
     let is_laid_on = choice.style == Style::Textured && mesh.texture_faces.is_empty();
     let warnings = mesh.warnings.iter().map(|warning| (warning.worded(words), warning.remedies()));
     let warnings = warnings.chain(is_laid_on.then(|| (BY_SIDES.into(), Vec::new())));
-    let warnings = warnings.map(|(message, remedies)| {
-        object([("remedies", list(buttons(&remedies))), ("message", text(&message))])
-    });
+    let warnings = warnings.map(|(message, remedies)| about(&message, &remedies));
     object([
         ("vertices", mesh.vertices.len().to_string()),
         ("faces", mesh.faces.len().to_string()),

@@ -1,7 +1,8 @@
 //! The importer's remedies in the words and the buttons of the page.
 
-use crate::json::{object, text};
-use pinhole_import::Remedy;
+use crate::json::{list, object, text};
+use pinhole_import::{ImportError, Remedy, Warning};
+use std::fmt;
 
 /// The button of a remedy, if the page has one: its name, and the parts of a choice that it sets.
 fn button(remedy: Remedy) -> Option<(&'static str, &'static [(&'static str, usize)])> {
@@ -23,17 +24,67 @@ fn button(remedy: Remedy) -> Option<(&'static str, &'static [(&'static str, usiz
 pub(crate) fn words(remedy: Remedy) -> String {
     match (button(remedy), remedy) {
         (Some((name, _)), _) => name.into(),
+        (None, Remedy::TextureColors(_)) => "drop it on this page".into(),
         (None, Remedy::NoEdges) => "choose a style without lines".into(),
         (None, other) => other.to_string(),
     }
 }
 
 /// The buttons of the remedies, as JSON.
-pub(crate) fn buttons(remedies: &[Remedy]) -> impl Iterator<Item = String> + '_ {
+fn buttons(remedies: &[Remedy]) -> impl Iterator<Item = String> + '_ {
     remedies.iter().filter_map(|&remedy| button(remedy)).map(|(name, parts)| {
         let parts = object(parts.iter().map(|(part, value)| (*part, value.to_string())));
         object([("name", text(name)), ("changes", parts)])
     })
+}
+
+/// Why something cannot be drawn or made: a message, and the remedies that the importer has.
+#[derive(Debug, PartialEq)]
+pub struct Refusal {
+    message: String,
+    remedies: Vec<Remedy>,
+}
+
+impl Refusal {
+    /// The message and the buttons of the remedies, as JSON.
+    pub(crate) fn json(&self) -> String {
+        about(&self.message, &self.remedies)
+    }
+}
+
+/// A message and the buttons of its remedies, as JSON.
+pub(crate) fn about(message: &str, remedies: &[Remedy]) -> String {
+    object([("remedies", list(buttons(remedies))), ("message", text(message))])
+}
+
+impl From<String> for Refusal {
+    fn from(message: String) -> Self {
+        Self { message, remedies: Vec::new() }
+    }
+}
+
+impl From<&str> for Refusal {
+    fn from(message: &str) -> Self {
+        message.to_string().into()
+    }
+}
+
+impl From<ImportError> for Refusal {
+    fn from(error: ImportError) -> Self {
+        Self { message: error.worded(words), remedies: error.problem.remedies() }
+    }
+}
+
+impl From<&Warning> for Refusal {
+    fn from(warning: &Warning) -> Self {
+        Self { message: warning.worded(words), remedies: warning.remedies() }
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
 }
 
 #[cfg(test)]

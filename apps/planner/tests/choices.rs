@@ -89,8 +89,12 @@ fn a_broken_file_is_a_message_and_a_doubtful_one_a_warning_with_its_remedy() {
     let mut planner = Planner::default();
     let file = Choice::parse("mesh=file").expect("a choice");
     planner.load("part.stl", b"no model".to_vec());
-    let message = planner.draw(&file).expect_err("broken");
+    let message = planner.draw(&file).map(|_| ()).expect_err("broken").to_string();
     assert!(message.starts_with("part.stl: "), "{message}");
+
+    planner.load("stray.obj", b"v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n".to_vec());
+    let message = planner.draw(&file).map(|_| ()).expect_err("stray").to_string();
+    assert_eq!(message, "stray.obj:4: the face names a vertex that does not exist");
 
     planner.load("sheet.obj", b"v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nf 1 2 3 4\n".to_vec());
     let (_, about) = planner.draw(&file).expect("a sheet");

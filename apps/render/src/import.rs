@@ -11,7 +11,7 @@ use std::path::Path;
 mod arguments;
 
 /// The options that the command `pinhole-import` has, too.
-pub fn arguments() -> [Arg; 5] {
+pub fn arguments() -> impl IntoIterator<Item = Arg> {
     arguments::arguments()
 }
 
@@ -56,18 +56,19 @@ pub fn is_model(file: &Path) -> bool {
 
 /// Reads a model.
 pub fn read(file: &Path, options: &Options) -> Result<Preview, String> {
-    pinhole_import::preview(file, options).map_err(|e| e.to_string())
+    let model = pinhole_import::preview(file, options).map_err(|e| e.to_string())?;
+    match model.triangles.faces.is_empty() {
+        true => Err(format!(
+            "{}: has lines alone, which firmware draws and this program does not",
+            file.display()
+        )),
+        false => Ok(model),
+    }
 }
 
 /// The colours of a model's triangles, taken out of it.
 pub fn colors(model: &mut Preview) -> Colors {
     Colors { faces: std::mem::take(&mut model.colors), emission: std::mem::take(&mut model.emission) }
-}
-
-/// What to do for a picture that the model's materials name and nobody asked for, if there is one.
-pub fn hint(model: &Preview, options: &Options) -> Option<String> {
-    let name = model.pictures.first().filter(|_| options.texture.is_none() && !model.texture.is_empty())?;
-    Some(format!("note: its materials name a picture, {name}: --texture 16 shows it in 16 colours"))
 }
 
 /// The flash that this model takes in a firmware, as a message.

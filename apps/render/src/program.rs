@@ -134,9 +134,6 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
             command::say(format_args!("{}: {size}", options.scene.display()))?;
         }
         command::warn(&options.scene, &model.warnings);
-        if let Some(hint) = import::hint(model, &options.import) {
-            command::complain(named(hint));
-        }
     }
     Ok(())
 }

@@ -654,7 +654,7 @@ fn a_model_s_picture_is_shown_where_it_is_asked_for() {
         let done = RENDER.run(&[&[text(&file), "--two-sided", "--size", "64x48"], options].concat());
         (done.status.success(), String::from_utf8(done.stderr).unwrap())
     };
-    let note = "note: its materials name a picture, skin.png: --texture 16 shows it in 16 colours";
+    let note = "warning: pictures of materials: 1, the first skin.png; left out: use --texture 16";
     let film_of = |options: &[&str]| {
         let fixed = ["--gif", text(&film), "--frames", "2"];
         let (is_done, said) = run(&[&fixed, options].concat());
@@ -669,7 +669,7 @@ fn a_model_s_picture_is_shown_where_it_is_asked_for() {
     let (is_shown, said) = film_of(&[]);
     assert!(!is_shown && said.contains(note), "{said}");
     let (is_shown, said) = film_of(&["--texture", "4"]);
-    assert!(is_shown && !said.contains("note"), "{said}");
+    assert!(is_shown && !said.contains("pictures"), "{said}");
     let (is_done, said) = run(&["--png", text(&to.join("out.png")), "--lit-texture"]);
     assert!(
         !is_done && said.contains("--lit-texture: no texture is shown: give --texture COLORS too"),

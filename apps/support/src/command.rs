@@ -10,8 +10,10 @@ use std::process::ExitCode;
 
 #[path = "../../../import/src/say.rs"]
 mod say;
+#[path = "../../../import/src/shown.rs"]
+mod shown;
 
-/// Prints a line to standard output. A reader that closes it early (`| head`) is no error.
+/// Prints lines to standard output, with the control characters in names escaped. A reader that closes it early (`| head`) is no error.
 ///
 /// # Errors
 ///
@@ -20,7 +22,7 @@ pub fn say(line: impl Display) -> Result<(), String> {
     say::say(line)
 }
 
-/// Prints a line to standard error; where that fails there is nowhere left to report it.
+/// Prints a line to standard error, with the control characters in names escaped; where that fails there is nowhere left to report it.
 pub fn complain(line: impl Display) {
     say::complain(line);
 }
@@ -34,7 +36,7 @@ pub fn warn(model: &Path, warnings: impl IntoIterator<Item = impl Display>) {
 /// exit code is 2.
 pub fn run<E: ToString>(program: impl FnOnce() -> Result<ExitCode, E>) -> ExitCode {
     program().unwrap_or_else(|problem| {
-        complain(problem.to_string().replace(char::is_control, " "));
+        complain(problem.to_string());
         ExitCode::from(2)
     })
 }

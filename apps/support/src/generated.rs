@@ -64,7 +64,8 @@ impl Generated {
         self.finish_showing(page.as_bytes(), |old| {
             let old = String::from_utf8_lossy(old);
             if let Some((old, new)) = old.lines().zip(page.lines()).find(|(old, new)| old != new) {
-                complain(format_args!("- {old}\n+ {new}"));
+                complain(format_args!("- {old}"));
+                complain(format_args!("+ {new}"));
             }
         })
     }

@@ -45,14 +45,13 @@ fn main() -> ExitCode {
         let size = size(&mut given, &source)?;
         let mut state = source.state();
         let (warnings, in_firmware) = (source.warnings().collect::<Vec<_>>(), source.size_in_firmware());
-        let (hint, file) = (source.hint(), source.file().map(Path::to_path_buf).unwrap_or_default());
+        let file = source.file().map(Path::to_path_buf).unwrap_or_default();
         let mut viewer = Viewer::new(source, size);
         viewer.draw(&state)?;
         if let Some(size) = in_firmware {
             command::say(format_args!("{}: {size}", file.display()))?;
         }
         command::warn(&file, &warnings);
-        hint.iter().for_each(command::complain);
         for action in actions(&mut given)? {
             state.apply(action);
             viewer.draw(&state)?; // so that what changes is what the last key changed

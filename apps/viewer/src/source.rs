@@ -109,11 +109,6 @@ impl Source {
         self.imported.as_ref().and_then(import::size)
     }
 
-    /// What to do for a picture that the model's materials name and nobody asked for, if there is one.
-    pub fn hint(&self) -> Option<String> {
-        import::hint(self.imported.as_ref()?, &self.options).map(|hint| self.named(&hint))
-    }
-
     /// The file that is shown, unless the mesh is built in.
     pub fn file(&self) -> Option<&Path> {
         self.file.as_deref()

@@ -16,28 +16,13 @@ use pinhole_render::quantised::Quantised;
 use pinhole_render::{firmware, import, style};
 use pinhole_viewer::{Source, Viewer};
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 const SIZE: Size = Size::new(160, 120);
-const NONE: Options = Options {
-    up: None,
-    flip: false,
-    fix_winding: false,
-    two_sided: false,
-    fit: None,
-    decimate: None,
-    centre: pinhole_import::Centre::Box,
-    reorder: false,
-    edges: pinhole_import::Edges::All,
-    edge_faces: false,
-    normals: true,
-    planes: false,
-    vertex_normals: false,
-    texture: None,
-    root: None,
-};
-const FLIP: Options = Options { flip: true, ..NONE };
-const FIX: Options = Options { fix_winding: true, ..NONE };
-const BOTH_SIDES: Options = Options { two_sided: true, ..NONE };
+static NONE: LazyLock<Options> = LazyLock::new(Options::default);
+static FLIP: LazyLock<Options> = LazyLock::new(|| Options { flip: true, ..Options::default() });
+static FIX: LazyLock<Options> = LazyLock::new(|| Options { fix_winding: true, ..Options::default() });
+static BOTH_SIDES: LazyLock<Options> = LazyLock::new(|| Options { two_sided: true, ..Options::default() });
 
 fn file(name: &str, bytes: impl AsRef<[u8]>) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("tools");
@@ -181,7 +166,7 @@ fn up_is_z_of_stl_and_y_of_obj_in_all_tools() {
     let (lying, _) = agreed(&obj, &NONE);
     assert!(rows(&lying) < columns(&lying), "{} {}", rows(&lying), columns(&lying));
     // Either axis, if the options name it.
-    let up = |axis| Options { up: Some(axis), ..NONE };
+    let up = |axis| Options { up: Some(axis), ..Options::default() };
     assert!(agreed(&stl, &up(pinhole_import::Axis::Y)).0 == lying);
     assert!(agreed(&obj, &up(pinhole_import::Axis::Z)).0 == standing);
     for axis in pinhole_import::Axis::ALL.map(|(_, axis)| axis) {
@@ -232,9 +217,9 @@ fn models_inside_out_are_so_everywhere_and_flip_mends_them() {
     let right = colours(&gear_file, &NONE);
     let others = right.iter().zip(colours(&flipped, &NONE)).filter(|(a, b)| *a != b).count();
     assert!(others > 2000, "{others}");
-    for options in [FLIP, FIX] {
-        assert_eq!(agreed(&flipped, &options), (sound.clone(), vec![]), "{options:?}");
-        assert!(colours(&flipped, &options) == right, "{options:?}");
+    for options in [&*FLIP, &*FIX] {
+        assert_eq!(agreed(&flipped, options), (sound.clone(), vec![]), "{options:?}");
+        assert!(colours(&flipped, options) == right, "{options:?}");
     }
     assert!(colours(&flipped, &BOTH_SIDES) == right);
     assert_eq!(agreed(&flipped, &BOTH_SIDES), (sound, vec![]));

@@ -14,6 +14,8 @@ pub(super) struct Text {
     pub(super) lines: Vec<u32>,
     /// The last line, if the file ends without `endsolid`.
     pub(super) unended: Option<usize>,
+    /// How many lines of colours there are, and the number of the first.
+    pub(super) colors: Option<(usize, usize)>,
 }
 
 /// A problem, and the line where it is, if known.
@@ -21,8 +23,8 @@ type Refusal = (Problem, Option<usize>);
 
 /// Reads it all.
 pub(super) fn to_binary(text: &str) -> Result<Text, Refusal> {
-    let mut words = Words { line: 0, words: "".split_ascii_whitespace(), lines: text.lines() };
-    let mut out = Text { binary: vec![0; HEADER + COUNT], lines: Vec::new(), unended: None };
+    let mut words = Words { line: 0, colors: None, words: "".split_ascii_whitespace(), lines: text.lines() };
+    let mut out = Text { binary: vec![0; HEADER + COUNT], lines: Vec::new(), unended: None, colors: None };
     let mut ended = false;
     while let Some(word) = words.next() {
         ended = is(word, "endsolid");
@@ -36,6 +38,7 @@ pub(super) fn to_binary(text: &str) -> Result<Text, Refusal> {
             return Err(words.refuse("neither `facet` nor `endsolid` stands here"));
         }
     }
+    out.colors = words.colors;
     out.unended = (!ended).then_some(words.line);
     // Files are short enough that 32 bits hold the count.
     out.binary[HEADER..HEADER + COUNT].copy_from_slice(&(out.lines.len() as u32).to_le_bytes());
@@ -85,6 +88,8 @@ const STATEMENTS: [&str; 8] = ["solid", "facet", "outer", "vertex", "end", "endl
 struct Words<'t> {
     /// The number of the last word's line.
     line: usize,
+    /// How many lines of colours were skipped, and the number of the first.
+    colors: Option<(usize, usize)>,
     words: std::str::SplitAsciiWhitespace<'t>,
     lines: std::str::Lines<'t>,
 }
@@ -98,6 +103,7 @@ impl<'t> Words<'t> {
             self.words = before_comment(self.lines.next()?).split_ascii_whitespace();
             self.line += 1;
             if self.peek().is_some_and(|word| is(word, "color") || is(word, "colour")) {
+                self.colors.get_or_insert((0, self.line)).0 += 1;
                 self.words = "".split_ascii_whitespace();
             }
         }

@@ -1,11 +1,13 @@
 //! STL to triangles; ASCII is turned into binary first. Normals are passed over.
 
 mod ascii;
+mod colors;
 
+use crate::materials;
 use crate::model::{Model, Places};
-use crate::text::text;
+use crate::text::{is_utf16, text};
 use crate::weld::Numbered;
-use crate::{ImportError, Problem, Triangles, Warning, LARGEST_FILE};
+use crate::{Element, ImportError, Options, Place, Problem, Triangles, Warning, LARGEST_FILE};
 use std::path::Path;
 
 /// Header, count and triangles of a binary file.
@@ -14,13 +16,19 @@ const COUNT: usize = 4;
 const TRIANGLE: usize = 50;
 
 /// Reads STL; `file` is only named in errors. Vertices with the same bits are one.
-pub(crate) fn read(bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError> {
+pub(crate) fn read(bytes: Vec<u8>, file: &Path, options: &Options) -> Result<Model, ImportError> {
     let as_it_is = |problem: Problem| problem.at(file, None);
-    if is_text(&bytes) {
-        let ascii::Text { binary, lines, unended } =
+    if let Some(name) = options.objects.first() {
+        return Err(as_it_is(Problem::NoSuchObject { name: name.clone(), names: Vec::new() }));
+    }
+    if is_text(&bytes) || is_utf16(&bytes) && is_text(text(&bytes).as_bytes()) {
+        let ascii::Text { binary, lines, unended, colors } =
             ascii::to_binary(&text(&bytes)).map_err(|(problem, line)| problem.at(file, line))?;
         let triangles = triangles(&binary);
-        let warnings = unended.map(|line| Warning::NoEndsolid { line }).into_iter().collect();
+        let cut = unended.map(|line| Warning::NoEndsolid { line });
+        let what = Element::TextColors;
+        let left = colors.map(|(count, line)| Warning::LeftOut { what, count, first: Place::Line(line) });
+        let warnings = cut.into_iter().chain(left).collect();
         return Ok(Model { triangles, places: Places::Lines(lines), warnings, ..Model::default() });
     }
     let given = bytes.len() as u64;
@@ -47,7 +55,9 @@ pub(crate) fn read(bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError> {
         return Err(as_it_is(Problem::NotFiniteAt { byte }));
     }
     let triangles = triangles(bytes);
-    Ok(Model { triangles, places: Places::Records, warnings, ..Model::default() })
+    let own = if options.materials_only { Vec::new() } else { colors::of_facets(bytes) };
+    let colors = materials::of_faces(own, &mut warnings);
+    Ok(Model { triangles, places: Places::Records, warnings, colors, ..Model::default() })
 }
 
 /// Whether the file is one of text, with a solid or, without that line, a facet, below comments. A binary one may begin with

@@ -71,6 +71,8 @@ fn options_reach_the_mesh() {
     has("--centre origin", &["MESH_OFFSET: [i32; 3] = [0, 0, 0];"]);
     has("--up z --fit 8", &["the longest side is 8", "OFFSET: [i32; 3] = [262144, 65536, -131072];"]);
     has("--up -z", &["OFFSET: [i32; 3] = [131072, -32768, 65536];"]);
+    has("--step 2^-3", &["Mesh::new(&VERTICES, -3,"]);
+    has("--step .125 --materials-only", &["Mesh::new(&VERTICES, -3,"]);
     has("--arrays", &["pub const FACES: [[u16; 3]; 4] = ["]);
     let bare = with("--edges none --normals none");
     assert!(!bare.contains("EDGES") && !bare.contains("NORMALS"), "{bare}");
@@ -92,6 +94,10 @@ fn what_makes_no_sense_is_refused() {
         ("--edges none --edge-faces", "the faces beside edges belong to edges: ask for these too"),
         ("--name LEG --arrays", "--name: is that of a mesh"),
         ("--up w", "[possible values: x, y, z, -x, -y, -z]"),
+        ("--step 0.3", "the step is not a power of two"),
+        ("--step 2^x", "a power of two is a number such as 0.25, or 2^-2"),
+        ("--step -2", "the step is not a power of two"),
+        ("--object leg", "has no object leg, as none has a name"),
         ("--name leg", "--name leg: is not a constant's"),
         ("--decimate 0", "no triangles would be left"),
         ("--planes --normals vertex", "planes belong to the normals of faces: ask for these too"),
@@ -124,6 +130,30 @@ fn broken_input_is_one_line_exit_code_2_and_no_output() {
     }
 }
 
+/// Names that a terminal would take for a window's title, a colour, an erased screen or another direction of text.
+#[test]
+fn control_characters_are_shown_escaped() {
+    let tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    let names = "mtllib \x1b]0;title\x07\x1b[31mred.mtl\nusemtl \u{9b}2J\u{202e}a\n";
+    let (model, output) = (scratch("hostile.obj"), scratch("hostile.rs"));
+    std::fs::write(&model, format!("{names}{tetrahedron}")).unwrap();
+    let (named, broken) = (scratch("a\x1b[2J.obj"), scratch("b\x1b[2J.obj"));
+    std::fs::write(&named, &tetrahedron[..tetrahedron.len() - 8]).unwrap();
+    std::fs::write(&broken, "f\n").unwrap();
+    for (model, wanted) in [
+        (&model, &["material library \\u{1b}]0;title\\u{7}\\u{1b}[31mred.mtl: "][..]),
+        (&named, &["a\\u{1b}[2J.obj: warning: "]),
+        (&broken, &["b\\u{1b}[2J.obj:1: "]),
+        (&scratch("c\x1b[2J.obj"), &["c\\u{1b}[2J.obj: cannot be read"]),
+    ] {
+        let done = import(&[model, Path::new("-o"), &output]);
+        let said = String::from_utf8([done.stdout, done.stderr].concat()).unwrap();
+        let is_harmful = |c: char| c != '\n' && c.is_control() || c == '\u{202e}';
+        assert!(!said.contains(is_harmful), "{said:?}");
+        assert!(wanted.iter().all(|wanted| said.contains(wanted)), "{said}");
+    }
+}
+
 #[test]
 fn the_readme_has_the_options_of_the_help() {
     let help = Command::new(env!("CARGO_BIN_EXE_pinhole-import")).arg("--help").output().unwrap();
@@ -139,7 +169,7 @@ fn the_readme_has_the_options_of_the_help() {
     let mut known = options(&help, "--");
     known.retain(|name| !["help", "version"].contains(&name.as_str()));
     assert_eq!(options(readme, "| `--"), known);
-    assert!(known.len() == 18, "{help}");
+    assert!(known.len() == 21, "{help}");
 }
 
 #[test]

@@ -2,12 +2,16 @@
 
 mod build_rs;
 mod cli;
+mod closed;
+mod colors;
 mod decimate;
 mod images;
+mod lines;
 mod materials;
 mod obj;
 mod options;
 mod properties;
+mod selection;
 mod source;
 mod stl;
 mod teapot;

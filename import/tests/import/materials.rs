@@ -35,6 +35,9 @@ fn painted() -> String {
 const LIBRARY: &str =
     "# by hand\nnewmtl rust\nKa nonsense\nKd .6 .2 0\nKe 1.5 .4 0\nmap_Kd rust.png\nnewmtl sky\nNs 3\nKd 0 .5 1\n";
 
+/// What is said of the library's picture where none is wanted.
+const UNWANTED: &str = "pictures of materials: 1, the first rust.png; left out: use --texture 16";
+
 /// Of files that are in no folder, as in a browser: by the last part of the name, with the separators of any system.
 #[test]
 fn a_library_may_be_given_as_bytes() {
@@ -42,7 +45,7 @@ fn a_library_may_be_given_as_bytes() {
     for name in ["painted.mtl", "parts/painted.mtl", r"C:\parts\painted.mtl"] {
         let model = painted().replace("painted.mtl", name).into_bytes();
         let mesh = import_bytes(model.clone(), "no.obj".as_ref(), &beside, &Options::default()).unwrap();
-        assert_eq!((mesh.palette.len(), said(&mesh)), (2, Vec::<String>::new()), "{name}");
+        assert_eq!((mesh.palette.len(), said(&mesh)), (2, vec![UNWANTED.to_string()]), "{name}");
         let others = import_bytes(model, "no.obj".as_ref(), &[], &Options::default()).unwrap();
         assert_eq!(others.palette.len(), 0);
         assert!(said(&others).iter().any(|warning| warning.contains("is not there")), "{:?}", said(&others));
@@ -109,7 +112,7 @@ fn faces_keep_their_colours_and_coordinates_through_every_option() {
         }
     }
     let mesh = import(&path, &defaults).unwrap();
-    assert_eq!((said(&mesh), mesh.face_colors), (vec![], vec![0, 1, 1, 0]));
+    assert_eq!((said(&mesh), mesh.face_colors), (vec![UNWANTED.to_string()], vec![0, 1, 1, 0]));
     assert_eq!(mesh.emission, [[0; 3], [255, 102, 0]]); // more than full is full
     assert_eq!(mesh.libraries, [path.with_file_name("painted.mtl")]);
     let plain = import(

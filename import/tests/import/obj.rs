@@ -55,6 +55,16 @@ fn assert_is_the_cube(cube: &ImportedMesh) {
 }
 
 #[test]
+fn text_in_utf16_is_read() {
+    let units = || "\u{feff}".encode_utf16().chain(CUBE.encode_utf16());
+    let little: Vec<u8> = units().flat_map(u16::to_le_bytes).collect();
+    let big: Vec<u8> = units().flat_map(u16::to_be_bytes).collect();
+    for bytes in [little, big] {
+        assert_is_the_cube(&read_obj(&bytes, Path::new("model.obj")).unwrap());
+    }
+}
+
+#[test]
 fn a_cube_is_welded_and_its_edges_are_unique() {
     let cube = import(CUBE).unwrap();
     assert_is_the_cube(&cube);
@@ -386,24 +396,58 @@ fn what_stands_behind_indices_is_passed_over() {
     assert_eq!(import(&CUBE.replace("\nf", " # x\n\tf ")).unwrap(), plain);
 }
 
+/// Twice the area of a mesh in the plane of x and y that is seen from +z, and from −z.
+fn fronts_and_backs(mesh: &ImportedMesh) -> [f64; 2] {
+    let mut areas = [0.0; 2];
+    for face in &mesh.faces {
+        let [a, b, c] = face.map(|vertex| {
+            mesh.vertices[usize::from(vertex)].map(|c| f64::from(c) * 2f64.powi(i32::from(mesh.exponent)))
+        });
+        let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        areas[usize::from(area < 0.0)] += area.abs();
+    }
+    areas
+}
+
 #[test]
-fn polygons_are_fans_and_those_that_overlap_are_named() {
-    // An L of six corners: from corner 1 the fan covers each point once, from corner 2 not.
+fn concave_polygons_cover_each_point_once() {
+    // An L, from a corner that sees all of it and from one that does not.
     let l = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n";
-    let good = import(&format!("{l}f 1 2 3 4 5 6\n")).unwrap();
-    assert_eq!(good.faces.len(), 4);
-    assert_eq!(good.warnings.len(), 1, "{:?}", good.warnings); // it is open, no more
-    let doubt = warnings(&format!("{l}f 1 2 3 4 5 6\nf 6 5 4 3 2 1\n"));
-    assert_eq!(doubt.len(), 1, "{doubt:?}");
-    assert_eq!(
-        doubt[0],
-        (Some(8), "concave faces, whose triangles overlap: 1, the first at line 8; export triangles".into())
-    );
-    // A convex one, one with a corner on a side, a bent one.
-    let convex = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 2 0.1\nv 0 2 0\n";
-    assert!(warnings(&format!("{convex}f 1 2 3 4 5\nf 5 4 3 2 1\n"))
-        .iter()
-        .all(|w| !w.1.contains("concave")));
+    // A square of 4 with a hole of 2, to which a cut goes from corner 1 and back.
+    let hole = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\n";
+    for (vertices, faces, area) in [
+        (l, "1 2 3 4 5 6", 3.0),
+        (l, "2 3 4 5 6 1", 3.0),
+        (l, "6 1 2 3 4 5 6", 3.0),
+        (hole, "1 2 3 4 1 5 6 7 8 5", 12.0),
+        (hole, "8 5 1 2 3 4 1 5 6 7 8", 12.0),
+    ] {
+        let mesh = import(&format!("{vertices}f {faces}\n")).unwrap();
+        assert_eq!(fronts_and_backs(&mesh), [2.0 * area, 0.0], "{faces}");
+        let open = format!("open edges: {}, ", vertices.lines().count());
+        assert!(mesh.warnings.iter().any(|w| w.to_string().starts_with(&open)), "{:?}", mesh.warnings);
+        assert!(mesh.warnings.iter().all(|w| !w.to_string().contains("cross")), "{:?}", mesh.warnings);
+    }
+    // The texture lies on the polygon as on a fan: all coordinates are the position over 2.
+    let mapped = "vt 0 0\nvt 1 0\nvt 1 .5\nvt .5 .5\nvt .5 1\nvt 0 1\nf 2/2 3/3 4/4 5/5 6/6 1/1\n";
+    let mesh = import(&format!("{l}{mapped}")).unwrap();
+    for (face, coords) in mesh.faces.iter().zip(&mesh.texture_faces) {
+        for (&vertex, &coord) in face.iter().zip(coords) {
+            let [x, y, _] = mesh.vertices[usize::from(vertex)]
+                .map(|c| f64::from(c) * 2f64.powi(i32::from(mesh.exponent)) / 2.0 + 0.5);
+            let [u, v] = mesh.texture_coords[usize::from(coord)]
+                .map(|c| f64::from(c) * 2f64.powi(i32::from(mesh.texture_exponent)));
+            assert_eq!([u, 1.0 - v], [x, y]);
+        }
+    }
+}
+
+#[test]
+fn polygons_that_cross_themselves_are_named() {
+    let doubt = warnings("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1.5 0\nf 1 2 3\nf 1 2 3 4\n");
+    let named =
+        "faces that cross themselves: 1, the first at line 6; their triangles overlap: export triangles";
+    assert!(doubt.contains(&(Some(6), named.into())), "{doubt:?}");
 }
 
 #[test]

@@ -100,6 +100,41 @@ fn faces_on_a_line_decide_nothing() {
     }
 }
 
+/// A box along x, as text.
+fn rod([x, y, z]: [f64; 3]) -> String {
+    let corner =
+        |i: usize| format!("v {} {} {}\n", (i & 1) as f64 * x, (i >> 1 & 1) as f64 * y, (i >> 2) as f64 * z);
+    let sides = ["5 6 8 7", "2 1 3 4", "6 2 4 8", "1 5 7 3", "7 8 4 3", "1 2 6 5"];
+    (0..8).map(corner).collect::<String>() + &sides.map(|side| format!("f {side}\n")).concat()
+}
+
+/// Half of 60 000 is less than 32 767, so the step is 1, and coordinates are halves of the sides, rounded.
+#[test]
+fn shapes_that_rounding_changes_are_named() {
+    let warnings = |name: &str, sides| {
+        let mesh = import(&file(name, &rod(sides)), &Options::default()).unwrap();
+        let all = mesh.warnings.iter().map(ToString::to_string).collect::<Vec<_>>();
+        all.into_iter().filter(|text| text.starts_with("rounding")).collect::<Vec<_>>()
+    };
+    let said = |what: &str| {
+        format!(
+            "rounding to a grid of at most 65535 steps along the longest side changes the shape: {what} % of that in the file: \
+             split the model, or leave out parts that lie far from the others"
+        )
+    };
+    assert!(warnings("thick.obj", [60000.0, 100.0, 100.0]).is_empty());
+    // Sides of 1 become 2.
+    let twice = warnings("thin.obj", [60000.0, 1.0, 1.0]);
+    assert_eq!(twice, [said("0 of 12 faces have no area on it, and the area of all is 200")]);
+    // Four faces of 60000 by 1 or 0.9 and two small ones become two of 60000 by 2.
+    let sheet = warnings("thinner.obj", [60000.0, 1.0, 0.9]);
+    assert_eq!(sheet, [said("8 of 12 faces have no area on it, and the area of all is 105")]);
+    let error = import(&file("needle.obj", &rod([60000.0, 0.9, 0.9])), &Options::default()).unwrap_err();
+    let problem = "has no face with an area on a grid of at most 65535 steps along its longest side, as all 12 are thinner than a step: \
+                   split the model, or leave out parts that lie far from the others";
+    assert!(error.to_string().ends_with(problem), "{error}");
+}
+
 #[test]
 fn small_and_large_faces_have_an_area() {
     // Their squares are beyond f64.

@@ -13,7 +13,10 @@ fn check(made: Result<ImportedMesh, ImportError>) {
         Ok(mesh) => {
             let report = mesh.report;
             assert!(!mesh.faces.is_empty());
-            assert_eq!(report.faces_read, mesh.faces.len() + report.degenerate + report.duplicate);
+            assert_eq!(
+                report.faces_read + report.cut,
+                mesh.faces.len() + report.degenerate + report.duplicate
+            );
             assert_eq!(
                 report.vertices_read,
                 mesh.vertices.len() + report.welded + report.welded_by_quantising + report.unused

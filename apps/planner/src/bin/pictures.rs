@@ -18,6 +18,7 @@ fn print() -> Result<(), String> {
     let mut planner = Planner::default();
     for choice in choices() {
         let (pixels, _) = Choice::parse(&choice)
+            .map_err(Into::into)
             .and_then(|choice| planner.draw(&choice))
             .map_err(|problem| format!("{choice}: {problem}"))?;
         println!("{choice} {:08x}", checksum(&pixels));
