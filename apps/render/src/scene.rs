@@ -129,6 +129,25 @@ impl Scene {
         transform([&self.model, &self.view, &self.projection], vertex)
     }
 
+    /// How each triangle faces the eye: 1 is its front, -1 its back, and 0 is edge-on, or a triangle without area, within the
+    /// rounding of f64.
+    pub fn facings(&self) -> Vec<i8> {
+        let points: Vec<_> = self.vertices.iter().map(|&vertex| self.clip(vertex)).collect();
+        // Determinant of the rows (x, y, w): positive where the corners run counter-clockwise on the screen, for any sign of w.
+        let facing = |t: &[usize; 3]| {
+            let [[a, b, c], [d, e, f], [g, h, i]] =
+                t.map(|corner| points[corner]).map(|[x, y, _, w]| [x, y, w]);
+            let products = [a * e * i, b * f * g, c * d * h, -c * e * g, -b * d * i, -a * f * h];
+            let (sum, size): (f64, f64) = (products.iter().sum(), products.iter().map(|p| p.abs()).sum());
+            match sum.abs() > size * 2f64.powi(-44) {
+                // 2^9 roundings
+                true => sum.signum() as i8,
+                false => 0,
+            }
+        };
+        self.triangles.iter().map(facing).collect()
+    }
+
     /// A vertex in world coordinates.
     pub fn in_the_world(&self, vertex: [f64; 3]) -> [f64; 3] {
         let [x, y, z, _] = transform([&self.model], vertex); // the last row is that of a point
