@@ -65,7 +65,7 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
         }
         None => {
             let scene = Scene::read(&options.scene)?;
-            scene.mesh_file.as_deref().map_or(Ok(()), apart)?;
+            scene.mesh_files.iter().try_for_each(|file| apart(file))?;
             scene.pictures().try_for_each(apart)?;
             scene
         }

@@ -130,10 +130,10 @@ impl Source {
     ///
     /// A message that names the output.
     pub fn apart_from(&self, output: &Path) -> Result<(), String> {
-        let mesh = self.own.as_ref().and_then(|own| own.mesh_file.as_deref());
+        let meshes = self.own.iter().flat_map(|own| &own.mesh_files).map(PathBuf::as_path);
         let libraries = self.imported.iter().flat_map(|model| &model.libraries).map(PathBuf::as_path);
         let pictures = self.own.iter().flat_map(Scene::pictures);
-        let inputs = self.file.as_deref().into_iter().chain(mesh).chain(libraries).chain(pictures);
+        let inputs = self.file.as_deref().into_iter().chain(meshes).chain(libraries).chain(pictures);
         inputs.into_iter().try_for_each(|input| files::apart(input, [output]))
     }
 
