@@ -71,7 +71,7 @@ fn without_an_output_it_says_what_it_would_draw() {
     assert!(said.contains("of 2 triangles 2 drawn"), "{said}");
     assert_eq!(fs::read_dir(&to).unwrap().count(), 1);
     let said = String::from_utf8(RENDER.run(&[text(&file), "--stats"]).stdout).unwrap();
-    assert!(said.contains(" px"), "{said}");
+    assert!(said.contains(" px") && said.contains("nothing was written: give --png"), "{said}");
 }
 
 #[test]
@@ -678,6 +678,9 @@ fn bad_command_lines_are_one_line() {
         (&[scene, "--yaw", "3"], "--yaw: "),
         (&[scene, "--pong"], "'--pong' found: --help lists what there is"),
         (&[scene, "--ids"], "--ids"),
+        (&["-", "--png", &same], "-: standard input is not read"),
+        (&[scene, "--png", "-"], "--png: - is no file"),
+        (&[mesh, "--gif", "-"], "--gif: - is no file"),
         (&[scene, "--ids", &same, "--depth", &same], "--depth: names the same file as --ids"),
         (&[scene, "--ids", &same, "--png", &dotted], "--ids: names the same file as --png"),
         (&[scene, "--mode", "wireframe", "--ids", &same], "--ids: needs --mode solid"),
