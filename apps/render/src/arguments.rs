@@ -141,8 +141,8 @@ pub(crate) fn command() -> Command {
                 "edges",
                 "EDGES",
                 "Lines to draw: all edges of all triangles, or feature, those where the surface turns by more than \
-                 --feature-angle, or ends [default: all; in hidden-line those where it turns by more than 1 degree, so that flat \
-                 faces show no diagonals]"
+                 --feature-angle, or ends; hidden-line draws silhouettes, too [default: all; in hidden-line those where it turns by \
+                 more than 1 degree, so that flat faces show no diagonals]"
                     .into(),
             )
             .value_parser(PossibleValuesParser::new(["all", "feature"])),
