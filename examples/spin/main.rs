@@ -11,11 +11,10 @@ mod terminal;
 use clap::{value_parser, Command};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
-use indicatif::{ProgressBar, ProgressStyle};
 use pinhole::{Dim, Lambert, Painter, ScreenVertex, Statistics, Vector3};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::command::Film;
-use pinhole_apps_support::{command, film};
+use pinhole_apps_support::{command, film, progress};
 use pinhole_import::ImportedMesh;
 use scene::Turntable;
 use std::error::Error;
@@ -66,8 +65,7 @@ fn film(mesh: &ImportedMesh, arguments: &Film) -> Result<(), Box<dyn Error>> {
     let mut misordered = Misordered::default();
     let mut sheet = Vec::new();
     let mut preview = String::new();
-    let bar = ProgressBar::new(frames.into())
-        .with_style(ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {eta} left")?);
+    let bar = progress::bar(frames, "frames");
     for frame in 0..frames {
         let mut canvas = Canvas::new(size, BACKGROUND);
         let model = Turntable::model(frame, frames);

@@ -19,15 +19,28 @@ const FORMATS: &str = r#"pinhole-render MODEL.stl draws target/render/MODEL.png;
 
 SCENE.json:
   {"mesh": "file.obj" | ".stl" | ".json" (relative to the scene's folder),  or  "vertices": [[x, y, z], ...], "triangles": [[a, b, c], ...],
-   "model": 4x4 affine, "view": 4x4 rigid, "projection": 4x4 with w > 0 and z/w from -1 (near) to 1 (far) in the view volume,
-   "colors": [[r, g, b], ...] of the triangles, 0 to 255 (optional),
+     or  "meshes": [MESH, ...],
+   "camera": CAMERA,  or  "view": 4x4 rigid, "projection": 4x4 with w > 0 and z/w from -1 (near) to 1 (far) in the view volume,
+   "model": 4x4 affine (default: the identity),
+   "colors": [[r, g, b], ...] of the triangles, 0 to 255 (default: those of an .obj's materials),
    "emission": [[r, g, b], ...] of the light that the triangles emit, added to the lit colours (optional; not on textures),
    "uv": [[u, v], ...] of the vertices, or [[[u, v], [u, v], [u, v]], ...] of the triangles' corners, in texels, (0, 0) at the upper left,
    "texture": [W, H] or "FILE.png" or ".bmp", 8 to 256 a side, powers of two, "wrap": "repeat" | "clamp" (optional; uv and texture belong together),
+   "lights": [LIGHT, ...] (default: ["key", "fill", "ambient"], lamps at the left and the right of the camera),
    "fog": [START, END] (optional: linear fog of the background's colour, between two distances before the camera),
    "sprites": [SPRITE, ...] (optional: pictures that face the viewer, drawn after faces or edges),
    "width": W, "height": H (1 to 4096), "viewport": [x, y, w, h] (default: the picture), "cull": "none" | "back",
    "name", "source", "licence": any text, ignored}
+MESH:
+  {"mesh" or "vertices" and "triangles", "model": 4x4 affine that places it in the scene, "colors", "emission" as those of a scene}
+CAMERA:
+  {"eye": [x, y, z], "target": [x, y, z], "up": [x, y, z] (default: [0, 1, 0]), "fov": DEGREES across the narrower side (default: 40),
+   "near": N, "far": N (default: just around the scene)},  or one that frames the scene, with the defaults of these options:
+  {"projection": "isometric" ..., "yaw": DEGREES, "pitch": DEGREES, "fov": DEGREES, "up": "x" | "y" | "z" | "-x" ... (default: "y"),
+   "frame": "sphere" | "outline"}
+LIGHT:
+  "key" | "fill" | "ambient",  or  {"ambient": LEVEL},  or  {"towards": [x, y, z] to the lamp, "from": "world" | "camera" (the axes of
+   towards; default: "world"), "level": LEVEL}, levels from 0 to 256
 SPRITE:
   {"at": [x, y, z] of the world, or [[x, y, z], ...] for particles,
    "picture": "FILE.png" or ".bmp" (relative to the scene's folder), "key": [r, g, b] of transparent pixels (optional; pixels that are less
@@ -128,8 +141,8 @@ pub(crate) fn command() -> Command {
                 "edges",
                 "EDGES",
                 "Lines to draw: all edges of all triangles, or feature, those where the surface turns by more than \
-                 --feature-angle, or ends [default: all; in hidden-line those where it turns by more than 1 degree, so that flat \
-                 faces show no diagonals]"
+                 --feature-angle, or ends; hidden-line draws silhouettes, too [default: all; in hidden-line those where it turns by \
+                 more than 1 degree, so that flat faces show no diagonals]"
                     .into(),
             )
             .value_parser(PossibleValuesParser::new(["all", "feature"])),

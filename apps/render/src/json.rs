@@ -66,6 +66,16 @@ impl<'a> Field<'a> {
         Ok(fields)
     }
 
+    /// A field of this object that must be there.
+    pub(crate) fn needed<'b>(&self, field: Option<Field<'b>>, name: &str) -> Result<Field<'b>, String> {
+        field.ok_or_else(|| self.error(format_args!("{name}: is missing")))
+    }
+
+    /// Whether this is an object with a field of this name.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        matches!(self.value, Json::Object(members) if members.iter().any(|(other, _)| other == name))
+    }
+
     pub(crate) fn text(&self) -> Result<&'a str, String> {
         match self.value {
             Json::Text(text) => Ok(text),
@@ -89,6 +99,25 @@ impl<'a> Field<'a> {
             Json::Number(number) => Ok(*number),
             _ => Err(self.is_no("a number")),
         }
+    }
+
+    /// A number from `low` to `high`.
+    pub(crate) fn number_within(&self, low: f64, high: f64) -> Result<f64, String> {
+        let number = self.number()?;
+        match (low..=high).contains(&number) {
+            true => Ok(number),
+            false => Err(self.error(format_args!("{number} is not from {low} to {high}"))),
+        }
+    }
+
+    /// Three numbers.
+    pub(crate) fn vector(&self) -> Result<[f64; 3], String> {
+        self.array(|number| number.number())
+    }
+
+    /// The red, green and blue of a colour.
+    pub(crate) fn color(&self) -> Result<[u8; 3], String> {
+        self.array(|channel| channel.integer(0, 255).map(|c| c as u8))
     }
 
     /// An integer from `low` to `high`, both within ±2⁵³, where f64 is exact.
@@ -122,8 +151,9 @@ impl<'a> Field<'a> {
 }
 
 impl Json {
-    /// Parses the text of a file.
+    /// Parses the text of a file, which may begin with a byte order mark.
     pub(crate) fn parse(text: &[u8]) -> Result<Self, String> {
+        let text = text.strip_prefix("\u{feff}".as_bytes()).unwrap_or(text);
         serde_json::from_slice(text).map_err(|error| {
             let prefix = if error.is_data() { "" } else { "is not JSON: " };
             format!("{prefix}{error}")

@@ -1,7 +1,8 @@
 //! A camera for a mesh: one that shows all of it.
 
+use crate::light::Lights;
 use crate::projections::{Kind, Named, Stance};
-use crate::scene::{bounds, Colors, Matrix, Scene};
+use crate::scene::{bounds, Colors, Matrix, Scene, IDENTITY};
 use pinhole_import::{Axis, Triangles};
 
 /// The view of a mesh. Angles are in degrees.
@@ -32,9 +33,6 @@ pub enum Fit {
     /// perspective is that of [`pinhole::Camera::framing`], as the templates for firmware have it.
     Sphere { zoom: f64 },
 }
-
-const IDENTITY: Matrix =
-    [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 
 /// The part of the picture's half width and height that the mesh's outline may fill.
 const FILL: f64 = 0.92;
@@ -129,9 +127,10 @@ pub fn scene(mesh: Triangles, colors: Colors, look: &Look) -> Result<Scene, Stri
         viewport: [0, 0, look.width as i32, look.height as i32], // at most 4096
         cull: true, // as firmware does unless it says otherwise; `--two-sided` adds backs
         texture: None,
+        lights: Lights::default(),
         fog: None,
         sprites: Vec::new(),
-        mesh_file: None,
+        mesh_files: Vec::new(),
     })
 }
 
@@ -149,9 +148,9 @@ fn aspect(look: &Look) -> f64 {
     f64::from(look.width) / f64::from(look.height)
 }
 
-/// Half the height of the picture of a perspective, at distance 1.
-fn half_height(look: &Look) -> f64 {
-    (look.field_of_view / 2.0).to_radians().tan() / aspect(look).min(1.0)
+/// Half the height of the picture of a perspective, at distance 1. The field of view is that across the narrower side.
+pub(crate) fn half_height(field_of_view: f64, aspect: f64) -> f64 {
+    (field_of_view / 2.0).to_radians().tan() / aspect.min(1.0)
 }
 
 /// The matrix that turns the file's axis upwards.
@@ -203,7 +202,7 @@ fn outline(points: Vec<[f64; 3]>, axis: Option<[f64; 3]>, look: &Look) -> Seen {
     let farthest = |f: &dyn Fn([f64; 3]) -> f64| from_middle().map(f).fold(f64::MIN, f64::max);
     let aspect = aspect(look);
     if look.projection.kind.meets_in_the_eye() {
-        let height = half_height(look);
+        let height = half_height(look.field_of_view, aspect);
         let half = [aspect * height, height];
         // From a distance: the centre of the outline along an axis, and the share of the window that it fills.
         let seen = |distance: f64, i: usize| {
@@ -250,7 +249,7 @@ fn sphere(
     let aspect = aspect(look);
     let fitting = |along: [f64; 2]| along[0].max(along[1]) * radius;
     if look.projection.kind.meets_in_the_eye() {
-        let height = half_height(look);
+        let height = half_height(look.field_of_view, aspect);
         // The maximum of z + (x - lean z)/h over the sphere, for either sign of x.
         let half = [aspect * height, height].map(|half| half * SPHERE_FILL);
         let least = [0, 1].map(|i| (1.0 + lean[i].abs() / half[i]).hypot(1.0 / half[i]));

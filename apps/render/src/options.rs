@@ -41,6 +41,9 @@ pub(crate) struct Options {
     pub(crate) unasked: bool,
 }
 
+/// The options that name files to write.
+const OUTPUTS: [&str; 6] = ["png", "gif", "ids", "depth", "used", "texels"];
+
 impl Options {
     /// The files to write.
     pub(crate) fn outputs(&self) -> impl Iterator<Item = &Path> {
@@ -55,6 +58,16 @@ impl Options {
 pub(crate) fn read() -> Result<Options, String> {
     let mut given = pinhole_apps_support::command::matches(command())?;
     let scene: PathBuf = given.remove_one("SCENE").unwrap_or_default();
+    let is_dash = |path: &PathBuf| path.as_os_str() == "-";
+    if is_dash(&scene) {
+        return Err(
+            "-: standard input is not read, as the name tells the format: name a file (.obj, .stl, .json)"
+                .into(),
+        );
+    }
+    if let Some(name) = OUTPUTS.into_iter().find(|name| given.get_one(name).is_some_and(is_dash)) {
+        return Err(format!("--{name}: - is no file, and standard output has the messages: name a file"));
+    }
     let ascii = choice(&mut given, "ascii", &Characters::ALL)?;
     let painted = ["colour", "background", "format", "door", "alpha", "fog"]
         .into_iter()
@@ -73,31 +86,23 @@ pub(crate) fn read() -> Result<Options, String> {
     }
     let look = look(&mut given, &scene, ascii.is_some())?;
     let mut file = |name: &str| given.remove_one::<PathBuf>(name);
-    let [mut png, gif, ids, depth, used, texels] =
-        ["png", "gif", "ids", "depth", "used", "texels"].map(&mut file);
+    let [mut png, gif, ids, depth, used, texels] = OUTPUTS.map(&mut file);
     let frames = given.remove_one("frames");
     if frames.is_some() && gif.is_none() {
         return Err("--frames: only a film has frames: give --gif FILE too".into());
     }
     let stats = given.get_flag("stats");
-    let outputs = [
-        ("--png", &png),
-        ("--gif", &gif),
-        ("--ids", &ids),
-        ("--depth", &depth),
-        ("--used", &used),
-        ("--texels", &texels),
-    ];
-    for (place, (flag, file)) in outputs.iter().enumerate() {
+    let files = [&png, &gif, &ids, &depth, &used, &texels];
+    for (place, (name, file)) in OUTPUTS.into_iter().zip(files).enumerate() {
         let same = |earlier: &Option<PathBuf>| file.is_some() && canonical(earlier) == canonical(file);
-        if let Some((other, _)) = outputs[..place].iter().find(|(_, earlier)| same(earlier)) {
-            return Err(format!("{flag}: names the same file as {other}"));
+        if let Some(other) = files[..place].iter().position(|earlier| same(earlier)) {
+            return Err(format!("--{name}: names the same file as --{}", OUTPUTS[other]));
         }
-        if style.mode.of_lines() && file.is_some() && matches!(*flag, "--ids" | "--depth") {
-            return Err(format!("{flag}: needs --mode solid"));
+        if style.mode.of_lines() && file.is_some() && matches!(name, "ids" | "depth") {
+            return Err(format!("--{name}: needs --mode solid"));
         }
     }
-    let nothing = outputs.iter().all(|(_, file)| file.is_none()) && ascii.is_none() && !stats;
+    let nothing = files.iter().all(|file| file.is_none()) && ascii.is_none() && !stats;
     let unasked = nothing && look.is_some();
     if unasked {
         let mut name = scene.file_stem().unwrap_or_default().to_os_string();

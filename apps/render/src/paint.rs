@@ -199,11 +199,15 @@ fn paint<C: Colour>(
         sorted.as_ref().map_or(at, |sorted| sorted.order.get(at).copied().unwrap_or(at))
     };
     let vertices: Vec<_> = all_parts.iter().map(|part| part.vertices(&quantised.vertices)).collect();
+    // A wireframe shows the mesh itself; hidden lines show a body, with its outline.
+    let facings = (style.mode == Mode::HiddenLine).then(|| scene.facings());
+    let edges_drawn: Vec<_> = all_parts.iter().map(|part| part.drawn_edges(facings.as_deref())).collect();
     let meshes = all_parts
         .iter()
         .zip(&vertices)
-        .map(|(part, vertices)| {
-            Mesh::from_fixed(vertices, &part.faces)?.with_edges(&part.edges)?.with_edge_faces(&part.beside)
+        .zip(&edges_drawn)
+        .map(|((part, vertices), (edges, beside))| {
+            Mesh::from_fixed(vertices, &part.faces)?.with_edges(edges)?.with_edge_faces(beside)
         })
         .collect::<Result<Vec<_>, _>>()
         .map_err(|e| e.to_string())?;

@@ -10,14 +10,22 @@ pub(crate) struct Palette {
 /// The colours that one palette entry replaces, and how often each occurs.
 type Group = Vec<([u8; 3], usize)>;
 
+/// How often each colour occurs in pictures.
+#[derive(Default)]
+pub(crate) struct Counts(HashMap<[u8; 3], usize>);
+
+impl Counts {
+    pub(crate) fn add(&mut self, pixels: impl Iterator<Item = [u8; 3]>) {
+        for colour in pixels {
+            *self.0.entry(colour).or_default() += 1;
+        }
+    }
+}
+
 impl Palette {
     /// A palette for the colours that occur. The most frequent one is exact, and so are the others if there are at
     /// most 255; otherwise median cut chooses them (Heckbert, *Color image quantization for frame buffer display*, 1982).
-    pub(crate) fn of(pixels: impl Iterator<Item = [u8; 3]>) -> Self {
-        let mut counts = HashMap::<[u8; 3], usize>::new();
-        for colour in pixels {
-            *counts.entry(colour).or_default() += 1;
-        }
+    pub(crate) fn of(Counts(counts): Counts) -> Self {
         let mut met: Group = counts.into_iter().collect();
         met.sort_unstable_by_key(|&(colour, count)| (std::cmp::Reverse(count), colour));
         let others = met.split_off(met.len().min(1));

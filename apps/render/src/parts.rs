@@ -7,13 +7,18 @@ pub struct Part {
     /// Indices into the mesh's vertices, for all vertices of the part but the first: see [`Part::vertices`].
     indices: Vec<usize>,
     pub faces: Vec<[u16; 3]>,
-    /// Edges of the faces; an edge with more than two faces occurs once for every two of them. Empty until
-    /// [`Part::find_edges`] is called.
-    pub edges: Vec<[u16; 2]>,
-    /// The two faces of each edge.
-    pub beside: Vec<[u16; 2]>,
+    /// Edges of the faces. Empty until [`Part::find_edges`] is called.
+    edges: Vec<Edge>,
     /// Index of its first triangle in the mesh.
     pub first: usize,
+}
+
+/// An edge with two of its faces; an edge with more than two faces occurs once for every two of them.
+struct Edge {
+    ends: [u16; 2],
+    beside: [u16; 2],
+    /// Whether it is drawn from all sides; other edges are drawn where they are silhouettes.
+    is_feature: bool,
 }
 
 const MOST: usize = 65_536;
@@ -30,8 +35,7 @@ pub fn parts(vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Vec<Part> {
         // Adding 0.0 turns -0.0 into 0.0.
         .map(|(index, v)| *places.entry(v.map(|c| (c + 0.0).to_bits())).or_insert(index))
         .collect();
-    let empty =
-        |first| Part { indices: Vec::new(), faces: Vec::new(), edges: Vec::new(), beside: Vec::new(), first };
+    let empty = |first| Part { indices: Vec::new(), faces: Vec::new(), edges: Vec::new(), first };
     let mut parts = Vec::new();
     let (mut part, mut names) = (empty(0), HashMap::new());
     for (number, triangle) in triangles.iter().enumerate() {
@@ -51,8 +55,8 @@ pub fn parts(vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Vec<Part> {
 }
 
 impl Part {
-    /// Finds the edges at which the surface turns by more than some degrees, or ends, or all: the diagonals of flat faces turn
-    /// by nothing. `all` are the mesh's vertices.
+    /// Finds the edges. Features are those at which the surface turns by more than some degrees, or ends, or all: the diagonals of
+    /// flat faces turn by nothing. `all` are the mesh's vertices.
     pub fn find_edges(&mut self, all: &[[f64; 3]], degrees: Option<f64>) {
         let at = |vertex: u16| all[self.indices[usize::from(vertex) - 1]]; // the first one is no face's
         let normal = |face: u16| {
@@ -76,13 +80,34 @@ impl Part {
                 // below MOST_FACES
             }
         }
+        let corners = |face: &u16| {
+            let mut corners = self.faces[usize::from(*face)];
+            corners.sort_unstable();
+            corners
+        };
         let pair = |faces: &[u16]| [0, 1].map(|i| faces.get(i).copied().unwrap_or(Mesh::<Scalar>::NO_FACE));
-        for (edge, faces) in edges.into_iter().filter(|(_, faces)| turns(faces)) {
-            for two in faces.chunks(2) {
-                self.edges.push(edge);
-                self.beside.push(pair(two));
-            }
+        for (ends, faces) in edges {
+            // The two sides of a surface are one surface.
+            let is_back = |(place, face): &(usize, &u16)| {
+                faces[..*place].iter().any(|earlier| corners(earlier) == corners(face))
+            };
+            let sides = faces.iter().enumerate().filter(|side| !is_back(side));
+            let is_feature = turns(&sides.map(|(_, &face)| face).collect::<Vec<_>>());
+            self.edges.extend(faces.chunks(2).map(|two| Edge { ends, beside: pair(two), is_feature }));
         }
+    }
+
+    /// The edges to draw, and the two faces beside each: features and, if it is known how each triangle of the mesh faces the eye
+    /// ([`Scene::facings`]), silhouettes, which lie between a front and a back face.
+    ///
+    /// [`Scene::facings`]: crate::scene::Scene::facings
+    pub fn drawn_edges(&self, facings: Option<&[i8]>) -> (Vec<[u16; 2]>, Vec<[u16; 2]>) {
+        let is_silhouette = |edge: &Edge| {
+            let facing = |face: u16| facings?.get(self.first + usize::from(face)); // none for NO_FACE, beyond MOST_FACES
+            matches!(edge.beside.map(facing), [Some(a), Some(b)] if a * b < 0)
+        };
+        let drawn = self.edges.iter().filter(|edge| edge.is_feature || is_silhouette(edge));
+        drawn.map(|edge| (edge.ends, edge.beside)).unzip()
     }
 
     /// Vertices of the part. The number format of a part depends on its largest coordinate, so every part gets the mesh's

@@ -11,9 +11,10 @@ use crate::{import, model, picture};
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use pinhole::{Angle, Statistics};
-use pinhole_apps_support::{canvas::Canvas, command, files, still};
+use pinhole_apps_support::files::{self, Outputs};
+use pinhole_apps_support::{canvas::Canvas, command, still};
 use std::cell::LazyCell;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Runs the command. `code` draws the firmware's picture.
@@ -38,7 +39,7 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
     if let (Some(frame), Some(look)) = (options.firmware, &options.look) {
         return as_firmware(options, code, frame, Size::new(look.width, look.height));
     }
-    let mut outputs: Vec<(&Path, Vec<u8>)> = Vec::new();
+    let mut outputs = Outputs::default();
     let mut imported = None;
     let scene = match &options.look {
         Some(look) => {
@@ -49,15 +50,11 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
             let texture = texture::of_model(&model);
             if let Some(path) = &options.gif {
                 let mesh = (&model.triangles, &colors, texture.as_ref());
-                let film = turntable::gif(
-                    mesh,
-                    look,
-                    &options.style,
-                    options.format,
-                    options.least_turn,
-                    options.frames.unwrap_or(36),
-                );
-                outputs.push((path, film.map_err(named)?));
+                let frames = options.frames.unwrap_or(36);
+                outputs.stream(path, |file| {
+                    let (style, format) = (&options.style, options.format);
+                    turntable::gif(mesh, look, style, format, options.least_turn, frames, (path, file))
+                })?;
             }
             let triangles = std::mem::take(&mut model.triangles);
             imported = Some(model);
@@ -65,7 +62,7 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
         }
         None => {
             let scene = Scene::read(&options.scene)?;
-            scene.mesh_file.as_deref().map_or(Ok(()), apart)?;
+            scene.mesh_files.iter().try_for_each(|file| apart(file))?;
             scene.pictures().try_for_each(apart)?;
             scene
         }
@@ -87,16 +84,16 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
         let solid = crate::draw::solid(&used, &quantised).map_err(named)?;
         if let Some(path) = &options.ids {
             let ids = solid.ids.pixels().iter().flat_map(|seen| seen.index().to_le_bytes());
-            outputs.push((path, ids.collect()));
+            outputs.add(path, &ids.collect::<Vec<_>>())?;
         }
         if let Some(path) = &options.depth {
-            outputs.push((path, solid.depth.iter().flat_map(|d| d.to_le_bytes()).collect()));
+            outputs.add(path, &solid.depth.iter().flat_map(|d| d.to_le_bytes()).collect::<Vec<_>>())?;
         }
         report = Some(Report { statistics: solid.statistics, ..Report::default() });
     }
     if let Some(path) = &options.texels {
         let (numbers, drawn) = texture::numbers(&used, &quantised)?;
-        outputs.push((path, numbers.iter().flat_map(|number| number.to_le_bytes()).collect()));
+        outputs.add(path, &numbers.iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<_>>())?;
         report = Some(Report { statistics: drawn, ..Report::default() });
     }
     let subject = LazyCell::new(|| Subject::with_edges(&used, options.style.mode, options.least_turn));
@@ -104,7 +101,7 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
     if let Some(path) = &options.png {
         let (pixels, drawn) = picture().map_err(named)?;
         let size = Size::new(used.width, used.height);
-        outputs.push((path, still::png(size, &pixels).map_err(|e| e.to_string())?));
+        add_png(&mut outputs, options, path, size, &pixels)?;
         report = Some(drawn);
     }
     if let Some(characters) = options.ascii {
@@ -114,21 +111,18 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
         report = Some(drawn);
     }
     if let Some(path) = &options.used {
-        outputs.push((path, used::json(&used).into()));
+        outputs.add(path, used::json(&used).as_bytes())?;
     }
     let told = options.stats || options.unasked || (outputs.is_empty() && text.is_none());
     if told && report.is_none() {
         report = Some(picture().map_err(named)?.1);
     }
-    if let Some(folder) = options.png.as_deref().and_then(Path::parent).filter(|_| options.unasked) {
-        command::folder(folder)?;
-    }
-    files::write(&outputs)?;
+    let written = outputs.settle()?;
     if let Some(text) = &text {
         command::say(text.trim_end_matches('\n'))?;
     }
     let parts = if options.style.mode.of_lines() { subject.parts.len() } else { 1 };
-    tell(options, &scene, &used, parts, report.filter(|_| told), &outputs)?;
+    tell(options, &scene, &used, parts, report.filter(|_| told), &written)?;
     if let Some(model) = &imported {
         if let Some(size) = import::size(model).filter(|_| told) {
             command::say(format_args!("{}: {size}", options.scene.display()))?;
@@ -136,6 +130,21 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
         command::warn(&options.scene, &model.warnings);
     }
     Ok(())
+}
+
+/// Adds a picture. A name that nobody asked for may lie in a folder that does not exist.
+fn add_png(
+    outputs: &mut Outputs,
+    options: &Options,
+    path: &Path,
+    size: Size,
+    pixels: &[Rgb888],
+) -> Result<(), String> {
+    let png = still::png(size, pixels).map_err(|e| e.to_string())?;
+    if let Some(folder) = path.parent().filter(|_| options.unasked) {
+        command::folder(folder)?;
+    }
+    outputs.add(path, &png)
 }
 
 /// A frame of firmware with this model, or its turn as a film.
@@ -157,22 +166,18 @@ fn as_firmware(options: &Options, code: &Code, frame: u32, size: Size) -> Result
         command::warn(model, &imported.warnings); // they say what to do
     }
     let (pixels, statistics) = first?;
-    let mut outputs: Vec<(&Path, Vec<u8>)> = Vec::new();
+    let mut outputs = Outputs::default();
     if let Some(path) = &options.gif {
         let frames = options.frames.unwrap_or(firmware::FRAMES);
-        let pictures: Result<Vec<_>, String> =
-            (0..frames).map(|frame| Ok(picture(frame, frames)?.0)).collect();
-        outputs.push((path, turntable::film(size, &pictures?)?));
+        outputs.stream(path, |file| {
+            turntable::film(size, frames, (path, file), |frame| Ok(picture(frame, frames)?.0))
+        })?;
     }
     if let Some(path) = &options.png {
-        outputs.push((path, still::png(size, &pixels).map_err(|e| e.to_string())?));
-        if let Some(folder) = path.parent().filter(|_| options.unasked) {
-            command::folder(folder)?;
-        }
+        add_png(&mut outputs, options, path, size, &pixels)?;
     }
-    files::write(&outputs)?;
-    for (path, bytes) in &outputs {
-        command::say(format_args!("{}: {} bytes", path.display(), bytes.len()))?;
+    for (path, bytes) in outputs.settle()? {
+        command::say(format_args!("{}: {bytes} bytes", path.display()))?;
     }
     let Statistics { drawn, culled, clipped, outside, degenerate, .. } = statistics;
     command::say(format_args!(
@@ -204,7 +209,7 @@ fn tell(
     used: &Scene,
     parts: usize,
     report: Option<Report>,
-    outputs: &[(&Path, Vec<u8>)],
+    written: &[(PathBuf, u64)],
 ) -> Result<(), String> {
     if let Some(Report { statistics, sprites, .. }) = report {
         let Statistics { drawn, culled, clipped, outside, degenerate, .. } = statistics;
@@ -243,11 +248,14 @@ fn tell(
              most {pixels:.2e} px on the screen"
         ))?;
     }
-    for (path, bytes) in outputs {
-        command::say(format_args!("{}: {} bytes", path.display(), bytes.len()))?;
+    for (path, bytes) in written {
+        command::say(format_args!("{}: {bytes} bytes", path.display()))?;
     }
-    if outputs.is_empty() && options.ascii.is_none() {
-        command::say("nothing was written: give --png, --ids, --depth or --used")?;
+    if written.is_empty() && options.ascii.is_none() {
+        command::say(format_args!(
+            "{}: nothing was written: give --png FILE for the picture, or --ascii, --ids, --depth, --texels or --used",
+            options.scene.display()
+        ))?;
     }
     Ok(())
 }

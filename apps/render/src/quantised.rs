@@ -3,6 +3,7 @@
 //! World units are free to choose, so powers of two scale the scene to the range where the formats have most bits: the mesh
 //! to ±32768 of its own units, and eye and mesh to within 2¹³ to 2¹⁴ world units. Such scales change exponents alone.
 
+use crate::range;
 use crate::scene::Scene;
 use crate::sprites::SceneSprites;
 use crate::texture::{QuantisedTexture, SceneTexture};
@@ -39,6 +40,7 @@ impl Quantised {
             let quantised = Self::new(&current)?;
             let used = quantised.scene(&current);
             if used == current {
+                range::check(scene, &used)?;
                 return Ok((quantised, used));
             }
             current = used;
@@ -168,7 +170,14 @@ impl Units {
         if (largest * two_to(mesh) * 65_536.0).round() > f64::from(i32::MAX) {
             mesh -= 1;
         }
-        Ok(Self { mesh, centre, world: 13 - exponent(reach) })
+        // Fog may end beyond the scene, at a distance that fits the format.
+        let fog = scene.fog.and_then(|fog| fog.range).unwrap_or_default();
+        let farthest_fog = fog[0].abs().max(fog[1].abs());
+        let world = match farthest_fog > 0.0 {
+            true => (13 - exponent(reach)).min(14 - exponent(farthest_fog)),
+            false => 13 - exponent(reach),
+        };
+        Ok(Self { mesh, centre, world })
     }
 }
 

@@ -115,14 +115,13 @@ fn read_entry(entry: &Field<'_>, folder: &Path) -> Result<SceneSprites, String> 
 
 /// A point, or a list of points.
 fn read_points(at: &Field<'_>) -> Result<Vec<[f64; 3]>, String> {
-    let point = |field: Field<'_>| field.array(|f| f.number());
     let Some(first) = at.list()?.next() else {
         return Err(at.error("has no points: give [x, y, z], or a list of points"));
     };
     let is_list = first.list().is_ok();
     match is_list {
-        true => at.list()?.map(point).collect(),
-        false => Ok(vec![at.array(|f| f.number())?]),
+        true => at.list()?.map(|point| point.vector()).collect(),
+        false => Ok(vec![at.vector()?]),
     }
 }
 
@@ -132,10 +131,6 @@ fn positive(field: Field<'_>) -> Result<f64, String> {
         true => Ok(number),
         false => Err(field.error(format_args!("{number} is not more than 0"))),
     }
-}
-
-fn channels(field: &Field<'_>) -> Result<[u8; 3], String> {
-    field.array(|f| f.integer(0, 255).map(|c| c as u8))
 }
 
 fn read_picture(
@@ -165,7 +160,7 @@ fn read_picture(
                 Some(_) => "color is missing: give the colour of the picture, [r, g, b]",
             };
             let color = color.ok_or_else(|| entry.error(missing))?;
-            Ok(SpritePicture::Ready(shape.unwrap_or(Shape::Square), channels(&color)?))
+            Ok(SpritePicture::Ready(shape.unwrap_or(Shape::Square), color.color()?))
         }
     }
 }
@@ -175,7 +170,7 @@ fn read_file(picture: &Field<'_>, key: Option<&Field<'_>>, folder: &Path) -> Res
     let name = picture.text()?;
     let path = folder.join(name);
     let (size, pixels) = picture_file::read(&path, LARGEST).map_err(|e| picture.error(e))?;
-    let color = key.map(channels).transpose()?;
+    let color = key.map(Field::color).transpose()?;
     let is_key = |&[r, g, b, _]: &[u8; 4]| color == Some([r, g, b]);
     if let (Some(key), Some([r, g, b])) = (key, color) {
         if !pixels.iter().any(is_key) {

@@ -2,7 +2,7 @@
 
 use crate::model::{self, Fit, Look};
 use crate::paint::{Style, Subject};
-use crate::palette::Palette;
+use crate::palette::{Counts, Palette};
 use crate::picture::{picture, Format};
 use crate::quantised::Quantised;
 use crate::scene::{Colors, Scene};
@@ -10,12 +10,16 @@ use crate::texture::SceneTexture;
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use pinhole_apps_support::animation::Animation;
+use pinhole_apps_support::{files, progress};
 use pinhole_import::Triangles;
 use std::error::Error;
+use std::io::Write;
+use std::path::Path;
 
 /// Duration of a turn in 1/100 s.
 const TURN: u32 = 400;
 
+/// Writes the film of a mesh to `file`, whose name is `path`.
 pub(crate) fn gif(
     (mesh, colors, texture): (&Triangles, &Colors, Option<&SceneTexture>),
     look: &Look,
@@ -23,10 +27,10 @@ pub(crate) fn gif(
     format: Format,
     least_turn: Option<f64>,
     frames: u32,
-) -> Result<Vec<u8>, String> {
-    let mut pictures = Vec::new();
+    (path, file): (&Path, &mut dyn Write),
+) -> Result<(), String> {
     let mut subject = None;
-    for frame in 0..frames {
+    film(Size::new(look.width, look.height), frames, (path, file), |frame| {
         // The camera moves left, so that the mesh appears to turn right.
         let yaw = look.yaw - 360.0 * f64::from(frame) / f64::from(frames);
         // A sphere has one size from all sides; an outline must fit from all sides.
@@ -35,25 +39,38 @@ pub(crate) fn gif(
         let scene = model::scene(mesh.clone(), colors.clone(), &look)?;
         let (quantised, used) = Quantised::settle(&Scene { texture: texture.cloned(), ..scene })?;
         let subject = subject.get_or_insert_with(|| Subject::with_edges(&used, style.mode, least_turn));
-        pictures.push(picture(subject, (&used, &quantised), style, format)?.0);
+        Ok(picture(subject, (&used, &quantised), style, format)?.0)
+    })
+}
+
+/// Writes a film of pictures, which lasts one [`TURN`]. Each picture is drawn twice, for the palette of all and for the file, so
+/// that only one is in memory at a time.
+pub(crate) fn film(
+    size: Size,
+    frames: u32,
+    (path, file): (&Path, &mut dyn Write),
+    mut picture: impl FnMut(u32) -> Result<Vec<Rgb888>, String>,
+) -> Result<(), String> {
+    let bar = progress::bar(2 * frames, "pictures");
+    let mut counts = Counts::default();
+    for frame in 0..frames {
+        counts.add(picture(frame)?.iter().map(channels));
+        bar.inc(1);
     }
-    film(Size::new(look.width, look.height), &pictures)
-}
-
-/// A film of pictures, which lasts one [`TURN`].
-pub(crate) fn film(size: Size, pictures: &[Vec<Rgb888>]) -> Result<Vec<u8>, String> {
-    encode(size, pictures, &Palette::of(pictures.iter().flatten().map(channels))).map_err(|e| e.to_string())
-}
-
-fn encode(size: Size, pictures: &[Vec<Rgb888>], palette: &Palette) -> Result<Vec<u8>, Box<dyn Error>> {
-    let mut film = Animation::new(Vec::new(), size, &palette.colours)?;
+    let palette = Palette::of(counts);
+    let unwritable = |e: Box<dyn Error>| files::unwritable(path, e);
+    let mut film = Animation::new(file, size, &palette.colours).map_err(unwritable)?;
     // Frame times are rounded from the start of the film, so that any number of frames lasts one TURN.
-    let moment = |frame: usize| frame as u32 * TURN / pictures.len() as u32;
-    for (frame, pixels) in pictures.iter().enumerate() {
+    let moment = |frame: u32| frame * TURN / frames;
+    for frame in 0..frames {
         let delay = (moment(frame + 1) - moment(frame)).max(2) as u16; // players take less for 10
-        film.add(pixels.iter().map(|&colour| palette.index(channels(&colour))).collect(), delay)?;
+        let pixels = picture(frame)?.iter().map(|colour| palette.index(channels(colour))).collect();
+        film.add(pixels, delay).map_err(|e| unwritable(e.into()))?;
+        bar.inc(1);
     }
-    Ok(film.finish()?)
+    film.finish().map_err(|e| unwritable(e.into()))?;
+    bar.finish_and_clear();
+    Ok(())
 }
 
 fn channels(colour: &Rgb888) -> [u8; 3] {

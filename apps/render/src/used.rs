@@ -1,5 +1,6 @@
 //! Writes a scene as JSON with every digit of its numbers.
 
+use crate::light::{Lamp, Lights};
 use crate::scene::{Matrix, Scene};
 use std::fmt::{Display, Write};
 use std::path::Path;
@@ -34,6 +35,18 @@ pub(crate) fn json(scene: &Scene) -> String {
     let fog = scene.fog.and_then(|fog| fog.range).map_or(String::new(), |range| {
         format!(",\n\"fog\": {}", list(range.iter().map(|&distance| decimal(distance))))
     });
+    let lights = match scene.lights == Lights::default() {
+        true => String::new(),
+        false => {
+            let ambient = format!("{{\"ambient\": {}}}", scene.lights.ambient);
+            let lamps = scene.lights.lamps.iter().map(|Lamp { towards, is_of_camera, level }| {
+                let towards = list(towards.iter().map(|&c| decimal(c)));
+                let from = if *is_of_camera { "camera" } else { "world" };
+                format!("{{\"towards\": {towards}, \"from\": \"{from}\", \"level\": {level}}}")
+            });
+            format!(",\n\"lights\": {}", list(std::iter::once(ambient).chain(lamps)))
+        }
+    };
     let sprites = match &scene.sprites[..] {
         [] => String::new(),
         sprites => format!(",\n\"sprites\": {}", list(sprites.iter().map(|entry| entry.json(decimal, path)))),
@@ -41,7 +54,7 @@ pub(crate) fn json(scene: &Scene) -> String {
     format!(
         "{{\"vertices\": {vertices},\n\"triangles\": {triangles},\n\"model\": {model},\n\"view\": {view},\n\
          \"projection\": {projection},\n\
-         \"width\": {width}, \"height\": {height}, \"viewport\": {viewport}, \"cull\": \"{cull}\"{colors}{texture}{fog}{sprites}}}\n"
+         \"width\": {width}, \"height\": {height}, \"viewport\": {viewport}, \"cull\": \"{cull}\"{colors}{texture}{lights}{fog}{sprites}}}\n"
     )
 }
 

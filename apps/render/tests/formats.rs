@@ -71,7 +71,7 @@ fn without_an_output_it_says_what_it_would_draw() {
     assert!(said.contains("of 2 triangles 2 drawn"), "{said}");
     assert_eq!(fs::read_dir(&to).unwrap().count(), 1);
     let said = String::from_utf8(RENDER.run(&[text(&file), "--stats"]).stdout).unwrap();
-    assert!(said.contains(" px"), "{said}");
+    assert!(said.contains(" px") && said.contains("nothing was written: give --png"), "{said}");
 }
 
 #[test]
@@ -246,7 +246,9 @@ fn bad_scenes_are_one_line_that_names_file_and_field() {
     for field in ["vertices", "triangles", "model", "view", "projection", "width", "height"] {
         let mut changed = scene();
         changed.as_object_mut().unwrap().remove(field);
-        refuse("scene.json", &changed.to_string(), &format!("{field}: is missing"));
+        if field != "model" {
+            refuse("scene.json", &changed.to_string(), &format!("{field}: is missing"));
+        }
         change(field, Value::Null, &format!("{field}: is null"));
         change(field, json!("8"), &format!("{field}: is a text"));
     }
@@ -316,6 +318,317 @@ fn bad_scenes_are_one_line_that_names_file_and_field() {
     refuse("mesh.stl", "fac", "ends before byte 3");
 }
 
+/// A scene with these fields instead of others.
+fn with(changes: Value) -> Value {
+    let mut changed = scene();
+    for (field, value) in changes.as_object().unwrap() {
+        changed[field] = value.clone();
+    }
+    changed.as_object_mut().unwrap().retain(|_, value| !value.is_null());
+    changed
+}
+
+/// The number of the visible triangle in each pixel, and the scene as it is used.
+fn seen(to: &Path, name: &str, content: impl AsRef<[u8]>) -> (Vec<i32>, Value) {
+    let (file, ids, used) = (write(to, name, content), to.join("ids"), to.join("used.json"));
+    let done = RENDER.run(&[text(&file), "--ids", text(&ids), "--used", text(&used)]);
+    assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+    let ids = fs::read(&ids).unwrap();
+    let ids = ids.chunks(4).map(|b| i32::from_le_bytes(b.try_into().unwrap())).collect();
+    (ids, serde_json::from_slice(&fs::read(&used).unwrap()).unwrap())
+}
+
+/// The line that refuses a scene.
+fn refused(to: &Path, scene: &Value) -> String {
+    let file = write(to, "refused.json", scene.to_string());
+    refusal(&RENDER.run(&[text(&file), "--ids", text(&to.join("none"))]))
+}
+
+#[test]
+fn a_byte_order_mark_is_passed_over() {
+    let to = RENDER.folder("render", "mark");
+    let (marked, _) = seen(&to, "marked.json", format!("\u{feff}{}", scene()));
+    assert_eq!(marked, seen(&to, "plain.json", scene().to_string()).0);
+    let mesh = json!({"vertices": scene()["vertices"], "triangles": scene()["triangles"]});
+    write(&to, "m.json", format!("\u{feff}{mesh}"));
+    let of_file = with(json!({"mesh": "m.json", "vertices": null, "triangles": null}));
+    assert_eq!(marked, seen(&to, "of_file.json", of_file.to_string()).0);
+}
+
+#[test]
+fn faces_have_the_colours_of_their_materials_unless_a_scene_has_its_own() {
+    let to = RENDER.folder("render", "scene_materials");
+    write(&to, "m.mtl", "newmtl steel\nKd 0.6 0.6 0.6\nnewmtl red one\nKd 1 0 0\nKe 0 0 0.2\n");
+    let vertices = "v -1 -1 0\nv 1 -1 0\nv -1 1 0\nv -1 -1 0.5\nv 0 -1 0.5\nv -1 0 0.5\n";
+    write(&to, "m.obj", format!("mtllib m.mtl\n{vertices}usemtl steel\nf 1 2 3\nusemtl red one\nf 4 5 6\n"));
+    let of_file = with(json!({"mesh": "m.obj", "vertices": null, "triangles": null}));
+    let (_, used) = seen(&to, "scene.json", of_file.to_string());
+    assert_eq!(
+        (&used["colors"], &used["emission"]),
+        (&json!([[153, 153, 153], [255, 0, 0]]), &json!([[0, 0, 0], [0, 0, 51]]))
+    );
+    let mut own = of_file;
+    own["colors"] = json!([[1, 2, 3], [4, 5, 6]]);
+    let (_, used) = seen(&to, "own.json", own.to_string());
+    assert_eq!((&used["colors"], used.get("emission")), (&own["colors"], None));
+    // A library is an input.
+    let file = to.join("scene.json");
+    let said = refusal(&RENDER.run(&[text(&file), "--ids", text(&to.join("m.mtl"))]));
+    assert!(said.contains("m.mtl: is the input file"), "{said}");
+}
+
+#[test]
+fn several_meshes_are_one_scene() {
+    let to = RENDER.folder("render", "several");
+    let (whole, _) = seen(&to, "one.json", scene().to_string());
+    // Each triangle of the scene is a mesh that lies elsewhere, in a file and in lists.
+    write(&to, "far.obj", "v 0 1 2\nv 2 1 2\nv 0 3 2\nf 1 2 3\n");
+    let place = |x: i32, y: i32, z: i32| json!([[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z], [0, 0, 0, 1]]);
+    let near = json!({"vertices": [[0, 0, 0], [2, 0, 0], [0, 2, 0]], "triangles": [[0, 1, 2]],
+        "model": [[0.5, 0, 0, -1], [0, 0.5, 0, -1], [0, 0, 0.5, 0.5], [0, 0, 0, 1]], "colors": [[9, 8, 7]]});
+    let far = json!({"mesh": "far.obj", "model": place(-1, -2, -2)});
+    let meshes = json!({"meshes": [far, near], "vertices": null, "triangles": null, "model": null});
+    let (ids, used) = seen(&to, "several.json", with(meshes.clone()).to_string());
+    assert_eq!(ids, whole);
+    // The one has the colour of a face without a material.
+    assert_eq!(used["colors"], json!([[204, 204, 204], [9, 8, 7]]));
+    for (field, value, wanted) in [
+        ("mesh", json!("far.obj"), "meshes: is given together with mesh, vertices or triangles"),
+        ("meshes", json!([]), "meshes: has no meshes"),
+        ("meshes", json!([far, {"vertices": []}]), "meshes[1]: triangles: is missing"),
+        ("meshes", json!([far, {"mesh": "far.obj", "cull": "none"}]), "meshes[1].cull: is not a field"),
+        (
+            "meshes",
+            json!([{"mesh": "far.obj", "model": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 1]]}]),
+            "meshes[0].model: the last row is not [0, 0, 0, 1]",
+        ),
+        ("meshes", json!([far, {"mesh": "none.obj"}]), "none.obj: cannot be read"),
+    ] {
+        let mut changed = with(meshes.clone());
+        changed[field] = value;
+        let said = refused(&to, &changed);
+        assert!(said.contains(wanted), "{said}");
+    }
+}
+
+/// A point in the picture's coordinates from −1 to 1 and its depth, by the matrices of a scene.
+fn projected(scene: &Value, point: [f64; 3]) -> [f64; 3] {
+    let [x, y, z] = point;
+    let after = |matrix: &Value, p: [f64; 4]| -> [f64; 4] {
+        core::array::from_fn(|i| (0..4).map(|k| matrix[i][k].as_f64().unwrap() * p[k]).sum())
+    };
+    let [x, y, z, w] = after(&scene["projection"], after(&scene["view"], [x, y, z, 1.0]));
+    assert!(w > 0.0, "{point:?} lies behind the eye");
+    [x / w, y / w, z / w]
+}
+
+#[test]
+fn a_camera_is_an_eye_and_what_it_looks_at() {
+    let to = RENDER.folder("render", "eye");
+    let of = |camera: Value| {
+        let fields = json!({"camera": camera, "view": null, "projection": null, "model": null, "width": 80, "height": 60});
+        let (ids, used) = seen(&to, "camera.json", with(fields).to_string());
+        assert!(ids.iter().any(|&id| id >= 0));
+        used
+    };
+    let near = |a: [f64; 3], b: [f64; 2]| (a[0] - b[0]).abs() < 1e-6 && (a[1] - b[1]).abs() < 1e-6;
+    // From (3, 4, 12), 13 away from the target; the picture is wider than high, by 4 to 3.
+    let (eye, target, up) = ([3.0, 4.0, 12.0], [0.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let used = of(json!({"eye": eye, "target": target, "fov": 60, "up": up}));
+    assert!(near(projected(&used, target), [0.0, 0.0]));
+    // The direction to the right is (12, 0, −3)/√153, that upwards (−12, 153, −48)/(13·√153).
+    let root = 153f64.sqrt();
+    let right = [12.0 / root, 0.0, -3.0 / root];
+    let upwards = [-12.0, 153.0, -48.0].map(|c| c / (13.0 * root));
+    let half = 13.0 * 30f64.to_radians().tan();
+    assert!(near(projected(&used, upwards.map(|c| c * half)), [0.0, 1.0]));
+    assert!(near(projected(&used, right.map(|c| c * half * 4.0 / 3.0)), [1.0, 0.0]));
+    // Without more said, y is up, and all vertices are between near and far, which the depths use well.
+    assert_eq!(of(json!({"eye": eye, "target": target, "fov": 60})), used);
+    let corners = scene()["vertices"].as_array().unwrap().clone();
+    let depths: Vec<f64> = corners
+        .iter()
+        .map(|corner| projected(&used, [0, 1, 2].map(|i| corner[i].as_f64().unwrap()))[2])
+        .collect();
+    assert!(depths.iter().all(|depth| depth.abs() < 1.0), "{depths:?}");
+    let spread = depths.iter().fold(-1.0f64, |a, &b| a.max(b)) - depths.iter().fold(1.0f64, |a, &b| a.min(b));
+    assert!(spread > 1.0, "{depths:?}");
+    // Depth by definition: −1 at near and 1 at far.
+    let used = of(json!({"eye": [0, 0, 5], "target": target, "near": 2, "far": 8}));
+    for (z, depth) in [(3.0, -1.0), (-3.0, 1.0)] {
+        assert!((projected(&used, [0.0, 0.0, z])[2] - depth).abs() < 1e-6);
+    }
+    for (camera, wanted) in [
+        (json!({"eye": eye}), "camera: target: is missing"),
+        (json!({"eye": eye, "target": eye}), "camera.target: is where the eye is"),
+        (json!({"eye": eye, "target": target, "up": eye}), "camera.up: points to the target or away from it"),
+        (json!({"eye": [0, 3, 0], "target": target}), "camera: up: points to the target or away from it"),
+        (json!({"eye": eye, "target": target, "fov": 180}), "camera.fov: 180 is not from 1 to 170"),
+        (json!({"eye": eye, "target": target, "near": 0}), "camera.near: 0 is not from"),
+        (json!({"eye": eye, "target": target, "near": 3, "far": 2}), "camera: near is 3 and far is 2"),
+        (json!({"eye": eye, "target": target, "yaw": 3}), "camera.yaw: is not a field"),
+        (json!({"projection": "fish-eye"}), "camera.projection: is \"fish-eye\" and should be"),
+        (json!({"projection": "two-point", "pitch": 80}), "camera.pitch: 80 is not from -70 to 70"),
+        (json!({"near": 1}), "camera.near: is not a field"),
+    ] {
+        let said = refused(&to, &with(json!({"camera": camera, "view": null, "projection": null})));
+        assert!(said.contains(wanted), "{said}");
+    }
+    let said = refused(&to, &with(json!({"camera": {}})));
+    assert!(said.contains("camera: is given together with view or projection"), "{said}");
+}
+
+/// By the camera's own projection: what the option of the same name draws of the mesh alone.
+#[test]
+fn a_camera_frames_the_scene_as_options_frame_a_mesh() {
+    let to = RENDER.folder("render", "framing");
+    let teapot = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/teapot.obj");
+    for (camera, options) in [
+        (json!({}), &[][..]),
+        (
+            json!({"projection": "isometric", "frame": "outline"}),
+            &["--projection", "isometric", "--frame", "outline"],
+        ),
+        (
+            json!({"yaw": 70, "pitch": -20, "fov": 90, "up": "z"}),
+            &["--from", "70,-20", "--fov", "90", "--up", "z"],
+        ),
+    ] {
+        let ids = to.join("mesh.ids");
+        let done = RENDER.run(&[&[text(&teapot), "--size", "90x70", "--ids", text(&ids)], options].concat());
+        assert!(done.status.success(), "{done:?}");
+        let wanted: Vec<i32> =
+            fs::read(&ids).unwrap().chunks(4).map(|b| i32::from_le_bytes(b.try_into().unwrap())).collect();
+        // The model matrix moves the mesh, and the camera follows.
+        let scene = json!({"mesh": teapot, "camera": camera, "width": 90, "height": 70, "cull": "back",
+            "model": [[2, 0, 0, 64], [0, 2, 0, -32], [0, 0, 2, 128], [0, 0, 0, 1]]});
+        let (found, _) = seen(&to, "scene.json", scene.to_string());
+        // Both round in their own coordinates, which moves an edge by less than 1/256 px.
+        let differ = found.iter().zip(&wanted).filter(|(a, b)| a != b).count();
+        assert!(differ <= 3, "{differ} pixels differ with {camera}");
+    }
+}
+
+#[test]
+fn lights_are_those_of_the_scene() {
+    let to = RENDER.folder("render", "lights");
+    let lit = |lights: Value| -> [u8; 3] {
+        let mut scene = with(json!({"lights": lights, "colors": [[200, 100, 50], [200, 100, 50]]}));
+        let picture = to.join("out.png");
+        let used = to.join("used.json");
+        let draw = |scene: &Value| {
+            let file = write(&to, "scene.json", scene.to_string());
+            let done =
+                RENDER.run(&[text(&file), "--mode", "flat", "--png", text(&picture), "--used", text(&used)]);
+            assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+            colours(&picture)[5 * 8 + 1]
+        };
+        let color = draw(&scene);
+        scene = serde_json::from_slice(&fs::read(&used).unwrap()).unwrap();
+        assert_eq!(draw(&scene), color, "the scene as it is used has other lights");
+        color
+    };
+    let usual = lit(Value::Null);
+    assert_eq!(lit(json!(["key", "fill", "ambient"])), usual);
+    let [key, fill, ambient] = ["key", "fill", "ambient"].map(|name| u32::from(lit(json!([name]))[0]));
+    assert!((key + fill + ambient).abs_diff(usual[0].into()) <= 2 && key > fill && fill > 0 && ambient > 0);
+    // The faces look along z. Levels by Lambert's law, within one of 256.
+    let near = |color: [u8; 3], level: f64| {
+        [200.0, 100.0, 50.0]
+            .iter()
+            .zip(color)
+            .all(|(full, is)| (f64::from(is) - full * level / 256.0).abs() <= 1.3)
+    };
+    let root = 0.5f64.sqrt();
+    for (lights, level) in [
+        (json!([]), 0.0),
+        (json!([{"ambient": 128}]), 128.0),
+        (json!([{"towards": [0, 0, 1], "level": 256}]), 256.0),
+        (json!([{"towards": [0, 3, 3], "level": 256}]), 256.0 * root),
+        (json!([{"towards": [0, 0, -1], "level": 256}]), 0.0),
+        (json!([{"towards": [0, 0, 2], "level": 100}, {"ambient": 28}]), 128.0),
+        (json!([{"towards": [0, 0, 1], "from": "camera", "level": 64}, {"ambient": 256}]), 256.0),
+    ] {
+        let color = lit(lights.clone());
+        assert!(near(color, level), "{lights}: {color:?}");
+    }
+    // A lamp of the camera moves with it, a lamp of the world does not: seen from the side, (1, 0, 0) is right of the camera.
+    let side = |from: &str| {
+        let lights = json!([{"towards": [0, 0, 1], "from": from, "level": 256}]);
+        let turned = with(json!({"lights": lights, "colors": [[200, 100, 50], [200, 100, 50]],
+            "view": [[0.6, 0, -0.8, 0], [0, 1, 0, 0], [0.8, 0, 0.6, 0], [0, 0, 0, 1]],
+            "projection": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -0.2, 0], [0, 0, 0, 1]]}));
+        let (file, picture) = (write(&to, "side.json", turned.to_string()), to.join("side.png"));
+        let done =
+            RENDER.run(&[text(&file), "--mode", "flat", "--background", "blue", "--png", text(&picture)]);
+        assert!(done.status.success(), "{done:?}");
+        colours(&picture).into_iter().find(|color| color[0] > 0).unwrap()
+    };
+    assert!(near(side("world"), 256.0) && near(side("camera"), 256.0 * 0.6));
+    for (lights, wanted) in [
+        (json!(["sun"]), "lights[0]: is \"sun\" and should be \"ambient\", \"key\" or \"fill\""),
+        (json!([{"ambient": 257}]), "lights[0].ambient: 257 is not from 0 to 256"),
+        (json!([{"towards": [0, 0, 1]}]), "lights[0]: level: is missing"),
+        (json!([{}]), "lights[0]: has neither ambient nor towards, or both"),
+    ] {
+        let said = refused(&to, &with(json!({"lights": lights})));
+        assert!(said.contains(wanted), "{said}");
+    }
+}
+
+/// Of numbers, 30 bits of the largest one are kept. One that is so large that nothing is left of what is seen is refused.
+#[test]
+fn numbers_that_take_all_bits_of_the_others_are_refused() {
+    let to = RENDER.folder("render", "out_of_range");
+    // Perspective, near 1 and far 64, from 4 before the triangles.
+    let before = |factor: f64| {
+        let view = json!([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, -4.0 * factor], [0, 0, 0, 1]]);
+        let projection = json!([
+            [2, 0, 0, 0],
+            [0, 2.5, 0, 0],
+            [0, 0, -65.0 / 63.0, -128.0 / 63.0 * factor],
+            [0, 0, -1, 0]
+        ]);
+        with(json!({"view": view, "projection": projection, "width": 80, "height": 60}))
+    };
+    let change = |field: &str, value: Value| {
+        let mut scene = before(1.0);
+        scene[field] = value;
+        scene
+    };
+    let floor = |size: f64| {
+        json!([[-size, -1, -size], [size, -1, -size], [0, -1, size], [0, 0, 9], [1, 0, 9], [0, 1, 9]])
+    };
+    for (scene, named) in [
+        (
+            change("vertices", json!([[1e30, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0]])),
+            "vertices[0][0]: 1e30",
+        ),
+        (change("vertices", floor(1e30)), "vertices[2][2]: 1e30"),
+        (change("model", json!([[1, 0, 0, 0], [0, 1, 0, 1e30], [0, 0, 1, 0], [0, 0, 0, 1]])), ""),
+        (change("sprites", json!([{"at": [[0, 0, 0], [1e30, 0, 0]], "color": [1, 2, 3]}])), "sprites: 1e30"),
+        (change("fog", json!([0, 1e30])), "fog"),
+    ] {
+        if named.is_empty() {
+            // Nothing is seen of it, so nothing is lost.
+            assert!(seen(&to, "unseen.json", scene.to_string()).0.iter().all(|&id| id < 0));
+            continue;
+        }
+        let said = refused(&to, &scene);
+        assert!(said.contains(named), "{said}");
+    }
+    // Large numbers alone are no fault, nor is a floor that ends far away.
+    let (wanted, _) = seen(&to, "plain.json", before(1.0).to_string());
+    assert!(wanted.iter().filter(|&&id| id >= 0).count() > 100);
+    let mut large = before(2f64.powi(80));
+    let scaled = |c: &Value| json!(c.as_f64().unwrap() * 2f64.powi(80));
+    for vertex in large["vertices"].as_array_mut().unwrap() {
+        *vertex = vertex.as_array().unwrap().iter().map(scaled).collect();
+    }
+    assert!(seen(&to, "large.json", large.to_string()).0 == wanted);
+    assert!(seen(&to, "floor.json", change("vertices", floor(1e6)).to_string()).0.contains(&0));
+}
+
 #[test]
 fn bad_meshes_of_a_scene_are_named_themselves() {
     let to = RENDER.folder("render", "bad_meshes");
@@ -365,6 +678,9 @@ fn bad_command_lines_are_one_line() {
         (&[scene, "--yaw", "3"], "--yaw: "),
         (&[scene, "--pong"], "'--pong' found: --help lists what there is"),
         (&[scene, "--ids"], "--ids"),
+        (&["-", "--png", &same], "-: standard input is not read"),
+        (&[scene, "--png", "-"], "--png: - is no file"),
+        (&[mesh, "--gif", "-"], "--gif: - is no file"),
         (&[scene, "--ids", &same, "--depth", &same], "--depth: names the same file as --ids"),
         (&[scene, "--ids", &same, "--png", &dotted], "--ids: names the same file as --png"),
         (&[scene, "--mode", "wireframe", "--ids", &same], "--ids: needs --mode solid"),

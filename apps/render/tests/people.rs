@@ -415,20 +415,66 @@ fn modes_are_what_they_say() {
     assert!(count(&less) < count(&wire) * 3 / 4 && count(&less) > count(&wire) / 4);
     // Of a cube's edges no mode of lines but the wireframe has the six diagonals, unless it is asked for all; its sides meet at 90
     // degrees.
-    let edges = |mode: &str, options: &[&str]| -> u32 {
-        let done = RENDER.run(&[&[text(&cube), "--mode", mode, "--stats"], options].concat());
+    let edges = |file: &Path, mode: &str, options: &[&str]| -> u32 {
+        let done = RENDER.run(&[&[text(file), "--mode", mode, "--stats"], options].concat());
         assert!(done.status.success(), "{done:?}");
         let said = String::from_utf8(done.stdout).unwrap();
         said.split("; of ").nth(1).and_then(|rest| rest.split(' ').next()?.parse().ok()).expect("a count")
     };
-    assert_eq!([edges("wireframe", &[]), edges("hidden-line", &[])], [18, 12]);
-    assert_eq!(edges("hidden-line", &["--edges", "all"]), 18);
-    assert_eq!(edges("wireframe", &["--edges", "feature"]), 12);
-    assert_eq!(edges("wireframe", &["--feature-angle", "89"]), 12);
-    assert_eq!(edges("hidden-line", &["--edges", "feature", "--feature-angle", "91"]), 0);
+    assert_eq!([edges(&cube, "wireframe", &[]), edges(&cube, "hidden-line", &[])], [18, 12]);
+    assert_eq!(edges(&cube, "hidden-line", &["--edges", "all"]), 18);
+    assert_eq!(edges(&cube, "wireframe", &["--edges", "feature"]), 12);
+    assert_eq!(edges(&cube, "wireframe", &["--feature-angle", "89"]), 12);
+    // Hidden lines have the outline in any case: six edges lie between the three sides that are seen and those that are not.
+    let blunt = ["--edges", "feature", "--feature-angle", "91"];
+    assert_eq!([edges(&cube, "hidden-line", &blunt), edges(&cube, "wireframe", &blunt)], [6, 0]);
+    // The back of a sheet, which lies beside its front, makes no edge of a diagonal.
+    let sheet = write(
+        &RENDER.folder("people", "sheet"),
+        "sheet.obj",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n".into(),
+    );
+    let of_sheet = |mode| edges(&sheet, mode, &["--edges", "feature", "--two-sided"]);
+    assert_eq!(["wireframe", "hidden-line"].map(of_sheet), [4, 4]);
     // The lines lie inside the outline, or outside by half a line's width: half a pixel.
     let [a, b] = [flat.drawn(), less].map(|drawn| extent(&drawn, 100));
     assert!(a.iter().flatten().zip(b.iter().flatten()).all(|(a, b)| a.abs_diff(*b) <= 1), "{a:?} {b:?}");
+}
+
+/// A ring, inside out, with 64 sides that turn by 5.6 degrees: its only features are its four rims.
+#[test]
+fn hidden_lines_show_the_outline_of_a_round_body() {
+    let sides = 64;
+    let vertex = |i: usize, [radius, y]: [f64; 2]| {
+        let (sin, cos) = (i as f64 / sides as f64 * core::f64::consts::TAU).sin_cos();
+        format!("v {} {y} {}\n", radius * cos, radius * sin)
+    };
+    let rims = [[1.0, 0.0], [1.0, 0.4], [0.85, 0.4], [0.85, 0.0]];
+    let vertices: String = (0..sides).flat_map(|i| rims.map(|rim| vertex(i, rim))).collect();
+    let at = |i: usize, rim: usize| i % sides * 4 + rim % 4 + 1;
+    let face = |i: usize, rim: usize| {
+        format!("f {} {} {} {}\n", at(i, rim), at(i + 1, rim), at(i + 1, rim + 1), at(i, rim + 1))
+    };
+    let faces: String = (0..sides).flat_map(|i| (0..4).map(move |rim| face(i, rim))).collect();
+    let file = write(&RENDER.folder("people", "round"), "ring.obj", vertices + &faces);
+    let view = ["--flip", "--size", "160x120"];
+    let of = |mode: &[&str]| Picture::of("ring", &file, &[&view, mode].concat()).drawn();
+    let body = of(&["--mode", "flat"]);
+    let lines = of(&["--mode", "hidden-line", "--edges", "feature"]);
+    // At both ends of each row of the body a line is at most a pixel away, in that row or the next, but for the gaps of lines that
+    // are almost hidden.
+    let near = |x: usize, y: usize| {
+        (y.saturating_sub(1)..=y + 1).any(|y| (x.saturating_sub(1)..=x + 1).any(|x| lines[y * 160 + x]))
+    };
+    let (mut ends, mut without) = (0, 0);
+    for (y, row) in body.chunks(160).enumerate() {
+        let first = row.iter().position(|drawn| *drawn);
+        for x in first.into_iter().chain(row.iter().rposition(|drawn| *drawn)) {
+            ends += 1;
+            without += usize::from(!near(x, y));
+        }
+    }
+    assert!(ends > 100 && without * 10 <= ends, "{without} of {ends} ends of rows have no line");
 }
 
 #[test]

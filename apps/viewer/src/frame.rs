@@ -43,6 +43,8 @@ pub struct Viewer {
     subject: Option<(Mode, Subject)>,
     oled: Oled,
     shown: Shown,
+    /// Why a file that was dropped, or has changed, is not shown.
+    notice: Option<String>,
 }
 
 impl Viewer {
@@ -57,7 +59,34 @@ impl Viewer {
             subject: None,
             oled: Oled::new(),
             shown: Shown::default(),
+            notice: None,
         }
+    }
+
+    /// The mesh that is shown.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// The size of the display.
+    pub fn size(&self) -> Size {
+        self.display.size()
+    }
+
+    /// Reads the files again if they have changed and nobody has written them since the last call; a file that cannot be read
+    /// leaves what is shown, with a notice. Returns whether the window has anything new to show.
+    pub fn reload(&mut self) -> bool {
+        let Some(read) = self.source.changed() else { return false };
+        match read {
+            Ok(source) => *self = Self::new(source, self.size()),
+            Err(problem) => self.notice = Some(problem),
+        }
+        true
+    }
+
+    /// Shows why another file is not shown.
+    pub fn set_notice(&mut self, problem: String) {
+        self.notice = Some(problem);
     }
 
     /// Brings the display to a state: sends the areas that changed, band by band.
@@ -81,20 +110,13 @@ impl Viewer {
         self.display.pixels()
     }
 
-    /// Draws the window: the display with the overlays of the state. `time` is the duration of a frame.
-    ///
-    /// # Errors
-    ///
-    /// Errors of the target.
-    pub fn show<D: DrawTarget<Color = Rgb888>>(
-        &self,
-        state: &State,
-        time: Option<std::time::Duration>,
-        target: &mut D,
-    ) -> Result<(), D::Error> {
-        let area = Rectangle::new(Point::zero(), self.display.size());
-        target.fill_contiguous(&area, self.display.pixels().iter().copied())?;
-        overlay::draw(state, &self.shown, time, target)
+    /// The pixels of the display with the overlays of the state. `time` is the duration of a frame.
+    pub fn picture(&self, state: &State, time: Option<std::time::Duration>) -> Vec<Rgb888> {
+        let mut picture = Canvas::new(self.size(), Rgb888::BLACK);
+        let all = picture.bounding_box();
+        let Ok(()) = picture.fill_contiguous(&all, self.pixels().iter().copied());
+        let Ok(()) = overlay::draw(state, &self.shown, time, self.notice.as_deref(), &mut picture);
+        picture.pixels().to_vec()
     }
 
     fn model(&mut self, state: &State) -> Result<Shown, String> {

@@ -1,5 +1,5 @@
-//! The simulator without its window: a [`State`] that keys and mouse change, and a [`Viewer`] that draws it. `main.rs` has
-//! the window, which needs SDL; everything else is tested without it.
+//! The simulator without its window: a [`State`] that keys and mouse change, a [`Viewer`] that draws it, and a [`Placement`] of its
+//! pixels in a window of any size. `main.rs` has the command line, `window.rs` the window; everything else is tested without it.
 //!
 //! A model is drawn by the code of `pinhole-render`, but as firmware draws: in bands, and only
 //! where a frame differs from the last one. The scenes of the firmware examples are included.
@@ -7,10 +7,13 @@
 mod firmware;
 mod frame;
 mod overlay;
+mod placement;
 mod source;
 mod state;
+mod watch;
 
 pub use frame::{Shown, Viewer};
+pub use placement::Placement;
 pub use source::Source;
 pub use state::{Action, State};
 

@@ -24,6 +24,7 @@ pub(crate) fn draw<D: DrawTarget<Color = Rgb888>>(
     state: &State,
     shown: &Shown,
     time: Option<Duration>,
+    notice: Option<&str>,
     target: &mut D,
 ) -> Result<(), D::Error> {
     if state.outlines {
@@ -32,6 +33,15 @@ pub(crate) fn draw<D: DrawTarget<Color = Rgb888>>(
         }
     }
     let mut top = 0;
+    if let Some(notice) = notice {
+        let lines = wrapped(notice);
+        paper(top, &lines, target)?;
+        for line in &lines {
+            write(line, Point::new(3, top + 2), KEY, target)?;
+            top += LINE;
+        }
+        top += 4;
+    }
     if state.information {
         let lines = information(state, shown, time);
         paper(top, &lines, target)?;

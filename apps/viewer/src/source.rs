@@ -2,6 +2,7 @@
 
 use crate::firmware;
 use crate::state::{Markers, State};
+use crate::watch::{Before, Watch};
 use embedded_graphics::geometry::{AnchorPoint, Size};
 use pinhole_apps_support::files;
 use pinhole_import::{Axis, ImportedMesh, Options, Preview, Triangles};
@@ -26,6 +27,8 @@ pub struct Source {
     imported: Option<Preview>,
     /// The options of the import.
     options: Options,
+    /// The files, as they were before they were read.
+    watch: Watch,
     /// The mesh that firmware of the template has, or why it has none: imported when it is shown.
     in_firmware: OnceCell<Result<ImportedMesh, String>>,
 }
@@ -38,12 +41,26 @@ impl Source {
     ///
     /// A message that names the file and the problem.
     pub fn read(file: &Path, options: &Options) -> Result<Self, String> {
+        let before = Before::reading(file);
+        let source = Self::unwatched(file, options)?;
+        let beside: Vec<_> = source.beside().map(Path::to_path_buf).collect();
+        Ok(Self { watch: Watch::of(before, beside.into_iter()), ..source })
+    }
+
+    /// Reads the files again if they have changed and nobody is writing them. `None` where they have not.
+    pub(crate) fn changed(&mut self) -> Option<Result<Self, String>> {
+        let file = self.file.as_deref().filter(|_| self.watch.has_changed())?;
+        Some(Self::read(file, &self.options))
+    }
+
+    fn unwatched(file: &Path, options: &Options) -> Result<Self, String> {
         if file.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
             let own = Scene::read(file)?;
             let positions = own.vertices.iter().map(|&vertex| own.in_the_world(vertex)).collect();
             let mesh = Triangles { positions, faces: own.triangles.clone() };
             let (colors, texture, file) = (own.colors.clone(), own.texture.clone(), Some(file.into()));
-            return Ok(Self { mesh, colors, texture, up: Axis::Y, own: Some(own), file, ..Self::built_in() });
+            let scene = Self { mesh, colors, texture, up: Axis::Y, own: Some(own), file, ..Self::built_in() };
+            return Ok(Self { options: options.clone(), ..scene });
         }
         let mut model = import::read(file, options)?;
         let texture = texture::of_model(&model);
@@ -58,6 +75,7 @@ impl Source {
             file,
             imported: Some(model),
             options: options.clone(),
+            watch: Watch::default(),
             in_firmware: OnceCell::new(),
         })
     }
@@ -79,6 +97,7 @@ impl Source {
             file: None,
             imported: None,
             options: Options::default(),
+            watch: Watch::default(),
             in_firmware: OnceCell::new(),
         }
     }
@@ -89,7 +108,12 @@ impl Source {
         let make = || match (&self.file, &self.imported) {
             (Some(file), Some(_)) => {
                 let options = template::options(&template::TEMPLATE, &self.options);
-                pinhole_import::import(file, &options).map_err(|e| e.to_string())
+                let imported = pinhole_import::import(file, &options).map_err(|e| e.to_string());
+                // The other scenes show the files as they were.
+                match self.watch.is_as_read() {
+                    true => imported,
+                    false => Err("its file has changed since it was read".into()),
+                }
             }
             _ => {
                 let file = include_bytes!("../../../assets/teapot.obj");
@@ -125,11 +149,16 @@ impl Source {
     ///
     /// A message that names the output.
     pub fn apart_from(&self, output: &Path) -> Result<(), String> {
-        let mesh = self.own.as_ref().and_then(|own| own.mesh_file.as_deref());
-        let libraries = self.imported.iter().flat_map(|model| &model.libraries).map(PathBuf::as_path);
+        let mut inputs = self.file.as_deref().into_iter().chain(self.beside());
+        inputs.try_for_each(|input| files::apart(input, [output]))
+    }
+
+    /// The files that the file names: meshes, material libraries and pictures.
+    fn beside(&self) -> impl Iterator<Item = &Path> {
+        let meshes = self.own.iter().flat_map(|own| &own.mesh_files);
+        let libraries = self.imported.iter().flat_map(|model| &model.libraries);
         let pictures = self.own.iter().flat_map(Scene::pictures);
-        let inputs = self.file.as_deref().into_iter().chain(mesh).chain(libraries).chain(pictures);
-        inputs.into_iter().try_for_each(|input| files::apart(input, [output]))
+        meshes.chain(libraries).map(PathBuf::as_path).chain(pictures)
     }
 
     /// A message with the name of the file.

@@ -7,9 +7,8 @@ use pinhole::Angle;
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_import::Options;
 use pinhole_render::firmware;
-use pinhole_viewer::{Action, Source, State, Viewer};
+use pinhole_viewer::{Action, Placement, Source, State, Viewer};
 use std::collections::BTreeSet;
-use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 
 const SIZE: Size = Size::new(96, 72);
@@ -271,39 +270,10 @@ fn every_projection_shows_something_whole() {
     assert_eq!(pictures.len(), 21);
 }
 
-/// A picture that notes where it is drawn.
-struct Notes {
-    pixels: Vec<Rgb888>,
-}
-
-impl OriginDimensions for Notes {
-    fn size(&self) -> Size {
-        SIZE
-    }
-}
-
-impl DrawTarget for Notes {
-    type Color = Rgb888;
-    type Error = Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        for Pixel(at, colour) in pixels {
-            if self.bounding_box().contains(at) {
-                self.pixels[(at.y as u32 * SIZE.width + at.x as u32) as usize] = colour;
-            }
-        }
-        Ok(())
-    }
-}
-
 #[test]
 fn overlays_are_in_the_window_and_not_on_the_display() {
     let mut viewer = viewer();
-    let shown = |viewer: &Viewer, state: &State| {
-        let mut notes = Notes { pixels: vec![Rgb888::BLACK; (SIZE.width * SIZE.height) as usize] };
-        let Ok(()) = viewer.show(state, None, &mut notes);
-        notes.pixels
-    };
+    let shown = |viewer: &Viewer, state: &State| viewer.picture(state, None);
     let mut state = pressed("i"); // without the information
     viewer.draw(&state).unwrap();
     let display = viewer.pixels().to_vec();
@@ -394,12 +364,8 @@ fn the_firmware_s_model_is_the_user_s() {
     assert_eq!(viewer.draw(&pressed("")).unwrap().problem, None);
     let problem = viewer.draw(&state).unwrap().problem.clone().unwrap();
     assert!(problem.contains("has 90000 vertices, more than the 65536 of a mesh: use"), "{problem}");
-    let mut written = Notes { pixels: vec![Rgb888::BLACK; (SIZE.width * SIZE.height) as usize] };
-    let Ok(()) = viewer.show(&state, None, &mut written);
-    assert!(
-        written.pixels.iter().filter(|color| color.r() > 200).count() > 300,
-        "it is written in the window"
-    );
+    let written = viewer.picture(&state, None);
+    assert!(written.iter().filter(|color| color.r() > 200).count() > 300, "it is written in the window");
 }
 
 fn file(name: &str, text: &str) -> PathBuf {
@@ -408,6 +374,97 @@ fn file(name: &str, text: &str) -> PathBuf {
     let file = folder.join(name);
     std::fs::write(&file, text).unwrap();
     file
+}
+
+/// A tetrahedron with the right angles at the origin, `size` wide.
+fn tetrahedron(size: f64) -> String {
+    format!("v 0 0 0\nv {size} 0 0\nv 0 {size} 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+}
+
+#[test]
+fn a_file_that_changes_is_shown_anew_in_all_scenes() {
+    let (path, states) = (file("changing.obj", &tetrahedron(1.0)), [pressed(""), pressed("m m")]);
+    let pictures = |viewer: &mut Viewer| {
+        states.map(|state| {
+            let problem = viewer.draw(&state).unwrap().problem.clone();
+            (problem, viewer.pixels().to_vec())
+        })
+    };
+    let of_now = || pictures(&mut Viewer::new(read(&path).unwrap(), SIZE));
+    let mut viewer = Viewer::new(read(&path).unwrap(), SIZE);
+    assert!(!viewer.reload() && !viewer.reload());
+    let first = pictures(&mut viewer);
+    assert!(first == of_now());
+    file("changing.obj", &tetrahedron(2.5));
+    let second = of_now();
+    assert!(first[0] != second[0] && first[1] != second[1]);
+    // Until the file is read again, both scenes show the old one; and not while somebody may be writing it.
+    assert!(pictures(&mut viewer) == first && !viewer.reload());
+    assert!(viewer.reload() && !viewer.reload());
+    assert!(pictures(&mut viewer) == second);
+    // What the firmware would have is imported when it is shown first: never another model than the other scenes show.
+    let mut late = Viewer::new(read(&path).unwrap(), SIZE);
+    file("changing.obj", &tetrahedron(1.0));
+    let [(_, model), (problem, _)] = pictures(&mut late);
+    assert!(model == second[0].1);
+    assert_eq!(problem.as_deref(), Some("its file has changed since it was read"));
+    // A file that cannot be read leaves the picture, says so in the window, and is tried again when it changes.
+    file("changing.obj", "v 0 0\n");
+    assert!(!viewer.reload() && viewer.reload() && !viewer.reload());
+    let shown = pictures(&mut viewer);
+    assert!(shown[0] == second[0]);
+    let with_notice = viewer.picture(&states[0], None);
+    file("changing.obj", &tetrahedron(2.5));
+    assert!(!viewer.reload() && viewer.reload());
+    assert!(pictures(&mut viewer) == second && viewer.picture(&states[0], None) != with_notice);
+}
+
+#[test]
+fn a_scene_changes_with_the_mesh_that_it_names() {
+    file("part.obj", &tetrahedron(1.0));
+    let scene = r#"{"mesh": "part.obj", "camera": {}, "width": 96, "height": 72}"#;
+    let mut viewer = Viewer::new(read(&file("part.json", scene)).unwrap(), SIZE);
+    let state = viewer.source().state();
+    viewer.draw(&state).unwrap();
+    let before = viewer.pixels().to_vec();
+    file("part.obj", &tetrahedron(2.5));
+    assert!(!viewer.reload() && viewer.reload());
+    viewer.draw(&state).unwrap();
+    assert!(viewer.pixels() != before);
+}
+
+/// By definition: pixel (x, y) of the window shows pixel ((x − left)/factor, (y − top)/factor) of the display, rounded down.
+#[test]
+fn a_window_of_any_size_shows_whole_pixels_in_its_middle() {
+    let (width, height) = (16, 20);
+    let pixels: Vec<_> =
+        (0..width * height).map(|i| Rgb888::new(i as u8, (i / 256) as u8 + 100, 7)).collect();
+    for ([across, down], factor, [left, top]) in [
+        ([16, 20], 1, [0, 0]),
+        ([32, 40], 2, [0, 0]),
+        ([35, 61], 2, [1, 10]),
+        ([100, 45], 2, [34, 2]),
+        ([48, 60], 3, [0, 0]),
+        // Smaller than the display: its upper left part.
+        ([10, 13], 1, [0, 0]),
+        ([40, 13], 1, [12, 0]),
+        ([1, 1], 1, [0, 0]),
+    ] {
+        let placement = Placement::new(Size::new(width as u32, height as u32), [across as u32, down as u32]);
+        let mut window = vec![0xffff_ffff; across * down];
+        placement.fill(&pixels, &mut window);
+        for (at, cell) in window.iter().enumerate() {
+            let (x, y) = ((at % across) as i32 - left, (at / across) as i32 - top);
+            let (x, y) = (x.div_euclid(factor), y.div_euclid(factor));
+            let is_inside = (0..width).contains(&x) && (0..height).contains(&y);
+            let number = y * width + x;
+            let wanted = [0, number as u8, (number / 256) as u8 + 100, 7];
+            let wanted = if is_inside { u32::from_be_bytes(wanted) } else { 0x0018_1a1e };
+            assert_eq!(*cell, wanted, "{at} of {across} x {down}");
+            let centre = [(at % across) as f64 + 0.5, (at / across) as f64 + 0.5];
+            assert_eq!(placement.pixel(centre), [x, y]);
+        }
+    }
 }
 
 #[test]
