@@ -4,7 +4,7 @@ use super::anti_aliased;
 use super::binned::Binned;
 use super::bins::{BinError, Bins};
 use super::bounds::bounds;
-use super::draw_region::DrawRegion;
+use super::draw_region::{pixels, DrawRegion};
 use super::fill::line_in_band;
 use super::hidden_line::draw_nearer;
 use super::statistics::Statistics;
@@ -72,7 +72,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         let mut sort = bins.sort();
         for (index, &edge) in edges.iter().enumerate() {
             let ends = self.edge_out_of_line(edge, &mut statistics);
-            sort.add(index, &ends.map_or(Scissor::EMPTY, |ends| bounds(&ends)));
+            sort.add(index, &ends.map_or(Scissor::EMPTY, |ends| self.bounds_in_bins(&ends)));
         }
         sort.finish(edges.len(), |index| self.first_row_of_edge(index))?;
         Ok(statistics.with_the_rest_drawn(edges.len()))
@@ -89,7 +89,18 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     fn first_row_of_edge(&self, index: usize) -> i32 {
         let edge = self.instance.mesh().edges.get(index);
         let ends = edge.and_then(|&edge| self.edge_out_of_line(edge, &mut Statistics::default()));
-        ends.map_or(0, |ends| bounds(&ends).rows().start)
+        ends.map_or(0, |ends| self.bounds_in_bins(&ends).rows().start)
+    }
+
+    /// The bounding box of an edge or, if it does not meet the viewport, the box that an anti-aliased line reaches into.
+    #[inline(always)]
+    fn bounds_in_bins(&self, ends: &[UnpackedVertex; 2]) -> Scissor {
+        let bounds = bounds(ends);
+        if bounds.intersection(&pixels(self.instance.area())).is_empty() {
+            bounds.grown(anti_aliased::BEYOND)
+        } else {
+            bounds
+        }
     }
 }
 
@@ -139,7 +150,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     }
 
     /// A rectangle inside the viewport around all visible edges: no pixel outside it is drawn. It is empty if no edge is
-    /// visible. [`AntiAliased`](crate::AntiAliased) lines may reach two pixels beyond it.
+    /// visible. [`AntiAliased`](crate::AntiAliased) lines may reach one pixel beyond it.
     pub fn bounds(&self) -> Rectangle {
         self.0.bounds()
     }

@@ -24,8 +24,8 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     }
 
     /// Draws lines from each vertex to the next as one polyline. It is closed if the last vertex equals the first. The pixel at
-    /// a joint of two lines is drawn once, with the line that ends there. Lines are clipped as in
-    /// [`wireframe`](Self::wireframe).
+    /// a joint of two lines is drawn once, with the line that ends there; [`AntiAliased`](crate::AntiAliased) says what anti-aliased
+    /// lines cover there. Lines are clipped as in [`wireframe`](Self::wireframe).
     ///
     /// ```
     /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -103,7 +103,7 @@ impl<V: Coordinate> AnyInstance<'_, V> {
         let mut joint = if closed { first } else { None };
         for index in 1..count {
             if K::IS_ANTI_ALIASED {
-                // Anti-aliased lines end at pixel borders: two that follow one another along one axis share no pixel.
+                // Each line draws its part of a joint.
                 if let Some(ends) = mesh.edge([(index - 1) as u16, index as u16], &mut statistics) {
                     anti_aliased::edge(&ends, &viewport, &scissor, stroke, target);
                 }

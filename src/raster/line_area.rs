@@ -24,7 +24,7 @@ pub(crate) struct LineArea {
     /// h less ½: 32767 … 79108. Fractions have ½ added.
     reach: i32,
     /// m, or 0 if it is below 2⁻¹⁰: then triangles have less than 2⁻¹³ pixel.
-    slope: i32,
+    pub(crate) slope: i32,
     /// 1/m in 2⁻¹⁵: at most 2²⁵. It is not used if m is 0.
     inverse: u32,
 }

@@ -46,6 +46,7 @@ mod line;
 mod line_area;
 mod line_coverage;
 mod line_depth;
+mod line_end;
 mod pixel_layout;
 #[cfg(test)]
 pub(crate) mod random_triangles;
@@ -69,6 +70,7 @@ pub(crate) use line::{LineSetup, LineSpans};
 pub(crate) use line_area::{rest, share, unrounded_rest, LineArea, PIXELS};
 pub(crate) use line_coverage::{Column, LineCoverage};
 pub(crate) use line_depth::LineDepth;
+pub(crate) use line_end::{weighted_area, LineEnds};
 pub(crate) use pixel_layout::{pixel_index, PixelLayout};
 pub(crate) use row_scratch::RowScratch;
 pub use scissor::Scissor;

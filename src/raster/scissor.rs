@@ -59,6 +59,12 @@ impl Scissor {
         }
     }
 
+    /// The rectangle with this many more pixels on each side, inside the range of `i32`.
+    #[inline(always)]
+    pub(crate) fn grown(&self, by: i32) -> Self {
+        Self { left: self.left - by, top: self.top - by, right: self.right + by, bottom: self.bottom + by }
+    }
+
     /// The smallest rectangle that contains both. The bounds of an empty rectangle are included, too; only
     /// [`UNION_IDENTITY`](Self::UNION_IDENTITY) adds nothing.
     #[inline(always)]

@@ -52,19 +52,23 @@ impl<C: PixelColor> Stroke<C> for C {
 /// A stroke for anti-aliased lines, one pixel wide in every direction: each pixel is mixed with the colour by the area of it that
 /// the line covers.
 ///
-/// The line is the parallelogram of the points within ½ pixel of the straight line through both ends, between two pixel borders:
-/// those nearest to the ends along the major axis (x or y, whichever changes more). So lines that follow one another along one
-/// axis, such as the edges of a curve, mix no pixel column twice and leave none out; the end of a line is off by at most ½ pixel,
-/// and a line shorter than that may have no pixel. Across the line, ends are not rounded to pixels, unlike the ends of plain
-/// lines. (Area sampling by a box filter: Foley et al., *Computer Graphics: Principles and Practice*, 2nd ed., section 3.17.2.)
+/// A line in 2D, by [`draw_line`](crate::draw_line), is the parallelogram of the points within ½ pixel of the straight line through
+/// both ends, between two pixel borders: from before the first pixel to behind the last one along the major axis (x or y, whichever
+/// changes more). (Area sampling by a box filter: Foley et al., *Computer Graphics: Principles and Practice*, 2nd ed., section 3.17.2.)
 ///
-/// The area is within 2⁻¹³ pixel of the exact one in the guard band, and within 2⁻¹² up to 2¹⁶ columns, asserted against polygons
-/// cut in f64. It is rounded once: to 1/32, which is at most 1/64 off, for colours of 15 and 16 bits, and to 1/256 for other
-/// colours; [`Blend::over`] then mixes, each channel rounded to nearest. A clipped line has exactly those pixels of the whole
-/// line that lie inside, so a frame in bands equals a frame in one piece. Where lines cross, the later one is mixed over the
+/// The edges of a mesh and the lines of a polyline end at their vertices, in 1/256 pixel. Around a vertex a pixel belongs in part to
+/// each of the lines that meet there. A line that covers the area A of a pixel, of which the part w belongs to it, leaves (1 − A)ʷ of
+/// the stored color, so two lines that go straight on leave what one line leaves, and no pixel is drawn twice. Joints come out as
+/// the union of the strokes with **round joints**: a regular polygon with 64 sides of 1.8 pixels is within 0.045 of the exact area in
+/// every pixel, one with 16 sides within 0.08, a hexagon within 0.18, a square within 0.22; two lines at any angle miss at most 0.25 of
+/// a pixel, and cover up to 0.35 too much where they run side by side. A stroke that keeps a part of the stored color where it covers
+/// all, such as a translucent one of your own, has its shares added: with half of the color, all these polygons are within 0.14.
+///
+/// The area is within 2⁻¹² pixel of the exact one, asserted against polygons cut in f64. The share is rounded once: to 1/32, which is
+/// at most 1/64 off, for colours of 15 and 16 bits, and to 1/256 for other colours; [`Blend::over`] then mixes, each channel rounded to
+/// nearest. A clipped line has exactly those pixels of the whole line that lie inside, so a frame in bands equals a frame in one
+/// piece. A line beside the viewport covers its part of the outermost pixels. Where lines cross, the later one is mixed over the
 /// earlier one: the order matters, unless both have one colour.
-///
-/// An edge of a mesh is drawn if the box around the pixels of its ends meets the viewport, as with a plain colour.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};

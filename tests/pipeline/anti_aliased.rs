@@ -305,12 +305,12 @@ fn flat_camera() -> Camera {
     Camera::new(&view, &Projection::orthographic(window, -one, one).expect("a box"), &viewport)
 }
 
-/// Lines that follow one another along one axis share no pixel column: the parts of a line have the pixels of the line, wherever
-/// it is divided.
+/// The colors that lines of one direction leave multiply: the parts of a line have the pixels of the line, wherever it is divided.
 #[test]
 fn the_parts_of_a_line_are_the_line() {
     let camera = flat_camera();
     let mut rng = Rng::new(0x1A);
+    let mut largest = 0;
     for _ in 0..50 {
         let start = [rng.int(0, 200) as i16, rng.int(0, 200) as i16, 0];
         let step = [rng.int(1, 7) as i16, rng.int(-7, 7) as i16];
@@ -326,26 +326,23 @@ fn the_parts_of_a_line_are_the_line() {
         };
         let (divided, whole) =
             (draw(&divided, AntiAliased(Gray8::WHITE)), draw(&whole, AntiAliased(Gray8::WHITE)));
-        for (index, (divided, whole)) in divided.iter().zip(&whole).enumerate() {
-            // An edge beside the viewport is not drawn, even where it covers a part of the outermost pixels.
-            let [x, y] = [index as u32 % WIDTH, index as u32 / WIDTH];
-            if x == 0 || y == 0 || x == WIDTH - 1 || y == HEIGHT - 1 {
-                continue;
-            }
+        for (divided, whole) in divided.iter().zip(&whole) {
+            // Up to nine parts share a pixel, of which each share is rounded. A pixel at a joint keeps 1/32 of what is below.
             let (divided, whole) = (i32::from(divided.luma()), i32::from(whole.luma()));
-            assert!((divided - whole).abs() <= 1, "{start:?} {step:?}");
+            largest = largest.max((divided - whole).abs());
         }
         assert!(whole.iter().any(|pixel| pixel.luma() > 100) || start[0] > 150);
     }
+    assert!((7..=12).contains(&largest), "{largest}");
 }
 
-/// An edge whose end lies on a pixel border, and which rises as fast as it runs, covers a corner of a pixel two rows beyond. Bands in
-/// which no other pixel of the edge lies have this corner, too.
+/// An edge reaches into the pixels one row beyond those of its ends. Bands in which no other pixel of the edge lies have these pixels,
+/// too.
 #[test]
-fn bands_have_the_corners_of_edges_two_rows_beyond_the_ends() {
+fn bands_have_the_pixels_of_edges_one_row_beyond_the_ends() {
     let camera = flat_camera();
     let mut rng = Rng::new(0x2B);
-    let mut two_beyond = 0;
+    let mut beyond = 0;
     for i in 0..200 {
         let start = [rng.int(200, 800) as i16, 16 * rng.int(10, 40) as i16 - (i % 3), 0];
         let run = rng.int(40, 200) as i16;
@@ -367,8 +364,8 @@ fn bands_have_the_corners_of_edges_two_rows_beyond_the_ends() {
             [i64::from(first), i64::from(last)]
         };
         let ([first, last], [plain_first, plain_last]) = (rows(&whole), rows(&plain));
-        assert!(plain_first - first <= 2 && last - plain_last <= 2);
-        two_beyond += i32::from(plain_first - first == 2) + i32::from(last - plain_last == 2);
+        assert!(plain_first - first <= 1 && last - plain_last <= 1);
+        beyond += i32::from(plain_first - first == 1) + i32::from(last - plain_last == 1);
         let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 2], [0; 2]);
         let mut edges = instance.transform(&mut cache).bin_edges(&mut bins).expect("room");
         for rows in [1, 2, 3, 4, 7] {
@@ -377,7 +374,7 @@ fn bands_have_the_corners_of_edges_two_rows_beyond_the_ends() {
             });
         }
     }
-    assert!(two_beyond >= 5, "{two_beyond}");
+    assert!(beyond >= 100, "{beyond}");
 }
 
 #[test]

@@ -12,6 +12,7 @@ mod documented_ranges;
 mod drawing;
 mod hidden_lines;
 mod inside_a_mesh;
+mod line_joints;
 mod meshes;
 mod messages;
 mod no_panic;

@@ -226,10 +226,10 @@ fn paint<C: Colour>(
     let sprites_reach = sprites.bounds;
     let with_sprites = |drawn: Rectangle| around([drawn, sprites_reach].into_iter());
     let out = Out { size, style, rows, send, sprites };
-    // Anti-aliased lines reach two pixels beyond the edges.
+    // Anti-aliased lines reach one pixel beyond the edges.
     let reached = |edges: Rectangle| match style.smooth_lines && !edges.is_zero_sized() {
         false => edges,
-        true => Rectangle::new(edges.top_left - Point::new_equal(2), edges.size + Size::new_equal(4))
+        true => Rectangle::new(edges.top_left - Point::new_equal(1), edges.size + Size::new_equal(2))
             .intersection(&Rectangle::new(Point::zero(), size)),
     };
 
