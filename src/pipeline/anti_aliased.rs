@@ -154,7 +154,7 @@ pub(super) fn edge<T: Target, K: Stroke<T::Color>>(
 pub(super) fn visible_edge<T: Target, K: Stroke<T::Color>>(
     ends: &[UnpackedVertex; 2],
     stores: bool,
-    is_drawn_over: &dyn Fn(u16, i32, i32) -> bool,
+    is_drawn_over: &mut dyn FnMut(u16, i32, i32) -> bool,
     viewport: &Scissor,
     scissor: &Scissor,
     stroke: K,
