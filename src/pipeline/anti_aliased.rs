@@ -186,7 +186,7 @@ fn meet(ends: [[i32; 2]; 2], viewport: &Scissor) -> bool {
 pub(super) fn visible_edge<T: Target, K: Stroke<T::Color>>(
     ends: &[UnpackedVertex; 2],
     stores: bool,
-    is_drawn_over: &dyn Fn(u16, i32, i32) -> bool,
+    is_drawn_over: &mut dyn FnMut(u16, i32, i32) -> bool,
     viewport: &Scissor,
     scissor: &Scissor,
     stroke: K,

@@ -1,6 +1,7 @@
 //! Lines with a depth test: wireframes among solid objects, and hidden-line removal.
 
 use super::anti_aliased;
+use super::cull::Facing;
 use super::draw_region::DrawRegion;
 use super::face_triangles::FaceTriangles;
 use super::instance::{AnyInstance, MeshInstance};
@@ -8,13 +9,11 @@ use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use super::wireframe::each_edge;
 use crate::camera::{ScreenVertex, UnpackedVertex};
-use crate::fast;
 use crate::math::Coordinate;
-use crate::raster::{self, Gradient, LineDepth, Scissor, ScreenPoint, Span};
+use crate::raster::{self, DepthTriangle, EdgePlanes, LineDepth, Scissor, ScreenPoint, Span};
 use crate::scene::FacePlanes;
 use crate::shading::Stroke;
 use crate::surface::{DepthBuffer, Target};
-use heapless::Vec;
 
 impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// Draws the pixels of the mesh's edges that are as near as the depth buffer or nearer, and stores their depth: for axes,
@@ -46,18 +45,21 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// displays. First store the depth of this mesh, and of all others that may hide its edges, with
     /// [`depth_only`](Self::depth_only).
     ///
-    /// A pixel of an edge is drawn if the edge is at least as near as the stored depth, or if the stored depth belongs to one
-    /// of the two faces beside the edge ([`Mesh::with_edge_faces`](crate::Mesh::with_edge_faces)). The second rule is needed
-    /// because a pixel's centre lies to one side of the edge, where the depth of a steep face differs much from that of the
-    /// edge. If the mesh has no edge faces, all faces are searched for them, for each edge in each band: the same pixels, in a
-    /// time that grows with the number of faces times that of edges. An edge whose two ends lie in one pixel is tested by its
-    /// nearer end.
+    /// A pixel of an edge is drawn if the edge, or the plane of a front face beside it, is at least as near as the stored depth
+    /// at the pixel's centre, or less than a step behind it. The plane counts on the side of the edge on which the face lies, beyond
+    /// the face, too. So an edge is never hidden by the faces beside it, nor by any other face of a convex object, which all lie
+    /// behind that plane. This includes a silhouette, an edge between a front face and a back face, and an edge of a front face
+    /// that is seen edge-on. The faces beside an edge are those of [`Mesh::with_edge_faces`](crate::Mesh::with_edge_faces). If the
+    /// mesh does not list them, all faces are searched, for each edge in each band: the same pixels, in a time that grows with the
+    /// number of faces times that of edges.
     ///
-    /// So no pixel is drawn where the edge lies more than two steps behind the nearest face at the pixel's centre, unless that
-    /// face is beside the edge. Errors are possible within a pixel of the point at which another face begins to hide the edge:
-    /// at least 99.8 % of the pixels in which a part of an edge is visible are drawn, and at most 0.3 % of the drawn pixels
-    /// show a part that is just hidden (`tests/pipeline/hidden_lines.rs`). If an edge lies in a face that is not beside it,
-    /// such as the lower edge of a box on a floor, about half of the edge's pixels are missing.
+    /// Of one convex object, every pixel of every edge in sight is drawn. Of other objects and scenes, 99.95 % of an edge's pixels in
+    /// sight are drawn, as the mean over all edges; one edge in 1000 lacks more than a tenth of them; and at most 0.05 % of the
+    /// drawn pixels have no edge in sight within a pixel (`tests/pipeline/hidden_lines.rs`). Within a pixel of the point at which
+    /// another face begins to hide an edge, either may come out. A hidden edge of a front face that is seen edge-on may be drawn
+    /// if what hides it lies closely before it. If an edge lies in a face that is not beside it, such as the lower edge of a box
+    /// on a floor, about half of the edge's pixels are missing. An edge whose two ends lie in one pixel is tested by its nearer
+    /// end.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
@@ -136,8 +138,7 @@ impl<V: Coordinate> AnyInstance<'_, V> {
 }
 
 impl<V: Coordinate> TransformedMesh<'_, V, true> {
-    /// Draws the pixels of an edge that are as near as the depth buffer, or where the stored depth is that of a face beside the
-    /// edge.
+    /// Draws the pixels of an edge where the edge, or the plane of a face beside it, is as near as the depth buffer.
     #[inline(always)]
     pub(super) fn draw_hidden_line<T: Target, K: Stroke<T::Color>>(
         &self,
@@ -148,110 +149,94 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<(), T::Error> {
-        let (mut beside, mut first) = (Beside::new(), 0);
-        loop {
-            let more = self.triangles_beside(edge, first, &region.viewport, &mut beside);
-            let is_beside = |stored, x, y| beside.iter().any(|triangle| triangle.is_stored(stored, x, y));
-            if K::IS_ANTI_ALIASED {
-                // Once, with all triangles: a pixel must not be mixed twice.
-                let is_beside = |stored, x, y| {
-                    is_beside(stored, x, y)
-                        || more && self.is_further_beside(edge, beside.len(), &region.viewport, stored, x, y)
-                };
-                let DrawRegion { viewport, scissor } = region;
-                anti_aliased::visible_edge(ends, false, &is_beside, viewport, scissor, stroke, depth, target);
-                return Ok(());
-            }
-            draw_visible(ends, false, &is_beside, stroke.color(), &region.scissor, depth, target)?;
-            if !more {
-                return Ok(());
-            }
-            first += beside.len();
+        let mut planes = None; // found at the first pixel that lies behind the stored depth
+        let mut is_surface = |stored, x, y| {
+            let planes = planes.get_or_insert_with(|| self.planes_beside(edge, ends, &region.viewport));
+            planes.are_in_front(stored, x, y)
+        };
+        if K::IS_ANTI_ALIASED {
+            let DrawRegion { viewport, scissor } = region;
+            anti_aliased::visible_edge(
+                ends,
+                false,
+                &mut is_surface,
+                viewport,
+                scissor,
+                stroke,
+                depth,
+                target,
+            );
+            return Ok(());
         }
+        draw_visible(ends, false, &mut is_surface, stroke.color(), &region.scissor, depth, target)
     }
 
-    /// Whether the stored depth of a pixel belongs to a face beside an edge, from triangle number `first` on: the rare case of
-    /// more triangles than fit.
+    /// The planes of the drawn faces beside an edge.
     #[inline(never)] // its stack frame is gone when it returns
-    fn is_further_beside(
+    fn planes_beside(&self, edge: usize, ends: &[UnpackedVertex; 2], viewport: &Scissor) -> EdgePlanes {
+        let mut planes = EdgePlanes::new(ends.map(|end| end.point), ends.map(|end| end.depth));
+        let mesh = self.instance.mesh();
+        for at in 0..mesh.candidates_beside(edge) {
+            if let (Some(face), Some(edge)) = (mesh.face_beside(edge, at), mesh.edges.get(edge)) {
+                if let Some(corners) = self.uncached_corners(face) {
+                    self.add_plane(edge, face, &corners, &mut planes);
+                } else if V::CLIPS {
+                    self.add_plane_of_clipped(face, viewport, &mut planes);
+                }
+            }
+        }
+        planes
+    }
+
+    /// Adds the plane of a face on the screen, if it is drawn.
+    fn add_plane(
         &self,
-        edge: usize,
-        mut first: usize,
-        viewport: &Scissor,
-        stored: u16,
-        x: i32,
-        y: i32,
-    ) -> bool {
-        loop {
-            let mut beside = Beside::new();
-            let more = self.triangles_beside(edge, first, viewport, &mut beside);
-            if beside.iter().any(|triangle| triangle.is_stored(stored, x, y)) {
-                return true;
-            }
-            if !more {
-                return false;
-            }
-            first += beside.len();
+        [from, to]: &[u16; 2],
+        face: &[u16; 3],
+        corners: &[ScreenVertex; 3],
+        planes: &mut EdgePlanes,
+    ) {
+        let [a, b, c] = face;
+        // The corner that is not an end of the edge, and whether the face has the edge from its first to its second end.
+        let [u, v, w] = corners;
+        let is_end = |index: &u16| index == from || index == to;
+        let (corner, is_along) = match [a, b, c].map(is_end) {
+            [true, true, false] => (w, a == from),
+            [false, true, true] => (u, b == from),
+            [true, false, true] => (v, c == from),
+            _ => return, // without area
+        };
+        let corner = self.instance.vertex_transform().unpack::<true>(*corner);
+        let side = planes.side(corner.point);
+        let area = if is_along { side } else { -side };
+        if self.instance.cull().facing(area) == Facing::Front {
+            planes.add(corner.point, corner.depth, side);
         }
     }
 
-    /// Fills `beside` with triangles of the faces beside an edge, clipped as they were when their depth was stored, beginning
-    /// with triangle number `first`. Returns whether there are more triangles than fit.
-    #[inline(never)]
-    fn triangles_beside(&self, edge: usize, first: usize, viewport: &Scissor, beside: &mut Beside) -> bool {
-        beside.clear();
-        let (mesh, mut number) = (self.instance.mesh(), 0);
+    /// Adds the plane of a face that is clipped, if it is drawn, by the corner of the polygon that is farthest from the edge.
+    #[cold]
+    #[inline(never)] // its stack frame is not set up for faces on the screen
+    fn add_plane_of_clipped(&self, face: &[u16; 3], viewport: &Scissor, planes: &mut EdgePlanes) {
         let mut triangles = FaceTriangles::<()>::new(viewport);
-        let most = if mesh.edge_faces.is_empty() { mesh.faces.len() } else { 2 };
-        for at in 0..most {
-            let Some(face) = mesh.face_beside(edge, at) else { continue };
-            if !self.clip_face(face, &mut triangles).is_drawn() {
-                continue;
-            }
-            loop {
-                if number >= first {
-                    let triangle = triangles.fan.triangle();
-                    let points = *triangle.triangle.corners();
-                    if beside
-                        .push(TriangleBeside {
-                            points,
-                            depth: fast::depth_gradient(&triangle.triangle, &triangle.depths),
-                        })
-                        .is_err()
-                    {
-                        return true;
-                    }
-                }
-                number += 1; // fewer than 2·CORNERS
-                if !V::CLIPS || !triangles.fan.advance() {
-                    break;
+        if !self.clip_face(face, &mut triangles).is_drawn() {
+            return;
+        }
+        let mut farthest = (0, ScreenPoint::ORIGIN, 0);
+        loop {
+            let DepthTriangle { triangle, depths } = triangles.fan.triangle();
+            for (&corner, &depth) in triangle.corners().iter().zip(depths) {
+                let side = planes.side(corner);
+                if side.abs() > i64::abs(farthest.0) {
+                    farthest = (side, corner, depth);
                 }
             }
+            if !triangles.fan.advance() {
+                break;
+            }
         }
-        false
-    }
-}
-
-/// Triangles of the faces beside an edge, two at a time, as stack is scarce. If clipping makes more than two triangles of the
-/// faces, which is rare, the line is drawn again for each further two.
-type Beside = Vec<TriangleBeside, 2>;
-
-/// A triangle of a face beside an edge.
-struct TriangleBeside {
-    points: [ScreenPoint; 3],
-    depth: Gradient,
-}
-
-impl TriangleBeside {
-    /// Whether the stored depth of a pixel belongs to this triangle: the values are equal, and the pixel's centre lies inside
-    /// the triangle or on its border.
-    fn is_stored(&self, stored: u16, x: i32, y: i32) -> bool {
-        (self.depth.at(x, y) >> 16) as u16 == stored && {
-            let center = ScreenPoint::inside(x * 256 + 128, y * 256 + 128); // of a pixel of the target
-            let [a, b, c] = self.points;
-            let sides = [[a, b, center], [b, c, center], [c, a, center]].map(|side| raster::area(&side));
-            sides.iter().all(|&side| side >= 0) || sides.iter().all(|&side| side <= 0)
-        }
+        let (side, corner, depth) = farthest;
+        planes.add(corner, depth, side);
     }
 }
 
@@ -266,10 +251,19 @@ pub(super) fn draw_nearer<T: Target, K: Stroke<T::Color>>(
 ) -> Result<(), T::Error> {
     let DrawRegion { viewport, scissor } = region;
     if K::IS_ANTI_ALIASED {
-        anti_aliased::visible_edge(ends, true, &|_, _, _| false, viewport, scissor, stroke, depth, target);
+        anti_aliased::visible_edge(
+            ends,
+            true,
+            &mut |_, _, _| false,
+            viewport,
+            scissor,
+            stroke,
+            depth,
+            target,
+        );
         return Ok(());
     }
-    draw_visible(ends, true, &|_, _, _| false, stroke.color(), scissor, depth, target)
+    draw_visible(ends, true, &mut |_, _, _| false, stroke.color(), scissor, depth, target)
 }
 
 /// Draws the pixels of a line that are as near as the depth buffer or nearer, or for which `is_drawn_over` is true, given the
@@ -278,7 +272,7 @@ pub(super) fn draw_nearer<T: Target, K: Stroke<T::Color>>(
 fn draw_visible<T: Target>(
     ends: &[UnpackedVertex; 2],
     stores: bool,
-    is_drawn_over: &dyn Fn(u16, i32, i32) -> bool,
+    is_drawn_over: &mut dyn FnMut(u16, i32, i32) -> bool,
     color: T::Color,
     scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,

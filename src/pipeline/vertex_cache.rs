@@ -258,8 +258,8 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         Some([corner(a)?, corner(b)?, corner(c)?])
     }
 
-    /// The corners of a face, if they lie on the screen, for an instance that is not clipped: vertices that the cache does not
-    /// hold are transformed again.
+    /// The corners of a face, if they lie on the screen, where code size matters more than speed: vertices that the cache does
+    /// not hold are transformed again.
     #[cold]
     #[inline(never)]
     pub(super) fn uncached_corners(&self, &[a, b, c]: &[u16; 3]) -> Option<[ScreenVertex; 3]> {

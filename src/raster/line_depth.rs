@@ -64,6 +64,12 @@ impl LineDepth {
         }
     }
 
+    /// Whether the major axis is y, and the change of depth per pixel along it in 16.16; 0 if both ends lie in one pixel. It wraps
+    /// where depth changes by more than half of its range within a pixel.
+    pub(crate) fn step(&self) -> (bool, i32) {
+        (self.tall, self.step as i32)
+    }
+
     /// The depth at a pixel of the line in 16.16, wrapping.
     pub(crate) fn at(&self, x: i32, y: i32) -> u32 {
         let along = if self.tall { y } else { x };

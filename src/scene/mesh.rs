@@ -87,11 +87,20 @@ impl<'a, V> MeshData<'a, V> {
         }
     }
 
-    /// The face at a place in the list of those beside an edge or, if the mesh has no such lists, in the list of all faces, if
-    /// that face has both ends of the edge.
+    /// The list of the faces beside an edge, if there is one that names them all.
+    fn listed_beside(&self, edge: usize) -> Option<&'a [u16; 2]> {
+        self.edge_faces.get(edge).filter(|[first, second]| first != second || *first == NO_FACE)
+    }
+
+    /// The number of candidates for the faces beside an edge: two of a list, or all faces.
+    pub(crate) fn candidates_beside(&self, edge: usize) -> usize {
+        self.listed_beside(edge).map_or(self.faces.len(), |pair| pair.len())
+    }
+
+    /// A candidate, if it is a face that has both ends of the edge.
     #[inline(never)] // called by one function, which then takes 250 bytes less
     pub(crate) fn face_beside(&self, edge: usize, at: usize) -> Option<&'a [u16; 3]> {
-        if let Some(pair) = self.edge_faces.get(edge) {
+        if let Some(pair) = self.listed_beside(edge) {
             // NO_FACE is also the index of the last face of a mesh of 65536 faces: a list cannot name that face.
             return pair
                 .get(at)
@@ -219,8 +228,9 @@ pub(crate) const NO_FACE: u16 = u16::MAX;
 /// meshes, at run time for large ones: time grows with edges × (edges + faces). Faces from index 65535 on are ignored, as a
 /// `u16` cannot address them.
 ///
-/// An edge between more than two faces must occur in `edges` once for every two of them, three faces twice: the first
-/// occurrence gets the first two faces, the second one the next.
+/// An edge between more than two faces gets its first face twice: drawing then searches all faces for those beside it. If it
+/// occurs in `edges` once for every two of them, three faces twice, nothing is searched: the first occurrence gets the first
+/// two faces, the second one the next.
 ///
 /// ```
 /// use pinhole::{edge_faces, Mesh};
@@ -230,42 +240,51 @@ pub(crate) const NO_FACE: u16 = u16::MAX;
 /// assert_eq!(BESIDE, [[0, 1], [0, Mesh::<i16>::NO_FACE]]);
 /// let twice = edge_faces(&[[0, 1], [1, 0]], &[[0, 1, 2], [1, 0, 3], [0, 1, 4]]);
 /// assert_eq!(twice, [[0, 1], [2, Mesh::<i16>::NO_FACE]]);
+/// assert_eq!(edge_faces(&[[0, 1]], &[[0, 1, 2], [1, 0, 3], [0, 1, 4]]), [[0, 0]]);
 /// ```
 pub const fn edge_faces<const E: usize>(edges: &[[u16; 2]; E], faces: &[[u16; 3]]) -> [[u16; 2]; E] {
     let mut beside = [[u16::MAX; 2]; E];
     let mut edge = 0;
     while edge < E {
-        let (mut earlier, mut listed) = (0, 0);
-        while earlier < edge {
-            let ([a, b], [p, q]) = (edges[edge], edges[earlier]);
-            listed += ((a == p && b == q) || (a == q && b == p)) as usize;
-            earlier += 1;
+        let (mut other, mut earlier, mut listed) = (0, 0, 0);
+        while other < E {
+            let ([a, b], [p, q]) = (edges[edge], edges[other]);
+            let is_same = (a == p && b == q) || (a == q && b == p);
+            listed += is_same as usize;
+            earlier += (is_same && other < edge) as usize;
+            other += 1;
         }
-        beside[edge] = faces_beside(edges[edge], faces, 2 * listed);
+        beside[edge] = faces_beside(edges[edge], faces, 2 * earlier, 2 * listed);
         edge += 1;
     }
     beside
 }
 
-/// Two faces beside an edge, after the first `skip`.
-const fn faces_beside([p, q]: [u16; 2], faces: &[[u16; 3]], mut skip: usize) -> [u16; 2] {
-    // Two variables, not an array: an index that the optimiser cannot bound would link a panic.
-    let (mut first, mut second) = (u16::MAX, u16::MAX);
+/// Two faces beside an edge, after the first `skip`; or twice the first of all, if there are more than `most`.
+const fn faces_beside([p, q]: [u16; 2], faces: &[[u16; 3]], skip: usize, most: usize) -> [u16; 2] {
+    // Variables, not an array: an index that the optimiser cannot bound would link a panic.
+    let (mut found, mut any, mut first, mut second) = (0, NO_FACE, NO_FACE, NO_FACE);
     let mut face = 0;
-    while face < faces.len() && face < u16::MAX as usize && second == u16::MAX {
+    while face < faces.len() && face < u16::MAX as usize && found <= most {
         let [a, b, c] = faces[face];
         if (p == a || p == b || p == c) && (q == a || q == b || q == c) {
-            if skip > 0 {
-                skip -= 1;
-            } else if first == u16::MAX {
+            if found == 0 {
+                any = face as u16;
+            }
+            if found == skip {
                 first = face as u16;
-            } else {
+            } else if found == skip + 1 {
                 second = face as u16;
             }
+            found += 1;
         }
         face += 1;
     }
-    [first, second]
+    if found > most {
+        [any; 2]
+    } else {
+        [first, second]
+    }
 }
 
 /// Checks that there are at most 65536 vertices and that all faces use indices of these. Written without iterators, which a
@@ -463,7 +482,8 @@ impl<'a, V, P> Mesh<'a, V, P> {
     }
 
     /// Adds the two faces adjacent to each edge, for hidden-line drawing, which would search all faces for them otherwise:
-    /// [`edge_faces`] finds them. An edge of more than two faces is listed once for every two of them.
+    /// [`edge_faces`] finds them. An edge of more than two faces is listed once for every two of them, or has the same face twice:
+    /// then all faces are searched. With two of its faces alone it is hidden where another one covers it.
     ///
     /// # Errors
     ///

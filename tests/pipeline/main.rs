@@ -21,6 +21,7 @@ mod owned_strips;
 mod painter;
 mod polylines;
 mod scenes;
+mod solids;
 mod sprites;
 mod tracked;
 mod two_cores;

@@ -5,17 +5,6 @@ use super::line;
 /// A vertex on the screen: x and y in pixels, depth in steps.
 pub type Vertex = [f64; 3];
 
-/// A pixel of an edge.
-#[derive(Clone, Copy, Debug)]
-pub struct Sample {
-    pub pixel: (i64, i64),
-    /// How far the point of the edge lies behind the nearest face that is not adjacent to it, in depth
-    /// steps; negative in front of it.
-    pub behind: f64,
-    /// How far it lies behind the nearest face at the pixel's center; 0 if that face is adjacent to it.
-    pub behind_centre: f64,
-}
-
 fn cross(a: Vertex, b: Vertex, p: (f64, f64)) -> f64 {
     (b[0] - a[0]) * (p.1 - a[1]) - (b[1] - a[1]) * (p.0 - a[0])
 }
@@ -27,40 +16,56 @@ pub fn depth([a, b, c]: [Vertex; 3], p: (f64, f64)) -> Option<f64> {
     (whole != 0.0 && wa >= 0.0 && wb >= 0.0 && wc >= 0.0).then(|| wa * a[2] + wb * b[2] + wc * c[2])
 }
 
-/// All pixels of an edge inside the picture, each at the point of the edge that has the pixel's centre along the
-/// major axis; `faces` are the faces that may hide it, by vertex indices.
-pub fn samples(
-    [u, v]: [u16; 2],
-    vertices: &[Vertex],
-    faces: &[[u16; 3]],
-    width: i64,
-    height: i64,
-) -> Vec<Sample> {
-    let (a, b) = (vertices[usize::from(u)], vertices[usize::from(v)]);
-    let pixel = |p: Vertex| (p[0].floor() as i64, p[1].floor() as i64);
-    let (p, q) = (pixel(a), pixel(b));
-    let major = usize::from(line::is_steep(p, q));
-    let beside = |face: &[u16; 3]| face.contains(&u) && face.contains(&v);
-    let corners = |face: &[u16; 3]| face.map(|i| vertices[usize::from(i)]);
-    // The nearest of the faces at the edge, and the nearest of all others.
-    let nearest = |p: (f64, f64), of: bool| {
-        let there = faces.iter().filter(|&face| beside(face) == of);
-        there.filter_map(|face| depth(corners(face), p)).fold(f64::INFINITY, f64::min)
+/// A face with the box around it.
+pub struct Face {
+    indices: [u16; 3],
+    corners: [Vertex; 3],
+    least: Vertex,
+    most: Vertex,
+}
+
+/// The front faces of a mesh, with the exact positions of its vertices.
+pub fn front_faces(faces: &[[u16; 3]], vertices: &[Vertex]) -> Vec<Face> {
+    let faces = faces.iter().map(|&indices| {
+        let corners = indices.map(|index| vertices[usize::from(index)]);
+        let bound = |by: fn(f64, f64) -> f64| {
+            [0, 1, 2].map(|i| corners.map(|c| c[i]).into_iter().reduce(by).unwrap())
+        };
+        Face { indices, corners, least: bound(f64::min), most: bound(f64::max) }
+    });
+    faces.filter(|&Face { corners: [a, b, c], .. }| cross(a, b, (c[0], c[1])) < 0.0).collect()
+    // y down
+}
+
+impl Face {
+    /// Whether the face has these two corners.
+    pub fn has_edge(&self, edge: [u16; 2]) -> bool {
+        edge.iter().all(|end| self.indices.contains(end))
+    }
+
+    /// Whether the face lies before a point of the screen, by more than the errors of this computation.
+    fn hides(&self, [x, y, z]: Vertex) -> bool {
+        let [least, most] = [self.least, self.most];
+        let is_near = z > least[2] + ERROR && x >= least[0] && x <= most[0] && y >= least[1] && y <= most[1];
+        is_near && depth(self.corners, (x, y)).is_some_and(|depth| z > depth + ERROR)
+    }
+}
+
+/// Positions have errors of 2⁻³² of a pixel and of a step, and faces may be steep.
+const ERROR: f64 = 0.02;
+
+/// Whether an edge is in sight in each of its pixels: at the point of the edge that has the pixel's centre along the major axis,
+/// no face but those beside the edge lies before it.
+pub fn in_sight(edge: [u16; 2], pixels: &[(i64, i64)], vertices: &[Vertex], faces: &[Face]) -> Vec<bool> {
+    let [a, b] = edge.map(|index| vertices[usize::from(index)]);
+    let (Some(&first), Some(&last)) = (pixels.first(), pixels.last()) else { return Vec::new() };
+    let major = usize::from(line::is_steep(first, last));
+    let point = |pixel: &(i64, i64)| {
+        let centre = [pixel.0, pixel.1][major] as f64 + 0.5;
+        let extent = b[major] - a[major];
+        let t = if extent == 0.0 { 0.5 } else { ((centre - a[major]) / extent).clamp(0.0, 1.0) };
+        [0, 1, 2].map(|i| a[i] + (b[i] - a[i]) * t)
     };
-    let inside = |&(x, y): &(i64, i64)| x >= 0 && y >= 0 && x < width && y < height;
-    line::pixels(p, q)
-        .into_iter()
-        .filter(inside)
-        .map(|pixel| {
-            let centre = [pixel.0, pixel.1][major] as f64 + 0.5;
-            let extent = b[major] - a[major];
-            let t = if extent == 0.0 { 0.5 } else { ((centre - a[major]) / extent).clamp(0.0, 1.0) };
-            let [x, y, z] = [0, 1, 2].map(|i| a[i] + (b[i] - a[i]) * t);
-            let centre = (pixel.0 as f64 + 0.5, pixel.1 as f64 + 0.5);
-            let other = nearest(centre, false);
-            // Nearer than a step apart, either may be the one that is seen.
-            let behind_centre = if nearest(centre, true) < other + 1.0 { 0.0 } else { z - other };
-            Sample { pixel, behind: z - nearest((x, y), false), behind_centre }
-        })
-        .collect()
+    let is_seen = |at: Vertex| !faces.iter().any(|face| face.hides(at) && !face.has_edge(edge));
+    pixels.iter().map(|pixel| is_seen(point(pixel))).collect()
 }
