@@ -209,7 +209,7 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
         let corner = self.instance.vertex_transform().unpack::<true>(*corner);
         let side = planes.side(corner.point);
         let area = if is_along { side } else { -side };
-        if self.instance.cull().facing(area) == Facing::Front {
+        if self.instance.cull().facing(area) == Facing::Drawn {
             planes.add(corner.point, corner.depth, side);
         }
     }

@@ -1,7 +1,7 @@
 //! A turn of the model on the display, as a GIF file that is made a frame at a time.
 
 use crate::choice::Choice;
-use crate::palette::Palette;
+use crate::palette::{Counts, Palette};
 use gif::{Encoder, EncodingError, Frame, Repeat};
 
 /// Duration of a turn, in hundredths of a second.
@@ -29,7 +29,9 @@ impl Film {
     /// colours; for any other one, median cut chooses 256.
     pub(crate) fn add(&mut self, pixels: &[u8]) -> Result<(), String> {
         let colors = || pixels.chunks_exact(4).filter_map(|pixel| pixel.first_chunk::<3>()).copied();
-        let palette = Palette::of(colors());
+        let mut counts = Counts::default();
+        counts.add(colors());
+        let palette = Palette::of(counts);
         // Frame times are rounded from the start of the film, so that any number of frames lasts one turn.
         let moment = |frame: u32| frame * TURN / self.frames.max(1);
         let frame = Frame {

@@ -2,7 +2,7 @@
 
 use crate::choice::Choice;
 use crate::corners::corners;
-use crate::palette::Palette;
+use crate::palette::{Counts, Palette};
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use pinhole::{IndexedTexels, Mesh, TextureCoords};
 use pinhole_import::{ImportedMesh, IndexedPicture};
@@ -54,7 +54,9 @@ impl TextureImage {
     /// If a side is none that a texture can have.
     pub(crate) fn from_rgba(bytes: &[u8], width: usize) -> Result<Self, String> {
         let colors = || bytes.chunks_exact(4).filter_map(|texel| texel.first_chunk::<3>()).copied();
-        let palette = Palette::of(colors());
+        let mut counts = Counts::default();
+        counts.add(colors());
+        let palette = Palette::of(counts);
         let texels = colors().map(|color| palette.index(color)).collect();
         let colors = palette.colours.iter().map(|&[r, g, b]| Rgb888::new(r, g, b));
         let image = Self::new(texels, width, colors.collect());

@@ -76,7 +76,6 @@ fn tell(source: &Source) -> Result<(), String> {
         command::say(format_args!("{}: {size}", file.display()))?;
     }
     command::warn(&file, source.warnings());
-    source.hint().iter().for_each(command::complain);
     Ok(())
 }
 
