@@ -364,10 +364,12 @@ fn entry_pick(
 }
 
 fn pick<P: FacePlanes>(camera: &Camera, instance: &MeshInstance<'_, i16, P>, cache: &mut [ScreenVertex]) {
-    let door = |_| ScreenDoor::new(Rgb565::BLACK, any() as u8);
+    let door = |_| ScreenDoor::new(Rgb565::new(0, 1, 0), any() as u8);
     let picked = instance.pick(Point::new(any(), any()), door, cache);
     report(picked.and_then(|picked| picked.point(camera)).ok_or(()));
-    report(instance.transform_depth(cache).pick(Point::new(any(), any()), |_| Rgb565::BLACK).ok_or(()));
+    report(
+        instance.transform_depth(cache).pick(Point::new(any(), any()), |_| Rgb565::new(0, 1, 0)).ok_or(()),
+    );
 }
 
 #[unsafe(no_mangle)]
