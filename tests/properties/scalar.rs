@@ -29,7 +29,7 @@ fn ratio(n: i32, d: i32) -> Scalar {
     let [n, d] = [n, d].map(i128::from);
     match d.signum() {
         0 => saturated(n << 64),
-        sign => saturated(nearest(sign * n << 16, d.abs())),
+        sign => saturated(nearest((sign * n) << 16, d.abs())),
     }
 }
 

@@ -89,6 +89,7 @@ fn entry_sprites_in_memory(
         4 => draw(&placed, |_| Blended::new(texels, any() as u8), depths, &mut target),
         5 => draw(&placed, |_| Blended::new(Fogged::new(texels, fog), any() as u8), depths, &mut target),
         6 => draw(&placed, |_| Fogged::new(HalfBlended::new(texels), fog), depths, &mut target),
+        7 => draw(&placed, |_| Fogged::new(SolidTexel::new(color()), fog), depths, &mut target),
         _ => draw(&placed, |_| SolidTexel::new(color()), depths, &mut target),
     })
 }
