@@ -248,7 +248,7 @@ impl Statements {
         lines
     }
 
-    /// What is wrong with the texture coordinates, and the first line where it is.
+    /// The fault of the texture coordinates, and its first line.
     fn wrong_coords(&self) -> Option<(usize, &'static str)> {
         if let Some(line) = self.no_coord {
             return Some((line, "a texture coordinate needs two numbers"));

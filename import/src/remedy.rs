@@ -161,7 +161,7 @@ impl fmt::Display for Remedy {
 /// A message with a gap for remedies.
 #[derive(Default)]
 pub(crate) struct Said {
-    /// What is wrong, with the punctuation that remedies follow.
+    /// The fault in words, with the punctuation that remedies follow.
     pub(crate) what: String,
     /// Alternatives.
     pub(crate) remedies: Vec<Remedy>,

@@ -1,4 +1,4 @@
-//! What is doubtful about a model that could be read.
+//! Doubtful parts of a model that could be read, as data.
 
 use crate::beside::Unread;
 use crate::remedy::{Remedy, Said};

@@ -113,7 +113,7 @@ impl<V: Coordinate, P: FacePlanes> TransformedMesh<'_, V, true, P> {
     }
 }
 
-/// What is seen in a pixel: `nearest` gets a depth buffer of this pixel and returns the nearest face, with its object's index.
+/// The visible point in a pixel: `nearest` gets a depth buffer of this pixel and returns the nearest face, with its object's index.
 pub(super) fn pick_at(
     pixel: Point,
     nearest: impl FnOnce(&mut DepthBuffer<'_>) -> Option<(usize, usize)>,

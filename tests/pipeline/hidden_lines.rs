@@ -10,7 +10,7 @@ use support::oracle::line;
 use support::oracle::rng::Rng;
 use support::oracle::target::Recorder;
 
-/// What is drawn of edges, edge by edge.
+/// The drawn part of each edge.
 #[derive(Debug, Default)]
 struct Score {
     /// Edges of which a pixel is in sight, and the sum of the shares of these pixels that are not drawn.

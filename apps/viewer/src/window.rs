@@ -101,7 +101,7 @@ impl Screen {
     }
 }
 
-/// What is shown, and what the user does.
+/// The content of the window, and the input of the user.
 struct Shown {
     viewer: Viewer,
     state: State,

@@ -116,7 +116,7 @@ fn faces_that_rounding_makes_equal_do_not_open_a_surface() {
     solid.faces.extend(cavity.faces.iter().map(|&[a, b, c]| [a + 8, c + 8, b + 8]));
     let mesh = quantise(&solid).unwrap();
     assert_eq!((mesh.faces.len(), mesh.report.duplicate, unbalanced(&mesh.faces)), (16, 0, 0));
-    // The same block twice, a part of a step apart, is one block.
+    // Two equal blocks, less than a step apart, are one block on the grid.
     let mut twice = turned_box([2.0; 3], 0.0);
     twice.positions.extend(twice.positions.clone().iter().map(|p| p.map(|c| c + 1e-6)));
     twice.faces.extend(twice.faces.clone().iter().map(|face| face.map(|vertex| vertex + 8)));

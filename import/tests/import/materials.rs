@@ -35,7 +35,7 @@ fn painted() -> String {
 const LIBRARY: &str =
     "# by hand\nnewmtl rust\nKa nonsense\nKd .6 .2 0\nKe 1.5 .4 0\nmap_Kd rust.png\nnewmtl sky\nNs 3\nKd 0 .5 1\n";
 
-/// What is said of the library's picture where none is wanted.
+/// The warning about a picture of the library that nobody asked for.
 const UNWANTED: &str = "pictures of materials: 1, the first rust.png; left out: use --texture 16";
 
 /// Of files that are in no folder, as in a browser: by the last part of the name, with the separators of any system.
