@@ -236,13 +236,13 @@ fn meet(planes: [&Row; 3]) -> Option<[i64; 3]> {
 mod tests {
     use super::{meet, Row};
 
-    /// Of x = 0 and two planes nearly through one line, which meet in (0, 0, 1): the determinant is `k`/2⁶⁰ of the largest product of
-    /// coefficients. It has 45 bits, so it is 1 for 2¹⁵, and lost below half of that.
+    /// The plane x = 0 and two planes nearly through one line, which meet in (0, 0, 1). Their determinant is `k`/2⁶⁰ of the largest
+    /// product of coefficients, which is scaled to 45 bits: the determinant is then 1 for 2¹⁶, and lost below half of that.
     #[test]
     fn planes_meet_until_their_determinant_has_no_bit_left() {
         const ONE: i32 = 1 << 30;
         let plane = |linear: [i32; 3]| Row { linear, exponent: 0, offset: -4 * i64::from(linear[2]) };
-        for (k, meets) in [(1 << 29, true), (1 << 16, true), (1 << 15, true), (1 << 13, false), (0, false)] {
+        for (k, meets) in [(1 << 29, true), (1 << 17, true), (1 << 16, true), (1 << 14, false), (0, false)] {
             for sign in [1, -1] {
                 let planes = [plane([ONE, 0, 0]), plane([0, ONE - 1, k]), plane([0, sign * ONE, sign * k])];
                 let [a, b, c] = &planes;
