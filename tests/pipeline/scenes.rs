@@ -307,7 +307,7 @@ fn picked_scenes<P: FacePlanes, S: SpanShader<Rgb565>>(
     for _ in 0..12 {
         let (mut scene, camera) = (random(&mut rng, meshes), camera(&mut rng));
         let objects = scene.objects_mut();
-        for [first, second] in [[2, 3], [6, 20]] {
+        for [first, second] in [[2, 4], [6, 20]] {
             objects[second] = Object { material: second, ..objects[first] };
         }
         let (picture, depths) = by_hand(&scene, &camera, shader);

@@ -180,7 +180,7 @@ fn bad_input_is_one_line_that_names_the_field() {
         (with(r#""lines": [], "lines": []"#), "lines: is given twice"),
         (with(r#""triangles": [], "triangles": [[0, 0, 1, 1, 2, 2]]"#), "triangles: is given twice"),
         (with(r#""points": []"#), "points: is not a field of this format"),
-        (with("\"two\\nlines\": []"), "two lines: is not a field"),
+        (with("\"two\\nlines\": []"), "two\\nlines: is not a field"),
         (with(r#""Lines": []"#), "Lines: is not a field of this format"),
         // Sizes.
         (sized("0", "1"), "width: 0 is not from 1 to 4096"),

@@ -117,7 +117,7 @@ export const mistakes = ({ address, open, pixels, settled, load, faces, decimate
     await tab.setInputFiles('#file', { name: 'notes.zip', mimeType: 'application/zip', buffer: Buffer.from('PK\x03\x04 and so on') });
     await tab.waitForFunction(() => document.querySelector('#status').classList.contains('bad'));
     assert.match(await tab.textContent('#status'), /^notes\.zip: .*good\.stl/);
-    await load(tab, 'stray.obj', Buffer.from('v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n'));
+    await tab.setInputFiles('#file', { name: 'stray.obj', mimeType: 'model/obj', buffer: Buffer.from('v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n') });
     await tab.waitForFunction(() => /stray/.test(document.querySelector('#status').textContent));
     assert.match(await tab.textContent('#status'), /^stray\.obj:4: the face names a vertex that does not exist/, 'the name is there once');
     assert.equal(await tab.evaluate(() => document.querySelector('#mesh').selectedOptions[0].textContent), 'good.stl');
