@@ -19,7 +19,10 @@ fn import(name: &str, bytes: &[u8], beside: &[(String, Vec<u8>)], bits: u8) {
         edges: if bits & 8 != 0 { Edges::Feature { degrees: 30.0 } } else { Edges::All },
         edge_faces: bits & 16 != 0,
         vertex_normals: bits & 32 != 0,
-        texture: Some(TextureFormat { colors: [2, 4, 16, 256][usize::from(bits >> 6)], ..Default::default() }),
+        texture: Some(TextureFormat {
+            colors: [2, 4, 16, 256][usize::from(bits >> 6)],
+            ..Default::default()
+        }),
         ..Options::default()
     };
     match import_bytes(bytes.to_vec(), Path::new(name), beside, &options) {
