@@ -45,7 +45,7 @@ impl Outputs {
     ///
     /// # Errors
     ///
-    /// That of `write`, or a message that names the file where it cannot be written.
+    /// The error of `write`, or a message that names the file that cannot be written.
     pub fn stream(
         &mut self,
         path: &Path,
