@@ -43,6 +43,11 @@ use crate::scene::{edge_faces, Mesh, WithPlanes};
 /// 1 in vertex units of 2⁻¹⁴.
 const ONE: i32 = 1 << 14;
 
+const NO_FACE: u16 = Mesh::<i16>::NO_FACE;
+
+/// Edges, and the faces beside each in the order of [`edge_faces`], which would search them: seconds of compilation.
+type Edges<const E: usize> = ([[u16; 2]; E], [[u16; 2]; E]);
+
 /// Defines a mesh with all that belongs to it. The arrays are statics, so that a program has each once.
 macro_rules! meshes {
     ($($(#[$doc:meta])* $name:ident $(with planes $planes:ident)?, $vertex_count:literal, $face_count:literal, $edge_count:literal:
@@ -51,8 +56,8 @@ macro_rules! meshes {
         pub const $name: Mesh<'static, i16 $(, $planes)?> = {
             static VERTICES: [[i16; 3]; $vertex_count] = $vertices;
             static FACES: [[u16; 3]; $face_count] = $faces;
-            static EDGES: [[u16; 2]; $edge_count] = $edges;
-            static EDGE_FACES: [[u16; 2]; $edge_count] = edge_faces(&EDGES, &FACES);
+            static EDGES: [[u16; 2]; $edge_count] = $edges.0;
+            static EDGE_FACES: [[u16; 2]; $edge_count] = $edges.1;
             static NORMALS: [[i16; 3]; $face_count] = face_normals(&VERTICES, &FACES);
             let mesh = with_normals(&VERTICES, &FACES, &NORMALS);
             $(
@@ -87,15 +92,27 @@ const SPHERE_RINGS: [[i32; 2]; 7] = {
 /// The shaft's foot, its head, and the foot of the tip.
 const ARROW_RINGS: [[i32; 2]; 3] = [[ONE / 20, 0], [ONE / 20, ONE * 7 / 10], [ONE / 8, ONE * 7 / 10]];
 
+const CUBE_FACES: [[u16; 3]; 12] = [
+    [1, 3, 7],
+    [1, 7, 5],
+    [0, 4, 6],
+    [0, 6, 2],
+    [2, 6, 7],
+    [2, 7, 3],
+    [0, 1, 5],
+    [0, 5, 4],
+    [4, 5, 7],
+    [4, 7, 6],
+    [0, 2, 3],
+    [0, 3, 1],
+];
+const CUBE_EDGES: [[u16; 2]; 12] =
+    [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+
 meshes! {
     /// A cube from −1 to 1 on all axes.
     CUBE, 8, 12, 12:
-        cube_vertices(),
-        [
-            [1, 3, 7], [1, 7, 5], [0, 4, 6], [0, 6, 2], [2, 6, 7], [2, 7, 3],
-            [0, 1, 5], [0, 5, 4], [4, 5, 7], [4, 7, 6], [0, 2, 3], [0, 3, 1],
-        ],
-        [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+        cube_vertices(), CUBE_FACES, (CUBE_EDGES, edge_faces(&CUBE_EDGES, &CUBE_FACES));
 
     /// A sphere of radius 1, with its poles on the y axis, 16 faces around and 8 from pole to pole.
     SPHERE with planes WithPlanes, 114, 224, 240:
@@ -135,7 +152,7 @@ meshes! {
     AXES, 4, 0, 3:
         [[0, 0, 0], [ONE as i16, 0, 0], [0, ONE as i16, 0], [0, 0, ONE as i16]],
         [],
-        [[0, 1], [0, 2], [0, 3]];
+        ([[0, 1], [0, 2], [0, 3]], [[NO_FACE; 2]; 3]);
 }
 
 /// `length · factor` for a factor in 2⁻³⁰, rounded to nearest.
@@ -240,32 +257,45 @@ const fn revolved_faces<const AROUND: usize, const RINGS: usize, const F: usize>
 const fn revolved_edges<const AROUND: usize, const RINGS: usize, const E: usize>(
     to_south: bool,
     to_north: bool,
-) -> [[u16; 2]; E] {
-    let (mut edges, mut edge, mut i) = ([[0; 2]; E], 0, 0);
+) -> Edges<E> {
+    let (mut edges, mut beside, mut edge, mut i) = ([[0; 2]; E], [[0; 2]; E], 0, 0);
     while i < AROUND {
         let (here, next) = (i as u16, ((i + 1) % AROUND) as u16);
+        // The first face of the sector from `here` to `next`, and of the sector before it.
+        let (face, before) = (2 * RINGS * i, 2 * RINGS * ((i + AROUND - 1) % AROUND));
         let mut ring = 0;
         while ring < RINGS {
             let (low, high) = ((ring * AROUND) as u16, ((ring + 1) * AROUND) as u16);
-            edges[edge] = [low + here, low + next];
+            (edges[edge], beside[edge]) =
+                ([low + here, low + next], ascending(face + 2 * ring, face + 2 * ring + 1));
             edge += 1;
             if ring + 1 < RINGS {
                 edges[edge] = [low + here, high + here];
+                beside[edge] = ascending(face + 2 * ring + 2, before + 2 * ring + 1);
                 edge += 1;
             }
             ring += 1;
         }
         if to_south {
-            edges[edge] = [(RINGS * AROUND) as u16, here];
+            (edges[edge], beside[edge]) = ([(RINGS * AROUND) as u16, here], ascending(face, before));
             edge += 1;
         }
         if to_north {
             edges[edge] = [((RINGS - 1) * AROUND) as u16 + here, (RINGS * AROUND + 1) as u16];
+            beside[edge] = ascending(face + 2 * RINGS - 1, before + 2 * RINGS - 1);
             edge += 1;
         }
         i += 1;
     }
-    edges
+    (edges, beside)
+}
+
+const fn ascending(face: usize, other: usize) -> [u16; 2] {
+    if face < other {
+        [face as u16, other as u16]
+    } else {
+        [other as u16, face as u16]
+    }
 }
 
 /// The vertex normals of the sphere, in 2⁻¹⁵: the directions of its vertices from its centre.
@@ -318,15 +348,18 @@ const fn torus_faces<const AROUND: usize, const ACROSS: usize, const F: usize>()
     faces
 }
 
-const fn torus_edges<const AROUND: usize, const ACROSS: usize, const E: usize>() -> [[u16; 2]; E] {
-    let (mut edges, mut k) = ([[0; 2]; E], 0);
+const fn torus_edges<const AROUND: usize, const ACROSS: usize, const E: usize>() -> Edges<E> {
+    let (mut edges, mut beside, mut k) = ([[0; 2]; E], [[0; 2]; E], 0);
     while k < AROUND * ACROSS {
         let (i, j) = (k / ACROSS, k % ACROSS);
+        let (before_i, before_j) = ((i + AROUND - 1) % AROUND * ACROSS, (j + ACROSS - 1) % ACROSS);
         edges[2 * k] = [k as u16, ((i + 1) % AROUND * ACROSS + j) as u16];
+        beside[2 * k] = ascending(2 * k, 2 * (i * ACROSS + before_j) + 1);
         edges[2 * k + 1] = [k as u16, (i * ACROSS + (j + 1) % ACROSS) as u16];
+        beside[2 * k + 1] = ascending(2 * k + 1, 2 * (before_i + j));
         k += 1;
     }
-    edges
+    (edges, beside)
 }
 
 /// The fields of the grid along a side.
@@ -358,18 +391,51 @@ const fn grid_faces() -> [[u16; 3]; 128] {
     faces
 }
 
-const fn grid_edges() -> [[u16; 2]; 144] {
-    let (mut edges, mut edge, mut k) = ([[0; 2]; 144], 0, 0);
+const fn grid_edges() -> Edges<144> {
+    let (mut edges, mut beside, mut edge, mut k) = ([[0; 2]; 144], [[0; 2]; 144], 0, 0);
     while k < 81 {
-        if k % (SIDE + 1) < SIDE {
+        let (i, j) = (k % (SIDE + 1), k / (SIDE + 1));
+        // The second face of the field to the right of and nearer than vertex `k`.
+        let face = 2 * (j * SIDE + i) + 1;
+        if i < SIDE {
             edges[edge] = [k as u16, k as u16 + 1];
+            beside[edge] = match j {
+                0 => [face as u16, NO_FACE],
+                SIDE => [(face - 2 * SIDE - 1) as u16, NO_FACE],
+                _ => [(face - 2 * SIDE - 1) as u16, face as u16],
+            };
             edge += 1;
         }
-        if k / (SIDE + 1) < SIDE {
+        if j < SIDE {
             edges[edge] = [k as u16, (k + SIDE + 1) as u16];
+            beside[edge] = match i {
+                0 => [face as u16, NO_FACE],
+                SIDE => [(face - 3) as u16, NO_FACE],
+                _ => [(face - 3) as u16, face as u16],
+            };
             edge += 1;
         }
         k += 1;
     }
-    edges
+    (edges, beside)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn faces_beside_edges_are_those_that_a_search_finds() {
+        fn check<P, const E: usize>(mesh: &Mesh<'static, i16, P>) {
+            let edges: &[[u16; 2]; E] = mesh.edges().try_into().unwrap();
+            assert_eq!(mesh.edge_faces(), edge_faces(edges, mesh.faces()));
+        }
+        check::<_, 12>(&CUBE);
+        check::<_, 240>(&SPHERE);
+        check::<_, 400>(&TORUS);
+        check::<_, 48>(&CYLINDER);
+        check::<_, 60>(&ARROW);
+        check::<_, 144>(&GRID);
+        check::<_, 3>(&AXES);
+    }
 }
