@@ -9,6 +9,7 @@ use crate::math::{Angle, Point3, Scalar, Sphere};
 
 /// Why no camera can frame a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FramingError {
     /// The sphere's radius is zero or negative: the mesh has no vertices, or only one.

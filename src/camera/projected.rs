@@ -42,6 +42,7 @@ impl From<Projected> for Point {
 
 /// Why a point has no position on the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ProjectError {
     /// The point lies between the near plane and the eye, or behind the eye.

@@ -40,6 +40,7 @@ pub struct ViewTransform {
 
 /// Why a view transform cannot be set up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ViewTransformError {
     /// The view plane normal (VPN) or the gaze has length zero: give a direction, or a target that differs from the eye.

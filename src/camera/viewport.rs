@@ -28,6 +28,7 @@ pub struct Viewport {
 
 /// Why a viewport cannot be set up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ViewportError {
     /// Width or height is zero.

@@ -402,6 +402,7 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
 
 /// Why a rotation cannot be set up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum AxisError {
     /// The axis has length zero: give a direction.
@@ -418,6 +419,7 @@ impl core::error::Error for AxisError {}
 
 /// Why a matrix cannot become an [`Affine`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum MatrixError {
     /// The last row is not (0, 0, 0, 1): use [`Projection::from_matrix`](crate::Projection::from_matrix) for a projection.
@@ -444,6 +446,7 @@ impl core::error::Error for MatrixError {}
 
 /// Why a transform cannot be inverted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InverseError {
     /// The transform is singular: use no scale of zero, and no axis in the plane of the two others.

@@ -2,6 +2,7 @@
 
 /// Why a floating-point number or a text cannot become a [`Scalar`](crate::Scalar) or an [`Angle`](crate::Angle).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum NumberError {
     /// The number is NaN or infinite: check the computation that produced it.

@@ -21,6 +21,7 @@ pub struct Quaternion([i32; 4]);
 
 /// Why a quaternion describes no rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum QuaternionError {
     /// All four components are zero: the identity is (1, 0, 0, 0).

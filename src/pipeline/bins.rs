@@ -58,6 +58,7 @@ impl Counts {
 
 /// Why faces or edges were not binned. After an error none of them is binned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum BinError {
     /// The bin storage is too short: provide at least `needed` numbers.

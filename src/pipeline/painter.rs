@@ -71,6 +71,7 @@ pub struct Painter<S, const VERTICES: usize, const FACES: usize> {
 
 /// Why a mesh was not added. After an error nothing of this mesh is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PainterError {
     /// Too many vertices: raise `VERTICES` (65536 at most). Every vertex of a mesh takes one, and every corner of a clipped

@@ -5,6 +5,7 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 
 /// Why lists of materials do not fit together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum MaterialError {
     /// A face uses a colour or a texture coordinate that is not in the list.

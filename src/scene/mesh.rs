@@ -114,6 +114,7 @@ impl<'a, V> MeshData<'a, V> {
 
 /// Why a mesh cannot be made of the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum MeshError {
     /// There are more vertices than `u16` indices can address: split the mesh.

@@ -35,6 +35,7 @@ pub struct Lambert {
 
 /// Why a light cannot be set up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum LightError {
     /// The direction towards the light has length zero: give a vector of any other length.

@@ -2,6 +2,7 @@
 
 /// Why a projection cannot be set up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ProjectionError {
     /// The field of view is not 1/4096 to 2047/4096 turn, about 0.09° to 179.9°.

@@ -52,6 +52,7 @@ impl<P> Copy for Fog<P> {}
 
 /// Why fog cannot be set up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FogError {
     /// Fog would be full before it begins: `start` must be less than `end`.

@@ -113,6 +113,7 @@ impl<C: PixelColor, const W: usize, const H: usize> Texels for &[[C; W]; H] {
 
 /// Why texels do not make a texture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum TextureError {
     /// A side is not 8, 16, 32, 64, 128 or 256 texels.
