@@ -1,5 +1,5 @@
 //! Every public type can be logged by defmt, and can be sent to another core and shared with it. A list of all types is compared
-//! with the sources and checked by the compiler: the former with the feature (`cargo test --features defmt --test format`), the
+//! with the sources and checked by the compiler: the former with the feature (`cargo test -p pinhole-tests --features defmt --test format`), the
 //! latter always. `examples/log` tests the output on a device.
 
 use std::collections::BTreeSet;
@@ -204,7 +204,7 @@ const NOT_NAMED: [&str; 9] = [
 #[test]
 fn no_public_type_is_missing() {
     let mut found = BTreeSet::new();
-    types(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut found);
+    types(&Path::new(support::ROOT).join("src"), &mut found);
     let listed = LISTED.iter().chain(&NOT_NAMED).map(|name| name.to_string()).collect();
     assert_eq!(found, listed, "the sources' public types, and those listed here");
 }
@@ -214,7 +214,7 @@ fn no_public_type_is_missing() {
 #[test]
 fn types_left_out_of_the_list_are_not_public() {
     let source = |path: &str| {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(path);
+        let path = Path::new(support::ROOT).join("src").join(path);
         fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
     };
     let root = source("lib.rs");

@@ -7,11 +7,10 @@ use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
+use support::ROOT;
 
 /// QEMU needs a second or two; more than this means that the firmware hangs.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(120);
-
-const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
 /// Where it begins: see memory.x.
 const RAM: u32 = 0x2000_0000;

@@ -7,8 +7,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::{Mutex, PoisonError};
+use support::ROOT;
 
-const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const FIRST: &str = "## The first picture";
 const FIRMWARE: &str = "## Your own model on your own display";
 

@@ -16,8 +16,8 @@ use pinhole_apps_support::canvas::Canvas;
 use std::convert::Infallible;
 use std::fs;
 use std::path::Path;
+use support::ROOT;
 
-const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const PROGRAMS: [&str; 7] = ["logo", "gauge", "walk", "orbit", "hud", "epaper", "scope"];
 
 /// A display that counts the pixels that it receives.

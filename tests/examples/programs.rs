@@ -18,7 +18,7 @@ pub(crate) fn command<S: AsRef<OsStr>>(folder: &Path, name: &str, arguments: &[S
     let tests = std::env::current_exe().unwrap();
     let program =
         tests.with_file_name("../examples").join(name).with_extension(std::env::consts::EXE_EXTENSION);
-    assert!(program.exists(), "cargo test builds {name}, cargo test --test does not");
+    assert!(program.exists(), "`cargo test` builds {name}; with `--package pinhole-tests` or `--test`, run `cargo test --package pinhole --no-run` before");
     let mut command = Command::new(program);
     command.args(arguments).current_dir(folder);
     command

@@ -19,7 +19,7 @@ const SIZE: Size = Size::new_equal(240);
 const FRAMES: u32 = 48;
 
 fn teapot() -> ImportedMesh {
-    pinhole_import::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/teapot.obj")).unwrap()
+    pinhole_import::read(&Path::new(support::ROOT).join("assets/teapot.obj")).unwrap()
 }
 
 /// Which faces the solid frames of the film show: in painter's order, and by depth.

@@ -382,7 +382,7 @@ fn s4_worked_set_ups_draw_their_golden_pictures() {
         all.push('\n');
     }
     if std::env::var_os("GOLDEN").is_some() {
-        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/reference.golden"), &all)
+        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/golden/reference.golden"), &all)
             .expect("written");
     }
     assert!(all == include_str!("reference.golden"), "{all}");
@@ -409,7 +409,7 @@ fn s4_golden_at_240(s: &SetUp, name: &str) {
     let (lines, wanted) = (wireframe(s, 240), oracle_wireframe(s, 240));
     assert!(lines == wanted, "{}: wireframe differs from its definition", s.name);
     let pixels: Vec<u8> = (drawn + &lines).chars().filter(|c| *c != '\n').map(shade).collect();
-    let path = format!("{}/tests/golden/{name}.png", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/golden/{name}.png", env!("CARGO_MANIFEST_DIR"));
     if std::env::var_os("GOLDEN").is_some() {
         let mut encoder = png::Encoder::new(std::fs::File::create(&path).expect("created"), 240, 480);
         encoder.set_color(png::ColorType::Grayscale);

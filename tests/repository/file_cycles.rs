@@ -348,7 +348,7 @@ fn cycles(sources: &Sources) -> Vec<BTreeSet<String>> {
 }
 
 fn library() -> Sources {
-    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let src = Path::new(support::ROOT).join("src");
     let (mut found, mut folders) = (Sources::new(), vec![src.clone()]);
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(&folder).expect("a folder") {

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 fn read(path: &str) -> String {
-    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).expect(path)
+    fs::read_to_string(Path::new(support::ROOT).join(path)).expect(path)
 }
 
 /// The names in backticks in the third column of the glossary's tables, and the parts of `Type::function`.

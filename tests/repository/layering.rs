@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 fn root() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+    PathBuf::from(support::ROOT)
 }
 
 /// The rows of the table: each module with the modules that it may import. `all` means every other module.

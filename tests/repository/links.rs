@@ -7,7 +7,7 @@ use std::path::{Component, Path, PathBuf};
 use std::process::Command;
 
 fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+    Path::new(support::ROOT)
 }
 
 /// The tracked pages. rustdoc checks the chapters of the book; the templates in `report` folders have the links of the pages

@@ -3,8 +3,7 @@
 use std::fs;
 use std::path::Path;
 use std::process::Command;
-
-const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+use support::ROOT;
 
 /// Bounds of a file and of a package, in bytes. There are no pictures in them.
 const FILE: u64 = 48 << 10;

@@ -40,7 +40,7 @@ fn traits(source: &str) -> Vec<(String, bool)> {
 #[test]
 fn every_public_trait_says_what_to_do() {
     let mut paths = Vec::new();
-    files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut paths);
+    files(&Path::new(support::ROOT).join("src"), &mut paths);
     let mut count = 0;
     for path in paths {
         for (name, is_explained) in traits(&fs::read_to_string(&path).expect("a source")) {

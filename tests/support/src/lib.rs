@@ -8,6 +8,9 @@
 // Test code: its types are made by the tests alone, and tests end at the first error.
 #![allow(clippy::new_without_default, clippy::result_unit_err, clippy::should_implement_trait)]
 
+/// The repository's folder.
+pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
 pub mod bridge;
 pub mod definition;
 pub mod oracle;
