@@ -1,9 +1,77 @@
 #![no_std]
 // docs.rs marks items that need a feature.
 #![cfg_attr(docsrs, feature(doc_cfg))]
-// The first definition of a link counts: these replace the README's relative links, which lead nowhere on docs.rs.
 #![doc = include_str!("book/links.md")]
-#![doc = include_str!("../README.md")]
+#![doc = include_str!("book/pictures.md")]
+//! Exact 3D for microcontroller displays: a rasteriser in integer arithmetic that draws into any
+//! [`embedded-graphics`](https://docs.rs/embedded-graphics) DrawTarget, without heap and without a framebuffer.
+//!
+//! ![A gear with a hole, lit][docs/part.png] ![A landscape of two ridges, coloured by height][docs/cookbook/scope.png]
+//! ![A torus, a frame time and a graph][docs/cookbook/hud.png]
+//!
+//! A lit torus with a depth buffer:
+//!
+//! ```
+//! use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
+//! use pinhole::{meshes::TORUS, prelude::*, Angle};
+//!
+//! // Pixels in memory. A display's driver is a target, too, and so is a band of some rows.
+//! let (size, mut pixels) = (Size::new(120, 120), [Rgb565::CSS_BLACK; 120 * 120]);
+//! let mut picture = Picture::new(&mut pixels, size)?;
+//! let mut depths = [0; 120 * 120];
+//! let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;
+//!
+//! // A camera that shows all of the mesh, from above and from one side.
+//! let viewport = Viewport::new(Point::zero(), size)?;
+//! let [field_of_view, yaw, pitch] = [40, 20, 30].map(Angle::degrees);
+//! let camera = Camera::framing(&TORUS.bounding_sphere(), &viewport, field_of_view, yaw, pitch)?;
+//!
+//! // For each frame: place the mesh, and draw its faces in colours dimmed by the light.
+//! let model = Affine::rotation_x(Angle::degrees(15));
+//! let light = Lambert::new(&model, Vector3::from_ints(1, 3, 2), 40)?;
+//! let color = |face: usize| Rgb565::CSS_GOLD.dim(light.level(TORUS.normals()[face]));
+//! let mut cache = mesh_buffers!(TORUS).cache;
+//! let torus = camera.place(&TORUS, &model);
+//! let statistics = torus.depth_tested(color, &mut cache, &mut depth, &mut picture.pixels())?;
+//! assert!(statistics.drawn > 100 && statistics.culled > 100);
+//! # assert!(picture.colors().iter().filter(|&&color| color != Rgb565::CSS_BLACK).count() > 120 * 120 / 4);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Where things are
+//!
+//! | topic | start here | more |
+//! |---|---|---|
+//! | learning the pipeline | [`book`], chapter by chapter | seven programs to copy: the [cookbook](book::ch9_cookbook) |
+//! | names to import | [`prelude`] | and [`Angle`], apart because embedded-graphics has one |
+//! | meshes | [`Mesh`]; [`meshes`] has a cube, a torus … | [`FaceColors`], [`TextureCoords`]; [`pinhole-import`](https://docs.rs/pinhole-import) reads OBJ and STL files |
+//! | moving objects | [`Affine`] | [`Hierarchy`] for joints, [`Quaternion`], [`Scalar`], [`space`] |
+//! | cameras | [`Camera::framing`] | [`ViewTransform`], [`Projection`], [`Viewport`]; [choosing a projection](book::ch3_projections) |
+//! | drawing | [`MeshInstance`]: `solid`, `depth_tested`, `wireframe`, `hidden_line` … | [`Painter`], [`Statistics`]; [which method](book::ch4_visibility) |
+//! | many objects | [`Scene`] | [`Frustum`], [`Camera::visibility`] |
+//! | targets | [`Target`]: any DrawTarget, or pixels in memory | [`Picture`], [`PixelFormat`] |
+//! | no framebuffer, DMA, two cores | [`Frame`], [`mesh_buffers!`], [`strip_buffers!`] | [bands](book::ch5_bands); [`DirtyRegions`] sends only what has changed |
+//! | light | [`Lambert`] | [`Lights`], [`PointLight`], [`BlinnPhong`], [`Matcap`] |
+//! | shading | a colour, [`Flat`], [`Gouraud`], [`ShadeTable`] | [`Texture`], [`Fogged`], [`VertexFog`], [`Translucent`], [`ScreenDoor`]; your own: [`Shader`] |
+//! | sprites and lines | [`Sprite`], [`MeshInstance::polyline`] | [`AntiAliased`] |
+//! | labels and picking | [`Camera::project`], [`MeshInstance::pick`] | [`Camera::unproject`], [`Camera::ray`] |
+//! | 2D, and the stages alone | [`fill_triangle`], [`draw_line`] | [`raster`], [`clip`] |
+//! | RAM, flash and time | [estimating](book::ch6_budget) | [measuring on your board](book::ch10_measuring) |
+//!
+//! Templates for firmware, a viewer and a planner are in the repository; its [README.md] has the steps from a model to a display.
+//!
+//! # What holds everywhere
+//!
+//! * **Exact.** One fill rule decides each pixel: no cracks, no pixel drawn twice, equal bits on all cores, in debug and release builds.
+//!   [docs/accuracy.md] has all errors, [docs/spec.md] the rules.
+//! * **Integers only**, except in conversions from and to floats.
+//! * **No panic, no heap, no `unsafe`.** Memory is the caller's; its lengths are computed from the mesh. Set-up errors say what to do.
+//!   Drawing returns only the target's own error.
+//! * **Unused features cost no flash** ([docs/footprint.md]). [docs/speed.md] has instructions, times and frames per second.
+//! * **Ranges**: a world of ±32768 units in steps of 2⁻¹⁶, viewports within ±8192 pixels, at most 65 536 vertices per mesh. Faces run counter-clockwise
+//!   seen from outside.
+//!
+//! The feature `defmt` gives every public type a `defmt::Format`. Minimum Rust: 1.88. Changes: [CHANGELOG.md].
 
 #[cfg(doc)]
 pub mod book;

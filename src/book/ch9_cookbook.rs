@@ -1,4 +1,5 @@
 #![doc = include_str!("links.md")]
+#![doc = include_str!("pictures.md")]
 //! # Cookbook
 //!
 //! Seven whole programs, each in one file that can be copied into a firmware as it is. Each has at most 60 lines beside its imports,

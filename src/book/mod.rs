@@ -26,7 +26,6 @@ pub mod ch1_tour {}
 #[doc = include_str!("ch2_signs.md")]
 pub mod ch2_coordinates {}
 
-#[doc = include_str!("links.md")]
 #[doc = include_str!("ch3_projections.md")]
 pub mod ch3_projections {}
 

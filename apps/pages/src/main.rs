@@ -1,5 +1,5 @@
 //! Generates the parts of the documentation that repeat other files: the README's table, the book's tables of constants and
-//! its figure, and the links of the crate's page. Run it after a page or picture in `docs` has changed:
+//! its figure, and the pictures of the crate's documentation. Run it after a page or picture in `docs` has changed:
 //!
 //! ```text
 //! cargo run --release -p pinhole-pages -- --help
@@ -9,8 +9,8 @@ mod constants;
 mod figure;
 #[path = "../../../tools/bench/report/grouped.rs"]
 mod grouped;
-mod links;
 mod page;
+mod pictures;
 mod readme;
 
 use clap::{Arg, ArgAction, Command};
@@ -24,7 +24,7 @@ type Part = (&'static str, fn() -> Result<String, String>);
 const PARTS: [Part; 4] = [
     ("README.md", readme::with_table),
     ("src/book/constants.md", constants::tables),
-    ("src/book/links.md", links::definitions),
+    ("src/book/pictures.md", pictures::definitions),
     ("src/book/coordinates.svg", figure::svg),
 ];
 
