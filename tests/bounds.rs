@@ -1,12 +1,12 @@
 //! Every stated bound of a numeric function holds, and is at most twice the largest error measured. The measurements of
-//! docs/accuracy.md are repeated here (`apps/accuracy/src/functions.rs`).
+//! docs/accuracy.md are repeated here (`tools/measure/src/accuracy/functions.rs`).
 //!
 //! `src/math` is compiled into this test, because its functions are private.
 
 use support::bridge;
 use support::oracle;
 
-#[path = "../apps/accuracy/src/functions.rs"]
+#[path = "../tools/measure/src/accuracy/functions.rs"]
 mod functions;
 #[allow(dead_code, unreachable_pub, unused_imports, clippy::wrong_self_convention)]
 #[path = "../src/math/mod.rs"]

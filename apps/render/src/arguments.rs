@@ -2,6 +2,7 @@
 
 use crate::paint::Mode;
 use crate::picture::Format;
+use crate::program::Output;
 use crate::projections::Named;
 use crate::{firmware, import};
 use clap::builder::PossibleValuesParser;
@@ -51,25 +52,18 @@ SPRITE:
    "alpha": N of 32 parts, mixed with what is behind, from far to near (optional), "depth": "test" (default) | "none": over everything}
 Matrices are row-major and multiply column vectors. A .json mesh is {"vertices": ..., "triangles": ...}.
 
---ids: a little-endian i32 per pixel, row by row from the top: the index of the visible triangle, or -1.
---depth: a little-endian u16 per pixel: 0 (near) to 65534 (far), linear in z/w; 65535 where nothing is drawn.
---used: the scene after rounding to the crate's number formats; drawing this file gives the same bits.
---texels: a little-endian u16 per pixel: 0 where no triangle is, otherwise 32768 and the texel's number, row * W + column.
-These four are of triangles alone, without sprites. With one of them the default --size of a mesh is 320x240.
-
 An .obj or .stl is drawn as the mesh that pinhole-import makes of it, and with its warnings: z of .stl and y of .obj are up, faces
 are seen from their front alone (counter-clockwise) unless --two-sided, and the camera is that of the firmware templates, which
-frames the bounding sphere. Faces have the diffuse and emissive colours of an OBJ's materials, unless --colour is given. Triangles in --ids and --used are those of the file, in its order, then the backs of --two-sided.
+frames the bounding sphere. Faces have the diffuse and emissive colours of an OBJ's materials, unless --colour is given.
 
 Bad input: one line on stderr, exit code 2, and no file is changed."#;
 
 /// Options that `--firmware` excludes: the template's code decides them, or they name other outputs.
-const NOT_IN_FIRMWARE: [&str; 24] = [
+const NOT_IN_FIRMWARE: [&str; 21] = [
     "alpha",
     "ascii",
     "background",
     "colour",
-    "depth",
     "door",
     "edges",
     "feature-angle",
@@ -79,19 +73,18 @@ const NOT_IN_FIRMWARE: [&str; 24] = [
     "frame",
     "from",
     "half",
-    "ids",
     "lit-texture",
     "mode",
     "no-dither",
     "pitch",
     "projection",
     "smooth-lines",
-    "texels",
     "texture",
     "yaw",
 ];
 
-pub(crate) fn command() -> Command {
+/// The command line, with outputs beside pictures.
+pub fn command(more: &'static [Output]) -> Command {
     let file = |name: &'static str, help| {
         Arg::new(name).long(name).value_name("FILE").help(help).value_parser(value_parser!(PathBuf))
     };
@@ -127,10 +120,7 @@ pub(crate) fn command() -> Command {
                 .default_missing_value("ramp")
                 .help("Print the picture as text: ramp or braille, one character for 2x4 pixels"),
         )
-        .arg(file("ids", "Write the visible triangle of each pixel"))
-        .arg(file("depth", "Write the depth of each pixel"))
-        .arg(file("used", "Write the scene rounded to the crate's number formats"))
-        .arg(file("texels", "Write the number of the texel in each pixel"))
+        .args(more.iter().map(|output| file(output.name, output.help)))
         .arg(text(
             "mode",
             "MODE",
@@ -222,7 +212,8 @@ pub(crate) fn command() -> Command {
                     "Draw frame FRAME, 0 to 119 of a turn, of firmware with this model: by the src/picture.rs of the project that it \
                      lies in, else by that of boards/any-cortex-m [default --size: 240x240]",
                 )
-                .conflicts_with_all(NOT_IN_FIRMWARE),
+                .conflicts_with_all(NOT_IN_FIRMWARE)
+                .conflicts_with_all(more.iter().map(|output| output.name)),
         )
         .arg(file("gif", "Write a film of one turn around the mesh"))
         .arg(

@@ -1,8 +1,46 @@
 //! JSON values that know their place in the file, so that messages name the field.
 
-use serde::de::{Error, MapAccess, SeqAccess, Visitor};
+use serde::de::{DeserializeOwned, Error, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::fmt;
+use std::path::Path;
+
+/// A whole number from `LOW` to `HIGH`, which may be written as 8.0, too.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
+#[serde(try_from = "f64")]
+pub struct Whole<const LOW: i32, const HIGH: i32>(pub i32);
+
+impl<const LOW: i32, const HIGH: i32> TryFrom<f64> for Whole<LOW, HIGH> {
+    type Error = String;
+
+    fn try_from(number: f64) -> Result<Self, String> {
+        if number.fract() != 0.0 {
+            return Err(format!("{number} is not a whole number"));
+        }
+        match (f64::from(LOW)..=f64::from(HIGH)).contains(&number) {
+            true => Ok(Self(number as i32)),
+            false => Err(format!("{number} is not from {LOW} to {HIGH}")),
+        }
+    }
+}
+
+/// Reads a file, which may begin with a byte order mark. The error names the file and the field, such as `triangles[3][2]`.
+pub fn read<T: DeserializeOwned>(file: &Path) -> Result<T, String> {
+    let text = std::fs::read(file).map_err(|e| format!("{}: cannot be read: {e}", file.display()))?;
+    let text = text.strip_prefix("\u{feff}".as_bytes()).unwrap_or(&text);
+    // Structures could be read from arrays of their fields, too.
+    if text.trim_ascii_start().first().is_some_and(|first| b"[nt\"".contains(first)) {
+        return Err(format!("{}: is not an object", file.display()));
+    }
+    let mut json = serde_json::Deserializer::from_slice(text);
+    let value = serde_path_to_error::deserialize(&mut json).map_err(|error| {
+        let path = error.path().to_string();
+        let place = if path == "." { String::new() } else { format!("{path}: ") };
+        let kind = if error.inner().is_data() { "" } else { "is not JSON: " };
+        format!("{}: {place}{kind}{}", file.display(), error.inner())
+    })?;
+    json.end().map(|()| value).map_err(|error| format!("{}: is not JSON: {error}", file.display()))
+}
 
 /// A value. Numbers are the nearest f64; a repeated key is an error.
 pub(crate) enum Json {

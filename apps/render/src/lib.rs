@@ -1,17 +1,16 @@
-//! From a model or a scene to a picture: what `pinhole-render` draws and writes to files, and `pinhole-viewer` shows in a
-//! window.
-#![allow(missing_docs)] // modules of two programs, not an interface
+//! From a model or a scene to a picture: what `pinhole-render` draws and writes to files, `pinhole-viewer` shows in a window, and
+//! `pinhole-measure` writes as numbers.
+#![allow(missing_docs)] // modules of three programs, not an interface
 
-mod arguments;
+pub mod arguments;
 mod ascii;
 mod brush;
 mod camera;
 mod colours;
-mod draw;
 pub mod firmware;
 pub mod fog;
 pub mod import;
-mod json;
+pub mod json;
 pub mod light;
 mod meshes;
 pub mod model;
@@ -32,4 +31,3 @@ pub mod sprites;
 pub mod style;
 pub mod texture;
 mod turntable;
-mod used;

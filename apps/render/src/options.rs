@@ -1,6 +1,6 @@
 //! The parsed command line.
 
-use crate::arguments::{command, names};
+use crate::arguments::names;
 use crate::ascii::Characters;
 use crate::colours;
 use crate::fog::FogStyle;
@@ -8,6 +8,7 @@ use crate::import;
 use crate::model::{Fit, Look};
 use crate::paint::{Mode, Style, Translucency};
 use crate::picture::Format;
+use crate::program::Output;
 use crate::projections::Named;
 use crate::scene::LARGEST;
 use crate::style;
@@ -21,10 +22,8 @@ pub(crate) struct Options {
     pub(crate) png: Option<PathBuf>,
     pub(crate) gif: Option<PathBuf>,
     pub(crate) frames: Option<u32>,
-    pub(crate) ids: Option<PathBuf>,
-    pub(crate) depth: Option<PathBuf>,
-    pub(crate) used: Option<PathBuf>,
-    pub(crate) texels: Option<PathBuf>,
+    /// The outputs that the calling program adds, and their files.
+    pub(crate) more: Vec<(&'static Output, PathBuf)>,
     pub(crate) ascii: Option<Characters>,
     pub(crate) style: Style,
     pub(crate) format: Format,
@@ -41,22 +40,19 @@ pub(crate) struct Options {
     pub(crate) unasked: bool,
 }
 
-/// The options that name files to write.
-const OUTPUTS: [&str; 6] = ["png", "gif", "ids", "depth", "used", "texels"];
-
 impl Options {
     /// The files to write.
     pub(crate) fn outputs(&self) -> impl Iterator<Item = &Path> {
-        [&self.png, &self.gif, &self.ids, &self.depth, &self.used, &self.texels]
-            .into_iter()
-            .flatten()
-            .map(PathBuf::as_path)
+        let more = self.more.iter().map(|(_, file)| file);
+        self.png.iter().chain(&self.gif).chain(more).map(PathBuf::as_path)
     }
 }
 
-/// Parses and checks the command line. The error is one line.
-pub(crate) fn read() -> Result<Options, String> {
-    let mut given = pinhole_apps_support::command::matches(command())?;
+/// Checks the parsed command line, in which `more` are outputs beside pictures. The error is one line.
+pub(crate) fn read(mut given: ArgMatches, more: &'static [Output]) -> Result<Options, String> {
+    // The options that name files to write.
+    let outputs: Vec<&str> =
+        ["png", "gif"].into_iter().chain(more.iter().map(|output| output.name)).collect();
     let scene: PathBuf = given.remove_one("SCENE").unwrap_or_default();
     let is_dash = |path: &PathBuf| path.as_os_str() == "-";
     if is_dash(&scene) {
@@ -65,7 +61,7 @@ pub(crate) fn read() -> Result<Options, String> {
                 .into(),
         );
     }
-    if let Some(name) = OUTPUTS.into_iter().find(|name| given.get_one(name).is_some_and(is_dash)) {
+    if let Some(name) = outputs.iter().find(|name| given.get_one(name).is_some_and(is_dash)) {
         return Err(format!("--{name}: - is no file, and standard output has the messages: name a file"));
     }
     let ascii = choice(&mut given, "ascii", &Characters::ALL)?;
@@ -84,25 +80,27 @@ pub(crate) fn read() -> Result<Options, String> {
     if firmware.is_some() && !import::is_model(&scene) {
         return Err("--firmware: draws a model: use it with .obj and .stl".into());
     }
-    let look = look(&mut given, &scene, ascii.is_some())?;
-    let mut file = |name: &str| given.remove_one::<PathBuf>(name);
-    let [mut png, gif, ids, depth, used, texels] = OUTPUTS.map(&mut file);
+    let is_raw = more.iter().any(|output| given.contains_id(output.name));
+    let look = look(&mut given, &scene, ascii.is_some(), is_raw)?;
+    let files: Vec<_> = outputs.iter().map(|name| given.remove_one::<PathBuf>(name)).collect();
     let frames = given.remove_one("frames");
-    if frames.is_some() && gif.is_none() {
+    if frames.is_some() && files[1].is_none() {
         return Err("--frames: only a film has frames: give --gif FILE too".into());
     }
     let stats = given.get_flag("stats");
-    let files = [&png, &gif, &ids, &depth, &used, &texels];
-    for (place, (name, file)) in OUTPUTS.into_iter().zip(files).enumerate() {
+    for (place, (name, file)) in outputs.iter().zip(&files).enumerate() {
         let same = |earlier: &Option<PathBuf>| file.is_some() && canonical(earlier) == canonical(file);
-        if let Some(other) = files[..place].iter().position(|earlier| same(earlier)) {
-            return Err(format!("--{name}: names the same file as --{}", OUTPUTS[other]));
+        if let Some(other) = files[..place].iter().position(same) {
+            return Err(format!("--{name}: names the same file as --{}", outputs[other]));
         }
-        if style.mode.of_lines() && file.is_some() && matches!(name, "ids" | "depth") {
+        let of_faces = more.iter().any(|output| output.name == *name && output.needs_faces);
+        if style.mode.of_lines() && file.is_some() && of_faces {
             return Err(format!("--{name}: needs --mode solid"));
         }
     }
-    let nothing = files.iter().all(|file| file.is_none()) && ascii.is_none() && !stats;
+    let nothing = files.iter().all(Option::is_none) && ascii.is_none() && !stats;
+    let mut files = files.into_iter();
+    let (mut png, gif) = (files.next().flatten(), files.next().flatten());
     let unasked = nothing && look.is_some();
     if unasked {
         let mut name = scene.file_stem().unwrap_or_default().to_os_string();
@@ -117,10 +115,7 @@ pub(crate) fn read() -> Result<Options, String> {
         png,
         gif,
         frames,
-        ids,
-        depth,
-        used,
-        texels,
+        more: more.iter().zip(files).filter_map(|(output, file)| Some((output, file?))).collect(),
         ascii,
         style,
         format,
@@ -212,7 +207,7 @@ fn edges(given: &ArgMatches, mode: Mode) -> Result<Option<f64>, String> {
 }
 
 /// The options of the camera, which are for meshes alone.
-fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look>, String> {
+fn look(given: &mut ArgMatches, scene: &Path, ascii: bool, is_raw: bool) -> Result<Option<Look>, String> {
     if !import::is_model(scene) {
         if !scene.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
             return Err(format!(
@@ -261,9 +256,7 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look
         return Err(format!("--fov: {} has no field of view", projection.name));
     }
     let field_of_view = angle("fov", None, projection.field_of_view(), 1.0, 170.0)?;
-    // Other programs read these outputs and rely on their defaults.
-    let raw = ["ids", "depth", "used", "texels"].iter().any(|name| given.contains_id(name));
-    let usual = match (ascii, raw || given.contains_id("gif")) {
+    let usual = match (ascii, is_raw || given.contains_id("gif")) {
         _ if given.contains_id("firmware") => "240x240",
         (true, _) => "160x120",
         (false, true) => "320x240",

@@ -1,13 +1,15 @@
 //! The command: from its options to its output files.
 
+use crate::arguments;
 use crate::firmware::{self, Code};
 use crate::model::Look;
 use crate::options::{self, Options};
 use crate::paint::{Report, Subject};
 use crate::quantised::{self, Quantised};
 use crate::scene::Scene;
-use crate::{ascii, texture, turntable, used};
+use crate::{ascii, texture, turntable};
 use crate::{import, model, picture};
+use clap::ArgMatches;
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use pinhole::{Angle, Statistics};
@@ -17,19 +19,34 @@ use std::cell::LazyCell;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+/// An output of a scene beside pictures, which another program adds to the command.
+pub struct Output {
+    /// The option that names its file.
+    pub name: &'static str,
+    pub help: &'static str,
+    /// Whether it shows faces, and so excludes modes of lines.
+    pub needs_faces: bool,
+    /// The bytes of the file, and the statistics of what was drawn for it.
+    pub bytes: fn(&Scene, &Quantised) -> Result<(Vec<u8>, Option<Statistics>), String>,
+}
+
 /// Runs the command. `code` draws the firmware's picture.
 pub fn run(code: &Code) -> ExitCode {
-    command::run(|| -> Result<ExitCode, String> {
-        let options = options::read()?;
-        match options
-            .firmware
-            .filter(|_| code.project.is_none())
-            .and_then(|_| firmware::project(&options.scene))
-        {
-            Some(project) => firmware::run_in(&project),
-            None => draw(&options, code).map(|()| ExitCode::SUCCESS),
-        }
-    })
+    command::run(|| drawn(command::matches(arguments::command(&[]))?, code, &[]))
+}
+
+/// Runs a parsed command line with more outputs than pictures.
+///
+/// # Errors
+///
+/// The message to print.
+pub fn drawn(given: ArgMatches, code: &Code, more: &'static [Output]) -> Result<ExitCode, String> {
+    let options = options::read(given, more)?;
+    match options.firmware.filter(|_| code.project.is_none()).and_then(|_| firmware::project(&options.scene))
+    {
+        Some(project) => firmware::run_in(&project),
+        None => draw(&options, code).map(|()| ExitCode::SUCCESS),
+    }
 }
 
 fn draw(options: &Options, code: &Code) -> Result<(), String> {
@@ -80,21 +97,10 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
     let (quantised, used) = Quantised::settle(&scene).map_err(named)?;
     // The statistics of any one output: all outputs draw the same faces or edges.
     let (mut report, mut text) = (None, None);
-    if options.ids.is_some() || options.depth.is_some() {
-        let solid = crate::draw::solid(&used, &quantised).map_err(named)?;
-        if let Some(path) = &options.ids {
-            let ids = solid.ids.pixels().iter().flat_map(|seen| seen.index().to_le_bytes());
-            outputs.add(path, &ids.collect::<Vec<_>>())?;
-        }
-        if let Some(path) = &options.depth {
-            outputs.add(path, &solid.depth.iter().flat_map(|d| d.to_le_bytes()).collect::<Vec<_>>())?;
-        }
-        report = Some(Report { statistics: solid.statistics, ..Report::default() });
-    }
-    if let Some(path) = &options.texels {
-        let (numbers, drawn) = texture::numbers(&used, &quantised)?;
-        outputs.add(path, &numbers.iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<_>>())?;
-        report = Some(Report { statistics: drawn, ..Report::default() });
+    for (output, path) in &options.more {
+        let (bytes, drawn) = (output.bytes)(&used, &quantised).map_err(named)?;
+        outputs.add(path, &bytes)?;
+        report = drawn.map(|statistics| Report { statistics, ..Report::default() }).or(report);
     }
     let subject = LazyCell::new(|| Subject::with_edges(&used, options.style.mode, options.least_turn));
     let picture = || picture::picture(&subject, (&used, &quantised), &options.style, options.format);
@@ -109,9 +115,6 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
         let (lines, drawn) = ascii::text(&subject, from, &options.style, characters).map_err(named)?;
         text = Some(lines);
         report = Some(drawn);
-    }
-    if let Some(path) = &options.used {
-        outputs.add(path, used::json(&used).as_bytes())?;
     }
     let told = options.stats || options.unasked || (outputs.is_empty() && text.is_none());
     if told && report.is_none() {
@@ -253,7 +256,7 @@ fn tell(
     }
     if written.is_empty() && options.ascii.is_none() {
         command::say(format_args!(
-            "{}: nothing was written: give --png FILE for the picture, or --ascii, --ids, --depth, --texels or --used",
+            "{}: nothing was written: give --png FILE for the picture, or --ascii for text",
             options.scene.display()
         ))?;
     }

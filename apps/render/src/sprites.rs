@@ -5,7 +5,6 @@ use crate::picture_file;
 use crate::scene::LARGEST;
 use embedded_graphics::geometry::{AnchorPoint, Point};
 use embedded_graphics::primitives::{Circle, ContainsPoint};
-use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -58,9 +57,9 @@ pub enum Anchor {
 /// Texels of a disc whose size is given in world units.
 const DISC: u32 = 64;
 
-pub(crate) const SHAPES: [(&str, Shape); 2] = [("square", Shape::Square), ("disc", Shape::Disc)];
+pub const SHAPES: [(&str, Shape); 2] = [("square", Shape::Square), ("disc", Shape::Disc)];
 
-pub(crate) const ANCHORS: [(&str, AnchorPoint); 9] = [
+pub const ANCHORS: [(&str, AnchorPoint); 9] = [
     ("center", AnchorPoint::Center),
     ("top-left", AnchorPoint::TopLeft),
     ("top-center", AnchorPoint::TopCenter),
@@ -247,44 +246,5 @@ impl SceneSprites {
             SpriteSize::Height(height) => SpriteSize::Height(number(height)),
         };
         Self { points: self.points.iter().map(|point| point.map(&number)).collect(), size, ..self.clone() }
-    }
-
-    /// The entry in a scene file. `number` writes a number with all digits, `file` the path of a file.
-    pub(crate) fn json(&self, number: impl Fn(f64) -> String, file: impl Fn(&Path) -> String) -> String {
-        let color = |[r, g, b]: [u8; 3]| format!("[{r}, {g}, {b}]");
-        let list =
-            |items: &mut dyn Iterator<Item = String>| format!("[{}]", items.collect::<Vec<_>>().join(", "));
-        let points = list(&mut self.points.iter().map(|point| list(&mut point.iter().map(|&c| number(c)))));
-        let mut fields = Vec::new();
-        let mut field = |name: &str, value: &dyn Display| fields.push(format!("\"{name}\": {value}"));
-        match &self.picture {
-            SpritePicture::File { path, key, .. } => {
-                field("picture", &file(path));
-                key.iter().for_each(|&key| field("key", &color(key)));
-            }
-            SpritePicture::Ready(shape, own) => {
-                let name = SHAPES.iter().find(|(_, known)| known == shape).map_or("", |(name, _)| name);
-                field("picture", &format_args!("\"{name}\""));
-                field("color", &color(*own));
-            }
-        }
-        match self.size {
-            SpriteSize::Pixels(pixels) => field("pixels", &pixels),
-            SpriteSize::World(size) => field("size", &list(&mut size.iter().map(|&side| number(side)))),
-            SpriteSize::Height(height) => field("height", &number(height)),
-        }
-        match self.anchor {
-            Anchor::Named(anchor) => {
-                let name = ANCHORS.iter().find(|(_, known)| *known == anchor).map_or("", |(name, _)| name);
-                field("anchor", &format_args!("\"{name}\""));
-            }
-            Anchor::Texel([column, row]) => field("anchor", &format_args!("[{column}, {row}]")),
-        }
-        self.alpha.iter().for_each(|alpha| field("alpha", alpha));
-        if !self.depth_tested {
-            field("depth", &"\"none\"");
-        }
-        field("at", &points);
-        format!("{{{}}}", fields.join(", "))
     }
 }

@@ -48,9 +48,9 @@ fn full_output_is_an_error() {
 fn input_is_not_overwritten() {
     for (input, line) in [
         ("m.obj", "m.obj --png"),
-        ("m.obj", "m.obj --ids new --gif"),
-        ("s.json", "s.json --used"),
-        ("m.obj", "s.json --depth"),
+        ("m.obj", "m.obj --png new --gif"),
+        ("s.json", "s.json --png"),
+        ("m.obj", "s.json --png"),
     ] {
         testing::input_is_not_overwritten(RENDER, &folder("input"), input, line);
     }
@@ -73,14 +73,16 @@ fn failed_write_changes_nothing() {
 #[test]
 fn full_device_leaves_other_outputs_unchanged() {
     let to = folder("device");
-    fs::write(to.join("ids"), "before").unwrap();
+    fs::write(to.join("film"), "before").unwrap();
     // --png is written last.
-    let line = "m.obj --size 16x16 --ids ids --depth new --png /dev/full";
+    let line = "m.obj --size 16x16 --gif film --frames 2 --png /dev/full";
     let text = testing::refusal(&RENDER.run_in(&to, &words(line)));
     assert!(text.starts_with("/dev/full: cannot be written: "), "{text}");
-    assert_eq!(fs::read(to.join("ids")).unwrap(), b"before");
-    assert!(!to.join("new").exists());
+    assert_eq!(fs::read(to.join("film")).unwrap(), b"before");
     // A device that takes the bytes is written to, and stays a device.
-    let done = RENDER.run_in(&to, &words("m.obj --size 1x1 --depth new --ids /dev/stdout"));
-    assert!(done.status.success() && done.stdout.len() > 4 && to.join("new").exists(), "{done:?}");
+    let done = RENDER.run_in(&to, &words("m.obj --size 1x1 --gif new --frames 2 --png /dev/stdout"));
+    assert!(
+        done.status.success() && done.stdout.starts_with(b"\x89PNG") && to.join("new").exists(),
+        "{done:?}"
+    );
 }

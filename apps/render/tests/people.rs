@@ -195,120 +195,6 @@ fn doubts_are_the_importer_s_and_options_mend_them() {
     refusal(&RENDER.run(&[self::text(&mixed), "--png", self::text(&to)]));
 }
 
-/// The triangles seen in a picture of 200 × 200 of a cube.
-fn cube_ids(projection: &str, more: &[&str]) -> Vec<i32> {
-    let to = RENDER.folder("people_ids", projection);
-    let (file, ids) = (write(&to, "cube.obj", obj([1.0; 3])), to.join("ids"));
-    let frame = ["--frame", "outline", "--size", "200x200"];
-    let flags = [&[text(&file), "--projection", projection, "--ids", text(&ids)], &frame[..]].concat();
-    let done = RENDER.run(&[&flags[..], more].concat());
-    assert!(done.status.success(), "{done:?}");
-    let bytes = fs::read(&ids).unwrap();
-    bytes.chunks(4).map(|b| i32::from_le_bytes(b.try_into().unwrap())).collect()
-}
-
-#[test]
-fn parallel_projections_have_the_extents_of_their_definitions() {
-    // Of a unit cube, for a view plane normal n: right u = y × n, up v = n × u, and its sides are seen as long as the
-    // sums of their components.
-    let along = |[x, y, z]: [f64; 3]| {
-        let (n, h) = ((x * x + y * y + z * z).sqrt(), x.hypot(z));
-        let u = [z / h, 0.0, -x / h];
-        let v = [-y * x / (h * n), h / n, -y * z / (h * n)];
-        [u, v].map(|axis| axis.iter().map(|c| c.abs()).sum::<f64>())
-    };
-    let (sin, cos) = 30f64.to_radians().sin_cos();
-    let root = 0.5f64.sqrt();
-    for (name, [width, height]) in [
-        ("front", [1.0, 1.0]),
-        ("back", [1.0, 1.0]),
-        ("left", [1.0, 1.0]),
-        ("right", [1.0, 1.0]),
-        ("top", [1.0, 1.0]),
-        ("bottom", [1.0, 1.0]),
-        ("isometric", along([1.0, 1.0, 1.0])),
-        ("dimetric", along([2.0, 1.0, 2.0])),
-        ("trimetric", along([1.0, 2.0, 3.0])),
-        // What recedes is drawn at 45 or 60 degrees, 1, 1/2 or 3/4 times as long.
-        ("cavalier", [1.0 + root, 1.0 + root]),
-        ("cabinet", [1.0 + root / 2.0, 1.0 + root / 2.0]),
-        ("oblique", [1.0 + 0.75 * sin, 1.0 + 0.75 * cos]),
-        // The plan turned by 30 degrees, and the height above it.
-        ("military", [cos + sin, cos + sin + 1.0]),
-    ] {
-        let ids = cube_ids(name, &[]);
-        let drawn: Vec<_> = ids.iter().map(|id| *id >= 0).collect();
-        let [[left, right], [top, bottom]] = extent(&drawn, 200);
-        // The larger one fills 184 of the 200 pixels; rounding to pixels moves each figure by at most one.
-        let scale = 184.0 / width.max(height);
-        let near = |pixels: usize, extent: f64| (pixels as f64 - extent * scale).abs() < 1.5;
-        assert!(
-            near(right - left, width) && near(bottom - top, height),
-            "{name}: {left} {right} {top} {bottom}"
-        );
-    }
-}
-
-#[test]
-fn sides_that_are_seen_are_those_of_the_name() {
-    // Sides by triangle: front, back, right, left, top, bottom.
-    let seen = |name| {
-        let sides: BTreeSet<_> =
-            cube_ids(name, &[]).into_iter().filter(|id| *id >= 0).map(|id| id / 2).collect();
-        sides.into_iter().collect::<Vec<_>>()
-    };
-    for (name, sides) in [
-        ("front", &[0][..]),
-        ("back", &[1]),
-        ("right", &[2]),
-        ("left", &[3]),
-        ("top", &[4]),
-        ("bottom", &[5]),
-        ("isometric", &[0, 2, 4]),
-        ("cavalier", &[0, 2, 4]),
-        ("military", &[0, 2, 4]),
-        ("perspective", &[0, 2, 4]),
-        ("one-point", &[0, 2, 4]),
-        ("three-point", &[0, 2, 4]),
-        // Sides that recede are larger than the front, and turned to the eye: all five.
-        ("reverse", &[0, 2, 3, 4, 5]),
-    ] {
-        assert_eq!(seen(name), sides, "{name}");
-    }
-}
-
-#[test]
-fn uprights_and_fronts_stay_so_where_the_name_says_it() {
-    let side = |name: &str, side: i32| {
-        let ids = cube_ids(name, &[]);
-        ids.iter().map(|id| id / 2 == side && *id >= 0).collect::<Vec<_>>()
-    };
-    // One-point: the front is a square, all of it.
-    let front = side("one-point", 0);
-    let [[left, right], [top, bottom]] = extent(&front, 200);
-    assert!((right - left).abs_diff(bottom - top) <= 1);
-    assert_eq!(front.iter().filter(|seen| **seen).count(), (right - left) * (bottom - top));
-    // Two-point: the front's left edge is upright, and longer than what is above or below it of the front: many rows
-    // begin in one column. In a three-point perspective it leans.
-    let upright = |name: &str| {
-        let front = side(name, 0);
-        let firsts: Vec<_> = front.chunks(200).filter_map(|row| row.iter().position(|seen| *seen)).collect();
-        let longest = firsts.chunk_by(|a, b| a == b).map(<[_]>::len).max().unwrap();
-        longest as f64 / firsts.len() as f64
-    };
-    assert!(upright("two-point") > 0.4 && upright("off-axis") > 0.4, "{}", upright("two-point"));
-    assert!(upright("three-point") < 0.2, "{}", upright("three-point"));
-}
-
-#[test]
-fn the_eye_goes_where_it_is_told() {
-    let yaw_and_pitch = cube_ids("perspective", &["--yaw", "-120", "--pitch", "-35"]);
-    assert!(cube_ids("perspective", &["--from", "-120,-35"]) == yaw_and_pitch);
-    // From behind, the left, and below.
-    let sides: BTreeSet<_> = yaw_and_pitch.iter().filter(|id| **id >= 0).map(|id| id / 2).collect();
-    assert_eq!(sides, [1, 3, 5].into());
-}
-
 #[test]
 fn colours_are_those_that_were_named() {
     let file = write(&RENDER.folder("people", "colours"), "cube.obj", obj([1.0; 3]));
@@ -343,13 +229,13 @@ fn materials_are_shown_unless_a_colour_is_named() {
         faces[6..].concat()
     );
     let file = write(&to, "m.obj", text);
-    let (png, used, again) = (to.join("p.png"), to.join("used.json"), to.join("again.png"));
+    let png = to.join("p.png");
     let flags = ["--size", "60x60", "--mode", "flat", "--png", self::text(&png)];
     let run = |file: &Path, more: &[&str]| {
         let done = RENDER.run(&[&[self::text(file)], more].concat());
         assert!(done.status.success(), "{done:?}");
     };
-    run(&file, &[&flags[..], &["--used", self::text(&used)]].concat());
+    run(&file, &flags);
     let picture = Picture::read(&png);
     // Sides are lit: of red some red, of blue some blue; the top has the grey of no material.
     let kinds = |picture: &Picture| {
@@ -363,9 +249,6 @@ fn materials_are_shown_unless_a_colour_is_named() {
     };
     assert_eq!(picture.colors().len(), 4);
     assert_eq!(kinds(&picture), ["blue", "grey", "paper", "red"].into());
-    // The scene that was used has the colours, too.
-    run(&used, &["--mode", "flat", "--png", self::text(&again)]);
-    assert!(Picture::read(&again).pixels == picture.pixels);
     // A colour that is named is that of all faces, and so it is for lines.
     run(&file, &[&flags[..], &["--colour", "red"]].concat());
     assert_eq!(kinds(&Picture::read(&png)), ["paper", "red"].into());
@@ -650,7 +533,7 @@ fn messages_for_bad_options_name_the_alternatives() {
         (&["--from", "3,4", "--yaw", "5"], &["--from: ", "--yaw"]),
         (&["--projection", "two-point", "--pitch", "80"], &["--pitch: 80", "two-point"]),
         (&["--projection", "isometric", "--fov", "50"], &["--fov: isometric has no field of view"]),
-        (&["--ids", gif, "--colour", "red"], &["--colour: applies to pictures alone: give --png"]),
+        (&["--stats", "--colour", "red"], &["--colour: applies to pictures alone: give --png"]),
         (&["--ascii", "--no-dither"], &["--no-dither: applies to pictures alone"]),
         (&["--up", "w"], &["'w' for '--up <AXIS>'", "[possible values: x, y, z, -x, -y, -z]"]),
         (&["--frame", "box"], &["--frame: box", "sphere, outline"]),

@@ -13,12 +13,19 @@ use std::process::{Command, Output, Stdio};
 pub struct Program {
     file: &'static str,
     scratch: &'static str,
+    subcommand: Option<&'static str>,
 }
 
 impl Program {
     /// `file` is `env!("CARGO_BIN_EXE_NAME")`, `scratch` is `env!("CARGO_TARGET_TMPDIR")`.
     pub const fn new(file: &'static str, scratch: &'static str) -> Self {
-        Self { file, scratch }
+        Self { file, scratch, subcommand: None }
+    }
+
+    /// A subcommand of the program.
+    #[must_use]
+    pub const fn subcommand(self, name: &'static str) -> Self {
+        Self { subcommand: Some(name), ..self }
     }
 
     /// Runs the program.
@@ -34,7 +41,7 @@ impl Program {
     /// The program with its arguments and working folder, not started yet.
     pub fn command<S: AsRef<OsStr>>(&self, folder: &Path, arguments: &[S]) -> Command {
         let mut command = Command::new(self.file);
-        command.args(arguments).current_dir(folder);
+        command.args(self.subcommand).args(arguments).current_dir(folder);
         command
     }
 

@@ -1,6 +1,6 @@
 //! Checks whether a change has made S1, S2 or S3 slower on M0 or M3: `baseline.txt` has their counts at the time when it was
 //! written. The targets stay, however often the baseline is written again. The baseline also has the instructions of textures by each
-//! method of `docs/accuracy.md`, which `apps/accuracy` reads from it: for these, a count fails if it is too high or too low. Sizes of
+//! method of `docs/accuracy.md`, which `tools/measure` reads from it: for these, a count fails if it is too high or too low. Sizes of
 //! images for an M3 are compared with their limits.
 
 use crate::cells::{self, Cell, Choice};

@@ -4,7 +4,7 @@
 use support::bridge;
 use support::oracle;
 #[allow(dead_code)] // other ways to give a vertex, and classes of depth
-#[path = "../../../apps/accuracy/src/population.rs"]
+#[path = "../../measure/src/accuracy/population.rs"]
 mod population;
 
 mod about;

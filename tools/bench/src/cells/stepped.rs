@@ -2,7 +2,7 @@
 //! at its end, and are linear in between, whatever the error (the inner loop of *Quake*: Abrash, *Graphics Programming Black Book*,
 //! chapter 68). All else is the library's: the same triangles, the same rows, the same loop over pixels in memory.
 //!
-//! `apps/accuracy` measures the error of this file, and `tools/bench/run cells X1 X2 X3 X4` its instructions.
+//! `tools/measure` measures the error of this file, and `tools/bench/run cells X1 X2 X3 X4` its instructions.
 
 use core::iter::successors;
 use pinhole::clip::Barycentric;

@@ -2,7 +2,7 @@
 
 use super::methods::METHODS;
 
-const BASELINE: &str = include_str!("../../../../tools/bench/baseline.txt");
+const BASELINE: &str = include_str!("../../../../bench/baseline.txt");
 /// The variant of each of the [`METHODS`] there.
 const VARIANTS: [&str; METHODS.len()] = ["plain", "eighth", "sixteenth", "each", "every16"];
 

@@ -1,18 +1,18 @@
-//! The visible triangle of each pixel and its depth, for other programs.
+//! The visible triangle of each pixel and its depth.
 
-use crate::parts::parts;
-use crate::quantised::Quantised;
-use crate::scene::Scene;
 use embedded_graphics::pixelcolor::raw::RawU32;
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{Cull, DepthBuffer, Mesh, ScreenVertex, SpanShader, Statistics};
 use pinhole_apps_support::canvas::Canvas;
+use pinhole_render::parts::parts;
+use pinhole_render::quantised::Quantised;
+use pinhole_render::scene::Scene;
 
 /// A "colour" that holds the index of the visible triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Seen(u32);
+pub(super) struct Seen(u32);
 
 impl PixelColor for Seen {
     type Raw = RawU32;
@@ -22,33 +22,33 @@ impl Seen {
     const NONE: Self = Self(u32::MAX);
 
     /// A pixel that shows a number of less than 31 bits.
-    pub(crate) const fn number(number: u32) -> Self {
+    pub(super) const fn number(number: u32) -> Self {
         Self(number)
     }
 
     /// The number, such as the triangle's index; -1 for none.
-    pub(crate) fn index(self) -> i32 {
+    pub(super) fn index(self) -> i32 {
         self.0 as i32 // a scene of 2^31 triangles has no room in memory
     }
 }
 
-pub(crate) struct Solid {
-    pub(crate) ids: Canvas<Seen>,
-    pub(crate) depth: Vec<u16>,
-    pub(crate) statistics: Statistics,
+pub(super) struct Drawn {
+    pub(super) ids: Canvas<Seen>,
+    pub(super) depth: Vec<u16>,
+    pub(super) statistics: Statistics,
 }
 
-/// Draws the index of each triangle with depth test.
-pub(crate) fn solid(scene: &Scene, quantised: &Quantised) -> Result<Solid, String> {
-    faces(scene, quantised, |face| Seen(face as u32))
+/// Draws the index of each triangle.
+pub(super) fn indices(scene: &Scene, quantised: &Quantised) -> Result<Drawn, String> {
+    draw(scene, quantised, |face| Seen(face as u32))
 }
 
 /// Draws all triangles with depth test, each with the shader of its index.
-pub(crate) fn faces<S: SpanShader<Seen>>(
+pub(super) fn draw<S: SpanShader<Seen>>(
     scene: &Scene,
     quantised: &Quantised,
     shader: impl Fn(usize) -> S,
-) -> Result<Solid, String> {
+) -> Result<Drawn, String> {
     let size = Size::new(scene.width, scene.height);
     let mut ids = Canvas::new(size, Seen::NONE);
     let mut storage = vec![0; ids.pixels().len()];
@@ -66,5 +66,5 @@ pub(crate) fn faces<S: SpanShader<Seen>>(
         let Ok(drawn) = instance.depth_tested(id, &mut corners, &mut depth, &mut ids);
         statistics = statistics.and(drawn);
     }
-    Ok(Solid { ids, depth: storage, statistics })
+    Ok(Drawn { ids, depth: storage, statistics })
 }

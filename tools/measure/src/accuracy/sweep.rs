@@ -1,10 +1,10 @@
 //! Transforms vertices by the library and, from the same bits, in f64.
 
+use super::figures::Errors;
+use super::population::{Design, Object, Population, DESIGNS, RANGES, VERTICES};
 use crate::bridge::{point, scalar, vector};
-use crate::figures::Errors;
 use crate::oracle::chain::{self, V3};
 use crate::oracle::rng::Rng;
-use crate::population::{Design, Object, Population, DESIGNS, RANGES, VERTICES};
 use pinhole::space::{Model, World};
 use pinhole::{Affine, Camera, Coordinate, Mesh, Scalar};
 
@@ -136,7 +136,7 @@ pub(crate) fn sweep(population: &Population) -> Result<Sweep, String> {
             if design.0 == Design::Point {
                 for _ in 0..VERTICES {
                     let Some(at) = population.target(&mut rng, &bits, &exact) else { continue };
-                    let world = crate::population::world(&exact.view, at);
+                    let world = super::population::world(&exact.view, at);
                     let Some(world) = crate::bridge::pair::bits(world) else { continue };
                     let seen = single(&camera, world).map_err(|e| e.to_string())?;
                     one(seen, &chain::IDENTITY, chain::fx3(world), 0.0)?;

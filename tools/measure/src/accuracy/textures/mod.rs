@@ -4,10 +4,10 @@ mod costs;
 mod methods;
 mod plot;
 mod scenes;
-#[path = "../../../../tools/bench/src/cells/stepped.rs"]
+#[path = "../../../../bench/src/cells/stepped.rs"]
 mod stepped;
 
-use crate::figures::{decimal, Errors};
+use crate::accuracy::figures::{decimal, Errors};
 use crate::oracle::chain;
 use crate::oracle::texture::{off_repeated, Ray};
 use methods::{Method, Shown, METHODS, TEXELS};

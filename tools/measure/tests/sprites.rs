@@ -5,7 +5,8 @@ use serde_json::{json, Value};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const RENDER: Program = Program::new(env!("CARGO_BIN_EXE_pinhole-render"), env!("CARGO_TARGET_TMPDIR"));
+const RENDER: Program =
+    Program::new(env!("CARGO_BIN_EXE_pinhole-measure"), env!("CARGO_TARGET_TMPDIR")).subcommand("render");
 const WIDTH: usize = 32;
 const HEIGHT: usize = 16;
 

@@ -5,7 +5,8 @@ use serde_json::{json, Value};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const RENDER: Program = Program::new(env!("CARGO_BIN_EXE_pinhole-render"), env!("CARGO_TARGET_TMPDIR"));
+const RENDER: Program =
+    Program::new(env!("CARGO_BIN_EXE_pinhole-measure"), env!("CARGO_TARGET_TMPDIR")).subcommand("render");
 
 /// A triangle in front of a triangle, in a picture of 8 × 6.
 fn scene() -> Value {

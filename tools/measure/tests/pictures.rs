@@ -12,7 +12,8 @@ use support::oracle::chain::{matmul4, M4, V3};
 use support::oracle::picture::{compare, Comparison, Scene};
 use support::oracle::rng::Rng;
 
-const RENDER: Program = Program::new(env!("CARGO_BIN_EXE_pinhole-render"), env!("CARGO_TARGET_TMPDIR"));
+const RENDER: Program =
+    Program::new(env!("CARGO_BIN_EXE_pinhole-measure"), env!("CARGO_TARGET_TMPDIR")).subcommand("render");
 
 fn text(path: &Path) -> &str {
     path.to_str().unwrap()

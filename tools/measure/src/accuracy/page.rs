@@ -1,11 +1,11 @@
 //! The text of docs/accuracy.md.
 
-use crate::figures::{binary, decimal};
-use crate::functions::{self, Measured};
-use crate::grouped::grouped;
-use crate::population::{DESIGNS, POPULATIONS, RANGES};
-use crate::sweep::{sweep, Pair, Sweep, COUNT};
-use crate::textures;
+use super::figures::{binary, decimal};
+use super::functions::{self, Measured};
+use super::grouped::grouped;
+use super::population::{DESIGNS, POPULATIONS, RANGES};
+use super::sweep::{sweep, Pair, Sweep, COUNT};
+use super::textures;
 use std::fmt::Write as _;
 
 /// The bounds that [`pinhole::MeshInstance::project`] and [`pinhole::Camera::project`] document, in px and in depth steps.
@@ -20,7 +20,7 @@ const HEAD: &str = "\
 How far the integers are from exact results, measured. This page is written by
 
 ```sh
-cargo run --release -p pinhole-accuracy
+cargo run --release -p pinhole-measure -- accuracy
 ```
 
 and CI checks that it is current (`-- --check`). The reference is f64 from the same quantised inputs: the bits of

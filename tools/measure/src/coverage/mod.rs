@@ -1,0 +1,82 @@
+//! The rasteriser alone: draws triangles and lines from a JSON file and counts how often each pixel is drawn.
+
+mod picture;
+
+use clap::{value_parser, Arg, ArgMatches, Command};
+use picture::Picture;
+use pinhole::raster::{Pixel, ScreenPoint, GUARD_BAND};
+use pinhole_apps_support::{command, files};
+use pinhole_render::json::{self, Whole};
+use serde::Deserialize;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+const FORMATS: &str = r#"IN.json ("triangles" and "lines" are optional):
+  {"width": W, "height": H,                          pixels, 1 to 4096
+   "triangles": [[x0, y0, x1, y1, x2, y2], ...],     in 1/256 pixel, from -2097152 to 2097152
+   "lines": [[x0, y0, x1, y1], ...]}                 in whole pixels, from -32767 to 32767
+All numbers are integers; 8.0 is one. x runs right, y down; pixel (i, j) has its centre
+at (256 i + 128, 256 j + 128).
+
+OUT: for each pixel, row by row from the top, a little-endian u32: how many triangles and lines drew it.
+
+Bad input: one line on stderr, exit code 2, and OUT is not changed."#;
+
+/// A coordinate of a triangle.
+type Subpixels = Whole<{ -GUARD_BAND * 256 }, { GUARD_BAND * 256 }>;
+/// A coordinate of a line. The documented range is symmetric; `Pixel` could hold -32768 too.
+type Pixels = Whole<-32_767, 32_767>;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Input {
+    width: Whole<1, 4096>,
+    height: Whole<1, 4096>,
+    #[serde(default)]
+    triangles: Vec<[Subpixels; 6]>,
+    #[serde(default)]
+    lines: Vec<[Pixels; 4]>,
+}
+
+pub(crate) fn command() -> Command {
+    let path = |name, help| Arg::new(name).required(true).help(help).value_parser(value_parser!(PathBuf));
+    Command::new("coverage")
+        .about("Rasterises triangles and lines, and counts how often each pixel is drawn")
+        .arg(path("IN.json", "The triangles and lines to draw"))
+        .arg(path("OUT", "The file for the counts"))
+        .after_help(FORMATS)
+}
+
+pub(crate) fn run(mut given: ArgMatches) -> Result<ExitCode, String> {
+    let mut path = |name| given.remove_one::<PathBuf>(name).unwrap_or_default();
+    draw(&path("IN.json"), &path("OUT")).map(|()| ExitCode::SUCCESS)
+}
+
+fn draw(from: &Path, to: &Path) -> Result<(), String> {
+    files::apart(from, [to])?;
+    let Input { width, height, triangles, lines } = json::read(from)?;
+    let (width, height) = (width.0 as u16, height.0 as u16); // at most 4096
+    let mut picture = Picture::new(width, height);
+    for [x0, y0, x1, y1, x2, y2] in &triangles {
+        let corners = [(x0, y0), (x1, y1), (x2, y2)].map(|(x, y)| ScreenPoint::from_subpixels(x.0, y.0));
+        // All are inside the guard band.
+        if let [Some(a), Some(b), Some(c)] = corners {
+            picture.triangle([a, b, c]);
+        }
+    }
+    for [x0, y0, x1, y1] in &lines {
+        let pixel = |x: &Pixels, y: &Pixels| Pixel { x: x.0 as i16, y: y.0 as i16 }; // within ±32767
+        picture.line([pixel(x0, y0), pixel(x1, y1)]);
+    }
+    let counts = picture.counts();
+    let bytes: Vec<u8> = counts.iter().flat_map(|count| count.to_le_bytes()).collect();
+    files::write(&[(to, bytes)])?;
+    command::say(format_args!(
+        "{}: {width} x {height} pixels, {} triangles, {} lines; {} pixels drawn, each at most {} times",
+        to.display(),
+        triangles.len(),
+        lines.len(),
+        counts.iter().filter(|&&count| count > 0).count(),
+        counts.iter().max().unwrap_or(&0),
+    ))
+}

@@ -1,0 +1,39 @@
+//! What other programs judge the library by: numbers of a picture, coverage of the rasteriser, and errors of its arithmetic.
+//!
+//! ```text
+//! cargo run --release -p pinhole-measure -- render SCENE --ids IDS --depth DEPTH --used USED.json
+//! cargo run --release -p pinhole-measure -- coverage IN.json OUT
+//! cargo run --release -p pinhole-measure -- accuracy --check
+//! ```
+
+mod accuracy;
+mod coverage;
+mod render;
+
+// Private modules of the library, which are measured directly.
+#[allow(dead_code, unreachable_pub, unused_imports, clippy::wrong_self_convention)]
+#[path = "../../../src/math/mod.rs"]
+mod math;
+#[allow(dead_code, unreachable_pub)]
+#[path = "../../../src/space.rs"]
+mod space;
+
+use clap::Command;
+use pinhole_apps_support::command;
+use std::process::ExitCode;
+use support::{bridge, oracle};
+
+fn main() -> ExitCode {
+    command::run(|| -> Result<ExitCode, String> {
+        let program = Command::new("pinhole-measure")
+            .about("Measures what the library draws")
+            .subcommand_required(true)
+            .subcommands([render::command(), coverage::command(), accuracy::command()]);
+        match command::matches(program)?.remove_subcommand() {
+            Some((name, given)) if name == "render" => render::run(given),
+            Some((name, given)) if name == "coverage" => coverage::run(given),
+            Some((_, mut given)) => accuracy::run(&mut given),
+            None => Ok(ExitCode::from(2)), // the parser has refused it
+        }
+    })
+}

@@ -1,0 +1,113 @@
+//! Writes a scene as JSON with every digit of its numbers.
+
+use pinhole_render::light::Lights;
+use pinhole_render::scene::{Matrix, Scene};
+use pinhole_render::sprites::{Anchor, SceneSprites, SpritePicture, SpriteSize, ANCHORS, SHAPES};
+use std::path::Path;
+
+pub(super) fn json(scene: &Scene) -> String {
+    let matrix = |m: &Matrix| list(m.map(numbers));
+    let mut text = format!(
+        "{{\"vertices\": {},\n\"triangles\": {},\n\"model\": {},\n\"view\": {},\n\"projection\": {},\n\
+         \"width\": {}, \"height\": {}, \"viewport\": {}, \"cull\": \"{}\"",
+        list(scene.vertices.iter().map(|&vertex| numbers(vertex))),
+        list(scene.triangles.iter().map(list)),
+        matrix(&scene.model),
+        matrix(&scene.view),
+        matrix(&scene.projection),
+        scene.width,
+        scene.height,
+        list(scene.viewport),
+        if scene.cull { "back" } else { "none" },
+    );
+    for (name, colors) in [("colors", &scene.colors.faces), ("emission", &scene.colors.emission)] {
+        if !colors.is_empty() {
+            text += &format!(",\n\"{name}\": {}", list(colors.iter().map(list)));
+        }
+    }
+    if let Some(texture) = &scene.texture {
+        let picture = texture.picture.as_ref().map_or_else(|| list(texture.size), |(_, file)| path(file));
+        let uv = list(texture.uv.iter().map(|corners| list(corners.map(numbers))));
+        let wrap = if texture.clamped { ", \"wrap\": \"clamp\"" } else { "" };
+        text += &format!(",\n\"texture\": {picture}, \"uv\": {uv}{wrap}");
+    }
+    if scene.lights != Lights::default() {
+        let lamps = scene.lights.lamps.iter().map(|lamp| {
+            let from = if lamp.is_of_camera { "camera" } else { "world" };
+            let (towards, level) = (numbers(lamp.towards), lamp.level);
+            format!("{{\"towards\": {towards}, \"from\": \"{from}\", \"level\": {level}}}")
+        });
+        let ambient = format!("{{\"ambient\": {}}}", scene.lights.ambient);
+        text += &format!(",\n\"lights\": {}", list(std::iter::once(ambient).chain(lamps)));
+    }
+    if let Some(range) = scene.fog.and_then(|fog| fog.range) {
+        text += &format!(",\n\"fog\": {}", numbers(range));
+    }
+    if !scene.sprites.is_empty() {
+        text += &format!(",\n\"sprites\": {}", list(scene.sprites.iter().map(sprites)));
+    }
+    text + "}\n"
+}
+
+/// An entry of `"sprites"`.
+fn sprites(entry: &SceneSprites) -> String {
+    let mut fields = Vec::new();
+    let mut field = |name: &str, value: String| fields.push(format!("\"{name}\": {value}"));
+    let name = |name: Option<&str>| format!("\"{}\"", name.unwrap_or_default());
+    match &entry.picture {
+        SpritePicture::File { path: file, key, .. } => {
+            field("picture", path(file));
+            key.iter().for_each(|key| field("key", list(key)));
+        }
+        SpritePicture::Ready(shape, color) => {
+            field("picture", name(SHAPES.iter().find(|(_, known)| known == shape).map(|(name, _)| *name)));
+            field("color", list(color));
+        }
+    }
+    match entry.size {
+        SpriteSize::Pixels(pixels) => field("pixels", pixels.to_string()),
+        SpriteSize::World(size) => field("size", numbers(size)),
+        SpriteSize::Height(height) => field("height", decimal(height)),
+    }
+    match entry.anchor {
+        Anchor::Named(anchor) => {
+            field("anchor", name(ANCHORS.iter().find(|(_, known)| *known == anchor).map(|(name, _)| *name)));
+        }
+        Anchor::Texel(texel) => field("anchor", list(texel)),
+    }
+    entry.alpha.iter().for_each(|alpha| field("alpha", alpha.to_string()));
+    if !entry.depth_tested {
+        field("depth", name(Some("none")));
+    }
+    field("at", list(entry.points.iter().map(|&point| numbers(point))));
+    format!("{{{}}}", fields.join(", "))
+}
+
+/// The path of a file from this folder, wherever the scene is written to.
+fn path(file: &Path) -> String {
+    let file = file.canonicalize().unwrap_or_else(|_| file.to_path_buf());
+    serde_json::Value::from(file.to_string_lossy()).to_string()
+}
+
+fn list<T: ToString>(items: impl IntoIterator<Item = T>) -> String {
+    let items: Vec<_> = items.into_iter().map(|item| item.to_string()).collect();
+    format!("[{}]", items.join(", "))
+}
+
+fn numbers<const N: usize>(numbers: [f64; N]) -> String {
+    list(numbers.map(decimal))
+}
+
+/// A number with all its decimal digits: exact, unlike the shortest representation.
+fn decimal(v: f64) -> String {
+    // v = odd · 2^exponent needs −exponent digits after the point.
+    let bits = v.to_bits();
+    let field = (bits >> 52 & 0x7ff) as i32;
+    let fraction = bits & ((1 << 52) - 1);
+    let mantissa = if field == 0 { fraction } else { fraction | 1 << 52 };
+    if mantissa == 0 {
+        return "0".into();
+    }
+    let exponent = field.max(1) - 1075 + mantissa.trailing_zeros() as i32;
+    format!("{v:.*}", (-exponent).max(0) as usize)
+}
