@@ -19,6 +19,9 @@ use std::cell::LazyCell;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+/// The bytes of a file, and the statistics of what was drawn for it.
+pub type Written = (Vec<u8>, Option<Statistics>);
+
 /// An output of a scene beside pictures, which another program adds to the command.
 pub struct Output {
     /// The option that names its file.
@@ -26,8 +29,7 @@ pub struct Output {
     pub help: &'static str,
     /// Whether it shows faces, and so excludes modes of lines.
     pub needs_faces: bool,
-    /// The bytes of the file, and the statistics of what was drawn for it.
-    pub bytes: fn(&Scene, &Quantised) -> Result<(Vec<u8>, Option<Statistics>), String>,
+    pub bytes: fn(&Scene, &Quantised) -> Result<Written, String>,
 }
 
 /// Runs the command. `code` draws the firmware's picture.
