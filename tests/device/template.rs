@@ -328,19 +328,19 @@ fn templates() -> Vec<String> {
     names
 }
 
-/// The README's figures of RAM: 8 bytes for a vertex, 2 for a face and an eighth, 32 for a column of 8 rows, and 15 KB for 500
-/// vertices and 1000 faces with 1 KB for the log.
+/// The README's figures of RAM: 8 bytes for a vertex, 2 for a face, 4 for a pixel of a band, and 15 KB for 500 vertices and 1000
+/// faces with 1 KB for the log.
 #[test]
 fn the_readme_says_how_much_ram_the_template_takes() {
     let buffers = size_of::<pinhole::MeshBuffers<500, { 1000 + 1000_usize.div_ceil(16) }>>();
     let strip = size_of_val(&pinhole::strip_buffers!(embedded_graphics::pixelcolor::Rgb565, 240, 8));
-    assert_eq!((buffers, strip), (500 * 8 + 1063 * 2 + 2, 240 * 32)); // 2 bytes align the next buffer
+    // 2 bytes for 16 faces more, and 2 align the next buffer.
+    assert_eq!((buffers, strip), (500 * 8 + 1063 * 2 + 2, 240 * 8 * 4));
     let readme = read("README.md");
-    let said = "a model of 500 vertices and 1000 faces the template takes 15 KB of RAM plus the stack";
-    assert!(
-        readme.contains(said)
-            && readme.contains("8 bytes for a vertex,\nabout 2 for a face, and 32 for each column")
-    );
+    assert!(readme.contains(
+        "RAM = 8 B per vertex + 2 B per face + 4 B per pixel of a band (colour and depth): 15 KB for"
+    ));
+    assert!(readme.contains("15 KB for 500 vertices, 1000 faces and bands of\n8 × 240 pixels"));
     assert_eq!((buffers + strip + 1024).div_ceil(1000), 15);
 }
 

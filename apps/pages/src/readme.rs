@@ -17,7 +17,7 @@ pub(crate) fn with_table() -> Result<String, String> {
 }
 
 fn table() -> Result<String, String> {
-    let mut lines = vec!["| | pinhole | others |".into(), "|---|--:|---|".into()];
+    let mut lines = vec!["| | pinhole | other libraries |".into(), "|---|--:|---|".into()];
     errors(&mut lines)?;
     speed(&mut lines)?;
     memory(&mut lines)?;
@@ -35,18 +35,14 @@ fn errors(lines: &mut Vec<String>) -> Result<(), String> {
     let [ours, float, fixed] = designs.map(|design| page.cell(&design, "D max"));
     let (ours, float, fixed) = (ours?, float?, fixed?);
     lines.push(format!(
-        "| largest error of a vertex of an object in view, in pixels | {ours} | f32 matrices {float}, Q16.16 matrices {fixed} |"
+        "| largest vertex error before the snap to 1/256 pixel | {ours} | f32 matrices {float}, Q16.16 matrices {fixed} |"
     ));
     Ok(())
 }
 
 fn speed(lines: &mut Vec<String>) -> Result<(), String> {
     let page = Page::read("docs/speed.md")?;
-    for (what, core) in [
-        ("instructions for a frame of 1000 lit triangles with a depth buffer, on a Cortex-M0", "M0"),
-        ("– on a Cortex-M3", "M3"),
-        ("– on a Cortex-M4F, whose FPU only the others use", "M4F"),
-    ] {
+    for core in ["M0", "M3", "M4F"] {
         let row = page.row("The cells", &["S3", "z", core])?;
         let best = match row.get("best rival")? {
             "S3L" => "small3dlib",
@@ -55,7 +51,7 @@ fn speed(lines: &mut Vec<String>) -> Result<(), String> {
             other => return Err(format!("docs/speed.md: {other} has no name for the README")),
         };
         lines.push(format!(
-            "| {what} | {} | {best} {} |",
+            "| instructions, Cortex-{core} | {} | {best} {} |",
             row.get("instructions")?,
             row.after("best rival")?
         ));
@@ -74,17 +70,13 @@ fn memory(lines: &mut Vec<String>) -> Result<(), String> {
     let bands = Page::read("docs/bands.md")?;
     let ram = bands.row("RAM", &["S3"])?.get("together")?;
     lines.push(format!(
-        "| RAM for this frame in bands, stack included, in bytes | {ram} | without bands: {} |",
+        "| RAM with stack, bytes | {ram} in bands | whole frame: {} |",
         others(|peer| peer.depth + peer.frame)
     ));
     let speed = Page::read("docs/speed.md")?;
     let torus = speed.row("Memory", &["S3", "z"])?;
     let code = number(torus.get("flash")?)? - number(torus.get("of that, data")?)?;
-    lines.push(format!(
-        "| code for this frame, without bands, in bytes | {} | {} |",
-        grouped(code),
-        others(|peer| peer.code)
-    ));
+    lines.push(format!("| code, bytes | {} | {} |", grouped(code), others(|peer| peer.code)));
     Ok(())
 }
 
