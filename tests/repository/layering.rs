@@ -1,187 +1,171 @@
-//! The library's modules import each other only as the table in ARCHITECTURE.md allows: each `crate::` and `super::` path
-//! is compared with it.
+//! The library's modules import each other only as the table in ARCHITECTURE.md allows, and no files import each other in a
+//! cycle.
+//!
+//! An import is a path from `crate`, `super`, `self` or a child module in code that is no test. It leads to the file that defines
+//! the name, so a `mod.rs` that only declares and exports again is never part of a cycle.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use support::ROOT;
 
-fn root() -> PathBuf {
-    PathBuf::from(support::ROOT)
-}
+type Graph<'a> = BTreeMap<&'a str, BTreeSet<&'a str>>;
 
-/// The rows of the table: each module with the modules that it may import. `all` means every other module.
-fn table() -> BTreeMap<String, BTreeSet<String>> {
-    let text = fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
-    let rows: Vec<Vec<&str>> = text
-        .lines()
-        .skip_while(|line| !line.starts_with("| module | may import |"))
-        .skip(2)
-        .take_while(|line| line.starts_with('|'))
-        .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
-        .collect();
-    let modules: Vec<String> = rows.iter().map(|row| row[0].trim_matches('`').to_string()).collect();
-    rows.iter()
-        .zip(&modules)
-        .map(|(row, name)| {
-            let imports = match row[1] {
-                "–" => BTreeSet::new(),
-                "all" => modules.iter().filter(|other| *other != name).cloned().collect(),
-                // A remark in parentheses names no module.
-                list => list
-                    .split(',')
-                    .map(|item| item.split('(').next().unwrap_or("").trim().to_string())
-                    .filter(|item| modules.contains(item))
-                    .collect(),
-            };
-            (name.clone(), imports)
-        })
-        .collect()
-}
-
-fn files(folder: &Path, found: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).expect("a folder") {
-        let path = entry.expect("an entry").path();
-        if path.is_dir() {
-            files(&path, found);
-        } else if path.extension().is_some_and(|e| e == "rs") {
-            found.push(path);
-        }
-    }
-}
-
-/// The module of a file, as its path from the crate's root.
-fn module(path: &Path) -> Vec<String> {
-    let relative = path.strip_prefix(root().join("src")).expect("below src");
-    let mut parts: Vec<String> =
-        relative.with_extension("").iter().map(|p| p.to_string_lossy().into_owned()).collect();
-    if parts.last().is_some_and(|last| last == "mod" || last == "lib") {
-        parts.pop();
-    }
-    parts
-}
-
-/// The names right after each `prefix`: one name, or the names of a group in braces.
-fn heads(code: &str, prefix: &str) -> Vec<String> {
-    let ident = |s: &str| s.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
-    let mut names = Vec::new();
-    let mut rest = code;
-    while let Some(at) = rest.find(prefix) {
-        let whole_word = !rest[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == '$');
-        rest = &rest[at + prefix.len()..];
-        if !whole_word {
-            continue;
-        }
-        if let Some(group) = rest.strip_prefix('{') {
-            let (mut depth, mut start) = (0, 0);
-            for (i, c) in group.char_indices() {
-                match c {
-                    '{' => depth += 1,
-                    '}' if depth == 0 => {
-                        names.push(ident(group[start..i].trim()));
-                        break;
-                    }
-                    '}' => depth -= 1,
-                    ',' if depth == 0 => {
-                        names.push(ident(group[start..i].trim()));
-                        start = i + 1;
-                    }
-                    _ => {}
-                }
+/// The code of each file by its path from `src`, without comments and tests.
+fn sources() -> BTreeMap<String, String> {
+    let src = Path::new(ROOT).join("src");
+    let (mut found, mut folders) = (BTreeMap::new(), vec![src.clone()]);
+    while let Some(folder) = folders.pop() {
+        let paths = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
+        let (inner, files): (Vec<PathBuf>, Vec<PathBuf>) = paths.partition(|path| path.is_dir());
+        folders.extend(inner);
+        for file in files.iter().filter(|file| file.extension().is_some_and(|end| end == "rs")) {
+            let name = file.strip_prefix(&src).expect("below src").to_string_lossy().replace('\\', "/");
+            let (mut code, mut in_test) = (String::new(), false);
+            for line in fs::read_to_string(file).expect("a source").lines() {
+                let line = line.split("//").next().unwrap_or("");
+                in_test |= line == "#[cfg(test)]";
+                code += if in_test { "" } else { line };
+                code.push('\n');
+                // Until the last line of the item.
+                in_test &= line != "}" && (line.starts_with(' ') || !line.ends_with(';'));
             }
-        } else {
-            names.push(ident(rest));
+            found.insert(name, code);
         }
     }
-    names.retain(|name| !name.is_empty());
-    names
-}
-
-/// The top-level modules that a file's code reaches.
-fn reaches(path: &Path) -> BTreeSet<String> {
-    let text = fs::read_to_string(path).expect("source");
-    let code: String =
-        text.lines().map(|line| line.split("//").next().unwrap_or("").to_string() + "\n").collect();
-    let mut found: BTreeSet<String> = heads(&code, "crate::").into_iter().collect();
-    // A file at depth n reaches the top-level modules by n times `super::`. In an inline module the name that follows is
-    // not the name of a top-level module.
-    let supers = heads(&code, &"super::".repeat(module(path).len().max(1)));
-    found.extend(supers.into_iter().filter(|name| table().contains_key(name)));
     found
 }
 
-#[test]
-fn the_table_names_every_module() {
-    let table = table();
-    let mut names = BTreeSet::new();
-    for entry in fs::read_dir(root().join("src")).expect("src") {
-        let path = entry.expect("an entry").path();
-        let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
-        if name != "lib" {
-            names.insert(name);
-        }
-    }
-    assert_eq!(names, table.keys().cloned().collect());
+/// The module of a file, from the crate's root.
+fn module(file: &str) -> Vec<&str> {
+    let parts = file.trim_end_matches(".rs").split('/');
+    parts.filter(|part| *part != "mod" && *part != "lib").collect()
 }
 
-/// What `macro_export` puts at the crate's root and nowhere else, with the types of these names.
-const MACROS: [&str; 4] = ["mesh_buffers", "strip_buffers", "MeshBuffers", "StripBuffers"];
+/// Words, `::` and single characters.
+fn tokens(code: &str) -> Vec<&str> {
+    let (mut found, mut rest) = (Vec::new(), code.trim_start());
+    while let Some(first) = rest.chars().next() {
+        let word = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+        let end = if rest.starts_with("::") { 2 } else { word.max(first.len_utf8()) };
+        found.push(&rest[..end]);
+        rest = rest[end..].trim_start();
+    }
+    found
+}
+
+/// The imports of a file, as paths from the crate's root, but for names that it only exports again.
+fn imports<'a>(file: &'a str, tokens: &[&'a str]) -> Vec<Vec<&'a str>> {
+    let (own, mut found) = (module(file), Vec::new());
+    // The path that is read, those around the open braces of a tree `a::{b, c::d}`, and whether it is exported again.
+    let (mut path, mut around, mut is_exported) = (Vec::new(), Vec::<Vec<&str>>::new(), false);
+    for (at, &token) in tokens.iter().enumerate() {
+        let before = if at > 0 { tokens[at - 1] } else { "" };
+        match token {
+            "use" => is_exported = matches!(before, "pub" | ")"),
+            ";" => is_exported = false,
+            "{" if before == "::" => around.push(path.clone()),
+            "}" => _ = around.pop(),
+            _ => {}
+        }
+        if !token.starts_with(|c: char| c.is_alphabetic() || c == '_') || [token, before].contains(&"as") {
+            continue;
+        }
+        if before != "::" {
+            path = around.last().cloned().unwrap_or_default();
+        }
+        path.push(token);
+        let is_child = || tokens.windows(3).any(|w| w[0] == "mod" && w[1] == path[0] && w[2] == ";");
+        let is_inside = matches!(path[0], "crate" | "super" | "self") || is_child();
+        let is_only_exported = || is_exported && tokens.iter().filter(|other| **other == token).count() == 1;
+        if tokens.get(at + 1) == Some(&"::") || path.len() == 1 || !is_inside || is_only_exported() {
+            continue;
+        }
+        let supers = path.iter().filter(|part| **part == "super").count();
+        let from = if path[0] == "crate" { &[] } else { &own[..own.len() - supers] };
+        let names = path.iter().filter(|part| !matches!(**part, "crate" | "super" | "self"));
+        found.push(from.iter().chain(names).copied().collect());
+    }
+    found
+}
+
+/// The files that each file imports.
+fn graph(files: &BTreeMap<String, String>) -> Graph<'_> {
+    const ITEMS: [&str; 8] = ["fn", "struct", "enum", "trait", "type", "static", "const", "macro_rules"];
+    let tokens: BTreeMap<&str, Vec<&str>> =
+        files.iter().map(|(file, code)| (file.as_str(), tokens(code))).collect();
+    let defines = |file: &str, name: &str| {
+        let items = tokens[file].windows(3).filter(|w| ITEMS.contains(&w[0]));
+        items.into_iter().any(|w| w[1] == name || w[1] == "!" && w[2] == name)
+    };
+    let modules: BTreeMap<Vec<&str>, &str> = tokens.keys().map(|file| (module(file), *file)).collect();
+    let mut edges = Graph::new();
+    for (&file, tokens) in &tokens {
+        for path in imports(file, tokens) {
+            let at = (0..=path.len()).rev().find(|&n| modules.contains_key(&path[..n])).expect("the root");
+            let (Some(name), module) = (path.get(at), &path[..at]) else { continue };
+            // In the module itself, below it, or anywhere; a macro may have made it in the module.
+            let own = [modules[module]]
+                .into_iter()
+                .chain(modules.iter().filter(|other| other.0.starts_with(module)).map(|(_, file)| *file));
+            let target = own.chain(modules.values().copied()).find(|file| defines(file, name));
+            edges.entry(file).or_default().insert(target.unwrap_or(modules[module]));
+        }
+    }
+    edges.iter_mut().for_each(|(file, imports)| _ = imports.remove(file));
+    edges
+}
+
+/// The rows of the table: each module with the modules that it may import. A remark in parentheses names no module.
+fn table() -> BTreeMap<String, BTreeSet<String>> {
+    let text = fs::read_to_string(Path::new(ROOT).join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
+    let rows = text.lines().skip_while(|line| !line.starts_with("| module | may import |")).skip(2);
+    let rows = rows.map_while(|line| line.strip_prefix("| `")?.split_once("` | "));
+    let name = |item: &str| item.split(['(', '|']).next().unwrap_or("").trim().to_string();
+    let list = |cells: &str| {
+        cells.split(" |").next().unwrap_or("").split(", ").map(name).filter(|n| n != "–").collect()
+    };
+    rows.map(|(name, cells)| (name.to_string(), list(cells))).collect()
+}
 
 #[test]
 fn imports_go_one_way() {
-    let table = table();
-    let mut found = Vec::new();
-    files(&root().join("src"), &mut found);
-    assert!(found.len() > 10);
-    let mut edges = 0;
-    for path in found {
-        let Some(own) = module(&path).first().cloned() else {
-            continue; // lib.rs re-exports
-        };
-        for other in reaches(&path) {
-            if own == "prelude" && MACROS.contains(&other.as_str()) {
-                continue;
-            }
-            if other == own || !table.contains_key(&other) {
-                // An item of the file's own module. Items re-exported at the crate's root are for users only.
-                assert!(other == own || other == "tests", "{} reaches crate::{other}", path.display());
-                continue;
-            }
-            edges += 1;
-            assert!(table[&own].contains(&other), "{}: {own} may not import {other}", path.display());
+    let (files, table) = (sources(), table());
+    let edges = graph(&files);
+    for (file, imports) in edges.iter().filter(|(file, _)| **file != "lib.rs") {
+        for other in imports {
+            let (own, from) = (module(file)[0], module(other).first().copied().unwrap_or("the root"));
+            assert!(own == from || table[own].contains(from), "{file}: {own} may not import {from}: {other}");
         }
     }
-    assert!(edges > 10, "only {edges} imports were found: the reader of sources misses some");
+    let modules: BTreeSet<&str> = files.keys().filter_map(|file| module(file).first().copied()).collect();
+    assert!(modules.iter().copied().eq(table.keys()), "the modules, and the rows of the table");
+    // The table itself has an order, and only draw calls attach fast paths.
+    let rows = |name: &'_ str| {
+        table.iter().filter(|row| row.1.contains(name)).map(|row| row.0.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!((rows("pipeline"), rows("fast")), (vec!["prelude".to_string()], vec!["pipeline".to_string()]));
+    let table =
+        table.iter().map(|(name, imports)| (name.as_str(), imports.iter().map(String::as_str).collect()));
+    assert_eq!(cycle(table.collect()), Graph::new());
+}
+
+/// What remains of a graph when what nothing imports, and what imports nothing, is taken away again and again.
+fn cycle(mut edges: Graph<'_>) -> Graph<'_> {
+    for _ in 0..edges.len() {
+        let targets: BTreeSet<&str> = edges.values().flatten().copied().collect();
+        edges.retain(|file, imports| targets.contains(file) && !imports.is_empty());
+        let files: BTreeSet<&str> = edges.keys().copied().collect();
+        edges.values_mut().for_each(|imports| imports.retain(|file| files.contains(file)));
+    }
+    edges
 }
 
 #[test]
-fn the_table_has_the_order_of_the_pipeline() {
-    let table = table();
-    let of = |name: &str| table[name].iter().map(String::as_str).collect::<Vec<_>>();
-    assert_eq!(of("raster"), ["math"]);
-    assert!(!of("camera").contains(&"clip") && !of("clip").contains(&"camera"));
-    // No module reaches itself through its imports.
-    for name in table.keys() {
-        let mut seen = BTreeSet::new();
-        let mut open: Vec<&String> = table[name].iter().collect();
-        while let Some(next) = open.pop() {
-            assert_ne!(next, name, "{name} imports itself through other modules");
-            if seen.insert(next) {
-                open.extend(&table[next]);
-            }
-        }
-    }
-    // The draw calls use everything and nothing uses them; only they attach the fast paths; shaders stand on surfaces. The
-    // prelude, which only exports again, is not part of the pipeline.
-    for (name, imports) in &table {
-        let importers: &[(&str, &[&str])] = &[
-            ("pipeline", &[]),
-            ("fast", &["pipeline"]),
-            ("shading", &["fast", "pipeline"]),
-            ("surface", &["shading", "fast", "pipeline"]),
-        ];
-        for (module, allowed) in importers {
-            let may = name == module || name == "prelude" || allowed.contains(&name.as_str());
-            assert!(may || !imports.contains(*module), "the table lets {name} import {module}");
-        }
-    }
+fn files_of_the_library_form_no_cycle() {
+    let files = sources();
+    let edges = graph(&files);
+    let count: usize = edges.values().map(BTreeSet::len).sum();
+    assert!(count > 600, "only {count} imports were found");
+    assert_eq!(cycle(edges), Graph::new());
 }

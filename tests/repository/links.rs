@@ -99,23 +99,6 @@ fn every_link_leads_somewhere() {
     assert!(found.is_empty(), "dead links:\n{}", found.join("\n"));
 }
 
-#[test]
-fn dead_links_are_found() {
-    let page = Path::new("docs/page.md");
-    let good = "# A title, `b`\n[text](../README.md), `[code](gone.md)`\n```\n[code](gone.md)\n```\n[name]: ../src/lib.rs\n";
-    assert_eq!(dead(page, good), [""; 0]);
-    for bad in [
-        "[text](gone.md)",
-        "[name]: gone.md",
-        "[a](../README.md#gone)",
-        "![p](../../README.md)",
-        "[a](https://b) [c](d.md)",
-    ] {
-        assert_eq!(dead(page, bad).len(), 1, "{bad}");
-    }
-    assert!(anchors("## A title, `b`").contains("a-title-b"));
-}
-
 /// The crate's documentation has no files beside it: `links.md` defines where each page that it names is shown, and `package.rs`
 /// checks that these are published.
 #[test]

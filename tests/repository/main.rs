@@ -1,10 +1,7 @@
 //! Rules about the repository itself.
 
-mod file_cycles;
-mod glossary;
 mod layering;
 mod links;
 mod locks;
 mod package;
-mod preludes;
-mod trait_messages;
+mod public_names;

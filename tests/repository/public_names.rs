@@ -1,0 +1,114 @@
+//! Every public name is in the glossary and in the prelude, and every public trait says what to do.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use support::ROOT;
+
+/// What a program sees that imports both preludes.
+mod both {
+    #[allow(unused_imports)]
+    pub(super) use embedded_graphics::prelude::*;
+    #[allow(unused_imports)]
+    pub(super) use pinhole::prelude::*;
+}
+
+/// Uses each name: one that both preludes export is ambiguous, and does not compile.
+macro_rules! names {
+    ($($name:ident)*) => {
+        $(
+            #[allow(unused_imports)]
+            use both::$name as _;
+        )*
+        const NAMES: &[&str] = &[$(stringify!($name)),*];
+    };
+}
+
+names! {
+    Model View World
+    draw_line edge_faces fill_triangle mesh_buffers strip_buffers Accuracy Affine Alpha AntiAliased AxisError Band BandError BinError BinnedEdges BinnedFaces BinnedScene Blend BlendMode Blended BlinnPhong Camera Channels ClampedTexels ClipPoint ColorKeyed Coordinate CornerValues Cull DepthBuffer DepthBufferError DepthTested Dim DirectionalLight DirtyRegions Dithered ExponentialFog FaceColors FacePlanes Flat Fog FogError FogProfile FogTable Fogged Frame FramingError Frustum Gouraud Half HalfBins HalfBlended HalfTransform Hierarchy HierarchyError IndexKeyed IndexedTexels Inside InverseError Lambert LeastRun LightError Lights LinearFog Lit LitIndexedTexels LitPalette LitTexels LitTextured Matcap MaterialError MatrixError Memory Mesh MeshBuffers MeshError MeshInstance Node NormalMatrix NumberError Object Outcode Painter PainterError PaintersOrder Picked Picture PictureError PixelFormat PixelStore Pixels PlacedScene PlacedSprites PlanarProjection Point3 PointLight ProjectError Projected Projection ProjectionError Quaternion QuaternionError Ray ReferenceVolume RigidLambert Scalar Scene SceneError ScreenDoor ScreenVertex ShadeTable Shader Side SolidTexel SpanShader Sphere SplitBins SplitTransform Sprite SpriteImage SpriteSource SquaredFog Statistics StoredPixel StripBuffers Stroke TableShader Target TexelSlice Texels Texture TextureCoords TextureError Textured Tracked TransferCost TransformedMesh Translucent VanishingPoint Vector3 VertexFog ViewTransform ViewTransformError Viewport ViewportError Visibility Window WithPlanes WithoutPlanes
+}
+
+fn read(path: &str) -> String {
+    fs::read_to_string(Path::new(ROOT).join(path)).expect(path)
+}
+
+/// The names that `pub use module::{...};` and `pub use module::Name;` export.
+fn exported(source: &str) -> BTreeSet<String> {
+    let shown = source.replace("#[doc(hidden)]\npub use ", "");
+    let uses = shown.split("pub use ").skip(1).filter_map(|rest| rest.split(';').next());
+    let items = uses.flat_map(|path| path.rsplit("::").next().unwrap_or("").split(['{', '}', ',']));
+    items.map(|name| name.trim().to_string()).filter(|name| !name.is_empty()).collect()
+}
+
+#[test]
+fn both_preludes_can_be_imported() {
+    let mut root = exported(&read("src/lib.rs"));
+    root.remove("Angle");
+    root.extend(["Model", "View", "World"].map(String::from));
+    root.extend(["mesh_buffers", "strip_buffers"].map(String::from)); // macros: `#[macro_export]` puts them there
+    assert_eq!(NAMES.iter().map(|name| name.to_string()).collect::<BTreeSet<_>>(), root);
+    assert_eq!(exported(&read("src/prelude.rs")), root);
+}
+
+/// The names of public items at the top level of a file.
+fn declared(source: &str) -> BTreeSet<String> {
+    let items = source.lines().filter_map(|line| line.strip_prefix("pub "));
+    let words = |item: &str| {
+        let item = item.replace("const fn ", "fn ");
+        let mut words = item.split(|c: char| !c.is_alphanumeric() && c != '_').map(str::to_string);
+        Some((words.next()?, words.next()?))
+    };
+    let is_item = |kind: &str| ["struct", "enum", "trait", "fn", "const", "type"].contains(&kind);
+    items.filter_map(words).filter(|(kind, _)| is_item(kind)).map(|(_, name)| name).collect()
+}
+
+#[test]
+fn every_public_name_is_in_the_glossary() {
+    let mut public = exported(&read("src/lib.rs"));
+    for file in ["src/clip.rs", "src/meshes.rs", "src/space.rs", "src/raster/mod.rs"] {
+        public.extend(declared(&read(file)));
+    }
+    public.extend(exported(&read("src/raster/mod.rs")));
+    assert!(["Camera", "edge_faces", "Barycentric", "GUARD_BAND", "area"]
+        .iter()
+        .all(|name| public.contains(*name)));
+    // The names in backticks in the third column of the tables, and the parts of `Type::function`.
+    let glossary = read("GLOSSARY.md");
+    let thirds = glossary.lines().filter_map(|line| line.strip_prefix('|')?.split('|').nth(2));
+    let code = thirds.flat_map(|cell| cell.split('`').skip(1).step_by(2));
+    let explained: BTreeSet<&str> = code.flat_map(|name| name.trim_end_matches("()").split("::")).collect();
+    let missing: Vec<_> = public.iter().filter(|name| !explained.contains(name.as_str())).collect();
+    assert!(missing.is_empty(), "GLOSSARY.md has no entry for {missing:?}");
+}
+
+/// The compiler's own message names the trait alone.
+#[test]
+fn every_public_trait_says_what_to_do() {
+    let (mut folders, mut count) = (vec![Path::new(ROOT).join("src")], 0);
+    while let Some(folder) = folders.pop() {
+        for path in fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()) {
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let text = fs::read_to_string(&path).expect("a source");
+            for (at, trait_) in text.match_indices("\npub trait ") {
+                let attributes = text[..at].rsplit("\n\n").next().unwrap_or("");
+                let is_explained =
+                    attributes.contains("#[diagnostic::on_unimplemented(") && attributes.contains("note = ");
+                assert!(
+                    is_explained,
+                    "{}:{trait_} `diagnostic::on_unimplemented` with a note",
+                    path.display()
+                );
+                count += 1;
+            }
+        }
+    }
+    assert!(count >= 12, "only {count} traits were found");
+    // The compiler shows this line where a coordinate has another type.
+    let source = read("src/math/point.rs");
+    let line = source.lines().find(|line| line.contains("fn new(x: Scalar,")).expect("a constructor");
+    assert!(["Scalar::from_int(", "from_ratio(", "from_f32("].iter().all(|way| line.contains(way)), "{line}");
+}
