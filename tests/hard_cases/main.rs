@@ -27,13 +27,13 @@
 //! | D1 the threshold of z-fighting | `depth::d1_*` | f64, all that is two steps apart |
 //! | D2 slivers and extrapolation | `depth::d2_*`; `d2_*` in `src/raster/depth.rs` | the plane in rationals |
 //! | D3 what is stored | `depth::d3_*` | f64 |
-//! | E1 large offsets | `numbers::e1_*`; `tests/camera/vertex_chain.rs` | the same scene at the origin; f64 |
+//! | E1 large offsets | `numbers::e1_*`; `s3_views` in `tests/bounds.rs`; `tests/camera/vertex_chain.rs` | the same scene at the origin; f64 |
 //! | E2 out of Q16.16 | `numbers::e2_*` | f64 |
 //! | E3 parallel up | `setup_errors::e3_*` | exact angles of integer vectors |
-//! | E4 zero, tiny and huge vectors | `numbers::e4_*`, `setup_errors::e4_*` | f64 |
+//! | E4 zero, tiny and huge vectors | `s3_views` in `tests/bounds.rs`; `numbers::e4_*`, `setup_errors::e4_*` | f64 |
 //! | E5 degenerate lenses | `setup_errors::e5_*` | the documented bounds, both sides |
 //! | E6 drift | `numbers::e6_*` | exact fractions of a turn |
-//! | E7 sine and cosine | `numbers::e7_*` | f64 |
+//! | E7 sine and cosine | `e7_*` in `tests/bounds.rs`; `numbers::e7_*` | f64; by hand |
 //! | E8 reciprocal | `e8_reciprocal_is_within_2_to_the_minus_29` in `src/math/num/reciprocal.rs`: it is private | f64 |
 //! | E9 viewports | `viewports::e9_*` | the crop of the whole picture |
 

@@ -5,42 +5,14 @@ use pinhole::space::{Model, World};
 use pinhole::{Affine, Angle, Mesh, Point3, Vector3, ViewTransform};
 use support::bridge::compare::{close3, HALF};
 use support::bridge::draw::{solid, wireframe, Shader, CUBE, CUBE_EDGES, CUBE_FACES};
-use support::bridge::pair::{
-    bits, ints, random_view, rows, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE,
-};
+use support::bridge::pair::{bits, ints, rows, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::{point, reals, scalar, vector};
 use support::oracle::chain::{self, dot, fx3, vertex, V3};
 use support::oracle::rng::Rng;
 use support::oracle::target::Recorder;
 
 #[test]
-fn e7_sine_and_cosine() {
-    let mut rng = Rng::new(0xE7);
-    let one = f64::from(1 << 30);
-    for (bits, exact) in
-        [(0, (0, 1 << 30)), (1 << 30, (1 << 30, 0)), (1 << 31, (0, -1 << 30)), (3 << 30, (-1 << 30, 0))]
-    {
-        assert_eq!(Angle::from_bits(bits).sin_cos(), exact);
-    }
-    let (mut worst, mut unit) = (0.0f64, 0.0f64);
-    for k in 0..200_000u32 {
-        let bits = match k % 4 {
-            0 => (k / 4) << 15,
-            1 => ((k / 4) << 15).wrapping_sub(1),
-            _ => rng.bits(),
-        };
-        let (s, c) = Angle::from_bits(bits).sin_cos();
-        let (s, c) = (f64::from(s) / one, f64::from(c) / one);
-        let (es, ec) = chain::sin_cos(bits);
-        worst = worst.max((s - es).abs()).max((c - ec).abs());
-        unit = unit.max((s * s + c * c - 1.0).abs());
-    }
-    println!("sine and cosine within 2^{:.2}, sin² + cos² within 2^{:.2}", worst.log2(), unit.log2());
-    assert!(worst <= 2f64.powf(-29.5) && unit <= 2f64.powi(-28));
-}
-
-#[test]
-fn e7_angles_wrap_and_round() {
+fn e7_angles_wrap() {
     assert_eq!(Angle::turns(1, 4), Angle::QUARTER_TURN);
     assert_eq!(Angle::turns(-3, 4), Angle::QUARTER_TURN);
     assert_eq!(Angle::turns(9, 4), Angle::QUARTER_TURN);
@@ -49,23 +21,6 @@ fn e7_angles_wrap_and_round() {
     assert_eq!(Angle::degrees(-270), Angle::QUARTER_TURN);
     assert_eq!(Angle::QUARTER_TURN + Angle::HALF_TURN, -Angle::QUARTER_TURN);
     assert_eq!(Angle::ZERO - Angle::HALF_TURN, Angle::HALF_TURN);
-    let mut rng = Rng::new(0xA4);
-    for _ in 0..20_000 {
-        let (n, d) = (rng.bits() as i32 >> rng.below(31), rng.bits() >> rng.below(31));
-        if d == 0 {
-            continue;
-        }
-        // Rounded to the nearest of 2³² parts, in i128.
-        let (n, d) = (i128::from(n), i128::from(d));
-        let ours = i128::from(Angle::turns(n as i32, d as u32).bits());
-        let error = ((n << 32) - ours * d).rem_euclid(d << 32);
-        let error = error.min((d << 32) - error);
-        assert!(2 * error <= d, "{n}/{d}");
-        let degrees = rng.bits() as i32;
-        let ours = i128::from(Angle::degrees(degrees).bits());
-        let error = ((i128::from(degrees) << 32) - ours * 360).rem_euclid(360 << 32);
-        assert!(2 * error.min((360 << 32) - error) <= 360, "{degrees}°");
-    }
 }
 
 #[test]
@@ -80,57 +35,6 @@ fn e2_apply_saturates_and_never_wraps() {
     assert_eq!(reals(larger.apply(Point3::from_ints(1, -1, 0))), [-32768.0, top, 0.0]);
     let view = ViewTransform::look_along(point([i32::MIN; 3]), vector(ints(0, 0, -1)), vector(ints(0, 1, 0)));
     assert_eq!(reals(view.expect("a view").apply(point([i32::MAX; 3]))), [top; 3]);
-}
-
-#[test]
-fn e1_view_points_are_the_oracle_s_even_far_from_the_origin() {
-    // E1: the eye first. Within half a unit of I16F16 and the rows' 2⁻²⁹.
-    let mut rng = Rng::new(0xE1);
-    for _ in 0..30_000 {
-        let view = random_view(&mut rng);
-        let (ours, exact) = (view.library().expect("a view"), view.exact());
-        let reach = rng.log(1.0, 30000.0);
-        let Some(p) = bits(core::array::from_fn(|i| exact.eye[i] + reach * rng.real(-1.0, 1.0))) else {
-            continue;
-        };
-        let at = exact.apply(chain::fx3(p));
-        if at.iter().any(|c| c.abs() > 32767.0) {
-            continue;
-        }
-        let bound = HALF + 1.8 * reach * 2f64.powi(-28);
-        close3(reals(ours.apply(point(p))), at, bound, &format!("{view:?}"));
-    }
-}
-
-#[test]
-fn e4_directions_of_very_unequal_components_are_exact() {
-    let mut rng = Rng::new(0xE4);
-    let mut worst = 0.0f64;
-    for _ in 0..30_000 {
-        let component = |rng: &mut Rng| {
-            let size = rng.log(0.5, 2_147_483_647.0) as i64;
-            [size, -size, size, 0][rng.below(4)] as i32
-        };
-        let mut vector = || [0; 3].map(|_| component(&mut rng));
-        let view = match vector() {
-            eye if eye[0] & 1 == 0 => ViewBits::Reference(eye, vector(), vector()),
-            // Eye and target as far apart as can be: differences of 33 bits.
-            eye => ViewBits::LookAt(eye, vector(), vector()),
-        };
-        let Ok(ours) = view.library() else { continue };
-        let exact = view.exact();
-        // sin of the angle between n and up, from the exact rows: up · v / |up|.
-        let up = match view {
-            ViewBits::Reference(_, _, up) | ViewBits::LookAt(_, _, up) | ViewBits::LookAlong(_, _, up) => up,
-        };
-        let up = chain::fx3(up);
-        let sine = chain::dot(up, exact.rows[1]) / chain::length(up);
-        for (ours, exact) in rows(&ours).iter().flatten().zip(exact.rows.iter().flatten()) {
-            worst = worst.max((ours - exact).abs() * sine);
-        }
-    }
-    println!("rows within 2^{:.2} / sine", worst.log2());
-    assert!(worst <= 2f64.powi(-28));
 }
 
 #[test]

@@ -8,11 +8,9 @@
 mod bands;
 mod clips;
 mod dirty;
-mod raster;
 mod scalar;
 mod scenes;
 mod strategies;
-mod transforms;
 mod two_cores;
 
 use proptest::test_runner::{Config, RngSeed};

@@ -48,21 +48,6 @@ fn l2_every_small_scissor_crops_the_line() {
 }
 
 #[test]
-fn l2_a_clipped_line_is_a_crop_of_the_full_line() {
-    let mut rng = Rng::new(0x12);
-    for _ in 0..20_000 {
-        let reach = [30, 300, 3000][rng.below(3)];
-        let mut p = || (rng.int(-reach, reach), rng.int(-reach, reach));
-        let (a, b) = (p(), p());
-        // Somewhere on the line, so that most scissors meet it.
-        let s = rng.int(0, 1024);
-        let x = a.0 + (b.0 - a.0) * s / 1024 + rng.int(-12, 3);
-        let y = a.1 + (b.1 - a.1) * s / 1024 + rng.int(-12, 3);
-        both_ways(a, b, Area::new(x, y, x + rng.int(1, 20), y + rng.int(1, 20)));
-    }
-}
-
-#[test]
 fn l2_nearly_horizontal_and_vertical_lines_are_exact() {
     let mut rng = Rng::new(0x121);
     for _ in 0..2000 {
