@@ -1,24 +1,24 @@
-//! Turns a mesh once, half of the turn solid and half as a wireframe, and writes an animated GIF and a contact sheet:
+//! Turns the teapot once, half of the turn solid and half as a wireframe, and writes an animated GIF and a contact sheet:
 //!
 //! ```text
 //! cargo run --release --example spin -- --help
 //! ```
+//!
+//! Your own model: `cargo run --release -p pinhole-render -- MODEL.stl --gif turn.gif`.
 
 mod depth;
 mod scene;
 mod terminal;
 
-use clap::{value_parser, Command};
+use clap::Command;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use pinhole::{Dim, Lambert, Painter, ScreenVertex, Statistics, Vector3};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::command::Film;
-use pinhole_apps_support::{command, film, progress};
-use pinhole_import::ImportedMesh;
-use scene::Turntable;
+use pinhole_apps_support::{command, film};
+use scene::{Turntable, EDGES, FACES, NORMALS, VERTICES};
 use std::error::Error;
-use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
@@ -30,26 +30,18 @@ const AMBIENT: u16 = 48;
 
 fn main() -> ExitCode {
     command::run(|| -> Result<ExitCode, Box<dyn Error>> {
-        let teapot = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/teapot.obj");
         let about =
-            "Turns a mesh once, drawn as on a microcontroller, and writes an animated GIF and a contact sheet";
-        let command = Command::new("spin").about(about).arg(
-            command::option("mesh", "FILE", "The mesh to turn, .obj or .stl [default: the teapot]", teapot)
-                .value_parser(value_parser!(PathBuf))
-                .hide_default_value(true),
-        );
+            "Turns a teapot once, drawn as on a microcontroller, and writes an animated GIF and a contact sheet";
+        let command = Command::new("spin").about(about);
         let command = Film::arguments(command, "Frames of the full turn, 2 to 720", "48", "target/spin");
-        let mut given = command::matches(command)?;
-        let mesh = given.remove_one::<PathBuf>("mesh").unwrap_or_default();
-        film(&pinhole_import::read(&mesh)?, &Film::from(&mut given))?;
+        film(&Film::from(&mut command::matches(command)?))?;
         Ok(ExitCode::SUCCESS)
     })
 }
 
-fn film(mesh: &ImportedMesh, arguments: &Film) -> Result<(), Box<dyn Error>> {
+fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
     let (size, frames) = (Size::new_equal(arguments.size), arguments.frames);
-    let inside = scene::inside(mesh);
-    let table = Turntable::new(mesh, &inside, size)?;
+    let table = Turntable::new(size)?;
 
     let out = &arguments.out;
     command::folder(out)?;
@@ -59,13 +51,12 @@ fn film(mesh: &ImportedMesh, arguments: &Film) -> Result<(), Box<dyn Error>> {
     // All memory that drawing needs; firmware has smaller sizes.
     let mut painter = Box::new(Painter::<Rgb565, 65_536, 65_535>::new());
     let mut numberer = Box::new(Painter::<Rgb888, 65_536, 65_535>::new());
-    let mut cache = vec![ScreenVertex::default(); mesh.vertices.len()];
+    let mut cache = vec![ScreenVertex::default(); VERTICES.len()];
 
     let (mut solid, mut wireframe) = (Sum::default(), Sum::default());
     let mut misordered = Misordered::default();
     let mut sheet = Vec::new();
     let mut preview = String::new();
-    let bar = progress::bar(frames, "frames");
     for frame in 0..frames {
         let mut canvas = Canvas::new(size, BACKGROUND);
         let model = Turntable::model(frame, frames);
@@ -73,7 +64,7 @@ fn film(mesh: &ImportedMesh, arguments: &Film) -> Result<(), Box<dyn Error>> {
         let start = Instant::now();
         if frame < frames.div_ceil(2) {
             let light = Lambert::new(&model, Vector3::from_ints(-2, 3, 4), AMBIENT)?;
-            let shade = |face: usize| match mesh.normals.get(face) {
+            let shade = |face: usize| match NORMALS.get(face) {
                 Some(&normal) => CLAY.dim(light.level(normal)),
                 None => CLAY.dim(AMBIENT), // the inside
             };
@@ -94,23 +85,19 @@ fn film(mesh: &ImportedMesh, arguments: &Film) -> Result<(), Box<dyn Error>> {
         if film::on_sheet(frame, frames, 12) {
             sheet.push(canvas);
         }
-        bar.inc(1);
     }
-    bar.finish_and_clear();
     gif.finish()?;
     film::write_sheet(&sheet_file, size, &sheet)?;
 
     command::say(format_args!("{preview}{}\n{}", gif_file.display(), sheet_file.display()))?;
-    let (vertices, edges) = (mesh.vertices.len(), mesh.edges.len());
     command::say(format_args!(
-        "{vertices} vertices, {} faces, {edges} edges; {} x {} pixels",
-        mesh.faces.len(),
+        "{} vertices, {} faces, {} edges; {} x {} pixels",
+        VERTICES.len(),
+        FACES.len(),
+        EDGES.len(),
         size.width,
         size.height
     ))?;
-    if !inside.is_empty() {
-        command::say("not a closed surface: the inside is drawn too")?;
-    }
     command::say(format_args!("solid:     {solid}"))?;
     command::say(format_args!("wireframe: {wireframe}"))?;
     command::say(format_args!("painter's order: {misordered}"))?;

@@ -1,4 +1,8 @@
-//! The scene of `spin`: a mesh on a turntable, seen from a little above.
+//! The scene of `spin`: the teapot on a turntable, seen from a little above.
+
+#[path = "../../assets/teapot.rs"]
+#[allow(dead_code)] // its units
+mod teapot;
 
 use embedded_graphics::prelude::*;
 use pinhole::space::{Model, World};
@@ -6,37 +10,34 @@ use pinhole::{
     Affine, Angle, Camera, Mesh, MeshInstance, Painter, Point3, Projection, Scalar, Statistics, Vector3,
     ViewTransform, Viewport,
 };
-use pinhole_import::{ImportedMesh, Topology};
 use std::error::Error;
+pub(crate) use teapot::{EDGES, FACES, NORMALS, VERTICES};
 
-/// The exponent for every mesh: its half extent becomes 1 to 2 units, whatever the units of the file.
+/// Half the teapot's extent is 1 to 2 units with it.
 const EXPONENT: i8 = -14;
 
-/// The faces reversed, for models whose inside is visible. Without them the background would show through the gap around the
-/// teapot's lid.
-pub(crate) fn inside(model: &ImportedMesh) -> Vec<[u16; 3]> {
-    if model.topology() == Topology::default() {
-        return Vec::new();
+/// The faces reversed: the background would show through the gap around the lid without them.
+const INSIDE: [[u16; 3]; FACES.len()] = {
+    let (mut inside, mut face) = (FACES, 0);
+    while face < FACES.len() {
+        inside[face].swap(1, 2);
+        face += 1;
     }
-    model.faces.iter().map(|&[a, b, c]| [a, c, b]).collect()
-}
+    inside
+};
 
-pub(crate) struct Turntable<'m> {
-    outside: Mesh<'m>,
-    inside: Mesh<'m>,
+pub(crate) struct Turntable {
+    outside: Mesh<'static>,
+    inside: Mesh<'static>,
     camera: Camera,
 }
 
-impl<'m> Turntable<'m> {
+impl Turntable {
     /// A camera that shows the complete model from every side.
-    pub(crate) fn new(
-        model: &'m ImportedMesh,
-        inside: &'m [[u16; 3]],
-        size: Size,
-    ) -> Result<Self, Box<dyn Error>> {
+    pub(crate) fn new(size: Size) -> Result<Self, Box<dyn Error>> {
         // The bounding sphere about the origin, and the distance at which it fills the field of view.
         let square = |v: &[i16; 3]| v.iter().map(|&c| i64::from(c) * i64::from(c)).sum::<i64>();
-        let largest = model.vertices.iter().map(square).max().unwrap_or(0);
+        let largest = VERTICES.iter().map(square).max().unwrap_or(0);
         let radius = (largest as f64).sqrt() * f64::from(EXPONENT).exp2();
         let distance = radius / 15f64.to_radians().sin();
         let elevation = 20f64.to_radians();
@@ -55,8 +56,8 @@ impl<'m> Turntable<'m> {
         )?;
         let viewport = Viewport::new(Point::zero(), size)?;
         Ok(Turntable {
-            outside: Mesh::new(&model.vertices, EXPONENT, &model.faces)?.with_edges(&model.edges)?,
-            inside: Mesh::new(&model.vertices, EXPONENT, inside)?,
+            outside: Mesh::new(&VERTICES, EXPONENT, &FACES)?.with_edges(&EDGES)?,
+            inside: Mesh::new(&VERTICES, EXPONENT, &INSIDE)?,
             camera: Camera::new(&viewing, &projection, &viewport),
         })
     }

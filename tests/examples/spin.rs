@@ -10,25 +10,18 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use pinhole::Painter;
 use pinhole_apps_support::canvas::Canvas;
-use pinhole_import::ImportedMesh;
-use scene::Turntable;
+use scene::{Turntable, VERTICES};
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
 const SIZE: Size = Size::new_equal(240);
 const FRAMES: u32 = 48;
 
-fn teapot() -> ImportedMesh {
-    pinhole_import::read(&Path::new(support::ROOT).join("assets/teapot.obj")).unwrap()
-}
-
 /// Which faces the solid frames of the film show: in painter's order, and by depth.
 fn solid_frames() -> impl Iterator<Item = (Canvas<Rgb888>, Canvas<Rgb888>)> {
-    let teapot = teapot();
-    let inside = scene::inside(&teapot);
     let mut painter = Box::new(Painter::<Rgb888, 1024, 1024>::new());
     (0..FRAMES / 2).map(move |frame| {
-        let turntable = Turntable::new(&teapot, &inside, SIZE).unwrap();
+        let turntable = Turntable::new(SIZE).unwrap();
         let instance = turntable.place(&Turntable::model(frame, FRAMES));
         let mut painted = Canvas::new(SIZE, depth::NOTHING);
         scene::paint(&mut painter, &instance, depth::face_colour, &mut painted).unwrap();
@@ -89,9 +82,8 @@ fn the_teapot_has_no_cracks() {
 
 #[test]
 fn the_teapot_is_not_mirrored() {
-    let teapot = teapot();
-    let table = Turntable::new(&teapot, &[], SIZE).unwrap();
-    let end = |axis: usize| (0..teapot.vertices.len()).max_by_key(|&v| teapot.vertices[v][axis]).unwrap();
+    let table = Turntable::new(SIZE).unwrap();
+    let end = |axis: usize| (0..VERTICES.len()).max_by_key(|&v| VERTICES[v][axis]).unwrap();
     let (spout, knob) = (end(0), end(1));
     let at = |frame, vertex| {
         let [outside, _] = table.place(&Turntable::model(frame, FRAMES));
@@ -143,19 +135,16 @@ fn a_film_has_its_frames_and_its_sheet() {
 
 #[test]
 fn bad_input_is_one_line_exit_code_2_and_no_output() {
-    let (broken, missing, out) = (scratch("broken.obj"), scratch("missing.obj"), scratch("never"));
-    std::fs::write(&broken, "v 0 0 0\nv 1 0\n").unwrap();
-    let (broken, missing) = (broken.to_str().unwrap(), missing.to_str().unwrap());
-    let unwritable = scratch("broken.obj/below");
+    let (file, out) = (scratch("file"), scratch("never"));
+    std::fs::write(&file, "").unwrap();
+    let unwritable = file.join("below");
     for (arguments, named) in [
-        (["--mesh", missing], missing),
-        (["--mesh", broken], broken),
         (["--size", "0"], "--size"),
         (["--size", "2049"], "--size"),
         (["--size", "many"], "--size"),
         (["--frames", "1"], "--frames"),
         (["--film", "x"], "--film"),
-        (["--out", unwritable.to_str().unwrap()], "broken.obj/below"),
+        (["--out", unwritable.to_str().unwrap()], "file/below"),
     ] {
         let mut arguments = arguments.to_vec();
         if arguments[0] != "--out" {

@@ -8,6 +8,7 @@ pub mod command;
 pub mod files;
 pub mod film;
 pub mod generated;
+#[cfg(feature = "progress")]
 pub mod progress;
 pub mod sheet;
 pub mod still;
