@@ -229,9 +229,10 @@ pub fn read_stl(bytes: &[u8], file: &Path) -> Result<ImportedMesh, ImportError> 
 
 /// The mesh, if its unit is one that a [`pinhole::Mesh`] may have.
 fn fits(mesh: ImportedMesh) -> Result<ImportedMesh, Problem> {
-    match mesh.mesh() {
-        Ok(_) => Ok(mesh),
-        Err(_) => Err(Problem::Exponent(mesh.exponent)), // the only thing left to go wrong
+    // The only thing left to go wrong.
+    match mesh.exponent {
+        -32..=15 => Ok(mesh),
+        exponent => Err(Problem::Exponent(exponent)),
     }
 }
 

@@ -4,6 +4,7 @@ use crate::edges::Sides;
 use crate::grid::power_of_two;
 use crate::warning::MOST_FACES;
 use crate::{IndexedPicture, Warning};
+#[cfg(feature = "mesh")]
 use pinhole::{FaceColors, MaterialError, Mesh, MeshError, TextureCoords, WithPlanes};
 use std::path::PathBuf;
 
@@ -109,6 +110,8 @@ pub struct Topology {
     pub twisted: usize,
 }
 
+/// As types of `pinhole`.
+#[cfg(feature = "mesh")]
 impl ImportedMesh {
     /// The mesh, borrowed, without its planes: [`mesh_with_planes`](Self::mesh_with_planes) has them.
     ///
@@ -165,10 +168,23 @@ impl ImportedMesh {
         (!self.texture_faces.is_empty()).then(coords).transpose()
     }
 
-    /// The plane of each face; empty if the exponent is one that no mesh has, which `import` then refuses.
+}
+
+impl ImportedMesh {
+    /// The plane of each face: n·v for its normal n and a vertex v, in 2⁻¹⁴ of the power of two that bounds the coordinates, rounded
+    /// to nearest. It is what `pinhole::Mesh::face_planes` finds; a build script does without that crate.
     pub(crate) fn find_planes(&self) -> Vec<i16> {
-        self.mesh()
-            .map_or(Vec::new(), |mesh| (0..self.faces.len()).map(|face| mesh.face_plane(face)).collect())
+        let bits = |c: i16| (c ^ (c >> 15)) as u16;
+        let bound = self.vertices.iter().flatten().fold(0, |all, &c| all | bits(c));
+        // Brings coordinates to the top of 32 bits: a product with a normal of 2¹⁵ is at most 2⁴⁶.
+        let shift = u32::from(bound).leading_zeros() - 1;
+        let plane = |(face, normal): (&[u16; 3], &[i16; 3])| {
+            let corner = self.vertices[usize::from(face[0])];
+            let along: i64 = corner.iter().zip(normal).map(|(&c, &n)| i64::from(c) * i64::from(n)).sum();
+            let rounded = ((along << shift) + (1 << 31)) >> 32;
+            rounded.clamp(i64::from(i16::MIN), i64::from(i16::MAX)) as i16
+        };
+        self.faces.iter().zip(&self.normals).map(plane).collect()
     }
 
     /// The bytes that the mesh's lists take in flash: 6 for a vertex, face or normal, 4 for an edge or its pair of faces, 2 for a
