@@ -1,9 +1,10 @@
 //! The code of the book's chapter "Measuring on your board", compiled for the cores that it is for. CI builds it:
 //!
 //! ```text
-//! cd examples/measuring && ../../tools/cross cargo build --target thumbv6m-none-eabi --target thumbv7m-none-eabi …
+//! tools/cross cargo build --package measuring --target thumbv6m-none-eabi --target thumbv7m-none-eabi …
 //! ```
 #![no_std]
+#![cfg(target_os = "none")]
 
 // Which cores have the unit DWT, the compiler does not say: an M0's target has no atomic exchange.
 #[cfg(all(target_arch = "arm", target_has_atomic = "32"))]
