@@ -167,7 +167,6 @@ impl ImportedMesh {
         let coords = || TextureCoords::new(&self.texture_coords, &self.texture_faces, self.texture_exponent);
         (!self.texture_faces.is_empty()).then(coords).transpose()
     }
-
 }
 
 impl ImportedMesh {
