@@ -340,7 +340,7 @@ impl Warning {
             Self::TwistedEdges { count, first, is_one_sided } => {
                 let (then, remedy) = match is_one_sided {
                     true => ("the surface is one-sided, like a Möbius strip: ", R::TwoSided),
-                    false => ("some faces show nothing from outside: ", R::FixWinding),
+                    false => ("some faces will be culled: ", R::FixWinding),
                 };
                 Said::new(some("edges between faces of opposite winding", count, first, then), [remedy])
             }

@@ -531,9 +531,9 @@ impl<'a, V, P> Mesh<'a, V, P> {
     /// [without them](Self::without_planes). (Figures are in `docs/growth.md`: a draw call computes the eye's position in the
     /// mesh's coordinates, which takes as long as transforming about ten vertices.)
     ///
-    /// **Which faces are culled.** A face is culled by its plane if the eye lies behind the plane by more than 1/290 of the eye's
-    /// distance or of the mesh's largest coordinate, whichever is larger, in model units. In a parallel projection a face is
-    /// culled if its normal points away from the viewer by more than an angle whose sine is 1/290. No visible face is culled.
+    /// **Which faces are culled.** A face is culled by its plane if the eye lies behind the plane by more than `max(eye, mesh) / 290`:
+    /// the eye's distance from the model's origin and the mesh's largest coordinate, in model units. In a parallel projection a face is
+    /// culled if its normal points away from the viewer by more than asin(1/290). No visible face is culled.
     /// Faces that pass are culled by their area on the screen, as those of every mesh. With [`Cull::Front`](crate::Cull::Front) the
     /// sides change places: a face is culled if the eye lies so far in front of its plane.
     ///

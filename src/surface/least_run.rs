@@ -6,8 +6,8 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 
-/// A DrawTarget whose [`LEAST_RUN`](Target::LEAST_RUN) is `PIXELS`, for targets whose error type says the wrong thing about
-/// the cost of lines. The picture is equal with every number.
+/// A DrawTarget whose [`LEAST_RUN`](Target::LEAST_RUN) is `PIXELS`. The library guesses from the error type whether a target is a
+/// display bus; this overrides a wrong guess. The picture is equal with every number.
 ///
 /// - `LeastRun::<_, 1>`: a display driver whose error type has no value, because the microcontroller's SPI cannot fail, as on an
 ///   RP2040. A line then sends one window per run of pixels. mipidsi without its feature `batch` would set a window for each

@@ -65,7 +65,7 @@ fn the_build_script_says_what_to_write_into_it() {
         said.len() == 1 && said[0].starts_with("model.stl: edges between faces of opposite winding: "),
         "{said:?}"
     );
-    let then = format!("; some faces show nothing from outside: use `fix_winding: true` {in_options}");
+    let then = format!("; some faces will be culled: use `fix_winding: true` {in_options}");
     assert!(said[0].ends_with(&then), "{said:?}");
     // Of the first side without the top, which is the second after two triangles of the bottom, the second triangle has an edge
     // at the top.

@@ -98,7 +98,7 @@ fn faces_against_their_neighbours_are_found_and_reversed() {
     // Each of the two quads has four neighbours, and one edge between them, along which they agree: 6 edges differ.
     assert_eq!(mixed.topology(), Topology { twisted: 6, ..Topology::default() });
     let wanted = "edges between faces of opposite winding: 6, the first at line 11; \
-        some faces show nothing from outside: use --fix-winding";
+        some faces will be culled: use --fix-winding";
     assert_eq!(said(&mixed), [wanted]);
     let fixed = import(&path, &FIX).unwrap();
     assert_eq!((fixed.topology(), said(&fixed)), (Topology::default(), vec![]));

@@ -27,8 +27,8 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// **Error.** A pixel's factor is the factor at the exact distance of a point within 1/256 pixel and 1/64 step of depth from it,
 /// rounded to the nearest 1/32; in the last step before the far plane within 0.54 step, since depth ends at 65534.46. For
 /// triangles larger than 512 pixels no more than 1/64 step has been seen, and ¼ is proved. Each channel is then rounded to the
-/// nearest level of the target. [`FogTable`] says what a step of depth is in distance. A triangle whose three corners have one
-/// level is drawn in this level.
+/// nearest level of the target. [`FogTable`] says what a step of depth is in distance. If all three
+/// corners fall into the same fog level, the whole triangle is filled with that level.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};

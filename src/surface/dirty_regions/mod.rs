@@ -209,8 +209,8 @@ impl<const N: usize> DirtyRegions<N> {
     /// and of the one that ends. They are in order from top to bottom, and from left to right where they begin in the same row.
     /// All lie in the area that the regions were made for; none is empty.
     ///
-    /// They take no more bytes to send than one rectangle around all marked ones and, if the two frames have at most `N` marked
-    /// rectangles together, no more than these one by one. They overlap only where cutting the overlap out would take more bytes
+    /// The result never costs more bytes than the bounding rectangle of all marks; if both frames together have at most `N` marks,
+    /// it also never costs more than sending each mark separately. Rectangles overlap only where cutting the overlap out would take more bytes
     /// of commands than it saves, or when the list of `N` rectangles is full.
     #[inline(never)] // its lists are gone when it returns
     pub fn take(&mut self) -> Vec<Rectangle, N> {
