@@ -136,16 +136,6 @@ fn family(rng: &mut Rng, kind: Kind, reach: Reach, distance: f64) -> Option<Fami
     })
 }
 
-#[derive(Debug, Default)]
-struct Figures {
-    setups: usize,
-    vertices: usize,
-    worst: f64,
-    depth: f64,
-    /// The largest part of the budget that was used.
-    budget: f64,
-}
-
 /// A set-up, and a point of its viewport at which the vertices are aimed.
 struct Case {
     view: ViewBits,
@@ -239,14 +229,14 @@ fn near_degenerate(reach: Reach) -> bool {
     reach.focal > 700.0 || reach.off_axis > 1.0 || reach.slant > 2.0 || reach.ratio > 300.0
 }
 
-fn run(seed: u64, setups: usize, kind: Kind, reach: Reach, bound: impl Fn(f64) -> f64) -> Figures {
+fn run(seed: u64, setups: usize, kind: Kind, reach: Reach, bound: impl Fn(f64) -> f64) {
     let mut rng = Rng::new(seed);
-    let mut f = Figures::default();
-    while f.setups < setups {
+    let (mut found, mut vertices, mut worst) = (0, 0, 0f64);
+    while found < setups {
         let Some(c) = case(&mut rng, kind, reach) else {
             continue;
         };
-        f.setups += 1;
+        found += 1;
         let (x0, y0) = c.viewport;
         let area = rectangle(x0, y0, 480, 320);
         let viewport = pinhole::Viewport::new(area.top_left, area.size).expect("a viewport");
@@ -297,11 +287,10 @@ fn run(seed: u64, setups: usize, kind: Kind, reach: Reach, bound: impl Fn(f64) -
             let Some((gx, gy, depth)) = got else {
                 panic!("{door}: dropped at ({x}, {y}), view {at:?}: {:?} {:?}", c.view, c.family);
             };
-            f.vertices += 1;
+            vertices += 1;
             let budget = budget(&c.picture, at, extent);
             let error = (f64::from(gx) / 256.0 - x).abs().max((f64::from(gy) / 256.0 - y).abs());
-            f.worst = f.worst.max(error);
-            f.budget = f.budget.max((error - 1.0 / 512.0 - 2.5e-6) / budget);
+            worst = worst.max(error);
             assert!(
                 error <= bound(budget),
                 "{door}: {error} px off at ({x}, {y}), view {at:?}, ratio {ratio}, budget {:.2}·2⁻³⁰: {:?} {:?} {:?}",
@@ -312,7 +301,6 @@ fn run(seed: u64, setups: usize, kind: Kind, reach: Reach, bound: impl Fn(f64) -
             );
             let exact_depth = c.picture.depth(at);
             let steps = (f64::from(depth) - exact_depth.clamp(0.0, 65534.0).round()).abs();
-            f.depth = f.depth.max(steps);
             let allowed = if near_degenerate(reach) {
                 1.0 + 8.0 * 2f64.powi(-30) * depth_budget(&c.picture, at, extent)
             } else {
@@ -340,17 +328,8 @@ fn run(seed: u64, setups: usize, kind: Kind, reach: Reach, bound: impl Fn(f64) -
             check(at, 0.0, got, "project");
         }
     }
-    println!(
-        "{kind:?}: {} set-ups, {} vertices: {:.7} px, beyond the snap {:.2e} px; depth {} steps; {:.2}·2⁻³⁰ of the budget",
-        f.setups,
-        f.vertices,
-        f.worst,
-        f.worst - 1.0 / 512.0,
-        f.depth,
-        f.budget * 2f64.powi(30)
-    );
-    assert!(f.vertices >= setups / 5, "{f:?}");
-    f
+    println!("{kind:?}: {found} set-ups, {vertices} vertices: at most {worst:.7} px");
+    assert!(vertices >= setups / 5, "{vertices}");
 }
 
 macro_rules! plain {

@@ -1,167 +1,13 @@
-//! docs/spec.md, section 4, viewing by PRP and window: the normalising transforms onto the canonical volumes, from
-//! there to clip space, and the worked set-ups against the projector that cuts the view plane.
+//! docs/spec.md, section 4, viewing by PRP and window: the worked set-ups against the projector that cuts the view plane, and
+//! their golden pictures.
 
-use pinhole::space::{Model, View, World};
-use pinhole::{Affine, Camera, Mesh, Painter, Projection, ProjectionError, ReferenceVolume, ScreenVertex};
-use support::bridge;
-use support::bridge::draw::{Shader, CUBE_EDGES};
+use crate::picture::Picture;
+use pinhole::space::World;
+use pinhole::{Affine, Camera, Mesh, ProjectionError, ReferenceVolume};
 use support::bridge::pair::{window, ViewBits, ONE};
 use support::bridge::{point, reals, rectangle, scalar};
 use support::definition::{Family, Projectors};
-use support::oracle;
-use support::oracle::chain::{self, fx, snap, Viewport, V3};
-use support::oracle::coverage::{covers, edge, Area};
-use support::oracle::rng::Rng;
-use support::oracle::target::Recorder;
-
-const HALF: f64 = 0.5 / 65536.0;
-
-struct Random {
-    prp: [i32; 3],
-    window: [i32; 4],
-    front: i32,
-    back: i32,
-}
-
-/// A volume of moderate size, its front before the PRP.
-fn random(rng: &mut Rng) -> Random {
-    let mut place = |reach: i64| rng.int(-reach * i64::from(ONE), reach * i64::from(ONE)) as i32;
-    let (x, y, l, b) = (place(50), place(50), place(50), place(50));
-    let n = rng.int(i64::from(ONE / 4), i64::from(100 * ONE)) as i32;
-    let mut size = || rng.int(i64::from(ONE / 2), i64::from(60 * ONE)) as i32;
-    let window = [l, l + size(), b, b + size()];
-    let front = n - size();
-    Random { prp: [x, y, n], window, front, back: front - 4 * size() }
-}
-
-fn parallel(r: &Random) -> ReferenceVolume {
-    ReferenceVolume::parallel(point(r.prp), window(r.window), scalar(r.front), scalar(r.back))
-        .expect("a volume")
-}
-
-fn perspective(r: &Random) -> ReferenceVolume {
-    ReferenceVolume::perspective(point(r.prp), window(r.window), scalar(r.front), scalar(r.back))
-        .expect("a volume")
-}
-
-/// The eight corners of the view volume, with their signs in x and y and whether at the back.
-fn corners(family: &Family) -> Vec<(V3, [f64; 2], bool)> {
-    let picture = family.picture();
-    let mut all = Vec::new();
-    for x in [-1.0, 1.0] {
-        for y in [-1.0, 1.0] {
-            for back in [false, true] {
-                let n = if back { picture.back } else { picture.front };
-                all.push((picture.back_to([x, y], n), [x, y], back));
-            }
-        }
-    }
-    all
-}
-
-#[test]
-fn s4_the_view_volumes_corners_go_to_the_canonical_volumes() {
-    let mut rng = Rng::new(0x41);
-    let mut compared = 0;
-    for _ in 0..5000 {
-        let r = random(&mut rng);
-        for (at, [sx, sy], back) in corners(&Family::ReferenceParallel(r.prp, r.window, r.front, r.back)) {
-            let Some(bits) = bridge::pair::bits(at) else { continue };
-            compared += 1;
-            let got = reals(parallel(&r).normalise(point::<View>(bits)));
-            // The corner was rounded to 2⁻¹⁶, which moves x by 2/width of that, and z by 1/depth.
-            let w = fx(r.window[1]) - fx(r.window[0]);
-            let h = fx(r.window[3]) - fx(r.window[2]);
-            let slope = 400.0 / fx(r.prp[2]).max(0.25);
-            let want = [sx, sy, if back { -1.0 } else { 0.0 }];
-            let room = [w, h, fx(r.front) - fx(r.back)].map(|d| HALF * (1.01 + 2.0 * (1.0 + slope) / d));
-            for i in 0..3 {
-                assert!((got[i] - want[i]).abs() <= room[i], "{got:?} for {want:?}");
-            }
-        }
-        let volume = perspective(&r);
-        let (to_front, to_back) = (fx(r.prp[2]) - fx(r.front), fx(r.prp[2]) - fx(r.back));
-        let z_min = to_front / to_back;
-        assert!((fx(volume.z_min().to_bits()) - z_min).abs() <= HALF * 1.01);
-        for (at, [sx, sy], back) in corners(&Family::Reference(r.prp, r.window, r.front, r.back)) {
-            let Some(bits) = bridge::pair::bits(at) else { continue };
-            compared += 1;
-            let got = reals(volume.normalise(point::<View>(bits)));
-            let z = if back { 1.0 } else { z_min };
-            let want = [sx * z, sy * z, -z];
-            // x = (shear and scale: 2·pn/width)/to_back of a move of 2⁻¹⁷.
-            let slope = 2.0 + 200.0 / fx(r.prp[2]).max(0.25);
-            let size = (fx(r.window[1]) - fx(r.window[0])).min(fx(r.window[3]) - fx(r.window[2]));
-            let room = HALF * (1.01 + slope * (2.0 * fx(r.prp[2]) / size + 1.0) / to_back);
-            for i in 0..3 {
-                assert!((got[i] - want[i]).abs() <= room, "{got:?} for {want:?}, {room}");
-            }
-        }
-    }
-    assert!(compared > 60_000, "{compared}");
-}
-
-/// From a view point to clip space by N and the two maps of docs/spec.md, section 4, in f64, and by the library.
-#[test]
-fn s4_the_canonical_volumes_go_to_the_clip_volume() {
-    let mut rng = Rng::new(0x42);
-    for _ in 0..20_000 {
-        let r = random(&mut rng);
-        let p = [0; 3].map(|_| rng.int(-100 * i64::from(ONE), 100 * i64::from(ONE)) as i32);
-        let at = chain::fx3(p);
-        let [l, rt, b, t] = r.window.map(fx);
-        let prp = chain::fx3(r.prp);
-        let (front, back) = (fx(r.front), fx(r.back));
-        // Sh takes (cx − px, cy − py, −pn) to (0, 0, −pn), with the window's centre c.
-        let (cx, cy) = ((l + rt) / 2.0, (b + t) / 2.0);
-        let (shx, shy) = ((cx - prp[0]) / prp[2], (cy - prp[1]) / prp[2]);
-        // Parallel: S·T·Sh.
-        let n = [
-            (at[0] + shx * at[2] - cx) * 2.0 / (rt - l),
-            (at[1] + shy * at[2] - cy) * 2.0 / (t - b),
-            (at[2] - front) / (front - back),
-        ];
-        let clip = Projection::from_reference(&parallel(&r)).apply(point(p));
-        let unit = f64::from(clip.exponent()).exp2();
-        let got = clip.xyzw().map(|c| f64::from(c) * unit);
-        let want = [n[0], n[1], -2.0 * n[2] - 1.0, 1.0];
-        let largest = want.iter().fold(1.0f64, |a, c| a.max(c.abs()));
-        for i in 0..4 {
-            // Cancellation costs what the terms are larger than their sum.
-            let room = 2f64.powi(-25) * (largest + (at[2] * shx).abs().max((at[2] * shy).abs()) + 200.0);
-            assert!((got[i] - want[i]).abs() <= room, "{got:?} for {want:?}");
-        }
-        // Perspective: S·Sh·T(−PRP), then z and w, up to a factor.
-        let q = [at[0] - prp[0], at[1] - prp[1], at[2] - prp[2]];
-        let (to_front, to_back) = (prp[2] - front, prp[2] - back);
-        let z_min = to_front / to_back;
-        let n = [
-            (q[0] + shx * q[2]) * 2.0 * prp[2] / (rt - l) / to_back,
-            (q[1] + shy * q[2]) * 2.0 * prp[2] / (t - b) / to_back,
-            q[2] / to_back,
-        ];
-        let want = [n[0], n[1], (-(1.0 + z_min) * n[2] - 2.0 * z_min) / (1.0 - z_min), -n[2]];
-        let clip = Projection::from_reference(&perspective(&r)).apply(point(p));
-        let got = clip.xyzw().map(f64::from);
-        if want[3].abs() < 1e-3 {
-            continue;
-        }
-        // Homogeneous: compared after bringing w together; the factor is positive.
-        let factor = want[3] / got[3];
-        assert!(factor > 0.0);
-        let largest = want.iter().fold(1.0f64, |a, c| a.max(c.abs()));
-        let terms = 100.0 * (1.0 + shx.abs().max(shy.abs())) * (2.0 * prp[2] / (rt - l).min(t - b)) / to_back;
-        let room = 2f64.powi(-25) * (largest + terms + 1.0 / (1.0 - z_min)) / want[3].abs().min(1.0)
-            * (1.0 + largest);
-        for i in 0..4 {
-            assert!(
-                (got[i] * factor - want[i]).abs() <= room,
-                "{i}: {:?} for {want:?}, {room}",
-                got.map(|c| c * factor)
-            );
-        }
-    }
-}
+use support::oracle::chain::Viewport;
 
 #[test]
 fn s4_reference_volumes_report_their_own_errors() {
@@ -301,83 +147,27 @@ fn s4_worked_set_ups_agree_with_the_definition_at_240() {
     assert_eq!(flat[0], flat[4]);
 }
 
-const FACES: [[u16; 3]; 12] = bridge::draw::CUBE_FACES;
-
-fn letter(face: usize) -> char {
-    // The nearer face, z = 0, is marked.
-    char::from(b"aAbB#C"[face / 2 % 6])
-}
-
-fn solid(s: &SetUp, size: u32) -> String {
-    let mesh = Mesh::new(&CUBE, 0, &FACES).expect("a mesh");
-    let camera = s.camera(size);
-    let mut target = Recorder::sized(size, size);
-    let mut painter = Painter::<Shader, 8, 12>::new();
-    let model = Affine::<Model, World>::identity();
-    painter.add(&camera.place(&mesh, &model), |face| Shader(face as u16)).expect("room");
-    painter.draw(&mut target).expect("no error");
-    target.picture(size as i32, size as i32, |Shader(face)| letter(usize::from(face)))
-}
-
-fn wireframe(s: &SetUp, size: u32) -> String {
-    let mesh = Mesh::new(&CUBE, 0, &FACES).and_then(|m| m.with_edges(&CUBE_EDGES)).expect("a mesh");
-    let camera = s.camera(size);
-    let mut target = Recorder::sized(size, size);
-    let mut cache = [ScreenVertex::default(); 8];
-    let model = Affine::<Model, World>::identity();
-    camera.place(&mesh, &model).wireframe(Shader(0), &mut cache, &mut target).expect("no error");
-    target.picture(size as i32, size as i32, |_| '+')
-}
-
-/// The picture by the definition: snapped corners, and the exact coverage of the faces that face the viewer.
-fn oracle_solid(s: &SetUp, size: u32) -> String {
-    let at: Vec<_> = s.exact(size).into_iter().map(snap).collect();
-    let front: Vec<_> = FACES
-        .iter()
-        .map(|f| f.map(|i| at[usize::from(i)]))
-        .enumerate()
-        .filter(|(_, t)| edge(t[0], t[1], t[2]) < 0)
-        .collect();
-    let mut text = String::new();
-    for y in 0..i64::from(size) {
-        for x in 0..i64::from(size) {
-            let mut here = front.iter().filter(|(_, t)| covers(*t, x, y));
-            text.push(here.next().map_or('.', |(i, _)| letter(*i)));
-            assert!(here.next().is_none());
-        }
-        text.push('\n');
+/// The cube, with the nearer face, z = 0, marked.
+fn picture(s: &SetUp, size: u32) -> Picture {
+    Picture {
+        camera: s.camera(size),
+        model: Affine::identity(),
+        vertices: CUBE,
+        exact: s.exact(size),
+        size: (size, size),
+        letters: b"aAbB#C",
     }
-    text
-}
-
-fn oracle_wireframe(s: &SetUp, size: u32) -> String {
-    let at: Vec<_> = s.exact(size).into_iter().map(snap).map(|(x, y)| (x >> 8, y >> 8)).collect();
-    let area = Area::new(0, 0, size.into(), size.into());
-    let mut pixels = std::collections::BTreeSet::new();
-    for [a, b] in CUBE_EDGES {
-        pixels.extend(oracle::line::clipped(at[usize::from(a)], at[usize::from(b)], area));
-    }
-    let mut text = String::new();
-    for y in 0..i64::from(size) {
-        for x in 0..i64::from(size) {
-            text.push(if pixels.contains(&(x, y)) { '+' } else { '.' });
-        }
-        text.push('\n');
-    }
-    text
 }
 
 #[test]
 fn s4_worked_set_ups_draw_their_golden_pictures() {
     let mut all = String::new();
     for s in &SET_UPS {
-        let (drawn, wanted) = (solid(s, 40), oracle_solid(s, 40));
-        assert!(drawn == wanted, "{}: drawn\n{drawn}\nexpected\n{wanted}", s.name);
-        let (lines, wanted) = (wireframe(s, 40), oracle_wireframe(s, 40));
-        assert!(lines == wanted, "{}: drawn\n{lines}\nexpected\n{wanted}", s.name);
+        let picture = picture(s, 40);
+        let [solid, lines] = picture.as_the_oracle();
         all += &format!("{}\n", s.name);
-        for (a, b) in drawn.lines().zip(lines.lines()) {
-            all += &format!("{a}  {b}\n");
+        for (a, b) in solid.lines().zip(lines.lines()) {
+            all += &format!("{a}  {}\n", b.replace('#', "+"));
         }
         all.push('\n');
     }
@@ -388,11 +178,10 @@ fn s4_worked_set_ups_draw_their_golden_pictures() {
     assert!(all == include_str!("reference.golden"), "{all}");
 }
 
-/// The shade of a letter in the golden pictures.
+/// The shade of a letter in the golden pictures. The marked face and lines are white.
 fn shade(c: char) -> u8 {
     match c {
-        '#' => 255, // the marked face
-        '+' => 255,
+        '#' => 255,
         '.' => 0,
         'a' => 60,
         'A' => 100,
@@ -402,44 +191,24 @@ fn shade(c: char) -> u8 {
     }
 }
 
-/// Solid above, wireframe below. `GOLDEN=1` writes the file anew: look at it then.
-fn s4_golden_at_240(s: &SetUp, name: &str) {
-    let (drawn, wanted) = (solid(s, 240), oracle_solid(s, 240));
-    assert!(drawn == wanted, "{}: solid differs from its definition", s.name);
-    let (lines, wanted) = (wireframe(s, 240), oracle_wireframe(s, 240));
-    assert!(lines == wanted, "{}: wireframe differs from its definition", s.name);
-    let pixels: Vec<u8> = (drawn + &lines).chars().filter(|c| *c != '\n').map(shade).collect();
-    let path = format!("{}/golden/{name}.png", env!("CARGO_MANIFEST_DIR"));
-    if std::env::var_os("GOLDEN").is_some() {
-        let mut encoder = png::Encoder::new(std::fs::File::create(&path).expect("created"), 240, 480);
-        encoder.set_color(png::ColorType::Grayscale);
-        encoder.write_header().and_then(|mut w| w.write_image_data(&pixels)).expect("written");
+/// Solid above, wireframe below. `GOLDEN=1` writes the files anew: look at them then.
+#[test]
+fn s4_worked_set_ups_match_their_golden_pictures_at_240() {
+    for (s, name) in SET_UPS.iter().zip(["one_point", "two_point", "two_point_closer", "parallel"]) {
+        let drawn = picture(s, 240).as_the_oracle().concat();
+        let pixels: Vec<u8> = drawn.chars().filter(|c| *c != '\n').map(shade).collect();
+        let path = format!("{}/golden/{name}.png", env!("CARGO_MANIFEST_DIR"));
+        if std::env::var_os("GOLDEN").is_some() {
+            let mut encoder = png::Encoder::new(std::fs::File::create(&path).expect("created"), 240, 480);
+            encoder.set_color(png::ColorType::Grayscale);
+            encoder.write_header().and_then(|mut w| w.write_image_data(&pixels)).expect("written");
+        }
+        let file = std::io::BufReader::new(std::fs::File::open(&path).expect("a golden picture"));
+        let mut reader = png::Decoder::new(file).read_info().expect("a PNG file");
+        let mut kept = vec![0; 240 * 480];
+        reader.next_frame(&mut kept).expect("its pixels");
+        assert!(pixels == kept, "{}: not its golden picture", s.name);
     }
-    let file = std::io::BufReader::new(std::fs::File::open(&path).expect("a golden picture"));
-    let mut reader = png::Decoder::new(file).read_info().expect("a PNG file");
-    let mut kept = vec![0; 240 * 480];
-    reader.next_frame(&mut kept).expect("its pixels");
-    assert!(pixels == kept, "{}: not its golden picture", s.name);
-}
-
-#[test]
-fn s4_one_point_perspective_matches_its_golden_picture_at_240() {
-    s4_golden_at_240(&SET_UPS[0], "one_point");
-}
-
-#[test]
-fn s4_two_point_perspective_matches_its_golden_picture_at_240() {
-    s4_golden_at_240(&SET_UPS[1], "two_point");
-}
-
-#[test]
-fn s4_closer_two_point_perspective_matches_its_golden_picture_at_240() {
-    s4_golden_at_240(&SET_UPS[2], "two_point_closer");
-}
-
-#[test]
-fn s4_parallel_projection_matches_its_golden_picture_at_240() {
-    s4_golden_at_240(&SET_UPS[3], "parallel");
 }
 
 #[test]
@@ -447,9 +216,8 @@ fn s4_the_direction_of_a_parallel_projection_is_window_center_minus_prp() {
     let Projectors::Along(d) = SET_UPS[3].family().picture().projectors else { panic!("parallel") };
     assert_eq!(d, [0.0, 0.0, -10.0]);
     // Off the centre it is oblique: a unit of depth moves by (2, −1)/4 of a unit.
-    let r =
-        Random { prp: [-2 * ONE, ONE, 4 * ONE], window: [-ONE, ONE, -ONE, ONE], front: 0, back: -4 * ONE };
-    let volume = parallel(&r);
+    let (prp, area) = (point([-2 * ONE, ONE, 4 * ONE]), window([-ONE, ONE, -ONE, ONE]));
+    let volume = ReferenceVolume::parallel(prp, area, scalar(0), scalar(-4 * ONE)).expect("a volume");
     let got = volume.normalise(point([0, 0, -4 * ONE]));
     // DOP = (0, 0, 0) − (−2, 1, 4) = (2, −1, −4): from (0, 0, −4) back along it to (−2, 1, 0).
     assert_eq!(reals(got), [-2.0, 1.0, -1.0]);

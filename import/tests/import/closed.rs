@@ -190,17 +190,6 @@ fn holes<P: FacePlanes>(mesh: &Mesh<'_, i16, P>, extent: f64, yaw: Angle) -> usi
         .sum()
 }
 
-#[test]
-fn lit_faces_show_no_background_where_slivers_were() {
-    for (number, solid) in solids().take(100).enumerate() {
-        let mesh = quantise(&solid).unwrap();
-        for frame in 0..12 {
-            let yaw = Angle::degrees(30 * frame + number as i32);
-            assert_eq!(holes(&mesh.mesh().unwrap(), mesh.report.extent, yaw), 0, "solid {number}, {frame}");
-        }
-    }
-}
-
 /// A box whose upper face is a square on one side of its diagonal and a fan on the other.
 #[test]
 fn culling_by_planes_opens_nothing_either() {

@@ -37,20 +37,3 @@ fn generated_source_is_current() {
         "assets/teapot.rs is not what this makes: cargo run -p pinhole-import -- assets/teapot.obj -o assets/teapot.rs --arrays --keep-order"
     );
 }
-
-#[test]
-fn generated_source_holds_the_mesh() {
-    let teapot = teapot();
-    assert_eq!(teapot.vertices, generated::VERTICES);
-    assert_eq!(teapot.exponent, generated::EXPONENT);
-    assert_eq!(teapot.faces, generated::FACES);
-    assert_eq!(teapot.edges, generated::EDGES);
-    assert_eq!(teapot.normals, generated::NORMALS);
-    assert_eq!(teapot.offset, generated::OFFSET.map(|bits| f64::from(bits) / 65536.0));
-    const MESH: pinhole::Mesh<'_> =
-        match pinhole::Mesh::new(&generated::VERTICES, generated::EXPONENT, &generated::FACES) {
-            Ok(mesh) => mesh,
-            Err(_) => panic!(),
-        };
-    assert_eq!(MESH.faces(), teapot.faces);
-}
