@@ -27,6 +27,12 @@ fn import(name: &str, bytes: &[u8], beside: &[(String, Vec<u8>)], bits: u8) {
     };
     match import_bytes(bytes.to_vec(), Path::new(name), beside, &options) {
         Ok(mesh) => {
+            let report = mesh.report;
+            if bits & 63 == 0 {
+                // Each face of the file is there, in pieces or whole, or counted as dropped.
+                let dropped = report.degenerate + report.duplicate;
+                assert_eq!(report.faces_read + report.cut, mesh.faces.len() + dropped);
+            }
             mesh.mesh().expect("a mesh");
             mesh.colors().expect("colours of its faces");
             mesh.texture().expect("texture coordinates of its faces");

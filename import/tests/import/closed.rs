@@ -1,5 +1,6 @@
 //! A closed surface stays closed, also where faces lie on a line, and its picture has no holes.
 
+use crate::common::Random;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::BinaryColor;
@@ -10,22 +11,6 @@ use pinhole::{
 };
 use pinhole_import::{import_bytes, quantise, ImportedMesh, Options, Triangles};
 use std::collections::HashMap;
-
-/// Numbers from 0 to 1 (Marsaglia, "Xorshift RNGs", 2003).
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / 2f64.powi(53)
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        (self.unit() * count as f64) as usize
-    }
-}
 
 /// A box of twelve triangles, turned about an axis by an angle in radians.
 fn turned_box(size: [f64; 3], angle: f64) -> Triangles {

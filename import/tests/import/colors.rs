@@ -1,15 +1,10 @@
 //! Colours of vertices (OBJ) and of facets (STL), and what materials have that a mesh has not.
 
+use crate::common::{obj_beside as import, said};
 use pinhole_import::{import_bytes, Element, ImportedMesh, Options, Place, Warning};
 
 const FACES: &str = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
 const GREY: [u8; 3] = [204; 3];
-
-fn import(text: &str, beside: &[(&str, &str)], options: &Options) -> ImportedMesh {
-    let beside: Vec<_> =
-        beside.iter().map(|(name, text)| (name.to_string(), text.as_bytes().into())).collect();
-    import_bytes(text.into(), "model.obj".as_ref(), &beside, options).unwrap()
-}
 
 /// A tetrahedron with its vertices' colours.
 fn tetrahedron(colors: [&str; 4]) -> String {
@@ -78,9 +73,8 @@ fn transparency_and_pictures_are_said() {
     let [a, b, c, d] = ["f 1 3 2\n", "f 1 2 4\n", "f 2 3 4\n", "f 3 1 4\n"];
     let text = format!("mtllib m.mtl\n{vertices}usemtl a\n{a}usemtl b\n{b}usemtl c\n{c}usemtl d\n{d}");
     let mesh = import(&text, &[("m.mtl", library)], &Options::default());
-    let said: Vec<_> = mesh.warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
-        said,
+        said(&mesh),
         [
             "transparent materials: 3, the first a; their faces are opaque",
             "pictures of materials: 1, the first skin.png; left out, as there are no texture coordinates",

@@ -1,8 +1,7 @@
 //! Lines of OBJ files as edges of the mesh, and what is left out beside them.
 
-use pinhole_import::{
-    import_bytes, Edges, Element, ImportError, ImportedMesh, Options, Place, Problem, Warning,
-};
+use crate::common::{obj as import, position, said};
+use pinhole_import::{Edges, Element, ImportedMesh, Options, Place, Problem, Warning};
 use std::collections::BTreeSet;
 
 const NO_FACE: u16 = pinhole::Mesh::<i16>::NO_FACE;
@@ -11,17 +10,9 @@ const NO_FACE: u16 = pinhole::Mesh::<i16>::NO_FACE;
 const CORNERS: &str = "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 0 2 0\nv 0 0 2\nv 4 0 2\nv 4 2 2\nv 0 2 2\n";
 const SIDES: &str = "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n";
 
-fn import(text: &str, options: &Options) -> Result<ImportedMesh, ImportError> {
-    import_bytes(text.into(), "model.obj".as_ref(), &[], options)
-}
-
 /// The ends of the edges in the file's units, the lower one first.
 fn edges(mesh: &ImportedMesh) -> BTreeSet<[[i32; 3]; 2]> {
-    let step = 2f64.powi(mesh.exponent.into());
-    let end = |vertex: u16| {
-        let at = mesh.vertices[usize::from(vertex)];
-        [0, 1, 2].map(|axis| (f64::from(at[axis]) * step + mesh.offset[axis]).round() as i32)
-    };
+    let end = |vertex: u16| position(mesh, vertex).map(|c| c.round() as i32);
     mesh.edges.iter().map(|&[a, b]| [end(a).min(end(b)), end(a).max(end(b))]).collect()
 }
 
@@ -91,7 +82,6 @@ fn what_is_left_out_is_said_with_its_count() {
         mesh.warnings,
         [left(Element::Points, 3, 15), left(Element::Lines, 3, 17), left(Element::Curves, 2, 20)]
     );
-    let said: Vec<_> = mesh.warnings.iter().map(ToString::to_string).collect();
-    assert_eq!(said[0], "points (`p`): 3, the first at line 15; left out");
+    assert_eq!(said(&mesh)[0], "points (`p`): 3, the first at line 15; left out");
     assert_eq!(mesh.edges.len(), 18);
 }

@@ -1,24 +1,10 @@
 //! Colours and texture coordinates of OBJ files, from the text to the generated source.
 
+use crate::common::{file, folder, obj_beside, said};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use pinhole::{FaceColors, TextureCoords};
 use pinhole_import::{import, import_bytes, preview, Axis, ImportedMesh, Options};
 use std::path::{Path, PathBuf};
-
-fn file(name: &str, text: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("materials");
-    std::fs::create_dir_all(&folder).unwrap();
-    let path = folder.join(name);
-    // Whole, for tests at the same time.
-    let made = folder.join(format!("{name}.{:?}", std::thread::current().id()));
-    std::fs::write(&made, text).unwrap();
-    std::fs::rename(&made, &path).unwrap();
-    path
-}
-
-fn said(mesh: &ImportedMesh) -> Vec<String> {
-    mesh.warnings.iter().map(ToString::to_string).collect()
-}
 
 /// A tetrahedron of which each face has a texture coordinate of its own per corner: face i, corner k has (i/4, k/8).
 const CORNERS: &str = "v 0 0 0\nv 8 0 0\nv 0 8 0\nv 0 0 8\n\
@@ -30,6 +16,18 @@ const FACES: [&str; 4] = ["f 1/1 3/2 2/3\n", "f 1/4 2/5 4/6\n", "f 2/7 3/8 4/9\n
 fn painted() -> String {
     let [a, b, c, d] = FACES;
     format!("mtllib painted.mtl\n{CORNERS}usemtl sky\n{a}usemtl rust\n{b}g group\n{c}usemtl sky\n{d}")
+}
+
+/// The painted tetrahedron, or another model, and its library in a folder of the test's own.
+fn painted_file(test: &str, text: &str) -> PathBuf {
+    let path = file(test, "painted.obj", text);
+    std::fs::write(path.with_file_name("painted.mtl"), LIBRARY).unwrap();
+    path
+}
+
+/// The painted tetrahedron by another library.
+fn by_library(library: &str) -> ImportedMesh {
+    obj_beside(&painted(), &[("painted.mtl", library)], &Options::default())
 }
 
 const LIBRARY: &str =
@@ -93,8 +91,7 @@ fn expected(face: usize) -> Face {
 
 #[test]
 fn faces_keep_their_colours_and_coordinates_through_every_option() {
-    file("painted.mtl", LIBRARY);
-    let path = file("painted.obj", &painted());
+    let path = painted_file("materials", &painted());
     let defaults = Options { centre: pinhole_import::Centre::Origin, ..Options::default() };
     for reorder in [false, true] {
         for flip in [false, true] {
@@ -115,23 +112,14 @@ fn faces_keep_their_colours_and_coordinates_through_every_option() {
     assert_eq!((said(&mesh), mesh.face_colors), (vec![UNWANTED.to_string()], vec![0, 1, 1, 0]));
     assert_eq!(mesh.emission, [[0; 3], [255, 102, 0]]); // more than full is full
     assert_eq!(mesh.libraries, [path.with_file_name("painted.mtl")]);
-    let plain = import(
-        &file("bare.obj", &painted().replace("mtllib painted.mtl\n", "").replace("usemtl", "#")),
-        &defaults,
-    );
-    assert_eq!(plain.unwrap().palette, Vec::<[u8; 3]>::new());
+    let bare = painted().replace("mtllib painted.mtl\n", "").replace("usemtl", "#");
+    assert_eq!(obj_beside(&bare, &[], &defaults).palette, Vec::<[u8; 3]>::new());
 }
 
 #[test]
 fn materials_may_emit_light() {
-    let import = |library: &str| {
-        let name = format!("lamps-{}.mtl", library.len());
-        file(&name, library);
-        let text = painted().replace("painted.mtl", &name);
-        import(&file(&format!("{name}.obj"), &text), &Options::default()).unwrap()
-    };
     // One diffuse colour, and two lights: two colours.
-    let lamps = import("newmtl rust\nKd 1 0 0\nKe 0 0 1\nnewmtl sky\nKd 1 0 0\nKe 0 .2 0\n");
+    let lamps = by_library("newmtl rust\nKd 1 0 0\nKe 0 0 1\nnewmtl sky\nKd 1 0 0\nKe 0 .2 0\n");
     let colors = lamps.colors().unwrap().unwrap();
     assert_eq!((colors.palette().len(), said(&lamps)), (2, vec![]));
     let emitted = [0, 1, 2, 3].map(|face| colors.emission::<Rgb888>(face));
@@ -139,14 +127,15 @@ fn materials_may_emit_light() {
     assert_eq!(emitted, [green, blue, blue, green]);
     assert_eq!([0, 1].map(|face| colors.color::<Rgb888>(face)), [Rgb888::RED; 2]);
     // What modelling programs write for materials that emit nothing, and a lamp that no face has.
-    let none =
-        import("newmtl rust\nKd 1 0 0\nKe 0 0 0\nnewmtl sky\nKd 1 0 0\nnewmtl lamp\nKd 0 0 0\nKe 1 1 1\n");
+    let none = by_library(
+        "newmtl rust\nKd 1 0 0\nKe 0 0 0\nnewmtl sky\nKd 1 0 0\nnewmtl lamp\nKd 0 0 0\nKe 1 1 1\n",
+    );
     assert_eq!((none.palette.len(), none.emission.len()), (1, 0));
     // Only a light.
-    let grey = import("newmtl rust\nKe 1 0 0\nnewmtl sky\nKd 1 1 0\n");
+    let grey = by_library("newmtl rust\nKe 1 0 0\nnewmtl sky\nKd 1 1 0\n");
     assert_eq!(grey.palette, [[255, 255, 0], [204, 204, 204]]);
     assert_eq!(grey.emission, [[0, 0, 0], [255, 0, 0]]);
-    let one = import("newmtl rust\nKe .2\nnewmtl sky\n");
+    let one = by_library("newmtl rust\nKe .2\nnewmtl sky\n");
     assert_eq!((one.palette, one.emission), (vec![[204; 3]; 2], vec![[0; 3], [51; 3]]));
 }
 
@@ -154,7 +143,7 @@ fn materials_may_emit_light() {
 fn a_line_that_is_not_understood_costs_that_line() {
     let red = "newmtl rust\nKd 1 0 0\nnewmtl sky\n";
     let numbers = "`Kd` and `Ke` need one number, or three: red, green and blue";
-    for (row, (library, sky, doubt)) in [
+    for (library, sky, doubt) in [
         (format!("{red}Kd 0 0 1\n"), [0, 0, 255], None),
         (format!("{red}Kd .5\n"), [128; 3], None),
         (format!("{red}Kd 0 0 1 .5 # blue\n"), [0, 0, 255], None),
@@ -171,16 +160,10 @@ fn a_line_that_is_not_understood_costs_that_line() {
         (format!("newmtl\nKd 0 1 0\n{red}Kd 0 0 1\n"), [0, 0, 255], Some((1, "`newmtl` needs a name"))),
         (format!("{red}Kd 0 0 1\nnewmtl \nKd 0 1 0\n"), [0, 0, 255], Some((5, "`newmtl` needs a name"))),
         (format!("Kd 0 1 0\n{red}Kd 0 0 1\n"), [0, 0, 255], Some((1, "no `newmtl` stands before it"))),
-    ]
-    .into_iter()
-    .enumerate()
-    {
-        let name = format!("line-{row}.mtl");
-        file(&name, &library);
-        let text = painted().replace("painted.mtl", &name);
-        let mesh = import(&file(&format!("line-{row}.obj"), &text), &Options::default()).unwrap();
+    ] {
+        let mesh = by_library(&library);
         let doubt = doubt.map(|(line, why)| {
-            format!("material library {name}: lines passed over: 1, the first at line {line}: {why}")
+            format!("material library painted.mtl: lines passed over: 1, the first at line {line}: {why}")
         });
         assert_eq!(
             (&mesh.palette[..], said(&mesh)),
@@ -193,18 +176,17 @@ fn a_line_that_is_not_understood_costs_that_line() {
 /// A `#` belongs to the name, unless only the name before it is known.
 #[test]
 fn names_of_materials_may_have_signs() {
-    file("signs.mtl", "newmtl Material #1\nKd 1 0 0\nnewmtl Material #2\nKd 0 0 1\nnewmtl plain\nKd 0 1 0\n");
+    let library = "newmtl Material #1\nKd 1 0 0\nnewmtl Material #2\nKd 0 0 1\nnewmtl plain\nKd 0 1 0\n";
     let [a, b, c, d] = FACES;
     let text = format!("mtllib signs.mtl\n{CORNERS}usemtl Material #1\n{a}usemtl  Material #2 \r\n{b}usemtl plain # green\n{c}{d}");
-    let mesh = import(&file("signs.obj", &text), &Options::default()).unwrap();
+    let mesh = obj_beside(&text, &[("signs.mtl", library)], &Options::default());
     let [red, blue, green] = [[255, 0, 0], [0, 0, 255], [0, 255, 0]];
     assert_eq!((mesh.palette, mesh.face_colors), (vec![red, blue, green], vec![0, 1, 2, 2]));
 }
 
 /// A model in a folder of its own, with two libraries.
 fn shelf(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("shelves").join(name);
-    let _ = std::fs::remove_dir_all(&folder); // of an earlier run
+    let folder = folder(&format!("shelf-{name}"));
     std::fs::create_dir_all(folder.join("model/Deep")).unwrap();
     std::fs::write(folder.join("model/my sky.mtl"), "newmtl sky\nKd 0 0 1\n").unwrap();
     std::fs::write(folder.join("model/Deep/Rust.MTL"), "newmtl rust\nKd 1 0 0\n").unwrap();
@@ -326,7 +308,7 @@ fn libraries_elsewhere_are_skipped() {
 #[test]
 fn polygons_are_fans_in_their_texture_too() {
     let text = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
-    let mesh = import(&file("quad.obj", text), &Options::default()).unwrap();
+    let mesh = obj_beside(text, &[], &Options::default());
     let texture = mesh.texture().unwrap().unwrap();
     // v 1 is the top: row 0. All of 0 to 1 fits 2^-14, not 2^-15.
     assert_eq!((texture.exponent(), texture.coords().len()), (-14, 4));
@@ -341,7 +323,7 @@ fn coordinates_lie_on_the_finest_grid_that_holds_them() {
     let with = |coords: [[f64; 2]; 3]| {
         let coords: String = coords.iter().map(|[u, v]| format!("vt {u} {v}\n")).collect();
         let text = format!("v 0 0 0\nv 4 0 0\nv 4 4 0\n{coords}f 1/1 2/2 3/3\n");
-        import(&file(&format!("grid-{}.obj", coords.len()), &text), &Options::default()).unwrap()
+        obj_beside(&text, &[], &Options::default())
     };
     // Below 1 − 2^-16: 15 bits.
     assert_eq!(with([[0.0, 0.5], [0.9, 0.25], [0.5, 0.999]]).texture_exponent, -15);
@@ -366,10 +348,10 @@ fn coordinates_lie_on_the_finest_grid_that_holds_them() {
 #[test]
 fn what_is_wrong_with_materials_leaves_the_mesh() {
     let [a, b, c, d] = FACES;
-    let plain = import(&file("plain.obj", &format!("{CORNERS}{a}{b}{c}{d}")), &Options::default()).unwrap();
+    let plain = obj_beside(&format!("{CORNERS}{a}{b}{c}{d}"), &[], &Options::default());
     assert_eq!(said(&plain), Vec::<String>::new());
-    file("broken.mtl", "newmtl rust\nKd red\n");
-    file("half.mtl", "newmtl rust\nKd 1 0 0\nnewmtl bare\nNs 2\n");
+    let beside =
+        [("broken.mtl", "newmtl rust\nKd red\n"), ("half.mtl", "newmtl rust\nKd 1 0 0\nnewmtl bare\nNs 2\n")];
     let body = |uses: &str| format!("{uses}\n{CORNERS}{a}{b}{c}{d}");
     for (text, palette, doubt) in [
         (
@@ -392,28 +374,25 @@ fn what_is_wrong_with_materials_leaves_the_mesh() {
         (body("mtllib sub\\..\\half.mtl\nusemtl rust"), vec![[255, 0, 0]], ""),
         (body("mtllib half.mtl"), vec![], ""),
     ] {
-        if text.contains('\\') {
-            std::fs::create_dir_all(Path::new(env!("CARGO_TARGET_TMPDIR")).join("materials/sub")).unwrap();
-        }
-        let mesh = import(&file("doubt.obj", &text), &Options::default()).unwrap();
+        let mesh = obj_beside(&text, &beside, &Options::default());
         assert_eq!(mesh.palette, palette, "{text}");
         assert_eq!(said(&mesh).concat(), doubt);
         assert_eq!((&mesh.vertices, &mesh.faces, &mesh.texture_coords), (&plain.vertices, &plain.faces, &plain.texture_coords));
     }
     // Coordinates that are none, or not there.
     let wrong = format!("{CORNERS}vt x\n{a}{b}{c}{d}");
-    let mesh = import(&file("wrong.obj", &wrong), &Options::default()).unwrap();
+    let mesh = obj_beside(&wrong, &[], &Options::default());
     assert_eq!((mesh.faces.len(), mesh.texture_faces.len()), (4, 0));
     let doubt = "no texture coordinates: a texture coordinate needs two numbers; they are left out: export the model again";
     assert_eq!((mesh.warnings[0].line(), said(&mesh)), (Some(17), vec![doubt.to_string()]));
     let stray = format!("{CORNERS}{a}{b}{c}f 3/10 1/11 4/13\n");
-    let mesh = import(&file("stray.obj", &stray), &Options::default()).unwrap();
+    let mesh = obj_beside(&stray, &[], &Options::default());
     assert_eq!((mesh.faces.len(), mesh.texture_faces.len()), (4, 0));
     assert!(said(&mesh)[0]
         .starts_with("no texture coordinates: a face names a texture coordinate that does not exist; "));
     assert_eq!(mesh.warnings[0].line(), Some(20));
     let half = format!("{CORNERS}{a}{b}{c}f 3/10 1 4/12\n");
-    let mesh = import(&file("half.obj", &half), &Options::default()).unwrap();
+    let mesh = obj_beside(&half, &[], &Options::default());
     assert_eq!(mesh.texture_faces.len(), 4);
     assert_eq!(
         said(&mesh),
@@ -421,7 +400,7 @@ fn what_is_wrong_with_materials_leaves_the_mesh() {
     );
     // Coordinates that no face names are not the mesh's.
     let unused = format!("{CORNERS}f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
-    let mesh = import(&file("unused.obj", &unused), &Options::default()).unwrap();
+    let mesh = obj_beside(&unused, &[], &Options::default());
     assert_eq!((mesh.texture_faces.len(), said(&mesh).len()), (0, 0));
 }
 
@@ -436,8 +415,7 @@ fn more_than_256_colours_become_the_256_most_used() {
         text +=
             &if i < 44 { String::new() } else { format!("v {i} 3 0\nv {i} 4 0\nv {i} 3 1\nf -3 -2 -1\n") };
     }
-    file("many.mtl", &library);
-    let mesh = import(&file("many.obj", &text), &Options::default()).unwrap();
+    let mesh = obj_beside(&text, &[("many.mtl", &library)], &Options::default());
     let doubt = "colours: 300, of which a palette holds 256; the others become the nearest of these";
     assert!(said(&mesh).contains(&doubt.into()), "{:?}", said(&mesh));
     assert_eq!(mesh.palette.len(), 256);
@@ -459,8 +437,7 @@ include!("generated/painted.rs");
 /// That `generated/painted.rs` compiles, and what it then is.
 #[test]
 fn the_source_holds_lists_that_stand_beside_the_mesh() {
-    let path = file("painted.obj", &painted());
-    file("painted.mtl", LIBRARY);
+    let path = painted_file("materials-source", &painted());
     let mesh = import(&path, &Options { up: Some(Axis::Y), ..Options::default() }).unwrap();
     let command = "pinhole-import painted.obj -o painted.rs --name PAINTED --keep-order";
     let text = mesh.to_rust_mesh("PAINTED", &path, command).unwrap();
@@ -497,9 +474,7 @@ fn the_source_holds_lists_that_stand_beside_the_mesh() {
 
 #[test]
 fn a_preview_has_the_colours_of_its_triangles() {
-    file("painted.mtl", LIBRARY);
-    let text = painted().replace(FACES[3], ""); // open
-    let path = file("open.obj", &text);
+    let path = painted_file("materials-preview", &painted().replace(FACES[3], "")); // open
     let shown = preview(&path, &Options { two_sided: true, ..Options::default() }).unwrap();
     let [sky, rust] = [[0, 128, 255], [153, 51, 0]];
     assert_eq!(shown.colors, [sky, rust, rust, sky, rust, rust]);

@@ -1,28 +1,13 @@
 //! What can be chosen, each against its definition in `f64`.
 
+use crate::common::{obj, position, said};
 use pinhole::MeshError;
-use pinhole_import::{import, Axis, Centre, Edges, ImportedMesh, Options, Problem};
+use pinhole_import::{Axis, Centre, Edges, ImportedMesh, Options, Problem};
 use std::collections::{HashMap, HashSet};
-use std::path::{Path, PathBuf};
-
-fn file(name: &str, text: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    std::fs::write(&path, text).unwrap();
-    path
-}
 
 /// A block of 4 × 2 × 1 from the origin, with z upwards, of quads, counter-clockwise seen from outside.
-fn block() -> PathBuf {
-    let text = "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 0 2 0\nv 0 0 1\nv 4 0 1\nv 4 2 1\nv 0 2 1\n\
-        f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8\n";
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("block.obj");
-    if !path.exists() {
-        let made = path.with_extension(format!("{:?}", std::thread::current().id()));
-        std::fs::write(&made, text).unwrap();
-        std::fs::rename(&made, &path).unwrap(); // whole, for tests at the same time
-    }
-    path
-}
+const BLOCK: &str = "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 0 2 0\nv 0 0 1\nv 4 0 1\nv 4 2 1\nv 0 2 1\n\
+    f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8\n";
 
 /// A ball of triangles, about (5, 0, 0), with a radius of 3; its faces in the order of a shuffled pack.
 fn ball(rings: usize, sides: usize) -> String {
@@ -60,12 +45,6 @@ fn ball(rings: usize, sides: usize) -> String {
     text
 }
 
-fn position(mesh: &ImportedMesh, vertex: u16) -> [f64; 3] {
-    let step = 2f64.powi(i32::from(mesh.exponent));
-    let v = mesh.vertices[usize::from(vertex)];
-    [0, 1, 2].map(|axis| f64::from(v[axis]) * step + mesh.offset[axis])
-}
-
 /// The largest and the smallest of each coordinate.
 fn bounds(mesh: &ImportedMesh) -> [[f64; 3]; 2] {
     let all: Vec<_> = (0..mesh.vertices.len()).map(|v| position(mesh, v as u16)).collect();
@@ -76,27 +55,17 @@ fn bounds(mesh: &ImportedMesh) -> [[f64; 3]; 2] {
 }
 
 /// A tetrahedron with edges of 1, and a face far away whose corners lie on one line.
-fn with_sliver(far: f64) -> PathBuf {
-    let text = format!(
-        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nv {far} 0 0\nv {} 0 0\nf 1 5 6\n",
-        2.0 * far
-    );
-    file(&format!("sliver-{far:e}.obj"), &text)
-}
-
 #[test]
 fn faces_on_a_line_decide_nothing() {
     for far in [1e3, 1e9, 1e-9, 1e150] {
-        let options = Options { fit: Some(2.0), ..Options::default() };
-        let mesh = import(&with_sliver(far), &options).unwrap_or_else(|e| panic!("{e}"));
+        let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+        let text = format!("{text}v {far} 0 0\nv {} 0 0\nf 1 5 6\n", 2.0 * far);
+        let mesh = obj(&text, &Options { fit: Some(2.0), ..Options::default() }).unwrap();
         let report = mesh.report;
         assert_eq!((mesh.faces.len(), report.degenerate, report.unused), (4, 1, 2), "{far:e}");
         assert_eq!((report.extent, report.scale, mesh.offset), (2.0, 2.0, [1.0; 3]), "{far:e}");
-        let sliver = mesh.warnings.iter().find(|w| w.to_string().contains("without area")).unwrap();
-        assert_eq!(
-            sliver.to_string(),
-            "faces without area: 1, the first at line 11; dropped, which changes no picture"
-        );
+        let wanted = "faces without area: 1, the first at line 11; dropped, which changes no picture";
+        assert!(said(&mesh).contains(&wanted.into()), "{:?}", mesh.warnings);
     }
 }
 
@@ -111,28 +80,23 @@ fn rod([x, y, z]: [f64; 3]) -> String {
 /// Half of 60 000 is less than 32 767, so the step is 1, and coordinates are halves of the sides, rounded.
 #[test]
 fn shapes_that_rounding_changes_are_named() {
-    let warnings = |name: &str, sides| {
-        let mesh = import(&file(name, &rod(sides)), &Options::default()).unwrap();
-        let all = mesh.warnings.iter().map(ToString::to_string).collect::<Vec<_>>();
-        all.into_iter().filter(|text| text.starts_with("rounding")).collect::<Vec<_>>()
-    };
-    let said = |what: &str| {
-        format!(
-            "rounding to a grid of at most 65535 steps along the longest side changes the shape: {what} % of that in the file: \
-             split the model, or leave out parts that lie far from the others"
-        )
-    };
-    assert!(warnings("thick.obj", [60000.0, 100.0, 100.0]).is_empty());
-    // Sides of 1 become 2.
-    let twice = warnings("thin.obj", [60000.0, 1.0, 1.0]);
-    assert_eq!(twice, [said("0 of 12 faces have no area on it, and the area of all is 200")]);
-    // Four faces of 60000 by 1 or 0.9 and two small ones become two of 60000 by 2.
-    let sheet = warnings("thinner.obj", [60000.0, 1.0, 0.9]);
-    assert_eq!(sheet, [said("8 of 12 faces have no area on it, and the area of all is 105")]);
-    let error = import(&file("needle.obj", &rod([60000.0, 0.9, 0.9])), &Options::default()).unwrap_err();
-    let problem = "has no face with an area on a grid of at most 65535 steps along its longest side, as all 12 are thinner than a step: \
-                   split the model, or leave out parts that lie far from the others";
-    assert!(error.to_string().ends_with(problem), "{error}");
+    const HELP: &str = "split the model, or leave out parts that lie far from the others";
+    let start = "rounding to a grid of at most 65535 steps along the longest side changes the shape: ";
+    for (sides, what) in [
+        ([60000.0, 100.0, 100.0], None),
+        // Sides of 1 become 2.
+        ([60000.0, 1.0, 1.0], Some("0 of 12 faces have no area on it, and the area of all is 200")),
+        // Four faces of 60000 by 1 or 0.9 and two small ones become two of 60000 by 2.
+        ([60000.0, 1.0, 0.9], Some("8 of 12 faces have no area on it, and the area of all is 105")),
+    ] {
+        let mesh = obj(&rod(sides), &Options::default()).unwrap();
+        let found: Vec<_> = said(&mesh).into_iter().filter(|text| text.starts_with("rounding")).collect();
+        let wanted = what.map(|what| format!("{start}{what} % of that in the file: {HELP}"));
+        assert_eq!(found, Vec::from_iter(wanted));
+    }
+    let error = obj(&rod([60000.0, 0.9, 0.9]), &Options::default()).unwrap_err();
+    let problem = format!("has no face with an area on a grid of at most 65535 steps along its longest side, as all 12 are thinner than a step: {HELP}");
+    assert!(error.to_string().ends_with(&problem), "{error}");
 }
 
 #[test]
@@ -141,14 +105,14 @@ fn small_and_large_faces_have_an_area() {
     for size in [1e-170, 1e200] {
         let text = format!("v 0 0 0\nv {size:e} 0 0\nv 0 {size:e} 0\nf 1 2 3\n");
         let options = Options { fit: Some(1.0), ..Options::default() };
-        let mesh = import(&file(&format!("size-{size:e}.obj"), &text), &options).unwrap();
+        let mesh = obj(&text, &options).unwrap();
         assert_eq!((mesh.faces.len(), mesh.report.extent), (1, 1.0));
     }
 }
 
 #[test]
 fn the_axis_that_points_upwards_becomes_y_and_nothing_is_mirrored() {
-    let whole = import(&block(), &Options::default()).unwrap();
+    let whole = obj(BLOCK, &Options::default()).unwrap();
     let axes = [
         (Axis::X, [1.0, 0.0, 0.0]),
         (Axis::Y, [0.0, 1.0, 0.0]),
@@ -158,7 +122,7 @@ fn the_axis_that_points_upwards_becomes_y_and_nothing_is_mirrored() {
         (Axis::MinusZ, [0.0, 0.0, -1.0]),
     ];
     for (up, axis) in axes {
-        let mesh = import(&block(), &Options { up: Some(up), ..Options::default() }).unwrap();
+        let mesh = obj(BLOCK, &Options { up: Some(up), ..Options::default() }).unwrap();
         // Faces are unchanged and in unchanged order, so comparing vertices checks the rotation.
         assert_eq!(mesh.faces, whole.faces);
         for vertex in 0..8 {
@@ -175,7 +139,7 @@ fn the_axis_that_points_upwards_becomes_y_and_nothing_is_mirrored() {
 #[test]
 fn a_model_is_made_as_long_as_wanted() {
     for (fit, scale) in [(1.0, 0.25), (0.001, 0.00025), (30000.0, 7500.0)] {
-        let mesh = import(&block(), &Options { fit: Some(fit), ..Options::default() }).unwrap();
+        let mesh = obj(BLOCK, &Options { fit: Some(fit), ..Options::default() }).unwrap();
         assert_eq!((mesh.report.scale, mesh.report.extent), (scale, fit));
         let [low, high] = bounds(&mesh);
         for (axis, side) in [4.0, 2.0, 1.0].into_iter().enumerate() {
@@ -185,9 +149,9 @@ fn a_model_is_made_as_long_as_wanted() {
         }
     }
     for fit in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let error = import(&block(), &Options { fit: Some(fit), ..Options::default() }).unwrap_err();
+        let error = obj(BLOCK, &Options { fit: Some(fit), ..Options::default() }).unwrap_err();
         assert!(
-            error.to_string().ends_with("block.obj: the length to fit is not a positive number"),
+            error.to_string().ends_with("model.obj: the length to fit is not a positive number"),
             "{error}"
         );
     }
@@ -195,9 +159,9 @@ fn a_model_is_made_as_long_as_wanted() {
 
 #[test]
 fn the_origin_may_be_the_centre_or_the_files() {
-    let centred = import(&block(), &Options::default()).unwrap();
+    let centred = obj(BLOCK, &Options::default()).unwrap();
     assert_eq!(centred.offset, [2.0, 1.0, 0.5]);
-    let mesh = import(&block(), &Options { centre: Centre::Origin, ..Options::default() }).unwrap();
+    let mesh = obj(BLOCK, &Options { centre: Centre::Origin, ..Options::default() }).unwrap();
     assert_eq!(mesh.offset, [0.0; 3]);
     assert_eq!(bounds(&mesh), [[0.0; 3], [4.0, 2.0, 1.0]]);
     // Half the range is not used: a step twice as long.
@@ -206,9 +170,9 @@ fn the_origin_may_be_the_centre_or_the_files() {
 
 #[test]
 fn faces_are_turned_over() {
-    let mesh = import(&block(), &Options { flip: true, ..Options::default() }).unwrap();
+    let mesh = obj(BLOCK, &Options { flip: true, ..Options::default() }).unwrap();
     assert_eq!(mesh.volume(), -8.0);
-    let doubt: Vec<_> = mesh.warnings.iter().map(ToString::to_string).collect();
+    let doubt = said(&mesh);
     let wanted = "parts inside out: 1 of 1, the first at line 9; the outside shows nothing: leave out --flip, unless it is a room seen from inside";
     assert_eq!(doubt, [wanted]);
 }
@@ -240,30 +204,34 @@ fn angle(mesh: &ImportedMesh, faces: &[u16]) -> f64 {
 
 #[test]
 fn feature_edges_are_those_where_the_surface_turns_or_ends() {
-    let feature = |path: &Path, degrees| {
-        import(path, &Options { edges: Edges::Feature { degrees }, ..Options::default() }).unwrap()
+    let feature = |text: &str, degrees| {
+        obj(text, &Options { edges: Edges::Feature { degrees }, ..Options::default() }).unwrap()
     };
+    // What turns by 90°, or by 0°, does not turn by more. Coplanar triangles of different size: their border alone.
+    assert_eq!([89.0, 90.0, 91.0].map(|degrees| feature(BLOCK, degrees).edges.len()), [12, 0, 0]);
+    let plane = "v 0 0 0\nv 16 -8 0\nv 21 -3 -5\nv 15 0 -5\nf 1 2 3 4\n";
+    assert_eq!([0.0, 30.0].map(|degrees| feature(plane, degrees).edges.len()), [4, 4]);
     // The block: its twelve, not the six diagonals, which a triangle's normals do not see.
     for degrees in [0.5, 30.0, 89.9] {
-        let mesh = feature(&block(), degrees);
+        let mesh = feature(BLOCK, degrees);
         let of_block = |&[a, b]: &[u16; 2]| {
             let (p, q) = (position(&mesh, a), position(&mesh, b));
             (0..3).filter(|&axis| (p[axis] - q[axis]).abs() > 0.5).count() == 1
         };
         assert!(mesh.edges.len() == 12 && mesh.edges.iter().all(of_block), "{degrees}");
     }
-    assert!(feature(&block(), 90.1).edges.is_empty());
+    assert!(feature(BLOCK, 90.1).edges.is_empty());
     // An open lid: the rim stays, whatever the angle.
-    let sheet = file("sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
-    assert_eq!(feature(&sheet, 180.0).edges.len(), 4);
+    let sheet = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+    assert_eq!(feature(sheet, 180.0).edges.len(), 4);
     // Three sheets at an edge, and two of opposite winding, are always edges.
-    let fan = file("fan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 1 1e-3\nf 1 2 3\nf 2 1 4\nf 1 2 5\n");
-    assert_eq!(feature(&fan, 180.0).edges.len(), 7);
-    let twist = file("twist.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nf 1 2 3\nf 1 2 4\n");
-    assert_eq!(feature(&twist, 180.0).edges.len(), 5);
+    let fan = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 1 1e-3\nf 1 2 3\nf 2 1 4\nf 1 2 5\n";
+    assert_eq!(feature(fan, 180.0).edges.len(), 7);
+    let twist = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nf 1 2 3\nf 1 2 4\n";
+    assert_eq!(feature(twist, 180.0).edges.len(), 5);
 
     // The ball: every edge by its own angle, where that is not within rounding of the limit.
-    let ball = file("ball-feature.obj", &ball(12, 16));
+    let ball = ball(12, 16);
     for degrees in [5.0, 14.0, 17.0] {
         let mesh = feature(&ball, degrees);
         let edges: HashSet<_> = mesh.edges.iter().copied().collect();
@@ -279,18 +247,15 @@ fn feature_edges_are_those_where_the_surface_turns_or_ends() {
     }
     for degrees in [-1.0, 181.0, f64::NAN] {
         let options = Options { edges: Edges::Feature { degrees }, ..Options::default() };
-        assert!(matches!(import(&block(), &options).unwrap_err().problem, Problem::Options(_)));
+        assert!(matches!(obj(BLOCK, &options).unwrap_err().problem, Problem::Options(_)));
     }
-    assert!(import(&block(), &Options { edges: Edges::None, ..Options::default() })
-        .unwrap()
-        .edges
-        .is_empty());
+    assert!(obj(BLOCK, &Options { edges: Edges::None, ..Options::default() }).unwrap().edges.is_empty());
 }
 
 #[test]
 fn the_faces_beside_edges_are_all_there() {
     let options = Options { edge_faces: true, ..Options::default() };
-    let mesh = import(&file("ball-beside.obj", &ball(8, 10)), &options).unwrap();
+    let mesh = obj(&ball(8, 10), &options).unwrap();
     assert_eq!(mesh.mesh().unwrap().edge_faces(), mesh.edge_faces);
     let expected = faces_by_edge(&mesh);
     assert_eq!(mesh.edges.len(), expected.len());
@@ -299,14 +264,14 @@ fn the_faces_beside_edges_are_all_there() {
     }
     // An open edge has one face, and where three meet, the edge is there twice; as pinhole's own function has it.
     let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n";
-    let fan = import(&file("fan-beside.obj", text), &options).unwrap();
+    let fan = obj(text, &options).unwrap();
     let edges: [[u16; 2]; 8] = fan.edges[..].try_into().unwrap();
     assert_eq!(edges[..2], [[0, 1], [0, 1]]);
     assert_eq!(fan.edge_faces, pinhole::edge_faces(&edges, &fan.faces));
     assert_eq!(fan.edge_faces[1], [2, u16::MAX]);
     // Faces of feature edges only.
     let options = Options { edges: Edges::Feature { degrees: 30.0 }, ..options };
-    let mesh = import(&block(), &options).unwrap();
+    let mesh = obj(BLOCK, &options).unwrap();
     assert_eq!(mesh.edge_faces.len(), 12);
     let expected = faces_by_edge(&mesh);
     assert!(mesh.edges.iter().zip(&mesh.edge_faces).all(|(edge, beside)| expected[edge] == beside));
@@ -318,7 +283,7 @@ fn vertex_normals_do_not_depend_on_how_a_surface_is_cut() {
     // A cube, cut so that a corner has four, five or six triangles: its normals lie along the space diagonals.
     let cube = "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n\
         f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8\n";
-    let mesh = import(&file("cube-normals.obj", cube), &options).unwrap();
+    let mesh = obj(cube, &options).unwrap();
     assert!(mesh.normals.is_empty());
     assert_eq!(mesh.mesh().unwrap().vertex_normals().len(), 8);
     let third = (32767.0 / 3f64.sqrt()).round() as i16;
@@ -326,7 +291,7 @@ fn vertex_normals_do_not_depend_on_how_a_surface_is_cut() {
         assert_eq!(*normal, vertex.map(|c| c.signum() * third));
     }
     // A ball's point outwards, as well as the angles of its triangles allow.
-    let mesh = import(&file("ball-normals.obj", &ball(24, 32)), &options).unwrap();
+    let mesh = obj(&ball(24, 32), &options).unwrap();
     for vertex in 0..mesh.vertices.len() {
         let outwards = position(&mesh, vertex as u16);
         let outwards = [outwards[0] - 5.0, outwards[1], outwards[2]].map(|c| c / 3.0);
@@ -336,7 +301,7 @@ fn vertex_normals_do_not_depend_on_how_a_surface_is_cut() {
     }
     // Two sides of a sheet cancel: the first face's.
     let sheet = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n";
-    let mesh = import(&file("sides.obj", sheet), &options).unwrap();
+    let mesh = obj(sheet, &options).unwrap();
     assert_eq!(mesh.vertex_normals, [[0, 0, 32767]; 3]);
 }
 
@@ -355,10 +320,10 @@ fn fetched(mesh: &ImportedMesh) -> f64 {
 
 #[test]
 fn neighbours_follow_each_other_and_nothing_else_changes() {
-    let path = file("ball-order.obj", &ball(40, 50));
+    let text = ball(40, 50);
     let options = Options { edge_faces: true, vertex_normals: true, ..Options::default() };
-    let before = import(&path, &options).unwrap();
-    let after = import(&path, &Options { reorder: true, ..options }).unwrap();
+    let before = obj(&text, &options).unwrap();
+    let after = obj(&text, &Options { reorder: true, ..options }).unwrap();
     assert_eq!(before.report.fetches, [fetched(&before); 2]);
     assert_eq!(after.report.fetches, [fetched(&before), fetched(&after)]);
     // Sander, Nehab and Barczak report 0.6 to 0.7 for caches of 12 to 24; a shuffled pack has nearly 3.
@@ -409,7 +374,7 @@ fn lines_are_right_after_faces_were_ordered() {
     let expected = expected.unwrap() + 1;
     let text = &text[..cut];
     let options = Options { reorder: true, ..Options::default() };
-    let mesh = import(&file("hole.obj", text), &options).unwrap();
+    let mesh = obj(text, &options).unwrap();
     let warning = &mesh.warnings[0];
     assert!(warning.to_string().starts_with("open edges: 3, the first at line "), "{warning}");
     let line = text.lines().nth(warning.line().unwrap() - 1).unwrap();
@@ -426,7 +391,7 @@ fn the_third_face_of_an_edge_is_that_of_the_file() {
     let corners: Vec<&str> = face.split_whitespace().collect();
     let text = format!("{text}v 5 9 9\nf {} {} -1\n", corners[1], corners[2]);
     let options = Options { reorder: true, ..Options::default() };
-    let mesh = import(&file("fin.obj", &text), &options).unwrap();
+    let mesh = obj(&text, &options).unwrap();
     let crowded = mesh
         .warnings
         .iter()
@@ -437,8 +402,8 @@ fn the_third_face_of_an_edge_is_that_of_the_file() {
 
 #[test]
 fn what_a_mesh_cannot_hold_says_what_to_do() {
-    let path = file("tiny.obj", "v 0 0 0\nv 1e-20 0 0\nv 0 1e-20 0\nf 1 2 3\n");
-    let error = import(&path, &Options::default()).unwrap_err();
+    let tiny = "v 0 0 0\nv 1e-20 0 0\nv 0 1e-20 0\nf 1 2 3\n";
+    let error = obj(tiny, &Options::default()).unwrap_err();
     assert!(matches!(error.problem, Problem::Exponent(-82)), "{error}"); // half of 1e-20 is 24178 · 2^-82
     assert!(
         error.to_string().contains(
@@ -446,15 +411,15 @@ fn what_a_mesh_cannot_hold_says_what_to_do() {
         ),
         "{error}"
     );
-    assert!(import(&path, &Options { fit: Some(1.0), ..Options::default() }).is_ok());
-    let error = import(&path, &Options { planes: true, ..Options::default() }).unwrap_err();
+    assert!(obj(tiny, &Options { fit: Some(1.0), ..Options::default() }).is_ok());
+    let error = obj(tiny, &Options { planes: true, ..Options::default() }).unwrap_err();
     assert!(matches!(error.problem, Problem::Exponent(-82)), "{error}");
 }
 
 #[test]
 fn flash_is_counted() {
     let all = Options { edge_faces: true, planes: true, vertex_normals: true, ..Options::default() };
-    let mesh = import(&block(), &all).unwrap();
+    let mesh = obj(BLOCK, &all).unwrap();
     // 8 vertices with normals, 12 faces with normals and planes, 18 edges with their faces.
     assert_eq!(mesh.flash_bytes(), 8 * (6 + 6) + 12 * (6 + 6 + 2) + 18 * (4 + 4));
 }
@@ -462,14 +427,14 @@ fn flash_is_counted() {
 #[test]
 fn planes_are_those_of_the_finished_mesh() {
     let options = Options { reorder: true, planes: true, ..Options::default() };
-    let made = import(&block(), &options).unwrap();
+    let made = obj(BLOCK, &options).unwrap();
     let mesh = made.mesh_with_planes().unwrap();
     assert_eq!(mesh.planes(), mesh.face_planes::<12>());
     assert_eq!(mesh.planes(), made.planes);
 
     // By the definition: half of n·v, where a vertex and a normal of 2^15 stand for 1.
-    let path = file("ball-planes.obj", &ball(12, 16));
-    let made = import(&path, &options).unwrap();
+    let text = ball(12, 16);
+    let made = obj(&text, &options).unwrap();
     assert_eq!(made.planes.len(), made.faces.len());
     for ((face, normal), &plane) in made.faces.iter().zip(&made.normals).zip(&made.planes) {
         let corner = made.vertices[usize::from(face[0])];
@@ -481,7 +446,7 @@ fn planes_are_those_of_the_finished_mesh() {
     }
 
     // Nothing else is different, and by default there are none.
-    let plain = import(&path, &Options { planes: false, ..options }).unwrap();
+    let plain = obj(&text, &Options { planes: false, ..options }).unwrap();
     assert_eq!(plain, ImportedMesh { planes: Vec::new(), ..made });
     assert_eq!(
         plain.mesh_with_planes().unwrap_err(),
@@ -494,28 +459,13 @@ fn planes_are_those_of_the_finished_mesh() {
 fn planes_want_the_normals_of_faces() {
     for vertex_normals in [false, true] {
         let options = Options { normals: false, planes: true, vertex_normals, ..Options::default() };
-        let error = import(&block(), &options).unwrap_err();
+        let error = obj(BLOCK, &options).unwrap_err();
         assert!(matches!(error.problem, Problem::Options(_)), "{error}");
         assert!(
             error.to_string().ends_with("planes belong to the normals of faces: ask for these too"),
             "{error}"
         );
     }
-}
-
-/// What turns by 90°, or by 0°, does not turn by more.
-#[test]
-fn feature_edges_are_exact_where_the_angle_is() {
-    let edges = |path: &Path, degrees: f64| {
-        import(path, &Options { edges: Edges::Feature { degrees }, ..Options::default() })
-            .unwrap()
-            .edges
-            .len()
-    };
-    assert_eq!([89.0, 90.0, 91.0].map(|degrees| edges(&block(), degrees)), [12, 0, 0]);
-    // Coplanar triangles of different size: their border, and not what parts them.
-    let plane = file("coplanar.obj", "v 0 0 0\nv 16 -8 0\nv 21 -3 -5\nv 15 0 -5\nf 1 2 3 4\n");
-    assert_eq!([0.0, 30.0].map(|degrees| edges(&plane, degrees)), [4, 4]);
 }
 
 /// The offset that is written is what was subtracted, or it is not written.
@@ -525,12 +475,11 @@ fn offsets_are_what_was_subtracted() {
     let far = "v 32767.3 0 0\nv 32767.9 1 0\nv 32767.5 .5 .3\nv 32767.4 .2 .1\n";
     let plain = "v 1 2 3\nv 5 2 3\nv 1 9 3\nv 1 2 4\n";
     for (name, vertices, is_held) in [("small", small, false), ("far", far, false), ("plain", plain, true)] {
-        let path =
-            file(&format!("offset-{name}.obj"), &format!("{vertices}f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"));
-        let mesh = import(&path, &Options::default()).unwrap();
+        let text = format!("{vertices}f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+        let mesh = obj(&text, &Options::default()).unwrap();
         let written = mesh.to_rust("a test").contains("pub const OFFSET");
         assert_eq!(
-            (written, mesh.to_rust_mesh("M", &path, "a test").unwrap().contains("M_OFFSET")),
+            (written, mesh.to_rust_mesh("M", "model.obj".as_ref(), "a test").unwrap().contains("M_OFFSET")),
             (is_held, is_held),
             "{name}"
         );

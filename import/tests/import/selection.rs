@@ -1,10 +1,7 @@
 //! Objects of a file by their names, and several parts on one grid.
 
-use pinhole_import::{import_bytes, Centre, ImportError, ImportedMesh, Options, Problem, Remedy};
-
-fn import(text: &str, options: &Options) -> Result<ImportedMesh, ImportError> {
-    import_bytes(text.into(), "model.obj".as_ref(), &[], options)
-}
+use crate::common::{obj as import, Random};
+use pinhole_import::{import_bytes, Centre, ImportedMesh, Options, Problem, Remedy};
 
 /// A box from one corner to the other, with eight vertices.
 fn cuboid(low: [f64; 3], high: [f64; 3]) -> String {
@@ -76,17 +73,13 @@ fn positions(mesh: &ImportedMesh) -> Vec<[i128; 3]> {
 /// Of two boxes that share the corners of a side, these have equal positions, on each of many grids.
 #[test]
 fn parts_of_one_step_share_their_corners() {
-    let mut seed = 1u64;
-    let mut random = || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 40) as f64 / (1 << 24) as f64
-    };
+    let mut random = Random(1);
     for case in 0..400 {
         let exponent = -(case % 26);
         let step = 2f64.powi(exponent);
         let mut steps = |most: f64| match case % 4 {
-            0 => (random() * most).floor(),
-            _ => random() * most,
+            0 => (random.unit() * most).floor(),
+            _ => random.unit() * most,
         };
         // In some cases all corners lie half way between grid points.
         let low = [(); 3].map(|()| (steps(1e4) - 5e3 + 0.5) * step);

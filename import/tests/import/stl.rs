@@ -312,56 +312,35 @@ fn doubtful_triangles_are_named_by_line_or_number() {
     assert_eq!((mesh.warnings[0].line(), mesh.warnings[0].to_string().as_str()), (None, open));
 }
 
-/// Random finite numbers, by a linear congruence (Knuth, "The Art of Computer Programming" 2, section 3.3.4, table 1, line 16).
-fn numbers() -> impl FnMut() -> f32 {
+/// Random finite numbers (Knuth, "The Art of Computer Programming" 2, section 3.3.4, table 1, line 16), as binary and as text.
+#[test]
+fn both_kinds_have_all_bits_of_their_numbers() {
     let mut bits = 1u32;
-    move || loop {
+    let mut numbers = std::iter::repeat_with(move || {
         bits = bits.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        let number = f32::from_bits(bits);
-        if number.is_finite() {
-            break number;
-        }
-    }
-}
-
-/// The file is read as `stl_io` reads it.
-fn is_as_stl_io_reads(name: &str, bytes: &[u8]) {
-    let expected = stl_io::read_stl(&mut std::io::Cursor::new(bytes)).unwrap();
-    let read = read_triangles(&file(name, bytes)).unwrap();
-    let positions: Vec<_> = expected.vertices.iter().map(|v| v.0.map(f64::from)).collect();
-    assert_eq!(read.positions, positions, "{name}");
-    assert_eq!(read.faces, expected.faces.iter().map(|f| f.vertices).collect::<Vec<_>>(), "{name}");
-    assert_eq!(read.faces.len(), 500, "{name}");
-}
-
-#[test]
-fn binary_has_the_numbers_that_stl_io_reads() {
-    let mut number = numbers();
-    let mut bytes = vec![b' '; 80];
-    bytes.extend(500u32.to_le_bytes());
-    for _ in 0..500 {
-        bytes.extend((0..12).flat_map(|_| number().to_le_bytes()));
-        bytes.extend([1, 2]);
-    }
-    is_as_stl_io_reads("random-binary.stl", &bytes);
-}
-
-#[test]
-fn text_has_the_numbers_that_stl_io_reads() {
-    let mut number = numbers();
+        f32::from_bits(bits)
+    });
+    let mut number = || numbers.find(|number| number.is_finite()).unwrap();
+    let corners: Vec<[f32; 3]> = (0..1500).map(|_| [(); 3].map(|()| number())).collect();
+    let mut bytes = [&[b' '; 80][..], &500u32.to_le_bytes()].concat();
     let mut text = String::from("solid random\n");
-    for facet in 0..500 {
+    for (facet, corners) in corners.chunks(3).enumerate() {
+        bytes.extend([0; 12].into_iter().chain(corners.as_flattened().iter().flat_map(|c| c.to_le_bytes())));
+        bytes.extend([1, 2]);
         text += "facet normal 0 0 1\nouter loop\n";
-        for _ in 0..3 {
-            let [x, y, z] = [number(), number(), number()];
-            text += &if facet % 2 == 0 {
-                format!("vertex {x} {y} {z}\n")
-            } else {
-                format!("vertex {x:e} {y:E} {z}\n")
+        for [x, y, z] in corners {
+            text += &match facet % 2 {
+                0 => format!("vertex {x} {y} {z}\n"),
+                _ => format!("vertex {x:e} {y:E} {z}\n"),
             };
         }
         text += "endloop\nendfacet\n";
     }
     text += "endsolid random\n";
-    is_as_stl_io_reads("random.stl", text.as_bytes());
+    for bytes in [bytes, text.into_bytes()] {
+        let read = read_triangles(&file("random.stl", &bytes)).unwrap();
+        let found: Vec<[f64; 3]> = read.faces.iter().flatten().map(|&at| read.positions[at]).collect();
+        assert_eq!(found, corners.iter().map(|corner| corner.map(f64::from)).collect::<Vec<_>>());
+        assert_eq!(read.faces.len(), 500);
+    }
 }

@@ -3,11 +3,6 @@
 use pinhole_import::{read, ImportedMesh, Topology};
 use std::path::Path;
 
-#[allow(unreachable_pub)]
-mod generated {
-    include!("../../../assets/teapot.rs");
-}
-
 fn teapot() -> ImportedMesh {
     read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../assets/teapot.obj")).unwrap()
 }

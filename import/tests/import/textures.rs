@@ -1,5 +1,6 @@
 //! Pictures of materials, from PNG and BMP files to texels, to Rust source, and to pixels.
 
+use crate::common::folder;
 use crate::images::{bmp, Image};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics::prelude::*;
@@ -16,8 +17,7 @@ const SQUARE: &str = "mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\
 
 /// A new folder with the square, its library that names this picture, and the picture.
 fn square(test: &str, map: &str, file: &str, picture: Image) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("textures").join(test);
-    std::fs::create_dir_all(&folder).unwrap();
+    let folder = folder(&format!("textures-{test}"));
     std::fs::write(folder.join("square.mtl"), format!("newmtl paint\nKd 1 1 1\n{map}\n")).unwrap();
     std::fs::write(folder.join("square.obj"), SQUARE).unwrap();
     picture.save(&folder.join(file));

@@ -1,7 +1,7 @@
 //! Which side of a face is its front: warnings, `flip`, `fix_winding` and `two_sided`.
 
-use pinhole_import::{import, preview, Axis, Edges, ImportedMesh, Options, Remedy, Topology};
-use std::path::{Path, PathBuf};
+use crate::common::{file, obj as import, position, said};
+use pinhole_import::{preview, Axis, Edges, ImportedMesh, Options, Remedy, Topology};
 
 /// Vertices and quads.
 type Body = (Vec<[f64; 3]>, Vec<[usize; 4]>);
@@ -28,52 +28,19 @@ fn obj(bodies: &[Body]) -> String {
     vertices + &faces
 }
 
-fn file(name: &str, text: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("winding");
-    std::fs::create_dir_all(&folder).unwrap();
-    let path = folder.join(name);
-    std::fs::write(&path, text).unwrap();
-    path
-}
-
 fn reversed((positions, mut quads): Body) -> Body {
     quads.iter_mut().for_each(|quad| quad.reverse());
     (positions, quads)
 }
 
-fn said(mesh: &ImportedMesh) -> Vec<String> {
-    mesh.warnings.iter().map(ToString::to_string).collect()
+fn fix() -> Options {
+    Options { fix_winding: true, ..Options::default() }
 }
-
-const FIX: Options = Options {
-    up: None,
-    flip: false,
-    fix_winding: true,
-    two_sided: false,
-    fit: None,
-    decimate: None,
-    centre: pinhole_import::Centre::Box,
-    reorder: false,
-    edges: Edges::All,
-    edge_faces: false,
-    normals: true,
-    planes: false,
-    vertex_normals: false,
-    texture: None,
-    root: None,
-    step: None,
-    objects: Vec::new(),
-    materials_only: false,
-};
 
 /// Whether each face's normal points away from the centre of its own box, which is the one of `boxes` that it touches.
 fn points_outwards(mesh: &ImportedMesh, boxes: &[([f64; 3], [f64; 3])]) -> Vec<bool> {
-    let step = 2f64.powi(i32::from(mesh.exponent));
-    let at = |v: u16| {
-        [0, 1, 2].map(|axis| f64::from(mesh.vertices[usize::from(v)][axis]) * step + mesh.offset[axis])
-    };
     let of = |(face, normal): (&[u16; 3], &[i16; 3])| {
-        let corners = face.map(at);
+        let corners = face.map(|v| position(mesh, v));
         let middle = [0, 1, 2].map(|axis| corners.iter().map(|c| c[axis]).sum::<f64>() / 3.0);
         let is_in = |(low, side): &&([f64; 3], [f64; 3])| {
             corners.iter().all(|c| (0..3).all(|i| c[i] > low[i] - 0.01 && c[i] < low[i] + side[i] + 0.01))
@@ -93,28 +60,28 @@ fn faces_against_their_neighbours_are_found_and_reversed() {
     let mut body = cuboid(low, side);
     body.1[1].reverse();
     body.1[4].reverse();
-    let path = file("mixed.obj", &obj(&[body]));
-    let mixed = import(&path, &Options::default()).unwrap();
+    let text = obj(&[body]);
+    let mixed = import(&text, &Options::default()).unwrap();
     // Each of the two quads has four neighbours, and one edge between them, along which they agree: 6 edges differ.
     assert_eq!(mixed.topology(), Topology { twisted: 6, ..Topology::default() });
     let wanted = "edges between faces of opposite winding: 6, the first at line 11; \
         some faces will be culled: use --fix-winding";
     assert_eq!(said(&mixed), [wanted]);
-    let fixed = import(&path, &FIX).unwrap();
+    let fixed = import(&text, &fix()).unwrap();
     assert_eq!((fixed.topology(), said(&fixed)), (Topology::default(), vec![]));
     assert_eq!(fixed.report.reversed, 4, "the triangles of two quads");
     assert!(points_outwards(&fixed, &[(low, side)]).iter().all(|outwards| *outwards));
     assert!((fixed.volume() - 8.0).abs() < 1e-3);
     // Fixed or not, what is right stays as it is.
-    let sound = file("sound.obj", &obj(&[cuboid(low, side)]));
-    assert_eq!(import(&sound, &FIX).unwrap(), import(&sound, &Options::default()).unwrap());
+    let sound = obj(&[cuboid(low, side)]);
+    assert_eq!(import(&sound, &fix()).unwrap(), import(&sound, &Options::default()).unwrap());
 }
 
 #[test]
 fn most_of_the_faces_reversed_is_outwards_all_the_same() {
     let mut body = cuboid([0.0; 3], [3.0, 2.0, 1.0]);
     body.1[..5].iter_mut().for_each(|quad| quad.reverse());
-    let fixed = import(&file("most.obj", &obj(&[body])), &FIX).unwrap();
+    let fixed = import(&obj(&[body]), &fix()).unwrap();
     assert!((fixed.volume() - 6.0).abs() < 1e-3, "{}", fixed.volume());
     assert_eq!(fixed.report.reversed, 10);
 }
@@ -122,20 +89,20 @@ fn most_of_the_faces_reversed_is_outwards_all_the_same() {
 #[test]
 fn one_of_two_bodies_inside_out_is_not_hidden_by_the_other() {
     let (small, large) = (([0.0; 3], [1.0; 3]), ([5.0, 0.0, 0.0], [4.0; 3]));
-    let path = file("two.obj", &obj(&[cuboid(large.0, large.1), reversed(cuboid(small.0, small.1))]));
-    let mesh = import(&path, &Options::default()).unwrap();
+    let text = obj(&[cuboid(large.0, large.1), reversed(cuboid(small.0, small.1))]);
+    let mesh = import(&text, &Options::default()).unwrap();
     assert!(mesh.volume() > 0.0, "both together");
     // 16 vertices, 6 faces of the first body.
     let wanted =
         "parts inside out: 1 of 2, the first at line 23; their outside shows nothing: use --fix-winding";
     assert_eq!(said(&mesh), [wanted]);
-    let fixed = import(&path, &FIX).unwrap();
+    let fixed = import(&text, &fix()).unwrap();
     assert_eq!((said(&fixed), fixed.report.reversed), (vec![], 12));
     assert!(points_outwards(&fixed, &[small, large]).iter().all(|outwards| *outwards));
     // Reversed all, it is the other one that is wrong; and fixed as well it is right again.
-    let flipped = import(&path, &Options { flip: true, ..Options::default() }).unwrap();
+    let flipped = import(&text, &Options { flip: true, ..Options::default() }).unwrap();
     assert_eq!(said(&flipped), [wanted.replace("23", "17") + " instead of --flip"]);
-    let again = import(&path, &Options { flip: true, ..FIX }).unwrap();
+    let again = import(&text, &Options { flip: true, ..fix() }).unwrap();
     assert_eq!((said(&again), again.report.reversed), (vec![], 12));
     assert!(points_outwards(&again, &[small, large]).iter().all(|outwards| *outwards));
 }
@@ -144,17 +111,16 @@ fn one_of_two_bodies_inside_out_is_not_hidden_by_the_other() {
 fn cavities_point_inwards_and_what_is_in_a_frame_is_none() {
     // A closed box in a closed box: a cavity, as solid modellers write it.
     let (outer, inner) = (([0.0; 3], [4.0; 3]), ([1.0; 3], [2.0; 3]));
-    let hollow = obj(&[cuboid(outer.0, outer.1), reversed(cuboid(inner.0, inner.1))]);
-    let path = file("hollow.obj", &hollow);
-    let mesh = import(&path, &Options::default()).unwrap();
+    let text = obj(&[cuboid(outer.0, outer.1), reversed(cuboid(inner.0, inner.1))]);
+    let mesh = import(&text, &Options::default()).unwrap();
     assert_eq!(said(&mesh), Vec::<String>::new());
-    assert_eq!(import(&path, &FIX).unwrap(), mesh);
+    assert_eq!(import(&text, &fix()).unwrap(), mesh);
     // A body within the cavity points outwards again.
     let core = ([1.5; 3], [1.0; 3]);
     let bodies =
         [cuboid(outer.0, outer.1), reversed(cuboid(inner.0, inner.1)), reversed(cuboid(core.0, core.1))];
-    let path = file("core.obj", &obj(&bodies));
-    let fixed = import(&path, &FIX).unwrap();
+    let text = obj(&bodies);
+    let fixed = import(&text, &fix()).unwrap();
     assert_eq!(fixed.report.reversed, 12);
     let outwards = points_outwards(&fixed, &[outer, inner, core]);
     assert!(outwards[..12].iter().all(|o| *o) && outwards[12..24].iter().all(|o| !o));
@@ -165,11 +131,11 @@ fn cavities_point_inwards_and_what_is_in_a_frame_is_none() {
     let mut quads = vec![[3, 2, 1, 0], [5, 4, 3, 0], [6, 7, 8, 9], [6, 9, 10, 11]];
     quads.extend((0..6).map(|i| [i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6]));
     let block = reversed(cuboid([2.0; 3], [1.0; 3]));
-    let path = file("corner.obj", &obj(&[(corners, quads), block]));
-    let mesh = import(&path, &Options::default()).unwrap();
+    let text = obj(&[(corners, quads), block]);
+    let mesh = import(&text, &Options::default()).unwrap();
     assert_eq!((mesh.topology(), mesh.warnings.len()), (Topology::default(), 1), "{:?}", mesh.warnings);
     assert!(mesh.warnings[0].to_string().starts_with("parts inside out: 1 of 2, "), "{:?}", mesh.warnings);
-    let fixed = import(&path, &FIX).unwrap();
+    let fixed = import(&text, &fix()).unwrap();
     assert!((fixed.volume() - (4.0 * 7.0 + 1.0)).abs() < 0.01, "{}", fixed.volume());
 }
 
@@ -178,8 +144,8 @@ fn open_surfaces_point_away_from_their_middle() {
     // A box without its lid, inside out.
     let mut body = reversed(cuboid([0.0; 3], [3.0, 2.0, 1.0]));
     body.1.remove(4);
-    let path = file("bowl.obj", &obj(&[body]));
-    let mesh = import(&path, &Options::default()).unwrap();
+    let text = obj(&[body]);
+    let mesh = import(&text, &Options::default()).unwrap();
     assert_eq!(mesh.topology().open, 4);
     let doubts = said(&mesh);
     assert!(doubts.len() == 2 && doubts[0].starts_with("open edges: 4, "), "{doubts:?}");
@@ -187,11 +153,11 @@ fn open_surfaces_point_away_from_their_middle() {
         doubts[1].starts_with("parts inside out: 1 of 1, ") && doubts[1].contains("use --flip"),
         "{doubts:?}"
     );
-    let fixed = import(&path, &FIX).unwrap();
+    let fixed = import(&text, &fix()).unwrap();
     assert!(points_outwards(&fixed, &[([0.0; 3], [3.0, 2.0, 1.0])]).iter().all(|outwards| *outwards));
     // A sheet has no inside: it stays as it lies.
-    let sheet = file("sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.01\nv 0 1 0\nf 4 3 2 1\n");
-    let fixed = import(&sheet, &FIX).unwrap();
+    let sheet = "v 0 0 0\nv 1 0 0\nv 1 1 0.01\nv 0 1 0\nf 4 3 2 1\n";
+    let fixed = import(sheet, &fix()).unwrap();
     assert_eq!((fixed.report.reversed, said(&fixed).len()), (0, 1));
 }
 
@@ -215,8 +181,8 @@ fn strip(n: usize) -> String {
 
 #[test]
 fn a_one_sided_surface_has_no_right_winding_and_says_so() {
-    let path = file("moebius.obj", &strip(24));
-    let mesh = import(&path, &FIX).unwrap();
+    let text = strip(24);
+    let mesh = import(&text, &fix()).unwrap();
     assert_eq!(mesh.report.reversed, 0);
     let doubts = said(&mesh);
     assert_eq!((doubts.len(), mesh.topology().twisted), (2, 1), "{doubts:?}");
@@ -225,7 +191,7 @@ fn a_one_sided_surface_has_no_right_winding_and_says_so() {
         "{doubts:?}"
     );
     // Both sides of it are one closed surface.
-    let both = import(&path, &Options { two_sided: true, ..FIX }).unwrap();
+    let both = import(&text, &Options { two_sided: true, ..fix() }).unwrap();
     assert_eq!((both.faces.len(), said(&both).len()), (96, 0));
 }
 
@@ -239,7 +205,7 @@ fn two_sided_adds_the_backs_of_what_can_be_seen_from_behind() {
     // A closed box, and a sheet of two triangles beside it.
     let sheet =
         (vec![[9.0, 0.0, 0.0], [12.0, 0.0, 0.0], [12.0, 4.0, 0.0], [9.0, 4.0, 0.0]], vec![[0, 1, 2, 3]]);
-    let path = file("leaf.obj", &obj(&[cuboid([0.0; 3], [4.0; 3]), sheet]));
+    let text = obj(&[cuboid([0.0; 3], [4.0; 3]), sheet]);
     let all = Options {
         edge_faces: true,
         planes: true,
@@ -247,8 +213,8 @@ fn two_sided_adds_the_backs_of_what_can_be_seen_from_behind() {
         edges: Edges::Feature { degrees: 30.0 },
         ..Options::default()
     };
-    let one = import(&path, &all).unwrap();
-    let two = import(&path, &Options { two_sided: true, ..all.clone() }).unwrap();
+    let one = import(&text, &all).unwrap();
+    let two = import(&text, &Options { two_sided: true, ..all.clone() }).unwrap();
     assert_eq!((one.faces.len(), two.faces.len(), two.report.backs), (14, 16, 2));
     assert_eq!((said(&one).len(), said(&two)), (1, vec![]));
     assert_eq!((two.topology(), two.volume()), (one.topology(), one.volume()), "of the fronts");
@@ -276,9 +242,9 @@ fn two_sided_adds_the_backs_of_what_can_be_seen_from_behind() {
     let mesh = two.mesh_with_planes().unwrap();
     assert_eq!((mesh.faces().len(), mesh.planes().len()), (16, 16));
     // Without vertex normals both sides share the vertices.
-    let lean = import(&path, &Options { two_sided: true, ..Options::default() }).unwrap();
+    let lean = import(&text, &Options { two_sided: true, ..Options::default() }).unwrap();
     assert_eq!(lean.vertices.len(), 12);
-    assert_eq!(lean.edges.len(), import(&path, &Options::default()).unwrap().edges.len());
+    assert_eq!(lean.edges.len(), import(&text, &Options::default()).unwrap().edges.len());
 }
 
 #[test]
@@ -289,12 +255,12 @@ fn a_preview_is_the_mesh_in_the_axes_of_the_file() {
     let text = obj(&[mixed, reversed(cuboid([6.0; 3], [1.0, 2.0, 3.0]))]);
     let duplicate = text.lines().filter(|line| line.starts_with('f')).nth(2).unwrap();
     let text = format!("{text}{duplicate}\nv 9 0 0\nv 12 0 0\nv 12 4 0\nf -3 -2 -1\nf 1 1 2\n");
-    let path = file("preview.obj", &text);
+    let path = file("winding-preview", "preview.obj", &text);
     for two_sided in [false, true] {
         for (flip, fix_winding) in [(false, false), (false, true), (true, false), (true, true)] {
             for (_, up) in Axis::ALL {
                 let options = Options { two_sided, flip, fix_winding, up: Some(up), ..Options::default() };
-                let (mesh, preview) = (import(&path, &options).unwrap(), preview(&path, &options).unwrap());
+                let (mesh, preview) = (import(&text, &options).unwrap(), preview(&path, &options).unwrap());
                 assert_eq!((preview.warnings, preview.backs), (mesh.warnings.clone(), mesh.report.backs));
                 let step = 2f64.powi(i32::from(mesh.exponent));
                 let at = |v: [i16; 3]| [0, 1, 2].map(|i| f64::from(v[i]) * step + mesh.offset[i]);
@@ -317,12 +283,12 @@ fn what_no_mesh_holds_can_be_shown_and_says_so() {
     for a in (0..299).flat_map(|y| (0..299).map(move |x| 300 * y + x + 1)) {
         text += &format!("f {} {} {} {}\n", a, a + 1, a + 301, a + 300);
     }
-    let path = file("field.obj", &text);
-    let error = import(&path, &Options::default()).unwrap_err();
+    let path = file("winding-field", "field.obj", &text);
+    let error = import(&text, &Options::default()).unwrap_err();
     let decimate = Remedy::Decimate(0);
     let problem =
         format!("has 90000 vertices, more than the 65536 of a mesh: {decimate}, or split the model");
-    assert_eq!(error.to_string(), format!("{}: {problem}", path.display()));
+    assert_eq!(error.to_string(), format!("model.obj: {problem}"));
     let shown = preview(&path, &Options::default()).unwrap();
     assert_eq!(shown.triangles.faces.len(), 2 * 299 * 299);
     let doubts: Vec<_> = shown.warnings.iter().map(ToString::to_string).collect();
