@@ -129,7 +129,7 @@ mod tests {
         assert!(largest <= bound && largest > HALF + (HALF / 100), "{largest} of {bound}");
     }
 
-    /// Rule D2 of docs/spec.md, for triangles at and inside the limits of `through_tiny`, as most triangles of a fine mesh are.
+    /// The bound of docs/spec.md, section 7, for triangles at and inside the limits of `through_tiny`, as most triangles of a fine mesh are.
     #[test]
     fn d2_depth_of_tiny_triangles_stays_within_the_bound() {
         let (mut random, mut largest, mut near) = (Random(3), 0, 0);
