@@ -11,10 +11,6 @@ use pinhole::{
 };
 use std::error::Error;
 
-#[allow(dead_code, unreachable_pub)]
-#[path = "../../assets/teapot.rs"]
-mod teapot;
-
 pub(crate) const SIZE: Size = Size::new(240, 240);
 /// Rows of a band: a divisor of the height, so that DMA always sends whole strips.
 const ROWS: u32 = 8;

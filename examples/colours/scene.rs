@@ -1,10 +1,5 @@
 //! A teapot in front of a wall, with light per vertex and colours per corner.
 
-#[allow(dead_code, unreachable_pub)] // generated, for all who take it in
-#[path = "../../assets/teapot.rs"]
-#[rustfmt::skip]
-mod teapot;
-
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;

@@ -3,9 +3,6 @@
 
 #[allow(dead_code)] // not every user calls every method
 pub(crate) mod canvas;
-#[allow(unreachable_pub)] // generated, `pub` for other users
-#[path = "../../assets/teapot.rs"]
-mod teapot;
 
 use canvas::Canvas;
 use core::fmt;

@@ -17,10 +17,11 @@ use pinhole::{Dim, Lambert, Painter, ScreenVertex, Statistics, Vector3};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::command::Film;
 use pinhole_apps_support::{command, film};
-use scene::{Turntable, EDGES, FACES, NORMALS, VERTICES};
+use scene::Turntable;
 use std::error::Error;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
+use teapot::{EDGES, FACES, NORMALS, VERTICES};
 
 const BACKGROUND: Rgb565 = Rgb565::new(1, 4, 5);
 const CLAY: Rgb565 = Rgb565::new(31, 44, 14);

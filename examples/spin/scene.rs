@@ -1,9 +1,5 @@
 //! The scene of `spin`: the teapot on a turntable, seen from a little above.
 
-#[path = "../../assets/teapot.rs"]
-#[allow(dead_code)] // its units
-mod teapot;
-
 use embedded_graphics::prelude::*;
 use pinhole::space::{Model, World};
 use pinhole::{
@@ -11,7 +7,7 @@ use pinhole::{
     ViewTransform, Viewport,
 };
 use std::error::Error;
-pub(crate) use teapot::{EDGES, FACES, NORMALS, VERTICES};
+use teapot::{EDGES, FACES, VERTICES};
 
 /// Half the teapot's extent is 1 to 2 units with it.
 const EXPONENT: i8 = -14;

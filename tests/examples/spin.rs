@@ -10,9 +10,10 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use pinhole::Painter;
 use pinhole_apps_support::canvas::Canvas;
-use scene::{Turntable, VERTICES};
+use scene::Turntable;
 use std::path::{Path, PathBuf};
 use std::process::Output;
+use teapot::VERTICES;
 
 const SIZE: Size = Size::new_equal(240);
 const FRAMES: u32 = 48;

@@ -29,10 +29,6 @@ macro_rules! bare {
     }};
 }
 
-#[allow(dead_code, unreachable_pub)] // it has edges and normals, too
-#[path = "../../../assets/teapot.rs"]
-mod teapot;
-
 /// The ready meshes by their names, the usual one first.
 pub const READY: [(&str, Ready); 8] = [
     ("gear", Ready::Triangles(&GEAR_VERTICES, &GEAR_FACES)),

@@ -1,10 +1,6 @@
 //! A teapot that turns and comes closer, in bands: frames, and what there is to say about them. On the host too, for
 //! the test.
 
-#[allow(dead_code, unreachable_pub)] // generated, for others too
-#[path = "../../../assets/teapot.rs"]
-mod teapot;
-
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
 use embedded_graphics_core::primitives::Rectangle;

@@ -2,10 +2,6 @@
 
 use pinhole::{edge_faces, Mesh};
 
-#[allow(unreachable_pub)] // generated, `pub` for other users
-#[path = "../../../assets/teapot.rs"]
-mod teapot;
-
 /// A ship, nose towards +z, within ±10.
 pub(super) const SHIP: Mesh<'static> = {
     let Ok(mesh) = Mesh::new(&SHIP_VERTICES, 0, &SHIP_FACES) else { panic!() };

@@ -18,5 +18,4 @@ pub mod oracle;
 pub mod panel;
 #[cfg(feature = "panel")]
 pub mod ssd0323;
-#[path = "../../../assets/teapot.rs"]
-pub mod teapot;
+pub use teapot;
