@@ -5,6 +5,8 @@ mod rp2040_st7789;
 mod rp2040_st7789_balloon;
 mod stm32f4_ili9341;
 
+use pinhole_import::{ImportedMesh, Options};
+use pinhole_render::firmware;
 use std::path::Path;
 use support::panel::Held;
 
@@ -116,9 +118,10 @@ const ST7789: Display = Display {
     bit: 16, // the data sheet's limit
 };
 
-/// Imports a board's model as its build script does.
-fn import(model: &Path, options: &pinhole_import::Options) -> Result<pinhole_import::ImportedMesh, String> {
-    pinhole_import::import(model, options).map_err(|error| error.to_string())
+/// Imports a board's model as its build script does, which is that of all these templates (`boards/share`).
+fn import(model: &Path) -> Result<ImportedMesh, String> {
+    let options = firmware::options(&firmware::TEMPLATE, &Options::default());
+    pinhole_import::import(model, &options).map_err(|error| error.to_string())
 }
 
 /// Reads the pictures of a turn from a file, in the format that the command's help describes. The file may have fewer pictures

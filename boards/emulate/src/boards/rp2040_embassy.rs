@@ -1,4 +1,4 @@
-//! The pictures of `boards/rp2040-embassy`, whose drawing code and build script are compiled here, too.
+//! The pictures of `boards/rp2040-embassy`, whose drawing code is compiled here, too.
 
 use super::Pictures;
 use pinhole::ScreenVertex;
@@ -7,15 +7,12 @@ use std::path::Path;
 #[allow(dead_code, unreachable_pub)] // as a file of its own it is right; the rectangles of changes are the firmware's
 #[path = "../../../rp2040-embassy/src/picture.rs"]
 mod picture;
-#[allow(dead_code, unreachable_pub)] // its `main` is for cargo
-#[path = "../../../rp2040-embassy/build.rs"]
-mod script;
 
 pub(crate) const FRAMES: u32 = picture::STEPS as u32;
 
 /// Complete pictures, while the firmware sends only the rectangles that have changed.
 pub(crate) fn pictures(model: &Path) -> Result<Pictures, String> {
-    let imported = super::import(model, &script::options())?;
+    let imported = super::import(model)?;
     Ok(Box::new(move |frame| {
         let mesh = imported.mesh().map_err(|error| error.to_string())?;
         let colors = imported.colors().map_err(|error| error.to_string())?;

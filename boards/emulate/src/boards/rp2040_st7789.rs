@@ -1,4 +1,4 @@
-//! The pictures of `boards/rp2040-st7789`, whose drawing code and build script are compiled here, too.
+//! The pictures of `boards/rp2040-st7789`, whose drawing code is compiled here, too.
 
 use super::Pictures;
 use embedded_graphics::geometry::Size;
@@ -11,9 +11,6 @@ use support::panel::screen::StoredPixel;
 #[allow(dead_code, unreachable_pub)] // as a file of its own it is right
 #[path = "../../../rp2040-st7789/src/picture.rs"]
 mod picture;
-#[allow(dead_code, unreachable_pub)] // its `main` is for cargo
-#[path = "../../../rp2040-st7789/build.rs"]
-mod script;
 #[allow(unreachable_pub)] // as the macro writes it
 mod drawing {
     use super::picture;
@@ -25,7 +22,7 @@ pub(crate) const FRAMES: u32 = 120;
 const SIZE: Size = Size::new(240, 240);
 
 pub(crate) fn pictures(model: &Path) -> Result<Pictures, String> {
-    let imported = super::import(model, &script::options())?;
+    let imported = super::import(model)?;
     Ok(Box::new(move |frame| {
         let mut picture = Framebuffer::new(SIZE, Rgb565::new(31, 0, 31));
         drawing::draw(&imported, Angle::turns(frame as i32, FRAMES), &mut picture)?;

@@ -1,5 +1,5 @@
-//! The pictures of `boards/stm32f4-ili9341`. Its drawing code is that of `boards/any-cortex-m`, word by word (tests/device/template.rs),
-//! which `pinhole-render` draws with.
+//! The pictures of `boards/stm32f4-ili9341`. Its drawing code is that of `boards/any-cortex-m`, word by word (`boards/share`), which
+//! `pinhole-render` draws with.
 
 use super::Pictures;
 use embedded_graphics::geometry::Size;
@@ -15,8 +15,7 @@ pub(crate) const FRAMES: u32 = 48;
 const SIZE: Size = Size::new(320, 240);
 
 pub(crate) fn pictures(model: &Path) -> Result<Pictures, String> {
-    let imported =
-        super::import(model, &firmware::options(&firmware::TEMPLATE, &pinhole_import::Options::default()))?;
+    let imported = super::import(model)?;
     Ok(Box::new(move |frame| {
         let mut picture = Framebuffer::new(SIZE, Rgb565::new(31, 0, 31));
         firmware::draw(&imported, Angle::turns(frame as i32, FRAMES), &mut picture)?;
