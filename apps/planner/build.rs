@@ -1,84 +1,83 @@
-//! Figures for the planner, from the pages that `tools/bench/run` writes: `docs/growth.md` has the cost of a vertex, a face, a
-//! row and a pixel, and the cycles of an instruction; `docs/speed.md` the chips; `docs/footprint.md` the flash of code. Also the
+//! Figures for the planner, from the data that `tools/bench/run` writes into `docs/data`: `growth.json` has the cost of a vertex, a
+//! face, a row and a pixel, `chips.json` the chips and the cycles of an instruction, `footprint.json` the flash of code. Also the
 //! model of the templates, in fewer bytes than its file.
 
+use serde_json::Value;
 use std::error::Error;
 use std::fmt::Write;
 use std::path::Path;
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
-/// The tables of constants: the heading of each, the name of its constant here, and its number of rows.
+/// The ways to draw: the name of each in the data, the name of its constant here, and its number of constants, the last of which is
+/// for a pixel of the picture, a band, a pixel of a line, or a pixel of a face in perspective.
 const WAYS: [(&str, &str, usize); 13] = [
-    ("### Edges as lines", "LINES", 8),
-    ("### Faces without depth", "FACES", 11),
-    ("### Faces with depth", "DEPTH", 11),
-    ("### Faces with depth in bands", "BANDS", 13),
-    ("### Edges as lines in bands", "LINE_BANDS", 8),
-    ("### Hidden lines in bands", "HIDDEN_BANDS", 15),
-    ("### Smooth faces with depth in bands", "SMOOTH_BANDS", 11),
-    ("### Flat faces in dithered colours, with depth, in bands", "DITHERED_BANDS", 11),
-    ("### Smooth faces in dithered colours, with depth, in bands", "SMOOTH_DITHERED_BANDS", 11),
-    ("### Textured faces with depth in bands", "TEXTURED_BANDS", 13),
-    ("### Faces without depth in bands", "PLAIN_BANDS", 11),
-    ("### Faces in painter's order", "PAINTED_WHOLE", 11),
-    ("### Faces in painter's order in bands", "PAINTED_BANDS", 12),
+    ("lines", "LINES", 8),
+    ("faces", "FACES", 11),
+    ("depth", "DEPTH", 11),
+    ("bands", "BANDS", 13),
+    ("line-bands", "LINE_BANDS", 8),
+    ("hidden-bands", "HIDDEN_BANDS", 15),
+    ("smooth-bands", "SMOOTH_BANDS", 11),
+    ("dithered-bands", "DITHERED_BANDS", 11),
+    ("smooth-dithered-bands", "SMOOTH_DITHERED_BANDS", 11),
+    ("textured-bands", "TEXTURED_BANDS", 13),
+    ("plain-bands", "PLAIN_BANDS", 11),
+    ("painted", "PAINTED_WHOLE", 11),
+    ("painted-bands", "PAINTED_BANDS", 12),
 ];
 
-/// The chips of `docs/speed.md`: the row of each, its name in choices, and the row of `docs/growth.md` that has its cycles.
-const CHIPS: [(&str, &str, &str); 7] = [
-    ("rp2040", "RP2040, code in flash", "RP2040, code in flash, 125 MHz"),
-    ("rp2040-ram", "RP2040, code in RAM", "M0+, no wait states"),
-    ("rp2350-ram", "RP2350, code in RAM", "M33, no wait states"),
-    ("stm32f030", "STM32F030xC", "STM32F030xC, 48 MHz"),
-    ("stm32f103", "STM32F103xB", "STM32F103xB, 72 MHz"),
-    ("stm32f411", "STM32F411xE", "STM32F411xE, 100 MHz"),
-    ("nrf52840", "nRF52840", "nRF52840, 64 MHz"),
+const CORES: [&str; 4] = ["M0", "M3", "M4F", "RV32"];
+
+/// The chips, and their names in choices.
+const CHIPS: [(&str, &str); 7] = [
+    ("rp2040", "RP2040, code in flash"),
+    ("rp2040-ram", "RP2040, code in RAM"),
+    ("rp2350-ram", "RP2350, code in RAM"),
+    ("stm32f030", "STM32F030xC"),
+    ("stm32f103", "STM32F103xB"),
+    ("stm32f411", "STM32F411xE"),
+    ("nrf52840", "nRF52840"),
 ];
 
-/// Images of `docs/footprint.md`, and their names here.
+/// Images, and their names here.
 const IMAGES: [(&str, &str); 15] = [
-    ("flat faces with depth in bands, into `pixels()`, before a camera that frames them", "FRAMED_CODE"),
-    ("wireframe, into a DrawTarget in memory", "LINES_CODE"),
-    ("wireframe in bands", "LINES_BANDS_CODE"),
-    ("hidden lines in bands", "HIDDEN_BANDS_CODE"),
-    ("flat faces, into a picture in memory", "FACES_CODE"),
-    ("flat faces with depth, into a picture in memory", "DEPTH_CODE"),
-    ("flat faces in bands, into `pixels()`", "PLAIN_BANDS_CODE"),
-    ("flat faces with depth in bands", "TARGET_CODE"),
-    ("flat faces with depth in bands, into `pixels()`", "BANDS_CODE"),
-    ("smooth faces with depth in bands, into `pixels()`", "SMOOTH_BANDS_CODE"),
-    ("flat faces in dithered colours, with depth, in bands, into `pixels()`", "DITHERED_BANDS_CODE"),
-    ("smooth faces in dithered colours, with depth, in bands, into `pixels()`", "SMOOTH_DITHERED_BANDS_CODE"),
-    ("textured faces with depth in bands, into `pixels()`", "TEXTURED_BANDS_CODE"),
-    ("flat faces in painter's order, into a picture in memory", "PAINTED_CODE"),
-    ("flat faces in painter's order, in bands, into `pixels()`", "PAINTED_BANDS_CODE"),
+    ("framing", "FRAMED_CODE"),
+    ("wireframe_pixels", "LINES_CODE"),
+    ("wireframe_bands", "LINES_BANDS_CODE"),
+    ("hidden_bands", "HIDDEN_BANDS_CODE"),
+    ("picture", "FACES_CODE"),
+    ("depth_picture", "DEPTH_CODE"),
+    ("solid_bands", "PLAIN_BANDS_CODE"),
+    ("depth_bands", "TARGET_CODE"),
+    ("depth_pixels", "BANDS_CODE"),
+    ("gouraud_pixels", "SMOOTH_BANDS_CODE"),
+    ("flat_dither_pixels", "DITHERED_BANDS_CODE"),
+    ("dither_pixels", "SMOOTH_DITHERED_BANDS_CODE"),
+    ("textured_pixels", "TEXTURED_BANDS_CODE"),
+    ("painter", "PAINTED_CODE"),
+    ("painter_bands", "PAINTED_BANDS_CODE"),
 ];
+
+/// The targets of the cores. Code for an M4F is as that for an M3.
+const TARGETS: [&str; 4] =
+    ["thumbv6m-none-eabi", "thumbv7m-none-eabi", "thumbv7m-none-eabi", "riscv32imc-unknown-none-elf"];
 
 fn main() -> Result<()> {
     let docs = Path::new(&std::env::var("CARGO_MANIFEST_DIR")?).join("../../docs");
-    let read = |name: &str| -> Result<String> {
-        let file = docs.join(name);
-        println!("cargo::rerun-if-changed={}", file.display());
-        Ok(std::fs::read_to_string(&file).map_err(|e| format!("{}: {e}", file.display()))?)
-    };
-    let (growth, speed, footprint) = (read("growth.md")?, read("speed.md")?, read("footprint.md")?);
     let mut out = String::new();
-    for (heading, name, count) in WAYS {
-        way(&growth, heading, name, count, &mut out)
-            .map_err(|e| format!("docs/growth.md, {heading}: {e}"))?;
-    }
-    placing(&growth, &mut out).map_err(|e| format!("docs/growth.md, placing an object: {e}"))?;
-    writeln!(out, "pub(crate) const MODELLED: [Chip; {}] = [", CHIPS.len())?;
-    for (key, name, cycles) in CHIPS {
-        chip(&speed, &growth, [key, name, cycles], &mut out)
-            .map_err(|e| format!("docs/speed.md, {name}: {e}"))?;
-    }
-    writeln!(out, "];")?;
-    esp32c3(&growth, &mut out).map_err(|e| format!("docs/growth.md, ESP32-C3: {e}"))?;
-    let [flash, stack] = [section(&footprint, "## Flash")?, section(&footprint, "## RAM and stack")?];
+    growth(&read(&docs, "growth")?, &mut out)?;
+    chips(&read(&docs, "chips")?, &mut out)?;
+    let footprint = read(&docs, "footprint")?;
     for (image, name) in IMAGES {
-        let [flash, stack] = [bytes(flash, image)?, bytes(stack, image)?];
+        let of = |column: &str| -> Result<String> {
+            let bytes = TARGETS.map(|target| {
+                let found = row(&footprint, &[("image", image), ("target", target), ("level", "3")])?;
+                Ok::<_, Box<dyn Error>>(found[column].as_i64().ok_or("no number")?.to_string())
+            });
+            Ok(bytes.into_iter().collect::<Result<Vec<_>>>()?.join(", "))
+        };
+        let [flash, stack] = [of("flash")?, of("stack")?];
         writeln!(out, "pub(crate) const {name}: Code = Code {{ flash: [{flash}], stack: [{stack}] }};")?;
     }
     let folder = std::env::var("OUT_DIR")?;
@@ -89,49 +88,84 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-/// The instructions of placing an object, and of turning its light, on the cores M0, M3, M4F and RV32.
-fn placing(growth: &str, out: &mut String) -> Result<()> {
-    let table = rows(section(growth, "### Placing an object")?).collect::<Vec<_>>();
-    let [header, _, place, light] = &table[..] else { return Err("not two rows".into()) };
-    if header.get(1..) != Some(&["M0", "M3", "M4F", "RV32"]) {
-        return Err("other cores".into());
-    }
-    for (name, figures) in [("PLACING", place), ("LIGHTING", light)] {
-        let figures: Vec<String> = figures.iter().skip(1).map(|cell| number(cell)).collect::<Result<_>>()?;
-        writeln!(out, "pub(crate) const {name}: [f64; 4] = [{}];", figures.join(", "))?;
-    }
-    Ok(())
+/// The rows of a file of data.
+fn read(docs: &Path, name: &str) -> Result<Vec<Value>> {
+    let file = docs.join("data").join(name).with_extension("json");
+    println!("cargo::rerun-if-changed={}", file.display());
+    let text = std::fs::read_to_string(&file).map_err(|e| format!("{}: {e}", file.display()))?;
+    let parsed: Value = serde_json::from_str(&text).map_err(|e| format!("{}: {e}", file.display()))?;
+    Ok(parsed["rows"].as_array().ok_or("no rows")?.clone())
 }
 
-/// The cycles of an instruction of an ESP32-C3, whose cells are such as `1.35 (1.23–1.67)`: the least, the likely ones, and the most.
-fn esp32c3(growth: &str, out: &mut String) -> Result<()> {
-    let cells = row(section(growth, "## Cycles per instruction")?, "ESP32-C3, code in flash, 160 MHz")?;
-    let mut cycles = [const { Vec::new() }; 3];
-    for cell in cells.iter().skip(1) {
-        let parts: Vec<_> = cell.split(['(', '–', ')']).map(str::trim).collect();
-        let [likely, least, most, ""] = parts[..] else { return Err(format!("{cell}: no range").into()) };
-        for (of, part) in cycles.iter_mut().zip([least, likely, most]) {
-            of.push(number(part)?);
+/// The row with these values.
+fn row<'a>(rows: &'a [Value], values: &[(&str, &str)]) -> Result<&'a Value> {
+    let found = rows.iter().find(|row| values.iter().all(|(column, value)| row[*column] == *value));
+    found.ok_or_else(|| format!("docs/data: no row {values:?}").into())
+}
+
+fn numbers(list: &Value) -> Result<Vec<f64>> {
+    let numbers = list.as_array().ok_or("no list")?.iter();
+    numbers.map(|number| number.as_f64().ok_or_else(|| format!("{number} is no number").into())).collect()
+}
+
+/// The constants of each way to draw for the four cores, and the largest error of the formula, in percent, whether a case was fitted
+/// or not; and the instructions of placing an object, and of turning its light.
+fn growth(rows: &[Value], out: &mut String) -> Result<()> {
+    for (way, name, count) in WAYS {
+        let (mut constants, mut largest) = (Vec::new(), 0.0f64);
+        for core in CORES {
+            let row = row(rows, &[("way", way), ("core", core)])?;
+            let of_core = numbers(&row["constants"])?;
+            if of_core.len() != count {
+                return Err(format!("{way}: {} constants, where {count} are known", of_core.len()).into());
+            }
+            constants.push(of_core);
+            for errors in ["mean_and_largest_error_in_the_fit", "mean_and_largest_error_elsewhere"] {
+                largest = largest.max(*numbers(&row[errors])?.get(1).ok_or("no largest error")?);
+            }
         }
+        writeln!(
+            out,
+            "pub(crate) const {name}: Constants<{count}> = Constants {{ of: {constants:?}, error: {largest:?} }};"
+        )?;
     }
-    let [least, likely, most] = cycles.map(|of| of.join(", "));
-    writeln!(out, "pub(crate) const ESP32C3_CYCLES: [[f64; 3]; 3] = [[{least}], [{likely}], [{most}]];")?;
+    for (name, at) in [("PLACING", 0), ("LIGHTING", 1)] {
+        let of = CORES.map(|core| -> Result<f64> {
+            let constants = numbers(&row(rows, &[("way", "placing"), ("core", core)])?["constants"])?;
+            Ok(*constants.get(at).ok_or("two constants")?)
+        });
+        let figures = of.into_iter().collect::<Result<Vec<_>>>()?;
+        writeln!(out, "pub(crate) const {name}: [f64; 4] = {figures:?};")?;
+    }
     Ok(())
 }
 
-/// The bytes of an image on the cores M0, M3, M4F (as on the M3) and RV32.
-fn bytes(table: &str, image: &str) -> Result<String> {
-    let row = row(table, image).map_err(|e| format!("docs/footprint.md: {e}"))?;
-    // The columns of `docs/footprint.md`, for M0, M3, M4F and RV32. A size is one figure for all builds, or one each for thumbv7m
-    // at 3 and s, thumbv6m at 3 and s, and riscv32imc at 3.
-    let bytes = [4, 2, 2, 6]
-        .map(|column| row.get(column).map_or(String::new(), |cell| cell.split_whitespace().collect()));
-    let is_number = |bytes: &String| bytes.parse::<i32>().is_ok();
-    bytes
-        .iter()
-        .all(is_number)
-        .then(|| bytes.join(", "))
-        .ok_or_else(|| format!("docs/footprint.md: {row:?}").into())
+/// The chips, and the cycles of an instruction of an ESP32-C3: the least, the likely ones, and the most.
+fn chips(rows: &[Value], out: &mut String) -> Result<()> {
+    writeln!(out, "pub(crate) const MODELLED: [Chip; {}] = [", CHIPS.len())?;
+    for (key, name) in CHIPS {
+        let row = row(rows, &[("chip", name)])?;
+        let core = &row["core"];
+        let column = match core.as_str() {
+            Some("M0" | "M0+") => 0,
+            Some("M3") => 1,
+            Some("M4" | "M33") => 2,
+            _ => return Err(format!("the core {core} has no constants").into()),
+        };
+        let [clock, spi, ram] =
+            ["mhz", "spi_mhz", "ram_kb"].map(|column| row[column].as_f64().unwrap_or_default());
+        let (error, cycles) = (&row["error"], numbers(&row["cycles"])?);
+        writeln!(
+            out,
+            "    Chip {{ key: {key:?}, name: {name:?}, core: {core}, column: {column}, clock: {clock:?}, spi: {spi:?}, ram: {ram:?}, error: {error}, cycles: {cycles:?}, range: None }},"
+        )?;
+    }
+    writeln!(out, "];")?;
+    let row = row(rows, &[("chip", "ESP32-C3, code in flash")])?;
+    let cycles = ["least", "cycles", "most"].map(|column| numbers(&row[column]));
+    let cycles = cycles.into_iter().collect::<Result<Vec<_>>>()?;
+    writeln!(out, "pub(crate) const ESP32C3_CYCLES: [[f64; 3]; 3] = {cycles:?};")?;
+    Ok(())
 }
 
 /// The vertices and faces of a binary STL file, as Rust: each position is written once.
@@ -157,86 +191,4 @@ fn gear(stl: &[u8]) -> Result<String> {
         vertices.len(),
         faces.len()
     ))
-}
-
-/// The constants of a way to draw, for the cores M0, M3, M4F and RV32, and the largest error of the formula, in percent.
-fn way(page: &str, heading: &str, name: &str, count: usize, out: &mut String) -> Result<()> {
-    let table = section(page, heading)?;
-    let header = rows(table).next().ok_or("no table")?;
-    let rows: Vec<Vec<&str>> = rows(table).skip(2).collect();
-    let (constants, errors) = rows.split_at_checked(count).ok_or("too few rows")?;
-    let column = |core: &str| -> Result<Vec<String>> {
-        let column =
-            header.iter().position(|cell| *cell == core).ok_or_else(|| format!("no column {core}"))?;
-        constants.iter().map(|row| number(row.get(column).copied().unwrap_or_default())).collect()
-    };
-    let names: Vec<_> = constants.iter().filter_map(|row| row.first()).collect();
-    let last = **names.last().ok_or("no constants")?;
-    let lasts = ["pixel of the picture", "band", "pixel of a line", "pixel of a face in perspective: more"];
-    if !lasts.contains(&last) {
-        return Err(format!("the last constant is {last}").into());
-    }
-    if !errors.first().and_then(|row| row.first()).is_some_and(|cell| cell.starts_with("error in the fit")) {
-        return Err(format!("more than {count} constants").into());
-    }
-    // The largest error, whether the case was fitted or not: mean, mean of sizes, largest.
-    let mut largest = 0.0f32;
-    for cell in errors.iter().flat_map(|row| row.iter().skip(1)) {
-        let percent = cell.rsplit(", ").next().unwrap_or_default().trim_end_matches(" %");
-        largest = largest.max(percent.parse().map_err(|_| format!("{cell}: not an error"))?);
-    }
-    let [m0, m3, m4, rv] =
-        [column("M0")?, column("M3")?, column("M4F")?, column("RV32")?].map(|column| column.join(", "));
-    writeln!(
-        out,
-        "pub(crate) const {name}: Constants<{count}> = Constants {{ of: [[{m0}], [{m3}], [{m4}], [{rv}]], error: {largest:?} }};"
-    )?;
-    Ok(())
-}
-
-fn chip(speed: &str, growth: &str, [key, name, cycles]: [&str; 3], out: &mut String) -> Result<()> {
-    // Chip, core, clock, flash, fastest SPI, RAM, error.
-    let cells = row(section(speed, "## Frames per second")?, name)?;
-    let [_, core, clock, _, spi, ram, error] = cells[..] else { return Err("not seven columns".into()) };
-    let column = match core {
-        "M0" | "M0+" => 0,
-        "M3" => 1,
-        "M4" | "M33" => 2,
-        _ => return Err(format!("the core {core} has no constants").into()),
-    };
-    let per = row(section(growth, "## Cycles per instruction")?, cycles)?;
-    let per: Vec<String> = per.iter().skip(1).map(|cell| number(cell)).collect::<Result<_>>()?;
-    let [clock, spi, ram] = [number(clock)?, number(spi)?, number(ram)?];
-    writeln!(
-        out,
-        "    Chip {{ key: {key:?}, name: {name:?}, core: {core:?}, column: {column}, clock: {clock}, spi: {spi}, ram: {ram}, error: {error:?}, cycles: [{}], range: None }},",
-        per.join(", ")
-    )?;
-    Ok(())
-}
-
-/// What follows a heading, to the next one.
-fn section<'a>(page: &'a str, heading: &str) -> Result<&'a str> {
-    let start = page.find(&format!("\n{heading}\n")).ok_or_else(|| format!("no heading {heading}"))?;
-    let text = page.get(start + 1 + heading.len()..).unwrap_or_default();
-    Ok(text.find("\n#").map_or(text, |end| text.get(..end).unwrap_or_default()))
-}
-
-/// The rows of the tables in a text, as cells.
-fn rows(text: &str) -> impl Iterator<Item = Vec<&str>> {
-    let rows = text.lines().filter(|line| line.starts_with('|'));
-    rows.map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
-}
-
-/// The row whose first cell is this.
-fn row<'a>(text: &'a str, first: &str) -> Result<Vec<&'a str>> {
-    let found = rows(text).find(|row| row.first() == Some(&first));
-    found.ok_or_else(|| format!("no row {first}").into())
-}
-
-/// A number as Rust writes it: `15 052` is 15052.0.
-fn number(cell: &str) -> Result<String> {
-    let digits: String = cell.split_whitespace().collect();
-    let number: f64 = digits.parse().map_err(|_| format!("{cell:?} is not a number"))?;
-    Ok(format!("{number:?}"))
 }

@@ -37,7 +37,6 @@ pub mod ch5_bands {}
 
 #[doc = include_str!("links.md")]
 #[doc = include_str!("ch6_budget.md")]
-#[doc = include_str!("constants.md")]
 pub mod ch6_budget {}
 
 #[doc = include_str!("links.md")]

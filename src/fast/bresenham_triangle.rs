@@ -12,7 +12,7 @@
 //! - **Domain**: all corners between the scissor's columns and within 31 rows. Without `CLIP_ROWS` all corners lie inside the
 //!   scissor.
 //! - **Gain**: on a Cortex-M0 scene S3 takes 12 % more instructions, S4 and S7 11 % more, if edges are divided by reciprocals
-//!   instead (`tools/bench/report/floors.md`). Other cores do not use it.
+//!   instead (`docs/decisions.md`). Other cores do not use it.
 //! - **Test**: `rows_inside_are_exact` and `clipped_rows_are_exact` in this file, against rules R1 to R5, on every core;
 //!   on a Cortex-M0 also `spans_are_those_of_the_plain_triangle` in `spans.rs`.
 

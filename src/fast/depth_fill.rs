@@ -284,7 +284,7 @@ pub(super) fn fill_row<Cell: Copy>(
 }
 
 /// Fills fewer than [`BLOCK`] pixels without a loop: on a Cortex-M0 S3 and S4 with depth take 3 % fewer instructions than with
-/// one; on an M3 it would be 7 % more (`tools/bench/report/floors.md`).
+/// one; on an M3 it would be 7 % more (`docs/decisions.md`).
 #[inline(always)]
 fn fill_few<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], first: u32, step: u32, cell: Cell) {
     let mut z = opaque(first); // else LLVM multiplies for each pixel instead of adding

@@ -4,8 +4,6 @@
 //! cargo run --release --example wire -- --help
 //! ```
 
-#[path = "../../tools/bench/report/grouped.rs"]
-mod grouped;
 mod page;
 use support::panel;
 

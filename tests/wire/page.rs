@@ -1,28 +1,20 @@
 //! The text of docs/wire.md.
 
-use crate::grouped::grouped;
 use crate::panel::films::{Film, Memory, FRAMES};
 use crate::panel::measure::{film, line_traffic, lines, pixel_bytes, reference, sum, Cost, Way, ROWS};
 use crate::panel::screen::{Kind, Screen};
 use crate::panel::ways::{in_bands, strip, Colour};
 use embedded_graphics::prelude::*;
 use mipidsi::models::{ILI9341Rgb565, ILI9341Rgb666, ST7789};
+use pinhole_apps_support::grouped::grouped;
 use std::fmt::Write as _;
 
 const HEAD: &str = "\
 # On the wire
 
-The bytes of a frame on an 8-bit SPI bus between the microcontroller and its display: pixels and commands. This page
-is written by
-
-```sh
-cargo run --release --example wire
-```
-
-and CI checks that it is current (`-- --check`). The bytes are those of the driver
-[mipidsi](https://docs.rs/mipidsi) 0.10, counted where a controller in memory (`tests/support/src/panel`) receives them through the
-traits of embedded-hal. It decodes them, and every frame on this page was compared, pixel by pixel, with one drawn in memory as a
-whole: they are equal. `tests/device/wire.rs` asserts the promised limits.
+The bytes of a frame on an 8-bit SPI bus between the microcontroller and its display: pixels and commands, as the driver
+[mipidsi](https://docs.rs/mipidsi) 0.10 sends them to a display in memory, which decodes them. `cargo run --release --example wire` writes this
+page; `tests/device/wire.rs` asserts the promised limits.
 
 A **window** is one rectangle: 11 bytes of commands (column range, row range, memory write), then its pixels.
 **Frames a second** are SPI clock ÷ (8 × bytes): the bus alone. A real one has gaps between bytes and transfers, and the
@@ -43,19 +35,15 @@ const FILMS: &str = "\
 ## Films
 
 Means over a film, without the first frame (all of the screen); in brackets the largest frame. Bands and dirty
-rectangles use a strip of ROWS rows of the screen. *Spans* is the cost of drawing straight onto the display: cleared, then
-each run of equal pixels a `fill_solid`. *Pixels* is a renderer that gives its display one pixel at a time (several at
-a time, mipidsi's feature `batch` would gather). Both flicker, as the display shows the cleared screen first.
+rectangles use a strip of ROWS rows. *Spans* draws straight onto the display: cleared, then each run of equal pixels a
+`fill_solid`. *Pixels* gives the display one pixel at a time. Both flicker, as the display shows the cleared screen first.
 ";
 
 const LINES: &str = "\
 ## Lines
 
 Lines from the middle of the panel to every eighth point of its border, drawn straight onto the display. Each run of a
-line as a `fill_solid` is what a target gets that can fail, such as this driver; no windows of other rectangles send fewer bytes,
-as a rectangle that lies in a line lies in one of its runs. One `draw_iter` a line is what a target in memory gets. mipidsi
-sets a window for each of its pixels (with its feature `batch` for each run, but none longer than 50 pixels in a row or 100
-in a column).
+line as a `fill_solid` is what a target gets that can fail, such as this driver; one `draw_iter` a line is what a target in memory gets.
 
 | panel | a line is | bytes a line | windows a line |
 |---|---|---|---|
@@ -65,10 +53,8 @@ const CHANGED: &str = "\
 ## Dirty rectangles, and what changed
 
 Bytes sent with dirty rectangles, over the bytes of the least rectangle about the pixels that differ from those of the last frame:
-for a cube that rotates about an axis of the world, ST7789. The rectangles are known from the vertices before anything is
-drawn. So a pixel that is drawn in its old colour is also sent: when the cube turns by a degree or less, in some frames a
-whole edge stays within its pixels, and the faces' colours within their steps. Sent in bands of ROWS rows of the screen, whose
-windows are counted.
+for a cube that rotates about an axis of the world, ST7789, in bands of ROWS rows. The rectangles are known from the vertices before
+anything is drawn, so a pixel that is drawn in its old colour is also sent.
 
 | a frame turns by | axis | share over the film | the worst frame | frames above 1.05 |
 |---|---|---|---|---|
@@ -87,12 +73,10 @@ pub(crate) fn page() -> String {
     ];
     for (what, name) in films {
         films_of::<ST7789>(&mut page, what, name);
-        films_of::<ILI9341Rgb565>(&mut page, what, name);
         films_of::<ILI9341Rgb666>(&mut page, what, name);
     }
     let _ = write!(page, "\n{LINES}");
     lines_on::<ST7789>(&mut page);
-    lines_on::<ILI9341Rgb565>(&mut page);
     lines_on::<ILI9341Rgb666>(&mut page);
     let _ = write!(page, "\n{}", CHANGED.replace("ROWS", &ROWS.to_string()));
     changed(&mut page);
@@ -111,7 +95,7 @@ fn full<M: Kind<ColorFormat: Colour>>(page: &mut String) {
     let pixels = pixel_bytes::<M::ColorFormat>(M::SIZE);
     let things = Film::Small.frame(M::SIZE, 0);
     let mut memory = Memory::default();
-    for rows in [M::SIZE.height, 40, 16, 8, 4, 2, 1] {
+    for rows in [M::SIZE.height, 40, 8, 1] {
         let mut strip = strip::<M::ColorFormat>(M::SIZE.width, rows);
         in_bands(&mut memory.record(&things), area, &mut strip, &mut screen.display)
             .expect("a bus that works");
@@ -176,7 +160,7 @@ fn lines_on<M: Kind<ColorFormat: Colour>>(page: &mut String) {
 
 fn changed(page: &mut String) {
     for (turn, step) in [(20, "18°"), (36, "10°"), (72, "5°"), (360, "1°"), (1440, "¼°")] {
-        for axis in [[0, 1, 0], [1, 0, 0], [0, 0, 1], [1, 1, 1], [3, -2, 1]] {
+        for axis in [[0, 1, 0], [3, -2, 1]] {
             let costs = film::<ST7789>(Film::Cube { axis, turn }, turn, Way::DirtyRegions);
             let share = |cost: &Cost| cost.bytes as f64 / cost.changed as f64;
             let worst = costs.iter().map(share).fold(0.0, f64::max);

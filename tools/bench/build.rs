@@ -26,6 +26,8 @@ fn main() -> Result<()> {
     std::fs::write(format!("{out}/models.rs"), text)?;
     std::fs::write(format!("{out}/lists.rs"), lists(&scenes)?)?;
     std::fs::write(format!("{out}/shapes.rs"), shapes(&scenes)?)?;
+    // The memory.x of Arm's board.
+    println!("cargo::rustc-link-search={}/board", env!("CARGO_MANIFEST_DIR"));
     // The memory.x of RISC-V's board; the flag that names it is in the root's configuration.
     let here = std::path::PathBuf::from(std::env::var("CARGO_MANIFEST_DIR")?);
     let root = here.ancestors().nth(2).ok_or("the project's root")?;
@@ -45,8 +47,6 @@ fn write_model(text: &mut String, name: &str, model: &Value) -> Result<()> {
         [0, 1, 2].map(|i| bits(&[x[i], y[i], z[i]]))
     };
     let distance = bits(&[number(&model["distance"])?, 0.0, 0.0])[0];
-    let reference = ["front", "writes_front"].map(|name| model["reference"][name].as_u64());
-    let [Some(front), Some(writes)] = reference else { return Err("a reference".into()) };
     let planes = planes(&vertices, k, &faces, &normals)?;
     writeln!(text, "pub static {name}: Model = Model {{")?;
     writeln!(
@@ -57,7 +57,7 @@ fn write_model(text: &mut String, name: &str, model: &Value) -> Result<()> {
         slice(&normals),
         slice(&edges)
     )?;
-    writeln!(text, "axes: {:?}, distance: {distance}, reference: [{front}, {writes}] }};", [x, y, z])?;
+    writeln!(text, "axes: {:?}, distance: {distance} }};", [x, y, z])?;
     writeln!(
         text,
         "pub static {name}_BY_PLANES: Model<WithPlanes> = by_planes(&{name}, {});",
@@ -110,16 +110,12 @@ fn shapes(scenes: &Value) -> Result<String> {
     for (name, vertices, edges, faces) in shapes {
         let (k, vertices) = quantised(&vertices)?;
         let normals = normals(&vertices, &faces);
-        let planes = planes(&vertices, k, &faces, &normals)?;
         let beside = beside(&edges, &faces);
         writeln!(
             text,
             "pub(super) static {name}: Shape = Shape {{ exponent: -{k}, vertices: &{vertices:?}, faces: &{faces:?},"
         )?;
-        writeln!(
-            text,
-            "normals: &{normals:?}, planes: &{planes:?}, edges: &{edges:?}, beside: &{beside:?} }};"
-        )?;
+        writeln!(text, "normals: &{normals:?}, edges: &{edges:?}, beside: &{beside:?} }};")?;
     }
     Ok(text)
 }

@@ -1,32 +1,33 @@
-//! Generates the parts of the documentation that repeat other files: the README's table, the book's tables of constants and
-//! its figure, and the pictures of the crate's documentation. Run it after a page or picture in `docs` has changed:
+//! Writes the parts of the documentation that repeat other files: the tables of measured figures in the pages, from `docs/data`, and
+//! the pictures of the crate's documentation. Run it after data or a picture in `docs` has changed:
 //!
 //! ```text
 //! cargo run --release -p pinhole-pages -- --help
 //! ```
+//!
+//! In a page, a table stands between `<!-- table: NAME -->` and `<!-- end of table -->`; the text around it is written by hand.
 
-mod constants;
-mod figure;
-#[path = "../../../tools/bench/report/grouped.rs"]
-mod grouped;
-mod page;
+mod data;
 mod pictures;
-mod readme;
+mod tables;
 
 use clap::{Arg, ArgAction, Command};
 use pinhole_apps_support::{command, files};
 use std::path::Path;
 use std::process::ExitCode;
 
-/// A file and the function that generates it.
-type Part = (&'static str, fn() -> Result<String, String>);
-
-const PARTS: [Part; 4] = [
-    ("README.md", readme::with_table),
-    ("src/book/constants.md", constants::tables),
-    ("src/book/pictures.md", pictures::definitions),
-    ("src/book/coordinates.svg", figure::svg),
+/// The pages with tables.
+const PAGES: [&str; 6] = [
+    "README.md",
+    "docs/speed.md",
+    "docs/growth.md",
+    "docs/footprint.md",
+    "docs/bands.md",
+    "src/book/ch6_budget.md",
 ];
+const PICTURES: &str = "src/book/pictures.md";
+const BEGIN: &str = "<!-- table: ";
+const END: &str = "<!-- end of table -->\n";
 
 fn main() -> ExitCode {
     command::run(|| {
@@ -36,28 +37,46 @@ fn main() -> ExitCode {
             .arg(check.help("Write nothing; exit with code 1 if a file is out of date"));
         let check = command::matches(command)?.get_flag("check");
         let mut current = true;
-        for (path, content) in PARTS {
-            let content = content()?;
-            let file = root().join(path);
+        let mut compare = |path: &str, text: String| -> Result<(), String> {
             if !check {
-                files::write(&[(&*file, content)])?;
-                command::say(path)?;
-            } else if read(path).as_ref() != Ok(&content) {
+                return files::write(&[(&*root().join(path), text)]);
+            }
+            if read(path)? != text {
                 command::complain(format_args!(
                     "{path}: out of date: run cargo run --release -p pinhole-pages"
                 ));
                 current = false;
             }
+            Ok(())
+        };
+        for path in PAGES {
+            compare(path, with_tables(path)?)?;
         }
+        compare(PICTURES, pictures::definitions()?)?;
         Ok::<_, String>(if current { ExitCode::SUCCESS } else { ExitCode::from(1) })
     })
 }
 
+/// A page with its tables made anew.
+fn with_tables(path: &str) -> Result<String, String> {
+    let old = read(path)?;
+    let (mut text, mut rest) = (String::new(), old.as_str());
+    while let Some((before, after)) = rest.split_once(BEGIN) {
+        let (name, after) = after.split_once(" -->\n").ok_or(format!("{path}: a table without a name"))?;
+        let (_, after) = after.split_once(END).ok_or(format!("{path}: {name} has no end"))?;
+        let table = tables::table_of(name).map_err(|e| format!("{path}: table {name}: {e}"))?;
+        text += &[before, BEGIN, name, " -->\n", &table, END].concat();
+        rest = after;
+    }
+    Ok(text + rest)
+}
+
+/// The root of the project.
 fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
 }
 
-/// Reads a text file of the repository.
+/// The text of a file of the project.
 fn read(path: &str) -> Result<String, String> {
-    std::fs::read_to_string(root().join(path)).map_err(|e| format!("{path}: cannot be read: {e}"))
+    std::fs::read_to_string(root().join(path)).map_err(|e| format!("{path}: {e}"))
 }

@@ -8,6 +8,7 @@ pub mod command;
 pub mod files;
 pub mod film;
 pub mod generated;
+pub mod grouped;
 #[cfg(feature = "progress")]
 pub mod progress;
 pub mod sheet;

@@ -40,10 +40,15 @@ impl Core {
         Ok(printed)
     }
 
-    /// Its board; further arguments are QEMU's.
+    /// The board of this core; further arguments are QEMU's.
     pub(crate) fn emulate(self, image: &Path) -> Command {
         emulate(self.name, image)
     }
+}
+
+/// The emulated core of this name.
+pub(crate) fn emulated(name: &str) -> Result<Core> {
+    Ok(CORES.into_iter().find(|core| core.name == name).ok_or_else(|| format!("no core {name}"))?)
 }
 
 fn emulate(board: &str, image: &Path) -> Command {

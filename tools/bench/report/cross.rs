@@ -26,13 +26,7 @@ impl std::fmt::Display for Build {
 
 impl Build {
     pub(crate) fn cargo(self, verb: &str, rest: &[String]) -> Result<()> {
-        self.cargo_in(BENCH, verb, rest)
-    }
-
-    /// In another workspace's directory.
-    pub(crate) fn cargo_in(self, directory: &str, verb: &str, rest: &[String]) -> Result<()> {
         let mut command = self.command(verb);
-        command.current_dir(directory);
         let status = command.args(rest).stdin(Stdio::null()).status()?;
         if !status.success() {
             return Err(format!("{command:?}: {status}").into());
@@ -85,4 +79,10 @@ pub(crate) fn compiler() -> Result<String> {
     let text = String::from_utf8(output.stdout)?;
     // Without the date and the distributor's additions.
     Ok(text.split_whitespace().take(2).collect::<Vec<_>>().join(" "))
+}
+
+/// The last commit.
+pub(crate) fn commit() -> Result<String> {
+    let output = Command::new("git").args(["rev-parse", "--short=8", "HEAD"]).current_dir(BENCH).output()?;
+    Ok(String::from_utf8(output.stdout)?.trim().into())
 }

@@ -16,11 +16,6 @@ pub(crate) struct Sizes {
     code_offset: Range<usize>,
 }
 
-/// Where an image's code begins in its file.
-pub(crate) fn code_offset(image: &Path) -> Result<usize> {
-    Ok(sizes(image)?.code_offset.start)
-}
-
 /// The bytes of an image's code, from the address in [`Sizes`] on.
 pub(crate) fn code(image: &Path) -> Result<Vec<u8>> {
     let at = sizes(image)?.code_offset;

@@ -1,80 +1,90 @@
 //! The cost of a vertex, a face, a row and a pixel, fitted to some cases, and tested by predicting others.
 
-use crate::core::{Core, CORES};
-use crate::fit::{dot, fit};
+use crate::core::CORES;
+use crate::data::{row, Row};
 use crate::Result;
-use bench::growth::{names, Case, Way, Work, CASES, WAYS};
+use bench::growth::{terms, ways, Case, Way, Work, CASES, WAYS};
+use serde_json::json;
 
-/// Ways to draw that share their constants, on one core.
-pub(crate) struct Growth {
-    pub(crate) core: Core,
-    pub(crate) ways: &'static [Way],
-    /// The constants, in the order of `bench::growth::names`.
-    pub(crate) constants: Vec<f64>,
-    pub(crate) drawn: Vec<Drawn>,
+/// A case drawn in a way, what there was to do, and the instructions that it took.
+struct Drawn {
+    case: &'static Case,
+    way: Way,
+    work: Work,
+    instructions: u64,
 }
 
-pub(crate) struct Drawn {
-    pub(crate) case: &'static Case,
-    pub(crate) way: Way,
-    pub(crate) work: Work,
-    pub(crate) instructions: u64,
-}
-
-impl Growth {
-    /// The instructions by the constants, divided by those that were counted.
-    pub(crate) fn ratio(&self, drawn: &Drawn) -> f64 {
-        dot(&drawn.work.counts(drawn.way), &self.constants) / drawn.instructions as f64
-    }
-
-    /// The errors of the cases that `chosen` chooses: their mean, the mean of their magnitudes, and the largest magnitude.
-    pub(crate) fn errors(&self, chosen: impl Fn(&Drawn) -> bool) -> [f64; 3] {
-        let drawn = self.drawn.iter().filter(|drawn| chosen(drawn));
-        let errors: Vec<f64> = drawn.map(|drawn| self.ratio(drawn) - 1.0).collect();
-        let sizes = || errors.iter().map(|error| error.abs());
-        let mean = |sum: f64| sum / errors.len() as f64;
-        [mean(errors.iter().sum()), mean(sizes().sum()), sizes().fold(0.0, f64::max)]
+impl Drawn {
+    /// How many the frame has of what each constant is for.
+    fn counts(&self) -> Vec<f64> {
+        terms(self.way.kind).iter().map(|(_, count)| f64::from(count(&self.work))).collect()
     }
 }
 
-/// Measures the cores of the table, in the order of `WAYS`; also the instructions of placing an object and of turning its light on
-/// these cores.
-pub(crate) fn measure() -> Result<(Vec<Growth>, Vec<[u64; 2]>)> {
+/// A row for each way to draw and core: the constants, and the errors in percent of the frames that they predict, those of the fit
+/// and others; and for each core the instructions of placing an object and of turning its light, which come on top.
+pub(crate) fn rows(_: &mut Vec<String>) -> Result<Vec<Row>> {
     let works = works()?;
-    let (mut all, mut placing) = (Vec::new(), Vec::new());
+    let mut rows = Vec::new();
     for core in CORES {
         core.build().cargo("build", &["--bin=growth".into()])?;
         let printed = core.run(&core.build().image("growth"))?;
         // In the same order.
-        let counts = printed.lines().map(|line| line.rsplit(',').next().unwrap_or(line).parse::<u64>());
+        let counts = printed.lines().map(|line| line.parse::<u64>());
         let mut counts = counts.collect::<std::result::Result<Vec<_>, _>>()?;
-        if let (Some(light), Some(place)) = (counts.pop(), counts.pop()) {
-            placing.push([place, light]);
-        }
+        let (light, place) = (counts.pop().unwrap_or_default(), counts.pop().unwrap_or_default());
         if counts.len() != works.len() {
             return Err(format!("growth on {}: {} cases", core.name, counts.len()).into());
         }
-        for ways in WAYS {
+        rows.push(row([
+            ("way", json!("placing")),
+            ("core", json!(core.name)),
+            ("names", json!(["Affine::rotation_y and Camera::place", "Lambert::new"])),
+            ("constants", json!([place, light])),
+        ]));
+        for (name, ways) in WAYS {
             let of_ways = works.iter().zip(&counts).filter(|((_, way, _), _)| ways.contains(way));
             let drawn: Vec<_> = of_ways
                 .map(|(&(case, way, work), &instructions)| Drawn { case, way, work, instructions })
                 .collect();
+            let names: Vec<_> = terms(ways[0].kind).iter().map(|term| term.0).collect();
             let constants = constants(&drawn)?;
-            let below = |(_, constant): &(_, &f64)| **constant < 0.0;
-            if let Some((name, _)) = names(ways[0]).iter().zip(&constants).find(below) {
-                return Err(
-                    format!("growth on {}, {}: less than nothing for a {name}", core.name, ways[0]).into()
-                );
+            if let Some(at) = constants.iter().position(|constant| *constant < 0.0) {
+                return Err(format!("{name} on {}: less than nothing for a {}", core.name, names[at]).into());
             }
-            all.push(Growth { core, ways, constants, drawn });
+            let errors = |is_fitted: bool| {
+                let chosen = drawn.iter().filter(|one| one.case.fitted == is_fitted && one.work.faces > 0);
+                let estimate = |one: &Drawn| dot(&one.counts(), &constants);
+                let errors = chosen.map(|one| 100.0 * (estimate(one) / one.instructions as f64 - 1.0));
+                let errors: Vec<f64> = errors.collect();
+                let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+                let largest = errors.iter().fold(0.0, |largest: f64, error| largest.max(error.abs()));
+                [mean, largest].map(|error| (10.0 * error).round() / 10.0)
+            };
+            rows.push(row([
+                ("way", json!(name)),
+                ("core", json!(core.name)),
+                ("names", json!(names)),
+                ("constants", json!(constants.iter().map(|constant| rounded(*constant)).collect::<Vec<_>>())),
+                ("mean_and_largest_error_in_the_fit", json!(errors(true))),
+                ("mean_and_largest_error_elsewhere", json!(errors(false))),
+            ]));
         }
     }
-    Ok((all, placing))
+    Ok(rows)
+}
+
+/// To three digits or a whole number.
+fn rounded(constant: f64) -> f64 {
+    match constant.abs() < 20.0 {
+        true => crate::chips::rounded(constant),
+        false => constant.round(),
+    }
 }
 
 /// The work of every case and way, in the firmware's order.
 fn works() -> Result<Vec<(&'static Case, Way, Work)>> {
-    let all = CASES.iter().flat_map(|case| case.ways().map(move |way| (case, way)));
+    let all = CASES.iter().flat_map(|case| ways().map(move |way| (case, way)));
     all.map(|(case, way)| {
         let work = case.work(way).ok_or_else(|| format!("{} cannot be drawn", case.name))?;
         Ok((case, way, work))
@@ -82,12 +92,41 @@ fn works() -> Result<Vec<(&'static Case, Way, Work)>> {
     .collect()
 }
 
-/// Least squares of the relative errors.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Least squares of the relative errors: the constants for which `case · constants` is nearest to 1 over all cases, each divided by
+/// its instructions. The normal equations, by Gauss and Jordan.
 fn constants(drawn: &[Drawn]) -> Result<Vec<f64>> {
     let part = |drawn: &Drawn| -> Vec<f64> {
-        let counts = drawn.work.counts(drawn.way).into_iter();
+        let counts = drawn.counts().into_iter();
         counts.map(|count| count / drawn.instructions as f64).collect()
     };
     let cases: Vec<_> = drawn.iter().filter(|drawn| drawn.case.fitted).map(part).collect();
-    Ok(fit(&cases).ok_or("the cases do not tell all constants apart")?)
+    let count = cases.first().ok_or("no cases")?.len();
+    let mut rows = vec![vec![0.0; count + 1]; count];
+    for case in &cases {
+        for (row, factor) in rows.iter_mut().zip(case) {
+            for (sum, value) in row.iter_mut().zip(case.iter().chain(&[1.0])) {
+                *sum += factor * value;
+            }
+        }
+    }
+    for column in 0..count {
+        let by_size = |&a: &usize, &b: &usize| rows[a][column].abs().total_cmp(&rows[b][column].abs());
+        let pivot = (column..count).max_by(by_size).unwrap_or(column);
+        rows.swap(column, pivot);
+        let pivot = rows[column].clone();
+        if pivot[column] == 0.0 {
+            return Err("the cases do not tell all constants apart".into());
+        }
+        for (other, row) in rows.iter_mut().enumerate() {
+            let factor = row[column] / pivot[column];
+            if other != column {
+                row.iter_mut().zip(&pivot).for_each(|(value, above)| *value -= factor * above);
+            }
+        }
+    }
+    Ok((0..count).map(|at| rows[at][count] / rows[at][at]).collect())
 }

@@ -1,47 +1,24 @@
-//! Measures instructions of frames and of their stages, instructions and RAM of drawing in bands, instructions of two cores, and
-//! each feature's flash and stack; writes `docs/speed.md`, `docs/profile.md`, `docs/growth.md`, `docs/bands.md`, `docs/cores.md` and
-//! `docs/footprint.md`. `tools/bench/run` starts it.
+//! Measures on emulated cores, and writes or compares the data in `docs/data`. `tools/bench/run` starts it.
 
-mod bands;
-mod bands_page;
 mod cells;
 mod chips;
 mod core;
 mod cross;
 mod cycles;
-mod cycles_page;
+mod data;
 mod elf;
 mod esp32c3;
-mod fit;
 mod footprint;
-mod footprint_page;
-mod grouped;
 mod growth;
-mod growth_page;
-mod guard;
 mod images;
-mod log;
-mod page;
-mod pages;
-mod profile;
-mod profile_page;
-mod prototype;
 mod provenance;
-mod registers;
+mod record;
 mod rivals;
-mod scenes;
 mod side_by_side;
-mod speed_page;
-mod stages;
-mod targets;
 mod timing;
-mod trace;
 mod two_cores;
-mod user_page;
-mod validate;
 
-use cells::Choice;
-use pages::{Page, PAGES};
+use data::{Set, Strictness};
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -52,120 +29,102 @@ const M0: &str = "thumbv6m-none-eabi";
 const M3: &str = "thumbv7m-none-eabi";
 const RV32: &str = "riscv32imc-unknown-none-elf";
 
+const CELL: &[&str] = &["scene", "variant", "core"];
+const CELLS: Set = Set { name: "cells", keys: CELL, measure: |failures| cells::rows(&[], failures) };
+const FOOTPRINT: Set =
+    Set { name: "footprint", keys: &["image", "target", "level"], measure: footprint::rows };
+const SETS: [Set; 9] = [
+    CELLS,
+    // The cells in bands alone, with what they are compared with.
+    Set { measure: |failures| cells::rows(&BANDS, failures), ..CELLS },
+    Set { name: "cycles", keys: CELL, measure: cycles::rows },
+    Set { name: "growth", keys: &["way", "core"], measure: growth::rows },
+    Set { name: "chips", keys: &["chip"], measure: chips::cycles },
+    Set { name: "frames", keys: &["chip", "scene", "variant", "rows"], measure: chips::frames },
+    Set { name: "cores", keys: CELL, measure: two_cores::rows },
+    Set { name: "rivals", keys: &["library", "scene", "variant", "core"], measure: rivals::rows },
+    FOOTPRINT,
+];
+/// The names of [`SETS`] on the command line.
+const NAMES: [&str; 9] =
+    ["speed", "bands", "cycles", "growth", "chips", "frames", "cores", "rivals", "footprint"];
+
+/// Cells in bands, and in one piece.
+const BANDS: [&str; 7] = ["M3", "full", "full-z", "bands8", "bands8-z", "bands16", "bands16-z"];
+/// Cells that may not become slower, and textures by each method of `docs/accuracy.md`, whose costs must be those of the page.
+const GUARDED: [&str; 7] = ["S1", "S2", "S3", "plain", "z", "M0", "M3"];
+const TEXTURES: [&str; 10] =
+    ["X1", "X2", "X3", "X4", "plain", "eighth", "sixteenth", "each", "every16", "M3"];
+
 const USAGE: &str = "\
-tools/bench/run [--check | --rebase] [speed | profile | growth | bands | cores | footprint ...]
+tools/bench/run [--check] speed | bands | cycles | growth | chips | frames | cores | rivals | footprint ...
 tools/bench/run guard [--rebase]
 tools/bench/run cells [SCENE...] [VARIANT...] [M0 | M3 | M4F | RV32]
-tools/bench/run cycles [SCENE...] [VARIANT...] [M0 | M0+ | M3 | M4 | M33]
-tools/bench/run chips
-tools/bench/run validate
-tools/bench/run floats IMAGE...
-tools/bench/run images IMAGE...";
+tools/bench/run cycles SCENE... [VARIANT...] [M0 | M0+ | M3 | M4 | M33]
+tools/bench/run images IMAGE...
+tools/bench/run floats IMAGE...";
 
-/// The task that the command line names.
-enum Task {
-    /// Write pages.
-    Write { pages: Vec<Page>, rebase: bool },
-    /// Compare them.
-    Check { pages: Vec<Page> },
-    /// Compare a few cells with the baseline, or make that anew.
-    Guard { rebase: bool },
-    /// Print cells.
-    Cells(Choice),
-    /// Print cycles of cells.
-    Cycles(cycles::Asked),
-    /// Print the tables of frames per second and of cycles per instruction.
-    Chips,
-    /// Compare the timing tables with published cycles.
-    Validate,
-    /// Look for routines for floating point in any images.
-    Floats(Vec<String>),
-    /// Print the cycles of any images that use the clock.
-    Images(Vec<String>),
-}
-
-impl Task {
-    fn new(arguments: &[String]) -> Result<Self> {
-        let (first, rest) = arguments.split_first().map_or(("", arguments), |(first, rest)| (first, rest));
-        Ok(match first {
-            "cells" => Self::Cells(Choice::new(rest.to_vec())?),
-            "cycles" => Self::Cycles(cycles::Asked::new(rest)?),
-            "floats" => Self::Floats(rest.to_vec()),
-            "images" => Self::Images(rest.to_vec()),
-            "chips" if rest.is_empty() => Self::Chips,
-            "validate" if rest.is_empty() => Self::Validate,
-            "guard" if rest.is_empty() => Self::Guard { rebase: false },
-            "guard" if rest == ["--rebase"] => Self::Guard { rebase: true },
-            "--check" => Self::Check { pages: named(rest)? },
-            "--rebase" => Self::Write { pages: named(rest)?, rebase: true },
-            _ => Self::Write { pages: named(arguments)?, rebase: false },
-        })
-    }
-
-    /// Runs the task; returns the checks that failed.
-    fn run(self) -> Result<Vec<String>> {
-        let mut failures = Vec::new();
-        match self {
-            Self::Write { pages, rebase } => write(&pages, rebase, &mut failures)?,
-            Self::Check { pages } => check(&pages, &mut failures)?,
-            Self::Guard { rebase: false } => guard::check(&mut failures)?,
-            Self::Guard { rebase: true } => guard::rebase(&mut failures)?,
-            Self::Floats(images) => {
-                for image in &images {
-                    footprint::without_floats(image, Path::new(image), &mut failures)?;
-                }
-            }
-            Self::Images(images) => images::print(&images)?,
-            Self::Cycles(asked) => cycles::print(&asked, &mut failures)?,
-            Self::Chips => {
-                let frames = chips::measured(&mut failures)?;
-                println!(
-                    "{}{}",
-                    cycles_page::frames_per_second(frames),
-                    cycles_page::per_instruction(frames, &esp32c3::measure()?)
-                );
-            }
-            Self::Validate => validate::run(&mut failures)?,
-            Self::Cells(choice) => cells::measure(&choice, &mut failures, |cell| println!("{cell}"))?,
+/// Runs what the command line asks for; returns the checks that failed.
+fn run(arguments: &[&str]) -> Result<Vec<String>> {
+    let mut failures = Vec::new();
+    match arguments {
+        ["guard"] => guard(&mut failures)?,
+        ["guard", "--rebase"] => {
+            let mut rows = cells::rows(&GUARDED, &mut failures)?;
+            rows.extend(cells::rows(&TEXTURES, &mut failures)?);
+            CELLS.write(rows)?;
         }
-        Ok(failures)
+        ["cells", names @ ..] => {
+            let rows = cells::rows(names, &mut failures)?;
+            CELLS.check_pictures(&rows, &mut failures)?;
+        }
+        ["cycles", names @ ..] if !names.is_empty() => {
+            for row in cycles::measure(names, &mut failures)? {
+                println!("{}", serde_json::to_string(&row)?);
+            }
+        }
+        ["images", images @ ..] => images::print(images)?,
+        ["floats", images @ ..] => {
+            for image in images {
+                footprint::without_floats(image, Path::new(image), &mut failures)?;
+            }
+        }
+        ["--check", names @ ..] => {
+            for set in named(names)? {
+                set.check(&(set.measure)(&mut failures)?, Strictness::Change, &mut failures)?;
+            }
+        }
+        names => {
+            for set in named(names)? {
+                set.write((set.measure)(&mut failures)?)?;
+            }
+        }
     }
+    Ok(failures)
 }
 
-/// The named pages, or all if none is named.
-fn named(names: &[String]) -> Result<Vec<Page>> {
+/// S1 to S3 on M0 and M3 and textures, and the images for an M3 at opt-level 3, compared with the data.
+fn guard(failures: &mut Vec<String>) -> Result<()> {
+    let rows = cells::rows(&GUARDED, failures)?;
+    CELLS.check(&rows, Strictness::Growth, failures)?;
+    let rows = cells::rows(&TEXTURES, failures)?;
+    CELLS.check(&rows, Strictness::Change, failures)?;
+    let rows = footprint::measure(footprint::M3_AT_3, failures)?;
+    FOOTPRINT.check(&rows, Strictness::Growth, failures)
+}
+
+fn named(names: &[&str]) -> Result<Vec<Set>> {
     if names.is_empty() {
-        return Ok(PAGES.to_vec());
+        return Err(USAGE.into());
     }
-    let page = |name: &String| PAGES.into_iter().find(|page| page.name() == name).ok_or(USAGE.into());
-    names.iter().map(page).collect()
-}
-
-fn write(pages: &[Page], rebase: bool, failures: &mut Vec<String>) -> Result<()> {
-    let compiler = cross::compiler()?;
-    for page in pages {
-        let text = page.text(&compiler, rebase, failures)?;
-        std::fs::write(cross::root().join(page.file()), text)?;
-        eprintln!("written: {}", page.file());
-    }
-    Ok(())
-}
-
-fn check(pages: &[Page], failures: &mut Vec<String>) -> Result<()> {
-    let compiler = cross::compiler()?;
-    for page in pages {
-        let (file, text) = (page.file(), page.text(&compiler, false, failures)?);
-        let old = std::fs::read_to_string(cross::root().join(&file));
-        page::compare(&file, &old.map_err(|error| format!("{file}: {error}"))?, &text, &compiler, failures);
-    }
-    Ok(())
+    let set = |name: &&str| NAMES.iter().position(|known| known == name).map(|at| SETS[at]);
+    names.iter().map(|name| set(name).ok_or(USAGE.into())).collect()
 }
 
 fn main() -> ExitCode {
     let (arguments, start): (Vec<String>, _) = (std::env::args().skip(1).collect(), Instant::now());
-    let done = Task::new(&arguments).and_then(Task::run);
-    let seconds = start.elapsed().as_secs();
-    eprintln!("It took {} min {} s.", seconds / 60, seconds % 60);
+    let done = run(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
+    eprintln!("It took {} s.", start.elapsed().as_secs());
     match done {
         Ok(failures) if failures.is_empty() => ExitCode::SUCCESS,
         Ok(failures) => {

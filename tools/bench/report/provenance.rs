@@ -26,10 +26,6 @@ impl Frame {
     }
 }
 
-/// The code of a folder or file, or of one function in it.
-#[derive(Clone, Copy)]
-pub(crate) struct Part(pub(crate) &'static str, pub(crate) Option<&'static str>);
-
 /// An instruction takes two bytes or four.
 pub(crate) const STEP: u64 = 2;
 
@@ -77,16 +73,9 @@ impl Provenance {
         Ok(Self { places: frames(image)?.into_iter().map(within).collect() })
     }
 
-    /// Bytes of code from this file, or inlined there from other libraries.
-    pub(crate) fn of_file(&self, file: &str) -> u64 {
-        let innermost = |place: &&Vec<Frame>| place.first().is_some_and(|frame| frame.file.starts_with(file));
-        STEP * self.places.iter().filter(innermost).count() as u64
-    }
-
-    /// Bytes of this part and of the functions inlined into it.
-    pub(crate) fn because_of(&self, Part(file, function): Part) -> u64 {
-        let named = |frame: &Frame| function.is_none_or(|name| frame.function.contains(name));
-        let part = |frame: &Frame| frame.file.starts_with(file) && named(frame);
-        STEP * self.places.iter().filter(|place| place.iter().any(part)).count() as u64
+    /// Bytes of this file or folder, and of the functions inlined into it.
+    pub(crate) fn because_of(&self, part: &str) -> u64 {
+        let is_part = |frame: &Frame| frame.file.starts_with(part);
+        STEP * self.places.iter().filter(|place| place.iter().any(is_part)).count() as u64
     }
 }

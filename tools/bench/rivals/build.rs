@@ -18,8 +18,6 @@ fn main() -> Result<()> {
         write_model(&mut text, name, &scenes["models"][name])?;
     }
     std::fs::write(format!("{}/models.rs", std::env::var("OUT_DIR")?), text)?;
-    // memory.x of the board.
-    println!("cargo::rustc-link-search={}/..", env!("CARGO_MANIFEST_DIR"));
     Ok(())
 }
 

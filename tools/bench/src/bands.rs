@@ -1,10 +1,10 @@
 //! Whole frames in bands: faces are binned once, then drawn band by band.
 
 use crate::measure::Display;
-use crate::scene::{area, Scene, BACKGROUND, LINE, SIZE};
+use crate::scene::{area, Scene, BACKGROUND, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{AntiAliased, DepthBuffer, Frame, Lambert, ScreenVertex};
+use pinhole::{DepthBuffer, Frame, Lambert, ScreenVertex, Stroke};
 
 /// Sizes for the largest scene: its vertices, and its visible faces with a bit for each face of the mesh.
 const CORNERS: usize = 2892;
@@ -51,28 +51,9 @@ impl Memory {
     }
 }
 
-/// Clears a frame and draws nothing.
-pub fn empty(Storage { strip, .. }: Storage<'_>, display: &mut Display) -> Option<()> {
-    let mut frame = Frame::new(area(), BACKGROUND);
-    while let Some(band) = frame.next_band(strip).ok()? {
-        display.take_bytes(band.bytes());
-    }
-    Some(())
-}
-
-/// Clears a frame and its depth strips, and draws nothing.
-pub fn empty_depth(Storage { strip, depth, .. }: Storage<'_>, display: &mut Display) -> Option<()> {
-    let mut frame = Frame::new(area(), BACKGROUND);
-    while let Some(band) = frame.next_band(strip).ok()? {
-        black_box(DepthBuffer::new(band.area(), depth).ok()?);
-        display.take_bytes(band.bytes());
-    }
-    Some(())
-}
-
 pub fn wireframe(
     scene: &Scene,
-    _: &Lambert,
+    stroke: impl Stroke<Rgb565>,
     Storage { corners, bin_storage, strip, .. }: Storage<'_>,
     display: &mut Display,
 ) -> Option<()> {
@@ -81,25 +62,7 @@ pub fn wireframe(
     let mut edges = projected.bin_edges(bin_storage).ok()?;
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
-        let Ok(()) = edges.draw(LINE, &mut band.pixels());
-        display.take_bytes(band.bytes());
-    }
-    black_box(edges.statistics());
-    Some(())
-}
-
-/// A [`wireframe`] of anti-aliased lines.
-pub fn smooth_wireframe(
-    scene: &Scene,
-    Storage { corners, bin_storage, strip, .. }: Storage<'_>,
-    display: &mut Display,
-) -> Option<()> {
-    let instance = scene.place();
-    let projected = instance.transform(corners);
-    let mut edges = projected.bin_edges(bin_storage).ok()?;
-    let mut frame = Frame::new(area(), BACKGROUND);
-    while let Some(mut band) = frame.next_band(strip).ok()? {
-        let Ok(()) = edges.draw(AntiAliased(LINE), &mut band.pixels());
+        let Ok(()) = edges.draw(stroke, &mut band.pixels());
         display.take_bytes(band.bytes());
     }
     black_box(edges.statistics());

@@ -101,8 +101,8 @@ macro_rules! solid_in_bands {
 /// there are: it makes the code of a frame once.
 pub fn cubes() -> &'static [Model] {
     static CUBES: [Model; 2] = {
-        let Model { mesh, axes, distance, reference } = CUBE;
-        [Model { mesh, axes, distance, reference }, large()]
+        let Model { mesh, axes, distance } = CUBE;
+        [Model { mesh, axes, distance }, large()]
     };
     black_box(CUBES.as_slice())
 }
@@ -124,22 +124,22 @@ pub fn cubes_with_edge_faces() -> &'static [Model] {
     };
     const fn with(model: Model) -> Model {
         let Ok(mesh) = model.mesh.with_edge_faces(&BESIDE) else { panic!("faces beside edges") };
-        Model { mesh, axes: model.axes, distance: model.distance, reference: model.reference }
+        Model { mesh, axes: model.axes, distance: model.distance }
     }
     static CUBES: [Model; 2] = {
-        let Model { mesh, axes, distance, reference } = CUBE;
-        [with(Model { mesh, axes, distance, reference }), with(large())]
+        let Model { mesh, axes, distance } = CUBE;
+        [with(Model { mesh, axes, distance }), with(large())]
     };
     black_box(CUBES.as_slice())
 }
 
 /// At compile time: the cube that is cut.
 const fn large() -> Model {
-    let Model { mesh: cube, axes, reference, .. } = CUBE;
+    let Model { mesh: cube, axes, .. } = CUBE;
     let Ok(large) = Mesh::new(cube.vertices(), cube.exponent() + 1, cube.faces()) else { panic!("faces") };
     let Ok(large) = large.with_normals(cube.normals()) else { panic!("normals") };
     let Ok(mesh) = large.with_edges(cube.edges()) else { panic!("edges") };
-    Model { mesh, axes, distance: 3 << 16, reference }
+    Model { mesh, axes, distance: 3 << 16 }
 }
 
 /// What the book's chapter on budgets says that they take of a frame; on a Cortex-M0 a mesh takes more.

@@ -5,14 +5,12 @@
 pub mod bands;
 pub mod board;
 pub mod cells;
-pub mod frames;
 pub mod growth;
 pub mod image;
 pub mod lists;
 pub mod measure;
 pub mod scene;
 pub mod stack;
-pub mod tally;
 pub mod timed;
 
 /// Where the name of an image stands among those of a source file: several images are built from one, and each chooses
@@ -20,17 +18,20 @@ pub mod timed;
 pub const fn position(name: &str, names: &[&str]) -> usize {
     let mut at = 0;
     while at < names.len() {
-        let (a, b) = (name.as_bytes(), names[at].as_bytes());
-        let mut same = 0;
-        while same < a.len() && same < b.len() && a[same] == b[same] {
-            same += 1;
-        }
-        if same == a.len() && same == b.len() {
+        if is_equal(name, names[at]) {
             return at;
         }
         at += 1;
     }
     panic!("no image of this name in the list")
+}
+
+pub(crate) const fn is_equal(a: &str, b: &str) -> bool {
+    let (a, b, mut same) = (a.as_bytes(), b.as_bytes(), 0);
+    while same < a.len() && same < b.len() && a[same] == b[same] {
+        same += 1;
+    }
+    same == a.len() && same == b.len()
 }
 
 /// A program over variables, each in a static of its own: the linker says so if they do not fit, and those that start

@@ -1,13 +1,7 @@
 //! Counting frames, and looking at them.
 
-use crate::board::{println, Clock};
-use crate::scene::{Model, Scene};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{IntoStorage, Rgb565};
-use pinhole::Lambert;
-
-/// A scene's name, and what it shows.
-pub type Named = (&'static str, &'static Model);
 
 /// Where frames go. What is counted ends where a DMA controller would take the bytes; in a frame that is not
 /// counted they go into a checksum.
@@ -60,44 +54,4 @@ impl Checksum {
         self.0 = (0..8)
             .fold(self.0 ^ u32::from(byte), |crc, _| (crc >> 1) ^ (0xedb8_8320 & (crc & 1).wrapping_neg()));
     }
-}
-
-/// One whole frame; what it is given stands for what the compiler cannot know. `None` where it has too little memory.
-pub type Frame<'f> = &'f mut dyn FnMut(&Scene, &Lambert, &mut Display) -> Option<()>;
-
-/// Counts the second frame of every scene and prints a line `scene,way,how,instructions,crc`.
-pub fn measure(way: &str, how: &str, scenes: &[Named], clock: &mut Clock, frame: Frame<'_>) -> Option<()> {
-    for (name, model) in scenes {
-        let scene = Scene::new(model)?;
-        let light = scene.light()?;
-        let mut display = Display::default();
-        let mut good = true;
-        let mut once =
-            |display: &mut Display| good &= frame(black_box(&scene), black_box(&light), display).is_some();
-        once(&mut display);
-        let instructions = clock.count(&mut || once(&mut display))?;
-        let crc = display.look(&mut once);
-        good.then_some(())?;
-        println!("{name},{way},{how},{instructions},{crc:08x}");
-    }
-    Some(())
-}
-
-/// Sets a scene up, draws it twice and prints a line `scene,depth,ram,0,crc`. How deep the stack was is said at the
-/// program's end; printing does not go as deep.
-pub fn once(name: &str, model: &'static Model, frame: Frame<'_>) -> Option<()> {
-    let crc = set_up_and_draw(model, frame)?;
-    println!("{name},depth,ram,0,{crc:08x}");
-    Some(())
-}
-
-#[inline(never)]
-fn set_up_and_draw(model: &'static Model, frame: Frame<'_>) -> Option<u32> {
-    let scene = Scene::new(model)?;
-    let light = scene.light()?;
-    let mut display = Display::default();
-    frame(black_box(&scene), black_box(&light), &mut display)?;
-    let mut good = None;
-    let crc = display.look(&mut |display| good = frame(black_box(&scene), black_box(&light), display));
-    good.map(|()| crc)
 }

@@ -30,8 +30,6 @@ pub struct Model<P = WithoutPlanes> {
     pub(crate) axes: [[i32; 3]; 3],
     /// Of the eye from the origin, in 2⁻¹⁶.
     pub(crate) distance: i32,
-    /// Front faces, and the pixels that these cover together, as `scenes.json` has them.
-    pub reference: [u32; 2],
 }
 
 impl<P> Model<P> {
@@ -75,9 +73,9 @@ const fn mesh(
 
 /// At compile time: the model with these planes.
 pub(crate) const fn by_planes(model: &Model, planes: &'static [i16]) -> Model<WithPlanes> {
-    let Model { mesh, axes, distance, reference } = model;
+    let Model { mesh, axes, distance } = model;
     let Ok(mesh) = mesh.with_planes(planes) else { panic!("planes") };
-    Model { mesh, axes: *axes, distance: *distance, reference: *reference }
+    Model { mesh, axes: *axes, distance: *distance }
 }
 
 /// A model before its camera: set up before the frame.

@@ -39,6 +39,17 @@ pub enum Variant {
     Depth,
 }
 
+impl Variant {
+    /// The name of the cell's variant that draws so.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Wireframe => "wire",
+            Self::Plain => "plain",
+            Self::Depth => "z",
+        }
+    }
+}
+
 /// The scene and the way it is drawn.
 pub struct Timed {
     pub scene: &'static str,
@@ -101,7 +112,7 @@ impl Timed {
     ) -> Option<()> {
         let storage = memory.bands.rows(rows)?;
         match self.variant {
-            Variant::Wireframe => bands::wireframe(scene, light, storage, display),
+            Variant::Wireframe => bands::wireframe(scene, LINE, storage, display),
             Variant::Plain => bands::solid(scene, light, storage, display),
             Variant::Depth => bands::depth(scene, light, storage, display),
         }

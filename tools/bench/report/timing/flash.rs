@@ -1,8 +1,10 @@
 //! The cycles that a core waits for flash: a line of it takes some cycles more than one, the next line may be fetched while
 //! the core runs, and a cache keeps some lines.
 
+use serde::Deserialize;
+
 /// The timing of a chip's flash.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Deserialize)]
 pub(crate) struct FlashRules {
     /// Additional cycles of a line, beyond one.
     pub(crate) wait: u64,
@@ -17,7 +19,7 @@ pub(crate) struct FlashRules {
 }
 
 /// The cache of lines that loads read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Deserialize)]
 pub(crate) enum DataCache {
     None,
     /// The cache for instructions.
@@ -125,57 +127,5 @@ impl Cache {
             }
         }
         at.is_some()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Cache, DataCache, Flash, FlashRules};
-
-    const SLOW: FlashRules =
-        FlashRules { wait: 2, line: 8, prefetch: false, lines: 0, ways: 0, data: DataCache::None };
-
-    #[test]
-    fn a_line_waits_once() {
-        let mut flash = Flash::new(SLOW);
-        // Four instructions of two bytes lie in the first line, the fifth in the second.
-        let waited: Vec<u64> = (0..5).map(|at| flash.fetch(2 * at, 2, u64::from(10 * at))).collect();
-        assert_eq!(waited, [2, 0, 0, 0, 2]);
-    }
-
-    #[test]
-    fn an_instruction_across_two_lines_waits_for_both() {
-        assert_eq!(Flash::new(SLOW).fetch(6, 4, 0), 4);
-    }
-
-    #[test]
-    fn straight_code_runs_from_the_prefetched_line() {
-        let mut flash = Flash::new(FlashRules { prefetch: true, ..SLOW });
-        // The first line is there at cycle 2, the second 3 cycles later: what comes at cycle 4 waits one of them, and what comes at
-        // cycle 20, long after the third is there, waits for none.
-        assert_eq!(flash.fetch(0, 2, 0), 2);
-        assert_eq!(flash.fetch(8, 2, 4), 1);
-        assert_eq!(flash.fetch(16, 2, 20), 0);
-        // A jump waits for the whole line.
-        assert_eq!(flash.fetch(64, 2, 30), 2);
-    }
-
-    #[test]
-    fn a_cache_keeps_the_lines_that_were_used_last() {
-        // Lines 0, 2 and 4 share one of two sets.
-        let mut cache = Cache::new(4, 2);
-        let kept: Vec<bool> = [0, 2, 0, 4, 0, 2, 1].map(|line| cache.has(line)).to_vec();
-        assert_eq!(kept, [false, false, true, false, true, false, false]);
-    }
-
-    #[test]
-    fn loads_wait_by_line_and_may_share_the_cache() {
-        let mut none = Flash::new(SLOW);
-        assert_eq!([0, 4, 8, 0].map(|address| none.read(address)), [2, 0, 2, 2]);
-        let mut own = Flash::new(FlashRules { data: DataCache::Own(2), ..SLOW });
-        assert_eq!([0, 4, 8, 0].map(|address| own.read(address)), [2, 0, 2, 0]);
-        let mut shared = Flash::new(FlashRules { lines: 4, ways: 2, data: DataCache::Shared, ..SLOW });
-        assert_eq!(shared.fetch(8, 2, 0), 2);
-        assert_eq!([8, 0].map(|address| shared.read(address)), [0, 2]);
     }
 }

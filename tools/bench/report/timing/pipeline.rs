@@ -6,8 +6,9 @@
 //! without waiting; what flash adds is in `flash.rs`.
 
 use super::decode::{Instruction, Kind, Registers};
+use serde::Deserialize;
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Deserialize)]
 pub(crate) enum Pipeline {
     M0,
     M0Plus,

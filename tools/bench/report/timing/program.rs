@@ -100,12 +100,18 @@ impl Program {
         self.instructions.get(self.index(at))
     }
 
+    /// The first two bytes of the instruction at an address; 0 outside of the code.
+    pub(crate) fn half(&self, at: u32) -> u16 {
+        self.halves.get(self.index(at)).copied().unwrap_or_default()
+    }
+
     /// The facts of an instruction whose registers are known.
     pub(crate) fn record(&self, state: &State, conditions: &mut Conditions) -> Executed {
         let at = state.registers[15];
         let skipped = conditions.0.pop().is_some_and(|condition| !state.holds(condition));
         let Some(instruction) = self.instruction(at) else { return Executed { skipped, ..Executed::at(at) } };
-        if let (Kind::IfThen, Some(half)) = (instruction.kind, self.halves.get(self.index(at))) {
+        if instruction.kind == Kind::IfThen {
+            let half = self.half(at);
             // The lowest bit of each condition is the first one's, or a bit of the mask.
             let (first, mask) = (half >> 4 & 0xf, half & 0xf);
             conditions.0 = (1..instruction.count).rev().map(|n| first & !1 | mask >> (4 - n) & 1).collect();

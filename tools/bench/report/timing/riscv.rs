@@ -177,7 +177,11 @@ impl Program {
     pub(crate) fn of(image: &Path) -> Result<Self> {
         let halves =
             elf::code(image)?.chunks_exact(2).map(|pair| u16::from_le_bytes([pair[0], pair[1]])).collect();
-        Ok(Self { start: u32::try_from(elf::sizes(image)?.code.start)?, halves })
+        Ok(Self::new(u32::try_from(elf::sizes(image)?.code.start)?, halves))
+    }
+
+    pub(crate) const fn new(start: u32, halves: Vec<u16>) -> Self {
+        Self { start, halves }
     }
 
     /// The instruction at an address; `None` outside of the code.
@@ -196,96 +200,5 @@ impl Program {
             u64::from(quarters(rules, &instruction, self.instruction(next).as_ref(), taken))
         };
         run.iter().zip(following).map(one).sum::<u64>() / 4
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{quarters, Instruction, Kind, Program, Rules};
-
-    fn decoded(code: u32) -> Instruction {
-        Instruction::decode(code as u16, (code >> 16) as u16)
-    }
-
-    /// The encodings are an assembler's.
-    #[test]
-    fn kinds_and_registers() {
-        let is = |code: u32, size, kind, reads: &[u32], writes| {
-            let reads = reads.iter().fold(0, |sum, register| sum | 1 << register);
-            assert_eq!(decoded(code), Instruction { size, kind, reads, writes }, "{code:08x}");
-        };
-        is(0x00b5_0633, 4, Kind::Simple, &[10, 11], 12); // add a2, a0, a1
-        is(0x02b5_0633, 4, Kind::Multiply, &[10, 11], 12); // mul a2, a0, a1
-        is(0x02b5_3633, 4, Kind::MultiplyHigh, &[10, 11], 12); // mulhu a2, a0, a1
-        is(0x02b5_5633, 4, Kind::Divide, &[10, 11], 12); // divu a2, a0, a1
-        is(0x0045_a503, 4, Kind::Load, &[11], 10); // lw a0, 4(a1)
-        is(0x00a5_9023, 4, Kind::Store, &[10, 11], 0); // sh a0, 0(a1)
-        is(0xfeb5_1ee3, 4, Kind::Branch, &[10, 11], 0); // bne a0, a1, -4
-        is(0x0000_00ef, 4, Kind::Jump, &[], 1); // jal 0
-        is(0x0003_8067, 4, Kind::JumpTo, &[7], 0); // jr t2, of four bytes
-        is(0x1234_5537, 4, Kind::Simple, &[], 10); // lui a0, 0x12345
-        is(0x41c8, 2, Kind::Load, &[11], 10); // c.lw a0, 4(a1)
-        is(0xc1c8, 2, Kind::Store, &[10, 11], 0); // c.sw a0, 4(a1)
-        is(0x0505, 2, Kind::Simple, &[10], 10); // c.addi a0, 1
-        is(0x4505, 2, Kind::Simple, &[], 10); // c.li a0, 1
-        is(0x8d0d, 2, Kind::Simple, &[10, 11], 10); // c.sub a0, a1
-        is(0x8105, 2, Kind::Simple, &[10], 10); // c.srli a0, 1
-        is(0xfd7d, 2, Kind::Branch, &[10], 0); // c.bnez a0, -2
-        is(0xbffd, 2, Kind::Jump, &[], 0); // c.j -2
-        is(0x4502, 2, Kind::Load, &[2], 10); // c.lwsp a0, 0(sp)
-        is(0xc02a, 2, Kind::Store, &[2, 10], 0); // c.swsp a0, 0(sp)
-        is(0x852e, 2, Kind::Simple, &[11], 10); // c.mv a0, a1
-        is(0x952e, 2, Kind::Simple, &[10, 11], 10); // c.add a0, a1
-        is(0x8082, 2, Kind::JumpTo, &[1], 0); // ret
-        is(0x9502, 2, Kind::JumpTo, &[10], 1); // c.jalr a0
-    }
-
-    /// The loops of `cycle_counting.rs`, a thousand times round; the cycles are those that the chip counted.
-    #[test]
-    fn loops_take_what_the_chip_counted() {
-        // Each instruction, and the index of the one that comes after it in all rounds but the last.
-        let round = |codes: &[u32], order: &[usize], last: &[usize]| {
-            let mut halves = Vec::new();
-            let mut places = Vec::new();
-            for &code in codes {
-                places.push(2 * halves.len() as u32);
-                halves.push(code as u16);
-                if code & 3 == 3 {
-                    halves.push((code >> 16) as u16);
-                }
-            }
-            let mut run: Vec<u32> = (0..999).flat_map(|_| order).map(|&at| places[at]).collect();
-            run.extend(last.iter().map(|&at| places[at]));
-            let end = 2 * halves.len() as u32;
-            Program { start: 0, halves }.cycles(Rules::Likely, &run, end)
-        };
-        // addi, nop, bne back.
-        let [addi, nop, bne, jump] = [0x0505, 0x0001, 0xfeb5_1ee3, 0xbffd];
-        assert_eq!(round(&[addi, nop, bne], &[0, 1, 2], &[0, 1, 2]), 999 * (1 + 1 + 3) + (1 + 1 + 1));
-        // addi, beq forward out of the loop, j back.
-        let beq = 0x00b5_0463;
-        assert_eq!(round(&[addi, beq, jump], &[0, 1, 2], &[0, 1]), 999 * (1 + 1 + 2) + (1 + 3));
-        // lw, add with its result, nop, bne back.
-        let [load, add] = [0x0005_2603, 0x9532];
-        assert_eq!(round(&[load, add, nop, bne], &[0, 1, 2, 3], &[0, 1, 2, 3]), 999 * (2 + 1 + 1 + 3) + 5);
-        // xor, sb, nop, nop, addi, nop, bne back.
-        let [xor, store] = [0x0006_4633, 0x00c5_0023];
-        let codes = [xor, store, nop, nop, addi, nop, bne];
-        let order = [0, 1, 2, 3, 4, 5, 6];
-        assert_eq!(round(&codes, &order, &order), 999 * (6 + 3) + 7);
-    }
-
-    #[test]
-    fn what_was_not_measured_has_a_range() {
-        let divide = decoded(0x02b5_5633);
-        let of = |rules| quarters(rules, &divide, None, false);
-        assert_eq!([of(Rules::Least), of(Rules::Likely), of(Rules::Most)], [20, 40, 80]);
-    }
-
-    #[test]
-    fn each_fourth_load_waits_unless_its_result_is_used() {
-        let [load, uses, does_not] = [0x0005_2603, 0x00c5_0533, 0x00b5_0533].map(decoded);
-        let of = |next| quarters(Rules::Likely, &load, next, false);
-        assert_eq!([of(Some(&uses)), of(Some(&does_not)), of(None)], [8, 5, 5]);
     }
 }

@@ -1,5 +1,5 @@
-//! Faces into a picture in memory, a firmware for each shader: of one colour and textured, without depth, with it, and one frame
-//! of each; and, without depth, with a screen door, half mixed, in fog, with keyed texels, and by a table of shades whose light or
+//! Faces into a picture in memory, a firmware for each shader: of one colour, and textured without depth and
+//! with it; and, without depth, with a screen door, half mixed, in fog, with keyed texels, and by a table of shades whose light or
 //! fog is that of vertices.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::bands::pixels;
@@ -19,11 +19,8 @@ const IMAGE: usize = position(
     env!("CARGO_BIN_NAME"),
     &[
         "flash_color",
-        "flash_color_depth",
-        "flash_color_both",
         "flash_textured",
         "flash_textured_depth",
-        "flash_textured_both",
         "flash_screen_door",
         "flash_half",
         "flash_fogged",
@@ -32,8 +29,7 @@ const IMAGE: usize = position(
         "flash_vertex_fog",
     ],
 );
-const PLAIN: bool = !matches!(IMAGE, 1 | 4);
-const DEPTH: bool = matches!(IMAGE, 1 | 2 | 4 | 5);
+const DEPTH: bool = IMAGE == 2;
 
 /// 128 bytes, which count.
 static TEXELS: [[Rgb565; 8]; 8] = {
@@ -70,22 +66,22 @@ image!(
             Fog::linear(start, end).ok()
         };
         match IMAGE {
-            0..3 => frame.draw(color),
-            3..6 => {
+            0 => frame.draw(color),
+            1 | 2 => {
                 let texture = Texture::new(black_box(&TEXELS));
                 frame.draw(|face| texture.at(UV[face & 1]))
             }
-            6 => frame.draw(|face| ScreenDoor::new(color(face), black_box(40))),
-            7 => frame.draw(|face| HalfBlended::new(color(face))),
-            8 => {
+            3 => frame.draw(|face| ScreenDoor::new(color(face), black_box(40))),
+            4 => frame.draw(|face| HalfBlended::new(color(face))),
+            5 => {
                 let table = FogTable::new(&fog()?, scene.camera(), scene::BACKGROUND).ok()?;
                 frame.draw(|face| Fogged::new(color(face), &table))
             }
-            9 => {
+            6 => {
                 let texture = Texture::new(ColorKeyed::new(black_box(&TEXELS), Rgb565::GREEN));
                 frame.draw(|face| texture.at(UV[face & 1]))
             }
-            10 => {
+            7 => {
                 let levels = black_box([32, 64, 96, 128, 160, 192, 224, 256]);
                 frame.draw(|face| SHADES.lit(cube.mesh.corners_of(face, &levels)))
             }
@@ -115,12 +111,11 @@ impl Frame<'_> {
         let instance = scene.place(cube);
         let size = black_box(Size::new(scene::SIZE, ROWS));
         let mut picture = Picture::new(memory, size).ok()?;
-        if PLAIN {
-            let Ok(_) = instance.solid(&shade, corners, &mut picture.pixels());
-        }
         if DEPTH {
             let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), storage).ok()?;
             let Ok(_) = instance.depth_tested(&shade, corners, &mut depth, &mut picture.pixels());
+        } else {
+            let Ok(_) = instance.solid(&shade, corners, &mut picture.pixels());
         }
         black_box(picture.colors());
         Some(())

@@ -1,40 +1,45 @@
-//! S3 in bands of 8 and of 16 rows, as many pixels sent as a frame has, and the same frame in one piece. Both clear the
-//! picture and set the object's transform up in each frame. The mesh has no planes.
+//! Models in bands, as many pixels sent as a frame has, and S3's frame in one piece. Both clear the picture and set the object's
+//! transform up in each frame. The meshes have no planes.
 
-use super::three::TORUS_EDGED;
-use super::{count, Counted, Deep, Plain, TORUS};
+use super::{count, Counted, Deep, Plain, ICO, TORUS};
 use crate::bands::{self, bytes, pixels, Storage};
 use crate::board::Clock;
 use crate::measure::Display;
-use crate::scene::{self, area, Scene, BACKGROUND};
+use crate::scene::{self, area, Model, Scene, BACKGROUND, LINE};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
-use pinhole::{DepthBuffer, ScreenVertex};
+use pinhole::{AntiAliased, DepthBuffer, ScreenVertex};
 
 /// The torus's visible faces, with some to spare, and a bit for each of its 1000 faces.
 const BIN_STORAGE: usize = 480 + 1000_usize.div_ceil(16);
 /// The torus's edges, and a bit for each.
 const EDGE_BINS: usize = 1500 + 1500_usize.div_ceil(16);
 
-/// Memory of a strip, of its depth if there is any, of the torus's vertices and its binned faces or edges.
-pub struct Strip<const BYTES: usize, const DEPTHS: usize, const BINS: usize = BIN_STORAGE> {
-    corners: [ScreenVertex; TORUS],
+/// The icosphere's visible faces, with some to spare, and a bit for each of its 5780 faces.
+const ICO_BINS: usize = 1750 + 5780_usize.div_ceil(16);
+
+/// Memory of a strip, of its depth if there is any, of a mesh's vertices and its binned faces or edges.
+pub struct Strip<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: usize> {
+    corners: [ScreenVertex; CORNERS],
     bin_storage: [u16; BINS],
     strip: [u8; BYTES],
     depth: [u16; DEPTHS],
 }
 
 /// For bands of 8 rows, without depth and with it, and for 16 rows.
-pub type Strip8 = Strip<{ bytes(8) }, 0>;
-pub type Strip8Deep = Strip<{ bytes(8) }, { pixels(8) }>;
-pub type Strip16 = Strip<{ bytes(16) }, 0>;
-pub type Strip16Deep = Strip<{ bytes(16) }, { pixels(16) }>;
+pub type Strip8 = Strip<{ bytes(8) }, 0, BIN_STORAGE, TORUS>;
+pub type Strip8Deep = Strip<{ bytes(8) }, { pixels(8) }, BIN_STORAGE, TORUS>;
+pub type Strip16 = Strip<{ bytes(16) }, 0, BIN_STORAGE, TORUS>;
+pub type Strip16Deep = Strip<{ bytes(16) }, { pixels(16) }, BIN_STORAGE, TORUS>;
+pub type Strip8DeepIco = Strip<{ bytes(8) }, { pixels(8) }, ICO_BINS, ICO>;
 /// For lines in bands of 8 rows.
-pub type LineStrip8 = Strip<{ bytes(8) }, 0, EDGE_BINS>;
+pub type LineStrip8 = Strip<{ bytes(8) }, 0, EDGE_BINS, TORUS>;
 
-impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize> Strip<BYTES, DEPTHS, BINS> {
+impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: usize>
+    Strip<BYTES, DEPTHS, BINS, CORNERS>
+{
     pub const NEW: Self = Self {
-        corners: [ScreenVertex::EMPTY; TORUS],
+        corners: [ScreenVertex::EMPTY; CORNERS],
         bin_storage: [0; BINS],
         strip: [0; BYTES],
         depth: [0; DEPTHS],
@@ -46,28 +51,33 @@ impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize> Strip<BYTES, DE
     }
 }
 
-pub fn s3_bands<const BYTES: usize, const DEPTHS: usize>(
-    memory: &mut Strip<BYTES, DEPTHS>,
+pub(super) fn plain<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: usize>(
+    model: &'static Model,
+    memory: &mut Strip<BYTES, DEPTHS, BINS, CORNERS>,
 ) -> Option<Counted> {
-    let scene = Scene::new(&scene::TORUS)?;
+    let scene = Scene::new(model)?;
     let light = scene.light()?;
     count_bands(&mut |display| bands::solid(black_box(&scene), black_box(&light), memory.storage(), display))
 }
 
-pub fn s3_bands_z<const BYTES: usize, const DEPTHS: usize>(
-    memory: &mut Strip<BYTES, DEPTHS>,
+pub(super) fn deep<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: usize>(
+    model: &'static Model,
+    memory: &mut Strip<BYTES, DEPTHS, BINS, CORNERS>,
 ) -> Option<Counted> {
-    let scene = Scene::new(&scene::TORUS)?;
+    let scene = Scene::new(model)?;
     let light = scene.light()?;
     count_bands(&mut |display| bands::depth(black_box(&scene), black_box(&light), memory.storage(), display))
 }
 
-/// S3's edges, anti-aliased.
-pub fn s3_smooth_bands<const BYTES: usize, const BINS: usize>(
-    memory: &mut Strip<BYTES, 0, BINS>,
+/// A model's edges, anti-aliased.
+pub(super) fn smooth<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: usize>(
+    model: &'static Model,
+    memory: &mut Strip<BYTES, DEPTHS, BINS, CORNERS>,
 ) -> Option<Counted> {
-    let scene = Scene::new(&TORUS_EDGED)?;
-    count_bands(&mut |display| bands::smooth_wireframe(black_box(&scene), memory.storage(), display))
+    let scene = Scene::new(model)?;
+    count_bands(&mut |display| {
+        bands::wireframe(black_box(&scene), AntiAliased(LINE), memory.storage(), display)
+    })
 }
 
 /// Draws three frames, counts the second, and takes the checksum of the third.
@@ -81,7 +91,7 @@ fn count_bands(frame: &mut dyn FnMut(&mut Display) -> Option<()>) -> Option<Coun
     good.then_some(Counted { instructions, crc, drawn: 0 })
 }
 
-pub fn s3_full(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
+pub(super) fn full(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
     let scene = Scene::new(&scene::TORUS)?;
     let light = scene.light()?;
     count(frame, &mut |picture| {
@@ -93,7 +103,7 @@ pub fn s3_full(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
     })
 }
 
-pub fn s3_full_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
+pub(super) fn full_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
     let scene = Scene::new(&scene::TORUS)?;
     let light = scene.light()?;
     count(frame, &mut |picture| {

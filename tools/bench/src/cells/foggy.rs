@@ -21,7 +21,7 @@ const TORUS_FOG: [i32; 2] = [2, 5];
 /// The floor lies between 0.5, where the near plane cuts it, and 9.5.
 const FLOOR_FOG: [i32; 2] = [1, 9];
 
-pub fn g1(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
+pub(super) fn g1(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
     let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
     let (light, instance, fog) = (scene.light()?, scene.place(), fog(TORUS_FOG, scene.camera())?);
     count(frame, &mut |picture| {
@@ -34,7 +34,7 @@ pub fn g1(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
     })
 }
 
-pub fn g1_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
+pub(super) fn g1_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
     let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
     let (light, instance, fog) = (scene.light()?, scene.place(), fog(TORUS_FOG, scene.camera())?);
     count(frame, &mut |picture| {
@@ -48,7 +48,7 @@ pub fn g1_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted>
     })
 }
 
-pub fn g2(Plain { frame, corners }: &mut Plain<4>) -> Option<Counted> {
+pub(super) fn g2(Plain { frame, corners }: &mut Plain<4>) -> Option<Counted> {
     let (camera, floor): (_, &Floor) = (camera()?, black_box(&X3));
     let (instance, fog) =
         (camera.place(&floor.mesh, &Affine::<Model, World>::identity()), fog(FLOOR_FOG, &camera)?);
@@ -61,7 +61,7 @@ pub fn g2(Plain { frame, corners }: &mut Plain<4>) -> Option<Counted> {
     })
 }
 
-pub fn g2_z(Deep { frame, depth, corners }: &mut Deep<4>) -> Option<Counted> {
+pub(super) fn g2_z(Deep { frame, depth, corners }: &mut Deep<4>) -> Option<Counted> {
     let (camera, floor): (_, &Floor) = (camera()?, black_box(&X3));
     let (instance, fog) =
         (camera.place(&floor.mesh, &Affine::<Model, World>::identity()), fog(FLOOR_FOG, &camera)?);
@@ -75,7 +75,7 @@ pub fn g2_z(Deep { frame, depth, corners }: &mut Deep<4>) -> Option<Counted> {
     })
 }
 
-pub fn g3_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
+pub(super) fn g3_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
     let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
     let (texture, instance, fog) = (Texture::new(&PICTURE), scene.place(), fog(TORUS_FOG, scene.camera())?);
     count(frame, &mut |picture| {

@@ -1,10 +1,6 @@
-//! The cells of `docs/speed.md`: scenes drawn at once into memory, each by a firmware of its own with no more memory than
-//! the scene takes.
+//! The cells: scenes drawn in some variants, each by a firmware of its own with no more memory than the scene takes.
 
 mod banded;
-mod blended;
-mod close;
-mod draw_target;
 mod foggy;
 mod memory;
 mod moving;
@@ -12,40 +8,22 @@ mod screen;
 mod sprites;
 mod stepped;
 mod textured;
-mod three;
-mod two;
+mod ways;
 
-pub use banded::{s3_bands, s3_bands_z, s3_full, s3_full_z, s3_smooth_bands};
-pub use banded::{LineStrip8, Strip16, Strip16Deep, Strip8, Strip8Deep};
-pub use blended::{s5_alpha, s5_half};
-pub use close::{c1, c1_planes, c1_planes_z, c1_wire, c1_z, c2, c2_planes, c2_planes_z, c2_wire, c2_z};
-pub use draw_target::{s1_dt, s2_dt, s2_dt_z, s3_dt, s3_dt_wire, s3_dt_z, s5_dt, s6_dt, s7_dt, s8_dt_z};
-pub use foggy::{g1, g1_z, g2, g2_z, g3_z};
+pub use banded::{LineStrip8, Strip16, Strip16Deep, Strip8, Strip8Deep, Strip8DeepIco};
 pub use memory::{Deep, Frame, Plain, Smooth};
-#[cfg(not(target_os = "none"))]
-pub use moving::f50_in_view;
-pub use moving::{f50, f50_wire, f50_z, t1};
 pub use screen::Screen;
-pub use sprites::b1_z;
-pub use textured::{x1, x1_z, x2, x2_z, x3, x4};
-pub use textured::{
-    x1_each, x1_eighth, x1_every16, x1_sixteenth, x2_each, x2_eighth, x2_every16, x2_sixteenth, x3_each,
-    x3_eighth, x3_every16, x3_sixteenth, x4_each, x4_eighth, x4_every16, x4_sixteenth,
-};
-#[cfg(not(target_os = "none"))]
-pub use three::placed;
-pub use three::{s1, s2, s2_z, s3, s3_wire, s3_z, s4, s4_z, s8_z};
-pub use three::{s1_smooth, s3_smooth, s3_smooth_z};
-pub use three::{s3_no_planes, s3_z_no_planes, s4_no_planes, s4_z_no_planes, s8_z_no_planes};
-pub use two::{s5, s6, s6_smooth, s7};
 
 use crate::board::{println, Clock};
-use crate::measure::Checksum;
-use crate::scene::{BACKGROUND, SIZE};
+use crate::lists::{COLOURS, LINES, SCREEN, TORUS_EDGES, TRIANGLES};
+use crate::scene::{self, Model, BACKGROUND, LINE, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::Rgb565;
+use pinhole::{AntiAliased, Blended, HalfBlended, Mesh, WithPlanes};
+use textured::{Each, Eighth, Every16, Sixteenth, X2, X3, X4};
+use ways::{picture, screen as dt};
 
 /// The picture that cells are drawn into; its size is unknown to the compiler.
 pub type Picture<'p> = pinhole::Picture<'p, Rgb565>;
@@ -65,159 +43,203 @@ pub const CUBE: usize = 8;
 pub const TORUS: usize = 500;
 pub const ICO: usize = 2892;
 
-/// A way to draw a cell, on memory of its own.
-#[cfg(not(target_os = "none"))]
-type Draw = fn() -> Option<Counted>;
+/// The torus with its edges alone, for wireframes, and from so near that parts of it lie behind the camera, and others beyond the
+/// borders of the picture: with the eye at 0.8 from its centre, where the near plane at 0.5 cuts it, and at 1.2. It reaches 1.42.
+static TORUS_EDGED: Model = edged(&scene::TORUS, &TORUS_EDGES);
+const NEAR: i32 = 52_429;
+const FARTHER: i32 = 78_643;
+static C1: Model = at(&scene::TORUS, NEAR);
+static C2: Model = at(&scene::TORUS, FARTHER);
+static C1_PLANES: Model<WithPlanes> = at(&scene::TORUS_BY_PLANES, NEAR);
+static C2_PLANES: Model<WithPlanes> = at(&scene::TORUS_BY_PLANES, FARTHER);
+static C1_EDGED: Model = at(&TORUS_EDGED, NEAR);
+static C2_EDGED: Model = at(&TORUS_EDGED, FARTHER);
+
+/// At compile time: without normals.
+const fn edged(model: &Model, edges: &'static [[u16; 2]]) -> Model {
+    let Model { mesh, axes, distance } = model;
+    let Ok(mesh) = Mesh::new(mesh.vertices(), mesh.exponent(), mesh.faces()) else { panic!("faces") };
+    let Ok(mesh) = mesh.with_edges(edges) else { panic!("edges") };
+    Model { mesh, axes: *axes, distance: *distance }
+}
+
+const fn at<P>(model: &Model<P>, distance: i32) -> Model<P> {
+    let Model { mesh, axes, .. } = model;
+    Model { mesh: *mesh, axes: *axes, distance }
+}
+
+/// A cell's firmware, by the cell's number in the list.
+pub struct Image<const N: usize>;
+
+pub trait Cell {
+    type Memory;
+    fn draw(memory: &mut Self::Memory) -> Option<Counted>;
+}
 
 /// Scene, variant, and how it is drawn on the host.
 #[cfg(not(target_os = "none"))]
-pub type Known = (&'static str, &'static str, Draw);
+pub type Known = (&'static str, &'static str, fn() -> Option<Counted>);
 
-#[cfg(not(target_os = "none"))]
-pub const CELLS: &[Known] = &[
-    ("S1", "plain", || s1(&mut boxed(Plain::NEW))),
-    ("S2", "plain", || s2(&mut boxed(Plain::NEW))),
-    ("S2", "z", || s2_z(&mut boxed(Deep::NEW))),
-    ("S3", "plain", || s3(&mut boxed(Plain::NEW))),
-    ("S3", "z", || s3_z(&mut boxed(Deep::NEW))),
-    ("S4", "plain", || s4(&mut boxed(Plain::NEW))),
-    ("S4", "z", || s4_z(&mut boxed(Deep::NEW))),
-    ("S5", "plain", || s5(&mut boxed(Frame::NEW))),
-    ("S6", "plain", || s6(&mut boxed(Frame::NEW))),
-    ("S7", "plain", || s7(&mut boxed(Frame::NEW))),
-    ("S8", "z", || s8_z(&mut boxed(Smooth::NEW))),
-];
+macro_rules! cells {
+    ($($scene:literal $variant:literal: $memory:ty, |$of:ident| $draw:expr;)*) => {
+        const NAMES: &[[&str; 2]] = &[$([$scene, $variant]),*];
 
-/// Cells of what users draw: near objects, moving ones, all edges of a mesh, into a DrawTarget of their own, in bands.
-#[cfg(not(target_os = "none"))]
-pub const USER_CELLS: &[Known] = &[
-    ("S3", "wire", || s3_wire(&mut boxed(Plain::NEW))),
-    // From near by, by planes too.
-    ("C1", "plain", || c1(&mut boxed(Plain::NEW))),
-    ("C1", "z", || c1_z(&mut boxed(Deep::NEW))),
-    ("C1", "wire", || c1_wire(&mut boxed(Plain::NEW))),
-    ("C1", "planes", || c1_planes(&mut boxed(Plain::NEW))),
-    ("C1", "planes-z", || c1_planes_z(&mut boxed(Deep::NEW))),
-    ("C2", "plain", || c2(&mut boxed(Plain::NEW))),
-    ("C2", "z", || c2_z(&mut boxed(Deep::NEW))),
-    ("C2", "wire", || c2_wire(&mut boxed(Plain::NEW))),
-    ("C2", "planes", || c2_planes(&mut boxed(Plain::NEW))),
-    ("C2", "planes-z", || c2_planes_z(&mut boxed(Deep::NEW))),
-    // Objects that are placed in each frame.
-    ("T1", "plain", || t1(&mut boxed(Plain::NEW))),
-    ("F50", "plain", || f50(&mut boxed(Plain::NEW))),
-    ("F50", "z", || f50_z(&mut boxed(Deep::NEW))),
-    ("F50", "wire", || f50_wire(&mut boxed(Plain::NEW))),
+        $(impl Cell for Image<{ number($scene, $variant) }> {
+            type Memory = $memory;
+
+            #[inline(always)] // as if the firmware called the function itself
+            fn draw($of: &mut $memory) -> Option<Counted> {
+                $draw
+            }
+        })*
+
+        /// The cells on the host.
+        #[cfg(not(target_os = "none"))]
+        pub const CELLS: &[Known] = &[$(($scene, $variant, || {
+            let $of = &mut *Box::<$memory>::new(<$memory>::NEW);
+            $draw
+        })),*];
+    };
+}
+
+cells! {
+    // The start, the count of a frame in which nothing is drawn, and the end: in every cell.
+    "empty" "plain": Frame, |m| count(m, &mut |_| Some(()));
+    // S1: the cube's edges. S2: the cube, a colour for each face.
+    "S1" "plain": Plain<CUBE>, |m| picture::wire(&scene::CUBE, LINE, m);
+    "S2" "plain": Plain<CUBE>, |m| picture::flat(&scene::CUBE, m);
+    "S2" "z": Deep<CUBE>, |m| picture::flat_z(&scene::CUBE, m);
+    // S3: the torus, S4: the icosphere, a colour for each face, culled by face planes; S8: the torus, smooth.
+    "S3" "plain": Plain<TORUS>, |m| picture::flat(&scene::TORUS_BY_PLANES, m);
+    "S3" "z": Deep<TORUS>, |m| picture::flat_z(&scene::TORUS_BY_PLANES, m);
+    "S4" "plain": Plain<ICO>, |m| picture::flat(&scene::ICO_BY_PLANES, m);
+    "S4" "z": Deep<ICO>, |m| picture::flat_z(&scene::ICO_BY_PLANES, m);
+    "S8" "z": Smooth<TORUS>, |m| picture::smooth_z(&scene::TORUS_BY_PLANES, m);
+    // S5: one triangle over half of the picture. S6: a thousand lines. S7: a thousand triangles.
+    "S5" "plain": Frame, |m| picture::triangle(&SCREEN, LINE, m);
+    "S6" "plain": Frame, |m| picture::lines(&LINES, LINE, m);
+    "S7" "plain": Frame, |m| picture::triangles(&TRIANGLES, &COLOURS, m);
+    // Without planes.
+    "S3" "no-planes": Plain<TORUS>, |m| picture::flat(&scene::TORUS, m);
+    "S3" "no-planes-z": Deep<TORUS>, |m| picture::flat_z(&scene::TORUS, m);
+    "S4" "no-planes": Plain<ICO>, |m| picture::flat(&scene::ICO, m);
+    "S4" "no-planes-z": Deep<ICO>, |m| picture::flat_z(&scene::ICO, m);
+    "S8" "no-planes-z": Smooth<TORUS>, |m| picture::smooth_z(&scene::TORUS, m);
+    // All edges.
+    "S3" "wire": Plain<TORUS>, |m| picture::wire(&TORUS_EDGED, LINE, m);
+    // C1 and C2: the torus from near by.
+    "C1" "plain": Plain<TORUS>, |m| picture::flat(&C1, m);
+    "C1" "z": Deep<TORUS>, |m| picture::flat_z(&C1, m);
+    "C1" "wire": Plain<TORUS>, |m| picture::wire(&C1_EDGED, LINE, m);
+    "C1" "planes": Plain<TORUS>, |m| picture::flat(&C1_PLANES, m);
+    "C1" "planes-z": Deep<TORUS>, |m| picture::flat_z(&C1_PLANES, m);
+    "C2" "plain": Plain<TORUS>, |m| picture::flat(&C2, m);
+    "C2" "z": Deep<TORUS>, |m| picture::flat_z(&C2, m);
+    "C2" "wire": Plain<TORUS>, |m| picture::wire(&C2_EDGED, LINE, m);
+    "C2" "planes": Plain<TORUS>, |m| picture::flat(&C2_PLANES, m);
+    "C2" "planes-z": Deep<TORUS>, |m| picture::flat_z(&C2_PLANES, m);
+    // T1: the turning cube. F50: fifty cubes before a moving camera, half of them out of view. The objects' placing is counted.
+    "T1" "plain": Plain<CUBE>, |m| moving::t1(m);
+    "F50" "plain": Plain<CUBE>, |m| moving::f50(m);
+    "F50" "z": Deep<CUBE>, |m| moving::f50_z(m);
+    "F50" "wire": Plain<CUBE>, |m| moving::f50_wire(m);
     // Into a DrawTarget of the firmware's own.
-    ("S1", "dt", || s1_dt(&mut boxed(Plain::NEW))),
-    ("S2", "dt", || s2_dt(&mut boxed(Plain::NEW))),
-    ("S2", "dt-z", || s2_dt_z(&mut boxed(Deep::NEW))),
-    ("S3", "dt", || s3_dt(&mut boxed(Plain::NEW))),
-    ("S3", "dt-z", || s3_dt_z(&mut boxed(Deep::NEW))),
-    ("S3", "dt-wire", || s3_dt_wire(&mut boxed(Plain::NEW))),
-    ("S5", "dt", || s5_dt(&mut boxed(Frame::NEW))),
-    ("S6", "dt", || s6_dt(&mut boxed(Frame::NEW))),
-    ("S7", "dt", || s7_dt(&mut boxed(Frame::NEW))),
-    ("S8", "dt-z", || s8_dt_z(&mut boxed(Smooth::NEW))),
-    // Anti-aliased lines: wireframes, in bands and with a depth test too, and lines in the picture's plane.
-    ("S1", "smooth", || s1_smooth(&mut boxed(Plain::NEW))),
-    ("S3", "smooth", || s3_smooth(&mut boxed(Plain::NEW))),
-    ("S3", "smooth-bands8", || s3_smooth_bands(&mut boxed(LineStrip8::NEW))),
-    ("S3", "smooth-z", || s3_smooth_z(&mut boxed(Deep::NEW))),
-    ("S6", "smooth", || s6_smooth(&mut boxed(Frame::NEW))),
-    // Textures.
-    ("X1", "plain", || x1(&mut boxed(Plain::NEW))),
-    ("X1", "z", || x1_z(&mut boxed(Deep::NEW))),
-    ("X2", "plain", || x2(&mut boxed(Plain::NEW))),
-    ("X2", "z", || x2_z(&mut boxed(Deep::NEW))),
-    ("X3", "plain", || x3(&mut boxed(Plain::NEW))),
-    ("X4", "plain", || x4(&mut boxed(Plain::NEW))),
-    // A blended triangle.
-    ("S5", "half", || s5_half(&mut boxed(Frame::NEW))),
-    ("S5", "alpha", || s5_alpha(&mut boxed(Frame::NEW))),
-    // Fog by pixel, and sprites.
-    ("G1", "plain", || g1(&mut boxed(Plain::NEW))),
-    ("G1", "z", || g1_z(&mut boxed(Deep::NEW))),
-    ("G2", "plain", || g2(&mut boxed(Plain::NEW))),
-    ("G2", "z", || g2_z(&mut boxed(Deep::NEW))),
-    ("G3", "z", || g3_z(&mut boxed(Deep::NEW))),
-    ("B1", "z", || b1_z(&mut boxed(Deep::NEW))),
-    // In one piece, the clear of the picture counted, and in bands.
-    ("S3", "full", || s3_full(&mut boxed(Plain::NEW))),
-    ("S3", "full-z", || s3_full_z(&mut boxed(Deep::NEW))),
-    ("S3", "bands8", || s3_bands(&mut boxed(Strip8::NEW))),
-    ("S3", "bands8-z", || s3_bands_z(&mut boxed(Strip8Deep::NEW))),
-    ("S3", "bands16", || s3_bands(&mut boxed(Strip16::NEW))),
-    ("S3", "bands16-z", || s3_bands_z(&mut boxed(Strip16Deep::NEW))),
-];
+    "S1" "dt": Plain<CUBE>, |m| dt::wire(&scene::CUBE, LINE, m);
+    "S2" "dt": Plain<CUBE>, |m| dt::flat(&scene::CUBE, m);
+    "S2" "dt-z": Deep<CUBE>, |m| dt::flat_z(&scene::CUBE, m);
+    "S3" "dt": Plain<TORUS>, |m| dt::flat(&scene::TORUS_BY_PLANES, m);
+    "S3" "dt-z": Deep<TORUS>, |m| dt::flat_z(&scene::TORUS_BY_PLANES, m);
+    "S3" "dt-wire": Plain<TORUS>, |m| dt::wire(&TORUS_EDGED, LINE, m);
+    "S5" "dt": Frame, |m| dt::triangle(&SCREEN, LINE, m);
+    "S6" "dt": Frame, |m| dt::lines(&LINES, LINE, m);
+    "S7" "dt": Frame, |m| dt::triangles(&TRIANGLES, &COLOURS, m);
+    "S8" "dt-z": Smooth<TORUS>, |m| dt::smooth_z(&scene::TORUS_BY_PLANES, m);
+    // Anti-aliased: S1, S3's edges, at once, in bands and with a depth test, and S6.
+    "S1" "smooth": Plain<CUBE>, |m| picture::wire(&scene::CUBE, AntiAliased(LINE), m);
+    "S3" "smooth": Plain<TORUS>, |m| picture::wire(&TORUS_EDGED, AntiAliased(LINE), m);
+    "S3" "smooth-bands8": LineStrip8, |m| banded::smooth(&TORUS_EDGED, m);
+    "S3" "smooth-z": Deep<TORUS>, |m| ways::wire_z(&TORUS_EDGED, AntiAliased(LINE), m);
+    "S6" "smooth": Frame, |m| picture::lines(&LINES, AntiAliased(LINE), m);
+    // Textures on the torus, on a floor, on one that is rolled, and on one that reaches the horizon; by other accuracies, and by
+    // other libraries' methods.
+    "X1" "plain": Plain<TORUS>, |m| textured::torus(m);
+    "X1" "z": Deep<TORUS>, |m| textured::torus_z(m);
+    "X2" "plain": Plain<4>, |m| textured::floor(&X2, m);
+    "X2" "z": Deep<4>, |m| textured::floor_z(&X2, m);
+    "X3" "plain": Plain<4>, |m| textured::floor(&X3, m);
+    "X4" "plain": Plain<4>, |m| textured::floor(&X4, m);
+    "X1" "eighth": Plain<TORUS>, |m| textured::torus_by::<Eighth>(m);
+    "X1" "sixteenth": Plain<TORUS>, |m| textured::torus_by::<Sixteenth>(m);
+    "X1" "each": Plain<TORUS>, |m| textured::torus_by::<Each>(m);
+    "X1" "every16": Plain<TORUS>, |m| textured::torus_by::<Every16>(m);
+    "X2" "eighth": Plain<4>, |m| textured::floor_by::<Eighth>(&X2, m);
+    "X2" "sixteenth": Plain<4>, |m| textured::floor_by::<Sixteenth>(&X2, m);
+    "X2" "each": Plain<4>, |m| textured::floor_by::<Each>(&X2, m);
+    "X2" "every16": Plain<4>, |m| textured::floor_by::<Every16>(&X2, m);
+    "X3" "eighth": Plain<4>, |m| textured::floor_by::<Eighth>(&X3, m);
+    "X3" "sixteenth": Plain<4>, |m| textured::floor_by::<Sixteenth>(&X3, m);
+    "X3" "each": Plain<4>, |m| textured::floor_by::<Each>(&X3, m);
+    "X3" "every16": Plain<4>, |m| textured::floor_by::<Every16>(&X3, m);
+    "X4" "eighth": Plain<4>, |m| textured::floor_by::<Eighth>(&X4, m);
+    "X4" "sixteenth": Plain<4>, |m| textured::floor_by::<Sixteenth>(&X4, m);
+    "X4" "each": Plain<4>, |m| textured::floor_by::<Each>(&X4, m);
+    "X4" "every16": Plain<4>, |m| textured::floor_by::<Every16>(&X4, m);
+    // S5 blended in equal parts, and by an alpha of 13/32.
+    "S5" "half": Frame, |m| picture::triangle(&SCREEN, HalfBlended::new(black_box(LINE)), m);
+    "S5" "alpha": Frame, |m| picture::triangle(&SCREEN, Blended::new(black_box(LINE), black_box(13)), m);
+    // The torus, a floor and the textured torus in fog by pixel. Fifty sprites.
+    "G1" "plain": Plain<TORUS>, |m| foggy::g1(m);
+    "G1" "z": Deep<TORUS>, |m| foggy::g1_z(m);
+    "G2" "plain": Plain<4>, |m| foggy::g2(m);
+    "G2" "z": Deep<4>, |m| foggy::g2_z(m);
+    "G3" "z": Deep<TORUS>, |m| foggy::g3_z(m);
+    "B1" "z": Deep<0>, |m| sprites::b1_z(m);
+    // In one piece with the clear of the picture, and in bands.
+    "S3" "full": Plain<TORUS>, |m| banded::full(m);
+    "S3" "full-z": Deep<TORUS>, |m| banded::full_z(m);
+    "S3" "bands8": Strip8, |m| banded::plain(&scene::TORUS, m);
+    "S3" "bands8-z": Strip8Deep, |m| banded::deep(&scene::TORUS, m);
+    "S3" "bands16": Strip16, |m| banded::plain(&scene::TORUS, m);
+    "S3" "bands16-z": Strip16Deep, |m| banded::deep(&scene::TORUS, m);
+    "S4" "bands8-z": Strip8DeepIco, |m| banded::deep(&scene::ICO, m);
+}
 
-/// Textures by other accuracies, and by methods of other libraries. No page lists them: docs/accuracy.md has their counts.
-#[cfg(not(target_os = "none"))]
-pub const TEXTURE_METHODS: &[Known] = &[
-    ("X1", "eighth", || x1_eighth(&mut boxed(Plain::NEW))),
-    ("X1", "sixteenth", || x1_sixteenth(&mut boxed(Plain::NEW))),
-    ("X1", "each", || x1_each(&mut boxed(Plain::NEW))),
-    ("X1", "every16", || x1_every16(&mut boxed(Plain::NEW))),
-    ("X2", "eighth", || x2_eighth(&mut boxed(Plain::NEW))),
-    ("X2", "sixteenth", || x2_sixteenth(&mut boxed(Plain::NEW))),
-    ("X2", "each", || x2_each(&mut boxed(Plain::NEW))),
-    ("X2", "every16", || x2_every16(&mut boxed(Plain::NEW))),
-    ("X3", "eighth", || x3_eighth(&mut boxed(Plain::NEW))),
-    ("X3", "sixteenth", || x3_sixteenth(&mut boxed(Plain::NEW))),
-    ("X3", "each", || x3_each(&mut boxed(Plain::NEW))),
-    ("X3", "every16", || x3_every16(&mut boxed(Plain::NEW))),
-    ("X4", "eighth", || x4_eighth(&mut boxed(Plain::NEW))),
-    ("X4", "sixteenth", || x4_sixteenth(&mut boxed(Plain::NEW))),
-    ("X4", "each", || x4_each(&mut boxed(Plain::NEW))),
-    ("X4", "every16", || x4_every16(&mut boxed(Plain::NEW))),
-];
+/// The variants of textures by other accuracies and other libraries' methods.
+pub const METHODS: [&str; 4] = ["eighth", "sixteenth", "each", "every16"];
 
-/// The cells with early culling by face planes, drawn without it; the table does not list them.
-#[cfg(not(target_os = "none"))]
-pub const NO_PLANES: &[Known] = &[
-    ("S3", "plain", || s3_no_planes(&mut boxed(Plain::NEW))),
-    ("S3", "z", || s3_z_no_planes(&mut boxed(Deep::NEW))),
-    ("S4", "plain", || s4_no_planes(&mut boxed(Plain::NEW))),
-    ("S4", "z", || s4_z_no_planes(&mut boxed(Deep::NEW))),
-    ("S8", "z", || s8_z_no_planes(&mut boxed(Smooth::NEW))),
-];
-
-/// Flash of a scene's face planes, in bytes.
-#[cfg(not(target_os = "none"))]
-pub fn planes(scene: &str) -> usize {
-    use crate::scene::{ICO_BY_PLANES, TORUS_BY_PLANES};
-    match scene {
-        "S3" | "S8" => size_of_val(TORUS_BY_PLANES.mesh.planes()),
-        "S4" => size_of_val(ICO_BY_PLANES.mesh.planes()),
-        _ => 0,
+const fn number(scene: &str, variant: &str) -> usize {
+    let mut at = 0;
+    while !(crate::is_equal(NAMES[at][0], scene) && crate::is_equal(NAMES[at][1], variant)) {
+        at += 1;
     }
+    at
 }
 
-/// Flash of a scene's data, its mesh or list, in bytes.
-#[cfg(not(target_os = "none"))]
-pub fn data(scene: &str) -> usize {
-    use crate::lists::{COLOURS, LINES, SCREEN, TORUS_NORMALS, TRIANGLES};
-    use crate::scene::{CUBE, ICO_BY_PLANES, TORUS_BY_PLANES};
-    match scene {
-        "S1" | "S2" => CUBE.bytes(),
-        "S3" => TORUS_BY_PLANES.bytes(),
-        "S4" => ICO_BY_PLANES.bytes(),
-        "S5" => size_of_val(&SCREEN),
-        "S6" => size_of_val(&LINES),
-        "S7" => size_of_val(&TRIANGLES) + size_of_val(&COLOURS),
-        "S8" => TORUS_BY_PLANES.bytes() + size_of_val(&TORUS_NORMALS),
-        _ => 0,
+/// The number of the cell with this image, such as `cell_s3_bands8_z` for S3 in the variant `bands8-z`, or `cell_s3` for `plain`.
+pub const fn of_image(name: &str) -> usize {
+    let (name, mut at) = (name.as_bytes(), 0);
+    while at < NAMES.len() {
+        let [scene, variant] = [NAMES[at][0].as_bytes(), NAMES[at][1].as_bytes()];
+        let is_plain = crate::is_equal(NAMES[at][1], "plain");
+        let length = scene.len() + if is_plain { 0 } else { 1 + variant.len() };
+        let (mut same, mut i) = (name.len() == 5 + length, 0);
+        while same && i < length {
+            let letter = if i < scene.len() {
+                scene[i].to_ascii_lowercase()
+            } else if i == scene.len() || variant[i - scene.len() - 1] == b'-' {
+                b'_'
+            } else {
+                variant[i - scene.len() - 1]
+            };
+            same = name[5 + i] == letter;
+            i += 1;
+        }
+        if same {
+            return at;
+        }
+        at += 1;
     }
-}
-
-#[cfg(not(target_os = "none"))]
-fn boxed<T>(memory: T) -> Box<T> {
-    Box::new(memory)
-}
-
-/// A frame in which nothing is drawn.
-pub fn empty(frame: &mut Frame) -> Option<Counted> {
-    count(frame, &mut |_| Some(()))
+    panic!("no cell of this name")
 }
 
 /// Draws two frames, each on a cleared picture, and counts the second without the clear. `draw` says whether it could.
@@ -238,9 +260,7 @@ pub fn count_by(
     let Ok(()) = picture.clear(BACKGROUND);
     let mut good = None;
     let instructions = clock.count(&mut || good = draw(&mut picture))?;
-    let pixels = black_box(&frame.0);
-    let drawn = pixels.iter().filter(|&&pixel| pixel != BACKGROUND).count();
-    good.map(|()| Counted { instructions, crc: Checksum::of(pixels), drawn })
+    good.map(|()| frame.counted(instructions))
 }
 
 /// [`count`] on a DrawTarget that is not this library's.
@@ -264,9 +284,7 @@ pub fn count_screen_by(
     let Ok(()) = screen.clear(BACKGROUND);
     let mut good = None;
     let instructions = clock.count(&mut || good = draw(&mut screen))?;
-    let pixels = black_box(&frame.0);
-    let drawn = pixels.iter().filter(|&&pixel| pixel != BACKGROUND).count();
-    good.map(|()| Counted { instructions, crc: Checksum::of(pixels), drawn })
+    good.map(|()| frame.counted(instructions))
 }
 
 /// The line that `report` reads: `instructions,stack,crc`.
@@ -298,9 +316,6 @@ macro_rules! cell {
         #[cfg(not(target_os = "none"))]
         fn main() {
             let counted = $draw(&mut *Box::<$memory>::new(<$memory>::NEW));
-            if let Some(counted) = counted {
-                $crate::cells::print(counted, 0);
-            }
             $crate::board::end(counted.is_some())
         }
     };

@@ -16,7 +16,7 @@ use pinhole::{
 const T1_EYE: [i32; 3] = [0, 126_213, 237_374];
 
 /// The cube of S1 turns by 3° a frame before a camera that stands still; the counted frame shows nearly S1's picture.
-pub fn t1(Plain { frame, corners }: &mut Plain<CUBE>) -> Option<Counted> {
+pub(super) fn t1(Plain { frame, corners }: &mut Plain<CUBE>) -> Option<Counted> {
     let camera = scene::camera(T1_EYE, Size::new(SIZE, SIZE))?;
     let mut turn = Angle::degrees(31);
     count(frame, &mut |picture| {
@@ -86,15 +86,7 @@ impl Fifty {
     }
 }
 
-/// How many cubes the counted frame of F50 draws.
-#[cfg(not(target_os = "none"))]
-pub fn f50_in_view() -> Option<u32> {
-    let mut fifty = Fifty::new()?;
-    fifty.frame(|_, _, _| Some(()))?;
-    fifty.frame(|_, _, _| Some(()))
-}
-
-pub fn f50_wire(Plain { frame, corners }: &mut Plain<CUBE>) -> Option<Counted> {
+pub(super) fn f50_wire(Plain { frame, corners }: &mut Plain<CUBE>) -> Option<Counted> {
     let mut fifty = Fifty::new()?;
     count(frame, &mut |picture| {
         black_box(fifty.frame(|camera, mesh, model| {
@@ -107,7 +99,7 @@ pub fn f50_wire(Plain { frame, corners }: &mut Plain<CUBE>) -> Option<Counted> {
     })
 }
 
-pub fn f50(Plain { frame, corners }: &mut Plain<CUBE>) -> Option<Counted> {
+pub(super) fn f50(Plain { frame, corners }: &mut Plain<CUBE>) -> Option<Counted> {
     let mut fifty = Fifty::new()?;
     count(frame, &mut |picture| {
         black_box(fifty.frame(|camera, mesh, model| {
@@ -121,7 +113,7 @@ pub fn f50(Plain { frame, corners }: &mut Plain<CUBE>) -> Option<Counted> {
     })
 }
 
-pub fn f50_z(Deep { frame, depth, corners }: &mut Deep<CUBE>) -> Option<Counted> {
+pub(super) fn f50_z(Deep { frame, depth, corners }: &mut Deep<CUBE>) -> Option<Counted> {
     let mut fifty = Fifty::new()?;
     count(frame, &mut |picture| {
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;

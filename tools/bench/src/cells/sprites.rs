@@ -38,7 +38,7 @@ static POINTS: [[i16; 3]; 50] = {
     points
 };
 
-pub fn b1_z(Deep { frame, depth, .. }: &mut Deep<0>) -> Option<Counted> {
+pub(super) fn b1_z(Deep { frame, depth, .. }: &mut Deep<0>) -> Option<Counted> {
     let model = black_box(&scene::TORUS);
     let mesh = Mesh::new(black_box(&POINTS), model.mesh.exponent(), &[]).ok()?;
     let (camera, turned) = (model.camera()?, model.turned());

@@ -83,19 +83,16 @@ pub(super) struct Floor {
     texels: i16,
 }
 
-const fn floor(corners: &'static [[i16; 3]; 4], exponent: i8, texels: i16) -> Floor {
+const fn quad(corners: &'static [[i16; 3]; 4], exponent: i8, texels: i16) -> Floor {
     let Ok(mesh) = Mesh::new(corners, exponent, &QUAD) else { panic!("faces") };
     Floor { mesh, texels }
 }
 
-static X2: Floor = floor(
-    &[[-1025, -1025, -1741], [1025, -1025, -1741], [5729, 5729, -9728], [-5729, 5729, -9728]],
-    -10,
-    128,
-);
+pub(super) static X2: Floor =
+    quad(&[[-1025, -1025, -1741], [1025, -1025, -1741], [5729, 5729, -9728], [-5729, 5729, -9728]], -10, 128);
 pub(super) static X3: Floor =
-    floor(&[[-5136, -3525, -410], [6001, 1669, -410], [6001, 1669, -9728], [-5136, -3525, -9728]], -10, 64);
-static X4: Floor = floor(
+    quad(&[[-5136, -3525, -410], [6001, 1669, -410], [6001, 1669, -9728], [-5136, -3525, -9728]], -10, 64);
+pub(super) static X4: Floor = quad(
     &[[-27052, -9880, -29], [27074, 9820, -29], [27074, 9820, -32000], [-27052, -9880, -32000]],
     -5,
     1600,
@@ -113,7 +110,7 @@ pub(super) fn camera() -> Option<Camera> {
 }
 
 #[inline(always)]
-fn plain(floor: &'static Floor, Plain { frame, corners }: &mut Plain<4>) -> Option<Counted> {
+pub(super) fn floor(floor: &'static Floor, Plain { frame, corners }: &mut Plain<4>) -> Option<Counted> {
     let (camera, floor) = (camera()?, black_box(floor));
     let instance = camera.place(&floor.mesh, &Affine::<Model, World>::identity());
     let texture = Texture::new(&PICTURE);
@@ -130,7 +127,10 @@ fn plain(floor: &'static Floor, Plain { frame, corners }: &mut Plain<4>) -> Opti
 }
 
 #[inline(always)]
-fn deep(floor: &'static Floor, Deep { frame, depth, corners }: &mut Deep<4>) -> Option<Counted> {
+pub(super) fn floor_z(
+    floor: &'static Floor,
+    Deep { frame, depth, corners }: &mut Deep<4>,
+) -> Option<Counted> {
     let (camera, floor) = (camera()?, black_box(floor));
     let instance = camera.place(&floor.mesh, &Affine::<Model, World>::identity());
     let texture = Texture::new(&PICTURE);
@@ -147,7 +147,7 @@ fn deep(floor: &'static Floor, Deep { frame, depth, corners }: &mut Deep<4>) -> 
     })
 }
 
-pub fn x1(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
+pub(super) fn torus(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
     let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
     let (texture, instance) = (Texture::new(&PICTURE), scene.place());
     count(frame, &mut |picture| {
@@ -159,7 +159,7 @@ pub fn x1(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
     })
 }
 
-pub fn x1_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
+pub(super) fn torus_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
     let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
     let (texture, instance) = (Texture::new(&PICTURE), scene.place());
     count(frame, &mut |picture| {
@@ -172,32 +172,16 @@ pub fn x1_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted>
     })
 }
 
-pub fn x2(memory: &mut Plain<4>) -> Option<Counted> {
-    plain(&X2, memory)
-}
-
-pub fn x2_z(memory: &mut Deep<4>) -> Option<Counted> {
-    deep(&X2, memory)
-}
-
-pub fn x3(memory: &mut Plain<4>) -> Option<Counted> {
-    plain(&X3, memory)
-}
-
-pub fn x4(memory: &mut Plain<4>) -> Option<Counted> {
-    plain(&X4, memory)
-}
-
 /// A way to draw a face with the picture on it.
-trait Method {
+pub(super) trait Method {
     fn shader(corners: [[i16; 2]; 3]) -> impl SpanShader<Rgb565>;
 }
 
 /// [`Accuracy::Eighth`], [`Accuracy::Sixteenth`], a division for each pixel, and one for every 16 pixels.
-struct Eighth;
-struct Sixteenth;
-struct EveryPixel;
-struct EverySixteen;
+pub(super) struct Eighth;
+pub(super) struct Sixteenth;
+pub(super) struct Each;
+pub(super) struct Every16;
 
 impl Method for Eighth {
     #[inline(always)]
@@ -213,14 +197,14 @@ impl Method for Sixteenth {
     }
 }
 
-impl Method for EveryPixel {
+impl Method for Each {
     #[inline(always)]
     fn shader(corners: [[i16; 2]; 3]) -> impl SpanShader<Rgb565> {
         Stepped::<_, 1>::new(&PICTURE, corners)
     }
 }
 
-impl Method for EverySixteen {
+impl Method for Every16 {
     #[inline(always)]
     fn shader(corners: [[i16; 2]; 3]) -> impl SpanShader<Rgb565> {
         Stepped::<_, 16>::new(&PICTURE, corners)
@@ -228,7 +212,10 @@ impl Method for EverySixteen {
 }
 
 #[inline(always)]
-fn floor_by<M: Method>(floor: &'static Floor, Plain { frame, corners }: &mut Plain<4>) -> Option<Counted> {
+pub(super) fn floor_by<M: Method>(
+    floor: &'static Floor,
+    Plain { frame, corners }: &mut Plain<4>,
+) -> Option<Counted> {
     let (camera, floor) = (camera()?, black_box(floor));
     let instance = camera.place(&floor.mesh, &Affine::<Model, World>::identity());
     let t = floor.texels.wrapping_mul(16);
@@ -244,7 +231,7 @@ fn floor_by<M: Method>(floor: &'static Floor, Plain { frame, corners }: &mut Pla
 }
 
 #[inline(always)]
-fn torus_by<M: Method>(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
+pub(super) fn torus_by<M: Method>(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
     let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
     let instance = scene.place();
     count(frame, &mut |picture| {
@@ -254,31 +241,4 @@ fn torus_by<M: Method>(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Co
         black_box(statistics);
         Some(())
     })
-}
-
-macro_rules! methods {
-    ($($method:ty: $x1:ident $x2:ident $x3:ident $x4:ident;)*) => {$(
-        pub fn $x1(memory: &mut Plain<TORUS>) -> Option<Counted> {
-            torus_by::<$method>(memory)
-        }
-
-        pub fn $x2(memory: &mut Plain<4>) -> Option<Counted> {
-            floor_by::<$method>(&X2, memory)
-        }
-
-        pub fn $x3(memory: &mut Plain<4>) -> Option<Counted> {
-            floor_by::<$method>(&X3, memory)
-        }
-
-        pub fn $x4(memory: &mut Plain<4>) -> Option<Counted> {
-            floor_by::<$method>(&X4, memory)
-        }
-    )*};
-}
-
-methods! {
-    Eighth: x1_eighth x2_eighth x3_eighth x4_eighth;
-    Sixteenth: x1_sixteenth x2_sixteenth x3_sixteenth x4_sixteenth;
-    EveryPixel: x1_each x2_each x3_each x4_each;
-    EverySixteen: x1_every16 x2_every16 x3_every16 x4_every16;
 }

@@ -4,8 +4,8 @@ use super::shapes::{
     Shape, S2_CUBE, S3_TORUS, S4_ICO, SHEET_3200, SHEET_800, SPHERE_10, SPHERE_224, SPHERE_720, TORUS_1024,
     TORUS_20000, TORUS_24, TORUS_320, TORUS_4096, TORUS_96,
 };
-use super::{Way, SMALL};
-use pinhole::{Cull, Mesh, WithPlanes};
+use super::{Kind, SMALL};
+use pinhole::{Cull, Mesh};
 
 /// A mesh before a camera. Lengths in 2⁻¹⁶.
 pub struct Case {
@@ -28,12 +28,12 @@ pub(super) enum What {
 
 impl What {
     /// The mesh for a way to draw: for hidden lines it has the faces beside the edges.
-    pub(super) fn mesh(&self, way: Way) -> Option<Mesh<'static, i16, WithPlanes>> {
-        match (self, way) {
-            (Self::Shape(shape), Way::HiddenBands(_)) => shape.with_edge_faces(1),
-            (Self::Shape(shape), Way::FewHiddenBands(_)) => shape.with_edge_faces(FEW),
+    pub(super) fn mesh(&self, kind: Kind) -> Option<Mesh<'static>> {
+        match (self, kind) {
+            (Self::Shape(shape), Kind::HiddenBands) => shape.with_edge_faces(1),
+            (Self::Shape(shape), Kind::FewHiddenBands) => shape.with_edge_faces(FEW),
             (Self::Shape(shape), _) => shape.mesh(),
-            (Self::Points(shape), _) => Some(shape.points()?.with_planes_if_any()),
+            (Self::Points(shape), _) => shape.points(),
         }
     }
 }

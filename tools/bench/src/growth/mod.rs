@@ -11,7 +11,7 @@ mod work;
 
 pub use cases::{Case, CASES};
 #[cfg(not(target_os = "none"))]
-pub use work::{names, Work, ALL, SOME};
+pub use work::{terms, Work};
 
 use self::texture::textured;
 use crate::board::Clock;
@@ -22,8 +22,8 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    Affine, Angle, BinnedFaces, Cull, DepthBuffer, FacePlanes, Frame, Lambert, Mesh, MeshInstance, Painter,
-    Picture, ScreenVertex, SpanShader, Vector3, WithPlanes,
+    Affine, Angle, Band, DepthBuffer, Frame, Lambert, Mesh, MeshInstance, Painter, Picture, ScreenVertex,
+    SpanShader, Vector3,
 };
 
 /// The number of pixels of the largest picture.
@@ -69,96 +69,82 @@ impl Memory {
 
 /// How a case is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
+pub enum Kind {
     Lines,
     Faces,
     Depth,
-    /// Faces, with early culling by face planes.
-    PlaneCulled,
-    /// Faces with depth, with early culling by face planes.
-    FacingDepth,
-    /// Faces with depth, in bands of this many rows.
-    Bands(u32),
-    /// Faces with depth in bands of this many rows, with early culling by face planes.
-    FacingBands(u32),
-    /// All edges as lines, in bands of this many rows.
-    LineBands(u32),
-    /// The edges that faces do not hide, in bands of this many rows, of a mesh with the faces beside all edges.
-    HiddenBands(u32),
+    /// Faces with depth.
+    Bands,
+    /// All edges as lines.
+    LineBands,
+    /// The edges that faces do not hide, of a mesh with the faces beside all edges.
+    HiddenBands,
     /// [`HiddenBands`](Self::HiddenBands), of a mesh with a quarter of its edges.
-    FewHiddenBands(u32),
-    /// Faces without depth, in bands of this many rows.
-    PlainBands(u32),
+    FewHiddenBands,
+    /// Smooth faces with depth.
+    SmoothBands,
+    /// Flat faces in dithered colours with depth.
+    DitheredBands,
+    /// Smooth faces in dithered colours with depth.
+    SmoothDitheredBands,
+    /// Lit faces with a picture on them, with depth.
+    TexturedBands,
+    /// Faces without depth.
+    PlainBands,
     /// Faces in painter's order.
     Painted,
-    /// Faces in painter's order, in bands of this many rows.
-    PaintedBands(u32),
-    /// Smooth faces with depth, in bands of this many rows.
-    SmoothBands(u32),
-    /// Flat faces in dithered colours with depth, in bands of this many rows.
-    DitheredBands(u32),
-    /// Smooth faces in dithered colours with depth, in bands of this many rows.
-    SmoothDitheredBands(u32),
-    /// Lit faces with a picture on them, with depth, in bands of this many rows.
-    TexturedBands(u32),
+    PaintedBands,
 }
 
-/// The ways to draw, grouped by the constants that they share.
-pub const WAYS: [&[Way]; 16] = [
-    &[Way::Lines],
-    &[Way::Faces],
-    &[Way::Depth],
-    &[Way::PlaneCulled],
-    &[Way::FacingDepth],
-    &[Way::Bands(8), Way::Bands(16), Way::Bands(48)],
-    &[Way::FacingBands(8), Way::FacingBands(16), Way::FacingBands(48)],
-    &[Way::LineBands(8), Way::LineBands(48)],
-    &[Way::HiddenBands(8), Way::HiddenBands(48), Way::FewHiddenBands(8), Way::FewHiddenBands(48)],
-    &[Way::SmoothBands(8), Way::SmoothBands(48)],
-    &[Way::DitheredBands(8), Way::DitheredBands(48)],
-    &[Way::SmoothDitheredBands(8), Way::SmoothDitheredBands(48)],
-    &[Way::TexturedBands(8), Way::TexturedBands(48)],
-    &[Way::PlainBands(8), Way::PlainBands(48)],
-    &[Way::Painted],
-    &[Way::PaintedBands(8), Way::PaintedBands(48)],
+/// A kind, in bands of this many rows or in one piece.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Way {
+    pub kind: Kind,
+    pub rows: Option<u32>,
+}
+
+const fn whole(kind: Kind) -> Way {
+    Way { kind, rows: None }
+}
+
+const fn in_rows(kind: Kind, rows: u32) -> Way {
+    Way { kind, rows: Some(rows) }
+}
+
+/// The ways to draw, grouped by the constants that they share, each group with its name.
+pub const WAYS: [(&str, &[Way]); 13] = [
+    ("lines", &[whole(Kind::Lines)]),
+    ("faces", &[whole(Kind::Faces)]),
+    ("depth", &[whole(Kind::Depth)]),
+    ("bands", &[in_rows(Kind::Bands, 8), in_rows(Kind::Bands, 16), in_rows(Kind::Bands, 48)]),
+    ("line-bands", &[in_rows(Kind::LineBands, 8), in_rows(Kind::LineBands, 48)]),
+    (
+        "hidden-bands",
+        &[
+            in_rows(Kind::HiddenBands, 8),
+            in_rows(Kind::HiddenBands, 48),
+            in_rows(Kind::FewHiddenBands, 8),
+            in_rows(Kind::FewHiddenBands, 48),
+        ],
+    ),
+    ("smooth-bands", &[in_rows(Kind::SmoothBands, 8), in_rows(Kind::SmoothBands, 48)]),
+    ("dithered-bands", &[in_rows(Kind::DitheredBands, 8), in_rows(Kind::DitheredBands, 48)]),
+    (
+        "smooth-dithered-bands",
+        &[in_rows(Kind::SmoothDitheredBands, 8), in_rows(Kind::SmoothDitheredBands, 48)],
+    ),
+    ("textured-bands", &[in_rows(Kind::TexturedBands, 8), in_rows(Kind::TexturedBands, 48)]),
+    ("plain-bands", &[in_rows(Kind::PlainBands, 8), in_rows(Kind::PlainBands, 48)]),
+    ("painted", &[whole(Kind::Painted)]),
+    ("painted-bands", &[in_rows(Kind::PaintedBands, 8), in_rows(Kind::PaintedBands, 48)]),
 ];
 
+/// All ways, group by group.
+pub fn ways() -> impl Iterator<Item = Way> {
+    WAYS.into_iter().flat_map(|(_, ways)| ways.iter().copied())
+}
+
 const LEVEL: [[i32; 3]; 3] = [[1 << 16, 0, 0], [0, 1 << 16, 0], [0, 0, 1 << 16]];
-
-impl Way {
-    /// Whether faces alone are drawn.
-    pub fn is_of_faces(self) -> bool {
-        !matches!(self, Self::Lines | Self::LineBands(_) | Self::HiddenBands(_) | Self::FewHiddenBands(_))
-    }
-
-    fn asks_planes(self) -> bool {
-        matches!(self, Self::PlaneCulled | Self::FacingDepth | Self::FacingBands(_))
-    }
-}
-
-impl core::fmt::Display for Way {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Lines => f.write_str("lines"),
-            Self::Faces => f.write_str("faces"),
-            Self::Depth => f.write_str("depth"),
-            Self::PlaneCulled => f.write_str("faces by planes"),
-            Self::FacingDepth => f.write_str("depth by planes"),
-            Self::Bands(rows) => write!(f, "bands of {rows} rows"),
-            Self::FacingBands(rows) => write!(f, "bands of {rows} rows by planes"),
-            Self::LineBands(rows) => write!(f, "lines in bands of {rows} rows"),
-            Self::HiddenBands(rows) => write!(f, "hidden lines in bands of {rows} rows"),
-            Self::FewHiddenBands(rows) => write!(f, "few hidden lines in bands of {rows} rows"),
-            Self::SmoothBands(rows) => write!(f, "smooth in bands of {rows} rows"),
-            Self::DitheredBands(rows) => write!(f, "dithered in bands of {rows} rows"),
-            Self::SmoothDitheredBands(rows) => write!(f, "smooth and dithered in bands of {rows} rows"),
-            Self::TexturedBands(rows) => write!(f, "textured in bands of {rows} rows"),
-            Self::PlainBands(rows) => write!(f, "without depth in bands of {rows} rows"),
-            Self::Painted => f.write_str("painter's order"),
-            Self::PaintedBands(rows) => write!(f, "painter's order in bands of {rows} rows"),
-        }
-    }
-}
 
 /// The instructions of what comes before a frame: turning the object and placing it before the camera; and turning its light.
 pub fn placing(clock: &mut Clock) -> Option<[u32; 2]> {
@@ -179,17 +165,11 @@ pub fn placing(clock: &mut Clock) -> Option<[u32; 2]> {
 }
 
 impl Case {
-    /// The ways in which it is drawn, as indices into [`WAYS`]: not by planes if both sides of faces show.
-    pub fn ways(&self) -> impl Iterator<Item = Way> {
-        let asked = self.cull == Cull::Back;
-        WAYS.into_iter().flatten().copied().filter(move |way| asked || !way.asks_planes())
+    fn scene(&self, way: Way) -> Option<Scene> {
+        self.scene_of(self.what.mesh(way.kind)?)
     }
 
-    fn scene(&self, way: Way) -> Option<Scene<WithPlanes>> {
-        self.scene_of(self.what.mesh(way)?)
-    }
-
-    fn scene_of<P: FacePlanes>(&self, mesh: Mesh<'static, i16, P>) -> Option<Scene<P>> {
+    fn scene_of(&self, mesh: Mesh<'static>) -> Option<Scene> {
         // Turned as S3's torus; what is land stays level.
         let axes = black_box(if self.level { LEVEL } else { crate::scene::TORUS.axes });
         let [width, height] = self.size;
@@ -199,129 +179,90 @@ impl Case {
     /// The instructions of a whole frame, its clears too.
     pub fn count(&self, way: Way, memory: &mut Memory, clock: &mut Clock) -> Option<u32> {
         let scene = self.scene(way)?;
-        let (by_planes, light) = (scene.place().with_cull(self.cull), scene.light()?);
-        let instance = by_planes.without_planes();
+        let (instance, light) = (scene.place().with_cull(self.cull), scene.light()?);
         let size = Size::new(self.size[0], self.size[1]);
-        let (instance, by_planes, light, size) = black_box((&instance, &by_planes, &light, size));
-        let mesh = instance.mesh();
-        let mut good = None;
+        let (instance, light, size) = black_box((&instance, &light, size));
+        let (mesh, is_small, mut good) = (instance.mesh(), self.is_small(), None);
         let instructions = clock.count(&mut || {
-            good = match way {
-                Way::Lines => lines(instance, size, memory),
-                Way::Faces => faces(instance, light, size, memory),
-                Way::Depth => depth(instance, light, size, memory),
-                Way::PlaneCulled => faces(by_planes, light, size, memory),
-                Way::FacingDepth => depth(by_planes, light, size, memory),
-                Way::Bands(rows) => bands(instance, light, size, rows, memory),
-                Way::FacingBands(rows) => bands(by_planes, light, size, rows, memory),
-                Way::LineBands(rows) => line_bands(instance, size, rows, memory),
-                Way::HiddenBands(rows) | Way::FewHiddenBands(rows) => {
-                    hidden_bands(instance, size, rows, memory)
-                }
-                Way::SmoothBands(rows) => shaded_bands(instance, smooth(&mesh, light), size, rows, memory),
-                Way::DitheredBands(rows) => {
-                    shaded_bands(instance, flat_dithered(mesh.normals(), light), size, rows, memory)
-                }
-                Way::SmoothDitheredBands(rows) => {
-                    let shade = |face| smooth(&mesh, light)(face).dithered();
-                    shaded_bands(instance, shade, size, rows, memory)
-                }
-                Way::TexturedBands(rows) => {
-                    let shade = textured(&mesh, light);
-                    shade.and_then(|shade| shaded_bands(instance, shade, size, rows, memory))
-                }
-                Way::PlainBands(rows) => plain_bands(instance, light, size, rows, memory),
-                Way::Painted if self.is_small() => {
-                    painted(instance, light, size, &mut memory.pixels, &mut memory.small_painter)
-                }
-                Way::Painted => painted(instance, light, size, &mut memory.pixels, &mut memory.painter),
-                Way::PaintedBands(rows) => {
-                    let strip = strip_of(&mut memory.strip, size, rows);
-                    strip.and_then(|strip| match self.is_small() {
-                        true => painted_bands(instance, light, size, strip, &mut memory.small_painter),
-                        false => painted_bands(instance, light, size, strip, &mut memory.painter),
-                    })
-                }
+            let flat = flat_of_normals(mesh.normals(), light);
+            good = match way.rows {
+                None => in_one_piece(instance, way.kind, flat, size, is_small, memory),
+                Some(rows) => match way.kind {
+                    Kind::LineBands => line_bands(instance, size, rows, memory),
+                    Kind::HiddenBands | Kind::FewHiddenBands => hidden_bands(instance, size, rows, memory),
+                    Kind::SmoothBands => deep_bands(instance, smooth(&mesh, light), size, rows, memory),
+                    Kind::DitheredBands => {
+                        deep_bands(instance, flat_dithered(mesh.normals(), light), size, rows, memory)
+                    }
+                    Kind::SmoothDitheredBands => {
+                        let shade = |face| smooth(&mesh, light)(face).dithered();
+                        deep_bands(instance, shade, size, rows, memory)
+                    }
+                    Kind::TexturedBands => {
+                        let shade = textured(&mesh, light);
+                        shade.and_then(|shade| deep_bands(instance, shade, size, rows, memory))
+                    }
+                    Kind::PlainBands => plain_bands(instance, flat, size, rows, memory),
+                    Kind::PaintedBands => {
+                        let Memory { strip, painter, small_painter, .. } = memory;
+                        match is_small {
+                            true => painted_bands(instance, flat, size, rows, strip, small_painter),
+                            false => painted_bands(instance, flat, size, rows, strip, painter),
+                        }
+                    }
+                    _ => deep_bands(instance, flat, size, rows, memory),
+                },
             }
         })?;
         good.map(|()| instructions)
     }
 }
 
-fn lines(instance: &MeshInstance<'_>, size: Size, memory: &mut Memory) -> Option<()> {
-    let mut picture = Picture::new(&mut memory.pixels, size).ok()?;
-    let Ok(()) = picture.clear(BACKGROUND);
-    let Ok(statistics) = instance.wireframe(LINE, &mut memory.corners, &mut picture.pixels());
-    black_box(statistics);
-    Some(())
-}
-
-fn faces<P: FacePlanes>(
-    instance: &MeshInstance<'_, i16, P>,
-    light: &Lambert,
+fn in_one_piece(
+    instance: &MeshInstance<'_>,
+    kind: Kind,
+    shade: impl Fn(usize) -> Rgb565,
     size: Size,
+    is_small: bool,
     memory: &mut Memory,
 ) -> Option<()> {
-    let mut picture = Picture::new(&mut memory.pixels, size).ok()?;
-    let Ok(()) = picture.clear(BACKGROUND);
-    let shade = flat_of_normals(instance.mesh().normals(), light);
-    let Ok(statistics) = instance.solid(shade, &mut memory.corners, &mut picture.pixels());
-    black_box(statistics);
-    Some(())
-}
-
-fn depth<P: FacePlanes>(
-    instance: &MeshInstance<'_, i16, P>,
-    light: &Lambert,
-    size: Size,
-    memory: &mut Memory,
-) -> Option<()> {
-    let Memory { pixels, depth, corners, .. } = memory;
+    let Memory { pixels, depth, corners, painter, small_painter, .. } = memory;
     let mut picture = Picture::new(pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
-    let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), depth).ok()?;
-    let shade = flat_of_normals(instance.mesh().normals(), light);
-    let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
+    let drawn = match kind {
+        Kind::Lines => instance.wireframe(LINE, corners, &mut picture.pixels()),
+        Kind::Depth => {
+            let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), depth).ok()?;
+            instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels())
+        }
+        Kind::Painted if is_small => {
+            small_painter.add(instance, shade).ok()?;
+            small_painter.draw(&mut picture.pixels())
+        }
+        Kind::Painted => {
+            painter.add(instance, shade).ok()?;
+            painter.draw(&mut picture.pixels())
+        }
+        _ => instance.solid(shade, corners, &mut picture.pixels()),
+    };
+    let Ok(statistics) = drawn;
     black_box(statistics);
     Some(())
 }
 
-fn bands<P: FacePlanes>(
-    instance: &MeshInstance<'_, i16, P>,
-    light: &Lambert,
+/// The bands of a picture, each handed to `draw`.
+fn each_band(
     size: Size,
     rows: u32,
-    memory: &mut Memory,
-) -> Option<()> {
-    let Memory { depth, corners, bin_storage, strip, .. } = memory;
-    let faces = instance.bin_faces_with_depth(corners, bin_storage).ok()?;
-    in_bands(faces, instance, light, size, strip_of(strip, size, rows)?, depth)
-}
-
-/// For bands of so many rows.
-fn strip_of(strip: &mut [u8], size: Size, rows: u32) -> Option<&mut [u8]> {
-    strip.get_mut(..Frame::<Rgb565>::strip_bytes(size.width, rows))
-}
-
-fn in_bands<P: FacePlanes>(
-    mut faces: BinnedFaces<'_, i16, true>,
-    instance: &MeshInstance<'_, i16, P>,
-    light: &Lambert,
-    size: Size,
     strip: &mut [u8],
-    depth: &mut [u16],
+    mut draw: impl FnMut(&mut Band<'_, Rgb565>) -> Option<()>,
 ) -> Option<()> {
+    let strip = strip.get_mut(..Frame::<Rgb565>::strip_bytes(size.width, rows))?;
     let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
-        let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
-        let Ok(()) = faces.depth_tested(
-            flat_of_normals(instance.mesh().normals(), light),
-            &mut depth,
-            &mut band.pixels(),
-        );
+        draw(&mut band)?;
         black_box(band.bytes());
     }
-    black_box(faces.statistics());
     Some(())
 }
 
@@ -330,12 +271,10 @@ fn line_bands(instance: &MeshInstance<'_>, size: Size, rows: u32, memory: &mut M
     let Memory { corners, edge_bin_storage, strip, .. } = memory;
     let transformed = instance.transform(corners);
     let mut edges = transformed.bin_edges(edge_bin_storage).ok()?;
-    let strip = strip_of(strip, size, rows)?;
-    let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
-    while let Some(mut band) = frame.next_band(strip).ok()? {
-        let Ok(()) = edges.draw(LINE, &mut band);
-        black_box(band.bytes());
-    }
+    each_band(size, rows, strip, |band| {
+        let Ok(()) = edges.draw(LINE, band);
+        Some(())
+    })?;
     black_box(edges.statistics());
     Some(())
 }
@@ -346,19 +285,17 @@ fn hidden_bands(instance: &MeshInstance<'_>, size: Size, rows: u32, memory: &mut
     let transformed = instance.transform_depth(corners);
     let mut faces = transformed.bin_faces(bin_storage).ok()?;
     let mut edges = transformed.bin_edges(edge_bin_storage).ok()?;
-    let strip = strip_of(strip, size, rows)?;
-    let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
-    while let Some(mut band) = frame.next_band(strip).ok()? {
+    each_band(size, rows, strip, |band| {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
         faces.depth_only(&mut depth);
-        let Ok(()) = edges.hidden_line(LINE, &mut depth, &mut band);
-        black_box(band.bytes());
-    }
+        let Ok(()) = edges.hidden_line(LINE, &mut depth, band);
+        Some(())
+    })?;
     black_box(edges.statistics());
     Some(())
 }
 
-fn shaded_bands<S: SpanShader<Rgb565>>(
+fn deep_bands<S: SpanShader<Rgb565>>(
     instance: &MeshInstance<'_>,
     shade: impl Fn(usize) -> S,
     size: Size,
@@ -367,66 +304,47 @@ fn shaded_bands<S: SpanShader<Rgb565>>(
 ) -> Option<()> {
     let Memory { depth, corners, bin_storage, strip, .. } = memory;
     let mut faces = instance.transform_depth(corners).bin_faces(bin_storage).ok()?;
-    let strip = strip_of(strip, size, rows)?;
-    let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
-    while let Some(mut band) = frame.next_band(strip).ok()? {
+    each_band(size, rows, strip, |band| {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
         let Ok(()) = faces.depth_tested(&shade, &mut depth, &mut band.pixels());
-        black_box(band.bytes());
-    }
+        Some(())
+    })?;
     black_box(faces.statistics());
     Some(())
 }
 
 fn plain_bands(
     instance: &MeshInstance<'_>,
-    light: &Lambert,
+    shade: impl Fn(usize) -> Rgb565,
     size: Size,
     rows: u32,
     memory: &mut Memory,
 ) -> Option<()> {
     let Memory { corners, bin_storage, strip, .. } = memory;
     let mut faces = instance.transform(corners).bin_faces(bin_storage).ok()?;
-    let strip = strip_of(strip, size, rows)?;
-    let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
-    while let Some(mut band) = frame.next_band(strip).ok()? {
-        let Ok(()) = faces.solid(flat_of_normals(instance.mesh().normals(), light), &mut band.pixels());
-        black_box(band.bytes());
-    }
+    each_band(size, rows, strip, |band| {
+        let Ok(()) = faces.solid(&shade, &mut band.pixels());
+        Some(())
+    })?;
     black_box(faces.statistics());
-    Some(())
-}
-
-fn painted<const V: usize, const F: usize>(
-    instance: &MeshInstance<'_>,
-    light: &Lambert,
-    size: Size,
-    pixels: &mut [Rgb565],
-    painter: &mut Painter<Rgb565, V, F>,
-) -> Option<()> {
-    let mut picture = Picture::new(pixels, size).ok()?;
-    let Ok(()) = picture.clear(BACKGROUND);
-    painter.add(instance, flat_of_normals(instance.mesh().normals(), light)).ok()?;
-    let Ok(statistics) = painter.draw(&mut picture.pixels());
-    black_box(statistics);
     Some(())
 }
 
 fn painted_bands<const V: usize, const F: usize>(
     instance: &MeshInstance<'_>,
-    light: &Lambert,
+    shade: impl Fn(usize) -> Rgb565,
     size: Size,
+    rows: u32,
     strip: &mut [u8],
     painter: &mut Painter<Rgb565, V, F>,
 ) -> Option<()> {
     painter.clear();
-    painter.add(instance, flat_of_normals(instance.mesh().normals(), light)).ok()?;
+    painter.add(instance, shade).ok()?;
     let order = painter.order();
-    let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
-    while let Some(mut band) = frame.next_band(strip).ok()? {
+    each_band(size, rows, strip, |band| {
         let Ok(()) = order.draw(&mut band.pixels());
-        black_box(band.bytes());
-    }
+        Some(())
+    })?;
     black_box(order.statistics());
     painter.clear();
     Some(())

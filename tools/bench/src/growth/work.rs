@@ -2,7 +2,7 @@
 
 use super::texture::{coordinates, TEXELS_OF_UNIT};
 use super::watch::Watch;
-use super::{Case, Way, PAINTED_CORNERS, SMALL};
+use super::{Case, Kind, Way, PAINTED_CORNERS, SMALL};
 use crate::scene::{BACKGROUND, LINE};
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::primitives::Rectangle;
@@ -70,222 +70,113 @@ pub struct Perspective {
 /// `src/fast/edge20.rs`, and on a Cortex-M0 `src/fast/bresenham_triangle.rs`.
 const LOW: u32 = 31;
 
-/// The names of the counts of [`Work::counts`].
-pub const fn names(way: Way) -> &'static [&'static str] {
-    match way {
-        Way::Lines => &[
-            "frame",
-            "vertex",
-            "edge drawn",
-            "edge across the border: more",
-            "edge to be clipped: more",
-            "edge cut: more",
-            "pixel of a line",
-            "pixel of the picture",
+/// A constant of the formula, and how many of it a frame has.
+type Term = (&'static str, fn(&Work) -> u32);
+
+const FRAME: Term = ("frame", |_| 1);
+const VERTEX: Term = ("vertex", |work| work.vertices);
+const FACE: Term = ("face", |work| work.faces);
+const FACE_CUT: Term = ("face cut: more", |work| work.cut);
+const ROW: Term = ("row of a face", |work| work.rows);
+const PIXEL: Term = ("pixel of a face", |work| work.pixels);
+const AREA: Term = ("pixel of the picture", |work| work.area);
+const BAND: Term = ("band", |work| work.bands);
+const IN_BAND: Term = ("face in a band", |work| work.met);
+const LARGE_IN_BAND: Term = ("large face in a band: more", |work| work.met_large);
+const CUT_IN_BAND: Term = ("cut face in a band: more", |work| work.met_cut);
+// The room for vertices takes so much of a frame that nothing else is seen that each frame has.
+const ROOM: Term = ("room for a vertex", |work| work.room);
+
+/// The constants of a way to draw.
+pub fn terms(kind: Kind) -> Vec<Term> {
+    let of_bands = [IN_BAND, LARGE_IN_BAND, CUT_IN_BAND, ROW, PIXEL, AREA, BAND];
+    match kind {
+        Kind::Lines => vec![
+            FRAME,
+            VERTEX,
+            ("edge drawn", |work| work.drawn),
+            ("edge across the border: more", |work| work.large),
+            ("edge to be clipped: more", |work| work.clipped),
+            ("edge cut: more", |work| work.cut),
+            ("pixel of a line", |work| work.pixels),
+            AREA,
         ],
-        // The room for vertices takes so much of a frame that nothing else is seen that each frame has.
-        Way::Painted => &[
-            "room for a vertex",
-            "vertex",
-            "face left out",
-            "face drawn",
-            "large face drawn: more",
-            "face outside",
-            "face to be clipped: more",
-            "face cut: more",
-            "row of a face",
-            "pixel of a face",
-            "pixel of the picture",
+        Kind::Faces | Kind::Depth | Kind::Painted => vec![
+            if kind == Kind::Painted { ROOM } else { FRAME },
+            VERTEX,
+            ("face left out", |work| work.faces - work.drawn - work.outside),
+            ("face drawn", |work| work.drawn - work.beside),
+            ("large face drawn: more", |work| work.large),
+            ("face outside", |work| work.outside + work.beside),
+            ("face to be clipped: more", |work| work.clipped),
+            FACE_CUT,
+            ROW,
+            PIXEL,
+            AREA,
         ],
-        Way::Faces | Way::Depth => &[
-            "frame",
-            "vertex",
-            "face left out",
-            "face drawn",
-            "large face drawn: more",
-            "face outside",
-            "face to be clipped: more",
-            "face cut: more",
-            "row of a face",
-            "pixel of a face",
-            "pixel of the picture",
+        Kind::LineBands => vec![
+            FRAME,
+            VERTEX,
+            ("edge to be clipped", |work| work.edges.clipped),
+            ("edge cut: more", |work| work.edges.cut),
+            ("edge in a band", |work| work.edges.met),
+            ("pixel of a line", |work| work.edges.pixels),
+            AREA,
+            BAND,
         ],
-        // Of front faces, nearly all that have to be clipped are cut, and few are outside.
-        Way::PlaneCulled | Way::FacingDepth => &[
-            "frame",
-            "vertex",
-            "face left out",
-            "face drawn",
-            "face beside the picture",
-            "large face drawn: more",
-            "face cut: more",
-            "row of a face",
-            "pixel of a face",
-            "pixel of the picture",
-        ],
-        Way::LineBands(_) => &[
-            "frame",
-            "vertex",
-            "edge to be clipped",
-            "edge cut: more",
-            "edge in a band",
-            "pixel of a line",
-            "pixel of the picture",
-            "band",
-        ],
-        Way::HiddenBands(_) | Way::FewHiddenBands(_) => &[
-            "frame",
-            "vertex",
-            "face",
-            "face cut: more",
-            "face in a band",
-            "large face in a band: more",
-            "cut face in a band: more",
-            "row of a face",
-            "pixel of a face",
-            "pixel of the picture",
-            "band",
-            "edge to be clipped",
-            "edge in a band",
-            "drawn face beside an edge in a band",
-            "pixel of a line",
-        ],
-        Way::Bands(_) => &[
-            "frame",
-            "vertex",
-            "face",
-            "face outside",
-            "face to be clipped: more",
-            "face cut: more",
-            "face in a band",
-            "large face in a band: more",
-            "cut face in a band: more",
-            "row of a face",
-            "pixel of a face",
-            "pixel of the picture",
-            "band",
-        ],
+        Kind::HiddenBands | Kind::FewHiddenBands => {
+            let of_edges: [Term; 4] = [
+                ("edge to be clipped", |work| work.edges.clipped),
+                ("edge in a band", |work| work.edges.met),
+                ("drawn face beside an edge in a band", |work| work.edges.beside),
+                ("pixel of a line", |work| work.edges.pixels),
+            ];
+            [&[FRAME, VERTEX, FACE, FACE_CUT][..], &of_bands, &of_edges].concat()
+        }
+        Kind::Bands => {
+            let of_faces: [Term; 6] = [
+                FRAME,
+                VERTEX,
+                ("face", |work| work.faces - work.outside),
+                ("face outside", |work| work.outside),
+                ("face to be clipped: more", |work| work.clipped),
+                FACE_CUT,
+            ];
+            [&of_faces[..], &of_bands].concat()
+        }
         // Finding the few faces that are cut costs little beside drawing them.
-        Way::TexturedBands(_) => &[
-            "frame",
-            "vertex",
-            "face",
-            "face in a band",
-            "large face in a band: more",
-            "cut face in a band: more",
-            "row of a face",
-            "pixel of a face",
-            "pixel of the picture",
-            "band",
-            "face in perspective in a band: more",
-            "row of a face in perspective: more",
-            "pixel of a face in perspective: more",
-        ],
+        Kind::TexturedBands => {
+            let in_perspective: [Term; 3] = [
+                ("face in perspective in a band: more", |work| work.perspective.met),
+                ("row of a face in perspective: more", |work| work.perspective.rows),
+                ("pixel of a face in perspective: more", |work| work.perspective.pixels),
+            ];
+            [&[FRAME, VERTEX, FACE][..], &of_bands, &in_perspective].concat()
+        }
         // A face is stored once, also one that is cut, and looked at in each band.
-        Way::PaintedBands(_) => &[
-            "room for a vertex",
-            "vertex",
-            "face",
-            "face drawn",
-            "face cut: more",
-            "drawn face, for each band of the picture",
-            "face in a band",
-            "large face in a band: more",
-            "row of a face",
-            "pixel of a face",
-            "pixel of the picture",
-            "band",
+        Kind::PaintedBands => vec![
+            ROOM,
+            VERTEX,
+            FACE,
+            ("face drawn", |work| work.drawn),
+            FACE_CUT,
+            ("drawn face, for each band of the picture", |work| work.drawn * work.bands),
+            IN_BAND,
+            ("large face in a band: more", |work| work.met_large + work.met_cut),
+            ROW,
+            PIXEL,
+            AREA,
+            BAND,
         ],
-        Way::FacingBands(_)
-        | Way::SmoothBands(_)
-        | Way::DitheredBands(_)
-        | Way::SmoothDitheredBands(_)
-        | Way::PlainBands(_) => &[
-            "frame",
-            "vertex",
-            "face",
-            "face cut: more",
-            "face in a band",
-            "large face in a band: more",
-            "cut face in a band: more",
-            "row of a face",
-            "pixel of a face",
-            "pixel of the picture",
-            "band",
-        ],
+        Kind::SmoothBands | Kind::DitheredBands | Kind::SmoothDitheredBands | Kind::PlainBands => {
+            [&[FRAME, VERTEX, FACE, FACE_CUT][..], &of_bands].concat()
+        }
     }
 }
-
-impl Work {
-    /// The counts, in the order of [`names`].
-    pub fn counts(&self, way: Way) -> Vec<f64> {
-        let Self { vertices, faces, drawn, large, beside, outside, clipped, cut, rows, pixels, area, .. } =
-            *self;
-        let Self { bands, met, met_large, met_cut, .. } = *self;
-        let counts = match way {
-            Way::Lines => vec![1, vertices, drawn, large, clipped, cut, pixels, area],
-            Way::Faces | Way::Depth | Way::Painted => {
-                let of_faces = [faces - drawn - outside, drawn - beside, large, outside + beside];
-                let first = if way == Way::Painted { self.room } else { 1 };
-                [&[first, vertices], &of_faces[..], &[clipped, cut, rows, pixels, area]].concat()
-            }
-            Way::PlaneCulled | Way::FacingDepth => {
-                vec![1, vertices, faces - drawn, drawn - beside, beside, large, cut, rows, pixels, area]
-            }
-            Way::LineBands(_) => {
-                let EdgeWork { clipped, cut, met, pixels, .. } = self.edges;
-                vec![1, vertices, clipped, cut, met, pixels, area, bands]
-            }
-            Way::Bands(_) => {
-                let of_faces = [1, vertices, faces - outside, outside, clipped, cut];
-                [&of_faces[..], &[met, met_large, met_cut, rows, pixels, area, bands]].concat()
-            }
-            Way::HiddenBands(_) | Way::FewHiddenBands(_) => {
-                let of_faces = [1, vertices, faces, cut, met, met_large, met_cut];
-                let EdgeWork { clipped, met: in_bands, beside, pixels: of_lines, .. } = self.edges;
-                let of_edges = [clipped, in_bands, beside, of_lines];
-                [&of_faces[..], &[rows, pixels, area, bands], &of_edges].concat()
-            }
-            Way::TexturedBands(_) => {
-                let all = [1, vertices, faces, met, met_large, met_cut, rows, pixels, area, bands];
-                let Perspective { met, rows, pixels } = self.perspective;
-                [&all[..], &[met, rows, pixels]].concat()
-            }
-            Way::PaintedBands(_) => {
-                let stored = [self.room, vertices, faces, drawn, cut, drawn * bands];
-                [&stored[..], &[met, met_large + met_cut, rows, pixels, area, bands]].concat()
-            }
-            Way::FacingBands(_)
-            | Way::SmoothBands(_)
-            | Way::DitheredBands(_)
-            | Way::SmoothDitheredBands(_)
-            | Way::PlainBands(_) => {
-                vec![1, vertices, faces, cut, met, met_large, met_cut, rows, pixels, area, bands]
-            }
-        };
-        counts.into_iter().map(f64::from).collect()
-    }
-
-    /// With rows and large faces as one guesses them who knows pixels and faces alone: by the height of a face, on average.
-    #[must_use]
-    pub fn guessed(self, rows_of_root: f64) -> Self {
-        let Self { cut, met, met_cut, .. } = self;
-        let (drawn, pixels) = (f64::from(self.drawn - self.beside), f64::from(self.pixels));
-        let rows = rows_of_root * (drawn * pixels).sqrt();
-        let part = ((rows / drawn - SOME) / (ALL - SOME)).clamp(0.0, 1.0);
-        let large = (part * drawn).round() as u32;
-        let met_large = (part * f64::from(met - met_cut)).round() as u32;
-        Self { rows: rows.round() as u32, large: large.max(cut.min(self.large)), met_large, ..self }
-    }
-}
-
-/// Where faces are so high on average, some of them are large, and where they are so high, all.
-pub const SOME: f64 = 8.0;
-pub const ALL: f64 = 48.0;
 
 /// How a face is drawn.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum Shown {
     Low,
     Large,
     Cut,
@@ -317,93 +208,67 @@ fn reach<const N: usize>(places: [i32; N]) -> [i32; 2] {
 impl Case {
     pub fn work(&self, way: Way) -> Option<Work> {
         let scene = self.scene(way)?;
-        let by_planes = scene.place().with_cull(self.cull);
-        let instance = by_planes.without_planes();
+        let instance = scene.place().with_cull(self.cull);
         let mesh = instance.mesh();
         let [width, height] = self.size;
         let mut watch = Watch::new(Size::new(width, height));
         let room = if self.is_small() { SMALL } else { PAINTED_CORNERS } as u32;
         let vertices = mesh.vertices().len() as u32;
-        let work = Work { vertices, area: width * height, room, ..Work::default() };
-        if way == Way::Lines {
-            let Ok(statistics) = instance.wireframe(LINE, &mut [], &mut watch);
-            let (large, clipped) = self.edges(&instance);
-            let (faces, drawn) = (mesh.edges().len() as u32, statistics.drawn);
-            let cut = statistics.clipped;
-            return Some(Work { faces, drawn, large, clipped, cut, pixels: watch.pixels, ..work });
+        let bands = way.rows.map_or(0, |rows| height.div_ceil(rows));
+        let work = Work { vertices, area: width * height, room, bands, ..Work::default() };
+        match (way.kind, way.rows) {
+            (Kind::Lines, _) => {
+                let Ok(statistics) = instance.wireframe(LINE, &mut [], &mut watch);
+                let (large, clipped) = self.edges(&instance);
+                let (faces, drawn, cut) = (mesh.edges().len() as u32, statistics.drawn, statistics.clipped);
+                return Some(Work { faces, drawn, large, clipped, cut, pixels: watch.pixels, ..work });
+            }
+            (Kind::LineBands, Some(rows)) => {
+                let edges = self.edges_in_bands(way, rows, &[])?;
+                return Some(Work { faces: edges.all, edges, ..work });
+            }
+            _ => {}
         }
-
-        if let Way::LineBands(rows) = way {
-            let (edges, bands) = (self.edges_in_bands(way, rows, &[])?, height.div_ceil(rows));
-            return Some(Work { faces: edges.all, edges, bands, ..work });
-        }
-
         let mut seen = Vec::new();
         let shade = |face| {
             seen.push(face);
             BACKGROUND
         };
-        let Ok(statistics) = match way.asks_planes() {
-            true => by_planes.solid(shade, &mut [], &mut watch),
-            false => instance.solid(shade, &mut [], &mut watch),
-        };
-        let kinds: Vec<Kind> = seen.iter().map(|&face| self.kind(&instance, face)).collect();
+        let Ok(statistics) = instance.solid(shade, &mut [], &mut watch);
+        let kinds: Vec<Shown> = seen.iter().map(|&face| self.kind(&instance, face)).collect();
         let of = |kind| kinds.iter().filter(|&&of| of == kind).count() as u32;
-        let (outside, clipped) = match way.asks_planes() {
-            // Back faces are culled before.
-            true => (statistics.outside, of(Kind::Cut)),
-            // Back faces are culled after those outside are rejected.
-            false => {
-                let all = 0..mesh.faces().len();
-                let clipped = all.filter(|&face| self.kind(&instance, face) == Kind::Cut).count() as u32;
-                let (both, mut watch) =
-                    (instance.with_cull(Cull::None), Watch::new(Size::new(width, height)));
-                let Ok(statistics) = both.solid(|_| BACKGROUND, &mut [], &mut watch);
-                (statistics.outside, clipped - statistics.outside)
-            }
-        };
+        // Back faces are culled after those outside are rejected.
+        let clipped =
+            (0..mesh.faces().len()).filter(|&face| self.kind(&instance, face) == Shown::Cut).count() as u32;
+        let (both, mut all) = (instance.with_cull(Cull::None), Watch::new(Size::new(width, height)));
+        let Ok(of_both) = both.solid(|_| BACKGROUND, &mut [], &mut all);
         let work = Work {
             faces: mesh.faces().len() as u32,
             drawn: statistics.drawn,
-            large: of(Kind::Large) + of(Kind::Cut),
-            beside: of(Kind::Beside),
-            outside,
-            clipped,
+            large: of(Shown::Large) + of(Shown::Cut),
+            beside: of(Shown::Beside),
+            outside: of_both.outside,
+            clipped: clipped - of_both.outside,
             cut: statistics.clipped,
             rows: watch.runs,
             pixels: watch.pixels,
             ..work
         };
-        let (Way::Bands(rows)
-        | Way::FacingBands(rows)
-        | Way::SmoothBands(rows)
-        | Way::DitheredBands(rows)
-        | Way::SmoothDitheredBands(rows)
-        | Way::TexturedBands(rows)
-        | Way::PlainBands(rows)
-        | Way::PaintedBands(rows)
-        | Way::HiddenBands(rows)
-        | Way::FewHiddenBands(rows)) = way
-        else {
-            return Some(work);
-        };
-        let edges = match way {
-            Way::HiddenBands(_) | Way::FewHiddenBands(_) => self.edges_in_bands(way, rows, &seen)?,
+        let Some(rows) = way.rows else { return Some(work) };
+        let edges = match way.kind {
+            Kind::HiddenBands | Kind::FewHiddenBands => self.edges_in_bands(way, rows, &seen)?,
             _ => EdgeWork::default(),
         };
-
-        let (mut met, drawn) = ([0; 4], seen.clone());
+        let perspective = match way.kind {
+            Kind::TexturedBands => self.in_perspective(&instance, rows, &seen)?,
+            _ => Perspective::default(),
+        };
+        let mut met = [0; 4];
         for (face, kind) in seen.into_iter().zip(kinds) {
             met[kind as usize] += self.bands(face, rows)?;
         }
         let [low, met_large, met_cut, _] = met;
-        let bands = height.div_ceil(rows);
-        let perspective = match way {
-            Way::TexturedBands(_) => self.in_perspective(&instance, rows, &drawn)?,
-            _ => Perspective::default(),
-        };
-        let met_all = low + met_large + met_cut;
-        Some(Work { edges, bands, met: met_all, met_large, met_cut, perspective, ..work })
+        Some(Work { edges, met: low + met_large + met_cut, met_large, met_cut, perspective, ..work })
     }
 
     /// The number of edges that cross the border of the picture, and of edges with an end that must be clipped.
@@ -425,10 +290,10 @@ impl Case {
 
     /// The work of edges in bands of so many rows; `seen`: the faces that are drawn.
     fn edges_in_bands(&self, way: Way, rows: u32, seen: &[usize]) -> Option<EdgeWork> {
-        let all = self.what.mesh(way)?;
+        let all = self.what.mesh(way.kind)?;
         let [width, height] = self.size;
         let mut watch = Watch::new(Size::new(width, height));
-        let Ok(statistics) = self.scene(way)?.place().without_planes().wireframe(LINE, &mut [], &mut watch);
+        let Ok(statistics) = self.scene(way)?.place().wireframe(LINE, &mut [], &mut watch);
         let drawn: BTreeSet<usize> = seen.iter().copied().collect();
         let mut work = EdgeWork {
             all: all.edges().len() as u32,
@@ -453,7 +318,7 @@ impl Case {
 
     /// The work of those drawn faces over which texture coordinates are not interpolated linearly.
     fn in_perspective(&self, instance: &MeshInstance<'_>, rows: u32, drawn: &[usize]) -> Option<Perspective> {
-        let all = self.what.mesh(Way::Faces)?;
+        let all = self.what.mesh(Kind::Faces)?;
         let is_linear = |face: usize| {
             let normal = all.normals().get(face).copied().unwrap_or_default();
             let corners = all.faces().get(face).copied().unwrap_or_default();
@@ -479,24 +344,24 @@ impl Case {
         Some(Perspective { met, rows: watch.runs, pixels: watch.pixels })
     }
 
-    fn kind(&self, instance: &MeshInstance<'_>, face: usize) -> Kind {
+    fn kind(&self, instance: &MeshInstance<'_>, face: usize) -> Shown {
         let corners = instance.mesh().faces().get(face).copied().unwrap_or_default();
         let [Ok(a), Ok(b), Ok(c)] = corners.map(|vertex| instance.project(vertex.into())) else {
-            return Kind::Cut;
+            return Shown::Cut;
         };
         let (x, y) = ([a, b, c].map(|seen| seen.point.x()), [a, b, c].map(|seen| seen.point.y()));
         let [across, down] = self.size.map(|side| (side as i32) << 8);
         let (x, height) = (Lies::new((across, x)), reach(y)[1] - reach(y)[0]);
         match (x, Lies::new((down, y))) {
-            (Lies::Beside, _) | (_, Lies::Beside) => Kind::Beside,
-            (Lies::Inside, _) if height <= (LOW as i32) << 8 => Kind::Low,
-            _ => Kind::Large,
+            (Lies::Beside, _) | (_, Lies::Beside) => Shown::Beside,
+            (Lies::Inside, _) if height <= (LOW as i32) << 8 => Shown::Low,
+            _ => Shown::Large,
         }
     }
 
     /// The number of bands that a drawn face touches.
     fn bands(&self, face: usize, rows: u32) -> Option<u32> {
-        let all = self.what.mesh(Way::Faces)?;
+        let all = self.what.mesh(Kind::Faces)?;
         let alone = Mesh::new(all.vertices(), all.exponent(), all.faces().get(face..=face)?).ok()?;
         let scene = self.scene_of(alone)?;
         let instance = scene.place().with_cull(self.cull);

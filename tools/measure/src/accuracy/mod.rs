@@ -2,8 +2,6 @@
 
 mod figures;
 mod functions;
-#[path = "../../../bench/report/grouped.rs"]
-mod grouped;
 mod page;
 mod population;
 mod sweep;

@@ -2,10 +2,10 @@
 
 use super::figures::{binary, decimal};
 use super::functions::{self, Measured};
-use super::grouped::grouped;
 use super::population::{DESIGNS, POPULATIONS, RANGES};
 use super::sweep::{sweep, Pair, Sweep, COUNT};
 use super::textures;
+use pinhole_apps_support::grouped::grouped;
 use std::fmt::Write as _;
 
 /// The bounds that [`pinhole::MeshInstance::project`] and [`pinhole::Camera::project`] document, in px and in depth steps.

@@ -2,7 +2,7 @@
 
 use super::methods::METHODS;
 
-const BASELINE: &str = include_str!("../../../../bench/baseline.txt");
+const CELLS: &str = include_str!("../../../../../docs/data/cells.json");
 /// The variant of each of the [`METHODS`] there.
 const VARIANTS: [&str; METHODS.len()] = ["plain", "eighth", "sixteenth", "each", "every16"];
 
@@ -10,10 +10,12 @@ const VARIANTS: [&str; METHODS.len()] = ["plain", "eighth", "sixteenth", "each",
 pub(crate) fn of_scene(cell: &str) -> Result<[f64; METHODS.len()], String> {
     let mut costs = [0.0; METHODS.len()];
     for (cost, variant) in costs.iter_mut().zip(VARIANTS) {
-        let key = format!("{cell} {variant} M3 ");
-        let count = BASELINE.lines().find_map(|line| line.strip_prefix(&key)?.parse().ok());
+        let key = format!("{{\"scene\":\"{cell}\",\"variant\":\"{variant}\",\"core\":\"M3\",");
+        let row = CELLS.lines().find(|line| line.starts_with(&key));
+        let count =
+            row.and_then(|row| row.split_once("\"instructions\":")?.1.split([',', '}']).next()?.parse().ok());
         *cost = count.ok_or_else(|| {
-            format!("tools/bench/baseline.txt: has no line `{key}`: run tools/bench/run guard --rebase")
+            format!("docs/data/cells.json: has no row {key}: run tools/bench/run guard --rebase")
         })?;
     }
     Ok(costs)

@@ -1,0 +1,162 @@
+//! The ways to draw a scene: into a picture in memory, and into a DrawTarget that is not this library's.
+
+use super::{count, count_screen, Counted, Deep, Frame, Plain, Smooth, TORUS};
+use crate::lists::TORUS_NORMALS;
+use crate::scene::{self, area, Model, Scene};
+use core::hint::black_box;
+use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565, Rgb888, RgbColor};
+use pinhole::raster::{Pixel, ScreenPoint};
+use pinhole::{draw_line, fill_triangle, DepthBuffer, FacePlanes, ShadeTable, SpanShader, Stroke};
+
+/// The functions of a module, each of which draws by `$count` into `$target` of what that hands out.
+macro_rules! ways {
+    ($module:ident, $count:path, |$surface:ident| $target:expr) => {
+        pub(super) mod $module {
+            use super::*;
+
+            /// All edges of a model.
+            #[inline(always)]
+            pub(in super::super) fn wire<const N: usize>(
+                model: &'static Model,
+                stroke: impl Stroke<Rgb565>,
+                Plain { frame, corners }: &mut Plain<N>,
+            ) -> Option<Counted> {
+                let scene = Scene::new(model)?;
+                let instance = scene.place();
+                $count(frame, &mut |$surface| {
+                    let Ok(statistics) = black_box(&instance).wireframe(black_box(stroke), corners, $target);
+                    black_box(statistics);
+                    Some(())
+                })
+            }
+
+            /// A light level for each face.
+            #[inline(always)]
+            pub(in super::super) fn flat<P: FacePlanes, const N: usize>(
+                model: &'static Model<P>,
+                Plain { frame, corners }: &mut Plain<N>,
+            ) -> Option<Counted> {
+                let scene = Scene::new(model)?;
+                let (light, instance) = (scene.light()?, scene.place());
+                $count(frame, &mut |$surface| {
+                    let (instance, light) = black_box((&instance, &light));
+                    let shade = scene::flat_of_normals(instance.mesh().normals(), light);
+                    let Ok(statistics) = instance.solid(shade, corners, $target);
+                    black_box(statistics);
+                    Some(())
+                })
+            }
+
+            #[inline(always)]
+            pub(in super::super) fn flat_z<P: FacePlanes, const N: usize>(
+                model: &'static Model<P>,
+                Deep { frame, depth, corners }: &mut Deep<N>,
+            ) -> Option<Counted> {
+                let scene = Scene::new(model)?;
+                let (light, instance) = (scene.light()?, scene.place());
+                $count(frame, &mut |$surface| {
+                    let (instance, light) = black_box((&instance, &light));
+                    let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
+                    let shade = scene::flat_of_normals(instance.mesh().normals(), light);
+                    let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, $target);
+                    black_box(statistics);
+                    Some(())
+                })
+            }
+
+            /// The light at each vertex, and between them smoothly.
+            #[inline(always)]
+            pub(in super::super) fn smooth_z<P: FacePlanes>(
+                model: &'static Model<P>,
+                Smooth { deep, levels }: &mut Smooth<TORUS>,
+            ) -> Option<Counted> {
+                let Deep { frame, depth, corners } = deep;
+                let scene = Scene::new(model)?;
+                let (light, instance) = (scene.light()?, scene.place());
+                let white = ShadeTable::new(Rgb888::WHITE);
+                $count(frame, &mut |$surface| {
+                    let (instance, light, white) = black_box((&instance, &light, &white));
+                    light.levels(black_box(&TORUS_NORMALS), levels);
+                    let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
+                    let shade = |face| white.lit(instance.mesh().corners_of(face, levels));
+                    let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, $target);
+                    black_box(statistics);
+                    Some(())
+                })
+            }
+
+            #[inline(always)]
+            pub(in super::super) fn triangle(
+                corners: &'static [i16; 6],
+                shader: impl SpanShader<Rgb565> + Copy,
+                frame: &mut Frame,
+            ) -> Option<Counted> {
+                $count(frame, &mut |$surface| {
+                    let Ok(()) = fill_triangle(points(black_box(corners))?, black_box(shader), $target);
+                    Some(())
+                })
+            }
+
+            #[inline(always)]
+            pub(in super::super) fn lines<const N: usize>(
+                lines: &'static [[i16; 4]; N],
+                stroke: impl Stroke<Rgb565>,
+                frame: &mut Frame,
+            ) -> Option<Counted> {
+                $count(frame, &mut |$surface| {
+                    let stroke = black_box(stroke);
+                    let target = $target;
+                    for &[x0, y0, x1, y1] in black_box(lines) {
+                        let [from, to] = [[x0, y0], [x1, y1]].map(|[x, y]| Pixel { x, y });
+                        let Ok(()) = draw_line(from, to, stroke, target);
+                    }
+                    Some(())
+                })
+            }
+
+            #[inline(always)]
+            pub(in super::super) fn triangles<const N: usize>(
+                triangles: &'static [[i16; 6]; N],
+                colours: &'static [u16; N],
+                frame: &mut Frame,
+            ) -> Option<Counted> {
+                $count(frame, &mut |$surface| {
+                    let target = $target;
+                    for (triangle, &colour) in black_box(triangles).iter().zip(black_box(colours)) {
+                        let colour = Rgb565::from(RawU16::new(colour));
+                        let Ok(()) = fill_triangle(points(triangle)?, colour, target);
+                    }
+                    Some(())
+                })
+            }
+        }
+    };
+}
+
+ways!(picture, count, |surface| &mut surface.pixels());
+ways!(screen, count_screen, |surface| &mut *surface);
+
+/// All edges into a picture, depth-tested on a depth buffer that is clear.
+#[inline(always)]
+pub(super) fn wire_z<const N: usize>(
+    model: &'static Model,
+    stroke: impl Stroke<Rgb565>,
+    Deep { frame, depth, corners }: &mut Deep<N>,
+) -> Option<Counted> {
+    let scene = Scene::new(model)?;
+    let instance = scene.place();
+    count(frame, &mut |picture| {
+        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
+        let stroke = black_box(stroke);
+        let Ok(statistics) =
+            black_box(&instance).wireframe_depth_tested(stroke, corners, &mut depth, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
+
+#[inline(always)]
+fn points(&[ax, ay, bx, by, cx, cy]: &[i16; 6]) -> Option<[ScreenPoint; 3]> {
+    let at = |x: i16, y: i16| ScreenPoint::from_subpixels(i32::from(x) << 8, i32::from(y) << 8);
+    Some([at(ax, ay)?, at(bx, by)?, at(cx, cy)?])
+}

@@ -1,5 +1,0 @@
-//! memory.x of the board.
-
-fn main() {
-    println!("cargo::rustc-link-search={}/..", env!("CARGO_MANIFEST_DIR"));
-}
