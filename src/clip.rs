@@ -45,7 +45,7 @@ pub(crate) trait ClipCorners {
     /// The planes that the corner in slot `at` lies outside of, one bit each.
     fn planes_outside(&self, at: usize) -> u32;
 
-    /// Stores the point at parameter `t`·2⁻³¹ from corner `inside` to corner `outside` in slot `at`, which may be one of theirs.
+    /// Stores the point at parameter `t`·2⁻³¹ from corner `inside` to corner `outside` in slot `at`, which may be the slot of either.
     fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32);
 }
 

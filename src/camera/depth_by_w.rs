@@ -12,7 +12,7 @@ pub(crate) struct DepthByW {
     pub(crate) infinity: i32,
     /// B in 2⁻³², positive.
     pub(crate) scale: i64,
-    /// A w in 2⁻³² from which on d ≥ 0 is certain, in spite of the rounding of the camera's rows.
+    /// For w at least this large, in 2⁻³², d ≥ 0 is certain despite the rounding of the camera's rows.
     pub(crate) near: i64,
 }
 

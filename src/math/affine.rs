@@ -223,7 +223,7 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// The inverse, `p = M⁻¹·p′`, from the cofactors.
     ///
     /// The error relative to the inverse's largest coefficient is at most 2⁻²⁸ times the ratio of the transform's largest
-    /// stretch to its smallest. The translation is within 2⁻³³ of the one that the inverse's coefficients, as they are, ask for.
+    /// stretch to its smallest. The translation is within 2⁻³³ of the exact one for the rounded coefficients.
     ///
     /// # Errors
     ///

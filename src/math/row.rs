@@ -139,7 +139,7 @@ mod tests {
     use super::*;
     use crate::math::random::mixed as random;
 
-    /// A multiple is the combination with nothing else.
+    /// A multiple of a row is its combination with a zero row.
     #[test]
     fn a_multiple_is_a_combination_with_nothing() {
         let mut state = 5;

@@ -1,7 +1,7 @@
 //! Arrays of a few elements, processed without a loop.
 //!
 //! At opt-level "s" LLVM compiles `array::map`, and iterators over arrays, to loops: each element goes through memory, and a
-//! loop of three turns costs more than what it does. These functions are straight code at every level, so they stand
+//! loop of three turns costs more than its body. These functions are straight code at every level, so they stand
 //! where code runs for each pixel, vertex or face. `docs/compiler-hints.md` has their gain: S3 with depth takes a quarter
 //! fewer instructions on a Cortex-M3.
 

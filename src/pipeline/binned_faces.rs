@@ -89,7 +89,7 @@ fn bin<'a, V: Coordinate + 'a, const DEPTH: bool>(
     Ok(statistics)
 }
 
-/// Culls and clips faces and puts those that are drawn to the sort.
+/// Culls and clips faces, and passes the visible ones to the counting sort.
 #[inline(never)] // its frame is gone when the faces are sorted
 pub(super) fn count_faces<'a, V: Coordinate + 'a, const DEPTH: bool>(
     source: impl FaceSource,
@@ -265,7 +265,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     /// vertices, and neither writes to them. `cursor` is the second one's storage, one number per 16 faces of the mesh,
     /// rounded up. When both are dropped, the binned faces can be drawn or forked again; a fork can be forked, for more cores.
     ///
-    /// Every fork draws any band, and the pixels of a band do not depend on who draws it. Bands from top to bottom are fastest:
+    /// Each fork can draw any band; the pixels do not depend on which one does. Bands from top to bottom are fastest:
     /// a band above the last one of this fork begins again at the top of the bins. [`Frame::nth_band`](crate::Frame::nth_band)
     /// gives each core its bands.
     ///

@@ -619,7 +619,7 @@ mod tests {
         }
     }
 
-    /// A shader that does not write depth draws before what is stored, and leaves the depth buffer as it is.
+    /// A shader that does not write depth is tested against the depth buffer, and leaves it unchanged.
     #[test]
     fn depth_is_tested_and_not_stored() {
         let random = &mut Random(27);

@@ -17,7 +17,7 @@ use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::PixelColor;
 use heapless::Vec;
 
-/// An object of a [`Scene`]: a mesh, where it is, and what it is made of.
+/// An object of a [`Scene`]: a mesh with its transform and its material.
 ///
 /// It takes 88 bytes and the memory of its material on a 32-bit core.
 #[derive(Clone, Copy, Debug)]
@@ -220,8 +220,8 @@ impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJE
         self.instances.is_empty()
     }
 
-    /// The objects that may be seen, in the order of the scene, with their instances: for what this type has no method for, such
-    /// as wireframes.
+    /// The objects that may be seen, in the order of the scene, with their instances: for wireframes and other
+    /// drawing that this type has no method for.
     pub fn iter(&self) -> impl Iterator<Item = (&'s Object<'m, M, P>, &MeshInstance<'m, i16, P>)> {
         self.indexed().map(|(_, object, instance)| (object, instance))
     }

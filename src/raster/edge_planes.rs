@@ -16,8 +16,8 @@ use crate::math::num::mul_called;
 ///     line(p) + S(p) · (z(c) − line(c)) / S(c)
 /// ```
 ///
-/// at p, where line is the depth along the edge without its ends. All planes on one side pass through the edge, so the one that
-/// comes nearest has the least of these quotients: it stands for all.
+/// at p, where line is the depth along the edge without its ends. All planes on one side pass through the edge, so the
+/// nearest one has the least of these quotients, and is the only one stored.
 pub(crate) struct EdgePlanes {
     from: ScreenPoint,
     to: ScreenPoint,
@@ -185,7 +185,7 @@ mod tests {
         assert!(counts.iter().all(|&count| count > 50_000), "{counts:?}");
     }
 
-    /// Of faces on one side of an edge, the one that comes nearest decides, in whichever order they are added.
+    /// Of the faces on one side of an edge the nearest one decides, in any order of adding.
     #[test]
     fn the_nearest_plane_of_a_side_decides() {
         let point = |x: i32, y: i32| ScreenPoint::inside(x << 8, y << 8);

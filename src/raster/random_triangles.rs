@@ -1,4 +1,4 @@
-//! Random triangles with exact weights, for the tests of what is interpolated over a triangle.
+//! Random triangles with exact weights, for tests of interpolation.
 
 use crate::math::random::Random;
 use crate::raster::{area, triangle, Scissor, ScreenPoint, Triangle};

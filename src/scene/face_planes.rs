@@ -3,7 +3,7 @@
 /// Whether a [`Mesh`](crate::Mesh) has face planes, by which its back faces are culled early: [`WithPlanes`] or
 /// [`WithoutPlanes`]. Sealed: no other type can implement it.
 ///
-/// It is the last parameter of a mesh and of what is made of one. Code for all meshes has it as a parameter, too:
+/// It is the last type parameter of a mesh, and of the types that are made from a mesh. Generic code has it as a parameter, too:
 ///
 /// ```
 /// use pinhole::{prelude::*, Angle};

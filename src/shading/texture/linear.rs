@@ -31,7 +31,7 @@ const MARGIN: i32 = 9;
 /// [`MARGIN`] for triangles of up to 2¹⁴ columns and rows, which have no error of 1552/256.
 const LARGE_MARGIN: i32 = 71;
 
-/// The bits of the values that a gradient is set up from: so many that the numerators of the set-up have 32 bits.
+/// The bits of the values that a gradient is set up from, chosen so that the numerators of the set-up have 32 bits.
 const VALUE_BITS: i32 = 17;
 
 /// [`VALUE_BITS`] for triangles beyond 512 pixels, whose set-up has 64 bits in any case.

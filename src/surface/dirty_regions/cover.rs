@@ -97,8 +97,8 @@ fn remove(list: &mut VecView<Cells>, cells: Cells) {
     list.retain(|other| *other != cells);
 }
 
-/// Removes overlaps: cuts one rectangle out of another and replaces that by up to four, as long as this saves bytes and the
-/// list has room. Then replaces all rectangles by the one that encloses them, if that takes no more bytes.
+/// Removes overlaps: cuts one rectangle out of another, which up to four replace, as long as this saves bytes and the list has
+/// room. Then replaces all rectangles by their bounding rectangle, if it takes no more bytes.
 #[inline(never)] // called once a frame: size matters more than time
 pub(super) fn simplify(list: &mut VecView<Cells>, bytes: &TransferBytes) {
     // This ends: each iteration leaves a list that takes fewer bytes.

@@ -1,4 +1,4 @@
-//! An object on the display, with what it looked like when it was drawn last.
+//! An object with the state and the rectangle that the display shows of it.
 
 use super::DirtyRegions;
 use embedded_graphics_core::primitives::Rectangle;
