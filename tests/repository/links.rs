@@ -99,6 +99,25 @@ fn every_link_leads_somewhere() {
     assert!(found.is_empty(), "dead links:\n{}", found.join("\n"));
 }
 
+/// The tables of where things are, and the steps to contribute, name files and folders as code.
+#[test]
+fn every_path_in_code_leads_somewhere() {
+    let read = |page: &str| fs::read_to_string(root().join(page)).expect(page);
+    let readme = read("README.md");
+    let (_, found) = readme.split_once("## Where to find what").expect("the table");
+    let text = [found, &read("ARCHITECTURE.md"), &read("CONTRIBUTING.md")].concat();
+    let paths = text.split('`').skip(1).step_by(2).filter_map(|code| code.split_whitespace().next());
+    let is_file = |path: &&str| path.contains('/') && !path.starts_with(|c: char| c.is_ascii_digit());
+    let (mut count, mut gone) = (0, Vec::new());
+    for path in paths.filter(|path| is_file(path) && !path.starts_with("target/")) {
+        let path = path.split('{').next().unwrap_or("");
+        count += 1;
+        gone.extend((!root().join(path).exists() && !root().join("src").join(path).exists()).then_some(path));
+    }
+    assert!(count > 80, "only {count} paths were found");
+    assert!(gone.is_empty(), "README.md, ARCHITECTURE.md or CONTRIBUTING.md: {gone:?}");
+}
+
 /// The crate's documentation has no files beside it: `links.md` defines where each page that it names is shown, and `package.rs`
 /// checks that these are published.
 #[test]

@@ -420,7 +420,8 @@ fn what_is_no_surface_is_named_with_its_line() {
         separate the bodies, or use --two-sided";
     assert!(fan.contains(&(Some(8), crowded.into())), "{fan:?}");
     let twisted = warnings(&format!("{vertices}f 1 2 3\n\nf 1 2 4\n"));
-    let opposite = "edges between faces of opposite winding: 1, the first at line 8; some faces will be culled: \
+    let opposite =
+        "edges between faces of opposite winding: 1, the first at line 8; some faces will be culled: \
         use --fix-winding";
     assert!(twisted.contains(&(Some(8), opposite.into())), "{twisted:?}");
     assert_eq!(warnings(CUBE), []);
