@@ -47,40 +47,6 @@ fn s4_worked_example_a_points() {
     }
 }
 
-/// The rows of the composite matrix, measured from the library: the images of the world's unit points minus the image of
-/// its origin, and the image of the origin.
-#[test]
-fn s4_worked_example_a_composite_rows() {
-    let (s, view) = (2f64.sqrt(), example_a());
-    let x = [s / 2.0, 0.0, -s / 2.0, s];
-    let y = [s / 6.0, 2.0 * s / 3.0, s / 6.0, -2.0 * s];
-    let fifteenth = |last: f64| [2.0 / 15.0, -1.0 / 15.0, 2.0 / 15.0, last];
-    let none = [0.0; 4];
-    let tables = [
-        [x, y, [2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0, -2.0], fifteenth(-0.4)],
-        [x, y, none, fifteenth(0.6)],
-        [x, y, none, [0.0, 0.0, 0.0, 1.0]],
-    ];
-    // A step of 8192 makes 2⁻¹⁶ of the image 2⁻²⁹ of the coefficient.
-    const STEP: i16 = 8192;
-    for (planar, table) in five().iter().zip(tables) {
-        let at = |p: Point3<World>| planar.homogeneous(view.apply(p)).map(|c| fx(c.to_bits()));
-        let origin = at(Point3::from_ints(0, 0, 0));
-        let steps = [
-            at(Point3::from_ints(STEP, 0, 0)),
-            at(Point3::from_ints(0, STEP, 0)),
-            at(Point3::from_ints(0, 0, STEP)),
-        ];
-        for row in 0..4 {
-            let got: Vec<f64> =
-                steps.iter().map(|s| (s[row] - origin[row]) / f64::from(STEP)).chain([origin[row]]).collect();
-            // The view point and the image are rounded to 2⁻¹⁶ each, at both ends.
-            close(&got[..3], &table[row][..3], 4.0 * HALF / f64::from(STEP), "coefficients");
-            close(&got[3..], &table[row][3..], 2.0 * HALF, "constant");
-        }
-    }
-}
-
 fn random_point(rng: &mut Rng) -> [i32; 3] {
     [0; 3].map(|_| rng.int(-50 * i64::from(ONE), 50 * i64::from(ONE)) as i32)
 }

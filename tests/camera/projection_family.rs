@@ -1,7 +1,7 @@
 //! docs/spec.md, section 4, projections by name: the defining property of each.
 
 use pinhole::space::World;
-use pinhole::{Angle, Camera, Point3, Projection, Scalar, Side, ViewTransform, ViewTransformError, Viewport};
+use pinhole::{Camera, Point3, Projection, Scalar, Side, ViewTransform, ViewTransformError, Viewport};
 use support::bridge::pair::{random_view, window, CameraBits, ProjectionBits, ViewBits, ONE};
 use support::bridge::{point, rectangle, scalar, vector};
 use support::definition::Family;
@@ -143,39 +143,6 @@ fn s4_trimetric_foreshortens_each_differently() {
     for vpn in [[ONE, 2 * ONE, 0], [ONE, ONE, 2 * ONE], [ONE, 2 * ONE, -ONE], [0, 0, 0]] {
         let got = ViewTransform::trimetric(point([0; 3]), vector(vpn));
         assert_eq!(got, Err(ViewTransformError::NotAxonometric), "{vpn:?}");
-    }
-}
-
-#[test]
-fn s4_oblique_a_receding_unit_has_its_length_and_angle() {
-    let front = ViewTransform::multiview(point([0; 3]), Side::Front);
-    let w = window([-20 * ONE, 20 * ONE, -20 * ONE, 20 * ONE]);
-    let mut rng = Rng::new(0x54);
-    let mut cases = vec![
-        (ONE, Angle::degrees(45)),
-        (ONE, Angle::degrees(30)),
-        (ONE / 2, Angle::degrees(45)),
-        (ONE / 2, Angle::degrees(30)),
-        (0, Angle::ZERO),
-    ];
-    for _ in 0..500 {
-        cases.push((rng.int(0, i64::from(ONE + ONE / 2)) as i32, Angle::from_bits(rng.bits())));
-    }
-    for (factor, angle) in cases {
-        let (near, far) = (scalar(-50 * ONE), scalar(50 * ONE));
-        let projection = Projection::oblique(w, near, far, angle, scalar(factor)).expect("a projection");
-        let camera = drawing(&front, &projection);
-        let o = at(&camera, [0; 3]);
-        assert_eq!(o, (0.0, 0.0));
-        // Faces parallel to the plane keep their size.
-        assert_eq!(at(&camera, [5 * ONE, 0, 0]), (5.0, 0.0));
-        assert_eq!(at(&camera, [0, -5 * ONE, 0]), (0.0, -5.0));
-        // Ten units of depth, away from the viewer.
-        let back = at(&camera, [0, 0, -10 * ONE]);
-        close(back.0.hypot(back.1), 10.0 * fx(factor), PX, "length");
-        let (s, c) = chain::sin_cos(angle.bits());
-        close(back.0, 10.0 * fx(factor) * c, PX, "angle, x");
-        close(back.1, 10.0 * fx(factor) * s, PX, "angle, y");
     }
 }
 

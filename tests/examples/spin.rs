@@ -2,6 +2,7 @@
 
 #[path = "../../examples/spin/depth.rs"]
 mod depth;
+#[allow(unreachable_pub, unused_imports)]
 #[path = "../../examples/spin/scene.rs"]
 mod scene;
 

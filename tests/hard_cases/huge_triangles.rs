@@ -6,14 +6,14 @@ use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, ViewBits, ONE
 use support::bridge::{self, compare};
 use support::oracle::cases::{window, GUARD};
 use support::oracle::chain::vertex;
-use support::oracle::coverage::{self, Area};
+use support::oracle::coverage::{self, Area, P};
 use support::oracle::rng::Rng;
 
-fn huge(seed: u64, vertex: impl Fn(&mut Rng) -> i64, count: usize) {
+/// Random triangles in windows about their vertices and borders, some of which are reached from far above.
+fn cover_exactly(seed: u64, count: usize, triangle: impl Fn(&mut Rng) -> [P; 3]) {
     let mut rng = Rng::new(seed);
     for _ in 0..count {
-        let mut p = || (vertex(&mut rng), vertex(&mut rng));
-        let t = [p(), p(), p()];
+        let t = triangle(&mut rng);
         for _ in 0..2 {
             let area = window(&mut rng, &t, 7);
             compare::triangle(t, area);
@@ -24,52 +24,37 @@ fn huge(seed: u64, vertex: impl Fn(&mut Rng) -> i64, count: usize) {
     }
 }
 
-#[test]
-fn a5_random_huge_triangles_cover_exactly() {
-    huge(0xA51, |rng| rng.int(-GUARD, GUARD), 15_000);
+fn of_corners(rng: &mut Rng, coordinate: impl Fn(&mut Rng) -> i64) -> [P; 3] {
+    [(); 3].map(|()| (coordinate(rng), coordinate(rng)))
 }
 
 #[test]
-fn a5_huge_triangles_on_centers_and_borders_cover_exactly() {
-    huge(0xA52, |rng| 128 * rng.int(-GUARD / 128, GUARD / 128), 15_000);
-}
-
-#[test]
-fn a5_huge_triangles_on_the_guard_band_cover_exactly() {
+fn a5_huge_triangles_cover_exactly() {
+    // Anywhere in the guard band, on centres and borders, on the band's border, and with near and far corners.
+    cover_exactly(0xA51, 15_000, |rng| of_corners(rng, |rng| rng.int(-GUARD, GUARD)));
+    cover_exactly(0xA52, 15_000, |rng| of_corners(rng, |rng| 128 * rng.int(-GUARD / 128, GUARD / 128)));
     let limit = |rng: &mut Rng| match rng.below(4) {
         0 => -GUARD + rng.int(0, 2),
         1 => GUARD - rng.int(0, 2),
         2 => rng.int(-2, 2),
         _ => rng.int(-GUARD, GUARD),
     };
-    huge(0xA53, limit, 15_000);
-}
-
-#[test]
-fn a5_triangles_with_near_and_far_corners_cover_exactly() {
+    cover_exactly(0xA53, 15_000, |rng| of_corners(rng, limit));
     let mixed = |rng: &mut Rng| {
         let reach = 1i64 << rng.int(1, 21);
         rng.int(-reach, reach)
     };
-    huge(0xA54, mixed, 20_000);
+    cover_exactly(0xA54, 20_000, |rng| of_corners(rng, mixed));
 }
 
 #[test]
 fn a5_huge_slivers_cover_exactly() {
-    let mut rng = Rng::new(0xA55);
-    for _ in 0..15_000 {
-        let a = (rng.int(-GUARD, GUARD), rng.int(-GUARD, GUARD));
-        let b = (rng.int(-GUARD, GUARD), rng.int(-GUARD, GUARD));
+    cover_exactly(0xA55, 15_000, |rng| {
+        let [a, b, _] = of_corners(rng, |rng| rng.int(-GUARD, GUARD));
         let s = rng.int(0, 1 << 16);
-        let on = |a: i64, b: i64| a + (((b - a) * s) >> 16);
-        let c = (
-            (on(a.0, b.0) + rng.int(-300, 300)).clamp(-GUARD, GUARD),
-            (on(a.1, b.1) + rng.int(-300, 300)).clamp(-GUARD, GUARD),
-        );
-        let t = [a, b, c];
-        let area = window(&mut rng, &t, 5);
-        compare::triangle(t, area);
-    }
+        let mut on = |a: i64, b: i64| (a + (((b - a) * s) >> 16) + rng.int(-300, 300)).clamp(-GUARD, GUARD);
+        [a, b, (on(a.0, b.0), on(a.1, b.1))]
+    });
 }
 
 #[test]

@@ -12,11 +12,11 @@
 //! | A6 culling on the snapped area | `triangles::a6_*` | exact areas before and after the snap |
 //! | A7 rounding at the snap | `triangles::a7_*` | integer rounding |
 //! | B1 a pixel a step | `lines::b1_*`; L1 in `tests/raster/lines.rs` | exact distance from the line |
-//! | B2 ties | `lines::b2_*` | exact division; by hand |
-//! | B3 reversal | `lines::b3_*` | exact division, from either end |
-//! | B4 clipped is unclipped | `lines::b4_*`; L2 in `tests/raster/lines.rs` | the line cut pixel by pixel |
+//! | B2 ties | `lines::b2_*`; L1 in `tests/raster/lines.rs` | exact division; by hand |
+//! | B3 reversal | `lines::b3_*`; L1 in `tests/raster/lines.rs` | exact division, from either end |
+//! | B4 clipped is unclipped | `lines::b3_reversal_and_b4_*`; L2 in `tests/raster/lines.rs` | the line cut pixel by pixel |
 //! | B5 extremes | `lines::b5_*` | exact division |
-//! | B6 zero length, horizontal, vertical, diagonal | `lines::b6_*` | exact division |
+//! | B6 zero length, horizontal, vertical, diagonal | `lines::b6_*`; L1 in `tests/raster/lines.rs` | exact division |
 //! | B7 joints | `lines::b7_*`; `tests/pipeline/polylines.rs` | the union of the lines |
 //! | C1 crossing near | `near_plane::c1_*` | one ray per pixel, no clipping in it; the exact cut |
 //! | C2 a vertex on near | `near_plane::c2_*` | exact coverage of the snapped triangle |

@@ -45,49 +45,48 @@ pub(crate) fn colour(face: usize) -> Gray8 {
 /// Edge k is a side of face k, as the strategy makes them.
 const BESIDE: [[u16; 2]; 8] = [[0, 1], [1, 1], [2, 0], [3, 3], [4, 65_535], [5, 5], [6, 7], [7, 6]];
 
-fn mesh(scene: &Scene) -> Mesh<'_> {
+pub(crate) fn mesh(scene: &Scene) -> Mesh<'_> {
     Mesh::new(&scene.vertices, EXPONENT, &scene.faces)
         .and_then(|m| m.with_edges(&scene.edges))
         .and_then(|m| m.with_edge_faces(&BESIDE))
         .expect("a mesh")
 }
 
-/// In one piece onto a target that is not the library's; what is not drawn is background.
-pub(crate) fn reference(scene: &Scene, way: Way, area: Rectangle) -> (Vec<u8>, Statistics) {
+/// Draws a scene in one piece, with a vertex cache of so many entries, onto a target that is not the library's.
+pub(crate) fn draw(scene: &Scene, way: Way, cache: usize, target: &mut Recorder<Gray8>) -> Statistics {
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
-    let (instance, mut corners) = (camera.place(&mesh, &model), [ScreenVertex::EMPTY; 16]);
-    let mut target = Recorder::new(area);
+    let instance = camera.place(&mesh, &model);
+    let mut corners = vec![ScreenVertex::EMPTY; cache];
+    let area = target.bounding_box();
+    let mut storage = vec![0; (area.size.width * area.size.height) as usize];
+    let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
     let statistics = match way {
-        Way::Solid(cull) => instance.with_cull(cull).solid(colour, &mut corners, &mut target),
-        Way::Depth(cull) => {
-            let mut storage = vec![0; (area.size.width * area.size.height) as usize];
-            let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
-            instance.with_cull(cull).depth_tested(colour, &mut corners, &mut depth, &mut target)
-        }
-        Way::Wireframe => instance.wireframe(LINE, &mut corners, &mut target),
+        Way::Solid(cull) => instance.with_cull(cull).solid(colour, &mut corners, target),
+        Way::Depth(cull) => instance.with_cull(cull).depth_tested(colour, &mut corners, &mut depth, target),
+        Way::Wireframe => instance.wireframe(LINE, &mut corners, target),
         Way::DepthLines | Way::HiddenLines => {
-            let mut storage = vec![0; (area.size.width * area.size.height) as usize];
-            let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
             instance.depth_only(&mut corners, &mut depth);
             if matches!(way, Way::HiddenLines) {
-                instance.hidden_line(LINE, &mut corners, &mut depth, &mut target)
+                instance.hidden_line(LINE, &mut corners, &mut depth, target)
             } else {
-                instance.wireframe_depth_tested(LINE, &mut corners, &mut depth, &mut target)
+                instance.wireframe_depth_tested(LINE, &mut corners, &mut depth, target)
             }
         }
         Way::Painter => {
             let mut painter = Painter::<Gray8, 128, 64>::new();
             painter.add(&instance, colour).expect("room");
-            painter.draw(&mut target)
+            painter.draw(target)
         }
     };
-    let rows = area.top_left.y..area.top_left.y + area.size.height as i32;
-    let columns = area.top_left.x..area.top_left.x + area.size.width as i32;
-    let pixel = |(x, y)| target.colour(x, y).unwrap_or(BACKGROUND).luma();
-    (
-        rows.flat_map(|y| columns.clone().map(move |x| (x, y))).map(pixel).collect(),
-        statistics.expect("no error"),
-    )
+    statistics.expect("no error")
+}
+
+/// A scene drawn in one piece; what is not drawn is background.
+pub(crate) fn reference(scene: &Scene, way: Way, area: Rectangle) -> (Vec<u8>, Statistics) {
+    let mut target = Recorder::new(area);
+    let statistics = draw(scene, way, 16, &mut target);
+    let pixels = area.points().map(|at| target.colour(at.x, at.y).unwrap_or(BACKGROUND).luma());
+    (pixels.collect(), statistics)
 }
 
 /// The bin storage that one frame needs.

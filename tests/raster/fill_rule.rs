@@ -21,34 +21,21 @@ fn exhaustive(side: i64, step: i64, origin: P, area: Area) {
 }
 
 #[test]
-fn r2_every_triangle_on_the_half_pixel_lattice() {
-    exhaustive(5, 128, (0, 0), Area::new(-1, -1, 3, 3));
-}
-
-#[test]
-fn r2_every_triangle_on_the_half_pixel_lattice_across_the_origin() {
-    exhaustive(6, 128, (-384, -384), Area::new(-3, -3, 3, 3));
-}
-
-#[test]
-fn r5_every_triangle_on_centres() {
-    exhaustive(6, 256, (-128, 128), Area::new(-2, -1, 7, 7));
-}
-
-#[test]
-fn r2_every_triangle_on_the_quarter_pixel_lattice() {
-    exhaustive(7, 64, (-64, -64), Area::new(-1, -1, 2, 2));
-}
-
-#[test]
-fn r2_every_triangle_of_sub_pixels_around_a_centre() {
-    exhaustive(7, 1, (128 - 3, 128 - 3), Area::new(-1, -1, 2, 2));
-}
-
-#[test]
-fn r2_every_triangle_of_sub_pixels_around_a_corner() {
-    // No centre near: nothing is covered.
-    exhaustive(4, 1, (256 - 2, 256 - 1), Area::new(-1, -1, 3, 3));
+fn r2_r5_every_triangle_on_small_lattices() {
+    for (side, step, origin, area) in [
+        // On half pixels, and across the origin.
+        (5, 128, (0, 0), Area::new(-1, -1, 3, 3)),
+        (6, 128, (-384, -384), Area::new(-3, -3, 3, 3)),
+        // On centres.
+        (6, 256, (-128, 128), Area::new(-2, -1, 7, 7)),
+        // On quarter pixels.
+        (7, 64, (-64, -64), Area::new(-1, -1, 2, 2)),
+        // On sub-pixels around a centre, and around a corner, where nothing is covered.
+        (7, 1, (128 - 3, 128 - 3), Area::new(-1, -1, 2, 2)),
+        (4, 1, (256 - 2, 256 - 1), Area::new(-1, -1, 3, 3)),
+    ] {
+        exhaustive(side, step, origin, area);
+    }
 }
 
 #[test]
