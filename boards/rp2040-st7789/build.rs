@@ -19,13 +19,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     println!("cargo::rustc-link-search={}", std::env::var("CARGO_MANIFEST_DIR")?);
     println!("cargo::rerun-if-changed=memory.x");
-    // The linker scripts of cortex-m-rt and of defmt. A script must be given once: the configuration of a
+    // The linker scripts of cortex-m-rt or riscv-rt, and of defmt. A script must be given once: the configuration of a
     // folder around this one may pass link.x already.
     if !std::env::var("CARGO_ENCODED_RUSTFLAGS").is_ok_and(|flags| flags.contains("-Tlink.x")) {
         println!("cargo::rustc-link-arg=-Tlink.x");
     }
     println!("cargo::rustc-link-arg=-Tdefmt.x");
-    // No gap in flash between the second-stage boot loader and the vector table.
+    // No gaps between the sections in flash, such as one after a boot loader.
     println!("cargo::rustc-link-arg=--nmagic");
     Ok(())
 }

@@ -216,44 +216,6 @@ fn symbols(target: &str) -> String {
     String::from_utf8_lossy(&nm.stdout).into_owned()
 }
 
-/// Templates are standalone, so that what they share is in each of them, word by word.
-#[test]
-fn the_templates_share_their_files() {
-    let everywhere: [&[&str]; 3] = [
-        &["rp2040-two-cores"],
-        &["any-cortex-m", "stm32f4-ili9341", "rp2040-st7789", "esp32c3-st7789"],
-        &["rp2040-embassy", "rp2350-embassy", "nrf52840-embassy", "stm32-ssd1306"],
-    ];
-    let everywhere = everywhere.concat();
-    let shared: [(&[&str], &[&str]); 6] = [
-        (&["rp2040-st7789", "rp2040-two-cores"], &["src/panel.rs"]),
-        (
-            &everywhere,
-            &["src/stop.rs", "model.stl", ".gitignore", "cargo-generate.toml", "cargo-generate.rhai"],
-        ),
-        (&["any-cortex-m", "stm32f4-ili9341", "rp2040-st7789", "rp2040-two-cores"], &["src/clock.rs"]),
-        (&["any-cortex-m", "stm32f4-ili9341", "esp32c3-st7789"], &["src/picture.rs"]),
-        (&["rp2040-embassy", "rp2350-embassy", "nrf52840-embassy", "stm32-ssd1306"], &["src/input.rs"]),
-        (
-            &["rp2040-embassy", "rp2350-embassy", "nrf52840-embassy"],
-            &["build.rs", "src/panel.rs", "src/picture.rs", "src/tasks.rs"],
-        ),
-    ];
-    for (boards, files) in shared {
-        for file in files {
-            let read =
-                |board: &&str| fs::read(Path::new(ROOT).join("boards").join(board).join(file)).expect(file);
-            let first = boards.first().map(read);
-            assert!(boards.iter().all(|board| Some(read(board)) == first), "{boards:?}: {file}");
-        }
-    }
-    // The book shows the clocks that the templates count by.
-    for (shown, file) in [("systick.rs", "clock.rs"), ("mcycle.rs", "clock_riscv.rs")] {
-        let file = read(&format!("boards/any-cortex-m/src/{file}"));
-        assert_eq!(read(&format!("src/book/measuring/{shown}")), file, "{shown}");
-    }
-}
-
 /// What cargo-generate is asked for gives the manifest that `boards/new` writes, of each template, and nothing else is replaced.
 #[test]
 fn the_templates_are_ready_for_cargo_generate() {

@@ -87,7 +87,7 @@ fn an_encoder_whose_contacts_are_swapped_turns_the_other_way() {
     let swapped = "[Input::new(p.PIN_11, Pull::Up), Input::new(p.PIN_10, Pull::Up)]";
     let contacts = "[Input::new(p.PIN_10, Pull::Up), Input::new(p.PIN_11, Pull::Up)]";
     // The 2 clicks forward belong to the turn before, and the 4 to that after.
-    let Some(turned) = EMBASSY.steps(&[("src/main.rs", contacts, swapped)]) else { return };
+    let Some(turned) = EMBASSY.steps(&[("src/chip.rs", contacts, swapped)]) else { return };
     assert_eq!(turned, [-3]);
 }
 

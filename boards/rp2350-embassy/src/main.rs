@@ -1,23 +1,19 @@
-//! An RP2350 with an ST7789 and a rotary encoder, by embassy: your model turns, drawn into one strip while DMA sends the other. The
-//! encoder turns it too, a press stops it, and nothing is sent while nothing changes. Each frame logs its time, the bytes sent and
-//! what was drawn.
+//! Your model turns on an ST7789, by embassy: it is drawn into one strip while DMA sends the other. A rotary encoder turns it too, a press
+//! stops it, and nothing is sent while nothing changes. Each frame logs its time, the bytes sent and what was drawn. What depends on the
+//! chip and its pins is in `chip.rs`.
 #![no_std]
 #![no_main]
 
+mod chip;
 mod input;
 mod panel;
 mod picture;
 mod stop;
 mod tasks;
 
+use chip::{Board, Bus, Input, Output};
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
-use embassy_executor::{Executor, InterruptExecutor};
-use embassy_rp::gpio::{Input, Level, Output, Pull};
-use embassy_rp::interrupt;
-use embassy_rp::interrupt::{InterruptExt, Priority};
-use embassy_rp::peripherals::{DMA_CH0, SPI0};
-use embassy_rp::spi::{Async, Config, Phase, Polarity, Spi};
-use embassy_rp::{bind_interrupts, dma};
+use embassy_executor::Executor;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::zerocopy_channel::{Receiver, Sender};
 use embassy_time::Delay;
@@ -30,10 +26,6 @@ use tasks::{Strip, Strips};
 
 include!(concat!(env!("OUT_DIR"), "/model.rs"));
 
-bind_interrupts!(struct Interrupts {
-    DMA_IRQ_0 => dma::InterruptHandler<DMA_CH0>;
-});
-
 // In statics, so that the linker says if they do not fit. The rest of RAM is the stack.
 static MESH: ConstStaticCell<MeshBuffers!(MODEL)> = ConstStaticCell::new(mesh_buffers!(MODEL));
 static DEPTHS: ConstStaticCell<[u16; PIXELS]> = ConstStaticCell::new([0; PIXELS]);
@@ -42,38 +34,19 @@ static BANDS: ConstStaticCell<[Strip; 3]> = ConstStaticCell::new([const { Strip:
 static STRIPS: StaticCell<Strips> = StaticCell::new();
 
 static EXECUTOR: StaticCell<Executor> = StaticCell::new();
-/// For tasks that do not wait until a band is drawn: an interrupt runs them.
-static URGENT: InterruptExecutor = InterruptExecutor::new();
-
-#[allow(unsafe_code)]
-#[interrupt]
-unsafe fn SWI_IRQ_1() {
-    // SAFETY: nothing else calls it, and `start` enables this interrupt.
-    unsafe { URGENT.on_interrupt() }
-}
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    let p = embassy_rp::init(embassy_rp::config::Config::default()); // 150 MHz
-    let mut config = Config::default();
-    config.frequency = 62_500_000; // the display's limit; of 150 MHz, 37.5 MHz can be made
-    (config.polarity, config.phase) = (Polarity::IdleHigh, Phase::CaptureOnSecondTransition);
-    let bus = Spi::new_txonly(p.SPI0, p.PIN_18, p.PIN_19, p.DMA_CH0, Interrupts, config);
-    let select = Output::new(p.PIN_17, Level::High);
-    let command = Output::new(p.PIN_20, Level::High);
-    let reset = Output::new(p.PIN_21, Level::High);
+    let Board { bus, select, command, reset, contacts, button } = chip::start();
     let panel = Panel::new(bus, select, command, reset, &mut Delay).unwrap_or_else(|problem| stop(problem));
-    let contacts = [Input::new(p.PIN_10, Pull::Up), Input::new(p.PIN_11, Pull::Up)];
-    let button = Input::new(p.PIN_12, Pull::Up);
 
     let Some(bands) = BANDS.try_take() else { stop("the strips are in use") };
     let Some(strips) = STRIPS.try_init_with(|| Strips::new(bands)) else { stop("the strips are in use") };
     let (empty, drawn) = strips.split();
-    interrupt::SWI_IRQ_1.set_priority(Priority::P2);
     let (Ok(read), Ok(send), Ok(draw)) = (read(contacts, button), send(panel, drawn), draw(empty)) else {
         stop("a task runs already")
     };
-    let urgent = URGENT.start(interrupt::SWI_IRQ_1);
+    let urgent = chip::urgent();
     urgent.spawn(read);
     urgent.spawn(send);
     let executor = EXECUTOR.try_init_with(Executor::new).unwrap_or_else(|| stop("the executor runs already"));
@@ -89,7 +62,7 @@ async fn read(contacts: [Input<'static>; 2], button: Input<'static>) {
 /// Urgent, because it takes microseconds, and the bus waits for it.
 #[embassy_executor::task]
 async fn send(
-    mut panel: Panel<Spi<'static, SPI0, Async>, Output<'static>>,
+    mut panel: Panel<Bus, Output<'static>>,
     drawn: Receiver<'static, CriticalSectionRawMutex, Strip>,
 ) {
     match tasks::send(&mut panel, drawn).await {}

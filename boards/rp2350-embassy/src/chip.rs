@@ -1,0 +1,59 @@
+//! The RP2350, its clocks and pins.
+
+use embassy_executor::{InterruptExecutor, SendSpawner};
+use embassy_rp::gpio::{Level, Pull};
+use embassy_rp::interrupt;
+use embassy_rp::interrupt::{InterruptExt, Priority};
+use embassy_rp::peripherals::{DMA_CH0, SPI0};
+use embassy_rp::spi::{Async, Config, Phase, Polarity, Spi};
+use embassy_rp::{bind_interrupts, dma};
+
+pub use embassy_rp::gpio::{Input, Output};
+
+bind_interrupts!(struct Interrupts {
+    DMA_IRQ_0 => dma::InterruptHandler<DMA_CH0>;
+});
+
+pub type Bus = Spi<'static, SPI0, Async>;
+
+/// The bus and the pins of the display, which are high, and those of the encoder.
+pub struct Board {
+    pub bus: Bus,
+    pub select: Output<'static>,
+    pub command: Output<'static>,
+    pub reset: Output<'static>,
+    pub contacts: [Input<'static>; 2],
+    pub button: Input<'static>,
+}
+
+/// Starts the clocks, and sets the bus and the pins up.
+pub fn start() -> Board {
+    let p = embassy_rp::init(embassy_rp::config::Config::default()); // 150 MHz
+    let mut config = Config::default();
+    config.frequency = 62_500_000; // the display's limit; of 150 MHz, 37.5 MHz can be made
+    (config.polarity, config.phase) = (Polarity::IdleHigh, Phase::CaptureOnSecondTransition);
+    Board {
+        bus: Spi::new_txonly(p.SPI0, p.PIN_18, p.PIN_19, p.DMA_CH0, Interrupts, config),
+        select: Output::new(p.PIN_17, Level::High),
+        command: Output::new(p.PIN_20, Level::High),
+        reset: Output::new(p.PIN_21, Level::High),
+        contacts: [Input::new(p.PIN_10, Pull::Up), Input::new(p.PIN_11, Pull::Up)],
+        button: Input::new(p.PIN_12, Pull::Up),
+    }
+}
+
+/// For tasks that do not wait until a band is drawn: an interrupt runs them.
+static URGENT: InterruptExecutor = InterruptExecutor::new();
+
+#[allow(unsafe_code)]
+#[interrupt]
+unsafe fn SWI_IRQ_1() {
+    // SAFETY: nothing else calls it, and `start` enables this interrupt.
+    unsafe { URGENT.on_interrupt() }
+}
+
+/// Starts the executor of urgent tasks.
+pub fn urgent() -> SendSpawner {
+    interrupt::SWI_IRQ_1.set_priority(Priority::P2);
+    URGENT.start(interrupt::SWI_IRQ_1)
+}
