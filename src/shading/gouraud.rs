@@ -15,7 +15,7 @@ use core::marker::PhantomData;
 /// **Clipped faces.** If the near plane, the far plane or the guard band clips a face, the colours at the new corners are
 /// interpolated in space and rounded to 1/256 of a step of `Rgb888`, which adds at most 2⁻⁹ level to the error. On each
 /// sub-face, colours are linear on the screen. So a clipped face has slightly different colours than it had before it reached
-/// the plane, but no colour jumps by more than 1/255 as a corner passes the plane (`tests/shading/cut_faces.rs`); the more of
+/// the plane, but no colour jumps by more than 1/255 as a corner passes the plane (`tests/shading/levels.rs`); the more of
 /// the face is clipped, the closer its colours are to perspective-correct ones.
 ///
 /// For one colour with a light level at each corner, [`Gouraud::lit`] is faster, and

@@ -1,18 +1,17 @@
-//! Smooth and dithered pictures in bands of any height equal the picture drawn at once.
+//! Smooth, tabled and dithered faces by every draw call, and in bands of any height. Plain colours are tested in `properties`.
 
 use crate::scene::{
-    flat, for_every_colour, gouraud, random_colour, random_lights, shaded, Colour, Own, Picture,
+    draw, flat, gouraud, random_colour, random_lights, random_triangle, shaded, with_triangle, Colour, Own,
+    SIZE,
 };
-use embedded_graphics_core::pixelcolor::{Gray8, Rgb565, Rgb888};
+use embedded_graphics_core::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888};
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::ScreenPoint;
-use pinhole::{
-    fill_triangle, Affine, Camera, Cull, DepthBuffer, Dithered, Flat, Frame, Gouraud, Mesh, Painter,
-    ScreenVertex, SpanShader, StoredPixel, TableShader,
-};
-use support::bridge;
+use pinhole::{fill_triangle, Affine, Cull, Flat, Gouraud, Mesh, MeshInstance, PixelFormat, ScreenVertex};
 use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
+use support::bridge::rectangle;
+use support::bridge::ways::{bands, by_every_call, memory, screen};
 use support::oracle::rng::Rng;
 use support::oracle::shade::Lit;
 
@@ -37,152 +36,91 @@ impl Scene {
             let reach = if rng.one_in(5) { 3000 } else { 300 };
             *vertex = [rng.int(-reach, reach), rng.int(-reach, reach), rng.int(-500, 30)].map(|c| c as i16);
         }
-        let mut index = || rng.below(VERTICES) as u16;
-        let faces = [[0; 3]; FACES].map(|face| face.map(|_: u16| index()));
-        let shaders = (0..FACES)
-            .map(|_| {
-                let colours = [0; 3].map(|_| random_colour(rng));
-                (flat(colours[0]), gouraud(colours))
-            })
-            .collect();
+        let faces = [(); FACES].map(|()| [(); 3].map(|()| rng.below(VERTICES) as u16));
+        let mut shader = || {
+            let colours = [(); 3].map(|()| random_colour(rng));
+            (flat(colours[0]), gouraud(colours))
+        };
+        let shaders = (0..FACES).map(|_| shader()).collect();
         let lights = (0..FACES).map(|_| random_lights(rng)).collect();
         let (viewport, frame) = if rng.one_in(3) {
-            ((-9, 4, 700, 500), bridge::rectangle(-3, 11, 21, 13))
+            ((-9, 4, 700, 500), rectangle(-3, 11, 21, 13))
         } else {
-            ((0, 0, 21, 13), bridge::rectangle(0, 0, 21, 13))
+            ((0, 0, 21, 13), rectangle(0, 0, 21, 13))
         };
         Self { vertices, faces, shaders, lights, viewport, frame }
     }
 
-    fn camera(&self) -> Camera {
+    fn place<R>(&self, with: impl FnOnce(&MeshInstance<'_>) -> R) -> R {
         let (_, _, w, h) = self.viewport;
-        CameraBits {
+        let camera = CameraBits {
             view: ViewBits::LookAlong([0, 0, 3 * ONE], [0, 0, -ONE], [0, ONE, 0]),
             projection: ProjectionBits::Perspective(1 << 30, (w, h), ONE, 40 * ONE),
             viewport: self.viewport,
-        }
-        .library()
-    }
-
-    fn check<C: Colour, I: SpanShader<C>>(&self, shader: &dyn Fn(usize) -> I) {
-        let (camera, background) = (self.camera(), C::decode(0));
-        let mesh = Mesh::new(&self.vertices, -6, &self.faces).expect("a mesh");
-        let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
-        let pixels = (self.frame.size.width * self.frame.size.height) as usize;
-        let (mut corners, mut bin_storage) = ([ScreenVertex::EMPTY; VERTICES], [0; FACES + 1]);
-
-        let [mut solid, mut nearer, mut painted] = [0; 3].map(|_| Picture::<C>::new(self.frame));
-        let Ok(_) = instance.solid(shader, &mut corners, &mut solid);
-        let mut storage = vec![0; pixels];
-        let mut depth = DepthBuffer::new(self.frame, &mut storage).expect("storage");
-        let Ok(_) = instance.depth_tested(shader, &mut corners, &mut depth, &mut nearer);
-        let mut painter = Box::new(Painter::<I, 200, 80>::new());
-        painter.add(&instance, shader).expect("room");
-        let order = painter.order();
-        let Ok(()) = order.draw(&mut painted);
-
-        let banded = |rows: u32, draw: &mut dyn FnMut(&mut pinhole::Band<'_, C>)| -> Vec<C> {
-            let mut frame = Frame::new(self.frame, background);
-            let mut strip = vec![0xff; Frame::<C>::strip_bytes(self.frame.size.width, rows)];
-            let mut colours = Vec::new();
-            while let Some(mut band) = frame.next_band(&mut strip).expect("a row at least") {
-                draw(&mut band);
-                colours.extend(band.colors());
-            }
-            colours
         };
-        let name = core::any::type_name::<(C, I)>();
-        for rows in 1..=self.frame.size.height {
-            let order = &order;
-            let bands = banded(rows, &mut |band| {
-                let Ok(()) = order.draw(band);
-            });
-            assert!(bands == painted.before(background), "{name}: painter, {rows} rows");
-            let projected = instance.transform(&mut corners);
-            let mut faces = projected.bin_faces(&mut bin_storage).expect("room");
-            let bands = banded(rows, &mut |band| {
-                let Ok(()) = faces.solid(shader, band);
-            });
-            assert!(bands == solid.before(background), "{name}: {rows} rows");
-            let projected = instance.transform_depth(&mut corners);
-            let mut faces = projected.bin_faces(&mut bin_storage).expect("room");
-            let bands = banded(rows, &mut |band| {
-                let mut storage = vec![0; pixels];
-                let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
-                let Ok(()) = faces.depth_tested(shader, &mut depth, band);
-            });
-            assert!(bands == nearer.before(background), "{name}: with depth, {rows} rows");
-        }
+        let mesh = Mesh::new(&self.vertices, -6, &self.faces).expect("a mesh");
+        with(&camera.library().place(&mesh, &Affine::identity()).with_cull(Cull::None))
     }
-}
-
-fn every_ink<C: Colour>(scene: &Scene) {
-    let smooth = |face: usize| scene.shaders[face].1;
-    let even = |face: usize| scene.shaders[face].0;
-    scene.check::<C, Gouraud>(&smooth);
-    scene.check::<C, Dithered<Gouraud>>(&|face| smooth(face).dithered());
-    let tables: Vec<_> = scene.lights.iter().map(|&lights| shaded::<C>(lights)).collect();
-    scene.check::<C, TableShader<'_, C>>(&|face| tables[face]);
-    scene.check::<C, Flat>(&even);
-    scene.check::<C, Dithered<Flat>>(&|face| even(face).dithered());
 }
 
 #[test]
 fn bands_of_every_height_add_up_to_the_full_picture() {
-    let mut rng = Rng::new(0x80);
+    let (mut rng, heights) = (Rng::new(0x80), (1..=13).collect::<Vec<u32>>());
     for _ in 0..60 {
         let scene = Scene::random(&mut rng);
-        for_every_colour!(every_ink(&scene));
-    }
-}
-
-/// Bands whose pixels are stored in their memory, with one to four bytes per pixel.
-fn through_pixels<C: Colour + StoredPixel<[u8; N]>, const N: usize>(scene: &Scene) {
-    let camera = scene.camera();
-    let mesh = Mesh::new(&scene.vertices, -6, &scene.faces).expect("a mesh");
-    let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
-    let pixels = (scene.frame.size.width * scene.frame.size.height) as usize;
-    let (mut corners, mut bin_storage) = ([ScreenVertex::EMPTY; VERTICES], [0; FACES + 1]);
-    let projected = instance.transform_depth(&mut corners);
-    let mut faces = projected.bin_faces(&mut bin_storage).expect("room");
-    for rows in [1, 7, scene.frame.size.height] {
-        let [one, other] = [false, true].map(|fast| {
-            let mut frame = Frame::new(scene.frame, C::decode(0));
-            let mut strip = vec![0xff; Frame::<C>::strip_bytes(scene.frame.size.width, rows)];
-            let mut bytes = Vec::new();
-            while let Some(mut band) = frame.next_band(&mut strip).expect("a row at least") {
-                let mut storage = vec![0; pixels];
-                let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
-                let smooth = |face: usize| scene.shaders[face].1.dithered();
-                let Ok(()) = match fast {
-                    true => faces.depth_tested(smooth, &mut depth, &mut band.pixels()),
-                    false => faces.depth_tested(smooth, &mut depth, &mut band),
-                };
-                bytes.extend_from_slice(band.bytes());
-            }
-            bytes
+        let (shaders, frame) = (&scene.shaders, scene.frame);
+        let tables: Vec<_> = scene.lights.iter().map(|&lights| shaded::<Rgb565>(lights)).collect();
+        scene.place(|instance| {
+            by_every_call(instance, frame, Rgb565::BLACK, &heights, &|face| shaders[face].1);
+            by_every_call(instance, frame, Rgb565::BLACK, &heights, &|face| tables[face]);
+            by_every_call(instance, frame, Own::decode(0), &heights, &|face| shaders[face].1.dithered());
+            of_parts_of_bytes::<BinaryColor>(instance, &scene);
+            of_parts_of_bytes::<Gray4>(instance, &scene);
         });
-        assert!(one == other, "{}, {rows} rows", core::any::type_name::<C>());
     }
 }
 
+/// Pixels of less than a byte are packed in bands, and cannot be drawn into memory.
+fn of_parts_of_bytes<C: Colour>(instance: &MeshInstance<'_>, scene: &Scene) {
+    let shade: &dyn Fn(usize) -> _ = &|face| scene.shaders[face].1.dithered();
+    let (whole, _) = screen(scene.frame, &mut |target, _| {
+        let Ok(_) = instance.solid(shade, &mut [], target);
+    });
+    let (mut cache, mut bins) = ([ScreenVertex::EMPTY; VERTICES], [0; FACES + 1]);
+    let transformed = instance.transform(&mut cache);
+    let mut faces = transformed.bin_faces(&mut bins).expect("room");
+    for rows in 1..=13 {
+        let banded = bands(scene.frame, C::decode(0), rows, &mut |band, _| {
+            let Ok(()) = faces.solid(shade, band);
+        });
+        assert!(banded == whole.over(C::decode(0)), "{rows} rows");
+    }
+}
+
+/// One triangle, small, as large as the picture, far larger or a sliver: the loops for memory, with depth and without, draw the pixels
+/// of any other target.
 #[test]
-fn bands_of_stored_pixels_send_the_full_picture() {
-    let mut rng = Rng::new(0x81);
-    for _ in 0..60 {
-        let scene = Scene::random(&mut rng);
-        through_pixels::<Gray8, 1>(&scene);
-        through_pixels::<Rgb565, 2>(&scene);
-        through_pixels::<Rgb888, 3>(&scene);
-        through_pixels::<Own, 4>(&scene);
+fn a_triangle_in_memory_has_the_pixels_of_any_target() {
+    let (mut rng, area) = (Rng::new(0xA4), rectangle(0, 0, SIZE.0, SIZE.1));
+    for _ in 0..3000 {
+        let shader = shaded::<Rgb565>(random_lights(&mut rng));
+        with_triangle(random_triangle(&mut rng), |instance| {
+            let wanted = draw(instance, shader).over(Rgb565::BLACK);
+            let solid = memory(area, Rgb565::BLACK, &mut |target, _| {
+                let Ok(_) = instance.solid(|_| shader, &mut [], target);
+            });
+            let deep = memory(area, Rgb565::BLACK, &mut |target, depth| {
+                let Ok(_) = instance.depth_tested(|_| shader, &mut [], depth, target);
+            });
+            assert!(solid == wanted && deep == wanted);
+        });
     }
 }
 
 /// 2D triangles: gradients continue from band to band.
 #[test]
 fn two_dimensional_triangles_in_bands_add_up_to_the_full_picture() {
-    let mut rng = Rng::new(0x82);
-    let area = Rectangle::new(Point::zero(), Size::new(200, 120));
+    let (mut rng, area) = (Rng::new(0x82), rectangle(0, 0, 200, 120));
     for case in 0..4_000 {
         let reach = [20_000, 60_000, 2_000_000][case % 3];
         let corner = |rng: &mut Rng| {
@@ -197,21 +135,17 @@ fn two_dimensional_triangles_in_bands_add_up_to_the_full_picture() {
             c = ScreenPoint::from_subpixels(x, y).unwrap_or(c);
         }
         let smooth = gouraud([0; 3].map(|_| random_colour(&mut rng)));
-        let mut whole = Picture::<Rgb888>::new(area);
-        let Ok(()) = fill_triangle([a, b, c], smooth, &mut whole);
-        let wanted = whole.before(Rgb888::default());
+        let (whole, _) = screen(area, &mut |target, _| {
+            let Ok(()) = fill_triangle([a, b, c], smooth, target);
+        });
         for rows in [1, 8] {
-            let mut frame = Frame::new(area, Rgb888::default());
-            let mut strip = vec![0; Frame::<Rgb888>::strip_bytes(area.size.width, rows)];
-            let mut colours = Vec::new();
-            while let Some(mut band) = frame.next_band(&mut strip).expect("a row at least") {
+            let banded = bands(area, Rgb888::BLACK, rows, &mut |band, _| {
                 let Ok(()) = match case % 4 {
-                    0 | 1 => fill_triangle([a, b, c], smooth, &mut band),
+                    0 | 1 => fill_triangle([a, b, c], smooth, band),
                     _ => fill_triangle([a, b, c], smooth, &mut band.pixels()),
                 };
-                colours.extend(band.colors());
-            }
-            assert!(colours == wanted, "{:?}, {rows} rows", [a, b, c]);
+            });
+            assert!(banded == whole.over(Rgb888::BLACK), "{:?}, {rows} rows", [a, b, c]);
         }
     }
 }

@@ -1,83 +1,42 @@
-//! The ordered dither against Bayer's pattern.
+//! The ordered dither against Bayer's pattern; that each pixel has the level that its rank selects is tested in `levels`.
 
+use crate::levels::{rank, CORNER};
 use crate::scene::{
-    corners, draw, flat, flat_camera, for_every_colour, gouraud, lit, mesh, random_colour, random_lights,
-    random_triangle, vertex, Colour, Picture,
+    draw, flat, for_every_colour, random_colour, random_triangle, with_triangle, Colour, SIZE,
 };
-use embedded_graphics_core::geometry::Point;
+use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Gray4;
-use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Affine, Flat};
-use support::bridge;
-use support::oracle::coverage::centre;
+use embedded_graphics_core::primitives::{PointsIter, Rectangle};
+use pinhole::{Dithered, Flat};
 use support::oracle::rng::Rng;
-use support::oracle::shade::{bayer, dithered, Fraction, Lit};
-
-/// Bounds in levels: the rounding of the corners' colours, and the error of a gradient over a triangle.
-const EVEN: Fraction = (1, 1 << 16);
-const SMOOTH: Fraction = (1, 512);
-
-fn rank(pattern: &[Vec<i128>], p: Point) -> i128 {
-    pattern[p.y.rem_euclid(8) as usize][p.x.rem_euclid(8) as usize]
-}
+use support::oracle::shade::Lit;
+use support::oracle::target::Screen;
 
 /// A picture filled with one colour.
-fn everywhere<C: Colour>(shader: pinhole::Dithered<Flat>) -> Picture<C> {
-    let vertices = [(-20_000, -20_000), (60_000, -20_000), (-20_000, 60_000)].map(vertex);
-    let (camera, mesh) = (flat_camera(), mesh(&vertices));
-    draw(&camera.place(&mesh, &Affine::identity()), shader)
-}
-
-fn smooth<C: Colour>(cases: usize) {
-    let (mut rng, pattern, camera) = (Rng::new(0x70), bayer(8), flat_camera());
-    let mut seen = 0;
-    for _ in 0..cases {
-        let of_one_colour = rng.one_in(2);
-        let colours = match of_one_colour {
-            true => random_lights(&mut rng),
-            false => [0; 3].map(|_| random_colour(&mut rng)),
-        };
-        let vertices = random_triangle(&mut rng).map(vertex);
-        let mesh = mesh(&vertices);
-        let instance = camera.place(&mesh, &Affine::identity());
-        let t = corners(&instance).expect("in the guard band");
-        let picture = match of_one_colour {
-            true => draw::<C, _>(&instance, lit(colours).dithered()),
-            false => draw::<C, _>(&instance, gouraud(colours).dithered()),
-        };
-        for (p, colour) in picture.drawn() {
-            let exact = C::DEPTHS.over(t, colours, centre(p.x.into(), p.y.into()));
-            for (level, exact) in colour.levels().into_iter().zip(exact) {
-                let wanted = dithered(exact, rank(&pattern, p), SMOOTH);
-                assert!(wanted.contains(&level), "{level} for {wanted:?} at {p:?}: {t:?} {colours:?}");
-            }
-            seen += 1;
-        }
-    }
-    assert!(seen > 100 * cases);
-}
-
-#[test]
-fn smooth_dithered_colors_take_the_level_of_the_bayer_pattern() {
-    for_every_colour!(smooth(800));
+fn filled<C: Colour>(shader: Dithered<Flat>) -> Screen<C> {
+    with_triangle([(-20_000, -20_000), (60_000, -20_000), (-20_000, 60_000)], |face| draw(face, shader))
 }
 
 fn even<C: Colour>(colour: Lit, rng: &mut Rng) {
-    let (pattern, picture) = (bayer(8), everywhere::<C>(flat(colour).dithered()));
+    let picture = filled::<C>(flat(colour).dithered());
     let exact = C::DEPTHS.levels(colour);
-    for (p, drawn) in picture.drawn() {
-        for (level, exact) in drawn.levels().into_iter().zip(&exact) {
-            assert!(dithered(*exact, rank(&pattern, p), EVEN).contains(&level), "{p:?} {colour:?}");
+    for (at, drawn) in picture.drawn() {
+        for (level, &(n, d)) in drawn.levels().into_iter().zip(&exact) {
+            let sum = n as f64 / d as f64 + (2 * rank(at) + 1) as f64 / 128.0;
+            assert!(
+                ((sum - CORNER).floor()..=(sum + CORNER).floor()).contains(&(level as f64)),
+                "{at} {colour:?}"
+            );
             // A colour that is exactly a level is not dithered.
-            assert!(exact.0 % exact.1 != 0 || level == exact.0 / exact.1, "{p:?} {colour:?}");
+            assert!(n % d != 0 || level == n / d, "{at} {colour:?}");
         }
     }
     // Any 8 × 8 pixels: |sum − 64·exact| ≤ 64·(1/128 + 2⁻¹⁶), times 2¹⁰.
     let corner = Point::new(rng.below(57) as i32, rng.below(41) as i32);
-    let block = Rectangle::new(corner, bridge::rectangle(0, 0, 8, 8).size);
+    let block = Rectangle::new(corner, Size::new(8, 8));
     for (channel, (n, d)) in exact.into_iter().enumerate() {
-        let level = |p: Point| picture.at(p).expect("everywhere").levels()[channel];
-        let sum: i128 = embedded_graphics_core::primitives::PointsIter::points(&block).map(level).sum();
+        let level = |p: Point| picture.at(p).expect("drawn everywhere").levels()[channel];
+        let sum: i128 = block.points().map(level).sum();
         assert!((sum * d - 64 * n).abs() << 10 <= (512 + 1) * d, "{sum} for {n}/{d}: {colour:?} {corner:?}");
     }
 }
@@ -98,14 +57,16 @@ fn dithering_keeps_means_and_leaves_exact_levels_pure() {
 
 /// More light makes no pixel darker, and all 65 shades of the pattern differ.
 fn monotone<C: Colour>() {
-    let shades = |grey: u8| everywhere::<C>(flat(Lit { rgb: [grey; 3], level: 256 }).dithered());
-    let levels =
-        |picture: &Picture<C>| -> Vec<i128> { picture.drawn().flat_map(|(_, c)| c.levels()).collect() };
-    let mut last = levels(&shades(0));
+    let levels = |grey: u8| -> Vec<i128> {
+        let picture = filled::<C>(flat(Lit { rgb: [grey; 3], level: 256 }).dithered());
+        assert_eq!(picture.drawn().count() as u32, SIZE.0 * SIZE.1);
+        picture.drawn().flat_map(|(_, colour)| colour.levels()).collect()
+    };
+    let mut last = levels(0);
     assert!(last.iter().all(|&level| level == 0));
     let mut changes = 0;
     for grey in 1..=255 {
-        let next = levels(&shades(grey));
+        let next = levels(grey);
         assert!(next.iter().zip(&last).all(|(next, last)| next >= last), "{grey}");
         changes += usize::from(next != last);
         last = next;
@@ -124,15 +85,13 @@ fn more_light_makes_no_pixel_darker() {
 /// The pattern is fixed to the screen: a moving face uncovers pixels of one fixed picture.
 #[test]
 fn the_dither_pattern_is_fixed_to_the_screen() {
-    let (mut rng, camera) = (Rng::new(0x72), flat_camera());
+    let mut rng = Rng::new(0x72);
     let shader = flat(Lit { rgb: [90, 140, 33], level: 200 }).dithered();
-    let still = everywhere::<Gray4>(shader);
+    let still = filled::<Gray4>(shader);
     for _ in 0..200 {
-        let vertices = random_triangle(&mut rng).map(vertex);
-        let mesh = mesh(&vertices);
-        let moved = draw::<Gray4, _>(&camera.place(&mesh, &Affine::identity()), shader);
-        assert!(moved.drawn().all(|(p, colour)| still.at(p) == Some(colour)));
+        let moved = with_triangle(random_triangle(&mut rng), |face| draw::<Gray4, _>(face, shader));
+        assert!(moved.drawn().all(|(at, colour)| still.at(at) == Some(colour)));
     }
-    let kinds: std::collections::BTreeSet<_> = still.drawn().map(|(_, c)| c.levels()).collect();
+    let kinds: std::collections::BTreeSet<_> = still.drawn().map(|(_, colour)| colour.levels()).collect();
     assert_eq!(kinds.len(), 2);
 }

@@ -1,16 +1,18 @@
 //! Fog: the level of each pixel against distances in f64 along the pixel's ray, and fogged shaders against the shader alone, mixed
 //! by that level.
 
-use crate::texture_rays::camera;
-use crate::textures::{floor, quad, soup, volume, Scene, FOV, SIDE, V, WALL};
+use crate::rays::{camera, floor, Faces, AREA, FOV, SIDE, WALL};
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
 use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::PointsIter;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Blended, Camera, Channels, ColorKeyed, Cull, DepthBuffer, Flat, Fog, FogError, FogTable,
-    Fogged, LitPalette, Mesh, Picture, Point3, Projection, Scalar, ShadeTable, SolidTexel, SpanShader,
-    Sprite, Vector3, VertexFog, ViewTransform, Viewport, Window,
+    Affine, Angle, Blended, Camera, ColorKeyed, DepthBuffer, Flat, Fog, FogError, FogTable, Fogged, Picture,
+    Point3, Projection, Scalar, SolidTexel, SpanShader, Sprite, Vector3, VertexFog, ViewTransform, Viewport,
+    Window,
 };
+use support::bridge::ways::memory;
+use support::oracle::chain::{self, dot, M4, V3};
 use support::oracle::rng::Rng;
 
 fn number(v: f64) -> Scalar {
@@ -54,25 +56,16 @@ impl Lens {
         }
     }
 
-    /// The distance of a face's plane at a point of the screen, in pixels.
-    fn distance(&self, [a, b, c]: [V; 3], [x, y]: [f64; 2]) -> f64 {
-        let side = f64::from(SIDE) / 2.0;
-        let [x, y] = [(x - side) / side, (side - y) / side];
-        if let Some(half) = self.parallel {
-            let [x, y] = [x * half, y * half];
-            let ([u, v], at) =
-                ([b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]), [x - a[0], y - a[1]]);
-            let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-            return (n[0] * at[0] + n[1] * at[1]) / n[2] - a[2];
+    fn matrix(&self) -> M4 {
+        match self.parallel {
+            None => chain::perspective(FOV, SIDE, SIDE, self.near, self.far),
+            Some(half) => chain::orthographic(-half, half, -half, half, self.near, self.far),
         }
-        let scale = (FOV.to_radians() / 2.0).tan();
-        let ray = [x * scale, y * scale, -1.0];
-        volume(a, b, c) / (volume(ray, b, c) + volume(a, ray, c) + volume(a, b, ray))
     }
 
     /// Where a corner is seen, in pixels.
-    fn seen(&self, [x, y, z]: V) -> [f64; 2] {
-        let scale = self.parallel.unwrap_or_else(|| -z * (FOV.to_radians() / 2.0).tan());
+    fn seen(&self, [x, y, z]: V3) -> [f64; 2] {
+        let scale = self.parallel.unwrap_or_else(|| -z * 30f64.to_radians().tan());
         [x / scale, y / scale].map(|c| c * f64::from(SIDE) / 2.0)
     }
 }
@@ -147,34 +140,15 @@ fn sprites_have_the_level_of_their_points() {
     }
 }
 
-/// The levels of fog of the pixels of one face, in memory.
-fn levels(
-    lens: &Lens,
-    fog: [f64; 2],
-    vertices: &[[i16; 3]],
-    exponent: i8,
-    face: [u16; 3],
-) -> Vec<Option<u8>> {
-    let camera = camera(&lens.projection());
-    let fog = Fog::linear(number(fog[0]), number(fog[1])).unwrap();
-    let table = FogTable::new(&fog, &camera, Gray8::BLACK).unwrap();
-    let faces = [face];
-    let mesh = Mesh::new(vertices, exponent, &faces).unwrap();
-    let instance = camera.place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
-    let mut pixels = vec![NOTHING; (SIDE * SIDE) as usize];
-    let mut picture = Picture::new(&mut pixels, Size::new(SIDE, SIDE)).unwrap();
-    let shade = |_| Fogged::new(Gray8::new(32 * LEVEL), &table);
-    let Ok(_) = instance.solid(shade, &mut [], &mut picture.pixels());
-    pixels.into_iter().map(|pixel| (pixel != NOTHING).then(|| 32 - pixel.luma() / LEVEL)).collect()
-}
-
 /// The largest distance, in steps of depth, between the depth at a pixel's ray within 1/256 pixel and the depths that have the
 /// pixel's level: of triangles within 512 pixels, and of larger ones. And the pixels that have each level.
-fn worst(lens: &Lens, fog: [f64; 2], scene: &Scene) -> ([f64; 2], [usize; 33]) {
+fn worst(lens: &Lens, fog: [f64; 2], scene: &Faces) -> ([f64; 2], [usize; 33]) {
+    let camera = camera(&lens.projection());
+    let table = Fog::linear(number(fog[0]), number(fog[1])).unwrap();
+    let table = FogTable::new(&table, &camera, Gray8::BLACK).unwrap();
     let (mut worst, mut counts) = ([0.0; 2], [0; 33]);
-    for &face in &scene.faces {
-        let corners = face
-            .map(|i| scene.vertices[usize::from(i)].map(|c| f64::from(c) * 2f64.powi(scene.exponent.into())));
+    for face in 0..scene.uv.len() {
+        let (corners, ray) = (scene.corners(face), scene.distances(face, &lens.matrix()));
         let seen = corners.map(|corner| lens.seen(corner));
         let extent = |axis: usize| {
             let c = seen.map(|p| p[axis]);
@@ -182,15 +156,24 @@ fn worst(lens: &Lens, fog: [f64; 2], scene: &Scene) -> ([f64; 2], [usize; 33]) {
         };
         let is_cut = corners.iter().any(|c| -c[2] < lens.near || -c[2] > lens.far);
         let is_large = usize::from(is_cut || extent(0).max(extent(1)) >= 511.0);
-        let depth_at = |at: [f64; 2]| lens.depth(lens.distance(corners, at));
-        for (i, level) in levels(lens, fog, &scene.vertices, scene.exponent, face).into_iter().enumerate() {
-            let Some(level) = level else { continue };
+        let shade: &dyn Fn(usize) -> _ = &|_| Fogged::new(Gray8::new(32 * LEVEL), &table);
+        let pixels = memory(AREA, NOTHING, &mut |target, _| {
+            scene.alone(face).place(&camera, &mut |instance| {
+                let Ok(_) = instance.solid(shade, &mut [], target);
+            });
+        });
+        for (Point { x, y }, pixel) in AREA.points().zip(pixels).filter(|(_, pixel)| *pixel != NOTHING) {
+            let level = 32 - pixel.luma() / LEVEL;
             counts[usize::from(level)] += 1;
-            let (x, y) = ((i as u32 % SIDE) as f64 + 0.5, (i as u32 / SIDE) as f64 + 0.5);
-            let around = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)]
-                .map(|(dx, dy)| depth_at([x + dx / 256.0, y + dy / 256.0]));
-            let low = around.into_iter().fold(f64::MAX, f64::min);
-            let high = around.into_iter().fold(f64::MIN, f64::max);
+            let around = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)].map(|(dx, dy)| {
+                let [distance, _] =
+                    ray.0.at(f64::from(x) + 0.5 + dx / 256.0, f64::from(y) + 0.5 + dy / 256.0)?;
+                Some(lens.depth(distance))
+            });
+            let [Some(a), Some(b), Some(c), Some(d)] = around else {
+                panic!("({x}, {y}) lies beside the plane")
+            };
+            let (low, high) = (a.min(b).min(c).min(d), a.max(b).max(c).max(d));
             let bound = |half: f64| lens.bound(fog[0] + (fog[1] - fog[0]) * (f64::from(level) + half) / 32.0);
             let before = if level == 0 { 0.0 } else { bound(-0.5) - high };
             let beyond = if level == 32 { 0.0 } else { low - bound(0.5) };
@@ -201,37 +184,34 @@ fn worst(lens: &Lens, fog: [f64; 2], scene: &Scene) -> ([f64; 2], [usize; 33]) {
 }
 
 /// Triangles that hardly tilt, of up to `size` of the picture's side, from 250 to 900 before the eye.
-fn facing(seed: u64, count: u16, size: f64) -> Scene {
-    let mut rng = Rng::new(seed);
-    let mut scene = Scene { vertices: vec![], exponent: -5, faces: vec![], uv: vec![] };
-    for i in 0..count {
+fn facing(seed: u64, count: u16, size: f64) -> Faces {
+    let (mut rng, mut scene) = (Rng::new(seed), Faces::new(-5));
+    for _ in 0..count {
         let distance = rng.real(250.0, 900.0);
-        let half = distance * (FOV.to_radians() / 2.0).tan();
+        let half = distance * 30f64.to_radians().tan();
         let centre = [0; 2].map(|_| rng.real(-half, half));
-        for _ in 0..3 {
+        let corners = [(); 3].map(|()| {
             let [x, y] = centre.map(|c| c + rng.real(-half, half) * size);
             let z = -distance * (1.0 + rng.real(-0.1, 0.1));
-            scene.vertices.push([x, y, z].map(|c| (c * 32.0).clamp(-32_767.0, 32_767.0) as i16));
-        }
-        scene.faces.push([3 * i, 3 * i + 1, 3 * i + 2]);
+            [x, y, z].map(|c| (c * 32.0).clamp(-32_767.0, 32_767.0) as i16)
+        });
+        scene.push(corners, [[0; 2]; 3]);
     }
     scene
 }
 
 /// Triangles that hardly tilt and reach up to 8000 pixels from the picture, before a parallel lens of ±100.
-fn vast(seed: u64, count: u16) -> Scene {
-    let mut rng = Rng::new(seed);
-    let mut scene = Scene { vertices: vec![], exponent: -2, faces: vec![], uv: vec![] };
-    for i in 0..count {
+fn vast(seed: u64, count: u16) -> Faces {
+    let (mut rng, mut scene) = (Rng::new(seed), Faces::new(-2));
+    for _ in 0..count {
         let [distance, tilt] = [rng.real(300.0, 800.0), rng.log(20.0, 2000.0)];
         let away = rng.real(0.0, 360.0).to_radians();
-        for turn in [0.0, 2.1, 4.2] {
+        let corners = [0.0, 2.1, 4.2].map(|turn| {
             let (reach, angle): (f64, f64) = (rng.real(1000.0, 6600.0), away + turn + rng.real(-0.5, 0.5));
             let z = -(distance + rng.real(-tilt, tilt));
-            let corner = [reach * angle.cos(), reach * angle.sin(), z.min(-10.0)];
-            scene.vertices.push(corner.map(|c| (c * 4.0) as i16));
-        }
-        scene.faces.push([3 * i, 3 * i + 1, 3 * i + 2]);
+            [reach * angle.cos(), reach * angle.sin(), z.min(-10.0)].map(|c| (c * 4.0) as i16)
+        });
+        scene.push(corners, [[0; 2]; 3]);
     }
     scene
 }
@@ -261,7 +241,7 @@ fn levels_of_large_triangles_and_before_the_far_plane_are_within_their_bounds() 
             corner(-100.0, 100.0, high),
         ];
         let start = 250.0 - steps * 249.0 / 65_535.0;
-        let ([_, worst], counts) = worst(&lens, [start, 250.0], &quad(slope, 0.0, 1, -7));
+        let ([_, worst], counts) = worst(&lens, [start, 250.0], &Faces::quad(slope, 0.0, 1, -7));
         assert!(counts.iter().filter(|&&count| count > 0).count() > 3, "{counts:?}");
         most = most.max(worst);
     }
@@ -272,30 +252,22 @@ fn levels_of_large_triangles_and_before_the_far_plane_are_within_their_bounds() 
 fn levels_are_those_of_rays_within_a_fraction_of_a_step_of_depth() {
     let perspective = |near, far| Lens { near, far, parallel: None };
     let parallel = |near, far, half| Lens { near, far, parallel: Some(half) };
+    let quad = |corners, roll, exponent| Faces::quad(corners, roll, 1, exponent);
+    let soup = |seed, reach| Faces::soup(&mut Rng::new(seed), 240, reach, 3000, |_| 0);
     let cases = [
-        ("floor", perspective(1.0, 100.0), [3.0, 60.0], quad(floor(0.5, 90.0, 60.0), 12.0, 1, -8)),
-        ("rolled floor", perspective(1.0, 100.0), [1.0, 9.0], quad(floor(0.5, 9.5, 6.0), 25.0, 1, -10)),
-        (
-            "a thousand times",
-            perspective(0.25, 250.0),
-            [2.0, 99.0],
-            quad(floor(0.5, 240.0, 99.0), 20.0, 1, -7),
-        ),
-        ("wall", perspective(1.0, 2000.0), [-5.0, 40.0], quad(WALL, 30.0, 1, -4)),
-        (
-            "beyond near and far",
-            perspective(2.0, 20.0),
-            [1.0, 40.0],
-            quad(floor(0.5, 90.0, 60.0), 5.0, 1, -8),
-        ),
-        ("small triangles", perspective(1.0, 100.0), [2.0, 40.0], soup(1, 300, 1)),
-        ("large triangles", perspective(1.0, 1000.0), [2.0, 30.0], soup(2, 2000, 1)),
-        ("few steps", perspective(0.125, 1000.0), [20.0, 45.0], soup(3, 600, 1)),
+        ("floor", perspective(1.0, 100.0), [3.0, 60.0], quad(floor(0.5, 90.0, 60.0), 12.0, -8)),
+        ("rolled floor", perspective(1.0, 100.0), [1.0, 9.0], quad(floor(0.5, 9.5, 6.0), 25.0, -10)),
+        ("a thousand times", perspective(0.25, 250.0), [2.0, 99.0], quad(floor(0.5, 240.0, 99.0), 20.0, -7)),
+        ("wall", perspective(1.0, 2000.0), [-5.0, 40.0], quad(WALL, 30.0, -4)),
+        ("beyond near and far", perspective(2.0, 20.0), [1.0, 40.0], quad(floor(0.5, 90.0, 60.0), 5.0, -8)),
+        ("small triangles", perspective(1.0, 100.0), [2.0, 40.0], soup(1, 300)),
+        ("large triangles", perspective(1.0, 1000.0), [2.0, 30.0], soup(2, 2000)),
+        ("few steps", perspective(0.125, 1000.0), [20.0, 45.0], soup(3, 600)),
         ("facing", perspective(0.125, 8000.0), [200.0, 950.0], facing(6, 3000, 0.1)),
         ("facing, of all sizes", perspective(0.125, 8000.0), [200.0, 950.0], facing(7, 300, 1.9)),
         ("facing, parallel", parallel(1.0, 30_000.0, 100.0), [250.0, 900.0], facing(8, 1000, 0.03)),
-        ("parallel", parallel(-1.0, 50.0, 12.0), [-0.5, 44.0], soup(4, 600, 1)),
-        ("parallel, far", parallel(1.0, 1000.0, 6.0), [3.0, 12.0], soup(5, 300, 1)),
+        ("parallel", parallel(-1.0, 50.0, 12.0), [-0.5, 44.0], soup(4, 600)),
+        ("parallel, far", parallel(1.0, 1000.0, 6.0), [3.0, 12.0], soup(5, 300)),
     ];
     let mut most = [0.0; 2];
     for (name, lens, fog, scene) in cases {
@@ -400,7 +372,6 @@ fn set_ups_that_cannot_be_are_refused() {
 fn factors_of_vertices_are_linear_in_distance() {
     let mut rng = Rng::new(7);
     let (mut worst, mut counts) = (0.0_f64, [0; 3]);
-    let dot = |a: V, b: V| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     for case in 0..3_000 {
         let reach = [20.0, 3000.0, 0.5][case % 3];
         let mut vector = |size: f64| [0; 3].map(|_| number(rng.real(-size, size)));
@@ -432,7 +403,7 @@ fn factors_of_vertices_are_linear_in_distance() {
         let exponent = -(rng.below(12) as i8);
         let vertices: Vec<[i16; 3]> =
             (0..20).map(|_| [0; 3].map(|_| rng.int(-32_768, 32_767) as i16)).collect();
-        let distance = |v: V| {
+        let distance = |v: V3| {
             let local = v.map(|c| c * 2f64.powi(exponent.into()));
             let world = [0, 1, 2].map(|i| {
                 f64s(origin)[i] + (0..3).map(|k| f64s(axes[k])[i] * local[k]).sum::<f64>() - f64s(eye)[i]
@@ -452,7 +423,7 @@ fn factors_of_vertices_are_linear_in_distance() {
         let fog = Fog::linear(start, end).unwrap();
         let fog = VertexFog::new(&fog, &camera, &model, exponent);
         let [start, end] = [start, end].map(|c| c.to_f64());
-        let exact = |v: V| (256.0 * (end - distance(v)) / (end - start)).clamp(0.0, 256.0);
+        let exact = |v: V3| (256.0 * (end - distance(v)) / (end - start)).clamp(0.0, 256.0);
         let mut factors = vec![0; vertices.len()];
         fog.factors(&vertices, &mut factors);
         for (&factor, vertex) in factors.iter().zip(&vertices) {
@@ -479,51 +450,23 @@ fn factors_of_vertices_are_linear_in_distance() {
     assert!(counts.iter().all(|&count| count > 1_000), "{counts:?}");
 }
 
-/// Tables and palettes from the fog's colour to one's own, and flat colours in fog, against fractions.
+/// Flat colours in fog, in 1/256 of a level: a light of 256 keeps them. Tables and palettes are compared in `tables`.
 #[test]
 fn colors_in_fog_are_the_nearest() {
     let mut rng = Rng::new(9);
     for _ in 0..40 {
-        let mut color = || Rgb888::new(rng.bits() as u8, rng.bits() as u8, rng.bits() as u8);
-        let [own, fog] = [color(), color()];
-        let channels = |c: Rgb888| [c.r(), c.g(), c.b()].map(f64::from);
-        let near = |levels: [u8; 3], max: [u8; 3], share: f64| {
-            for (i, (&level, max)) in levels.iter().zip(max).enumerate() {
-                let exact = channels(own)[i] * share + channels(fog)[i] * (1.0 - share);
-                let off = f64::from(level) - exact * f64::from(max) / 255.0;
-                assert!(off.abs() <= 0.5 + 1e-9, "{own:?} {fog:?} {share}: {levels:?}");
-            }
-        };
-        use embedded_graphics::pixelcolor::Rgb565;
-        let table = ShadeTable::<Rgb565>::in_fog(own, fog);
-        for (i, c) in table.colors().iter().enumerate() {
-            near([c.r(), c.g(), c.b()], Rgb565::MAX, i as f64 / 255.0);
-        }
-        let palette = LitPalette::<Rgb565, 2, 32>::in_fog(&[own, fog], fog);
-        for (i, [c, same]) in palette.rows().iter().enumerate() {
-            near([c.r(), c.g(), c.b()], Rgb565::MAX, i as f64 / 31.0);
-            assert_eq!(*same, palette.rows()[0][0]);
-        }
-        let luma = |c: Rgb888| {
-            (77.0 * f64::from(c.r()) + 150.0 * f64::from(c.g()) + 29.0 * f64::from(c.b())) / 256.0
-        };
-        for (i, c) in ShadeTable::<Gray8>::in_fog(own, fog).colors().iter().enumerate() {
-            let share = i as f64 / 255.0;
-            assert!(
-                (f64::from(c.luma()) - luma(own) * share - luma(fog) * (1.0 - share)).abs() <= 0.5 + 1e-9
-            );
-        }
+        let [own, fog] = [(); 2].map(|()| [(); 3].map(|()| rng.bits() as u8));
+        let [own_color, fog_color] = [own, fog].map(|[r, g, b]| Rgb888::new(r, g, b));
         for factor in [0, 1, 100, 255, 256, 999] {
-            // In 1/256 of a level: a light of 256 keeps them.
-            let seen = Flat::from(own).in_fog(fog, factor);
+            let color = Flat::from(own_color).in_fog(fog_color, factor);
+            let seen = SpanShader::<Rgb888>::solid_color(&color).unwrap();
             let share = f64::from(factor.min(256)) / 256.0;
-            let shown = shown(seen);
-            near([shown.r(), shown.g(), shown.b()], [255; 3], share);
+            for (level, (own, fog)) in
+                [seen.r(), seen.g(), seen.b()].into_iter().zip(own.into_iter().zip(fog))
+            {
+                let off = f64::from(level) - f64::from(own) * share - f64::from(fog) * (1.0 - share);
+                assert!(off.abs() <= 0.5 + 1e-9, "{own:?} {fog:?} {share}: {seen:?}");
+            }
         }
     }
-}
-
-/// What a target of `Rgb888` shows of a flat colour.
-fn shown(color: Flat) -> Rgb888 {
-    SpanShader::<Rgb888>::solid_color(&color).unwrap()
 }

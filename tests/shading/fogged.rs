@@ -1,86 +1,68 @@
 //! Fogged shaders of every kind: their pixels are those of the shader alone, mixed with the fog by the level at the pixel, whose
 //! distance `fog` compares with rays.
 
-use crate::every_target::{in_memory, on_every_target, SKY};
-use crate::textures::{floor, quad, soup, Scene, SIDE, WALL};
+use crate::rays::{everywhere, floor, in_memory, mixed, usual, Faces, Tiles, AREA, SIDE, SKY, WALL};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
-use embedded_graphics::prelude::*;
-use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Blended, ColorKeyed, Cull, Flat, Fog, FogTable, Fogged, Gouraud, HalfBlended, IndexedTexels,
-    LitPalette, Mesh, Painter, Picture, Scalar, ScreenDoor, ShadeTable, SpanShader, Texels, Texture,
+    Blended, ColorKeyed, Flat, Fog, FogTable, Fogged, Gouraud, HalfBlended, IndexedTexels, LitPalette,
+    Scalar, ScreenDoor, ShadeTable, SpanShader, Texels, Texture,
 };
+use support::bridge::ways::{by_every_call, memory_with, Drawn};
+use support::oracle::rng::Rng;
 
 /// Blue in black fog in 7/255 steps: a colour for each level.
 const LEVEL: u8 = 7;
-
-fn mixed(own: Rgb888, fog: Rgb888, factor: u8) -> Rgb888 {
-    let level = |own: u8, fog: u8| {
-        ((u32::from(own) * u32::from(factor) + u32::from(fog) * u32::from(32 - factor) + 16) / 32) as u8
-    };
-    Rgb888::new(level(own.r(), fog.r()), level(own.g(), fog.g()), level(own.b(), fog.b()))
-}
 
 const FOG: Rgb888 = Rgb888::new(200, 90, 30);
 
 fn table(color: Rgb888) -> FogTable<Rgb888> {
     let fog = Fog::linear(Scalar::from_int(2), Scalar::from_int(30)).unwrap();
-    FogTable::new(&fog, &Scene::camera(), color).unwrap()
+    FogTable::new(&fog, &usual(), color).unwrap()
 }
 
-/// The factor of each pixel, face by face in the order of drawing: that of a fogged colour.
-fn factors(drawn: &[Rgb888]) -> Vec<u8> {
-    drawn.iter().map(|pixel| pixel.b() / LEVEL).collect()
+fn soup(seed: u64, reach: i64) -> Faces {
+    Faces::soup(&mut Rng::new(seed), 120, reach, 3000, |rng| rng.int(-480, 480) as i16)
 }
 
-/// A shader in fog shows what the shader shows alone, mixed by the factor at the pixel: on every target, in bands, with depth and
-/// without.
-fn check<S: SpanShader<Rgb888>>(scene: &Scene, shade: &dyn Fn(usize) -> S) {
+/// A plain colour in fog of another one shows the factor of each pixel: by the order of drawing, of the face that is seen there.
+fn factors(scene: &Faces) -> Drawn<Rgb888> {
+    let black = table(Rgb888::BLACK);
+    everywhere(scene, &|_| Fogged::new(Rgb888::new(0, 0, 32 * LEVEL), &black))
+}
+
+/// The picture with depth, and the depths.
+fn deep<S: SpanShader<Rgb888>>(scene: &Faces, shade: &dyn Fn(usize) -> S) -> (Vec<Rgb888>, Vec<u16>) {
+    memory_with(AREA, AREA, SKY, &mut |target, depth| {
+        scene.place(&usual(), &mut |instance| {
+            let Ok(_) = instance.depth_tested(shade, &mut [], depth, target);
+        });
+    })
+}
+
+/// Pixels in fog are those of the shader alone, mixed by the factors. Returns the number of pixels of each factor.
+fn compare(fogged: &[Rgb888], alone: &[Rgb888], factors: &[Rgb888]) -> [usize; 33] {
+    let mut counts = [0; 33];
+    for ((&pixel, &own), factor) in fogged.iter().zip(alone).zip(factors) {
+        let factor = factor.b() / LEVEL;
+        assert_eq!(pixel, if own == SKY { SKY } else { mixed(own, FOG, factor) });
+        counts[usize::from(factor)] += usize::from(own != SKY);
+    }
+    counts
+}
+
+/// A shader in fog shows what the shader shows alone, mixed by the factor at the pixel.
+fn check<S: SpanShader<Rgb888>>(scene: &Faces, factors: &Drawn<Rgb888>, shade: &dyn Fn(usize) -> S) {
     let fog = table(FOG);
-    let white = table(Rgb888::BLACK);
-    let fogged = on_every_target(scene, &|face| Fogged::new(shade(face), &fog));
-    let alone = on_every_target(scene, shade);
-    // A plain colour in this fog shows the factor of each pixel: by the order of drawing, of the same face as in `fogged`.
-    let factor = on_every_target(scene, &|_| Fogged::new(Rgb888::new(0, 0, 32 * LEVEL), &white));
-    assert!(fogged.depths == alone.depths);
-    let (mut counts, mut compared) = ([0; 33], 0);
-    for (pictures, factor) in [(&fogged.solid, &alone.solid), (&fogged.deep, &alone.deep)]
-        .into_iter()
-        .zip([&factor.solid, &factor.deep])
-    {
-        let (fogged, alone) = pictures;
-        for ((&pixel, &own), factor) in fogged.iter().zip(alone).zip(factors(factor)) {
-            if own != SKY {
-                assert_eq!(pixel, mixed(own, FOG, factor));
-                counts[usize::from(factor)] += 1;
-                compared += 1;
-            } else {
-                assert_eq!(pixel, SKY);
-            }
-        }
-    }
-    assert!(compared > 10_000 && counts.iter().filter(|&&count| count > 0).count() > 25, "{counts:?}");
-}
-
-/// 8 × 8 texels of different colours.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Stripes;
-
-impl Texels for Stripes {
-    type Color = Rgb888;
-
-    fn size_bits(&self) -> [u32; 2] {
-        [3, 3]
-    }
-
-    fn texel(&self, u: u32, v: u32) -> Rgb888 {
-        Rgb888::new((u >> 29 << 5) as u8, (v >> 29 << 4) as u8, 90)
-    }
+    let (fogged, alone) = (deep(scene, &|face| Fogged::new(shade(face), &fog)), deep(scene, shade));
+    assert!(fogged.1 == alone.1);
+    let counts = compare(&fogged.0, &alone.0, &factors.deep);
+    let met = counts.iter().filter(|&&count| count > 0).count();
+    assert!(counts.iter().sum::<usize>() > 5_000 && met > 25, "{counts:?}");
 }
 
 #[test]
 fn every_shader_is_mixed_with_the_fog_at_its_pixels() {
-    let scenes = [soup(41, 1500, 30), quad(floor(0.9, 300.0, 200.0), 20.0, 60, -6), quad(WALL, 70.0, 60, -4)];
+    let quad = |corners, roll, exponent| Faces::quad(corners, roll, 60, exponent);
     let colors = |face: usize| {
         [0, 70, 140].map(|more| Rgb888::new(!(face as u8), (2 * face) as u8, (face + more) as u8))
     };
@@ -89,17 +71,15 @@ fn every_shader_is_mixed_with_the_fog_at_its_pixels() {
     let bits = [0xcc; 8];
     let lit = IndexedTexels::<_, 1>::new(&bits, 8, 8, palette.row(256)).unwrap();
     let lit = Texture::new(lit.with_lit_palette(&palette));
-    for scene in &scenes {
-        let corners = |face: usize| scene.faces[face].map(|vertex| scene.uv[usize::from(vertex)]);
-        check(scene, &|face| colors(face)[0]);
-        check(scene, &|face| Flat::lit(colors(face)[1], 200));
-        check(scene, &|face| Flat::lit(colors(face)[1], 177).dithered());
-        check(scene, &|face| Gouraud::new(colors(face)));
-        check(scene, &|face| Gouraud::new(colors(face)).dithered());
-        check(scene, &|face| Gouraud::lit(colors(face)[2], [256, 90, 180]));
-        check(scene, &|face| shades.lit([256, 20 + face as u16, 180]));
-        check(scene, &|face| Texture::new(Stripes).at(corners(face)));
-        check(scene, &|face| lit.at(corners(face)).lit([256, 90, 180]));
+    for scene in &[soup(41, 1500), quad(floor(0.9, 300.0, 200.0), 20.0, -6), quad(WALL, 70.0, -4)] {
+        let factors = factors(scene);
+        check(scene, &factors, &|face| colors(face)[0]);
+        check(scene, &factors, &|face| Flat::lit(colors(face)[1], 177).dithered());
+        check(scene, &factors, &|face| Gouraud::new(colors(face)));
+        check(scene, &factors, &|face| Gouraud::lit(colors(face)[2], [256, 90, 180]).dithered());
+        check(scene, &factors, &|face| shades.lit([256, 20 + face as u16, 180]));
+        check(scene, &factors, &|face| Texture::new(Tiles).at(scene.uv[face]));
+        check(scene, &factors, &|face| lit.at(scene.uv[face]).lit([256, 90, 180]));
     }
 }
 
@@ -107,71 +87,37 @@ fn every_shader_is_mixed_with_the_fog_at_its_pixels() {
 #[test]
 fn fogged_faces_may_leave_out_pixels() {
     let fog = table(FOG);
-    for scene in [soup(42, 1200, 30), quad(floor(0.9, 300.0, 200.0), 20.0, 60, -6)] {
-        let corners = |face: usize| scene.faces[face].map(|vertex| scene.uv[usize::from(vertex)]);
-        let texture = Texture::new(ColorKeyed::new(Stripes, Stripes.texel(3 << 29, 5 << 29)));
-        for &face in &scene.faces {
-            let alone = Scene {
-                vertices: scene.vertices.clone(),
-                uv: scene.uv.clone(),
-                faces: vec![face],
-                exponent: scene.exponent,
-            };
-            let at = face.map(|vertex| scene.uv[usize::from(vertex)]);
-            let own = in_memory(&alone, &|_| texture.at(at));
-            let fogged = in_memory(&alone, &|_| Fogged::new(texture.at(at), &fog));
-            let black = table(Rgb888::BLACK);
-            let factor = in_memory(&alone, &|_| Fogged::new(Rgb888::new(0, 0, 32 * LEVEL), &black));
+    for scene in [soup(42, 1200), Faces::quad(floor(0.9, 300.0, 200.0), 20.0, 60, -6)] {
+        let texture = Texture::new(ColorKeyed::new(Tiles, Tiles.texel(3 << 29, 5 << 29)));
+        let shade = |face: usize| texture.at(scene.uv[face]);
+        for face in 0..scene.uv.len() {
+            let alone = scene.alone(face);
+            let own = in_memory(&alone, &|_| shade(face));
+            let fogged = in_memory(&alone, &|_| Fogged::new(shade(face), &fog));
             assert!(fogged.depths == own.depths);
-            for ((&pixel, &own), factor) in fogged.solid.iter().zip(&own.solid).zip(factors(&factor.solid)) {
-                assert_eq!(pixel, if own == SKY { SKY } else { mixed(own, FOG, factor) });
-            }
+            compare(&fogged.solid, &own.solid, &factors(&alone).solid);
         }
-        let shade = |face: usize| texture.at(corners(face));
-        let inside = on_every_target(&scene, &|face| Fogged::new(ScreenDoor::new(shade(face), 23), &fog));
-        let outside = on_every_target(&scene, &|face| ScreenDoor::new(Fogged::new(shade(face), &fog), 23));
-        assert!(
-            inside.deep == outside.deep && inside.solid == outside.solid && inside.depths == outside.depths
-        );
+        let inside = in_memory(&scene, &|face| Fogged::new(ScreenDoor::new(shade(face), 23), &fog));
+        let outside = deep(&scene, &|face| ScreenDoor::new(Fogged::new(shade(face), &fog), 23));
+        assert!((&inside.deep, &inside.depths) == (&outside.0, &outside.1));
         assert!(inside.solid.iter().filter(|&&pixel| pixel != SKY).count() > 500);
         let inside = in_memory(&scene, &|face| Fogged::new(Blended::new(shade(face), 11), &fog));
-        let outside = in_memory(&scene, &|face| Blended::new(Fogged::new(shade(face), &fog), 11));
-        assert!(inside.deep == outside.deep && inside.solid == outside.solid);
-        let half = in_memory(&scene, &|face| HalfBlended::new(Fogged::new(shade(face), &fog)));
-        assert!(half.solid != inside.solid);
+        let outside = deep(&scene, &|face| Blended::new(Fogged::new(shade(face), &fog), 11));
+        assert!((&inside.deep, &inside.depths) == (&outside.0, &outside.1));
+        let half = deep(&scene, &|face| HalfBlended::new(Fogged::new(shade(face), &fog)));
+        assert!(half.0 != inside.deep);
     }
 }
 
-/// A painter stores fogged shaders; and faces in the order of the mesh have the pixels that they have alone.
+/// Faces that planes cut, from a painter and from bins.
 #[test]
-fn a_painter_draws_fogged_faces() {
-    let scene = soup(43, 600, 10);
-    let fog = table(FOG);
+fn fogged_faces_are_equal_by_every_draw_call() {
+    let (scene, fog) = (soup(43, 600), table(FOG));
     let shade = |face: usize| {
         Fogged::new(Gouraud::new([Rgb888::RED, Rgb888::GREEN, Rgb888::new(0, 0, face as u8)]), &fog)
     };
-    let mesh = Mesh::new(&scene.vertices, scene.exponent, &scene.faces).unwrap();
-    let camera = Scene::camera();
-    let instance = camera.place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
-    let size = Size::new(SIDE, SIDE);
-    let mut painted = vec![SKY; (SIDE * SIDE) as usize];
-    let mut painter = Box::new(Painter::<_, 600, 200>::new());
-    painter.add(&instance, shade).unwrap();
-    let order = painter.order();
-    let Ok(_) = order.draw(&mut Picture::new(&mut painted, size).unwrap().pixels());
-    // The pixel of each is that of a face drawn alone.
-    let mut matched = vec![false; painted.len()];
-    for face in 0..scene.faces.len() {
-        let faces = [scene.faces[face]];
-        let mesh = Mesh::new(&scene.vertices, scene.exponent, &faces).unwrap();
-        let instance = camera.place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
-        let mut alone = vec![SKY; painted.len()];
-        let Ok(_) =
-            instance.solid(|_| shade(face), &mut [], &mut Picture::new(&mut alone, size).unwrap().pixels());
-        for (i, matched) in matched.iter_mut().enumerate() {
-            *matched |= alone[i] == painted[i];
-        }
-    }
-    assert!(matched.iter().all(|&matched| matched));
-    assert!(painted.iter().filter(|&&pixel| pixel != SKY).count() > 5_000);
+    scene.place(&usual(), &mut |instance| {
+        let (drawn, _) = by_every_call(instance, AREA, SKY, &[17, SIDE], &shade);
+        assert!(drawn.solid.iter().filter(|&&pixel| pixel != SKY).count() > 5_000);
+    });
 }

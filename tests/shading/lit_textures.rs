@@ -1,13 +1,12 @@
 //! Textures in light, by face and by vertex, against light in f64 and the texels of unlit faces.
 
-use crate::texture_rays::{camera, library, perspective, Faces};
-use crate::textures::SIDE;
+use crate::rays::{camera, library, perspective, Faces, AREA, SIDE};
 use embedded_graphics::pixelcolor::raw::RawU32;
-use embedded_graphics::pixelcolor::{Gray8, PixelColor, Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::{Gray8, PixelColor, Rgb565};
 use embedded_graphics::prelude::*;
 use pinhole::{
-    Affine, Channels, Cull, Dim, IndexedTexels, LitPalette, Mesh, Picture, Projection, Scalar, ShadeTable,
-    SpanShader, TexelSlice, Texels, Texture, Window,
+    DepthBuffer, Dim, IndexedTexels, LitPalette, Projection, Scalar, ShadeTable, SpanShader, TexelSlice,
+    Texels, Texture, Window,
 };
 use support::oracle::rng::Rng;
 
@@ -26,34 +25,14 @@ fn random_triangle(rng: &mut Rng) -> [[i64; 2]; 3] {
     [(); 3].map(|()| from.map(|from| from + rng.int(0, reach)))
 }
 
-/// The pixels of a triangle.
+/// The pixels of a triangle: a unit is a pixel, and the origin is the upper left corner.
 fn draw<C: PixelColor, S: SpanShader<C>>(corners: [[i64; 2]; 3], shader: S) -> Vec<Option<C>> {
-    struct Screen<C>(Vec<Option<C>>);
-    impl<C> OriginDimensions for Screen<C> {
-        fn size(&self) -> Size {
-            Size::new(SIDE, SIDE)
-        }
-    }
-    impl<C: PixelColor> DrawTarget for Screen<C> {
-        type Color = C;
-        type Error = core::convert::Infallible;
-        fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
-            for Pixel(Point { x, y }, color) in pixels {
-                self.0[y as usize * SIDE as usize + x as usize] = Some(color);
-            }
-            Ok(())
-        }
-    }
-    let vertices = corners.map(|[x, y]| [x as i16, -y as i16, 0]);
-    let mesh = Mesh::new(&vertices, -6, &[[0, 1, 2]]).unwrap();
-    // A unit is a pixel, and the origin is the upper left corner.
     let [zero, one, side] = [0, 1, SIDE as i32].map(Scalar::from_int);
     let window = Window { left: zero, right: side, bottom: -side, top: zero };
     let camera = camera(&Projection::orthographic(window, -one, one).unwrap());
-    let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
-    let mut screen = Screen(vec![None; (SIDE * SIDE) as usize]);
-    let Ok(_) = instance.solid(|_| shader, &mut [], &mut screen);
-    screen.0
+    let mut faces = Faces::new(-6);
+    faces.push(corners.map(|[x, y]| [x as i16, -y as i16, 0]), [[0; 2]; 3]);
+    faces.draw(0, &camera, shader).pixels
 }
 
 /// A value at a pixel's centre, linear between those of the corners.
@@ -118,11 +97,8 @@ fn rows_are_the_nearest<const BITS: u32, const COLORS: usize, const ROWS: usize>
 #[test]
 fn light_chooses_the_nearest_row_of_the_palette_in_every_format() {
     rows_are_the_nearest::<1, 2, 2>();
-    rows_are_the_nearest::<1, 2, 64>();
-    rows_are_the_nearest::<2, 4, 8>();
-    rows_are_the_nearest::<4, 16, 16>();
+    rows_are_the_nearest::<2, 4, 64>();
     rows_are_the_nearest::<4, 21, 32>();
-    rows_are_the_nearest::<8, 256, 128>();
     rows_are_the_nearest::<8, 256, 256>();
 }
 
@@ -176,64 +152,22 @@ fn light_of_cut_faces_is_that_of_a_shade_table() {
     let palette = LitPalette::<Gray8, 2, 256>::from_rows(rows);
     let texels = IndexedTexels::<_, 1>::new(&[0x5a; 8], 8, 8, palette.row(256)).unwrap();
     let texture = Texture::new(texels.with_lit_palette(&palette));
+    let mut depths = vec![0; (SIDE * SIDE) as usize];
     let faces = Faces::soup(&mut rng, 120, 2000, 2500, |rng| rng.int(-4000, 4000) as i16);
     let camera = camera(&library(&perspective(20.0))).with_far_clip(true);
-    let indices = faces.indices();
-    let levels: Vec<[u16; 3]> = indices.iter().map(|_| [(); 3].map(|()| rng.int(0, 300) as u16)).collect();
     let (mut drawn, mut cut) = (0, 0);
-    for (face, indices) in indices.iter().enumerate() {
-        let one = [*indices];
-        let mesh = Mesh::new(&faces.vertices, faces.exponent, &one).unwrap();
-        let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
-        let [mut lit, mut shaded] = [(); 2].map(|()| vec![Gray8::BLACK; (SIDE * SIDE) as usize]);
-        let size = Size::new(SIDE, SIDE);
-        let mut target = Picture::new(&mut lit, size).unwrap();
-        let shade = |_| texture.at(faces.uv[face]).lit(levels[face]);
-        let Ok(statistics) = instance.solid(shade, &mut [], &mut target.pixels());
-        let mut target = Picture::new(&mut shaded, size).unwrap();
-        let Ok(_) = instance.solid(|_| table.lit(levels[face]), &mut [], &mut target.pixels());
+    for (face, &uv) in faces.uv.iter().enumerate() {
+        let levels = [(); 3].map(|()| rng.int(0, 300) as u16);
+        let lit = faces.draw(face, &camera, texture.at(uv).lit(levels));
+        let shaded = faces.draw(face, &camera, table.lit(levels));
         assert!(lit == shaded, "face {face}");
-        drawn += lit.iter().filter(|&&level| level != Gray8::BLACK).count();
-        cut += statistics.clipped;
+        drawn += lit.drawn().count();
+        faces.alone(face).place(&camera, &mut |instance| {
+            let depth = &mut DepthBuffer::new(AREA, &mut depths).unwrap();
+            cut += instance.depth_only(&mut [], depth).clipped;
+        });
     }
     assert!(drawn > 10_000 && cut > 20, "{drawn} pixels, {cut} faces cut");
-}
-
-/// The colours of each row, by the definition, in exact fractions.
-#[test]
-fn rows_have_the_nearest_colors() {
-    fn check<C: Channels + core::fmt::Debug, const ROWS: usize>(channels: impl Fn(C) -> Vec<u8>) {
-        let mut rng = Rng::new(3);
-        let colors: [Rgb888; 20] = core::array::from_fn(|i| match i {
-            0 => Rgb888::WHITE,
-            1 => Rgb888::BLACK,
-            _ => Rgb888::new(rng.bits() as u8, rng.bits() as u8, rng.bits() as u8),
-        });
-        let palette = LitPalette::<C, 20, ROWS>::new(&colors);
-        for (row, shown) in palette.rows().iter().enumerate() {
-            for (color, &shown) in colors.iter().zip(shown) {
-                let [r, g, b] = [color.r(), color.g(), color.b()].map(u64::from);
-                let exact =
-                    if C::GRAY { vec![77 * r + 150 * g + 29 * b] } else { vec![256 * r, 256 * g, 256 * b] };
-                for ((level, exact), max) in channels(shown).into_iter().zip(exact).zip(C::MAX) {
-                    // exact/256/255 · row/(ROWS − 1) · max, halves up.
-                    let (numerator, unit) =
-                        (exact * row as u64 * u64::from(max), 256 * 255 * (ROWS as u64 - 1));
-                    assert_eq!(
-                        u64::from(level),
-                        (2 * numerator + unit) / (2 * unit),
-                        "row {row} of {color:?}"
-                    );
-                }
-            }
-        }
-    }
-    let rgb = |color: Rgb565| vec![color.r(), color.g(), color.b()];
-    check::<Rgb565, 2>(rgb);
-    check::<Rgb565, 32>(rgb);
-    check::<Rgb565, 256>(rgb);
-    check::<Rgb888, 64>(|color| vec![color.r(), color.g(), color.b()]);
-    check::<Gray8, 16>(|color| vec![color.luma()]);
 }
 
 /// A picture that is dimmed before it is drawn is a texture by face, too.

@@ -3,23 +3,17 @@
 
 mod bands;
 mod blended;
-mod clamped_textures;
-mod cut_faces;
 mod dithered;
-mod emission;
-mod every_target;
 mod fog;
 mod fogged;
-mod gouraud;
 mod keyed;
+mod levels;
 mod light;
 mod lights;
 mod lit_textures;
 mod own_shaders;
+mod rays;
 mod scene;
 mod screen_door;
-mod shade_table;
-mod texture_projections;
-mod texture_rays;
-mod texture_units;
+mod tables;
 mod textures;

@@ -7,33 +7,19 @@ mod example {
     pub(crate) mod shaders;
 }
 
-use core::convert::Infallible;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::prelude::Point;
 use embedded_graphics::primitives::Rectangle;
 use example::scene::{self, BOARD, FOG_COLOR, FOG_RANGE, GLASS, NEAR_FAR, SIZE, SKY, TILES, WALL_COLOR};
 use pinhole::space::{Model, World};
-use pinhole::{
-    Affine, Camera, DepthBuffer, Mesh, MeshInstance, Painter, Picture, Projection, Scalar, ScreenVertex,
-    SpanShader, Target, Window, WithPlanes,
-};
+use pinhole::{Affine, Camera, Mesh, MeshInstance, Projection, Scalar, SpanShader, Window, WithPlanes};
+use support::bridge::ways::{by_every_call, memory};
+use support::oracle::chain::{cross, dot, normalise};
 
 type V = [f64; 3];
 
 fn sub(a: V, b: V) -> V {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn dot(a: V, b: V) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: V, b: V) -> V {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn unit(a: V) -> V {
-    a.map(|c| c / dot(a, a).sqrt())
+    [0, 1, 2].map(|i| a[i] - b[i])
 }
 
 /// What a ray meets first, and how the colour is made.
@@ -74,8 +60,8 @@ fn channels(c: Rgb888) -> [f64; 3] {
 /// The scene at a point of the screen, in pixels.
 fn look(x: f64, y: f64) -> Ray {
     let [eye, towards] = [scene::EYE, scene::TOWARDS].map(|p| p.map(f64::from));
-    let ahead = unit(sub(towards, eye));
-    let right = unit(cross(ahead, [0.0, 1.0, 0.0]));
+    let ahead = normalise(sub(towards, eye));
+    let right = normalise(cross(ahead, [0.0, 1.0, 0.0]));
     let up = cross(right, ahead);
     let (width, height) = (f64::from(SIZE.width), f64::from(SIZE.height));
     let scale = (f64::from(scene::FIELD_OF_VIEW).to_radians() / 2.0).tan();
@@ -146,12 +132,10 @@ fn a_checkerboard_a_fog_and_glass_made_outside_the_crate_are_those_of_rays() {
     assert!(worst > 0.6, "{worst}");
 }
 
-/// The shader decides whether depths and 1/w are computed: every draw call gives it the same.
+/// The shader decides whether depths and 1/w are computed: every draw call gives it the same, also with face planes.
 #[test]
 fn a_shader_gets_depth_and_w_whichever_call_draws_it() {
-    let area = Rectangle::new(Point::zero(), SIZE);
-    let count = (SIZE.width * SIZE.height) as usize;
-    let model = Affine::<Model, World>::identity();
+    let (area, model) = (Rectangle::new(Point::zero(), SIZE), Affine::<Model, World>::identity());
     let (view, projection, viewport) = scene::camera().expect("a camera");
     let oblique = {
         let near_far = NEAR_FAR.map(Scalar::from_int);
@@ -161,49 +145,24 @@ fn a_shader_gets_depth_and_w_whichever_call_draws_it() {
     };
     for projection in [projection, oblique] {
         let camera = Camera::new(&view, &projection, &viewport);
-        for (quad, wall) in [(&scene::FLOOR, false), (&scene::WALL, true)] {
-            let mesh = Mesh::new(quad, 0, &scene::QUAD).expect("a quad").with_planes_if_any();
-            let instance = camera.place(&mesh, &model);
-            let draw = |way: usize| {
-                let mut pixels = vec![SKY; count];
-                let mut picture = Picture::new(&mut pixels, SIZE).expect("as many pixels");
-                if wall {
-                    draw(way, &instance, area, scene::fog, &mut picture.pixels());
-                } else {
-                    draw(way, &instance, area, scene::board, &mut picture.pixels());
-                }
-                pixels
-            };
-            let expected = draw(0);
-            assert!(expected.iter().filter(|&&color| color != SKY).count() > 2_000);
-            for way in 1..5 {
-                assert!(draw(way) == expected, "way {way}");
-            }
-        }
+        every_call(&camera.place(&quad(&scene::FLOOR), &model), area, &scene::board);
+        every_call(&camera.place(&quad(&scene::WALL), &model), area, &scene::fog);
     }
 }
 
-/// Draws at once, with depth, by planes, by a painter or from bins.
-fn draw<S: SpanShader<Rgb888>, T: Target<Color = Rgb888, Error = Infallible>>(
-    way: usize,
+fn quad(corners: &'static [[i16; 3]; 4]) -> Mesh<'static, i16, WithPlanes> {
+    Mesh::new(corners, 0, &scene::QUAD).expect("a quad").with_planes_if_any()
+}
+
+fn every_call<S: SpanShader<Rgb888>>(
     by_planes: &MeshInstance<'_, i16, WithPlanes>,
     area: Rectangle,
-    shade: impl FnMut(usize) -> S,
-    target: &mut T,
+    shade: &dyn Fn(usize) -> S,
 ) {
-    let instance = by_planes.without_planes();
-    let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 4], [0; 3]);
-    let mut depths = vec![0; (area.size.width * area.size.height) as usize];
-    let mut depth = DepthBuffer::new(area, &mut depths).expect("as many depths");
-    let Ok(()) = match way {
-        0 => instance.depth_tested(shade, &mut cache, &mut depth, target).map(|_| ()),
-        1 => instance.solid(shade, &mut cache, target).map(|_| ()),
-        2 => by_planes.solid(shade, &mut cache, target).map(|_| ()),
-        3 => {
-            let mut painter = Painter::<S, 32, 16>::new();
-            painter.add(&instance, shade).expect("room");
-            painter.draw(target).map(|_| ())
-        }
-        _ => instance.transform_depth(&mut cache).bin_faces(&mut bins).expect("room").solid(shade, target),
-    };
+    let (drawn, _) = by_every_call(&by_planes.without_planes(), area, SKY, &[area.size.height, 9], shade);
+    assert!(drawn.solid == drawn.deep && drawn.solid.iter().filter(|&&color| color != SKY).count() > 2_000);
+    let with_planes = memory(area, SKY, &mut |target, _| {
+        let Ok(_) = by_planes.solid(shade, &mut [], target);
+    });
+    assert!(with_planes == drawn.solid);
 }

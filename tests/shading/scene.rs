@@ -1,20 +1,18 @@
-//! Targets of every colour type, and triangles with given positions on the screen.
+//! Colour types whose channels the tests read, and triangles with given positions on the screen.
 
 use embedded_graphics_core::pixelcolor::{
     BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb565, Rgb888, RgbColor,
 };
 use embedded_graphics_core::prelude::*;
-use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    Camera, Channels, Gouraud, Mesh, MeshInstance, PixelFormat, Scalar, ShadeTable, SpanShader, StoredPixel,
-    TableShader,
+    Affine, Camera, Channels, Cull, Flat, Gouraud, Mesh, MeshInstance, PixelFormat, Scalar, ShadeTable,
+    SpanShader, StoredPixel, TableShader,
 };
-use std::convert::Infallible;
-use support::bridge;
 use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use support::oracle::coverage::P;
 use support::oracle::rng::Rng;
 use support::oracle::shade::{Depths, Lit};
+use support::oracle::target::Screen;
 
 /// A colour whose channels the tests can read.
 pub(crate) trait Colour: Channels + PixelFormat + core::fmt::Debug + 'static {
@@ -110,77 +108,7 @@ macro_rules! for_every_colour {
 }
 pub(crate) use for_every_colour;
 
-/// Pixels in memory, `None` where nothing was drawn.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Picture<C> {
-    area: Rectangle,
-    pixels: Vec<Option<C>>,
-}
-
-impl<C: PixelColor> Picture<C> {
-    pub(crate) fn new(area: Rectangle) -> Self {
-        Picture { area, pixels: vec![None; (area.size.width * area.size.height) as usize] }
-    }
-
-    /// The drawn pixels.
-    pub(crate) fn drawn(&self) -> impl Iterator<Item = (Point, C)> + '_ {
-        self.area.points().zip(&self.pixels).filter_map(|(p, &c)| Some((p, c?)))
-    }
-
-    pub(crate) fn at(&self, p: Point) -> Option<C> {
-        let p = p - self.area.top_left;
-        self.pixels[p.y as usize * self.area.size.width as usize + p.x as usize]
-    }
-
-    /// All pixels, drawn over a background.
-    pub(crate) fn before(&self, background: C) -> Vec<C> {
-        self.pixels.iter().map(|c| c.unwrap_or(background)).collect()
-    }
-}
-
-impl<C: PixelColor> Dimensions for Picture<C> {
-    fn bounding_box(&self) -> Rectangle {
-        self.area
-    }
-}
-
-impl<C: PixelColor> DrawTarget for Picture<C> {
-    type Color = C;
-    type Error = Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        for Pixel(p, colour) in pixels {
-            assert!(self.area.contains(p), "{p:?} outside");
-            let p = p - self.area.top_left;
-            self.pixels[p.y as usize * self.area.size.width as usize + p.x as usize] = Some(colour);
-        }
-        Ok(())
-    }
-
-    fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
-        self.draw_iter(area.points().map(|p| Pixel(p, colour)))
-    }
-
-    fn fill_contiguous<I: IntoIterator<Item = C>>(
-        &mut self,
-        area: &Rectangle,
-        colours: I,
-    ) -> Result<(), Infallible> {
-        let colours: Vec<C> = colours.into_iter().collect();
-        assert_eq!(
-            colours.len() as u32,
-            area.size.width * area.size.height,
-            "one color per pixel of the area"
-        );
-        self.draw_iter(area.points().zip(colours).map(|(p, c)| Pixel(p, c)))
-    }
-}
-
 pub(crate) const SIZE: (u32, u32) = (64, 48);
-
-pub(crate) fn screen() -> Rectangle {
-    bridge::rectangle(0, 0, SIZE.0, SIZE.1)
-}
 
 /// A camera for which a world unit is a pixel and (0, 0) the middle of the picture.
 pub(crate) fn flat_camera() -> Camera {
@@ -201,25 +129,28 @@ pub(crate) fn vertex((x, y): P) -> [Scalar; 3] {
 }
 
 /// The screen positions of the corners of face 0, which the library computes.
-pub(crate) fn corners(instance: &MeshInstance<'_, Scalar>) -> Option<[P; 3]> {
-    let at = |i: usize| {
-        instance.project(i).ok().map(|seen| (i64::from(seen.point.x()), i64::from(seen.point.y())))
-    };
-    Some([at(0)?, at(1)?, at(2)?])
+pub(crate) fn corners(instance: &MeshInstance<'_, Scalar>) -> [P; 3] {
+    [0, 1, 2].map(|i| {
+        let at = instance.project(i).expect("in the guard band").point;
+        (i64::from(at.x()), i64::from(at.y()))
+    })
 }
 
-pub(crate) fn mesh<'a>(vertices: &'a [[Scalar; 3]; 3]) -> Mesh<'a, Scalar> {
-    Mesh::from_fixed(vertices, &[[0, 1, 2]]).expect("a mesh")
-}
-
-pub(crate) fn draw<C: Colour, I: SpanShader<C>>(
+pub(crate) fn draw<C: PixelColor, I: SpanShader<C>>(
     instance: &MeshInstance<'_, Scalar>,
     shader: I,
-) -> Picture<C> {
-    let mut picture = Picture::new(screen());
+) -> Screen<C> {
+    let mut screen = Screen::sized(SIZE.0, SIZE.1);
     let shade: &dyn Fn(usize) -> I = &|_| shader;
-    let Ok(_) = instance.with_cull(pinhole::Cull::None).solid(shade, &mut [], &mut picture);
-    picture
+    let Ok(_) = instance.with_cull(Cull::None).solid(shade, &mut [], &mut screen);
+    screen
+}
+
+/// Calls `with` for a triangle, given in sub-pixels, that faces either way.
+pub(crate) fn with_triangle<R>(t: [P; 3], with: impl FnOnce(&MeshInstance<'_, Scalar>) -> R) -> R {
+    let vertices = t.map(vertex);
+    let mesh = Mesh::from_fixed(&vertices, &[[0, 1, 2]]).expect("a mesh");
+    with(&flat_camera().place(&mesh, &Affine::identity()).with_cull(Cull::None))
 }
 
 /// A random colour, often at the ends of its ranges.
@@ -234,9 +165,9 @@ pub(crate) fn random_colour(rng: &mut Rng) -> Lit {
     Lit { rgb, level }
 }
 
-pub(crate) fn flat(colour: Lit) -> pinhole::Flat {
+pub(crate) fn flat(colour: Lit) -> Flat {
     let [r, g, b] = colour.rgb;
-    pinhole::Flat::lit(Rgb888::new(r, g, b), colour.level)
+    Flat::lit(Rgb888::new(r, g, b), colour.level)
 }
 
 pub(crate) fn gouraud(colours: [Lit; 3]) -> Gouraud {

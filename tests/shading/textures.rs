@@ -1,398 +1,197 @@
-//! Textures: the coordinates that each pixel shows, against rays in f64, which share no code with the library.
+//! Textures: the coordinates that each pixel of a face shows, repeated and clamped, in every unit and under projections of any kind,
+//! against rays in f64, which share no code with the library; and equal pixels by every draw call.
 
-use core::convert::Infallible;
-use embedded_graphics::pixelcolor::raw::RawU32;
-use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
-use embedded_graphics::prelude::*;
-use embedded_graphics::primitives::{PointsIter, Rectangle};
-use embedded_graphics::Pixel;
-use pinhole::space::{Model, World};
-use pinhole::{
-    Accuracy, Affine, Angle, Camera, Cull, DepthBuffer, Frame, IndexedTexels, Mesh, Picture, Point3,
-    Projection, Scalar, ScreenVertex, TexelSlice, Texels, Texture, TextureCoords, TextureError, Vector3,
-    ViewTransform, Viewport, Window,
+use crate::rays::{
+    camera, camera_on, floor, library, perspective, usual, Faces, Numbered, Shown, Wide, AREA, FOV, PACKING,
+    SIDE, SKY, WALL,
 };
+use embedded_graphics::pixelcolor::{Gray8, Rgb888};
+use embedded_graphics::prelude::*;
+use pinhole::{
+    Accuracy, Angle, Camera, IndexedTexels, LitTexels, Mesh, Picture, Projection, Scalar, TexelSlice, Texels,
+    Texture, TextureCoords, TextureError, Window,
+};
+use support::bridge::ways::{by_every_call, everywhere};
+use support::oracle::chain::{self, M4};
 use support::oracle::rng::Rng;
+use support::oracle::texture::off_repeated;
 
-pub(crate) const SIDE: u32 = 240;
-pub(crate) const FOV: f64 = 60.0;
-pub(crate) const NEAR: f64 = 1.0;
-pub(crate) const FAR: f64 = 2000.0;
+/// The accuracies of a texture, in texels.
+const ACCURACIES: [(Accuracy, f64); 3] =
+    [(Accuracy::Quarter, 0.25), (Accuracy::Eighth, 0.125), (Accuracy::Sixteenth, 0.0625)];
 
-/// The coordinates that a pixel shows, in 2⁻³² of the texture's sides.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Shown(pub(crate) [u32; 2]);
-
-impl PixelColor for Shown {
-    type Raw = RawU32;
+/// A quad that faces the eye and fills the picture.
+fn screen_filling(low: [i16; 2], high: [i16; 2]) -> Faces {
+    let ([u, v], [p, q], half) = (low, high, 230.0 / 64.0);
+    let mut faces = Faces::new(-6);
+    faces.push_quad(
+        [[-half, -half, -6.0], [half, -half, -6.0], [half, half, -6.0], [-half, half, -6.0]],
+        [[u, q], [p, q], [p, v], [u, v]],
+    );
+    faces
 }
 
-/// Texels that show their coordinates.
-#[derive(Clone, Copy)]
-pub(crate) struct Numbered(pub(crate) [u32; 2]);
-
-impl Texels for Numbered {
-    type Color = Shown;
-
-    fn size_bits(&self) -> [u32; 2] {
-        self.0
+/// A floor and a ceiling that the near plane cuts, rolled by `roll` degrees.
+fn rolled(roll: f64, uv: impl Fn(f64, f64) -> [i16; 2]) -> Faces {
+    let (mut faces, (s, c)) = (Faces::new(-6), f64::to_radians(roll).sin_cos());
+    for y in [-1.0, 1.5] {
+        let corners = [(-40.0, 0.5), (40.0, 0.5), (40.0, -300.0), (-40.0, -300.0)];
+        faces.push_quad(
+            corners.map(|(x, z)| [c * x - s * y, s * x + c * y, z]),
+            corners.map(|(x, z)| uv(x, z)),
+        );
     }
-
-    fn texel(&self, u: u32, v: u32) -> Shown {
-        Shown([u, v])
-    }
+    faces
 }
 
-/// Texels whose coordinates have 32 bits.
-#[derive(Clone, Copy)]
-pub(crate) struct Wide<S>(pub(crate) S);
-
-impl<S: Texels> Texels for Wide<S> {
-    type Color = S::Color;
-    const WIDE: bool = true;
-
-    fn size_bits(&self) -> [u32; 2] {
-        self.0.size_bits()
+/// Random triangles, a floor and a wall through all of the volume.
+fn through(reach: i64) -> Faces {
+    let mut faces = Faces::soup(&mut Rng::new(31), 90, reach, 2500, |rng| rng.int(-4000, 4000) as i16);
+    let (low, high) = (-6000, 6000);
+    for [a, b, c, d] in [
+        [[low, -80, 3000], [high, -80, 3000], [high, -80, -9000], [low, -80, -9000]],
+        [[150, low, 3000], [60, high, 3000], [60, high, -9000], [150, low, -9000]],
+    ] {
+        faces.push([a, b, c], [[0, 3000], [3000, 3000], [3000, 0]]);
+        faces.push([a, c, d], [[0, 3000], [3000, 0], [0, 0]]);
     }
-
-    fn texel(&self, u: u32, v: u32) -> S::Color {
-        self.0.texel(u, v)
-    }
+    faces
 }
 
-/// The bound that `Texels::WIDE` documents for coordinates that share a word, in sides.
-pub(crate) const PACKING: f64 = 37.0 / 65536.0;
-
-/// A square DrawTarget that is not the library's.
-pub(crate) struct Screen(pub(crate) Vec<Option<Shown>>);
-
-impl OriginDimensions for Screen {
-    fn size(&self) -> Size {
-        Size::new_equal(self.0.len().isqrt() as u32)
-    }
+/// w that grows to the right and downwards, too, and depth across the line of sight.
+fn slanted() -> M4 {
+    let [x, y, ..] = perspective(100.0);
+    [x, y, [0.4, -0.3, -1.1, -3.0], [0.15, -0.2, -1.0, 0.0]]
 }
 
-impl DrawTarget for Screen {
-    type Color = Shown;
-    type Error = Infallible;
+/// A perspective whose near plane is not across the line of sight (Lengyel, *Oblique view frustum depth projection and clipping*,
+/// 2005): w as usual, and depth that depends on x and y.
+fn oblique_near_plane() -> M4 {
+    let [x, y, _, w] = perspective(100.0);
+    [x, y, [0.2, 0.5, -1.0, -2.5], w]
+}
 
-    fn draw_iter<I: IntoIterator<Item = Pixel<Shown>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        let columns = self.0.len().isqrt();
-        for Pixel(Point { x, y }, color) in pixels {
-            self.0[y as usize * columns + x as usize] = Some(color);
+/// A reverse perspective, in which distant objects are larger.
+const REVERSE: M4 =
+    [[0.05, 0.0, 0.0, 0.0], [0.0, 0.05, 0.0, 0.0], [0.0, 0.0, -0.025, -1.0], [0.0, 0.0, 0.0125, 1.0]];
+
+/// Cabinet: receding lines run upwards to the right, half as long.
+fn cabinet() -> (M4, Projection) {
+    let (near, far, half) = (-20, 60, 20);
+    let [l, h] = [-half, half].map(Scalar::from_int);
+    let window = Window { left: l, right: h, bottom: l, top: h };
+    let [near_, far_] = [near, far].map(Scalar::from_int);
+    let factor = Scalar::from_ratio(1, 2);
+    let lens = Projection::oblique(window, near_, far_, Angle::degrees(45), factor).unwrap();
+    let mut matrix = chain::orthographic(-20.0, 20.0, -20.0, 20.0, near.into(), far.into());
+    // x' = x − z·cos 45°/2, and y' so: in halves of the window, 20.
+    let slope = -0.5f64.sqrt() / 2.0 / 20.0;
+    (matrix[0][2], matrix[1][2]) = (slope, slope);
+    (matrix, lens)
+}
+
+/// A texture of faces before a camera.
+struct Case {
+    camera: Camera,
+    matrix: M4,
+    bits: [u32; 2],
+    /// The unit of coordinates, in sides; without it 1/16 texel.
+    exponent: Option<i8>,
+    accuracy: Accuracy,
+}
+
+impl Case {
+    /// The largest errors of a face in texels, repeated with coordinates of 32 bits, repeated beyond the bound of packing, and clamped;
+    /// and the number of its pixels.
+    fn worst(&self, faces: &Faces, face: usize) -> ([f64; 3], usize) {
+        let (bits, uv) = (self.bits, faces.uv[face]);
+        let unit =
+            bits.map(|bits| self.exponent.map_or(1.0 / 16.0, |e| 2f64.powi(bits as i32 + i32::from(e))));
+        let ray = faces.ray(face, &self.matrix, unit);
+        let (mut texture, mut wide) = (Texture::new(Numbered(bits)), Texture::new(Wide(Numbered(bits))));
+        if let Some(exponent) = self.exponent {
+            texture = texture.with_exponent(exponent).unwrap();
+            wide = wide.with_exponent(exponent).unwrap();
         }
-        Ok(())
+        let (texture, wide) = (texture.with_accuracy(self.accuracy), wide.with_accuracy(self.accuracy));
+        let (repeated, count) = ray.worst_repeated(&faces.draw(face, &self.camera, wide.at(uv)), bits);
+        let (packed, _) = ray.worst_repeated(&faces.draw(face, &self.camera, texture.at(uv)), bits);
+        let (clamped, _) = ray.worst_clamped(&faces.draw(face, &self.camera, texture.clamped_at(uv)), bits);
+        let packing = f64::from(1 << bits[0].max(bits[1])) * PACKING;
+        ([repeated, packed - packing, clamped], count)
     }
 }
 
-pub(crate) type V = [f64; 3];
-
-/// Corners in view space, which is the world here, in units of 2^exponent, and texture coordinates in 1/16 texel.
-pub(crate) struct Scene {
-    pub(crate) vertices: Vec<[i16; 3]>,
-    pub(crate) exponent: i8,
-    pub(crate) faces: Vec<[u16; 3]>,
-    pub(crate) uv: Vec<[i16; 2]>,
-}
-
-impl Scene {
-    pub(crate) fn camera() -> Camera {
-        let viewport = Viewport::new(Point::zero(), Size::new(SIDE, SIDE)).unwrap();
-        let number = |v| Scalar::from_f64(v).expect("in range");
-        let lens =
-            Projection::perspective(Angle::degrees(60), viewport.size(), number(NEAR), number(FAR)).unwrap();
-        let [eye, ahead] = [0, -1].map(|z| Point3::from_ints(0, 0, z));
-        let view = ViewTransform::look_at(eye, ahead, Vector3::from_ints(0, 1, 0)).unwrap();
-        Camera::new(&view, &lens, &viewport)
-    }
-
-    fn draw(&self, accuracy: Accuracy, texels: impl Texels<Color = Shown>) -> Vec<Option<Shown>> {
-        let mesh = Mesh::new(&self.vertices, self.exponent, &self.faces).unwrap();
-        let camera = Self::camera();
-        let instance = camera.place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
-        let texture = Texture::new(texels).with_accuracy(accuracy);
-        let mut screen = Screen(vec![None; (SIDE * SIDE) as usize]);
-        let Ok(_) = instance.solid(|face| texture.at(mesh.corners_of(face, &self.uv)), &mut [], &mut screen);
-        screen.0
-    }
-
-    /// u and v in texels at a point of the screen, in pixels, of a face.
-    pub(crate) fn exact(&self, face: usize, [x, y]: [f64; 2]) -> [f64; 2] {
-        let scale = (FOV.to_radians() / 2.0).tan();
-        let half = f64::from(SIDE) / 2.0;
-        let ray = [(x - half) / half * scale, (half - y) / half * scale, -1.0];
-        let [a, b, c] = self.faces[face]
-            .map(|i| self.vertices[usize::from(i)].map(|c| f64::from(c) * 2f64.powi(self.exponent.into())));
-        let weights = [volume(ray, b, c), volume(a, ray, c), volume(a, b, ray)];
-        let sum: f64 = weights.iter().sum();
-        let uv = self.faces[face].map(|i| self.uv[usize::from(i)].map(|c| f64::from(c) / 16.0));
-        [0, 1].map(|axis| (0..3).map(|i| weights[i] * uv[i][axis]).sum::<f64>() / sum)
-    }
-
-    /// The largest error in texels of the pixels that show one face, beyond a shift of 1/64 pixel; and how many pixels show it.
-    fn worst(&self, accuracy: Accuracy, texels: impl Texels<Color = Shown>) -> (f64, usize) {
-        assert_eq!(texels.size_bits(), [6, 6]);
-        let (mut worst, mut count) = (0.0f64, 0);
-        for face in 0..self.faces.len() {
-            let alone = Scene {
-                faces: vec![self.faces[face]],
-                vertices: self.vertices.clone(),
-                uv: self.uv.clone(),
-                exponent: self.exponent,
-            };
-            for (i, shown) in alone.draw(accuracy, texels).into_iter().enumerate() {
-                let Some(Shown(shown)) = shown else { continue };
-                let (x, y) = ((i as u32 % SIDE) as f64 + 0.5, (i as u32 / SIDE) as f64 + 0.5);
-                let near = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)]
-                    .map(|(dx, dy)| alone.exact(0, [x + dx / 64.0, y + dy / 64.0]));
-                for axis in 0..2 {
-                    let values = near.map(|uv| uv[axis]);
-                    let low = values.iter().copied().fold(f64::MAX, f64::min);
-                    let high = values.iter().copied().fold(f64::MIN, f64::max);
-                    let shown = f64::from(shown[axis]) / 2f64.powi(32) * 64.0;
-                    // Modulo the texture's side.
-                    let middle = (low + high) / 2.0;
-                    let off = (shown - middle + 32.0).rem_euclid(64.0) - 32.0;
-                    worst = worst.max(off.abs() - (high - low) / 2.0);
-                }
-                count += 1;
-            }
-        }
-        (worst, count)
-    }
-}
-
-pub(crate) fn volume(a: V, b: V, c: V) -> f64 {
-    a[0] * (b[1] * c[2] - b[2] * c[1])
-        + a[1] * (b[2] * c[0] - b[0] * c[2])
-        + a[2] * (b[0] * c[1] - b[1] * c[0])
-}
-
-/// A quad in front of the camera, turned about the line of sight by `roll` degrees, with 4·`tiles` repetitions.
-pub(crate) fn quad(corners: [[f64; 3]; 4], roll: f64, texels: i16, exponent: i8) -> Scene {
-    let (s, c) = roll.to_radians().sin_cos();
-    let turned = corners.map(|[x, y, z]| [c * x - s * y, s * x + c * y, z]);
-    let scale = 2f64.powi(-i32::from(exponent));
-    let t = texels * 16;
-    Scene {
-        vertices: turned.map(|v| v.map(|c| (c * scale).round() as i16)).to_vec(),
-        exponent,
-        faces: vec![[0, 1, 2], [0, 2, 3]],
-        uv: vec![[0, t], [t, t], [t, 0], [0, 0]],
-    }
-}
-
-/// A floor from `near` to `far` ahead, one unit below the eye, `half` units to each side.
-pub(crate) fn floor(near: f64, far: f64, half: f64) -> [[f64; 3]; 4] {
-    [[-half, -1.0, -near], [half, -1.0, -near], [half, -1.0, -far], [-half, -1.0, -far]]
-}
-
-/// A wall along the line of sight, a thousand times as far at its end.
-pub(crate) const WALL: [[f64; 3]; 4] =
-    [[-1.0, -30.0, -1.2], [-1.0, 30.0, -1.2], [-1.0, 30.0, -1200.0], [-1.0, -30.0, -1200.0]];
-
-/// Random triangles before the near plane and across it, most of them slender or far to the side.
-pub(crate) fn soup(seed: u64, reach: i64, texels: i64) -> Scene {
-    let mut rng = Rng::new(seed);
-    let mut scene = Scene { vertices: vec![], exponent: -6, faces: vec![], uv: vec![] };
-    for i in 0..120u16 {
-        let centre = [rng.int(-(reach), reach), rng.int(-(reach), reach), -rng.int(-(3000), 3000).abs() - 70];
-        for _ in 0..3 {
-            let size = [1000, 200, 40][usize::from(i) % 3];
-            scene.vertices.push([0, 1, 2].map(|k| (centre[k] + rng.int(-(size), size)) as i16));
-            scene.uv.push([0, 1].map(|_| rng.int(-(16 * texels), 16 * texels) as i16));
-        }
-        scene.faces.push([3 * i, 3 * i + 1, 3 * i + 2]);
-    }
-    scene
-}
-
-/// The promise of `Texture`: a pixel shows the coordinates of a point within 1/64 pixel, off by at most the chosen error, the
-/// error of the planes, `planes` texels, and that of packing.
+/// The promise of `Texture`: a pixel shows the coordinates of a point within 1/64 pixel, or of the edge's point nearest to it, off by at
+/// most the chosen error, the error of the planes, and that of packing: also of faces that near, far, guard band and sides cut.
 #[test]
-fn texels_are_those_of_rays_within_the_chosen_error() {
+fn texels_are_those_of_rays_within_the_chosen_error_under_every_projection() {
+    let (usual, close, mut rng) = (perspective(2000.0), perspective(20.0), Rng::new(21));
+    let mut soup = |reach, uv: i64| Faces::soup(&mut rng, 90, reach, 3000, |rng| rng.int(-uv, uv) as i16);
+    let quad = |corners, roll, texels, exponent| Faces::quad(corners, roll, texels, exponent);
+    let far = [0.9, 1000.0, 900.0];
+    let horizon = |roll| quad(floor(far[0], far[1], far[2]), roll, 1600, -5);
+    let ceiling = rolled(25.0, |x, z| [x * 16.0, z * 10.0].map(|c| c as i16));
+    let across = rolled(-70.0, |x, z| [z * 16.0 + 2000.0, x * 12.0 - 30.0].map(|c| c as i16));
+    // Whether the far plane cuts, the number of texels, and the error of the planes in texels.
     let cases = [
-        ("floor", quad(floor(1.7, 9.5, 6.0), 0.0, 64, -10), 0.01),
-        ("rolled floor", quad(floor(0.5, 9.5, 6.0), 25.0, 64, -10), 0.01),
-        ("rolled horizon", quad(floor(0.9, 1000.0, 900.0), 20.0, 1600, -5), 0.02),
-        ("horizon", quad(floor(0.9, 1000.0, 900.0), 0.0, 1600, -5), 0.02),
-        ("wall", quad(WALL, 0.0, 400, -4), 0.02),
-        ("small triangles", soup(1, 300, 30), 0.01),
-        ("large triangles", soup(2, 2000, 1000), 0.02),
+        ("floor", usual, false, quad(floor(1.7, 9.5, 6.0), 0.0, 64, -10), [6, 6], 0.01),
+        ("rolled floor", usual, false, quad(floor(0.5, 9.5, 6.0), 25.0, 64, -10), [6, 6], 0.01),
+        ("rolled horizon", usual, false, horizon(20.0), [6, 6], 0.02),
+        ("horizon", usual, false, horizon(0.0), [6, 6], 0.02),
+        ("wall", usual, false, quad(WALL, 0.0, 400, -4), [6, 6], 0.02),
+        ("small triangles", usual, false, soup(300, 480), [6, 6], 0.01),
+        ("large triangles", usual, false, soup(2000, 16_000), [6, 6], 0.02),
+        ("floor and ceiling", usual, false, ceiling, [6, 6], 0.03),
+        ("floor and ceiling, across", usual, false, across, [3, 8], 0.03),
+        ("whole screen", usual, false, screen_filling([-500, -1000], [2000, 999]), [5, 4], 0.03),
+        ("small triangles, few rows", usual, false, soup(300, 3000), [7, 3], 0.03),
+        ("large triangles, 256 texels", usual, false, soup(2000, 16_000), [8, 8], 0.03),
+        ("far plane", close, true, through(400), [6, 5], 0.03),
+        ("guard band", usual, false, through(4000), [6, 5], 0.03),
+        ("slanted", slanted(), true, through(400), [6, 5], 0.03),
+        ("slanted near plane", oblique_near_plane(), true, through(400), [6, 5], 0.03),
+        ("reverse", REVERSE, true, through(400), [6, 5], 0.03),
+        ("cabinet", cabinet().0, true, through(900), [6, 5], 0.03),
     ];
-    for (accuracy, chosen) in
-        [(Accuracy::Quarter, 0.25), (Accuracy::Eighth, 0.125), (Accuracy::Sixteenth, 0.0625)]
-    {
-        let (mut largest, texels) = (0.0f64, Numbered([6, 6]));
-        for (name, scene, planes) in &cases {
-            let (worst, pixels) = scene.worst(accuracy, Wide(texels));
-            assert!(worst <= chosen + planes, "{name}, {accuracy:?}: {worst}");
-            assert!(pixels > 10_000, "{name}: {pixels} pixels");
-            largest = largest.max(worst);
-            let (worst, _) = scene.worst(accuracy, texels);
-            assert!(worst <= chosen + planes + 64.0 * PACKING, "{name}, {accuracy:?}, packed: {worst}");
-        }
-        assert!(largest > chosen / 2.0, "{accuracy:?}: {largest}");
-    }
-}
-
-/// A colour of its own for nearly all coordinates, in a format that every kind of target has.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Colored;
-
-impl Texels for Colored {
-    type Color = Rgb888;
-
-    fn size_bits(&self) -> [u32; 2] {
-        [6, 6]
-    }
-
-    fn texel(&self, u: u32, v: u32) -> Rgb888 {
-        Rgb888::new((u >> 24) as u8, (v >> 24) as u8, (u >> 16 ^ v >> 12) as u8)
-    }
-}
-
-/// A DrawTarget that is not the library's.
-pub(crate) struct Display(pub(crate) Vec<Rgb888>);
-
-impl OriginDimensions for Display {
-    fn size(&self) -> Size {
-        Size::new(SIDE, SIDE)
-    }
-}
-
-impl DrawTarget for Display {
-    type Color = Rgb888;
-    type Error = Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        for Pixel(Point { x, y }, color) in pixels {
-            self.0[y as usize * SIDE as usize + x as usize] = color;
-        }
-        Ok(())
-    }
-}
-
-/// However a row is cut into spans, by another target, by bands, by regions or by what the depth buffer hides, a pixel shows the
-/// same texel.
-#[test]
-fn textures_are_equal_on_every_target_and_in_bands() {
-    let sky = Rgb888::new(1, 2, 3);
-    let area = Rectangle::new(Point::zero(), Size::new(SIDE, SIDE));
-    let scenes = [
-        quad(floor(0.5, 9.5, 6.0), 25.0, 200, -10),
-        quad(floor(0.9, 1000.0, 900.0), 20.0, 1600, -5),
-        quad(WALL, 70.0, 400, -4),
-        soup(3, 300, 30),
-        soup(4, 1500, 2000),
-    ];
-    for scene in &scenes {
-        let mesh = Mesh::new(&scene.vertices, scene.exponent, &scene.faces).unwrap();
-        let camera = Scene::camera();
-        let instance = camera.place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
-        let texture = Texture::new(Colored);
-        let shade = |face| texture.at(mesh.corners_of(face, &scene.uv));
-        let count = mesh.vertices().len();
-        let mut cache = vec![ScreenVertex::EMPTY; count];
-        let mut numbers = vec![0; (SIDE * SIDE) as usize];
-
-        // Without depth.
-        let mut display = Display(vec![sky; (SIDE * SIDE) as usize]);
-        let Ok(_) = instance.solid(shade, &mut cache, &mut display);
-        let mut pixels = vec![sky; (SIDE * SIDE) as usize];
-        let mut picture = Picture::new(&mut pixels, area.size).unwrap();
-        let Ok(_) = instance.solid(shade, &mut cache, &mut picture.pixels());
-        assert!(pixels == display.0);
-        let drawn = pixels.iter().filter(|&&pixel| pixel != sky).count();
-        assert!(drawn > 10_000, "{drawn}");
-
-        // With depth: what is nearer cuts rows into runs.
-        let mut deep = Display(vec![sky; (SIDE * SIDE) as usize]);
-        let mut depth = DepthBuffer::new(area, &mut numbers).unwrap();
-        let Ok(_) = instance.depth_tested(shade, &mut cache, &mut depth, &mut deep);
-        let mut pixels = vec![sky; (SIDE * SIDE) as usize];
-        let mut picture = Picture::new(&mut pixels, area.size).unwrap();
-        let mut depth = DepthBuffer::new(area, &mut numbers).unwrap();
-        let Ok(_) = instance.depth_tested(shade, &mut cache, &mut depth, &mut picture.pixels());
-        assert!(pixels == deep.0);
-
-        // In bands of 7 rows of a region of odd width, into the band's memory and through its DrawTarget.
-        let region = Rectangle::new(Point::new(37, 11), Size::new(119, 205));
-        for by_memory in [true, false] {
-            let mut banded = Display(vec![sky; (SIDE * SIDE) as usize]);
-            let (mut strip, mut bin_storage) = (vec![0u8; 119 * 7 * 3], vec![0u16; 4096]);
-            let mut faces = instance.transform(&mut cache).bin_faces(&mut bin_storage).unwrap();
-            let mut frame = Frame::new(region, sky);
-            while let Some(mut band) = frame.next_band(&mut strip).unwrap() {
-                let Ok(()) = match by_memory {
-                    true => faces.solid(shade, &mut band.pixels()),
-                    false => faces.solid(shade, &mut band),
-                };
-                let Ok(()) = band.send(&mut banded);
+    for (accuracy, chosen) in ACCURACIES {
+        let mut largest = [f64::MIN; 3];
+        for &(name, matrix, far, ref faces, bits, planes) in &cases {
+            let lens = if name == "cabinet" { cabinet().1 } else { library(&matrix) };
+            let case =
+                Case { camera: camera(&lens).with_far_clip(far), matrix, bits, exponent: None, accuracy };
+            let (mut pixels, mut drawn) = (0, 0);
+            for face in 0..faces.uv.len() {
+                let (worst, count) = case.worst(faces, face);
+                let is_right = worst.iter().all(|&worst| worst <= chosen + planes);
+                assert!(is_right, "{name}, {accuracy:?}, face {face}: {worst:?}");
+                (pixels, drawn) = (pixels + count, drawn + usize::from(count > 0));
+                for (largest, worst) in largest.iter_mut().zip(worst) {
+                    *largest = largest.max(worst);
+                }
             }
-            for Point { x, y } in region.points() {
-                let at = (y as u32 * SIDE + x as u32) as usize;
-                assert_eq!(banded.0[at], display.0[at], "({x}, {y}), by memory: {by_memory}");
-            }
+            assert!(
+                pixels > 10_000 && drawn >= faces.uv.len().min(7),
+                "{name}: {pixels} pixels of {drawn} faces"
+            );
         }
+        assert!(largest[0] > chosen / 2.0 && largest[2] > chosen / 2.0, "{accuracy:?}: {largest:?}");
     }
 }
 
-/// Coordinates of a parallel projection are linear on the screen: no pixel is off by more than 1/100 texel and the error of packing.
+/// Coordinates of a parallel projection are linear on the screen: a floor that the eye looks down at by 45 degrees is exact to 1/100
+/// texel and the error of packing.
 #[test]
 fn parallel_projections_are_exact() {
-    let texels = Numbered([8, 3]);
-    assert!(parallel_projection_is_off_by(Wide(texels), 0.0) <= 0.01);
-    let packed = parallel_projection_is_off_by(texels, PACKING);
-    assert!(packed <= 0.01, "{packed}");
-}
-
-/// The largest error in texels of a floor in a parallel projection, beyond `packing` in sides.
-fn parallel_projection_is_off_by(texels: impl Texels<Color = Shown>, packing: f64) -> f64 {
-    let scene = quad(floor(1.0, 9.0, 3.0), 33.0, 500, -10);
-    let size = Size::new(SIDE, SIDE);
-    let one = Scalar::from_int(4);
-    let window = Window { left: -one, right: one, bottom: -one, top: one };
-    let lens = Projection::orthographic(window, Scalar::from_int(-20), Scalar::from_int(20)).unwrap();
-    let [eye, ahead] = [[0, 3, 0], [0, 0, -3]].map(|[x, y, z]| Point3::from_ints(x, y, z));
-    let view = ViewTransform::look_at(eye, ahead, Vector3::from_ints(0, 1, 0)).unwrap();
-    let camera = Camera::new(&view, &lens, &Viewport::new(Point::zero(), size).unwrap());
-    let mesh = Mesh::new(&scene.vertices, scene.exponent, &scene.faces).unwrap();
-    let instance = camera.place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
-    let texture = Texture::new(texels);
-    let mut screen = Screen(vec![None; (SIDE * SIDE) as usize]);
-    let Ok(_) = instance.solid(|face| texture.at(mesh.corners_of(face, &scene.uv)), &mut [], &mut screen);
-    // u and v are affine in x and y: three pixels give the map, with the vertices' error of 1/256 pixel.
-    let (turn, half) = (0.5f64.sqrt(), f64::from(SIDE) / 2.0);
-    let mut worst = 0.0f64;
-    let mut count = 0;
-    for (i, shown) in screen.0.iter().enumerate() {
-        let Some(Shown(shown)) = *shown else { continue };
-        let (x, y) = ((i as u32 % SIDE) as f64 + 0.5, (i as u32 / SIDE) as f64 + 0.5);
-        // View space: the eye looks down by 45 degrees.
-        let (right, up) = ((x - half) / half * 4.0, (half - y) / half * 4.0);
-        // The rolled floor's plane through its corners.
-        let [a, b, _, d] = [0, 1, 2, 3].map(|i| scene.vertices[i].map(|c| f64::from(c) / 1024.0));
-        let screen_of = |p: V| [p[0], (p[1] - 3.0) * turn - p[2] * turn];
-        let ([ax, ay], [bx, by], [dx, dy]) = (screen_of(a), screen_of(b), screen_of(d));
-        let (e, f, g) = ([bx - ax, by - ay], [dx - ax, dy - ay], [right - ax, up - ay]);
-        let area = e[0] * f[1] - e[1] * f[0];
-        let (along, across) = ((g[0] * f[1] - g[1] * f[0]) / area, (e[0] * g[1] - e[1] * g[0]) / area);
-        // a has coordinates (0, t), b (t, t), d (0, 0); vertices are off by up to 1/256 pixel.
-        let exact = [500.0 * along, 500.0 * (1.0 - across)];
-        let slope = [
-            500.0 * (f[0].abs() + f[1].abs()) / area.abs() * 4.0 / half,
-            500.0 * (e[0].abs() + e[1].abs()) / area.abs() * 4.0 / half,
-        ];
-        for (axis, side) in [256.0, 8.0].into_iter().enumerate() {
-            let shown = f64::from(shown[axis]) / 2f64.powi(32) * side;
-            let off = (shown - exact[axis] + side / 2.0).rem_euclid(side) - side / 2.0;
-            worst = worst.max(off.abs() - slope[axis] / 64.0 - packing * side);
-        }
-        count += 1;
+    let (matrix, turn) = (chain::orthographic(-4.0, 4.0, -4.0, 4.0, -20.0, 20.0), 0.5f64.sqrt());
+    let tilted = floor(1.0, 9.0, 3.0).map(|[x, y, z]| [x, (y - 3.0 - z) * turn, (y - 3.0 + z) * turn]);
+    let (camera, accuracy) = (camera(&library(&matrix)), Accuracy::Quarter);
+    let case = Case { camera, matrix, bits: [8, 3], exponent: None, accuracy };
+    let faces = Faces::quad(tilted, 33.0, 500, -10);
+    for face in 0..2 {
+        let (worst, pixels) = case.worst(&faces, face);
+        assert!(worst.iter().all(|&worst| worst <= 0.01) && pixels > 4_000, "{worst:?}, {pixels}");
     }
-    assert!(count > 10_000, "{count}");
-    worst
 }
 
 /// Where coordinates are linear, no pixel shows what lies beyond the corners' coordinates: a picture that a face shows once does not
@@ -400,58 +199,42 @@ fn parallel_projection_is_off_by(texels: impl Texels<Color = Shown>, packing: f6
 /// more than half of it.
 #[test]
 fn linear_coordinates_stay_between_those_of_the_corners() {
-    let size = Size::new(SIDE, SIDE);
-    let number = Scalar::from_int;
-    let window = Window { left: number(-4), right: number(4), bottom: number(-4), top: number(4) };
-    let lens = Projection::orthographic(window, number(-20), number(20)).unwrap();
-    let [eye, ahead] = [0, -1].map(|z| Point3::from_ints(0, 0, z));
-    let view = ViewTransform::look_at(eye, ahead, Vector3::from_ints(0, 1, 0)).unwrap();
-    let camera = Camera::new(&view, &lens, &Viewport::new(Point::zero(), size).unwrap());
+    let matrix = chain::orthographic(-4.0, 4.0, -4.0, 4.0, -20.0, 20.0);
+    let camera = camera(&library(&matrix));
     let mut rng = Rng::new(61);
     let (mut pixels, mut closest, mut largest) = (0, f64::MAX, [f64::MIN; 2]);
     for case in 0..3000 {
         // Up to 6, 30 and 150 pixels.
         let reach = [102, 512, 2560][case % 3];
         let centre = [(); 2].map(|()| rng.int(-3000, 3000));
-        let vertices =
-            [(); 3].map(|()| [centre[0] + rng.int(-reach, reach), centre[1] + rng.int(-reach, reach), 0]);
-        let vertices = vertices.map(|vertex| vertex.map(|c| c as i16));
+        let mut faces = Faces::new(-10);
+        let corner =
+            |rng: &mut Rng| [centre[0] + rng.int(-reach, reach), centre[1] + rng.int(-reach, reach), 0];
+        let corners = [(); 3].map(|()| corner(&mut rng).map(|c| c as i16));
         let bits = [3 + rng.below(6) as u32, 3 + rng.below(6) as u32];
         // From one border of the picture to the other, and parts of it.
         let uv = [(); 3].map(|()| {
             [0, 1].map(|axis| [0, 16 << bits[axis], rng.int(0, 16 << bits[axis])][rng.below(3)] as i16)
         });
-        // 30 pixels are 1 unit of the world.
-        let on_screen = vertices.map(|[x, y, _]| {
-            [x, -y].map(|c| f64::from(SIDE) / 2.0 + f64::from(c) * f64::from(SIDE) / 8.0 / 1024.0)
-        });
-        let mesh = Mesh::new(&vertices, -10, &[[0, 1, 2]]).unwrap();
-        let instance = camera.place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
-        for is_wide in [false, true] {
-            let mut screen = Screen(vec![None; (SIDE * SIDE) as usize]);
-            let Ok(_) = match is_wide {
-                false => instance.solid(|_| Texture::new(Numbered(bits)).at(uv), &mut [], &mut screen),
-                true => instance.solid(|_| Texture::new(Wide(Numbered(bits))).at(uv), &mut [], &mut screen),
-            };
-            for (i, pixel) in screen.0.iter().enumerate() {
-                let Some(Shown(shown)) = pixel else { continue };
-                let at = [i as u32 % SIDE, i as u32 / SIDE].map(|c| f64::from(c) + 0.5);
+        faces.push(corners, uv);
+        let ray = faces.ray(0, &matrix, [1.0 / 16.0; 2]);
+        let packed = faces.draw(0, &camera, Texture::new(Numbered(bits)).at(uv));
+        let wide = faces.draw(0, &camera, Texture::new(Wide(Numbered(bits))).at(uv));
+        for (screen, largest) in [packed, wide].iter().zip(&mut largest) {
+            for (at, Shown(shown)) in screen.drawn() {
+                let exact = ray.0.around(at.x.into(), at.y.into()).expect("parallel lines meet the face");
                 for axis in 0..2 {
                     let texels = uv.map(|uv| f64::from(uv[axis]) / 16.0);
-                    let least = texels.into_iter().fold(f64::MAX, f64::min);
-                    let most = texels.into_iter().fold(f64::MIN, f64::max);
+                    let [least, most] = [f64::min, f64::max].map(|of| texels.into_iter().reduce(of).unwrap());
                     // A texel beyond either border would show the other one.
                     let side = f64::from(1u32 << bits[axis]);
                     let shown = f64::from(shown[axis]) / 2f64.powi(32) * side;
                     let room = (shown - least).min(most - shown);
-                    assert!(room >= 0.0 || least == most, "{vertices:?} {uv:?} {bits:?}: {shown}");
+                    assert!(room >= 0.0 || least == most, "{corners:?} {uv:?} {bits:?}: {shown}");
                     if most - least > 1.0 {
                         closest = closest.min(room / side);
                     }
-                    let (exact, slope) = linear(on_screen, uv.map(|uv| f64::from(uv[axis]) / 16.0), at);
-                    let off = (shown - exact + side / 2.0).rem_euclid(side) - side / 2.0;
-                    let off = (off.abs() - slope / 64.0) / side;
-                    largest[usize::from(is_wide)] = largest[usize::from(is_wide)].max(off);
+                    *largest = largest.max(off_repeated(shown, exact[axis], side) / side);
                 }
                 pixels += 1;
             }
@@ -462,32 +245,220 @@ fn linear_coordinates_stay_between_those_of_the_corners() {
     assert!((PACKING / 2.0..PACKING).contains(&packed) && wide < 2f64.powi(-13), "{packed}, {wide}");
 }
 
-/// A function that is linear over a triangle and has these values at its corners: its value at a point, and the sum of its changes
-/// per pixel.
-fn linear([a, b, c]: [[f64; 2]; 3], [u, v, w]: [f64; 3], at: [f64; 2]) -> (f64, f64) {
-    let [[bx, by], [cx, cy], [x, y]] = [b, c, at].map(|p| [p[0] - a[0], p[1] - a[1]]);
-    let area = bx * cy - by * cx;
-    let (right, down) = (((v - u) * cy - (w - u) * by) / area, ((w - u) * bx - (v - u) * cx) / area);
-    (u + right * x + down * y, right.abs() + down.abs())
+/// Coordinates at both ends of `i16`, in every unit: neither end wraps to the other where the edge continues.
+#[test]
+fn coordinates_at_the_ends_of_i16_show_the_edge() {
+    let matrix = perspective(2000.0);
+    let camera = camera(&library(&matrix));
+    // All corners at one end; from end to end; and from an end by 99 units.
+    let mut scenes = vec![screen_filling([i16::MIN; 2], [i16::MAX; 2])];
+    for at in [i16::MIN, i16::MAX] {
+        scenes.push(screen_filling([at; 2], [at; 2]));
+        scenes.push(rolled(25.0, |_, _| [at; 2]));
+        let inwards = at.wrapping_add(at.signum() * -99);
+        scenes.push(rolled(33.0, |x, z| {
+            [if x > 0.0 { inwards } else { at }, if z > 0.0 { at } else { inwards }]
+        }));
+    }
+    let bits = [8, 3];
+    for (exponent, faces) in (-15..=0).flat_map(|exponent| scenes.iter().map(move |faces| (exponent, faces)))
+    {
+        let unit = bits.map(|bits| 2f64.powi(bits as i32 + i32::from(exponent)));
+        let texture = Texture::new(Numbered(bits)).with_exponent(exponent).unwrap();
+        let mut pixels = 0;
+        for (face, &uv) in faces.uv.iter().enumerate() {
+            let picture = faces.draw(face, &camera, texture.clamped_at(uv));
+            let (worst, count) = faces.ray(face, &matrix, unit).worst_clamped(&picture, bits);
+            assert!(worst <= 0.28, "2^{exponent}, face {face} {uv:?}: {worst}");
+            pixels += count;
+        }
+        assert!(pixels > 10_000, "{pixels}");
+    }
 }
 
-/// Coordinates below 0 are rounded down, not towards 0; the picture repeats on both sides.
+/// Coordinates at both ends of `i16`, from end to end in a face, and w that differ 32767 times: the documented error of the planes,
+/// 8·2⁻²⁴ of the range of coordinates times the ratio of w.
 #[test]
-fn the_picture_repeats_in_both_directions() {
-    let corners = [[-6.0, -6.0, -6.0], [6.0, -6.0, -6.0], [6.0, 6.0, -6.0], [-6.0, 6.0, -6.0]];
-    let draw = |from: i16| {
-        let mut scene = quad(corners, 0.0, 0, -8);
-        let (low, high) = (from * 16, (from + 64) * 16);
-        scene.uv = vec![[low, high], [high, high], [high, low], [low, low]];
-        scene.draw(Accuracy::Quarter, Numbered([4, 5]))
-    };
-    let first = draw(0);
-    assert!(first.iter().flatten().count() > 50_000);
-    for from in [-32, -64, 32, 1024, -2048] {
-        for (a, b) in first.iter().zip(draw(from)) {
-            let ([u, v], [p, q]) = (a.unwrap().0, b.unwrap().0);
-            let apart = |a: u32, b: u32| (a.wrapping_sub(b) as i32).unsigned_abs();
-            assert!(apart(u, p).max(apart(v, q)) < 1 << 16, "{from}: {a:?} {b:?}");
+fn coordinates_at_the_ends_of_i16_and_w_of_any_ratio() {
+    let matrix = chain::perspective(FOV, SIDE, SIDE, 1.0 / 64.0, 2000.0);
+    let camera = camera(&library(&matrix));
+    let mut rng = Rng::new(41);
+    let mut faces = Faces::new(-6);
+    for i in 0..200i16 {
+        // One corner close to the eye, one up to 32767/64 away, and one anywhere between.
+        let mut corner = |w: i64| {
+            let side = |rng: &mut Rng| rng.int(-w, w) * 6 / 10;
+            [side(&mut rng), side(&mut rng), -w].map(|c| c as i16)
+        };
+        let between = [32767, 3000, 200, 10, 2][usize::try_from(i % 5).unwrap()];
+        let corners = [corner(1 + i64::from(i % 3)), corner(between), corner(32_767)];
+        let uv = [(); 3].map(|()| [(); 2].map(|()| [i16::MIN, i16::MAX, 0][rng.below(3)]));
+        faces.push(corners, uv);
+    }
+    // The largest errors among 16 000 such faces, some of which reach ten times as far out of the picture.
+    let (low, high) = (i16::MIN, i16::MAX);
+    faces.push([[2, 24, -6], [3540, -597, -3000], [-720, 976, -3000]], [[high, low], [high, 0], [0, low]]);
+    faces.push(
+        [[24, 0, -4], [-1821, 32_000, -20_000], [1552, -3944, -20_000]],
+        [[0, high], [low, high], [0, low]],
+    );
+    let (mut pixels, mut largest) = (0, f64::MIN);
+    for (accuracy, chosen) in [ACCURACIES[0], ACCURACIES[2]] {
+        // With 12 bits no error wraps; with 8 bits, errors of more than 128 texels do.
+        let [exact, few] =
+            [12, 8].map(|bits| Case { camera, matrix, bits: [bits; 2], exponent: None, accuracy });
+        for face in 0..faces.uv.len() {
+            let w = [0, 1, 2].map(|i| f64::from(-faces.vertices[3 * face + i][2]));
+            let ratio = w.iter().copied().fold(0.0, f64::max) / w.iter().copied().fold(f64::MAX, f64::min);
+            // 65535 units of 1/16 texel.
+            let planes = 4096.0 * ratio * 2f64.powi(-24);
+            let ([repeated, _, clamped], count) = exact.worst(&faces, face);
+            let ([_, packed, _], _) = few.worst(&faces, face);
+            for worst in [repeated, clamped, packed] {
+                assert!(worst <= chosen + 0.03 + 8.0 * planes, "face {face}, {ratio} times as far: {worst}");
+                largest = largest.max((worst - chosen) / planes);
+            }
+            pixels += count;
+        }
+    }
+    // The bound is at most twice the error that is met.
+    assert!(pixels > 100_000 && largest > 4.0, "{pixels} pixels, {largest}");
+}
+
+/// Random triangles of up to 24, 200 and 700 pixels, in every unit, over ranges from one unit to all of `i16`, in a parallel projection
+/// and in perspective, cut by the near plane, too. No pixel is farther from a ray's texel than documented: by 2⁻¹³ of the range or 1/400
+/// texel and, in perspective, by the accuracy and the error of the planes.
+#[test]
+fn every_unit_and_range_is_as_exact_as_documented() {
+    let mut rng = Rng::new(71);
+    let (mut pixels, mut largest) = (0, [0.0f64; 2]);
+    for (exponent, range) in
+        (-15i8..=0).flat_map(|exponent| [1, 2, 3, 16, 300, 5000, 65_535].map(|range| (exponent, range)))
+    {
+        for (side, is_parallel) in [24, 200, 700].into_iter().flat_map(|side| [(side, true), (side, false)]) {
+            let matrix = match is_parallel {
+                true => chain::orthographic(-1.0, 1.0, -1.0, 1.0, 0.5, 300.0),
+                false => chain::perspective(FOV, side, side, 0.5, 2000.0),
+            };
+            let camera = camera_on(side, &library(&matrix));
+            let bits = [(); 2].map(|()| 3 + rng.below(6) as u32);
+            let unit = bits.map(|bits| 2f64.powi(bits as i32 + i32::from(exponent)));
+            let faces = any_face(&mut rng, side, range, is_parallel);
+            // The larger range of u and v in texels: of their own, and with 0.
+            let [extent, reach] = [None, Some(0.0)].map(|zero| {
+                let of = |axis: usize| {
+                    let values = || faces.uv[0].iter().map(|uv| f64::from(uv[axis])).chain(zero);
+                    (values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)) * unit[axis]
+                };
+                of(0).max(of(1))
+            });
+            // From the near plane on.
+            let w = || faces.vertices.iter().map(|&[.., z]| f64::from(-z).max(32.0));
+            let ratio = w().fold(0.0, f64::max) / w().fold(f64::MAX, f64::min);
+            let case = Case { camera, matrix, bits, exponent: Some(exponent), accuracy: Accuracy::Quarter };
+            let (worst, count) = case.worst(&faces, 0);
+            for (worst, range) in worst.into_iter().zip([extent, extent, reach]) {
+                let linear = (range * 2f64.powi(-13)).max(1.0 / 400.0);
+                let planes = 0.25 + 8.0 * 2f64.powi(-24) * range * ratio;
+                let bound = if is_parallel { linear } else { linear + planes };
+                let case = format!("2^{exponent}, {:?} of {bits:?}, {side} px, {is_parallel}", faces.uv[0]);
+                assert!(worst <= bound, "{case}: {worst} of {bound}");
+                if is_parallel {
+                    let kind = usize::from(linear > 1.0 / 400.0);
+                    largest[kind] = largest[kind].max(worst / linear);
+                }
+            }
+            pixels += count;
+        }
+    }
+    // The bounds are at most twice the errors that are met.
+    assert!(pixels > 3_000_000 && largest.iter().all(|&share| share > 0.5), "{pixels} pixels, {largest:?}");
+}
+
+/// One face, across a part of the screen or, in perspective, from any depth; its coordinates have a range of `range` units or less.
+fn any_face(rng: &mut Rng, side: u32, range: i64, is_parallel: bool) -> Faces {
+    let mut faces = Faces { side, ..Faces::new(-6) };
+    let corners = [(); 3].map(|()| {
+        let reach = if is_parallel { 64 } else { 300 };
+        let z = if is_parallel { -64 } else { rng.int(-900, 60) };
+        [rng.int(-reach, reach), rng.int(-reach, reach), z].map(|c| c as i16)
+    });
+    let least = [(); 2].map(|()| match rng.below(3) {
+        0 => 0,
+        1 => rng.int(i64::from(i16::MIN), i64::from(i16::MAX) - range),
+        _ => -rng.int(0, range.min(1 << 15)),
+    });
+    let uv = [(); 3].map(|()| {
+        least.map(|least| {
+            (least + [0, range, rng.int(0, range)][rng.below(3)]).min(i64::from(i16::MAX)) as i16
+        })
+    });
+    faces.push(corners, uv);
+    faces
+}
+
+/// A picture of W × W pixels that shows 64 × 64 texels once: pixel (x, y) shows texel (⌊(2x + 1)·32/W⌋, ⌊(2y + 1)·32/W⌋). The corners of
+/// faces come from `TextureCoords`, whose unit is a power of two of a side.
+#[test]
+fn a_square_shows_the_picture_once_in_every_unit() {
+    let texels: Vec<Rgb888> = (0..64 * 64).map(|i| Rgb888::new((i % 64) as u8, (i / 64) as u8, 1)).collect();
+    let texels = TexelSlice::new(&texels, 64, 64).unwrap();
+    let (vertices, faces) = ([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1]], [[0, 1, 2], [0, 2, 3]]);
+    let mesh = Mesh::new(&vertices, 0, &faces).unwrap();
+    let camera = |side| camera_on(side, &library(&chain::orthographic(-1.0, 1.0, -1.0, 1.0, 0.5, 300.0)));
+    // Without an exponent, 1/16 texel.
+    for exponent in (-14..=0).map(Some).chain([None]) {
+        // One side of the picture.
+        let end = exponent.map_or(1024, |exponent: i8| 1i16 << -exponent);
+        let uv = [[0, end], [end, end], [end, 0], [0, 0]];
+        let coords = TextureCoords::new(&uv, &faces, exponent.unwrap_or(-10)).unwrap();
+        let texture = match exponent {
+            Some(_) => Texture::new(texels).with_exponent(coords.exponent()).unwrap(),
+            None => Texture::new(texels),
+        };
+        for (side, is_clamped) in [64, 600, 1500].into_iter().flat_map(|side| [(side, false), (side, true)]) {
+            let camera = camera(side);
+            let instance = camera.place(&mesh, &pinhole::Affine::identity());
+            let mut pixels = vec![Rgb888::BLACK; (side * side) as usize];
+            let mut picture = Picture::new(&mut pixels, Size::new_equal(side)).unwrap();
+            let mut picture = picture.pixels();
+            let Ok(_) = match is_clamped {
+                true => instance.solid(|f| texture.clamped_at(coords.corners(f)), &mut [], &mut picture),
+                false => instance.solid(|f| texture.at(coords.corners(f)), &mut [], &mut picture),
+            };
+            for (i, pixel) in pixels.into_iter().enumerate() {
+                assert_eq!(pixel.b(), 1);
+                let at = [i as u32 % side, i as u32 / side];
+                for (at, shown) in at.into_iter().zip([pixel.r(), pixel.g()]) {
+                    let (texel, rest) = ((2 * at + 1) * 32 / side, (2 * at + 1) * 32 % side);
+                    // Within 1/16 texel of two texels' border either will do.
+                    let is_near = |border: u32| rest.abs_diff(border) <= side / 16;
+                    let off = i64::from(shown) - i64::from(texel);
+                    let allowed = off == 0 || off == 1 && is_near(side) || off == -1 && is_near(0);
+                    assert!(allowed, "{exponent:?}, {side} px, clamped {is_clamped}: {shown}, not {texel}");
+                }
+            }
+        }
+    }
+}
+
+/// The texels of the edge of a picture with sides of different lengths, by hand.
+#[test]
+fn the_edge_is_that_of_each_side() {
+    let picture: [[Gray8; 16]; 8] =
+        core::array::from_fn(|y| core::array::from_fn(|x| Gray8::new((16 * y + x) as u8)));
+    // Columns −16 … 32 and rows −8 … 16 over the picture.
+    let (faces, texture) = (screen_filling([-256, -128], [512, 256]), Texture::new(&picture));
+    for face in 0..2 {
+        for (at, color) in faces.draw(face, &usual(), texture.clamped_at(faces.uv[face])).drawn() {
+            // The quad is 460 wide at a distance of 384, where 240 pixels are 443.4 wide: a column is 9.9 pixels or so.
+            let share = |at: i32| 0.5 + (f64::from(at) + 0.5 - 120.0) / 240.0 * 443.405 / 460.0;
+            let [column, row] = [-16.0 + 48.0 * share(at.x), -8.0 + 24.0 * share(at.y)];
+            let near = |c: f64| (c - c.round()).abs() < 0.01;
+            if !near(column) && !near(row) {
+                let [column, row] = [column.clamp(0.0, 15.9), row.clamp(0.0, 7.9)].map(|c| c as usize);
+                assert_eq!(color, picture[row][column], "{at}");
+            }
         }
     }
 }
@@ -506,24 +477,20 @@ fn texels_of_every_format_and_size_are_where_the_picture_has_them() {
         let four = IndexedTexels::<_, 4>::new(&stored, width, height, &palette).unwrap();
         let two = IndexedTexels::<_, 2>::new(&stored, width, height, &palette).unwrap();
         let one = IndexedTexels::<_, 1>::new(&stored, width, height, &palette[..2]).unwrap();
-        for y in 0..height {
-            for x in 0..width {
-                let place = |i: usize, side: usize| {
-                    let texel = (1u64 << 32) / side as u64;
-                    (i as u64 * texel + rng_offset(i, texel)) as u32
-                };
-                let (u, v, at) = (place(x, width), place(y, height), y * width + x);
-                assert_eq!(slice.texel(u, v), colors[at]);
-                assert_eq!(indexed.texel(u, v), colors[at]);
-                let low = |bits: usize| {
-                    let bit = at * bits;
-                    usize::from(stored[bit / 8]) >> (8 - bits - bit % 8) & ((1 << bits) - 1)
-                };
-                assert_eq!(
-                    [four.texel(u, v), two.texel(u, v), one.texel(u, v)],
-                    [4, 2, 1].map(|b| palette[low(b)])
-                );
-            }
+        for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+            // The begin of a texel, its end, or between.
+            let place = |i: usize, side: usize| {
+                let texel = (1u64 << 32) / side as u64;
+                (i as u64 * texel + [0, texel - 1, texel / 3][i % 3]) as u32
+            };
+            let (u, v, at) = (place(x, width), place(y, height), y * width + x);
+            assert_eq!([slice.texel(u, v), indexed.texel(u, v)], [colors[at]; 2]);
+            let low = |bits: usize| {
+                let bit = at * bits;
+                usize::from(stored[bit / 8]) >> (8 - bits - bit % 8) & ((1 << bits) - 1)
+            };
+            let found = [four.texel(u, v), two.texel(u, v), one.texel(u, v)];
+            assert_eq!(found, [4, 2, 1].map(|bits| palette[low(bits)]));
         }
     }
     let picture: [[Rgb888; 16]; 8] =
@@ -533,75 +500,87 @@ fn texels_of_every_format_and_size_are_where_the_picture_has_them() {
     assert_eq!((&picture).size_bits(), [4, 3]);
 }
 
-/// A place within a texel: its begin, its end, or between.
-fn rng_offset(i: usize, texel: u64) -> u64 {
-    [0, texel - 1, texel / 3][i % 3]
-}
-
+/// That their messages name the numbers is tested in `pipeline`.
 #[test]
-fn errors_say_the_numbers() {
+fn textures_that_cannot_be_are_refused() {
     let (texels, palette) = ([0u8; 63], [Rgb888::new(0, 0, 0); 15]);
-    let message = |error: TextureError| error.to_string();
     let side = IndexedTexels::<Rgb888, 8>::new(&texels, 8, 12, &palette).unwrap_err();
     assert_eq!(side, TextureError::Side { side: 12 });
-    assert_eq!(message(side), "a side of 12 texels: resize the picture to 8, 16, 32, 64, 128 or 256 a side");
     let short = IndexedTexels::<Rgb888, 8>::new(&texels, 8, 8, &palette).unwrap_err();
     assert_eq!(short, TextureError::Texels { needed: 64, given: 63 });
-    assert_eq!(message(short), "the slice has 63 elements, but a texture of this size needs 64");
     let few = IndexedTexels::<Rgb888, 4>::new(&texels, 8, 8, &palette).unwrap_err();
     assert_eq!(few, TextureError::Palette { needed: 16, given: 15 });
-    assert_eq!(message(few), "the palette has 15 colours, but the texels can name 16: append some");
-    assert_eq!(
-        TexelSlice::<Rgb888>::new(&palette, 8, 8).unwrap_err(),
-        TextureError::Texels { needed: 64, given: 15 }
-    );
+    let short = TexelSlice::<Rgb888>::new(&palette, 8, 8).unwrap_err();
+    assert_eq!(short, TextureError::Texels { needed: 64, given: 15 });
     for side in [0, 4, 512, usize::MAX] {
         assert_eq!(TexelSlice::<Rgb888>::new(&palette, side, 8).unwrap_err(), TextureError::Side { side });
     }
-    let texture = Texture::new(Colored);
-    assert_eq!(texture.with_exponent(1), Err(TextureError::Exponent { exponent: 1 }));
-    assert_eq!(texture.with_exponent(-16), Err(TextureError::Exponent { exponent: -16 }));
-    assert_eq!(
-        message(TextureError::Exponent { exponent: 1 }),
-        "texture coordinates in 2^1 of a side: the exponent must be -15 to 0"
-    );
+    for exponent in [1, -16] {
+        let texture = Texture::new(Numbered([3, 3])).with_exponent(exponent);
+        assert_eq!(texture.map(|_| ()), Err(TextureError::Exponent { exponent }));
+    }
 }
 
-/// `TextureCoords` of any exponent give the texels that their documentation names.
+/// A colour of its own for nearly all coordinates, in a format that every kind of target has; light dims two channels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Colored;
+
+impl Texels for Colored {
+    type Color = Rgb888;
+
+    fn size_bits(&self) -> [u32; 2] {
+        [6, 6]
+    }
+
+    fn texel(&self, u: u32, v: u32) -> Rgb888 {
+        Rgb888::new((u >> 24) as u8, (v >> 24) as u8, (u >> 16 ^ v >> 12) as u8)
+    }
+}
+
+impl LitTexels for Colored {
+    const LEVEL_BITS: u32 = 7;
+
+    fn lit_texel(&self, u: u32, v: u32, level: u32) -> Rgb888 {
+        Rgb888::new((u >> 24) as u8, level as u8, (v >> 24) as u8)
+    }
+}
+
+/// However a row is cut into spans, by another target, by bands, by parts, by the painter or by what the depth buffer hides, a pixel
+/// shows the same texel: of repeated, clamped and lit textures of faces that planes cut.
 #[test]
-fn the_unit_of_coordinates_is_a_power_of_two_of_the_side() {
-    let corners = [[-6.0, -6.0, -6.0], [6.0, -6.0, -6.0], [6.0, 6.0, -6.0], [-6.0, 6.0, -6.0]];
-    let scene = quad(corners, 0.0, 0, -8);
-    let mesh = Mesh::new(&scene.vertices, scene.exponent, &scene.faces).unwrap();
-    let camera = Scene::camera();
-    let instance = camera.place(&mesh, &Affine::<Model, World>::identity());
-    for exponent in -15..=0 {
-        let full = 1i32 << -exponent; // one side
-        let full = i16::try_from(full.min(1 << 14)).unwrap();
-        let list = [[0, full], [full, full], [full, 0], [0, 0]];
-        let coords = TextureCoords::new(&list, &scene.faces, exponent).unwrap();
-        let (texels, exponent) = (Numbered([6, 3]), coords.exponent());
-        let (wide, texture) = (Texture::new(Wide(texels)), Texture::new(texels));
-        let blank = || Screen(vec![None; (SIDE * SIDE) as usize]);
-        let [mut screen, mut packed] = [blank(), blank()];
-        let wide = wide.with_exponent(exponent).unwrap();
-        let Ok(_) = instance.solid(|face| wide.at(coords.corners(face)), &mut [], &mut screen);
-        let texture = texture.with_exponent(exponent).unwrap();
-        let Ok(_) = instance.solid(|face| texture.at(coords.corners(face)), &mut [], &mut packed);
-        // The quad is 12 wide at a distance of 6, where the picture is 12·tan(30°) wide.
-        let share = 12.0 * (FOV.to_radians() / 2.0).tan() / 12.0;
-        let at = |x: u32| {
-            (0.5 + ((f64::from(x) + 0.5) / f64::from(SIDE) - 0.5) * share) * f64::from(full)
-                / 2f64.powi(-i32::from(exponent))
-        };
-        for x in 0..SIDE {
-            for (screen, bound) in [(&screen, 1e-4), (&packed, 1e-4 + 2.0 * PACKING)] {
-                let Some(Shown([u, v])) = screen.0[(x * SIDE + x) as usize] else { panic!("{x}") };
-                for shown in [u, v] {
-                    let off = f64::from(shown) / 2f64.powi(32) - at(x);
-                    assert!(((off + 0.5).rem_euclid(1.0) - 0.5).abs() < bound, "{exponent}, {x}: {off}");
-                }
-            }
-        }
+fn textured_faces_are_equal_by_every_draw_call() {
+    let mut rng = Rng::new(51);
+    let mut soup = |reach| {
+        let mut faces = Faces::soup(&mut rng, 60, reach, 2500, |rng| rng.int(-4000, 4000) as i16);
+        faces.push(
+            [[-6000, -80, 3000], [6000, -90, 3000], [0, -60, -9000]],
+            [[0, 3000], [3000, 3000], [1500, 0]],
+        );
+        faces
+    };
+    let usual = library(&perspective(2000.0));
+    for (name, lens, faces) in [
+        ("floor", usual, Faces::quad(floor(0.5, 9.5, 6.0), 25.0, 200, -10)),
+        ("horizon", usual, Faces::quad(floor(0.9, 1000.0, 900.0), 20.0, 1600, -5)),
+        ("wall", usual, Faces::quad(WALL, 70.0, 400, -4)),
+        ("far plane", library(&perspective(20.0)), soup(400)),
+        ("guard band", usual, soup(6000)),
+        ("slanted", library(&slanted()), soup(400)),
+        ("cabinet", cabinet().1, soup(900)),
+    ] {
+        let camera = camera(&lens).with_far_clip(true);
+        let texture = Texture::new(Colored);
+        let levels = |face: usize| [40 * face as u16 % 257, 256, 90 * face as u16 % 200];
+        faces.place(&camera, &mut |instance| {
+            let (drawn, _) =
+                by_every_call(instance, AREA, SKY, &[13, SIDE], &|face| texture.at(faces.uv[face]));
+            let pixels = drawn.solid.iter().filter(|&&pixel| pixel != SKY).count();
+            assert!(pixels > 5_000, "{name}: {pixels}");
+            everywhere(instance, AREA, SKY, &|face| texture.clamped_at(faces.uv[face]));
+            everywhere(instance, AREA, SKY, &|face| texture.at(faces.uv[face]).lit(levels(face)));
+            by_every_call(instance, AREA, SKY, &[13, SIDE], &|face| {
+                texture.clamped_at(faces.uv[face]).lit(levels(face))
+            });
+        });
     }
 }

@@ -69,12 +69,12 @@ pub enum Accuracy {
 /// [`Triangle::gradient`](crate::raster::Triangle::gradient), relative to the farthest corner, where q is least. Where this is not a
 /// shift of 1/64 pixel, a pixel may be off by up to 8·2⁻²⁴·E·r texels, E the face's range of coordinates in texels and r the
 /// ratio of its largest w to its least: 1/128 texel at E = 64 and r = 256. E is the larger range of u and v in the texture's
-/// units, because both are stored in one unit: a face with a long u has a coarser v, too. `tests/shading/texture_projections.rs`
+/// units, because both are stored in one unit: a face with a long u has a coarser v, too. `tests/shading/textures.rs`
 /// asserts this bound up to 4096 texels and r = 32767, and meets half of it on faces that reach far out of the picture with one
-/// corner close to the eye. Most faces stay far below it: `tests/shading/textures.rs` asserts 0.02 texel for floors of 1600
+/// corner close to the eye. Most faces stay far below it: 0.02 texel is asserted there for floors of 1600
 /// texels that reach a thousand times as far as the near plane, and for random triangles. Coordinates that are interpolated
 /// linearly are kept between those of the corners, which adds at most 2⁻¹³ of their range, or 1/400 texel if that is more
-/// (`tests/shading/texture_units.rs`, in every unit). The range of coordinates of a picture that does not repeat includes 0.
+/// (asserted there, in every unit). The range of coordinates of a picture that does not repeat includes 0.
 ///
 /// **Error of packing.** Unless texels ask for 32 bits ([`Texels::WIDE`]), u and v share a word: at most 37·2⁻¹⁶ of a side more, 1/27 texel
 /// of 64.

@@ -65,6 +65,17 @@ pub fn cube_camera(viewport: (i32, i32, u32, u32)) -> CameraBits {
     }
 }
 
+/// A camera that looks at the plane z = 0, with `units` units to a pixel and the lower left corner at the origin: vertices are exact on
+/// the screen. The planes near and far lie `depth` units before and behind the plane.
+pub fn flat_camera((width, height): (u32, u32), units: i32, depth: i32) -> CameraBits {
+    let [right, top] = [width, height].map(|pixels| pixels as i32 * units * ONE);
+    CameraBits {
+        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
+        projection: ProjectionBits::Orthographic([0, right, 0, top], -depth * ONE, depth * ONE),
+        viewport: (0, 0, width, height),
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Way {
     Wireframe,

@@ -3,6 +3,7 @@
 pub mod compare;
 pub mod draw;
 pub mod pair;
+pub mod ways;
 
 use crate::oracle::coverage::{Area, Counts, P};
 use core::convert::Infallible;

@@ -208,11 +208,6 @@ pub fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> M4 {
     ]
 }
 
-/// The map of a frustum to its box in signed z (docs/spec.md, section 4).
-pub fn squish(n: f64, f: f64) -> M4 {
-    [[n, 0.0, 0.0, 0.0], [0.0, n, 0.0, 0.0], [0.0, 0.0, n + f, -n * f], [0.0, 0.0, 1.0, 0.0]]
-}
-
 /// docs/spec.md, section 6.
 #[derive(Clone, Copy, Debug)]
 pub struct Viewport {

@@ -1,5 +1,6 @@
 //! Draw targets that record the calls of the library.
 
+use core::convert::Infallible;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -157,6 +158,90 @@ impl<C: PixelColor> DrawTarget for Recorder<C> {
         for at in points(&self.bounds.clone()) {
             self.put(at, colour);
         }
+        Ok(())
+    }
+}
+
+/// A DrawTarget of one area that takes single pixels, fills and runs: the last colour of each pixel, and how often it was drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Screen<C> {
+    area: Rectangle,
+    pub pixels: Vec<Option<C>>,
+    pub counts: Vec<u32>,
+}
+
+impl<C: PixelColor> Screen<C> {
+    pub fn new(area: Rectangle) -> Self {
+        let count = (area.size.width * area.size.height) as usize;
+        Screen { area, pixels: vec![None; count], counts: vec![0; count] }
+    }
+
+    /// From (0, 0) on.
+    pub fn sized(width: u32, height: u32) -> Self {
+        Self::new(Rectangle::new(Point::zero(), Size::new(width, height)))
+    }
+
+    /// The index of a pixel of the area.
+    fn index(&self, at: Point) -> usize {
+        assert!(self.area.contains(at), "{at} is outside {:?}", self.area);
+        let at = at - self.area.top_left;
+        at.y as usize * self.area.size.width as usize + at.x as usize
+    }
+
+    fn put(&mut self, at: Point, colour: C) {
+        let index = self.index(at);
+        self.pixels[index] = Some(colour);
+        self.counts[index] += 1;
+    }
+
+    pub fn at(&self, pixel: Point) -> Option<C> {
+        self.pixels[self.index(pixel)]
+    }
+
+    /// The drawn pixels, row by row.
+    pub fn drawn(&self) -> impl Iterator<Item = (Point, C)> + '_ {
+        points(&self.area).zip(&self.pixels).filter_map(|(at, &colour)| Some((at, colour?)))
+    }
+
+    /// All pixels, drawn over a background.
+    pub fn over(&self, background: C) -> Vec<C> {
+        self.pixels.iter().map(|colour| colour.unwrap_or(background)).collect()
+    }
+}
+
+impl<C: PixelColor> Dimensions for Screen<C> {
+    fn bounding_box(&self) -> Rectangle {
+        self.area
+    }
+}
+
+impl<C: PixelColor> DrawTarget for Screen<C> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(at, colour) in pixels {
+            self.put(at, colour);
+        }
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
+        points(area).for_each(|at| self.put(at, colour));
+        Ok(())
+    }
+
+    fn fill_contiguous<I>(&mut self, area: &Rectangle, colours: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = C>,
+    {
+        let mut colours = colours.into_iter();
+        for y in 0..area.size.height as i32 {
+            for x in 0..area.size.width as i32 {
+                self.put(area.top_left + Point::new(x, y), colours.next().expect("a colour for each pixel"));
+            }
+        }
+        assert!(colours.next().is_none(), "a pixel for each colour");
         Ok(())
     }
 }

@@ -97,7 +97,7 @@ Bounds that other tests hold, with their own measurements:
 | `ViewTransform::isometric`, rows | 2⁻³² | `s4_isometric_rows` |
 | `Quaternion` from micromath's, through `Affine::from_quaternion` | 2⁻²⁷ | `s2_quaternions_match_f64_and_micromath` |
 | `Lambert::level` | 1 of 256 | `tests/shading/light.rs` |
-| `Dim::dim` | ½ step of a channel | `dimmed_colors_round_each_channel` |
+| `Dim::dim` | ½ step of a channel | `levels_of_every_color_type_are_the_nearest` |
 | `clip::line`, `clip::triangle` | 2⁻²⁷ of the largest coordinate | `tests/pipeline/view_volume.rs` |
 | `raster` | none: exact | `tests/raster/fill_rule.rs`, `tests/raster/lines.rs`, `tests/raster/random_shapes.rs`, `tests/hard_cases/` |
 ";

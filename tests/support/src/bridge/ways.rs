@@ -1,0 +1,333 @@
+//! One picture by every way to draw it, each compared with the first: into memory and onto a DrawTarget, in one piece and in bands,
+//! with depth buffers of several layouts, by every draw call and from vertex caches of any length.
+//!
+//! Shaders come from `dyn Fn`: each type of a closure would instantiate every draw call again.
+
+use crate::oracle::target::Screen;
+use core::fmt::Debug;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::pixelcolor::PixelColor;
+use embedded_graphics_core::primitives::{PointsIter, Rectangle};
+use pinhole::{
+    Band, Coordinate, DepthBuffer, FacePlanes, Frame, MeshInstance, Painter, PixelFormat, Pixels,
+    ScreenVertex, SpanShader, Statistics, StoredPixel, Stroke,
+};
+
+/// The pictures of faces without depth and with depth, row by row, and the depth buffer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn<C> {
+    pub solid: Vec<C>,
+    pub deep: Vec<C>,
+    pub depths: Vec<u16>,
+}
+
+/// Draws into memory.
+pub type IntoMemory<'a, C> = dyn FnMut(&mut Pixels<'_, C>, &mut DepthBuffer<'_>) + 'a;
+
+/// Draws onto a DrawTarget that is not the library's.
+pub type OntoScreen<'a, C> = dyn FnMut(&mut Screen<C>, &mut DepthBuffer<'_>) + 'a;
+
+/// Draws a band.
+pub type IntoBand<'a, C> = dyn FnMut(&mut Band<'_, C>, &mut DepthBuffer<'_>) + 'a;
+
+/// Draws into the memory of a band, and counts.
+type CountedBand<'a, C, const N: usize> =
+    dyn FnMut(&mut Pixels<'_, C, [u8; N]>, &mut DepthBuffer<'_>) -> Statistics + 'a;
+
+/// What `draw` leaves in memory, and the depths of these pixels in a buffer of `depth_area`.
+pub fn memory_with<C: PixelColor>(
+    area: Rectangle,
+    depth_area: Rectangle,
+    background: C,
+    draw: &mut IntoMemory<'_, C>,
+) -> (Vec<C>, Vec<u16>) {
+    let count = |area: Rectangle| (area.size.width * area.size.height) as usize;
+    let (mut cells, mut depths) = (vec![background; count(area)], vec![0; count(depth_area)]);
+    let mut depth = DepthBuffer::new(depth_area, &mut depths).expect("a depth for each pixel");
+    draw(&mut Pixels::new(&mut cells, area).expect("a cell for each pixel"), &mut depth);
+    let depths = area.points().map(|at| depth.at(at).expect("the areas overlap")).collect();
+    (cells, depths)
+}
+
+/// What `draw` leaves in memory.
+pub fn memory<C: PixelColor>(area: Rectangle, background: C, draw: &mut IntoMemory<'_, C>) -> Vec<C> {
+    memory_with(area, area, background, draw).0
+}
+
+/// What `draw` leaves on a DrawTarget that is not the library's, and its depths.
+pub fn screen<C: PixelColor>(area: Rectangle, draw: &mut OntoScreen<'_, C>) -> (Screen<C>, Vec<u16>) {
+    let (mut screen, mut depths) =
+        (Screen::new(area), vec![0; (area.size.width * area.size.height) as usize]);
+    let mut depth = DepthBuffer::new(area, &mut depths).expect("a depth for each pixel");
+    draw(&mut screen, &mut depth);
+    let depths = depth.values().to_vec();
+    (screen, depths)
+}
+
+/// What bands of `rows` rows show, one after the other; the last may be lower.
+pub fn bands<C: PixelFormat>(
+    area: Rectangle,
+    background: C,
+    rows: u32,
+    draw: &mut IntoBand<'_, C>,
+) -> Vec<C> {
+    let mut frame = Frame::new(area, background);
+    let mut strip = vec![0xaa; Frame::<C>::strip_bytes(area.size.width, rows)];
+    let mut depths = vec![0; (area.size.width * rows) as usize];
+    let mut colours = Vec::new();
+    while let Some(mut band) = frame.next_band(&mut strip).expect("a row at least") {
+        let mut depth = DepthBuffer::new(band.area(), &mut depths).expect("a depth for each pixel");
+        draw(&mut band, &mut depth);
+        colours.extend(band.colors());
+    }
+    colours
+}
+
+/// Parts of an area, of odd width, and of one row to many.
+fn parts(area: Rectangle) -> Vec<Rectangle> {
+    let Size { width, height } = area.size;
+    let (left, mut top, mut all) = (area.top_left.x + width as i32 / 6, height as i32 / 20, Vec::new());
+    for rows in [1, 7, 40].into_iter().cycle() {
+        if top as u32 + rows > height {
+            break;
+        }
+        let corner = Point::new(left, area.top_left.y + top);
+        all.push(Rectangle::new(corner, Size::new((width / 2) | 1, rows)));
+        top += rows as i32;
+    }
+    all
+}
+
+/// The rows of a part, of a picture of the area.
+fn crop<T: Copy>(picture: &[T], area: Rectangle, part: Rectangle) -> Vec<T> {
+    let at =
+        |p: Point| (p - area.top_left).y as usize * area.size.width as usize + (p - area.top_left).x as usize;
+    part.points().map(|p| picture[at(p)]).collect()
+}
+
+/// Into memory: in one piece, in parts, and with depth buffers that are larger than the picture.
+fn parts_in_memory<C: PixelColor>(
+    area: Rectangle,
+    background: C,
+    solid: &mut IntoMemory<'_, C>,
+    deep: &mut IntoMemory<'_, C>,
+) -> Drawn<C> {
+    let whole = memory(area, background, solid);
+    let (pixels, depths) = memory_with(area, area, background, deep);
+    let wider =
+        |area: Rectangle| Rectangle::new(area.top_left - Point::new(3, 1), area.size + Size::new(5, 2));
+    for part in parts(area) {
+        assert!(memory(part, background, solid) == crop(&whole, area, part), "{part:?}");
+        let found = memory_with(part, wider(part), background, deep);
+        assert!(found == (crop(&pixels, area, part), crop(&depths, area, part)), "with depth, {part:?}");
+    }
+    Drawn { solid: whole, deep: pixels, depths }
+}
+
+/// Into memory, by the ways of [`parts_in_memory`].
+pub fn in_memory<C: PixelColor, S: SpanShader<C>>(
+    instance: &MeshInstance<'_>,
+    area: Rectangle,
+    background: C,
+    shade: &dyn Fn(usize) -> S,
+) -> Drawn<C> {
+    let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().vertices().len()];
+    let mut other = cache.clone();
+    let solid: &mut IntoMemory<'_, C> = &mut |target, _| {
+        let Ok(_) = instance.solid(shade, &mut cache, target);
+    };
+    parts_in_memory(area, background, solid, &mut |target, depth| {
+        let Ok(_) = instance.depth_tested(shade, &mut other, depth, target);
+    })
+}
+
+/// A DrawTarget that is not the library's, in one piece and in parts, shows what memory does.
+fn parts_on_screen<C: PixelColor>(
+    drawn: &Drawn<C>,
+    area: Rectangle,
+    background: C,
+    solid: &mut OntoScreen<'_, C>,
+    deep: &mut OntoScreen<'_, C>,
+) {
+    for part in parts(area).into_iter().chain([area]) {
+        let (found, _) = screen(part, solid);
+        assert!(found.over(background) == crop(&drawn.solid, area, part), "DrawTarget, {part:?}");
+        let (found, depths) = screen(part, deep);
+        assert!(found.over(background) == crop(&drawn.deep, area, part), "DrawTarget with depth, {part:?}");
+        assert!(depths == crop(&drawn.depths, area, part), "depths beside a DrawTarget, {part:?}");
+    }
+}
+
+/// One pixel in so many is picked: the columns of successive rows differ.
+const PICKED: usize = 247;
+
+/// Into memory, and onto a DrawTarget that is not the library's, in one piece and in parts; picking finds the depths that are stored.
+pub fn everywhere<C: PixelColor, S: SpanShader<C>>(
+    instance: &MeshInstance<'_>,
+    area: Rectangle,
+    background: C,
+    shade: &dyn Fn(usize) -> S,
+) -> Drawn<C> {
+    let drawn = in_memory(instance, area, background, shade);
+    let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().vertices().len() / 2];
+    let mut other = cache.clone();
+    let solid: &mut OntoScreen<'_, C> = &mut |target, _| {
+        let Ok(_) = instance.solid(shade, &mut cache, target);
+    };
+    parts_on_screen(&drawn, area, background, solid, &mut |target, depth| {
+        let Ok(_) = instance.depth_tested(shade, &mut other, depth, target);
+    });
+    if S::WRITES_DEPTH {
+        for (pixel, &depth) in area.points().zip(&drawn.depths).step_by(PICKED) {
+            let picked = instance.pick(pixel, shade, &mut other);
+            assert_eq!(picked.map_or(DepthBuffer::NOTHING, |picked| picked.depth), depth, "{pixel}");
+        }
+    }
+    drawn
+}
+
+/// By every draw call for faces: at once, binned and from far to near; onto a DrawTarget and into memory, in one piece and in bands of
+/// each height; from vertex caches of several lengths that hold the vertices of another picture. Binned faces are drawn onto a
+/// DrawTarget without depth, and into memory with depth: `properties` draws both by both.
+pub fn by_every_call<const N: usize, C, S, V, P>(
+    instance: &MeshInstance<'_, V, P>,
+    area: Rectangle,
+    background: C,
+    heights: &[u32],
+    shade: &dyn Fn(usize) -> S,
+) -> (Drawn<C>, Statistics)
+where
+    C: PixelFormat + StoredPixel<[u8; N]> + Debug,
+    S: SpanShader<C>,
+    V: Coordinate,
+    P: FacePlanes,
+{
+    let mesh = instance.mesh();
+    let mut stale = vec![ScreenVertex::EMPTY; mesh.vertices().len() + 3];
+    let _ = instance.transform(&mut stale);
+    stale.rotate_right(5);
+    let [mut cache, mut short] = [stale.len(), stale.len() / 3].map(|length| stale[..length].to_vec());
+    let mut bins = vec![0; mesh.face_bins_len()];
+    let mut counted = Vec::new();
+    let (solid, _) = screen(area, &mut |target, _| counted.extend(instance.solid(shade, &mut cache, target)));
+    let (deep, depths) = screen(area, &mut |target, depth| {
+        counted.extend(instance.depth_tested(shade, &mut short, depth, target))
+    });
+    let mut painter = Box::new(Painter::<S, 1500, 1000>::new());
+    painter.add(instance, shade).expect("room");
+    let order = painter.order();
+    let (painted, _) = screen(area, &mut |target, _| {
+        let Ok(()) = order.draw(target);
+    });
+    let [solid, deep, painted] = [solid, deep, painted].map(|screen| screen.over(background));
+
+    let check = |wanted: &[C], rows, what, draw: &mut IntoBand<'_, C>| {
+        assert!(bands(area, background, rows, draw) == wanted, "{what}, {rows} rows");
+    };
+    for &rows in heights {
+        check(&painted, rows, "painter", &mut |band, _| {
+            let Ok(()) = order.draw(&mut band.pixels());
+        });
+        check(&solid, rows, "at once, in memory", &mut |band, _| {
+            let Ok(statistics) = instance.solid(shade, &mut [], &mut band.pixels());
+            counted.push(statistics);
+        });
+        check(&deep, rows, "at once, with depth, in memory", &mut |band, depth| {
+            let Ok(statistics) = instance.depth_tested(shade, &mut cache, depth, &mut band.pixels());
+            counted.push(statistics);
+        });
+        let transformed = instance.transform_depth(&mut short);
+        let mut binned = transformed.bin_faces(&mut bins).expect("room");
+        check(&solid, rows, "binned", &mut |band, _| {
+            let Ok(()) = binned.solid(shade, band);
+        });
+        counted.push(binned.statistics());
+        let mut binned = instance.bin_faces_with_depth(&mut cache, &mut bins).expect("room");
+        check(&deep, rows, "binned, with depth, in memory", &mut |band, depth| {
+            let Ok(()) = binned.depth_tested(shade, depth, &mut band.pixels());
+        });
+        counted.push(binned.statistics());
+    }
+    assert!(counted.iter().all(|statistics| *statistics == counted[0]), "{counted:?}");
+    (Drawn { solid, deep, depths }, counted[0])
+}
+
+/// Pictures of edges: all of them, those before the faces, and those that faces do not hide.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lines<C> {
+    pub all: Vec<C>,
+    pub tested: Vec<C>,
+    pub hidden: Vec<C>,
+}
+
+/// By every draw call for edges, into memory: at once and in bands of each height. `face` colours the faces; without it, their depth is
+/// stored alone.
+pub fn lines_by_every_call<const N: usize, C, K, V>(
+    instance: &MeshInstance<'_, V>,
+    area: Rectangle,
+    background: C,
+    heights: &[u32],
+    stroke: K,
+    face: Option<C>,
+) -> Lines<C>
+where
+    C: PixelFormat + StoredPixel<[u8; N]> + Debug,
+    K: Stroke<C>,
+    V: Coordinate,
+{
+    let mesh = instance.mesh();
+    let mut cache = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
+    let (mut bins, mut edge_bins) = (vec![0; mesh.face_bins_len()], vec![0; mesh.edge_bins_len()]);
+    let mut counted = Vec::new();
+    let mut at_once = |draw: &mut CountedBand<'_, C, N>| {
+        bands(area, background, area.size.height, &mut |band, depth| {
+            counted.push(draw(&mut band.pixels(), depth))
+        })
+    };
+    let all = at_once(&mut |target, _| {
+        let Ok(statistics) = instance.wireframe(stroke, &mut [], target);
+        statistics
+    });
+    let mut over_faces = |is_hidden: bool| {
+        at_once(&mut |target, depth| {
+            let Ok(_) = match face {
+                Some(color) => instance.depth_tested(|_| color, &mut cache, depth, target),
+                None => Ok(instance.depth_only(&mut cache, depth)),
+            };
+            let Ok(statistics) = match is_hidden {
+                false => instance.wireframe_depth_tested(stroke, &mut cache, depth, target),
+                true => instance.hidden_line(stroke, &mut cache, depth, target),
+            };
+            statistics
+        })
+    };
+    let (tested, hidden) = (over_faces(false), over_faces(true));
+    let transformed = instance.transform_depth(&mut cache);
+    let mut faces = transformed.bin_faces(&mut bins).expect("room");
+    let mut edges = transformed.bin_edges(&mut edge_bins).expect("room");
+    counted.push(edges.statistics());
+    assert!(counted.iter().all(|statistics| *statistics == counted[0]), "{counted:?}");
+    for (&rows, (what, wanted)) in heights
+        .iter()
+        .flat_map(|rows| [("all", &all), ("tested", &tested), ("hidden", &hidden)].map(|way| (rows, way)))
+    {
+        let banded = bands(area, background, rows, &mut |band, depth| {
+            let target = &mut band.pixels();
+            let Ok(()) = match (what, face) {
+                ("all", _) => Ok(()),
+                (_, Some(color)) => faces.depth_tested(|_| color, depth, target),
+                _ => {
+                    faces.depth_only(depth);
+                    Ok(())
+                }
+            };
+            let Ok(()) = match what {
+                "all" => edges.draw(stroke, target),
+                "tested" => edges.depth_tested(stroke, depth, target),
+                _ => edges.hidden_line(stroke, depth, target),
+            };
+        });
+        assert!(banded == *wanted, "{what}, {rows} rows");
+    }
+    Lines { all, tested, hidden }
+}
