@@ -5,12 +5,12 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::raster::Pixel;
 use pinhole::{
-    draw_line, edge_faces, Affine, AntiAliased, Blend, Camera, DepthBuffer, Frame, Mesh, MeshInstance,
-    Picture, PixelFormat, Pixels, Point3, Projection, Scalar, ScreenVertex, Side, StoredPixel, Stroke,
-    ViewTransform, Viewport, Window,
+    draw_line, edge_faces, Affine, AntiAliased, Blend, Mesh, MeshInstance, PixelFormat, Pixels, ScreenVertex,
+    StoredPixel, Stroke,
 };
-use support::bridge::draw::{cube_camera, CUBE, CUBE_EDGES, CUBE_FACES};
+use support::bridge::draw::{cube_camera, flat_camera, CUBE, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{ModelBits, Step};
+use support::bridge::ways::{bands, lines_by_every_call, memory};
 use support::oracle::rng::Rng;
 
 const WIDTH: u32 = 64;
@@ -36,10 +36,11 @@ fn coverage(a: [f64; 2], b: [f64; 2], pixel: [i32; 2], ends: [i32; 2]) -> f64 {
     (0..4096).map(slice).sum()
 }
 
-fn picture<C: PixelFormat>(draw: impl FnOnce(&mut Pixels<'_, C>)) -> Vec<C> {
-    let mut cells = vec![C::decode(0); (WIDTH * HEIGHT) as usize];
-    draw(&mut Picture::new(&mut cells, Size::new(WIDTH, HEIGHT)).expect("cells").pixels());
-    cells
+const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
+
+/// What `draw` leaves in memory.
+fn picture<C: PixelFormat>(draw: &mut dyn FnMut(&mut Pixels<'_, C>)) -> Vec<C> {
+    memory(AREA, C::decode(0), &mut |target, _| draw(target))
 }
 
 #[test]
@@ -61,7 +62,7 @@ fn lines_between_pixels_cover_the_area_of_the_parallelogram() {
         let major = |p: [i64; 2]| p[usize::from(tall)] as i32;
         let ends = [major(a).min(major(b)), major(a).max(major(b)) + 1];
         let pixel = |[x, y]: [i64; 2]| Pixel { x: x as i16, y: y as i16 };
-        let cells = picture(|target| {
+        let cells = picture(&mut |target| {
             let Ok(()) = draw_line(pixel(a), pixel(b), AntiAliased(Gray8::WHITE), target);
         });
         let centre = |p: [i64; 2]| p.map(|v| v as f64 + 0.5);
@@ -73,7 +74,7 @@ fn lines_between_pixels_cover_the_area_of_the_parallelogram() {
             covered += u32::from(exact > 0.0);
         }
         // In the other direction, and in parts of the picture.
-        let back = picture(|target| {
+        let back = picture(&mut |target| {
             let Ok(()) = draw_line(pixel(b), pixel(a), AntiAliased(Gray8::WHITE), target);
         });
         assert!(back == cells || a == b, "{a:?} {b:?}");
@@ -109,107 +110,45 @@ fn cubes_in(viewport: (i32, i32, u32, u32), mut with: impl FnMut(&MeshInstance<'
     }
 }
 
-/// Draws in bands of these many rows, and compares with the picture.
-fn in_bands<const N: usize, C: PixelFormat + StoredPixel<[u8; N]> + core::fmt::Debug>(
-    rows: u32,
-    whole: &[C],
-    mut draw: impl FnMut(&mut Pixels<'_, C, [u8; N]>, &mut DepthBuffer<'_>),
-) {
-    let area = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
-    let mut strip = vec![0; Frame::<C>::strip_bytes(WIDTH, rows)];
-    let mut depths = vec![0; (WIDTH * rows) as usize];
-    let mut frame = Frame::new(area, C::decode(0));
-    let mut colors = Vec::new();
-    while let Some(mut band) = frame.next_band(&mut strip).expect("a strip") {
-        let mut depth = DepthBuffer::new(band.area(), &mut depths).expect("depths");
-        draw(&mut band.pixels(), &mut depth);
-        colors.extend(band.colors());
-    }
-    assert!(colors == whole, "{rows} rows");
-}
-
 fn all_ways<const N: usize, C: PixelFormat + StoredPixel<[u8; N]> + Blend + core::fmt::Debug>(
     color: C,
     face: C,
 ) {
-    let stroke = AntiAliased(color);
+    let (stroke, background) = (AntiAliased(color), C::decode(0));
     let (mut mixed, mut different) = (0, 0);
     cubes(|instance| {
-        let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 8], [0; 13]);
-        let plain = picture(|target| {
-            let Ok(_) = instance.wireframe(stroke, &mut [], target);
-        });
-        mixed += plain.iter().filter(|&&pixel| ![color, C::decode(0)].contains(&pixel)).count();
+        let heights = [1, 2, 5, 8, HEIGHT];
+        let lines = lines_by_every_call(instance, AREA, background, &heights, stroke, Some(face));
+        mixed += lines.all.iter().filter(|&&pixel| ![color, background].contains(&pixel)).count();
+        different += u32::from(lines.hidden != lines.tested);
         // With nothing in front: equal to the lines without depth.
-        let mut depths = vec![0; (WIDTH * HEIGHT) as usize];
-        let area = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
-        let open = picture(|target| {
-            let mut depth = DepthBuffer::new(area, &mut depths).expect("depths");
-            let Ok(_) = instance.hidden_line(stroke, &mut [], &mut depth, target);
+        let open = memory(AREA, background, &mut |target, depth| {
+            let Ok(_) = instance.hidden_line(stroke, &mut [], depth, target);
         });
-        assert!(open == plain);
-        // Over faces, then hidden lines and lines with depth.
-        let mut drawn = |hidden: bool| {
-            picture(|target| {
-                let mut depth = DepthBuffer::new(area, &mut depths).expect("depths");
-                let Ok(_) = instance.depth_tested(|_| face, &mut [], &mut depth, target);
-                let Ok(_) = match hidden {
-                    true => instance.hidden_line(stroke, &mut [], &mut depth, target),
-                    false => instance.wireframe_depth_tested(stroke, &mut [], &mut depth, target),
-                };
-            })
-        };
-        let (hidden, tested) = (drawn(true), drawn(false));
-        different += u32::from(hidden != tested);
-        let mut face_bins = [0; 13];
-        let transformed = instance.transform_depth(&mut cache);
-        let mut faces = transformed.bin_faces(&mut face_bins).expect("room");
+        assert!(open == lines.all);
+        // Plain and anti-aliased lines by turns, from the same bins.
+        let plain = picture(&mut |target| {
+            let Ok(_) = instance.wireframe(color, &mut [], target);
+        });
+        let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 8], [0; 13]);
+        let transformed = instance.transform(&mut cache);
         let mut edges = transformed.bin_edges(&mut bins).expect("room");
-        for rows in [1, 2, 5, 8, HEIGHT] {
-            in_bands(rows, &plain, |band, _| {
-                let Ok(()) = edges.draw(stroke, band);
-            });
-            in_bands(rows, &hidden, |band, depth| {
-                let Ok(()) = faces.depth_tested(|_| face, depth, band);
-                let Ok(()) = edges.hidden_line(stroke, depth, band);
-            });
-            in_bands(rows, &tested, |band, depth| {
-                let Ok(()) = faces.depth_tested(|_| face, depth, band);
-                let Ok(()) = edges.depth_tested(stroke, depth, band);
-            });
-            // Plain and anti-aliased lines by turns, from the same bins.
-            let mut turn = 0;
-            let both = picture(|target| {
-                for (y, plain) in (0..HEIGHT).step_by(rows as usize).zip([true, false].into_iter().cycle()) {
-                    let mut cells = vec![C::decode(0); (WIDTH * HEIGHT) as usize];
-                    let mut other = Picture::new(&mut cells, Size::new(WIDTH, HEIGHT)).expect("cells");
-                    let Ok(_) = match plain {
-                        true => instance.wireframe(color, &mut [], &mut other.pixels()),
-                        false => instance.wireframe(stroke, &mut [], &mut other.pixels()),
-                    };
-                    let area =
-                        Rectangle::new(Point::new(0, y as i32), Size::new(WIDTH, rows.min(HEIGHT - y)));
-                    copy(&cells, area, target);
-                }
-            });
-            in_bands(rows, &both, |band, _| {
-                turn += 1;
-                let Ok(()) = match turn % 2 {
-                    1 => edges.draw(color, band),
-                    _ => edges.draw(stroke, band),
+        for rows in heights {
+            let mut is_plain = false;
+            let both = bands(AREA, background, rows, &mut |band, _| {
+                is_plain = !is_plain;
+                let Ok(()) = match is_plain {
+                    true => edges.draw(color, &mut band.pixels()),
+                    false => edges.draw(stroke, &mut band.pixels()),
                 };
             });
+            for (i, pixel) in both.into_iter().enumerate() {
+                let is_plain = (i as u32 / WIDTH / rows).is_multiple_of(2);
+                assert_eq!(pixel, if is_plain { plain[i] } else { lines.all[i] }, "{rows} rows");
+            }
         }
     });
     assert!(mixed > 2_000 && different > 3, "{mixed}, {different}");
-}
-
-fn copy<C: PixelFormat>(cells: &[C], area: Rectangle, target: &mut Pixels<'_, C>) {
-    use pinhole::{raster::Span, Target};
-    for point in area.points() {
-        let color = cells[(point.y * WIDTH as i32 + point.x) as usize];
-        let Ok(()) = target.fill(Span { x: point.x, y: point.y, width: 1, height: 1 }, color);
-    }
 }
 
 #[test]
@@ -225,18 +164,9 @@ fn no_pixel_outside_the_viewport_changes() {
     let viewport = Rectangle::new(Point::new(x, y), Size::new(width, height));
     let mut at_border = 0;
     cubes_in((x, y, width, height), |instance| {
-        let mut depths = vec![0; (WIDTH * HEIGHT) as usize];
-        let area = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
-        for depth_tested in [false, true] {
-            let pixels = picture::<Gray8>(|target| {
-                let mut depth = DepthBuffer::new(area, &mut depths).expect("depths");
-                let stroke = AntiAliased(Gray8::WHITE);
-                let Ok(_) = match depth_tested {
-                    false => instance.wireframe(stroke, &mut [], target),
-                    true => instance.wireframe_depth_tested(stroke, &mut [], &mut depth, target),
-                };
-            });
-            for (point, pixel) in area.points().zip(pixels) {
+        let lines = lines_by_every_call(instance, AREA, Gray8::BLACK, &[], AntiAliased(Gray8::WHITE), None);
+        for pixels in [lines.all, lines.tested] {
+            for (point, pixel) in AREA.points().zip(pixels) {
                 assert!(viewport.contains(point) || pixel == Gray8::BLACK, "{point}: {pixel:?}");
                 let is_inner = viewport.offset(-1).contains(point);
                 at_border += u32::from(!is_inner && pixel != Gray8::BLACK);
@@ -249,24 +179,11 @@ fn no_pixel_outside_the_viewport_changes() {
 /// The edges at the back of a closed solid lie behind its faces; those in front are drawn in full strength.
 #[test]
 fn faces_hide_the_lines_behind_them() {
-    let area = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
     let [mut hidden, mut missing, mut more, mut drawn_pixels] = [0_u32; 4];
     cubes(|instance| {
-        let drawn = |stroke: bool| {
-            let mut depths = vec![0; (WIDTH * HEIGHT) as usize];
-            picture(|target| {
-                let mut depth = DepthBuffer::new(area, &mut depths).expect("depths");
-                instance.depth_only(&mut [], &mut depth);
-                let Ok(_) = match stroke {
-                    true => instance.hidden_line(AntiAliased(Gray8::WHITE), &mut [], &mut depth, target),
-                    false => instance.hidden_line(Gray8::WHITE, &mut [], &mut depth, target),
-                };
-            })
-        };
-        let all = picture(|target| {
-            let Ok(_) = instance.wireframe(Gray8::WHITE, &mut [], target);
-        });
-        let (smooth, plain) = (drawn(true), drawn(false));
+        let plain = lines_by_every_call(instance, AREA, Gray8::BLACK, &[], Gray8::WHITE, None);
+        let smooth = lines_by_every_call(instance, AREA, Gray8::BLACK, &[], AntiAliased(Gray8::WHITE), None);
+        let (all, plain, smooth) = (plain.all, plain.hidden, smooth.hidden);
         let at = |cells: &[Gray8], x: i32, y: i32| {
             let inside = (0..WIDTH as i32).contains(&x) && (0..HEIGHT as i32).contains(&y);
             if inside {
@@ -278,7 +195,7 @@ fn faces_hide_the_lines_behind_them() {
         let near = |cells: &[Gray8], x: i32, y: i32| {
             (-2..=2).any(|dy| (-2..=2).any(|dx| at(cells, x + dx, y + dy) > 0))
         };
-        for point in area.points() {
+        for point in AREA.points() {
             let (x, y) = (point.x, point.y);
             // Within two pixels of a plain line there is an anti-aliased one, and the other way round.
             drawn_pixels += u32::from(at(&smooth, x, y) > 0);
@@ -295,20 +212,10 @@ fn faces_hide_the_lines_behind_them() {
     );
 }
 
-/// A camera that looks at the plane z = 0 with 16 units to a pixel: vertices are exact on the screen.
-fn flat_camera() -> Camera {
-    let viewport = Viewport::new(Point::zero(), Size::new(WIDTH, HEIGHT)).expect("a viewport");
-    let [zero, one] = [0, 1].map(Scalar::from_int);
-    let [right, top] = [WIDTH, HEIGHT].map(|v| Scalar::from_int(v as i32 * 16));
-    let window = Window { left: zero, right, bottom: zero, top };
-    let view = ViewTransform::multiview(Point3::from_ints(0, 0, 0), Side::Front);
-    Camera::new(&view, &Projection::orthographic(window, -one, one).expect("a box"), &viewport)
-}
-
 /// The colors that lines of one direction leave multiply: the parts of a line have the pixels of the line, wherever it is divided.
 #[test]
 fn the_parts_of_a_line_are_the_line() {
-    let camera = flat_camera();
+    let camera = flat_camera((WIDTH, HEIGHT), 16, 1).library();
     let mut rng = Rng::new(0x1A);
     let mut largest = 0;
     for _ in 0..50 {
@@ -320,7 +227,7 @@ fn the_parts_of_a_line_are_the_line() {
         let ends = [at(0), at(100)];
         let whole = Mesh::new(&ends, 0, &[]).expect("points");
         let draw = |mesh: &Mesh<'_>, stroke: AntiAliased<Gray8>| {
-            picture(|target| {
+            picture(&mut |target| {
                 let Ok(_) = camera.place(mesh, &Affine::identity()).polyline(stroke, target);
             })
         };
@@ -340,7 +247,7 @@ fn the_parts_of_a_line_are_the_line() {
 /// too.
 #[test]
 fn bands_have_the_pixels_of_edges_one_row_beyond_the_ends() {
-    let camera = flat_camera();
+    let camera = flat_camera((WIDTH, HEIGHT), 16, 1).library();
     let mut rng = Rng::new(0x2B);
     let mut beyond = 0;
     for i in 0..200 {
@@ -352,10 +259,10 @@ fn bands_have_the_pixels_of_edges_one_row_beyond_the_ends() {
         let mesh = Mesh::new(&ends, 0, &[]).and_then(|mesh| mesh.with_edges(&[[0, 1]])).expect("an edge");
         let instance = camera.place(&mesh, &Affine::identity());
         let stroke = AntiAliased(Gray8::WHITE);
-        let whole = picture(|target| {
+        let whole = picture(&mut |target| {
             let Ok(_) = instance.wireframe(stroke, &mut [], target);
         });
-        let plain = picture(|target| {
+        let plain = picture(&mut |target| {
             let Ok(_) = instance.wireframe(Gray8::WHITE, &mut [], target);
         });
         let rows = |cells: &[Gray8]| {
@@ -366,13 +273,8 @@ fn bands_have_the_pixels_of_edges_one_row_beyond_the_ends() {
         let ([first, last], [plain_first, plain_last]) = (rows(&whole), rows(&plain));
         assert!(plain_first - first <= 1 && last - plain_last <= 1);
         beyond += i32::from(plain_first - first == 1) + i32::from(last - plain_last == 1);
-        let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 2], [0; 2]);
-        let mut edges = instance.transform(&mut cache).bin_edges(&mut bins).expect("room");
-        for rows in [1, 2, 3, 4, 7] {
-            in_bands(rows, &whole, |band, _| {
-                let Ok(()) = edges.draw(stroke, band);
-            });
-        }
+        let lines = lines_by_every_call(&instance, AREA, Gray8::BLACK, &[1, 2, 3, 4, 7], stroke, None);
+        assert!(lines.all == whole);
     }
     assert!(beyond >= 100, "{beyond}");
 }

@@ -3,14 +3,15 @@
 
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, GrayColor, Rgb565};
 use embedded_graphics_core::prelude::*;
+use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
     BandError, BinError, Cull, DepthBuffer, DepthBufferError, Frame, Mesh, MeshInstance, ScreenVertex,
     Statistics,
 };
-use support::bridge;
-use support::bridge::draw::{cube_camera, room_faces, CUBE, CUBE_EDGES, CUBE_FACES};
+use support::bridge::draw::{cube_camera, CUBE, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::rectangle;
+use support::bridge::ways::{bands, screen};
 use support::oracle::target::{Call, Recorder, Refused};
 
 fn cube<R>(viewport: (i32, i32, u32, u32), then: impl FnOnce(&MeshInstance<'_>) -> R) -> R {
@@ -47,13 +48,11 @@ fn luma(display: &Recorder<Gray8>) -> Vec<u8> {
     display.bounding_box().points().map(|p| display.colour(p.x, p.y).map_or(0, |c| c.luma())).collect()
 }
 
-fn whole(instance: &MeshInstance<'_>, area: (i32, i32, u32, u32)) -> Vec<u8> {
-    let area = rectangle(area.0, area.1, area.2, area.3);
-    let mut display = Recorder::new(area);
-    let mut storage = vec![0; (area.size.width * area.size.height) as usize];
-    let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
-    instance.depth_tested(colour, &mut [ScreenVertex::EMPTY; 8], &mut depth, &mut display).expect("no error");
-    luma(&display)
+fn whole(instance: &MeshInstance<'_>, area: Rectangle) -> Vec<u8> {
+    let (drawn, _) = screen(area, &mut |target, depth| {
+        let Ok(_) = instance.depth_tested(colour, &mut [ScreenVertex::EMPTY; 8], depth, target);
+    });
+    drawn.over(Gray8::BLACK).into_iter().map(|color| color.luma()).collect()
 }
 
 #[test]
@@ -114,26 +113,6 @@ fn more_faces_than_records_can_count_are_refused() {
     assert!(camera.place(&mesh, &model).transform(&mut []).bin_faces(&mut bin_storage).is_ok());
 }
 
-#[test]
-fn a_viewport_beside_the_target_draws_background_and_one_larger_a_crop() {
-    for viewport in
-        [(100, 0, 64, 64), (0, -64, 64, 64), (-30, 20, 64, 64), (-20, -20, 104, 104), (5, 5, 9, 9)]
-    {
-        cube(viewport, |instance| {
-            let area = (0, 0, 64, 64);
-            for rows in [1, 5, 64] {
-                let mut display = Recorder::sized(64, 64);
-                let statistics = draw(instance, rows, &mut display).expect("no error");
-                assert_eq!(statistics.drawn, 6);
-                assert!(luma(&display) == whole(instance, area), "{viewport:?}, {rows} rows");
-                assert_eq!((display.outside, display.pixels.len()), (0, 64 * 64));
-                let seen = luma(&display).iter().any(|&luma| luma != 0);
-                assert_eq!(seen, !matches!(viewport, (100, ..) | (0, -64, ..)));
-            }
-        });
-    }
-}
-
 /// Bands beside, above and below the viewport alternate with bands of it: there the shader is not called, and later bands
 /// are complete.
 #[test]
@@ -181,7 +160,7 @@ fn a_display_error_in_mid_frame_is_returned() {
             assert_eq!(display.calls.len(), after + 1);
             display.fails_at = None;
             draw(instance, 8, &mut display).expect("a display that works again");
-            assert!(luma(&display) == whole(instance, (0, 0, 64, 64)), "after {after} bands");
+            assert!(luma(&display) == whole(instance, rectangle(0, 0, 64, 64)), "after {after} bands");
         }
     });
 }
@@ -243,62 +222,33 @@ fn a_mesh_larger_than_the_storage_streams_in_chunks() {
     let instance = camera.place(&mesh, &model).with_cull(Cull::None);
     let area = rectangle(0, 0, 96, 64);
     let shade = |face: usize| Gray8::new((face * 7 % 251) as u8 + 1);
-    let (mut reference, mut storage) = (Recorder::new(area), vec![0; 96 * 64]);
-    let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
-    instance.depth_tested(shade, &mut [], &mut depth, &mut reference).expect("no error");
+    let (reference, _) = screen(area, &mut |target, depth| {
+        let Ok(_) = instance.depth_tested(shade, &mut [], depth, target);
+    });
+    let reference = reference.over(Gray8::BLACK);
 
     // In chunks: each chunk is transformed again for every band, with storage for two rows of posts.
     let chunk_faces: Vec<[u16; 3]> = (0..255).flat_map(|x| quad(x, 0)).collect();
     let mut corners = [ScreenVertex::EMPTY; 512];
-    let mut frame = Frame::new(area, Gray8::BLACK);
-    let (mut strip, mut picture) = (vec![0; 96 * 16], Vec::<u8>::new());
-    while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
-        let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
+    let picture = bands(area, Gray8::BLACK, 16, &mut |band, depth| {
         for z in rows.clone() {
             let own = &vertices[z as usize * 256..(z as usize + 2) * 256];
             let chunk = Mesh::new(own, -13, &chunk_faces).expect("a mesh");
-            let first = z as usize * 510;
-            let Ok(_) = camera.place(&chunk, &model).with_cull(Cull::None).depth_tested(
-                |face| shade(first + face),
-                &mut corners,
-                &mut depth,
-                &mut band,
-            );
+            let chunk = camera.place(&chunk, &model).with_cull(Cull::None);
+            let Ok(_) = chunk.depth_tested(|face| shade(z as usize * 510 + face), &mut corners, depth, band);
         }
-        picture.extend(band.bytes());
-    }
-    assert!(picture == luma(&reference));
+    });
+    assert!(picture == reference);
 
     // Binned once, with a cache of 300 vertices: the others are computed where a face needs them.
     let mut bin_storage = vec![0; faces.len() + faces.len().div_ceil(16)];
     let projected = instance.transform_depth(&mut corners[..300]);
     let mut recorded = projected.bin_faces(&mut bin_storage).expect("room");
-    let (mut frame, mut picture) = (Frame::new(area, Gray8::BLACK), Vec::<u8>::new());
-    while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
-        let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
-        let Ok(()) = recorded.depth_tested(shade, &mut depth, &mut band);
-        picture.extend(band.bytes());
-    }
-    assert!(picture == luma(&reference));
-    assert!(picture.iter().filter(|&&luma| luma != 0).count() > 1000, "hardly anything is seen");
-}
-
-/// Seen from inside, the near plane cuts faces in every band; the bands add up to the full picture.
-#[test]
-fn a_room_seen_from_inside_in_bands_is_complete() {
-    let faces = room_faces();
-    let mesh = Mesh::new(&CUBE, 1, &faces).expect("a mesh");
-    let mut camera = cube_camera((0, 0, 64, 64));
-    camera.view =
-        bridge::pair::ViewBits::LookAlong([0, ONE / 2, ONE], [ONE / 3, -ONE / 5, -ONE], [0, ONE, 0]);
-    let instance = camera.library().place(&mesh, &ModelBits(vec![]).library());
-    for rows in [1, 3, 16, 64] {
-        let mut display = Recorder::sized(64, 64);
-        let statistics = draw(&instance, rows, &mut display).expect("no error");
-        assert!(statistics.clipped > 0);
-        let picture = luma(&display);
-        assert!(picture == whole(&instance, (0, 0, 64, 64)) && picture.iter().all(|&luma| luma != 0));
-    }
+    let picture = bands(area, Gray8::BLACK, 16, &mut |band, depth| {
+        let Ok(()) = recorded.depth_tested(shade, depth, band);
+    });
+    assert!(picture == reference);
+    assert!(picture.iter().filter(|&&color| color != Gray8::BLACK).count() > 1000, "hardly anything is seen");
 }
 
 /// One unit is one pixel, with y up: faces and edges that only touch the viewport's borders from outside, which share no pixel with

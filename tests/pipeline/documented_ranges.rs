@@ -1,10 +1,10 @@
-//! Arguments beyond their documented range: weights of a clipped corner, spans that leave the area, painters that are full.
+//! Arguments beyond their documented range: weights of a clipped corner and spans that leave the area.
 
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics::prelude::Size;
 use pinhole::clip::{Barycentric, Varying};
 use pinhole::raster::Span;
-use pinhole::{PainterError, Picture, Target};
+use pinhole::{Picture, Target};
 
 /// A parameter beyond its range counts as the nearer end of the range.
 #[test]
@@ -58,19 +58,4 @@ fn a_span_higher_than_the_picture_fills_its_rows_alone() {
     assert_eq!(fill(Span { x: 1, y: 2, width: 2, height: i32::MAX }), [0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0]);
     assert_eq!(fill(Span { x: 1, y: 3, width: 2, height: i32::MAX }), [0; 12]);
     assert_eq!(fill(Span { x: 1, y: 1, width: 2, height: -5 }), [0; 12]);
-}
-
-/// A painter of the largest size cannot be made larger: the message gives the limit instead of advising a larger one.
-#[test]
-fn a_full_painter_of_the_largest_size_is_not_told_to_grow() {
-    let most = [
-        PainterError::Faces { needed: 70_000, capacity: 65_535 },
-        PainterError::Vertices { needed: 70_000, capacity: 65_536 },
-    ];
-    for error in most {
-        let text = error.to_string();
-        assert!(!text.contains("raise") && text.contains("at most 6553") && text.contains("70000"), "{text}");
-    }
-    let small = PainterError::Faces { needed: 70_000, capacity: 100 };
-    assert_eq!(small.to_string(), "70000 faces, but the painter has room for 100: raise FACES");
 }

@@ -1,14 +1,15 @@
 //! Hidden-line removal, with one bit per pixel, against an oracle that compares the edge with every face.
 
 use super::solids::{self, Solid};
+use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::BinaryColor;
-use pinhole::{edge_faces, Cull, DepthBuffer, Frame, Mesh, MeshInstance, ScreenVertex};
+use pinhole::{edge_faces, Cull, DepthBuffer, Mesh, MeshInstance, ScreenVertex};
 use support::bridge;
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::bridge::ways::{bands, screen};
 use support::oracle::hidden::{self, Vertex};
 use support::oracle::line;
 use support::oracle::rng::Rng;
-use support::oracle::target::Recorder;
 
 /// The drawn part of each edge.
 #[derive(Debug, Default)]
@@ -38,21 +39,17 @@ const HEIGHT: u32 = 240;
 
 /// The hidden lines of a mesh, one bit a pixel, in bands of this many rows.
 fn in_bands(instance: &MeshInstance<'_>, rows: u32) -> Vec<BinaryColor> {
-    let (mesh, mut picture) = (instance.mesh(), Vec::new());
+    let mesh = instance.mesh();
     let mut corners = vec![ScreenVertex::EMPTY; mesh.cache_len()];
     let projected = instance.transform_depth(&mut corners);
     let (mut bin_storage, mut more) = (vec![0; mesh.face_bins_len()], vec![0; mesh.edge_bins_len()]);
     let mut faces = projected.bin_faces(&mut bin_storage).expect("room");
     let mut edges = projected.bin_edges(&mut more).expect("room");
-    let mut frame = Frame::new(bridge::rectangle(0, 0, WIDTH, HEIGHT), BinaryColor::Off);
-    let mut strip = vec![0; Frame::<BinaryColor>::strip_bytes(WIDTH, rows)];
-    let mut storage = vec![0; (WIDTH * rows) as usize];
-    while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
-        let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
-        faces.depth_only(&mut depth);
-        let Ok(()) = edges.hidden_line(BinaryColor::On, &mut depth, &mut band);
-        picture.extend(band.colors());
-    }
+    let picture =
+        bands(bridge::rectangle(0, 0, WIDTH, HEIGHT), BinaryColor::Off, rows, &mut |band, depth| {
+            faces.depth_only(depth);
+            let Ok(()) = edges.hidden_line(BinaryColor::On, depth, band);
+        });
     assert_eq!(faces.statistics().clipped + faces.statistics().outside, 0);
     picture
 }
@@ -133,7 +130,12 @@ fn all_edges_of_a_convex_object_are_drawn_whole() {
     let mut rng = Rng::new(11);
     let mut all = Score::default();
     for turn in 0..300 {
-        let solid = [solids::block, solids::hull, solids::prism][turn % 3](&mut rng);
+        let corners = 5 + rng.below(8);
+        let solid = match turn % 3 {
+            0 => solids::block(&mut rng),
+            1 => solids::hull(&mut rng, corners),
+            _ => solids::prism(&mut rng),
+        };
         let score = score(&solid, true, &camera(), &any_turn(&mut rng));
         assert!(score.missing == 0.0 && score.hidden == 0, "{turn}: {score:?}");
         all.add(&score);
@@ -192,18 +194,17 @@ fn an_edge_of_a_face_seen_edge_on_is_drawn_whole() {
         };
         let library = camera.library();
         let instance = library.place(&mesh, &ModelBits::default().library());
-        let mut storage = vec![0; 160 * 120];
-        let mut depth = DepthBuffer::new(bridge::rectangle(0, 0, 160, 120), &mut storage).expect("storage");
-        instance.depth_only(&mut [], &mut depth);
-        let mut target = Recorder::<BinaryColor>::sized(160, 120);
-        instance.hidden_line(BinaryColor::On, &mut [], &mut depth, &mut target).expect("no error");
+        let (target, _) = screen(bridge::rectangle(0, 0, 160, 120), &mut |target, depth| {
+            instance.depth_only(&mut [], depth);
+            let Ok(_) = instance.hidden_line(BinaryColor::On, &mut [], depth, target);
+        });
         let exact = |i| instance.project_unsnapped(i).expect("in view").map(|v| v as f64 / 4_294_967_296.0);
         let vertices: Vec<Vertex> = (0..8).map(exact).collect();
         let front = hidden::front_faces(&solid.faces, &vertices);
         for &edge in solid.edges.iter().filter(|&&edge| front.iter().any(|face| face.has_edge(edge))) {
             let [a, b] = edge.map(|i| instance.project(i.into()).expect("in view").point.pixel());
             let pixels = line::pixels((a.x.into(), a.y.into()), (b.x.into(), b.y.into()));
-            let is_drawn = |&(x, y): &(i64, i64)| target.pixels.contains_key(&(x as i32, y as i32));
+            let is_drawn = |&(x, y): &(i64, i64)| target.at(Point::new(x as i32, y as i32)).is_some();
             assert!(pixels.iter().all(is_drawn), "pitch {pitch}, {edge:?}");
             edge_on += 1;
         }
@@ -286,13 +287,13 @@ fn an_edge_without_faces_stays_so_in_large_meshes() {
             .and_then(|m| m.with_edge_faces(&beside))
             .expect("a mesh");
         let instance = camera.place(&mesh, &model);
-        let mut storage = vec![0; 64 * 64];
-        let mut depth = DepthBuffer::new(bridge::rectangle(0, 0, 64, 64), &mut storage).expect("storage");
-        instance.depth_only(&mut [], &mut depth);
-        let mut target = Recorder::<BinaryColor>::sized(64, 64);
-        let statistics = instance.hidden_line(BinaryColor::On, &mut [], &mut depth, &mut target);
-        assert_eq!(statistics.expect("no error").drawn, 1);
-        assert!(target.pixels.is_empty(), "{count} faces: {} pixels", target.pixels.len());
+        let mut drawn = 0;
+        let (target, _) = screen(bridge::rectangle(0, 0, 64, 64), &mut |target, depth| {
+            instance.depth_only(&mut [], depth);
+            let Ok(statistics) = instance.hidden_line(BinaryColor::On, &mut [], depth, target);
+            drawn = statistics.drawn;
+        });
+        assert_eq!((drawn, target.drawn().count()), (1, 0), "{count} faces");
     }
 }
 
@@ -318,54 +319,47 @@ fn hidden_lines_draw_the_edges_of_clipped_faces() {
         }
         .library();
         let model = ModelBits(vec![Step::X(rng.bits()), Step::Y(rng.bits())]).library();
+        let depths_of = |mesh: &Mesh<'_>, cut: &mut u32| {
+            let (_, depths) = screen::<BinaryColor>(area, &mut |_, depth| {
+                *cut += camera.place(mesh, &model).depth_only(&mut [], depth).clipped;
+            });
+            depths
+        };
         let alone: Vec<Vec<u16>> = (solid.faces.iter())
             .map(|&face| {
-                let mut storage = vec![0; (SIDE * SIDE) as usize];
-                let faces = [face];
-                let mesh = Mesh::new(&solid.vertices, solid.exponent, &faces).expect("a face");
-                let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
-                cut += camera.place(&mesh, &model).depth_only(&mut [], &mut depth).clipped;
-                storage
+                depths_of(&Mesh::new(&solid.vertices, solid.exponent, &[face]).expect("a face"), &mut cut)
             })
             .collect();
-        let mut storage = vec![0; (SIDE * SIDE) as usize];
-        let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
-        camera.place(&whole, &model).depth_only(&mut [], &mut depth);
-        let held = depth.values().to_vec();
+        let held = depths_of(&whole, &mut 0);
         for (edge, pair) in solid.edges.iter().zip(&solid.edge_faces()) {
             let (edges, beside) = ([*edge], [*pair]);
-            let mesh = whole.with_edges(&edges).and_then(|m| m.with_edge_faces(&beside)).expect("an edge");
-            let instance = camera.place(&mesh, &model);
-            let mut storage = vec![0; (SIDE * SIDE) as usize];
-            let mut own = DepthBuffer::new(area, &mut storage).expect("storage");
-            let mut line = Recorder::<BinaryColor>::sized(SIDE, SIDE);
-            instance.wireframe_depth_tested(BinaryColor::On, &mut [], &mut own, &mut line).expect("no error");
-            let mut target = Recorder::<BinaryColor>::sized(SIDE, SIDE);
-            instance.hidden_line(BinaryColor::On, &mut [], &mut depth, &mut target).expect("no error");
             let unlisted = whole.with_edges(&edges).expect("an edge");
-            let mut same = Recorder::<BinaryColor>::sized(SIDE, SIDE);
-            camera
-                .place(&unlisted, &model)
-                .hidden_line(BinaryColor::On, &mut [], &mut depth, &mut same)
-                .expect("no error");
-            assert_eq!(
-                same.pixels, target.pixels,
-                "faces that are found, not listed: round {round}, {edge:?}"
-            );
-            assert_eq!(depth.values(), held, "depth is looked at only");
-            for &(x, y) in line.pixels.keys() {
-                let at = (y * SIDE as i32 + x) as usize;
-                let is_drawn = target.pixels.contains_key(&(x, y));
-                let nearer = own.values()[at] <= held[at];
+            let listed = unlisted.with_edge_faces(&beside).expect("two faces");
+            let (line, own) = screen(area, &mut |target, depth| {
+                let instance = camera.place(&listed, &model);
+                let Ok(_) = instance.wireframe_depth_tested(BinaryColor::On, &mut [], depth, target);
+            });
+            let [target, found] = [&listed, &unlisted].map(|mesh| {
+                let (target, depths) = screen(area, &mut |target, depth| {
+                    camera.place(&whole, &model).depth_only(&mut [], depth);
+                    let Ok(_) =
+                        camera.place(mesh, &model).hidden_line(BinaryColor::On, &mut [], depth, target);
+                });
+                assert_eq!(depths, held, "depth is looked at only");
+                target
+            });
+            assert_eq!(found, target, "faces that are found, not listed: round {round}, {edge:?}");
+            for at in (0..held.len()).filter(|&at| line.pixels[at].is_some()) {
+                let (is_drawn, nearer) = (target.pixels[at].is_some(), own[at] <= held[at]);
                 let is_face =
                     |&face: &u16| alone.get(usize::from(face)).is_some_and(|face| face[at] == held[at]);
                 let face = held[at] != DepthBuffer::NOTHING && pair.iter().any(is_face);
-                assert!(is_drawn || !(nearer || face), "round {round}, {edge:?}: ({x}, {y}) is missing");
+                assert!(is_drawn || !(nearer || face), "round {round}, {edge:?}: pixel {at} is missing");
                 drawn += u32::from(is_drawn);
                 by_face += u32::from(!nearer && face);
                 beyond += u32::from(is_drawn && !nearer && !face);
             }
-            assert!(target.pixels.keys().all(|at| line.pixels.contains_key(at)), "beside the line");
+            assert!(target.drawn().all(|(at, _)| line.at(at).is_some()), "beside the line");
         }
     }
     println!("{cut} faces cut; of {drawn} pixels {by_face} by a face, {beyond} beyond it");

@@ -3,6 +3,7 @@
 //! in f64, and against each other: along a line that starts on the near plane outside the body front
 //! and back alternate, so each is met once or not at all; starting inside, only a back face is met.
 
+use super::solids::{self, Solid};
 use pinhole::{Cull, Mesh, ScreenVertex};
 use support::bridge::draw::{Shader, CUBE, CUBE_FACES};
 use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -20,55 +21,17 @@ const OCTAHEDRON: [[i16; 3]; 6] = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0],
 const OCTAHEDRON_FACES: [[u16; 3]; 8] =
     [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
 
-/// Points on a sphere and their convex hull, by trying all triples.
-fn hull(rng: &mut Rng, count: usize) -> (Vec<[i16; 3]>, Vec<[u16; 3]>) {
-    loop {
-        let v: Vec<[i16; 3]> = (0..count).map(|_| rng.direction().map(|c| (c * 1000.0) as i16)).collect();
-        let p: Vec<[i64; 3]> = v.iter().map(|v| v.map(i64::from)).collect();
-        let mut faces = Vec::new();
-        for a in 0..count {
-            for b in 0..count {
-                for c in 0..count {
-                    if a >= b || a >= c || b == c {
-                        continue; // each cycle once
-                    }
-                    let edge = |q: usize| [0, 1, 2].map(|i| p[q][i] - p[a][i]);
-                    let (e, f) = (edge(b), edge(c));
-                    let n = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
-                    let side = |q: usize| (0..3).map(|i| n[i] * edge(q)[i]).sum::<i64>();
-                    if (0..count).filter(|q| ![a, b, c].contains(q)).all(|q| side(q) < 0) {
-                        faces.push([a, b, c].map(|i| i as u16));
-                    }
-                }
-            }
-        }
-        // No four in a plane: a closed hull of V corners has 2·V − 4 faces.
-        if faces.len() == 2 * count - 4 {
-            return (v, faces);
-        }
-    }
-}
-
-struct Body {
-    vertices: Vec<[i16; 3]>,
-    exponent: i8,
-    faces: Vec<[u16; 3]>,
-}
-
-fn bodies(rng: &mut Rng) -> Vec<Body> {
+fn bodies(rng: &mut Rng) -> Vec<Solid> {
     let mut all = vec![
-        Body { vertices: CUBE.to_vec(), exponent: 1, faces: CUBE_FACES.to_vec() },
-        Body { vertices: OCTAHEDRON.to_vec(), exponent: 1, faces: OCTAHEDRON_FACES.to_vec() },
+        Solid::new(CUBE.to_vec(), 1, CUBE_FACES.to_vec()),
+        Solid::new(OCTAHEDRON.to_vec(), 1, OCTAHEDRON_FACES.to_vec()),
     ];
-    for count in [5, 8, 12] {
-        let (vertices, faces) = hull(rng, count);
-        all.push(Body { vertices, exponent: -9, faces });
-    }
+    all.extend([5, 8, 12].map(|count| solids::hull(rng, count)));
     all
 }
 
 /// How often each pixel is drawn by front faces, and by back faces.
-fn counts(camera: &CameraBits, model: &ModelBits, body: &Body) -> (Recorder<Shader>, Recorder<Shader>) {
+fn counts(camera: &CameraBits, model: &ModelBits, body: &Solid) -> (Recorder<Shader>, Recorder<Shader>) {
     let draw = |faces: &[[u16; 3]], cull: Cull| {
         let mesh = Mesh::new(&body.vertices, body.exponent, faces).expect("a mesh");
         let mut target = Recorder::sized(WIDTH, HEIGHT);
@@ -112,7 +75,7 @@ struct Tally {
     ambiguous: usize,
 }
 
-fn compare(camera: &CameraBits, model: &ModelBits, body: &Body, tally: &mut Tally) {
+fn compare(camera: &CameraBits, model: &ModelBits, body: &Solid, tally: &mut Tally) {
     let (front, back) = counts(camera, model, body);
     let positions: Vec<V3> = body.vertices.iter().map(|&v| vertex(v, body.exponent)).collect();
     let faces = eye::faces(&camera.exact(), &model.exact(), &positions, &body.faces);
@@ -260,7 +223,7 @@ fn one_triangle_larger_than_the_screen_in_every_direction_is_drawn() {
             (corners.iter().flatten().fold(0.0f64, |m, c| m.max(c.abs())) / 32_000.0).log2().ceil() as i8;
         let vertices: Vec<[i16; 3]> =
             corners.iter().map(|c| c.map(|v| (v / f64::from(exponent).exp2()).round() as i16)).collect();
-        let body = Body { vertices, exponent, faces: vec![[0, 1, 2]] };
+        let body = Solid::new(vertices, exponent, vec![[0, 1, 2]]);
         let c = camera([0; 3], [0, 0, -ONE], ONE);
         let (front, back) = counts(&c, &ModelBits::default(), &body);
         for (x, y) in Area::new(0, 0, WIDTH.into(), HEIGHT.into()).pixels() {

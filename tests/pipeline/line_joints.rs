@@ -1,14 +1,12 @@
 //! Anti-aliased lines where they meet and where they cross the picture's border. The oracle is the union of the strokes with round
 //! joints: the part of a pixel whose points are within half a pixel of a line, by 32 × 32 samples in f64.
 
-use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
-use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{
-    Affine, AntiAliased, Blend, Camera, DepthBuffer, Frame, Mesh, Picture, Point3, Projection, Scalar,
-    ScreenVertex, Side, Stroke, ViewTransform, Viewport, Window,
-};
+use pinhole::{Affine, AntiAliased, Blend, Mesh, Stroke};
 use std::f64::consts::TAU;
+use support::bridge::draw::flat_camera;
+use support::bridge::rectangle;
+use support::bridge::ways::{lines_by_every_call, memory};
 use support::oracle::rng::Rng;
 
 /// Columns and rows of the picture.
@@ -17,18 +15,9 @@ const SIDE: usize = 48;
 /// A point of the picture in pixels, y down.
 type At = [f64; 2];
 
-/// The vertex at a point of the picture, rounded to 1/256 pixel, for [`camera`].
+/// The vertex at a point of the picture, rounded to 1/256 pixel, for a camera with 256 units to a pixel.
 fn vertex([x, y]: At) -> [i16; 3] {
     [(x * 256.0).round() as i16, ((SIDE as f64 - y) * 256.0).round() as i16, 0]
-}
-
-/// A camera with 256 units to a pixel, so that vertices are exact on the screen.
-fn camera() -> Camera {
-    let viewport = Viewport::new(Point::zero(), Size::new(SIDE as u32, SIDE as u32)).expect("a viewport");
-    let [zero, one, side] = [0, 1, SIDE as i32 * 256].map(Scalar::from_int);
-    let window = Window { left: zero, right: side, bottom: zero, top: side };
-    let view = ViewTransform::multiview(Point3::from_ints(0, 0, 0), Side::Front);
-    Camera::new(&view, &Projection::orthographic(window, -one, one).expect("a box"), &viewport)
 }
 
 /// The brightness of each pixel after white lines were drawn on black from each point to the next: as a polyline, as a wireframe, in
@@ -37,34 +26,15 @@ fn drawn(points: &[At], stroke: impl Stroke<Gray8>) -> Vec<f64> {
     let vertices: Vec<_> = points.iter().map(|&point| vertex(point)).collect();
     let edges: Vec<_> = (1..points.len() as u16).map(|end| [end - 1, end]).collect();
     let mesh = Mesh::new(&vertices, 0, &[]).and_then(|mesh| mesh.with_edges(&edges)).expect("a mesh");
-    let camera = camera();
+    let camera = flat_camera((SIDE as u32, SIDE as u32), 256, 1).library();
     let instance = camera.place(&mesh, &Affine::identity());
-    let area = Rectangle::new(Point::zero(), Size::new(SIDE as u32, SIDE as u32));
-    let pictures = [0, 1, 2, 3].map(|way| {
-        let mut cells = vec![Gray8::BLACK; SIDE * SIDE];
-        let mut depths = vec![0; SIDE * SIDE];
-        let mut depth = DepthBuffer::new(area, &mut depths).expect("depths");
-        let mut picture = Picture::new(&mut cells, area.size).expect("cells");
-        let pixels = &mut picture.pixels();
-        let Ok(_) = match way {
-            0 => instance.polyline(stroke, pixels),
-            1 => instance.wireframe(stroke, &mut [], pixels),
-            2 => instance.wireframe_depth_tested(stroke, &mut [], &mut depth, pixels),
-            _ => instance.hidden_line(stroke, &mut [], &mut depth, pixels),
-        };
-        cells
+    let area = rectangle(0, 0, SIDE as u32, SIDE as u32);
+    let lines = lines_by_every_call(&instance, area, Gray8::BLACK, &[5, SIDE as u32], stroke, None);
+    let polyline = memory(area, Gray8::BLACK, &mut |target, _| {
+        let Ok(_) = instance.polyline(stroke, target);
     });
-    let mut banded = Vec::new();
-    let (mut cache, mut bins) = (vec![ScreenVertex::EMPTY; points.len()], vec![0; 2 * points.len()]);
-    let mut edges = instance.transform(&mut cache).bin_edges(&mut bins).expect("room");
-    let mut frame = Frame::new(area, Gray8::BLACK);
-    let mut strip = vec![0; Frame::<Gray8>::strip_bytes(SIDE as u32, 5)];
-    while let Some(mut band) = frame.next_band(&mut strip).expect("a strip") {
-        let Ok(()) = edges.draw(stroke, &mut band.pixels());
-        banded.extend(band.colors());
-    }
-    assert!(pictures.iter().all(|picture| *picture == banded), "{points:?}");
-    banded.iter().map(|color| f64::from(color.luma()) / 255.0).collect()
+    assert!([lines.all, lines.tested, lines.hidden].iter().all(|lines| *lines == polyline), "{points:?}");
+    polyline.iter().map(|color| f64::from(color.luma()) / 255.0).collect()
 }
 
 /// The part of a pixel that is within half a pixel of a line from one of the points to the next.

@@ -1,9 +1,7 @@
-//! The ready meshes: closed, turned outwards, of the shape that their documentation says, and drawn by every draw call.
+//! The ready meshes: closed, turned outwards and of the shape that their documentation says.
 
-use embedded_graphics_core::geometry::{Dimensions, Point, Size};
-use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use pinhole::meshes::{ARROW, AXES, CUBE, CYLINDER, GRID, SPHERE, TORUS};
-use pinhole::{mesh_buffers, Affine, Angle, Camera, DepthBuffer, Mesh, Picture, Viewport, WithPlanes};
+use pinhole::{Mesh, WithPlanes};
 use std::collections::{BTreeMap, BTreeSet};
 use support::oracle::chain::{cross, dot, length, normalise};
 
@@ -179,40 +177,4 @@ fn sizes_are_documented() {
         let row = format!("| [`{name}`] | {v}, {f}, {e} | {size} |");
         assert!(text.contains(&row), "src/meshes.rs needs the row {row}");
     }
-}
-
-/// Every draw call takes them: solid, with depth, with planes and without, hidden lines.
-#[test]
-fn each_mesh_is_drawn() {
-    let viewport = Viewport::new(Point::zero(), Size::new(60, 60)).expect("a viewport");
-    for (name, mesh) in CLOSED.map(|(name, mesh, _)| (name, mesh)).into_iter().chain(OPEN) {
-        let (sphere, fov) = (mesh.bounding_sphere(), Angle::degrees(40));
-        let camera = Camera::framing(&sphere, &viewport, fov, Angle::degrees(25), Angle::degrees(30))
-            .expect("a camera");
-        let instance = camera.place(&mesh, &Affine::identity());
-        let mut cache = mesh_buffers!(CUBE, SPHERE, TORUS, CYLINDER, ARROW, GRID).cache;
-        let (mut pixels, mut depths) = ([Rgb565::BLACK; 3600], [0; 3600]);
-        let mut picture = Picture::new(&mut pixels, viewport.size()).expect("all pixels");
-        let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths).expect("all pixels");
-        let without = instance.without_planes();
-        let Ok(by_area) =
-            without.depth_tested(|_| Rgb565::RED, &mut cache, &mut depth, &mut picture.pixels());
-        let Ok(by_planes) = instance.solid(|_| Rgb565::RED, &mut cache, &mut picture.pixels());
-        assert_eq!((by_area.drawn, by_area.clipped), (by_planes.drawn, 0), "{name}");
-        assert!(by_area.drawn > 0 && (name == "grid" || by_area.culled > 0), "{name}");
-        depth.clear();
-        let Ok(lines) = instance.hidden_line(Rgb565::GREEN, &mut cache, &mut depth, &mut picture.pixels());
-        assert!(lines.drawn > 0, "{name}");
-        let seen = pixels.iter().filter(|&&color| color != Rgb565::BLACK).count();
-        assert!(seen > 100, "{name}: {seen} pixels");
-    }
-    let sphere = AXES.bounding_sphere();
-    let camera =
-        Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::degrees(25), Angle::degrees(30))
-            .expect("a camera");
-    let mut pixels = [Rgb565::BLACK; 3600];
-    let mut picture = Picture::new(&mut pixels, viewport.size()).expect("all pixels");
-    let Ok(lines) =
-        camera.place(&AXES, &Affine::identity()).wireframe(Rgb565::GREEN, &mut [], &mut picture.pixels());
-    assert_eq!(lines.drawn, 3);
 }

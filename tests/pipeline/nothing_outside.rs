@@ -8,10 +8,10 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, IntoStorage, Rgb565, 
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::Span;
 use pinhole::{
-    DepthBuffer, Frame, Gouraud, Memory, Mesh, Painter, Picture, PictureError, PixelStore, Pixels,
-    ShadeTable, StoredPixel, Target,
+    DepthBuffer, Frame, Gouraud, Memory, Mesh, Picture, PictureError, PixelStore, Pixels, ShadeTable,
+    StoredPixel, Target,
 };
-use support::bridge::draw::{cube_camera as camera, turned_cube as draw, Shader, CUBE, CUBE_FACES, WAYS};
+use support::bridge::draw::{cube_camera as camera, turned_cube as draw, CUBE, CUBE_FACES, WAYS};
 use support::bridge::pair::ModelBits;
 use support::oracle::rng::Rng;
 use support::oracle::target::{Call, Recorder, Refused};
@@ -24,6 +24,13 @@ fn an_error_of_the_target_is_returned_from_every_call() {
         draw(way, &camera, &mut whole).expect("no error");
         let calls = whole.calls.len();
         assert!(calls > 10, "{way:?}");
+        // Every pixel is drawn by a fill.
+        let is_fill = |call: &Call<_>| match *call {
+            Call::Solid(area, _) => area.size.width >= 1 && area.size.height >= 1,
+            Call::Contiguous(area, n) => area.size.width as usize * area.size.height as usize == n,
+            _ => false,
+        };
+        assert!(whole.calls.iter().all(is_fill), "{way:?}: {:?}", whole.calls);
         for n in 0..calls {
             let mut target = Recorder::failing(40, 30, n);
             assert_eq!(draw(way, &camera, &mut target).err(), Some(Refused(n)), "{way:?}");
@@ -33,50 +40,6 @@ fn an_error_of_the_target_is_returned_from_every_call() {
         let mut target = Recorder::failing(40, 30, calls);
         assert!(draw(way, &camera, &mut target).is_ok());
     }
-}
-
-#[test]
-fn every_pixel_is_drawn_by_a_fill() {
-    for way in WAYS {
-        let mut target = Recorder::sized(40, 30);
-        draw(way, &camera((0, 0, 40, 30)), &mut target).expect("no error");
-        assert!(!target.pixel_by_pixel(), "{way:?}");
-        for call in &target.calls {
-            match call {
-                Call::Solid(area, _) => {
-                    assert!(area.size.width >= 1 && area.size.height >= 1, "{area:?}");
-                }
-                Call::Contiguous(area, n) => {
-                    assert_eq!(area.size.width as usize * area.size.height as usize, *n);
-                }
-                other => panic!("{way:?}: {other:?}"),
-            }
-        }
-    }
-}
-
-#[test]
-fn a_painter_can_draw_again_after_a_target_failed() {
-    let camera = camera((0, 0, 40, 30));
-    let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).expect("a mesh");
-    let model = ModelBits::default().library();
-    let camera = camera.library();
-    let instance = camera.place(&mesh, &model);
-    let mut painter = Painter::<Shader, 64, 64>::new();
-    painter.add(&instance, |_| Shader(1)).expect("enough room");
-    let mut whole = Recorder::sized(40, 30);
-    let statistics = painter.draw(&mut whole).expect("no error");
-    for n in 0..whole.calls.len() {
-        painter.clear();
-        painter.add(&instance, |_| Shader(1)).expect("enough room");
-        let mut target = Recorder::failing(40, 30, n);
-        assert_eq!(painter.draw(&mut target).err(), Some(Refused(n)));
-    }
-    painter.clear();
-    painter.add(&instance, |_| Shader(1)).expect("enough room");
-    let mut target = Recorder::sized(40, 30);
-    assert_eq!(painter.draw(&mut target), Ok(statistics));
-    assert_eq!(target.calls, whole.calls);
 }
 
 /// Filling rectangles at the ends of their range in a picture and in a band changes each pixel inside and no other.

@@ -86,6 +86,17 @@ fn joints_are_drawn_once() {
     check(&[(3, 3), (20, 3), (20, 30)]);
     check(&[(3, 3), (20, 10), (3, 17)]);
     check(&[(5, 5), (30, 5)]);
+    // Closed figures.
+    check(&[(10, 10), (40, 10), (40, 40), (10, 40), (10, 10)]);
+    check(&[(10, 10), (40, 12), (22, 40), (10, 10)]);
+    check(&[(30, 30), (31, 30), (30, 31), (30, 30)]);
+    // There and back: the second line covers the first again, but for the joints.
+    check(&[(10, 10), (40, 10), (10, 10)]);
+    // Repeated vertices.
+    check(&[(10, 10), (10, 10), (20, 10)]);
+    check(&[(10, 10), (20, 10), (20, 10)]);
+    check(&[(10, 10), (20, 10), (20, 10), (20, 10), (20, 20)]);
+    check(&[(9, 9), (9, 9), (9, 9)]);
     // A corner in every pair of octants.
     for i in 0..16i32 {
         for j in 0..16i32 {
@@ -96,15 +107,6 @@ fn joints_are_drawn_once() {
             check(&[end(i), (32, 32), end(j)]);
         }
     }
-}
-
-#[test]
-fn closed_figures_close_without_drawing_twice() {
-    check(&[(10, 10), (40, 10), (40, 40), (10, 40), (10, 10)]);
-    check(&[(10, 10), (40, 12), (22, 40), (10, 10)]);
-    check(&[(30, 30), (31, 30), (30, 31), (30, 30)]);
-    // There and back: the second line covers the first again, but for the joints.
-    check(&[(10, 10), (40, 10), (10, 10)]);
 }
 
 /// Vertices too far from the viewport for a `ScreenVertex`: their joints are drawn once too.
@@ -129,15 +131,6 @@ fn joints_far_out_in_a_wide_viewport_are_drawn_once() {
             assert_eq!(target.count(x as i32, y as i32), 1, "({x}, {y}) of {path:?}");
         }
     }
-}
-
-#[test]
-fn repeated_vertices_draw_their_pixel_once() {
-    check(&[(10, 10), (10, 10), (20, 10)]);
-    check(&[(10, 10), (20, 10), (20, 10)]);
-    check(&[(10, 10), (20, 10), (20, 10), (20, 10), (20, 20)]);
-    let (target, _) = draw(&flat(), &back(), &in_pixels(&[(9, 9), (9, 9), (9, 9)]), -1, false);
-    assert_eq!(target.count(9, 9), 1);
 }
 
 #[test]

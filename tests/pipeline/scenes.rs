@@ -4,18 +4,21 @@
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565};
 use embedded_graphics_core::prelude::*;
+use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, BinError, Camera, Cull, DepthBuffer, FacePlanes, Frame, Mesh, Object, Painter, Picked,
-    Picture, Point3, Projection, Scalar, Scene, SceneError, ScreenDoor, ScreenVertex, SpanShader, Statistics,
-    Vector3, ViewTransform, Viewport, Visibility, WithPlanes,
+    Affine, Angle, BinError, Camera, Cull, FacePlanes, Mesh, Object, Painter, Picked, Point3, Projection,
+    Scalar, Scene, SceneError, ScreenDoor, ScreenVertex, SpanShader, Statistics, Vector3, ViewTransform,
+    Viewport, Visibility, WithPlanes,
 };
 use support::bridge::draw::{CUBE, CUBE_FACES};
 use support::bridge::rectangle;
+use support::bridge::ways::{bands, memory, memory_with};
 use support::oracle::rng::Rng;
 
 const WIDTH: u32 = 56;
 const HEIGHT: u32 = 41;
+const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
 const OBJECTS: usize = 24;
 
 /// A tetrahedron and a cube; the cube's faces are those of a closed mesh.
@@ -94,17 +97,12 @@ fn by_hand<P: FacePlanes, S: SpanShader<Rgb565>>(
     camera: &Camera,
     shader: impl Fn(Rgb565) -> S,
 ) -> (Vec<Rgb565>, Vec<u16>) {
-    let mut pixels = vec![Rgb565::BLACK; (WIDTH * HEIGHT) as usize];
-    let mut depths = vec![0; pixels.len()];
-    let area = rectangle(0, 0, WIDTH, HEIGHT);
-    let mut picture = Picture::new(&mut pixels, area.size).expect("all pixels");
-    let mut depth = DepthBuffer::new(area, &mut depths).expect("all pixels");
-    for (index, object) in scene.objects().iter().enumerate() {
-        let instance = camera.place(object.mesh, &object.model).with_cull(cull(index)).without_planes();
-        let shade = |face| shader(number(index, face));
-        let Ok(_) = instance.depth_tested(shade, &mut [], &mut depth, &mut picture.pixels());
-    }
-    (pixels, depths)
+    memory_with(AREA, AREA, Rgb565::BLACK, &mut |target, depth| {
+        for (index, object) in scene.objects().iter().enumerate() {
+            let instance = camera.place(object.mesh, &object.model).with_cull(cull(index)).without_planes();
+            let Ok(_) = instance.depth_tested(|face| shader(number(index, face)), &mut [], depth, target);
+        }
+    })
 }
 
 fn in_bands<P: FacePlanes>(
@@ -117,23 +115,14 @@ fn in_bands<P: FacePlanes>(
     let mut cache = vec![ScreenVertex::EMPTY; cache.min(placed.cache_len())];
     let mut bins = vec![0; placed.face_bins_len()];
     let mut faces = placed.bin_faces(&mut cache, &mut bins).expect("room for all faces");
-    let area = rectangle(0, 0, WIDTH, HEIGHT);
-    let mut frame = Frame::new(area, Rgb565::BLACK);
-    let mut strip = vec![0; Frame::<Rgb565>::strip_bytes(WIDTH, rows)];
-    let mut depths = vec![0; (WIDTH * rows) as usize];
-    let mut pixels = vec![Rgb565::WHITE; (WIDTH * HEIGHT) as usize];
-    let mut picture = Picture::new(&mut pixels, area.size).expect("all pixels");
-    while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
-        let mut depth = DepthBuffer::new(band.area(), &mut depths).expect("a row");
+    let pixels = bands(AREA, Rgb565::BLACK, rows, &mut |band, depth| {
         let shade = |index: usize, object: &Object<'_, usize, P>| {
             assert_eq!(index, object.material);
             move |face| number(index, face)
         };
-        let Ok(()) = faces.depth_tested(shade, &mut depth, &mut band.pixels());
-        let Ok(()) = band.send(&mut picture);
-    }
-    let statistics = faces.statistics();
-    (pixels, statistics)
+        let Ok(()) = faces.depth_tested(shade, depth, &mut band.pixels());
+    });
+    (pixels, faces.statistics())
 }
 
 #[test]
@@ -156,18 +145,17 @@ fn drawn_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
 
         // In one piece, and which objects are asked for their shaders.
         let placed = scene.place(&camera);
-        let mut pixels = vec![Rgb565::BLACK; wanted.len()];
-        let mut depths = vec![0; wanted.len()];
-        let mut picture = Picture::new(&mut pixels, Size::new(WIDTH, HEIGHT)).expect("all pixels");
-        let mut depth = DepthBuffer::new(rectangle(0, 0, WIDTH, HEIGHT), &mut depths).expect("all pixels");
-        let mut asked = Vec::new();
-        let shade = |index: usize, object: &Object<'_, usize, P>| {
-            assert_eq!(index, object.material);
-            asked.push(index);
-            move |face| number(index, face)
-        };
-        let Ok(statistics) =
-            placed.depth_tested(shade, &mut [ScreenVertex::EMPTY; 8], &mut depth, &mut picture.pixels());
+        let (mut asked, mut statistics) = (Vec::new(), None);
+        let pixels = memory(AREA, Rgb565::BLACK, &mut |target, depth| {
+            let shade = |index: usize, object: &Object<'_, usize, P>| {
+                assert_eq!(index, object.material);
+                asked.push(index);
+                move |face| number(index, face)
+            };
+            let Ok(counted) = placed.depth_tested(shade, &mut [ScreenVertex::EMPTY; 8], depth, target);
+            statistics = Some(counted);
+        });
+        let statistics = statistics.expect("drawn");
         assert!(pixels == wanted);
         let visible: Vec<usize> = (0..OBJECTS)
             .filter(|&index| {
@@ -221,18 +209,13 @@ fn a_band_asks_for_the_shaders_of_its_objects() {
         let placed = scene.place(&camera);
         let mut bins = vec![0; placed.face_bins_len()];
         let mut faces = placed.bin_faces(&mut [], &mut bins).expect("room for all faces");
-        let mut strip = vec![0; Frame::<Rgb565>::strip_bytes(WIDTH, 3)];
-        let mut depths = vec![0; (WIDTH * 3) as usize];
-        let mut frame = Frame::new(rectangle(0, 0, WIDTH, HEIGHT), Rgb565::BLACK);
-        while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
-            let area = band.area();
-            let mut depth = DepthBuffer::new(area, &mut depths).expect("a row");
-            let mut found = [false; OBJECTS];
+        bands(AREA, Rgb565::BLACK, 3, &mut |band, depth| {
+            let (area, mut found) = (band.area(), [false; OBJECTS]);
             let shade = |index: usize, _: &Object<'_, usize>| {
                 found[index] = true;
                 move |face| number(index, face)
             };
-            let Ok(()) = faces.depth_tested(shade, &mut depth, &mut band.pixels());
+            let Ok(()) = faces.depth_tested(shade, depth, &mut band.pixels());
             let [first, last] = [area.top_left.y, area.top_left.y + area.size.height as i32 - 1];
             for (&[drawn, vertices], is_asked) in rows.iter().zip(found) {
                 let meets = |[top, bottom]: [i32; 2]| top <= last && bottom >= first;
@@ -244,7 +227,7 @@ fn a_band_asks_for_the_shaders_of_its_objects() {
                     not_asked += 1;
                 }
             }
-        }
+        });
     }
     assert!(asked > 300 && not_asked > 1000, "{asked} {not_asked}");
 }
@@ -261,10 +244,9 @@ fn painted_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
         // Painters draw beyond a far plane that does not clip; scenes cull there.
         let (scene, camera) = (random(&mut rng, meshes), camera(&mut rng).with_far_clip(true));
         let draw = |painter: &mut Painter<Rgb565, 600, 600>| {
-            let mut pixels = vec![Rgb565::BLACK; (WIDTH * HEIGHT) as usize];
-            let mut picture = Picture::new(&mut pixels, Size::new(WIDTH, HEIGHT)).expect("all pixels");
-            let Ok(_) = painter.draw(&mut picture.pixels());
-            pixels
+            memory(AREA, Rgb565::BLACK, &mut |target, _| {
+                let Ok(_) = painter.draw(target);
+            })
         };
         let (mut painter, mut hands) = (Box::new(Painter::new()), Box::new(Painter::new()));
         let shade = |index: usize, object: &Object<'_, usize, P>| {
@@ -317,8 +299,7 @@ fn picked_scenes<P: FacePlanes, S: SpanShader<Rgb565>>(
             assert_eq!(index, object.material);
             move |face| shader(number(index, face))
         };
-        for (at, (&color, &depth)) in rectangle(0, 0, WIDTH, HEIGHT).points().zip(picture.iter().zip(&depths))
-        {
+        for (at, (&color, &depth)) in AREA.points().zip(picture.iter().zip(&depths)) {
             match placed.pick(at, shade, &mut cache) {
                 None => {
                     assert_eq!(color, Rgb565::BLACK, "{at}");

@@ -1,9 +1,9 @@
-//! Solids for hidden lines: convex ones, ones with holes, and scenes of several bodies.
+//! Solids: convex ones, ones with holes, and scenes of several bodies.
 
 use core::f64::consts::TAU;
 use std::collections::BTreeMap;
 use support::bridge::draw::{CUBE, CUBE_FACES};
-use support::oracle::chain::{cross, dot};
+use support::oracle::chain::{cross, dot, normalise};
 use support::oracle::rng::Rng;
 use support::teapot;
 
@@ -26,16 +26,24 @@ impl Solid {
 
     /// A solid without the edges inside flat surfaces.
     fn with_creases(vertices: Vec<[i16; 3]>, faces: Faces) -> Self {
-        let normal = |face: u16| {
-            let [a, b, c] = faces[usize::from(face)].map(|i| vertices[usize::from(i)].map(f64::from));
-            let way = |p: [f64; 3]| [0, 1, 2].map(|i| p[i] - a[i]);
-            let normal = cross(way(b), way(c));
-            normal.map(|c| c / dot(normal, normal).sqrt())
-        };
+        let normal = |face: u16| Self::normal(&vertices, faces[usize::from(face)]);
         let is_flat = |faces: &[u16]| matches!(*faces, [a, b] if dot(normal(a), normal(b)) > 0.9999);
         let edges = beside(&faces).into_iter().filter(|(_, faces)| !is_flat(faces)).map(|(edge, _)| edge);
         let edges = edges.collect();
         Self { vertices, exponent: -13, faces, edges }
+    }
+
+    /// The unit normal of a face.
+    fn normal(vertices: &[[i16; 3]], face: [u16; 3]) -> [f64; 3] {
+        let [a, b, c] = face.map(|i| vertices[usize::from(i)].map(f64::from));
+        let way = |p: [f64; 3]| [0, 1, 2].map(|i| p[i] - a[i]);
+        normalise(cross(way(b), way(c)))
+    }
+
+    /// The normals of all faces, in 2⁻¹⁵.
+    pub(super) fn normals(&self) -> Vec<[i16; 3]> {
+        let normal = |&face| Self::normal(&self.vertices, face).map(|c| (c * 32_767.0).round() as i16);
+        self.faces.iter().map(normal).collect()
     }
 
     /// The faces adjacent to each edge, by a map instead of the library's search.
@@ -87,20 +95,25 @@ pub(super) fn block(rng: &mut Rng) -> Solid {
     blocks(&[([0.0; 3], [0; 3].map(|_| rng.real(800.0, 14_000.0)))])
 }
 
-/// The convex hull of points on a sphere.
-pub(super) fn hull(rng: &mut Rng) -> Solid {
-    let points: Vec<_> =
-        (0..rng.int(5, 12)).map(|_| rng.direction().map(|c| (c * 14_000.0) as i16)).collect();
-    let n = points.len();
-    let way =
-        |from: usize, to: usize| [0, 1, 2].map(|i| f64::from(points[to][i]) - f64::from(points[from][i]));
-    let is_face = |&[i, j, k]: &[usize; 3]| {
-        let normal = cross(way(i, j), way(i, k));
-        i < j && i < k && j != k && (0..n).all(|m| [i, j, k].contains(&m) || dot(normal, way(i, m)) < 0.0)
-    };
-    let triples = (0..n * n * n).map(|t| [t / (n * n), t / n % n, t % n]);
-    let faces = triples.filter(is_face).map(|face| face.map(|i| i as u16)).collect();
-    Solid::with_creases(points, faces)
+/// The convex hull of points on a sphere, by trying all triples.
+pub(super) fn hull(rng: &mut Rng, count: usize) -> Solid {
+    loop {
+        let points: Vec<_> = (0..count).map(|_| rng.direction().map(|c| (c * 14_000.0) as i16)).collect();
+        let way =
+            |from: usize, to: usize| [0, 1, 2].map(|i| i64::from(points[to][i]) - i64::from(points[from][i]));
+        let is_face = |&[i, j, k]: &[usize; 3]| {
+            let (u, v) = (way(i, j), way(i, k));
+            let normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+            let is_behind = |m| (0..3).map(|axis| normal[axis] * way(i, m)[axis]).sum::<i64>() < 0;
+            i < j && i < k && j != k && (0..count).all(|m| [i, j, k].contains(&m) || is_behind(m))
+        };
+        let triples = (0..count.pow(3)).map(|t| [t / (count * count), t / count % count, t % count]);
+        let faces: Faces = triples.filter(is_face).map(|face| face.map(|i| i as u16)).collect();
+        // No four in a plane: a closed hull of V corners has 2·V − 4 faces.
+        if faces.len() == 2 * count - 4 {
+            return Solid::with_creases(points, faces);
+        }
+    }
 }
 
 /// A prism or a frustum; its caps are fans of slender triangles.

@@ -9,12 +9,15 @@ use embedded_graphics::pixelcolor::{Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rg
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
-    Blended, Camera, ColorKeyed, DepthBuffer, Frame, HalfBlended, Mesh, Picture, PlacedSprites, Point3,
+    Blended, Camera, ColorKeyed, DepthBuffer, HalfBlended, Mesh, Picture, Pixels, PlacedSprites, Point3,
     Scalar, SolidTexel, Sprite, SpriteImage, SpriteSource, Statistics, Target,
 };
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::bridge::rectangle;
+use support::bridge::ways::{bands, memory, memory_with, screen};
 use support::oracle::chain;
 use support::oracle::rng::Rng;
+use support::oracle::target::Screen;
 use tinybmp::Bmp;
 
 const SIZE: Size = Size::new(140, 100);
@@ -281,19 +284,15 @@ impl Scene {
         self.check_statistics(statistics.expect("no error"));
     }
 
-    /// Draws with a depth buffer of `area`; returns the depths of the target's pixels that lie in it.
     fn draw_deep<T: Target<Color = Rgb888, Error = E>, E: core::fmt::Debug>(
         &self,
-        area: Rectangle,
+        depth: &mut DepthBuffer<'_>,
         target: &mut T,
-    ) -> Vec<u16> {
-        let mut storage = vec![0; (area.size.width * area.size.height) as usize];
-        let mut depth = DepthBuffer::new(area, &mut storage).expect("room");
+    ) {
         let sprite = |i: usize| self.shapes[i].sprite(self.shapes[i].picture);
         self.check_statistics(
-            self.place(|points| points.depth_tested(sprite, &mut depth, target)).expect("no error"),
+            self.place(|points| points.depth_tested(sprite, depth, target)).expect("no error"),
         );
-        target.area().points().filter_map(|point| depth.at(point)).collect()
     }
 
     /// The smallest rectangle that holds the pixels of the viewport that sprites cover.
@@ -318,69 +317,30 @@ impl Scene {
         let (deep, depths) = self.exact(None, keep);
         let other = Rectangle::new(Point::new(-3, -2), SIZE + Size::new(9, 4));
 
-        let mut pixels = [(); 4].map(|()| vec![SKY; 140 * 100]);
-        let [a, b, c, d] = &mut pixels;
-        self.draw(&mut Picture::new(a, SIZE).expect("room").pixels());
-        assert!(*a == flat);
-        self.draw(&mut Picture::new(b, SIZE).expect("room"));
-        assert!(*b == flat);
-        assert!(self.draw_deep(AREA, &mut Picture::new(c, SIZE).expect("room").pixels()) == depths);
-        assert!(*c == deep);
-        assert!(self.draw_deep(other, &mut Picture::new(d, SIZE).expect("room").pixels()) == depths);
-        assert!(*d == deep);
+        assert!(memory(AREA, SKY, &mut |target, _| self.draw(target)) == flat);
+        for depth_area in [AREA, other] {
+            let found =
+                memory_with(AREA, depth_area, SKY, &mut |target, depth| self.draw_deep(depth, target));
+            assert!((&found.0, &found.1) == (&deep, &depths));
+        }
+        let (found, _) = screen(AREA, &mut |target, _| self.draw(target));
+        assert!(found.over(SKY) == flat);
+        let (found, stored) = screen(AREA, &mut |target, depth| self.draw_deep(depth, target));
+        assert!(found.over(SKY) == deep && stored == depths);
 
-        let mut display = Display(vec![SKY; 140 * 100]);
-        self.draw(&mut display);
-        assert!(display.0 == flat);
-        let mut display = Display(vec![SKY; 140 * 100]);
-        assert!(self.draw_deep(AREA, &mut display) == depths);
-        assert!(display.0 == deep);
-
-        let (mut strip, mut storage) = (vec![0; 140 * 3 * 9], Vec::new());
-        for (direct, with_depth) in [(true, false), (true, true), (false, false), (false, true)] {
-            let mut frame = Frame::new(AREA, SKY);
-            let mut display = Display(vec![Rgb888::BLACK; 140 * 100]);
-            storage.clear();
-            while let Some(mut band) = frame.next_band(&mut strip).expect("room") {
-                let area = band.area();
-                match (direct, with_depth) {
-                    (true, false) => self.draw(&mut band.pixels()),
-                    (true, true) => storage.extend(self.draw_deep(area, &mut band.pixels())),
-                    (false, false) => self.draw(&mut band),
-                    (false, true) => storage.extend(self.draw_deep(area, &mut band)),
+        assert!(bands(AREA, SKY, 9, &mut |band, _| self.draw(&mut band.pixels())) == flat);
+        assert!(bands(AREA, SKY, 9, &mut |band, _| self.draw(band)) == flat);
+        for direct in [false, true] {
+            let mut stored = Vec::new();
+            let found = bands(AREA, SKY, 9, &mut |band, depth| {
+                match direct {
+                    true => self.draw_deep(depth, &mut band.pixels()),
+                    false => self.draw_deep(depth, band),
                 }
-                band.send(&mut display).expect("no error");
-            }
-            assert!(display.0 == if with_depth { &deep[..] } else { &flat[..] });
-            assert!(!with_depth || storage == depths);
+                stored.extend_from_slice(depth.values());
+            });
+            assert!(found == deep && stored == depths);
         }
-    }
-}
-
-/// A DrawTarget that is not the library's, and that can fail.
-struct Display(Vec<Rgb888>);
-
-#[derive(Debug)]
-struct OutOfBounds;
-
-impl OriginDimensions for Display {
-    fn size(&self) -> Size {
-        SIZE
-    }
-}
-
-impl DrawTarget for Display {
-    type Color = Rgb888;
-    type Error = OutOfBounds;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, pixels: I) -> Result<(), OutOfBounds> {
-        for Pixel(point, color) in pixels {
-            if !AREA.contains(point) {
-                return Err(OutOfBounds);
-            }
-            self.0[(point.y * 140 + point.x) as usize] = color;
-        }
-        Ok(())
     }
 }
 
@@ -484,28 +444,22 @@ fn translucent_sprites_are_mixed_with_the_stored_pixels() {
         let (_, behind) = walls.exact(None, |_, own, _| own);
         let nothing = vec![u16::MAX; 140 * 100];
         for (deep, half) in [(false, false), (false, true), (true, false), (true, true)] {
-            let mut storage = vec![0; 140 * 100];
-            let mut depth = DepthBuffer::new(AREA, &mut storage).expect("room");
-            let mut pixels = vec![SKY; 140 * 100];
-            walls.place(|points| {
-                let opaque = |i: usize| walls.shapes[i].sprite(walls.shapes[i].picture);
-                points.depth_tested(opaque, &mut depth, &mut Display(pixels.clone())).expect("no error");
+            let pixels = memory(AREA, SKY, &mut |target, depth| {
+                walls.draw_deep(depth, &mut Screen::new(AREA));
+                let statistics = scene.place(|points| {
+                    let shape = |i: usize| scene.shapes[i];
+                    let halves = |i: usize| shape(i).sprite(HalfBlended::new(shape(i).picture));
+                    let parts = |i: usize| shape(i).sprite(Blended::new(shape(i).picture, alphas[i]));
+                    match (deep, half) {
+                        (false, true) => points.draw(halves, target),
+                        (false, false) => points.draw(parts, target),
+                        (true, true) => points.depth_tested(halves, depth, target),
+                        (true, false) => points.depth_tested(parts, depth, target),
+                    }
+                });
+                scene.check_statistics(statistics.expect("no error"));
+                assert!(depth.values() == behind);
             });
-            let mut picture = Picture::new(&mut pixels, SIZE).expect("room");
-            let mut target = picture.pixels();
-            let statistics = scene.place(|points| {
-                let shape = |i: usize| scene.shapes[i];
-                let halves = |i: usize| shape(i).sprite(HalfBlended::new(shape(i).picture));
-                let parts = |i: usize| shape(i).sprite(Blended::new(shape(i).picture, alphas[i]));
-                match (deep, half) {
-                    (false, true) => points.draw(halves, &mut target),
-                    (false, false) => points.draw(parts, &mut target),
-                    (true, true) => points.depth_tested(halves, &mut depth, &mut target),
-                    (true, false) => points.depth_tested(parts, &mut depth, &mut target),
-                }
-            });
-            scene.check_statistics(statistics.expect("no error"));
-            assert!(depth.values() == behind);
             let alpha = |i: usize| (!half).then(|| alphas[numbers[i]]);
             let (expected, _) = scene
                 .exact(Some((if deep { &behind } else { &nothing }, false)), |i, own, below| {
@@ -543,10 +497,10 @@ fn a_tie_of_a_height_rounds_up() {
     let placed = camera.library().place_sprite(Point3::from_ints(0, 0, -10));
     for (height, width) in [(2, 1), (3, 2), (4, 2), (5, 3)] {
         let sprite = |_| Sprite::new(SpriteImage::new(&image)).with_height(Scalar::from_bits(height));
-        let mut pixels = vec![SKY; 64 * 64];
-        let mut picture = Picture::new(&mut pixels, Size::new(64, 64)).expect("room");
-        placed.draw(sprite, &mut picture.pixels()).expect("no error");
-        let drawn = pixels.iter().filter(|&&pixel| pixel != SKY).count();
+        let (picture, _) = screen(rectangle(0, 0, 64, 64), &mut |target, _| {
+            placed.draw(sprite, target).expect("no error");
+        });
+        let drawn = picture.drawn().count();
         assert_eq!(drawn, 4 * width * 4 * height as usize, "{height}");
     }
 }
@@ -699,24 +653,21 @@ fn equal_depths_and_both_planes() {
     let camera = flat();
     let placed = camera.place_sprites(&mesh, &ModelBits::default().library());
     let square = |i: usize| Sprite::square(colors[i], 4);
-    let mut pixels = vec![SKY; 140 * 100];
-    for in_memory in [true, false] {
-        let mut storage = vec![0; 140 * 100];
-        let mut depth = DepthBuffer::new(AREA, &mut storage).expect("room");
-        let mut picture = Picture::new(&mut pixels, SIZE).expect("room");
-        picture.clear(SKY).expect("no error");
-        let drawn = match in_memory {
-            true => placed.depth_tested(square, &mut depth, &mut picture.pixels()),
-            false => placed.depth_tested(square, &mut depth, &mut picture),
-        };
-        assert_eq!(drawn.expect("no error").drawn, 2);
-        let count = |color| picture.colors().iter().filter(|&&pixel| pixel == color).count();
-        assert_eq!(colors.map(count), [16, 0]);
-        // Without depth, the last one.
-        placed.draw(square, &mut picture.pixels()).expect("no error");
-        let count = |color| picture.colors().iter().filter(|&&pixel| pixel == color).count();
-        assert_eq!(colors.map(count), [0, 16]);
-    }
+    let count =
+        |pixels: &[Rgb888]| colors.map(|color| pixels.iter().filter(|&&pixel| pixel == color).count());
+    let draw_deep = |target: &mut Pixels<'_, Rgb888>, depth: &mut DepthBuffer<'_>| {
+        assert_eq!(placed.depth_tested(square, depth, target).expect("no error").drawn, 2);
+    };
+    assert_eq!(count(&memory(AREA, SKY, &mut |target, depth| draw_deep(target, depth))), [16, 0]);
+    let (found, _) = screen(AREA, &mut |target, depth| {
+        assert_eq!(placed.depth_tested(square, depth, target).expect("no error").drawn, 2);
+    });
+    assert_eq!(count(&found.over(SKY)), [16, 0]);
+    // Without depth, the last one.
+    let last = memory(AREA, SKY, &mut |target, _| {
+        placed.draw(square, target).expect("no error");
+    });
+    assert_eq!(count(&last), [0, 16]);
 
     // Near and far lie at 1 and 100.
     for (z, with_clip, is_drawn, is_drawn_deep) in [
@@ -726,21 +677,22 @@ fn equal_depths_and_both_planes() {
         (-200, false, true, false),
         (-200, true, false, false),
     ] {
-        let mut storage = vec![0; 140 * 100];
-        let mut depth = DepthBuffer::new(AREA, &mut storage).expect("room");
         let placed = camera.with_far_clip(with_clip).place_sprite(Point3::from_ints(32, -32, z));
         let square = |_| Sprite::square(Rgb888::RED, 4);
-        let mut display = Display(vec![SKY; 140 * 100]);
-        let statistics = placed.draw(square, &mut display).expect("no error");
-        assert_eq!((statistics.drawn, statistics.outside), (is_drawn.into(), (!is_drawn).into()), "{z}");
-        assert_eq!(display.0.contains(&Rgb888::RED), is_drawn);
-        let mut display = Display(vec![SKY; 140 * 100]);
-        let statistics = placed.depth_tested(square, &mut depth, &mut display).expect("no error");
-        assert_eq!(
-            (statistics.drawn, statistics.outside),
-            (is_drawn_deep.into(), (!is_drawn_deep).into()),
-            "{z}"
-        );
-        assert_eq!(display.0.contains(&Rgb888::RED), is_drawn_deep);
+        for (deep, is_drawn) in [(false, is_drawn), (true, is_drawn_deep)] {
+            let (display, _) = screen(AREA, &mut |target, depth| {
+                let statistics = match deep {
+                    false => placed.draw(square, target),
+                    true => placed.depth_tested(square, depth, target),
+                }
+                .expect("no error");
+                assert_eq!(
+                    (statistics.drawn, statistics.outside),
+                    (is_drawn.into(), (!is_drawn).into()),
+                    "{z}"
+                );
+            });
+            assert_eq!(display.drawn().count() > 0, is_drawn, "{z}");
+        }
     }
 }
