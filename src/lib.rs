@@ -15,7 +15,7 @@
 //! use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 //! use pinhole::{meshes::TORUS, prelude::*, Angle};
 //!
-//! // Pixels in memory. A display's driver is a target, too, and so is a band of some rows.
+//! // Pixels in memory. A display's driver and a band of some rows are targets, too.
 //! let (size, mut pixels) = (Size::new(120, 120), [Rgb565::CSS_BLACK; 120 * 120]);
 //! let mut picture = Picture::new(&mut pixels, size)?;
 //! let mut depths = [0; 120 * 120];
@@ -23,16 +23,17 @@
 //!
 //! // A camera that shows all of the mesh, from above and from one side.
 //! let viewport = Viewport::new(Point::zero(), size)?;
-//! let [field_of_view, yaw, pitch] = [40, 20, 30].map(Angle::degrees);
-//! let camera = Camera::framing(&TORUS.bounding_sphere(), &viewport, field_of_view, yaw, pitch)?;
+//! let [fov, yaw, pitch] = [40, 20, 30].map(Angle::degrees);
+//! let camera = Camera::framing(&TORUS.bounding_sphere(), &viewport, fov, yaw, pitch)?;
 //!
-//! // For each frame: place the mesh, and draw its faces in colours dimmed by the light.
+//! // For each frame: place the mesh, and draw its faces, dimmed by the light.
 //! let model = Affine::rotation_x(Angle::degrees(15));
 //! let light = Lambert::new(&model, Vector3::from_ints(1, 3, 2), 40)?;
 //! let color = |face: usize| Rgb565::CSS_GOLD.dim(light.level(TORUS.normals()[face]));
 //! let mut cache = mesh_buffers!(TORUS).cache;
 //! let torus = camera.place(&TORUS, &model);
-//! let statistics = torus.depth_tested(color, &mut cache, &mut depth, &mut picture.pixels())?;
+//! let mut target = picture.pixels();
+//! let statistics = torus.depth_tested(color, &mut cache, &mut depth, &mut target)?;
 //! assert!(statistics.drawn > 100 && statistics.culled > 100);
 //! # assert!(picture.colors().iter().filter(|&&color| color != Rgb565::CSS_BLACK).count() > 120 * 120 / 4);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
