@@ -101,10 +101,14 @@ fn emulate(core: &str, firmware: &std::path::Path) -> Result<(), Box<dyn Error>>
 fn film(pictures: &[Picture]) -> Result<Vec<u8>, Box<dyn Error>> {
     const SCALE: u32 = 2;
     let palette: Vec<_> = (0..16).map(|level| [17 * level; 3]).collect();
-    let mut film = pinhole_apps_support::animation::Animation::new(Vec::new(), SIZE * SCALE, &palette)?;
+    let mut film = pinhole_apps_support::animation::Animation::new(
+        Vec::new(),
+        [SIZE.width * SCALE, SIZE.height * SCALE],
+        &palette,
+    )?;
     for picture in pictures {
         let (_, pixels) = picture.enlarged(SCALE);
-        film.add(pixels.iter().map(|pixel| pixel.r() / 17).collect(), 15)?;
+        film.add(pixels.iter().map(|pixel| pixel.r() / 17).collect(), None, 15)?;
     }
     Ok(film.finish()?)
 }

@@ -2,16 +2,13 @@
 
 use crate::choice::Choice;
 use crate::palette::{Counts, Palette};
-use gif::{Encoder, EncodingError, Frame, Repeat};
-
-/// Duration of a turn, in hundredths of a second.
-const TURN: u32 = 400;
+use pinhole_apps_support::animation::{delay, Animation};
 
 /// An endless film in the making.
 pub(crate) struct Film {
     /// The choice of the first frame.
     pub(crate) choice: Choice,
-    file: Encoder<Vec<u8>>,
+    file: Animation<Vec<u8>>,
     /// The number of all frames, and of those in the file.
     pub(crate) frames: u32,
     pub(crate) done: u32,
@@ -19,9 +16,8 @@ pub(crate) struct Film {
 
 impl Film {
     pub(crate) fn new(choice: Choice, frames: u32) -> Result<Self, String> {
-        let mut file = Encoder::new(Vec::new(), side(choice.size.width), side(choice.size.height), &[])
-            .map_err(failed)?;
-        file.set_repeat(Repeat::Infinite).map_err(failed)?;
+        let size = [choice.size.width, choice.size.height];
+        let file = Animation::new(Vec::new(), size, &[]).map_err(|e| e.to_string())?;
         Ok(Self { choice, file, frames, done: 0 })
     }
 
@@ -32,32 +28,15 @@ impl Film {
         let mut counts = Counts::default();
         counts.add(colors());
         let palette = Palette::of(counts);
-        // Frame times are rounded from the start of the film, so that any number of frames lasts one turn.
-        let moment = |frame: u32| frame * TURN / self.frames.max(1);
-        let frame = Frame {
-            width: side(self.choice.size.width),
-            height: side(self.choice.size.height),
-            buffer: colors().map(|color| palette.index(color)).collect::<Vec<_>>().into(),
-            palette: Some(palette.colours.as_flattened().to_vec()),
-            delay: (moment(self.done + 1) - moment(self.done)) as u16, // at most a turn
-            ..Frame::default()
-        };
-        self.file.write_frame(&frame).map_err(failed)?;
+        let indices = colors().map(|color| palette.index(color)).collect();
+        let delay = delay(self.done, self.frames);
+        self.file.add(indices, Some(&palette.colours), delay).map_err(|e| e.to_string())?;
         self.done += 1;
         Ok(())
     }
 
     /// The file.
     pub(crate) fn finish(self) -> Result<Vec<u8>, String> {
-        self.file.into_inner().map_err(|problem| problem.to_string())
+        self.file.finish().map_err(|e| e.to_string())
     }
-}
-
-/// A side of a display has at most 1024 pixels.
-fn side(pixels: u32) -> u16 {
-    pixels as u16
-}
-
-fn failed(problem: EncodingError) -> String {
-    problem.to_string()
 }

@@ -17,17 +17,14 @@ mod firmware;
 mod json;
 mod lens;
 mod paint;
-#[path = "../../render/src/palette.rs"]
-mod palette;
 mod planner;
-#[allow(dead_code, missing_docs, unreachable_pub)] // of the list of `pinhole-render`, whose other code is for hosts, the names and angles
-#[path = "../../render/src/projections.rs"]
-mod projections;
 mod ready;
 mod texture;
 mod warning;
 mod ways;
 mod work;
+
+use pinhole_apps_support::{palette, projections};
 
 pub use choice::{Choice, Style};
 pub use display::{Format, Tricolor, DISPLAYS};

@@ -1,5 +1,6 @@
 //! The options and their help.
 
+use crate::json::Names;
 use crate::paint::Mode;
 use crate::picture::Format;
 use crate::program::Output;
@@ -99,8 +100,8 @@ pub fn command(more: &'static [Output]) -> Command {
     let text =
         |name: &'static str, value, help: String| Arg::new(name).long(name).value_name(value).help(help);
     let flag = |name: &'static str, help| Arg::new(name).long(name).action(ArgAction::SetTrue).help(help);
-    let modes = names(Mode::ALL.iter().map(|(name, _)| *name));
-    let formats = names(Format::ALL.iter().map(|(name, _)| *name));
+    let modes = Mode::list();
+    let formats = Format::list();
     Command::new("render")
         .about("Draws a model or a scene with depth test, as on a microcontroller")
         .arg(
@@ -179,7 +180,7 @@ pub fn command(more: &'static [Output]) -> Command {
         .arg(text(
             "projection",
             "NAME",
-            format!("{} [default: perspective]", names(Named::ALL.iter().map(|known| known.name))),
+            format!("{} [default: perspective]", Named::list()),
         ))
         .arg(
             text("from", "YAW,PITCH", "Direction to the eye in degrees, such as 30,20".into())
@@ -224,9 +225,4 @@ pub fn command(more: &'static [Output]) -> Command {
                 .value_parser(value_parser!(u32).range(2..=360)),
         )
         .after_help(FORMATS)
-}
-
-/// The names with commas between them.
-pub(crate) fn names<'a>(names: impl Iterator<Item = &'a str>) -> String {
-    names.collect::<Vec<_>>().join(", ")
 }

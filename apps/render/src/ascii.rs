@@ -1,5 +1,6 @@
 //! A picture as text, one character for 2 × 4 pixels: characters are about twice as high as wide, so these pixels are square.
 
+use crate::json::Names;
 use crate::paint::{Report, Style, Subject};
 use crate::picture::{luma, picture, Format};
 use crate::quantised::Quantised;
@@ -16,6 +17,12 @@ pub(crate) enum Characters {
 
 impl Characters {
     pub(crate) const ALL: [(&'static str, Self); 2] = [("ramp", Self::Ramp), ("braille", Self::Braille)];
+}
+
+impl Names for Characters {
+    fn names() -> impl Iterator<Item = (&'static str, Self)> {
+        Self::ALL.into_iter()
+    }
 }
 
 /// The characters from black to white.

@@ -1,10 +1,12 @@
 //! Light in pictures: the scene's lights, or a lamp at the left of the camera and a weaker one at the right, so that both sides
 //! show shape.
 
-use crate::json::Field;
+use crate::json::{self, Whole};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
 use pinhole::{Lambert, Vector3};
+use serde::Deserialize;
+use serde_json::Value;
 
 /// The lights of a scene. Levels are 0 to 256, which is full.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,31 +38,46 @@ impl Default for Lights {
     }
 }
 
+/// An entry of a scene's `"lights"` that is no name.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Entry {
+    ambient: Option<Whole<0, 256>>,
+    towards: Option<[f64; 3]>,
+    from: Option<Axes>,
+    level: Option<Whole<0, 256>>,
+}
+
+#[derive(Deserialize, PartialEq)]
+#[serde(rename_all = "lowercase")]
+enum Axes {
+    World,
+    Camera,
+}
+
 /// The lights of a scene file: lamps by name, or with a direction and a level, and ambient light. The error names the field.
-pub(crate) fn read(list: &Field<'_>) -> Result<Lights, String> {
+pub(crate) fn read(entries: Vec<Value>) -> Result<Lights, String> {
     let mut lights = Lights { ambient: 0, lamps: Vec::new() };
-    for entry in list.list()? {
-        if entry.text().is_ok() {
-            let names = [("ambient", None), (NAMED[0].0, Some(NAMED[0].1)), (NAMED[1].0, Some(NAMED[1].1))];
-            match entry.one_of(&names)? {
-                None => lights.ambient += AMBIENT,
-                Some(lamp) => lights.lamps.push(lamp),
+    for (index, entry) in entries.into_iter().enumerate() {
+        let place = format!("lights[{index}]");
+        if let Some(name) = entry.as_str() {
+            match NAMED.iter().find(|(known, _)| *known == name) {
+                Some((_, lamp)) => lights.lamps.push(*lamp),
+                None if name == "ambient" => lights.ambient += AMBIENT,
+                None => return Err(format!("{place}: {name} is not one of ambient, key, fill")),
             }
             continue;
         }
-        let [ambient, towards, from, level] = entry.fields(["ambient", "towards", "from", "level"])?;
-        let whole = |field: Field<'_>| field.integer(0, 256).map(|level| level as u32);
-        match (ambient, towards) {
-            (Some(ambient), None) => lights.ambient += whole(ambient)?,
-            (None, Some(towards)) => lights.lamps.push(Lamp {
-                towards: towards.vector()?,
-                is_of_camera: from
-                    .map_or(Ok(false), |from| from.one_of(&[("world", false), ("camera", true)]))?,
-                level: whole(entry.needed(level, "level")?)?,
-            }),
-            _ => return Err(entry.error(
-                "has neither ambient nor towards, or both: give ambient light, or the direction to a lamp",
-            )),
+        match json::field(entry, &place)? {
+            Entry { ambient: Some(ambient), towards: None, .. } => lights.ambient += ambient.0 as u32,
+            Entry { ambient: None, towards: Some(towards), from, level: Some(level) } => lights
+                .lamps
+                .push(Lamp { towards, is_of_camera: from == Some(Axes::Camera), level: level.0 as u32 }),
+            _ => {
+                return Err(format!(
+                "{place}: is neither {{\"ambient\": LEVEL}} nor {{\"towards\": [x, y, z], \"level\": LEVEL}}"
+            ))
+            }
         }
     }
     Ok(lights)

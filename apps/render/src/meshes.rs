@@ -1,12 +1,42 @@
 //! The meshes of a scene file: lists of numbers or files, each with a place of its own, as one list of triangles.
 
-use crate::json::{Field, Json};
-use crate::scene::{Colors, Matrix, IDENTITY};
+use crate::json::{self, at, Color, Whole};
+use crate::scene::{in_the_world, Colors, Matrix, IDENTITY};
 use pinhole_import::{Options, Triangles};
+use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
 /// The colour of a face that has none, beside faces that have one: the importer's for faces without a material.
 const GREY: [u8; 3] = [204; 3];
+
+/// The indices of a triangle's vertices.
+pub(crate) type Face = [Whole<0, { i32::MAX }>; 3];
+
+/// A mesh in a scene file: a file, or lists.
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub(crate) struct Entry {
+    pub(crate) mesh: Option<String>,
+    pub(crate) vertices: Option<Vec<[f64; 3]>>,
+    pub(crate) triangles: Option<Vec<Face>>,
+    pub(crate) model: Option<Matrix>,
+    pub(crate) colors: Option<Vec<Color>>,
+    pub(crate) emission: Option<Vec<Color>>,
+}
+
+/// The lists of a mesh in a file of their own, and texts that are ignored.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Lists {
+    vertices: Vec<[f64; 3]>,
+    triangles: Vec<Face>,
+    #[serde(rename = "name")]
+    _name: Option<String>,
+    #[serde(rename = "source")]
+    _source: Option<String>,
+    #[serde(rename = "licence")]
+    _licence: Option<String>,
+}
 
 /// Triangles and what the files that they come from say about them.
 #[derive(Default)]
@@ -18,53 +48,71 @@ pub(crate) struct Meshes {
 }
 
 impl Meshes {
-    /// The mesh that an object of a scene has in the fields `mesh`, or `vertices` and `triangles`. `problem` names the scene in an
-    /// error; errors in the file of a mesh name that file.
+    /// The mesh of an entry in the field `place`. `problem` names the scene in an error; errors in the file of a mesh name that file.
     pub(crate) fn one(
-        object: &Field<'_>,
-        [mesh, vertices, triangles]: [Option<Field<'_>>; 3],
+        entry: Entry,
+        place: &str,
         folder: &Path,
         problem: &impl Fn(String) -> String,
     ) -> Result<Self, String> {
-        match (mesh, vertices, triangles) {
-            (Some(mesh), None, None) => {
-                let name = mesh.text().map_err(problem)?;
-                if name.is_empty() {
-                    return Err(problem(mesh.error("is empty and should name a file")));
-                }
-                Self::of_file(folder.join(name))
+        let mut one = match (entry.mesh, entry.vertices, entry.triangles) {
+            (Some(name), None, None) if name.is_empty() => {
+                return Err(problem(format!("{}: is empty and should name a file", at(place, "mesh"))));
             }
+            (Some(name), None, None) => Self::of_file(folder.join(name))?,
             (None, vertices, triangles) => {
-                let triangles = lists(object, vertices, triangles).map_err(problem)?;
-                Ok(Self { triangles, ..Self::default() })
+                let missing = |field| problem(format!("{}: is missing", at(place, field)));
+                let vertices = vertices.ok_or_else(|| missing("vertices"))?;
+                let triangles = triangles.ok_or_else(|| missing("triangles"))?;
+                let triangles = lists(vertices, &triangles, &at(place, "triangles")).map_err(problem)?;
+                Self { triangles, ..Self::default() }
             }
-            _ => Err(problem(object.error("mesh: is given together with vertices or triangles"))),
+            _ => {
+                let mesh = at(place, "mesh");
+                return Err(problem(format!("{mesh}: is given together with vertices or triangles")));
+            }
+        };
+        one.set_colors([entry.colors, entry.emission], place).map_err(problem)?;
+        if let Some(model) = &entry.model {
+            if model[3] != IDENTITY[3] {
+                return Err(problem(format!("{}: the last row is not [0, 0, 0, 1]", at(place, "model"))));
+            }
+            one.triangles.positions.iter_mut().for_each(|vertex| *vertex = in_the_world(model, *vertex));
         }
+        Ok(one)
     }
 
-    /// The meshes of a list of objects, one behind the other, each where its matrix places it.
+    /// Takes the colours that an entry states, and light that it emits, instead of those of materials.
+    pub(crate) fn set_colors(&mut self, colors: [Option<Vec<Color>>; 2], place: &str) -> Result<(), String> {
+        if colors.iter().all(Option::is_none) {
+            return Ok(());
+        }
+        let triangles = self.triangles.faces.len();
+        for (colors, field) in colors.iter().zip(["colors", "emission"]) {
+            let count = colors.as_ref().map_or(triangles, Vec::len);
+            if count != triangles {
+                let place = at(place, field);
+                return Err(format!("{place}: has {count} colours, but there are {triangles} triangles"));
+            }
+        }
+        let [faces, emission] =
+            colors.map(|colors| colors.into_iter().flatten().map(|color| color.0).collect());
+        self.colors = Colors { faces, emission };
+        Ok(())
+    }
+
+    /// Meshes one behind the other, each where its matrix places it.
     pub(crate) fn several(
-        list: &Field<'_>,
+        entries: Vec<Entry>,
         folder: &Path,
         problem: &impl Fn(String) -> String,
     ) -> Result<Self, String> {
         let mut all = Self::default();
-        for object in list.list().map_err(problem)? {
-            let known = ["mesh", "vertices", "triangles", "model", "colors", "emission"];
-            let [mesh, vertices, triangles, model, colors, emission] =
-                object.fields(known).map_err(problem)?;
-            let mut one = Self::one(&object, [mesh, vertices, triangles], folder, problem)?;
-            one.set_colors([colors, emission]).map_err(problem)?;
-            let model = model.map_or(Ok(IDENTITY), |model| affine(&model)).map_err(problem)?;
-            for vertex in &mut one.triangles.positions {
-                let [x, y, z] = *vertex;
-                *vertex =
-                    [0, 1, 2].map(|i| model[i][0] * x + model[i][1] * y + model[i][2] * z + model[i][3]);
-            }
-            all.add(one);
+        for (index, entry) in entries.into_iter().enumerate() {
+            all.add(Self::one(entry, &format!("meshes[{index}]"), folder, problem)?);
         }
         match all.triangles.faces.is_empty() {
-            true => Err(problem(list.error("has no meshes"))),
+            true => Err(problem("meshes: has no meshes".into())),
             false => Ok(all),
         }
     }
@@ -90,24 +138,12 @@ impl Meshes {
         self.files.extend(other.files);
     }
 
-    /// Takes the colours that an object states, and light that it emits, instead of those of materials.
-    pub(crate) fn set_colors(&mut self, fields: [Option<Field<'_>>; 2]) -> Result<(), String> {
-        if fields.iter().any(Option::is_some) {
-            let [faces, emission] = fields.map(|field| colors_of(&self.triangles.faces, field));
-            self.colors = Colors { faces: faces?, emission: emission? };
-        }
-        Ok(())
-    }
-
     /// Reads a mesh of any format, as it is in the file: the scene says how it lies and whether back faces are culled.
     fn of_file(file: PathBuf) -> Result<Self, String> {
         if file.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
-            let json = parse(&file)?;
-            let root = Field::root(&json);
-            let triangles = root
-                .fields(["vertices", "triangles"])
-                .and_then(|[vertices, triangles]| lists(&root, vertices, triangles))
-                .map_err(|e| format!("{}: {e}", file.display()))?;
+            let Lists { vertices, triangles, .. } = json::read(&file)?;
+            let triangles = lists(vertices, &triangles, "triangles")
+                .map_err(|problem| format!("{}: {problem}", file.display()))?;
             return Ok(Self { triangles, files: vec![file], ..Self::default() });
         }
         let triangles = pinhole_import::read_triangles(&file).map_err(|e| e.to_string())?;
@@ -125,51 +161,16 @@ impl Meshes {
     }
 }
 
-/// Parses a JSON file.
-pub(crate) fn parse(file: &Path) -> Result<Json, String> {
-    let text = std::fs::read(file).map_err(|e| format!("{}: cannot be read: {e}", file.display()))?;
-    Json::parse(&text).map_err(|e| format!("{}: {e}", file.display()))
-}
-
-pub(crate) fn matrix(field: &Field<'_>) -> Result<Matrix, String> {
-    field.array(|row| row.array(|f| f.number()))
-}
-
-/// A matrix that places a mesh.
-fn affine(field: &Field<'_>) -> Result<Matrix, String> {
-    let matrix = matrix(field)?;
-    match matrix[3] == IDENTITY[3] {
-        true => Ok(matrix),
-        false => Err(field.error("the last row is not [0, 0, 0, 1]")),
+fn lists(positions: Vec<[f64; 3]>, triangles: &[Face], place: &str) -> Result<Triangles, String> {
+    if triangles.is_empty() {
+        return Err(format!("{place}: has no faces"));
     }
-}
-
-/// A colour for each triangle, or nothing.
-fn colors_of(triangles: &[[usize; 3]], field: Option<Field<'_>>) -> Result<Vec<[u8; 3]>, String> {
-    let Some(field) = field else { return Ok(Vec::new()) };
-    let colors = field.list()?.map(|color| color.color()).collect::<Result<Vec<_>, _>>()?;
-    if colors.len() != triangles.len() {
-        let (colors, triangles) = (colors.len(), triangles.len());
-        return Err(field.error(format_args!("has {colors} colours, but there are {triangles} triangles")));
-    }
-    Ok(colors)
-}
-
-fn lists(
-    object: &Field<'_>,
-    vertices: Option<Field<'_>>,
-    triangles: Option<Field<'_>>,
-) -> Result<Triangles, String> {
-    let vertices = object.needed(vertices, "vertices")?;
-    let positions = vertices.list()?.map(|vertex| vertex.vector()).collect::<Result<Vec<_>, _>>()?;
-    let corner = |f: Field<'_>| match positions.len() {
-        0 => Err(f.error("names a vertex, and there are none")),
-        count => f.integer(0, count as i64 - 1).map(|i| i as usize), // not negative
-    };
-    let triangles = object.needed(triangles, "triangles")?;
-    let faces = triangles.list()?.map(|t| t.array(corner)).collect::<Result<Vec<_>, _>>()?;
-    if faces.is_empty() {
-        return Err(triangles.error("has no faces"));
+    let faces: Vec<_> = triangles.iter().map(|face| face.map(|vertex| vertex.0 as usize)).collect();
+    for (index, face) in faces.iter().enumerate() {
+        if let Some(corner) = face.iter().position(|&vertex| vertex >= positions.len()) {
+            let (vertex, count) = (face[corner], positions.len());
+            return Err(format!("{place}[{index}][{corner}]: names vertex {vertex}, and there are {count}"));
+        }
     }
     Ok(Triangles { positions, faces })
 }

@@ -1,5 +1,6 @@
 //! A camera for a mesh: one that shows all of it.
 
+use crate::json::Names;
 use crate::light::Lights;
 use crate::projections::{Kind, Named, Stance};
 use crate::scene::{bounds, Colors, Matrix, Scene, IDENTITY};
@@ -32,6 +33,12 @@ pub enum Fit {
     /// The mesh's bounding sphere, magnified by a factor: it has one size from all sides, and its centre is the picture's. A
     /// perspective is that of [`pinhole::Camera::framing`], as the templates for firmware have it.
     Sphere { zoom: f64 },
+}
+
+impl Names for Fit {
+    fn names() -> impl Iterator<Item = (&'static str, Self)> {
+        [("sphere", Self::Sphere { zoom: 1.0 }), ("outline", Self::Outline)].into_iter()
+    }
 }
 
 /// The part of the picture's half width and height that the mesh's outline may fill.

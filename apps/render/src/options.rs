@@ -1,10 +1,10 @@
 //! The parsed command line.
 
-use crate::arguments::names;
 use crate::ascii::Characters;
 use crate::colours;
 use crate::fog::FogStyle;
 use crate::import;
+use crate::json::Names;
 use crate::model::{Fit, Look};
 use crate::paint::{Mode, Style, Translucency};
 use crate::picture::Format;
@@ -64,7 +64,7 @@ pub(crate) fn read(mut given: ArgMatches, more: &'static [Output]) -> Result<Opt
     if let Some(name) = outputs.iter().find(|name| given.get_one(name).is_some_and(is_dash)) {
         return Err(format!("--{name}: - is no file, and standard output has the messages: name a file"));
     }
-    let ascii = choice(&mut given, "ascii", &Characters::ALL)?;
+    let ascii = choice::<Characters>(&mut given, "ascii")?;
     let painted = ["colour", "background", "format", "door", "alpha", "fog"]
         .into_iter()
         .find(|name| given.contains_id(name));
@@ -137,17 +137,14 @@ fn canonical(file: &Option<PathBuf>) -> Option<PathBuf> {
 }
 
 /// The value that an option's name stands for. The error lists the known names.
-fn choice<T: Copy>(given: &mut ArgMatches, option: &str, known: &[(&str, T)]) -> Result<Option<T>, String> {
-    let Some(name) = given.remove_one::<String>(option) else { return Ok(None) };
-    let chosen = known.iter().find(|(other, _)| *other == name).map(|(_, chosen)| *chosen);
-    let unknown =
-        || format!("--{option}: {name} is not one of {}", names(known.iter().map(|(name, _)| *name)));
-    chosen.ok_or_else(unknown).map(Some)
+fn choice<T: Names>(given: &mut ArgMatches, option: &str) -> Result<Option<T>, String> {
+    let chosen = given.remove_one::<String>(option).map(|name| T::named(&name)).transpose();
+    chosen.map_err(|problem| format!("--{option}: {problem}"))
 }
 
 fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
-    let mode = choice(given, "mode", &Mode::ALL)?.unwrap_or(Mode::Solid);
-    let format = choice(given, "format", &Format::ALL)?.unwrap_or(Format::Rgb888);
+    let mode = choice(given, "mode")?.unwrap_or(Mode::Solid);
+    let format = choice(given, "format")?.unwrap_or(Format::Rgb888);
     let mut colour = |option: &str| match given.remove_one::<String>(option) {
         None => Ok(None),
         Some(text) => colours::parse(&text).map(Some).map_err(|e| format!("--{option}: {e}")),
@@ -226,8 +223,7 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool, is_raw: bool) -> Resu
         }
         return Ok(None);
     }
-    let projections = Named::ALL.map(|named| (named.name, named));
-    let projection = choice(given, "projection", &projections)?.unwrap_or(Named::ALL[0]);
+    let projection = choice(given, "projection")?.unwrap_or(Named::ALL[0]);
     let from = match given.remove_one::<String>("from") {
         None => [None; 2],
         Some(_) if given.contains_id("yaw") || given.contains_id("pitch") => {
@@ -264,8 +260,7 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool, is_raw: bool) -> Resu
     };
     let size = given.remove_one::<String>("size").unwrap_or(usual.into());
     let Size { width, height } = pinhole_apps_support::command::size(&size, 1..=LARGEST)?;
-    let fits = [("sphere", Fit::Sphere { zoom: 1.0 }), ("outline", Fit::Outline)];
-    let fit = choice(given, "frame", &fits)?.unwrap_or(fits[0].1);
+    let fit = choice(given, "frame")?.unwrap_or(Fit::Sphere { zoom: 1.0 });
     let up = Axis::of_file(scene); // unless the importer says otherwise
     Ok(Some(Look { projection, yaw, pitch, field_of_view, width, height, up, fit }))
 }

@@ -2,6 +2,7 @@
 
 use crate::brush::Brush;
 use crate::fog::FogStyle;
+use crate::json::Names;
 use crate::light::Light;
 use crate::normals;
 use crate::parts::{parts, Part};
@@ -100,6 +101,12 @@ impl Mode {
             Self::Gouraud => 180.0,
             Self::Flat | Self::Wireframe | Self::HiddenLine => 0.0,
         }
+    }
+}
+
+impl Names for Mode {
+    fn names() -> impl Iterator<Item = (&'static str, Self)> {
+        Self::ALL.into_iter()
     }
 }
 

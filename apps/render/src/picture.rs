@@ -1,5 +1,6 @@
 //! A picture in the pixel format of a display.
 
+use crate::json::Names;
 use crate::paint::{Colour, Report, Style, Subject};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
@@ -37,6 +38,12 @@ impl Format {
     /// Whether the format is coarse enough to show steps in smooth shading.
     pub const fn wants_dither(self) -> bool {
         !matches!(self, Self::Rgb888 | Self::Gray8)
+    }
+}
+
+impl Names for Format {
+    fn names() -> impl Iterator<Item = (&'static str, Self)> {
+        Self::ALL.into_iter()
     }
 }
 

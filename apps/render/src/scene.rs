@@ -2,12 +2,14 @@
 
 use crate::camera;
 use crate::fog::FogStyle;
-use crate::json::Field;
+use crate::json::{self, Color, Whole};
 use crate::light::{self, Lights};
-use crate::meshes::{matrix, parse, Meshes};
+use crate::meshes::{Entry, Face, Meshes};
 use crate::sprites::{self, SceneSprites};
 use crate::texture::{self, SceneTexture};
 use pinhole_import::Triangles;
+use serde::Deserialize;
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 
 pub type Matrix = [[f64; 4]; 4];
@@ -52,97 +54,114 @@ pub struct Scene {
     pub mesh_files: Vec<PathBuf>,
 }
 
+/// A scene file.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    mesh: Option<String>,
+    vertices: Option<Vec<[f64; 3]>>,
+    triangles: Option<Vec<Face>>,
+    meshes: Option<Vec<Entry>>,
+    model: Option<Matrix>,
+    camera: Option<Value>,
+    view: Option<Matrix>,
+    projection: Option<Matrix>,
+    width: Whole<1, { LARGEST as i32 }>,
+    height: Whole<1, { LARGEST as i32 }>,
+    viewport: Option<[Whole<{ -1 << 30 }, { 1 << 30 }>; 4]>,
+    cull: Option<Cull>,
+    colors: Option<Vec<Color>>,
+    emission: Option<Vec<Color>>,
+    uv: Option<Value>,
+    texture: Option<Value>,
+    wrap: Option<texture::Wrap>,
+    lights: Option<Vec<Value>>,
+    fog: Option<[f64; 2]>,
+    sprites: Option<Vec<sprites::Entry>>,
+    /// Texts that describe the scene to people, and are ignored.
+    #[serde(rename = "name")]
+    _name: Option<String>,
+    #[serde(rename = "source")]
+    _source: Option<String>,
+    #[serde(rename = "licence")]
+    _licence: Option<String>,
+}
+
+#[derive(Deserialize, PartialEq)]
+#[serde(rename_all = "lowercase")]
+enum Cull {
+    None,
+    Back,
+}
+
 impl Scene {
     /// Reads a `.json` scene and the mesh it names. The error names file and field.
     pub fn read(file: &Path) -> Result<Self, String> {
-        let json = parse(file)?;
+        let mut scene: File = json::read(file)?;
         let problem = |e: String| format!("{}: {e}", file.display());
-        let root = Field::root(&json);
-        let known = [
-            "mesh",
-            "vertices",
-            "triangles",
-            "meshes",
-            "model",
-            "camera",
-            "view",
-            "projection",
-            "width",
-            "height",
-            "viewport",
-            "cull",
-            "colors",
-            "emission",
-            "uv",
-            "texture",
-            "wrap",
-            "lights",
-            "fog",
-            "sprites",
-        ];
-        let [mesh, vertices, triangles, meshes, model, camera, view, projection, width, height, viewport, cull, colors, emission, uv, texture, wrap, lights, fog, sprites] =
-            root.fields(known).map_err(problem)?;
         let folder = file.parent().unwrap_or(Path::new(""));
-        let own = [mesh, vertices, triangles];
-        let mut meshes = match meshes {
-            None => Meshes::one(&root, own, folder, &problem)?,
-            Some(meshes) if own.iter().all(Option::is_none) => Meshes::several(&meshes, folder, &problem)?,
-            Some(_) => {
+        let own = Entry {
+            mesh: scene.mesh.take(),
+            vertices: scene.vertices.take(),
+            triangles: scene.triangles.take(),
+            colors: scene.colors.take(),
+            emission: scene.emission.take(),
+            model: None,
+        };
+        let meshes = match scene.meshes.take() {
+            None => Meshes::one(own, "", folder, &problem)?,
+            Some(_) if own.mesh.is_some() || own.vertices.is_some() || own.triangles.is_some() => {
                 return Err(problem("meshes: is given together with mesh, vertices or triangles".into()))
             }
+            Some(meshes) => {
+                let mut meshes = Meshes::several(meshes, folder, &problem)?;
+                meshes.set_colors([own.colors, own.emission], "").map_err(problem)?;
+                meshes
+            }
         };
-        let rest = || -> Result<Self, String> {
-            meshes.set_colors([colors, emission])?;
-            let Meshes { triangles, colors, files } = meshes;
-            let texture = texture::read([uv, texture, wrap], folder, &triangles)?;
-            let sprites = sprites.map_or(Ok(Vec::new()), |field| sprites::read(&field, folder))?;
-            let size = |field: Option<Field<'_>>, name| root.needed(field, name)?.integer(1, LARGEST.into());
-            let (width, height) = (size(width, "width")? as u32, size(height, "height")? as u32); // at most 4096
-            let viewport = match viewport {
-                Some(field) => field.array(|f| f.integer(-1 << 30, 1 << 30))?.map(|v| v as i32), // 31 bits
-                None => [0, 0, width as i32, height as i32],
-            };
-            let model = model.map_or(Ok(IDENTITY), |model| matrix(&model))?;
-            let [view, projection] = match (camera, view, projection) {
-                (None, view, projection) => {
-                    [matrix(&root.needed(view, "view")?)?, matrix(&root.needed(projection, "projection")?)?]
-                }
-                (Some(camera), None, None) => {
-                    let [_, _, across, down] = viewport.map(|side| side.max(1) as u32);
-                    let positions =
-                        triangles.positions.iter().map(|&vertex| in_the_world(&model, vertex)).collect();
-                    let world = Triangles { positions, faces: triangles.faces.clone() };
-                    let points = sprites.iter().flat_map(|entry| entry.points.iter().copied());
-                    camera::read(&camera, [across, down], world, points)?
-                }
-                (Some(camera), ..) => {
-                    return Err(camera.error("is given together with view or projection"));
-                }
-            };
-            let cull = cull.map_or(Ok(false), |field| field.one_of(&[("none", false), ("back", true)]))?;
-            let between = |field: Field<'_>| {
-                FogStyle::between(field.array(|distance| distance.number())?).map_err(|e| field.error(e))
-            };
-            let Triangles { positions: vertices, faces: triangles } = triangles;
-            Ok(Self {
-                vertices,
-                triangles,
-                colors,
-                model,
-                view,
-                projection,
-                width,
-                height,
-                viewport,
-                cull,
-                texture,
-                lights: lights.map_or(Ok(Lights::default()), |lights| light::read(&lights))?,
-                fog: fog.map(between).transpose()?,
-                sprites,
-                mesh_files: files,
-            })
+        Self::of(scene, meshes, folder).map_err(problem)
+    }
+
+    fn of(scene: File, meshes: Meshes, folder: &Path) -> Result<Self, String> {
+        let Meshes { triangles, colors, files } = meshes;
+        let fields = texture::Fields { uv: scene.uv, texture: scene.texture, wrap: scene.wrap };
+        let texture = texture::read(fields, folder, &triangles)?;
+        let sprites = sprites::read(scene.sprites.unwrap_or_default(), folder)?;
+        let (width, height) = (scene.width.0, scene.height.0);
+        let viewport = scene.viewport.map_or([0, 0, width, height], |viewport| viewport.map(|side| side.0));
+        let model = scene.model.unwrap_or(IDENTITY);
+        let [view, projection] = match (scene.camera, scene.view, scene.projection) {
+            (None, view, projection) => {
+                [view.ok_or("view: is missing")?, projection.ok_or("projection: is missing")?]
+            }
+            (Some(camera), None, None) => {
+                let [_, _, across, down] = viewport.map(|side| side.max(1) as u32);
+                let positions =
+                    triangles.positions.iter().map(|&vertex| in_the_world(&model, vertex)).collect();
+                let world = Triangles { positions, faces: triangles.faces.clone() };
+                let points = sprites.iter().flat_map(|entry| entry.points.iter().copied());
+                camera::read(camera, [across, down], world, points)?
+            }
+            _ => return Err("camera: is given together with view or projection".into()),
         };
-        rest().map_err(problem)
+        let Triangles { positions: vertices, faces: triangles } = triangles;
+        Ok(Self {
+            vertices,
+            triangles,
+            colors,
+            model,
+            view,
+            projection,
+            width: width as u32,
+            height: height as u32,
+            viewport,
+            cull: scene.cull == Some(Cull::Back),
+            texture,
+            lights: scene.lights.map_or(Ok(Lights::default()), light::read)?,
+            fog: scene.fog.map(FogStyle::between).transpose().map_err(|e| format!("fog: {e}"))?,
+            sprites,
+            mesh_files: files,
+        })
     }
 
     /// Transforms a vertex to clip space in f64.
@@ -215,7 +234,7 @@ impl Scene {
     }
 }
 
-fn in_the_world(model: &Matrix, vertex: [f64; 3]) -> [f64; 3] {
+pub(crate) fn in_the_world(model: &Matrix, vertex: [f64; 3]) -> [f64; 3] {
     let [x, y, z, _] = transform([model], vertex); // the last row is that of a point
     [x, y, z]
 }

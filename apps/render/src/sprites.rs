@@ -1,10 +1,12 @@
 //! Sprites of scenes: pictures that face the viewer, at points of the world.
 
-use crate::json::Field;
+use crate::json::{self, at, Color, Names, Whole};
 use crate::picture_file;
 use crate::scene::LARGEST;
 use embedded_graphics::geometry::{AnchorPoint, Point};
 use embedded_graphics::primitives::{Circle, ContainsPoint};
+use serde::Deserialize;
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -57,124 +59,133 @@ pub enum Anchor {
 /// Texels of a disc whose size is given in world units.
 const DISC: u32 = 64;
 
-pub const SHAPES: [(&str, Shape); 2] = [("square", Shape::Square), ("disc", Shape::Disc)];
-
-pub const ANCHORS: [(&str, AnchorPoint); 9] = [
-    ("center", AnchorPoint::Center),
-    ("top-left", AnchorPoint::TopLeft),
-    ("top-center", AnchorPoint::TopCenter),
-    ("top-right", AnchorPoint::TopRight),
-    ("center-left", AnchorPoint::CenterLeft),
-    ("center-right", AnchorPoint::CenterRight),
-    ("bottom-left", AnchorPoint::BottomLeft),
-    ("bottom-center", AnchorPoint::BottomCenter),
-    ("bottom-right", AnchorPoint::BottomRight),
-];
-
-/// The sprites of a scene file in this folder. The error names the field.
-pub(crate) fn read(sprites: &Field<'_>, folder: &Path) -> Result<Vec<SceneSprites>, String> {
-    sprites.list()?.map(|entry| read_entry(&entry, folder)).collect()
+impl Names for Shape {
+    fn names() -> impl Iterator<Item = (&'static str, Self)> {
+        [("square", Self::Square), ("disc", Self::Disc)].into_iter()
+    }
 }
 
-fn read_entry(entry: &Field<'_>, folder: &Path) -> Result<SceneSprites, String> {
-    let [at, picture, color, key, pixels, size, height, anchor, alpha, depth] = entry
-        .fields(["at", "picture", "color", "key", "pixels", "size", "height", "anchor", "alpha", "depth"])?;
-    let at = at.ok_or_else(|| {
-        entry.error("at is missing: give a point of the world, [x, y, z], or a list of points")
-    })?;
-    let picture = read_picture(entry, [picture, color, key], folder)?;
-    let whole = |low, high| move |field: Field<'_>| field.integer(low, high);
-    let size = match [pixels, size, height] {
-        [None, None, None] => SpriteSize::Pixels(1),
-        [Some(pixels), None, None] => SpriteSize::Pixels(pixels.integer(1, 255)? as u8),
-        [None, Some(size), None] => SpriteSize::World(size.array(positive)?),
-        [None, None, Some(height)] => SpriteSize::Height(positive(height)?),
-        [pixels, size, height] => {
-            let all = [pixels, size, height].into_iter().flatten();
-            let message = "is given together with another size: give one of pixels, size and height";
-            return Err(all.last().map_or_else(String::new, |field| field.error(message)));
-        }
+impl Names for AnchorPoint {
+    fn names() -> impl Iterator<Item = (&'static str, Self)> {
+        [
+            ("center", AnchorPoint::Center),
+            ("top-left", AnchorPoint::TopLeft),
+            ("top-center", AnchorPoint::TopCenter),
+            ("top-right", AnchorPoint::TopRight),
+            ("center-left", AnchorPoint::CenterLeft),
+            ("center-right", AnchorPoint::CenterRight),
+            ("bottom-left", AnchorPoint::BottomLeft),
+            ("bottom-center", AnchorPoint::BottomCenter),
+            ("bottom-right", AnchorPoint::BottomRight),
+        ]
+        .into_iter()
+    }
+}
+
+/// An entry of a scene's `"sprites"`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Entry {
+    at: Option<Value>,
+    picture: Option<String>,
+    color: Option<Color>,
+    key: Option<Color>,
+    pixels: Option<Whole<1, 255>>,
+    size: Option<[f64; 2]>,
+    height: Option<f64>,
+    anchor: Option<Value>,
+    alpha: Option<Whole<0, 32>>,
+    depth: Option<Depth>,
+}
+
+#[derive(Deserialize, PartialEq)]
+#[serde(rename_all = "lowercase")]
+enum Depth {
+    Test,
+    None,
+}
+
+/// The sprites of a scene file in this folder. The error names the field.
+pub(crate) fn read(entries: Vec<Entry>, folder: &Path) -> Result<Vec<SceneSprites>, String> {
+    let entry = |(index, entry)| read_entry(entry, &format!("sprites[{index}]"), folder);
+    entries.into_iter().enumerate().map(entry).collect()
+}
+
+fn read_entry(entry: Entry, place: &str, folder: &Path) -> Result<SceneSprites, String> {
+    let points = read_points(entry.at.unwrap_or_default(), &at(place, "at"))?;
+    let picture = read_picture(entry.picture.as_deref(), entry.color, entry.key, place, folder)?;
+    let positive = |number: f64, field: &str| match number > 0.0 {
+        true => Ok(number),
+        false => Err(format!("{}: {number} is not more than 0", at(place, field))),
     };
-    let anchor = match anchor {
-        None => Anchor::Named(AnchorPoint::Center),
-        Some(anchor) if anchor.list().is_ok() => {
-            Anchor::Texel(anchor.array(whole(0, LARGEST.into()))?.map(|number| number as u32))
+    let size = match (entry.pixels, entry.size, entry.height) {
+        (pixels, None, None) => SpriteSize::Pixels(pixels.map_or(1, |pixels| pixels.0 as u8)),
+        (None, Some([width, height]), None) => {
+            SpriteSize::World([positive(width, "size[0]")?, positive(height, "size[1]")?])
         }
-        Some(anchor) => Anchor::Named(anchor.one_of(&ANCHORS)?),
+        (None, None, Some(height)) => SpriteSize::Height(positive(height, "height")?),
+        _ => return Err(format!("{place}: has more than one size: give one of pixels, size and height")),
+    };
+    let anchor = match entry.anchor {
+        None => Anchor::Named(AnchorPoint::Center),
+        Some(Value::String(name)) => {
+            let named = AnchorPoint::named(&name);
+            Anchor::Named(named.map_err(|problem| format!("{}: {problem}", at(place, "anchor")))?)
+        }
+        Some(texel) => {
+            let texel: [Whole<0, { LARGEST as i32 }>; 2] = json::field(texel, &at(place, "anchor"))?;
+            Anchor::Texel(texel.map(|number| number.0 as u32))
+        }
     };
     Ok(SceneSprites {
         picture,
-        points: read_points(&at)?,
+        points,
         size,
         anchor,
-        alpha: alpha.map(whole(0, 32)).transpose()?.map(|alpha| alpha as u8),
-        depth_tested: depth.map_or(Ok(true), |depth| depth.one_of(&[("test", true), ("none", false)]))?,
+        alpha: entry.alpha.map(|alpha| alpha.0 as u8),
+        depth_tested: entry.depth != Some(Depth::None),
     })
 }
 
 /// A point, or a list of points.
-fn read_points(at: &Field<'_>) -> Result<Vec<[f64; 3]>, String> {
-    let Some(first) = at.list()?.next() else {
-        return Err(at.error("has no points: give [x, y, z], or a list of points"));
-    };
-    let is_list = first.list().is_ok();
-    match is_list {
-        true => at.list()?.map(|point| point.vector()).collect(),
-        false => Ok(vec![at.vector()?]),
-    }
-}
-
-fn positive(field: Field<'_>) -> Result<f64, String> {
-    let number = field.number()?;
-    match number > 0.0 {
-        true => Ok(number),
-        false => Err(field.error(format_args!("{number} is not more than 0"))),
+fn read_points(at: Value, place: &str) -> Result<Vec<[f64; 3]>, String> {
+    match &at {
+        Value::Array(points) if points.first().is_some_and(Value::is_array) => json::field(at, place),
+        Value::Array(numbers) if !numbers.is_empty() => Ok(vec![json::field(at, place)?]),
+        _ => Err(format!("{place}: give a point of the world, [x, y, z], or a list of points")),
     }
 }
 
 fn read_picture(
-    entry: &Field<'_>,
-    [picture, color, key]: [Option<Field<'_>>; 3],
+    name: Option<&str>,
+    color: Option<Color>,
+    key: Option<Color>,
+    place: &str,
     folder: &Path,
 ) -> Result<SpritePicture, String> {
-    let ready = |name: &str| SHAPES.iter().find(|(known, _)| *known == name).map(|(_, shape)| *shape);
-    let name = picture.as_ref().map(Field::text).transpose()?;
-    match (name.map_or(Some(Shape::Square), ready), picture) {
-        (None, Some(file)) => match color {
-            None => read_file(&file, key.as_ref(), folder),
-            Some(color) => {
-                let message =
-                    "is for \"square\" and \"disc\", and picture names a file: leave one of them out";
-                Err(color.error(message))
-            }
-        },
-        (shape, picture) => {
-            if let Some(key) = key {
-                return Err(
-                    key.error("is the transparent colour of a file, and picture names none: leave it out")
-                );
-            }
-            let missing = match picture {
-                None => "picture and color are missing: give a file, or the colour of a square",
-                Some(_) => "color is missing: give the colour of the picture, [r, g, b]",
-            };
-            let color = color.ok_or_else(|| entry.error(missing))?;
-            Ok(SpritePicture::Ready(shape.unwrap_or(Shape::Square), color.color()?))
+    let shape = name.map_or(Some(Shape::Square), |name| Shape::named(name).ok());
+    match (shape, name, color, key) {
+        (None, Some(name), None, key) => {
+            let path = folder.join(name);
+            read_file(name, path, key.map(|key| key.0)).map_err(|problem| format!("{place}.{problem}"))
         }
+        (None, _, Some(_), _) => Err(format!(
+            "{place}.color: is for \"square\" and \"disc\", and picture names a file: leave one of them out"
+        )),
+        (Some(_), _, _, Some(_)) => Err(format!(
+            "{place}.key: is the transparent colour of a file, and picture names none: leave it out"
+        )),
+        (Some(shape), _, Some(color), None) => Ok(SpritePicture::Ready(shape, color.0)),
+        _ => Err(format!("{place}: color is missing: give the colour of the picture, [r, g, b], or a file")),
     }
 }
 
 /// A picture from a file, whose pixels are transparent where they are less than half opaque or have the colour `key`.
-fn read_file(picture: &Field<'_>, key: Option<&Field<'_>>, folder: &Path) -> Result<SpritePicture, String> {
-    let name = picture.text()?;
-    let path = folder.join(name);
-    let (size, pixels) = picture_file::read(&path, LARGEST).map_err(|e| picture.error(e))?;
-    let color = key.map(Field::color).transpose()?;
-    let is_key = |&[r, g, b, _]: &[u8; 4]| color == Some([r, g, b]);
-    if let (Some(key), Some([r, g, b])) = (key, color) {
-        if !pixels.iter().any(is_key) {
-            return Err(key.error(format_args!("no pixel of {name} has the colour [{r}, {g}, {b}]")));
-        }
+fn read_file(name: &str, path: PathBuf, key: Option<[u8; 3]>) -> Result<SpritePicture, String> {
+    let (size, pixels) = picture_file::read(&path, LARGEST).map_err(|e| format!("picture: {e}"))?;
+    let is_key = |&[r, g, b, _]: &[u8; 4]| key == Some([r, g, b]);
+    if let Some(key) = key.filter(|_| !pixels.iter().any(is_key)) {
+        return Err(format!("key: no pixel of {name} has the colour {key:?}"));
     }
     let texel = |pixel: &[u8; 4]| {
         let [r, g, b, opacity] = *pixel;
@@ -182,9 +193,9 @@ fn read_file(picture: &Field<'_>, key: Option<&Field<'_>>, folder: &Path) -> Res
     };
     let texels: Arc<[_]> = pixels.iter().map(texel).collect();
     if texels.iter().all(Option::is_none) {
-        return Err(picture.error(format_args!("{name} shows nothing: all of its pixels are transparent")));
+        return Err(format!("picture: {name} shows nothing: all of its pixels are transparent"));
     }
-    Ok(SpritePicture::File { path, size: size.map(|side| side as u32), texels, key: color })
+    Ok(SpritePicture::File { path, size: size.map(|side| side as u32), texels, key })
 }
 
 impl SceneSprites {

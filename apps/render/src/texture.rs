@@ -1,9 +1,11 @@
 //! Textures of scenes: coordinates, and a size or a picture.
 
-use crate::json::Field;
+use crate::json::{self, Whole};
 use crate::picture_file;
 use embedded_graphics::pixelcolor::Rgb888;
 use pinhole_import::{Preview, Triangles};
+use serde::Deserialize;
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 
 /// A texture on all triangles of a scene.
@@ -26,54 +28,58 @@ pub struct QuantisedTexture {
     pub exponent: i8,
 }
 
+/// The fields of a scene file.
+pub(crate) struct Fields {
+    pub(crate) uv: Option<Value>,
+    pub(crate) texture: Option<Value>,
+    pub(crate) wrap: Option<Wrap>,
+}
+
+#[derive(Deserialize, PartialEq)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Wrap {
+    Repeat,
+    Clamp,
+}
+
 /// The texture of a scene file in this folder. The error names the field.
-pub(crate) fn read(
-    fields: [Option<Field<'_>>; 3],
-    folder: &Path,
-    mesh: &Triangles,
-) -> Result<Option<SceneTexture>, String> {
+pub(crate) fn read(fields: Fields, folder: &Path, mesh: &Triangles) -> Result<Option<SceneTexture>, String> {
     let (uv, texture, clamped) = match fields {
-        [None, None, None] => return Ok(None),
-        [Some(uv), Some(texture), wrap] => {
-            let clamped = |wrap: Field<'_>| wrap.one_of(&[("repeat", false), ("clamp", true)]);
-            (uv, texture, wrap.map_or(Ok(false), clamped)?)
-        }
-        [Some(_), None, _] => return Err("texture: is missing, and uv is given".into()),
-        [None, _, _] => return Err("uv: is missing, and texture or wrap is given".into()),
+        Fields { uv: None, texture: None, wrap: None } => return Ok(None),
+        Fields { uv: Some(uv), texture: Some(texture), wrap } => (uv, texture, wrap == Some(Wrap::Clamp)),
+        Fields { uv: Some(_), .. } => return Err("texture: is missing, and uv is given".into()),
+        Fields { uv: None, .. } => return Err("uv: is missing, and texture or wrap is given".into()),
     };
-    let (size, picture) = match texture.text() {
-        Ok(name) => {
+    let (size, picture) = match texture.as_str() {
+        Some(name) => {
             let path = folder.join(name);
-            let (size, pixels) = picture_file::read(&path, 256).map_err(|problem| texture.error(problem))?;
+            let (size, pixels) =
+                picture_file::read(&path, 256).map_err(|problem| format!("texture: {problem}"))?;
             (size, Some((pixels.iter().map(|&[r, g, b, _]| [r, g, b]).collect(), path)))
         }
-        Err(_) => (texture.array(|side| side.integer(1, 1 << 16).map(|side| side as usize))?, None),
+        None => {
+            let size: [Whole<1, 65_536>; 2] = json::field(texture, "texture")?;
+            (size.map(|side| side.0 as usize), None)
+        }
     };
     if let Some(side) = size.into_iter().find(|side| !side.is_power_of_two() || *side < 8 || *side > 256) {
-        return Err(
-            texture.error(format_args!("has a side of {side}, which is none of 8, 16, 32, 64, 128, 256"))
-        );
+        return Err(format!("texture: has a side of {side}, which is none of 8, 16, 32, 64, 128, 256"));
     }
-    Ok(Some(SceneTexture { uv: read_uv(&uv, mesh)?, size, clamped, picture }))
+    Ok(Some(SceneTexture { uv: read_uv(uv, mesh)?, size, clamped, picture }))
 }
 
 /// A pair for each vertex, or three for each triangle.
-fn read_uv(uv: &Field<'_>, mesh: &Triangles) -> Result<Vec<[[f64; 2]; 3]>, String> {
-    let pair = |field: Field<'_>| field.array(|f| f.number());
-    let first = uv.list()?.next().map(|item| item.list().map(|mut list| list.next()));
-    let of_corners = matches!(first, Some(Ok(Some(inner))) if inner.list().is_ok());
-    let (count, what) = match of_corners {
-        true => (mesh.faces.len(), "triangles"),
-        false => (mesh.positions.len(), "vertices"),
+fn read_uv(uv: Value, mesh: &Triangles) -> Result<Vec<[[f64; 2]; 3]>, String> {
+    let counted = |given: usize, count: usize, what: &str| match given == count {
+        true => Ok(()),
+        false => Err(format!("uv: has {given} entries, but there are {count} {what}")),
     };
-    let given = uv.list()?.len();
-    if given != count {
-        return Err(uv.error(format_args!("has {given} entries, but there are {count} {what}")));
+    if uv[0][0].is_array() {
+        let corners: Vec<[[f64; 2]; 3]> = json::field(uv, "uv")?;
+        return counted(corners.len(), mesh.faces.len(), "triangles").map(|()| corners);
     }
-    if of_corners {
-        return uv.list()?.map(|corners| corners.array(pair)).collect();
-    }
-    let pairs = uv.list()?.map(pair).collect::<Result<Vec<[f64; 2]>, _>>()?;
+    let pairs: Vec<[f64; 2]> = json::field(uv, "uv")?;
+    counted(pairs.len(), mesh.positions.len(), "vertices")?;
     Ok(mesh.faces.iter().map(|face| face.map(|vertex| pairs[vertex])).collect())
 }
 

@@ -2,22 +2,19 @@
 
 use crate::model::{self, Fit, Look};
 use crate::paint::{Style, Subject};
-use crate::palette::{Counts, Palette};
 use crate::picture::{picture, Format};
 use crate::quantised::Quantised;
 use crate::scene::{Colors, Scene};
 use crate::texture::SceneTexture;
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
-use pinhole_apps_support::animation::Animation;
+use pinhole_apps_support::animation::{delay, Animation};
+use pinhole_apps_support::palette::{Counts, Palette};
 use pinhole_apps_support::{files, progress};
 use pinhole_import::Triangles;
 use std::error::Error;
 use std::io::Write;
 use std::path::Path;
-
-/// Duration of a turn in 1/100 s.
-const TURN: u32 = 400;
 
 /// Writes the film of a mesh to `file`, whose name is `path`.
 pub(crate) fn gif(
@@ -43,7 +40,7 @@ pub(crate) fn gif(
     })
 }
 
-/// Writes a film of pictures, which lasts one [`TURN`]. Each picture is drawn twice, for the palette of all and for the file, so
+/// Writes a film of pictures, which lasts one turn. Each picture is drawn twice, for the palette of all and for the file, so
 /// that only one is in memory at a time.
 pub(crate) fn film(
     size: Size,
@@ -59,13 +56,11 @@ pub(crate) fn film(
     }
     let palette = Palette::of(counts);
     let unwritable = |e: Box<dyn Error>| files::unwritable(path, e);
-    let mut film = Animation::new(file, size, &palette.colours).map_err(unwritable)?;
-    // Frame times are rounded from the start of the film, so that any number of frames lasts one TURN.
-    let moment = |frame: u32| frame * TURN / frames;
+    let mut film = Animation::new(file, [size.width, size.height], &palette.colours).map_err(unwritable)?;
     for frame in 0..frames {
-        let delay = (moment(frame + 1) - moment(frame)).max(2) as u16; // players take less for 10
+        let delay = delay(frame, frames).max(2); // players take less for 10
         let pixels = picture(frame)?.iter().map(|colour| palette.index(channels(colour))).collect();
-        film.add(pixels, delay).map_err(|e| unwritable(e.into()))?;
+        film.add(pixels, None, delay).map_err(|e| unwritable(e.into()))?;
         bar.inc(1);
     }
     film.finish().map_err(|e| unwritable(e.into()))?;

@@ -1,9 +1,18 @@
 //! An endless animation as a GIF file.
 
-use embedded_graphics::geometry::Size;
 use gif::EncodingError;
 use std::error::Error;
 use std::io::Write;
+
+/// Duration of a turn of a model, in hundredths of a second.
+const TURN: u32 = 400;
+
+/// How long frame `frame` of `frames` stays, in hundredths of a second. Moments are rounded from the start of the film, so that any
+/// number of frames lasts one turn.
+pub fn delay(frame: u32, frames: u32) -> u16 {
+    let moment = |frame: u32| frame * TURN / frames.max(1);
+    (moment(frame + 1) - moment(frame)) as u16 // at most a turn
+}
 
 /// A GIF file in the making.
 pub struct Animation<W: Write> {
@@ -13,32 +22,30 @@ pub struct Animation<W: Write> {
 }
 
 impl<W: Write> Animation<W> {
-    /// Begins a file whose frames take their colours from a palette of at most 256.
+    /// Begins a file with this width and height, whose frames take their colours from a palette of at most 256, or bring their own.
     ///
     /// # Errors
     ///
     /// The picture has a side above 65535 pixels, or `file` cannot be written.
-    pub fn new(file: W, size: Size, palette: &[[u8; 3]]) -> Result<Self, Box<dyn Error>> {
-        let (width, height) = (u16::try_from(size.width)?, u16::try_from(size.height)?);
+    pub fn new(file: W, [width, height]: [u32; 2], palette: &[[u8; 3]]) -> Result<Self, Box<dyn Error>> {
+        let (width, height) = (u16::try_from(width)?, u16::try_from(height)?);
         let mut encoder = gif::Encoder::new(file, width, height, palette.as_flattened())?;
         encoder.set_repeat(gif::Repeat::Infinite)?;
         Ok(Self { encoder, width, height })
     }
 
-    /// Adds a frame, shown for `delay` hundredths of a second. `pixels` holds palette indices, row by row.
+    /// Adds a frame, shown for `delay` hundredths of a second. `pixels` holds indices, row by row, into the palette of the file, or
+    /// into the frame's own.
     ///
     /// # Errors
     ///
     /// The file cannot be written.
-    pub fn add(&mut self, pixels: Vec<u8>, delay: u16) -> Result<(), EncodingError> {
+    pub fn add(&mut self, pixels: Vec<u8>, own: Option<&[[u8; 3]]>, delay: u16) -> Result<(), EncodingError> {
         let (width, height) = (self.width, self.height);
-        self.encoder.write_frame(&gif::Frame {
-            width,
-            height,
-            buffer: pixels.into(),
-            delay,
-            ..gif::Frame::default()
-        })
+        let palette = own.map(|palette| palette.as_flattened().to_vec());
+        let frame =
+            gif::Frame { width, height, buffer: pixels.into(), palette, delay, ..gif::Frame::default() };
+        self.encoder.write_frame(&frame)
     }
 
     /// Completes the file.

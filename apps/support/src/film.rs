@@ -31,7 +31,7 @@ impl Gif {
         let colours: Vec<_> = palette.iter().map(|&c| rgb(c)).collect();
         let index = (0..=255).zip(palette).map(|(i, c)| (c.into_storage(), i)).collect();
         let (part, writer) = Part::begin(file).map_err(|e| unwritable(file, e))?;
-        let animation = Animation::new(BufWriter::new(writer), size, &colours)?;
+        let animation = Animation::new(BufWriter::new(writer), [size.width, size.height], &colours)?;
         Ok(Gif { animation, part, file: file.into(), index })
     }
 
@@ -44,7 +44,7 @@ impl Gif {
         let index = |c: &Rgb565| self.index.get(&c.into_storage()).copied();
         let indexed: Option<Vec<u8>> = pixels.iter().map(index).collect();
         let indexed = indexed.ok_or("a colour is missing in the palette")?;
-        Ok(self.animation.add(indexed, 6).map_err(|e| unwritable(&self.file, e))?)
+        Ok(self.animation.add(indexed, None, 6).map_err(|e| unwritable(&self.file, e))?)
     }
 
     /// Completes the file and moves it to its name.

@@ -1,16 +1,28 @@
 //! What the host programs of this repository share: the examples and the programs in `apps`. Command lines, files that are
-//! written completely or not at all, pictures in memory, and PNG and GIF files.
+//! written completely or not at all, pictures in memory, PNG and GIF files, and the named projections.
 
 pub mod animation;
+pub mod palette;
+pub mod projections;
+
+#[cfg(feature = "host")]
 pub mod bodies;
+#[cfg(feature = "host")]
 pub mod canvas;
+#[cfg(feature = "host")]
 pub mod command;
+#[cfg(feature = "host")]
 pub mod files;
+#[cfg(feature = "host")]
 pub mod film;
+#[cfg(feature = "host")]
 pub mod generated;
 pub mod grouped;
 #[cfg(feature = "progress")]
 pub mod progress;
+#[cfg(feature = "host")]
 pub mod sheet;
+#[cfg(feature = "host")]
 pub mod still;
+#[cfg(feature = "host")]
 pub mod testing;

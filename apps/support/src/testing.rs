@@ -76,6 +76,26 @@ fn message(done: &Output) -> String {
     text
 }
 
+/// The size of a PNG file's picture and its colours, row by row.
+pub fn picture(file: &Path) -> ([usize; 2], Vec<[u8; 3]>) {
+    let mut decoder = png::Decoder::new(std::io::BufReader::new(fs::File::open(file).expect("a picture")));
+    decoder.set_transformations(png::Transformations::EXPAND); // a palette to colours
+    let mut reader = decoder.read_info().expect("a PNG file");
+    let mut bytes = vec![0; reader.output_buffer_size().expect("a size")];
+    let frame = reader.next_frame(&mut bytes).expect("a frame");
+    assert_eq!(frame.color_type, png::ColorType::Rgb);
+    ([frame.width as usize, frame.height as usize], bytes.as_chunks().0.to_vec())
+}
+
+/// The columns and the rows of a picture in which something is drawn: the first, and the first behind it.
+pub fn extent(drawn: &[bool], width: usize) -> [[usize; 2]; 2] {
+    let height = drawn.len() / width;
+    let ends = |all: Vec<usize>| [all[0], all[all.len() - 1] + 1];
+    let columns = (0..width).filter(|&x| (0..height).any(|y| drawn[y * width + x])).collect();
+    let rows = (0..height).filter(|&y| (0..width).any(|x| drawn[y * width + x])).collect();
+    [ends(columns), ends(rows)]
+}
+
 /// A reader that closes standard output early (`| head`) is no error.
 pub fn closed_output_is_no_error(mut program: Command) {
     let (reader, writer) = std::io::pipe().expect("a pipe");

@@ -1,8 +1,10 @@
 //! Writes a scene as JSON with every digit of its numbers.
 
+use pinhole_render::json::Names;
 use pinhole_render::light::Lights;
 use pinhole_render::scene::{Matrix, Scene};
-use pinhole_render::sprites::{Anchor, SceneSprites, SpritePicture, SpriteSize, ANCHORS, SHAPES};
+use pinhole_render::sprites::{Anchor, SceneSprites, SpritePicture, SpriteSize};
+
 use std::path::Path;
 
 pub(super) fn json(scene: &Scene) -> String {
@@ -53,14 +55,13 @@ pub(super) fn json(scene: &Scene) -> String {
 fn sprites(entry: &SceneSprites) -> String {
     let mut fields = Vec::new();
     let mut field = |name: &str, value: String| fields.push(format!("\"{name}\": {value}"));
-    let name = |name: Option<&str>| format!("\"{}\"", name.unwrap_or_default());
     match &entry.picture {
         SpritePicture::File { path: file, key, .. } => {
             field("picture", path(file));
             key.iter().for_each(|key| field("key", list(key)));
         }
         SpritePicture::Ready(shape, color) => {
-            field("picture", name(SHAPES.iter().find(|(_, known)| known == shape).map(|(name, _)| *name)));
+            field("picture", name(*shape));
             field("color", list(color));
         }
     }
@@ -70,17 +71,21 @@ fn sprites(entry: &SceneSprites) -> String {
         SpriteSize::Height(height) => field("height", decimal(height)),
     }
     match entry.anchor {
-        Anchor::Named(anchor) => {
-            field("anchor", name(ANCHORS.iter().find(|(_, known)| *known == anchor).map(|(name, _)| *name)));
-        }
+        Anchor::Named(anchor) => field("anchor", name(anchor)),
         Anchor::Texel(texel) => field("anchor", list(texel)),
     }
     entry.alpha.iter().for_each(|alpha| field("alpha", alpha.to_string()));
     if !entry.depth_tested {
-        field("depth", name(Some("none")));
+        field("depth", "\"none\"".into());
     }
     field("at", list(entry.points.iter().map(|&point| numbers(point))));
     format!("{{{}}}", fields.join(", "))
+}
+
+/// The text that stands for a value.
+fn name<T: Names + PartialEq>(value: T) -> String {
+    let name = T::names().find(|(_, known)| *known == value).map_or("", |(name, _)| name);
+    format!("\"{name}\"")
 }
 
 /// The path of a file from this folder, wherever the scene is written to.

@@ -1,49 +1,17 @@
-//! Complete pictures of `pinhole-render` against an oracle that knows the scene only from the file that `--used` wrote; and
-//! that file drawn again.
+//! Complete pictures against an oracle that knows the scene only from the file that `--used` wrote.
 //!
-//! 100 random scenes of each kind; `PINHOLE_FULL=1 cargo test -p pinhole-render --test pictures -- --nocapture` draws 3000.
+//! 100 random scenes of each kind; `PINHOLE_FULL=1 cargo test -p pinhole-measure pictures -- --nocapture` draws 3000.
 
-use pinhole_apps_support::testing::Program;
+use crate::harness::{Drawn, Folder};
 use serde_json::{json, Value};
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use support::oracle;
 use support::oracle::chain::{matmul4, M4, V3};
 use support::oracle::picture::{compare, Comparison, Scene};
 use support::oracle::rng::Rng;
 
-const RENDER: Program =
-    Program::new(env!("CARGO_BIN_EXE_pinhole-measure"), env!("CARGO_TARGET_TMPDIR")).subcommand("render");
-
-fn text(path: &Path) -> &str {
-    path.to_str().unwrap()
-}
-
-/// Renders a scene with all outputs; the arguments' files are NAME.ids and so on.
-fn draw(scene: &Path, to: &Path) -> Drawn {
-    let [ids, depth, used, png] = ["ids", "depth", "used.json", "png"].map(|e| to.with_extension(e));
-    let flags = ["--ids", text(&ids), "--depth", text(&depth), "--used", text(&used), "--png", text(&png)];
-    let output = RENDER.run(&[&[text(scene)], &flags[..]].concat());
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let ids_bytes = fs::read(&ids).unwrap();
-    let depth_bytes = fs::read(&depth).unwrap();
-    Drawn {
-        ids: ids_bytes.chunks_exact(4).map(|b| i32::from_le_bytes(b.try_into().unwrap())).collect(),
-        depth: depth_bytes.chunks_exact(2).map(|b| u16::from_le_bytes(b.try_into().unwrap())).collect(),
-        files: [ids_bytes, depth_bytes, fs::read(&used).unwrap(), fs::read(&png).unwrap()],
-        used,
-    }
-}
-
-struct Drawn {
-    ids: Vec<i32>,
-    depth: Vec<u16>,
-    files: [Vec<u8>; 4],
-    used: PathBuf,
-}
-
-fn scene(path: &Path) -> Scene {
-    let value: Value = serde_json::from_slice(&fs::read(path).unwrap()).unwrap();
+/// The scene as it was used, for the oracle.
+fn scene(value: &Value) -> Scene {
     let number = |v: &Value| v.as_f64().unwrap();
     let list = |v: &Value| v.as_array().unwrap().clone();
     let three = |v: &Value| -> V3 { core::array::from_fn(|i| number(&v[i])) };
@@ -65,15 +33,9 @@ fn scene(path: &Path) -> Scene {
     }
 }
 
-/// The picture against the scene that `--used` names, and that scene drawn again.
-fn check(file: &Path, to: &Path) -> Comparison {
-    let drawn = draw(file, to);
-    let comparison = compare(&scene(&drawn.used), &drawn.ids, &drawn.depth);
-    let again = draw(&drawn.used, &to.with_extension("again.x"));
-    for (first, second) in drawn.files.iter().zip(&again.files) {
-        assert!(first == second, "{}: what was used draws something else", file.display());
-    }
-    comparison
+/// The picture against the scene that `--used` names.
+fn judge(drawn: &Drawn) -> Comparison {
+    compare(&scene(&drawn.used), &drawn.ids, &drawn.depth)
 }
 
 /// The largest move of an edge that a picture may need: half a sub-pixel along both
@@ -91,7 +53,7 @@ fn is_explained(found: &Comparison) -> bool {
 
 #[test]
 fn the_samples_are_explained_by_moving_edges_less_than_half_a_sub_pixel() {
-    let to = RENDER.folder("pictures", "samples");
+    let to = Folder::new("samples");
     let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/scenes");
     for name in [
         "cube_inside",
@@ -101,7 +63,8 @@ fn the_samples_are_explained_by_moving_edges_less_than_half_a_sub_pixel() {
         "teapot_far_from_origin",
         "teapot_ortho_cull",
     ] {
-        let found = check(&samples.join(name).with_extension("json"), &to.join(name).with_extension("x"));
+        let file = samples.join(name).with_extension("json");
+        let found = judge(&to.draw_file(file.to_str().unwrap(), &[]));
         println!("{name}: {found:?}");
         assert!(found.covered * 10 > found.pixels, "{name} shows little: {found:?}");
         assert!(is_explained(&found), "{name}: {found:?}");
@@ -238,19 +201,14 @@ fn rotation_about_z(rng: &mut Rng) -> M4 {
 }
 
 fn random_scenes(name: &str, seed: u64, far_from_origin: bool) {
-    let to = RENDER.folder("pictures", name);
+    let to = Folder::new(name);
     let mut rng = Rng::new(seed);
     let mut all = Comparison::default();
     let count = if std::env::var_os("PINHOLE_FULL").is_some() { 3000 } else { 100 };
-    for i in 0..count {
-        let file = to.join("scene.json");
-        fs::write(&file, random_scene(&mut rng, far_from_origin).to_string()).unwrap();
-        let found = check(&file, &to.join("out.x"));
-        if !is_explained(&found) {
-            let kept = to.with_file_name(format!("{name}_{i}.json"));
-            fs::copy(&file, &kept).unwrap();
-            panic!("{}: {found:?}", kept.display());
-        }
+    for _ in 0..count {
+        let scene = random_scene(&mut rng, far_from_origin);
+        let found = judge(&to.draw(&scene, &[]));
+        assert!(is_explained(&found), "{found:?}: {scene}");
         all.add(&found);
     }
     println!("{name}, {count} scenes: {all:?}");

@@ -1,4 +1,5 @@
 //! The named projections of the gallery, fitted to any mesh.
+#![allow(missing_docs)] // names that say what they are
 
 /// A projection and its default direction of view.
 #[derive(Clone, Copy, Debug, PartialEq)]

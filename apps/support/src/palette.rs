@@ -2,8 +2,10 @@
 
 use std::collections::HashMap;
 
-pub(crate) struct Palette {
-    pub(crate) colours: Vec<[u8; 3]>,
+/// A palette, and the entry of each colour.
+pub struct Palette {
+    /// The entries.
+    pub colours: Vec<[u8; 3]>,
     index: HashMap<[u8; 3], usize>,
 }
 
@@ -12,10 +14,11 @@ type Group = Vec<([u8; 3], usize)>;
 
 /// How often each colour occurs in pictures.
 #[derive(Default)]
-pub(crate) struct Counts(HashMap<[u8; 3], usize>);
+pub struct Counts(HashMap<[u8; 3], usize>);
 
 impl Counts {
-    pub(crate) fn add(&mut self, pixels: impl Iterator<Item = [u8; 3]>) {
+    /// Counts the colours of more pixels.
+    pub fn add(&mut self, pixels: impl Iterator<Item = [u8; 3]>) {
         for colour in pixels {
             *self.0.entry(colour).or_default() += 1;
         }
@@ -25,7 +28,7 @@ impl Counts {
 impl Palette {
     /// A palette for the colours that occur. The most frequent one is exact, and so are the others if there are at
     /// most 255; otherwise median cut chooses them (Heckbert, *Color image quantization for frame buffer display*, 1982).
-    pub(crate) fn of(Counts(counts): Counts) -> Self {
+    pub fn of(Counts(counts): Counts) -> Self {
         let mut met: Group = counts.into_iter().collect();
         met.sort_unstable_by_key(|&(colour, count)| (std::cmp::Reverse(count), colour));
         let others = met.split_off(met.len().min(1));
@@ -38,7 +41,7 @@ impl Palette {
     }
 
     /// Index of the entry for a colour that occurs.
-    pub(crate) fn index(&self, colour: [u8; 3]) -> u8 {
+    pub fn index(&self, colour: [u8; 3]) -> u8 {
         self.index.get(&colour).copied().unwrap_or_default() as u8 // at most 256 entries
     }
 }

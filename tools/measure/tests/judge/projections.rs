@@ -1,34 +1,45 @@
 //! The named projections of `pinhole-measure render`, by their definitions: extents, and sides that are seen.
 
+use crate::harness::{Folder, RENDER};
 use pinhole_apps_support::bodies::{cuboid, obj};
-use pinhole_apps_support::testing::Program;
+use pinhole_apps_support::testing::extent;
 use std::collections::BTreeSet;
-use std::fs;
 
-const RENDER: Program =
-    Program::new(env!("CARGO_BIN_EXE_pinhole-measure"), env!("CARGO_TARGET_TMPDIR")).subcommand("render");
-
-/// Columns and rows in which something is: the first, and the first behind it.
-fn extent(drawn: &[bool], width: usize) -> [[usize; 2]; 2] {
-    let height = drawn.len() / width;
-    let ends = |all: Vec<usize>| [all[0], all[all.len() - 1] + 1];
-    let columns = (0..width).filter(|&x| (0..height).any(|y| drawn[y * width + x])).collect();
-    let rows = (0..height).filter(|&y| (0..width).any(|x| drawn[y * width + x])).collect();
-    [ends(columns), ends(rows)]
+/// The triangles seen in a picture of a model.
+fn ids(to: &Folder, file: &str, options: &[&str]) -> Vec<i32> {
+    let done = RENDER.run_in(&to.0, &[&[file, "--frame", "outline", "--ids", "ids"], options].concat());
+    assert!(done.status.success(), "{done:?}");
+    to.read("ids").as_chunks().0.iter().map(|bytes| i32::from_le_bytes(*bytes)).collect()
 }
 
 /// The triangles seen in a picture of 200 × 200 of a cube.
-fn cube_ids(projection: &str, more: &[&str]) -> Vec<i32> {
-    let to = RENDER.folder("people_ids", projection);
-    let (file, path) = (to.join("cube.obj"), to.join("ids"));
-    fs::write(&file, obj(&cuboid([1.0; 3]))).unwrap();
-    let [file, ids] = [&file, &path].map(|path| path.to_str().unwrap());
-    let frame = ["--frame", "outline", "--size", "200x200"];
-    let flags = [&[file, "--projection", projection, "--ids", ids], &frame[..]].concat();
-    let done = RENDER.run(&[&flags[..], more].concat());
-    assert!(done.status.success(), "{done:?}");
-    let bytes = fs::read(&path).unwrap();
-    bytes.chunks(4).map(|b| i32::from_le_bytes(b.try_into().unwrap())).collect()
+fn cube_ids(projection: &str, options: &[&str]) -> Vec<i32> {
+    let to = Folder::new(projection);
+    to.write("cube.obj", obj(&cuboid([1.0; 3])));
+    ids(&to, "cube.obj", &[&["--projection", projection, "--size", "200x200"], options].concat())
+}
+
+/// It touches no border, and fills the width or the height but for a twelfth on each side.
+#[test]
+fn a_mesh_alone_is_shown_whole() {
+    let to = Folder::new("alone");
+    let teapot = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/teapot.obj");
+    let mut shown = BTreeSet::new();
+    for options in [
+        &["--yaw", "-120", "--pitch", "35", "--fov", "90"][..],
+        &["--projection", "orthographic", "--yaw", "200"],
+        &["--projection", "isometric"],
+        &["--projection", "cavalier"],
+        &["--projection", "cabinet", "--mode", "solid"],
+    ] {
+        let ids = ids(&to, teapot, &[options, &["--size", "90x120"]].concat());
+        let drawn: Vec<_> = ids.iter().map(|id| *id >= 0).collect();
+        let [[left, right], [top, bottom]] = extent(&drawn, 90);
+        assert!(left > 0 && right < 90 && top > 0 && bottom < 120, "{options:?}");
+        assert!(left.min(90 - right) <= 8 || top.min(120 - bottom) <= 10, "{options:?}");
+        shown.insert(ids);
+    }
+    assert_eq!(shown.len(), 5);
 }
 
 #[test]
