@@ -56,32 +56,12 @@ pub fn options(code: &Code, given: &Options) -> Options {
 #[macro_export]
 macro_rules! draws_into_a_target {
     ($picture:ident) => {
-        /// Draws the model, turned by an angle, as firmware does.
-        ///
-        /// # Errors
-        ///
-        /// The message that the firmware would log before it stops.
-        pub fn draw<D>(
-            model: &pinhole_import::ImportedMesh,
-            turn: pinhole::Angle,
-            display: &mut D,
-        ) -> Result<pinhole::Statistics, String>
-        where
-            D: embedded_graphics::draw_target::DrawTarget<Color = embedded_graphics::pixelcolor::Rgb565>,
-        {
-            let mesh = model.mesh().map_err(|e| e.to_string())?;
-            let colors = model.colors().map_err(|e| e.to_string())?;
-            let color = |face: usize, level: u16| match colors {
-                Some(colors) => colors.lit(face, level),
-                None => pinhole::Dim::dim($picture::COLOR, level),
-            };
-            let screen = display.bounding_box();
-            let mut buffers = $crate::firmware::Buffers::new(&mesh, screen.size.width);
+        $crate::draws!($picture, |mesh, color, turn, display, screen, buffers| {
             let $crate::firmware::Buffers { cache, bins, strip, depths } = &mut buffers;
             let mut memory = $picture::Memory::new(cache, bins, strip, depths);
             let camera = $picture::camera(&mesh, screen)?;
             Ok($picture::draw(&mesh, color, &camera, turn, &mut memory, display)?.statistics)
-        }
+        });
     };
 }
 
@@ -89,27 +69,7 @@ macro_rules! draws_into_a_target {
 #[macro_export]
 macro_rules! draws_bands {
     ($picture:ident) => {
-        /// Draws the model, turned by an angle, as firmware does.
-        ///
-        /// # Errors
-        ///
-        /// The message that the firmware would log before it stops.
-        pub fn draw<D>(
-            model: &pinhole_import::ImportedMesh,
-            turn: pinhole::Angle,
-            display: &mut D,
-        ) -> Result<pinhole::Statistics, String>
-        where
-            D: embedded_graphics::draw_target::DrawTarget<Color = embedded_graphics::pixelcolor::Rgb565>,
-        {
-            let mesh = model.mesh().map_err(|e| e.to_string())?;
-            let colors = model.colors().map_err(|e| e.to_string())?;
-            let color = |face: usize, level: u16| match colors {
-                Some(colors) => colors.lit(face, level),
-                None => pinhole::Dim::dim($picture::COLOR, level),
-            };
-            let screen = display.bounding_box();
-            let mut buffers = $crate::firmware::Buffers::new(&mesh, screen.size.width);
+        $crate::draws!($picture, |mesh, color, turn, display, screen, buffers| {
             let $crate::firmware::Buffers { cache, bins, strip, depths } = &mut buffers;
             let mut picture = $picture::Picture::new(&mesh, screen, cache, bins, depths)?;
             let mut turned = picture.turned(turn)?;
@@ -119,6 +79,37 @@ macro_rules! draws_bands {
                 free = band.into_bytes();
             }
             Ok(turned.statistics())
+        });
+    };
+}
+
+/// Defines `draw`, given how a frame is drawn with its memory.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! draws {
+    ($picture:ident, |$mesh:ident, $color:ident, $turn:ident, $display:ident, $screen:ident, $buffers:ident| $frame:block) => {
+        /// Draws the model, turned by an angle, as firmware does.
+        ///
+        /// # Errors
+        ///
+        /// The message that the firmware would log before it stops.
+        pub fn draw<D>(
+            model: &pinhole_import::ImportedMesh,
+            $turn: pinhole::Angle,
+            $display: &mut D,
+        ) -> Result<pinhole::Statistics, String>
+        where
+            D: embedded_graphics::draw_target::DrawTarget<Color = embedded_graphics::pixelcolor::Rgb565>,
+        {
+            let $mesh = model.mesh().map_err(|e| e.to_string())?;
+            let colors = model.colors().map_err(|e| e.to_string())?;
+            let $color = |face: usize, level: u16| match colors {
+                Some(colors) => colors.lit(face, level),
+                None => pinhole::Dim::dim($picture::COLOR, level),
+            };
+            let $screen = $display.bounding_box();
+            let mut $buffers = $crate::firmware::Buffers::new(&$mesh, $screen.size.width);
+            $frame
         }
     };
 }

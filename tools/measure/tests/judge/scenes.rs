@@ -64,12 +64,9 @@ fn meshes_of_every_form_are_one_scene() {
     assert_eq!(to.draw_file("marked.json", &[]).ids, plain);
     let identity = json!([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]]);
     assert_eq!(to.draw(&with(json!({"model": identity, "width": 8.0})), &[]).ids, plain);
-    input_is_not_overwritten(
-        crate::harness::RENDER,
-        &to.0,
-        "m.json",
-        "below/../marked.json --used out --ids",
-    );
+    let of_file = with(json!({"mesh": "m.json", "vertices": null, "triangles": null}));
+    to.write("scene.json", of_file.to_string());
+    input_is_not_overwritten(RENDER, &to.0, "m.json", "scene.json --used out --ids");
 }
 
 #[test]
