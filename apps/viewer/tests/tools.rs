@@ -7,7 +7,7 @@ use embedded_graphics::primitives::Rectangle;
 use pinhole::{Affine, Angle, Camera, DepthBuffer, ScreenVertex, Viewport};
 use pinhole_apps_support::bodies::{cuboid, gear, obj, reversed, stl, Body};
 use pinhole_apps_support::canvas::Canvas;
-use pinhole_import::{ImportedMesh, Options};
+use pinhole_import::{Axis, ImportedMesh, Options};
 use pinhole_render::model::{self, Fit, Look};
 use pinhole_render::paint::{Mode, Subject};
 use pinhole_render::picture::{picture, Format};
@@ -156,150 +156,118 @@ fn columns(pixels: &[bool]) -> usize {
     (0..width).filter(|&x| pixels.iter().skip(x).step_by(width).any(|drawn| *drawn)).count()
 }
 
-#[test]
-fn up_is_z_of_stl_and_y_of_obj_in_all_tools() {
-    let tower = cuboid([1.0, 1.0, 3.0]);
-    let (stl, obj) = (file("tower.stl", stl(&tower)), file("tower.obj", obj(&tower)));
-    let (standing, said) = agreed(&stl, &NONE);
-    assert_eq!(said, Vec::<String>::new());
-    assert!(rows(&standing) > columns(&standing), "{} {}", rows(&standing), columns(&standing));
-    let (lying, _) = agreed(&obj, &NONE);
-    assert!(rows(&lying) < columns(&lying), "{} {}", rows(&lying), columns(&lying));
-    // Either axis, if the options name it.
-    let up = |axis| Options { up: Some(axis), ..Options::default() };
-    assert!(agreed(&stl, &up(pinhole_import::Axis::Y)).0 == lying);
-    assert!(agreed(&obj, &up(pinhole_import::Axis::Z)).0 == standing);
-    for axis in pinhole_import::Axis::ALL.map(|(_, axis)| axis) {
-        agreed(&obj, &up(axis));
-    }
-}
-
-#[test]
-fn a_sound_part_with_a_hole_is_one_picture_without_a_word() {
-    let (pixels, said) = agreed(&file("gear.stl", stl(&gear())), &NONE);
-    assert_eq!(said, Vec::<String>::new());
-    // From 20 degrees above, some rows show the background through the hole. In mesh order, without depth, walls would hide it.
-    let width = SIZE.width as usize;
-    let row = |y: usize| &pixels[y * width..(y + 1) * width];
-    let holes = (0..SIZE.height as usize).filter(|&y| {
-        let first = row(y).iter().position(|drawn| *drawn);
-        first.is_some_and(|first| row(y)[first..].windows(2).filter(|two| two[0] != two[1]).count() > 1)
-    });
-    assert!((4..20).contains(&holes.count()));
-    // The gear's bounding sphere takes at most 31/32 of the height, and the gear is almost as wide as its sphere.
-    assert!(rows(&pixels) < 117 && columns(&pixels) < 117 && columns(&pixels) > 95, "{}", columns(&pixels));
-}
-
-#[test]
-fn slivers_far_away_move_no_frame() {
-    let mut body = cuboid([2.0, 2.0, 2.0]);
-    let (alone, _) = agreed(&file("alone.stl", stl(&body)), &NONE);
-    body.push([[0.0; 3], [900.0, 0.0, 0.0], [1800.0, 0.0, 0.0]]);
-    let (pixels, said) = agreed(&file("sliver.stl", stl(&body)), &NONE);
-    assert_eq!(said, ["faces without area: 1, the first at triangle 13; dropped, which changes no picture"]);
-    assert!(differ(&pixels, &alone) == 0);
-}
-
-#[test]
-fn models_inside_out_are_so_everywhere_and_flip_mends_them() {
-    let gear_file = file("sound.stl", stl(&gear()));
-    let sound = agreed(&gear_file, &NONE).0;
-    let flipped = file("flipped.stl", stl(&reversed(&gear())));
-    // The picture shows the insides of the far walls, in their light: the same outline in other colours.
-    let (pixels, said) = agreed(&flipped, &NONE);
-    assert!(
-        said.len() == 1 && said[0].starts_with("parts inside out: 1 of 1, the first at triangle 1;"),
-        "{said:?}"
-    );
-    assert!(said[0].contains("use --flip"), "{said:?}");
-    assert!(pixels == sound);
-    let colours = |file: &Path, options: &Options| rendered(file, options).unwrap().0;
-    let right = colours(&gear_file, &NONE);
-    let others = right.iter().zip(colours(&flipped, &NONE)).filter(|(a, b)| *a != b).count();
-    assert!(others > 2000, "{others}");
-    for options in [&*FLIP, &*FIX] {
-        assert_eq!(agreed(&flipped, options), (sound.clone(), vec![]), "{options:?}");
-        assert!(colours(&flipped, options) == right, "{options:?}");
-    }
-    assert!(colours(&flipped, &BOTH_SIDES) == right);
-    assert_eq!(agreed(&flipped, &BOTH_SIDES), (sound, vec![]));
-    // For a model that --flip turned inside out, the warning says to leave --flip out.
-    let (_, said) = agreed(&gear_file, &FLIP);
-    let wanted = "parts inside out: 1 of 1, the first at triangle 1; the outside shows nothing: leave out --flip, unless it is \
-                  a room seen from inside";
-    assert_eq!(said, [wanted]);
-}
-
-#[test]
-fn mixed_winding_is_so_everywhere_and_can_be_fixed() {
-    let sound = agreed(&file("straight.stl", stl(&gear())), &NONE).0;
+/// A gear with a part of its faces reversed.
+fn mixed() -> Body {
     let mut mixed = gear();
     for (number, [_, b, c]) in mixed.iter_mut().enumerate() {
         if number % 5 < 2 {
             std::mem::swap(b, c);
         }
     }
-    let mixed = file("mixed.stl", stl(&mixed));
-    let (pixels, said) = agreed(&mixed, &NONE);
-    assert!(said.len() == 1 && said[0].starts_with("edges between faces of opposite winding: "), "{said:?}");
-    assert!(said[0].ends_with("; some faces will be culled: use --fix-winding"), "{said:?}");
-    assert!(differ(&pixels, &sound) > 0);
-    assert_eq!(agreed(&mixed, &FIX), (sound.clone(), vec![]));
-    assert_eq!(agreed(&mixed, &BOTH_SIDES), (sound, vec![]));
+    mixed
 }
 
+/// Models with what is said of them, by its first words, and the model before them in the list whose picture theirs is, if it is one.
 #[test]
-fn open_models_show_nothing_from_behind_unless_two_sided() {
+fn all_tools_show_one_picture_and_say_the_same() {
+    let (tower, cube, flat) = (cuboid([1.0, 1.0, 3.0]), cuboid([2.0; 3]), cuboid([3.0, 2.0, 1.0]));
     // A box without the three sides that are seen from the right, the front and above.
-    let open: Body = cuboid([2.0; 3])
-        .into_iter()
-        .enumerate()
-        .filter(|(i, _)| ![0, 1, 4, 5, 8, 9].contains(i))
-        .map(|(_, t)| t)
-        .collect();
-    let open = file("open.obj", obj(&open));
-    let (pixels, said) = agreed(&open, &NONE);
-    assert_eq!(pixels.iter().filter(|drawn| **drawn).count(), 0, "{said:?}");
-    assert_eq!(
-        said,
-        ["open edges: 6, the first at line 8; faces show nothing from behind: close the surface, or use --two-sided"]
-    );
-    let whole = agreed(&file("closed.obj", obj(&cuboid([2.0; 3]))), &NONE).0;
-    let (pixels, said) = agreed(&open, &BOTH_SIDES);
-    assert_eq!((differ(&pixels, &whole), said), (0, vec![]), "the same outline");
-}
-
-#[test]
-fn what_is_no_surface_is_named_and_drawn() {
+    let open = [2, 3, 6, 7, 10, 11].map(|face| cube[face]);
+    let with = |body: &Body, more: &[[[f64; 3]; 3]]| [body, more].concat();
+    let sliver = [[0.0; 3], [900.0, 0.0, 0.0], [1800.0, 0.0, 0.0]];
+    let none = [[[0.0; 3], [0.0; 3], [1.0, 0.0, 0.0]], [[3.0, 2.0, 0.0]; 3]];
     // Two boxes that share an edge, and a fin on one of them.
-    let mut bodies = cuboid([2.0; 3]);
-    bodies.extend(cuboid([-2.0, -2.0, 2.0]).iter().map(|&[a, b, c]| [a, b, c]));
-    bodies.push([[2.0, 2.0, 0.0], [2.0, 2.0, 2.0], [3.0, 3.0, 1.0]]);
-    let path = file("shared.obj", obj(&bodies));
-    let (pixels, said) = agreed(&path, &NONE);
-    assert!(pixels.contains(&true));
-    let wanted = ["edges of more than two faces: 2, ", "open edges: 2, "];
-    assert!(wanted.iter().all(|start| said.iter().any(|s| s.starts_with(start))), "{said:?}");
-    let (both, said) = agreed(&path, &BOTH_SIDES);
-    assert_eq!(said, Vec::<String>::new());
-    assert!(both.iter().zip(&pixels).all(|(both, one)| *both || !one));
-}
-
-#[test]
-fn degenerate_and_doubled_faces_change_no_picture() {
-    let body = cuboid([3.0, 2.0, 1.0]);
-    let alone = agreed(&file("clean.obj", obj(&body)), &NONE).0;
-    let mut more = body.clone();
-    more.extend([body[3], body[3], [[0.0; 3], [0.0; 3], [1.0, 0.0, 0.0]], [[3.0, 2.0, 0.0]; 3]]);
-    let (pixels, said) = agreed(&file("more.obj", obj(&more)), &NONE);
-    assert_eq!(
-        said,
-        [
-            "faces without area: 2, the first at line 60; dropped, which changes no picture",
-            "duplicate faces: 2, the first at line 52; dropped, which changes no picture",
-        ]
-    );
-    assert!(pixels == alone);
+    let mut shared = with(&cube, &cuboid([-2.0, -2.0, 2.0]));
+    shared.push([[2.0, 2.0, 0.0], [2.0, 2.0, 2.0], [3.0, 3.0, 1.0]]);
+    let up = |axis| Options { up: Some(axis), ..Options::default() };
+    let inside_out = "parts inside out: 1 of 1, the first at triangle 1; ";
+    let mut pictures: Vec<(&str, Vec<bool>)> = Vec::new();
+    for (name, bytes, options, said, same) in [
+        // z is up in an STL file and y in an OBJ file, or either axis, if the options name it.
+        ("tower.stl", stl(&tower), NONE.clone(), &[][..], None),
+        ("tower.obj", obj(&tower).into(), NONE.clone(), &[], None),
+        ("tower.stl", stl(&tower), up(Axis::Y), &[], Some("tower.obj")),
+        ("tower.obj", obj(&tower).into(), up(Axis::Z), &[], Some("tower.stl")),
+        ("tower.obj", obj(&tower).into(), up(Axis::X), &[], None),
+        ("tower.obj", obj(&tower).into(), up(Axis::MinusX), &[], None),
+        ("tower.obj", obj(&tower).into(), up(Axis::MinusZ), &[], None),
+        ("gear.stl", stl(&gear()), NONE.clone(), &[], None),
+        // The insides of the far walls are seen: the same outline.
+        ("flipped.stl", stl(&reversed(&gear())), NONE.clone(), &[inside_out], Some("gear.stl")),
+        ("flipped.stl", stl(&reversed(&gear())), FLIP.clone(), &[], Some("gear.stl")),
+        ("flipped.stl", stl(&reversed(&gear())), FIX.clone(), &[], Some("gear.stl")),
+        ("flipped.stl", stl(&reversed(&gear())), BOTH_SIDES.clone(), &[], Some("gear.stl")),
+        ("gear.stl", stl(&gear()), FLIP.clone(), &[inside_out], None),
+        ("mixed.stl", stl(&mixed()), NONE.clone(), &["edges between faces of opposite winding: "], None),
+        ("mixed.stl", stl(&mixed()), FIX.clone(), &[], Some("gear.stl")),
+        ("mixed.stl", stl(&mixed()), BOTH_SIDES.clone(), &[], Some("gear.stl")),
+        ("cube.obj", obj(&cube).into(), NONE.clone(), &[], None),
+        ("open.obj", obj(&open).into(), NONE.clone(), &["open edges: 6, the first at line 8; "], None),
+        ("open.obj", obj(&open).into(), BOTH_SIDES.clone(), &[], Some("cube.obj")),
+        ("cube.stl", stl(&cube), NONE.clone(), &[], None),
+        // A sliver far away moves no frame.
+        (
+            "sliver.stl",
+            stl(&with(&cube, &[sliver])),
+            NONE.clone(),
+            &["faces without area: 1, "],
+            Some("cube.stl"),
+        ),
+        (
+            "shared.obj",
+            obj(&shared).into(),
+            NONE.clone(),
+            &["edges of more than two faces: 2, ", "open edges: 2, "],
+            None,
+        ),
+        ("shared.obj", obj(&shared).into(), BOTH_SIDES.clone(), &[], None),
+        ("flat.obj", obj(&flat).into(), NONE.clone(), &[], None),
+        (
+            "more.obj",
+            obj(&with(&with(&flat, &[flat[3]; 2]), &none)).into(),
+            NONE.clone(),
+            &["faces without area: 2, the first at line 60; ", "duplicate faces: 2, the first at line 52; "],
+            Some("flat.obj"),
+        ),
+        (
+            "large.obj",
+            field(225).into(),
+            NONE.clone(),
+            &[
+                "open edges: 896, ",
+                "size in flash: ",
+                "100352 faces, more than the 65535 that can be drawn in bands: ",
+            ],
+            None,
+        ),
+    ] {
+        let (pixels, warnings) = agreed(&file(name, bytes), &options);
+        let is_said = |start: &&str| warnings.iter().any(|warning| warning.starts_with(*start));
+        assert!(
+            warnings.len() == said.len() && said.iter().all(is_said),
+            "{name}, {options:?}: {warnings:?}"
+        );
+        if let Some(same) = same {
+            let other = pictures.iter().find(|(other, _)| *other == same).map(|(_, pixels)| pixels);
+            assert!(other == Some(&pixels), "{name}, {options:?} is not {same}");
+        }
+        pictures.push((name, pixels));
+    }
+    let of =
+        |name: &str| pictures.iter().find(|(other, _)| *other == name).map(|(_, pixels)| pixels).unwrap();
+    let (standing, lying) = (of("tower.stl"), of("tower.obj"));
+    assert!(rows(standing) > columns(standing) && rows(lying) < columns(lying));
+    assert!(!of("open.obj").contains(&true) && of("mixed.stl") != of("gear.stl"));
+    assert!(of("large.obj").iter().filter(|drawn| **drawn).count() > 2000);
+    // From 20 degrees above, some rows show the background through the hole. In mesh order, without depth, walls would hide it.
+    let gear = of("gear.stl");
+    let holes = gear.chunks(SIZE.width as usize).filter(|row| {
+        let first = row.iter().position(|drawn| *drawn);
+        first.is_some_and(|first| row[first..].windows(2).filter(|two| two[0] != two[1]).count() > 1)
+    });
+    assert!((4..20).contains(&holes.count()));
+    // The gear's bounding sphere takes at most 31/32 of the height, and the gear is almost as wide as its sphere.
+    assert!(rows(gear) < 117 && columns(gear) < 117 && columns(gear) > 95, "{}", columns(gear));
 }
 
 /// A height field of n × n vertices.
@@ -312,25 +280,6 @@ fn field(n: usize) -> String {
         text += &format!("f {} {} {}\nf {} {} {}\n", a, a + n, a + n + 1, a, a + n + 1, a + 1);
     }
     text
-}
-
-#[test]
-fn a_hundred_thousand_triangles_are_one_picture_and_a_warning_of_their_size() {
-    let (pixels, said) = agreed(&file("large.obj", field(225)), &NONE);
-    assert!(pixels.iter().filter(|drawn| **drawn).count() > 2000);
-    assert_eq!(said.len(), 3, "{said:?}");
-    assert!(said[0].starts_with("open edges: 896, "), "{said:?}");
-    assert!(
-        said[2].starts_with("100352 faces, more than the 65535 that can be drawn in bands: "),
-        "{said:?}"
-    );
-    // 225² vertices, 2·224² faces and normals, and 3·224² + 2·224 edges.
-    let (edges, others) = (4 * (3 * 224 * 224 + 2 * 224), 6 * 225 * 225 + 12 * 2 * 224 * 224);
-    let size = format!(
-        "size in flash: {} bytes, {edges} of them for edges; if that is too much, use pinhole-import --edges none",
-        edges + others
-    );
-    assert!(said[1].starts_with(&size), "{said:?}");
 }
 
 #[test]
