@@ -10,14 +10,6 @@ mod accuracy;
 mod coverage;
 mod render;
 
-// Private modules of the library, which are measured directly.
-#[allow(dead_code, unreachable_pub, unused_imports, clippy::wrong_self_convention)]
-#[path = "../../../src/math/mod.rs"]
-mod math;
-#[allow(dead_code, unreachable_pub)]
-#[path = "../../../src/space.rs"]
-mod space;
-
 use clap::Command;
 use pinhole_apps_support::command;
 use std::process::ExitCode;

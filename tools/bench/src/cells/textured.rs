@@ -1,7 +1,7 @@
 //! X1 to X4: textures. X1: S3's torus, with a picture of 64 × 64 texels once round; X2: a floor over the whole picture, whose
 //! far end is 5.6 times as far away as its near end; X3: a floor rolled by 25 degrees, which the near plane cuts; X4: one rolled
 //! by 20 degrees that reaches the horizon, a thousand times as far away. Also by other accuracies, and by methods of other libraries,
-//! for docs/texture-error.svg.
+//! for docs/accuracy.md.
 
 use super::stepped::Stepped;
 use super::{count, Counted, Deep, Plain, TORUS};

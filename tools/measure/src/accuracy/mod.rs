@@ -1,34 +1,140 @@
-//! Measures the errors of the library's integers against f64, and writes docs/accuracy.md and docs/texture-error.svg.
+//! The errors of the library's integers against f64: docs/data/accuracy.json, and the page docs/accuracy.md, whose tables have the
+//! largest of them.
 
-mod figures;
-mod functions;
-mod page;
+mod errors;
 mod population;
 mod sweep;
 mod textures;
 
 use clap::{ArgMatches, Command};
+use errors::{decimal, Errors};
 use pinhole_apps_support::command::complain;
 use pinhole_apps_support::generated::Generated;
+use population::{DESIGNS, POPULATIONS, RANGES};
+use serde_json::{json, Value};
 use std::process::ExitCode;
+use sweep::{Pair, Sweep};
 
 const PROGRAM: &str = "-p pinhole-measure -- accuracy";
+/// The page, with a place for each table.
+const PAGE: &str = include_str!("page.md");
 
 pub(crate) fn command() -> Command {
-    let about = "Measures the errors of the library's integers against f64, and writes a page of tables";
+    let about = "Measures the errors of the library's integers against f64, and writes data and a page";
     Generated::command("accuracy", about, "docs/accuracy.md")
 }
 
 pub(crate) fn run(given: &mut ArgMatches) -> Result<ExitCode, String> {
-    let file = Generated::from(PROGRAM, given);
-    let (page, plot) = match page::page() {
-        Ok(pages) => pages,
-        Err(bound) => {
-            complain(bound);
-            return Ok(ExitCode::from(1));
+    let page = Generated::from(PROGRAM, given);
+    let data = page.beside("data/accuracy.json");
+    let measured = Measured::new()?;
+    if let Some(bound) = measured.broken() {
+        complain(bound);
+        return Ok(ExitCode::from(1));
+    }
+    let rows: Vec<_> = measured.rows().iter().map(Value::to_string).collect();
+    let command = format!("cargo run --release {PROGRAM}");
+    let text = format!("{{\n\"command\": \"{command}\",\n\"rows\": [\n{}\n]\n}}\n", rows.join(",\n"));
+    let data = data.finish_page(&text)?;
+    let page = page.finish_page(&measured.page())?;
+    Ok(if data == ExitCode::SUCCESS { page } else { data })
+}
+
+struct Measured {
+    sweeps: Vec<Sweep>,
+    /// For each ratio of far to near the errors of depth in all populations: of points and objects up to 16 times their distance, and
+    /// up to 300.
+    depths: Vec<[Pair; 2]>,
+    textures: Vec<textures::Measured>,
+}
+
+/// The objects of the two columns of depths.
+const OBJECTS: [&str; 2] = ["points and r/z ≤ 16", "r/z ≤ 300"];
+/// The bounds that [`pinhole::MeshInstance::project`] and [`pinhole::Camera::project`] document, in px and in depth steps; the latter from
+/// a ratio of far to near on.
+const PLACE: f64 = 1.0 / 256.0;
+const DEPTH: (f64, f64) = (1.0, 2.0);
+
+impl Measured {
+    fn new() -> Result<Self, String> {
+        // Each population has its own random numbers, so the order of threads changes nothing.
+        let (sweeps, textures) = std::thread::scope(|scope| {
+            let sweeps = POPULATIONS.each_ref().map(|population| scope.spawn(|| sweep::sweep(population)));
+            let textures = textures::measure();
+            (sweeps.map(|thread| thread.join()), textures)
+        });
+        let ended = |thread: std::thread::Result<Result<Sweep, String>>| {
+            thread.unwrap_or_else(|_| Err("a sweep ended early".into()))
+        };
+        let mut sweeps = sweeps.into_iter().map(ended).collect::<Result<Vec<_>, _>>()?;
+        let mut depths: Vec<[Pair; 2]> = RANGES.iter().map(|_| Default::default()).collect();
+        for sweep in &mut sweeps {
+            for (all, one) in depths.iter_mut().zip(&mut sweep.depths) {
+                all.iter_mut().zip(one).for_each(|(all, one)| all.append(std::mem::take(one)));
+            }
+            sweep.places.iter_mut().for_each(Pair::sort);
         }
-    };
-    let plot = file.beside(textures::PLOT).finish_page(&plot)?;
-    let page = file.finish_page(&page)?;
-    Ok(if plot == ExitCode::SUCCESS { page } else { plot })
+        depths.iter_mut().flatten().for_each(Pair::sort);
+        Ok(Self { sweeps, depths, textures: textures? })
+    }
+
+    /// A row for each measurement: the largest error, the 99.9th percentile and the root mean square.
+    fn rows(&self) -> Vec<Value> {
+        let mut rows = Vec::new();
+        for (population, sweep) in POPULATIONS.iter().zip(&self.sweeps) {
+            for ((_, mesh, _), pair) in DESIGNS.into_iter().zip(&sweep.places) {
+                rows.push(json!({"error": "vertex, px", "population": population.name, "mesh": mesh,
+                    "before_snap": pair.before.figures(), "after_snap": pair.after.figures()}));
+            }
+        }
+        for (far, pairs) in RANGES.into_iter().zip(&self.depths) {
+            for (objects, pair) in OBJECTS.into_iter().zip(pairs) {
+                rows.push(json!({"error": "depth, steps", "far_by_near": far, "objects": objects,
+                    "before_rounding": pair.before.figures(), "after_rounding": pair.after.figures()}));
+            }
+        }
+        rows.extend(self.textures.iter().flat_map(textures::Measured::rows));
+        rows
+    }
+
+    fn page(&self) -> String {
+        let largest =
+            |all: &mut dyn Iterator<Item = &Errors>| decimal(all.map(Errors::largest).fold(0.0, f64::max));
+        let places = DESIGNS.into_iter().enumerate().map(|(i, (_, mesh, _))| {
+            let pairs = || self.sweeps.iter().map(|sweep| &sweep.places[i]);
+            let before = largest(&mut pairs().map(|pair| &pair.before));
+            format!("| {mesh} | {before} | {} |\n", largest(&mut pairs().map(|pair| &pair.after)))
+        });
+        let depths = RANGES.into_iter().zip(&self.depths).map(|(far, pairs)| {
+            let [near, wide] = pairs.each_ref().map(|pair| decimal(pair.after.largest()));
+            let bound = if far >= DEPTH.1 { "1" } else { "–" };
+            format!("| {far} | {near} | {wide} | {bound} |\n")
+        });
+        let cameras = self.sweeps.iter().map(|sweep| sweep.cameras).sum::<usize>();
+        let steepest = self.sweeps.iter().fold(0f64, |a, sweep| a.max(sweep.per_ratio));
+        [
+            ("{places}\n", places.collect()),
+            ("{depths}\n", depths.collect()),
+            ("{textures}\n", self.textures.iter().map(textures::Measured::line).collect()),
+            ("{cameras}", cameras.to_string()),
+            ("{steepest}", decimal(steepest)),
+        ]
+        .into_iter()
+        .fold(PAGE.to_string(), |page, (place, text): (&str, String)| page.replace(place, &text))
+    }
+
+    /// A bound that does not hold.
+    fn broken(&self) -> Option<String> {
+        let places = self.sweeps.iter().flat_map(|sweep| &sweep.places).map(|pair| pair.after.largest());
+        let place = places.fold(0.0, f64::max);
+        let bounded = RANGES.iter().zip(&self.depths).filter(|(far, _)| **far >= DEPTH.1);
+        let depth = bounded.flat_map(|(_, pairs)| pairs).map(|pair| pair.after.largest()).fold(0.0, f64::max);
+        if place > PLACE {
+            return Some(format!("a vertex is {place} px off, the bound is {PLACE}"));
+        }
+        if depth > DEPTH.0 {
+            return Some(format!("a depth is {depth} steps off, the bound is {}", DEPTH.0));
+        }
+        self.textures.iter().find_map(textures::Measured::broken)
+    }
 }

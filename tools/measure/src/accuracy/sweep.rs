@@ -1,6 +1,6 @@
 //! Transforms vertices by the library and, from the same bits, in f64.
 
-use super::figures::Errors;
+use super::errors::Errors;
 use super::population::{Design, Object, Population, DESIGNS, RANGES, VERTICES};
 use crate::bridge::{point, scalar, vector};
 use crate::oracle::chain::{self, V3};
@@ -9,13 +9,13 @@ use pinhole::space::{Model, World};
 use pinhole::{Affine, Camera, Coordinate, Mesh, Scalar};
 
 /// Vertices per population and design.
-pub(crate) const COUNT: usize = 1_000_000;
+pub(super) const COUNT: usize = 1_000_000;
 
 /// Errors before and after the rounding.
 #[derive(Clone, Default)]
-pub(crate) struct Pair {
-    pub(crate) before: Errors,
-    pub(crate) after: Errors,
+pub(super) struct Pair {
+    pub(super) before: Errors,
+    pub(super) after: Errors,
 }
 
 impl Pair {
@@ -24,24 +24,27 @@ impl Pair {
         self.after.add(after);
     }
 
-    pub(crate) fn append(&mut self, other: Self) {
+    pub(super) fn append(&mut self, other: Self) {
         self.before.append(other.before);
         self.after.append(other.after);
+    }
+
+    pub(super) fn sort(&mut self) {
+        self.before.sort();
+        self.after.sort();
     }
 }
 
 /// The errors of a population.
 #[derive(Default)]
-pub(crate) struct Sweep {
+pub(super) struct Sweep {
     /// Errors in px, per format.
-    pub(crate) places: [Pair; DESIGNS.len()],
+    pub(super) places: [Pair; DESIGNS.len()],
     /// Errors in depth steps, per far ÷ near; for points and objects up to 16 times their distance, and up to 300.
-    pub(crate) depths: [[Pair; 2]; RANGES.len()],
+    pub(super) depths: [[Pair; 2]; RANGES.len()],
     /// The largest error before the snap per unit of r/z, for r/z ≥ 16, in px.
-    pub(crate) per_ratio: f64,
-    /// The largest error of depth after rounding, where a bound is documented.
-    pub(crate) deepest: f64,
-    pub(crate) cameras: usize,
+    pub(super) per_ratio: f64,
+    pub(super) cameras: usize,
 }
 
 /// The library's result for a vertex: x and y in px and depth in steps, before and after rounding.
@@ -89,7 +92,7 @@ fn single(camera: &Camera, at: [i32; 3]) -> Result<Option<Seen>, pinhole::MeshEr
 }
 
 /// A million visible vertices for each design.
-pub(crate) fn sweep(population: &Population) -> Result<Sweep, String> {
+pub(super) fn sweep(population: &Population) -> Result<Sweep, String> {
     let mut sweep = Sweep::default();
     // Each camera has its own generator, so that no case depends on another.
     for index in 0.. {

@@ -1,5 +1,6 @@
 //! How textures are drawn: by the library in its three accuracies, and as other libraries do it.
 
+use super::scenes::SIDE;
 use super::stepped::Stepped;
 use core::convert::Infallible;
 use embedded_graphics::pixelcolor::raw::RawU32;
@@ -8,7 +9,7 @@ use pinhole::{Accuracy, MeshInstance, SpanShader, Texels, Texture};
 
 /// The coordinates that a pixel shows, in 2⁻³² of the texture's sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Shown(pub(crate) [u32; 2]);
+pub(super) struct Shown(pub(super) [u32; 2]);
 
 impl PixelColor for Shown {
     type Raw = RawU32;
@@ -31,30 +32,32 @@ impl Texels for Numbered {
 }
 
 /// The side of the texture, in texels.
-pub(crate) const TEXELS: f64 = 64.0;
+pub(super) const TEXELS: f64 = 64.0;
+/// The pixels of a mesh of one face with the texture coordinates of its corners.
+pub(super) type Draw = fn(&MeshInstance<'_>, [[i16; 2]; 3]) -> Vec<(Point, Shown)>;
 
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Method {
-    Ours(Accuracy),
-    EveryPixel,
-    EverySixteen,
-}
+/// A way to draw: its name, its accuracy if that bounds the error, and its code.
+pub(super) type Method = (&'static str, Option<f64>, Draw);
 
-/// In the order of the page, with their names there.
-pub(crate) const METHODS: [(Method, &str); 5] = [
-    (Method::Ours(Accuracy::Quarter), "`Accuracy::Quarter`"),
-    (Method::Ours(Accuracy::Eighth), "`Accuracy::Eighth`"),
-    (Method::Ours(Accuracy::Sixteenth), "`Accuracy::Sixteenth`"),
-    (Method::EveryPixel, "a division for each pixel"),
-    (Method::EverySixteen, "a division for every 16 pixels"),
+/// The library's accuracies, then the methods of other libraries.
+pub(super) const METHODS: [Method; 5] = [
+    ("quarter", Some(0.25), |instance, uv| ours(instance, uv, Accuracy::Quarter)),
+    ("eighth", Some(0.125), |instance, uv| ours(instance, uv, Accuracy::Eighth)),
+    ("sixteenth", Some(0.0625), |instance, uv| ours(instance, uv, Accuracy::Sixteenth)),
+    ("each pixel", None, |instance, uv| list(instance, Stepped::<_, 1>::new(Numbered, uv))),
+    ("every 16", None, |instance, uv| list(instance, Stepped::<_, 16>::new(Numbered, uv))),
 ];
 
-/// A DrawTarget that lists what is drawn.
+fn ours(instance: &MeshInstance<'_>, uv: [[i16; 2]; 3], accuracy: Accuracy) -> Vec<(Point, Shown)> {
+    list(instance, Texture::new(Numbered).with_accuracy(accuracy).at(uv))
+}
+
+/// A DrawTarget that lists what is drawn, in the order in which it is drawn.
 struct List(Vec<(Point, Shown)>);
 
 impl OriginDimensions for List {
     fn size(&self) -> Size {
-        Size::new(super::scenes::SIDE, super::scenes::SIDE)
+        Size::new(SIDE, SIDE)
     }
 }
 
@@ -65,17 +68,6 @@ impl DrawTarget for List {
     fn draw_iter<I: IntoIterator<Item = Pixel<Shown>>>(&mut self, pixels: I) -> Result<(), Infallible> {
         self.0.extend(pixels.into_iter().map(|Pixel(point, color)| (point, color)));
         Ok(())
-    }
-}
-
-impl Method {
-    /// The pixels of a mesh of one face, in the order in which they are drawn.
-    pub(crate) fn draw(self, instance: &MeshInstance<'_>, uv: [[i16; 2]; 3]) -> Vec<(Point, Shown)> {
-        match self {
-            Self::Ours(accuracy) => list(instance, Texture::new(Numbered).with_accuracy(accuracy).at(uv)),
-            Self::EveryPixel => list(instance, Stepped::<_, 1>::new(Numbered, uv)),
-            Self::EverySixteen => list(instance, Stepped::<_, 16>::new(Numbered, uv)),
-        }
     }
 }
 

@@ -1,5 +1,5 @@
 //! The numeric functions one by one: the largest error over seeded inputs, against f64 or exact integers, and
-//! the bound that their documentation states. `tests/bounds.rs` asserts each of them.
+//! the bound that their documentation states.
 
 use crate::bridge::pair::{random_view, window, CameraBits, ModelBits, ProjectionBits, Step, ViewBits};
 use crate::bridge::{point, reals, scalar, vector};
@@ -17,13 +17,11 @@ pub(crate) struct Measured {
     pub(crate) unit: &'static str,
     pub(crate) error: f64,
     pub(crate) bound: f64,
-    /// The test in `tests/bounds.rs`.
-    pub(crate) test: &'static str,
 }
 
 impl Measured {
-    fn new(what: &'static str, unit: &'static str, error: f64, bound: f64, test: &'static str) -> Self {
-        Self { what, unit, error, bound, test }
+    fn new(what: &'static str, unit: &'static str, error: f64, bound: f64) -> Self {
+        Self { what, unit, error, bound }
     }
 }
 
@@ -60,11 +58,10 @@ pub(crate) fn sines() -> [Measured; 3] {
         let (es, ec) = [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][k as usize];
         quarters = quarters.max((q30(s) - es).abs()).max((q30(c) - ec).abs());
     }
-    let test = "e7_sine_and_cosine";
     [
-        Measured::new("`Angle::sin_cos`, and so `rotation_x`, `_y`, `_z`", "1", worst, two(-29.5), test),
-        Measured::new("– at the quarter turns", "1", quarters, 0.0, test),
-        Measured::new("– sin² + cos² against 1", "1", circle, two(-28.0), test),
+        Measured::new("`Angle::sin_cos`, and so `rotation_x`, `_y`, `_z`", "1", worst, two(-29.5)),
+        Measured::new("– at the quarter turns", "1", quarters, 0.0),
+        Measured::new("– sin² + cos² against 1", "1", circle, two(-28.0)),
     ]
 }
 
@@ -83,10 +80,9 @@ pub(crate) fn angles() -> [Measured; 2] {
         let off = (f64::from(degrees) * full / 360.0 - got).rem_euclid(full);
         floats = floats.max(off.min(full - off));
     }
-    let test = "e7_angles";
     [
-        Measured::new("`Angle::turns`, `Angle::degrees`", "2⁻³² turn", turns, 0.5, test),
-        Measured::new("`Angle::from_degrees_f32`", "2⁻³² turn", floats, 0.5 + two(-10.0), test),
+        Measured::new("`Angle::turns`, `Angle::degrees`", "2⁻³² turn", turns, 0.5),
+        Measured::new("`Angle::from_degrees_f32`", "2⁻³² turn", floats, 0.5 + two(-10.0)),
     ]
 }
 
@@ -106,7 +102,7 @@ pub(crate) fn reciprocals() -> [Measured; 1] {
         }
     }
     check(i32::MAX);
-    [Measured::new("reciprocal (1/w)", "itself", worst, two(-29.0), "e8_reciprocal")]
+    [Measured::new("reciprocal (1/w)", "itself", worst, two(-29.0))]
 }
 
 pub(crate) fn roots() -> [Measured; 1] {
@@ -131,7 +127,7 @@ pub(crate) fn roots() -> [Measured; 1] {
         check(r * r + r);
         check(r * r + r + 1);
     }
-    [Measured::new("square root", "1", worst, 0.5, "square_root")]
+    [Measured::new("square root", "1", worst, 0.5)]
 }
 
 fn unit_vector_error(v: [i64; 3]) -> f64 {
@@ -154,13 +150,7 @@ pub(crate) fn unit_vectors() -> [Measured; 1] {
             worst = worst.max(unit_vector_error(v));
         }
     }
-    [Measured::new(
-        "unit vectors (`ViewTransform`, `Lambert`, axes)",
-        "1",
-        worst,
-        1.5 * two(-30.0),
-        "e4_unit_vectors",
-    )]
+    [Measured::new("unit vectors (`ViewTransform`, `Lambert`, axes)", "1", worst, 1.5 * two(-30.0))]
 }
 
 fn linear(m: &M4) -> M3 {
@@ -239,12 +229,11 @@ pub(crate) fn rotations() -> [Measured; 4] {
         ];
         matrix = matrix.max(gap(&got, &exact.map(|row| row.map(|c| c / square))));
     }
-    let test = "s2_rotations";
     [
-        Measured::new("`Affine::rotation` about any line", "1", about, two(-27.0), test),
-        Measured::new("– its translation, given its rotation", "1", shift, two(-33.0), test),
-        Measured::new("`Quaternion::new`, each part", "1", parts, 2.5 * two(-30.0), test),
-        Measured::new("`Affine::from_quaternion`", "1", matrix, two(-27.0), test),
+        Measured::new("`Affine::rotation` about any line", "1", about, two(-27.0)),
+        Measured::new("– its translation, given its rotation", "1", shift, two(-33.0)),
+        Measured::new("`Quaternion::new`, each part", "1", parts, 2.5 * two(-30.0)),
+        Measured::new("`Affine::from_quaternion`", "1", matrix, two(-27.0)),
     ]
 }
 
@@ -325,20 +314,13 @@ pub(crate) fn compositions() -> [Measured; 6] {
         rigid = rigid.max(gap(&linear(&got), &transposed(&linear(&turn.to_matrix()))));
     }
     let of = "largest coefficient";
-    let test = "s2_compositions_and_inverses";
     [
-        Measured::new("`Affine::from_matrix`", of, door, two(-30.0), test),
-        Measured::new("`Affine::then`", of, then, two(-30.0), test),
-        Measured::new("– its translation", "1", shift, two(-33.0), test),
-        Measured::new("`Affine::apply`, the matrix as stored", "2⁻¹⁶", image, 0.5 + two(-17.0), test),
-        Measured::new(
-            "`Affine::inverse`",
-            "largest coefficient × ratio of stretches",
-            inverse,
-            two(-28.0),
-            test,
-        ),
-        Measured::new("`Affine::rigid_inverse`, the rotation", "1", rigid, 0.0, test),
+        Measured::new("`Affine::from_matrix`", of, door, two(-30.0)),
+        Measured::new("`Affine::then`", of, then, two(-30.0)),
+        Measured::new("– its translation", "1", shift, two(-33.0)),
+        Measured::new("`Affine::apply`, the matrix as stored", "2⁻¹⁶", image, 0.5 + two(-17.0)),
+        Measured::new("`Affine::inverse`", "largest coefficient × ratio of stretches", inverse, two(-28.0)),
+        Measured::new("`Affine::rigid_inverse`, the rotation", "1", rigid, 0.0),
     ]
 }
 
@@ -359,7 +341,7 @@ pub(crate) fn normals() -> [Measured; 1] {
     // +1 itself is not representable in steps of 2⁻¹⁵.
     let ours = Affine::<Model, World>::identity().normals().apply([0, 0, i16::MAX]);
     worst = worst.max((f64::from(ours[2]) / 32_768.0 - 1.0).abs());
-    [Measured::new("`NormalMatrix::apply`", "1", worst, two(-15.0), "s2_normals")]
+    [Measured::new("`NormalMatrix::apply`", "1", worst, two(-15.0))]
 }
 
 pub(crate) fn views() -> [Measured; 3] {
@@ -398,11 +380,10 @@ pub(crate) fn views() -> [Measured; 3] {
             }
         }
     }
-    let test = "s3_views";
     [
-        Measured::new("`ViewTransform`: u, v, n", "1 ÷ sine of VUP and VPN", rows, two(-28.0), test),
-        Measured::new("`ViewTransform::translation`", "1", column, two(-13.0), test),
-        Measured::new("`ViewTransform::apply`, the view as stored", "2⁻¹⁶", image, 0.5 + two(-17.0), test),
+        Measured::new("`ViewTransform`: u, v, n", "1 ÷ sine of VUP and VPN", rows, two(-28.0)),
+        Measured::new("`ViewTransform::translation`", "1", column, two(-13.0)),
+        Measured::new("`ViewTransform::apply`, the view as stored", "2⁻¹⁶", image, 0.5 + two(-17.0)),
     ]
 }
 
@@ -515,42 +496,32 @@ pub(crate) fn projections() -> [Measured; 9] {
             any_constants = any_constants.max(error / coefficient.max(constant / 65_536.0));
         }
     }
-    let test = "s4_projections";
     let own = "row's largest coefficient";
     [
-        Measured::new("`Projection::perspective`: cot(fov/2)", "itself ÷ sin(fov)", field, two(-27.0), test),
-        Measured::new("`Projection::frustum`, `orthographic`", own, windows, two(-29.0), test),
-        Measured::new("– their constants in x and y", "itself and ⅛", constants, two(-30.0), test),
+        Measured::new("`Projection::perspective`: cot(fov/2)", "itself ÷ sin(fov)", field, two(-27.0)),
+        Measured::new("`Projection::frustum`, `orthographic`", own, windows, two(-29.0)),
+        Measured::new("– their constants in x and y", "itself and ⅛", constants, two(-30.0)),
         Measured::new(
             "`Projection::oblique`",
             "row's largest coefficient × (1 + factor)",
             slanted,
             two(-29.0),
-            test,
         ),
-        Measured::new(
-            "`perspective`, `frustum`, `orthographic`: (z + w)/2",
-            "itself",
-            depth,
-            two(-30.0),
-            test,
-        ),
-        Measured::new("`Projection::from_matrix`", own, any_matrix, two(-30.0), test),
+        Measured::new("`perspective`, `frustum`, `orthographic`: (z + w)/2", "itself", depth, two(-30.0)),
+        Measured::new("`Projection::from_matrix`", own, any_matrix, two(-30.0)),
         Measured::new(
             "– its constants",
             "largest coefficient, or 2⁻¹⁶ of the largest constant",
             any_constants,
             two(-42.0),
-            test,
         ),
         Measured::new(
             "`Projection::apply`, the matrix as stored",
             "largest of x, y, z, w, and 2",
             clip,
             two(-30.0),
-            test,
         ),
-        Measured::new("`ClipPoint::ndc`, the point as stored", "2⁻¹⁶", ndc, 0.5, test),
+        Measured::new("`ClipPoint::ndc`, the point as stored", "2⁻¹⁶", ndc, 0.5),
     ]
 }
 
@@ -607,21 +578,18 @@ pub(crate) fn planes() -> [Measured; 2] {
             }
         }
     }
-    let test = "s4_planes_and_vanishing_points";
     [
         Measured::new(
             "`PlanarProjection::apply`, beyond ½·2⁻¹⁶",
             "largest of point, plane and image, ÷ (w · dz)",
             image,
             two(-28.0),
-            test,
         ),
         Measured::new(
             "`Camera::vanishing_points`, beyond 1/512 px",
             "how far it moves when the axis turns by 1 rad",
             turn,
             two(-28.0),
-            test,
         ),
     ]
 }
@@ -672,11 +640,10 @@ pub(crate) fn volumes() -> [Measured; 2] {
             z_min = z_min.max((fx(ours.z_min().to_bits()) - wanted).abs() * 65_536.0);
         }
     }
-    let test = "s4_reference_volumes";
     let sum = "largest coefficient × coordinate, or constant, and ⅛";
     [
-        Measured::new("`ReferenceVolume::normalise`, beyond ½·2⁻¹⁶", sum, places, two(-28.0), test),
-        Measured::new("`ReferenceVolume::z_min`", "2⁻¹⁶", z_min, 0.5 + two(-14.0), test),
+        Measured::new("`ReferenceVolume::normalise`, beyond ½·2⁻¹⁶", sum, places, two(-28.0)),
+        Measured::new("`ReferenceVolume::z_min`", "2⁻¹⁶", z_min, 0.5 + two(-14.0)),
     ]
 }
 
@@ -693,25 +660,5 @@ pub(crate) fn viewports() -> [Measured; 1] {
         let off = (f64::from(got.x()) - ex * 256.0).abs().max((f64::from(got.y()) - ey * 256.0).abs());
         worst = worst.max(off);
     }
-    [Measured::new("`Viewport::apply`", "1/256 px", worst, 0.5, "s6_viewports")]
-}
-
-/// All measured functions, in the page's order.
-#[allow(dead_code)] // the tests take them one by one
-pub(crate) fn all() -> Vec<Measured> {
-    let mut all = Vec::new();
-    all.extend(sines());
-    all.extend(angles());
-    all.extend(reciprocals());
-    all.extend(roots());
-    all.extend(unit_vectors());
-    all.extend(rotations());
-    all.extend(compositions());
-    all.extend(normals());
-    all.extend(views());
-    all.extend(projections());
-    all.extend(planes());
-    all.extend(volumes());
-    all.extend(viewports());
-    all
+    [Measured::new("`Viewport::apply`", "1/256 px", worst, 0.5)]
 }
