@@ -1,5 +1,5 @@
 //! R1–R9 in memory: the loops that draw triangles into `Picture::pixels` and `Band::pixels`, against the oracle; with depth,
-//! against triangles on any other target, which `apps/render/tests/pictures.rs` compares with an oracle.
+//! against triangles on any other target, which `tools/measure/tests/judge/pictures.rs` compares with an oracle.
 
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, WebColors};

@@ -2,6 +2,7 @@
 //! written completely or not at all, pictures in memory, PNG and GIF files, and the named projections.
 
 pub mod animation;
+pub mod grouped;
 pub mod palette;
 pub mod projections;
 
@@ -17,7 +18,6 @@ pub mod files;
 pub mod film;
 #[cfg(feature = "host")]
 pub mod generated;
-pub mod grouped;
 #[cfg(feature = "progress")]
 pub mod progress;
 #[cfg(feature = "host")]

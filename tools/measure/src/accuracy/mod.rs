@@ -10,6 +10,7 @@ use clap::{ArgMatches, Command};
 use errors::{decimal, Errors};
 use pinhole_apps_support::command::complain;
 use pinhole_apps_support::generated::Generated;
+use pinhole_apps_support::grouped::grouped;
 use population::{DESIGNS, POPULATIONS, RANGES};
 use serde_json::{json, Value};
 use std::process::ExitCode;
@@ -17,7 +18,7 @@ use sweep::{Pair, Sweep};
 
 const PROGRAM: &str = "-p pinhole-measure -- accuracy";
 /// The page, with a place for each table.
-const PAGE: &str = include_str!("page.md");
+const PAGE: &str = include_str!("page.txt");
 
 pub(crate) fn command() -> Command {
     let about = "Measures the errors of the library's integers against f64, and writes data and a page";
@@ -116,7 +117,7 @@ impl Measured {
             ("{places}\n", places.collect()),
             ("{depths}\n", depths.collect()),
             ("{textures}\n", self.textures.iter().map(textures::Measured::line).collect()),
-            ("{cameras}", cameras.to_string()),
+            ("{cameras}", grouped(cameras as u64)),
             ("{steepest}", decimal(steepest)),
         ]
         .into_iter()
