@@ -30,69 +30,29 @@ fn hold<const N: usize>(all: [Measured; N]) {
     }
 }
 
-#[test]
-fn e7_sine_and_cosine() {
-    hold(functions::sines());
+macro_rules! bounds {
+    ($($test:ident: $measured:ident)*) => {$(
+        #[test]
+        fn $test() {
+            hold(functions::$measured());
+        }
+    )*};
 }
 
-#[test]
-fn e7_angles() {
-    hold(functions::angles());
-}
-
-#[test]
-fn e8_reciprocal() {
-    hold(functions::reciprocals());
-}
-
-#[test]
-fn square_root() {
-    hold(functions::roots());
-}
-
-#[test]
-fn e4_unit_vectors() {
-    hold(functions::unit_vectors());
-}
-
-#[test]
-fn s2_rotations() {
-    hold(functions::rotations());
-}
-
-#[test]
-fn s2_compositions_and_inverses() {
-    hold(functions::compositions());
-}
-
-#[test]
-fn s2_normals() {
-    hold(functions::normals());
-}
-
-#[test]
-fn s3_views() {
-    hold(functions::views());
-}
-
-#[test]
-fn s4_projections() {
-    hold(functions::projections());
-}
-
-#[test]
-fn s4_planes_and_vanishing_points() {
-    hold(functions::planes());
-}
-
-#[test]
-fn s4_reference_volumes() {
-    hold(functions::volumes());
-}
-
-#[test]
-fn s6_viewports() {
-    hold(functions::viewports());
+bounds! {
+    e7_sine_and_cosine: sines
+    e7_angles: angles
+    e8_reciprocal: reciprocals
+    square_root: roots
+    e4_unit_vectors: unit_vectors
+    s2_rotations: rotations
+    s2_compositions_and_inverses: compositions
+    s2_normals: normals
+    s3_views: views
+    s4_projections: projections
+    s4_planes_and_vanishing_points: planes
+    s4_reference_volumes: volumes
+    s6_viewports: viewports
 }
 
 /// 1/√2, 1/√3 and 1/√6, to 2⁻³².

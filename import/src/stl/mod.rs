@@ -92,8 +92,8 @@ fn first_not_finite(bytes: &[u8]) -> Option<usize> {
     })
 }
 
-/// The triangles of a binary file. Not by `stl_io`, with which tests compare: of that, ten lines would be used, which brought in its
-/// reader of text, 18 KB of the planner's page.
+/// The triangles of a binary file. Not by `stl_io`: of that, ten lines would be used, which brought in its reader of text, 18 KB of the
+/// planner's page.
 fn triangles(stl: &[u8]) -> Triangles {
     let (mut numbers, mut out) = (Numbered::default(), Triangles::default());
     for record in stl.get(HEADER + COUNT..).unwrap_or_default().chunks_exact(TRIANGLE) {
