@@ -10,7 +10,6 @@ pub(crate) fn table_of(name: &str) -> Result<String, String> {
         "variants" => variants(),
         "memory" => memory(),
         "cycles" => cycles(),
-        "chips" => columns("chips", &CHIP_COLUMNS),
         "frames" => frames(),
         "bands" => bands(),
         "cores" => cores(),
@@ -191,25 +190,6 @@ fn cycles() -> Result<String, String> {
         line
     };
     Ok(table(&["scene", "M0", "M0+", "M3", "M4", "M33"], SCENES.map(line)))
-}
-
-/// Columns of a table, and those of the data.
-const CHIP_COLUMNS: [[&str; 2]; 7] = [
-    ["chip", "chip"],
-    ["core", "core"],
-    ["MHz", "mhz"],
-    ["flash", "flash_says"],
-    ["SPI, MHz", "spi_mhz"],
-    ["RAM, KB", "ram_kb"],
-    ["error of the drawing time", "error"],
-];
-
-/// All rows that have all of these columns.
-fn columns(file: &str, columns: &[[&str; 2]]) -> Result<String, String> {
-    let rows = rows(file)?;
-    let whole = rows.iter().filter(|row| columns.iter().all(|column| row.contains_key(column[1])));
-    let header: Vec<&str> = columns.iter().map(|column| column[0]).collect();
-    Ok(table(&header, whole.map(|row| columns.iter().map(|column| shown(row.get(column[1]))).collect())))
 }
 
 /// S3 with depth and S1 on each chip in bands.
