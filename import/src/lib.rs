@@ -193,6 +193,19 @@ pub fn import_bytes(
     fits(mesh).map_err(|problem| problem.at(file, None))
 }
 
+/// The width and the height of the picture in a PNG or BMP file, and red, green, blue and opacity of each pixel, row by row. For the
+/// programs of pinhole's repository.
+///
+/// # Errors
+///
+/// What is wrong, without the name of the file.
+#[cfg(feature = "textures")]
+#[doc(hidden)]
+#[allow(clippy::type_complexity)] // two parts of one picture
+pub fn read_picture(file: &[u8]) -> Result<([usize; 2], Vec<[u8; 4]>), String> {
+    pixels::read(file).map(|picture| ([picture.width, picture.height], picture.colors))
+}
+
 /// Reads a model as it is: all triangles in the file's order, nothing welded, dropped or rounded.
 ///
 /// # Errors
