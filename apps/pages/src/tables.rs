@@ -55,24 +55,18 @@ fn best<'a>(rivals: &'a [Row], scene: &str, variant: &str, core: &str) -> Option
     known.filter(|(library, _)| *library != "embedded-graphics").min_by_key(|of| of.1)
 }
 
-/// The README's: error, speed and memory, and those of other libraries.
+/// The README's: speed and memory of a whole frame and of one in bands, and those of other libraries, which draw whole frames.
 fn comparison() -> Result<String, String> {
-    let (cells, rivals, designs) = (rows("cells")?, rows("rivals")?, rows("designs")?);
-    let error = |number: i64| {
-        let design = designs.iter().find(|row| row["number"] == number).ok_or("no such design")?;
-        Ok::<_, String>(shown(design.get("D max")))
-    };
-    let mut lines = vec![vec![
-        "largest vertex error before the snap to 1/256 pixel".to_string(),
-        error(1)?,
-        format!("f32 matrices {}, Q16.16 matrices {}", error(3)?, error(5)?),
-    ]];
+    let (cells, rivals) = (rows("cells")?, rows("rivals")?);
+    let (whole, banded) = ("z", "bands8-z");
+    let mut lines = Vec::new();
     for core in ["M0", "M3", "M4F"] {
         let (library, count) = best(&rivals, "S3", "z", core).ok_or("no other library")?;
-        let ours = figure(&cells, ["S3", "z", core], "instructions");
+        let [whole, banded] = [whole, banded].map(|way| figure(&cells, ["S3", way, core], "instructions"));
         lines.push(vec![
             format!("instructions, Cortex-{core}"),
-            ours,
+            whole,
+            banded,
             format!("{library} {}", signed(count)),
         ]);
     }
@@ -84,23 +78,18 @@ fn comparison() -> Result<String, String> {
         };
         peers.iter().map(one).collect::<Vec<_>>().join(", ")
     };
-    let in_bands = cell(&cells, "S3", "bands8-z", "M3").ok_or("no cell in bands")?;
-    let ram = number(in_bands, "ram")? + number(in_bands, "stack")?;
-    lines.push(vec![
-        "RAM with stack, bytes".into(),
-        format!("{} in bands", signed(ram as i64)),
-        format!(
-            "whole frame: {}",
-            others(|peer| Some(peer.get("depth")?.as_i64()? + peer.get("frame")?.as_i64()?))
-        ),
-    ]);
-    let whole = cell(&cells, "S3", "z", "M3").ok_or("no cell")?;
-    lines.push(vec![
-        "code, bytes".into(),
-        signed(number(whole, "flash")? as i64 - TORUS),
-        others(|peer| peer.get("code")?.as_i64()),
-    ]);
-    Ok(table(&["", "pinhole", "other libraries"], lines))
+    let ways = [whole, banded].map(|way| cell(&cells, "S3", way, "M3").ok_or("no such cell"));
+    let of_ways = |bytes: &dyn Fn(&Row) -> Result<i64, String>| {
+        let [whole, banded] = ways;
+        Ok::<_, String>([signed(bytes(whole?)?), signed(bytes(banded?)?)])
+    };
+    let [whole, banded] = of_ways(&|cell| Ok(number(cell, "ram")? as i64 + number(cell, "stack")? as i64))?;
+    let frames = others(|peer| Some(peer.get("depth")?.as_i64()? + peer.get("frame")?.as_i64()?));
+    lines.push(vec!["bytes of RAM, stack included".into(), whole, banded, frames]);
+    let code = number(ways[0]?, "flash")? as i64 - TORUS;
+    let theirs = others(|peer| peer.get("code")?.as_i64());
+    lines.push(vec!["bytes of code, without the mesh".into(), signed(code), shown(None), theirs]);
+    Ok(table(&["", "whole frame", "bands of 8 rows", "other libraries, whole frame"], lines))
 }
 
 /// The torus in flash: 500 vertices of 6 bytes, and 1000 faces with a normal and a plane.
