@@ -86,7 +86,7 @@ fn s5_clipped_lines_match_f64() {
             let got = clip::line(a, b);
             // The order of the ends changes nothing.
             assert_eq!(clip::line(b, a), got.map(|(p, q)| (q, p)));
-            // What is left lies inside the volume, and clipping it again changes nothing.
+            // The clipped part lies inside the volume, and clipping it again changes nothing.
             if let Some((p, q)) = got {
                 assert_eq!((p.outcode(), q.outcode()), (Outcode::INSIDE, Outcode::INSIDE), "{a:?} {b:?}");
                 let (r, s) = clip::line(p, q).expect("inside");

@@ -11,7 +11,7 @@ pub(crate) const RENDER: Program =
 /// The folder of a test.
 pub(crate) struct Folder(pub(crate) PathBuf);
 
-/// All that is written of a scene.
+/// Every output of a scene.
 pub(crate) struct Drawn {
     pub(crate) ids: Vec<i32>,
     pub(crate) depth: Vec<u16>,
@@ -42,7 +42,7 @@ impl Folder {
         encoder.write_header().unwrap().write_image_data(&bytes).unwrap();
     }
 
-    /// What is drawn of a scene, and of the scene as it is used, to the bit.
+    /// The outputs of a scene, and of its used form, which are equal to the bit.
     pub(crate) fn draw(&self, scene: &Value, options: &[&str]) -> Drawn {
         self.write("scene.json", scene.to_string());
         self.draw_file("scene.json", options)
