@@ -12,9 +12,9 @@ const WIDTH: u32 = 60;
 const HEIGHT: u32 = 44;
 const FACES: usize = 24;
 
-/// The picture, the faces that were shaded, in order, and the counts. The picture is left out where faces are cut: rounding depends on
+/// The pictures, the faces that were shaded, in order, and the counts. The pictures are left out where faces are cut: rounding depends on
 /// the order of corners there.
-fn drawing(instance: &MeshInstance<'_>) -> (Option<Vec<Rgb565>>, Vec<usize>, Statistics) {
+fn drawing(instance: &MeshInstance<'_>) -> (Option<[Vec<Rgb565>; 2]>, Vec<usize>, Statistics) {
     let shaded = RefCell::new(Vec::new());
     let shade = |face: usize| {
         shaded.borrow_mut().push(face);
@@ -22,7 +22,7 @@ fn drawing(instance: &MeshInstance<'_>) -> (Option<Vec<Rgb565>>, Vec<usize>, Sta
     };
     let area = rectangle(0, 0, WIDTH, HEIGHT);
     let (drawn, counted) = by_every_call(instance, area, Rgb565::BLACK, &[9, HEIGHT], &shade);
-    ((counted.clipped == 0).then_some(drawn.solid), shaded.into_inner(), counted)
+    ((counted.clipped == 0).then_some([drawn.solid, drawn.painted]), shaded.into_inner(), counted)
 }
 
 /// A soup about the near plane, and the counts of front, back and other faces.

@@ -13,12 +13,13 @@ use pinhole::{
     ScreenVertex, SpanShader, Statistics, StoredPixel, Stroke,
 };
 
-/// The pictures of faces without depth and with depth, row by row, and the depth buffer.
+/// The pictures of faces without depth and with depth, row by row, and the depth buffer; and from far to near, by [`by_every_call`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn<C> {
     pub solid: Vec<C>,
     pub deep: Vec<C>,
     pub depths: Vec<u16>,
+    pub painted: Vec<C>,
 }
 
 /// Draws into memory.
@@ -121,7 +122,7 @@ fn parts_in_memory<C: PixelColor>(
         let found = memory_with(part, wider(part), background, deep);
         assert!(found == (crop(&pixels, area, part), crop(&depths, area, part)), "with depth, {part:?}");
     }
-    Drawn { solid: whole, deep: pixels, depths }
+    Drawn { solid: whole, deep: pixels, depths, painted: Vec::new() }
 }
 
 /// Into memory, by the ways of [`parts_in_memory`].
@@ -249,7 +250,7 @@ where
         counted.push(binned.statistics());
     }
     assert!(counted.iter().all(|statistics| *statistics == counted[0]), "{counted:?}");
-    (Drawn { solid, deep, depths }, counted[0])
+    (Drawn { solid, deep, depths, painted }, counted[0])
 }
 
 /// Pictures of edges: all of them, those before the faces, and those that faces do not hide.
