@@ -1,5 +1,6 @@
 //! `pinhole-import`: readers, options, what it writes, and the command.
 
+mod any_file;
 mod cli;
 mod closed;
 mod colors;
