@@ -62,7 +62,7 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
                 }
                 Err(NumberError::NotFinite) => assert!(!degrees.is_finite()),
                 Err(NumberError::OutOfRange) => assert!(degrees.abs() > 1e6, "{degrees}"),
-                Err(NumberError::Syntax) => panic!("{degrees} is no text"),
+                Err(other) => panic!("{other:?}: {degrees}"),
             }
         }
         3 => {
@@ -96,10 +96,10 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
                     assert!(q.iter().any(|c| !c.is_finite()))
                 }
                 Err(QuaternionError::Number(NumberError::OutOfRange)) => assert!(q.iter().any(beyond)),
-                Err(QuaternionError::Number(NumberError::Syntax)) => panic!("{q:?} is no text"),
                 Err(QuaternionError::Zero) => {
                     assert!(q.iter().all(|c| f64::from(c.abs()) * TURN < 1.0), "{q:?}")
                 }
+                Err(other) => panic!("{other:?}: {q:?}"),
                 Ok(_) => assert!(!q.iter().any(|c| !c.is_finite() || beyond(c)), "{q:?}"),
             }
         }
@@ -122,6 +122,7 @@ fn viewport(b: &mut Bytes<'_>) {
     let got = match got {
         Err(ViewportError::Empty) => return assert!(empty),
         Err(ViewportError::OutsideGuardBand) => return assert!(!whole),
+        Err(other) => panic!("{other:?}: {area:?}"),
         Ok(got) => got,
     };
     assert!(!empty && whole, "{area:?}");

@@ -256,6 +256,7 @@ pub(crate) fn matrix(b: &mut Bytes<'_>) {
         Err(MatrixError::NotAffine) => assert!(m[3] != [0.0, 0.0, 0.0, 1.0], "{m:?}"),
         Err(MatrixError::OutOfRange) => assert!(far, "{m:?}"),
         Err(MatrixError::NotFinite) => assert!(!finite, "{m:?}"),
+        Err(other) => panic!("{other:?}: {m:?}"),
         Ok(affine) => {
             assert!(m[3] == [0.0, 0.0, 0.0, 1.0] && finite && !far, "{m:?}");
             let back = affine.to_matrix();
