@@ -44,7 +44,9 @@ pub(crate) fn function(
     let name = |place: &Vec<Frame>| place.last().map(|frame| frame.function.clone()).unwrap_or_default();
     let at = places.iter().position(|place| is_it(&name(place)));
     let at = at.ok_or_else(|| format!("{}: no such function", image.display()))?;
-    let count = places[at..].iter().take_while(|place| name(place) == name(&places[at])).count();
+    // An assembler's label, such as that of reading a counter of RISC-V, hides the function's name.
+    let is_in = |place: &&Vec<Frame>| name(place) == name(&places[at]) || name(place).starts_with(".L");
+    let count = places[at..].iter().take_while(is_in).count();
     let start = elf::sizes(image)?.code.start + STEP * at as u64;
     Ok(u32::try_from(start)?..u32::try_from(start + STEP * count as u64)?)
 }
