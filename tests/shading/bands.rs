@@ -8,7 +8,10 @@ use embedded_graphics_core::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888};
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::ScreenPoint;
-use pinhole::{fill_triangle, Affine, Cull, Flat, Gouraud, Mesh, MeshInstance, PixelFormat, ScreenVertex};
+use pinhole::{
+    fill_triangle, Affine, Blended, Cull, Flat, Gouraud, Mesh, MeshInstance, PixelFormat, ScreenDoor,
+    ScreenVertex,
+};
 use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use support::bridge::rectangle;
 use support::bridge::ways::{bands, by_every_call, memory, screen};
@@ -74,9 +77,38 @@ fn bands_of_every_height_add_up_to_the_full_picture() {
             by_every_call(instance, frame, Rgb565::BLACK, &heights, &|face| shaders[face].1);
             by_every_call(instance, frame, Rgb565::BLACK, &heights, &|face| tables[face]);
             by_every_call(instance, frame, Own::decode(0), &heights, &|face| shaders[face].1.dithered());
+            by_every_call(instance, frame, Rgb565::BLACK, &heights, &|face| {
+                ScreenDoor::new(shaders[face].1, 20 + face as u8)
+            });
+            that_read_pixels(instance, &scene);
             of_parts_of_bytes::<BinaryColor>(instance, &scene);
             of_parts_of_bytes::<Gray4>(instance, &scene);
         });
+    }
+}
+
+/// Mixed with what is stored, which no DrawTarget shows: binned faces, without depth and with it.
+fn that_read_pixels(instance: &MeshInstance<'_>, scene: &Scene) {
+    let (frame, sky) = (scene.frame, Rgb565::new(9, 30, 20));
+    let shade: &dyn Fn(usize) -> _ = &|face| Blended::new(scene.shaders[face].1, 3 + 2 * face as u8);
+    let solid = memory(frame, sky, &mut |target, _| {
+        let Ok(_) = instance.solid(shade, &mut [], target);
+    });
+    let deep = memory(frame, sky, &mut |target, depth| {
+        let Ok(_) = instance.depth_tested(shade, &mut [], depth, target);
+    });
+    let (mut cache, mut bins) = ([ScreenVertex::EMPTY; VERTICES], [0; FACES + 1]);
+    let transformed = instance.transform_depth(&mut cache);
+    let mut faces = transformed.bin_faces(&mut bins).expect("room");
+    for rows in 1..=13 {
+        let banded = bands(frame, sky, rows, &mut |band, _| {
+            let Ok(()) = faces.solid(shade, &mut band.pixels());
+        });
+        assert!(banded == solid, "{rows} rows");
+        let banded = bands(frame, sky, rows, &mut |band, depth| {
+            let Ok(()) = faces.depth_tested(shade, depth, &mut band.pixels());
+        });
+        assert!(banded == deep, "with depth, {rows} rows");
     }
 }
 
