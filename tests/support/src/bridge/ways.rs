@@ -125,7 +125,7 @@ fn parts_in_memory<C: PixelColor>(
     Drawn { solid: whole, deep: pixels, depths, painted: Vec::new() }
 }
 
-/// Into memory, by the ways of [`parts_in_memory`].
+/// Into memory: in one piece, in parts, and with depth buffers that are larger than the picture.
 pub fn in_memory<C: PixelColor, S: SpanShader<C>>(
     instance: &MeshInstance<'_>,
     area: Rectangle,

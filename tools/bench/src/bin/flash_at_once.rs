@@ -23,7 +23,7 @@ const IMAGE: usize = position(
     ],
 );
 /// The number of depths in the depth buffer.
-const DEPTHS: usize = if IMAGE >= 5 { pixels(ROWS) } else { 0 };
+const DEPTHS: usize = if IMAGE < 5 { 0 } else { pixels(ROWS) };
 
 image!(cube, corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS], storage: [u16; DEPTHS] = [0; DEPTHS], {
     let scene = Turntable::new();
