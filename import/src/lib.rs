@@ -198,7 +198,7 @@ pub fn import_bytes(
 ///
 /// # Errors
 ///
-/// What is wrong, without the name of the file.
+/// The reason that follows the name of the file in a message.
 #[cfg(feature = "textures")]
 #[doc(hidden)]
 #[allow(clippy::type_complexity)] // two parts of one picture

@@ -1,5 +1,5 @@
-//! What is not drawn, a firmware each: the parts that every other image has too, which are the start, the end and the cube; a mesh
-//! instance; and one before a camera made at run time.
+//! Firmware that draws nothing: `flash_empty` has the start, the end and the cube, which every image has; `flash_place` also places the
+//! mesh; `flash_camera` also makes the camera at run time.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::image::Turntable;
 use bench::{image, position};
