@@ -29,14 +29,10 @@ impl Cull {
     /// Which way a face with this signed area is turned: a positive area is counter-clockwise with y up.
     #[inline(always)]
     pub(super) fn facing(self, area: i64) -> Facing {
-        let is_culled = match self {
-            Self::Back => area < 0,
-            Self::Front => area > 0,
-            Self::None => false,
-        };
-        // The sign decides for most faces, so the test for zero comes last.
+        // The sign first: it decides for most faces, and comparing it costs less than reading the rule.
         match area {
-            _ if is_culled => Facing::Culled,
+            ..0 if self == Self::Back => Facing::Culled,
+            1.. if self == Self::Front => Facing::Culled,
             0 => Facing::EdgeOn,
             _ => Facing::Drawn,
         }
