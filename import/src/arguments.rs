@@ -1,18 +1,17 @@
 //! The options of command lines that decide which model is drawn: `pinhole-import` has them, and so have the programs that
 //! show a model before it is in a firmware.
 
+use crate::{Axis, Options};
 use clap::builder::PossibleValuesParser;
 use clap::{value_parser, Arg, ArgAction, ArgMatches};
-use pinhole_import::{Axis, Options};
 use std::path::PathBuf;
 
 /// The names of the options.
-#[allow(dead_code)] // for programs that take no model
-pub(crate) const NAMES: [&str; 8] =
+pub const NAMES: [&str; 8] =
     ["up", "flip", "fix-winding", "two-sided", "object", "step", "materials-only", "root"];
 
 /// The options themselves.
-pub(crate) fn arguments() -> [Arg; 8] {
+pub fn arguments() -> [Arg; 8] {
     let flag = |name: &'static str, help| Arg::new(name).long(name).action(ArgAction::SetTrue).help(help);
     let up = Arg::new("up")
         .long("up")
@@ -56,7 +55,7 @@ fn step(text: &str) -> Result<f64, String> {
 }
 
 /// The default options, changed by the given ones.
-pub(crate) fn options(given: &ArgMatches) -> Options {
+pub fn options(given: &ArgMatches) -> Options {
     let axis = |name: &String| Axis::ALL.iter().find(|(other, _)| other == name).map(|&(_, axis)| axis);
     Options {
         up: given.get_one("up").and_then(axis),

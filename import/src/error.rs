@@ -1,5 +1,5 @@
+use crate::host::shown;
 use crate::remedy::{Remedy, Said};
-use crate::shown::shown;
 use crate::warning::{Warning, MOST_FACES};
 use std::error::Error;
 use std::fmt;
@@ -20,6 +20,7 @@ pub struct ImportError {
 
 /// The problems that a model can have.
 #[derive(Debug)]
+#[allow(missing_docs)] // of fields: said with each variant
 #[non_exhaustive]
 pub enum Problem {
     /// The file cannot be opened or read.
@@ -34,36 +35,20 @@ pub enum Problem {
     Syntax(&'static str),
     /// The file cannot be understood; the text is its parser's.
     Format(String),
-    /// The file should be text, but is binary.
-    NotText {
-        /// The place, counted from 0, of the first byte that is zero.
-        byte: usize,
-    },
-    /// The file ends too soon.
-    Truncated {
-        /// How many bytes it says it has.
-        needed: u64,
-        /// How many there are: the first one missing has this number, counted from 0.
-        given: u64,
-    },
+    /// The file should be text, but is binary: this byte, counted from 0, is the first that is zero.
+    NotText { byte: usize },
+    /// The file ends too soon: by what it says it needs more bytes than are given. The first one missing, counted from 0, is byte `given`.
+    Truncated { needed: u64, given: u64 },
     /// A face names a vertex that the file does not have.
     NoSuchVertex,
     /// A coordinate is NaN or infinite, or becomes so when it is divided by its `w`.
     NotFinite,
-    /// A coordinate of a binary file is NaN or infinite.
-    NotFiniteAt {
-        /// Where its first byte is, counted from 0.
-        byte: usize,
-    },
+    /// The coordinate of a binary file that begins with this byte, counted from 0, is NaN or infinite.
+    NotFiniteAt { byte: usize },
     /// The model has no face, and no line.
     NoFaces,
-    /// An object is wanted ([`Options::objects`](crate::Options::objects)) that the file does not have.
-    NoSuchObject {
-        /// Its name.
-        name: String,
-        /// The names of the objects and groups that there are.
-        names: Vec<String>,
-    },
+    /// An object of this name is wanted ([`Options::objects`](crate::Options::objects)), but the file has those of these names.
+    NoSuchObject { name: String, names: Vec<String> },
     /// The model does not fit the grid of [`Options::step`](crate::Options::step); the finest that it fits has a step of 2 to
     /// this power.
     Step(i8),
@@ -112,12 +97,12 @@ impl Problem {
     pub(crate) fn said(&self) -> Said {
         use Remedy as R;
         match self {
-            Problem::Read(error) => Said::new(format!("cannot be read: {error}"), []),
-            Problem::Write(error) => Said::new(format!("cannot be written: {error}"), []),
+            Problem::Read(error) => format!("cannot be read: {error}").into(),
+            Problem::Write(error) => format!("cannot be written: {error}").into(),
             Problem::UnknownFormat => Said::new("is not a model this program reads: ", [R::ExportFormat]),
             Problem::TooLarge => Said::new("has more than 1 GiB: ", [R::ReduceModel]),
-            Problem::Syntax(what) => Said::new(*what, []),
-            Problem::Format(what) => Said::new(what, []),
+            Problem::Syntax(what) | Problem::Options(what) => (*what).into(),
+            Problem::Format(what) => what.clone().into(),
             Problem::NotText { byte } => {
                 Said::new(format!("is binary, not text, as byte {byte} is zero: "), [R::ExportFormat])
             }
@@ -126,19 +111,18 @@ impl Problem {
                 format!("ends before byte {given}, but should have {needed} bytes: "),
                 [R::CopyAgain],
             ),
-            Problem::NoSuchVertex => Said::new("the face names a vertex that does not exist", []),
+            Problem::NoSuchVertex => "the face names a vertex that does not exist".into(),
             Problem::NotFinite => Said::new("a coordinate is not a finite number: ", [R::Repair]),
             Problem::NotFiniteAt { byte } => {
                 Said::new(format!("the coordinate at byte {byte} is not a finite number: "), [R::Repair])
             }
             Problem::NoFaces => Said::new("has no faces: ", [R::ExportMesh]),
             Problem::NoSuchObject { name, names } if names.is_empty() => {
-                Said::new(format!("has no object {name}, as none has a name"), [])
+                format!("has no object {name}, as none has a name").into()
             }
-            Problem::NoSuchObject { name, names } => Said::new(
-                format!("has no object {name}; its objects and groups are {}", names.join(", ")),
-                [],
-            ),
+            Problem::NoSuchObject { name, names } => {
+                format!("has no object {name}; its objects and groups are {}", names.join(", ")).into()
+            }
             Problem::Step(finest) => Said::new(
                 format!("does not fit the grid: the finest step that it fits is 2^{finest}: "),
                 [R::Step(*finest)],
@@ -168,7 +152,6 @@ impl Problem {
                 format!("needs a step of 2^{exponent}, but a mesh has 2^-32 to 2^15: "),
                 [R::OtherUnit, R::Fit],
             ),
-            Problem::Options(what) => Said::new(*what, []),
             Problem::NoTextures => {
                 Said::new("has a texture, but this build reads no pictures: ", [R::Feature("textures")])
             }

@@ -29,15 +29,18 @@
 //!
 //! Invalid input is an [`ImportError`]; doubtful input is imported, and listed in [`ImportedMesh::warnings`].
 
+#[cfg(feature = "cli")]
+#[doc(hidden)]
+pub mod arguments;
 mod beside;
-#[cfg(feature = "textures")]
-mod bmp;
 mod bodies;
 mod boxes;
 mod decimate;
 mod edges;
 mod error;
 mod grid;
+#[doc(hidden)]
+pub mod host;
 mod materials;
 mod mesh;
 mod model;
@@ -46,7 +49,6 @@ mod normals;
 mod obj;
 mod options;
 mod order;
-mod part;
 mod parts;
 mod picture;
 #[cfg(feature = "textures")]
@@ -57,7 +59,6 @@ mod quantise;
 mod remedy;
 mod rust;
 mod script;
-mod shown;
 mod slivers;
 mod stl;
 mod text;

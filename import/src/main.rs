@@ -1,17 +1,11 @@
 //! `pinhole-import MODEL -o OUT.rs`: a model as Rust source.
 
-mod arguments;
-mod part;
-mod same;
-mod say;
-mod shown;
-
 use clap::builder::PossibleValuesParser;
 use clap::parser::ValueSource;
 use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
 use indicatif::{ProgressBar, ProgressStyle};
-use pinhole_import::{Centre, Edges, ImportedMesh, Options, Step, TextureFormat};
-use say::{complain, say, warn};
+use pinhole_import::host::{self, complain, say, warn};
+use pinhole_import::{arguments, Centre, Edges, ImportedMesh, Options, Step, TextureFormat};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
@@ -166,7 +160,7 @@ fn run(given: &ArgMatches) -> Result<String, String> {
     let (model, output) = (path("MODEL"), path("output"));
     let name = given.get_one::<String>("name").map_or("MESH", String::as_str);
 
-    if same::is_same(&model, &output) {
+    if host::is_same(&model, &output) {
         return Err(format!("{}: is the model itself", output.display()));
     }
     let bar = progress();
@@ -186,7 +180,7 @@ fn run(given: &ArgMatches) -> Result<String, String> {
         mesh.to_rust_mesh(name, &model, &command)
             .ok_or_else(|| format!("--name {name}: is not a constant's: capital letters, digits and _"))?
     };
-    part::write(&output, source.as_bytes())
+    host::write(&output, source.as_bytes())
         .map_err(|e| format!("{}: cannot be written: {e}", output.display()))?;
     Ok(format!("{}: {}", output.display(), report(&mesh)))
 }

@@ -58,17 +58,7 @@ pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
     if let Err(problem) = &mesh {
         warnings.push(problem.as_warning());
     }
-    Ok(Preview {
-        triangles: made.triangles,
-        colors: made.colors,
-        emission: made.emission,
-        texture: made.texture,
-        libraries: made.libraries,
-        backs: made.backs,
-        up,
-        mesh,
-        warnings,
-    })
+    Ok(Preview { mesh, warnings, ..made })
 }
 
 impl Triangles {

@@ -9,9 +9,8 @@ use crate::normals::{cross, of_vertices, on_one_line, unit};
 use crate::parts::Parts;
 use crate::picture;
 use crate::weld::{weld, Numbered};
-use crate::{decimate, order, Axis, Edges, Options, Problem, Step, Triangles, Warning};
+use crate::{decimate, order, Axis, Edges, Options, Preview, Problem, Step, Triangles, Warning};
 use std::collections::BTreeSet;
-use std::path::PathBuf;
 
 /// Makes a mesh of triangles: welds, centres, quantises, derives edges and normals. Scales and orders nothing: it has the
 /// default [`Options`], and y is up.
@@ -36,33 +35,13 @@ pub fn quantise(model: &Triangles) -> Result<ImportedMesh, Problem> {
     Ok(ImportedMesh { warnings: made.warnings, ..made.mesh? })
 }
 
-/// The result for a model.
-pub(crate) struct Made {
-    /// The mesh's faces, however many there are, in the file's axes and units; backs are the last of them.
-    pub(crate) triangles: Triangles,
-    /// The colour of each triangle, or nothing.
-    pub(crate) colors: Vec<[u8; 3]>,
-    /// The light that each triangle emits, or nothing.
-    pub(crate) emission: Vec<[u8; 3]>,
-    /// The texture coordinates of each triangle's corners, or nothing.
-    pub(crate) texture: Vec<[[f64; 2]; 3]>,
-    /// How many of the triangles are backs.
-    pub(crate) backs: usize,
-    /// Files that were read beside the model.
-    pub(crate) libraries: Vec<PathBuf>,
-    /// Warnings about the model, whether it fits a mesh or not.
-    pub(crate) warnings: Vec<Warning>,
-    /// The mesh, without the warnings, or why a mesh cannot hold the model.
-    pub(crate) mesh: Result<ImportedMesh, Problem>,
-}
-
-/// Makes a mesh of a model as the options say; `up` is the axis of the file that becomes +y.
+/// Makes a mesh of a model as the options say; `up` is the axis of the file that becomes +y. The mesh is without the warnings.
 pub(crate) fn make(
     model: Model,
     up: Axis,
     options: &Options,
     begins: &mut dyn FnMut(Step),
-) -> Result<Made, Problem> {
+) -> Result<Preview, Problem> {
     options.check()?;
     let Model { triangles, places, mut warnings, lines, colors, texture, pictures, mut libraries } = model;
     let lines = if options.edges == Edges::None { Vec::new() } else { lines };
@@ -260,18 +239,19 @@ pub(crate) fn make(
         back
     };
     triangles.faces.extend(backs.iter().map(back));
-    let made = Made {
+    let made = Preview {
         triangles,
         colors: shown(&palette),
         emission: shown(&emission),
         texture: uv,
         backs: backs.len(),
+        up,
         libraries: libraries.clone(),
         warnings,
         mesh: Err(Problem::NoFaces), // not made yet
     };
     if let Some(problem) = too_many {
-        return Ok(Made { mesh: Err(problem), ..made });
+        return Ok(Preview { mesh: Err(problem), ..made });
     }
 
     let crosses: Vec<_> = corners.iter().map(|f| cross(f.map(|i| vertices[i]))).collect();
@@ -279,7 +259,7 @@ pub(crate) fn make(
     let mut corners: Vec<[u16; 3]> = corners.iter().map(|f| f.map(|i| i as u16)).collect();
     let selected = match sides.select(options, &lines, &crosses, &backs) {
         Ok(selected) => selected,
-        Err(problem) => return Ok(Made { mesh: Err(problem), ..made }),
+        Err(problem) => return Ok(Preview { mesh: Err(problem), ..made }),
     };
     let mut normals: Vec<[i16; 3]> =
         if options.normals { crosses.iter().map(|&c| unit(c)).collect() } else { Vec::new() };
@@ -287,7 +267,7 @@ pub(crate) fn make(
         if options.vertex_normals { of_vertices(&vertices, &corners, &crosses) } else { Vec::new() };
     let ends = add_backs(&backs, &mut corners, &mut normals, &mut vertices, &mut vertex_normals);
     if let Err(problem) = ends {
-        return Ok(Made { mesh: Err(problem), ..made });
+        return Ok(Preview { mesh: Err(problem), ..made });
     }
     let mesh = ImportedMesh {
         vertices,
@@ -333,7 +313,7 @@ pub(crate) fn make(
     warnings.extend(mesh.large());
     warnings.extend(mesh.large_picture());
     warnings.extend(mesh.too_many_for_bands());
-    Ok(Made { mesh: Ok(mesh), warnings, ..made })
+    Ok(Preview { mesh: Ok(mesh), warnings, ..made })
 }
 
 /// Twice the area of triangles.

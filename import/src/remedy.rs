@@ -1,6 +1,6 @@
 //! What to do about a problem or a doubtful point, as data that each program words in its own way.
 
-use crate::shown::shown;
+use crate::host::shown;
 use std::fmt;
 
 /// Something to do about a [`Problem`](crate::Problem) or a [`Warning`](crate::Warning). Its `Display` is an imperative in the words
@@ -167,6 +167,12 @@ pub(crate) struct Said {
     pub(crate) remedies: Vec<Remedy>,
     /// What follows the remedies.
     pub(crate) then: &'static str,
+}
+
+impl<S: Into<String>> From<S> for Said {
+    fn from(what: S) -> Self {
+        Self::new(what, [])
+    }
 }
 
 impl Said {

@@ -1,7 +1,7 @@
 //! For build scripts.
 
-use crate::shown::shown;
-use crate::{import, part, rust, ImportError, Options, Problem};
+use crate::host::shown;
+use crate::{host, import, rust, ImportError, Options, Problem};
 use std::path::{Path, PathBuf};
 
 /// Imports a model in a `build.rs`: writes `$OUT_DIR/NAME.rs`, with the name in lower case, which has the constant `NAME`,
@@ -43,5 +43,5 @@ fn write(model: &Path, name: &str, options: &Options) -> Result<(), ImportError>
         Problem::Write(missing).at(model, None)
     })?;
     let file = folder.join(format!("{}.rs", name.to_lowercase()));
-    part::write(&file, source.as_bytes()).map_err(|e| Problem::Write(e).at(&file, None))
+    host::write(&file, source.as_bytes()).map_err(|e| Problem::Write(e).at(&file, None))
 }

@@ -6,254 +6,92 @@ use std::fmt;
 
 /// Something doubtful about a model that was imported all the same. Its `Display` is one line, which says what to do by the options
 /// of the command line; [`worded`](Self::worded) says it by those of another program.
+///
+/// `count` is how many there are, `first` where the first is, or its name; `name` is that of a file, as the model or its library has it.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[allow(missing_docs)] // of fields: said with each variant, or above
 #[non_exhaustive]
 pub enum Warning {
     /// Faces that have no area, or none on the grid, were dropped.
-    NoArea {
-        /// How many.
-        count: usize,
-        /// The first.
-        first: Place,
-    },
+    NoArea { count: usize, first: Place },
     /// Faces that are there twice, with one winding, were dropped.
-    Duplicates {
-        /// How many.
-        count: usize,
-        /// The first.
-        first: Place,
-    },
-    /// The grid is too coarse for the shape: a tenth of the faces have no area on it, or the area changes by a tenth.
-    Coarse {
-        /// How many faces have no area on the grid.
-        lost: usize,
-        /// How many have one in the file.
-        faces: usize,
-        /// The area on the grid in percent of that in the file.
-        area: u32,
-    },
+    Duplicates { count: usize, first: Place },
+    /// The grid is too coarse for the shape: `lost` of the `faces`, a tenth or more, have no area on it, or the area of all, `area`
+    /// percent of that in the file, changes by a tenth.
+    Coarse { lost: usize, faces: usize, area: u32 },
     /// Polygons that cross themselves, so that some of their triangles lie upon others.
-    Crossing {
-        /// How many.
-        count: usize,
-        /// The first.
-        first: Place,
-    },
+    Crossing { count: usize, first: Place },
     /// Edges of one face: the rim of a sheet or of a hole.
-    OpenEdges {
-        /// How many.
-        count: usize,
-        /// The face of the first.
-        first: Place,
-    },
+    OpenEdges { count: usize, first: Place },
     /// Edges of more than two faces.
-    CrowdedEdges {
-        /// How many.
-        count: usize,
-        /// A face of the first.
-        first: Place,
-    },
-    /// Edges between faces of opposite winding.
-    TwistedEdges {
-        /// How many.
-        count: usize,
-        /// A face of the first.
-        first: Place,
-        /// Whether no winding is right, as of a Möbius strip.
-        is_one_sided: bool,
-    },
-    /// Connected parts whose faces point inwards.
-    InsideOut {
-        /// How many.
-        count: usize,
-        /// Of how many parts.
-        parts: usize,
-        /// A face of the first.
-        first: Place,
-        /// Whether [`Options::flip`](crate::Options::flip) reversed all faces.
-        is_flipped: bool,
-    },
-    /// Decimation left more triangles than were wanted.
-    DecimatedLess {
-        /// How many are left.
-        faces: usize,
-    },
+    CrowdedEdges { count: usize, first: Place },
+    /// Edges between faces of opposite winding. `is_one_sided`: no winding is right, as of a Möbius strip.
+    TwistedEdges { count: usize, first: Place, is_one_sided: bool },
+    /// Connected parts, `count` of all `parts`, whose faces point inwards. `is_flipped`: [`Options::flip`](crate::Options::flip)
+    /// reversed all faces.
+    InsideOut { count: usize, parts: usize, first: Place, is_flipped: bool },
+    /// Decimation left so many triangles, more than were wanted.
+    DecimatedLess { faces: usize },
     /// Decimation made other faces, which have neither colours nor texture coordinates.
     DecimatedMaterials,
-    /// An ASCII STL has no `endsolid`.
-    NoEndsolid {
-        /// Its last line.
-        line: usize,
-    },
+    /// An ASCII STL, whose last line this is, has no `endsolid`.
+    NoEndsolid { line: usize },
     /// Bytes after the last triangle of a binary STL.
-    BytesAfter {
-        /// How many.
-        count: u64,
-    },
+    BytesAfter { count: u64 },
     /// Materials that are transparent in their library; their faces are opaque.
-    Transparent {
-        /// How many.
-        count: usize,
-        /// The name of the first.
-        first: String,
-    },
-    /// Materials name pictures, and none is wanted ([`Options::texture`](crate::Options::texture)).
-    PicturesUnwanted {
-        /// How many.
-        count: usize,
-        /// The first.
-        first: String,
-        /// Whether the model has texture coordinates, without which a picture cannot be shown.
-        has_coords: bool,
-    },
+    Transparent { count: usize, first: String },
+    /// Materials name pictures, and none is wanted ([`Options::texture`](crate::Options::texture)). `has_coords`: the model has texture
+    /// coordinates, without which a picture cannot be shown.
+    PicturesUnwanted { count: usize, first: String, has_coords: bool },
     /// Something that a mesh has no place for was left out.
-    LeftOut {
-        /// What.
-        what: Element,
-        /// How many.
-        count: usize,
-        /// The first.
-        first: Place,
-    },
+    LeftOut { what: Element, count: usize, first: Place },
     /// Faces have materials, but no library of materials is named.
     NoLibrary,
     /// A material library is not read.
-    Library {
-        /// Its name in the model.
-        name: String,
-        /// Why.
-        why: Unread,
-    },
-    /// Lines of a material library that cannot be understood were passed over.
-    LibraryLines {
-        /// Its name in the model.
-        name: String,
-        /// How many.
-        count: usize,
-        /// The first, counted from 1.
-        first: usize,
-        /// Why the first cannot be understood.
-        problem: &'static str,
-    },
+    Library { name: String, why: Unread },
+    /// Lines of a material library that cannot be understood were passed over: `first` is the number of the first, from 1, and
+    /// `problem` is why that one cannot be understood.
+    LibraryLines { name: String, count: usize, first: usize, problem: &'static str },
     /// Materials that no library has.
-    UnknownMaterials {
-        /// How many.
-        count: usize,
-        /// The name of the first.
-        first: String,
-    },
-    /// More colours than a palette holds.
-    Colors {
-        /// How many.
-        count: usize,
-        /// How many the palette holds.
-        kept: usize,
-    },
-    /// Texture coordinates that cannot be understood were left out.
-    TextureCoords {
-        /// Why.
-        problem: &'static str,
-        /// The line of the first, counted from 1.
-        line: Option<usize>,
-    },
+    UnknownMaterials { count: usize, first: String },
+    /// More colours than a palette holds, of which `kept` are in it.
+    Colors { count: usize, kept: usize },
+    /// Texture coordinates that cannot be understood, because of `problem`, the first in `line`, were left out.
+    TextureCoords { problem: &'static str, line: Option<usize> },
     /// Texture coordinates too far from the picture were left out.
     TextureCoordsFar,
     /// More texture coordinates than a mesh has, 65 536, were left out.
     TextureCoordsMany,
     /// Faces without texture coordinates, in a file where others have some.
-    BareFaces {
-        /// How many.
-        count: usize,
-        /// The line of the first.
-        first: Place,
-    },
+    BareFaces { count: usize, first: Place },
     /// A picture is wanted, but the model has no texture coordinates.
     NoTextureCoords,
     /// A picture is wanted, but no material names one.
     NoPicture,
-    /// Materials name several pictures, of which one is written.
-    Pictures {
-        /// How many.
-        count: usize,
-        /// The one that is written.
-        written: String,
-        /// Another one.
-        other: String,
-    },
+    /// Materials name several pictures, of which one is `written`; `other` is another one.
+    Pictures { count: usize, written: String, other: String },
     /// Faces whose material names no picture, where others do.
-    NoPictureFaces {
-        /// How many.
-        count: usize,
-    },
+    NoPictureFaces { count: usize },
     /// The picture that the materials name is not read.
-    PictureUnread {
-        /// Its name in the library.
-        name: String,
-        /// Why.
-        why: Unread,
-    },
+    PictureUnread { name: String, why: Unread },
     /// The picture cannot be understood.
-    Picture {
-        /// Its name in the library.
-        name: String,
-        /// Why.
-        problem: String,
-    },
+    Picture { name: String, problem: String },
     /// The picture has transparent pixels, which were written as if they were opaque.
-    PictureTransparent {
-        /// Its name in the library.
-        name: String,
-        /// How many pixels.
-        pixels: usize,
-    },
-    /// The picture was resized.
-    PictureResized {
-        /// Its name in the library.
-        name: String,
-        /// Columns and rows of the file.
-        from: [usize; 2],
-        /// Columns and rows of the texture.
-        to: [usize; 2],
-    },
-    /// The picture has more colours than the palette.
-    PictureColors {
-        /// Its name in the library.
-        name: String,
-        /// How many it has.
-        count: usize,
-        /// How many the palette has.
-        kept: usize,
-        /// The largest difference of a channel, of 255.
-        error: u8,
-    },
-    /// The mesh takes more flash than many microcontrollers have.
-    Flash {
-        /// How many bytes.
-        bytes: usize,
-        /// How many of them are for edges.
-        edges: usize,
-        /// The number of triangles with which the rest would fit.
-        faces: usize,
-    },
-    /// The picture takes more flash than a small microcontroller can spare.
-    PictureFlash {
-        /// Columns and rows.
-        size: [usize; 2],
-        /// How many bytes.
-        bytes: usize,
-    },
-    /// No mesh can hold the model: it can be shown, but not be put into firmware.
-    NotForFirmware {
-        /// Why, with the punctuation that remedies follow.
-        problem: String,
-        /// What to do about it: alternatives.
-        remedies: Vec<Remedy>,
-    },
+    PictureTransparent { name: String, pixels: usize },
+    /// The picture was resized: columns and rows of the file, and of the texture.
+    PictureResized { name: String, from: [usize; 2], to: [usize; 2] },
+    /// The picture has `count` colours, more than the `kept` ones of the palette; `error` is the largest difference of a channel, of 255.
+    PictureColors { name: String, count: usize, kept: usize, error: u8 },
+    /// The mesh takes more flash than many microcontrollers have: so many bytes, `edges` of them for edges. The rest would fit with so
+    /// many triangles as `faces`.
+    Flash { bytes: usize, edges: usize, faces: usize },
+    /// The picture, of so many columns and rows, takes more flash than a small microcontroller can spare.
+    PictureFlash { size: [usize; 2], bytes: usize },
+    /// No mesh can hold the model: it can be shown, but not be put into firmware. `problem` is why, with the punctuation that
+    /// `remedies`, which are alternatives, follow.
+    NotForFirmware { problem: String, remedies: Vec<Remedy> },
     /// More faces than can be drawn in bands.
-    ManyFaces {
-        /// How many.
-        count: usize,
-    },
+    ManyFaces { count: usize },
 }
 
 /// Elements of a file that a mesh has no place for.
@@ -287,18 +125,19 @@ pub enum Place {
 impl Warning {
     /// The line of the file, counted from 1, where it is seen first, if that is known.
     pub fn line(&self) -> Option<usize> {
-        match *self {
-            Self::NoArea { first: Place::Line(line), .. }
-            | Self::Duplicates { first: Place::Line(line), .. }
-            | Self::Crossing { first: Place::Line(line), .. }
-            | Self::OpenEdges { first: Place::Line(line), .. }
-            | Self::CrowdedEdges { first: Place::Line(line), .. }
-            | Self::TwistedEdges { first: Place::Line(line), .. }
-            | Self::InsideOut { first: Place::Line(line), .. }
-            | Self::BareFaces { first: Place::Line(line), .. }
-            | Self::LeftOut { first: Place::Line(line), .. }
-            | Self::NoEndsolid { line } => Some(line),
-            Self::TextureCoords { line, .. } => line,
+        let first = match self {
+            Self::NoEndsolid { line } => return Some(*line),
+            Self::TextureCoords { line, .. } => return *line,
+            Self::NoArea { first, .. } | Self::Duplicates { first, .. } | Self::Crossing { first, .. } => {
+                first
+            }
+            Self::OpenEdges { first, .. } | Self::CrowdedEdges { first, .. } => first,
+            Self::TwistedEdges { first, .. } | Self::InsideOut { first, .. } => first,
+            Self::BareFaces { first, .. } | Self::LeftOut { first, .. } => first,
+            _ => return None,
+        };
+        match first {
+            Place::Line(line) => Some(*line),
             _ => None,
         }
     }
@@ -317,8 +156,8 @@ impl Warning {
         use Remedy as R;
         const DROPPED: &str = "dropped, which changes no picture";
         match self {
-            Self::NoArea { count, first } => Said::new(some("faces without area", count, first, DROPPED), []),
-            Self::Duplicates { count, first } => Said::new(some("duplicate faces", count, first, DROPPED), []),
+            Self::NoArea { count, first } => some("faces without area", count, first, DROPPED).into(),
+            Self::Duplicates { count, first } => some("duplicate faces", count, first, DROPPED).into(),
             Self::Coarse { lost, faces, area } => Said::new(
                 format!(
                     "rounding to a grid of at most 65535 steps along the longest side changes the shape: {lost} of {faces} faces \
@@ -327,16 +166,18 @@ impl Warning {
                 [R::SplitModel, R::LeaveOutFar],
             ),
             Self::Crossing { count, first } => {
-                Said::new(some("faces that cross themselves", count, first, "their triangles overlap: "), [R::ExportTriangles])
+                let what = some("faces that cross themselves", count, first, "their triangles overlap: ");
+                Said::new(what, [R::ExportTriangles])
             }
-            Self::OpenEdges { count, first } => Said::new(
-                some("open edges", count, first, "faces show nothing from behind: "),
-                [R::CloseSurface, R::TwoSided],
-            ),
-            Self::CrowdedEdges { count, first } => Said::new(
-                some("edges of more than two faces", count, first, "inside and outside are unclear there: "),
-                [R::SeparateBodies, R::TwoSided],
-            ),
+            Self::OpenEdges { count, first } => {
+                let what = some("open edges", count, first, "faces show nothing from behind: ");
+                Said::new(what, [R::CloseSurface, R::TwoSided])
+            }
+            Self::CrowdedEdges { count, first } => {
+                let then = "inside and outside are unclear there: ";
+                let what = some("edges of more than two faces", count, first, then);
+                Said::new(what, [R::SeparateBodies, R::TwoSided])
+            }
             Self::TwistedEdges { count, first, is_one_sided } => {
                 let (then, remedy) = match is_one_sided {
                     true => ("the surface is one-sided, like a Möbius strip: ", R::TwoSided),
@@ -351,38 +192,38 @@ impl Warning {
                     (false, false) => ("their", R::FixWinding, ""),
                     (false, true) => ("their", R::FixWindingNotFlip, ""),
                 };
-                let of_parts = format!("{count} of {parts}");
-                let what = some("parts inside out", &of_parts, first, &format!("{outside} outside shows nothing: "));
+                let outside = format!("{outside} outside shows nothing: ");
+                let what = some("parts inside out", format!("{count} of {parts}"), first, &outside);
                 Said { then, ..Said::new(what, [remedy]) }
             }
             Self::DecimatedLess { faces } => {
-                Said::new(format!("{faces} triangles are left: the shape allows no fewer"), [])
+                format!("{faces} triangles are left: the shape allows no fewer").into()
             }
-            Self::DecimatedMaterials => Said::new(
-                "decimation leaves out colours and texture coordinates: their faces are others now",
-                [],
-            ),
+            Self::DecimatedMaterials => {
+                "decimation leaves out colours and texture coordinates: their faces are others now".into()
+            }
             Self::NoEndsolid { line } => {
-                Said::new(format!("no `endsolid` after line {line}: perhaps the file was cut short"), [])
+                format!("no `endsolid` after line {line}: perhaps the file was cut short").into()
             }
             Self::BytesAfter { count } => {
-                Said::new(format!("{count} bytes after the last triangle are passed over"), [])
+                format!("{count} bytes after the last triangle are passed over").into()
             }
             Self::Transparent { count, first } => {
-                Said::new(format!("transparent materials: {count}, the first {first}; their faces are opaque"), [])
+                format!("transparent materials: {count}, the first {first}; their faces are opaque").into()
             }
-            Self::PicturesUnwanted { count, first, has_coords: false } => Said::new(
-                format!("pictures of materials: {count}, the first {first}; left out, as there are no texture coordinates"),
-                [],
-            ),
-            Self::PicturesUnwanted { count, first, .. } => Said::new(
-                format!("pictures of materials: {count}, the first {first}; left out: "),
-                [R::TextureColors(16)],
-            ),
+            Self::PicturesUnwanted { count, first, has_coords } => {
+                let what = format!("pictures of materials: {count}, the first {first}; left out");
+                match has_coords {
+                    true => Said::new(what + ": ", [R::TextureColors(16)]),
+                    false => (what + ", as there are no texture coordinates").into(),
+                }
+            }
             Self::LeftOut { what, count, first } => {
                 let (what, then, remedies) = match what {
                     Element::Points => ("points (`p`)", "left out", vec![]),
-                    Element::Lines => ("lines (`l`) to vertices that do not exist", "left out: ", vec![R::ExportAgain]),
+                    Element::Lines => {
+                        ("lines (`l`) to vertices that do not exist", "left out: ", vec![R::ExportAgain])
+                    }
                     Element::Curves => ("curves and surfaces", "left out: ", vec![R::ExportMesh]),
                     Element::CoveredColors => {
                         ("faces with a material and colours of vertices", "these colours are left out", vec![])
@@ -391,40 +232,40 @@ impl Warning {
                 };
                 Said::new(some(what, count, first, then), remedies)
             }
-            Self::NoLibrary => Said::new("no material library (mtllib): faces have no colours", []),
+            Self::NoLibrary => "no material library (mtllib): faces have no colours".into(),
             Self::Library { name, why } => {
-                Said::new(format!("material library {name}: {why}; its materials are grey: "), why.remedies())
+                let what = format!("material library {name}: {why}; its materials are grey: ");
+                Said::new(what, why.remedies())
             }
-            Self::LibraryLines { name, count, first, problem } => Said::new(
-                format!("material library {name}: lines passed over: {count}, the first at line {first}: {problem}"),
-                [],
-            ),
-            Self::UnknownMaterials { count, first } => Said::new(
-                format!("materials that no library has: {count}, the first {first}; their faces are grey"),
-                [],
-            ),
-            Self::Colors { count, kept } => Said::new(
-                format!("colours: {count}, of which a palette holds {kept}; the others become the nearest of these"),
-                [],
-            ),
-            Self::TextureCoords { problem, .. } => Said::new(
-                format!("no texture coordinates: {problem}; they are left out: "),
-                [R::ExportAgain],
-            ),
-            Self::TextureCoordsFar => Said::new(
-                "no texture coordinates: they go beyond 32767 sides of the texture: ",
-                [R::RepeatLess],
-            ),
-            Self::TextureCoordsMany => Said::new(
-                "no texture coordinates: there are more than 65536: ",
-                [R::Decimate(MOST_FACES), R::SplitModel],
-            ),
-            Self::BareFaces { count, first } => Said::new(
-                some("faces without texture coordinates", count, first, "they get those of the face before"),
-                [],
-            ),
-            Self::NoTextureCoords => Said::new("no texture: the model has no texture coordinates", []),
-            Self::NoPicture => Said::new("no texture: no material names a picture (map_Kd)", []),
+            Self::LibraryLines { name, count, first, problem } => format!(
+                "material library {name}: lines passed over: {count}, the first at line {first}: {problem}"
+            )
+            .into(),
+            Self::UnknownMaterials { count, first } => {
+                format!("materials that no library has: {count}, the first {first}; their faces are grey").into()
+            }
+            Self::Colors { count, kept } => format!(
+                "colours: {count}, of which a palette holds {kept}; the others become the nearest of these"
+            )
+            .into(),
+            Self::TextureCoords { problem, .. } => {
+                let what = format!("no texture coordinates: {problem}; they are left out: ");
+                Said::new(what, [R::ExportAgain])
+            }
+            Self::TextureCoordsFar => {
+                let what = "no texture coordinates: they go beyond 32767 sides of the texture: ";
+                Said::new(what, [R::RepeatLess])
+            }
+            Self::TextureCoordsMany => {
+                let what = "no texture coordinates: there are more than 65536: ";
+                Said::new(what, [R::Decimate(MOST_FACES), R::SplitModel])
+            }
+            Self::BareFaces { count, first } => {
+                let then = "they get those of the face before";
+                some("faces without texture coordinates", count, first, then).into()
+            }
+            Self::NoTextureCoords => "no texture: the model has no texture coordinates".into(),
+            Self::NoPicture => "no texture: no material names a picture (map_Kd)".into(),
             Self::Pictures { count, written, other } => Said::new(
                 format!(
                     "pictures of materials: {count}; only {written} is written, and faces that should show {other} show it, too: "
@@ -437,39 +278,36 @@ impl Warning {
             Self::PictureUnread { name, why } => {
                 Said::new(format!("no texture: picture {name} {why}: "), why.remedies())
             }
-            Self::Picture { name, problem } => Said::new(format!("no texture: picture {name}: {problem}"), []),
-            Self::PictureTransparent { name, pixels } => Said::new(
-                format!("picture {name}: transparent pixels: {pixels}, written as if they were not"),
-                [],
-            ),
+            Self::Picture { name, problem } => format!("no texture: picture {name}: {problem}").into(),
+            Self::PictureTransparent { name, pixels } => {
+                format!("picture {name}: transparent pixels: {pixels}, written as if they were not").into()
+            }
             Self::PictureResized { name, from: [from_x, from_y], to: [x, y] } => Said::new(
                 format!(
                     "picture {name}: {from_x} x {from_y} pixels become {x} x {y}, as a side is a power of two of 8 to 256: "
                 ),
                 [R::ResizePicture],
             ),
-            Self::PictureColors { name, count, kept, error } => Said::new(
-                format!("picture {name}: {count} colours become {kept}, a channel off by up to {error} of 255"),
-                [],
-            ),
+            Self::PictureColors { name, count, kept, error } => {
+                format!("picture {name}: {count} colours become {kept}, a channel off by up to {error} of 255").into()
+            }
             Self::Flash { bytes, edges, faces } => {
-                let what = format!(
-                    "size in flash: {bytes} bytes, {edges} of them for edges; if that is too much, "
-                );
+                let what = format!("size in flash: {bytes} bytes, {edges} of them for edges; if that is too much, ");
                 let without_edges = (*edges > 0).then_some(R::NoEdges);
                 Said::new(what, without_edges.into_iter().chain([R::Decimate(*faces)]).collect::<Vec<_>>())
             }
-            Self::PictureFlash { size: [width, height], bytes } => Said::new(
-                format!("texture of {width} x {height} texels: {bytes} bytes of flash; if that is too much, "),
-                [R::ReducePicture, R::TextureColors(16)],
-            ),
+            Self::PictureFlash { size: [width, height], bytes } => {
+                let what =
+                    format!("texture of {width} x {height} texels: {bytes} bytes of flash; if that is too much, ");
+                Said::new(what, [R::ReducePicture, R::TextureColors(16)])
+            }
             Self::NotForFirmware { problem, remedies } => {
                 Said::new(format!("not for firmware: {problem}"), remedies.clone())
             }
-            Self::ManyFaces { count } => Said::new(
-                format!("{count} faces, more than the 65535 that can be drawn in bands: "),
-                [R::Decimate(MOST_FACES), R::SplitModel],
-            ),
+            Self::ManyFaces { count } => {
+                let what = format!("{count} faces, more than the 65535 that can be drawn in bands: ");
+                Said::new(what, [R::Decimate(MOST_FACES), R::SplitModel])
+            }
         }
     }
 }

@@ -4,16 +4,9 @@ use crate::scene::Colors;
 use clap::builder::PossibleValuesParser;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches};
-use pinhole_import::{Options, Preview, TextureFormat};
+pub use pinhole_import::arguments::arguments;
+use pinhole_import::{arguments, Options, Preview, TextureFormat};
 use std::path::Path;
-
-#[path = "../../../import/src/arguments.rs"]
-mod arguments;
-
-/// The options that the command `pinhole-import` has, too.
-pub fn arguments() -> impl IntoIterator<Item = Arg> {
-    arguments::arguments()
-}
 
 /// The option that shows a model's picture.
 pub fn texture_argument() -> Arg {

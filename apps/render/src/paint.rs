@@ -3,8 +3,7 @@
 use crate::brush::Brush;
 use crate::fog::FogStyle;
 use crate::json::Names;
-use crate::light::Light;
-use crate::normals;
+use crate::light::{self, Light};
 use crate::parts::{parts, Part};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
@@ -168,7 +167,7 @@ impl Subject {
         if mode.of_lines() {
             parts.iter_mut().for_each(|part| part.find_edges(&scene.vertices, degrees));
         } else {
-            normals = normals::corners(&scene.vertices, &scene.triangles, mode.crease());
+            normals = light::normals(&scene.vertices, &scene.triangles, mode.crease());
         }
         Self { parts, normals }
     }

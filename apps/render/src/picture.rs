@@ -1,4 +1,4 @@
-//! A picture in the pixel format of a display.
+//! A picture in the pixel format of a display, and pictures that scenes name: PNG and BMP files.
 
 use crate::json::Names;
 use crate::paint::{Colour, Report, Style, Subject};
@@ -7,6 +7,7 @@ use crate::scene::Scene;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
+use std::path::Path;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Format {
@@ -82,4 +83,21 @@ fn whole<C: Colour>(
 /// Luma of a colour, 0 to 255, as the grey formats take it.
 pub fn luma(colour: Rgb888) -> u32 {
     (77 * u32::from(colour.r()) + 150 * u32::from(colour.g()) + 29 * u32::from(colour.b())) / 256
+}
+
+/// The size and the pixels of a picture, row by row: red, green, blue and opacity.
+type FilePixels = ([usize; 2], Vec<[u8; 4]>);
+
+/// Reads a picture of at most `longest` pixels a side. The error names the file.
+pub(crate) fn read_file(path: &Path, longest: u32) -> Result<FilePixels, String> {
+    let named = |problem: String| format!("{}: {problem}", path.display());
+    let file = std::fs::read(path).map_err(|e| named(format!("cannot be read: {e}")))?;
+    let (size, pixels) = pinhole_import::read_picture(&file).map_err(named)?;
+    let [width, height] = size;
+    match width.max(height) > longest as usize {
+        true => Err(named(format!(
+            "has {width} x {height} pixels, and may have {longest} a side: make it smaller"
+        ))),
+        false => Ok((size, pixels)),
+    }
 }

@@ -1,7 +1,7 @@
 //! Sprites of scenes: pictures that face the viewer, at points of the world.
 
 use crate::json::{self, at, Color, Names, Whole};
-use crate::picture_file;
+use crate::picture;
 use crate::scene::LARGEST;
 use embedded_graphics::geometry::{AnchorPoint, Point};
 use embedded_graphics::primitives::{Circle, ContainsPoint};
@@ -182,7 +182,7 @@ fn read_picture(
 
 /// A picture from a file, whose pixels are transparent where they are less than half opaque or have the colour `key`.
 fn read_file(name: &str, path: PathBuf, key: Option<[u8; 3]>) -> Result<SpritePicture, String> {
-    let (size, pixels) = picture_file::read(&path, LARGEST).map_err(|e| format!("picture: {e}"))?;
+    let (size, pixels) = picture::read_file(&path, LARGEST).map_err(|e| format!("picture: {e}"))?;
     let is_key = |&[r, g, b, _]: &[u8; 4]| key == Some([r, g, b]);
     if let Some(key) = key.filter(|_| !pixels.iter().any(is_key)) {
         return Err(format!("key: no pixel of {name} has the colour {key:?}"));

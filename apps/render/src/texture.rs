@@ -1,7 +1,7 @@
 //! Textures of scenes: coordinates, and a size or a picture.
 
 use crate::json::{self, Whole};
-use crate::picture_file;
+use crate::picture;
 use embedded_graphics::pixelcolor::Rgb888;
 use pinhole_import::{Preview, Triangles};
 use serde::Deserialize;
@@ -54,7 +54,7 @@ pub(crate) fn read(fields: Fields, folder: &Path, mesh: &Triangles) -> Result<Op
         Some(name) => {
             let path = folder.join(name);
             let (size, pixels) =
-                picture_file::read(&path, 256).map_err(|problem| format!("texture: {problem}"))?;
+                picture::read_file(&path, 256).map_err(|problem| format!("texture: {problem}"))?;
             (size, Some((pixels.iter().map(|&[r, g, b, _]| [r, g, b]).collect(), path)))
         }
         None => {

@@ -3,34 +3,11 @@
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{value_parser, Arg, ArgMatches, Command};
 use embedded_graphics::geometry::Size;
-use std::fmt::Display;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-#[path = "../../../import/src/say.rs"]
-mod say;
-#[path = "../../../import/src/shown.rs"]
-mod shown;
-
-/// Prints lines to standard output, with the control characters in names escaped. A reader that closes it early (`| head`) is no error.
-///
-/// # Errors
-///
-/// The message to print where standard output cannot be written.
-pub fn say(line: impl Display) -> Result<(), String> {
-    say::say(line)
-}
-
-/// Prints a line to standard error, with the control characters in names escaped; where that fails there is nowhere left to report it.
-pub fn complain(line: impl Display) {
-    say::complain(line);
-}
-
-/// Prints the warnings about a model to standard error, one on each line.
-pub fn warn(model: &Path, warnings: impl IntoIterator<Item = impl Display>) {
-    say::warn(model, warnings);
-}
+pub use crate::host::{complain, say, warn};
 
 /// Runs a program. An error is printed as one line, whatever characters a file or its name brings into the message, and the
 /// exit code is 2.

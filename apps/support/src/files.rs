@@ -1,16 +1,11 @@
 //! Output files, written completely or not at all, and never over an input.
 
+use crate::host;
 use std::fmt::Display;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-#[allow(dead_code)] // the importer writes single files
-#[path = "../../../import/src/part.rs"]
-mod part;
-#[path = "../../../import/src/same.rs"]
-mod same;
-
-pub(crate) use part::Part;
+pub(crate) use crate::host::Part;
 
 /// Checks that no output is the input file under any name.
 ///
@@ -18,7 +13,7 @@ pub(crate) use part::Part;
 ///
 /// A message that names the output.
 pub fn apart<'a>(input: &Path, outputs: impl IntoIterator<Item = &'a Path>) -> Result<(), String> {
-    match outputs.into_iter().find(|output| same::is_same(input, output)) {
+    match outputs.into_iter().find(|output| host::is_same(input, output)) {
         Some(output) => Err(format!("{}: is the input file: name another output", output.display())),
         None => Ok(()),
     }

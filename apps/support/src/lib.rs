@@ -18,6 +18,10 @@ pub mod files;
 pub mod film;
 #[cfg(feature = "host")]
 pub mod generated;
+/// The importer has it, and the examples should not wait for the importer.
+#[cfg(feature = "host")]
+#[path = "../../../import/src/host.rs"]
+pub mod host;
 #[cfg(feature = "progress")]
 pub mod progress;
 #[cfg(feature = "host")]

@@ -15,7 +15,7 @@ pub(crate) use show::teapot;
 #[path = "../../../examples/oled/show/mod.rs"]
 mod show;
 
-use pinhole_render::firmware::FRAMES as FRAMES_OF_A_TURN;
+use pinhole_render::firmware::{FRAMES as FRAMES_OF_A_TURN, ROWS};
 
 /// How many frames of the window show one frame of the OLED.
 const PACE: u32 = 8;
@@ -103,47 +103,19 @@ impl Display for Panel<'_> {
     }
 }
 
-/// The model as the firmware of the template draws it, at a point in time, and what was sent.
+/// The model as the firmware of the template draws it, at a point in time, and what was sent: all bands, one after the other.
 pub(crate) fn template(
     model: &ImportedMesh,
     step: u32,
     picture: &mut Canvas<Rgb888>,
 ) -> Result<(Sent, Statistics), String> {
-    let mut screen = Colours { size: picture.size(), picture, sent: Sent::default() };
+    let all = picture.bounding_box();
+    let mut screen = Canvas::new(all.size, Rgb565::BLACK);
     let turn = Angle::turns((step % FRAMES_OF_A_TURN) as i32, FRAMES_OF_A_TURN);
     let statistics = pinhole_render::firmware::draw(model, turn, &mut screen)?;
-    Ok((screen.sent, statistics))
-}
-
-struct Colours<'a> {
-    size: Size,
-    picture: &'a mut Canvas<Rgb888>,
-    sent: Sent,
-}
-
-impl OriginDimensions for Colours<'_> {
-    fn size(&self) -> Size {
-        self.size
-    }
-}
-
-impl DrawTarget for Colours<'_> {
-    type Color = Rgb565;
-    type Error = Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        self.picture.draw_iter(pixels.into_iter().map(|Pixel(at, colour)| Pixel(at, colour.into())))
-    }
-
-    fn fill_contiguous<I: IntoIterator<Item = Rgb565>>(
-        &mut self,
-        area: &Rectangle,
-        colours: I,
-    ) -> Result<(), Infallible> {
-        self.sent.areas.push(*area);
-        let pixels = (area.size.width * area.size.height) as usize;
-        self.sent.pixels += pixels;
-        self.sent.bytes += pixels * 2;
-        self.draw_iter(area.points().zip(colours).map(|(at, colour)| Pixel(at, colour)))
-    }
+    let Ok(()) = picture.fill_contiguous(&all, screen.pixels().iter().map(|&colour| colour.into()));
+    let band = |top: u32| Rectangle::new(Point::new(0, top as i32), Size::new(all.size.width, ROWS));
+    let areas = (0..all.size.height).step_by(ROWS as usize).map(|top| band(top).intersection(&all));
+    let pixels = screen.pixels().len();
+    Ok((Sent { areas: areas.collect(), pixels, bytes: pixels * 2 }, statistics))
 }

@@ -63,52 +63,57 @@ pub(crate) enum Thing {
     Template,
 }
 
-/// The effect of a key.
+/// The effect of a key, or of the mouse's wheel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
     /// Turns the eye by degrees to the right and up.
     Orbit(f64, f64),
     /// Magnifies by a number of steps of 10 %.
     Zoom(i32),
-    /// The next or the previous projection.
-    Projection(i32),
-    /// Sets the mode.
-    Mode(char),
-    /// The next or the previous pixel format.
-    Format(i32),
-    /// Toggles between dithering and rounding.
-    Dither,
-    /// The next translucency of faces.
-    Translucency,
-    /// Toggles anti-aliased lines.
-    SmoothLines,
-    /// Toggles light on a texture.
-    LitTexture,
-    /// Toggles fog from the nearest to the farthest vertex.
-    Fog,
-    /// The next kind of sprites at vertices.
-    Markers,
-    /// Toggles back-face culling.
-    Cull,
-    /// The next or the previous band height.
-    Rows(i32),
-    /// Toggles the rectangles that were sent.
-    Outlines,
-    /// Toggles the statistics.
-    Information,
-    /// Toggles the list of keys.
-    Help,
-    /// Toggles turning.
-    Turn,
-    /// Shows the next of the model, the OLED and the template.
-    Thing,
-    /// Resets the view.
-    Reset,
+    /// Changes the state as the key does that has this number in the list of keys.
+    Key(usize),
     /// Writes the picture to a file; the window does that.
     Screenshot,
     /// Ends the program; the window does that.
     Quit,
 }
+
+/// A change of the state.
+type Change = fn(&mut State);
+
+/// What each key changes. Keys are named by their characters, or `left`, `right`, `up`, `down`, `space`.
+const CHANGES: [(&str, Change); 30] = [
+    ("left", |state| state.orbit(-STEP, 0.0)),
+    ("right", |state| state.orbit(STEP, 0.0)),
+    ("up", |state| state.orbit(0.0, STEP)),
+    ("down", |state| state.orbit(0.0, -STEP)),
+    ("+", |state| state.apply(Action::Zoom(1))),
+    ("-", |state| state.apply(Action::Zoom(-1))),
+    ("s", |state| state.mode = Mode::Solid),
+    ("f", |state| state.mode = Mode::Flat),
+    ("g", |state| state.mode = Mode::Gouraud),
+    ("w", |state| state.mode = Mode::Wireframe),
+    ("l", |state| state.mode = Mode::HiddenLine),
+    ("p", |state| state.project(1)),
+    ("P", |state| state.project(-1)),
+    ("c", |state| state.format = next(&Format::ALL.map(|(_, format)| format), state.format, 1)),
+    ("C", |state| state.format = next(&Format::ALL.map(|(_, format)| format), state.format, -1)),
+    ("d", |state| state.dither ^= true),
+    ("t", |state| state.translucency = next(&TRANSLUCENCIES, state.translucency, 1)),
+    ("a", |state| state.smooth_lines ^= true),
+    ("n", |state| state.lit_texture ^= true),
+    ("o", |state| state.fog ^= true),
+    ("v", |state| state.markers = next(&[Markers::None, Markers::Squares, Markers::Discs], state.markers, 1)),
+    ("k", |state| state.cull ^= true),
+    ("b", |state| state.rows = next(&ROWS, state.rows, 1)),
+    ("B", |state| state.rows = next(&ROWS, state.rows, -1)),
+    ("r", |state| state.outlines ^= true),
+    ("i", |state| state.information ^= true),
+    ("h", |state| state.help ^= true),
+    ("space", |state| state.turning ^= true),
+    ("m", |state| state.thing = next(&[Thing::Model, Thing::Oled, Thing::Template], state.thing, 1)),
+    ("0", |state| *state = State { help: state.help, ..State::new(state.own, state.own_cull) }),
+];
 
 /// Keys and what they do.
 pub(crate) const KEYS: [(&str, &str); 14] = [
@@ -168,39 +173,16 @@ impl State {
         }
     }
 
-    /// The action of a key. Keys are named by their characters, or `left`, `right`, `up`, `down`, `space`.
+    /// The action of a key.
     pub fn key(name: &str) -> Option<Action> {
-        Some(match name {
-            "left" => Action::Orbit(-STEP, 0.0),
-            "right" => Action::Orbit(STEP, 0.0),
-            "up" => Action::Orbit(0.0, STEP),
-            "down" => Action::Orbit(0.0, -STEP),
-            "+" | "=" => Action::Zoom(1),
-            "-" => Action::Zoom(-1),
-            "p" => Action::Projection(1),
-            "P" => Action::Projection(-1),
-            "s" | "f" | "g" | "w" | "l" => Action::Mode(name.chars().next()?),
-            "c" => Action::Format(1),
-            "C" => Action::Format(-1),
-            "d" => Action::Dither,
-            "t" => Action::Translucency,
-            "a" => Action::SmoothLines,
-            "n" => Action::LitTexture,
-            "o" => Action::Fog,
-            "v" => Action::Markers,
-            "k" => Action::Cull,
-            "b" => Action::Rows(1),
-            "B" => Action::Rows(-1),
-            "r" => Action::Outlines,
-            "i" => Action::Information,
-            "h" | "?" => Action::Help,
-            "space" => Action::Turn,
-            "m" => Action::Thing,
-            "0" => Action::Reset,
-            "x" => Action::Screenshot,
-            "q" => Action::Quit,
-            _ => return None,
-        })
+        let name = match name {
+            "x" => return Some(Action::Screenshot),
+            "q" => return Some(Action::Quit),
+            "=" => "+",
+            "?" => "h",
+            name => name,
+        };
+        CHANGES.iter().position(|(key, _)| *key == name).map(Action::Key)
     }
 
     /// Applies an action; actions of the window change nothing.
@@ -208,33 +190,7 @@ impl State {
         match action {
             Action::Orbit(right, up) => self.orbit(right, up),
             Action::Zoom(steps) => self.zoom = (self.zoom * 1.1f64.powi(steps)).clamp(0.2, 20.0),
-            Action::Projection(by) => self.project(by),
-            Action::Mode(key) => {
-                self.mode = match key {
-                    'f' => Mode::Flat,
-                    'g' => Mode::Gouraud,
-                    'w' => Mode::Wireframe,
-                    'l' => Mode::HiddenLine,
-                    _ => Mode::Solid,
-                };
-            }
-            Action::Format(by) => self.format = next(&Format::ALL.map(|(_, format)| format), self.format, by),
-            Action::Dither => self.dither ^= true,
-            Action::Translucency => self.translucency = next(&TRANSLUCENCIES, self.translucency, 1),
-            Action::SmoothLines => self.smooth_lines ^= true,
-            Action::LitTexture => self.lit_texture ^= true,
-            Action::Fog => self.fog ^= true,
-            Action::Markers => {
-                self.markers = next(&[Markers::None, Markers::Squares, Markers::Discs], self.markers, 1);
-            }
-            Action::Cull => self.cull ^= true,
-            Action::Rows(by) => self.rows = next(&ROWS, self.rows, by),
-            Action::Outlines => self.outlines ^= true,
-            Action::Information => self.information ^= true,
-            Action::Help => self.help ^= true,
-            Action::Turn => self.turning ^= true,
-            Action::Thing => self.thing = next(&[Thing::Model, Thing::Oled, Thing::Template], self.thing, 1),
-            Action::Reset => *self = Self { help: self.help, ..Self::new(self.own, self.own_cull) },
+            Action::Key(number) => CHANGES.get(number).into_iter().for_each(|(_, change)| change(self)),
             Action::Screenshot | Action::Quit => {}
         }
     }
