@@ -1,37 +1,14 @@
 //! A model as large as they come, in a process of its own, whose memory is measured.
 
+use pinhole_apps_support::bodies::{stl, torus};
 use pinhole_import::{import, Edges, Options, Remedy};
 use std::path::Path;
-
-/// 100 000 triangles of a torus, as binary STL: 125 rings of 400 quads, counter-clockwise seen from outside.
-fn torus() -> Vec<u8> {
-    const RINGS: u32 = 125;
-    const SIDES: u32 = 400;
-    let point = |ring: u32, side: u32| {
-        let turn = |i: u32, of: u32| std::f32::consts::TAU * (i % of) as f32 / of as f32;
-        let (u, v) = (turn(ring, RINGS), turn(side, SIDES));
-        let radius = 50.0 + 20.0 * v.cos();
-        [radius * u.cos(), radius * u.sin(), 20.0 * v.sin()]
-    };
-    let mut bytes = vec![b' '; 80];
-    bytes.extend((2 * RINGS * SIDES).to_le_bytes());
-    for ring in 0..RINGS {
-        for side in 0..SIDES {
-            let [a, b] = [point(ring, side), point(ring + 1, side)];
-            let [c, d] = [point(ring + 1, side + 1), point(ring, side + 1)];
-            for triangle in [[[0.0; 3], a, b, c], [[0.0; 3], a, c, d]] {
-                bytes.extend(triangle.iter().flatten().flat_map(|c: &f32| c.to_le_bytes()));
-                bytes.extend([0, 0]);
-            }
-        }
-    }
-    bytes
-}
 
 #[test]
 fn a_hundred_thousand_triangles_take_little_memory() {
     let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("torus.stl");
-    std::fs::write(&file, torus()).unwrap();
+    // 100 000 triangles: 125 rings of 400 quads.
+    std::fs::write(&file, stl(&torus(50.0, 20.0, 125, 400))).unwrap();
     let options = Options { reorder: true, edges: Edges::All, vertex_normals: true, ..Options::default() };
     let mesh = import(&file, &options).unwrap();
     // A torus: V − E + F = 0.

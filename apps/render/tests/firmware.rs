@@ -75,17 +75,9 @@ fn preview(model: &Path, png: &Path) -> Vec<[u8; 3]> {
         .output()
         .expect("the command");
     assert!(render.status.success(), "{}", String::from_utf8_lossy(&render.stderr));
-    let mut decoder = png::Decoder::new(std::io::BufReader::new(fs::File::open(png).expect("a picture")));
-    decoder.set_transformations(png::Transformations::EXPAND);
-    let mut reader = decoder.read_info().expect("a PNG");
-    let mut bytes = vec![0; reader.output_buffer_size().expect("a size")];
-    let info = reader.next_frame(&mut bytes).expect("a picture");
-    assert_eq!(
-        (info.width as usize, info.height as usize, info.color_type),
-        (SIZE.0, SIZE.1, png::ColorType::Rgb)
-    );
-    bytes.truncate(info.buffer_size());
-    bytes.as_chunks().0.to_vec()
+    let (size, pixels) = pinhole_apps_support::testing::picture(png);
+    assert_eq!(size, [SIZE.0, SIZE.1]);
+    pixels
 }
 
 /// The pixels that arrive at the display of a firmware with the model, each once, row by row.

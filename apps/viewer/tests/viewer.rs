@@ -4,6 +4,7 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::Angle;
+use pinhole_apps_support::bodies::{stl, torus};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_import::Options;
 use pinhole_render::firmware;
@@ -259,14 +260,7 @@ fn the_firmware_s_model_is_the_user_s() {
     }
 
     // 90 000 vertices: the model is shown, and a message in place of the firmware's picture.
-    let mut vast = String::new();
-    for (x, y) in (0..300).flat_map(|y| (0..300).map(move |x| (x, y))) {
-        vast += &format!("v {x} 0 {y}\n");
-    }
-    for a in (0..299).flat_map(|y| (0..299).map(move |x| 300 * y + x + 1)) {
-        vast += &format!("f {} {} {}\nf {} {} {}\n", a, a + 300, a + 301, a, a + 301, a + 1);
-    }
-    let mut viewer = Viewer::new(read(&file("vast.obj", &vast)).unwrap(), SIZE);
+    let mut viewer = Viewer::new(read(&file("vast.stl", stl(&torus(3.0, 1.0, 300, 300)))).unwrap(), SIZE);
     assert_eq!(viewer.draw(&pressed("")).unwrap().problem, None);
     let problem = viewer.draw(&state).unwrap().problem.clone().unwrap();
     assert!(problem.contains("has 90000 vertices, more than the 65536 of a mesh: use"), "{problem}");
@@ -285,7 +279,7 @@ fn flat(fields: &str) -> String {
 /// A triangle over the lower left half of the clip square.
 const HALF: &str = r#""vertices": [[-1, -1, 0], [1, -1, 0], [-1, 1, 0]], "triangles": [[0, 1, 2]]"#;
 
-fn file(name: &str, text: &str) -> PathBuf {
+fn file(name: &str, text: impl AsRef<[u8]>) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("viewer");
     std::fs::create_dir_all(&folder).unwrap();
     let file = folder.join(name);
@@ -300,7 +294,7 @@ fn tetrahedron(size: f64) -> String {
 
 #[test]
 fn a_file_that_changes_is_shown_anew_in_all_scenes() {
-    let (path, states) = (file("changing.obj", &tetrahedron(1.0)), [pressed(""), pressed("m m")]);
+    let (path, states) = (file("changing.obj", tetrahedron(1.0)), [pressed(""), pressed("m m")]);
     let pictures = |viewer: &mut Viewer| {
         states.map(|state| {
             let problem = viewer.draw(&state).unwrap().problem.clone();
@@ -312,7 +306,7 @@ fn a_file_that_changes_is_shown_anew_in_all_scenes() {
     assert!(!viewer.reload() && !viewer.reload());
     let first = pictures(&mut viewer);
     assert!(first == of_now());
-    file("changing.obj", &tetrahedron(2.5));
+    file("changing.obj", tetrahedron(2.5));
     let second = of_now();
     assert!(first[0] != second[0] && first[1] != second[1]);
     // Until the file is read again, both scenes show the old one; and not while somebody may be writing it.
@@ -321,7 +315,7 @@ fn a_file_that_changes_is_shown_anew_in_all_scenes() {
     assert!(pictures(&mut viewer) == second);
     // What the firmware would have is imported when it is shown first: never another model than the other scenes show.
     let mut late = Viewer::new(read(&path).unwrap(), SIZE);
-    file("changing.obj", &tetrahedron(1.0));
+    file("changing.obj", tetrahedron(1.0));
     let [(_, model), (problem, _)] = pictures(&mut late);
     assert!(model == second[0].1);
     assert_eq!(problem.as_deref(), Some("its file has changed since it was read"));
@@ -331,20 +325,20 @@ fn a_file_that_changes_is_shown_anew_in_all_scenes() {
     let shown = pictures(&mut viewer);
     assert!(shown[0] == second[0]);
     let with_notice = viewer.picture(&states[0], None);
-    file("changing.obj", &tetrahedron(2.5));
+    file("changing.obj", tetrahedron(2.5));
     assert!(!viewer.reload() && viewer.reload());
     assert!(pictures(&mut viewer) == second && viewer.picture(&states[0], None) != with_notice);
 }
 
 #[test]
 fn a_scene_changes_with_the_mesh_that_it_names() {
-    file("part.obj", &tetrahedron(1.0));
+    file("part.obj", tetrahedron(1.0));
     let scene = r#"{"mesh": "part.obj", "camera": {}, "width": 96, "height": 72}"#;
     let mut viewer = Viewer::new(read(&file("part.json", scene)).unwrap(), SIZE);
     let state = viewer.source().state();
     viewer.draw(&state).unwrap();
     let before = viewer.pixels().to_vec();
-    file("part.obj", &tetrahedron(2.5));
+    file("part.obj", tetrahedron(2.5));
     assert!(!viewer.reload() && viewer.reload());
     viewer.draw(&state).unwrap();
     assert!(viewer.pixels() != before);
@@ -385,26 +379,8 @@ fn a_window_of_any_size_shows_whole_pixels_in_its_middle() {
 }
 
 #[test]
-fn files_are_those_of_render() {
-    let cube = file("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
-    let source = read(&cube).unwrap();
-    assert_eq!(source.size(), None);
-    let mut viewer = Viewer::new(source, SIZE);
-    assert_eq!(viewer.draw(&pressed("")).unwrap().statistics.drawn, 2);
-    for (name, text, said) in [
-        ("none.obj", "v 0 0 0\n", "none.obj: has no faces"),
-        ("bad.obj", "v 0 0\n", "bad.obj:1"),
-        ("bad.json", "{}", "bad.json: "),
-        ("bad.txt", "", "bad.txt"),
-    ] {
-        let error = read(&file(name, text)).err().unwrap();
-        assert!(error.contains(said) && error.lines().count() == 1, "{error}");
-    }
-}
-
-#[test]
 fn a_scene_begins_with_its_own_camera() {
-    let source = read(&file("scene.json", &flat(HALF))).unwrap();
+    let source = read(&file("scene.json", flat(HALF))).unwrap();
     let size = source.size().unwrap();
     assert_eq!(size, Size::new(64, 64));
     let mut state = source.state();
@@ -437,7 +413,7 @@ fn a_scene_begins_with_its_own_camera() {
 fn scene_with_sprites() -> Source {
     let sprites =
         r#""sprites": [{"color": [0, 0, 255], "pixels": 6, "at": [[0.5, 0.5, 0], [-0.5, -0.5, -0.5]]}]"#;
-    read(&file("sprites.json", &flat(&format!("{HALF}, {sprites}")))).unwrap()
+    read(&file("sprites.json", flat(&format!("{HALF}, {sprites}")))).unwrap()
 }
 
 #[test]
@@ -540,7 +516,7 @@ fn a_scene_s_culling_is_that_of_its_file() {
 #[test]
 fn a_file_that_is_shown_is_not_a_picture_s() {
     let model = file("shown.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    let scene = file("shown.json", &flat(r#""mesh": "shown.obj""#));
+    let scene = file("shown.json", flat(r#""mesh": "shown.obj""#));
     for (read, kept) in [(&model, &model), (&scene, &scene), (&scene, &model)] {
         let source = self::read(read).unwrap();
         let said = source.apart_from(kept).unwrap_err();
@@ -550,8 +526,12 @@ fn a_file_that_is_shown_is_not_a_picture_s() {
 }
 
 #[test]
-fn what_cannot_be_drawn_is_named_by_its_file() {
-    let scene = file("lopsided.json", &flat(HALF).replacen("[1,0,0,0]", "[2,0,0,0]", 1));
+fn what_cannot_be_read_or_drawn_is_named_by_its_file() {
+    for (name, text) in [("bad.obj", "v 0 0\n"), ("bad.json", "{}"), ("bad.txt", "")] {
+        let error = read(&file(name, text)).err().unwrap();
+        assert!(error.contains(&format!("{name}:")) && error.lines().count() == 1, "{error}");
+    }
+    let scene = file("lopsided.json", flat(HALF).replacen("[1,0,0,0]", "[2,0,0,0]", 1));
     let source = read(&scene).unwrap();
     let state = source.state();
     let said = Viewer::new(source, SIZE).draw(&state).unwrap_err();

@@ -3,6 +3,7 @@
 
 use embedded_graphics::pixelcolor::RgbColor;
 use embedded_graphics::prelude::*;
+use pinhole_apps_support::testing;
 use pinhole_viewer::{Source, State, Viewer};
 use std::fs;
 use std::io::Write;
@@ -94,16 +95,6 @@ fn stands_at(screen: &[Vec<[u8; 3]>], picture: &[[u8; 3]], left: usize, top: usi
     picture.chunks(width).zip(&screen[top..]).all(|(row, of)| row == &of[left..left + width])
 }
 
-fn read_png(file: &Path) -> Option<Vec<[u8; 3]>> {
-    let mut decoder = png::Decoder::new(std::io::BufReader::new(fs::File::open(file).ok()?));
-    decoder.set_transformations(png::Transformations::EXPAND);
-    let mut reader = decoder.read_info().ok()?;
-    let mut bytes = vec![0; reader.output_buffer_size()?];
-    let info = reader.next_frame(&mut bytes).ok()?;
-    assert_eq!((info.width, info.height, info.color_type), (SIZE.width, SIZE.height, png::ColorType::Rgb));
-    Some(bytes.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect())
-}
-
 /// A program that cannot open a window refused: exit code 2, and one line, which is given.
 fn refusal(mut viewer: Command) -> String {
     let done = viewer.env("DISPLAY", ":none-such").env_remove("WAYLAND_DISPLAY").output().unwrap();
@@ -144,7 +135,7 @@ fn a_screenshot_is_what_a_window_would_show() {
     let done =
         Command::new(VIEWER).args(["--keys", "w h", "--screenshot"]).arg(&png).env_remove("DISPLAY").output();
     assert!(done.unwrap().status.success());
-    assert!(read_png(&png).unwrap() == expected("w h"));
+    assert!(testing::picture(&png) == ([SIZE.width as usize, SIZE.height as usize], expected("w h")));
 }
 
 #[test]

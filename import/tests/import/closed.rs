@@ -1,12 +1,10 @@
 //! A closed surface stays closed, also where faces lie on a line, and its picture has no holes.
 
 use crate::common::Random;
-use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{OriginDimensions, Point, Size};
-use embedded_graphics::pixelcolor::BinaryColor;
-use embedded_graphics::Pixel;
+use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use pinhole::{
-    Affine, Angle, Camera, FacePlanes, Mesh, Point3, Projection, Scalar, ScreenVertex, Vector3,
+    Affine, Angle, Camera, FacePlanes, Mesh, Picture, Point3, Projection, Scalar, ScreenVertex, Vector3,
     ViewTransform, Viewport,
 };
 use pinhole_import::{import_bytes, quantise, ImportedMesh, Options, Triangles};
@@ -125,30 +123,6 @@ fn no_file_has_its_faces_cut_to_pieces_without_number() {
 
 const SIZE: Size = Size::new(120, 90);
 
-/// Which pixels are drawn.
-struct Drawn(Vec<bool>);
-
-impl OriginDimensions for Drawn {
-    fn size(&self) -> Size {
-        SIZE
-    }
-}
-
-impl DrawTarget for Drawn {
-    type Color = BinaryColor;
-    type Error = core::convert::Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<BinaryColor>>>(
-        &mut self,
-        pixels: I,
-    ) -> Result<(), Self::Error> {
-        for Pixel(at, _) in pixels {
-            self.0[at.y as usize * SIZE.width as usize + at.x as usize] = true;
-        }
-        Ok(())
-    }
-}
-
 /// The pixels between the first and the last drawn one of a row that are not drawn: none, if the solid is convex.
 fn holes<P: FacePlanes>(mesh: &Mesh<'_, i16, P>, extent: f64, yaw: Angle) -> usize {
     let number = |v: f64| Scalar::from_num(v);
@@ -160,19 +134,19 @@ fn holes<P: FacePlanes>(mesh: &Mesh<'_, i16, P>, extent: f64, yaw: Angle) -> usi
     );
     let lens = Projection::perspective(Angle::degrees(60), SIZE, number(0.1 * extent), number(4.0 * extent));
     let camera = Camera::new(&view.unwrap(), &lens.unwrap(), &viewport);
-    let mut drawn = Drawn(vec![false; (SIZE.width * SIZE.height) as usize]);
+    let mut drawn = vec![Gray8::BLACK; (SIZE.width * SIZE.height) as usize];
     let mut cache = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
     let instance = camera.place(mesh, &Affine::rotation_y(yaw));
-    let Ok(_) = instance.solid(|_| BinaryColor::On, &mut cache, &mut drawn);
-    drawn
-        .0
-        .chunks(SIZE.width as usize)
-        .map(|row| {
-            let first = row.iter().position(|drawn| *drawn).unwrap_or(row.len());
-            let last = row.iter().rposition(|drawn| *drawn).unwrap_or(0);
-            (first..last).filter(|&x| !row[x]).count()
-        })
-        .sum()
+    let mut picture = Picture::new(&mut drawn, SIZE).unwrap();
+    let Ok(_) = instance.solid(|_| Gray8::WHITE, &mut cache, &mut picture.pixels());
+    let rows = drawn.chunks(SIZE.width as usize);
+    let holes = rows.map(|row| {
+        let is_drawn = |pixel: &Gray8| *pixel == Gray8::WHITE;
+        let first = row.iter().position(is_drawn).unwrap_or(row.len());
+        let last = row.iter().rposition(is_drawn).unwrap_or(0);
+        (first..last).filter(|&x| !is_drawn(&row[x])).count()
+    });
+    holes.sum()
 }
 
 /// A box whose upper face is a square on one side of its diagonal and a fan on the other.

@@ -1,7 +1,7 @@
 //! Colours and texture coordinates of OBJ files, from the text to the generated source.
 
 use crate::common::{file, folder, obj_beside, said};
-use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::Rgb888;
 use pinhole::{FaceColors, TextureCoords};
 use pinhole_import::{import, import_bytes, preview, Axis, ImportedMesh, Options};
 use std::path::{Path, PathBuf};
@@ -23,11 +23,6 @@ fn painted_file(test: &str, text: &str) -> PathBuf {
     let path = file(test, "painted.obj", text);
     std::fs::write(path.with_file_name("painted.mtl"), LIBRARY).unwrap();
     path
-}
-
-/// The painted tetrahedron by another library.
-fn by_library(library: &str) -> ImportedMesh {
-    obj_beside(&painted(), &[("painted.mtl", library)], &Options::default())
 }
 
 const LIBRARY: &str =
@@ -116,74 +111,6 @@ fn faces_keep_their_colours_and_coordinates_through_every_option() {
     assert_eq!(obj_beside(&bare, &[], &defaults).palette, Vec::<[u8; 3]>::new());
 }
 
-#[test]
-fn materials_may_emit_light() {
-    // One diffuse colour, and two lights: two colours.
-    let lamps = by_library("newmtl rust\nKd 1 0 0\nKe 0 0 1\nnewmtl sky\nKd 1 0 0\nKe 0 .2 0\n");
-    let colors = lamps.colors().unwrap().unwrap();
-    assert_eq!((colors.palette().len(), said(&lamps)), (2, vec![]));
-    let emitted = [0, 1, 2, 3].map(|face| colors.emission::<Rgb888>(face));
-    let [green, blue] = [Rgb888::new(0, 51, 0), Rgb888::BLUE];
-    assert_eq!(emitted, [green, blue, blue, green]);
-    assert_eq!([0, 1].map(|face| colors.color::<Rgb888>(face)), [Rgb888::RED; 2]);
-    // What modelling programs write for materials that emit nothing, and a lamp that no face has.
-    let none = by_library(
-        "newmtl rust\nKd 1 0 0\nKe 0 0 0\nnewmtl sky\nKd 1 0 0\nnewmtl lamp\nKd 0 0 0\nKe 1 1 1\n",
-    );
-    assert_eq!((none.palette.len(), none.emission.len()), (1, 0));
-    // Only a light.
-    let grey = by_library("newmtl rust\nKe 1 0 0\nnewmtl sky\nKd 1 1 0\n");
-    assert_eq!(grey.palette, [[255, 255, 0], [204, 204, 204]]);
-    assert_eq!(grey.emission, [[0, 0, 0], [255, 0, 0]]);
-    let one = by_library("newmtl rust\nKe .2\nnewmtl sky\n");
-    assert_eq!((one.palette, one.emission), (vec![[204; 3]; 2], vec![[0; 3], [51; 3]]));
-}
-
-#[test]
-fn a_line_that_is_not_understood_costs_that_line() {
-    let red = "newmtl rust\nKd 1 0 0\nnewmtl sky\n";
-    let numbers = "`Kd` and `Ke` need one number, or three: red, green and blue";
-    for (library, sky, doubt) in [
-        (format!("{red}Kd 0 0 1\n"), [0, 0, 255], None),
-        (format!("{red}Kd .5\n"), [128; 3], None),
-        (format!("{red}Kd 0 0 1 .5 # blue\n"), [0, 0, 255], None),
-        (format!("{red}\t kD  0\t0 1\r\n"), [0, 0, 255], None),
-        (format!("\u{feff}{red}Kd 0 0 1\n\u{1a}"), [0, 0, 255], None),
-        (format!("{red}Kd 0 0 1\nKa\nNs x\nillum\nbump\nwhatever\n").replace('\n', "\r"), [0, 0, 255], None),
-        (format!("{red}Kd\n"), [204; 3], Some((4, numbers))),
-        (format!("{red}Kd # blue\n"), [204; 3], Some((4, numbers))),
-        (format!("{red}Kd 0,5 0 0\n"), [204; 3], Some((4, numbers))),
-        (format!("{red}Kd xyz .4 .2 .1\n"), [204; 3], Some((4, numbers))),
-        (format!("{red}Kd spectral sky.rfl\n"), [204; 3], Some((4, numbers))),
-        (format!("{red}Kd 0 0 1\nKd 0 x 1\n"), [0, 0, 255], Some((5, numbers))),
-        (format!("{red}Ke\nKd 0 0 1\n"), [0, 0, 255], Some((4, numbers))),
-        (format!("newmtl\nKd 0 1 0\n{red}Kd 0 0 1\n"), [0, 0, 255], Some((1, "`newmtl` needs a name"))),
-        (format!("{red}Kd 0 0 1\nnewmtl \nKd 0 1 0\n"), [0, 0, 255], Some((5, "`newmtl` needs a name"))),
-        (format!("Kd 0 1 0\n{red}Kd 0 0 1\n"), [0, 0, 255], Some((1, "no `newmtl` stands before it"))),
-    ] {
-        let mesh = by_library(&library);
-        let doubt = doubt.map(|(line, why)| {
-            format!("material library painted.mtl: lines passed over: 1, the first at line {line}: {why}")
-        });
-        assert_eq!(
-            (&mesh.palette[..], said(&mesh)),
-            (&[sky, [255, 0, 0]][..], Vec::from_iter(doubt)),
-            "{library}"
-        );
-    }
-}
-
-/// A `#` belongs to the name, unless only the name before it is known.
-#[test]
-fn names_of_materials_may_have_signs() {
-    let library = "newmtl Material #1\nKd 1 0 0\nnewmtl Material #2\nKd 0 0 1\nnewmtl plain\nKd 0 1 0\n";
-    let [a, b, c, d] = FACES;
-    let text = format!("mtllib signs.mtl\n{CORNERS}usemtl Material #1\n{a}usemtl  Material #2 \r\n{b}usemtl plain # green\n{c}{d}");
-    let mesh = obj_beside(&text, &[("signs.mtl", library)], &Options::default());
-    let [red, blue, green] = [[255, 0, 0], [0, 0, 255], [0, 255, 0]];
-    assert_eq!((mesh.palette, mesh.face_colors), (vec![red, blue, green], vec![0, 1, 2, 2]));
-}
-
 /// A model in a folder of its own, with two libraries.
 fn shelf(name: &str) -> PathBuf {
     let folder = folder(&format!("shelf-{name}"));
@@ -201,48 +128,6 @@ fn painted_by(folder: &Path, libraries: &str, root: Option<&Path>) -> (Vec<[u8; 
     assert_eq!(mesh.faces.len(), 4);
     let said = said(&mesh);
     (mesh.palette, said)
-}
-
-#[test]
-fn libraries_are_named_as_programs_write_them() {
-    let folder = shelf("names");
-    let [red, blue, grey] = [[255, 0, 0], [0, 0, 255], [204; 3]];
-    for (libraries, palette) in [
-        ("my sky.mtl", [blue, grey]),
-        ("\"my sky.mtl\"", [blue, grey]),
-        ("my\\ sky.mtl", [blue, grey]),
-        ("my%20sky.mtl", [blue, grey]),
-        ("MY Sky.mtl", [blue, grey]),
-        ("./my sky.mtl # of mine", [blue, grey]),
-        ("C:\\models\\my sky.mtl", [blue, grey]),
-        ("/home/me/models/my sky.mtl", [blue, grey]),
-        ("Deep/Rust.MTL", [grey, red]),
-        ("deep\\rust.mtl", [grey, red]),
-        ("Deep/../Deep/Rust.MTL", [grey, red]),
-        ("my\\ sky.mtl deep/rust.mtl", [blue, red]),
-        ("\"my sky.mtl\"  \"deep\\rust.mtl\" # both", [blue, red]),
-        ("my sky.mtl\nmtllib Deep/Rust.MTL\nmtllib my sky.mtl", [blue, red]),
-    ] {
-        let (found, said) = painted_by(&folder, libraries, None);
-        assert_eq!(found, palette, "{libraries}: {said:?}");
-        assert_eq!(said.len(), usize::from(palette.contains(&grey)), "{libraries}: {said:?}");
-    }
-    // The whole name comes first, and of several names each that is missing is named.
-    std::fs::write(folder.join("model/my"), "newmtl sky\nKd 0 1 0\n").unwrap();
-    assert_eq!(painted_by(&folder, "my sky.mtl", None).0, [blue, grey]);
-    let (found, said) = painted_by(&folder, "my none.mtl Deep/Rust.MTL", None);
-    assert_eq!(found, [[0, 255, 0], red]);
-    assert_eq!(
-        said,
-        ["material library none.mtl: is not there; its materials are grey: put it beside the model"]
-    );
-    // An empty library costs the colours, not without a word.
-    std::fs::write(folder.join("model/empty.mtl"), "").unwrap();
-    let (found, said) = painted_by(&folder, "empty.mtl", None);
-    assert_eq!(
-        (found, said),
-        (vec![], vec!["materials that no library has: 2, the first sky; their faces are grey".to_string()])
-    );
 }
 
 /// No reference leads out of the model's folder, or to what could wait for ever.
@@ -303,105 +188,6 @@ fn libraries_elsewhere_are_skipped() {
     std::fs::create_dir(folder.join("links")).unwrap();
     symlink(&model, folder.join("links/model")).unwrap();
     assert_eq!(painted_by(&folder.join("links"), "my sky.mtl", None).0[0], [0, 0, 255]);
-}
-
-#[test]
-fn polygons_are_fans_in_their_texture_too() {
-    let text = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
-    let mesh = obj_beside(text, &[], &Options::default());
-    let texture = mesh.texture().unwrap().unwrap();
-    // v 1 is the top: row 0. All of 0 to 1 fits 2^-14, not 2^-15.
-    assert_eq!((texture.exponent(), texture.coords().len()), (-14, 4));
-    let one = 1 << 14;
-    assert_eq!(texture.corners(0), [[0, one], [one, one], [one, 0]]);
-    assert_eq!(texture.corners(1), [[0, one], [one, 0], [0, 0]]);
-    assert!(mesh.colors().unwrap().is_none());
-}
-
-#[test]
-fn coordinates_lie_on_the_finest_grid_that_holds_them() {
-    let with = |coords: [[f64; 2]; 3]| {
-        let coords: String = coords.iter().map(|[u, v]| format!("vt {u} {v}\n")).collect();
-        let text = format!("v 0 0 0\nv 4 0 0\nv 4 4 0\n{coords}f 1/1 2/2 3/3\n");
-        obj_beside(&text, &[], &Options::default())
-    };
-    // Below 1 − 2^-16: 15 bits.
-    assert_eq!(with([[0.0, 0.5], [0.9, 0.25], [0.5, 0.999]]).texture_exponent, -15);
-    // Repeated 5 times, and once to the left: 2^-12 as 5 · 2^12 = 20480.
-    let mesh = with([[-1.0, 0.0], [5.0, 1.0], [0.3, 0.7]]);
-    assert_eq!(mesh.texture_exponent, -12);
-    let texel = |[u, _]: [i16; 2]| (i32::from(u) << 6) >> 12;
-    let corners = mesh.texture().unwrap().unwrap().corners(0);
-    // In 64 texels: -64, 320, and 19.2 is in texel 19.
-    assert_eq!(corners.map(texel), [-64, 320, 19]);
-    // Half a unit below zero rounds up as it does above: a half is not a matter of the sign.
-    let mesh = with([[-0.5 / 4096.0, 1.0], [0.5 / 4096.0, 1.0], [5.5, 1.0]]);
-    assert_eq!(mesh.texture_exponent, -12);
-    assert_eq!(mesh.texture().unwrap().unwrap().corners(0).map(|[u, _]| u), [0, 1, 22528]);
-    // 1e5 sides do not fit.
-    let mesh = with([[0.0, 0.0], [1e5, 0.0], [0.0, 1.0]]);
-    assert!(mesh.texture_faces.is_empty() && mesh.texture().unwrap().is_none());
-    let doubt = "no texture coordinates: they go beyond 32767 sides of the texture: repeat it less often";
-    assert!(said(&mesh).contains(&doubt.into()), "{:?}", said(&mesh));
-}
-
-#[test]
-fn what_is_wrong_with_materials_leaves_the_mesh() {
-    let [a, b, c, d] = FACES;
-    let plain = obj_beside(&format!("{CORNERS}{a}{b}{c}{d}"), &[], &Options::default());
-    assert_eq!(said(&plain), Vec::<String>::new());
-    let beside =
-        [("broken.mtl", "newmtl rust\nKd red\n"), ("half.mtl", "newmtl rust\nKd 1 0 0\nnewmtl bare\nNs 2\n")];
-    let body = |uses: &str| format!("{uses}\n{CORNERS}{a}{b}{c}{d}");
-    for (text, palette, doubt) in [
-        (
-            body("mtllib nowhere.mtl\nusemtl rust"),
-            vec![],
-            "material library nowhere.mtl: is not there; its materials are grey: put it beside the model",
-        ),
-        (
-            body("mtllib broken.mtl\nusemtl rust"),
-            vec![[204; 3]],
-            "material library broken.mtl: lines passed over: 1, the first at line 2: `Kd` and `Ke` need one number, or three: red, green and blue",
-        ),
-        (body("usemtl rust"), vec![], "no material library (mtllib): faces have no colours"),
-        (
-            body("mtllib half.mtl\nusemtl gold"),
-            vec![[204; 3]],
-            "materials that no library has: 1, the first gold; their faces are grey",
-        ),
-        (body("mtllib half.mtl\nusemtl bare"), vec![[204; 3]], ""),
-        (body("mtllib sub\\..\\half.mtl\nusemtl rust"), vec![[255, 0, 0]], ""),
-        (body("mtllib half.mtl"), vec![], ""),
-    ] {
-        let mesh = obj_beside(&text, &beside, &Options::default());
-        assert_eq!(mesh.palette, palette, "{text}");
-        assert_eq!(said(&mesh).concat(), doubt);
-        assert_eq!((&mesh.vertices, &mesh.faces, &mesh.texture_coords), (&plain.vertices, &plain.faces, &plain.texture_coords));
-    }
-    // Coordinates that are none, or not there.
-    let wrong = format!("{CORNERS}vt x\n{a}{b}{c}{d}");
-    let mesh = obj_beside(&wrong, &[], &Options::default());
-    assert_eq!((mesh.faces.len(), mesh.texture_faces.len()), (4, 0));
-    let doubt = "no texture coordinates: a texture coordinate needs two numbers; they are left out: export the model again";
-    assert_eq!((mesh.warnings[0].line(), said(&mesh)), (Some(17), vec![doubt.to_string()]));
-    let stray = format!("{CORNERS}{a}{b}{c}f 3/10 1/11 4/13\n");
-    let mesh = obj_beside(&stray, &[], &Options::default());
-    assert_eq!((mesh.faces.len(), mesh.texture_faces.len()), (4, 0));
-    assert!(said(&mesh)[0]
-        .starts_with("no texture coordinates: a face names a texture coordinate that does not exist; "));
-    assert_eq!(mesh.warnings[0].line(), Some(20));
-    let half = format!("{CORNERS}{a}{b}{c}f 3/10 1 4/12\n");
-    let mesh = obj_beside(&half, &[], &Options::default());
-    assert_eq!(mesh.texture_faces.len(), 4);
-    assert_eq!(
-        said(&mesh),
-        ["faces without texture coordinates: 1, the first at line 20; they get those of the face before"]
-    );
-    // Coordinates that no face names are not the mesh's.
-    let unused = format!("{CORNERS}f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
-    let mesh = obj_beside(&unused, &[], &Options::default());
-    assert_eq!((mesh.texture_faces.len(), said(&mesh).len()), (0, 0));
 }
 
 #[test]

@@ -77,60 +77,25 @@ fn a_cube_is_welded_and_its_edges_are_unique() {
     assert!(cube.edges.iter().all(|[a, b]| a < b));
     assert!(cube.edges.is_sorted());
     assert_eq!(cube.edges.iter().collect::<HashSet<_>>().len(), 18);
-    let mesh = cube.mesh().unwrap();
-    assert_eq!(mesh.faces(), cube.faces);
+    assert_eq!(cube.mesh().unwrap().faces(), cube.faces);
+    // Where nothing else ends lines, carriage returns do.
+    assert_eq!(import(&CUBE.replace('\n', "\r")).unwrap(), cube);
 }
 
+/// The line that a warning tells a program, of those that have one.
 #[test]
-fn both_zeros_are_one_position() {
-    let mesh = import("v 0 0 0\nv 1 0 0\nv 0 1 0\nv -0 -0.0 0\nv 0 0 1\nf 1 2 3\nf 4 5 2\n").unwrap();
-    assert_eq!((mesh.vertices.len(), mesh.report.welded), (4, 1));
-}
-
-#[test]
-fn positions_that_quantising_joins_are_one_vertex() {
-    // Two corners at a distance of a hundredth of a step.
-    let text = "v 0 0 0\nv 1000 0 0\nv 0 1000 0\nv 0.0003 0 0\nv 0 0 1000\nf 1 2 3\nf 4 5 2\n";
-    let mesh = import(text).unwrap();
-    assert_eq!((mesh.vertices.len(), mesh.edges.len()), (4, 5));
-    assert_eq!((mesh.report.welded, mesh.report.welded_by_quantising), (0, 1));
-}
-
-#[test]
-fn degenerate_and_duplicate_faces_go_and_are_counted() {
-    let text = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 2 0 0\nv 0 0 0\nv 9 9 9\nv 4 4 0\n\
-        f 1 2 3\n\
-        f 2 3 1\n\
-        f 5 2 3\n\
-        f 1 3 2\n\
-        f 1 2 2\n\
-        f 1 5 3\n\
-        f 1 4 2\n\
-        f 1 2\n\
-        f 2 7 3\n";
-    let mesh = import(text).unwrap();
-    // The face with its corners turned (2 3 1), and with the second vertex at the origin (5 2 3), is a duplicate; seen from
-    // the other side (1 3 2) it is not.
-    assert_eq!(mesh.report.duplicate, 2);
-    // 1 2 2 repeats an index, 1 5 3 a position, 1 4 2 is a line, 1 2 has two corners.
-    assert_eq!(mesh.report.degenerate, 4);
-    assert_eq!(mesh.faces.len(), 3);
-    // Vertex 5 is welded, 4 only in a face that is gone, 6 in none, so it is not even read.
-    assert_eq!(mesh.vertices.len(), 4);
-    assert_eq!((mesh.report.vertices_read, mesh.report.welded, mesh.report.unused), (6, 1, 1));
-    assert_eq!(mesh.report.extent, 4.0);
-}
-
-#[test]
-fn open_crowded_and_twisted_edges_are_counted() {
-    let vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\n";
-    let topology = |faces: &str| import(&format!("{vertices}{faces}")).unwrap().topology();
-    let sheet = topology("f 1 2 3\nf 2 1 4\n");
-    assert_eq!((sheet.open, sheet.crowded, sheet.twisted), (4, 0, 0));
-    let twisted = topology("f 1 2 3\nf 1 2 4\n");
-    assert_eq!((twisted.open, twisted.crowded, twisted.twisted), (4, 0, 1));
-    let fan = topology("f 1 2 3\nf 2 1 4\nf 1 2 5\n");
-    assert_eq!((fan.open, fan.crowded, fan.twisted), (6, 1, 0));
+fn warnings_have_lines() {
+    for (text, line) in [
+        ("f 1 2 3\nf 1 2 2\n", 5),
+        ("f 1 2 3\nf 1 2 3\n", 5),
+        ("f 1 2 3\nf 1 3 2\nvt x\n", 6),
+        ("f 1 2 3\nf 1 3 2\np 1\n", 6),
+        ("\nf 1 2 3\n", 5),
+    ] {
+        let mesh = import(&format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{text}")).unwrap();
+        assert_eq!(mesh.warnings[0].line(), Some(line), "{text}");
+    }
+    assert_eq!(import("f 1\nv 0 x 0\n").unwrap_err().line, Some(2));
 }
 
 /// The largest distance along an axis from a position to its vertex, by search.
@@ -173,88 +138,14 @@ fn quantisation_is_within_a_65000th_of_the_largest_extent() {
         let reported = mesh.report.error / mesh.report.extent;
         assert!((reported - error).abs() < 1e-9, "{reported} {error}");
         assert!(mesh.vertices.iter().flatten().all(|c| c.unsigned_abs() <= 32767));
+        for normal in &mesh.normals {
+            let length = normal.map(f64::from).iter().map(|c| c * c).sum::<f64>().sqrt();
+            assert!((length - 32767.0).abs() <= 0.5 * 3f64.sqrt(), "{normal:?}");
+        }
         worst = worst.max(error);
     }
     // The bound is no idle one.
     assert!(worst > 1.0 / 66000.0, "1/{}", 1.0 / worst);
-}
-
-#[test]
-fn normals_are_of_unit_length_to_their_rounding() {
-    let mut random = Random(3);
-    let model = Triangles {
-        positions: (0..300).map(|_| [0; 3].map(|_| random.unit())).collect(),
-        faces: (0..298).map(|i| [i, i + 1, i + 2]).collect(),
-    };
-    for n in quantise(&model).unwrap().normals {
-        let length = n.map(f64::from).iter().map(|c| c * c).sum::<f64>().sqrt();
-        assert!((length - 32767.0).abs() <= 0.5 * 3f64.sqrt(), "{n:?}");
-    }
-}
-
-#[test]
-fn what_a_mesh_does_not_use_cannot_be_wrong() {
-    let text =
-        "\u{feff}mtllib nowhere.mtl\no first\nv 0 0 0 1 0 0\nv 2 0 0 2\nv 0 1 0\nvt nonsense\nvn 1\nusemtl\n\
-        f 1/7/9 2/-5 3//-8\ng second\nv 0 0 1\nl 1 77\np 99\ns off\nf 1 3 4 # a tail\n";
-    let mesh = import(text).unwrap();
-    assert_eq!((mesh.vertices.len(), mesh.faces.len()), (4, 2));
-    assert_eq!(mesh.report.extent, 1.0, "2 / w = 1");
-}
-
-/// Asserts what the error of a text says.
-#[track_caller]
-fn refused(text: &str, message: &str) {
-    assert_eq!(import(text).unwrap_err().to_string(), format!("model.obj:{message}"), "{text}");
-}
-
-#[test]
-fn a_broken_line_is_named() {
-    const THREE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-    let numbers = "a vertex needs three numbers";
-    let commas = "a vertex needs three numbers such as `1.5 0 2`, without commas: replace them, or export the model again";
-    let face = "a face is a list of indices v, v/vt, v//vn or v/vt/vn";
-    for (text, line, message) in [
-        ("v 0 0 0\n# fine\nv 1 zwei 3\n", 3, numbers),
-        ("v 0 0", 1, numbers),
-        ("v 0 0 0\nv 1,5 0 0\nv 0 0 1,5\nv 0 0\n", 2, commas),
-        ("v 0 0 0\nv 1, 0, 0\nv 0 0\n", 2, commas),
-        ("v 0,5 0 0 # 1\nv 0 0", 1, commas),
-        ("# 1,5\nv 0 0\n", 2, numbers),
-        ("v 0 0 0 0\n", 1, "the w of the vertex is zero"),
-        ("v 0 0 0 1 1\n", 1, "a vertex is x y z, x y z w or x y z r g b"),
-        ("v 0 0 0\n\nf 1 1 b\n", 3, face),
-        ("v 0 0 0\nf\n", 2, "the face has no corners"),
-        // A vertex may stand below its face, but a negative index counts upwards.
-        (&format!("f -1 -2 -3\n{THREE}"), 1, "the face names a vertex that does not exist"),
-        (&format!("{THREE}v 1e300 0 0 1e-300\nf 1 2 4\n"), 4, NOT_FINITE),
-    ] {
-        refused(text, &format!("{line}: {message}"));
-        assert_eq!(import(text).unwrap_err().line, Some(line));
-    }
-    assert!(import(&format!("f 1 2 3\n{THREE}")).is_ok());
-    for corner in ["4", "0", "-4", "-9223372036854775808", "9223372036854775807"] {
-        let text = format!("{THREE}f 1 2 3\nf 1 2 {corner}/1/1\n");
-        refused(&text, "5: the face names a vertex that does not exist");
-    }
-    for number in ["NaN", "inf", "-infinity", "1e999"] {
-        refused(&format!("{THREE}v 0 {number} 0\nf 1 2 4\n"), &format!("4: {NOT_FINITE}"));
-        // One that no face names is no part of the model.
-        let text = format!("{THREE}v 0 {number} 0\nf 1 2 3\n");
-        assert_eq!(import(&text).unwrap().vertices, import(&format!("{THREE}f 1 2 3\n")).unwrap().vertices);
-    }
-}
-
-const NOT_FINITE: &str = "a coordinate is not a finite number: repair or export the model again";
-
-#[test]
-fn a_model_without_faces_is_an_error() {
-    for text in ["", "\u{1}PNG\n", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "o a\nl 1 2\n"] {
-        refused(text, " has no faces: export the model as a mesh");
-    }
-    for text in ["v 1 1 1\nf 1 1 1\n", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "v 0 0 0\nv 1 0 0\nf 1 2\n"] {
-        refused(text, " has no face with an area, as all 1 are points or lines: export the model as a mesh");
-    }
 }
 
 #[test]
@@ -311,43 +202,6 @@ fn indices_out_of_range_are_an_error_from_any_reader() {
     assert!(matches!(quantise(&model), Err(Problem::NoSuchVertex)));
 }
 
-/// The warnings of an import.
-fn warnings(text: &str) -> Vec<(Option<usize>, String)> {
-    import(text).unwrap().warnings.into_iter().map(|w| (w.line(), w.to_string())).collect()
-}
-
-#[test]
-fn carriage_returns_alone_end_lines_too() {
-    let text = "v 0 0 0\nv 1 0 0\n# a remark\nv 0 1 0\nf 1 2 3\n";
-    assert_eq!(import(&text.replace('\n', "\r")).unwrap(), import(text).unwrap());
-    let text = text.replace("v 1 0 0", "v 1 0").replace('\n', "\r");
-    refused(&text, "2: a vertex needs three numbers");
-}
-
-#[test]
-fn lines_go_on_after_a_backslash() {
-    let whole = import(CUBE).unwrap();
-    let broken = CUBE.replace("f 4 3 2 1", "f 4 \\\n3 2\\ \n 1").replace("v -1 -1 -1", "v -1\\\n-1 -1 # \\");
-    assert_eq!(import(&broken).unwrap(), whole);
-    // The line of an error is the one where the statement begins.
-    let text = "v 0 0 \\\n0\nv 1 0 0\nv 0 1 0\nf 1 \\\n2 \\\n3\nf 1 2 \\\n 9\n";
-    refused(text, "8: the face names a vertex that does not exist");
-    // A comment does not go on, nor does what a mesh does not use; nothing follows the last line.
-    let three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-    let text = format!("# C:\\models\\\nmtllib C:\\models\\\n{three}f 1 2 3 \\");
-    assert_eq!(import(&text).unwrap(), import(&format!("\n\n{three}f 1 2 3")).unwrap());
-}
-
-/// What a mesh has no use for may stand where other readers take it, too.
-#[test]
-fn what_stands_behind_indices_is_passed_over() {
-    let plain = import(CUBE).unwrap();
-    for corner in ["1/", "1//", "1/0", "1/0/0", "1//7", "1//x", "1/2/3/4"] {
-        assert_eq!(import(&CUBE.replace("f 1 ", &format!("f {corner} "))).unwrap(), plain, "{corner}");
-    }
-    assert_eq!(import(&CUBE.replace("\nf", " # x\n\tf ")).unwrap(), plain);
-}
-
 /// Twice the area of a mesh in the plane of x and y that is seen from +z, and from −z.
 fn fronts_and_backs(mesh: &ImportedMesh) -> [f64; 2] {
     let mut areas = [0.0; 2];
@@ -392,59 +246,6 @@ fn concave_polygons_cover_each_point_once() {
             assert_eq!([u, 1.0 - v], [x, y]);
         }
     }
-}
-
-#[test]
-fn polygons_that_cross_themselves_are_named() {
-    let doubt = warnings("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1.5 0\nf 1 2 3\nf 1 2 3 4\n");
-    let named =
-        "faces that cross themselves: 1, the first at line 6; their triangles overlap: export triangles";
-    assert!(doubt.contains(&(Some(6), named.into())), "{doubt:?}");
-}
-
-#[test]
-fn faces_of_one_and_two_corners_have_no_area_and_are_named() {
-    let doubt = warnings("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\nf 3\nf 3 2 1\n");
-    assert_eq!(
-        doubt,
-        [(Some(5), "faces without area: 2, the first at line 5; dropped, which changes no picture".into())]
-    );
-}
-
-#[test]
-fn what_is_no_surface_is_named_with_its_line() {
-    let vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\n";
-    let fan = warnings(&format!("{vertices}f 1 2 3\nf 2 1 4\nf 1 2 5\n"));
-    let crowded =
-        "edges of more than two faces: 1, the first at line 8; inside and outside are unclear there: \
-        separate the bodies, or use --two-sided";
-    assert!(fan.contains(&(Some(8), crowded.into())), "{fan:?}");
-    let twisted = warnings(&format!("{vertices}f 1 2 3\n\nf 1 2 4\n"));
-    let opposite =
-        "edges between faces of opposite winding: 1, the first at line 8; some faces will be culled: \
-        use --fix-winding";
-    assert!(twisted.contains(&(Some(8), opposite.into())), "{twisted:?}");
-    assert_eq!(warnings(CUBE), []);
-    let inside_out = CUBE.lines().map(|line| match line.strip_prefix("f ") {
-        Some(corners) => format!("f {}\n", corners.split(' ').rev().collect::<Vec<_>>().join(" ")),
-        None => format!("{line}\n"),
-    });
-    let doubt = warnings(&inside_out.collect::<String>());
-    assert!(doubt.len() == 1 && doubt[0].1.contains("inside out"), "{doubt:?}");
-}
-
-#[test]
-fn binary_files_are_no_obj() {
-    let error = read_obj(b"\x7fELF\x02\x01\x01\0\0>", Path::new("model.obj")).unwrap_err();
-    assert_eq!(error.to_string(), "model.obj: is binary, not text, as byte 7 is zero: export .obj or .stl");
-    // What old programs and copies of memory leave at the end is not the file's.
-    for end in ["\0", "\x1a", "\r\n\x1a\0\0\0"] {
-        assert_eq!(import(&format!("{CUBE}{end}")).unwrap(), import(CUBE).unwrap(), "{end:?}");
-    }
-    let nothing = read_obj(&[0; 9], Path::new("model.obj")).unwrap_err();
-    assert!(matches!(nothing.problem, Problem::NotText { byte: 0 }), "{nothing}");
-    // Latin-1 in a comment is none of our business.
-    assert!(read_obj(b"# \xe9t\xe9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", Path::new("a.obj")).is_ok());
 }
 
 #[test]

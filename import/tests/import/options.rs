@@ -1,9 +1,11 @@
 //! What can be chosen, each against its definition in `f64`.
 
-use crate::common::{obj, position, said};
+use crate::common::{obj, position, Random};
 use pinhole::MeshError;
-use pinhole_import::{Axis, Centre, Edges, ImportedMesh, Options, Problem};
-use std::collections::{HashMap, HashSet};
+use pinhole_import::{Axis, Centre, Edges, ImportedMesh, Options, Warning};
+use std::collections::{BTreeSet, HashMap, HashSet};
+
+const NO_FACE: u16 = pinhole::Mesh::<i16>::NO_FACE;
 
 /// A block of 4 × 2 × 1 from the origin, with z upwards, of quads, counter-clockwise seen from outside.
 const BLOCK: &str = "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 0 2 0\nv 0 0 1\nv 4 0 1\nv 4 2 1\nv 0 2 1\n\
@@ -45,71 +47,6 @@ fn ball(rings: usize, sides: usize) -> String {
     text
 }
 
-/// The largest and the smallest of each coordinate.
-fn bounds(mesh: &ImportedMesh) -> [[f64; 3]; 2] {
-    let all: Vec<_> = (0..mesh.vertices.len()).map(|v| position(mesh, v as u16)).collect();
-    let fold = |pick: fn(f64, f64) -> f64| {
-        [0, 1, 2].map(|axis| all.iter().map(|p| p[axis]).reduce(pick).unwrap_or(f64::NAN))
-    };
-    [fold(f64::min), fold(f64::max)]
-}
-
-/// A tetrahedron with edges of 1, and a face far away whose corners lie on one line.
-#[test]
-fn faces_on_a_line_decide_nothing() {
-    for far in [1e3, 1e9, 1e-9, 1e150] {
-        let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
-        let text = format!("{text}v {far} 0 0\nv {} 0 0\nf 1 5 6\n", 2.0 * far);
-        let mesh = obj(&text, &Options { fit: Some(2.0), ..Options::default() }).unwrap();
-        let report = mesh.report;
-        assert_eq!((mesh.faces.len(), report.degenerate, report.unused), (4, 1, 2), "{far:e}");
-        assert_eq!((report.extent, report.scale, mesh.offset), (2.0, 2.0, [1.0; 3]), "{far:e}");
-        let wanted = "faces without area: 1, the first at line 11; dropped, which changes no picture";
-        assert!(said(&mesh).contains(&wanted.into()), "{:?}", mesh.warnings);
-    }
-}
-
-/// A box along x, as text.
-fn rod([x, y, z]: [f64; 3]) -> String {
-    let corner =
-        |i: usize| format!("v {} {} {}\n", (i & 1) as f64 * x, (i >> 1 & 1) as f64 * y, (i >> 2) as f64 * z);
-    let sides = ["5 6 8 7", "2 1 3 4", "6 2 4 8", "1 5 7 3", "7 8 4 3", "1 2 6 5"];
-    (0..8).map(corner).collect::<String>() + &sides.map(|side| format!("f {side}\n")).concat()
-}
-
-/// Half of 60 000 is less than 32 767, so the step is 1, and coordinates are halves of the sides, rounded.
-#[test]
-fn shapes_that_rounding_changes_are_named() {
-    const HELP: &str = "split the model, or leave out parts that lie far from the others";
-    let start = "rounding to a grid of at most 65535 steps along the longest side changes the shape: ";
-    for (sides, what) in [
-        ([60000.0, 100.0, 100.0], None),
-        // Sides of 1 become 2.
-        ([60000.0, 1.0, 1.0], Some("0 of 12 faces have no area on it, and the area of all is 200")),
-        // Four faces of 60000 by 1 or 0.9 and two small ones become two of 60000 by 2.
-        ([60000.0, 1.0, 0.9], Some("8 of 12 faces have no area on it, and the area of all is 105")),
-    ] {
-        let mesh = obj(&rod(sides), &Options::default()).unwrap();
-        let found: Vec<_> = said(&mesh).into_iter().filter(|text| text.starts_with("rounding")).collect();
-        let wanted = what.map(|what| format!("{start}{what} % of that in the file: {HELP}"));
-        assert_eq!(found, Vec::from_iter(wanted));
-    }
-    let error = obj(&rod([60000.0, 0.9, 0.9]), &Options::default()).unwrap_err();
-    let problem = format!("has no face with an area on a grid of at most 65535 steps along its longest side, as all 12 are thinner than a step: {HELP}");
-    assert!(error.to_string().ends_with(&problem), "{error}");
-}
-
-#[test]
-fn small_and_large_faces_have_an_area() {
-    // Their squares are beyond f64.
-    for size in [1e-170, 1e200] {
-        let text = format!("v 0 0 0\nv {size:e} 0 0\nv 0 {size:e} 0\nf 1 2 3\n");
-        let options = Options { fit: Some(1.0), ..Options::default() };
-        let mesh = obj(&text, &options).unwrap();
-        assert_eq!((mesh.faces.len(), mesh.report.extent), (1, 1.0));
-    }
-}
-
 #[test]
 fn the_axis_that_points_upwards_becomes_y_and_nothing_is_mirrored() {
     let whole = obj(BLOCK, &Options::default()).unwrap();
@@ -134,47 +71,6 @@ fn the_axis_that_points_upwards_becomes_y_and_nothing_is_mirrored() {
         }
         assert!((mesh.volume() - 8.0).abs() < 1e-3, "no mirror: {}", mesh.volume());
     }
-}
-
-#[test]
-fn a_model_is_made_as_long_as_wanted() {
-    for (fit, scale) in [(1.0, 0.25), (0.001, 0.00025), (30000.0, 7500.0)] {
-        let mesh = obj(BLOCK, &Options { fit: Some(fit), ..Options::default() }).unwrap();
-        assert_eq!((mesh.report.scale, mesh.report.extent), (scale, fit));
-        let [low, high] = bounds(&mesh);
-        for (axis, side) in [4.0, 2.0, 1.0].into_iter().enumerate() {
-            assert!(
-                (low[axis]).abs() <= mesh.report.error && (high[axis] - side * scale).abs() <= fit / 32000.0
-            );
-        }
-    }
-    for fit in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let error = obj(BLOCK, &Options { fit: Some(fit), ..Options::default() }).unwrap_err();
-        assert!(
-            error.to_string().ends_with("model.obj: the length to fit is not a positive number"),
-            "{error}"
-        );
-    }
-}
-
-#[test]
-fn the_origin_may_be_the_centre_or_the_files() {
-    let centred = obj(BLOCK, &Options::default()).unwrap();
-    assert_eq!(centred.offset, [2.0, 1.0, 0.5]);
-    let mesh = obj(BLOCK, &Options { centre: Centre::Origin, ..Options::default() }).unwrap();
-    assert_eq!(mesh.offset, [0.0; 3]);
-    assert_eq!(bounds(&mesh), [[0.0; 3], [4.0, 2.0, 1.0]]);
-    // Half the range is not used: a step twice as long.
-    assert_eq!(mesh.exponent, centred.exponent + 1);
-}
-
-#[test]
-fn faces_are_turned_over() {
-    let mesh = obj(BLOCK, &Options { flip: true, ..Options::default() }).unwrap();
-    assert_eq!(mesh.volume(), -8.0);
-    let doubt = said(&mesh);
-    let wanted = "parts inside out: 1 of 1, the first at line 9; the outside shows nothing: leave out --flip, unless it is a room seen from inside";
-    assert_eq!(doubt, [wanted]);
 }
 
 /// For each edge of the faces, by its vertices, the faces that have it, in order.
@@ -244,10 +140,6 @@ fn feature_edges_are_those_where_the_surface_turns_or_ends() {
             }
         }
         assert!(sharp > 10 && blunt > 10, "{degrees}: {sharp} {blunt}");
-    }
-    for degrees in [-1.0, 181.0, f64::NAN] {
-        let options = Options { edges: Edges::Feature { degrees }, ..Options::default() };
-        assert!(matches!(obj(BLOCK, &options).unwrap_err().problem, Problem::Options(_)));
     }
     assert!(obj(BLOCK, &Options { edges: Edges::None, ..Options::default() }).unwrap().edges.is_empty());
 }
@@ -381,47 +273,14 @@ fn lines_are_right_after_faces_were_ordered() {
     let corners: HashSet<_> = line.split_whitespace().skip(1).collect();
     assert_eq!(gone.intersection(&corners).count(), 2, "a neighbour of the hole");
     assert_eq!(warning.line(), Some(expected), "the first in the file");
-}
 
-#[test]
-fn the_third_face_of_an_edge_is_that_of_the_file() {
-    // The ball, and a fin on the first edge of its first face.
+    // The whole ball, and a fin on the first edge of its first face: the third face of that edge is the file's last.
     let text = ball(10, 12);
-    let face = text.lines().find(|line| line.starts_with('f')).unwrap();
-    let corners: Vec<&str> = face.split_whitespace().collect();
-    let text = format!("{text}v 5 9 9\nf {} {} -1\n", corners[1], corners[2]);
-    let options = Options { reorder: true, ..Options::default() };
+    let first: Vec<&str> = text.lines().find(|line| line.starts_with('f')).unwrap().split(' ').collect();
+    let text = format!("{text}v 5 9 9\nf {} {} -1\n", first[1], first[2]);
     let mesh = obj(&text, &options).unwrap();
-    let crowded = mesh
-        .warnings
-        .iter()
-        .find(|w| w.to_string().starts_with("edges of more than two faces: 1, "))
-        .unwrap();
-    assert_eq!(crowded.line(), Some(text.lines().count()));
-}
-
-#[test]
-fn what_a_mesh_cannot_hold_says_what_to_do() {
-    let tiny = "v 0 0 0\nv 1e-20 0 0\nv 0 1e-20 0\nf 1 2 3\n";
-    let error = obj(tiny, &Options::default()).unwrap_err();
-    assert!(matches!(error.problem, Problem::Exponent(-82)), "{error}"); // half of 1e-20 is 24178 · 2^-82
-    assert!(
-        error.to_string().contains(
-            "needs a step of 2^-82, but a mesh has 2^-32 to 2^15: use another unit, or pinhole-import --fit"
-        ),
-        "{error}"
-    );
-    assert!(obj(tiny, &Options { fit: Some(1.0), ..Options::default() }).is_ok());
-    let error = obj(tiny, &Options { planes: true, ..Options::default() }).unwrap_err();
-    assert!(matches!(error.problem, Problem::Exponent(-82)), "{error}");
-}
-
-#[test]
-fn flash_is_counted() {
-    let all = Options { edge_faces: true, planes: true, vertex_normals: true, ..Options::default() };
-    let mesh = obj(BLOCK, &all).unwrap();
-    // 8 vertices with normals, 12 faces with normals and planes, 18 edges with their faces.
-    assert_eq!(mesh.flash_bytes(), 8 * (6 + 6) + 12 * (6 + 6 + 2) + 18 * (4 + 4));
+    let crowded = mesh.warnings.iter().find(|w| matches!(w, Warning::CrowdedEdges { count: 1, .. }));
+    assert_eq!(crowded.unwrap().line(), Some(text.lines().count()));
 }
 
 #[test]
@@ -455,19 +314,6 @@ fn planes_are_those_of_the_finished_mesh() {
     assert!(plain.mesh().unwrap().planes().is_empty() && !Options::default().planes);
 }
 
-#[test]
-fn planes_want_the_normals_of_faces() {
-    for vertex_normals in [false, true] {
-        let options = Options { normals: false, planes: true, vertex_normals, ..Options::default() };
-        let error = obj(BLOCK, &options).unwrap_err();
-        assert!(matches!(error.problem, Problem::Options(_)), "{error}");
-        assert!(
-            error.to_string().ends_with("planes belong to the normals of faces: ask for these too"),
-            "{error}"
-        );
-    }
-}
-
 /// The offset that is written is what was subtracted, or it is not written.
 #[test]
 fn offsets_are_what_was_subtracted() {
@@ -483,5 +329,87 @@ fn offsets_are_what_was_subtracted() {
             (is_held, is_held),
             "{name}"
         );
+    }
+}
+
+/// The ends of the edges in the file's units, the lower one first.
+fn edges(mesh: &ImportedMesh) -> BTreeSet<[[i32; 3]; 2]> {
+    let end = |vertex: u16| position(mesh, vertex).map(|c| c.round() as i32);
+    mesh.edges.iter().map(|&[a, b]| [end(a).min(end(b)), end(a).max(end(b))]).collect()
+}
+
+#[test]
+fn lines_beside_faces_are_edges() {
+    // To a point above the box, along the diagonal of a side, and along a side's edge.
+    let lines = "v 2 1 6\nl 7 9\nl 5 9\nl 5 7\nl 1 2\n";
+    let text = format!("{BLOCK}{lines}");
+    let without = obj(BLOCK, &Options::default()).unwrap();
+    let mesh = obj(&text, &Options::default()).unwrap();
+    let [above, corner, far] = [[2, 1, 6], [0, 0, 1], [4, 2, 1]];
+    let lone = [[corner.min(above), corner.max(above)], [above, far]];
+    assert_eq!(edges(&mesh), &edges(&without) | &BTreeSet::from(lone));
+    assert_eq!((mesh.vertices.len(), mesh.report.extent), (9, 6.0));
+
+    let feature = Options { edges: Edges::Feature { degrees: 30.0 }, edge_faces: true, ..Options::default() };
+    let mesh = obj(&text, &feature).unwrap();
+    assert_eq!(mesh.edges.len(), 12 + 3, "the lines, and no diagonal but the one that is a line");
+    assert!(mesh.edges.is_sorted() && mesh.mesh().is_ok());
+    let lone = mesh.edge_faces.iter().filter(|beside| **beside == [NO_FACE; 2]).count();
+    assert_eq!((lone, mesh.edge_faces.iter().flatten().filter(|&&face| face == NO_FACE).count()), (2, 4));
+
+    let none = obj(&text, &Options { edges: Edges::None, ..Options::default() }).unwrap();
+    assert_eq!((none.vertices.len(), none.edges.len()), (8, 0));
+}
+
+/// A box from one corner to the other, with eight vertices.
+fn cuboid(low: [f64; 3], high: [f64; 3]) -> String {
+    let mut text = String::new();
+    for corner in 0..8 {
+        let at = [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { low[axis] } else { high[axis] });
+        text += &format!("v {} {} {}\n", at[0], at[1], at[2]);
+    }
+    text + "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n"
+}
+
+/// The positions of vertices in units of 2^-48, exactly.
+fn positions(mesh: &ImportedMesh) -> Vec<[i128; 3]> {
+    let bits = |number: f64| {
+        let scaled = number * 2f64.powi(48);
+        assert_eq!(scaled.fract(), 0.0);
+        scaled as i128
+    };
+    let at = |vertex: &[i16; 3]| {
+        [0, 1, 2].map(|axis| (i128::from(vertex[axis]) << (mesh.exponent + 48)) + bits(mesh.offset[axis]))
+    };
+    mesh.vertices.iter().map(at).collect()
+}
+
+/// Of two boxes that share the corners of a side, these have equal positions, on each of many grids.
+#[test]
+fn parts_of_one_step_share_their_corners() {
+    let mut random = Random(1);
+    for case in 0..400 {
+        let exponent = -(case % 26);
+        let step = 2f64.powi(exponent);
+        let mut steps = |most: f64| match case % 4 {
+            0 => (random.unit() * most).floor(),
+            _ => random.unit() * most,
+        };
+        // In some cases all corners lie half way between grid points.
+        let low = [(); 3].map(|()| (steps(1e4) - 5e3 + 0.5) * step);
+        let wide = (steps(5e3) + 1.0) * step;
+        let shared = low[0] + wide;
+        let high = [shared, low[1] + wide, low[2] + wide];
+        let left = cuboid(low, high);
+        let right = cuboid([shared, low[1], low[2]], [shared + 3.0 * wide, high[1], high[2]]);
+        for centre in [Centre::Box, Centre::Origin] {
+            let options = Options { step: Some(step), centre, ..Options::default() };
+            let [left, right] = [&left, &right].map(|text| obj(text, &options).unwrap());
+            assert_eq!([left.exponent, right.exponent], [exponent as i8; 2]);
+            let (left_positions, right_positions) = (positions(&left), positions(&right));
+            let both = left_positions.iter().filter(|position| right_positions.contains(position)).count();
+            assert_eq!(both, 4, "{options:?}: {left_positions:?} {right_positions:?}");
+            assert!(left.report.error <= step / 2.0 && right.report.error <= step / 2.0);
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! The Rust source: what it says, and that it is formatted as it stays.
 
-use pinhole_import::{import, is_constant_name, read_obj, Axis, ImportedMesh, Options};
+use pinhole_import::{import, is_constant_name, read, read_obj, Axis, ImportedMesh, Options, Topology};
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -125,4 +125,35 @@ fn it_compiles_to_the_mesh() {
     assert_eq!(counts, (18, 18, 12, 8));
     // The faces below and above, before and behind, left and right: half of each half.
     assert_eq!(BLOCK.planes(), [[2560; 4], [5120; 4], [10240; 4]].concat());
+}
+
+/// The teapot of the repository.
+fn teapot() -> ImportedMesh {
+    read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../assets/teapot.obj")).unwrap()
+}
+
+#[test]
+fn the_teapot_is_as_documented() {
+    let teapot = teapot();
+    let report = teapot.report;
+    assert_eq!((report.vertices_read, report.faces_read), (792, 992));
+    assert_eq!((report.welded, report.welded_by_quantising), (263, 0));
+    assert_eq!((report.degenerate, report.duplicate, report.unused), (0, 0, 0));
+    let counts = (teapot.vertices.len(), teapot.edges.len(), teapot.faces.len());
+    assert_eq!(counts, (529, 1520, 992));
+    // Six rims of the model itself: pot, lid, spout (both ends), handle (both ends). No seam is left.
+    let rims = Topology { open: 64, ..Topology::default() };
+    assert_eq!(teapot.topology(), rims);
+    assert!((teapot.volume() - 3172.5).abs() < 0.5, "counter-clockwise seen from outside");
+    assert!(report.error <= report.extent / 65000.0);
+}
+
+#[test]
+fn the_teapot_s_source_is_current() {
+    let command = "pinhole-import teapot.obj -o teapot.rs --arrays --keep-order";
+    let source = include_str!("../../../assets/teapot.rs");
+    assert!(
+        teapot().to_rust(command) == source,
+        "assets/teapot.rs is not what this makes: cargo run -p pinhole-import -- assets/teapot.obj -o assets/teapot.rs --arrays --keep-order"
+    );
 }

@@ -1,7 +1,10 @@
 //! STL files, both kinds.
 
-use pinhole_import::{read, read_stl, read_triangles, ImportError, ImportedMesh, Problem, Warning};
-use std::path::{Path, PathBuf};
+use crate::common::file;
+use pinhole_import::{
+    import_bytes, read, read_stl, read_triangles, ImportError, ImportedMesh, Options, Problem, Warning,
+};
+use std::path::Path;
 
 /// Of a tetrahedron, counter-clockwise from outside.
 const FACES: [[[f32; 3]; 3]; 4] = [
@@ -11,16 +14,21 @@ const FACES: [[[f32; 3]; 3]; 4] = [
     [[0., 1., 0.], [0., 0., 0.], [0., 0., 1.]],
 ];
 
-fn binary(header: &[u8]) -> Vec<u8> {
+/// A binary file, with the last two bytes of each facet.
+fn painted(header: &[u8], attributes: [u16; 4]) -> Vec<u8> {
     let mut bytes = header.to_vec();
     bytes.resize(80, b' ');
     bytes.extend((FACES.len() as u32).to_le_bytes());
-    for face in FACES {
+    for (face, attribute) in FACES.into_iter().zip(attributes) {
         let numbers = [[0.0; 3], face[0], face[1], face[2]];
         bytes.extend(numbers.iter().flatten().flat_map(|c: &f32| c.to_le_bytes()));
-        bytes.extend([0, 0]);
+        bytes.extend(attribute.to_le_bytes());
     }
     bytes
+}
+
+fn binary(header: &[u8]) -> Vec<u8> {
+    painted(header, [0; 4])
 }
 
 fn ascii() -> Vec<u8> {
@@ -36,18 +44,12 @@ fn ascii() -> Vec<u8> {
     text.into()
 }
 
-fn file(name: &str, bytes: &[u8]) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    std::fs::write(&path, bytes).unwrap();
-    path
-}
-
 #[test]
 fn both_kinds_give_the_files_triangles_in_order() {
     let files = [
-        file("binary.stl", &binary(b"made by hand")),
-        file("solid.STL", &binary(b"solid is what many binary files begin with")),
-        file("ascii.stl", &ascii()),
+        file("stl-binary", "a.stl", binary(b"made by hand")),
+        file("stl-solid", "a.STL", binary(b"solid is what many binary files begin with")),
+        file("stl-ascii", "a.stl", ascii()),
     ];
     for path in files {
         let triangles = read_triangles(&path).unwrap();
@@ -191,70 +193,6 @@ fn text_is_read_as_people_write_it() {
     assert_eq!(unended, ImportedMesh { warnings: unended.warnings.clone(), ..two });
 }
 
-const COMMAS: &str =
-    "a vertex needs three numbers such as `1.5 0 2`, without commas: replace them, or export the model again";
-
-#[test]
-fn what_is_wrong_with_text_is_named_with_its_line() {
-    let good = format!("solid a\n{}endsolid a\n", facet(0));
-    let cases = [
-        (good.replace("vertex 1 0 0", "vertex 1 0 x"), 5, "a vertex needs three numbers"),
-        (good.replace("vertex 1 0 0", "vertex 1,5 0 0"), 5, COMMAS),
-        (good.replace("vertex 1 0 0", "vertex 1, 0, 0"), 5, COMMAS),
-        (good.replace("vertex 1 0 0", "vertex 1 0"), 5, "a vertex needs three numbers"),
-        (
-            good.replace("vertex 1 0 0", "vertex NaN 0 0"),
-            5,
-            "a coordinate is not a finite number: repair or export the model again",
-        ),
-        (
-            good.replace("vertex 1 0 0", "vertex 1e39 0 0"),
-            5,
-            "a coordinate is not a finite number: repair or export the model again",
-        ),
-        (good.replace("vertex 1 0 0\n", ""), 6, "a facet has three vertices, each `vertex x y z`"),
-        (
-            good.replace("endloop", "vertex 5 5 5\nendloop"),
-            7,
-            "after three vertices should stand `endloop`: a facet is a triangle",
-        ),
-        (good.replace("outer loop\n", ""), 3, "after the facet's normal should stand `outer loop`"),
-        (good.replace("outer loop", "outer ring"), 3, "after `outer` should stand `loop`"),
-        (good.replace("endfacet\n", ""), 8, "after `endloop` should stand `endfacet`"),
-        (good.replace("facet normal", "face normal"), 2, "neither `facet` nor `endsolid` stands here"),
-        (good.replace("endfacet\nendsolid a\n", ""), 7, "the file ends within a facet"),
-        (format!("{good}solid b\nfacet\n"), 11, "the file ends within a facet"),
-    ];
-    for (text, line, message) in cases {
-        let error = import(text.as_str()).unwrap_err();
-        assert_eq!(error.to_string(), format!("model.stl:{line}: {message}"), "{text}");
-    }
-    assert_eq!(import("").unwrap_err().to_string(), "model.stl: is empty: copy or export it again");
-    // An archive under the name of an STL file.
-    let archive = [b"PK\x03\x04\0".as_slice(), &[b'm'; 200]].concat();
-    assert_eq!(
-        import(archive).unwrap_err().to_string(),
-        "model.stl: is not an STL file, as it would have more than 1 GiB by its count of triangles: export .obj or .stl"
-    );
-    for text in ["solid", "solid nothing in it\nendsolid\n"] {
-        assert_eq!(
-            import(text).unwrap_err().to_string(),
-            "model.stl: has no faces: export the model as a mesh"
-        );
-    }
-    // In one line a name like a facet cannot be told from one, and is not guessed at.
-    let error = import(good.replace("solid a", "solid facet").replace('\n', " ")).unwrap_err();
-    assert_eq!(error.to_string(), "model.stl:1: after the facet's normal should stand `outer loop`");
-    // Lines that end in carriage returns are counted.
-    let error = import(good.replace("vertex 1 0 0", "vertex 1 0 x").replace('\n', "\r")).unwrap_err();
-    assert_eq!(error.to_string(), "model.stl:5: a vertex needs three numbers");
-    // Text that is not STL says so, and is not counted by its bytes.
-    for text in ["Dear reader, ".repeat(20), "# by hand\nv 0 0 0\n".repeat(9), "#".repeat(200)] {
-        let error = import(text).unwrap_err();
-        assert_eq!(error.to_string(), "model.stl: is text, but no ASCII STL, which begins with `solid`: if it is an OBJ file, name it .obj, otherwise download or export it again");
-    }
-}
-
 #[test]
 fn binary_numbers_that_are_none_are_named_by_their_byte() {
     for (byte, number) in [(100, f32::NAN), (84 + 50 + 44, f32::NEG_INFINITY)] {
@@ -334,9 +272,37 @@ fn both_kinds_have_all_bits_of_their_numbers() {
     }
     text += "endsolid random\n";
     for bytes in [bytes, text.into_bytes()] {
-        let read = read_triangles(&file("random.stl", &bytes)).unwrap();
+        let read = read_triangles(&file("stl-random", "a.stl", &bytes)).unwrap();
         let found: Vec<[f64; 3]> = read.faces.iter().flatten().map(|&at| read.positions[at]).collect();
         assert_eq!(found, corners.iter().map(|corner| corner.map(f64::from)).collect::<Vec<_>>());
         assert_eq!(read.faces.len(), 500);
     }
+}
+
+/// The colour of each face, in the file's order.
+fn colors(mesh: &ImportedMesh) -> Vec<[u8; 3]> {
+    mesh.face_colors.iter().map(|&color| mesh.palette[usize::from(color)]).collect()
+}
+
+#[test]
+fn facets_of_stl_files_have_colours_by_both_conventions() {
+    let import = |bytes: Vec<u8>, options: &Options| {
+        let mesh = import_bytes(bytes, "model.stl".as_ref(), &[], options).unwrap();
+        assert_eq!(mesh.warnings, []);
+        colors(&mesh)
+    };
+    let all = Options::default();
+    // VisCAM and SolidView: red in the upper bits, and the top bit set where there is a colour.
+    let (red, green, blue) = (31 << 10, 31 << 5, 31);
+    let top = 1 << 15;
+    let viscam = painted(b"a scan", [top | red, top | green | 16, red, top]);
+    assert_eq!(import(viscam.clone(), &all), [[255, 0, 0], [0, 255, 132], [204; 3], [0, 0, 0]]);
+    assert_eq!(import(viscam, &Options { materials_only: true, ..Options::default() }), [[0; 3]; 0]);
+    // No colour, whatever these bits mean.
+    assert_eq!(import(painted(b"a scan", [red, 1, 2, 3]), &all), [[0; 3]; 0]);
+    // Magics: red in the lower bits, and the top bit set where the colour is that of the whole.
+    let header = b"made by hand COLOR=\x0a\x14\x1e\xff,MATERIAL=";
+    let magics = painted(header, [red, green | 16, top | red, blue]);
+    assert_eq!(import(magics, &all), [[0, 0, 255], [132, 255, 0], [10, 20, 30], [255, 0, 0]]);
+    assert_eq!(import(painted(header, [0; 4]), &all), [[10, 20, 30]; 4]);
 }

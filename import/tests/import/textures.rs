@@ -1,7 +1,6 @@
 //! Pictures of materials, from PNG and BMP files to texels, to Rust source, and to pixels.
 
 use crate::common::folder;
-use crate::images::{bmp, Image};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics::prelude::*;
 use pinhole::{
@@ -10,6 +9,81 @@ use pinhole::{
 };
 use pinhole_import::{import, ImportedMesh, IndexedPicture, Options, TextureFormat};
 use std::path::{Path, PathBuf};
+
+/// A picture: red, green, blue and opacity of each pixel, row by row.
+#[derive(Clone)]
+struct Image {
+    width: u32,
+    height: u32,
+    pixels: Vec<[u8; 4]>,
+}
+
+impl Image {
+    fn from_fn(width: u32, height: u32, color: impl Fn(u32, u32) -> [u8; 3]) -> Self {
+        let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+        let opaque = |(x, y)| {
+            let [r, g, b] = color(x, y);
+            [r, g, b, 255]
+        };
+        Self { width, height, pixels: places.map(opaque).collect() }
+    }
+
+    /// Each pixel's column, row and colour.
+    fn colors(&self) -> impl Iterator<Item = (u32, u32, [u8; 3])> + '_ {
+        let place = |i: usize| (i as u32 % self.width, i as u32 / self.width);
+        self.pixels.iter().enumerate().map(move |(i, &[r, g, b, _])| (place(i).0, place(i).1, [r, g, b]))
+    }
+
+    fn png(&self) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, self.width, self.height);
+        encoder.set_color(png::ColorType::Rgba);
+        encoder.set_depth(png::BitDepth::Eight);
+        let mut writer = encoder.write_header().unwrap();
+        writer.write_image_data(self.pixels.as_flattened()).unwrap();
+        writer.finish().unwrap();
+        bytes
+    }
+
+    /// 24 bits a pixel, the lower row first.
+    fn bmp(&self) -> Vec<u8> {
+        let row = |row: &[[u8; 4]]| {
+            let mut bytes: Vec<u8> = row.iter().flat_map(|&[r, g, b, _]| [b, g, r]).collect();
+            bytes.resize(bytes.len().div_ceil(4) * 4, 0);
+            bytes
+        };
+        let rows = self.pixels.chunks(self.width as usize).rev().flat_map(row);
+        bmp([self.width as i32, self.height as i32], 24, 0, &[], rows)
+    }
+
+    /// As PNG or BMP, by the file's name.
+    fn save(&self, path: &Path) {
+        let bytes = if path.extension().is_some_and(|e| e == "bmp") { self.bmp() } else { self.png() };
+        std::fs::write(path, bytes).unwrap();
+    }
+}
+
+/// A BMP file with a header of 40 bytes: what follows the header (masks or a palette), and the pixels.
+fn bmp(
+    [width, height]: [i32; 2],
+    depth: u16,
+    compression: u32,
+    after: &[u8],
+    pixels: impl IntoIterator<Item = u8>,
+) -> Vec<u8> {
+    let mut bytes = b"BM\0\0\0\0\0\0\0\0".to_vec();
+    bytes.extend((54 + after.len() as u32).to_le_bytes());
+    bytes.extend(40u32.to_le_bytes());
+    bytes.extend(width.to_le_bytes());
+    bytes.extend(height.to_le_bytes());
+    bytes.extend(1u16.to_le_bytes());
+    bytes.extend(depth.to_le_bytes());
+    bytes.extend(compression.to_le_bytes());
+    bytes.extend([0; 20]);
+    bytes.extend(after);
+    bytes.extend(pixels);
+    bytes
+}
 
 /// A square in the plane z = 0, with all of a picture on it.
 const SQUARE: &str = "mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n\
@@ -139,64 +213,18 @@ fn other_sizes_are_resampled() {
 }
 
 #[test]
-fn what_is_wrong_with_a_picture_leaves_the_mesh() {
-    let doubt = |test: &str, map: &str, file: &str, picture: Image| {
-        let mesh = import(&square(test, map, file, picture), &with(16)).unwrap();
-        (mesh.picture.is_some(), mesh.texture_faces.len(), said(&mesh).join("|"))
-    };
-    let picture = || Image::from_fn(8, 8, |_, _| [1, 2, 3]);
-    let missing = "no texture: picture other.png is not there: put it beside the model";
-    assert_eq!(doubt("missing", "map_Kd other.png", "it.png", picture()), (false, 2, missing.into()));
-    let bare = "no texture: no material names a picture (map_Kd)";
-    assert_eq!(doubt("bare", "Ns 1", "it.png", picture()), (false, 2, bare.into()));
-    assert_eq!(doubt("nameless", "map_Kd", "it.png", picture()), (false, 2, bare.into()));
-    let outside = "no texture: picture ../outside.png lies outside the model's folder: put it beside the model, or use --root FOLDER";
-    assert_eq!(
-        doubt("outside", "map_Kd ../outside.png", "../outside.png", picture()),
-        (false, 2, outside.into())
-    );
-    // Names with spaces and folders, and options before the name.
-    assert_eq!(
-        doubt("spaces", "map_Kd my picture.png", "my picture.png", picture()),
-        (true, 2, String::new())
-    );
-    for map in [
-        "map_Kd -s 1 1 1 my it.png",
-        "map_kd -clamp on -imfchan r -bm 0.5 my it.png",
-        "map_Kd \"My it.PNG\"",
-        "map_Kd C:\\art\\my\\ it.png # paint",
-    ] {
-        assert_eq!(doubt("options", map, "my it.png", picture()), (true, 2, String::new()), "{map}");
-    }
-    let path = square("text", "map_Kd it.png", "it.png", picture());
-    std::fs::write(path.with_file_name("it.png"), "no picture").unwrap();
-    let text = "no texture: picture it.png: is neither PNG nor BMP: convert it";
-    assert_eq!(said(&import(&path, &with(16)).unwrap()), [text]);
-    let path = square("short", "map_Kd it.png", "it.png", picture());
-    let whole = std::fs::read(path.with_file_name("it.png")).unwrap();
-    std::fs::write(path.with_file_name("it.png"), &whole[..whole.len() / 2]).unwrap();
-    assert!(said(&import(&path, &with(16)).unwrap())[0]
-        .starts_with("no texture: picture it.png: cannot be read: "));
+fn doubtful_pictures_are_written_and_formats_that_there_are_not_refused() {
     let mut glass = Image::from_fn(8, 8, |_, _| [9; 3]);
     glass.pixels.iter_mut().step_by(4).for_each(|pixel| pixel[3] = 0);
     let see_through = "picture it.png: transparent pixels: 16, written as if they were not";
-    assert_eq!(doubt("glass", "map_Kd it.png", "it.png", glass), (true, 2, see_through.into()));
-    let large = Image::from_fn(256, 128, |_, _| [1, 2, 3]);
-    let path = square("large", "map_Kd it.png", "it.png", large);
     let size = "texture of 256 x 128 texels: 33280 bytes of flash; if that is too much, reduce the picture, or use --texture 16";
-    assert_eq!(said(&import(&path, &with(256)).unwrap()), [size]);
-    // Formats that there are not.
-    let path = square("format", "map_Kd it.png", "it.png", picture());
-    for (colors, color, problem) in [
-        (3, "Rgb565", "a texture has 2, 4, 16 or 256 colours"),
-        (16, "Rgb565; evil", "the colour type of a texture is none of "),
-        (16, "pixelcolor::Rgb332", "the colour type of a texture is none of "),
-    ] {
-        let options =
-            Options { texture: Some(TextureFormat { colors, color: color.into() }), ..Options::default() };
-        let text = import(&path, &options).unwrap_err().to_string();
-        assert!(text.contains(problem), "{text}");
+    for (picture, doubt) in [(glass, see_through), (Image::from_fn(256, 128, |_, _| [1, 2, 3]), size)] {
+        let mesh = import(&square("doubtful", "map_Kd it.png", "it.png", picture), &with(256)).unwrap();
+        assert_eq!((mesh.picture.is_some(), said(&mesh)), (true, vec![doubt.to_string()]));
     }
+    let path = square("format", "map_Kd numbered.png", "numbered.png", numbered());
+    let error = import(&path, &with(3)).unwrap_err().to_string();
+    assert!(error.ends_with(": a texture has 2, 4, 16 or 256 colours"), "{error}");
 }
 
 /// The picture in a file, and the warnings about it.
@@ -382,6 +410,8 @@ fn png_files_of_all_kinds_are_read() {
             assert_eq!(picture.color(x, y), expected[x % 4]);
         }
     }
+    let (_, said) = read_picture("png-short", "it.png", &numbered().png()[..60]);
+    assert!(said.starts_with("no texture: picture it.png: cannot be read: "), "{said}");
     let wide = Image::from_fn(8193, 1, |_, _| [0; 3]).png();
     let (_, said) = read_picture("png-wide", "it.png", &wide);
     assert_eq!(said, "no texture: picture it.png: cannot be read: has a side of more than 8192 pixels");
@@ -442,9 +472,10 @@ include!("generated/textured.rs");
 /// one that is no further from it than the library's documentation says.
 #[test]
 fn the_source_is_drawn_without_conversion() {
-    let path = square("drawn", "map_Kd numbered.png", "numbered.png", numbered());
-    let mesh = import(&path, &with(256)).unwrap();
-    let command = "pinhole-import square.obj -o textured.rs --name TEXTURED --texture 256 --keep-order";
+    let sixteen = Image::from_fn(16, 8, |x, y| [x as u8 % 4 * 64, y as u8 % 4 * 64, 255]);
+    let path = square("drawn", "map_Kd sixteen.png", "sixteen.png", sixteen);
+    let mesh = import(&path, &with(16)).unwrap();
+    let command = "pinhole-import square.obj -o textured.rs --name TEXTURED --texture 16 --keep-order";
     let text = mesh.to_rust_mesh("TEXTURED", &path, command).unwrap();
     if std::env::var_os("GENERATED").is_some() {
         let here = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/import/generated/textured.rs");
@@ -484,19 +515,19 @@ fn the_source_is_drawn_without_conversion() {
             continue;
         }
         covered += 1;
-        // The number of the texel: red is 16 of 255 a column, green 32 a row.
-        let level = |level: u8, max: f64, step: f64| (f64::from(level) * 255.0 / max / step).round();
-        let texel = [level(color.r(), 31.0, 16.0), level(color.g(), 63.0, 32.0)];
-        for ((coordinate, texel), side) in [u, v].into_iter().zip(texel).zip([16.0, 8.0]) {
-            // The picture repeats: at a rim, interpolation may show its other side.
-            let away = |turns: f64| {
-                let texel = texel + turns * side;
+        // The number of the texel, of four: red is 64 of 255 a column, green a row.
+        let level = |level: u8, max: f64| (f64::from(level) * 255.0 / max / 64.0).round();
+        let texel = [level(color.r(), 31.0), level(color.g(), 63.0)];
+        for (coordinate, texel) in [u, v].into_iter().zip(texel) {
+            // At a rim, interpolation may show the picture's other side.
+            let away = |turns: i32| {
+                let texel = texel + 4.0 * f64::from(turns);
                 (texel - coordinate).max(coordinate - texel - 1.0)
             };
-            let off = away(0.0).min(away(-1.0)).min(away(1.0));
+            let off = (-1..=4).map(away).fold(f64::INFINITY, f64::min);
             assert!(off <= 0.27, "{at:?}: {off} off");
         }
-        equal += usize::from(texel == [u.floor(), v.floor()]);
+        equal += usize::from(texel == [u, v].map(|c| c.floor().rem_euclid(4.0)));
     }
     assert!(covered > 800 && equal * 10 > covered * 9, "{equal} of {covered}");
 }
