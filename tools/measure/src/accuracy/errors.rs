@@ -1,4 +1,4 @@
-//! Statistics of millions of errors, and their format.
+//! Statistics of millions of errors.
 
 /// The errors of one cell of a table.
 #[derive(Clone, Default)]
@@ -48,17 +48,4 @@ impl Errors {
 /// A number of three digits.
 pub(super) fn rounded(v: f64) -> f64 {
     format!("{v:.2e}").parse().unwrap_or(v)
-}
-
-/// Formats a number as three digits and a power of ten.
-pub(super) fn decimal(v: f64) -> String {
-    let text = format!("{v:.2e}");
-    let raised = |c: char| "⁻⁰¹²³⁴⁵⁶⁷⁸⁹".chars().zip("-0123456789".chars()).find(|(_, plain)| *plain == c);
-    match text.split_once('e') {
-        Some((digits, "0")) => digits.to_string(),
-        Some((digits, power)) => {
-            format!("{digits}·10{}", power.chars().filter_map(raised).map(|(c, _)| c).collect::<String>())
-        }
-        None => text,
-    }
 }

@@ -1,5 +1,4 @@
-//! The errors of the library's integers against f64: docs/data/accuracy.json, and the page docs/accuracy.md, whose tables have the
-//! largest of them.
+//! The errors of the library's integers against f64: docs/data/accuracy.json. The tables of docs/accuracy.md have the largest of them.
 
 mod errors;
 mod population;
@@ -7,27 +6,23 @@ mod sweep;
 mod textures;
 
 use clap::{ArgMatches, Command};
-use errors::{decimal, Errors};
+use errors::rounded;
 use pinhole_apps_support::command::complain;
 use pinhole_apps_support::generated::Generated;
-use pinhole_apps_support::grouped::grouped;
 use population::{DESIGNS, POPULATIONS, RANGES};
 use serde_json::{json, Value};
 use std::process::ExitCode;
 use sweep::{Pair, Sweep};
 
 const PROGRAM: &str = "-p pinhole-measure -- accuracy";
-/// The page, with a place for each table.
-const PAGE: &str = include_str!("page.txt");
 
 pub(crate) fn command() -> Command {
-    let about = "Measures the errors of the library's integers against f64, and writes data and a page";
-    Generated::command("accuracy", about, "docs/accuracy.md")
+    let about = "Measures the errors of the library's integers against f64";
+    Generated::command("accuracy", about, "docs/data/accuracy.json")
 }
 
 pub(crate) fn run(given: &mut ArgMatches) -> Result<ExitCode, String> {
-    let page = Generated::from(PROGRAM, given);
-    let data = page.beside("data/accuracy.json");
+    let data = Generated::from(PROGRAM, given);
     let measured = Measured::new()?;
     if let Some(bound) = measured.broken() {
         complain(bound);
@@ -36,9 +31,7 @@ pub(crate) fn run(given: &mut ArgMatches) -> Result<ExitCode, String> {
     let rows: Vec<_> = measured.rows().iter().map(Value::to_string).collect();
     let command = format!("cargo run --release {PROGRAM}");
     let text = format!("{{\n\"command\": \"{command}\",\n\"rows\": [\n{}\n]\n}}\n", rows.join(",\n"));
-    let data = data.finish_page(&text)?;
-    let page = page.finish_page(&measured.page())?;
-    Ok(if data == ExitCode::SUCCESS { page } else { data })
+    data.finish_page(&text)
 }
 
 struct Measured {
@@ -88,6 +81,8 @@ impl Measured {
                     "before_snap": pair.before.figures(), "after_snap": pair.after.figures()}));
             }
         }
+        let steepest = self.sweeps.iter().fold(0f64, |a, sweep| a.max(sweep.per_ratio));
+        rows.push(json!({"error": "vertex, px for each unit of r/z", "before_snap": rounded(steepest)}));
         for (far, pairs) in RANGES.into_iter().zip(&self.depths) {
             for (objects, pair) in OBJECTS.into_iter().zip(pairs) {
                 rows.push(json!({"error": "depth, steps", "far_by_near": far, "objects": objects,
@@ -96,32 +91,6 @@ impl Measured {
         }
         rows.extend(self.textures.iter().flat_map(textures::Measured::rows));
         rows
-    }
-
-    fn page(&self) -> String {
-        let largest =
-            |all: &mut dyn Iterator<Item = &Errors>| decimal(all.map(Errors::largest).fold(0.0, f64::max));
-        let places = DESIGNS.into_iter().enumerate().map(|(i, (_, mesh, _))| {
-            let pairs = || self.sweeps.iter().map(|sweep| &sweep.places[i]);
-            let before = largest(&mut pairs().map(|pair| &pair.before));
-            format!("| {mesh} | {before} | {} |\n", largest(&mut pairs().map(|pair| &pair.after)))
-        });
-        let depths = RANGES.into_iter().zip(&self.depths).map(|(far, pairs)| {
-            let [near, wide] = pairs.each_ref().map(|pair| decimal(pair.after.largest()));
-            let bound = if far >= DEPTH.1 { "1" } else { "–" };
-            format!("| {far} | {near} | {wide} | {bound} |\n")
-        });
-        let cameras = self.sweeps.iter().map(|sweep| sweep.cameras).sum::<usize>();
-        let steepest = self.sweeps.iter().fold(0f64, |a, sweep| a.max(sweep.per_ratio));
-        [
-            ("{places}\n", places.collect()),
-            ("{depths}\n", depths.collect()),
-            ("{textures}\n", self.textures.iter().map(textures::Measured::line).collect()),
-            ("{cameras}", grouped(cameras as u64)),
-            ("{steepest}", decimal(steepest)),
-        ]
-        .into_iter()
-        .fold(PAGE.to_string(), |page, (place, text): (&str, String)| page.replace(place, &text))
     }
 
     /// A bound that does not hold.

@@ -44,7 +44,6 @@ pub(super) struct Sweep {
     pub(super) depths: [[Pair; 2]; RANGES.len()],
     /// The largest error before the snap per unit of r/z, for r/z ≥ 16, in px.
     pub(super) per_ratio: f64,
-    pub(super) cameras: usize,
 }
 
 /// The library's result for a vertex: x and y in px and depth in steps, before and after rounding.
@@ -103,7 +102,6 @@ pub(super) fn sweep(population: &Population) -> Result<Sweep, String> {
         let (bits, range) = population.camera(&mut rng);
         let exact = bits.exact();
         let camera = bits.library();
-        sweep.cameras += 1;
         for (k, design) in DESIGNS.into_iter().enumerate() {
             if sweep.places[k].before.count() >= COUNT {
                 continue;

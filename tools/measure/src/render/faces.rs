@@ -1,10 +1,10 @@
-//! The visible triangle of each pixel and its depth.
+//! The visible triangle of each pixel, its depth, and its texel.
 
 use embedded_graphics::pixelcolor::raw::RawU32;
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{Cull, DepthBuffer, Mesh, ScreenVertex, SpanShader, Statistics};
+use pinhole::{Cull, DepthBuffer, Mesh, ScreenVertex, SpanShader, Statistics, Texels, Texture};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_render::parts::parts;
 use pinhole_render::quantised::Quantised;
@@ -20,11 +20,6 @@ impl PixelColor for Seen {
 
 impl Seen {
     const NONE: Self = Self(u32::MAX);
-
-    /// A pixel that shows a number of less than 31 bits.
-    pub(super) const fn number(number: u32) -> Self {
-        Self(number)
-    }
 
     /// The number, such as the triangle's index; -1 for none.
     pub(super) fn index(self) -> i32 {
@@ -44,7 +39,7 @@ pub(super) fn indices(scene: &Scene, quantised: &Quantised) -> Result<Drawn, Str
 }
 
 /// Draws all triangles with depth test, each with the shader of its index.
-pub(super) fn draw<S: SpanShader<Seen>>(
+fn draw<S: SpanShader<Seen>>(
     scene: &Scene,
     quantised: &Quantised,
     shader: impl Fn(usize) -> S,
@@ -67,4 +62,40 @@ pub(super) fn draw<S: SpanShader<Seen>>(
         statistics = statistics.and(drawn);
     }
     Ok(Drawn { ids, depth: storage, statistics })
+}
+
+/// Texels that show their own number, row by row.
+#[derive(Clone, Copy)]
+struct Numbered([usize; 2]);
+
+impl Texels for Numbered {
+    type Color = Seen;
+
+    fn size_bits(&self) -> [u32; 2] {
+        self.0.map(usize::ilog2)
+    }
+
+    fn texel(&self, u: u32, v: u32) -> Seen {
+        let [w, h] = self.size_bits();
+        Seen((v >> (32 - h)) << w | u >> (32 - w))
+    }
+}
+
+/// For each pixel the number of its texel, with bit 15 set, or 0 where no face is drawn.
+pub(super) fn texels(scene: &Scene, quantised: &Quantised) -> Result<(Vec<u16>, Statistics), String> {
+    let none = "--texels: the scene has no texture: give it \"uv\" and \"texture\"";
+    let (scene_texture, coords) = scene.texture.as_ref().zip(quantised.texture.as_ref()).ok_or(none)?;
+    let [w, h] = scene_texture.size;
+    if w * h > 1 << 15 {
+        return Err(format!(
+            "--texels: the texture has {w} x {h} texels, of which 15 bits number 32768 at most"
+        ));
+    }
+    let texture = Texture::new(Numbered([w, h])).with_exponent(coords.exponent).map_err(|e| e.to_string())?;
+    let drawn = match scene_texture.clamped {
+        false => draw(scene, quantised, |face| texture.at(coords.uv[face]))?,
+        true => draw(scene, quantised, |face| texture.clamped_at(coords.uv[face]))?,
+    };
+    let number = |seen: &Seen| u16::try_from(seen.index()).map_or(0, |number| number | 1 << 15);
+    Ok((drawn.ids.pixels().iter().map(number).collect(), drawn.statistics))
 }

@@ -1,7 +1,6 @@
 //! `pinhole-render` with a scene's numbers beside its pictures, for programs that judge them.
 
 mod faces;
-mod texels;
 mod used;
 
 use clap::{ArgMatches, Command};
@@ -37,7 +36,7 @@ const OUTPUTS: &[Output] = &[
                row * W + column",
         needs_faces: false,
         bytes: |scene, quantised| {
-            let (numbers, statistics) = texels::numbers(scene, quantised)?;
+            let (numbers, statistics) = faces::texels(scene, quantised)?;
             Ok((numbers.iter().flat_map(|number| number.to_le_bytes()).collect(), Some(statistics)))
         },
     },

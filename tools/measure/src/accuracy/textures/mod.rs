@@ -1,46 +1,46 @@
-//! The error of textures: the coordinates that pixels show, against rays in f64, beside methods of other libraries.
+//! The error of textures: the coordinates that pixels show, against rays in f64.
 
-mod costs;
-mod methods;
 mod scenes;
-#[path = "../../../../bench/src/cells/stepped.rs"]
-mod stepped;
 
-use super::errors::{decimal, rounded, Errors};
+use super::errors::{rounded, Errors};
 use crate::oracle::chain;
 use crate::oracle::texture::{off_repeated, Ray};
-use methods::{Shown, METHODS, TEXELS};
+use core::convert::Infallible;
+use embedded_graphics::pixelcolor::raw::RawU32;
+use embedded_graphics::prelude::*;
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Mesh};
-use scenes::{Scene, CAMERA};
+use pinhole::{Accuracy, Affine, Mesh, MeshInstance, SpanShader, Texels, Texture};
+use scenes::{Scene, CAMERA, SIDE};
 use serde_json::{json, Value};
 
+/// The benchmark's variant of each accuracy, and what it allows.
+const ACCURACIES: [(&str, Accuracy, f64); 3] = [
+    ("plain", Accuracy::Quarter, 0.25),
+    ("eighth", Accuracy::Eighth, 0.125),
+    ("sixteenth", Accuracy::Sixteenth, 0.0625),
+];
+/// The side of the texture, in texels.
+const TEXELS: f64 = 64.0;
 /// The error that [`pinhole::Texture`] documents in addition to the accuracy, for faces without a corner close to the eye.
 const PLANES: f64 = 0.02;
 
-/// The errors of a scene by each method.
+/// The errors of a scene by each accuracy.
 pub(super) struct Measured {
     scene: Scene,
     /// In texels, beyond a shift of 1/64 pixel.
-    errors: [Errors; METHODS.len()],
+    errors: [Errors; ACCURACIES.len()],
     /// Percent of the pixels that show another texel than the ray's.
-    others: [f64; METHODS.len()],
-    /// Instructions of a frame on an M3, if the benchmark has the scene.
-    costs: Option<[f64; METHODS.len()]>,
+    others: [f64; ACCURACIES.len()],
 }
 
 pub(super) fn measure() -> Result<Vec<Measured>, String> {
-    let one = |scene: Scene| {
-        let costs = scene.cell.map(costs::of_scene).transpose()?;
-        Measured::new(scene, costs).map_err(|error| error.to_string())
-    };
-    scenes::all().into_iter().map(one).collect()
+    scenes::all().into_iter().map(|scene| Measured::new(scene).map_err(|error| error.to_string())).collect()
 }
 
 impl Measured {
-    fn new(scene: Scene, costs: Option<[f64; METHODS.len()]>) -> Result<Self, pinhole::MeshError> {
+    fn new(scene: Scene) -> Result<Self, pinhole::MeshError> {
         let (camera, exact) = (CAMERA.library(), CAMERA.exact());
-        let mut measured = Self { scene, errors: Default::default(), others: [0.0; METHODS.len()], costs };
+        let mut measured = Self { scene, errors: Default::default(), others: [0.0; ACCURACIES.len()] };
         for (corners, uv) in &measured.scene.faces {
             let mesh = Mesh::new(corners, measured.scene.exponent, &[[0, 1, 2]])?;
             let instance =
@@ -48,8 +48,9 @@ impl Measured {
             let at = corners.map(|corner| chain::vertex(corner, measured.scene.exponent));
             let texels = uv.map(|uv| uv.map(|c| f64::from(c) / 16.0));
             let ray = Ray::new(&exact, &chain::IDENTITY, at, texels);
-            for (i, (.., draw)) in METHODS.into_iter().enumerate() {
-                for (point, Shown(shown)) in draw(&instance, *uv) {
+            for (i, (_, accuracy, _)) in ACCURACIES.into_iter().enumerate() {
+                let texture = Texture::new(Numbered).with_accuracy(accuracy).at(*uv);
+                for (point, Shown(shown)) in list(&instance, texture) {
                     let (x, y) = (i64::from(point.x), i64::from(point.y));
                     let near = ray.around(x, y).zip(ray.at(x as f64 + 0.5, y as f64 + 0.5));
                     let Some((near, centre)) = near else { continue };
@@ -69,35 +70,71 @@ impl Measured {
         Ok(measured)
     }
 
-    /// Instructions for each of the pixels that a method, by its place in [`METHODS`], draws.
-    fn per_pixel(&self, method: usize) -> Option<f64> {
-        Some(self.costs?.get(method)? / self.errors.get(method)?.count() as f64)
-    }
-
-    /// A row of data for each method.
+    /// A row of data for each accuracy.
     pub(super) fn rows(&self) -> impl Iterator<Item = Value> + '_ {
-        METHODS.into_iter().enumerate().map(|(i, (method, ..))| {
-            json!({"error": "texture, texels", "scene": self.scene.name, "about": self.scene.about, "method": method,
-                "beyond_1/64_px": self.errors[i].figures(), "other_texel_percent": rounded(self.others[i]),
-                "instructions_per_pixel": self.per_pixel(i).map(rounded)})
+        let Scene { name, about, cell, .. } = self.scene;
+        ACCURACIES.into_iter().enumerate().map(move |(i, (variant, ..))| {
+            json!({"error": "texture, texels", "scene": name, "about": about, "variant": variant, "cell": cell,
+                "pixels": self.errors[i].count(), "beyond_1/64_px": self.errors[i].figures(),
+                "other_texel_percent": rounded(self.others[i])})
         })
-    }
-
-    /// A line of the page.
-    pub(super) fn line(&self) -> String {
-        let cells = self.errors.iter().enumerate().map(|(i, errors)| {
-            let cost = self.per_pixel(i).map_or(String::new(), |cost| format!("; {cost:.0}"));
-            format!(" {}{cost} |", decimal(errors.largest()))
-        });
-        format!("| {}: {} |{}\n", self.scene.name, self.scene.about, cells.collect::<String>())
     }
 
     /// A bound that does not hold.
     pub(super) fn broken(&self) -> Option<String> {
-        METHODS.iter().zip(&self.errors).find_map(|((name, accuracy, _), errors)| {
-            let (largest, bound) = (errors.largest(), (*accuracy)? + PLANES);
+        ACCURACIES.iter().zip(&self.errors).find_map(|((name, _, accuracy), errors)| {
+            let (largest, bound) = (errors.largest(), accuracy + PLANES);
             let scene = self.scene.name;
             (largest > bound).then(|| format!("{scene}, {name}: {largest} texels off, the bound is {bound}"))
         })
     }
+}
+
+/// The coordinates that a pixel shows, in 2⁻³² of the texture's sides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Shown([u32; 2]);
+
+impl PixelColor for Shown {
+    type Raw = RawU32;
+}
+
+/// 64 × 64 texels that show their coordinates.
+#[derive(Clone, Copy)]
+struct Numbered;
+
+impl Texels for Numbered {
+    type Color = Shown;
+
+    fn size_bits(&self) -> [u32; 2] {
+        [6, 6]
+    }
+
+    fn texel(&self, u: u32, v: u32) -> Shown {
+        Shown([u, v])
+    }
+}
+
+/// A DrawTarget that lists what is drawn, in the order in which it is drawn.
+struct List(Vec<(Point, Shown)>);
+
+impl OriginDimensions for List {
+    fn size(&self) -> Size {
+        Size::new(SIDE, SIDE)
+    }
+}
+
+impl DrawTarget for List {
+    type Color = Shown;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Shown>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        self.0.extend(pixels.into_iter().map(|Pixel(point, color)| (point, color)));
+        Ok(())
+    }
+}
+
+fn list<S: SpanShader<Shown>>(instance: &MeshInstance<'_>, shader: S) -> Vec<(Point, Shown)> {
+    let mut list = List(Vec::new());
+    let Ok(_) = instance.solid(|_| shader, &mut [], &mut list);
+    list.0
 }

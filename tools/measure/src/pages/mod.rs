@@ -1,24 +1,20 @@
 //! Writes the parts of the documentation that repeat other files: the tables of measured figures in the pages, from `docs/data`, and
-//! the pictures of the crate's documentation. Run it after data or a picture in `docs` has changed:
-//!
-//! ```text
-//! cargo run --release -p pinhole-pages -- --help
-//! ```
+//! the pictures of the crate's documentation.
 //!
 //! In a page, a table stands between `<!-- table: NAME -->` and `<!-- end of table -->`; the text around it is written by hand.
 
-mod data;
 mod pictures;
 mod tables;
 
-use clap::{Arg, ArgAction, Command};
+use clap::{Arg, ArgAction, ArgMatches, Command};
 use pinhole_apps_support::{command, files};
 use std::path::Path;
 use std::process::ExitCode;
 
 /// The pages with tables.
-const PAGES: [&str; 6] = [
+const PAGES: [&str; 7] = [
     "README.md",
+    "docs/accuracy.md",
     "docs/speed.md",
     "docs/growth.md",
     "docs/footprint.md",
@@ -29,32 +25,33 @@ const PICTURES: &str = "src/book/pictures.md";
 const BEGIN: &str = "<!-- table: ";
 const END: &str = "<!-- end of table -->\n";
 
-fn main() -> ExitCode {
-    command::run(|| {
-        let check = Arg::new("check").long("check").action(ArgAction::SetTrue);
-        let command = Command::new("pages")
-            .about("Writes the parts of the documentation that repeat other files")
-            .arg(check.help("Write nothing; exit with code 1 if a file is out of date"));
-        let check = command::matches(command)?.get_flag("check");
-        let mut current = true;
-        let mut compare = |path: &str, text: String| -> Result<(), String> {
-            if !check {
-                return files::write(&[(&*root().join(path), text)]);
-            }
-            if read(path)? != text {
-                command::complain(format_args!(
-                    "{path}: out of date: run cargo run --release -p pinhole-pages"
-                ));
-                current = false;
-            }
-            Ok(())
-        };
-        for path in PAGES {
-            compare(path, with_tables(path)?)?;
+pub(crate) fn command() -> Command {
+    let check = Arg::new("check").long("check").action(ArgAction::SetTrue);
+    Command::new("pages")
+        .about("Writes the tables of pages from docs/data, and the pictures of the crate's documentation")
+        .arg(check.help("Write nothing; exit with code 1 if a file is out of date"))
+}
+
+pub(crate) fn run(given: &ArgMatches) -> Result<ExitCode, String> {
+    let check = given.get_flag("check");
+    let mut current = true;
+    let mut compare = |path: &str, text: String| -> Result<(), String> {
+        if !check {
+            return files::write(&[(&*root().join(path), text)]);
         }
-        compare(PICTURES, pictures::definitions()?)?;
-        Ok::<_, String>(if current { ExitCode::SUCCESS } else { ExitCode::from(1) })
-    })
+        if read(path)? != text {
+            command::complain(format_args!(
+                "{path}: out of date: run cargo run --release -p pinhole-measure -- pages"
+            ));
+            current = false;
+        }
+        Ok(())
+    };
+    for path in PAGES {
+        compare(path, with_tables(path)?)?;
+    }
+    compare(PICTURES, pictures::definitions()?)?;
+    Ok(if current { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 
 /// A page with its tables made anew.
