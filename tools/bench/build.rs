@@ -1,21 +1,18 @@
 //! Makes the models of `scenes.json` into constants: vertices of 16 bits in a power-of-two unit, and what follows from
 //! the faces; and the lists of lines and triangles that lie in the picture's plane.
 
-#[path = "meshes.rs"]
 mod meshes;
-#[path = "scenes.rs"]
-mod scenes;
 
 use pinhole::Mesh;
-use scenes::{edges_of, indices, integers, list, normal, number, torus_normal, triple, Result};
 use serde_json::Value;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::{Debug, Write};
+
+type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
 fn main() -> Result<()> {
     println!("cargo::rerun-if-changed=scenes.json");
     println!("cargo::rerun-if-changed=build.rs");
-    println!("cargo::rerun-if-changed=scenes.rs");
     println!("cargo::rerun-if-changed=meshes.rs");
     let scenes: Value = serde_json::from_str(&std::fs::read_to_string("scenes.json")?)?;
     let mut text = format!("pub(crate) const LIGHT: [i32; 3] = {:?};\n", bits(&triple(&scenes["light"])?));
@@ -169,4 +166,53 @@ fn slice(list: &[impl Debug]) -> String {
 /// A vector in 2⁻¹⁶.
 fn bits(v: &[f64; 3]) -> [i32; 3] {
     v.map(|c| (c * 65536.0).round() as i32)
+}
+
+/// The unit normal of the torus: away from the circle of radius 1 about z, the centre line of the tube.
+fn torus_normal([x, y, z]: [f64; 3]) -> Result<[f64; 3]> {
+    let from_axis = x.hypot(y);
+    let away = [x - x / from_axis, y - y / from_axis, z];
+    let length = away.iter().map(|c| c * c).sum::<f64>().sqrt();
+    if (length - 0.42).abs() > 1e-6 {
+        return Err("the torus's tube has a radius of 0.42".into());
+    }
+    Ok(away.map(|c| c / length))
+}
+
+/// The unit normal of a counter-clockwise face.
+fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
+    let side = |to: [f64; 3]| [to[0] - a[0], to[1] - a[1], to[2] - a[2]];
+    let (u, v) = (side(b), side(c));
+    let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    let length = n.iter().map(|c| c * c).sum::<f64>().sqrt();
+    n.map(|c| c / length)
+}
+
+/// All edges of the faces, each once.
+fn edges_of(faces: &[[u16; 3]]) -> Vec<[u16; 2]> {
+    let sides = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let edges: BTreeSet<_> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    edges.into_iter().collect()
+}
+
+fn list<T>(value: &Value, item: fn(&Value) -> Result<T>) -> Result<Vec<T>> {
+    value.as_array().ok_or("a list")?.iter().map(item).collect()
+}
+
+fn number(value: &Value) -> Result<f64> {
+    Ok(value.as_f64().ok_or("a number")?)
+}
+
+fn triple(value: &Value) -> Result<[f64; 3]> {
+    <[f64; 3]>::try_from(list(value, number)?).map_err(|_| "three numbers".into())
+}
+
+fn integers<const N: usize>(value: &Value) -> Result<[i64; N]> {
+    let integer = |value: &Value| Ok(value.as_i64().ok_or("an integer")?);
+    <[i64; N]>::try_from(list(value, integer)?).map_err(|_| "another number of integers".into())
+}
+
+fn indices<const N: usize>(value: &Value) -> Result<[u16; N]> {
+    let index = |value: &Value| Ok(u16::try_from(value.as_u64().ok_or("an index")?)?);
+    <[u16; N]>::try_from(list(value, index)?).map_err(|_| "another number of corners".into())
 }

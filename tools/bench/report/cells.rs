@@ -1,11 +1,9 @@
 //! The cells: each scene on each core, from a firmware of its own, and whether its picture is the host's.
 
-use crate::core::{Core, CORES};
-use crate::cross::Build;
+use crate::core::{side_by_side, Build, Core, CORES};
 use crate::data::{row, Row};
-use crate::side_by_side::side_by_side;
 use crate::{elf, Result};
-use bench::cells::{Known, CELLS, METHODS};
+use bench::cells::{Known, ACCURACIES, CELLS};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -30,53 +28,25 @@ const MAIN: [(&str, &str); 10] = [
     ("F50", "z"),
 ];
 
+/// The columns that are printed: the bytes of flash are those beyond a firmware that draws nothing; RAM are variables; the stack is
+/// the deepest, with set-up and the firmware's own frames.
+const COLUMNS: [&str; 8] = ["scene", "variant", "core", "instructions", "flash", "ram", "stack", "crc"];
+
 /// A scene drawn in a variant, on a core.
 pub(crate) struct Cell {
     pub(crate) scene: &'static str,
-    /// The variant, and [`FAST`] or [`SMALL`].
-    variant: &'static str,
-    level: &'static str,
+    /// The variant, with its opt-level.
+    pub(crate) variant: String,
     pub(crate) core: Core,
     pub(crate) instructions: u64,
-    /// Code and constants in bytes, without those of a firmware that draws nothing.
-    flash: u64,
-    /// Variables in bytes: picture, depth and vertices among them.
-    ram: u64,
-    /// The deepest stack in bytes, with set-up and the firmware's own frames.
-    stack: u64,
-    crc: u32,
+    /// A copy of the image, which is not replaced when the cell is built at another opt-level.
+    pub(crate) image: PathBuf,
+    pub(crate) row: Row,
 }
 
 impl fmt::Display for Cell {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { scene, core, instructions, flash, ram, stack, crc, .. } = self;
-        let (variant, core) = (self.variant(), core.name);
-        write!(f, "{scene},{variant},{core},{instructions},{flash},{ram},{stack},{crc:08x}")
-    }
-}
-
-impl Cell {
-    /// The variant, with its opt-level.
-    pub(crate) fn variant(&self) -> String {
-        named(self.variant, self.level)
-    }
-
-    pub(crate) fn row(&self) -> Row {
-        row([
-            ("scene", json!(self.scene)),
-            ("variant", json!(self.variant())),
-            ("core", json!(self.core.name)),
-            ("instructions", json!(self.instructions)),
-            ("flash", json!(self.flash)),
-            ("ram", json!(self.ram)),
-            ("stack", json!(self.stack)),
-            ("crc", json!(format!("{:08x}", self.crc))),
-        ])
-    }
-
-    /// A copy of the image, which is not replaced when the cell is built at another opt-level.
-    pub(crate) fn image(&self) -> PathBuf {
-        self.core.build().image(&bin(self.scene, self.variant)).with_extension(self.level)
+        f.write_str(&COLUMNS.map(|column| self.row[column].to_string().replace('"', "")).join(","))
     }
 }
 
@@ -89,9 +59,9 @@ fn named(variant: &str, level: &str) -> String {
 }
 
 /// The scenes, variants and cores that the command line names. If it names none of a kind, all of that kind are measured, except
-/// that only the [`MAIN`] cells are measured at opt-level s, and textures by other methods only on the M3.
+/// that only the [`MAIN`] cells are measured at opt-level s, and textures by other accuracies only on the M3.
 #[derive(Default)]
-pub(crate) struct Choice {
+struct Choice {
     scenes: Vec<String>,
     variants: Vec<String>,
     cores: Vec<String>,
@@ -99,7 +69,7 @@ pub(crate) struct Choice {
 
 impl Choice {
     /// `Err` lists the known names, if one of `names` is unknown.
-    pub(crate) fn new(names: &[&str]) -> Result<Self> {
+    fn new(names: &[&str]) -> Result<Self> {
         let unique = |name: fn(&Known) -> &'static str| {
             let mut names: Vec<&str> = CELLS.iter().map(name).collect();
             names.sort();
@@ -130,7 +100,7 @@ impl Choice {
     fn has(&self, &(scene, variant, _): &Known, level: &'static str, core: Core) -> bool {
         let is_named = |names: &[String], name: &str| names.is_empty() || names.iter().any(|one| one == name);
         let is_chosen_variant = match self.variants.is_empty() {
-            true if METHODS.contains(&variant) => level == FAST && core.name == "M3",
+            true if ACCURACIES.contains(&variant) => level == FAST && core.name == "M3",
             true => level == FAST || MAIN.contains(&(scene, variant)),
             false => self.variants.contains(&named(variant, level)),
         };
@@ -138,43 +108,24 @@ impl Choice {
     }
 }
 
-/// The name of a cell's image.
-fn bin(scene: &str, variant: &str) -> String {
-    let scene = scene.to_lowercase();
-    match variant {
-        "plain" => format!("cell_{scene}"),
-        _ => format!("cell_{scene}_{}", variant.replace('-', "_")),
-    }
-}
-
-/// Measures the chosen cells, core by core, and hands each to `each`.
-pub(crate) fn measure(choice: &Choice, failures: &mut Vec<String>, mut each: impl FnMut(Cell)) -> Result<()> {
-    let mut pictures = BTreeMap::new();
+/// Measures and prints the cells that these names choose, core by core.
+pub(crate) fn measure(names: &[&str], failures: &mut Vec<String>) -> Result<Vec<Cell>> {
+    let (choice, mut pictures, mut cells) = (Choice::new(names)?, BTreeMap::new(), Vec::new());
     for core in CORES {
         for level in [FAST, SMALL] {
             let chosen: Vec<Known> =
                 CELLS.iter().filter(|cell| choice.has(cell, level, core)).copied().collect();
             if !chosen.is_empty() {
-                on(core, level, &chosen, &mut pictures, failures)?.into_iter().for_each(&mut each);
+                cells.extend(on(core, level, &chosen, &mut pictures, failures)?);
             }
         }
     }
-    Ok(())
-}
-
-/// Measures and prints the cells that these names choose.
-pub(crate) fn named_cells(names: &[&str], failures: &mut Vec<String>) -> Result<Vec<Cell>> {
-    let mut cells = Vec::new();
-    measure(&Choice::new(names)?, failures, |cell| {
-        println!("{cell}");
-        cells.push(cell);
-    })?;
     Ok(cells)
 }
 
 /// The rows of the cells that these names choose.
 pub(crate) fn rows(names: &[&str], failures: &mut Vec<String>) -> Result<Vec<Row>> {
-    Ok(named_cells(names, failures)?.iter().map(Cell::row).collect())
+    Ok(measure(names, failures)?.into_iter().map(|cell| cell.row).collect())
 }
 
 /// Checksums of the host's pictures, by scene and variant.
@@ -188,10 +139,12 @@ fn on(
     pictures: &mut Pictures,
     failures: &mut Vec<String>,
 ) -> Result<Vec<Cell>> {
+    const EMPTY: &str = "cell-empty-plain";
     let build = Build { level, ..core.build() };
-    let bins = these.iter().map(|(scene, variant, _)| bin(scene, variant)).chain(["cell_empty".into()]);
+    let bin = |scene: &str, variant: &str| format!("cell-{scene}-{variant}");
+    let bins = these.iter().map(|(scene, variant, _)| bin(scene, variant)).chain([EMPTY.into()]);
     build.cargo("build", &bins.map(|bin| format!("--bin={bin}")).collect::<Vec<_>>())?;
-    let empty = elf::sizes(&build.image("cell_empty"))?.flash;
+    let empty = elf::sizes(&build.image(EMPTY))?.flash;
     let image = |scene, variant| build.image(&bin(scene, variant));
     let printed = side_by_side(these, |(scene, variant, _)| core.run(&image(scene, variant)))?;
     let mut cells = Vec::new();
@@ -200,21 +153,25 @@ fn on(
         let [instructions, stack, crc] = fields[..] else {
             return Err(format!("{scene},{variant}: {printed}").into());
         };
+        let instructions: u64 = instructions.parse()?;
         let elf::Sizes { flash, statics, .. } = elf::sizes(&image(scene, variant))?;
-        let cell = Cell {
-            scene,
-            variant,
-            level,
-            core,
-            instructions: instructions.parse()?,
-            flash: flash.saturating_sub(empty),
-            ram: statics,
-            stack: stack.parse()?,
-            crc: u32::from_str_radix(crc, 16)?,
-        };
-        std::fs::copy(image(scene, variant), cell.image())?;
+        let copy = image(scene, variant).with_extension(level);
+        std::fs::copy(image(scene, variant), &copy)?;
+        let named = named(variant, level);
+        let row = row([
+            ("scene", json!(scene)),
+            ("variant", json!(named)),
+            ("core", json!(core.name)),
+            ("instructions", json!(instructions)),
+            ("flash", json!(flash.saturating_sub(empty))),
+            ("ram", json!(statics)),
+            ("stack", json!(stack.parse::<u64>()?)),
+            ("crc", json!(crc)),
+        ]);
+        let cell = Cell { scene, variant: named, core, instructions, image: copy, row };
+        println!("{cell}");
         let host = *pictures.entry((scene, variant)).or_insert_with(|| on_host().map(|counted| counted.crc));
-        if host != Some(cell.crc) {
+        if host != u32::from_str_radix(crc, 16).ok() {
             failures.push(format!("{cell}: not the host's picture, which is {host:08x?}"));
         }
         cells.push(cell);

@@ -1,16 +1,15 @@
 //! Frames on chips that users have: the cycles of an instruction, with the waits for their flash, and the time of the display's bus.
 //! `docs/data/chips.json` has what their data sheets say, and their rules.
 
-use crate::core::emulated;
+use crate::core::CORES;
+use crate::cycles::recorded;
 use crate::data::{self, row, Row};
-use crate::esp32c3;
-use crate::record::{self, Frames, APART};
-use crate::side_by_side::side_by_side;
-use crate::timing::flash::{Flash, FlashRules};
+use crate::record::Frame;
+use crate::timing::flash::{DataCache, Flash, FlashRules};
 use crate::timing::pipeline::Pipeline;
-use crate::{provenance, Result};
+use crate::timing::riscv::Rules;
+use crate::{Result, RV32};
 use bench::scene::SIZE;
-use bench::timed::{Memory, Variant, IMAGES, TIMED};
 use serde::Deserialize;
 use serde_json::{json, Value};
 
@@ -37,13 +36,26 @@ pub(crate) fn chips() -> Result<Vec<(Chip, Row)>> {
     rows.map(|row| Ok((serde_json::from_value(Value::Object(row.clone()))?, row))).collect()
 }
 
-/// A frame of [`TIMED`] on a chip.
+/// What is drawn, in bands and, where the chip has the RAM, in one piece: the variants of the cells with depth end with `-z`.
+const SCENES: [&str; 3] = ["S1", "S2", "S3"];
+/// The kinds of frames whose cycles per instruction are stated: lines (S1), faces, faces with depth.
+const KINDS: [&str; 3] = ["wire", "plain", "z"];
+
+/// The number in [`KINDS`], and the rows of a band, of a cell.
+fn kind(scene: &str, variant: &str) -> (usize, u32) {
+    let (pieces, depth) = match variant.strip_suffix("-z") {
+        Some(pieces) => (pieces, 2),
+        None => (variant, usize::from(scene != "S1")),
+    };
+    (depth, pieces.strip_prefix("bands").and_then(|rows| rows.parse().ok()).unwrap_or(SIZE))
+}
+
+/// A frame on a chip.
 struct ChipFrame {
-    /// The numbers of the chip and of the frame.
-    chip: usize,
-    timed: usize,
-    /// The rows of a band; `None` for a whole picture.
-    rows: Option<u32>,
+    scene: &'static str,
+    kind: usize,
+    /// The rows of a band.
+    rows: u32,
     instructions: u64,
     /// Cycles with waits, the waits among them, and cycles without.
     cycles: u64,
@@ -53,60 +65,57 @@ struct ChipFrame {
     bands: Vec<u64>,
 }
 
-/// The kinds of frames whose cycles per instruction are stated: lines, faces, faces with depth.
-const KINDS: [Variant; 3] = [Variant::Wireframe, Variant::Plain, Variant::Depth];
-
-/// The rows of the chips, with the cycles of an instruction in frames in bands.
-pub(crate) fn cycles(failures: &mut Vec<String>) -> Result<Vec<Row>> {
+/// The rows of the chips, with the cycles of an instruction in frames in bands; and a row for each frame on each chip: drawing in
+/// milliseconds, the part of it that waits for flash in percent, and frames a second over the fastest SPI, if each band is sent before
+/// the next is drawn, and if DMA sends it meanwhile.
+pub(crate) fn rows(failures: &mut Vec<String>) -> Result<[Vec<Row>; 2]> {
+    let (mut of_chips, mut of_frames) = (Vec::new(), Vec::new());
     let chips = chips()?;
-    let frames = measure(&chips, failures)?;
-    let mut rows = Vec::new();
-    for (at, (_, mut row)) in chips.into_iter().enumerate() {
-        let per_instruction = |cycles: fn(&ChipFrame) -> u64| {
-            KINDS.map(|kind| {
-                let is_one = |frame: &&ChipFrame| {
-                    frame.chip == at && frame.rows.is_some() && TIMED[frame.timed].variant == kind
-                };
-                let these = frames.iter().filter(is_one);
-                let (sum, all) =
-                    these.fold((0, 0), |(sum, all), frame| (sum + cycles(frame), all + frame.instructions));
-                rounded(sum as f64 / all as f64)
-            })
-        };
-        row.insert("cycles".into(), json!(per_instruction(|frame| frame.cycles)));
-        row.insert("cycles_without_waits".into(), json!(per_instruction(|frame| frame.ideal)));
-        rows.push(row);
+    for core in CORES {
+        let on_core = || chips.iter().filter(|(chip, _)| chip.image == core.name);
+        let mut pieces: Vec<String> = on_core().map(|(chip, _)| format!("bands{}", chip.rows)).collect();
+        if on_core().any(|(chip, _)| chip.draws(SIZE)) {
+            pieces.push("full".into());
+        }
+        if core.target == RV32 {
+            pieces.push("bands16".into());
+        }
+        let with_depth: Vec<String> = pieces.iter().map(|piece| format!("{piece}-z")).collect();
+        let variants = pieces.iter().chain(&with_depth).map(String::as_str);
+        let names: Vec<&str> = SCENES.into_iter().chain(variants).chain([core.name]).collect();
+        let recorded = recorded(&names, failures)?;
+        if core.target == RV32 {
+            let mut kinds = [Estimate::default(); 3];
+            recorded.iter().for_each(|(cell, frame)| kinds[kind(cell.scene, &cell.variant).0].add(frame));
+            of_chips.extend(esp32c3(kinds));
+        }
+        for (chip, row) in on_core() {
+            let timed = recorded.iter().map(|(cell, frame)| {
+                let (kind, rows) = kind(cell.scene, &cell.variant);
+                (chip.draws(rows)).then(|| ChipFrame::new(chip, cell.scene, kind, rows, frame))
+            });
+            let frames: Vec<ChipFrame> = timed.flatten().collect();
+            let per_instruction = |cycles: fn(&ChipFrame) -> u64| {
+                [0, 1, 2].map(|kind| {
+                    let these = frames.iter().filter(|frame| frame.kind == kind && frame.rows != SIZE);
+                    let (sum, all) = these
+                        .fold((0, 0), |(sum, all), frame| (sum + cycles(frame), all + frame.instructions));
+                    rounded(sum as f64 / all as f64)
+                })
+            };
+            let mut row = row.clone();
+            row.insert("cycles".into(), json!(per_instruction(|frame| frame.cycles)));
+            row.insert("cycles_without_waits".into(), json!(per_instruction(|frame| frame.ideal)));
+            of_chips.push(row);
+            let fitting = frames.iter().filter(|frame| frame.fits(chip, false));
+            of_frames.extend(fitting.map(|frame| frame.row(chip)));
+        }
     }
-    rows.extend(esp32c3::rows()?);
-    Ok(rows)
+    Ok([of_chips, of_frames])
 }
 
 pub(crate) fn rounded(figure: f64) -> f64 {
     (figure * 100.0).round() / 100.0
-}
-
-/// A row for each frame on each chip: drawing in milliseconds, the part of it that waits for flash in percent, and frames a second
-/// over the fastest SPI, if each band is sent before the next is drawn, and if DMA sends it meanwhile.
-pub(crate) fn frames(failures: &mut Vec<String>) -> Result<Vec<Row>> {
-    let chips = chips()?;
-    let frames = measure(&chips, failures)?;
-    let fitting = frames.iter().filter(|frame| frame.fits(&chips[frame.chip].0, false));
-    let row_of = |frame: &ChipFrame| {
-        let (chip, _) = &chips[frame.chip];
-        let tenths = |figure: f64| (figure * 10.0).round() / 10.0;
-        let overlapped = frame.fits(chip, true).then(|| tenths(1000.0 / frame.overlapped(chip)));
-        row([
-            ("chip", json!(chip.chip)),
-            ("scene", json!(TIMED[frame.timed].scene)),
-            ("variant", json!(TIMED[frame.timed].variant.name())),
-            ("rows", json!(frame.rows.unwrap_or(SIZE))),
-            ("drawing_ms", json!(tenths(frame.milliseconds(frame.cycles, chip)))),
-            ("waits_percent", json!((100.0 * frame.waited as f64 / frame.cycles as f64).round())),
-            ("fps_blocking", json!(tenths(1000.0 / frame.one_after_the_other(chip)))),
-            ("fps_dma", json!(overlapped)),
-        ])
-    };
-    Ok(fitting.map(row_of).collect())
 }
 
 /// Bytes of commands that set a window, as docs/wire.md counts them.
@@ -115,23 +124,48 @@ const WINDOW: u32 = 11;
 const REST: u32 = 8 << 10;
 const CODE: u32 = 40 << 10;
 
-impl ChipFrame {
-    fn milliseconds(&self, cycles: u64, chip: &Chip) -> f64 {
-        cycles as f64 / chip.mhz / 1000.0
+impl Chip {
+    /// Whether it draws in bands of this many rows, or has the RAM for a whole picture.
+    fn draws(&self, rows: u32) -> bool {
+        rows == self.rows || rows == SIZE && 2 * SIZE * SIZE < self.ram_kb << 10
     }
 
-    fn height(&self) -> u32 {
-        self.rows.unwrap_or(SIZE)
+    fn milliseconds(&self, cycles: u64) -> f64 {
+        cycles as f64 / self.mhz / 1000.0
+    }
+}
+
+impl ChipFrame {
+    fn new(chip: &Chip, scene: &'static str, kind: usize, rows: u32, frame: &Frame) -> Self {
+        let (ideal, taken) = (frame.cycles(chip.pipeline, None), frame.cycles(chip.pipeline, chip.flash));
+        // The cycles after the last band belong to the first band of the next frame.
+        let first = taken.marks.first().copied().unwrap_or_default();
+        let last = taken.marks.last().copied().unwrap_or_default();
+        let between = taken.marks.windows(2).map(|pair| pair[1] - pair[0]);
+        let bands = [first + taken.cycles - last].into_iter().chain(between).collect();
+        let (cycles, waited, instructions) = (taken.cycles, taken.waited, frame.run.len() as u64);
+        Self { scene, kind, rows, instructions, cycles, waited, ideal: ideal.cycles, bands }
+    }
+
+    fn row(&self, chip: &Chip) -> Row {
+        let tenths = |figure: f64| (figure * 10.0).round() / 10.0;
+        let (drawing, bands) = (chip.milliseconds(self.cycles), f64::from(SIZE.div_ceil(self.rows)));
+        let overlapped = self.fits(chip, true).then(|| tenths(1000.0 / self.overlapped(chip)));
+        row([
+            ("chip", json!(chip.chip)),
+            ("scene", json!(self.scene)),
+            ("variant", json!(KINDS[self.kind])),
+            ("rows", json!(self.rows)),
+            ("drawing_ms", json!(tenths(drawing))),
+            ("waits_percent", json!((100.0 * self.waited as f64 / self.cycles as f64).round())),
+            ("fps_blocking", json!(tenths(1000.0 / (drawing + bands * self.sending(chip))))),
+            ("fps_dma", json!(overlapped)),
+        ])
     }
 
     /// Milliseconds that the bus takes for a band.
     fn sending(&self, chip: &Chip) -> f64 {
-        f64::from(8 * (2 * SIZE * self.height() + WINDOW)) / chip.spi_mhz / 1000.0
-    }
-
-    fn one_after_the_other(&self, chip: &Chip) -> f64 {
-        let bands = f64::from(SIZE.div_ceil(self.height()));
-        self.milliseconds(self.cycles, chip) + bands * self.sending(chip)
+        f64::from(8 * (2 * SIZE * self.rows + WINDOW)) / chip.spi_mhz / 1000.0
     }
 
     /// The time from frame to frame, once it repeats, if one of two strips (or pictures) is sent by DMA while the other is drawn.
@@ -142,7 +176,7 @@ impl ChipFrame {
         for _ in 0..8 {
             for band in &self.bands {
                 // A strip is free when its last content, two bands ago, has been sent.
-                drawn = drawn.max(sent_before) + self.milliseconds(*band, chip);
+                drawn = drawn.max(sent_before) + chip.milliseconds(*band);
                 sent_before = sent;
                 sent = drawn.max(sent) + send;
             }
@@ -153,95 +187,62 @@ impl ChipFrame {
 
     /// Whether the chip has the RAM for the pixels and depths of a frame, twice the pixels if `double`.
     fn fits(&self, chip: &Chip, double: bool) -> bool {
-        let strip = 2 * SIZE * self.height();
-        let depth = u32::from(TIMED[self.timed].variant == Variant::Depth);
+        let strips = 1 + u32::from(double) + u32::from(self.kind == 2);
         let code = if chip.flash.is_none() { CODE } else { 0 };
-        strip * (1 + u32::from(double) + depth) + REST + code <= chip.ram_kb << 10
+        2 * SIZE * self.rows * strips + REST + code <= chip.ram_kb << 10
     }
 }
 
-/// Whether a chip draws in bands of this many rows, or has the RAM for a whole picture.
-fn is_drawn(chip: &Chip, rows: Option<u32>) -> bool {
-    match rows {
-        Some(rows) => rows == chip.rows,
-        None => 2 * SIZE * SIZE < chip.ram_kb << 10,
-    }
+/// Code and constants of an ESP32-C3 in flash: a read-only cache of 16 KB, 8 ways, lines of 32 bytes (data sheet, section 3.1.5). Only
+/// the number of its waits is used.
+const FLASH: FlashRules =
+    FlashRules { wait: 1, line: 32, prefetch: false, lines: 512, ways: 8, data: DataCache::Shared };
+
+/// Cycles of a line, for [`Rules::Least`], [`Rules::Likely`] and [`Rules::Most`]: 84 clocks of 80 MHz by four wires; a load that
+/// misses, measured on an ESP32-C6 (LLTA-Bench, as in `timing/riscv.rs`); and 152 clocks of 40 MHz by two wires.
+const MISS: [u64; 3] = [168, 347, 608];
+
+/// The sum of frames on an ESP32-C3, with cycles by [`Rules::Least`], [`Rules::Likely`] and [`Rules::Most`].
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Estimate {
+    instructions: u64,
+    in_ram: [u64; 3],
+    /// Lines of code and mesh that the cache lacks.
+    misses: u64,
 }
 
-/// Builds, runs and times the images of [`IMAGES`].
-fn measure(chips: &[(Chip, Row)], failures: &mut Vec<String>) -> Result<Vec<ChipFrame>> {
-    let mut runs: Vec<(&str, usize)> = Vec::new();
-    for (chip, _) in chips {
-        let drawn = (0..IMAGES.len()).filter(|&at| is_drawn(chip, IMAGES[at].1));
-        runs.extend(drawn.map(|at| (chip.image.as_str(), at)));
+impl Estimate {
+    /// Cycles with code and mesh in flash: least, likely, most.
+    pub(crate) fn in_flash(&self) -> [u64; 3] {
+        [0, 1, 2].map(|at| self.in_ram[at] + self.misses * MISS[at])
     }
-    runs.sort();
-    runs.dedup();
-    for core in ["M0", "M3", "M4F"] {
-        let of_core = runs.iter().filter(|run| run.0 == core);
-        let bins: Vec<String> = of_core.map(|run| format!("--bin={}", IMAGES[run.1].0)).collect();
-        emulated(core)?.build().cargo("build", &bins)?;
-    }
-    let recorded = side_by_side(&runs, |&(core, image)| record(core, image))?;
-    let mut frames = Vec::new();
-    for (&(core, image), (recorded, printed, mark)) in runs.iter().zip(&recorded) {
-        let rows = IMAGES[image].1;
-        compare(image, recorded, printed, failures)?;
-        for (at, (chip, _)) in chips.iter().enumerate() {
-            if chip.image == core && is_drawn(chip, rows) {
-                for timed in 0..TIMED.len() {
-                    frames.push(ChipFrame { chip: at, rows, ..time(chip, timed, recorded, *mark)? });
-                }
-            }
+
+    pub(crate) fn add(&mut self, frame: &Frame) {
+        self.instructions += frame.run.len() as u64;
+        for (cycles, rules) in self.in_ram.iter_mut().zip([Rules::Least, Rules::Likely, Rules::Most]) {
+            *cycles += rules.cycles(frame);
         }
+        // The lines that a frame behind another one misses: of its code, and of the constants, each once, as both together exceed the cache.
+        let mut flash = Flash::new(FLASH);
+        let mut pass = || -> u64 { frame.run.iter().map(|executed| flash.fetch(executed.at, 2, 0)).sum() };
+        pass();
+        self.misses += pass() + frame.constants.div_ceil(FLASH.line.into());
     }
-    frames.sort_by_key(|frame| (frame.chip, frame.rows.is_none(), frame.timed));
-    Ok(frames)
 }
 
-/// Runs an image and returns its recorded frames, its output, and the address of the function that takes the pixels.
-fn record(core: &str, image: usize) -> Result<(Frames, String, u32)> {
-    let core = emulated(core)?;
-    let path = core.build().image(IMAGES[image].0);
-    let places = provenance::frames(&path)?;
-    let takes = if IMAGES[image].1.is_some() { "take_bytes" } else { "take_pixels" };
-    let mark = record::function(&path, &places, |name| name.ends_with(takes))?.start;
-    Ok((record::record(core, &path, &places, TIMED.len())?, core.run(&path)?, mark))
-}
-
-/// Fails if the clock counted something else than was recorded, or if the picture is not the host's.
-fn compare(image: usize, recorded: &Frames, printed: &str, failures: &mut Vec<String>) -> Result<()> {
-    let ((name, rows), mut memory) = (IMAGES[image], Box::new(Memory::NEW));
-    let lines: Vec<&str> = printed.lines().collect();
-    let (counts, checksums) = lines.split_at_checked(TIMED.len()).ok_or("a line for each frame")?;
-    for (at, (timed, frame)) in TIMED.iter().zip(&recorded.frames).enumerate() {
-        let (instructions, crc) = (counts[at], checksums.get(at).copied().unwrap_or_default());
-        let length = frame.run.len() as u64;
-        if instructions.parse::<u64>()?.abs_diff(length) > APART {
-            failures.push(format!("{name}, {}: {instructions} counted, {length} recorded", timed.scene));
-        }
-        let host = timed.checksum(rows, &mut memory);
-        if host != u32::from_str_radix(crc, 16).ok() {
-            failures.push(format!("{name}, {}: not the host's picture, which is {host:08x?}", timed.scene));
-        }
-    }
-    Ok(())
-}
-
-/// Times a frame that follows another one of its kind, so that caches are warm.
-fn time(chip: &Chip, timed: usize, Frames { program, frames }: &Frames, mark: u32) -> Result<ChipFrame> {
-    let frame = frames.get(timed).ok_or("a frame is missing")?;
-    let mut flash = chip.flash.map(Flash::new);
-    let pass =
-        |flash: Option<&mut Flash>| program.cycles(&frame.run, frame.end, chip.pipeline, flash, Some(mark));
-    let ideal = pass(None).cycles;
-    pass(flash.as_mut());
-    let taken = pass(flash.as_mut());
-    // The cycles after the last band belong to the first band of the next frame.
-    let first = taken.marks.first().copied().unwrap_or_default();
-    let last = taken.marks.last().copied().unwrap_or_default();
-    let between = taken.marks.windows(2).map(|pair| pair[1] - pair[0]);
-    let bands = [first + taken.cycles - last].into_iter().chain(between).collect();
-    let (cycles, waited, instructions) = (taken.cycles, taken.waited, frame.run.len() as u64);
-    Ok(ChipFrame { chip: 0, timed, rows: None, instructions, cycles, waited, ideal, bands })
+/// The rows of an ESP32-C3: the cycles of an instruction in lines, faces, and faces with depth.
+fn esp32c3(kinds: [Estimate; 3]) -> [Row; 2] {
+    let row_of = |chip: &str, cycles: fn(&Estimate) -> [u64; 3]| {
+        let [least, likely, most] = [0, 1, 2]
+            .map(|at| json!(kinds.map(|sum| rounded(cycles(&sum)[at] as f64 / sum.instructions as f64))));
+        row([
+            ("chip", json!(chip)),
+            ("core", json!("RV32")),
+            ("mhz", json!(160)),
+            ("cycles", likely),
+            ("least", least),
+            ("most", most),
+        ])
+    };
+    [row_of("ESP32-C3, code in RAM", |sum| sum.in_ram), row_of("ESP32-C3, code in flash", Estimate::in_flash)]
 }

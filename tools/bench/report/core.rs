@@ -1,15 +1,23 @@
-//! The emulated cores, and the images that are built for them.
+//! The emulated cores, and building and running images for them, by `tools/cross` and `tools/bench/emulate`.
 
-use crate::cross::Build;
 use crate::{Result, M0, M3, RV32};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+/// This directory, and the project's.
+const BENCH: &str = env!("CARGO_MANIFEST_DIR");
+
+pub(crate) fn root() -> PathBuf {
+    Path::new(BENCH).ancestors().nth(2).unwrap_or(Path::new(".")).to_path_buf()
+}
 
 /// At opt-level 3, the level for speed.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Core {
     pub(crate) name: &'static str,
-    target: &'static str,
+    pub(crate) target: &'static str,
 }
 
 pub(crate) const CORES: [Core; 4] = [
@@ -46,14 +54,114 @@ impl Core {
     }
 }
 
-/// The emulated core of this name.
-pub(crate) fn emulated(name: &str) -> Result<Core> {
-    Ok(CORES.into_iter().find(|core| core.name == name).ok_or_else(|| format!("no core {name}"))?)
-}
-
 fn emulate(board: &str, image: &Path) -> Command {
     let mut command = Command::new("bash");
     command.arg("emulate").arg(board).arg(image);
-    command.current_dir(crate::cross::BENCH).stdin(Stdio::null());
+    command.current_dir(BENCH).stdin(Stdio::null());
     command
+}
+
+/// One target at one level of optimisation.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Build {
+    pub(crate) target: &'static str,
+    pub(crate) level: &'static str,
+}
+
+impl std::fmt::Display for Build {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} at opt-level {}", self.target, self.level)
+    }
+}
+
+impl Build {
+    pub(crate) fn cargo(self, verb: &str, rest: &[String]) -> Result<()> {
+        let mut command = self.command(verb);
+        let status = command.args(rest).stdin(Stdio::null()).status()?;
+        if !status.success() {
+            return Err(format!("{command:?}: {status}").into());
+        }
+        Ok(())
+    }
+
+    /// Runs a firmware; returns the depth of its stack.
+    pub(crate) fn stack(self, bin: &str) -> Result<u64> {
+        let output = self.command("run").args(["--bin", bin]).stdin(Stdio::null()).output()?;
+        let console = String::from_utf8(output.stderr)?;
+        // The last thing that it writes to the emulator's console.
+        let stack = console.lines().last().and_then(|line| u64::from_str_radix(line, 16).ok());
+        match stack {
+            Some(stack) if output.status.success() => Ok(stack),
+            _ => Err(format!("{bin} for {}: {}\n{console}", self.target, output.status).into()),
+        }
+    }
+
+    fn command(self, verb: &str) -> Command {
+        let mut command = cross();
+        command.args(["cargo", verb, "--quiet", "--locked", "--release", "--target", self.target]);
+        command.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", self.level);
+        command
+    }
+
+    pub(crate) fn image(self, bin: &str) -> PathBuf {
+        let built =
+            std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target/cross"), PathBuf::from);
+        built.join(self.target).join("release").join(bin)
+    }
+}
+
+fn cross() -> Command {
+    let mut command = Command::new("bash");
+    // These would replace the flags by which firmware is linked.
+    command
+        .arg(root().join("tools/cross"))
+        .current_dir(BENCH)
+        .env_remove("RUSTFLAGS")
+        .env_remove("CARGO_ENCODED_RUSTFLAGS");
+    command
+}
+
+/// The compiler that the firmware is built with.
+pub(crate) fn compiler() -> Result<String> {
+    // The name of the target makes `tools/cross` choose the compiler.
+    let output =
+        cross().args(["bash", "-c", "\"${RUSTC:-rustc}\" --version", "--target", crate::M3]).output()?;
+    let text = String::from_utf8(output.stdout)?;
+    // Without the date and the distributor's additions.
+    Ok(text.split_whitespace().take(2).collect::<Vec<_>>().join(" "))
+}
+
+/// The last commit.
+pub(crate) fn commit() -> Result<String> {
+    let output = Command::new("git").args(["rev-parse", "--short=8", "HEAD"]).current_dir(BENCH).output()?;
+    Ok(String::from_utf8(output.stdout)?.trim().into())
+}
+
+/// Applies `each` to all items, as many at a time as the host has cores; returns the results in order. Instructions are counted by
+/// the emulator's own clock, so tasks that run at the same time change no count.
+pub(crate) fn side_by_side<T: Sync, R: Send>(
+    these: &[T],
+    each: impl Fn(&T) -> Result<R> + Sync,
+) -> Result<Vec<R>> {
+    let next = AtomicUsize::new(0);
+    let some = || {
+        let mut done = Vec::new();
+        loop {
+            let at = next.fetch_add(1, Ordering::Relaxed);
+            let Some(this) = these.get(at) else { break done };
+            // Errors stay in their thread; their messages are passed on.
+            done.push((at, each(this).map_err(|error| error.to_string())));
+        }
+    };
+    let at_once = thread::available_parallelism().map_or(1, usize::from);
+    let mut done = Vec::new();
+    thread::scope(|scope| {
+        let threads: Vec<_> = (0..at_once).map(|_| scope.spawn(some)).collect();
+        for thread in threads {
+            done.extend(thread.join().map_err(|_| "a thread panicked")?);
+        }
+        Ok::<(), &str>(())
+    })?;
+    done.sort_by_key(|of| of.0);
+    done.into_iter().map(|of| of.1.map_err(Into::into)).collect()
 }

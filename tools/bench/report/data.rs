@@ -1,6 +1,6 @@
 //! The data in `docs/data`: JSON files with a row for each measurement. A check compares new rows with them.
 
-use crate::{cross, Result};
+use crate::{core, Result};
 use serde_json::{Map, Value};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -19,11 +19,11 @@ const BYTES: [&str; 4] = ["flash", "ram", "variables", "stack"];
 /// A file of measurements.
 #[derive(Clone, Copy)]
 pub(crate) struct Set {
-    /// The name on the command line, and of the file.
     pub(crate) name: &'static str,
-    /// The columns that together name a row, and the columns that are measured.
+    /// The word of the command line that measures it.
+    pub(crate) command: &'static str,
+    /// The columns that together name a row.
     pub(crate) keys: &'static [&'static str],
-    pub(crate) measure: fn(&mut Vec<String>) -> Result<Vec<Row>>,
 }
 
 /// How strictly measured rows are compared with the file.
@@ -41,7 +41,7 @@ pub(crate) fn row<const N: usize>(columns: [(&str, Value); N]) -> Row {
 }
 
 pub(crate) fn path(name: &str) -> PathBuf {
-    cross::root().join("docs/data").join(name).with_extension("json")
+    core::root().join("docs/data").join(name).with_extension("json")
 }
 
 /// The rows of a file.
@@ -64,7 +64,7 @@ impl Set {
 
     /// Replaces the rows that were measured, with their limits kept, and leaves all others as they are.
     pub(crate) fn write(&self, measured: Vec<Row>) -> Result<()> {
-        let (compiler, commit) = (cross::compiler()?, cross::commit()?);
+        let (compiler, commit) = (core::compiler()?, core::commit()?);
         let mut rows = if path(self.name).exists() { read(self.name)? } else { Vec::new() };
         for mut new in measured {
             new.insert(COMPILER.into(), compiler.clone().into());
@@ -78,7 +78,7 @@ impl Set {
                 None => rows.push(new),
             }
         }
-        let command = Value::from(format!("tools/bench/run {}", self.name));
+        let command = Value::from(format!("tools/bench/run {}", self.command));
         let mut text = format!("{{\n\"command\": {command},\n\"rows\": [\n");
         for (at, row) in rows.iter().enumerate() {
             let end = if at + 1 < rows.len() { "," } else { "" };
@@ -115,12 +115,12 @@ impl Set {
         strictness: Strictness,
         failures: &mut Vec<String>,
     ) -> Result<()> {
-        let (rows, compiler) = (read(self.name)?, cross::compiler()?);
+        let (rows, compiler) = (read(self.name)?, core::compiler()?);
         let mut others = 0;
         for new in measured {
             let name = format!("{}: {}", self.name, self.named(new));
             let Some(old) = rows.iter().find(|old| self.is_same(old, new)) else {
-                failures.push(format!("{name}: not in docs/data: tools/bench/run {}", self.name));
+                failures.push(format!("{name}: not in docs/data: tools/bench/run {}", self.command));
                 continue;
             };
             let is_same_compiler = old.get(COMPILER).and_then(Value::as_str) == Some(&compiler);

@@ -1,10 +1,13 @@
-//! Sizes of an image's sections, from its ELF file of 32 bits.
+//! Sizes of an image's sections, and its symbols, from its ELF file.
 
 use crate::Result;
+use object::read::elf::ElfFile32;
+use object::{elf, Object, ObjectSection, ObjectSymbol, SectionFlags, SectionKind};
 use std::ops::Range;
 use std::path::Path;
 
 /// The sizes of an image in bytes.
+#[derive(Default)]
 pub(crate) struct Sizes {
     /// Bytes of flash: code, constants and the start values of variables.
     pub(crate) flash: u64,
@@ -12,52 +15,43 @@ pub(crate) struct Sizes {
     pub(crate) statics: u64,
     /// The addresses of the instructions.
     pub(crate) code: Range<u64>,
-    /// Their place in the file.
-    code_offset: Range<usize>,
+    /// The bytes of the instructions.
+    pub(crate) bytes: Vec<u8>,
 }
 
-/// The bytes of an image's code, from the address in [`Sizes`] on.
-pub(crate) fn code(image: &Path) -> Result<Vec<u8>> {
-    let at = sizes(image)?.code_offset;
-    let file = std::fs::read(image)?;
-    Ok(file.get(at).ok_or_else(|| format!("{}: its code is cut off", image.display()))?.to_vec())
+fn read<T>(image: &Path, of: impl FnOnce(&ElfFile32<'_>) -> object::Result<T>) -> Result<T> {
+    let named = |error: &dyn std::fmt::Display| format!("{}: {error}", image.display());
+    let file = std::fs::read(image).map_err(|error| named(&error))?;
+    Ok(ElfFile32::parse(&*file).and_then(|file| of(&file)).map_err(|error| named(&error))?)
 }
 
 pub(crate) fn sizes(image: &Path) -> Result<Sizes> {
-    let file = std::fs::read(image).map_err(|error| format!("{}: {error}", image.display()))?;
-    let short = || format!("{}: no ELF file of 32 bits", image.display());
-    if !file.starts_with(b"\x7fELF\x01\x01") {
-        return Err(short().into());
-    }
-    let half = |at: usize| file.get(at..at + 2).map(|b| usize::from(b[0]) | usize::from(b[1]) << 8);
-    let word = |at: usize| Some(half(at)? | half(at + 2)? << 16);
-    let header = || {
-        let (table, size, count) = (word(32)?, half(46)?, half(48)?);
-        let names = word(table + half(50)? * size + 16)?;
-        let mut sizes = Sizes { flash: 0, statics: 0, code: 0..0, code_offset: 0..0 };
-        for section in 0..count {
-            let at = table + section * size;
-            let (kind, flags) = (word(at + 4)?, word(at + 8)?);
-            let (from, bytes) = (word(at + 12)? as u64, word(at + 20)? as u64);
-            let (allocated, writable, empty) = (flags & 2 != 0, flags & 1 != 0, kind == 8);
-            // The section of the RAM that riscv-rt leaves free.
-            let name = file.get(names + word(at)?..)?;
-            if name.starts_with(b".stack\0") || name.starts_with(b".heap\0") {
+    read(image, |file| {
+        let mut sizes = Sizes::default();
+        for section in file.sections() {
+            // The sections of the RAM that riscv-rt leaves free.
+            if matches!(section.name()?, ".stack" | ".heap") {
                 continue;
             }
-            if flags & 4 != 0 && bytes > 0 {
+            let SectionFlags::Elf { sh_flags } = section.flags() else { continue };
+            let has = |flag: u32| sh_flags & u64::from(flag) != 0;
+            if has(elf::SHF_EXECINSTR) && section.size() > 0 {
                 // One section, of link.x; what an assembler puts into another lies behind it.
-                let offset = word(at + 16)?;
                 if sizes.code.is_empty() {
-                    (sizes.code.start, sizes.code_offset.start) = (from, offset);
+                    (sizes.code.start, sizes.bytes) = (section.address(), section.data()?.to_vec());
                 }
-                (sizes.code.end, sizes.code_offset.end) = (from + bytes, offset + bytes as usize);
+                sizes.code.end = section.address() + section.size();
             }
             // Memory that starts empty takes no flash.
-            sizes.flash += if allocated && !empty { bytes } else { 0 };
-            sizes.statics += if allocated && writable { bytes } else { 0 };
+            let is_empty = section.kind() == SectionKind::UninitializedData;
+            sizes.flash += if has(elf::SHF_ALLOC) && !is_empty { section.size() } else { 0 };
+            sizes.statics += if has(elf::SHF_ALLOC) && has(elf::SHF_WRITE) { section.size() } else { 0 };
         }
-        Some(sizes)
-    };
-    Ok(header().ok_or_else(short)?)
+        Ok(sizes)
+    })
+}
+
+/// The names of an image's symbols.
+pub(crate) fn symbols(image: &Path) -> Result<Vec<String>> {
+    read(image, |file| file.symbols().map(|symbol| Ok(symbol.name()?.to_string())).collect())
 }

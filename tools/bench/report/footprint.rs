@@ -3,16 +3,15 @@
 #[path = "../../../tests/device/floats.rs"]
 mod floats;
 
-use crate::cross::{self, Build};
+use crate::core::Build;
 use crate::data::{row, Row};
 use crate::provenance::Provenance;
 use crate::{elf, Result, M0, M3, RV32};
 use floats::is_float_routine;
 use serde_json::json;
 use std::path::Path;
-use std::process::Command;
 
-const BUILDS: [Build; 5] = [
+pub(crate) const BUILDS: [Build; 5] = [
     Build { target: M3, level: "3" },
     Build { target: M3, level: "s" },
     Build { target: M0, level: "3" },
@@ -98,10 +97,7 @@ const IMAGES: &[Image] = &[
     image("solid_inside", "flat faces, without clipping", NO_DEPTH, ARM),
     image("picture", "flat faces, into a picture in memory", NO_DEPTH, &BUILDS),
     image("solid_bands", "flat faces in bands, into `pixels()`", NO_DEPTH, &BUILDS),
-    image("facing_bands", "flat faces by planes in bands, into `pixels()`", NO_DEPTH, ARM),
     image("depth", "flat faces with depth", FLAT, ARM),
-    image("depth_stretched", "flat faces with depth, of an object that may be stretched", FLAT, ARM),
-    image("depth_inside", "flat faces with depth, without clipping", FLAT, ARM),
     image("depth_bands", "flat faces with depth in bands", FLAT, &BUILDS),
     image("depth_pixels", "flat faces with depth in bands, into `pixels()`", FLAT, &BUILDS),
     image(
@@ -110,7 +106,6 @@ const IMAGES: &[Image] = &[
         FLAT,
         FAST,
     ),
-    image("gouraud", "smooth faces with depth in bands", SMOOTH, ARM),
     image("dither", "smooth faces in dithered colours, with depth, in bands", ALL, &BUILDS),
     image("depth_picture", "flat faces with depth, into a picture in memory", FLAT, FAST),
     image("gouraud_pixels", "smooth faces with depth in bands, into `pixels()`", SMOOTH, FAST),
@@ -130,8 +125,7 @@ const IMAGES: &[Image] = &[
     image("painter", "flat faces in painter's order, into a picture in memory", FLAT, FAST),
     image("painter_bands", "flat faces in painter's order, in bands, into `pixels()`", FLAT, FAST),
     image("hidden_bands", "hidden lines in bands", FLAT, FAST),
-    image("textured", "textured faces, into a picture in memory", NO_DEPTH, ARM),
-    image("textured_depth", "textured faces with depth, into a picture in memory", FLAT, ARM),
+    image("textured", "textured faces, into a picture in memory", NO_DEPTH, M3_AT_3),
     image("color", "faces of constant colours, into a picture in memory", NO_DEPTH, M3_AT_3),
     image(
         "screen_door",
@@ -168,18 +162,8 @@ fn is_for(part: &str, build: Build) -> bool {
     }
 }
 
-/// The rows of all builds.
-pub(crate) fn rows(failures: &mut Vec<String>) -> Result<Vec<Row>> {
-    measure(&BUILDS, failures)
-}
-
 /// Measures the images in these builds.
 pub(crate) fn measure(builds: &[Build], failures: &mut Vec<String>) -> Result<Vec<Row>> {
-    // Otherwise the stack of cutting would not be measured.
-    match bench::image::cut().ok_or("a camera")?.as_slice() {
-        [[0, 0], [a, b]] if *a > 0 && *b > 0 => {}
-        cut => failures.push(format!("of the cubes these faces are cut, not none, then some: {cut:?}")),
-    }
     let mut rows = Vec::new();
     for &build in builds {
         let names = ["empty"].into_iter().chain(images(build).map(|image| image.name));
@@ -189,7 +173,7 @@ pub(crate) fn measure(builds: &[Build], failures: &mut Vec<String>) -> Result<Ve
         let witness = Provenance::of(&file(WITNESS))?;
         for &Image { name, says, without, .. } in images(build) {
             let elf::Sizes { flash, statics, .. } = elf::sizes(&file(name))?;
-            let (_, stack) = build.run(&format!("flash_{name}"))?;
+            let stack = build.stack(&format!("flash_{name}"))?;
             without_floats(&format!("{build}: {name}"), &file(name), failures)?;
             let from = Provenance::of(&file(name))?;
             for part in without.iter().filter(|part| is_for(part, build)) {
@@ -217,12 +201,8 @@ pub(crate) fn measure(builds: &[Build], failures: &mut Vec<String>) -> Result<Ve
 
 /// Fails for each float routine that is linked into an image.
 pub(crate) fn without_floats(name: &str, image: &Path, failures: &mut Vec<String>) -> Result<()> {
-    let mut nm = Command::new("bash");
-    nm.arg(cross::root().join("tools/cross")).args(["bash", "-c", "\"$NM\" \"$1\"", "nm"]).arg(image);
-    let output = nm.output()?;
-    let listing = String::from_utf8(output.stdout)?;
-    let names: Vec<&str> = listing.lines().filter_map(|line| line.split_whitespace().last()).collect();
-    if !output.status.success() || !["Reset", "_start"].iter().any(|start| names.contains(start)) {
+    let names = elf::symbols(image)?;
+    if !names.iter().any(|name| ["Reset", "_start"].contains(&name.as_str())) {
         return Err(format!("{}: not the symbols of a firmware", image.display()).into());
     }
     let routines = names.into_iter().filter(|name| is_float_routine(name));

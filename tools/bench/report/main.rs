@@ -3,22 +3,17 @@
 mod cells;
 mod chips;
 mod core;
-mod cross;
 mod cycles;
 mod data;
 mod elf;
-mod esp32c3;
 mod footprint;
 mod growth;
-mod images;
 mod provenance;
 mod record;
-mod rivals;
-mod side_by_side;
 mod timing;
 mod two_cores;
 
-use data::{Set, Strictness};
+use data::{Row, Set, Strictness};
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -30,36 +25,49 @@ const M3: &str = "thumbv7m-none-eabi";
 const RV32: &str = "riscv32imc-unknown-none-elf";
 
 const CELL: &[&str] = &["scene", "variant", "core"];
-const CELLS: Set = Set { name: "cells", keys: CELL, measure: |failures| cells::rows(&[], failures) };
-const FOOTPRINT: Set =
-    Set { name: "footprint", keys: &["image", "target", "level"], measure: footprint::rows };
-const SETS: [Set; 9] = [
-    CELLS,
+const CELLS: Set = Set { name: "cells", command: "speed", keys: CELL };
+const FOOTPRINT: Set = Set { name: "footprint", command: "footprint", keys: &["image", "target", "level"] };
+
+/// Rows for one file or more.
+type Measured = Vec<(Set, Vec<Row>)>;
+
+/// What the words of the command line measure.
+type Measure = fn(&mut Vec<String>) -> Result<Measured>;
+const MEASURES: [(&str, Measure); 7] = [
+    ("speed", |failures| Ok(vec![(CELLS, cells::rows(&[], failures)?)])),
     // The cells in bands alone, with what they are compared with.
-    Set { measure: |failures| cells::rows(&BANDS, failures), ..CELLS },
-    Set { name: "cycles", keys: CELL, measure: cycles::rows },
-    Set { name: "growth", keys: &["way", "core"], measure: growth::rows },
-    Set { name: "chips", keys: &["chip"], measure: chips::cycles },
-    Set { name: "frames", keys: &["chip", "scene", "variant", "rows"], measure: chips::frames },
-    Set { name: "cores", keys: CELL, measure: two_cores::rows },
-    Set { name: "rivals", keys: &["library", "scene", "variant", "core"], measure: rivals::rows },
-    FOOTPRINT,
+    ("bands", |failures| Ok(vec![(CELLS, cells::rows(&BANDS, failures)?)])),
+    ("cycles", |failures| {
+        let set = Set { name: "cycles", command: "cycles", keys: CELL };
+        Ok(vec![(set, cycles::rows(&cycles::STATED, failures)?)])
+    }),
+    ("growth", |failures| {
+        let set = Set { name: "growth", command: "growth", keys: &["way", "core"] };
+        Ok(vec![(set, growth::rows(failures)?)])
+    }),
+    ("chips", |failures| {
+        let [chips, frames] = chips::rows(failures)?;
+        let of_chips = Set { name: "chips", command: "chips", keys: &["chip"] };
+        let keys = &["chip", "scene", "variant", "rows"];
+        Ok(vec![(of_chips, chips), (Set { name: "frames", command: "chips", keys }, frames)])
+    }),
+    ("cores", |failures| {
+        let set = Set { name: "cores", command: "cores", keys: CELL };
+        Ok(vec![(set, two_cores::rows(failures)?)])
+    }),
+    ("footprint", |failures| Ok(vec![(FOOTPRINT, footprint::measure(&footprint::BUILDS, failures)?)])),
 ];
-/// The names of [`SETS`] on the command line.
-const NAMES: [&str; 9] =
-    ["speed", "bands", "cycles", "growth", "chips", "frames", "cores", "rivals", "footprint"];
 
 /// Cells in bands, and in one piece.
-const BANDS: [&str; 7] = ["M3", "full", "full-z", "bands8", "bands8-z", "bands16", "bands16-z"];
-/// Cells that may not become slower, and textures by each method of `docs/accuracy.md`, whose costs must be those of the page.
+const BANDS: [&str; 9] = ["S3", "S4", "M3", "full", "full-z", "bands8", "bands8-z", "bands16", "bands16-z"];
+/// Cells that may not become slower, and textures by each accuracy of `docs/accuracy.md`, whose costs must be those of the page.
 const GUARDED: [&str; 7] = ["S1", "S2", "S3", "plain", "z", "M0", "M3"];
-const TEXTURES: [&str; 10] =
-    ["X1", "X2", "X3", "X4", "plain", "eighth", "sixteenth", "each", "every16", "M3"];
+const TEXTURES: [&str; 8] = ["X1", "X2", "X3", "X4", "plain", "eighth", "sixteenth", "M3"];
 
 const USAGE: &str = "\
-tools/bench/run [--check] speed | bands | cycles | growth | chips | frames | cores | rivals | footprint ...
+tools/bench/run [--check] speed | bands | cycles | growth | chips | cores | footprint ...
 tools/bench/run guard [--rebase]
-tools/bench/run cells [SCENE...] [VARIANT...] [M0 | M3 | M4F | RV32]
+tools/bench/run cells [--write] [SCENE...] [VARIANT...] [M0 | M3 | M4F | RV32]
 tools/bench/run cycles SCENE... [VARIANT...] [M0 | M0+ | M3 | M4 | M33]
 tools/bench/run images IMAGE...
 tools/bench/run floats IMAGE...";
@@ -73,30 +81,32 @@ fn run(arguments: &[&str]) -> Result<Vec<String>> {
             let mut rows = cells::rows(&GUARDED, &mut failures)?;
             rows.extend(cells::rows(&TEXTURES, &mut failures)?);
             CELLS.write(rows)?;
+            FOOTPRINT.write(footprint::measure(footprint::M3_AT_3, &mut failures)?)?;
         }
+        ["cells", "--write", names @ ..] => CELLS.write(cells::rows(names, &mut failures)?)?,
         ["cells", names @ ..] => {
             let rows = cells::rows(names, &mut failures)?;
             CELLS.check_pictures(&rows, &mut failures)?;
         }
         ["cycles", names @ ..] if !names.is_empty() => {
-            for row in cycles::measure(names, &mut failures)? {
+            for row in cycles::rows(names, &mut failures)? {
                 println!("{}", serde_json::to_string(&row)?);
             }
         }
-        ["images", images @ ..] => images::print(images)?,
+        ["images", images @ ..] => cycles::print_images(images)?,
         ["floats", images @ ..] => {
             for image in images {
                 footprint::without_floats(image, Path::new(image), &mut failures)?;
             }
         }
         ["--check", names @ ..] => {
-            for set in named(names)? {
-                set.check(&(set.measure)(&mut failures)?, Strictness::Change, &mut failures)?;
+            for (set, rows) in measured(names, &mut failures)? {
+                set.check(&rows, Strictness::Change, &mut failures)?;
             }
         }
         names => {
-            for set in named(names)? {
-                set.write((set.measure)(&mut failures)?)?;
+            for (set, rows) in measured(names, &mut failures)? {
+                set.write(rows)?;
             }
         }
     }
@@ -113,12 +123,17 @@ fn guard(failures: &mut Vec<String>) -> Result<()> {
     FOOTPRINT.check(&rows, Strictness::Growth, failures)
 }
 
-fn named(names: &[&str]) -> Result<Vec<Set>> {
-    if names.is_empty() {
+fn measured(names: &[&str], failures: &mut Vec<String>) -> Result<Measured> {
+    let known = |name: &&str| MEASURES.iter().find(|(known, _)| known == name).map(|measure| measure.1);
+    let measures: Vec<Measure> = names.iter().filter_map(known).collect();
+    if measures.is_empty() || measures.len() < names.len() {
         return Err(USAGE.into());
     }
-    let set = |name: &&str| NAMES.iter().position(|known| known == name).map(|at| SETS[at]);
-    names.iter().map(|name| set(name).ok_or(USAGE.into())).collect()
+    let mut all = Vec::new();
+    for measure in measures {
+        all.extend(measure(failures)?);
+    }
+    Ok(all)
 }
 
 fn main() -> ExitCode {

@@ -1,36 +1,31 @@
 //! The source of each byte of an image's code, with functions that vanished by inlining: from the image's debug information,
 //! which `llvm-symbolizer` reads.
 
-use crate::{cross, elf, Result};
+use crate::{core, elf, Result};
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// The library's code: for each address the chain of functions inlined there.
 pub(crate) struct Provenance {
-    places: Vec<Vec<Frame>>,
+    places: Vec<Place>,
 }
 
-/// One function at an address; for the library, `file` is relative to `src`, such as `raster/line.rs`.
+/// The functions at an address, the innermost first.
+pub(crate) type Place = Vec<Frame>;
+
+/// One function at an address; in [`Provenance`], `file` is relative to `src`, such as `raster/line.rs`.
 #[derive(Clone)]
 pub(crate) struct Frame {
     pub(crate) file: String,
     pub(crate) function: String,
 }
 
-impl Frame {
-    /// The frame with its path relative to this folder, if it lies there.
-    pub(crate) fn within(self, folder: &Path) -> Option<Self> {
-        let file = Path::new(&self.file).strip_prefix(folder).ok()?.display().to_string();
-        Some(Self { file, ..self })
-    }
-}
-
 /// An instruction takes two bytes or four.
 pub(crate) const STEP: u64 = 2;
 
 /// For every [`STEP`] of an image's code the functions there, the innermost first, with the whole paths of their files.
-pub(crate) fn frames(image: &Path) -> Result<Vec<Vec<Frame>>> {
+pub(crate) fn frames(image: &Path) -> Result<Vec<Place>> {
     let mut symbolizer = Command::new("llvm-symbolizer");
     symbolizer.args(["--inlines", "--demangle", "--output-style=LLVM"]).arg("--obj").arg(image);
     let mut child = symbolizer.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
@@ -67,10 +62,13 @@ fn without_hash(name: &str) -> &str {
 
 impl Provenance {
     pub(crate) fn of(image: &Path) -> Result<Self> {
-        let library = cross::root().join("src");
-        let within =
-            |place: Vec<Frame>| place.into_iter().filter_map(|frame| frame.within(&library)).collect();
-        Ok(Self { places: frames(image)?.into_iter().map(within).collect() })
+        let library = core::root().join("src");
+        let within = |mut frame: Frame| {
+            frame.file = Path::new(&frame.file).strip_prefix(&library).ok()?.display().to_string();
+            Some(frame)
+        };
+        let places = frames(image)?.into_iter();
+        Ok(Self { places: places.map(|place| place.into_iter().filter_map(within).collect()).collect() })
     }
 
     /// Bytes of this file or folder, and of the functions inlined into it.

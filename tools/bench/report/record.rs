@@ -2,7 +2,8 @@
 //! of an Arm core with the registers before each instruction, of RISC-V its address alone.
 
 use crate::core::Core;
-use crate::provenance::{Frame, STEP};
+use crate::provenance::{frames, Place, STEP};
+use crate::timing::decode::Instruction;
 use crate::timing::program::{Conditions, Executed, Program, State};
 use crate::{elf, Result, RV32};
 use std::io::{BufRead, BufReader, Read};
@@ -23,44 +24,38 @@ const EARLIER: u32 = 3;
 /// more than what calls the frame.
 pub(crate) const APART: u64 = 4;
 
-/// The frames of an image that are counted.
-pub(crate) struct Frames {
+/// The first frame that an image counts.
+pub(crate) struct Frame {
     pub(crate) program: Program,
-    pub(crate) frames: Vec<Recorded>,
-}
-
-/// A frame, and the address of the instruction after it.
-pub(crate) struct Recorded {
     pub(crate) run: Vec<Executed>,
+    /// The address of the instruction behind the frame.
     pub(crate) end: u32,
+    /// The address of the function that takes the pixels of a band, if the image has one.
+    pub(crate) mark: Option<u32>,
+    /// Bytes of the image's mesh and other constants.
+    pub(crate) constants: u64,
 }
 
 /// The addresses of the first function whose name passes the test.
-pub(crate) fn function(
-    image: &Path,
-    places: &[Vec<Frame>],
-    is_it: impl Fn(&str) -> bool,
-) -> Result<Range<u32>> {
-    let name = |place: &Vec<Frame>| place.last().map(|frame| frame.function.clone()).unwrap_or_default();
-    let at = places.iter().position(|place| is_it(&name(place)));
-    let at = at.ok_or_else(|| format!("{}: no such function", image.display()))?;
+fn function(code: &Range<u64>, places: &[Place], is_it: impl Fn(&str) -> bool) -> Option<Range<u32>> {
+    let name = |place: &Place| place.last().map(|frame| frame.function.clone()).unwrap_or_default();
+    let at = places.iter().position(|place| is_it(&name(place)))?;
     // An assembler's label, such as that of reading a counter of RISC-V, hides the function's name.
-    let is_in = |place: &&Vec<Frame>| name(place) == name(&places[at]) || name(place).starts_with(".L");
+    let is_in = |place: &&Place| name(place) == name(&places[at]) || name(place).starts_with(".L");
     let count = places[at..].iter().take_while(is_in).count();
-    let start = elf::sizes(image)?.code.start + STEP * at as u64;
-    Ok(u32::try_from(start)?..u32::try_from(start + STEP * count as u64)?)
+    let start = u32::try_from(code.start).ok()? + STEP as u32 * at as u32;
+    Some(start..start + STEP as u32 * count as u32)
 }
 
 /// Limits QEMU's log to the code that can run while the clock counts a frame: not what paints the stack or adds up a
 /// checksum, which takes most of the time of a run.
-fn filter(image: &Path, places: &[Vec<Frame>]) -> Result<[String; 2]> {
-    let is_elsewhere = |frame: &Frame| {
+fn filter(code: &Range<u64>, places: &[Place]) -> [String; 2] {
+    let is_elsewhere = |frame: &crate::provenance::Frame| {
         frame.file.ends_with("src/stack.rs")
             || ["Checksum", "Clock::turns", "Clock>::turns"].iter().any(|name| frame.function.contains(name))
     };
-    let start = elf::sizes(image)?.code.start;
     let (mut ranges, mut left_out): (Vec<Range<u64>>, bool) = (Vec::new(), false);
-    for (at, place) in (start..).step_by(STEP as usize).zip(places) {
+    for (at, place) in (code.start..).step_by(STEP as usize).zip(places) {
         // The first of these may be what the call of a frame returns to.
         let first = !std::mem::replace(&mut left_out, place.iter().any(is_elsewhere));
         if left_out && !first {
@@ -73,20 +68,31 @@ fn filter(image: &Path, places: &[Vec<Frame>]) -> Result<[String; 2]> {
     }
     let ranges: Vec<String> =
         ranges.iter().map(|range| format!("{:#x}..{:#x}", range.start, range.end - 1)).collect();
-    Ok(["-dfilter".into(), ranges.join(",")])
+    ["-dfilter".into(), ranges.join(",")]
 }
 
-/// Runs an image and records its first `count` frames.
-pub(crate) fn record(core: Core, image: &Path, places: &[Vec<Frame>], count: usize) -> Result<Frames> {
-    let has_registers = core.build().target != RV32;
-    let clock = function(image, places, |name| name.contains("Clock") && name.ends_with("count"))?;
+/// Runs an image and records its first frame.
+pub(crate) fn record(core: Core, image: &Path) -> Result<Frame> {
+    let has_registers = core.target != RV32;
+    let (elf::Sizes { flash, code, bytes, .. }, places) = (elf::sizes(image)?, frames(image)?);
+    let named = |what: &str| format!("{}: {what}", image.display());
+    let clock = function(&code, &places, |name| name.contains("Clock") && name.ends_with("count"));
     let mut command = core.emulate(image);
-    command.args(if has_registers { LOG } else { LOG_OF_ADDRESSES }).args(filter(image, places)?);
+    command.args(if has_registers { LOG } else { LOG_OF_ADDRESSES }).args(filter(&code, &places));
     let mut qemu = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn()?;
     let mut lines = BufReader::with_capacity(1 << 20, Paused(qemu.stderr.take().ok_or("its log")?));
-    let mut recorder = Recorder { program: Program::of(image)?, clock, has_registers, ..Recorder::default() };
+    let mut recorder = Recorder {
+        program: Program::new(
+            u32::try_from(code.start)?,
+            bytes.as_chunks().0.iter().map(|pair| u16::from_le_bytes(*pair)).collect(),
+            if has_registers { Instruction::thumb } else { Instruction::riscv },
+        ),
+        clock: clock.ok_or_else(|| named("no clock"))?,
+        has_registers,
+        ..Recorder::default()
+    };
     let mut line = Vec::new();
-    while recorder.frames.len() < count {
+    while recorder.end.is_none() {
         line.clear();
         if lines.read_until(b'\n', &mut line)? == 0 {
             break;
@@ -96,14 +102,14 @@ pub(crate) fn record(core: Core, image: &Path, places: &[Vec<Frame>], count: usi
             false => recorder.read_address(&line),
         }
     }
-    // QEMU is stopped: only the frames are needed.
+    // QEMU is stopped: only the frame is needed.
     let _ = qemu.kill();
     qemu.wait()?;
-    let Recorder { program, frames, .. } = recorder;
-    match frames.len() {
-        found if found == count => Ok(Frames { program, frames }),
-        found => Err(format!("{}: {found} of {count} frames in QEMU's log", image.display()).into()),
-    }
+    let Recorder { program, run, end, .. } = recorder;
+    let end = end.ok_or_else(|| named("no frame in QEMU's log"))?;
+    let takes = |name: &str| name.ends_with("take_bytes");
+    let mark = function(&code, &places, takes).map(|range| range.start);
+    Ok(Frame { program, run, end, mark, constants: flash - (code.end - code.start) })
 }
 
 /// Reads what a pipe holds after a pause of about as long as it takes to fill it. QEMU writes line by line, and a reader that waits
@@ -136,7 +142,7 @@ struct Recorder {
     /// While a frame is recorded: the address to which the clock's call of it returns, once the clock has called it.
     back: Option<Option<u32>>,
     run: Vec<Executed>,
-    frames: Vec<Recorded>,
+    end: Option<u32>,
 }
 
 impl Recorder {
@@ -185,14 +191,12 @@ impl Recorder {
             }
         }
         match self.back {
-            Some(Some(end)) if at == end => {
-                self.back = None;
-                self.frames.push(Recorded { run: std::mem::take(&mut self.run), end });
+            Some(Some(end)) if at == end && self.end.is_none() => {
+                (self.back, self.end) = (None, Some(end));
             }
-            // The clock has called the frame: by BLX, of two bytes, or RISC-V's c.jalr or jalr.
+            // The clock has called the frame.
             Some(None) if !self.clock.contains(&at) => {
-                let is_wide = !self.has_registers && self.program.half(self.last) & 3 == 3;
-                self.back = Some(Some(self.last + if is_wide { 4 } else { 2 }));
+                self.back = Some(Some(self.last + self.program.size(self.last)));
                 self.push();
             }
             Some(Some(_)) => self.push(),

@@ -1,23 +1,17 @@
 //! What the images share whose size in flash is measured. Each is a firmware of its own, and all of them hold the cube.
 
-#[cfg(not(target_os = "none"))]
-use crate::scene::Scene;
-use crate::scene::{by_planes, lit, rigidly_lit, Model, CUBE, CUBE_BY_PLANES, SIZE};
+use crate::scene::{lit, rigidly_lit, Model, CUBE, SIZE};
 use core::convert::Infallible;
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
-#[cfg(not(target_os = "none"))]
-use embedded_graphics_core::pixelcolor::raw::{RawData, RawU16};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 use pinhole::space::{Model as ModelSpace, World};
-#[cfg(not(target_os = "none"))]
-use pinhole::ScreenVertex;
 use pinhole::{
     edge_faces, Affine, Angle, Camera, FacePlanes, IndexedTexels, Lambert, LitTextured, Mesh, MeshInstance,
-    Point3, Projection, RigidLambert, Scalar, Texture, Vector3, ViewTransform, Viewport, WithPlanes,
+    Point3, Projection, RigidLambert, Scalar, Texture, Vector3, ViewTransform, Viewport,
 };
 
 /// A program that draws a frame of each of [`cubes`], one after the other: the second one is cut, so what cutting takes of
@@ -39,63 +33,6 @@ macro_rules! image {
     };
 }
 
-/// [`image!`] of faces with depth in bands: `$draw` draws what lies in a band.
-#[macro_export]
-macro_rules! depth_in_bands {
-    (|$faces:ident, $mesh:ident, $light:ident, $depth:ident, $band:ident| $draw:expr) => {
-        $crate::image!(
-            cube,
-            corners: [pinhole::ScreenVertex; $crate::image::CORNERS] = [pinhole::ScreenVertex::EMPTY; $crate::image::CORNERS],
-            bin_storage: [u16; $crate::image::BIN_STORAGE] = [0; $crate::image::BIN_STORAGE],
-            strip: [u8; $crate::bands::bytes($crate::image::ROWS)] = [0; $crate::bands::bytes($crate::image::ROWS)],
-            storage: [u16; $crate::bands::pixels($crate::image::ROWS)] = [0; $crate::bands::pixels($crate::image::ROWS)],
-            {
-                let scene = $crate::image::Turntable::new();
-                let instance = scene.place(cube);
-                let $light = scene.light();
-                let $light = $light.as_ref()?;
-                let mut $faces = instance.transform_depth(corners).bin_faces(bin_storage);
-                let $faces = $faces.as_mut().ok()?;
-                let $mesh = &cube.mesh;
-                let mut frame = pinhole::Frame::new($crate::scene::area(), $crate::scene::BACKGROUND);
-                while let Some(mut $band) = frame.next_band(strip).ok()? {
-                    let mut $depth = pinhole::DepthBuffer::new($band.area(), storage).ok()?;
-                    $draw;
-                    $band.send(&mut $crate::image::Sink).ok()?;
-                }
-                Some(())
-            }
-        );
-    };
-}
-
-/// [`image!`] of lit faces in bands, into the bands' pixels.
-#[macro_export]
-macro_rules! solid_in_bands {
-    ($model:ty; $cubes:path) => {
-        $crate::image!(
-            [$model; $cubes] cube,
-            corners: [pinhole::ScreenVertex; $crate::image::CORNERS] = [pinhole::ScreenVertex::EMPTY; $crate::image::CORNERS],
-            bin_storage: [u16; $crate::image::BIN_STORAGE] = [0; $crate::image::BIN_STORAGE],
-            strip: [u8; $crate::bands::bytes($crate::image::ROWS)] = [0; $crate::bands::bytes($crate::image::ROWS)],
-            {
-                let scene = $crate::image::Turntable::new();
-                let instance = scene.place(cube);
-                let light = scene.light();
-                let light = light.as_ref()?;
-                let mut faces = instance.bin_faces(corners, bin_storage);
-                let faces = faces.as_mut().ok()?;
-                let mut frame = pinhole::Frame::new($crate::scene::area(), $crate::scene::BACKGROUND);
-                while let Some(mut band) = frame.next_band(strip).ok()? {
-                    let Ok(()) = faces.solid($crate::scene::flat(&cube.mesh, light), &mut band.pixels());
-                    band.send(&mut $crate::image::Sink).ok()?;
-                }
-                Some(())
-            }
-        );
-    };
-}
-
 /// The cube, and one twice as large about the same centre: the near planes of [`Turntable`]'s camera and of
 /// [`Scene`](crate::scene::Scene)'s cut it where it shows, and both eyes are outside of it. The compiler does not know how many
 /// there are: it makes the code of a frame once.
@@ -103,15 +40,6 @@ pub fn cubes() -> &'static [Model] {
     static CUBES: [Model; 2] = {
         let Model { mesh, axes, distance } = CUBE;
         [Model { mesh, axes, distance }, large()]
-    };
-    black_box(CUBES.as_slice())
-}
-
-/// [`cubes`] with face planes.
-pub fn cubes_by_planes() -> &'static [Model<WithPlanes>] {
-    static CUBES: [Model<WithPlanes>; 2] = {
-        let planes = CUBE_BY_PLANES.mesh.planes();
-        [by_planes(&CUBE, planes), by_planes(&large(), planes)]
     };
     black_box(CUBES.as_slice())
 }
@@ -231,48 +159,6 @@ impl Turntable {
 impl Default for Turntable {
     fn default() -> Self {
         Self::new()
-    }
-}
-
-/// Of each of the cubes, how many faces that are cut show on the screen: before [`Turntable`]'s camera, and before
-/// [`Scene`](crate::scene::Scene)'s.
-#[cfg(not(target_os = "none"))]
-pub fn cut() -> Option<Vec<[u32; 2]>> {
-    let cut = |instance: MeshInstance<'_>| {
-        let is_cut = |face: usize| {
-            let corners = instance.mesh().faces().get(face).copied().unwrap_or_default();
-            corners.iter().any(|&corner| instance.project(corner.into()).is_err())
-        };
-        let mut screen = Screen(Default::default());
-        let own_colour = |face: usize| Rgb565::from(RawU16::new(face as u16));
-        let Ok(_) = instance.solid(own_colour, &mut [ScreenVertex::EMPTY; CORNERS], &mut screen);
-        screen.0.into_iter().filter(|&face| is_cut(face.into())).count() as u32
-    };
-    cubes()
-        .iter()
-        .map(|cube| Some([cut(Turntable::new().place(cube)), cut(Scene::new(cube)?.place())]))
-        .collect()
-}
-
-/// A display that knows which colours it shows, or has shown.
-#[cfg(not(target_os = "none"))]
-struct Screen(std::collections::BTreeSet<u16>);
-
-#[cfg(not(target_os = "none"))]
-impl OriginDimensions for Screen {
-    fn size(&self) -> Size {
-        Size::new(SIZE, SIZE)
-    }
-}
-
-#[cfg(not(target_os = "none"))]
-impl DrawTarget for Screen {
-    type Color = Rgb565;
-    type Error = Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        self.0.extend(pixels.into_iter().map(|Pixel(_, colour)| RawU16::from(colour).into_inner()));
-        Ok(())
     }
 }
 

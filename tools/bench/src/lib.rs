@@ -11,7 +11,6 @@ pub mod lists;
 pub mod measure;
 pub mod scene;
 pub mod stack;
-pub mod timed;
 
 /// Where the name of an image stands among those of a source file: several images are built from one, and each chooses
 /// its part by its name when it is compiled. A name that is not there does not compile.
@@ -26,7 +25,7 @@ pub const fn position(name: &str, names: &[&str]) -> usize {
     panic!("no image of this name in the list")
 }
 
-pub(crate) const fn is_equal(a: &str, b: &str) -> bool {
+const fn is_equal(a: &str, b: &str) -> bool {
     let (a, b, mut same) = (a.as_bytes(), b.as_bytes(), 0);
     while same < a.len() && same < b.len() && a[same] == b[same] {
         same += 1;

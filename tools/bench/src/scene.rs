@@ -33,15 +33,6 @@ pub struct Model<P = WithoutPlanes> {
 }
 
 impl<P> Model<P> {
-    /// What its lists take of flash.
-    pub const fn bytes(&self) -> usize {
-        size_of_val(self.mesh.vertices())
-            + size_of_val(self.mesh.faces())
-            + size_of_val(self.mesh.normals())
-            + size_of_val(self.mesh.planes())
-            + size_of_val(self.mesh.edges())
-    }
-
     /// Turned as it is shown. The compiler sees none of the numbers.
     #[inline(always)]
     pub fn turned(&self) -> Affine<ModelSpace, World> {

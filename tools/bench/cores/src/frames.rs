@@ -1,6 +1,7 @@
 //! A frame drawn by two cores, independent of how they are run.
 
-use bench::bands::{bytes, pixels};
+use bench::bands::{self, bytes, pixels, Storage};
+use bench::measure::Display;
 use bench::scene::{area, Scene, BACKGROUND};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::Rgb565;
@@ -44,9 +45,13 @@ impl Deal for Alternating {
     }
 }
 
+/// A frame on one core, as the other images of the bench draw it.
+pub(crate) type One = fn(&Scene, &Lambert, Storage<'_>, &mut Display) -> Option<()>;
+
 /// A way to draw frames. `take` gets the number and the bytes of each band.
 pub(crate) trait Way {
     const NAME: &'static str;
+    const ONE: One;
 
     fn frame(
         scene: &Scene,
@@ -58,84 +63,69 @@ pub(crate) trait Way {
     ) -> Option<()>;
 }
 
-pub(crate) struct Solid;
-pub(crate) struct WithDepth;
+/// A [`Way`] whose `$draw` draws the `$faces` of a band.
+macro_rules! way {
+    ($way:ident, $name:literal, $one:path, $transform:ident, $binned:ty, |$faces:ident, $shade:ident, $depth:ident, $band:ident| $draw:expr) => {
+        pub(crate) struct $way;
 
-impl Way for Solid {
-    const NAME: &'static str = "solid";
+        impl Way for $way {
+            const NAME: &'static str = $name;
+            const ONE: One = $one;
 
-    fn frame(
-        scene: &Scene,
-        light: &Lambert,
-        memory: &mut Memory,
-        cores: &mut impl Cores,
-        deal: &impl Deal,
-        take: &(impl Fn(u32, &[u8]) + Sync),
-    ) -> Option<()> {
-        let Memory { corners, bin_storage, cursor, strips: [strip, other_strip], .. } = memory;
-        let instance = scene.place();
-        let mut split = instance.split_transform(corners);
-        let [ours, theirs] = split.halves();
-        cores.both(|| ours.transform(), || theirs.transform());
-        let mut split = split.finish().split_bin_faces(bin_storage);
-        let [ours, theirs] = split.halves();
-        cores.both(|| ours.count(), || theirs.count());
-        let mut faces = split.finish().ok()?;
-        let [ours, theirs] = faces.fork(cursor).ok()?;
-        let draw = |core: u32, strip: &mut [u8], mut faces: BinnedFaces<'_>| {
-            bands(deal, core, strip, take, |band| {
-                let Ok(()) = faces.solid(scene.shade(light), &mut band.pixels());
-                Some(())
-            })
-        };
-        let (mut good, mut other_good) = (None, None);
-        cores.both(|| good = draw(0, strip, ours), || other_good = draw(1, other_strip, theirs));
-        black_box(faces.statistics());
-        good.and(other_good)
-    }
+            fn frame(
+                scene: &Scene,
+                light: &Lambert,
+                memory: &mut Memory,
+                cores: &mut impl Cores,
+                deal: &impl Deal,
+                take: &(impl Fn(u32, &[u8]) + Sync),
+            ) -> Option<()> {
+                let Memory { corners, bin_storage, cursor, strips, depths } = memory;
+                let ([strip, other_strip], [depth, other_depth]) = (strips, depths);
+                let instance = scene.place();
+                let mut split = instance.$transform(corners);
+                let [ours, theirs] = split.halves();
+                cores.both(|| ours.transform(), || theirs.transform());
+                let mut split = split.finish().split_bin_faces(bin_storage);
+                let [ours, theirs] = split.halves();
+                cores.both(|| ours.count(), || theirs.count());
+                let mut faces = split.finish().ok()?;
+                let [ours, theirs] = faces.fork(cursor).ok()?;
+                let draw = |core: u32, strip: &mut [u8], $depth: &mut [u16], mut $faces: $binned| {
+                    each_band(deal, core, strip, take, |$band| {
+                        let $shade = scene.shade(light);
+                        $draw
+                    })
+                };
+                let (mut good, mut other_good) = (None, None);
+                cores.both(
+                    || good = draw(0, strip, depth, ours),
+                    || other_good = draw(1, other_strip, other_depth, theirs),
+                );
+                black_box(faces.statistics());
+                good.and(other_good)
+            }
+        }
+    };
 }
 
-impl Way for WithDepth {
-    const NAME: &'static str = "depth";
-
-    fn frame(
-        scene: &Scene,
-        light: &Lambert,
-        memory: &mut Memory,
-        cores: &mut impl Cores,
-        deal: &impl Deal,
-        take: &(impl Fn(u32, &[u8]) + Sync),
-    ) -> Option<()> {
-        let Memory { corners, bin_storage, cursor, strips, depths } = memory;
-        let ([strip, other_strip], [depth, other_depth]) = (strips, depths);
-        let instance = scene.place();
-        let mut split = instance.split_transform_depth(corners);
-        let [ours, theirs] = split.halves();
-        cores.both(|| ours.transform(), || theirs.transform());
-        let mut split = split.finish().split_bin_faces(bin_storage);
-        let [ours, theirs] = split.halves();
-        cores.both(|| ours.count(), || theirs.count());
-        let mut faces = split.finish().ok()?;
-        let [ours, theirs] = faces.fork(cursor).ok()?;
-        let draw = |core: u32, strip: &mut [u8], depth: &mut [u16], mut faces: BinnedFaces<'_, i16, true>| {
-            bands(deal, core, strip, take, |band| {
-                let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
-                let Ok(()) = faces.depth_tested(scene.shade(light), &mut depth, &mut band.pixels());
-                Some(())
-            })
-        };
-        let (mut good, mut other_good) = (None, None);
-        cores.both(
-            || good = draw(0, strip, depth, ours),
-            || other_good = draw(1, other_strip, other_depth, theirs),
-        );
-        black_box(faces.statistics());
-        good.and(other_good)
+way!(Solid, "solid", bands::solid, split_transform, BinnedFaces<'_>, |faces, shade, _depth, band| faces
+    .solid(shade, &mut band.pixels())
+    .ok());
+way!(
+    WithDepth,
+    "depth",
+    bands::depth,
+    split_transform_depth,
+    BinnedFaces<'_, i16, true>,
+    |faces, shade, depth, band| {
+        let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
+        faces.depth_tested(shade, &mut depth, &mut band.pixels()).ok()
     }
-}
+);
 
 /// The bands of one core.
-fn bands(
+fn each_band(
     deal: &impl Deal,
     core: u32,
     strip: &mut [u8],

@@ -12,7 +12,7 @@ mod board;
 mod both_cores;
 mod frames;
 
-use bench::bands::{self, bytes, pixels, Storage};
+use bench::bands::{bytes, pixels, Storage};
 use bench::board::{end, println};
 use bench::measure::Display;
 use bench::scene::{Model, Scene, ICO, SIZE, TORUS};
@@ -20,7 +20,7 @@ use board::{start_second, Clock};
 use both_cores::OtherCore;
 use core::hint::black_box;
 use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
-use frames::{Alternating, Cores, Deal, Memory, Solid, Way, WithDepth, ROWS};
+use frames::{Alternating, Cores, Deal, Memory, One, Solid, Way, WithDepth, ROWS};
 use pinhole::{Lambert, ScreenVertex};
 
 /// Bytes of a row.
@@ -63,9 +63,6 @@ impl Deal for Counter {
     }
 }
 
-/// A frame on one core, as the other images of the bench draw it.
-type One = fn(&Scene, &Lambert, Storage<'_>, &mut Display) -> Option<()>;
-
 struct Case {
     scene: Scene,
     light: Lambert,
@@ -78,9 +75,9 @@ impl Case {
     }
 
     /// Its checksum, when one core draws it.
-    fn checksum(&self, one: One, memory: &mut Memory) -> Option<u32> {
+    fn checksum<W: Way>(&self, memory: &mut Memory) -> Option<u32> {
         let mut good = None;
-        let crc = Display::default().look(&mut |display| good = self.one(one, memory, display));
+        let crc = Display::default().look(&mut |display| good = self.one(W::ONE, memory, display));
         good.map(|()| crc)
     }
 
@@ -96,10 +93,10 @@ impl Case {
     }
 
     /// Prints the instructions of each core's part: no other core runs.
-    fn count<W: Way>(&self, name: &str, one: One, memory: &mut Memory, clock: &Clock) -> Option<()> {
-        let crc = self.checksum(one, memory)?;
+    fn count<W: Way>(&self, name: &str, memory: &mut Memory, clock: &Clock) -> Option<()> {
+        let crc = self.checksum::<W>(memory)?;
         let (mut good, mut display) = (None, Display::default());
-        let alone = clock.count(|| good = self.one(one, memory, &mut display));
+        let alone = clock.count(|| good = self.one(W::ONE, memory, &mut display));
         good?;
         let mut cores = Counted { clock, second: 0, waits: 0 };
         let take = |_: u32, bytes: &[u8]| {
@@ -129,16 +126,15 @@ impl Case {
     /// Draws a frame by both cores. `None` unless it has the checksum of one core's.
     fn draw<W: Way>(
         &self,
-        one: One,
         memory: &mut Memory,
         other: &mut OtherCore,
         deal: &impl Deal,
         pixels: &Pixels,
     ) -> Option<()> {
         pixels.iter().for_each(|word| word.store(!0, Relaxed));
-        let take = |index: u32, bytes: &[u8]| {
-            let words = pixels.iter().skip(index as usize * bands::bytes(ROWS) / 4);
-            for (word, bytes) in words.zip(bytes.as_chunks().0) {
+        let take = |index: u32, band: &[u8]| {
+            let words = pixels.iter().skip(index as usize * bytes(ROWS) / 4);
+            for (word, bytes) in words.zip(band.as_chunks().0) {
                 word.store(u32::from_ne_bytes(*bytes), Relaxed);
             }
         };
@@ -152,7 +148,7 @@ impl Case {
                 display.take_bytes(&row);
             }
         });
-        (crc == self.checksum(one, memory)?).then_some(())
+        (crc == self.checksum::<W>(memory)?).then_some(())
     }
 }
 
@@ -161,8 +157,8 @@ fn run(memory: &mut Memory, pixels: &Pixels) -> Option<()> {
     let scenes = || [("S3", &TORUS), ("S4", &ICO)];
     for (name, model) in scenes() {
         let case = Case::new(model)?;
-        case.count::<Solid>(name, bands::solid, memory, &clock)?;
-        case.count::<WithDepth>(name, bands::depth, memory, &clock)?;
+        case.count::<Solid>(name, memory, &clock)?;
+        case.count::<WithDepth>(name, memory, &clock)?;
     }
     let start = || {
         start_second();
@@ -171,13 +167,13 @@ fn run(memory: &mut Memory, pixels: &Pixels) -> Option<()> {
     let mut other = OtherCore::new(start).ok()?;
     for (_, model) in scenes() {
         let case = Case::new(model)?;
-        case.draw::<Solid>(bands::solid, memory, &mut other, &Alternating, pixels)?;
-        case.draw::<WithDepth>(bands::depth, memory, &mut other, &Alternating, pixels)?;
+        case.draw::<Solid>(memory, &mut other, &Alternating, pixels)?;
+        case.draw::<WithDepth>(memory, &mut other, &Alternating, pixels)?;
         #[cfg(target_has_atomic = "32")]
         {
             let counter = || Counter(AtomicU32::new(0));
-            case.draw::<Solid>(bands::solid, memory, &mut other, &counter(), pixels)?;
-            case.draw::<WithDepth>(bands::depth, memory, &mut other, &counter(), pixels)?;
+            case.draw::<Solid>(memory, &mut other, &counter(), pixels)?;
+            case.draw::<WithDepth>(memory, &mut other, &counter(), pixels)?;
         }
     }
     Some(())

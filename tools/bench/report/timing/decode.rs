@@ -1,15 +1,16 @@
-//! The properties of a Thumb instruction that decide its cycles: kind, registers and memory address. Encodings: Arm, *ARMv7-M
-//! Architecture Reference Manual* (DDI 0403), chapter A5.
+//! The properties of an instruction that decide its cycles: kind, registers and memory address. The tables have the encodings of
+//! Thumb (Arm, *ARMv7-M Architecture Reference Manual*, DDI 0403, chapter A5) and of RV32IMC (*The RISC-V Instruction Set Manual*,
+//! volume I, chapters 2, 7 and 16).
 
-/// A set of the sixteen core registers, a bit each.
-pub(crate) type Registers = u16;
+/// A set of core registers, a bit each.
+pub(crate) type Registers = u32;
 
-pub(crate) const SP: u32 = 13;
+const SP: u32 = 13;
+const LR: u32 = 14;
 pub(crate) const PC: u32 = 15;
-
-pub(crate) const fn register(number: u32) -> Registers {
-    1 << (number & 15)
-}
+/// RISC-V's registers for return addresses and the stack.
+const RA: u32 = 1;
+const X2: u32 = 2;
 
 /// The rows of the cores' timing tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,7 +20,7 @@ pub(crate) enum Kind {
     Multiply,
     /// `MLA`, `MLS`, and the DSP extension's products that add.
     MultiplyAdd,
-    /// `UMULL`, `SMULL`.
+    /// `UMULL`, `SMULL`; RISC-V's `mulh`, `mulhu`, `mulhsu`.
     LongMultiply,
     /// `UMLAL`, `SMLAL`, `UMAAL`.
     LongMultiplyAdd,
@@ -30,15 +31,15 @@ pub(crate) enum Kind {
     StoreMultiple,
     LoadDouble,
     StoreDouble,
-    /// `B` without a condition.
+    /// `B` without a condition, `jal`.
     Branch,
-    /// `B` with a condition.
+    /// `B` with a condition, `beq` and its like.
     BranchIf,
     /// `CBZ`, `CBNZ`.
     CompareBranch,
     /// `BL`.
     Call,
-    /// `BX`.
+    /// `BX`, `jalr`.
     BranchTo,
     /// `BLX` with a register.
     CallTo,
@@ -50,7 +51,7 @@ pub(crate) enum Kind {
     IfThen,
     /// `MRS`, `MSR`, barriers, `CPS`, `SVC`, `BKPT`.
     System,
-    /// An instruction of the FPU, with the cycles of the M4's table.
+    /// An instruction of the FPU, with the cycles of the M4's table, and one more for each word that it loads or stores.
     Float(u32),
 }
 
@@ -59,8 +60,6 @@ pub(crate) enum Kind {
 pub(crate) struct Address {
     pub(crate) base: u32,
     pub(crate) offset: Offset,
-    /// Bytes that are added to the address.
-    pub(crate) bytes: u32,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,362 +82,241 @@ pub(crate) struct Instruction {
     pub(crate) count: u32,
     /// A load whose target is the PC.
     pub(crate) loads_pc: bool,
+    /// Of a load or store of Thumb.
     pub(crate) address: Option<Address>,
 }
 
-const fn simple(size: u32) -> Instruction {
-    Instruction {
-        size,
-        kind: Kind::Simple,
-        reads: 0,
-        address_registers: 0,
-        writes: 0,
-        count: 0,
-        loads_pc: false,
-        address: None,
-    }
-}
+/// An encoding: its bits, the highest first, the kind of the instruction (with `L`: if that bit is set, otherwise a store), and
+/// fields that it does not have.
+///
+/// Bits with the same letter are a field: the registers `n`, `m` and `a` are read, `d` and `f` written, `e` and `g` both, and `t` and
+/// `u` loaded or stored; capitals are RISC-V's, which count from register 8. An address is register `b` and register `x` shifted by
+/// `h`, or plus `i` shifted by `k` bits, which bit `U` subtracts if it is 0, and which is not added where `P` is 0; if `W` is 1, `b` is written.
+/// `l` is a list of registers, to which `r` belongs, stored downwards if `P` is 1; `c` are words, and `v` is the mask of `IT`.
+type Row = (&'static str, Kind, &'static [(u8, u32)]);
 
-/// Bits `from..from + count`.
-const fn bits(half: u16, from: u32, count: u32) -> u32 {
-    (half as u32 >> from) & ((1 << count) - 1)
-}
+use Kind::{
+    Branch, BranchIf, BranchTo, Call, CallTo, CompareBranch, Divide, Float, IfThen, Load, LoadDouble,
+    LoadMultiple, LongMultiply, LongMultiplyAdd, Multiply, MultiplyAdd, Simple, Store, StoreDouble,
+    StoreMultiple, System, TableBranch, WritePc,
+};
 
-/// Whether a first half starts an instruction of four bytes.
-pub(crate) const fn is_wide(first: u16) -> bool {
-    bits(first, 11, 5) >= 0b11101
-}
+/// Thumb's encodings of 16 bits; the first row that fits counts.
+const NARROW: &[Row] = &[
+    ("000110.mmmnnnddd", Simple, &[]),
+    ("000.......nnnddd", Simple, &[]),
+    ("00100ddd........", Simple, &[]),
+    ("00101nnn........", Simple, &[]),
+    ("0011.eee........", Simple, &[]),
+    // TST, CMP, CMN; RSB, MVN; MUL.
+    ("0100001000mmmnnn", Simple, &[]),
+    ("010000101.mmmnnn", Simple, &[]),
+    ("0100001001mmmddd", Simple, &[]),
+    ("0100001111mmmddd", Simple, &[]),
+    ("0100001101mmmeee", Multiply, &[]),
+    ("010000....mmmeee", Simple, &[]),
+    // ADD, CMP, MOV of all registers; BLX, BX.
+    ("010001001mmmm111", WritePc, &[]),
+    ("01000100emmmmeee", Simple, &[]),
+    ("01000101nmmmmnnn", Simple, &[]),
+    ("010001101mmmm111", WritePc, &[]),
+    ("01000110dmmmmddd", Simple, &[]),
+    ("010001111mmmm...", CallTo, &[]),
+    ("010001110mmmm...", BranchTo, &[]),
+    ("01001tttiiiiiiii", Load, &[(b'b', PC), (b'k', 2)]),
+    ("0101011xxxbbbttt", Load, &[]),
+    ("01011..xxxbbbttt", Load, &[]),
+    ("0101...xxxbbbttt", Store, &[]),
+    ("0110Liiiiibbbttt", Load, &[(b'k', 2)]),
+    ("0111Liiiiibbbttt", Load, &[]),
+    ("1000Liiiiibbbttt", Load, &[(b'k', 1)]),
+    ("1001Ltttiiiiiiii", Load, &[(b'b', SP), (b'k', 2)]),
+    ("10100ddd........", Simple, &[(b'n', PC)]),
+    ("10101ddd........", Simple, &[(b'n', SP)]),
+    ("10110000........", Simple, &[(b'e', SP)]),
+    ("1011.0.1.....nnn", CompareBranch, &[]),
+    ("1011.010..mmmddd", Simple, &[]),
+    // PUSH, with the link register; POP, with the PC.
+    ("10110101llllllll", StoreMultiple, &[(b'b', SP), (b'r', LR), (b'W', 1), (b'P', 1)]),
+    ("10110100llllllll", StoreMultiple, &[(b'b', SP), (b'W', 1), (b'P', 1)]),
+    ("10111101llllllll", LoadMultiple, &[(b'b', SP), (b'r', PC), (b'W', 1)]),
+    ("10111100llllllll", LoadMultiple, &[(b'b', SP), (b'W', 1)]),
+    ("10111111....0000", Simple, &[]),
+    ("10111111....vvvv", IfThen, &[]),
+    ("1011............", System, &[]),
+    ("1100Lbbbllllllll", LoadMultiple, &[(b'W', 1)]),
+    ("1101111.........", System, &[]),
+    ("1101............", BranchIf, &[]),
+    ("................", Branch, &[]),
+];
+
+/// Thumb's encodings of 32 bits.
+const WIDE: &[Row] = &[
+    // The single-precision FPU, by the M4's table (DDI 0439, 7.2.3). Its registers are not followed.
+    ("111.1100010Lttttuuuu............", Float(2), &[]),
+    ("111.1101U.0Lbbbb.......0iiiiiiii", Float(1), &[(b'k', 2), (b'c', 1)]),
+    ("111.1101U.0Lbbbb.......1iiiiiiii", Float(1), &[(b'k', 2), (b'c', 2)]),
+    ("111.110P..WLbbbb........cccccccc", Float(1), &[]),
+    ("111.111....1....1111.......1....", Float(1), &[]),
+    ("111.111....L....tttt.......1....", Float(1), &[]),
+    ("111.111.1.110001........11......", Float(14), &[]),
+    ("111.111.1.00....................", Float(14), &[]),
+    ("111.111.0.0.....................", Float(3), &[]),
+    ("111.111.1.01....................", Float(3), &[]),
+    ("111.111.1.10....................", Float(3), &[]),
+    ("111.111.........................", Float(1), &[]),
+    ("1110100P.0WLbbbbllllllllllllllll", LoadMultiple, &[]),
+    // Two words, table branches, exclusive accesses.
+    ("11101001U1WLbbbbttttuuuuiiiiiiii", LoadDouble, &[(b'k', 2)]),
+    ("11101000.11Lbbbbttttuuuu........", LoadDouble, &[(b'W', 1)]),
+    ("111010001101bbbb........000hxxxx", TableBranch, &[]),
+    ("11101000.101bbbbtttt............", Load, &[]),
+    ("111010000100bbbbttttdddd........", Store, &[]),
+    ("111010001100bbbbtttt........dddd", Store, &[]),
+    ("1110101.....nnnn....dddd....mmmm", Simple, &[]),
+    // MOVW and MOVT have part of their constant where others have a register.
+    ("11110.100100....0...dddd........", Simple, &[]),
+    ("11110.101100....0...eeee........", Simple, &[]),
+    ("11110.......nnnn0...dddd........", Simple, &[]),
+    ("11110...........11..............", Call, &[]),
+    ("11110...........10.1............", Branch, &[]),
+    ("11110.111.......10.0............", System, &[]),
+    ("11110...........10.0............", BranchIf, &[]),
+    // Hints to preload look like loads of a byte or a half to the PC.
+    ("1111100..0.1....1111............", Simple, &[]),
+    ("1111100..111....1111............", Simple, &[]),
+    ("1111100.U..L1111ttttiiiiiiiiiiii", Load, &[(b'b', PC)]),
+    ("1111100.1..Lbbbbttttiiiiiiiiiiii", Load, &[]),
+    ("1111100.0..Lbbbbtttt0.....hhxxxx", Load, &[]),
+    ("1111100.0..Lbbbbtttt1PUWiiiiiiii", Load, &[]),
+    ("11111010....nnnn....dddd....mmmm", Simple, &[]),
+    ("111110110...nnnn1111dddd....mmmm", Multiply, &[]),
+    ("111110110...nnnnaaaadddd....mmmm", MultiplyAdd, &[]),
+    ("1111101110.1nnnn....dddd....mmmm", Divide, &[]),
+    ("1111101110.0nnnnddddffff....mmmm", LongMultiply, &[]),
+    ("111110111...nnnneeeegggg....mmmm", LongMultiplyAdd, &[]),
+    ("................................", System, &[]),
+];
+
+/// RISC-V's encodings of 16 bits.
+const COMPRESSED: &[Row] = &[
+    // `c.addi4spn`, `c.lw`, `c.sw`.
+    ("000........DDD00", Simple, &[(b'n', X2)]),
+    ("010...NNN..DDD00", Load, &[]),
+    ("110...NNN..MMM00", Store, &[]),
+    // `c.addi`, `c.jal`, `c.li`, `c.addi16sp`, `c.lui`.
+    ("000.eeeee.....01", Simple, &[]),
+    ("001...........01", Branch, &[(b'd', RA)]),
+    ("010.ddddd.....01", Simple, &[]),
+    ("011.00010.....01", Simple, &[(b'e', X2)]),
+    ("011.ddddd.....01", Simple, &[]),
+    ("100.11EEE..MMM01", Simple, &[]),
+    ("100...EEE.....01", Simple, &[]),
+    ("101...........01", Branch, &[]),
+    ("11....NNN.....01", BranchIf, &[]),
+    // `c.slli`, `c.lwsp`, `c.swsp`.
+    ("000.eeeee.....10", Simple, &[]),
+    ("010.ddddd.....10", Load, &[(b'n', X2)]),
+    ("110......mmmmm10", Store, &[(b'n', X2)]),
+    // `c.ebreak`, `c.jr`, `c.jalr`, `c.mv`, `c.add`.
+    ("100.00000.....10", Simple, &[]),
+    ("1000nnnnn0000010", BranchTo, &[]),
+    ("1001nnnnn0000010", BranchTo, &[(b'd', RA)]),
+    ("1000dddddmmmmm10", Simple, &[]),
+    ("1001eeeeemmmmm10", Simple, &[]),
+    ("................", Simple, &[]),
+];
+
+/// RISC-V's encodings of 32 bits.
+const RV32IM: &[Row] = &[
+    ("............nnnnn...ddddd0000011", Load, &[]),
+    (".......mmmmmnnnnn........0100011", Store, &[]),
+    (".......mmmmmnnnnn........1100011", BranchIf, &[]),
+    ("....................ddddd1101111", Branch, &[]),
+    ("............nnnnn...ddddd1100111", BranchTo, &[]),
+    ("0000001mmmmmnnnnn000ddddd0110011", Multiply, &[]),
+    ("0000001mmmmmnnnnn001ddddd0110011", LongMultiply, &[]),
+    ("0000001mmmmmnnnnn01.ddddd0110011", LongMultiply, &[]),
+    ("0000001mmmmmnnnnn1..ddddd0110011", Divide, &[]),
+    (".......mmmmmnnnnn...ddddd0110011", Simple, &[]),
+    // `lui`, `auipc`.
+    ("....................ddddd0.10111", Simple, &[]),
+    ("............nnnnn...ddddd.......", Simple, &[]),
+];
 
 impl Instruction {
-    /// Decodes an instruction; the second half is used only if [`is_wide`] is true.
-    pub(crate) fn decode(first: u16, second: u16) -> Self {
-        match is_wide(first) {
-            true => wide(first, second),
-            false => narrow(first),
+    /// An instruction of Thumb; its second half counts if the first says that it takes four bytes.
+    pub(crate) fn thumb(first: u16, second: u16) -> Self {
+        match first >> 11 {
+            0b11101.. => Self::of(WIDE, 4, u32::from(first) << 16 | u32::from(second), 1 << PC),
+            _ => Self::of(NARROW, 2, first.into(), 1 << PC),
         }
     }
 
-    /// A load or store of one register, whose condition is that of a plain `LDR` or `STR`.
-    fn single(self, load: bool, target: u32, address: Address) -> Self {
-        let index = match address.offset {
-            Offset::Register(index, _) => register(index),
-            Offset::Bytes(_) => 0,
+    /// An instruction of RV32IMC.
+    pub(crate) fn riscv(first: u16, second: u16) -> Self {
+        match first & 3 {
+            3 => Self::of(RV32IM, 4, u32::from(second) << 16 | u32::from(first), 0),
+            _ => Self::of(COMPRESSED, 2, first.into(), 0),
+        }
+    }
+
+    /// By the first row that fits; the last one of a table fits everything. A write to one of the `program_counters` is a branch.
+    fn of(table: &[Row], size: u32, code: u32, program_counters: Registers) -> Self {
+        let fits = |(encoding, ..): &&Row| {
+            encoding.bytes().rev().enumerate().all(|(at, bit)| match bit {
+                b'0' | b'1' => code >> at & 1 == u32::from(bit - b'0'),
+                _ => true,
+            })
         };
-        Self {
-            kind: if load { Kind::Load } else { Kind::Store },
-            loads_pc: load && target == PC,
-            reads: if load { 0 } else { register(target) },
-            writes: self.writes | if load && target != PC { register(target) } else { 0 },
-            address_registers: register(address.base) | index,
-            address: Some(address),
-            ..self
-        }
-    }
-
-    /// `list` has a bit for each register; the base is written back if `back` says so.
-    fn multiple(self, load: bool, base: u32, list: u16, back: bool, down: bool) -> Self {
-        let count = list.count_ones();
-        let offset = if down { -4 * count.cast_signed() } else { 0 };
-        let loaded = if load { list & !register(PC) } else { 0 };
-        Self {
-            kind: if load { Kind::LoadMultiple } else { Kind::StoreMultiple },
-            count,
-            loads_pc: load && list & register(PC) != 0,
-            reads: if load { 0 } else { list },
-            writes: loaded | if back { register(base) } else { 0 },
-            address_registers: register(base),
-            address: Some(Address { base, offset: Offset::Bytes(offset), bytes: 4 * count }),
-            ..self
-        }
-    }
-
-    fn kind(self, kind: Kind) -> Self {
-        Self { kind, ..self }
-    }
-
-    fn reads(self, registers: Registers) -> Self {
-        Self { reads: registers, ..self }
-    }
-
-    fn writes(self, number: u32) -> Self {
-        Self { writes: register(number), ..self }
-    }
-}
-
-/// The bytes of a load or store by the two bits of its size.
-const fn bytes(size: u32) -> u32 {
-    1 << size
-}
-
-/// DDI 0403, A5.2.
-fn narrow(half: u16) -> Instruction {
-    let [low, middle, upper, high] = [0, 3, 6, 8].map(|from| bits(half, from, 3));
-    let new = simple(2);
-    match bits(half, 10, 6) {
-        // Shifts by a constant, additions and subtractions.
-        0b000000..=0b000101 => new.reads(register(middle)).writes(low),
-        0b000110 => new.reads(register(middle) | register(upper)).writes(low),
-        0b000111 => new.reads(register(middle)).writes(low),
-        // MOV, CMP, ADD, SUB with eight bits.
-        0b001000 | 0b001001 => new.writes(high),
-        0b001010 | 0b001011 => new.reads(register(high)),
-        0b001100..=0b001111 => new.reads(register(high)).writes(high),
-        0b010000 => data_processing(half),
-        0b010001 => special(half),
-        0b010010 | 0b010011 => {
-            let offset = Offset::Bytes(4 * bits(half, 0, 8).cast_signed());
-            new.single(true, high, Address { base: PC, offset, bytes: 4 })
-        }
-        0b010100..=0b010111 => {
-            // STR, STRH, STRB, LDRSB, LDR, LDRH, LDRB, LDRSH.
-            let operation = bits(half, 9, 3);
-            let size = [2, 1, 0, 0, 2, 1, 0, 1][operation as usize & 7];
-            let address = Address { base: middle, offset: Offset::Register(upper, 0), bytes: bytes(size) };
-            new.single(operation >= 3, low, address)
-        }
-        0b011000..=0b100011 => {
-            let size = match bits(half, 12, 4) {
-                0b0110 => 2,
-                0b0111 => 0,
-                _ => 1,
-            };
-            let offset = Offset::Bytes((bits(half, 6, 5) << size).cast_signed());
-            new.single(bits(half, 11, 1) == 1, low, Address { base: middle, offset, bytes: bytes(size) })
-        }
-        0b100100..=0b100111 => {
-            let offset = Offset::Bytes(4 * bits(half, 0, 8).cast_signed());
-            new.single(bits(half, 11, 1) == 1, high, Address { base: SP, offset, bytes: 4 })
-        }
-        0b101000 | 0b101001 => new.reads(register(PC)).writes(high),
-        0b101010 | 0b101011 => new.reads(register(SP)).writes(high),
-        0b101100..=0b101111 => miscellaneous(half),
-        // STM, LDM. A load writes its base back unless it loads it.
-        0b110000 | 0b110001 => new.multiple(false, high, half & 0xff, true, false),
-        0b110010 | 0b110011 => new.multiple(true, high, half & 0xff, true, false),
-        0b110100..=0b110111 => match bits(half, 8, 4) {
-            0b1110 | 0b1111 => new.kind(Kind::System),
-            _ => new.kind(Kind::BranchIf),
-        },
-        _ => new.kind(Kind::Branch),
-    }
-}
-
-fn data_processing(half: u16) -> Instruction {
-    let (low, middle) = (bits(half, 0, 3), bits(half, 3, 3));
-    let new = simple(2).reads(register(low) | register(middle));
-    match bits(half, 6, 4) {
-        // TST, CMP, CMN.
-        0b1000 | 0b1010 | 0b1011 => new,
-        // RSB, MVN.
-        0b1001 | 0b1111 => new.reads(register(middle)).writes(low),
-        0b1101 => new.kind(Kind::Multiply).writes(low),
-        _ => new.writes(low),
-    }
-}
-
-/// ADD, CMP, MOV of all registers, BX, BLX.
-fn special(half: u16) -> Instruction {
-    let (to, from) = (bits(half, 0, 3) | bits(half, 7, 1) << 3, bits(half, 3, 4));
-    let new = simple(2);
-    match bits(half, 8, 2) {
-        0b00 if to == PC => new.kind(Kind::WritePc).reads(register(from)),
-        0b00 => new.reads(register(from) | register(to)).writes(to),
-        0b01 => new.reads(register(from) | register(to)),
-        0b10 if to == PC => new.kind(Kind::WritePc).reads(register(from)),
-        0b10 => new.reads(register(from)).writes(to),
-        _ if bits(half, 7, 1) == 1 => new.kind(Kind::CallTo).reads(register(from)),
-        _ => new.kind(Kind::BranchTo).reads(register(from)),
-    }
-}
-
-fn miscellaneous(half: u16) -> Instruction {
-    let (low, middle) = (bits(half, 0, 3), bits(half, 3, 3));
-    let new = simple(2);
-    match bits(half, 8, 4) {
-        0b0000 => new.reads(register(SP)).writes(SP),
-        0b0001 | 0b0011 | 0b1001 | 0b1011 => new.kind(Kind::CompareBranch).reads(register(low)),
-        0b0010 | 0b1010 => new.reads(register(middle)).writes(low),
-        // PUSH, with the link register; POP, with the PC.
-        0b0100 | 0b0101 => {
-            let list = half & 0xff | if bits(half, 8, 1) == 1 { register(14) } else { 0 };
-            new.multiple(false, SP, list, true, true)
-        }
-        0b1100 | 0b1101 => {
-            let list = half & 0xff | if bits(half, 8, 1) == 1 { register(PC) } else { 0 };
-            new.multiple(true, SP, list, true, false)
-        }
-        0b1111 if half & 0xf != 0 => {
+        let (encoding, kind, fixed) = table.iter().find(fits).expect("a table's last row");
+        let field = |letter: u8| {
+            let fixed = fixed.iter().find(|field| field.0 == letter).map(|field| field.1);
+            let bits = encoding.bytes().zip((0..8 * size).rev()).filter(|(bit, _)| *bit == letter);
+            bits.fold(fixed, |value, (_, at)| Some(value.unwrap_or(0) << 1 | code >> at & 1))
+        };
+        let registers = |letters: &str| -> Registers {
+            let one =
+                |letter: u8| Some(1 << (field(letter)? + if letter.is_ascii_uppercase() { 8 } else { 0 }));
+            letters.bytes().filter_map(one).fold(0, |all, one| all | one)
+        };
+        let is_store = field(b'L') == Some(0) || matches!(kind, Store | StoreMultiple);
+        let kind = match kind {
+            Load if is_store => Store,
+            LoadMultiple if is_store => StoreMultiple,
+            LoadDouble if is_store => StoreDouble,
+            Float(cycles) => Float(cycles + field(b'c').unwrap_or(0)),
+            kind => *kind,
+        };
+        let moved = registers("tur") | field(b'l').unwrap_or(0);
+        let count = match kind {
+            LoadDouble | StoreDouble => 2,
             // The lowest bit that is set ends the mask.
-            Instruction { kind: Kind::IfThen, count: 4 - (half & 0xf).trailing_zeros(), ..new }
-        }
-        0b1111 => new,
-        _ => new.kind(Kind::System),
-    }
-}
-
-/// DDI 0403, A5.3.
-fn wide(first: u16, second: u16) -> Instruction {
-    let (n, d, t, m) = (bits(first, 0, 4), bits(second, 8, 4), bits(second, 12, 4), bits(second, 0, 4));
-    let new = simple(4);
-    let write = |to: u32| if to == PC { 0 } else { register(to) };
-    if bits(first, 10, 1) == 1 && bits(first, 11, 5) != 0b11110 {
-        return float(first, second);
-    }
-    match bits(first, 9, 7) {
-        0b1110100 if bits(first, 6, 1) == 0 => {
-            let (load, back, down) = (bits(first, 4, 1) == 1, bits(first, 5, 1) == 1, bits(first, 8, 1) == 1);
-            new.multiple(load, n, second, back, down)
-        }
-        0b1110100 => double(first, second),
-        // Data processing, with a register or a constant.
-        0b1110101 => Instruction { reads: register(n) | register(m), writes: write(d), ..new },
-        0b1111000..=0b1111011 if bits(second, 15, 1) == 0 => {
-            // MOVW and MOVT have part of their constant where others have a register.
-            let reads = match bits(first, 4, 6) {
-                0b100100 => 0,
-                0b101100 => register(d),
-                _ => register(n),
-            };
-            Instruction { reads, writes: write(d), ..new }
-        }
-        0b1111000..=0b1111011 => match (bits(second, 14, 1), bits(second, 12, 1)) {
-            (1, _) => new.kind(Kind::Call),
-            (0, 1) => new.kind(Kind::Branch),
-            _ if bits(first, 7, 3) == 0b111 => new.kind(Kind::System),
-            _ => new.kind(Kind::BranchIf),
-        },
-        0b1111100 => single(first, second),
-        0b1111101 if bits(first, 8, 1) == 0 => {
-            Instruction { reads: register(n) | register(m), writes: write(d), ..new }
-        }
-        0b1111101 if bits(first, 7, 1) == 0 => {
-            let (kind, added) = if t == PC { (Kind::Multiply, 0) } else { (Kind::MultiplyAdd, register(t)) };
-            Instruction { kind, reads: register(n) | register(m) | added, writes: write(d), ..new }
-        }
-        0b1111101 => {
-            let (both, inputs) = (register(t) | register(d), register(n) | register(m));
-            match bits(first, 4, 3) {
-                0b001 | 0b011 => new.kind(Kind::Divide).reads(inputs).writes(d),
-                0b000 | 0b010 => Instruction { writes: both, ..new.kind(Kind::LongMultiply).reads(inputs) },
-                _ => Instruction { writes: both, ..new.kind(Kind::LongMultiplyAdd).reads(inputs | both) },
+            IfThen => 4 - field(b'v').unwrap_or(0).trailing_zeros(),
+            _ => field(b'c').unwrap_or(if field(b'l').is_some() { moved.count_ones() } else { 0 }),
+        };
+        let (subtracts, is_indexed) = (field(b'U') == Some(0), field(b'P').is_none_or(|bit| bit == 1));
+        let offset = match (field(b'x'), field(b'i')) {
+            (Some(index), _) => Offset::Register(index, field(b'h').unwrap_or(0)),
+            (None, Some(number)) if is_indexed => {
+                let bytes = (number << field(b'k').unwrap_or(0)).cast_signed();
+                Offset::Bytes(if subtracts { -bytes } else { bytes })
             }
-        }
-        _ => new.kind(Kind::System),
-    }
-}
-
-/// Two words, exclusive accesses, table branches.
-fn double(first: u16, second: u16) -> Instruction {
-    let (n, d, t, m) = (bits(first, 0, 4), bits(second, 8, 4), bits(second, 12, 4), bits(second, 0, 4));
-    let (load, new) = (bits(first, 4, 1) == 1, simple(4));
-    let (indexed, back) = (bits(first, 8, 1) == 1, bits(first, 5, 1) == 1);
-    let offset = 4 * bits(second, 0, 8).cast_signed();
-    if indexed || back {
-        let signed = if bits(first, 7, 1) == 1 { offset } else { -offset };
-        let both = register(t) | register(d);
-        return Instruction {
-            kind: if load { Kind::LoadDouble } else { Kind::StoreDouble },
-            count: 2,
-            reads: if load { 0 } else { both },
-            writes: if load { both } else { 0 } | if back { register(n) } else { 0 },
-            address_registers: register(n),
-            address: Some(Address {
-                base: n,
-                offset: Offset::Bytes(if indexed { signed } else { 0 }),
-                bytes: 8,
-            }),
-            ..new
+            // Registers that are stored or loaded downwards.
+            (None, None) if field(b'P') == Some(1) => Offset::Bytes(-4 * count.cast_signed()),
+            _ => Offset::Bytes(0),
         };
-    }
-    match (bits(first, 7, 1), bits(second, 4, 4)) {
-        (1, halves @ (0b0000 | 0b0001)) if load => Instruction {
-            address_registers: register(n) | register(m),
-            address: Some(Address { base: n, offset: Offset::Register(m, halves), bytes: bytes(halves) }),
-            ..new.kind(Kind::TableBranch)
-        },
-        _ if load => new.single(true, t, Address { base: n, offset: Offset::Bytes(0), bytes: 4 }),
-        _ => {
-            let stored = new.single(false, t, Address { base: n, offset: Offset::Bytes(0), bytes: 4 });
-            Instruction { writes: register(if bits(first, 7, 1) == 1 { m } else { d }), ..stored }
+        let (loaded, stored) = if is_store { (0, moved) } else { (moved, 0) };
+        let base = if field(b'W') == Some(1) { registers("b") } else { 0 };
+        Self {
+            size,
+            kind,
+            reads: registers("nmaegNME") | stored,
+            address_registers: registers("bx"),
+            writes: (registers("dfegDE") | loaded) & !program_counters | base,
+            count,
+            loads_pc: matches!(kind, Load | LoadMultiple) && loaded & program_counters != 0,
+            address: field(b'b').filter(|_| !is_store || kind == Store).map(|base| Address { base, offset }),
         }
     }
-}
-
-/// Loads and stores of a byte, a half or a word.
-fn single(first: u16, second: u16) -> Instruction {
-    let (n, t, m) = (bits(first, 0, 4), bits(second, 12, 4), bits(second, 0, 4));
-    let (load, size) = (bits(first, 4, 1) == 1, bits(first, 5, 2));
-    // Hints to preload look like loads of a byte or a half to the PC.
-    if load && t == PC && size != 2 {
-        return simple(4);
-    }
-    let (twelve, eight) = (bits(second, 0, 12).cast_signed(), bits(second, 0, 8).cast_signed());
-    let up = |offset: i32, up: u32| if up == 1 { offset } else { -offset };
-    let (offset, back) = if n == PC {
-        (Offset::Bytes(up(twelve, bits(first, 7, 1))), false)
-    } else if bits(first, 7, 1) == 1 {
-        (Offset::Bytes(twelve), false)
-    } else if bits(second, 11, 1) == 0 {
-        (Offset::Register(m, bits(second, 4, 2)), false)
-    } else {
-        // Before or after: an address that is written back.
-        let indexed = bits(second, 10, 1) == 1;
-        (Offset::Bytes(if indexed { up(eight, bits(second, 9, 1)) } else { 0 }), bits(second, 8, 1) == 1)
-    };
-    let new = Instruction { writes: if back { register(n) } else { 0 }, ..simple(4) };
-    new.single(load, t, Address { base: n, offset, bytes: bytes(size) })
-}
-
-/// The single-precision FPU, by the M4's table (DDI 0439, 7.2.3): loads and stores of N registers take 1 + N, a division or root
-/// 14, a product that adds 3, everything else 1. Registers of the FPU are not followed.
-fn float(first: u16, second: u16) -> Instruction {
-    let new = simple(4);
-    let base = bits(first, 0, 4);
-    let (load, words) = (bits(first, 4, 1) == 1, bits(second, 0, 8));
-    if bits(first, 9, 1) == 0 {
-        // Two core registers to or from the FPU.
-        if bits(first, 5, 4) == 0b0010 {
-            let both = register(base) | register(bits(second, 12, 4));
-            return match load {
-                true => Instruction { writes: both, ..new.kind(Kind::Float(2)) },
-                false => new.kind(Kind::Float(2)).reads(both),
-            };
-        }
-        let (down, back) = (bits(first, 8, 1) == 1, bits(first, 5, 1) == 1);
-        // A single one has no list: the number is its offset in words.
-        let single = down && !back;
-        let count = if !single {
-            words
-        } else if bits(second, 8, 1) == 1 {
-            2
-        } else {
-            1
-        };
-        let signed = if bits(first, 7, 1) == 1 { 4 } else { -4 } * words.cast_signed();
-        let offset = if single || down { signed } else { 0 };
-        return Instruction {
-            kind: Kind::Float(1 + count),
-            writes: if back { register(base) } else { 0 },
-            address_registers: register(base),
-            address: load.then_some(Address { base, offset: Offset::Bytes(offset), bytes: 4 * count }),
-            ..new
-        };
-    }
-    if bits(second, 4, 1) == 1 {
-        // A core register to or from the FPU.
-        let core = register(bits(second, 12, 4));
-        return match load {
-            true if bits(second, 12, 4) != PC => Instruction { writes: core, ..new.kind(Kind::Float(1)) },
-            true => new.kind(Kind::Float(1)),
-            false => new.kind(Kind::Float(1)).reads(core),
-        };
-    }
-    let (operation, root) = (bits(first, 4, 4), bits(first, 0, 4) == 1 && bits(second, 6, 2) == 0b11);
-    // Bit 2 belongs to the number of the target.
-    new.kind(Kind::Float(match operation & 0b1011 {
-        0b1011 if root => 14,
-        0b1000 => 14,
-        0b0000 | 0b0001 | 0b1001 | 0b1010 => 3,
-        _ => 1,
-    }))
 }

@@ -162,7 +162,7 @@ impl Cycles {
     }
 }
 
-/// M0 and M0+; the M0 has one more stage to fill again. MULS takes one cycle, as in all chips of `boards.rs`: a core with the small
+/// M0 and M0+; the M0 has one more stage to fill again. MULS takes one cycle, as in all chips of `docs/data/chips.json`: a core with the small
 /// multiplier takes 32.
 fn small(Step { instruction, taken, .. }: Step<'_>, stage: u32) -> u32 {
     match instruction.kind {

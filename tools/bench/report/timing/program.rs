@@ -1,10 +1,9 @@
 //! A recorded run of an image, and the cycles that it takes.
 
 use super::decode::{Address, Instruction, Kind, Offset};
-use super::flash::Flash;
+use super::flash::{Flash, FlashRules};
 use super::pipeline::{Cycles, Pipeline, Step};
-use crate::{elf, Result};
-use std::path::Path;
+use crate::record::Frame;
 
 /// The instructions of an image, by their addresses.
 #[derive(Default)]
@@ -77,17 +76,9 @@ pub(crate) struct Taken {
 }
 
 impl Program {
-    pub(crate) fn of(image: &Path) -> Result<Self> {
-        let start = u32::try_from(elf::sizes(image)?.code.start)?;
-        let bytes = elf::code(image)?;
-        let halves = bytes.chunks_exact(2).map(|pair| u16::from_le_bytes([pair[0], pair[1]])).collect();
-        Ok(Self::new(start, halves))
-    }
-
-    pub(crate) fn new(start: u32, halves: Vec<u16>) -> Self {
+    pub(crate) fn new(start: u32, halves: Vec<u16>, decode: fn(u16, u16) -> Instruction) -> Self {
         let second = halves.iter().skip(1).chain([&0]);
-        let instructions =
-            halves.iter().zip(second).map(|(first, second)| Instruction::decode(*first, *second)).collect();
+        let instructions = halves.iter().zip(second).map(|(first, second)| decode(*first, *second)).collect();
         Self { start, instructions, halves }
     }
 
@@ -96,13 +87,13 @@ impl Program {
     }
 
     /// The instruction at an address; `None` outside of the code.
-    fn instruction(&self, at: u32) -> Option<&Instruction> {
+    pub(super) fn instruction(&self, at: u32) -> Option<&Instruction> {
         self.instructions.get(self.index(at))
     }
 
-    /// The first two bytes of the instruction at an address; 0 outside of the code.
-    pub(crate) fn half(&self, at: u32) -> u16 {
-        self.halves.get(self.index(at)).copied().unwrap_or_default()
+    /// The bytes of the instruction at an address.
+    pub(crate) fn size(&self, at: u32) -> u32 {
+        self.instruction(at).map_or(2, |instruction| instruction.size)
     }
 
     /// The facts of an instruction whose registers are known.
@@ -111,7 +102,7 @@ impl Program {
         let skipped = conditions.0.pop().is_some_and(|condition| !state.holds(condition));
         let Some(instruction) = self.instruction(at) else { return Executed { skipped, ..Executed::at(at) } };
         if instruction.kind == Kind::IfThen {
-            let half = self.half(at);
+            let half = self.halves.get(self.index(at)).copied().unwrap_or_default();
             // The lowest bit of each condition is the first one's, or a bit of the mask.
             let (first, mask) = (half >> 4 & 0xf, half & 0xf);
             conditions.0 = (1..instruction.count).rev().map(|n| first & !1 | mask >> (4 - n) & 1).collect();
@@ -153,14 +144,25 @@ impl Program {
             let step = Step { instruction, taken: leaves, next_unaligned, skipped };
             taken.cycles += u64::from(counter.step(step));
             if let (Some(flash), true) = (&mut flash, executed.read != Executed::NOTHING) {
-                let bytes = instruction.address.map_or(4, |address| address.bytes);
-                let waits: u64 =
-                    (0..bytes).step_by(4).map(|word| flash.read(executed.read.wrapping_add(word))).sum();
+                let words = 0..instruction.count.max(1);
+                let waits: u64 = words.map(|word| flash.read(executed.read.wrapping_add(4 * word))).sum();
                 taken.cycles += waits;
                 taken.waited += waits;
             }
         }
         taken
+    }
+}
+
+impl Frame {
+    /// The cycles of a frame that follows another one of its kind, so that caches are warm; without waits if there is no flash.
+    pub(crate) fn cycles(&self, pipeline: Pipeline, rules: Option<FlashRules>) -> Taken {
+        let mut flash = rules.map(Flash::new);
+        let mut pass = || self.program.cycles(&self.run, self.end, pipeline, flash.as_mut(), self.mark);
+        if rules.is_some() {
+            pass();
+        }
+        pass()
     }
 }
 

@@ -5,13 +5,14 @@ use super::decode::Instruction;
 use super::flash::{DataCache, Flash, FlashRules};
 use super::pipeline::{Cycles, Pipeline, Step};
 use super::program::{Conditions, Executed, Program, State};
-use super::riscv;
+use super::riscv::Rules;
+use crate::record::Frame;
 use Pipeline::{M0Plus, M0, M3, M33, M4};
 
 fn decoded(code: u32) -> Instruction {
     match u16::try_from(code) {
-        Ok(half) => Instruction::decode(half, 0),
-        Err(_) => Instruction::decode((code >> 16) as u16, code as u16),
+        Ok(half) => Instruction::thumb(half, 0),
+        Err(_) => Instruction::thumb((code >> 16) as u16, code as u16),
     }
 }
 
@@ -68,7 +69,7 @@ fn branches_refill_the_pipeline() {
 #[test]
 fn a_loop_takes_its_turns_and_waits_for_flash() {
     // LDM 5, STM 5, SUBS 1, and BNE back: 3 or 2 cycles where it is taken, 1 the third time.
-    let program = Program::new(0, vec![0xc93c, 0xc03c, 0x3a10, 0xd1fb]);
+    let program = Program::new(0, vec![0xc93c, 0xc03c, 0x3a10, 0xd1fb], Instruction::thumb);
     let run: Vec<_> = [0, 2, 4, 6].repeat(3).into_iter().map(Executed::at).collect();
     for (pipeline, branch) in [(M0, 3), (M0Plus, 2), (M3, 2)] {
         let taken = program.cycles(&run, 8, pipeline, None, Some(4));
@@ -84,7 +85,7 @@ fn a_loop_takes_its_turns_and_waits_for_flash() {
 #[test]
 fn a_skipped_load_takes_one_cycle_and_reads_nothing() {
     // CMP R0, #0; ITE EQ; LDREQ R0, [R1] from RAM; LDRNE R2, [R3] from flash. With Z the first is executed and the second is not.
-    let program = Program::new(0, vec![0x2800, 0xbf0c, 0x6808, 0x681a]);
+    let program = Program::new(0, vec![0x2800, 0xbf0c, 0x6808, 0x681a], Instruction::thumb);
     let rules = FlashRules { wait: 9, line: 8, prefetch: false, lines: 0, ways: 0, data: DataCache::None };
     for (zero, waited) in [(1, 9), (0, 18)] {
         let mut conditions = Conditions::default();
@@ -101,7 +102,9 @@ fn a_skipped_load_takes_one_cycle_and_reads_nothing() {
 /// A loop of Timon Van Overveldt's `cycle_counting.rs`, a thousand times round: lw, add with its result, nop, bne back.
 #[test]
 fn a_loop_takes_what_an_esp32c3_counted() {
-    let program = riscv::Program::new(0, vec![0x2603, 0x0005, 0x9532, 0x0001, 0x1ee3, 0xfeb5]);
-    let run = [0, 4, 6, 8].repeat(1000);
-    assert_eq!(program.cycles(riscv::Rules::Likely, &run, 12), 999 * (2 + 1 + 1 + 3) + 5);
+    let code = vec![0x2603, 0x0005, 0x9532, 0x0001, 0x1ee3, 0xfeb5];
+    let program = Program::new(0, code, Instruction::riscv);
+    let run = [0, 4, 6, 8].repeat(1000).into_iter().map(Executed::at).collect();
+    let frame = Frame { program, run, end: 12, mark: None, constants: 0 };
+    assert_eq!(Rules::Likely.cycles(&frame), 999 * (2 + 1 + 1 + 3) + 5);
 }

@@ -1,5 +1,5 @@
 //! The cube drawn at once onto a display, a firmware each: its edges, and lit faces without depth and with depth for a part of the screen.
-//! *Inside* draws without clipping, *stretched* takes an object that does more than turn, and *pixels* a display in memory.
+//! *Inside* draws without clipping, and *pixels* a display in memory.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::bands::pixels;
 use bench::image::{Sink, Turntable, CORNERS, ROWS};
@@ -18,8 +18,6 @@ const IMAGE: usize = position(
         "flash_solid",
         "flash_solid_inside",
         "flash_depth",
-        "flash_depth_inside",
-        "flash_depth_stretched",
     ],
 );
 /// The number of depths in the depth buffer.
@@ -47,17 +45,8 @@ image!(cube, corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS], 
     } else {
         let area = Rectangle::new(Point::zero(), Size::new(scene::SIZE, ROWS));
         let mut depth = DepthBuffer::new(area, storage).ok()?;
-        if IMAGE == 7 {
-            let light = scene.light()?;
-            place().depth_tested(scene::flat(&cube.mesh, &light), corners, &mut depth, &mut Sink).ok()?;
-        } else {
-            let light = scene.rigid_light()?;
-            let shade = scene::flat(&cube.mesh, &light);
-            match IMAGE {
-                5 => place().depth_tested(shade, corners, &mut depth, &mut Sink).ok()?,
-                _ => place().without_clipping().depth_tested(shade, corners, &mut depth, &mut Sink).ok()?,
-            };
-        }
+        let light = scene.rigid_light()?;
+        place().depth_tested(scene::flat(&cube.mesh, &light), corners, &mut depth, &mut Sink).ok()?;
     }
     Some(())
 });

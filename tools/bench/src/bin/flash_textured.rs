@@ -1,17 +1,15 @@
-//! Faces into a picture in memory, a firmware for each shader: of one colour, and textured without depth and
-//! with it; and, without depth, with a screen door, half mixed, in fog, with keyed texels, and by a table of shades whose light or
-//! fog is that of vertices.
+//! Faces into a picture in memory, a firmware for each shader: of one colour, textured, with a screen door, half mixed, in fog, with
+//! keyed texels, and by a table of shades whose light or fog is that of vertices.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::bands::pixels;
 use bench::image::{Turntable, CORNERS, ROWS};
 use bench::{image, position, scene};
 use core::hint::black_box;
-use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
-use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    ColorKeyed, DepthBuffer, Fog, FogTable, Fogged, HalfBlended, Picture, Scalar, ScreenDoor, ScreenVertex,
-    ShadeTable, SpanShader, Texture, VertexFog,
+    ColorKeyed, Fog, FogTable, Fogged, HalfBlended, Picture, Scalar, ScreenDoor, ScreenVertex, ShadeTable,
+    SpanShader, Texture, VertexFog,
 };
 
 /// The firmware that is built.
@@ -20,7 +18,6 @@ const IMAGE: usize = position(
     &[
         "flash_color",
         "flash_textured",
-        "flash_textured_depth",
         "flash_screen_door",
         "flash_half",
         "flash_fogged",
@@ -29,7 +26,6 @@ const IMAGE: usize = position(
         "flash_vertex_fog",
     ],
 );
-const DEPTH: bool = IMAGE == 2;
 
 /// 128 bytes, which count.
 static TEXELS: [[Rgb565; 8]; 8] = {
@@ -56,10 +52,9 @@ image!(
     cube,
     corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS],
     memory: [Rgb565; pixels(ROWS)] = [scene::BACKGROUND; pixels(ROWS)],
-    storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)],
     {
         let scene = Turntable::new();
-        let frame = Frame { cube, scene: &scene, corners, memory, storage };
+        let frame = Frame { cube, scene: &scene, corners, memory };
         let color = |face| if face & 1 == 0 { Rgb565::RED } else { scene::BACKGROUND };
         let fog = || {
             let [start, end] = black_box([1 << 16, 4 << 16]).map(Scalar::from_bits);
@@ -67,21 +62,21 @@ image!(
         };
         match IMAGE {
             0 => frame.draw(color),
-            1 | 2 => {
+            1 => {
                 let texture = Texture::new(black_box(&TEXELS));
                 frame.draw(|face| texture.at(UV[face & 1]))
             }
-            3 => frame.draw(|face| ScreenDoor::new(color(face), black_box(40))),
-            4 => frame.draw(|face| HalfBlended::new(color(face))),
-            5 => {
+            2 => frame.draw(|face| ScreenDoor::new(color(face), black_box(40))),
+            3 => frame.draw(|face| HalfBlended::new(color(face))),
+            4 => {
                 let table = FogTable::new(&fog()?, scene.camera(), scene::BACKGROUND).ok()?;
                 frame.draw(|face| Fogged::new(color(face), &table))
             }
-            6 => {
+            5 => {
                 let texture = Texture::new(ColorKeyed::new(black_box(&TEXELS), Rgb565::GREEN));
                 frame.draw(|face| texture.at(UV[face & 1]))
             }
-            7 => {
+            6 => {
                 let levels = black_box([32, 64, 96, 128, 160, 192, 224, 256]);
                 frame.draw(|face| SHADES.lit(cube.mesh.corners_of(face, &levels)))
             }
@@ -101,22 +96,16 @@ struct Frame<'a> {
     scene: &'a Turntable,
     corners: &'a mut [ScreenVertex],
     memory: &'a mut [Rgb565],
-    storage: &'a mut [u16],
 }
 
 impl Frame<'_> {
     #[inline(always)]
     fn draw<S: SpanShader<Rgb565>>(self, shade: impl Fn(usize) -> S) -> Option<()> {
-        let Self { cube, scene, corners, memory, storage } = self;
+        let Self { cube, scene, corners, memory } = self;
         let instance = scene.place(cube);
         let size = black_box(Size::new(scene::SIZE, ROWS));
         let mut picture = Picture::new(memory, size).ok()?;
-        if DEPTH {
-            let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), storage).ok()?;
-            let Ok(_) = instance.depth_tested(&shade, corners, &mut depth, &mut picture.pixels());
-        } else {
-            let Ok(_) = instance.solid(&shade, corners, &mut picture.pixels());
-        }
+        let Ok(_) = instance.solid(&shade, corners, &mut picture.pixels());
         black_box(picture.colors());
         Some(())
     }

@@ -61,20 +61,6 @@ pub(super) fn g2(Plain { frame, corners }: &mut Plain<4>) -> Option<Counted> {
     })
 }
 
-pub(super) fn g2_z(Deep { frame, depth, corners }: &mut Deep<4>) -> Option<Counted> {
-    let (camera, floor): (_, &Floor) = (camera()?, black_box(&X3));
-    let (instance, fog) =
-        (camera.place(&floor.mesh, &Affine::<Model, World>::identity()), fog(FLOOR_FOG, &camera)?);
-    count(frame, &mut |picture| {
-        let (instance, fog) = black_box((&instance, &fog));
-        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let shade = |_| Fogged::new(Rgb565::RED, fog);
-        let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
-        black_box(statistics);
-        Some(())
-    })
-}
-
 pub(super) fn g3_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
     let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
     let (texture, instance, fog) = (Texture::new(&PICTURE), scene.place(), fog(TORUS_FOG, scene.camera())?);

@@ -86,33 +86,6 @@ impl Fifty {
     }
 }
 
-pub(super) fn f50_wire(Plain { frame, corners }: &mut Plain<CUBE>) -> Option<Counted> {
-    let mut fifty = Fifty::new()?;
-    count(frame, &mut |picture| {
-        black_box(fifty.frame(|camera, mesh, model| {
-            let Ok(statistics) =
-                camera.place(mesh, model).wireframe(black_box(LINE), corners, &mut picture.pixels());
-            black_box(statistics);
-            Some(())
-        })?);
-        Some(())
-    })
-}
-
-pub(super) fn f50(Plain { frame, corners }: &mut Plain<CUBE>) -> Option<Counted> {
-    let mut fifty = Fifty::new()?;
-    count(frame, &mut |picture| {
-        black_box(fifty.frame(|camera, mesh, model| {
-            let light = scene::lit(model)?;
-            let (shade, mut pixels) = (scene::flat(mesh, &light), picture.pixels());
-            let Ok(statistics) = camera.place(mesh, model).solid(shade, corners, &mut pixels);
-            black_box(statistics);
-            Some(())
-        })?);
-        Some(())
-    })
-}
-
 pub(super) fn f50_z(Deep { frame, depth, corners }: &mut Deep<CUBE>) -> Option<Counted> {
     let mut fifty = Fifty::new()?;
     count(frame, &mut |picture| {

@@ -1,9 +1,7 @@
 //! X1 to X4: textures. X1: S3's torus, with a picture of 64 × 64 texels once round; X2: a floor over the whole picture, whose
 //! far end is 5.6 times as far away as its near end; X3: a floor rolled by 25 degrees, which the near plane cuts; X4: one rolled
-//! by 20 degrees that reaches the horizon, a thousand times as far away. Also by other accuracies, and by methods of other libraries,
-//! for docs/accuracy.md.
+//! by 20 degrees that reaches the horizon, a thousand times as far away.
 
-use super::stepped::Stepped;
 use super::{count, Counted, Deep, Plain, TORUS};
 use crate::scene::{self, area, Scene, SIZE};
 use core::hint::black_box;
@@ -11,8 +9,8 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Accuracy, Affine, Angle, Camera, DepthBuffer, Mesh, Point3, Projection, Scalar, SpanShader, Texture,
-    Vector3, ViewTransform, Viewport,
+    Accuracy, Affine, Angle, Camera, DepthBuffer, Mesh, Point3, Projection, Scalar, Texture, Vector3,
+    ViewTransform, Viewport,
 };
 
 /// A side of the picture, in texels.
@@ -110,10 +108,14 @@ pub(super) fn camera() -> Option<Camera> {
 }
 
 #[inline(always)]
-pub(super) fn floor(floor: &'static Floor, Plain { frame, corners }: &mut Plain<4>) -> Option<Counted> {
+pub(super) fn floor(
+    floor: &'static Floor,
+    accuracy: Accuracy,
+    Plain { frame, corners }: &mut Plain<4>,
+) -> Option<Counted> {
     let (camera, floor) = (camera()?, black_box(floor));
     let instance = camera.place(&floor.mesh, &Affine::<Model, World>::identity());
-    let texture = Texture::new(&PICTURE);
+    let texture = Texture::new(&PICTURE).with_accuracy(accuracy);
     let t = floor.texels.wrapping_mul(16);
     let uv = [[0, t], [t, t], [t, 0], [0, 0]];
     count(frame, &mut |picture| {
@@ -127,29 +129,9 @@ pub(super) fn floor(floor: &'static Floor, Plain { frame, corners }: &mut Plain<
 }
 
 #[inline(always)]
-pub(super) fn floor_z(
-    floor: &'static Floor,
-    Deep { frame, depth, corners }: &mut Deep<4>,
-) -> Option<Counted> {
-    let (camera, floor) = (camera()?, black_box(floor));
-    let instance = camera.place(&floor.mesh, &Affine::<Model, World>::identity());
-    let texture = Texture::new(&PICTURE);
-    let t = floor.texels.wrapping_mul(16);
-    let uv = [[0, t], [t, t], [t, 0], [0, 0]];
-    count(frame, &mut |picture| {
-        let (instance, texture, uv) = black_box((&instance, &texture, &uv));
-        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let mesh = instance.mesh();
-        let shade = |face| texture.at(mesh.corners_of(face, uv));
-        let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
-        black_box(statistics);
-        Some(())
-    })
-}
-
-pub(super) fn torus(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
+pub(super) fn torus(accuracy: Accuracy, Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
     let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
-    let (texture, instance) = (Texture::new(&PICTURE), scene.place());
+    let (texture, instance) = (Texture::new(&PICTURE).with_accuracy(accuracy), scene.place());
     count(frame, &mut |picture| {
         let (instance, texture) = black_box((&instance, &texture));
         let shade = |face: usize| texture.at(torus_uv(face));
@@ -167,77 +149,6 @@ pub(super) fn torus_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Optio
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let shade = |face: usize| texture.at(torus_uv(face));
         let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
-        black_box(statistics);
-        Some(())
-    })
-}
-
-/// A way to draw a face with the picture on it.
-pub(super) trait Method {
-    fn shader(corners: [[i16; 2]; 3]) -> impl SpanShader<Rgb565>;
-}
-
-/// [`Accuracy::Eighth`], [`Accuracy::Sixteenth`], a division for each pixel, and one for every 16 pixels.
-pub(super) struct Eighth;
-pub(super) struct Sixteenth;
-pub(super) struct Each;
-pub(super) struct Every16;
-
-impl Method for Eighth {
-    #[inline(always)]
-    fn shader(corners: [[i16; 2]; 3]) -> impl SpanShader<Rgb565> {
-        Texture::new(&PICTURE).with_accuracy(Accuracy::Eighth).at(corners)
-    }
-}
-
-impl Method for Sixteenth {
-    #[inline(always)]
-    fn shader(corners: [[i16; 2]; 3]) -> impl SpanShader<Rgb565> {
-        Texture::new(&PICTURE).with_accuracy(Accuracy::Sixteenth).at(corners)
-    }
-}
-
-impl Method for Each {
-    #[inline(always)]
-    fn shader(corners: [[i16; 2]; 3]) -> impl SpanShader<Rgb565> {
-        Stepped::<_, 1>::new(&PICTURE, corners)
-    }
-}
-
-impl Method for Every16 {
-    #[inline(always)]
-    fn shader(corners: [[i16; 2]; 3]) -> impl SpanShader<Rgb565> {
-        Stepped::<_, 16>::new(&PICTURE, corners)
-    }
-}
-
-#[inline(always)]
-pub(super) fn floor_by<M: Method>(
-    floor: &'static Floor,
-    Plain { frame, corners }: &mut Plain<4>,
-) -> Option<Counted> {
-    let (camera, floor) = (camera()?, black_box(floor));
-    let instance = camera.place(&floor.mesh, &Affine::<Model, World>::identity());
-    let t = floor.texels.wrapping_mul(16);
-    let uv = [[0, t], [t, t], [t, 0], [0, 0]];
-    count(frame, &mut |picture| {
-        let (instance, uv) = black_box((&instance, &uv));
-        let mesh = instance.mesh();
-        let shade = |face| M::shader(mesh.corners_of(face, uv));
-        let Ok(statistics) = instance.solid(shade, corners, &mut picture.pixels());
-        black_box(statistics);
-        Some(())
-    })
-}
-
-#[inline(always)]
-pub(super) fn torus_by<M: Method>(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
-    let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
-    let instance = scene.place();
-    count(frame, &mut |picture| {
-        let instance = black_box(&instance);
-        let shade = |face: usize| M::shader(torus_uv(face));
-        let Ok(statistics) = instance.solid(shade, corners, &mut picture.pixels());
         black_box(statistics);
         Some(())
     })

@@ -136,25 +136,6 @@ macro_rules! ways {
 ways!(picture, count, |surface| &mut surface.pixels());
 ways!(screen, count_screen, |surface| &mut *surface);
 
-/// All edges into a picture, depth-tested on a depth buffer that is clear.
-#[inline(always)]
-pub(super) fn wire_z<const N: usize>(
-    model: &'static Model,
-    stroke: impl Stroke<Rgb565>,
-    Deep { frame, depth, corners }: &mut Deep<N>,
-) -> Option<Counted> {
-    let scene = Scene::new(model)?;
-    let instance = scene.place();
-    count(frame, &mut |picture| {
-        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let stroke = black_box(stroke);
-        let Ok(statistics) =
-            black_box(&instance).wireframe_depth_tested(stroke, corners, &mut depth, &mut picture.pixels());
-        black_box(statistics);
-        Some(())
-    })
-}
-
 #[inline(always)]
 fn points(&[ax, ay, bx, by, cx, cy]: &[i16; 6]) -> Option<[ScreenPoint; 3]> {
     let at = |x: i16, y: i16| ScreenPoint::from_subpixels(i32::from(x) << 8, i32::from(y) << 8);

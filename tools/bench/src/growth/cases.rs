@@ -1,11 +1,43 @@
 //! The cases that are drawn: some to fit the constants, others to test the predictions.
 
-use super::shapes::{
-    Shape, S2_CUBE, S3_TORUS, S4_ICO, SHEET_3200, SHEET_800, SPHERE_10, SPHERE_224, SPHERE_720, TORUS_1024,
-    TORUS_20000, TORUS_24, TORUS_320, TORUS_4096, TORUS_96,
-};
 use super::{Kind, SMALL};
 use pinhole::{Cull, Mesh};
+
+/// A mesh of 10 to 20 000 triangles, which `build.rs` makes; it is not checked yet: the compiler would take long.
+pub(super) struct Shape {
+    exponent: i8,
+    vertices: &'static [[i16; 3]],
+    faces: &'static [[u16; 3]],
+    normals: &'static [[i16; 3]],
+    edges: &'static [[u16; 2]],
+    /// The two faces beside each edge.
+    beside: &'static [[u16; 2]],
+}
+
+impl Shape {
+    fn mesh(&self) -> Option<Mesh<'static>> {
+        let mesh = Mesh::new(self.vertices, self.exponent, self.faces).ok()?;
+        mesh.with_normals(self.normals).ok()?.with_edges(self.edges).ok()
+    }
+
+    /// With the first part of the edges, one of every `one_of`, and the faces beside them.
+    fn with_edge_faces(&self, one_of: usize) -> Option<Mesh<'static>> {
+        let count = self.edges.len() / one_of.max(1);
+        let mesh = self.mesh()?.with_edges(self.edges.get(..count)?).ok()?;
+        mesh.with_edge_faces(self.beside.get(..count)?).ok()
+    }
+
+    fn vertices(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// Its vertices alone.
+    fn points(&self) -> Option<Mesh<'static>> {
+        Mesh::new(self.vertices, self.exponent, &[]).ok()
+    }
+}
+
+include!(concat!(env!("OUT_DIR"), "/shapes.rs"));
 
 /// A mesh before a camera. Lengths in 2⁻¹⁶.
 pub struct Case {

@@ -2,10 +2,7 @@
 //! another. The firmware counts them; the host draws them too, and says what there was to do.
 
 mod cases;
-mod shapes;
 mod texture;
-#[cfg(not(target_os = "none"))]
-mod watch;
 #[cfg(not(target_os = "none"))]
 mod work;
 

@@ -1,11 +1,14 @@
 //! Counts the work of a frame on the host: vertices, faces, rows, pixels.
 
 use super::texture::{coordinates, TEXELS_OF_UNIT};
-use super::watch::Watch;
 use super::{Case, Kind, Way, PAINTED_CORNERS, SMALL};
 use crate::scene::{BACKGROUND, LINE};
-use embedded_graphics_core::geometry::Size;
+use core::convert::Infallible;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{OriginDimensions, Size};
+use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
+use embedded_graphics_core::Pixel;
 use pinhole::{Cull, Mesh, MeshInstance, Projected};
 use std::collections::BTreeSet;
 
@@ -383,5 +386,42 @@ fn bands_of(bounds: &Rectangle, rows: u32) -> u32 {
         0
     } else {
         (top + height - 1) / rows - top / rows + 1
+    }
+}
+
+/// A target that counts what is drawn on it.
+struct Watch {
+    size: Size,
+    runs: u32,
+    pixels: u32,
+}
+
+impl Watch {
+    fn new(size: Size) -> Self {
+        Self { size, runs: 0, pixels: 0 }
+    }
+}
+
+impl OriginDimensions for Watch {
+    fn size(&self) -> Size {
+        self.size
+    }
+}
+
+impl DrawTarget for Watch {
+    type Color = Rgb565;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        // A line: its pixels lie in the picture.
+        self.pixels += pixels.into_iter().count() as u32;
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, _: Rgb565) -> Result<(), Infallible> {
+        // One row of a face; where a large one is as wide as the picture, many.
+        self.runs += area.size.height;
+        self.pixels += area.size.width * area.size.height;
+        Ok(())
     }
 }
