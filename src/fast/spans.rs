@@ -4,7 +4,7 @@
 //! - **Domain**: triangles within 32 rows (on a Cortex-M0 31) between the scissor's columns. All
 //!   other triangles go to the plain twin.
 //! - **Gain**: that of the triangle tiers, in the table in [`fast`](super); the iterator is not measured alone.
-//! - **Test**: `spans_are_those_of_the_plain_triangle` in this file, and `tests/raster/twins.rs`.
+//! - **Test**: `spans_are_those_of_the_plain_triangle` in this file, and `tests/raster/memory_triangles.rs`.
 
 use super::{Low, LowSpans};
 use crate::raster::{self, RowScratch, Scissor, Span, Triangle};

@@ -2,15 +2,12 @@
 //! from a pixel to a ray. The expectations are computed in f64 from the quantized inputs, or worked out by hand.
 
 mod framing;
-mod hierarchy;
 mod matrices;
 mod modelling;
 mod picking;
 mod planar_projection;
 mod projection_family;
-mod random_projections;
 mod ranges;
 mod setup_errors;
 mod spheres;
 mod vertex_chain;
-mod worked_by_hand;

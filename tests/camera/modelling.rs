@@ -1,11 +1,15 @@
-//! docs/spec.md, section 2: quaternions of micromath, frames and inverses, the normal transform. The errors of rotations,
-//! quaternions, compositions and inverses are in `tests/bounds.rs`.
+//! docs/spec.md, section 2: quaternions of micromath, frames and inverses, and hierarchies: world = parent's world · local, a node moves
+//! its descendants, and invalid parents are refused. The errors of rotations, quaternions, compositions, inverses and normals are in
+//! `tests/bounds.rs`.
 
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Angle, AxisError, InverseError, NumberError, Quaternion, QuaternionError};
-use support::bridge::pair::{bits, ModelBits, Step, ONE};
+use pinhole::{
+    Affine, Angle, AxisError, Hierarchy, HierarchyError, InverseError, Node, NumberError, Quaternion,
+    QuaternionError,
+};
+use support::bridge::pair::{ModelBits, Step, ONE};
 use support::bridge::{point, reals, scalar, vector};
-use support::oracle::chain::{self, cross, dot, fx, fx3, length, normalise, M3};
+use support::oracle::chain::{self, fx3, M3};
 use support::oracle::rng::Rng;
 
 fn by_quaternion([w, x, y, z]: [f64; 4]) -> M3 {
@@ -53,58 +57,6 @@ fn s2_quaternions_of_micromath_are_taken() {
     assert_eq!(about_nothing, Err(AxisError::ZeroAxis));
 }
 
-fn determinant(m: &M3) -> f64 {
-    dot(m[0], cross(m[1], m[2]))
-}
-
-/// Transposed cofactors over the determinant.
-fn inverse(m: &M3) -> M3 {
-    let d = determinant(m);
-    let c = [cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])];
-    core::array::from_fn(|i| core::array::from_fn(|j| c[j][i] / d))
-}
-
-/// Rotations, scales of 2⁻⁸ to 2⁸, and translations. The errors of the inverse's own coefficients are in `tests/bounds.rs`.
-#[test]
-fn s2_inverses_return_points_to_where_they_were() {
-    const UNIT: f64 = 1.0 / 65536.0;
-    let mut rng = Rng::new(0x203);
-    let (mut compared, mut rigid) = (0, 0);
-    while compared < 30_000 {
-        let ModelBits(mut steps) = ModelBits::random_rotation(&mut rng);
-        let is_rigid = rng.one_in(3);
-        let scales = [0; 3].map(|_| if is_rigid { ONE } else { rng.log(256.0, 16_777_216.0) as i32 });
-        steps.push(Step::Scale(scales));
-        steps.extend(ModelBits::random_rotation(&mut rng).0);
-        let mut shift = |reach: i64| [0; 3].map(|_| rng.int(-reach << 16, reach << 16) as i32);
-        let (move_by, p) = (shift(2000), shift(2000));
-        steps.push(Step::Move(move_by));
-        let (large, small) = scales.map(fx).iter().fold((0f64, f64::MAX), |(a, b), s| (a.max(*s), b.min(*s)));
-        let reach = |p: [i32; 3]| p.map(|c| fx(c).abs()).iter().sum::<f64>();
-        let size = large * reach(p) + reach(move_by);
-        // No coordinate saturates on the way. Stretches that differ more lie beyond the bound on flatness.
-        if size > 30_000.0 || large / small > 4000.0 {
-            continue;
-        }
-        let there = ModelBits(steps).library();
-        let image = there.apply(point(p));
-        let again = reals(there.inverse().expect("not singular").apply(image));
-        // The image is rounded by half a unit; 2⁻²⁸ times the ratio of stretches is the inverse's bound.
-        let half = 0.5 * UNIT * 3f64.sqrt();
-        let bound = 0.5 * UNIT + (half + 2.0 * 2f64.powi(-28) * large / small * size) / small;
-        assert!((0..3).all(|i| (again[i] - fx(p[i])).abs() <= bound), "{again:?} {p:?} {bound}");
-        if is_rigid {
-            let again = reals(there.rigid_inverse().expect("rigid").apply(image));
-            // R·Rᵀ is the identity to 2⁻²⁷.
-            let bound = 0.5 * UNIT + half + 2f64.powi(-26) * size;
-            assert!((0..3).all(|i| (again[i] - fx(p[i])).abs() <= bound), "{again:?} {p:?} {bound}");
-            rigid += 1;
-        }
-        compared += 1;
-    }
-    assert!(rigid > 5000, "{rigid}");
-}
-
 #[test]
 fn s2_singular_frames_are_refused_exactly_at_the_bound() {
     let x = vector::<World>([ONE, 0, 0]);
@@ -143,6 +95,14 @@ fn s2_singular_frames_are_refused_exactly_at_the_bound() {
     assert_eq!(flat.inverse().map(|_| ()), Err(InverseError::Singular));
 }
 
+/// The direction that is left, or none.
+#[test]
+fn s2_normals_of_flattened_models() {
+    let flat = Affine::<Model, World>::scale_axes(scalar(ONE), scalar(ONE), scalar(0)).normals();
+    assert_eq!(flat.apply([100, 0, 30_000]), [0, 0, 32_767]);
+    assert_eq!(Affine::<Model, World>::scale(scalar(0)).normals().apply([1, 2, 3]), [0; 3]);
+}
+
 #[test]
 fn s2_rigid_inverses_are_refused_exactly_at_the_bound() {
     for (scale, rigid) in [(ONE, true), (ONE + 1, false), (2 * ONE, false), (ONE / 2, false), (-ONE, true)] {
@@ -169,38 +129,96 @@ fn s2_rigid_inverses_are_refused_exactly_at_the_bound() {
     }
 }
 
-#[test]
-fn s2_normals_go_by_the_inverse_transpose() {
-    let mut rng = Rng::new(0x205);
-    let (mut worst, mut compared) = (0f64, 0);
-    while compared < 20_000 {
-        let size = rng.log(0.01, 1000.0);
-        let axes = [(); 3].map(|()| rng.direction().map(|c| c * size));
-        let [Some(a), Some(b), Some(c)] = axes.map(bits) else { continue };
-        let exact: M3 = core::array::from_fn(|i| [fx(a[i]), fx(b[i]), fx(c[i])]);
-        let det = determinant(&exact);
-        if det.abs() < 0.01 * length(fx3(a)) * length(fx3(b)) * length(fx3(c)) {
-            continue;
-        }
-        compared += 1;
-        let map =
-            Affine::<Model, World>::from_frame(vector(a), vector(b), vector(c), point([0; 3])).normals();
-        let n = normalise(rng.direction()).map(|c| (c * 32767.0).round() as i16);
-        let back = inverse(&exact);
-        let want = normalise(core::array::from_fn(|i| (0..3).map(|k| back[k][i] * f64::from(n[k])).sum()));
-        let got = map.apply(n).map(|c| f64::from(c) / 32768.0);
-        for i in 0..3 {
-            worst = worst.max((got[i] - want[i]).abs() * 32768.0);
-        }
-        // Perpendicular to what it was perpendicular to.
-        let tangent = cross(n.map(f64::from), [1.0, 2.0, 3.0]);
-        let moved = chain::mul3(&exact, tangent);
-        assert!(dot(got, moved).abs() <= 2.0 / 32768.0 * length(moved), "{got:?}");
+fn local(steps: &ModelBits) -> Affine<Model, Model> {
+    let mut all = Affine::identity();
+    for step in &steps.0 {
+        all = all.then(&match *step {
+            Step::X(a) => Affine::rotation_x(Angle::from_bits(a)),
+            Step::Y(a) => Affine::rotation_y(Angle::from_bits(a)),
+            Step::Z(a) => Affine::rotation_z(Angle::from_bits(a)),
+            Step::Scale([s, ..]) => Affine::scale(scalar(s)),
+            Step::Move(t) => Affine::translation(vector(t)),
+        });
     }
-    println!("normals: within {worst:.3}·2⁻¹⁵");
-    assert!(worst <= 1.001, "{worst}");
-    // Flattened: the direction that is left, or none.
-    let flat = Affine::<Model, World>::scale_axes(scalar(ONE), scalar(ONE), scalar(0)).normals();
-    assert_eq!(flat.apply([100, 0, 30_000]), [0, 0, 32_767]);
-    assert_eq!(Affine::<Model, World>::scale(scalar(0)).normals().apply([1, 2, 3]), [0; 3]);
+    all
+}
+
+fn random_local(rng: &mut Rng) -> ModelBits {
+    let mut steps = ModelBits::random_rotation(rng);
+    steps.0.push(Step::Move([0; 3].map(|_| rng.int(-5 * i64::from(ONE), 5 * i64::from(ONE)) as i32)));
+    steps
+}
+
+#[test]
+fn s2_world_is_parents_world_times_local() {
+    let mut rng = Rng::new(0x21);
+    for _ in 0..300 {
+        let count = 1 + rng.below(30);
+        let parents: Vec<Option<u16>> =
+            (0..count).map(|i| (i > 0 && !rng.one_in(5)).then(|| rng.below(i.max(1)) as u16)).collect();
+        let mut locals: Vec<ModelBits> = (0..count).map(|_| random_local(&mut rng)).collect();
+        let mut nodes: Vec<Node> = parents
+            .iter()
+            .zip(&locals)
+            .map(|(p, l)| match p {
+                None => Node::root(local(l)),
+                Some(p) => Node::child(*p, local(l)),
+            })
+            .collect();
+        let mut tree = Hierarchy::new(&mut nodes).expect("parents come first");
+        for round in 0..3 {
+            let mut exact: Vec<chain::Affine> = Vec::new();
+            for i in 0..count {
+                let own = locals[i].exact();
+                exact.push(parents[i].map_or(own, |p| own.then(&exact[usize::from(p)])));
+            }
+            for (i, exact) in exact.iter().enumerate() {
+                let p = [ONE, -2 * ONE, 3 * ONE];
+                let got = reals(tree.world(i).expect("a node").apply(point(p)));
+                let want = exact.apply(fx3(p));
+                for k in 0..3 {
+                    // Up to 30 compositions of 2⁻³⁰ on at most 150 units.
+                    assert!((got[k] - want[k]).abs() <= 0.6 / 65536.0, "{round} {i}: {got:?} {want:?}");
+                }
+            }
+            // A node moves: itself and all below it, nothing else.
+            let moved = rng.below(count);
+            let before: Vec<_> = (0..count).map(|i| *tree.world(i).expect("a node")).collect();
+            locals[moved] = random_local(&mut rng);
+            assert!(tree.set_local(moved, local(&locals[moved])));
+            assert_eq!(tree.world(moved), Some(&before[moved]), "not before the update");
+            tree.update();
+            for (i, before) in before.iter().enumerate() {
+                let mut up = Some(i);
+                while let Some(k) = up.filter(|&k| k != moved) {
+                    up = parents[k].map(usize::from);
+                }
+                if up.is_none() {
+                    assert_eq!(tree.world(i), Some(before), "{i} is not below {moved}");
+                } else {
+                    assert_ne!(tree.world(i), Some(before), "{i} is below {moved}");
+                }
+            }
+        }
+        assert!(!tree.set_local(count, Affine::identity()));
+        assert_eq!(tree.world(count), None);
+    }
+}
+
+#[test]
+fn s2_forward_and_own_parents_are_refused() {
+    let node = |p| Node::child(p, Affine::identity());
+    let root = Node::root(Affine::identity());
+    for (mut nodes, error) in [
+        (vec![node(0)], (0, 0)),
+        (vec![root, node(1)], (1, 1)),
+        (vec![root, node(2), node(0)], (1, 2)),
+        (vec![root, node(0), node(u16::MAX)], (2, u16::MAX)),
+        // A cycle needs a forward parent.
+        (vec![root, node(3), node(1), node(2)], (1, 3)),
+    ] {
+        let wanted = HierarchyError { node: error.0, parent: error.1 };
+        assert_eq!(Hierarchy::new(&mut nodes).map(|_| ()), Err(wanted));
+    }
+    assert!(Hierarchy::new(&mut []).is_ok());
 }

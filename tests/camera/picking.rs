@@ -1,10 +1,10 @@
 //! Picking: `unproject(project(p))` returns p within the change that half a sub-pixel and half a step of depth explain, the
 //! ray through a pixel meets the point visible there, and each reason to be hidden is reported. That `project` agrees with
-//! f64 for every projection is tested in `random_projections.rs`.
+//! f64 for every projection is tested in `vertex_chain.rs`.
 
 use embedded_graphics::geometry::Point;
 use pinhole::raster::ScreenPoint;
-use pinhole::{Affine, Camera, Mesh, ProjectError, Projected, Projection, Scalar, ViewTransform, Viewport};
+use pinhole::{Affine, Camera, Mesh, ProjectError, Projected, Projection, ViewTransform, Viewport};
 use support::bridge::pair::{bits, random_view, ONE};
 use support::bridge::{point, reals, rectangle, vector};
 use support::definition::{Family, Picture, Projectors};
@@ -147,6 +147,8 @@ fn project_reports_why_a_point_is_hidden() {
     assert!(plain.project(at(edge(8191.9), 0, 4 * ONE)).is_ok());
     assert_eq!(plain.project(at(edge(8192.2), 0, 4 * ONE)), Err(ProjectError::OutsideGuardBand));
     assert_eq!(plain.project(at(0, edge(8593.0), 4 * ONE)), Err(ProjectError::OutsideGuardBand));
+    let mesh = Mesh::new(&[[0, 0, 0]], 0, &[]).expect("a mesh");
+    assert_eq!(plain.place(&mesh, &Affine::identity()).project(1), Err(ProjectError::NoVertex));
     // A point outside the viewport has screen coordinates too.
     let p = plain.project(at(-2 * ONE, 0, 4 * ONE)).expect("a place").point;
     assert_eq!((p.x(), p.y()), (-200 * 256, 200 * 256));
@@ -154,27 +156,6 @@ fn project_reports_why_a_point_is_hidden() {
     let words = [ProjectError::BeforeNear, ProjectError::BeyondFar, ProjectError::OutsideGuardBand]
         .map(|h| h.to_string());
     assert!(words[0] != words[1] && words[1] != words[2]);
-}
-
-#[test]
-fn rays_of_a_perspective_meet_in_its_centre() {
-    let view = ViewTransform::look_at(point([ONE, 2 * ONE, 5 * ONE]), point([0; 3]), vector([0, ONE, 0]))
-        .expect("a view");
-    let camera = camera(view, &Family::FieldOfView(1 << 29, (400, 400), ONE, 100 * ONE));
-    for x in [-100, 0, 199, 400] {
-        for y in [-300, 0, 123, 400] {
-            let at = ScreenPoint::from_subpixels(x * 256, y * 256).expect("inside");
-            let ray = camera.ray(at).expect("a ray");
-            let d = [ray.direction.x(), ray.direction.y(), ray.direction.z()].map(|c| chain::fx(c.to_bits()));
-            let to: V3 = core::array::from_fn(|i| [1.0, 2.0, 5.0][i] - reals(ray.origin)[i]);
-            let beside = length(chain::cross(to, d)) / length(d);
-            assert!(beside < 2.0 / 65536.0, "{beside}");
-            // Projecting the point again gives the pixel that it came from.
-            let along = core::array::from_fn(|i| reals(ray.origin)[i] + d[i] / 8192.0 * 5.0);
-            let p = camera.project(point(bits(along).expect("in range"))).expect("seen").point;
-            assert!((p.x() - at.x()).abs() <= 2 && (p.y() - at.y()).abs() <= 2, "{p:?} {at:?}");
-        }
-    }
 }
 
 #[test]
@@ -248,40 +229,4 @@ fn near_cuts_at_its_distance_for_any_near_and_far() {
         }
     }
     println!("exactly on near: {} seen, {} not", exactly[1], exactly[0]);
-}
-
-/// A point of the world and a vertex of a mesh at the same place get the same answer, or the same reason.
-#[test]
-fn cameras_and_meshes_give_one_answer() {
-    let mut rng = Rng::new(0x66);
-    let family = Family::FieldOfView(1 << 29, (400, 400), 2 * ONE, 60 * ONE);
-    let view = ViewTransform::multiview(point([0, 0, 5 * ONE]), pinhole::Side::Front);
-    let mut seen = [0; 4];
-    for clips in [false, true] {
-        let camera = camera(view, &family).with_far_clip(clips);
-        for _ in 0..3000 {
-            let reach = rng.log(0.1, 20_000.0);
-            let Some(at) = bits(rng.direction().map(|c| c * reach)) else { continue };
-            let vertices = [at.map(Scalar::from_bits)];
-            let mesh = Mesh::from_fixed(&vertices, &[]).expect("a mesh");
-            let (by_mesh, by_camera) =
-                (camera.place(&mesh, &Affine::identity()).project(0), camera.project(point(at)));
-            assert_eq!(by_mesh.err(), by_camera.err(), "{at:?}");
-            if let (Ok(a), Ok(b)) = (by_mesh, by_camera) {
-                let off = (a.point.x() - b.point.x()).abs().max((a.point.y() - b.point.y()).abs());
-                assert!(off <= 1 && a.depth.abs_diff(b.depth) <= 1, "{a:?} {b:?}");
-            }
-            let kind = match by_mesh {
-                Ok(_) => 0,
-                Err(ProjectError::BeforeNear) => 1,
-                Err(ProjectError::BeyondFar) => 2,
-                Err(ProjectError::OutsideGuardBand) => 3,
-                Err(error) => panic!("{error}"),
-            };
-            seen[kind] += 1;
-        }
-        let mesh = Mesh::new(&[[0, 0, 0]], 0, &[]).expect("a mesh");
-        assert_eq!(camera.place(&mesh, &Affine::identity()).project(1), Err(ProjectError::NoVertex));
-    }
-    assert!(seen.iter().all(|&count| count > 5), "{seen:?}");
 }

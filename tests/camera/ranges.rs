@@ -3,9 +3,9 @@
 use pinhole::space::{Model, View, World};
 use pinhole::{
     Affine, Camera, InverseError, Mesh, PlanarProjection, Point3, Projection, ProjectionError,
-    ReferenceVolume, Scalar, ViewTransform, Viewport, Visibility, Window,
+    ReferenceVolume, Scalar, ViewTransform, Viewport, Visibility,
 };
-use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::bridge::pair::{window, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::{point, reals, rectangle, scalar, vector};
 use support::definition::Family;
 use support::oracle::chain::mul4;
@@ -103,11 +103,6 @@ fn a_mesh_moved_far_away_and_back_is_in_place() {
         let found = [0, 1, 2].map(|i| instance.project(i).map(|seen| (seen.point.x(), seen.point.y())));
         assert_eq!(found, [Ok((0, 0)), Ok((4096, 4096)), Ok((2048, 2048))], "{factor}");
     }
-}
-
-fn window([left, right, bottom, top]: [i32; 4]) -> Window {
-    let [left, right, bottom, top] = [left, right, bottom, top].map(scalar);
-    Window { left, right, bottom, top }
 }
 
 /// A point of whole units, for which f64 has the products with 30-bit coefficients, or 2⁻¹⁶ beside one.
@@ -248,4 +243,25 @@ fn planar_images_hold_on_planes_close_to_the_eye() {
         }
     }
     assert_eq!(onto.homogeneous(point([ONE, 0, ONE]))[3], Scalar::MAX);
+}
+
+#[test]
+fn behind_the_eye_there_is_no_image() {
+    let sides = [-3 * ONE / 2, 2 * ONE, -ONE / 2, 5 * ONE / 4];
+    let frustum =
+        Projection::frustum(window(sides), scalar(3 * ONE / 4), scalar(40 * ONE)).expect("a frustum");
+    for z in [0, 1, ONE, 1000 * ONE] {
+        assert!(frustum.apply(point([ONE, ONE, z])).ndc().is_none());
+    }
+    assert!(frustum.apply(point([1, 1, -1])).ndc().is_some());
+}
+
+#[test]
+fn viewports_saturate_at_the_guard_band() {
+    let area = rectangle(8000, -8192, 192, 100);
+    let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
+    for (ndc, end) in [(32_767, 8192 * 256), (-32_768, -8192 * 256)] {
+        let p = viewport.apply(Point3::from_ints(ndc, ndc, 0));
+        assert_eq!((p.x(), p.y()), (end, -end));
+    }
 }

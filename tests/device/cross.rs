@@ -3,7 +3,7 @@
 use crate::floats::is_float_routine;
 use std::collections::BTreeMap;
 use std::io::{Read, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
@@ -32,28 +32,25 @@ impl Firmware {
     }
 
     fn build(target: &'static str) -> Option<Self> {
-        let check = Command::new("bash").args(["tools/cross", "--check", target]).current_dir(ROOT).output();
-        let lacking = match check {
-            Ok(check) if check.status.success() => {
-                let examples: &[&str] =
-                    if target.starts_with("thumb") { &["hello", "oled"] } else { &["hello"] };
-                let mut build = cross();
-                build.args([env!("CARGO"), "build", "--quiet", "--release", "--features", "qemu"]);
-                build.args(["--target", target]);
-                build.args(examples.iter().flat_map(|example| ["--example", example]));
-                let build = build.output().expect("bash ran a moment ago");
-                assert!(build.status.success(), "{}", String::from_utf8_lossy(&build.stderr));
-                return Some(Self { target });
-            }
-            Ok(check) => String::from_utf8_lossy(&check.stderr).into_owned(),
-            Err(error) => format!("bash: {error}\n"),
-        };
-        if std::env::var_os("CI").is_some() {
-            panic!("{target}: {lacking}");
+        if !has_tools(target) {
+            return None;
         }
-        // Not by eprintln, which the test harness shows only when a test fails.
-        write!(std::io::stderr(), "\nSKIPPED, NOT TESTED: firmware for {target}\n{lacking}").expect("stderr");
-        None
+        let examples: &[&str] = if target.starts_with("thumb") { &["hello", "oled"] } else { &["hello"] };
+        let mut build = cross();
+        build.args([
+            env!("CARGO"),
+            "build",
+            "--quiet",
+            "--release",
+            "--features",
+            "qemu",
+            "--target",
+            target,
+        ]);
+        build.args(examples.iter().flat_map(|example| ["--example", example]));
+        let build = build.output().expect("bash ran a moment ago");
+        assert!(build.status.success(), "{}", String::from_utf8_lossy(&build.stderr));
+        Some(Self { target })
     }
 
     /// The file of an example.
@@ -107,13 +104,7 @@ impl Firmware {
 
     /// An example's symbols, a line each.
     fn symbols(&self, example: &str) -> String {
-        let nm = cross()
-            .args(["bash", "-c", "\"$NM\" \"$1\"", "nm"])
-            .arg(self.image(example))
-            .output()
-            .expect("bash");
-        assert!(nm.status.success(), "{}", String::from_utf8_lossy(&nm.stderr));
-        let listing = String::from_utf8_lossy(&nm.stdout).into_owned();
+        let listing = symbols(&self.image(example));
         assert!(
             listing.lines().any(|line| line.ends_with(" Reset")),
             "not the symbols of a firmware: {listing}"
@@ -122,8 +113,29 @@ impl Firmware {
     }
 }
 
+/// Whether the tools for a target are installed. If not, the test says so; with `CI` set it fails.
+pub(crate) fn has_tools(target: &str) -> bool {
+    let check = Command::new("bash").args(["tools/cross", "--check", target]).current_dir(ROOT).output();
+    let lacking = match check {
+        Ok(check) if check.status.success() => return true,
+        Ok(check) => String::from_utf8_lossy(&check.stderr).into_owned(),
+        Err(error) => format!("bash: {error}\n"),
+    };
+    assert!(std::env::var_os("CI").is_none(), "{target}: {lacking}");
+    // Not by eprintln, which the test harness shows only when a test fails.
+    write!(std::io::stderr(), "\nSKIPPED, NOT TESTED: firmware for {target}\n{lacking}").expect("stderr");
+    false
+}
+
+/// The symbols of an image, one a line.
+pub(crate) fn symbols(image: &Path) -> String {
+    let nm = cross().args(["bash", "-c", "\"$NM\" \"$1\"", "nm"]).arg(image).output().expect("bash");
+    assert!(nm.status.success(), "{}", String::from_utf8_lossy(&nm.stderr));
+    String::from_utf8_lossy(&nm.stdout).into_owned()
+}
+
 /// A folder beside the test's own build: another compiler and another cargo cannot share it.
-fn target_dir() -> PathBuf {
+pub(crate) fn target_dir() -> PathBuf {
     PathBuf::from(env!("CARGO_TARGET_TMPDIR")).with_file_name("cross")
 }
 

@@ -5,29 +5,21 @@ use crate::cross::Firmware;
 #[path = "../../examples/show/mod.rs"]
 mod show;
 
-fn draws_as_the_host(target: &'static str, core: &str) {
-    let Some(firmware) = Firmware::for_target(target) else { return };
-    assert_eq!(firmware.run_hello(core), host());
+macro_rules! draws_as_the_host {
+    ($($test:ident $target:literal $core:literal)*) => {$(
+        #[test]
+        fn $test() {
+            let Some(firmware) = Firmware::for_target($target) else { return };
+            assert_eq!(firmware.run_hello($core), host());
+        }
+    )*};
 }
 
-#[test]
-fn cortex_m0_draws_as_the_host() {
-    draws_as_the_host("thumbv6m-none-eabi", "cortex-m0");
-}
-
-#[test]
-fn cortex_m3_draws_as_the_host() {
-    draws_as_the_host("thumbv7m-none-eabi", "cortex-m3");
-}
-
-#[test]
-fn cortex_m4_draws_as_the_host() {
-    draws_as_the_host("thumbv7em-none-eabihf", "cortex-m4");
-}
-
-#[test]
-fn risc_v_draws_as_the_host() {
-    draws_as_the_host("riscv32imc-unknown-none-elf", "rv32imc");
+draws_as_the_host! {
+    cortex_m0_draws_as_the_host "thumbv6m-none-eabi" "cortex-m0"
+    cortex_m3_draws_as_the_host "thumbv7m-none-eabi" "cortex-m3"
+    cortex_m4_draws_as_the_host "thumbv7em-none-eabihf" "cortex-m4"
+    risc_v_draws_as_the_host "riscv32imc-unknown-none-elf" "rv32imc"
 }
 
 /// The comparison would mean little if the frames were empty or alike.

@@ -14,7 +14,6 @@ mod floats;
 mod hello;
 #[cfg(unix)]
 mod oled;
-mod oled_driver;
 #[path = "../../examples/oled/picture.rs"]
 mod picture;
 #[path = "../../examples/oled/show/mod.rs"]

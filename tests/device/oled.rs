@@ -55,29 +55,21 @@ fn shows_what_the_host_draws(target: &'static str, core: &str, most: usize) {
     }
 }
 
-#[test]
-fn cortex_m0_shows_the_pictures_of_the_host() {
-    shows_what_the_host_draws("thumbv6m-none-eabi", "cortex-m0", STACK_OF_M0);
+macro_rules! shows_what_the_host_draws {
+    ($($test:ident $target:literal $core:literal $stack:ident)*) => {$(
+        #[test]
+        fn $test() {
+            shows_what_the_host_draws($target, $core, $stack);
+        }
+    )*};
 }
 
-#[test]
-fn cortex_m3_shows_the_pictures_of_the_host() {
-    shows_what_the_host_draws("thumbv7m-none-eabi", "cortex-m3", STACK);
-}
-
-#[test]
-fn cortex_m4f_shows_the_pictures_of_the_host() {
-    shows_what_the_host_draws("thumbv7em-none-eabihf", "cortex-m4", STACK);
-}
-
-#[test]
-fn cortex_m7_shows_the_pictures_of_the_host() {
-    shows_what_the_host_draws("thumbv7em-none-eabihf", "cortex-m7", STACK);
-}
-
-#[test]
-fn cortex_m33_shows_the_pictures_of_the_host() {
-    shows_what_the_host_draws("thumbv8m.main-none-eabihf", "cortex-m33", STACK);
+shows_what_the_host_draws! {
+    cortex_m0_shows_the_pictures_of_the_host "thumbv6m-none-eabi" "cortex-m0" STACK_OF_M0
+    cortex_m3_shows_the_pictures_of_the_host "thumbv7m-none-eabi" "cortex-m3" STACK
+    cortex_m4f_shows_the_pictures_of_the_host "thumbv7em-none-eabihf" "cortex-m4" STACK
+    cortex_m7_shows_the_pictures_of_the_host "thumbv7em-none-eabihf" "cortex-m7" STACK
+    cortex_m33_shows_the_pictures_of_the_host "thumbv8m.main-none-eabihf" "cortex-m33" STACK
 }
 
 /// The comparison would mean little if the frames were empty or alike.
@@ -101,23 +93,6 @@ fn the_last_scene_is_of_one_bit() {
     }
 }
 
-/// The check itself must be able to fail.
-#[test]
-fn a_single_wrong_pixel_is_reported() {
-    let wanted = host();
-    let mut seen = wanted.clone();
-    assert_eq!(differences(&seen, &wanted), [""; 0]);
-    let mut levels = seen[5].levels().to_vec();
-    levels[128 * 17 + 93] ^= 1;
-    let was = wanted[5].levels()[128 * 17 + 93];
-    seen[5] = Picture::new(levels).expect("levels");
-    let message = format!("frame 5: 1 pixels differ, the first at (93, 17): {}, not {was}", was ^ 1);
-    assert_eq!(differences(&seen, &wanted), [message]);
-    assert_eq!(differences(&wanted[1..], &wanted[1..]), [""; 0]);
-    assert_eq!(differences(&wanted[..3], &wanted[..4]), ["3 of 4 frames"]);
-    assert!(Picture::new(vec![16; 128 * 64]).is_none() && Picture::new(vec![0; 128]).is_none());
-}
-
 /// A firmware that gets no answer waits forever, like a firmware that hangs. The test notices and ends QEMU.
 #[test]
 fn a_firmware_that_hangs_is_killed() {
@@ -130,14 +105,6 @@ fn a_firmware_that_hangs_is_killed() {
         emulator.frame().map(|frame| frame.is_some()).map_err(|error| error.kind()),
         Err(ErrorKind::TimedOut)
     );
-}
-
-/// A core that QEMU does not have is an error, not a wait.
-#[test]
-fn an_emulator_that_does_not_start_is_an_error() {
-    let Some(firmware) = Firmware::for_target("thumbv7m-none-eabi") else { return };
-    let error = Emulator::start("cortex-m1000", &firmware.image("oled"), PATIENCE).err().expect("an error");
-    assert!(error.to_string().contains("cortex-m1000"), "{error}");
 }
 
 /// The show's firmware, made to send a command that the SSD0323 does not have. If QEMU did not report it, or in other

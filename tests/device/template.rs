@@ -1,6 +1,7 @@
 //! The README's steps, executed literally in an empty folder: the first program prints its picture, and the template for
 //! firmware links for three kinds of cores.
 
+use crate::cross::{has_tools, symbols, target_dir};
 use crate::floats::is_float_routine;
 use std::fs;
 use std::io::Write;
@@ -74,7 +75,7 @@ fn links_firmware(target: &str, entry: &str) {
     let [commands, model, preview] = blocks(FIRMWARE, "sh").try_into().expect("three blocks of commands");
     // The README says to set the target in .cargo/config.toml, whose value this variable replaces.
     folder.shell(&commands, &[("CARGO_BUILD_TARGET", target)]);
-    let symbols = symbols(target);
+    let symbols = firmware_symbols(target);
     let names: Vec<&str> = symbols.lines().filter_map(|line| line.split_whitespace().last()).collect();
     assert!(names.contains(&entry) && names.iter().any(|name| name.contains("depth_tested")), "{symbols}");
     let unwanted = |name: &&str| is_float_routine(name) || name.contains("core3fmt");
@@ -194,7 +195,7 @@ fn is_set_as_the_readme_says(folder: &Folder, target: &str) {
         .expect("display.rs");
 
     folder.shell("cd firmware\ncargo build --release", &[("CARGO_BUILD_TARGET", target)]);
-    let symbols = symbols(target);
+    let symbols = firmware_symbols(target);
     let address = |name: &str| -> u64 {
         let line = symbols.lines().find(|line| line.split_whitespace().last() == Some(name));
         let line = line.unwrap_or_else(|| panic!("no {name}: {symbols}"));
@@ -205,15 +206,8 @@ fn is_set_as_the_readme_says(folder: &Folder, target: &str) {
 }
 
 /// The symbols of the firmware's image, one a line.
-fn symbols(target: &str) -> String {
-    let image = cross_folder().join(target).join("release/any-cortex-m");
-    let nm = Command::new("bash")
-        .args(["tools/cross", "bash", "-c", "\"$NM\" \"$1\"", "nm"])
-        .arg(&image)
-        .current_dir(ROOT)
-        .output()
-        .expect("bash");
-    String::from_utf8_lossy(&nm.stdout).into_owned()
+fn firmware_symbols(target: &str) -> String {
+    symbols(&target_dir().join(target).join("release/any-cortex-m"))
 }
 
 /// What cargo-generate is asked for gives the manifest that `boards/new` writes, of each template, and nothing else is replaced.
@@ -351,7 +345,7 @@ impl Folder {
                 // `--target` is for tools/cross, which finds a compiler by it; the commands do not see it.
                 let tools = Path::new(ROOT).join("tools/cross");
                 command.arg(tools).args(["bash", "-c", &script, "--target", target]);
-                command.env("CARGO_TARGET_DIR", cross_folder());
+                command.env("CARGO_TARGET_DIR", target_dir());
             }
         }
         command.envs(variables.iter().copied());
@@ -369,24 +363,4 @@ impl Drop for Folder {
     fn drop(&mut self) {
         let _ = fs::remove_dir_all(&self.path); // a temporary folder; its link is removed, not what it leads to
     }
-}
-
-/// With the other device tests: core and the dependencies are built once.
-fn cross_folder() -> PathBuf {
-    Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("cross")
-}
-
-/// Whether a target is installed. If not, the test says so; with `CI` set it fails.
-fn has_tools(target: &str) -> bool {
-    let check = Command::new("bash").args(["tools/cross", "--check", target]).current_dir(ROOT).output();
-    let lacking = match check {
-        Ok(check) if check.status.success() => return true,
-        Ok(check) => String::from_utf8_lossy(&check.stderr).into_owned(),
-        Err(error) => format!("bash: {error}\n"),
-    };
-    assert!(std::env::var_os("CI").is_none(), "{target}: {lacking}");
-    // Not by eprintln, which the test harness shows only when a test fails.
-    write!(std::io::stderr(), "\nSKIPPED, NOT TESTED: the README's firmware on {target}\n{lacking}")
-        .expect("stderr");
-    false
 }

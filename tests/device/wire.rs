@@ -12,10 +12,11 @@ use mipidsi::{Builder, Display, NoResetPin};
 use pinhole::{Frame, PixelFormat, Target};
 use support::oracle::line;
 use support::panel::bus::{Failure, NoDelay, Panel};
-use support::panel::films::{Film, Memory, BACKGROUND, FRAMES};
-use support::panel::measure::{film, line_traffic, lines, pixel_bytes, reference, sum, Way};
+use support::panel::films::{
+    changes, dirty, film, in_bands, in_pixels, in_spans, line_traffic, lines, pixel_bytes, reference, strip,
+    sum, Colour, Film, Way, BACKGROUND, FRAMES,
+};
 use support::panel::screen::{Bus, Kind, Screen, StoredPixel};
-use support::panel::ways::{changes, dirty, in_bands, in_pixels, in_spans, strip, Colour};
 use support::panel::{Controller, Held};
 
 /// The spinning cube, for tests that any film would serve.
@@ -54,7 +55,7 @@ fn the_stm32_board_sets_its_panel_up_the_right_way_round() {
     assert_eq!(display.bounding_box().size, size);
     let mut strip = strip::<Rgb565>(size.width, 8);
     let area = display.bounding_box();
-    in_bands(&mut Memory::default().record(&things), area, &mut strip, &mut display).unwrap();
+    in_bands(&things, area, &mut strip, &mut display).unwrap();
     let controller = panel.controller();
     assert!(controller.errors.is_empty(), "{:?}", controller.errors);
     let wanted: Vec<u32> =
@@ -81,8 +82,7 @@ fn bands_of_every_height_show_the_picture_and_cost_little() {
             let frame = rows % FRAMES;
             let mut strip = strip::<M::ColorFormat>(M::SIZE.width, rows);
             let things = CUBE.frame(M::SIZE, frame);
-            let mut memory = Memory::default();
-            in_bands(&mut memory.record(&things), area, &mut strip, &mut screen.display).unwrap();
+            in_bands(&things, area, &mut strip, &mut screen.display).unwrap();
             screen.assert_shows(&reference(&things, M::SIZE), ("bands", rows));
             let (bytes, windows) = screen.count();
             assert_eq!(windows, M::SIZE.height.div_ceil(rows) as usize);
@@ -156,12 +156,12 @@ fn the_bytes_of_a_band_are_in_wire_order() {
         ] {
             let things = CUBE.frame(M::SIZE, rows);
             let mut strip = strip::<M::ColorFormat>(M::SIZE.width, rows);
-            let mut memory = Memory::default();
-            in_bands(&mut memory.record(&things), area, &mut strip, &mut sent.display).unwrap();
-            let mut recorded = memory.record(&things);
+            in_bands(&things, area, &mut strip, &mut sent.display).unwrap();
             let mut frame = Frame::new(area, M::ColorFormat::from(BACKGROUND));
             while let Some(mut band) = frame.next_band(&mut strip).unwrap() {
-                recorded.iter_mut().for_each(|thing| thing.draw(&mut band));
+                for thing in &things {
+                    let Ok(()) = thing.draw(&mut band);
+                }
                 let Point { x, y } = band.area().top_left;
                 let end = band.area().bottom_right().unwrap();
                 let [x, y, to_x, to_y] = [x, y, end.x, end.y].map(|v| v as u16);
@@ -240,10 +240,9 @@ fn the_frame_after_a_bus_failure_is_complete() {
                 let area = screen.display.bounding_box();
                 let mut dirty = dirty::<M::ColorFormat>(area);
                 let mut strip = strip::<M::ColorFormat>(M::SIZE.width, 8);
-                let mut memory = Memory::default();
                 let mut next = |screen: &mut Screen<M>, dirty: &mut _, frame| {
                     let things = film.frame(M::SIZE, frame);
-                    changes(&mut memory.record(&things), dirty, &mut strip, &mut screen.display)
+                    changes(&things, dirty, &mut strip, &mut screen.display)
                 };
                 next(&mut screen, &mut dirty, START).unwrap();
                 // The next frame may end before; the bus fails in a later one then.
@@ -273,7 +272,7 @@ fn the_frame_after_a_bus_failure_is_complete() {
     }
 }
 
-/// The controller alone, by hand.
+/// The model of the controller, by hand.
 mod controller {
     use super::{Controller, Held};
 
@@ -284,55 +283,34 @@ mod controller {
 
     fn ready(access: u8, format: u8) -> Controller {
         let mut controller = Controller::new();
-        for (command, data) in
-            [(0x01, &[][..]), (0x11, &[]), (0x29, &[]), (0x36, &[access]), (0x3a, &[format])]
-        {
-            send(&mut controller, command, data);
-        }
+        let set_up = [(0x01, &[][..]), (0x11, &[]), (0x29, &[]), (0x36, &[access]), (0x3a, &[format])];
+        set_up.into_iter().for_each(|(command, data)| send(&mut controller, command, data));
+        controller.count();
         controller
     }
 
     #[test]
     fn a_window_is_filled_row_by_row_and_round_again() {
         let mut controller = ready(0, 0x55);
-        let before = controller.picture(Held::Upright, 5, 5);
-        controller.count();
+        let mut expected = controller.picture(Held::Upright, 5, 5);
         send(&mut controller, 0x2a, &[0, 1, 0, 2]);
         send(&mut controller, 0x2b, &[0, 2, 0, 3]);
         send(&mut controller, 0x2c, &[0, 1, 0, 2, 0, 3, 0xff, 4, 0x12, 0x34]);
-        let mut expected = before;
         (expected[11], expected[12], expected[16], expected[17]) = (0x1234, 2, 3, 0xff04);
-        assert_eq!(controller.picture(Held::Upright, 5, 5), expected);
-        assert_eq!(controller.count(), (11 + 10, 1));
-        // Written again, from the window's corner.
-        send(&mut controller, 0x2c, &[0, 9]);
-        expected[11] = 9;
-        assert_eq!(controller.picture(Held::Upright, 5, 5), expected);
-        assert_eq!((controller.errors.len(), controller.cut_off), (0, 0));
+        assert_eq!((controller.picture(Held::Upright, 5, 5), controller.count()), (expected, (11 + 10, 1)));
+        // 18 bits are the upper six of three bytes.
+        let mut wide = ready(0, 0x66);
+        send(&mut wide, 0x2c, &[0b1000_0111, 0b0000_0100, 0xff]);
+        assert_eq!(wide.picture(Held::Upright, 1, 1), [0b10_0001_0000_0111_1111]);
+        // Rows and columns exchanged, columns mirrored: the first pixel is the glass's upper right one.
+        let mut landscape = ready(0x60, 0x55);
+        send(&mut landscape, 0x2c, &[0, 1, 0, 2]);
+        let upright = landscape.picture(Held::Upright, 240, 2);
+        assert_eq!((landscape.picture(Held::Landscape, 1, 1), upright[239]), (vec![1], 1));
     }
 
     #[test]
-    fn eighteen_bits_are_the_upper_six_of_three_bytes() {
-        let mut controller = ready(0, 0x66);
-        send(&mut controller, 0x2c, &[0b1000_0111, 0b0000_0100, 0xff]);
-        assert_eq!(controller.picture(Held::Upright, 1, 1), [0b10_0001_0000_0111_1111]);
-    }
-
-    /// Rows and columns exchanged, columns mirrored: the first pixel is the glass's upper right one.
-    #[test]
-    fn a_landscape_runs_down_the_right_border() {
-        let mut controller = ready(0x60, 0x55);
-        send(&mut controller, 0x2a, &[0, 0, 1, 0x3f]);
-        send(&mut controller, 0x2b, &[0, 0, 0, 239]);
-        send(&mut controller, 0x2c, &[0, 1, 0, 2]);
-        assert_eq!(controller.picture(Held::Landscape, 2, 1), [1, 2]);
-        let upright = controller.picture(Held::Upright, 240, 2);
-        assert_eq!((upright[239], upright[479]), (1, 2));
-        assert!(controller.errors.is_empty());
-    }
-
-    #[test]
-    fn wrong_commands_are_recorded() {
+    fn wrong_commands_are_recorded_and_cut_off_ones_have_no_effect() {
         for (command, data) in [
             (0x2a, &[0, 9, 0, 8][..]), // backwards
             (0x2a, &[0, 0, 0, 240]),   // beyond the glass
@@ -349,15 +327,11 @@ mod controller {
         let mut asleep = Controller::new();
         send(&mut asleep, 0x2c, &[0, 0]);
         assert_eq!(asleep.errors.len(), 3, "{:?}", asleep.errors); // asleep, and a format for neither byte
-    }
-
-    #[test]
-    fn a_command_cut_off_has_no_effect() {
         let mut controller = ready(0, 0x55);
         let before = controller.picture(Held::Upright, 240, 320);
-        send(&mut controller, 0x2a, &[0, 9, 0]);
-        send(&mut controller, 0x2c, &[0]);
-        send(&mut controller, 0x13, &[]);
+        for (command, data) in [(0x2a, &[0, 9, 0][..]), (0x2c, &[0]), (0x13, &[])] {
+            send(&mut controller, command, data);
+        }
         assert!(controller.picture(Held::Upright, 240, 320) == before);
         assert_eq!((controller.cut_off, controller.errors.len()), (2, 0));
     }

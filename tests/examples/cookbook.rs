@@ -5,14 +5,15 @@ mod book;
 #[path = "../../examples/cookbook/scenes.rs"]
 mod scenes;
 
-use crate::programs::{self, testing};
+use crate::{example, folder};
 use book::{epaper, gauge, hud, logo, orbit, scope, walk};
-use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565};
+use embedded_graphics::pixelcolor::{BinaryColor, Rgb565};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::meshes::{CUBE, TORUS};
-use pinhole::{mesh_buffers, strip_buffers, Angle, BinnedScene, PlacedScene, Point3, Scalar, ScreenVertex};
+use pinhole::{mesh_buffers, strip_buffers, Angle, BinnedScene, PlacedScene, ScreenVertex};
 use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::testing;
 use std::convert::Infallible;
 use std::fs;
 use std::path::Path;
@@ -52,10 +53,6 @@ fn rgb(width: u32, height: u32) -> Canvas<Rgb565> {
     Canvas::new(Size::new(width, height), Rgb565::MAGENTA)
 }
 
-fn count<C: PixelColor>(shown: &Canvas<C>, colour: C) -> usize {
-    shown.pixels().iter().filter(|c| **c == colour).count()
-}
-
 #[test]
 fn pictures_are_those_of_the_book() {
     let folder = Path::new(ROOT).join("docs/cookbook");
@@ -70,10 +67,10 @@ fn pictures_are_those_of_the_book() {
 
 #[test]
 fn a_picture_that_is_out_of_date_is_found() {
-    let to = programs::folder("cookbook", "check");
+    let to = folder("cookbook", "check");
     let run = |more: &[&str]| {
         let arguments = [&["--out", to.to_str().unwrap()], more].concat();
-        programs::example("cookbook", &arguments)
+        example("cookbook", &arguments)
     };
     assert!(run(&[]).status.success());
     let current = run(&["--check"]);
@@ -140,25 +137,6 @@ fn the_book_shows_each_program_with_its_picture_and_its_memory() {
 }
 
 #[test]
-fn the_label_of_the_logo_stays_at_its_corner() {
-    let background = Rgb565::new(2, 5, 5);
-    let mut memory = logo::Memory::default();
-    let mut starts = Vec::new();
-    for degrees in (0..360).step_by(10) {
-        let mut display = rgb(240, 240);
-        let Ok(()) = logo::draw(Angle::degrees(degrees), &mut memory, &mut display);
-        // The line begins at the corner, above the text.
-        let start = (0..240 * 240).find(|i| display.pixels()[*i] == Rgb565::WHITE).unwrap();
-        let at = Point::new((start % 240) as i32, (start / 240) as i32);
-        let around = Rectangle::new(at - Point::new(2, 2), Size::new(5, 5)).points();
-        let ring = around.map(|p| *display.pixel(p)).filter(|c| ![background, Rgb565::WHITE].contains(c));
-        assert!(ring.count() > 0, "{degrees}°: {at}");
-        starts.push(at.x);
-    }
-    assert!(starts.iter().max().unwrap() - starts.iter().min().unwrap() > 100, "{starts:?}");
-}
-
-#[test]
 fn the_gauge_sends_what_has_changed_and_nothing_else() {
     let mut display = Counting::new(128, 64, BinaryColor::On);
     let mut gauge = gauge::Gauge::new();
@@ -171,25 +149,6 @@ fn the_gauge_sends_what_has_changed_and_nothing_else() {
         assert_eq!(whole.received, 128 * 64);
         assert!(display.shown.pixels() == whole.shown.pixels(), "{value}");
     }
-}
-
-#[test]
-fn the_town_is_before_the_walker_and_not_behind() {
-    let town = walk::build();
-    let start = Point3::new(Scalar::ZERO, Scalar::from_ratio(9, 5), Scalar::from_int(25));
-    let mut display = rgb(320, 240);
-    let Ok(seen) = walk::draw(&town, (start, Angle::ZERO), &mut display);
-    let colours: std::collections::BTreeSet<u16> =
-        display.pixels().iter().map(|c| c.into_storage()).collect();
-    assert!(seen.drawn > 50 && colours.len() > 8, "{seen:?}, {} colours", colours.len());
-    let Ok(seen) = walk::draw(&town, (start, Angle::HALF_TURN), &mut display);
-    assert_eq!(seen.drawn, 0);
-    assert_eq!(count(&display, Rgb565::CSS_LIGHT_SKY_BLUE), 320 * 120);
-    // Among the houses, some are clipped by the near plane.
-    let among = Point3::new(Scalar::from_int(-1), Scalar::from_ratio(9, 5), Scalar::ZERO);
-    let Ok(seen) = walk::draw(&town, (among, Angle::degrees(40)), &mut display);
-    assert!(seen.clipped > 0, "{seen:?}");
-    assert_eq!(count(&display, Rgb565::MAGENTA), 0);
 }
 
 #[test]
@@ -222,50 +181,4 @@ fn a_touch_picks_the_bar_that_is_seen() {
         }
     }
     assert!(bars > 50 && nothing > 50, "{bars} on bars, {nothing} beside them");
-}
-
-#[test]
-fn the_graph_of_the_hud_has_a_pixel_for_each_millisecond() {
-    let mut hud = hud::Hud::new();
-    let mut display = rgb(240, 240);
-    for micros in [10_900, 33_000, 34_000] {
-        let Ok(()) = hud.draw(Angle::ZERO, micros, &mut display);
-    }
-    for (age, height, colour) in [
-        (0, 34, Rgb565::CSS_TOMATO),
-        (1, 33, Rgb565::CSS_LIME_GREEN),
-        (2, 10, Rgb565::CSS_LIME_GREEN),
-        (3, 0, Rgb565::CSS_TOMATO),
-    ] {
-        let x = 6 + 2 * (59 - age);
-        let bar = (0..240).filter(|&y| *display.pixel(Point::new(x, y)) == colour).count();
-        assert_eq!(bar, height, "{age} frames ago");
-    }
-}
-
-#[test]
-fn the_drawing_is_the_same_in_all_colours() {
-    let yaw = Angle::degrees(5);
-    let mut black = Canvas::new(Size::new(200, 200), BinaryColor::Off);
-    let Ok(()) = epaper::draw(yaw, [BinaryColor::Off, BinaryColor::On], &mut black);
-    let (ink, paper) = (Gray8::new(90), Gray8::new(200));
-    let mut grey = Canvas::new(Size::new(200, 200), Gray8::BLACK);
-    let Ok(()) = epaper::draw(yaw, [ink, paper], &mut grey);
-    for (black, grey) in black.pixels().iter().zip(grey.pixels()) {
-        assert_eq!(*grey, if black.is_on() { paper } else { ink });
-    }
-    assert!((2000..12_000).contains(&count(&grey, ink)), "{}", count(&grey, ink));
-}
-
-#[test]
-fn a_row_of_the_scope_is_gone_after_24_rows() {
-    let red = |display: &Canvas<Rgb565>| display.pixels().iter().filter(|c| c.r() > 24 && c.b() < 4).count();
-    let (mut display, mut flat, mut scope) = (rgb(320, 240), rgb(320, 240), scope::Scope::new());
-    let Ok(()) = scope.push([0; 32], &mut flat);
-    assert_eq!(red(&flat), 0);
-    for age in 0..25 {
-        let Ok(()) = scope.push([if age == 0 { 255 } else { 0 }; 32], &mut display);
-        assert_eq!(red(&display) > 50, age < 24, "{age}: {}", red(&display));
-    }
-    assert!(display.pixels() == flat.pixels());
 }

@@ -1,30 +1,119 @@
-//! The examples, run as programs.
-#![allow(dead_code)] // every test file takes what it needs
+//! What all examples promise about their films, standard output and files. The programs in `apps` promise it in tests of their own.
 
-#[allow(unused_imports)]
-pub(crate) use pinhole_apps_support::testing::{self, refusal};
+use crate::{command, example, folder};
+use pinhole_apps_support::testing::{self, refusal};
+use std::collections::BTreeSet;
+use std::fs::{self, File};
+use std::io::BufReader;
 
-use std::ffi::OsStr;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-/// Runs an example, which `cargo test` has built beside the tests.
-pub(crate) fn example<S: AsRef<OsStr>>(name: &str, arguments: &[S]) -> Output {
-    command(Path::new("."), name, arguments).output().unwrap()
+/// A film has its frames, which differ, and its sheet.
+#[test]
+fn films_have_their_frames_and_sheets() {
+    for (name, arguments, (side, frames), sheet, size, wanted) in [
+        ("spin", "--size 32 --frames 6", (32, 6), "spin.png", (128, 64), "3 frames, 2976 drawn, 2976 culled"),
+        (
+            "surface",
+            "--size 48 --frames 5",
+            (48, 5),
+            "contact-sheet.png",
+            (192, 48),
+            "5 frames in bands of 16 rows",
+        ),
+    ] {
+        let out = folder(name, "film");
+        let mut words: Vec<_> = arguments.split(' ').collect();
+        words.extend(["--out", out.to_str().unwrap()]);
+        let done = example(name, &words);
+        assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+        let said = String::from_utf8(done.stdout).unwrap();
+        assert!(said.contains(wanted) && said.contains(out.to_str().unwrap()), "{said}");
+        assert!(!said.contains('\u{1b}'), "no colours in a pipe");
+        let file = File::open(out.join(name).with_extension("gif")).unwrap();
+        let mut gif = gif::DecodeOptions::new().read_info(file).unwrap();
+        assert_eq!((gif.width(), gif.height()), (side, side));
+        let mut found = BTreeSet::new();
+        while let Some(frame) = gif.read_next_frame().unwrap() {
+            found.insert(frame.buffer.to_vec());
+        }
+        assert_eq!(found.len(), frames, "{name}: each frame differs");
+        let sheet = BufReader::new(File::open(out.join(sheet)).unwrap());
+        let sheet = png::Decoder::new(sheet).read_info().unwrap();
+        assert_eq!((sheet.info().width, sheet.info().height), size);
+    }
 }
 
-/// An example with its arguments and working folder, not started yet.
-pub(crate) fn command<S: AsRef<OsStr>>(folder: &Path, name: &str, arguments: &[S]) -> Command {
-    let tests = std::env::current_exe().unwrap();
-    let program =
-        tests.with_file_name("../examples").join(name).with_extension(std::env::consts::EXE_EXTENSION);
-    assert!(program.exists(), "`cargo test` builds {name}; with `--package pinhole-tests` or `--test`, run `cargo test --package pinhole --no-run` before");
-    let mut command = Command::new(program);
-    command.args(arguments).current_dir(folder);
-    command
+#[test]
+fn bad_input_is_one_line_and_exit_code_2() {
+    for arguments in [&["--size", "9"][..], &["--frames", "1"], &["--colour", "red"]] {
+        refusal(&example("surface", arguments));
+    }
 }
 
-/// An empty folder that no other test uses.
-pub(crate) fn folder(test: &str, name: &str) -> PathBuf {
-    testing::folder(Path::new(env!("CARGO_TARGET_TMPDIR")), test, name)
+#[test]
+fn the_bands_example_draws_one_picture_in_three_ways() {
+    let to = folder("bands", "example");
+    let done = example("bands", &["--out".as_ref(), to.as_os_str()]);
+    let said = String::from_utf8_lossy(&done.stdout).into_owned();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let others = said.split_whitespace().find_map(|word| word.parse::<u32>().ok());
+    assert!(others.is_some_and(|n| n >= 30) && said.contains("the same picture three times"), "{said}");
+    let file = File::open(to.join("bands.png")).expect("a picture");
+    let mut reader = png::Decoder::new(BufReader::new(file)).read_info().expect("PNG");
+    let mut pixels = vec![0; reader.output_buffer_size().expect("it fits memory")];
+    reader.next_frame(&mut pixels).expect("PNG");
+    // A palette: the pot's shades, the caption, the background, which is not even half of it; no magenta.
+    let palette = reader.info().palette.clone().expect("few colours");
+    assert!(
+        palette.chunks(3).any(|c| c == [255, 255, 255]) && !palette.chunks(3).any(|c| c == [255, 0, 255])
+    );
+    let background = pixels.iter().filter(|&&p| p == pixels[0]).count();
+    assert!(palette.len() > 60 && background * 3 < pixels.len() * 2, "{background}");
+}
+
+/// Examples that write files into their working folder and print what they wrote.
+const PRINTING: [(&str, &str); 6] = [
+    ("spin", "--size 16 --frames 2 --out spin"),
+    ("arm", "--size 16 --frames 2 --out arm"),
+    ("surface", "--size 16 --frames 2 --out surface"),
+    ("bands", "--out bands"),
+    ("gallery", "--out gallery.png"),
+    ("cookbook", "--out cookbook"),
+];
+
+#[test]
+fn closed_output_is_no_error() {
+    for (name, line) in PRINTING {
+        let words: Vec<_> = line.split_whitespace().collect();
+        testing::closed_output_is_no_error(command(&folder("tools", "closed"), name, &words));
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn full_output_is_an_error() {
+    for (name, line) in PRINTING {
+        let words: Vec<_> = line.split_whitespace().collect();
+        testing::full_output_is_an_error(command(&folder("tools", "full"), name, &words));
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn failed_write_changes_nothing() {
+    for (name, line, output) in [
+        ("gallery", "--out gallery.png", "gallery.png"),
+        ("bands", "--out .", "bands.png"),
+        ("cookbook", "--out .", "logo.png"),
+        ("spin", "--size 16 --frames 2 --out .", "spin.gif"),
+        ("surface", "--size 16 --frames 2 --out .", "surface.gif"),
+    ] {
+        for before in [None, Some("before")] {
+            let to = folder("tools", "no_room");
+            if let Some(before) = before {
+                fs::write(to.join(output), before).unwrap();
+            }
+            let words: Vec<_> = line.split(' ').collect();
+            testing::failed_write_changes_nothing(&command(&to, name, &words), &to, output);
+        }
+    }
 }

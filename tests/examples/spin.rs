@@ -1,4 +1,4 @@
-//! The README's first command: its film, and its messages for bad input.
+//! The README's first command: what its film shows, and its messages for bad input.
 
 #[path = "../../examples/spin/depth.rs"]
 mod depth;
@@ -6,14 +6,14 @@ mod depth;
 #[path = "../../examples/spin/scene.rs"]
 mod scene;
 
-use crate::programs;
+use crate::example;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use pinhole::Painter;
 use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::testing;
 use scene::Turntable;
 use std::path::{Path, PathBuf};
-use std::process::Output;
 use teapot::VERTICES;
 
 const SIZE: Size = Size::new_equal(240);
@@ -47,41 +47,6 @@ fn painters_order_shows_the_nearest_face_but_in_one_pixel_of_a_hundred() {
     assert!(pixels * 100 < of, "{pixels} of {of}");
 }
 
-/// The sizes of the connected pieces of background.
-fn background(picture: &Canvas<Rgb888>) -> Vec<usize> {
-    let (width, height) = (SIZE.width as usize, SIZE.height as usize);
-    let mut empty: Vec<bool> = picture.pixels().iter().map(|c| *c == depth::NOTHING).collect();
-    let mut pieces = Vec::new();
-    for start in 0..empty.len() {
-        let (mut size, mut open) = (0, vec![start]);
-        while let Some(pixel) = open.pop() {
-            if !std::mem::take(&mut empty[pixel]) {
-                continue;
-            }
-            size += 1;
-            let (x, y) = (pixel % width, pixel / width);
-            open.extend((x > 0).then(|| pixel - 1));
-            open.extend((x + 1 < width).then_some(pixel + 1));
-            open.extend((y > 0).then(|| pixel - width));
-            open.extend((y + 1 < height).then_some(pixel + width));
-        }
-        if size > 0 {
-            pieces.push(size);
-        }
-    }
-    pieces
-}
-
-#[test]
-fn the_teapot_has_no_cracks() {
-    for (frame, (painted, _)) in solid_frames().enumerate() {
-        // One piece about the teapot, and one that the handle encloses unless it is behind the pot.
-        let handle = !(7..=17).contains(&frame);
-        let pieces = background(&painted);
-        assert_eq!(pieces.len(), 1 + usize::from(handle), "frame {frame}: {pieces:?}");
-    }
-}
-
 #[test]
 fn the_teapot_is_not_mirrored() {
     let table = Turntable::new(SIZE).unwrap();
@@ -103,36 +68,9 @@ fn the_teapot_is_not_mirrored() {
     }
 }
 
-fn spin(arguments: &[&str]) -> Output {
-    programs::example("spin", arguments)
-}
-
 /// A path that no other test file has.
 fn scratch(name: &str) -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("spin-{name}"))
-}
-
-#[test]
-fn a_film_has_its_frames_and_its_sheet() {
-    let out = scratch("film");
-    let done = spin(&["--size", "32", "--frames", "6", "--out", out.to_str().unwrap()]);
-    assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
-    let said = String::from_utf8(done.stdout).unwrap();
-    assert!(said.contains("3 frames, 2976 drawn, 2976 culled"), "{said}");
-    assert!(said.contains(out.join("spin.gif").to_str().unwrap()), "{said}");
-    assert!(!said.contains('\u{1b}'), "no colours in a pipe");
-
-    let mut gif =
-        gif::DecodeOptions::new().read_info(std::fs::File::open(out.join("spin.gif")).unwrap()).unwrap();
-    assert_eq!((gif.width(), gif.height()), (32, 32));
-    let mut frames = 0;
-    while gif.read_next_frame().unwrap().is_some() {
-        frames += 1;
-    }
-    assert_eq!(frames, 6);
-    let sheet = std::io::BufReader::new(std::fs::File::open(out.join("spin.png")).unwrap());
-    let sheet = png::Decoder::new(sheet).read_info().unwrap();
-    assert_eq!((sheet.info().width, sheet.info().height), (4 * 32, 2 * 32));
 }
 
 #[test]
@@ -152,7 +90,7 @@ fn bad_input_is_one_line_exit_code_2_and_no_output() {
         if arguments[0] != "--out" {
             arguments.extend(["--out", out.to_str().unwrap()]);
         }
-        let said = programs::refusal(&spin(&arguments));
+        let said = testing::refusal(&example("spin", &arguments));
         assert!(said.contains(named), "{said}");
         assert!(!out.exists());
     }

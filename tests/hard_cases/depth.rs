@@ -1,68 +1,33 @@
 //! D: depth.
 
-use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
-use embedded_graphics_core::pixelcolor::raw::RawU32;
-use embedded_graphics_core::pixelcolor::PixelColor;
-use embedded_graphics_core::primitives::Rectangle;
-use embedded_graphics_core::Pixel;
+use embedded_graphics_core::primitives::PointsIter;
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Cull, DepthBuffer, Mesh, ScreenVertex};
-use std::convert::Infallible;
+use pinhole::{Affine, Cull, DepthBuffer, Mesh};
+use support::bridge::draw::Shader;
 use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use support::bridge::rectangle;
+use support::bridge::ways::screen;
 use support::oracle::chain;
 use support::oracle::coverage::{edge, P};
 use support::oracle::picture::{compare, Scene};
 use support::oracle::rng::Rng;
+use support::oracle::target::Screen;
 
 const SIZE: (u32, u32) = (96, 80);
 
-/// A pixel of the target: the index of the visible face.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Face(i32);
-
-impl PixelColor for Face {
-    type Raw = RawU32;
-}
-
-struct Picture(Vec<i32>);
-
-impl OriginDimensions for Picture {
-    fn size(&self) -> Size {
-        Size::new(SIZE.0, SIZE.1)
-    }
-}
-
-impl DrawTarget for Picture {
-    type Color = Face;
-    type Error = Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Face>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        for Pixel(Point { x, y }, Face(face)) in pixels {
-            self.0[y as usize * SIZE.0 as usize + x as usize] = face;
-        }
-        Ok(())
-    }
-}
-
-/// Draws triangles with an identity model matrix: the visible face and the depth of each pixel.
+/// Draws triangles with an identity model matrix: the visible face of each pixel, or −1, and its depth.
 fn draw(
     camera: &CameraBits,
     vertices: &[[i16; 3]],
     exponent: i8,
     faces: &[[u16; 3]],
 ) -> (Vec<i32>, Vec<u16>) {
-    let mut picture = Picture(vec![-1; (SIZE.0 * SIZE.1) as usize]);
-    let mut storage = vec![0; picture.0.len()];
-    let area = Rectangle::new(Point::zero(), picture.size());
-    let mut depth = DepthBuffer::new(area, &mut storage).expect("storage for all pixels");
     let mesh = Mesh::new(vertices, exponent, faces).expect("a mesh");
-    let model = Affine::<Model, World>::identity();
-    let instance = camera.library().place(&mesh, &model).with_cull(Cull::None);
-    let mut corners = vec![ScreenVertex::default(); vertices.len()];
-    let Ok(_) = instance.depth_tested(|face| Face(face as i32), &mut corners, &mut depth, &mut picture);
-    (picture.0, storage)
+    let instance = camera.library().place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
+    let (picture, depths) = screen(rectangle(0, 0, SIZE.0, SIZE.1), &mut |target, depth| {
+        let Ok(_) = instance.depth_tested(|face| Shader(face as u16), &mut [], depth, target);
+    });
+    (picture.pixels.iter().map(|pixel| pixel.map_or(-1, |Shader(face)| face.into())).collect(), depths)
 }
 
 /// The scene of [`draw`] for the oracle.
@@ -246,16 +211,15 @@ fn d3_only_pixels_of_the_depth_buffer_are_drawn() {
     let mesh = Mesh::new(&vertices, -10, &faces).expect("a mesh");
     let instance = camera.library().place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
     for (x, y, width, height) in [(0, 0, SIZE.0, 8), (-5, 30, 40, 1), (90, 70, 1000, 1000), (20, 20, 0, 5)] {
-        let mut picture = Picture(vec![-1; ids.len()]);
+        let mut picture = Screen::sized(SIZE.0, SIZE.1);
         let mut storage = vec![7; (width * height) as usize];
         let mut depth = DepthBuffer::new(rectangle(x, y, width, height), &mut storage).expect("storage");
-        let Ok(_) = instance.depth_tested(|face| Face(face as i32), &mut [], &mut depth, &mut picture);
-        for (place, (&id, &deep)) in ids.iter().zip(&whole).enumerate() {
-            let at = Point::new((place % SIZE.0 as usize) as i32, (place / SIZE.0 as usize) as i32);
+        let Ok(_) = instance.depth_tested(|face| Shader(face as u16), &mut [], &mut depth, &mut picture);
+        for (at, (&id, &deep)) in rectangle(0, 0, SIZE.0, SIZE.1).points().zip(ids.iter().zip(&whole)) {
             let held = depth.at(at);
             assert_eq!(held.is_some(), rectangle(x, y, width, height).contains(at));
-            assert_eq!(picture.0[place], if held.is_some() { id } else { -1 });
-            assert_eq!(held.unwrap_or(deep), deep);
+            let seen = picture.at(at).map_or(-1, |Shader(face)| face.into());
+            assert_eq!((seen, held.unwrap_or(deep)), (if held.is_some() { id } else { -1 }, deep));
         }
     }
 }

@@ -5,32 +5,30 @@
 //! |---|---|---|
 //! | A0 the rule: snap, then cull; top and left edges | `triangles::a0_*`, `triangles::a6_faces_*` | by hand; the f64 chain |
 //! | A1 watertight | `watertight::a1_*` | each centre exactly in, on or out of the partition |
-//! | A2 slivers | `triangles::a2_*`; `Sliver` in `tests/raster/random_shapes.rs` | by construction; exact edge functions |
-//! | A3 degenerate | `triangles::a3_*`; R6 in `tests/raster/fill_rule.rs` | exactly zero area |
-//! | A4 ties | `triangles::a4_*`; R2 to R5 in `tests/raster/fill_rule.rs` | exact edge functions, and five wrong rules that must be found |
-//! | A5 huge | `huge_triangles::a5_*` | exact edge functions; one ray per pixel |
+//! | A2 slivers | `Sliver` in `tests/raster/random_shapes.rs` | exact edge functions |
+//! | A3 degenerate | `tests/raster/fill_rule.rs` | exactly zero area |
+//! | A4 ties | `tests/raster/fill_rule.rs` | exact edge functions |
+//! | A5 huge | `triangles::a5_*`; `Huge` in `tests/raster/random_shapes.rs` | exact edge functions; one ray per pixel |
 //! | A6 culling on the snapped area | `triangles::a6_*` | exact areas before and after the snap |
 //! | A7 rounding at the snap | `triangles::a7_*` | integer rounding |
-//! | B1 a pixel a step | `lines::b1_*`; L1 in `tests/raster/lines.rs` | exact distance from the line |
-//! | B2 ties | `lines::b2_*`; L1 in `tests/raster/lines.rs` | exact division; by hand |
-//! | B3 reversal | `lines::b3_*`; L1 in `tests/raster/lines.rs` | exact division, from either end |
-//! | B4 clipped is unclipped | `lines::b3_reversal_and_b4_*`; L2 in `tests/raster/lines.rs` | the line cut pixel by pixel |
-//! | B5 extremes | `lines::b5_*` | exact division |
-//! | B6 zero length, horizontal, vertical, diagonal | `lines::b6_*`; L1 in `tests/raster/lines.rs` | exact division |
-//! | B7 joints | `lines::b7_*`; `tests/pipeline/polylines.rs` | the union of the lines |
-//! | C1 crossing near | `near_plane::c1_*` | one ray per pixel, no clipping in it; the exact cut |
+//! | B1 a pixel a step, B2 ties, B3 reversal | L1 in `tests/raster/lines.rs` | exact division, from either end |
+//! | B4 clipped is unclipped | L2 in `tests/raster/lines.rs` | the line cut pixel by pixel |
+//! | B5 extremes | `tests/raster/lines.rs`, `tests/raster/random_shapes.rs` | exact division |
+//! | B6 zero length, horizontal, vertical, diagonal | L1 in `tests/raster/lines.rs` | exact division |
+//! | B7 joints | `tests/pipeline/polylines.rs` | the union of the lines |
+//! | C1 crossing near | `near_plane::c1_*`; `tests/pipeline/polylines.rs` | one ray per pixel, no clipping in it; the exact cut |
 //! | C2 a vertex on near | `near_plane::c2_*` | exact coverage of the snapped triangle |
 //! | C3 w down to nothing | `near_plane::c3_*`; `tests/camera/vertex_chain.rs` | one ray per pixel |
 //! | C4 all behind | `near_plane::c4_*` | empty |
-//! | C5 inside a mesh | `near_plane::c5_*`; `tests/pipeline/inside_a_mesh.rs`, `tests/pipeline/clipped_faces.rs`, `tests/pipeline/cut_meshes.rs` | one ray per pixel; each pixel once; all ways of drawing |
+//! | C5 inside a mesh | `near_plane::c5_*`; `tests/pipeline/clipped_faces.rs`, `tests/pipeline/cut_meshes.rs` | one ray per pixel; each pixel once; all ways of drawing |
 //! | C6 far off screen, the shared cut, larger than the screen | `near_plane::c6_*`; `tests/camera/vertex_chain.rs` | one ray per pixel; the f64 chain |
 //! | D1 the threshold of z-fighting | `depth::d1_*` | f64, all that is two steps apart |
 //! | D2 slivers and extrapolation | `depth::d2_*`; `d2_*` in `src/raster/depth.rs` | the plane in rationals |
 //! | D3 what is stored | `depth::d3_*` | f64 |
 //! | E1 large offsets | `numbers::e1_*`; `s3_views` in `tests/bounds.rs`; `tests/camera/vertex_chain.rs` | the same scene at the origin; f64 |
-//! | E2 out of Q16.16 | `numbers::e2_*` | f64 |
+//! | E2 out of Q16.16 | `numbers::e2_*`; `tests/camera/vertex_chain.rs` | by hand; f64 |
 //! | E3 parallel up | `setup_errors::e3_*` | exact angles of integer vectors |
-//! | E4 zero, tiny and huge vectors | `s3_views` in `tests/bounds.rs`; `numbers::e4_*`, `setup_errors::e4_*` | f64 |
+//! | E4 zero, tiny and huge vectors | `s3_views` in `tests/bounds.rs`; `setup_errors::e4_*` | f64 |
 //! | E5 degenerate lenses | `setup_errors::e5_*` | the documented bounds, both sides |
 //! | E6 drift | `numbers::e6_*` | exact fractions of a turn |
 //! | E7 sine and cosine | `e7_*` in `tests/bounds.rs`; `numbers::e7_*` | f64; by hand |
@@ -38,8 +36,6 @@
 //! | E9 viewports | `viewports::e9_*` | the crop of the whole picture |
 
 mod depth;
-mod huge_triangles;
-mod lines;
 mod near_plane;
 mod numbers;
 mod setup_errors;

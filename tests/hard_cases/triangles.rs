@@ -1,12 +1,15 @@
-//! A0, A2, A3, A4, A6, A7: the fill rule of triangles and its ties.
+//! A0, A5 to A7: the fill rule of triangles by hand, the snap of their corners, and triangles as large as the guard band and larger.
+//! `tests/raster` compares all triangles of small lattices, and a million random ones, with the exact rule: A2 to A5.
 
-use pinhole::{raster, Mesh};
+use crate::near_plane;
+use pinhole::raster::{self, ScreenPoint};
+use pinhole::Mesh;
 use support::bridge::draw::{solid, Shader};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
-use support::bridge::{self, compare, scalar};
+use support::bridge::{self, scalar};
 use support::oracle::cases::GUARD;
-use support::oracle::chain::{self, vertex};
-use support::oracle::coverage::{self, centre, covers, edge, Area, P};
+use support::oracle::chain::vertex;
+use support::oracle::coverage::{self, edge, Area};
 use support::oracle::rng::Rng;
 use support::oracle::target::Recorder;
 
@@ -53,148 +56,6 @@ fn a0_only_top_and_left_edges_cover_their_ties() {
     };
     assert_eq!((row(384, 1024), row(384, 0)), (4, 0), "the edge runs through the centres of row 1");
     assert_eq!((row(385, 1024), row(383, 1024)), (0, 4), "one unit below them, and one above");
-}
-
-#[test]
-fn a0_vertices_are_snapped_to_24_8_after_the_divide() {
-    let c = CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Perspective((1 << 31) / 3, (60, 40), ONE / 4, 100 * ONE),
-        viewport: (0, 0, 60, 40),
-    };
-    let (library, exact, model) = (c.library(), c.exact(), ModelBits::default());
-    let placed_model = model.library();
-    let mut rng = Rng::new(0xA0);
-    let mut compared = 0;
-    while compared < 20_000 {
-        // In 1/1024; not far off screen, so that size ÷ distance is about one.
-        let z = rng.int(300, 30_000);
-        let vertices = [(); 16].map(|()| [rng.int(-z, z), rng.int(-z, z), -z].map(|v| v as i16));
-        let mesh = Mesh::new(&vertices, -10, &[]).expect("a mesh");
-        let instance = library.place(&mesh, &placed_model);
-        for (i, &v) in vertices.iter().enumerate() {
-            let (x, y) = exact.screen(exact.clip(&model.exact(), vertex(v, -10)));
-            // The chain is within a few 10⁻³ sub-pixels; closer to a tie it may go either way.
-            let tie = |v: f64| ((256.0 * v).rem_euclid(1.0) - 0.5).abs() < 0.01;
-            if tie(x) || tie(y) {
-                continue;
-            }
-            let p = instance.project(i).expect("in the guard band").point;
-            assert_eq!((i64::from(p.x()), i64::from(p.y())), chain::snap((x, y)), "{v:?}");
-            compared += 1;
-        }
-    }
-}
-
-#[test]
-fn a2_a_sliver_around_a_centre_hits_exactly_that_pixel() {
-    for (x, y) in Area::new(-3, -3, 4, 4).pixels() {
-        let (cx, cy) = coverage::centre(x, y);
-        let area = Area::new(-5, -5, 6, 6);
-        let t = [(cx - 1, cy - 1), (cx + 2, cy), (cx - 1, cy + 2)];
-        let counts = bridge::triangle(t, area);
-        assert_eq!(counts.total(), 1);
-        assert_eq!(counts.at(x, y), 1);
-    }
-}
-
-#[test]
-fn a3_degenerate_triangles_cover_nothing() {
-    // Every repeated or collinear triple of the half-pixel lattice, through centres, corners and borders.
-    let at = |k: i64| (128 * (k % 7) - 256, 128 * (k / 7) - 256);
-    let mut seen = 0;
-    for a in 0..49 {
-        for b in 0..49 {
-            for c in (0..49).filter(|&c| edge(at(a), at(b), at(c)) == 0) {
-                seen += 1;
-                assert!(bridge::triangle_spans([at(a), at(b), at(c)], Area::new(-5, -5, 9, 9)).is_empty());
-            }
-        }
-    }
-    assert!(seen > 10_000);
-    // As long as the band allows.
-    let all = Area::new(-9000, -9000, 9000, 9000);
-    for (a, b) in
-        [((-GUARD, -GUARD), (GUARD, GUARD)), ((-GUARD, 128), (GUARD, 128)), ((128, -GUARD), (128, GUARD))]
-    {
-        let middle = ((a.0 + b.0) / 2, (a.1 + b.1) / 2);
-        for t in [[a, b, middle], [middle, a, b], [a, middle, b], [a, a, b], [a, b, b], [b, a, b], [a, a, a]]
-        {
-            assert!(bridge::triangle_spans(t, all).is_empty(), "{t:?}");
-        }
-    }
-}
-
-#[test]
-fn a3_degenerate_faces_are_counted_and_draw_nothing() {
-    // In half pixels: on centres and borders; the last vertex repeats the first, the one before is collinear.
-    let vertices = [[1i16, 1, 0], [9, 5, 0], [17, 9, 0], [5, 3, 0], [1, 1, 0]];
-    let mut faces = Vec::new();
-    for a in 0..5u16 {
-        for b in 0..5 {
-            faces.extend((0..5).map(|c| [a, b, c]));
-        }
-    }
-    let mesh = Mesh::new(&vertices, -1, &faces).expect("a mesh");
-    let (camera, model) = (flat().library(), before().library());
-    let mut target = Recorder::<Shader>::sized(64, 64);
-    let s = solid(&camera.place(&mesh, &model), &mut target).expect("no error");
-    assert_eq!((s.degenerate as usize, s.drawn, s.culled), (faces.len(), 0, 0));
-    assert!(target.calls.is_empty());
-    // The degenerate faces moved across the near plane, which cuts them first.
-    let model = ModelBits(vec![Step::Y(1 << 29), Step::Move([0, 0, -ONE])]).library();
-    solid(&camera.place(&mesh, &model), &mut target).expect("no error");
-    assert!(target.pixels.is_empty());
-}
-
-/// Whether a tie on an edge counts, from how the edge's function grows to the right and downwards.
-type Ties = fn(i64, i64) -> bool;
-
-/// Coverage with another rule for ties.
-fn covers_by(ties: Ties, t: [P; 3], (i, j): P) -> bool {
-    let (p, full) = (centre(i, j), edge(t[0], t[1], t[2]).signum());
-    full != 0
-        && (0..3).all(|k| {
-            let (a, b) = (t[k], t[(k + 1) % 3]);
-            let e = full * edge(a, b, p);
-            e > 0 || (e == 0 && ties(-full * (b.1 - a.1), full * (b.0 - a.0)))
-        })
-}
-
-/// Rules that are wrong, but only in ties.
-const WRONG: [(&str, Ties); 5] = [
-    ("every border counts", |_, _| true),
-    ("no border counts", |_, _| false),
-    ("bottom instead of top", |right, down| right > 0 || (right == 0 && down < 0)),
-    ("right instead of left", |right, down| right < 0 || (right == 0 && down > 0)),
-    ("horizontal edges never count", |right, _| right > 0),
-];
-
-#[test]
-fn a4_ties_on_centers_and_borders_follow_the_top_left_rule() {
-    // All triangles of two lattices: each equals the exact rule, and each wrong rule is found hundreds of times.
-    let (mut wrong, mut triangles) = ([0; WRONG.len()], 0);
-    for (side, step, origin) in [(5, 128, -128), (4, 256, 128)] {
-        let at = |k: i64| (origin + step * (k % side), origin + step * (k / side));
-        let area = Area::new(-2, -2, 6, 6);
-        for a in 0..side * side {
-            for b in 0..side * side {
-                for c in 0..side * side {
-                    let t = [at(a), at(b), at(c)];
-                    compare::triangle(t, area);
-                    triangles += 1;
-                    for (count, (_, ties)) in wrong.iter_mut().zip(WRONG) {
-                        *count +=
-                            u32::from(area.pixels().any(|p| covers_by(ties, t, p) != covers(t, p.0, p.1)));
-                    }
-                }
-            }
-        }
-    }
-    for (count, (name, _)) in wrong.into_iter().zip(WRONG) {
-        println!("{name}: wrong in {count} of {triangles} triangles of the grids");
-        assert!(count > 500, "{name}: {count}");
-    }
 }
 
 #[test]
@@ -276,4 +137,80 @@ fn a7_the_snap_rounds_to_nearest_on_both_sides_of_zero() {
         assert_eq!(largest, 128);
     }
     assert!(3 * floored > all && 3 * truncated > all, "{floored} {truncated} of {all}");
+}
+
+#[test]
+fn a5_every_row_of_the_guard_band_has_its_exact_span() {
+    // Every row's first and last pixel of a triangle 16384 px high, against exact division.
+    for t in [
+        [(-GUARD, -GUARD), (GUARD, -GUARD + 1), (-GUARD + 1, GUARD)],
+        [(-3, -GUARD), (GUARD, 77), (-GUARD + 128, GUARD)],
+        [(128, -GUARD + 128), (GUARD - 128, 128), (-GUARD + 128, GUARD - 128)],
+    ] {
+        let all = Area::new(-9000, -9000, 9000, 9000);
+        let spans = bridge::triangle_spans(t, all);
+        assert!(spans.len() > 16_000);
+        for s in spans {
+            let (x, y, w) = (i64::from(s.x), i64::from(s.y), i64::from(s.width));
+            assert_eq!(s.height, 1);
+            assert!(coverage::covers(t, x, y) && !coverage::covers(t, x - 1, y));
+            assert!(coverage::covers(t, x + w - 1, y) && !coverage::covers(t, x + w, y));
+        }
+    }
+}
+
+#[test]
+fn a5_screen_points_end_at_the_guard_band() {
+    let g = GUARD as i32;
+    for (x, y) in [(g, g), (-g, -g), (g, -g), (0, 0)] {
+        let p = ScreenPoint::from_subpixels(x, y).expect("inside");
+        assert_eq!((p.x(), p.y()), (x, y));
+    }
+    for (x, y) in
+        [(g + 1, 0), (0, g + 1), (-g - 1, 0), (0, -g - 1), (i32::MIN, 0), (0, i32::MIN), (i32::MAX, i32::MAX)]
+    {
+        assert!(ScreenPoint::from_subpixels(x, y).is_none(), "{x} {y}");
+    }
+}
+
+#[test]
+fn a5_faces_beyond_the_guard_band_are_cut_there() {
+    // Vertices 2¹⁴ to 2²³ px off, through the longest lens: one that wraps would draw elsewhere.
+    let camera = CameraBits {
+        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
+        projection: ProjectionBits::Perspective((1 << 20) + 1, (24, 18), ONE / 4, 1000 * ONE),
+        viewport: (0, 0, 24, 18),
+    };
+    let focal = 9.0 / (core::f64::consts::PI / 4096.0).tan();
+    let mut rng = Rng::new(0xA56);
+    let (mut covered, mut background, mut cut) = (0, 0, 0);
+    for _ in 0..4000 {
+        // In 1/8 units. Two vertices of three may be seen.
+        let vertices: [[i16; 3]; 3] = core::array::from_fn(|k| {
+            let z = rng.real(2.5, 20.0);
+            let far =
+                if k > 0 && rng.one_in(3) { rng.log(4.0, 4096.0) } else { rng.log(16_384.0, 8_388_608.0) };
+            let turn = rng.real(0.0, core::f64::consts::TAU);
+            let at = |v: f64| (8.0 * v * far * z / focal).clamp(-32_000.0, 32_000.0) as i16;
+            [at(turn.cos()), at(turn.sin()), (-8.0 * z) as i16]
+        });
+        let model = ModelBits::default();
+        for faces in [[[0, 1, 2]], [[0, 2, 1]]] {
+            // ARCHITECTURE's budget for half extent ÷ distance up to 1600: 12·2⁻³⁰·8192·1600 < 0.15 px.
+            let t = near_plane::compare(&camera, false, &model, &vertices, -3, &faces, 0.15 + 1.0 / 64.0);
+            (covered, background) = (covered + t.covered, background + t.background);
+        }
+        let mesh = Mesh::new(&vertices, -3, &[]).expect("a mesh");
+        let (library, model_map) = (camera.library(), model.library());
+        for (i, &v) in vertices.iter().enumerate() {
+            let exact = camera.exact();
+            let (x, y) = exact.screen(exact.clip(&model.exact(), vertex(v, -3)));
+            if x.abs().max(y.abs()) > 8193.0 {
+                cut += 1;
+                assert_eq!(library.place(&mesh, &model_map).project(i).ok(), None, "({x}, {y})");
+            }
+        }
+    }
+    println!("{cut} vertices beyond the band; {covered} pixels covered, {background} background");
+    assert!(cut > 6000 && covered > 50_000 && background > 50_000);
 }

@@ -1,18 +1,19 @@
-//! Bands at their limits: storage that is too small, displays that fail, meshes larger than the storage. That bands add up
-//! to the full picture is tested on random scenes in `properties/bands.rs`.
+//! Bands at their limits: storage that is too small, displays that fail, meshes larger than the storage, and strips that a transfer owns,
+//! as with DMA. That bands add up to the full picture is tested on random scenes in `properties/bands.rs`.
 
+use core::ops::ControlFlow::{Break, Continue};
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, GrayColor, Rgb565};
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    BandError, BinError, Cull, DepthBuffer, DepthBufferError, Frame, Mesh, MeshInstance, ScreenVertex,
-    Statistics,
+    BandError, BinError, Cull, DepthBuffer, DepthBufferError, Frame, Mesh, MeshInstance, PixelFormat,
+    ScreenVertex, Statistics,
 };
 use support::bridge::draw::{cube_camera, CUBE, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::rectangle;
 use support::bridge::ways::{bands, screen};
-use support::oracle::target::{Call, Recorder, Refused};
+use support::oracle::target::{Recorder, Refused};
 
 fn cube<R>(viewport: (i32, i32, u32, u32), then: impl FnOnce(&MeshInstance<'_>) -> R) -> R {
     let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).and_then(|m| m.with_edges(&CUBE_EDGES)).expect("a mesh");
@@ -83,23 +84,6 @@ fn a_depth_strip_too_short_says_what_it_needs() {
 }
 
 #[test]
-fn without_records_nothing_is_drawn_and_the_error_names_the_need() {
-    cube((0, 0, 64, 64), |instance| {
-        let mut corners = [ScreenVertex::EMPTY; 8];
-        let projected = instance.transform(&mut corners);
-        // Three sides of the cube are visible: six faces, and one number for every 16 of the mesh's twelve.
-        let (mut bin_storage, mut enough) = ([], [0; 7]);
-        let error = projected.bin_faces(&mut bin_storage).map(|_| ()).expect_err("no room");
-        assert_eq!(error, BinError::Storage { needed: 7, given: 0 });
-        assert!(error.to_string().contains('7'));
-        assert_eq!(projected.bin_faces(&mut enough).expect("room").statistics().drawn, 6);
-        // A vertex cache is optional: without it each vertex is computed where a face needs it.
-        let none = instance.transform(&mut []);
-        assert_eq!(none.bin_faces(&mut enough).expect("room").statistics().drawn, 6);
-    });
-}
-
-#[test]
 fn more_faces_than_records_can_count_are_refused() {
     let faces = vec![[0, 1, 2]; 65_536];
     let mesh = Mesh::new(&CUBE, 0, &faces).expect("a mesh");
@@ -111,43 +95,6 @@ fn more_faces_than_records_can_count_are_refused() {
     assert_eq!(error, BinError::TooMany { items: 65_536 });
     let mesh = Mesh::new(&CUBE, 0, &faces[1..]).expect("a mesh");
     assert!(camera.place(&mesh, &model).transform(&mut []).bin_faces(&mut bin_storage).is_ok());
-}
-
-/// Bands beside, above and below the viewport alternate with bands of it: there the shader is not called, and later bands
-/// are complete.
-#[test]
-fn a_band_beside_the_viewport_changes_nothing() {
-    for viewport in [(0, -64, 64, 64), (0, -32, 64, 64)] {
-        cube(viewport, |instance| {
-            let (mut corners, mut bin_storage) = ([ScreenVertex::EMPTY; 8], [0; 13]);
-            let mut faces = instance.transform(&mut corners).bin_faces(&mut bin_storage).expect("room");
-            let (mut edge_corners, mut edge_bin_storage) = ([ScreenVertex::EMPTY; 8], [0; 20]);
-            let mut edges =
-                instance.transform(&mut edge_corners).bin_edges(&mut edge_bin_storage).expect("room");
-            let area = rectangle(viewport.0, viewport.1, viewport.2, viewport.3);
-            let (mut at_once, mut banded) = (Recorder::new(area), Recorder::new(area));
-            instance.solid(colour, &mut [], &mut at_once).expect("no error");
-            instance.wireframe(Gray8::WHITE, &mut [], &mut at_once).expect("no error");
-            for row in (0..64).step_by(4) {
-                let mut band = Recorder::new(rectangle(0, viewport.1 + row, 64, 4));
-                faces.solid(colour, &mut band).expect("no error");
-                edges.draw(Gray8::WHITE, &mut band).expect("no error");
-                for pixel in band.bounding_box().points() {
-                    if let Some(colour) = band.colour(pixel.x, pixel.y) {
-                        banded.draw_iter([Pixel(pixel, colour)]).expect("no error");
-                    }
-                }
-                for beside in [(64, viewport.1 + row, 8, 4), (0, viewport.1 - 8, 64, 4), (0, 99, 64, 4)] {
-                    let mut beside = Recorder::new(rectangle(beside.0, beside.1, beside.2, beside.3));
-                    let shade = |face| -> Gray8 { panic!("the colour of face {face}") };
-                    faces.solid(shade, &mut beside).expect("no error");
-                    edges.draw(Gray8::WHITE, &mut beside).expect("no error");
-                }
-            }
-            assert_eq!(luma(&banded), luma(&at_once), "{viewport:?}");
-            assert!(luma(&banded).iter().any(|&luma| luma > 0));
-        });
-    }
 }
 
 /// The error of the display is returned at the band where it failed, and the next frame is right.
@@ -181,22 +128,6 @@ fn a_band_that_fails_can_be_drawn_again() {
             faces.solid(colour, &mut bad).expect("no error");
             assert_eq!(luma(&bad), luma(&good));
         }
-    });
-}
-
-/// A band is sent by one call, whatever it contains.
-#[test]
-fn a_band_is_sent_in_one_piece() {
-    cube((0, 0, 60, 60), |instance| {
-        let mut display = Recorder::sized(60, 60);
-        draw(instance, 8, &mut display).expect("no error");
-        let calls: Vec<_> = (0..8)
-            .map(|i| {
-                let rows = if i == 7 { 4 } else { 8 };
-                Call::Contiguous(rectangle(0, 8 * i, 60, rows), 60 * rows as usize)
-            })
-            .collect();
-        assert_eq!(display.calls, calls);
     });
 }
 
@@ -276,5 +207,111 @@ fn bounds_leave_out_what_ends_at_the_borders() {
         let transformed = transformed.transform_depth(&mut cache);
         let faces = transformed.bin_faces(&mut storage).expect("room");
         assert_eq!(faces.bounds(), rectangle(20, 22, 8, 8), "{beside:?}");
+    }
+}
+
+/// A display that takes windows of bytes, and the transfer that may be under way.
+struct Bus {
+    area: Rectangle,
+    /// The number that each pixel shows.
+    pixels: Vec<u32>,
+    sent: usize,
+}
+
+impl Bus {
+    /// Each pixel of a row of whole bytes, by hand.
+    fn receive<C: PixelFormat>(&mut self, window: &Rectangle, bytes: &[u8]) {
+        let stride = (window.size.width * C::BITS).div_ceil(8) as usize;
+        assert_eq!(bytes.len(), stride * window.size.height as usize);
+        self.sent += bytes.len();
+        for at in window.points() {
+            let bit = (at.x - window.top_left.x) as usize * C::BITS as usize;
+            let row = &bytes[(at.y - window.top_left.y) as usize * stride..][..stride];
+            let bits = (0..C::BITS as usize)
+                .fold(0, |all, i| all << 1 | u32::from(row[(bit + i) / 8] >> (7 - (bit + i) % 8) & 1));
+            let index = (at.y - self.area.top_left.y) as u32 * self.area.size.width
+                + (at.x - self.area.top_left.x) as u32;
+            self.pixels[index as usize] = bits;
+        }
+    }
+}
+
+/// What pixel (x, y) of frame n shows.
+fn pixel<C: PixelFormat>(at: Point, frame: i32) -> C {
+    let bits = (at.x * 7 + at.y * 13 + frame * 5) as u32;
+    C::decode(bits & (u32::MAX >> (32 - C::BITS)))
+}
+
+fn frames_with_two_strips<C: PixelFormat>(area: Rectangle, bytes: usize) {
+    let count = (area.size.width * area.size.height) as usize;
+    let mut bus = Bus { area, pixels: vec![u32::MAX; count], sent: 0 };
+    let [mut free, other] = [0; 2].map(|_| vec![0x55; bytes].leak());
+    let mut busy = Some((Rectangle::zero(), other)); // an empty transfer
+    let whole_rows = bytes - bytes % Frame::<C>::strip_bytes(area.size.width, 1);
+    for number in 0..3 {
+        let mut frame = Frame::new(area, pixel::<C>(Point::zero(), 0));
+        free = loop {
+            let mut band = match frame.band_or_strip(free).expect("room for a row") {
+                Continue(band) => band,
+                Break(strip) => break strip,
+            };
+            let window = band.area();
+            let colors = window.points().map(|at| pixel::<C>(at, number));
+            let Ok(()) = band.fill_contiguous(&window, colors);
+            let (window, drawn) = (band.area(), band.into_bytes());
+            let (sent_window, sent) = busy.take().expect("a transfer");
+            if !sent_window.is_zero_sized() {
+                bus.receive::<C>(&sent_window, sent);
+            }
+            busy = Some((window, drawn));
+            free = sent;
+        };
+        let (window, last) = busy.take().expect("a transfer");
+        bus.receive::<C>(&window, last);
+        busy = Some((Rectangle::zero(), last));
+        let shown = area.points().zip(&bus.pixels);
+        for (at, &bits) in shown {
+            assert!(C::decode(bits) == pixel::<C>(at, number), "{at} of frame {number}, strips of {bytes}");
+        }
+    }
+    if whole_rows <= Frame::<C>::strip_bytes(area.size.width, area.size.height) {
+        let lengths = [free.len(), busy.expect("a transfer").1.len()];
+        assert!(lengths.iter().all(|&length| length >= whole_rows), "{lengths:?} of {bytes}");
+    }
+}
+
+#[test]
+fn frames_of_any_height_leave_the_strips_as_long_as_they_were() {
+    for height in 1..14 {
+        for rows in 1..7 {
+            for extra in [0, 1, 3] {
+                let area = rectangle(-3, 5, 11, height);
+                frames_with_two_strips::<Gray8>(area, 11 * rows + extra);
+                frames_with_two_strips::<Rgb565>(area, 22 * rows + extra);
+                frames_with_two_strips::<BinaryColor>(area, 2 * rows + extra.min(1));
+            }
+        }
+    }
+}
+
+/// Only where the strip is longer than the frame, or the rows do not divide the height, a row is sent twice.
+#[test]
+fn no_row_is_sent_twice_where_the_strip_divides_the_frame() {
+    let mut strip: &mut [u8] = &mut [0; 8 * 4];
+    let mut frame = Frame::new(rectangle(0, 0, 8, 12), Gray8::BLACK);
+    let mut tops = Vec::new();
+    while let Continue(band) = frame.band_or_strip(strip).expect("room") {
+        tops.push(band.area().rows());
+        (strip, _) = band.into_strip();
+        assert_eq!(strip.len(), 32);
+    }
+    assert_eq!(tops, [0..4, 4..8, 8..12]);
+    let mut frame = Frame::new(rectangle(0, 0, 8, 12), Gray8::BLACK);
+    assert_eq!(frame.band_or_strip(&mut [0; 7]).err(), Some(BandError { needed: 8, given: 7 }));
+    for empty in [rectangle(0, 0, 0, 5), rectangle(0, 0, 5, 0)] {
+        let mut strip = [0; 3];
+        let given =
+            Frame::new(empty, Gray8::BLACK).band_or_strip(&mut strip).expect("nothing to hold").break_value();
+        assert_eq!(given.map(|strip| strip.len()), Some(3));
     }
 }

@@ -1,9 +1,8 @@
 //! Meshes that the near plane and the guard band cut, drawn in every way: solid, with depth, culled by planes, in bands, in
 //! painter's order, as wireframes and with hidden lines; into memory and onto a plain DrawTarget; with vertex caches of full
 //! length, short and empty. All ways agree pixel by pixel, and faces that are culled before they are cut are those that are
-//! drawn only without culling.
+//! drawn only without culling. `Cull::Front` draws what `Cull::Back` draws of the mesh with all faces turned over.
 
-use super::solids;
 use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565, RgbColor};
 use embedded_graphics_core::prelude::{Point, Size};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
@@ -14,6 +13,7 @@ use pinhole::{
 };
 use support::bridge::ways::{bands, by_every_call, lines_by_every_call, memory, screen, Drawn, Lines};
 use support::oracle::rng::Rng;
+use support::solids;
 
 const SIZE: Size = Size::new(48, 36);
 const AREA: Rectangle = Rectangle::new(Point::zero(), SIZE);
@@ -61,6 +61,14 @@ fn every_way<V: Coordinate>(
     };
     let (front, behind, both) = (counts(&instance), counts(turned), counts(&instance.with_cull(Cull::None)));
     assert!((0..both.len()).all(|i| both[i] == front[i] + behind[i]));
+    // Front faces are culled as back faces of the turned mesh are. Where faces are cut, rounding depends on the order of corners.
+    let reversed = instance.with_cull(Cull::Front);
+    let [(reversed, counted), (turned, of_turned)] =
+        [&reversed, turned].map(|instance| by_every_call(instance, AREA, Rgb565::BLACK, &heights, &color));
+    assert_eq!(counted, of_turned);
+    assert!(counted.drawn <= statistics.culled && statistics.drawn <= counted.culled);
+    let pictures = [reversed, turned].map(|drawn| (drawn.solid, drawn.painted));
+    assert!(counted.clipped > 0 || pictures[0] == pictures[1]);
     // The face that is picked in a pixel is the face that is drawn there.
     for (pixel, drawn) in AREA.points().zip(&drawn.deep).skip(rng.below(300)).step_by(401) {
         let picked = [

@@ -2,7 +2,7 @@
 //! between the ends' pixels; faces are culled by the snapped area; every primitive is counted once.
 
 use pinhole::raster::ScreenPoint;
-use pinhole::{Cull, Mesh, Painter, PainterError, ScreenVertex, Statistics};
+use pinhole::{Cull, Mesh, Painter, ScreenVertex, Statistics};
 use std::collections::BTreeMap;
 use support::bridge::draw::Shader;
 use support::bridge::pair::{bits, random_view, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -271,41 +271,4 @@ fn clipped_counts_what_was_cut_and_nothing_else() {
         assert_eq!((faces.drawn, faces.clipped), (1, clipped), "a face with a corner at {x}");
         assert_eq!((edges.drawn, edges.clipped), (1, clipped), "an edge with an end at {x}");
     }
-}
-
-#[test]
-fn a_painter_refuses_a_second_viewport() {
-    let mut rng = Rng::new(0x0F);
-    let scene = scene(&mut rng);
-    let (model, mesh) = (scene.model.library(), scene.mesh());
-    let camera = scene.camera.library();
-    let other = CameraBits { viewport: (1, 0, 40, 30), ..scene.camera }.library();
-    let mut painter = Painter::<Shader, 200, 100>::new();
-    painter.add(&camera.place(&mesh, &model), |_| Shader(0)).expect("enough room");
-    let refused = painter.add(&other.place(&mesh, &model), |_| Shader(0));
-    assert!(matches!(refused, Err(PainterError::OtherViewport)));
-    painter.clear();
-    assert!(painter.add(&other.place(&mesh, &model), |_| Shader(0)).is_ok());
-}
-
-#[test]
-fn the_far_clip_setting_decides_whether_a_vertex_beyond_far_is_hidden() {
-    let camera = CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Perspective(1 << 30, (4, 3), ONE, 10 * ONE),
-        viewport: (0, 0, 40, 30),
-    }
-    .library();
-    let vertices = [[0i16, 0, -5], [0, 0, -10], [0, 0, -11], [0, 0, -1000]];
-    let mesh = Mesh::new(&vertices, 0, &[]).expect("a mesh");
-    let model = ModelBits::default().library();
-    let open = camera.place(&mesh, &model);
-    let cut = camera.with_far_clip(true).place(&mesh, &model);
-    let depth = |v| open.project(v).map(|seen| seen.depth);
-    assert_eq!(depth(1), Ok(65534));
-    assert_eq!((depth(2), depth(3)), (Ok(65534), Ok(65534)));
-    assert_eq!(open.project(0), cut.project(0));
-    assert!(cut.project(1).is_ok(), "on far is visible");
-    assert!(cut.project(2).is_err() && cut.project(3).is_err());
-    assert!([4, 65_536, usize::MAX].iter().all(|&missing| open.project(missing).is_err()));
 }

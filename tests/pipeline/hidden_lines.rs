@@ -1,6 +1,5 @@
 //! Hidden-line removal, with one bit per pixel, against an oracle that compares the edge with every face.
 
-use super::solids::{self, Solid};
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::BinaryColor;
 use pinhole::{edge_faces, Cull, DepthBuffer, Mesh, MeshInstance, ScreenVertex};
@@ -10,6 +9,7 @@ use support::bridge::ways::{bands, screen};
 use support::oracle::hidden::{self, Vertex};
 use support::oracle::line;
 use support::oracle::rng::Rng;
+use support::solids::{self, Solid};
 
 /// The drawn part of each edge.
 #[derive(Debug, Default)]
@@ -71,13 +71,9 @@ fn score(solid: &Solid, is_convex: bool, camera: &CameraBits, model: &ModelBits)
     assert!(in_bands(&library.place(&unlisted, &model), HEIGHT) == picture);
     let exact = |i| instance.project_unsnapped(i).expect("in view").map(|v| v as f64 / 4_294_967_296.0);
     let vertices: Vec<Vertex> = (0..solid.vertices.len()).map(exact).collect();
-    let pixel = |i: u16| {
-        let pixel = instance.project(i.into()).expect("in view").point.pixel();
-        (i64::from(pixel.x), i64::from(pixel.y))
-    };
     let front = hidden::front_faces(&solid.faces, &vertices);
     let seen = solid.edges.iter().map(|&edge| {
-        let pixels = line::pixels(pixel(edge[0]), pixel(edge[1]));
+        let pixels = edge_pixels(&instance, edge);
         let seen = match is_convex {
             true => vec![front.iter().any(|face| face.has_edge(edge)); pixels.len()],
             false => hidden::in_sight(edge, &pixels, &vertices, &front),
@@ -202,8 +198,7 @@ fn an_edge_of_a_face_seen_edge_on_is_drawn_whole() {
         let vertices: Vec<Vertex> = (0..8).map(exact).collect();
         let front = hidden::front_faces(&solid.faces, &vertices);
         for &edge in solid.edges.iter().filter(|&&edge| front.iter().any(|face| face.has_edge(edge))) {
-            let [a, b] = edge.map(|i| instance.project(i.into()).expect("in view").point.pixel());
-            let pixels = line::pixels((a.x.into(), a.y.into()), (b.x.into(), b.y.into()));
+            let pixels = edge_pixels(&instance, edge);
             let is_drawn = |&(x, y): &(i64, i64)| target.at(Point::new(x as i32, y as i32)).is_some();
             assert!(pixels.iter().all(is_drawn), "pitch {pitch}, {edge:?}");
             edge_on += 1;
@@ -216,10 +211,8 @@ fn an_edge_of_a_face_seen_edge_on_is_drawn_whole() {
 /// or not.
 #[test]
 fn an_edge_of_four_faces_is_drawn_whole() {
-    let turned = [0.0_f64, 90.0, 180.0, 276.0].map(|degrees| degrees.to_radians().sin_cos());
-    let mut vertices = vec![[0, -9_000, 0], [0, 9_000, 0]];
-    vertices.extend(turned.map(|(s, c)| [(12_000.0 * c) as i16, 0, (12_000.0 * s) as i16]));
-    let faces = [[0, 1, 2], [0, 1, 3], [0, 1, 4], [0, 1, 5]];
+    let (vertices, faces) = blades(&[0.0, 90.0, 180.0, 276.0], 0);
+    let faces: Vec<_> = faces.into_iter().step_by(2).collect();
     let beside = edge_faces(&[[0, 1]], &faces);
     let plain = Mesh::new(&vertices, -13, &faces).and_then(|m| m.with_edges(&[[0, 1]])).expect("a mesh");
     let listed = plain.with_edge_faces(&beside).expect("two faces");
@@ -230,25 +223,37 @@ fn an_edge_of_four_faces_is_drawn_whole() {
         for mesh in [&plain, &listed] {
             let library = camera().library();
             let instance = library.place(mesh, &model).with_cull(Cull::None);
-            let [a, b] = [0, 1].map(|i| instance.project(i).expect("in view").point.pixel());
-            let pixels = line::pixels((a.x.into(), a.y.into()), (b.x.into(), b.y.into()));
+            let pixels = edge_pixels(&instance, [0, 1]);
             let drawn = in_bands(&instance, 1).iter().filter(|color| color.is_on()).count();
             assert_eq!(drawn, pixels.len(), "view {view}");
         }
     }
 }
 
+/// An axis and blades about it, each of two faces: back faces are culled.
+fn blades(degrees: &[f64], rise: i16) -> (Vec<[i16; 3]>, Vec<[u16; 3]>) {
+    let (mut vertices, mut faces) = (vec![[0, -9_000, 0], [0, 9_000, 0]], Vec::new());
+    for (i, degrees) in (0..).zip(degrees) {
+        let (s, c) = degrees.to_radians().sin_cos();
+        vertices.push([(12_000.0 * c) as i16, rise * i, (12_000.0 * s) as i16]);
+        faces.extend([[0, 1, i as u16 + 2], [1, 0, i as u16 + 2]]);
+    }
+    (vertices, faces)
+}
+
+/// The pixels of an edge in view.
+fn edge_pixels(instance: &MeshInstance<'_>, edge: [u16; 2]) -> Vec<(i64, i64)> {
+    let [a, b] = edge.map(|i| {
+        let pixel = instance.project(i.into()).expect("in view").point.pixel();
+        (i64::from(pixel.x), i64::from(pixel.y))
+    });
+    line::pixels(a, b)
+}
+
 /// Seven blades about one axis, which is listed once for every two of their faces, or once with a request to search.
 #[test]
 fn an_edge_of_many_faces_is_drawn_if_any_of_them_shows_it() {
-    let mut vertices = vec![[0, -9_000, 0], [0, 9_000, 0]];
-    let mut faces = Vec::new();
-    for i in 0..7 {
-        let (s, c) = (f64::from(i) * core::f64::consts::TAU / 7.0 + 0.2).sin_cos();
-        vertices.push([(12_000.0 * c) as i16, 500 * i as i16, (12_000.0 * s) as i16]);
-        // Each blade has two faces: back faces are culled.
-        faces.extend([[0, 1, i as u16 + 2], [1, 0, i as u16 + 2]]);
-    }
+    let (vertices, faces) = blades(&core::array::from_fn::<_, 7, _>(|i| 360.0 * i as f64 / 7.0 + 11.5), 500);
     let mut blades = Solid::new(vertices, -13, faces);
     let axis = [0, 1];
     blades.edges.extend([axis; 6]); // fourteen faces

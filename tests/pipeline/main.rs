@@ -3,25 +3,18 @@
 
 mod anti_aliased;
 mod bands;
-mod buffers;
 mod clipped_faces;
-mod cull_front;
 mod culling_by_planes;
 mod cut_meshes;
-mod documented_ranges;
 mod drawing;
 mod hidden_lines;
-mod inside_a_mesh;
-mod line_joints;
+mod limits;
 mod meshes;
-mod messages;
 mod no_panic;
 mod nothing_outside;
-mod owned_strips;
 mod painter;
 mod polylines;
 mod scenes;
-mod solids;
 mod sprites;
 mod tracked;
 mod two_cores;

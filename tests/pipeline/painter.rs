@@ -34,29 +34,31 @@ fn order(calls: &[Call<Shader>]) -> Vec<u16> {
     order
 }
 
-fn paint(depths: &[i32]) -> Vec<u16> {
-    let (camera, mesh) = (camera(), Mesh::new(&VERTICES, 0, &FACE).expect("a mesh"));
-    let mut painter = Painter::<Shader, 300, 100>::new();
-    for (i, &z) in depths.iter().enumerate() {
-        let model = ModelBits(vec![Step::Move([0, 0, -z])]).library();
-        painter.add(&camera.place(&mesh, &model), |_| Shader(i as u16)).expect("enough room");
-    }
-    let mut target = Recorder::sized(16, 16);
-    let statistics = painter.draw(&mut target).expect("no error");
-    assert_eq!(statistics.drawn as usize, depths.len());
-    order(&target.calls)
-}
-
+/// Faces of random depths, added at once, and added with a drawing of those so far now and then: far to near, and faces of equal depth
+/// in the order in which they were added.
 #[test]
 fn painter_sorts_any_number_of_faces() {
     let mut rng = Rng::new(0x9A);
-    for n in [0, 1, 2, 3, 17, 64, 100] {
-        for _ in 0..20 {
-            // Depth steps of 65536 are coarse far away: keep to steps that differ or are equal.
-            let depths: Vec<i32> = (0..n).map(|_| (ONE * 5 / 4) << rng.below(7)).collect();
-            let mut wanted: Vec<u16> = (0..n as u16).collect();
-            wanted.sort_by_key(|&i| core::cmp::Reverse(depths[usize::from(i)]));
-            assert_eq!(paint(&depths), wanted);
+    let (camera, mesh) = (camera(), Mesh::new(&VERTICES, 0, &FACE).expect("a mesh"));
+    for round in 0..200 {
+        let n: usize = [0, 1, 2, 3, 17, 64, 100][round % 7];
+        // Depth steps of 65536 are coarse far away: keep to steps that differ or are equal.
+        let depths: Vec<i32> = (0..n).map(|_| (ONE * 5 / 4) << rng.below(7)).collect();
+        let mut painter = Painter::<Shader, 300, 100>::new();
+        for count in 0..=n {
+            if let Some(z) = count.checked_sub(1).map(|i| depths[i]) {
+                let model = ModelBits(vec![Step::Move([0, 0, -z])]).library();
+                let shader = Shader(count as u16 - 1);
+                painter.add(&camera.place(&mesh, &model), |_| shader).expect("enough room");
+            }
+            if rng.one_in(5) || count == n {
+                let mut target = Recorder::sized(16, 16);
+                let drawn = painter.order();
+                drawn.draw(&mut target).expect("no error");
+                let mut wanted: Vec<u16> = (0..count as u16).collect();
+                wanted.sort_by_key(|&i| core::cmp::Reverse(depths[usize::from(i)]));
+                assert_eq!((order(&target.calls), drawn.statistics().drawn as usize), (wanted, count));
+            }
         }
     }
 }
@@ -120,26 +122,6 @@ fn an_empty_mesh_leaves_the_viewport_open() {
     let mut target = Recorder::sized(16, 16);
     painter.draw(&mut target).expect("no error");
     assert_eq!(order(&target.calls), [7]);
-}
-
-/// Sorting, drawing, adding faces and sorting again gives the order of all faces added at once.
-#[test]
-fn painter_sorts_faces_added_later() {
-    let mut rng = Rng::new(0x9C);
-    let (camera, mesh) = (camera(), Mesh::new(&VERTICES, 0, &FACE).expect("a mesh"));
-    for _ in 0..200 {
-        let depths: Vec<i32> = (0..20).map(|_| (ONE * 5 / 4) << rng.below(7)).collect();
-        let mut painter = Painter::<Shader, 60, 20>::new();
-        for (i, &z) in depths.iter().enumerate() {
-            let model = ModelBits(vec![Step::Move([0, 0, -z])]).library();
-            painter.add(&camera.place(&mesh, &model), |_| Shader(i as u16)).expect("enough room");
-            if rng.one_in(3) || i == 19 {
-                let mut target = Recorder::sized(16, 16);
-                painter.order().draw(&mut target).expect("no error");
-                assert_eq!(order(&target.calls), paint(&depths[..=i]), "{depths:?}");
-            }
-        }
-    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use pinhole::{Mesh, Statistics};
 use std::collections::BTreeMap;
-use support::bridge::draw::Shader;
+use support::bridge::draw::{wireframe, Shader};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::oracle::chain::{self, snap};
 use support::oracle::coverage::Area;
@@ -265,6 +265,13 @@ fn paths_through_the_near_plane_are_cut_there() {
             (statistics.drawn as usize, statistics.clipped as usize, statistics.outside as usize),
             (drawn, clipped, outside)
         );
+        // Edges are cut as the lines of a polyline are.
+        let edges: Vec<[u16; 2]> = (1..vertices.len() as u16).map(|end| [end - 1, end]).collect();
+        let mesh = Mesh::new(&vertices, -8, &[]).and_then(|mesh| mesh.with_edges(&edges)).expect("a mesh");
+        let mut wire = Recorder::sized(SIZE, SIZE);
+        let counted = wireframe(&camera.library().place(&mesh, &model.library()), &mut wire);
+        assert_eq!(counted, Ok(statistics));
+        assert!(wire.pixels.keys().eq(target.pixels.keys()));
     }
     println!("{compared} paths, {cut} cut lines");
     assert!(compared > 1500 && cut > 1500);

@@ -183,14 +183,10 @@ fn a_band_asks_for_the_shaders_of_its_objects() {
         let (scene, camera) = (random(&mut rng, &meshes), camera(&mut rng));
         // The rows of each object's pixels, drawn alone.
         let rows_of = |object: &Object<'_, usize>| {
-            let mut alone = Scene::<usize, OBJECTS>::new();
-            let far_off = Affine::translation(Vector3::from_ints(0, 20_000, 0));
-            for index in 0..OBJECTS {
-                let is_it = index == object.material;
-                let model = if is_it { object.model } else { far_off };
-                alone.add(Object { model, ..scene.objects()[index] }).expect("as many objects");
-            }
-            let (pixels, _) = by_hand(&alone, &camera, |number| number);
+            let instance = camera.place(object.mesh, &object.model).with_cull(cull(object.material));
+            let pixels = memory(AREA, Rgb565::BLACK, &mut |target, depth| {
+                let Ok(_) = instance.depth_tested(|face| number(0, face), &mut [], depth, target);
+            });
             let drawn = |row: &i32| {
                 let row = *row as usize * WIDTH as usize;
                 pixels[row..row + WIDTH as usize].iter().any(|&pixel| pixel != Rgb565::BLACK)

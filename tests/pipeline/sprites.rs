@@ -18,7 +18,6 @@ use support::bridge::ways::{bands, memory, memory_with, screen};
 use support::oracle::chain;
 use support::oracle::rng::Rng;
 use support::oracle::target::Screen;
-use tinybmp::Bmp;
 
 const SIZE: Size = Size::new(140, 100);
 const AREA: Rectangle = Rectangle::new(Point::zero(), SIZE);
@@ -541,40 +540,6 @@ fn images_of_embedded_graphics_are_shown_as_they_draw_themselves() {
         Rgb565, LittleEndian, 13 * 2;
         Bgr888, BigEndian, 13 * 3;
         Rgb888, LittleEndian, 13 * 3;
-    }
-}
-
-/// A picture of 24 bits per pixel as a BMP file: the lower row first, blue first, rows of a multiple of 4 bytes.
-fn bmp(size: Size, color: impl Fn(u32, u32) -> [u8; 3]) -> Vec<u8> {
-    let mut rows = Vec::new();
-    for y in (0..size.height).rev() {
-        (0..size.width).for_each(|x| rows.extend(color(x, y).iter().rev()));
-        rows.resize(rows.len().next_multiple_of(4), 0);
-    }
-    let mut file = b"BM".to_vec();
-    for number in [54 + rows.len() as u32, 0, 54, 40, size.width, size.height] {
-        file.extend(number.to_le_bytes());
-    }
-    file.extend([1, 0, 24, 0]);
-    for number in [0, rows.len() as u32, 0, 0, 0, 0] {
-        file.extend(number.to_le_bytes());
-    }
-    file.extend(rows);
-    file
-}
-
-#[test]
-fn bmp_files_are_pictures_of_sprites() {
-    let file = bmp(Size::new(9, 6), |x, y| [28 * x as u8, 40 * y as u8, 200]);
-    let image = Bmp::<Rgb888>::from_slice(&file).expect("a BMP file");
-    shows_the_image(&image);
-    let keyed = SpriteImage::new(&image).with_key(Rgb888::new(28, 40, 200));
-    assert_eq!((keyed.color_at(1, 1), keyed.color_at(2, 1)), (None, Some(Rgb888::new(56, 40, 200))));
-    // A compressed file gives no pixels: nothing is drawn, and nothing fails.
-    let mut compressed = file.clone();
-    (compressed[28], compressed[30]) = (8, 1);
-    if let Ok(image) = Bmp::<Rgb888>::from_slice(&compressed) {
-        assert_eq!(SpriteImage::new(&image).color_at(1, 1), None);
     }
 }
 

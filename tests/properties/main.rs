@@ -5,12 +5,9 @@
 //! PROPTEST_RNG_SEED=1 PROPTEST_CASES=100000 cargo test --test properties
 //! ```
 
-mod bands;
-mod clips;
 mod dirty;
 mod scalar;
 mod scenes;
-mod strategies;
 mod two_cores;
 
 use proptest::test_runner::{Config, RngSeed};

@@ -1,49 +1,22 @@
-//! Two threads draw the bands of one frame, from one transformed and binned mesh: whoever draws which band, and in whatever
-//! order, the picture is that of the immediate functions, which draw it at once.
+//! Threads draw the bands of one frame, from one transformed and binned mesh: whoever draws which band, and in whatever order, the picture
+//! is that of the immediate functions, which draw it at once.
 
-use crate::bands::{banded, colour, record_by, reference, Recorded, Stages, BACKGROUND, WAYS};
 use crate::cases;
-use crate::strategies::{scene, EXPONENT, HEIGHT, WIDTH};
-use embedded_graphics_core::pixelcolor::Gray8;
+use crate::scenes::{
+    colour, draw, place, scene, whole, Way, BACKGROUND, EXPONENT, HEIGHT, LINE, WAYS, WIDTH,
+};
+use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
 use embedded_graphics_core::prelude::PointsIter;
-use pinhole::{BinError, BinnedFaces, Cull, Frame, Mesh, MeshInstance, ScreenVertex, TransformedMesh};
+use pinhole::{Band, Cull, DepthBuffer, Frame, Mesh, MeshInstance, Painter, ScreenVertex, Statistics};
 use proptest::prelude::*;
-use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
-use support::bridge;
 use support::oracle::target::Recorder;
 
-/// The bands that a core draws, in this order.
-type Bands<'a> = Box<dyn Iterator<Item = u32> + Send + 'a>;
-
-/// Each core draws its bands on a thread of its own. The picture is put together from all of them.
-fn by_cores<const N: usize>(forks: [Recorded<'_>; N], rows: u32, bands: [Bands<'_>; N]) -> Vec<u8> {
-    let frame = Frame::new(bridge::rectangle(0, 0, WIDTH, HEIGHT), BACKGROUND);
-    let draw = |mut recorded: Recorded<'_>, bands: Bands<'_>| {
-        let mut strip = vec![0xaa; Frame::<Gray8>::strip_bytes(WIDTH, rows)];
-        let mut drawn = Vec::new();
-        for index in bands {
-            let band = frame.nth_band(index, &mut strip).expect("a row");
-            let mut band = band.expect("a band of the frame");
-            recorded.draw(&mut band);
-            drawn.push((index, band.bytes().to_vec()));
-        }
-        drawn
-    };
-    let mut drawn: Vec<_> = std::thread::scope(|scope| {
-        let cores: Vec<_> =
-            forks.into_iter().zip(bands).map(|(fork, bands)| scope.spawn(|| draw(fork, bands))).collect();
-        cores.into_iter().flat_map(|core| core.join().expect("no panic")).collect()
-    });
-    drawn.sort();
-    drawn.into_iter().flat_map(|(_, bytes)| bytes).collect()
-}
-
-/// Half of the vertices, and half of the faces, on each of two threads.
-struct TwoCores;
+/// What a core draws into each of its bands.
+type Core<'a> = Box<dyn FnMut(&mut Band<'_, Gray8>) + Send + 'a>;
 
 /// Both halves of a stage, each on a thread of its own.
 macro_rules! both {
-    ($split:ident, $run:ident) => {{
+    ($split:expr, $run:ident) => {{
         let [ours, theirs] = $split.halves();
         std::thread::scope(|scope| {
             scope.spawn(|| theirs.$run());
@@ -53,85 +26,162 @@ macro_rules! both {
     }};
 }
 
-impl Stages for TwoCores {
-    fn transform<'a>(instance: &'a MeshInstance<'_>, cache: &'a mut [ScreenVertex]) -> TransformedMesh<'a> {
-        let mut split = instance.split_transform(cache);
-        both!(split, transform)
-    }
-
-    fn transform_depth<'a>(
-        instance: &'a MeshInstance<'_>,
-        cache: &'a mut [ScreenVertex],
-    ) -> TransformedMesh<'a, i16, true> {
-        let mut split = instance.split_transform_depth(cache);
-        both!(split, transform)
-    }
-
-    fn bin_faces<'a, const DEPTH: bool>(
-        mesh: TransformedMesh<'a, i16, DEPTH>,
-        bin_storage: &'a mut [u16],
-    ) -> Result<BinnedFaces<'a, i16, DEPTH>, BinError> {
-        let mut split = mesh.split_bin_faces(bin_storage);
-        both!(split, count)
-    }
+/// Three cores' cursors over binned faces or edges: one of two forks is forked. `$draw` is what each draws.
+macro_rules! three {
+    ($binned:ident, $draw:expr) => {{
+        let (mut cursor, mut other) = ([0xffff], [0xffff]);
+        let [mut first, third] = $binned.fork(&mut cursor).expect("room");
+        let [first, second] = first.fork(&mut other).expect("room");
+        ($draw)([first, second, third])
+    }};
 }
 
-fn count(rows: u32) -> u32 {
-    HEIGHT.div_ceil(rows)
+/// Calls `draw` with a depth buffer of a band.
+fn with_depth(band: &mut Band<'_, Gray8>, draw: impl FnOnce(&mut DepthBuffer<'_>, &mut Band<'_, Gray8>)) {
+    let area = band.area();
+    let mut storage = vec![0; (area.size.width * area.size.height) as usize];
+    draw(&mut DepthBuffer::new(area, &mut storage).expect("storage"), band);
+}
+
+/// Transforms and bins a mesh on two threads, and calls `draw` with three cores that draw it; twice, as the forks are gone then.
+fn by_three(
+    instance: &MeshInstance<'_>,
+    way: Way,
+    cache: &mut [ScreenVertex],
+    draw: &dyn Fn([Core<'_>; 3]),
+) -> Statistics {
+    let (mut bins, mut more) = ([0; 9], [0; 9]);
+    match way {
+        Way::Solid(cull) => {
+            let instance = instance.with_cull(cull);
+            let mut split = instance.split_transform(cache);
+            let mut split = both!(split, transform).split_bin_faces(&mut bins);
+            let mut faces = both!(split, count).expect("room");
+            for _ in 0..2 {
+                three!(faces, |forks: [_; 3]| draw(forks.map(
+                    |mut faces: pinhole::BinnedFaces<'_>| -> Core<'_> {
+                        Box::new(move |band| {
+                            let Ok(()) = faces.solid(colour, band);
+                        })
+                    }
+                )));
+            }
+            faces.statistics()
+        }
+        Way::Depth(cull) => {
+            let instance = instance.with_cull(cull);
+            let mut split = instance.split_transform_depth(cache);
+            let mut split = both!(split, transform).split_bin_faces(&mut bins);
+            let mut faces = both!(split, count).expect("room");
+            for _ in 0..2 {
+                three!(faces, |forks: [_; 3]| draw(forks.map(
+                    |mut faces: pinhole::BinnedFaces<'_, i16, true>| -> Core<'_> {
+                        Box::new(move |band| {
+                            with_depth(band, |depth, band| {
+                                let Ok(()) = faces.depth_tested(colour, depth, band);
+                            })
+                        })
+                    }
+                )));
+            }
+            faces.statistics()
+        }
+        Way::Wireframe => {
+            let mut split = instance.split_transform(cache);
+            let transformed = both!(split, transform);
+            let mut edges = transformed.bin_edges(&mut bins).expect("room");
+            for _ in 0..2 {
+                three!(edges, |forks: [_; 3]| draw(forks.map(
+                    |mut edges: pinhole::BinnedEdges<'_>| -> Core<'_> {
+                        Box::new(move |band| {
+                            let Ok(()) = edges.draw(LINE, band);
+                        })
+                    }
+                )));
+            }
+            edges.statistics()
+        }
+        Way::DepthLines | Way::HiddenLines => {
+            let mut split = instance.split_transform_depth(cache);
+            let transformed = both!(split, transform);
+            let mut split = transformed.split_bin_faces(&mut bins);
+            let mut faces = both!(split, count).expect("room");
+            let mut edges = transformed.bin_edges(&mut more).expect("room");
+            for _ in 0..2 {
+                three!(faces, |of_faces: [pinhole::BinnedFaces<'_, i16, true>; 3]| {
+                    three!(edges, |of_edges: [pinhole::BinnedEdges<'_, i16, true>; 3]| {
+                        let mut of_edges = of_edges.into_iter();
+                        draw(of_faces.map(|mut faces| -> Core<'_> {
+                            let mut edges = of_edges.next().expect("three");
+                            Box::new(move |band| {
+                                with_depth(band, |depth, band| {
+                                    faces.depth_only(depth);
+                                    let Ok(()) = match way {
+                                        Way::HiddenLines => edges.hidden_line(LINE, depth, band),
+                                        _ => edges.depth_tested(LINE, depth, band),
+                                    };
+                                })
+                            })
+                        }));
+                    })
+                });
+            }
+            edges.statistics()
+        }
+        Way::Painter => {
+            let mut painter = Box::new(Painter::<Gray8, 128, 64>::new());
+            painter.add(instance, colour).expect("room");
+            let order = painter.order();
+            draw([order; 3].map(|order| -> Core<'_> {
+                Box::new(move |band| {
+                    let Ok(()) = order.draw(band);
+                })
+            }));
+            order.statistics()
+        }
+    }
 }
 
 proptest! {
     #![proptest_config(cases(300))]
 
-    /// Bands of any height, dealt out at random and drawn in any order. The vertex cache is shorter than the mesh's vertex list
-    /// at times.
+    /// Bands of any height, dealt out at random and drawn in any order. The vertex cache is shorter than the mesh's vertex list at times.
     #[test]
     fn bands_dealt_out_at_random_give_the_picture(
         scene in scene(),
         length in prop_oneof![2 => Just(16usize), 1 => 0usize..9],
         rows in 1..HEIGHT,
-        cores in prop::collection::vec(0u32..2, HEIGHT as usize),
+        cores in prop::collection::vec(0usize..3, HEIGHT as usize),
         order in Just((0..HEIGHT).collect::<Vec<_>>()).prop_shuffle(),
     ) {
-        let area = bridge::rectangle(0, 0, WIDTH, HEIGHT);
+        let (area, mut cache) = (whole(), vec![ScreenVertex::EMPTY; length]);
+        let frame = Frame::new(area, BACKGROUND);
         for way in WAYS {
-            let (whole, statistics) = reference(&scene, way, area);
-            let mut corners = vec![ScreenVertex::EMPTY; length];
-            record_by::<TwoCores, _>(&scene, way, &mut corners, |recorded| -> Result<(), TestCaseError> {
-                prop_assert_eq!(recorded.statistics(), statistics);
-                let mut cursors = [[0xffff]; 2];
-                let cores = &cores;
-                let bands = [0, 1].map(|core| -> Bands<'_> {
-                    let own = move |band: &u32| *band < count(rows) && cores.get(*band as usize) == Some(&core);
-                    Box::new(order.iter().copied().filter(own))
+            let mut target = Recorder::new(area);
+            let statistics = draw(&scene, way, 16, &mut target);
+            let wanted: Vec<u8> =
+                area.points().map(|at| target.colour(at.x, at.y).unwrap_or(BACKGROUND).luma()).collect();
+            let check = |drawn: [Core<'_>; 3]| {
+                let draw = |(core, mut draw): (usize, Core<'_>)| {
+                    let mut strip = vec![0xaa; Frame::<Gray8>::strip_bytes(WIDTH, rows)];
+                    let is_own = |band: &&u32| **band < HEIGHT.div_ceil(rows) && cores[**band as usize] == core;
+                    let bytes = |&index: &u32| {
+                        let mut band = frame.nth_band(index, &mut strip).expect("a row").expect("a band");
+                        draw(&mut band);
+                        (index, band.bytes().to_vec())
+                    };
+                    order.iter().filter(is_own).map(bytes).collect::<Vec<_>>()
+                };
+                let mut bands: Vec<_> = std::thread::scope(|scope| {
+                    let cores: Vec<_> =
+                        drawn.into_iter().enumerate().map(|core| scope.spawn(move || draw(core))).collect();
+                    cores.into_iter().flat_map(|core| core.join().expect("no panic")).collect()
                 });
-                let picture = by_cores(recorded.fork(&mut cursors), rows, bands);
-                prop_assert!(picture == whole, "{way:?}, {rows} rows");
-                // One core draws it again, from the binned primitives whose forks are gone.
-                prop_assert!(banded(recorded, area, &[rows]) == whole, "{way:?}, after all forks");
-                Ok(())
-            })?;
-        }
-    }
-
-    /// Each of three cores takes the next band that none has, as firmware does by an atomic counter: one of the forks is forked.
-    #[test]
-    fn bands_taken_from_a_counter_give_the_picture(scene in scene(), rows in 1u32..6) {
-        let area = bridge::rectangle(0, 0, WIDTH, HEIGHT);
-        for way in WAYS {
-            let whole = reference(&scene, way, area).0;
-            let mut corners = vec![ScreenVertex::EMPTY; 16];
-            record_by::<TwoCores, _>(&scene, way, &mut corners, |recorded| -> Result<(), TestCaseError> {
-                let (mut cursors, mut more, next) = ([[0xffff]; 2], [[0xffff]; 2], AtomicU32::new(0));
-                let bands = [(); 3].map(|()| -> Bands<'_> {
-                    let free = || Some(next.fetch_add(1, Relaxed)).filter(|&band| band < count(rows));
-                    Box::new(std::iter::from_fn(free))
-                });
-                let [mut first, third] = recorded.fork(&mut cursors);
-                let [first, second] = first.fork(&mut more);
-                prop_assert!(by_cores([first, second, third], rows, bands) == whole, "{way:?}, {rows} rows");
-                Ok(())
-            })?;
+                bands.sort();
+                assert!(bands.into_iter().flat_map(|(_, bytes)| bytes).eq(wanted.iter().copied()), "{way:?}, {rows} rows");
+            };
+            let counted = place(&scene, |instance| by_three(instance, way, &mut cache, &check));
+            prop_assert_eq!(counted, statistics);
         }
     }
 
@@ -154,35 +204,23 @@ proptest! {
         let length = mesh.face_bins_len().saturating_sub(missing);
         let (mut whole, mut halves) = (vec![0xaaaa; length], vec![0xaaaa; length]);
         let in_one_piece = transformed.bin_faces(&mut whole);
-        let in_halves = {
-            let mut split = transformed.split_bin_faces(&mut halves);
-            let [ours, theirs] = split.halves();
-            match order {
-                0 => {}
-                1 => ours.count(),
-                2 => theirs.count(),
-                3 => {
-                    theirs.count();
-                    ours.count();
-                }
-                _ => std::thread::scope(|scope| {
-                    scope.spawn(|| theirs.count());
-                    ours.count();
-                }),
+        let mut split = transformed.split_bin_faces(&mut halves);
+        let in_halves = match order {
+            0 => split.finish(),
+            1 | 2 => {
+                let [ours, theirs] = split.halves();
+                if order == 1 { ours.count() } else { theirs.count() }
+                split.finish()
             }
-            split.finish()
+            3 => {
+                let [ours, theirs] = split.halves();
+                theirs.count();
+                ours.count();
+                split.finish()
+            }
+            _ => both!(split, count),
         };
         // All fields, and so all numbers of the bins and of the vertex cache.
         prop_assert_eq!(format!("{in_halves:?}"), format!("{in_one_piece:?}"));
-        let Ok(mut faces) = in_halves else { return Ok(()) };
-        let area = bridge::rectangle(0, 0, WIDTH, HEIGHT);
-        let mut target = Recorder::new(area);
-        instance.solid(colour, &mut [], &mut target).expect("no error");
-        let mut strip = vec![0; Frame::<Gray8>::strip_bytes(WIDTH, HEIGHT)];
-        let mut band = Frame::new(area, BACKGROUND).nth_band(0, &mut strip).expect("a row").expect("a band");
-        let Ok(()) = faces.solid(colour, &mut band);
-        for (pixel, color) in area.points().zip(band.colors()) {
-            prop_assert_eq!(color, target.colour(pixel.x, pixel.y).unwrap_or(BACKGROUND));
-        }
     }
 }

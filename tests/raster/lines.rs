@@ -62,6 +62,26 @@ fn l2_nearly_horizontal_and_vertical_lines_are_exact() {
     }
 }
 
+/// The documented range ends at −32767; the type holds one more. No panic, no wrapped line.
+#[test]
+fn l2_lines_to_the_ends_of_i16_do_not_wrap() {
+    let low = -32_768;
+    for (a, b) in [
+        ((low, low), (32_767, 32_767)),
+        ((low, 32_767), (32_767, low)),
+        ((low, 0), (32_767, 1)),
+        ((0, low), (1, 32_767)),
+        ((low, low), (low, low)),
+        ((low, 3), (low + 9, 5)),
+    ] {
+        for s in [0, 1 << 19, 1 << 20] {
+            let x = a.0 + (((b.0 - a.0) * s) >> 20);
+            let y = a.1 + (((b.1 - a.1) * s) >> 20);
+            both_ways(a, b, Area::new(x - 5, y - 5, x + 6, y + 6));
+        }
+    }
+}
+
 #[test]
 fn scissors_of_extreme_bounds_crop_and_do_not_panic() {
     let (low, high) = (i64::from(i32::MIN), i64::from(i32::MAX));

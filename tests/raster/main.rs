@@ -3,8 +3,6 @@
 
 mod fill_rule;
 mod lines;
-mod memory_lines;
 mod memory_triangles;
 mod random_shapes;
 mod target_lines;
-mod twins;

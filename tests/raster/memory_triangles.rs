@@ -1,14 +1,15 @@
-//! R1–R9 in memory: the loops that draw triangles into `Picture::pixels` and `Band::pixels`, against the oracle; with depth,
-//! against triangles on any other target, which `tools/measure/tests/judge/pictures.rs` compares with an oracle.
+//! R1–R9 in memory: the loops that draw triangles into `Picture::pixels` and `Band::pixels`, against the oracle and, as spans of any other
+//! target, against the plain path, for triangles of every tier. With depth, `pipeline/fill.rs` and `by_every_call` compare
+//! memory with any other target.
 
-use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, WebColors};
+use core::convert::Infallible;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Dimensions, Point, Size};
+use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb888};
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::space::{Model, World};
-use pinhole::{
-    fill_triangle, Affine, Angle, Camera, Cull, DepthBuffer, Dim, Frame, Gouraud, Mesh, Picture, Point3,
-    Projection, Scalar, ScreenVertex, SpanShader, Vector3, ViewTransform, Viewport,
-};
+use embedded_graphics_core::Pixel;
+use pinhole::raster::Span;
+use pinhole::{fill_triangle, DepthBuffer, Frame, Gouraud, Picture};
 use support::bridge;
 use support::oracle::cases::{self, CLASSES};
 use support::oracle::coverage::{covers, rows, Area, P};
@@ -50,23 +51,99 @@ fn small(rng: &mut Rng) -> [P; 3] {
     t
 }
 
+/// A target that is not the library's: it records spans and their colours.
+struct Recorder {
+    area: Rectangle,
+    spans: Vec<Span>,
+    colors: Vec<Gray8>,
+}
+
+impl Dimensions for Recorder {
+    fn bounding_box(&self) -> Rectangle {
+        self.area
+    }
+}
+
+impl DrawTarget for Recorder {
+    type Color = Gray8;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Gray8>>>(&mut self, _: I) -> Result<(), Infallible> {
+        panic!("triangles are drawn as spans")
+    }
+
+    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = Gray8>,
+    {
+        let Rectangle { top_left, size } = *area;
+        let (width, height) = (size.width as i32, size.height as i32);
+        self.spans.push(Span { x: top_left.x, y: top_left.y, width, height });
+        self.colors.extend(colors);
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: Gray8) -> Result<(), Infallible> {
+        let pixels = area.size.width * area.size.height;
+        self.fill_contiguous(area, (0..pixels).map(|_| color))
+    }
+}
+
+/// The pixels of a triangle in memory are the oracle's.
+fn check(t: [P; 3], (width, height): (usize, usize)) -> u64 {
+    let exact = rows(t, Area::new(0, 0, width as i64, height as i64));
+    assert!(words(&drawn(t, (width, height)), width) == exact, "{t:?} in {width} x {height}");
+    exact.iter().map(|row| u64::from(row.count_ones())).sum()
+}
+
+/// In one colour and in colours of their own per pixel, a target that is not the library's gets the spans of the plain path, and memory
+/// gets their colours.
+fn check_spans(t: [P; 3], (width, height): (usize, usize)) -> usize {
+    let area = bridge::rectangle(0, 0, width as u32, height as u32);
+    let plain = bridge::triangle_spans(t, Area::new(0, 0, width as i64, height as i64));
+    let corners = t.map(bridge::screen_point);
+    let smooth = Gouraud::new([10, 90, 250].map(|level| Rgb888::new(level, level, level)));
+    for is_smooth in [false, true] {
+        let mut target = Recorder { area, spans: Vec::new(), colors: Vec::new() };
+        let mut memory = vec![Gray8::BLACK; width * height];
+        let mut picture = Picture::new(&mut memory, area.size).expect("enough memory");
+        let (Ok(()), Ok(())) = match is_smooth {
+            true => (
+                fill_triangle(corners, smooth, &mut target),
+                fill_triangle(corners, smooth, &mut picture.pixels()),
+            ),
+            false => {
+                (fill_triangle(corners, INK, &mut target), fill_triangle(corners, INK, &mut picture.pixels()))
+            }
+        };
+        assert_eq!(target.spans, plain, "{t:?}");
+        let mut expected = vec![Gray8::BLACK; width * height];
+        let places =
+            plain.iter().flat_map(|s| (s.x..s.x + s.width).map(|x| s.y as usize * width + x as usize));
+        places.zip(target.colors).for_each(|(at, color)| expected[at] = color);
+        assert!(memory == expected, "{t:?}");
+    }
+    plain.len()
+}
+
 #[test]
 fn r9_random_triangles_of_every_class() {
     let mut rng = Rng::new(0x9A18);
-    let mut covered = 0;
-    let mut check = |t: [P; 3], (width, height): (usize, usize)| {
-        let exact = rows(t, Area::new(0, 0, width as i64, height as i64));
-        assert!(words(&drawn(t, (width, height)), width) == exact, "{t:?} in {width} x {height}");
-        covered += exact.iter().map(|row| u64::from(row.count_ones())).sum::<u64>();
-    };
+    let (mut covered, mut spans) = (0, 0);
     let sizes = [(64, 64), (64, 64), (64, 3), (7, 64), (1, 64), (33, 50)];
     for i in 0..60_000 {
-        check(small(&mut rng), sizes[i % 6]);
+        let t = small(&mut rng);
+        covered += check(t, sizes[i % 6]);
+        spans += check_spans(t, sizes[i % 6]);
         for class in CLASSES {
-            check(cases::triangle(&mut rng, class), sizes[i / 7 % 6]);
+            let t = cases::triangle(&mut rng, class);
+            covered += check(t, sizes[i / 7 % 6]);
+            if i % 12 == 0 {
+                spans += check_spans(t, (60, 50));
+            }
         }
     }
-    assert!(covered > 50_000_000, "{covered}");
+    assert!(covered > 50_000_000 && spans > 400_000, "{covered} {spans}");
 }
 
 #[test]
@@ -109,81 +186,6 @@ fn r9_triangles_match_in_bands_away_from_the_origin() {
             }
         }
     }
-}
-
-const SIZE: Size = Size::new(90, 70);
-
-/// Colours and depths of a mesh, drawn into the picture's memory or as on any target, with a depth buffer for an area.
-fn tested<I: SpanShader<Rgb565>>(
-    mesh: &Mesh<'_>,
-    area: Rectangle,
-    shade: impl Fn(usize) -> I,
-    fast: bool,
-) -> (Vec<Rgb565>, Vec<u16>) {
-    let viewport = Viewport::new(bridge::rectangle(0, 0, 0, 0).top_left, SIZE).expect("a viewport");
-    let (eye, up) = (Point3::from_ints(0, 1, 6), Vector3::from_ints(0, 1, 0));
-    let view = ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), up).expect("a direction");
-    let [near, far] = [2, 12].map(Scalar::from_int);
-    let lens = Projection::perspective(Angle::degrees(60), SIZE, near, far).expect("near before far");
-    let camera = Camera::new(&view, &lens, &viewport);
-    let model = Affine::<Model, World>::identity();
-    let mut pixels = vec![Rgb565::CSS_BLACK; (SIZE.width * SIZE.height) as usize];
-    let mut held = vec![0; (area.size.width * area.size.height) as usize];
-    let mut corners = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
-    let mut picture = Picture::new(&mut pixels, SIZE).expect("enough memory");
-    let mut depth = DepthBuffer::new(area, &mut held).expect("enough memory");
-    let instance = camera.place(mesh, &model).with_cull(Cull::None);
-    let Ok(_) = match fast {
-        true => instance.depth_tested(shade, &mut corners, &mut depth, &mut picture.pixels()),
-        false => instance.depth_tested(shade, &mut corners, &mut depth, &mut picture),
-    };
-    (pixels, held)
-}
-
-#[test]
-fn memory_targets_store_the_depth_and_colors_of_any_target() {
-    let mut rng = Rng::new(0x9A1B);
-    let mut seen = 0;
-    for reach in [60, 300, 1500, 9000] {
-        for case in 0..60 {
-            // Only in the first three does the depth buffer have the layout of the picture.
-            let Size { width, height } = SIZE;
-            let area = [
-                bridge::rectangle(0, 0, width, height),
-                bridge::rectangle(0, 0, width, height - 9),
-                bridge::rectangle(0, 0, width, height + 9),
-                bridge::rectangle(0, 0, width - 1, height),
-                bridge::rectangle(0, 1, width, height),
-                bridge::rectangle(-5, -3, width + 20, height / 2),
-            ][case % 6];
-            // Vertices in units of 2^-10, some before the near plane, some outside the picture.
-            let mut vertices = Vec::new();
-            for _ in 0..20 {
-                let centre: [i64; 3] = core::array::from_fn(|_| rng.int(-4000, 4000));
-                for _ in 0..3 {
-                    vertices.push(centre.map(|c| (c + rng.int(-reach, reach)) as i16));
-                }
-            }
-            let faces: Vec<[u16; 3]> = (0..20).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-            let mesh = Mesh::new(&vertices, -10, &faces).expect("faces of these vertices");
-            let plain = |face: usize| Rgb565::CSS_GOLD.dim(12 * (face as u16 + 1));
-            let lit = |face: usize| Gouraud::lit(Rgb888::CSS_GOLD, [10 * face as u16 + 40, 256, 100]);
-            let smooth = |face: usize| {
-                Gouraud::new([Rgb888::CSS_GOLD, Rgb888::new(face as u8, 9, 99), Rgb888::CSS_RED])
-            };
-            let fast = tested(&mesh, area, plain, true);
-            assert!(fast == tested(&mesh, area, plain, false), "{vertices:?}");
-            assert!(tested(&mesh, area, smooth, true) == tested(&mesh, area, smooth, false), "{vertices:?}");
-            assert!(tested(&mesh, area, lit, true) == tested(&mesh, area, lit, false), "{vertices:?}");
-            let dithered = |face| smooth(face).dithered();
-            assert!(
-                tested(&mesh, area, dithered, true) == tested(&mesh, area, dithered, false),
-                "{vertices:?}"
-            );
-            seen += fast.1.iter().filter(|&&depth| depth != DepthBuffer::NOTHING).count();
-        }
-    }
-    assert!(seen > 100_000, "{seen}");
 }
 
 #[test]

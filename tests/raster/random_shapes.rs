@@ -5,12 +5,12 @@
 //! and about their vertices, where rasterizers go wrong; some scissors are reached from many rows above.
 
 use support::bridge;
-use support::oracle::cases::{self, Class, CLASSES};
+use support::oracle::cases::{self, CLASSES};
 use support::oracle::coverage::{rows, Area, P};
 use support::oracle::line;
 use support::oracle::rng::Rng;
 
-/// The numbers of triangles and of lines.
+/// The number of lines, and about that of triangles.
 const NUMBER: usize = 1_000_000;
 
 /// The library's pixels inside a window at most 64 wide, as words; the number of those drawn more than once is added to `twice`.
@@ -30,26 +30,10 @@ fn words(spans: &[pinhole::raster::Span], window: Area, twice: &mut u64) -> Vec<
     words
 }
 
-#[derive(Default)]
-struct Tally {
-    windows: u64,
-    pixels: u64,
-    covered: u64,
-    differing: u64,
-}
-
-impl Tally {
-    fn compare(&mut self, ours: &[u64], exact: &[u64], window: Area, what: impl Fn() -> String) {
-        self.windows += 1;
-        self.pixels += (window.width() * window.height()) as u64;
-        for (a, b) in ours.iter().zip(exact) {
-            self.covered += u64::from(b.count_ones());
-            if a != b {
-                self.differing += u64::from((a ^ b).count_ones());
-                println!("{} in {window:?}", what());
-            }
-        }
-    }
+/// The covered pixels of a window, which are equal.
+fn compare(ours: &[u64], exact: &[u64], window: Area, what: impl core::fmt::Debug) -> u64 {
+    assert!(ours == exact, "{what:?} in {window:?}: {ours:x?} instead of {exact:x?}");
+    exact.iter().map(|row| u64::from(row.count_ones())).sum()
 }
 
 /// The window of a triangle to compare.
@@ -67,37 +51,30 @@ fn windows(rng: &mut Rng, t: [P; 3]) -> Vec<Area> {
 
 #[test]
 fn r9_random_triangles_of_every_class() {
-    let mut rng = Rng::new(0x9A17);
-    let (mut twice, mut all) = (0, 0);
+    let (mut rng, mut twice) = (Rng::new(0x9A17), 0);
     for class in CLASSES {
-        let mut tally = Tally::default();
-        // The last class gets the remainder of the division.
-        let share = if class == Class::Huge { NUMBER - all } else { NUMBER / CLASSES.len() };
-        all += share;
-        for _ in 0..share {
+        let (mut pixels, mut covered) = (0, 0);
+        for _ in 0..NUMBER / CLASSES.len() {
             let t = cases::triangle(&mut rng, class);
             for window in windows(&mut rng, t) {
                 // Some scissors begin far above the window, so that the edge walkers take many steps.
                 let above = if rng.one_in(8) { 1 << rng.int(0, 9) } else { 0 };
                 let scissor = Area { top: window.top - above, ..window };
                 let ours = words(&bridge::triangle_spans(t, scissor), window, &mut twice);
-                tally.compare(&ours, &rows(t, window), window, || format!("{t:?}"));
+                covered += compare(&ours, &rows(t, window), window, t);
+                pixels += (window.width() * window.height()) as u64;
             }
         }
-        let Tally { windows, pixels, covered, differing } = tally;
-        println!(
-            "{class:?}: {share} triangles, {windows} windows, {pixels} pixels, {covered} covered, {differing} differ"
-        );
-        assert_eq!(differing, 0, "{class:?}");
-        assert!(pixels >= 8 * share as u64 && covered * 500 > pixels, "{class:?} shows too little");
+        println!("{class:?}: {pixels} pixels, {covered} covered");
+        assert!(covered * 500 > pixels, "{class:?} shows too little");
     }
-    assert_eq!((all, twice), (NUMBER, 0));
+    assert_eq!(twice, 0);
 }
 
 #[test]
 fn l2_random_lines_to_the_ends_of_the_range() {
     let mut rng = Rng::new(0x119E);
-    let (mut tally, mut twice) = (Tally::default(), 0);
+    let (mut covered, mut twice) = (0, 0);
     for _ in 0..NUMBER {
         let (a, b) = cases::line(&mut rng);
         for _ in 0..2 {
@@ -107,11 +84,9 @@ fn l2_random_lines_to_the_ends_of_the_range() {
             for (x, y) in line::clipped(a, b, window) {
                 exact[(y - window.top) as usize] |= 1 << (x - window.left);
             }
-            tally.compare(&ours, &exact, window, || format!("{a:?} {b:?}"));
+            covered += compare(&ours, &exact, window, (a, b));
         }
     }
-    let Tally { windows, pixels, covered, differing } = tally;
-    println!("{} lines, {windows} windows, {pixels} pixels, {covered} covered, {differing} differ", NUMBER);
-    assert_eq!((differing, twice), (0, 0));
+    assert_eq!(twice, 0);
     assert!(covered > 10 * NUMBER as u64);
 }

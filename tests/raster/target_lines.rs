@@ -1,4 +1,5 @@
-//! Lines into any DrawTarget: equal pixels through single pixels and through fills, the number of calls, their order, and errors.
+//! Lines into any DrawTarget and into memory: equal pixels through single pixels, through fills and in memory; the number of calls, their
+//! order, and errors.
 
 use core::convert::Infallible;
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -6,7 +7,7 @@ use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::Gray8;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
-use pinhole::{draw_line, LeastRun, Target};
+use pinhole::{draw_line, LeastRun, Pixels, Target};
 use support::bridge;
 use support::oracle::cases;
 use support::oracle::coverage::Area;
@@ -39,8 +40,24 @@ fn check<const N: u16>(a: P, b: P, area: Area) -> Vec<Call<Gray8>> {
     core::mem::take(&mut calls[0])
 }
 
+/// The loops that draw lines into memory, in either direction; memory behind the picture must not change.
+fn check_memory(a: P, b: P, area: Area) {
+    let (width, count) = (area.width(), area.width() * area.height());
+    let mut exact = vec![Gray8::new(0); count + 3];
+    for (x, y) in line::clipped(a, b, area) {
+        exact[(y - area.top) as usize * width + (x - area.left) as usize] = INK;
+    }
+    for [a, b] in [[a, b], [b, a]] {
+        let mut memory = vec![Gray8::new(0); count + 3];
+        let mut target = Pixels::new(&mut memory, rectangle(area)).expect("enough memory");
+        let Ok(()) = draw_line(bridge::pixel(a), bridge::pixel(b), INK, &mut target);
+        assert!(memory == exact, "{a:?} {b:?} {area:?}");
+    }
+}
+
 /// Compares every way to draw a line, and the number of calls of each. Returns the number of calls and of fills.
 fn check_calls(a: P, b: P, area: Area) -> (usize, usize) {
+    check_memory(a, b, area);
     let is_fill = |call: &Call<Gray8>| matches!(call, Call::Solid(..));
     let (fills, few, pixels, some) = (
         check::<1>(a, b, area),
@@ -80,7 +97,9 @@ fn l1_every_line_in_every_octant() {
 fn l2_lines_on_targets_of_every_shape_take_few_calls() {
     let mut rng = Rng::new(0x4C50);
     let (mut few, mut fills) = (0, 0);
-    for (width, height) in [(1, 1), (1, 40), (40, 1), (2, 60), (60, 2), (37, 53), (240, 17), (240, 240)] {
+    for (width, height) in
+        [(1, 1), (1, 40), (40, 1), (2, 2), (2, 60), (60, 2), (37, 53), (240, 17), (240, 240)]
+    {
         let (left, top) = (rng.int(-300, 300), rng.int(-300, 300));
         let area = Area::new(left, top, left + width, top + height);
         for _ in 0..500 {
@@ -95,7 +114,12 @@ fn l2_lines_on_targets_of_every_shape_take_few_calls() {
 #[test]
 fn l2_lines_to_the_ends_of_the_range() {
     let mut rng = Rng::new(0x4C51);
-    for _ in 0..4000 {
+    for _ in 0..20_000 {
+        let (a, b) = cases::line(&mut rng);
+        let (width, height) = [(64, 48), (48, 70), (5, 90), (2, 9)][rng.below(4)];
+        check_memory(a, b, Area::new(0, 0, width, height));
+    }
+    for _ in 0..1000 {
         let (a, b) = cases::line(&mut rng);
         let (width, height) = [(64, 48), (48, 70), (5, 90), (700, 600)][rng.below(4)];
         check_calls(a, b, Area::new(0, 0, width, height));
@@ -117,6 +141,30 @@ fn l2_the_longest_lines_are_exact() {
             check::<{ u16::MAX }>(mirrored(a), mirrored(b), all);
             check::<{ u16::MAX }>(swapped(a), swapped(b), all);
             check::<{ u16::MAX }>(swapped(mirrored(a)), swapped(mirrored(b)), all);
+        }
+    }
+}
+
+#[test]
+fn l2_the_longest_lines_of_each_loop_into_memory_are_exact() {
+    // A slope in 32 bits is for lines up to 6688; in narrow pictures, whole, and in wide ones, cut.
+    let mut rng = Rng::new(0x4C4B);
+    let check = |a: P, b: P, (width, height): (i64, i64)| check_memory(a, b, Area::new(0, 0, width, height));
+    for length in [6600, 6687, 6688, 6689, 6690, 8000] {
+        for width in [2, 5, 30] {
+            for rise in [0, 1, width - 1, rng.int(0, width - 1)] {
+                check((0, 0), (rise, length), (width, length + 1));
+                check((0, length), (rise, 0), (width, length + 1));
+                check((0, 0), (length, rise), (length + 1, width));
+                check((0, rise), (length, 0), (length + 1, width));
+            }
+        }
+        for _ in 0..400 {
+            // Through the middle of a picture, at any slope.
+            let (x, y) = (rng.int(0, 40), rng.int(0, 40));
+            let (dx, dy) = (rng.int(-length / 2, length / 2), length / 2);
+            check((x - dx, y - dy), (x + dx, y - dy + length), (41, 41));
+            check((x - dy, y - dx), (x - dy + length, y + dx), (41, 41));
         }
     }
 }

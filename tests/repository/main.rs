@@ -2,6 +2,5 @@
 
 mod layering;
 mod links;
-mod locks;
 mod package;
 mod public_names;

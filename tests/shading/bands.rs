@@ -1,9 +1,6 @@
 //! Smooth, tabled and dithered faces by every draw call, and in bands of any height. Plain colours are tested in `properties`.
 
-use crate::scene::{
-    draw, flat, gouraud, random_colour, random_lights, random_triangle, shaded, with_triangle, Colour, Own,
-    SIZE,
-};
+use crate::scene::{flat, gouraud, random_colour, random_lights, shaded, Colour, Own};
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888};
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
@@ -126,26 +123,6 @@ fn of_parts_of_bytes<C: Colour>(instance: &MeshInstance<'_>, scene: &Scene) {
             let Ok(()) = faces.solid(shade, band);
         });
         assert!(banded == whole.over(C::decode(0)), "{rows} rows");
-    }
-}
-
-/// One triangle, small, as large as the picture, far larger or a sliver: the loops for memory, with depth and without, draw the pixels
-/// of any other target.
-#[test]
-fn a_triangle_in_memory_has_the_pixels_of_any_target() {
-    let (mut rng, area) = (Rng::new(0xA4), rectangle(0, 0, SIZE.0, SIZE.1));
-    for _ in 0..3000 {
-        let shader = shaded::<Rgb565>(random_lights(&mut rng));
-        with_triangle(random_triangle(&mut rng), |instance| {
-            let wanted = draw(instance, shader).over(Rgb565::BLACK);
-            let solid = memory(area, Rgb565::BLACK, &mut |target, _| {
-                let Ok(_) = instance.solid(|_| shader, &mut [], target);
-            });
-            let deep = memory(area, Rgb565::BLACK, &mut |target, depth| {
-                let Ok(_) = instance.depth_tested(|_| shader, &mut [], depth, target);
-            });
-            assert!(solid == wanted && deep == wanted);
-        });
     }
 }
 

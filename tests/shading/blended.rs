@@ -1,15 +1,16 @@
 //! Translucency: mixed, dimmed and added levels of every colour type against fractions, and faces over what is behind them, face by face.
 
-use crate::rays::{floor, in_memory, mixed, usual, Faces, Tiles, AREA, SIZE, SKY};
+use crate::rays::{everywhere, floor, in_memory, mixed, usual, Faces, Tiles, AREA, SIZE, SKY};
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb555, Rgb565, Rgb666,
     Rgb888, RgbColor,
 };
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
+use pinhole::raster::{Span, Triangle};
 use pinhole::{
-    Blend, Blended, ColorKeyed, DepthBuffer, Dim, Gouraud, HalfBlended, Pixels, ScreenDoor, SpanShader,
-    Texels, Texture, Translucent,
+    Blend, Blended, ColorKeyed, DepthBuffer, Dim, Gouraud, HalfBlended, Pixels, ScreenDoor, Shader,
+    SpanShader, Texels, Texture, Translucent,
 };
 use support::bridge::ways::{memory, memory_with};
 use support::oracle::rng::Rng;
@@ -182,6 +183,40 @@ fn translucent_faces_are_mixed_with_what_is_behind_them() {
     check_parts(&scene, &|face| Translucent::by(color(face), added));
     let nothing = in_memory(&scene, &|face| Blended::new(color(face), 0));
     assert!(nothing.solid.iter().all(|&pixel| pixel == SKY));
+}
+
+/// A colour that is neither mixed nor stored as depth: it needs no memory to read.
+#[derive(Clone, Copy)]
+struct Unstored(Rgb888);
+
+impl Shader for Unstored {
+    type Varying = ();
+
+    fn sub_face(&self, _: [(); 3]) -> Self {
+        *self
+    }
+}
+
+impl SpanShader<Rgb888> for Unstored {
+    type Setup = Rgb888;
+    const WRITES_DEPTH: bool = false;
+
+    fn set_up(&self, _: &Triangle<'_>) -> Rgb888 {
+        self.0
+    }
+
+    fn span(color: &Rgb888, _: Span) -> impl Iterator<Item = Rgb888> {
+        core::iter::repeat(*color)
+    }
+}
+
+#[test]
+fn depth_that_a_shader_does_not_write_is_stored_on_no_target() {
+    let scene = Faces::soup(&mut Rng::new(35), 120, 1200, 3000, |_| 0);
+    let color = |face: usize| Rgb888::new(!(face as u8), (3 * face) as u8, 100);
+    let drawn = everywhere(&scene, &|face| Unstored(color(face)));
+    assert!(drawn.depths.iter().all(|&depth| depth == DepthBuffer::NOTHING) && drawn.deep == drawn.solid);
+    check_scene(&scene, &color, &|face| Unstored(color(face)), &|own, _| own);
 }
 
 /// Keyed textures and screen doors leave out the same pixels of translucent and of opaque faces.

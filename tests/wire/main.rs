@@ -4,17 +4,188 @@
 //! cargo run --release --example wire -- --help
 //! ```
 
-mod page;
-use support::panel;
-
+use embedded_graphics::prelude::*;
+use mipidsi::models::{ILI9341Rgb565, ILI9341Rgb666, ST7789};
 use pinhole_apps_support::command;
 use pinhole_apps_support::generated::Generated;
+use pinhole_apps_support::grouped::grouped;
+use std::fmt::Write as _;
 use std::process::ExitCode;
+use support::panel::films::{
+    film, in_bands, line_traffic, lines, pixel_bytes, reference, strip, sum, Colour, Cost, Film, Way, FRAMES,
+    ROWS,
+};
+use support::panel::screen::{Kind, Screen};
 
 fn main() -> ExitCode {
     command::run(|| {
         let about = "Counts the bytes that a display driver sends, and writes a page of tables";
         let file = Generated::arguments("--example wire", about, "docs/wire.md")?;
-        file.finish_page(&page::page())
+        file.finish_page(&page())
     })
+}
+
+const HEAD: &str = "\
+# On the wire
+
+The bytes of a frame on an 8-bit SPI bus between the microcontroller and its display: pixels and commands, as the driver
+[mipidsi](https://docs.rs/mipidsi) 0.10 sends them to a display in memory, which decodes them. `cargo run --release --example wire` writes this
+page; `tests/device/wire.rs` asserts the promised limits.
+
+A **window** is one rectangle: 11 bytes of commands (column range, row range, memory write), then its pixels.
+**Frames a second** are SPI clock ÷ (8 × bytes): the bus alone. A real one has gaps between bytes and transfers, and the
+frame is drawn first, or by DMA at the same time; so this is what the bus allows, never more.
+";
+
+const FULL: &str = "\
+## Full frames
+
+All pixels are sent, changed or not. In bands the strip is the only memory for pixels; sent in one, a frame needs a framebuffer. The
+share is in bytes of the pixels.
+
+| panel | sent in | strip, bytes | bytes a frame | windows | share | at 20 MHz | at 40 MHz |
+|---|---|---|---|---|---|---|---|
+";
+
+const FILMS: &str = "\
+## Films
+
+Means over a film, without the first frame (all of the screen); in brackets the largest frame. Bands and dirty
+rectangles use a strip of ROWS rows. *Spans* draws straight onto the display: cleared, then each run of equal pixels a
+`fill_solid`. *Pixels* gives the display one pixel at a time. Both flicker, as the display shows the cleared screen first.
+";
+
+const LINES: &str = "\
+## Lines
+
+Lines from the middle of the panel to every eighth point of its border, drawn straight onto the display. Each run of a
+line as a `fill_solid` is what a target gets that can fail, such as this driver; one `draw_iter` a line is what a target in memory gets.
+
+| panel | a line is | bytes a line | windows a line |
+|---|---|---|---|
+";
+
+const CHANGED: &str = "\
+## Dirty rectangles, and what changed
+
+Bytes sent with dirty rectangles, over the bytes of the least rectangle about the pixels that differ from those of the last frame:
+for a cube that rotates about an axis of the world, ST7789, in bands of ROWS rows. The rectangles are known from the vertices before
+anything is drawn, so a pixel that is drawn in its old colour is also sent.
+
+| a frame turns by | axis | share over the film | the worst frame | frames above 1.05 |
+|---|---|---|---|---|
+";
+
+fn page() -> String {
+    let mut page = format!("{HEAD}\n{FULL}");
+    full::<ST7789>(&mut page);
+    full::<ILI9341Rgb565>(&mut page);
+    full::<ILI9341Rgb666>(&mut page);
+    let _ = write!(page, "\n{}", FILMS.replace("ROWS", &ROWS.to_string()));
+    let spin = Film::Cube { axis: [0, 1, 0], turn: FRAMES };
+    let films = [
+        (spin, "the spinning cube (S2), 5° a frame"),
+        (Film::Small, "a small cube flies before one that stands still"),
+    ];
+    for (what, name) in films {
+        films_of::<ST7789>(&mut page, what, name);
+        films_of::<ILI9341Rgb666>(&mut page, what, name);
+    }
+    let _ = write!(page, "\n{LINES}");
+    lines_on::<ST7789>(&mut page);
+    lines_on::<ILI9341Rgb666>(&mut page);
+    let _ = write!(page, "\n{}", CHANGED.replace("ROWS", &ROWS.to_string()));
+    changed(&mut page);
+    page
+}
+
+/// Frames a second that a bus allows, at 20 and at 40 MHz.
+fn rates(bytes: f64) -> String {
+    let rate = |megahertz: f64| megahertz * 1e6 / (8.0 * bytes);
+    format!("{:.1} | {:.1}", rate(20.0), rate(40.0))
+}
+
+fn full<M: Kind<ColorFormat: Colour>>(page: &mut String) {
+    let mut screen = Screen::<M>::new();
+    let area = screen.display.bounding_box();
+    let pixels = pixel_bytes::<M::ColorFormat>(M::SIZE);
+    let things = Film::Small.frame(M::SIZE, 0);
+    for rows in [M::SIZE.height, 40, 8, 1] {
+        let mut strip = strip::<M::ColorFormat>(M::SIZE.width, rows);
+        in_bands(&things, area, &mut strip, &mut screen.display).expect("a bus that works");
+        screen.assert_shows(&reference(&things, M::SIZE), ("bands", rows));
+        let (bytes, windows) = screen.count();
+        let name = match rows {
+            1 => "bands of 1 row".to_string(),
+            _ if rows == M::SIZE.height => "one".to_string(),
+            _ => format!("bands of {rows} rows"),
+        };
+        let _ = writeln!(
+            page,
+            "| {} | {name} | {} | {} | {windows} | {:.4} | {} |",
+            M::NAME,
+            grouped(strip.len() as u64),
+            grouped(bytes as u64),
+            bytes as f64 / pixels as f64,
+            rates(bytes as f64)
+        );
+    }
+}
+
+fn films_of<M: Kind<ColorFormat: Colour>>(page: &mut String, what: Film, name: &str) {
+    let _ = write!(
+        page,
+        "\n### {}: {name}\n\n\
+        | sent as | bytes a frame | windows a frame | at 20 MHz | at 40 MHz |\n|---|---|---|---|---|\n",
+        M::NAME
+    );
+    for (way, name) in [
+        (Way::DirtyRegions, "dirty rectangles"),
+        (Way::Bands, "full frames in bands"),
+        (Way::Spans, "spans, on the cleared screen"),
+        (Way::Pixels, "pixels, on the cleared screen"),
+    ] {
+        let costs = film::<M>(what, FRAMES, way);
+        let mean = |of: fn(&Cost) -> usize| of(&sum(&costs)) as f64 / costs.len() as f64;
+        let most = |of: fn(&Cost) -> usize| grouped(costs.iter().map(of).max().unwrap_or(0) as u64);
+        let bytes = mean(|cost| cost.bytes);
+        let _ = writeln!(
+            page,
+            "| {name} | {} ({}) | {} ({}) | {} |",
+            grouped(bytes.round() as u64),
+            most(|cost| cost.bytes),
+            grouped(mean(|cost| cost.windows).round() as u64),
+            most(|cost| cost.windows),
+            rates(bytes)
+        );
+    }
+}
+
+fn lines_on<M: Kind<ColorFormat: Colour>>(page: &mut String) {
+    let count = lines(M::SIZE).len() as f64;
+    for (name, (bytes, windows)) in [
+        ("a `fill_solid` for each run", line_traffic::<M, 1>()),
+        ("one `draw_iter`", line_traffic::<M, { u16::MAX }>()),
+    ] {
+        let (bytes, windows) = (bytes as f64 / count, windows as f64 / count);
+        let _ = writeln!(page, "| {} | {name} | {bytes:.0} | {windows:.0} |", M::NAME);
+    }
+}
+
+fn changed(page: &mut String) {
+    for (turn, step) in [(20, "18°"), (36, "10°"), (72, "5°"), (360, "1°"), (1440, "¼°")] {
+        for axis in [[0, 1, 0], [3, -2, 1]] {
+            let costs = film::<ST7789>(Film::Cube { axis, turn }, turn, Way::DirtyRegions);
+            let share = |cost: &Cost| cost.bytes as f64 / cost.changed as f64;
+            let worst = costs.iter().map(share).fold(0.0, f64::max);
+            let above = costs.iter().filter(|cost| cost.bytes * 100 > cost.changed * 105).count();
+            let [x, y, z] = axis;
+            let _ = writeln!(
+                page,
+                "| {step} | ({x}, {y}, {z}) | {:.4} | {worst:.4} | {above} of {} |",
+                share(&sum(&costs)),
+                costs.len()
+            );
+        }
+    }
 }

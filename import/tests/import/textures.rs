@@ -418,21 +418,6 @@ fn png_files_of_all_kinds_are_read() {
 }
 
 #[test]
-fn several_pictures_and_bare_faces_are_named() {
-    let path = square("several", "map_Kd it.png", "it.png", numbered());
-    let library = "newmtl paint\nmap_Kd it.png\nnewmtl wood\nmap_Kd wood.png\nnewmtl bare\nKd 1 0 0\n";
-    std::fs::write(path.with_file_name("square.mtl"), library).unwrap();
-    let more = "v 0 0 1\nusemtl wood\nf 1/1 2/2 5/3\nusemtl bare\nf 2/1 3/2 5/3\n";
-    std::fs::write(&path, SQUARE.to_string() + more).unwrap();
-    let mesh = import(&path, &with(256)).unwrap();
-    let said = said(&mesh);
-    let pictures = "pictures of materials: 2; only it.png is written, and faces that should show wood.png show it, too: put them into one picture";
-    let bare = "faces whose material names no picture: 1; draw them in their colours";
-    assert!(said.contains(&pictures.into()) && said.contains(&bare.into()), "{said:?}");
-    assert_eq!(mesh.picture.unwrap().name, "it.png");
-}
-
-#[test]
 fn colours_are_rounded_as_embedded_graphics_rounds_them() {
     let path = square("types", "map_Kd numbered.png", "numbered.png", numbered());
     for (color, first, bytes) in [

@@ -3,8 +3,9 @@
 //! * [`oracle`]: expected results, computed slowly from the specification. No oracle imports the library.
 //! * [`bridge`]: passes an oracle's plain numbers to the library and the library's answers back.
 //! * [`definition`]: every projection by its geometric definition, in f64.
+//! * [`solids`]: meshes that hide and cut each other.
 //! * [`teapot`]: the Utah teapot as a constant mesh.
-//! * `panel`, `ssd0323` (feature `panel`): models of display controllers behind their buses.
+//! * `panel` (feature `panel`): a model of a display controller behind its bus, and films to send to it.
 // Test code: its types are made by the tests alone, and tests end at the first error.
 #![allow(clippy::new_without_default, clippy::result_unit_err, clippy::should_implement_trait)]
 
@@ -16,6 +17,5 @@ pub mod definition;
 pub mod oracle;
 #[cfg(feature = "panel")]
 pub mod panel;
-#[cfg(feature = "panel")]
-pub mod ssd0323;
+pub mod solids;
 pub use teapot;

@@ -9,13 +9,6 @@ pub fn triangle(t: [P; 3], area: Area) {
     assert!(ours == exact, "{t:?}\nlibrary\n{ours:?}\nexact\n{exact:?}");
 }
 
-pub fn triangle_in_all_orders(t: [P; 3], area: Area) {
-    let [a, b, c] = t;
-    for t in [[a, b, c], [a, c, b], [b, a, c], [b, c, a], [c, a, b], [c, b, a]] {
-        triangle(t, area);
-    }
-}
-
 /// Compares a window that the triangle reaches from `above` rows higher up: the edges have come a long
 /// way by then.
 pub fn triangle_from_above(t: [P; 3], area: Area, above: i64) {

@@ -22,11 +22,6 @@ impl Face {
         dot(a, cross(b, c)) < 0.0
     }
 
-    /// Whether the ray through (x, y) meets the triangle, its border included, beyond near.
-    pub fn is_met(&self, x: f64, y: f64) -> bool {
-        !matches!(self.meet(x, y, false, 0.0), Meeting::Never)
-    }
-
     /// How the triangle lies to the ray through (x, y), or to any other within `tolerance` px of it.
     fn meet(&self, x: f64, y: f64, far: bool, tolerance: f64) -> Meeting {
         let [a, b, c] = self.screen;

@@ -62,14 +62,6 @@ pub fn line(a: P, b: P, area: Area) -> Counts {
     counts
 }
 
-/// L1: within half a pixel of the true line along the minor axis, exactly.
-pub fn within_half(a: P, b: P, p: P) -> bool {
-    let (dx, dy) = (b.0 - a.0, b.1 - a.1);
-    let major = dx.abs().max(dy.abs());
-    let cross = dx * (p.1 - a.1) - dy * (p.0 - a.0);
-    2 * cross.abs() <= major
-}
-
 /// The number of runs along the major axis that the pixels (in order) fall into.
 pub fn runs(a: P, b: P, pixels: &[P]) -> usize {
     let minor = |p: &P| if is_steep(a, b) { p.0 } else { p.1 };

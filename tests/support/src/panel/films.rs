@@ -1,12 +1,16 @@
-//! The films to send: the spinning cube S2 of the benchmarks, and a small moving cube before one that stands still.
+//! Films to send to a panel: the spinning cube S2 of the benchmarks, and a small moving cube before one that stands still. Four methods of
+//! sending their frames, and the bytes that each takes; every frame on the panel is compared with the frame drawn in memory.
 
-use embedded_graphics::geometry::{Point, Size};
+use super::framebuffer::Framebuffer;
+use super::screen::{Kind, Screen, StoredPixel};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Band, BinnedFaces, Camera, Dim, Lambert, Mesh, MeshInstance, PixelFormat, Point3,
-    Projection, Scalar, ScreenVertex, Vector3, ViewTransform, Viewport,
+    draw_line, raster, Affine, Angle, Camera, Dim, DirtyRegions, Frame, Lambert, LeastRun, Mesh,
+    MeshInstance, PixelFormat, Point3, Projection, Scalar, ScreenVertex, TransferCost, Vector3,
+    ViewTransform, Viewport,
 };
 
 /// The cube of ±1.
@@ -26,7 +30,11 @@ const FACES: [[u16; 3]; 12] = [
     [4, 0, 3],
     [4, 3, 7],
 ];
-/// The colour of each pair of faces.
+const CUBE: &Mesh<'static> = &match Mesh::new(&VERTICES, 0, &FACES) {
+    Ok(mesh) => mesh,
+    Err(_) => panic!(),
+};
+/// The normal of each pair of faces.
 const NORMALS: [[i16; 3]; 6] =
     [[0, 0, 32767], [0, 0, -32767], [0, 32767, 0], [0, -32767, 0], [32767, 0, 0], [-32767, 0, 0]];
 /// The orientation of the cube of S2.
@@ -57,7 +65,7 @@ pub struct Thing {
     instance: MeshInstance<'static>,
     light: Lambert,
     colour: Rgb888,
-    pub moves: bool,
+    moves: bool,
 }
 
 fn camera(size: Size) -> Camera {
@@ -75,19 +83,11 @@ impl Film {
     /// The objects of a frame, the farther ones first.
     pub fn frame(self, size: Size, frame: u32) -> Vec<Thing> {
         let camera = camera(size);
-        const MESH: &Mesh<'static> = &match Mesh::new(&VERTICES, 0, &FACES) {
-            Ok(mesh) => mesh,
-            Err(_) => panic!(),
-        };
-        let thing = |model: Affine<Model, World>, colour, moves| Thing {
-            instance: camera.place(MESH, &model),
-            light: {
-                let (x, y, z) = LIGHT;
-                let towards = Vector3::from_f32(x, y, z).expect("in range");
-                Lambert::new(&model, towards, 40).expect("a light")
-            },
-            colour,
-            moves,
+        let thing = |model: Affine<Model, World>, colour, moves| {
+            let (x, y, z) = LIGHT;
+            let towards = Vector3::from_f32(x, y, z).expect("in range");
+            let light = Lambert::new(&model, towards, 40).expect("a light");
+            Thing { instance: camera.place(CUBE, &model), light, colour, moves }
         };
         let stands = Affine::from_matrix(&ROTATION).expect("a rotation");
         let (green, red) = (Rgb888::new(90, 220, 140), Rgb888::new(250, 90, 60));
@@ -115,6 +115,10 @@ impl Film {
     }
 }
 
+/// Memory for the vertices and faces of an object.
+type Store = ([ScreenVertex; CUBE.cache_len()], [u16; CUBE.face_bins_len()]);
+const STORE: Store = ([ScreenVertex::EMPTY; CUBE.cache_len()], [0; CUBE.face_bins_len()]);
+
 impl Thing {
     fn colour<C: Dim + From<Rgb888>>(&self, face: usize) -> C {
         C::from(self.colour).dim(self.light.level(NORMALS[face / 2]))
@@ -124,34 +128,206 @@ impl Thing {
     pub fn draw<D: DrawTarget<Color: Dim + From<Rgb888>>>(&self, target: &mut D) -> Result<(), D::Error> {
         self.instance.solid(|face| self.colour::<D::Color>(face), &mut [], target).map(|_| ())
     }
+
+    /// The rectangle that the object covers.
+    fn bounds(&self) -> Rectangle {
+        let (mut cache, mut bins) = STORE;
+        self.instance.bin_faces(&mut cache, &mut bins).expect("room for all faces").bounds()
+    }
 }
 
-/// Memory for the vertices and faces of an object: a number for each face, and one for every 16.
-type Store = ([ScreenVertex; VERTICES.len()], [u16; FACES.len() + 1]);
+/// A colour with all traits that these functions need.
+pub trait Colour: PixelFormat + Dim + StoredPixel + From<Rgb888> {}
+impl<C: PixelFormat + Dim + StoredPixel + From<Rgb888>> Colour for C {}
 
-/// Memory for the objects of a frame.
-#[derive(Default)]
-pub struct Memory(Vec<Store>);
-
-/// An object that is binned for bands.
-pub struct Recorded<'a> {
-    pub thing: &'a Thing,
-    pub faces: BinnedFaces<'a>,
+/// Memory for `rows` rows.
+pub fn strip<C: PixelFormat>(width: u32, rows: u32) -> Vec<u8> {
+    vec![0; Frame::<C>::strip_bytes(width, rows)]
 }
 
-impl Memory {
-    pub fn record<'a>(&'a mut self, things: &'a [Thing]) -> Vec<Recorded<'a>> {
-        self.0.resize(things.len(), ([ScreenVertex::EMPTY; VERTICES.len()], [0; FACES.len() + 1]));
-        let record = |(thing, (corners, bin_storage)): (&'a Thing, &'a mut Store)| {
-            let faces = thing.instance.transform(corners).bin_faces(bin_storage).expect("room for all faces");
-            Recorded { thing, faces }
+/// A part of a frame, in bands as high as the strip has room for.
+pub fn in_bands<D: DrawTarget<Color: Colour>>(
+    things: &[Thing],
+    area: Rectangle,
+    strip: &mut [u8],
+    target: &mut D,
+) -> Result<(), D::Error> {
+    let mut stores = vec![STORE; things.len()];
+    let mut binned = Vec::new();
+    for (thing, (cache, bins)) in things.iter().zip(&mut stores) {
+        binned.push((thing, thing.instance.bin_faces(cache, bins).expect("room for all faces")));
+    }
+    let mut frame = Frame::new(area, D::Color::from(BACKGROUND));
+    while let Some(mut band) = frame.next_band(strip).expect("a strip of a row or more") {
+        for (thing, faces) in &mut binned {
+            let Ok(()) = faces.solid(|face| thing.colour::<D::Color>(face), &mut band);
+        }
+        band.send(target)?;
+    }
+    Ok(())
+}
+
+/// The tracker of the regions of a frame that changed.
+pub fn dirty<C: PixelFormat>(area: Rectangle) -> DirtyRegions<4> {
+    DirtyRegions::new(area, TransferCost::new(C::BITS, TransferCost::MIPI_DCS))
+}
+
+/// The rectangles of moving objects: where they were and where they are.
+pub fn changes<D: DrawTarget<Color: Colour>>(
+    things: &[Thing],
+    dirty: &mut DirtyRegions<4>,
+    strip: &mut [u8],
+    target: &mut D,
+) -> Result<(), D::Error> {
+    things.iter().filter(|thing| thing.moves).for_each(|thing| dirty.mark(thing.bounds()));
+    dirty.take().iter().try_for_each(|area| in_bands(things, *area, strip, target))
+}
+
+/// Draws directly onto the panel: clears it, then sends each span.
+pub fn in_spans<D: DrawTarget<Color: Colour>>(things: &[Thing], target: &mut D) -> Result<(), D::Error> {
+    target.clear(BACKGROUND.into())?;
+    things.iter().try_for_each(|thing| thing.draw(target))
+}
+
+/// Draws directly onto the panel: clears it, then sends each pixel.
+pub fn in_pixels<D: DrawTarget<Color: Colour>>(things: &[Thing], target: &mut D) -> Result<(), D::Error> {
+    target.clear(BACKGROUND.into())?;
+    things.iter().try_for_each(|thing| thing.draw(&mut Single(target)))
+}
+
+/// A target that is given one pixel at a time.
+struct Single<'a, D>(&'a mut D);
+
+impl<D: DrawTarget> Dimensions for Single<'_, D> {
+    fn bounding_box(&self) -> Rectangle {
+        self.0.bounding_box()
+    }
+}
+
+impl<D: DrawTarget> DrawTarget for Single<'_, D> {
+    type Color = D::Color;
+    type Error = D::Error;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<D::Color>>>(&mut self, pixels: I) -> Result<(), D::Error> {
+        pixels.into_iter().try_for_each(|pixel| self.0.draw_iter([pixel]))
+    }
+}
+
+/// A frame, drawn in memory at once.
+pub fn reference<C: Colour>(things: &[Thing], size: Size) -> Framebuffer<C> {
+    let mut picture = Framebuffer::new(size, C::from(BACKGROUND));
+    for thing in things {
+        let Ok(()) = thing.draw(&mut picture);
+    }
+    picture
+}
+
+impl<M: Kind<ColorFormat: Colour>> Screen<M> {
+    /// The panel shows a picture, to the pixel.
+    #[track_caller]
+    pub fn assert_shows(&self, picture: &Framebuffer<M::ColorFormat>, what: impl core::fmt::Debug) {
+        let differing =
+            self.picture().iter().zip(picture.pixels()).filter(|(a, b)| **a != b.stored()).count();
+        assert_eq!(differing, 0, "{}: pixels of {what:?}", M::NAME);
+    }
+}
+
+/// The bytes of the pixels of an area.
+pub fn pixel_bytes<C: PixelFormat>(size: Size) -> usize {
+    size.width as usize * size.height as usize * C::BITS as usize / 8
+}
+
+/// The size of the smallest rectangle that contains the pixels that differ.
+fn difference<C: PixelColor>(a: &Framebuffer<C>, b: &Framebuffer<C>) -> Size {
+    let points = a.bounding_box().points().zip(a.pixels().iter().zip(b.pixels()));
+    let differing = points.filter(|(_, (a, b))| a != b).map(|(at, _)| (at, at));
+    let ends = differing.reduce(|(low, high), (at, _)| (low.component_min(at), high.component_max(at)));
+    ends.map_or(Size::zero(), |(low, high)| Rectangle::with_corners(low, high).size)
+}
+
+/// How frames are sent.
+#[derive(Clone, Copy, Debug)]
+pub enum Way {
+    /// All of every frame.
+    Bands,
+    DirtyRegions,
+    Spans,
+    Pixels,
+}
+
+/// The number of rows of a band, which is as wide as the panel.
+pub const ROWS: u32 = 8;
+
+/// The traffic of a frame.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Cost {
+    pub bytes: usize,
+    pub windows: usize,
+    /// The bytes of the pixels of the smallest rectangle that contains all changes.
+    pub changed: usize,
+}
+
+/// The traffic of each frame of a film after the first. Asserts that the panel shows the reference after every frame.
+pub fn film<M: Kind<ColorFormat: Colour>>(film: Film, frames: u32, way: Way) -> Vec<Cost> {
+    let mut screen = Screen::<M>::new();
+    let area = screen.display.bounding_box();
+    let mut dirty = dirty::<M::ColorFormat>(area);
+    let mut strip = strip::<M::ColorFormat>(M::SIZE.width, ROWS);
+    let (mut last, mut costs) = (None, Vec::new());
+    for frame in 0..frames {
+        let things = film.frame(M::SIZE, frame);
+        let display = &mut screen.display;
+        let sent = match way {
+            Way::Bands => in_bands(&things, area, &mut strip, display),
+            Way::DirtyRegions => changes(&things, &mut dirty, &mut strip, display),
+            Way::Spans => in_spans(&things, display),
+            Way::Pixels => in_pixels(&things, display),
         };
-        things.iter().zip(&mut self.0).map(record).collect()
+        sent.expect("a bus that works");
+        let picture = reference(&things, M::SIZE);
+        screen.assert_shows(&picture, (film, frame, way));
+        let (bytes, windows) = screen.count();
+        if let Some(last) = &last {
+            let changed = pixel_bytes::<M::ColorFormat>(difference(last, &picture));
+            costs.push(Cost { bytes, windows, changed });
+        }
+        last = Some(picture);
     }
+    assert_eq!(screen.panel.controller().cut_off, 0);
+    costs
 }
 
-impl Recorded<'_> {
-    pub fn draw<C: PixelFormat + Dim + From<Rgb888>>(&mut self, band: &mut Band<'_, C>) {
-        let Ok(()) = self.faces.solid(|face| self.thing.colour::<C>(face), band);
+/// The ends of lines from the middle of a panel to every eighth point of its border: every direction.
+pub fn lines(size: Size) -> Vec<[raster::Pixel; 2]> {
+    let (width, height) = (size.width as i16, size.height as i16);
+    let across = (0..width).step_by(8).flat_map(|x| [(x, 0), (x, height - 1)]);
+    let down = (8..height - 1).step_by(8).flat_map(|y| [(0, y), (width - 1, y)]);
+    let middle = raster::Pixel { x: width / 2, y: height / 2 };
+    across.chain(down).map(|(x, y)| [middle, raster::Pixel { x, y }]).collect()
+}
+
+/// The bytes and windows of [`lines`], drawn with this [`LEAST_RUN`](pinhole::Target::LEAST_RUN). Asserts that the panel shows
+/// them.
+pub fn line_traffic<M: Kind<ColorFormat: Colour>, const LEAST_RUN: u16>() -> (usize, usize) {
+    let (mut screen, background, ink) =
+        (Screen::<M>::new(), BACKGROUND.into(), M::ColorFormat::from(Rgb888::WHITE));
+    let mut picture = Framebuffer::new(M::SIZE, background);
+    screen.display.clear(background).expect("a bus that works");
+    screen.count();
+    for [from, to] in lines(M::SIZE) {
+        draw_line(from, to, ink, &mut LeastRun::<_, LEAST_RUN>(&mut screen.display))
+            .expect("a bus that works");
+        let Ok(()) = draw_line(from, to, ink, &mut picture);
     }
+    screen.assert_shows(&picture, "lines");
+    screen.count()
+}
+
+/// The sum over all frames.
+pub fn sum(costs: &[Cost]) -> Cost {
+    costs.iter().fold(Cost::default(), |sum, cost| Cost {
+        bytes: sum.bytes + cost.bytes,
+        windows: sum.windows + cost.windows,
+        changed: sum.changed + cost.changed,
+    })
 }

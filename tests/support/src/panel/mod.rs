@@ -7,9 +7,7 @@
 pub mod bus;
 pub mod films;
 pub mod framebuffer;
-pub mod measure;
 pub mod screen;
-pub mod ways;
 
 /// The frame memory, in columns and rows of the glass.
 const COLUMNS: u16 = 240;

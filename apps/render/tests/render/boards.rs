@@ -13,7 +13,7 @@ use pinhole_render::firmware::{self, Buffers};
 use std::ops::ControlFlow::{Break, Continue};
 use std::path::Path;
 
-#[path = "../../../boards/rp2040-st7789/src/picture.rs"]
+#[path = "../../../../boards/rp2040-st7789/src/picture.rs"]
 mod rp2040;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");

@@ -1,25 +1,24 @@
 //! Solids: convex ones, ones with holes, and scenes of several bodies.
 
+use crate::bridge::draw::{CUBE, CUBE_FACES};
+use crate::oracle::chain::{cross, dot, normalise};
+use crate::oracle::rng::Rng;
 use core::f64::consts::TAU;
 use std::collections::BTreeMap;
-use support::bridge::draw::{CUBE, CUBE_FACES};
-use support::oracle::chain::{cross, dot, normalise};
-use support::oracle::rng::Rng;
-use support::teapot;
 
 /// A solid whose edges are drawn.
-pub(super) struct Solid {
-    pub(super) vertices: Vec<[i16; 3]>,
-    pub(super) exponent: i8,
-    pub(super) faces: Vec<[u16; 3]>,
-    pub(super) edges: Vec<[u16; 2]>,
+pub struct Solid {
+    pub vertices: Vec<[i16; 3]>,
+    pub exponent: i8,
+    pub faces: Vec<[u16; 3]>,
+    pub edges: Vec<[u16; 2]>,
 }
 
 type Faces = Vec<[u16; 3]>;
 
 impl Solid {
     /// A solid with all edges of its faces.
-    pub(super) fn new(vertices: Vec<[i16; 3]>, exponent: i8, faces: Faces) -> Self {
+    pub fn new(vertices: Vec<[i16; 3]>, exponent: i8, faces: Faces) -> Self {
         let edges = beside(&faces).into_keys().collect();
         Self { vertices, exponent, faces, edges }
     }
@@ -41,13 +40,13 @@ impl Solid {
     }
 
     /// The normals of all faces, in 2⁻¹⁵.
-    pub(super) fn normals(&self) -> Vec<[i16; 3]> {
+    pub fn normals(&self) -> Vec<[i16; 3]> {
         let normal = |&face| Self::normal(&self.vertices, face).map(|c| (c * 32_767.0).round() as i16);
         self.faces.iter().map(normal).collect()
     }
 
     /// The faces adjacent to each edge, by a map instead of the library's search.
-    pub(super) fn edge_faces(&self) -> Vec<[u16; 2]> {
+    pub fn edge_faces(&self) -> Vec<[u16; 2]> {
         let beside = beside(&self.faces);
         // An edge that is listed again gets the next two faces.
         let mut listed = BTreeMap::<[u16; 2], usize>::new();
@@ -75,12 +74,12 @@ fn turned(i: u16, n: u16, radius: f64, y: f64) -> [i16; 3] {
     [radius * c, y, -radius * s].map(|v| v as i16)
 }
 
-pub(super) fn cube() -> Solid {
+pub fn cube() -> Solid {
     blocks(&[([0.0; 3], [16_384.0; 3])])
 }
 
 /// Boxes, each by its centre and half its sides.
-pub(super) fn blocks(all: &[([f64; 3], [f64; 3])]) -> Solid {
+pub fn blocks(all: &[([f64; 3], [f64; 3])]) -> Solid {
     let (mut vertices, mut faces) = (Vec::new(), Vec::new());
     for (centre, half) in all {
         let first = vertices.len() as u16;
@@ -91,12 +90,12 @@ pub(super) fn blocks(all: &[([f64; 3], [f64; 3])]) -> Solid {
 }
 
 /// A box of any sides.
-pub(super) fn block(rng: &mut Rng) -> Solid {
+pub fn block(rng: &mut Rng) -> Solid {
     blocks(&[([0.0; 3], [0; 3].map(|_| rng.real(800.0, 14_000.0)))])
 }
 
 /// The convex hull of points on a sphere, by trying all triples.
-pub(super) fn hull(rng: &mut Rng, count: usize) -> Solid {
+pub fn hull(rng: &mut Rng, count: usize) -> Solid {
     loop {
         let points: Vec<_> = (0..count).map(|_| rng.direction().map(|c| (c * 14_000.0) as i16)).collect();
         let way =
@@ -117,7 +116,7 @@ pub(super) fn hull(rng: &mut Rng, count: usize) -> Solid {
 }
 
 /// A prism or a frustum; its caps are fans of slender triangles.
-pub(super) fn prism(rng: &mut Rng) -> Solid {
+pub fn prism(rng: &mut Rng) -> Solid {
     let n = rng.int(3, 24) as u16;
     let (radius, height) = (rng.real(2_000.0, 14_000.0), rng.real(1_000.0, 14_000.0));
     let top = radius * [1.0, 0.5][rng.below(2)];
@@ -134,7 +133,7 @@ pub(super) fn prism(rng: &mut Rng) -> Solid {
     Solid::with_creases(vertices, faces)
 }
 
-pub(super) fn torus(around: u16, across: u16) -> Solid {
+pub fn torus(around: u16, across: u16) -> Solid {
     let (mut vertices, mut faces) = (Vec::new(), Vec::new());
     for i in 0..around {
         for j in 0..across {
@@ -149,7 +148,7 @@ pub(super) fn torus(around: u16, across: u16) -> Solid {
 }
 
 /// A gear of nine teeth with a hole.
-pub(super) fn gear() -> Solid {
+pub fn gear() -> Solid {
     const N: u16 = 36;
     let (mut vertices, mut faces) = (Vec::new(), Vec::new());
     for y in [-4_000.0, 4_000.0] {
@@ -169,7 +168,7 @@ pub(super) fn gear() -> Solid {
 }
 
 /// Houses among fences.
-pub(super) fn village(rng: &mut Rng) -> Solid {
+pub fn village(rng: &mut Rng) -> Solid {
     let mut all: Vec<_> = (0..8)
         .map(|_| {
             let half = [0; 3].map(|_| rng.real(1_000.0, 4_000.0));
@@ -185,7 +184,7 @@ pub(super) fn village(rng: &mut Rng) -> Solid {
 }
 
 /// Three boxes through each other.
-pub(super) fn crossing(rng: &mut Rng) -> Solid {
+pub fn crossing(rng: &mut Rng) -> Solid {
     let mut block = || {
         let centre = [0; 3].map(|_| rng.real(-6_000.0, 6_000.0));
         (centre, [0; 3].map(|_| rng.real(2_000.0, 14_000.0)))
@@ -193,12 +192,12 @@ pub(super) fn crossing(rng: &mut Rng) -> Solid {
     blocks(&[block(), block(), block()])
 }
 
-pub(super) fn pot() -> Solid {
+pub fn pot() -> Solid {
     Solid::new(teapot::VERTICES.to_vec(), teapot::EXPONENT - 2, teapot::FACES.to_vec())
 }
 
 /// Slender tetrahedra through each other.
-pub(super) fn splinters(rng: &mut Rng) -> Solid {
+pub fn splinters(rng: &mut Rng) -> Solid {
     let (mut vertices, mut faces) = (Vec::new(), Vec::new());
     for _ in 0..25 {
         let first = vertices.len() as u16;

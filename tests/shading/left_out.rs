@@ -1,10 +1,14 @@
-//! Keyed texels: which pixels are left out, and which depths are stored, against rays in f64, which share no code with the library.
+//! Shaders that leave out pixels: keyed texels, against rays in f64, which share no code with the library, and screen doors, against the
+//! recursive definition of Bayer's matrix.
 
+use crate::levels::rank;
 use crate::rays::{everywhere, floor, in_memory, perspective, Faces, Tiles, AREA, SKY, WALL};
-use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::prelude::Point;
 use embedded_graphics::primitives::PointsIter;
-use pinhole::{Accuracy, ColorKeyed, DepthBuffer, IndexKeyed, IndexedTexels, Texels, Texture};
+use pinhole::{
+    Accuracy, ColorKeyed, DepthBuffer, Gouraud, IndexKeyed, IndexedTexels, ScreenDoor, Texels, Texture,
+};
 use support::oracle::rng::Rng;
 
 const KEY: Rgb888 = Rgb888::new(255, 0, 255);
@@ -121,4 +125,41 @@ fn a_key_is_a_colour_or_an_index() {
     // 37 = 0x25 is the second byte: texels 0, 0, 2, 5.
     assert_eq!([kept(0), kept(2), kept(3)], [Some(same[0]), Some(same[0]), None]);
     assert_eq!(ColorKeyed::new(texels, same[0]).kept_texel(0, 0), None);
+}
+
+#[test]
+fn the_pixels_of_low_ranks_are_drawn_with_their_depth() {
+    let scene = Faces::quad(floor(0.5, 9.5, 6.0), 25.0, 40, -10);
+    let shade = |face: usize| {
+        let [a, b, c] = [[9, 200, 40], [250, 3, 77], [20, 90, 255]].map(|[r, g, b]| Rgb888::new(r, g, b));
+        Gouraud::new(if face == 0 { [a, b, c] } else { [a, c, b] })
+    };
+    let full = in_memory(&scene, &shade);
+    assert!(full.deep.iter().filter(|&&pixel| pixel != SKY).count() > 10_000);
+    for coverage in [0, 1, 7, 16, 32, 33, 48, 63, 64, 200] {
+        let drawn = everywhere(&scene, &|face| ScreenDoor::new(shade(face), coverage));
+        for (i, at) in AREA.points().enumerate() {
+            let is_drawn = rank(at) < i128::from(coverage);
+            let wanted = if is_drawn { (full.deep[i], full.depths[i]) } else { (SKY, DepthBuffer::NOTHING) };
+            assert_eq!((drawn.deep[i], drawn.depths[i]), wanted, "{at}, {coverage} of 64");
+            assert_eq!(drawn.solid[i], if is_drawn { full.solid[i] } else { SKY });
+        }
+    }
+}
+
+/// Plain colours, faces of any shape: of two faces with one coverage the nearer hides the other.
+#[test]
+fn of_faces_with_equal_coverage_the_nearer_is_seen() {
+    let scene = Faces::soup(&mut Rng::new(9), 120, 1200, 3000, |_| 0);
+    let color = |face: usize| Rgb888::new(face as u8, 255 - face as u8, 100);
+    let full = in_memory(&scene, &color);
+    let drawn = everywhere(&scene, &|face| ScreenDoor::new(color(face), 40));
+    for (i, at) in AREA.points().enumerate() {
+        assert_eq!(drawn.deep[i], if rank(at) < 40 { full.deep[i] } else { SKY });
+    }
+    // Where coverages differ, what is behind shows through.
+    let mixed = everywhere(&scene, &|face| ScreenDoor::new(color(face), if face % 2 == 0 { 20 } else { 64 }));
+    let through =
+        mixed.deep.iter().zip(&full.deep).filter(|(mixed, full)| mixed.r() % 2 == 1 && full.r() % 2 == 0);
+    assert!(through.count() > 1000);
 }

@@ -1,0 +1,6 @@
+//! What `pinhole-render` draws, says and writes, and the templates whose pictures it shows.
+
+mod boards;
+mod closed;
+mod files;
+mod people;
