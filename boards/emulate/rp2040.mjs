@@ -1,4 +1,4 @@
-// Runs an image on an emulated RP2040 and reports what its SPI bus and its pins do: see events.mjs.
+// Runs an image on an emulated RP2040 and reports what its SPI bus and its pins do.
 //
 //   node rp2040.mjs ROM IMAGE modules=FOLDER spi=0 wires=18,19 select=17 command=20 watch=21 log=ADDRESS
 //
@@ -8,8 +8,49 @@
 // time, separated by commas; until its first one such a pin is high, as if pulled up. rp2040js counts cycles as the Cortex-M0+ does; flash is as fast as RAM, because
 // misses of its cache are not modelled, nor is the second core.
 
+import { writeSync } from 'node:fs';
 import { loadFlash, loadRom, rp2040js } from './boot.mjs';
-import { BYTE, CLOCK, LOG, PIN, TIME, WAITED, flush, report } from './events.mjs';
+
+// The records by which an emulator reports on standard output; src/events.rs reads them. A record has 8 bytes: a value, a kind,
+// and a time of 48 bits in nanoseconds, which suffice for three days; little-endian.
+/** A byte on the bus: bit 0 is the D/C line at its last bit (high for data), bit 1 the select line (high if not selected). */
+const BYTE = 0x00;
+/** A pin has changed: its number, and its level in bit 7. */
+const PIN = 0x10;
+/** A byte of the log. */
+const LOG = 0x20;
+/** In place of the time: how long the core has waited for the bus since the last of these records. */
+const WAITED = 0x30;
+/** Nothing but the time. */
+const TIME = 0x40;
+/** In place of the time: how long a byte takes on the bus, from now on. */
+const CLOCK = 0x60;
+/** The emulator has broken the bus, as it was asked to. */
+const BROKEN = 0x50;
+
+const buffer = Buffer.alloc(1 << 16);
+let filled = 0;
+
+function report(kind, value, nanoseconds) {
+  buffer[filled] = value;
+  buffer[filled + 1] = kind;
+  buffer.writeUIntLE(Math.round(nanoseconds), filled + 2, 6);
+  filled += 8;
+  if (filled === buffer.length) flush();
+}
+
+function flush() {
+  for (let written = 0; written < filled; ) {
+    try {
+      written += writeSync(1, buffer, written, filled - written);
+    } catch (error) {
+      // The reader has seen enough.
+      if (error.code === 'EPIPE') process.exit(0);
+      throw error;
+    }
+  }
+  filled = 0;
+}
 
 const [rom, image, ...rest] = process.argv.slice(2);
 const options = Object.fromEntries(rest.map((option) => option.split(/=(.*)/s)));

@@ -1,11 +1,12 @@
-"""Runs an image on an emulated STM32F411 and reports what its SPI bus and its pins do: see events.mjs.
+"""Runs an image on an emulated STM32F411 and reports what its SPI bus and its pins do: see rp2040.mjs.
 
     python stm32f411.py IMAGE hooks=FILE wires=5,7 select=4 command=3 watch=2 log=ADDRESS
 
 The core is Unicorn's Cortex-M4. Here are the peripherals that the firmware uses, after the reference manual RM0383: RCC, as
-far as clocks start and switch; GPIOA; SPI1 as a master that sends; SysTick with its exception. `wires`, `select`, `command` and
-`watch` are pins of port A: clock and data of SPI1, the display's CS and D/C, and those whose changes are reported, separated
-by commas. `log` is the address of the image's RTT control block. `overrun=N` sets SPI1's overrun flag once, with byte N.
+far as clocks start and switch; GPIOA; SPI1 as a master that sends; the cycle counter. Exceptions are not modelled. `wires`,
+`select`, `command` and `watch` are pins of port A: clock and data of SPI1, the display's CS and D/C, and those whose changes
+are reported, separated by commas. `log` is the address of the image's RTT control block. `overrun=N` sets SPI1's overrun flag
+once, with byte N.
 
 `hooks` is the library of hooks/, which does what happens in every basic block and for every byte.
 
@@ -14,6 +15,7 @@ the chip's prefetch and caches hide most of its wait states.
 """
 
 import ctypes
+import os
 import struct
 import sys
 
@@ -22,11 +24,12 @@ from unicorn import arm_const as arm
 from unicorn.unicorn_py3.unicorn import uclib
 
 import cortex_m4
-from events import CLOCK, LOG, PIN, TIME, WAITED, write_all
 
 FLASH, RAM, RAM_SIZE = 0x0800_0000, 0x2000_0000, 128 << 10
 HSI, HSE = 16_000_000, 25_000_000
 PERIPHERAL = 2
+# Kinds of records: see rp2040.mjs.
+PIN, LOG, WAITED, TIME, CLOCK = 0x10, 0x20, 0x30, 0x40, 0x60
 
 image, *rest = sys.argv[1:]
 options = dict(option.split("=") for option in rest)
@@ -92,7 +95,12 @@ def report(kind, value, nanoseconds):
 def flush():
     length = 8 * hooks.filled
     hooks.filled = 0
-    write_all(memoryview(hooks.records).cast("B")[:length])
+    records = memoryview(hooks.records).cast("B")[:length]
+    try:
+        while records:
+            records = records[os.write(1, records) :]
+    except BrokenPipeError:
+        os._exit(0)  # the reader has seen enough
 
 
 class Clock:
@@ -259,35 +267,14 @@ class Spi1(Registers):
         return bit_cycles
 
 
-class System(Registers):
-    """SysTick. Interrupts of peripherals are not modelled."""
+class Trace(Registers):
+    """DWT: CYCCNT counts, whether it was enabled or not."""
 
-    CSR, RVR = 0x10, 0x14
-
-    def __init__(self):
-        super().__init__()
-        self.start = 0
-
-    def period(self):
-        return (self.words.get(self.RVR, 0) & 0xFFFFFF) + 1
-
-    def write_10(self, value):
-        self.words[self.CSR] = value
-        self.start = clock.cycles
-
-    def write_18(self, _value):  # CVR: any write clears the count
-        self.start = clock.cycles
-
-    def read_18(self):
-        passed = (clock.cycles - self.start) % self.period()
-        return (self.period() - passed) % self.period()
-
-    def due(self):
-        """When the exception comes, if it does."""
-        return self.start + self.period() if self.words.get(self.CSR, 0) & 3 == 3 else None
+    def read_04(self):
+        return clock.cycles & 0xFFFFFFFF
 
 
-rcc, power, gpio, spi, system = Rcc(), Power(), GpioA(), Spi1(), System()
+rcc, power, gpio, spi = Rcc(), Power(), GpioA(), Spi1()
 
 uc = Uc(UC_ARCH_ARM, UC_MODE_THUMB | UC_MODE_MCLASS)
 uc.ctl_set_cpu_model(arm.UC_CPU_ARM_CORTEX_M4)
@@ -301,7 +288,7 @@ blocks = {
     0x4002_0000: gpio,
     0x4002_3800: rcc,
     0x4002_3C00: Registers(),  # flash interface: wait states and caches
-    0xE000_E000: system,
+    0xE000_1000: Trace(),
     0xE000_EC00: Registers(),  # system control block
 }
 
@@ -402,8 +389,6 @@ def take_log():
 COUNTDOWN = (0x3801, 0xD1FD)  # subs r0, #1; bne to it
 YIELD = 0xBF10
 INTERVAL = 10_000  # cycles from one look at the log to the next
-RETURN = 0x1000_0000  # where exception handlers return to; the chip has nothing there
-exception = False
 
 
 @hook
@@ -427,31 +412,11 @@ def skip(address, cost):
 @hook
 def look():
     """What is not looked at in every block."""
-    global exception
     take_log()
     report(WAITED, 0, hooks.waited * 1_000_000_000 // hooks.frequency)  # since the last look
     hooks.waited = 0
     report(TIME, 0, clock.time())
     hooks.due = hooks.cycles + INTERVAL
-    if system.due() is not None:
-        if clock.cycles >= system.due():
-            exception = True
-            uc.emu_stop()
-        hooks.due = min(hooks.due, system.due())
-
-
-def systick():
-    """Runs the handler of SysTick as the core would, but keeps the registers here instead of on the stack."""
-    saved = [arm.UC_ARM_REG_R0, arm.UC_ARM_REG_R1, arm.UC_ARM_REG_R2, arm.UC_ARM_REG_R3, arm.UC_ARM_REG_R12]
-    saved += [arm.UC_ARM_REG_LR, arm.UC_ARM_REG_PC, arm.UC_ARM_REG_XPSR]
-    values = [uc.reg_read(register) for register in saved]
-    system.start += system.period()
-    (handler,) = struct.unpack("<I", uc.mem_read(FLASH + 4 * 15, 4))
-    uc.reg_write(arm.UC_ARM_REG_LR, RETURN | 1)
-    uc.emu_start(handler, RETURN)
-    clock.cycles += 24  # entry and return
-    for register, value in zip(saved, values):
-        uc.reg_write(register, value)
 
 
 def invalid(_uc, _kind, address, _size, _value, _data):
@@ -460,7 +425,6 @@ def invalid(_uc, _kind, address, _size, _value, _data):
 
 
 load(image)
-uc.mem_map(RETURN, 0x1000)
 handle = ctypes.c_size_t()
 everywhere = 1, 0
 check(uclib.uc_hook_add(uc._uch, ctypes.byref(handle), UC_HOOK_BLOCK, library.hooks_block, shared, *everywhere))
@@ -478,9 +442,6 @@ while failure is None:
             look()
         else:
             problem(str(error))
-    if exception and failure is None:
-        exception = False
-        systick()
     start = uc.reg_read(arm.UC_ARM_REG_PC) | 1
 flush()
 sys.exit(f"{failure}, at {uc.reg_read(arm.UC_ARM_REG_PC):#010x} after {clock.time() / 1e6:.3f} ms")

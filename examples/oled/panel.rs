@@ -1,11 +1,8 @@
 //! A driver for the SSD0323, a controller of OLED panels of 128 × 64 pixels in 16 shades, on SPI.
 //! (Solomon Systech, *SSD0323*, chapters on the command table and the graphic display data RAM.)
 
-use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::{Dimensions, OriginDimensions, Point, Size};
-use embedded_graphics_core::pixelcolor::{Gray4, GrayColor};
-use embedded_graphics_core::primitives::{PointsIter, Rectangle};
-use embedded_graphics_core::Pixel;
+use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::primitives::Rectangle;
 use embedded_hal::digital::OutputPin;
 use embedded_hal::spi::SpiBus;
 
@@ -66,7 +63,8 @@ impl<SPI: SpiBus, DC: OutputPin> Ssd0323<SPI, DC> {
             return Err(Error::Window);
         }
         self.window(area)?;
-        self.data(pixels)
+        self.data_command.set_high().map_err(Error::Pin)?;
+        self.send(pixels)
     }
 
     /// Where the next pixels go: from left to right, row by row.
@@ -94,78 +92,9 @@ impl<SPI: SpiBus, DC: OutputPin> Ssd0323<SPI, DC> {
         self.send(bytes)
     }
 
-    fn data(&mut self, bytes: &[u8]) -> Result<SPI, DC> {
-        self.data_command.set_high().map_err(Error::Pin)?;
-        self.send(bytes)
-    }
-
     /// All of it is on the wire when this ends: the D/C pin may change then.
     fn send(&mut self, bytes: &[u8]) -> Result<SPI, DC> {
         self.spi.write(bytes).map_err(Error::Spi)?;
         self.spi.flush().map_err(Error::Spi)
-    }
-}
-
-impl<SPI, DC> OriginDimensions for Ssd0323<SPI, DC> {
-    fn size(&self) -> Size {
-        SIZE
-    }
-}
-
-/// For whole windows, such as a [`Band`](pinhole::Band) or a cleared screen: their x and width must be even, or it is
-/// [`Error::Window`]. What lies beside the panel is left out. Lines and text are drawn on a band.
-impl<SPI: SpiBus, DC: OutputPin> DrawTarget for Ssd0323<SPI, DC> {
-    type Color = Gray4;
-    type Error = Error<SPI::Error, DC::Error>;
-
-    /// Pixels that come in pairs, the left one of each first.
-    fn draw_iter<I: IntoIterator<Item = Pixel<Gray4>>>(&mut self, pixels: I) -> Result<SPI, DC> {
-        let mut pixels = pixels.into_iter();
-        while let Some(Pixel(at, left)) = pixels.next() {
-            let Some(Pixel(beside, right)) = pixels.next() else { return Err(Error::Window) };
-            if beside != at + Point::new(1, 0) {
-                return Err(Error::Window);
-            }
-            let pair = Rectangle::new(at, Size::new(2, 1));
-            if at.x % 2 != 0 {
-                return Err(Error::Window);
-            }
-            if self.bounding_box().contains(at) {
-                self.write(&pair, &[left.luma() << 4 | right.luma()])?;
-            }
-        }
-        Ok(())
-    }
-
-    fn fill_contiguous<I: IntoIterator<Item = Gray4>>(
-        &mut self,
-        area: &Rectangle,
-        colours: I,
-    ) -> Result<SPI, DC> {
-        let seen = area.intersection(&self.bounding_box());
-        if seen.is_zero_sized() {
-            return Ok(());
-        }
-        self.window(&seen)?;
-        self.data_command.set_high().map_err(Error::Pin)?;
-        let mut colours =
-            area.points().zip(colours).filter(|(at, _)| seen.contains(*at)).map(|(_, colour)| colour.luma());
-        // 16 bytes at a time.
-        let mut bytes = [0; 16];
-        loop {
-            let mut count = 0;
-            for byte in &mut bytes {
-                let Some(left) = colours.next() else { break };
-                *byte = left << 4 | colours.next().unwrap_or_default();
-                count += 1;
-            }
-            let Some(some) = bytes.get(..count).filter(|some| !some.is_empty()) else { break };
-            self.spi.write(some).map_err(Error::Spi)?;
-        }
-        self.spi.flush().map_err(Error::Spi)
-    }
-
-    fn fill_solid(&mut self, area: &Rectangle, colour: Gray4) -> Result<SPI, DC> {
-        self.fill_contiguous(area, core::iter::repeat(colour))
     }
 }

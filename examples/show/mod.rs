@@ -1,16 +1,14 @@
 //! The frames of `hello`: the teapot, drawn into memory. Firmware and host tests share this file, so that they can compare
 //! pictures by checksums.
 
-#[allow(dead_code)] // not every user calls every method
-pub(crate) mod canvas;
-
-use canvas::Canvas;
+use core::convert::Infallible;
 use core::fmt;
 use embedded_graphics_core::{
     draw_target::DrawTarget,
-    geometry::{Point, Size},
+    geometry::{OriginDimensions, Point, Size},
     pixelcolor::{raw::ToBytes, Rgb565, RgbColor},
     primitives::Rectangle,
+    Pixel,
 };
 use pinhole::space::Model;
 use pinhole::{
@@ -45,6 +43,31 @@ pub(crate) struct Stage {
     painter: Painter<Rgb565, CORNERS, FACES>,
 }
 
+/// The smallest `DrawTarget`: a picture in memory, which the library draws into as into any display.
+struct Canvas<'a>(&'a mut [Rgb565; PIXELS]);
+
+impl OriginDimensions for Canvas<'_> {
+    fn size(&self) -> Size {
+        SIZE
+    }
+}
+
+impl DrawTarget for Canvas<'_> {
+    type Color = Rgb565;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(Point { x, y }, colour) in pixels {
+            // Negative numbers count as large ones, and what lies beside the picture is left out.
+            let (x, y) = (x as u32, y as u32);
+            if x < SIZE.width && y < SIZE.height {
+                self.0[(y * SIZE.width + x) as usize] = colour;
+            }
+        }
+        Ok(())
+    }
+}
+
 /// One line about a frame.
 pub(crate) struct Report {
     frame: u32,
@@ -67,7 +90,7 @@ impl Stage {
             Affine::<Model, Model>::translation(Vector3::new(x, y, z)).then(&Affine::rotation_y(turn));
         let instance = camera(40 - 6 * step).place(&TEAPOT, &model);
 
-        let mut canvas = Canvas::new(&mut self.pixels, SIZE);
+        let mut canvas = Canvas(&mut self.pixels);
         let Ok(()) = canvas.clear(Rgb565::new(2, 6, 6));
         let light = Lambert::new(&model, Vector3::from_ints(1, 2, 3), 48).expect("light");
         let shade = |face: usize| match teapot::NORMALS.get(face) {

@@ -8,7 +8,6 @@
 
 use support::bridge;
 mod bytes;
-mod everywhere;
 #[allow(dead_code)] // faces and edges alone are drawn here
 #[path = "scene/input.rs"]
 mod input;
@@ -18,10 +17,10 @@ use bytes::Bytes;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
-use everywhere::Place;
 use input::Scene;
 use libfuzzer_sys::fuzz_target;
-use pinhole::{draw_line, AntiAliased, Blend, Pixels, ScreenVertex, StoredPixel};
+use pinhole::{draw_line, AntiAliased, Blend, PixelFormat, ScreenVertex, StoredPixel};
+use support::bridge::ways;
 
 /// The part of a pixel with x and y from 0 to 1 that lies between two parallels to a line through `at`, whose slope is at most 1 in
 /// size, half a pixel away: a polygon, cut by two half planes.
@@ -79,26 +78,19 @@ fn line(b: &mut Bytes<'_>) {
     let corner = Point::new((middle[0] - width / 2) as i32, (middle[1] - height / 2) as i32);
     let area = Rectangle::new(corner, Size::new(width as u32, height as u32));
     let stroke = AntiAliased(Gray8::WHITE);
-    let place = Place { area, sky: Gray8::BLACK, rows: 1 + u32::from(b.byte() & 7) };
     let (start, end) = (bridge::pixel((from[0], from[1])), bridge::pixel((to[0], to[1])));
-    let picture = place.memory(|target| {
+    let picture = ways::memory(area, Gray8::BLACK, &mut |target, _| {
         let Ok(()) = draw_line(start, end, stroke, target);
     });
-    let back = place.memory(|target| {
+    let back = ways::memory(area, Gray8::BLACK, &mut |target, _| {
         let Ok(()) = draw_line(end, start, stroke, target);
     });
     assert!(picture == back, "{from:?} {to:?}");
-    let mut parts = place.blank();
-    let mut y = corner.y;
-    for part in parts.chunks_mut(width as usize * place.rows as usize) {
-        let rows = (part.len() / width as usize) as u32;
-        let mut part =
-            Pixels::new(part, Rectangle::new(Point::new(corner.x, y), Size::new(width as u32, rows)))
-                .expect("cells");
-        let Ok(()) = draw_line(start, end, stroke, &mut part);
-        y += rows as i32;
-    }
-    assert!(picture == parts, "{from:?} {to:?} in parts of {} rows", place.rows);
+    let rows = 1 + u32::from(b.byte() & 7);
+    let parts = ways::bands(area, Gray8::BLACK, rows, &mut |band, _| {
+        let Ok(()) = draw_line(start, end, stroke, &mut band.pixels());
+    });
+    assert!(picture == parts, "{from:?} {to:?} in parts of {rows} rows");
 
     // Along the major axis the line reaches from the border of the first pixel to that of the last one.
     let tall = (from[1] - to[1]).abs() > (from[0] - to[0]).abs();
@@ -123,72 +115,24 @@ fn line(b: &mut Bytes<'_>) {
     }
 }
 
-fn edges<const N: usize, C: Blend + pinhole::PixelFormat + StoredPixel<[u8; N]> + core::fmt::Debug>(
+fn edges<const N: usize, C: Blend + PixelFormat + StoredPixel<[u8; N]> + core::fmt::Debug>(
     scene: &Scene,
     rows: u32,
     [sky, face, line]: [C; 3],
 ) {
-    let bounds = scene.area();
-    if bounds.width() == 0 || bounds.height() == 0 {
-        return;
-    }
-    let area = bridge::rectangle(
-        bounds.left as i32,
-        bounds.top as i32,
-        bounds.width() as u32,
-        bounds.height() as u32,
-    );
-    let place = Place { area, sky, rows };
+    let Some(area) = scene.rectangle() else { return };
     let stroke = AntiAliased(line);
     scene.with_instance(&scene.faces, &scene.edges, |instance| {
+        let lines = ways::lines_by_every_call(instance, area, sky, &[rows], stroke, Some(face));
         let mut cache = vec![ScreenVertex::EMPTY; scene.vertices.len()];
-        let plain = place.memory(|target| {
+        let cached = ways::memory(area, sky, &mut |target, _| {
             let Ok(_) = instance.wireframe(stroke, &mut cache, target);
         });
-        let uncached = place.memory(|target| {
-            let Ok(_) = instance.wireframe(stroke, &mut [], target);
+        assert!(cached == lines.all, "the cache shows: {scene:?}");
+        let open = ways::memory(area, sky, &mut |target, depth| {
+            let Ok(_) = instance.hidden_line(stroke, &mut [], depth, target);
         });
-        assert!(plain == uncached, "the cache shows: {scene:?}");
-        // Drawing with a depth buffer always clips at the far plane.
-        let _ = place.depth(false, |depth| {
-            let open = place.memory(|target| {
-                let Ok(_) = instance.hidden_line(stroke, &mut [], depth, target);
-            });
-            assert!(open == plain || !scene.far_clip, "hidden by nothing: {scene:?}");
-        });
-        let over_faces = |hidden: bool| {
-            let mut picture = Vec::new();
-            let _ = place.depth(hidden, |depth| {
-                picture = place.memory(|target| {
-                    let Ok(_) = instance.depth_tested(|_| face, &mut [], depth, target);
-                    let Ok(_) = match hidden {
-                        true => instance.hidden_line(stroke, &mut [], depth, target),
-                        false => instance.wireframe_depth_tested(stroke, &mut [], depth, target),
-                    };
-                });
-            });
-            picture
-        };
-        let (hidden, tested) = (over_faces(true), over_faces(false));
-        let (mut face_bins, mut edge_bins) = ([0; 64], [0; 64]);
-        let mut edges = instance.transform(&mut cache).bin_edges(&mut edge_bins).expect("room");
-        let banded = place.bands(|band, _| {
-            let Ok(()) = edges.draw(stroke, &mut band.pixels());
-        });
-        assert!(banded == plain, "{rows} rows: {scene:?}");
-        let transformed = instance.transform_depth(&mut cache);
-        let mut faces = transformed.bin_faces(&mut face_bins).expect("room");
-        let mut edges = transformed.bin_edges(&mut edge_bins).expect("room");
-        let banded = place.bands(|band, depth| {
-            let Ok(()) = faces.depth_tested(|_| face, depth, &mut band.pixels());
-            let Ok(()) = edges.hidden_line(stroke, depth, &mut band.pixels());
-        });
-        assert!(banded == hidden, "hidden, {rows} rows: {scene:?}");
-        let banded = place.bands(|band, depth| {
-            let Ok(()) = faces.depth_tested(|_| face, depth, &mut band.pixels());
-            let Ok(()) = edges.depth_tested(stroke, depth, &mut band.pixels());
-        });
-        assert!(banded == tested, "with depth, {rows} rows: {scene:?}");
+        assert!(open == lines.all, "hidden by nothing: {scene:?}");
     });
 }
 
@@ -198,7 +142,9 @@ fuzz_target!(|data: &[u8]| {
     if kind & 1 == 0 {
         return line(&mut b);
     }
-    let Some(scene) = Scene::read(data.get(1..).unwrap_or_default()) else { return };
+    let Some(mut scene) = Scene::read(data.get(1..).unwrap_or_default()) else { return };
+    // As drawing with a depth buffer does always, so that all ways count alike. Target `scene` has lines beyond the far plane.
+    scene.far_clip = true;
     let rows = 1 + u32::from(kind >> 2) % 20;
     match kind & 2 {
         0 => edges(&scene, rows, [Rgb565::BLUE, Rgb565::new(3, 40, 7), Rgb565::YELLOW]),

@@ -8,21 +8,22 @@
 
 use support::bridge;
 mod bytes;
-mod everywhere;
 #[allow(dead_code)] // faces alone are drawn here
 #[path = "scene/input.rs"]
 mod input;
+mod place;
 use support::oracle;
 
 use bytes::Bytes;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
-use everywhere::{Drawn, Place};
 use input::Scene;
 use libfuzzer_sys::fuzz_target;
 use oracle::rng::Rng;
 use pinhole::{
     Blended, ColorKeyed, DepthBuffer, Gouraud, HalfBlended, ScreenDoor, SpanShader, TexelSlice, Texture,
 };
+use place::Place;
+use support::bridge::ways::{self, Drawn};
 
 /// Not drawn by any opaque face: their channels are below 31.
 const SKY: Rgb565 = Rgb565::new(31, 63, 31);
@@ -68,8 +69,7 @@ struct Check<'a> {
 
 impl Check<'_> {
     fn on_targets<S: SpanShader<Rgb565>>(&self, shade: impl Fn(usize) -> S) -> Drawn<Rgb565> {
-        self.scene
-            .with_instance(&self.scene.faces, &[], |instance| self.place.on_every_target(instance, &shade))
+        self.scene.with_instance(&self.scene.faces, &[], |instance| self.place.everywhere(instance, &shade))
     }
 
     fn in_memory<S: SpanShader<Rgb565>>(&self, shade: impl Fn(usize) -> S) -> Drawn<Rgb565> {
@@ -97,13 +97,13 @@ impl Check<'_> {
     }
 
     fn compare<S: SpanShader<Rgb565>>(&self, drawn: &Drawn<Rgb565>, shade: impl Fn(usize) -> S) {
-        let mut solid = self.place.blank();
+        let mut solid = vec![SKY; drawn.solid.len()];
         let (mut deep, mut depths) = (solid.clone(), vec![DepthBuffer::NOTHING; solid.len()]);
         let coverage = u32::from(self.door.unwrap_or(64));
         let (corner, width) = (self.place.area.top_left, self.place.area.size.width as usize);
         for face in 0..self.scene.faces.len() {
             let alone = self.scene.with_instance(&self.scene.faces[face..=face], &[], |instance| {
-                self.place.in_memory(instance, |_| shade(face))
+                ways::in_memory(instance, self.place.area, SKY, &|_| shade(face))
             });
             for i in 0..solid.len() {
                 let (x, y) = (corner.x + (i % width) as i32, corner.y + (i / width) as i32);
@@ -130,12 +130,7 @@ impl Check<'_> {
 fuzz_target!(|data: &[u8]| {
     let (head, tail) = data.split_at(data.len().min(8));
     let Some(scene) = Scene::read(tail) else { return };
-    let area = scene.area();
-    if area.width() == 0 || area.height() == 0 {
-        return;
-    }
-    let bounds =
-        bridge::rectangle(area.left as i32, area.top as i32, area.width() as u32, area.height() as u32);
+    let Some(area) = scene.rectangle() else { return };
     let mut b = Bytes::new(head);
     let kind = b.byte();
     let over = match b.byte() {
@@ -145,7 +140,7 @@ fuzz_target!(|data: &[u8]| {
         _ => Over::Share(b.byte()),
     };
     let door = (kind & 1 != 0).then(|| b.byte() % 80);
-    let place = Place { area: bounds, sky: SKY, rows: 1 + u32::from(b.byte() % 20) };
+    let place = Place { area, sky: SKY, rows: 1 + u32::from(b.byte() % 20) };
     let check = Check { scene: &scene, place, over, door };
     let mut rng = Rng::new(u64::from(b.u16()));
     let mut color = || Rgb565::new(rng.below(31) as u8, rng.below(62) as u8, rng.below(31) as u8);

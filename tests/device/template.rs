@@ -218,16 +218,14 @@ fn the_templates_are_ready_for_cargo_generate() {
         let read = |file: &str| read(&format!("boards/{board}/{file}"));
         let asked = read("cargo-generate.toml");
         assert!(asked.contains("\ninclude = [\"Cargo.toml\"]\n"), "{asked}");
-        assert!(asked.contains("\npre = [\"cargo-generate.rhai\"]\n"), "{asked}");
-        // The text that the script puts in place of `patch`, with a folder in place of the variable.
-        let script = read("cargo-generate.rhai");
-        let text = script.split_once("variable::set(\"patch\", \"").expect("a text").1;
-        let text = text.split_once("\");\n").expect("its end").0;
-        let patch = text.replace("\" + repository + \"", ROOT).replace("\\n", "\n").replace("\\\"", "\"");
+        // What cargo-generate's template language makes of the manifest, with a folder in place of the variable.
         let manifest = read("Cargo.toml");
         let (before, rest) = manifest.split_once("{% comment %}").expect("a comment");
-        let (_, after) = rest.split_once("{% endcomment %}").expect("its end");
-        let made = format!("{before}{after}").replace("{{ patch }}", &patch);
+        let (_, rest) = rest.split_once("{% endcomment %}{% capture end %}").expect("its end");
+        let (end, rest) = rest.split_once("{% endcapture %}").expect("the end of a line");
+        let rest = rest.strip_prefix("{% assign end = end | remove: \"# \" %}").expect("without the comment");
+        let made = format!("{before}{rest}").replace("{{ pinhole }}", ROOT);
+        let made = made.replace("{{ end }}", &end.replace("# ", ""));
         assert!(!made.contains("{{") && !made.contains("{%"), "{made}");
         folder.shell(&format!("pinhole/boards/new {board} {board}"), &[]);
         let wanted = fs::read_to_string(folder.path.join(&board).join("Cargo.toml")).expect("Cargo.toml");

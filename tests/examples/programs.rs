@@ -71,9 +71,8 @@ fn the_bands_example_draws_one_picture_in_three_ways() {
 }
 
 /// Examples that write files into their working folder and print what they wrote.
-const PRINTING: [(&str, &str); 6] = [
+const PRINTING: [(&str, &str); 5] = [
     ("spin", "--size 16 --frames 2 --out spin"),
-    ("arm", "--size 16 --frames 2 --out arm"),
     ("surface", "--size 16 --frames 2 --out surface"),
     ("bands", "--out bands"),
     ("gallery", "--out gallery.png"),

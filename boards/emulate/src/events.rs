@@ -1,4 +1,4 @@
-//! The records of an emulator, which `events.mjs` and `events.py` write.
+//! The records of an emulator, which `rp2040.mjs` describes.
 
 use std::io::{self, Read};
 
@@ -50,38 +50,5 @@ impl Event {
             _ => return Err(io::Error::other(format!("the emulator's output is damaged: kind {kind:#04x}"))),
         };
         Ok(Some(Self { time, what }))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn records_are_read_in_their_order() {
-        let records = [
-            [0xab, 1, 0x01, 0x02, 0, 0, 0, 0],
-            [0x11, 2, 0, 0, 0, 0, 0, 0x80],
-            [0x95, 0x10, 5, 0, 0, 0, 0, 0],
-            [7, 0x30, 9, 0, 0, 0, 0, 0],
-            [7, 0x60, 128, 0, 0, 0, 0, 0],
-            [0, 0x50, 3, 0, 0, 0, 0, 0],
-            [0, 0x40, 4, 0, 0, 0, 0, 0],
-            [0x21, 0x20, 6, 0, 0, 0, 0, 0],
-        ];
-        let mut input = records.as_flattened();
-        let mut read = || Event::read(&mut input).expect("records").expect("one more");
-        let byte = What::Byte { byte: 0xab, data: true, selected: true };
-        assert_eq!(read(), Event { time: 0x201, what: byte });
-        let byte = What::Byte { byte: 0x11, data: false, selected: false };
-        assert_eq!(read(), Event { time: 0x8000_0000_0000, what: byte });
-        assert_eq!(read(), Event { time: 5, what: What::Pin { number: 0x15, high: true } });
-        assert_eq!(read(), Event { time: 0, what: What::Waited(9) });
-        assert_eq!(read(), Event { time: 0, what: What::Clock(128) });
-        assert_eq!(read(), Event { time: 3, what: What::Broken });
-        assert_eq!(read(), Event { time: 4, what: What::Time });
-        assert_eq!(read(), Event { time: 6, what: What::Log(0x21) });
-        assert_eq!(Event::read(&mut input).expect("an end"), None);
-        assert!(Event::read(&mut &[0, 0x55, 0, 0, 0, 0, 0, 0][..]).is_err());
     }
 }

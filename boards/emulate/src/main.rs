@@ -60,51 +60,31 @@ fn main() -> ExitCode {
 
 fn arguments() -> Command {
     let tools = concat!(env!("CARGO_MANIFEST_DIR"), "/../../target/emulate");
+    let option = |name: &'static str, value: &'static str, help: &'static str| {
+        Arg::new(name).long(name).value_name(value).help(help)
+    };
+    let file = || value_parser!(PathBuf);
+    let about =
+        "Runs a board's firmware on an emulated microcontroller and compares every frame with the host's";
+    let image = "The linked firmware, an ELF file";
+    let frames = "Frames to compare, in place of a turn";
+    let break_bus = "Let the bus fail with this byte: the firmware must log it, and show whole frames again";
+    let inputs = "Drive pins from outside, each from a time on: a frame then shows the step of the turn after or before the \
+                  last one, and the steps are printed";
+    let pictures = "What the frames must show, in place of what the host draws: all pixels of a frame of the turn, row by row, \
+                    and the next frame behind them; two bytes each as the display's memory stores them, the high one first";
     Command::new("emulate")
-        .about(
-            "Runs a board's firmware on an emulated microcontroller and compares every frame with the host's",
-        )
+        .about(about)
         .arg(Arg::new("board").value_name("BOARD").required(true).help("Its folder in boards"))
+        .arg(Arg::new("image").value_name("IMAGE").required(true).value_parser(file()).help(image))
+        .arg(option("frames", "N", frames).value_parser(value_parser!(u32).range(2..)))
+        .arg(option("break-bus", "BYTE", break_bus).value_parser(value_parser!(u32)))
+        .arg(option("inputs", "MS:PIN=LEVEL,...", inputs))
+        .arg(option("pictures", "FILE", pictures).value_parser(file()))
         .arg(
-            Arg::new("image")
-                .value_name("IMAGE")
-                .required(true)
-                .value_parser(value_parser!(PathBuf))
-                .help("The linked firmware, an ELF file"),
-        )
-        .arg(
-            Arg::new("frames")
-                .long("frames")
-                .value_name("N")
-                .value_parser(value_parser!(u32).range(2..))
-                .help("Frames to compare, in place of a turn"),
-        )
-        .arg(
-            Arg::new("break-bus").long("break-bus").value_name("BYTE").value_parser(value_parser!(u32)).help(
-                "Let the bus fail with this byte: the firmware must log it, and show whole frames again",
-            ),
-        )
-        .arg(Arg::new("inputs").long("inputs").value_name("MS:PIN=LEVEL,...").help(
-            "Drive pins from outside, each from a time on: a frame then shows the step of the turn after or before the last one, \
-             and the steps are printed",
-        ))
-        .arg(
-            Arg::new("pictures")
-                .long("pictures")
-                .value_name("FILE")
-                .value_parser(value_parser!(PathBuf))
-                .help(
-                    "What the frames must show, in place of what the host draws: all pixels of a frame of the turn, row by row, \
-                     and the next frame behind them; two bytes each as the display's memory stores them, the high one first",
-                ),
-        )
-        .arg(
-            Arg::new("tools")
-                .long("tools")
-                .value_name("DIR")
-                .value_parser(value_parser!(PathBuf))
-                .default_value(tools)
-                .help("Where boards/emulate/run has installed the emulators"),
+            option("tools", "DIR", "Where boards/emulate/run has installed the emulators")
+                .value_parser(file())
+                .default_value(tools),
         )
 }
 

@@ -217,6 +217,7 @@ mod tests {
     use super::*;
     use crate::boards::{Chip, Display};
     use support::panel::Held;
+    use Step::{Clock, Reset, Send, Unselected, Waited};
 
     /// A display of 2 × 2 pixels, which shows one picture.
     const BOARD: Board = Board {
@@ -230,185 +231,154 @@ mod tests {
     const PIXELS: [u8; 8] = [0x12, 0x34, 0x56, 0x78, 0x9a, 0xbc, 0xde, 0xf0];
     const MS: u64 = 1_000_000;
 
-    /// The bytes of a driver, with the time since its last byte.
-    struct Driver {
-        watch: Watch<'static>,
-        time: u64,
-        /// Commands that it forgets.
-        forgets: &'static [u8],
+    /// What reaches the display, some nanoseconds after what came before.
+    #[derive(Clone, Copy, Debug)]
+    enum Step {
+        /// A command and its parameters, a byte each 128 ns.
+        Send(u64, u8, &'static [u8]),
+        /// A low pulse on a pin of this number.
+        Reset(u8, u64),
+        Unselected(u8),
+        Clock(u64),
+        Waited(u64),
     }
 
-    impl Driver {
-        fn new(forgets: &'static [u8]) -> Self {
-            let picture = vec![0x1234, 0x5678, 0x9abc, 0xdef0];
-            let watch = Watch::new(&BOARD, Box::new(move |_| Ok(picture.clone())));
-            Self { watch, time: 0, forgets }
-        }
+    /// Up to the window of the whole display.
+    const START: [Step; 7] = [
+        Send(120 * MS, 0x11, &[]),
+        Send(5 * MS, 0x36, &[0]),
+        Send(0, 0x21, &[]),
+        Send(0, 0x3a, &[0x55]),
+        Send(0, 0x29, &[]),
+        Send(0, 0x2a, &[0, 0, 0, 1]),
+        Send(0, 0x2b, &[0, 0, 0, 1]),
+    ];
 
-        fn send(&mut self, wait: u64, command: u8, parameters: &[u8]) -> Result<(), String> {
-            if self.forgets.contains(&command) {
-                return Ok(());
+    /// Takes the steps, the first of them at a time, and returns the time after the last one.
+    fn take(watch: &mut Watch<'_>, mut time: u64, steps: &[Step]) -> Result<u64, String> {
+        let mut event = |after: u64, what| {
+            time += after;
+            watch.event(Event { time, what })
+        };
+        for &step in steps {
+            match step {
+                Send(wait, command, parameters) => {
+                    event(wait + 128, What::Byte { byte: command, data: false, selected: true })?;
+                    for &byte in parameters {
+                        event(128, What::Byte { byte, data: true, selected: true })?;
+                    }
+                }
+                Reset(number, low) => {
+                    event(0, What::Pin { number, high: false })?;
+                    event(low, What::Pin { number, high: true })?;
+                }
+                Unselected(byte) => event(128, What::Byte { byte, data: false, selected: false })?,
+                Clock(byte) => event(0, What::Clock(byte))?,
+                Waited(time) => event(0, What::Waited(time))?,
             }
-            self.time += wait;
-            self.byte(command, false, true)?;
-            parameters.iter().try_for_each(|&byte| self.byte(byte, true, true))
         }
+        Ok(time)
+    }
 
-        fn byte(&mut self, byte: u8, data: bool, selected: bool) -> Result<(), String> {
-            self.time += 128;
-            self.watch.event(Event { time: self.time, what: What::Byte { byte, data, selected } })
-        }
-
-        fn pin(&mut self, wait: u64, number: u8, high: bool) -> Result<(), String> {
-            self.time += wait;
-            self.watch.event(Event { time: self.time, what: What::Pin { number, high } })
-        }
-
-        /// Up to the window of the whole display.
-        fn start(&mut self) -> Result<(), String> {
-            self.send(120 * MS, 0x11, &[])?;
-            self.send(5 * MS, 0x36, &[0])?;
-            self.send(0, 0x21, &[])?;
-            self.send(0, 0x3a, &[0x55])?;
-            self.send(0, 0x29, &[])?;
-            self.window(1)
-        }
-
-        fn window(&mut self, last_row: u8) -> Result<(), String> {
-            self.send(0, 0x2a, &[0, 0, 0, 1])?;
-            self.send(0, 0x2b, &[0, 0, 0, last_row])
-        }
+    fn watch<'a>(board: &'a Board, last_pixels: &'static [u32]) -> Watch<'a> {
+        let picture = move |frame| Ok(vec![0x1234, 0x5678, 0x9abc, last_pixels[frame as usize]]);
+        Watch::new(board, Box::new(picture))
     }
 
     #[test]
     fn a_frame_ends_with_the_last_pixel() {
-        let mut driver = Driver::new(&[]);
-        driver.start().expect("a start");
-        driver.send(0, 0x2c, &PIXELS[..7]).expect("pixels");
-        assert_eq!(driver.watch.frames(), []);
-        driver.byte(PIXELS[7], true, true).expect("the last one");
+        let mut watch = watch(&BOARD, &[0xdef0]);
+        let start = take(&mut watch, 0, &START).expect("a start");
+        let time = take(&mut watch, start, &[Send(0, 0x2c, &PIXELS)]).expect("pixels");
         let bytes = 1 + 2 + 1 + 2 + 1 + 5 + 5 + 1 + 8;
-        assert_eq!(driver.watch.frames(), [Frame { time: driver.time, waited: 0, bytes, step: 0 }]);
-
-        driver.watch.event(Event { time: 0, what: What::Waited(7) }).expect("it may wait");
-        driver.send(0, 0x2c, &PIXELS).expect("the same window again");
-        assert_eq!(driver.watch.frames()[1], Frame { time: driver.time, waited: 7, bytes: 9, step: 0 });
+        assert_eq!(
+            (watch.frames(), time),
+            (&[Frame { time, waited: 0, bytes, step: 0 }][..], start + 9 * 128)
+        );
+        let again = [Waited(7), Send(0, 0x2c, &PIXELS)];
+        let time = take(&mut watch, time, &again).expect("the same window again");
+        assert_eq!(watch.frames()[1], Frame { time, waited: 7, bytes: 9, step: 0 });
     }
 
     #[test]
     fn what_no_display_would_take_is_an_error() {
-        let error = |driver: &mut Driver, act: &dyn Fn(&mut Driver) -> Result<(), String>| {
-            act(driver).expect_err("an error")
-        };
-        let after_start = |act: &dyn Fn(&mut Driver) -> Result<(), String>| {
-            let mut driver = Driver::new(&[]);
-            driver.start().expect("a start");
-            error(&mut driver, act)
-        };
-        assert_eq!(after_start(&|driver| driver.byte(0x2c, false, false)), "byte 0x2c while CS is high");
-        let fewer = "a window with fewer pixels than it has room for";
-        assert_eq!(
-            after_start(&|driver| {
-                driver.send(0, 0x2c, &PIXELS[..6])?;
-                driver.window(1)
-            }),
-            fewer
-        );
-        let more = "a window with more pixels than it has room for";
-        assert_eq!(
-            after_start(&|driver| {
-                driver.window(0)?;
-                driver.send(0, 0x2c, &PIXELS)
-            }),
-            more
-        );
-        let cut_off = "a command or a pixel is cut off by the next command";
-        assert_eq!(
-            after_start(&|driver| {
-                driver.send(0, 0x2a, &[0, 0, 0])?;
-                driver.send(0, 0x2c, &[])
-            }),
-            cut_off
-        );
-        let differs = "frame 0 differs in 4 pixels, the first in column 0, row 0: 0x3412 in place of 0x1234";
-        let swapped = [0x34, 0x12, 0x78, 0x56, 0xbc, 0x9a, 0xf0, 0xde];
-        assert_eq!(after_start(&|driver| driver.send(0, 0x2c, &swapped)), differs);
-        let unknown = "unknown command 0xff";
-        assert_eq!(after_start(&|driver| driver.send(0, 0xff, &[])), unknown);
-        let clock = |byte| Event { time: 0, what: What::Clock(byte) };
-        let fast = after_start(&|driver| driver.watch.event(clock(127)));
-        assert_eq!(fast, "a byte in 127 ns: the display needs 128 ns");
-        let pulse = "a reset pulse of 9999 ns: the controller needs 10000 ns";
-        assert_eq!(
-            after_start(&|driver| {
-                driver.pin(0, 4, false)?;
-                driver.pin(9999, 4, true)
-            }),
-            pulse
-        );
-        // A reset in between: all has to be set up again.
-        let asleep = "pixels before the inversion is as the glass needs it";
-        assert_eq!(
-            after_start(&|driver| {
-                driver.pin(0, 4, false)?;
-                driver.pin(10_000, 4, true)?;
-                driver.send(5 * MS, 0x2c, &PIXELS)
-            }),
-            asleep
-        );
-        // Another pin is nothing to the display.
-        let mut driver = Driver::new(&[]);
-        driver.watch.event(clock(128)).expect("slow enough");
-        driver
-            .start()
-            .and_then(|()| driver.pin(0, 5, false))
-            .and_then(|()| driver.pin(1, 5, true))
-            .expect("no reset");
+        let cases: [(&[Step], &str); 10] = [
+            (&[Clock(128), Reset(5, 1)], ""), // slow enough, and another pin
+            (&[Unselected(0x2c)], "byte 0x2c while CS is high"),
+            (
+                &[Send(0, 0x2c, &[0x12, 0x34]), Send(0, 0x2a, &[])],
+                "a window with fewer pixels than it has room for",
+            ),
+            (
+                &[Send(0, 0x2b, &[0, 0, 0, 0]), Send(0, 0x2c, &PIXELS)],
+                "a window with more pixels than it has room for",
+            ),
+            (
+                &[Send(0, 0x2a, &[0, 0, 0]), Send(0, 0x2c, &[])],
+                "a command or a pixel is cut off by the next command",
+            ),
+            (
+                &[Send(0, 0x2c, &[0x34, 0x12, 0x78, 0x56, 0xbc, 0x9a, 0xf0, 0xde])],
+                "frame 0 differs in 4 pixels, the first in column 0, row 0: 0x3412 in place of 0x1234",
+            ),
+            (&[Send(0, 0xff, &[])], "unknown command 0xff"),
+            (&[Clock(127)], "a byte in 127 ns: the display needs 128 ns"),
+            (&[Reset(4, 9999)], "a reset pulse of 9999 ns: the controller needs 10000 ns"),
+            // All has to be set up again.
+            (
+                &[Reset(4, 10_000), Send(5 * MS, 0x2c, &PIXELS)],
+                "pixels before the inversion is as the glass needs it",
+            ),
+        ];
+        for (steps, problem) in cases {
+            let mut watch = watch(&BOARD, &[0xdef0]);
+            let start = take(&mut watch, 0, &START).expect("a start");
+            let found = take(&mut watch, start, steps);
+            assert_eq!(found.err().unwrap_or_default(), problem, "{steps:x?}");
+        }
     }
 
     #[test]
     fn each_command_of_the_start_is_needed() {
         let asleep = "pixels before the display is awake and on";
         let inversion = "pixels before the inversion is as the glass needs it";
-        for (forgotten, problem) in [
-            (&[0x11], asleep),
-            (&[0x29], asleep),
-            (&[0x21], inversion),
-            (&[0x3a], "pixels before their format"),
-        ] {
-            let mut driver = Driver::new(forgotten);
-            let error = driver.start().and_then(|()| driver.send(0, 0x2c, &PIXELS)).expect_err("an error");
-            assert_eq!(error, problem, "{forgotten:x?}");
+        for (forgotten, problem) in
+            [(0, asleep), (4, asleep), (2, inversion), (3, "pixels before their format")]
+        {
+            let mut steps = START.to_vec();
+            steps.remove(forgotten);
+            steps.push(Send(0, 0x2c, &PIXELS));
+            let error = take(&mut watch(&BOARD, &[0xdef0]), 120 * MS, &steps).expect_err("an error");
+            assert_eq!(error, problem, "{:x?}", START[forgotten]);
         }
     }
 
-    /// Frames that send what has changed: first 0x1234 … 0xdef0, then the same with a last pixel of 0x1111.
+    /// Frames that send what has changed: first 0x1234 … 0xdef0, then a last pixel of 0x1111.
     #[test]
     fn a_frame_of_changes_ends_when_the_display_shows_it() {
         const CHANGING: Board = Board { sends: Sends::Changes, frames: 2, ..BOARD };
-        let pictures = |frame| Ok(vec![0x1234, 0x5678, 0x9abc, [0xdef0, 0x1111][frame as usize]]);
-        let start = || {
-            let mut driver = Driver::new(&[]);
-            driver.watch = Watch::new(&CHANGING, Box::new(pictures));
-            driver.start().expect("a start");
-            driver.send(0, 0x2c, &PIXELS).expect("the first frame");
-            assert_eq!(driver.watch.frames().len(), 1);
-            driver
-        };
-        let row = |driver: &mut Driver, pixels: [u8; 4]| {
-            driver.send(0, 0x2b, &[0, 1, 0, 1])?;
-            driver.send(0, 0x2c, &pixels)
-        };
-        let mut driver = start();
-        row(&mut driver, [0x9a, 0xbc, 0xde, 0xf0]).expect("the row as before");
-        assert_eq!(driver.watch.frames().len(), 1);
-        row(&mut driver, [0x9a, 0xbc, 0x11, 0x11]).expect("the row as it should be");
-        assert_eq!(driver.watch.frames().len(), 2);
-        row(&mut driver, [0x9a, 0xbc, 0xde, 0xf0]).expect("the first picture again");
-        assert_eq!(driver.watch.frames().len(), 3);
-
-        let error = row(&mut start(), [0x9a, 0xbd, 0x11, 0x11]).expect_err("another pixel");
-        let expected = "before frame 1, column 0, row 1 is 0x9abd, in place of 0x9abc as before, or 0x9abc";
-        assert_eq!(error, expected);
+        const ROW: Step = Send(0, 0x2b, &[0, 1, 0, 1]);
+        let rows: [(&'static [u8], usize); 4] = [
+            (&[0x9a, 0xbc, 0xde, 0xf0], 1), // as before
+            (&[0x9a, 0xbc, 0x11, 0x11], 2),
+            (&[0x9a, 0xbc, 0xde, 0xf0], 3), // the first picture again
+            (&[0x9a, 0xbd, 0x11, 0x11], 0), // another pixel
+        ];
+        let mut watch = watch(&CHANGING, &[0xdef0, 0x1111]);
+        let mut time = take(&mut watch, 0, &START).expect("a start");
+        time = take(&mut watch, time, &[Send(0, 0x2c, &PIXELS)]).expect("the first frame");
+        for (pixels, frames) in rows {
+            match take(&mut watch, time, &[ROW, Send(0, 0x2c, pixels)]) {
+                Ok(end) => time = end,
+                Err(error) => {
+                    let wanted =
+                        "before frame 1, column 0, row 1 is 0x9abd, in place of 0x9abc as before, or 0x9abc";
+                    assert_eq!((&error[..], frames), (wanted, 0));
+                    return;
+                }
+            }
+            assert_eq!(watch.frames().len(), frames, "{pixels:x?}");
+        }
+        panic!("no error");
     }
 }

@@ -3,12 +3,10 @@
 #![no_std]
 #![no_main]
 
-mod clock;
 mod panel;
 mod picture;
 mod stop;
 
-use clock::Clock;
 use core::ops::ControlFlow::{Break, Continue};
 use cortex_m::singleton;
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
@@ -33,8 +31,6 @@ static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 
 /// Of the crystal.
 const CRYSTAL: u32 = 12_000_000;
-/// The core's clock, as `init_clocks_and_plls` sets it.
-const MEGAHERTZ: u32 = 125;
 /// Frames of a turn.
 const FRAMES: u32 = 120;
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
@@ -49,9 +45,7 @@ fn main() -> ! {
     let other = singleton!(: StripBuffers!(Rgb565, SCREEN.size.width, ROWS, no depth) = strip_buffers!(Rgb565, SCREEN.size.width, ROWS, no depth));
     let (Some(mesh), Some(strip), Some(other)) = (mesh, strip, other) else { stop("the buffers are in use") };
 
-    let (Some(core), Some(mut p)) = (pac::CorePeripherals::take(), pac::Peripherals::take()) else {
-        stop("the peripherals are in use")
-    };
+    let Some(mut p) = pac::Peripherals::take() else { stop("the peripherals are in use") };
     let mut watchdog = Watchdog::new(p.WATCHDOG);
     let clocks = hal::clocks::init_clocks_and_plls(
         CRYSTAL,
@@ -63,8 +57,7 @@ fn main() -> ! {
         &mut watchdog,
     );
     let Ok(clocks) = clocks else { stop("the clocks do not start") };
-    let clock = Clock::start(core.SYST);
-    let mut delay = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
+    let mut timer = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
 
     let pins = Pins::new(p.IO_BANK0, p.PADS_BANK0, Sio::new(p.SIO).gpio_bank0, &mut p.RESETS);
     let bus = Spi::<_, _, _, 8>::new(p.SPI0, (pins.gpio19.into_function(), pins.gpio18.into_function()))
@@ -75,7 +68,7 @@ fn main() -> ! {
         pins.gpio21.into_push_pull_output().into_dyn_pin(),
     ];
     let channel = p.DMA.split(&mut p.RESETS).ch0;
-    let panel = Panel::new(bus, channel, select, command, reset, &mut delay);
+    let panel = Panel::new(bus, channel, select, command, reset, &mut timer);
 
     let picture = Picture::new(&MODEL, SCREEN, &mut mesh.cache, &mut mesh.bins, &mut strip.depths);
     let mut picture = picture.unwrap_or_else(|problem| stop(problem));
@@ -90,7 +83,7 @@ fn main() -> ! {
     };
     loop {
         for frame in 0..FRAMES {
-            let start = clock.cycles();
+            let start = timer.get_counter_low();
             let turned = picture.turned(Angle::turns(frame as i32, FRAMES));
             let mut turned = turned.unwrap_or_else(|problem| stop(problem));
             let mut bytes = 0;
@@ -106,7 +99,7 @@ fn main() -> ! {
                     }
                 }
             };
-            let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
+            let time = timer.get_counter_low().wrapping_sub(start);
             let statistics = turned.statistics();
             defmt::info!("frame {=u32}: {=u32} us, {=u32} bytes, {}", frame, time, bytes, statistics);
         }

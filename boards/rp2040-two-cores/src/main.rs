@@ -4,13 +4,11 @@
 #![no_main]
 
 mod both_cores;
-mod clock;
 mod panel;
 mod picture;
 mod stop;
 
 use both_cores::{serve, OtherCore};
-use clock::Clock;
 use cortex_m::singleton;
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
 use embedded_graphics_core::pixelcolor::Rgb565;
@@ -37,8 +35,6 @@ static STACK: Stack<2048> = Stack::new();
 
 /// Of the crystal.
 const CRYSTAL: u32 = 12_000_000;
-/// The core's clock, as `init_clocks_and_plls` sets it.
-const MEGAHERTZ: u32 = 125;
 /// Frames of a turn.
 const FRAMES: u32 = 120;
 
@@ -54,9 +50,7 @@ fn main() -> ! {
         stop("the buffers are in use")
     };
 
-    let (Some(core), Some(mut p)) = (pac::CorePeripherals::take(), pac::Peripherals::take()) else {
-        stop("the peripherals are in use")
-    };
+    let Some(mut p) = pac::Peripherals::take() else { stop("the peripherals are in use") };
     let mut watchdog = Watchdog::new(p.WATCHDOG);
     let clocks = hal::clocks::init_clocks_and_plls(
         CRYSTAL,
@@ -68,8 +62,7 @@ fn main() -> ! {
         &mut watchdog,
     );
     let Ok(clocks) = clocks else { stop("the clocks do not start") };
-    let clock = Clock::start(core.SYST);
-    let mut delay = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
+    let mut timer = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
 
     let mut sio = Sio::new(p.SIO);
     let mut cores = Multicore::new(&mut p.PSM, &mut p.PPB, &mut sio.fifo);
@@ -86,7 +79,7 @@ fn main() -> ! {
         pins.gpio21.into_push_pull_output().into_dyn_pin(),
     ];
     let channel = p.DMA.split(&mut p.RESETS).ch0;
-    let panel = Panel::new(bus, channel, select, command, reset, &mut delay);
+    let panel = Panel::new(bus, channel, select, command, reset, &mut timer);
 
     let half = strip.depths.len() / 2;
     let (depths, other_depths) = strip.depths.split_at_mut(half);
@@ -103,7 +96,7 @@ fn main() -> ! {
     };
     loop {
         for frame in 0..FRAMES {
-            let start = clock.cycles();
+            let start = timer.get_counter_low();
             let turn = Angle::turns(frame as i32, FRAMES);
             let drawn = picture.draw(color, turn, &mut other_core, free, |strip, pixels| {
                 let Some(running) = transfer.take() else { stop("the display is in use") };
@@ -113,7 +106,7 @@ fn main() -> ! {
             });
             let (statistics, strip) = drawn.unwrap_or_else(|problem| stop(problem));
             free = strip;
-            let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
+            let time = timer.get_counter_low().wrapping_sub(start);
             defmt::info!("frame {=u32}: {=u32} us, {}", frame, time, statistics);
         }
     }

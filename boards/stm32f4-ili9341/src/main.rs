@@ -3,12 +3,10 @@
 #![no_std]
 #![no_main]
 
-mod clock;
 mod picture;
 mod stop;
 
-use clock::Clock;
-use cortex_m::singleton;
+use cortex_m::{peripheral::DWT, singleton};
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
 use embedded_graphics_core::{geometry::Dimensions, pixelcolor::Rgb565};
 use embedded_hal::{delay::DelayNs, spi::MODE_0};
@@ -54,11 +52,13 @@ fn main() -> ! {
     let (Some(mesh), Some(strip)) = (mesh, strip) else { stop("the buffers are in use") };
     let mut memory = Memory::new(&mut mesh.cache, &mut mesh.bins, &mut strip.colors, &mut strip.depths);
 
-    let (Some(core), Some(peripherals)) = (cortex_m::Peripherals::take(), pac::Peripherals::take()) else {
+    let (Some(mut core), Some(peripherals)) = (cortex_m::Peripherals::take(), pac::Peripherals::take())
+    else {
         stop("the peripherals are in use")
     };
     let mut rcc = peripherals.RCC.freeze(Config::hse(25.MHz()).sysclk(MEGAHERTZ.MHz()));
-    let clock = Clock::start(core.SYST);
+    core.DCB.enable_trace();
+    core.DWT.enable_cycle_counter();
 
     let pins = peripherals.GPIOA.split(&mut rcc);
     let serial_clock = pins.pa5.into_alternate().speed(Speed::VeryHigh);
@@ -87,10 +87,10 @@ fn main() -> ! {
     };
     loop {
         for frame in 0..FRAMES {
-            let start = clock.cycles();
+            let start = DWT::cycle_count();
             let turn = Angle::turns(frame as i32, FRAMES);
             let drawn = picture::draw(&MODEL, color, &camera, turn, &mut memory, &mut display);
-            let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
+            let time = DWT::cycle_count().wrapping_sub(start) / MEGAHERTZ;
             match drawn {
                 Ok(Drawn { statistics, bytes }) => {
                     defmt::info!("frame {=u32}: {=u32} us, {=u32} bytes, {}", frame, time, bytes, statistics);

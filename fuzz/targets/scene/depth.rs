@@ -6,21 +6,13 @@ use crate::input::Scene;
 use crate::oracle::coverage::edge;
 use crate::{draw, sums_up};
 use embedded_graphics_core::geometry::Point;
-use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::ScreenPoint;
 use pinhole::{DepthBuffer, ScreenVertex};
 
 /// The faces' pixels and depths: (x, y), which face, how deep.
 fn drawn(scene: &Scene, faces: &[[u16; 3]]) -> Vec<((i32, i32), u16, u16)> {
-    let area = scene.area();
-    let bounds = Rectangle::with_corners(
-        Point::new(area.left as i32, area.top as i32),
-        Point::new(area.right as i32 - 1, area.bottom as i32 - 1),
-    );
-    if area.width() == 0 || area.height() == 0 {
-        return Vec::new();
-    }
-    let mut storage = vec![0; area.width() * area.height()];
+    let Some(bounds) = scene.rectangle() else { return Vec::new() };
+    let mut storage = vec![0; (bounds.size.width * bounds.size.height) as usize];
     let mut depth = DepthBuffer::new(bounds, &mut storage).expect("storage for all pixels");
     let drawing = scene.with_instance(faces, &[], |instance| {
         let mut cache = vec![ScreenVertex::EMPTY; scene.cache];

@@ -186,6 +186,13 @@ impl Scene {
         Area { right: common.right.max(common.left), bottom: common.bottom.max(common.top), ..common }
     }
 
+    /// [`Self::area`], unless it is empty.
+    pub(crate) fn rectangle(&self) -> Option<Rectangle> {
+        let area = self.area();
+        let size = (area.width() as u32, area.height() as u32);
+        (size.0 > 0 && size.1 > 0).then(|| rectangle(area.left as i32, area.top as i32, size.0, size.1))
+    }
+
     pub(crate) fn with_instance<R>(
         &self,
         faces: &[[u16; 3]],

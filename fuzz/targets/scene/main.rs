@@ -15,18 +15,21 @@ use support::bridge;
 mod bytes;
 use support::oracle;
 
-mod bands;
 mod cut;
 mod depth;
 mod facing;
 mod input;
+#[path = "../place.rs"]
+mod place;
 mod whole;
 
 use bridge::draw::Shader;
+use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
 use input::Scene;
 use libfuzzer_sys::fuzz_target;
 use oracle::target::{Call, Recorder, Refused};
 use pinhole::{MeshInstance, Painter, ScreenVertex, Statistics};
+use place::Place;
 
 /// Everything recorded so far.
 struct Drawing {
@@ -107,11 +110,19 @@ fn check(scene: &Scene, instance: &MeshInstance<'_>) {
     whole::polyline(scene, instance, &polyline);
 }
 
+/// Faces in one piece, in parts and in bands. Edges in bands are target `anti_aliased`'s, and two cores are tests' (`properties`).
+fn bands(scene: &Scene) {
+    let Some(area) = scene.rectangle() else { return };
+    let place = Place { area, sky: Gray8::BLACK, rows: scene.cache as u32 % area.size.height + 1 };
+    let shade = |face: usize| Gray8::new(50 * (face as u8 + 1));
+    scene.with_instance(&scene.faces, &[], |instance| place.everywhere(instance, &shade));
+}
+
 fuzz_target!(|data: &[u8]| {
     let Some(scene) = Scene::read(data) else { return };
     scene.with_instance(&scene.faces, &scene.edges, |instance| check(&scene, instance));
     depth::check(&scene);
-    bands::check(&scene);
+    bands(&scene);
     facing::check(&scene);
     for face in &scene.faces {
         whole::face(&scene, *face);

@@ -11,10 +11,9 @@ use support::oracle;
 
 mod camera;
 mod doors;
-mod lights;
 mod meshes;
 mod projections;
-mod textures;
+mod shading;
 mod transforms;
 mod views;
 
@@ -36,8 +35,8 @@ fuzz_target!(|data: &[u8]| {
         156..=163 => transforms::rotation(&mut b),
         164..=171 => transforms::quaternion(&mut b),
         172..=175 => transforms::matrix(&mut b),
-        176..=183 => lights::check(&mut b),
-        184..=187 => textures::check(&mut b),
+        176..=183 => shading::light(&mut b),
+        184..=187 => shading::texture(&mut b),
         _ => camera::check(&mut b),
     }
 });

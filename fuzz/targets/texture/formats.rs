@@ -1,16 +1,17 @@
 //! Faces of any scene, in every format: what a face shows is looked up in the stored texels, by the coordinates that the face shows
 //! when its texels are numbered.
 
-use super::numbered::{shown, Numbered};
+use super::{shown, Numbered};
 use crate::bytes::Bytes;
-use crate::everywhere::{Drawn, Place};
 use crate::input::Scene;
 use crate::oracle::rng::Rng;
+use crate::place::Place;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use pinhole::{
     Accuracy, ColorKeyed, DepthBuffer, IndexKeyed, IndexedTexels, LitPalette, MeshInstance, ShadeTable,
     SpanShader, TexelSlice, Texels, Texture,
 };
+use support::bridge::ways::{in_memory, Drawn};
 
 /// A colour of no texel and no palette: their blue is at most 127.
 const SKY: Rgb888 = Rgb888::new(1, 2, 255);
@@ -34,18 +35,9 @@ struct Textures<'a> {
 pub(crate) fn check(data: &[u8]) {
     let (head, tail) = data.split_at(data.len().min(HEAD));
     let Some(scene) = Scene::read(tail) else { return };
-    let bounds = scene.area();
-    if bounds.width() == 0 || bounds.height() == 0 {
-        return;
-    }
+    let Some(area) = scene.rectangle() else { return };
     let mut b = Bytes::new(head);
     let kind = b.byte();
-    let area = crate::bridge::rectangle(
-        bounds.left as i32,
-        bounds.top as i32,
-        bounds.width() as u32,
-        bounds.height() as u32,
-    );
     let seed = b.u32();
     let mut rng = Rng::new(seed.into());
     // Few bytes say the coordinates of all corners: one corner's are given, others lie within some reach.
@@ -101,7 +93,7 @@ impl Textures<'_> {
 
     fn shade<S: SpanShader<Rgb888>>(&self, shade: impl Fn(usize) -> S) -> Drawn<Rgb888> {
         self.scene.with_instance(&self.scene.faces, &[], |instance: &MeshInstance<'_>| {
-            self.place.on_every_target(instance, &shade)
+            self.place.everywhere(instance, &shade)
         })
     }
 
@@ -110,8 +102,8 @@ impl Textures<'_> {
         self.alone = (0..self.scene.faces.len())
             .map(|face| {
                 self.scene.with_instance(&self.scene.faces[face..=face], &[], |instance| match self.clamped {
-                    true => self.place.in_memory(instance, |_| texture.clamped_at(self.uv[face])),
-                    false => self.place.in_memory(instance, |_| texture.at(self.uv[face])),
+                    true => in_memory(instance, self.place.area, SKY, &|_| texture.clamped_at(self.uv[face])),
+                    false => in_memory(instance, self.place.area, SKY, &|_| texture.at(self.uv[face])),
                 })
             })
             .collect();
@@ -119,11 +111,8 @@ impl Textures<'_> {
 
     /// The pictures of all faces, by what each shows alone: later faces over earlier ones, or nearer ones over farther ones.
     fn compare(&self, drawn: &Drawn<Rgb888>, texel: impl Fn(usize) -> Option<Rgb888>) {
-        let Drawn { mut solid, mut deep, mut depths } = Drawn {
-            solid: self.place.blank(),
-            deep: self.place.blank(),
-            depths: vec![DepthBuffer::NOTHING; drawn.depths.len()],
-        };
+        let mut solid = vec![SKY; drawn.solid.len()];
+        let (mut deep, mut depths) = (solid.clone(), vec![DepthBuffer::NOTHING; solid.len()]);
         for alone in &self.alone {
             for i in 0..solid.len() {
                 let show = |seen: Rgb888| {

@@ -1,15 +1,15 @@
 //! One textured face before a simple camera, with coordinates up to the ends of `i16` and w up to 65536 times as large at one corner
 //! as at another, against one ray in f64 per pixel; and equal pixels on every target.
 
-use super::numbered::{shown, Numbered};
+use super::{shown, Numbered};
 use crate::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use crate::bridge::rectangle;
 use crate::bytes::Bytes;
-use crate::everywhere::Place;
 use crate::oracle::chain;
 use crate::oracle::texture::{off_clamped, off_repeated, Ray};
+use crate::place::Place;
 use embedded_graphics_core::pixelcolor::Rgb888;
-use embedded_graphics_core::primitives::PointsIter;
+use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{Accuracy, Cull, Mesh, MeshInstance, Texture};
 
 /// A colour that no coordinates show: u and v would be in one column and row in 4096.
@@ -124,7 +124,7 @@ impl Face {
 }
 
 /// A window of the picture around a pixel.
-fn window(b: &mut Bytes<'_>, side: i32) -> embedded_graphics_core::primitives::Rectangle {
+fn window(b: &mut Bytes<'_>, side: i32) -> Rectangle {
     let mut middle = |limit: i32| match b.byte() {
         k @ 0..=127 => limit / 2 + i32::from(k >> 4) - 4,
         k => i32::from(k & 127) * limit / 127,
@@ -141,22 +141,17 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
     let texture = Texture::new(Numbered(face.bits)).with_accuracy(face.accuracy);
     let texture = face.exponent.map_or(texture, |e| texture.with_exponent(e).expect("-15 to 0"));
     face.with_instance(|instance| {
-        let repeated = place.on_every_target(instance, |_| texture.at(face.uv)).solid;
-        let clamped = place.on_every_target(instance, |_| texture.clamped_at(face.uv)).solid;
-        compare(&face, &place, &repeated, off_repeated);
-        compare(&face, &place, &clamped, off_clamped);
+        let repeated = place.everywhere(instance, &|_| texture.at(face.uv)).solid;
+        let clamped = place.everywhere(instance, &|_| texture.clamped_at(face.uv)).solid;
+        compare(&face, place.area, &repeated, off_repeated);
+        compare(&face, place.area, &clamped, off_clamped);
     });
 }
 
 /// What pixels show against rays.
-fn compare(
-    face: &Face,
-    place: &Place<Rgb888>,
-    picture: &[Rgb888],
-    off: impl Fn(f64, (f64, f64), f64) -> f64,
-) {
+fn compare(face: &Face, area: Rectangle, picture: &[Rgb888], off: impl Fn(f64, (f64, f64), f64) -> f64) {
     let (ray, bound) = (face.ray(), face.bound());
-    for (point, &color) in place.area.points().zip(picture) {
+    for (point, &color) in area.points().zip(picture) {
         if color == SKY {
             continue;
         }

@@ -7,24 +7,27 @@
 //! With the feature `provoke` the only entry is one that can panic, by which `check` tests itself.
 #![cfg_attr(panic = "abort", no_std)]
 
-#[path = "../../../examples/show/canvas.rs"]
-#[allow(dead_code)] // entries are given their canvas
+/// Exports a function for each row, `NAME(ARGUMENTS) -> RESULT { BODY }`.
 #[cfg(not(feature = "provoke"))]
-mod canvas;
+macro_rules! entries {
+    ($($name:ident$(<$life:lifetime>)?($($argument:ident: $type:ty),*) $(-> $result:ty)? { $($body:tt)* })*) => {$(
+        #[unsafe(no_mangle)]
+        fn $name$(<$life>)?($($argument: $type),*) $(-> $result)? {
+            $($body)*
+        }
+    )*};
+}
+
 #[cfg(not(feature = "provoke"))]
 mod draw;
 #[cfg(not(feature = "provoke"))]
-mod fog;
+mod inputs;
 #[cfg(not(feature = "provoke"))]
 mod set_up;
 #[cfg(not(feature = "provoke"))]
 mod shaders;
 #[cfg(not(feature = "provoke"))]
-mod sprites;
-#[cfg(not(feature = "provoke"))]
 mod targets;
-#[cfg(not(feature = "provoke"))]
-mod values;
 
 #[cfg(panic = "abort")]
 #[panic_handler]

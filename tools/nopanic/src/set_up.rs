@@ -1,19 +1,28 @@
-//! What firmware calls before and between frames.
+//! What firmware calls before and between frames: set-up, reading what was set up, colours of every format, and copies of types whose
+//! `Clone` is written by hand.
 
 use crate::any;
+use crate::inputs::{pixel, point, report, scalar, size, vector, window};
+use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::{Gray8, Rgb565, Rgb888};
+use embedded_graphics_core::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
+};
+use embedded_graphics_core::primitives::Rectangle;
 use fixed::types::I16F16;
-use pinhole::raster::{Pixel, ScreenPoint};
+use pinhole::clip::{self, Varying};
+use pinhole::raster::{Gradient, Pixel, ScreenPoint, Triangle};
 use pinhole::space::{Canonical, Model, Ndc, View, World};
 use pinhole::{
-    clip, Affine, Angle, AxisError, BlinnPhong, Camera, ClipPoint, DirectionalLight, FaceColors, Flat,
-    FramingError, Frustum, Gouraud, Hierarchy, HierarchyError, InverseError, Lambert, LightError, Lights,
-    LitPalette, Matcap, MaterialError, MatrixError, Mesh, MeshBuffers, MeshError, Node, NumberError, Outcode,
-    PlanarProjection, Point3, PointLight, ProjectError, Projected, Projection, ProjectionError, Quaternion,
-    QuaternionError, Ray, ReferenceVolume, RigidLambert, Scalar, ShadeTable, Side, Sphere, Statistics,
-    StripBuffers, TextureCoords, VanishingPoint, Vector3, ViewTransform, ViewTransformError, Viewport,
-    ViewportError, Visibility, Window, WithPlanes,
+    edge_faces, Affine, Angle, AxisError, Band, BlinnPhong, Camera, Channels, ClipPoint, Coordinate,
+    DepthBuffer, Dim, DirectionalLight, DirtyRegions, FaceColors, Flat, Fog, Frame, FramingError, Frustum,
+    Gouraud, Hierarchy, HierarchyError, InverseError, Lambert, LightError, Lights, Lit, LitPalette, Matcap,
+    MaterialError, MatrixError, Mesh, MeshBuffers, MeshError, MeshInstance, Node, NormalMatrix, NumberError,
+    Outcode, PixelFormat, PlanarProjection, Point3, PointLight, ProjectError, Projected, Projection,
+    ProjectionError, Quaternion, QuaternionError, Ray, ReferenceVolume, RigidLambert, Scalar, ShadeTable,
+    Side, Sphere, SquaredFog, Statistics, StoredPixel, StripBuffers, TextureCoords, TransformedMesh,
+    VanishingPoint, Vector3, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility,
+    WithPlanes,
 };
 
 type Vertices = &'static [[i16; 3]];
@@ -21,42 +30,38 @@ type WideVertices = &'static [[Scalar; 3]];
 type Faces = &'static [[u16; 3]];
 type Edges = &'static [[u16; 2]];
 
-fn scalar() -> Scalar {
-    Scalar::from_bits(any())
-}
-
-fn point() -> Point3<World> {
-    Point3::new(scalar(), scalar(), scalar())
-}
-
-fn vector() -> Vector3<World> {
-    Vector3::new(scalar(), scalar(), scalar())
-}
-
-fn view_point() -> Point3<View> {
-    Point3::new(scalar(), scalar(), scalar())
-}
-
-fn size() -> Size {
-    Size::new(any() as u32, any() as u32)
-}
-
-fn window() -> Window {
-    Window { left: scalar(), right: scalar(), bottom: scalar(), top: scalar() }
-}
-
-macro_rules! entries {
-    ($($name:ident($($argument:ident: $type:ty),*) -> $result:ty { $($body:tt)* })*) => {$(
+/// One format of colour: its code on the wire and in memory, and its colours from light.
+macro_rules! colours {
+    ($($name:ident: $colour:ty, $memory:ty;)*) => {$(
         #[unsafe(no_mangle)]
-        fn $name($($argument: $type),*) -> $result {
-            $($body)*
+        fn $name(colour: $colour, emission: $colour) -> ($colour, $colour, $colour, u32, $colour, $memory, $colour) {
+            let channels = <$colour>::from_channels([any() as u8, any() as u8, any() as u8]);
+            let decoded = <$colour as PixelFormat>::decode(any() as u32);
+            let cell: $memory = colour.stored();
+            let loaded = <$colour as StoredPixel<$memory>>::load(black_box(cell));
+            (colour.dim(any() as u16).emitting(emission), channels, decoded, PixelFormat::encode(colour), colour.stored(), cell, loaded)
         }
     )*};
 }
 
+colours! {
+    entry_colour_binary: BinaryColor, BinaryColor;
+    entry_colour_gray2: Gray2, Gray2;
+    entry_colour_gray4: Gray4, Gray4;
+    entry_colour_gray8: Gray8, [u8; 1];
+    entry_colour_rgb555: Rgb555, [u8; 2];
+    entry_colour_bgr555: Bgr555, [u8; 2];
+    entry_colour_rgb565: Rgb565, [u8; 2];
+    entry_colour_bgr565: Bgr565, [u8; 2];
+    entry_colour_rgb666: Rgb666, [u8; 3];
+    entry_colour_bgr666: Bgr666, [u8; 3];
+    entry_colour_rgb888: Rgb888, [u8; 3];
+    entry_colour_bgr888: Bgr888, [u8; 3];
+}
+
 entries! {
     entry_scalar_operators(a: Scalar, b: Scalar) -> [Scalar; 6] { [a + b, a - b, a * b, a / b, -a, a.abs()] }
-    entry_scalar_assignments(a: &mut Scalar) -> () {{ *a += scalar(); *a -= scalar(); *a *= scalar(); *a /= scalar() }}
+    entry_scalar_assignments(a: &mut Scalar) { *a += scalar(); *a -= scalar(); *a *= scalar(); *a /= scalar() }
     entry_scalar_from(fixed: I16F16) -> [Scalar; 4] { [Scalar::from_int(any()), Scalar::from_ratio(any(), any()), Scalar::from(any() as i16), fixed.into()] }
     entry_scalar_from_floats(single: f32, double: f64) -> [Result<Scalar, NumberError>; 2] { [Scalar::from_f32(single), Scalar::from_f64(double)] }
     entry_scalar_from_num(single: f32, double: f64) -> [Scalar; 2] { [Scalar::from_num(single), Scalar::from_num(double)] }
@@ -66,9 +71,9 @@ entries! {
     entry_sin_cos(a: Angle) -> (Scalar, Scalar) { (a.sin(), a.cos()) }
     entry_atan2(y: Scalar, x: Scalar) -> Angle { Angle::atan2(y, x) }
     entry_vector_sums() -> (Vector3<World>, Vector3<World>) { (vector() + vector() - vector(), -vector() * scalar()) }
-    entry_vector_moves(moved: &mut Vector3<World>) -> () {{ *moved += vector(); *moved -= vector() }}
+    entry_vector_moves(moved: &mut Vector3<World>) { *moved += vector(); *moved -= vector() }
     entry_point_sums() -> (Point3<World>, Vector3<World>) { (point() + vector() - vector(), point() - point()) }
-    entry_point_moves(moved: &mut Point3<World>) -> () {{ *moved += vector(); *moved -= vector() }}
+    entry_point_moves(moved: &mut Point3<World>) { *moved += vector(); *moved -= vector() }
     entry_vector_products() -> (Scalar, Vector3<World>, Scalar) { (vector().dot(vector()), vector().cross(vector()), vector().length()) }
     entry_lerp() -> (Point3<World>, Vector3<World>) { (point().lerp(point(), scalar()), vector().lerp(vector(), scalar())) }
     entry_chain(a: &Affine<Model, World>, angle: Angle) -> Affine<Model, World> {
@@ -78,7 +83,7 @@ entries! {
         Camera::framing(sphere, viewport, fov, yaw, pitch)
     }
     entry_buffer_lengths(mesh: &Mesh<'static>) -> [usize; 4] { [mesh.cache_len(), mesh.face_bins_len(), mesh.edge_bins_len(), pinhole::largest(&[any() as usize, any() as usize])] }
-    entry_buffers(mesh: &mut MeshBuffers<9, 9, 9>, strip: &mut StripBuffers<8, 4>) -> () {{ *mesh = MeshBuffers::default(); *strip = StripBuffers::default() }}
+    entry_buffers(mesh: &mut MeshBuffers<9, 9, 9>, strip: &mut StripBuffers<8, 4>) { *mesh = MeshBuffers::default(); *strip = StripBuffers::default() }
     entry_orbit(yaw: Angle, pitch: Angle) -> ViewTransform { ViewTransform::orbit(point(), scalar(), yaw, pitch) }
     entry_screen_points(at: ScreenPoint, pixel: Pixel, x: i32, y: i32) -> (Point, Point, Option<Pixel>) {
         (at.into(), pixel.into(), Point::new(x, y).try_into().ok())
@@ -105,7 +110,7 @@ entries! {
     entry_orthographic() -> Result<Projection, ProjectionError> { Projection::orthographic(window(), scalar(), scalar()) }
     entry_clip(projection: &Projection, p: Point3<View>) -> ClipPoint { projection.apply(p) }
     entry_divide(p: &ClipPoint) -> Option<Point3<Ndc>> { p.ndc() }
-    entry_viewport() -> Result<Viewport, ViewportError> { Viewport::new(Point::new(any(), any()), size()) }
+    entry_viewport() -> Result<Viewport, ViewportError> { Viewport::new(pixel(), size()) }
     entry_screen(viewport: &Viewport, p: Point3<Ndc>) -> ScreenPoint { viewport.apply(p) }
     entry_camera(a: &ViewTransform, b: &Projection, c: &Viewport) -> Camera { Camera::new(a, b, c).with_far_clip(any() == 0) }
 
@@ -113,7 +118,7 @@ entries! {
     entry_level(light: &Lambert, normal: [i16; 3]) -> u16 { light.level(normal) }
     entry_rigid_light(model: &Affine<Model, World>, ambient: u16) -> Result<RigidLambert, LightError> { RigidLambert::new(model, vector(), ambient) }
     entry_rigid_level(light: &RigidLambert, normal: [i16; 3]) -> u16 { light.level(normal) }
-    entry_rigid_levels(light: &RigidLambert, normals: &[[i16; 3]], levels: &mut [u16]) -> () { light.levels(normals, levels) }
+    entry_rigid_levels(light: &RigidLambert, normals: &[[i16; 3]], levels: &mut [u16]) { light.levels(normals, levels) }
     entry_lights(model: &Affine<Model, World>, lights: &[DirectionalLight; 3], ambient: u16) -> Result<Lights<3>, LightError> { Lights::new(model, lights, ambient) }
     entry_lights_levels(light: &Lights<3>, normals: &[[i16; 3]], levels: &mut [u16]) -> u16 { light.levels(normals, levels); light.level([any() as i16; 3]) }
     entry_blinn_phong(model: &Affine<Model, World>, ambient: u16, shininess: u16) -> Result<BlinnPhong, LightError> { BlinnPhong::new(model, vector(), vector(), ambient, shininess) }
@@ -124,7 +129,7 @@ entries! {
     entry_emitting_palette(colors: &[Rgb888; 2], emission: &[Rgb888; 2]) -> LitPalette<Rgb565, 2, 32> { LitPalette::emitting(colors, emission) }
     entry_point_light(model: &Affine<Model, World>, exponent: i8, strength: u16) -> PointLight { PointLight::new(model, exponent, point(), scalar(), strength) }
     entry_point_light_level(light: &PointLight, position: [i16; 3], normal: [i16; 3]) -> u16 { light.level(position, normal) }
-    entry_point_light_levels(light: &PointLight, vertices: &[[i16; 3]], normals: &[[i16; 3]], levels: &mut [u16]) -> () { light.add_levels(vertices, normals, levels) }
+    entry_point_light_levels(light: &PointLight, vertices: &[[i16; 3]], normals: &[[i16; 3]], levels: &mut [u16]) { light.add_levels(vertices, normals, levels) }
     entry_view_normals(view: &ViewTransform, model: &Affine<Model, World>) -> Matcap { Matcap::new(&view.normals(model)) }
     entry_matcap_coords(matcap: &Matcap, normals: &[[i16; 3]], coords: &mut [[i16; 2]]) -> [i16; 2] { matcap.all_coords(normals, coords); matcap.coords([any() as i16; 3]) }
     entry_matcap_color(matcap: &Matcap, ball: &[[Rgb565; 32]; 32], normal: [i16; 3]) -> Rgb565 { matcap.color(ball, normal) }
@@ -168,11 +173,11 @@ entries! {
     entry_eye_at_origin() -> Result<PlanarProjection, ProjectionError> { PlanarProjection::eye_at_origin(scalar()) }
     entry_origin_in_plane() -> Result<PlanarProjection, ProjectionError> { PlanarProjection::origin_in_plane(scalar()) }
     entry_general(q: Option<Scalar>, d: Vector3<View>) -> Result<PlanarProjection, ProjectionError> { PlanarProjection::general(scalar(), q, d) }
-    entry_planar(planar: &PlanarProjection) -> (Option<Point3<View>>, [Scalar; 4]) { (planar.apply(view_point()), planar.homogeneous(view_point())) }
+    entry_planar(planar: &PlanarProjection) -> (Option<Point3<View>>, [Scalar; 4]) { (planar.apply(point()), planar.homogeneous(point())) }
     entry_from_planar(planar: &PlanarProjection) -> Result<Projection, ProjectionError> { Projection::from_planar(planar, window(), scalar(), scalar()) }
-    entry_reference() -> Result<ReferenceVolume, ProjectionError> { ReferenceVolume::perspective(view_point(), window(), scalar(), scalar()) }
-    entry_reference_parallel() -> Result<ReferenceVolume, ProjectionError> { ReferenceVolume::parallel(view_point(), window(), scalar(), scalar()) }
-    entry_normalise(volume: &ReferenceVolume) -> (Point3<Canonical>, Scalar) { (volume.normalise(view_point()), volume.z_min()) }
+    entry_reference() -> Result<ReferenceVolume, ProjectionError> { ReferenceVolume::perspective(point(), window(), scalar(), scalar()) }
+    entry_reference_parallel() -> Result<ReferenceVolume, ProjectionError> { ReferenceVolume::parallel(point(), window(), scalar(), scalar()) }
+    entry_normalise(volume: &ReferenceVolume) -> (Point3<Canonical>, Scalar) { (volume.normalise(point()), volume.z_min()) }
     entry_from_volume(volume: &ReferenceVolume) -> Projection { Projection::from_reference(volume) }
     entry_affine_matrix(m: &[[f64; 4]; 4]) -> Result<Affine<Model, World>, MatrixError> { Affine::from_matrix(m) }
     entry_affine_to_matrix(a: &Affine<Model, World>) -> [[f64; 4]; 4] { a.to_matrix() }
@@ -193,8 +198,48 @@ entries! {
     entry_sphere_transformed(s: &Sphere, a: &Affine<Model, World>) -> Sphere { s.transformed(a) }
     entry_outcode(p: &ClipPoint) -> Outcode { p.outcode() }
     entry_clip_line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> { clip::line(a, b) }
-    entry_clip_triangle(corners: [clip::ClipVertex<3>; 3]) -> usize { core::hint::black_box(clip::triangle(corners)).len() }
+    entry_clip_triangle(corners: [clip::ClipVertex<3>; 3]) -> usize { black_box(clip::triangle(corners)).len() }
     entry_hierarchy(nodes: &'static mut [Node]) -> Result<Hierarchy<'static>, HierarchyError> { Hierarchy::new(nodes) }
-    entry_update(hierarchy: &mut Hierarchy<'static>) -> () { hierarchy.update() }
+    entry_update(hierarchy: &mut Hierarchy<'static>) { hierarchy.update() }
     entry_set_local(hierarchy: &mut Hierarchy<'static>, local: Affine<Model, Model>) -> bool { hierarchy.set_local(any() as usize, local) }
+
+    entry_edge_faces_of_12(edges: &[[u16; 2]; 12], faces: &[[u16; 3]]) -> [[u16; 2]; 12] { edge_faces(edges, faces) }
+    entry_edge_faces_of_1(edges: &[[u16; 2]; 1], faces: &[[u16; 3]]) -> [[u16; 2]; 1] { edge_faces(edges, faces) }
+    entry_edge_faces_of_500(edges: &[[u16; 2]; 500], faces: &[[u16; 3]]) -> [[u16; 2]; 500] { edge_faces(edges, faces) }
+
+    entry_vector_parts(v: Vector3<World>) -> [Scalar; 3] { [v.x(), v.y(), v.z()] }
+    entry_vector_micromath(v: micromath::vector::F32x3) -> Result<Vector3<World>, NumberError> { v.try_into() }
+    entry_outcode_sets(a: Outcode, b: Outcode) -> (Outcode, Outcode, u8) { (a.and(b), a.or(b), a.bits()) }
+    entry_translation_of_view(viewing: &ViewTransform) -> [i64; 3] { viewing.translation() }
+    entry_viewport_parts(viewport: &Viewport) -> (Point, Size) { (viewport.top_left(), viewport.size()) }
+    entry_parallel() -> PlanarProjection { PlanarProjection::parallel() }
+    entry_coordinates(narrow: i16, wide: Scalar) -> (i32, i32) { (Coordinate::times(narrow, any()), Coordinate::times(wide, any())) }
+
+    entry_nodes(local: Affine<Model, Model>) -> [Node; 2] { [Node::root(local), Node::child(any() as u16, local)] }
+    entry_node<'n>(node: &'n Node) -> (&'n Affine<Model, Model>, &'n Affine<Model, World>) { (node.local(), node.world()) }
+    entry_hierarchy_node<'h>(hierarchy: &'h Hierarchy<'_>) -> (Option<&'h Affine<Model, World>>, &'h [Node]) { (hierarchy.world(any() as usize), hierarchy.nodes()) }
+    entry_instance_mesh<'p>(instance: &MeshInstance<'p, i16, WithPlanes>) -> (Mesh<'p, i16, WithPlanes>, Mesh<'p>) { (instance.mesh(), instance.without_planes().mesh()) }
+    entry_mesh_planes(mesh: Mesh<'static, i16, WithPlanes>) -> (Mesh<'static>, Mesh<'static, i16, WithPlanes>) { (mesh.without_planes(), mesh.without_planes().with_planes_if_any()) }
+
+    entry_band_bytes<'b>(band: &'b Band<'_, Rgb565>) -> &'b [u8] { band.bytes() }
+    entry_frame_area(frame: &Frame<Rgb565>) -> Rectangle { frame.area() }
+    entry_strip_bytes(width: u32, rows: u32) -> [usize; 2] { [Frame::<Rgb565>::strip_bytes(width, rows), Frame::<BinaryColor>::strip_bytes(width, rows)] }
+    entry_depths<'d>(depth: &'d DepthBuffer<'_>) -> &'d [u16] { depth.values() }
+    entry_dirty_area(dirty: &DirtyRegions<7>) -> Rectangle { dirty.area() }
+    entry_table(colours: [Rgb565; 256]) -> Rgb565 { ShadeTable::from_colors(colours).colors()[usize::from(any() as u8)] }
+    entry_lit(colour: Rgb888) -> pinhole::Dithered<Lit> { Gouraud::lit(colour, [any() as u16; 3]).dithered() }
+    entry_triangle_plane(triangle: &Triangle<'_>, values: [u32; 3]) -> Gradient { triangle.gradient(values) }
+    entry_carries_nothing(corner: usize) { <() as Varying>::of(corner); ().towards(&(), any().into()) }
+
+    entry_copies(
+        affine: &Affine<Model, World>,
+        normals: &NormalMatrix<Model, World>,
+        point: &Point3<World>,
+        vector: &Vector3<World>,
+        fog: &Fog<SquaredFog>
+    ) {
+        report((Clone::clone(affine), Clone::clone(normals), Clone::clone(point), Clone::clone(vector), Clone::clone(fog)))
+    }
+    entry_copy_of_mesh(mesh: &Mesh<'static>) -> Mesh<'static> { Clone::clone(mesh) }
+    entry_copy_of_transformed(transformed: &TransformedMesh<'static, i16, true>) -> TransformedMesh<'static, i16, true> { Clone::clone(transformed) }
 }

@@ -1,19 +1,24 @@
-//! A shader of our own that asks for everything that a shader may ask for, drawn by every call, into memory of our own.
+//! Shaders of the library and one of our own that asks for everything that a shader may ask for, into memory of our own: faces, fog
+//! and sprites.
 
 use crate::any;
+use crate::inputs::{area, color, corners, levels, point, report, scalar, size, wide_color};
 use core::hint::black_box;
-use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::geometry::{AnchorPoint, OriginDimensions, Point, Size};
+use embedded_graphics_core::image::GetPixel;
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
-use embedded_graphics_core::primitives::Rectangle;
 use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
+use pinhole::space::{Model, World};
 use pinhole::{
-    Accuracy, Blend, Blended, ColorKeyed, CornerValues, DepthBuffer, DepthTested, Dim, HalfBlended,
-    IndexKeyed, IndexedTexels, LitPalette, LitTexels, Memory, MeshInstance, Painter, PainterError,
-    PictureError, PixelFormat, Pixels, ScreenDoor, ScreenVertex, Shader, SpanShader, Statistics, StoredPixel,
-    TexelSlice, Texels, Texture, TextureError, Translucent, WithPlanes,
+    Accuracy, Affine, Blend, Blended, Camera, ColorKeyed, Coordinate, CornerValues, DepthBuffer, DepthTested,
+    Dim, Flat, Fog, FogError, FogTable, Fogged, Gouraud, HalfBlended, IndexKeyed, IndexedTexels, LitPalette,
+    LitTexels, Memory, Mesh, MeshInstance, Painter, Picture, PictureError, PixelFormat, Pixels,
+    PlacedSprites, Scalar, ScreenDoor, ScreenVertex, ShadeTable, Shader, SolidTexel, SpanShader, Sprite,
+    SpriteImage, SpriteSource, Target, TexelSlice, Texels, Texture, TextureError, Translucent, VertexFog,
+    WithPlanes,
 };
 
 /// Depths, 1/w and the weights of each corner, and the pixels that are there.
@@ -60,288 +65,298 @@ impl SpanShader<Rgb565> for Everything {
 }
 
 fn shader() -> Everything {
-    Everything {
-        corners: [[any(); 3]; 3],
-        values: [[any(); 3]; 2],
-        color: Rgb565::load([any() as u8, any() as u8]),
+    Everything { corners: [[any(); 3]; 3], values: [[any(); 3]; 2], color: color() }
+}
+
+/// Faces, and the memory that they are drawn with.
+struct Faces<'a> {
+    by_planes: MeshInstance<'a, i16, WithPlanes>,
+    cache: &'a mut [ScreenVertex],
+    cells: &'a mut [u16],
+    depths: &'a mut [u16],
+}
+
+impl Faces<'_> {
+    /// Into memory, without depth and with it.
+    fn draw<S: SpanShader<Rgb565>>(&mut self, shade: impl Fn(usize) -> S) {
+        let Self { by_planes, cache, cells, depths } = self;
+        let instance = by_planes.without_planes();
+        let Ok(mut target) = Pixels::<Rgb565, u16>::new(cells, area()) else { return };
+        report(instance.solid(&shade, cache, &mut target));
+        let Ok(mut depth) = DepthBuffer::new(area(), depths) else { return };
+        report(instance.depth_tested(&shade, cache, &mut depth, &mut target));
+    }
+
+    /// A texture that repeats.
+    fn textured<S: Texels<Color = Rgb565>>(&mut self, texels: S) -> Result<(), TextureError> {
+        let accuracy = [Accuracy::Quarter, Accuracy::Eighth, Accuracy::Sixteenth];
+        let accuracy = accuracy.get(any() as usize).copied().unwrap_or_default();
+        let texture = Texture::new(texels).with_accuracy(accuracy).with_exponent(any() as i8)?;
+        self.draw(|_| texture.at(corners()));
+        Ok(())
+    }
+
+    /// A picture that does not repeat, without light and with light at each corner.
+    fn clamped_and_lit<S: LitTexels<Color = Rgb565>>(&mut self, texels: S) -> Result<(), TextureError> {
+        let texture = Texture::new(texels).with_exponent(any() as i8)?;
+        self.draw(|_| texture.clamped_at(corners()));
+        self.draw(|_| texture.clamped_at(corners()).lit(levels()));
+        Ok(())
     }
 }
 
-fn area() -> Rectangle {
-    Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32))
-}
-
-#[unsafe(no_mangle)]
-fn entry_shader_of_own(
-    by_planes: &MeshInstance<'_, i16, WithPlanes>,
-    cache: &mut [ScreenVertex],
-    cells: &mut [u16],
-    depths: &mut [u16],
-) -> Result<[Statistics; 4], PictureError> {
-    let instance = by_planes.without_planes();
-    let mut target = Pixels::<Rgb565, u16>::new(cells, area())?;
-    let Ok(solid) = instance.solid(|_| shader(), cache, &mut target);
-    let Ok(culled) = by_planes.solid(|_| shader(), cache, &mut target);
-    let [mut tested, mut kept] = [Statistics::default(); 2];
+fn own(faces: &mut Faces<'_>) -> Result<(), PictureError> {
+    faces.draw(|_| shader());
+    let Faces { by_planes, cache, cells, depths } = faces;
+    report(by_planes.solid(|_| shader(), cache, &mut Pixels::<Rgb565, u16>::new(cells, area())?));
     if let Ok(mut depth) = DepthBuffer::new(area(), depths) {
-        let Ok(statistics) = instance.depth_tested(|_| shader(), cache, &mut depth, &mut target);
-        tested = statistics;
-        kept = by_planes.depth_only(cache, &mut depth);
+        report(by_planes.depth_only(cache, &mut depth));
     }
-    Ok([solid, culled, tested, kept])
+    Ok(())
 }
 
-#[unsafe(no_mangle)]
-fn entry_painter_by_planes(
-    painter: &mut Painter<Everything, 20, 20>,
-    instance: &MeshInstance<'_, i16, WithPlanes>,
-) -> Result<(), PainterError> {
-    painter.add(instance, |_| shader())
-}
-
-#[unsafe(no_mangle)]
-fn entry_painter_depth_tested(
+fn painter_depth_tested(
     painter: &mut Painter<DepthTested<HalfBlended<Rgb565>>, 20, 20>,
-    instance: &MeshInstance<'_>,
-    cells: &mut [u16],
-    depths: &mut [u16],
-) -> Option<Statistics> {
-    let shade = |_| DepthTested::new(HalfBlended::new(Rgb565::load(any() as u16)));
-    painter.add(instance, shade).ok()?;
-    let mut target = Pixels::<Rgb565, u16>::new(cells, area()).ok()?;
-    let mut depth = DepthBuffer::new(area(), depths).ok()?;
-    let Ok(()) = painter.order().depth_tested(&mut depth, &mut target);
-    let Ok(statistics) = painter.depth_tested(&mut depth, &mut target);
-    Some(statistics)
+    faces: &mut Faces<'_>,
+) -> Option<()> {
+    let shade = |_| DepthTested::new(HalfBlended::new(color()));
+    painter.add(&faces.by_planes.without_planes(), shade).ok()?;
+    let mut target = Pixels::<Rgb565, u16>::new(faces.cells, area()).ok()?;
+    let mut depth = DepthBuffer::new(area(), faces.depths).ok()?;
+    report(painter.order().depth_tested(&mut depth, &mut target));
+    report(painter.depth_tested(&mut depth, &mut target));
+    Some(())
 }
 
-/// Draws a texture by the calls that differ in how rows are cut into runs.
-fn textured<S: Texels<Color = Rgb565>>(
-    texels: S,
-    instance: &MeshInstance<'_>,
-    cache: &mut [ScreenVertex],
-    cells: &mut [u16],
-    depths: &mut [u16],
-) -> Result<[Statistics; 2], TextureError> {
-    let accuracy = [Accuracy::Quarter, Accuracy::Eighth, Accuracy::Sixteenth];
-    let accuracy = accuracy.get(any() as usize).copied().unwrap_or_default();
-    let texture = Texture::new(texels).with_accuracy(accuracy).with_exponent(any() as i8)?;
-    shaded(|_| texture.at([[any() as i16, any() as i16]; 3]), instance, cache, cells, depths)
+/// Textures need the corners' 1/w, and wrappers of shaders pass it on; also without the picture's copies.
+fn keyed(faces: &mut Faces<'_>, texels: IndexedTexels<'_, Rgb565, 4>) -> Result<(), TextureError> {
+    faces.textured(IndexKeyed::new(texels, any() as u8))?;
+    faces.textured(ColorKeyed::new(texels, color()))?;
+    let texture = Texture::new(ColorKeyed::new(texels, color()));
+    faces.draw(|_| texture.clamped_at(corners()));
+    let face = |_| texture.at(corners());
+    faces.draw(|f| ScreenDoor::new(face(f), any() as u8));
+    faces.draw(|f| HalfBlended::new(face(f)));
+    faces.draw(|f| Blended::new(face(f), any() as u8));
+    Ok(())
 }
 
-/// [`textured`] for a picture that does not repeat, with light at each corner.
-fn clamped_and_lit<S: LitTexels<Color = Rgb565>>(
-    texels: S,
-    instance: &MeshInstance<'_>,
-    cache: &mut [ScreenVertex],
-    cells: &mut [u16],
-    depths: &mut [u16],
-) -> Result<[Statistics; 2], TextureError> {
-    let texture = Texture::new(texels).with_exponent(any() as i8)?;
-    let levels = [any() as u16, any() as u16, any() as u16];
-    let shade = |_| texture.clamped_at([[any() as i16, any() as i16]; 3]);
-    shaded(shade, instance, cache, cells, depths)?;
-    shaded(|face| shade(face).lit(levels), instance, cache, cells, depths)
-}
-
-/// Draws faces into memory, without depth and with it.
-fn shaded<S: SpanShader<Rgb565>>(
-    shade: impl Fn(usize) -> S,
-    instance: &MeshInstance<'_>,
-    cache: &mut [ScreenVertex],
-    cells: &mut [u16],
-    depths: &mut [u16],
-) -> Result<[Statistics; 2], TextureError> {
-    let [mut solid, mut tested] = [Statistics::default(); 2];
-    if let Ok(mut target) = Pixels::<Rgb565, u16>::new(cells, area()) {
-        let Ok(statistics) = instance.solid(&shade, cache, &mut target);
-        solid = statistics;
-        if let Ok(mut depth) = DepthBuffer::new(area(), depths) {
-            let Ok(statistics) = instance.depth_tested(&shade, cache, &mut depth, &mut target);
-            tested = statistics;
-        }
-    }
-    Ok([solid, tested])
-}
-
-#[unsafe(no_mangle)]
-fn entry_texture_of_known_size(
-    texels: &[[Rgb565; 64]; 32],
-    instance: &MeshInstance<'_>,
-    cache: &mut [ScreenVertex],
-    cells: &mut [u16],
-    depths: &mut [u16],
-) -> Result<[Statistics; 2], TextureError> {
-    textured(texels, instance, cache, cells, depths)
-}
-
-#[unsafe(no_mangle)]
-fn entry_texture_of_any_size(
-    texels: &[Rgb565],
-    instance: &MeshInstance<'_>,
-    cache: &mut [ScreenVertex],
-    cells: &mut [u16],
-    depths: &mut [u16],
-) -> Result<[Statistics; 2], TextureError> {
-    let texels = TexelSlice::new(texels, any() as usize, any() as usize)?;
-    textured(texels, instance, cache, cells, depths)
-}
-
-#[unsafe(no_mangle)]
-fn entry_texture_with_palette(
+fn lit_palette(
+    faces: &mut Faces<'_>,
     texels: &[u8],
-    palettes: [&[Rgb565]; 2],
-    instance: &MeshInstance<'_>,
-    cache: &mut [ScreenVertex],
-    cells: &mut [u16],
-    depths: &mut [u16],
-) -> Result<[Statistics; 2], TextureError> {
-    let [palette, other] = palettes;
-    let texels = IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?;
-    textured(texels.with_palette(other)?, instance, cache, cells, depths)
-}
-
-#[unsafe(no_mangle)]
-fn entry_texture_with_key(
-    texels: &[u8],
-    palette: &[Rgb565],
-    instance: &MeshInstance<'_>,
-    cache: &mut [ScreenVertex],
-    cells: &mut [u16],
-    depths: &mut [u16],
-) -> Result<[Statistics; 4], TextureError> {
-    let texels = IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?;
-    let [solid, tested] = textured(IndexKeyed::new(texels, any() as u8), instance, cache, cells, depths)?;
-    let key = Rgb565::load(any() as u16);
-    let [other_solid, other_tested] = textured(ColorKeyed::new(texels, key), instance, cache, cells, depths)?;
-    // Textures need the corners' 1/w, and wrappers of shaders pass it on; also without the picture's copies.
-    let texture = Texture::new(ColorKeyed::new(texels, key));
-    shaded(|_| texture.clamped_at([[any() as i16, any() as i16]; 3]), instance, cache, cells, depths)?;
-    let face = |_| texture.at([[any() as i16, any() as i16]; 3]);
-    shaded(|f| ScreenDoor::new(face(f), any() as u8), instance, cache, cells, depths)?;
-    shaded(|f| HalfBlended::new(face(f)), instance, cache, cells, depths)?;
-    shaded(|f| Blended::new(face(f), any() as u8), instance, cache, cells, depths)?;
-    Ok([solid, tested, other_solid, other_tested])
-}
-
-#[unsafe(no_mangle)]
-fn entry_screen_door(
-    instance: &MeshInstance<'_>,
-    cache: &mut [ScreenVertex],
-    cells: &mut [u16],
-    depths: &mut [u16],
-) -> Result<[Statistics; 2], PictureError> {
-    let mut target = Pixels::<Rgb565, u16>::new(cells, area())?;
-    let shade = |_| ScreenDoor::new(Rgb565::load(any() as u16), any() as u8);
-    let Ok(solid) = instance.solid(shade, cache, &mut target);
-    let mut tested = Statistics::default();
-    if let Ok(mut depth) = DepthBuffer::new(area(), depths) {
-        let Ok(statistics) = instance.depth_tested(shade, cache, &mut depth, &mut target);
-        tested = statistics;
-    }
-    Ok([solid, tested])
-}
-
-#[unsafe(no_mangle)]
-fn entry_blended(
-    instance: &MeshInstance<'_>,
-    cache: &mut [ScreenVertex],
-    cells: &mut [u16],
-    depths: &mut [u16],
-) -> Result<[Statistics; 3], PictureError> {
-    let mut target = Pixels::<Rgb565, u16>::new(cells, area())?;
-    let color = || Rgb565::load(any() as u16);
-    let half = |_| ScreenDoor::new(HalfBlended::new(color()), any() as u8);
-    let Ok(solid) = instance.solid(half, cache, &mut target);
-    let Ok(_) = instance.solid(|_| HalfBlended::new(color()), cache, &mut target);
-    let Ok(_) = instance.solid(|_| Blended::new(color(), any() as u8), cache, &mut target);
-    let light = |_| Translucent::by(color(), |own: Rgb565, stored: Rgb565| stored.emitting(own));
-    let Ok(_) = instance.solid(light, cache, &mut target);
-    let [mut tested, mut mixed] = [Statistics::default(); 2];
-    if let Ok(mut depth) = DepthBuffer::new(area(), depths) {
-        let Ok(statistics) = instance.depth_tested(half, cache, &mut depth, &mut target);
-        tested = statistics;
-        let shade = |_| Blended::new(color(), any() as u8);
-        let Ok(statistics) = instance.depth_tested(shade, cache, &mut depth, &mut target);
-        mixed = statistics;
-    }
-    Ok([solid, tested, mixed])
-}
-
-/// Mixes colours of every format.
-#[unsafe(no_mangle)]
-fn entry_blend(bits: [u32; 2], alpha: u8) -> [u32; 3] {
-    fn both<C: Blend + PixelFormat>([own, stored]: [u32; 2], alpha: u8) -> [u32; 3] {
-        let [own, stored] = [own, stored].map(C::decode);
-        black_box(own.mixer()(stored, any() as u32).encode());
-        black_box(own.fade(stored)(alpha).encode());
-        [own.half(stored).encode(), own.mix(stored, alpha).encode(), own.over(stored, any() as u16).encode()]
-    }
-    match any() {
-        0 => both::<BinaryColor>(bits, alpha),
-        1 => both::<Gray2>(bits, alpha),
-        2 => both::<Gray4>(bits, alpha),
-        3 => both::<Gray8>(bits, alpha),
-        4 => both::<Rgb555>(bits, alpha),
-        5 => both::<Rgb565>(bits, alpha),
-        6 => both::<Rgb666>(bits, alpha),
-        7 => both::<Rgb888>(bits, alpha),
-        8 => both::<Bgr555>(bits, alpha),
-        9 => both::<Bgr565>(bits, alpha),
-        10 => both::<Bgr666>(bits, alpha),
-        _ => both::<Bgr888>(bits, alpha),
-    }
-}
-
-#[unsafe(no_mangle)]
-fn entry_lit_texture_of_known_size(
-    texels: &[[Rgb565; 64]; 32],
-    instance: &MeshInstance<'_>,
-    cache: &mut [ScreenVertex],
-    cells: &mut [u16],
-    depths: &mut [u16],
-) -> Result<[Statistics; 2], TextureError> {
-    clamped_and_lit(texels, instance, cache, cells, depths)
-}
-
-#[unsafe(no_mangle)]
-fn entry_lit_texture_of_any_size(
-    texels: &[Rgb565],
-    instance: &MeshInstance<'_>,
-    cache: &mut [ScreenVertex],
-    cells: &mut [u16],
-    depths: &mut [u16],
-) -> Result<[Statistics; 2], TextureError> {
-    let texels = TexelSlice::new(texels, any() as usize, any() as usize)?;
-    clamped_and_lit(texels, instance, cache, cells, depths)
-}
-
-#[unsafe(no_mangle)]
-fn entry_lit_texture_with_palette(
-    texels: &[u8],
-    colors: &[Rgb888; 17],
-    instance: &MeshInstance<'_>,
-    cache: &mut [ScreenVertex],
-    cells: &mut [u16],
-    depths: &mut [u16],
-) -> Result<[Statistics; 2], TextureError> {
-    let palette = LitPalette::<Rgb565, 17, 32>::new(colors);
-    let palette = LitPalette::from_rows(*palette.rows());
+    palette: &LitPalette<Rgb565, 17, 32>,
+) -> Result<(), TextureError> {
     let row = palette.row(any() as u16);
     let texels = IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, row)?;
     let texture = Texture::new(texels).with_palette(row);
-    shaded(|_| texture.at([[any() as i16, any() as i16]; 3]), instance, cache, cells, depths)?;
-    clamped_and_lit(texels, instance, cache, cells, depths)?;
-    textured(texels.with_lit_palette(&palette), instance, cache, cells, depths)?;
-    clamped_and_lit(texels.with_lit_palette(&palette), instance, cache, cells, depths)
+    faces.draw(|_| texture.at(corners()));
+    faces.clamped_and_lit(texels)?;
+    faces.textured(texels.with_lit_palette(palette))?;
+    faces.clamped_and_lit(texels.with_lit_palette(palette))
 }
 
-#[unsafe(no_mangle)]
-fn entry_memory_of_own(cells: &mut [u16]) -> Result<Rectangle, PictureError> {
+/// Faces that leave out pixels, or mix with what is behind them.
+fn translucent(faces: &mut Faces<'_>) {
+    faces.draw(|_| ScreenDoor::new(color(), any() as u8));
+    faces.draw(|_| ScreenDoor::new(HalfBlended::new(color()), any() as u8));
+    faces.draw(|_| HalfBlended::new(color()));
+    faces.draw(|_| Blended::new(color(), any() as u8));
+    faces.draw(|_| Translucent::by(color(), |own: Rgb565, stored: Rgb565| stored.emitting(own)));
+}
+
+/// Mixes two colours of a format.
+fn blend<C: Blend + PixelFormat>() {
+    let [own, stored] = [(); 2].map(|()| C::decode(any() as u32));
+    report(own.mixer()(stored, any() as u32).encode());
+    report(own.fade(stored)(any() as u8).encode());
+    report((own.half(stored).encode(), own.mix(stored, any() as u8).encode()));
+    report(own.over(stored, any() as u16).encode());
+}
+
+fn fog(camera: &Camera) -> Result<FogTable<Rgb565>, FogError> {
+    let fog = Fog::linear(scalar(), scalar())?;
+    let table = match any() {
+        0 => FogTable::new(&fog, camera, color())?,
+        1 => FogTable::new(&Fog::exponential(scalar(), scalar())?, camera, color())?,
+        _ => FogTable::new(&Fog::squared(scalar(), scalar())?, camera, color())?,
+    };
+    report((fog.start(), fog.end(), table.factor(any() as u16), table.color_at(color(), any() as u16)));
+    Ok(table)
+}
+
+fn vertex_fog(
+    fog: &Fog,
+    camera: &Camera,
+    model: &Affine<Model, World>,
+    vertices: &[[i16; 3]],
+    factors: &mut [u16],
+) {
+    let fog = VertexFog::new(fog, camera, model, any() as i8);
+    fog.factors(vertices, factors);
+    report([fog.factor([any() as i16; 3]), fog.face_factor([[any() as i16; 3]; 3])]);
+}
+
+/// Draws faces in fog, and edges that have colours of their own.
+fn fogged(faces: &mut Faces<'_>, table: &FogTable<Rgb565>, shades: &ShadeTable<Rgb565>) {
+    faces.draw(|_| Fogged::new(color(), table));
+    faces.draw(|_| Fogged::new(Gouraud::lit(wide_color(), levels()), table));
+    faces.draw(|_| Fogged::new(shades.lit(levels()), table));
+    faces.draw(|_| Fogged::new(ScreenDoor::new(color(), any() as u8), table));
+    faces.draw(|_| Fogged::new(Blended::new(color(), any() as u8), table));
+    if let Ok(mut target) = Pixels::<Rgb565, u16>::new(faces.cells, area()) {
+        let instance = faces.by_planes.without_planes();
+        report(instance.wireframe_by_edge(|_| color(), faces.cache, &mut target));
+    }
+}
+
+/// An image that is not the library's.
+struct Image(Size);
+
+impl OriginDimensions for Image {
+    fn size(&self) -> Size {
+        self.0
+    }
+}
+
+impl GetPixel for Image {
+    type Color = Rgb565;
+
+    fn pixel(&self, p: Point) -> Option<Rgb565> {
+        (any() != p.x + p.y).then(color)
+    }
+}
+
+fn sprite<S: SpriteSource>(source: S) -> Sprite<S> {
+    let sprite = Sprite::new(source);
+    let sprite = match any() {
+        0 => sprite.magnified(any() as u8),
+        1 => sprite.with_size(scalar(), scalar()),
+        _ => sprite.with_height(scalar()),
+    };
+    match any() {
+        0 => sprite.with_anchor(AnchorPoint::TopLeft),
+        1 => sprite.with_anchor(AnchorPoint::BottomCenter),
+        _ => sprite.with_anchor_at(any() as u32, any() as u32),
+    }
+}
+
+/// Sprites, and the depths that they are drawn with.
+struct Sprites<'a, V: Coordinate>(&'a PlacedSprites<'a, V>, &'a mut [u16]);
+
+impl<V: Coordinate<Stored = V>> Sprites<'_, V> {
+    /// Without depth and with it.
+    fn draw<T: Target<Color = Rgb565>, S: SpriteSource<Color = Rgb565>>(
+        &mut self,
+        picture: impl Fn() -> S,
+        target: &mut T,
+    ) {
+        let Self(placed, depths) = self;
+        report(placed.draw(|_| sprite(picture()), target).ok());
+        let Ok(mut depth) = DepthBuffer::new(area(), depths) else { return };
+        report(placed.depth_tested(|_| sprite(picture()), &mut depth, target).ok());
+    }
+}
+
+type Texels64 = [[Rgb565; 64]; 32];
+
+fn sprites_in_memory<T: Target<Color = Rgb565>>(
+    mut sprites: Sprites<'_, i16>,
+    texels: &Texels64,
+    fog: &FogTable<Rgb565>,
+    to: &mut T,
+) {
+    let image = Image(size());
+    let picture = SpriteImage::new(&image);
+    match any() {
+        0 => sprites.draw(|| texels, to),
+        1 => sprites.draw(|| ColorKeyed::new(texels, color()), to),
+        2 => sprites.draw(|| Clone::clone(&picture), to),
+        3 => sprites.draw(|| HalfBlended::new(SpriteImage::new(&image).with_key(color())), to),
+        4 => sprites.draw(|| Blended::new(texels, any() as u8), to),
+        5 => sprites.draw(|| Blended::new(Fogged::new(texels, fog), any() as u8), to),
+        6 => sprites.draw(|| Fogged::new(HalfBlended::new(texels), fog), to),
+        7 => sprites.draw(|| Fogged::new(SolidTexel::new(color()), fog), to),
+        _ => sprites.draw(|| SolidTexel::new(color()), to),
+    }
+}
+
+fn sprites_in_picture<T: Target<Color = Rgb565>>(
+    mut sprites: Sprites<'_, Scalar>,
+    texels: &Texels64,
+    to: &mut T,
+) {
+    let image = Image(size());
+    match any() {
+        0 => sprites.draw(|| texels, to),
+        1 => sprites.draw(|| SpriteImage::new(&image).with_key(color()), to),
+        _ => sprites.draw(|| SolidTexel::new(color()), to),
+    }
+}
+
+fn one_sprite<T: Target<Color = Rgb565>>(camera: &Camera, to: &mut T) {
+    let (placed, square) = (camera.place_sprite(point()), |_| Sprite::square(color(), any() as u8));
+    report(placed.draw(square, to).ok());
+    report(placed.bounds(square));
+}
+
+fn memory(cells: &mut [u16]) -> Result<(), PictureError> {
     let mut memory = Memory::new(cells, area())?;
     let span = Span { x: any(), y: any(), width: any(), height: any() };
     memory.fill(span, any() as u16);
     memory.fill_run(span, core::iter::repeat(any() as u16));
-    black_box(memory.row(any(), any(), any()).map(|row| row.len()));
-    Ok(memory.area())
+    report(memory.row(any(), any(), any()).map(|row| row.len()));
+    report(memory.area());
+    Ok(())
+}
+
+entries! {
+    entry_shader_of_own(faces: &mut Faces<'_>) -> Result<(), PictureError> { own(faces) }
+    entry_painter_by_planes(painter: &mut Painter<Everything, 20, 20>, faces: &Faces<'_>) { report(painter.add(&faces.by_planes, |_| shader())) }
+    entry_painter_depth_tested(painter: &mut Painter<DepthTested<HalfBlended<Rgb565>>, 20, 20>, faces: &mut Faces<'_>) -> Option<()> { painter_depth_tested(painter, faces) }
+    entry_translucent(faces: &mut Faces<'_>) { translucent(faces) }
+    entry_memory_of_own(cells: &mut [u16]) -> Result<(), PictureError> { memory(cells) }
+
+    entry_texture_of_known_size(faces: &mut Faces<'_>, texels: &Texels64) -> Result<(), TextureError> { faces.textured(texels) }
+    entry_texture_of_any_size(faces: &mut Faces<'_>, texels: &[Rgb565]) -> Result<(), TextureError> { faces.textured(TexelSlice::new(texels, any() as usize, any() as usize)?) }
+    entry_texture_with_palette(faces: &mut Faces<'_>, texels: &[u8], palette: &[Rgb565], other: &[Rgb565]) -> Result<(), TextureError> {
+        faces.textured(IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?.with_palette(other)?)
+    }
+    entry_texture_with_key(faces: &mut Faces<'_>, texels: &[u8], palette: &[Rgb565]) -> Result<(), TextureError> {
+        keyed(faces, IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?)
+    }
+    entry_lit_texture_of_known_size(faces: &mut Faces<'_>, texels: &Texels64) -> Result<(), TextureError> { faces.clamped_and_lit(texels) }
+    entry_lit_texture_of_any_size(faces: &mut Faces<'_>, texels: &[Rgb565]) -> Result<(), TextureError> { faces.clamped_and_lit(TexelSlice::new(texels, any() as usize, any() as usize)?) }
+    entry_lit_texture_with_palette(faces: &mut Faces<'_>, texels: &[u8], colors: &[Rgb888; 17]) -> Result<(), TextureError> {
+        lit_palette(faces, texels, &LitPalette::from_rows(*LitPalette::<Rgb565, 17, 32>::new(colors).rows()))
+    }
+
+    entry_blend_binary() { blend::<BinaryColor>() }
+    entry_blend_gray2() { blend::<Gray2>() }
+    entry_blend_gray4() { blend::<Gray4>() }
+    entry_blend_gray8() { blend::<Gray8>() }
+    entry_blend_rgb555() { blend::<Rgb555>() }
+    entry_blend_rgb565() { blend::<Rgb565>() }
+    entry_blend_rgb666() { blend::<Rgb666>() }
+    entry_blend_rgb888() { blend::<Rgb888>() }
+    entry_blend_bgr555() { blend::<Bgr555>() }
+    entry_blend_bgr565() { blend::<Bgr565>() }
+    entry_blend_bgr666() { blend::<Bgr666>() }
+    entry_blend_bgr888() { blend::<Bgr888>() }
+
+    entry_fog(camera: &Camera) -> Result<FogTable<Rgb565>, FogError> { fog(camera) }
+    entry_vertex_fog(fog: &Fog, camera: &Camera, model: &Affine<Model, World>, vertices: &[[i16; 3]], factors: &mut [u16]) { vertex_fog(fog, camera, model, vertices, factors) }
+    entry_fogged(faces: &mut Faces<'_>, table: &FogTable<Rgb565>, shades: &ShadeTable<Rgb565>) { fogged(faces, table, shades) }
+    entry_color_in_fog() -> Flat { Flat::from(wide_color()).in_fog(wide_color(), any() as u16) }
+    entry_tables_in_fog() -> (ShadeTable<Rgb565>, ShadeTable<Gray4>) { (ShadeTable::in_fog(wide_color(), wide_color()), ShadeTable::in_fog(wide_color(), wide_color())) }
+    entry_palette_in_fog() -> LitPalette<Rgb565, 2, 32> { LitPalette::in_fog(&[wide_color(), wide_color()], wide_color()) }
+
+    entry_sprites_in_memory(camera: &Camera, mesh: &Mesh<'_>, model: &Affine<Model, World>, texels: &Texels64, fog: &FogTable<Rgb565>, cells: &mut [u16], depths: &mut [u16]) -> Result<(), PictureError> {
+        sprites_in_memory(Sprites(&camera.place_sprites(mesh, model), depths), texels, fog, &mut Pixels::<Rgb565, u16>::new(cells, area())?);
+        Ok(())
+    }
+    entry_sprites_in_a_picture(camera: &Camera, mesh: &Mesh<'_, Scalar>, model: &Affine<Model, World>, texels: &Texels64, pixels: &mut [Rgb565], depths: &mut [u16]) -> Result<(), PictureError> {
+        sprites_in_picture(Sprites(&camera.place_sprites(mesh, model), depths), texels, &mut Picture::new(pixels, size())?);
+        Ok(())
+    }
+    entry_sprite(camera: &Camera, pixels: &mut [Rgb565]) -> Result<(), PictureError> { one_sprite(camera, &mut Picture::new(pixels, size())?); Ok(()) }
 }

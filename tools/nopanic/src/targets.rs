@@ -1,10 +1,11 @@
-//! Three ways to be a `DrawTarget`, none with a panic of its own: memory (the examples' `Canvas`), a display behind a
-//! wire that may fail, and the least the trait allows.
+//! Two ways to be a `DrawTarget`, neither with a panic of its own: a display behind a wire that may fail, and the least the trait
+//! allows.
 
+use crate::inputs::{area, size};
 use core::hint::black_box;
 use embedded_graphics_core::{
     draw_target::DrawTarget,
-    geometry::{Dimensions, OriginDimensions, Point, Size},
+    geometry::{Dimensions, OriginDimensions, Size},
     pixelcolor::PixelColor,
     primitives::Rectangle,
     Pixel,
@@ -29,7 +30,7 @@ impl<C> Wire<C> {
 
 impl<C> OriginDimensions for Wire<C> {
     fn size(&self) -> Size {
-        Size::new(crate::any() as u32, crate::any() as u32)
+        size()
     }
 }
 
@@ -60,10 +61,7 @@ pub(crate) struct Least<C>(pub(crate) C);
 
 impl<C> Dimensions for Least<C> {
     fn bounding_box(&self) -> Rectangle {
-        Rectangle::new(
-            Point::new(crate::any(), crate::any()),
-            Size::new(crate::any() as u32, crate::any() as u32),
-        )
+        area()
     }
 }
 

@@ -30,7 +30,7 @@ const TXE: u64 = 1 << 1;
 const OVERRUN: u64 = 1 << 6;
 const BUSY: u64 = 1 << 7;
 
-/// Kinds of records: see `events.mjs`.
+/// Kinds of records: see `rp2040.mjs`.
 const BYTE: u64 = 0x00;
 const BROKEN: u64 = 0x50;
 
@@ -143,7 +143,7 @@ pub unsafe extern "C" fn hooks_write(
     unsafe { &*hooks }.write(offset, value);
 }
 
-/// A record for the reader: see `events.mjs`.
+/// A record for the reader: see `rp2040.mjs`.
 ///
 /// # Safety
 ///

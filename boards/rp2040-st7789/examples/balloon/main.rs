@@ -3,15 +3,12 @@
 #![no_std]
 #![no_main]
 
-#[path = "../../src/clock.rs"]
-mod clock;
 #[path = "../../src/panel.rs"]
 mod panel;
 mod scene;
 #[path = "../../src/stop.rs"]
 mod stop;
 
-use clock::Clock;
 use core::ops::ControlFlow::{Break, Continue};
 use cortex_m::singleton;
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
@@ -34,8 +31,6 @@ static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 
 /// Of the crystal.
 const CRYSTAL: u32 = 12_000_000;
-/// The core's clock, as `init_clocks_and_plls` sets it.
-const MEGAHERTZ: u32 = 125;
 /// Frames until everything looks as before.
 const FRAMES: i32 = 96;
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
@@ -52,9 +47,7 @@ fn main() -> ! {
         stop("the buffers are in use")
     };
 
-    let (Some(core), Some(mut p)) = (pac::CorePeripherals::take(), pac::Peripherals::take()) else {
-        stop("the peripherals are in use")
-    };
+    let Some(mut p) = pac::Peripherals::take() else { stop("the peripherals are in use") };
     let mut watchdog = Watchdog::new(p.WATCHDOG);
     let clocks = hal::clocks::init_clocks_and_plls(
         CRYSTAL,
@@ -66,8 +59,7 @@ fn main() -> ! {
         &mut watchdog,
     );
     let Ok(clocks) = clocks else { stop("the clocks do not start") };
-    let clock = Clock::start(core.SYST);
-    let mut delay = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
+    let mut timer = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
 
     let pins = Pins::new(p.IO_BANK0, p.PADS_BANK0, Sio::new(p.SIO).gpio_bank0, &mut p.RESETS);
     let bus = Spi::<_, _, _, 8>::new(p.SPI0, (pins.gpio19.into_function(), pins.gpio18.into_function()))
@@ -78,7 +70,7 @@ fn main() -> ! {
         pins.gpio21.into_push_pull_output().into_dyn_pin(),
     ];
     let channel = p.DMA.split(&mut p.RESETS).ch0;
-    let panel = Panel::new(bus, channel, select, command, reset, &mut delay);
+    let panel = Panel::new(bus, channel, select, command, reset, &mut timer);
 
     let scene = Scene::<Rgb565>::new(SCREEN.size, &MORNING).unwrap_or_else(|problem| stop(problem));
     let mut free: &'static mut [u8] = &mut strip.colors;
@@ -87,7 +79,7 @@ fn main() -> ! {
     let mut transfer = panel.send(&first_band, &mut other.colors);
     loop {
         for number in 0..FRAMES {
-            let start = clock.cycles();
+            let start = timer.get_counter_low();
             let view = scene.frame(number * WAY / FRAMES, buffers);
             let mut view = view.unwrap_or_else(|problem| stop(problem));
             let mut frame = Frame::<Rgb565>::new(SCREEN, MORNING.mist.into());
@@ -106,7 +98,7 @@ fn main() -> ! {
                 transfer = panel.send(&area, band.into_bytes());
                 free = sent;
             };
-            let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
+            let time = timer.get_counter_low().wrapping_sub(start);
             defmt::info!("frame {=i32}: {=u32} us", number, time);
         }
     }

@@ -1,0 +1,228 @@
+//! The boards that are emulated. A new one is a row of [`BOARDS`] with a function that draws its pictures on the host, by the drawing
+//! code of the board, which is compiled here, too.
+
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use pinhole::{Angle, DepthBuffer, ScreenVertex, Statistics};
+use pinhole_import::{ImportedMesh, Options};
+use pinhole_render::firmware;
+use std::path::Path;
+use support::panel::framebuffer::Framebuffer;
+use support::panel::screen::StoredPixel;
+use support::panel::Held;
+
+// As files of their own they are right.
+#[allow(dead_code, unreachable_pub)]
+#[path = "../../rp2040-st7789/examples/balloon/scene.rs"]
+mod balloon;
+#[allow(dead_code, unreachable_pub)]
+#[path = "../../rp2040-st7789/src/picture.rs"]
+mod bands;
+#[allow(dead_code, unreachable_pub)] // the rectangles of changes are the firmware's
+#[path = "../../rp2040-embassy/src/picture.rs"]
+mod changes;
+#[allow(unreachable_pub)] // as the macro writes it
+mod drawing {
+    use super::bands;
+    pinhole_render::draws_bands!(bands);
+}
+
+/// A firmware of `boards`, and the circuit around its microcontroller.
+pub(crate) struct Board {
+    /// Its folder in `boards`, and for an example of it the example's name behind a slash.
+    pub(crate) name: &'static str,
+    pub(crate) chip: Chip,
+    pub(crate) display: Display,
+    /// Frames of a turn, after which pictures repeat.
+    pub(crate) frames: u32,
+    pub(crate) sends: Sends,
+    pub(crate) pictures: MakePictures,
+}
+
+/// What a frame sends after the first one, which decides how the end of a frame is recognised.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sends {
+    /// All pixels: a frame ends with the last one.
+    All,
+    /// Rectangles that contain what has changed: a frame ends when the display shows the next picture. Until then each pixel is
+    /// that of one picture or the next.
+    Changes,
+}
+
+/// The microcontroller and its wires to the display, by the numbers of pins.
+pub(crate) enum Chip {
+    /// Pins of SPI0 or SPI1.
+    Rp2040 { spi: u8, clock: u8, data: u8, select: u8, command: u8, reset: u8 },
+    /// Pins of port A, with SPI1.
+    Stm32f411 { clock: u8, data: u8, select: u8, command: u8, reset: u8 },
+}
+
+impl Chip {
+    pub(crate) fn reset(&self) -> u8 {
+        match *self {
+            Self::Rp2040 { reset, .. } | Self::Stm32f411 { reset, .. } => reset,
+        }
+    }
+}
+
+/// A display controller behind a glass.
+pub(crate) struct Display {
+    pub(crate) width: u16,
+    pub(crate) height: u16,
+    pub(crate) held: Held,
+    /// Whether the glass has blue where others have red.
+    pub(crate) bgr: bool,
+    /// Whether the glass shows right colours only with inversion on.
+    pub(crate) inverted: bool,
+    /// The shortest bit on the bus, in nanoseconds.
+    pub(crate) bit: u64,
+}
+
+/// The pixels of a frame of the turn as the display's memory stores them, row by row.
+pub(crate) type Pictures = Box<dyn FnMut(u32) -> Result<Vec<u32>, String>>;
+/// Makes the pictures, given the file of the model that the board draws.
+pub(crate) type MakePictures = fn(&Path) -> Result<Pictures, String>;
+
+pub(crate) const BOARDS: &[Board] = &[
+    Board {
+        name: "rp2040-st7789",
+        chip: PICO,
+        display: ST7789,
+        frames: 120, // as in the firmware, like those of each board
+        sends: Sends::All,
+        pictures: |model| turn(model, Size::new(240, 240), 120, drawing::draw),
+    },
+    Board {
+        name: "rp2040-st7789/balloon",
+        chip: PICO,
+        display: ST7789,
+        frames: BALLOON_FRAMES,
+        sends: Sends::All,
+        pictures: |_| balloon(Size::new(240, 240)),
+    },
+    Board {
+        name: "rp2040-embassy",
+        chip: PICO,
+        display: ST7789,
+        frames: changes::STEPS as u32,
+        sends: Sends::Changes,
+        pictures: changes,
+    },
+    Board {
+        name: "stm32f4-ili9341",
+        chip: Chip::Stm32f411 { clock: 5, data: 7, select: 4, command: 3, reset: 2 },
+        display: Display {
+            width: 320,
+            height: 240,
+            held: Held::LandscapeMirrored,
+            bgr: true,
+            inverted: false,
+            bit: 40, // beyond the data sheet, as the board's README says
+        },
+        frames: 48,
+        sends: Sends::All,
+        // The code of `boards/any-cortex-m`, word by word (`boards/share`).
+        pictures: |model| turn(model, Size::new(320, 240), 48, firmware::draw),
+    },
+];
+
+const PICO: Chip = Chip::Rp2040 { spi: 0, clock: 18, data: 19, select: 17, command: 20, reset: 21 };
+const ST7789: Display = Display {
+    width: 240,
+    height: 240,
+    held: Held::Upright,
+    bgr: false,
+    inverted: true,
+    bit: 16, // the data sheet's limit
+};
+
+/// Imports a board's model as its build script does, which is that of all these templates (`boards/share`).
+fn import(model: &Path) -> Result<ImportedMesh, String> {
+    let options = firmware::options(&firmware::TEMPLATE, &Options::default());
+    pinhole_import::import(model, &options).map_err(|error| error.to_string())
+}
+
+/// Reads the pictures of a turn from a file, in the format that the command's help describes. The file may have fewer pictures
+/// than a turn.
+pub(crate) fn read(board: &Board, file: &Path) -> Result<Pictures, String> {
+    let bytes = std::fs::read(file).map_err(|error| format!("{}: {error}", file.display()))?;
+    let length = usize::from(board.display.width) * usize::from(board.display.height) * 2;
+    if bytes.is_empty() || bytes.len() % length != 0 {
+        return Err(format!("{}: {} bytes are not pictures of {length} bytes", file.display(), bytes.len()));
+    }
+    Ok(Box::new(move |frame| {
+        let picture = bytes.chunks_exact(length).nth(frame as usize);
+        let picture = picture.ok_or_else(|| format!("there is no picture of frame {frame}"))?;
+        Ok(received(picture).collect())
+    }))
+}
+
+/// The pixels of a picture as the display stores them.
+fn stored(picture: &Framebuffer<Rgb565>) -> Vec<u32> {
+    picture.pixels().iter().map(|color| color.stored()).collect()
+}
+
+/// The pixels of bytes as they are on the bus: the high byte first.
+fn received(bytes: &[u8]) -> impl Iterator<Item = u32> + '_ {
+    bytes.as_chunks().0.iter().map(|&pair| u16::from_be_bytes(pair).into())
+}
+
+/// The pictures of a template that draws its model, turned by a part of a turn.
+fn turn(
+    model: &Path,
+    size: Size,
+    frames: u32,
+    draw: fn(&ImportedMesh, Angle, &mut Framebuffer<Rgb565>) -> Result<Statistics, String>,
+) -> Result<Pictures, String> {
+    let imported = import(model)?;
+    Ok(Box::new(move |frame| {
+        let mut picture = Framebuffer::new(size, Rgb565::new(31, 0, 31));
+        draw(&imported, Angle::turns(frame as i32, frames), &mut picture)?;
+        Ok(stored(&picture))
+    }))
+}
+
+/// Complete pictures of `boards/rp2040-embassy`, which sends only the rectangles that have changed.
+fn changes(model: &Path) -> Result<Pictures, String> {
+    let imported = import(model)?;
+    Ok(Box::new(move |frame| {
+        let mesh = imported.mesh().map_err(|error| error.to_string())?;
+        let colors = imported.colors().map_err(|error| error.to_string())?;
+        let color = |face: usize, level: u16| match colors {
+            Some(colors) => colors.lit(face, level),
+            None => pinhole::Dim::dim(changes::COLOR, level),
+        };
+        let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
+        let mut bins = vec![0; mesh.face_bins_len()];
+        let mut depths = vec![0; changes::PIXELS];
+        let mut strip = vec![0; 2 * changes::PIXELS];
+        let mut picture = changes::Picture::new(&mesh, &mut cache, &mut bins, &mut depths)?;
+        let mut turned = picture.turned(frame as i32)?;
+        let mut frame = changes::frame(changes::SCREEN);
+        let mut pixels = Vec::new();
+        for _ in 0..changes::SCREEN.size.height.div_ceil(changes::ROWS) {
+            pixels.extend(received(turned.next_band(color, &mut frame, &mut strip)?.into_bytes()));
+        }
+        Ok(pixels)
+    }))
+}
+
+/// As in the example's `main.rs`.
+const BALLOON_FRAMES: u32 = 96;
+
+/// The pictures of the example `balloon`, drawn in one piece, pixel by pixel; there is no model.
+fn balloon(size: Size) -> Result<Pictures, String> {
+    use balloon::{Buffers, Scene, MORNING, WAY};
+    let scene = Scene::new(size, &MORNING)?;
+    let mut buffers = Buffers::new();
+    let mut depths = vec![0; (size.width * size.height) as usize];
+    Ok(Box::new(move |frame| {
+        let mut picture = Framebuffer::new(size, Rgb565::from(MORNING.mist));
+        let depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), &mut depths);
+        let mut depth = depth.map_err(|error| error.to_string())?;
+        let way = frame as i32 * WAY / BALLOON_FRAMES as i32;
+        let Ok(()) = scene.frame(way, &mut buffers)?.draw(&mut depth, &mut picture);
+        Ok(stored(&picture))
+    }))
+}

@@ -1,0 +1,63 @@
+//! A scene on every kind of target, in one piece, in parts and in bands: all must be equal.
+#![allow(dead_code)] // not every target draws on every kind
+
+use core::fmt::Debug;
+use embedded_graphics_core::primitives::Rectangle;
+use pinhole::{MeshInstance, PixelFormat, ScreenVertex, SpanShader, StoredPixel};
+use support::bridge::ways::{self, Drawn};
+
+/// Where scenes are drawn, before which colour, and in bands of how many rows.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place<C> {
+    pub(crate) area: Rectangle,
+    pub(crate) sky: C,
+    pub(crate) rows: u32,
+}
+
+impl<C: PixelFormat + Debug> Place<C> {
+    /// Into memory, as shaders need it that look at what is there.
+    pub(crate) fn in_memory<const N: usize, S: SpanShader<C>>(
+        &self,
+        instance: &MeshInstance<'_>,
+        shade: &dyn Fn(usize) -> S,
+    ) -> Drawn<C>
+    where
+        C: StoredPixel<[u8; N]>,
+    {
+        let drawn = ways::in_memory(instance, self.area, self.sky, shade);
+        let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().cache_len()];
+        let mut bins = vec![0; instance.mesh().face_bins_len()];
+        let mut faces = instance.transform(&mut cache).bin_faces(&mut bins).expect("room");
+        let banded = ways::bands(self.area, self.sky, self.rows, &mut |band, _| {
+            let Ok(()) = faces.solid(shade, &mut band.pixels());
+        });
+        assert!(banded == drawn.solid, "bands of {} rows", self.rows);
+        let mut faces = instance.transform_depth(&mut cache).bin_faces(&mut bins).expect("room");
+        let banded = ways::bands(self.area, self.sky, self.rows, &mut |band, depth| {
+            let Ok(()) = faces.depth_tested(shade, depth, &mut band.pixels());
+        });
+        assert!(banded == drawn.deep, "bands of {} rows, with depth", self.rows);
+        drawn
+    }
+
+    /// Into memory and onto DrawTargets.
+    pub(crate) fn everywhere<const N: usize, S: SpanShader<C>>(
+        &self,
+        instance: &MeshInstance<'_>,
+        shade: &dyn Fn(usize) -> S,
+    ) -> Drawn<C>
+    where
+        C: StoredPixel<[u8; N]>,
+    {
+        let drawn = self.in_memory(instance, shade);
+        assert!(drawn == ways::everywhere(instance, self.area, self.sky, shade));
+        let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().cache_len()];
+        let mut bins = vec![0; instance.mesh().face_bins_len()];
+        let mut faces = instance.transform_depth(&mut cache).bin_faces(&mut bins).expect("room");
+        let banded = ways::bands(self.area, self.sky, self.rows, &mut |band, depth| {
+            faces.depth_tested(shade, depth, band).expect("a band refuses nothing");
+        });
+        assert!(banded == drawn.deep, "bands of {} rows, not as memory, with depth", self.rows);
+        drawn
+    }
+}
