@@ -4,7 +4,7 @@
 //! - **Domain**: lines of at most [`LONGEST`] pixels inside the scissor, on a target whose [`LEAST_RUN`](Target::LEAST_RUN) is
 //!   more than 1; except flat lines with `LEAST_RUN` pixels per run or more.
 //! - **Gain**: S6 into a DrawTarget in memory takes 29 % of the instructions on an M3, 14 for a pixel.
-//! - **Test**: `tests/raster/target_lines.rs`.
+//! - **Test**: `tests/raster/lines.rs`.
 //!
 //! A tall line is drawn from top to bottom and a wide one from left to right, so that a driver that gathers adjacent pixels into
 //! windows finds them in the order of a window.

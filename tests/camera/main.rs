@@ -1,13 +1,10 @@
 //! The vertex chain, from model coordinates to the screen: transforms, views, projections, viewports, and the way back
 //! from a pixel to a ray. The expectations are computed in f64 from the quantized inputs, or worked out by hand.
 
-mod framing;
 mod matrices;
 mod modelling;
 mod picking;
-mod planar_projection;
-mod projection_family;
+mod projections;
 mod ranges;
-mod setup_errors;
 mod spheres;
 mod vertex_chain;

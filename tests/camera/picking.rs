@@ -230,3 +230,26 @@ fn near_cuts_at_its_distance_for_any_near_and_far() {
     }
     println!("exactly on near: {} seen, {} not", exactly[1], exactly[0]);
 }
+
+/// In a mirror image, the planes through a pixel meet in the opposite order.
+#[test]
+fn rays_of_a_mirror_image_point_ahead() {
+    let area = rectangle(0, 0, 400, 400);
+    let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
+    let view = ViewTransform::look_at(point([0; 3]), point([0, 0, -ONE]), vector([0, ONE, 0]));
+    let world = [ONE / 4, ONE / 3, -2 * ONE];
+    for side in [1.0, -1.0] {
+        let lens = Projection::from_matrix(&[
+            [side, 0.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0, 0.0],
+            [0.0, 0.0, -1.0, -1.0],
+            [0.0, 0.0, -1.0, 1.0],
+        ]);
+        let camera = Camera::new(&view.expect("a view"), &lens.expect("a projection"), &viewport);
+        let ray = camera.ray(camera.project(point(world)).expect("in sight").point).expect("a ray");
+        let along = [ray.direction.x(), ray.direction.y(), ray.direction.z()].map(|c| chain::fx(c.to_bits()));
+        let to: V3 = core::array::from_fn(|i| chain::fx(world[i]) - reals(ray.origin)[i]);
+        // Half a sub-pixel is 3/51200 units wide there.
+        assert!(dot(to, along) > 0.0 && length(chain::cross(to, along)) / length(along) < 2e-4, "{ray:?}");
+    }
+}

@@ -1,7 +1,14 @@
-//! E3, E4, E5: each kind of set-up that cannot show a picture has its own error; set-ups close to these are accurate.
+//! E3, E4, E5: each kind of set-up that cannot show a picture has its own error; set-ups close to these are accurate. Bad meshes, lights
+//! and numbers have theirs too. That no set-up panics is shown by `tools/nopanic` and, with overflow checks, by the fuzz target `set_up`.
 
-use pinhole::{Projection, ProjectionError, ViewTransformError};
+use embedded_graphics_core::geometry::{Point, Size};
+use pinhole::space::{Model, World};
+use pinhole::{
+    Affine, Angle, Lambert, LightError, Mesh, MeshError, NumberError, Point3, Projection, ProjectionError,
+    Scalar, Vector3, ViewTransform, ViewTransformError, Viewport,
+};
 use support::bridge::pair::{ProjectionBits, ViewBits, ONE};
+use support::bridge::vector;
 use support::oracle::chain::{self, length};
 use support::oracle::rng::Rng;
 
@@ -186,3 +193,153 @@ fn perspective(near: i32, far: i32) -> Result<Projection, ProjectionError> {
 }
 
 const WINDOW: [i32; 4] = [-ONE, ONE, -ONE, ONE];
+
+#[test]
+fn invalid_meshes_are_refused_with_the_offending_index() {
+    let vertices = [[0i16; 3]; 3];
+    assert!(Mesh::new(&vertices, 0, &[[0, 1, 2]]).is_ok());
+    assert!(Mesh::new(&[], 0, &[]).is_ok());
+    assert!(matches!(
+        Mesh::new(&vertices, 0, &[[0, 1, 2], [0, 3, 1]]),
+        Err(MeshError::FaceIndex { face: 1, index: 3 })
+    ));
+    assert!(matches!(Mesh::new(&[], 0, &[[0, 0, 0]]), Err(MeshError::FaceIndex { face: 0, index: 0 })));
+    let mesh = Mesh::new(&vertices, 0, &[[0, 1, 2]]).expect("a mesh");
+    assert!(mesh.with_edges(&[[0, 1], [2, 2]]).is_ok());
+    assert!(matches!(
+        mesh.with_edges(&[[0, 1], [1, 2], [65535, 0]]),
+        Err(MeshError::EdgeIndex { edge: 2, index: 65535 })
+    ));
+    assert!(mesh.with_normals(&[[0, 0, 1]]).is_ok());
+    assert!(matches!(mesh.with_normals(&[]), Err(MeshError::NormalCount { faces: 1, normals: 0 })));
+    let wrong = MeshError::VertexNormalCount { vertices: mesh.vertices().len(), normals: 1 };
+    assert_eq!(mesh.with_vertex_normals(&[[0, 0, 1]]), Err(wrong));
+    let normals = vec![[0, 0, 32767]; mesh.vertices().len()];
+    assert_eq!(mesh.with_vertex_normals(&normals).expect("one each").vertex_normals(), normals);
+    // Lists that are looked up by `corners_of` and by face.
+    let (uv, [short, long]) = ([[0i16; 2]; 3], [[[0i16; 2]; 2].as_slice(), &[[0; 2]; 5]]);
+    assert_eq!(mesh.per_vertex(&uv), Ok(&uv[..]));
+    for list in [short, long] {
+        let error = mesh.per_vertex(list).expect_err("of another length");
+        assert_eq!(error, MeshError::VertexListCount { vertices: 3, entries: list.len() });
+        let message = format!("a list of {} entries for 3 vertices: give one per vertex", list.len());
+        assert_eq!(error.to_string(), message);
+        assert_eq!(mesh.per_face(list), Err(MeshError::FaceListCount { faces: 1, entries: list.len() }));
+    }
+    assert_eq!(mesh.per_face(&[7]), Ok(&[7][..]));
+    let none = mesh.per_face::<u8>(&[]).expect_err("none");
+    assert_eq!(none.to_string(), "a list of 0 entries for 1 faces: give one per face");
+
+    assert_eq!(mesh.corners_of(0, &[7]).iter().filter(|&&c| c == 7).count(), 1);
+    assert_eq!(mesh.corners_of(1, &[7; 9]), [0; 3]); // no such face
+
+    // As many vertices as a u16 can name, and one more.
+    let many = vec![[1i16, 2, 3]; 65537];
+    assert!(Mesh::new(&many[..65536], 0, &[[0, 65535, 9]]).is_ok());
+    assert!(matches!(Mesh::new(&many, 0, &[]), Err(MeshError::TooManyVertices { .. })));
+    // −32 … 15
+    for exponent in i8::MIN..=i8::MAX {
+        let mesh = Mesh::new(&vertices, exponent, &[]);
+        if (-32..=15).contains(&exponent) {
+            assert!(mesh.is_ok(), "{exponent}");
+        } else {
+            assert!(matches!(mesh, Err(MeshError::Exponent { .. })), "{exponent}");
+        }
+    }
+    let fixed = [[Scalar::ZERO; 3]; 2];
+    assert!(matches!(
+        Mesh::from_fixed(&fixed, &[[0, 1, 2]]),
+        Err(MeshError::FaceIndex { face: 0, index: 2 })
+    ));
+}
+
+#[test]
+fn a_light_without_direction_is_refused() {
+    let model = Affine::<Model, World>::identity();
+    assert!(matches!(Lambert::new(&model, Vector3::from_ints(0, 0, 0), 64), Err(LightError::ZeroDirection)));
+    for l in [[1, 0, 0], [i32::MIN; 3], [i32::MAX, 1, -1]] {
+        assert!(Lambert::new(&model, vector(l), 300).is_ok());
+    }
+}
+
+#[test]
+fn floats_beyond_the_numbers_are_an_error() {
+    for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        assert_eq!(Point3::<World>::from_f32(0.0, bad, 0.0), Err(NumberError::NotFinite));
+        assert_eq!(Vector3::<World>::from_f32(bad, 0.0, 0.0), Err(NumberError::NotFinite));
+        assert_eq!(Angle::from_degrees_f32(bad), Err(NumberError::NotFinite));
+    }
+    for bad in [32768.0, -32769.0, 1e30, f32::MAX, f32::MIN] {
+        assert_eq!(Point3::<World>::from_f32(0.0, 0.0, bad), Err(NumberError::OutOfRange));
+    }
+    assert_eq!(Angle::from_degrees_f32(1e30), Err(NumberError::OutOfRange));
+}
+
+/// Cameras built at compile time, with every `const` constructor.
+mod constant {
+    use super::*;
+    use pinhole::{Camera, Projection, Window};
+
+    const SIZE: Size = Size::new(320, 240);
+    const UPWARDS: Vector3<World> = Vector3::from_ints(1, 9, 2);
+    const EYE: Point3<World> = Point3::from_ints(7, -3, 11);
+    const NEAR: Scalar = Scalar::from_bits(45_678);
+    const FAR: Scalar = Scalar::from_int(77);
+    const BORDERS: Window = Window {
+        left: Scalar::from_bits(-33_333),
+        right: Scalar::from_bits(44_444),
+        bottom: Scalar::from_bits(-22_222),
+        top: Scalar::from_bits(55_555),
+    };
+
+    /// Built at run time, by every `const` constructor.
+    macro_rules! cameras {
+        ($eye:expr) => {{
+            let eye = $eye;
+            let viewings = [
+                ViewTransform::look_at(eye, Point3::from_ints(0, 1, 0), UPWARDS),
+                ViewTransform::look_along(eye, Vector3::from_ints(-3, 1, 4), UPWARDS),
+                ViewTransform::from_reference(eye, Vector3::from_ints(1, 2, 3), UPWARDS),
+            ];
+            let projections = [
+                Projection::perspective(Angle::degrees(50), SIZE, NEAR, FAR),
+                Projection::frustum(BORDERS, NEAR, FAR),
+                Projection::orthographic(BORDERS, NEAR, FAR),
+            ];
+            let viewport = Viewport::new(Point::new(5, -7), SIZE);
+            let (mut cameras, mut i) = ([None; 9], 0);
+            while i < 9 {
+                if let (Ok(viewing), Ok(projection), Ok(viewport)) =
+                    (&viewings[i / 3], &projections[i % 3], &viewport)
+                {
+                    cameras[i] = Some(Camera::new(viewing, projection, viewport));
+                }
+                i += 1;
+            }
+            cameras
+        }};
+    }
+
+    const CAMERAS: [Option<Camera>; 9] = cameras!(EYE);
+
+    #[test]
+    fn is_what_the_program_makes() {
+        assert!(CAMERAS.iter().all(Option::is_some));
+        assert_eq!(CAMERAS, cameras!(core::hint::black_box(EYE)));
+        const TURN: Affine<Model, World> = Affine::rotation_y(Angle::degrees(33));
+        assert_eq!(TURN, Affine::rotation_y(core::hint::black_box(Angle::degrees(33))));
+    }
+}
+
+/// The faces adjacent to edges belong to the edges that the mesh had when they were set.
+#[test]
+fn other_edges_have_no_faces_beside_them_yet() {
+    let (vertices, faces) = ([[0; 3], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2], [0, 2, 3]]);
+    let mesh = Mesh::new(&vertices, 0, &faces)
+        .and_then(|mesh| mesh.with_edges(&[[0, 2]]))
+        .and_then(|mesh| mesh.with_edge_faces(&[[0, 1]]))
+        .expect("a mesh");
+    assert_eq!(mesh.edge_faces(), [[0, 1]]);
+    let other = mesh.with_edges(&[[0, 1], [1, 2]]).expect("edges");
+    assert_eq!(other.edge_faces(), [[0; 2]; 0]);
+}

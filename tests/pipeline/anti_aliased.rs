@@ -5,12 +5,12 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::raster::Pixel;
 use pinhole::{
-    draw_line, edge_faces, AntiAliased, Blend, Mesh, MeshInstance, PixelFormat, Pixels, ScreenVertex,
-    StoredPixel, Stroke,
+    draw_line, edge_faces, AntiAliased, Blend, DepthBuffer, Mesh, MeshInstance, PixelFormat, Pixels,
+    ScreenVertex, StoredPixel, Stroke,
 };
 use support::bridge::draw::{cube_camera, CUBE, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{ModelBits, Step};
-use support::bridge::ways::{bands, lines_by_every_call, memory};
+use support::bridge::ways::{bands, lines_by_every_call, memory, memory_with};
 use support::oracle::rng::Rng;
 
 const WIDTH: u32 = 64;
@@ -155,6 +155,31 @@ fn all_ways<const N: usize, C: PixelFormat + StoredPixel<[u8; N]> + Blend + core
 fn edges_are_equal_in_bands_and_in_one_piece() {
     all_ways(Rgb565::YELLOW, Rgb565::new(3, 9, 14));
     all_ways(Gray8::WHITE, Gray8::new(70));
+}
+
+/// An edge stores its depth where it has half of a pixel or more.
+#[test]
+fn pixels_of_which_an_edge_has_half_store_its_depth() {
+    let mut counts = [0; 2];
+    let camera = cube_camera((0, 0, WIDTH, HEIGHT)).library();
+    for (turn, edge) in CUBE_EDGES.iter().enumerate() {
+        let mesh = Mesh::new(&CUBE, 0, &[]).and_then(|mesh| mesh.with_edges(core::slice::from_ref(edge)));
+        let mesh = mesh.expect("an edge");
+        let model = ModelBits(vec![Step::Y(turn as u32 * 123_000_000), Step::X(77_000_000)]).library();
+        let instance = camera.place(&mesh, &model);
+        let (pixels, depths) = memory_with(AREA, AREA, Gray8::BLACK, &mut |target, depth| {
+            let stroke = AntiAliased(Gray8::WHITE);
+            let Ok(_) = instance.wireframe_depth_tested(stroke, &mut [], depth, target);
+        });
+        // A level on either side is left to rounding.
+        for (pixel, depth) in pixels.into_iter().zip(depths) {
+            if !(127..=128).contains(&pixel.luma()) {
+                assert_eq!(depth != DepthBuffer::NOTHING, pixel.luma() > 128, "{edge:?}: {pixel:?}");
+                counts[usize::from(pixel.luma() > 128)] += u32::from(pixel.luma() > 0);
+            }
+        }
+    }
+    assert!(counts.iter().all(|&count| count > 100), "{counts:?}");
 }
 
 /// The target is larger: the pixels of a line that leaves the viewport end at its border, in columns too that the border divides.

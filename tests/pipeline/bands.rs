@@ -1,5 +1,5 @@
 //! Bands at their limits: storage that is too small, displays that fail, meshes larger than the storage, and strips that a transfer owns,
-//! as with DMA. That bands add up to the full picture is tested on random scenes in `properties/bands.rs`.
+//! as with DMA. That bands add up to the full picture is tested on random scenes in `properties/scenes.rs`.
 
 use core::ops::ControlFlow::{Break, Continue};
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, GrayColor, Rgb565};

@@ -337,10 +337,14 @@ fn classified(camera: &CameraBits, model: &ModelBits, vertices: &[[i16; 3]], exp
     let (library, placed) = (camera.library().with_far_clip(true), model.library());
     let sphere = mesh.bounding_sphere();
     let found = library.visibility(&sphere, &placed);
-    // One frustum for many objects gives the camera's answer for each; no radius is larger than the largest number.
+    // One frustum for many objects gives the camera's answer for each.
     assert_eq!(library.frustum().visibility(&sphere, &placed), found, "{camera:?} {model:?}");
-    let largest = Sphere { radius: scalar(i32::MAX), ..sphere };
-    assert_eq!(library.visibility(&largest, &placed), Visibility::Partly, "{camera:?} {model:?}");
+    // The largest radius stands for no bound, also where a model makes it small.
+    let boundless = Sphere { radius: scalar(i32::MAX), ..sphere };
+    let shrunk = ModelBits([vec![Step::Scale([1; 3])], model.0.clone()].concat()).library();
+    for placed in [&placed, &shrunk] {
+        assert_eq!(library.visibility(&boundless, placed), Visibility::Partly, "{camera:?} {model:?}");
+    }
     let (exact, exact_model) = (camera.exact(), model.exact());
     let margin = |&v: &[i16; 3]| {
         let clip = exact.clip(&exact_model, chain::vertex(v, exponent));

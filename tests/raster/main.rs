@@ -5,4 +5,3 @@ mod fill_rule;
 mod lines;
 mod memory_triangles;
 mod random_shapes;
-mod target_lines;

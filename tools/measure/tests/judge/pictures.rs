@@ -3,6 +3,7 @@
 //! 100 random scenes of each kind; `PINHOLE_FULL=1 cargo test -p pinhole-measure pictures -- --nocapture` draws 3000.
 
 use crate::harness::{Drawn, Folder};
+use pinhole_apps_support::bodies::{cuboid, moved, torus, Body};
 use serde_json::{json, Value};
 use std::path::Path;
 use support::oracle;
@@ -71,43 +72,16 @@ fn the_samples_are_explained_by_moving_edges_less_than_half_a_sub_pixel() {
     }
 }
 
-fn torus(major: f64, minor: f64, around: usize, across: usize) -> (Vec<V3>, Vec<[usize; 3]>) {
-    let turn = |i: usize, n: usize| (i as f64 / n as f64 * core::f64::consts::TAU).sin_cos();
-    let mut vertices = Vec::new();
-    let mut triangles = Vec::new();
-    for i in 0..around {
-        let (s, c) = turn(i, around);
-        for j in 0..across {
-            let (t, d) = turn(j, across);
-            let r = major + minor * d;
-            vertices.push([r * c, minor * t, -r * s]);
-            let at = |i: usize, j: usize| (i % around) * across + j % across;
-            triangles.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
-            triangles.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
-        }
-    }
-    (vertices, triangles)
-}
-
-fn cube() -> (Vec<V3>, Vec<[usize; 3]>) {
-    let vertices = (0..8).map(|k| [0, 1, 2].map(|i| if k >> i & 1 == 1 { 1.0 } else { -1.0 })).collect();
-    let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-    (vertices, faces.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect())
-}
-
 /// Random tetrahedra: they pierce each other and themselves cover little, slivers among them.
-fn splinters(rng: &mut Rng) -> (Vec<V3>, Vec<[usize; 3]>) {
-    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+fn splinters(rng: &mut Rng) -> Body {
+    let mut body = Body::new();
     for _ in 0..40 {
-        let first = vertices.len();
         let at = [0; 3].map(|_| rng.real(-1.0, 1.0));
         let size = rng.log(0.01, 1.0);
-        for _ in 0..4 {
-            vertices.push(at.map(|c| c + rng.real(-size, size)));
-        }
-        triangles.extend([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]].map(|t| t.map(|i| first + i)));
+        let corners = [0; 4].map(|_| at.map(|c| c + rng.real(-size, size)));
+        body.extend([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]].map(|t| t.map(|i: usize| corners[i])));
     }
-    (vertices, triangles)
+    body
 }
 
 fn rotation(rng: &mut Rng) -> M4 {
@@ -121,11 +95,12 @@ fn rotation(rng: &mut Rng) -> M4 {
 
 /// A random scene of a closed mesh; the camera stands outside, inside, or in its surface.
 fn random_scene(rng: &mut Rng, far_from_origin: bool) -> Value {
-    let (vertices, triangles) = match rng.below(3) {
+    let body = match rng.below(3) {
         0 => torus(1.0, rng.real(0.1, 0.6), 3 + rng.below(20), 3 + rng.below(12)),
-        1 => cube(),
+        1 => moved(&cuboid([2.0; 3]), |corner| corner.map(|c| c - 1.0)),
         _ => splinters(rng),
     };
+    let triangles: Vec<_> = (0..body.len()).map(|i| [0, 1, 2].map(|corner| 3 * i + corner)).collect();
     let size = rng.log(0.01, 100.0);
     let mut model = rotation(rng);
     for row in model.iter_mut().take(3) {
@@ -135,7 +110,7 @@ fn random_scene(rng: &mut Rng, far_from_origin: bool) -> Value {
     // A mesh may stand far from its own origin.
     let own = [0.0, rng.log(10.0, 1e6)][rng.below(2)];
     let own: V3 = [0; 3].map(|_| rng.real(-own, own));
-    let vertices: Vec<V3> = vertices.iter().map(|v| core::array::from_fn(|i| v[i] + own[i])).collect();
+    let vertices: Vec<V3> = body.iter().flatten().map(|v| core::array::from_fn(|i| v[i] + own[i])).collect();
     let place = if far_from_origin { 20_000.0 } else { size };
     let at: V3 = [0; 3].map(|_| rng.real(-place, place));
     for (row, c) in model.iter_mut().zip(at) {
