@@ -15,8 +15,8 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::Text;
 use pinhole::{
-    mesh_buffers, Affine, Angle, Band, BinnedFaces, Camera, DepthBuffer, Dim, Frame, Lambert, Mesh,
-    MeshBuffers, MeshInstance, PixelFormat, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport,
+    mesh_buffers, Affine, Angle, Band, BinnedFaces, Camera, Color, DepthBuffer, Frame, Lambert, Mesh,
+    MeshBuffers, MeshInstance, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport,
 };
 use pinhole_apps_support::{command, files, still};
 use std::error::Error;
@@ -102,7 +102,8 @@ impl Display {
 
     /// Sets the window and writes its bytes.
     fn receive(&mut self, area: &Rectangle, bytes: &[u8]) {
-        let colours = bytes.chunks_exact(2).map(|b| Rgb565::decode(u16::from_be_bytes([b[0], b[1]]).into()));
+        let colours =
+            bytes.chunks_exact(2).map(|b| Rgb565::from_bits(u16::from_be_bytes([b[0], b[1]]).into()));
         for (at, colour) in area.points().zip(colours) {
             self.0[(at.y as u32 * SIZE.width + at.x as u32) as usize] = colour;
         }

@@ -10,8 +10,8 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Band, Camera, Channels, Cull, DepthBuffer, Dithered, Frame, Gouraud, Lambert, Lit, Mesh,
-    PixelFormat, Point3, Projection, Scalar, ScreenVertex, SpanShader, Vector3, ViewTransform, Viewport,
+    Affine, Angle, Band, Camera, Color, Cull, DepthBuffer, Dithered, Frame, Gouraud, Lambert, Lit, Mesh,
+    Point3, Projection, Scalar, ScreenVertex, SpanShader, Vector3, ViewTransform, Viewport,
 };
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::generated::Generated;
@@ -92,9 +92,7 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
     still::png(size, sheet.pixels())
 }
 
-fn pictures<C: Channels + PixelFormat + Into<Rgb888>>(
-    scene: &Scene,
-) -> Result<[Vec<Rgb888>; 2], Box<dyn Error>>
+fn pictures<C: Color + Into<Rgb888>>(scene: &Scene) -> Result<[Vec<Rgb888>; 2], Box<dyn Error>>
 where
     Gouraud: SpanShader<C>,
     Lit: SpanShader<C>,
@@ -108,7 +106,7 @@ where
 /// The scene in one pixel format, drawn in bands.
 fn picture<C, I, L>(scene: &Scene, shaders: Shaders<I, L>) -> Result<Vec<Rgb888>, Box<dyn Error>>
 where
-    C: Channels + PixelFormat + Into<Rgb888>,
+    C: Color + Into<Rgb888>,
     I: SpanShader<C>,
     L: SpanShader<C>,
 {
@@ -160,7 +158,7 @@ impl Scene {
     }
 
     /// Draws in bands of `rows` rows; `shaders` makes the shaders.
-    fn draw<C: Channels + PixelFormat, I: SpanShader<C>, L: SpanShader<C>>(
+    fn draw<C: Color, I: SpanShader<C>, L: SpanShader<C>>(
         &self,
         rows: u32,
         (smooth, lit): Shaders<I, L>,

@@ -10,7 +10,7 @@ use embedded_graphics::pixelcolor::raw::RawU8;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use pinhole::{
-    Affine, Angle, Camera, Channels, DepthBuffer, Flat, Frame, Gouraud, Lambert, Mesh, PixelFormat, Point3,
+    Affine, Angle, Camera, Color, DepthBuffer, Flat, Format, Frame, Gouraud, Lambert, Mesh, Point3,
     Projection, Scalar, ScreenVertex, Statistics, Vector3, ViewTransform, Viewport,
 };
 use pinhole_apps_support::canvas::Canvas;
@@ -30,34 +30,22 @@ impl PixelColor for Rgb332 {
     type Raw = RawU8;
 }
 
-/// Bands need this trait.
-impl PixelFormat for Rgb332 {
-    const BITS: u32 = 8;
+impl Color for Rgb332 {
+    const FORMAT: Format = Format::rgb(3, 3, 2);
 
-    fn encode(self) -> u32 {
+    fn to_bits(self) -> u32 {
         self.0.into()
     }
 
-    fn decode(bits: u32) -> Self {
+    fn from_bits(bits: u32) -> Self {
         Self(bits as u8)
     }
 }
 
-/// Smooth and dithered shaders need this trait.
-impl Channels for Rgb332 {
-    const GRAY: bool = false;
-    const MAX: [u8; 3] = [7, 7, 3];
-
-    fn from_channels([r, g, b]: [u8; 3]) -> Self {
-        Self(r << 5 | g << 2 | b)
-    }
-}
-
 impl From<Rgb332> for Rgb565 {
-    fn from(Rgb332(bits): Rgb332) -> Self {
-        let part =
-            |shift: u32, max: u8, to: u32| (u32::from(bits >> shift & max) * to / u32::from(max)) as u8;
-        Rgb565::new(part(5, 7, 31), part(2, 7, 63), part(0, 3, 31))
+    fn from(color: Rgb332) -> Self {
+        let [r, g, b] = color.channels().map(u32::from);
+        Rgb565::new((r * 31 / 7) as u8, (g * 63 / 7) as u8, (b * 31 / 3) as u8)
     }
 }
 

@@ -50,7 +50,7 @@
 //! | cameras | [`Camera::framing`] | [`ViewTransform`], [`Projection`], [`Viewport`]; [choosing a projection](book::ch3_projections) |
 //! | drawing | [`MeshInstance`]: `solid`, `depth_tested`, `wireframe`, `hidden_line` … | [`Painter`], [`Statistics`]; [which method](book::ch4_visibility) |
 //! | many objects | [`Scene`] | [`Frustum`], [`Camera::visibility`] |
-//! | targets | [`Target`]: any DrawTarget, or pixels in memory | [`Picture`], [`PixelFormat`] |
+//! | targets | [`Target`]: any DrawTarget, or pixels in memory | [`Picture`], [`Color`] |
 //! | no framebuffer, DMA, two cores | [`Frame`], [`mesh_buffers!`], [`strip_buffers!`] | [bands](book::ch5_bands); [`DirtyRegions`] sends only what has changed |
 //! | light | [`Lambert`] | [`Lights`], [`PointLight`], [`BlinnPhong`], [`Matcap`] |
 //! | shading | a colour, [`Flat`], [`Gouraud`], [`ShadeTable`] | [`Texture`], [`Fogged`], [`VertexFog`], [`Translucent`], [`ScreenDoor`]; your own: [`Shader`] |
@@ -78,6 +78,7 @@
 pub mod book;
 mod camera;
 pub mod clip;
+mod color;
 mod fast;
 mod math;
 pub mod meshes;
@@ -94,6 +95,7 @@ pub use camera::{
     Ray, ReferenceVolume, ScreenVertex, Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport,
     ViewportError, Visibility, Window,
 };
+pub use color::{Color, Format, StoredPixel};
 pub use math::{
     Affine, Angle, AxisError, ClipPoint, Coordinate, Inside, InverseError, MatrixError, NormalMatrix,
     NumberError, Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
@@ -110,15 +112,14 @@ pub use scene::{
     TextureCoords, WithPlanes, WithoutPlanes,
 };
 pub use shading::{
-    Accuracy, Alpha, AntiAliased, Blend, BlendMode, Blended, BlinnPhong, Channels, ClampedTexels, ColorKeyed,
-    CornerValues, DepthTested, Dim, DirectionalLight, Dithered, ExponentialFog, Flat, Fog, FogError,
-    FogProfile, FogTable, Fogged, Gouraud, Half, HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError,
-    Lights, LinearFog, Lit, LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, PointLight,
-    RigidLambert, ScreenDoor, ShadeTable, Shader, SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource,
-    SquaredFog, Stroke, TableShader, TexelSlice, Texels, Texture, TextureError, Textured, Translucent,
-    VertexFog,
+    Accuracy, Alpha, AntiAliased, BlendMode, Blended, BlinnPhong, ClampedTexels, ColorKeyed, CornerValues,
+    DepthTested, DirectionalLight, Dithered, ExponentialFog, Flat, Fog, FogError, FogProfile, FogTable,
+    Fogged, Gouraud, Half, HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError, Lights, LinearFog,
+    Lit, LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, PointLight, RigidLambert, ScreenDoor,
+    ShadeTable, Shader, SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource, SquaredFog, Stroke,
+    TableShader, TexelSlice, Texels, Texture, TextureError, Textured, Translucent, VertexFog,
 };
 pub use surface::{
     Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,
-    PictureError, PixelFormat, PixelStore, Pixels, StoredPixel, StripBuffers, Target, Tracked, TransferCost,
+    PictureError, PixelStore, Pixels, StripBuffers, Target, Tracked, TransferCost,
 };

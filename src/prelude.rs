@@ -22,6 +22,7 @@ pub use crate::camera::{
     Ray, ReferenceVolume, ScreenVertex, Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport,
     ViewportError, Visibility, Window,
 };
+pub use crate::color::{Color, Format, StoredPixel};
 pub use crate::math::{
     Affine, AxisError, ClipPoint, Coordinate, Inside, InverseError, MatrixError, NormalMatrix, NumberError,
     Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
@@ -36,16 +37,15 @@ pub use crate::scene::{
     TextureCoords, WithPlanes, WithoutPlanes,
 };
 pub use crate::shading::{
-    Accuracy, Alpha, AntiAliased, Blend, BlendMode, Blended, BlinnPhong, Channels, ClampedTexels, ColorKeyed,
-    CornerValues, DepthTested, Dim, DirectionalLight, Dithered, ExponentialFog, Flat, Fog, FogError,
-    FogProfile, FogTable, Fogged, Gouraud, Half, HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError,
-    Lights, LinearFog, Lit, LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, PointLight,
-    RigidLambert, ScreenDoor, ShadeTable, Shader, SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource,
-    SquaredFog, Stroke, TableShader, TexelSlice, Texels, Texture, TextureError, Textured, Translucent,
-    VertexFog,
+    Accuracy, Alpha, AntiAliased, BlendMode, Blended, BlinnPhong, ClampedTexels, ColorKeyed, CornerValues,
+    DepthTested, DirectionalLight, Dithered, ExponentialFog, Flat, Fog, FogError, FogProfile, FogTable,
+    Fogged, Gouraud, Half, HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError, Lights, LinearFog,
+    Lit, LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, PointLight, RigidLambert, ScreenDoor,
+    ShadeTable, Shader, SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource, SquaredFog, Stroke,
+    TableShader, TexelSlice, Texels, Texture, TextureError, Textured, Translucent, VertexFog,
 };
 pub use crate::space::{Model, View, World};
 pub use crate::surface::{
     Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,
-    PictureError, PixelFormat, PixelStore, Pixels, StoredPixel, Target, Tracked, TransferCost,
+    PictureError, PixelStore, Pixels, Target, Tracked, TransferCost,
 };

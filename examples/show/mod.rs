@@ -12,7 +12,7 @@ use embedded_graphics_core::{
 };
 use pinhole::space::Model;
 use pinhole::{
-    Affine, Angle, Camera, DepthBuffer, Dim, Lambert, Mesh, Painter, Point3, Projection, Scalar,
+    Affine, Angle, Camera, Color, DepthBuffer, Lambert, Mesh, Painter, Point3, Projection, Scalar,
     ScreenVertex, Statistics, Vector3, ViewTransform, Viewport,
 };
 

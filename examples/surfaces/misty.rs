@@ -5,7 +5,7 @@ use super::{bricks, camera, scene, view, Drawn, CLAY, NIGHT, TEAL};
 use embedded_graphics::pixelcolor::Rgb888;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Blend, Camera, Flat, Fog, FogTable, Fogged, Gouraud, Lambert, Mesh, Scalar, Texture,
+    Affine, Angle, Camera, Color, Flat, Fog, FogTable, Fogged, Gouraud, Lambert, Mesh, Scalar, Texture,
     Vector3, VertexFog,
 };
 use std::collections::BTreeSet;

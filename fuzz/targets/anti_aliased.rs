@@ -19,7 +19,7 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, RgbCo
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use input::Scene;
 use libfuzzer_sys::fuzz_target;
-use pinhole::{draw_line, AntiAliased, Blend, PixelFormat, ScreenVertex, StoredPixel};
+use pinhole::{draw_line, AntiAliased, Color, ScreenVertex, StoredPixel};
 use support::bridge::ways;
 
 /// The part of a pixel with x and y from 0 to 1 that lies between two parallels to a line through `at`, whose slope is at most 1 in
@@ -115,7 +115,7 @@ fn line(b: &mut Bytes<'_>) {
     }
 }
 
-fn edges<const N: usize, C: Blend + PixelFormat + StoredPixel<[u8; N]> + core::fmt::Debug>(
+fn edges<const N: usize, C: Color + StoredPixel<[u8; N]> + core::fmt::Debug>(
     scene: &Scene,
     rows: u32,
     [sky, face, line]: [C; 3],

@@ -3,7 +3,7 @@
 
 use core::fmt::Debug;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{MeshInstance, PixelFormat, ScreenVertex, SpanShader, StoredPixel};
+use pinhole::{MeshInstance, Color, ScreenVertex, SpanShader, StoredPixel};
 use support::bridge::ways::{self, Drawn};
 
 /// Where scenes are drawn, before which colour, and in bands of how many rows.
@@ -14,7 +14,7 @@ pub(crate) struct Place<C> {
     pub(crate) rows: u32,
 }
 
-impl<C: PixelFormat + Debug> Place<C> {
+impl<C: Color + Debug> Place<C> {
     /// Into memory, as shaders need it that look at what is there.
     pub(crate) fn in_memory<const N: usize, S: SpanShader<C>>(
         &self,

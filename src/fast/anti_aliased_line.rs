@@ -14,10 +14,11 @@
 //! bounds check of a pixel is also the test whether its row lies in the scissor. The outermost two of the five pixels of a column are
 //! covered in few columns of steep lines only, and have a function of their own.
 
+use crate::color::StoredPixel;
 use crate::math::hints::keep_rolled;
 use crate::raster::{rest, share, unrounded_rest, LineArea, LineCoverage, Scissor};
 use crate::shading::Stroke;
-use crate::surface::{StoredPixel, Target};
+use crate::surface::Target;
 use core::cell::Cell;
 
 use super::memory_of;

@@ -11,12 +11,13 @@
 //! [`DepthFill`].
 
 use super::{depth_gradient, memory_of, Low, RowOrigin, Rows, Small};
+use crate::color::StoredPixel;
 use crate::math::cores::CORTEX_M0;
 use crate::math::hints::{keep_rolled, opaque};
 use crate::math::unrolled::each8;
 use crate::raster::{AnyTriangle, DepthTriangle, Gradient, RowScratch, Scissor, Trapezoid};
 use crate::surface::block_fill::fill_eight;
-use crate::surface::{DepthBuffer, DepthTarget, PixelRows, PixelStore, StoredPixel, Target};
+use crate::surface::{DepthBuffer, DepthTarget, PixelRows, PixelStore, Target};
 
 /// What the pixels of a triangle are set to where they are nearer than the depth buffer.
 pub(crate) trait DepthFill<Cell>: Copy {

@@ -14,11 +14,12 @@ use super::depth_fill::{
 };
 use super::shaded_fill::fill;
 use super::{depth_gradient, memory_of, RowOrigin};
+use crate::color::StoredPixel;
 use crate::math::hints::keep_rolled;
 use crate::raster::{DepthTriangle, Gradient, Scissor, Triangle};
 use crate::shading::{DrawLevels, FogBounds, FogLevel, SpanShader};
 use crate::surface::block_fill::{fill_pairs, pair};
-use crate::surface::{DepthTarget, StoredPixel, Target};
+use crate::surface::{DepthTarget, Target};
 
 /// Fills a triangle with one colour for each level of fog, if the shader has these and the target's pixels lie in memory; otherwise
 /// draws nothing and returns `false`.

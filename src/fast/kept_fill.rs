@@ -11,10 +11,11 @@
 use super::depth_fill::BLOCK;
 use super::shaded_fill::{each_run, each_run_nearer, fill};
 use super::{depth_gradient, memory_of};
+use crate::color::StoredPixel;
 use crate::math::hints::keep_rolled;
 use crate::math::unrolled::each8;
 use crate::raster::{DepthTriangle, Scissor, Span, Triangle};
-use crate::surface::{DepthTarget, PixelStore, StoredPixel, Target};
+use crate::surface::{DepthTarget, PixelStore, Target};
 
 type CellOf<T> = <<T as Target>::Store as PixelStore>::Cell;
 

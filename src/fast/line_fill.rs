@@ -12,10 +12,11 @@
 
 use super::line_slope::{slope, HALF, LONGEST};
 use super::memory_of;
+use crate::color::StoredPixel;
 use crate::math::hints::{keep_branch, keep_rolled};
 use crate::raster::{pixel_index, LineSetup, LineSpans, Pixel, Scissor, Span};
 use crate::surface::block_fill::{fill_pairs, pair};
-use crate::surface::{StoredPixel, Target};
+use crate::surface::Target;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// Draws a line inside the scissor, which lies in the target, if the target's pixels lie in memory; otherwise draws nothing and

@@ -11,11 +11,12 @@
 use super::depth_fill::{fill_rows, DepthFill, RowFill, BLOCK};
 use super::table_fill::LookupRows;
 use super::{depth_gradient, RowOrigin, Rows, Small};
+use crate::color::StoredPixel;
 use crate::math::hints::{keep_rolled, opaque};
 use crate::math::unrolled::each8;
 use crate::raster::{DepthTriangle, Gradient, Scissor, Triangle};
 use crate::shading::hidden;
-use crate::surface::{PixelRows, PixelStore, StoredPixel};
+use crate::surface::{PixelRows, PixelStore};
 
 /// Fills a triangle of the [`Small`] tier; otherwise draws nothing and returns `false`.
 #[inline(never)] // its loop needs all registers

@@ -11,11 +11,12 @@
 
 use super::depth_fill::{is_clear, put_nearer, BLOCK};
 use super::{depth_gradient, memory_of, packed_fill, Low, RowOrigin, Rows};
+use crate::color::StoredPixel;
 use crate::math::hints::{keep_rolled, opaque};
 use crate::math::unrolled::each8;
 use crate::raster::{AnyTriangle, DepthTriangle, Gradient, PixelLayout, Scissor, Span, Trapezoid, Triangle};
 use crate::shading::{DrawRuns, Line, SpanShader};
-use crate::surface::{DepthBuffer, DepthTarget, PixelRows, PixelStore, StoredPixel, Target};
+use crate::surface::{DepthBuffer, DepthTarget, PixelRows, PixelStore, Target};
 
 /// Fills a triangle with the colours of a shader that is set up for it, if the target's pixels lie in memory; otherwise draws
 /// nothing and returns `false`.

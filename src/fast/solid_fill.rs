@@ -9,10 +9,11 @@
 use super::attach::memory_with_drawable;
 use super::Rows;
 use super::{memory_of, Low, Small};
+use crate::color::StoredPixel;
 use crate::math::cores::CORTEX_M0;
 use crate::raster::{AnyTriangle, PixelLayout, Scissor, ScreenPoint, Trapezoid, Triangle};
 use crate::surface::block_fill::{fill_pairs, LONG};
-use crate::surface::{PixelRows, PixelStore, StoredPixel, Target};
+use crate::surface::{PixelRows, PixelStore, Target};
 
 /// Fills a triangle, if the target's pixels lie in memory; otherwise draws nothing and returns `false`. `is_clipped`: the
 /// triangle probably has rows outside the scissor, so the [`Small`] tier is not tried.

@@ -8,12 +8,13 @@
 
 use super::depth_fill::{fill_nearer, is_clear, same_length, DepthFill, RowFill, BLOCK};
 use super::{depth_and_light_gradients, RowOrigin};
+use crate::color::StoredPixel;
 use crate::math::cores::CORTEX_M0;
 use crate::math::hints::{keep_branch, keep_rolled, opaque};
 use crate::math::unrolled::zip8;
 use crate::raster::{DepthTriangle, Gradient, Scissor};
 use crate::shading::TableShader;
-use crate::surface::{DepthTarget, StoredPixel, Target};
+use crate::surface::{DepthTarget, Target};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// Fills a triangle where it is nearer than the depth buffer, if the target's pixels lie in memory and the depth buffer

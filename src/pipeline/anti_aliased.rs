@@ -3,13 +3,14 @@
 //! Without a depth test, most lines are drawn by `fast::anti_aliased_line`. There is no path for a `DrawTarget`: targets whose pixels cannot be read do not compile with a stroke that is anti-aliased.
 
 use crate::camera::UnpackedVertex;
+use crate::color::StoredPixel;
 use crate::fast::anti_aliased_line::anti_aliased_line;
 use crate::math::hints::{keep_rolled, opaque_next};
 use crate::raster::{
     rest, weighted_area, Column, LineArea, LineCoverage, LineDepth, LineEnds, Pixel, Scissor,
 };
 use crate::shading::Stroke;
-use crate::surface::{DepthBuffer, Memory, PixelStore, StoredPixel, Target};
+use crate::surface::{DepthBuffer, Memory, PixelStore, Target};
 
 /// How many pixels an edge reaches beyond the rows and columns of its ends' pixels. A pixel of which a part is covered has its centre
 /// within 1.21 pixels of the line, and a pixel of which a part belongs to the line within ⅔ pixel before its end: together they are
@@ -229,9 +230,10 @@ pub(super) fn visible_edge<T: Target, K: Stroke<T::Color>>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::color::Color;
     use crate::math::random::Random;
-    use crate::shading::{AntiAliased, Blend};
-    use crate::surface::{Picture, PixelFormat, Pixels};
+    use crate::shading::AntiAliased;
+    use crate::surface::{Picture, Pixels};
     use embedded_graphics_core::geometry::Size;
     use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
     use embedded_graphics_core::prelude::{GrayColor, RgbColor};
@@ -258,7 +260,7 @@ mod tests {
                 if rest == 1 << BITS {
                     return below; // nothing is covered
                 }
-                Rgb888::decode((below.encode() ^ (rest + 1)).wrapping_mul(0x9e_3779) & 0xff_ffff)
+                Rgb888::from_bits((below.to_bits() ^ (rest + 1)).wrapping_mul(0x9e_3779) & 0xff_ffff)
             }
         }
     }
@@ -272,14 +274,14 @@ mod tests {
     }
 
     /// A picture of a background that `draw` draws over.
-    fn picture<C: PixelFormat>(background: &Cells<C>, draw: impl FnOnce(&mut Pixels<'_, C>)) -> Cells<C> {
+    fn picture<C: Color>(background: &Cells<C>, draw: impl FnOnce(&mut Pixels<'_, C>)) -> Cells<C> {
         let mut cells = *background;
         draw(&mut Picture::new(&mut cells, SIZE).expect("cells").pixels());
         cells
     }
 
     /// Draws a line by the fast path and by the plain one, as `line` attaches them, and compares each pixel.
-    fn compare<C: PixelFormat + core::fmt::Debug, K: Stroke<C>>(
+    fn compare<C: Color + core::fmt::Debug, K: Stroke<C>>(
         ends: [[i32; 2]; 2],
         scissor: &Scissor,
         stroke: K,
@@ -324,15 +326,15 @@ mod tests {
 
     /// Compares a line in every format, over a background of random colors.
     fn in_all_formats(ends: [[i32; 2]; 2], scissor: &Scissor, random: &mut Random, taken: &mut Taken) {
-        fn one<C: PixelFormat + Blend + core::fmt::Debug>(
+        fn one<C: Color + core::fmt::Debug>(
             color: C,
             ends: [[i32; 2]; 2],
             scissor: &Scissor,
             random: &mut Random,
             taken: &mut Taken,
         ) {
-            let random = [(); 40 * 33].map(|()| C::decode(random.bits() & ((1 << C::BITS) - 1)));
-            for background in [[C::decode(0); 40 * 33], random] {
+            let random = [(); 40 * 33].map(|()| C::from_bits(random.bits() & ((1 << C::FORMAT.bits()) - 1)));
+            for background in [[C::from_bits(0); 40 * 33], random] {
                 compare(ends, scissor, AntiAliased(color), &background, taken);
             }
         }
@@ -347,7 +349,7 @@ mod tests {
 
     /// Compares a line in all formats now and then, and by its shares always.
     fn check(ends: [[i32; 2]; 2], scissor: &Scissor, random: &mut Random, taken: &mut Taken) {
-        let background = [(); 40 * 33].map(|()| Rgb888::decode(random.bits() & 0xff_ffff));
+        let background = [(); 40 * 33].map(|()| Rgb888::from_bits(random.bits() & 0xff_ffff));
         compare(ends, scissor, Trace::<8>, &background, taken);
         compare(ends, scissor, Trace::<5>, &background, taken);
         if random.below(20) == 0 {

@@ -4,12 +4,13 @@
 //! call before that loop attaches a fast path, which may decline. All fast paths decline with `--cfg pinhole_plain`, and for
 //! targets whose pixels do not lie in memory.
 
+use crate::color::StoredPixel;
 use crate::fast::{
     self, depth_fill, fog_fill, kept_fill, line_fill, line_pixels, shaded_fill, solid_fill, table_fill,
 };
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
 use crate::shading::SpanShader;
-use crate::surface::{drawable, each_run, DepthTarget, PixelStore, StoredPixel, Target};
+use crate::surface::{drawable, each_run, DepthTarget, PixelStore, Target};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// Fills the pixels of a triangle inside the scissor, which lies in the target. `is_clipped`: whether the triangle probably has
@@ -287,12 +288,13 @@ mod tests {
 
     use super::*;
     use crate::camera::{Camera, Projection, ViewTransform, Viewport};
+    use crate::color::{Color, StoredPixel};
     use crate::math::random::Random;
     use crate::math::{Angle, Point3, Scalar, Vector3};
     use crate::raster::{area, ScreenPoint};
     use crate::shading::{CornerValues, Fog, FogTable, Fogged, Gouraud, ScreenDoor, ShadeTable, Shader};
     use crate::shading::{Texels, Texture};
-    use crate::surface::{DepthBuffer, Memory, PictureError, PixelFormat, StoredPixel};
+    use crate::surface::{DepthBuffer, Memory, PictureError};
     use core::convert::Infallible;
     use embedded_graphics_core::geometry::{Point, Size};
     use embedded_graphics_core::pixelcolor::{Gray8, Rgb565, Rgb888, WebColors};
@@ -306,7 +308,7 @@ mod tests {
         pixels: Vec<C>,
     }
 
-    impl<C: PixelFormat> Plain<C> {
+    impl<C: Color> Plain<C> {
         fn set(&mut self, x: i32, y: i32, color: C) {
             let Rectangle { top_left, size } = self.area;
             let (column, row) = ((x - top_left.x) as usize, (y - top_left.y) as usize);
@@ -315,7 +317,7 @@ mod tests {
         }
     }
 
-    impl<C: PixelFormat> Target for Plain<C> {
+    impl<C: Color> Target for Plain<C> {
         type Color = C;
         type Error = Infallible;
         type Store = [C; 0];
@@ -436,7 +438,7 @@ mod tests {
         }
 
         fn texel(&self, u: u32, v: u32) -> Rgb565 {
-            Rgb565::decode((u >> 16 ^ v >> 21 ^ v >> 16) & 0xffff)
+            Rgb565::from_bits((u >> 16 ^ v >> 21 ^ v >> 16) & 0xffff)
         }
     }
 
@@ -492,7 +494,7 @@ mod tests {
             let scissor = scissor_of(target).clipped_to(&viewport);
             let depth_scissor = depth.scissor().clipped_to(&scissor);
             let area = area(&self.points);
-            let color = Rgb565::decode(self.color.into());
+            let color = Rgb565::from_bits(self.color.into());
             let table = ShadeTable::new(Rgb888::CSS_GOLD);
             let (table, smooth) = (table.lit(self.levels), Gouraud::lit(Rgb888::CSS_CORAL, self.levels));
             let triangle =

@@ -2,11 +2,12 @@
 //!
 //! The plain path passes each run of drawn pixels to the target; the call before it attaches the fast path for memory.
 
+use crate::color::StoredPixel;
 use crate::fast::sprite_fill;
 use crate::math::hints::keep_rolled;
 use crate::raster::{Scissor, Span, SpriteAxis, TexelWalk};
 use crate::shading::SpriteSource;
-use crate::surface::{DepthBuffer, PixelStore, StoredPixel, Target};
+use crate::surface::{DepthBuffer, PixelStore, Target};
 
 /// A sprite on the screen.
 #[derive(Debug)]

@@ -60,7 +60,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
-    /// use pinhole::{Affine, Angle, Blend, Camera, Fog, Mesh, Picture, Point3, Projection, Scalar, Vector3, VertexFog, ViewTransform, Viewport};
+    /// use pinhole::{Affine, Angle, Color, Camera, Fog, Mesh, Picture, Point3, Projection, Scalar, Vector3, VertexFog, ViewTransform, Viewport};
     /// // A line away from the viewer in two edges.
     /// const VERTICES: [[i16; 3]; 3] = [[-3, 0, 3], [0, 0, 0], [3, 0, -3]];
     /// const EDGES: [[u16; 2]; 2] = [[0, 1], [1, 2]];

@@ -2,7 +2,8 @@
 
 use super::gouraud::{Rounding, SpanColors};
 use super::levels::{add_bias, align, integer_parts, levels};
-use super::{Channels, Flat, Gouraud, Lit};
+use super::{Flat, Gouraud, Lit};
+use crate::color::Color;
 use core::marker::PhantomData;
 
 /// A shader with ordered dithering, which shows more shades than the target has: each pixel is rounded down or up by a
@@ -65,7 +66,7 @@ dithered!(Flat, Gouraud, Lit);
 impl Flat {
     /// The nearest colour of the target.
     #[inline]
-    pub(crate) fn nearest<C: Channels>(&self) -> C {
+    pub(crate) fn nearest<C: Color>(&self) -> C {
         C::from_channels(integer_parts::<C>(add_bias::<C>(levels::<C>(*self).map(align), 1 << 23)))
     }
 }
@@ -77,7 +78,7 @@ pub struct DitheredColor<C> {
     color: PhantomData<C>,
 }
 
-impl<C: Channels> DitheredColor<C> {
+impl<C: Color> DitheredColor<C> {
     pub(crate) fn new(color: Flat) -> Self {
         Self { levels: levels::<C>(color).map(align), color: PhantomData }
     }

@@ -1,13 +1,14 @@
 //! Light that faces emit themselves: a colour that is added after light.
 
 use super::levels::emissive;
-use super::{Channels, Dim, Flat, Gouraud, Lit, LitPalette, ShadeTable};
+use super::{Flat, Gouraud, Lit, LitPalette, ShadeTable};
+use crate::color::Color;
 use crate::scene::FaceColors;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
 impl FaceColors<'_> {
     /// The colour of a face at a level of light, 0 … 256, and the light that it emits: [`color`](Self::color),
-    /// [dimmed](Dim::dim), plus [`emission`](Self::emission).
+    /// [dimmed](Color::dim), plus [`emission`](Self::emission).
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Rgb565;
@@ -16,7 +17,7 @@ impl FaceColors<'_> {
     /// assert_eq!(colors.lit::<Rgb565>(0, 128), Rgb565::new(31, 0, 16));
     /// # Ok::<(), pinhole::MaterialError>(())
     /// ```
-    pub fn lit<C: From<Rgb888> + Dim>(&self, face: usize, level: u16) -> C {
+    pub fn lit<C: From<Rgb888> + Color>(&self, face: usize, level: u16) -> C {
         let lit = self.color::<C>(face).dim(level);
         match self.emissions().is_empty() {
             true => lit,
@@ -67,7 +68,7 @@ impl Lit {
     }
 }
 
-impl<C: Channels> ShadeTable<C> {
+impl<C: Color> ShadeTable<C> {
     /// A table for faces that emit light of their own: entry i is the colour of the target nearest to i/255 of `color` plus
     /// `emission`, each channel saturating at full; halves are rounded up. A face takes no more instructions than with
     /// [`new`](Self::new).
@@ -88,7 +89,7 @@ impl<C: Channels> ShadeTable<C> {
     }
 }
 
-impl<C: Channels, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROWS> {
+impl<C: Color, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROWS> {
     /// A palette of texels that emit light of their own, such as the digits of a dial: row i has i/(`ROWS` − 1) of the palette's
     /// colours plus `emission`, so row 0 is the emission alone; channels saturate at full, halves are rounded up. The emission of
     /// a colour that emits nothing is black.

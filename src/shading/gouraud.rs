@@ -1,7 +1,8 @@
 //! Gouraud shading: colours interpolated linearly over a triangle.
 
 use super::levels::{add_bias, integer_parts, levels, weighted_mean};
-use super::{Channels, Flat};
+use super::Flat;
+use crate::color::Color;
 use crate::raster::{Gradient, GradientSetup, Triangle};
 use core::marker::PhantomData;
 
@@ -50,13 +51,16 @@ impl Gouraud {
 
     /// The gradients of the channels over a triangle.
     #[inline(always)]
-    pub(crate) fn gradients<C: Channels>(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
+    pub(crate) fn gradients<C: Color>(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
         let [a, b, c] = self.0.map(levels::<C>);
         let ([a, d, g], [b, e, h], [c, f, i]) = (a, b, c);
         let setup = GradientSetup::new(triangle);
         let first = setup.through(&[a, b, c]);
-        let gradients =
-            if C::GRAY { [first; 3] } else { [first, setup.through(&[d, e, f]), setup.through(&[g, h, i])] };
+        let gradients = if C::FORMAT.is_gray() {
+            [first; 3]
+        } else {
+            [first, setup.through(&[d, e, f]), setup.through(&[g, h, i])]
+        };
         ChannelGradients::new(gradients)
     }
 }
@@ -73,7 +77,7 @@ pub struct ChannelGradients<C> {
     color: PhantomData<C>,
 }
 
-impl<C: Channels> ChannelGradients<C> {
+impl<C: Color> ChannelGradients<C> {
     #[inline(always)]
     pub(super) fn new(gradients: [Gradient; 3]) -> Self {
         Self { gradients, color: PhantomData }
@@ -123,7 +127,7 @@ pub(crate) struct SpanColors<C, R> {
     color: PhantomData<C>,
 }
 
-impl<C: Channels, R: Rounding> SpanColors<C, R> {
+impl<C: Color, R: Rounding> SpanColors<C, R> {
     #[inline(always)]
     pub(super) fn new(levels: [u32; 3], steps: [u32; 3], (x, y): (i32, i32)) -> Self {
         let levels = add_bias::<C>(levels, R::FIRST);
@@ -131,14 +135,14 @@ impl<C: Channels, R: Rounding> SpanColors<C, R> {
     }
 }
 
-impl<C: Channels, R: Rounding> Iterator for SpanColors<C, R> {
+impl<C: Color, R: Rounding> Iterator for SpanColors<C, R> {
     type Item = C;
 
     #[inline(always)]
     fn next(&mut self) -> Option<C> {
         let levels = integer_parts::<C>(add_bias::<C>(self.levels, self.rounding.next()));
         let ([r, g, b], [x, y, z]) = (self.levels, self.steps);
-        self.levels = match C::GRAY {
+        self.levels = match C::FORMAT.is_gray() {
             true => [r.wrapping_add(x), 0, 0],
             false => [r.wrapping_add(x), g.wrapping_add(y), b.wrapping_add(z)],
         };

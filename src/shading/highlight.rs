@@ -2,7 +2,8 @@
 
 use super::levels::luma;
 use super::normal_space::{dot_words, to_words, NormalSpace};
-use super::{Channels, LightError, ShadeTable};
+use super::{LightError, ShadeTable};
+use crate::color::Color;
 use crate::math::unit::{is_zero, normalise};
 use crate::math::{Affine, Vector3};
 use crate::space::{Model, World};
@@ -127,7 +128,7 @@ impl BlinnPhong {
     }
 }
 
-impl<C: Channels> ShadeTable<C> {
+impl<C: Color> ShadeTable<C> {
     /// The table for the levels of [`BlinnPhong`]: black to `color` over the first three quarters, `color` to `highlight` over
     /// the last one. Entry i is the colour at i/255 of the table, each channel within ½ + 2⁻⁷ level of the target.
     ///
@@ -145,9 +146,9 @@ impl<C: Channels> ShadeTable<C> {
             };
             let [r, g, b] =
                 [mix(color.r(), highlight.r()), mix(color.g(), highlight.g()), mix(color.b(), highlight.b())];
-            // Channels in units of 1/(255·765·2⁸) of full: at most 255·765·2⁸ < 2²⁶.
-            let [r, g, b] = if C::GRAY { [luma([r, g, b]); 3] } else { [r << 8, g << 8, b << 8] };
-            let [x, y, z] = C::MAX;
+            // Color in units of 1/(255·765·2⁸) of full: at most 255·765·2⁸ < 2²⁶.
+            let [r, g, b] = if C::FORMAT.is_gray() { [luma([r, g, b]); 3] } else { [r << 8, g << 8, b << 8] };
+            let [x, y, z] = C::FORMAT.max();
             C::from_channels([nearest(r, x), nearest(g, y), nearest(b, z)])
         }))
     }

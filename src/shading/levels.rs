@@ -1,6 +1,7 @@
 //! Levels of colour channels as fixed-point numbers of 32 bits.
 
-use super::{Channels, Flat};
+use super::Flat;
+use crate::color::Color;
 use crate::math::num::mul_wide;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
@@ -17,10 +18,10 @@ pub(super) const fn aligned_max(max: u8) -> u8 {
 
 /// The channels of `C` as levels with [`fraction_bits`] − 8 fractional bits, below 2²⁴, rounded to nearest.
 #[inline]
-pub(super) fn levels<C: Channels>(color: Flat) -> [i32; 3] {
+pub(super) fn levels<C: Color>(color: Flat) -> [i32; 3] {
     let [r, g, b] = color.0.map(u32::from); // ≤ 255·2⁸
-    let [x, y, z] = C::MAX.map(aligned_max);
-    if C::GRAY {
+    let [x, y, z] = C::FORMAT.max().map(aligned_max);
+    if C::FORMAT.is_gray() {
         [level(luma([r, g, b]), x), 0, 0]
     } else {
         [level(r << 8, x), level(g << 8, y), level(b << 8, z)]
@@ -30,13 +31,13 @@ pub(super) fn levels<C: Channels>(color: Flat) -> [i32; 3] {
 /// The colour of the target nearest to `color` at `step`/`steps` of its light; halves are rounded up. `steps` is 1 … 255, and
 /// `step` is 0 … `steps`.
 #[inline(always)] // `steps` is a constant of each caller
-pub(super) fn lit<C: Channels>(color: Rgb888, step: u32, steps: u32) -> C {
+pub(super) fn lit<C: Color>(color: Rgb888, step: u32, steps: u32) -> C {
     nearest(channels(color).map(|channel| channel * step), steps)
 }
 
 /// The colour of the target nearest to `step`/`steps` of `color` and the rest of `fog`; halves are rounded up. `steps` is 1 …
 /// 255, and `step` is 0 … `steps`.
-pub(super) fn faded<C: Channels>(color: Rgb888, fog: Rgb888, step: u32, steps: u32) -> C {
+pub(super) fn faded<C: Color>(color: Rgb888, fog: Rgb888, step: u32, steps: u32) -> C {
     let ([r, g, b], [s, t, u]) = (channels(color), channels(fog));
     let mix = |own: u32, fog: u32| own * step + fog * steps.saturating_sub(step);
     nearest([mix(r, s), mix(g, t), mix(b, u)], steps)
@@ -44,7 +45,7 @@ pub(super) fn faded<C: Channels>(color: Rgb888, fog: Rgb888, step: u32, steps: u
 
 /// The colour of the target nearest to `color` at `step`/`steps` of its light, plus `emission`, each channel saturating at full;
 /// halves are rounded up. `steps` is 1 … 255, and `step` is 0 … `steps`.
-pub(super) fn emissive<C: Channels>(color: Rgb888, emission: Rgb888, step: u32, steps: u32) -> C {
+pub(super) fn emissive<C: Color>(color: Rgb888, emission: Rgb888, step: u32, steps: u32) -> C {
     let ([r, g, b], [s, t, u]) = (channels(color), channels(emission));
     let sum = |own: u32, emission: u32| (own * step + emission * steps).min(255 * steps);
     nearest([sum(r, s), sum(g, t), sum(b, u)], steps)
@@ -56,13 +57,13 @@ fn channels(color: Rgb888) -> [u32; 3] {
 
 /// The colour of the target nearest to channels in 1/`steps` of a step of `Rgb888`, at most 255·`steps`; halves are rounded up.
 #[inline(always)]
-fn nearest<C: Channels>(channels: [u32; 3], steps: u32) -> C {
+fn nearest<C: Color>(channels: [u32; 3], steps: u32) -> C {
     let unit = 256 * 255 * steps;
-    // Channels are at most 255·255, here 2⁸ times as much, times 255: less than 2³² with the half.
+    // Color are at most 255·255, here 2⁸ times as much, times 255: less than 2³² with the half.
     let nearest =
         |channel: u32, max: u8| (channel * u32::from(max) + unit / 2).checked_div(unit).unwrap_or_default();
-    let ([r, g, b], [x, y, z]) = (channels, C::MAX);
-    let levels = match C::GRAY {
+    let ([r, g, b], [x, y, z]) = (channels, C::FORMAT.max());
+    let levels = match C::FORMAT.is_gray() {
         true => [nearest(luma(channels), x), 0, 0],
         false => [nearest(r << 8, x), nearest(g << 8, y), nearest(b << 8, z)],
     };
@@ -99,10 +100,10 @@ pub(super) fn align(level: i32) -> u32 {
 
 /// Adds `by`, in 2⁻²⁴ level, to the level of each channel.
 #[inline(always)]
-pub(super) fn add_bias<C: Channels>([r, g, b]: [u32; 3], by: u32) -> [u32; 3] {
-    let [x, y, z] = C::MAX.map(fraction_bits);
+pub(super) fn add_bias<C: Color>([r, g, b]: [u32; 3], by: u32) -> [u32; 3] {
+    let [x, y, z] = C::FORMAT.max().map(fraction_bits);
     let more = |level: u32, fraction_bits: u32| level.wrapping_add(by << (fraction_bits - 24)); // by < 2²⁴
-    match C::GRAY {
+    match C::FORMAT.is_gray() {
         true => [more(r, x), 0, 0],
         false => [more(r, x), more(g, y), more(b, z)],
     }
@@ -110,9 +111,9 @@ pub(super) fn add_bias<C: Channels>([r, g, b]: [u32; 3], by: u32) -> [u32; 3] {
 
 /// The integer parts of levels.
 #[inline(always)]
-pub(super) fn integer_parts<C: Channels>([r, g, b]: [u32; 3]) -> [u8; 3] {
-    let [x, y, z] = C::MAX.map(fraction_bits);
-    match C::GRAY {
+pub(super) fn integer_parts<C: Color>([r, g, b]: [u32; 3]) -> [u8; 3] {
+    let [x, y, z] = C::FORMAT.max().map(fraction_bits);
+    match C::FORMAT.is_gray() {
         true => [(r >> x) as u8, 0, 0],
         false => [(r >> x) as u8, (g >> y) as u8, (b >> z) as u8],
     }

@@ -1,10 +1,7 @@
 //! Shaders and light: the colours of a face's pixels. The rasteriser does not depend on this module.
 
-mod blend;
-mod channels;
 mod corner_values;
 mod depth_tested;
-mod dim;
 mod dither;
 mod emission;
 mod flat;
@@ -28,11 +25,8 @@ mod table_shader;
 mod texture;
 mod translucent;
 
-pub use blend::Blend;
-pub use channels::Channels;
 pub use corner_values::CornerValues;
 pub use depth_tested::DepthTested;
-pub use dim::Dim;
 pub use dither::Dithered;
 pub(crate) use dither::{Bayer, DitheredColor};
 pub use flat::Flat;

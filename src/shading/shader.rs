@@ -19,7 +19,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888}, prelude::*};
 /// use pinhole::{
-///     space::{Model, World}, Affine, Angle, Camera, ScreenVertex, Dim, Gouraud, Lambert, Mesh, Point3, Projection,
+///     space::{Model, World}, Affine, Angle, Camera, ScreenVertex, Color, Gouraud, Lambert, Mesh, Point3, Projection,
 ///     Scalar, Vector3, ViewTransform, Viewport,
 /// };
 /// // A roof: two faces that meet in an edge, with normals of the faces and of the vertices.

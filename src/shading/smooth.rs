@@ -2,10 +2,9 @@
 
 use super::{Shader, SpanShader};
 use crate::clip::Barycentric;
+use crate::color::Color;
 use crate::raster::{Span, Triangle};
-use crate::shading::{
-    Bayer, ChannelGradients, Channels, Dithered, DitheredColor, Flat, Gouraud, Lit, Nearest,
-};
+use crate::shading::{Bayer, ChannelGradients, Dithered, DitheredColor, Flat, Gouraud, Lit, Nearest};
 use core::iter::repeat;
 
 impl Shader for Flat {
@@ -16,7 +15,7 @@ impl Shader for Flat {
     }
 }
 
-impl<C: Channels> SpanShader<C> for Flat {
+impl<C: Color> SpanShader<C> for Flat {
     type Setup = C;
 
     fn set_up(&self, _: &Triangle<'_>) -> C {
@@ -42,7 +41,7 @@ impl<S: Shader> Shader for Dithered<S> {
     }
 }
 
-impl<C: Channels> SpanShader<C> for Dithered<Flat> {
+impl<C: Color> SpanShader<C> for Dithered<Flat> {
     type Setup = DitheredColor<C>;
 
     fn set_up(&self, _: &Triangle<'_>) -> DitheredColor<C> {
@@ -65,7 +64,7 @@ macro_rules! smooth {
             }
         }
 
-        impl<C: Channels> SpanShader<C> for $shader {
+        impl<C: Color> SpanShader<C> for $shader {
             type Setup = ChannelGradients<C>;
 
             #[inline(always)]
@@ -79,7 +78,7 @@ macro_rules! smooth {
             }
         }
 
-        impl<C: Channels> SpanShader<C> for Dithered<$shader> {
+        impl<C: Color> SpanShader<C> for Dithered<$shader> {
             type Setup = ChannelGradients<C>;
 
             #[inline(always)]

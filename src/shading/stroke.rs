@@ -1,6 +1,6 @@
 //! Strokes: what lines are drawn with.
 
-use super::Blend;
+use crate::color::{Color, Mixer};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// What a line is drawn with: a colour, or [`AntiAliased`] with a colour. Every call that draws lines takes one.
@@ -65,7 +65,7 @@ impl<C: PixelColor> Stroke<C> for C {
 /// all, such as a translucent one of your own, has its shares added: with half of the color, all these polygons are within 0.14.
 ///
 /// The area is within 2⁻¹² pixel of the exact one, asserted against polygons cut in f64. The share is rounded once: to 1/32, which is
-/// at most 1/64 off, for colours of 15 and 16 bits, and to 1/256 for other colours; [`Blend::over`] then mixes, each channel rounded to
+/// at most 1/64 off, for colours of 15 and 16 bits, and to 1/256 for other colours; [`Color::over`] then mixes, each channel rounded to
 /// nearest. A clipped line has exactly those pixels of the whole line that lie inside, so a frame in bands equals a frame in one
 /// piece. A line beside the viewport covers its part of the outermost pixels. Where lines cross, the later one is mixed over the
 /// earlier one: the order matters, unless both have one colour.
@@ -98,7 +98,7 @@ pub struct AntiAliased<C>(
     pub C,
 );
 
-impl<C: Blend> Stroke<C> for AntiAliased<C> {
+impl<C: Color> Stroke<C> for AntiAliased<C> {
     const IS_ANTI_ALIASED: bool = true;
 
     #[inline(always)]
@@ -111,10 +111,10 @@ impl<C: Blend> Stroke<C> for AntiAliased<C> {
         self.0.over(below, coverage)
     }
 
-    const SHARE_BITS: u32 = C::SHARE_BITS;
+    const SHARE_BITS: u32 = <C as Mixer>::SHARE_BITS;
 
     #[inline(always)]
     fn mixer(self) -> impl Fn(C, u32) -> C + Copy {
-        self.0.mixer()
+        Mixer::mixer(self.0)
     }
 }

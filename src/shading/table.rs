@@ -1,7 +1,7 @@
 //! Smooth light by table: 256 shades of one colour, computed once.
 
 use super::levels::lit;
-use super::Channels;
+use crate::color::Color;
 use crate::math::unrolled::map3;
 use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
 
@@ -69,7 +69,7 @@ impl<C> ShadeTable<C> {
     }
 }
 
-impl<C: Channels> ShadeTable<C> {
+impl<C: Color> ShadeTable<C> {
     /// The colours of the target nearest to `color` at 0/255, 1/255 … 255/255 of its light; halves are rounded up.
     pub fn new(color: Rgb888) -> Self {
         let mut light = 0;

@@ -1,6 +1,7 @@
 //! Translucent faces: colours mixed with the stored pixels.
 
-use super::{Blend, CornerValues, Shader, SpanShader};
+use super::{CornerValues, Shader, SpanShader};
+use crate::color::Color;
 use crate::raster::{Span, Triangle};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
@@ -16,7 +17,7 @@ pub trait BlendMode<C>: Copy {
     fn blend(self, own: C, stored: C) -> C;
 }
 
-/// Half of the own colour, half of the stored one, by [`Blend::half`]: an addition of both colours, where [`Alpha`] multiplies.
+/// Half of the own colour, half of the stored one, by [`Color::half`]: an addition of both colours, where [`Alpha`] multiplies.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -27,14 +28,14 @@ pub trait BlendMode<C>: Copy {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Half;
 
-impl<C: Blend> BlendMode<C> for Half {
+impl<C: Color> BlendMode<C> for Half {
     #[inline(always)]
     fn blend(self, own: C, stored: C) -> C {
         own.half(stored)
     }
 }
 
-/// A constant part of the own colour, and the rest of the stored one, by [`Blend::mix`].
+/// A constant part of the own colour, and the rest of the stored one, by [`Color::mix`].
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
@@ -52,7 +53,7 @@ impl Alpha {
     }
 }
 
-impl<C: Blend> BlendMode<C> for Alpha {
+impl<C: Color> BlendMode<C> for Alpha {
     #[inline(always)]
     fn blend(self, own: C, stored: C) -> C {
         own.mix(stored, self.0)
@@ -77,11 +78,11 @@ impl<C, F: Fn(C, C) -> C + Copy> BlendMode<C> for F {
 /// [`DepthTested`](crate::DepthTested) shaders. Depth is tested and not stored, so a translucent face hides nothing. A convex
 /// object needs no painter: draw its back faces ([`Cull::Front`](crate::Cull::Front)), then its front faces.
 ///
-/// **Error.** At most ½ level of each channel: see [`Blend::half`] and [`Blend::mix`].
+/// **Error.** At most ½ level of each channel: see [`Color::half`] and [`Color::mix`].
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
-/// use pinhole::{fill_triangle, raster::ScreenPoint, Dim, HalfBlended, Picture, Translucent};
+/// use pinhole::{fill_triangle, raster::ScreenPoint, Color, HalfBlended, Picture, Translucent};
 /// let mut pixels = [Rgb565::new(0, 20, 30); 16];
 /// let mut picture = Picture::new(&mut pixels, Size::new(4, 4))?;
 /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();

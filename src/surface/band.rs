@@ -1,8 +1,9 @@
 //! A frame drawn in bands, through a strip of memory that is shorter than the frame.
 
-use super::pixel_format::{copy_pixels, fill_pixels, get_pixel, row_bytes, set_pixel, PixelFormat};
 use super::pixels::Pixels;
-use super::stored_pixel::StoredPixel;
+use super::row::{copy_pixels, fill_pixels, get_pixel, is_whole_bytes, row_bytes, set_pixel};
+use crate::color::Color;
+use crate::color::StoredPixel;
 use core::convert::Infallible;
 use core::marker::PhantomData;
 use core::ops::{ControlFlow, Range};
@@ -64,7 +65,7 @@ impl core::fmt::Display for BandError {
 
 impl core::error::Error for BandError {}
 
-impl<C: PixelFormat> Frame<C> {
+impl<C: Color> Frame<C> {
     /// The frame for the pixels of `area`, in the coordinates of the display. Each band begins filled with the background.
     pub const fn new(area: Rectangle, background: C) -> Self {
         Self { area, background, done: 0 }
@@ -191,7 +192,7 @@ impl<C: PixelFormat> Frame<C> {
 /// Some rows of a frame in memory: a DrawTarget with the coordinates of the frame, so that code that draws on the display, 3D or
 /// not, also draws on a band. Pixels outside the band are ignored.
 ///
-/// The memory has the bytes that the display takes: see [`PixelFormat`]. [`Frame`] has an example.
+/// The memory has the bytes that the display takes: see [`Color`]. [`Frame`] has an example.
 #[derive(Debug)]
 pub struct Band<'s, C> {
     area: Rectangle,
@@ -201,7 +202,7 @@ pub struct Band<'s, C> {
     color: PhantomData<C>,
 }
 
-impl<'s, C: PixelFormat> Band<'s, C> {
+impl<'s, C: Color> Band<'s, C> {
     /// The rectangle of the band, in the coordinates of the frame.
     pub const fn area(&self) -> Rectangle {
         self.area
@@ -238,7 +239,12 @@ impl<'s, C: PixelFormat> Band<'s, C> {
     where
         C: StoredPixel<[u8; N]>,
     {
-        const { assert!(C::BITS as usize == 8 * N, "StoredPixel's bytes are not as many as PixelFormat has bits") };
+        const {
+            assert!(
+                C::FORMAT.bits() as usize == 8 * N,
+                "a pixel of the band is not as many bytes as one in memory: draw into the band itself"
+            )
+        };
         let (cells, _) = self.strip.as_chunks_mut();
         Pixels::unchecked(cells, self.area)
     }
@@ -273,7 +279,7 @@ impl<'s, C: PixelFormat> Band<'s, C> {
     /// The colours of the [`area`](Self::area)'s pixels, row by row, decoded from the strip's bytes.
     pub fn colors(&self) -> impl Iterator<Item = C> + '_ {
         let Size { width, height } = self.area.size;
-        if C::BITS >= 8 {
+        if is_whole_bytes::<C>() {
             // Rows of whole bytes follow each other without gaps: one long row.
             let pixels = (width as usize).wrapping_mul(height as usize);
             BandColors { bytes: self.strip, stride: usize::MAX, width: pixels, x: 0, color: PhantomData }
@@ -298,14 +304,21 @@ impl<'s, C: PixelFormat> Band<'s, C> {
     }
 
     fn fill(&mut self, color: C) {
-        if C::BITS < 8 {
-            // All bits, the unused ones at the end of each row included.
-            let pixels = (8 / C::BITS.max(1)) as usize;
-            let len = self.len();
-            fill_pixels(self.strip, 0, len.saturating_mul(pixels), color);
-        } else {
-            let Size { width, height } = self.area.size; // the strip has bytes for all of them
+        let Size { width, height } = self.area.size; // the strip has bytes for all of them
+        let len = self.len();
+        if is_whole_bytes::<C>() {
             fill_pixels(self.strip, 0, width.wrapping_mul(height) as usize, color);
+        } else if let Some(pixels) = 8_u32.checked_div(C::FORMAT.bits()).filter(|&pixels| pixels > 0) {
+            // All bits, the unused ones at the end of each row included.
+            fill_pixels(self.strip, 0, len.saturating_mul(pixels as usize), color);
+        } else {
+            for row in self.strip.get_mut(..len).unwrap_or_default().chunks_exact_mut(self.stride.max(1)) {
+                // The upper half of the last byte belongs to the last pixel if their number is odd.
+                if let Some(last) = row.last_mut() {
+                    *last = 0;
+                }
+                fill_pixels(row, 0, width as usize, color);
+            }
         }
     }
 
@@ -346,12 +359,12 @@ impl<'s, C: PixelFormat> Band<'s, C> {
         self.fill_rows((columns.start, rows.start), part, color);
     }
 
-    /// Bytes that contain a row, and the index of the row's first pixel in them: the strip for formats of 8 bits and more, the
-    /// row alone for smaller ones.
+    /// Bytes that contain a row, and the index of the row's first pixel in them: the strip if pixels are
+    /// whole bytes, otherwise the row alone.
     #[inline(always)]
     fn row(&mut self, row: u32) -> (&mut [u8], usize) {
         let row = row as usize;
-        if C::BITS >= 8 {
+        if is_whole_bytes::<C>() {
             // Does not wrap for a row of the band.
             return (self.strip, row.wrapping_mul(self.area.size.width as usize));
         }
@@ -391,7 +404,7 @@ struct BandColors<'b, C> {
     color: PhantomData<C>,
 }
 
-impl<C: PixelFormat> Iterator for BandColors<'_, C> {
+impl<C: Color> Iterator for BandColors<'_, C> {
     type Item = C;
 
     #[inline(always)]
@@ -405,13 +418,13 @@ impl<C: PixelFormat> Iterator for BandColors<'_, C> {
     }
 }
 
-impl<C: PixelFormat> Dimensions for Band<'_, C> {
+impl<C: Color> Dimensions for Band<'_, C> {
     fn bounding_box(&self) -> Rectangle {
         self.area
     }
 }
 
-impl<C: PixelFormat> DrawTarget for Band<'_, C> {
+impl<C: Color> DrawTarget for Band<'_, C> {
     type Color = C;
     type Error = Infallible;
 

@@ -10,9 +10,8 @@ mod least_run;
 mod memory;
 mod picture;
 mod picture_error;
-mod pixel_format;
 mod pixels;
-mod stored_pixel;
+mod row;
 mod strip;
 mod target;
 
@@ -26,9 +25,7 @@ pub(crate) use memory::PixelRows;
 pub use memory::{Memory, PixelStore};
 pub use picture::Picture;
 pub use picture_error::PictureError;
-pub use pixel_format::PixelFormat;
 pub use pixels::Pixels;
-pub use stored_pixel::StoredPixel;
 pub use strip::StripBuffers;
 pub use target::Target;
 

@@ -2,8 +2,8 @@
 
 use super::memory::Memory;
 use super::picture_error::PictureError;
-use super::stored_pixel::StoredPixel;
 use super::target::Target;
+use crate::color::StoredPixel;
 use crate::raster::Span;
 use core::convert::Infallible;
 use core::marker::PhantomData;

@@ -1,7 +1,7 @@
 //! The trait of everything that can be drawn into.
 
 use super::memory::{Memory, PixelStore};
-use super::stored_pixel::StoredPixel;
+use crate::color::StoredPixel;
 use crate::raster::Span;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};

@@ -9,7 +9,7 @@ use mipidsi::interface::{SpiError, SpiInterface};
 use mipidsi::models::{ILI9341Rgb565, ILI9341Rgb666, ST7789};
 use mipidsi::options::{ColorOrder, Orientation, Rotation};
 use mipidsi::{Builder, Display, NoResetPin};
-use pinhole::{Frame, PixelFormat, Target};
+use pinhole::{Color, Frame, Target};
 use support::oracle::line;
 use support::panel::bus::{Failure, NoDelay, Panel};
 use support::panel::films::{
@@ -108,7 +108,7 @@ fn drawing_directly_onto_the_panel_shows_the_same_picture() {
                 screen.assert_shows(&picture, "single pixels");
                 let (single, windows) = screen.count();
                 let pixels = pixel_bytes::<M::ColorFormat>(M::SIZE);
-                let size = M::ColorFormat::BITS as usize / 8;
+                let size = M::ColorFormat::FORMAT.bits() as usize / 8;
                 assert_eq!(single, pixels + 11 + (windows - 1) * (11 + size));
                 assert!(pixels < spans && spans < single, "{pixels}, {spans}, {single}");
             }
@@ -131,7 +131,7 @@ fn a_line_sends_one_window_per_run() {
             runs += 1 + line.windows(2).filter(|pair| is_step(pair)).count();
         }
         assert_eq!(<Display<Bus, M, NoResetPin> as Target>::LEAST_RUN, 1);
-        let size = M::ColorFormat::BITS as usize / 8;
+        let size = M::ColorFormat::FORMAT.bits() as usize / 8;
         let least = (runs * 11 + pixels * size, runs);
         assert_eq!(line_traffic::<M, 1>(), least);
         // The driver sets a window for each pixel of `draw_iter`, so this is what the default avoids.

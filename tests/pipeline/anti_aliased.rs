@@ -5,8 +5,8 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::raster::Pixel;
 use pinhole::{
-    draw_line, edge_faces, AntiAliased, Blend, DepthBuffer, Mesh, MeshInstance, PixelFormat, Pixels,
-    ScreenVertex, StoredPixel, Stroke,
+    draw_line, edge_faces, AntiAliased, Color, DepthBuffer, Mesh, MeshInstance, Pixels, ScreenVertex,
+    StoredPixel, Stroke,
 };
 use support::bridge::draw::{cube_camera, CUBE, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{ModelBits, Step};
@@ -39,8 +39,8 @@ fn coverage(a: [f64; 2], b: [f64; 2], pixel: [i32; 2], ends: [i32; 2]) -> f64 {
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
 
 /// What `draw` leaves in memory.
-fn picture<C: PixelFormat>(draw: &mut dyn FnMut(&mut Pixels<'_, C>)) -> Vec<C> {
-    memory(AREA, C::decode(0), &mut |target, _| draw(target))
+fn picture<C: Color>(draw: &mut dyn FnMut(&mut Pixels<'_, C>)) -> Vec<C> {
+    memory(AREA, C::from_bits(0), &mut |target, _| draw(target))
 }
 
 #[test]
@@ -110,11 +110,8 @@ fn cubes_in(viewport: (i32, i32, u32, u32), mut with: impl FnMut(&MeshInstance<'
     }
 }
 
-fn all_ways<const N: usize, C: PixelFormat + StoredPixel<[u8; N]> + Blend + core::fmt::Debug>(
-    color: C,
-    face: C,
-) {
-    let (stroke, background) = (AntiAliased(color), C::decode(0));
+fn all_ways<const N: usize, C: Color + StoredPixel<[u8; N]> + core::fmt::Debug>(color: C, face: C) {
+    let (stroke, background) = (AntiAliased(color), C::from_bits(0));
     let (mut mixed, mut different) = (0, 0);
     cubes(|instance| {
         let heights = [1, 2, 5, 8, HEIGHT];

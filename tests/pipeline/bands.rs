@@ -6,8 +6,8 @@ use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, GrayColor, Rgb565};
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    BandError, BinError, Cull, DepthBuffer, DepthBufferError, Frame, Mesh, MeshInstance, PixelFormat,
-    ScreenVertex, Statistics,
+    BandError, BinError, Color, Cull, DepthBuffer, DepthBufferError, Frame, Mesh, MeshInstance, ScreenVertex,
+    Statistics,
 };
 use support::bridge::draw::{cube_camera, CUBE, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -220,14 +220,14 @@ struct Bus {
 
 impl Bus {
     /// Each pixel of a row of whole bytes, by hand.
-    fn receive<C: PixelFormat>(&mut self, window: &Rectangle, bytes: &[u8]) {
-        let stride = (window.size.width * C::BITS).div_ceil(8) as usize;
+    fn receive<C: Color>(&mut self, window: &Rectangle, bytes: &[u8]) {
+        let stride = (window.size.width * C::FORMAT.bits()).div_ceil(8) as usize;
         assert_eq!(bytes.len(), stride * window.size.height as usize);
         self.sent += bytes.len();
         for at in window.points() {
-            let bit = (at.x - window.top_left.x) as usize * C::BITS as usize;
+            let bit = (at.x - window.top_left.x) as usize * C::FORMAT.bits() as usize;
             let row = &bytes[(at.y - window.top_left.y) as usize * stride..][..stride];
-            let bits = (0..C::BITS as usize)
+            let bits = (0..C::FORMAT.bits() as usize)
                 .fold(0, |all, i| all << 1 | u32::from(row[(bit + i) / 8] >> (7 - (bit + i) % 8) & 1));
             let index = (at.y - self.area.top_left.y) as u32 * self.area.size.width
                 + (at.x - self.area.top_left.x) as u32;
@@ -237,12 +237,12 @@ impl Bus {
 }
 
 /// What pixel (x, y) of frame n shows.
-fn pixel<C: PixelFormat>(at: Point, frame: i32) -> C {
+fn pixel<C: Color>(at: Point, frame: i32) -> C {
     let bits = (at.x * 7 + at.y * 13 + frame * 5) as u32;
-    C::decode(bits & (u32::MAX >> (32 - C::BITS)))
+    C::from_bits(bits & (u32::MAX >> (32 - C::FORMAT.bits())))
 }
 
-fn frames_with_two_strips<C: PixelFormat>(area: Rectangle, bytes: usize) {
+fn frames_with_two_strips<C: Color>(area: Rectangle, bytes: usize) {
     let count = (area.size.width * area.size.height) as usize;
     let mut bus = Bus { area, pixels: vec![u32::MAX; count], sent: 0 };
     let [mut free, other] = [0; 2].map(|_| vec![0x55; bytes].leak());
@@ -271,7 +271,10 @@ fn frames_with_two_strips<C: PixelFormat>(area: Rectangle, bytes: usize) {
         busy = Some((Rectangle::zero(), last));
         let shown = area.points().zip(&bus.pixels);
         for (at, &bits) in shown {
-            assert!(C::decode(bits) == pixel::<C>(at, number), "{at} of frame {number}, strips of {bytes}");
+            assert!(
+                C::from_bits(bits) == pixel::<C>(at, number),
+                "{at} of frame {number}, strips of {bytes}"
+            );
         }
     }
     if whole_rows <= Frame::<C>::strip_bytes(area.size.width, area.size.height) {

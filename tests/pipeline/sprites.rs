@@ -409,7 +409,7 @@ fn every_target_shows_the_oracles_pixels() {
     assert!(seen > 1200 && outside > 150 && degenerate > 40);
 }
 
-/// Half of two channels, by the documentation of `Blend::half`, and 1/32 parts to nearest.
+/// Half of two channels, by the documentation of `Color::half`, and 1/32 parts to nearest.
 fn mixed(own: Rgb888, below: Rgb888, alpha: Option<u8>) -> Rgb888 {
     let channel = |own: u8, below: u8| match alpha {
         None => own.div_ceil(2) + below / 2,

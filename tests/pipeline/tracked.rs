@@ -4,7 +4,7 @@ use core::convert::Infallible;
 use embedded_graphics_core::pixelcolor::Gray8;
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{DirtyRegions, Frame, PixelFormat, Tracked, TransferCost};
+use pinhole::{Color, DirtyRegions, Frame, Tracked, TransferCost};
 use support::bridge::rectangle;
 use support::oracle::rng::Rng;
 use support::oracle::target::Screen;
@@ -31,7 +31,7 @@ fn the_display_shows_the_frame_and_receives_nothing_while_nothing_changes() {
     let (mut quiet, mut busy, mut erased) = (0, 0, 0);
     for _ in 0..40 {
         let mut dirty =
-            DirtyRegions::<5>::new(SCREEN, TransferCost::new(Gray8::BITS, TransferCost::MIPI_DCS));
+            DirtyRegions::<5>::new(SCREEN, TransferCost::new(Gray8::FORMAT.bits(), TransferCost::MIPI_DCS));
         let mut display = Screen::new(SCREEN);
         let mut tracked = [Tracked::new(); 4];
         let mut objects = [Object { shade: 9, area: Rectangle::zero(), is_shown: false }; 4];

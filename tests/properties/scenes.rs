@@ -4,7 +4,7 @@ use crate::cases;
 use embedded_graphics_core::pixelcolor::{Gray4, Gray8, GrayColor};
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Cull, DepthBuffer, Frame, Mesh, MeshInstance, Painter, PixelFormat, ScreenVertex, Statistics};
+use pinhole::{Color, Cull, DepthBuffer, Frame, Mesh, MeshInstance, Painter, ScreenVertex, Statistics};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -243,7 +243,7 @@ proptest! {
             let wanted = whole.colour(pixel.x, pixel.y).unwrap_or(Gray4::BLACK);
             prop_assert_eq!(display.colour(pixel.x, pixel.y), Some(wanted));
             prop_assert_eq!(display.count(pixel.x, pixel.y), 1);
-            prop_assert_eq!(Gray4::decode(wanted.encode()), wanted);
+            prop_assert_eq!(Gray4::from_bits(wanted.to_bits()), wanted);
         }
     }
 }

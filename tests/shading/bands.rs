@@ -6,8 +6,7 @@ use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::ScreenPoint;
 use pinhole::{
-    fill_triangle, Affine, Blended, Cull, Flat, Gouraud, Mesh, MeshInstance, PixelFormat, ScreenDoor,
-    ScreenVertex,
+    fill_triangle, Affine, Blended, Color, Cull, Flat, Gouraud, Mesh, MeshInstance, ScreenDoor, ScreenVertex,
 };
 use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use support::bridge::rectangle;
@@ -73,7 +72,7 @@ fn bands_of_every_height_add_up_to_the_full_picture() {
         scene.place(|instance| {
             by_every_call(instance, frame, Rgb565::BLACK, &heights, &|face| shaders[face].1);
             by_every_call(instance, frame, Rgb565::BLACK, &heights, &|face| tables[face]);
-            by_every_call(instance, frame, Own::decode(0), &heights, &|face| shaders[face].1.dithered());
+            by_every_call(instance, frame, Own::from_bits(0), &heights, &|face| shaders[face].1.dithered());
             by_every_call(instance, frame, Rgb565::BLACK, &heights, &|face| {
                 ScreenDoor::new(shaders[face].1, 20 + face as u8)
             });
@@ -119,10 +118,10 @@ fn of_parts_of_bytes<C: Colour>(instance: &MeshInstance<'_>, scene: &Scene) {
     let transformed = instance.transform(&mut cache);
     let mut faces = transformed.bin_faces(&mut bins).expect("room");
     for rows in 1..=13 {
-        let banded = bands(scene.frame, C::decode(0), rows, &mut |band, _| {
+        let banded = bands(scene.frame, C::from_bits(0), rows, &mut |band, _| {
             let Ok(()) = faces.solid(shade, band);
         });
-        assert!(banded == whole.over(C::decode(0)), "{rows} rows");
+        assert!(banded == whole.over(C::from_bits(0)), "{rows} rows");
     }
 }
 

@@ -9,14 +9,14 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::raster::{Span, Triangle};
 use pinhole::{
-    Blend, Blended, ColorKeyed, DepthBuffer, Dim, Gouraud, HalfBlended, Pixels, ScreenDoor, Shader,
-    SpanShader, Texels, Texture, Translucent,
+    Blended, Color, ColorKeyed, DepthBuffer, Gouraud, HalfBlended, Pixels, ScreenDoor, Shader, SpanShader,
+    Texels, Texture, Translucent,
 };
 use support::bridge::ways::{memory, memory_with};
 use support::oracle::rng::Rng;
 
 /// All pairs of levels of each channel with every alpha, beside random levels of the others.
-fn check<C: Blend + Dim + core::fmt::Debug>(
+fn check<C: Color + core::fmt::Debug>(
     max: [u8; 3],
     make: &dyn Fn([u8; 3]) -> C,
     levels: &dyn Fn(C) -> [u8; 3],
@@ -68,7 +68,7 @@ fn check<C: Blend + Dim + core::fmt::Debug>(
 }
 
 /// Every level of a channel in every light, which rounds to nearest; beyond 256 it is full.
-fn check_dimmed<C: Dim>(max: [u8; 3], make: &dyn Fn([u8; 3]) -> C, levels: &dyn Fn(C) -> [u8; 3]) {
+fn check_dimmed<C: Color>(max: [u8; 3], make: &dyn Fn([u8; 3]) -> C, levels: &dyn Fn(C) -> [u8; 3]) {
     for level in (0..=256).chain([257, 1000, u16::MAX]) {
         for own in 0..=255u8 {
             let own = [own.min(max[0]), (255 - own).min(max[1]), (own / 2).min(max[2])];

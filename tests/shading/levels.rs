@@ -10,7 +10,7 @@ use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
 use pinhole::clip::{Barycentric, Varying};
-use pinhole::{Affine, Channels, Flat, Gouraud, Mesh, MeshInstance, Scalar, SpanShader};
+use pinhole::{Affine, Color, Flat, Gouraud, Mesh, MeshInstance, Scalar, SpanShader};
 use std::sync::LazyLock;
 use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use support::oracle::chain::{self, fx3};
@@ -374,7 +374,7 @@ fn barycentric_weights_follow_the_cuts_and_sum_to_one() {
 }
 
 /// Rounded as `embedded-graphics` rounds.
-fn nearest<C: Channels + From<Rgb888> + core::fmt::Debug>(colour: Rgb888) {
+fn nearest<C: Color + From<Rgb888> + core::fmt::Debug>(colour: Rgb888) {
     let picture =
         with_triangle([(0, 0), (0, 9000), (9000, 0)], |face| draw::<C, _>(face, Flat::from(colour)));
     assert!(picture.drawn().count() > 500);

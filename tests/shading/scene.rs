@@ -1,12 +1,13 @@
 //! Colour types whose channels the tests read, and triangles with given positions on the screen.
 
+use embedded_graphics_core::pixelcolor::raw::RawU32;
 use embedded_graphics_core::pixelcolor::{
     BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb565, Rgb888, RgbColor,
 };
 use embedded_graphics_core::prelude::*;
 use pinhole::{
-    Affine, Camera, Channels, Cull, Flat, Gouraud, Mesh, MeshInstance, PixelFormat, Scalar, ShadeTable,
-    SpanShader, StoredPixel, TableShader,
+    Affine, Camera, Color, Cull, Flat, Format, Gouraud, Mesh, MeshInstance, Scalar, ShadeTable, SpanShader,
+    TableShader,
 };
 use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use support::oracle::coverage::P;
@@ -15,7 +16,7 @@ use support::oracle::shade::{Depths, Lit};
 use support::oracle::target::Screen;
 
 /// A colour whose channels the tests can read.
-pub(crate) trait Colour: Channels + PixelFormat + core::fmt::Debug + 'static {
+pub(crate) trait Colour: Color + core::fmt::Debug + 'static {
     const DEPTHS: Depths;
     fn levels(self) -> Vec<i128>;
 }
@@ -54,36 +55,28 @@ impl Colour for BinaryColor {
 pub(crate) struct Own([u8; 3]);
 
 impl PixelColor for Own {
-    type Raw = ();
+    type Raw = RawU32;
 }
 
-impl Channels for Own {
-    const GRAY: bool = false;
-    const MAX: [u8; 3] = [100, 1, 200];
-    fn from_channels(levels: [u8; 3]) -> Self {
-        Self(levels)
-    }
-}
+impl Color for Own {
+    const FORMAT: Format = Format::indexed(32, [100, 1, 200]);
 
-impl PixelFormat for Own {
-    const BITS: u32 = 32;
-    fn encode(self) -> u32 {
+    fn to_bits(self) -> u32 {
         let [r, g, b] = self.0;
         u32::from_be_bytes([0xa5, b, g, r])
     }
-    fn decode(bits: u32) -> Self {
+
+    fn from_bits(bits: u32) -> Self {
         let [_, b, g, r] = bits.to_be_bytes();
         Self([r, g, b])
     }
-}
 
-impl StoredPixel<[u8; 4]> for Own {
-    fn stored(self) -> [u8; 4] {
-        self.encode().to_be_bytes()
+    fn channels(self) -> [u8; 3] {
+        self.0
     }
 
-    fn load(bytes: [u8; 4]) -> Self {
-        Self::decode(u32::from_be_bytes(bytes))
+    fn from_channels(levels: [u8; 3]) -> Self {
+        Self(levels)
     }
 }
 

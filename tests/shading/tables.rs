@@ -15,14 +15,14 @@ fn rgb([r, g, b]: [u8; 3]) -> Rgb888 {
 }
 
 /// A channel of 0 … 255 in parts of a unit.
-type Channels = [i64; 3];
+type Color = [i64; 3];
 
-fn each(of: &dyn Fn(usize) -> i64) -> Channels {
+fn each(of: &dyn Fn(usize) -> i64) -> Color {
     [of(0), of(1), of(2)]
 }
 
 /// The exact levels of a target, as numerators and their common denominator; greys by the luma of Rec. 601 with weights of 256.
-fn exact_levels(depths: Depths, [r, g, b]: Channels, unit: i64) -> (Vec<i64>, i64) {
+fn exact_levels(depths: Depths, [r, g, b]: Color, unit: i64) -> (Vec<i64>, i64) {
     match *depths.0 {
         [max] => (vec![(77 * r + 150 * g + 29 * b) * max as i64], 256 * 255 * unit),
         ref all => {
@@ -37,12 +37,7 @@ fn levels<C: Colour>(entries: impl Iterator<Item = C>) -> (Depths, Vec<Vec<i128>
 }
 
 /// Compares entries with the colours that `exact` gives for their numbers, to the last bit; halves are rounded up.
-fn check(
-    name: &str,
-    (depths, entries): (Depths, Vec<Vec<i128>>),
-    unit: i64,
-    exact: &dyn Fn(i64) -> Channels,
-) {
+fn check(name: &str, (depths, entries): (Depths, Vec<Vec<i128>>), unit: i64, exact: &dyn Fn(i64) -> Color) {
     for (number, found) in entries.iter().enumerate() {
         let (numerators, unit) = exact_levels(depths, exact(number as i64), unit);
         let nearest: Vec<_> =

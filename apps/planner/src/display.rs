@@ -3,7 +3,7 @@
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::raw::RawU2;
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, PixelColor, Rgb565, Rgb888, RgbColor};
-use pinhole::{Channels, PixelFormat};
+use pinhole::Color;
 
 /// The format of a display's pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,7 +77,7 @@ pub const DISPLAYS: [Display; 9] = [
 ];
 
 /// A colour type of a pixel that can be drawn, and shown on the page.
-pub(crate) trait Shown: PixelFormat + Channels + From<Rgb888> + Into<Rgb888> {}
+pub(crate) trait Shown: Color + From<Rgb888> + Into<Rgb888> {}
 impl Shown for Rgb565 {}
 impl Shown for BinaryColor {}
 impl Shown for Gray2 {}
@@ -99,11 +99,12 @@ impl PixelColor for Tricolor {
     type Raw = RawU2;
 }
 
-/// Two bits, as the controller stores them in two planes: white, and red.
-impl PixelFormat for Tricolor {
-    const BITS: u32 = 2;
+/// Two bits, as the controller stores them in two planes: white, and red. Each channel has levels 0 and 1: a colour with red and without
+/// green is red; any other colour is black or white by its green.
+impl Color for Tricolor {
+    const FORMAT: pinhole::Format = pinhole::Format::indexed(2, [1; 3]);
 
-    fn encode(self) -> u32 {
+    fn to_bits(self) -> u32 {
         match self {
             Self::Black => 0b00,
             Self::White => 0b01,
@@ -111,19 +112,21 @@ impl PixelFormat for Tricolor {
         }
     }
 
-    fn decode(bits: u32) -> Self {
+    fn from_bits(bits: u32) -> Self {
         match bits & 3 {
             0b00 => Self::Black,
             0b01 => Self::White,
             _ => Self::Red,
         }
     }
-}
 
-/// Each channel has levels 0 and 1. A colour with red and without green is red; any other colour is black or white by its green.
-impl Channels for Tricolor {
-    const GRAY: bool = false;
-    const MAX: [u8; 3] = [1; 3];
+    fn channels(self) -> [u8; 3] {
+        match self {
+            Self::Black => [0; 3],
+            Self::White => [1; 3],
+            Self::Red => [1, 0, 0],
+        }
+    }
 
     fn from_channels([r, g, _]: [u8; 3]) -> Self {
         match (r != 0, g != 0) {

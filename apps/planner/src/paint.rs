@@ -8,8 +8,7 @@ use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, PixelColor, 
 use pinhole::clip::Barycentric;
 use pinhole::raster::{Span, Triangle};
 use pinhole::{
-    CornerValues, Dim, Flat, IndexedTexels, Lit, LitTexels, LitTextured, PixelFormat, Shader, SpanShader,
-    Texels,
+    Color, CornerValues, Flat, IndexedTexels, Lit, LitTexels, LitTextured, Shader, SpanShader, Texels,
 };
 
 /// The bits of a display's colour, of at most 16.
@@ -20,21 +19,21 @@ impl PixelColor for Stored {
     type Raw = RawU16;
 }
 
-impl PixelFormat for Stored {
-    const BITS: u32 = 16;
+impl Color for Stored {
+    const FORMAT: pinhole::Format = pinhole::Format::indexed(16, [0; 3]);
 
-    fn encode(self) -> u32 {
+    fn to_bits(self) -> u32 {
         self.0.into()
     }
 
-    fn decode(bits: u32) -> Self {
+    fn from_bits(bits: u32) -> Self {
         Self(bits as u16) // of 16 bits
     }
 }
 
 impl Stored {
-    fn of(color: impl PixelFormat) -> Self {
-        Self(color.encode() as u16) // no format of a display here has more bits
+    fn of(color: impl Color) -> Self {
+        Self(color.to_bits() as u16) // no format of a display here has more bits
     }
 }
 
@@ -74,7 +73,7 @@ impl Format {
 
     /// The colour that bits show.
     pub(crate) fn shown(self, color: Stored) -> Rgb888 {
-        by_format!(self, C => C::decode(color.encode()).into())
+        by_format!(self, C => C::from_bits(color.to_bits()).into())
     }
 
     /// The bytes of `rows` rows of `width` pixels.

@@ -4,8 +4,8 @@
 use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Rgb565, Rgb888, RgbColor};
 use pinhole::{
-    Affine, Angle, Camera, Channels, DepthBuffer, Dim, Flat, Gouraud, Lambert, PixelFormat, ScreenVertex,
-    SpanShader, TexelSlice, Texture, Vector3, Viewport,
+    Affine, Angle, Camera, Color, DepthBuffer, Flat, Gouraud, Lambert, ScreenVertex, SpanShader, TexelSlice,
+    Texture, Vector3, Viewport,
 };
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_import::{import_bytes, Edges, ImportedMesh, Options};
@@ -27,7 +27,7 @@ fn model(vertex_normals: bool) -> ImportedMesh {
 /// The pixels of the box, as red, green, blue and opacity, filled by what `shader` gives for a face and its light.
 fn drawn<C, S>(model: &ImportedMesh, shader: impl Fn(usize, &Lambert) -> S) -> Vec<u8>
 where
-    C: PixelFormat + From<Rgb888> + Into<Rgb888>,
+    C: Color + From<Rgb888> + Into<Rgb888>,
     S: SpanShader<C>,
 {
     let mesh = model.mesh().expect("a mesh");
@@ -64,7 +64,7 @@ fn of_16_bits() -> Rgb888 {
 }
 
 /// Styles of a format that has shades: plain and dithered.
-fn dithered_are_equal<C: PixelFormat + Channels + From<Rgb888> + Into<Rgb888>>(format: &str) {
+fn dithered_are_equal<C: Color + From<Rgb888> + Into<Rgb888>>(format: &str) {
     let (flat, smooth) = (model(false), model(true));
     let mesh = smooth.mesh().expect("a mesh");
     let lit = |face: usize, light: &Lambert| {
@@ -78,7 +78,7 @@ fn dithered_are_equal<C: PixelFormat + Channels + From<Rgb888> + Into<Rgb888>>(f
     assert!(page(&format!("format={format}&style=gouraud&dither=1")) == expected, "{format}, Gouraud");
 }
 
-fn plain_are_equal<C: PixelFormat + Channels + Dim + From<Rgb888> + Into<Rgb888>>(format: &str) {
+fn plain_are_equal<C: Color + From<Rgb888> + Into<Rgb888>>(format: &str) {
     let (flat, smooth) = (model(false), model(true));
     let mesh = smooth.mesh().expect("a mesh");
     let level = |face: usize, light: &Lambert| light.level(mesh.normals()[face]);
@@ -98,7 +98,7 @@ fn plain_are_equal<C: PixelFormat + Channels + Dim + From<Rgb888> + Into<Rgb888>
 }
 
 /// A display of few colours shows texels as they are.
-fn unlit_texture_is_equal<C: PixelFormat + From<Rgb888> + Into<Rgb888>>(format: &str) {
+fn unlit_texture_is_equal<C: Color + From<Rgb888> + Into<Rgb888>>(format: &str) {
     let (flat, texels) = (model(false), checker::<C>());
     let coords = flat.texture().expect("coordinates").expect("coordinates");
     let texture = texture(&texels, coords.exponent());
@@ -113,7 +113,7 @@ fn checker<C: From<Rgb888>>() -> Vec<C> {
     (0..32 * 32).map(|i| C::from(if is_light(i % 32, i / 32) { COLOR } else { dark })).collect()
 }
 
-fn texture<C: PixelFormat>(texels: &[C], exponent: i8) -> Texture<TexelSlice<'_, C>> {
+fn texture<C: Color>(texels: &[C], exponent: i8) -> Texture<TexelSlice<'_, C>> {
     Texture::new(TexelSlice::new(texels, 32, 32).expect("texels"))
         .with_exponent(exponent)
         .expect("an exponent")

@@ -105,7 +105,7 @@ macro_rules! draws {
             let colors = model.colors().map_err(|e| e.to_string())?;
             let $color = |face: usize, level: u16| match colors {
                 Some(colors) => colors.lit(face, level),
-                None => pinhole::Dim::dim($picture::COLOR, level),
+                None => pinhole::Color::dim($picture::COLOR, level),
             };
             let $screen = $display.bounding_box();
             let mut $buffers = $crate::firmware::Buffers::new(&$mesh, $screen.size.width);

@@ -12,14 +12,14 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rg
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
-    AntiAliased, Band, BinnedEdges, BinnedFaces, Blend, Blended, Channels, Cull, DepthBuffer, Dim, Flat,
-    FogTable, Fogged, Frame, Gouraud, HalfBlended, Mesh, MeshInstance, PixelFormat, Pixels, Scalar,
-    ScreenDoor, ScreenVertex, SpanShader, Statistics, Target, TexelSlice, Texture, TransformedMesh,
+    AntiAliased, Band, BinnedEdges, BinnedFaces, Blended, Color, Cull, DepthBuffer, Flat, FogTable, Fogged,
+    Frame, Gouraud, HalfBlended, Mesh, MeshInstance, Pixels, Scalar, ScreenDoor, ScreenVertex, SpanShader,
+    Statistics, Target, TexelSlice, Texture, TransformedMesh,
 };
 use std::convert::Infallible;
 
 /// A pixel format of a display.
-pub trait Colour: PixelFormat + Channels + Dim + Blend + From<Rgb888> + Into<Rgb888> + 'static {
+pub trait Colour: Color + From<Rgb888> + Into<Rgb888> + 'static {
     /// Draws a frame in bands, through a strip with room for `rows` rows of the picture. `plan` gets the area that will be drawn
     /// and chooses the areas to send; `send` gets every band.
     ///

@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{Angle, PixelFormat, Statistics};
+use pinhole::{Angle, Color, Statistics};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_import::ImportedMesh;
 use show::{Display, Scratch, Screen, SolarSystem, FRAMES, SIZE, SOLAR_SYSTEM};
@@ -93,7 +93,7 @@ impl Display for Panel<'_> {
         let place = |at: Point| Point::new(left as i32, top as i32) + at * scale as i32;
         let shades = pixels.iter().flat_map(|byte| [byte >> 4, byte & 15]);
         for (at, shade) in area.points().zip(shades) {
-            let colour = Gray4::decode(shade.into());
+            let colour = Gray4::from_bits(shade.into());
             self.picture.fill_solid(&Rectangle::new(place(at), Size::new_equal(scale)), colour.into())?;
         }
         self.sent.areas.push(Rectangle::new(place(area.top_left), area.size * scale));

@@ -153,8 +153,8 @@ impl Viewer {
         let Self { display, dirty, .. } = self;
         if !self.drawn.is_some_and(like) {
             // With another format or background the contents are unknown. Areas start and end at whole bytes.
-            let steps = (8 / C::BITS.clamp(1, 8)) as u16;
-            let cost = TransferCost::new(C::BITS, TransferCost::MIPI_DCS);
+            let steps = (8 / C::FORMAT.bits().clamp(1, 8)) as u16;
+            let cost = TransferCost::new(C::FORMAT.bits(), TransferCost::MIPI_DCS);
             *dirty = DirtyRegions::new(dirty.area(), cost).with_steps(steps, 1);
         }
         let mut areas = Vec::new();

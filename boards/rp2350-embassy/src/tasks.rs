@@ -13,7 +13,7 @@ use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::primitives::Rectangle;
 use embedded_hal::digital::OutputPin;
-use pinhole::{DirtyRegions, Frame, PixelFormat, Tracked, TransferCost};
+use pinhole::{DirtyRegions, Frame, Color, Tracked, TransferCost};
 
 /// Memory for a band, and the band that is in it.
 pub struct Strip {
@@ -44,7 +44,7 @@ pub async fn draw(
     mut strips: Sender<'_, CriticalSectionRawMutex, Strip>,
 ) -> Result<Infallible, &'static str> {
     // At most four rectangles: those of the model and of the text, before and now.
-    let mut dirty = DirtyRegions::<4>::new(SCREEN, TransferCost::new(Rgb565::BITS, WINDOW_BYTES));
+    let mut dirty = DirtyRegions::<4>::new(SCREEN, TransferCost::new(Rgb565::FORMAT.bits(), WINDOW_BYTES));
     let mut shown = [Tracked::new(); 2];
     let (mut step, mut clicks, mut number) = (0, 0, 0_u32);
     loop {

@@ -24,7 +24,7 @@ use meshes::{
 };
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, BinnedEdges, BinnedFaces, Camera, Dim, Gouraud, Hierarchy, Lambert, Mesh, MeshInstance,
+    Affine, Angle, BinnedEdges, BinnedFaces, Camera, Color, Gouraud, Hierarchy, Lambert, Mesh, MeshInstance,
     Node, Point3, Projection, Scalar, ScreenVertex, TransformedMesh, Vector3, ViewTransform, Viewport,
 };
 

@@ -6,7 +6,7 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::Text;
-use pinhole::{Band, DepthBuffer, DirtyRegions, Frame, PixelFormat, TransferCost};
+use pinhole::{Band, Color, DepthBuffer, DirtyRegions, Frame, TransferCost};
 
 pub(crate) const SIZE: Size = Size::new(128, 64);
 const AREA: Rectangle = Rectangle::new(Point::zero(), SIZE);
@@ -37,7 +37,7 @@ impl<'a, D: Display> Screen<'a, D> {
         depths: &'a mut [u16],
         bits: &'a mut [u8],
     ) -> Self {
-        let dirty = DirtyRegions::new(AREA, TransferCost::new(Gray4::BITS, WINDOW)).with_steps(2, 1);
+        let dirty = DirtyRegions::new(AREA, TransferCost::new(Gray4::FORMAT.bits(), WINDOW)).with_steps(2, 1);
         Self { display, dirty, colours, depths, bits, sent: 0 }
     }
 
@@ -136,6 +136,6 @@ fn on_black<C: PixelColor>(text: C, background: C) -> MonoTextStyle<'static, C> 
 
 /// Draws text in the lower left corner. Not inlined: its variables are not on the stack while solids are drawn.
 #[inline(never)]
-fn write<C: PixelFormat>(caption: &str, style: MonoTextStyle<'_, C>, band: &mut Band<'_, C>) {
+fn write<C: Color>(caption: &str, style: MonoTextStyle<'_, C>, band: &mut Band<'_, C>) {
     let Ok(_) = Text::new(caption, Point::new(1, 61), style).draw(band);
 }

@@ -1,7 +1,8 @@
 //! Colours on their way into the fog: for fog by face and by vertex.
 
+use crate::color::Color;
 use crate::shading::levels::faded;
-use crate::shading::{Channels, Flat, LitPalette, ShadeTable};
+use crate::shading::{Flat, LitPalette, ShadeTable};
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
 impl Flat {
@@ -33,7 +34,7 @@ impl Flat {
     }
 }
 
-impl<C: Channels> ShadeTable<C> {
+impl<C: Color> ShadeTable<C> {
     /// A table that fades `color` into `fog`: entry i is the colour of the target nearest to i/255 of `color` and the rest of
     /// `fog`; halves are rounded up. [`lit`](Self::lit) takes the factors of a [`VertexFog`](crate::VertexFog) at the corners of
     /// a face.
@@ -56,7 +57,7 @@ impl<C: Channels> ShadeTable<C> {
     }
 }
 
-impl<C: Channels, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROWS> {
+impl<C: Color, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROWS> {
     /// A palette that fades into fog: row i has i/(`ROWS` − 1) of the palette's colours and the rest of the fog's colour, so row
     /// 0 is fog alone; halves are rounded up. [`row`](Self::row) takes the factor of
     /// [`VertexFog::face_factor`](crate::VertexFog::face_factor), [`Textured::lit`](crate::Textured::lit) the factors of

@@ -2,14 +2,15 @@
 
 use super::levels::{FogLevel, FogLevels};
 use super::table::{FogTable, LEVELS};
+use crate::color::{Color, Mixer};
 use crate::raster::{Gradient, Span, Triangle};
 use crate::shading::shader::{inner_with_corners, DrawLevels, DrawRuns};
-use crate::shading::{Blend, CornerValues, Shader, SpanShader, TableShader};
+use crate::shading::{CornerValues, Shader, SpanShader, TableShader};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// A shader in fog: its colours are mixed with the fog's colour by the depth of each pixel. It wraps any shader (colours, smooth,
 /// lit, textured and translucent faces, with colour keys and screen doors), in any draw call, into every target whose colours can
-/// be [mixed](Blend).
+/// be [mixed](Color).
 ///
 /// A face without fog is drawn by the wrapped shader alone. A face of one colour whose pixels have one level of fog is filled
 /// with one colour. A face of one colour in several levels, on a target whose pixels lie in memory, is filled level by level: a
@@ -86,7 +87,7 @@ impl<'t, S, C> Fogged<'t, S, C> {
     }
 }
 
-impl<S, C: Blend> Fogged<'_, S, C> {
+impl<S, C: Color> Fogged<'_, S, C> {
     /// A colour in the lowest level.
     #[inline(always)]
     pub(in crate::shading) fn in_nearest_level(&self, color: C) -> C {
@@ -134,7 +135,7 @@ pub struct FoggedSetup<'t, P, C> {
     levels: [u8; 2],
 }
 
-impl<'t, P, C: Blend> FoggedSetup<'t, P, C> {
+impl<'t, P, C: Color> FoggedSetup<'t, P, C> {
     /// The level of each pixel from `x` on.
     #[inline(always)]
     fn levels(&self, x: i32, y: i32) -> FogLevels<'t> {
@@ -152,11 +153,11 @@ impl<'t, P, C: Blend> FoggedSetup<'t, P, C> {
 
 /// A colour in a level of fog.
 #[inline(always)]
-fn mixed<C: Blend>(color: C, fog: C, level: u8) -> C {
+fn mixed<C: Color>(color: C, fog: C, level: u8) -> C {
     color.mix(fog, LEVELS as u8 - level)
 }
 
-impl<'t, C: Blend, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
+impl<'t, C: Color, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
     type Setup = FoggedSetup<'t, S::Setup, C>;
     const LEAVES_OUT: bool = S::LEAVES_OUT;
     const BLENDS: bool = S::BLENDS;

@@ -3,8 +3,8 @@
 use super::linear::{Fog, FogError, LEAST_STEPS};
 use super::profile::FogProfile;
 use crate::camera::Camera;
+use crate::color::Color;
 use crate::raster::Gradient;
-use crate::shading::Blend;
 
 /// The levels of fog besides none.
 pub(super) const LEVELS: usize = 32;
@@ -91,7 +91,7 @@ impl<C> FogTable<C> {
     }
 }
 
-impl<C: Blend> FogTable<C> {
+impl<C: Color> FogTable<C> {
     /// A colour as it is seen at a depth: mixed with the fog's colour, each channel rounded to nearest.
     pub fn color_at(&self, color: C, depth: u16) -> C {
         color.mix(self.color, self.factor(depth))

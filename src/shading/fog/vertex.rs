@@ -13,7 +13,7 @@ use crate::space::{Model, World};
 ///
 /// A factor is 256 without fog and 0 where nothing but fog is seen, so it can be used like a level of light:
 ///
-/// - **a colour for each face**: `color.over(fog_color, factor)`, of [`Blend`](crate::Blend); for any target, [`Flat::in_fog`](crate::Flat::in_fog);
+/// - **a colour for each face**: `color.over(fog_color, factor)`, of [`Color`](crate::Color); for any target, [`Flat::in_fog`](crate::Flat::in_fog);
 /// - **interpolated over faces**: [`ShadeTable::in_fog`](crate::ShadeTable::in_fog) fades one colour into fog; for lit faces,
 ///   [`Gouraud::new`](crate::Gouraud::new) of three [`Flat::in_fog`](crate::Flat::in_fog);
 /// - **textures**: the rows of [`LitPalette::in_fog`](crate::LitPalette::in_fog), by face or by vertex;
@@ -25,7 +25,7 @@ use crate::space::{Model, World};
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
-/// use pinhole::{Affine, Angle, Blend, Camera, Fog, Point3, Projection, Scalar, Vector3, VertexFog, ViewTransform, Viewport};
+/// use pinhole::{Affine, Angle, Color, Camera, Fog, Point3, Projection, Scalar, Vector3, VertexFog, ViewTransform, Viewport};
 /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
 /// # let [eye, origin] = [8, 0].map(|z| Point3::from_ints(0, 0, z));
 /// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;

@@ -1,10 +1,11 @@
 //! Sprites in fog.
 
 use super::source::SpriteSource;
-use crate::shading::{Blend, Fogged};
+use crate::color::Color;
+use crate::shading::Fogged;
 use embedded_graphics_core::geometry::Size;
 
-impl<C: Blend, S: SpriteSource<Color = C>> SpriteSource for Fogged<'_, S, C> {
+impl<C: Color, S: SpriteSource<Color = C>> SpriteSource for Fogged<'_, S, C> {
     type Color = C;
     const BLENDS: bool = S::BLENDS;
 

@@ -6,14 +6,15 @@ use super::mapping::Textured;
 use super::texels::{TexelSlice, Texels};
 use super::textured::TextureGradients;
 use crate::clip::Barycentric;
+use crate::color::Color;
 use crate::math::unrolled::map3;
 use crate::raster::{Gradient, Span, Triangle};
 use crate::shading::levels::weighted_mean;
-use crate::shading::{CornerValues, Dim, Shader, SpanShader};
+use crate::shading::{CornerValues, Shader, SpanShader};
 
 /// [`Texels`] that can be shown in several levels of light, for [`Textured::lit`].
 ///
-/// Texels whose colours can be [dimmed](Dim) are multiplied by the light at each pixel. Those of a
+/// Texels whose colours can be [dimmed](Color) are multiplied by the light at each pixel. Those of a
 /// [`LitPalette`](crate::LitPalette) are looked up in the palette's row, which is faster.
 ///
 /// ```
@@ -26,7 +27,7 @@ use crate::shading::{CornerValues, Dim, Shader, SpanShader};
 #[diagnostic::on_unimplemented(
     message = "`{Self}` are not texels that can be lit",
     label = "not `LitTexels`",
-    note = "use texels whose colors implement `Dim`, or `IndexedTexels::with_lit_palette`"
+    note = "use texels whose colors implement `Color`, or `IndexedTexels::with_lit_palette`"
 )]
 pub trait LitTexels: Texels {
     /// The binary logarithm of the number of levels: 1 … 8.
@@ -39,12 +40,12 @@ pub trait LitTexels: Texels {
 
 /// A colour at `level`/255 of its light.
 #[inline(always)]
-fn dimmed<C: Dim>(color: C, level: u32) -> C {
+fn dimmed<C: Color>(color: C, level: u32) -> C {
     // 0 … 256, at most ½ from level·256/255.
     color.dim((level + (level >> 7)) as u16)
 }
 
-impl<C: Dim, const W: usize, const H: usize> LitTexels for &[[C; W]; H] {
+impl<C: Color, const W: usize, const H: usize> LitTexels for &[[C; W]; H] {
     const LEVEL_BITS: u32 = 8;
 
     #[inline(always)]
@@ -53,7 +54,7 @@ impl<C: Dim, const W: usize, const H: usize> LitTexels for &[[C; W]; H] {
     }
 }
 
-impl<C: Dim> LitTexels for TexelSlice<'_, C> {
+impl<C: Color> LitTexels for TexelSlice<'_, C> {
     const LEVEL_BITS: u32 = 8;
 
     #[inline(always)]
@@ -62,7 +63,7 @@ impl<C: Dim> LitTexels for TexelSlice<'_, C> {
     }
 }
 
-impl<C: Dim, const BITS: u32> LitTexels for IndexedTexels<'_, C, BITS> {
+impl<C: Color, const BITS: u32> LitTexels for IndexedTexels<'_, C, BITS> {
     const LEVEL_BITS: u32 = 8;
 
     #[inline(always)]

@@ -3,8 +3,8 @@
 use super::indexed::IndexedTexels;
 use super::mapping::Texture;
 use super::texels::Texels;
+use crate::color::Color;
 use crate::shading::levels::lit;
-use crate::shading::Channels;
 use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
 
 /// A palette in `ROWS` levels of light, computed once: the colours of a texture with a palette in any light, without a
@@ -21,7 +21,7 @@ use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};
-/// use pinhole::{Dim, IndexedTexels, LitPalette, Texture};
+/// use pinhole::{Color, IndexedTexels, LitPalette, Texture};
 /// let palette = LitPalette::<Rgb565, 2, 32>::new(&[Rgb888::BLACK, Rgb888::WHITE]); // before the first frame
 /// assert_eq!(palette.row(0), &[Rgb565::BLACK; 2]);
 /// assert_eq!(palette.row(256), &[Rgb565::BLACK, Rgb565::WHITE]);
@@ -76,7 +76,7 @@ impl<C, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROWS> {
     }
 }
 
-impl<C: Channels, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROWS> {
+impl<C: Color, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROWS> {
     /// The colours of the target nearest to each colour at 0/(`ROWS` − 1), 1/(`ROWS` − 1) … of its light; halves are rounded up.
     pub fn new(palette: &[Rgb888; COLORS]) -> Self {
         let steps = (1u32 << Self::ROW_BITS) - 1;

@@ -27,7 +27,7 @@ impl TransferCost {
     /// Alliance, *Specification for Display Command Set*).
     pub const MIPI_DCS: u16 = 11;
 
-    /// The cost for `pixel_bits` per pixel (see [`PixelFormat::BITS`](crate::PixelFormat::BITS); more than 256 count as 256) and
+    /// The cost for `pixel_bits` per pixel (see [`Color::FORMAT.bits()`](crate::Color::FORMAT.bits()); more than 256 count as 256) and
     /// `window_bytes` of commands before the first pixel of each rectangle. A row of pixels is rounded up to bytes, and to
     /// [steps](DirtyRegions::with_steps) if there are any. 2³¹ bytes and more count as equal.
     pub const fn new(pixel_bits: u32, window_bytes: u16) -> Self {
@@ -52,9 +52,9 @@ impl TransferCost {
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, pixelcolor::Rgb565, primitives::Rectangle};
-/// use pinhole::{DirtyRegions, PixelFormat, Tracked, TransferCost};
+/// use pinhole::{DirtyRegions, Color, Tracked, TransferCost};
 /// let screen = Rectangle::new(Point::zero(), Size::new(240, 240));
-/// let mut dirty = DirtyRegions::<4>::new(screen, TransferCost::new(Rgb565::BITS, TransferCost::MIPI_DCS));
+/// let mut dirty = DirtyRegions::<4>::new(screen, TransferCost::new(Rgb565::FORMAT.bits(), TransferCost::MIPI_DCS));
 /// let at = |x, y| Rectangle::new(Point::new(x, y), Size::new(10, 10));
 ///
 /// let mut ball = Tracked::new();
@@ -75,9 +75,9 @@ impl TransferCost {
 ///
 /// ```
 /// # use embedded_graphics::{geometry::{Point, Size}, pixelcolor::Rgb565, primitives::Rectangle};
-/// # use pinhole::{DirtyRegions, TransferCost, PixelFormat};
+/// # use pinhole::{DirtyRegions, TransferCost, Color};
 /// # let screen = Rectangle::new(Point::zero(), Size::new(240, 240));
-/// # let mut dirty = DirtyRegions::<4>::new(screen, TransferCost::new(Rgb565::BITS, TransferCost::MIPI_DCS));
+/// # let mut dirty = DirtyRegions::<4>::new(screen, TransferCost::new(Rgb565::FORMAT.bits(), TransferCost::MIPI_DCS));
 /// # let at = |x, y| Rectangle::new(Point::new(x, y), Size::new(10, 10));
 /// dirty.mark(at(20, 50));
 /// assert_eq!(dirty.take(), [screen]); // a new target shows anything
@@ -94,10 +94,10 @@ impl TransferCost {
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
 /// use embedded_graphics::primitives::{Circle, PrimitiveStyle};
-/// use pinhole::{DirtyRegions, Frame, PixelFormat, Tracked, TransferCost};
+/// use pinhole::{DirtyRegions, Frame, Color, Tracked, TransferCost};
 /// let mut display = MockDisplay::<Gray8>::new();
 /// display.set_allow_overdraw(true);
-/// let mut dirty = DirtyRegions::<4>::new(display.bounding_box(), TransferCost::new(Gray8::BITS, 11));
+/// let mut dirty = DirtyRegions::<4>::new(display.bounding_box(), TransferCost::new(Gray8::FORMAT.bits(), 11));
 /// let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
 /// let mut tracked = Tracked::new();
 /// for x in [5, 9, 30] {

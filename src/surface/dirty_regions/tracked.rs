@@ -11,9 +11,9 @@ use embedded_graphics_core::primitives::Rectangle;
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, pixelcolor::BinaryColor, primitives::Rectangle};
-/// use pinhole::{DirtyRegions, PixelFormat, Tracked, TransferCost};
+/// use pinhole::{DirtyRegions, Color, Tracked, TransferCost};
 /// let screen = Rectangle::new(Point::zero(), Size::new(128, 64));
-/// let mut dirty = DirtyRegions::<4>::new(screen, TransferCost::new(BinaryColor::BITS, 6));
+/// let mut dirty = DirtyRegions::<4>::new(screen, TransferCost::new(BinaryColor::FORMAT.bits(), 6));
 /// let (mut needle, mut label) = (Tracked::new(), Tracked::new());
 /// let at = |x, width| Rectangle::new(Point::new(x, 8), Size::new(width, 16));
 ///

@@ -12,10 +12,10 @@ use embedded_graphics_core::Pixel;
 use pinhole::raster::{self, Scissor, ScreenPoint, Span};
 use pinhole::space::{Model, World};
 use pinhole::{
-    draw_line, fill_triangle, Affine, AntiAliased, Blend, Camera, Channels, Coordinate, Cull, DepthBuffer,
-    Dim, DirtyRegions, FacePlanes, Flat, Frame, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Object,
-    Painter, Picture, PixelFormat, Scalar, ScreenDoor, ScreenVertex, ShadeTable, SpanShader, Stroke, Target,
-    Tracked, TransferCost, WithPlanes,
+    draw_line, fill_triangle, Affine, AntiAliased, Camera, Color, Coordinate, Cull, DepthBuffer,
+    DirtyRegions, FacePlanes, Flat, Frame, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Object, Painter,
+    Picture, Scalar, ScreenDoor, ScreenVertex, ShadeTable, SpanShader, Stroke, Target, Tracked, TransferCost,
+    WithPlanes,
 };
 
 /// A scene that is set up elsewhere, so that the compiler knows nothing of it here.
@@ -33,7 +33,7 @@ struct Scene<'a, C> {
     painter: Painter<C, 100, 100>,
 }
 
-fn draw<D: DrawTarget<Color: Dim>>(scene: &mut Scene<'_, D::Color>, target: &mut D) {
+fn draw<D: DrawTarget<Color: Color>>(scene: &mut Scene<'_, D::Color>, target: &mut D) {
     let cull = match any() {
         0 => Cull::None,
         1 => Cull::Front,
@@ -52,11 +52,7 @@ fn draw<D: DrawTarget<Color: Dim>>(scene: &mut Scene<'_, D::Color>, target: &mut
 }
 
 /// Shaders that vary over a face, in every way to draw faces, in whole frames and in bands.
-fn shade<D: DrawTarget<Color: Dim + Channels + PixelFormat>>(
-    scene: &mut Scene<'_, D::Color>,
-    levels: &mut [u16],
-    target: &mut D,
-) {
+fn shade<D: DrawTarget<Color: Color>>(scene: &mut Scene<'_, D::Color>, levels: &mut [u16], target: &mut D) {
     let mesh = scene.mesh;
     let instance = scene.camera.place(&mesh, &scene.model);
     scene.light.levels(mesh.vertex_normals(), levels);
@@ -77,7 +73,7 @@ fn shade<D: DrawTarget<Color: Dim + Channels + PixelFormat>>(
     }
 }
 
-fn fill_all<D: DrawTarget<Color: PixelFormat>, I: SpanShader<D::Color>>(
+fn fill_all<D: DrawTarget<Color: Color>, I: SpanShader<D::Color>>(
     scene: &mut Scene<'_, D::Color>,
     by_planes: &MeshInstance<'_, i16, WithPlanes>,
     shade: impl Fn(usize) -> I,
@@ -120,7 +116,7 @@ fn fill_all<D: DrawTarget<Color: PixelFormat>, I: SpanShader<D::Color>>(
 }
 
 /// Lines with depth, hidden lines, and edges in a band.
-fn draw_edges<D: DrawTarget<Color: PixelFormat>>(
+fn draw_edges<D: DrawTarget<Color: Color>>(
     scene: &mut Scene<'_, D::Color>,
     by_planes: &MeshInstance<'_, i16, WithPlanes>,
     target: &mut D,
@@ -158,7 +154,7 @@ fn draw_edges<D: DrawTarget<Color: PixelFormat>>(
     report(band.send(target));
 }
 
-fn draw_instance<D: DrawTarget<Color: Dim>, V: Coordinate>(
+fn draw_instance<D: DrawTarget<Color: Color>, V: Coordinate>(
     scene: &mut Scene<'_, D::Color>,
     by_planes: &MeshInstance<'_, V, WithPlanes>,
     target: &mut D,

@@ -14,15 +14,14 @@ use pinhole::clip::{self, Varying};
 use pinhole::raster::{Gradient, Pixel, ScreenPoint, Triangle};
 use pinhole::space::{Canonical, Model, Ndc, View, World};
 use pinhole::{
-    edge_faces, Affine, Angle, AxisError, Band, BlinnPhong, Camera, Channels, ClipPoint, Coordinate,
-    DepthBuffer, Dim, DirectionalLight, DirtyRegions, FaceColors, Flat, Fog, Frame, FramingError, Frustum,
+    edge_faces, Affine, Angle, AxisError, Band, BlinnPhong, Camera, ClipPoint, Color, Coordinate,
+    DepthBuffer, DirectionalLight, DirtyRegions, FaceColors, Flat, Fog, Format, Frame, FramingError, Frustum,
     Gouraud, Hierarchy, HierarchyError, InverseError, Lambert, LightError, Lights, Lit, LitPalette, Matcap,
     MaterialError, MatrixError, Mesh, MeshBuffers, MeshError, MeshInstance, Node, NormalMatrix, NumberError,
-    Outcode, PixelFormat, PlanarProjection, Point3, PointLight, ProjectError, Projected, Projection,
-    ProjectionError, Quaternion, QuaternionError, Ray, ReferenceVolume, RigidLambert, Scalar, ShadeTable,
-    Side, Sphere, SquaredFog, Statistics, StoredPixel, StripBuffers, TextureCoords, TransformedMesh,
-    VanishingPoint, Vector3, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility,
-    WithPlanes,
+    Outcode, PlanarProjection, Point3, PointLight, ProjectError, Projected, Projection, ProjectionError,
+    Quaternion, QuaternionError, Ray, ReferenceVolume, RigidLambert, Scalar, ShadeTable, Side, Sphere,
+    SquaredFog, Statistics, StoredPixel, StripBuffers, TextureCoords, TransformedMesh, VanishingPoint,
+    Vector3, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, WithPlanes,
 };
 
 type Vertices = &'static [[i16; 3]];
@@ -34,12 +33,12 @@ type Edges = &'static [[u16; 2]];
 macro_rules! colours {
     ($($name:ident: $colour:ty, $memory:ty;)*) => {$(
         #[unsafe(no_mangle)]
-        fn $name(colour: $colour, emission: $colour) -> ($colour, $colour, $colour, u32, $colour, $memory, $colour) {
+        fn $name(colour: $colour, emission: $colour) -> ($colour, $colour, $colour, u32, [u8; 3], $memory, $colour) {
             let channels = <$colour>::from_channels([any() as u8, any() as u8, any() as u8]);
-            let decoded = <$colour as PixelFormat>::decode(any() as u32);
+            let decoded = <$colour as Color>::from_bits(any() as u32);
             let cell: $memory = colour.stored();
             let loaded = <$colour as StoredPixel<$memory>>::load(black_box(cell));
-            (colour.dim(any() as u16).emitting(emission), channels, decoded, PixelFormat::encode(colour), colour.stored(), cell, loaded)
+            (colour.dim(any() as u16).emitting(emission), channels, decoded, colour.to_bits(), colour.channels(), cell, loaded)
         }
     )*};
 }
@@ -136,6 +135,9 @@ entries! {
     entry_statistics(a: Statistics, b: Statistics) -> Statistics { a.and(b) }
     entry_mesh(v: Vertices, exponent: i8, f: Faces) -> Result<Mesh<'static>, MeshError> { Mesh::new(v, exponent, f) }
     entry_wide_mesh(v: WideVertices, f: Faces) -> Result<Mesh<'static, Scalar>, MeshError> { Mesh::from_fixed(v, f) }
+    entry_format(red: u32, green: u32, blue: u32) -> [Format; 4] { [Format::rgb(red, green, blue), Format::bgr(blue, green, red), Format::gray(red), Format::indexed(red, [any() as u8; 3])] }
+    entry_format_of(format: Format, bits: u32) -> [Format; 2] { [format.padded_to(bits), format.in_bytes()] }
+    entry_format_parts(format: Format) -> (u32, [u8; 3], bool) { (format.bits(), format.max(), format.is_gray()) }
     entry_face_colors(p: &'static [[u8; 3]], f: &'static [u8]) -> Result<FaceColors<'static>, MaterialError> { FaceColors::new(p, f) }
     entry_face_color(colors: &FaceColors<'static>, face: usize) -> (Rgb565, usize, usize) { (colors.color(face), colors.palette().len(), colors.faces().len()) }
     entry_face_emission(colors: FaceColors<'static>, e: &'static [[u8; 3]]) -> Result<FaceColors<'static>, MaterialError> { colors.with_emission(e) }

@@ -7,18 +7,18 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 use pinhole::meshes::{CUBE, SPHERE};
 use pinhole::space::{Model, World};
 use pinhole::{
-    mesh_buffers, Affine, Angle, BinnedFaces, Blend, Camera, Channels, DepthBuffer, Fog, IndexedTexels,
-    Lambert, LitPalette, Mesh, MeshBuffers, MeshInstance, PlacedSprites, Point3, Projection, Scalar,
-    ScreenDoor, ScreenVertex, Sprite, SpriteSource, Target, Texture, Textured, Vector3, VertexFog,
-    ViewTransform, Viewport,
+    mesh_buffers, Affine, Angle, BinnedFaces, Camera, Color, DepthBuffer, Fog, IndexedTexels, Lambert,
+    LitPalette, Mesh, MeshBuffers, MeshInstance, PlacedSprites, Point3, Projection, Scalar, ScreenDoor,
+    ScreenVertex, Sprite, SpriteSource, Target, Texture, Textured, Vector3, VertexFog, ViewTransform,
+    Viewport,
 };
 
 /// The way after which everything looks as before, in 1/32 world units: trees repeat after 48 units, fields after 16.
 pub const WAY: i32 = 48 * 32;
 
 /// What can be drawn in.
-pub trait Ink: Channels + Blend + From<Rgb888> {}
-impl<C: Channels + Blend + From<Rgb888>> Ink for C {}
+pub trait Ink: Color + From<Rgb888> {}
+impl<C: Color + From<Rgb888>> Ink for C {}
 
 /// The colours of the scene.
 #[derive(Clone, Copy)]

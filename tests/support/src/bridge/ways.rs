@@ -9,8 +9,8 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{
-    Band, Coordinate, DepthBuffer, FacePlanes, Frame, MeshInstance, Painter, PixelFormat, Pixels,
-    ScreenVertex, SpanShader, Statistics, StoredPixel, Stroke,
+    Band, Color, Coordinate, DepthBuffer, FacePlanes, Frame, MeshInstance, Painter, Pixels, ScreenVertex,
+    SpanShader, Statistics, StoredPixel, Stroke,
 };
 
 /// The pictures of faces without depth and with depth, row by row, and the depth buffer; and from far to near, by [`by_every_call`].
@@ -66,12 +66,7 @@ pub fn screen<C: PixelColor>(area: Rectangle, draw: &mut OntoScreen<'_, C>) -> (
 }
 
 /// What bands of `rows` rows show, one after the other; the last may be lower.
-pub fn bands<C: PixelFormat>(
-    area: Rectangle,
-    background: C,
-    rows: u32,
-    draw: &mut IntoBand<'_, C>,
-) -> Vec<C> {
+pub fn bands<C: Color>(area: Rectangle, background: C, rows: u32, draw: &mut IntoBand<'_, C>) -> Vec<C> {
     let mut frame = Frame::new(area, background);
     let mut strip = vec![0xaa; Frame::<C>::strip_bytes(area.size.width, rows)];
     let mut depths = vec![0; (area.size.width * rows) as usize];
@@ -198,7 +193,7 @@ pub fn by_every_call<const N: usize, C, S, V, P>(
     shade: &dyn Fn(usize) -> S,
 ) -> (Drawn<C>, Statistics)
 where
-    C: PixelFormat + StoredPixel<[u8; N]> + Debug,
+    C: Color + StoredPixel<[u8; N]> + Debug,
     S: SpanShader<C>,
     V: Coordinate,
     P: FacePlanes,
@@ -272,7 +267,7 @@ pub fn lines_by_every_call<const N: usize, C, K, V>(
     face: Option<C>,
 ) -> Lines<C>
 where
-    C: PixelFormat + StoredPixel<[u8; N]> + Debug,
+    C: Color + StoredPixel<[u8; N]> + Debug,
     K: Stroke<C>,
     V: Coordinate,
 {

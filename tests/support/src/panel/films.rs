@@ -8,9 +8,8 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    draw_line, raster, Affine, Angle, Camera, Dim, DirtyRegions, Frame, Lambert, LeastRun, Mesh,
-    MeshInstance, PixelFormat, Point3, Projection, Scalar, ScreenVertex, TransferCost, Vector3,
-    ViewTransform, Viewport,
+    draw_line, raster, Affine, Angle, Camera, Color, DirtyRegions, Frame, Lambert, LeastRun, Mesh,
+    MeshInstance, Point3, Projection, Scalar, ScreenVertex, TransferCost, Vector3, ViewTransform, Viewport,
 };
 
 /// The cube of ±1.
@@ -120,12 +119,12 @@ type Store = ([ScreenVertex; CUBE.cache_len()], [u16; CUBE.face_bins_len()]);
 const STORE: Store = ([ScreenVertex::EMPTY; CUBE.cache_len()], [0; CUBE.face_bins_len()]);
 
 impl Thing {
-    fn colour<C: Dim + From<Rgb888>>(&self, face: usize) -> C {
+    fn colour<C: Color + From<Rgb888>>(&self, face: usize) -> C {
         C::from(self.colour).dim(self.light.level(NORMALS[face / 2]))
     }
 
     /// Draws the object at once, onto any target.
-    pub fn draw<D: DrawTarget<Color: Dim + From<Rgb888>>>(&self, target: &mut D) -> Result<(), D::Error> {
+    pub fn draw<D: DrawTarget<Color: Color + From<Rgb888>>>(&self, target: &mut D) -> Result<(), D::Error> {
         self.instance.solid(|face| self.colour::<D::Color>(face), &mut [], target).map(|_| ())
     }
 
@@ -137,11 +136,11 @@ impl Thing {
 }
 
 /// A colour with all traits that these functions need.
-pub trait Colour: PixelFormat + Dim + StoredPixel + From<Rgb888> {}
-impl<C: PixelFormat + Dim + StoredPixel + From<Rgb888>> Colour for C {}
+pub trait Colour: Color + StoredPixel + From<Rgb888> {}
+impl<C: Color + StoredPixel + From<Rgb888>> Colour for C {}
 
 /// Memory for `rows` rows.
-pub fn strip<C: PixelFormat>(width: u32, rows: u32) -> Vec<u8> {
+pub fn strip<C: Color>(width: u32, rows: u32) -> Vec<u8> {
     vec![0; Frame::<C>::strip_bytes(width, rows)]
 }
 
@@ -168,8 +167,8 @@ pub fn in_bands<D: DrawTarget<Color: Colour>>(
 }
 
 /// The tracker of the regions of a frame that changed.
-pub fn dirty<C: PixelFormat>(area: Rectangle) -> DirtyRegions<4> {
-    DirtyRegions::new(area, TransferCost::new(C::BITS, TransferCost::MIPI_DCS))
+pub fn dirty<C: Color>(area: Rectangle) -> DirtyRegions<4> {
+    DirtyRegions::new(area, TransferCost::new(C::FORMAT.bits(), TransferCost::MIPI_DCS))
 }
 
 /// The rectangles of moving objects: where they were and where they are.
@@ -233,8 +232,8 @@ impl<M: Kind<ColorFormat: Colour>> Screen<M> {
 }
 
 /// The bytes of the pixels of an area.
-pub fn pixel_bytes<C: PixelFormat>(size: Size) -> usize {
-    size.width as usize * size.height as usize * C::BITS as usize / 8
+pub fn pixel_bytes<C: Color>(size: Size) -> usize {
+    size.width as usize * size.height as usize * C::FORMAT.bits() as usize / 8
 }
 
 /// The size of the smallest rectangle that contains the pixels that differ.

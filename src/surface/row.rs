@@ -1,155 +1,22 @@
-//! Pixels as bits, in the order in which displays take them, and functions that write and read rows of them.
+//! Functions that write and read rows of pixels as displays take them: see [`Color`].
 
-use super::stored_pixel::StoredPixel;
+use crate::color::Color;
 use crate::math::hints::{keep_rolled, opaque};
-use embedded_graphics_core::pixelcolor::raw::{RawData, RawU1, RawU16, RawU2, RawU24, RawU4, RawU8};
-use embedded_graphics_core::pixelcolor::{
-    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666,
-    Rgb888, RgbColor,
-};
 
-/// A colour as a display takes it: the most significant bit first; several pixels to a byte where they fit, the leftmost in the
-/// upper bits; each row begins with a new byte.
-///
-/// ```
-/// use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb666, RgbColor};
-/// use pinhole::PixelFormat;
-/// assert_eq!((Rgb565::BITS, Rgb565::RED.encode()), (16, 0xf800));
-/// assert_eq!((Rgb666::BITS, Rgb666::RED.encode()), (24, 0xfc_0000)); // six bits to a byte, at its upper end
-/// assert_eq!((Gray4::BITS, Gray4::decode(9)), (4, Gray4::new(9)));
-/// ```
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no wire format, so it cannot be drawn in bands",
-    label = "no `PixelFormat`",
-    note = "all color types of embedded-graphics have one; implement `PixelFormat` for your own color type"
-)]
-pub trait PixelFormat: PixelColor {
-    /// Bits per pixel: 1, 2, 4, 8, 16, 24 or 32. A band of any other number does not compile.
-    const BITS: u32;
-
-    /// The colour's bits, in the lowest [`BITS`](Self::BITS) bits; higher ones are ignored.
-    fn encode(self) -> u32;
-
-    /// The colour with these bits: the inverse of [`encode`](Self::encode).
-    fn decode(bits: u32) -> Self;
-}
-
-/// Stores colours of 8, 16 and 24 bits as bytes, the most significant first.
-macro_rules! stored_as_bytes {
-    ($($bytes:literal: $($color:ty),*;)*) => {$($(
-        impl StoredPixel<[u8; $bytes]> for $color {
-            #[inline(always)]
-            fn stored(self) -> [u8; $bytes] {
-                let mut bytes = [0; $bytes];
-                // The last bytes of the four that `encode` gives.
-                bytes.iter_mut().rev().zip(self.encode().to_le_bytes()).for_each(|(byte, bits)| *byte = bits);
-                bytes
-            }
-
-            #[inline(always)]
-            fn load(bytes: [u8; $bytes]) -> Self {
-                Self::decode(bytes.iter().fold(0, |bits, &byte| bits << 8 | u32::from(byte)))
-            }
-        }
-    )*)*};
-}
-
-stored_as_bytes! {
-    1: Gray8;
-    2: Rgb555, Bgr555, Rgb565, Bgr565;
-    3: Rgb666, Bgr666, Rgb888, Bgr888;
-}
-
-/// Stores colours of 16 bits as an integer in the core's own byte order.
-macro_rules! stored_as_number {
-    ($($color:ty),*) => {$(
-        impl StoredPixel<u16> for $color {
-            #[inline(always)]
-            fn stored(self) -> u16 {
-                self.encode() as u16 // 16 bits
-            }
-
-            #[inline(always)]
-            fn load(bits: u16) -> Self {
-                Self::decode(bits.into())
-            }
-        }
-    )*};
-}
-
-stored_as_number!(Rgb555, Bgr555, Rgb565, Bgr565);
-
-macro_rules! wire_raw {
-    ($($color:ty: $raw:ty, $bits:literal;)*) => {$(
-        impl PixelFormat for $color {
-            const BITS: u32 = $bits;
-
-            #[inline(always)]
-            fn encode(self) -> u32 {
-                <$raw>::from(self).into_inner().into()
-            }
-
-            #[inline(always)]
-            fn decode(bits: u32) -> Self {
-                <$raw>::from_u32(bits).into()
-            }
-        }
-    )*};
-}
-
-wire_raw! {
-    BinaryColor: RawU1, 1;
-    Gray2: RawU2, 2;
-    Gray4: RawU4, 4;
-    Gray8: RawU8, 8;
-    Rgb555: RawU16, 16;
-    Bgr555: RawU16, 16;
-    Rgb565: RawU16, 16;
-    Bgr565: RawU16, 16;
-    Rgb888: RawU24, 24;
-    Bgr888: RawU24, 24;
-}
-
-/// Display controllers take an 18-bit colour as three bytes: red, green, blue, each in the upper six bits of its byte.
-impl PixelFormat for Rgb666 {
-    const BITS: u32 = 24;
-
-    #[inline(always)]
-    fn encode(self) -> u32 {
-        u32::from(self.r()) << 18 | u32::from(self.g()) << 10 | u32::from(self.b()) << 2
-    }
-
-    #[inline(always)]
-    fn decode(bits: u32) -> Self {
-        let [_, r, g, b] = bits.to_be_bytes();
-        Self::new(r >> 2, g >> 2, b >> 2)
-    }
-}
-
-impl PixelFormat for Bgr666 {
-    const BITS: u32 = 24;
-
-    #[inline(always)]
-    fn encode(self) -> u32 {
-        u32::from(self.b()) << 18 | u32::from(self.g()) << 10 | u32::from(self.r()) << 2
-    }
-
-    #[inline(always)]
-    fn decode(bits: u32) -> Self {
-        let [_, b, g, r] = bits.to_be_bytes();
-        Self::new(r >> 2, g >> 2, b >> 2)
-    }
+/// Whether pixels are whole bytes, so that rows follow each other without gaps.
+pub(super) const fn is_whole_bytes<C: Color>() -> bool {
+    C::FORMAT.bits().is_multiple_of(8)
 }
 
 /// The number of bytes of a row of `width` pixels.
-pub(super) const fn row_bytes<C: PixelFormat>(width: u32) -> usize {
+pub(super) const fn row_bytes<C: Color>(width: u32) -> usize {
     const {
         assert!(
-            matches!(C::BITS, 1 | 2 | 4 | 8 | 16 | 24 | 32),
-            "PixelFormat::BITS is 1, 2, 4, 8, 16, 24 or 32"
+            matches!(C::FORMAT.bits(), 1 | 2 | 4 | 8 | 12 | 16 | 24 | 32),
+            "in bands a pixel has 1, 2, 4, 8, 12, 16, 24 or 32 bits: see `Format::padded_to`"
         )
     };
-    let bytes = (width as u64 * C::BITS as u64).div_ceil(8); // 32 + 6 bits
+    let bytes = (width as u64 * C::FORMAT.bits() as u64).div_ceil(8); // 32 + 6 bits
     if bytes < usize::MAX as u64 {
         bytes as usize
     } else {
@@ -159,11 +26,12 @@ pub(super) const fn row_bytes<C: PixelFormat>(width: u32) -> usize {
 
 /// Sets pixels `from..to` of a row, in which they lie, to one colour.
 #[inline(always)]
-pub(super) fn fill_pixels<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, color: C) {
-    let bits = color.encode();
+pub(super) fn fill_pixels<C: Color>(row: &mut [u8], from: usize, to: usize, color: C) {
+    let bits = color.to_bits();
     let [_, a, b, c] = bits.to_be_bytes();
-    match C::BITS {
+    match C::FORMAT.bits() {
         8 => fill_bytes(row, from, to, [c], [c; 4]),
+        12 => fill_twelve(row, from, to, bits),
         16 => fill_bytes(row, from, to, [b, c], [b, c, b, c]),
         24 => fill_bytes(row, from, to, [a, b, c], [a, b, c]),
         32 => fill_bytes(row, from, to, bits.to_be_bytes(), bits.to_be_bytes()),
@@ -242,8 +110,8 @@ fn put<const N: usize>(bytes: &mut [u8], value: [u8; N]) {
 }
 
 /// The number of pixels in a byte, for formats of fewer than 8 bits.
-const fn per_byte<C: PixelFormat>() -> u32 {
-    match C::BITS {
+const fn per_byte<C: Color>() -> u32 {
+    match C::FORMAT.bits() {
         1 => 8,
         2 => 4,
         _ => 2,
@@ -252,19 +120,19 @@ const fn per_byte<C: PixelFormat>() -> u32 {
 
 /// Sets pixels `from..to` of fewer than 8 bits each: parts of the first and the last byte, and the bytes between.
 #[inline(never)]
-fn fill_packed<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, bits: u32) {
+fn fill_packed<C: Color>(row: &mut [u8], from: usize, to: usize, bits: u32) {
     let per_byte = per_byte::<C>() as usize;
     // A factor that repeats the pixel's bits through a byte.
-    let ones = match C::BITS {
+    let ones = match C::FORMAT.bits() {
         1 => 0xff,
         2 => 0x55,
         _ => 0x11,
     };
-    let pattern = ((bits & ((1 << C::BITS) - 1)) * ones) as u8; // below 2⁸
+    let pattern = ((bits & ((1 << C::FORMAT.bits()) - 1)) * ones) as u8; // below 2⁸
     let (first, last) = (from / per_byte, to / per_byte); // a power of two: shifts, no divisions
 
     // The bits of a byte from this pixel to the last one.
-    let from_on = |x: usize| 0xff_u8.checked_shr((x % per_byte) as u32 * C::BITS).unwrap_or(0);
+    let from_on = |x: usize| 0xff_u8.checked_shr((x % per_byte) as u32 * C::FORMAT.bits()).unwrap_or(0);
     let mut put = |index: usize, mask: u8| {
         if let Some(byte) = row.get_mut(index) {
             *byte = (*byte & !mask) | (pattern & mask);
@@ -280,12 +148,37 @@ fn fill_packed<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, bits: u32
     }
 }
 
+/// Sets pixels `from..to` of 12 bits each: pairs of three bytes, and half a pair at an odd end.
+#[inline(never)]
+fn fill_twelve(row: &mut [u8], mut from: usize, mut to: usize, bits: u32) {
+    let bits = bits & 0xfff;
+    let [_, a, b, c] = (bits << 12 | bits).to_be_bytes();
+    // No product wraps if the row has the pixels.
+    let first = |x: usize| (x / 2).wrapping_mul(3);
+    if from < to && from % 2 == 1 {
+        if let Some([_, middle, last, ..]) = row.get_mut(first(from)..) {
+            (*middle, *last) = (*middle & 0xf0 | b & 0x0f, c);
+        }
+        from = from.wrapping_add(1);
+    }
+    if from < to && to % 2 == 1 {
+        to = to.wrapping_sub(1);
+        if let Some([first, middle, ..]) = row.get_mut(first(to)..) {
+            (*first, *middle) = (a, *middle & 0x0f | b & 0xf0);
+        }
+    }
+    if let Some(pairs) = row.get_mut(first(from)..first(to)) {
+        fill_blocks(pairs, [a, b, c], [a, b, c]);
+    }
+}
+
 /// Sets pixel `x` of a row, if the row has it.
 #[inline(always)]
-pub(super) fn set_pixel<C: PixelFormat>(row: &mut [u8], x: usize, color: C) {
-    let bits = color.encode();
-    match C::BITS {
+pub(super) fn set_pixel<C: Color>(row: &mut [u8], x: usize, color: C) {
+    let bits = color.to_bits();
+    match C::FORMAT.bits() {
         8 => set_bytes(row, x, [bits as u8]),
+        12 => fill_twelve(row, x, x.wrapping_add(1), bits),
         16 => set_bytes(row, x, (bits as u16).to_be_bytes()),
         24 => {
             let [_, a, b, c] = bits.to_be_bytes();
@@ -306,25 +199,20 @@ fn set_bytes<const N: usize>(row: &mut [u8], x: usize, bytes: [u8; N]) {
 
 /// Sets pixels `from..to` of a row to colours from left to right, until either ends.
 #[inline(always)]
-pub(super) fn copy_pixels<C: PixelFormat>(
-    row: &mut [u8],
-    from: usize,
-    to: usize,
-    colors: impl Iterator<Item = C>,
-) {
-    match C::BITS {
-        8 => copy_bytes(row, from, to, colors.map(|c| [c.encode() as u8])),
-        16 => copy_bytes(row, from, to, colors.map(|c| (c.encode() as u16).to_be_bytes())),
+pub(super) fn copy_pixels<C: Color>(row: &mut [u8], from: usize, to: usize, colors: impl Iterator<Item = C>) {
+    match C::FORMAT.bits() {
+        8 => copy_bytes(row, from, to, colors.map(|c| [c.to_bits() as u8])),
+        16 => copy_bytes(row, from, to, colors.map(|c| (c.to_bits() as u16).to_be_bytes())),
         24 => copy_bytes(
             row,
             from,
             to,
             colors.map(|c| {
-                let [_, x, y, z] = c.encode().to_be_bytes();
+                let [_, x, y, z] = c.to_bits().to_be_bytes();
                 [x, y, z]
             }),
         ),
-        32 => copy_bytes(row, from, to, colors.map(|c| c.encode().to_be_bytes())),
+        32 => copy_bytes(row, from, to, colors.map(|c| c.to_bits().to_be_bytes())),
         _ => (from..to).zip(colors).for_each(|(x, color)| set_pixel(row, x, color)),
     }
 }
@@ -341,30 +229,62 @@ fn copy_bytes<const N: usize>(row: &mut [u8], from: usize, to: usize, colors: im
 
 /// The colour of pixel `x` of a row, if the row has it.
 #[inline(always)]
-pub(super) fn get_pixel<C: PixelFormat>(row: &[u8], x: usize) -> Option<C> {
+pub(super) fn get_pixel<C: Color>(row: &[u8], x: usize) -> Option<C> {
     let bytes = |n: usize| {
         let from = x.wrapping_mul(n);
         let pixel = row.get(from..from.wrapping_add(n))?;
         Some(pixel.iter().fold(0, |bits, &byte| bits << 8 | u32::from(byte)))
     };
-    let bits = match C::BITS {
+    let bits = match C::FORMAT.bits() {
         8 => bytes(1)?,
+        12 => {
+            let first = (x / 2).wrapping_mul(3).wrapping_add(x % 2);
+            let &[high, low] = row.get(first..)?.first_chunk()?;
+            let bits = u32::from(high) << 8 | u32::from(low);
+            if x.is_multiple_of(2) {
+                bits >> 4
+            } else {
+                bits & 0xfff
+            }
+        }
         16 => bytes(2)?,
         24 => bytes(3)?,
         32 => bytes(4)?,
         _ => {
             let per_byte = per_byte::<C>() as usize;
-            let down = 8 - C::BITS - (x % per_byte) as u32 * C::BITS; // 0 … 7
-            u32::from(*row.get(x / per_byte)?) >> down & ((1 << C::BITS) - 1)
+            let down = 8 - C::FORMAT.bits() - (x % per_byte) as u32 * C::FORMAT.bits(); // 0 … 7
+            u32::from(*row.get(x / per_byte)?) >> down & ((1 << C::FORMAT.bits()) - 1)
         }
     };
-    Some(C::decode(bits))
+    Some(C::from_bits(bits))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use embedded_graphics_core::pixelcolor::GrayColor;
+    use crate::color::Format;
+    use embedded_graphics_core::pixelcolor::{
+        Bgr565, Bgr666, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor, Rgb565, Rgb666, Rgb888,
+    };
+
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    struct Rgb444(u16);
+
+    impl PixelColor for Rgb444 {
+        type Raw = ();
+    }
+
+    impl Color for Rgb444 {
+        const FORMAT: Format = Format::rgb(4, 4, 4);
+
+        fn to_bits(self) -> u32 {
+            self.0.into()
+        }
+
+        fn from_bits(bits: u32) -> Self {
+            Self(bits as u16)
+        }
+    }
 
     /// Long enough for a partly covered byte at both ends and two whole bytes between. Test rows have one byte more than it
     /// needs.
@@ -384,13 +304,13 @@ mod tests {
     }
 
     /// Every function that writes or reads a row, at all offsets, against a row that is written bit by bit.
-    fn check<C: PixelFormat + core::fmt::Debug>(size: usize, colors: &[C]) {
-        assert_eq!(C::BITS as usize, size);
+    fn check<C: Color + core::fmt::Debug>(size: usize, colors: &[C]) {
+        assert_eq!(C::FORMAT.bits() as usize, size);
         let bytes = row_bytes::<C>(WIDTH as u32);
         assert_eq!(bytes, (WIDTH * size).div_ceil(8));
         for (i, &color) in colors.iter().enumerate() {
-            assert_eq!(C::decode(color.encode()), color);
-            assert!(size == 32 || color.encode() < 1 << size, "{color:?}");
+            assert_eq!(C::from_bits(color.to_bits()), color);
+            assert!(size == 32 || color.to_bits() < 1 << size, "{color:?}");
             for from in 0..=WIDTH {
                 for to in from..=WIDTH {
                     // Before the call the row is neither all zeros nor all ones.
@@ -401,9 +321,9 @@ mod tests {
                     // The iterator of colours ends before the run does, except for short runs.
                     let end = to - (to - from) / 3;
                     for x in from..to {
-                        put(&mut wanted, x, size, color.encode());
+                        put(&mut wanted, x, size, color.to_bits());
                         if x < end {
-                            put(&mut wanted_copy, x, size, colors[(i + x) % colors.len()].encode());
+                            put(&mut wanted_copy, x, size, colors[(i + x) % colors.len()].to_bits());
                         }
                     }
                     fill_pixels(&mut filled[..bytes], from, to, color);
@@ -420,7 +340,7 @@ mod tests {
                         for x in 0..WIDTH {
                             assert_eq!(
                                 get_pixel::<C>(&row[..bytes], x),
-                                Some(C::decode(read(&wanted, x, size)))
+                                Some(C::from_bits(read(&wanted, x, size)))
                             );
                         }
                     }
@@ -440,6 +360,7 @@ mod tests {
         check(2, &[3, 0, 1, 2].map(Gray2::new));
         check(4, &[15, 0, 9, 6, 3].map(Gray4::new));
         check(8, &[255, 0, 0x5a].map(Gray8::new));
+        check(12, &[0xf81, 0x2c7, 0x05e].map(Rgb444));
         check(16, &[Rgb565::new(31, 0, 21), Rgb565::new(0, 63, 1)]);
         check(16, &[Bgr565::new(31, 0, 21), Bgr565::new(0, 63, 1)]);
         check(24, &[Rgb888::new(1, 2, 255), Rgb888::new(250, 128, 0)]);
@@ -461,5 +382,9 @@ mod tests {
         set_pixel(&mut row, 1, Gray4::new(0xb));
         set_pixel(&mut row, 2, Gray4::WHITE);
         assert_eq!(row, [0x0b, 0xf0, 0]);
+        fill_pixels(&mut row, 0, 2, Rgb444(0xabc));
+        assert_eq!(row, [0xab, 0xca, 0xbc]);
+        set_pixel(&mut row, 1, Rgb444(0x123));
+        assert_eq!(row, [0xab, 0xc1, 0x23]);
     }
 }

@@ -1,0 +1,198 @@
+//! Arithmetic on colours against integers: each channel is compared with its exact value, of colours taken apart by
+//! embedded-graphics.
+
+use super::{Color, Format, Mixer};
+use crate::math::random::Random;
+use core::fmt::Debug;
+use embedded_graphics_core::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor, Rgb555, Rgb565,
+    Rgb666, Rgb888, RgbColor,
+};
+
+/// Two pixels in three bytes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Rgb444(u16);
+
+impl PixelColor for Rgb444 {
+    type Raw = ();
+}
+
+impl Color for Rgb444 {
+    const FORMAT: Format = Format::rgb(4, 4, 4);
+
+    fn to_bits(self) -> u32 {
+        self.0.into()
+    }
+
+    fn from_bits(bits: u32) -> Self {
+        Self(bits as u16)
+    }
+}
+
+/// E-paper with black, white and red particles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Tricolor {
+    Black,
+    White,
+    Red,
+}
+
+impl PixelColor for Tricolor {
+    type Raw = ();
+}
+
+impl Color for Tricolor {
+    const FORMAT: Format = Format::indexed(2, [1; 3]);
+
+    fn to_bits(self) -> u32 {
+        self as u32
+    }
+
+    fn from_bits(bits: u32) -> Self {
+        match bits & 3 {
+            0 => Self::Black,
+            1 => Self::White,
+            _ => Self::Red,
+        }
+    }
+
+    fn channels(self) -> [u8; 3] {
+        match self {
+            Self::Black => [0; 3],
+            Self::White => [1; 3],
+            Self::Red => [1, 0, 0],
+        }
+    }
+
+    fn from_channels([r, g, _]: [u8; 3]) -> Self {
+        match (r, g) {
+            (1, 0) => Self::Red,
+            (0, 0) => Self::Black,
+            _ => Self::White,
+        }
+    }
+}
+
+/// Compares the arithmetic on pairs of colours with that on their channels. `parts` takes a colour apart, `max` is the highest level of
+/// each channel, and coverage is known in steps of `step`/256.
+fn check<C: Color + Debug>(parts: impl Fn(C) -> [u8; 3], max: [u8; 3], step: u16) {
+    assert_eq!(C::FORMAT.max(), max);
+    let mut random = Random(5);
+    let bits = (1_u64 << C::FORMAT.bits()) - 1;
+    for i in 0..3_000 {
+        // All bits, none, and random ones.
+        let [own, stored] = [0, 1].map(|side| match i >> side & 15 {
+            0 => C::from_bits(bits as u32),
+            1 => C::from_bits(0),
+            _ => C::from_bits(random.bits() & bits as u32),
+        });
+        let alpha = random.bits() % 33;
+        let coverage = (random.bits() % 257) as u16;
+        let rounded = (coverage + step / 2) / step * step;
+        let level = random.bits() % 300;
+        let (mixed, over) = (parts(own.mix(stored, alpha as u8)), parts(own.over(stored, coverage)));
+        let (half, dimmed, sum) =
+            (parts(own.half(stored)), parts(own.dim(level as u16)), parts(own.emitting(stored)));
+        assert_eq!(C::from_channels(own.channels()), own);
+        assert_eq!(own.channels(), parts(own));
+        assert_eq!(own.fade(stored)(alpha as u8), own.mix(stored, alpha as u8), "{own:?} {stored:?} {alpha}");
+        let rest = u32::from((256 - rounded) >> (8 - C::SHARE_BITS));
+        assert_eq!(
+            Mixer::mixer(own)(stored, rest),
+            own.over(stored, coverage),
+            "{own:?} {stored:?} {coverage}"
+        );
+        for channel in 0..3 {
+            let [own, stored] = [parts(own), parts(stored)].map(|parts| u32::from(parts[channel]));
+            let context = (own, stored, alpha, coverage, level);
+            assert_eq!(
+                u32::from(mixed[channel]),
+                (own * alpha + stored * (32 - alpha) + 16) / 32,
+                "{context:?}"
+            );
+            let rounded = u32::from(rounded);
+            assert_eq!(
+                u32::from(over[channel]),
+                (own * rounded + stored * (256 - rounded) + 128) / 256,
+                "{context:?}"
+            );
+            assert_eq!(u32::from(half[channel]), own.div_ceil(2) + stored / 2, "{context:?}");
+            assert_eq!(u32::from(dimmed[channel]), (own * level.min(256) + 128) / 256, "{context:?}");
+            assert_eq!(u32::from(sum[channel]), (own + stored).min(max[channel].into()), "{context:?}");
+        }
+    }
+}
+
+#[test]
+fn arithmetic_is_that_of_the_channels() {
+    macro_rules! rgb {
+        ($($color:ty: $step:literal;)*) => {$(
+            check::<$color>(
+                |color| [color.r(), color.g(), color.b()],
+                [<$color>::MAX_R, <$color>::MAX_G, <$color>::MAX_B],
+                $step,
+            );
+        )*};
+    }
+    rgb! {
+        Rgb555: 8;
+        Bgr555: 8;
+        Rgb565: 8;
+        Bgr565: 8;
+        Rgb666: 1;
+        Bgr666: 1;
+        Rgb888: 1;
+        Bgr888: 1;
+    }
+    check::<BinaryColor>(|color| [u8::from(color == BinaryColor::On), 0, 0], [1, 0, 0], 1);
+    check::<Gray2>(|color| [color.luma(), 0, 0], [3, 0, 0], 1);
+    check::<Gray4>(|color| [color.luma(), 0, 0], [15, 0, 0], 1);
+    check::<Gray8>(|color| [color.luma(), 0, 0], [255, 0, 0], 1);
+    check::<Rgb444>(
+        |Rgb444(bits)| [bits >> 8, bits >> 4 & 15, bits & 15].map(|level| level as u8),
+        [15; 3],
+        1,
+    );
+}
+
+/// Levels that no particles have are those of other particles: the levels are compared before that.
+#[test]
+fn a_colour_that_is_a_number_is_mixed_by_its_channels() {
+    use Tricolor::{Black, Red, White};
+    assert_eq!((White.dim(128), White.dim(127), Red.dim(200)), (White, Black, Red));
+    assert_eq!((Red.emitting(White), Black.emitting(Red)), (White, Red));
+    assert_eq!((White.mix(Black, 16), White.mix(Black, 15), Red.over(White, 128)), (White, Black, White));
+    assert_eq!((Red.half(Black), Black.half(White), Red.fade(Black)(15)), (Red, Black, Black));
+}
+
+/// Where the bits of a pixel lie, written out.
+#[test]
+fn channels_lie_where_displays_take_them() {
+    for (format, bits, max, [r, g, b]) in [
+        (Rgb565::FORMAT, 16, [31, 63, 31], [0xf800, 0x07e0, 0x001f]),
+        (Bgr565::FORMAT, 16, [31, 63, 31], [0x001f, 0x07e0, 0xf800]),
+        (Rgb555::FORMAT, 16, [31; 3], [0x7c00, 0x03e0, 0x001f]),
+        (Bgr555::FORMAT, 16, [31; 3], [0x001f, 0x03e0, 0x7c00]),
+        (Rgb666::FORMAT, 24, [63; 3], [0xfc_0000, 0x00_fc00, 0x00_00fc]),
+        (Bgr666::FORMAT, 24, [63; 3], [0x00_00fc, 0x00_fc00, 0xfc_0000]),
+        (Rgb888::FORMAT, 24, [255; 3], [0xff_0000, 0x00_ff00, 0x00_00ff]),
+        (Bgr888::FORMAT, 24, [255; 3], [0x00_00ff, 0x00_ff00, 0xff_0000]),
+        (Rgb444::FORMAT, 12, [15; 3], [0xf00, 0x0f0, 0x00f]),
+        (Format::rgb(3, 3, 2), 8, [7, 7, 3], [0xe0, 0x1c, 0x03]),
+        (Format::bgr(2, 3, 3).padded_to(16), 16, [7, 7, 3], [0x07, 0x38, 0xc0]),
+        (Format::rgb(90, 9, 8).padded_to(99), 32, [255; 3], [0xff_0000, 0x00_ff00, 0x00_00ff]),
+    ] {
+        assert_eq!((format.bits(), format.max(), format.is_gray()), (bits, max, false));
+        let [x, y, z] = max;
+        let packed = [[x, 0, 0], [0, y, 0], [0, 0, z]].map(|levels| format.pack(levels));
+        assert_eq!(packed, [r, g, b], "{format:?}");
+        assert_eq!(format.unpack(!0), max);
+    }
+    for (format, bits) in
+        [(Gray4::FORMAT, 4), (Format::gray(4).in_bytes(), 8), (Format::gray(4).padded_to(8), 8)]
+    {
+        assert_eq!((format.bits(), format.max(), format.is_gray()), (bits, [15, 0, 0], true));
+    }
+    assert_eq!(Format::gray(4).in_bytes().pack([9, 0, 0]), 0x90);
+    assert_eq!((Format::indexed(99, [1; 3]).bits(), Format::indexed(4, [0; 3]).padded_to(2).bits()), (32, 4));
+}
