@@ -165,7 +165,7 @@ const fn max(bits: u32) -> u8 {
 
 /// Channels in words, so that those of one word are multiplied at once.
 #[derive(Clone, Copy)]
-pub(super) struct Words {
+pub(crate) struct Words {
     /// The middle channel lies 16 bits higher than in the colour, beside the others in the only word.
     pub(super) is_spread: bool,
     pub(super) words: [Word; 3],
@@ -173,7 +173,7 @@ pub(super) struct Words {
 
 /// Channels in one word.
 #[derive(Clone, Copy)]
-pub(super) struct Word {
+pub(crate) struct Word {
     /// All bits of the channels.
     pub(super) mask: u32,
     /// The lowest bit of each channel.

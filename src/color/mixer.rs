@@ -1,51 +1,70 @@
 //! Colours that are mixed many times: what depends on one colour alone is computed once.
 
+use super::format::Words;
 use super::Color;
 use crate::math::hints::opaque;
 
 /// [`Color::mix`] and [`Color::over`] for loops.
 pub(crate) trait Mixer: Color {
-    /// Shares of [`mixer`](Self::mixer) are in 2^−`SHARE_BITS`.
-    const SHARE_BITS: u32 = if Self::FORMAT.words().is_spread { 5 } else { 8 };
+    /// How channels are mixed. Closures name constants instead of variables, which they would store.
+    const WORDS: Words = Self::FORMAT.words();
 
-    /// A function of `alpha`, 0 … 32, that [mixes](Color::mix) this colour with another one.
+    /// Shares of [`mixer`](Self::mixer) are in 2^−`SHARE_BITS`.
+    const SHARE_BITS: u32 = if Self::WORDS.is_spread { 5 } else { 8 };
+
+    /// The bits of the channels that are mixed by one product.
+    const MASK: u32 = Self::WORDS.words[0].mask;
+
+    /// The half that rounds each of them.
+    const HALF: u32 = Self::WORDS.words[0].lowest << 4;
+
+    /// A function of `alpha`, 0 … 32, that [mixes](Color::mix) this colour with another one. It owns two words, whatever the format.
     #[inline(always)]
     fn fade(self, other: Self) -> impl Fn(u8) -> Self + Copy {
-        let words = const { Self::FORMAT.words() };
-        let [first, ..] = words.words;
-        let spread = |color: Self| (color.to_bits() | color.to_bits() << 16) & first.mask;
-        let (own, below) = (spread(self), spread(other));
         // `mix` by one product: modulo 2³², own·a + other·(32 − a) = 32·other + (own − other)·a.
-        let (none, step) = ((below << 5).wrapping_add(first.lowest << 4), own.wrapping_sub(below));
+        let (first, second) = if Self::WORDS.is_spread {
+            let [own, other] = [self, other].map(|color| spread(color, Self::MASK));
+            ((other << 5).wrapping_add(Self::HALF), own.wrapping_sub(other))
+        } else {
+            (self.to_bits(), other.to_bits())
+        };
         move |alpha| {
-            if !words.is_spread {
-                return self.mix(other, alpha);
+            if !Self::WORDS.is_spread {
+                return Self::from_bits(first).mix(Self::from_bits(second), alpha);
             }
-            let mixed = none.wrapping_add(step.wrapping_mul(alpha.into())) >> 5 & first.mask;
-            Self::from_bits((mixed | mixed >> 16) & 0xffff)
+            gathered(first.wrapping_add(second.wrapping_mul(alpha.into())) >> 5 & Self::MASK)
         }
     }
 
     /// [`Color::over`] for one colour. The arguments are the stored colour and its share, the part that this colour does not cover.
     #[inline(always)]
     fn mixer(self) -> impl Fn(Self, u32) -> Self + Copy {
-        let words = const { Self::FORMAT.words() };
-        let [first, ..] = words.words;
         // Hidden from LLVM, which would make two masks of it and load each again where registers are few.
-        let mask = opaque(first.mask);
-        let spread = |color: Self| color.to_bits() | color.to_bits() << 16;
-        let own = spread(self) & first.mask;
-        let all_own = (own << 5).wrapping_add(first.lowest << 4);
+        let mask = opaque(Self::MASK);
+        let own = if Self::WORDS.is_spread { spread(self, Self::MASK) } else { self.to_bits() };
+        let all_own = (own << 5).wrapping_add(Self::HALF);
         move |stored, rest| {
-            if !words.is_spread {
-                return self.over(stored, 256_u32.wrapping_sub(rest) as u16); // 0 … 256
+            if !Self::WORDS.is_spread {
+                return Self::from_bits(own).over(stored, 256_u32.wrapping_sub(rest) as u16);
+                // 0 … 256
             }
             // `mix` by one product: own·(32 − rest) + stored·rest = 32·own + (stored − own)·rest modulo 2³².
-            let sum = all_own.wrapping_add((spread(stored) & mask).wrapping_sub(own).wrapping_mul(rest));
-            let mixed = sum >> 5 & mask;
-            Self::from_bits((mixed | mixed >> 16) & 0xffff)
+            let sum = all_own.wrapping_add(spread(stored, mask).wrapping_sub(own).wrapping_mul(rest));
+            gathered(sum >> 5 & mask)
         }
     }
+}
+
+/// The channels of a colour in a word, with the middle one 16 bits higher.
+#[inline(always)]
+fn spread<C: Color>(color: C, mask: u32) -> u32 {
+    (color.to_bits() | color.to_bits() << 16) & mask
+}
+
+/// The colour with the channels of [`spread`].
+#[inline(always)]
+fn gathered<C: Color>(word: u32) -> C {
+    C::from_bits((word | word >> 16) & 0xffff)
 }
 
 impl<C: Color> Mixer for C {}

@@ -8,6 +8,25 @@ use crate::math::Coordinate;
 use crate::surface::{rectangle, DepthBuffer};
 use embedded_graphics_core::primitives::Rectangle;
 
+/// What was transformed with depth: the calls that take a depth buffer ask for it, so that the compiler says what is missing.
+#[diagnostic::on_unimplemented(
+    message = "a depth buffer needs vertices with depth, and these were transformed without it",
+    label = "vertices without depth",
+    note = "call `transform_depth` instead of `transform`, or `bin_faces_with_depth` instead of `bin_faces`"
+)]
+pub trait HasDepth<WithDepth> {
+    /// The same value, in the type with depth.
+    #[doc(hidden)]
+    fn with_depth(&mut self) -> &mut WithDepth;
+}
+
+impl<T> HasDepth<T> for T {
+    #[inline(always)]
+    fn with_depth(&mut self) -> &mut T {
+        self
+    }
+}
+
 /// The visible primitives of a mesh, binned by their first rows, and the vertices that they are drawn from.
 #[derive(Debug)]
 pub(super) struct Binned<'a, V: Coordinate, const DEPTH: bool> {

@@ -1,7 +1,7 @@
 //! Edges that are binned once per frame and drawn band by band.
 
 use super::anti_aliased;
-use super::binned::Binned;
+use super::binned::{Binned, HasDepth};
 use super::bins::{BinError, Bins};
 use super::bounds::bounds;
 use super::draw_region::{pixels, DrawRegion};
@@ -202,7 +202,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     }
 }
 
-impl<V: Coordinate> BinnedEdges<'_, V, true> {
+impl<'a, V: Coordinate, const DEPTH: bool> BinnedEdges<'a, V, DEPTH> {
     /// Draws the edges in a band as [`MeshInstance::wireframe_depth_tested`](crate::MeshInstance::wireframe_depth_tested) does.
     ///
     /// # Errors
@@ -214,20 +214,13 @@ impl<V: Coordinate> BinnedEdges<'_, V, true> {
         stroke: K,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
-    ) -> Result<(), T::Error> {
-        let region = self.advance_to_band::<K, T::Color>(&band.area(), Some(depth));
-        self.draw_depth_tested(&region, stroke, depth, band)
-    }
-
-    #[inline(never)] // its stack frame does not exist while the bins advance
-    fn draw_depth_tested<T: Target, K: Stroke<T::Color>>(
-        &mut self,
-        region: &DrawRegion,
-        stroke: K,
-        depth: &mut DepthBuffer<'_>,
-        band: &mut T,
-    ) -> Result<(), T::Error> {
-        self.each::<K, _, _>(region, |_, _, ends| draw_nearer(&ends, stroke, region, depth, band))
+    ) -> Result<(), T::Error>
+    where
+        Self: HasDepth<BinnedEdges<'a, V, true>>,
+    {
+        let edges = self.with_depth();
+        let region = edges.advance_to_band::<K, T::Color>(&band.area(), Some(depth));
+        edges.draw_depth_tested(&region, stroke, depth, band)
     }
 
     /// Draws the edges in a band as [`MeshInstance::hidden_line`](crate::MeshInstance::hidden_line) does.
@@ -241,9 +234,26 @@ impl<V: Coordinate> BinnedEdges<'_, V, true> {
         stroke: K,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
+    ) -> Result<(), T::Error>
+    where
+        Self: HasDepth<BinnedEdges<'a, V, true>>,
+    {
+        let edges = self.with_depth();
+        let region = edges.advance_to_band::<K, T::Color>(&band.area(), Some(depth));
+        edges.draw_hidden_line(&region, stroke, depth, band)
+    }
+}
+
+impl<V: Coordinate> BinnedEdges<'_, V, true> {
+    #[inline(never)] // its stack frame does not exist while the bins advance
+    fn draw_depth_tested<T: Target, K: Stroke<T::Color>>(
+        &mut self,
+        region: &DrawRegion,
+        stroke: K,
+        depth: &mut DepthBuffer<'_>,
+        band: &mut T,
     ) -> Result<(), T::Error> {
-        let region = self.advance_to_band::<K, T::Color>(&band.area(), Some(depth));
-        self.draw_hidden_line(&region, stroke, depth, band)
+        self.each::<K, _, _>(region, |_, _, ends| draw_nearer(&ends, stroke, region, depth, band))
     }
 
     #[inline(never)] // its stack frame does not exist while the bins advance

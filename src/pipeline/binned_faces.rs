@@ -1,6 +1,6 @@
 //! Faces that are binned once per frame and drawn band by band.
 
-use super::binned::Binned;
+use super::binned::{Binned, HasDepth};
 use super::bins::{BinError, BinSort, Bins};
 use super::draw_region::{pixels, DrawRegion};
 use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
@@ -353,7 +353,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     }
 }
 
-impl<V: Coordinate> BinnedFaces<'_, V, true> {
+impl<'a, V: Coordinate, const DEPTH: bool> BinnedFaces<'a, V, DEPTH> {
     /// Draws the faces in a band as [`MeshInstance::depth_tested`] does. Create `depth` for
     /// this band's [area](crate::Band::area): nothing is drawn outside the depth buffer. `shade` is called once for each face
     /// that lies in the band.
@@ -367,11 +367,29 @@ impl<V: Coordinate> BinnedFaces<'_, V, true> {
         shade: impl FnMut(usize) -> S,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
-    ) -> Result<(), T::Error> {
-        let region = self.advance_to_band(&band.area(), Some(depth));
-        self.draw_depth_tested(&region, shade, depth, band)
+    ) -> Result<(), T::Error>
+    where
+        Self: HasDepth<BinnedFaces<'a, V, true>>,
+    {
+        let faces = self.with_depth();
+        let region = faces.advance_to_band(&band.area(), Some(depth));
+        faces.draw_depth_tested(&region, shade, depth, band)
     }
 
+    /// Stores the depth of the faces in a band and draws nothing: see
+    /// [`MeshInstance::depth_only`].
+    #[inline(always)]
+    pub fn depth_only(&mut self, depth: &mut DepthBuffer<'_>)
+    where
+        Self: HasDepth<BinnedFaces<'a, V, true>>,
+    {
+        let faces = self.with_depth();
+        let region = faces.advance_to_band(&depth.area(), None);
+        faces.store_depth(&region, depth);
+    }
+}
+
+impl<V: Coordinate> BinnedFaces<'_, V, true> {
     #[inline(never)] // its stack frame does not exist while the bins advance
     fn draw_depth_tested<T: Target, S: SpanShader<T::Color>>(
         &mut self,
@@ -388,14 +406,6 @@ impl<V: Coordinate> BinnedFaces<'_, V, true> {
                 fill_nearer(triangle, shader, &region.scissor, IN_BAND, &mut depth, band)
             })
         })
-    }
-
-    /// Stores the depth of the faces in a band and draws nothing: see
-    /// [`MeshInstance::depth_only`].
-    #[inline(always)]
-    pub fn depth_only(&mut self, depth: &mut DepthBuffer<'_>) {
-        let region = self.advance_to_band(&depth.area(), None);
-        self.store_depth(&region, depth);
     }
 
     #[inline(never)] // its stack frame does not exist while the bins advance

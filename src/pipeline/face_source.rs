@@ -96,6 +96,7 @@ impl<'a, V: Coordinate> PlaneOrder<'a, V> {
     #[inline(always)]
     pub(super) fn new(instance: &'a AnyInstance<'a, V>) -> Self {
         let eye = match instance.cull() {
+            _ if instance.mesh().planes.is_empty() => PlaneEye::NOWHERE,
             Cull::Back => PlaneEye::new(instance.vertex_transform()),
             Cull::Front => PlaneEye::new(instance.vertex_transform()).opposite(),
             Cull::None => PlaneEye::NOWHERE,

@@ -40,13 +40,22 @@ struct Parts<'m, S: Coordinate> {
 impl Camera {
     /// Places a mesh before this camera: `model` takes the mesh's vertices to the world. Everything that depends on the
     /// object but not on its vertices is computed here, in integers.
-    #[inline(never)] // the result is large and is written directly to the caller's variable: inlined, it would be on the stack twice
+    #[inline(always)]
     pub fn place<'m, V: Coordinate<Stored = V>, P: FacePlanes>(
         &self,
         mesh: &'m Mesh<'m, V, P>,
         model: &Affine<Model, World>,
     ) -> MeshInstance<'m, V, P> {
-        let mesh = mesh.data();
+        self.place_data(mesh.data(), model)
+    }
+
+    /// [`place`](Self::place) for the data of a mesh.
+    #[inline(never)] // the result is large and is written directly to the caller's variable: inlined, it would be on the stack twice
+    pub(super) fn place_data<'m, V: Coordinate<Stored = V>, P: FacePlanes>(
+        &self,
+        mesh: &'m MeshData<'m, V>,
+        model: &Affine<Model, World>,
+    ) -> MeshInstance<'m, V, P> {
         let vertex_transform = VertexTransform::new(self, model, mesh.exponent(), mesh.justify(), V::NARROW);
         MeshInstance::of(Parts { mesh, vertex_transform, cull: Cull::Back })
     }

@@ -1,5 +1,6 @@
 //! Picking without drawing: the face that a depth-tested drawing shows at a pixel.
 
+use super::binned::HasDepth;
 use super::draw_region::DrawRegion;
 use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
 use super::faces::{draw_triangles, each_face};
@@ -95,18 +96,23 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     }
 }
 
-impl<V: Coordinate, P: FacePlanes> TransformedMesh<'_, V, true, P> {
+impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V, DEPTH, P> {
     /// The face that is seen in a pixel of the target: see [`MeshInstance::pick`].
     pub fn pick<C: PixelColor, S: SpanShader<C>>(
         &self,
         pixel: Point,
         shade: impl FnMut(usize) -> S,
-    ) -> Option<Picked> {
+    ) -> Option<Picked>
+    where
+        Self: HasDepth<TransformedMesh<'a, V, true, P>>,
+    {
+        let mut mesh = *self;
+        let mesh = mesh.with_depth();
         pick_at(pixel, |depth| {
             let face = if P::CULL {
-                pick_nearer(PlaneOrder::new(self.instance), self.any(), depth, shade)
+                pick_nearer(PlaneOrder::new(mesh.instance), mesh.any(), depth, shade)
             } else {
-                pick_nearer(MeshOrder, self.any(), depth, shade)
+                pick_nearer(MeshOrder, mesh.any(), depth, shade)
             };
             Some((0, face?))
         })

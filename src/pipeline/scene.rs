@@ -9,7 +9,7 @@ use super::pick::{pick_at, Picked};
 use super::statistics::Statistics;
 use crate::camera::{Camera, ScreenVertex, Visibility};
 use crate::math::{Affine, Sphere};
-use crate::scene::{FacePlanes, Mesh, WithoutPlanes};
+use crate::scene::{Mesh, MeshData, WithPlanes};
 use crate::shading::{Shader, SpanShader};
 use crate::space::{Model, World};
 use crate::surface::{DepthBuffer, Target};
@@ -21,9 +21,8 @@ use heapless::Vec;
 ///
 /// It takes 88 bytes and the memory of its material on a 32-bit core.
 #[derive(Clone, Copy, Debug)]
-pub struct Object<'m, M, P = WithoutPlanes> {
-    /// The mesh.
-    pub mesh: &'m Mesh<'m, i16, P>,
+pub struct Object<'m, M> {
+    mesh: &'m MeshData<'m, i16>,
     /// The bounding sphere by which the object is culled, in model units. [`Object::new`] computes it; set it for a mesh whose sphere
     /// is a constant.
     pub sphere: Sphere,
@@ -35,10 +34,17 @@ pub struct Object<'m, M, P = WithoutPlanes> {
     pub material: M,
 }
 
-impl<'m, M, P> Object<'m, M, P> {
+impl<'m, M> Object<'m, M> {
     /// An object whose back faces are culled. Its bounding sphere is computed from all vertices: do this once, not in every frame.
-    pub fn new(mesh: &'m Mesh<'m, i16, P>, model: Affine<Model, World>, material: M) -> Self {
-        Self { mesh, sphere: mesh.bounding_sphere(), model, cull: Cull::Back, material }
+    ///
+    /// Meshes with [planes](Mesh::with_planes) and without them go into one scene.
+    pub fn new<P>(mesh: &'m Mesh<'m, i16, P>, model: Affine<Model, World>, material: M) -> Self {
+        Self { mesh: mesh.data(), sphere: mesh.bounding_sphere(), model, cull: Cull::Back, material }
+    }
+
+    /// The mesh, in the type of meshes with planes, whether it has any or not.
+    pub fn mesh(&self) -> Mesh<'m, i16, WithPlanes> {
+        Mesh::with_data(self.mesh)
     }
 
     /// Sets which faces are culled.
@@ -69,9 +75,6 @@ impl core::error::Error for SceneError {}
 ///
 /// `M` is the material of an object, any type, such as a colour. The closure that returns shaders also gets the object's index,
 /// by which it can look up data that is stored elsewhere.
-///
-/// `P` says whether the meshes have face planes, and is one type for all objects. If only some meshes have planes, ignore these
-/// by [`Mesh::without_planes`] or, if the large meshes have them, convert the other ones by [`Mesh::with_planes_if_any`].
 ///
 /// **Memory** beside the objects themselves, all of it on the stack during a frame, on a 32-bit core: for each of the `OBJECTS`,
 /// 184 bytes in [`PlacedScene`] (212 on a Cortex-M0) and 92 in [`BinnedScene`]; and one vertex cache and one bin storage for all
@@ -119,17 +122,17 @@ impl core::error::Error for SceneError {}
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Scene<'m, M, const OBJECTS: usize, P = WithoutPlanes> {
-    objects: Vec<Object<'m, M, P>, OBJECTS>,
+pub struct Scene<'m, M, const OBJECTS: usize> {
+    objects: Vec<Object<'m, M>, OBJECTS>,
 }
 
-impl<M, const OBJECTS: usize, P> Default for Scene<'_, M, OBJECTS, P> {
+impl<M, const OBJECTS: usize> Default for Scene<'_, M, OBJECTS> {
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<'m, M, const OBJECTS: usize, P> Scene<'m, M, OBJECTS, P> {
+impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
     /// A scene without objects.
     pub const fn new() -> Self {
         Self { objects: Vec::new() }
@@ -140,7 +143,7 @@ impl<'m, M, const OBJECTS: usize, P> Scene<'m, M, OBJECTS, P> {
     /// # Errors
     ///
     /// [`SceneError`] if there are `OBJECTS` objects already.
-    pub fn add(&mut self, object: Object<'m, M, P>) -> Result<usize, SceneError> {
+    pub fn add(&mut self, object: Object<'m, M>) -> Result<usize, SceneError> {
         let index = self.objects.len();
         match self.objects.push(object) {
             Ok(()) => Ok(index),
@@ -149,12 +152,12 @@ impl<'m, M, const OBJECTS: usize, P> Scene<'m, M, OBJECTS, P> {
     }
 
     /// The objects, in the order in which they were added.
-    pub fn objects(&self) -> &[Object<'m, M, P>] {
+    pub fn objects(&self) -> &[Object<'m, M>] {
         &self.objects
     }
 
     /// The objects, to move them or change their materials.
-    pub fn objects_mut(&mut self) -> &mut [Object<'m, M, P>] {
+    pub fn objects_mut(&mut self) -> &mut [Object<'m, M>] {
         &mut self.objects
     }
 
@@ -163,11 +166,10 @@ impl<'m, M, const OBJECTS: usize, P> Scene<'m, M, OBJECTS, P> {
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
-    /// use pinhole::{meshes::CUBE, prelude::*, Angle};
+    /// use pinhole::{meshes::{CUBE, TORUS}, prelude::*, Angle};
     /// let mut scene = Scene::<(), 2>::new();
-    /// for x in [-3, 3] {
-    ///     scene.add(Object::new(&CUBE, Affine::identity().translate(Vector3::from_ints(x, 0, 0)), ()))?;
-    /// }
+    /// scene.add(Object::new(&CUBE, Affine::identity().translate(Vector3::from_ints(-3, 0, 0)), ()))?;
+    /// scene.add(Object::new(&TORUS, Affine::identity().translate(Vector3::from_ints(3, 0, 0)), ()))?;
     /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
     /// let sphere = scene.bounding_sphere();
     /// let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::degrees(30), Angle::degrees(20))?;
@@ -184,16 +186,16 @@ impl<'m, M, const OBJECTS: usize, P> Scene<'m, M, OBJECTS, P> {
     }
 }
 
-impl<'m, M, const OBJECTS: usize, P: FacePlanes> Scene<'m, M, OBJECTS, P> {
+impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
     /// Places the objects before a camera for one frame, except those whose bounding spheres lie [outside](Visibility::Outside)
     /// of the view volume: such an object costs the test of its sphere and nothing else. The far plane counts, even if the camera
     /// does not clip there.
-    pub fn place<'s>(&'s self, camera: &Camera) -> PlacedScene<'s, 'm, M, OBJECTS, P> {
+    pub fn place<'s>(&'s self, camera: &Camera) -> PlacedScene<'s, 'm, M, OBJECTS> {
         let frustum = camera.frustum();
         let mut placed = PlacedScene { objects: &self.objects, instances: Vec::new() };
         for (index, object) in self.objects.iter().enumerate() {
             if frustum.visibility(&object.sphere, &object.model) != Visibility::Outside {
-                let instance = camera.place(object.mesh, &object.model).with_cull(object.cull);
+                let instance = camera.place_data(object.mesh, &object.model).with_cull(object.cull);
                 let _ = placed.instances.push((index, instance)); // both have the capacity `OBJECTS`
             }
         }
@@ -203,13 +205,13 @@ impl<'m, M, const OBJECTS: usize, P: FacePlanes> Scene<'m, M, OBJECTS, P> {
 
 /// The objects of a scene that may be seen in a frame. [`Scene::place`] makes it and has an example.
 #[derive(Clone, Debug)]
-pub struct PlacedScene<'s, 'm, M, const OBJECTS: usize, P: FacePlanes = WithoutPlanes> {
-    objects: &'s [Object<'m, M, P>],
+pub struct PlacedScene<'s, 'm, M, const OBJECTS: usize> {
+    objects: &'s [Object<'m, M>],
     /// The visible objects by their indices.
-    instances: Vec<(usize, MeshInstance<'m, i16, P>), OBJECTS>,
+    instances: Vec<(usize, MeshInstance<'m, i16, WithPlanes>), OBJECTS>,
 }
 
-impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJECTS, P> {
+impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
     /// The number of objects that may be seen: all others are culled.
     pub fn len(&self) -> usize {
         self.instances.len()
@@ -222,12 +224,14 @@ impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJE
 
     /// The objects that may be seen, in the order of the scene, with their instances: for wireframes and other
     /// drawing that this type has no method for.
-    pub fn iter(&self) -> impl Iterator<Item = (&'s Object<'m, M, P>, &MeshInstance<'m, i16, P>)> {
+    pub fn iter(&self) -> impl Iterator<Item = (&'s Object<'m, M>, &MeshInstance<'m, i16, WithPlanes>)> {
         self.indexed().map(|(_, object, instance)| (object, instance))
     }
 
     /// With the indices of the objects in the scene.
-    fn indexed(&self) -> impl Iterator<Item = (usize, &'s Object<'m, M, P>, &MeshInstance<'m, i16, P>)> {
+    fn indexed(
+        &self,
+    ) -> impl Iterator<Item = (usize, &'s Object<'m, M>, &MeshInstance<'m, i16, WithPlanes>)> {
         let object = |index: usize| self.objects.get(index);
         self.instances.iter().filter_map(move |(index, instance)| Some((*index, object(*index)?, instance)))
     }
@@ -253,7 +257,7 @@ impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJE
     /// The target's error, at the first span that it refuses.
     pub fn depth_tested<T: Target, S: SpanShader<T::Color>, F: FnMut(usize) -> S>(
         &self,
-        mut shade: impl FnMut(usize, &'s Object<'m, M, P>) -> F,
+        mut shade: impl FnMut(usize, &'s Object<'m, M>) -> F,
         cache: &mut [ScreenVertex],
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
@@ -273,7 +277,7 @@ impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJE
     /// [`PainterError`] if an object has no room. The objects before it are stored then.
     pub fn paint<S: Shader, F: FnMut(usize) -> S, const VERTICES: usize, const FACES: usize>(
         &self,
-        mut shade: impl FnMut(usize, &'s Object<'m, M, P>) -> F,
+        mut shade: impl FnMut(usize, &'s Object<'m, M>) -> F,
         painter: &mut Painter<S, VERTICES, FACES>,
     ) -> Result<(), PainterError> {
         self.indexed().try_for_each(|(index, object, instance)| painter.add(instance, shade(index, object)))
@@ -285,7 +289,7 @@ impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJE
     pub fn pick<C: PixelColor, S: SpanShader<C>, F: FnMut(usize) -> S>(
         &self,
         pixel: Point,
-        mut shade: impl FnMut(usize, &'s Object<'m, M, P>) -> F,
+        mut shade: impl FnMut(usize, &'s Object<'m, M>) -> F,
         cache: &mut [ScreenVertex],
     ) -> Option<Picked> {
         pick_at(pixel, |depth| {
@@ -310,7 +314,7 @@ impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJE
         &'f self,
         cache: &'f mut [ScreenVertex],
         bins: &'f mut [u16],
-    ) -> Result<BinnedScene<'f, 'm, M, OBJECTS, P>, BinError> {
+    ) -> Result<BinnedScene<'f, 'm, M, OBJECTS>, BinError> {
         let (needed, given) = (self.face_bins_len(), bins.len());
         if given < needed {
             return Err(BinError::Storage { needed, given });
@@ -331,13 +335,13 @@ impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJE
 
 /// The faces of all visible objects, binned for bands. [`PlacedScene::bin_faces`] makes it; [`Scene`] has an example.
 #[derive(Debug)]
-pub struct BinnedScene<'f, 'm, M, const OBJECTS: usize, P = WithoutPlanes> {
-    objects: &'f [Object<'m, M, P>],
+pub struct BinnedScene<'f, 'm, M, const OBJECTS: usize> {
+    objects: &'f [Object<'m, M>],
     /// The visible objects by their indices.
     binned: Vec<(usize, BinnedFaces<'f, i16, true>), OBJECTS>,
 }
 
-impl<'f, 'm, M, const OBJECTS: usize, P> BinnedScene<'f, 'm, M, OBJECTS, P> {
+impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
     /// Draws the faces that lie in a band, with a depth test. `shade` is called once for each object whose bounds meet the band,
     /// with its index in the scene, and returns a closure that is called once for each face that is drawn, with the face's index.
     /// Where this closure borrows from the object's material, write it in the call itself: Rust cannot infer its type in a
@@ -348,7 +352,7 @@ impl<'f, 'm, M, const OBJECTS: usize, P> BinnedScene<'f, 'm, M, OBJECTS, P> {
     /// The target's error, at the first span that it refuses.
     pub fn depth_tested<T: Target, S: SpanShader<T::Color>, F: FnMut(usize) -> S>(
         &mut self,
-        mut shade: impl FnMut(usize, &'f Object<'m, M, P>) -> F,
+        mut shade: impl FnMut(usize, &'f Object<'m, M>) -> F,
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<(), T::Error> {
@@ -373,10 +377,10 @@ impl<'f, 'm, M, const OBJECTS: usize, P> BinnedScene<'f, 'm, M, OBJECTS, P> {
     pub fn fork<'b>(
         &'b mut self,
         cursor: &'b mut [u16],
-    ) -> Result<[BinnedScene<'b, 'm, M, OBJECTS, P>; 2], BinError> {
+    ) -> Result<[BinnedScene<'b, 'm, M, OBJECTS>; 2], BinError> {
         let (mut cursor, mut first, mut second) = (cursor, Vec::new(), Vec::new());
         for (index, faces) in &mut self.binned {
-            let faces_of_mesh = self.objects.get(*index).map_or(0, |object| object.mesh.faces().len());
+            let faces_of_mesh = self.objects.get(*index).map_or(0, |object| object.mesh.faces.len());
             let numbers = faces_of_mesh.div_ceil(16).min(cursor.len());
             let (own, other) = cursor.split_at_mut_checked(numbers).unwrap_or_default();
             cursor = other;
@@ -397,7 +401,7 @@ impl<'f, 'm, M, const OBJECTS: usize, P> BinnedScene<'f, 'm, M, OBJECTS, P> {
 
     /// The objects with their binned faces, in the order of the scene: for the [bounds](BinnedFaces::bounds) of each, which
     /// [`Tracked`](crate::Tracked) takes.
-    pub fn iter(&self) -> impl Iterator<Item = (&'f Object<'m, M, P>, &BinnedFaces<'f, i16, true>)> {
+    pub fn iter(&self) -> impl Iterator<Item = (&'f Object<'m, M>, &BinnedFaces<'f, i16, true>)> {
         self.binned.iter().filter_map(|(index, faces)| Some((self.objects.get(*index)?, faces)))
     }
 
@@ -422,28 +426,28 @@ const _: () = {
 
 // Materials are not printed: they need not implement `Format`.
 #[cfg(feature = "defmt")]
-impl<M, P> defmt::Format for Object<'_, M, P> {
+impl<M> defmt::Format for Object<'_, M> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "object of {} in {}, cull {}", self.mesh, self.sphere, self.cull);
     }
 }
 
 #[cfg(feature = "defmt")]
-impl<M, const OBJECTS: usize, P> defmt::Format for Scene<'_, M, OBJECTS, P> {
+impl<M, const OBJECTS: usize> defmt::Format for Scene<'_, M, OBJECTS> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "scene of {=usize}/{=usize} objects", self.objects.len(), OBJECTS);
     }
 }
 
 #[cfg(feature = "defmt")]
-impl<M, const OBJECTS: usize, P: FacePlanes> defmt::Format for PlacedScene<'_, '_, M, OBJECTS, P> {
+impl<M, const OBJECTS: usize> defmt::Format for PlacedScene<'_, '_, M, OBJECTS> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "{=usize}/{=usize} objects placed", self.instances.len(), self.objects.len());
     }
 }
 
 #[cfg(feature = "defmt")]
-impl<M, const OBJECTS: usize, P> defmt::Format for BinnedScene<'_, '_, M, OBJECTS, P> {
+impl<M, const OBJECTS: usize> defmt::Format for BinnedScene<'_, '_, M, OBJECTS> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "{=usize} objects binned: {}", self.binned.len(), self.statistics());
     }

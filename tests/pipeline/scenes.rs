@@ -7,9 +7,9 @@ use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, BinError, Camera, Cull, FacePlanes, Mesh, Object, Painter, Picked, Point3, Projection,
-    Scalar, Scene, SceneError, ScreenDoor, ScreenVertex, SpanShader, Statistics, Vector3, ViewTransform,
-    Viewport, Visibility, WithPlanes,
+    Affine, Angle, BinError, Camera, Cull, Mesh, Object, Painter, Picked, Point3, Projection, Scalar, Scene,
+    SceneError, ScreenDoor, ScreenVertex, SpanShader, Statistics, Vector3, ViewTransform, Viewport,
+    Visibility, WithPlanes,
 };
 use support::bridge::draw::{CUBE, CUBE_FACES};
 use support::bridge::rectangle;
@@ -25,16 +25,11 @@ const OBJECTS: usize = 24;
 const TETRAHEDRON: [[i16; 3]; 4] = [[9, 9, 9], [9, -9, -9], [-9, 9, -9], [-9, -9, 9]];
 const TETRAHEDRON_FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
 
-fn meshes() -> [Mesh<'static>; 2] {
-    [
-        Mesh::new(&CUBE, 0, &CUBE_FACES).expect("a cube"),
-        Mesh::new(&TETRAHEDRON, -3, &TETRAHEDRON_FACES).expect("a tetrahedron"),
-    ]
-}
+/// A mesh with planes, and one without.
+type Meshes = (Mesh<'static, i16, WithPlanes>, Mesh<'static>);
 
-/// The cube with planes, and the tetrahedron without planes in the type of meshes that have them.
-fn mixed() -> [Mesh<'static, i16, WithPlanes>; 2] {
-    let [cube, tetrahedron] = meshes();
+fn meshes() -> Meshes {
+    let cube = Mesh::new(&CUBE, 0, &CUBE_FACES).expect("a cube");
     let normal = |face: &[u16; 3]| {
         let [a, b, c] = face.map(|index| CUBE[usize::from(index)].map(i32::from));
         let (u, v) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
@@ -44,7 +39,8 @@ fn mixed() -> [Mesh<'static, i16, WithPlanes>; 2] {
     };
     let cube = cube.with_normals(CUBE_FACES.iter().map(normal).collect::<Vec<_>>().leak()).expect("normals");
     let planes: [i16; 12] = cube.face_planes();
-    [cube.with_planes(planes.to_vec().leak()).expect("planes"), tetrahedron.with_planes_if_any()]
+    let tetrahedron = Mesh::new(&TETRAHEDRON, -3, &TETRAHEDRON_FACES).expect("a tetrahedron");
+    (cube.with_planes(planes.to_vec().leak()).expect("planes"), tetrahedron)
 }
 
 /// The number of a face of an object, as a colour. Black, 0, is the background.
@@ -62,7 +58,7 @@ fn cull(object: usize) -> Cull {
 }
 
 /// Objects around the camera: before and behind it, near, far and beside it, some of them through others.
-fn random<'m, P>(rng: &mut Rng, meshes: &'m [Mesh<'m, i16, P>; 2]) -> Scene<'m, usize, OBJECTS, P> {
+fn random<'m>(rng: &mut Rng, meshes: &'m Meshes) -> Scene<'m, usize, OBJECTS> {
     let mut scene = Scene::new();
     for index in 0..OBJECTS {
         let turned = Affine::<Model, World>::identity()
@@ -72,7 +68,11 @@ fn random<'m, P>(rng: &mut Rng, meshes: &'m [Mesh<'m, i16, P>; 2]) -> Scene<'m, 
         let [x, y, z] = [rng.real(-9.0, 9.0), rng.real(-6.0, 6.0), rng.real(-14.0, 6.0)]
             .map(|v| Scalar::from_f64(v).expect("in range"));
         let model = turned.translate(Vector3::new(x, y, z));
-        let object = Object::new(&meshes[rng.below(2)], model, index).with_cull(cull(index));
+        let object = match rng.below(2) {
+            0 => Object::new(&meshes.0, model, index),
+            _ => Object::new(&meshes.1, model, index),
+        };
+        let object = object.with_cull(cull(index));
         assert_eq!(scene.add(object), Ok(index));
     }
     scene
@@ -92,21 +92,22 @@ fn camera(rng: &mut Rng) -> Camera {
 
 /// All objects of a scene, placed and drawn one by one, without culling of objects or by planes: the faces as numbers, and their
 /// depths. `shader` makes the shader of a face from its number.
-fn by_hand<P: FacePlanes, S: SpanShader<Rgb565>>(
-    scene: &Scene<'_, usize, OBJECTS, P>,
+fn by_hand<S: SpanShader<Rgb565>>(
+    scene: &Scene<'_, usize, OBJECTS>,
     camera: &Camera,
     shader: impl Fn(Rgb565) -> S,
 ) -> (Vec<Rgb565>, Vec<u16>) {
     memory_with(AREA, AREA, Rgb565::BLACK, &mut |target, depth| {
         for (index, object) in scene.objects().iter().enumerate() {
-            let instance = camera.place(object.mesh, &object.model).with_cull(cull(index)).without_planes();
+            let mesh = object.mesh();
+            let instance = camera.place(&mesh, &object.model).with_cull(cull(index)).without_planes();
             let Ok(_) = instance.depth_tested(|face| shader(number(index, face)), &mut [], depth, target);
         }
     })
 }
 
-fn in_bands<P: FacePlanes>(
-    scene: &Scene<'_, usize, OBJECTS, P>,
+fn in_bands(
+    scene: &Scene<'_, usize, OBJECTS>,
     camera: &Camera,
     rows: u32,
     cache: usize,
@@ -116,7 +117,7 @@ fn in_bands<P: FacePlanes>(
     let mut bins = vec![0; placed.face_bins_len()];
     let mut faces = placed.bin_faces(&mut cache, &mut bins).expect("room for all faces");
     let pixels = bands(AREA, Rgb565::BLACK, rows, &mut |band, depth| {
-        let shade = |index: usize, object: &Object<'_, usize, P>| {
+        let shade = |index: usize, object: &Object<'_, usize>| {
             assert_eq!(index, object.material);
             move |face| number(index, face)
         };
@@ -127,11 +128,7 @@ fn in_bands<P: FacePlanes>(
 
 #[test]
 fn a_scene_is_its_objects_drawn_by_hand() {
-    drawn_scenes(&meshes());
-    drawn_scenes(&mixed());
-}
-
-fn drawn_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
+    let meshes = &meshes();
     let mut rng = Rng::new(0xe1);
     let (mut culled, mut drawn, mut clipped) = (0, 0, 0);
     for _ in 0..60 {
@@ -147,7 +144,7 @@ fn drawn_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
         let placed = scene.place(&camera);
         let (mut asked, mut statistics) = (Vec::new(), None);
         let pixels = memory(AREA, Rgb565::BLACK, &mut |target, depth| {
-            let shade = |index: usize, object: &Object<'_, usize, P>| {
+            let shade = |index: usize, object: &Object<'_, usize>| {
                 assert_eq!(index, object.material);
                 asked.push(index);
                 move |face| number(index, face)
@@ -165,7 +162,7 @@ fn drawn_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
             .collect();
         assert_eq!(asked, visible, "an object out of view costs the test of its sphere only");
         assert_eq!((placed.len(), placed.is_empty()), (visible.len(), visible.is_empty()));
-        let faces: usize = visible.iter().map(|&index| scene.objects()[index].mesh.faces().len()).sum();
+        let faces: usize = visible.iter().map(|&index| scene.objects()[index].mesh().faces().len()).sum();
         let Statistics { drawn: d, culled: c, outside, degenerate, .. } = statistics;
         assert_eq!((d + c + outside + degenerate) as usize, faces);
         assert_eq!(in_bands(&scene, &camera, 8, 0).1, statistics);
@@ -183,7 +180,8 @@ fn a_band_asks_for_the_shaders_of_its_objects() {
         let (scene, camera) = (random(&mut rng, &meshes), camera(&mut rng));
         // The rows of each object's pixels, drawn alone.
         let rows_of = |object: &Object<'_, usize>| {
-            let instance = camera.place(object.mesh, &object.model).with_cull(cull(object.material));
+            let mesh = object.mesh();
+            let instance = camera.place(&mesh, &object.model).with_cull(cull(object.material));
             let pixels = memory(AREA, Rgb565::BLACK, &mut |target, depth| {
                 let Ok(_) = instance.depth_tested(|face| number(0, face), &mut [], depth, target);
             });
@@ -196,9 +194,10 @@ fn a_band_asks_for_the_shaders_of_its_objects() {
         };
         // The rows of its vertices, among which its faces are, if none is clipped.
         let box_of = |object: &Object<'_, usize>| {
-            let instance = camera.place(object.mesh, &object.model);
+            let mesh = object.mesh();
+            let instance = camera.place(&mesh, &object.model);
             let row = |vertex| instance.project(vertex).map(|seen| Point::from(seen).y);
-            let rows = (0..object.mesh.vertices().len()).map(row).collect::<Result<Vec<i32>, _>>().ok()?;
+            let rows = (0..mesh.vertices().len()).map(row).collect::<Result<Vec<i32>, _>>().ok()?;
             Some([*rows.iter().min()?, *rows.iter().max()?])
         };
         let rows: Vec<_> = scene.objects().iter().map(|object| [rows_of(object), box_of(object)]).collect();
@@ -230,11 +229,7 @@ fn a_band_asks_for_the_shaders_of_its_objects() {
 
 #[test]
 fn a_scene_in_painters_order_is_its_objects_in_a_painter() {
-    painted_scenes(&meshes());
-    painted_scenes(&mixed());
-}
-
-fn painted_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
+    let meshes = &meshes();
     let (mut rng, mut colored) = (Rng::new(0xe2), 0);
     for _ in 0..30 {
         // Painters draw beyond a far plane that does not clip; scenes cull there.
@@ -245,13 +240,14 @@ fn painted_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
             })
         };
         let (mut painter, mut hands) = (Box::new(Painter::new()), Box::new(Painter::new()));
-        let shade = |index: usize, object: &Object<'_, usize, P>| {
+        let shade = |index: usize, object: &Object<'_, usize>| {
             assert_eq!(index, object.material);
             move |face| number(index, face)
         };
         scene.place(&camera).paint(shade, &mut painter).expect("room for all faces");
         for object in scene.objects() {
-            let instance = camera.place(object.mesh, &object.model).with_cull(cull(object.material));
+            let mesh = object.mesh();
+            let instance = camera.place(&mesh, &object.model).with_cull(cull(object.material));
             hands.add(&instance, |face| number(object.material, face)).expect("room for all faces");
         }
         let pixels = draw(&mut painter);
@@ -266,32 +262,28 @@ fn painted_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
 #[test]
 fn picking_finds_the_face_that_is_drawn() {
     picked_scenes(&meshes(), |number| number);
-    picked_scenes(&mixed(), |number| number);
 }
 
 #[test]
 fn picking_finds_the_face_that_is_seen_through_screen_doors() {
     let door = |number| ScreenDoor::new(number, (RawU16::from(number).into_inner() * 7 % 65) as u8);
     picked_scenes(&meshes(), door);
-    picked_scenes(&mixed(), door);
 }
 
-fn picked_scenes<P: FacePlanes, S: SpanShader<Rgb565>>(
-    meshes: &[Mesh<'_, i16, P>; 2],
-    shader: impl Fn(Rgb565) -> S + Copy,
-) {
+fn picked_scenes<S: SpanShader<Rgb565>>(meshes: &Meshes, shader: impl Fn(Rgb565) -> S + Copy) {
     let mut rng = Rng::new(0xe3);
     let (mut hits, mut misses, mut points, mut firsts) = (0, 0, 0, 0);
     for _ in 0..12 {
         let (mut scene, camera) = (random(&mut rng, meshes), camera(&mut rng));
         let objects = scene.objects_mut();
         for [first, second] in [[2, 4], [6, 20]] {
-            objects[second] = Object { material: second, ..objects[first] };
+            objects[second] = objects[first];
+            objects[second].material = second;
         }
         let (picture, depths) = by_hand(&scene, &camera, shader);
         let placed = scene.place(&camera);
         let mut cache = [ScreenVertex::EMPTY; 8];
-        let shade = |index: usize, object: &Object<'_, usize, P>| {
+        let shade = |index: usize, object: &Object<'_, usize>| {
             assert_eq!(index, object.material);
             move |face| shader(number(index, face))
         };
@@ -331,7 +323,7 @@ fn picking_an_instance_needs_no_cache() {
         let camera = camera(&mut rng);
         let model = Affine::<Model, World>::rotation_y(Angle::from_bits(rng.bits()))
             .translate(Vector3::from_ints(0, 0, -4));
-        let instance = camera.place(&meshes[0], &model);
+        let instance = camera.place(&meshes.0, &model);
         let mut cache = [ScreenVertex::EMPTY; 8];
         let all = instance.transform_depth(&mut cache);
         for at in rectangle(-4, -4, WIDTH + 8, HEIGHT + 8).points() {
@@ -352,14 +344,14 @@ fn picking_an_instance_needs_no_cache() {
 fn a_scene_without_room_says_what_it_needs() {
     let meshes = meshes();
     let mut scene = Scene::<u8, 2>::default();
-    let object = Object::new(&meshes[0], Affine::identity(), 7);
+    let object = Object::new(&meshes.0, Affine::identity(), 7);
     assert_eq!([scene.add(object), scene.add(object)], [Ok(0), Ok(1)]);
     let full = scene.add(object);
     assert_eq!(full, Err(SceneError { capacity: 2 }));
     assert!(full.expect_err("full").to_string().contains("2 objects"));
     scene.objects_mut()[1].model = Affine::identity().translate(Vector3::from_ints(0, 0, -9));
     let viewport = Viewport::new(Point::zero(), Size::new(40, 40)).expect("a viewport");
-    let sphere = meshes[0].bounding_sphere();
+    let sphere = meshes.0.bounding_sphere();
     let camera =
         Camera::framing(&sphere, &viewport, Angle::degrees(50), Angle::ZERO, Angle::ZERO).expect("a camera");
     // The second lies beyond the far plane, which is just behind the first.

@@ -264,7 +264,7 @@ fn pick<P: FacePlanes>(camera: &Camera, instance: &MeshInstance<'_, i16, P>, cac
 }
 
 fn change<'m, P: FacePlanes>(
-    scene: &mut pinhole::Scene<'m, Rgb565, 5, P>,
+    scene: &mut pinhole::Scene<'m, Rgb565, 5>,
     mesh: &'m Mesh<'m, i16, P>,
     model: &Affine<Model, World>,
 ) {
@@ -287,19 +287,15 @@ struct Storage<'a> {
     target: Wire<Rgb565>,
 }
 
-fn draw_scene<P: FacePlanes>(
-    scene: &pinhole::Scene<'_, Rgb565, 5, P>,
-    camera: &Camera,
-    storage: &mut Storage<'_>,
-) {
+fn draw_scene(scene: &pinhole::Scene<'_, Rgb565, 5>, camera: &Camera, storage: &mut Storage<'_>) {
     let Storage { cache, bins, depth, painter, target } = storage;
     let placed = scene.place(camera);
-    let shade = |index: usize, object: &Object<'_, Rgb565, P>| {
+    let shade = |index: usize, object: &Object<'_, Rgb565>| {
         let color = object.material;
         move |face: usize| color.dim((face + index) as u16)
     };
     report((placed.len(), placed.is_empty(), placed.cache_len(), placed.face_bins_len()));
-    report(placed.iter().count());
+    report(placed.iter().map(|(object, _)| object.mesh().faces().len()).sum::<usize>());
     report(placed.pick(pixel(), shade, cache));
     report(placed.paint(shade, painter));
     let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
@@ -421,9 +417,8 @@ entries! {
     entry_pick(camera: &Camera, instance: &MeshInstance<'_>, cache: &mut [ScreenVertex]) { pick(camera, instance, cache) }
 
     entry_scene<'m>(scene: &mut pinhole::Scene<'m, Rgb565, 5>, mesh: &'m Mesh<'m>, model: &Affine<Model, World>) { change(scene, mesh, model) }
-    entry_scene_with_planes<'m>(scene: &mut pinhole::Scene<'m, Rgb565, 5, WithPlanes>, mesh: &'m Mesh<'m, i16, WithPlanes>, model: &Affine<Model, World>) { change(scene, mesh, model) }
+    entry_scene_with_planes<'m>(scene: &mut pinhole::Scene<'m, Rgb565, 5>, mesh: &'m Mesh<'m, i16, WithPlanes>, model: &Affine<Model, World>) { change(scene, mesh, model) }
     entry_draw_scene(scene: &pinhole::Scene<'_, Rgb565, 5>, camera: &Camera, storage: &mut Storage<'_>) { draw_scene(scene, camera, storage) }
-    entry_draw_scene_with_planes(scene: &pinhole::Scene<'_, Rgb565, 5, WithPlanes>, camera: &Camera, storage: &mut Storage<'_>) { draw_scene(scene, camera, storage) }
     entry_two_cores(cores: &mut Cores<'_>) { two_cores(cores) }
     entry_two_cores_with_depth(cores: &mut Cores<'_>) { two_cores_with_depth(cores) }
 
