@@ -51,7 +51,7 @@ public_types! {
     Affine<Plain, Plain>, Angle, AntiAliased<Pixel>, AxisError, Band<'static, Plain>, BandError, Barycentric, BinError, Alpha,
     Camera, Canonical, ClipPoint, ClipVertex<2>, CornerValues, ScreenVertex, Cull, DepthBuffer<'static>, DepthBufferError,
     DirtyRegions<4>, FaceColors<'static>, MaterialError, TextureCoords<'static>, Dithered<Flat>, BinnedEdges<'static, i16,
-    true>, BinnedScene<'static, 'static, Plain, 3>, BinnedFaces<'static, i16, true>, WithPlanes, WithoutPlanes, Flat,
+    true>, BinnedScene<'static, 'static, Plain, 3>, BinnedFaces<'static, i16, true>, WithPlanes, WithoutPlanes, Flat, Format,
     Frame<Plain>, FramingError, Gouraud, Gradient, Lit, ProjectError, Projected, Hierarchy<'static>, Inside<Plain>,
     HierarchyError, Frustum, HalfBins<'static, i16, true>, SplitBins<'static, i16, true>, HalfTransform<'static, i16, true>,
     SplitTransform<'static, i16, true>, InverseError, Lambert, BlinnPhong, DirectionalLight, Lights<2>, Matcap, PointLight,

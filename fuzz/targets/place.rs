@@ -3,7 +3,7 @@
 
 use core::fmt::Debug;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{MeshInstance, Color, ScreenVertex, SpanShader, StoredPixel};
+use pinhole::{Color, MeshInstance, ScreenVertex, SpanShader, StoredPixel};
 use support::bridge::ways::{self, Drawn};
 
 /// Where scenes are drawn, before which colour, and in bands of how many rows.

@@ -358,6 +358,16 @@ impl<'a, V: Coordinate, const DEPTH: bool> BinnedFaces<'a, V, DEPTH> {
     /// this band's [area](crate::Band::area): nothing is drawn outside the depth buffer. `shade` is called once for each face
     /// that lies in the band.
     ///
+    /// Faces whose vertices were transformed without depth do not compile here:
+    ///
+    /// ```compile_fail,E0277
+    /// # use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+    /// # use pinhole::prelude::*;
+    /// fn draw(faces: &mut BinnedFaces<'_>, depth: &mut DepthBuffer<'_>, band: &mut Band<'_, Rgb565>) {
+    ///     let Ok(()) = faces.depth_tested(|_| Rgb565::RED, depth, band); // compiles with BinnedFaces<'_, i16, true>
+    /// }
+    /// ```
+    ///
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.

@@ -5,7 +5,7 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 /// One colour for a face, with red, green and blue in 1/256 of the steps of `Rgb888`.
 ///
 /// As a shader it fills a face with the nearest colour of the target, computed once per face. The target may have any colour
-/// type with [`Color`](super::Color), so one closure works for all of them. [`dithered`](Self::dithered) also shows the
+/// type with [`Color`](crate::Color), so one closure works for all of them. [`dithered`](Self::dithered) also shows the
 /// fraction that rounding drops.
 ///
 /// ```

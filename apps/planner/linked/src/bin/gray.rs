@@ -6,7 +6,10 @@ use embedded_graphics_core::geometry::OriginDimensions;
 use embedded_graphics_core::pixelcolor::{Gray4, GrayColor};
 use embedded_graphics_core::primitives::Rectangle;
 use linked::{coordinates, firmware, level, light, LIT, UNIT};
-use pinhole::{mesh_buffers, strip_buffers, Affine, DepthBuffer, Color, Frame, Gouraud, IndexedTexels, MeshBuffers, StripBuffers, Texture, };
+use pinhole::{
+    mesh_buffers, strip_buffers, Affine, Color, DepthBuffer, Frame, Gouraud, IndexedTexels, MeshBuffers,
+    StripBuffers, Texture,
+};
 
 include!(concat!(env!("PLANNER_MODELS"), "/", env!("CARGO_BIN_NAME"), ".rs"));
 
