@@ -63,8 +63,8 @@
 //!
 //! # What holds everywhere
 //!
-//! * **Exact.** One fill rule decides each pixel: no cracks, no pixel drawn twice, equal bits on all cores, in debug and release builds.
-//!   [docs/accuracy.md] has all errors, [docs/spec.md] the rules.
+//! * **Exact.** One fill rule decides each pixel: neighbours leave no crack and share no pixel, with equal bits on all cores, in debug and
+//!   release builds. [docs/accuracy.md] has all errors, [docs/spec.md] the rules.
 //! * **Integers only**, except in conversions from and to floats.
 //! * **No panic, no heap, no `unsafe`.** Memory is the caller's; its lengths are computed from the mesh. Set-up errors say what to do.
 //!   Drawing returns only the target's own error.

@@ -21,7 +21,8 @@ mod math;
 #[path = "../src/space.rs"]
 mod space;
 
-/// What is measured, the largest error over seeded inputs against f64 or exact integers, and the bound that the documentation states.
+/// A measured quantity: its name, the largest error over seeded inputs against f64 or exact integers, and the bound that the
+/// documentation states.
 struct Measured(&'static str, f64, f64);
 
 #[track_caller]

@@ -11,3 +11,5 @@ pub use color_type::Color;
 pub use format::Format;
 pub(crate) use mixer::Mixer;
 pub use stored_pixel::StoredPixel;
+#[cfg(test)]
+pub(crate) use tests::Rgb444;

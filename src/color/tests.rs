@@ -11,7 +11,7 @@ use embedded_graphics_core::pixelcolor::{
 
 /// Two pixels in three bytes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Rgb444(u16);
+pub(crate) struct Rgb444(pub(crate) u16);
 
 impl PixelColor for Rgb444 {
     type Raw = ();

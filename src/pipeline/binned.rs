@@ -15,7 +15,7 @@ use embedded_graphics_core::primitives::Rectangle;
     note = "call `transform_depth` instead of `transform`, or `bin_faces_with_depth` instead of `bin_faces`"
 )]
 pub trait HasDepth<WithDepth> {
-    /// The same value, in the type with depth.
+    /// These faces, edges or vertices, in the type with depth, which they already have.
     #[doc(hidden)]
     fn with_depth(&mut self) -> &mut WithDepth;
 }

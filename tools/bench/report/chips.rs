@@ -36,7 +36,7 @@ pub(crate) fn chips() -> Result<Vec<(Chip, Row)>> {
     rows.map(|row| Ok((serde_json::from_value(Value::Object(row.clone()))?, row))).collect()
 }
 
-/// What is drawn, in bands and, where the chip has the RAM, in one piece: the variants of the cells with depth end with `-z`.
+/// The scenes that each chip draws: in bands and, where the chip has the RAM, in one piece.
 const SCENES: [&str; 3] = ["S1", "S2", "S3"];
 /// The kinds of frames whose cycles per instruction are stated: lines (S1), faces, faces with depth.
 const KINDS: [&str; 3] = ["wire", "plain", "z"];
