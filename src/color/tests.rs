@@ -78,48 +78,65 @@ impl Color for Tricolor {
 fn check<C: Color + Debug>(parts: impl Fn(C) -> [u8; 3], max: [u8; 3], step: u16) {
     assert_eq!(C::FORMAT.max(), max);
     let mut random = Random(5);
-    let bits = (1_u64 << C::FORMAT.bits()) - 1;
+    let bits = ((1_u64 << C::FORMAT.bits()) - 1) as u32;
     for i in 0..3_000 {
         // All bits, none, and random ones.
-        let [own, stored] = [0, 1].map(|side| match i >> side & 15 {
-            0 => C::from_bits(bits as u32),
+        let pair = [0, 1].map(|side| match i >> side & 15 {
+            0 => C::from_bits(bits),
             1 => C::from_bits(0),
-            _ => C::from_bits(random.bits() & bits as u32),
+            _ => C::from_bits(random.bits() & bits),
         });
-        let alpha = random.bits() % 33;
-        let coverage = (random.bits() % 257) as u16;
-        let rounded = (coverage + step / 2) / step * step;
-        let level = random.bits() % 300;
-        let (mixed, over) = (parts(own.mix(stored, alpha as u8)), parts(own.over(stored, coverage)));
-        let (half, dimmed, sum) =
-            (parts(own.half(stored)), parts(own.dim(level as u16)), parts(own.emitting(stored)));
-        assert_eq!(C::from_channels(own.channels()), own);
-        assert_eq!(own.channels(), parts(own));
-        assert_eq!(own.fade(stored)(alpha as u8), own.mix(stored, alpha as u8), "{own:?} {stored:?} {alpha}");
-        let rest = u32::from((256 - rounded) >> (8 - C::SHARE_BITS));
-        assert_eq!(
-            Mixer::mixer(own)(stored, rest),
-            own.over(stored, coverage),
-            "{own:?} {stored:?} {coverage}"
-        );
-        for channel in 0..3 {
-            let [own, stored] = [parts(own), parts(stored)].map(|parts| u32::from(parts[channel]));
-            let context = (own, stored, alpha, coverage, level);
-            assert_eq!(
-                u32::from(mixed[channel]),
-                (own * alpha + stored * (32 - alpha) + 16) / 32,
-                "{context:?}"
-            );
-            let rounded = u32::from(rounded);
-            assert_eq!(
-                u32::from(over[channel]),
-                (own * rounded + stored * (256 - rounded) + 128) / 256,
-                "{context:?}"
-            );
-            assert_eq!(u32::from(half[channel]), own.div_ceil(2) + stored / 2, "{context:?}");
-            assert_eq!(u32::from(dimmed[channel]), (own * level.min(256) + 128) / 256, "{context:?}");
-            assert_eq!(u32::from(sum[channel]), (own + stored).min(max[channel].into()), "{context:?}");
+        check_pair(pair, (random.bits() % 33) as u8, &parts, max, step, &mut random);
+    }
+    // All pairs of levels of each channel with every alpha, beside random levels of the others, or the highest: their sums must not
+    // carry into a neighbour.
+    for (channel, &max_level) in max.iter().enumerate() {
+        for (own, stored) in (0..=max_level).flat_map(|own| (0..=max_level).map(move |stored| (own, stored)))
+        {
+            let full = if random.below(4) == 0 { bits } else { 0 };
+            let pair = [own, stored].map(|level| {
+                let mut levels = parts(C::from_bits(random.bits() & bits | full));
+                levels[channel] = level;
+                C::from_channels(levels)
+            });
+            (0..=32).for_each(|alpha| check_pair(pair, alpha, &parts, max, step, &mut random));
         }
+    }
+}
+
+/// Compares all arithmetic on a pair of colours, with this share of the first, and a random coverage and light.
+fn check_pair<C: Color + Debug>(
+    [own, stored]: [C; 2],
+    alpha: u8,
+    parts: impl Fn(C) -> [u8; 3],
+    max: [u8; 3],
+    step: u16,
+    random: &mut Random,
+) {
+    let coverage = random.below(257) as u16;
+    let rounded = (coverage + step / 2) / step * step;
+    // Of 256, rarely more.
+    let lights = [300, 300, 300, 1 << 16][random.below(4) as usize];
+    let level = random.below(lights) as u16;
+    let (mixed, over) = (parts(own.mix(stored, alpha)), parts(own.over(stored, coverage)));
+    let (half, dimmed, sum) = (parts(own.half(stored)), parts(own.dim(level)), parts(own.emitting(stored)));
+    assert_eq!(C::from_channels(own.channels()), own);
+    assert_eq!(own.channels(), parts(own));
+    assert_eq!(own.fade(stored)(alpha), own.mix(stored, alpha), "{own:?} {stored:?} {alpha}");
+    let rest = u32::from((256 - rounded) >> (8 - C::SHARE_BITS));
+    assert_eq!(Mixer::mixer(own)(stored, rest), own.over(stored, coverage), "{own:?} {stored:?} {coverage}");
+    let [alpha, rounded, light] = [alpha.into(), rounded, level.min(256)].map(u32::from);
+    for channel in 0..3 {
+        let [own, stored] = [parts(own), parts(stored)].map(|parts| u32::from(parts[channel]));
+        let found = [mixed, over, half, dimmed, sum].map(|levels| u32::from(levels[channel]));
+        let wanted = [
+            (own * alpha + stored * (32 - alpha) + 16) / 32,
+            (own * rounded + stored * (256 - rounded) + 128) / 256,
+            own.div_ceil(2) + stored / 2,
+            (own * light + 128) / 256,
+            (own + stored).min(max[channel].into()),
+        ];
+        assert_eq!(found, wanted, "{own} {stored} {alpha} {coverage} {level}");
     }
 }
 

@@ -257,9 +257,14 @@ fn invalid_view_matrices_are_refused() {
         assert_eq!(read(matrix(u, v, n, f64::NAN)), Some(ViewTransformError::EyeOutside));
         // Both sides of the bound: the square of the length, and the product of two axes.
         for (off, refused) in [(1.9e-6, None), (2.1e-6, Some(ViewTransformError::NotRigid))] {
-            assert_eq!(read(matrix(u, v, n.map(|c| c * (1.0 + off)), 0.0)), refused);
-            let leaning = core::array::from_fn(|i| u[i] + 2.0 * off * v[i]);
-            assert_eq!(read(matrix(leaning, v, n, 0.0)), refused);
+            for (axis, other) in [(0, 1), (1, 2), (2, 0)] {
+                let (mut long, mut leaning) = ([u, v, n], [u, v, n]);
+                long[axis] = long[axis].map(|c| c * (1.0 + off));
+                leaning[axis] = core::array::from_fn(|i| leaning[axis][i] + 2.0 * off * leaning[other][i]);
+                for [u, v, n] in [long, leaning] {
+                    assert_eq!(read(matrix(u, v, n, 0.0)), refused);
+                }
+            }
         }
         let mut m = matrix(u, v, n, 0.0);
         m[rng.below(3)][rng.below(3)] = f64::NAN;

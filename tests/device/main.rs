@@ -4,20 +4,21 @@
 //! Builds `examples/oled` and `examples/hello.rs` for five targets by `tools/cross` and runs them under QEMU: the first on
 //! an emulated board with a display, whose picture is taken after every frame; the second prints checksums. Without the
 //! tools the tests say so and pass, except with `CI` set.
-#![allow(clippy::duplicate_mod)] // `hello` and `oled` both include the teapot
+#![allow(clippy::duplicate_mod)] // both shows include the teapot
 
 mod cross;
 #[cfg(unix)]
 #[path = "../../examples/oled/emulator.rs"]
 mod emulator;
 mod floats;
-mod hello;
 #[cfg(unix)]
 mod oled;
 #[path = "../../examples/oled/picture.rs"]
 mod picture;
 #[path = "../../examples/oled/show/mod.rs"]
 mod show;
+#[path = "../../examples/show/mod.rs"]
+mod teapot;
 mod template;
 mod wire;
 
@@ -49,4 +50,40 @@ fn thumbv6m_links_no_float_routine() {
 #[test]
 fn thumbv7m_links_no_float_routine() {
     no_floats("thumbv7m-none-eabi");
+}
+
+macro_rules! draws_as_the_host {
+    ($($test:ident $target:literal $core:literal)*) => {$(
+        #[test]
+        fn $test() {
+            let Some(firmware) = Firmware::for_target($target) else { return };
+            assert_eq!(firmware.run_hello($core), host());
+        }
+    )*};
+}
+
+draws_as_the_host! {
+    cortex_m0_draws_as_the_host "thumbv6m-none-eabi" "cortex-m0"
+    cortex_m3_draws_as_the_host "thumbv7m-none-eabi" "cortex-m3"
+    cortex_m4_draws_as_the_host "thumbv7em-none-eabihf" "cortex-m4"
+    risc_v_draws_as_the_host "riscv32imc-unknown-none-elf" "rv32imc"
+}
+
+/// The comparison would mean little if the frames were empty or alike.
+#[test]
+fn the_checksums_of_the_frames_differ() {
+    let lines = host();
+    let checksum = |line: &String| line.split_once(" crc ").map(|(_, rest)| rest[..8].to_string());
+    let mut checksums: Vec<_> = lines.iter().map(checksum).collect();
+    assert!(checksums.iter().all(Option::is_some), "{lines:#?}");
+    checksums.sort();
+    checksums.dedup();
+    assert_eq!(checksums.len(), lines.len(), "{lines:#?}");
+    assert!(lines.iter().any(|line| !line.contains(" 0 clipped")), "{lines:#?}");
+}
+
+/// The lines that `hello` prints: the teapot in a few frames, each with a checksum.
+fn host() -> Vec<String> {
+    let mut stage = Box::new(teapot::Stage::new());
+    (0..teapot::FRAMES).map(|frame| stage.draw(frame).to_string()).collect()
 }

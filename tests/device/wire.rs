@@ -26,7 +26,7 @@ const CUBE: Film = Film::Cube { axis: [0, 1, 0], turn: FRAMES };
 #[test]
 fn the_spinning_cube_is_scene_s2_of_the_benchmarks() {
     let picture = reference::<Rgb565>(&CUBE.frame(ST7789::SIZE, 0), ST7789::SIZE);
-    let covered = picture.pixels().iter().filter(|colour| **colour != Rgb565::from(BACKGROUND)).count();
+    let covered = picture.iter().filter(|colour| **colour != Rgb565::from(BACKGROUND)).count();
     assert_eq!(covered, 17964);
 }
 
@@ -58,8 +58,7 @@ fn the_stm32_board_sets_its_panel_up_the_right_way_round() {
     in_bands(&things, area, &mut strip, &mut display).unwrap();
     let controller = panel.controller();
     assert!(controller.errors.is_empty(), "{:?}", controller.errors);
-    let wanted: Vec<u32> =
-        reference::<Rgb565>(&things, size).pixels().iter().map(|colour| colour.stored()).collect();
+    let wanted: Vec<u32> = reference::<Rgb565>(&things, size).iter().map(|colour| colour.stored()).collect();
     assert!(controller.picture(Held::LandscapeMirrored, size.width as usize, size.height as usize) == wanted);
 }
 
@@ -259,8 +258,7 @@ fn the_frame_after_a_bus_failure_is_complete() {
                     screen.assert_shows(&picture, ("after a failure at", after));
                 } else {
                     let seen = screen.picture();
-                    spoilt +=
-                        usize::from(picture.pixels().iter().zip(&seen).any(|(c, seen)| c.stored() != *seen));
+                    spoilt += usize::from(picture.iter().zip(&seen).any(|(c, seen)| c.stored() != *seen));
                 }
             }
         }

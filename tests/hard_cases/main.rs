@@ -20,7 +20,7 @@
 //! | C2 a vertex on near | `near_plane::c2_*` | exact coverage of the snapped triangle |
 //! | C3 w down to nothing | `near_plane::c3_*`; `tests/camera/vertex_chain.rs` | one ray per pixel |
 //! | C4 all behind | `near_plane::c4_*` | empty |
-//! | C5 inside a mesh | `near_plane::c5_*`; `tests/pipeline/clipped_faces.rs`, `tests/pipeline/cut_meshes.rs` | one ray per pixel; each pixel once; all ways of drawing |
+//! | C5 inside a mesh | `near_plane::c5_*`; `tests/pipeline/clipped_faces.rs`, `tests/pipeline/culling_by_planes.rs` | one ray per pixel; each pixel once; all ways of drawing |
 //! | C6 far off screen, the shared cut, larger than the screen | `near_plane::c6_*`; `tests/camera/vertex_chain.rs` | one ray per pixel; the f64 chain |
 //! | D1 the threshold of z-fighting | `depth::d1_*` | f64, all that is two steps apart |
 //! | D2 slivers and extrapolation | `depth::d2_*`; `d2_*` in `src/raster/depth.rs` | the plane in rationals |
@@ -32,7 +32,7 @@
 //! | E5 degenerate lenses | `setup_errors::e5_*` | the documented bounds, both sides |
 //! | E6 drift | `numbers::e6_*` | exact fractions of a turn |
 //! | E7 sine and cosine | `e7_*` in `tests/bounds.rs`; `numbers::e7_*` | f64; by hand |
-//! | E8 reciprocal | `e8_reciprocal_is_within_2_to_the_minus_29` in `src/math/num/reciprocal.rs`: it is private | f64 |
+//! | E8 reciprocal | `e8_reciprocal` in `tests/bounds.rs` | f64 |
 //! | E9 viewports | `viewports::e9_*` | the crop of the whole picture |
 
 mod depth;

@@ -21,6 +21,9 @@ fn e7_angles_wrap() {
     assert_eq!(Angle::degrees(-270), Angle::QUARTER_TURN);
     assert_eq!(Angle::QUARTER_TURN + Angle::HALF_TURN, -Angle::QUARTER_TURN);
     assert_eq!(Angle::ZERO - Angle::HALF_TURN, Angle::HALF_TURN);
+    let thirds = [1, 2].map(|n| Angle::turns(n, 3).bits());
+    assert_eq!((thirds, Angle::turns(i32::MIN, u32::MAX).bits()), ([0x5555_5555, 0xaaaa_aaab], 0x7fff_ffff));
+    assert_eq!(Angle::from_degrees_f32(45.0), Ok(Angle::turns(1, 8)));
 }
 
 #[test]

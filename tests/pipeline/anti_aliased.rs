@@ -1,15 +1,19 @@
-//! Anti-aliased lines: in every way to draw lines, against areas in f64, in bands, and with a depth buffer.
+//! Anti-aliased lines: in every way to draw lines, against areas in f64, in bands, and with a depth buffer. Where they meet, and where they
+//! cross the border of the picture, the oracle is the union of the strokes with round joints: the part of a pixel whose points are within
+//! half a pixel of a line, by 32 × 32 samples in f64.
 
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::raster::Pixel;
 use pinhole::{
-    draw_line, edge_faces, AntiAliased, Color, DepthBuffer, Mesh, MeshInstance, Pixels, ScreenVertex,
+    draw_line, edge_faces, Affine, AntiAliased, Color, DepthBuffer, Mesh, MeshInstance, Pixels, ScreenVertex,
     StoredPixel, Stroke,
 };
-use support::bridge::draw::{cube_camera, CUBE, CUBE_EDGES, CUBE_FACES};
+use std::f64::consts::TAU;
+use support::bridge::draw::{cube_camera, flat_camera, CUBE, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{ModelBits, Step};
+use support::bridge::rectangle;
 use support::bridge::ways::{bands, lines_by_every_call, memory, memory_with};
 use support::oracle::rng::Rng;
 
@@ -244,217 +248,205 @@ fn a_color_is_a_stroke_of_itself() {
     assert_eq!(Gray8::WHITE.covering(Gray8::BLACK, 0), Gray8::WHITE);
 }
 
-mod joints {
-    //! Where anti-aliased lines meet, and where they cross the picture's border. The oracle is the union of the strokes with round joints:
-    //! the part of a pixel whose points are within half a pixel of a line, by 32 × 32 samples in f64.
+/// Columns and rows of the picture.
+const SIDE: usize = 48;
 
-    use super::*;
-    use pinhole::Affine;
-    use std::f64::consts::TAU;
-    use support::bridge::draw::flat_camera;
-    use support::bridge::rectangle;
+/// A point of the picture in pixels, y down.
+type At = [f64; 2];
 
-    /// Columns and rows of the picture.
-    const SIDE: usize = 48;
+/// The vertex at a point of the picture, rounded to 1/256 pixel, for a camera with 256 units to a pixel.
+fn vertex([x, y]: At) -> [i16; 3] {
+    [(x * 256.0).round() as i16, ((SIDE as f64 - y) * 256.0).round() as i16, 0]
+}
 
-    /// A point of the picture in pixels, y down.
-    type At = [f64; 2];
+/// The brightness of each pixel after white lines were drawn on black from each point to the next: as a polyline, as a wireframe, in
+/// bands, with a depth test, and as hidden lines in front of which there is nothing. All pictures are equal.
+fn drawn(points: &[At], stroke: impl Stroke<Gray8>) -> Vec<f64> {
+    let vertices: Vec<_> = points.iter().map(|&point| vertex(point)).collect();
+    let edges: Vec<_> = (1..points.len() as u16).map(|end| [end - 1, end]).collect();
+    let mesh = Mesh::new(&vertices, 0, &[]).and_then(|mesh| mesh.with_edges(&edges)).expect("a mesh");
+    let camera = flat_camera((SIDE as u32, SIDE as u32), 256, 1).library();
+    let instance = camera.place(&mesh, &Affine::identity());
+    let area = rectangle(0, 0, SIDE as u32, SIDE as u32);
+    let lines = lines_by_every_call(&instance, area, Gray8::BLACK, &[1, 3, 5, SIDE as u32], stroke, None);
+    let polyline = memory(area, Gray8::BLACK, &mut |target, _| {
+        let Ok(_) = instance.polyline(stroke, target);
+    });
+    assert!([lines.all, lines.tested, lines.hidden].iter().all(|lines| *lines == polyline), "{points:?}");
+    polyline.iter().map(|color| f64::from(color.luma()) / 255.0).collect()
+}
 
-    /// The vertex at a point of the picture, rounded to 1/256 pixel, for a camera with 256 units to a pixel.
-    fn vertex([x, y]: At) -> [i16; 3] {
-        [(x * 256.0).round() as i16, ((SIDE as f64 - y) * 256.0).round() as i16, 0]
+/// The part of a pixel that is within half a pixel of a line from one of the points to the next.
+fn covered(points: &[At], [x, y]: [usize; 2]) -> f64 {
+    let lines: Vec<_> = points.windows(2).map(|ends| [ends[0], ends[1]]).collect();
+    let may_reach = |[a, b]: &&[At; 2]| {
+        [x, y].iter().enumerate().all(|(axis, &pixel)| {
+            let (low, high) = (a[axis].min(b[axis]) - 0.5, a[axis].max(b[axis]) + 0.5);
+            pixel as f64 <= high && pixel as f64 + 1.0 >= low
+        })
+    };
+    let lines: Vec<_> = lines.iter().filter(may_reach).collect();
+    let is_near = |p: At, [a, b]: &[At; 2]| {
+        let (along, from) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
+        let length = along[0].hypot(along[1]);
+        let t = ((from[0] * along[0] + from[1] * along[1]) / length / length).clamp(0.0, 1.0);
+        (from[0] - t * along[0]).hypot(from[1] - t * along[1]) <= 0.5
+    };
+    let sample = |pixel: usize, i: usize| pixel as f64 + (i as f64 + 0.5) / 32.0;
+    let samples = (0..32 * 32).map(|i| [sample(x, i % 32), sample(y, i / 32)]);
+    if lines.is_empty() {
+        return 0.0;
     }
+    samples.filter(|&p| lines.iter().any(|line| is_near(p, line))).count() as f64 / (32.0 * 32.0)
+}
 
-    /// The brightness of each pixel after white lines were drawn on black from each point to the next: as a polyline, as a wireframe, in
-    /// bands, with a depth test, and as hidden lines in front of which there is nothing. All pictures are equal.
-    fn drawn(points: &[At], stroke: impl Stroke<Gray8>) -> Vec<f64> {
-        let vertices: Vec<_> = points.iter().map(|&point| vertex(point)).collect();
-        let edges: Vec<_> = (1..points.len() as u16).map(|end| [end - 1, end]).collect();
-        let mesh = Mesh::new(&vertices, 0, &[]).and_then(|mesh| mesh.with_edges(&edges)).expect("a mesh");
-        let camera = flat_camera((SIDE as u32, SIDE as u32), 256, 1).library();
-        let instance = camera.place(&mesh, &Affine::identity());
-        let area = rectangle(0, 0, SIDE as u32, SIDE as u32);
-        let lines = lines_by_every_call(&instance, area, Gray8::BLACK, &[1, 3, 5, SIDE as u32], stroke, None);
-        let polyline = memory(area, Gray8::BLACK, &mut |target, _| {
-            let Ok(_) = instance.polyline(stroke, target);
-        });
-        assert!([lines.all, lines.tested, lines.hidden].iter().all(|lines| *lines == polyline), "{points:?}");
-        polyline.iter().map(|color| f64::from(color.luma()) / 255.0).collect()
-    }
-
-    /// The part of a pixel that is within half a pixel of a line from one of the points to the next.
-    fn covered(points: &[At], [x, y]: [usize; 2]) -> f64 {
-        let lines: Vec<_> = points.windows(2).map(|ends| [ends[0], ends[1]]).collect();
-        let may_reach = |[a, b]: &&[At; 2]| {
-            [x, y].iter().enumerate().all(|(axis, &pixel)| {
-                let (low, high) = (a[axis].min(b[axis]) - 0.5, a[axis].max(b[axis]) + 0.5);
-                pixel as f64 <= high && pixel as f64 + 1.0 >= low
-            })
-        };
-        let lines: Vec<_> = lines.iter().filter(may_reach).collect();
-        let is_near = |p: At, [a, b]: &[At; 2]| {
-            let (along, from) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
-            let length = along[0].hypot(along[1]);
-            let t = ((from[0] * along[0] + from[1] * along[1]) / length / length).clamp(0.0, 1.0);
-            (from[0] - t * along[0]).hypot(from[1] - t * along[1]) <= 0.5
-        };
-        let sample = |pixel: usize, i: usize| pixel as f64 + (i as f64 + 0.5) / 32.0;
-        let samples = (0..32 * 32).map(|i| [sample(x, i % 32), sample(y, i / 32)]);
-        if lines.is_empty() {
-            return 0.0;
+/// The largest differences between a picture and `opacity` times the oracle, at pixels for which `counts` is true: what is missing and
+/// what is too much.
+fn differences(points: &[At], picture: &[f64], opacity: f64, counts: impl Fn(At) -> bool) -> [f64; 2] {
+    let mut largest = [0.0_f64; 2];
+    for (index, own) in picture.iter().enumerate() {
+        let pixel = [index % SIDE, index / SIDE];
+        if counts(pixel.map(|v| v as f64 + 0.5)) {
+            let more = own - opacity * covered(points, pixel);
+            largest = [largest[0].max(-more), largest[1].max(more)];
         }
-        samples.filter(|&p| lines.iter().any(|line| is_near(p, line))).count() as f64 / (32.0 * 32.0)
+    }
+    largest
+}
+
+/// A closed regular polygon.
+fn polygon(sides: usize, radius: f64, center: At, turn: f64) -> Vec<At> {
+    let corner = |i: usize| {
+        let (sin, cos) = (turn + TAU * (i % sides) as f64 / sides as f64).sin_cos();
+        // Rounded to 1/256 pixel, as the vertex is.
+        [center[0] + radius * cos, center[1] + radius * sin].map(|v| (v * 256.0).round() / 256.0)
+    };
+    (0..=sides).map(corner).collect()
+}
+
+/// A stroke of which a pixel keeps half.
+#[derive(Clone, Copy)]
+struct Half(Gray8);
+
+impl Stroke<Gray8> for Half {
+    const IS_ANTI_ALIASED: bool = true;
+
+    fn color(&self) -> Gray8 {
+        self.0
     }
 
-    /// The largest differences between a picture and `opacity` times the oracle, at pixels for which `counts` is true: what is missing and
-    /// what is too much.
-    fn differences(points: &[At], picture: &[f64], opacity: f64, counts: impl Fn(At) -> bool) -> [f64; 2] {
+    fn covering(&self, below: Gray8, coverage: u16) -> Gray8 {
+        self.0.over(below, coverage / 2)
+    }
+}
+
+/// Sides, radius in pixels, and the largest errors of opaque and of half translucent lines, as parts of a pixel.
+const POLYGONS: [(usize, f64, [f64; 2]); 7] = [
+    (3, 18.0, [0.25, 0.12]),
+    (4, 18.0, [0.22, 0.10]),
+    (6, 18.0, [0.18, 0.10]),
+    (16, 18.0, [0.08, 0.10]),
+    (64, 18.0, [0.045, 0.10]),
+    (64, 8.0, [0.06, 0.10]),
+    (64, 4.0, [0.08, 0.14]), // sides of 0.4 pixels
+];
+
+#[test]
+fn joints_cover_what_the_union_of_the_strokes_covers() {
+    let mut rng = Rng::new(0x3C);
+    let mut unit = || rng.int(0, 1_000_000) as f64 / 1e6;
+    for (sides, radius, bounds) in POLYGONS {
         let mut largest = [0.0_f64; 2];
-        for (index, own) in picture.iter().enumerate() {
-            let pixel = [index % SIDE, index / SIDE];
-            if counts(pixel.map(|v| v as f64 + 0.5)) {
-                let more = own - opacity * covered(points, pixel);
-                largest = [largest[0].max(-more), largest[1].max(more)];
+        for _ in 0..10 {
+            let points = polygon(sides, radius, [24.0 + unit(), 24.0 + unit()], TAU * unit());
+            let opaque = drawn(&points, AntiAliased(Gray8::WHITE));
+            let half = drawn(&points, Half(Gray8::WHITE));
+            for (i, (picture, opacity)) in [(opaque, 1.0), (half, 0.5)].iter().enumerate() {
+                let [less, more] = differences(&points, picture, *opacity, |_| true);
+                largest[i] = largest[i].max(less).max(more);
             }
         }
-        largest
-    }
-
-    /// A closed regular polygon.
-    fn polygon(sides: usize, radius: f64, center: At, turn: f64) -> Vec<At> {
-        let corner = |i: usize| {
-            let (sin, cos) = (turn + TAU * (i % sides) as f64 / sides as f64).sin_cos();
-            // Rounded to 1/256 pixel, as the vertex is.
-            [center[0] + radius * cos, center[1] + radius * sin].map(|v| (v * 256.0).round() / 256.0)
-        };
-        (0..=sides).map(corner).collect()
-    }
-
-    /// A stroke of which a pixel keeps half.
-    #[derive(Clone, Copy)]
-    struct Half(Gray8);
-
-    impl Stroke<Gray8> for Half {
-        const IS_ANTI_ALIASED: bool = true;
-
-        fn color(&self) -> Gray8 {
-            self.0
-        }
-
-        fn covering(&self, below: Gray8, coverage: u16) -> Gray8 {
-            self.0.over(below, coverage / 2)
+        for (largest, bound) in largest.into_iter().zip(bounds) {
+            assert!(largest <= bound && 2.0 * largest > bound, "{sides} sides: {largest}, {bound}");
         }
     }
+}
 
-    /// Sides, radius in pixels, and the largest errors of opaque and of half translucent lines, as parts of a pixel.
-    const POLYGONS: [(usize, f64, [f64; 2]); 7] = [
-        (3, 18.0, [0.25, 0.12]),
-        (4, 18.0, [0.22, 0.10]),
-        (6, 18.0, [0.18, 0.10]),
-        (16, 18.0, [0.08, 0.10]),
-        (64, 18.0, [0.045, 0.10]),
-        (64, 8.0, [0.06, 0.10]),
-        (64, 4.0, [0.08, 0.14]), // sides of 0.4 pixels
-    ];
+/// Two lines that meet at any angle. Where they run side by side, the second one is laid over the first one, as where lines cross.
+#[test]
+fn no_angle_between_two_lines_leaves_a_hole() {
+    let mut rng = Rng::new(0x4D);
+    let mut unit = || rng.int(0, 1_000_000) as f64 / 1e6;
+    let mut largest = [0.0_f64; 2];
+    for i in 0..300 {
+        let joint = [24.0 + unit(), 24.0 + unit()];
+        let first = TAU * unit();
+        let second = first + TAU * if i % 2 == 0 { unit() } else { f64::from(i % 24) / 24.0 };
+        let end = |angle: f64| [joint[0] + 15.0 * angle.cos(), joint[1] + 15.0 * angle.sin()];
+        let points = [end(first), joint, end(second)].map(|p| p.map(|v| (v * 256.0).round() / 256.0));
+        let near_joint = |p: At| (p[0] - joint[0]).hypot(p[1] - joint[1]) < 9.0;
+        let [less, more] = differences(&points, &drawn(&points, AntiAliased(Gray8::WHITE)), 1.0, near_joint);
+        largest = [largest[0].max(less), largest[1].max(more)];
+    }
+    for (largest, bound) in largest.into_iter().zip([0.25, 0.35]) {
+        assert!(largest <= bound && 2.0 * largest > bound, "{largest}, {bound}");
+    }
+}
 
-    #[test]
-    fn joints_cover_what_the_union_of_the_strokes_covers() {
-        let mut rng = Rng::new(0x3C);
-        let mut unit = || rng.int(0, 1_000_000) as f64 / 1e6;
-        for (sides, radius, bounds) in POLYGONS {
-            let mut largest = [0.0_f64; 2];
-            for _ in 0..10 {
-                let points = polygon(sides, radius, [24.0 + unit(), 24.0 + unit()], TAU * unit());
-                let opaque = drawn(&points, AntiAliased(Gray8::WHITE));
-                let half = drawn(&points, Half(Gray8::WHITE));
-                for (i, (picture, opacity)) in [(opaque, 1.0), (half, 0.5)].iter().enumerate() {
-                    let [less, more] = differences(&points, picture, *opacity, |_| true);
-                    largest[i] = largest[i].max(less).max(more);
+/// The joint lies at (0.41, 0.15) of its pixel, one line ends beside the pixel's left border, the other one at its upper border.
+#[test]
+fn the_pixel_of_a_joint_is_covered_where_the_major_axis_changes() {
+    for ends in [[[6.0, 17.0], [26.0, 6.0]], [[6.0, 24.0], [27.0, 9.0]], [[7.0, 20.0], [20.0, 5.0]]] {
+        let points = [ends[0], [20.0 + 105.0 / 256.0, 20.0 + 38.0 / 256.0], ends[1]];
+        let own = drawn(&points, AntiAliased(Gray8::WHITE))[20 * SIDE + 20];
+        let exact = covered(&points, [20, 20]);
+        assert!(exact > 0.5 && (own - exact).abs() < 0.15, "{ends:?}: {own}, {exact}");
+    }
+}
+
+/// The lines of a polygon that is moved over each border in steps of 1/16 pixel.
+#[test]
+fn lines_beside_the_border_cover_their_part_of_the_border_pixels() {
+    let side = SIDE as f64;
+    let mut at_border = 0;
+    for step in -40..=40 {
+        let beyond = f64::from(step) / 16.0;
+        for (axis, border, sign) in [(0, 0.0, -1.0), (0, side, 1.0), (1, 0.0, -1.0), (1, side, 1.0)] {
+            // A square whose one side lies along the border, with a slope of 0, 1 pixel in 30 and 1 pixel in 9.
+            for slope in [0.0, 1.0, -3.3] {
+                let mut points = [[9.0, 0.0], [39.0, slope], [33.0, 20.0], [15.0, 20.0], [9.0, 0.0]]
+                    .map(|[along, inside]| [along, border + sign * (beyond - inside)]);
+                if axis == 0 {
+                    points = points.map(|[along, across]| [across, along]);
                 }
-            }
-            for (largest, bound) in largest.into_iter().zip(bounds) {
-                assert!(largest <= bound && 2.0 * largest > bound, "{sides} sides: {largest}, {bound}");
-            }
-        }
-    }
-
-    /// Two lines that meet at any angle. Where they run side by side, the second one is laid over the first one, as where lines cross.
-    #[test]
-    fn no_angle_between_two_lines_leaves_a_hole() {
-        let mut rng = Rng::new(0x4D);
-        let mut unit = || rng.int(0, 1_000_000) as f64 / 1e6;
-        let mut largest = [0.0_f64; 2];
-        for i in 0..300 {
-            let joint = [24.0 + unit(), 24.0 + unit()];
-            let first = TAU * unit();
-            let second = first + TAU * if i % 2 == 0 { unit() } else { f64::from(i % 24) / 24.0 };
-            let end = |angle: f64| [joint[0] + 15.0 * angle.cos(), joint[1] + 15.0 * angle.sin()];
-            let points = [end(first), joint, end(second)].map(|p| p.map(|v| (v * 256.0).round() / 256.0));
-            let near_joint = |p: At| (p[0] - joint[0]).hypot(p[1] - joint[1]) < 9.0;
-            let [less, more] =
-                differences(&points, &drawn(&points, AntiAliased(Gray8::WHITE)), 1.0, near_joint);
-            largest = [largest[0].max(less), largest[1].max(more)];
-        }
-        for (largest, bound) in largest.into_iter().zip([0.25, 0.35]) {
-            assert!(largest <= bound && 2.0 * largest > bound, "{largest}, {bound}");
-        }
-    }
-
-    /// The joint lies at (0.41, 0.15) of its pixel, one line ends beside the pixel's left border, the other one at its upper border.
-    #[test]
-    fn the_pixel_of_a_joint_is_covered_where_the_major_axis_changes() {
-        for ends in [[[6.0, 17.0], [26.0, 6.0]], [[6.0, 24.0], [27.0, 9.0]], [[7.0, 20.0], [20.0, 5.0]]] {
-            let points = [ends[0], [20.0 + 105.0 / 256.0, 20.0 + 38.0 / 256.0], ends[1]];
-            let own = drawn(&points, AntiAliased(Gray8::WHITE))[20 * SIDE + 20];
-            let exact = covered(&points, [20, 20]);
-            assert!(exact > 0.5 && (own - exact).abs() < 0.15, "{ends:?}: {own}, {exact}");
-        }
-    }
-
-    /// The lines of a polygon that is moved over each border in steps of 1/16 pixel.
-    #[test]
-    fn lines_beside_the_border_cover_their_part_of_the_border_pixels() {
-        let side = SIDE as f64;
-        let mut at_border = 0;
-        for step in -40..=40 {
-            let beyond = f64::from(step) / 16.0;
-            for (axis, border, sign) in [(0, 0.0, -1.0), (0, side, 1.0), (1, 0.0, -1.0), (1, side, 1.0)] {
-                // A square whose one side lies along the border, with a slope of 0, 1 pixel in 30 and 1 pixel in 9.
-                for slope in [0.0, 1.0, -3.3] {
-                    let mut points = [[9.0, 0.0], [39.0, slope], [33.0, 20.0], [15.0, 20.0], [9.0, 0.0]]
-                        .map(|[along, inside]| [along, border + sign * (beyond - inside)]);
-                    if axis == 0 {
-                        points = points.map(|[along, across]| [across, along]);
-                    }
-                    let points = points.map(|p| p.map(|v| (v * 256.0).round() / 256.0));
-                    let picture = drawn(&points, AntiAliased(Gray8::WHITE));
-                    let beside = |p: At| (p[axis] - border).abs() < 2.0;
-                    let [less, more] = differences(&points, &picture, 1.0, beside);
-                    assert!(less.max(more) < 0.2, "{points:?}: {less}, {more}");
-                    let away = |p: At| beside(p) && (12.0..36.0).contains(&p[1 - axis]);
-                    let [less, more] = differences(&points, &picture, 1.0, away);
-                    // The samples' 1/64, and the rounding of two shares.
-                    assert!(less.max(more) < 0.03, "{points:?}: {less}, {more}");
-                    at_border += i32::from(
-                        beyond > 0.0
-                            && picture.iter().enumerate().any(|(index, own)| {
-                                let pixel = [index % SIDE, index / SIDE].map(|v| v as f64 + 0.5);
-                                away(pixel) && *own > 0.0
-                            }),
-                    );
-                }
+                let points = points.map(|p| p.map(|v| (v * 256.0).round() / 256.0));
+                let picture = drawn(&points, AntiAliased(Gray8::WHITE));
+                let beside = |p: At| (p[axis] - border).abs() < 2.0;
+                let [less, more] = differences(&points, &picture, 1.0, beside);
+                assert!(less.max(more) < 0.2, "{points:?}: {less}, {more}");
+                let away = |p: At| beside(p) && (12.0..36.0).contains(&p[1 - axis]);
+                let [less, more] = differences(&points, &picture, 1.0, away);
+                // The samples' 1/64, and the rounding of two shares.
+                assert!(less.max(more) < 0.03, "{points:?}: {less}, {more}");
+                at_border += i32::from(
+                    beyond > 0.0
+                        && picture.iter().enumerate().any(|(index, own)| {
+                            let pixel = [index % SIDE, index / SIDE].map(|v| v as f64 + 0.5);
+                            away(pixel) && *own > 0.0
+                        }),
+                );
             }
         }
-        assert!(at_border > 50, "{at_border}");
     }
+    assert!(at_border > 50, "{at_border}");
+}
 
-    /// A line 0.016 pixel below the picture covers 0.484 of the pixels in the last row.
-    #[test]
-    fn a_line_just_below_the_picture_covers_half_of_the_last_row() {
-        let y = SIDE as f64 + 4.0 / 256.0;
-        let picture = drawn(&[[-3.0, y], [SIDE as f64 + 3.0, y]], AntiAliased(Gray8::WHITE));
-        let (above, last) = picture.split_at(SIDE * (SIDE - 1));
-        assert!(above.iter().all(|&own| own == 0.0));
-        assert!(last.iter().all(|&own| (own - 0.484).abs() < 0.004), "{last:?}");
-    }
+/// A line 0.016 pixel below the picture covers 0.484 of the pixels in the last row.
+#[test]
+fn a_line_just_below_the_picture_covers_half_of_the_last_row() {
+    let y = SIDE as f64 + 4.0 / 256.0;
+    let picture = drawn(&[[-3.0, y], [SIDE as f64 + 3.0, y]], AntiAliased(Gray8::WHITE));
+    let (above, last) = picture.split_at(SIDE * (SIDE - 1));
+    assert!(above.iter().all(|&own| own == 0.0));
+    assert!(last.iter().all(|&own| (own - 0.484).abs() < 0.004), "{last:?}");
 }

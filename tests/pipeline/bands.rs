@@ -1,19 +1,21 @@
 //! Bands at their limits: storage that is too small, displays that fail, meshes larger than the storage, and strips that a transfer owns,
-//! as with DMA. That bands add up to the full picture is tested on random scenes in `properties/scenes.rs`.
+//! as with DMA; and bands of dirty regions. That bands add up to the full picture is tested on random scenes in `properties/scenes.rs`.
 
+use core::convert::Infallible;
 use core::ops::ControlFlow::{Break, Continue};
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, GrayColor, Rgb565};
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    BandError, BinError, Color, Cull, DepthBuffer, DepthBufferError, Frame, Mesh, MeshInstance, ScreenVertex,
-    Statistics,
+    BandError, BinError, Color, Cull, DepthBuffer, DepthBufferError, DirtyRegions, Frame, Mesh, MeshInstance,
+    ScreenVertex, Statistics, Tracked, TransferCost,
 };
 use support::bridge::draw::{cube_camera, CUBE, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::rectangle;
 use support::bridge::ways::{bands, screen};
-use support::oracle::target::{Recorder, Refused};
+use support::oracle::rng::Rng;
+use support::oracle::target::{Recorder, Refused, Screen};
 
 fn cube<R>(viewport: (i32, i32, u32, u32), then: impl FnOnce(&MeshInstance<'_>) -> R) -> R {
     let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).and_then(|m| m.with_edges(&CUBE_EDGES)).expect("a mesh");
@@ -317,4 +319,78 @@ fn no_row_is_sent_twice_where_the_strip_divides_the_frame() {
             Frame::new(empty, Gray8::BLACK).band_or_strip(&mut strip).expect("nothing to hold").break_value();
         assert_eq!(given.map(|strip| strip.len()), Some(3));
     }
+}
+
+const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(60, 40));
+
+/// An object: filled with its shade.
+#[derive(Clone, Copy)]
+struct Object {
+    shade: u8,
+    area: Rectangle,
+    is_shown: bool,
+}
+
+fn draw_objects(objects: &[Object], target: &mut impl DrawTarget<Color = Gray8, Error = Infallible>) {
+    for object in objects.iter().filter(|object| object.is_shown) {
+        let Ok(()) = target.fill_solid(&object.area.intersection(&SCREEN), Gray8::new(object.shade));
+    }
+}
+
+/// Tracked objects: what a display shows equals the frame drawn anew, and nothing is sent while nothing changes.
+#[test]
+fn the_display_shows_the_frame_and_receives_nothing_while_nothing_changes() {
+    let mut rng = Rng::new(0x7a);
+    let (mut quiet, mut busy, mut erased) = (0, 0, 0);
+    for _ in 0..40 {
+        let mut dirty =
+            DirtyRegions::<5>::new(SCREEN, TransferCost::new(Gray8::FORMAT.bits(), TransferCost::MIPI_DCS));
+        let mut display = Screen::new(SCREEN);
+        let mut tracked = [Tracked::new(); 4];
+        let mut objects = [Object { shade: 9, area: Rectangle::zero(), is_shown: false }; 4];
+        for frame in 0..60 {
+            let mut is_changed = frame == 0;
+            if rng.one_in(2) {
+                let object = &mut objects[rng.below(4)];
+                match rng.below(4) {
+                    0 => object.is_shown = !object.is_shown,
+                    1 => object.shade = object.shade.wrapping_add(1),
+                    _ => {
+                        let [x, y] = [rng.int(-20, 70), rng.int(-20, 50)].map(|v| v as i32);
+                        let [width, height] = [0; 2].map(|_| rng.int(0, 25) as u32);
+                        object.area = rectangle(x, y, width, height);
+                    }
+                }
+                is_changed = true;
+            }
+            for (tracked, object) in tracked.iter_mut().zip(&objects) {
+                match object.is_shown {
+                    true => tracked.show(object.shade, object.area, &mut dirty),
+                    false => tracked.hide(&mut dirty),
+                }
+            }
+            display.counts.fill(0);
+            for area in dirty.take() {
+                let mut strip = [0; 400];
+                let mut frame = Frame::new(area, Gray8::BLACK);
+                while let Some(mut band) = frame.next_band(&mut strip).expect("room") {
+                    draw_objects(&objects, &mut band);
+                    let Ok(()) = band.send(&mut display);
+                }
+            }
+            let mut whole = Screen::new(SCREEN);
+            draw_objects(&objects, &mut whole);
+            assert!(display.over(Gray8::WHITE) == whole.over(Gray8::BLACK), "frame {frame}");
+            let received = display.counts.iter().sum::<u32>();
+            match is_changed {
+                true => busy += usize::from(received > 0),
+                false => {
+                    assert_eq!(received, 0, "frame {frame}");
+                    quiet += 1;
+                }
+            }
+            erased += usize::from(frame > 0 && received > 0 && objects.iter().all(|o| !o.is_shown));
+        }
+    }
+    assert!(quiet > 500 && busy > 300 && erased > 5, "{quiet} {busy} {erased}");
 }

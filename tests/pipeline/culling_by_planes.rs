@@ -1,24 +1,35 @@
 //! Culling by face planes leaves every picture and the order of faces unchanged, except for faces that face away and that the snap of
-//! their corners turns to the front.
+//! their corners turns to the front. Meshes that the near plane and the guard band cut are equal in every way of drawing: solid, with depth,
+//! culled by planes, in bands, in painter's order, as wireframes and with hidden lines; faces that are culled before they are cut are those
+//! that are drawn only without culling. `Cull::Front` draws what `Cull::Back` draws of the mesh with all faces turned over.
 
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565, RgbColor};
-use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Coordinate, Cull, FacePlanes, Mesh, MeshError, MeshInstance, Scalar, Statistics, WithPlanes};
+use embedded_graphics_core::primitives::{PointsIter, Rectangle};
+use pinhole::{
+    Coordinate, Cull, FacePlanes, Mesh, MeshError, MeshInstance, Scalar, ScreenVertex, Statistics, WithPlanes,
+};
 use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
-use support::bridge::ways::{by_every_call, screen, Drawn};
+use support::bridge::ways::{bands, by_every_call, lines_by_every_call, memory, screen, Drawn, Lines};
 use support::oracle::rng::Rng;
-use support::teapot;
+use support::{solids, teapot};
 
 const WIDTH: u32 = 90;
 const HEIGHT: u32 = 60;
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
+/// The picture of meshes that are cut.
+const CUT: Rectangle = Rectangle::new(Point::zero(), Size::new(48, 36));
+const LINE: Rgb565 = Rgb565::WHITE;
+
+/// The number of a face, as a colour; black is none.
+fn color(face: usize) -> Rgb565 {
+    Rgb565::from(RawU16::new(face as u16 + 1))
+}
 
 /// The pictures of all draw calls, the faces that were shaded at once without depth, in order, and the counts.
 type Drawing = (Drawn<Rgb565>, Vec<u16>, Statistics);
 
 fn draw<V: Coordinate, P: FacePlanes>(instance: &MeshInstance<'_, V, P>) -> Drawing {
-    let color = |face: usize| Rgb565::from(RawU16::new(face as u16 + 1));
     let (drawn, counted) = by_every_call(instance, AREA, Rgb565::BLACK, &[7, HEIGHT], &color);
     let mut faces = Vec::new();
     screen(AREA, &mut |target, _| {
@@ -170,4 +181,114 @@ fn a_list_of_planes_of_the_wrong_length_is_refused() {
     let mesh = Mesh::new(&vertices, 0, &[[0, 1, 2], [1, 2, 0], [2, 1, 0]]).unwrap();
     let normals = [[i16::MAX; 3]; 3];
     assert_eq!(mesh.with_normals(&normals).unwrap().face_planes(), [i16::MAX, i16::MIN, 0]);
+}
+
+/// Draws in every way, compares, and returns the statistics of faces, and the pictures of faces and of edges.
+fn every_way<V: Coordinate>(
+    rng: &mut Rng,
+    by_planes: &MeshInstance<'_, V, WithPlanes>,
+    turned: &MeshInstance<'_, V>,
+) -> (Statistics, Drawn<Rgb565>, Lines<Rgb565>) {
+    let instance = by_planes.without_planes();
+    let heights = [rng.int(1, 12) as u32, CUT.size.height];
+    let (drawn, statistics) = by_every_call(&instance, CUT, Rgb565::BLACK, &heights, &color);
+    let (planes, _) = by_every_call(by_planes, CUT, Rgb565::BLACK, &heights, &color);
+    assert!(planes == drawn, "by planes");
+    // Binned without depth, at once and of transformed vertices.
+    let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().vertices().len() / 2];
+    let mut bins = vec![0; instance.mesh().face_bins_len()];
+    for is_transformed in [false, true] {
+        let transformed;
+        let mut faces = match is_transformed {
+            false => by_planes.bin_faces(&mut cache, &mut bins).expect("room"),
+            true => {
+                transformed = by_planes.transform(&mut cache);
+                transformed.bin_faces(&mut bins).expect("room")
+            }
+        };
+        let banded = bands(CUT, Rgb565::BLACK, heights[0], &mut |band, _| {
+            let Ok(()) = faces.solid(color, band);
+        });
+        assert!(banded == drawn.solid, "transformed: {is_transformed}");
+    }
+    // Culling leaves out the faces that the turned mesh draws: without culling, no side is known before a face is cut.
+    let counts = |instance: &MeshInstance<'_, V>| {
+        let (screen, _) = screen(CUT, &mut |target, _| {
+            let Ok(_) = instance.solid(color, &mut [], target);
+        });
+        screen.counts
+    };
+    let (front, behind, both) = (counts(&instance), counts(turned), counts(&instance.with_cull(Cull::None)));
+    assert!((0..both.len()).all(|i| both[i] == front[i] + behind[i]));
+    // Front faces are culled as back faces of the turned mesh are. Where faces are cut, rounding depends on the order of corners.
+    let reversed = instance.with_cull(Cull::Front);
+    let [(reversed, counted), (turned, of_turned)] =
+        [&reversed, turned].map(|instance| by_every_call(instance, CUT, Rgb565::BLACK, &heights, &color));
+    assert_eq!(counted, of_turned);
+    assert!(counted.drawn <= statistics.culled && statistics.drawn <= counted.culled);
+    let pictures = [reversed, turned].map(|drawn| (drawn.solid, drawn.painted));
+    assert!(counted.clipped > 0 || pictures[0] == pictures[1]);
+    // The face that is picked in a pixel is the face that is drawn there.
+    for (pixel, drawn) in CUT.points().zip(&drawn.deep).skip(rng.below(300)).step_by(401) {
+        let picked = [
+            instance.pick(pixel, color, &mut cache),
+            by_planes.pick(pixel, color, &mut cache),
+            by_planes.transform_depth(&mut []).pick(pixel, color),
+        ];
+        for picked in picked {
+            assert_eq!(picked.map_or(Rgb565::BLACK, |picked| color(picked.face)), *drawn, "{pixel}");
+        }
+    }
+    // Lines, and hidden lines with the depths of faces that are culled by planes.
+    let lines = lines_by_every_call(&instance, CUT, Rgb565::BLACK, &heights, LINE, None);
+    let hidden = memory(CUT, Rgb565::BLACK, &mut |target, depth| {
+        by_planes.depth_only(&mut cache, depth);
+        let Ok(_) = instance.hidden_line(LINE, &mut [], depth, target);
+    });
+    let (wire, _) = screen(CUT, &mut |target, _| {
+        let Ok(_) = instance.wireframe(LINE, &mut cache, target);
+    });
+    assert!(hidden == lines.hidden && wire.over(Rgb565::BLACK) == lines.all);
+    (statistics, drawn, lines)
+}
+
+/// Also so near that the guard band cuts, and that positions lie beyond the range of a `ScreenVertex`. Without clipping, faces that would
+/// be cut are left out and counted.
+#[test]
+fn meshes_that_are_cut_are_equal_in_every_way_of_drawing() {
+    let torus = solids::torus(12, 8);
+    let mut rng = Rng::new(26);
+    let turned: Vec<[u16; 3]> = torus.faces.iter().map(|&[a, b, c]| [a, c, b]).collect();
+    let turned = Mesh::new(&torus.vertices, -14, &turned).unwrap();
+    let (normals, beside) = (torus.normals(), torus.edge_faces());
+    let mesh = Mesh::new(&torus.vertices, -14, &torus.faces).unwrap().with_normals(&normals).unwrap();
+    let planes: [i16; 192] = mesh.face_planes();
+    let mesh = mesh.with_planes(&planes).unwrap().with_edges(&torus.edges).unwrap();
+    let mesh = mesh.with_edge_faces(&beside).unwrap();
+    let (mut clipped, mut outside, mut in_view) = (0, 0, 0);
+    for round in 0..150 {
+        let (near, fov) =
+            ([ONE / 2, ONE / 10, ONE / 250][round % 3], [1 << 29, 1 << 30, 1 << 27][round / 3 % 3]);
+        let mut at = |reach: [i64; 3]| reach.map(|reach| (rng.int(-reach, reach) << 16) as i32 / 1000);
+        let camera = CameraBits {
+            view: ViewBits::LookAt(at([1200, 1200, 900]), at([1000, 1000, 300]), [ONE, 2 * ONE, 3 * ONE]),
+            projection: ProjectionBits::Perspective(fov, (CUT.size.width, CUT.size.height), near, 20 * ONE),
+            viewport: (0, 0, CUT.size.width, CUT.size.height),
+        };
+        let camera = camera.library().with_far_clip(true);
+        let model = ModelBits(vec![Step::Y(rng.bits())]).library();
+        let (instance, turned) = (camera.place(&mesh, &model), camera.place(&turned, &model));
+        let (counted, faces, lines) = every_way(&mut rng, &instance, &turned);
+        (clipped, outside) = (clipped + counted.clipped, outside + counted.outside);
+        let (inside, faces_inside, lines_inside) =
+            every_way(&mut rng, &instance.without_clipping(), &turned.without_clipping());
+        assert!(inside.clipped == 0 && inside.drawn <= counted.drawn, "{inside:?} {counted:?}");
+        let left_out = counted.outside + counted.clipped;
+        assert!(inside.outside + inside.culled >= left_out, "{inside:?} {counted:?}");
+        if counted.clipped + counted.outside == 0 && inside.outside == 0 {
+            in_view += 1;
+            assert!(inside == counted && faces_inside == faces && lines_inside == lines);
+        }
+    }
+    assert!(clipped > 1000 && outside > 3000 && in_view > 5, "{clipped} {outside} {in_view}");
 }

@@ -1,9 +1,13 @@
-//! Painter's order: from far to near, faces of equal depth in the order in which they were added.
+//! Painter's order: from far to near, faces of equal depth in the order in which they were added. Translucent faces before and behind
+//! opaque ones: far to near, depth tested and not stored.
 
-use pinhole::{Mesh, Painter, PainterError};
+use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+use embedded_graphics::prelude::PointsIter;
+use pinhole::{Affine, Blended, DepthBuffer, DepthTested, HalfBlended, Mesh, Painter, PainterError};
 use support::bridge;
-use support::bridge::draw::Shader;
+use support::bridge::draw::{flat_camera, Shader};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::bridge::ways::{bands, memory_with};
 use support::oracle::rng::Rng;
 use support::oracle::target::{Call, Recorder};
 
@@ -241,150 +245,139 @@ fn a_painter_holds_as_many_faces_as_its_index_can_name() {
 
 static FACES_10922: [[u16; 3]; 10_922] = [[0, 1, 2]; 10_922];
 
-mod translucent {
-    //! Translucent faces before and behind opaque ones: far to near, depth tested and not stored.
+const SIDE: i32 = 24;
+const SIZE: (u32, u32) = (SIDE as u32, SIDE as u32);
 
-    use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-    use embedded_graphics::prelude::{Point, PointsIter, Size};
-    use embedded_graphics::primitives::Rectangle;
-    use pinhole::{Affine, Blended, DepthBuffer, DepthTested, HalfBlended, Mesh, Painter};
-    use support::bridge::draw::flat_camera;
-    use support::bridge::ways::{bands, memory_with};
-    use support::oracle::rng::Rng;
+/// A rectangle of pixels in a plane `depth` before the far one.
+#[derive(Clone, Copy)]
+struct Pane {
+    left: i32,
+    top: i32,
+    right: i32,
+    bottom: i32,
+    height: i16,
+    luma: u8,
+}
 
-    const SIDE: i32 = 24;
-    const SIZE: (u32, u32) = (SIDE as u32, SIDE as u32);
-
-    /// A rectangle of pixels in a plane `depth` before the far one.
-    #[derive(Clone, Copy)]
-    struct Pane {
-        left: i32,
-        top: i32,
-        right: i32,
-        bottom: i32,
-        height: i16,
-        luma: u8,
+impl Pane {
+    fn random(rng: &mut Rng, height: i16) -> Self {
+        let mut side = || {
+            let (a, b) = (rng.int(-4, 27) as i32, rng.int(-4, 27) as i32);
+            (a.min(b), a.max(b) + 1)
+        };
+        let ((left, right), (top, bottom)) = (side(), side());
+        Self { left, top, right, bottom, height, luma: rng.int(0, 255) as u8 }
     }
 
-    impl Pane {
-        fn random(rng: &mut Rng, height: i16) -> Self {
-            let mut side = || {
-                let (a, b) = (rng.int(-4, 27) as i32, rng.int(-4, 27) as i32);
-                (a.min(b), a.max(b) + 1)
-            };
-            let ((left, right), (top, bottom)) = (side(), side());
-            Self { left, top, right, bottom, height, luma: rng.int(0, 255) as u8 }
-        }
-
-        fn covers(&self, x: i32, y: i32) -> bool {
-            (self.left..self.right).contains(&x) && (self.top..self.bottom).contains(&y)
-        }
-
-        /// 16 units to a pixel; y points up.
-        fn corners(&self) -> [[i16; 3]; 4] {
-            let [left, right] = [self.left, self.right].map(|x| (16 * x) as i16);
-            let [top, bottom] = [self.top, self.bottom].map(|y| (16 * (SIDE - y)) as i16);
-            let z = self.height;
-            [[left, bottom, z], [right, bottom, z], [right, top, z], [left, top, z]]
-        }
+    fn covers(&self, x: i32, y: i32) -> bool {
+        (self.left..self.right).contains(&x) && (self.top..self.bottom).contains(&y)
     }
 
-    const FACES: [[u16; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
-
-    /// Far to near by definition, in integers: the mean of both lumas, rounded to the translucent one's half up.
-    fn expected(walls: &[Pane], panes: &[Pane], x: i32, y: i32) -> u8 {
-        let wall = walls.iter().filter(|wall| wall.covers(x, y)).max_by_key(|wall| wall.height);
-        let mut luma = wall.map_or(0, |wall| u32::from(wall.luma));
-        let mut before: Vec<_> = panes
-            .iter()
-            .filter(|pane| pane.covers(x, y) && wall.is_none_or(|wall| pane.height > wall.height))
-            .collect();
-        before.sort_by_key(|pane| pane.height);
-        for pane in before {
-            luma = u32::from(pane.luma).div_ceil(2) + luma / 2;
-        }
-        luma as u8
+    /// 16 units to a pixel; y points up.
+    fn corners(&self) -> [[i16; 3]; 4] {
+        let [left, right] = [self.left, self.right].map(|x| (16 * x) as i16);
+        let [top, bottom] = [self.top, self.bottom].map(|y| (16 * (SIDE - y)) as i16);
+        let z = self.height;
+        [[left, bottom, z], [right, bottom, z], [right, top, z], [left, top, z]]
     }
+}
 
-    #[test]
-    fn panes_are_mixed_from_far_to_near_where_no_wall_hides_them() {
-        let area = Rectangle::new(Point::zero(), Size::new(SIDE as u32, SIDE as u32));
-        let mut rng = Rng::new(0x7A4E);
-        let (camera, mut hidden, mut stacked) = (flat_camera(SIZE, 16, 1000).library(), 0, 0);
-        for _ in 0..60 {
-            // Heights differ, so far to near is an order; they come shuffled.
-            let mut heights: Vec<i16> = (0..9).map(|i| 40 * i - 160).collect();
-            for i in (1..heights.len()).rev() {
-                heights.swap(i, rng.below(i + 1));
-            }
-            let all: Vec<_> = heights.iter().map(|&height| Pane::random(&mut rng, height)).collect();
-            let (walls, panes) = all.split_at(3);
-            let corners: Vec<_> = all.iter().map(Pane::corners).collect();
-            let meshes: Vec<_> = corners.iter().map(|c| Mesh::new(c, 0, &FACES).expect("a quad")).collect();
-            let place = |i: usize| camera.place(&meshes[i], &Affine::identity());
-            let mut painter = Painter::<DepthTested<HalfBlended<Gray8>>, 24, 12>::new();
-            for (i, pane) in panes.iter().enumerate() {
-                let shader = DepthTested::new(HalfBlended::new(Gray8::new(pane.luma)));
-                painter.add(&place(i + 3), |_| shader).expect("room");
-            }
+const QUAD: [[u16; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
 
-            // In bands, the depths of each from the walls.
-            for rows in [1, 5, SIDE as u32] {
-                let order = painter.order();
-                let colors = bands(area, Gray8::BLACK, rows, &mut |band, depth| {
-                    for (i, wall) in walls.iter().enumerate() {
-                        let color = |_| Gray8::new(wall.luma);
-                        let Ok(_) = place(i).depth_tested(color, &mut [], depth, &mut band.pixels());
-                    }
-                    let before = depth.values().to_vec();
-                    let Ok(()) = order.depth_tested(depth, &mut band.pixels());
-                    assert!(depth.values() == before);
-                });
-                for (point, color) in area.points().zip(colors) {
-                    let (x, y) = (point.x, point.y);
-                    let exact = expected(walls, panes, x, y);
-                    assert_eq!(color.luma(), exact, "{point}, {rows} rows");
-                    let covered: Vec<_> = panes.iter().filter(|pane| pane.covers(x, y)).collect();
-                    stacked += u32::from(covered.len() > 2);
-                    hidden +=
-                        u32::from(covered.iter().any(|pane| {
-                            walls.iter().any(|wall| wall.covers(x, y) && wall.height > pane.height)
-                        }));
+/// Far to near by definition, in integers: the mean of both lumas, rounded to the translucent one's half up.
+fn expected(walls: &[Pane], panes: &[Pane], x: i32, y: i32) -> u8 {
+    let wall = walls.iter().filter(|wall| wall.covers(x, y)).max_by_key(|wall| wall.height);
+    let mut luma = wall.map_or(0, |wall| u32::from(wall.luma));
+    let mut before: Vec<_> = panes
+        .iter()
+        .filter(|pane| pane.covers(x, y) && wall.is_none_or(|wall| pane.height > wall.height))
+        .collect();
+    before.sort_by_key(|pane| pane.height);
+    for pane in before {
+        luma = u32::from(pane.luma).div_ceil(2) + luma / 2;
+    }
+    luma as u8
+}
+
+#[test]
+fn panes_are_mixed_from_far_to_near_where_no_wall_hides_them() {
+    let area = bridge::rectangle(0, 0, SIZE.0, SIZE.1);
+    let mut rng = Rng::new(0x7A4E);
+    let (camera, mut hidden, mut stacked) = (flat_camera(SIZE, 16, 1000).library(), 0, 0);
+    for _ in 0..60 {
+        // Heights differ, so far to near is an order; they come shuffled.
+        let mut heights: Vec<i16> = (0..9).map(|i| 40 * i - 160).collect();
+        for i in (1..heights.len()).rev() {
+            heights.swap(i, rng.below(i + 1));
+        }
+        let all: Vec<_> = heights.iter().map(|&height| Pane::random(&mut rng, height)).collect();
+        let (walls, panes) = all.split_at(3);
+        let corners: Vec<_> = all.iter().map(Pane::corners).collect();
+        let meshes: Vec<_> = corners.iter().map(|c| Mesh::new(c, 0, &QUAD).expect("a quad")).collect();
+        let place = |i: usize| camera.place(&meshes[i], &Affine::identity());
+        let mut painter = Painter::<DepthTested<HalfBlended<Gray8>>, 24, 12>::new();
+        for (i, pane) in panes.iter().enumerate() {
+            let shader = DepthTested::new(HalfBlended::new(Gray8::new(pane.luma)));
+            painter.add(&place(i + 3), |_| shader).expect("room");
+        }
+
+        // In bands, the depths of each from the walls.
+        for rows in [1, 5, SIDE as u32] {
+            let order = painter.order();
+            let colors = bands(area, Gray8::BLACK, rows, &mut |band, depth| {
+                for (i, wall) in walls.iter().enumerate() {
+                    let color = |_| Gray8::new(wall.luma);
+                    let Ok(_) = place(i).depth_tested(color, &mut [], depth, &mut band.pixels());
                 }
+                let before = depth.values().to_vec();
+                let Ok(()) = order.depth_tested(depth, &mut band.pixels());
+                assert!(depth.values() == before);
+            });
+            for (point, color) in area.points().zip(colors) {
+                let (x, y) = (point.x, point.y);
+                let exact = expected(walls, panes, x, y);
+                assert_eq!(color.luma(), exact, "{point}, {rows} rows");
+                let covered: Vec<_> = panes.iter().filter(|pane| pane.covers(x, y)).collect();
+                stacked += u32::from(covered.len() > 2);
+                hidden += u32::from(
+                    covered
+                        .iter()
+                        .any(|pane| walls.iter().any(|wall| wall.covers(x, y) && wall.height > pane.height)),
+                );
             }
         }
-        assert!(hidden > 10_000 && stacked > 10_000, "{hidden}, {stacked}");
     }
+    assert!(hidden > 10_000 && stacked > 10_000, "{hidden}, {stacked}");
+}
 
-    /// Opaque faces, cut by the near and the far plane and by the borders: the depth buffer is the one that faces in mesh order give.
-    #[test]
-    fn opaque_faces_store_their_depth() {
-        let area = Rectangle::new(Point::zero(), Size::new(SIDE as u32, SIDE as u32));
-        let camera = flat_camera(SIZE, 16, 1000).library();
-        let mut rng = Rng::new(0x51D);
-        for _ in 0..40 {
-            let mut corner =
-                || [rng.int(-200, 600) as i16, rng.int(-200, 600) as i16, rng.int(-1500, 1500) as i16];
-            let corners = [corner(), corner(), corner(), corner()];
-            let mesh = Mesh::new(&corners, 0, &[[0, 1, 2], [0, 2, 1], [1, 2, 3], [2, 1, 3]]).expect("faces");
-            let instance = camera.place(&mesh, &Affine::identity());
-            let color = |face: usize| Gray8::new(60 * face as u8 + 60);
-            let (_, depths) = memory_with(area, area, Gray8::BLACK, &mut |target, depth| {
-                let Ok(_) = instance.depth_tested(color, &mut [], depth, target);
-            });
-            let (_, painted) = memory_with(area, area, Gray8::BLACK, &mut |target, depth| {
-                let mut painter = Painter::<DepthTested<Gray8>, 50, 20>::new();
-                painter.add(&instance, |face| DepthTested::new(color(face))).expect("room");
-                let Ok(_) = painter.depth_tested(depth, target);
-            });
-            assert!(depths == painted);
-            // With translucent faces, no depth is stored.
-            let (_, painted) = memory_with(area, area, Gray8::BLACK, &mut |target, depth| {
-                let mut painter = Painter::<DepthTested<Blended<Gray8>>, 50, 20>::new();
-                painter.add(&instance, |face| DepthTested::new(Blended::new(color(face), 7))).expect("room");
-                let Ok(_) = painter.depth_tested(depth, target);
-            });
-            assert!(painted.iter().all(|&depth| depth == DepthBuffer::NOTHING));
-        }
+/// Opaque faces, cut by the near and the far plane and by the borders: the depth buffer is the one that faces in mesh order give.
+#[test]
+fn opaque_faces_store_their_depth() {
+    let area = bridge::rectangle(0, 0, SIZE.0, SIZE.1);
+    let camera = flat_camera(SIZE, 16, 1000).library();
+    let mut rng = Rng::new(0x51D);
+    for _ in 0..40 {
+        let mut corner =
+            || [rng.int(-200, 600) as i16, rng.int(-200, 600) as i16, rng.int(-1500, 1500) as i16];
+        let corners = [corner(), corner(), corner(), corner()];
+        let mesh = Mesh::new(&corners, 0, &[[0, 1, 2], [0, 2, 1], [1, 2, 3], [2, 1, 3]]).expect("faces");
+        let instance = camera.place(&mesh, &Affine::identity());
+        let color = |face: usize| Gray8::new(60 * face as u8 + 60);
+        let (_, depths) = memory_with(area, area, Gray8::BLACK, &mut |target, depth| {
+            let Ok(_) = instance.depth_tested(color, &mut [], depth, target);
+        });
+        let (_, painted) = memory_with(area, area, Gray8::BLACK, &mut |target, depth| {
+            let mut painter = Painter::<DepthTested<Gray8>, 50, 20>::new();
+            painter.add(&instance, |face| DepthTested::new(color(face))).expect("room");
+            let Ok(_) = painter.depth_tested(depth, target);
+        });
+        assert!(depths == painted);
+        // With translucent faces, no depth is stored.
+        let (_, painted) = memory_with(area, area, Gray8::BLACK, &mut |target, depth| {
+            let mut painter = Painter::<DepthTested<Blended<Gray8>>, 50, 20>::new();
+            painter.add(&instance, |face| DepthTested::new(Blended::new(color(face), 7))).expect("room");
+            let Ok(_) = painter.depth_tested(depth, target);
+        });
+        assert!(painted.iter().all(|&depth| depth == DepthBuffer::NOTHING));
     }
 }

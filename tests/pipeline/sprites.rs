@@ -1,7 +1,7 @@
 //! Sprites: which pixels they cover, which texel each shows and which depth it stores, by the definition in i128 around points,
 //! sizes and depths in f64, which share no code with the library; on every target, in one piece and in bands.
 
-use embedded_graphics::geometry::AnchorPoint;
+use embedded_graphics::geometry::{AnchorPoint, AnchorX, AnchorY};
 use embedded_graphics::image::{GetPixel, Image, ImageDrawable, ImageRaw};
 use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
@@ -17,6 +17,7 @@ use support::bridge::rectangle;
 use support::bridge::ways::{bands, memory, memory_with, screen};
 use support::oracle::chain;
 use support::oracle::rng::Rng;
+use support::oracle::shade::{self, halved};
 use support::oracle::target::Screen;
 
 const SIZE: Size = Size::new(140, 100);
@@ -25,6 +26,7 @@ const AREA: Rectangle = Rectangle::new(Point::zero(), SIZE);
 const VIEWPORT: (i32, i32, u32, u32) = (7, 3, 120, 90);
 const EXPONENT: i8 = -8;
 const SKY: Rgb888 = Rgb888::new(1, 2, 3);
+static NOTHING: [u16; 140 * 100] = [u16::MAX; 140 * 100];
 
 /// A picture by a formula; a third of its texels is transparent.
 #[derive(Clone, Copy, Debug)]
@@ -73,26 +75,14 @@ enum Extent {
 
 impl Shape {
     fn sprite<S>(&self, source: S) -> Sprite<S> {
-        use AnchorPoint as A;
-        let halves = match self.anchor {
-            Anchor::Halves(halves) => halves,
-            Anchor::Texels(_) => [1, 1],
-        };
-        let anchor = match halves {
-            [0, 0] => A::TopLeft,
-            [1, 0] => A::TopCenter,
-            [2, 0] => A::TopRight,
-            [0, 1] => A::CenterLeft,
-            [1, 1] => A::Center,
-            [2, 1] => A::CenterRight,
-            [0, 2] => A::BottomLeft,
-            [1, 2] => A::BottomCenter,
-            _ => A::BottomRight,
-        };
-        let sprite = Sprite::new(source).with_anchor(anchor);
         let sprite = match self.anchor {
-            Anchor::Halves(_) => sprite,
-            Anchor::Texels([column, row]) => sprite.with_anchor_at(column, row),
+            Anchor::Halves(halves) => {
+                let [x, y] = halves.map(|half| half as usize);
+                let across = [AnchorX::Left, AnchorX::Center, AnchorX::Right];
+                let down = [AnchorY::Top, AnchorY::Center, AnchorY::Bottom];
+                Sprite::new(source).with_anchor(AnchorPoint::from_xy(across[x], down[y]))
+            }
+            Anchor::Texels([column, row]) => Sprite::new(source).with_anchor_at(column, row),
         };
         match self.size {
             Extent::Pixels(pixels) => sprite.magnified(pixels),
@@ -106,6 +96,7 @@ impl Shape {
 /// A sprite on the screen, from the exact chain: in sub-pixels.
 #[derive(Clone, Copy, Debug)]
 struct Seen {
+    number: usize,
     shape: Shape,
     low: [i128; 2],
     size: [i128; 2],
@@ -136,34 +127,38 @@ fn sure(value: f64) -> Option<i128> {
     ((value.fract().abs() - 0.5).abs() > 0.02).then(|| value.round() as i128)
 }
 
-/// Where a point leads to: a sprite, or none for a reason.
-enum Fate {
+/// Why a point leads to no sprite.
+enum Unseen {
     Unsure,
     Outside,
     /// Its sprite has no size.
     Degenerate,
-    Seen(Seen),
 }
 
-/// The sprite of a vertex. `far`: whether points beyond the far plane are outside.
-fn fate(camera: &chain::Camera, model: &chain::Affine, vertex: [i16; 3], shape: Shape) -> Fate {
+/// The sprite of a vertex, which is the `number`th of its mesh.
+fn seen(
+    camera: &chain::Camera,
+    model: &chain::Affine,
+    (number, vertex): (usize, [i16; 3]),
+    shape: Shape,
+) -> Result<Seen, Unseen> {
     let at = chain::vertex(vertex, EXPONENT);
     let clip = camera.clip(model, at);
     let [_, _, z, w] = clip;
     let margin = 1e-4 * w.abs().max(0.01);
     if (z + w).abs() < margin || (z - w).abs() < margin {
-        return Fate::Unsure;
+        return Err(Unseen::Unsure);
     }
     if z < -w || z > w || w <= 0.0 {
-        return Fate::Outside;
+        return Err(Unseen::Outside);
     }
     let (x, y) = camera.screen(clip);
     let reach = x.abs().max(y.abs());
     if (reach - 8192.0).abs() < 1.0 {
-        return Fate::Unsure;
+        return Err(Unseen::Unsure);
     }
     if reach > 8192.0 {
-        return Fate::Outside;
+        return Err(Unseen::Outside);
     }
     let Size { width: columns, height: rows } = shape.picture.size;
     let size = match shape.size {
@@ -181,11 +176,11 @@ fn fate(camera: &chain::Camera, model: &chain::Affine, vertex: [i16; 3], shape: 
         }
     };
     let ([Some(width), Some(height)], Some(x), Some(y)) = (size, sure(x * 256.0), sure(y * 256.0)) else {
-        return Fate::Unsure;
+        return Err(Unseen::Unsure);
     };
-    let Some(depth) = sure(chain::depth(clip)) else { return Fate::Unsure };
+    let Some(depth) = sure(chain::depth(clip)) else { return Err(Unseen::Unsure) };
     if width * height == 0 || columns * rows == 0 {
-        return Fate::Degenerate;
+        return Err(Unseen::Degenerate);
     }
     let before = |axis: usize, length: i128| match shape.anchor {
         Anchor::Halves(halves) => halves[axis] * length / 2,
@@ -194,7 +189,8 @@ fn fate(camera: &chain::Camera, model: &chain::Affine, vertex: [i16; 3], shape: 
             i128::from(count[axis].min(texels)) * length / i128::from(texels)
         }
     };
-    Fate::Seen(Seen {
+    Ok(Seen {
+        number,
         shape,
         low: [x - before(0, width), y - before(1, height)],
         size: [width, height],
@@ -227,11 +223,11 @@ impl Scene {
             degenerate: 0,
         };
         for &(vertex, shape) in candidates {
-            match fate(&exact, &exact_model, vertex, shape) {
-                Fate::Unsure => continue,
-                Fate::Outside => scene.outside += 1,
-                Fate::Degenerate => scene.degenerate += 1,
-                Fate::Seen(seen) => scene.seen.push(seen),
+            match seen(&exact, &exact_model, (scene.vertices.len(), vertex), shape) {
+                Err(Unseen::Unsure) => continue,
+                Err(Unseen::Outside) => scene.outside += 1,
+                Err(Unseen::Degenerate) => scene.degenerate += 1,
+                Ok(seen) => scene.seen.push(seen),
             }
             scene.vertices.push(vertex);
             scene.shapes.push(shape);
@@ -244,7 +240,7 @@ impl Scene {
         draw(&self.camera.library().with_far_clip(true).place_sprites(&mesh, &self.model.library()))
     }
 
-    /// The picture and the depths by the definition. `merge` makes a pixel of a sprite's number in `seen`, its colour and the stored
+    /// The picture and the depths by the definition. `merge` makes a pixel of a sprite's number, its colour and the stored
     /// pixel; `stored` has depths that are there before, and whether sprites store theirs.
     fn exact(
         &self,
@@ -255,12 +251,12 @@ impl Scene {
         let (depths_before, writes) = stored.unwrap_or((&[], true));
         depths.iter_mut().zip(depths_before).for_each(|(depth, before)| *depth = *before);
         let (left, top, width, height) = VIEWPORT;
-        for (index, seen) in self.seen.iter().enumerate() {
+        for seen in &self.seen {
             for y in top..(top + height as i32) {
                 for x in left..(left + width as i32) {
                     let at = (y * 140 + x) as usize;
                     if let Some(color) = seen.color([x, y]).filter(|_| seen.depth < depths[at]) {
-                        pixels[at] = merge(index, color, pixels[at]);
+                        pixels[at] = merge(seen.number, color, pixels[at]);
                         if writes {
                             depths[at] = seen.depth;
                         }
@@ -312,7 +308,7 @@ impl Scene {
         assert_eq!(bounds, self.bounds());
 
         let keep = |_: usize, own: Rgb888, _: Rgb888| own;
-        let (flat, _) = self.exact(Some((&vec![u16::MAX; 140 * 100], false)), keep);
+        let (flat, _) = self.exact(Some((&NOTHING, false)), keep);
         let (deep, depths) = self.exact(None, keep);
         let other = Rectangle::new(Point::new(-3, -2), SIZE + Size::new(9, 4));
 
@@ -411,13 +407,8 @@ fn every_target_shows_the_oracles_pixels() {
 
 /// Half of two channels, by the documentation of `Color::half`, and 1/32 parts to nearest.
 fn mixed(own: Rgb888, below: Rgb888, alpha: Option<u8>) -> Rgb888 {
-    let channel = |own: u8, below: u8| match alpha {
-        None => own.div_ceil(2) + below / 2,
-        Some(alpha) => {
-            let alpha = u32::from(alpha);
-            ((u32::from(own) * alpha + u32::from(below) * (32 - alpha) + 16) / 32) as u8
-        }
-    };
+    let channel =
+        |own, below| alpha.map_or_else(|| halved(own, below), |alpha| shade::mixed(own, below, alpha));
     Rgb888::new(channel(own.r(), below.r()), channel(own.g(), below.g()), channel(own.b(), below.b()))
 }
 
@@ -435,13 +426,7 @@ fn translucent_sprites_are_mixed_with_the_stored_pixels() {
         };
         let (walls, scene) = (scene(4), scene(20));
         let alphas: Vec<u8> = scene.shapes.iter().map(|_| rng.below(33) as u8).collect();
-        let is_seen = |&i: &usize| {
-            let exact = scene.camera.exact();
-            matches!(fate(&exact, &chain::IDENTITY, scene.vertices[i], scene.shapes[i]), Fate::Seen(_))
-        };
-        let numbers: Vec<usize> = (0..scene.shapes.len()).filter(is_seen).collect();
         let (_, behind) = walls.exact(None, |_, own, _| own);
-        let nothing = vec![u16::MAX; 140 * 100];
         for (deep, half) in [(false, false), (false, true), (true, false), (true, true)] {
             let pixels = memory(AREA, SKY, &mut |target, depth| {
                 walls.draw_deep(depth, &mut Screen::new(AREA));
@@ -459,9 +444,9 @@ fn translucent_sprites_are_mixed_with_the_stored_pixels() {
                 scene.check_statistics(statistics.expect("no error"));
                 assert!(depth.values() == behind);
             });
-            let alpha = |i: usize| (!half).then(|| alphas[numbers[i]]);
+            let alpha = |i: usize| (!half).then(|| alphas[i]);
             let (expected, _) = scene
-                .exact(Some((if deep { &behind } else { &nothing }, false)), |i, own, below| {
+                .exact(Some((if deep { &behind } else { &NOTHING[..] }, false)), |i, own, below| {
                     mixed(own, below, alpha(i))
                 });
             assert!(pixels == expected, "case {case}, deep {deep}, half {half}");

@@ -137,29 +137,13 @@ fn s5_clipped_lines_match_f64() {
     assert!(worst <= 2f64.powi(-27), "2^{}", worst.log2());
 }
 
-/// Sutherland–Hodgman in f64, with attributes.
+/// The part of a triangle in the volume, in f64, with attributes.
 fn polygon(corners: [(V4, [f64; 2]); 3]) -> Vec<(V4, [f64; 2])> {
-    let mut all = corners.to_vec();
-    for plane in 0..6 {
-        let mut kept = Vec::new();
-        for i in 0..all.len() {
-            let (from, to) = (all[(i + all.len() - 1) % all.len()], all[i]);
-            let (df, dt) = (distances(from.0)[plane], distances(to.0)[plane]);
-            if (df < 0.0) != (dt < 0.0) {
-                let t = df / (df - dt);
-                let mix = |a: f64, b: f64| a + (b - a) * t;
-                kept.push((
-                    core::array::from_fn(|k| mix(from.0[k], to.0[k])),
-                    core::array::from_fn(|k| mix(from.1[k], to.1[k])),
-                ));
-            }
-            if dt >= 0.0 {
-                kept.push(to);
-            }
-        }
-        all = kept;
-    }
-    all
+    let corners = corners.map(|([x, y, z, w], [a, b])| [x, y, z, w, a, b]);
+    let cut =
+        |all: Vec<[f64; 6]>, plane| chain::cut(&all, |&[x, y, z, w, ..]| distances([x, y, z, w])[plane]);
+    let all = (0..6).fold(corners.to_vec(), cut);
+    all.into_iter().map(|[x, y, z, w, a, b]| ([x, y, z, w], [a, b])).collect()
 }
 
 fn vertex(p: ClipPoint, attributes: [i32; 2]) -> ClipVertex<2> {
@@ -378,6 +362,7 @@ fn vertices(rng: &mut Rng) -> [[i16; 3]; 4] {
 /// `Partly` is returned only where the exact sphere comes near to a plane's border.
 #[test]
 fn s5_bounding_spheres_are_classified_as_their_vertices() {
+    assert_eq!(size_of::<pinhole::Frustum>(), 264, "its documentation says so");
     let mut rng = Rng::new(0x506);
     let mut tally = Tally::default();
     for _ in 0..30_000 {

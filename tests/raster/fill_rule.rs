@@ -1,4 +1,4 @@
-//! R1–R7 and R9: the library's coverage equals the exact edge functions, with no tolerance.
+//! R1–R7 and R9: the library's coverage equals the exact edge functions, with no tolerance. Scissors and errors, of lines too.
 
 use support::bridge;
 use support::bridge::compare;
@@ -126,35 +126,34 @@ fn scissors_of_extreme_bounds_crop_and_do_not_panic() {
         (8000, 8000, 8100, 8100),
         (low, high - 1, high, high),
     ] {
-        let spans = bridge::triangle_spans(t, Area::new(l, t0, r, b));
+        let area = Area::new(l, t0, r, b);
+        let spans = [bridge::triangle_spans(t, area), bridge::line_spans((-3, -4), (20, 11), area)].concat();
         assert!(spans.is_empty(), "{spans:?}");
     }
 }
 
 #[test]
-fn an_error_of_the_callback_ends_the_triangle_and_is_returned() {
-    use pinhole::raster;
-    let t = [(0, 0), (4000, 100), (300, 4000)].map(bridge::screen_point);
+fn an_error_of_the_callback_ends_a_triangle_and_a_line_and_is_returned() {
+    use pinhole::raster::{self, Span};
+    let corners = [(0, 0), (4000, 100), (300, 4000)].map(bridge::screen_point);
+    let [from, to] = [(0, 0), (15, 11)].map(bridge::pixel);
     let scissor = bridge::scissor(Area::new(0, 0, 16, 16));
-    let mut rows = 0;
-    let Ok(()) = raster::triangle(t, &scissor, |_| {
-        rows += 1;
-        Ok::<(), core::convert::Infallible>(())
-    });
-    for n in 0..=rows {
-        let mut calls = 0;
-        let result = raster::triangle(t, &scissor, |_| {
-            calls += 1;
-            if calls > n {
-                Err(n)
-            } else {
-                Ok(())
-            }
-        });
-        if n == rows {
-            assert_eq!((result, calls), (Ok(()), rows));
-        } else {
-            assert_eq!((result, calls), (Err(n), n + 1));
+    type Draw<'a> = &'a dyn Fn(&mut dyn FnMut(Span) -> Result<(), usize>) -> Result<(), usize>;
+    let draws: [Draw<'_>; 2] =
+        [&|call| raster::triangle(corners, &scissor, call), &|call| raster::line(from, to, &scissor, call)];
+    for (draw, count) in draws.into_iter().zip([15, 12]) {
+        for n in 0..=count {
+            let mut calls = 0;
+            let result = draw(&mut |_| {
+                calls += 1;
+                if calls > n {
+                    Err(n)
+                } else {
+                    Ok(())
+                }
+            });
+            let wanted = if n < count { (Err(n), n + 1) } else { (Ok(()), count) };
+            assert_eq!((result, calls), wanted);
         }
     }
 }

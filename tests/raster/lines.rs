@@ -58,9 +58,10 @@ fn check_memory(a: P, b: P, area: Area) {
     }
 }
 
-/// Compares every way to draw a line, and the number of calls of each. Returns the number of calls and of fills.
+/// Compares every way to draw a line, and `raster::line`, and the number of calls of each. Returns the number of calls and of fills.
 fn check_calls(a: P, b: P, area: Area) -> (usize, usize) {
     check_memory(a, b, area);
+    both_ways(a, b, area);
     let is_fill = |call: &Call<Gray8>| matches!(call, Call::Solid(..));
     let (fills, few, pixels, some) = (
         check::<1>(a, b, area),
@@ -307,17 +308,6 @@ fn pixels_are_spans_by_default() {
 }
 
 #[test]
-fn l1_every_line_in_every_octant_is_exact() {
-    // All lines from one pixel to a 33 × 33 neighbourhood: all octants, all ties, zero length.
-    let area = Area::new(-20, -20, 21, 21);
-    for a in [(0, 0), (-1, 2)] {
-        for (x, y) in Area::new(-16, -16, 17, 17).pixels() {
-            both_ways(a, (x, y), area);
-        }
-    }
-}
-
-#[test]
 fn l2_every_small_scissor_crops_the_line() {
     // Every rectangle of a 9 × 9 field, on lines of every kind through it.
     let lines = [
@@ -379,42 +369,5 @@ fn l2_lines_to_the_ends_of_i16_do_not_wrap() {
             let y = a.1 + (((b.1 - a.1) * s) >> 20);
             both_ways(a, b, Area::new(x - 5, y - 5, x + 6, y + 6));
         }
-    }
-}
-
-#[test]
-fn scissors_of_extreme_bounds_crop_and_do_not_panic() {
-    let (low, high) = (i64::from(i32::MIN), i64::from(i32::MAX));
-    for (l, t, r, b) in [
-        (5, 5, 5, 5),
-        (9, 0, 3, 20), // inside out
-        (0, 9, 20, 3),
-        (high, high, low, low),
-        (low, low, low, high),
-        (high - 1, low, high, high),
-        (low, low, low + 1, high),
-        (low, high - 1, high, high),
-    ] {
-        let spans = bridge::line_spans((-3, -4), (20, 11), Area::new(l, t, r, b));
-        assert!(spans.is_empty(), "{spans:?}");
-    }
-}
-
-#[test]
-fn an_error_of_the_callback_ends_the_line_and_is_returned() {
-    use pinhole::raster;
-    let (a, b) = (bridge::pixel((0, 0)), bridge::pixel((30, 11)));
-    let scissor = bridge::scissor(Area::new(-5, -5, 50, 50));
-    for n in 0..12 {
-        let mut calls = 0;
-        let result = raster::line(a, b, &scissor, |_| {
-            calls += 1;
-            if calls > n {
-                Err(n)
-            } else {
-                Ok(())
-            }
-        });
-        assert_eq!((result, calls), (Err(n), n + 1));
     }
 }

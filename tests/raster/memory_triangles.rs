@@ -1,6 +1,6 @@
 //! R1–R9 in memory: the loops that draw triangles into `Picture::pixels` and `Band::pixels`, against the oracle and, as spans of any other
-//! target, against the plain path, for triangles of every tier. With depth, `pipeline/fill.rs` and `by_every_call` compare
-//! memory with any other target.
+//! target, against the plain path, for triangles of every tier. With depth, `by_every_call` compares memory with any
+//! other target.
 
 use core::convert::Infallible;
 use embedded_graphics_core::draw_target::DrawTarget;

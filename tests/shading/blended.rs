@@ -1,103 +1,20 @@
-//! Translucency: mixed, dimmed and added levels of every colour type against fractions, and faces over what is behind them, face by face.
+//! Translucency: faces over what is behind them, face by face. The levels of the colours themselves are tested in `src/color/tests.rs`.
 
-use crate::rays::{everywhere, floor, in_memory, mixed, usual, Faces, Tiles, AREA, SIZE, SKY};
-use embedded_graphics::pixelcolor::{
-    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb555, Rgb565, Rgb666,
-    Rgb888, RgbColor,
-};
+use crate::rays::{each_level, everywhere, floor, in_memory, mixed, usual, Faces, Tiles, AREA, SIZE, SKY};
+use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::raster::{Span, Triangle};
 use pinhole::{
-    Blended, Color, ColorKeyed, DepthBuffer, Gouraud, HalfBlended, Pixels, ScreenDoor, Shader, SpanShader,
-    Texels, Texture, Translucent,
+    Blended, ColorKeyed, DepthBuffer, Gouraud, HalfBlended, Pixels, ScreenDoor, Shader, SpanShader, Texels,
+    Texture, Translucent,
 };
 use support::bridge::ways::{memory, memory_with};
 use support::oracle::rng::Rng;
-
-/// All pairs of levels of each channel with every alpha, beside random levels of the others.
-fn check<C: Color + core::fmt::Debug>(
-    max: [u8; 3],
-    make: &dyn Fn([u8; 3]) -> C,
-    levels: &dyn Fn(C) -> [u8; 3],
-) {
-    check_dimmed(max, make, levels);
-    let mut rng = Rng::new(11);
-    for channel in 0..3 {
-        for own in 0..=max[channel] {
-            for stored in 0..=max[channel] {
-                let mut pair = [own, stored].map(|level| {
-                    let mut color = max.map(|max| rng.below(usize::from(max) + 1) as u8);
-                    color[channel] = level;
-                    color
-                });
-                if rng.one_in(4) {
-                    // The largest sums, which must not carry into a neighbour.
-                    (0..3)
-                        .filter(|&other| other != channel)
-                        .for_each(|other| pair.iter_mut().for_each(|c| c[other] = max[other]));
-                }
-                let [own, stored] = pair;
-                let each = |level: &dyn Fn(u32, u32) -> u32| {
-                    [0, 1, 2].map(|i| level(own[i].into(), stored[i].into()) as u8)
-                };
-                let half = levels(make(own).half(make(stored)));
-                assert_eq!(half, each(&|a, b| a.div_ceil(2) + b / 2), "{own:?} {stored:?}");
-                let within = (0..3)
-                    .all(|i| (2 * i16::from(half[i]) - i16::from(own[i]) - i16::from(stored[i])).abs() <= 1);
-                assert!(within, "{own:?} {stored:?}");
-                // Light that is emitted is added, up to full.
-                let sums = levels(make(own).emitting(make(stored)));
-                assert_eq!(
-                    sums,
-                    [0, 1, 2].map(|i| own[i].saturating_add(stored[i]).min(max[i])),
-                    "{own:?} {stored:?}"
-                );
-                for alpha in 0..=32 {
-                    let mixed = levels(make(own).mix(make(stored), alpha));
-                    let alpha = u32::from(alpha);
-                    assert_eq!(
-                        mixed,
-                        each(&|a, b| (a * alpha + b * (32 - alpha) + 16) / 32),
-                        "{own:?} {stored:?} {alpha}"
-                    );
-                }
-            }
-        }
-    }
-}
-
-/// Every level of a channel in every light, which rounds to nearest; beyond 256 it is full.
-fn check_dimmed<C: Color>(max: [u8; 3], make: &dyn Fn([u8; 3]) -> C, levels: &dyn Fn(C) -> [u8; 3]) {
-    for level in (0..=256).chain([257, 1000, u16::MAX]) {
-        for own in 0..=255u8 {
-            let own = [own.min(max[0]), (255 - own).min(max[1]), (own / 2).min(max[2])];
-            for (found, own) in levels(make(own).dim(level)).into_iter().zip(own) {
-                let off = f64::from(found) - f64::from(own) * f64::from(level.min(256)) / 256.0;
-                assert!(off.abs() <= 0.5, "{own} in {level}: {found}");
-            }
-        }
-    }
-}
-
-macro_rules! check_rgb {
-    ($($color:ident),*) => {$(
-        check([$color::MAX_R, $color::MAX_G, $color::MAX_B], &|[r, g, b]| $color::new(r, g, b), &|c| [c.r(), c.g(), c.b()]);
-    )*};
-}
-
-#[test]
-fn levels_of_every_color_type_are_the_nearest() {
-    check_rgb!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888);
-    check([255, 0, 0], &|[luma, ..]| Gray8::new(luma), &|c| [c.luma(), 0, 0]);
-    check([15, 0, 0], &|[luma, ..]| Gray4::new(luma), &|c| [c.luma(), 0, 0]);
-    check([3, 0, 0], &|[luma, ..]| Gray2::new(luma), &|c| [c.luma(), 0, 0]);
-    check([1, 0, 0], &|[luma, ..]| BinaryColor::from(luma == 1), &|c| [u8::from(c.is_on()), 0, 0]);
-}
+use support::oracle::shade;
 
 fn halved(own: Rgb888, stored: Rgb888) -> Rgb888 {
-    let level = |own: u8, stored: u8| own.div_ceil(2) + stored / 2;
-    Rgb888::new(level(own.r(), stored.r()), level(own.g(), stored.g()), level(own.b(), stored.b()))
+    each_level(own, stored, shade::halved)
 }
 
 /// Draws faces into memory, with depth.
@@ -173,10 +90,7 @@ fn translucent_faces_are_mixed_with_what_is_behind_them() {
     });
     check_scene(&scene, &smooth, &|face| HalfBlended::new(smooth(face)), &halved);
     // Any function of both colours: here, light that is added.
-    let added = |own: Rgb888, stored: Rgb888| {
-        let sum = |own: u8, stored: u8| own.saturating_add(stored);
-        Rgb888::new(sum(own.r(), stored.r()), sum(own.g(), stored.g()), sum(own.b(), stored.b()))
-    };
+    let added = |own: Rgb888, stored: Rgb888| each_level(own, stored, u8::saturating_add);
     check_scene(&scene, &color, &|face| Translucent::by(color(face), added), &added);
     check_scene(&scene, &smooth, &|face| Translucent::by(smooth(face), added), &added);
     check_parts(&scene, &|face| HalfBlended::new(smooth(face)));

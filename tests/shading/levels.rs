@@ -103,6 +103,19 @@ struct Face<'a> {
 }
 
 impl Face<'_> {
+    /// Draws with a shader, and compares.
+    fn draw<C: Colour, I: SpanShader<C>>(
+        &mut self,
+        (number, shader): (usize, I),
+        exact: [V3; 3],
+        rounding: Rounding,
+        slack: f64,
+    ) -> Screen<C> {
+        let picture = draw::<C, _>(self.instance, shader);
+        self.check(number, &Levels::new(&picture), exact, rounding, slack);
+        picture
+    }
+
     /// Compares each pixel with the levels of the gradients of the corners.
     fn check(&mut self, shader: usize, picture: &Levels, exact: [V3; 3], rounding: Rounding, slack: f64) {
         let t @ [a, b, c] = corners(self.instance);
@@ -134,23 +147,13 @@ fn faces<C: Colour>(cases: usize, with_light: Option<fn(&mut Face<'_>, &mut Rng)
         with_triangle(t, |instance| {
             let mut face = Face { instance, worst: &mut worst };
             let (smooth, even) = (colours.map(channels), [channels(colours[0]); 3]);
-            let flat_picture = draw::<C, _>(instance, flat(colours[0]));
-            let smooth_picture = draw::<C, _>(instance, gouraud(colours));
+            let flat_picture = face.draw::<C, _>((3, flat(colours[0])), even, Rounding::Level, CORNER);
+            let smooth_picture = face.draw::<C, _>((0, gouraud(colours)), smooth, Rounding::Level, GRADIENT);
             assert_eq!(flat_picture.counts, smooth_picture.counts);
-            face.check(0, &Levels::new(&smooth_picture), smooth, Rounding::Level, GRADIENT);
-            face.check(3, &Levels::new(&flat_picture), even, Rounding::Level, CORNER);
-            let shader = flat(colours[0]).emitting(Rgb888::new(r, g, b));
-            face.check(
-                4,
-                &Levels::new(&draw::<C, _>(instance, shader)),
-                [sum(colours[0], emission); 3],
-                Rounding::Level,
-                CORNER,
-            );
-            let shader = gouraud(colours).dithered();
-            face.check(6, &Levels::new(&draw::<C, _>(instance, shader)), smooth, Rounding::Pattern, GRADIENT);
-            let shader = flat(colours[0]).dithered();
-            face.check(8, &Levels::new(&draw::<C, _>(instance, shader)), even, Rounding::Pattern, CORNER);
+            let (glowing, sum) = (flat(colours[0]).emitting(Rgb888::new(r, g, b)), sum(colours[0], emission));
+            face.draw::<C, _>((4, glowing), [sum; 3], Rounding::Level, CORNER);
+            face.draw::<C, _>((6, gouraud(colours).dithered()), smooth, Rounding::Pattern, GRADIENT);
+            face.draw::<C, _>((8, flat(colours[0]).dithered()), even, Rounding::Pattern, CORNER);
             // Three equal corners give the colour of a flat face in every pixel, to the last bit.
             assert_eq!(draw::<C, _>(instance, gouraud([colours[0]; 3])), flat_picture);
             if let Some(check) = with_light {
@@ -173,25 +176,12 @@ fn faces<C: Colour>(cases: usize, with_light: Option<fn(&mut Face<'_>, &mut Rng)
 fn light<C: Colour>(face: &mut Face<'_>, rng: &mut Rng) -> usize {
     let (lights, emission) = (random_lights(rng), random_colour(rng).rgb);
     let (exact, [r, g, b]) = (lights.map(channels), emission);
-    let picture = draw::<C, _>(face.instance, lit(lights));
-    face.check(1, &Levels::new(&picture), exact, Rounding::Level, GRADIENT);
-    let shader = lit(lights).emitting(Rgb888::new(r, g, b));
-    let sums = lights.map(|light| sum(light, emission));
-    face.check(2, &Levels::new(&draw::<C, _>(face.instance, shader)), sums, Rounding::Level, GRADIENT);
-    face.check(
-        5,
-        &Levels::new(&draw::<C, _>(face.instance, shaded(lights))),
-        exact,
-        Rounding::Entry,
-        GRADIENT,
-    );
-    face.check(
-        7,
-        &Levels::new(&draw::<C, _>(face.instance, lit(lights).dithered())),
-        exact,
-        Rounding::Pattern,
-        GRADIENT,
-    );
+    let picture = face.draw::<C, _>((1, lit(lights)), exact, Rounding::Level, GRADIENT);
+    let (glowing, sums) =
+        (lit(lights).emitting(Rgb888::new(r, g, b)), lights.map(|light| sum(light, emission)));
+    face.draw::<C, _>((2, glowing), sums, Rounding::Level, GRADIENT);
+    face.draw::<C, _>((5, shaded(lights)), exact, Rounding::Entry, GRADIENT);
+    face.draw::<C, _>((7, lit(lights).dithered()), exact, Rounding::Pattern, GRADIENT);
     picture.drawn().count()
 }
 
@@ -268,9 +258,10 @@ impl Planes {
     /// and the change that the snap of the corners explains. Returns the number of such pixels.
     fn check(self, face: [[i32; 3]; 3], colours: [Lit; 3], picture: &Levels, rounding: Rounding) -> usize {
         let exact = self.camera().exact();
-        let corners = [0, 1, 2].map(|i| Corner {
-            clip: exact.clip(&chain::IDENTITY, fx3(face[i])),
-            levels: levels(picture.depths, channels(colours[i])),
+        let corners: [Corner; 3] = [0, 1, 2].map(|i| {
+            let clip = exact.clip(&chain::IDENTITY, fx3(face[i]));
+            let all = clip.into_iter().chain(levels(picture.depths, channels(colours[i]))).chain([0.0; 2]);
+            all.take(7).collect::<Vec<_>>().try_into().expect("seven")
         });
         let (pieces, whole) = pieces(&exact, &corners, matches!(self, Self::Far));
         assert!(!whole, "{self:?} do not cut {face:?}");

@@ -13,6 +13,7 @@ use pinhole::{
 use support::bridge::ways::{self, Drawn};
 use support::oracle::chain::{self, M4, V3};
 use support::oracle::rng::Rng;
+use support::oracle::shade;
 use support::oracle::target::Screen;
 use support::oracle::texture::{off_clamped, off_repeated, Range, Ray};
 
@@ -284,10 +285,12 @@ pub(crate) fn everywhere<S: SpanShader<Rgb888>>(faces: &Faces, shade: &dyn Fn(us
     drawn.expect("placed")
 }
 
+/// Two colours, channel by channel.
+pub(crate) fn each_level(own: Rgb888, other: Rgb888, level: impl Fn(u8, u8) -> u8) -> Rgb888 {
+    Rgb888::new(level(own.r(), other.r()), level(own.g(), other.g()), level(own.b(), other.b()))
+}
+
 /// Two colours, mixed in 1/32 parts to nearest.
 pub(crate) fn mixed(own: Rgb888, other: Rgb888, parts: u8) -> Rgb888 {
-    let level = |own: u8, other: u8| {
-        ((u32::from(own) * u32::from(parts) + u32::from(other) * u32::from(32 - parts) + 16) / 32) as u8
-    };
-    Rgb888::new(level(own.r(), other.r()), level(own.g(), other.g()), level(own.b(), other.b()))
+    each_level(own, other, |own, other| shade::mixed(own, other, parts))
 }

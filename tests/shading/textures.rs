@@ -230,37 +230,6 @@ fn linear_coordinates_stay_between_those_of_the_corners() {
     assert!((PACKING / 2.0..PACKING).contains(&packed) && wide < 2f64.powi(-13), "{packed}, {wide}");
 }
 
-/// Coordinates at both ends of `i16`, in every unit: neither end wraps to the other where the edge continues.
-#[test]
-fn coordinates_at_the_ends_of_i16_show_the_edge() {
-    let matrix = perspective(2000.0);
-    let camera = camera(&library(&matrix));
-    // All corners at one end; from end to end; and from an end by 99 units.
-    let mut scenes = vec![screen_filling([i16::MIN; 2], [i16::MAX; 2])];
-    for at in [i16::MIN, i16::MAX] {
-        scenes.push(screen_filling([at; 2], [at; 2]));
-        scenes.push(rolled(25.0, |_, _| [at; 2]));
-        let inwards = at.wrapping_add(at.signum() * -99);
-        scenes.push(rolled(33.0, |x, z| {
-            [if x > 0.0 { inwards } else { at }, if z > 0.0 { at } else { inwards }]
-        }));
-    }
-    let bits = [8, 3];
-    for (exponent, faces) in (-15..=0).flat_map(|exponent| scenes.iter().map(move |faces| (exponent, faces)))
-    {
-        let unit = bits.map(|bits| 2f64.powi(bits as i32 + i32::from(exponent)));
-        let texture = Texture::new(Numbered(bits)).with_exponent(exponent).unwrap();
-        let mut pixels = 0;
-        for (face, &uv) in faces.uv.iter().enumerate() {
-            let picture = faces.draw(face, &camera, texture.clamped_at(uv));
-            let (worst, count) = faces.ray(face, &matrix, unit).worst_clamped(&picture, bits);
-            assert!(worst <= 0.28, "2^{exponent}, face {face} {uv:?}: {worst}");
-            pixels += count;
-        }
-        assert!(pixels > 10_000, "{pixels}");
-    }
-}
-
 /// Coordinates at both ends of `i16`, from end to end in a face, and w that differ 32767 times: the documented error of the planes,
 /// 8·2⁻²⁴ of the range of coordinates times the ratio of w.
 #[test]
@@ -522,6 +491,8 @@ fn textured_faces_are_equal_by_every_draw_call() {
         );
         faces
     };
+    // Of at most 32 x 32 pixels and one side of the texture: both coordinates lie in one word.
+    let small = Faces::soup(&mut Rng::new(52), 480, 900, 400, |rng| rng.int(-500, 500) as i16);
     let usual = library(&perspective(2000.0));
     for (name, lens, faces) in [
         ("floor", usual, Faces::quad(floor(0.5, 9.5, 6.0), 25.0, 200, -10)),
@@ -531,6 +502,7 @@ fn textured_faces_are_equal_by_every_draw_call() {
         ("guard band", usual, soup(6000)),
         ("slanted", library(&slanted()), soup(400)),
         ("cabinet", cabinet().1, soup(900)),
+        ("small faces", cabinet().1, small),
     ] {
         let camera = camera(&lens).with_far_clip(true);
         let texture = Texture::new(Colored);

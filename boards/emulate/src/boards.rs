@@ -8,7 +8,7 @@ use pinhole::{Angle, DepthBuffer, ScreenVertex, Statistics};
 use pinhole_import::{ImportedMesh, Options};
 use pinhole_render::firmware;
 use std::path::Path;
-use support::panel::framebuffer::Framebuffer;
+use support::oracle::target::Screen;
 use support::panel::screen::StoredPixel;
 use support::panel::Held;
 
@@ -159,8 +159,8 @@ pub(crate) fn read(board: &Board, file: &Path) -> Result<Pictures, String> {
 }
 
 /// The pixels of a picture as the display stores them.
-fn stored(picture: &Framebuffer<Rgb565>) -> Vec<u32> {
-    picture.pixels().iter().map(|color| color.stored()).collect()
+fn stored(picture: &Screen<Rgb565>, background: Rgb565) -> Vec<u32> {
+    picture.over(background).iter().map(|color| color.stored()).collect()
 }
 
 /// The pixels of bytes as they are on the bus: the high byte first.
@@ -173,13 +173,13 @@ fn turn(
     model: &Path,
     size: Size,
     frames: u32,
-    draw: fn(&ImportedMesh, Angle, &mut Framebuffer<Rgb565>) -> Result<Statistics, String>,
+    draw: fn(&ImportedMesh, Angle, &mut Screen<Rgb565>) -> Result<Statistics, String>,
 ) -> Result<Pictures, String> {
     let imported = import(model)?;
     Ok(Box::new(move |frame| {
-        let mut picture = Framebuffer::new(size, Rgb565::new(31, 0, 31));
+        let mut picture = Screen::sized(size.width, size.height);
         draw(&imported, Angle::turns(frame as i32, frames), &mut picture)?;
-        Ok(stored(&picture))
+        Ok(stored(&picture, Rgb565::new(31, 0, 31)))
     }))
 }
 
@@ -218,11 +218,11 @@ fn balloon(size: Size) -> Result<Pictures, String> {
     let mut buffers = Buffers::new();
     let mut depths = vec![0; (size.width * size.height) as usize];
     Ok(Box::new(move |frame| {
-        let mut picture = Framebuffer::new(size, Rgb565::from(MORNING.mist));
+        let mut picture = Screen::sized(size.width, size.height);
         let depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), &mut depths);
         let mut depth = depth.map_err(|error| error.to_string())?;
         let way = frame as i32 * WAY / BALLOON_FRAMES as i32;
         let Ok(()) = scene.frame(way, &mut buffers)?.draw(&mut depth, &mut picture);
-        Ok(stored(&picture))
+        Ok(stored(&picture, MORNING.mist.into()))
     }))
 }

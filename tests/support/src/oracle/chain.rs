@@ -42,6 +42,23 @@ pub fn normalise(a: V3) -> V3 {
     a.map(|c| c / n)
 }
 
+/// Sutherland and Hodgman: the part of a polygon where a distance is not negative. All numbers of a corner are linear along an edge.
+pub fn cut<const N: usize>(polygon: &[[f64; N]], distance: impl Fn(&[f64; N]) -> f64) -> Vec<[f64; N]> {
+    let mut kept = Vec::new();
+    for (i, to) in polygon.iter().enumerate() {
+        let from = &polygon[(i + polygon.len() - 1) % polygon.len()];
+        let (d_from, d_to) = (distance(from), distance(to));
+        if (d_from < 0.0) != (d_to < 0.0) {
+            let t = d_from / (d_from - d_to);
+            kept.push(core::array::from_fn(|k| from[k] + t * (to[k] - from[k])));
+        }
+        if d_to >= 0.0 {
+            kept.push(*to);
+        }
+    }
+    kept
+}
+
 pub fn mul3(m: &M3, v: V3) -> V3 {
     m.map(|row| dot(row, v))
 }

@@ -67,35 +67,6 @@ pub fn rows(t: [P; 3], area: Area) -> Vec<u64> {
         .collect()
 }
 
-/// A second derivation of the rules, to check the first: a scanline covers the half-open
-/// interval [leftmost crossing, rightmost crossing), a triangle the half-open rows [top, bottom).
-pub fn covers_by_scanline(t: [P; 3], i: i64, j: i64) -> bool {
-    let (x, y) = centre(i, j);
-    let mut crossings: Vec<(i64, i64)> = Vec::new(); // x as a fraction, denominator > 0
-    for k in 0..3 {
-        let (mut a, mut b) = (t[k], t[(k + 1) % 3]);
-        if a.1 > b.1 {
-            core::mem::swap(&mut a, &mut b);
-        }
-        if a.1 <= y && y < b.1 {
-            let dy = b.1 - a.1;
-            crossings.push((a.0 * dy + (b.0 - a.0) * (y - a.1), dy));
-        }
-    }
-    if crossings.len() != 2 {
-        assert!(crossings.is_empty());
-        return false;
-    }
-    let at_or_right = crossings.iter().filter(|(n, d)| x * d >= *n).count();
-    at_or_right == 1
-}
-
-/// Whether a point lies in the closed triangle, border included. A degenerate triangle contains no point.
-pub fn closed(t: [P; 3], p: P) -> bool {
-    let area = edge(t[0], t[1], t[2]).signum();
-    area != 0 && (0..3).all(|k| area * edge(t[k], t[(k + 1) % 3], p) >= 0)
-}
-
 /// On the closed segment a b?
 pub fn on_segment(a: P, b: P, p: P) -> bool {
     edge(a, b, p) == 0

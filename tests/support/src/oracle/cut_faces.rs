@@ -5,7 +5,7 @@
 //! is perspective-correct along that edge. Over each triangle of the fan a channel is linear on the screen. (Sutherland
 //! and Hodgman, *Reentrant polygon clipping*, 1974; Gouraud, *Continuous shading of curved surfaces*, 1971.)
 
-use super::chain::{Camera, V4};
+use super::chain::{self, Camera, V4};
 
 /// A position on the screen in pixels, y down.
 type Screen = (f64, f64);
@@ -13,18 +13,14 @@ type Screen = (f64, f64);
 /// The guard band in pixels, about the origin of the screen.
 const GUARD_BAND: f64 = 8192.0;
 
-/// A corner in clip space with the levels of its channels.
-#[derive(Clone, Debug)]
-pub struct Corner {
-    pub clip: V4,
-    pub levels: Vec<f64>,
-}
+/// A corner in clip space, and the levels of up to three channels.
+pub type Corner = [f64; 7];
 
 /// A triangle of the fan.
 #[derive(Clone, Debug)]
 pub struct Piece {
     pub screen: [Screen; 3],
-    levels: [Vec<f64>; 3],
+    corners: [Corner; 3],
 }
 
 /// Twice the signed area of a triangle on the screen.
@@ -44,38 +40,20 @@ fn distances(camera: &Camera, clip: V4) -> [f64; 6] {
 /// the polygon's first corner. Seen from behind, the polygon is walked backwards. The second value says whether the
 /// planes left the corners as they were.
 pub fn pieces(camera: &Camera, corners: &[Corner; 3], far: bool) -> (Vec<Piece>, bool) {
-    let mut polygon = corners.to_vec();
-    let mut whole = true;
-    for plane in 0..5 + usize::from(far) {
-        let mut kept = Vec::new();
-        for (k, to) in polygon.iter().enumerate() {
-            let from = &polygon[(k + polygon.len() - 1) % polygon.len()];
-            let [from_inside, to_inside] = [from, to].map(|corner| distances(camera, corner.clip)[plane]);
-            if (from_inside < 0.0) != (to_inside < 0.0) {
-                let t = from_inside / (from_inside - to_inside);
-                let mix = |a: f64, b: f64| a + (b - a) * t;
-                kept.push(Corner {
-                    clip: core::array::from_fn(|i| mix(from.clip[i], to.clip[i])),
-                    levels: from.levels.iter().zip(&to.levels).map(|(&a, &b)| mix(a, b)).collect(),
-                });
-            }
-            if to_inside >= 0.0 {
-                kept.push(to.clone());
-            } else {
-                whole = false;
-            }
-        }
-        polygon = kept;
-    }
-    let screen = |corner: &Corner| camera.screen(corner.clip);
+    let clip = |&[x, y, z, w, ..]: &Corner| [x, y, z, w];
+    let planes = 0..5 + usize::from(far);
+    let cut = |all: Vec<_>, plane| chain::cut(&all, |corner| distances(camera, clip(corner))[plane]);
+    let mut polygon = planes.fold(corners.to_vec(), cut);
+    let whole = polygon == corners;
+    let screen = |corner: &Corner| camera.screen(clip(corner));
     let area = |k: usize| doubled_area(screen(&polygon[0]), screen(&polygon[k - 1]), screen(&polygon[k]));
     // y points down: counter-clockwise is negative.
     if (2..polygon.len()).map(area).sum::<f64>() > 0.0 {
         polygon.reverse();
     }
     let triangle = |k: usize| {
-        let corners = [&polygon[0], &polygon[k - 1], &polygon[k]];
-        Piece { screen: corners.map(screen), levels: corners.map(|corner| corner.levels.clone()) }
+        let corners = [polygon[0], polygon[k - 1], polygon[k]];
+        Piece { screen: corners.each_ref().map(screen), corners }
     };
     ((2..polygon.len()).map(triangle).collect(), whole)
 }
@@ -91,7 +69,7 @@ impl Piece {
 
     /// The level of a channel at a point.
     pub fn level(&self, channel: usize, p: Screen) -> f64 {
-        let ([a, b, c], of) = (self.screen, |i: usize| self.levels[i][channel]);
+        let ([a, b, c], of) = (self.screen, |i: usize| self.corners[i][4 + channel]);
         let weights = [doubled_area(p, b, c), doubled_area(a, p, c), doubled_area(a, b, p)];
         (weights[0] * of(0) + weights[1] * of(1) + weights[2] * of(2)) / doubled_area(a, b, c)
     }
@@ -99,7 +77,7 @@ impl Piece {
     /// The largest change of a channel's level if each corner moves by `distance` pixels and the levels move along: by
     /// the gradient times that distance for each corner.
     pub fn change(&self, channel: usize, distance: f64) -> f64 {
-        let (t, of) = (self.screen, |i: usize| self.levels[i][channel]);
+        let (t, of) = (self.screen, |i: usize| self.corners[i][4 + channel]);
         let slope = |of_x: bool| {
             let c = |i: usize| if of_x { t[i].1 } else { t[i].0 };
             let (u, v) = (c(1) - c(0), c(2) - c(0));

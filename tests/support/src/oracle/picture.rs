@@ -5,7 +5,7 @@
 //! covers the pixel's centre, and those of all nearer ones inwards until they do not. The smallest such
 //! move is the picture's error at that pixel, in pixels, whatever its cause.
 
-use super::chain::{mul4, M4, V3, V4};
+use super::chain::{cut, mul4, M4, V3, V4};
 
 /// A scene in the terms of docs/spec.md, section 10.
 #[derive(Clone, Debug)]
@@ -46,23 +46,8 @@ impl Scene {
     fn polygon(&self, triangle: [usize; 3]) -> Option<Polygon> {
         let clip = triangle.map(|i| self.clip(self.vertices[i]));
         // w − near's distance would do for planes through the eye; here every point kept has w > 0.
-        let planes: [fn(V4) -> f64; 3] = [|p| p[2] + p[3], |p| p[3] - p[2], |p| p[3]];
-        let mut corners = clip.to_vec();
-        for plane in planes {
-            let mut kept = Vec::new();
-            for (i, &to) in corners.iter().enumerate() {
-                let from = corners[(i + corners.len() - 1) % corners.len()];
-                let (d_from, d_to) = (plane(from), plane(to));
-                if (d_from < 0.0) != (d_to < 0.0) {
-                    let t = d_from / (d_from - d_to);
-                    kept.push(core::array::from_fn(|k| from[k] + t * (to[k] - from[k])));
-                }
-                if d_to >= 0.0 {
-                    kept.push(to);
-                }
-            }
-            corners = kept;
-        }
+        let planes: [fn(&V4) -> f64; 3] = [|p| p[2] + p[3], |p| p[3] - p[2], |p| p[3]];
+        let corners = planes.iter().fold(clip.to_vec(), |corners, plane| cut(&corners, plane));
         if corners.len() < 3 || corners.iter().any(|c| c[3] <= 0.0) {
             return None;
         }

@@ -1,11 +1,8 @@
-//! Levels of colours in exact fractions, and Bayer's pattern from its recursion.
+//! The channels of colours, mixed levels, and Bayer's pattern from its recursion.
 
 /// The channels of a target: the highest level of each, one for greys.
 #[derive(Clone, Copy, Debug)]
 pub struct Depths(pub &'static [i128]);
-
-/// A number of levels, as numerator and positive denominator.
-pub type Fraction = (i128, i128);
 
 /// Red, green and blue of 0 … 255 at a light of 0 … 256.
 #[derive(Clone, Copy, Debug)]
@@ -14,18 +11,15 @@ pub struct Lit {
     pub level: u16,
 }
 
-/// The common denominator of all levels.
-const UNIT: i128 = 255 * 256 * 256;
+/// Two levels, mixed in 1/32 parts to nearest.
+pub fn mixed(own: u8, other: u8, parts: u8) -> u8 {
+    let [own, other, parts] = [own, other, parts].map(u32::from);
+    ((own * parts + other * (32 - parts) + 16) / 32) as u8
+}
 
-impl Depths {
-    /// Levels of each channel; the luma of Rec. 601 with weights 77, 150 and 29 of 256.
-    pub fn levels(&self, colour: Lit) -> Vec<Fraction> {
-        let [r, g, b] = colour.rgb.map(|c| i128::from(c) * i128::from(colour.level));
-        match *self.0 {
-            [max] => vec![(max * (77 * r + 150 * g + 29 * b), UNIT)],
-            _ => self.0.iter().zip([r, g, b]).map(|(max, v)| (max * 256 * v, UNIT)).collect(),
-        }
-    }
+/// Half of two levels, the own one rounded up.
+pub fn halved(own: u8, other: u8) -> u8 {
+    own.div_ceil(2) + other / 2
 }
 
 /// The ranks 0 … n² − 1 of a pattern of n × n places, row by row: Bayer's recursion,

@@ -1,8 +1,8 @@
 //! Films to send to a panel: the spinning cube S2 of the benchmarks, and a small moving cube before one that stands still. Four methods of
 //! sending their frames, and the bytes that each takes; every frame on the panel is compared with the frame drawn in memory.
 
-use super::framebuffer::Framebuffer;
 use super::screen::{Kind, Screen, StoredPixel};
+use crate::oracle::target;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
@@ -212,21 +212,20 @@ impl<D: DrawTarget> DrawTarget for Single<'_, D> {
     }
 }
 
-/// A frame, drawn in memory at once.
-pub fn reference<C: Colour>(things: &[Thing], size: Size) -> Framebuffer<C> {
-    let mut picture = Framebuffer::new(size, C::from(BACKGROUND));
+/// The pixels of a frame, drawn in memory at once.
+pub fn reference<C: Colour>(things: &[Thing], size: Size) -> Vec<C> {
+    let mut picture = target::Screen::sized(size.width, size.height);
     for thing in things {
         let Ok(()) = thing.draw(&mut picture);
     }
-    picture
+    picture.over(C::from(BACKGROUND))
 }
 
 impl<M: Kind<ColorFormat: Colour>> Screen<M> {
     /// The panel shows a picture, to the pixel.
     #[track_caller]
-    pub fn assert_shows(&self, picture: &Framebuffer<M::ColorFormat>, what: impl core::fmt::Debug) {
-        let differing =
-            self.picture().iter().zip(picture.pixels()).filter(|(a, b)| **a != b.stored()).count();
+    pub fn assert_shows(&self, picture: &[M::ColorFormat], what: impl core::fmt::Debug) {
+        let differing = self.picture().iter().zip(picture).filter(|(a, b)| **a != b.stored()).count();
         assert_eq!(differing, 0, "{}: pixels of {what:?}", M::NAME);
     }
 }
@@ -237,8 +236,8 @@ pub fn pixel_bytes<C: Color>(size: Size) -> usize {
 }
 
 /// The size of the smallest rectangle that contains the pixels that differ.
-fn difference<C: PixelColor>(a: &Framebuffer<C>, b: &Framebuffer<C>) -> Size {
-    let points = a.bounding_box().points().zip(a.pixels().iter().zip(b.pixels()));
+fn difference<C: PixelColor>(size: Size, a: &[C], b: &[C]) -> Size {
+    let points = Rectangle::new(Point::zero(), size).points().zip(a.iter().zip(b));
     let differing = points.filter(|(_, (a, b))| a != b).map(|(at, _)| (at, at));
     let ends = differing.reduce(|(low, high), (at, _)| (low.component_min(at), high.component_max(at)));
     ends.map_or(Size::zero(), |(low, high)| Rectangle::with_corners(low, high).size)
@@ -272,7 +271,7 @@ pub fn film<M: Kind<ColorFormat: Colour>>(film: Film, frames: u32, way: Way) -> 
     let area = screen.display.bounding_box();
     let mut dirty = dirty::<M::ColorFormat>(area);
     let mut strip = strip::<M::ColorFormat>(M::SIZE.width, ROWS);
-    let (mut last, mut costs) = (None, Vec::new());
+    let (mut last, mut costs) = (None::<Vec<_>>, Vec::new());
     for frame in 0..frames {
         let things = film.frame(M::SIZE, frame);
         let display = &mut screen.display;
@@ -287,7 +286,7 @@ pub fn film<M: Kind<ColorFormat: Colour>>(film: Film, frames: u32, way: Way) -> 
         screen.assert_shows(&picture, (film, frame, way));
         let (bytes, windows) = screen.count();
         if let Some(last) = &last {
-            let changed = pixel_bytes::<M::ColorFormat>(difference(last, &picture));
+            let changed = pixel_bytes::<M::ColorFormat>(difference(M::SIZE, last, &picture));
             costs.push(Cost { bytes, windows, changed });
         }
         last = Some(picture);
@@ -310,7 +309,7 @@ pub fn lines(size: Size) -> Vec<[raster::Pixel; 2]> {
 pub fn line_traffic<M: Kind<ColorFormat: Colour>, const LEAST_RUN: u16>() -> (usize, usize) {
     let (mut screen, background, ink) =
         (Screen::<M>::new(), BACKGROUND.into(), M::ColorFormat::from(Rgb888::WHITE));
-    let mut picture = Framebuffer::new(M::SIZE, background);
+    let mut picture = target::Screen::sized(M::SIZE.width, M::SIZE.height);
     screen.display.clear(background).expect("a bus that works");
     screen.count();
     for [from, to] in lines(M::SIZE) {
@@ -318,7 +317,7 @@ pub fn line_traffic<M: Kind<ColorFormat: Colour>, const LEAST_RUN: u16>() -> (us
             .expect("a bus that works");
         let Ok(()) = draw_line(from, to, ink, &mut picture);
     }
-    screen.assert_shows(&picture, "lines");
+    screen.assert_shows(&picture.over(background), "lines");
     screen.count()
 }
 

@@ -6,7 +6,6 @@
 
 pub mod bus;
 pub mod films;
-pub mod framebuffer;
 pub mod screen;
 
 /// The frame memory, in columns and rows of the glass.
