@@ -419,23 +419,3 @@ const fn grid_edges() -> Edges<144> {
     }
     (edges, beside)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn faces_beside_edges_are_those_that_a_search_finds() {
-        fn check<P, const E: usize>(mesh: &Mesh<'static, i16, P>) {
-            let edges: &[[u16; 2]; E] = mesh.edges().try_into().unwrap();
-            assert_eq!(mesh.edge_faces(), edge_faces(edges, mesh.faces()));
-        }
-        check::<_, 12>(&CUBE);
-        check::<_, 240>(&SPHERE);
-        check::<_, 400>(&TORUS);
-        check::<_, 48>(&CYLINDER);
-        check::<_, 60>(&ARROW);
-        check::<_, 144>(&GRID);
-        check::<_, 3>(&AXES);
-    }
-}

@@ -5,7 +5,7 @@
 //! - **Domain**: every triangle, on a target whose pixels lie in memory, where the depth buffer is laid out as the memory is.
 //! - **Gain**: depth and colour are written in one loop, eight pixels at once where the depth buffer is still clear, the common
 //!   case. Not measured alone: all fast paths together halve the time of S3.
-//! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`.
+//! - **Test**: `by_every_call` in `tests/support/src/bridge/ways.rs`.
 //!
 //! The loops over triangles and rows also serve [table lookup](super::table_fill): what differs is behind the trait
 //! [`DepthFill`].

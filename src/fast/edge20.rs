@@ -4,7 +4,7 @@
 //! - **Domain**: edges within a [`Divisor`]'s width and height, walked over the rows of the edge only.
 //! - **Gain**: two or four 32-bit divisions per edge in place of a reciprocal and two 64-bit corrections. Not measured alone;
 //!   [`fast`](super) has the gain of the triangles that use it.
-//! - **Test**: `row_ends_are_exact` and `edges_stay_within_a_lattice_unit` in this file.
+//! - **Test**: `edges_stay_within_a_lattice_unit` in this file, and `tests/raster/memory_triangles.rs`.
 
 use crate::raster::edge::{distances_to_centre, numerator, EdgeWalker};
 use crate::raster::ScreenPoint;
@@ -110,7 +110,6 @@ mod tests {
     use super::*;
     use crate::math::random::Random;
     use crate::raster::edge::tests::edge;
-    use crate::raster::edge::{base_column, first_row};
 
     /// Asserts that an edge is behind T by at most one unit of the lattice, in 2⁻²⁰ of that unit. With `less` one unit of the
     /// last place is added to the edge, and it may be equal to T; without, it must be less than T.
@@ -168,34 +167,5 @@ mod tests {
                 }
             }
         }
-    }
-
-    fn assert_ends_of<D: Divisor>() {
-        let random = &mut Random(11);
-        for i in 0..100_000 {
-            let mut corner = |reach: i64| (random.within(reach), random.within(reach));
-            let height = [40, 300, 4095, i64::from(D::HEIGHT) - 1][i % 4];
-            let (p, (dx, dy)) = (corner(100_000), corner(height));
-            let dx = if i % 5 == 0 { dx * 63 } else { dx }.clamp(1 - D::WIDTH, D::WIDTH - 1);
-            let dy = dy.abs().max(1);
-            let point = |x, y| ScreenPoint::from_subpixels(x, y).unwrap();
-            let (p, q) = (point(p.0, p.1), point(p.0 + dx, p.1 + dy));
-            let edge = Edge20::new::<D>(&p, &q, 0);
-            let rows = first_row(&q) - first_row(&p);
-            // ⌈X − ½⌉ of each row in integers: X − ½ is in 2⁻⁸/dy pixel.
-            for row in 0..rows {
-                let below = i64::from(first_row(&p) + row) * 256 + 128 - i64::from(p.y);
-                let x = (i64::from(p.x) - 128) * i64::from(dy) + below * i64::from(dx);
-                let end = -(-x).div_euclid(256 * i64::from(dy));
-                let value = edge.value.wrapping_add(edge.step.wrapping_mul(row));
-                assert_eq!(i64::from(value >> 20) + 1 + i64::from(base_column(&p)), end, "{p:?} {q:?} {row}");
-            }
-        }
-    }
-
-    #[test]
-    fn row_ends_are_exact() {
-        assert_ends_of::<OneDivision>();
-        assert_ends_of::<TwoDivisions>();
     }
 }

@@ -7,7 +7,7 @@
 //!   a row of one colour, after two comparisons. With depth, the gradient of depth serves fog too. Through the loops of
 //!   [`shaded_fill`](super::shaded_fill) instead, G1 takes 20 % more instructions on an M3, and 67 % more with depth
 //!   (`tools/bench/run cells G1 G2`).
-//! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`.
+//! - **Test**: `tests/shading/fog.rs`, by every draw call.
 
 use super::depth_fill::{
     fill_blocks, fill_nearer, fill_row, put_nearer, DepthFill, DepthRows, FillRun, RowFill, BLOCK,

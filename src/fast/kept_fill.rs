@@ -6,7 +6,7 @@
 //! - **Gain**: a pixel's colour is computed once; for targets without memory a span is computed twice, for the runs and for their
 //!   colours. One blended colour is mixed eight pixels at a time: 4.6 instructions a pixel in place of 6.4 for S5 half on an M3,
 //!   8.6 in place of 10.7 for S5 alpha. Rows are walked by the loops of [`shaded_fill`](super::shaded_fill).
-//! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`.
+//! - **Test**: `everywhere` in `tests/support/src/bridge/ways.rs`.
 
 use super::depth_fill::BLOCK;
 use super::shaded_fill::{each_run, each_run_nearer, fill};

@@ -3,8 +3,8 @@
 //! - **Plain twin**: `pipeline::fill::line`, which passes each span of [`raster::line`](crate::raster::line()) to `Target::fill`.
 //! - **Domain**: every line, on a target whose pixels lie in memory.
 //! - **Gain**: a steep line costs no span and no error term per pixel: its step takes two instructions. Not measured alone.
-//! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`, and `tests/raster/lines.rs`
-//!   against an oracle.
+//! - **Test**: `by_every_call` in `tests/support/src/bridge/ways.rs`, and `tests/raster/lines.rs` against
+//!   an oracle.
 //!
 //! A steep line moves one row at each step, so the indices of its pixels only grow or only fall: the loop gets the slice that
 //! ends with the last pixel, and the bounds check of an index also ends the loop. An index is a fixed-point number with 32

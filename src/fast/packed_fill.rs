@@ -6,7 +6,7 @@
 //! - **Gain**: a row has one run, whose first word is one addition from the row above. With packed coordinates and blocks of at most
 //!   64 pixels, a textured torus of 1000 triangles takes 17 % fewer instructions on an M3, 20 % on an M4F and 13 % on an M0
 //!   (`tools/bench/run cells X1`). Not measured alone.
-//! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`.
+//! - **Test**: `tests/shading/textures.rs`, by every draw call.
 
 use super::depth_fill::{fill_rows, DepthFill, RowFill, BLOCK};
 use super::table_fill::LookupRows;

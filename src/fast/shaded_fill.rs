@@ -7,7 +7,7 @@
 //!   shader computes what a run has in common once. With depth, the shader is called once per row, not once per run of visible
 //!   pixels. Texels are stored eight in a turn, with depth where the depth buffer is still clear: 7.4 instructions for a texel
 //!   in place of 11 on an M3.
-//! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`, and `tests/raster/memory_triangles.rs`.
+//! - **Test**: `everywhere` and `by_every_call` in `tests/support/src/bridge/ways.rs`, and `tests/raster/memory_triangles.rs`.
 
 use super::depth_fill::{is_clear, put_nearer, BLOCK};
 use super::{depth_gradient, memory_of, packed_fill, Low, RowOrigin, Rows};

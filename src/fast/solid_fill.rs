@@ -4,7 +4,7 @@
 //! - **Domain**: every triangle, on a target whose pixels lie in memory.
 //! - **Gain**: rows go from the edge walker to the cells without a span in between; a small triangle (32 × 30 pixels, or 31 rows
 //!   on a Cortex-M0) has a loop of its own with all registers. Not measured alone: all fast paths together halve the time of S3.
-//! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`, and `tests/raster/memory_triangles.rs`.
+//! - **Test**: `by_every_call` in `tests/support/src/bridge/ways.rs`, and `tests/raster/memory_triangles.rs`.
 
 use super::attach::memory_with_drawable;
 use super::Rows;

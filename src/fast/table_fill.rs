@@ -4,7 +4,7 @@
 //! - **Domain**: every triangle, on a target whose pixels lie in memory, where the depth buffer is laid out as the memory is.
 //! - **Gain**: colours are looked up only for pixels that are nearer, eight at once where the depth buffer is still clear; the
 //!   gradients of depth and light share one reciprocal. Not measured alone.
-//! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`.
+//! - **Test**: `tests/shading/bands.rs`, by every draw call.
 
 use super::depth_fill::{fill_nearer, is_clear, same_length, DepthFill, RowFill, BLOCK};
 use super::{depth_and_light_gradients, RowOrigin};

@@ -120,23 +120,4 @@ mod tests {
         }
         assert!(near > 50_000, "{near}");
     }
-
-    /// Light that is constant over a triangle selects the nearest entry of the table at every pixel: on a small and a large
-    /// triangle, set up alone and together with depth.
-    #[test]
-    fn an_even_light_is_rounded_to_the_nearest_entry() {
-        for size in [8, 2000] {
-            let at = |x: i32, y: i32| ScreenPoint::from_subpixels(x << 8, y << 8).unwrap();
-            let corners = [at(0, 0), at(0, size), at(size, 0)];
-            let scissor = Scissor::new(0, 0, size, size);
-            let triangle = Triangle::new(corners, area(&corners), &scissor);
-            for (light, entry) in [(100 << 10, 100), ((100 << 10) + 256, 100), ((100 << 10) + 768, 101)] {
-                let alone = Gradient::of_light(&triangle, &[light; 3]);
-                let [_, with_depth] = depth_and_light_gradients(&triangle, &[1 << 16; 3], &[light; 3]);
-                for gradient in [alone, with_depth] {
-                    assert_eq!(gradient.at(1, 1) >> 24, entry, "{light} over {size} pixels");
-                }
-            }
-        }
-    }
 }

@@ -393,37 +393,15 @@ mod tests {
         let random = &mut Random(0xAA18);
         let mut taken = Taken::default();
         // Level, diagonal, nearly so, and steep, in all directions; of less than a pixel up to beyond all borders.
-        let slopes = [
-            [256, 0],
-            [256, 1],
-            [256, 13],
-            [256, 100],
-            [256, 181],
-            [256, 255],
-            [256, 256],
-            [255, 256],
-            [181, 256],
-            [100, 256],
-            [13, 256],
-            [1, 256],
-            [0, 256],
-        ];
-        for [x, y] in slopes {
+        for (x, y) in
+            [0, 1, 13, 100, 181, 255, 256].into_iter().flat_map(|slope| [(256, slope), (slope, 256)])
+        {
             for [x, y] in [[x, y], [-x, y], [x, -y], [-x, -y]] {
                 for length in [0, 1, 2, 5, 12, 60] {
                     // At pixel borders, centres and in between, from the middle and beside each border.
-                    for [left, top] in [
-                        [20, 16],
-                        [0, 0],
-                        [1, 30],
-                        [38, 1],
-                        [39, 32],
-                        [2, 2],
-                        [-1, 16],
-                        [20, -2],
-                        [20, 34],
-                        [41, 9],
-                    ] {
+                    let lefts = [20, 0, 1, 38, 39, 2, -1, 20, 20, 41];
+                    let tops = [16, 0, 30, 1, 32, 2, 16, -2, 34, 9];
+                    for (left, top) in lefts.into_iter().zip(tops) {
                         let at = [left * 256, top * 256]
                             .map(|v| v + [0, 128, random.below(256) as i32][random.below(3) as usize]);
                         let ends = [at, [at[0] + x * length, at[1] + y * length]];

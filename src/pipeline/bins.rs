@@ -339,35 +339,3 @@ impl<'s> BinSort<'_, 's> {
         self.bins.bounds = self.bins.bounds.clipped_to(&self.viewport);
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{Bins, Scissor};
-    use core::convert::Infallible;
-
-    /// Three items, in rows 0 … 9, 5 … 14 and 20 … 29.
-    const ITEMS: [(i32, i32); 3] = [(0, 10), (5, 15), (20, 30)];
-
-    /// Bands in any order, such as the bands of several rectangles: each band visits every item that lies in it.
-    #[test]
-    fn a_band_that_is_not_below_the_last_begins_anew() {
-        let mut storage = [0; 4];
-        let mut bins = Bins::new(&mut storage, 3, Scissor::new(0, 0, 1, 40));
-        let bounds = |item: usize| Scissor::new(0, ITEMS[item].0, 1, ITEMS[item].1);
-        let first_row = |item: usize| bounds(item).rows().start;
-        let mut sort = bins.sort();
-        (0..3).for_each(|item| sort.add(item, &bounds(item)));
-        assert_eq!(sort.finish(3, first_row), Ok(()));
-        for (from, to) in [(0, 16), (16, 32), (0, 16), (0, 16), (8, 12), (12, 40), (25, 26), (0, 3), (3, 4)] {
-            let mut met = [false; 3];
-            bins.advance_to_band(&(from..to), first_row);
-            let Ok(()) = bins.band(|item| {
-                met[item] = true;
-                Ok::<_, Infallible>(ITEMS[item].1 <= to)
-            });
-            for (met, (first, end)) in met.into_iter().zip(ITEMS) {
-                assert!(met || first >= to || end <= from, "{first}..{end} in {from}..{to}");
-            }
-        }
-    }
-}

@@ -350,16 +350,4 @@ mod tests {
         }
         assert!(inside > 1_000, "{inside}");
     }
-
-    /// The sum over a column is the height of the parallelogram, so a line is equally bright in all directions.
-    #[test]
-    fn a_line_covers_its_length_times_its_width() {
-        for (x, y) in [(40, 0), (40, 3), (40, 17), (40, 40), (17, 40), (3, -40), (-40, 9)] {
-            let line = LineCoverage::new([[0, 0], [x * 256, y * 256]], 1, &ALL);
-            let between = line.part(line.first + 1..line.end - 2);
-            let sum: i32 = between.columns(&line.area()).map(|column| column.areas.iter().sum::<i32>()).sum();
-            let area = f64::from(sum) / 65536.0;
-            assert!((area - f64::from(x).hypot(f64::from(y))).abs() < 0.005, "{area}");
-        }
-    }
 }

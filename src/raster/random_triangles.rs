@@ -1,77 +1,76 @@
-//! Random triangles with exact weights, for tests of interpolation.
+//! Gradients over random triangles against exact weights, for tests of interpolation.
 
 use crate::math::random::Random;
-use crate::raster::{area, triangle, Scissor, ScreenPoint, Triangle};
+use crate::raster::{area, triangle, Gradient, Scissor, ScreenPoint, Triangle};
 use core::convert::Infallible;
 
-/// A triangle that is not degenerate, and the rectangle that it is drawn in.
-pub(crate) struct RandomTriangle {
-    corners: [[i64; 2]; 3],
-    scissor: Scissor,
+/// Random triangles, less the degenerate ones. Their corners are within `reach` subpixels of a point in the viewport, which is `viewport`
+/// pixels to each side of the origin. Every fourth is a sliver, every fourth as large as `reach` allows. Their corners have values up to
+/// `most`, often 0 or `most` itself.
+pub(crate) struct Triangles {
+    pub(crate) reach: i64,
+    pub(crate) viewport: i32,
+    pub(crate) cases: u32,
+    pub(crate) most: i32,
 }
 
-/// Calls `visit` with `cases` triangles, less the degenerate ones. Their corners are within `reach` subpixels of a point in
-/// the viewport, which is `viewport` pixels to each side of the origin. Every fourth is a sliver, every fourth as large as
-/// `reach` allows.
-pub(crate) fn each_random_triangle(
-    random: &mut Random,
-    reach: i64,
-    viewport: i32,
-    cases: u32,
-    mut visit: impl FnMut(&mut Random, &RandomTriangle),
-) {
-    let side = i64::from(viewport) * 256;
-    let scissor = Scissor::new(-viewport, -viewport, viewport, viewport);
-    let in_range = |v: i64| v.clamp(-1 << 21, 1 << 21);
-    for case in 0..cases {
-        let middle = [0; 2].map(|_| i64::from(random.within(side)));
+impl Triangles {
+    /// The largest distance of the gradient from the exact value, in units of the gradient, rounded up: at the first and the last pixel
+    /// of each covered row. A unit of a corner's value is `1 << shift` of the gradient, which counts from `bias` and may wrap.
+    pub(crate) fn worst(
+        &self,
+        random: &mut Random,
+        (shift, bias): (u32, u32),
+        gradient: impl Fn(&Triangle<'_>, [i32; 3]) -> Gradient,
+    ) -> i128 {
+        let scissor = Scissor::new(-self.viewport, -self.viewport, self.viewport, self.viewport);
+        let mut worst = 0;
+        for case in 0..self.cases {
+            let corners @ [a, b, c] = self.corners(random, case);
+            let points = corners.map(|[x, y]| ScreenPoint::from_subpixels(x as i32, y as i32).unwrap());
+            if area(&points) == 0 {
+                continue;
+            }
+            let values = [0; 3].map(|_| match random.within(2) {
+                0 => 0,
+                1 => self.most,
+                _ => random.within(self.most.into()).abs(),
+            });
+            let found = gradient(&Triangle::new(points, area(&points), &scissor), values);
+            let cross = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
+                i128::from((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]))
+            };
+            let (total, [u, v, w]) = (cross(a, b, c), values.map(i128::from));
+            let Ok::<(), Infallible>(()) = triangle(points, &scissor, |span| {
+                for x in [span.x, span.x + span.width - 1] {
+                    let p = [x, span.y].map(|v| i64::from(v) * 256 + 128);
+                    let exact = u * cross(p, b, c) + v * cross(a, p, c) + w * cross(a, b, p);
+                    let own = i128::from(found.at(x, span.y).wrapping_sub(bias));
+                    let turn = total.abs() << 32;
+                    let off = (own * total - (exact << shift)).rem_euclid(turn);
+                    worst = worst.max(off.min(turn - off) / total.abs() + 1);
+                }
+                Ok(())
+            });
+        }
+        worst
+    }
+
+    fn corners(&self, random: &mut Random, case: u32) -> [[i64; 2]; 3] {
+        let in_range = |v: i64| v.clamp(-1 << 21, 1 << 21);
+        let middle = [0; 2].map(|_| i64::from(random.within(i64::from(self.viewport) * 256)));
         let mut corner = || {
             middle.map(|m| {
-                let end = (2 * random.below(2) - 1) * reach;
-                let away = if case % 4 == 1 { end } else { i64::from(random.within(reach)) };
+                let end = (2 * random.below(2) - 1) * self.reach;
+                let away = if case % 4 == 1 { end } else { i64::from(random.within(self.reach)) };
                 in_range(m + away + i64::from(random.within(1)))
             })
         };
         let (a, b, mut c) = (corner(), corner(), corner());
-        if case % 4 == 0 {
+        if case.is_multiple_of(4) {
             let k = i64::from(random.within(256)).abs();
             c = [0, 1].map(|i| in_range(a[i] + (((b[i] - a[i]) * k) >> 8) + i64::from(random.within(1))));
         }
-        let triangle = RandomTriangle { corners: [a, b, c], scissor };
-        if area(&triangle.points()) != 0 {
-            visit(random, &triangle);
-        }
-    }
-}
-
-impl RandomTriangle {
-    fn points(&self) -> [ScreenPoint; 3] {
-        self.corners.map(|[x, y]| ScreenPoint::from_subpixels(x as i32, y as i32).unwrap())
-    }
-
-    pub(crate) fn set_up(&self) -> Triangle<'_> {
-        Triangle::new(self.points(), area(&self.points()), &self.scissor)
-    }
-
-    /// Calls `visit` with the first and the last pixel of each covered row, and the exact value there of an attribute that has
-    /// `values` at the corners, as a numerator and its denominator.
-    pub(crate) fn each_row_end(&self, values: [i32; 3], mut visit: impl FnMut(i32, i32, i128, i128)) {
-        let [a, b, c] = self.corners;
-        let cross = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
-            i128::from((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]))
-        };
-        let Ok::<(), Infallible>(()) = triangle(self.points(), &self.scissor, |span| {
-            for x in [span.x, span.x + span.width - 1] {
-                let p = [x, span.y].map(|v| i64::from(v) * 256 + 128);
-                let [u, v, w] = values.map(i128::from);
-                visit(
-                    x,
-                    span.y,
-                    u * cross(p, b, c) + v * cross(a, p, c) + w * cross(a, b, p),
-                    cross(a, b, c),
-                );
-            }
-            Ok(())
-        });
+        [a, b, c]
     }
 }

@@ -35,34 +35,23 @@ impl Gradient {
 mod tests {
     use super::*;
     use crate::math::random::Random;
-    use crate::raster::random_triangles::each_random_triangle;
-
-    /// The largest distance of a covered pixel's light from the exact light, in 2⁻²⁴, rounded up.
-    fn worst(random: &mut Random, reach: i64, viewport: i32, cases: u32) -> i128 {
-        let mut worst = 0;
-        each_random_triangle(random, reach, viewport, cases, |random, triangle| {
-            let lights = [0; 3].map(|_| match random.within(2) {
-                0 => 0,
-                1 => 255 << 10,
-                _ => random.within(255 << 10).abs(),
-            });
-            let gradient = Gradient::of_light(&triangle.set_up(), &lights);
-            triangle.each_row_end(lights, |x, y, exact, total| {
-                // No value leaves 0 … 2³² − 1, so the rounding half can be subtracted again.
-                let light = i128::from(gradient.at(x, y)) - (1 << 23);
-                worst = worst.max((light * total - (exact << 14)).abs() / total.abs() + 1);
-            });
-        });
-        worst
-    }
+    use crate::raster::random_triangles::Triangles;
 
     #[test]
     fn light_over_a_triangle_stays_within_the_bound() {
         let random = &mut Random(7);
+        let mut worst = |viewport, cases, reaches: [i64; 3]| {
+            let all = reaches.map(|reach| {
+                let triangles = Triangles { reach, viewport, cases, most: 255 << 10 };
+                triangles.worst(random, (14, Gradient::LIGHT_BIAS), |triangle, lights| {
+                    Gradient::of_light(triangle, &lights)
+                })
+            });
+            all.into_iter().max().unwrap()
+        };
         // Triangles below 64 pixels have light with 18 fractional bits, so a unit is 2⁶ of 2⁻²⁴; larger triangles have 24.
-        let small = [600, 4_000, 16_000].map(|reach| worst(random, reach, 600, 30_000));
-        let large = [65_000, 300_000, 2_000_000].map(|reach| worst(random, reach, 8192, 1_000));
-        let (small, large) = (small.into_iter().max().unwrap(), large.into_iter().max().unwrap());
+        let small = worst(600, 30_000, [600, 4_000, 16_000]);
+        let large = worst(8192, 1_000, [65_000, 300_000, 2_000_000]);
         let (bound, bound_large) = ((128 + 35) << 6, (1 << 14) + 34 + 1552);
         assert!(bound <= 1 << 15 && bound_large <= 1 << 15, "2⁻⁹");
         assert!(small <= bound && large <= bound_large, "{small} {large}");

@@ -154,38 +154,21 @@ impl<C: Color, R: Rounding> Iterator for SpanColors<C, R> {
 mod tests {
     use super::*;
     use crate::math::random::Random;
-    use crate::raster::random_triangles::each_random_triangle;
+    use crate::raster::random_triangles::Triangles;
     use embedded_graphics_core::pixelcolor::Gray8;
-
-    /// The largest distance of a covered pixel's level from the exact one, in 2⁻²⁴, rounded up.
-    fn worst(random: &mut Random, reach: i64, viewport: i32, cases: u32) -> i128 {
-        let mut worst = 0;
-        each_random_triangle(random, reach, viewport, cases, |random, triangle| {
-            // In 2⁻⁸ levels: 255 of them are 65280.
-            let colors = [0; 3].map(|_| match random.within(2) {
-                0 => 0,
-                1 => 65_280,
-                _ => random.within(65_280).abs(),
-            });
-            let face = Gouraud(colors.map(|c| Flat([c as u16; 3])));
-            let ramps = face.gradients::<Gray8>(&triangle.set_up());
-            triangle.each_row_end(colors, |x, y, exact, total| {
-                let [level, ..] = ramps.gradients.map(|gradient| i128::from(gradient.at(x, y)));
-                // The difference modulo 2³², as levels wrap.
-                let turn = total.abs() << 32;
-                let off = (level * total - (exact << 16)).rem_euclid(turn);
-                worst = worst.max(off.min(turn - off) / total.abs() + 1);
-            });
-        });
-        worst
-    }
 
     #[test]
     fn levels_over_a_triangle_stay_within_the_bound() {
         let random = &mut Random(5);
-        let small = [600, 20_000, 65_000].map(|reach| worst(random, reach, 600, 30_000));
-        let large = [300_000, 2_000_000].map(|reach| worst(random, reach, 8192, 1_000));
-        let (small, large) = (small.into_iter().max().unwrap(), large.into_iter().max().unwrap());
+        // In 2⁻⁸ levels: 255 of them are 65280.
+        let mut worst = |viewport, cases, reach| {
+            let triangles = Triangles { reach, viewport, cases, most: 65_280 };
+            triangles.worst(random, (16, 0), |triangle, colors| {
+                Gouraud(colors.map(|c| Flat([c as u16; 3]))).gradients::<Gray8>(triangle).gradients[0]
+            })
+        };
+        let small = [600, 20_000, 65_000].map(|reach| worst(600, 30_000, reach)).into_iter().max().unwrap();
+        let large = [300_000, 2_000_000].map(|reach| worst(8192, 1_000, reach)).into_iter().max().unwrap();
         // In 2⁻²⁴, as `GradientSetup::through` documents: small, 1024 rows and columns by ½ and 34 for the origin; the reciprocal may
         // add 1552, but 400 is asserted, as no case comes near. Large, 2¹⁵ rows and columns by ½.
         assert!(small <= 512 + 34 + 400 && large <= (1 << 14) + 34 + 1552, "{small} {large}");

@@ -203,24 +203,4 @@ mod tests {
             assert_eq!(memory.row(x, y, 1), None);
         }
     }
-
-    /// Rows that do not exist are not visited: this test would not end.
-    #[test]
-    fn a_span_is_clipped_to_the_area() {
-        let mut cells = [0_u8; 14];
-        let mut memory = Memory::new(&mut cells[..], area()).unwrap();
-        memory.fill(Span { x: -2, y: 6, width: i32::MAX, height: i32::MAX }, 1);
-        memory.fill(Span { x: i32::MIN, y: i32::MIN, width: i32::MAX, height: i32::MAX }, 2);
-        memory.fill(Span { x: -3, y: i32::MIN, width: 1, height: i32::MAX }, 3);
-        memory.fill(Span { x: 5, y: 5, width: 3, height: 1 }, 4);
-        memory.fill(Span { x: -3, y: 5, width: -3, height: -1 }, 5);
-        assert_eq!(cells, [0, 0, 0, 0, 0, 1, 1, 1, 0, 1, 1, 1, 0, 0]);
-    }
-
-    #[test]
-    fn too_few_cells_are_refused() {
-        let mut cells = [0_u8; 11];
-        let error = Memory::new(&mut cells[..], area()).map(|_| ());
-        assert_eq!(error, Err(PictureError { needed: 12, given: 11 }));
-    }
 }

@@ -264,7 +264,7 @@ mod tests {
     use super::*;
     use crate::color::Rgb444;
     use embedded_graphics_core::pixelcolor::{
-        Bgr565, Bgr666, BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb565, Rgb666, Rgb888,
+        Bgr565, Bgr666, BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888,
     };
 
     /// Long enough for a partly covered byte at both ends and two whole bytes between. Test rows have one byte more than it
@@ -347,25 +347,5 @@ mod tests {
         check(24, &[Rgb888::new(1, 2, 255), Rgb888::new(250, 128, 0)]);
         check(24, &[Rgb666::new(63, 1, 0), Rgb666::new(2, 0, 62)]);
         check(24, &[Bgr666::new(63, 1, 0), Bgr666::new(2, 0, 62)]);
-    }
-
-    /// The expected bytes are written out, not computed.
-    #[test]
-    fn the_first_pixel_is_in_the_upper_bits() {
-        let mut row = [0; 3];
-        fill_pixels(&mut row[..2], 0, 1, Rgb565::new(0b10001, 0b110011, 0b01010));
-        assert_eq!(row, [0b1000_1110, 0b0110_1010, 0]);
-        fill_pixels(&mut row, 0, 1, Rgb666::new(0b100001, 0b110011, 0b010101));
-        assert_eq!(row, [0b1000_0100, 0b1100_1100, 0b0101_0100]);
-        fill_pixels(&mut row, 0, 1, Bgr666::new(0b100001, 0b110011, 0b010101));
-        assert_eq!(row, [0b0101_0100, 0b1100_1100, 0b1000_0100]);
-        row = [0; 3];
-        set_pixel(&mut row, 1, Gray4::new(0xb));
-        set_pixel(&mut row, 2, Gray4::WHITE);
-        assert_eq!(row, [0x0b, 0xf0, 0]);
-        fill_pixels(&mut row, 0, 2, Rgb444(0xabc));
-        assert_eq!(row, [0xab, 0xca, 0xbc]);
-        set_pixel(&mut row, 1, Rgb444(0x123));
-        assert_eq!(row, [0xab, 0xc1, 0x23]);
     }
 }

@@ -77,31 +77,3 @@ pub(super) fn reciprocal_of_normalised((m, shift): (i32, u32)) -> Reciprocal {
     // |s·r| < 2³¹. The mantissa is one less, so that it stays below 2³¹ where v is a power of two.
     Reciprocal { mantissa: (r << 22) + !((s * r) >> 8), shift }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The bound in the documentation of [`reciprocal`] is at most twice the largest error met.
-    #[test]
-    fn e8_reciprocal_is_within_2_to_the_minus_29() {
-        let mut worst = 0f64;
-        let mut check = |v: i32| {
-            let r = reciprocal(v);
-            assert!(r.mantissa >= 1 << 30, "{v}: {r:?}");
-            let got = f64::from(r.mantissa) * (f64::from(r.shift) - 61.0).exp2();
-            worst = worst.max((got * f64::from(v) - 1.0).abs());
-        };
-        for k in 0..31 {
-            for d in [-1, 0, 1] {
-                check((1i32 << k).wrapping_add(d).max(1));
-            }
-        }
-        check(i32::MAX);
-        for v in (1 << 30..i32::MAX - 1000).step_by(977) {
-            check(v);
-        }
-        let bound = (-29f64).exp2();
-        assert!(worst <= bound && bound <= 2.0 * worst, "2^{}", worst.log2());
-    }
-}

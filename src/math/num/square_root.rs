@@ -40,36 +40,3 @@ pub(crate) const fn sqrt_word(v: u32) -> u32 {
     // rest = v − root² ≤ 2·root; root + ½ is passed when rest > root.
     root + (rest > root) as u32
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::math::random::mixed as random;
-
-    #[test]
-    fn square_roots_round_to_nearest() {
-        let mut state = 2;
-        for k in 0..64 {
-            for _ in 0..1000 {
-                let v = random(&mut state) >> k;
-                let r = u128::from(sqrt(v));
-                let v4 = u128::from(v) * 4;
-                assert!(r == u128::from(u32::MAX) || v4 < (2 * r + 1).pow(2));
-                assert!(r == 0 || v4 >= (2 * r - 1).pow(2), "{v} {r}");
-            }
-        }
-        assert_eq!(sqrt(u64::MAX), u32::MAX);
-    }
-
-    #[test]
-    fn square_roots_of_words_round_to_nearest() {
-        let mut state = 3;
-        for k in 0..32 {
-            for edge in [u32::MAX, 1 << 31, random(&mut state) as u32, random(&mut state) as u32, 0] {
-                let v = edge >> k;
-                let (r, v4) = (u64::from(sqrt_word(v)), u64::from(v) * 4);
-                assert!(v4 < (2 * r + 1).pow(2) && (r == 0 || v4 >= (2 * r - 1).pow(2)), "{v} {r}");
-            }
-        }
-    }
-}

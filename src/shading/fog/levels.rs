@@ -103,52 +103,7 @@ impl Iterator for FogLevels<'_> {
 
 #[cfg(test)]
 mod tests {
-    extern crate std;
-
     use super::*;
-    use crate::math::random::Random;
-    use std::vec::Vec;
-
-    /// Each pixel's level by its own depth, from every level at which the search may begin.
-    #[test]
-    fn every_pixel_has_the_level_of_its_own_depth() {
-        let mut random = Random(3);
-        let mut changes = 0;
-        for case in 0..20_000 {
-            let mut bounds = [0; LEVELS + 2];
-            let reach = [1 << 32, 1 << 31, 1 << 20, 200, 8][case % 5];
-            let low = random.below((1 << 32) - reach + 1);
-            bounds.iter_mut().for_each(|bound| *bound = (low + random.below(reach)) as u32);
-            (bounds[0], bounds[LEVELS + 1]) = (0, u32::MAX);
-            bounds.sort_unstable();
-            let width = 1 + random.below(40);
-            // Depths of the ends, so that none in between wraps.
-            let [first, end] = [0; 2].map(|_| (low + random.below(reach)).min(u32::MAX.into()));
-            let step = (end - first) / width;
-            let begin = FogLevel::new(random.below(33) as u8, &bounds);
-            let levels: Vec<_> =
-                FogLevels::new(&bounds, begin, first as u32, step as u32).take(width as usize).collect();
-            let wanted: Vec<_> = (0..width)
-                .map(|k| {
-                    let depth = first + k * step;
-                    bounds[1..=LEVELS].iter().filter(|&&bound| i64::from(bound) <= depth).count() as u8
-                })
-                .collect();
-            assert_eq!(levels, wanted, "{bounds:?} {first} {step}");
-            changes += wanted.windows(2).filter(|pair| pair[0] != pair[1]).count();
-            // As runs.
-            let (mut level, mut at) = (begin, 0);
-            while let Some(rest) = wanted[at..].len().checked_sub(1) {
-                let depth = (first + at as i64 * step) as u32;
-                level = level.at(depth, &bounds);
-                let further = level.further(depth, step as u32, rest as u32) as usize;
-                assert!(wanted[at..=at + further].iter().all(|&wanted| wanted == level.level()));
-                assert!(further == rest || wanted[at + further + 1] != level.level());
-                at += further + 1;
-            }
-        }
-        assert!(changes > 20_000, "{changes}");
-    }
 
     #[test]
     fn wrong_depths_end_too() {

@@ -198,28 +198,3 @@ impl<S: LitTexels> SpanShader<S::Color> for LitTextured<S> {
         })
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::of_level;
-
-    /// The level that a pixel shows, where [`Gradient::of_light`](crate::raster::Gradient::of_light) is off by 2⁻⁹ of 1/256.
-    #[test]
-    fn light_is_rounded_to_the_nearest_level() {
-        for bits in 1..=8 {
-            let most = (1i32 << bits) - 1;
-            for level in 0..=300u16 {
-                let light = of_level(level, bits);
-                assert!((0..=255 << 10).contains(&light), "{level} of {bits} bits: {light}");
-                for off in [-2, 2] {
-                    let shown = (light + 512 + off) >> (18 - bits);
-                    // |level/256·most − shown| ≤ ½ + 2⁻⁸, in 1/256.
-                    let apart = (i32::from(level.min(256)) * most - 256 * shown).abs();
-                    assert!(apart <= 129, "{level} of {bits} bits: {shown}");
-                }
-            }
-            let shown = |level| (of_level(level, bits) + 512) >> (18 - bits);
-            assert_eq!([shown(0), shown(256)], [0, most]);
-        }
-    }
-}

@@ -354,44 +354,4 @@ mod tests {
         }
         assert_eq!(taken::<1>(16, &far), [at(0, 0, 220, 220)]);
     }
-
-    #[test]
-    fn an_unmarked_object_at_rest_is_not_sent() {
-        let mut dirty = DirtyRegions::<2>::new(SCREEN, TransferCost::new(16, TransferCost::MIPI_DCS));
-        dirty.mark(at(10, 10, 9, 9));
-        assert_eq!(dirty.take(), [SCREEN]);
-        assert_eq!(dirty.take(), [at(10, 10, 9, 9)]);
-        assert_eq!(dirty.take(), []);
-        dirty.mark(at(-5, 230, 20, 20));
-        dirty.mark(at(0, 240, 20, 20));
-        dirty.mark(at(10, 10, 0, 20));
-        assert_eq!(dirty.take(), [at(0, 230, 15, 10)]);
-    }
-
-    #[test]
-    fn invalidate_repairs_a_lost_transfer() {
-        let mut dirty = DirtyRegions::<2>::new(SCREEN, TransferCost::new(16, TransferCost::MIPI_DCS));
-        dirty.take();
-        dirty.mark(at(10, 10, 9, 9));
-        dirty.take();
-        dirty.invalidate();
-        dirty.mark(at(50, 10, 9, 9));
-        assert_eq!(dirty.take(), [SCREEN]);
-        assert_eq!(dirty.take(), [at(50, 10, 9, 9)]); // the mark of the frame before is kept
-    }
-
-    /// Two pixels of Gray4 in a byte, and the pages of an SSD1306.
-    #[test]
-    fn rectangles_are_rounded_to_steps() {
-        let area = at(0, 0, 127, 64);
-        let mut gray = DirtyRegions::<4>::new(area, TransferCost::new(4, 6)).with_steps(2, 1);
-        assert_eq!(gray.take(), [area]);
-        gray.mark(at(3, 5, 4, 4));
-        gray.mark(at(125, 60, 2, 1));
-        assert_eq!(gray.take(), [at(2, 5, 6, 4), at(124, 60, 3, 1)]);
-        let mut pages = DirtyRegions::<4>::new(area, TransferCost::new(1, 6)).with_steps(1, 8);
-        pages.take();
-        pages.mark(at(3, 7, 30, 2));
-        assert_eq!(pages.take(), [at(3, 0, 30, 16)]);
-    }
 }
