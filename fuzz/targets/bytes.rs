@@ -43,14 +43,6 @@ impl<'a> Bytes<'a> {
         u32::from_le_bytes(self.some())
     }
 
-    pub(crate) fn f32(&mut self) -> f32 {
-        f32::from_le_bytes(self.some())
-    }
-
-    pub(crate) fn f64(&mut self) -> f64 {
-        f64::from_le_bytes(self.some())
-    }
-
     /// In `0..n`, n ≤ 256.
     pub(crate) fn below(&mut self, n: usize) -> usize {
         usize::from(self.byte()) % n

@@ -5,6 +5,7 @@
 
 use libfuzzer_sys::fuzz_target;
 use pinhole_import::{import_bytes, Edges, Options, TextureFormat};
+use std::collections::HashSet;
 use std::path::Path;
 
 /// A triangle with a picture.
@@ -32,6 +33,14 @@ fn import(name: &str, bytes: &[u8], beside: &[(String, Vec<u8>)], bits: u8) {
                 // Each face of the file is there, in pieces or whole, or counted as dropped.
                 let dropped = report.degenerate + report.duplicate;
                 assert_eq!(report.faces_read + report.cut, mesh.faces.len() + dropped);
+                // Vertices of faces alone, not of lines: each is another one and used, and stands for one of the file, or for several.
+                if name == "m.stl" || !bytes.contains(&b'l') {
+                    let merged = report.welded + report.welded_by_quantising;
+                    assert_eq!(report.vertices_read, mesh.vertices.len() + merged + report.unused);
+                    let used: HashSet<u16> = mesh.faces.iter().flatten().copied().collect();
+                    let places: HashSet<[i16; 3]> = mesh.vertices.iter().copied().collect();
+                    assert_eq!([used.len(), places.len()], [mesh.vertices.len(); 2]);
+                }
             }
             mesh.mesh().expect("a mesh");
             mesh.colors().expect("colours of its faces");

@@ -3,7 +3,7 @@
 
 use core::fmt::Debug;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Color, MeshInstance, ScreenVertex, SpanShader, StoredPixel};
+use pinhole::{Band, BinnedFaces, Color, DepthBuffer, MeshInstance, ScreenVertex, SpanShader, StoredPixel};
 use support::bridge::ways::{self, Drawn};
 
 /// Where scenes are drawn, before which colour, and in bands of how many rows.
@@ -32,11 +32,9 @@ impl<C: Color + Debug> Place<C> {
             let Ok(()) = faces.solid(shade, &mut band.pixels());
         });
         assert!(banded == drawn.solid, "bands of {} rows", self.rows);
-        let mut faces = instance.transform_depth(&mut cache).bin_faces(&mut bins).expect("room");
-        let banded = ways::bands(self.area, self.sky, self.rows, &mut |band, depth| {
+        self.deep_bands(instance, &drawn, &mut |faces, depth, band| {
             let Ok(()) = faces.depth_tested(shade, depth, &mut band.pixels());
         });
-        assert!(banded == drawn.deep, "bands of {} rows, with depth", self.rows);
         drawn
     }
 
@@ -51,13 +49,25 @@ impl<C: Color + Debug> Place<C> {
     {
         let drawn = self.in_memory(instance, shade);
         assert!(drawn == ways::everywhere(instance, self.area, self.sky, shade));
+        self.deep_bands(instance, &drawn, &mut |faces, depth, band| {
+            faces.depth_tested(shade, depth, band).expect("a band refuses nothing");
+        });
+        drawn
+    }
+
+    /// Bands with depth are equal to the whole picture.
+    fn deep_bands(
+        &self,
+        instance: &MeshInstance<'_>,
+        drawn: &Drawn<C>,
+        draw: &mut dyn FnMut(&mut BinnedFaces<'_, i16, true>, &mut DepthBuffer<'_>, &mut Band<'_, C>),
+    ) {
         let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().cache_len()];
         let mut bins = vec![0; instance.mesh().face_bins_len()];
         let mut faces = instance.transform_depth(&mut cache).bin_faces(&mut bins).expect("room");
         let banded = ways::bands(self.area, self.sky, self.rows, &mut |band, depth| {
-            faces.depth_tested(shade, depth, band).expect("a band refuses nothing");
+            draw(&mut faces, depth, band);
         });
-        assert!(banded == drawn.deep, "bands of {} rows, not as memory, with depth", self.rows);
-        drawn
+        assert!(banded == drawn.deep, "bands of {} rows, with depth", self.rows);
     }
 }

@@ -1,8 +1,8 @@
 //! Whole set-ups: a vertex through view, projection and viewport within the documented budget, whatever
 //! the four are (ARCHITECTURE.md, "Numbers"); nodes' visibility; and single points both ways.
 
+use super::projections;
 use super::views::{self, triple};
-use super::{meshes, projections, transforms};
 use crate::bridge::pair::{bits, ModelBits, Step, ViewBits, ONE};
 use crate::bridge::{point, rectangle, screen_point};
 use crate::bytes::Bytes;
@@ -90,6 +90,9 @@ fn set_up(b: &mut Bytes<'_>) -> Option<(SetUp, bool)> {
     Some((set_up, views::sine(view) > 0.02 && !projections::saturates(&family)))
 }
 
+/// A box of twice that has a sphere whose radius is still a number.
+const SMALL: f64 = 18_000.0;
+
 /// Three roundings to 2⁻³², as a translation or a constant takes them, in what 12·2⁻³⁰ is a part of.
 const STEPS: f64 = 1.0 / 16.0;
 
@@ -174,6 +177,22 @@ impl SetUp {
     }
 }
 
+pub(crate) fn angle(b: &mut Bytes<'_>) -> u32 {
+    match b.byte() {
+        k @ 0..=127 => u32::from(k) << 27,
+        k @ 128..=191 => (u32::from(k) << 29).wrapping_add(b.i8() as u32),
+        _ => b.u32(),
+    }
+}
+
+fn turn(b: &mut Bytes<'_>) -> Step {
+    match b.byte() % 3 {
+        0 => Step::X(angle(b)),
+        1 => Step::Y(angle(b)),
+        _ => Step::Z(angle(b)),
+    }
+}
+
 pub(crate) fn check(b: &mut Bytes<'_>) {
     let kind = b.byte();
     let Some((set_up, apart)) = set_up(b) else { return };
@@ -199,7 +218,7 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
 
     let exponent = (b.i8() >> 2).clamp(-32, 15) as i8;
     let vertices = [(); 2].map(|()| [b.i16(), b.i16(), b.i16()]);
-    let mut model = ModelBits((0..b.below(3)).map(|_| transforms::turn(b)).collect());
+    let mut model = ModelBits((0..b.below(3)).map(|_| turn(b)).collect());
     if b.byte() & 3 == 0 {
         model.0.insert(0, Step::Scale(triple(b, [ONE; 3])));
     }
@@ -232,8 +251,7 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
         let room = rho.iter().sum::<f64>() * 2f64.powi(-26);
         let least = [w + x, w - x, w + y, w - y, w + z, w - z].into_iter().fold(f64::INFINITY, f64::min);
         // Rows saturate at 2³⁰, and a mesh's sphere at the ends of its numbers.
-        let whole =
-            largest * f64::from(exponent).exp2() < meshes::SMALL && rho.iter().all(|r| *r < 2f64.powi(29));
+        let whole = largest * f64::from(exponent).exp2() < SMALL && rho.iter().all(|r| *r < 2f64.powi(29));
         let text = format_args!("{:?} {:?} {model:?} {v:?}·2^{exponent}", set_up.bits, set_up.viewport);
         match found {
             _ if !whole => {}

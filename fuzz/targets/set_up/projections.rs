@@ -1,14 +1,12 @@
 //! Projections: why one is refused, in exact integers where the limits are exact.
 
-use super::transforms::angle;
+use super::camera::angle;
 use super::views::triple;
-use crate::bridge::pair::{window, ONE};
-use crate::bridge::{point, reals, scalar, vector};
+use crate::bridge::pair::ONE;
 use crate::bytes::Bytes;
 use crate::definition::{Family, Projectors};
-use crate::oracle::chain::{self, fx, fx3, M4};
-use pinhole::space::View;
-use pinhole::{PlanarProjection, Projection, ProjectionError, ReferenceVolume};
+use crate::oracle::chain::fx;
+use pinhole::ProjectionError;
 use ProjectionError as E;
 
 /// Limits that are computed with 30 bits are left out so near to them.
@@ -290,154 +288,4 @@ fn planar_reasons(all: &mut Reasons, family: &Family, plane: bool, w: [i32; 4], 
 pub(crate) fn check(b: &mut Bytes<'_>) {
     let family = any(b);
     reasons(&family).check(&family.library(), &family);
-    if let Family::Reference(prp, w, front, back) = family {
-        let Ok(volume) = ReferenceVolume::perspective(point(prp), window(w), scalar(front), scalar(back))
-        else {
-            return;
-        };
-        let wanted = (fx(prp[2]) - fx(front)) / (fx(prp[2]) - fx(back));
-        // Rounded once to 2⁻¹⁶, from 30 bits.
-        assert!((fx(volume.z_min().to_bits()) - wanted).abs() <= 2f64.powi(-17) * 1.001, "{family:?}");
-        let _ = volume.normalise(point::<View>(triple(b, prp)));
-    }
-}
-
-/// The largest numbers of the rows, and any numbers there.
-pub(crate) fn matrix(b: &mut Bytes<'_>) {
-    let scale = match b.byte() {
-        0..=127 => 1.0,
-        _ => f64::from(b.i8() as i8).exp2(),
-    };
-    let mut m: M4 = [[0.0; 4]; 4];
-    for v in m.iter_mut().flatten() {
-        *v = match b.byte() {
-            0..=95 => 0.0,
-            k @ 96..=159 => f64::from(k) - 128.0,
-            160..=191 => f64::from(b.wild()) / 65_536.0,
-            192..=223 => f64::from(b.i16()) * f64::from(b.i8() as i8 >> 2).exp2(),
-            k => {
-                f64::from_bits(b.i32() as u64 | u64::from(b.u32()) << 32)
-                    * if k & 7 == 0 { 1.0 } else { 1e-300 }
-            }
-        } * scale;
-    }
-    let largest = |row: usize| m[row].iter().fold(0.0, |most: f64, v| most.max(v.abs()));
-    let others = |row: usize| (0..4).filter(|&other| other != row).map(largest).fold(0.0, f64::max);
-    let refused = m.iter().flatten().any(|v| !v.is_finite())
-        || largest(3) == 0.0
-        || (0..4).any(|row| largest(row) > others(row) * 32f64.exp2());
-    let projection = match Projection::from_matrix(&m) {
-        Err(error) => return assert!(refused && matches!(error, E::Matrix { .. }), "{m:?}"),
-        Ok(projection) => projection,
-    };
-    assert!(!refused, "{m:?}");
-    let p = triple(b, [ONE; 3]);
-    let clip = projection.apply(point(p));
-    let [x, y, z] = fx3(p);
-    let wanted = chain::mul4(&m, [x, y, z, 1.0]);
-    let got = clip.xyzw().map(f64::from);
-    let norm = |v: [f64; 4]| v.iter().fold(0.0f64, |n, c| n.max(c.abs()));
-    // What the documentation leaves: 2⁻³⁰ of each row's coefficients, and 2⁻²⁹ of each number and of the result, where
-    // the largest coefficient has 10 bits or the largest constant 26.
-    let linear = |r: &[f64; 4]| norm([r[0], r[1], r[2], 0.0]);
-    let most = m.iter().map(linear).fold(0.0, f64::max);
-    let constant = m.iter().map(|r| r[3].abs()).fold(0.0, f64::max);
-    let reach = norm([x, y, z, 0.0]);
-    let floor = (most * 2f64.powi(-38)).max(constant * 2f64.powi(-54));
-    let error = m.map(|r| 8.0 * linear(&r) * reach * 2f64.powi(-30) + floor);
-    // z is 2·d − w, both rounded; so it takes part in w's error.
-    let (size, worst) = (norm(wanted), norm(error));
-    if !(size.is_finite() && size > 1e-290 && worst < size * 1e-3) {
-        return;
-    }
-    // The common factor from the largest one.
-    let k = (0..4).fold(0, |k, i| if wanted[i].abs() > wanted[k].abs() { i } else { k });
-    let factor = got[k] / wanted[k];
-    assert!(factor > 0.0, "{m:?} {p:?}: {clip:?}");
-    for i in 0..4 {
-        let own = if i == 2 { 2.0 * (error[2] + error[3]) } else { error[i] };
-        let room = own + worst + size * 2f64.powi(-28);
-        assert!((got[i] / factor - wanted[i]).abs() <= room, "{i} of {clip:?} for {wanted:?}: {m:?} {p:?}");
-    }
-}
-
-/// Images on a plane.
-pub(crate) fn planar(b: &mut Bytes<'_>) {
-    let kind = b.byte();
-    let (z, d, direction) = (b.wild(), b.wild(), triple(b, [0, 0, ONE]));
-    let (got, centre, plane) = match kind % 4 {
-        0 => (PlanarProjection::eye_at_origin(scalar(d)), Projectors::From([0.0; 3]), fx(d)),
-        1 => (PlanarProjection::origin_in_plane(scalar(d)), Projectors::From([0.0, 0.0, -fx(d)]), 0.0),
-        2 => (
-            PlanarProjection::general(scalar(z), None, vector(direction)),
-            Projectors::Along(fx3(direction)),
-            fx(z),
-        ),
-        _ => {
-            let [x, y, n] = chain::normalise(direction.map(f64::from)).map(|c| c * fx(d));
-            let got = PlanarProjection::general(scalar(z), Some(scalar(d)), vector(direction));
-            (got, Projectors::From([x, y, n + fx(z)]), fx(z))
-        }
-    };
-    let none = match kind % 4 {
-        0 | 1 => d == 0,
-        2 => direction[2] == 0,
-        _ => direction[2] == 0 || d == 0,
-    };
-    let got = match got {
-        Err(E::OutOfRange) => {
-            // The matrix's constants: z_p·d/dz for x and y, w's and z_p times that for z.
-            let [dx, dy, dz] = fx3(direction);
-            let w = fx(z) * chain::length(fx3(direction)) / (fx(d) * dz);
-            let constants = [fx(z) * dx / dz, fx(z) * dy / dz, w, fx(z) * (1.0 + w)];
-            let largest = constants.iter().fold(0f64, |a, c| a.max(c.abs()));
-            return assert!(kind % 4 > 1 && largest >= 0.999 * LIMIT, "{z} {d} {direction:?}");
-        }
-        Err(error) => return assert!(error == E::NoViewPlane && none),
-        Ok(got) => got,
-    };
-    assert!(!none);
-    let p = triple(b, direction);
-    let [x, y, n] = fx3(p);
-    let _ = got.homogeneous(point(p));
-    let image = got.apply(point(p));
-    // Where the numbers are moderate and the ray not nearly along the plane: 30-bit coefficients.
-    let (wanted, steep) = match centre {
-        Projectors::From(c) => {
-            let t = (c[2] - plane) / (c[2] - n);
-            ([c[0] + (x - c[0]) * t, c[1] + (y - c[1]) * t, plane], t.abs())
-        }
-        Projectors::Along(v) => {
-            let t = (plane - n) / v[2];
-            ([x + v[0] * t, y + v[1] * t, plane], 1.0)
-        }
-    };
-    let c = match centre {
-        Projectors::From(c) => c,
-        Projectors::Along(v) => [v[0] / v[2], v[1] / v[2], 1.0],
-    };
-    let size = [x, y, n, plane, c[0], c[1], c[2]].iter().fold(1.0f64, |m, v| m.max(v.abs()));
-    let slant = 1.0
-        + (c[0].abs() + c[1].abs()) / (c[2] - if kind % 4 < 2 || kind % 4 == 3 { plane } else { 0.0 }).abs();
-    // Each row within 2⁻²⁹ of its terms, w's part times the image.
-    let w_terms = match centre {
-        Projectors::From(c) => (n.abs() + c[2].abs() + plane.abs()) / (c[2] - plane).abs(),
-        Projectors::Along(_) => 1.0,
-    };
-    let far = wanted.iter().fold(1.0f64, |m, v| m.max(v.abs()));
-    let error =
-        64.0 * 2f64.powi(-29) * steep * (slant * size + far * w_terms + size * w_terms) + 2f64.powi(-16);
-    // The row z is the plane's place times the row w, and saturates at 2³⁰ like all.
-    let whole = plane.abs() * w_terms < LIMIT / 2.0;
-    if far < 30_000.0 && error < 1.0 && slant * size < 1e8 && w_terms < 1e6 && whole {
-        let image = image
-            .map(reals)
-            .unwrap_or_else(|| panic!("no image {wanted:?}: {kind} {z} {d} {direction:?} {p:?}"));
-        for (got, wanted) in image.into_iter().zip(wanted) {
-            assert!(
-                (got - wanted).abs() <= error,
-                "{got} for {wanted}, {error}: {kind} {z} {d} {direction:?} {p:?}"
-            );
-        }
-    }
 }
