@@ -1,6 +1,7 @@
-//! The Utah teapot, which `pinhole-import` made of `teapot.obj`. It depends on nothing, so that anything may draw it.
+//! The Utah teapot as arrays, which `build.rs` makes from `teapot.obj`: `VERTICES` in steps of 2^`EXPONENT` of the file's unit, `FACES`,
+//! counter-clockwise seen from outside, `EDGES`, each once, and `NORMALS` of the faces, 32767 = 1. It depends on nothing, so that
+//! anything may draw it.
 #![no_std]
+#![allow(missing_docs)] // of generated constants, which are described above
 
-mod teapot;
-
-pub use teapot::*;
+include!(concat!(env!("OUT_DIR"), "/teapot.rs"));

@@ -10,7 +10,6 @@ use embedded_graphics_core::{
     primitives::Rectangle,
     Pixel,
 };
-use pinhole::space::Model;
 use pinhole::{
     Affine, Angle, Camera, Color, DepthBuffer, Lambert, Mesh, Painter, Point3, Projection, Scalar,
     ScreenVertex, Statistics, Vector3, ViewTransform, Viewport,
@@ -85,9 +84,7 @@ impl Stage {
     pub(crate) fn draw(&mut self, frame: u32) -> Report {
         let step = (frame % TURN) as i16;
         let turn = Angle::turns(step.into(), TURN);
-        let [x, y, z] = teapot::OFFSET.map(Scalar::from_bits);
-        let model =
-            Affine::<Model, Model>::translation(Vector3::new(x, y, z)).then(&Affine::rotation_y(turn));
+        let model = Affine::rotation_y(turn);
         let instance = camera(40 - 6 * step).place(&TEAPOT, &model);
 
         let mut canvas = Canvas(&mut self.pixels);

@@ -9,43 +9,31 @@ use std::io::BufReader;
 /// A film has its frames, which differ, and its sheet.
 #[test]
 fn films_have_their_frames_and_sheets() {
-    for (name, arguments, (side, frames), sheet, size, wanted) in [
-        ("spin", "--size 32 --frames 6", (32, 6), "spin.png", (128, 64), "3 frames, 2976 drawn, 2976 culled"),
-        (
-            "surface",
-            "--size 48 --frames 5",
-            (48, 5),
-            "contact-sheet.png",
-            (192, 48),
-            "5 frames in bands of 16 rows",
-        ),
-    ] {
-        let out = folder(name, "film");
-        let mut words: Vec<_> = arguments.split(' ').collect();
-        words.extend(["--out", out.to_str().unwrap()]);
-        let done = example(name, &words);
-        assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
-        let said = String::from_utf8(done.stdout).unwrap();
-        assert!(said.contains(wanted) && said.contains(out.to_str().unwrap()), "{said}");
-        assert!(!said.contains('\u{1b}'), "no colours in a pipe");
-        let file = File::open(out.join(name).with_extension("gif")).unwrap();
-        let mut gif = gif::DecodeOptions::new().read_info(file).unwrap();
-        assert_eq!((gif.width(), gif.height()), (side, side));
-        let mut found = BTreeSet::new();
-        while let Some(frame) = gif.read_next_frame().unwrap() {
-            found.insert(frame.buffer.to_vec());
-        }
-        assert_eq!(found.len(), frames, "{name}: each frame differs");
-        let sheet = BufReader::new(File::open(out.join(sheet)).unwrap());
-        let sheet = png::Decoder::new(sheet).read_info().unwrap();
-        assert_eq!((sheet.info().width, sheet.info().height), size);
+    let out = folder("spin", "film");
+    let done = example("spin", &["--size", "32", "--frames", "6", "--out", out.to_str().unwrap()]);
+    assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+    let said = String::from_utf8(done.stdout).unwrap();
+    assert!(
+        said.contains("3 frames, 2976 drawn, 2976 culled") && said.contains(out.to_str().unwrap()),
+        "{said}"
+    );
+    assert!(!said.contains('\u{1b}'), "no colours in a pipe");
+    let mut gif = gif::DecodeOptions::new().read_info(File::open(out.join("spin.gif")).unwrap()).unwrap();
+    assert_eq!((gif.width(), gif.height()), (32, 32));
+    let mut found = BTreeSet::new();
+    while let Some(frame) = gif.read_next_frame().unwrap() {
+        found.insert(frame.buffer.to_vec());
     }
+    assert_eq!(found.len(), 6, "each frame differs");
+    let sheet = BufReader::new(File::open(out.join("spin.png")).unwrap());
+    let sheet = png::Decoder::new(sheet).read_info().unwrap();
+    assert_eq!((sheet.info().width, sheet.info().height), (128, 64));
 }
 
 #[test]
 fn bad_input_is_one_line_and_exit_code_2() {
     for arguments in [&["--size", "9"][..], &["--frames", "1"], &["--colour", "red"]] {
-        refusal(&example("surface", arguments));
+        refusal(&example("spin", arguments));
     }
 }
 
@@ -71,9 +59,8 @@ fn the_bands_example_draws_one_picture_in_three_ways() {
 }
 
 /// Examples that write files into their working folder and print what they wrote.
-const PRINTING: [(&str, &str); 5] = [
+const PRINTING: [(&str, &str); 4] = [
     ("spin", "--size 16 --frames 2 --out spin"),
-    ("surface", "--size 16 --frames 2 --out surface"),
     ("bands", "--out bands"),
     ("gallery", "--out gallery.png"),
     ("cookbook", "--out cookbook"),
@@ -104,7 +91,6 @@ fn failed_write_changes_nothing() {
         ("bands", "--out .", "bands.png"),
         ("cookbook", "--out .", "logo.png"),
         ("spin", "--size 16 --frames 2 --out .", "spin.gif"),
-        ("surface", "--size 16 --frames 2 --out .", "surface.gif"),
     ] {
         for before in [None, Some("before")] {
             let to = folder("tools", "no_room");

@@ -1,6 +1,20 @@
 //! How choices are parsed, and what they draw.
 
 use pinhole_planner::{Choice, Planner, Style, DISPLAYS, READY};
+use serde_json::Value;
+
+/// The costs of a choice.
+fn costs(planner: &mut Planner, text: &str) -> Value {
+    let costs = planner.costs(&Choice::parse(text).expect(text)).expect(text);
+    serde_json::from_str(&costs).expect("JSON")
+}
+
+/// The way to draw that is chosen.
+fn chosen(planner: &mut Planner, text: &str) -> Value {
+    let costs = costs(planner, text);
+    let way = costs["ways"].as_array().and_then(|ways| ways.iter().find(|way| way["chosen"] == 1));
+    way.expect("a chosen way").clone()
+}
 
 #[test]
 fn a_message_names_the_part_and_what_may_stand_there() {
@@ -171,27 +185,10 @@ fn the_estimate_for_the_rp2040_is_what_the_emulated_board_shows() {
     let (mut frames, mut time) = (0.0, 0.0);
     let mut error = 0.0f64;
     for turn in (0..120).step_by(8) {
-        let choice = Choice::parse(&format!("mesh=gear&chip=rp2040&rows=8&turn={turn}")).expect("a choice");
-        let costs = planner.costs(&choice).expect("costs");
-        // The way that is chosen, which is the first one.
-        let number = |name: &str| -> f64 {
-            let (_, rest) = costs.split_once(&format!("\"{name}\":")).expect(name);
-            rest.trim_start_matches('"')
-                .split([',', '"', '}'])
-                .next()
-                .and_then(|n| n.parse().ok())
-                .expect(name)
-        };
-        let (_, ways) = costs.split_once("\"ways\":").expect("ways");
-        let of_way = |name: &str| -> f64 {
-            let (_, rest) = ways.split_once(&format!("\"{name}\":")).expect(name);
-            rest.split([',', '}']).next().and_then(|n| n.parse().ok()).expect(name)
-        };
-        assert_eq!(number("ram"), 264.0 * 1024.0);
-        assert_eq!(of_way("chosen"), 1.0);
+        let way = chosen(&mut planner, &format!("mesh=gear&chip=rp2040&rows=8&turn={turn}"));
         frames += 1.0;
-        time += 1.0 / of_way("dma");
-        error = error.max(of_way("error"));
+        time += 1.0 / way["dma"].as_f64().expect("frames a second");
+        error = error.max(way["error"].as_f64().expect("percent"));
     }
     let estimate = frames / time;
     let off = (estimate / shown - 1.0).abs() * 100.0;
@@ -205,19 +202,14 @@ fn the_estimate_for_the_rp2040_is_what_the_emulated_board_shows() {
 #[test]
 fn each_style_has_its_own_time_on_each_chip() {
     let mut planner = Planner::default();
-    let menu = Planner::menu();
-    let (_, chips) = menu.split_once("\"chips\":").expect("chips");
-    let (chips, _) = chips.split_once(']').expect("a list");
-    let chips: Vec<_> = chips.split("\"key\":\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    let menu: Value = serde_json::from_str(&Planner::menu()).expect("JSON");
+    let chips = menu["chips"].as_array().expect("a list");
+    let chips: Vec<_> = chips.iter().filter_map(|chip| chip["key"].as_str()).collect();
     assert!(chips.contains(&"esp32c3") && chips.len() >= 8, "{chips:?}");
     for chip in chips {
         let mut cycles = |style: &str| -> f64 {
-            let choice = Choice::parse(&format!("mesh=torus&rows=8&chip={chip}&{style}")).expect("a choice");
-            let costs = planner.costs(&choice).expect("costs");
-            let (_, ways) = costs.split_once("\"ways\":").expect("ways");
-            let chosen = ways.split("},{").find(|way| way.contains("\"chosen\":1")).expect("the chosen way");
-            let (_, rest) = chosen.split_once("\"cycles\":").expect(style);
-            rest.split([',', '}']).next().and_then(|number| number.parse().ok()).expect("a number")
+            let way = chosen(&mut planner, &format!("mesh=torus&rows=8&chip={chip}&{style}"));
+            way["cycles"].as_f64().expect("a number")
         };
         let [flat, dithered, smooth, both] =
             ["style=flat", "style=flat&dither=1", "style=gouraud", "style=gouraud&dither=1"].map(&mut cycles);
@@ -236,10 +228,9 @@ fn each_style_has_its_own_time_on_each_chip() {
 fn ways_to_draw_are_compared() {
     let mut planner = Planner::default();
     let mut names = |text: &str| -> Vec<String> {
-        let costs = planner.costs(&Choice::parse(text).expect(text)).expect(text);
-        let (_, ways) = costs.split_once("\"ways\":").expect("ways");
-        let names = ways.split("\"name\":\"").skip(1);
-        names.filter_map(|rest| rest.split('"').next().map(str::to_owned)).collect()
+        let costs = costs(&mut planner, text);
+        let ways = costs["ways"].as_array().expect("ways");
+        ways.iter().filter_map(|way| way["name"].as_str().map(str::to_owned)).collect()
     };
     assert_eq!(
         names("rows=8"),
@@ -268,18 +259,14 @@ fn ways_to_draw_are_compared() {
 #[test]
 fn what_fits_depends_on_where_the_code_is() {
     let mut planner = Planner::default();
-    let mut chosen = |text: &str| -> String {
-        let choice = Choice::parse(text).expect(text);
-        planner.draw(&choice).expect(text);
-        let costs = planner.costs(&choice).expect(text);
-        let way = costs.split("{\"name\"").find(|way| way.contains("\"chosen\":1"));
-        way.expect("a chosen way").into()
+    let mut way = |text: &str| {
+        planner.draw(&Choice::parse(text).expect(text)).expect(text);
+        chosen(&mut planner, text)
     };
     let large = "mesh=gear&width=240&height=250&rows=248";
-    assert!(chosen(&format!("{large}&chip=rp2040")).contains("\"fits\":1"));
-    assert!(chosen(&format!("{large}&chip=rp2040-ram")).contains("\"fits\":0"));
+    assert_eq!(way(&format!("{large}&chip=rp2040"))["fits"], 1);
+    assert_eq!(way(&format!("{large}&chip=rp2040-ram"))["fits"], 0);
     for style in ["flat", "gouraud", "textured", "wireframe", "hidden-line"] {
-        let way = chosen(&format!("style={style}&height=100&rows=1000"));
-        assert!(way.contains("\"rows\":100,"), "{way}");
+        assert_eq!(way(&format!("style={style}&height=100&rows=1000"))["rows"], 100, "{style}");
     }
 }

@@ -8,9 +8,10 @@ use crate::scene::{Colors, Scene};
 use crate::texture::SceneTexture;
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use indicatif::{ProgressBar, ProgressStyle};
 use pinhole_apps_support::animation::{delay, Animation};
+use pinhole_apps_support::files;
 use pinhole_apps_support::palette::{Counts, Palette};
-use pinhole_apps_support::{files, progress};
 use pinhole_import::Triangles;
 use std::error::Error;
 use std::io::Write;
@@ -48,7 +49,7 @@ pub(crate) fn film(
     (path, file): (&Path, &mut dyn Write),
     mut picture: impl FnMut(u32) -> Result<Vec<Rgb888>, String>,
 ) -> Result<(), String> {
-    let bar = progress::bar(2 * frames, "pictures");
+    let bar = bar(2 * frames);
     let mut counts = Counts::default();
     for frame in 0..frames {
         counts.add(picture(frame)?.iter().map(channels));
@@ -66,6 +67,13 @@ pub(crate) fn film(
     film.finish().map_err(|e| unwritable(e.into()))?;
     bar.finish_and_clear();
     Ok(())
+}
+
+/// On standard error; where that is no terminal it shows nothing.
+fn bar(steps: u32) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} pictures, {eta} left");
+    let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(steps.into()).with_style(style)
 }
 
 fn channels(colour: &Rgb888) -> [u8; 3] {

@@ -38,39 +38,20 @@ pub fn gear() -> Body {
     prism(&circle(32, teeth), &circle(32, |_| 50.0), 60.0)
 }
 
-/// The surface that a line of points, each a radius and a height, makes when it turns about z. It is closed if the line is, or
-/// begins and ends on the axis, and shows its outside if the line runs with the inside on its left.
-pub fn turned(line: &[[f64; 2]], is_closed: bool, steps: usize) -> Body {
-    let mut body = Body::new();
-    let at = |[radius, z]: [f64; 2], step: usize| {
-        let (sin, cos) = (TAU * (step % steps) as f64 / steps as f64).sin_cos();
-        [radius * cos, radius * sin, z]
-    };
-    let next = |i: usize| line[(i + 1) % line.len()];
-    for (i, &from) in line.iter().enumerate().take(if is_closed { line.len() } else { line.len() - 1 }) {
-        let to = next(i);
-        for step in 0..steps {
-            let [a, b, c, d] = [at(from, step), at(from, step + 1), at(to, step + 1), at(to, step)];
-            if from[0] != 0.0 {
-                body.push([a, b, c]);
-            }
-            if to[0] != 0.0 {
-                body.push([a, c, d]);
-            }
-        }
-    }
-    body
-}
-
 /// A torus about z.
 pub fn torus(radius: f64, tube: f64, steps: usize, sides: usize) -> Body {
-    let line: Vec<_> = circle(sides, |_| tube).into_iter().map(|[r, z]| [radius + r, z]).collect();
-    turned(&line, true, steps)
-}
-
-/// A cup with a thick wall, which stands on z = 0.
-pub fn cup() -> Body {
-    turned(&[[0.0, 0.0], [3.0, 0.0], [4.0, 6.0], [3.6, 6.0], [2.7, 0.5], [0.0, 0.5]], false, 36)
+    let (mut body, line) = (Body::new(), circle(sides, |_| tube));
+    let at = |side: usize, step: usize| {
+        let (sin, cos) = (TAU * (step % steps) as f64 / steps as f64).sin_cos();
+        let [away, z] = line[side % sides];
+        [(radius + away) * cos, (radius + away) * sin, z]
+    };
+    for (side, step) in (0..sides).flat_map(|side| (0..steps).map(move |step| (side, step))) {
+        let [a, b] = [at(side, step), at(side, step + 1)];
+        let [c, d] = [at(side + 1, step + 1), at(side + 1, step)];
+        body.extend([[a, b, c], [a, c, d]]);
+    }
+    body
 }
 
 /// A box from the origin.

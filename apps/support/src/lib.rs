@@ -22,8 +22,6 @@ pub mod generated;
 #[cfg(feature = "host")]
 #[path = "../../../import/src/host.rs"]
 pub mod host;
-#[cfg(feature = "progress")]
-pub mod progress;
 #[cfg(feature = "host")]
 pub mod sheet;
 #[cfg(feature = "host")]

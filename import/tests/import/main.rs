@@ -1,6 +1,5 @@
 //! `pinhole-import`: readers, options, what it writes, and the command.
 
-mod any_file;
 mod cases;
 mod cli;
 mod closed;

@@ -1,4 +1,4 @@
-//! OBJ files as they come, sound and broken.
+//! OBJ files as they come, sound and broken. `fuzz/targets/import` gives stranger ones.
 
 use crate::common::Random;
 use pinhole_import::{quantise, read, read_obj, ImportError, ImportedMesh, Problem, Remedy, Triangles};

@@ -1,38 +1,8 @@
 //! Which side of a face is its front: backs, and what is shown. Warnings and repairs are in `cases.txt`.
 
 use crate::common::{file, obj as import, said};
-use pinhole_apps_support::bodies::{stl, torus};
+use pinhole_apps_support::bodies::{cuboid, moved, obj, reversed, stl, torus};
 use pinhole_import::{preview, Axis, Edges, ImportedMesh, Options, Remedy};
-
-/// Vertices and quads.
-type Body = (Vec<[f64; 3]>, Vec<[usize; 4]>);
-
-/// A box, counter-clockwise seen from outside.
-fn cuboid([x, y, z]: [f64; 3], [a, b, c]: [f64; 3]) -> Body {
-    let at = |i: usize| [x + a * (i & 1) as f64, y + b * (i >> 1 & 1) as f64, z + c * (i >> 2) as f64];
-    let sides = [[4, 5, 7, 6], [1, 0, 2, 3], [5, 1, 3, 7], [0, 4, 6, 2], [6, 7, 3, 2], [0, 1, 5, 4]];
-    ((0..8).map(at).collect(), sides.to_vec())
-}
-
-/// Text of an OBJ file, by bodies. The first face of the first body is in line `8 · bodies + 1`.
-fn obj(bodies: &[Body]) -> String {
-    let (mut vertices, mut faces, mut first) = (String::new(), String::new(), 1);
-    for (positions, quads) in bodies {
-        for [x, y, z] in positions {
-            vertices += &format!("v {x} {y} {z}\n");
-        }
-        for [a, b, c, d] in quads {
-            faces += &format!("f {} {} {} {}\n", first + a, first + b, first + c, first + d);
-        }
-        first += positions.len();
-    }
-    vertices + &faces
-}
-
-fn reversed((positions, mut quads): Body) -> Body {
-    quads.iter_mut().for_each(|quad| quad.reverse());
-    (positions, quads)
-}
 
 /// A strip of `n` quads that is turned by half and closed.
 fn strip(n: usize) -> String {
@@ -77,9 +47,8 @@ fn triangles(mesh: &ImportedMesh) -> Vec<[[i16; 3]; 3]> {
 #[test]
 fn two_sided_adds_the_backs_of_what_can_be_seen_from_behind() {
     // A closed box, and a sheet of two triangles beside it.
-    let sheet =
-        (vec![[9.0, 0.0, 0.0], [12.0, 0.0, 0.0], [12.0, 4.0, 0.0], [9.0, 4.0, 0.0]], vec![[0, 1, 2, 3]]);
-    let text = obj(&[cuboid([0.0; 3], [4.0; 3]), sheet]);
+    let [a, b, c, d] = [[9.0, 0.0, 0.0], [12.0, 0.0, 0.0], [12.0, 4.0, 0.0], [9.0, 4.0, 0.0]];
+    let text = obj(&[cuboid([4.0; 3]), vec![[a, b, c], [a, c, d]]].concat());
     let all = Options {
         edge_faces: true,
         planes: true,
@@ -124,11 +93,11 @@ fn two_sided_adds_the_backs_of_what_can_be_seen_from_behind() {
 #[test]
 fn a_preview_is_the_mesh_in_the_axes_of_the_file() {
     // Two boxes, one mixed and one inside out, a sheet, a duplicate of a face that is reversed, and a sliver.
-    let mut mixed = cuboid([0.0; 3], [4.0; 3]);
-    mixed.1[2].reverse();
-    let text = obj(&[mixed, reversed(cuboid([6.0; 3], [1.0, 2.0, 3.0]))]);
-    let duplicate = text.lines().filter(|line| line.starts_with('f')).nth(2).unwrap();
-    let text = format!("{text}{duplicate}\nv 9 0 0\nv 12 0 0\nv 12 4 0\nf -3 -2 -1\nf 1 1 2\n");
+    let mut mixed = cuboid([4.0; 3]);
+    mixed[4..6].iter_mut().for_each(|corners| corners.reverse());
+    let other = moved(&cuboid([1.0, 2.0, 3.0]), |corner| corner.map(|c| c + 6.0));
+    let text = obj(&[mixed.clone(), reversed(&other), vec![mixed[4]]].concat());
+    let text = format!("{text}v 9 0 0\nv 12 0 0\nv 12 4 0\nf -3 -2 -1\nf 1 1 2\n");
     let path = file("winding-preview", "preview.obj", &text);
     for two_sided in [false, true] {
         for (flip, fix_winding) in [(false, false), (false, true), (true, false), (true, true)] {

@@ -199,3 +199,20 @@ impl DrawTarget for Sink {
         Ok(())
     }
 }
+
+/// The names that the images use.
+pub mod prelude {
+    pub use super::{cubes_with_edge_faces, Sink, Turntable, BIN_STORAGE, CORNERS, ROWS};
+    pub use crate::bands::{bytes, pixels};
+    pub use crate::scene::Model;
+    pub use crate::{image, position, scene};
+    pub use core::hint::black_box;
+    pub use embedded_graphics_core::geometry::{Point, Size};
+    pub use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+    pub use embedded_graphics_core::primitives::Rectangle;
+    pub use pinhole::{
+        Angle, AntiAliased, Camera, ColorKeyed, Coordinate, DepthBuffer, DirtyRegions, Fog, FogTable, Fogged,
+        Frame, HalfBlended, Lambert, LeastRun, MeshInstance, Painter, Picture, Scalar, ScreenDoor,
+        ScreenVertex, ShadeTable, SpanShader, Sprite, Texture, TransferCost, VertexFog, Viewport,
+    };
+}

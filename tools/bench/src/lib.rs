@@ -7,10 +7,15 @@ pub mod board;
 pub mod cells;
 pub mod growth;
 pub mod image;
-pub mod lists;
 pub mod measure;
 pub mod scene;
 pub mod stack;
+
+/// What S5, S6 and S7 draw, and the normals at the torus's vertices for S8. Integers of triangles are corners of pixels, those of lines
+/// are pixels.
+pub mod lists {
+    include!(concat!(env!("OUT_DIR"), "/lists.rs"));
+}
 
 /// Where the name of an image stands among those of a source file: several images are built from one, and each chooses
 /// its part by its name when it is compiled. A name that is not there does not compile.

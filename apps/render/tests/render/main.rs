@@ -1,6 +1,5 @@
 //! What `pinhole-render` draws, says and writes, and the templates whose pictures it shows.
 
 mod boards;
-mod closed;
 mod files;
 mod people;

@@ -1,12 +1,7 @@
 //! The cube drawn at once onto a display, a firmware each: its edges, and lit faces without depth and with depth for a part of the screen.
 //! *Inside* draws without clipping, and *pixels* a display in memory.
 #![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::bands::pixels;
-use bench::image::{Sink, Turntable, CORNERS, ROWS};
-use bench::{image, position, scene};
-use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{DepthBuffer, LeastRun, ScreenVertex};
+use bench::image::prelude::*;
 
 /// The firmware that is built.
 const IMAGE: usize = position(

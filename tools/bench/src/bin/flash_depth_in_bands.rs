@@ -1,10 +1,7 @@
-//! Faces in bands, with depth, one firmware each: flat, smooth, dithered and textured, into a band as into any DrawTarget and into its
-//! pixels.
+//! Faces in bands, with depth, one firmware each: flat, smooth, dithered, textured, and flat before another camera, into a band as into
+//! any DrawTarget and into its pixels.
 #![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::bands::{bytes, pixels};
-use bench::image::{Sink, Turntable, BIN_STORAGE, CORNERS, ROWS};
-use bench::{image, position, scene};
-use pinhole::{DepthBuffer, Frame, ScreenVertex};
+use bench::image::prelude::*;
 
 /// The firmware that is built.
 const IMAGE: usize = position(
@@ -17,8 +14,18 @@ const IMAGE: usize = position(
         "flash_dither_pixels",
         "flash_flat_dither_pixels",
         "flash_textured_pixels",
+        "flash_framing",
     ],
 );
+
+/// Before a camera that frames the mesh, as the templates make it. In a function of its own: the camera is off the stack when it returns.
+#[inline(never)]
+fn framed(cube: &'static Model) -> Option<MeshInstance<'static>> {
+    let viewport = Viewport::new(Point::zero(), black_box(Size::new(scene::SIZE, scene::SIZE))).ok()?;
+    let [field_of_view, yaw, pitch] = [40, 30, 20].map(Angle::degrees);
+    let camera = Camera::framing(&cube.mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch);
+    Some(camera.as_ref().ok()?.place(&cube.mesh, &cube.turned()))
+}
 
 image!(
     cube,
@@ -28,7 +35,7 @@ image!(
     storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)],
     {
         let turntable = Turntable::new();
-        let instance = turntable.place(cube);
+        let instance = if IMAGE == 7 { framed(cube)? } else { turntable.place(cube) };
         let light = turntable.light();
         let light = light.as_ref()?;
         let mut faces = instance.transform_depth(corners).bin_faces(bin_storage);
@@ -39,7 +46,7 @@ image!(
             let mut depth = DepthBuffer::new(band.area(), storage).ok()?;
             match IMAGE {
     0 => faces.depth_tested(scene::flat(mesh, light), &mut depth, &mut band).ok()?,
-    1 => faces.depth_tested(scene::flat(mesh, light), &mut depth, &mut band.pixels()).ok()?,
+    1 | 7 => faces.depth_tested(scene::flat(mesh, light), &mut depth, &mut band.pixels()).ok()?,
     2 => faces.depth_tested(scene::smooth(mesh, light), &mut depth, &mut band.pixels()).ok()?,
     3 =>
         faces.depth_tested(|face| scene::smooth(mesh, light)(face).dithered(), &mut depth, &mut band).ok()?,

@@ -1,14 +1,7 @@
 //! All ways to draw, in bands; a camera made at run time; dirty rectangles. `everything_inside` draws without clipping.
 #![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::bands::{bytes, pixels};
-use bench::image::{Sink, Turntable, BIN_STORAGE, CORNERS, ROWS};
-use bench::scene::Model;
-use bench::{image, position, scene};
-use embedded_graphics_core::pixelcolor::Rgb565;
+use bench::image::prelude::*;
 use heapless::Vec;
-use pinhole::{
-    Coordinate, DepthBuffer, DirtyRegions, Frame, Lambert, MeshInstance, Painter, ScreenVertex, TransferCost,
-};
 
 /// Faces of the cube, and of the triangles that clipping makes of them.
 const FACES: usize = 12;

@@ -1,10 +1,6 @@
 //! Hidden lines, in bands: the depths of the faces, then the edges that they do not hide.
 #![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::bands::{bytes, pixels};
-use bench::image::{cubes_with_edge_faces, Sink, Turntable, BIN_STORAGE, CORNERS, ROWS};
-use bench::scene::Model;
-use bench::{image, scene};
-use pinhole::{DepthBuffer, Frame, ScreenVertex};
+use bench::image::prelude::*;
 
 image!(
     [Model; cubes_with_edge_faces] cube,

@@ -1,12 +1,6 @@
 //! Lit faces in painter's order, one firmware each: into a picture in memory, and in bands.
 #![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::bands::{bytes, pixels};
-use bench::image::{Sink, Turntable, CORNERS, ROWS};
-use bench::{image, position, scene};
-use core::hint::black_box;
-use embedded_graphics_core::geometry::Size;
-use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{Frame, Painter, Picture};
+use bench::image::prelude::*;
 
 /// The firmware that is built.
 const IN_BANDS: bool = position(env!("CARGO_BIN_NAME"), &["flash_painter", "flash_painter_bands"]) == 1;

@@ -1,18 +1,12 @@
-//! Lit faces, at once, into a picture in memory, some rows of one: a firmware each, without depth and with it.
+//! A picture in memory, some rows of one, drawn at once, a firmware each: lit faces without depth and with it, and anti-aliased lines.
 #![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::bands::pixels;
-use bench::image::{Turntable, CORNERS, ROWS};
-use bench::{image, position, scene};
-use core::hint::black_box;
-use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::Rgb565;
-use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{DepthBuffer, Picture, ScreenVertex};
+use bench::image::prelude::*;
 
 /// The firmware that is built.
-const WITH_DEPTH: bool = position(env!("CARGO_BIN_NAME"), &["flash_picture", "flash_depth_picture"]) == 1;
+const IMAGE: usize =
+    position(env!("CARGO_BIN_NAME"), &["flash_picture", "flash_depth_picture", "flash_wireframe_smooth"]);
 /// The number of depths in the depth buffer.
-const DEPTHS: usize = if WITH_DEPTH { pixels(ROWS) } else { 0 };
+const DEPTHS: usize = if IMAGE == 1 { pixels(ROWS) } else { 0 };
 
 image!(
     cube,
@@ -24,14 +18,21 @@ image!(
         let size = black_box(Size::new(scene::SIZE, ROWS));
         let instance = scene.place(cube);
         let mut picture = Picture::new(memory, size).ok()?;
-        if WITH_DEPTH {
-            let light = scene.light();
-            let shade = scene::flat(&cube.mesh, light.as_ref()?);
-            let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), storage).ok()?;
-            let Ok(_) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
-        } else {
-            let light = scene.rigid_light()?;
-            let Ok(_) = instance.solid(scene::flat(&cube.mesh, &light), corners, &mut picture.pixels());
+        let target = &mut picture.pixels();
+        match IMAGE {
+            0 => {
+                let light = scene.rigid_light()?;
+                let Ok(_) = instance.solid(scene::flat(&cube.mesh, &light), corners, target);
+            }
+            1 => {
+                let light = scene.light();
+                let shade = scene::flat(&cube.mesh, light.as_ref()?);
+                let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), storage).ok()?;
+                let Ok(_) = instance.depth_tested(shade, corners, &mut depth, target);
+            }
+            _ => {
+                let Ok(_) = instance.wireframe(AntiAliased(scene::LINE), corners, target);
+            }
         }
         black_box(picture.colors());
         Some(())

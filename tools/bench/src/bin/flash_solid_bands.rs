@@ -1,9 +1,9 @@
-//! Flat faces in bands, into a band's pixels.
+//! Lines, and flat faces into a band's pixels, in bands, one firmware each.
 #![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::bands::bytes;
-use bench::image::{Sink, Turntable, BIN_STORAGE, CORNERS, ROWS};
-use bench::{image, scene};
-use pinhole::{Frame, ScreenVertex};
+use bench::image::prelude::*;
+
+/// The firmware that is built.
+const OF_LINES: bool = position(env!("CARGO_BIN_NAME"), &["flash_solid_bands", "flash_wireframe_bands"]) == 1;
 
 image!(
     cube,
@@ -13,14 +13,22 @@ image!(
     {
         let scene = Turntable::new();
         let instance = scene.place(cube);
-        let light = scene.light();
-        let light = light.as_ref()?;
-        let mut faces = instance.bin_faces(corners, bin_storage);
-        let faces = faces.as_mut().ok()?;
         let mut frame = Frame::new(scene::area(), scene::BACKGROUND);
-        while let Some(mut band) = frame.next_band(strip).ok()? {
-            let Ok(()) = faces.solid(scene::flat(&cube.mesh, light), &mut band.pixels());
-            band.send(&mut Sink).ok()?;
+        if OF_LINES {
+            let mut edges = instance.transform(corners).bin_edges(bin_storage).ok()?;
+            while let Some(mut band) = frame.next_band(strip).ok()? {
+                edges.draw(scene::LINE, &mut band).ok()?;
+                band.send(&mut Sink).ok()?;
+            }
+        } else {
+            let light = scene.light();
+            let light = light.as_ref()?;
+            let mut faces = instance.bin_faces(corners, bin_storage);
+            let faces = faces.as_mut().ok()?;
+            while let Some(mut band) = frame.next_band(strip).ok()? {
+                let Ok(()) = faces.solid(scene::flat(&cube.mesh, light), &mut band.pixels());
+                band.send(&mut Sink).ok()?;
+            }
         }
         Some(())
     }

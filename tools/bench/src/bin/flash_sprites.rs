@@ -1,12 +1,6 @@
 //! Sprites at the vertices of a mesh, keyed and scaled by their distance, into a picture in memory.
 #![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::bands::pixels;
-use bench::image::{Turntable, ROWS};
-use bench::{image, scene};
-use core::hint::black_box;
-use embedded_graphics_core::geometry::Size;
-use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
-use pinhole::{ColorKeyed, Picture, Scalar, Sprite};
+use bench::image::prelude::*;
 
 /// 128 bytes, which count.
 static TEXELS: [[Rgb565; 8]; 8] = {

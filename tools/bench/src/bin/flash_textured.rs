@@ -1,16 +1,7 @@
 //! Faces into a picture in memory, a firmware for each shader: of one colour, textured, with a screen door, half mixed, in fog, with
 //! keyed texels, and by a table of shades whose light or fog is that of vertices.
 #![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::bands::pixels;
-use bench::image::{Turntable, CORNERS, ROWS};
-use bench::{image, position, scene};
-use core::hint::black_box;
-use embedded_graphics_core::geometry::Size;
-use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
-use pinhole::{
-    ColorKeyed, Fog, FogTable, Fogged, HalfBlended, Picture, Scalar, ScreenDoor, ScreenVertex, ShadeTable,
-    SpanShader, Texture, VertexFog,
-};
+use bench::image::prelude::*;
 
 /// The firmware that is built.
 const IMAGE: usize = position(

@@ -1,6 +1,6 @@
-//! `pinhole-measure coverage`: its formats, its counts against the exact oracles, and its messages for bad input.
+//! `pinhole-measure coverage`: its formats, and its counts against the exact oracles.
 
-use pinhole_apps_support::testing::{self, refusal, Program};
+use pinhole_apps_support::testing::{self, Program};
 use std::fs;
 use std::path::{Path, PathBuf};
 use support::oracle::cases::{self, Class, CLASSES};
@@ -8,7 +8,7 @@ use support::oracle::coverage::{self, Area, Counts, P};
 use support::oracle::line;
 use support::oracle::rng::Rng;
 
-const COVERAGE: Program =
+pub(crate) const COVERAGE: Program =
     Program::new(env!("CARGO_BIN_EXE_pinhole-measure"), env!("CARGO_TARGET_TMPDIR")).subcommand("coverage");
 
 fn folder(name: &str) -> PathBuf {
@@ -119,68 +119,9 @@ fn the_largest_picture() {
 }
 
 #[test]
-fn bad_input_is_one_line_that_names_the_field() {
-    let folder = folder("bad");
-    let with = |rest: &str| format!(r#"{{"width": 8, "height": 8, {rest}}}"#);
-    let line = |numbers: &str| with(&format!(r#""lines": [[{numbers}]]"#));
-    let triangle = |numbers: &str| with(&format!(r#""triangles": [[1, 2, 3, 4, 5, 6], [{numbers}]]"#));
-    let sized = |width: &str| format!(r#"{{"width": {width}, "height": 1}}"#);
-    for (text, named) in [
-        (String::new(), "is not JSON: EOF while parsing a value"),
-        ("pinhole".into(), "is not JSON: expected"),
-        (with(r#""lines": [[0, 0, 1, 1]"#), "lines: is not JSON: expected `,` or `]`"),
-        (line("0, 0, NaN, 1"), "lines[0][2]: is not JSON: expected value"),
-        (line("0, 0, 1e400, 1"), "lines[0][2]: is not JSON: number out of range"),
-        (with(r#""lines": []"#) + "{}", "is not JSON: trailing characters"),
-        (with(&format!(r#""lines": {}"#, "[".repeat(100_000))), "lines[0][0]"),
-        ("[8, 8]".into(), "is not an object"),
-        ("null".into(), "is not an object"),
-        (r#"{"width": 8}"#.into(), "missing field `height`"),
-        (r#"{"height": 8, "lines": []}"#.into(), "missing field `width`"),
-        (r#"{"width": 8, "height": 8, "width": 8}"#.into(), "duplicate field `width`"),
-        (with(r#""points": []"#), "points: unknown field `points`"),
-        (sized("0"), "width: 0 is not from 1 to 4096"),
-        (sized("4097"), "width: 4097 is not from 1 to 4096"),
-        (sized("8.5"), "width: 8.5 is not a whole number"),
-        (sized("\"8\""), "width: invalid type: string \"8\""),
-        (with(r#""triangles": null"#), "triangles: invalid type: null"),
-        (with(r#""triangles": [1, 2, 3, 4, 5, 6]"#), "triangles[0]: invalid type: integer `1`"),
-        (triangle("1, 2, 3, 4, 5"), "triangles[1]: invalid length 5"),
-        (triangle("1, 2, 3, 4, 5, 6, 7"), "triangles[1]: is not JSON: trailing characters"),
-        (triangle("1, 2, 1.5, 4, 5, 6"), "triangles[1][2]: 1.5 is not a whole number"),
-        (triangle("2097153, 0, 0, 0, 0, 0"), "triangles[1][0]: 2097153 is not from -2097152 to"),
-        (triangle("0, 0, 0, 0, 0, -2097153"), "triangles[1][5]: -2097153 is not from"),
-        (line("0, 0, 32768, 0"), "lines[0][2]: 32768 is not from -32767 to 32767"),
-        (line("0, -32768, 0, 0"), "lines[0][1]: -32768 is not from"),
-        (line("0, true, 0, 0"), "lines[0][1]: invalid type: boolean `true`"),
-        (line("1, 2, 3"), "lines[0]: invalid length 3"),
-    ] {
-        fs::write(folder.join("in.json"), &text).unwrap();
-        fs::write(folder.join("out"), "before").unwrap();
-        let said = refusal(&COVERAGE.run_in(&folder, &["in.json", "out"]));
-        assert!(said.starts_with("in.json: ") && said.contains(named), "{said:?} should contain {named:?}");
-        assert_eq!(fs::read(folder.join("out")).unwrap(), b"before");
-    }
-}
-
-#[test]
-fn bad_arguments_are_one_line_and_files_stay() {
+fn files_are_as_of_all_programs() {
     let folder = folder("files");
     fs::write(folder.join("in.json"), r#"{"width": 1, "height": 1}"#).unwrap();
-    for (arguments, named) in [
-        (&[][..], "<IN.json> <OUT>"),
-        (&["in.json"], "<OUT>"),
-        (&["in.json", "out", "third"], "'third'"),
-        (&["--size", "in.json", "out"], "--size"),
-        (&["none.json", "out"], "none.json: cannot be read"),
-        (&[".", "out"], ".: cannot be read"),
-        (&["in.json", "in.json/below"], "in.json/below: cannot be written"),
-        (&["in.json", "."], ".: cannot be written"),
-    ] {
-        let said = refusal(&COVERAGE.run_in(&folder, arguments));
-        assert!(said.contains(named), "{said}");
-        assert_eq!(fs::read_dir(&folder).unwrap().count(), 1, "in.json alone");
-    }
     testing::input_is_not_overwritten(COVERAGE, &folder, "in.json", "in.json");
     testing::closed_output_is_no_error(COVERAGE.command(&folder, &["in.json", "out"]));
 }

@@ -2,10 +2,8 @@
 
 mod coverage;
 mod harness;
-mod messages;
 mod pictures;
 mod projections;
+mod refused;
 mod scenes;
-mod shading;
 mod sprites;
-mod textures;
