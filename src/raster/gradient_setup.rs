@@ -16,7 +16,7 @@
 //! | corners within 128 px | differences scaled to 31-bit products | reciprocal, upper word |
 //! | corners within 512 px, or differences too large | 64-bit products cut to 31 bits | reciprocal, upper word |
 //! | steep within 512 px | 31 bits | reciprocal, 64-bit product |
-//! | steeper, or beyond 512 px | 64-bit products | long division, 87 steps |
+//! | steeper, or beyond 512 px | 64-bit products | long division by the reciprocal, 29 bits a step |
 
 use super::{Gradient, ScreenPoint, Triangle};
 use crate::math::hints::keep_rolled;
@@ -293,7 +293,8 @@ impl<'t> GradientSetup<'t> {
             let turn = |dz: i32| if *area < 0 { dz } else { -dz };
             let (dz1, dz2) = differences(values);
             let (x, minus_y) = wide_numerators(corners, turn(dz1), turn(dz2));
-            (divide_long(x, area.unsigned_abs()), divide_long(-minus_y, area.unsigned_abs()))
+            let divide = |v: i64| divide_long(v, area.unsigned_abs(), self.mantissa.abs());
+            (divide(x), divide(-minus_y))
         };
         // From the corner to the anchor's centre: up to 2²³ sub-pixels.
         let (dx, dy) = (256 * column + 128 - a.x, 256 * row + 128 - a.y);
@@ -388,21 +389,33 @@ fn numerators_in_64_bits(triangle: &Triangle<'_>, values: &[i32; 3]) -> Numerato
     Numerators { x: (x >> shift) as i32, minus_y: (minus_y >> shift) as i32, k: -cut }
 }
 
-/// `⌊v · 2⁴⁰ / area⌋` modulo 2⁶⁴ for |v| < 2⁴⁷ and 0 < area < 2⁴⁶, by long division in 87 steps: for
-/// slivers and for triangles beyond 512 pixels.
-#[cold]
-#[inline(never)]
-fn divide_long(v: i64, area: u64) -> i64 {
-    let mut digits = v.unsigned_abs() << 17;
-    let (mut quotient, mut remainder) = (0u64, 0u64);
-    for _ in 0..87 {
-        keep_rolled(); // code size counts here
-        remainder = (remainder << 1) | (digits >> 63); // remainder < 2·area
-        (digits, quotient) = (digits << 1, quotient << 1);
-        if remainder >= area {
-            remainder = remainder.wrapping_sub(area);
-            quotient |= 1;
+/// `⌊v · 2⁴⁰ / area⌋` modulo 2⁶⁴ for |v| < 2⁴⁷ and 0 < area < 2⁴⁶, 29 bits at a time: for slivers and for triangles beyond 512 pixels.
+/// `mantissa` is that of the [reciprocal](crate::math::num::reciprocal) of the area's upper 31 bits.
+///
+/// With the area shifted to 2⁶⁰ ≤ a < 2⁶¹, and a remainder ρ < a, the next n ≤ 29 bits are ⌊ρ · 2ⁿ / a⌋. They are estimated as the
+/// upper 31 bits of ρ times the mantissa. The mantissa has a relative error of 2⁻²⁹, and the bits dropped from a and from ρ
+/// add 2⁻³⁰ each, ρ's only downwards: the estimate is less than 1.6 too large, and with the final rounding less than 2.6 too small.
+/// So what is left of ρ · 2ⁿ lies in −1.6·a … 2.6·a: 64 bits with a sign have room for it, and two corrections either way suffice.
+#[inline(never)] // code size
+fn divide_long(v: i64, area: u64, mantissa: i32) -> i64 {
+    let up = area.leading_zeros().wrapping_sub(3) & 63; // 15 … 60
+    let a = (area << up) as i64;
+    let mut remainder = (v.unsigned_abs() << 13) as i64; // below 2⁶⁰
+    let (mut quotient, mut left) = (0u64, up + 40 - 13); // 42 … 87
+    while left != 0 {
+        let n = left.min(29);
+        let mut digits = mul_high((remainder >> 30) as i32, mantissa) >> (29 - n);
+        remainder = (remainder << n).wrapping_sub(a.wrapping_mul(digits.into()));
+        while remainder < 0 {
+            keep_rolled();
+            (remainder, digits) = (remainder.wrapping_add(a), digits.wrapping_sub(1));
         }
+        while remainder >= a {
+            keep_rolled();
+            (remainder, digits) = (remainder.wrapping_sub(a), digits.wrapping_add(1));
+        }
+        quotient = (quotient << n).wrapping_add(digits as u64);
+        left -= n;
     }
     let quotient = quotient as i64;
     if v < 0 {
@@ -411,10 +424,51 @@ fn divide_long(v: i64, area: u64) -> i64 {
         quotient
     }
 }
+
 impl Triangle<'_> {
     /// The gradient of a value given at each corner, 0 … 2²⁴ − 1 in the corners' order, for custom shaders. Larger values
     /// count as 2²⁴ − 1.
     pub fn gradient(&self, values: [u32; 3]) -> Gradient {
         GradientSetup::new(self).through(&values.map(|value| value.min((1 << 24) - 1) as i32))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::random::mixed;
+
+    /// Against 128-bit division: areas and numerators of all lengths, multiples of the area and their neighbours, and the ends of
+    /// both ranges.
+    #[test]
+    fn long_division_is_exact() {
+        let check = |v: i64, area: i64| {
+            let (area, cut) = (area as u64, (33 - area.leading_zeros() as i32).max(0));
+            let mantissa = reciprocal_of_positive((area >> cut) as i32).mantissa;
+            for v in [v, -v] {
+                let exact = (i128::from(v) << 40).div_euclid(area.into());
+                assert_eq!(divide_long(v, area, mantissa), exact as i64, "{v} {area}");
+            }
+        };
+        let ends = |bits: u32| [(1 << bits) - 1, 1 << (bits - 1), (1 << (bits - 1)) + 1];
+        for (bits, other) in (1..=46).flat_map(|bits| (1..=47).map(move |other| (bits, other))) {
+            for (area, v) in ends(bits).into_iter().flat_map(|area| ends(other).map(|v| (area, v))) {
+                check(v, area);
+            }
+        }
+        let mut state = 7;
+        let mut random = |bits: u32| (mixed(&mut state) >> (64 - bits)) as i64;
+        let largest = (1 << 47) - 1;
+        for i in 0..500_000 {
+            let area = random(1 + i % 46).max(1);
+            check(random(1 + i / 46 % 47), area);
+            // Multiples of the area, and their neighbours.
+            let most = largest / area;
+            for times in [most, random(47) % (most + 1), random(4).min(most)] {
+                check(times * area, area);
+                check((times * area + 1).min(largest), area);
+                check((times * area - 1).max(0), area);
+            }
+        }
     }
 }
