@@ -52,8 +52,8 @@ function writeModels(folder) {
       'Rgb565',
       '<Color as RgbColor>::WHITE',
     ];
-    const library = (text) => text.replace(/\b(?=[A-Z]\w*Color\b|Gray4|Rgb565)/, 'embedded_graphics_core::pixelcolor::');
-    const rest = [`type Color = ${library(color)};`, `const WHITE: Color = ${library(white)};`, 'const SIDE: usize = 32;', `const SHADING: &str = "${shading}";`];
+    const full = (text) => text.replace(/\b(?=[A-Z]\w*Color\b|Gray4|Rgb565)/, 'embedded_graphics_core::pixelcolor::');
+    const rest = [`type Color = ${full(color)};`, `const WHITE: Color = ${full(white)};`, 'const SIDE: usize = 32;', `const SHADING: &str = "${shading}";`];
     const allowed = (line) => `#[allow(dead_code)]\n${line}\n`;
     writeFileSync(join(folder, `${name}.rs`), library.ask('rust', choice) + [...sizes, ...rest].map(allowed).join(''));
   }

@@ -249,22 +249,6 @@ fn all_tools_show_one_picture_and_say_the_same() {
 }
 
 #[test]
-fn more_vertices_than_a_mesh_has_are_refused_for_firmware_and_shown_as_such() {
-    let path = file("vast.stl", stl(&torus(3.0, 1.0, 300, 300)));
-    let decimate = pinhole_import::Remedy::Decimate(0);
-    let problem =
-        format!("has 90000 vertices, more than the 65536 of a mesh: {decimate}, or split the model");
-    let error = pinhole_import::import(&path, &NONE).unwrap_err().to_string();
-    assert_eq!(error, format!("{}: {problem}", path.display()));
-    let (rendered, said) = in_render(&path, &NONE).unwrap();
-    let (viewed, said_too) = in_viewer(&path, &NONE).unwrap();
-    assert_eq!(said, said_too);
-    assert_eq!(said.last(), Some(&format!("not for firmware: {problem}")));
-    assert_eq!(in_template(&path, &NONE).unwrap_err(), error);
-    assert!(rendered == viewed && rendered.iter().filter(|drawn| **drawn).count() > 2000);
-}
-
-#[test]
 fn materials_are_one_picture_in_render_and_viewer() {
     file("tools.mtl", "newmtl a\nKd 0 1 0\nnewmtl b\nKd 1 0 1\n");
     let text = obj(&cuboid([2.0; 3]));
