@@ -129,20 +129,6 @@ fn s2_rigid_inverses_are_refused_exactly_at_the_bound() {
     }
 }
 
-fn local(steps: &ModelBits) -> Affine<Model, Model> {
-    let mut all = Affine::identity();
-    for step in &steps.0 {
-        all = all.then(&match *step {
-            Step::X(a) => Affine::rotation_x(Angle::from_bits(a)),
-            Step::Y(a) => Affine::rotation_y(Angle::from_bits(a)),
-            Step::Z(a) => Affine::rotation_z(Angle::from_bits(a)),
-            Step::Scale([s, ..]) => Affine::scale(scalar(s)),
-            Step::Move(t) => Affine::translation(vector(t)),
-        });
-    }
-    all
-}
-
 fn random_local(rng: &mut Rng) -> ModelBits {
     let mut steps = ModelBits::random_rotation(rng);
     steps.0.push(Step::Move([0; 3].map(|_| rng.int(-5 * i64::from(ONE), 5 * i64::from(ONE)) as i32)));
@@ -161,8 +147,8 @@ fn s2_world_is_parents_world_times_local() {
             .iter()
             .zip(&locals)
             .map(|(p, l)| match p {
-                None => Node::root(local(l)),
-                Some(p) => Node::child(*p, local(l)),
+                None => Node::root(l.local()),
+                Some(p) => Node::child(*p, l.local()),
             })
             .collect();
         let mut tree = Hierarchy::new(&mut nodes).expect("parents come first");
@@ -185,7 +171,7 @@ fn s2_world_is_parents_world_times_local() {
             let moved = rng.below(count);
             let before: Vec<_> = (0..count).map(|i| *tree.world(i).expect("a node")).collect();
             locals[moved] = random_local(&mut rng);
-            assert!(tree.set_local(moved, local(&locals[moved])));
+            assert!(tree.set_local(moved, locals[moved].local()));
             assert_eq!(tree.world(moved), Some(&before[moved]), "not before the update");
             tree.update();
             for (i, before) in before.iter().enumerate() {

@@ -144,7 +144,12 @@ pub struct ModelBits(pub Vec<Step>);
 
 impl ModelBits {
     pub fn library(&self) -> Affine<Model, World> {
-        let mut all = Affine::<Model, Model>::identity();
+        self.local().then(&Affine::identity())
+    }
+
+    /// In the parent's space.
+    pub fn local(&self) -> Affine<Model, Model> {
+        let mut all = Affine::identity();
         for step in &self.0 {
             all = all.then(&match *step {
                 Step::X(a) => Affine::rotation_x(Angle::from_bits(a)),
@@ -155,7 +160,7 @@ impl ModelBits {
                 Step::Move(t) => Affine::translation(vector(t)),
             });
         }
-        all.then(&Affine::<Model, World>::identity())
+        all
     }
 
     pub fn exact(&self) -> chain::Affine {
