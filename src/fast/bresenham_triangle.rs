@@ -13,8 +13,7 @@
 //!   scissor.
 //! - **Gain**: on a Cortex-M0 scene S3 takes 12 % more instructions, S4 and S7 11 % more, if edges are divided by reciprocals
 //!   instead (`docs/decisions.md`). Other cores do not use it.
-//! - **Test**: `rows_inside_are_exact` and `clipped_rows_are_exact` in this file, against rules R1 to R5, on every core;
-//!   on a Cortex-M0 also `spans_are_those_of_the_plain_triangle` in `spans.rs`.
+//! - **Test**: `rows_inside_are_exact` and `clipped_rows_are_exact` in this file, against rules R1 to R5, on every core.
 
 use super::rows::{RowOrigin, Rows};
 use crate::math::hints::keep_rolled;

@@ -6,8 +6,7 @@
 //! - **Gain**: with two divisions on an M3, S3 takes 9 % fewer instructions, 4.5 % with depth; one division: not measured
 //!   alone. In bands of 8 rows, a trapezoid outside the band is not set up: S3 takes 4 % fewer instructions with depth, 5 %
 //!   without. A Cortex-M0 uses `BresenhamTriangle` (`bresenham_triangle.rs`) instead.
-//! - **Test**: `spans_are_those_of_the_plain_triangle` in `spans.rs`, and
-//!   `tests/raster/memory_triangles.rs`.
+//! - **Test**: `tests/raster/memory_triangles.rs`.
 
 use super::edge20::{Divisor, Edge20, TwoDivisions};
 use super::rows::{RowOrigin, Rows};
