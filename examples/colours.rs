@@ -94,10 +94,10 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
 
 fn pictures<C: Color + Into<Rgb888>>(scene: &Scene) -> Result<[Vec<Rgb888>; 2], Box<dyn Error>>
 where
-    Gouraud: SpanShader<C>,
-    Lit: SpanShader<C>,
-    Dithered<Gouraud>: SpanShader<C>,
-    Dithered<Lit>: SpanShader<C>,
+    Gouraud: SpanShader<C, Ink = C>,
+    Lit: SpanShader<C, Ink = C>,
+    Dithered<Gouraud>: SpanShader<C, Ink = C>,
+    Dithered<Lit>: SpanShader<C, Ink = C>,
 {
     let nearest = picture::<C, _, _>(scene, (|shader| shader, |shader| shader))?;
     Ok([nearest, picture::<C, _, _>(scene, (Gouraud::dithered, Lit::dithered))?])
@@ -107,8 +107,8 @@ where
 fn picture<C, I, L>(scene: &Scene, shaders: Shaders<I, L>) -> Result<Vec<Rgb888>, Box<dyn Error>>
 where
     C: Color + Into<Rgb888>,
-    I: SpanShader<C>,
-    L: SpanShader<C>,
+    I: SpanShader<C, Ink = C>,
+    L: SpanShader<C, Ink = C>,
 {
     let mut pixels = Vec::new();
     scene.draw(ROWS, shaders, |band| pixels.extend(band.colors().map(Into::into)))?;
@@ -158,7 +158,7 @@ impl Scene {
     }
 
     /// Draws in bands of `rows` rows; `shaders` makes the shaders.
-    fn draw<C: Color, I: SpanShader<C>, L: SpanShader<C>>(
+    fn draw<C: Color, I: SpanShader<C, Ink = C>, L: SpanShader<C, Ink = C>>(
         &self,
         rows: u32,
         (smooth, lit): Shaders<I, L>,

@@ -95,7 +95,9 @@ pub use camera::{
     Ray, ReferenceVolume, ScreenVertex, Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport,
     ViewportError, Visibility, Window,
 };
-pub use color::{Color, Format, StoredPixel};
+pub use color::{
+    Access, Alpha, BlendMode, Color, Format, Half, Ink, Mixed, Reads, StoredPixel, Unmixed, Writes,
+};
 pub use math::{
     Affine, Angle, AxisError, ClipPoint, Coordinate, Inside, InverseError, MatrixError, NormalMatrix,
     NumberError, Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
@@ -105,21 +107,22 @@ pub use pipeline::largest;
 pub use pipeline::{
     draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, BinnedScene, Cull, HalfBins, HalfTransform,
     MeshBuffers, MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene,
-    PlacedSprites, Scene, SceneError, SplitBins, SplitTransform, Statistics, TransformedMesh,
+    PlacedSprites, Scene, SceneError, ShaderFor, SplitBins, SplitTransform, SpriteFor, Statistics, StrokeFor,
+    TransformedMesh,
 };
 pub use scene::{
     edge_faces, FaceColors, FacePlanes, Hierarchy, HierarchyError, MaterialError, Mesh, MeshError, Node,
     TextureCoords, WithPlanes, WithoutPlanes,
 };
 pub use shading::{
-    Accuracy, Alpha, AntiAliased, BlendMode, Blended, BlinnPhong, ClampedTexels, ColorKeyed, CornerValues,
-    DepthTested, DirectionalLight, Dithered, ExponentialFog, Flat, Fog, FogError, FogProfile, FogTable,
-    Fogged, Gouraud, Half, HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError, Lights, LinearFog,
-    Lit, LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, PointLight, RigidLambert, ScreenDoor,
-    ShadeTable, Shader, SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource, SquaredFog, Stroke,
-    TableShader, TexelSlice, Texels, Texture, TextureError, Textured, Translucent, VertexFog,
+    Accuracy, AntiAliased, Blended, BlinnPhong, ClampedTexels, ColorKeyed, CornerValues, DepthTested,
+    DirectionalLight, Dithered, ExponentialFog, Flat, Fog, FogError, FogProfile, FogTable, Fogged, Gouraud,
+    HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError, Lights, LinearFog, Lit, LitIndexedTexels,
+    LitPalette, LitTexels, LitTextured, Matcap, PointLight, RigidLambert, ScreenDoor, ShadeTable, Shader,
+    SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource, SquaredFog, Stroke, TableShader, TexelSlice,
+    Texels, Texture, TextureError, Textured, Translucent, VertexFog,
 };
 pub use surface::{
-    Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,
+    Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, Gives, LeastRun, Memory, Picture,
     PictureError, PixelStore, Pixels, StripBuffers, Target, Tracked, TransferCost,
 };

@@ -22,7 +22,9 @@ pub use crate::camera::{
     Ray, ReferenceVolume, ScreenVertex, Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport,
     ViewportError, Visibility, Window,
 };
-pub use crate::color::{Color, Format, StoredPixel};
+pub use crate::color::{
+    Access, Alpha, BlendMode, Color, Format, Half, Ink, Mixed, Reads, StoredPixel, Unmixed, Writes,
+};
 pub use crate::math::{
     Affine, AxisError, ClipPoint, Coordinate, Inside, InverseError, MatrixError, NormalMatrix, NumberError,
     Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
@@ -30,22 +32,22 @@ pub use crate::math::{
 pub use crate::pipeline::{
     draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, BinnedScene, Cull, HalfBins, HalfTransform,
     MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene, PlacedSprites, Scene,
-    SceneError, SplitBins, SplitTransform, Statistics, TransformedMesh,
+    SceneError, ShaderFor, SplitBins, SplitTransform, SpriteFor, Statistics, StrokeFor, TransformedMesh,
 };
 pub use crate::scene::{
     edge_faces, FaceColors, FacePlanes, Hierarchy, HierarchyError, MaterialError, Mesh, MeshError, Node,
     TextureCoords, WithPlanes, WithoutPlanes,
 };
 pub use crate::shading::{
-    Accuracy, Alpha, AntiAliased, BlendMode, Blended, BlinnPhong, ClampedTexels, ColorKeyed, CornerValues,
-    DepthTested, DirectionalLight, Dithered, ExponentialFog, Flat, Fog, FogError, FogProfile, FogTable,
-    Fogged, Gouraud, Half, HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError, Lights, LinearFog,
-    Lit, LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, PointLight, RigidLambert, ScreenDoor,
-    ShadeTable, Shader, SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource, SquaredFog, Stroke,
-    TableShader, TexelSlice, Texels, Texture, TextureError, Textured, Translucent, VertexFog,
+    Accuracy, AntiAliased, Blended, BlinnPhong, ClampedTexels, ColorKeyed, CornerValues, DepthTested,
+    DirectionalLight, Dithered, ExponentialFog, Flat, Fog, FogError, FogProfile, FogTable, Fogged, Gouraud,
+    HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError, Lights, LinearFog, Lit, LitIndexedTexels,
+    LitPalette, LitTexels, LitTextured, Matcap, PointLight, RigidLambert, ScreenDoor, ShadeTable, Shader,
+    SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource, SquaredFog, Stroke, TableShader, TexelSlice,
+    Texels, Texture, TextureError, Textured, Translucent, VertexFog,
 };
 pub use crate::space::{Model, View, World};
 pub use crate::surface::{
-    Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,
+    Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, Gives, LeastRun, Memory, Picture,
     PictureError, PixelStore, Pixels, Target, Tracked, TransferCost,
 };

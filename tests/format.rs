@@ -55,7 +55,7 @@ public_types! {
     Frame<Plain>, FramingError, Gouraud, Gradient, Lit, ProjectError, Projected, Hierarchy<'static>, Inside<Plain>,
     HierarchyError, Frustum, HalfBins<'static, i16, true>, SplitBins<'static, i16, true>, HalfTransform<'static, i16, true>,
     SplitTransform<'static, i16, true>, InverseError, Lambert, BlinnPhong, DirectionalLight, Lights<2>, Matcap, PointLight,
-    LeastRun<'static, Plain, 1>, LightError, MatrixError, Memory<Plain>, Mesh<'static, Plain>, MeshBuffers<3, 2, 1>,
+    LeastRun<'static, Plain, 1>, LightError, MatrixError, Memory<Plain>, Mixed<Flat, Alpha>, Reads, Writes, Mesh<'static, Plain>, MeshBuffers<3, 2, 1>,
     MeshError, Model, Ndc, Node, NormalMatrix<Plain, Plain>, NumberError, Outcode, Painter<Plain, 4, 4>,
     PaintersOrder<'static, Plain>, Picture<'static, Plain>, PictureError, Pixel, Pixels<'static, Plain>, MeshInstance<'static,
     i16>, PlanarProjection, Point3<Plain>, Projection, ProjectionError, Quaternion, QuaternionError, Ray, PainterError,

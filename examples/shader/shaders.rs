@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
-use pinhole::{CornerValues, Shader, SpanShader};
+use pinhole::{BlendMode, CornerValues, Mixed, Shader, SpanShader};
 
 /// A perspective-correct checkerboard: tiles are squares in space, so u/w, v/w and 1/w are interpolated on the screen.
 #[derive(Clone, Copy)]
@@ -41,6 +41,7 @@ impl Shader for Checkerboard {
 }
 
 impl SpanShader<Rgb888> for Checkerboard {
+    type Ink = Rgb888;
     type Setup = ([Gradient; 3], u32, [Rgb888; 2]);
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
@@ -94,6 +95,7 @@ impl Shader for Fog {
 }
 
 impl SpanShader<Rgb888> for Fog {
+    type Ink = Rgb888;
     type Setup = (Gradient, Fog);
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
@@ -127,22 +129,26 @@ impl Shader for Glass {
 }
 
 impl SpanShader<Rgb888> for Glass {
+    type Ink = Mixed<Rgb888, Halves>;
     type Setup = Rgb888;
-    const BLENDS: bool = true;
 
     fn set_up(&self, _: &Triangle<'_>) -> Rgb888 {
         self.0
     }
 
-    fn span(color: &Rgb888, _: Span) -> impl Iterator<Item = Rgb888> {
-        core::iter::repeat(*color)
+    fn span(color: &Rgb888, _: Span) -> impl Iterator<Item = Self::Ink> {
+        core::iter::repeat(Mixed::new(*color, Halves))
     }
+}
 
-    fn blend(_: &Rgb888) -> impl Fn(Rgb888, Rgb888) -> Rgb888 + Copy {
+/// Half of the shader's own colour, half of the stored pixel.
+#[derive(Clone, Copy)]
+pub(crate) struct Halves;
+
+impl BlendMode<Rgb888> for Halves {
+    fn blend(self, own: Rgb888, stored: Rgb888) -> Rgb888 {
         let half = |a: u8, b: u8| (u16::from(a) + u16::from(b)).div_ceil(2) as u8;
-        move |own, stored| {
-            let [r, g, b] = [RgbColor::r, RgbColor::g, RgbColor::b].map(|of| half(of(&own), of(&stored)));
-            Rgb888::new(r, g, b)
-        }
+        let [r, g, b] = [RgbColor::r, RgbColor::g, RgbColor::b].map(|of| half(of(&own), of(&stored)));
+        Rgb888::new(r, g, b)
     }
 }

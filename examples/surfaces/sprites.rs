@@ -39,12 +39,13 @@ struct Puff(u8);
 
 impl SpriteSource for Puff {
     type Color = Rgb888;
+    type Ink = Option<Rgb888>;
 
     fn picture_size(&self) -> Size {
         Size::new(16, 16)
     }
 
-    fn color_at(&self, column: u32, row: u32) -> Option<Rgb888> {
+    fn texel_at(&self, column: u32, row: u32) -> Option<Rgb888> {
         let away = [column, row].map(|c| (2 * c as i32 - 15).pow(2)).iter().sum::<i32>();
         let ragged = (column * 5 + row * 11 + column * row) % 7 * 9;
         (away + (ragged as i32) < 240).then(|| Rgb888::new(self.0, self.0, self.0 + 12))

@@ -3,7 +3,7 @@
 
 use core::fmt::Debug;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Band, BinnedFaces, Color, DepthBuffer, MeshInstance, ScreenVertex, SpanShader, StoredPixel};
+use pinhole::{Band, BinnedFaces, Color, DepthBuffer, Ink, MeshInstance, ScreenVertex, SpanShader, StoredPixel, Writes};
 use support::bridge::ways::{self, Drawn};
 
 /// Where scenes are drawn, before which colour, and in bands of how many rows.
@@ -39,7 +39,7 @@ impl<C: Color + Debug> Place<C> {
     }
 
     /// Into memory and onto DrawTargets.
-    pub(crate) fn everywhere<const N: usize, S: SpanShader<C>>(
+    pub(crate) fn everywhere<const N: usize, S: SpanShader<C, Ink: Ink<C, Access = Writes>>>(
         &self,
         instance: &MeshInstance<'_>,
         shade: &dyn Fn(usize) -> S,

@@ -22,12 +22,13 @@ struct Picked(Size);
 
 impl SpriteSource for Picked {
     type Color = Gray8;
+    type Ink = Option<Gray8>;
 
     fn picture_size(&self) -> Size {
         self.0
     }
 
-    fn color_at(&self, column: u32, row: u32) -> Option<Gray8> {
+    fn texel_at(&self, column: u32, row: u32) -> Option<Gray8> {
         assert!(column < self.0.width && row < self.0.height);
         let mixed = (column.wrapping_mul(0x9e37_79b1) ^ row.wrapping_mul(0x85eb_ca77)) >> 20;
         (!mixed.is_multiple_of(5)).then(|| Gray8::new(mixed as u8))
@@ -128,7 +129,7 @@ fuzz_target!(|data: &[u8]| {
             };
             let Size { width, height } = seen.picture.0;
             let (Some(column), Some(row)) = (texel(0, width), texel(1, height)) else { continue };
-            if let Some(color) = seen.picture.color_at(column, row).filter(|_| seen.depth < *depth) {
+            if let Some(color) = seen.picture.texel_at(column, row).filter(|_| seen.depth < *depth) {
                 (*pixel, *depth) = (color, seen.depth);
             }
         }

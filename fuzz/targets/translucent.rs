@@ -20,8 +20,8 @@ use input::Scene;
 use libfuzzer_sys::fuzz_target;
 use oracle::rng::Rng;
 use pinhole::{
-    Blended, ColorKeyed, DepthBuffer, Gouraud, HalfBlended, ScreenDoor, SpanShader, TexelSlice, Texture,
-    Translucent,
+    Blended, ColorKeyed, DepthBuffer, Gouraud, HalfBlended, Ink, ScreenDoor, SpanShader, TexelSlice, Texture,
+    Translucent, Unmixed, Writes,
 };
 use place::Place;
 use support::bridge::ways::{self, Drawn};
@@ -69,7 +69,10 @@ struct Check<'a> {
 }
 
 impl Check<'_> {
-    fn on_targets<S: SpanShader<Rgb565>>(&self, shade: impl Fn(usize) -> S) -> Drawn<Rgb565> {
+    fn on_targets<S: SpanShader<Rgb565, Ink: Ink<Rgb565, Access = Writes>>>(
+        &self,
+        shade: impl Fn(usize) -> S,
+    ) -> Drawn<Rgb565> {
         self.scene.with_instance(&self.scene.faces, &[], |instance| self.place.everywhere(instance, &shade))
     }
 
@@ -77,7 +80,10 @@ impl Check<'_> {
         self.scene.with_instance(&self.scene.faces, &[], |instance| self.place.in_memory(instance, &shade))
     }
 
-    fn check<S: SpanShader<Rgb565> + Copy>(&self, shade: impl Fn(usize) -> S) {
+    fn check<S: SpanShader<Rgb565, Ink: Unmixed<Rgb565, Optional: Unmixed<Rgb565>>>>(
+        &self,
+        shade: impl Fn(usize) -> S,
+    ) {
         let coverage = self.door.unwrap_or(64);
         let door = |face| ScreenDoor::new(shade(face), coverage);
         let drawn = match (self.over, self.door) {

@@ -29,7 +29,6 @@ pub(crate) mod depth_fill;
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
 mod edge20;
 pub(crate) mod fog_fill;
-pub(crate) mod kept_fill;
 pub(crate) mod line_fill;
 pub(crate) mod line_pixels;
 mod line_slope;

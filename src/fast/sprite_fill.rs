@@ -6,11 +6,10 @@
 //! - **Test**: `every_target_shows_the_oracles_pixels` in `tests/pipeline/sprites.rs`, with `--cfg pinhole_plain` and without.
 
 use super::memory_of;
+use crate::color::{Access, Ink};
 use crate::math::hints::keep_rolled;
 use crate::raster::Span;
-use crate::surface::{PixelStore, Target};
-
-type CellOf<T> = <<T as Target>::Store as PixelStore>::Cell;
+use crate::surface::{put, CellOf, Target};
 
 /// The cells of a span's pixels, if the target's pixels lie in memory.
 #[inline(always)]
@@ -21,45 +20,35 @@ fn cells<T: Target>(span: Span, target: &mut T) -> Option<&mut [CellOf<T>]> {
     cells.get_mut(from..from.wrapping_add(span.width as usize))
 }
 
-/// Sets each pixel of a span for which `colors` has a colour to what `merge` makes of the colour and the stored cell, if the target's
-/// pixels lie in memory; otherwise draws nothing and returns `false`.
+/// Sets the pixels of a span to their inks, if the target's pixels lie in memory; otherwise draws nothing and returns `false`.
 #[inline(always)]
-pub(crate) fn row<T: Target>(
+pub(crate) fn row<T: Target, I: Ink<T::Color>>(
     span: Span,
-    colors: impl Iterator<Item = Option<T::Color>>,
+    inks: impl Iterator<Item = I>,
     target: &mut T,
-    merge: impl Fn(T::Color, CellOf<T>) -> CellOf<T>,
 ) -> bool {
     let Some(cells) = cells(span, target) else { return false };
-    for (cell, color) in cells.iter_mut().zip(colors) {
+    for (cell, ink) in cells.iter_mut().zip(inks) {
         keep_rolled();
-        if let Some(color) = color {
-            *cell = merge(color, *cell);
-        }
+        put::<T, I>(cell, ink);
     }
     true
 }
 
-/// [`row`] for the pixels whose stored depths are larger than `own`, which replaces them if `WRITES`.
+/// [`row`] for the pixels whose stored depths are larger than `own`, which replaces them unless the ink is mixed with stored pixels.
 #[inline(always)]
-pub(crate) fn row_nearer<T: Target, const WRITES: bool>(
+pub(crate) fn row_nearer<T: Target, I: Ink<T::Color>>(
     span: Span,
-    colors: impl Iterator<Item = Option<T::Color>>,
+    inks: impl Iterator<Item = I>,
     own: u16,
     depths: &mut [u16],
     target: &mut T,
-    merge: impl Fn(T::Color, CellOf<T>) -> CellOf<T>,
 ) -> bool {
     let Some(cells) = cells(span, target) else { return false };
-    for ((cell, stored), color) in cells.iter_mut().zip(depths).zip(colors) {
+    for ((cell, stored), ink) in cells.iter_mut().zip(depths).zip(inks) {
         keep_rolled();
-        if let Some(color) = color
-            && own < *stored
-        {
-            *cell = merge(color, *cell);
-            if WRITES {
-                *stored = own;
-            }
+        if own < *stored && put::<T, I>(cell, ink) && !<I::Access as Access>::READS {
+            *stored = own;
         }
     }
     true

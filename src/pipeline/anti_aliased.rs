@@ -2,6 +2,7 @@
 //!
 //! Without a depth test, most lines are drawn by `fast::anti_aliased_line`. There is no path for a `DrawTarget`: targets whose pixels cannot be read do not compile with a stroke that is anti-aliased.
 
+use super::drawable::StrokeFor;
 use crate::camera::UnpackedVertex;
 use crate::color::StoredPixel;
 use crate::fast::anti_aliased_line::anti_aliased_line;
@@ -9,8 +10,7 @@ use crate::math::hints::{keep_rolled, opaque_next};
 use crate::raster::{
     rest, weighted_area, Column, LineArea, LineCoverage, LineDepth, LineEnds, Pixel, Scissor,
 };
-use crate::shading::Stroke;
-use crate::surface::{DepthBuffer, Memory, PixelStore, Target};
+use crate::surface::{DepthBuffer, Memory, Target};
 
 /// How many pixels an edge reaches beyond the rows and columns of its ends' pixels. A pixel of which a part is covered has its centre
 /// within 1.21 pixels of the line, and a pixel of which a part belongs to the line within ⅔ pixel before its end: together they are
@@ -19,7 +19,7 @@ pub(super) const BEYOND: i32 = 1;
 
 /// Draws a line between the centres of two pixels, from border to border.
 #[inline(always)]
-pub(super) fn line_between_pixels<T: Target, K: Stroke<T::Color>>(
+pub(super) fn line_between_pixels<T: Target, K: StrokeFor<T>>(
     ends: [Pixel; 2],
     scissor: &Scissor,
     stroke: K,
@@ -33,7 +33,7 @@ pub(super) fn line_between_pixels<T: Target, K: Stroke<T::Color>>(
 
 /// Draws an edge of a mesh without a depth test, if it reaches into the viewport.
 #[inline(never)] // one copy for all callers
-pub(super) fn edge<T: Target, K: Stroke<T::Color>>(
+pub(super) fn edge<T: Target, K: StrokeFor<T>>(
     ends: &[UnpackedVertex; 2],
     viewport: &Scissor,
     scissor: &Scissor,
@@ -60,7 +60,7 @@ pub(super) fn edge<T: Target, K: Stroke<T::Color>>(
 
 /// Draws the columns of a line whose pixels belong to the line.
 #[inline(never)] // one copy for all callers
-fn all_columns<T: Target, K: Stroke<T::Color>>(
+fn all_columns<T: Target, K: StrokeFor<T>>(
     mut line: LineCoverage,
     area: &LineArea,
     scissor: &Scissor,
@@ -82,7 +82,7 @@ fn all_columns<T: Target, K: Stroke<T::Color>>(
 /// Draws the columns of a line that may have pixels outside the scissor, and returns the line's other columns.
 #[cold]
 #[inline(never)]
-fn ends_of_line<T: Target, K: Stroke<T::Color>>(
+fn ends_of_line<T: Target, K: StrokeFor<T>>(
     line: LineCoverage,
     area: &LineArea,
     scissor: &Scissor,
@@ -97,7 +97,7 @@ fn ends_of_line<T: Target, K: Stroke<T::Color>>(
 
 /// Mixes the pixels of a line that lie in the scissor. `ends`: the weights of the pixels, if the columns lie at an end.
 #[inline(never)]
-fn by_pixels<T: Target, K: Stroke<T::Color>>(
+fn by_pixels<T: Target, K: StrokeFor<T>>(
     line: &LineCoverage,
     area: &LineArea,
     ends: Option<&LineEnds>,
@@ -112,7 +112,7 @@ fn by_pixels<T: Target, K: Stroke<T::Color>>(
 /// share of the line's color, in 2⁻¹⁶. `ends`: as in [`by_pixels`].
 #[inline(always)]
 #[allow(clippy::too_many_arguments)]
-fn mix_columns<const UNROLLED: bool, T: Target, K: Stroke<T::Color>, D: Copy>(
+fn mix_columns<const UNROLLED: bool, T: Target, K: StrokeFor<T>, D: Copy>(
     line: &LineCoverage,
     area: &LineArea,
     ends: Option<&LineEnds>,
@@ -122,11 +122,6 @@ fn mix_columns<const UNROLLED: bool, T: Target, K: Stroke<T::Color>, D: Copy>(
     mut depth: impl FnMut(i32) -> D,
     mut is_visible: impl FnMut(D, i32, i32, i32) -> bool,
 ) {
-    const {
-        // The compiler evaluates this for plain colours, too.
-        let readable = !K::IS_ANTI_ALIASED || <T::Store as PixelStore>::READABLE;
-        assert!(readable, "anti-aliased lines read pixels: draw into the pixels() of a Picture or of a Band");
-    }
     let Some((_, memory)) = target.memory().map(Memory::split) else { return };
     let (cells, scratch) = memory.parts();
     let (layout, color, mix) = (scratch.layout, stroke.color(), stroke.mixer());
@@ -184,7 +179,7 @@ fn meet(ends: [[i32; 2]; 2], viewport: &Scissor) -> bool {
 /// where the line's color has at least half of a pixel.
 #[inline(never)] // one copy for both callers
 #[allow(clippy::too_many_arguments)]
-pub(super) fn visible_edge<T: Target, K: Stroke<T::Color>>(
+pub(super) fn visible_edge<T: Target, K: StrokeFor<T>>(
     ends: &[UnpackedVertex; 2],
     stores: bool,
     is_drawn_over: &mut dyn FnMut(u16, i32, i32) -> bool,
@@ -230,9 +225,9 @@ pub(super) fn visible_edge<T: Target, K: Stroke<T::Color>>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::color::Color;
+    use crate::color::{Color, Reads};
     use crate::math::random::Random;
-    use crate::shading::AntiAliased;
+    use crate::shading::{AntiAliased, Stroke};
     use crate::surface::{Picture, Pixels};
     use embedded_graphics_core::geometry::Size;
     use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
@@ -247,7 +242,7 @@ mod tests {
     struct Trace<const BITS: u32>;
 
     impl<const BITS: u32> Stroke<Rgb888> for Trace<BITS> {
-        const IS_ANTI_ALIASED: bool = true;
+        type Access = Reads;
         const SHARE_BITS: u32 = BITS;
 
         fn color(&self) -> Rgb888 {

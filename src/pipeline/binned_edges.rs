@@ -5,6 +5,7 @@ use super::binned::{Binned, HasDepth};
 use super::bins::{BinError, Bins};
 use super::bounds::bounds;
 use super::draw_region::{pixels, DrawRegion};
+use super::drawable::StrokeFor;
 use super::fill::line_in_band;
 use super::hidden_line::draw_nearer;
 use super::statistics::Statistics;
@@ -111,13 +112,13 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn draw<T: Target, K: Stroke<T::Color>>(&mut self, stroke: K, band: &mut T) -> Result<(), T::Error> {
+    pub fn draw<T: Target, K: StrokeFor<T>>(&mut self, stroke: K, band: &mut T) -> Result<(), T::Error> {
         let region = self.advance_to_band::<K, T::Color>(&band.area(), None);
         self.draw_lines(&region, stroke, band)
     }
 
     #[inline(never)] // its stack frame does not exist while the bins advance
-    fn draw_lines<T: Target, K: Stroke<T::Color>>(
+    fn draw_lines<T: Target, K: StrokeFor<T>>(
         &mut self,
         region: &DrawRegion,
         stroke: K,
@@ -209,7 +210,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> BinnedEdges<'a, V, DEPTH> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn depth_tested<T: Target, K: Stroke<T::Color>>(
+    pub fn depth_tested<T: Target, K: StrokeFor<T>>(
         &mut self,
         stroke: K,
         depth: &mut DepthBuffer<'_>,
@@ -229,7 +230,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> BinnedEdges<'a, V, DEPTH> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn hidden_line<T: Target, K: Stroke<T::Color>>(
+    pub fn hidden_line<T: Target, K: StrokeFor<T>>(
         &mut self,
         stroke: K,
         depth: &mut DepthBuffer<'_>,
@@ -246,7 +247,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> BinnedEdges<'a, V, DEPTH> {
 
 impl<V: Coordinate> BinnedEdges<'_, V, true> {
     #[inline(never)] // its stack frame does not exist while the bins advance
-    fn draw_depth_tested<T: Target, K: Stroke<T::Color>>(
+    fn draw_depth_tested<T: Target, K: StrokeFor<T>>(
         &mut self,
         region: &DrawRegion,
         stroke: K,
@@ -257,7 +258,7 @@ impl<V: Coordinate> BinnedEdges<'_, V, true> {
     }
 
     #[inline(never)] // its stack frame does not exist while the bins advance
-    fn draw_hidden_line<T: Target, K: Stroke<T::Color>>(
+    fn draw_hidden_line<T: Target, K: StrokeFor<T>>(
         &mut self,
         region: &DrawRegion,
         stroke: K,

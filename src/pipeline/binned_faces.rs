@@ -3,6 +3,7 @@
 use super::binned::{Binned, HasDepth};
 use super::bins::{BinError, BinSort, Bins};
 use super::draw_region::{pixels, DrawRegion};
+use super::drawable::ShaderFor;
 use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
 use super::face_triangles::FaceTriangles;
 use super::faces::{draw_triangles, each_face, store_depth};
@@ -16,7 +17,6 @@ use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
 use crate::scene::FacePlanes;
-use crate::shading::SpanShader;
 use crate::surface::{DepthBuffer, DepthTarget, Target};
 use core::convert::Infallible;
 use embedded_graphics_core::primitives::Rectangle;
@@ -235,7 +235,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn solid<T: Target, S: SpanShader<T::Color>>(
+    pub fn solid<T: Target, S: ShaderFor<T>>(
         &mut self,
         shade: impl FnMut(usize) -> S,
         band: &mut T,
@@ -246,7 +246,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     }
 
     #[inline(never)] // its stack frame does not exist while the bins advance
-    fn draw_solid<T: Target, S: SpanShader<T::Color>>(
+    fn draw_solid<T: Target, S: ShaderFor<T>>(
         &mut self,
         region: &DrawRegion,
         mut shade: impl FnMut(usize) -> S,
@@ -372,7 +372,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> BinnedFaces<'a, V, DEPTH> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn depth_tested<T: Target, S: SpanShader<T::Color>>(
+    pub fn depth_tested<T: Target, S: ShaderFor<T>>(
         &mut self,
         shade: impl FnMut(usize) -> S,
         depth: &mut DepthBuffer<'_>,
@@ -401,7 +401,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> BinnedFaces<'a, V, DEPTH> {
 
 impl<V: Coordinate> BinnedFaces<'_, V, true> {
     #[inline(never)] // its stack frame does not exist while the bins advance
-    fn draw_depth_tested<T: Target, S: SpanShader<T::Color>>(
+    fn draw_depth_tested<T: Target, S: ShaderFor<T>>(
         &mut self,
         region: &DrawRegion,
         mut shade: impl FnMut(usize) -> S,

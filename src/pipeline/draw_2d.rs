@@ -1,10 +1,11 @@
 //! Drawing in 2D: single triangles and lines.
 
 use super::anti_aliased;
-use super::fill::{fill, line, scissor_of};
+use super::drawable::{ShaderFor, StrokeFor};
+use super::fill::{fill, is_opaque, line, scissor_of};
+use crate::color::Ink;
 use crate::fast::solid_fill;
 use crate::raster::{self, Pixel, Scissor, ScreenPoint, Triangle};
-use crate::shading::{SpanShader, Stroke};
 use crate::surface::Target;
 
 /// Fills the pixels that a triangle covers by the rules of [`raster`](crate::raster), clipped to the target. `corners` are in
@@ -24,7 +25,7 @@ use crate::surface::Target;
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[inline(always)]
-pub fn fill_triangle<T: Target, S: SpanShader<T::Color>>(
+pub fn fill_triangle<T: Target, S: ShaderFor<T>>(
     corners: [ScreenPoint; 3],
     shader: S,
     target: &mut T,
@@ -39,7 +40,8 @@ pub fn fill_triangle<T: Target, S: SpanShader<T::Color>>(
     if area == 0 {
         return Ok(()); // R6
     }
-    if let Some(color) = shader.solid_color().filter(|_| !(S::LEAVES_OUT || S::BLENDS))
+    if is_opaque::<T, S>()
+        && let Some(color) = shader.solid().and_then(Ink::own)
         && solid_fill::triangle_2d(corners, area, color, target)
     {
         return Ok(());
@@ -65,7 +67,7 @@ pub fn fill_triangle<T: Target, S: SpanShader<T::Color>>(
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[inline(always)]
-pub fn draw_line<T: Target, K: Stroke<T::Color>>(
+pub fn draw_line<T: Target, K: StrokeFor<T>>(
     from: Pixel,
     to: Pixel,
     stroke: K,

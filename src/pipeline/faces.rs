@@ -7,6 +7,7 @@
 
 use super::cull::Facing;
 use super::draw_region::DrawRegion;
+use super::drawable::ShaderFor;
 use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
 use super::face_triangles::FaceTriangles;
 use super::fill::{fill, fill_nearer};
@@ -20,7 +21,7 @@ use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::{DepthTriangle, Scissor};
 use crate::scene::FacePlanes;
-use crate::shading::{CornerValues, Shader, SpanShader};
+use crate::shading::{CornerValues, Shader};
 use crate::surface::{DepthBuffer, DepthTarget, Target};
 use core::convert::Infallible;
 
@@ -146,7 +147,7 @@ pub(super) fn draw_triangles<V: Coordinate, S: Shader, E>(
 
 /// Draws faces without a depth test.
 #[inline(always)]
-pub(super) fn solid<'a, V: Coordinate + 'a, T: Target, S: SpanShader<T::Color>, const DEPTH: bool>(
+pub(super) fn solid<'a, V: Coordinate + 'a, T: Target, S: ShaderFor<T>, const DEPTH: bool>(
     source: impl FaceSource,
     mut cache: impl VertexCache<'a, V, DEPTH>,
     region: &DrawRegion,
@@ -165,7 +166,7 @@ pub(super) fn solid<'a, V: Coordinate + 'a, T: Target, S: SpanShader<T::Color>, 
 
 /// Draws the pixels of faces that are nearer than a depth buffer, and stores their depth.
 #[inline(always)]
-pub(super) fn depth_tested<'a, V: Coordinate + 'a, T: Target, S: SpanShader<T::Color>>(
+pub(super) fn depth_tested<'a, V: Coordinate + 'a, T: Target, S: ShaderFor<T>>(
     source: impl FaceSource,
     mut cache: impl VertexCache<'a, V, true>,
     region: &DrawRegion,
@@ -231,7 +232,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(never)] // its stack frame is gone when it returns
-    pub fn solid<T: Target, S: SpanShader<T::Color>>(
+    pub fn solid<T: Target, S: ShaderFor<T>>(
         &self,
         shade: impl FnMut(usize) -> S,
         cache: &mut [ScreenVertex],
@@ -309,7 +310,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(never)] // its stack frame is gone when it returns
-    pub fn depth_tested<T: Target, S: SpanShader<T::Color>>(
+    pub fn depth_tested<T: Target, S: ShaderFor<T>>(
         &self,
         shade: impl FnMut(usize) -> S,
         cache: &mut [ScreenVertex],

@@ -4,29 +4,28 @@
 //! call before that loop attaches a fast path, which may decline. All fast paths decline with `--cfg pinhole_plain`, and for
 //! targets whose pixels do not lie in memory.
 
-use crate::color::StoredPixel;
-use crate::fast::{
-    self, depth_fill, fog_fill, kept_fill, line_fill, line_pixels, shaded_fill, solid_fill, table_fill,
-};
+use super::drawable::ShaderFor;
+use crate::color::{Access, Ink};
+use crate::fast::{self, depth_fill, fog_fill, line_fill, line_pixels, shaded_fill, solid_fill, table_fill};
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
 use crate::shading::SpanShader;
-use crate::surface::{drawable, each_run, DepthTarget, PixelStore, Target};
+use crate::surface::{drawable, each_run, put, DepthTarget, Target};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// Fills the pixels of a triangle inside the scissor, which lies in the target. `is_clipped`: whether the triangle probably has
 /// rows outside the scissor, as most triangles in a band have; it changes no pixel, only which path is tried.
 #[inline(always)]
-pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
+pub(super) fn fill<T: Target, S: ShaderFor<T>>(
     triangle: &Triangle<'_>,
     shader: &S,
     scissor: &Scissor,
     is_clipped: bool,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    if S::LEAVES_OUT || S::BLENDS {
+    if !is_opaque::<T, S>() {
         return fill_kept(triangle, shader, scissor, target);
     }
-    if let Some(color) = shader.solid_color() {
+    if let Some(color) = shader.solid().and_then(Ink::own) {
         if solid_fill::triangle(triangle, color, scissor, is_clipped, target) {
             return Ok(());
         }
@@ -39,7 +38,7 @@ pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
     if shaded_fill::triangle::<T, S>(triangle, &setup, scissor, target) {
         return Ok(());
     }
-    fast::spans(triangle, scissor).try_for_each(|span| target.fill_run(span, S::span(&setup, span)))
+    fast::spans(triangle, scissor).try_for_each(|span| target.fill_run(span, colors::<T, S>(&setup, span)))
 }
 
 /// The plain path of [`fill`] for one colour.
@@ -56,7 +55,7 @@ fn fill_spans<T: Target>(
 /// Fills the pixels of a triangle inside the scissor that are nearer than the depth buffer. The scissor lies in the target and
 /// in the depth buffer. `is_clipped` is that of [`fill`].
 #[inline(always)]
-pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
+pub(super) fn fill_nearer<T: Target, S: ShaderFor<T>>(
     triangle: &DepthTriangle<'_>,
     shader: &S,
     scissor: &Scissor,
@@ -64,10 +63,10 @@ pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    if S::LEAVES_OUT || S::BLENDS || !S::WRITES_DEPTH {
+    if !is_opaque::<T, S>() || !S::WRITES_DEPTH {
         return fill_kept_nearer(triangle, shader, scissor, depth, target);
     }
-    if let Some(color) = shader.solid_color() {
+    if let Some(color) = shader.solid().and_then(Ink::own) {
         if depth_fill::triangle_nearer(triangle, color, scissor, is_clipped, depth, target) {
             return Ok(());
         }
@@ -85,7 +84,7 @@ pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
     if shaded_fill::triangle_nearer::<T, S>(triangle, &setup, scissor, depth, target) {
         return Ok(());
     }
-    shade_spans_nearer(triangle, scissor, depth, target, |span| S::span(&setup, span))
+    shade_spans_nearer(triangle, scissor, depth, target, |span| colors::<T, S>(&setup, span))
 }
 
 /// The plain path of [`fill_nearer`] for one colour.
@@ -141,21 +140,20 @@ fn shade_span_nearer<T: Target, R: Iterator<Item = T::Color>>(
 
 /// [`fill`] for a shader that leaves out pixels, or blends.
 #[inline(never)] // its stack frame is gone when it returns
-fn fill_kept<T: Target, S: SpanShader<T::Color>>(
+fn fill_kept<T: Target, S: ShaderFor<T>>(
     triangle: &Triangle<'_>,
     shader: &S,
     scissor: &Scissor,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let setup = shader.set_up(triangle);
-    let merge = merge::<T, S>(&setup);
-    if !S::LEAVES_OUT
-        && let Some(own) = shader.solid_color().map(StoredPixel::stored)
-        && kept_fill::solid_triangle(triangle, scissor, target, move |stored| merge(own, stored))
+    if !<S::Ink as Ink<T::Color>>::LEAVES_OUT
+        && let Some(ink) = shader.solid()
+        && shaded_fill::triangle_of_one_ink(triangle, ink, scissor, target)
     {
         return Ok(());
     }
-    if kept_fill::triangle(triangle, scissor, target, |span| S::kept(&setup, span), merge) {
+    let setup = shader.set_up(triangle);
+    if shaded_fill::triangle::<T, S>(triangle, &setup, scissor, target) {
         return Ok(());
     }
     fast::spans(triangle, scissor).try_for_each(|span| {
@@ -167,7 +165,7 @@ fn fill_kept<T: Target, S: SpanShader<T::Color>>(
 
 /// [`fill_nearer`] for a shader that leaves out pixels, or blends, or whose depth is not stored.
 #[inline(never)] // its stack frame is gone when it returns
-fn fill_kept_nearer<T: Target, S: SpanShader<T::Color>>(
+fn fill_kept_nearer<T: Target, S: ShaderFor<T>>(
     triangle: &DepthTriangle<'_>,
     shader: &S,
     scissor: &Scissor,
@@ -175,13 +173,7 @@ fn fill_kept_nearer<T: Target, S: SpanShader<T::Color>>(
     target: &mut T,
 ) -> Result<(), T::Error> {
     let setup = shader.set_up(&triangle.triangle);
-    let runs = |span| S::kept(&setup, span);
-    let merge = merge::<T, S>(&setup);
-    let is_drawn = match S::WRITES_DEPTH {
-        true => kept_fill::triangle_nearer::<true, _, _, _>(triangle, scissor, depth, target, runs, merge),
-        false => kept_fill::triangle_nearer::<false, _, _, _>(triangle, scissor, depth, target, runs, merge),
-    };
-    if is_drawn {
+    if shaded_fill::triangle_nearer::<T, S>(triangle, &setup, scissor, depth, target) {
         return Ok(());
     }
     let gradient = fast::depth_gradient(&triangle.triangle, &triangle.depths);
@@ -193,51 +185,48 @@ fn fill_kept_nearer<T: Target, S: SpanShader<T::Color>>(
     })
 }
 
+/// Whether each pixel of a face is set to a colour of the shader.
+pub(super) const fn is_opaque<T: Target, S: SpanShader<T::Color>>() -> bool {
+    !(<S::Ink as Ink<T::Color>>::LEAVES_OUT || reads::<T, S>())
+}
+
+/// Whether the shader's colours are mixed with the stored pixels.
+const fn reads<T: Target, S: SpanShader<T::Color>>() -> bool {
+    <<S::Ink as Ink<T::Color>>::Access as Access>::READS
+}
+
+/// The colours of a span of which no pixel is left out.
+#[inline(always)]
+fn colors<T: Target, S: SpanShader<T::Color>>(
+    setup: &S::Setup,
+    span: Span,
+) -> impl Iterator<Item = T::Color> {
+    S::span(setup, span).map_while(Ink::own)
+}
+
 /// Whether a shader draws the pixels of a span: each call answers for the next one, from left to right.
 #[inline(always)]
 pub(super) fn kept_pixels<C: PixelColor, S: SpanShader<C>>(
     setup: &S::Setup,
     span: Span,
 ) -> impl FnMut() -> bool {
-    let mut colors = S::kept(setup, span).flat_map(|(width, run)| run.take(width as usize));
-    move || colors.next().flatten().is_some()
+    let mut inks = S::runs(setup, span).flat_map(|(width, run)| run.take(width as usize));
+    move || inks.next().and_then(Ink::own).is_some()
 }
 
 /// Draws one run of kept pixels, for a shader that leaves out pixels or blends.
 #[inline(always)]
-fn draw_run<T: Target, S: SpanShader<T::Color>>(
-    setup: &S::Setup,
-    run: Span,
-    target: &mut T,
-) -> Result<(), T::Error> {
-    if !S::BLENDS {
-        return target.fill_run(run, S::span(setup, run));
+fn draw_run<T: Target, S: ShaderFor<T>>(setup: &S::Setup, run: Span, target: &mut T) -> Result<(), T::Error> {
+    if !reads::<T, S>() {
+        return target.fill_run(run, colors::<T, S>(setup, run));
     }
     if let Some(row) = target.memory().and_then(|memory| memory.row(run.x, run.y, run.width)) {
-        let (own, merge) = (S::span(setup, run).map(StoredPixel::stored), merge::<T, S>(setup));
-        row.iter_mut().zip(own).for_each(|(pixel, own)| *pixel = merge(own, *pixel));
+        row.iter_mut().zip(S::span(setup, run)).for_each(|(cell, ink)| {
+            put::<T, _>(cell, ink);
+        });
     }
     Ok(())
 }
-
-/// A function that returns the cell to store in a pixel, from the shader's own and the stored one.
-#[inline(always)]
-fn merge<T: Target, S: SpanShader<T::Color>>(
-    setup: &S::Setup,
-) -> impl Fn(Cell<T>, Cell<T>) -> Cell<T> + Copy {
-    const {
-        let readable = !S::BLENDS || <T::Store as PixelStore>::READABLE;
-        assert!(readable, "this shader reads pixels: draw into a Picture, or into the pixels() of a Band");
-    }
-    let blend = S::blend(setup);
-    move |own, stored| match S::BLENDS {
-        true => blend(T::Color::load(own), T::Color::load(stored)).stored(),
-        false => own,
-    }
-}
-
-/// The stored form of a target's pixels.
-type Cell<T> = <<T as Target>::Store as PixelStore>::Cell;
 
 /// Draws a line inside the scissor, which lies in the target.
 #[inline(always)]

@@ -3,6 +3,7 @@
 use super::anti_aliased;
 use super::cull::Facing;
 use super::draw_region::DrawRegion;
+use super::drawable::StrokeFor;
 use super::face_triangles::FaceTriangles;
 use super::instance::{AnyInstance, MeshInstance};
 use super::statistics::Statistics;
@@ -12,7 +13,6 @@ use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::math::Coordinate;
 use crate::raster::{self, DepthTriangle, EdgePlanes, LineDepth, Scissor, ScreenPoint, Span};
 use crate::scene::FacePlanes;
-use crate::shading::Stroke;
 use crate::surface::{DepthBuffer, Target};
 
 impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
@@ -31,7 +31,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn wireframe_depth_tested<T: Target, K: Stroke<T::Color>>(
+    pub fn wireframe_depth_tested<T: Target, K: StrokeFor<T>>(
         &self,
         stroke: K,
         cache: &mut [ScreenVertex],
@@ -98,7 +98,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn hidden_line<T: Target, K: Stroke<T::Color>>(
+    pub fn hidden_line<T: Target, K: StrokeFor<T>>(
         &self,
         stroke: K,
         cache: &mut [ScreenVertex],
@@ -111,7 +111,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
 
 impl<V: Coordinate> AnyInstance<'_, V> {
     #[inline(never)] // its stack frame is gone when it returns
-    fn wireframe_depth_tested<T: Target, K: Stroke<T::Color>>(
+    fn wireframe_depth_tested<T: Target, K: StrokeFor<T>>(
         &self,
         stroke: K,
         cache: &mut [ScreenVertex],
@@ -124,7 +124,7 @@ impl<V: Coordinate> AnyInstance<'_, V> {
     }
 
     #[inline(never)] // its stack frame is gone when it returns
-    fn hidden_line<T: Target, K: Stroke<T::Color>>(
+    fn hidden_line<T: Target, K: StrokeFor<T>>(
         &self,
         stroke: K,
         cache: &mut [ScreenVertex],
@@ -140,7 +140,7 @@ impl<V: Coordinate> AnyInstance<'_, V> {
 impl<V: Coordinate> TransformedMesh<'_, V, true> {
     /// Draws the pixels of an edge where the edge, or the plane of a face beside it, is as near as the depth buffer.
     #[inline(always)]
-    pub(super) fn draw_hidden_line<T: Target, K: Stroke<T::Color>>(
+    pub(super) fn draw_hidden_line<T: Target, K: StrokeFor<T>>(
         &self,
         edge: usize,
         ends: &[UnpackedVertex; 2],
@@ -242,7 +242,7 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
 
 /// Draws the pixels of a line that are as near as the depth buffer or nearer, and stores their depth.
 #[inline(always)]
-pub(super) fn draw_nearer<T: Target, K: Stroke<T::Color>>(
+pub(super) fn draw_nearer<T: Target, K: StrokeFor<T>>(
     ends: &[UnpackedVertex; 2],
     stroke: K,
     region: &DrawRegion,

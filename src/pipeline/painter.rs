@@ -1,6 +1,7 @@
 //! The painter's algorithm: stored faces are drawn from far to near.
 
 use super::draw_region::DrawRegion;
+use super::drawable::ShaderFor;
 use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
 use super::faces::{draw_triangles, each_face};
 use super::fill::{fill, fill_nearer};
@@ -12,7 +13,7 @@ use crate::math::hints::{keep_rolled, opaque};
 use crate::math::Coordinate;
 use crate::raster::{self, DepthTriangle, Scissor, ScreenPoint, Triangle};
 use crate::scene::FacePlanes;
-use crate::shading::{DepthTested, Shader, SpanShader};
+use crate::shading::{DepthTested, Shader};
 use crate::surface::{DepthBuffer, DepthTarget, Target};
 use core::convert::Infallible;
 use embedded_graphics_core::primitives::Rectangle;
@@ -152,7 +153,7 @@ impl<S: Copy> PaintersOrder<'_, S> {
     #[inline(never)] // its stack frame is gone when it returns
     pub fn draw<T: Target>(&self, target: &mut T) -> Result<(), T::Error>
     where
-        S: SpanShader<T::Color>,
+        S: ShaderFor<T>,
     {
         let Some(area) = &self.area else { return Ok(()) };
         let region = DrawRegion::shared(&target.area(), area, None);
@@ -190,7 +191,7 @@ impl<S: Copy> PaintersOrder<'_, DepthTested<S>> {
     #[inline(never)] // its stack frame is gone when it returns
     pub fn depth_tested<T: Target>(&self, depth: &mut DepthBuffer<'_>, target: &mut T) -> Result<(), T::Error>
     where
-        S: SpanShader<T::Color>,
+        S: ShaderFor<T>,
     {
         let Some(area) = &self.area else { return Ok(()) };
         let region = DrawRegion::shared(&target.area(), area, Some(depth));
@@ -223,7 +224,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<DepthTested<S>,
         target: &mut T,
     ) -> Result<Statistics, T::Error>
     where
-        S: SpanShader<T::Color>,
+        S: ShaderFor<T>,
     {
         let order = self.order();
         let statistics = order.statistics();
@@ -332,7 +333,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     #[inline(never)] // its stack frame is gone when it returns
     pub fn draw<T: Target>(&mut self, target: &mut T) -> Result<Statistics, T::Error>
     where
-        S: SpanShader<T::Color>,
+        S: ShaderFor<T>,
     {
         let order = self.order();
         let statistics = order.statistics();

@@ -8,6 +8,7 @@ use super::fill::kept_pixels;
 use super::instance::MeshInstance;
 use super::vertex_cache::{LazyCache, TransformedMesh, VertexCache};
 use crate::camera::{Camera, ScreenVertex};
+use crate::color::Ink;
 use crate::fast;
 use crate::math::{Coordinate, Point3};
 use crate::raster::ScreenPoint;
@@ -153,7 +154,7 @@ fn pick_nearer<'a, V: Coordinate + 'a, C: PixelColor, S: SpanShader<C>>(
                 return Ok(()); // the gradient is not set up
             }
             let gradient = fast::depth_gradient(&triangle.triangle, &triangle.depths);
-            let setup = S::LEAVES_OUT.then(|| shader.set_up(&triangle.triangle));
+            let setup = <S::Ink as Ink<C>>::LEAVES_OUT.then(|| shader.set_up(&triangle.triangle));
             spans.try_for_each(|span| {
                 let is_kept = || setup.as_ref().is_none_or(|setup| kept_pixels::<C, S>(setup, span)());
                 depth.test_kept(span, &gradient, is_kept, true, |_| {

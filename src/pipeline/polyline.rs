@@ -2,6 +2,7 @@
 
 use super::anti_aliased;
 use super::draw_region::DrawRegion;
+use super::drawable::StrokeFor;
 use super::instance::{AnyInstance, MeshInstance};
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
@@ -9,7 +10,6 @@ use crate::camera::Projected;
 use crate::math::Coordinate;
 use crate::raster::{self, Pixel, Span};
 use crate::scene::FacePlanes;
-use crate::shading::Stroke;
 use crate::surface::Target;
 
 impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
@@ -51,7 +51,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn polyline<T: Target, K: Stroke<T::Color>>(
+    pub fn polyline<T: Target, K: StrokeFor<T>>(
         &self,
         stroke: K,
         target: &mut T,
@@ -81,7 +81,7 @@ impl<V: Coordinate> AnyInstance<'_, V> {
     }
 
     #[inline(never)] // its stack frame is gone when it returns
-    fn polyline<T: Target, K: Stroke<T::Color>>(
+    fn polyline<T: Target, K: StrokeFor<T>>(
         &self,
         stroke: K,
         target: &mut T,

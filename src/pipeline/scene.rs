@@ -3,6 +3,7 @@
 use super::binned_faces::BinnedFaces;
 use super::bins::BinError;
 use super::cull::Cull;
+use super::drawable::ShaderFor;
 use super::instance::MeshInstance;
 use super::painter::{Painter, PainterError};
 use super::pick::{pick_at, Picked};
@@ -255,7 +256,7 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.
-    pub fn depth_tested<T: Target, S: SpanShader<T::Color>, F: FnMut(usize) -> S>(
+    pub fn depth_tested<T: Target, S: ShaderFor<T>, F: FnMut(usize) -> S>(
         &self,
         mut shade: impl FnMut(usize, &'s Object<'m, M>) -> F,
         cache: &mut [ScreenVertex],
@@ -350,7 +351,7 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.
-    pub fn depth_tested<T: Target, S: SpanShader<T::Color>, F: FnMut(usize) -> S>(
+    pub fn depth_tested<T: Target, S: ShaderFor<T>, F: FnMut(usize) -> S>(
         &mut self,
         mut shade: impl FnMut(usize, &'f Object<'m, M>) -> F,
         depth: &mut DepthBuffer<'_>,

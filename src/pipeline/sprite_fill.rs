@@ -2,12 +2,13 @@
 //!
 //! The plain path passes each run of drawn pixels to the target; the call before it attaches the fast path for memory.
 
-use crate::color::StoredPixel;
+use super::drawable::SpriteFor;
+use crate::color::{Access, Ink};
 use crate::fast::sprite_fill;
 use crate::math::hints::keep_rolled;
 use crate::raster::{Scissor, Span, SpriteAxis, TexelWalk};
 use crate::shading::SpriteSource;
-use crate::surface::{DepthBuffer, PixelStore, Target};
+use crate::surface::{put, DepthBuffer, Target};
 
 /// A sprite on the screen.
 #[derive(Debug)]
@@ -34,7 +35,7 @@ impl ScreenSprite {
 /// Draws the pixels of a sprite inside the scissor, which lies in the target. With `DEPTH`, only those that are nearer than the depth
 /// buffer, in which the scissor lies, too.
 #[inline(never)] // its stack frame is gone when it returns
-pub(super) fn fill<T: Target, S: SpriteSource<Color = T::Color>, const DEPTH: bool>(
+pub(super) fn fill<T: Target, S: SpriteFor<T>, const DEPTH: bool>(
     sprite: &ScreenSprite,
     source: &S,
     scissor: &Scissor,
@@ -69,32 +70,30 @@ struct TexelRow<'s, S> {
 }
 
 impl<S: SpriteSource> TexelRow<'_, S> {
-    /// The colours of a row's pixels from a pixel whose texel is known, without end: `None` where a texel is transparent.
+    /// The inks of a row's pixels from a pixel whose texel is known, without end.
     #[inline(always)]
-    fn colors(&self, mut walk: TexelWalk) -> impl Iterator<Item = Option<S::Color>> {
+    fn inks(&self, mut walk: TexelWalk) -> impl Iterator<Item = S::Ink> {
         core::iter::repeat_with(move || {
-            let color = self.source.color_at(walk.texel(), self.row);
+            let ink = self.source.texel_at(walk.texel(), self.row);
             walk.advance();
-            color
+            ink
         })
     }
 }
 
 /// Draws the pixels of a span. With `DEPTH` there is a stored depth for each of them.
 #[inline(always)]
-fn fill_row<T: Target, S: SpriteSource<Color = T::Color>, const DEPTH: bool>(
+fn fill_row<T: Target, S: SpriteFor<T>, const DEPTH: bool>(
     span: Span,
     texels: &TexelRow<'_, S>,
     own: u16,
     depths: &mut [u16],
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let merge = |color, cell| merged::<T, S>(texels.source, color, cell);
-    let colors = || texels.colors(texels.first);
-    let is_drawn = match (DEPTH, S::BLENDS) {
-        (false, _) => sprite_fill::row(span, colors(), target, merge),
-        (true, true) => sprite_fill::row_nearer::<_, false>(span, colors(), own, depths, target, merge),
-        (true, false) => sprite_fill::row_nearer::<_, true>(span, colors(), own, depths, target, merge),
+    let inks = texels.inks(texels.first);
+    let is_drawn = match DEPTH {
+        false => sprite_fill::row(span, inks, target),
+        true => sprite_fill::row_nearer(span, inks, own, depths, target),
     };
     if is_drawn {
         return Ok(());
@@ -107,13 +106,13 @@ fn fill_row<T: Target, S: SpriteSource<Color = T::Color>, const DEPTH: bool>(
         keep_rolled();
         let is_nearer = |depth: &mut u16| {
             let is_nearer = own < *depth;
-            if is_nearer && !S::BLENDS {
+            if is_nearer && !reads::<T, S>() {
                 *depth = own;
             }
             is_nearer
         };
         let stored = if DEPTH { stored.next() } else { None };
-        let is_kept = texels.source.color_at(walk.texel(), texels.row).is_some();
+        let is_kept = texels.source.texel_at(walk.texel(), texels.row).own().is_some();
         let is_drawn = is_kept && (!DEPTH || stored.is_some_and(is_nearer));
         if !is_drawn {
             draw_run(Span { x: start, width: x - start, ..span }, texels, run, target)?;
@@ -128,7 +127,7 @@ fn fill_row<T: Target, S: SpriteSource<Color = T::Color>, const DEPTH: bool>(
 
 /// Draws a run of pixels, none of which is transparent or hidden. It may be empty.
 #[inline(never)] // code size: two calls
-fn draw_run<T: Target, S: SpriteSource<Color = T::Color>>(
+fn draw_run<T: Target, S: SpriteFor<T>>(
     run: Span,
     texels: &TexelRow<'_, S>,
     first: TexelWalk,
@@ -137,40 +136,22 @@ fn draw_run<T: Target, S: SpriteSource<Color = T::Color>>(
     if run.width == 0 {
         return Ok(());
     }
-    // No texel of the run is transparent: nothing is dropped.
-    let colors = texels.colors(first).map_while(|color| color);
-    if S::BLENDS {
+    if reads::<T, S>() {
         if let Some(row) = target.memory().and_then(|memory| memory.row(run.x, run.y, run.width)) {
-            row.iter_mut()
-                .zip(colors)
-                .for_each(|(cell, color)| *cell = merged::<T, S>(texels.source, color, *cell));
+            row.iter_mut().zip(texels.inks(first)).for_each(|(cell, ink)| {
+                put::<T, _>(cell, ink);
+            });
         }
         return Ok(());
     }
-    match texels.source.solid_color() {
+    match texels.source.solid_texel().and_then(Ink::own) {
         Some(color) => target.fill(run, color),
-        None => target.fill_run(run, colors),
+        // No texel of the run is transparent: nothing is dropped.
+        None => target.fill_run(run, texels.inks(first).map_while(Ink::own)),
     }
 }
 
-/// The stored form of a target's pixels.
-type Cell<T> = <<T as Target>::Store as PixelStore>::Cell;
-
-/// The cell to store in a pixel, from the sprite's colour and the stored cell.
-#[inline(always)]
-fn merged<T: Target, S: SpriteSource<Color = T::Color>>(
-    source: &S,
-    own: T::Color,
-    stored: Cell<T>,
-) -> Cell<T> {
-    const {
-        assert!(
-            !S::BLENDS || <T::Store as PixelStore>::READABLE,
-            "a translucent sprite reads pixels: draw it into a Picture's pixels(), or into the pixels() of a Band"
-        );
-    }
-    match S::BLENDS {
-        true => source.blend(own, T::Color::load(stored)).stored(),
-        false => own.stored(),
-    }
+/// Whether the sprite is mixed with the stored pixels.
+const fn reads<T: Target, S: SpriteFor<T>>() -> bool {
+    <<S::Ink as Ink<T::Color>>::Access as Access>::READS
 }

@@ -1,6 +1,7 @@
 //! Sprites: pictures that face the viewer, at points of the world.
 
 use super::draw_region::{pixels, DrawRegion};
+use super::drawable::SpriteFor;
 use super::instance::AnyInstance;
 use super::sprite_fill::{fill, ScreenSprite};
 use super::statistics::{Outcome, Statistics};
@@ -115,7 +116,7 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn draw<T: Target, S: SpriteSource<Color = T::Color>>(
+    pub fn draw<T: Target, S: SpriteFor<T>>(
         &self,
         sprite: impl Fn(usize) -> Sprite<S>,
         target: &mut T,
@@ -134,7 +135,7 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn depth_tested<T: Target, S: SpriteSource<Color = T::Color>>(
+    pub fn depth_tested<T: Target, S: SpriteFor<T>>(
         &self,
         sprite: impl Fn(usize) -> Sprite<S>,
         depth: &mut DepthBuffer<'_>,

@@ -2,6 +2,7 @@
 
 use super::anti_aliased;
 use super::draw_region::DrawRegion;
+use super::drawable::StrokeFor;
 use super::fill::line;
 use super::instance::{AnyInstance, MeshInstance};
 use super::statistics::Statistics;
@@ -9,7 +10,6 @@ use super::vertex_cache::TransformedMesh;
 use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::math::Coordinate;
 use crate::scene::FacePlanes;
-use crate::shading::Stroke;
 use crate::surface::Target;
 
 /// The edge loop: clips each edge and calls `draw` with the index and the ends of each edge of which clipping leaves something.
@@ -45,7 +45,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn wireframe<T: Target, K: Stroke<T::Color>>(
+    pub fn wireframe<T: Target, K: StrokeFor<T>>(
         &self,
         stroke: K,
         cache: &mut [ScreenVertex],
@@ -91,7 +91,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn wireframe_by_edge<T: Target, K: Stroke<T::Color>>(
+    pub fn wireframe_by_edge<T: Target, K: StrokeFor<T>>(
         &self,
         stroke: impl FnMut(usize) -> K,
         cache: &mut [ScreenVertex],
@@ -103,7 +103,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
 
 impl<V: Coordinate> AnyInstance<'_, V> {
     #[inline(never)] // its stack frame is gone when it returns
-    fn wireframe<T: Target, K: Stroke<T::Color>>(
+    fn wireframe<T: Target, K: StrokeFor<T>>(
         &self,
         stroke: K,
         cache: &mut [ScreenVertex],
@@ -121,7 +121,7 @@ impl<V: Coordinate> AnyInstance<'_, V> {
     }
 
     #[inline(never)] // its stack frame is gone when it returns
-    fn wireframe_by_edge<T: Target, K: Stroke<T::Color>>(
+    fn wireframe_by_edge<T: Target, K: StrokeFor<T>>(
         &self,
         mut stroke: impl FnMut(usize) -> K,
         cache: &mut [ScreenVertex],

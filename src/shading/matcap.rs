@@ -84,7 +84,7 @@ impl Matcap {
 
     /// The colour of a flat face with this unit normal (model space, in 2⁻¹⁵): the texel at [`coords`](Self::coords).
     #[inline(always)]
-    pub fn color<T: Texels>(&self, ball: T, normal: [i16; 3]) -> T::Color {
+    pub fn color<T: Texels>(&self, ball: T, normal: [i16; 3]) -> T::Ink {
         let [u, v] = self.coords(normal).map(|c| (c as u32) << 17); // not negative, 15 bits
         ball.texel(u, v)
     }

@@ -54,4 +54,4 @@ pub use texture::{
     Accuracy, ClampedTexels, ColorKeyed, IndexKeyed, IndexedTexels, LitIndexedTexels, LitPalette, LitTexels,
     LitTextured, TexelSlice, Texels, Texture, TextureError, Textured,
 };
-pub use translucent::{Alpha, BlendMode, Blended, Half, HalfBlended, Translucent};
+pub use translucent::{Blended, HalfBlended, Translucent};

@@ -2,6 +2,7 @@
 
 use super::dither::PATTERN;
 use super::{CornerValues, Shader, SpanShader};
+use crate::color::Ink;
 use crate::raster::{Span, Triangle};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
@@ -73,9 +74,8 @@ pub struct ScreenDoorSetup<P> {
 }
 
 impl<C: PixelColor, S: SpanShader<C>> SpanShader<C> for ScreenDoor<S> {
+    type Ink = <S::Ink as Ink<C>>::Optional;
     type Setup = ScreenDoorSetup<S::Setup>;
-    const LEAVES_OUT: bool = true;
-    const BLENDS: bool = S::BLENDS;
     const WRITES_DEPTH: bool = S::WRITES_DEPTH;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> ScreenDoorSetup<S::Setup> {
@@ -85,35 +85,30 @@ impl<C: PixelColor, S: SpanShader<C>> SpanShader<C> for ScreenDoor<S> {
     }
 
     #[inline(always)]
-    fn span(setup: &ScreenDoorSetup<S::Setup>, span: Span) -> impl Iterator<Item = C> {
-        S::span(&setup.own, span)
+    fn span(setup: &ScreenDoorSetup<S::Setup>, span: Span) -> impl Iterator<Item = Self::Ink> {
+        Self::runs(setup, span).flat_map(|(width, run)| run.take(width as usize))
     }
 
     #[inline(always)]
-    fn kept(
+    fn runs(
         setup: &ScreenDoorSetup<S::Setup>,
         span: Span,
-    ) -> impl Iterator<Item = (i32, impl Iterator<Item = Option<C>>)> {
+    ) -> impl Iterator<Item = (i32, impl Iterator<Item = Self::Ink>)> {
         let [first, ..] = setup.rows;
         // The mask keeps the index inside the pattern.
         let row = setup.rows.get(span.y as usize & 7).unwrap_or(first);
         let row = u32::from(*row) * 0x0101_0101; // four times the 8 columns
         let mut x = span.x;
-        S::kept(&setup.own, span).map(move |(width, run)| {
+        S::runs(&setup.own, span).map(move |(width, run)| {
             let mut columns = row.rotate_right(x as u32 & 31);
             x = x.wrapping_add(width); // at most the end of the span
-            let colors = run.map(move |color| {
+            let inks = run.map(move |ink| {
                 let is_drawn = columns & 1 != 0;
                 columns = columns.rotate_right(1);
-                color.filter(|_| is_drawn)
+                ink.only_if(is_drawn)
             });
-            (width, colors)
+            (width, inks)
         })
-    }
-
-    #[inline(always)]
-    fn blend(setup: &ScreenDoorSetup<S::Setup>) -> impl Fn(C, C) -> C + Copy {
-        S::blend(&setup.own)
     }
 }
 

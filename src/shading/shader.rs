@@ -2,6 +2,7 @@
 
 use super::CornerValues;
 use crate::clip::Varying;
+use crate::color::{Access, Ink};
 use crate::raster::{Gradient, Span, Triangle};
 use crate::shading::{FogBounds, FogLevel, Line, TableShader};
 use core::iter::{once, repeat};
@@ -128,6 +129,7 @@ pub trait Shader: Copy {
 /// }
 ///
 /// impl SpanShader<Gray8> for Ramp {
+///     type Ink = Gray8;
 ///     type Setup = Gradient;
 ///     fn set_up(&self, triangle: &Triangle) -> Gradient {
 ///         triangle.gradient(self.0.map(|c| u32::from(c) << 16)) // 8.16 at the corners, 8.24 at pixels
@@ -158,42 +160,22 @@ pub trait Shader: Copy {
     note = "return `{C}`, the target's color type, from the closure; for other colors return `Flat::from` of them or a `Gouraud`, which convert to the target's"
 )]
 pub trait SpanShader<C: PixelColor>: Shader {
+    /// What the shader gives for a pixel: `C` itself, `Option<C>` if it leaves out pixels, [`Mixed`](crate::Mixed) if its colours are
+    /// mixed with the stored pixels.
+    type Ink: Ink<C>;
+
     /// The result of [`set_up`](Self::set_up), usually gradients.
     type Setup;
 
-    /// Whether the shader leaves out pixels, by [`kept`](Self::kept): what lies behind the face is seen there.
-    const LEAVES_OUT: bool = false;
-
-    /// Whether the shader's colours are mixed with the stored pixels, by [`blend`](Self::blend). Such a shader compiles only for
-    /// targets whose pixels lie in [memory](crate::Target::memory): a [`Picture`](crate::Picture), the pixels of a
-    /// [`Band`](crate::Band), or a target of your own that has memory.
-    const BLENDS: bool = false;
-
     /// Whether draw calls with a depth buffer store the depth of the pixels that they draw. If false, they only test it: for
-    /// translucent faces, behind which others may still be seen.
-    const WRITES_DEPTH: bool = true;
+    /// translucent faces, behind which others may still be seen. The default is false for inks that are mixed.
+    const WRITES_DEPTH: bool = !<<Self::Ink as Ink<C>>::Access as Access>::READS;
 
     /// Sets up the shader for a triangle, whose corners are in the order of the face's vertices.
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup;
 
-    /// The colours of a span, one row high, from left to right: at least `span.width` of them. Spans contain only pixels that
-    /// the triangle covers.
-    fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = C>;
-
-    /// The colours of a span as runs, from left to right: the width of each run, and its colours, at least that many. Override it
-    /// if colours are cheap to compute within a run but not from run to run. For targets whose pixels lie in memory it is called
-    /// instead of [`span`](Self::span), and must give equal colours.
-    #[inline(always)]
-    fn runs(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = C>)> {
-        once((span.width, Self::span(setup, span)))
-    }
-
-    /// The colours of a span as [`runs`](Self::runs), with `None` for each pixel that is left out. Called if
-    /// [`LEAVES_OUT`](Self::LEAVES_OUT) is true; the other pixels must have the colours that [`span`](Self::span) gives. Depth is
-    /// stored for pixels that are drawn, and for no others.
-    ///
-    /// Targets whose pixels lie in memory are drawn by this function alone. Other targets get each run of drawn pixels in one
-    /// call, with the colours that `span` gives for the run.
+    /// The inks of a span, one row high, from left to right: at least `span.width` of them. Spans contain only pixels that
+    /// the triangle covers. May be called more than once for a pixel, and must give equal inks.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -208,14 +190,11 @@ pub trait SpanShader<C: PixelColor>: Shader {
     ///     }
     /// }
     /// impl SpanShader<BinaryColor> for Bars {
+    ///     type Ink = Option<BinaryColor>;
     ///     type Setup = ();
-    ///     const LEAVES_OUT: bool = true;
     ///     fn set_up(&self, _: &Triangle<'_>) {}
-    ///     fn span(_: &(), _: Span) -> impl Iterator<Item = BinaryColor> {
-    ///         core::iter::repeat(BinaryColor::On)
-    ///     }
-    ///     fn kept(_: &(), span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = Option<BinaryColor>>)> {
-    ///         core::iter::once((span.width, (span.x..).map(|x| (x % 3 == 0).then_some(BinaryColor::On))))
+    ///     fn span(_: &(), span: Span) -> impl Iterator<Item = Option<BinaryColor>> {
+    ///         (span.x..).map(|x| (x % 3 == 0).then_some(BinaryColor::On))
     ///     }
     /// }
     /// let mut display = MockDisplay::new();
@@ -224,68 +203,28 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// display.assert_pattern(&["#  # ", "#  # ", "#  # ", "#    ", "#    ", "#    "]);
     /// # Ok::<(), core::convert::Infallible>(())
     /// ```
-    #[inline(always)]
-    fn kept(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = Option<C>>)> {
-        Self::runs(setup, span).map(|(width, run)| (width, run.map(Some)))
-    }
+    fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = Self::Ink>;
 
-    /// The function that mixes the shader's colours with the stored pixels, if [`BLENDS`](Self::BLENDS) is true: from the shader's
-    /// own colour and the stored one it makes the colour to store. It is called once for each pixel that is drawn. Let it own copies
-    /// of what it needs from `setup`: what lies behind a reference is loaded for each pixel.
-    ///
-    /// [`Translucent`](crate::Translucent) mixes the colours of any shader by any function. A shader of its own:
-    ///
-    /// ```
-    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-    /// use pinhole::{fill_triangle, raster::{ScreenPoint, Span, Triangle}, Picture, Shader, SpanShader};
-    /// /// Light that is added to what is stored.
-    /// #[derive(Clone, Copy)]
-    /// struct Beam(u8);
-    /// impl Shader for Beam {
-    ///     type Varying = ();
-    ///     fn sub_face(&self, _: [(); 3]) -> Self {
-    ///         *self
-    ///     }
-    /// }
-    /// impl SpanShader<Gray8> for Beam {
-    ///     type Setup = u8;
-    ///     const BLENDS: bool = true;
-    ///     const WRITES_DEPTH: bool = false;
-    ///     fn set_up(&self, _: &Triangle<'_>) -> u8 {
-    ///         self.0
-    ///     }
-    ///     fn span(own: &u8, _: Span) -> impl Iterator<Item = Gray8> {
-    ///         core::iter::repeat(Gray8::new(*own))
-    ///     }
-    ///     fn blend(_: &u8) -> impl Fn(Gray8, Gray8) -> Gray8 + Copy {
-    ///         |own, stored| Gray8::new(own.luma().saturating_add(stored.luma()))
-    ///     }
-    /// }
-    /// let mut pixels = [Gray8::new(100); 16];
-    /// let mut picture = Picture::new(&mut pixels, Size::new(4, 4))?;
-    /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
-    /// fill_triangle([corner(0, 0), corner(4, 0), corner(0, 4)], Beam(80), &mut picture.pixels())?;
-    /// assert_eq!([picture.colors()[0], picture.colors()[15]], [Gray8::new(180), Gray8::new(100)]);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
+    /// The inks of a span as runs, from left to right: the width of each run, and its inks, at least that many. Override it
+    /// if inks are cheap to compute within a run but not from run to run. For targets whose pixels lie in memory it is called
+    /// instead of [`span`](Self::span), and must give equal inks.
     #[inline(always)]
-    fn blend(setup: &Self::Setup) -> impl Fn(C, C) -> C + Copy {
-        let _ = setup;
-        |own, _stored| own
+    fn runs(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = Self::Ink>)> {
+        once((span.width, Self::span(setup, span)))
     }
 
     /// Hands [`runs`](Self::runs) to a loop over the rows of a triangle, for targets whose pixels lie in memory. A shader with
     /// several kinds of set-up overrides it, so that each kind gets a loop of its own.
     #[doc(hidden)]
     #[inline(always)]
-    fn draw_runs<D: DrawRuns<C>>(setup: &Self::Setup, draw: D) {
+    fn draw_runs<D: DrawRuns<Self::Ink>>(setup: &Self::Setup, draw: D) {
         draw.runs(|span| Self::runs(setup, span));
     }
 
-    /// The colour of all pixels, if the shader has only one. Then [`span`](Self::span) and, unless the shader
-    /// [blends](Self::BLENDS), [`set_up`](Self::set_up) are not called, and faces are filled faster.
+    /// The ink of all pixels, if the shader has only one. Then [`span`](Self::span) is not called, and neither is
+    /// [`set_up`](Self::set_up) if the ink is a colour: faces are filled faster.
     #[inline(always)]
-    fn solid_color(&self) -> Option<C> {
+    fn solid(&self) -> Option<Self::Ink> {
         None
     }
 
@@ -311,23 +250,23 @@ pub trait SpanShader<C: PixelColor>: Shader {
     message = "`{Self}` is not a loop over the rows of a triangle",
     note = "leave `draw_runs` as the trait has it, and override `runs`"
 )]
-pub trait DrawRuns<C>: Sized {
+pub trait DrawRuns<I>: Sized {
     /// Fills the triangle with the runs that `runs` returns for each span.
-    fn runs<R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = C>>(self, runs: impl Fn(Span) -> R);
+    fn runs<R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = I>>(self, runs: impl Fn(Span) -> R);
 
-    /// Fills the triangle with the colours of `texel` at the texture coordinates that `lines` returns for each span, as runs: the
+    /// Fills the triangle with the inks of `texel` at the texture coordinates that `lines` returns for each span, as runs: the
     /// width of each, and its coordinates.
     fn lines<L: Line, R: Iterator<Item = (i32, L)>>(
         self,
         lines: impl Fn(Span) -> R,
-        texel: impl Fn([u32; 2]) -> C + Copy,
+        texel: impl Fn([u32; 2]) -> I + Copy,
     ) {
         self.runs(|span| lines(span).map(|(width, line)| (width, line.map(texel))));
     }
 
-    /// Fills the triangle with the colours of `texel`, given a gradient of texture coordinates that share a word; or draws
+    /// Fills the triangle with the inks of `texel`, given a gradient of texture coordinates that share a word; or draws
     /// nothing and returns `false`.
-    fn packed(&mut self, _gradient: &Gradient, _texel: impl Fn(u32) -> C + Copy) -> bool {
+    fn packed(&mut self, _gradient: &Gradient, _texel: impl Fn(u32) -> I + Copy) -> bool {
         false
     }
 }
@@ -367,6 +306,7 @@ impl<C: PixelColor> Shader for C {
 }
 
 impl<C: PixelColor> SpanShader<C> for C {
+    type Ink = C;
     type Setup = C;
 
     #[inline(always)]
@@ -380,7 +320,7 @@ impl<C: PixelColor> SpanShader<C> for C {
     }
 
     #[inline(always)]
-    fn solid_color(&self) -> Option<C> {
+    fn solid(&self) -> Option<C> {
         Some(*self)
     }
 }

@@ -16,6 +16,7 @@ impl Shader for Flat {
 }
 
 impl<C: Color> SpanShader<C> for Flat {
+    type Ink = C;
     type Setup = C;
 
     fn set_up(&self, _: &Triangle<'_>) -> C {
@@ -28,7 +29,7 @@ impl<C: Color> SpanShader<C> for Flat {
     }
 
     #[inline(always)]
-    fn solid_color(&self) -> Option<C> {
+    fn solid(&self) -> Option<C> {
         Some(self.nearest())
     }
 }
@@ -42,6 +43,7 @@ impl<S: Shader> Shader for Dithered<S> {
 }
 
 impl<C: Color> SpanShader<C> for Dithered<Flat> {
+    type Ink = C;
     type Setup = DitheredColor<C>;
 
     fn set_up(&self, _: &Triangle<'_>) -> DitheredColor<C> {
@@ -65,6 +67,7 @@ macro_rules! smooth {
         }
 
         impl<C: Color> SpanShader<C> for $shader {
+            type Ink = C;
             type Setup = ChannelGradients<C>;
 
             #[inline(always)]
@@ -79,6 +82,7 @@ macro_rules! smooth {
         }
 
         impl<C: Color> SpanShader<C> for Dithered<$shader> {
+            type Ink = C;
             type Setup = ChannelGradients<C>;
 
             #[inline(always)]

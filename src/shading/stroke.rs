@@ -1,6 +1,6 @@
 //! Strokes: what lines are drawn with.
 
-use crate::color::{Color, Mixer};
+use crate::color::{Access, Color, Mixer, Reads, Writes};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// What a line is drawn with: a colour, or [`AntiAliased`] with a colour. Every call that draws lines takes one.
@@ -12,16 +12,20 @@ use embedded_graphics_core::pixelcolor::PixelColor;
     note = "pass `{C}`, the target's color type, or `AntiAliased` of it"
 )]
 pub trait Stroke<C: PixelColor>: Copy {
-    /// Whether lines are anti-aliased. Such a stroke reads the stored pixels, so it compiles only for targets whose pixels lie in
-    /// [memory](crate::Target::memory): a [`Picture`](crate::Picture)'s or a [`Band`](crate::Band)'s `pixels()`, or a target of your
-    /// own that has memory.
-    const IS_ANTI_ALIASED: bool = false;
+    /// [`Reads`](crate::Reads) if lines are anti-aliased, else [`Writes`]. A stroke that reads the stored pixels compiles only for
+    /// targets whose pixels lie in [memory](crate::Target::memory): a [`Picture`](crate::Picture)'s or a [`Band`](crate::Band)'s
+    /// `pixels()`, or a target of your own that has memory.
+    type Access: Access;
+
+    /// Whether lines are anti-aliased.
+    #[doc(hidden)]
+    const IS_ANTI_ALIASED: bool = <Self::Access as Access>::READS;
 
     /// The colour of a pixel that the line covers.
     fn color(&self) -> C;
 
-    /// The colour to store in a pixel of which the line covers `coverage`/256, and in which `below` is stored. Called only if
-    /// [`IS_ANTI_ALIASED`](Self::IS_ANTI_ALIASED) is true.
+    /// The colour to store in a pixel of which the line covers `coverage`/256, and in which `below` is stored. Called only of
+    /// anti-aliased lines.
     #[inline(always)]
     fn covering(&self, below: C, coverage: u16) -> C {
         let _ = (below, coverage);
@@ -43,6 +47,8 @@ pub trait Stroke<C: PixelColor>: Copy {
 }
 
 impl<C: PixelColor> Stroke<C> for C {
+    type Access = Writes;
+
     #[inline(always)]
     fn color(&self) -> C {
         *self
@@ -85,7 +91,7 @@ impl<C: PixelColor> Stroke<C> for C {
 ///
 /// A target whose pixels cannot be read, such as a display's driver, does not compile:
 ///
-/// ```compile_fail,E0080
+/// ```compile_fail,E0277
 /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
 /// # use pinhole::{draw_line, raster::Pixel, AntiAliased};
 /// let mut display = MockDisplay::<Gray8>::new();
@@ -99,7 +105,7 @@ pub struct AntiAliased<C>(
 );
 
 impl<C: Color> Stroke<C> for AntiAliased<C> {
-    const IS_ANTI_ALIASED: bool = true;
+    type Access = Reads;
 
     #[inline(always)]
     fn color(&self) -> C {

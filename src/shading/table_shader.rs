@@ -18,6 +18,7 @@ impl<C: PixelColor> Shader for TableShader<'_, C> {
 }
 
 impl<'t, C: PixelColor> SpanShader<C> for TableShader<'t, C> {
+    type Ink = C;
     type Setup = TableGradient<'t, C>;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> TableGradient<'t, C> {

@@ -1,71 +1,9 @@
 //! Translucent faces: colours mixed with the stored pixels.
 
 use super::{CornerValues, Shader, SpanShader};
-use crate::color::Color;
+use crate::color::{Alpha, BlendMode, Half, Unmixed};
 use crate::raster::{Span, Triangle};
 use embedded_graphics_core::pixelcolor::PixelColor;
-
-/// How the colour of a [`Translucent`] face or sprite is mixed with a stored pixel: [`Half`], [`Alpha`], or any function of both
-/// colours, such as `|own: Rgb565, stored: Rgb565| stored.emitting(own)`, which adds light.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` does not mix colors of `{C}`",
-    label = "not a `BlendMode<{C}>`",
-    note = "use `Half`, `Alpha`, or a closure that takes the shader's color and the stored color, both with their type, and returns a color"
-)]
-pub trait BlendMode<C>: Copy {
-    /// The colour to store in a pixel.
-    fn blend(self, own: C, stored: C) -> C;
-}
-
-/// Half of the own colour, half of the stored one, by [`Color::half`]: an addition of both colours, where [`Alpha`] multiplies.
-///
-/// ```
-/// use embedded_graphics::pixelcolor::Gray8;
-/// use pinhole::{BlendMode, Half};
-/// assert_eq!(Half.blend(Gray8::new(40), Gray8::new(60)), Gray8::new(50));
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Half;
-
-impl<C: Color> BlendMode<C> for Half {
-    #[inline(always)]
-    fn blend(self, own: C, stored: C) -> C {
-        own.half(stored)
-    }
-}
-
-/// A constant part of the own colour, and the rest of the stored one, by [`Color::mix`].
-///
-/// ```
-/// use embedded_graphics::pixelcolor::Gray8;
-/// use pinhole::{Alpha, BlendMode};
-/// assert_eq!(Alpha::new(8).blend(Gray8::new(200), Gray8::new(100)), Gray8::new(125)); // 8 of 32
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Alpha(u8);
-
-impl Alpha {
-    /// A part in 1/32: 0 leaves the stored pixels as they are, 32 is the own colour alone (more counts as 32).
-    pub const fn new(alpha: u8) -> Self {
-        Self(if alpha < 32 { alpha } else { 32 })
-    }
-}
-
-impl<C: Color> BlendMode<C> for Alpha {
-    #[inline(always)]
-    fn blend(self, own: C, stored: C) -> C {
-        own.mix(stored, self.0)
-    }
-}
-
-impl<C, F: Fn(C, C) -> C + Copy> BlendMode<C> for F {
-    #[inline(always)]
-    fn blend(self, own: C, stored: C) -> C {
-        self(own, stored)
-    }
-}
 
 /// A translucent shader, or a translucent picture of a sprite: its colours are mixed with the stored pixels by a [`BlendMode`].
 /// [`HalfBlended`] and [`Blended`] are the types for the modes [`Half`] and [`Alpha`].
@@ -98,13 +36,12 @@ impl<C, F: Fn(C, C) -> C + Copy> BlendMode<C> for F {
 ///
 /// The pixels of a display cannot be read, so this does not compile:
 ///
-/// ```compile_fail,E0080
+/// ```compile_fail,E0277
 /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
 /// # use pinhole::{fill_triangle, raster::ScreenPoint, HalfBlended};
 /// # pub fn draw(corners: [ScreenPoint; 3], display: &mut MockDisplay<Rgb565>) {
 /// let Ok(_) = fill_triangle(corners, HalfBlended::new(Rgb565::RED), display);
 /// # }
-/// # let _ = draw as *const (); // or the compiler drops it
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -178,35 +115,28 @@ impl<S: Shader, M: Copy> Shader for Translucent<S, M> {
     }
 }
 
-impl<C: PixelColor, S: SpanShader<C>, M: BlendMode<C>> SpanShader<C> for Translucent<S, M> {
+impl<C: PixelColor, S: SpanShader<C, Ink: Unmixed<C>>, M: BlendMode<C>> SpanShader<C> for Translucent<S, M> {
+    type Ink = <S::Ink as Unmixed<C>>::Mixed<M>;
     type Setup = Translucent<S::Setup, M>;
-    const LEAVES_OUT: bool = S::LEAVES_OUT;
-    const WRITES_DEPTH: bool = false;
-    const BLENDS: bool = true;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
-        const { assert!(!S::BLENDS, "this shader is translucent already") };
         Translucent { shader: self.shader.set_up(triangle), mode: self.mode }
     }
 
     #[inline(always)]
-    fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = C> {
-        S::span(&setup.shader, span)
-    }
-
-    #[inline(always)]
-    fn kept(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = Option<C>>)> {
-        S::kept(&setup.shader, span)
-    }
-
-    #[inline(always)]
-    fn blend(setup: &Self::Setup) -> impl Fn(C, C) -> C + Copy {
+    fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = Self::Ink> {
         let mode = setup.mode; // a copy, in registers
-        move |own, stored| mode.blend(own, stored)
+        S::span(&setup.shader, span).map(move |ink| ink.mixed(mode))
     }
 
     #[inline(always)]
-    fn solid_color(&self) -> Option<C> {
-        self.shader.solid_color()
+    fn runs(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = Self::Ink>)> {
+        let mode = setup.mode; // a copy, in registers
+        S::runs(&setup.shader, span).map(move |(width, run)| (width, run.map(move |ink| ink.mixed(mode))))
+    }
+
+    #[inline(always)]
+    fn solid(&self) -> Option<Self::Ink> {
+        Some(self.shader.solid()?.mixed(self.mode))
     }
 }

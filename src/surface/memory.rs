@@ -3,6 +3,7 @@
 use super::block_fill::fill;
 use super::picture_error::PictureError;
 use super::{drawable, inside};
+use crate::color::{Access, Writes};
 use crate::raster::{PixelLayout, RowScratch, Scissor, Span};
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -15,20 +16,30 @@ use embedded_graphics_core::primitives::Rectangle;
     label = "not a mutable slice of cells",
     note = "use `&mut [Cell]`, or `[Color; 0]` for a target whose pixels do not lie in memory"
 )]
-pub trait PixelStore {
+pub trait PixelStore: Gives<Writes> {
     /// The stored form of one pixel: the colour itself, an integer, or the bytes that the display takes.
     type Cell: Copy;
-
-    /// Whether pixels can be read back, which a shader that blends needs.
-    const READABLE: bool;
 
     /// All cells, row by row.
     fn cells(&mut self) -> &mut [Self::Cell];
 }
 
+/// The storage of a target that gives a shader, a stroke or a sprite what it needs: every one takes colours, and slices give
+/// stored pixels, too.
+#[diagnostic::on_unimplemented(
+    message = "a translucent shader or an anti-aliased line reads pixels, which this target cannot give",
+    label = "its pixels cannot be read",
+    note = "draw into the `pixels()` of a `Picture` or of a `Band`; or use a `ScreenDoor`, or a plain color for lines",
+    note = "where the shader's type is a parameter, ask for a `ShaderFor<T>` of the target's type, or for `SpanShader<C, Ink = C>`"
+)]
+pub trait Gives<A: Access> {}
+
+impl<Cell, A: Access> Gives<A> for &mut [Cell] {}
+
+impl<Cell> Gives<Writes> for [Cell; 0] {}
+
 impl<Cell: Copy> PixelStore for &mut [Cell] {
     type Cell = Cell;
-    const READABLE: bool = true;
 
     #[inline(always)]
     fn cells(&mut self) -> &mut [Cell] {
@@ -39,7 +50,6 @@ impl<Cell: Copy> PixelStore for &mut [Cell] {
 /// No memory: the store of a target that takes spans and whose pixels cannot be accessed, such as a display driver.
 impl<Cell: Copy> PixelStore for [Cell; 0] {
     type Cell = Cell;
-    const READABLE: bool = false;
 
     #[inline(always)]
     fn cells(&mut self) -> &mut [Cell] {

@@ -22,12 +22,13 @@ pub use dirty_regions::{DirtyRegions, Tracked, TransferCost};
 pub(crate) use kept_runs::each_run;
 pub use least_run::LeastRun;
 pub(crate) use memory::PixelRows;
-pub use memory::{Memory, PixelStore};
+pub use memory::{Gives, Memory, PixelStore};
 pub use picture::Picture;
 pub use picture_error::PictureError;
 pub use pixels::Pixels;
 pub use strip::StripBuffers;
 pub use target::Target;
+pub(crate) use target::{put, CellOf};
 
 use crate::raster::Scissor;
 use embedded_graphics_core::geometry::{Point, Size};

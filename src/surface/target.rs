@@ -1,7 +1,7 @@
 //! The trait of everything that can be drawn into.
 
 use super::memory::{Memory, PixelStore};
-use crate::color::StoredPixel;
+use crate::color::{Ink, StoredPixel};
 use crate::raster::Span;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -151,6 +151,22 @@ impl<D: DrawTarget> Target for D {
     #[inline(always)]
     fn draw_pixels(&mut self, pixels: impl Iterator<Item = Pixel<D::Color>>) -> Result<(), D::Error> {
         self.draw_iter(pixels)
+    }
+}
+
+/// The stored form of a target's pixels.
+pub(crate) type CellOf<T> = <<T as Target>::Store as PixelStore>::Cell;
+
+/// Puts ink into a pixel; returns `false` if the ink leaves the pixel out.
+#[inline(always)]
+pub(crate) fn put<T: Target, I: Ink<T::Color>>(cell: &mut CellOf<T>, ink: I) -> bool {
+    let stored = *cell;
+    match ink.over(|| T::Color::load(stored)) {
+        Some(color) => {
+            *cell = color.stored();
+            true
+        }
+        None => false,
     }
 }
 

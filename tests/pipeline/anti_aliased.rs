@@ -7,7 +7,7 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::raster::Pixel;
 use pinhole::{
-    draw_line, edge_faces, Affine, AntiAliased, Color, DepthBuffer, Mesh, MeshInstance, Pixels, ScreenVertex,
+    draw_line, edge_faces, Affine, AntiAliased, Color, DepthBuffer, Mesh, MeshInstance, Pixels, Reads, ScreenVertex,
     StoredPixel, Stroke,
 };
 use std::f64::consts::TAU;
@@ -244,7 +244,6 @@ fn a_color_is_a_stroke_of_itself() {
         (Stroke::color(&Gray8::WHITE), AntiAliased(Gray8::WHITE).color()),
         (Gray8::WHITE, Gray8::WHITE)
     );
-    const { assert!(!<Gray8 as Stroke<Gray8>>::IS_ANTI_ALIASED) };
     assert_eq!(Gray8::WHITE.covering(Gray8::BLACK, 0), Gray8::WHITE);
 }
 
@@ -329,7 +328,7 @@ fn polygon(sides: usize, radius: f64, center: At, turn: f64) -> Vec<At> {
 struct Half(Gray8);
 
 impl Stroke<Gray8> for Half {
-    const IS_ANTI_ALIASED: bool = true;
+    type Access = Reads;
 
     fn color(&self) -> Gray8 {
         self.0

@@ -37,12 +37,13 @@ struct Noise {
 
 impl SpriteSource for Noise {
     type Color = Rgb888;
+    type Ink = Option<Rgb888>;
 
     fn picture_size(&self) -> Size {
         self.size
     }
 
-    fn color_at(&self, column: u32, row: u32) -> Option<Rgb888> {
+    fn texel_at(&self, column: u32, row: u32) -> Option<Rgb888> {
         assert!(column < self.size.width && row < self.size.height, "({column}, {row}) of {self:?}");
         let mixed = (column.wrapping_mul(0x9e37_79b1) ^ row.wrapping_mul(0x85eb_ca77) ^ self.seed)
             .wrapping_mul(0xc2b2_ae3d);
@@ -118,7 +119,7 @@ impl Seen {
 
     fn color(&self, pixel: [i32; 2]) -> Option<Rgb888> {
         let [column, row] = self.texel(pixel)?;
-        self.shape.picture.color_at(column, row)
+        self.shape.picture.texel_at(column, row)
     }
 }
 

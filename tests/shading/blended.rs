@@ -112,6 +112,7 @@ impl Shader for Unstored {
 }
 
 impl SpanShader<Rgb888> for Unstored {
+    type Ink = Rgb888;
     type Setup = Rgb888;
     const WRITES_DEPTH: bool = false;
 

@@ -461,7 +461,7 @@ fn colors_in_fog_are_the_nearest() {
         let [own_color, fog_color] = [own, fog].map(|[r, g, b]| Rgb888::new(r, g, b));
         for factor in [0, 1, 100, 255, 256, 999] {
             let color = Flat::from(own_color).in_fog(fog_color, factor);
-            let seen = SpanShader::<Rgb888>::solid_color(&color).unwrap();
+            let seen = SpanShader::<Rgb888>::solid(&color).unwrap();
             let share = f64::from(factor.min(256)) / 256.0;
             for (level, (own, fog)) in
                 [seen.r(), seen.g(), seen.b()].into_iter().zip(own.into_iter().zip(fog))

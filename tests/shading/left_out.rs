@@ -19,6 +19,7 @@ struct Chessboard;
 
 impl Texels for Chessboard {
     type Color = Rgb888;
+    type Ink = Rgb888;
 
     fn size_bits(&self) -> [u32; 2] {
         Tiles.size_bits()
@@ -121,10 +122,10 @@ fn a_key_is_a_colour_or_an_index() {
     // Two indices of one colour: only the key is transparent.
     let same = [Rgb888::new(9, 9, 9); 16];
     let texels = texels.with_palette(&same).unwrap();
-    let kept = |x: u32| IndexKeyed::new(texels, 5).kept_texel(x << 29, 0);
+    let kept = |x: u32| IndexKeyed::new(texels, 5).texel(x << 29, 0);
     // 37 = 0x25 is the second byte: texels 0, 0, 2, 5.
     assert_eq!([kept(0), kept(2), kept(3)], [Some(same[0]), Some(same[0]), None]);
-    assert_eq!(ColorKeyed::new(texels, same[0]).kept_texel(0, 0), None);
+    assert_eq!(ColorKeyed::new(texels, same[0]).texel(0, 0), None);
 }
 
 #[test]

@@ -247,7 +247,7 @@ impl Planes {
     }
 
     /// The pixels of a face.
-    fn draw<C: Colour, I: SpanShader<C>>(self, face: [[i32; 3]; 3], shader: I) -> Screen<C> {
+    fn draw<C: Colour, I: SpanShader<C, Ink = C>>(self, face: [[i32; 3]; 3], shader: I) -> Screen<C> {
         let vertices = face.map(|v| v.map(Scalar::from_bits));
         let mesh = Mesh::from_fixed(&vertices, &[[0, 1, 2]]).expect("a mesh");
         let camera = self.camera().library().with_far_clip(matches!(self, Self::Far));

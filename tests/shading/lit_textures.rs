@@ -26,7 +26,7 @@ fn random_triangle(rng: &mut Rng) -> [[i64; 2]; 3] {
 }
 
 /// The pixels of a triangle: a unit is a pixel, and the origin is the upper left corner.
-fn draw<C: PixelColor, S: SpanShader<C>>(corners: [[i64; 2]; 3], shader: S) -> Vec<Option<C>> {
+fn draw<C: PixelColor, S: SpanShader<C, Ink = C>>(corners: [[i64; 2]; 3], shader: S) -> Vec<Option<C>> {
     let [zero, one, side] = [0, 1, SIDE as i32].map(Scalar::from_int);
     let window = Window { left: zero, right: side, bottom: -side, top: zero };
     let camera = camera(&Projection::orthographic(window, -one, one).unwrap());

@@ -154,7 +154,7 @@ fn quad(corners: &'static [[i16; 3]; 4]) -> Mesh<'static, i16, WithPlanes> {
     Mesh::new(corners, 0, &scene::QUAD).expect("a quad").with_planes_if_any()
 }
 
-fn every_call<S: SpanShader<Rgb888>>(
+fn every_call<S: SpanShader<Rgb888, Ink = Rgb888>>(
     by_planes: &MeshInstance<'_, i16, WithPlanes>,
     area: Rectangle,
     shade: &dyn Fn(usize) -> S,

@@ -7,8 +7,8 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Camera, Cull, Mesh, MeshInstance, Point3, Projection, SpanShader, Texels, Vector3, ViewTransform,
-    Viewport,
+    Affine, Camera, Cull, Ink, Mesh, MeshInstance, Point3, Projection, SpanShader, Texels, Vector3,
+    ViewTransform, Viewport, Writes,
 };
 use support::bridge::ways::{self, Drawn};
 use support::oracle::chain::{self, M4, V3};
@@ -38,6 +38,7 @@ pub(crate) struct Numbered(pub(crate) [u32; 2]);
 
 impl Texels for Numbered {
     type Color = Shown;
+    type Ink = Shown;
 
     fn size_bits(&self) -> [u32; 2] {
         self.0
@@ -54,13 +55,14 @@ pub(crate) struct Wide<S>(pub(crate) S);
 
 impl<S: Texels> Texels for Wide<S> {
     type Color = S::Color;
+    type Ink = S::Ink;
     const WIDE: bool = true;
 
     fn size_bits(&self) -> [u32; 2] {
         self.0.size_bits()
     }
 
-    fn texel(&self, u: u32, v: u32) -> S::Color {
+    fn texel(&self, u: u32, v: u32) -> S::Ink {
         self.0.texel(u, v)
     }
 }
@@ -74,6 +76,7 @@ pub(crate) struct Tiles;
 
 impl Texels for Tiles {
     type Color = Rgb888;
+    type Ink = Rgb888;
 
     fn size_bits(&self) -> [u32; 2] {
         [3, 3]
@@ -162,7 +165,7 @@ impl Faces {
     }
 
     /// The pixels of one of the faces alone.
-    pub(crate) fn draw<C: PixelColor, S: SpanShader<C>>(
+    pub(crate) fn draw<C: PixelColor, S: SpanShader<C, Ink: Ink<C, Access = Writes>>>(
         &self,
         face: usize,
         camera: &Camera,
@@ -279,7 +282,10 @@ pub(crate) fn in_memory<S: SpanShader<Rgb888>>(faces: &Faces, shade: &dyn Fn(usi
 }
 
 /// Faces before the usual camera, by the ways of `ways::everywhere`.
-pub(crate) fn everywhere<S: SpanShader<Rgb888>>(faces: &Faces, shade: &dyn Fn(usize) -> S) -> Drawn<Rgb888> {
+pub(crate) fn everywhere<S: SpanShader<Rgb888, Ink: Ink<Rgb888, Access = Writes>>>(
+    faces: &Faces,
+    shade: &dyn Fn(usize) -> S,
+) -> Drawn<Rgb888> {
     let mut drawn = None;
     faces.place(&usual(), &mut |instance| drawn = Some(ways::everywhere(instance, AREA, SKY, shade)));
     drawn.expect("placed")

@@ -129,7 +129,7 @@ pub(crate) fn corners(instance: &MeshInstance<'_, Scalar>) -> [P; 3] {
     })
 }
 
-pub(crate) fn draw<C: PixelColor, I: SpanShader<C>>(
+pub(crate) fn draw<C: PixelColor, I: SpanShader<C, Ink = C>>(
     instance: &MeshInstance<'_, Scalar>,
     shader: I,
 ) -> Screen<C> {

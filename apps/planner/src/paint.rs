@@ -101,6 +101,7 @@ pub(crate) struct Picture<'t> {
 
 impl Texels for Picture<'_> {
     type Color = Stored;
+    type Ink = Stored;
 
     fn size_bits(&self) -> [u32; 2] {
         self.texels.size_bits()
@@ -155,7 +156,7 @@ impl Shader for Paint<'_> {
 type Colors<'t> = Box<dyn Fn(Span) -> Vec<Stored> + 't>;
 
 /// Sets up a shader for a triangle of a display with colours of type `C`.
-fn set_up<'t, C: Shown + 't, S: SpanShader<C, Setup: 't> + 't>(
+fn set_up<'t, C: Shown + 't, S: SpanShader<C, Ink = C, Setup: 't> + 't>(
     shader: S,
     triangle: &Triangle<'_>,
 ) -> Colors<'t> {
@@ -164,6 +165,7 @@ fn set_up<'t, C: Shown + 't, S: SpanShader<C, Setup: 't> + 't>(
 }
 
 impl<'t> SpanShader<Stored> for Paint<'t> {
+    type Ink = Stored;
     type Setup = Colors<'t>;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Colors<'t> {

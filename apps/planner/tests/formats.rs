@@ -28,7 +28,7 @@ fn model(vertex_normals: bool) -> ImportedMesh {
 fn drawn<C, S>(model: &ImportedMesh, shader: impl Fn(usize, &Lambert) -> S) -> Vec<u8>
 where
     C: Color + From<Rgb888> + Into<Rgb888>,
-    S: SpanShader<C>,
+    S: SpanShader<C, Ink = C>,
 {
     let mesh = model.mesh().expect("a mesh");
     let mut canvas = Canvas::new(SIZE, C::from(Rgb888::BLACK));

@@ -65,12 +65,16 @@ impl<C: Colour> Shader for Brush<'_, C> {
 type Colours<'t, C> = Box<dyn Fn(Span) -> Vec<C> + 't>;
 
 /// Sets up a shader for a triangle.
-fn set_up<'t, C: Colour, S: SpanShader<C, Setup: 't>>(shader: &S, triangle: &Triangle<'_>) -> Colours<'t, C> {
+fn set_up<'t, C: Colour, S: SpanShader<C, Ink = C, Setup: 't>>(
+    shader: &S,
+    triangle: &Triangle<'_>,
+) -> Colours<'t, C> {
     let setup = shader.set_up(triangle);
     Box::new(move |span| S::span(&setup, span).take(span.width as usize).collect())
 }
 
 impl<'t, C: Colour> SpanShader<C> for Brush<'t, C> {
+    type Ink = C;
     type Setup = Colours<'t, C>;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Colours<'t, C> {
@@ -92,9 +96,9 @@ impl<'t, C: Colour> SpanShader<C> for Brush<'t, C> {
         colours(span).into_iter()
     }
 
-    fn solid_color(&self) -> Option<C> {
+    fn solid(&self) -> Option<C> {
         match self {
-            Self::Flat(flat) => flat.solid_color(),
+            Self::Flat(flat) => flat.solid(),
             _ => None,
         }
     }

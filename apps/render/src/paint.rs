@@ -13,8 +13,8 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
     AntiAliased, Band, BinnedEdges, BinnedFaces, Blended, Color, Cull, DepthBuffer, Flat, FogTable, Fogged,
-    Frame, Gouraud, HalfBlended, Mesh, MeshInstance, Pixels, Scalar, ScreenDoor, ScreenVertex, SpanShader,
-    Statistics, Target, TexelSlice, Texture, TransformedMesh,
+    Frame, Gouraud, HalfBlended, Mesh, MeshInstance, Pixels, Scalar, ScreenDoor, ScreenVertex, ShaderFor,
+    SpanShader, Statistics, Target, TexelSlice, Texture, TransformedMesh,
 };
 use std::convert::Infallible;
 
@@ -389,7 +389,10 @@ impl<C: Colour> Faces<'_, '_, C> {
         }
     }
 
-    fn draw_through<I: SpanShader<C>>(self, shader: impl Fn(&Part, usize) -> I) -> Result<Report, String> {
+    fn draw_through<I: SpanShader<C, Ink = C>>(
+        self,
+        shader: impl Fn(&Part, usize) -> I,
+    ) -> Result<Report, String> {
         let Self { out, statistics, areas, mut solid, translucency } = self;
         out.bands(statistics, areas, |band, depth| match translucency {
             Translucency::Opaque => solid.draw(&shader, depth, band),
@@ -428,7 +431,7 @@ struct Solid<'a, 'f> {
 }
 
 impl Solid<'_, '_> {
-    fn draw<T: Target<Error = Infallible>, I: SpanShader<T::Color>>(
+    fn draw<T: Target<Error = Infallible>, I: ShaderFor<T>>(
         &mut self,
         shader: impl Fn(&Part, usize) -> I,
         depth: &mut DepthBuffer<'_>,

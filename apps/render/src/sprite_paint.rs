@@ -8,8 +8,8 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
-    Band, Blended, DepthBuffer, FogTable, Fogged, Picture, PlacedSprites, Sprite, SpriteSource, Statistics,
-    Target,
+    Band, Blended, DepthBuffer, FogTable, Fogged, Picture, PlacedSprites, Sprite, SpriteFor, SpriteSource,
+    Statistics, Target,
 };
 use std::convert::Infallible;
 use std::rc::Rc;
@@ -39,12 +39,13 @@ struct Texels<C> {
 
 impl<C: Colour> SpriteSource for Texels<C> {
     type Color = C;
+    type Ink = Option<C>;
 
     fn picture_size(&self) -> Size {
         self.size
     }
 
-    fn color_at(&self, column: u32, row: u32) -> Option<C> {
+    fn texel_at(&self, column: u32, row: u32) -> Option<C> {
         self.texels.get((row * self.size.width + column) as usize).copied().flatten()
     }
 }
@@ -58,6 +59,7 @@ enum Texture<'t, C> {
 
 impl<C: Colour> SpriteSource for Texture<'_, C> {
     type Color = C;
+    type Ink = Option<C>;
 
     fn picture_size(&self) -> Size {
         match self {
@@ -66,10 +68,10 @@ impl<C: Colour> SpriteSource for Texture<'_, C> {
         }
     }
 
-    fn color_at(&self, column: u32, row: u32) -> Option<C> {
+    fn texel_at(&self, column: u32, row: u32) -> Option<C> {
         match self {
-            Self::Clear(texels) => texels.color_at(column, row),
-            Self::InFog(texels) => texels.color_at(column, row),
+            Self::Clear(texels) => texels.texel_at(column, row),
+            Self::InFog(texels) => texels.texel_at(column, row),
         }
     }
 
@@ -134,12 +136,11 @@ impl<'t, C: Colour> Sprites<'t, C> {
     }
 }
 
-impl<S: SpriteSource + Clone> Placed<S> {
-    fn draw<T: Target<Color = S::Color, Error = Infallible>>(
-        &self,
-        depth: &mut DepthBuffer<'_>,
-        target: &mut T,
-    ) {
+impl<S: Clone> Placed<S> {
+    fn draw<T: Target<Error = Infallible>>(&self, depth: &mut DepthBuffer<'_>, target: &mut T)
+    where
+        S: SpriteFor<T>,
+    {
         let sprite = |_| self.sprite.clone();
         let Ok(_) = match self.depth_tested {
             true => self.at.depth_tested(sprite, depth, target),

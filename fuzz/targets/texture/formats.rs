@@ -8,8 +8,8 @@ use crate::oracle::rng::Rng;
 use crate::place::Place;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use pinhole::{
-    Accuracy, ColorKeyed, DepthBuffer, IndexKeyed, IndexedTexels, LitPalette, MeshInstance, ShadeTable,
-    SpanShader, TexelSlice, Texels, Texture, Translucent,
+    Accuracy, ColorKeyed, DepthBuffer, IndexKeyed, IndexedTexels, Ink, LitPalette, MeshInstance, ShadeTable,
+    SpanShader, TexelSlice, Texels, Texture, Translucent, Writes,
 };
 use support::bridge::ways::{in_memory, Drawn};
 
@@ -91,7 +91,10 @@ impl Textures<'_> {
         }
     }
 
-    fn shade<S: SpanShader<Rgb888>>(&self, shade: impl Fn(usize) -> S) -> Drawn<Rgb888> {
+    fn shade<S: SpanShader<Rgb888, Ink: Ink<Rgb888, Access = Writes>>>(
+        &self,
+        shade: impl Fn(usize) -> S,
+    ) -> Drawn<Rgb888> {
         self.scene.with_instance(&self.scene.faces, &[], |instance: &MeshInstance<'_>| {
             self.place.everywhere(instance, &shade)
         })

@@ -2,7 +2,7 @@
 
 use super::levels::{FogLevel, FogLevels};
 use super::table::{FogTable, LEVELS};
-use crate::color::{Color, Mixer};
+use crate::color::{Color, Ink, Mixer};
 use crate::raster::{Gradient, Span, Triangle};
 use crate::shading::shader::{inner_with_corners, DrawLevels, DrawRuns};
 use crate::shading::{CornerValues, Shader, SpanShader, TableShader};
@@ -158,9 +158,8 @@ fn mixed<C: Color>(color: C, fog: C, level: u8) -> C {
 }
 
 impl<'t, C: Color, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
+    type Ink = S::Ink;
     type Setup = FoggedSetup<'t, S::Setup, C>;
-    const LEAVES_OUT: bool = S::LEAVES_OUT;
-    const BLENDS: bool = S::BLENDS;
     const WRITES_DEPTH: bool = S::WRITES_DEPTH;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
@@ -176,40 +175,24 @@ impl<'t, C: Color, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
     }
 
     #[inline(always)]
-    fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = C> {
+    fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = S::Ink> {
         S::span(&setup.own, span)
             .zip(setup.levels(span.x, span.y))
-            .map(move |(color, level)| setup.mixed(color, level))
+            .map(move |(ink, level)| ink.map(|color| setup.mixed(color, level)))
     }
 
     #[inline(always)]
-    fn runs(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = C>)> {
+    fn runs(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Ink>)> {
         let mut x = span.x;
-        S::runs(&setup.own, span).map(move |(width, colors)| {
+        S::runs(&setup.own, span).map(move |(width, inks)| {
             let levels = setup.levels(x, span.y);
             x = x.wrapping_add(width);
-            (width, colors.zip(levels).map(move |(color, level)| setup.mixed(color, level)))
+            (width, inks.zip(levels).map(move |(ink, level)| ink.map(|color| setup.mixed(color, level))))
         })
     }
 
     #[inline(always)]
-    fn kept(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = Option<C>>)> {
-        let mut x = span.x;
-        S::kept(&setup.own, span).map(move |(width, colors)| {
-            let levels = setup.levels(x, span.y);
-            x = x.wrapping_add(width);
-            let mixed = move |(color, level): (Option<C>, u8)| color.map(|color| setup.mixed(color, level));
-            (width, colors.zip(levels).map(mixed))
-        })
-    }
-
-    #[inline(always)]
-    fn blend(setup: &Self::Setup) -> impl Fn(C, C) -> C + Copy {
-        S::blend(&setup.own)
-    }
-
-    #[inline(always)]
-    fn draw_runs<D: DrawRuns<C>>(setup: &Self::Setup, draw: D) {
+    fn draw_runs<D: DrawRuns<S::Ink>>(setup: &Self::Setup, draw: D) {
         match setup.levels {
             [_, 0] => S::draw_runs(&setup.own, draw),
             _ => draw.runs(|span| Self::runs(setup, span)),
@@ -217,15 +200,17 @@ impl<'t, C: Color, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
     }
 
     #[inline(always)]
-    fn solid_color(&self) -> Option<C> {
+    fn solid(&self) -> Option<S::Ink> {
         let level = self.level()?;
-        Some(mixed(self.shader.solid_color()?, self.table.color, level))
+        Some(self.shader.solid()?.map(|color| mixed(color, self.table.color, level)))
     }
 
     #[inline(always)]
     fn draw_levels<D: DrawLevels<C>>(&self, draw: D) -> bool {
         let [least, _] = self.levels;
-        let (Some(own), fog) = (self.shader.solid_color(), self.table.color) else { return false };
+        let (Some(own), fog) = (self.shader.solid().and_then(Ink::own), self.table.color) else {
+            return false;
+        };
         let bounds = &self.table.bounds;
         let fade = own.fade(fog);
         draw.levels(&self.depths, bounds, FogLevel::new(least, bounds), move |level| {

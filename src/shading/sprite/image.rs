@@ -16,7 +16,7 @@ use embedded_graphics_core::image::GetPixel;
 /// const BYTES: [u8; 6] = [0xf8, 0x00, 0xf8, 0x1f, 0x00, 0x1f];
 /// let image = ImageRaw::<Rgb565, BigEndian>::new(&BYTES, 3);
 /// let picture = SpriteImage::new(&image).with_key(Rgb565::MAGENTA);
-/// assert_eq!([0, 1, 2].map(|column| picture.color_at(column, 0)), [Some(Rgb565::RED), None, Some(Rgb565::BLUE)]);
+/// assert_eq!([0, 1, 2].map(|column| picture.texel_at(column, 0)), [Some(Rgb565::RED), None, Some(Rgb565::BLUE)]);
 /// ```
 #[derive(Debug)]
 pub struct SpriteImage<'i, I: GetPixel> {
@@ -49,13 +49,14 @@ impl<'i, I: GetPixel + OriginDimensions> SpriteImage<'i, I> {
 
 impl<I: GetPixel + OriginDimensions> SpriteSource for SpriteImage<'_, I> {
     type Color = I::Color;
+    type Ink = Option<I::Color>;
 
     fn picture_size(&self) -> Size {
         self.image.size()
     }
 
     #[inline(always)]
-    fn color_at(&self, column: u32, row: u32) -> Option<I::Color> {
+    fn texel_at(&self, column: u32, row: u32) -> Option<I::Color> {
         // Numbers of 2³¹ and more become negative, where an image has no pixel.
         let color = self.image.pixel(Point::new(column as i32, row as i32))?;
         match self.key {

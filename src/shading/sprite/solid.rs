@@ -24,18 +24,19 @@ impl<C> SolidTexel<C> {
 
 impl<C: PixelColor> SpriteSource for SolidTexel<C> {
     type Color = C;
+    type Ink = C;
 
     fn picture_size(&self) -> Size {
         Size::new(1, 1)
     }
 
     #[inline(always)]
-    fn color_at(&self, _: u32, _: u32) -> Option<C> {
-        Some(self.0)
+    fn texel_at(&self, _: u32, _: u32) -> C {
+        self.0
     }
 
     #[inline(always)]
-    fn solid_color(&self) -> Option<C> {
+    fn solid_texel(&self) -> Option<C> {
         Some(self.0)
     }
 }

@@ -1,5 +1,6 @@
 //! Where the texels of a sprite come from.
 
+use crate::color::Ink;
 use crate::shading::Texels;
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -22,16 +23,17 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// struct Glow;
 /// impl SpriteSource for Glow {
 ///     type Color = Gray8;
+///     type Ink = Option<Gray8>;
 ///     fn picture_size(&self) -> Size {
 ///         Size::new(15, 15)
 ///     }
-///     fn color_at(&self, column: u32, row: u32) -> Option<Gray8> {
+///     fn texel_at(&self, column: u32, row: u32) -> Option<Gray8> {
 ///         let away = column.abs_diff(7).pow(2) + row.abs_diff(7).pow(2);
 ///         (away <= 50).then(|| Gray8::new(255 - 5 * away as u8))
 ///     }
 /// }
-/// assert_eq!(Glow.color_at(7, 7), Some(Gray8::WHITE));
-/// assert_eq!(Glow.color_at(0, 0), None);
+/// assert_eq!(Glow.texel_at(7, 7), Some(Gray8::WHITE));
+/// assert_eq!(Glow.texel_at(0, 0), None);
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a picture for a sprite",
@@ -42,28 +44,21 @@ pub trait SpriteSource {
     /// The colour of a texel.
     type Color: PixelColor;
 
+    /// A texel: its colour, `Option<Self::Color>` if some texels are transparent, or [`Mixed`](crate::Mixed) with the stored pixels.
+    /// The depth of a sprite that is mixed is tested and not stored.
+    type Ink: Ink<Self::Color>;
+
     /// The numbers of columns and rows. A picture without texels is not drawn.
     fn picture_size(&self) -> Size;
 
-    /// The colour of the texel in a column, from the left, and a row, from the top, or `None` if it is transparent. Both lie in the
-    /// picture. May be called more than once for a pixel, and must return equal colours.
-    fn color_at(&self, column: u32, row: u32) -> Option<Self::Color>;
+    /// The texel in a column, from the left, and a row, from the top. Both lie in the picture. May be called more than once for a
+    /// pixel, and must return equal texels.
+    fn texel_at(&self, column: u32, row: u32) -> Self::Ink;
 
-    /// The colour of all texels, if they are equal: pixels are then filled.
+    /// The texel that all others equal, if there is one: pixels are then filled.
     #[inline(always)]
-    fn solid_color(&self) -> Option<Self::Color> {
+    fn solid_texel(&self) -> Option<Self::Ink> {
         None
-    }
-
-    /// Whether colours are mixed with the stored pixels by [`blend`](Self::blend). Such a sprite compiles only for targets whose
-    /// pixels lie in [memory](crate::Target::memory); its depth is tested and not stored.
-    const BLENDS: bool = false;
-
-    /// The colour to store where `own` is drawn over `stored`. Called only if [`BLENDS`](Self::BLENDS) is true.
-    #[inline(always)]
-    fn blend(&self, own: Self::Color, stored: Self::Color) -> Self::Color {
-        let _ = stored;
-        own
     }
 
     /// Called with the depth of the sprite, 0 near to 65534 far, before it is drawn: for pictures whose colours depend on it. A picture
@@ -76,6 +71,7 @@ pub trait SpriteSource {
 
 impl<S: Texels> SpriteSource for S {
     type Color = S::Color;
+    type Ink = S::Ink;
 
     fn picture_size(&self) -> Size {
         let [columns, rows] = self.size_bits().map(|bits| 1 << (bits & 31));
@@ -83,13 +79,9 @@ impl<S: Texels> SpriteSource for S {
     }
 
     #[inline(always)]
-    fn color_at(&self, column: u32, row: u32) -> Option<S::Color> {
+    fn texel_at(&self, column: u32, row: u32) -> S::Ink {
         // The left and the upper border of the texel, in 2⁻³² of a side: sides have 3 to 8 bits.
         let [w, h] = self.size_bits().map(|bits| 32u32.wrapping_sub(bits) & 31);
-        let (u, v) = (column << w, row << h);
-        match S::KEYED {
-            true => self.kept_texel(u, v),
-            false => Some(self.texel(u, v)),
-        }
+        self.texel(column << w, row << h)
     }
 }

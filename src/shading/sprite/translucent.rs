@@ -1,12 +1,13 @@
 //! Translucent sprites: pictures that are mixed with the stored pixels.
 
 use super::source::SpriteSource;
-use crate::shading::{BlendMode, Translucent};
+use crate::color::{BlendMode, Unmixed};
+use crate::shading::Translucent;
 use embedded_graphics_core::geometry::Size;
 
-impl<S: SpriteSource, M: BlendMode<S::Color>> SpriteSource for Translucent<S, M> {
+impl<S: SpriteSource<Ink: Unmixed<S::Color>>, M: BlendMode<S::Color>> SpriteSource for Translucent<S, M> {
     type Color = S::Color;
-    const BLENDS: bool = true;
+    type Ink = <S::Ink as Unmixed<S::Color>>::Mixed<M>;
 
     fn picture_size(&self) -> Size {
         let (picture, _) = self.parts();
@@ -14,16 +15,15 @@ impl<S: SpriteSource, M: BlendMode<S::Color>> SpriteSource for Translucent<S, M>
     }
 
     #[inline(always)]
-    fn color_at(&self, column: u32, row: u32) -> Option<S::Color> {
-        const { assert!(!S::BLENDS, "this picture is translucent already") };
-        let (picture, _) = self.parts();
-        picture.color_at(column, row)
+    fn texel_at(&self, column: u32, row: u32) -> Self::Ink {
+        let (picture, mode) = self.parts();
+        picture.texel_at(column, row).mixed(*mode)
     }
 
     #[inline(always)]
-    fn blend(&self, own: S::Color, stored: S::Color) -> S::Color {
-        let (_, mode) = self.parts();
-        mode.blend(own, stored)
+    fn solid_texel(&self) -> Option<Self::Ink> {
+        let (picture, mode) = self.parts();
+        Some(picture.solid_texel()?.mixed(*mode))
     }
 
     fn set_depth(&mut self, depth: u16) {

@@ -57,6 +57,7 @@ const fn clamped(coordinate: u32, sides: u8) -> u32 {
 
 impl<S: Texels> Texels for ClampedTexels<S> {
     type Color = S::Color;
+    type Ink = S::Ink;
 
     /// The binary logarithms of the numbers of texels that coordinates span: up to 25.
     #[inline(always)]
@@ -66,19 +67,12 @@ impl<S: Texels> Texels for ClampedTexels<S> {
     }
 
     #[inline(always)]
-    fn texel(&self, u: u32, v: u32) -> S::Color {
+    fn texel(&self, u: u32, v: u32) -> S::Ink {
         let [u, v] = self.inside(u, v);
         self.texels.texel(u, v)
     }
 
     const WIDE: bool = true;
-    const KEYED: bool = S::KEYED;
-
-    #[inline(always)]
-    fn kept_texel(&self, u: u32, v: u32) -> Option<S::Color> {
-        let [u, v] = self.inside(u, v);
-        self.texels.kept_texel(u, v)
-    }
 }
 
 #[cfg(feature = "defmt")]

@@ -98,6 +98,7 @@ impl<C: PixelColor, const BITS: u32> IndexedTexels<'_, C, BITS> {
 
 impl<C: PixelColor, const BITS: u32> Texels for IndexedTexels<'_, C, BITS> {
     type Color = C;
+    type Ink = C;
 
     #[inline(always)]
     fn size_bits(&self) -> [u32; 2] {

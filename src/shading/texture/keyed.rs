@@ -2,6 +2,7 @@
 
 use super::indexed::IndexedTexels;
 use super::texels::Texels;
+use crate::color::Ink;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// Texels of which one colour is transparent, as magenta often is in sprites: a pixel that would show it is left out, and its
@@ -46,8 +47,8 @@ impl<S: Texels> ColorKeyed<S, S::Color> {
 
 impl<S: Texels> Texels for ColorKeyed<S, S::Color> {
     type Color = S::Color;
+    type Ink = Option<S::Color>;
     const WIDE: bool = S::WIDE;
-    const KEYED: bool = true;
 
     #[inline(always)]
     fn size_bits(&self) -> [u32; 2] {
@@ -55,13 +56,8 @@ impl<S: Texels> Texels for ColorKeyed<S, S::Color> {
     }
 
     #[inline(always)]
-    fn texel(&self, u: u32, v: u32) -> S::Color {
-        self.texels.texel(u, v)
-    }
-
-    #[inline(always)]
-    fn kept_texel(&self, u: u32, v: u32) -> Option<S::Color> {
-        self.texels.kept_texel(u, v).filter(|color| *color != self.key)
+    fn texel(&self, u: u32, v: u32) -> Option<S::Color> {
+        self.texels.texel(u, v).own().filter(|color| *color != self.key)
     }
 }
 
@@ -74,8 +70,8 @@ impl<S: Texels> Texels for ColorKeyed<S, S::Color> {
 /// const PALETTE: [Rgb565; 2] = [Rgb565::BLACK, Rgb565::YELLOW];
 /// let rows = [0b1000_0000, 0, 0, 0, 0, 0, 0, 0b0000_0001];
 /// let texels = IndexKeyed::new(IndexedTexels::<_, 1>::new(&rows, 8, 8, &PALETTE)?, 0);
-/// assert_eq!(texels.kept_texel(0, 0), Some(Rgb565::YELLOW));
-/// assert_eq!(texels.kept_texel(1 << 29, 0), None);
+/// assert_eq!(texels.texel(0, 0), Some(Rgb565::YELLOW));
+/// assert_eq!(texels.texel(1 << 29, 0), None);
 /// # Ok::<(), pinhole::TextureError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,7 +89,7 @@ impl<'t, C: PixelColor, const BITS: u32> IndexKeyed<'t, C, BITS> {
 
 impl<C: PixelColor, const BITS: u32> Texels for IndexKeyed<'_, C, BITS> {
     type Color = C;
-    const KEYED: bool = true;
+    type Ink = Option<C>;
 
     #[inline(always)]
     fn size_bits(&self) -> [u32; 2] {
@@ -101,12 +97,7 @@ impl<C: PixelColor, const BITS: u32> Texels for IndexKeyed<'_, C, BITS> {
     }
 
     #[inline(always)]
-    fn texel(&self, u: u32, v: u32) -> C {
-        self.texels.texel(u, v)
-    }
-
-    #[inline(always)]
-    fn kept_texel(&self, u: u32, v: u32) -> Option<C> {
+    fn texel(&self, u: u32, v: u32) -> Option<C> {
         let index = self.texels.index_at(u, v);
         if index == u32::from(self.key) {
             return None;

@@ -166,6 +166,7 @@ pub struct LitTextureGradients<S> {
 }
 
 impl<S: LitTexels> SpanShader<S::Color> for LitTextured<S> {
+    type Ink = S::Color;
     type Setup = LitTextureGradients<S>;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> LitTextureGradients<S> {

@@ -122,6 +122,7 @@ impl<C: PixelColor, const BITS: u32, const COLORS: usize, const ROWS: usize> Tex
     for LitIndexedTexels<'_, C, BITS, COLORS, ROWS>
 {
     type Color = C;
+    type Ink = C;
 
     #[inline(always)]
     fn size_bits(&self) -> [u32; 2] {

@@ -1,5 +1,6 @@
 //! Where the texels of a texture come from.
 
+use crate::color::Unmixed;
 use crate::math::hints::opaque;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
@@ -17,6 +18,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// struct Chessboard;
 /// impl Texels for Chessboard {
 ///     type Color = BinaryColor;
+///     type Ink = BinaryColor;
 ///     fn size_bits(&self) -> [u32; 2] {
 ///         [3, 3]
 ///     }
@@ -35,17 +37,20 @@ pub trait Texels: Copy {
     /// The colour of a texel.
     type Color: PixelColor;
 
+    /// A texel: its colour, or `Option<Self::Color>` if some texels are transparent.
+    type Ink: Unmixed<Self::Color>;
+
     /// The binary logarithms of the numbers of columns and rows: 3 … 8 each.
     fn size_bits(&self) -> [u32; 2];
 
-    /// The colour of the texel that holds a point: `u` from the left and `v` from the top, in 2⁻³² of the width and of the
-    /// height. The texel's column is `u >> (32 − bits)`, rounded down.
-    fn texel(&self, u: u32, v: u32) -> Self::Color;
+    /// The texel that holds a point: `u` from the left and `v` from the top, in 2⁻³² of the width and of the height. The texel's
+    /// column is `u >> (32 − bits)`, rounded down.
+    fn texel(&self, u: u32, v: u32) -> Self::Ink;
 
     /// [`texel`](Self::texel) as a function, for loops: what all pixels need is computed once, and held in registers.
     #[doc(hidden)]
     #[inline(always)]
-    fn finder(&self) -> impl Fn([u32; 2]) -> Self::Color + Copy {
+    fn finder(&self) -> impl Fn([u32; 2]) -> Self::Ink + Copy {
         let texels = *self;
         move |[u, v]| texels.texel(u, v)
     }
@@ -57,15 +62,6 @@ pub trait Texels: Copy {
     /// 18 of these 37 by rounding, which adds up over at most 32 pixels, and 19 because the corners' coordinates are moved
     /// inwards, so that no pixel shows what lies beyond them. `tests/shading/textures.rs` asserts the bound, and meets 33.
     const WIDE: bool = false;
-
-    /// Whether some texels are transparent: then [`kept_texel`](Self::kept_texel) is called instead of [`texel`](Self::texel).
-    const KEYED: bool = false;
-
-    /// The colour of the [`texel`](Self::texel) that holds a point, or `None` if it is transparent: the pixel is left out.
-    #[inline(always)]
-    fn kept_texel(&self, u: u32, v: u32) -> Option<Self::Color> {
-        Some(self.texel(u, v))
-    }
 }
 
 /// The index of the column or row that holds `coordinate`, in 2⁻³² of a side with 2^`bits` columns or rows; `bits` is 1 … 31.
@@ -85,6 +81,7 @@ const fn side_bits(side: usize) -> u32 {
 
 impl<C: PixelColor, const W: usize, const H: usize> Texels for &[[C; W]; H] {
     type Color = C;
+    type Ink = C;
 
     #[inline(always)]
     fn size_bits(&self) -> [u32; 2] {
@@ -219,6 +216,7 @@ impl<'t, C: PixelColor> TexelSlice<'t, C> {
 
 impl<C: PixelColor> Texels for TexelSlice<'_, C> {
     type Color = C;
+    type Ink = C;
 
     #[inline(always)]
     fn size_bits(&self) -> [u32; 2] {

@@ -90,8 +90,8 @@ impl<S: Texels> TextureGradients<S> {
 }
 
 impl<S: Texels> SpanShader<S::Color> for Textured<S> {
+    type Ink = S::Ink;
     type Setup = TextureGradients<S>;
-    const LEAVES_OUT: bool = S::KEYED;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> TextureGradients<S> {
         let Self { texels, coords } = self;
@@ -99,32 +99,21 @@ impl<S: Texels> SpanShader<S::Color> for Textured<S> {
         TextureGradients { texels: *texels, gradients }
     }
 
-    fn span(setup: &TextureGradients<S>, span: Span) -> impl Iterator<Item = S::Color> {
-        Self::runs(setup, span).flat_map(|(width, colors)| colors.take(width as usize))
+    fn span(setup: &TextureGradients<S>, span: Span) -> impl Iterator<Item = S::Ink> {
+        Self::runs(setup, span).flat_map(|(width, inks)| inks.take(width as usize))
     }
 
     #[inline(always)]
     fn runs(
         setup: &TextureGradients<S>,
         span: Span,
-    ) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Color>)> {
+    ) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Ink>)> {
         let texels = setup.texels;
         setup.coordinates(span).map(move |(width, line)| (width, line.map(move |[u, v]| texels.texel(u, v))))
     }
 
     #[inline(always)]
-    fn kept(
-        setup: &TextureGradients<S>,
-        span: Span,
-    ) -> impl Iterator<Item = (i32, impl Iterator<Item = Option<S::Color>>)> {
-        let texels = setup.texels;
-        setup
-            .coordinates(span)
-            .map(move |(width, line)| (width, line.map(move |[u, v]| texels.kept_texel(u, v))))
-    }
-
-    #[inline(always)]
-    fn draw_runs<D: DrawRuns<S::Color>>(setup: &TextureGradients<S>, mut draw: D) {
+    fn draw_runs<D: DrawRuns<S::Ink>>(setup: &TextureGradients<S>, mut draw: D) {
         let texel = setup.texels.finder();
         if let Gradients::Packed(gradient) = &setup.gradients
             && draw.packed(gradient, move |word| texel(unpacked(word)))

@@ -13,9 +13,9 @@ use pinhole::raster::{self, Scissor, ScreenPoint, Span};
 use pinhole::space::{Model, World};
 use pinhole::{
     draw_line, fill_triangle, Affine, AntiAliased, Camera, Color, Coordinate, Cull, DepthBuffer,
-    DirtyRegions, FacePlanes, Flat, Frame, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Object, Painter,
-    Picture, Scalar, ScreenDoor, ScreenVertex, ShadeTable, SpanShader, Stroke, Target, Tracked, TransferCost,
-    WithPlanes,
+    DirtyRegions, FacePlanes, Flat, Frame, Gives, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Object,
+    Painter, Picture, Reads, Scalar, ScreenDoor, ScreenVertex, ShadeTable, SpanShader, Stroke, Target,
+    Tracked, TransferCost, WithPlanes,
 };
 
 /// A scene that is set up elsewhere, so that the compiler knows nothing of it here.
@@ -73,7 +73,7 @@ fn shade<D: DrawTarget<Color: Color>>(scene: &mut Scene<'_, D::Color>, levels: &
     }
 }
 
-fn fill_all<D: DrawTarget<Color: Color>, I: SpanShader<D::Color>>(
+fn fill_all<D: DrawTarget<Color: Color>, I: SpanShader<D::Color, Ink = D::Color>>(
     scene: &mut Scene<'_, D::Color>,
     by_planes: &MeshInstance<'_, i16, WithPlanes>,
     shade: impl Fn(usize) -> I,
@@ -214,7 +214,7 @@ fn draw_pixels<T: Target<Color = Rgb565>>(
 }
 
 /// Anti-aliased lines, in every way to draw lines.
-fn draw_anti_aliased<T: Target<Color = Rgb565>>(
+fn draw_anti_aliased<T: Target<Color = Rgb565, Store: Gives<Reads>>>(
     scene: &mut Scene<'_, Rgb565>,
     by_planes: &MeshInstance<'_, i16, WithPlanes>,
     target: &mut T,

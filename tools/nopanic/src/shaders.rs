@@ -13,11 +13,12 @@ use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
 use pinhole::space::{Model, World};
 use pinhole::{
-    Accuracy, Affine, Blended, Camera, Color, ColorKeyed, Coordinate, CornerValues, DepthBuffer, DepthTested,
-    Flat, Fog, FogError, FogTable, Fogged, Gouraud, HalfBlended, IndexKeyed, IndexedTexels, LitPalette,
-    LitTexels, Memory, Mesh, MeshInstance, Painter, Picture, PictureError, Pixels, PlacedSprites, Scalar,
-    ScreenDoor, ScreenVertex, ShadeTable, Shader, SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource,
-    Target, TexelSlice, Texels, Texture, TextureError, Translucent, VertexFog, WithPlanes,
+    Accuracy, Affine, BlendMode, Blended, Camera, Color, ColorKeyed, Coordinate, CornerValues, DepthBuffer,
+    DepthTested, Flat, Fog, FogError, FogTable, Fogged, Gives, Gouraud, HalfBlended, IndexKeyed,
+    IndexedTexels, LitPalette, LitTexels, Memory, Mesh, MeshInstance, Mixed, Painter, Picture, PictureError,
+    Pixels, PlacedSprites, Reads, Scalar, ScreenDoor, ScreenVertex, ShadeTable, Shader, SolidTexel,
+    SpanShader, Sprite, SpriteFor, SpriteImage, SpriteSource, Target, TexelSlice, Texels, Texture,
+    TextureError, Translucent, VertexFog, WithPlanes,
 };
 
 /// Depths, 1/w and the weights of each corner, and the pixels that are there.
@@ -44,22 +45,28 @@ impl Shader for Everything {
 }
 
 impl SpanShader<Rgb565> for Everything {
+    type Ink = Mixed<Rgb565, Looked>;
     type Setup = ([Gradient; 2], Rgb565);
-    const BLENDS: bool = true;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
         black_box(self.corners);
         (self.values.map(|values| triangle.gradient(values.map(|value| value as u32))), self.color)
     }
 
-    fn span((gradients, color): &Self::Setup, span: Span) -> impl Iterator<Item = Rgb565> {
+    fn span((gradients, color): &Self::Setup, span: Span) -> impl Iterator<Item = Self::Ink> {
         black_box(gradients.map(|gradient| gradient.at(span.x, span.y)));
-        core::iter::repeat(*color)
+        core::iter::repeat(Mixed::new(*color, Looked))
     }
+}
 
-    fn blend((_, color): &Self::Setup) -> impl Fn(Rgb565, Rgb565) -> Rgb565 + Copy {
-        let mix = Rgb565::blend(color); // a colour does not look: the default
-        move |own, stored| mix(black_box(stored), own)
+/// A blend mode of a program's own.
+#[derive(Clone, Copy)]
+struct Looked;
+
+impl BlendMode<Rgb565> for Looked {
+    fn blend(self, own: Rgb565, stored: Rgb565) -> Rgb565 {
+        black_box(stored);
+        own
     }
 }
 
@@ -242,11 +249,7 @@ struct Sprites<'a, V: Coordinate>(&'a PlacedSprites<'a, V>, &'a mut [u16]);
 
 impl<V: Coordinate<Stored = V>> Sprites<'_, V> {
     /// Without depth and with it.
-    fn draw<T: Target<Color = Rgb565>, S: SpriteSource<Color = Rgb565>>(
-        &mut self,
-        picture: impl Fn() -> S,
-        target: &mut T,
-    ) {
+    fn draw<T: Target<Color = Rgb565>, S: SpriteFor<T>>(&mut self, picture: impl Fn() -> S, target: &mut T) {
         let Self(placed, depths) = self;
         report(placed.draw(|_| sprite(picture()), target).ok());
         let Ok(mut depth) = DepthBuffer::new(area(), depths) else { return };
@@ -256,7 +259,7 @@ impl<V: Coordinate<Stored = V>> Sprites<'_, V> {
 
 type Texels64 = [[Rgb565; 64]; 32];
 
-fn sprites_in_memory<T: Target<Color = Rgb565>>(
+fn sprites_in_memory<T: Target<Color = Rgb565, Store: Gives<Reads>>>(
     mut sprites: Sprites<'_, i16>,
     texels: &Texels64,
     fog: &FogTable<Rgb565>,

@@ -437,12 +437,13 @@ struct Tree<C>([C; 3]);
 
 impl<C: Ink> SpriteSource for Tree<C> {
     type Color = C;
+    type Ink = Option<C>;
 
     fn picture_size(&self) -> Size {
         Size::new(15, 24)
     }
 
-    fn color_at(&self, column: u32, row: u32) -> Option<C> {
+    fn texel_at(&self, column: u32, row: u32) -> Option<C> {
         let Self([light, dark, trunk]) = *self;
         let away = column.abs_diff(7);
         // Three skirts of branches, each wider than the one above.

@@ -9,8 +9,8 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{
-    Band, Color, Coordinate, DepthBuffer, FacePlanes, Frame, MeshInstance, Painter, Pixels, ScreenVertex,
-    SpanShader, Statistics, StoredPixel, Stroke,
+    Band, Color, Coordinate, DepthBuffer, FacePlanes, Frame, Ink, MeshInstance, Painter, Pixels,
+    ScreenVertex, SpanShader, Statistics, StoredPixel, Stroke, Writes,
 };
 
 /// The pictures of faces without depth and with depth, row by row, and the depth buffer; and from far to near, by [`by_every_call`].
@@ -158,7 +158,7 @@ fn parts_on_screen<C: PixelColor>(
 const PICKED: usize = 247;
 
 /// Into memory, and onto a DrawTarget that is not the library's, in one piece and in parts; picking finds the depths that are stored.
-pub fn everywhere<C: PixelColor, S: SpanShader<C>>(
+pub fn everywhere<C: PixelColor, S: SpanShader<C, Ink: Ink<C, Access = Writes>>>(
     instance: &MeshInstance<'_>,
     area: Rectangle,
     background: C,
@@ -194,7 +194,7 @@ pub fn by_every_call<const N: usize, C, S, V, P>(
 ) -> (Drawn<C>, Statistics)
 where
     C: Color + StoredPixel<[u8; N]> + Debug,
-    S: SpanShader<C>,
+    S: SpanShader<C, Ink: Ink<C, Access = Writes>>,
     V: Coordinate,
     P: FacePlanes,
 {

@@ -1,16 +1,16 @@
 //! The ways to draw a scene: into a picture in memory, and into a DrawTarget that is not this library's.
 
-use super::{count, count_screen, Counted, Deep, Frame, Plain, Smooth, TORUS};
+use super::{count, count_screen, Counted, Deep, Frame, Plain, Screen, Smooth, TORUS};
 use crate::lists::TORUS_NORMALS;
 use crate::scene::{self, area, Model, Scene};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565, Rgb888, RgbColor};
 use pinhole::raster::{Pixel, ScreenPoint};
-use pinhole::{draw_line, fill_triangle, DepthBuffer, FacePlanes, ShadeTable, SpanShader, Stroke};
+use pinhole::{draw_line, fill_triangle, DepthBuffer, FacePlanes, Pixels, ShadeTable, ShaderFor, StrokeFor};
 
-/// The functions of a module, each of which draws by `$count` into `$target` of what that hands out.
+/// The functions of a module, each of which draws by `$count` into `$target` of what that hands out, a `$type`.
 macro_rules! ways {
-    ($module:ident, $count:path, |$surface:ident| $target:expr) => {
+    ($module:ident, $count:path, for<$life:lifetime> $type:ty, |$surface:ident| $target:expr) => {
         pub(super) mod $module {
             use super::*;
 
@@ -18,7 +18,7 @@ macro_rules! ways {
             #[inline(always)]
             pub(in super::super) fn wire<const N: usize>(
                 model: &'static Model,
-                stroke: impl Stroke<Rgb565>,
+                stroke: impl for<$life> StrokeFor<$type>,
                 Plain { frame, corners }: &mut Plain<N>,
             ) -> Option<Counted> {
                 let scene = Scene::new(model)?;
@@ -88,7 +88,7 @@ macro_rules! ways {
             #[inline(always)]
             pub(in super::super) fn triangle(
                 corners: &'static [i16; 6],
-                shader: impl SpanShader<Rgb565> + Copy,
+                shader: impl for<$life> ShaderFor<$type>,
                 frame: &mut Frame,
             ) -> Option<Counted> {
                 $count(frame, &mut |$surface| {
@@ -100,7 +100,7 @@ macro_rules! ways {
             #[inline(always)]
             pub(in super::super) fn lines<const N: usize>(
                 lines: &'static [[i16; 4]; N],
-                stroke: impl Stroke<Rgb565>,
+                stroke: impl for<$life> StrokeFor<$type>,
                 frame: &mut Frame,
             ) -> Option<Counted> {
                 $count(frame, &mut |$surface| {
@@ -133,8 +133,8 @@ macro_rules! ways {
     };
 }
 
-ways!(picture, count, |surface| &mut surface.pixels());
-ways!(screen, count_screen, |surface| &mut *surface);
+ways!(picture, count, for<'s> Pixels<'s, Rgb565>, |surface| &mut surface.pixels());
+ways!(screen, count_screen, for<'s> Screen<'s>, |surface| &mut *surface);
 
 #[inline(always)]
 fn points(&[ax, ay, bx, by, cx, cy]: &[i16; 6]) -> Option<[ScreenPoint; 3]> {

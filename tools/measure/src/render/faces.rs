@@ -39,7 +39,7 @@ pub(super) fn indices(scene: &Scene, quantised: &Quantised) -> Result<Drawn, Str
 }
 
 /// Draws all triangles with depth test, each with the shader of its index.
-fn draw<S: SpanShader<Seen>>(
+fn draw<S: SpanShader<Seen, Ink = Seen>>(
     scene: &Scene,
     quantised: &Quantised,
     shader: impl Fn(usize) -> S,
@@ -70,6 +70,7 @@ struct Numbered([usize; 2]);
 
 impl Texels for Numbered {
     type Color = Seen;
+    type Ink = Seen;
 
     fn size_bits(&self) -> [u32; 2] {
         self.0.map(usize::ilog2)

@@ -104,6 +104,7 @@ struct Numbered;
 
 impl Texels for Numbered {
     type Color = Shown;
+    type Ink = Shown;
 
     fn size_bits(&self) -> [u32; 2] {
         [6, 6]
@@ -133,7 +134,7 @@ impl DrawTarget for List {
     }
 }
 
-fn list<S: SpanShader<Shown>>(instance: &MeshInstance<'_>, shader: S) -> Vec<(Point, Shown)> {
+fn list<S: SpanShader<Shown, Ink = Shown>>(instance: &MeshInstance<'_>, shader: S) -> Vec<(Point, Shown)> {
     let mut list = List(Vec::new());
     let Ok(_) = instance.solid(|_| shader, &mut [], &mut list);
     list.0

@@ -1,0 +1,282 @@
+//! What a shader or a sprite gives for a pixel.
+
+use super::BlendMode;
+use embedded_graphics_core::pixelcolor::PixelColor;
+
+/// What a shader, a stroke or a sprite needs of a target: [`Writes`] or [`Reads`].
+pub trait Access: sealed::Access {
+    /// Whether stored pixels are read.
+    const READS: bool;
+}
+
+/// Sets pixels, which every target can. No value of this type exists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Writes {}
+
+/// Reads stored pixels, too, which a target can give if they lie in [memory](crate::Target::memory). No value of this type exists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Reads {}
+
+impl Access for Writes {
+    const READS: bool = false;
+}
+
+impl Access for Reads {
+    const READS: bool = true;
+}
+
+/// What a [`SpanShader`](crate::SpanShader) gives for each pixel. The type says what may happen to the pixel:
+///
+/// | ink | pixel |
+/// |---|---|
+/// | `C`, the target's colour | is set to the colour |
+/// | `Option<C>` | is set, or with `None` left out: what lies behind the face is seen there, and no depth is stored |
+/// | [`Mixed<C, M>`](Mixed) | is set to what a [`BlendMode`] makes of the colour and the stored one |
+/// | `Option<Mixed<C, M>>` | is mixed or left out |
+///
+/// Mixed inks read pixels, so they compile only for targets whose pixels lie in [memory](crate::Target::memory): a
+/// [`Picture`](crate::Picture)'s or a [`Band`](crate::Band)'s `pixels()`, or a target of your own that has memory.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use pinhole::{Half, Ink, Mixed};
+/// let stored = || Gray8::new(60);
+/// assert_eq!(Gray8::new(40).over(stored), Some(Gray8::new(40)));
+/// assert_eq!(None::<Gray8>.over(stored), None);
+/// assert_eq!(Mixed::new(Gray8::new(40), Half).over(stored), Some(Gray8::new(50)));
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not an ink for pixels of `{C}`",
+    label = "not an ink of `{C}`",
+    note = "use `{C}`, `Option<{C}>`, `Mixed<{C}, _>` or `Option<Mixed<{C}, _>>`"
+)]
+pub trait Ink<C>: Copy + sealed::Ink<C> {
+    /// Whether stored pixels are read.
+    type Access: Access;
+
+    /// Whether pixels may be left out.
+    const LEAVES_OUT: bool;
+
+    /// The ink's own colour, or `None` if the pixel is left out.
+    fn own(self) -> Option<C>;
+
+    /// The colour to store in a pixel whose stored colour is `stored`, or `None` if the pixel is left out.
+    fn over(self, stored: impl FnOnce() -> C) -> Option<C>;
+
+    /// This ink or none.
+    #[doc(hidden)]
+    type Optional: Ink<C, Access = Self::Access>;
+
+    /// This ink, or none if `is_drawn` is false.
+    #[doc(hidden)]
+    fn only_if(self, is_drawn: bool) -> Self::Optional;
+
+    /// This ink with another colour of its own.
+    #[doc(hidden)]
+    fn map(self, change: impl FnOnce(C) -> C) -> Self;
+
+    /// A function that returns inks as one that returns colours, if the inks are colours: only then loops may store pixels
+    /// in blocks.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn opaque<A>(finder: impl Fn(A) -> Self + Copy) -> Option<impl Fn(A) -> C + Copy> {
+        let _ = finder;
+        None::<fn(A) -> C>
+    }
+}
+
+/// A colour that a [`BlendMode`] mixes with the stored one.
+///
+/// [`Translucent`](crate::Translucent) makes it of any shader's colours. A shader of its own, of light that is added to what is
+/// stored:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+/// use pinhole::{fill_triangle, raster::{ScreenPoint, Span, Triangle}, BlendMode, Mixed, Picture, Shader, SpanShader};
+/// #[derive(Clone, Copy)]
+/// struct Sum;
+/// impl BlendMode<Gray8> for Sum {
+///     fn blend(self, own: Gray8, stored: Gray8) -> Gray8 {
+///         Gray8::new(own.luma().saturating_add(stored.luma()))
+///     }
+/// }
+///
+/// #[derive(Clone, Copy)]
+/// struct Beam(u8);
+/// impl Shader for Beam {
+///     type Varying = ();
+///     fn sub_face(&self, _: [(); 3]) -> Self {
+///         *self
+///     }
+/// }
+/// impl SpanShader<Gray8> for Beam {
+///     type Ink = Mixed<Gray8, Sum>;
+///     type Setup = u8;
+///     fn set_up(&self, _: &Triangle<'_>) -> u8 {
+///         self.0
+///     }
+///     fn span(&own: &u8, _: Span) -> impl Iterator<Item = Self::Ink> {
+///         core::iter::repeat(Mixed::new(Gray8::new(own), Sum))
+///     }
+/// }
+/// let mut pixels = [Gray8::new(100); 16];
+/// let mut picture = Picture::new(&mut pixels, Size::new(4, 4))?;
+/// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
+/// fill_triangle([corner(0, 0), corner(4, 0), corner(0, 4)], Beam(80), &mut picture.pixels())?;
+/// assert_eq!([picture.colors()[0], picture.colors()[15]], [Gray8::new(180), Gray8::new(100)]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Mixed<C, M> {
+    color: C,
+    mode: M,
+}
+
+impl<C, M> Mixed<C, M> {
+    /// A colour, and how it is mixed with the stored one.
+    #[inline(always)]
+    pub const fn new(color: C, mode: M) -> Self {
+        Self { color, mode }
+    }
+}
+
+/// An [`Ink`] that is not mixed with stored pixels yet: a colour, or an optional one.
+#[diagnostic::on_unimplemented(
+    message = "this shader or picture is translucent already",
+    label = "its colors are mixed with the stored pixels",
+    note = "wrap the opaque shader or picture in one `Translucent`"
+)]
+pub trait Unmixed<C>: Ink<C, Access = Writes> {
+    /// The ink with a blend mode.
+    type Mixed<M: BlendMode<C>>: Ink<C, Access = Reads>;
+
+    /// This ink with a blend mode.
+    #[doc(hidden)]
+    fn mixed<M: BlendMode<C>>(self, mode: M) -> Self::Mixed<M>;
+}
+
+impl<C: PixelColor> Ink<C> for C {
+    type Access = Writes;
+    const LEAVES_OUT: bool = false;
+    type Optional = Option<C>;
+
+    #[inline(always)]
+    fn own(self) -> Option<C> {
+        Some(self)
+    }
+
+    #[inline(always)]
+    fn over(self, _: impl FnOnce() -> C) -> Option<C> {
+        Some(self)
+    }
+
+    #[inline(always)]
+    fn only_if(self, is_drawn: bool) -> Option<C> {
+        is_drawn.then_some(self)
+    }
+
+    #[inline(always)]
+    fn map(self, change: impl FnOnce(C) -> C) -> C {
+        change(self)
+    }
+
+    #[inline(always)]
+    fn opaque<A>(finder: impl Fn(A) -> C + Copy) -> Option<impl Fn(A) -> C + Copy> {
+        Some(finder)
+    }
+}
+
+impl<C: PixelColor> Unmixed<C> for C {
+    type Mixed<M: BlendMode<C>> = Mixed<C, M>;
+
+    #[inline(always)]
+    fn mixed<M: BlendMode<C>>(self, mode: M) -> Mixed<C, M> {
+        Mixed::new(self, mode)
+    }
+}
+
+impl<C: PixelColor, M: BlendMode<C>> Ink<C> for Mixed<C, M> {
+    type Access = Reads;
+    const LEAVES_OUT: bool = false;
+    type Optional = Option<Self>;
+
+    #[inline(always)]
+    fn own(self) -> Option<C> {
+        Some(self.color)
+    }
+
+    #[inline(always)]
+    fn over(self, stored: impl FnOnce() -> C) -> Option<C> {
+        Some(self.mode.blend(self.color, stored()))
+    }
+
+    #[inline(always)]
+    fn only_if(self, is_drawn: bool) -> Option<Self> {
+        is_drawn.then_some(self)
+    }
+
+    #[inline(always)]
+    fn map(self, change: impl FnOnce(C) -> C) -> Self {
+        Self { color: change(self.color), ..self }
+    }
+}
+
+/// An ink that may be missing.
+macro_rules! optional {
+    ([$($parameter:tt)*] $ink:ty, $color:ty, $access:ty) => {
+        impl<$($parameter)*> Ink<$color> for Option<$ink> {
+            type Access = $access;
+            const LEAVES_OUT: bool = true;
+            type Optional = Self;
+
+            #[inline(always)]
+            fn own(self) -> Option<$color> {
+                self.and_then(Ink::own)
+            }
+
+            #[inline(always)]
+            fn over(self, stored: impl FnOnce() -> $color) -> Option<$color> {
+                self.and_then(|ink| ink.over(stored))
+            }
+
+            #[inline(always)]
+            fn only_if(self, is_drawn: bool) -> Self {
+                self.filter(|_| is_drawn)
+            }
+
+            #[inline(always)]
+            fn map(self, change: impl FnOnce($color) -> $color) -> Self {
+                self.map(|ink| Ink::map(ink, change))
+            }
+        }
+    };
+}
+
+// Not one implementation for every ink: it would be in doubt whether an optional colour is a colour.
+optional!([C: PixelColor] C, C, Writes);
+optional!([C: PixelColor, M: BlendMode<C>] Mixed<C, M>, C, Reads);
+
+impl<C: PixelColor> Unmixed<C> for Option<C> {
+    type Mixed<M: BlendMode<C>> = Option<Mixed<C, M>>;
+
+    #[inline(always)]
+    fn mixed<M: BlendMode<C>>(self, mode: M) -> Option<Mixed<C, M>> {
+        self.map(|color| Mixed::new(color, mode))
+    }
+}
+
+/// Both traits have an implementation for each of their cases; others would not be drawn.
+mod sealed {
+    pub trait Access {}
+    impl Access for super::Writes {}
+    impl Access for super::Reads {}
+
+    pub trait Ink<C> {}
+    impl<C> Ink<C> for C {}
+    impl<C> Ink<C> for Option<C> {}
+    impl<C, M> Ink<C> for super::Mixed<C, M> {}
+    impl<C, M> Ink<C> for Option<super::Mixed<C, M>> {}
+}

@@ -1,0 +1,32 @@
+//! Which shaders, strokes and sprites a target can show.
+//!
+//! Each draw call asks for one of these traits, so that an ink that reads pixels and a target that cannot give them meet in the
+//! caller's line.
+
+use crate::color::Ink;
+use crate::shading::{SpanShader, SpriteSource, Stroke};
+use crate::surface::{Gives, Target};
+
+/// A [`SpanShader`] for a target: of its colour type, and with an [`Ink`] that reads pixels only if the target's lie in
+/// [memory](Target::memory). Implemented for all of them.
+pub trait ShaderFor<T: Target>: SpanShader<T::Color> {}
+
+impl<T: Target, S: SpanShader<T::Color>> ShaderFor<T> for S where
+    T::Store: Gives<<S::Ink as Ink<T::Color>>::Access>
+{
+}
+
+/// A [`Stroke`] for a target: of its colour type, and anti-aliased only if the target's pixels lie in [memory](Target::memory).
+/// Implemented for all of them.
+pub trait StrokeFor<T: Target>: Stroke<T::Color> {}
+
+impl<T: Target, K: Stroke<T::Color>> StrokeFor<T> for K where T::Store: Gives<K::Access> {}
+
+/// A [`SpriteSource`] for a target: of its colour type, and with an [`Ink`] that reads pixels only if the target's lie in
+/// [memory](Target::memory). Implemented for all of them.
+pub trait SpriteFor<T: Target>: SpriteSource<Color = T::Color> {}
+
+impl<T: Target, S: SpriteSource<Color = T::Color>> SpriteFor<T> for S where
+    T::Store: Gives<<S::Ink as Ink<T::Color>>::Access>
+{
+}
