@@ -14,7 +14,7 @@
 //! assert_eq!(right.outcode(), pinhole::Outcode::RIGHT);
 //! let (_, end) = clip::line(inside, right).unwrap();
 //! assert_eq!(end.ndc(), Some(Point3::from_ints(1, 0, 0)));
-//! # Ok::<(), pinhole::ProjectionError>(())
+//! # Ok::<(), pinhole::CameraError>(())
 //! ```
 
 use crate::math::hints::{keep_rolled, opaque_next};
@@ -327,7 +327,7 @@ pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
 /// assert_eq!(corners.len(), 5);
 /// assert!(corners.contains(&(Point3::from_ints(-1, 0, 0), 50)));
 /// assert!(corners.contains(&(Point3::from_f32(1.0, 0.5, 0.0).unwrap(), 150)));
-/// # Ok::<(), pinhole::ProjectionError>(())
+/// # Ok::<(), pinhole::CameraError>(())
 /// ```
 pub fn triangle<const A: usize>(corners: [ClipVertex<A>; 3]) -> Vec<ClipVertex<A>, CORNERS> {
     let exponent = corners.iter().map(|c| c.point.exponent()).max().unwrap_or(0);

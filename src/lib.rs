@@ -91,38 +91,36 @@ pub mod space;
 mod surface;
 
 pub use camera::{
-    Camera, FramingError, Frustum, PlanarProjection, ProjectError, Projected, Projection, ProjectionError,
-    Ray, ReferenceVolume, ScreenVertex, Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport,
-    ViewportError, Visibility, Window,
+    Camera, CameraError, Frustum, PlanarProjection, Projected, Projection, Ray, ReferenceVolume,
+    ScreenVertex, Side, VanishingPoint, ViewTransform, Viewport, Visibility, Window,
 };
 pub use color::{
     Access, Alpha, BlendMode, Color, Format, Half, Ink, Mixed, Reads, StoredPixel, Unmixed, Writes,
 };
 pub use math::{
-    Affine, Angle, AxisError, ClipPoint, Coordinate, Inside, InverseError, MatrixError, NormalMatrix,
-    NumberError, Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
+    Affine, Angle, ClipPoint, Coordinate, Inside, MathError, NormalMatrix, Outcode, Point3, Quaternion,
+    Scalar, Sphere, Vector3,
 };
 #[doc(hidden)]
 pub use pipeline::largest;
 pub use pipeline::{
-    draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, BinnedScene, Cull, HalfBins, HalfTransform,
-    MeshBuffers, MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene,
-    PlacedSprites, Scene, SceneError, ShaderFor, SplitBins, SplitTransform, SpriteFor, Statistics, StrokeFor,
-    TransformedMesh,
+    draw_line, fill_triangle, BinnedEdges, BinnedFaces, BinnedScene, Cull, HalfBins, HalfTransform,
+    MeshBuffers, MeshInstance, Object, Painter, PaintersOrder, Picked, PlacedScene, PlacedSprites, Scene,
+    ShaderFor, SplitBins, SplitTransform, SpriteFor, Statistics, StrokeFor, TransformedMesh,
 };
 pub use scene::{
-    edge_faces, FaceColors, FacePlanes, Hierarchy, HierarchyError, MaterialError, Mesh, MeshError, Node,
-    TextureCoords, WithPlanes, WithoutPlanes,
+    edge_faces, FaceColors, FacePlanes, Hierarchy, Mesh, MeshError, Node, TextureCoords, WithPlanes,
+    WithoutPlanes,
 };
 pub use shading::{
     Accuracy, AntiAliased, Blended, BlinnPhong, ClampedTexels, ColorKeyed, CornerValues, DepthTested,
-    DirectionalLight, Dithered, ExponentialFog, Flat, Fog, FogError, FogProfile, FogTable, Fogged, Gouraud,
+    DirectionalLight, Dithered, ExponentialFog, Flat, Fog, FogProfile, FogTable, Fogged, Gouraud,
     HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError, Lights, LinearFog, Lit, LitIndexedTexels,
     LitPalette, LitTexels, LitTextured, Matcap, PointLight, RigidLambert, ScreenDoor, ShadeTable, Shader,
     SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource, SquaredFog, Stroke, TableShader, TexelSlice,
     Texels, Texture, TextureError, Textured, Translucent, VertexFog,
 };
 pub use surface::{
-    Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, Gives, LeastRun, Memory, Picture,
-    PictureError, PixelStore, Pixels, StripBuffers, Target, Tracked, TransferCost,
+    Band, BufferError, DepthBuffer, DirtyRegions, Frame, Gives, LeastRun, Memory, Picture, PixelStore,
+    Pixels, StripBuffers, Target, Tracked, TransferCost,
 };

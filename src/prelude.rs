@@ -11,36 +11,35 @@
 //! let viewport = Viewport::new(Point::zero(), size)?;
 //! let turned = Affine::<Model, World>::identity().rotate_y(pinhole::Angle::degrees(30));
 //! # let _ = (viewport, turned, Rgb565::RED);
-//! # Ok::<(), ViewportError>(())
+//! # Ok::<(), CameraError>(())
 //! ```
 
 // `MeshBuffers` and `StripBuffers` are each a type and a macro: this exports both.
 pub use crate::{mesh_buffers, strip_buffers, MeshBuffers, StripBuffers};
 
 pub use crate::camera::{
-    Camera, FramingError, Frustum, PlanarProjection, ProjectError, Projected, Projection, ProjectionError,
-    Ray, ReferenceVolume, ScreenVertex, Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport,
-    ViewportError, Visibility, Window,
+    Camera, CameraError, Frustum, PlanarProjection, Projected, Projection, Ray, ReferenceVolume,
+    ScreenVertex, Side, VanishingPoint, ViewTransform, Viewport, Visibility, Window,
 };
 pub use crate::color::{
     Access, Alpha, BlendMode, Color, Format, Half, Ink, Mixed, Reads, StoredPixel, Unmixed, Writes,
 };
 pub use crate::math::{
-    Affine, AxisError, ClipPoint, Coordinate, Inside, InverseError, MatrixError, NormalMatrix, NumberError,
-    Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
+    Affine, ClipPoint, Coordinate, Inside, MathError, NormalMatrix, Outcode, Point3, Quaternion, Scalar,
+    Sphere, Vector3,
 };
 pub use crate::pipeline::{
-    draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, BinnedScene, Cull, HalfBins, HalfTransform,
-    MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene, PlacedSprites, Scene,
-    SceneError, ShaderFor, SplitBins, SplitTransform, SpriteFor, Statistics, StrokeFor, TransformedMesh,
+    draw_line, fill_triangle, BinnedEdges, BinnedFaces, BinnedScene, Cull, HalfBins, HalfTransform,
+    MeshInstance, Object, Painter, PaintersOrder, Picked, PlacedScene, PlacedSprites, Scene, ShaderFor,
+    SplitBins, SplitTransform, SpriteFor, Statistics, StrokeFor, TransformedMesh,
 };
 pub use crate::scene::{
-    edge_faces, FaceColors, FacePlanes, Hierarchy, HierarchyError, MaterialError, Mesh, MeshError, Node,
-    TextureCoords, WithPlanes, WithoutPlanes,
+    edge_faces, FaceColors, FacePlanes, Hierarchy, Mesh, MeshError, Node, TextureCoords, WithPlanes,
+    WithoutPlanes,
 };
 pub use crate::shading::{
     Accuracy, AntiAliased, Blended, BlinnPhong, ClampedTexels, ColorKeyed, CornerValues, DepthTested,
-    DirectionalLight, Dithered, ExponentialFog, Flat, Fog, FogError, FogProfile, FogTable, Fogged, Gouraud,
+    DirectionalLight, Dithered, ExponentialFog, Flat, Fog, FogProfile, FogTable, Fogged, Gouraud,
     HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError, Lights, LinearFog, Lit, LitIndexedTexels,
     LitPalette, LitTexels, LitTextured, Matcap, PointLight, RigidLambert, ScreenDoor, ShadeTable, Shader,
     SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource, SquaredFog, Stroke, TableShader, TexelSlice,
@@ -48,6 +47,6 @@ pub use crate::shading::{
 };
 pub use crate::space::{Model, View, World};
 pub use crate::surface::{
-    Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, Gives, LeastRun, Memory, Picture,
-    PictureError, PixelStore, Pixels, Target, Tracked, TransferCost,
+    Band, BufferError, DepthBuffer, DirtyRegions, Frame, Gives, LeastRun, Memory, Picture, PixelStore,
+    Pixels, Target, Tracked, TransferCost,
 };

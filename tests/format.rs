@@ -48,26 +48,24 @@ impl embedded_graphics::geometry::OriginDimensions for Image {
 }
 
 public_types! {
-    Affine<Plain, Plain>, Angle, AntiAliased<Pixel>, AxisError, Band<'static, Plain>, BandError, Barycentric, BinError, Alpha,
-    Camera, Canonical, ClipPoint, ClipVertex<2>, CornerValues, ScreenVertex, Cull, DepthBuffer<'static>, DepthBufferError,
-    DirtyRegions<4>, FaceColors<'static>, MaterialError, TextureCoords<'static>, Dithered<Flat>, BinnedEdges<'static, i16,
+    Affine<Plain, Plain>, Angle, AntiAliased<Pixel>, MathError, Band<'static, Plain>, BufferError, Barycentric, Alpha,
+    Camera, Canonical, ClipPoint, ClipVertex<2>, CornerValues, ScreenVertex, Cull, DepthBuffer<'static>,     DirtyRegions<4>, FaceColors<'static>, MeshError, TextureCoords<'static>, Dithered<Flat>, BinnedEdges<'static, i16,
     true>, BinnedScene<'static, 'static, Plain, 3>, BinnedFaces<'static, i16, true>, WithPlanes, WithoutPlanes, Flat, Format,
-    Frame<Plain>, FramingError, Gouraud, Gradient, Lit, ProjectError, Projected, Hierarchy<'static>, Inside<Plain>,
-    HierarchyError, Frustum, HalfBins<'static, i16, true>, SplitBins<'static, i16, true>, HalfTransform<'static, i16, true>,
-    SplitTransform<'static, i16, true>, InverseError, Lambert, BlinnPhong, DirectionalLight, Lights<2>, Matcap, PointLight,
-    LeastRun<'static, Plain, 1>, LightError, MatrixError, Memory<Plain>, Mixed<Flat, Alpha>, Reads, Writes, Mesh<'static, Plain>, MeshBuffers<3, 2, 1>,
-    MeshError, Model, Ndc, Node, NormalMatrix<Plain, Plain>, NumberError, Outcode, Painter<Plain, 4, 4>,
-    PaintersOrder<'static, Plain>, Picture<'static, Plain>, PictureError, Pixel, Pixels<'static, Plain>, MeshInstance<'static,
-    i16>, PlanarProjection, Point3<Plain>, Projection, ProjectionError, Quaternion, QuaternionError, Ray, PainterError,
-    Object<'static, Plain>, Picked, PlacedSprites<'static, i16>, PlacedScene<'static, 'static, Plain, 3>, Scene<'static,
-    Plain, 3>, SceneError, ReferenceVolume, RigidLambert, Scalar, Scissor, ShadeTable<Plain>, TableShader<'static, Plain>,
-    Accuracy, Half, DepthTested<Flat>, ExponentialFog, Fog, FogError, FogTable<Plain>, Fogged<'static, Flat, Plain>,
+    Frame<Plain>, CameraError, Gouraud, Gradient, Lit, Projected, Hierarchy<'static>, Inside<Plain>,
+    Frustum, HalfBins<'static, i16, true>, SplitBins<'static, i16, true>, HalfTransform<'static, i16, true>,
+    SplitTransform<'static, i16, true>, Lambert, BlinnPhong, DirectionalLight, Lights<2>, Matcap, PointLight,
+    LeastRun<'static, Plain, 1>, LightError, Memory<Plain>, Mixed<Flat, Alpha>, Reads, Writes, Mesh<'static, Plain>, MeshBuffers<3, 2, 1>,
+    Model, Ndc, Node, NormalMatrix<Plain, Plain>, Outcode, Painter<Plain, 4, 4>,
+    PaintersOrder<'static, Plain>, Picture<'static, Plain>, Pixel, Pixels<'static, Plain>, MeshInstance<'static,
+    i16>, PlanarProjection, Point3<Plain>, Projection, Quaternion, Ray,     Object<'static, Plain>, Picked, PlacedSprites<'static, i16>, PlacedScene<'static, 'static, Plain, 3>, Scene<'static,
+    Plain, 3>, ReferenceVolume, RigidLambert, Scalar, Scissor, ShadeTable<Plain>, TableShader<'static, Plain>,
+    Accuracy, Half, DepthTested<Flat>, ExponentialFog, Fog, FogTable<Plain>, Fogged<'static, Flat, Plain>,
     LinearFog, SquaredFog, VertexFog, ColorKeyed<Plain, Plain>, IndexKeyed<'static, Plain, 1>, IndexedTexels<'static, Plain,
     1>, ClampedTexels<Plain>, LitIndexedTexels<'static, Plain, 1, 2, 2>, LitPalette<Plain, 2, 2>, LitTextured<Plain>,
     TexelSlice<'static, Plain>, Texture<Plain>, TextureError, Textured<Plain>, ScreenDoor<Flat>, SolidTexel<Pixel>,
     Sprite<Plain>, SpriteImage<'static, Image>, ScreenPoint, Side, Span, Sphere, Statistics, StripBuffers<6, 2>,
     TransformedMesh<'static, i16, true>, Triangle<'static>, VanishingPoint, Vector3<Plain>, View, ViewTransform,
-    ViewTransformError, Viewport, ViewportError, Visibility, Window, Tracked<Plain>, TransferCost, Translucent<Flat, Half>,
+    Viewport, Visibility, Window, Tracked<Plain>, TransferCost, Translucent<Flat, Half>,
     World
 }
 

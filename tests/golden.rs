@@ -3,7 +3,7 @@
 //! section 4, viewing by PRP and window. `GOLDEN=1 cargo test --test golden` writes the files anew.
 
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Camera, Mesh, Painter, ProjectionError, ReferenceVolume};
+use pinhole::{Affine, Camera, CameraError, Mesh, Painter, ReferenceVolume};
 use std::collections::BTreeSet;
 use support::bridge::draw::{self, solid, wireframe, Shader, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{window, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -121,20 +121,20 @@ fn s4_reference_volumes_report_their_own_errors() {
     };
     let w = [-ONE, ONE, -ONE, ONE];
     assert_eq!(make([0, 0, ONE], w, ONE - 1, 0), (Ok(()), Ok(())));
-    let behind = Err(ProjectionError::ReferenceBehindPlane);
+    let behind = Err(CameraError::ReferenceBehindPlane);
     assert_eq!(make([0, 0, 0], w, -ONE, -2 * ONE), (behind, behind));
     assert_eq!(make([0, 0, -ONE], w, -2 * ONE, -3 * ONE), (behind, behind));
     assert_eq!(make([0, 0, 1], w, 0, -ONE), (Ok(()), Ok(())));
-    assert_eq!(make([0, 0, ONE], w, ONE, 0), (Err(ProjectionError::NearNotPositive), Ok(())));
-    let order = Err(ProjectionError::NearNotBeforeFar);
+    assert_eq!(make([0, 0, ONE], w, ONE, 0), (Err(CameraError::NearNotPositive), Ok(())));
+    let order = Err(CameraError::NearNotBeforeFar);
     assert_eq!(make([0, 0, ONE], w, 0, 0), (order, order));
     assert_eq!(make([0, 0, ONE], w, -1, 0), (order, order));
-    let empty = Err(ProjectionError::EmptyWindow);
+    let empty = Err(CameraError::EmptyWindow);
     assert_eq!(make([0, 0, ONE], [ONE, ONE, -ONE, ONE], 0, -ONE), (empty, empty));
     assert_eq!(make([0, 0, ONE], [-ONE, ONE, ONE, -ONE], 0, -ONE), (empty, empty));
     // A window of 2⁻¹⁶ at 30000 units cannot be told apart from its centre.
     let far = [30_000 * ONE, 30_000 * ONE + 1, -ONE, ONE];
-    let small = Err(ProjectionError::WindowTooSmall);
+    let small = Err(CameraError::WindowTooSmall);
     assert_eq!(make([0, 0, ONE], far, 0, -ONE), (small, small));
 }
 

@@ -3,7 +3,7 @@
 use embedded_graphics::geometry::Size;
 use pinhole::space::World;
 use pinhole::{
-    Angle, NumberError, PlanarProjection, Point3, Projection, ReferenceVolume, Scalar, Side, Vector3,
+    Angle, MathError, PlanarProjection, Point3, Projection, ReferenceVolume, Scalar, Side, Vector3,
     ViewTransform, Window,
 };
 use std::error::Error;
@@ -30,7 +30,7 @@ fn window(left: f32, right: f32, bottom: f32, top: f32) -> Window {
     Window { left: number(left), right: number(right), bottom: number(bottom), top: number(top) }
 }
 
-fn point<S>([x, y, z]: [f32; 3]) -> Result<Point3<S>, NumberError> {
+fn point<S>([x, y, z]: [f32; 3]) -> Result<Point3<S>, MathError> {
     Point3::from_f32(x, y, z)
 }
 

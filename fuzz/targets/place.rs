@@ -3,7 +3,9 @@
 
 use core::fmt::Debug;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Band, BinnedFaces, Color, DepthBuffer, Ink, MeshInstance, ScreenVertex, SpanShader, StoredPixel, Writes};
+use pinhole::{
+    Band, BinnedFaces, Color, DepthBuffer, Ink, MeshInstance, ScreenVertex, SpanShader, StoredPixel, Writes,
+};
 use support::bridge::ways::{self, Drawn};
 
 /// Where scenes are drawn, before which colour, and in bands of how many rows.

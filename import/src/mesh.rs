@@ -5,7 +5,7 @@ use crate::grid::power_of_two;
 use crate::warning::MOST_FACES;
 use crate::{IndexedPicture, Warning};
 #[cfg(feature = "mesh")]
-use pinhole::{FaceColors, MaterialError, Mesh, MeshError, TextureCoords, WithPlanes};
+use pinhole::{FaceColors, Mesh, MeshError, TextureCoords, WithPlanes};
 use std::path::PathBuf;
 
 /// A mesh as `pinhole` draws it, owned, with a report about the import.
@@ -146,8 +146,8 @@ impl ImportedMesh {
     ///
     /// # Errors
     ///
-    /// [`MaterialError`] if the fields were changed.
-    pub fn colors(&self) -> Result<Option<FaceColors<'_>>, MaterialError> {
+    /// [`MeshError`] if the fields were changed.
+    pub fn colors(&self) -> Result<Option<FaceColors<'_>>, MeshError> {
         if self.face_colors.is_empty() {
             return Ok(None);
         }
@@ -162,8 +162,8 @@ impl ImportedMesh {
     ///
     /// # Errors
     ///
-    /// [`MaterialError`] if the fields were changed.
-    pub fn texture(&self) -> Result<Option<TextureCoords<'_>>, MaterialError> {
+    /// [`MeshError`] if the fields were changed.
+    pub fn texture(&self) -> Result<Option<TextureCoords<'_>>, MeshError> {
         let coords = || TextureCoords::new(&self.texture_coords, &self.texture_faces, self.texture_exponent);
         (!self.texture_faces.is_empty()).then(coords).transpose()
     }

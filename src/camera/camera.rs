@@ -112,7 +112,7 @@ impl Camera {
     ///
     /// ```
     /// # use embedded_graphics::geometry::{Point, Size};
-    /// # use pinhole::{Angle, Camera, ProjectError, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+    /// # use pinhole::{Angle, Camera, CameraError, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
     /// # let up = Vector3::from_ints(0, 1, 0);
@@ -121,7 +121,7 @@ impl Camera {
     /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// let beyond = Point3::from_ints(0, 0, -20); // 25 from the eye, where far is 9
     /// assert_eq!(camera.project(beyond).map(|seen| seen.depth), Ok(65_534));
-    /// assert_eq!(camera.with_far_clip(true).project(beyond), Err(ProjectError::BeyondFar));
+    /// assert_eq!(camera.with_far_clip(true).project(beyond), Err(CameraError::BeyondFar));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]

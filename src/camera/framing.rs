@@ -4,42 +4,9 @@ use super::projection::Projection;
 use super::view_transform::ViewTransform;
 use super::viewport::Viewport;
 use super::Camera;
+use crate::camera::CameraError;
 use crate::math::num::{divide, sqrt};
 use crate::math::{Angle, Point3, Scalar, Sphere};
-
-/// Why no camera can frame a sphere.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum FramingError {
-    /// The sphere's radius is zero or negative: the mesh has no vertices, or only one.
-    NoRadius,
-    /// The field of view is not 1/4096 to 2047/4096 turn, about 0.09° to 179.9°.
-    FieldOfView,
-    /// The far side of the sphere would lie more than 32768 world units from the eye: choose a larger unit or a wider field of
-    /// view.
-    TooFar,
-    /// The near side of the sphere would lie less than 2⁻¹⁰ world units from the eye, where near and far planes have no room
-    /// between: choose a smaller unit or a narrower field of view.
-    TooNear,
-}
-
-impl core::fmt::Display for FramingError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(match self {
-            Self::NoRadius => "the sphere has no radius: the mesh needs at least two different vertices",
-            Self::FieldOfView => "field of view must be 0.09° to 179.9°",
-            Self::TooFar => {
-                "the object would lie more than 32768 world units from the eye: choose a larger unit, or a wider field of view"
-            }
-            Self::TooNear => {
-                "the object would touch the eye: choose a smaller unit, or a narrower field of view"
-            }
-        })
-    }
-}
-
-impl core::error::Error for FramingError {}
 
 impl Camera {
     /// A camera that sees all of an object, from any side: it looks at the centre of the bounding sphere from the distance at
@@ -72,7 +39,7 @@ impl Camera {
     ///
     /// # Errors
     ///
-    /// [`FramingError`] if the sphere has no radius, the field of view is out of range, or the eye would be too far from the
+    /// [`CameraError`] if the sphere has no radius, the field of view is out of range, or the eye would be too far from the
     /// sphere or too near for [`Scalar`].
     #[inline(never)] // set-up: code size counts, speed does not
     pub const fn framing(
@@ -81,13 +48,13 @@ impl Camera {
         field_of_view: Angle,
         yaw: Angle,
         pitch: Angle,
-    ) -> Result<Self, FramingError> {
+    ) -> Result<Self, CameraError> {
         let radius = sphere.radius.to_bits() as i64;
         if radius <= 0 {
-            return Err(FramingError::NoRadius);
+            return Err(CameraError::NoRadius);
         }
         if !Projection::is_field_of_view(field_of_view) {
-            return Err(FramingError::FieldOfView);
+            return Err(CameraError::FieldOfView);
         }
         let (sine, cosine) = Angle::from_bits(field_of_view.bits() / 2).sin_cos();
         // The silhouette of a sphere at distance d reaches to an angle with the sine r/d, whose tangent shall be 31/32 of the
@@ -99,14 +66,14 @@ impl Camera {
         const LEAST: i64 = 64; // 2⁻¹⁰: the slack below is more than the error of the eye
         let before = distance - radius;
         if before < LEAST {
-            return Err(FramingError::TooNear);
+            return Err(CameraError::TooNear);
         }
         // The eye is within 2⁻²⁸ of the distance, at most 8 steps; both slacks are larger.
         let slack = radius >> 6;
         let near = before - if slack < before >> 1 { slack + 8 } else { before >> 1 };
         let far = distance + radius + slack + 8;
         if far > i32::MAX as i64 {
-            return Err(FramingError::TooFar);
+            return Err(CameraError::TooFar);
         }
         let [x, y, z] = sphere.centre.bits();
         let centre = Point3::new(Scalar::from_bits(x), Scalar::from_bits(y), Scalar::from_bits(z));
@@ -115,7 +82,7 @@ impl Camera {
         match Projection::perspective_across(field_of_view, viewport.size(), near, far) {
             Ok(projection) => Ok(Self::new(&view, &projection, viewport)),
             // Near and far: near·far/(far − near) is below d²/2r, at most 2¹⁵ · 2¹⁰.
-            Err(_) => Err(FramingError::TooNear),
+            Err(_) => Err(CameraError::TooNear),
         }
     }
 }

@@ -3,6 +3,7 @@
 
 #[allow(clippy::module_inception)] // the type has the folder's name
 mod camera;
+mod camera_error;
 mod depth_by_w;
 mod distance;
 mod framing;
@@ -18,15 +19,15 @@ mod viewport;
 mod visibility;
 
 pub use camera::Camera;
-pub use framing::FramingError;
+pub use camera_error::CameraError;
 pub use picking::{Ray, VanishingPoint};
 pub(crate) use plane_eye::PlaneEye;
-pub use projected::{ProjectError, Projected};
-pub use projection::{PlanarProjection, Projection, ProjectionError, ReferenceVolume, Window};
+pub use projected::Projected;
+pub use projection::{PlanarProjection, Projection, ReferenceVolume, Window};
 pub use screen_vertex::ScreenVertex;
 pub(crate) use screen_vertex::UnpackedVertex;
 pub(crate) use size_on_screen::SizeOnScreen;
 pub(crate) use vertex_transform::{DepthOf, VertexTransform};
-pub use view_transform::{Side, ViewTransform, ViewTransformError};
-pub use viewport::{Viewport, ViewportError};
+pub use view_transform::{Side, ViewTransform};
+pub use viewport::Viewport;
 pub use visibility::{Frustum, Visibility};

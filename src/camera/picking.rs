@@ -1,8 +1,9 @@
 //! Single points: projection to the screen, for labels, and back, for picking.
 
-use super::projected::{ProjectError, Projected};
+use super::projected::Projected;
 use super::projection::ratio;
 use super::{Camera, VertexTransform};
+use crate::camera::CameraError;
 use crate::math::num::{add, dot, row_times, scale, shift_to_fit};
 use crate::math::unit::{cross_exact, is_zero, normalise};
 use crate::math::{to_scalar, Affine, Point3, Row, Scalar, Vector3};
@@ -58,8 +59,8 @@ impl Camera {
     ///
     /// # Errors
     ///
-    /// [`ProjectError`] if the point lies before the near plane, beyond a far plane that clips, or outside of the guard band.
-    pub fn project(&self, p: Point3<World>) -> Result<Projected, ProjectError> {
+    /// [`CameraError`] if the point lies before the near plane, beyond a far plane that clips, or outside of the guard band.
+    pub fn project(&self, p: Point3<World>) -> Result<Projected, CameraError> {
         let [x, y, z] = [p.x(), p.y(), p.z()];
         // A model transform of scale 0 maps all vertices to this point.
         let model =

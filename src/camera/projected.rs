@@ -1,6 +1,7 @@
 //! The answer of every projection: a position on the screen with its depth, or why there is none.
 
 use super::VertexTransform;
+use crate::camera::CameraError;
 use crate::math::ClipCoords;
 use crate::raster::ScreenPoint;
 use embedded_graphics_core::geometry::Point;
@@ -11,7 +12,7 @@ use embedded_graphics_core::geometry::Point;
 /// # use embedded_graphics::geometry::Size;
 /// # use pinhole::{Angle, Scalar, Sphere};
 /// use embedded_graphics::geometry::Point;
-/// use pinhole::{Camera, Point3, Projected, ProjectError, Viewport};
+/// use pinhole::{Camera, Point3, Projected, CameraError, Viewport};
 /// # let origin = Point3::from_ints(0, 0, 0);
 /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
 /// # let sphere = Sphere { centre: origin, radius: Scalar::from_int(2) };
@@ -21,7 +22,7 @@ use embedded_graphics_core::geometry::Point;
 /// assert!(depth > 0 && depth < 65_534);
 /// let label: Point = camera.project(Point3::from_ints(0, 1, 0))?.into(); // for text and icons
 /// assert_eq!(label.x, 32);
-/// assert_eq!(camera.project(Point3::from_ints(0, 0, 100)), Err(ProjectError::BeforeNear));
+/// assert_eq!(camera.project(Point3::from_ints(0, 0, 100)), Err(CameraError::BeforeNear));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,49 +41,17 @@ impl From<Projected> for Point {
     }
 }
 
-/// Why a point has no position on the screen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum ProjectError {
-    /// The point lies between the near plane and the eye, or behind the eye.
-    BeforeNear,
-    /// The point lies beyond the far plane, and the camera [clips there](crate::Camera::with_far_clip).
-    BeyondFar,
-    /// The point lies more than 8192 pixels from the target's origin.
-    OutsideGuardBand,
-    /// The mesh has no vertex with this index.
-    NoVertex,
-}
-
-impl core::fmt::Display for ProjectError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(match self {
-            Self::BeforeNear => {
-                "the point lies before the near plane, or behind the eye: move it or the near plane"
-            }
-            Self::BeyondFar => "the point lies beyond the far plane: move the plane, or do not clip there",
-            Self::OutsideGuardBand => {
-                "the point lies outside of the guard band of 8192 pixels around the target's origin"
-            }
-            Self::NoVertex => "the mesh has no vertex with this index",
-        })
-    }
-}
-
-impl core::error::Error for ProjectError {}
-
 impl VertexTransform {
     /// Why a point has no position on the screen; `None` if it has one.
-    pub(crate) fn why_not_projected(&self, h: &ClipCoords) -> Option<ProjectError> {
+    pub(crate) fn why_not_projected(&self, h: &ClipCoords) -> Option<CameraError> {
         let outside = |plane: usize| self.distance(plane, h) < 0;
         let [.., w] = h.xydw;
         if outside(0) || w <= 0 {
-            Some(ProjectError::BeforeNear)
+            Some(CameraError::BeforeNear)
         } else if (1..5).any(outside) {
-            Some(ProjectError::OutsideGuardBand)
+            Some(CameraError::OutsideGuardBand)
         } else if self.clips_at_far() && outside(5) {
-            Some(ProjectError::BeyondFar)
+            Some(CameraError::BeyondFar)
         } else {
             None
         }

@@ -1,5 +1,6 @@
 //! World to view space: the camera's position and orientation.
 
+use crate::camera::CameraError;
 use crate::math::float::{ldexp, to_fixed};
 use crate::math::num::{self, add};
 use crate::math::unit::{cross, cross_units, is_zero, normalise};
@@ -21,13 +22,13 @@ use crate::space::{Model, View, World};
 /// Graphics*, 2nd ed., section 6.5.)
 ///
 /// ```
-/// use pinhole::{Point3, Vector3, ViewTransform, ViewTransformError};
+/// use pinhole::{Point3, Vector3, ViewTransform, CameraError};
 /// let (eye, target) = (Point3::from_ints(0, 0, 5), Point3::from_ints(0, 0, 0));
 /// let viewing = ViewTransform::look_at(eye, target, Vector3::from_ints(0, 1, 0))?;
 /// assert_eq!(viewing.apply(target), Point3::from_ints(0, 0, -5)); // the camera looks along −z
 /// let up_is_along_the_gaze = Vector3::from_ints(0, 0, 1);
-/// assert_eq!(ViewTransform::look_at(eye, target, up_is_along_the_gaze), Err(ViewTransformError::ParallelUp));
-/// # Ok::<(), ViewTransformError>(())
+/// assert_eq!(ViewTransform::look_at(eye, target, up_is_along_the_gaze), Err(CameraError::ParallelUp));
+/// # Ok::<(), CameraError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -36,26 +37,6 @@ pub struct ViewTransform {
     rows: [[i32; 3]; 3],
     /// The eye in 2⁻³² world units; at most ±2¹⁶ world units.
     eye: [i64; 3],
-}
-
-/// Why a view transform cannot be set up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum ViewTransformError {
-    /// The view plane normal (VPN) or the gaze has length zero: give a direction, or a target that differs from the eye.
-    ZeroDirection,
-    /// The view up vector (VUP) has length zero: give a vector that is not parallel to the gaze, such as (0, 1, 0).
-    ZeroUp,
-    /// The VPN does not fit the axonometric view: all three components must be non-zero, all different in size for a trimetric
-    /// view, and `side` and `up` different in size for a dimetric one.
-    NotAxonometric,
-    /// The matrix is not a rotation followed by a translation.
-    NotRigid,
-    /// The eye lies outside ±32768 world units: choose a larger unit.
-    EyeOutside,
-    /// VUP is parallel to the gaze to within 2⁻¹² rad, so the roll is undefined: give another VUP.
-    ParallelUp,
 }
 
 /// The side of an object that a multiview orthographic drawing shows. In the picture up is −z for the top view, +z for the
@@ -78,34 +59,19 @@ pub enum Side {
     Bottom,
 }
 
-impl core::fmt::Display for ViewTransformError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(match self {
-            Self::ZeroDirection => "the viewing direction has length zero: give a direction, or a target that differs from the eye",
-            Self::ZeroUp => "the up vector has length zero: give one that is not along the viewing direction",
-            Self::NotAxonometric => "the view plane normal does not fit: an axonometric view needs non-zero components, a trimetric one three different ones",
-            Self::NotRigid => "the viewing matrix is not rigid: it needs three orthonormal, right-handed rows and the last row 0 0 0 1",
-            Self::EyeOutside => "the eye lies beyond 32768 world units: choose a larger unit",
-            Self::ParallelUp => "the up vector is parallel to the viewing direction: give another",
-        })
-    }
-}
-
-impl core::error::Error for ViewTransformError {}
-
 impl ViewTransform {
     /// The view from `eye` to `target`, both in world units, with `up` upwards in the picture. `up` may have any length. The
     /// [type](Self) states the error bound of coefficients.
     ///
     /// # Errors
     ///
-    /// [`ViewTransformError::ZeroDirection`] if the target is the eye, [`ZeroUp`](ViewTransformError::ZeroUp) if `up` has
-    /// length zero, and [`ParallelUp`](ViewTransformError::ParallelUp) if `up` is parallel to the gaze to within 2⁻¹² rad.
+    /// [`CameraError::ZeroDirection`] if the target is the eye, [`ZeroUp`](CameraError::ZeroUp) if `up` has
+    /// length zero, and [`ParallelUp`](CameraError::ParallelUp) if `up` is parallel to the gaze to within 2⁻¹² rad.
     pub const fn look_at(
         eye: Point3<World>,
         target: Point3<World>,
         up: Vector3<World>,
-    ) -> Result<Self, ViewTransformError> {
+    ) -> Result<Self, CameraError> {
         let (e, t) = (eye.bits(), target.bits());
         // 33 bits.
         Self::from_axes(
@@ -118,12 +84,12 @@ impl ViewTransform {
     /// The view from `eye` in the direction `gaze`, with `up` upwards in the picture. Both vectors may have any length.
     ///
     /// ```
-    /// use pinhole::{Point3, Vector3, ViewTransform, ViewTransformError};
+    /// use pinhole::{Point3, Vector3, ViewTransform, CameraError};
     /// let (eye, right) = (Point3::from_ints(1, 2, 3), Vector3::from_ints(9, 0, 0));
     /// let viewing = ViewTransform::look_along(eye, right, Vector3::from_ints(0, 1, 0))?;
     /// // Two units ahead of the eye and one above: the camera looks along −z.
     /// assert_eq!(viewing.apply(Point3::from_ints(3, 3, 3)), Point3::from_ints(0, 1, -2));
-    /// # Ok::<(), ViewTransformError>(())
+    /// # Ok::<(), CameraError>(())
     /// ```
     ///
     /// # Errors
@@ -133,7 +99,7 @@ impl ViewTransform {
         eye: Point3<World>,
         gaze: Vector3<World>,
         up: Vector3<World>,
-    ) -> Result<Self, ViewTransformError> {
+    ) -> Result<Self, CameraError> {
         let [x, y, z] = to_i64(gaze);
         Self::from_axes(eye, &[-x, -y, -z], up)
     }
@@ -178,7 +144,7 @@ impl ViewTransform {
         vrp: Point3<World>,
         vpn: Vector3<World>,
         vup: Vector3<World>,
-    ) -> Result<Self, ViewTransformError> {
+    ) -> Result<Self, CameraError> {
         Self::from_axes(vrp, &to_i64(vpn), vup)
     }
 
@@ -203,7 +169,7 @@ impl ViewTransform {
     /// (Carlbom and Paciorek, *Planar geometric projections and viewing transformations*, 1978.)
     ///
     /// ```
-    /// use pinhole::{Point3, Scalar, Side, Vector3, ViewTransform, ViewTransformError};
+    /// use pinhole::{Point3, Scalar, Side, Vector3, ViewTransform, CameraError};
     /// let (origin, up) = (Point3::from_ints(0, 0, 0), Scalar::from_int(2));
     /// let views = [
     ///     ViewTransform::multiview(origin, Side::Top),
@@ -215,7 +181,7 @@ impl ViewTransform {
     /// let n = views.map(|view| view.rows()[2].map(|c| f64::from(c) / f64::from(1 << 30)));
     /// let lengths = n.map(|n| n.map(|c| (100.0 * (1.0 - c * c).sqrt()).round()));
     /// assert_eq!(lengths, [[100.0, 0.0, 100.0], [82.0; 3], [91.0, 58.0, 91.0], [96.0, 85.0, 60.0]]);
-    /// # Ok::<(), ViewTransformError>(())
+    /// # Ok::<(), CameraError>(())
     /// ```
     pub const fn isometric(vrp: Point3<World>) -> Self {
         // 1/√2, 1/√6, 2/√6 and 1/√3 in 2⁻³⁰.
@@ -231,15 +197,15 @@ impl ViewTransform {
     ///
     /// # Errors
     ///
-    /// [`ViewTransformError::NotAxonometric`] if `side` or `up` is zero or their sizes are equal, and
-    /// [`ViewTransformError::ParallelUp`] if `side` is below 2⁻¹²·⁵ of `up`. [`isometric`](Self::isometric) has an
+    /// [`CameraError::NotAxonometric`] if `side` or `up` is zero or their sizes are equal, and
+    /// [`CameraError::ParallelUp`] if `side` is below 2⁻¹²·⁵ of `up`. [`isometric`](Self::isometric) has an
     /// example.
-    pub const fn dimetric(vrp: Point3<World>, side: Scalar, up: Scalar) -> Result<Self, ViewTransformError> {
+    pub const fn dimetric(vrp: Point3<World>, side: Scalar, up: Scalar) -> Result<Self, CameraError> {
         if side.to_bits() == 0
             || up.to_bits() == 0
             || side.to_bits().unsigned_abs() == up.to_bits().unsigned_abs()
         {
-            return Err(ViewTransformError::NotAxonometric);
+            return Err(CameraError::NotAxonometric);
         }
         Self::from_reference(vrp, Vector3::new(side, up, side), Vector3::from_ints(0, 1, 0))
     }
@@ -249,13 +215,13 @@ impl ViewTransform {
     ///
     /// # Errors
     ///
-    /// [`ViewTransformError::NotAxonometric`] if a component is zero or two have equal sizes, and
-    /// [`ViewTransformError::ParallelUp`] if the VPN is within 2⁻¹² rad of the y axis.
-    pub const fn trimetric(vrp: Point3<World>, vpn: Vector3<World>) -> Result<Self, ViewTransformError> {
+    /// [`CameraError::NotAxonometric`] if a component is zero or two have equal sizes, and
+    /// [`CameraError::ParallelUp`] if the VPN is within 2⁻¹² rad of the y axis.
+    pub const fn trimetric(vrp: Point3<World>, vpn: Vector3<World>) -> Result<Self, CameraError> {
         let [x, y, z] = vpn.bits();
         let (x, y, z) = (x.unsigned_abs(), y.unsigned_abs(), z.unsigned_abs());
         if x == 0 || y == 0 || z == 0 || x == y || y == z || z == x {
-            return Err(ViewTransformError::NotAxonometric);
+            return Err(CameraError::NotAxonometric);
         }
         Self::from_reference(vrp, vpn, Vector3::from_ints(0, 1, 0))
     }
@@ -266,36 +232,36 @@ impl ViewTransform {
     ///
     /// # Errors
     ///
-    /// [`ViewTransformError::NotRigid`] if the last row is not (0, 0, 0, 1), a number is not finite, the rows are left-handed,
+    /// [`CameraError::NotRigid`] if the last row is not (0, 0, 0, 1), a number is not finite, the rows are left-handed,
     /// or, as given or as rounded, a row's squared length differs from 1 or the dot product of two rows from 0 by more than
-    /// 4·10⁻⁶: six correct decimals suffice. [`ViewTransformError::EyeOutside`] if the eye is beyond ±32768 world units.
+    /// 4·10⁻⁶: six correct decimals suffice. [`CameraError::EyeOutside`] if the eye is beyond ±32768 world units.
     ///
     /// ```
-    /// use pinhole::{Point3, ViewTransform, ViewTransformError};
+    /// use pinhole::{Point3, ViewTransform, CameraError};
     /// let from_5 = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, -5.0], [0.0, 0.0, 0.0, 1.0]];
     /// let view = ViewTransform::from_matrix(&from_5)?;
     /// assert_eq!(view.eye(), [0, 0, 5 << 32]);
     /// assert_eq!(view.apply(Point3::from_ints(0, 0, 0)), Point3::from_ints(0, 0, -5));
     /// assert_eq!(view.to_matrix(), from_5);
-    /// # Ok::<(), ViewTransformError>(())
+    /// # Ok::<(), CameraError>(())
     /// ```
-    pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, ViewTransformError> {
+    pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, CameraError> {
         let [u, v, n, last] = *matrix;
         if last != [0.0, 0.0, 0.0, 1.0] {
-            return Err(ViewTransformError::NotRigid);
+            return Err(CameraError::NotRigid);
         }
         let translation = [u[3], v[3], n[3]];
         let axes = [u, v, n].map(|row| [row[0], row[1], row[2]]);
         let [u, v, n] = axes;
         if !is_rigid(&axes) {
-            return Err(ViewTransformError::NotRigid);
+            return Err(CameraError::NotRigid);
         }
         // |c| ≤ 1 + 2·10⁻⁶: clamped to 2³⁰.
         let nearest = |c: f64| ((c + if c < 0.0 { -0.5 } else { 0.5 }) as i32).clamp(-(1 << 30), 1 << 30);
         let rows = axes.map(|row| row.map(|c| nearest(c * 1_073_741_824.0)));
         // Rounded rows must pass too, so that `from_matrix` accepts the result of `to_matrix`.
         if !is_rigid(&rows.map(to_f64)) {
-            return Err(ViewTransformError::NotRigid);
+            return Err(CameraError::NotRigid);
         }
         // −R⁻¹·t by the cofactors; the determinant is within 10⁻⁵ of 1.
         let cofactors = [cross_f64(v, n), cross_f64(n, u), cross_f64(u, v)];
@@ -306,7 +272,7 @@ impl ViewTransform {
         };
         let part = |e: f64| {
             let inside = (-32_768.0..=32_768.0).contains(&e);
-            to_fixed(e, 32).filter(|_| inside).ok_or(ViewTransformError::EyeOutside)
+            to_fixed(e, 32).filter(|_| inside).ok_or(CameraError::EyeOutside)
         };
         Ok(Self { rows, eye: [part(eye(0))?, part(eye(1))?, part(eye(2))?] })
     }
@@ -325,23 +291,19 @@ impl ViewTransform {
 
     /// From the direction `back` of n and an up vector, both of any length.
     #[inline(never)] // set-up: code size counts, speed does not
-    const fn from_axes(
-        eye: Point3<World>,
-        back: &[i64; 3],
-        up: Vector3<World>,
-    ) -> Result<Self, ViewTransformError> {
+    const fn from_axes(eye: Point3<World>, back: &[i64; 3], up: Vector3<World>) -> Result<Self, CameraError> {
         let up = to_i64(up);
         let (n, up_unit) = (normalise(back), normalise(&up));
         if is_zero(&n) {
-            return Err(ViewTransformError::ZeroDirection);
+            return Err(CameraError::ZeroDirection);
         }
         if is_zero(&up_unit) {
-            return Err(ViewTransformError::ZeroUp);
+            return Err(CameraError::ZeroUp);
         }
         // |up × n|² = sin² of the angle between them, in 2⁻⁶⁰.
         let sine = cross_units(&up_unit, &n);
         if num::dot(&sine, &sine) < 1 << (60 - 24) {
-            return Err(ViewTransformError::ParallelUp);
+            return Err(CameraError::ParallelUp);
         }
         // u from the given vectors, not from rounded unit vectors: nearly parallel vectors differ in their low bits only.
         let u = normalise(&cross(&up, back));

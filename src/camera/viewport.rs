@@ -1,5 +1,6 @@
 //! The viewport transform: NDC to the screen.
 
+use crate::camera::CameraError;
 use crate::math::num::scale;
 use crate::math::Point3;
 use crate::raster::{ScreenPoint, GUARD_BAND};
@@ -15,57 +16,33 @@ use embedded_graphics_core::primitives::Rectangle;
 ///
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
-/// use pinhole::{Point3, Viewport, ViewportError};
+/// use pinhole::{Point3, Viewport, CameraError};
 /// let viewport = Viewport::new(Point::new(10, 20), Size::new(240, 180))?;
 /// let corner = viewport.apply(Point3::from_ints(-1, 1, 0)); // NDC top left
 /// assert_eq!((corner.x(), corner.y()), (10 * 256, 20 * 256));
-/// # Ok::<(), ViewportError>(())
+/// # Ok::<(), CameraError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Viewport {
     area: Rectangle,
 }
 
-/// Why a viewport cannot be set up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum ViewportError {
-    /// Width or height is zero.
-    Empty,
-    /// The viewport extends beyond ±8192 pixels from the target's origin.
-    OutsideGuardBand,
-}
-
-impl core::fmt::Display for ViewportError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(match self {
-            Self::Empty => "the viewport has no pixels: width and height must be at least 1",
-            Self::OutsideGuardBand => {
-                "the viewport extends beyond ±8192 pixels from the target's origin: move or shrink it"
-            }
-        })
-    }
-}
-
-impl core::error::Error for ViewportError {}
-
 impl Viewport {
     /// The viewport of `size` pixels with its top left corner at `top_left`, in pixels of the target.
     ///
     /// # Errors
     ///
-    /// [`ViewportError::Empty`] if width or height is zero, [`OutsideGuardBand`](ViewportError::OutsideGuardBand) if the
+    /// [`CameraError::EmptyViewport`] if width or height is zero, [`ViewportOutside`](CameraError::ViewportOutside) if the
     /// viewport extends beyond ±8192 pixels.
-    pub const fn new(top_left: Point, size: Size) -> Result<Self, ViewportError> {
+    pub const fn new(top_left: Point, size: Size) -> Result<Self, CameraError> {
         if size.width == 0 || size.height == 0 {
-            return Err(ViewportError::Empty);
+            return Err(CameraError::EmptyViewport);
         }
         const fn inside(low: i32, extent: u32) -> bool {
             low >= -GUARD_BAND && low as i64 + extent as i64 <= GUARD_BAND as i64
         }
         if !inside(top_left.x, size.width) || !inside(top_left.y, size.height) {
-            return Err(ViewportError::OutsideGuardBand);
+            return Err(CameraError::ViewportOutside);
         }
         Ok(Self { area: Rectangle::new(top_left, size) })
     }

@@ -4,6 +4,11 @@ use super::BlendMode;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// What a shader, a stroke or a sprite needs of a target: [`Writes`] or [`Reads`].
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not say what is needed of a target",
+    label = "neither `Writes` nor `Reads`",
+    note = "use `Writes`, or `Reads` for what is mixed with stored pixels"
+)]
 pub trait Access: sealed::Access {
     /// Whether stored pixels are read.
     const READS: bool;

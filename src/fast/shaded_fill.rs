@@ -44,16 +44,16 @@ pub(crate) fn triangle_of_one_ink<T: Target, I: Ink<T::Color>>(
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
     fill(memory, triangle, scissor, &mut |cells, _| {
-        let ink = ink; // a copy, in registers
+        let mixed = ink; // a copy, in registers
         let (blocks, rest) = cells.as_chunks_mut::<BLOCK>();
         for pixels in blocks {
             each8(pixels, |pixel| {
-                put::<T, I>(pixel, ink);
+                put::<T, I>(pixel, mixed);
             });
             keep_rolled();
         }
         for pixel in rest {
-            put::<T, I>(pixel, ink);
+            put::<T, I>(pixel, mixed);
             keep_rolled();
         }
     });

@@ -6,6 +6,7 @@ use super::num::{add, dot, fraction, row_times, scale, shift_to_fit, sqrt, trans
 use super::row::{block_scaled, transform_point, Row};
 use super::unit::{cross_exact, is_zero, normalise};
 use super::{Angle, Point3, Quaternion, Scalar, Vector3};
+use crate::math::MathError;
 use crate::space::SceneSpace;
 use core::marker::PhantomData;
 
@@ -106,20 +107,20 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// transformations*, Graphics Gems, 1990.)
     ///
     /// ```
-    /// use pinhole::{space::World, Affine, Angle, AxisError, Point3, Vector3};
+    /// use pinhole::{space::World, Affine, Angle, MathError, Point3, Vector3};
     /// let (through, axis) = (Point3::from_ints(1, 0, 0), Vector3::from_ints(0, 0, 7));
     /// let half = Affine::<World, World>::rotation(through, axis, Angle::HALF_TURN)?;
     /// assert_eq!(half.apply(Point3::from_ints(3, 4, 5)), Point3::from_ints(-1, -4, 5));
-    /// # Ok::<(), AxisError>(())
+    /// # Ok::<(), MathError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`AxisError::ZeroAxis`] if `axis` has length zero.
-    pub fn rotation(through: Point3<B>, axis: Vector3<B>, angle: Angle) -> Result<Self, AxisError> {
+    /// [`MathError::ZeroAxis`] if `axis` has length zero.
+    pub fn rotation(through: Point3<B>, axis: Vector3<B>, angle: Angle) -> Result<Self, MathError> {
         let axis = normalise(&axis.bits().map(i64::from));
         if is_zero(&axis) {
-            return Err(AxisError::ZeroAxis);
+            return Err(MathError::ZeroAxis);
         }
         let (s, c) = angle.sin_cos();
         // 0 … 2³¹.
@@ -184,31 +185,31 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     ///
     /// # Errors
     ///
-    /// [`MatrixError`] if the last row is not (0, 0, 0, 1), if a number is NaN or infinite, or if the translation is beyond
+    /// [`MathError`] if the last row is not (0, 0, 0, 1), if a number is NaN or infinite, or if the translation is beyond
     /// ±2³⁰ world units.
     ///
     /// ```
-    /// use pinhole::{space::{Model, World}, Affine, MatrixError, Point3};
+    /// use pinhole::{space::{Model, World}, Affine, MathError, Point3};
     /// let turn = [[0.0, -1.0, 0.0, 5.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, -3.0], [0.0, 0.0, 0.0, 1.0]];
     /// let place = Affine::<Model, World>::from_matrix(&turn)?;
     /// assert_eq!(place.apply(Point3::from_ints(2, 0, 0)), Point3::from_ints(5, 2, -3));
     /// assert_eq!(place.to_matrix(), turn);
-    /// # Ok::<(), MatrixError>(())
+    /// # Ok::<(), MathError>(())
     /// ```
-    pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, MatrixError> {
+    pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, MathError> {
         let [x, y, z, last] = *matrix;
         if last != [0.0, 0.0, 0.0, 1.0] {
-            return Err(MatrixError::NotAffine);
+            return Err(MathError::NotAffine);
         }
         let linear = [x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]];
-        let (l, exponent) = float::common_exponent(linear).ok_or(MatrixError::NotFinite)?;
+        let (l, exponent) = float::common_exponent(linear).ok_or(MathError::NotFinite)?;
         let linear = [[l[0], l[1], l[2]], [l[3], l[4], l[5]], [l[6], l[7], l[8]]];
         let (linear, exponent) = rounded_block(&linear, exponent + 30);
         let translation = [x[3], y[3], z[3]];
-        let part = |i: usize| float::to_fixed(translation[i], 32).ok_or(MatrixError::NotFinite);
+        let part = |i: usize| float::to_fixed(translation[i], 32).ok_or(MathError::NotFinite);
         let offset = [part(0)?, part(1)?, part(2)?];
         if translation.iter().any(|t| t.abs() > 1_073_741_824.0) {
-            return Err(MatrixError::OutOfRange);
+            return Err(MathError::TranslationOutOfRange);
         }
         Ok(Self::from_parts(linear, exponent, offset))
     }
@@ -227,11 +228,11 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     ///
     /// # Errors
     ///
-    /// [`InverseError::Singular`] if the rows of the linear part lie nearly in a plane: the magnitude of the determinant,
+    /// [`MathError::Singular`] if the rows of the linear part lie nearly in a plane: the magnitude of the determinant,
     /// divided by the product of the rows' lengths, is below a limit between 2⁻²⁵ and 2⁻²³.
     ///
     /// ```
-    /// use pinhole::{space::{Model, World}, Affine, Angle, InverseError, Point3, Scalar, Vector3};
+    /// use pinhole::{space::{Model, World}, Affine, Angle, MathError, Point3, Scalar, Vector3};
     /// let place = Affine::<Model, Model>::rotation_y(Angle::degrees(90))
     ///     .then(&Affine::<Model, World>::translation(Vector3::from_ints(3, 0, 0)));
     /// let there = place.apply(Point3::from_ints(0, 1, 2));
@@ -239,14 +240,14 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// assert_eq!(place.inverse()?.apply(there), Point3::from_ints(0, 1, 2));
     /// assert_eq!(place.rigid_inverse()?.apply(there), Point3::from_ints(0, 1, 2));
     /// let flat = Affine::<Model, World>::scale(Scalar::ZERO);
-    /// assert_eq!(flat.inverse(), Err(InverseError::Singular));
-    /// # Ok::<(), InverseError>(())
+    /// assert_eq!(flat.inverse(), Err(MathError::Singular));
+    /// # Ok::<(), MathError>(())
     /// ```
-    pub fn inverse(&self) -> Result<Affine<B, A>, InverseError> {
+    pub fn inverse(&self) -> Result<Affine<B, A>, MathError> {
         let (cofactors, c_exponent) = cofactors(&self.linear);
         let (determinant, d_exponent) = determinant(&self.linear);
         if determinant == 0 || self.is_near_singular(determinant, d_exponent) {
-            return Err(InverseError::Singular);
+            return Err(MathError::Singular);
         }
         // inverse = cofactorsᵀ / det: 30 bits over 61 bits. Each quotient has 31 bits after its
         // leading one; the block's exponent puts them together.
@@ -295,9 +296,9 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     ///
     /// # Errors
     ///
-    /// [`InverseError::NotRigid`] if a row's squared length differs from 1, or the dot product of two rows from 0, by more than
+    /// [`MathError::NotRigid`] if a row's squared length differs from 1, or the dot product of two rows from 0, by more than
     /// 2⁻²⁰.
-    pub fn rigid_inverse(&self) -> Result<Affine<B, A>, InverseError> {
+    pub fn rigid_inverse(&self) -> Result<Affine<B, A>, MathError> {
         let [x, y, z] = &self.linear;
         // In 2⁻⁶⁰ for a block of exponent 0; a rotation's largest coefficient is above ½, and 1 has exponent 1.
         let one = scale(1 << 60, -2 * self.exponent);
@@ -307,7 +308,7 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
             && near(dot(y, z), 0)
             && near(dot(z, x), 0);
         if !matches!(self.exponent, 0 | 1) || !rigid {
-            return Err(InverseError::NotRigid);
+            return Err(MathError::NotRigid);
         }
         Ok(self.inverse_from_linear(transposed(&self.linear), self.exponent))
     }
@@ -399,72 +400,6 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
         [row(0), row(1), row(2)]
     }
 }
-
-/// Why a rotation cannot be set up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum AxisError {
-    /// The axis has length zero: give a direction.
-    ZeroAxis,
-}
-
-impl core::fmt::Display for AxisError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str("the axis of rotation has length zero: give a direction")
-    }
-}
-
-impl core::error::Error for AxisError {}
-
-/// Why a matrix cannot become an [`Affine`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum MatrixError {
-    /// The last row is not (0, 0, 0, 1): use [`Projection::from_matrix`](crate::Projection::from_matrix) for a projection.
-    NotAffine,
-    /// A number is NaN or infinite: check how the matrix was computed.
-    NotFinite,
-    /// The translation is beyond ±2³⁰ world units: choose a larger unit.
-    OutOfRange,
-}
-
-impl core::fmt::Display for MatrixError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(match self {
-            Self::NotAffine => {
-                "the last row of the matrix is not 0 0 0 1: an affine transform holds no projection"
-            }
-            Self::NotFinite => "a number of the matrix is NaN or infinite: check how it was computed",
-            Self::OutOfRange => "the translation is beyond 2^30 world units: choose a larger unit",
-        })
-    }
-}
-
-impl core::error::Error for MatrixError {}
-
-/// Why a transform cannot be inverted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum InverseError {
-    /// The transform is singular: use no scale of zero, and no axis in the plane of the two others.
-    Singular,
-    /// The transform scales or shears: use [`Affine::inverse`].
-    NotRigid,
-}
-
-impl core::fmt::Display for InverseError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(match self {
-            Self::Singular => "the transform is singular: a scale is zero, or its axes lie in a plane",
-            Self::NotRigid => "the transform is not rigid: use `inverse`, which also inverts scale and shear",
-        })
-    }
-}
-
-impl core::error::Error for InverseError {}
 
 /// The determinant of 30-bit rows, computed exactly and truncated to 62 bits, as `(mantissa, exponent)`: of coefficients in
 /// 2⁻³⁰ it is `mantissa · 2^(exponent − 60)`.

@@ -2,7 +2,7 @@
 
 use super::hints::keep_rolled;
 use super::num::{fraction, mul_high, shift_to_fit};
-use super::{NumberError, Scalar};
+use super::{MathError, Scalar};
 
 /// An angle as a binary fraction of a turn: one turn is 2³², so sums wrap without error.
 ///
@@ -59,14 +59,14 @@ impl Angle {
     ///
     /// # Errors
     ///
-    /// [`NumberError::NotFinite`] if `degrees` is NaN or infinite, [`NumberError::OutOfRange`] beyond ±2²⁰ degrees, where an f32
+    /// [`MathError::NotFinite`] if `degrees` is NaN or infinite, [`MathError::OutOfRange`] beyond ±2²⁰ degrees, where an f32
     /// resolves less than a sixteenth of a degree.
-    pub fn from_degrees_f32(degrees: f32) -> Result<Self, NumberError> {
+    pub fn from_degrees_f32(degrees: f32) -> Result<Self, MathError> {
         if !degrees.is_finite() {
-            return Err(NumberError::NotFinite);
+            return Err(MathError::NotFinite);
         }
         if !(-1_048_576.0..=1_048_576.0).contains(&degrees) {
-            return Err(NumberError::OutOfRange);
+            return Err(MathError::OutOfRange);
         }
         // |degrees| ≤ 2²⁰ gives at most 2⁴³·⁶, inside i64; the cast keeps the angle modulo a turn.
         let bits = f64::from(degrees) * (4_294_967_296.0 / 360.0);

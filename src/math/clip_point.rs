@@ -14,7 +14,7 @@ use crate::space::Ndc;
 /// let frustum = Projection::frustum(window, one, Scalar::from_int(3))?;
 /// let clip = frustum.apply(Point3::<View>::from_ints(0, 0, -3));
 /// assert_eq!(clip.ndc(), Some(Point3::from_ints(0, 0, 1)));
-/// # Ok::<(), pinhole::ProjectionError>(())
+/// # Ok::<(), pinhole::CameraError>(())
 /// ```
 ///
 /// ```compile_fail,E0451

@@ -1,6 +1,7 @@
 //! Points and vectors, tagged with their space.
 
-use super::{NumberError, Scalar};
+use super::Scalar;
+use crate::math::MathError;
 use core::marker::PhantomData;
 
 /// A point of space `S`: three [`Scalar`]s, ±32768 units of the space in steps of 2⁻¹⁶.
@@ -10,7 +11,7 @@ use core::marker::PhantomData;
 /// let p = Point3::<World>::from_ints(1, -2, 3);
 /// assert_eq!(p, Point3::from_f32(1.0, -2.0, 3.0)?);
 /// assert_eq!(p.z(), Scalar::from_int(3));
-/// # Ok::<(), pinhole::NumberError>(())
+/// # Ok::<(), pinhole::MathError>(())
 /// ```
 #[derive(Debug, PartialEq, Eq)]
 pub struct Point3<S> {
@@ -48,8 +49,8 @@ macro_rules! coordinates {
             ///
             /// # Errors
             ///
-            /// [`NumberError`] when a number is NaN, infinite or outside ±32768.
-            pub fn from_f32(x: f32, y: f32, z: f32) -> Result<Self, NumberError> {
+            /// [`MathError`] when a number is NaN, infinite or outside ±32768.
+            pub fn from_f32(x: f32, y: f32, z: f32) -> Result<Self, MathError> {
                 Ok(Self::new(Scalar::from_f32(x)?, Scalar::from_f32(y)?, Scalar::from_f32(z)?))
             }
 
@@ -103,11 +104,11 @@ coordinates!(Vector3);
 ///
 /// # Errors
 ///
-/// [`NumberError`] when a number is NaN, infinite or outside ±32768.
+/// [`MathError`] when a number is NaN, infinite or outside ±32768.
 impl<S> TryFrom<micromath::vector::F32x3> for Vector3<S> {
-    type Error = NumberError;
+    type Error = MathError;
 
-    fn try_from(v: micromath::vector::F32x3) -> Result<Self, NumberError> {
+    fn try_from(v: micromath::vector::F32x3) -> Result<Self, MathError> {
         Self::from_f32(v.x, v.y, v.z)
     }
 }

@@ -2,59 +2,38 @@
 
 use super::num::{scale, shift_to_fit, sqrt};
 use super::unit::unit_component;
-use super::{NumberError, Scalar};
+use super::Scalar;
+use crate::math::MathError;
 
 /// A rotation as a unit quaternion `w + x·i + y·j + z·k`, whose components are stored in 2⁻³⁰.
 ///
 /// ```
-/// use pinhole::{space::{Model, World}, Affine, Angle, Quaternion, QuaternionError, Scalar};
+/// use pinhole::{space::{Model, World}, Affine, Angle, Quaternion, MathError, Scalar};
 /// let one = Scalar::from_int(1);
 /// let quarter = Quaternion::new(one, Scalar::ZERO, Scalar::ZERO, one)?; // 90° about z, any length
 /// let turn = Affine::<Model, World>::from_quaternion(quarter);
 /// let p = pinhole::Point3::from_ints(1, 0, 0);
 /// assert_eq!(turn.apply(p), Affine::<Model, World>::rotation_z(Angle::QUARTER_TURN).apply(p));
-/// # Ok::<(), QuaternionError>(())
+/// # Ok::<(), MathError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Quaternion([i32; 4]);
-
-/// Why a quaternion describes no rotation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum QuaternionError {
-    /// All four components are zero: the identity is (1, 0, 0, 0).
-    Zero,
-    /// A component is NaN, infinite, or beyond ±32768.
-    Number(NumberError),
-}
-
-impl core::fmt::Display for QuaternionError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Zero => f.write_str("the quaternion has length zero: the identity is (1, 0, 0, 0)"),
-            Self::Number(error) => error.fmt(f),
-        }
-    }
-}
-
-impl core::error::Error for QuaternionError {}
 
 impl Quaternion {
     /// From four components of any length but zero. They are normalised; each is within 2.5·2⁻³⁰.
     ///
     /// # Errors
     ///
-    /// [`QuaternionError::Zero`] if all components are zero.
-    pub fn new(w: Scalar, x: Scalar, y: Scalar, z: Scalar) -> Result<Self, QuaternionError> {
+    /// [`MathError::ZeroQuaternion`] if all components are zero.
+    pub fn new(w: Scalar, x: Scalar, y: Scalar, z: Scalar) -> Result<Self, MathError> {
         Self::normalised([w, x, y, z].map(|c| i64::from(c.to_bits())))
     }
 
-    fn normalised(parts: [i64; 4]) -> Result<Self, QuaternionError> {
+    fn normalised(parts: [i64; 4]) -> Result<Self, MathError> {
         let largest = parts.iter().map(|c| c.unsigned_abs()).max().unwrap_or(0);
         if largest == 0 {
-            return Err(QuaternionError::Zero);
+            return Err(MathError::ZeroQuaternion);
         }
         // To 30 bits, so that four squares stay below 2⁶³.
         let parts = parts.map(|c| scale(c, -shift_to_fit(largest, 30)));
@@ -74,23 +53,23 @@ impl Quaternion {
 ///
 /// # Errors
 ///
-/// [`QuaternionError::Zero`] if all components are below 2⁻³², [`QuaternionError::Number`] if one is NaN, infinite or beyond
+/// [`MathError::ZeroQuaternion`] if all components are below 2⁻³², [`NotFinite`](MathError::NotFinite) or
+/// [`OutOfRange`](MathError::OutOfRange) if one is NaN, infinite or beyond
 /// ±32768.
 impl TryFrom<micromath::Quaternion> for Quaternion {
-    type Error = QuaternionError;
+    type Error = MathError;
 
-    fn try_from(q: micromath::Quaternion) -> Result<Self, QuaternionError> {
+    fn try_from(q: micromath::Quaternion) -> Result<Self, MathError> {
         let [w, x, y, z] = [q.w(), q.x(), q.y(), q.z()].map(|c| {
             if !c.is_finite() {
-                Err(NumberError::NotFinite)
+                Err(MathError::NotFinite)
             } else if !(-32_768.0..=32_768.0).contains(&c) {
-                Err(NumberError::OutOfRange)
+                Err(MathError::OutOfRange)
             } else {
                 // Exact: a float times a power of two; truncated below 2⁻³².
                 Ok((f64::from(c) * 4_294_967_296.0) as i64)
             }
         });
-        let number = |c: Result<i64, NumberError>| c.map_err(QuaternionError::Number);
-        Self::normalised([number(w)?, number(x)?, number(y)?, number(z)?])
+        Self::normalised([w?, x?, y?, z?])
     }
 }

@@ -2,7 +2,8 @@
 
 use super::form::sealed::Sealed;
 use super::num::divide;
-use super::{Coordinate, NumberError};
+use super::Coordinate;
+use crate::math::MathError;
 use core::fmt::{Display, Formatter};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 use core::str::FromStr;
@@ -24,13 +25,13 @@ use fixed::types::I16F16;
 /// [`Scalar::from_ratio`] says, also for a divisor of zero. Text has as many digits as distinguish the number from its neighbours.
 ///
 /// ```
-/// use pinhole::{NumberError, Scalar};
+/// use pinhole::{MathError, Scalar};
 /// const NEAR: Scalar = Scalar::from_ratio(2, 5);
 /// assert_eq!(NEAR.to_string(), "0.4");
 /// assert_eq!(Scalar::from_f32(2.5)? + Scalar::from_int(1), "3.5".parse()?);
 /// assert_eq!(Scalar::from_int(300) * Scalar::from_int(300), Scalar::MAX);
-/// assert_eq!(Scalar::from_f32(f32::NAN), Err(NumberError::NotFinite));
-/// # Ok::<(), NumberError>(())
+/// assert_eq!(Scalar::from_f32(f32::NAN), Err(MathError::NotFinite));
+/// # Ok::<(), MathError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(transparent)]
@@ -100,9 +101,9 @@ impl Scalar {
     ///
     /// # Errors
     ///
-    /// [`NumberError`] when the number is NaN, infinite or outside ±32768. It does not saturate, because a coordinate that was
+    /// [`MathError`] when the number is NaN, infinite or outside ±32768. It does not saturate, because a coordinate that was
     /// moved is a fault that is hard to find in a picture.
-    pub const fn from_f32(number: f32) -> Result<Self, NumberError> {
+    pub const fn from_f32(number: f32) -> Result<Self, MathError> {
         Self::from_f64(number as f64)
     }
 
@@ -110,14 +111,14 @@ impl Scalar {
     ///
     /// # Errors
     ///
-    /// [`NumberError`] when the number is NaN, infinite or outside ±32768.
-    pub const fn from_f64(number: f64) -> Result<Self, NumberError> {
+    /// [`MathError`] when the number is NaN, infinite or outside ±32768.
+    pub const fn from_f64(number: f64) -> Result<Self, MathError> {
         if !number.is_finite() {
-            return Err(NumberError::NotFinite);
+            return Err(MathError::NotFinite);
         }
         let scaled = number * 65_536.0; // exact, or infinite
         if !(-2_147_483_648.5 < scaled && scaled < 2_147_483_647.5) {
-            return Err(NumberError::OutOfRange);
+            return Err(MathError::OutOfRange);
         }
         let whole = scaled as i32; // truncates towards zero
         let rest = scaled - whole as f64; // exact
@@ -234,11 +235,11 @@ impl From<Scalar> for I16F16 {
 ///
 /// # Errors
 ///
-/// [`NumberError::Syntax`] for any other text, [`NumberError::OutOfRange`] for a number outside ±32768.
+/// [`MathError::Syntax`] for any other text, [`MathError::OutOfRange`] for a number outside ±32768.
 impl FromStr for Scalar {
-    type Err = NumberError;
+    type Err = MathError;
 
-    fn from_str(text: &str) -> Result<Self, NumberError> {
+    fn from_str(text: &str) -> Result<Self, MathError> {
         let (sign, digits) = match text.strip_prefix('-') {
             Some(digits) => (-1, digits),
             None => (1, text.strip_prefix('+').unwrap_or(text)),
@@ -246,7 +247,7 @@ impl FromStr for Scalar {
         let (whole, decimals) = digits.split_once('.').unwrap_or((digits, ""));
         let mut all = whole.bytes().chain(decimals.bytes()).peekable();
         if all.peek().is_none() || !all.all(|digit| digit.is_ascii_digit()) {
-            return Err(NumberError::Syntax);
+            return Err(MathError::Syntax);
         }
         let append = |n: u64, digit: u8| n.saturating_mul(10).saturating_add((digit & 15).into());
         let whole = whole.bytes().fold(0, append).min(1 << 16) as i64; // beyond the range stays beyond it
@@ -262,7 +263,7 @@ impl FromStr for Scalar {
             }
         }
         let magnitude = (whole << 16) + ((half_steps + 1) >> 1); // ≤ 2³² + 2¹⁶
-        i32::try_from(sign * magnitude).map(Self::from_bits).map_err(|_| NumberError::OutOfRange)
+        i32::try_from(sign * magnitude).map(Self::from_bits).map_err(|_| MathError::OutOfRange)
     }
 }
 

@@ -1,10 +1,11 @@
 //! Primitives of a mesh, faces or edges, that are binned once and drawn band by band.
 
-use super::bins::{BinError, Bins};
+use super::bins::Bins;
 use super::draw_region::{pixels, DrawRegion};
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::math::Coordinate;
+use crate::surface::BufferError;
 use crate::surface::{rectangle, DepthBuffer};
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -52,7 +53,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Binned<'a, V, DEPTH> {
     pub(super) fn fork<'b>(
         &'b mut self,
         cursor: &'b mut [u16],
-    ) -> Result<[Binned<'b, V, DEPTH>; 2], BinError> {
+    ) -> Result<[Binned<'b, V, DEPTH>; 2], BufferError> {
         let Self { transformed, ref mut bins, statistics } = *self;
         let forks = bins.fork(cursor)?;
         Ok(forks.map(|bins| Binned { transformed, bins, statistics }))

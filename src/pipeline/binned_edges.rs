@@ -2,7 +2,7 @@
 
 use super::anti_aliased;
 use super::binned::{Binned, HasDepth};
-use super::bins::{BinError, Bins};
+use super::bins::Bins;
 use super::bounds::bounds;
 use super::draw_region::{pixels, DrawRegion};
 use super::drawable::StrokeFor;
@@ -15,6 +15,7 @@ use crate::math::Coordinate;
 use crate::raster::Scissor;
 use crate::scene::FacePlanes;
 use crate::shading::Stroke;
+use crate::surface::BufferError;
 use crate::surface::{DepthBuffer, Target};
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
@@ -55,10 +56,10 @@ impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V,
     ///
     /// # Errors
     ///
-    /// [`BinError::Storage`] if `storage` is too short; the error says how many numbers are needed. [`BinError::TooMany`] if
+    /// [`BufferError::Bins`] if `storage` is too short; the error says how many numbers are needed. [`BufferError::TooManyItems`] if
     /// the mesh has more than 65535 edges. Nothing is binned then.
     #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while edges are drawn
-    pub fn bin_edges(&self, storage: &'a mut [u16]) -> Result<BinnedEdges<'a, V, DEPTH>, BinError> {
+    pub fn bin_edges(&self, storage: &'a mut [u16]) -> Result<BinnedEdges<'a, V, DEPTH>, BufferError> {
         let mut edges = BinnedEdges(Binned::new(self.any(), storage, self.instance.mesh().edges.len()));
         edges.0.statistics = edges.0.transformed.fill_edge_bins(&mut edges.0.bins)?;
         Ok(edges)
@@ -68,7 +69,7 @@ impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V,
 impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     /// Clips and counts all edges, then sorts the visible ones.
     #[inline(never)] // the sort's arrays leave the stack when it returns
-    fn fill_edge_bins(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinError> {
+    fn fill_edge_bins(&self, bins: &mut Bins<'_>) -> Result<Statistics, BufferError> {
         let (edges, mut statistics) = (self.instance.mesh().edges, Statistics::NONE);
         let mut sort = bins.sort();
         for (index, &edge) in edges.iter().enumerate() {
@@ -139,9 +140,12 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     ///
     /// # Errors
     ///
-    /// [`BinError::Storage`] if `cursor` is too short; the error says how many numbers are needed.
+    /// [`BufferError::Bins`] if `cursor` is too short; the error says how many numbers are needed.
     #[inline(never)] // the result is large
-    pub fn fork<'b>(&'b mut self, cursor: &'b mut [u16]) -> Result<[BinnedEdges<'b, V, DEPTH>; 2], BinError> {
+    pub fn fork<'b>(
+        &'b mut self,
+        cursor: &'b mut [u16],
+    ) -> Result<[BinnedEdges<'b, V, DEPTH>; 2], BufferError> {
         Ok(self.0.fork(cursor)?.map(BinnedEdges))
     }
 

@@ -1,7 +1,7 @@
 //! Faces that are binned once per frame and drawn band by band.
 
 use super::binned::{Binned, HasDepth};
-use super::bins::{BinError, BinSort, Bins};
+use super::bins::{BinSort, Bins};
 use super::draw_region::{pixels, DrawRegion};
 use super::drawable::ShaderFor;
 use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
@@ -17,6 +17,7 @@ use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
 use crate::scene::FacePlanes;
+use crate::surface::BufferError;
 use crate::surface::{DepthBuffer, DepthTarget, Target};
 use core::convert::Infallible;
 use embedded_graphics_core::primitives::Rectangle;
@@ -33,17 +34,17 @@ impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V,
     ///
     /// # Errors
     ///
-    /// [`BinError::Storage`] if `storage` is too short; the error says how many numbers are needed. [`BinError::TooMany`] if
+    /// [`BufferError::Bins`] if `storage` is too short; the error says how many numbers are needed. [`BufferError::TooManyItems`] if
     /// the mesh has more than 65535 faces. Nothing is binned then.
     #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while faces are drawn
-    pub fn bin_faces(&self, storage: &'a mut [u16]) -> Result<BinnedFaces<'a, V, DEPTH>, BinError> {
+    pub fn bin_faces(&self, storage: &'a mut [u16]) -> Result<BinnedFaces<'a, V, DEPTH>, BufferError> {
         let mut faces = BinnedFaces(Binned::new(self.any(), storage, self.instance.mesh().faces.len()));
         faces.0.statistics = self.fill_bins(&mut faces.0.bins)?;
         Ok(faces)
     }
 
     #[inline(never)] // the sort's arrays leave the stack when it returns
-    fn fill_bins(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinError> {
+    fn fill_bins(&self, bins: &mut Bins<'_>) -> Result<Statistics, BufferError> {
         if P::CULL {
             bin(PlaneOrder::new(self.instance), self.any(), bins)
         } else {
@@ -81,7 +82,7 @@ fn bin<'a, V: Coordinate + 'a, const DEPTH: bool>(
     source: impl FaceSource,
     mut cache: impl VertexCache<'a, V, DEPTH>,
     bins: &mut Bins<'_>,
-) -> Result<Statistics, BinError> {
+) -> Result<Statistics, BufferError> {
     let (count, mut sort) = (cache.instance().mesh().faces.len(), bins.sort());
     let statistics = count_faces(source, &mut cache, &mut sort);
     let mesh = cache.view();
@@ -139,14 +140,14 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// # Errors
     ///
-    /// [`BinError::Storage`] if `storage` is too short; the error says how many numbers are needed. [`BinError::TooMany`] if
+    /// [`BufferError::Bins`] if `storage` is too short; the error says how many numbers are needed. [`BufferError::TooManyItems`] if
     /// the mesh has more than 65535 faces. Nothing is binned then.
     #[inline(always)]
     pub fn bin_faces<'a>(
         &'a self,
         cache: &'a mut [ScreenVertex],
         storage: &'a mut [u16],
-    ) -> Result<BinnedFaces<'a, V>, BinError> {
+    ) -> Result<BinnedFaces<'a, V>, BufferError> {
         self.binned(cache, storage)
     }
 
@@ -161,7 +162,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
         &'a self,
         cache: &'a mut [ScreenVertex],
         storage: &'a mut [u16],
-    ) -> Result<BinnedFaces<'a, V, true>, BinError> {
+    ) -> Result<BinnedFaces<'a, V, true>, BufferError> {
         self.binned(cache, storage)
     }
 
@@ -170,7 +171,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
         &'a self,
         cache: &'a mut [ScreenVertex],
         storage: &'a mut [u16],
-    ) -> Result<BinnedFaces<'a, V, DEPTH>, BinError> {
+    ) -> Result<BinnedFaces<'a, V, DEPTH>, BufferError> {
         if P::CULL {
             self.any.bin_by_planes(cache, storage)
         } else {
@@ -186,7 +187,7 @@ impl<'a, V: Coordinate> AnyInstance<'a, V> {
         &'a self,
         cache: &'a mut [ScreenVertex],
         storage: &'a mut [u16],
-    ) -> Result<BinnedFaces<'a, V, DEPTH>, BinError> {
+    ) -> Result<BinnedFaces<'a, V, DEPTH>, BufferError> {
         let mut bins = Bins::new(storage, self.mesh().faces.len(), pixels(self.area()));
         let statistics = self.fill_bins::<DEPTH>(cache, &mut bins)?;
         let transformed = TransformedMesh::with_cache(self, DEPTH, cache);
@@ -198,7 +199,7 @@ impl<'a, V: Coordinate> AnyInstance<'a, V> {
         &self,
         cache: &mut [ScreenVertex],
         bins: &mut Bins<'_>,
-    ) -> Result<Statistics, BinError> {
+    ) -> Result<Statistics, BufferError> {
         let far = DEPTH || self.vertex_transform().clips_at_far();
         bin(PlaneOrder::new(self), LazyCache::<V, DEPTH>::new(self, far, cache), bins)
     }
@@ -305,9 +306,12 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     ///
     /// # Errors
     ///
-    /// [`BinError::Storage`] if `cursor` is too short; the error says how many numbers are needed.
+    /// [`BufferError::Bins`] if `cursor` is too short; the error says how many numbers are needed.
     #[inline(never)] // the result is large
-    pub fn fork<'b>(&'b mut self, cursor: &'b mut [u16]) -> Result<[BinnedFaces<'b, V, DEPTH>; 2], BinError> {
+    pub fn fork<'b>(
+        &'b mut self,
+        cursor: &'b mut [u16],
+    ) -> Result<[BinnedFaces<'b, V, DEPTH>; 2], BufferError> {
         Ok(self.0.fork(cursor)?.map(BinnedFaces))
     }
 

@@ -7,6 +7,7 @@
 
 use crate::math::hints::keep_rolled;
 use crate::raster::Scissor;
+use crate::surface::BufferError;
 use core::ops::Range;
 
 /// The number of bins. With 240 rows, each bin has four.
@@ -55,44 +56,6 @@ pub(super) struct Counts {
 impl Counts {
     pub(super) const NONE: Self = Self { visible: 0, bounds: Scissor::UNION_IDENTITY, bins: [0; BINS] };
 }
-
-/// Why faces or edges were not binned. After an error none of them is binned.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum BinError {
-    /// The bin storage is too short: provide at least `needed` numbers.
-    Storage {
-        /// One number per visible face or edge, and one per 16 faces or edges of the mesh, rounded up; the latter alone for
-        /// the second cursor of a [fork](crate::BinnedFaces::fork).
-        needed: usize,
-        /// The length of the bin storage.
-        given: usize,
-    },
-    /// The mesh has more faces or edges than a `u16` can count: split it.
-    TooMany {
-        /// The number of faces or edges. At most 65535 can be binned.
-        items: usize,
-    },
-}
-
-impl core::fmt::Display for BinError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Storage { needed, given } => {
-                write!(
-                    f,
-                    "bin storage of {given} numbers, but {needed} are needed: provide at least {needed}"
-                )
-            }
-            Self::TooMany { items } => {
-                write!(f, "{items} faces or edges, but bins hold at most 65535: split the mesh")
-            }
-        }
-    }
-}
-
-impl core::error::Error for BinError {}
 
 impl<'s> Bins<'s> {
     /// Empty bins for `items` primitives that may be drawn in a viewport.
@@ -148,10 +111,10 @@ impl<'s> Bins<'s> {
     ///
     /// # Errors
     ///
-    /// [`BinError::Storage`] if `cursor` has fewer numbers than the bits take.
-    pub(super) fn fork<'b>(&'b mut self, cursor: &'b mut [u16]) -> Result<[Bins<'b>; 2], BinError> {
+    /// [`BufferError::Bins`] if `cursor` has fewer numbers than the bits take.
+    pub(super) fn fork<'b>(&'b mut self, cursor: &'b mut [u16]) -> Result<[Bins<'b>; 2], BufferError> {
         let (needed, given) = (self.active.len(), cursor.len());
-        let second = cursor.get_mut(..needed).ok_or(BinError::Storage { needed, given })?;
+        let second = cursor.get_mut(..needed).ok_or(BufferError::Bins { needed, given })?;
         // Every band begins above this row, so the first band of each of the two cursors, and of these bins after them, clears its bits.
         self.row = i32::MAX;
         let Bins { order, top, shift, activated, next, row, bounds, .. } = *self;
@@ -281,13 +244,13 @@ impl<'s> BinSort<'_, 's> {
     ///
     /// # Errors
     ///
-    /// [`BinError`] if the storage is too short or there are too many primitives.
+    /// [`BufferError`] if the storage is too short or there are too many primitives.
     #[inline(always)]
     pub(super) fn finish(
         &mut self,
         items: usize,
         first_row: impl FnMut(usize) -> i32,
-    ) -> Result<(), BinError> {
+    ) -> Result<(), BufferError> {
         let order = self.make_room(items)?;
         self.distribute(order, first_row);
         Ok(())
@@ -295,15 +258,15 @@ impl<'s> BinSort<'_, 's> {
 
     /// Checks the storage, turns counts into the indices at which bins begin, and returns the storage of the list.
     #[inline(never)]
-    fn make_room(&mut self, items: usize) -> Result<&'s mut [u16], BinError> {
+    fn make_room(&mut self, items: usize) -> Result<&'s mut [u16], BufferError> {
         if items > usize::from(u16::MAX) {
-            return Err(BinError::TooMany { items });
+            return Err(BufferError::TooManyItems { items });
         }
         let Bins { active, activated, .. } = &mut *self.bins;
         let words = items.div_ceil(16);
         let (needed, given) = (*activated + words, active.len());
         if given < needed {
-            return Err(BinError::Storage { needed, given });
+            return Err(BufferError::Bins { needed, given });
         }
         let (bits, order) = core::mem::take(active).split_at_mut_checked(words).unwrap_or_default();
         *active = bits;

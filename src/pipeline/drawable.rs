@@ -9,6 +9,11 @@ use crate::surface::{Gives, Target};
 
 /// A [`SpanShader`] for a target: of its colour type, and with an [`Ink`] that reads pixels only if the target's lie in
 /// [memory](Target::memory). Implemented for all of them.
+#[diagnostic::on_unimplemented(
+    message = "faces of `{T}` cannot be filled with `{Self}`",
+    label = "not a color of the target or a shader for it",
+    note = "return the target's color type, or a shader such as `Flat`, `Gouraud`, `Lit` or `Dithered`"
+)]
 pub trait ShaderFor<T: Target>: SpanShader<T::Color> {}
 
 impl<T: Target, S: SpanShader<T::Color>> ShaderFor<T> for S where
@@ -18,12 +23,22 @@ impl<T: Target, S: SpanShader<T::Color>> ShaderFor<T> for S where
 
 /// A [`Stroke`] for a target: of its colour type, and anti-aliased only if the target's pixels lie in [memory](Target::memory).
 /// Implemented for all of them.
+#[diagnostic::on_unimplemented(
+    message = "lines of `{T}` cannot be drawn with `{Self}`",
+    label = "not a color of the target or a stroke for it",
+    note = "pass the target's color type, or `AntiAliased` of it"
+)]
 pub trait StrokeFor<T: Target>: Stroke<T::Color> {}
 
 impl<T: Target, K: Stroke<T::Color>> StrokeFor<T> for K where T::Store: Gives<K::Access> {}
 
 /// A [`SpriteSource`] for a target: of its colour type, and with an [`Ink`] that reads pixels only if the target's lie in
 /// [memory](Target::memory). Implemented for all of them.
+#[diagnostic::on_unimplemented(
+    message = "`{T}` cannot show sprites of `{Self}`",
+    label = "not a picture in the target's colors",
+    note = "pass `Texels`, `SpriteImage::new(&image)` of an embedded-graphics image, or `SolidTexel`, in the target's color type"
+)]
 pub trait SpriteFor<T: Target>: SpriteSource<Color = T::Color> {}
 
 impl<T: Target, S: SpriteSource<Color = T::Color>> SpriteFor<T> for S where

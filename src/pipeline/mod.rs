@@ -45,7 +45,6 @@ mod wireframe;
 
 pub use binned_edges::BinnedEdges;
 pub use binned_faces::BinnedFaces;
-pub use bins::BinError;
 #[doc(hidden)]
 pub use buffers::largest;
 pub use buffers::MeshBuffers;
@@ -53,9 +52,9 @@ pub use cull::Cull;
 pub use draw_2d::{draw_line, fill_triangle};
 pub use drawable::{ShaderFor, SpriteFor, StrokeFor};
 pub use instance::MeshInstance;
-pub use painter::{Painter, PainterError, PaintersOrder};
+pub use painter::{Painter, PaintersOrder};
 pub use pick::Picked;
-pub use scene::{BinnedScene, Object, PlacedScene, Scene, SceneError};
+pub use scene::{BinnedScene, Object, PlacedScene, Scene};
 pub use split_bins::{HalfBins, SplitBins};
 pub use split_transform::{HalfTransform, SplitTransform};
 pub use sprites::PlacedSprites;

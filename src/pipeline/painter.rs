@@ -14,6 +14,7 @@ use crate::math::Coordinate;
 use crate::raster::{self, DepthTriangle, Scissor, ScreenPoint, Triangle};
 use crate::scene::FacePlanes;
 use crate::shading::{DepthTested, Shader};
+use crate::surface::BufferError;
 use crate::surface::{DepthBuffer, DepthTarget, Target};
 use core::convert::Infallible;
 use embedded_graphics_core::primitives::Rectangle;
@@ -33,7 +34,7 @@ use heapless::Vec;
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
 /// use pinhole::{
-///     space::{Model, World}, Affine, Angle, Camera, Mesh, Painter, Point3, Projection, PainterError,
+///     space::{Model, World}, Affine, Angle, Camera, Mesh, Painter, Point3, Projection, BufferError,
 ///     Scalar, Vector3, ViewTransform, Viewport,
 /// };
 /// const VERTICES: [[i16; 3]; 3] = [[-1, -1, 0], [1, -1, 0], [0, 1, 0]];
@@ -52,7 +53,7 @@ use heapless::Vec;
 /// }
 /// assert!(matches!(
 ///     painter.add(&camera.place(&mesh, &Affine::identity()), |_| Gray8::new(0)),
-///     Err(PainterError::Vertices { needed: 9, capacity: 6 }),
+///     Err(BufferError::PainterVertices { needed: 9, capacity: 6 }),
 /// ));
 /// let mut display = MockDisplay::new();
 /// display.set_allow_overdraw(true);
@@ -69,58 +70,6 @@ pub struct Painter<S, const VERTICES: usize, const FACES: usize> {
     /// The viewport of the stored faces.
     area: Option<Rectangle>,
 }
-
-/// Why a mesh was not added. After an error nothing of this mesh is stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum PainterError {
-    /// Too many vertices: raise `VERTICES` (65536 at most). Every vertex of a mesh takes one, and every corner of a clipped
-    /// face's triangles.
-    Vertices {
-        /// The number of vertices with this mesh.
-        needed: usize,
-        /// The number of vertices for which there is room.
-        capacity: usize,
-    },
-    /// Too many faces: raise `FACES` (65535 at most). Every visible face takes one, and every triangle of a clipped face.
-    Faces {
-        /// The number of faces with this mesh.
-        needed: usize,
-        /// The number of faces for which there is room.
-        capacity: usize,
-    },
-    /// The stored faces belong to another viewport: draw them first, or use two painters.
-    OtherViewport,
-}
-
-impl core::fmt::Display for PainterError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Vertices { needed, capacity: 65_536 } => {
-                write!(
-                    f,
-                    "{needed} vertices, but a painter holds at most 65536: add fewer meshes, or smaller ones"
-                )
-            }
-            Self::Vertices { needed, capacity } => {
-                write!(f, "{needed} vertices, but the painter has room for {capacity}: raise VERTICES")
-            }
-            Self::Faces { needed, capacity: 65_535 } => {
-                write!(
-                    f,
-                    "{needed} faces, but a painter holds at most 65535: add fewer meshes, or smaller ones"
-                )
-            }
-            Self::Faces { needed, capacity } => {
-                write!(f, "{needed} faces, but the painter has room for {capacity}: raise FACES")
-            }
-            Self::OtherViewport => f.write_str("one painter draws into one viewport at a time"),
-        }
-    }
-}
-
-impl core::error::Error for PainterError {}
 
 /// A triangle to draw.
 #[derive(Clone, Copy, Debug)]
@@ -257,14 +206,14 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     ///
     /// # Errors
     ///
-    /// [`PainterError`] if there is no room, or if the viewport differs from that of the stored faces. Nothing of this mesh is
+    /// [`BufferError`] if there is no room, or if the viewport differs from that of the stored faces. Nothing of this mesh is
     /// stored then; the faces of other meshes stay.
     #[inline(never)] // its stack frame is gone when it returns
     pub fn add<V: Coordinate, P: FacePlanes>(
         &mut self,
         instance: &MeshInstance<'_, V, P>,
         shade: impl FnMut(usize) -> S,
-    ) -> Result<(), PainterError>
+    ) -> Result<(), BufferError>
     where
         S: Shader,
     {
@@ -292,11 +241,11 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     fn begin<V: Coordinate>(
         &mut self,
         instance: &AnyInstance<'_, V>,
-    ) -> Result<(&mut [ScreenVertex], Recorder<'_, S, FACES>), PainterError> {
+    ) -> Result<(&mut [ScreenVertex], Recorder<'_, S, FACES>), BufferError> {
         if self.vertices.is_empty() {
             self.area = Some(*instance.area());
         } else if self.area.as_ref() != Some(instance.area()) {
-            return Err(PainterError::OtherViewport);
+            return Err(BufferError::OtherViewport);
         }
         let (first, count) = (self.vertices.len(), instance.mesh().vertices.len());
         let room =
@@ -309,12 +258,12 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     }
 
     /// Keeps the faces of the mesh if all of them fit, and removes them otherwise.
-    fn finish(&mut self, room: &Room, statistics: Statistics) -> Result<(), PainterError> {
+    fn finish(&mut self, room: &Room, statistics: Statistics) -> Result<(), BufferError> {
         let (most_vertices, most_faces) = (VERTICES.min(65_536), FACES.min(usize::from(NONE)));
         let error = if room.vertices > most_vertices {
-            PainterError::Vertices { needed: room.vertices, capacity: most_vertices }
+            BufferError::PainterVertices { needed: room.vertices, capacity: most_vertices }
         } else if room.faces > most_faces {
-            PainterError::Faces { needed: room.faces, capacity: most_faces }
+            BufferError::PainterFaces { needed: room.faces, capacity: most_faces }
         } else {
             self.vertices.truncate(room.vertices);
             self.statistics = self.statistics.and(statistics);

@@ -1,11 +1,10 @@
 //! Scenes of many objects: culled by their bounding spheres, placed, binned into shared memory, and drawn in bands.
 
 use super::binned_faces::BinnedFaces;
-use super::bins::BinError;
 use super::cull::Cull;
 use super::drawable::ShaderFor;
 use super::instance::MeshInstance;
-use super::painter::{Painter, PainterError};
+use super::painter::Painter;
 use super::pick::{pick_at, Picked};
 use super::statistics::Statistics;
 use crate::camera::{Camera, ScreenVertex, Visibility};
@@ -13,6 +12,7 @@ use crate::math::{Affine, Sphere};
 use crate::scene::{Mesh, MeshData, WithPlanes};
 use crate::shading::{Shader, SpanShader};
 use crate::space::{Model, World};
+use crate::surface::BufferError;
 use crate::surface::{DepthBuffer, Target};
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -54,22 +54,6 @@ impl<'m, M> Object<'m, M> {
         Self { cull, ..self }
     }
 }
-
-/// A scene has no room for another object: raise `OBJECTS`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SceneError {
-    /// The number of objects for which there is room.
-    pub capacity: usize,
-}
-
-impl core::fmt::Display for SceneError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "the scene has room for {} objects: raise OBJECTS", self.capacity)
-    }
-}
-
-impl core::error::Error for SceneError {}
 
 /// Up to `OBJECTS` objects. In every frame: [`place`](Self::place) those that a camera sees, [bin](PlacedScene::bin_faces) their
 /// faces, and draw band by band.
@@ -143,12 +127,12 @@ impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
     ///
     /// # Errors
     ///
-    /// [`SceneError`] if there are `OBJECTS` objects already.
-    pub fn add(&mut self, object: Object<'m, M>) -> Result<usize, SceneError> {
+    /// [`BufferError`] if there are `OBJECTS` objects already.
+    pub fn add(&mut self, object: Object<'m, M>) -> Result<usize, BufferError> {
         let index = self.objects.len();
         match self.objects.push(object) {
             Ok(()) => Ok(index),
-            Err(_) => Err(SceneError { capacity: OBJECTS }),
+            Err(_) => Err(BufferError::Objects { capacity: OBJECTS }),
         }
     }
 
@@ -275,12 +259,12 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
     ///
     /// # Errors
     ///
-    /// [`PainterError`] if an object has no room. The objects before it are stored then.
+    /// [`BufferError`] if an object has no room. The objects before it are stored then.
     pub fn paint<S: Shader, F: FnMut(usize) -> S, const VERTICES: usize, const FACES: usize>(
         &self,
         mut shade: impl FnMut(usize, &'s Object<'m, M>) -> F,
         painter: &mut Painter<S, VERTICES, FACES>,
-    ) -> Result<(), PainterError> {
+    ) -> Result<(), BufferError> {
         self.indexed().try_for_each(|(index, object, instance)| painter.add(instance, shade(index, object)))
     }
 
@@ -310,15 +294,15 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
     ///
     /// # Errors
     ///
-    /// [`BinError`] if the bin storage is too short, or a mesh has more than 65535 faces.
+    /// [`BufferError`] if the bin storage is too short, or a mesh has more than 65535 faces.
     pub fn bin_faces<'f>(
         &'f self,
         cache: &'f mut [ScreenVertex],
         bins: &'f mut [u16],
-    ) -> Result<BinnedScene<'f, 'm, M, OBJECTS>, BinError> {
+    ) -> Result<BinnedScene<'f, 'm, M, OBJECTS>, BufferError> {
         let (needed, given) = (self.face_bins_len(), bins.len());
         if given < needed {
-            return Err(BinError::Storage { needed, given });
+            return Err(BufferError::Bins { needed, given });
         }
         let (mut cache, mut bins, mut binned) = (cache, bins, Vec::new());
         for (index, instance) in &self.instances {
@@ -373,12 +357,12 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
     ///
     /// # Errors
     ///
-    /// [`BinError::Storage`] if `cursor` is too short; the error says how many numbers the first object without room needs, and
+    /// [`BufferError::Bins`] if `cursor` is too short; the error says how many numbers the first object without room needs, and
     /// how many are left for it.
     pub fn fork<'b>(
         &'b mut self,
         cursor: &'b mut [u16],
-    ) -> Result<[BinnedScene<'b, 'm, M, OBJECTS>; 2], BinError> {
+    ) -> Result<[BinnedScene<'b, 'm, M, OBJECTS>; 2], BufferError> {
         let (mut cursor, mut first, mut second) = (cursor, Vec::new(), Vec::new());
         for (index, faces) in &mut self.binned {
             let faces_of_mesh = self.objects.get(*index).map_or(0, |object| object.mesh.faces.len());

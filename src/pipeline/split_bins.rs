@@ -2,12 +2,13 @@
 
 use super::binned::Binned;
 use super::binned_faces::{count_faces, BinnedFaces};
-use super::bins::{BinError, Bins, Counts};
+use super::bins::{Bins, Counts};
 use super::draw_region::pixels;
 use super::face_source::PartOrder;
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::math::Coordinate;
+use crate::surface::BufferError;
 use core::ops::Range;
 
 /// Bin storage that two cores fill. [`TransformedMesh::split_bin_faces`] makes it and has an example.
@@ -91,7 +92,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> SplitBins<'a, V, DEPTH> {
     ///
     /// The errors of [`TransformedMesh::bin_faces`], for the same reasons.
     #[inline(never)] // the result is large
-    pub fn finish(mut self) -> Result<BinnedFaces<'a, V, DEPTH>, BinError> {
+    pub fn finish(mut self) -> Result<BinnedFaces<'a, V, DEPTH>, BufferError> {
         for half in self.halves() {
             if !half.half.done {
                 half.count();

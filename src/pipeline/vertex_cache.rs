@@ -4,7 +4,8 @@
 //! needs it.
 
 use super::instance::{AnyInstance, MeshInstance};
-use crate::camera::{ProjectError, Projected, ScreenVertex, UnpackedVertex, VertexTransform};
+use crate::camera::CameraError;
+use crate::camera::{Projected, ScreenVertex, UnpackedVertex, VertexTransform};
 use crate::math::hints::{keep_rolled, opaque};
 use crate::math::unrolled::map3;
 use crate::math::Coordinate;
@@ -120,7 +121,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// ```
     /// # use embedded_graphics::geometry::{Point, Size};
-    /// # use pinhole::{Affine, Angle, Camera, Mesh, Point3, ProjectError, Projection, Scalar, Vector3, ViewTransform, Viewport};
+    /// # use pinhole::{Affine, Angle, Camera, Mesh, Point3, CameraError, Projection, Scalar, Vector3, ViewTransform, Viewport};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
     /// # let up = Vector3::from_ints(0, 1, 0);
@@ -132,16 +133,16 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// let seen = instance.project(0)?;
     /// assert_eq!((seen.point.x(), seen.point.y()), (32 * 256, 32 * 256)); // the centre of 64 × 64 pixels
     /// assert!(seen.depth > 0 && seen.depth < 65_534);
-    /// assert_eq!(instance.project(1), Err(ProjectError::BeforeNear)); // behind the eye
-    /// assert_eq!(instance.project(2), Err(ProjectError::NoVertex));
+    /// assert_eq!(instance.project(1), Err(CameraError::BeforeNear)); // behind the eye
+    /// assert_eq!(instance.project(2), Err(CameraError::NoVertex));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`ProjectError`] if the mesh has no such vertex, or if the vertex lies in front of the near plane, outside the guard band
+    /// [`CameraError`] if the mesh has no such vertex, or if the vertex lies in front of the near plane, outside the guard band
     /// or, if the camera clips there, beyond the far plane.
-    pub fn project(&self, index: usize) -> Result<Projected, ProjectError> {
+    pub fn project(&self, index: usize) -> Result<Projected, CameraError> {
         self.any.project(index)
     }
 
@@ -154,13 +155,13 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
 }
 
 impl<V: Coordinate> AnyInstance<'_, V> {
-    fn project(&self, index: usize) -> Result<Projected, ProjectError> {
+    fn project(&self, index: usize) -> Result<Projected, CameraError> {
         if let Some(seen) = self.projected(index) {
             return Ok(seen);
         }
-        let vertex = *self.mesh().vertices.get(index).ok_or(ProjectError::NoVertex)?;
+        let vertex = *self.mesh().vertices.get(index).ok_or(CameraError::NoVertex)?;
         let transform = self.vertex_transform();
-        Err(transform.why_not_projected(&transform.clip(vertex)).unwrap_or(ProjectError::OutsideGuardBand))
+        Err(transform.why_not_projected(&transform.clip(vertex)).unwrap_or(CameraError::OutsideGuardBand))
     }
 
     /// A projected vertex, for drawing: `None` if it is not on the screen, since a reason would take code.

@@ -1,6 +1,7 @@
 //! Transform hierarchies: moving parts that carry other parts.
 
 use crate::math::Affine;
+use crate::scene::MeshError;
 use crate::space::{Model, World};
 
 /// A node of a transform hierarchy: its local transform, to its parent or, for a root, to the world, and its world transform,
@@ -41,7 +42,7 @@ impl Node {
 /// all world transforms, without recursion or other memory. Only the first 65536 nodes can be parents.
 ///
 /// ```
-/// use pinhole::{space::Model, Affine, Angle, Hierarchy, HierarchyError, Node, Point3, Vector3};
+/// use pinhole::{space::Model, Affine, Angle, Hierarchy, MeshError, Node, Point3, Vector3};
 /// let out = |x| Affine::<Model, Model>::translation(Vector3::from_ints(x, 0, 0));
 /// let mut nodes = [Node::root(Affine::identity()), Node::child(0, out(2)), Node::child(1, out(3))];
 /// let mut arm = Hierarchy::new(&mut nodes)?;
@@ -51,46 +52,26 @@ impl Node {
 /// assert_eq!(hand.apply(Point3::from_ints(0, 0, 0)), Point3::from_ints(0, 5, 0));
 ///
 /// let mut wrong = [Node::child(0, out(1))];
-/// assert_eq!(Hierarchy::new(&mut wrong).unwrap_err(), HierarchyError { node: 0, parent: 0 });
-/// # Ok::<(), HierarchyError>(())
+/// assert_eq!(Hierarchy::new(&mut wrong).unwrap_err(), MeshError::Parent { node: 0, parent: 0 });
+/// # Ok::<(), MeshError>(())
 /// ```
 #[derive(Debug, PartialEq, Eq)]
 pub struct Hierarchy<'a> {
     nodes: &'a mut [Node],
 }
 
-/// A node whose parent does not come before it. Order the list so that parents come first, which also excludes cycles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct HierarchyError {
-    /// The node's index.
-    pub node: usize,
-    /// The index of its parent.
-    pub parent: u16,
-}
-
-impl core::fmt::Display for HierarchyError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(
-            f,
-            "node {} has parent {}, which does not come before it: order parents first",
-            self.node, self.parent
-        )
-    }
-}
-
-impl core::error::Error for HierarchyError {}
-
 impl<'a> Hierarchy<'a> {
     /// The hierarchy of these nodes, with world transforms updated.
     ///
     /// # Errors
     ///
-    /// [`HierarchyError`] names the first node whose parent does not come before it.
-    pub fn new(nodes: &'a mut [Node]) -> Result<Self, HierarchyError> {
+    /// [`MeshError`] names the first node whose parent does not come before it.
+    pub fn new(nodes: &'a mut [Node]) -> Result<Self, MeshError> {
         for (node, Node { parent, .. }) in nodes.iter().enumerate() {
             match *parent {
-                Some(parent) if usize::from(parent) >= node => return Err(HierarchyError { node, parent }),
+                Some(parent) if usize::from(parent) >= node => {
+                    return Err(MeshError::Parent { node, parent })
+                }
                 _ => {}
             }
         }

@@ -1,60 +1,8 @@
 //! What a model's materials say about its faces, beside the mesh: colours, the light that they emit, and texture coordinates. A
 //! mesh has no reference to them, so firmware that does not draw them does not have them in flash.
 
+use crate::scene::MeshError;
 use embedded_graphics_core::pixelcolor::Rgb888;
-
-/// Why lists of materials do not fit together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum MaterialError {
-    /// A face uses a colour or a texture coordinate that is not in the list.
-    Index {
-        /// The face's index.
-        face: usize,
-        /// The index that the face uses.
-        index: u16,
-        /// How many colours or coordinates there are.
-        count: usize,
-    },
-    /// The list of emitted colours is not as long as the palette: give one for each colour, black for a colour that emits
-    /// nothing.
-    Emission {
-        /// How many emitted colours there are.
-        emission: usize,
-        /// How many colours the palette has.
-        palette: usize,
-    },
-    /// The exponent of the texture coordinates' unit is outside of −15 … 0: choose another unit.
-    Exponent {
-        /// The given exponent.
-        exponent: i8,
-    },
-}
-
-impl core::fmt::Display for MaterialError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Index { face, index, count } => {
-                write!(f, "face {face} uses colour or texture coordinate {index}, but the list has {count}")
-            }
-            Self::Emission { emission, palette } => {
-                write!(
-                    f,
-                    "{emission} emitted colours for a palette of {palette}: give one for each, black for none"
-                )
-            }
-            Self::Exponent { exponent } => {
-                write!(
-                    f,
-                    "texture coordinates in 2^{exponent} of a texture, but the exponent must be -15 to 0"
-                )
-            }
-        }
-    }
-}
-
-impl core::error::Error for MaterialError {}
 
 /// The colour of each face of a mesh: a palette of at most 256 colours, 3 bytes each, and an index into it for each face, 1
 /// byte; and, if they are given, the colours of the light that faces emit, 3 bytes for each colour of the palette. `pinhole-import`
@@ -86,13 +34,13 @@ impl<'a> FaceColors<'a> {
     ///
     /// # Errors
     ///
-    /// [`MaterialError::Index`] if a face uses an index that the palette does not have.
-    pub const fn new(palette: &'a [[u8; 3]], faces: &'a [u8]) -> Result<Self, MaterialError> {
+    /// [`MeshError::MaterialIndex`] if a face uses an index that the palette does not have.
+    pub const fn new(palette: &'a [[u8; 3]], faces: &'a [u8]) -> Result<Self, MeshError> {
         let (count, mut face) = (palette.len(), 0);
         while face < faces.len() {
             let index = faces[face] as u16;
             if index as usize >= count {
-                return Err(MaterialError::Index { face, index, count });
+                return Err(MeshError::MaterialIndex { face, index, count });
             }
             face += 1;
         }
@@ -114,15 +62,15 @@ impl<'a> FaceColors<'a> {
     /// // With fractions of a level, for `Flat::dithered` and `Gouraud::new`.
     /// let face = Flat::lit(colors.color(1), 100).emitting(colors.emission(1));
     /// # let _ = face;
-    /// # Ok::<(), pinhole::MaterialError>(())
+    /// # Ok::<(), pinhole::MeshError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`MaterialError::Emission`] if the list is not as long as the palette.
-    pub const fn with_emission(self, emission: &'a [[u8; 3]]) -> Result<Self, MaterialError> {
+    /// [`MeshError::EmissionCount`] if the list is not as long as the palette.
+    pub const fn with_emission(self, emission: &'a [[u8; 3]]) -> Result<Self, MeshError> {
         if emission.len() != self.palette.len() {
-            return Err(MaterialError::Emission { emission: emission.len(), palette: self.palette.len() });
+            return Err(MeshError::EmissionCount { emission: emission.len(), palette: self.palette.len() });
         }
         Ok(Self { emission, ..self })
     }
@@ -183,7 +131,7 @@ impl defmt::Format for FaceColors<'_> {
 /// assert_eq!(coords.corners(1), [[0, 4], [4, 0], [0, 0]]);
 /// // The middle of the texture is texel 32 of 64.
 /// assert_eq!((2i32 << 6) >> -coords.exponent(), 32);
-/// # Ok::<(), pinhole::MaterialError>(())
+/// # Ok::<(), pinhole::MeshError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TextureCoords<'a> {
@@ -197,14 +145,10 @@ impl<'a> TextureCoords<'a> {
     ///
     /// # Errors
     ///
-    /// [`MaterialError`] if a face uses an index that the list does not have, or the exponent is outside of −15 … 0.
-    pub const fn new(
-        coords: &'a [[i16; 2]],
-        faces: &'a [[u16; 3]],
-        exponent: i8,
-    ) -> Result<Self, MaterialError> {
+    /// [`MeshError`] if a face uses an index that the list does not have, or the exponent is outside of −15 … 0.
+    pub const fn new(coords: &'a [[i16; 2]], faces: &'a [[u16; 3]], exponent: i8) -> Result<Self, MeshError> {
         if exponent < -15 || exponent > 0 {
-            return Err(MaterialError::Exponent { exponent });
+            return Err(MeshError::TextureExponent { exponent });
         }
         let (count, mut face) = (coords.len(), 0);
         while face < faces.len() {
@@ -212,7 +156,7 @@ impl<'a> TextureCoords<'a> {
             let high = if a > b { a } else { b };
             let index = if high > c { high } else { c };
             if index as usize >= count {
-                return Err(MaterialError::Index { face, index, count });
+                return Err(MeshError::MaterialIndex { face, index, count });
             }
             face += 1;
         }

@@ -4,6 +4,7 @@ use super::face_planes::{WithPlanes, WithoutPlanes};
 use crate::math::num::{scale, sqrt};
 use crate::math::unrolled::map3;
 use crate::math::{Coordinate, Point3, Scalar, Sphere};
+use crate::scene::MeshError;
 use core::marker::PhantomData;
 
 /// A triangle mesh over borrowed data, checked once when it is made. Made in a `const`, it lives in flash.
@@ -111,116 +112,6 @@ impl<'a, V> MeshData<'a, V> {
         (face.contains(&from) && face.contains(&to)).then_some(face)
     }
 }
-
-/// Why a mesh cannot be made of the data.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum MeshError {
-    /// There are more vertices than `u16` indices can address: split the mesh.
-    TooManyVertices {
-        /// The number of vertices; the limit is 65536.
-        vertices: usize,
-    },
-    /// A face uses a vertex index that is out of range.
-    FaceIndex {
-        /// The face's index.
-        face: usize,
-        /// The vertex index that the face uses.
-        index: u16,
-    },
-    /// An edge uses a vertex index that is out of range.
-    EdgeIndex {
-        /// The edge's index.
-        edge: usize,
-        /// The vertex index that the edge uses.
-        index: u16,
-    },
-    /// An edge lacks its pair of adjacent faces, or a face index is neither in range nor [`Mesh::NO_FACE`](Mesh::NO_FACE).
-    EdgeFaces {
-        /// The edge's index or, if there is not one pair of faces per edge, the number of pairs.
-        edge: usize,
-    },
-    /// The number of face normals differs from the number of faces.
-    NormalCount {
-        /// How many faces there are.
-        faces: usize,
-        /// How many normals were given.
-        normals: usize,
-    },
-    /// The number of face planes differs from the number of faces.
-    PlaneCount {
-        /// How many faces there are.
-        faces: usize,
-        /// How many planes were given.
-        planes: usize,
-    },
-    /// The number of vertex normals differs from the number of vertices.
-    VertexNormalCount {
-        /// How many vertices there are.
-        vertices: usize,
-        /// How many normals were given.
-        normals: usize,
-    },
-    /// A list does not have one entry for each vertex.
-    VertexListCount {
-        /// How many vertices there are.
-        vertices: usize,
-        /// How many entries were given.
-        entries: usize,
-    },
-    /// A list does not have one entry for each face.
-    FaceListCount {
-        /// How many faces there are.
-        faces: usize,
-        /// How many entries were given.
-        entries: usize,
-    },
-    /// The exponent of the vertices' unit is outside of −32 … 15: choose another unit.
-    Exponent {
-        /// The given exponent.
-        exponent: i8,
-    },
-}
-
-impl core::fmt::Display for MeshError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::TooManyVertices { vertices } => {
-                write!(f, "{vertices} vertices, but u16 indices address 65536: split the mesh")
-            }
-            Self::FaceIndex { face, index } => {
-                write!(f, "face {face} uses vertex {index}, which the mesh does not have")
-            }
-            Self::EdgeIndex { edge, index } => {
-                write!(f, "edge {edge} uses vertex {index}, which the mesh does not have")
-            }
-            Self::EdgeFaces { edge } => {
-                write!(f, "edge {edge} has no pair of faces, or uses a face that the mesh does not have")
-            }
-            Self::NormalCount { faces, normals } => {
-                write!(f, "{normals} normals for {faces} faces: give one per face")
-            }
-            Self::PlaneCount { faces, planes } => {
-                write!(f, "{planes} planes for {faces} faces: give one per face")
-            }
-            Self::VertexNormalCount { vertices, normals } => {
-                write!(f, "{normals} vertex normals for {vertices} vertices: give one per vertex")
-            }
-            Self::VertexListCount { vertices, entries } => {
-                write!(f, "a list of {entries} entries for {vertices} vertices: give one per vertex")
-            }
-            Self::FaceListCount { faces, entries } => {
-                write!(f, "a list of {entries} entries for {faces} faces: give one per face")
-            }
-            Self::Exponent { exponent } => {
-                write!(f, "exponent {exponent} is not -32 to 15: choose another unit")
-            }
-        }
-    }
-}
-
-impl core::error::Error for MeshError {}
 
 /// [`Mesh::NO_FACE`], whatever the type of the mesh.
 pub(crate) const NO_FACE: u16 = u16::MAX;

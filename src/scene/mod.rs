@@ -4,9 +4,11 @@ mod face_planes;
 mod hierarchy;
 mod materials;
 mod mesh;
+mod mesh_error;
 
 pub use face_planes::{FacePlanes, WithPlanes, WithoutPlanes};
-pub use hierarchy::{Hierarchy, HierarchyError, Node};
-pub use materials::{FaceColors, MaterialError, TextureCoords};
+pub use hierarchy::{Hierarchy, Node};
+pub use materials::{FaceColors, TextureCoords};
 pub(crate) use mesh::MeshData;
-pub use mesh::{edge_faces, Mesh, MeshError};
+pub use mesh::{edge_faces, Mesh};
+pub use mesh_error::MeshError;

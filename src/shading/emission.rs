@@ -15,7 +15,7 @@ impl FaceColors<'_> {
     /// use pinhole::FaceColors;
     /// let colors = FaceColors::new(&[[0, 0, 255]], &[0])?.with_emission(&[[255, 0, 0]])?;
     /// assert_eq!(colors.lit::<Rgb565>(0, 128), Rgb565::new(31, 0, 16));
-    /// # Ok::<(), pinhole::MaterialError>(())
+    /// # Ok::<(), pinhole::MeshError>(())
     /// ```
     pub fn lit<C: From<Rgb888> + Color>(&self, face: usize, level: u16) -> C {
         let lit = self.color::<C>(face).dim(level);

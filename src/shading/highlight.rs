@@ -2,10 +2,11 @@
 
 use super::levels::luma;
 use super::normal_space::{dot_words, to_words, NormalSpace};
-use super::{LightError, ShadeTable};
+use super::ShadeTable;
 use crate::color::Color;
 use crate::math::unit::{is_zero, normalise};
 use crate::math::{Affine, Vector3};
+use crate::shading::LightError;
 use crate::space::{Model, World};
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 

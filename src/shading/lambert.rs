@@ -5,6 +5,7 @@ use crate::math::num::{dot, row_times};
 use crate::math::unit::{is_zero, normalise};
 use crate::math::unrolled::map3;
 use crate::math::{component_to_q15, Affine, NormalMatrix, Vector3};
+use crate::shading::LightError;
 use crate::space::{Model, World};
 
 /// One directional light and ambient light by Lambert's law, set up for one object. [`level`](Self::level) computes the light
@@ -32,32 +33,6 @@ pub struct Lambert {
     /// The normal matrix to world space, if the transform is not conformal.
     normal_matrix: Option<NormalMatrix<Model, World>>,
 }
-
-/// Why a light cannot be set up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum LightError {
-    /// The direction towards the light has length zero: give a vector of any other length.
-    ZeroDirection,
-    /// The model transform of a [`RigidLambert`] stretches or shears: use a [`Lambert`].
-    NotRigid,
-}
-
-impl core::fmt::Display for LightError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(match self {
-            Self::ZeroDirection => {
-                "the direction towards the light has length zero: give a vector that points to the light"
-            }
-            Self::NotRigid => {
-                "the model transform stretches or shears, which RigidLambert does not support: use Lambert"
-            }
-        })
-    }
-}
-
-impl core::error::Error for LightError {}
 
 impl Lambert {
     /// Sets up the light on an object with the transform `model`. `towards_light` points towards the light (world space, any

@@ -1,10 +1,10 @@
 //! Several directional lights, summed for a face or a vertex.
 
 use super::normal_space::{dot_words, NormalSpace};
-use super::LightError;
 use crate::math::num::{mul_called, scale};
 use crate::math::unit::{is_zero, normalise};
 use crate::math::{Affine, Vector3};
+use crate::shading::LightError;
 use crate::space::{Model, World};
 
 /// A light that shines in one direction everywhere, as the sun does: one of [`Lights`].

@@ -10,6 +10,7 @@ mod gouraud;
 mod highlight;
 mod lambert;
 mod levels;
+mod light_error;
 mod lights;
 mod lit;
 mod matcap;
@@ -30,14 +31,13 @@ pub use depth_tested::DepthTested;
 pub use dither::Dithered;
 pub(crate) use dither::{Bayer, DitheredColor};
 pub use flat::Flat;
-pub use fog::{
-    ExponentialFog, Fog, FogError, FogProfile, FogTable, Fogged, LinearFog, SquaredFog, VertexFog,
-};
+pub use fog::{ExponentialFog, Fog, FogProfile, FogTable, Fogged, LinearFog, SquaredFog, VertexFog};
 pub(crate) use fog::{FogBounds, FogLevel};
 pub use gouraud::Gouraud;
 pub(crate) use gouraud::{ChannelGradients, Nearest};
 pub use highlight::BlinnPhong;
-pub use lambert::{Lambert, LightError, RigidLambert};
+pub use lambert::{Lambert, RigidLambert};
+pub use light_error::LightError;
 pub use lights::{DirectionalLight, Lights};
 pub use lit::Lit;
 pub use matcap::Matcap;

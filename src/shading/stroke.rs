@@ -86,7 +86,7 @@ impl<C: PixelColor> Stroke<C> for C {
 /// // In column 2 the upper edge rises from 0.69 to 1.19 pixels: a triangle of 0.309 · 0.618 / 2 lies above row 1.
 /// let column = [2, 7, 12].map(|i| picture.colors()[i].luma());
 /// assert_eq!(column, [24, 236, 24]);
-/// # Ok::<(), pinhole::PictureError>(())
+/// # Ok::<(), pinhole::BufferError>(())
 /// ```
 ///
 /// A target whose pixels cannot be read, such as a display's driver, does not compile:

@@ -4,6 +4,7 @@ use super::pixels::Pixels;
 use super::row::{copy_pixels, fill_pixels, get_pixel, is_whole_bytes, row_bytes, set_pixel};
 use crate::color::Color;
 use crate::color::StoredPixel;
+use crate::surface::BufferError;
 use core::convert::Infallible;
 use core::marker::PhantomData;
 use core::ops::{ControlFlow, Range};
@@ -43,28 +44,6 @@ pub struct Frame<C> {
     done: u32,
 }
 
-/// A strip is too short for one row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct BandError {
-    /// Bytes of a row: the least that a strip needs.
-    pub needed: usize,
-    /// Bytes of the strip.
-    pub given: usize,
-}
-
-impl core::fmt::Display for BandError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let Self { needed, given } = self;
-        write!(
-            f,
-            "a strip of {given} bytes has no room for a row: it needs {needed} bytes, or a multiple of that"
-        )
-    }
-}
-
-impl core::error::Error for BandError {}
-
 impl<C: Color> Frame<C> {
     /// The frame for the pixels of `area`, in the coordinates of the display. Each band begins filled with the background.
     pub const fn new(area: Rectangle, background: C) -> Self {
@@ -97,15 +76,15 @@ impl<C: Color> Frame<C> {
     ///
     /// # Errors
     ///
-    /// [`BandError`] when the strip has no room for a row.
-    pub fn next_band<'s>(&mut self, strip: &'s mut [u8]) -> Result<Option<Band<'s, C>>, BandError> {
+    /// [`BufferError`] when the strip has no room for a row.
+    pub fn next_band<'s>(&mut self, strip: &'s mut [u8]) -> Result<Option<Band<'s, C>>, BufferError> {
         let Size { width, height } = self.area.size;
         let left = height.saturating_sub(self.done);
         if left == 0 || width == 0 {
             return Ok(None);
         }
         let (needed, given) = (row_bytes::<C>(width), strip.len());
-        let error = BandError { needed, given };
+        let error = BufferError::Strip { needed, given };
         // `needed` is not zero: a row has at least one byte.
         let fits = given.checked_div(needed).unwrap_or(0).min(left as usize);
         if fits == 0 {
@@ -127,8 +106,8 @@ impl<C: Color> Frame<C> {
     ///
     /// # Errors
     ///
-    /// [`BandError`] when the strip has no room for a row.
-    pub fn nth_band<'s>(&self, index: u32, strip: &'s mut [u8]) -> Result<Option<Band<'s, C>>, BandError> {
+    /// [`BufferError`] when the strip has no room for a row.
+    pub fn nth_band<'s>(&self, index: u32, strip: &'s mut [u8]) -> Result<Option<Band<'s, C>>, BufferError> {
         let rows = strip.len().checked_div(row_bytes::<C>(self.area.size.width)).unwrap_or(0);
         // Beyond 2³² rows there is no band: `next_band` says so of saturated rows.
         let done = index.saturating_mul(u32::try_from(rows).unwrap_or(u32::MAX));
@@ -168,16 +147,16 @@ impl<C: Color> Frame<C> {
     ///     }
     /// }
     /// assert_eq!(rows, [0..4, 4..8, 6..10, 0..4, 4..8, 6..10]);
-    /// # Ok::<(), pinhole::BandError>(())
+    /// # Ok::<(), pinhole::BufferError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`BandError`] when the strip has no room for a row.
+    /// [`BufferError`] when the strip has no room for a row.
     pub fn band_or_strip<'s>(
         &mut self,
         strip: &'s mut [u8],
-    ) -> Result<ControlFlow<&'s mut [u8], Band<'s, C>>, BandError> {
+    ) -> Result<ControlFlow<&'s mut [u8], Band<'s, C>>, BufferError> {
         let Size { width, height } = self.area.size;
         if self.done >= height || width == 0 {
             return Ok(ControlFlow::Break(strip));

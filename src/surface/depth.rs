@@ -5,6 +5,7 @@ use super::target::Target;
 use super::{each_run, inside};
 use crate::math::hints::keep_rolled;
 use crate::raster::{Gradient, Scissor, Span};
+use crate::surface::BufferError;
 use bytemuck::pod_align_to_mut;
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::primitives::Rectangle;
@@ -17,7 +18,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
 /// use embedded_graphics::primitives::Rectangle;
-/// use pinhole::{DepthBuffer, DepthBufferError};
+/// use pinhole::{DepthBuffer, BufferError};
 /// let mut storage = [0; 64 * 64];
 /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
 /// let mut depth = DepthBuffer::new(area, &mut storage)?;
@@ -25,36 +26,14 @@ use embedded_graphics_core::primitives::Rectangle;
 /// assert_eq!(depth.at(Point::new(64, 0)), None);
 /// depth.clear(); // before every frame
 /// let short = DepthBuffer::new(area, &mut storage[..100]).map(|_| ());
-/// assert_eq!(short, Err(DepthBufferError { needed: 4096, given: 100 }));
-/// # Ok::<(), DepthBufferError>(())
+/// assert_eq!(short, Err(BufferError::Depth { needed: 4096, given: 100 }));
+/// # Ok::<(), BufferError>(())
 /// ```
 #[derive(Debug)]
 pub struct DepthBuffer<'a> {
     area: Rectangle,
     values: &'a mut [u16],
 }
-
-/// A buffer for depths has fewer elements than the area has pixels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct DepthBufferError {
-    /// Elements that the depth buffer needs: one for each pixel of the area.
-    pub needed: u64,
-    /// Elements in the buffer.
-    pub given: usize,
-}
-
-impl core::fmt::Display for DepthBufferError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let Self { needed, given } = self;
-        write!(
-            f,
-            "a depth buffer of {needed} pixels needs a buffer of {needed} `u16`, but this one has {given}"
-        )
-    }
-}
-
-impl core::error::Error for DepthBufferError {}
 
 impl<'a> DepthBuffer<'a> {
     /// The depth of a pixel where nothing was drawn.
@@ -64,11 +43,11 @@ impl<'a> DepthBuffer<'a> {
     ///
     /// # Errors
     ///
-    /// [`DepthBufferError`] when the storage has fewer elements than the area has pixels.
-    pub fn new(area: Rectangle, storage: &'a mut [u16]) -> Result<Self, DepthBufferError> {
+    /// [`BufferError`] when the storage has fewer elements than the area has pixels.
+    pub fn new(area: Rectangle, storage: &'a mut [u16]) -> Result<Self, BufferError> {
         let needed = u64::from(area.size.width) * u64::from(area.size.height);
         let given = storage.len();
-        let error = DepthBufferError { needed, given };
+        let error = BufferError::Depth { needed, given };
         let values = usize::try_from(needed).ok().and_then(|n| storage.get_mut(..n)).ok_or(error)?;
         let mut buffer = Self { area, values };
         buffer.clear();

@@ -1,7 +1,7 @@
 //! Pixels in memory, row by row without gaps, and plain functions that write to them. A *cell* is one stored pixel.
 
 use super::block_fill::fill;
-use super::picture_error::PictureError;
+use super::buffer_error::BufferError;
 use super::{drawable, inside};
 use crate::color::{Access, Writes};
 use crate::raster::{PixelLayout, RowScratch, Scissor, Span};
@@ -111,9 +111,9 @@ impl<S: PixelStore> Memory<S> {
     ///
     /// # Errors
     ///
-    /// [`PictureError`] when there are fewer cells than the area has pixels.
-    pub fn new(mut store: S, area: Rectangle) -> Result<Self, PictureError> {
-        PictureError::check(area.size, store.cells().len())?;
+    /// [`BufferError`] when there are fewer cells than the area has pixels.
+    pub fn new(mut store: S, area: Rectangle) -> Result<Self, BufferError> {
+        BufferError::check_picture(area.size, store.cells().len())?;
         Ok(Self::unchecked(store, area))
     }
 

@@ -3,28 +3,28 @@
 
 mod band;
 pub(crate) mod block_fill;
+mod buffer_error;
 mod depth;
 mod dirty_regions;
 mod kept_runs;
 mod least_run;
 mod memory;
 mod picture;
-mod picture_error;
 mod pixels;
 mod row;
 mod strip;
 mod target;
 
-pub use band::{Band, BandError, Frame};
+pub use band::{Band, Frame};
+pub use buffer_error::BufferError;
+pub use depth::DepthBuffer;
 pub(crate) use depth::DepthTarget;
-pub use depth::{DepthBuffer, DepthBufferError};
 pub use dirty_regions::{DirtyRegions, Tracked, TransferCost};
 pub(crate) use kept_runs::each_run;
 pub use least_run::LeastRun;
 pub(crate) use memory::PixelRows;
 pub use memory::{Gives, Memory, PixelStore};
 pub use picture::Picture;
-pub use picture_error::PictureError;
 pub use pixels::Pixels;
 pub use strip::StripBuffers;
 pub use target::Target;

@@ -2,8 +2,8 @@
 
 use super::block_fill::{clear, fill};
 use super::inside;
-use super::picture_error::PictureError;
 use super::pixels::Pixels;
+use crate::surface::BufferError;
 use core::convert::Infallible;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -22,7 +22,7 @@ use embedded_graphics_core::Pixel;
 /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
 /// let Ok(()) = fill_triangle([corner(0, 0), corner(40, 0), corner(0, 20)], Rgb565::RED, &mut picture.pixels());
 /// assert_eq!((frame[31], frame[32 * 24 - 1]), (Rgb565::RED, Rgb565::BLACK));
-/// # Ok::<(), pinhole::PictureError>(())
+/// # Ok::<(), pinhole::BufferError>(())
 /// ```
 #[derive(Debug)]
 pub struct Picture<'a, C> {
@@ -35,10 +35,10 @@ impl<'a, C: PixelColor> Picture<'a, C> {
     ///
     /// # Errors
     ///
-    /// [`PictureError`] when the buffer has fewer elements than the picture has pixels.
-    pub fn new(buffer: &'a mut [C], size: Size) -> Result<Self, PictureError> {
+    /// [`BufferError`] when the buffer has fewer elements than the picture has pixels.
+    pub fn new(buffer: &'a mut [C], size: Size) -> Result<Self, BufferError> {
         let needed = u64::from(size.width) * u64::from(size.height);
-        let error = PictureError { needed, given: buffer.len() };
+        let error = BufferError::Picture { needed, given: buffer.len() };
         let cells = usize::try_from(needed).ok().and_then(|n| buffer.get_mut(..n)).ok_or(error)?;
         Ok(Self { area: Rectangle::new(Point::zero(), size), cells })
     }

@@ -1,10 +1,10 @@
 //! Pixels in a borrowed slice, as a target.
 
 use super::memory::Memory;
-use super::picture_error::PictureError;
 use super::target::Target;
 use crate::color::StoredPixel;
 use crate::raster::Span;
+use crate::surface::BufferError;
 use core::convert::Infallible;
 use core::marker::PhantomData;
 use embedded_graphics_core::primitives::Rectangle;
@@ -36,13 +36,13 @@ impl<'a, C: StoredPixel<Cell>, Cell: Copy> Pixels<'a, C, Cell> {
     /// let cells: &mut [[u8; 2]] = bytemuck::cast_slice_mut(&mut framebuffer);
     /// let Ok(()) = fill_triangle(corners, Rgb565::RED, &mut Pixels::new(cells, area)?);
     /// assert_eq!(framebuffer[31].to_ne_bytes(), [0xf8, 0x00]);
-    /// # Ok::<(), pinhole::PictureError>(())
+    /// # Ok::<(), pinhole::BufferError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`PictureError`] when there are fewer cells than the area has pixels.
-    pub fn new(cells: &'a mut [Cell], area: Rectangle) -> Result<Self, PictureError> {
+    /// [`BufferError`] when there are fewer cells than the area has pixels.
+    pub fn new(cells: &'a mut [Cell], area: Rectangle) -> Result<Self, BufferError> {
         Ok(Self { memory: Memory::new(cells, area)?, color: PhantomData })
     }
 }

@@ -27,7 +27,7 @@ use embedded_graphics_core::Pixel;
 /// ```
 /// use core::convert::Infallible;
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use pinhole::{fill_triangle, raster::{ScreenPoint, Span}, Memory, PictureError, StoredPixel, Target};
+/// use pinhole::{fill_triangle, raster::{ScreenPoint, Span}, Memory, BufferError, StoredPixel, Target};
 ///
 /// /// A framebuffer that remembers whether it was drawn to.
 /// struct Framebuffer<'a> {
@@ -63,7 +63,7 @@ use embedded_graphics_core::Pixel;
 /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
 /// let Ok(()) = fill_triangle([corner(0, 0), corner(40, 0), corner(0, 20)], Rgb565::RED, &mut target);
 /// assert!(target.is_drawn && cells[31] == 0xf800);
-/// # Ok::<(), PictureError>(())
+/// # Ok::<(), BufferError>(())
 /// ```
 #[diagnostic::on_unimplemented(
     message = "pinhole cannot draw into `{Self}`",

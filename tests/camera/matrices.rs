@@ -3,9 +3,7 @@
 //! of the matrix in f64. Affine and view matrices, their round trips, and the matrices that are refused.
 
 use pinhole::space::{Model, World};
-use pinhole::{
-    Affine, Camera, MatrixError, Point3, Projection, ProjectionError, ViewTransform, ViewTransformError,
-};
+use pinhole::{Affine, Camera, CameraError, MathError, Point3, Projection, ViewTransform};
 use support::bridge::pair::{bits, random_view, ModelBits};
 use support::bridge::{point, rectangle};
 use support::oracle::chain::{self, length, Viewport, M4, V3};
@@ -144,7 +142,7 @@ fn s4_invalid_projection_matrices_are_refused() {
                 m[i][j] = bad;
                 assert_eq!(
                     Projection::from_matrix(&m),
-                    Err(ProjectionError::Matrix { row }),
+                    Err(CameraError::Matrix { row }),
                     "{bad} at {i}, {j}"
                 );
                 // What counts is the number in comparison with the other rows.
@@ -164,9 +162,9 @@ fn s4_invalid_projection_matrices_are_refused() {
     for only in [[0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 0.0], [0.0; 4]] {
         let mut m = good;
         m[3] = [0.0; 4];
-        assert_eq!(Projection::from_matrix(&m), Err(ProjectionError::Matrix { row: 'w' }));
+        assert_eq!(Projection::from_matrix(&m), Err(CameraError::Matrix { row: 'w' }));
         let alone = [[0.0; 4], [0.0; 4], [0.0; 4], only];
-        assert_eq!(Projection::from_matrix(&alone), Err(ProjectionError::Matrix { row: 'w' }));
+        assert_eq!(Projection::from_matrix(&alone), Err(CameraError::Matrix { row: 'w' }));
     }
 }
 
@@ -188,18 +186,18 @@ fn invalid_affine_matrices_are_refused() {
             for j in 0..4 {
                 let mut m = identity;
                 m[i][j] = bad;
-                assert_eq!(read(&m), Err(MatrixError::NotFinite), "{m:?}");
+                assert_eq!(read(&m), Err(MathError::NotFinite), "{m:?}");
             }
         }
     }
     for j in 0..4 {
         let mut m = identity;
         m[3][j] += 0.5;
-        assert_eq!(read(&m), Err(MatrixError::NotAffine));
+        assert_eq!(read(&m), Err(MathError::NotAffine));
     }
     let mut m = identity;
     m[1][3] = (30f64).exp2() + 1.0;
-    assert_eq!(read(&m), Err(MatrixError::OutOfRange));
+    assert_eq!(read(&m), Err(MathError::TranslationOutOfRange));
     m[1][3] = -(30f64).exp2();
     assert!(read(&m).is_ok());
 }
@@ -252,11 +250,11 @@ fn invalid_view_matrices_are_refused() {
         };
         let read = |m: M4| ViewTransform::from_matrix(&m).err();
         assert_eq!(read(matrix(u, v, n, 0.0)), None);
-        assert_eq!(read(matrix(v, u, n, 0.0)), Some(ViewTransformError::NotRigid), "left-handed");
-        assert_eq!(read(matrix(u, v, n, 60_000.0)), Some(ViewTransformError::EyeOutside));
-        assert_eq!(read(matrix(u, v, n, f64::NAN)), Some(ViewTransformError::EyeOutside));
+        assert_eq!(read(matrix(v, u, n, 0.0)), Some(CameraError::NotRigid), "left-handed");
+        assert_eq!(read(matrix(u, v, n, 60_000.0)), Some(CameraError::EyeOutside));
+        assert_eq!(read(matrix(u, v, n, f64::NAN)), Some(CameraError::EyeOutside));
         // Both sides of the bound: the square of the length, and the product of two axes.
-        for (off, refused) in [(1.9e-6, None), (2.1e-6, Some(ViewTransformError::NotRigid))] {
+        for (off, refused) in [(1.9e-6, None), (2.1e-6, Some(CameraError::NotRigid))] {
             for (axis, other) in [(0, 1), (1, 2), (2, 0)] {
                 let (mut long, mut leaning) = ([u, v, n], [u, v, n]);
                 long[axis] = long[axis].map(|c| c * (1.0 + off));
@@ -268,10 +266,10 @@ fn invalid_view_matrices_are_refused() {
         }
         let mut m = matrix(u, v, n, 0.0);
         m[rng.below(3)][rng.below(3)] = f64::NAN;
-        assert_eq!(read(m), Some(ViewTransformError::NotRigid));
+        assert_eq!(read(m), Some(CameraError::NotRigid));
         m = matrix(u, v, n, 0.0);
         m[3][rng.below(4)] += 1.0;
-        assert_eq!(read(m), Some(ViewTransformError::NotRigid));
+        assert_eq!(read(m), Some(CameraError::NotRigid));
     }
 }
 

@@ -3,10 +3,7 @@
 //! `tests/bounds.rs`.
 
 use pinhole::space::{Model, World};
-use pinhole::{
-    Affine, Angle, AxisError, Hierarchy, HierarchyError, InverseError, Node, NumberError, Quaternion,
-    QuaternionError,
-};
+use pinhole::{Affine, Angle, Hierarchy, MathError, MeshError, Node, Quaternion};
 use support::bridge::pair::{ModelBits, Step, ONE};
 use support::bridge::{point, reals, scalar, vector};
 use support::oracle::chain::{self, fx3, M3};
@@ -47,14 +44,14 @@ fn s2_quaternions_of_micromath_are_taken() {
     }
     assert!(worst <= 2f64.powi(-27), "2^{}", worst.log2());
     let zero = scalar(0);
-    assert_eq!(Quaternion::new(zero, zero, zero, zero), Err(QuaternionError::Zero));
+    assert_eq!(Quaternion::new(zero, zero, zero, zero), Err(MathError::ZeroQuaternion));
     let from = |w: f32, x: f32| Quaternion::try_from(micromath::Quaternion::new(w, x, 0.0, 0.0));
-    assert_eq!(from(0.0, 0.0), Err(QuaternionError::Zero));
-    assert_eq!(from(f32::NAN, 0.0), Err(QuaternionError::Number(NumberError::NotFinite)));
-    assert_eq!(from(1.0, f32::INFINITY), Err(QuaternionError::Number(NumberError::NotFinite)));
-    assert_eq!(from(40_000.0, 0.0), Err(QuaternionError::Number(NumberError::OutOfRange)));
+    assert_eq!(from(0.0, 0.0), Err(MathError::ZeroQuaternion));
+    assert_eq!(from(f32::NAN, 0.0), Err(MathError::NotFinite));
+    assert_eq!(from(1.0, f32::INFINITY), Err(MathError::NotFinite));
+    assert_eq!(from(40_000.0, 0.0), Err(MathError::OutOfRange));
     let about_nothing = Affine::<Model, World>::rotation(point([0; 3]), vector([0; 3]), Angle::QUARTER_TURN);
-    assert_eq!(about_nothing, Err(AxisError::ZeroAxis));
+    assert_eq!(about_nothing, Err(MathError::ZeroAxis));
 }
 
 #[test]
@@ -65,8 +62,8 @@ fn s2_singular_frames_are_refused_exactly_at_the_bound() {
         Affine::<Model, World>::from_frame(x, y, vector(c), point([0; 3])).inverse().map(|_| ())
     };
     // c in the plane of a and b.
-    assert_eq!(frame([ONE, ONE, 0]), Err(InverseError::Singular));
-    assert_eq!(frame([0; 3]), Err(InverseError::Singular));
+    assert_eq!(frame([ONE, ONE, 0]), Err(MathError::Singular));
+    assert_eq!(frame([0; 3]), Err(MathError::Singular));
     // The determinant over the product of the rows' lengths: rows (1, 0, k), (0, 1, 0), (0, 0, h) give
     // h/(√(1 + k²)·h): never flat. Rows (1, 0, 0), (0, 1, 1), (0, 1, 1 + h) give h/2.
     let leaning = |h: i32| {
@@ -79,7 +76,7 @@ fn s2_singular_frames_are_refused_exactly_at_the_bound() {
     };
     // h/2 over 2³⁰ against 2⁻²⁴: 128 is the bound.
     for (h, wanted) in [(0, false), (1, false), (120, false), (136, true), (1000, true), (1 << 20, true)] {
-        assert_eq!(leaning(h), if wanted { Ok(()) } else { Err(InverseError::Singular) }, "{h}");
+        assert_eq!(leaning(h), if wanted { Ok(()) } else { Err(MathError::Singular) }, "{h}");
     }
     // Scales are no flatness: each axis on its own.
     let scales = Affine::<Model, World>::scale_axes(scalar(ONE), scalar(ONE), scalar(16));
@@ -92,7 +89,7 @@ fn s2_singular_frames_are_refused_exactly_at_the_bound() {
         assert_eq!(reals(back), [3.0, 5.0, -7.0], "{narrow}");
     }
     let flat = Affine::<Model, World>::scale_axes(scalar(ONE), scalar(ONE), scalar(0));
-    assert_eq!(flat.inverse().map(|_| ()), Err(InverseError::Singular));
+    assert_eq!(flat.inverse().map(|_| ()), Err(MathError::Singular));
 }
 
 /// The direction that is left, or none.
@@ -107,7 +104,7 @@ fn s2_normals_of_flattened_models() {
 fn s2_rigid_inverses_are_refused_exactly_at_the_bound() {
     for (scale, rigid) in [(ONE, true), (ONE + 1, false), (2 * ONE, false), (ONE / 2, false), (-ONE, true)] {
         let a = Affine::<Model, World>::scale(scalar(scale)).rigid_inverse().map(|_| ());
-        assert_eq!(a, if rigid { Ok(()) } else { Err(InverseError::NotRigid) }, "{scale}");
+        assert_eq!(a, if rigid { Ok(()) } else { Err(MathError::NotRigid) }, "{scale}");
     }
     // Row lengths to 2⁻²⁰: 2⁻¹⁶ is above it.
     let sheared = Affine::<Model, World>::from_frame(
@@ -116,7 +113,7 @@ fn s2_rigid_inverses_are_refused_exactly_at_the_bound() {
         vector([0, 0, ONE]),
         point([0; 3]),
     );
-    assert_eq!(sheared.rigid_inverse().map(|_| ()), Err(InverseError::NotRigid));
+    assert_eq!(sheared.rigid_inverse().map(|_| ()), Err(MathError::NotRigid));
     // A coefficient of 1, for which all coefficients are scaled down, does not change the limit.
     for (long, rigid) in [(2f64.powi(-20), false), (2f64.powi(-22), true)] {
         let c = (0.5f64).sqrt();
@@ -203,7 +200,7 @@ fn s2_forward_and_own_parents_are_refused() {
         // A cycle needs a forward parent.
         (vec![root, node(3), node(1), node(2)], (1, 3)),
     ] {
-        let wanted = HierarchyError { node: error.0, parent: error.1 };
+        let wanted = MeshError::Parent { node: error.0, parent: error.1 };
         assert_eq!(Hierarchy::new(&mut nodes).map(|_| ()), Err(wanted));
     }
     assert!(Hierarchy::new(&mut []).is_ok());

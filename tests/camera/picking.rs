@@ -4,7 +4,7 @@
 
 use embedded_graphics::geometry::Point;
 use pinhole::raster::ScreenPoint;
-use pinhole::{Affine, Camera, Mesh, ProjectError, Projected, Projection, ViewTransform, Viewport};
+use pinhole::{Affine, Camera, CameraError, Mesh, Projected, Projection, ViewTransform, Viewport};
 use support::bridge::pair::{bits, random_view, ONE};
 use support::bridge::{point, reals, rectangle, vector};
 use support::definition::{Family, Picture, Projectors};
@@ -135,25 +135,25 @@ fn project_reports_why_a_point_is_hidden() {
     let at = |x: i32, y: i32, z: i32| point([x, y, z]);
     // Near is at z = 4: exactly on it is seen, one step before it is not.
     assert!(plain.project(at(0, 0, 4 * ONE)).is_ok_and(|seen| seen.depth == 0));
-    assert_eq!(plain.project(at(0, 0, 4 * ONE + 1)), Err(ProjectError::BeforeNear));
-    assert_eq!(plain.project(at(0, 0, 5 * ONE)), Err(ProjectError::BeforeNear));
-    assert_eq!(plain.project(at(0, 0, 9 * ONE)), Err(ProjectError::BeforeNear));
+    assert_eq!(plain.project(at(0, 0, 4 * ONE + 1)), Err(CameraError::BeforeNear));
+    assert_eq!(plain.project(at(0, 0, 5 * ONE)), Err(CameraError::BeforeNear));
+    assert_eq!(plain.project(at(0, 0, 9 * ONE)), Err(CameraError::BeforeNear));
     // Far is at z = −5, to the rounding of the projection's coefficients.
     assert!(far.project(at(0, 0, -5 * ONE + 1)).is_ok());
-    assert_eq!(far.project(at(0, 0, -5 * ONE - 1)), Err(ProjectError::BeyondFar));
+    assert_eq!(far.project(at(0, 0, -5 * ONE - 1)), Err(CameraError::BeyondFar));
     assert!(plain.project(at(0, 0, -6 * ONE)).is_ok_and(|seen| seen.depth == 65_534));
     // 200 px a unit at distance 1: the guard band is 8192 px from the origin, the centre at 200.
     let edge = |px: f64| ((px - 200.0) / 200.0 * 65536.0) as i32;
     assert!(plain.project(at(edge(8191.9), 0, 4 * ONE)).is_ok());
-    assert_eq!(plain.project(at(edge(8192.2), 0, 4 * ONE)), Err(ProjectError::OutsideGuardBand));
-    assert_eq!(plain.project(at(0, edge(8593.0), 4 * ONE)), Err(ProjectError::OutsideGuardBand));
+    assert_eq!(plain.project(at(edge(8192.2), 0, 4 * ONE)), Err(CameraError::OutsideGuardBand));
+    assert_eq!(plain.project(at(0, edge(8593.0), 4 * ONE)), Err(CameraError::OutsideGuardBand));
     let mesh = Mesh::new(&[[0, 0, 0]], 0, &[]).expect("a mesh");
-    assert_eq!(plain.place(&mesh, &Affine::identity()).project(1), Err(ProjectError::NoVertex));
+    assert_eq!(plain.place(&mesh, &Affine::identity()).project(1), Err(CameraError::NoVertex));
     // A point outside the viewport has screen coordinates too.
     let p = plain.project(at(-2 * ONE, 0, 4 * ONE)).expect("a place").point;
     assert_eq!((p.x(), p.y()), (-200 * 256, 200 * 256));
     // The reasons differ in words.
-    let words = [ProjectError::BeforeNear, ProjectError::BeyondFar, ProjectError::OutsideGuardBand]
+    let words = [CameraError::BeforeNear, CameraError::BeyondFar, CameraError::OutsideGuardBand]
         .map(|h| h.to_string());
     assert!(words[0] != words[1] && words[1] != words[2]);
 }
@@ -224,7 +224,7 @@ fn near_cuts_at_its_distance_for_any_near_and_far() {
             let camera = camera(view, &family);
             let found = |beyond: i32| camera.project(point([eye[0], eye[1], eye[2] - at - beyond]));
             assert!(found(2 + (f >> 28)).is_ok(), "{family:?} {eye:?}");
-            assert_eq!(found(-2 - (f >> 28)), Err(ProjectError::BeforeNear), "{family:?} {eye:?}");
+            assert_eq!(found(-2 - (f >> 28)), Err(CameraError::BeforeNear), "{family:?} {eye:?}");
             exactly[usize::from(found(0).is_ok())] += 1;
         }
     }

@@ -4,8 +4,7 @@
 
 use pinhole::space::{View, World};
 use pinhole::{
-    Camera, PlanarProjection, Point3, Projection, ProjectionError, Scalar, Side, Vector3, ViewTransform,
-    ViewTransformError, Viewport,
+    Camera, CameraError, PlanarProjection, Point3, Projection, Scalar, Side, Vector3, ViewTransform, Viewport,
 };
 use support::bridge::pair::{random_view, rows, window, ViewBits, ONE};
 use support::bridge::{point, reals, rectangle, scalar, vector};
@@ -104,12 +103,12 @@ fn s4_a_view_plane_behind_the_eye_is_refused() {
         Projection::from_planar(&planar, w, n, f).map(|_| ())
     };
     assert_eq!(make(-ONE), Ok(()));
-    assert_eq!(make(ONE), Err(ProjectionError::NearNotPositive));
+    assert_eq!(make(ONE), Err(CameraError::NearNotPositive));
 }
 
 #[test]
 fn s4_planar_projections_report_their_own_errors() {
-    let none = Err(ProjectionError::NoViewPlane);
+    let none = Err(CameraError::NoViewPlane);
     assert_eq!(PlanarProjection::eye_at_origin(scalar(0)), none);
     assert_eq!(PlanarProjection::origin_in_plane(scalar(0)), none);
     for q in [None, Some(scalar(ONE))] {
@@ -127,11 +126,11 @@ fn s4_planar_projections_report_their_own_errors() {
     };
     let good = [-ONE, ONE, -ONE, ONE];
     assert_eq!(make(good, -ONE, ONE), Ok(()));
-    assert_eq!(make([ONE, ONE, -ONE, ONE], 0, ONE), Err(ProjectionError::EmptyWindow));
-    assert_eq!(make(good, ONE, ONE), Err(ProjectionError::NearNotBeforeFar));
+    assert_eq!(make([ONE, ONE, -ONE, ONE], 0, ONE), Err(CameraError::EmptyWindow));
+    assert_eq!(make(good, ONE, ONE), Err(CameraError::NearNotBeforeFar));
     let far = [30_000 * ONE, 30_000 * ONE + 1, -ONE, ONE];
-    assert_eq!(make(far, 0, ONE), Err(ProjectionError::WindowTooSmall));
-    assert_eq!(make(good, 30_000 * ONE, 30_000 * ONE + 1), Err(ProjectionError::NearTooCloseToFar));
+    assert_eq!(make(far, 0, ONE), Err(CameraError::WindowTooSmall));
+    assert_eq!(make(good, 30_000 * ONE, 30_000 * ONE + 1), Err(CameraError::NearTooCloseToFar));
 }
 
 /// x = x + 2³⁰·(z − 2⁻¹⁰) through a window 2⁻¹⁶ wide: its constant is −2³⁷, which the window's own +1 must not
@@ -142,7 +141,7 @@ fn s4_a_planar_window_too_small_is_refused_whichever_way_it_lies() {
         for (left, right) in [(-1, 0), (0, 1)] {
             let window = [left, right, -ONE, ONE];
             let general = Family::General(ONE >> 10, None, [dx, 0, -1], window, ONE, 2 * ONE);
-            assert_eq!(general.library().map(|_| ()), Err(ProjectionError::WindowTooSmall), "{general:?}");
+            assert_eq!(general.library().map(|_| ()), Err(CameraError::WindowTooSmall), "{general:?}");
         }
     }
 }
@@ -248,7 +247,7 @@ fn s4_axonometric_views_foreshorten_by_their_normal() {
         }
     }
     assert!(seen > 1900, "{seen}");
-    let refused = Err(ViewTransformError::NotAxonometric);
+    let refused = Err(CameraError::NotAxonometric);
     for (side, up) in [(0, ONE), (ONE, 0), (ONE, ONE), (ONE, -ONE), (-ONE, ONE)] {
         let got = ViewTransform::dimetric(point([0; 3]), scalar(side), scalar(up));
         assert_eq!(got, refused, "{side} {up}");

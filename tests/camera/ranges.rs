@@ -2,8 +2,8 @@
 
 use pinhole::space::{Model, View, World};
 use pinhole::{
-    Affine, Camera, InverseError, Mesh, PlanarProjection, Point3, Projection, ProjectionError,
-    ReferenceVolume, Scalar, ViewTransform, Viewport, Visibility,
+    Affine, Camera, CameraError, MathError, Mesh, PlanarProjection, Point3, Projection, ReferenceVolume,
+    Scalar, ViewTransform, Viewport, Visibility,
 };
 use support::bridge::pair::{window, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::{point, reals, rectangle, scalar, vector};
@@ -31,7 +31,7 @@ fn a_planar_image_lies_in_its_plane_or_there_is_none() {
     let general = |z_p: i32| {
         PlanarProjection::general(scalar(z_p * ONE), Some(scalar(-ONE / 2)), vector([-ONE, -ONE, -ONE]))
     };
-    assert_eq!(general(20_304), Err(ProjectionError::OutOfRange));
+    assert_eq!(general(20_304), Err(CameraError::OutOfRange));
     let image = general(17_000).expect("a plane").apply(point([-ONE / 2; 3])).expect("an image");
     assert!((reals(image)[2] - 17_000.0).abs() < 0.01, "{image:?}");
 }
@@ -40,7 +40,7 @@ fn a_planar_image_lies_in_its_plane_or_there_is_none() {
 #[test]
 fn depth_of_a_picture_on_a_plane_close_to_the_eye() {
     let far = Family::EyeAtOrigin(-1, [-2, 2, -2, 2], ONE, 32_767 * ONE);
-    assert_eq!(far.library().err(), Some(ProjectionError::OutOfRange));
+    assert_eq!(far.library().err(), Some(CameraError::OutOfRange));
     let family = Family::EyeAtOrigin(-1, [-2, 2, -2, 2], ONE, 16_000 * ONE);
     let area = rectangle(0, 0, 40, 40);
     let view = ViewTransform::look_along(point([0; 3]), vector([0, 0, -ONE]), vector([0, ONE, 0]));
@@ -76,7 +76,7 @@ fn a_sphere_holds_all_vertices_of_the_widest_meshes() {
 fn two_equal_axes_have_no_inverse() {
     let (a, b) = ([-1_073_741_823, -16, -8], [-33_554_432, 1, -14]);
     let frame = Affine::<Model, World>::from_frame(vector(a), vector(b), vector(a), point([0; 3]));
-    assert_eq!(frame.inverse().map(|_| ()), Err(InverseError::Singular));
+    assert_eq!(frame.inverse().map(|_| ()), Err(MathError::Singular));
 }
 
 /// A mesh far from its own origin, brought back by a translation of 2.4 million units, under a matrix that

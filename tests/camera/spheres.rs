@@ -6,7 +6,7 @@ use embedded_graphics::geometry::{Point, Size};
 use pinhole::meshes::{CUBE, TORUS};
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Camera, FramingError, Mesh, Object, Point3, Scalar, Scene, Sphere, Vector3, Viewport,
+    Affine, Angle, Camera, CameraError, Mesh, Object, Point3, Scalar, Scene, Sphere, Vector3, Viewport,
 };
 use support::oracle::chain::{fx, sin_cos, to_fx};
 use support::oracle::rng::Rng;
@@ -179,7 +179,7 @@ impl Case {
         }
     }
 
-    fn camera(&self) -> Result<Camera, FramingError> {
+    fn camera(&self) -> Result<Camera, CameraError> {
         Camera::framing(&self.sphere, &self.viewport, self.field_of_view, self.yaw, self.pitch)
     }
 
@@ -266,11 +266,11 @@ fn what_is_refused_has_no_room() {
         let distance = radius / silhouette(case.field_of_view);
         match case.camera() {
             Ok(_) => assert!(distance + radius < 2_147_483_648.0 && distance - radius > 62.0),
-            Err(FramingError::TooFar) => {
+            Err(CameraError::TooFar) => {
                 far += 1;
                 assert!(distance + radius * (65.0 / 64.0) > 2_147_483_000.0, "{radius} {distance}");
             }
-            Err(FramingError::TooNear) => {
+            Err(CameraError::TooNear) => {
                 near += 1;
                 assert!(distance - radius < 66.0, "{radius} {distance}");
             }
@@ -287,15 +287,14 @@ fn spheres_and_angles_out_of_range_are_explained() {
         Camera::framing(&sphere([0; 3], radius), &viewport, field_of_view, Angle::ZERO, Angle::ZERO).err()
     };
     let [wide, good] = [180, 40].map(Angle::degrees);
-    assert_eq!(frame(0, good), Some(FramingError::NoRadius));
-    assert_eq!(frame(-1, good), Some(FramingError::NoRadius));
-    assert_eq!(frame(1 << 16, wide), Some(FramingError::FieldOfView));
-    assert_eq!(frame(1 << 16, Angle::ZERO), Some(FramingError::FieldOfView));
-    assert_eq!(frame(i32::MAX, good), Some(FramingError::TooFar));
-    assert_eq!(frame(3, good), Some(FramingError::TooNear));
+    assert_eq!(frame(0, good), Some(CameraError::NoRadius));
+    assert_eq!(frame(-1, good), Some(CameraError::NoRadius));
+    assert_eq!(frame(1 << 16, wide), Some(CameraError::FieldOfView));
+    assert_eq!(frame(1 << 16, Angle::ZERO), Some(CameraError::FieldOfView));
+    assert_eq!(frame(i32::MAX, good), Some(CameraError::TooFar));
+    assert_eq!(frame(3, good), Some(CameraError::TooNear));
     assert_eq!(frame(1 << 16, good), None);
-    for error in
-        [FramingError::NoRadius, FramingError::FieldOfView, FramingError::TooFar, FramingError::TooNear]
+    for error in [CameraError::NoRadius, CameraError::FieldOfView, CameraError::TooFar, CameraError::TooNear]
     {
         assert!(error.to_string().len() > 20, "{error:?}");
     }
@@ -303,7 +302,7 @@ fn spheres_and_angles_out_of_range_are_explained() {
     for vertices in [&[][..], &[[3, 4, 5]]] {
         let mesh = Mesh::new(vertices, 0, &[]).expect("a mesh");
         let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, good, Angle::ZERO, Angle::ZERO);
-        assert!(matches!(camera, Err(FramingError::NoRadius | FramingError::TooNear)));
+        assert!(matches!(camera, Err(CameraError::NoRadius | CameraError::TooNear)));
     }
 }
 

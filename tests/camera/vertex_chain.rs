@@ -6,7 +6,7 @@
 //! The oracle starts from the quantised inputs. The half extent is that of the mesh about its own origin: the largest |coordinate|, times
 //! the model's scale. `--nocapture` shows the figures.
 
-use pinhole::{Camera, Mesh, ProjectError, Projected, Viewport};
+use pinhole::{Camera, CameraError, Mesh, Projected, Viewport};
 use support::bridge::pair::{bits, random_view, ModelBits, Step, ViewBits};
 use support::bridge::{point, rectangle, scalar};
 use support::definition::{Family, Picture, Projectors};
@@ -340,7 +340,7 @@ impl Case {
         class: &Class,
         bound: Bound,
         (at, extent): (V3, f64),
-        found: Result<Projected, ProjectError>,
+        found: Result<Projected, CameraError>,
     ) -> Option<f64> {
         let picture = &self.picture;
         let [width, height] = class.size();

@@ -4,8 +4,8 @@
 use embedded_graphics_core::geometry::{Point, Size};
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Lambert, LightError, Mesh, MeshError, NumberError, Point3, Projection, ProjectionError,
-    Scalar, Vector3, ViewTransform, ViewTransformError, Viewport,
+    Affine, Angle, CameraError, Lambert, LightError, MathError, Mesh, MeshError, Point3, Projection, Scalar,
+    Vector3, ViewTransform, Viewport,
 };
 use support::bridge::pair::{ProjectionBits, ViewBits, ONE};
 use support::bridge::vector;
@@ -16,7 +16,7 @@ const UP: [i32; 3] = [0, ONE, 0];
 
 #[test]
 fn e3_e4_zero_and_parallel_vectors_are_refused() {
-    use ViewTransformError::{ParallelUp, ZeroDirection, ZeroUp};
+    use CameraError::{ParallelUp, ZeroDirection, ZeroUp};
     let (eye, along) = ([ONE, 2 * ONE, -ONE], [ONE, 0, 0]);
     for (view, error) in [
         (ViewBits::LookAt(eye, eye, UP), ZeroDirection),
@@ -62,8 +62,8 @@ fn e3_up_vectors_are_refused_exactly_below_the_documented_angle() {
         let along = ViewBits::LookAlong(eye, n.map(|c| -c), up);
         if angle < bound * 0.999 {
             errors += 1;
-            assert_eq!(view.library().err(), Some(ViewTransformError::ParallelUp), "{angle}");
-            assert_eq!(along.library().err(), Some(ViewTransformError::ParallelUp), "{angle}");
+            assert_eq!(view.library().err(), Some(CameraError::ParallelUp), "{angle}");
+            assert_eq!(along.library().err(), Some(CameraError::ParallelUp), "{angle}");
         } else if angle > bound * 1.001 {
             views += 1;
             assert!(view.library().is_ok() && along.library().is_ok(), "{angle} {view:?}");
@@ -92,12 +92,12 @@ fn e5_near_and_far_must_be_positive_and_in_order() {
     let flat = |near, far| ProjectionBits::Orthographic(WINDOW, near, far).library();
     for near in [0, -1, -ONE, i32::MIN] {
         for far in [ONE, i32::MAX, -5] {
-            let error = Err(ProjectionError::NearNotPositive);
+            let error = Err(CameraError::NearNotPositive);
             assert_eq!((perspective(near, far), frustum(near, far)), (error, error));
         }
     }
     for (near, far) in [(ONE, ONE), (ONE, ONE - 1), (ONE, 1), (i32::MAX, ONE), (5, -5), (1, 0)] {
-        let error = Err(ProjectionError::NearNotBeforeFar);
+        let error = Err(CameraError::NearNotBeforeFar);
         assert_eq!([perspective(near, far), frustum(near, far), flat(near, far)], [error; 3]);
     }
     // A box may begin behind the eye.
@@ -130,7 +130,7 @@ fn e5_near_too_close_to_far_is_refused_exactly_at_the_bound() {
             assert!(ours.is_ok(), "{near} {far}: {ours:?}");
         } else if size > limit * 1.000_001 {
             errors += 1;
-            assert_eq!(ours, Err(ProjectionError::NearTooCloseToFar), "{near} {far}");
+            assert_eq!(ours, Err(CameraError::NearTooCloseToFar), "{near} {far}");
         }
     }
     assert!(errors > 100 && fine > 1000, "{errors} {fine}");
@@ -140,7 +140,7 @@ fn e5_near_too_close_to_far_is_refused_exactly_at_the_bound() {
 fn e5_fields_of_view_outside_the_documented_range_are_refused() {
     let fov = |bits| ProjectionBits::Perspective(bits, (4, 3), ONE, 9 * ONE).library();
     for bits in [0, 1, 1000, 1 << 31, (1 << 31) - 1, (1 << 31) + 1, 3 << 30, u32::MAX] {
-        assert_eq!(fov(bits), Err(ProjectionError::FieldOfView), "{bits}");
+        assert_eq!(fov(bits), Err(CameraError::FieldOfView), "{bits}");
     }
     // The documented bound: 1/4096 turn from 0° and from 180°.
     for (bits, ok) in [
@@ -166,11 +166,11 @@ fn e5_empty_and_extreme_windows_and_aspects_are_refused() {
         [-ONE, ONE, ONE, -ONE],
         [i32::MAX, i32::MIN, 0, 1],
     ] {
-        assert_eq!([frustum(window), flat(window)], [Err(ProjectionError::EmptyWindow); 2]);
+        assert_eq!([frustum(window), flat(window)], [Err(CameraError::EmptyWindow); 2]);
     }
     let by_aspect = |aspect| ProjectionBits::Perspective(1 << 30, aspect, ONE, 9 * ONE).library();
     for aspect in [(0, 3), (4, 0), (0, 0)] {
-        assert_eq!(by_aspect(aspect), Err(ProjectionError::EmptyAspect));
+        assert_eq!(by_aspect(aspect), Err(CameraError::EmptyAspect));
     }
     // The thinnest and the widest.
     for aspect in [(1, u32::MAX), (u32::MAX, 1), (u32::MAX, u32::MAX), (1, 1)] {
@@ -181,14 +181,14 @@ fn e5_empty_and_extreme_windows_and_aspects_are_refused() {
     }
     // The smallest window at the largest distance from the axis: 2⁻¹⁶ at 2¹⁵ is 2³¹ times smaller.
     let window = [i32::MAX - 1, i32::MAX, 0, ONE];
-    let small = Err(ProjectionError::WindowTooSmall);
+    let small = Err(CameraError::WindowTooSmall);
     assert_eq!(flat(window), small);
     assert!(frustum(window).is_ok() || frustum(window) == small);
     assert!(flat([ONE - 1, ONE, 0, ONE]).is_ok());
 }
 
 /// 60°, 4 : 3.
-fn perspective(near: i32, far: i32) -> Result<Projection, ProjectionError> {
+fn perspective(near: i32, far: i32) -> Result<Projection, CameraError> {
     ProjectionBits::Perspective((1 << 31) / 3, (4, 3), near, far).library()
 }
 
@@ -258,14 +258,14 @@ fn a_light_without_direction_is_refused() {
 #[test]
 fn floats_beyond_the_numbers_are_an_error() {
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-        assert_eq!(Point3::<World>::from_f32(0.0, bad, 0.0), Err(NumberError::NotFinite));
-        assert_eq!(Vector3::<World>::from_f32(bad, 0.0, 0.0), Err(NumberError::NotFinite));
-        assert_eq!(Angle::from_degrees_f32(bad), Err(NumberError::NotFinite));
+        assert_eq!(Point3::<World>::from_f32(0.0, bad, 0.0), Err(MathError::NotFinite));
+        assert_eq!(Vector3::<World>::from_f32(bad, 0.0, 0.0), Err(MathError::NotFinite));
+        assert_eq!(Angle::from_degrees_f32(bad), Err(MathError::NotFinite));
     }
     for bad in [32768.0, -32769.0, 1e30, f32::MAX, f32::MIN] {
-        assert_eq!(Point3::<World>::from_f32(0.0, 0.0, bad), Err(NumberError::OutOfRange));
+        assert_eq!(Point3::<World>::from_f32(0.0, 0.0, bad), Err(MathError::OutOfRange));
     }
-    assert_eq!([1e9, 1e30].map(Angle::from_degrees_f32), [Err(NumberError::OutOfRange); 2]);
+    assert_eq!([1e9, 1e30].map(Angle::from_degrees_f32), [Err(MathError::OutOfRange); 2]);
 }
 
 /// Cameras built at compile time, with every `const` constructor.

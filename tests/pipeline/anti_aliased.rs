@@ -7,8 +7,8 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::raster::Pixel;
 use pinhole::{
-    draw_line, edge_faces, Affine, AntiAliased, Color, DepthBuffer, Mesh, MeshInstance, Pixels, Reads, ScreenVertex,
-    StoredPixel, Stroke,
+    draw_line, edge_faces, Affine, AntiAliased, Color, DepthBuffer, Mesh, MeshInstance, Pixels, Reads,
+    ScreenVertex, StoredPixel, Stroke,
 };
 use std::f64::consts::TAU;
 use support::bridge::draw::{cube_camera, flat_camera, CUBE, CUBE_EDGES, CUBE_FACES};

@@ -7,8 +7,8 @@ use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, GrayColor, Rgb565};
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    BandError, BinError, Color, Cull, DepthBuffer, DepthBufferError, DirtyRegions, Frame, Mesh, MeshInstance,
-    ScreenVertex, Statistics, Tracked, TransferCost,
+    BufferError, Color, Cull, DepthBuffer, DirtyRegions, Frame, Mesh, MeshInstance, ScreenVertex, Statistics,
+    Tracked, TransferCost,
 };
 use support::bridge::draw::{cube_camera, CUBE, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -63,7 +63,7 @@ fn a_strip_without_room_for_a_row_says_what_it_needs() {
     let mut frame = Frame::new(rectangle(0, 0, 240, 8), Rgb565::BLACK);
     for given in [0, 1, 479] {
         let error = frame.next_band(&mut vec![0; given]).map(|_| ()).expect_err("no row fits");
-        assert_eq!(error, BandError { needed: 480, given });
+        assert_eq!(error, BufferError::Strip { needed: 480, given });
         assert!(error.to_string().contains("480"));
     }
     // The failed call returned no band: the frame still begins at its top.
@@ -82,7 +82,7 @@ fn a_depth_strip_too_short_says_what_it_needs() {
     let mut frame = Frame::new(rectangle(0, 0, 64, 64), Gray8::BLACK);
     let band = frame.next_band(&mut strip).expect("a row").expect("a band");
     let error = DepthBuffer::new(band.area(), &mut [0; 255]).map(|_| ()).expect_err("one too few");
-    assert_eq!(error, DepthBufferError { needed: 256, given: 255 });
+    assert_eq!(error, BufferError::Depth { needed: 256, given: 255 });
 }
 
 #[test]
@@ -94,7 +94,7 @@ fn more_faces_than_records_can_count_are_refused() {
     let mut bin_storage = vec![0; 80_000];
     let instance = camera.place(&mesh, &model);
     let error = instance.transform(&mut []).bin_faces(&mut bin_storage).map(|_| ()).expect_err("too many");
-    assert_eq!(error, BinError::TooMany { items: 65_536 });
+    assert_eq!(error, BufferError::TooManyItems { items: 65_536 });
     let mesh = Mesh::new(&CUBE, 0, &faces[1..]).expect("a mesh");
     assert!(camera.place(&mesh, &model).transform(&mut []).bin_faces(&mut bin_storage).is_ok());
 }
@@ -312,7 +312,7 @@ fn no_row_is_sent_twice_where_the_strip_divides_the_frame() {
     }
     assert_eq!(tops, [0..4, 4..8, 8..12]);
     let mut frame = Frame::new(rectangle(0, 0, 8, 12), Gray8::BLACK);
-    assert_eq!(frame.band_or_strip(&mut [0; 7]).err(), Some(BandError { needed: 8, given: 7 }));
+    assert_eq!(frame.band_or_strip(&mut [0; 7]).err(), Some(BufferError::Strip { needed: 8, given: 7 }));
     for empty in [rectangle(0, 0, 0, 5), rectangle(0, 0, 5, 0)] {
         let mut strip = [0; 3];
         let given =

@@ -7,11 +7,8 @@ use embedded_graphics::primitives::Rectangle;
 use pinhole::clip::{Barycentric, Varying};
 use pinhole::raster::Span;
 use pinhole::{
-    mesh_buffers, strip_buffers, Affine, Angle, AxisError, BandError, BinError, Camera, Cull,
-    DepthBufferError, Frame, HierarchyError, InverseError, LightError, MaterialError, MatrixError, Mesh,
-    MeshBuffers, MeshError, NumberError, Object, PainterError, Picture, PictureError, ProjectError,
-    ProjectionError, QuaternionError, Scene, Target, TextureError, ViewTransformError, Viewport,
-    ViewportError,
+    mesh_buffers, strip_buffers, Affine, Angle, BufferError, Camera, CameraError, Cull, Frame, LightError,
+    MathError, Mesh, MeshBuffers, MeshError, Object, Picture, Scene, Target, TextureError, Viewport,
 };
 use std::collections::HashSet;
 use std::error::Error;
@@ -22,15 +19,14 @@ fn each_message_names_the_fault_and_the_way_out() {
         ($($error:expr => $($words:literal),+;)*) => { [$((Box::new($error) as Box<dyn Error>, &[$($words),+] as &[&str])),*] };
     }
     let cases = cases! {
-        NumberError::NotFinite => "NaN", "infinite", "computed";
-        NumberError::OutOfRange => "range", "unit";
-        QuaternionError::Zero => "length zero", "(1, 0, 0, 0)";
-        AxisError::ZeroAxis => "axis", "length zero", "direction";
-        MatrixError::NotAffine => "last row", "0 0 0 1";
-        MatrixError::NotFinite => "matrix", "NaN";
-        MatrixError::OutOfRange => "translation", "2^30", "unit";
-        InverseError::Singular => "singular", "scale is zero";
-        InverseError::NotRigid => "not rigid", "`inverse`";
+        MathError::NotFinite => "NaN", "infinite", "computed";
+        MathError::OutOfRange => "range", "unit";
+        MathError::ZeroQuaternion => "length zero", "(1, 0, 0, 0)";
+        MathError::ZeroAxis => "axis", "length zero", "direction";
+        MathError::NotAffine => "last row", "0 0 0 1";
+        MathError::TranslationOutOfRange => "translation", "2^30", "unit";
+        MathError::Singular => "singular", "scale is zero";
+        MathError::NotRigid => "not rigid", "`inverse`";
         LightError::ZeroDirection => "direction", "light", "length zero", "give";
         LightError::NotRigid => "model transform", "stretches", "use Lambert";
         MeshError::TooManyVertices { vertices: 70_001 } => "70001", "65536", "split";
@@ -43,45 +39,53 @@ fn each_message_names_the_fault_and_the_way_out() {
         MeshError::VertexListCount { vertices: 47, entries: 48 } => "48 entries", "47 vertices", "one per vertex";
         MeshError::FaceListCount { faces: 49, entries: 50 } => "50 entries", "49 faces", "one per face";
         MeshError::Exponent { exponent: 16 } => "16", "-32 to 15", "unit";
-        HierarchyError { node: 5, parent: 9 } => "node 5", "parent 9", "parents first";
-        BinError::Storage { needed: 301, given: 299 } => "299", "at least 301";
-        BinError::TooMany { items: 70_002 } => "70002", "65535", "split";
-        PainterError::Vertices { needed: 71, capacity: 70 } => "71", "70", "raise VERTICES";
-        PainterError::Vertices { needed: 65_537, capacity: 65_536 } => "65537", "65536", "fewer meshes";
-        PainterError::Faces { needed: 81, capacity: 80 } => "81", "80", "raise FACES";
-        PainterError::Faces { needed: 65_536, capacity: 65_535 } => "65536", "65535", "fewer meshes";
-        PainterError::OtherViewport => "painter", "one viewport";
-        ProjectError::BeforeNear => "before the near plane", "move";
-        ProjectError::BeyondFar => "beyond the far plane", "move";
-        ProjectError::OutsideGuardBand => "guard band", "8192";
-        ProjectionError::FieldOfView => "field of view", "0.09°", "179.9°";
-        ProjectionError::EmptyAspect => "aspect ratio", "zero", "viewport's size";
-        ProjectionError::NearNotPositive => "near plane", "greater than 0";
-        ProjectionError::NearNotBeforeFar => "far plane", "beyond the near";
-        ProjectionError::NearTooCloseToFar => "close", "depth", "apart";
-        ProjectionError::EmptyWindow => "window", "left < right", "bottom < top";
-        ProjectionError::WindowTooSmall => "window", "too small", "enlarge";
-        ProjectionError::NoViewPlane => "parallel to the view plane", "change";
-        ProjectionError::ReferenceBehindPlane => "reference point", "n > 0";
-        ProjectionError::Matrix { row: 'y' } => "row y", "matrix", "finite";
-        ProjectionError::OutOfRange => "2^30", "unit";
-        ViewTransformError::ZeroDirection => "viewing direction", "length zero", "eye";
-        ViewTransformError::ZeroUp => "up vector", "length zero";
-        ViewTransformError::ParallelUp => "up vector", "parallel", "another";
-        ViewTransformError::NotAxonometric => "normal", "non-zero", "trimetric";
-        ViewTransformError::NotRigid => "not rigid", "orthonormal", "0 0 0 1";
-        ViewTransformError::EyeOutside => "eye", "32768", "unit";
-        ViewportError::Empty => "no pixels", "at least 1";
-        ViewportError::OutsideGuardBand => "8192", "shrink";
-        DepthBufferError { needed: 640, given: 639 } => "640", "639", "`u16`";
-        BandError { needed: 480, given: 479 } => "479", "480", "row";
+        MeshError::Parent { node: 5, parent: 9 } => "node 5", "parent 9", "parents first";
+        BufferError::Bins { needed: 301, given: 299 } => "299", "at least 301";
+        BufferError::TooManyItems { items: 70_002 } => "70002", "65535", "split";
+        BufferError::PainterVertices { needed: 71, capacity: 70 } => "71", "70", "raise VERTICES";
+        BufferError::PainterVertices { needed: 65_537, capacity: 65_536 } => "65537", "65536", "fewer meshes";
+        BufferError::PainterFaces { needed: 81, capacity: 80 } => "81", "80", "raise FACES";
+        BufferError::PainterFaces { needed: 65_536, capacity: 65_535 } => "65536", "65535", "fewer meshes";
+        BufferError::OtherViewport => "painter", "one viewport", "draw", "two painters";
+        CameraError::BeforeNear => "before the near plane", "move";
+        CameraError::BeyondFar => "beyond the far plane", "move";
+        CameraError::OutsideGuardBand => "guard band", "8192", "move";
+        CameraError::FieldOfView => "field of view", "0.09°", "179.9°";
+        CameraError::EmptyAspect => "aspect ratio", "zero", "viewport's size";
+        CameraError::NearNotPositive => "near plane", "greater than 0";
+        CameraError::NearNotBeforeFar => "far plane", "beyond the near";
+        CameraError::NearTooCloseToFar => "close", "depth", "apart";
+        CameraError::EmptyWindow => "window", "left < right", "bottom < top";
+        CameraError::WindowTooSmall => "window", "too small", "enlarge";
+        CameraError::NoViewPlane => "parallel to the view plane", "change";
+        CameraError::ReferenceBehindPlane => "reference point", "n > 0";
+        CameraError::Matrix { row: 'y' } => "row y", "matrix", "finite";
+        CameraError::OutOfRange => "2^30", "unit";
+        CameraError::ZeroDirection => "viewing direction", "length zero", "eye";
+        CameraError::ZeroUp => "up vector", "length zero";
+        CameraError::ParallelUp => "up vector", "parallel", "another";
+        CameraError::NotAxonometric => "normal", "non-zero", "trimetric";
+        CameraError::NotRigid => "not rigid", "orthonormal", "0 0 0 1";
+        CameraError::EyeOutside => "eye", "32768", "unit";
+        CameraError::EmptyViewport => "no pixels", "at least 1";
+        CameraError::ViewportOutside => "8192", "shrink";
+        BufferError::Depth { needed: 640, given: 639 } => "640", "639", "`u16`";
+        BufferError::Strip { needed: 480, given: 479 } => "479", "480", "row";
         TextureError::Side { side: 100 } => "100", "8, 16, 32, 64, 128 or 256", "resize";
         TextureError::Texels { needed: 64, given: 63 } => "63", "64", "needs";
         TextureError::Palette { needed: 16, given: 15 } => "15", "16", "append";
         TextureError::Exponent { exponent: 1 } => "2^1", "-15 to 0";
-        MaterialError::Index { face: 3, index: 9, count: 8 } => "face 3", "9", "has 8";
-        MaterialError::Exponent { exponent: -16 } => "2^-16", "-15 to 0";
-        PictureError { needed: 320, given: 319 } => "320", "319", "cells";
+        MeshError::MaterialIndex { face: 3, index: 9, count: 8 } => "face 3", "9", "has 8";
+        MeshError::TextureExponent { exponent: -16 } => "2^-16", "-15 to 0";
+        BufferError::Picture { needed: 320, given: 319 } => "320", "319", "cells";
+        BufferError::Objects { capacity: 12 } => "12 objects", "raise OBJECTS";
+        LightError::SlantedDepth => "depth", "VertexFog";
+        LightError::TooFewFogSteps { steps: 4 } => "4 of 65535", "needs 8", "apart";
+        CameraError::NoRadius => "no radius", "two different vertices";
+        CameraError::TooFar => "32768", "larger unit", "wider";
+        CameraError::TooNear => "touch the eye", "smaller unit", "narrower";
+        CameraError::NoVertex => "no vertex", "indices begin at 0";
+        MathError::Syntax => "decimal", "-2.5";
     };
     let mut messages = HashSet::new();
     for (error, words) in cases {
@@ -89,8 +93,6 @@ fn each_message_names_the_fault_and_the_way_out() {
         assert!(words.iter().all(|word| message.contains(word)), "{error:?}: {message}");
         assert!(messages.insert(message), "{error:?}: another error has this message");
     }
-    let inner = NumberError::OutOfRange;
-    assert_eq!(QuaternionError::Number(inner).to_string(), inner.to_string());
 }
 
 const VERTICES: [[i16; 3]; 3] = [[-9, -9, 0], [9, -9, 0], [0, 9, 0]];
@@ -126,7 +128,7 @@ fn bins_have_room_for_all_faces_and_no_more() {
     let projected = instance.transform(&mut buffers.cache);
     assert!(projected.bin_faces(&mut buffers.bins).is_ok());
     let short = projected.bin_faces(&mut buffers.bins[..18]).err();
-    assert_eq!(short, Some(BinError::Storage { needed: 19, given: 18 }));
+    assert_eq!(short, Some(BufferError::Bins { needed: 19, given: 18 }));
 }
 
 #[test]

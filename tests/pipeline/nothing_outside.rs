@@ -8,7 +8,7 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, IntoStorage, Rgb565, 
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::Span;
 use pinhole::{
-    DepthBuffer, Frame, Gouraud, Memory, Mesh, Picture, PictureError, Pixels, ShadeTable, StoredPixel, Target,
+    BufferError, DepthBuffer, Frame, Gouraud, Memory, Mesh, Picture, Pixels, ShadeTable, StoredPixel, Target,
 };
 use support::bridge::draw::{cube_camera as camera, turned_cube as draw, CUBE, CUBE_FACES, WAYS};
 use support::bridge::pair::ModelBits;
@@ -159,7 +159,7 @@ fn a_target_of_ones_own_gets_the_picture() {
 fn too_few_cells_for_the_area_are_refused() {
     let area = Rectangle::new(Point::zero(), Size::new(40, 30));
     let error = Pixels::<Rgb565, u16>::new(&mut [0; 1199], area).map(|_| ()).expect_err("one too few");
-    assert_eq!(error, PictureError { needed: 1200, given: 1199 });
+    assert_eq!(error, BufferError::Picture { needed: 1200, given: 1199 });
     let huge = Rectangle::new(Point::zero(), Size::new(u32::MAX, u32::MAX));
     assert!(Pixels::<Rgb565, u16>::new(&mut [0; 9], huge).is_err());
 }

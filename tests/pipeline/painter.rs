@@ -3,7 +3,7 @@
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use embedded_graphics::prelude::PointsIter;
-use pinhole::{Affine, Blended, DepthBuffer, DepthTested, HalfBlended, Mesh, Painter, PainterError};
+use pinhole::{Affine, Blended, BufferError, DepthBuffer, DepthTested, HalfBlended, Mesh, Painter};
 use support::bridge;
 use support::bridge::draw::{flat_camera, Shader};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -78,7 +78,7 @@ fn a_full_painter_names_the_parameter_and_value_to_raise() {
     }
     assert!(matches!(
         painter.add(&instance, |_| Shader(0)),
-        Err(PainterError::Vertices { needed: 9, capacity: 7 })
+        Err(BufferError::PainterVertices { needed: 9, capacity: 7 })
     ));
     let mut painter = Painter::<Shader, 9, 2>::new();
     for _ in 0..2 {
@@ -86,7 +86,7 @@ fn a_full_painter_names_the_parameter_and_value_to_raise() {
     }
     assert!(matches!(
         painter.add(&instance, |_| Shader(1)),
-        Err(PainterError::Faces { needed: 3, capacity: 2 })
+        Err(BufferError::PainterFaces { needed: 3, capacity: 2 })
     ));
     // The faces added before are drawn.
     let mut target = Recorder::sized(16, 16);
@@ -96,11 +96,11 @@ fn a_full_painter_names_the_parameter_and_value_to_raise() {
     let (empty, other) = (Mesh::new(&[[0; 3]; 8], 0, &[]), bridge::draw::cube_camera((3, 4, 9, 9)).library());
     let mut painter = Painter::<Shader, 7, 9>::new();
     let large = empty.expect("a mesh");
-    let full = Err(PainterError::Vertices { needed: 8, capacity: 7 });
+    let full = Err(BufferError::PainterVertices { needed: 8, capacity: 7 });
     assert_eq!(painter.add(&other.place(&large, &model), |_| Shader(0)), full);
     for added in 0..2 {
         painter.add(&instance, |_| Shader(0)).expect("enough room");
-        let full = Err(PainterError::Vertices { needed: 3 * added + 11, capacity: 7 });
+        let full = Err(BufferError::PainterVertices { needed: 3 * added + 11, capacity: 7 });
         assert_eq!(painter.add(&camera.place(&large, &model), |_| Shader(0)), full);
     }
     let mut target = Recorder::sized(16, 16);
@@ -122,7 +122,7 @@ fn an_empty_mesh_leaves_the_viewport_open() {
     let mut painter = Painter::<Shader, 4, 4>::new();
     painter.add(&other.place(&empty, &model), |_| Shader(0)).expect("no room needed");
     painter.add(&camera().place(&mesh, &model), |_| Shader(7)).expect("the first that draws anything");
-    assert_eq!(painter.add(&other.place(&mesh, &model), |_| Shader(0)), Err(PainterError::OtherViewport));
+    assert_eq!(painter.add(&other.place(&mesh, &model), |_| Shader(0)), Err(BufferError::OtherViewport));
     let mut target = Recorder::sized(16, 16);
     painter.draw(&mut target).expect("no error");
     assert_eq!(order(&target.calls), [7]);
@@ -220,7 +220,7 @@ fn a_painter_holds_as_many_faces_as_its_index_can_name() {
             .expect("65536 corners and 65535 faces");
         assert!(matches!(
             painter.add(&camera.place(&none, &model), |_| Shader(0)),
-            Err(PainterError::Vertices { needed: 65_537, .. })
+            Err(BufferError::PainterVertices { needed: 65_537, .. })
         ));
         let mut target = Recorder::new(bridge::rectangle(8, 8, 1, 1));
         assert_eq!(painter.draw(&mut target).expect("no error").drawn, 65_535);
@@ -235,7 +235,7 @@ fn a_painter_holds_as_many_faces_as_its_index_can_name() {
         }
         assert!(matches!(
             painter.add(&camera.place(&one, &model), |_| Shader(0)),
-            Err(PainterError::Faces { needed: 65_536, .. })
+            Err(BufferError::PainterFaces { needed: 65_536, .. })
         ));
         let mut target = Recorder::new(bridge::rectangle(8, 8, 1, 1));
         assert_eq!(painter.draw(&mut target).expect("no error").drawn, 65_535);

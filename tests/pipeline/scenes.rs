@@ -7,9 +7,9 @@ use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, BinError, Camera, Cull, Mesh, Object, Painter, Picked, Point3, Projection, Scalar, Scene,
-    SceneError, ScreenDoor, ScreenVertex, SpanShader, Statistics, Vector3, ViewTransform, Viewport,
-    Visibility, WithPlanes,
+    Affine, Angle, BufferError, Camera, Cull, Mesh, Object, Painter, Picked, Point3, Projection, Scalar,
+    Scene, ScreenDoor, ScreenVertex, SpanShader, Statistics, Vector3, ViewTransform, Viewport, Visibility,
+    WithPlanes,
 };
 use support::bridge::draw::{CUBE, CUBE_FACES};
 use support::bridge::rectangle;
@@ -347,7 +347,7 @@ fn a_scene_without_room_says_what_it_needs() {
     let object = Object::new(&meshes.0, Affine::identity(), 7);
     assert_eq!([scene.add(object), scene.add(object)], [Ok(0), Ok(1)]);
     let full = scene.add(object);
-    assert_eq!(full, Err(SceneError { capacity: 2 }));
+    assert_eq!(full, Err(BufferError::Objects { capacity: 2 }));
     assert!(full.expect_err("full").to_string().contains("2 objects"));
     scene.objects_mut()[1].model = Affine::identity().translate(Vector3::from_ints(0, 0, -9));
     let viewport = Viewport::new(Point::zero(), Size::new(40, 40)).expect("a viewport");
@@ -359,7 +359,7 @@ fn a_scene_without_room_says_what_it_needs() {
     assert_eq!((placed.len(), placed.cache_len(), placed.face_bins_len()), (1, 8, 13));
     assert_eq!(placed.iter().map(|(object, _)| object.material).collect::<Vec<_>>(), [7]);
     let short = placed.bin_faces(&mut [], &mut [0; 12]).err();
-    assert_eq!(short, Some(BinError::Storage { needed: 13, given: 12 }));
+    assert_eq!(short, Some(BufferError::Bins { needed: 13, given: 12 }));
     scene.clear();
     assert!(scene.place(&camera).is_empty() && scene.objects().is_empty());
 }

@@ -2,7 +2,7 @@
 //! `properties/two_cores.rs`; that all types can be sent to another core, in `format.rs`.
 
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
-use pinhole::{BinError, BinnedScene, DepthBuffer, Frame, Mesh, Object, ScreenVertex};
+use pinhole::{BinnedScene, BufferError, DepthBuffer, Frame, Mesh, Object, ScreenVertex};
 use std::thread;
 use support::bridge::draw::{cube_camera, room_faces, CUBE, CUBE_FACES};
 use support::bridge::pair::{ModelBits, Step, ONE};
@@ -60,7 +60,7 @@ fn a_cursor_too_short_says_what_it_needs() {
     let mut binned_faces = transformed.bin_faces(&mut bins).expect("room");
     let mut binned_edges = transformed.bin_edges(&mut edge_bins).expect("room");
     for given in 0..2 {
-        let error = BinError::Storage { needed: 2, given };
+        let error = BufferError::Bins { needed: 2, given };
         assert_eq!(binned_faces.fork(&mut vec![0; given]).map(drop), Err(error));
         assert_eq!(binned_edges.fork(&mut vec![0; given]).map(drop), Err(error));
     }
@@ -73,7 +73,7 @@ fn a_cursor_too_short_says_what_it_needs() {
     let camera = cube_camera((0, 0, SIZE, SIZE)).library();
     let (placed, mut bins) = (scene.place(&camera), [0; 38]);
     let mut binned: BinnedScene<'_, '_, _, 2> = placed.bin_faces(&mut [], &mut bins).expect("room");
-    assert_eq!(binned.fork(&mut [0; 3]).map(drop), Err(BinError::Storage { needed: 2, given: 1 }));
+    assert_eq!(binned.fork(&mut [0; 3]).map(drop), Err(BufferError::Bins { needed: 2, given: 1 }));
     assert!(binned.fork(&mut [0; 4]).is_ok());
 }
 
@@ -138,5 +138,5 @@ fn bands_by_number_are_the_bands_one_after_the_other() {
     }
     let frame = Frame::new(rectangle(0, 0, 9, 9), Gray8::BLACK);
     let error = frame.nth_band(3, &mut [0; 8]).map(drop);
-    assert_eq!(error, Err(pinhole::BandError { needed: 9, given: 8 }));
+    assert_eq!(error, Err(pinhole::BufferError::Strip { needed: 9, given: 8 }));
 }

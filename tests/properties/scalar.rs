@@ -2,7 +2,7 @@
 
 use crate::cases;
 use fixed::types::I16F16;
-use pinhole::{NumberError, Scalar};
+use pinhole::{MathError, Scalar};
 use proptest::prelude::*;
 
 /// The bits of a number: any, of any size, a whole number, or an end of the range.
@@ -34,8 +34,8 @@ fn ratio(n: i32, d: i32) -> Scalar {
 }
 
 /// What becomes of bits that may not fit.
-fn checked(bits: i128) -> Result<Scalar, NumberError> {
-    i32::try_from(bits).map(Scalar::from_bits).map_err(|_| NumberError::OutOfRange)
+fn checked(bits: i128) -> Result<Scalar, MathError> {
+    i32::try_from(bits).map(Scalar::from_bits).map_err(|_| MathError::OutOfRange)
 }
 
 proptest! {
@@ -89,8 +89,8 @@ proptest! {
         prop_assert!((Scalar::from_num(double).to_f64() - nearest).abs() * 65_536.0 <= 1.0);
         match Scalar::from_f64(double) {
             Ok(number) => prop_assert!((number.to_f64() - double).abs() * 131_072.0 <= 1.0),
-            Err(NumberError::OutOfRange) => prop_assert!(double.abs() > 32_767.0),
-            Err(error) => prop_assert!(!double.is_finite() && error == NumberError::NotFinite),
+            Err(MathError::OutOfRange) => prop_assert!(double.abs() > 32_767.0),
+            Err(error) => prop_assert!(!double.is_finite() && error == MathError::NotFinite),
         }
     }
 
@@ -120,11 +120,11 @@ proptest! {
 #[test]
 fn what_is_no_number_is_an_error() {
     for text in ["", "-", "abc", "1.2.3", "0x10", "NaN", "inf", " 1", "1,5", "1e5", ".", "+-1"] {
-        assert_eq!(text.parse::<Scalar>(), Err(NumberError::Syntax), "{text}");
+        assert_eq!(text.parse::<Scalar>(), Err(MathError::Syntax), "{text}");
     }
     let far = "9".repeat(40);
     for text in ["32768", "-32768.00001", far.as_str()] {
-        assert_eq!(text.parse::<Scalar>(), Err(NumberError::OutOfRange), "{text}");
+        assert_eq!(text.parse::<Scalar>(), Err(MathError::OutOfRange), "{text}");
     }
     assert_eq!(
         [".5", "5.", "+5"].map(str::parse),
@@ -133,8 +133,8 @@ fn what_is_no_number_is_an_error() {
     assert_eq!("0.00000762939453125".parse(), Ok(Scalar::DELTA)); // half a step: away from zero
     assert_eq!("0.00000762939453124999".parse(), Ok(Scalar::ZERO));
     for not_finite in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-        assert_eq!(Scalar::from_f32(not_finite), Err(NumberError::NotFinite));
-        assert_eq!(Scalar::from_f64(not_finite.into()), Err(NumberError::NotFinite));
+        assert_eq!(Scalar::from_f32(not_finite), Err(MathError::NotFinite));
+        assert_eq!(Scalar::from_f64(not_finite.into()), Err(MathError::NotFinite));
     }
 }
 
@@ -146,7 +146,7 @@ fn half_steps_are_rounded_away_from_zero() {
     assert_eq!(found, [1, -1, 2, -3, 0].map(|bits| Ok(Scalar::from_bits(bits))));
     let ends =
         [32_768.0 - step / 2.0, 32_768.0 - step * 0.75, -32_768.0 - step * 0.25, -32_768.0 - step / 2.0];
-    let out = Err(NumberError::OutOfRange);
+    let out = Err(MathError::OutOfRange);
     assert_eq!(ends.map(Scalar::from_f64), [out, Ok(Scalar::MAX), Ok(Scalar::MIN), out]);
 }
 

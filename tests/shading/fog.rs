@@ -9,9 +9,10 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::PointsIter;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Blended, Camera, ColorKeyed, DepthBuffer, Flat, Fog, FogError, FogTable, Fogged, Gouraud,
-    HalfBlended, IndexedTexels, LitPalette, Picture, Point3, Projection, Scalar, ScreenDoor, ShadeTable,
-    SolidTexel, SpanShader, Sprite, Texels, Texture, Vector3, VertexFog, ViewTransform, Viewport, Window,
+    Affine, Angle, Blended, Camera, ColorKeyed, DepthBuffer, Flat, Fog, FogTable, Fogged, Gouraud,
+    HalfBlended, IndexedTexels, LightError, LitPalette, Picture, Point3, Projection, Scalar, ScreenDoor,
+    ShadeTable, SolidTexel, SpanShader, Sprite, Texels, Texture, Vector3, VertexFog, ViewTransform, Viewport,
+    Window,
 };
 use support::bridge::ways::{by_every_call, memory, memory_with, Drawn};
 use support::oracle::chain::{self, dot, M4, V3};
@@ -336,14 +337,14 @@ fn factors_are_the_nearest_at_every_depth() {
 #[test]
 fn set_ups_that_cannot_be_are_refused() {
     let fog = |start, end| Fog::linear(number(start), number(end));
-    assert_eq!(fog(2.0, 2.0), Err(FogError::EmptyRange { start: number(2.0), end: number(2.0) }));
+    assert_eq!(fog(2.0, 2.0), Err(LightError::EmptyFog { start: number(2.0), end: number(2.0) }));
     let table = |lens: &Lens, start, end| {
         FogTable::new(&fog(start, end).unwrap(), &camera(&lens.projection()), Gray8::BLACK)
     };
     let lens = Lens { near: 0.0625, far: 1000.0, parallel: None };
     // 65535/16 · (1/500 − 1/1000) is 4.09.
     let error = table(&lens, 500.0, 1000.0).unwrap_err();
-    assert_eq!(error, FogError::TooFewSteps { steps: 4 });
+    assert_eq!(error, LightError::TooFewFogSteps { steps: 4 });
     assert_eq!(
         error.to_string(),
         "the fog spans 4 of 65535 steps of depth, but needs 8: move the near plane away from the eye, or the fog's start and end apart"
@@ -364,7 +365,7 @@ fn set_ups_that_cannot_be_are_refused() {
             Gray8::BLACK,
         )
     };
-    assert_eq!(slanted(&matrix), Err(FogError::SlantedDepth));
+    assert_eq!(slanted(&matrix), Err(LightError::SlantedDepth));
     matrix[2][0] = 0.0;
     assert!(slanted(&matrix).is_ok());
 }

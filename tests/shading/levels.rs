@@ -104,7 +104,7 @@ struct Face<'a> {
 
 impl Face<'_> {
     /// Draws with a shader, and compares.
-    fn draw<C: Colour, I: SpanShader<C>>(
+    fn draw<C: Colour, I: SpanShader<C, Ink = C>>(
         &mut self,
         (number, shader): (usize, I),
         exact: [V3; 3],

@@ -5,7 +5,7 @@ use crate::scene::{
     corners, draw, for_every_colour, random_colour, random_lights, random_triangle, with_triangle, Colour,
 };
 use embedded_graphics_core::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
-use pinhole::{FaceColors, LitPalette, MaterialError, ShadeTable};
+use pinhole::{FaceColors, LitPalette, MeshError, ShadeTable};
 use support::oracle::coverage::{centre, edge};
 use support::oracle::rng::Rng;
 use support::oracle::shade::Depths;
@@ -170,7 +170,7 @@ fn colours_of_faces_may_emit_light() {
     assert_eq!((lamps.palette(), lamps.faces()), (colors.palette(), colors.faces()));
     for (emission, count) in [(&[] as &[_], 0), (&[[1; 3]; 4], 4)] {
         let error = colors.with_emission(emission).unwrap_err();
-        assert_eq!(error, MaterialError::Emission { emission: count, palette: 3 });
+        assert_eq!(error, MeshError::EmissionCount { emission: count, palette: 3 });
         let wanted = format!("{count} emitted colours for a palette of 3: give one for each, black for none");
         assert_eq!(error.to_string(), wanted);
     }

@@ -5,7 +5,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    Affine, Angle, BinError, Camera, Frame, Lambert, Mesh, Point3, Projection, Scalar, ScreenVertex,
+    Affine, Angle, BufferError, Camera, Frame, Lambert, Mesh, Point3, Projection, Scalar, ScreenVertex,
     Statistics, Vector3, ViewTransform, Viewport,
 };
 
@@ -41,7 +41,7 @@ impl Film {
     }
 
     /// Draws a frame; there is no display to send it to. What became of its faces, and how many bands it took.
-    pub(crate) fn draw(&mut self, number: u32) -> Result<(Statistics, u32), BinError> {
+    pub(crate) fn draw(&mut self, number: u32) -> Result<(Statistics, u32), BufferError> {
         let model = Affine::rotation_y(Angle::turns(number as i32, FRAMES));
         let light = Lambert::new(&model, Vector3::from_ints(1, 2, 3), 48).expect("a direction");
         let shade = |face: usize| Gray8::new(teapot::NORMALS.get(face).map_or(0, |&n| light.level(n) as u8));

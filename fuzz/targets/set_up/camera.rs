@@ -8,7 +8,7 @@ use crate::bridge::{point, rectangle, screen_point};
 use crate::bytes::Bytes;
 use crate::definition::{Family, Projectors};
 use crate::oracle::chain::{self, fx, fx3, length, mul4, Viewport, M4, V3, V4};
-use pinhole::{Camera, Mesh, ProjectError, Projected, Visibility};
+use pinhole::{Camera, CameraError, Mesh, Projected, Visibility};
 
 /// The family's matrix, each of its linear forms from the definition.
 fn matrix(family: &Family) -> M4 {
@@ -268,7 +268,7 @@ fn points(b: &mut Bytes<'_>, set_up: &SetUp, world: [i32; 3], apart: bool) {
     if apart {
         let image = match got {
             // Beyond the guard band is named as such; far does not clip here.
-            Err(ProjectError::BeyondFar) => panic!("beyond far: {world:?}"),
+            Err(CameraError::BeyondFar) => panic!("beyond far: {world:?}"),
             other => other.ok(),
         };
         set_up.check(set_up.view.apply(fx3(world)), 0.0, image, &world);

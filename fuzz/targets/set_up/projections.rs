@@ -6,8 +6,8 @@ use crate::bridge::pair::ONE;
 use crate::bytes::Bytes;
 use crate::definition::{Family, Projectors};
 use crate::oracle::chain::fx;
-use pinhole::ProjectionError;
-use ProjectionError as E;
+use pinhole::CameraError;
+use CameraError as E;
 
 /// Limits that are computed with 30 bits are left out so near to them.
 const NEAR: f64 = 1e-6;

@@ -4,7 +4,7 @@ use crate::bridge::pair::{ViewBits, ONE};
 use crate::bridge::{point, scalar, vector};
 use crate::bytes::Bytes;
 use crate::oracle::chain::{cross_exact, length, M3};
-use pinhole::{ViewTransform, ViewTransformError};
+use pinhole::{CameraError, ViewTransform};
 
 /// A vector of any kind: wild, on the lattice of whole units, or nearly along another.
 pub(crate) fn triple(b: &mut Bytes<'_>, other: [i32; 3]) -> [i32; 3] {
@@ -58,19 +58,19 @@ fn reals(view: &ViewTransform) -> M3 {
 }
 
 /// The three constructors must return `got`, whose rows are the exact ones.
-fn same(got: Result<ViewTransform, ViewTransformError>, view: ViewBits) {
+fn same(got: Result<ViewTransform, CameraError>, view: ViewBits) {
     let (n, up) = directions(view);
     if n == [0; 3] {
-        return assert_eq!(got.err(), Some(ViewTransformError::ZeroDirection));
+        return assert_eq!(got.err(), Some(CameraError::ZeroDirection));
     }
     if up == [0; 3] {
-        return assert_eq!(got.err(), Some(ViewTransformError::ZeroUp));
+        return assert_eq!(got.err(), Some(CameraError::ZeroUp));
     }
     // Within 2⁻¹² rad, less a thousandth for the rounding of unit vectors in 2⁻³⁰.
     let (sine, bound) = (sine(view), 2f64.powi(-12).sin());
     match got {
         Err(error) => {
-            assert_eq!(error, ViewTransformError::ParallelUp);
+            assert_eq!(error, CameraError::ParallelUp);
             assert!(sine < bound * 1.001, "{sine}: {view:?}");
         }
         Ok(got) => {
@@ -101,7 +101,7 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
         || y == z
         || (z == x && got != ViewTransform::dimetric(point(vrp), scalar(vpn[0]), scalar(vpn[1])));
     if [x, y, z].contains(&0) || pairs {
-        assert_eq!(got.err(), Some(ViewTransformError::NotAxonometric), "{vpn:?}");
+        assert_eq!(got.err(), Some(CameraError::NotAxonometric), "{vpn:?}");
     } else {
         same(got, ViewBits::Reference(vrp, vpn, [0, ONE, 0]));
     }

@@ -1,6 +1,7 @@
 //! Projections given as a 4 × 4 matrix.
 
-use super::{Projection, ProjectionError};
+use super::Projection;
+use crate::camera::CameraError;
 use crate::math::float::{coefficients, mantissa_and_exponent, row_from_f64};
 
 /// `a·s + b·t`. Constant indices need no bounds checks, even where the function is not inlined.
@@ -34,11 +35,11 @@ impl Projection {
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::Matrix`] names a row that has a number that is NaN, infinite or more than 2³² times the largest of the
+    /// [`CameraError::Matrix`] names a row that has a number that is NaN, infinite or more than 2³² times the largest of the
     /// other rows, or row w if all its numbers are 0.
     ///
     /// ```
-    /// use pinhole::{space::View, Point3, Projection, ProjectionError};
+    /// use pinhole::{space::View, Point3, Projection, CameraError};
     /// // A reverse perspective, in which distant objects are larger: w = 1 + z/8.
     /// let reverse =
     ///     [[0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, -0.25, -1.0], [0.0, 0.0, 0.125, 1.0]];
@@ -46,16 +47,16 @@ impl Projection {
     /// let across = |z| lens.apply(Point3::<View>::from_ints(1, 0, z)).ndc().map(|ndc| ndc.x().to_f32());
     /// assert_eq!((across(0), across(-4)), (Some(0.5), Some(1.0)));
     /// assert_eq!(lens.to_matrix(), reverse.map(|row| row.map(|c| 0.5 * c))); // the same for any positive factor
-    /// # Ok::<(), ProjectionError>(())
+    /// # Ok::<(), CameraError>(())
     /// ```
-    pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, ProjectionError> {
+    pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, CameraError> {
         let rows = || matrix.iter().zip(NAMES);
         for (row, name) in rows() {
             let others = rows().filter(|&(_, other)| other != name);
             let others = others.fold(0.0, |most: f64, (other, _)| most.max(largest(other)));
             let is_in_range = largest(row) <= others * LARGEST_RATIO && (name != 'w' || largest(row) > 0.0);
             if !is_in_range || !row.iter().all(|v| v.is_finite()) {
-                return Err(ProjectionError::Matrix { row: name });
+                return Err(CameraError::Matrix { row: name });
             }
         }
         let linear = exponent(largest(&matrix.map(|[a, b, c, _]| largest(&[a, b, c]))));
@@ -71,7 +72,7 @@ impl Projection {
         let [x, y, z, w] = matrix;
         // d = (z + w)/2 in f64, exact or nearly so, so that it is rounded to 30 bits only once.
         let d = sum(z, 0.5, w, 0.5);
-        let stored = |row, name| row_from_f64(row, shift).ok_or(ProjectionError::Matrix { row: name });
+        let stored = |row, name| row_from_f64(row, shift).ok_or(CameraError::Matrix { row: name });
         Ok(Self { rows: [stored(x, 'x')?, stored(y, 'y')?, stored(&d, 'z')?, stored(w, 'w')?] })
     }
 

@@ -1,6 +1,5 @@
 //! Projections: from view space to clip space, for view volumes of all shapes.
 
-mod error;
 mod matrix;
 mod oblique;
 mod parts;
@@ -11,7 +10,6 @@ mod reference;
 mod volume;
 mod window;
 
-pub use error::ProjectionError;
 pub(super) use parts::ratio;
 pub use planar::PlanarProjection;
 pub use projection::Projection;

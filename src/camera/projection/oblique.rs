@@ -1,7 +1,8 @@
 //! Oblique parallel projections: faces parallel to the view plane keep their shape, the z axis recedes at an angle.
 
 use super::parts::{extent, ratio, row, ONE};
-use super::{Projection, ProjectionError, Window};
+use super::{Projection, Window};
+use crate::camera::CameraError;
 use crate::math::{Angle, Row, Scalar};
 
 impl Projection {
@@ -18,32 +19,32 @@ impl Projection {
     /// *Computer Graphics*, 2nd ed., section 6.1.2.)
     ///
     /// ```
-    /// use pinhole::{Angle, Projection, ProjectionError, Scalar, Window};
+    /// use pinhole::{Angle, Projection, CameraError, Scalar, Window};
     /// let two = Scalar::from_int(2);
     /// let window = Window { left: -two, right: two, bottom: -two, top: two };
     /// let half = Scalar::from_ratio(1, 2);
     /// let cabinet = Projection::oblique(window, -two, two, Angle::degrees(45), half)?;
     /// # let _ = cabinet;
-    /// # Ok::<(), ProjectionError>(())
+    /// # Ok::<(), CameraError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::EmptyWindow`], [`WindowTooSmall`](ProjectionError::WindowTooSmall),
-    /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar) and
-    /// [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
+    /// [`CameraError::EmptyWindow`], [`WindowTooSmall`](CameraError::WindowTooSmall),
+    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar) and
+    /// [`NearTooCloseToFar`](CameraError::NearTooCloseToFar).
     pub fn oblique(
         window: Window,
         near: Scalar,
         far: Scalar,
         angle: Angle,
         factor: Scalar,
-    ) -> Result<Self, ProjectionError> {
+    ) -> Result<Self, CameraError> {
         let straight = Self::orthographic(window, near, far)?;
         let (sine, cosine) = angle.sin_cos();
         let [x, y, d, w] = straight.rows;
         let slanted = |straight: Row, part: i32, low: Scalar, high: Scalar| {
-            let extent = extent(low, high).ok_or(ProjectionError::EmptyWindow)?;
+            let extent = extent(low, high).ok_or(CameraError::EmptyWindow)?;
             // The slope −2·factor·part/extent: factor (32 bits) and extent (33 bits) in 2⁻¹⁶, part (31 bits) in 2⁻³⁰.
             let (m, e) = ratio(-i64::from(factor.to_bits()) * i64::from(part), extent);
             let slope = row(2, (m, e - 29), 0);

@@ -1,7 +1,8 @@
 //! Planar geometric projections: points to points of a plane, without depth.
 
 use super::parts::{extent, ratio, row, ONE};
-use super::{Projection, ProjectionError, Window};
+use super::{Projection, Window};
+use crate::camera::CameraError;
 use crate::math::num::{scale, shift_to_fit, sqrt, SATURATED};
 use crate::math::{homogeneous, to_scalar, Point3, Row, Scalar, Vector3};
 use crate::space::View;
@@ -13,10 +14,10 @@ use crate::space::View;
 /// picture, [`Projection::from_planar`] adds a window and a depth.
 ///
 /// ```
-/// use pinhole::{PlanarProjection, Point3, ProjectionError, Scalar, space::View};
+/// use pinhole::{PlanarProjection, Point3, CameraError, Scalar, space::View};
 /// let onto_5 = PlanarProjection::eye_at_origin(Scalar::from_int(5))?;
 /// assert_eq!(onto_5.apply(Point3::<View>::from_ints(2, 4, 10)), Some(Point3::from_ints(1, 2, 5)));
-/// # Ok::<(), ProjectionError>(())
+/// # Ok::<(), CameraError>(())
 /// ```
 ///
 /// (Carlbom and Paciorek, *Planar geometric projections and viewing transformations*, 1978;
@@ -53,8 +54,8 @@ impl PlanarProjection {
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::NoViewPlane`] for d = 0.
-    pub fn eye_at_origin(d: Scalar) -> Result<Self, ProjectionError> {
+    /// [`CameraError::NoViewPlane`] for d = 0.
+    pub fn eye_at_origin(d: Scalar) -> Result<Self, CameraError> {
         Ok(Self { rows: [X, Y, Z, by(d, 0)?] })
     }
 
@@ -71,8 +72,8 @@ impl PlanarProjection {
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::NoViewPlane`] for d = 0.
-    pub fn origin_in_plane(d: Scalar) -> Result<Self, ProjectionError> {
+    /// [`CameraError::NoViewPlane`] for d = 0.
+    pub fn origin_in_plane(d: Scalar) -> Result<Self, CameraError> {
         Ok(Self { rows: [X, Y, Row::ZERO, by(d, 1 << 32)?] })
     }
 
@@ -104,16 +105,16 @@ impl PlanarProjection {
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::NoViewPlane`] if the direction is parallel to the plane or the distance is zero,
-    /// [`OutOfRange`](ProjectionError::OutOfRange) if a constant of the matrix is beyond ±2³⁰.
+    /// [`CameraError::NoViewPlane`] if the direction is parallel to the plane or the distance is zero,
+    /// [`OutOfRange`](CameraError::OutOfRange) if a constant of the matrix is beyond ±2³⁰.
     pub fn general(
         z_p: Scalar,
         distance: Option<Scalar>,
         direction: Vector3<View>,
-    ) -> Result<Self, ProjectionError> {
+    ) -> Result<Self, CameraError> {
         let [dx, dy, dz] = direction.bits().map(i64::from);
         if dz == 0 || distance == Some(Scalar::ZERO) {
-            return Err(ProjectionError::NoViewPlane);
+            return Err(CameraError::NoViewPlane);
         }
         // In 2⁻³².
         let z_p = i64::from(z_p.to_bits()) << 16;
@@ -135,7 +136,7 @@ impl PlanarProjection {
                 let length = i64::from(sqrt(square)); // 2³⁰ … 2³¹·⁸
                 let product = i64::from(distance.to_bits()) * scale(dz, up); // 2³¹ · 2³¹
                 if product == 0 {
-                    return Err(ProjectionError::NoViewPlane);
+                    return Err(CameraError::NoViewPlane);
                 }
                 let (m, e) = ratio(length << 16, product.unsigned_abs());
                 let slope = (if product < 0 { m } else { -m }, e);
@@ -146,7 +147,7 @@ impl PlanarProjection {
         };
         let rows = [x, y, z, w];
         if rows.iter().any(|row| row.offset.abs() >= SATURATED) {
-            return Err(ProjectionError::OutOfRange);
+            return Err(CameraError::OutOfRange);
         }
         Ok(Self { rows })
     }
@@ -176,10 +177,10 @@ impl PlanarProjection {
 }
 
 /// The row z/d + offset.
-fn by(d: Scalar, offset: i64) -> Result<Row, ProjectionError> {
+fn by(d: Scalar, offset: i64) -> Result<Row, CameraError> {
     let d = i64::from(d.to_bits());
     if d == 0 {
-        return Err(ProjectionError::NoViewPlane);
+        return Err(CameraError::NoViewPlane);
     }
     Ok(row(2, ratio(d.signum() << 16, d.unsigned_abs()), offset))
 }
@@ -195,57 +196,57 @@ impl Projection {
     /// screen, `d = (w at far)/(far − near) · (−z − near)`.
     ///
     /// ```
-    /// use pinhole::{PlanarProjection, Projection, ProjectionError, Scalar, Vector3, Window};
+    /// use pinhole::{PlanarProjection, Projection, CameraError, Scalar, Vector3, Window};
     /// let [one, two] = [1, 2].map(Scalar::from_int);
     /// let window = Window { left: -two, right: two, bottom: -two, top: two };
     /// // Parallel, along (0, -1, 1): shapes parallel to the plane z = 0 are preserved.
     /// let planar = PlanarProjection::general(Scalar::ZERO, None, Vector3::from_ints(0, -1, 1))?;
     /// let lens = Projection::from_planar(&planar, window, -one, two)?;
     /// # let _ = lens;
-    /// # Ok::<(), ProjectionError>(())
+    /// # Ok::<(), CameraError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::EmptyWindow`], [`WindowTooSmall`](ProjectionError::WindowTooSmall),
-    /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar),
-    /// [`NearNotPositive`](ProjectionError::NearNotPositive) where near or far lies behind the
-    /// centre of projection, [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar), and
-    /// [`OutOfRange`](ProjectionError::OutOfRange) where w at the far plane passes 2³⁰.
+    /// [`CameraError::EmptyWindow`], [`WindowTooSmall`](CameraError::WindowTooSmall),
+    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar),
+    /// [`NearNotPositive`](CameraError::NearNotPositive) where near or far lies behind the
+    /// centre of projection, [`NearTooCloseToFar`](CameraError::NearTooCloseToFar), and
+    /// [`OutOfRange`](CameraError::OutOfRange) where w at the far plane passes 2³⁰.
     pub fn from_planar(
         planar: &PlanarProjection,
         window: Window,
         near: Scalar,
         far: Scalar,
-    ) -> Result<Self, ProjectionError> {
+    ) -> Result<Self, CameraError> {
         let [x, y, _, w] = &planar.rows;
         let form = |image: &Row, low: Scalar, high: Scalar| {
-            let extent = extent(low, high).ok_or(ProjectionError::EmptyWindow)?;
+            let extent = extent(low, high).ok_or(CameraError::EmptyWindow)?;
             let sum = i64::from(low.to_bits()) + i64::from(high.to_bits());
             let (a, b) = (ratio(2 << 16, extent), ratio(-sum, extent));
             let row = image.linear_combination(a, w, b);
             // Each term is tested, not only the sum: a saturated term may cancel with the other one.
             if [row, image.times(a), w.times(b)].iter().any(|row| row.offset.abs() >= SATURATED) {
-                return Err(ProjectionError::WindowTooSmall);
+                return Err(CameraError::WindowTooSmall);
             }
             Ok(row)
         };
         let x = form(x, window.left, window.right)?;
         let y = form(y, window.bottom, window.top)?;
-        let depth = extent(near, far).ok_or(ProjectionError::NearNotBeforeFar)?;
+        let depth = extent(near, far).ok_or(CameraError::NearNotBeforeFar)?;
         let w_at = |distance: Scalar| w.apply(&[0, 0, -(i64::from(distance.to_bits()) << 16)]);
         if w_at(near) <= 0 || w_at(far) <= 0 {
-            return Err(ProjectionError::NearNotPositive);
+            return Err(CameraError::NearNotPositive);
         }
         if w_at(far) >= SATURATED {
-            return Err(ProjectionError::OutOfRange);
+            return Err(CameraError::OutOfRange);
         }
         // κ = w(far)/(far − near): 2⁻³² over 2⁻¹⁶.
         let (m, e) = ratio(w_at(far), depth);
         let near = Row { offset: -(i64::from(near.to_bits()) << 16), ..row(2, (-1, 0), 0) };
         let d = near.times((m, e - 16));
         if d.offset.abs() >= SATURATED {
-            return Err(ProjectionError::NearTooCloseToFar);
+            return Err(CameraError::NearTooCloseToFar);
         }
         Ok(Self { rows: [x, y, d, *w] })
     }

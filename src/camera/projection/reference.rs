@@ -1,7 +1,8 @@
 //! View volumes by projection reference point and window.
 
 use super::parts::{extent, offset, ratio, row, ONE};
-use super::{Projection, ProjectionError, Window};
+use super::{Projection, Window};
+use crate::camera::CameraError;
 use crate::math::num::{mul_translation, scale, SATURATED};
 use crate::math::{homogeneous, to_scalar, Point3, Row, Scalar};
 use crate::space::{Canonical, View};
@@ -21,7 +22,7 @@ use crate::space::{Canonical, View};
 /// ed., sections 6.2 and 6.5.)
 ///
 /// ```
-/// use pinhole::{Point3, Projection, ProjectionError, ReferenceVolume, Scalar, Window};
+/// use pinhole::{Point3, Projection, CameraError, ReferenceVolume, Scalar, Window};
 /// let number = |v| Scalar::from_f32(v).unwrap();
 /// let window = Window { left: number(-1.0), right: number(3.0), bottom: number(-1.0), top: number(3.0) };
 /// let prp = Point3::from_f32(0.5, 0.5, 1.0).unwrap();
@@ -30,7 +31,7 @@ use crate::space::{Canonical, View};
 /// let corner = volume.normalise(Point3::from_ints(3, -1, 0));
 /// assert_eq!((corner.x(), corner.y()), (-corner.z(), corner.z()));
 /// let _ = Projection::from_reference(&volume);
-/// # Ok::<(), ProjectionError>(())
+/// # Ok::<(), CameraError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ReferenceVolume {
@@ -57,27 +58,27 @@ impl ReferenceVolume {
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::ReferenceBehindPlane`], [`EmptyWindow`](ProjectionError::EmptyWindow),
-    /// [`WindowTooSmall`](ProjectionError::WindowTooSmall),
-    /// [`NearNotPositive`](ProjectionError::NearNotPositive) where front is not before the PRP,
-    /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar) and
-    /// [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
+    /// [`CameraError::ReferenceBehindPlane`], [`EmptyWindow`](CameraError::EmptyWindow),
+    /// [`WindowTooSmall`](CameraError::WindowTooSmall),
+    /// [`NearNotPositive`](CameraError::NearNotPositive) where front is not before the PRP,
+    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar) and
+    /// [`NearTooCloseToFar`](CameraError::NearTooCloseToFar).
     pub fn perspective(
         prp: Point3<View>,
         window: Window,
         front: Scalar,
         back: Scalar,
-    ) -> Result<Self, ProjectionError> {
+    ) -> Result<Self, CameraError> {
         let pn = before_plane(prp)?;
-        let to_front = extent(front, prp.z()).ok_or(ProjectionError::NearNotPositive)?;
-        let depth = extent(back, front).ok_or(ProjectionError::NearNotBeforeFar)?;
+        let to_front = extent(front, prp.z()).ok_or(CameraError::NearNotPositive)?;
+        let depth = extent(back, front).ok_or(CameraError::NearNotBeforeFar)?;
         // 34 bits.
         let to_back = depth + to_front;
         // 2·pn/extent brings the window's border to 45°.
         let [x, y] = sides(prp, window, |extent| ratio(2 * pn, extent))?;
         let z = row(2, (1, 0), -(pn << 16));
         if offset(to_front as i64, depth).is_none() {
-            return Err(ProjectionError::NearTooCloseToFar);
+            return Err(CameraError::NearTooCloseToFar);
         }
         let kind = Kind::Perspective { front: front.to_bits(), to_front, to_back };
         Ok(Self { rows: [x, y, z], kind })
@@ -94,13 +95,13 @@ impl ReferenceVolume {
         window: Window,
         front: Scalar,
         back: Scalar,
-    ) -> Result<Self, ProjectionError> {
+    ) -> Result<Self, CameraError> {
         before_plane(prp)?;
-        let depth = extent(back, front).ok_or(ProjectionError::NearNotBeforeFar)?;
+        let depth = extent(back, front).ok_or(CameraError::NearNotBeforeFar)?;
         let [x, y] = sides(prp, window, |extent| ratio(2 << 16, extent))?;
         let z = row(2, (1, 0), -(i64::from(front.to_bits()) << 16)).times(ratio(1 << 16, depth));
         if offset(i64::from(front.to_bits()), depth).is_none() {
-            return Err(ProjectionError::NearTooCloseToFar);
+            return Err(CameraError::NearTooCloseToFar);
         }
         Ok(Self { rows: [x, y, z], kind: Kind::Parallel })
     }
@@ -134,10 +135,10 @@ impl ReferenceVolume {
 }
 
 /// The PRP's distance from the view plane, in 2⁻¹⁶.
-fn before_plane(prp: Point3<View>) -> Result<i64, ProjectionError> {
+fn before_plane(prp: Point3<View>) -> Result<i64, CameraError> {
     let pn = i64::from(prp.z().to_bits());
     if pn <= 0 {
-        return Err(ProjectionError::ReferenceBehindPlane);
+        return Err(CameraError::ReferenceBehindPlane);
     }
     Ok(pn)
 }
@@ -147,7 +148,7 @@ fn sides(
     prp: Point3<View>,
     window: Window,
     factor: impl Fn(u64) -> (i64, i32),
-) -> Result<[Row; 2], ProjectionError> {
+) -> Result<[Row; 2], CameraError> {
     let [px, py, pn] = prp.bits().map(i64::from);
     let form = |axis: usize, p: i64, low: Scalar, high: Scalar| {
         let (sheared, extent) = sheared(axis, p, pn, low, high)?;
@@ -158,8 +159,8 @@ fn sides(
 
 /// `axis + n·(centre − p)/pn − centre`, which is 0 on the volume's centre line and a translation in the view plane; and the
 /// window's extent.
-fn sheared(axis: usize, p: i64, pn: i64, low: Scalar, high: Scalar) -> Result<(Row, u64), ProjectionError> {
-    let extent = extent(low, high).ok_or(ProjectionError::EmptyWindow)?;
+fn sheared(axis: usize, p: i64, pn: i64, low: Scalar, high: Scalar) -> Result<(Row, u64), CameraError> {
+    let extent = extent(low, high).ok_or(CameraError::EmptyWindow)?;
     let sum = i64::from(low.to_bits()) + i64::from(high.to_bits()); // twice the centre
     let slope = ratio(sum - 2 * p, 2 * pn.unsigned_abs());
     let straight = row(axis, (1, 0), -(sum << 15));
@@ -167,9 +168,9 @@ fn sheared(axis: usize, p: i64, pn: i64, low: Scalar, high: Scalar) -> Result<(R
 }
 
 /// The row; an error if its constant is saturated.
-fn unsaturated(row: Row) -> Result<Row, ProjectionError> {
+fn unsaturated(row: Row) -> Result<Row, CameraError> {
     if row.offset.abs() >= SATURATED {
-        return Err(ProjectionError::WindowTooSmall);
+        return Err(CameraError::WindowTooSmall);
     }
     Ok(row)
 }

@@ -1,7 +1,8 @@
 //! View volumes along −z: frustums (perspective) and boxes (orthographic).
 
 use super::parts::{extent, offset, ratio, row};
-use super::{Projection, ProjectionError, Window};
+use super::{Projection, Window};
+use crate::camera::CameraError;
 use crate::math::num::scale;
 use crate::math::{Angle, Row, Scalar};
 use embedded_graphics_core::geometry::Size;
@@ -24,32 +25,32 @@ impl Projection {
     ///
     /// ```
     /// use embedded_graphics::geometry::Size;
-    /// use pinhole::{Angle, Projection, ProjectionError, Scalar};
+    /// use pinhole::{Angle, Projection, CameraError, Scalar};
     /// let (near, far) = (Scalar::from_int(1), Scalar::from_int(20));
     /// let _ = Projection::perspective(Angle::degrees(60), Size::new(240, 240), near, far)?;
     /// let flat = Projection::perspective(Angle::degrees(180), Size::new(240, 240), near, far);
-    /// assert_eq!(flat, Err(ProjectionError::FieldOfView));
-    /// # Ok::<(), ProjectionError>(())
+    /// assert_eq!(flat, Err(CameraError::FieldOfView));
+    /// # Ok::<(), CameraError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::FieldOfView`], [`EmptyAspect`](ProjectionError::EmptyAspect),
-    /// [`NearNotPositive`](ProjectionError::NearNotPositive),
-    /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar) and
-    /// [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
+    /// [`CameraError::FieldOfView`], [`EmptyAspect`](CameraError::EmptyAspect),
+    /// [`NearNotPositive`](CameraError::NearNotPositive),
+    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar) and
+    /// [`NearTooCloseToFar`](CameraError::NearTooCloseToFar).
     #[inline(never)] // set-up: code size counts, speed does not
     pub const fn perspective(
         fov_y: Angle,
         aspect: Size,
         near: Scalar,
         far: Scalar,
-    ) -> Result<Self, ProjectionError> {
+    ) -> Result<Self, CameraError> {
         if !Self::is_field_of_view(fov_y) {
-            return Err(ProjectionError::FieldOfView);
+            return Err(CameraError::FieldOfView);
         }
         if aspect.width == 0 || aspect.height == 0 {
-            return Err(ProjectionError::EmptyAspect);
+            return Err(CameraError::EmptyAspect);
         }
         let (sine, cosine) = Angle::from_bits(fov_y.bits() / 2).sin_cos();
         // Half angles of 1/8192 … 2047/8192 turn: both positive, 30 bits; times 32-bit sides.
@@ -71,7 +72,7 @@ impl Projection {
         aspect: Size,
         near: Scalar,
         far: Scalar,
-    ) -> Result<Self, ProjectionError> {
+    ) -> Result<Self, CameraError> {
         let (sine, cosine) = Angle::from_bits(field_of_view.bits() / 2).sin_cos();
         let (sine, cosine) = (sine as u64, cosine as i64); // positive, 30 bits
         let Size { width, height } = aspect; // a viewport's, so at most 2¹⁴
@@ -96,26 +97,26 @@ impl Projection {
     /// (OpenGL 1.x, `glFrustum`; *OpenGL Programming Guide*, appendix on homogeneous coordinates.)
     ///
     /// ```
-    /// use pinhole::{space::View, Point3, Projection, ProjectionError, Scalar, Window};
+    /// use pinhole::{space::View, Point3, Projection, CameraError, Scalar, Window};
     /// let [zero, one, two] = [0, 1, 2].map(Scalar::from_int);
     /// // The right half of a picture, for the second of two displays.
     /// let right = Window { left: zero, right: one, bottom: -one, top: one };
     /// let lens = Projection::frustum(right, one, two)?;
     /// assert_eq!(lens.apply(Point3::<View>::from_ints(0, 0, -2)).ndc(), Some(Point3::from_ints(-1, 0, 1)));
     /// assert_eq!(lens.apply(Point3::<View>::from_ints(1, 0, -1)).ndc(), Some(Point3::from_ints(1, 0, -1)));
-    /// # Ok::<(), ProjectionError>(())
+    /// # Ok::<(), CameraError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::EmptyWindow`], [`NearNotPositive`](ProjectionError::NearNotPositive),
-    /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar) and
-    /// [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
-    pub const fn frustum(window: Window, near: Scalar, far: Scalar) -> Result<Self, ProjectionError> {
+    /// [`CameraError::EmptyWindow`], [`NearNotPositive`](CameraError::NearNotPositive),
+    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar) and
+    /// [`NearTooCloseToFar`](CameraError::NearTooCloseToFar).
+    pub const fn frustum(window: Window, near: Scalar, far: Scalar) -> Result<Self, CameraError> {
         let Window { left, right, bottom, top } = window;
         let (Some(x), Some(y)) = (Self::shear(0, left, right, near), Self::shear(1, bottom, top, near))
         else {
-            return Err(ProjectionError::EmptyWindow);
+            return Err(CameraError::EmptyWindow);
         };
         Self::by_distance(&x, &y, near, far)
     }
@@ -135,14 +136,14 @@ impl Projection {
 
     /// The rows d and w of a frustum: `d = (f·(−z) − f·n)/(f − n)`, `w = −z`.
     #[inline(never)] // set-up: code size counts, speed does not
-    const fn by_distance(x: &Row, y: &Row, near: Scalar, far: Scalar) -> Result<Self, ProjectionError> {
+    const fn by_distance(x: &Row, y: &Row, near: Scalar, far: Scalar) -> Result<Self, CameraError> {
         if near.to_bits() <= 0 {
-            return Err(ProjectionError::NearNotPositive);
+            return Err(CameraError::NearNotPositive);
         }
-        let Some(depth) = extent(near, far) else { return Err(ProjectionError::NearNotBeforeFar) };
+        let Some(depth) = extent(near, far) else { return Err(CameraError::NearNotBeforeFar) };
         let (n, f) = (near.to_bits() as i64, far.to_bits() as i64);
         let Some(at_eye) = offset(-n * f, depth << 16) else {
-            return Err(ProjectionError::NearTooCloseToFar);
+            return Err(CameraError::NearTooCloseToFar);
         };
         let d = row(2, ratio(-f, depth), at_eye);
         let w = row(2, (-1, 0), 0);
@@ -164,30 +165,30 @@ impl Projection {
     /// (OpenGL 1.x, `glOrtho`.)
     ///
     /// ```
-    /// use pinhole::{space::View, Point3, Projection, ProjectionError, Scalar, Window};
+    /// use pinhole::{space::View, Point3, Projection, CameraError, Scalar, Window};
     /// let [one, two, three] = [1, 2, 3].map(Scalar::from_int);
     /// let window = Window { left: -two, right: two, bottom: -one, top: one };
     /// let lens = Projection::orthographic(window, one, three)?;
     /// let ndc = |z| lens.apply(Point3::<View>::from_ints(1, 1, z)).ndc();
     /// assert_eq!(ndc(-1), Point3::from_f32(0.5, 1.0, -1.0).ok()); // on the near plane
     /// assert_eq!(ndc(-3), Point3::from_f32(0.5, 1.0, 1.0).ok()); // on the far plane: no smaller
-    /// # Ok::<(), ProjectionError>(())
+    /// # Ok::<(), CameraError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::EmptyWindow`], [`WindowTooSmall`](ProjectionError::WindowTooSmall),
-    /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar) and
-    /// [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
-    pub const fn orthographic(window: Window, near: Scalar, far: Scalar) -> Result<Self, ProjectionError> {
+    /// [`CameraError::EmptyWindow`], [`WindowTooSmall`](CameraError::WindowTooSmall),
+    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar) and
+    /// [`NearTooCloseToFar`](CameraError::NearTooCloseToFar).
+    pub const fn orthographic(window: Window, near: Scalar, far: Scalar) -> Result<Self, CameraError> {
         let Window { left, right, bottom, top } = window;
         let (x, y) = match (Self::centred(0, left, right), Self::centred(1, bottom, top)) {
             (Ok(x), Ok(y)) => (x, y),
             (Err(error), _) | (_, Err(error)) => return Err(error),
         };
-        let Some(depth) = extent(near, far) else { return Err(ProjectionError::NearNotBeforeFar) };
+        let Some(depth) = extent(near, far) else { return Err(CameraError::NearNotBeforeFar) };
         let Some(at_eye) = offset(-(near.to_bits() as i64), depth) else {
-            return Err(ProjectionError::NearTooCloseToFar);
+            return Err(CameraError::NearTooCloseToFar);
         };
         let d = row(2, ratio(-1 << 16, depth), at_eye);
         let w = Row { offset: 1 << 32, ..Row::ZERO };
@@ -195,10 +196,10 @@ impl Projection {
     }
 
     /// The row x or y of a box: `(2·x − (high + low))/(high − low)`.
-    const fn centred(axis: usize, low: Scalar, high: Scalar) -> Result<Row, ProjectionError> {
-        let Some(extent) = extent(low, high) else { return Err(ProjectionError::EmptyWindow) };
+    const fn centred(axis: usize, low: Scalar, high: Scalar) -> Result<Row, CameraError> {
+        let Some(extent) = extent(low, high) else { return Err(CameraError::EmptyWindow) };
         let sum = low.to_bits() as i64 + high.to_bits() as i64;
-        let Some(centre) = offset(-sum, extent) else { return Err(ProjectionError::WindowTooSmall) };
+        let Some(centre) = offset(-sum, extent) else { return Err(CameraError::WindowTooSmall) };
         Ok(row(axis, ratio(2 << 16, extent), centre))
     }
 }

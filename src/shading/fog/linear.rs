@@ -2,10 +2,8 @@
 
 use super::profile::{ExponentialFog, LinearFog, SquaredFog};
 use crate::math::Scalar;
+use crate::shading::LightError;
 use core::marker::PhantomData;
-
-/// The value of [`FogTable::LEAST_STEPS`](crate::FogTable::LEAST_STEPS).
-pub(super) const LEAST_STEPS: u16 = 8;
 
 /// Fog that begins at one distance from the camera, is full at another, and by default grows linearly in between. Its *factor* is the part of
 /// a colour that is still seen: all of it at `start` and nearer, none at `end` and beyond. (OpenGL 2.1 specification, section
@@ -24,13 +22,13 @@ pub(super) const LEAST_STEPS: u16 = 8;
 /// with a depth buffer 534 000 and 803 000; textured, with a depth buffer, 1 099 000 and 2 246 000.
 ///
 /// ```
-/// use pinhole::{Fog, FogError, Scalar};
+/// use pinhole::{Fog, LightError, Scalar};
 /// let [near, far] = [4, 20].map(Scalar::from_int);
 /// let fog = Fog::linear(near, far)?;
 /// assert_eq!([fog.start(), fog.end()], [near, far]);
 /// let error = Fog::linear(far, near).unwrap_err();
 /// assert_eq!(error.to_string(), "fog must begin before it is full: its start, 20, is not less than its end, 4");
-/// # Ok::<(), FogError>(())
+/// # Ok::<(), LightError>(())
 /// ```
 ///
 /// **Other profiles.** [`exponential`](Fog::exponential) and [`squared`](Fog::squared) fog exist by pixel only. The profile is
@@ -50,59 +48,14 @@ impl<P> Clone for Fog<P> {
 
 impl<P> Copy for Fog<P> {}
 
-/// Why fog cannot be set up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum FogError {
-    /// Fog would be full before it begins: `start` must be less than `end`.
-    EmptyRange {
-        /// The distance at which fog was to begin.
-        start: Scalar,
-        /// The distance at which it was to be full.
-        end: Scalar,
-    },
-    /// The projection's depth does not depend on the distance alone, which matrices can cause: use a
-    /// [`VertexFog`](crate::VertexFog), or a projection from another constructor.
-    SlantedDepth,
-    /// Too few steps of depth lie between the distances where the fog begins and where it is full: a
-    /// [`FogTable`](crate::FogTable) needs [`FogTable::LEAST_STEPS`](crate::FogTable::LEAST_STEPS). Move the near plane away from
-    /// the eye, or the fog's start and end apart.
-    TooFewSteps {
-        /// The steps of depth in the fog, rounded down.
-        steps: u16,
-    },
-}
-
-impl core::fmt::Display for FogError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::EmptyRange { start, end } => write!(
-                f,
-                "fog must begin before it is full: its start, {start}, is not less than its end, {end}"
-            ),
-            Self::SlantedDepth => f.write_str(
-                "this projection's depth does not depend on the distance alone: use VertexFog, or another projection",
-            ),
-            Self::TooFewSteps { steps } => write!(
-                f,
-                "the fog spans {steps} of 65535 steps of depth, but needs {}: move the near plane away from the eye, or the fog's start and end apart",
-                LEAST_STEPS
-            ),
-        }
-    }
-}
-
-impl core::error::Error for FogError {}
-
 impl Fog<LinearFog> {
     /// Fog between these distances, in world units. They may lie outside of the camera's near and far plane, and `start` may be
     /// negative: points there are behind the camera.
     ///
     /// # Errors
     ///
-    /// [`FogError::EmptyRange`] if `start` is not less than `end`.
-    pub const fn linear(start: Scalar, end: Scalar) -> Result<Self, FogError> {
+    /// [`LightError::EmptyFog`] if `start` is not less than `end`.
+    pub const fn linear(start: Scalar, end: Scalar) -> Result<Self, LightError> {
         Self::between(start, end)
     }
 }
@@ -124,8 +77,8 @@ impl Fog<ExponentialFog> {
     ///
     /// # Errors
     ///
-    /// [`FogError::EmptyRange`] if `start` is not less than `end`.
-    pub const fn exponential(start: Scalar, end: Scalar) -> Result<Self, FogError> {
+    /// [`LightError::EmptyFog`] if `start` is not less than `end`.
+    pub const fn exponential(start: Scalar, end: Scalar) -> Result<Self, LightError> {
         Self::between(start, end)
     }
 }
@@ -158,17 +111,17 @@ impl Fog<SquaredFog> {
     ///
     /// # Errors
     ///
-    /// [`FogError::EmptyRange`] if `start` is not less than `end`.
-    pub const fn squared(start: Scalar, end: Scalar) -> Result<Self, FogError> {
+    /// [`LightError::EmptyFog`] if `start` is not less than `end`.
+    pub const fn squared(start: Scalar, end: Scalar) -> Result<Self, LightError> {
         Self::between(start, end)
     }
 }
 
 impl<P> Fog<P> {
-    const fn between(start: Scalar, end: Scalar) -> Result<Self, FogError> {
+    const fn between(start: Scalar, end: Scalar) -> Result<Self, LightError> {
         match start.to_bits() < end.to_bits() {
             true => Ok(Self { start, end, profile: PhantomData }),
-            false => Err(FogError::EmptyRange { start, end }),
+            false => Err(LightError::EmptyFog { start, end }),
         }
     }
 

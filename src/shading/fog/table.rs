@@ -1,10 +1,11 @@
 //! The factor of fog as a table over the fog's own range of depth.
 
-use super::linear::{Fog, FogError, LEAST_STEPS};
+use super::linear::Fog;
 use super::profile::FogProfile;
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::raster::Gradient;
+use crate::shading::light_error::{LightError, LEAST_FOG_STEPS};
 
 /// The levels of fog besides none.
 pub(super) const LEVELS: usize = 32;
@@ -43,26 +44,26 @@ pub struct FogTable<C> {
 
 impl<C> FogTable<C> {
     /// The fewest steps of depth between the start and the end of fog.
-    pub const LEAST_STEPS: u16 = LEAST_STEPS;
+    pub const LEAST_STEPS: u16 = LEAST_FOG_STEPS;
 
     /// The table of a fog of this colour before this camera.
     ///
     /// # Errors
     ///
-    /// [`FogError::SlantedDepth`] if the projection's depth does not depend on the distance alone: only projections from matrices
-    /// have such depth. [`FogError::TooFewSteps`] if fewer than [`LEAST_STEPS`](Self::LEAST_STEPS) steps of depth lie between the
+    /// [`LightError::SlantedDepth`] if the projection's depth does not depend on the distance alone: only projections from matrices
+    /// have such depth. [`LightError::TooFewFogSteps`] if fewer than [`LEAST_STEPS`](Self::LEAST_STEPS) steps of depth lie between the
     /// start and the end of the fog, or in the part of it between the near and the far plane.
     #[inline(never)] // set-up: code size counts, speed does not
-    pub fn new<P: FogProfile>(fog: &Fog<P>, camera: &Camera, color: C) -> Result<Self, FogError> {
+    pub fn new<P: FogProfile>(fog: &Fog<P>, camera: &Camera, color: C) -> Result<Self, LightError> {
         let [start, end] = fog.range().map(i64::from);
-        let depth_at = |distance| camera.depth_at(distance).ok_or(FogError::SlantedDepth);
+        let depth_at = |distance| camera.depth_at(distance).ok_or(LightError::SlantedDepth);
         let (first, last) = (depth_at(start << 16)?, depth_at(end << 16)?);
         let steps = (last.saturating_sub(first) >> 16) as u16;
         // Fog that is full within a step of the near plane, or begins within a step of the far plane, needs no steps between its
         // levels.
         let (near, far) = (1 << 16, 65_534 << 16);
-        if steps < LEAST_STEPS && last > near && first < far {
-            return Err(FogError::TooFewSteps { steps });
+        if steps < LEAST_FOG_STEPS && last > near && first < far {
+            return Err(LightError::TooFewFogSteps { steps });
         }
         let mut bounds = [0; LEVELS + 2];
         let mut least = 0;

@@ -7,7 +7,7 @@ use crate::bridge::pair::window;
 use crate::bridge::{point, scalar, vector};
 use crate::oracle::chain::{self, fx, fx3, Viewport, V3};
 use embedded_graphics_core::geometry::Size;
-use pinhole::{Angle, PlanarProjection, Projection, ProjectionError, ReferenceVolume};
+use pinhole::{Angle, CameraError, PlanarProjection, Projection, ReferenceVolume};
 
 /// All lines that project: through one centre, or along one direction.
 #[derive(Clone, Copy, Debug)]
@@ -105,7 +105,7 @@ pub enum Family {
 }
 
 impl Family {
-    pub fn library(&self) -> Result<Projection, ProjectionError> {
+    pub fn library(&self) -> Result<Projection, CameraError> {
         let planar = |planar: PlanarProjection, w, n, f| {
             Projection::from_planar(&planar, window(w), scalar(n), scalar(f))
         };

@@ -14,14 +14,13 @@ use pinhole::clip::{self, Varying};
 use pinhole::raster::{Gradient, Pixel, ScreenPoint, Triangle};
 use pinhole::space::{Canonical, Model, Ndc, View, World};
 use pinhole::{
-    edge_faces, Affine, Angle, AxisError, Band, BlinnPhong, Camera, ClipPoint, Color, Coordinate,
-    DepthBuffer, DirectionalLight, DirtyRegions, FaceColors, Flat, Fog, Format, Frame, FramingError, Frustum,
-    Gouraud, Hierarchy, HierarchyError, InverseError, Lambert, LightError, Lights, Lit, LitPalette, Matcap,
-    MaterialError, MatrixError, Mesh, MeshBuffers, MeshError, MeshInstance, Node, NormalMatrix, NumberError,
-    Outcode, PlanarProjection, Point3, PointLight, ProjectError, Projected, Projection, ProjectionError,
-    Quaternion, QuaternionError, Ray, ReferenceVolume, RigidLambert, Scalar, ShadeTable, Side, Sphere,
-    SquaredFog, Statistics, StoredPixel, StripBuffers, TextureCoords, TransformedMesh, VanishingPoint,
-    Vector3, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, WithPlanes,
+    edge_faces, Affine, Angle, Band, BlinnPhong, Camera, CameraError, ClipPoint, Color, Coordinate,
+    DepthBuffer, DirectionalLight, DirtyRegions, FaceColors, Flat, Fog, Format, Frame, Frustum, Gouraud,
+    Hierarchy, Lambert, LightError, Lights, Lit, LitPalette, Matcap, MathError, Mesh, MeshBuffers, MeshError,
+    MeshInstance, Node, NormalMatrix, Outcode, PlanarProjection, Point3, PointLight, Projected, Projection,
+    Quaternion, Ray, ReferenceVolume, RigidLambert, Scalar, ShadeTable, Side, Sphere, SquaredFog, Statistics,
+    StoredPixel, StripBuffers, TextureCoords, TransformedMesh, VanishingPoint, Vector3, ViewTransform,
+    Viewport, Visibility, WithPlanes,
 };
 
 type Vertices = &'static [[i16; 3]];
@@ -62,9 +61,9 @@ entries! {
     entry_scalar_operators(a: Scalar, b: Scalar) -> [Scalar; 6] { [a + b, a - b, a * b, a / b, -a, a.abs()] }
     entry_scalar_assignments(a: &mut Scalar) { *a += scalar(); *a -= scalar(); *a *= scalar(); *a /= scalar() }
     entry_scalar_from(fixed: I16F16) -> [Scalar; 4] { [Scalar::from_int(any()), Scalar::from_ratio(any(), any()), Scalar::from(any() as i16), fixed.into()] }
-    entry_scalar_from_floats(single: f32, double: f64) -> [Result<Scalar, NumberError>; 2] { [Scalar::from_f32(single), Scalar::from_f64(double)] }
+    entry_scalar_from_floats(single: f32, double: f64) -> [Result<Scalar, MathError>; 2] { [Scalar::from_f32(single), Scalar::from_f64(double)] }
     entry_scalar_from_num(single: f32, double: f64) -> [Scalar; 2] { [Scalar::from_num(single), Scalar::from_num(double)] }
-    entry_scalar_from_text(text: &str) -> Result<Scalar, NumberError> { text.parse() }
+    entry_scalar_from_text(text: &str) -> Result<Scalar, MathError> { text.parse() }
     entry_scalar_to(a: Scalar) -> (f32, f64, I16F16) { (a.to_f32(), a.to_f64(), a.into()) }
     entry_angle(a: Angle, b: Angle) -> (i32, i32) { (a + b - -Angle::turns(any(), any() as u32) + Angle::degrees(any())).sin_cos() }
     entry_sin_cos(a: Angle) -> (Scalar, Scalar) { (a.sin(), a.cos()) }
@@ -78,7 +77,7 @@ entries! {
     entry_chain(a: &Affine<Model, World>, angle: Angle) -> Affine<Model, World> {
         a.scale_by(scalar()).rotate_x(angle).rotate_y(angle).rotate_z(angle).translate(vector())
     }
-    entry_framing(sphere: &Sphere, viewport: &Viewport, fov: Angle, yaw: Angle, pitch: Angle) -> Result<Camera, FramingError> {
+    entry_framing(sphere: &Sphere, viewport: &Viewport, fov: Angle, yaw: Angle, pitch: Angle) -> Result<Camera, CameraError> {
         Camera::framing(sphere, viewport, fov, yaw, pitch)
     }
     entry_buffer_lengths(mesh: &Mesh<'static>) -> [usize; 4] { [mesh.cache_len(), mesh.face_bins_len(), mesh.edge_bins_len(), pinhole::largest(&[any() as usize, any() as usize])] }
@@ -87,9 +86,9 @@ entries! {
     entry_screen_points(at: ScreenPoint, pixel: Pixel, x: i32, y: i32) -> (Point, Point, Option<Pixel>) {
         (at.into(), pixel.into(), Point::new(x, y).try_into().ok())
     }
-    entry_angle_f32(degrees: f32) -> Result<Angle, NumberError> { Angle::from_degrees_f32(degrees) }
-    entry_point_f32(x: f32, y: f32, z: f32) -> Result<Point3<World>, NumberError> { Point3::from_f32(x, y, z) }
-    entry_vector_f32(x: f32, y: f32, z: f32) -> Result<Vector3<World>, NumberError> { Vector3::from_f32(x, y, z) }
+    entry_angle_f32(degrees: f32) -> Result<Angle, MathError> { Angle::from_degrees_f32(degrees) }
+    entry_point_f32(x: f32, y: f32, z: f32) -> Result<Point3<World>, MathError> { Point3::from_f32(x, y, z) }
+    entry_vector_f32(x: f32, y: f32, z: f32) -> Result<Vector3<World>, MathError> { Vector3::from_f32(x, y, z) }
 
     entry_translation() -> Affine<Model, World> { Affine::translation(vector()) }
     entry_scale() -> Affine<Model, World> { Affine::scale(scalar()) }
@@ -100,16 +99,16 @@ entries! {
     entry_then(a: &Affine<Model, Model>, b: &Affine<Model, World>) -> Affine<Model, World> { a.then(b) }
     entry_apply(a: &Affine<Model, World>, p: Point3<Model>) -> Point3<World> { a.apply(p) }
 
-    entry_look_at() -> Result<ViewTransform, ViewTransformError> { ViewTransform::look_at(point(), point(), vector()) }
-    entry_look_along() -> Result<ViewTransform, ViewTransformError> { ViewTransform::look_along(point(), vector(), vector()) }
-    entry_from_reference() -> Result<ViewTransform, ViewTransformError> { ViewTransform::from_reference(point(), vector(), vector()) }
+    entry_look_at() -> Result<ViewTransform, CameraError> { ViewTransform::look_at(point(), point(), vector()) }
+    entry_look_along() -> Result<ViewTransform, CameraError> { ViewTransform::look_along(point(), vector(), vector()) }
+    entry_from_reference() -> Result<ViewTransform, CameraError> { ViewTransform::from_reference(point(), vector(), vector()) }
     entry_view(viewing: &ViewTransform) -> Point3<View> { viewing.apply(point()) }
-    entry_perspective(fov: Angle) -> Result<Projection, ProjectionError> { Projection::perspective(fov, size(), scalar(), scalar()) }
-    entry_frustum() -> Result<Projection, ProjectionError> { Projection::frustum(window(), scalar(), scalar()) }
-    entry_orthographic() -> Result<Projection, ProjectionError> { Projection::orthographic(window(), scalar(), scalar()) }
+    entry_perspective(fov: Angle) -> Result<Projection, CameraError> { Projection::perspective(fov, size(), scalar(), scalar()) }
+    entry_frustum() -> Result<Projection, CameraError> { Projection::frustum(window(), scalar(), scalar()) }
+    entry_orthographic() -> Result<Projection, CameraError> { Projection::orthographic(window(), scalar(), scalar()) }
     entry_clip(projection: &Projection, p: Point3<View>) -> ClipPoint { projection.apply(p) }
     entry_divide(p: &ClipPoint) -> Option<Point3<Ndc>> { p.ndc() }
-    entry_viewport() -> Result<Viewport, ViewportError> { Viewport::new(pixel(), size()) }
+    entry_viewport() -> Result<Viewport, CameraError> { Viewport::new(pixel(), size()) }
     entry_screen(viewport: &Viewport, p: Point3<Ndc>) -> ScreenPoint { viewport.apply(p) }
     entry_camera(a: &ViewTransform, b: &Projection, c: &Viewport) -> Camera { Camera::new(a, b, c).with_far_clip(any() == 0) }
 
@@ -138,11 +137,11 @@ entries! {
     entry_format(red: u32, green: u32, blue: u32) -> [Format; 4] { [Format::rgb(red, green, blue), Format::bgr(blue, green, red), Format::gray(red), Format::indexed(red, [any() as u8; 3])] }
     entry_format_of(format: Format, bits: u32) -> [Format; 2] { [format.padded_to(bits), format.in_bytes()] }
     entry_format_parts(format: Format) -> (u32, [u8; 3], bool) { (format.bits(), format.max(), format.is_gray()) }
-    entry_face_colors(p: &'static [[u8; 3]], f: &'static [u8]) -> Result<FaceColors<'static>, MaterialError> { FaceColors::new(p, f) }
+    entry_face_colors(p: &'static [[u8; 3]], f: &'static [u8]) -> Result<FaceColors<'static>, MeshError> { FaceColors::new(p, f) }
     entry_face_color(colors: &FaceColors<'static>, face: usize) -> (Rgb565, usize, usize) { (colors.color(face), colors.palette().len(), colors.faces().len()) }
-    entry_face_emission(colors: FaceColors<'static>, e: &'static [[u8; 3]]) -> Result<FaceColors<'static>, MaterialError> { colors.with_emission(e) }
+    entry_face_emission(colors: FaceColors<'static>, e: &'static [[u8; 3]]) -> Result<FaceColors<'static>, MeshError> { colors.with_emission(e) }
     entry_face_lit(colors: &FaceColors<'static>, face: usize, level: u16) -> (Rgb565, Gray8, usize) { (colors.lit(face, level), colors.emission(face), colors.emissions().len()) }
-    entry_texture_coords(c: &'static [[i16; 2]], f: Faces, exponent: i8) -> Result<TextureCoords<'static>, MaterialError> { TextureCoords::new(c, f, exponent) }
+    entry_texture_coords(c: &'static [[i16; 2]], f: Faces, exponent: i8) -> Result<TextureCoords<'static>, MeshError> { TextureCoords::new(c, f, exponent) }
     entry_texture_corners(t: &TextureCoords<'static>, face: usize) -> ([[i16; 2]; 3], usize, usize, i8) { (t.corners(face), t.coords().len(), t.faces().len(), t.exponent()) }
     entry_edges(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edges(e) }
     entry_edge_faces(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edge_faces(e) }
@@ -157,37 +156,37 @@ entries! {
     entry_wide_face_planes(mesh: &Mesh<'static, Scalar>) -> [i16; 9] { mesh.face_planes() }
     entry_vertex_normals(mesh: Mesh<'static>, n: Vertices) -> Result<Mesh<'static>, MeshError> { mesh.with_vertex_normals(n) }
 
-    entry_rotation(angle: Angle) -> Result<Affine<Model, World>, AxisError> { Affine::rotation(point(), vector(), angle) }
-    entry_quaternion() -> Result<Quaternion, QuaternionError> { Quaternion::new(scalar(), scalar(), scalar(), scalar()) }
-    entry_micromath(q: micromath::Quaternion) -> Result<Quaternion, QuaternionError> { q.try_into() }
+    entry_rotation(angle: Angle) -> Result<Affine<Model, World>, MathError> { Affine::rotation(point(), vector(), angle) }
+    entry_quaternion() -> Result<Quaternion, MathError> { Quaternion::new(scalar(), scalar(), scalar(), scalar()) }
+    entry_micromath(q: micromath::Quaternion) -> Result<Quaternion, MathError> { q.try_into() }
     entry_from_quaternion(q: Quaternion) -> Affine<Model, World> { Affine::from_quaternion(q) }
     entry_from_frame() -> Affine<Model, World> { Affine::from_frame(vector(), vector(), vector(), point()) }
-    entry_inverse(a: &Affine<Model, World>) -> Result<Affine<World, Model>, InverseError> { a.inverse() }
-    entry_rigid_inverse(a: &Affine<Model, World>) -> Result<Affine<World, Model>, InverseError> { a.rigid_inverse() }
+    entry_inverse(a: &Affine<Model, World>) -> Result<Affine<World, Model>, MathError> { a.inverse() }
+    entry_rigid_inverse(a: &Affine<Model, World>) -> Result<Affine<World, Model>, MathError> { a.rigid_inverse() }
     entry_normal(a: &Affine<Model, World>, n: [i16; 3]) -> [i16; 3] { a.normals().apply(n) }
 
     entry_multiview(side: Side) -> ViewTransform { ViewTransform::multiview(point(), side) }
     entry_isometric() -> ViewTransform { ViewTransform::isometric(point()) }
-    entry_dimetric() -> Result<ViewTransform, ViewTransformError> { ViewTransform::dimetric(point(), scalar(), scalar()) }
-    entry_trimetric() -> Result<ViewTransform, ViewTransformError> { ViewTransform::trimetric(point(), vector()) }
-    entry_view_matrix(m: &[[f64; 4]; 4]) -> Result<ViewTransform, ViewTransformError> { ViewTransform::from_matrix(m) }
-    entry_oblique(angle: Angle) -> Result<Projection, ProjectionError> { Projection::oblique(window(), scalar(), scalar(), angle, scalar()) }
-    entry_eye_at_origin() -> Result<PlanarProjection, ProjectionError> { PlanarProjection::eye_at_origin(scalar()) }
-    entry_origin_in_plane() -> Result<PlanarProjection, ProjectionError> { PlanarProjection::origin_in_plane(scalar()) }
-    entry_general(q: Option<Scalar>, d: Vector3<View>) -> Result<PlanarProjection, ProjectionError> { PlanarProjection::general(scalar(), q, d) }
+    entry_dimetric() -> Result<ViewTransform, CameraError> { ViewTransform::dimetric(point(), scalar(), scalar()) }
+    entry_trimetric() -> Result<ViewTransform, CameraError> { ViewTransform::trimetric(point(), vector()) }
+    entry_view_matrix(m: &[[f64; 4]; 4]) -> Result<ViewTransform, CameraError> { ViewTransform::from_matrix(m) }
+    entry_oblique(angle: Angle) -> Result<Projection, CameraError> { Projection::oblique(window(), scalar(), scalar(), angle, scalar()) }
+    entry_eye_at_origin() -> Result<PlanarProjection, CameraError> { PlanarProjection::eye_at_origin(scalar()) }
+    entry_origin_in_plane() -> Result<PlanarProjection, CameraError> { PlanarProjection::origin_in_plane(scalar()) }
+    entry_general(q: Option<Scalar>, d: Vector3<View>) -> Result<PlanarProjection, CameraError> { PlanarProjection::general(scalar(), q, d) }
     entry_planar(planar: &PlanarProjection) -> (Option<Point3<View>>, [Scalar; 4]) { (planar.apply(point()), planar.homogeneous(point())) }
-    entry_from_planar(planar: &PlanarProjection) -> Result<Projection, ProjectionError> { Projection::from_planar(planar, window(), scalar(), scalar()) }
-    entry_reference() -> Result<ReferenceVolume, ProjectionError> { ReferenceVolume::perspective(point(), window(), scalar(), scalar()) }
-    entry_reference_parallel() -> Result<ReferenceVolume, ProjectionError> { ReferenceVolume::parallel(point(), window(), scalar(), scalar()) }
+    entry_from_planar(planar: &PlanarProjection) -> Result<Projection, CameraError> { Projection::from_planar(planar, window(), scalar(), scalar()) }
+    entry_reference() -> Result<ReferenceVolume, CameraError> { ReferenceVolume::perspective(point(), window(), scalar(), scalar()) }
+    entry_reference_parallel() -> Result<ReferenceVolume, CameraError> { ReferenceVolume::parallel(point(), window(), scalar(), scalar()) }
     entry_normalise(volume: &ReferenceVolume) -> (Point3<Canonical>, Scalar) { (volume.normalise(point()), volume.z_min()) }
     entry_from_volume(volume: &ReferenceVolume) -> Projection { Projection::from_reference(volume) }
-    entry_affine_matrix(m: &[[f64; 4]; 4]) -> Result<Affine<Model, World>, MatrixError> { Affine::from_matrix(m) }
+    entry_affine_matrix(m: &[[f64; 4]; 4]) -> Result<Affine<Model, World>, MathError> { Affine::from_matrix(m) }
     entry_affine_to_matrix(a: &Affine<Model, World>) -> [[f64; 4]; 4] { a.to_matrix() }
     entry_view_to_matrix(v: &ViewTransform) -> [[f64; 4]; 4] { v.to_matrix() }
     entry_projection_to_matrix(p: &Projection) -> [[f64; 4]; 4] { p.to_matrix() }
-    entry_matrix(m: &[[f64; 4]; 4]) -> Result<Projection, ProjectionError> { Projection::from_matrix(m) }
+    entry_matrix(m: &[[f64; 4]; 4]) -> Result<Projection, CameraError> { Projection::from_matrix(m) }
 
-    entry_project(camera: &Camera) -> Result<Projected, ProjectError> { camera.project(point()) }
+    entry_project(camera: &Camera) -> Result<Projected, CameraError> { camera.project(point()) }
     entry_unproject(camera: &Camera, at: ScreenPoint, depth: u16) -> Option<Point3<World>> { camera.unproject(at, depth) }
     entry_ray(camera: &Camera, at: ScreenPoint) -> Option<Ray> { camera.ray(at) }
     entry_vanishing_points(camera: &Camera) -> [Option<VanishingPoint>; 3] { camera.vanishing_points() }
@@ -201,7 +200,7 @@ entries! {
     entry_outcode(p: &ClipPoint) -> Outcode { p.outcode() }
     entry_clip_line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> { clip::line(a, b) }
     entry_clip_triangle(corners: [clip::ClipVertex<3>; 3]) -> usize { black_box(clip::triangle(corners)).len() }
-    entry_hierarchy(nodes: &'static mut [Node]) -> Result<Hierarchy<'static>, HierarchyError> { Hierarchy::new(nodes) }
+    entry_hierarchy(nodes: &'static mut [Node]) -> Result<Hierarchy<'static>, MeshError> { Hierarchy::new(nodes) }
     entry_update(hierarchy: &mut Hierarchy<'static>) { hierarchy.update() }
     entry_set_local(hierarchy: &mut Hierarchy<'static>, local: Affine<Model, Model>) -> bool { hierarchy.set_local(any() as usize, local) }
 
@@ -210,7 +209,7 @@ entries! {
     entry_edge_faces_of_500(edges: &[[u16; 2]; 500], faces: &[[u16; 3]]) -> [[u16; 2]; 500] { edge_faces(edges, faces) }
 
     entry_vector_parts(v: Vector3<World>) -> [Scalar; 3] { [v.x(), v.y(), v.z()] }
-    entry_vector_micromath(v: micromath::vector::F32x3) -> Result<Vector3<World>, NumberError> { v.try_into() }
+    entry_vector_micromath(v: micromath::vector::F32x3) -> Result<Vector3<World>, MathError> { v.try_into() }
     entry_outcode_sets(a: Outcode, b: Outcode) -> (Outcode, Outcode, u8) { (a.and(b), a.or(b), a.bits()) }
     entry_translation_of_view(viewing: &ViewTransform) -> [i64; 3] { viewing.translation() }
     entry_viewport_parts(viewport: &Viewport) -> (Point, Size) { (viewport.top_left(), viewport.size()) }

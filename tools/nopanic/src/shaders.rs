@@ -13,9 +13,9 @@ use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
 use pinhole::space::{Model, World};
 use pinhole::{
-    Accuracy, Affine, BlendMode, Blended, Camera, Color, ColorKeyed, Coordinate, CornerValues, DepthBuffer,
-    DepthTested, Flat, Fog, FogError, FogTable, Fogged, Gives, Gouraud, HalfBlended, IndexKeyed,
-    IndexedTexels, LitPalette, LitTexels, Memory, Mesh, MeshInstance, Mixed, Painter, Picture, PictureError,
+    Accuracy, Affine, BlendMode, Blended, BufferError, Camera, Color, ColorKeyed, Coordinate, CornerValues,
+    DepthBuffer, DepthTested, Flat, Fog, FogTable, Fogged, Gives, Gouraud, HalfBlended, IndexKeyed,
+    IndexedTexels, LightError, LitPalette, LitTexels, Memory, Mesh, MeshInstance, Mixed, Painter, Picture,
     Pixels, PlacedSprites, Reads, Scalar, ScreenDoor, ScreenVertex, ShadeTable, Shader, SolidTexel,
     SpanShader, Sprite, SpriteFor, SpriteImage, SpriteSource, Target, TexelSlice, Texels, Texture,
     TextureError, Translucent, VertexFog, WithPlanes,
@@ -111,7 +111,7 @@ impl Faces<'_> {
     }
 }
 
-fn own(faces: &mut Faces<'_>) -> Result<(), PictureError> {
+fn own(faces: &mut Faces<'_>) -> Result<(), BufferError> {
     faces.draw(|_| shader());
     let Faces { by_planes, cache, cells, depths } = faces;
     report(by_planes.solid(|_| shader(), cache, &mut Pixels::<Rgb565, u16>::new(cells, area())?));
@@ -177,7 +177,7 @@ fn blend<C: Color>() {
     report(own.over(stored, any() as u16).to_bits());
 }
 
-fn fog(camera: &Camera) -> Result<FogTable<Rgb565>, FogError> {
+fn fog(camera: &Camera) -> Result<FogTable<Rgb565>, LightError> {
     let fog = Fog::linear(scalar(), scalar())?;
     let table = match any() {
         0 => FogTable::new(&fog, camera, color())?,
@@ -299,7 +299,7 @@ fn one_sprite<T: Target<Color = Rgb565>>(camera: &Camera, to: &mut T) {
     report(placed.bounds(square));
 }
 
-fn memory(cells: &mut [u16]) -> Result<(), PictureError> {
+fn memory(cells: &mut [u16]) -> Result<(), BufferError> {
     let mut memory = Memory::new(cells, area())?;
     let span = Span { x: any(), y: any(), width: any(), height: any() };
     memory.fill(span, any() as u16);
@@ -310,11 +310,11 @@ fn memory(cells: &mut [u16]) -> Result<(), PictureError> {
 }
 
 entries! {
-    entry_shader_of_own(faces: &mut Faces<'_>) -> Result<(), PictureError> { own(faces) }
+    entry_shader_of_own(faces: &mut Faces<'_>) -> Result<(), BufferError> { own(faces) }
     entry_painter_by_planes(painter: &mut Painter<Everything, 20, 20>, faces: &Faces<'_>) { report(painter.add(&faces.by_planes, |_| shader())) }
     entry_painter_depth_tested(painter: &mut Painter<DepthTested<HalfBlended<Rgb565>>, 20, 20>, faces: &mut Faces<'_>) -> Option<()> { painter_depth_tested(painter, faces) }
     entry_translucent(faces: &mut Faces<'_>) { translucent(faces) }
-    entry_memory_of_own(cells: &mut [u16]) -> Result<(), PictureError> { memory(cells) }
+    entry_memory_of_own(cells: &mut [u16]) -> Result<(), BufferError> { memory(cells) }
 
     entry_texture_of_known_size(faces: &mut Faces<'_>, texels: &Texels64) -> Result<(), TextureError> { faces.textured(texels) }
     entry_texture_of_any_size(faces: &mut Faces<'_>, texels: &[Rgb565]) -> Result<(), TextureError> { faces.textured(TexelSlice::new(texels, any() as usize, any() as usize)?) }
@@ -343,20 +343,20 @@ entries! {
     entry_blend_bgr666() { blend::<Bgr666>() }
     entry_blend_bgr888() { blend::<Bgr888>() }
 
-    entry_fog(camera: &Camera) -> Result<FogTable<Rgb565>, FogError> { fog(camera) }
+    entry_fog(camera: &Camera) -> Result<FogTable<Rgb565>, LightError> { fog(camera) }
     entry_vertex_fog(fog: &Fog, camera: &Camera, model: &Affine<Model, World>, vertices: &[[i16; 3]], factors: &mut [u16]) { vertex_fog(fog, camera, model, vertices, factors) }
     entry_fogged(faces: &mut Faces<'_>, table: &FogTable<Rgb565>, shades: &ShadeTable<Rgb565>) { fogged(faces, table, shades) }
     entry_color_in_fog() -> Flat { Flat::from(wide_color()).in_fog(wide_color(), any() as u16) }
     entry_tables_in_fog() -> (ShadeTable<Rgb565>, ShadeTable<Gray4>) { (ShadeTable::in_fog(wide_color(), wide_color()), ShadeTable::in_fog(wide_color(), wide_color())) }
     entry_palette_in_fog() -> LitPalette<Rgb565, 2, 32> { LitPalette::in_fog(&[wide_color(), wide_color()], wide_color()) }
 
-    entry_sprites_in_memory(camera: &Camera, mesh: &Mesh<'_>, model: &Affine<Model, World>, texels: &Texels64, fog: &FogTable<Rgb565>, cells: &mut [u16], depths: &mut [u16]) -> Result<(), PictureError> {
+    entry_sprites_in_memory(camera: &Camera, mesh: &Mesh<'_>, model: &Affine<Model, World>, texels: &Texels64, fog: &FogTable<Rgb565>, cells: &mut [u16], depths: &mut [u16]) -> Result<(), BufferError> {
         sprites_in_memory(Sprites(&camera.place_sprites(mesh, model), depths), texels, fog, &mut Pixels::<Rgb565, u16>::new(cells, area())?);
         Ok(())
     }
-    entry_sprites_in_a_picture(camera: &Camera, mesh: &Mesh<'_, Scalar>, model: &Affine<Model, World>, texels: &Texels64, pixels: &mut [Rgb565], depths: &mut [u16]) -> Result<(), PictureError> {
+    entry_sprites_in_a_picture(camera: &Camera, mesh: &Mesh<'_, Scalar>, model: &Affine<Model, World>, texels: &Texels64, pixels: &mut [Rgb565], depths: &mut [u16]) -> Result<(), BufferError> {
         sprites_in_picture(Sprites(&camera.place_sprites(mesh, model), depths), texels, &mut Picture::new(pixels, size())?);
         Ok(())
     }
-    entry_sprite(camera: &Camera, pixels: &mut [Rgb565]) -> Result<(), PictureError> { one_sprite(camera, &mut Picture::new(pixels, size())?); Ok(()) }
+    entry_sprite(camera: &Camera, pixels: &mut [Rgb565]) -> Result<(), BufferError> { one_sprite(camera, &mut Picture::new(pixels, size())?); Ok(()) }
 }

@@ -5,9 +5,7 @@ use crate::oracle::chain::{self, fx, M4};
 use crate::oracle::rng::Rng;
 use embedded_graphics_core::geometry::Size;
 use pinhole::space::{Model, World};
-use pinhole::{
-    Affine, Angle, Camera, Projection, ProjectionError, ViewTransform, ViewTransformError, Viewport, Window,
-};
+use pinhole::{Affine, Angle, Camera, CameraError, Projection, ViewTransform, Viewport, Window};
 
 /// One in I16F16.
 pub const ONE: i32 = 1 << 16;
@@ -34,7 +32,7 @@ pub enum ViewBits {
 }
 
 impl ViewBits {
-    pub fn library(self) -> Result<ViewTransform, ViewTransformError> {
+    pub fn library(self) -> Result<ViewTransform, CameraError> {
         match self {
             Self::LookAt(e, t, u) => ViewTransform::look_at(point(e), point(t), vector(u)),
             Self::LookAlong(e, g, u) => ViewTransform::look_along(point(e), vector(g), vector(u)),
@@ -66,7 +64,7 @@ pub fn window([left, right, bottom, top]: [i32; 4]) -> Window {
 }
 
 impl ProjectionBits {
-    pub fn library(self) -> Result<Projection, ProjectionError> {
+    pub fn library(self) -> Result<Projection, CameraError> {
         match self {
             Self::Perspective(fov, (w, h), n, f) => {
                 Projection::perspective(Angle::from_bits(fov), Size::new(w, h), scalar(n), scalar(f))

@@ -1,0 +1,132 @@
+//! Why memory that the caller gives is too small for what it is to hold.
+
+use embedded_graphics_core::geometry::Size;
+
+/// Why memory that the caller gives is too small for what it is to hold. After an error it holds nothing new.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum BufferError {
+    /// A buffer has fewer cells than the picture has pixels.
+    Picture {
+        /// Cells that the picture needs: one for each pixel.
+        needed: u64,
+        /// Cells in the buffer.
+        given: usize,
+    },
+    /// A buffer for depths has fewer elements than the area has pixels.
+    Depth {
+        /// Elements that the depth buffer needs: one for each pixel of the area.
+        needed: u64,
+        /// Elements in the buffer.
+        given: usize,
+    },
+    /// A strip is too short for one row.
+    Strip {
+        /// Bytes of a row: the least that a strip needs.
+        needed: usize,
+        /// Bytes of the strip.
+        given: usize,
+    },
+    /// The bin storage is too short: provide at least `needed` numbers.
+    Bins {
+        /// One number per visible face or edge, and one per 16 faces or edges of the mesh, rounded up; the latter alone for
+        /// the second cursor of a [fork](crate::BinnedFaces::fork).
+        needed: usize,
+        /// The length of the bin storage.
+        given: usize,
+    },
+    /// A mesh has more faces or edges than bins can count: split it.
+    TooManyItems {
+        /// The number of faces or edges. At most 65535 can be binned.
+        items: usize,
+    },
+    /// A painter has no room for the vertices: raise `VERTICES` (65536 at most). Every vertex of a mesh takes one, and every corner
+    /// of a clipped face's triangles.
+    PainterVertices {
+        /// The number of vertices with this mesh.
+        needed: usize,
+        /// The number of vertices for which there is room.
+        capacity: usize,
+    },
+    /// A painter has no room for the faces: raise `FACES` (65535 at most). Every visible face takes one, and every triangle of a
+    /// clipped face.
+    PainterFaces {
+        /// The number of faces with this mesh.
+        needed: usize,
+        /// The number of faces for which there is room.
+        capacity: usize,
+    },
+    /// A painter's stored faces belong to another viewport: draw them first, or use two painters.
+    OtherViewport,
+    /// A scene has no room for another object: raise `OBJECTS`.
+    Objects {
+        /// The number of objects for which there is room.
+        capacity: usize,
+    },
+}
+
+impl core::fmt::Display for BufferError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Picture { needed, given } => {
+                write!(
+                    f,
+                    "a picture of {needed} pixels needs a buffer of {needed} cells, but this one has {given}"
+                )
+            }
+            Self::Depth { needed, given } => {
+                write!(f, "a depth buffer of {needed} pixels needs a buffer of {needed} `u16`, but this one has {given}")
+            }
+            Self::Strip { needed, given } => {
+                write!(f, "a strip of {given} bytes has no room for a row: it needs {needed} bytes, or a multiple of that")
+            }
+            Self::Bins { needed, given } => {
+                write!(
+                    f,
+                    "bin storage of {given} numbers, but {needed} are needed: provide at least {needed}"
+                )
+            }
+            Self::TooManyItems { items } => {
+                write!(f, "{items} faces or edges, but bins hold at most 65535: split the mesh")
+            }
+            Self::PainterVertices { needed, capacity: 65_536 } => {
+                write!(
+                    f,
+                    "{needed} vertices, but a painter holds at most 65536: add fewer meshes, or smaller ones"
+                )
+            }
+            Self::PainterVertices { needed, capacity } => {
+                write!(f, "{needed} vertices, but the painter has room for {capacity}: raise VERTICES")
+            }
+            Self::PainterFaces { needed, capacity: 65_535 } => {
+                write!(
+                    f,
+                    "{needed} faces, but a painter holds at most 65535: add fewer meshes, or smaller ones"
+                )
+            }
+            Self::PainterFaces { needed, capacity } => {
+                write!(f, "{needed} faces, but the painter has room for {capacity}: raise FACES")
+            }
+            Self::OtherViewport => f.write_str("one painter draws into one viewport at a time: draw what it holds first, or use two painters"),
+            Self::Objects { capacity } => {
+                write!(f, "the scene has room for {capacity} objects: raise OBJECTS")
+            }
+        }
+    }
+}
+
+impl core::error::Error for BufferError {}
+
+impl BufferError {
+    /// Checks that `given` cells are enough for a picture of `size`.
+    #[inline(always)]
+    pub(super) fn check_picture(size: Size, given: usize) -> Result<(), Self> {
+        let needed = u64::from(size.width) * u64::from(size.height);
+        if needed <= given as u64 {
+            Ok(())
+        } else {
+            Err(Self::Picture { needed, given })
+        }
+    }
+}
