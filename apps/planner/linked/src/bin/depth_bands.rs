@@ -7,7 +7,7 @@ use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use linked::{coordinates, firmware, level, light, COLOR, LIT, UNIT};
 use pinhole::{
-    mesh_buffers, strip_buffers, Affine, Color, DepthBuffer, Flat, Frame, Gouraud, IndexedTexels,
+    mesh_buffers, strip_buffers, Affine, Color as _, DepthBuffer, Flat, Frame, Gouraud, IndexedTexels,
     MeshBuffers, StripBuffers, Texture,
 };
 

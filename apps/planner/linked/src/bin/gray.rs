@@ -7,7 +7,7 @@ use embedded_graphics_core::pixelcolor::{Gray4, GrayColor};
 use embedded_graphics_core::primitives::Rectangle;
 use linked::{coordinates, firmware, level, light, LIT, UNIT};
 use pinhole::{
-    mesh_buffers, strip_buffers, Affine, Color, DepthBuffer, Frame, Gouraud, IndexedTexels, MeshBuffers,
+    mesh_buffers, strip_buffers, Affine, Color as _, DepthBuffer, Frame, Gouraud, IndexedTexels, MeshBuffers,
     StripBuffers, Texture,
 };
 

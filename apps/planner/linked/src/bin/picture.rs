@@ -8,7 +8,7 @@ use embedded_graphics_core::geometry::OriginDimensions;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use linked::{firmware, level, light, COLOR};
-use pinhole::{Affine, Color, DepthBuffer, Picture, ScreenVertex};
+use pinhole::{Affine, Color as _, DepthBuffer, Picture, ScreenVertex};
 
 include!(concat!(env!("PLANNER_MODELS"), "/", env!("CARGO_BIN_NAME"), ".rs"));
 

@@ -6,7 +6,7 @@ use embedded_graphics_core::geometry::OriginDimensions;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use linked::{firmware, level, light, COLOR};
-use pinhole::{mesh_buffers, Affine, Color, Frame, MeshBuffers};
+use pinhole::{mesh_buffers, Affine, Color as _, Frame, MeshBuffers};
 
 include!(concat!(env!("PLANNER_MODELS"), "/", env!("CARGO_BIN_NAME"), ".rs"));
 
