@@ -2,20 +2,27 @@
 //! instructions of frames.
 //!
 //! The environment variable `PLANNER_MODELS` names a folder with one file per image, of the image's name. The file has the
-//! image's mesh and sizes: the constants `MODEL`, `WIDTH`, `HEIGHT`, `ROWS`, `SIDE` (in texels) and `SHADING`, and the type
-//! `Color` of the display's colours.
+//! image's mesh and sizes: the constants `MODEL`, `WIDTH`, `HEIGHT`, `ROWS`, `SIDE` (in texels) and `SHADING`, the type
+//! `Color` of the display's colours, and the constant `WHITE` of it.
 #![no_std]
 
 use bench::board::{println, Clock};
 use core::convert::Infallible;
-use core::hint::black_box;
 use core::marker::PhantomData;
-use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
-use embedded_graphics_core::pixelcolor::{PixelColor, Rgb565, Rgb888};
-use embedded_graphics_core::primitives::Rectangle;
+use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
 use embedded_graphics_core::Pixel;
-use pinhole::{Affine, Angle, Camera, Lambert, Mesh, Vector3, Viewport};
+
+// The names that the images use.
+pub use core::hint::black_box;
+pub use embedded_graphics_core::draw_target::DrawTarget;
+pub use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
+pub use embedded_graphics_core::pixelcolor::{BinaryColor, Rgb565, RgbColor};
+pub use embedded_graphics_core::primitives::Rectangle;
+pub use pinhole::{
+    mesh_buffers, strip_buffers, Affine, Angle, Camera, Color as _, DepthBuffer, Flat, Frame, Gouraud,
+    IndexedTexels, Lambert, Mesh, MeshBuffers, Painter, Picture, ScreenVertex, StripBuffers, Texture,
+    Vector3, Viewport,
+};
 
 /// The colour of the model.
 pub const COLOR: Rgb565 = Rgb565::new(31, 52, 14);
@@ -96,6 +103,11 @@ pub fn coordinates(mesh: &Mesh<'_>, face: usize) -> [[i16; 2]; 3] {
     })
 }
 
+/// All of a display, or of a picture.
+pub fn area(display: &impl OriginDimensions) -> Rectangle {
+    Rectangle::new(Point::zero(), display.size())
+}
+
 /// The exponent of the planner's own texture coordinates, which [`coordinates`] computes.
 pub const UNIT: i8 = -14;
 
@@ -103,10 +115,12 @@ pub const UNIT: i8 = -14;
 pub const TURNS: [i32; 2] = [0, 23];
 
 /// A firmware that draws a model in the directions of [`TURNS`] and prints a line `turn,instructions` for each. The arguments are
-/// the variables, each in a static of its own, and the function that draws a frame.
+/// the variables, each in a static of its own, and the function that draws a frame. The constants of the image's file are in scope.
 #[macro_export]
 macro_rules! firmware {
     (|$camera:ident, $turn:ident, $display:ident: $color:ty| $($name:ident: $type:ty = $start:expr,)* $body:block) => {
+        include!(concat!(env!("PLANNER_MODELS"), "/", env!("CARGO_BIN_NAME"), ".rs"));
+
         #[inline(never)]
         fn frame(
             $camera: &pinhole::Camera,

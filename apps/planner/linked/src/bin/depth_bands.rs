@@ -2,16 +2,7 @@
 #![no_std]
 #![no_main]
 
-use embedded_graphics_core::geometry::OriginDimensions;
-use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
-use embedded_graphics_core::primitives::Rectangle;
-use linked::{coordinates, firmware, level, light, COLOR, LIT, UNIT};
-use pinhole::{
-    mesh_buffers, strip_buffers, Affine, Color as _, DepthBuffer, Flat, Frame, Gouraud, IndexedTexels,
-    MeshBuffers, StripBuffers, Texture,
-};
-
-include!(concat!(env!("PLANNER_MODELS"), "/", env!("CARGO_BIN_NAME"), ".rs"));
+use linked::*;
 
 static TEXELS: [u8; SIDE * SIDE] = [1; SIDE * SIDE];
 static PALETTE: [Rgb565; 256] = [COLOR; 256];
@@ -24,7 +15,7 @@ firmware!(|camera, turn, display: Rgb565|
         let light = light(&model)?;
         let instance = camera.place(&MODEL, &model);
         let mut faces = instance.transform_depth(&mut mesh.cache).bin_faces(&mut mesh.bins).ok()?;
-        let mut frame = Frame::new(Rectangle::new(Default::default(), display.size()), Rgb565::BLACK);
+        let mut frame = Frame::new(area(display), Rgb565::BLACK);
         let level = |face| level(&MODEL, &light, face);
         let smooth = |face| {
             let normals = MODEL.corners_of(face, MODEL.vertex_normals());

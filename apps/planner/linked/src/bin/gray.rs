@@ -1,24 +1,15 @@
-//! Faces with depth in bands, on a display of 16 greys, in the shading that the image is named for.
+//! Faces with depth in bands, on a display of 16 greys or of one bit a pixel, in the shading that the image is named for.
 #![no_std]
 #![no_main]
 
-use embedded_graphics_core::geometry::OriginDimensions;
-use embedded_graphics_core::pixelcolor::{Gray4, GrayColor};
-use embedded_graphics_core::primitives::Rectangle;
-use linked::{coordinates, firmware, level, light, LIT, UNIT};
-use pinhole::{
-    mesh_buffers, strip_buffers, Affine, Color as _, DepthBuffer, Frame, Gouraud, IndexedTexels, MeshBuffers,
-    StripBuffers, Texture,
-};
-
-include!(concat!(env!("PLANNER_MODELS"), "/", env!("CARGO_BIN_NAME"), ".rs"));
+use linked::*;
 
 static TEXELS: [u8; SIDE * SIDE] = [1; SIDE * SIDE];
-static PALETTE: [Gray4; 256] = [Gray4::WHITE; 256];
+static PALETTE: [Color; 256] = [WHITE; 256];
 
-firmware!(|camera, turn, display: Gray4|
+firmware!(|camera, turn, display: Color|
     mesh: MeshBuffers!(MODEL) = mesh_buffers!(MODEL),
-    strip: StripBuffers!(Gray4, WIDTH, ROWS) = strip_buffers!(Gray4, WIDTH, ROWS),
+    strip: StripBuffers!(Color, WIDTH, ROWS) = strip_buffers!(Color, WIDTH, ROWS),
     {
         let model = Affine::rotation_y(turn);
         let light = light(&model)?;
@@ -31,13 +22,14 @@ firmware!(|camera, turn, display: Gray4|
         let texture = texture.with_exponent(UNIT).ok()?;
         let instance = camera.place(&MODEL, &model);
         let mut faces = instance.transform_depth(&mut mesh.cache).bin_faces(&mut mesh.bins).ok()?;
-        let mut frame = Frame::new(Rectangle::new(Default::default(), display.size()), Gray4::BLACK);
+        let mut frame = Frame::new(area(display), Color::from(BinaryColor::Off));
         while let Some(mut band) = frame.next_band(&mut strip.colors).ok()? {
             let mut depth = DepthBuffer::new(band.area(), &mut strip.depths).ok()?;
             let (depth, target) = (&mut depth, &mut band);
             let Ok(()) = match SHADING {
-                "flat" => faces.depth_tested(|face| Gray4::from(LIT).dim(level(face)), depth, target),
+                "flat" => faces.depth_tested(|face| Color::from(LIT).dim(level(face)), depth, target),
                 "smooth" => faces.depth_tested(smooth, depth, target),
+                "dithered" => faces.depth_tested(|face| Flat::lit(LIT, level(face)).dithered(), depth, target),
                 _ => {
                     let shade = |face| texture.at(coordinates(&MODEL, face)).lit([level(face); 3]);
                     faces.depth_tested(shade, depth, target)

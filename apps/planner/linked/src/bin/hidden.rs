@@ -2,13 +2,7 @@
 #![no_std]
 #![no_main]
 
-use embedded_graphics_core::geometry::OriginDimensions;
-use embedded_graphics_core::pixelcolor::BinaryColor;
-use embedded_graphics_core::primitives::Rectangle;
-use linked::firmware;
-use pinhole::{mesh_buffers, strip_buffers, Affine, DepthBuffer, Frame, MeshBuffers, StripBuffers};
-
-include!(concat!(env!("PLANNER_MODELS"), "/", env!("CARGO_BIN_NAME"), ".rs"));
+use linked::*;
 
 firmware!(|camera, turn, display: Color|
     mesh: MeshBuffers!(faces, edges: MODEL) = mesh_buffers!(faces, edges: MODEL),
@@ -18,7 +12,7 @@ firmware!(|camera, turn, display: Color|
         let transformed = instance.transform_depth(&mut mesh.cache);
         let mut faces = transformed.bin_faces(&mut mesh.bins).ok()?;
         let mut edges = transformed.bin_edges(&mut mesh.edge_bins).ok()?;
-        let mut frame = Frame::new(Rectangle::new(Default::default(), display.size()), Color::from(BinaryColor::Off));
+        let mut frame = Frame::new(area(display), Color::from(BinaryColor::Off));
         while let Some(mut band) = frame.next_band(&mut strip.colors).ok()? {
             let mut depth = DepthBuffer::new(band.area(), &mut strip.depths).ok()?;
             faces.depth_only(&mut depth);

@@ -2,15 +2,7 @@
 #![no_std]
 #![no_main]
 
-use core::hint::black_box;
-use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::OriginDimensions;
-use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
-use embedded_graphics_core::primitives::Rectangle;
-use linked::{firmware, level, light, COLOR};
-use pinhole::{Affine, Color as _, Frame, Painter, Picture};
-
-include!(concat!(env!("PLANNER_MODELS"), "/", env!("CARGO_BIN_NAME"), ".rs"));
+use linked::*;
 
 const IS_WHOLE: bool = ROWS == HEIGHT;
 const STRIP: usize = if IS_WHOLE { 0 } else { Frame::<Rgb565>::strip_bytes(WIDTH, ROWS) };
@@ -34,7 +26,7 @@ firmware!(|camera, turn, display: Rgb565|
             return Some(());
         }
         let order = painter.order();
-        let mut frame = Frame::new(Rectangle::new(Default::default(), display.size()), Rgb565::BLACK);
+        let mut frame = Frame::new(area(display), Rgb565::BLACK);
         while let Some(mut band) = frame.next_band(strip).ok()? {
             let Ok(()) = order.draw(&mut band.pixels());
             band.send(display).ok()?;

@@ -2,15 +2,7 @@
 #![no_std]
 #![no_main]
 
-use core::hint::black_box;
-use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::OriginDimensions;
-use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
-use embedded_graphics_core::primitives::Rectangle;
-use linked::{firmware, level, light, COLOR};
-use pinhole::{Affine, Color as _, DepthBuffer, Picture, ScreenVertex};
-
-include!(concat!(env!("PLANNER_MODELS"), "/", env!("CARGO_BIN_NAME"), ".rs"));
+use linked::*;
 
 const HAS_DEPTH: bool = matches!(SHADING.as_bytes(), b"depth");
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
@@ -29,7 +21,7 @@ firmware!(|camera, turn, display: Rgb565|
         let Ok(()) = picture.clear(Rgb565::BLACK);
         if HAS_DEPTH {
             let mut depth =
-                DepthBuffer::new(Rectangle::new(Default::default(), display.size()), depths).ok()?;
+                DepthBuffer::new(area(display), depths).ok()?;
             let Ok(_) = instance.depth_tested(shade, cache, &mut depth, &mut picture.pixels());
         } else {
             let Ok(_) = instance.solid(shade, cache, &mut picture.pixels());
