@@ -490,7 +490,7 @@ fn a_tie_of_a_height_rounds_up() {
     }
 }
 
-/// A sprite at one pixel per texel shows what embedded-graphics' `Image` draws at its upper left corner.
+/// A sprite at one pixel per texel shows what embedded-graphics' `Image` draws at its upper left corner, but for texels of a key.
 fn shows_the_image<I>(image: &I)
 where
     I: GetPixel<Color: Default + core::fmt::Debug> + ImageDrawable<Color = <I as GetPixel>::Color>,
@@ -500,12 +500,21 @@ where
         let (mut drawn, mut expected) = (vec![sky; 64 * 64], vec![sky; 64 * 64]);
         let Ok(()) =
             Image::new(image, at).draw(&mut Picture::new(&mut expected, Size::new(64, 64)).expect("room"));
-        let sprite = |_| Sprite::new(SpriteImage::new(image)).with_anchor(AnchorPoint::TopLeft);
         let placed = flat().place_sprite(Point3::from_ints(at.x as i16, -at.y as i16, -10));
-        let Ok(_) =
-            placed.draw(sprite, &mut Picture::new(&mut drawn, Size::new(64, 64)).expect("room").pixels());
-        assert!(drawn == expected, "at {at}");
-        assert!(drawn.iter().any(|&pixel| pixel != sky));
+        let mut show = |picture: SpriteImage<'_, I>| {
+            drawn.fill(sky);
+            let sprite = |_| Sprite::new(picture).with_anchor(AnchorPoint::TopLeft);
+            let mut target = Picture::new(&mut drawn, Size::new(64, 64)).expect("room");
+            let Ok(_) = placed.draw(sprite, &mut target.pixels());
+            drawn.clone()
+        };
+        assert!(show(SpriteImage::new(image)) == expected, "at {at}");
+        assert!(expected.iter().any(|&pixel| pixel != sky));
+        // Without the colour of a pixel that all three places show, and that the sky has not.
+        let colors = (2..7).map(|row| image.pixel(Point::new(5, row)).expect("a pixel"));
+        let key = colors.into_iter().find(|&color| color != sky).expect("another color");
+        let keyed = expected.iter().map(|&pixel| if pixel == key { sky } else { pixel });
+        assert!(show(SpriteImage::new(image).with_key(key)).iter().copied().eq(keyed), "with a key, at {at}");
     }
 }
 
