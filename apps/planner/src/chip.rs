@@ -59,7 +59,7 @@ impl Chip {
             ("esp32c3", true) => 50,
             ("rp2350-ram", true) => 15,
             ("esp32c3", false) => 40,
-            ("rp2040", false) => 30,
+            ("rp2040", false) => 55,
             ("stm32f411" | "nrf52840", _) => 20,
             ("stm32f103", _) => 15,
             ("stm32f030", _) => 10,
