@@ -132,7 +132,7 @@ impl<S: Copy> PaintersOrder<'_, S> {
 
 impl<S: Copy> PaintersOrder<'_, DepthTested<S>> {
     /// [`draw`](Self::draw) for the pixels that are nearer than the depth buffer. Their depth is stored if the shader
-    /// [writes depth](SpanShader::WRITES_DEPTH). Only pixels of the depth buffer are drawn.
+    /// [writes depth](crate::SpanShader::WRITES_DEPTH). Only pixels of the depth buffer are drawn.
     ///
     /// # Errors
     ///

@@ -16,7 +16,8 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// [`DepthTested`](crate::DepthTested) shaders. Depth is tested and not stored, so a translucent face hides nothing. A convex
 /// object needs no painter: draw its back faces ([`Cull::Front`](crate::Cull::Front)), then its front faces.
 ///
-/// **Error.** At most ½ level of each channel: see [`Color::half`] and [`Color::mix`].
+/// **Error.** At most ½ level of each channel: see [`Color::half`](crate::Color::half) and
+/// [`Color::mix`](crate::Color::mix).
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
