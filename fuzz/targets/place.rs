@@ -8,6 +8,10 @@ use pinhole::{
 };
 use support::bridge::ways::{self, Drawn};
 
+/// Draws binned faces with depth into a band.
+type DrawDeep<'f, C> =
+    &'f mut dyn FnMut(&mut BinnedFaces<'_, i16, true>, &mut DepthBuffer<'_>, &mut Band<'_, C>);
+
 /// Where scenes are drawn, before which colour, and in bands of how many rows.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place<C> {
@@ -58,12 +62,7 @@ impl<C: Color + Debug> Place<C> {
     }
 
     /// Bands with depth are equal to the whole picture.
-    fn deep_bands(
-        &self,
-        instance: &MeshInstance<'_>,
-        drawn: &Drawn<C>,
-        draw: &mut dyn FnMut(&mut BinnedFaces<'_, i16, true>, &mut DepthBuffer<'_>, &mut Band<'_, C>),
-    ) {
+    fn deep_bands(&self, instance: &MeshInstance<'_>, drawn: &Drawn<C>, draw: DrawDeep<'_, C>) {
         let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().cache_len()];
         let mut bins = vec![0; instance.mesh().face_bins_len()];
         let mut faces = instance.transform_depth(&mut cache).bin_faces(&mut bins).expect("room");
