@@ -149,8 +149,7 @@ fn fill_any<S: PixelStore, F: DepthFill<S::Cell>>(
     let (mut gradients, depths) = (fill.set_up(triangle), depth.values_mut());
     let (cells, RowScratch { layout, .. }) = memory.parts();
     let mut trapezoid = Trapezoid::without_rows();
-    while !trapezoids.is_empty() {
-        trapezoids.trapezoid(&mut trapezoid);
+    while trapezoids.trapezoid(&mut trapezoid) {
         let start @ RowOrigin { x, y, .. } = RowOrigin { x: trapezoid.x, y: trapezoid.y, shear: 0 };
         let mut filler = fill.rows(&mut gradients, cells, depths, start);
         trapezoid.each(layout.at(x, y), layout.stride, |start, left, right| filler.row(start, left, right));

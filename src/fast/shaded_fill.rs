@@ -182,8 +182,7 @@ fn fill_any<Cell>(
     row: &mut dyn FnMut(&mut [Cell], Span),
 ) {
     let (mut triangle, mut trapezoid) = (AnyTriangle::new(triangle, scissor), Trapezoid::without_rows());
-    while !triangle.is_empty() {
-        triangle.trapezoid(&mut trapezoid);
+    while triangle.trapezoid(&mut trapezoid) {
         let (x, mut y) = (trapezoid.x, trapezoid.y);
         trapezoid.each(layout.at(x, y), layout.stride, |start, left, right| {
             let (from, width) = (start.wrapping_add(left as usize), right.wrapping_sub(left));

@@ -99,8 +99,7 @@ fn fill_any<Cell: Copy>(
     pair: [Cell; 2],
 ) {
     let (mut triangle, mut trapezoid) = (AnyTriangle::new(triangle, scissor), Trapezoid::without_rows());
-    while !triangle.is_empty() {
-        triangle.trapezoid(&mut trapezoid);
+    while triangle.trapezoid(&mut trapezoid) {
         match trapezoid.as_rectangle(layout.stride as i32) {
             // A face wider than the picture is clipped at both sides: its rows join into one run.
             Some((x, pixels)) => {

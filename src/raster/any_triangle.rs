@@ -1,96 +1,98 @@
 //! Splits any triangle inside the guard band into trapezoids, and these into spans.
 
-use super::edge::{first_row, Edge};
+use super::edge::{first_row, Edge32};
 use super::triangle::{area, sort_by_y};
 use super::{Scissor, ScreenPoint, Span, Trapezoid, Triangle};
 
-/// The trapezoids of a triangle inside a scissor, top to bottom. A trapezoid ends at the middle corner, and where an edge
-/// enters or leaves the scissor's columns.
+/// The trapezoids of a triangle inside a scissor, top to bottom. A trapezoid ends at the middle corner, where an edge
+/// enters or leaves the scissor's columns, and where an edge must be set up again to stay exact.
 pub(crate) struct AnyTriangle {
-    /// The left and the right edge in the row `row`.
-    edges: [Edge; 2],
-    /// The next row, the row where an edge bends, and the row below the last one.
+    /// The next row, and the row below the last one.
     row: i32,
-    bend: i32,
     end: i32,
-    /// The corners at which the short edge below the bend begins and ends, and whether it is the left edge.
-    middle: ScreenPoint,
-    last: ScreenPoint,
-    middle_is_left: bool,
+    /// The edge that ends or begins at the middle corner, and the edge from the top to the bottom corner, both in the row `row`.
+    short: Edge32,
+    long: Edge32,
+    /// The rows at which `short` and `long` must be set up again.
+    until: [i32; 2],
     /// The scissor's columns, and whether the triangle reaches beyond them.
-    is_beyond: bool,
     left: i32,
     right: i32,
+    is_beyond: bool,
+    /// Whether the middle corner lies to the left of `long`.
+    middle_is_left: bool,
+    /// The corners, sorted by y.
+    corners: [ScreenPoint; 3],
 }
 
 impl AnyTriangle {
     #[inline(never)]
     pub(crate) fn new(triangle: &Triangle<'_>, scissor: &Scissor) -> Self {
         let bounds = Scissor::bounding_box(&triangle.corners);
-        let (row, end) = (bounds.top.max(scissor.top), bounds.bottom.min(scissor.bottom));
-        let is_beside = bounds.left >= scissor.right || bounds.right <= scissor.left;
-        let end = if is_beside { i32::MIN } else { end };
-        let ([first, middle, last], middle_is_left) = sort_by_y(triangle.corners, triangle.area);
-        let (mut edges, bend) = ([Edge::vertical(0); 2], first_row(&middle).min(end));
-        if row < end {
-            let long = Edge::new(&first, &last, row);
-            // Above the bend: below, `trapezoid` sets up the short edge.
-            let short = if row < bend { Edge::new(&first, &middle, row) } else { long };
-            edges = if middle_is_left { [short, long] } else { [long, short] };
-        }
+        let (corners, middle_is_left) = sort_by_y(triangle.corners, triangle.area);
+        let beside = bounds.left >= scissor.right || bounds.right <= scissor.left;
         Self {
-            edges,
-            row,
-            bend,
-            end,
-            middle,
-            last,
-            middle_is_left,
-            is_beyond: bounds.left < scissor.left || bounds.right > scissor.right,
+            row: bounds.top.max(scissor.top),
+            end: if beside { i32::MIN } else { bounds.bottom.min(scissor.bottom) },
+            short: Edge32::default(),
+            long: Edge32::default(),
+            until: [i32::MIN; 2],
             left: scissor.left,
             right: scissor.right,
-        }
-    }
-
-    #[inline(always)]
-    fn short_and_long(&mut self) -> [&mut Edge; 2] {
-        let [left, right] = &mut self.edges;
-        if self.middle_is_left {
-            [left, right]
-        } else {
-            [right, left]
+            is_beyond: bounds.left < scissor.left || bounds.right > scissor.right,
+            middle_is_left,
+            corners,
         }
     }
 
     /// Whether no row is left.
-    #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {
         self.row >= self.end
     }
 
-    /// Writes the next trapezoid, which has at least one row, to `trapezoid`, as long as a row is [left](Self::is_empty). The caller
+    /// Writes the next trapezoid, which has at least one row, to `trapezoid`; returns `false` if none is left. The caller
     /// provides the memory, because a trapezoid is too large to be returned in registers.
     #[inline(never)]
-    pub(crate) fn trapezoid(&mut self, trapezoid: &mut Trapezoid<Edge>) {
-        let Self { row, bend, end, middle, last, .. } = *self;
-        if row >= bend {
-            let [short, _] = self.short_and_long();
-            *short = Edge::new(&middle, &last, row);
-            self.bend = end;
+    pub(crate) fn trapezoid(&mut self, trapezoid: &mut Trapezoid<Edge32>) -> bool {
+        if self.is_empty() {
+            return false;
         }
-        trapezoid.edges = self.edges;
-        (trapezoid.x, trapezoid.y, trapezoid.rows) = (0, row, self.bend - row);
+        self.set_up_edges();
+        self.take_rows(trapezoid);
+        true
+    }
+
+    /// Writes the rows up to the next row where an edge must be set up, or crosses the left or right border of the scissor, and
+    /// advances both edges.
+    #[inline(never)] // its stack frame is not live while edges are set up
+    fn take_rows(&mut self, trapezoid: &mut Trapezoid<Edge32>) {
+        let Self { row: y, short, long, until: [short_until, long_until], .. } = *self;
+        let rows = self.end.min(short_until).min(long_until) - y;
+        let edges = if self.middle_is_left { [short, long] } else { [long, short] };
+        *trapezoid = Trapezoid { x: 0, y, rows, edges };
         if self.is_beyond {
             trapezoid.clip_columns(self.left, self.right);
         }
+        self.short.advance(trapezoid.rows);
+        self.long.advance(trapezoid.rows);
         self.row += trapezoid.rows;
-        if !self.is_empty() {
-            let is_bend = self.row >= self.bend;
-            let [short, long] = self.short_and_long();
-            long.advance(trapezoid.rows);
-            if !is_bend {
-                short.advance(trapezoid.rows);
-            }
+    }
+
+    /// Where the next row is the one in `until`, sets up the short or the long edge from there on.
+    #[inline(never)]
+    fn set_up_edges(&mut self) {
+        let Self { row, corners: [a, b, c], until: [short_until, long_until], .. } = *self;
+        let furthest = row + Edge32::MAX_ROWS;
+        if row >= short_until {
+            let middle = first_row(&b);
+            let (p, q, end) = if row < middle { (a, b, middle.min(furthest)) } else { (b, c, furthest) };
+            self.short = Edge32::new(&p, &q, row);
+            self.until = [end, long_until];
+        }
+        if row >= long_until {
+            self.long = Edge32::new(&a, &c, row);
+            let [short_until, _] = self.until;
+            self.until = [short_until, furthest];
         }
     }
 }
@@ -98,7 +100,7 @@ impl AnyTriangle {
 /// The spans of a triangle inside a scissor, top to bottom: the definition that every fast path reproduces.
 pub(crate) struct Spans {
     /// The present trapezoid, without the rows already returned.
-    trapezoid: Trapezoid<Edge>,
+    trapezoid: Trapezoid<Edge32>,
     /// The part of the triangle below it.
     below: AnyTriangle,
 }
@@ -162,10 +164,9 @@ impl Iterator for Spans {
             if let Some(span) = self.trapezoid.span() {
                 return Some(span);
             }
-            if self.below.is_empty() {
+            if !self.below.trapezoid(&mut self.trapezoid) {
                 return None;
             }
-            self.below.trapezoid(&mut self.trapezoid);
         }
     }
 }
