@@ -1,5 +1,5 @@
-//! Makes the arrays of `lib.rs` from `teapot.obj`. Not by `pinhole-import`, for whose compilation the examples would wait; a test of it
-//! compares what it makes of the file.
+//! Makes the arrays of `lib.rs` from `teapot.obj`. `pinhole-import` makes equal arrays, which its tests compare, but the examples would
+//! wait for its compilation.
 
 use std::collections::{BTreeSet, HashMap};
 

@@ -58,8 +58,12 @@ impl Access for Reads {
     note = "use `{C}`, `Option<{C}>`, `Mixed<{C}, _>` or `Option<Mixed<{C}, _>>`"
 )]
 pub trait Ink<C>: Copy + sealed::Ink<C> {
-    /// Whether stored pixels are read.
+    /// What the ink needs of a target.
     type Access: Access;
+
+    /// Whether stored pixels are read.
+    #[doc(hidden)]
+    const READS: bool = <Self::Access as Access>::READS;
 
     /// Whether pixels may be left out.
     const LEAVES_OUT: bool;
@@ -260,7 +264,7 @@ macro_rules! optional {
     };
 }
 
-// Not one implementation for every ink: it would be in doubt whether an optional colour is a colour.
+// Two implementations in place of one for every ink: for the compiler, an `Option` may be a `PixelColor`, too.
 optional!([C: PixelColor] C, C, Writes);
 optional!([C: PixelColor, M: BlendMode<C>] Mixed<C, M>, C, Reads);
 

@@ -6,7 +6,7 @@
 //! - **Test**: `every_target_shows_the_oracles_pixels` in `tests/pipeline/sprites.rs`, with `--cfg pinhole_plain` and without.
 
 use super::memory_of;
-use crate::color::{Access, Ink};
+use crate::color::Ink;
 use crate::math::hints::keep_rolled;
 use crate::raster::Span;
 use crate::surface::{put, CellOf, Target};
@@ -47,7 +47,7 @@ pub(crate) fn row_nearer<T: Target, I: Ink<T::Color>>(
     let Some(cells) = cells(span, target) else { return false };
     for ((cell, stored), ink) in cells.iter_mut().zip(depths).zip(inks) {
         keep_rolled();
-        if own < *stored && put::<T, I>(cell, ink) && !<I::Access as Access>::READS {
+        if own < *stored && put::<T, I>(cell, ink) && !I::READS {
             *stored = own;
         }
     }

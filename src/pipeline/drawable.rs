@@ -8,7 +8,7 @@ use crate::shading::{SpanShader, SpriteSource, Stroke};
 use crate::surface::{Gives, Target};
 
 /// A [`SpanShader`] for a target: of its colour type, and with an [`Ink`] that reads pixels only if the target's lie in
-/// [memory](Target::memory). Implemented for all of them.
+/// [memory](Target::memory). Implemented for every such shader.
 #[diagnostic::on_unimplemented(
     message = "faces of `{T}` cannot be filled with `{Self}`",
     label = "not a color of the target or a shader for it",
@@ -22,7 +22,7 @@ impl<T: Target, S: SpanShader<T::Color>> ShaderFor<T> for S where
 }
 
 /// A [`Stroke`] for a target: of its colour type, and anti-aliased only if the target's pixels lie in [memory](Target::memory).
-/// Implemented for all of them.
+/// Implemented for every such stroke.
 #[diagnostic::on_unimplemented(
     message = "lines of `{T}` cannot be drawn with `{Self}`",
     label = "not a color of the target or a stroke for it",
@@ -33,7 +33,7 @@ pub trait StrokeFor<T: Target>: Stroke<T::Color> {}
 impl<T: Target, K: Stroke<T::Color>> StrokeFor<T> for K where T::Store: Gives<K::Access> {}
 
 /// A [`SpriteSource`] for a target: of its colour type, and with an [`Ink`] that reads pixels only if the target's lie in
-/// [memory](Target::memory). Implemented for all of them.
+/// [memory](Target::memory). Implemented for every such picture.
 #[diagnostic::on_unimplemented(
     message = "`{T}` cannot show sprites of `{Self}`",
     label = "not a picture in the target's colors",

@@ -5,7 +5,7 @@
 //! targets whose pixels do not lie in memory.
 
 use super::drawable::ShaderFor;
-use crate::color::{Access, Ink};
+use crate::color::Ink;
 use crate::fast::{self, depth_fill, fog_fill, line_fill, line_pixels, shaded_fill, solid_fill, table_fill};
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
 use crate::shading::SpanShader;
@@ -187,12 +187,7 @@ fn fill_kept_nearer<T: Target, S: ShaderFor<T>>(
 
 /// Whether each pixel of a face is set to a colour of the shader.
 pub(super) const fn is_opaque<T: Target, S: SpanShader<T::Color>>() -> bool {
-    !(<S::Ink as Ink<T::Color>>::LEAVES_OUT || reads::<T, S>())
-}
-
-/// Whether the shader's colours are mixed with the stored pixels.
-const fn reads<T: Target, S: SpanShader<T::Color>>() -> bool {
-    <<S::Ink as Ink<T::Color>>::Access as Access>::READS
+    !(<S::Ink as Ink<T::Color>>::LEAVES_OUT || <S::Ink as Ink<T::Color>>::READS)
 }
 
 /// The colours of a span of which no pixel is left out.
@@ -217,7 +212,7 @@ pub(super) fn kept_pixels<C: PixelColor, S: SpanShader<C>>(
 /// Draws one run of kept pixels, for a shader that leaves out pixels or blends.
 #[inline(always)]
 fn draw_run<T: Target, S: ShaderFor<T>>(setup: &S::Setup, run: Span, target: &mut T) -> Result<(), T::Error> {
-    if !reads::<T, S>() {
+    if !<S::Ink as Ink<T::Color>>::READS {
         return target.fill_run(run, colors::<T, S>(setup, run));
     }
     if let Some(row) = target.memory().and_then(|memory| memory.row(run.x, run.y, run.width)) {

@@ -3,7 +3,7 @@
 //! The plain path passes each run of drawn pixels to the target; the call before it attaches the fast path for memory.
 
 use super::drawable::SpriteFor;
-use crate::color::{Access, Ink};
+use crate::color::Ink;
 use crate::fast::sprite_fill;
 use crate::math::hints::keep_rolled;
 use crate::raster::{Scissor, Span, SpriteAxis, TexelWalk};
@@ -106,7 +106,7 @@ fn fill_row<T: Target, S: SpriteFor<T>, const DEPTH: bool>(
         keep_rolled();
         let is_nearer = |depth: &mut u16| {
             let is_nearer = own < *depth;
-            if is_nearer && !reads::<T, S>() {
+            if is_nearer && !S::Ink::READS {
                 *depth = own;
             }
             is_nearer
@@ -136,7 +136,7 @@ fn draw_run<T: Target, S: SpriteFor<T>>(
     if run.width == 0 {
         return Ok(());
     }
-    if reads::<T, S>() {
+    if S::Ink::READS {
         if let Some(row) = target.memory().and_then(|memory| memory.row(run.x, run.y, run.width)) {
             row.iter_mut().zip(texels.inks(first)).for_each(|(cell, ink)| {
                 put::<T, _>(cell, ink);
@@ -149,9 +149,4 @@ fn draw_run<T: Target, S: SpriteFor<T>>(
         // No texel of the run is transparent: nothing is dropped.
         None => target.fill_run(run, texels.inks(first).map_while(Ink::own)),
     }
-}
-
-/// Whether the sprite is mixed with the stored pixels.
-const fn reads<T: Target, S: SpriteFor<T>>() -> bool {
-    <<S::Ink as Ink<T::Color>>::Access as Access>::READS
 }

@@ -2,7 +2,7 @@
 
 use super::CornerValues;
 use crate::clip::Varying;
-use crate::color::{Access, Ink};
+use crate::color::Ink;
 use crate::raster::{Gradient, Span, Triangle};
 use crate::shading::{FogBounds, FogLevel, Line, TableShader};
 use core::iter::{once, repeat};
@@ -169,7 +169,7 @@ pub trait SpanShader<C: PixelColor>: Shader {
 
     /// Whether draw calls with a depth buffer store the depth of the pixels that they draw. If false, they only test it: for
     /// translucent faces, behind which others may still be seen. The default is false for inks that are mixed.
-    const WRITES_DEPTH: bool = !<<Self::Ink as Ink<C>>::Access as Access>::READS;
+    const WRITES_DEPTH: bool = !<Self::Ink as Ink<C>>::READS;
 
     /// Sets up the shader for a triangle, whose corners are in the order of the face's vertices.
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup;

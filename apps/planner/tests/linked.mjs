@@ -41,7 +41,6 @@ const costs = (choice) => JSON.parse(library.ask('costs', choice));
 
 const ALIGNMENT = 4; // of each variable
 
-
 function writeModels(folder) {
   for (const [name, [choice, way, shading]] of Object.entries(IMAGES)) {
     const { width, height } = library.draw(choice).about;

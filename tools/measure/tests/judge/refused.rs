@@ -6,7 +6,7 @@ use crate::scenes::textured;
 use pinhole_apps_support::testing::refusal;
 use serde_json::{json, Value};
 
-/// What is said of an input.
+/// The line that a program prints when it refuses an input of this kind.
 fn refused(to: &Folder, kind: &str, input: &str) -> String {
     let value =
         || -> Value { serde_json::from_str(input).unwrap_or_else(|error| panic!("{input}: {error}")) };
