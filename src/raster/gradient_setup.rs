@@ -19,7 +19,7 @@
 //! | steeper, or beyond 512 px | 64-bit products | long division by the reciprocal, 29 bits a step |
 
 use super::{Gradient, ScreenPoint, Triangle};
-use crate::math::hints::keep_rolled;
+use crate::math::hints::{keep_rolled, opaque};
 use crate::math::num::{leading_zeros, mul_high, mul_wide, reciprocal_of_positive};
 
 /// The part of gradient set-up that all values over one triangle share: the reciprocal of its area.
@@ -395,34 +395,31 @@ fn numerators_in_64_bits(triangle: &Triangle<'_>, values: &[i32; 3]) -> Numerato
 /// With the area shifted to 2⁶⁰ ≤ a < 2⁶¹, and a remainder ρ < a, the next n ≤ 29 bits are ⌊ρ · 2ⁿ / a⌋. They are estimated as the
 /// upper 31 bits of ρ times the mantissa. The mantissa has a relative error of 2⁻²⁹, and the bits dropped from a and from ρ
 /// add 2⁻³⁰ each, ρ's only downwards: the estimate is less than 1.6 too large, and with the final rounding less than 2.6 too small.
-/// So what is left of ρ · 2ⁿ lies in −1.6·a … 2.6·a: 64 bits with a sign have room for it, and two corrections either way suffice.
+/// Two less is never too large, and less than 4.6 too small: what is left of ρ · 2ⁿ is below 4.6·a < 2⁶⁴.
+///
+/// A negative v begins with the quotient −1 and the remainder a + v, so that the result is rounded down.
+#[cold]
 #[inline(never)] // code size
 fn divide_long(v: i64, area: u64, mantissa: i32) -> i64 {
     let up = area.leading_zeros().wrapping_sub(3) & 63; // 15 … 60
-    let a = (area << up) as i64;
-    let mut remainder = (v.unsigned_abs() << 13) as i64; // below 2⁶⁰
-    let (mut quotient, mut left) = (0u64, up + 40 - 13); // 42 … 87
+    let a = area << up;
+    let mut quotient = (v >> 63) as u64;
+    let mut remainder = ((v << 13) as u64).wrapping_add(a & quotient); // |v · 2¹³| < 2⁶⁰
+    let mut left = up + 40 - 13; // 42 … 87
     while left != 0 {
         let n = left.min(29);
-        let mut digits = mul_high((remainder >> 30) as i32, mantissa) >> (29 - n);
-        remainder = (remainder << n).wrapping_sub(a.wrapping_mul(digits.into()));
-        while remainder < 0 {
-            keep_rolled();
-            (remainder, digits) = (remainder.wrapping_add(a), digits.wrapping_sub(1));
-        }
+        let power = u64::from(opaque(1_u32 << n)); // a product takes less code than a shift of 64 bits
+        let estimate = mul_high((remainder >> 30) as i32, mantissa) >> (29 - n);
+        let mut digits = i64::from(estimate - 2) as u64; // −2 … 2²⁹
+        remainder = remainder.wrapping_mul(power).wrapping_sub(a.wrapping_mul(digits));
         while remainder >= a {
             keep_rolled();
             (remainder, digits) = (remainder.wrapping_sub(a), digits.wrapping_add(1));
         }
-        quotient = (quotient << n).wrapping_add(digits as u64);
+        quotient = quotient.wrapping_mul(power).wrapping_add(digits);
         left -= n;
     }
-    let quotient = quotient as i64;
-    if v < 0 {
-        quotient.wrapping_neg().wrapping_sub(i64::from(remainder > 0))
-    } else {
-        quotient
-    }
+    quotient as i64
 }
 
 impl Triangle<'_> {
