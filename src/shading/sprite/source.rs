@@ -55,7 +55,7 @@ pub trait SpriteSource {
     /// pixel, and must return equal texels.
     fn texel_at(&self, column: u32, row: u32) -> Self::Ink;
 
-    /// The texel that all others equal, if there is one: pixels are then filled.
+    /// The opaque texel that all others equal, if there is one: pixels are then filled.
     #[inline(always)]
     fn solid_texel(&self) -> Option<Self::Ink> {
         None

@@ -20,12 +20,6 @@ impl<S: SpriteSource<Ink: Unmixed<S::Color>>, M: BlendMode<S::Color>> SpriteSour
         picture.texel_at(column, row).mixed(*mode)
     }
 
-    #[inline(always)]
-    fn solid_texel(&self) -> Option<Self::Ink> {
-        let (picture, mode) = self.parts();
-        Some(picture.solid_texel()?.mixed(*mode))
-    }
-
     fn set_depth(&mut self, depth: u16) {
         self.inner_mut().set_depth(depth);
     }
