@@ -7,6 +7,7 @@ use crate::display::Format;
 use crate::figures::{Code, BANDS_CODE, FRAMED_CODE, PLACING};
 use crate::json::{list, object, text};
 use crate::lens::Lens;
+use crate::refused;
 use crate::texture::{Coordinates, TextureImage};
 use crate::ways::{faces, hidden_lines, lines};
 use crate::work::{FaceWork, LineWork};
@@ -63,7 +64,7 @@ fn materials(model: &ImportedMesh, choice: &Choice, image: &TextureImage) -> usi
 
 /// The costs of a choice as JSON. `image` is the texture of textured faces.
 pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage) -> Result<String, String> {
-    let mesh = model.mesh().map_err(|e| e.to_string())?;
+    let mesh = model.mesh().map_err(refused::mesh)?;
     let sphere = mesh.bounding_sphere();
     let lens = Lens::new(choice, &sphere);
     let camera = lens.camera(choice, &sphere)?;

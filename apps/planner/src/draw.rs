@@ -4,6 +4,7 @@ use crate::choice::{Choice, Style};
 use crate::display::Format;
 use crate::lens::Lens;
 use crate::paint::{Paint, Picture, Stored};
+use crate::refused;
 use crate::texture::{Coordinates, TextureImage};
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -33,8 +34,8 @@ enum Job<'a, 'b> {
 
 /// Draws a model by a choice, textured by an image.
 pub(crate) fn draw(model: &ImportedMesh, choice: &Choice, image: &TextureImage) -> Result<Drawn, String> {
-    let mesh = model.mesh().map_err(|e| e.to_string())?;
-    let colors = model.colors().map_err(|e| e.to_string())?;
+    let mesh = model.mesh().map_err(refused::mesh)?;
+    let colors = model.colors().map_err(refused::mesh)?;
     let sphere = mesh.bounding_sphere();
     let camera = Lens::new(choice, &sphere).camera(choice, &sphere)?;
     let turned = Affine::rotation_y(choice.turn());
@@ -44,14 +45,13 @@ pub(crate) fn draw(model: &ImportedMesh, choice: &Choice, image: &TextureImage) 
     let mut edge_bins = vec![0; mesh.edge_bins_len()];
     if choice.style == Style::Wireframe {
         // Lines without a depth test are not clipped at the far plane.
-        let mut edges =
-            instance.transform(&mut cache).bin_edges(&mut edge_bins).map_err(|e| e.to_string())?;
+        let mut edges = instance.transform(&mut cache).bin_edges(&mut edge_bins).map_err(refused::buffer)?;
         return picture(choice, Job::Lines(&mut edges));
     }
     let transformed = instance.transform_depth(&mut cache);
-    let mut faces = transformed.bin_faces(&mut face_bins).map_err(|e| e.to_string())?;
+    let mut faces = transformed.bin_faces(&mut face_bins).map_err(refused::buffer)?;
     if choice.style == Style::HiddenLine {
-        let mut edges = transformed.bin_edges(&mut edge_bins).map_err(|e| e.to_string())?;
+        let mut edges = transformed.bin_edges(&mut edge_bins).map_err(refused::buffer)?;
         return picture(choice, Job::HiddenLines(&mut faces, &mut edges));
     }
     let [x, y, z] = choice.light;
@@ -60,7 +60,7 @@ pub(crate) fn draw(model: &ImportedMesh, choice: &Choice, image: &TextureImage) 
     let texture = if choice.style == Style::Textured {
         let coords = Coordinates::of(model, &mesh)?;
         let texture = Texture::new(Picture { texels: image.texels()?, format: choice.format });
-        Some((texture.with_exponent(coords.exponent()).map_err(|e| e.to_string())?, coords))
+        Some((texture.with_exponent(coords.exponent()).map_err(refused::texture)?, coords))
     } else {
         None
     };
@@ -164,8 +164,8 @@ impl Canvas {
         let width = self.frame.area().size.width;
         let mut strip = vec![0; Frame::<Stored>::strip_bytes(width, self.rows)];
         let mut depths = vec![0; width as usize * self.rows as usize];
-        while let Some(mut band) = self.frame.next_band(&mut strip).map_err(|e| e.to_string())? {
-            let mut depth = DepthBuffer::new(band.area(), &mut depths).map_err(|e| e.to_string())?;
+        while let Some(mut band) = self.frame.next_band(&mut strip).map_err(refused::buffer)? {
+            let mut depth = DepthBuffer::new(band.area(), &mut depths).map_err(refused::buffer)?;
             draw(&mut band, &mut depth);
             for color in band.colors() {
                 let color = self.format.shown(color);

@@ -19,6 +19,7 @@ mod lens;
 mod paint;
 mod planner;
 mod ready;
+mod refused;
 mod texture;
 mod warning;
 mod ways;

@@ -10,6 +10,7 @@ use crate::firmware;
 use crate::json::{list, object, text};
 use crate::projections::Named;
 use crate::ready::{self, READY};
+use crate::refused;
 use crate::texture::{Pattern, TextureImage, BY_SIDES};
 use crate::warning::{about, words, Refusal};
 use pinhole_import::{import_bytes, Axis, ImportedMesh, Options, Warning};
@@ -143,7 +144,7 @@ impl Planner {
         }
         let model = firmware::model_file(&self.source(choice)?.0);
         let mesh = self.mesh(choice)?;
-        let sphere = mesh.mesh().map_err(|e| e.to_string())?.bounding_sphere();
+        let sphere = mesh.mesh().map_err(refused::mesh)?.bounding_sphere();
         Ok(firmware::file(path, template, choice, model, &sphere)?)
     }
 

@@ -3,6 +3,7 @@
 use crate::choice::Choice;
 use crate::corners::corners;
 use crate::palette::{Counts, Palette};
+use crate::refused;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use pinhole::{IndexedTexels, Mesh, TextureCoords};
 use pinhole_import::{ImportedMesh, IndexedPicture};
@@ -93,7 +94,7 @@ impl TextureImage {
         if width == 0 {
             return Err("no picture: drop a PNG, BMP or JPEG file, or choose a ready pattern".into());
         }
-        IndexedTexels::new(&self.texels, width, height, &self.palette).map_err(|e| e.to_string())
+        IndexedTexels::new(&self.texels, width, height, &self.palette).map_err(refused::texture)
     }
 
     /// The texture as firmware for a display in 16-bit colour stores it; `color` is the path of the colour type.
@@ -135,7 +136,7 @@ pub(crate) enum Coordinates<'a> {
 
 impl<'a> Coordinates<'a> {
     pub(crate) fn of(model: &'a ImportedMesh, mesh: &'a Mesh<'a>) -> Result<Self, String> {
-        let of_file = model.texture().map_err(|e| e.to_string())?;
+        let of_file = model.texture().map_err(refused::mesh)?;
         Ok(of_file.map_or(Self::BySides(mesh), Self::OfFile))
     }
 
