@@ -19,7 +19,7 @@
 //! | steeper, or beyond 512 px | 64-bit products | long division by the reciprocal, 29 bits a step |
 
 use super::{Gradient, ScreenPoint, Triangle};
-use crate::math::hints::{keep_rolled, opaque};
+use crate::math::hints::keep_rolled;
 use crate::math::num::{leading_zeros, mul_high, mul_wide, reciprocal_of_positive};
 
 /// The part of gradient set-up that all values over one triangle share: the reciprocal of its area.
@@ -395,7 +395,7 @@ fn numerators_in_64_bits(triangle: &Triangle<'_>, values: &[i32; 3]) -> Numerato
 /// With the area shifted to 2⁶⁰ ≤ a < 2⁶¹, and a remainder ρ < a, the next n ≤ 29 bits are ⌊ρ · 2ⁿ / a⌋. They are estimated as the
 /// upper 31 bits of ρ times the mantissa. The mantissa has a relative error of 2⁻²⁹, and the bits dropped from a and from ρ
 /// add 2⁻³⁰ each, ρ's only downwards: the estimate is less than 1.6 too large, and with the final rounding less than 2.6 too small.
-/// Two less is never too large, and less than 4.6 too small: what is left of ρ · 2ⁿ is below 4.6·a < 2⁶⁴.
+/// Two less, or 0, is never too large, and less than 4.6 too small: what is left of ρ · 2ⁿ is below 4.6·a < 2⁶⁴.
 ///
 /// A negative v begins with the quotient −1 and the remainder a + v, so that the result is rounded down.
 #[cold]
@@ -408,15 +408,14 @@ fn divide_long(v: i64, area: u64, mantissa: i32) -> i64 {
     let mut left = up + 40 - 13; // 42 … 87
     while left != 0 {
         let n = left.min(29);
-        let power = u64::from(opaque(1_u32 << n)); // a product takes less code than a shift of 64 bits
         let estimate = mul_high((remainder >> 30) as i32, mantissa) >> (29 - n);
-        let mut digits = i64::from(estimate - 2) as u64; // −2 … 2²⁹
-        remainder = remainder.wrapping_mul(power).wrapping_sub(a.wrapping_mul(digits));
+        let mut digits = (estimate - 2).max(0) as u32; // at most 2²⁹
+        remainder = (remainder << n).wrapping_sub(a.wrapping_mul(digits.into()));
         while remainder >= a {
             keep_rolled();
             (remainder, digits) = (remainder.wrapping_sub(a), digits.wrapping_add(1));
         }
-        quotient = quotient.wrapping_mul(power).wrapping_add(digits);
+        quotient = (quotient << n).wrapping_add(digits.into());
         left -= n;
     }
     quotient as i64

@@ -55,8 +55,7 @@ pub(crate) fn draw(model: &ImportedMesh, choice: &Choice, image: &TextureImage) 
         return picture(choice, Job::HiddenLines(&mut faces, &mut edges));
     }
     let [x, y, z] = choice.light;
-    let light =
-        Lambert::new(&turned, Vector3::from_ints(x, y, z), choice.ambient).map_err(|e| e.to_string())?;
+    let light = Lambert::new(&turned, Vector3::from_ints(x, y, z), choice.ambient).map_err(refused::light)?;
     let texture = if choice.style == Style::Textured {
         let coords = Coordinates::of(model, &mesh)?;
         let texture = Texture::new(Picture { texels: image.texels()?, format: choice.format });

@@ -1,7 +1,7 @@
 //! Errors of the library, as the page says them. The importer and the page keep nearly all of them out: a sentence for those that
 //! are left is enough, where the library's own sentences would take 4 KB of the page.
 
-use pinhole::{BufferError, MeshError, TextureError};
+use pinhole::{BufferError, LightError, MeshError, TextureError};
 
 /// The importer's meshes can be wrong in the unit of their vertices alone.
 pub(crate) fn mesh(_: MeshError) -> String {
@@ -21,4 +21,9 @@ pub(crate) fn buffer(error: BufferError) -> String {
 /// The importer and the page check textures and their coordinates.
 pub(crate) fn texture(_: TextureError) -> String {
     "the texture cannot be drawn: choose another".into()
+}
+
+/// A light can be without a direction alone.
+pub(crate) fn light(_: LightError) -> String {
+    "the light has no direction: move it".into()
 }
