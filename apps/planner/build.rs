@@ -2,6 +2,7 @@
 //! face, a row and a pixel, `chips.json` the chips and the cycles of an instruction, `footprint.json` the flash of code. Also the
 //! model of the templates, in fewer bytes than its file.
 
+use pinhole_apps_support::work::terms;
 use serde_json::Value;
 use std::error::Error;
 use std::fmt::Write;
@@ -9,22 +10,21 @@ use std::path::Path;
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
-/// The ways to draw: the name of each in the data, the name of its constant here, and its number of constants, the last of which is
-/// for a pixel of the picture, a band, a pixel of a line, or a pixel of a face in perspective.
-const WAYS: [(&str, &str, usize); 13] = [
-    ("lines", "LINES", 8),
-    ("faces", "FACES", 11),
-    ("depth", "DEPTH", 11),
-    ("bands", "BANDS", 13),
-    ("line-bands", "LINE_BANDS", 8),
-    ("hidden-bands", "HIDDEN_BANDS", 15),
-    ("smooth-bands", "SMOOTH_BANDS", 11),
-    ("dithered-bands", "DITHERED_BANDS", 11),
-    ("smooth-dithered-bands", "SMOOTH_DITHERED_BANDS", 11),
-    ("textured-bands", "TEXTURED_BANDS", 13),
-    ("plain-bands", "PLAIN_BANDS", 11),
-    ("painted", "PAINTED_WHOLE", 11),
-    ("painted-bands", "PAINTED_BANDS", 12),
+/// The ways to draw: the name of each in the data, and the name of its constants here.
+const WAYS: [(&str, &str); 13] = [
+    ("lines", "LINES"),
+    ("faces", "FACES"),
+    ("depth", "DEPTH"),
+    ("bands", "BANDS"),
+    ("line-bands", "LINE_BANDS"),
+    ("hidden-bands", "HIDDEN_BANDS"),
+    ("smooth-bands", "SMOOTH_BANDS"),
+    ("dithered-bands", "DITHERED_BANDS"),
+    ("smooth-dithered-bands", "SMOOTH_DITHERED_BANDS"),
+    ("textured-bands", "TEXTURED_BANDS"),
+    ("plain-bands", "PLAIN_BANDS"),
+    ("painted", "PAINTED_WHOLE"),
+    ("painted-bands", "PAINTED_BANDS"),
 ];
 
 const CORES: [&str; 4] = ["M0", "M3", "M4F", "RV32"];
@@ -115,23 +115,25 @@ const IN_FIRMWARE: [(&str, f64); 2] = [("smooth-bands", 29.0), ("painted", 14.0)
 /// The constants of each way to draw for the four cores, and the largest error of the formula, in percent, whether a case was fitted
 /// or not; and the instructions of placing an object, and of turning its light.
 fn growth(rows: &[Value], out: &mut String) -> Result<()> {
-    for (way, name, count) in WAYS {
+    for (way, name) in WAYS {
+        let known: Vec<_> = terms(way).iter().map(|term| Value::from(term.0)).collect();
         let in_firmware = IN_FIRMWARE.iter().find(|(known, _)| *known == way);
-        let (mut constants, mut largest) = (Vec::new(), in_firmware.map_or(0.0, |(_, error)| *error));
+        let (mut constants, mut largest) = (String::new(), in_firmware.map_or(0.0, |(_, error)| *error));
         for core in CORES {
             let row = row(rows, &[("way", way), ("core", core)])?;
-            let of_core = numbers(&row["constants"])?;
-            if of_core.len() != count {
-                return Err(format!("{way}: {} constants, where {count} are known", of_core.len()).into());
+            if row["names"] != Value::from(known.clone()) {
+                return Err(
+                    format!("{way}: constants of {}, where {known:?} are counted", row["names"]).into()
+                );
             }
-            constants.push(of_core);
+            write!(constants, "&{:?}, ", numbers(&row["constants"])?)?;
             for errors in ["mean_and_largest_error_in_the_fit", "mean_and_largest_error_elsewhere"] {
                 largest = largest.max(*numbers(&row[errors])?.get(1).ok_or("no largest error")?);
             }
         }
         writeln!(
             out,
-            "pub(crate) const {name}: Constants<{count}> = Constants {{ of: {constants:?}, error: {largest:?} }};"
+            "pub(crate) const {name}: Constants = Constants {{ way: {way:?}, of: [{constants}], error: {largest:?} }};"
         )?;
     }
     for (name, at) in [("PLACING", 0), ("LIGHTING", 1)] {

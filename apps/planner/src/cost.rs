@@ -10,8 +10,8 @@ use crate::lens::Lens;
 use crate::refused;
 use crate::texture::{Coordinates, TextureImage};
 use crate::ways::{faces, hidden_lines, lines};
-use crate::work::{FaceWork, LineWork};
 use pinhole::{Affine, Projected};
+use pinhole_apps_support::work::Frame;
 use pinhole_import::ImportedMesh;
 
 /// A way to draw.
@@ -68,7 +68,7 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage)
     let sphere = mesh.bounding_sphere();
     let lens = Lens::new(choice, &sphere);
     let camera = lens.camera(choice, &sphere)?;
-    let instance = camera.place(&mesh, &Affine::rotation_y(choice.turn()));
+    let model_to_world = Affine::rotation_y(choice.turn());
     let strip = |rows| strip_bytes(choice, rows);
     let coords = Coordinates::of(model, &mesh)?;
     let is_linear = |face: usize, corners: [Projected; 3]| {
@@ -85,23 +85,19 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage)
             texels * (far - near) / (4.0 * near) < 0.25
         })
     };
-    let work = || FaceWork::new(&instance, choice.size, &is_linear);
+    let frame = Frame::new(&mesh, choice.size, &|mesh| camera.place(mesh, &model_to_world), &is_linear);
     let ways = match choice.style {
-        Style::Wireframe => lines(&mesh, choice, &LineWork::new(&instance, choice.size, None), &strip),
-        Style::HiddenLine => {
-            let faces = work();
-            let lines = LineWork::new(&instance, choice.size, Some(&faces));
-            hidden_lines(&mesh, choice, &faces, &lines, &strip)
-        }
-        Style::Flat | Style::Gouraud | Style::Textured => faces(&mesh, choice, &work(), &strip),
+        Style::Wireframe => lines(&mesh, choice, &frame, &strip),
+        Style::HiddenLine => hidden_lines(&mesh, choice, &frame, &strip),
+        Style::Flat | Style::Gouraud | Style::Textured => faces(&mesh, choice, &frame, &strip),
     };
     let chip = CHIPS.iter().find(|chip| chip.key == choice.chip).unwrap_or(&CHIPS[0]);
     let spi = if choice.spi == 0 { chip.spi } else { chip.spi.min(choice.spi.into()) };
-    let frame = strip(choice.size.height);
+    let pixels = strip(choice.size.height);
     let data = model.flash_bytes() + materials(model, choice, image);
     // The first way with the chosen rows: with depth, if there are several.
     let chosen = ways.iter().position(|way| way.rows == Some(choice.rows()));
-    let ways = ways.iter().enumerate().map(|(at, way)| way.on(chip, spi, [frame, data], chosen == Some(at)));
+    let ways = ways.iter().enumerate().map(|(at, way)| way.on(chip, spi, [pixels, data], chosen == Some(at)));
     let is_in_few_bits = choice.format != Format::Rgb565 && !choice.style.is_of_lines();
     Ok(object([
         ("chip", text(chip.name)),

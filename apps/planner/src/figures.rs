@@ -1,10 +1,13 @@
 //! The figures of the pages in `docs`, which `build.rs` reads: instructions, the size of code, and chips.
 
 use crate::chip::Chip;
+use pinhole_apps_support::work::{terms, Work};
 
-/// Instructions per vertex, face and so on, on the cores M0, M3, M4F and RV32, and the largest error of their sum in percent.
-pub(crate) struct Constants<const N: usize> {
-    of: [[f32; N]; 4],
+/// A way to draw: instructions per vertex, face and so on, on the cores M0, M3, M4F and RV32, and the largest error of their sum in
+/// percent.
+pub(crate) struct Constants {
+    way: &'static str,
+    of: [&'static [f32]; 4],
     error: f32,
 }
 
@@ -27,10 +30,12 @@ impl Code {
     }
 }
 
-impl<const N: usize> Constants<N> {
-    /// The instructions of a frame that has so many vertices, faces and so on, on the four cores, and their largest error in percent.
-    pub(crate) fn time(&self, counts: &[f64; N]) -> ([f64; 4], f32) {
-        let sum = |of: [f32; N]| of.iter().zip(counts).map(|(&one, count)| f64::from(one) * count).sum();
+impl Constants {
+    /// The instructions of a frame on the four cores, and their largest error in percent.
+    pub(crate) fn time(&self, work: &Work) -> ([f64; 4], f32) {
+        let counts = terms(self.way).into_iter().map(|(_, count)| f64::from(count(work)));
+        let counts: Vec<f64> = counts.collect();
+        let sum = |of: &[f32]| of.iter().zip(&counts).map(|(&one, count)| f64::from(one) * count).sum();
         (self.of.map(sum), self.error)
     }
 }

@@ -23,7 +23,6 @@ mod refused;
 mod texture;
 mod warning;
 mod ways;
-mod work;
 
 use pinhole_apps_support::{palette, projections};
 

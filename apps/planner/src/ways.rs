@@ -5,9 +5,9 @@ use crate::choice::{Choice, Style};
 use crate::cost::Way;
 use crate::display::Format;
 use crate::figures::*;
-use crate::work::{hidden_in_bands, FaceWork, LineWork};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::{Mesh, Painter, ScreenVertex};
+use pinhole_apps_support::work::Frame;
 
 /// The factor by which faces in fewer than 16 bits a pixel take more instructions, as they are drawn into a band as into any target: for
 /// one colour a face, for textures, and for other shaders. Linked firmware took 1.08 to 1.61, 1.2 to 1.3, and 1.23 to 1.92 times as many.
@@ -60,12 +60,12 @@ fn lit((mut time, error): ([f64; 4], f32), times: f64) -> ([f64; 4], f32) {
 pub(crate) fn faces(
     mesh: &Mesh<'_>,
     choice: &Choice,
-    work: &FaceWork,
+    frame: &Frame,
     strip: &dyn Fn(u32) -> usize,
 ) -> Vec<Way> {
     let whole = choice.size.height;
     let bins = mesh.face_bins_len() * size_of::<u16>();
-    let shaded = |constants: &Constants<11>, rows| constants.time(&work.shaded_in_bands(rows));
+    let (in_bands, in_one_piece) = (|rows| frame.work(Some(rows)), frame.work(None));
     let is_plain = choice.style == Style::Flat && !choice.dithers();
     let shading = if is_plain {
         0
@@ -74,14 +74,12 @@ pub(crate) fn faces(
     } else {
         2
     };
-    let (code, time): (Code, &dyn Fn(u32) -> ([f64; 4], f32)) = match (choice.style, choice.dithers()) {
-        (Style::Textured, _) => {
-            (TEXTURED_BANDS_CODE, &|rows| TEXTURED_BANDS.time(&work.textured_in_bands(rows)))
-        }
-        (Style::Gouraud, true) => (SMOOTH_DITHERED_BANDS_CODE, &|rows| shaded(&SMOOTH_DITHERED_BANDS, rows)),
-        (Style::Gouraud, false) => (SMOOTH_BANDS_CODE, &|rows| shaded(&SMOOTH_BANDS, rows)),
-        (_, true) => (DITHERED_BANDS_CODE, &|rows| shaded(&DITHERED_BANDS, rows)),
-        (_, false) => (BANDS_CODE, &|rows| BANDS.time(&work.in_bands(rows))),
+    let (code, constants) = match (choice.style, choice.dithers()) {
+        (Style::Textured, _) => (TEXTURED_BANDS_CODE, &TEXTURED_BANDS),
+        (Style::Gouraud, true) => (SMOOTH_DITHERED_BANDS_CODE, &SMOOTH_DITHERED_BANDS),
+        (Style::Gouraud, false) => (SMOOTH_BANDS_CODE, &SMOOTH_BANDS),
+        (_, true) => (DITHERED_BANDS_CODE, &DITHERED_BANDS),
+        (_, false) => (BANDS_CODE, &BANDS),
     };
     let times = if is_in_memory(choice) { 1.0 } else { INDIRECT[shading] };
     let way = |name: &str, ram: [usize; 4], code, time, kind, rows: Option<u32>, note| Way {
@@ -94,13 +92,14 @@ pub(crate) fn faces(
         rows,
         note,
     };
-    let in_bands = |rows: u32| {
+    let with_depth = |rows: u32| {
         let ram = [cache(mesh), bins, strip(rows), depths(choice, rows)];
+        let time = constants.time(&in_bands(rows));
         // Code for flat faces has neither smooth shading nor textures.
         let kind = if choice.style == Style::Flat { 2 } else { LARGE };
-        way("with depth", ram, into(choice, code), time(rows), kind, Some(rows), "")
+        way("with depth", ram, into(choice, code), time, kind, Some(rows), "")
     };
-    let mut ways: Vec<Way> = heights(choice).into_iter().map(in_bands).collect();
+    let mut ways: Vec<Way> = heights(choice).into_iter().map(with_depth).collect();
     if !(is_plain && is_in_memory(choice)) {
         return ways;
     }
@@ -108,17 +107,25 @@ pub(crate) fn faces(
     let painted = size_of::<Painter<Rgb565, 0, 0>>() + PAINTED * mesh.faces().len();
     let (small, rows) = ("small faces that do not pierce each other", choice.rows());
     let ram = [cache(mesh), painted, strip(rows), 0];
-    let time = PAINTED_BANDS.time(&work.painted_in_bands(rows));
+    let time = PAINTED_BANDS.time(&in_bands(rows));
     ways.push(way("painter's order", ram, PAINTED_BANDS_CODE, time, 1, Some(rows), small));
     let (convex, ram) = ("one convex object only", [cache(mesh), bins, strip(rows), 0]);
-    ways.push(way("without depth", ram, PLAIN_BANDS_CODE, shaded(&PLAIN_BANDS, rows), 1, Some(rows), convex));
+    ways.push(way(
+        "without depth",
+        ram,
+        PLAIN_BANDS_CODE,
+        PLAIN_BANDS.time(&in_bands(rows)),
+        1,
+        Some(rows),
+        convex,
+    ));
     let ram = [cache(mesh), 0, strip(whole), depths(choice, whole)];
-    let time = DEPTH.time(&work.whole());
+    let time = DEPTH.time(&in_one_piece);
     ways.push(way("a whole picture, with depth", ram, DEPTH_CODE, time, 2, None, ""));
     let ram = [cache(mesh), painted, strip(whole), 0];
-    let time = PAINTED_WHOLE.time(&work.painted());
+    let time = PAINTED_WHOLE.time(&in_one_piece);
     ways.push(way("a whole picture, painter's order", ram, PAINTED_CODE, time, 1, None, small));
-    let (ram, time) = ([cache(mesh), 0, strip(whole), 0], FACES.time(&work.whole()));
+    let (ram, time) = ([cache(mesh), 0, strip(whole), 0], FACES.time(&in_one_piece));
     ways.push(way("a whole picture, without depth", ram, FACES_CODE, time, 1, None, convex));
     ways
 }
@@ -126,7 +133,7 @@ pub(crate) fn faces(
 pub(crate) fn lines(
     mesh: &Mesh<'_>,
     choice: &Choice,
-    work: &LineWork,
+    frame: &Frame,
     strip: &dyn Fn(u32) -> usize,
 ) -> Vec<Way> {
     let whole = choice.size.height;
@@ -135,7 +142,7 @@ pub(crate) fn lines(
         name: format!("lines in bands of {rows} rows"),
         ram: [cache(mesh), bins, strip(rows), 0],
         code: LINES_BANDS_CODE,
-        time: LINE_BANDS.time(&work.in_bands(rows)),
+        time: LINE_BANDS.time(&frame.work(Some(rows))),
         kind: 0,
         bands: whole.div_ceil(rows),
         rows: Some(rows),
@@ -147,7 +154,7 @@ pub(crate) fn lines(
             name: "lines in a whole picture".into(),
             ram: [cache(mesh), 0, strip(whole), 0],
             code: LINES_CODE,
-            time: LINES.time(&work.whole()),
+            time: LINES.time(&frame.work(None)),
             kind: 0,
             bands: 1,
             rows: None,
@@ -160,8 +167,7 @@ pub(crate) fn lines(
 pub(crate) fn hidden_lines(
     mesh: &Mesh<'_>,
     choice: &Choice,
-    faces: &FaceWork,
-    lines: &LineWork,
+    frame: &Frame,
     strip: &dyn Fn(u32) -> usize,
 ) -> Vec<Way> {
     let bins = (mesh.face_bins_len() + mesh.edge_bins_len()) * size_of::<u16>();
@@ -169,7 +175,7 @@ pub(crate) fn hidden_lines(
         name: format!("hidden lines in bands of {rows} rows"),
         ram: [cache(mesh), bins, strip(rows), depths(choice, rows)],
         code: HIDDEN_BANDS_CODE,
-        time: HIDDEN_BANDS.time(&hidden_in_bands(faces, lines, rows)),
+        time: HIDDEN_BANDS.time(&frame.work(Some(rows))),
         kind: LARGE,
         bands: choice.size.height.div_ceil(rows),
         rows: Some(rows),

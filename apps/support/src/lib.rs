@@ -28,3 +28,5 @@ pub mod sheet;
 pub mod still;
 #[cfg(feature = "host")]
 pub mod testing;
+#[cfg(feature = "work")]
+pub mod work;

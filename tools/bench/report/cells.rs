@@ -158,16 +158,10 @@ fn on(
         let copy = image(scene, variant).with_extension(level);
         std::fs::copy(image(scene, variant), &copy)?;
         let named = named(variant, level);
-        let row = row([
-            ("scene", json!(scene)),
-            ("variant", json!(named)),
-            ("core", json!(core.name)),
-            ("instructions", json!(instructions)),
-            ("flash", json!(flash.saturating_sub(empty))),
-            ("ram", json!(statics)),
-            ("stack", json!(stack.parse::<u64>()?)),
-            ("crc", json!(crc)),
-        ]);
+        let (flash, stack) = (flash.saturating_sub(empty), stack.parse::<u64>()?);
+        let row =
+            row(json!({"scene": scene, "variant": named, "core": core.name, "instructions": instructions,
+            "flash": flash, "ram": statics, "stack": stack, "crc": crc}));
         let cell = Cell { scene, variant: named, core, instructions, image: copy, row };
         println!("{cell}");
         let host = *pictures.entry((scene, variant)).or_insert_with(|| on_host().map(|counted| counted.crc));

@@ -151,16 +151,10 @@ impl ChipFrame {
         let tenths = |figure: f64| (figure * 10.0).round() / 10.0;
         let (drawing, bands) = (chip.milliseconds(self.cycles), f64::from(SIZE.div_ceil(self.rows)));
         let overlapped = self.fits(chip, true).then(|| tenths(1000.0 / self.overlapped(chip)));
-        row([
-            ("chip", json!(chip.chip)),
-            ("scene", json!(self.scene)),
-            ("variant", json!(KINDS[self.kind])),
-            ("rows", json!(self.rows)),
-            ("drawing_ms", json!(tenths(drawing))),
-            ("waits_percent", json!((100.0 * self.waited as f64 / self.cycles as f64).round())),
-            ("fps_blocking", json!(tenths(1000.0 / (drawing + bands * self.sending(chip))))),
-            ("fps_dma", json!(overlapped)),
-        ])
+        let waits = (100.0 * self.waited as f64 / self.cycles as f64).round();
+        let blocking = tenths(1000.0 / (drawing + bands * self.sending(chip)));
+        row(json!({"chip": chip.chip, "scene": self.scene, "variant": KINDS[self.kind], "rows": self.rows,
+            "drawing_ms": tenths(drawing), "waits_percent": waits, "fps_blocking": blocking, "fps_dma": overlapped}))
     }
 
     /// Milliseconds that the bus takes for a band.
@@ -235,14 +229,7 @@ fn esp32c3(kinds: [Estimate; 3]) -> [Row; 2] {
     let row_of = |chip: &str, cycles: fn(&Estimate) -> [u64; 3]| {
         let [least, likely, most] = [0, 1, 2]
             .map(|at| json!(kinds.map(|sum| rounded(cycles(&sum)[at] as f64 / sum.instructions as f64))));
-        row([
-            ("chip", json!(chip)),
-            ("core", json!("RV32")),
-            ("mhz", json!(160)),
-            ("cycles", likely),
-            ("least", least),
-            ("most", most),
-        ])
+        row(json!({"chip": chip, "core": "RV32", "mhz": 160, "cycles": likely, "least": least, "most": most}))
     };
     [row_of("ESP32-C3, code in RAM", |sum| sum.in_ram), row_of("ESP32-C3, code in flash", Estimate::in_flash)]
 }

@@ -50,13 +50,8 @@ pub(crate) fn rows(names: &[&str], failures: &mut Vec<String>) -> Result<Vec<Row
     let mut rows = Vec::new();
     for (cell, frame) in recorded(&chosen, failures)? {
         rows.extend(cores.iter().filter(|core| core.1 == cell.core.name).map(|(core, _, pipeline)| {
-            row([
-                ("scene", json!(cell.scene)),
-                ("variant", json!(cell.variant)),
-                ("core", json!(core)),
-                ("instructions", json!(cell.instructions)),
-                ("cycles", json!(frame.cycles(*pipeline, None).cycles)),
-            ])
+            row(json!({"scene": cell.scene, "variant": cell.variant, "core": core,
+                "instructions": cell.instructions, "cycles": frame.cycles(*pipeline, None).cycles}))
         }));
     }
     Ok(rows)

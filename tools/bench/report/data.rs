@@ -35,9 +35,12 @@ pub(crate) enum Strictness {
     Change,
 }
 
-/// A row from its columns; the values are made by `serde_json::json!`.
-pub(crate) fn row<const N: usize>(columns: [(&str, Value); N]) -> Row {
-    columns.into_iter().map(|(name, value)| (name.to_string(), value)).collect()
+/// A row from an object of `serde_json::json!`.
+pub(crate) fn row(columns: Value) -> Row {
+    match columns {
+        Value::Object(row) => row,
+        _ => Row::new(),
+    }
 }
 
 pub(crate) fn path(name: &str) -> PathBuf {

@@ -3,22 +3,15 @@
 use crate::core::CORES;
 use crate::data::{row, Row};
 use crate::Result;
-use bench::growth::{terms, ways, Case, Way, Work, CASES, WAYS};
+use bench::growth::{ways, Case, Way, CASES, WAYS};
+use pinhole_apps_support::work::{terms, Work};
 use serde_json::json;
 
-/// A case drawn in a way, what there was to do, and the instructions that it took.
+/// A case drawn in a way: how many it has of what each constant is for, and the instructions that it took.
 struct Drawn {
     case: &'static Case,
-    way: Way,
-    work: Work,
+    counts: Vec<f64>,
     instructions: u64,
-}
-
-impl Drawn {
-    /// How many the frame has of what each constant is for.
-    fn counts(&self) -> Vec<f64> {
-        terms(self.way.kind).iter().map(|(_, count)| f64::from(count(&self.work))).collect()
-    }
 }
 
 /// A row for each way to draw and core: the constants, and the errors in percent of the frames that they predict, those of the fit
@@ -36,39 +29,34 @@ pub(crate) fn rows(_: &mut Vec<String>) -> Result<Vec<Row>> {
         if counts.len() != works.len() {
             return Err(format!("growth on {}: {} cases", core.name, counts.len()).into());
         }
-        rows.push(row([
-            ("way", json!("placing")),
-            ("core", json!(core.name)),
-            ("names", json!(["Affine::rotation_y and Camera::place", "Lambert::new"])),
-            ("constants", json!([place, light])),
-        ]));
+        rows.push(row(json!({"way": "placing", "core": core.name, "constants": [place, light],
+            "names": ["Affine::rotation_y and Camera::place", "Lambert::new"]})));
         for (name, ways) in WAYS {
             let of_ways = works.iter().zip(&counts).filter(|((_, way, _), _)| ways.contains(way));
-            let drawn: Vec<_> = of_ways
-                .map(|(&(case, way, work), &instructions)| Drawn { case, way, work, instructions })
-                .collect();
-            let names: Vec<_> = terms(ways[0].kind).iter().map(|term| term.0).collect();
+            let (names, counts): (Vec<_>, Vec<_>) = terms(name).into_iter().unzip();
+            let drawn = of_ways.map(|(&(case, _, work), &instructions)| {
+                let counts = counts.iter().map(|count| f64::from(count(&work))).collect();
+                Drawn { case, counts, instructions }
+            });
+            let drawn: Vec<_> = drawn.collect();
             let constants = constants(&drawn)?;
             if let Some(at) = constants.iter().position(|constant| *constant < 0.0) {
                 return Err(format!("{name} on {}: less than nothing for a {}", core.name, names[at]).into());
             }
             let errors = |is_fitted: bool| {
-                let chosen = drawn.iter().filter(|one| one.case.fitted == is_fitted && one.work.faces > 0);
-                let estimate = |one: &Drawn| dot(&one.counts(), &constants);
+                let chosen =
+                    drawn.iter().filter(|one| one.case.fitted == is_fitted && !one.case.is_of_points());
+                let estimate = |one: &Drawn| dot(&one.counts, &constants);
                 let errors = chosen.map(|one| 100.0 * (estimate(one) / one.instructions as f64 - 1.0));
                 let errors: Vec<f64> = errors.collect();
                 let mean = errors.iter().sum::<f64>() / errors.len() as f64;
                 let largest = errors.iter().fold(0.0, |largest: f64, error| largest.max(error.abs()));
                 [mean, largest].map(|error| (10.0 * error).round() / 10.0)
             };
-            rows.push(row([
-                ("way", json!(name)),
-                ("core", json!(core.name)),
-                ("names", json!(names)),
-                ("constants", json!(constants.iter().map(|constant| rounded(*constant)).collect::<Vec<_>>())),
-                ("mean_and_largest_error_in_the_fit", json!(errors(true))),
-                ("mean_and_largest_error_elsewhere", json!(errors(false))),
-            ]));
+            let shown: Vec<f64> = constants.iter().map(|constant| rounded(*constant)).collect();
+            rows.push(row(json!({"way": name, "core": core.name, "names": names, "constants": shown,
+                "mean_and_largest_error_in_the_fit": errors(true),
+                "mean_and_largest_error_elsewhere": errors(false)})));
         }
     }
     Ok(rows)
@@ -100,8 +88,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 /// its instructions. The normal equations, by Gauss and Jordan.
 fn constants(drawn: &[Drawn]) -> Result<Vec<f64>> {
     let part = |drawn: &Drawn| -> Vec<f64> {
-        let counts = drawn.counts().into_iter();
-        counts.map(|count| count / drawn.instructions as f64).collect()
+        drawn.counts.iter().map(|count| count / drawn.instructions as f64).collect()
     };
     let cases: Vec<_> = drawn.iter().filter(|drawn| drawn.case.fitted).map(part).collect();
     let count = cases.first().ok_or("no cases")?.len();

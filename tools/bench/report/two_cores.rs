@@ -3,7 +3,7 @@
 use crate::core::CORES;
 use crate::data::{self, row, Row};
 use crate::Result;
-use serde_json::{json, Value};
+use serde_json::json;
 use std::collections::BTreeMap;
 
 /// The most that a frame by two cores may take of one core's instructions.
@@ -42,16 +42,10 @@ pub(crate) fn rows(failures: &mut Vec<String>) -> Result<Vec<Row>> {
                     core.name
                 ));
             }
-            rows.push(row([
-                ("scene", json!(scene)),
-                ("variant", json!(variant)),
-                ("core", json!(core.name)),
-                ("one", json!(one)),
-                ("first", json!(first)),
-                ("second", json!(second)),
-                ("frame", json!(frame)),
-                ("crc", Value::clone(&crc)),
-            ]));
+            rows.push(row(
+                json!({"scene": scene, "variant": variant, "core": core.name, "one": one, "first": first,
+                "second": second, "frame": frame, "crc": crc}),
+            ));
         }
     }
     Ok(rows)

@@ -106,6 +106,11 @@ impl<P: FacePlanes> Scene<P> {
         &self.camera
     }
 
+    /// Set up before the frame too.
+    pub fn model(&self) -> &Affine<ModelSpace, World> {
+        &self.model
+    }
+
     /// Set up before the frame too, where there is light.
     pub fn light(&self) -> Option<Lambert> {
         lit(&self.model)

@@ -185,7 +185,7 @@ fn both(step: Step<'_>, taken: bool) -> u32 {
         Kind::BranchTo | Kind::CallTo | Kind::WritePc if taken => 1 + refill(step, REFILL_FROM_REGISTER),
         Kind::TableBranch => 2 + refill(step, REFILL_FROM_REGISTER),
         Kind::System => 2,
-        Kind::Float(cycles) => cycles,
+        Kind::Float => step.instruction.cycles,
         _ => 1,
     }
 }

@@ -71,6 +71,11 @@ impl What {
 }
 
 impl Case {
+    /// Whether it has no faces.
+    pub fn is_of_points(&self) -> bool {
+        matches!(self.what, What::Points(_))
+    }
+
     /// Whether it is drawn by the smaller painter, which has room for three times its vertices.
     pub(super) fn is_small(&self) -> bool {
         let (What::Shape(shape) | What::Points(shape)) = self.what;

@@ -3,12 +3,10 @@
 
 mod cases;
 mod texture;
-#[cfg(not(target_os = "none"))]
+#[cfg(feature = "report")]
 mod work;
 
 pub use cases::{Case, CASES};
-#[cfg(not(target_os = "none"))]
-pub use work::{terms, Work};
 
 use self::texture::textured;
 use crate::board::Clock;

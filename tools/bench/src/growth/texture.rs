@@ -26,7 +26,7 @@ static PALETTE: [Rgb565; 256] = {
 /// The unit of coordinates as a power of two, in sides of the picture: a mesh as large as coordinates allow shows it four times.
 const UNIT: i8 = -14;
 /// Texels in a unit of coordinates.
-#[cfg(not(target_os = "none"))]
+#[cfg(feature = "report")]
 pub(super) const TEXELS_OF_UNIT: f64 = SIDE as f64 / (1 << 14) as f64;
 
 /// Each face with the picture on it, in the light that its normal has. `None`: no such picture.

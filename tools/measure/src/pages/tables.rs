@@ -1,7 +1,9 @@
 //! The tables by their names, from the rows of `docs/data`.
 
 use pinhole_apps_support::grouped::grouped;
+use serde::Deserialize;
 use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 
 type Result<T> = std::result::Result<T, String>;
 
@@ -9,25 +11,17 @@ pub(super) fn table_of(name: &str) -> Result<String> {
     match name {
         "comparison" => comparison(),
         "scenes" => scenes(),
-        "variants" => cells(&["frame", "cell"], &VARIANTS, &CORES.map(|core| (core, core, "instructions"))),
-        "memory" => {
-            let columns = [("flash", "M3", "flash"), ("RAM", "M3", "ram"), ("stack", "M3", "stack")];
-            let more = [["S3", "bands8-z", ""], ["S4", "bands8-z", ""]];
-            cells(&["cell"], &[&SCENES[..], &more].concat(), &columns)
-        }
-        "cycles" => cycles(),
         "frames" => frames(),
         "bands" => bands(),
         "cores" => cores(),
         "cycles per instruction" => cycles_per_instruction(),
-        "footprint" => footprint(),
         "features" => features(),
         "vertex errors" => vertex_errors(),
         "depth errors" => depth_errors(),
         "texture errors" => texture_errors(),
         _ => match name.strip_prefix("growth ") {
             Some(way) => growth(way),
-            None => Err("unknown".into()),
+            None => Figures::named(name)?.table(),
         },
     }
 }
@@ -127,6 +121,56 @@ fn table(header: &[&str], lines: impl IntoIterator<Item = Vec<String>>) -> Resul
     Ok(text)
 }
 
+/// A table of `tables.json`, each cell of which is a figure of the row in the data that its row and its column name.
+#[derive(Deserialize)]
+struct Figures {
+    data: String,
+    /// The columns of the data that a row names, and those that a column names.
+    keys: Vec<String>,
+    of: Vec<String>,
+    /// Headings before the figures: of what a row says, if it begins with that, and of its name.
+    first: Vec<String>,
+    /// Heading, values of `of`, and the figure's column.
+    columns: Vec<Vec<String>>,
+    rows: Vec<Vec<String>>,
+}
+
+impl Figures {
+    fn named(name: &str) -> Result<Self> {
+        let tables: BTreeMap<String, Self> =
+            serde_json::from_str(include_str!("tables.json")).map_err(|e| format!("tables.json: {e}"))?;
+        tables.into_iter().find(|table| table.0 == name).map(|table| table.1).ok_or("unknown".into())
+    }
+
+    fn header(&self) -> Vec<&str> {
+        let columns = self.columns.iter().filter_map(|column| column.first());
+        self.first.iter().chain(columns).map(String::as_str).collect()
+    }
+
+    fn lines(&self) -> Result<Vec<Vec<String>>> {
+        let data = Rows::read(&self.data)?;
+        let line = |row: &Vec<String>| {
+            let (says, values) = row.split_at(row.len().saturating_sub(self.keys.len()));
+            let figure = |column: &Vec<String>| {
+                let [_, of @ .., figure] = &column[..] else { return shown(None) };
+                let keys = self.keys.iter().chain(&self.of).zip(values.iter().chain(of));
+                let keys: Vec<_> = keys.map(|(key, value)| (key.as_str(), value.as_str())).collect();
+                shown(data.row(&keys).ok().and_then(|row| row.get(figure)))
+            };
+            let name = match values {
+                [scene, variant] => Some(named(scene, variant)),
+                _ => None,
+            };
+            says.iter().cloned().chain(name).chain(self.columns.iter().map(figure)).collect()
+        };
+        Ok(self.rows.iter().map(line).collect())
+    }
+
+    fn table(&self) -> Result<String> {
+        table(&self.header(), self.lines()?)
+    }
+}
+
 const CORES: [&str; 4] = ["M0", "M3", "M4F", "RV32"];
 
 /// The scene, with the variant unless that is `plain`.
@@ -136,18 +180,6 @@ fn named(scene: &str, variant: &str) -> String {
     } else {
         format!("{scene} {variant}")
     }
-}
-
-/// A line for each cell: what it says, if there is a column for that, its name, and figures: heading, core and column of the data.
-fn cells(first: &[&str], cells: &[[&str; 3]], figures: &[(&str, &str, &str)]) -> Result<String> {
-    let rows = Rows::read("cells")?;
-    let header: Vec<&str> = first.iter().copied().chain(figures.iter().map(|figure| figure.0)).collect();
-    let line = |&[scene, variant, says]: &[&str; 3]| {
-        let names = [says.to_string(), named(scene, variant)];
-        let figures = figures.iter().map(|(_, core, column)| rows.figure(scene, variant, core, column));
-        names.into_iter().skip(2 - first.len()).chain(figures).collect()
-    };
-    table(&header, cells.iter().map(line))
 }
 
 /// The fastest other library with a projection and faces on a cell, and its instructions.
@@ -197,69 +229,19 @@ fn comparison() -> Result<String> {
 /// The torus in flash: 500 vertices of 6 bytes, and 1000 faces with a normal and a plane.
 const TORUS: i64 = 500 * 6 + 1000 * (6 + 6 + 2);
 
-/// The cells that other libraries can draw.
-const SCENES: [[&str; 3]; 11] = [
-    ["S1", "plain", ""],
-    ["S2", "plain", ""],
-    ["S2", "z", ""],
-    ["S3", "plain", ""],
-    ["S3", "z", ""],
-    ["S4", "plain", ""],
-    ["S4", "z", ""],
-    ["S5", "plain", ""],
-    ["S6", "plain", ""],
-    ["S7", "plain", ""],
-    ["S8", "z", ""],
-];
-
+/// The instructions of the cells that other libraries can draw, and those of the fastest.
 fn scenes() -> Result<String> {
-    let (cells, rivals) = (Rows::read("cells")?, Rows::read("rivals")?);
-    let line = |[scene, variant, _]: [&str; 3]| {
-        let mut line = vec![named(scene, variant)];
-        line.extend(CORES.map(|core| cells.figure(scene, variant, core, "instructions")));
-        for core in ["M0", "M4F"] {
+    let (figures, rivals) = (Figures::named("instructions")?, Rows::read("rivals")?);
+    let others = ["M0", "M4F"];
+    let mut lines = figures.lines()?;
+    for (line, row) in lines.iter_mut().zip(&figures.rows) {
+        let [scene, variant] = &row[..] else { return Err(format!("{row:?}: no cell")) };
+        line.extend(others.map(|core| {
             let other = best(&rivals, scene, variant, core);
-            line.push(other.map_or("–".into(), |(library, count)| format!("{library} {}", signed(count))));
-        }
-        line
-    };
-    let header = ["scene", "M0", "M3", "M4F", "RV32", "best other, M0", "best other, M4F"];
-    table(&header, SCENES.map(line))
-}
-
-/// What else a frame may have, with what it is.
-const VARIANTS: [[&str; 3]; 21] = [
-    ["S3", "no-planes", "S3 without face planes"],
-    ["S3", "no-planes-z", "– with depth"],
-    ["S3", "wire", "S3, all 1500 edges"],
-    ["S3", "smooth", "– anti-aliased"],
-    ["S3", "dt", "S3 into a DrawTarget of the firmware"],
-    ["S3", "dt-z", "– with depth"],
-    ["S3", "z-s", "S3 with depth, built at opt-level s"],
-    ["C1", "plain", "S3's torus cut by the near plane, without face planes"],
-    ["C1", "z", "– with depth"],
-    ["C1", "planes", "– with face planes"],
-    ["T1", "plain", "S1 turning: the object is placed in the frame"],
-    ["F50", "z", "50 cubes with depth, 25 of them in view, placed in the frame"],
-    ["X1", "plain", "S3's torus, textured"],
-    ["X1", "z", "– with depth"],
-    ["X2", "plain", "a textured floor over the picture"],
-    ["G1", "plain", "S3 in fog by pixel"],
-    ["G1", "z", "– with depth"],
-    ["B1", "z", "50 keyed sprites of 16 × 16 texels, with depth"],
-    ["S5", "half", "S5 blended in equal parts"],
-    ["S5", "alpha", "S5 blended by an alpha"],
-    ["S6", "smooth", "S6 anti-aliased"],
-];
-
-fn cycles() -> Result<String> {
-    let (cycles, cores) = (Rows::read("cycles")?, ["M0", "M0+", "M3", "M4", "M33"]);
-    let line = |[scene, variant, _]: [&str; 3]| {
-        let mut line = vec![named(scene, variant)];
-        line.extend(cores.map(|core| cycles.figure(scene, variant, core, "cycles")));
-        line
-    };
-    table(&["scene", "M0", "M0+", "M3", "M4", "M33"], SCENES.map(line))
+            other.map_or("–".into(), |(library, count)| format!("{library} {}", signed(count)))
+        }));
+    }
+    table(&[&figures.header()[..], &["best other, M0", "best other, M4F"]].concat(), lines)
 }
 
 /// S3 with depth and S1 on each chip in bands.
@@ -357,37 +339,6 @@ fn growth(way: &str) -> Result<String> {
     table(&["", "M0", "M3", "M4F", "RV32"], lines)
 }
 
-/// The images that a user chooses from.
-const IMAGES: &str = "place camera wireframe_inside wireframe wireframe_smooth wireframe_bands hidden_bands solid_inside solid \
-                      picture solid_bands depth depth_picture depth_bands depth_pixels framing gouraud_pixels flat_dither_pixels \
-                      dither_pixels textured_pixels painter painter_bands everything_inside everything";
-const M0: &str = "thumbv6m-none-eabi";
-const M3: &str = "thumbv7m-none-eabi";
-const RV: &str = "riscv32imc-unknown-none-elf";
-/// The columns of the footprint: heading, target, opt-level and column of the data.
-const FOOTPRINT: [[&str; 4]; 8] = [
-    ["firmware", M3, "3", "says"],
-    ["M0: flash", M0, "3", "flash"],
-    ["M3: flash", M3, "3", "flash"],
-    ["M3, s: flash", M3, "s", "flash"],
-    ["RV32: flash", RV, "3", "flash"],
-    ["variables", M3, "3", "variables"],
-    ["M0: stack", M0, "3", "stack"],
-    ["M3: stack", M3, "3", "stack"],
-];
-
-fn footprint() -> Result<String> {
-    let rows = Rows::read("footprint")?;
-    let line = |image: &str| {
-        let of = |[_, target, level, column]: [&str; 4]| {
-            let row = rows.row(&[("image", image), ("target", target), ("level", level)]);
-            row.map_or("–".into(), |row| row.text(column))
-        };
-        FOOTPRINT.map(of).to_vec()
-    };
-    table(&FOOTPRINT.map(|column| column[0]), IMAGES.split_whitespace().map(line))
-}
-
 /// A feature, an image with it, and one that draws alike without it.
 const FEATURES: [[&str; 3]; 6] = [
     ["a screen door", "screen_door", "color"],
@@ -402,7 +353,7 @@ fn features() -> Result<String> {
     let rows = Rows::read("footprint")?;
     let mut lines = Vec::new();
     for [feature, with, without] in FEATURES {
-        let of = |image| rows.row(&[("image", image), ("target", M3), ("level", "3")]);
+        let of = |image| rows.row(&[("image", image), ("target", "thumbv7m-none-eabi"), ("level", "3")]);
         let (with, without) = (of(with)?, of(without)?);
         let added = with.number("flash")? - without.number("flash")?;
         lines.push(vec![feature.into(), without.text("says"), signed(added as i64)]);
