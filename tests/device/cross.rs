@@ -2,12 +2,12 @@
 
 use crate::floats::is_float_routine;
 use std::collections::BTreeMap;
-use std::io::{Read, Write};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
-use support::ROOT;
+use support::{firmware, ROOT};
 
 /// QEMU needs a second or two; more than this means that the firmware hangs.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(120);
@@ -48,8 +48,7 @@ impl Firmware {
             target,
         ]);
         build.args(examples.iter().flat_map(|example| ["--example", example]));
-        let build = build.output().expect("bash ran a moment ago");
-        assert!(build.status.success(), "{}", String::from_utf8_lossy(&build.stderr));
+        firmware::run(&mut build);
         Some(Self { target })
     }
 
@@ -115,38 +114,18 @@ impl Firmware {
 
 /// Whether the tools for a target are installed. If not, the test says so; with `CI` set it fails.
 pub(crate) fn has_tools(target: &str) -> bool {
-    let check = Command::new("bash").args(["tools/cross", "--check", target]).current_dir(ROOT).output();
-    let lacking = match check {
-        Ok(check) if check.status.success() => return true,
-        Ok(check) => String::from_utf8_lossy(&check.stderr).into_owned(),
-        Err(error) => format!("bash: {error}\n"),
-    };
-    assert!(std::env::var_os("CI").is_none(), "{target}: {lacking}");
-    // Not by eprintln, which the test harness shows only when a test fails.
-    write!(std::io::stderr(), "\nSKIPPED, NOT TESTED: firmware for {target}\n{lacking}").expect("stderr");
-    false
+    firmware::has_compiler(&format!("firmware for {target}"), target)
 }
 
 /// The symbols of an image, one a line.
 pub(crate) fn symbols(image: &Path) -> String {
-    let nm = cross().args(["bash", "-c", "\"$NM\" \"$1\"", "nm"]).arg(image).output().expect("bash");
-    assert!(nm.status.success(), "{}", String::from_utf8_lossy(&nm.stderr));
-    String::from_utf8_lossy(&nm.stdout).into_owned()
+    firmware::run(cross().args(["bash", "-c", "\"$NM\" \"$1\"", "nm"]).arg(image))
 }
 
-/// A folder beside the test's own build: another compiler and another cargo cannot share it.
 pub(crate) fn target_dir() -> PathBuf {
-    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).with_file_name("cross")
+    firmware::target_dir(env!("CARGO_TARGET_TMPDIR"))
 }
 
 fn cross() -> Command {
-    let mut command = Command::new("bash");
-    // These would replace the flags by which firmware is linked.
-    command
-        .arg("tools/cross")
-        .current_dir(ROOT)
-        .env("CARGO_TARGET_DIR", target_dir())
-        .env_remove("RUSTFLAGS")
-        .env_remove("CARGO_ENCODED_RUSTFLAGS");
-    command
+    firmware::cross(&target_dir())
 }

@@ -6,9 +6,9 @@ use crate::floats::is_float_routine;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::sync::{Mutex, PoisonError};
-use support::ROOT;
+use support::{firmware, ROOT};
 
 const FIRST: &str = "## The first picture";
 const FIRMWARE: &str = "## Your own model on your own display";
@@ -315,50 +315,43 @@ fn read(path: &str) -> String {
     fs::read_to_string(Path::new(ROOT).join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
-/// An empty folder outside the repository, so that the repository's `.cargo/config.toml` does not apply, with the repository
-/// in it as `pinhole`.
+/// An empty folder with the repository in it as `pinhole`.
 struct Folder {
     path: PathBuf,
+    _temporary: firmware::Folder,
 }
 
 impl Folder {
     fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("pinhole-template-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).expect("a folder");
+        let temporary = firmware::Folder::new(&format!("template-{name}"));
+        let path = temporary.0.clone();
         #[cfg(unix)]
         std::os::unix::fs::symlink(ROOT, path.join("pinhole")).expect("a link");
-        Self { path }
+        Self { path, _temporary: temporary }
     }
 
     /// What the commands print. They run with the compiler for the target that `variables` name, if they name one.
     fn shell(&self, commands: &str, variables: &[(&str, &str)]) -> String {
-        let mut command = Command::new("bash");
         let script = format!("set -euo pipefail\n{commands}");
-        match variables {
+        let mut command = match variables {
             [] => {
+                let mut command = Command::new("bash");
                 command.args(["-c", &script]);
                 command.env("CARGO_TARGET_DIR", Path::new(env!("CARGO_TARGET_TMPDIR")).join("first"));
+                command
             }
             [(_, target), ..] => {
                 // `--target` is for tools/cross, which finds a compiler by it; the commands do not see it.
-                let tools = Path::new(ROOT).join("tools/cross");
-                command.arg(tools).args(["bash", "-c", &script, "--target", target]);
-                command.env("CARGO_TARGET_DIR", target_dir());
+                let mut command = firmware::cross(&target_dir());
+                command.args(["bash", "-c", &script, "--target", target]);
+                command
             }
-        }
+        };
         command.envs(variables.iter().copied());
         // As in boards/check, whose builds these share.
         command.env("CARGO_PROFILE_RELEASE_DEBUG", "false");
         // These would replace the flags of the templates.
         command.env_remove("RUSTFLAGS").env_remove("CARGO_ENCODED_RUSTFLAGS");
-        let output = command.current_dir(&self.path).stdin(Stdio::null()).output().expect("bash");
-        assert!(output.status.success(), "{commands}\n{}", String::from_utf8_lossy(&output.stderr));
-        String::from_utf8(output.stdout).expect("text")
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.path); // a temporary folder; its link is removed, not what it leads to
+        firmware::run(command.current_dir(&self.path))
     }
 }

@@ -2,13 +2,12 @@
 //! lasting harm. What a display refuses is tested without emulators (`src/watch.rs`).
 //! Each firmware is a copy of the template in which a few words are replaced, built and linked as the template is.
 
-use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
-use std::sync::{Mutex, PoisonError};
+use std::sync::atomic::{AtomicU32, Ordering};
+use support::firmware::{edit, has_tools, image, Folder};
+use support::ROOT;
 
-const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 /// Enough for a fault that only the second frame shows.
 const FRAMES: &str = "2";
 
@@ -164,11 +163,20 @@ impl Template {
 
     /// Runs the firmware with the edits; `None` if the tools are missing.
     fn run(&self, edits: &[Edit], options: &[&str]) -> Option<Output> {
-        if !self.has_tools() {
+        static NUMBER: AtomicU32 = AtomicU32::new(0);
+        let checks: [&[&str]; 2] =
+            [&["tools/cross", "--check", self.target], &["boards/emulate/run", "--check"]];
+        if !has_tools(&format!("faulty firmware for {}", self.board), &checks) {
             return None;
         }
-        let folder = Folder::new();
-        let image = self.build(edits, &folder.0);
+        let folder = Folder::new(&format!("emulate-{}", NUMBER.fetch_add(1, Ordering::Relaxed)));
+        let target_dir = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
+        let target_dir = target_dir.unwrap_or_else(|| Path::new(ROOT).join("target/cross"));
+        let image = image(self.board, self.target, &target_dir, &folder.0, |copy| {
+            for (file, from, to) in edits {
+                edit(&copy.join(file), from, to);
+            }
+        });
         let output = Command::new(env!("CARGO_BIN_EXE_emulate"))
             .arg(self.board)
             .arg(image)
@@ -177,81 +185,5 @@ impl Template {
             .stdin(Stdio::null())
             .output();
         Some(output.expect("the program was built"))
-    }
-
-    fn build(&self, edits: &[Edit], folder: &Path) -> PathBuf {
-        // One at a time: all are built into one folder, and cargo takes them for one package, which it builds again where a file
-        // is newer than what it has built.
-        static ONE: Mutex<()> = Mutex::new(());
-        let _one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
-        let copy = folder.join("firmware");
-        run(Command::new("bash").arg(Path::new(ROOT).join("boards/new")).arg(self.board).arg(&copy));
-        for (file, from, to) in edits {
-            let file = copy.join(file);
-            let text = fs::read_to_string(&file).expect("a file of the template");
-            assert_eq!(text.matches(from).count(), 1, "{}: {from}", file.display());
-            fs::write(&file, text.replace(from, to)).expect("a file of the copy");
-        }
-        let target_dir = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
-        let target_dir = target_dir.unwrap_or_else(|| Path::new(ROOT).join("target/cross"));
-        let mut build = Command::new("bash");
-        build.arg(Path::new(ROOT).join("tools/cross"));
-        build.args([env!("CARGO"), "build", "--quiet", "--release", "--locked", "--target", self.target]);
-        build.env("CARGO_TARGET_DIR", &target_dir).current_dir(&copy);
-        // These would replace the flags of the template.
-        build.env_remove("RUSTFLAGS").env_remove("CARGO_ENCODED_RUSTFLAGS");
-        run(&mut build);
-        let image = folder.join("image");
-        fs::copy(target_dir.join(self.target).join("release").join(self.board), &image).expect("the image");
-        image
-    }
-
-    /// Whether the compiler for the target and the emulators are there. If not, the test says so; with `CI` set it fails.
-    fn has_tools(&self) -> bool {
-        let checks = [["tools/cross", "--check", self.target], ["boards/emulate/run", "--check", ""]];
-        let lacking: String = checks
-            .iter()
-            .filter_map(|check| {
-                let check = check.iter().filter(|word| !word.is_empty());
-                match Command::new("bash").args(check).current_dir(ROOT).output() {
-                    Ok(output) if output.status.success() => None,
-                    Ok(output) => Some(String::from_utf8_lossy(&output.stderr).into_owned()),
-                    Err(error) => Some(format!("bash: {error}\n")),
-                }
-            })
-            .collect();
-        if lacking.is_empty() {
-            return true;
-        }
-        assert!(std::env::var_os("CI").is_none(), "{}: {lacking}", self.board);
-        // Not by eprintln, which the test harness shows only when a test fails.
-        let skipped = format!("\nSKIPPED, NOT TESTED: faulty firmware for {}\n{lacking}", self.board);
-        std::io::stderr().write_all(skipped.as_bytes()).expect("stderr");
-        false
-    }
-}
-
-fn run(command: &mut Command) {
-    let output = command.stdin(Stdio::null()).output().expect("a command");
-    assert!(output.status.success(), "{command:?}\n{}", String::from_utf8_lossy(&output.stderr));
-}
-
-/// A temporary folder outside the repository, so that the repository's `.cargo/config.toml` does not apply.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new() -> Self {
-        use std::sync::atomic::{AtomicU32, Ordering};
-        static NUMBER: AtomicU32 = AtomicU32::new(0);
-        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
-        let folder = std::env::temp_dir().join(format!("pinhole-emulate-{}-{number}", std::process::id()));
-        fs::create_dir_all(&folder).expect("a folder");
-        Self(folder)
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
     }
 }

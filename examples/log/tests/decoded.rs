@@ -7,9 +7,8 @@ mod film;
 
 use defmt_decoder::{DecodeError, Table};
 use film::{Film, FRAMES};
-use std::io::Write;
-use std::path::PathBuf;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
+use support::firmware;
 
 const TARGET: &str = "thumbv7m-none-eabi";
 
@@ -95,25 +94,19 @@ fn host() -> Vec<String> {
 
 /// The firmware's image, and what it sends under QEMU. None if the tools for that are missing.
 fn device() -> Option<(Vec<u8>, Vec<u8>)> {
-    let check = cross(&["--check", TARGET]).output();
-    let lacking = match check {
-        Ok(check) if check.status.success() => None,
-        Ok(check) => Some(String::from_utf8_lossy(&check.stderr).into_owned()),
-        Err(error) => Some(format!("bash: {error}\n")),
-    };
-    if let Some(lacking) = lacking {
-        assert!(std::env::var_os("CI").is_none(), "{TARGET}: {lacking}");
-        // Not by eprintln, which the test harness shows only when a test fails.
-        write!(std::io::stderr(), "\nSKIPPED, NOT TESTED: defmt on {TARGET}\n{lacking}").expect("stderr");
+    if !firmware::has_compiler("defmt", TARGET) {
         return None;
     }
+    let target_dir = firmware::target_dir(env!("CARGO_TARGET_TMPDIR"));
     // Ends by itself: the film is short, and a panic ends QEMU too.
-    let run = cross(&[env!("CARGO"), "run", "--quiet", "--release", "--target", TARGET])
+    let run = firmware::cross(&target_dir)
+        .args([env!("CARGO"), "run", "--quiet", "--release", "--target", TARGET])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
         .stdin(Stdio::null())
         .output()
         .expect("bash ran a moment ago");
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
-    let image = std::fs::read(target_dir().join(TARGET).join("release/log")).expect("it was run");
+    let image = std::fs::read(target_dir.join(TARGET).join("release/log")).expect("it was run");
     Some((image, run.stdout))
 }
 
@@ -133,22 +126,4 @@ fn decode(image: &[u8], sent: &[u8]) -> Vec<String> {
             Err(DecodeError::Malformed) => panic!("malformed after {lines:#?}"),
         }
     }
-}
-
-/// Beside the test's own build, not in it: two compilers share no build, nor two cargos a lock.
-fn target_dir() -> PathBuf {
-    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).with_file_name("cross")
-}
-
-fn cross(words: &[&str]) -> Command {
-    let mut command = Command::new("bash");
-    command
-        .arg("../../tools/cross")
-        .args(words)
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .env("CARGO_TARGET_DIR", target_dir())
-        // These would replace the flags by which firmware is linked.
-        .env_remove("RUSTFLAGS")
-        .env_remove("CARGO_ENCODED_RUSTFLAGS");
-    command
 }
