@@ -6,7 +6,6 @@
 //!
 //! Your own model: `cargo run --release -p pinhole-render -- MODEL.stl --gif turn.gif`.
 
-mod depth;
 mod scene;
 mod terminal;
 
@@ -55,7 +54,7 @@ fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
     let mut cache = vec![ScreenVertex::default(); VERTICES.len()];
 
     let (mut solid, mut wireframe) = (Sum::default(), Sum::default());
-    let mut misordered = Misordered::default();
+    let (mut misordered, mut worst, mut covered) = (0, 0, 0);
     let mut sheet = Vec::new();
     let mut preview = String::new();
     for frame in 0..frames {
@@ -72,9 +71,8 @@ fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
             let statistics = scene::paint(&mut painter, &instances, shade, &mut canvas)?;
             solid.add(statistics, start.elapsed());
 
-            let mut numbers = Canvas::new(size, depth::NOTHING);
-            scene::paint(&mut numberer, &instances, depth::face_colour, &mut numbers)?;
-            misordered.add(&numbers, depth::nearest_faces(&instances, size));
+            let (differing, of) = scene::misordered(&mut numberer, &instances, size)?;
+            (misordered, worst, covered) = (misordered + differing, worst.max(differing), covered + of);
         } else {
             let statistics = instances[0].wireframe(WIRE, &mut cache, &mut canvas)?;
             wireframe.add(statistics, start.elapsed());
@@ -101,7 +99,10 @@ fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
     ))?;
     command::say(format_args!("solid:     {solid}"))?;
     command::say(format_args!("wireframe: {wireframe}"))?;
-    command::say(format_args!("painter's order: {misordered}"))?;
+    command::say(format_args!(
+        "painter's order: {misordered} of {covered} pixels show another face than a depth buffer would; \
+         {worst} in the worst frame"
+    ))?;
     Ok(())
 }
 
@@ -139,34 +140,6 @@ impl std::fmt::Display for Sum {
              {degenerate} degenerate; {:.2} ms a frame here",
             self.frames,
             self.time.as_secs_f64() * 1e3 / f64::from(self.frames.max(1)),
-        )
-    }
-}
-
-/// Pixels where painter's order and a depth buffer show different faces.
-#[derive(Default)]
-struct Misordered {
-    pixels: usize,
-    worst: usize,
-    of: usize,
-}
-
-impl Misordered {
-    fn add(&mut self, painted: &Canvas<Rgb888>, nearest: Option<Canvas<Rgb888>>) {
-        let Some(nearest) = nearest else { return };
-        let (differing, covered) = depth::compare(painted, &nearest);
-        self.pixels += differing;
-        self.of += covered;
-        self.worst = self.worst.max(differing);
-    }
-}
-
-impl std::fmt::Display for Misordered {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Misordered { pixels, worst, of } = self;
-        write!(
-            f,
-            "{pixels} of {of} pixels show another face than a depth buffer would; {worst} in the worst frame"
         )
     }
 }
