@@ -4,23 +4,14 @@
 //! - A line from either end, in parts of the picture of any height, is one line.
 //! - The edges of a mesh, plain, hidden by faces and tested by depth, are equal in bands and in one piece, and in formats of 16 and 24
 //!   bits. With nothing in front, no edge is hidden.
-#![no_main]
 
-use support::bridge;
-mod bytes;
-#[allow(dead_code)] // faces and edges alone are drawn here
-#[path = "scene/input.rs"]
-mod input;
-use support::oracle;
-
-use bytes::Bytes;
+use super::scene::input::Scene;
+use super::Bytes;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
-use input::Scene;
-use libfuzzer_sys::fuzz_target;
 use pinhole::{draw_line, AntiAliased, Color, ScreenVertex, StoredPixel};
-use support::bridge::ways;
+use support::bridge::{self, ways};
 
 /// The part of a pixel with x and y from 0 to 1 that lies between two parallels to a line through `at`, whose slope is at most 1 in
 /// size, half a pixel away: a polygon, cut by two half planes.
@@ -136,7 +127,7 @@ fn edges<const N: usize, C: Color + StoredPixel<[u8; N]> + core::fmt::Debug>(
     });
 }
 
-fuzz_target!(|data: &[u8]| {
+pub(super) fn check(data: &[u8]) {
     let mut b = Bytes::new(data);
     let kind = b.byte();
     if kind & 1 == 0 {
@@ -150,4 +141,4 @@ fuzz_target!(|data: &[u8]| {
         0 => edges(&scene, rows, [Rgb565::BLUE, Rgb565::new(3, 40, 7), Rgb565::YELLOW]),
         _ => edges(&scene, rows, [Rgb888::BLUE, Rgb888::new(30, 99, 7), Rgb888::YELLOW]),
     }
-});
+}

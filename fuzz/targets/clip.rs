@@ -5,20 +5,14 @@
 //! Lines: the new ends by their documented bound, both orders alike. Triangles carry their barycentric
 //! weights as attributes: every new corner must be the point that its own weights name, and points of the
 //! triangle must be in the result where they are in the volume, whatever way the clipper took.
-#![no_main]
 
-use support::bridge;
-mod bytes;
-use support::oracle;
-
-use bridge::point;
-use bytes::Bytes;
-use libfuzzer_sys::fuzz_target;
-use oracle::chain::{outcode, V4};
-use oracle::volume::{distances, gap, inside, largest};
+use super::Bytes;
 use pinhole::clip::{self, ClipVertex};
 use pinhole::space::View;
 use pinhole::{ClipPoint, Outcode, Projection};
+use support::bridge::point;
+use support::oracle::chain::{outcode, V4};
+use support::oracle::volume::{distances, gap, inside, largest};
 
 /// What six cuts may lose, in units of the distance from a plane: each rounds two coordinates by ½ and the
 /// way there down by 2⁻³¹ of a distance of at most 2³¹; aligning the exponents rounds two by ½ before.
@@ -175,6 +169,11 @@ fn check_triangle(points: [ClipPoint; 3], extra: [i32; 3], sample: [f64; 3]) -> 
         let carried: f64 = (0..3).map(|i| w[i] * f64::from(extra[i])).sum();
         let step = extra.iter().map(|e| f64::from(*e).abs()).fold(0.0, f64::max) * 2f64.powi(-31);
         assert!((f64::from(v.attributes[2]) - carried).abs() <= 3.5 + 12.0 * step, "{points:?} {v:?}");
+        let range = extra.iter().min()..=extra.iter().max();
+        assert!(
+            range.contains(&Some(&v.attributes[2])),
+            "beyond all three values: {points:?} {extra:?} {v:?}"
+        );
     }
     // A point of the triangle, by the planes and by the polygon. Its corners may be up to 3.5 steps of 2⁻³² off:
     // how far left of each side the point is, and what that makes of it, more beyond a short side's ends.
@@ -231,7 +230,7 @@ fn check_shared(a: ClipPoint, b: ClipPoint, others: [ClipPoint; 2], ends: (ClipP
     }
 }
 
-fuzz_target!(|data: &[u8]| {
+pub(super) fn check(data: &[u8]) {
     let mut b = Bytes::new(data);
     let kind = b.byte();
     let (Some(p), Some(q)) = (clip_point(&mut b), clip_point(&mut b)) else { return };
@@ -249,4 +248,4 @@ fuzz_target!(|data: &[u8]| {
         (u, v) = (1.0 - u, 1.0 - v);
     }
     check_triangle([p, q, r], extra, [1.0 - u - v, u, v]);
-});
+}

@@ -1,5 +1,4 @@
 //! A scene on every kind of target, in one piece, in parts and in bands: all must be equal.
-#![allow(dead_code)] // not every target draws on every kind
 
 use core::fmt::Debug;
 use embedded_graphics_core::primitives::Rectangle;

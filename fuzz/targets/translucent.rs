@@ -4,27 +4,17 @@
 //! - A screen door draws the pixels of low ranks in Bayer's matrix, by its recursive definition.
 //! - Blended faces are depth-tested and store no depth; the pixels of a screen door store theirs.
 //! - Memory and bands of any height show equal pixels, and a screen door also any DrawTarget.
-#![no_main]
 
-use support::bridge;
-mod bytes;
-#[allow(dead_code)] // faces alone are drawn here
-#[path = "scene/input.rs"]
-mod input;
-mod place;
-use support::oracle;
-
-use bytes::Bytes;
+use super::place::Place;
+use super::scene::input::Scene;
+use super::Bytes;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
-use input::Scene;
-use libfuzzer_sys::fuzz_target;
-use oracle::rng::Rng;
 use pinhole::{
     Blended, ColorKeyed, DepthBuffer, Gouraud, HalfBlended, Ink, ScreenDoor, SpanShader, TexelSlice, Texture,
     Translucent, Unmixed, Writes,
 };
-use place::Place;
 use support::bridge::ways::{self, Drawn};
+use support::oracle::rng::Rng;
 
 /// Not drawn by any opaque face: their channels are below 31.
 const SKY: Rgb565 = Rgb565::new(31, 63, 31);
@@ -144,7 +134,7 @@ impl Check<'_> {
     }
 }
 
-fuzz_target!(|data: &[u8]| {
+pub(super) fn check(data: &[u8]) {
     let (head, tail) = data.split_at(data.len().min(8));
     let Some(scene) = Scene::read(tail) else { return };
     let Some(area) = scene.rectangle() else { return };
@@ -184,4 +174,4 @@ fuzz_target!(|data: &[u8]| {
             check.check(|face| texture.at([[0, 0], [300, face as i16], [17, -500]]));
         }
     }
-});
+}

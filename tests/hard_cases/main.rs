@@ -16,7 +16,7 @@
 //! | B5 extremes | `tests/raster/lines.rs`, `tests/raster/random_shapes.rs` | exact division |
 //! | B6 zero length, horizontal, vertical, diagonal | L1 in `tests/raster/lines.rs` | exact division |
 //! | B7 joints | `tests/pipeline/polylines.rs` | the union of the lines |
-//! | C1 crossing near | `near_plane::c1_*`; `tests/pipeline/polylines.rs` | one ray per pixel, no clipping in it; the exact cut |
+//! | C1 crossing near | `fuzz/targets/scene/cut.rs`; `tests/pipeline/polylines.rs` | one ray per pixel, no clipping in it; the exact cut |
 //! | C2 a vertex on near | `near_plane::c2_*` | exact coverage of the snapped triangle |
 //! | C3 w down to nothing | `near_plane::c3_*`; `tests/camera/vertex_chain.rs` | one ray per pixel |
 //! | C4 all behind | `near_plane::c4_*` | empty |
@@ -28,8 +28,8 @@
 //! | E1 large offsets | `numbers::e1_*`; `s3_views` in `tests/bounds.rs`; `tests/camera/vertex_chain.rs` | the same scene at the origin; f64 |
 //! | E2 out of Q16.16 | `numbers::e2_*`; `tests/camera/vertex_chain.rs` | by hand; f64 |
 //! | E3 parallel up | `setup_errors::e3_*` | exact angles of integer vectors |
-//! | E4 zero, tiny and huge vectors | `s3_views` in `tests/bounds.rs`; `setup_errors::e4_*` | f64 |
-//! | E5 degenerate lenses | `setup_errors::e5_*` | the documented bounds, both sides |
+//! | E4 zero, tiny and huge vectors | `s3_views` in `tests/bounds.rs`; `fuzz/targets/set_up/views.rs` | f64 |
+//! | E5 degenerate lenses | `setup_errors::e5_*`; `fuzz/targets/set_up/projections.rs` | the documented bounds, both sides |
 //! | E6 drift | `numbers::e6_*` | exact fractions of a turn |
 //! | E7 sine and cosine | `e7_*` in `tests/bounds.rs`; `numbers::e7_*` | f64; by hand |
 //! | E8 reciprocal | `e8_reciprocal` in `tests/bounds.rs` | f64 |

@@ -205,43 +205,6 @@ fn c5_from_the_surface_faces_are_those_of_rays() {
     assert!(back.covered > 10_000 && back.background > 10_000);
 }
 
-#[test]
-fn c1_triangles_across_the_near_plane_cover_what_rays_meet() {
-    let mut crossing = 0;
-    let total = triangles(0xC1, 6000, |rng| {
-        let reach = rng.log(20.0, 32767.0) as i64;
-        let exponent = rng.int(-14, -4) as i8;
-        let size = reach as f64 * f64::from(exponent).exp2();
-        let vertices = [(); 3].map(|()| [0; 3].map(|_| rng.int(-reach, reach) as i16));
-        // About the near plane, at any size against it.
-        let near = 0.25f64.max(size * rng.log(1e-3, 0.5));
-        let near = chain::to_fx(near).expect("in range").max(ONE / 4);
-        let [x, y] = [0; 2].map(|_| size * rng.real(-0.5, 0.5));
-        let shift = bits([x, y, -chain::fx(near) - size * rng.real(-0.7, 0.7)]).expect("in range");
-        let model = ModelBits(vec![Step::Move(shift)]);
-        let exact = model.exact();
-        let is_before = |v: &&[i16; 3]| exact.apply(vertex(**v, exponent))[2] < -chain::fx(near);
-        crossing += usize::from([1, 2].contains(&vertices.iter().filter(is_before).count()));
-        (camera(24, 18, near, 32000 * ONE), model, vertices, exponent)
-    });
-    assert!(crossing > 2000 && total.covered > 50_000);
-    assert!(total.ambiguous * 20 < total.covered);
-}
-
-#[test]
-fn c1_triangles_across_the_far_plane_cover_what_rays_meet() {
-    let mut rng = Rng::new(0xFA);
-    let mut total = Tally::default();
-    for k in 0..2000 {
-        let vertices = [(); 3].map(|()| [0; 3].map(|_| rng.int(-30000, 30000) as i16));
-        let c = camera(24, 18, ONE / 2, 20 * ONE);
-        let model = ModelBits(vec![Step::Move([0, 0, -20 * ONE])]);
-        let faces = [[0, 1, 2], [0, 2, 1]];
-        total.add(compare(&c, k % 4 != 0, &model, &vertices, -11, &faces[k % 2..=k % 2], TOLERANCE));
-    }
-    assert!(total.covered > 20_000 && total.ambiguous * 10 < total.covered);
-}
-
 /// The corners of one triangle in the oracle's clip space.
 fn corners(c: &CameraBits, model: &ModelBits, vertices: &[[i16; 3]], exponent: i8) -> Vec<V4> {
     let (camera, model) = (c.exact(), model.exact());

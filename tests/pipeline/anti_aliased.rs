@@ -1,14 +1,13 @@
-//! Anti-aliased lines: in every way to draw lines, against areas in f64, in bands, and with a depth buffer. Where they meet, and where they
-//! cross the border of the picture, the oracle is the union of the strokes with round joints: the part of a pixel whose points are within
-//! half a pixel of a line, by 32 × 32 samples in f64.
+//! Anti-aliased lines: in every way to draw lines, in bands, and with a depth buffer; `fuzz/targets/anti_aliased.rs` compares single lines
+//! with areas in f64. Where they meet, and where they cross the border of the picture, the oracle is the union of the strokes with round
+//! joints: the part of a pixel whose points are within half a pixel of a line, by 32 × 32 samples in f64.
 
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
-use pinhole::raster::Pixel;
 use pinhole::{
-    draw_line, edge_faces, Affine, AntiAliased, Color, DepthBuffer, Mesh, MeshInstance, Pixels, Reads,
-    ScreenVertex, StoredPixel, Stroke,
+    edge_faces, Affine, AntiAliased, Color, DepthBuffer, Mesh, MeshInstance, Pixels, Reads, ScreenVertex,
+    StoredPixel, Stroke,
 };
 use std::f64::consts::TAU;
 use support::bridge::draw::{cube_camera, flat_camera, CUBE, CUBE_EDGES, CUBE_FACES};
@@ -20,77 +19,11 @@ use support::oracle::rng::Rng;
 const WIDTH: u32 = 64;
 const HEIGHT: u32 = 56;
 
-/// The area of a pixel that is covered by the parallelogram of a line from `a` to `b` in pixels, sampled along the major axis: in
-/// each of 4096 slices, the part of the parallelogram's height that lies in the pixel.
-fn coverage(a: [f64; 2], b: [f64; 2], pixel: [i32; 2], ends: [i32; 2]) -> f64 {
-    let tall = (a[1] - b[1]).abs() > (a[0] - b[0]).abs();
-    let turn = |p: [f64; 2]| if tall { [p[1], p[0]] } else { p };
-    let (a, b) = (turn(a), turn(b));
-    let (column, row) = if tall { (pixel[1], pixel[0]) } else { (pixel[0], pixel[1]) };
-    if !(ends[0]..ends[1]).contains(&column) {
-        return 0.0;
-    }
-    let slope = (b[1] - a[1]) / (b[0] - a[0]);
-    let half = slope.hypot(1.0) / 2.0;
-    let slice = |i: i32| {
-        let middle = a[1] + slope * (f64::from(column) + (f64::from(i) + 0.5) / 4096.0 - a[0]);
-        let (top, bottom) = (middle - half - f64::from(row), middle + half - f64::from(row));
-        (bottom.clamp(0.0, 1.0) - top.clamp(0.0, 1.0)) / 4096.0
-    };
-    (0..4096).map(slice).sum()
-}
-
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
 
 /// What `draw` leaves in memory.
 fn picture<C: Color>(draw: &mut dyn FnMut(&mut Pixels<'_, C>)) -> Vec<C> {
     memory(AREA, C::from_bits(0), &mut |target, _| draw(target))
-}
-
-#[test]
-fn lines_between_pixels_cover_the_area_of_the_parallelogram() {
-    let mut rng = Rng::new(0xAA);
-    let mut covered = 0;
-    for i in 0..60 {
-        let mut end = |limit: i64| [rng.int(-limit, limit), rng.int(-limit, limit)];
-        // Inside, across the borders, and from one end of the range of pixels to the other.
-        let (a, b) = match i % 3 {
-            0 => (end(10).map(|v| v + 25), end(20).map(|v| v + 27)),
-            1 => (end(90), end(90)),
-            _ => (end(32_000), end(60).map(|v| v + 20)),
-        };
-        if a == b {
-            continue;
-        }
-        let tall = (a[1] - b[1]).abs() > (a[0] - b[0]).abs();
-        let major = |p: [i64; 2]| p[usize::from(tall)] as i32;
-        let ends = [major(a).min(major(b)), major(a).max(major(b)) + 1];
-        let pixel = |[x, y]: [i64; 2]| Pixel { x: x as i16, y: y as i16 };
-        let cells = picture(&mut |target| {
-            let Ok(()) = draw_line(pixel(a), pixel(b), AntiAliased(Gray8::WHITE), target);
-        });
-        let centre = |p: [i64; 2]| p.map(|v| v as f64 + 0.5);
-        for (index, cell) in cells.iter().enumerate() {
-            let at = [index as i32 % WIDTH as i32, index as i32 / WIDTH as i32];
-            let exact = 255.0 * coverage(centre(a), centre(b), at, ends);
-            // Half a level, 255 · (2⁻⁹ + 2⁻¹²), and 0.04 for the slices.
-            assert!((f64::from(cell.luma()) - exact).abs() < 1.1, "{a:?} {b:?} {at:?}: {cell:?}, {exact}");
-            covered += u32::from(exact > 0.0);
-        }
-        // In the other direction, and in parts of the picture.
-        let back = picture(&mut |target| {
-            let Ok(()) = draw_line(pixel(b), pixel(a), AntiAliased(Gray8::WHITE), target);
-        });
-        assert!(back == cells || a == b, "{a:?} {b:?}");
-        let mut parts = vec![Gray8::BLACK; cells.len()];
-        for (y, part) in (0..).step_by(8).zip(parts.chunks_mut((WIDTH * 8) as usize)) {
-            let area = Rectangle::new(Point::new(0, y), Size::new(WIDTH, 8));
-            let mut part = Pixels::new(part, area).expect("cells");
-            let Ok(()) = draw_line(pixel(a), pixel(b), AntiAliased(Gray8::WHITE), &mut part);
-        }
-        assert!(parts == cells, "{a:?} {b:?}");
-    }
-    assert!(covered > 1_500, "{covered}");
 }
 
 /// A turned cube, with an instance that fills most of the picture, or reaches beyond its borders and the near plane.

@@ -5,7 +5,6 @@ mod anti_aliased;
 mod bands;
 mod clipped_faces;
 mod culling_by_planes;
-mod drawing;
 mod hidden_lines;
 mod limits;
 mod meshes;

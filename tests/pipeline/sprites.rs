@@ -164,7 +164,7 @@ fn seen(
     let Size { width: columns, height: rows } = shape.picture.size;
     let size = match shape.size {
         Extent::Pixels(pixels) => {
-            [columns, rows].map(|texels| Some(256 * i128::from(texels) * i128::from(pixels)))
+            [columns, rows].map(|texels| Some((256 * i128::from(texels) * i128::from(pixels)).min(1 << 30)))
         }
         Extent::World(size) => {
             // From the point to the points beside and above it, parallel to the view plane.
@@ -180,14 +180,16 @@ fn seen(
         return Err(Unseen::Unsure);
     };
     let Some(depth) = sure(chain::depth(clip)) else { return Err(Unseen::Unsure) };
-    if width * height == 0 || columns * rows == 0 {
+    if [width, height].contains(&0) || [columns, rows].contains(&0) {
         return Err(Unseen::Degenerate);
     }
     let before = |axis: usize, length: i128| match shape.anchor {
         Anchor::Halves(halves) => halves[axis] * length / 2,
         Anchor::Texels(count) => {
             let texels = [columns, rows][axis];
-            i128::from(count[axis].min(texels)) * length / i128::from(texels)
+            // Of 2³¹ and more, pairs are counted.
+            let unit = texels >> 31;
+            i128::from(count[axis].min(texels) >> unit) * length / i128::from(texels >> unit)
         }
     };
     Ok(Seen {
@@ -348,20 +350,23 @@ fn camera(rng: &mut Rng, kind: usize) -> CameraBits {
             0 => ProjectionBits::Perspective(1 << 29, (120, 90), ONE, 40 * ONE),
             1 => ProjectionBits::Frustum([-ONE / 3, ONE / 2, -ONE / 2, ONE / 4], ONE / 2, 30 * ONE),
             2 => ProjectionBits::Orthographic([-3 * ONE, 5 * ONE, -2 * ONE, 4 * ONE], ONE, 20 * ONE),
+            // A unit is a pixel.
+            3 => ProjectionBits::Orthographic([-60, 60, -45, 45].map(|c| c * ONE), -100 * ONE, 100 * ONE),
             _ => ProjectionBits::Perspective(1 << 26, (120, 90), 3 * ONE, 900 * ONE),
         },
         viewport: VIEWPORT,
     }
 }
 
-fn shape(rng: &mut Rng) -> Shape {
+/// Of up to `largest` world units.
+fn shape(rng: &mut Rng, largest: i32) -> Shape {
     let side = |rng: &mut Rng| {
-        let reach = [2, 8, 40, 300][rng.below(4)];
+        let reach = [2, 8, 40, 300, 1 << 32][rng.below(5)];
         // A picture may be empty.
         if rng.one_in(30) {
             0
         } else {
-            1 + rng.below(reach) as u32
+            rng.int(1, reach).min(u32::MAX.into()) as u32
         }
     };
     let picture = Noise { size: Size::new(side(rng), side(rng)), seed: rng.next() as u32 };
@@ -370,7 +375,7 @@ fn shape(rng: &mut Rng) -> Shape {
         0 => Extent::Pixels(1),
         1 => Extent::Pixels([0, 2, 3, 5, 64, 255][rng.below(6)]),
         _ => {
-            let reach = [ONE / 16, ONE / 2, 4 * ONE, 60 * ONE][rng.below(4)];
+            let reach = [ONE / 16, ONE / 2, 4 * ONE, largest][rng.below(4)];
             Extent::World([0; 2].map(|_| rng.int(i64::from(-reach / 8), reach.into()) as i32))
         }
     };
@@ -386,17 +391,19 @@ fn every_target_shows_the_oracles_pixels() {
     let mut rng = Rng::new(0x59);
     let (mut seen, mut outside, mut degenerate) = (0, 0, 0);
     for case in 0..240 {
-        let reach = [400, 900, 3000][rng.below(3)];
+        let reach = [400, 900, 3000, 32_767][rng.below(4)];
+        let largest = if case % 5 == 3 { i32::MAX } else { 60 * ONE };
         let model = ModelBits(vec![
             Step::Y(rng.next() as u32),
             Step::Scale([ONE * 3 / 4; 3]),
             Step::Move([0, ONE / 7, 0]),
         ]);
-        let candidates: Vec<_> =
-            (0..20).map(|_| ([0; 3].map(|_| rng.int(-reach, reach) as i16), shape(&mut rng))).collect();
+        let candidates: Vec<_> = (0..20)
+            .map(|_| ([0; 3].map(|_| rng.int(-reach, reach) as i16), shape(&mut rng, largest)))
+            .collect();
         // Few sprites too, so that their bounds are not those of the viewport.
         let count = [20, 20, 2, 1][rng.below(4)];
-        let scene = Scene::new(camera(&mut rng, case % 4), model, &candidates[..count]);
+        let scene = Scene::new(camera(&mut rng, case % 5), model, &candidates[..count]);
         seen += scene.seen.len();
         outside += scene.outside;
         degenerate += scene.degenerate;
@@ -419,9 +426,9 @@ fn translucent_sprites_are_mixed_with_the_stored_pixels() {
     let mut rng = Rng::new(0x5a);
     let mut changed = 0;
     for case in 0..40 {
-        let camera = camera(&mut rng, case % 4);
+        let camera = camera(&mut rng, case % 5);
         let mut scene = |count: usize| {
-            let mut candidate = |_| ([0; 3].map(|_| rng.int(-500, 500) as i16), shape(&mut rng));
+            let mut candidate = |_| ([0; 3].map(|_| rng.int(-500, 500) as i16), shape(&mut rng, 60 * ONE));
             let candidates: Vec<_> = (0..count).map(&mut candidate).collect();
             Scene::new(camera, ModelBits::default(), &candidates)
         };

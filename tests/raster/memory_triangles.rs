@@ -171,7 +171,7 @@ fn r9_triangles_match_in_bands_away_from_the_origin() {
     for _ in 0..3000 {
         let (left, top) = (rng.int(-20, 30), rng.int(-20, 30));
         let area = bridge::rectangle(left as i32, top as i32, rng.int(1, 64) as u32, rng.int(1, 40) as u32);
-        let class = CLASSES[rng.below(6)];
+        let class = CLASSES[rng.below(CLASSES.len())];
         let t = if rng.one_in(2) { small(&mut rng) } else { cases::triangle(&mut rng, class) };
         let mut strip = vec![0; area.size.width as usize * rng.int(1, 20) as usize];
         let mut frame = Frame::new(area, Gray8::BLACK);

@@ -1,4 +1,4 @@
-//! Smooth, tabled and dithered faces by every draw call, and in bands of any height. Plain colours are tested in `properties`.
+//! Smooth, tabled and dithered faces by every draw call, and in bands of any height. Plain and translucent colours are tested in `properties`.
 
 use crate::scene::{flat, gouraud, random_colour, random_lights, shaded, Colour, Own};
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888};
@@ -6,11 +6,11 @@ use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::ScreenPoint;
 use pinhole::{
-    fill_triangle, Affine, Blended, Color, Cull, Flat, Gouraud, Mesh, MeshInstance, ScreenDoor, ScreenVertex,
+    fill_triangle, Affine, Color, Cull, Flat, Gouraud, Mesh, MeshInstance, ScreenDoor, ScreenVertex,
 };
 use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use support::bridge::rectangle;
-use support::bridge::ways::{bands, by_every_call, memory, screen};
+use support::bridge::ways::{bands, by_every_call, screen};
 use support::oracle::rng::Rng;
 use support::oracle::shade::Lit;
 
@@ -76,35 +76,9 @@ fn bands_of_every_height_add_up_to_the_full_picture() {
             by_every_call(instance, frame, Rgb565::BLACK, &heights, &|face| {
                 ScreenDoor::new(shaders[face].1, 20 + face as u8)
             });
-            that_read_pixels(instance, &scene);
             of_parts_of_bytes::<BinaryColor>(instance, &scene);
             of_parts_of_bytes::<Gray4>(instance, &scene);
         });
-    }
-}
-
-/// Mixed with what is stored, which no DrawTarget shows: binned faces, without depth and with it.
-fn that_read_pixels(instance: &MeshInstance<'_>, scene: &Scene) {
-    let (frame, sky) = (scene.frame, Rgb565::new(9, 30, 20));
-    let shade: &dyn Fn(usize) -> _ = &|face| Blended::new(scene.shaders[face].1, 3 + 2 * face as u8);
-    let solid = memory(frame, sky, &mut |target, _| {
-        let Ok(_) = instance.solid(shade, &mut [], target);
-    });
-    let deep = memory(frame, sky, &mut |target, depth| {
-        let Ok(_) = instance.depth_tested(shade, &mut [], depth, target);
-    });
-    let (mut cache, mut bins) = ([ScreenVertex::EMPTY; VERTICES], [0; FACES + 1]);
-    let transformed = instance.transform_depth(&mut cache);
-    let mut faces = transformed.bin_faces(&mut bins).expect("room");
-    for rows in 1..=13 {
-        let banded = bands(frame, sky, rows, &mut |band, _| {
-            let Ok(()) = faces.solid(shade, &mut band.pixels());
-        });
-        assert!(banded == solid, "{rows} rows");
-        let banded = bands(frame, sky, rows, &mut |band, depth| {
-            let Ok(()) = faces.depth_tested(shade, depth, &mut band.pixels());
-        });
-        assert!(banded == deep, "with depth, {rows} rows");
     }
 }
 

@@ -1,13 +1,10 @@
 //! Textures in light, by face and by vertex, against light in f64 and the texels of unlit faces.
 
-use crate::rays::{camera, library, perspective, Faces, AREA, SIDE};
+use crate::rays::{camera, Faces, SIDE};
 use embedded_graphics::pixelcolor::raw::RawU32;
 use embedded_graphics::pixelcolor::{Gray8, PixelColor};
 use embedded_graphics::prelude::*;
-use pinhole::{
-    DepthBuffer, IndexedTexels, LitPalette, Projection, Scalar, ShadeTable, SpanShader, TexelSlice, Texture,
-    Window,
-};
+use pinhole::{IndexedTexels, LitPalette, Projection, Scalar, SpanShader, TexelSlice, Texture, Window};
 use support::oracle::rng::Rng;
 
 /// The row of a palette, and the number of a colour in it.
@@ -141,31 +138,4 @@ fn texels_are_multiplied_by_light_at_each_pixel() {
         assert!(dark.iter().flatten().all(|color| color.luma() == 0));
     }
     assert!(pixels > 50_000, "{pixels}");
-}
-
-/// With 256 rows, light is that of a shade table, whose tests have an oracle for faces that planes cut.
-#[test]
-fn light_of_cut_faces_is_that_of_a_shade_table() {
-    let mut rng = Rng::new(61);
-    let table = ShadeTable::from_colors(core::array::from_fn(|i| Gray8::new(i as u8)));
-    let rows = core::array::from_fn(|i| [Gray8::new(i as u8); 2]);
-    let palette = LitPalette::<Gray8, 2, 256>::from_rows(rows);
-    let texels = IndexedTexels::<_, 1>::new(&[0x5a; 8], 8, 8, palette.row(256)).unwrap();
-    let texture = Texture::new(texels.with_lit_palette(&palette));
-    let mut depths = vec![0; (SIDE * SIDE) as usize];
-    let faces = Faces::soup(&mut rng, 120, 2000, 2500, |rng| rng.int(-4000, 4000) as i16);
-    let camera = camera(&library(&perspective(20.0))).with_far_clip(true);
-    let (mut drawn, mut cut) = (0, 0);
-    for (face, &uv) in faces.uv.iter().enumerate() {
-        let levels = [(); 3].map(|()| rng.int(0, 300) as u16);
-        let lit = faces.draw(face, &camera, texture.at(uv).lit(levels));
-        let shaded = faces.draw(face, &camera, table.lit(levels));
-        assert!(lit == shaded, "face {face}");
-        drawn += lit.drawn().count();
-        faces.alone(face).place(&camera, &mut |instance| {
-            let depth = &mut DepthBuffer::new(AREA, &mut depths).unwrap();
-            cut += instance.depth_only(&mut [], depth).clipped;
-        });
-    }
-    assert!(drawn > 10_000 && cut > 20, "{drawn} pixels, {cut} faces cut");
 }

@@ -230,55 +230,6 @@ fn linear_coordinates_stay_between_those_of_the_corners() {
     assert!((PACKING / 2.0..PACKING).contains(&packed) && wide < 2f64.powi(-13), "{packed}, {wide}");
 }
 
-/// Coordinates at both ends of `i16`, from end to end in a face, and w that differ 32767 times: the documented error of the planes,
-/// 8·2⁻²⁴ of the range of coordinates times the ratio of w.
-#[test]
-fn coordinates_at_the_ends_of_i16_and_w_of_any_ratio() {
-    let matrix = chain::perspective(FOV, SIDE, SIDE, 1.0 / 64.0, 2000.0);
-    let camera = camera(&library(&matrix));
-    let mut rng = Rng::new(41);
-    let mut faces = Faces::new(-6);
-    for i in 0..200i16 {
-        // One corner close to the eye, one up to 32767/64 away, and one anywhere between.
-        let mut corner = |w: i64| {
-            let side = |rng: &mut Rng| rng.int(-w, w) * 6 / 10;
-            [side(&mut rng), side(&mut rng), -w].map(|c| c as i16)
-        };
-        let between = [32767, 3000, 200, 10, 2][usize::try_from(i % 5).unwrap()];
-        let corners = [corner(1 + i64::from(i % 3)), corner(between), corner(32_767)];
-        let uv = [(); 3].map(|()| [(); 2].map(|()| [i16::MIN, i16::MAX, 0][rng.below(3)]));
-        faces.push(corners, uv);
-    }
-    // The largest errors among 16 000 such faces, some of which reach ten times as far out of the picture.
-    let (low, high) = (i16::MIN, i16::MAX);
-    faces.push([[2, 24, -6], [3540, -597, -3000], [-720, 976, -3000]], [[high, low], [high, 0], [0, low]]);
-    faces.push(
-        [[24, 0, -4], [-1821, 32_000, -20_000], [1552, -3944, -20_000]],
-        [[0, high], [low, high], [0, low]],
-    );
-    let (mut pixels, mut largest) = (0, f64::MIN);
-    for (accuracy, chosen) in [ACCURACIES[0], ACCURACIES[2]] {
-        // With 12 bits no error wraps; with 8 bits, errors of more than 128 texels do.
-        let [exact, few] =
-            [12, 8].map(|bits| Case { camera, matrix, bits: [bits; 2], exponent: None, accuracy });
-        for face in 0..faces.uv.len() {
-            let w = [0, 1, 2].map(|i| f64::from(-faces.vertices[3 * face + i][2]));
-            let ratio = w.iter().copied().fold(0.0, f64::max) / w.iter().copied().fold(f64::MAX, f64::min);
-            // 65535 units of 1/16 texel.
-            let planes = 4096.0 * ratio * 2f64.powi(-24);
-            let ([repeated, _, clamped], count) = exact.worst(&faces, face);
-            let ([_, packed, _], _) = few.worst(&faces, face);
-            for worst in [repeated, clamped, packed] {
-                assert!(worst <= chosen + 0.03 + 8.0 * planes, "face {face}, {ratio} times as far: {worst}");
-                largest = largest.max((worst - chosen) / planes);
-            }
-            pixels += count;
-        }
-    }
-    // The bound is at most twice the error that is met.
-    assert!(pixels > 100_000 && largest > 4.0, "{pixels} pixels, {largest}");
-}
-
 /// Random triangles of up to 24, 200 and 700 pixels, in every unit, over ranges from one unit to all of `i16`, in a parallel projection
 /// and in perspective, cut by the near plane, too. No pixel is farther from a ray's texel than documented: by 2⁻¹³ of the range or 1/400
 /// texel and, in perspective, by the accuracy and the error of the planes.
@@ -394,43 +345,6 @@ fn a_square_shows_the_picture_once_in_every_unit() {
             }
         }
     }
-}
-
-/// Formats: what is stored in a texel is what a pixel shows, at every size.
-#[test]
-fn texels_of_every_format_and_size_are_where_the_picture_has_them() {
-    let mut rng = Rng::new(9);
-    for (width, height) in [(8, 8), (16, 8), (8, 256), (256, 256), (32, 128)] {
-        let stored: Vec<u8> = (0..width * height).map(|_| rng.bits() as u8).collect();
-        let palette: Vec<Rgb888> = (0..256u32).map(|i| Rgb888::new(i as u8, (i * 7) as u8, 3)).collect();
-        let colors: Vec<Rgb888> = stored.iter().map(|&i| palette[usize::from(i)]).collect();
-        let slice = TexelSlice::new(&colors, width, height).unwrap();
-        let indexed = IndexedTexels::<_, 8>::new(&stored, width, height, &palette).unwrap();
-        // These bytes as texels of 4, 2 and 1 bits, which begin in the high bits.
-        let four = IndexedTexels::<_, 4>::new(&stored, width, height, &palette).unwrap();
-        let two = IndexedTexels::<_, 2>::new(&stored, width, height, &palette).unwrap();
-        let one = IndexedTexels::<_, 1>::new(&stored, width, height, &palette[..2]).unwrap();
-        for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
-            // The begin of a texel, its end, or between.
-            let place = |i: usize, side: usize| {
-                let texel = (1u64 << 32) / side as u64;
-                (i as u64 * texel + [0, texel - 1, texel / 3][i % 3]) as u32
-            };
-            let (u, v, at) = (place(x, width), place(y, height), y * width + x);
-            assert_eq!([slice.texel(u, v), indexed.texel(u, v)], [colors[at]; 2]);
-            let low = |bits: usize| {
-                let bit = at * bits;
-                usize::from(stored[bit / 8]) >> (8 - bits - bit % 8) & ((1 << bits) - 1)
-            };
-            let found = [four.texel(u, v), two.texel(u, v), one.texel(u, v)];
-            assert_eq!(found, [4, 2, 1].map(|bits| palette[low(bits)]));
-        }
-    }
-    let picture: [[Rgb888; 16]; 8] =
-        core::array::from_fn(|y| core::array::from_fn(|x| Rgb888::new(x as u8, y as u8, 0)));
-    assert_eq!((&picture).texel(u32::MAX, 0), Rgb888::new(15, 0, 0));
-    assert_eq!((&picture).texel(0, u32::MAX), Rgb888::new(0, 7, 0));
-    assert_eq!((&picture).size_bits(), [4, 3]);
 }
 
 /// That their messages name the numbers is tested in `pipeline`.

@@ -1,12 +1,12 @@
 //! Cut faces against one f64 ray per pixel, which needs no clipping.
 
-use crate::bridge::draw::Shader;
-use crate::bridge::pair::ViewBits;
-use crate::draw;
-use crate::input::Scene;
-use crate::oracle::chain::{self, length, mul4, V3, V4};
-use crate::oracle::eye;
+use super::draw;
+use super::input::Scene;
 use pinhole::Cull;
+use support::bridge::draw::Shader;
+use support::bridge::pair::ViewBits;
+use support::oracle::chain::{self, length, mul4, V3, V4};
+use support::oracle::eye;
 
 /// How far off, in px, a pixel's answer may come from: the budget of a vertex (ARCHITECTURE.md, "Numbers") and a
 /// cut's own rounding to 1/256 px, at the corner where it is largest; and how far off, in z/w, near and far may
@@ -71,8 +71,16 @@ pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
         (!whole).then(|| draw(scene, |target| instance.solid(|_| Shader(1), &mut [], target)))
     });
     let Some(drawing) = cut else { return };
-    let points: Vec<V3> = (0..scene.vertices.len() as u16).map(|i| scene.model_point(i)).collect();
+    // R7: the same from every corner.
     let [a, b, c] = face;
+    for turned in [[b, c, a], [c, a, b]] {
+        let turned = scene.with_instance(&[turned], &[], |instance| {
+            draw(scene, |target| instance.solid(|_| Shader(1), &mut [], target))
+        });
+        assert_eq!(turned.statistics, drawing.statistics, "{face:?} of {scene:?}");
+        assert!(turned.target.pixels == drawing.target.pixels, "{face:?} of {scene:?}");
+    }
+    let points: Vec<V3> = (0..scene.vertices.len() as u16).map(|i| scene.model_point(i)).collect();
     let (exact, model) = (scene.camera.exact(), scene.model.exact());
     // The oracle sees no pixels of an edge-on face, but cut corners are rounded. Below 2⁻⁴⁰ of its terms the determinant, and its
     // sign, are mostly rounding errors of f64.

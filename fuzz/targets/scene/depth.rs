@@ -1,13 +1,13 @@
 //! Depth-tested scenes: each pixel shows the nearest of the faces drawn alone, and each of those has the
 //! depth of the plane through its snapped corners.
 
-use crate::bridge::draw::Shader;
-use crate::input::Scene;
-use crate::oracle::coverage::edge;
-use crate::{draw, sums_up};
+use super::input::Scene;
+use super::{draw, sums_up};
 use embedded_graphics_core::geometry::Point;
 use pinhole::raster::ScreenPoint;
 use pinhole::{DepthBuffer, ScreenVertex};
+use support::bridge::draw::Shader;
+use support::oracle::coverage::edge;
 
 /// The faces' pixels and depths: (x, y), which face, how deep.
 fn drawn(scene: &Scene, faces: &[[u16; 3]]) -> Vec<((i32, i32), u16, u16)> {

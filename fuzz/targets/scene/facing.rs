@@ -1,11 +1,11 @@
 //! Culling by face planes, for meshes that have them, against culling by area.
 
-use crate::bridge::draw::Shader;
-use crate::cut::before_rounding;
-use crate::input::Scene;
-use crate::{draw, sums_up, Drawing};
+use super::cut::before_rounding;
+use super::input::Scene;
+use super::{draw, sums_up, Drawing};
 use pinhole::{Mesh, MeshInstance, ScreenVertex, WithPlanes};
 use std::cell::RefCell;
+use support::bridge::draw::Shader;
 
 /// Drawn with and without, and the faces that each drew.
 fn both(scene: &Scene, instance: &MeshInstance<'_, i16, WithPlanes>) -> [(Drawing, Vec<usize>); 2] {

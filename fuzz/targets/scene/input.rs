@@ -1,13 +1,13 @@
 //! A scene from bytes: small numbers in simple views as often as extremes, and a target around a point inside the
 //! viewport.
 
-use crate::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
-use crate::bridge::rectangle;
-use crate::bytes::Bytes;
-use crate::oracle::chain;
-use crate::oracle::coverage::Area;
+use crate::fuzzed::Bytes;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{Cull, Mesh, MeshInstance, Viewport};
+use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::bridge::rectangle;
+use support::oracle::chain;
+use support::oracle::coverage::Area;
 
 #[derive(Debug)]
 pub(crate) struct Scene {

@@ -1,14 +1,14 @@
 //! A face or edge that is not clipped draws exactly the coverage, or the line, of its projected vertices.
 
-use crate::bridge::draw::Shader;
-use crate::input::Scene;
-use crate::oracle::coverage::{self, Area, P};
-use crate::oracle::line;
-use crate::oracle::target::Recorder;
-use crate::{draw, Drawing};
+use super::input::Scene;
+use super::{draw, Drawing};
 use pinhole::raster::ScreenPoint;
 use pinhole::{Cull, MeshInstance};
 use std::collections::BTreeMap;
+use support::bridge::draw::Shader;
+use support::oracle::coverage::{self, Area, P};
+use support::oracle::line;
+use support::oracle::target::Recorder;
 
 fn sub_pixels(p: ScreenPoint) -> P {
     (p.x().into(), p.y().into())

@@ -3,12 +3,12 @@
 
 use super::projections;
 use super::views::{self, triple};
-use crate::bridge::pair::{bits, ModelBits, Step, ViewBits, ONE};
-use crate::bridge::{point, rectangle, screen_point};
-use crate::bytes::Bytes;
-use crate::definition::{Family, Projectors};
-use crate::oracle::chain::{self, fx, fx3, length, mul4, Viewport, M4, V3, V4};
+use crate::fuzzed::Bytes;
 use pinhole::{Camera, CameraError, Mesh, Projected, Visibility};
+use support::bridge::pair::{bits, ModelBits, Step, ViewBits, ONE};
+use support::bridge::{point, rectangle, screen_point};
+use support::definition::{Family, Projectors};
+use support::oracle::chain::{self, fx, fx3, length, mul4, Viewport, M4, V3, V4};
 
 /// The family's matrix, each of its linear forms from the definition.
 fn matrix(family: &Family) -> M4 {
@@ -281,7 +281,7 @@ fn points(b: &mut Bytes<'_>, set_up: &SetUp, world: [i32; 3], apart: bool) {
     };
     let _ = set_up.camera.unproject(at, depth);
     if let Some(ray) = set_up.camera.ray(at) {
-        let length = length(crate::bridge::reals(pinhole::Point3::<pinhole::space::World>::new(
+        let length = length(support::bridge::reals(pinhole::Point3::<pinhole::space::World>::new(
             ray.direction.x(),
             ray.direction.y(),
             ray.direction.z(),

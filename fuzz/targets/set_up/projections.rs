@@ -2,11 +2,11 @@
 
 use super::camera::angle;
 use super::views::triple;
-use crate::bridge::pair::ONE;
-use crate::bytes::Bytes;
-use crate::definition::{Family, Projectors};
-use crate::oracle::chain::fx;
+use crate::fuzzed::Bytes;
 use pinhole::CameraError;
+use support::bridge::pair::ONE;
+use support::definition::{Family, Projectors};
+use support::oracle::chain::fx;
 use CameraError as E;
 
 /// Limits that are computed with 30 bits are left out so near to them.

@@ -1,10 +1,10 @@
 //! Views: look-at, its variants, and the axonometric ones.
 
-use crate::bridge::pair::{ViewBits, ONE};
-use crate::bridge::{point, scalar, vector};
-use crate::bytes::Bytes;
-use crate::oracle::chain::{cross_exact, length, M3};
+use crate::fuzzed::Bytes;
 use pinhole::{CameraError, ViewTransform};
+use support::bridge::pair::{ViewBits, ONE};
+use support::bridge::{point, scalar, vector};
+use support::oracle::chain::{cross_exact, length, M3};
 
 /// A vector of any kind: wild, on the lattice of whole units, or nearly along another.
 pub(crate) fn triple(b: &mut Bytes<'_>, other: [i32; 3]) -> [i32; 3] {

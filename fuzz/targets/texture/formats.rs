@@ -2,16 +2,16 @@
 //! when its texels are numbered.
 
 use super::{shown, Numbered};
-use crate::bytes::Bytes;
-use crate::input::Scene;
-use crate::oracle::rng::Rng;
-use crate::place::Place;
+use crate::fuzzed::place::Place;
+use crate::fuzzed::scene::input::Scene;
+use crate::fuzzed::Bytes;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use pinhole::{
     Accuracy, ColorKeyed, DepthBuffer, IndexKeyed, IndexedTexels, Ink, LitPalette, MeshInstance, ShadeTable,
     SpanShader, TexelSlice, Texels, Texture, Translucent, Writes,
 };
 use support::bridge::ways::{in_memory, Drawn};
+use support::oracle::rng::Rng;
 
 /// A colour of no texel and no palette: their blue is at most 127.
 const SKY: Rgb888 = Rgb888::new(1, 2, 255);
@@ -139,10 +139,9 @@ impl Textures<'_> {
                 if alone.solid[i] != SKY {
                     solid[i] = show(alone.solid[i]).unwrap_or(solid[i]);
                 }
-                if alone.deep[i] != SKY && alone.depths[i] < depths[i] {
-                    if let Some(color) = show(alone.deep[i]) {
-                        (deep[i], depths[i]) = (color, alone.depths[i]);
-                    }
+                let nearer = alone.deep[i] != SKY && alone.depths[i] < depths[i];
+                if let Some(color) = show(alone.deep[i]).filter(|_| nearer) {
+                    (deep[i], depths[i]) = (color, alone.depths[i]);
                 }
             }
         }

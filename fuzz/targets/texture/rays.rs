@@ -2,15 +2,15 @@
 //! as at another, against one ray in f64 per pixel; and equal pixels on every target.
 
 use super::{shown, Numbered};
-use crate::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
-use crate::bridge::rectangle;
-use crate::bytes::Bytes;
-use crate::oracle::chain;
-use crate::oracle::texture::{off_clamped, off_repeated, Ray};
-use crate::place::Place;
+use crate::fuzzed::place::Place;
+use crate::fuzzed::Bytes;
 use embedded_graphics_core::pixelcolor::Rgb888;
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{Accuracy, Cull, Mesh, MeshInstance, Texture};
+use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::bridge::rectangle;
+use support::oracle::chain;
+use support::oracle::texture::{off_clamped, off_repeated, Ray};
 
 /// A colour that no coordinates show: u and v would be in one column and row in 4096.
 const SKY: Rgb888 = Rgb888::new(255, 255, 255);

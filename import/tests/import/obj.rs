@@ -1,4 +1,4 @@
-//! OBJ files as they come, sound and broken. `fuzz/targets/import` gives stranger ones.
+//! OBJ files as they come, sound and broken. `fuzz/main.rs` has stranger ones.
 
 use crate::common::Random;
 use pinhole_import::{quantise, read, read_obj, ImportError, ImportedMesh, Problem, Remedy, Triangles};

@@ -23,10 +23,13 @@ pub enum Class {
     Plain,
     /// Anywhere in the guard band, its border included.
     Huge,
+    /// Sides about as long as those from which on another arithmetic walks along them: `fast/edge20.rs`,
+    /// `fast/bresenham_triangle.rs`, and 512 pixels.
+    Limits,
 }
 
-pub const CLASSES: [Class; 6] =
-    [Class::Tiny, Class::Sliver, Class::Centres, Class::Axes, Class::Plain, Class::Huge];
+pub const CLASSES: [Class; 7] =
+    [Class::Tiny, Class::Sliver, Class::Centres, Class::Axes, Class::Plain, Class::Huge, Class::Limits];
 
 /// A coordinate of any magnitude up to the guard band, or close to its border.
 fn far(rng: &mut Rng) -> i64 {
@@ -83,6 +86,15 @@ pub fn triangle(rng: &mut Rng, class: Class) -> [P; 3] {
             let mut p = || (far(rng), far(rng));
             [p(), p(), p()]
         }
+        Class::Limits => {
+            let a = (near(rng, 1), near(rng, 1));
+            let mut side = || {
+                let limit = [7680, 7936, 8160, 8191, 1 << 17, 2040 * 256][rng.below(6)] + rng.int(-2, 2);
+                [limit, -limit, near(rng, 1), rng.int(-limit, limit)][rng.below(4)]
+            };
+            let mut p = || (a.0 + side(), a.1 + side());
+            [a, p(), p()]
+        }
     }
 }
 
@@ -101,7 +113,13 @@ pub fn line(rng: &mut Rng) -> (P, P) {
         };
         (rng.int(-reach, reach), rng.int(-reach, reach))
     };
-    let (first, second) = [(0, 0), (0, 1), (1, 0), (1, 2), (2, 3), (3, 3)][rng.below(6)];
+    let kinds = [(0, 0), (0, 1), (1, 0), (1, 2), (2, 3), (3, 3)];
+    let Some(&(first, second)) = kinds.get(rng.below(7)) else {
+        // A step of a few pixels, many times over, and a little more: a slope on which ties lie.
+        let (from, times) = (end(rng, 0), rng.log(1.0, 2000.0) as i64);
+        let mut along = |from: i64| from + times * rng.int(-16, 16) + rng.int(-1, 1);
+        return (from, (along(from.0), along(from.1)));
+    };
     (end(rng, first), end(rng, second))
 }
 

@@ -67,15 +67,6 @@ pub fn rows(t: [P; 3], area: Area) -> Vec<u64> {
         .collect()
 }
 
-/// On the closed segment a b?
-pub fn on_segment(a: P, b: P, p: P) -> bool {
-    edge(a, b, p) == 0
-        && p.0 >= a.0.min(b.0)
-        && p.0 <= a.0.max(b.0)
-        && p.1 >= a.1.min(b.1)
-        && p.1 <= a.1.max(b.1)
-}
-
 /// A half-open rectangle of pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Area {

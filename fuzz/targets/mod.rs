@@ -1,15 +1,36 @@
-//! Numbers from the fuzzer's bytes, so that hard ones are dense. Past the end all is zero, so every
-#![allow(dead_code)] // every target takes what it needs
-//! input means something and a shorter one means a simpler case.
+//! What the fuzz targets check of any input. `fuzz/main.rs` has libFuzzer look for inputs; test `properties` takes the known ones and
+//! random ones.
 
-pub(crate) struct Bytes<'a>(&'a [u8]);
+mod anti_aliased;
+mod clip;
+mod place;
+mod scene;
+mod set_up;
+mod texture;
+mod translucent;
+
+/// Its name, and the check, which panics if the library is wrong.
+pub(crate) type Target = (&'static str, fn(&[u8]));
+
+pub(crate) const TARGETS: [Target; 6] = [
+    ("anti_aliased", anti_aliased::check),
+    ("clip", clip::check),
+    ("scene", scene::check),
+    ("set_up", set_up::check),
+    ("texture", texture::check),
+    ("translucent", translucent::check),
+];
+
+/// Numbers from the fuzzer's bytes, so that hard ones are dense. Past the end all is zero, so every input means something and a
+/// shorter one means a simpler case.
+struct Bytes<'a>(&'a [u8]);
 
 impl<'a> Bytes<'a> {
-    pub(crate) fn new(data: &'a [u8]) -> Self {
+    fn new(data: &'a [u8]) -> Self {
         Self(data)
     }
 
-    pub(crate) fn byte(&mut self) -> u8 {
+    fn byte(&mut self) -> u8 {
         match self.0.split_first() {
             Some((&first, rest)) => {
                 self.0 = rest;
@@ -23,37 +44,37 @@ impl<'a> Bytes<'a> {
         core::array::from_fn(|_| self.byte())
     }
 
-    pub(crate) fn i8(&mut self) -> i64 {
+    fn i8(&mut self) -> i64 {
         i64::from(self.byte() as i8)
     }
 
-    pub(crate) fn i16(&mut self) -> i16 {
+    fn i16(&mut self) -> i16 {
         i16::from_le_bytes(self.some())
     }
 
-    pub(crate) fn u16(&mut self) -> u16 {
+    fn u16(&mut self) -> u16 {
         u16::from_le_bytes(self.some())
     }
 
-    pub(crate) fn i32(&mut self) -> i32 {
+    fn i32(&mut self) -> i32 {
         i32::from_le_bytes(self.some())
     }
 
-    pub(crate) fn u32(&mut self) -> u32 {
+    fn u32(&mut self) -> u32 {
         u32::from_le_bytes(self.some())
     }
 
     /// In `0..n`, n ≤ 256.
-    pub(crate) fn below(&mut self, n: usize) -> usize {
+    fn below(&mut self, n: usize) -> usize {
         usize::from(self.byte()) % n
     }
 
-    pub(crate) fn of<T: Copy>(&mut self, choice: &[T]) -> T {
+    fn of<T: Copy>(&mut self, choice: &[T]) -> T {
         choice[self.below(choice.len())]
     }
 
     /// A small number, a power of two or its neighbours, an extreme, or any 32 bits.
-    pub(crate) fn wild(&mut self) -> i32 {
+    fn wild(&mut self) -> i32 {
         match self.byte() {
             k @ 0..=63 => i32::from(k) - 32,
             k @ 64..=159 => {

@@ -8,28 +8,20 @@
 //! - A whole face is the exact coverage of its projected corners, a whole edge the exact line.
 //! - By planes the same is drawn, less faces turned away that rounding turns to the front.
 //! - What is cut is what one ray a pixel meets, where no ray nearby tells otherwise.
-#![no_main]
-
-use support::bridge;
-#[path = "../bytes.rs"]
-mod bytes;
-use support::oracle;
 
 mod cut;
 mod depth;
 mod facing;
-mod input;
-#[path = "../place.rs"]
-mod place;
+pub(super) mod input;
 mod whole;
 
-use bridge::draw::Shader;
+use super::place::Place;
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
 use input::Scene;
-use libfuzzer_sys::fuzz_target;
-use oracle::target::{Call, Recorder, Refused};
-use pinhole::{MeshInstance, Painter, ScreenVertex, Statistics};
-use place::Place;
+use pinhole::{Coordinate, DepthBuffer, Mesh, MeshInstance, Painter, ScreenVertex, Statistics};
+use support::bridge::draw::Shader;
+use support::bridge::scalar;
+use support::oracle::target::{Call, Recorder, Refused};
 
 /// Everything recorded so far.
 struct Drawing {
@@ -54,7 +46,7 @@ fn sums_up(s: Statistics, handed_in: usize) {
     assert!(s.clipped <= s.drawn, "{s:?}");
 }
 
-fn check(scene: &Scene, instance: &MeshInstance<'_>) {
+fn calls(scene: &Scene, instance: &MeshInstance<'_>) {
     // Another scene's corners in the cache do no harm.
     let stale = {
         let mut corners = vec![ScreenVertex::default(); scene.vertices.len() + 1];
@@ -110,6 +102,52 @@ fn check(scene: &Scene, instance: &MeshInstance<'_>) {
     whole::polyline(scene, instance, &polyline);
 }
 
+/// All calls that draw or pick, of a mesh with normals and planes of any other.
+fn extremes<V: Coordinate<Stored = V>>(scene: &Scene, mesh: Mesh<'_, V>) {
+    let normals = &scene.vertices[..scene.faces.len()];
+    let planes: Vec<i16> = normals.iter().map(|normal| normal[0] ^ normal[1]).collect();
+    let mesh = mesh.with_edges(&scene.edges).and_then(|mesh| mesh.with_normals(normals));
+    let mesh = mesh.and_then(|mesh| mesh.with_planes(&planes)).expect("as many as faces");
+    let (camera, model) = (scene.camera.library().with_far_clip(scene.far_clip), scene.model.library());
+    let by_planes = camera.place(&mesh, &model).with_cull(scene.cull);
+    let instance = by_planes.without_planes();
+    let mut cache = vec![ScreenVertex::EMPTY; scene.cache];
+    let cache = &mut cache[..];
+    let mut storage = vec![0; (scene.bounds.size.width * scene.bounds.size.height) as usize];
+    let mut depth = DepthBuffer::new(scene.bounds, &mut storage).expect("storage for all pixels");
+    let (mut bins, mut more) = ([0; 4], [0; 4]); // of three, and one for every 16
+    let shade = |face| Shader(face as u16);
+    draw(scene, |target| {
+        instance.solid(shade, cache, target)?;
+        by_planes.solid(shade, cache, target)?;
+        by_planes.depth_tested(shade, cache, &mut depth, target)?;
+        by_planes.depth_only(cache, &mut depth);
+        by_planes.pick(scene.bounds.center(), shade, cache);
+        instance.depth_tested(shade, cache, &mut depth, target)?;
+        instance.depth_only(cache, &mut depth);
+        instance.wireframe(Shader(1), cache, target)?;
+        instance.wireframe_depth_tested(Shader(1), cache, &mut depth, target)?;
+        instance.hidden_line(Shader(1), cache, &mut depth, target)?;
+        instance.points(Shader(1), target)?;
+        instance.polyline(Shader(1), target)?;
+        let mut faces = by_planes.bin_faces_with_depth(cache, &mut bins).expect("room");
+        faces.depth_tested(shade, &mut depth, target)?;
+        by_planes.bin_faces(cache, &mut bins).expect("room").solid(shade, target)?;
+        let transformed = instance.transform_depth(cache);
+        let mut faces = transformed.bin_faces(&mut bins).expect("room");
+        let mut edges = transformed.bin_edges(&mut more).expect("room");
+        faces.solid(shade, target)?;
+        faces.depth_tested(shade, &mut depth, target)?;
+        edges.draw(Shader(1), target)?;
+        edges.depth_tested(Shader(1), &mut depth, target)?;
+        edges.hidden_line(Shader(1), &mut depth, target)?;
+        let mut painter = Painter::<Shader, 60, 40>::new();
+        let _ = painter.add(&instance, shade);
+        let _ = painter.add(&by_planes, shade);
+        painter.draw(target)
+    });
+}
+
 /// Faces in one piece, in parts and in bands. Edges in bands are target `anti_aliased`'s, and two cores are tests' (`properties`).
 fn bands(scene: &Scene) {
     let Some(area) = scene.rectangle() else { return };
@@ -118,12 +156,15 @@ fn bands(scene: &Scene) {
     scene.with_instance(&scene.faces, &[], |instance| place.everywhere(instance, &shade));
 }
 
-fuzz_target!(|data: &[u8]| {
+pub(super) fn check(data: &[u8]) {
     let Some(scene) = Scene::read(data) else { return };
-    scene.with_instance(&scene.faces, &scene.edges, |instance| check(&scene, instance));
+    scene.with_instance(&scene.faces, &scene.edges, |instance| calls(&scene, instance));
     depth::check(&scene);
     bands(&scene);
     facing::check(&scene);
+    extremes(&scene, Mesh::new(&scene.vertices, scene.exponent, &scene.faces).expect("a mesh"));
+    let wide: Vec<_> = scene.vertices.iter().map(|v| v.map(|c| scalar(i32::from(c) * 0xffff))).collect();
+    extremes(&scene, Mesh::from_fixed(&wide, &scene.faces).expect("a mesh"));
     for face in &scene.faces {
         whole::face(&scene, *face);
         cut::face(&scene, *face);
@@ -131,4 +172,4 @@ fuzz_target!(|data: &[u8]| {
     for edge in &scene.edges {
         whole::edge(&scene, *edge);
     }
-});
+}

@@ -1,12 +1,14 @@
-//! Files of all formats that the importer reads: whatever is in them, it answers with a mesh that `pinhole::Mesh` takes or with an
-//! error of one line, and its warnings are of one line, too. The first byte chooses the format; zero bytes separate an OBJ file from
-//! the material library that it may name.
+//! The fuzz targets, in one program for libFuzzer: `FUZZ_TARGET` names the one to run.
 #![no_main]
+
+#[path = "targets/mod.rs"]
+mod fuzzed;
 
 use libfuzzer_sys::fuzz_target;
 use pinhole_import::{import_bytes, Edges, Options, TextureFormat};
 use std::collections::HashSet;
 use std::path::Path;
+use std::sync::LazyLock;
 
 /// A triangle with a picture.
 const PAINTED: &[u8] =
@@ -54,7 +56,10 @@ fn import(name: &str, bytes: &[u8], beside: &[(String, Vec<u8>)], bits: u8) {
     }
 }
 
-fuzz_target!(|data: &[u8]| {
+/// Files of all formats that the importer reads: whatever is in them, it answers with a mesh that `pinhole::Mesh` takes or with an
+/// error of one line, and its warnings are of one line, too. The first byte chooses the format; zero bytes separate an OBJ file from
+/// the material library that it may name.
+fn files(data: &[u8]) {
     let [format, bits, rest @ ..] = data else { return };
     let mut parts = rest.splitn(2, |&byte| byte == 0);
     let mut part = || parts.next().unwrap_or_default();
@@ -65,4 +70,13 @@ fuzz_target!(|data: &[u8]| {
         2 => import("m.obj", PAINTED, &[file("m.mtl", rest)], *bits),
         _ => import("m.obj", PAINTED, &[file("m.mtl", b"newmtl a\nmap_Kd p\n"), file("p", rest)], *bits),
     }
+}
+
+static TARGET: LazyLock<fn(&[u8])> = LazyLock::new(|| {
+    let name = std::env::var("FUZZ_TARGET").expect("FUZZ_TARGET names a target");
+    let import: fuzzed::Target = ("import", files);
+    let targets = fuzzed::TARGETS.into_iter().chain([import]);
+    targets.into_iter().find(|target| target.0 == name).expect("a target").1
 });
+
+fuzz_target!(|data: &[u8]| TARGET(data));

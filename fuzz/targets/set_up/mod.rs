@@ -3,26 +3,18 @@
 //!
 //! `tools/nopanic` proves that nothing here can panic. Parts of a set-up by themselves, such as matrices, quaternions and inverses, are
 //! compared with the oracles by the tests of the library (`bounds`, `camera`, `hard_cases`).
-#![no_main]
-
-use support::bridge;
-#[path = "../bytes.rs"]
-mod bytes;
-use support::definition;
-use support::oracle;
 
 mod camera;
 mod projections;
 mod views;
 
-use bytes::Bytes;
-use libfuzzer_sys::fuzz_target;
+use super::Bytes;
 
-fuzz_target!(|data: &[u8]| {
+pub(super) fn check(data: &[u8]) {
     let mut b = Bytes::new(data);
     match b.byte() {
         0..=31 => views::check(&mut b),
         32..=79 => projections::check(&mut b),
         _ => camera::check(&mut b),
     }
-});
+}

@@ -4,23 +4,12 @@
 //! - Memory, other targets and bands of any height show equal pixels, with a depth buffer and without.
 //! - Every format shows the texel at these coordinates; a transparent texel leaves its pixel and its depth alone; light is that of a
 //!   shade table.
-#![no_main]
 
-use support::bridge;
-#[path = "../bytes.rs"]
-mod bytes;
 mod formats;
-#[allow(dead_code)] // faces alone are drawn here
-#[path = "../scene/input.rs"]
-mod input;
-#[path = "../place.rs"]
-mod place;
 mod rays;
-use support::oracle;
 
-use bytes::Bytes;
+use super::Bytes;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
-use libfuzzer_sys::fuzz_target;
 use pinhole::Texels;
 
 /// A texture of 2^n columns and rows whose colours are their coordinates, 12 bits each.
@@ -48,10 +37,10 @@ fn shown(color: Rgb888) -> [u32; 2] {
     [both >> 12, both & 0xfff]
 }
 
-fuzz_target!(|data: &[u8]| {
+pub(super) fn check(data: &[u8]) {
     let mut b = Bytes::new(data);
     match b.byte() & 1 {
         0 => rays::check(&mut b),
         _ => formats::check(data.get(1..).unwrap_or_default()),
     }
-});
+}
