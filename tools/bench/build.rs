@@ -1,66 +1,90 @@
-//! Makes the models of `scenes.json` into constants: vertices of 16 bits in a power-of-two unit, and what follows from
-//! the faces; and the lists of lines and triangles that lie in the picture's plane.
+//! Makes constants of the models of `scenes.json` and `growth.json`: vertices of 16 bits in a power-of-two unit, and what follows from
+//! the faces; the lists of lines and triangles that lie in the picture's plane; and the cases of growth.
 
 mod meshes;
 
 use pinhole::Mesh;
-use serde_json::Value;
+use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::{Debug, Write};
+use std::fmt::Write;
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
+#[derive(Deserialize)]
+struct Scenes {
+    light: [f64; 3],
+    models: BTreeMap<String, Model>,
+    lines: Vec<[i16; 4]>,
+    tris2d: Vec<[i64; 7]>,
+    full_screen_triangle: [i16; 6],
+}
+
+#[derive(Deserialize)]
+struct Model {
+    vertices: Vec<[f64; 3]>,
+    faces: Vec<[u16; 3]>,
+    edges: Vec<[u16; 2]>,
+    model_rotation: [[f64; 3]; 3],
+    distance: f64,
+}
+
+#[derive(Deserialize)]
+struct Growth {
+    /// Name, kind, and one or two numbers of parts.
+    shapes: Vec<(String, String, [u16; 2])>,
+    cases: Vec<Case>,
+}
+
+#[derive(Deserialize)]
+struct Case {
+    name: String,
+    shape: String,
+    /// `Shape`, or `Points`: its vertices alone.
+    what: String,
+    eye: [i32; 3],
+    size: [u32; 2],
+    /// `Back` or `None`.
+    cull: String,
+    level: bool,
+    fitted: bool,
+}
+
 fn main() -> Result<()> {
-    println!("cargo::rerun-if-changed=scenes.json");
-    println!("cargo::rerun-if-changed=build.rs");
-    println!("cargo::rerun-if-changed=meshes.rs");
-    let scenes: Value = serde_json::from_str(&std::fs::read_to_string("scenes.json")?)?;
-    let mut text = format!("pub(crate) const LIGHT: [i32; 3] = {:?};\n", bits(&triple(&scenes["light"])?));
-    for name in ["cube", "torus", "ico"] {
-        write_model(&mut text, &name.to_uppercase(), &scenes["models"][name])?;
-    }
-    let out = std::env::var("OUT_DIR")?;
-    std::fs::write(format!("{out}/models.rs"), text)?;
-    std::fs::write(format!("{out}/lists.rs"), lists(&scenes)?)?;
-    std::fs::write(format!("{out}/shapes.rs"), shapes(&scenes)?)?;
-    // The memory.x of Arm's board.
-    println!("cargo::rustc-link-search={}/board", env!("CARGO_MANIFEST_DIR"));
-    // The memory.x of RISC-V's board; the flag that names it is in the root's configuration.
     let here = std::path::PathBuf::from(std::env::var("CARGO_MANIFEST_DIR")?);
+    for file in ["scenes.json", "growth.json", "build.rs", "meshes.rs"] {
+        println!("cargo::rerun-if-changed={file}");
+    }
+    let scenes: Scenes = serde_json::from_str(&std::fs::read_to_string("scenes.json")?)?;
+    let growth: Growth = serde_json::from_str(&std::fs::read_to_string("growth.json")?)?;
+    let out = std::env::var("OUT_DIR")?;
+    std::fs::write(format!("{out}/models.rs"), models(&scenes)?)?;
+    std::fs::write(format!("{out}/lists.rs"), lists(&scenes)?)?;
+    std::fs::write(format!("{out}/shapes.rs"), shapes(&scenes, &growth)?)?;
+    // The memory.x of Arm's board.
+    println!("cargo::rustc-link-search={}/board", here.display());
+    // The memory.x of RISC-V's board; the flag that names it is in the root's configuration.
     let root = here.ancestors().nth(2).ok_or("the project's root")?;
     println!("cargo::rustc-link-search={}", root.display());
     Ok(())
 }
 
-fn write_model(text: &mut String, name: &str, model: &Value) -> Result<()> {
-    let faces = list(&model["faces"], indices::<3>)?;
-    let (k, vertices) = quantised(&list(&model["vertices"], triple)?)?;
-    let normals = normals(&vertices, &faces);
-    let edges = list(&model["edges"], indices::<2>)?;
-    let [x, y, z] = {
-        let rows = list(&model["model_rotation"], triple)?;
-        let [x, y, z] = rows.as_slice() else { return Err("three rows".into()) };
+fn models(scenes: &Scenes) -> Result<String> {
+    let mut text = format!("pub(crate) const LIGHT: [i32; 3] = {:?};\n", bits(scenes.light));
+    for (name, model) in &scenes.models {
+        let Model { vertices, faces, edges, model_rotation, distance } = model;
+        let name = name.to_uppercase();
+        let (k, vertices) = quantised(vertices)?;
+        let normals = normals(&vertices, faces);
+        let mesh = Mesh::new(&vertices, -i8::try_from(k)?, faces)?.with_normals(&normals)?;
+        let planes: Vec<i16> = (0..faces.len()).map(|face| mesh.face_plane(face)).collect();
         // Columns: the images of the axes.
-        [0, 1, 2].map(|i| bits(&[x[i], y[i], z[i]]))
-    };
-    let distance = bits(&[number(&model["distance"])?, 0.0, 0.0])[0];
-    let planes = planes(&vertices, k, &faces, &normals)?;
-    writeln!(text, "pub static {name}: Model = Model {{")?;
-    writeln!(
-        text,
-        "mesh: mesh({}, -{k}, {}, {}, {}),",
-        slice(&vertices),
-        slice(&faces),
-        slice(&normals),
-        slice(&edges)
-    )?;
-    writeln!(text, "axes: {:?}, distance: {distance} }};", [x, y, z])?;
-    writeln!(
-        text,
-        "pub static {name}_BY_PLANES: Model<WithPlanes> = by_planes(&{name}, {});",
-        slice(&planes)
-    )?;
-    Ok(())
+        let axes = [0, 1, 2].map(|i| bits(model_rotation.map(|row| row[i])));
+        let [distance, ..] = bits([*distance, 0.0, 0.0]);
+        write!(text, "pub static {name}: Model = Model {{ axes: {axes:?}, distance: {distance}, ")?;
+        writeln!(text, "mesh: mesh(&{vertices:?}, -{k}, &{faces:?}, &{normals:?}, &{edges:?}) }};")?;
+        writeln!(text, "pub static {name}_BY_PLANES: Model<WithPlanes> = by_planes(&{name}, &{planes:?});")?;
+    }
+    Ok(text)
 }
 
 /// The vertices in the finest unit 2^−k in which all fit 16 bits, and k.
@@ -75,46 +99,35 @@ fn normals(vertices: &[[i16; 3]], faces: &[[u16; 3]]) -> Vec<[i16; 3]> {
     faces.iter().map(|face| unit(normal(face.map(corner)))).collect()
 }
 
-fn planes(vertices: &[[i16; 3]], k: u32, faces: &[[u16; 3]], normals: &[[i16; 3]]) -> Result<Vec<i16>> {
-    let mesh = Mesh::new(vertices, -i8::try_from(k)?, faces)?.with_normals(normals)?;
-    Ok((0..faces.len()).map(|face| mesh.face_plane(face)).collect())
-}
-
-/// Meshes of all sizes, and those of the scenes with the faces beside their edges.
-fn shapes(scenes: &Value) -> Result<String> {
+/// Meshes of all sizes, and those of the scenes, with the faces beside their edges; and the cases that show them.
+fn shapes(scenes: &Scenes, growth: &Growth) -> Result<String> {
     let mut text = String::new();
-    let made = [
-        ("TORUS_24", meshes::torus(4, 3)),
-        ("TORUS_96", meshes::torus(8, 6)),
-        ("TORUS_320", meshes::torus(16, 10)),
-        ("TORUS_1024", meshes::torus(32, 16)),
-        ("TORUS_4096", meshes::torus(64, 32)),
-        ("TORUS_20000", meshes::torus(125, 80)),
-        ("SPHERE_10", meshes::sphere(5, 2)),
-        ("SPHERE_224", meshes::sphere(16, 8)),
-        ("SPHERE_720", meshes::sphere(24, 16)),
-        ("SHEET_800", meshes::sheet(20)),
-        ("SHEET_3200", meshes::sheet(40)),
-    ];
-    let mut shapes: Vec<_> =
-        made.into_iter().map(|(name, (vertices, faces))| (name, vertices, edges_of(&faces), faces)).collect();
-    for (name, model) in [("S2_CUBE", "cube"), ("S3_TORUS", "torus"), ("S4_ICO", "ico")] {
-        let model = &scenes["models"][model];
-        let (edges, faces) = (list(&model["edges"], indices::<2>)?, list(&model["faces"], indices::<3>)?);
-        let edges = if edges.is_empty() { edges_of(&faces) } else { edges };
-        shapes.push((name, list(&model["vertices"], triple)?, edges, faces));
+    let mut add = |name: &str, vertices: &[[f64; 3]], edges: &[[u16; 2]], faces: &[[u16; 3]]| -> Result<()> {
+        let (k, vertices) = quantised(vertices)?;
+        let (normals, beside) = (normals(&vertices, faces), beside(edges, faces));
+        write!(text, "static {name}: Shape = Shape {{ exponent: -{k}, vertices: &{vertices:?}, ")?;
+        write!(text, "faces: &{faces:?}, normals: &{normals:?}, ")?;
+        Ok(writeln!(text, "edges: &{edges:?}, beside: &{beside:?} }};")?)
+    };
+    for (name, kind, [m, n]) in &growth.shapes {
+        let (vertices, faces) = match kind.as_str() {
+            "torus" => meshes::torus(*m, *n),
+            "sphere" => meshes::sphere(*m, *n),
+            "sheet" => meshes::sheet(*m),
+            _ => return Err(format!("growth.json: {kind}").into()),
+        };
+        add(name, &vertices, &edges_of(&faces), &faces)?;
     }
-    for (name, vertices, edges, faces) in shapes {
-        let (k, vertices) = quantised(&vertices)?;
-        let normals = normals(&vertices, &faces);
-        let beside = beside(&edges, &faces);
-        writeln!(
-            text,
-            "pub(super) static {name}: Shape = Shape {{ exponent: -{k}, vertices: &{vertices:?}, faces: &{faces:?},"
-        )?;
-        writeln!(text, "normals: &{normals:?}, edges: &{edges:?}, beside: &{beside:?} }};")?;
+    for (name, Model { vertices, edges, faces, .. }) in &scenes.models {
+        let edges = if edges.is_empty() { &edges_of(faces) } else { edges };
+        add(&name.to_uppercase(), vertices, edges, faces)?;
     }
-    Ok(text)
+    writeln!(text, "pub const CASES: &[Case] = &[")?;
+    for Case { name, shape, what, eye, size, cull, level, fitted } in &growth.cases {
+        write!(text, "Case {{ name: {name:?}, what: What::{what}(&{shape}), eye: {eye:?}, size: {size:?}, ")?;
+        writeln!(text, "cull: Cull::{cull}, level: {level}, fitted: {fitted} }},")?;
+    }
+    Ok(text + "];")
 }
 
 /// The two faces beside each edge, or [`Mesh::NO_FACE`].
@@ -133,17 +146,15 @@ fn beside(edges: &[[u16; 2]], faces: &[[u16; 3]]) -> Vec<[u16; 2]> {
 }
 
 /// The torus's vertex normals and edges, and the lists of 2D lines and triangles.
-fn lists(scenes: &Value) -> Result<String> {
-    let normals = list(&scenes["models"]["torus"]["vertices"], triple)?.into_iter().map(torus_normal);
-    let normals: Vec<[i16; 3]> = normals.map(|normal| normal.map(unit)).collect::<Result<_>>()?;
-    let edges = edges_of(&list(&scenes["models"]["torus"]["faces"], indices::<3>)?);
-    let lines = list(&scenes["lines"], integers::<4>)?;
-    let triangles = list(&scenes["tris2d"], integers::<7>)?;
-    let corners: Vec<_> = triangles.iter().map(|t| &t[..6]).collect();
-    let colours: Vec<_> = triangles.iter().map(|t| t[6]).collect();
-    let screen = integers::<6>(&scenes["full_screen_triangle"])?;
+fn lists(scenes: &Scenes) -> Result<String> {
+    let torus = scenes.models.get("torus").ok_or("no torus")?;
+    let normals = torus.vertices.iter().map(|&vertex| torus_normal(vertex).map(unit));
+    let normals: Vec<[i16; 3]> = normals.collect::<Result<_>>()?;
+    let (edges, lines, screen) = (edges_of(&torus.faces), &scenes.lines, &scenes.full_screen_triangle);
+    let corners: Vec<_> = scenes.tris2d.iter().map(|t| &t[..6]).collect();
+    let colours: Vec<_> = scenes.tris2d.iter().map(|t| t[6]).collect();
     let [normal_count, edge_count, line_count, triangle_count] =
-        [normals.len(), edges.len(), lines.len(), triangles.len()];
+        [normals.len(), edges.len(), lines.len(), corners.len()];
     Ok(format!(
         "pub static TORUS_NORMALS: [[i16; 3]; {normal_count}] = {normals:?};\n\
          pub static TORUS_EDGES: [[u16; 2]; {edge_count}] = {edges:?};\n\
@@ -159,12 +170,8 @@ fn unit(normal: [f64; 3]) -> [i16; 3] {
     normal.map(|c| (c * 32767.0).round() as i16)
 }
 
-fn slice(list: &[impl Debug]) -> String {
-    format!("&{list:?}")
-}
-
 /// A vector in 2⁻¹⁶.
-fn bits(v: &[f64; 3]) -> [i32; 3] {
+fn bits(v: [f64; 3]) -> [i32; 3] {
     v.map(|c| (c * 65536.0).round() as i32)
 }
 
@@ -193,26 +200,4 @@ fn edges_of(faces: &[[u16; 3]]) -> Vec<[u16; 2]> {
     let sides = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let edges: BTreeSet<_> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
     edges.into_iter().collect()
-}
-
-fn list<T>(value: &Value, item: fn(&Value) -> Result<T>) -> Result<Vec<T>> {
-    value.as_array().ok_or("a list")?.iter().map(item).collect()
-}
-
-fn number(value: &Value) -> Result<f64> {
-    Ok(value.as_f64().ok_or("a number")?)
-}
-
-fn triple(value: &Value) -> Result<[f64; 3]> {
-    <[f64; 3]>::try_from(list(value, number)?).map_err(|_| "three numbers".into())
-}
-
-fn integers<const N: usize>(value: &Value) -> Result<[i64; N]> {
-    let integer = |value: &Value| Ok(value.as_i64().ok_or("an integer")?);
-    <[i64; N]>::try_from(list(value, integer)?).map_err(|_| "another number of integers".into())
-}
-
-fn indices<const N: usize>(value: &Value) -> Result<[u16; N]> {
-    let index = |value: &Value| Ok(u16::try_from(value.as_u64().ok_or("an index")?)?);
-    <[u16; N]>::try_from(list(value, index)?).map_err(|_| "another number of corners".into())
 }

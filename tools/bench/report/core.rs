@@ -3,7 +3,7 @@
 use crate::{Result, M0, M3, RV32};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::Mutex;
 use std::thread;
 
 /// This directory, and the project's.
@@ -143,20 +143,17 @@ pub(crate) fn side_by_side<T: Sync, R: Send>(
     these: &[T],
     each: impl Fn(&T) -> Result<R> + Sync,
 ) -> Result<Vec<R>> {
-    let next = AtomicUsize::new(0);
-    let some = || {
-        let mut done = Vec::new();
-        loop {
-            let at = next.fetch_add(1, Ordering::Relaxed);
-            let Some(this) = these.get(at) else { break done };
-            // Errors stay in their thread; their messages are passed on.
-            done.push((at, each(this).map_err(|error| error.to_string())));
-        }
+    let waiting = Mutex::new(these.iter().enumerate());
+    let next = || waiting.lock().ok().and_then(|mut waiting| waiting.next());
+    // Errors stay in their thread; their messages are passed on.
+    let work = || {
+        let one = |(at, this)| (at, each(this).map_err(|error| error.to_string()));
+        std::iter::from_fn(next).map(one).collect::<Vec<_>>()
     };
     let at_once = thread::available_parallelism().map_or(1, usize::from);
     let mut done = Vec::new();
     thread::scope(|scope| {
-        let threads: Vec<_> = (0..at_once).map(|_| scope.spawn(some)).collect();
+        let threads: Vec<_> = (0..at_once).map(|_| scope.spawn(work)).collect();
         for thread in threads {
             done.extend(thread.join().map_err(|_| "a thread panicked")?);
         }

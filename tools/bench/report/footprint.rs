@@ -5,8 +5,8 @@ mod floats;
 
 use crate::core::Build;
 use crate::data::{row, Row};
-use crate::provenance::Provenance;
-use crate::{elf, Result, M0, M3, RV32};
+use crate::elf::{self, Provenance};
+use crate::{Result, M0, M3, RV32};
 use floats::is_float_routine;
 use serde::Deserialize;
 use serde_json::json;

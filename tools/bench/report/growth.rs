@@ -31,8 +31,8 @@ pub(crate) fn rows(_: &mut Vec<String>) -> Result<Vec<Row>> {
         }
         rows.push(row(json!({"way": "placing", "core": core.name, "constants": [place, light],
             "names": ["Affine::rotation_y and Camera::place", "Lambert::new"]})));
-        for (name, ways) in WAYS {
-            let of_ways = works.iter().zip(&counts).filter(|((_, way, _), _)| ways.contains(way));
+        for (name, kinds, _) in WAYS {
+            let of_ways = works.iter().zip(&counts).filter(|((_, way, _), _)| kinds.contains(&way.kind));
             let (names, counts): (Vec<_>, Vec<_>) = terms(name).into_iter().unzip();
             let drawn = of_ways.map(|(&(case, _, work), &instructions)| {
                 let counts = counts.iter().map(|count| f64::from(count(&work))).collect();

@@ -8,10 +8,19 @@ mod data;
 mod elf;
 mod footprint;
 mod growth;
-mod provenance;
 mod record;
-mod timing;
 mod two_cores;
+
+/// Cycles from instructions: timing tables of the Cortex-M cores and of an ESP32-C3, and how long flash takes.
+mod timing {
+    pub(crate) mod decode;
+    pub(crate) mod flash;
+    pub(crate) mod pipeline;
+    pub(crate) mod program;
+    pub(crate) mod riscv;
+    #[cfg(test)]
+    mod tests;
+}
 
 use data::{Row, Set, Strictness};
 use std::path::Path;

@@ -2,10 +2,10 @@
 //! of an Arm core with the registers before each instruction, of RISC-V its address alone.
 
 use crate::core::Core;
-use crate::provenance::{frames, Place, STEP};
+use crate::elf::{self, frames, Place, STEP};
 use crate::timing::decode::Instruction;
 use crate::timing::program::{Conditions, Executed, Program, State};
-use crate::{elf, Result, RV32};
+use crate::{Result, RV32};
 use std::io::{BufRead, BufReader, Read};
 use std::ops::Range;
 use std::path::Path;
@@ -50,7 +50,7 @@ fn function(code: &Range<u64>, places: &[Place], is_it: impl Fn(&str) -> bool) -
 /// Limits QEMU's log to the code that can run while the clock counts a frame: not what paints the stack or adds up a
 /// checksum, which takes most of the time of a run.
 fn filter(code: &Range<u64>, places: &[Place]) -> [String; 2] {
-    let is_elsewhere = |frame: &crate::provenance::Frame| {
+    let is_elsewhere = |frame: &elf::Frame| {
         frame.file.ends_with("src/stack.rs")
             || ["Checksum", "Clock::turns", "Clock>::turns"].iter().any(|name| frame.function.contains(name))
     };

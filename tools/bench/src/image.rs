@@ -205,7 +205,7 @@ pub mod prelude {
     pub use super::{cubes_with_edge_faces, Sink, Turntable, BIN_STORAGE, CORNERS, ROWS};
     pub use crate::bands::{bytes, pixels};
     pub use crate::scene::Model;
-    pub use crate::{image, position, scene};
+    pub use crate::{image, is_equal, scene};
     pub use core::hint::black_box;
     pub use embedded_graphics_core::geometry::{Point, Size};
     pub use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};

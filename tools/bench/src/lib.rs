@@ -17,9 +17,8 @@ pub mod lists {
     include!(concat!(env!("OUT_DIR"), "/lists.rs"));
 }
 
-/// Where the name of an image stands among those of a source file: several images are built from one, and each chooses
-/// its part by its name when it is compiled. A name that is not there does not compile.
-pub const fn position(name: &str, names: &[&str]) -> usize {
+/// Where the name of an image stands in a list. A name that is not there does not compile.
+const fn position(name: &str, names: &[&str]) -> usize {
     let mut at = 0;
     while at < names.len() {
         if is_equal(name, names[at]) {
@@ -30,7 +29,8 @@ pub const fn position(name: &str, names: &[&str]) -> usize {
     panic!("no image of this name in the list")
 }
 
-const fn is_equal(a: &str, b: &str) -> bool {
+/// Whether two names are equal: several images are built from one file, and each chooses its part by its name when it is compiled.
+pub const fn is_equal(a: &str, b: &str) -> bool {
     let (a, b, mut same) = (a.as_bytes(), b.as_bytes(), 0);
     while same < a.len() && same < b.len() && a[same] == b[same] {
         same += 1;

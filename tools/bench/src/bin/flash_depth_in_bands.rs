@@ -4,19 +4,7 @@
 use bench::image::prelude::*;
 
 /// The firmware that is built.
-const IMAGE: usize = position(
-    env!("CARGO_BIN_NAME"),
-    &[
-        "flash_depth_bands",
-        "flash_depth_pixels",
-        "flash_gouraud_pixels",
-        "flash_dither",
-        "flash_dither_pixels",
-        "flash_flat_dither_pixels",
-        "flash_textured_pixels",
-        "flash_framing",
-    ],
-);
+const IMAGE: &str = env!("CARGO_BIN_NAME");
 
 /// Before a camera that frames the mesh, as the templates make it. In a function of its own: the camera is off the stack when it returns.
 #[inline(never)]
@@ -35,7 +23,7 @@ image!(
     storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)],
     {
         let turntable = Turntable::new();
-        let instance = if IMAGE == 7 { framed(cube)? } else { turntable.place(cube) };
+        let instance = if is_equal(IMAGE, "flash_framing") { framed(cube)? } else { turntable.place(cube) };
         let light = turntable.light();
         let light = light.as_ref()?;
         let mut faces = instance.transform_depth(corners).bin_faces(bin_storage);
@@ -45,18 +33,19 @@ image!(
         while let Some(mut band) = frame.next_band(strip).ok()? {
             let mut depth = DepthBuffer::new(band.area(), storage).ok()?;
             match IMAGE {
-    0 => faces.depth_tested(scene::flat(mesh, light), &mut depth, &mut band).ok()?,
-    1 | 7 => faces.depth_tested(scene::flat(mesh, light), &mut depth, &mut band.pixels()).ok()?,
-    2 => faces.depth_tested(scene::smooth(mesh, light), &mut depth, &mut band.pixels()).ok()?,
-    3 =>
+    "flash_depth_bands" => faces.depth_tested(scene::flat(mesh, light), &mut depth, &mut band).ok()?,
+    "flash_depth_pixels" | "flash_framing" => faces.depth_tested(scene::flat(mesh, light), &mut depth, &mut band.pixels()).ok()?,
+    "flash_gouraud_pixels" => faces.depth_tested(scene::smooth(mesh, light), &mut depth, &mut band.pixels()).ok()?,
+    "flash_dither" =>
         faces.depth_tested(|face| scene::smooth(mesh, light)(face).dithered(), &mut depth, &mut band).ok()?,
-    4 => faces
+    "flash_dither_pixels" => faces
         .depth_tested(|face| scene::smooth(mesh, light)(face).dithered(), &mut depth, &mut band.pixels())
         .ok()?,
-    5 => faces
+    "flash_flat_dither_pixels" => faces
         .depth_tested(scene::flat_dithered(mesh.normals(), light), &mut depth, &mut band.pixels())
         .ok()?,
-    _ => faces.depth_tested(image::textured(mesh, light), &mut depth, &mut band.pixels()).ok()?,
+    "flash_textured_pixels" => faces.depth_tested(image::textured(mesh, light), &mut depth, &mut band.pixels()).ok()?,
+    _ => return None,
 };
             band.send(&mut Sink).ok()?;
         }

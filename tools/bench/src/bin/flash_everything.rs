@@ -8,7 +8,7 @@ const FACES: usize = 12;
 type Order = Painter<Rgb565, { 4 * CORNERS }, { 2 * FACES }>;
 
 /// Whether this is the image that links no clipping.
-const INSIDE: bool = position(env!("CARGO_BIN_NAME"), &["flash_everything", "flash_everything_inside"]) == 1;
+const INSIDE: bool = is_equal(env!("CARGO_BIN_NAME"), "flash_everything_inside");
 
 /// An object with its light, which live as long as the frame.
 struct Object {

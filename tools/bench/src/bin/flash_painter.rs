@@ -3,7 +3,7 @@
 use bench::image::prelude::*;
 
 /// The firmware that is built.
-const IN_BANDS: bool = position(env!("CARGO_BIN_NAME"), &["flash_painter", "flash_painter_bands"]) == 1;
+const IN_BANDS: bool = is_equal(env!("CARGO_BIN_NAME"), "flash_painter_bands");
 
 /// The faces of the cube. A clipped one is stored as the triangles of its fan, each with three vertices.
 const FACES: usize = 12;

@@ -3,10 +3,9 @@
 use bench::image::prelude::*;
 
 /// The firmware that is built.
-const IMAGE: usize =
-    position(env!("CARGO_BIN_NAME"), &["flash_picture", "flash_depth_picture", "flash_wireframe_smooth"]);
+const IMAGE: &str = env!("CARGO_BIN_NAME");
 /// The number of depths in the depth buffer.
-const DEPTHS: usize = if IMAGE == 1 { pixels(ROWS) } else { 0 };
+const DEPTHS: usize = if is_equal(IMAGE, "flash_depth_picture") { pixels(ROWS) } else { 0 };
 
 image!(
     cube,
@@ -20,19 +19,20 @@ image!(
         let mut picture = Picture::new(memory, size).ok()?;
         let target = &mut picture.pixels();
         match IMAGE {
-            0 => {
+            "flash_picture" => {
                 let light = scene.rigid_light()?;
                 let Ok(_) = instance.solid(scene::flat(&cube.mesh, &light), corners, target);
             }
-            1 => {
+            "flash_depth_picture" => {
                 let light = scene.light();
                 let shade = scene::flat(&cube.mesh, light.as_ref()?);
                 let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), storage).ok()?;
                 let Ok(_) = instance.depth_tested(shade, corners, &mut depth, target);
             }
-            _ => {
+            "flash_wireframe_smooth" => {
                 let Ok(_) = instance.wireframe(AntiAliased(scene::LINE), corners, target);
             }
+            _ => return None,
         }
         black_box(picture.colors());
         Some(())

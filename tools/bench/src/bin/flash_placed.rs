@@ -4,20 +4,21 @@
 use bench::image::prelude::*;
 
 /// The firmware that is built.
-const IMAGE: usize = position(env!("CARGO_BIN_NAME"), &["flash_empty", "flash_place", "flash_camera"]);
+const IMAGE: &str = env!("CARGO_BIN_NAME");
 
 image!(cube, {
     match IMAGE {
-        0 => {
+        "flash_empty" => {
             black_box(cube);
         }
-        1 => {
+        "flash_place" => {
             black_box(Turntable::new().place(cube));
         }
-        _ => {
+        "flash_camera" => {
             let (camera, model) = (cube.camera(), cube.turned());
             black_box(&camera.as_ref()?.place(&cube.mesh, &model));
         }
+        _ => return None,
     }
     Some(())
 });

@@ -3,7 +3,7 @@
 use bench::image::prelude::*;
 
 /// The firmware that is built.
-const OF_LINES: bool = position(env!("CARGO_BIN_NAME"), &["flash_solid_bands", "flash_wireframe_bands"]) == 1;
+const OF_LINES: bool = is_equal(env!("CARGO_BIN_NAME"), "flash_wireframe_bands");
 
 image!(
     cube,

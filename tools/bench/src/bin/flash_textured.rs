@@ -4,19 +4,7 @@
 use bench::image::prelude::*;
 
 /// The firmware that is built.
-const IMAGE: usize = position(
-    env!("CARGO_BIN_NAME"),
-    &[
-        "flash_color",
-        "flash_textured",
-        "flash_screen_door",
-        "flash_half",
-        "flash_fogged",
-        "flash_keyed",
-        "flash_shades",
-        "flash_vertex_fog",
-    ],
-);
+const IMAGE: &str = env!("CARGO_BIN_NAME");
 
 /// 128 bytes, which count.
 static TEXELS: [[Rgb565; 8]; 8] = {
@@ -52,31 +40,32 @@ image!(
             Fog::linear(start, end).ok()
         };
         match IMAGE {
-            0 => frame.draw(color),
-            1 => {
+            "flash_color" => frame.draw(color),
+            "flash_textured" => {
                 let texture = Texture::new(black_box(&TEXELS));
                 frame.draw(|face| texture.at(UV[face & 1]))
             }
-            2 => frame.draw(|face| ScreenDoor::new(color(face), black_box(40))),
-            3 => frame.draw(|face| HalfBlended::new(color(face))),
-            4 => {
+            "flash_screen_door" => frame.draw(|face| ScreenDoor::new(color(face), black_box(40))),
+            "flash_half" => frame.draw(|face| HalfBlended::new(color(face))),
+            "flash_fogged" => {
                 let table = FogTable::new(&fog()?, scene.camera(), scene::BACKGROUND).ok()?;
                 frame.draw(|face| Fogged::new(color(face), &table))
             }
-            5 => {
+            "flash_keyed" => {
                 let texture = Texture::new(ColorKeyed::new(black_box(&TEXELS), Rgb565::GREEN));
                 frame.draw(|face| texture.at(UV[face & 1]))
             }
-            6 => {
+            "flash_shades" => {
                 let levels = black_box([32, 64, 96, 128, 160, 192, 224, 256]);
                 frame.draw(|face| SHADES.lit(cube.mesh.corners_of(face, &levels)))
             }
-            _ => {
+            "flash_vertex_fog" => {
                 let fog = VertexFog::new(&fog()?, scene.camera(), scene.model(), cube.mesh.exponent());
                 let mut factors = [0; CORNERS];
                 fog.factors(cube.mesh.vertices(), &mut factors);
                 frame.draw(|face| SHADES.lit(cube.mesh.corners_of(face, &factors)))
             }
+            _ => None,
         }
     }
 );

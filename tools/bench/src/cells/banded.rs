@@ -1,7 +1,7 @@
 //! Models in bands, as many pixels sent as a frame has, and in one piece. Both clear the picture and set the object's transform up in
 //! each frame. The meshes have no planes.
 
-use super::{count, Counted, Deep, Plain};
+use super::{count, drawn, Counted, Deep, Plain};
 use crate::bands::{self, Storage};
 use crate::board::Clock;
 use crate::measure::Display;
@@ -81,9 +81,7 @@ pub(super) fn full_wire<const N: usize>(
     let scene = Scene::new(model)?;
     count(frame, &mut |picture| {
         let Ok(()) = picture.clear(BACKGROUND);
-        let Ok(statistics) = black_box(&scene).place().wireframe(LINE, corners, &mut picture.pixels());
-        black_box(statistics);
-        Some(())
+        drawn(black_box(&scene).place().wireframe(LINE, corners, &mut picture.pixels()))
     })
 }
 
@@ -96,9 +94,7 @@ pub(super) fn full<const N: usize>(
     count(frame, &mut |picture| {
         let (scene, light) = black_box((&scene, &light));
         let Ok(()) = picture.clear(BACKGROUND);
-        let Ok(statistics) = scene.place().solid(scene.shade(light), corners, &mut picture.pixels());
-        black_box(statistics);
-        Some(())
+        drawn(scene.place().solid(scene.shade(light), corners, &mut picture.pixels()))
     })
 }
 
@@ -113,8 +109,6 @@ pub(super) fn full_z<const N: usize>(
         let Ok(()) = picture.clear(BACKGROUND);
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let (shade, mut pixels) = (scene.shade(light), picture.pixels());
-        let Ok(statistics) = scene.place().depth_tested(shade, corners, &mut depth, &mut pixels);
-        black_box(statistics);
-        Some(())
+        drawn(scene.place().depth_tested(shade, corners, &mut depth, &mut pixels))
     })
 }

@@ -2,7 +2,7 @@
 //! rolled floor, in one colour, whose two faces have all levels each; G3: X1's textured torus in the fog of G1.
 
 use super::textured::{camera, torus_uv, Floor, PICTURE, X3};
-use super::{count, Counted, Deep, Plain, TORUS};
+use super::{count, drawn, Counted, Deep, Plain, TORUS};
 use crate::scene::{self, area, Scene};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
@@ -27,10 +27,7 @@ pub(super) fn g1(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted>
     count(frame, &mut |picture| {
         let (instance, light, fog) = black_box((&instance, &light, &fog));
         let shade = scene::flat_of_normals(instance.mesh().normals(), light);
-        let Ok(statistics) =
-            instance.solid(|face| Fogged::new(shade(face), fog), corners, &mut picture.pixels());
-        black_box(statistics);
-        Some(())
+        drawn(instance.solid(|face| Fogged::new(shade(face), fog), corners, &mut picture.pixels()))
     })
 }
 
@@ -42,9 +39,7 @@ pub(super) fn g1_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<C
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let shade = scene::flat_of_normals(instance.mesh().normals(), light);
         let shade = |face| Fogged::new(shade(face), fog);
-        let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
-        black_box(statistics);
-        Some(())
+        drawn(instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels()))
     })
 }
 
@@ -55,9 +50,7 @@ pub(super) fn g2(Plain { frame, corners }: &mut Plain<4>) -> Option<Counted> {
     count(frame, &mut |picture| {
         let (instance, fog) = black_box((&instance, &fog));
         let shade = |_| Fogged::new(Rgb565::RED, fog);
-        let Ok(statistics) = instance.solid(shade, corners, &mut picture.pixels());
-        black_box(statistics);
-        Some(())
+        drawn(instance.solid(shade, corners, &mut picture.pixels()))
     })
 }
 
@@ -68,8 +61,6 @@ pub(super) fn g3_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<C
         let (instance, texture, fog) = black_box((&instance, &texture, &fog));
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let shade = |face| Fogged::new(texture.at(torus_uv(face)), fog);
-        let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
-        black_box(statistics);
-        Some(())
+        drawn(instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels()))
     })
 }

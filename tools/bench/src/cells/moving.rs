@@ -1,7 +1,7 @@
 //! T1 and F50: frames that place moving objects. Counted is what a frame of an animation does, the objects' transforms with
 //! it; the lens is set up before.
 
-use super::{count, Counted, Deep, Plain, CUBE};
+use super::{count, drawn, Counted, Deep, Plain, CUBE};
 use crate::scene::{self, area, LINE, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -23,10 +23,7 @@ pub(super) fn t1(Plain { frame, corners }: &mut Plain<CUBE>) -> Option<Counted> 
         turn = black_box(turn + Angle::degrees(3));
         let model = Affine::rotation_y(turn);
         let (camera, mesh) = black_box((&camera, &scene::CUBE.mesh));
-        let Ok(statistics) =
-            camera.place(mesh, &model).wireframe(black_box(LINE), corners, &mut picture.pixels());
-        black_box(statistics);
-        Some(())
+        drawn(camera.place(mesh, &model).wireframe(black_box(LINE), corners, &mut picture.pixels()))
     })
 }
 
@@ -93,10 +90,7 @@ pub(super) fn f50_z(Deep { frame, depth, corners }: &mut Deep<CUBE>) -> Option<C
         black_box(fifty.frame(|camera, mesh, model| {
             let light = scene::lit(model)?;
             let (shade, mut pixels) = (scene::flat(mesh, &light), picture.pixels());
-            let Ok(statistics) =
-                camera.place(mesh, model).depth_tested(shade, corners, &mut depth, &mut pixels);
-            black_box(statistics);
-            Some(())
+            drawn(camera.place(mesh, model).depth_tested(shade, corners, &mut depth, &mut pixels))
         })?);
         Some(())
     })

@@ -1,6 +1,6 @@
 //! B1: fifty keyed sprites, billboards of 16 × 16 texels on the torus's vertices, scaled by their distance and tested for depth.
 
-use super::{count, Counted, Deep};
+use super::{count, drawn, Counted, Deep};
 use crate::scene::{self, area};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
@@ -48,8 +48,6 @@ pub(super) fn b1_z(Deep { frame, depth, .. }: &mut Deep<0>) -> Option<Counted> {
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let sprite = Sprite::new(ColorKeyed::new(&DISC, KEY)).with_size(side, side);
         let placed = camera.place_sprites(mesh, turned);
-        let Ok(statistics) = placed.depth_tested(|_| sprite, &mut depth, &mut picture.pixels());
-        black_box(statistics);
-        Some(())
+        drawn(placed.depth_tested(|_| sprite, &mut depth, &mut picture.pixels()))
     })
 }

@@ -2,7 +2,7 @@
 //! far end is 5.6 times as far away as its near end; X3: a floor rolled by 25 degrees, which the near plane cuts; X4: one rolled
 //! by 20 degrees that reaches the horizon, a thousand times as far away.
 
-use super::{count, Counted, Deep, Plain, TORUS};
+use super::{count, drawn, Counted, Deep, Plain, TORUS};
 use crate::scene::{self, area, Scene, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -122,9 +122,7 @@ pub(super) fn floor(
         let (instance, texture, uv) = black_box((&instance, &texture, &uv));
         let mesh = instance.mesh();
         let shade = |face| texture.at(mesh.corners_of(face, uv));
-        let Ok(statistics) = instance.solid(shade, corners, &mut picture.pixels());
-        black_box(statistics);
-        Some(())
+        drawn(instance.solid(shade, corners, &mut picture.pixels()))
     })
 }
 
@@ -135,9 +133,7 @@ pub(super) fn torus(accuracy: Accuracy, Plain { frame, corners }: &mut Plain<TOR
     count(frame, &mut |picture| {
         let (instance, texture) = black_box((&instance, &texture));
         let shade = |face: usize| texture.at(torus_uv(face));
-        let Ok(statistics) = instance.solid(shade, corners, &mut picture.pixels());
-        black_box(statistics);
-        Some(())
+        drawn(instance.solid(shade, corners, &mut picture.pixels()))
     })
 }
 
@@ -148,8 +144,6 @@ pub(super) fn torus_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Optio
         let (instance, texture) = black_box((&instance, &texture));
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let shade = |face: usize| texture.at(torus_uv(face));
-        let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
-        black_box(statistics);
-        Some(())
+        drawn(instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels()))
     })
 }

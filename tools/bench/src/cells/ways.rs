@@ -1,6 +1,6 @@
 //! The ways to draw a scene: into a picture in memory, and into a DrawTarget that is not this library's.
 
-use super::{count, count_screen, Counted, Deep, Frame, Plain, Screen, Smooth, TORUS};
+use super::{count, count_screen, drawn, Counted, Deep, Frame, Plain, Screen, Smooth, TORUS};
 use crate::lists::TORUS_NORMALS;
 use crate::scene::{self, area, Model, Scene};
 use core::hint::black_box;
@@ -24,9 +24,7 @@ macro_rules! ways {
                 let scene = Scene::new(model)?;
                 let instance = scene.place();
                 $count(frame, &mut |$surface| {
-                    let Ok(statistics) = black_box(&instance).wireframe(black_box(stroke), corners, $target);
-                    black_box(statistics);
-                    Some(())
+                    drawn(black_box(&instance).wireframe(black_box(stroke), corners, $target))
                 })
             }
 
@@ -41,9 +39,7 @@ macro_rules! ways {
                 $count(frame, &mut |$surface| {
                     let (instance, light) = black_box((&instance, &light));
                     let shade = scene::flat_of_normals(instance.mesh().normals(), light);
-                    let Ok(statistics) = instance.solid(shade, corners, $target);
-                    black_box(statistics);
-                    Some(())
+                    drawn(instance.solid(shade, corners, $target))
                 })
             }
 
@@ -58,9 +54,7 @@ macro_rules! ways {
                     let (instance, light) = black_box((&instance, &light));
                     let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
                     let shade = scene::flat_of_normals(instance.mesh().normals(), light);
-                    let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, $target);
-                    black_box(statistics);
-                    Some(())
+                    drawn(instance.depth_tested(shade, corners, &mut depth, $target))
                 })
             }
 
@@ -79,9 +73,7 @@ macro_rules! ways {
                     light.levels(black_box(&TORUS_NORMALS), levels);
                     let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
                     let shade = |face| white.lit(instance.mesh().corners_of(face, levels));
-                    let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, $target);
-                    black_box(statistics);
-                    Some(())
+                    drawn(instance.depth_tested(shade, corners, &mut depth, $target))
                 })
             }
 

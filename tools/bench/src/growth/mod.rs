@@ -98,45 +98,32 @@ pub struct Way {
     pub rows: Option<u32>,
 }
 
-const fn whole(kind: Kind) -> Way {
-    Way { kind, rows: None }
-}
+/// Ways to draw that share their constants: their name, their kinds, and the rows of bands.
+type Group = (&'static str, &'static [Kind], &'static [Option<u32>]);
 
-const fn in_rows(kind: Kind, rows: u32) -> Way {
-    Way { kind, rows: Some(rows) }
-}
-
-/// The ways to draw, grouped by the constants that they share, each group with its name.
-pub const WAYS: [(&str, &[Way]); 13] = [
-    ("lines", &[whole(Kind::Lines)]),
-    ("faces", &[whole(Kind::Faces)]),
-    ("depth", &[whole(Kind::Depth)]),
-    ("bands", &[in_rows(Kind::Bands, 8), in_rows(Kind::Bands, 16), in_rows(Kind::Bands, 48)]),
-    ("line-bands", &[in_rows(Kind::LineBands, 8), in_rows(Kind::LineBands, 48)]),
-    (
-        "hidden-bands",
-        &[
-            in_rows(Kind::HiddenBands, 8),
-            in_rows(Kind::HiddenBands, 48),
-            in_rows(Kind::FewHiddenBands, 8),
-            in_rows(Kind::FewHiddenBands, 48),
-        ],
-    ),
-    ("smooth-bands", &[in_rows(Kind::SmoothBands, 8), in_rows(Kind::SmoothBands, 48)]),
-    ("dithered-bands", &[in_rows(Kind::DitheredBands, 8), in_rows(Kind::DitheredBands, 48)]),
-    (
-        "smooth-dithered-bands",
-        &[in_rows(Kind::SmoothDitheredBands, 8), in_rows(Kind::SmoothDitheredBands, 48)],
-    ),
-    ("textured-bands", &[in_rows(Kind::TexturedBands, 8), in_rows(Kind::TexturedBands, 48)]),
-    ("plain-bands", &[in_rows(Kind::PlainBands, 8), in_rows(Kind::PlainBands, 48)]),
-    ("painted", &[whole(Kind::Painted)]),
-    ("painted-bands", &[in_rows(Kind::PaintedBands, 8), in_rows(Kind::PaintedBands, 48)]),
+pub const WAYS: [Group; 13] = [
+    ("lines", &[Kind::Lines], WHOLE),
+    ("faces", &[Kind::Faces], WHOLE),
+    ("depth", &[Kind::Depth], WHOLE),
+    ("bands", &[Kind::Bands], &[Some(8), Some(16), Some(48)]),
+    ("line-bands", &[Kind::LineBands], IN_BANDS),
+    ("hidden-bands", &[Kind::HiddenBands, Kind::FewHiddenBands], IN_BANDS),
+    ("smooth-bands", &[Kind::SmoothBands], IN_BANDS),
+    ("dithered-bands", &[Kind::DitheredBands], IN_BANDS),
+    ("smooth-dithered-bands", &[Kind::SmoothDitheredBands], IN_BANDS),
+    ("textured-bands", &[Kind::TexturedBands], IN_BANDS),
+    ("plain-bands", &[Kind::PlainBands], IN_BANDS),
+    ("painted", &[Kind::Painted], WHOLE),
+    ("painted-bands", &[Kind::PaintedBands], IN_BANDS),
 ];
+const WHOLE: &[Option<u32>] = &[None];
+const IN_BANDS: &[Option<u32>] = &[Some(8), Some(48)];
 
 /// All ways, group by group.
 pub fn ways() -> impl Iterator<Item = Way> {
-    WAYS.into_iter().flat_map(|(_, ways)| ways.iter().copied())
+    let of_kind =
+        |rows: &'static [Option<u32>]| move |&kind| rows.iter().map(move |&rows| Way { kind, rows });
+    WAYS.into_iter().flat_map(move |(_, kinds, rows)| kinds.iter().flat_map(of_kind(rows)))
 }
 
 const LEVEL: [[i32; 3]; 3] = [[1 << 16, 0, 0], [0, 1 << 16, 0], [0, 0, 1 << 16]];

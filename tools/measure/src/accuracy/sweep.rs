@@ -1,7 +1,7 @@
 //! Transforms vertices by the library and, from the same bits, in f64.
 
-use super::errors::Errors;
 use super::population::{Design, Object, Population, DESIGNS, RANGES, VERTICES};
+use super::Errors;
 use crate::bridge::{point, scalar, vector};
 use crate::oracle::chain::{self, V3};
 use crate::oracle::rng::Rng;

@@ -2,7 +2,7 @@
 
 mod scenes;
 
-use super::errors::{rounded, Errors};
+use super::{rounded, Errors};
 use crate::oracle::chain;
 use crate::oracle::texture::{off_repeated, Ray};
 use core::convert::Infallible;
