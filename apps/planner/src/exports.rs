@@ -38,12 +38,15 @@ impl Desk {
 
     /// The parts of the input, which zero bytes separate.
     fn parts(&self) -> Result<Vec<String>, Refusal> {
-        let text = std::str::from_utf8(&self.input).map_err(|e| e.to_string())?;
-        Ok(text.split('\0').map(str::to_owned).collect())
+        Ok(self.text()?.split('\0').map(str::to_owned).collect())
     }
 
     fn choice(&self) -> Result<Choice, Refusal> {
-        Ok(Choice::parse(std::str::from_utf8(&self.input).map_err(|e| e.to_string())?)?)
+        Ok(Choice::parse(self.text()?)?)
+    }
+
+    fn text(&self) -> Result<&str, Refusal> {
+        std::str::from_utf8(&self.input).map_err(|_| "the page sent a text that is not UTF-8".into())
     }
 }
 

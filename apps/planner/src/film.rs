@@ -2,6 +2,7 @@
 
 use crate::choice::Choice;
 use crate::palette::{Counts, Palette};
+use crate::refused;
 use pinhole_apps_support::animation::{delay, Animation};
 
 /// An endless film in the making.
@@ -17,7 +18,7 @@ pub(crate) struct Film {
 impl Film {
     pub(crate) fn new(choice: Choice, frames: u32) -> Result<Self, String> {
         let size = [choice.size.width, choice.size.height];
-        let file = Animation::new(Vec::new(), size, &[]).map_err(|e| e.to_string())?;
+        let file = Animation::new(Vec::new(), size, &[]).map_err(refused::film)?;
         Ok(Self { choice, file, frames, done: 0 })
     }
 
@@ -30,13 +31,13 @@ impl Film {
         let palette = Palette::of(counts);
         let indices = colors().map(|color| palette.index(color)).collect();
         let delay = delay(self.done, self.frames);
-        self.file.add(indices, Some(&palette.colours), delay).map_err(|e| e.to_string())?;
+        self.file.add(indices, Some(&palette.colours), delay).map_err(refused::film)?;
         self.done += 1;
         Ok(())
     }
 
     /// The file.
     pub(crate) fn finish(self) -> Result<Vec<u8>, String> {
-        self.file.finish().map_err(|e| e.to_string())
+        self.file.finish().map_err(refused::film)
     }
 }

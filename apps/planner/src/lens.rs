@@ -2,6 +2,7 @@
 
 use crate::choice::Choice;
 use crate::projections::{Kind, Named};
+use crate::refused;
 use embedded_graphics_core::geometry::Point;
 use pinhole::{Angle, Camera, Projection, Scalar, Sphere, ViewTransform, Viewport, Window};
 
@@ -129,14 +130,14 @@ impl Lens {
 
     /// The camera of this lens.
     pub(crate) fn camera(&self, choice: &Choice, sphere: &Sphere) -> Result<Camera, String> {
-        let viewport = Viewport::new(Point::zero(), choice.size).map_err(|e| e.to_string())?;
+        let viewport = Viewport::new(Point::zero(), choice.size).map_err(refused::camera)?;
         let [yaw, pitch] = direction(choice).map(|angle| Angle::turns(angle, 36_000));
         let mut centre = [sphere.centre.x(), sphere.centre.y(), sphere.centre.z()];
         let (distance, projection) = match *self {
             Self::Framing { field_of_view, .. } => {
                 let field_of_view = Angle::degrees(field_of_view);
                 return Camera::framing(sphere, &viewport, field_of_view, yaw, pitch)
-                    .map_err(|e| e.to_string());
+                    .map_err(refused::camera);
             }
             Self::Frustum { aside, distance, window, near, far } => {
                 centre.iter_mut().zip(aside).for_each(|(c, aside)| *c += aside);
@@ -153,7 +154,7 @@ impl Lens {
         };
         let [x, y, z] = centre;
         let view = ViewTransform::orbit(pinhole::Point3::new(x, y, z), distance, yaw, pitch);
-        Ok(Camera::new(&view, &projection.map_err(|e| e.to_string())?, &viewport))
+        Ok(Camera::new(&view, &projection.map_err(refused::camera)?, &viewport))
     }
 }
 

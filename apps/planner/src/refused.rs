@@ -1,7 +1,7 @@
 //! Errors of the library, as the page says them. The importer and the page keep nearly all of them out: a sentence for those that
-//! are left is enough, where the library's own sentences would take 4 KB of the page.
+//! are left is enough, where the library's own sentences would take 8 KB of the page.
 
-use pinhole::{BufferError, LightError, MeshError, TextureError};
+use pinhole::{BufferError, CameraError, LightError, MeshError, TextureError};
 
 /// The importer's meshes can be wrong in the unit of their vertices alone.
 pub(crate) fn mesh(_: MeshError) -> String {
@@ -26,4 +26,24 @@ pub(crate) fn texture(_: TextureError) -> String {
 /// A light can be without a direction alone.
 pub(crate) fn light(_: LightError) -> String {
     "the light has no direction: move it".into()
+}
+
+/// A camera that frames a model depends on the model's size, another projection on its own numbers too.
+pub(crate) fn camera(error: CameraError) -> String {
+    match error {
+        CameraError::NoRadius => "the model has no extent: it needs at least two different vertices",
+        CameraError::TooFar | CameraError::EyeOutside | CameraError::OutOfRange => {
+            "the model is too large for its unit: choose a larger unit, or a wider field of view"
+        }
+        CameraError::TooNear => {
+            "the model would touch the eye: choose a smaller unit, or a narrower field of view"
+        }
+        _ => "the projection cannot show the model: choose another one, or another field of view",
+    }
+    .into()
+}
+
+/// The film is written into memory, which takes all.
+pub(crate) fn film<E>(_: E) -> String {
+    "the film cannot be written: choose fewer frames".into()
 }
