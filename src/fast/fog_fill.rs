@@ -9,14 +9,13 @@
 //!   (`tools/bench/run cells G1 G2`).
 //! - **Test**: `tests/shading/fog.rs`, by every draw call.
 
-use super::depth_fill::{
-    fill_blocks, fill_nearer, fill_row, put_nearer, DepthFill, DepthRows, FillRun, RowFill, BLOCK,
-};
+use super::fill_rows::{fill_low, fill_small, Fill, FillRows};
+use super::put_run::{put_each, put_each_nearer, Equal, Stored, BLOCK};
 use super::shaded_fill::fill;
-use super::{depth_gradient, memory_of, RowOrigin};
+use super::solid_fill::{fill_equal_nearer, fill_long_nearer, FillRun, NearerFill};
+use super::{depth_gradient, memory_of};
 use crate::color::StoredPixel;
-use crate::math::hints::keep_rolled;
-use crate::raster::{DepthTriangle, Gradient, Scissor, Triangle};
+use crate::raster::{DepthTriangle, Scissor, Triangle};
 use crate::shading::{DrawLevels, FogBounds, FogLevel, SpanShader};
 use crate::surface::block_fill::{fill_pairs, pair};
 use crate::surface::{DepthTarget, Target};
@@ -30,17 +29,17 @@ pub(crate) fn triangle<T: Target, S: SpanShader<T::Color>>(
     scissor: &Scissor,
     target: &mut T,
 ) -> bool {
-    shader.draw_levels(Fill { triangle, scissor, target })
+    shader.draw_levels(FogFill { triangle, scissor, target })
 }
 
 /// A triangle and the target that it is filled into.
-struct Fill<'a, 't, T> {
+struct FogFill<'a, 't, T> {
     triangle: &'a Triangle<'t>,
     scissor: &'a Scissor,
     target: &'a mut T,
 }
 
-impl<T: Target> DrawLevels<T::Color> for Fill<'_, '_, T> {
+impl<T: Target> DrawLevels<T::Color> for FogFill<'_, '_, T> {
     #[inline(always)]
     fn levels(
         self,
@@ -60,7 +59,7 @@ impl<T: Target> DrawLevels<T::Color> for Fill<'_, '_, T> {
             } else if levels.has(first, step, width) {
                 fill_pairs(cells, levels.first.pair, true);
             } else {
-                levels.row(cells, first, step);
+                levels.row::<false>(cells, &mut [], first, step);
             }
         });
         true
@@ -78,11 +77,11 @@ pub(crate) fn triangle_nearer<T: Target, S: SpanShader<T::Color>>(
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> bool {
-    shader.draw_levels(FillNearer { triangle, scissor, is_clipped, depth, target })
+    shader.draw_levels(FogFillNearer { triangle, scissor, is_clipped, depth, target })
 }
 
 /// A triangle, and the depth buffer and target that it is filled into.
-struct FillNearer<'a, 't, 'd, 'b, T> {
+struct FogFillNearer<'a, 't, 'd, 'b, T> {
     triangle: &'a DepthTriangle<'t>,
     scissor: &'a Scissor,
     is_clipped: bool,
@@ -90,7 +89,7 @@ struct FillNearer<'a, 't, 'd, 'b, T> {
     target: &'a mut T,
 }
 
-impl<T: Target> DrawLevels<T::Color> for FillNearer<'_, '_, '_, '_, T> {
+impl<T: Target> DrawLevels<T::Color> for FogFillNearer<'_, '_, '_, '_, T> {
     #[inline(always)]
     fn levels(
         self,
@@ -100,43 +99,30 @@ impl<T: Target> DrawLevels<T::Color> for FillNearer<'_, '_, '_, '_, T> {
         color: impl Fn(u8) -> T::Color + Copy,
     ) -> bool {
         let Self { triangle, scissor, is_clipped, depth, target } = self;
+        let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
         // The depths are those of the triangle, from the same corners.
         let fog = Fog { bounds, level, color: move |level| color(level).stored() };
-        fill_nearer(triangle, fog, scissor, is_clipped, depth, target)
+        match is_clipped {
+            true => fill_low(memory, triangle, scissor, &mut *depth.buffer, fog),
+            false => fill_small(memory, triangle, scissor, &mut *depth.buffer, fog),
+        }
+        true
     }
 }
 
 /// The bounds of the levels, one to begin with, and the cell of each.
-#[derive(Clone, Copy)]
 struct Fog<'t, F> {
     bounds: &'t FogBounds,
     level: FogLevel,
     color: F,
 }
 
-impl<'t, Cell: Copy, F: Fn(u8) -> Cell + Copy> DepthFill<Cell> for Fog<'t, F> {
-    /// The gradient of depth, and the levels.
-    type Gradients = (Gradient, Levels<'t, Cell, F>);
-
+impl<Cell: Copy, F: Fn(u8) -> Cell> Fill<DepthTriangle<'_>, Cell> for Fog<'_, F> {
     #[inline(always)]
-    fn set_up(self, triangle: &DepthTriangle<'_>) -> Self::Gradients {
+    fn set_up(self, triangle: &DepthTriangle<'_>) -> impl FillRows<Cell> {
         let Self { bounds, level, color } = self;
-        (depth_gradient(&triangle.triangle, &triangle.depths), Levels::new(bounds, level, color))
-    }
-
-    #[inline(always)]
-    fn rows<'a>(
-        self,
-        (depth, levels): &'a mut Self::Gradients,
-        cells: &'a mut [Cell],
-        depths: &'a mut [u16],
-        start: RowOrigin,
-    ) -> impl RowFill
-    where
-        Cell: 'a,
-        Self: 'a,
-    {
-        DepthRows::new(depth, cells, depths, start, levels)
+        let depth = depth_gradient(&triangle.triangle, &triangle.depths);
+        NearerFill { depth, fill: Levels::new(bounds, level, color) }
     }
 }
 
@@ -205,14 +191,26 @@ impl<'t, Cell: Copy, F: Fn(u8) -> Cell> Levels<'t, Cell, F> {
         self.other = Known { level, pair: pair((self.color)(level.level())) };
     }
 
-    /// Fills a row in any levels.
+    /// Fills a row in any levels; with `DEPTH`, where pixels are nearer than the depth buffer.
     #[inline(never)] // its loop needs all registers
-    fn row(&mut self, mut cells: &mut [Cell], mut depth: u32, step: u32) {
+    fn row<const DEPTH: bool>(
+        &mut self,
+        mut cells: &mut [Cell],
+        mut depths: &mut [u16],
+        mut depth: u32,
+        step: u32,
+    ) {
         let mut known = self.begin(depth);
         while let Some(beyond) = (cells.len() as u32).checked_sub(1) {
             let width = known.level.further(depth, step, beyond).wrapping_add(1);
             let Some((run, rest)) = cells.split_at_mut_checked(width as usize) else { return };
-            fill_pairs(run, known.pair, true);
+            if DEPTH {
+                let Some((stored, further)) = depths.split_at_mut_checked(width as usize) else { return };
+                fill_equal_nearer(run, stored, depth, step, Equal(known.pair));
+                depths = further;
+            } else {
+                fill_pairs(run, known.pair, true);
+            }
             (cells, depth) = (rest, depth.wrapping_add(step.wrapping_mul(width)));
             if !cells.is_empty() {
                 known = self.next(depth);
@@ -220,67 +218,39 @@ impl<'t, Cell: Copy, F: Fn(u8) -> Cell> Levels<'t, Cell, F> {
         }
     }
 
-    /// [`row`](Self::row) of fewer than [`BLOCK`] pixels, without a division.
-    #[inline(never)] // its loop needs all registers
-    fn short_row(&mut self, cells: &mut [Cell], mut depth: u32, step: u32) {
+    /// The cell of each pixel of a row, for fewer than [`BLOCK`] pixels: without a division.
+    #[inline(always)]
+    fn cells(&mut self, mut depth: u32, step: u32) -> impl Iterator<Item = Stored<Cell>> {
         let mut known = self.begin(depth);
-        for cell in cells {
+        core::iter::repeat_with(move || {
             if !known.level.has(depth) {
                 known = self.next(depth);
             }
-            [*cell, _] = known.pair;
-            depth = depth.wrapping_add(step);
-            keep_rolled();
-        }
-    }
-
-    /// [`row`](Self::row) where pixels are nearer than the depth buffer.
-    #[inline(never)] // its loop needs all registers
-    fn row_nearer(&mut self, mut run: &mut [Cell], mut depths: &mut [u16], mut z: u32, step: u32) {
-        let mut known = self.begin(z);
-        while let Some(beyond) = (run.len() as u32).checked_sub(1) {
-            let width = known.level.further(z, step, beyond).wrapping_add(1);
-            let (Some((pixels, more)), Some((stored, further))) =
-                (run.split_at_mut_checked(width as usize), depths.split_at_mut_checked(width as usize))
-            else {
-                return;
-            };
-            fill_row(pixels, stored, z, step, known.pair);
-            (run, depths, z) = (more, further, z.wrapping_add(step.wrapping_mul(width)));
-            if !run.is_empty() {
-                known = self.next(z);
-            }
-        }
-    }
-
-    /// [`row_nearer`](Self::row_nearer) of fewer than [`BLOCK`] pixels, without a division.
-    #[inline(always)]
-    fn short_row_nearer(&mut self, run: &mut [Cell], depths: &mut [u16], mut z: u32, step: u32) {
-        let mut known = self.begin(z);
-        for (pixel, stored) in run.iter_mut().zip(depths) {
-            if !known.level.has(z) {
-                known = self.next(z);
-            }
             let [cell, _] = known.pair;
-            put_nearer(pixel, stored, z, cell);
-            z = z.wrapping_add(step);
-            keep_rolled();
-        }
+            depth = depth.wrapping_add(step);
+            Stored(cell)
+        })
+    }
+
+    /// [`row`](Self::row) of fewer than [`BLOCK`] pixels without a depth buffer.
+    #[inline(never)] // its loop needs all registers
+    fn short_row(&mut self, cells: &mut [Cell], depth: u32, step: u32) {
+        put_each::<Cell, true>(cells, self.cells(depth, step));
     }
 }
 
-impl<Cell: Copy, F: Fn(u8) -> Cell> FillRun<Cell> for &mut Levels<'_, Cell, F> {
+impl<Cell: Copy, F: Fn(u8) -> Cell> FillRun<Cell> for Levels<'_, Cell, F> {
     #[inline(always)]
     fn fill(&mut self, run: &mut [Cell], depths: &mut [u16], first: u32, step: u32) {
         let width = run.len();
         if width < BLOCK {
             if width > 0 {
-                self.short_row_nearer(run, depths, first, step);
+                put_each_nearer::<Cell, true>(run, depths, first, step, &mut self.cells(first, step));
             }
         } else if self.has(first, step, width) {
-            fill_blocks(run, depths, first, step, self.first.pair);
+            fill_long_nearer(run, depths, first, step, Equal(self.first.pair));
         } else {
-            self.row_nearer(run, depths, first, step);
+            self.row::<true>(run, depths, first, step);
         }
     }
 }

@@ -12,6 +12,7 @@
 
 use super::line_slope::{slope, HALF, LONGEST};
 use super::memory_of;
+use super::put_run::{put_each, OneInk, Stored};
 use crate::color::StoredPixel;
 use crate::math::hints::{keep_branch, keep_rolled};
 use crate::raster::{pixel_index, LineSetup, LineSpans, Pixel, Scissor, Span};
@@ -156,10 +157,7 @@ fn flat<Cell: Copy>(
     }
     if let Some(run) = cells.get_mut(at.wrapping_add(low)..pixel_index(end.0, end.1, stride).wrapping_add(1))
     {
-        for pixel in run {
-            *pixel = cell;
-            keep_rolled(); // a few pixels
-        }
+        put_each::<Cell, true>(run, OneInk(Stored(cell))); // a few pixels
     }
 }
 

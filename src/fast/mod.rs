@@ -25,27 +25,29 @@ mod attach;
 mod back_face;
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 pub(crate) mod bresenham_triangle;
-pub(crate) mod depth_fill;
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
 mod edge20;
-pub(crate) mod fog_fill;
+mod fill;
+mod fill_rows;
+mod fog_fill;
 pub(crate) mod line_fill;
 pub(crate) mod line_pixels;
 mod line_slope;
-mod packed_fill;
+mod put_run;
+mod ramp_fill;
 mod rows;
-pub(crate) mod shaded_fill;
+mod shaded_fill;
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
 mod small_triangle;
 pub(crate) mod solid_fill;
 mod spans;
 pub(crate) mod sprite_fill;
-pub(crate) mod table_fill;
 mod tiers;
 mod tiny_gradient;
 
 use attach::memory_of;
 pub(crate) use back_face::is_back_face;
+pub(crate) use fill::{fill, fill_nearer};
 pub(crate) use rows::{RowOrigin, Rows};
 pub(crate) use spans::spans;
 pub(crate) use tiers::{Low, LowSpans, Small};

@@ -5,36 +5,34 @@
 //! - **Domain**: every triangle and shader, on a target whose pixels lie in memory.
 //! - **Gain**: the shader's colours are stored in one loop with the edge walker, run by run (`SpanShader::runs`), so that a
 //!   shader computes what a run has in common once. With depth, the shader is called once per row, not once per run of visible
-//!   pixels. Texels are stored eight in a turn, with depth where the depth buffer is still clear: 7.4 instructions for a texel
-//!   in place of 11 on an M3. The ink of a pixel is computed once; for targets without memory a span that may leave out pixels is
-//!   computed twice, for the runs and for their colours. One mixed colour takes eight pixels a turn: 4.6 instructions a pixel in
-//!   place of 6.4 for S5 half on an M3, 8.6 in place of 10.7 for S5 alpha.
+//!   pixels. The ink of a pixel is computed once; for targets without memory a span that may leave out pixels is computed twice, for
+//!   the runs and for their colours.
 //! - **Test**: `everywhere` and `by_every_call` in `tests/support/src/bridge/ways.rs`, and `tests/raster/memory_triangles.rs`.
 
-use super::depth_fill::{is_clear, put_nearer, BLOCK};
-use super::{depth_gradient, memory_of, packed_fill, Low, RowOrigin, Rows};
-use crate::color::{Ink, StoredPixel};
-use crate::math::hints::{keep_rolled, opaque};
-use crate::math::unrolled::each8;
-use crate::raster::{AnyTriangle, DepthTriangle, Gradient, PixelLayout, Scissor, Span, Trapezoid, Triangle};
+use super::fill_rows::{fill_low, fill_only_small, Fill, FillRow, FillRows, NoDepth};
+use super::put_run::{put_blocks, put_blocks_nearer, put_each, put_each_nearer, Inked, LookUp, OneInk};
+use super::ramp_fill::Packed;
+use super::{depth_gradient, memory_of, RowOrigin};
+use crate::color::Ink;
+use crate::raster::{DepthTriangle, Gradient, Scissor, Span, Triangle};
 use crate::shading::{DrawRuns, Line, SpanShader};
-use crate::surface::{put, CellOf, DepthBuffer, DepthTarget, PixelRows, PixelStore, Target};
+use crate::surface::{CellOf, DepthBuffer, DepthTarget, PixelRows, PixelStore, Target};
 
-/// Fills a triangle with the inks of a shader that is set up for it, if the target's pixels lie in memory; otherwise draws
+/// Fills a triangle with the inks of a shader, if the target's pixels lie in memory; otherwise draws
 /// nothing and returns `false`.
 #[inline(always)]
 pub(crate) fn triangle<T: Target, S: SpanShader<T::Color>>(
     triangle: &Triangle<'_>,
-    setup: &S::Setup,
+    shader: &S,
     scissor: &Scissor,
     target: &mut T,
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
-    S::draw_runs(setup, Fill::<T> { memory, triangle, scissor });
+    S::draw_runs(&shader.set_up(triangle), ShadedFill::<T> { memory, triangle, scissor });
     true
 }
 
-/// [`triangle`] for one ink that is mixed with the stored pixels. Each turn of the loop mixes eight pixels.
+/// [`triangle`] for one ink that is mixed with the stored pixels.
 #[inline(always)]
 pub(crate) fn triangle_of_one_ink<T: Target, I: Ink<T::Color>>(
     triangle: &Triangle<'_>,
@@ -44,38 +42,25 @@ pub(crate) fn triangle_of_one_ink<T: Target, I: Ink<T::Color>>(
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
     fill(memory, triangle, scissor, &mut |cells, _| {
-        let mixed = ink; // a copy, in registers
-        let (blocks, rest) = cells.as_chunks_mut::<BLOCK>();
-        for pixels in blocks {
-            each8(pixels, |pixel| {
-                put::<T, I>(pixel, mixed);
-            });
-            keep_rolled();
-        }
-        for pixel in rest {
-            put::<T, I>(pixel, mixed);
-            keep_rolled();
-        }
+        put_blocks(cells, OneInk(Inked::<T::Color, I>::new(ink)));
     });
     true
 }
 
 /// A triangle and the memory that it is filled into.
-struct Fill<'a, 't, T: Target> {
+struct ShadedFill<'a, 't, T: Target> {
     memory: &'a mut PixelRows<T::Store>,
     triangle: &'a Triangle<'t>,
     scissor: &'a Scissor,
 }
 
-impl<T: Target, I: Ink<T::Color>> DrawRuns<I> for Fill<'_, '_, T> {
+impl<T: Target, I: Ink<T::Color>> DrawRuns<I> for ShadedFill<'_, '_, T> {
     #[inline(always)]
     fn runs<R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = I>>(self, runs: impl Fn(Span) -> R) {
         let Self { memory, triangle, scissor } = self;
         fill(memory, triangle, scissor, &mut |cells, span| {
             each_run(cells, runs(span), |pixels, run| {
-                pixels.iter_mut().zip(run).for_each(|(pixel, ink)| {
-                    put::<T, I>(pixel, ink);
-                });
+                put_each::<_, false>(pixels, run.map(Inked::<T::Color, I>::new));
             });
         });
     }
@@ -91,15 +76,18 @@ impl<T: Target, I: Ink<T::Color>> DrawRuns<I> for Fill<'_, '_, T> {
         };
         let Self { memory, triangle, scissor } = self;
         fill(memory, triangle, scissor, &mut |cells, span| {
-            let of = texel; // a copy, in a register
-            each_run(cells, lines(span), |pixels, line| put_line(pixels, line, of));
+            let color = texel; // a copy, in a register
+            each_run(cells, lines(span), |pixels, line| {
+                put_blocks(pixels, LookUp::<L, _, false> { line, color });
+            });
         });
     }
 
     #[inline(always)]
-    fn packed(&mut self, gradient: &Gradient, texel: impl Fn(u32) -> I + Copy) -> bool {
+    fn packed(&mut self, gradient: &Gradient, texel: impl Fn([u32; 2]) -> I + Copy) -> bool {
+        let Self { memory, triangle, scissor } = self;
         I::opaque(texel).is_some_and(|texel| {
-            packed_fill::fill_small(self.memory, self.triangle, self.scissor, gradient, texel)
+            fill_only_small(memory, *triangle, scissor, &mut [], Packed { gradient, texel })
         })
     }
 }
@@ -118,81 +106,69 @@ fn each_run<Cell, Q>(
     }
 }
 
-/// Stores the texels of a run.
-#[inline(always)]
-fn put_line<Cell, C: StoredPixel<Cell>>(
-    pixels: &mut [Cell],
-    mut line: impl Line,
-    texel: impl Fn([u32; 2]) -> C,
-) {
-    let zero = opaque(0);
-    let (blocks, rest) = pixels.as_chunks_mut::<BLOCK>();
-    for pixels in blocks {
-        each8(pixels, |pixel| *pixel = texel(line.advance()).stored());
-        line = line.hidden(zero); // LLVM would keep multiples of the steps on the stack
-        keep_rolled();
-    }
-    for pixel in rest {
-        *pixel = texel(line.advance()).stored();
-        keep_rolled();
-    }
-}
-
 /// Calls `row` with the cells and the span of each row.
 ///
-/// `row` has loops that need all registers, so it is a function of its own anyway: by `dyn`, this function is there once for all shaders,
-/// with and without depth.
-#[inline(never)] // its loop needs all registers
+/// `row` has loops that need all registers, so it is a function of its own anyway: by `dyn`, the loop over rows is there once for all
+/// shaders, with and without depth.
+#[inline(always)]
 pub(super) fn fill<S: PixelStore>(
     memory: &mut PixelRows<S>,
     triangle: &Triangle<'_>,
     scissor: &Scissor,
     row: &mut dyn FnMut(&mut [S::Cell], Span),
 ) {
-    let Some(low) = Low::new(triangle, scissor, memory.scratch()) else {
-        // In close-ups, most triangles that `Low` declines lie beside the picture.
-        if triangle.is_beside(scissor) {
-            return;
-        }
-        let (cells, scratch) = memory.parts();
-        return fill_any(cells, scratch.layout, triangle, scissor, row);
-    };
-    let (cells, scratch) = memory.parts();
-    let RowOrigin { x, mut y, shear } = low.start(scratch.layout);
-    let shear = shear as i32;
-    let mut x = x.wrapping_sub(shear.wrapping_mul(y));
-    low.each(scratch, |start, left, right| {
-        let (from, width) = (start.wrapping_add(left as usize), right.wrapping_sub(left));
-        if width > 0
-            && let Some(cells) = cells.get_mut(from..from.wrapping_add(width as usize))
-        {
-            row(cells, Span { x: x.wrapping_add(left), y, width, height: 1 });
-        }
-        (x, y) = (x.wrapping_sub(shear), y + 1);
-    });
+    fill_low(memory, triangle, scissor, NoDepth, EachRow(row));
 }
 
-/// The slow path of [`fill`], for triangles outside the domain of [`Low`].
-#[inline(never)] // its loop needs all registers
-fn fill_any<Cell>(
-    cells: &mut [Cell],
-    layout: PixelLayout,
-    triangle: &Triangle<'_>,
-    scissor: &Scissor,
-    row: &mut dyn FnMut(&mut [Cell], Span),
-) {
-    let (mut triangle, mut trapezoid) = (AnyTriangle::new(triangle, scissor), Trapezoid::without_rows());
-    while triangle.trapezoid(&mut trapezoid) {
-        let (x, mut y) = (trapezoid.x, trapezoid.y);
-        trapezoid.each(layout.at(x, y), layout.stride, |start, left, right| {
-            let (from, width) = (start.wrapping_add(left as usize), right.wrapping_sub(left));
-            if width > 0
-                && let Some(cells) = cells.get_mut(from..from.wrapping_add(width as usize))
-            {
-                row(cells, Span { x: x.wrapping_add(left), y, width, height: 1 });
-            }
-            y += 1;
-        });
+/// A function that fills a row.
+struct EachRow<'f, Cell>(&'f mut dyn FnMut(&mut [Cell], Span));
+
+impl<Cell> Fill<Triangle<'_>, Cell> for EachRow<'_, Cell> {
+    const IS_FREE: bool = true;
+
+    #[inline(always)]
+    fn set_up(self, _: &Triangle<'_>) -> impl FillRows<Cell> {
+        self
+    }
+}
+
+impl<Cell> FillRows<Cell> for EachRow<'_, Cell> {
+    #[inline(always)]
+    fn rows<'a>(
+        &'a mut self,
+        cells: &'a mut [Cell],
+        _: &'a mut [u16],
+        RowOrigin { x, y, shear }: RowOrigin,
+        _: i32,
+    ) -> impl FillRow
+    where
+        Cell: 'a,
+    {
+        let shear = shear as i32;
+        SpanRows { fill: &mut *self.0, cells, x: x.wrapping_sub(shear.wrapping_mul(y)), y, shear }
+    }
+}
+
+/// Rows that a function fills.
+struct SpanRows<'a, 'f, Cell> {
+    fill: &'a mut (dyn FnMut(&mut [Cell], Span) + 'f),
+    cells: &'a mut [Cell],
+    /// The column that the next row's ends are counted from.
+    x: i32,
+    y: i32,
+    shear: i32,
+}
+
+impl<Cell> FillRow for SpanRows<'_, '_, Cell> {
+    #[inline(always)]
+    fn row(&mut self, start: usize, left: i32, right: i32) {
+        let (from, width) = (start.wrapping_add(left as usize), right.wrapping_sub(left));
+        if width > 0
+            && let Some(cells) = self.cells.get_mut(from..from.wrapping_add(width as usize))
+        {
+            (self.fill)(cells, Span { x: self.x.wrapping_add(left), y: self.y, width, height: 1 });
+        }
+        (self.x, self.y) = (self.x.wrapping_sub(self.shear), self.y + 1);
     }
 }
 
@@ -200,44 +176,52 @@ fn fill_any<Cell>(
 #[inline(always)]
 pub(crate) fn triangle_nearer<T: Target, S: SpanShader<T::Color>>(
     triangle: &DepthTriangle<'_>,
-    setup: &S::Setup,
+    shader: &S,
     scissor: &Scissor,
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
+    let setup = shader.set_up(&triangle.triangle);
     match S::WRITES_DEPTH {
-        true => S::draw_runs(setup, FillNearer::<T, true> { memory, depth, triangle, scissor }),
-        false => S::draw_runs(setup, FillNearer::<T, false> { memory, depth, triangle, scissor }),
+        true => S::draw_runs(&setup, ShadedFillNearer::<T, true> { memory, depth, triangle, scissor }),
+        false => S::draw_runs(&setup, ShadedFillNearer::<T, false> { memory, depth, triangle, scissor }),
     }
     true
 }
 
 /// A triangle, and the memory and depth buffer that it is filled into. `WRITES`: whether depths are stored.
-struct FillNearer<'a, 't, 'd, 'b, T: Target, const WRITES: bool> {
+struct ShadedFillNearer<'a, 't, 'd, 'b, T: Target, const WRITES: bool> {
     memory: &'a mut PixelRows<T::Store>,
     depth: &'a mut DepthTarget<'d, 'b>,
     triangle: &'a DepthTriangle<'t>,
     scissor: &'a Scissor,
 }
 
-impl<T: Target, I: Ink<T::Color>, const WRITES: bool> DrawRuns<I> for FillNearer<'_, '_, '_, '_, T, WRITES> {
+impl<T: Target, const WRITES: bool> ShadedFillNearer<'_, '_, '_, '_, T, WRITES> {
+    /// Calls `put` with the pixels and depths of each run, and depth at its first pixel; it returns depth after the last one.
     #[inline(always)]
-    fn runs<R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = I>>(self, runs: impl Fn(Span) -> R) {
+    fn each_run<Q, R: Iterator<Item = (i32, Q)>>(
+        self,
+        runs: impl Fn(Span) -> R,
+        put: impl Fn(&mut [CellOf<T>], &mut [u16], u32, u32, Q) -> u32,
+    ) {
         let Self { memory, depth, triangle, scissor } = self;
         let gradient = depth_gradient(&triangle.triangle, &triangle.depths);
         fill(memory, &triangle.triangle, scissor, &mut |cells, span| {
-            let put_run = |pixels: &mut [CellOf<T>], depths: &mut [u16], mut z: u32, run: Q| {
-                for ((pixel, stored), ink) in pixels.iter_mut().zip(depths).zip(run) {
-                    if z >> 16 < u32::from(*stored) && put::<T, I>(pixel, ink) && WRITES {
-                        *stored = (z >> 16) as u16;
-                    }
-                    z = z.wrapping_add(gradient.step());
-                    keep_rolled();
-                }
-                z
-            };
-            each_run_nearer(cells, depth.buffer, span, &gradient, runs(span), put_run);
+            each_run_nearer(cells, depth.buffer, span, &gradient, runs(span), &put);
+        });
+    }
+}
+
+impl<T: Target, I: Ink<T::Color>, const WRITES: bool> DrawRuns<I>
+    for ShadedFillNearer<'_, '_, '_, '_, T, WRITES>
+{
+    #[inline(always)]
+    fn runs<R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = I>>(self, runs: impl Fn(Span) -> R) {
+        self.each_run(runs, |pixels, depths, z, step, run| {
+            let mut inks = run.map(Inked::<T::Color, I>::new);
+            put_each_nearer::<_, WRITES>(pixels, depths, z, step, &mut inks)
         });
     }
 
@@ -247,32 +231,27 @@ impl<T: Target, I: Ink<T::Color>, const WRITES: bool> DrawRuns<I> for FillNearer
         lines: impl Fn(Span) -> R,
         texel: impl Fn([u32; 2]) -> I + Copy,
     ) {
-        let Some(texel) = I::opaque(texel).filter(|_| WRITES) else {
+        let Some(color) = I::opaque(texel).filter(|_| WRITES) else {
             return self.runs(|span| lines(span).map(|(width, line)| (width, line.map(texel))));
         };
-        let Self { memory, depth, triangle, scissor } = self;
-        let gradient = depth_gradient(&triangle.triangle, &triangle.depths);
-        fill(memory, &triangle.triangle, scissor, &mut |cells, span| {
-            let of = texel; // a copy, in a register
-            each_run_nearer(cells, depth.buffer, span, &gradient, lines(span), |pixels, depths, z, line| {
-                put_line_nearer(pixels, depths, z, gradient.step(), line, of)
-            });
+        self.each_run(lines, |pixels, depths, z, step, line| {
+            put_blocks_nearer(pixels, depths, z, step, LookUp::<L, _, false> { line, color })
         });
     }
 
     #[inline(always)]
-    fn packed(&mut self, gradient: &Gradient, texel: impl Fn(u32) -> I + Copy) -> bool {
+    fn packed(&mut self, gradient: &Gradient, texel: impl Fn([u32; 2]) -> I + Copy) -> bool {
         let Self { memory, depth, triangle, scissor } = self;
         let depths = depth.buffer.values_mut();
         depth.is_aligned
             && WRITES
             && I::opaque(texel).is_some_and(|texel| {
-                packed_fill::fill_small_nearer(memory, depths, triangle, scissor, gradient, texel)
+                fill_only_small(memory, *triangle, scissor, depths, Packed { gradient, texel })
             })
     }
 }
 
-/// Calls `put` with the pixels and depths of each run, and depth at its first pixel; it returns depth after the last one.
+/// Calls `put` with the pixels and depths of each run, depth at its first pixel, and its step; it returns depth after the last one.
 #[inline(always)]
 fn each_run_nearer<Cell, Q>(
     mut cells: &mut [Cell],
@@ -280,7 +259,7 @@ fn each_run_nearer<Cell, Q>(
     span: Span,
     gradient: &Gradient,
     runs: impl Iterator<Item = (i32, Q)>,
-    put: impl Fn(&mut [Cell], &mut [u16], u32, Q) -> u32,
+    put: impl Fn(&mut [Cell], &mut [u16], u32, u32, Q) -> u32,
 ) {
     let Some(mut depths) = depth.row(span.x, span.y, span.width) else { return };
     let mut z = gradient.at(span.x, span.y);
@@ -290,49 +269,7 @@ fn each_run_nearer<Cell, Q>(
         else {
             return;
         };
-        z = put(pixels, stored, z, run);
+        z = put(pixels, stored, z, gradient.step(), run);
         (cells, depths) = (more, further);
     }
-}
-
-/// Stores the texels of a run where its pixels are nearer than the depth buffer; returns the depth after the last one.
-#[inline(always)]
-fn put_line_nearer<Cell: Copy, C: StoredPixel<Cell>>(
-    pixels: &mut [Cell],
-    depths: &mut [u16],
-    mut z: u32,
-    step: u32,
-    mut line: impl Line,
-    texel: impl Fn([u32; 2]) -> C,
-) -> u32 {
-    // The lengths are equal already; this tells the compiler.
-    let Some(depths) = depths.get_mut(..pixels.len()) else { return z };
-    let zero = opaque(0);
-    let ((blocks, rest), (depth_blocks, depth_rest)) =
-        (pixels.as_chunks_mut::<BLOCK>(), depths.as_chunks_mut::<BLOCK>());
-    for (pixels, depths) in blocks.iter_mut().zip(depth_blocks) {
-        if is_clear(depths) {
-            each8(depths, |stored| {
-                *stored = (z >> 16) as u16;
-                z = z.wrapping_add(step);
-            });
-            each8(pixels, |pixel| *pixel = texel(line.advance()).stored());
-        } else {
-            // Lengths that the compiler does not know keep it from unrolling the loop.
-            for (pixel, stored) in opaque(pixels.as_mut_slice()).iter_mut().zip(opaque(depths.as_mut_slice()))
-            {
-                put_nearer(pixel, stored, z, texel(line.advance()).stored());
-                z = z.wrapping_add(step);
-                keep_rolled();
-            }
-        }
-        line = line.hidden(zero);
-        keep_rolled();
-    }
-    for (pixel, stored) in opaque(rest).iter_mut().zip(opaque(depth_rest)) {
-        put_nearer(pixel, stored, z, texel(line.advance()).stored());
-        z = z.wrapping_add(step);
-        keep_rolled();
-    }
-    z
 }

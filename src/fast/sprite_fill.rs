@@ -6,50 +6,31 @@
 //! - **Test**: `every_target_shows_the_oracles_pixels` in `tests/pipeline/sprites.rs`, with `--cfg pinhole_plain` and without.
 
 use super::memory_of;
+use super::put_run::{put_each, put_each_nearer, Inked};
 use crate::color::Ink;
-use crate::math::hints::keep_rolled;
 use crate::raster::Span;
-use crate::surface::{put, CellOf, Target};
+use crate::surface::Target;
 
-/// The cells of a span's pixels, if the target's pixels lie in memory.
+/// Sets the pixels of a span to their inks, if the target's pixels lie in memory; otherwise draws nothing and returns `false`. With
+/// `DEPTH`, only pixels whose stored depths are larger than `own`, which replaces them unless the ink is mixed with stored pixels.
 #[inline(always)]
-fn cells<T: Target>(span: Span, target: &mut T) -> Option<&mut [CellOf<T>]> {
-    let (cells, scratch) = memory_of(target)?.parts();
-    let from = scratch.layout.at(span.x, span.y);
-    // The span lies in the target, so in its memory.
-    cells.get_mut(from..from.wrapping_add(span.width as usize))
-}
-
-/// Sets the pixels of a span to their inks, if the target's pixels lie in memory; otherwise draws nothing and returns `false`.
-#[inline(always)]
-pub(crate) fn row<T: Target, I: Ink<T::Color>>(
-    span: Span,
-    inks: impl Iterator<Item = I>,
-    target: &mut T,
-) -> bool {
-    let Some(cells) = cells(span, target) else { return false };
-    for (cell, ink) in cells.iter_mut().zip(inks) {
-        keep_rolled();
-        put::<T, I>(cell, ink);
-    }
-    true
-}
-
-/// [`row`] for the pixels whose stored depths are larger than `own`, which replaces them unless the ink is mixed with stored pixels.
-#[inline(always)]
-pub(crate) fn row_nearer<T: Target, I: Ink<T::Color>>(
+pub(crate) fn row<T: Target, I: Ink<T::Color>, const DEPTH: bool>(
     span: Span,
     inks: impl Iterator<Item = I>,
     own: u16,
     depths: &mut [u16],
     target: &mut T,
 ) -> bool {
-    let Some(cells) = cells(span, target) else { return false };
-    for ((cell, stored), ink) in cells.iter_mut().zip(depths).zip(inks) {
-        keep_rolled();
-        if own < *stored && put::<T, I>(cell, ink) && !I::READS {
-            *stored = own;
-        }
+    let Some(memory) = memory_of(target) else { return false };
+    let (cells, scratch) = memory.parts();
+    let from = scratch.layout.at(span.x, span.y);
+    // The span lies in the target, so in its memory.
+    let Some(cells) = cells.get_mut(from..from.wrapping_add(span.width as usize)) else { return true };
+    let (mut inks, own) = (inks.map(Inked::<T::Color, I>::new), u32::from(own) << 16);
+    match (DEPTH, I::READS) {
+        (false, _) => put_each::<_, true>(cells, inks),
+        (true, true) => _ = put_each_nearer::<_, false>(cells, depths, own, 0, &mut inks),
+        (true, false) => _ = put_each_nearer::<_, true>(cells, depths, own, 0, &mut inks),
     }
     true
 }

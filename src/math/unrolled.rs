@@ -17,23 +17,6 @@ pub(crate) fn map3<A, B>([a, b, c]: [A; 3], mut f: impl FnMut(A) -> B) -> [B; 3]
     [f(a), f(b), f(c)]
 }
 
-/// Calls `f` for each of eight pairs of elements.
-#[inline(always)]
-pub(crate) fn zip8<A, B>(
-    [a, b, c, d, e, f, g, h]: &mut [A; 8],
-    [i, j, k, l, m, n, o, p]: &mut [B; 8],
-    mut each: impl FnMut(&mut A, &mut B),
-) {
-    each(a, i);
-    each(b, j);
-    each(c, k);
-    each(d, l);
-    each(e, m);
-    each(f, n);
-    each(g, o);
-    each(h, p);
-}
-
 /// Calls `each` for each of eight elements.
 #[inline(always)]
 pub(crate) fn each8<A>([a, b, c, d, e, f, g, h]: &mut [A; 8], mut each: impl FnMut(&mut A)) {

@@ -6,10 +6,10 @@
 
 use super::drawable::ShaderFor;
 use crate::color::Ink;
-use crate::fast::{self, depth_fill, fog_fill, line_fill, line_pixels, shaded_fill, solid_fill, table_fill};
+use crate::fast::{self, line_fill, line_pixels};
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
 use crate::shading::SpanShader;
-use crate::surface::{drawable, each_run, put, DepthTarget, Target};
+use crate::surface::{draw_run, drawable, each_run, DepthTarget, Target};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// Fills the pixels of a triangle inside the scissor, which lies in the target. `is_clipped`: whether the triangle probably has
@@ -22,23 +22,13 @@ pub(super) fn fill<T: Target, S: ShaderFor<T>>(
     is_clipped: bool,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    if !is_opaque::<T, S>() {
-        return fill_kept(triangle, shader, scissor, target);
-    }
-    if let Some(color) = shader.solid().and_then(Ink::own) {
-        if solid_fill::triangle(triangle, color, scissor, is_clipped, target) {
-            return Ok(());
-        }
-        return fill_spans(triangle, color, scissor, target);
-    }
-    if fog_fill::triangle(triangle, shader, scissor, target) {
+    if fast::fill(triangle, shader, scissor, is_clipped, target) {
         return Ok(());
     }
-    let setup = shader.set_up(triangle);
-    if shaded_fill::triangle::<T, S>(triangle, &setup, scissor, target) {
-        return Ok(());
+    match solid_color::<T, S>(shader) {
+        Some(color) => fill_spans(triangle, color, scissor, target),
+        None => shade_spans(triangle, shader, scissor, target),
     }
-    fast::spans(triangle, scissor).try_for_each(|span| target.fill_run(span, colors::<T, S>(&setup, span)))
 }
 
 /// The plain path of [`fill`] for one colour.
@@ -49,7 +39,27 @@ fn fill_spans<T: Target>(
     scissor: &Scissor,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    fast::spans(triangle, scissor).try_each(|Span { x, y, width, .. }| fill_row(target, x, y, width, color))
+    // The spans of a triangle are one row high: stated for the target's code, which is inlined here.
+    fast::spans(triangle, scissor).try_each(|span| target.fill(Span { height: 1, ..span }, color))
+}
+
+/// The plain path of [`fill`] for inks that vary, or that are not colours.
+#[inline(never)] // its stack frame is gone when it returns
+fn shade_spans<T: Target, S: ShaderFor<T>>(
+    triangle: &Triangle<'_>,
+    shader: &S,
+    scissor: &Scissor,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    let setup = shader.set_up(triangle);
+    fast::spans(triangle, scissor).try_for_each(|span| {
+        if is_opaque::<T, S>() {
+            return draw_run(span, S::span(&setup, span), target);
+        }
+        let mut is_kept = kept_pixels::<T::Color, S>(&setup, span);
+        let kept = (0..span.width as u16).map(|_| is_kept()); // the guard band is narrower than 2¹⁶
+        each_run(span, kept, |run| draw_run(run, S::span(&setup, run), target))
+    })
 }
 
 /// Fills the pixels of a triangle inside the scissor that are nearer than the depth buffer. The scissor lies in the target and
@@ -63,28 +73,13 @@ pub(super) fn fill_nearer<T: Target, S: ShaderFor<T>>(
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    if !is_opaque::<T, S>() || !S::WRITES_DEPTH {
-        return fill_kept_nearer(triangle, shader, scissor, depth, target);
-    }
-    if let Some(color) = shader.solid().and_then(Ink::own) {
-        if depth_fill::triangle_nearer(triangle, color, scissor, is_clipped, depth, target) {
-            return Ok(());
-        }
-        return fill_spans_nearer(triangle, color, scissor, depth, target);
-    }
-    if let Some(shader) = shader.table()
-        && table_fill::triangle_nearer(triangle, &shader, scissor, is_clipped, depth, target)
-    {
+    if fast::fill_nearer(triangle, shader, scissor, is_clipped, depth, target) {
         return Ok(());
     }
-    if fog_fill::triangle_nearer(triangle, shader, scissor, is_clipped, depth, target) {
-        return Ok(());
+    match solid_color::<T, S>(shader).filter(|_| S::WRITES_DEPTH) {
+        Some(color) => fill_spans_nearer(triangle, color, scissor, depth, target),
+        None => shade_spans_nearer(triangle, shader, scissor, depth, target),
     }
-    let setup = shader.set_up(&triangle.triangle);
-    if shaded_fill::triangle_nearer::<T, S>(triangle, &setup, scissor, depth, target) {
-        return Ok(());
-    }
-    shade_spans_nearer(triangle, scissor, depth, target, |span| colors::<T, S>(&setup, span))
 }
 
 /// The plain path of [`fill_nearer`] for one colour.
@@ -101,71 +96,14 @@ fn fill_spans_nearer<T: Target>(
         return Ok(()); // no pixel: the gradient is not set up
     }
     let gradient = fast::depth_gradient(&triangle.triangle, &triangle.depths);
-    // The spans of a triangle are one row high: stated for the target's code, which is inlined here.
     spans.try_for_each(|span| {
         depth.buffer.test(span, &gradient, |run| target.fill(Span { height: 1, ..run }, color))
     })
 }
 
-/// Fills a span of one row.
-#[inline(always)]
-fn fill_row<T: Target>(target: &mut T, x: i32, y: i32, width: i32, color: T::Color) -> Result<(), T::Error> {
-    target.fill(Span { x, y, width, height: 1 }, color)
-}
-
-/// The plain path of [`fill_nearer`] for colours that vary.
+/// The plain path of [`fill_nearer`] for inks that vary, or that are not colours.
 #[inline(never)] // its stack frame is gone when it returns
-fn shade_spans_nearer<T: Target, R: Iterator<Item = T::Color>>(
-    triangle: &DepthTriangle<'_>,
-    scissor: &Scissor,
-    depth: &mut DepthTarget<'_, '_>,
-    target: &mut T,
-    span_colors: impl Fn(Span) -> R,
-) -> Result<(), T::Error> {
-    let gradient = fast::depth_gradient(&triangle.triangle, &triangle.depths);
-    let mut spans = fast::spans(&triangle.triangle, scissor);
-    spans.try_for_each(|span| shade_span_nearer(span, &gradient, depth, target, &span_colors))
-}
-
-#[inline(never)] // its large stack frame does not exist while the next span is computed
-fn shade_span_nearer<T: Target, R: Iterator<Item = T::Color>>(
-    span: Span,
-    gradient: &Gradient,
-    depth: &mut DepthTarget<'_, '_>,
-    target: &mut T,
-    span_colors: &impl Fn(Span) -> R,
-) -> Result<(), T::Error> {
-    depth.buffer.test(span, gradient, |visible| target.fill_run(visible, span_colors(visible)))
-}
-
-/// [`fill`] for a shader that leaves out pixels, or blends.
-#[inline(never)] // its stack frame is gone when it returns
-fn fill_kept<T: Target, S: ShaderFor<T>>(
-    triangle: &Triangle<'_>,
-    shader: &S,
-    scissor: &Scissor,
-    target: &mut T,
-) -> Result<(), T::Error> {
-    if !<S::Ink as Ink<T::Color>>::LEAVES_OUT
-        && let Some(ink) = shader.solid()
-        && shaded_fill::triangle_of_one_ink(triangle, ink, scissor, target)
-    {
-        return Ok(());
-    }
-    let setup = shader.set_up(triangle);
-    if shaded_fill::triangle::<T, S>(triangle, &setup, scissor, target) {
-        return Ok(());
-    }
-    fast::spans(triangle, scissor).try_for_each(|span| {
-        let mut is_kept = kept_pixels::<T::Color, S>(&setup, span);
-        let kept = (0..span.width as u16).map(|_| is_kept()); // the guard band is narrower than 2¹⁶
-        each_run(span, kept, |run| draw_run::<T, S>(&setup, run, target))
-    })
-}
-
-/// [`fill_nearer`] for a shader that leaves out pixels, or blends, or whose depth is not stored.
-#[inline(never)] // its stack frame is gone when it returns
-fn fill_kept_nearer<T: Target, S: ShaderFor<T>>(
+fn shade_spans_nearer<T: Target, S: ShaderFor<T>>(
     triangle: &DepthTriangle<'_>,
     shader: &S,
     scissor: &Scissor,
@@ -173,30 +111,35 @@ fn fill_kept_nearer<T: Target, S: ShaderFor<T>>(
     target: &mut T,
 ) -> Result<(), T::Error> {
     let setup = shader.set_up(&triangle.triangle);
-    if shaded_fill::triangle_nearer::<T, S>(triangle, &setup, scissor, depth, target) {
-        return Ok(());
-    }
     let gradient = fast::depth_gradient(&triangle.triangle, &triangle.depths);
-    fast::spans(&triangle.triangle, scissor).try_for_each(|span| {
-        let is_kept = kept_pixels::<T::Color, S>(&setup, span);
-        depth
-            .buffer
-            .test_kept(span, &gradient, is_kept, S::WRITES_DEPTH, |run| draw_run::<T, S>(&setup, run, target))
-    })
+    let mut spans = fast::spans(&triangle.triangle, scissor);
+    spans.try_for_each(|span| shade_span_nearer::<T, S>(span, &setup, &gradient, depth, target))
+}
+
+#[inline(never)] // its large stack frame does not exist while the next span is computed
+fn shade_span_nearer<T: Target, S: ShaderFor<T>>(
+    span: Span,
+    setup: &S::Setup,
+    gradient: &Gradient,
+    depth: &mut DepthTarget<'_, '_>,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    let mut kept = (!is_opaque::<T, S>()).then(|| kept_pixels::<T::Color, S>(setup, span));
+    let is_kept = || kept.as_mut().is_none_or(|is_kept| is_kept());
+    depth
+        .buffer
+        .test_kept(span, gradient, is_kept, S::WRITES_DEPTH, |run| draw_run(run, S::span(setup, run), target))
+}
+
+/// The colour of all pixels, if the shader has only one and sets each pixel to it.
+#[inline(always)]
+fn solid_color<T: Target, S: SpanShader<T::Color>>(shader: &S) -> Option<T::Color> {
+    shader.solid().filter(|_| is_opaque::<T, S>()).and_then(Ink::own)
 }
 
 /// Whether each pixel of a face is set to a colour of the shader.
 pub(super) const fn is_opaque<T: Target, S: SpanShader<T::Color>>() -> bool {
     !(<S::Ink as Ink<T::Color>>::LEAVES_OUT || <S::Ink as Ink<T::Color>>::READS)
-}
-
-/// The colours of a span of which no pixel is left out.
-#[inline(always)]
-fn colors<T: Target, S: SpanShader<T::Color>>(
-    setup: &S::Setup,
-    span: Span,
-) -> impl Iterator<Item = T::Color> {
-    S::span(setup, span).map_while(Ink::own)
 }
 
 /// Whether a shader draws the pixels of a span: each call answers for the next one, from left to right.
@@ -207,20 +150,6 @@ pub(super) fn kept_pixels<C: PixelColor, S: SpanShader<C>>(
 ) -> impl FnMut() -> bool {
     let mut inks = S::runs(setup, span).flat_map(|(width, run)| run.take(width as usize));
     move || inks.next().and_then(Ink::own).is_some()
-}
-
-/// Draws one run of kept pixels, for a shader that leaves out pixels or blends.
-#[inline(always)]
-fn draw_run<T: Target, S: ShaderFor<T>>(setup: &S::Setup, run: Span, target: &mut T) -> Result<(), T::Error> {
-    if !<S::Ink as Ink<T::Color>>::READS {
-        return target.fill_run(run, colors::<T, S>(setup, run));
-    }
-    if let Some(row) = target.memory().and_then(|memory| memory.row(run.x, run.y, run.width)) {
-        row.iter_mut().zip(S::span(setup, run)).for_each(|(cell, ink)| {
-            put::<T, _>(cell, ink);
-        });
-    }
-    Ok(())
 }
 
 /// Draws a line inside the scissor, which lies in the target.

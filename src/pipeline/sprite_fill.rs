@@ -6,9 +6,9 @@ use super::drawable::SpriteFor;
 use crate::color::Ink;
 use crate::fast::sprite_fill;
 use crate::math::hints::keep_rolled;
-use crate::raster::{Scissor, Span, SpriteAxis, TexelWalk};
+use crate::raster::{Gradient, Scissor, Span, SpriteAxis, TexelWalk};
 use crate::shading::SpriteSource;
-use crate::surface::{put, DepthBuffer, Target};
+use crate::surface::{draw_run, each_run, DepthBuffer, Target};
 
 /// A sprite on the screen.
 #[derive(Debug)]
@@ -56,7 +56,9 @@ pub(super) fn fill<T: Target, S: SpriteFor<T>, const DEPTH: bool>(
             Some(depth) if DEPTH => depth.row(left, y, width).unwrap_or_default(),
             _ => &mut [],
         };
-        fill_row::<T, S, DEPTH>(span, &texels, sprite.depth, depths, target)?;
+        if !sprite_fill::row::<T, S::Ink, DEPTH>(span, texels.inks(first), sprite.depth, depths, target) {
+            fill_row::<T, S, DEPTH>(span, &texels, sprite.depth, &mut depth, target)?;
+        }
         row.advance();
     }
     Ok(())
@@ -81,72 +83,48 @@ impl<S: SpriteSource> TexelRow<'_, S> {
     }
 }
 
-/// Draws the pixels of a span. With `DEPTH` there is a stored depth for each of them.
+/// Draws the pixels of a span. With `DEPTH` there is a depth buffer.
 #[inline(always)]
 fn fill_row<T: Target, S: SpriteFor<T>, const DEPTH: bool>(
     span: Span,
     texels: &TexelRow<'_, S>,
     own: u16,
-    depths: &mut [u16],
+    depth: &mut Option<&mut DepthBuffer<'_>>,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let inks = texels.inks(texels.first);
-    let is_drawn = match DEPTH {
-        false => sprite_fill::row(span, inks, target),
-        true => sprite_fill::row_nearer(span, inks, own, depths, target),
+    let depth = depth.as_deref_mut().filter(|_| DEPTH);
+    let mut inks = texels.inks(texels.first);
+    let mut is_kept = || inks.next().and_then(Ink::own).is_some();
+    // The walk goes on from run to run.
+    let (mut x, mut walk) = (span.x, texels.first);
+    let draw = |run: Span| {
+        while x < run.x {
+            keep_rolled();
+            walk.advance();
+            x += 1;
+        }
+        draw_texels(run, texels, walk, target)
     };
-    if is_drawn {
-        return Ok(());
-    }
-    let mut stored = depths.iter_mut();
-    let mut walk = texels.first;
-    let (mut start, mut run) = (span.x, walk); // of the current run
-    let end = span.x + span.width;
-    for x in span.x..end {
-        keep_rolled();
-        let is_nearer = |depth: &mut u16| {
-            let is_nearer = own < *depth;
-            if is_nearer && !S::Ink::READS {
-                *depth = own;
-            }
-            is_nearer
-        };
-        let stored = if DEPTH { stored.next() } else { None };
-        let is_kept = texels.source.texel_at(walk.texel(), texels.row).own().is_some();
-        let is_drawn = is_kept && (!DEPTH || stored.is_some_and(is_nearer));
-        if !is_drawn {
-            draw_run(Span { x: start, width: x - start, ..span }, texels, run, target)?;
+    match depth {
+        Some(depth) => {
+            let gradient = Gradient { origin: u32::from(own) << 16, ..Gradient::default() };
+            depth.test_kept(span, &gradient, is_kept, !S::Ink::READS, draw)
         }
-        walk.advance();
-        if !is_drawn {
-            (start, run) = (x + 1, walk);
-        }
+        // Sprites lie in the guard band, which is narrower than 2¹⁶.
+        None => each_run(span, (0..span.width as u16).map(|_| is_kept()), draw),
     }
-    draw_run(Span { x: start, width: end - start, ..span }, texels, run, target)
 }
 
-/// Draws a run of pixels, none of which is transparent or hidden. It may be empty.
+/// Draws a run of pixels, none of which is transparent or hidden.
 #[inline(never)] // code size: two calls
-fn draw_run<T: Target, S: SpriteFor<T>>(
+fn draw_texels<T: Target, S: SpriteFor<T>>(
     run: Span,
     texels: &TexelRow<'_, S>,
     first: TexelWalk,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    if run.width == 0 {
-        return Ok(());
-    }
-    if S::Ink::READS {
-        if let Some(row) = target.memory().and_then(|memory| memory.row(run.x, run.y, run.width)) {
-            row.iter_mut().zip(texels.inks(first)).for_each(|(cell, ink)| {
-                put::<T, _>(cell, ink);
-            });
-        }
-        return Ok(());
-    }
-    match texels.source.solid_texel().and_then(Ink::own) {
+    match texels.source.solid_texel().filter(|_| !S::Ink::READS).and_then(Ink::own) {
         Some(color) => target.fill(run, color),
-        // No texel of the run is transparent: nothing is dropped.
-        None => target.fill_run(run, texels.inks(first).map_while(Ink::own)),
+        None => draw_run(run, texels.inks(first), target),
     }
 }

@@ -49,9 +49,9 @@ pub(crate) use sprite::SpriteSize;
 pub use sprite::{SolidTexel, Sprite, SpriteImage, SpriteSource};
 pub use stroke::{AntiAliased, Stroke};
 pub use table::{ShadeTable, TableShader};
-pub(crate) use texture::{hidden, Line};
 pub use texture::{
     Accuracy, ClampedTexels, ColorKeyed, IndexKeyed, IndexedTexels, LitIndexedTexels, LitPalette, LitTexels,
     LitTextured, TexelSlice, Texels, Texture, TextureError, Textured,
 };
+pub(crate) use texture::{Line, PackedLine};
 pub use translucent::{Blended, HalfBlended, Translucent};

@@ -266,7 +266,7 @@ pub trait DrawRuns<I>: Sized {
 
     /// Fills the triangle with the inks of `texel`, given a gradient of texture coordinates that share a word; or draws
     /// nothing and returns `false`.
-    fn packed(&mut self, _gradient: &Gradient, _texel: impl Fn(u32) -> I + Copy) -> bool {
+    fn packed(&mut self, _gradient: &Gradient, _texel: impl Fn([u32; 2]) -> I + Copy) -> bool {
         false
     }
 }

@@ -163,8 +163,19 @@ impl<S: PixelStore> Memory<S> {
     /// entirely in the [`area`](Self::area) is not drawn.
     #[inline(always)]
     pub fn fill_run(&mut self, span: Span, cells: impl Iterator<Item = S::Cell>) {
+        self.put_run(span, cells, |pixel, cell| *pixel = cell);
+    }
+
+    /// [`fill_run`](Self::fill_run) by a function that puts a value into a cell.
+    #[inline(always)]
+    pub(super) fn put_run<V>(
+        &mut self,
+        span: Span,
+        values: impl Iterator<Item = V>,
+        put: impl Fn(&mut S::Cell, V),
+    ) {
         if let Some(run) = self.row(span.x, span.y, span.width) {
-            run.iter_mut().zip(cells).for_each(|(pixel, cell)| *pixel = cell);
+            run.iter_mut().zip(values).for_each(|(cell, value)| put(cell, value));
         }
     }
 

@@ -28,7 +28,7 @@ pub use picture::Picture;
 pub use pixels::Pixels;
 pub use strip::StripBuffers;
 pub use target::Target;
-pub(crate) use target::{put, CellOf};
+pub(crate) use target::{draw_run, put, CellOf};
 
 use crate::raster::Scissor;
 use embedded_graphics_core::geometry::{Point, Size};

@@ -159,15 +159,33 @@ pub(crate) type CellOf<T> = <<T as Target>::Store as PixelStore>::Cell;
 
 /// Puts ink into a pixel; returns `false` if the ink leaves the pixel out.
 #[inline(always)]
-pub(crate) fn put<T: Target, I: Ink<T::Color>>(cell: &mut CellOf<T>, ink: I) -> bool {
+pub(crate) fn put<Cell: Copy, C: StoredPixel<Cell>, I: Ink<C>>(cell: &mut Cell, ink: I) -> bool {
     let stored = *cell;
-    match ink.over(|| T::Color::load(stored)) {
+    match ink.over(|| C::load(stored)) {
         Some(color) => {
             *cell = color.stored();
             true
         }
         None => false,
     }
+}
+
+/// Draws a run of inks of which none leaves its pixel out.
+#[inline(always)]
+pub(crate) fn draw_run<T: Target, I: Ink<T::Color>>(
+    run: Span,
+    inks: impl Iterator<Item = I>,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    if !I::READS {
+        return target.fill_run(run, inks.map_while(Ink::own));
+    }
+    if let Some(memory) = target.memory() {
+        memory.put_run(run, inks, |cell, ink| {
+            put(cell, ink);
+        });
+    }
+    Ok(())
 }
 
 /// [`LEAST_RUN`](Target::LEAST_RUN) of a DrawTarget in memory: there a run takes 130 to 190 instructions and a pixel of

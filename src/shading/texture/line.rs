@@ -107,6 +107,12 @@ pub struct PackedLine {
 }
 
 impl PackedLine {
+    /// A line of words, each a step from the one before.
+    #[inline(always)]
+    pub(crate) const fn new(at: u32, step: u32) -> Self {
+        Self { at, step }
+    }
+
     /// The line of a row, from a gradient of packed coordinates.
     #[inline(always)]
     pub(crate) fn of_row(gradient: &Gradient, Span { x, y, .. }: Span) -> Self {
@@ -174,7 +180,7 @@ impl Line for PackedLine {
 /// `at`, without the compiler's knowledge of how it changes from turn to turn. An exclusive or with an unknown 0 is one instruction;
 /// [`opaque`] stores the number and loads it again, which a Cortex-M0 can do better than keep another register.
 #[inline(always)]
-pub(crate) fn hidden(at: u32, zero: u32) -> u32 {
+fn hidden(at: u32, zero: u32) -> u32 {
     match CORTEX_M0 {
         true => opaque(at),
         false => at ^ zero,
@@ -231,6 +237,6 @@ pub(super) const fn packed([u, v]: [u32; 2]) -> u32 {
 
 /// The coordinates of a [`packed`] word, in 2⁻³² of the sides.
 #[inline(always)]
-pub(super) const fn unpacked(word: u32) -> [u32; 2] {
+const fn unpacked(word: u32) -> [u32; 2] {
     [word, word << 16]
 }

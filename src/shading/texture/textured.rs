@@ -1,7 +1,7 @@
 //! The shader of a face that shows a texture.
 
 use super::gradients::Gradients;
-use super::line::{unpacked, PackedLine, WideLine};
+use super::line::{PackedLine, WideLine};
 use super::linear::range;
 use super::mapping::{FaceCoords, Textured};
 use super::runs::{Lines, Runs, TexelRuns};
@@ -116,7 +116,7 @@ impl<S: Texels> SpanShader<S::Color> for Textured<S> {
     fn draw_runs<D: DrawRuns<S::Ink>>(setup: &TextureGradients<S>, mut draw: D) {
         let texel = setup.texels.finder();
         if let Gradients::Packed(gradient) = &setup.gradients
-            && draw.packed(gradient, move |word| texel(unpacked(word)))
+            && draw.packed(gradient, texel)
         {
             return;
         }

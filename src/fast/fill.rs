@@ -1,0 +1,62 @@
+//! The fast paths of triangles into memory, each tried in turn.
+//!
+//! This file has no plain twin, gain or test of its own: see the files of the fills.
+
+use super::{fog_fill, ramp_fill, shaded_fill, solid_fill};
+use crate::color::Ink;
+use crate::raster::{DepthTriangle, Scissor, Triangle};
+use crate::shading::SpanShader;
+use crate::surface::{DepthTarget, Target};
+
+/// Fills a triangle, if the target's pixels lie in memory; otherwise draws nothing and returns `false`. `is_clipped`: the triangle
+/// probably has rows outside the scissor, so the [`Small`](super::Small) tier is not tried.
+#[inline(always)]
+pub(crate) fn fill<T: Target, S: SpanShader<T::Color>>(
+    triangle: &Triangle<'_>,
+    shader: &S,
+    scissor: &Scissor,
+    is_clipped: bool,
+    target: &mut T,
+) -> bool {
+    let is_opaque = !(S::Ink::LEAVES_OUT || S::Ink::READS);
+    if is_opaque {
+        if let Some(color) = shader.solid().and_then(Ink::own) {
+            return solid_fill::triangle(triangle, color, scissor, is_clipped, target);
+        }
+        if fog_fill::triangle(triangle, shader, scissor, target) {
+            return true;
+        }
+    } else if !S::Ink::LEAVES_OUT
+        && let Some(ink) = shader.solid()
+    {
+        return shaded_fill::triangle_of_one_ink(triangle, ink, scissor, target);
+    }
+    shaded_fill::triangle::<T, S>(triangle, shader, scissor, target)
+}
+
+/// [`fill`] for the pixels that are nearer than the depth buffer.
+#[inline(always)]
+pub(crate) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
+    triangle: &DepthTriangle<'_>,
+    shader: &S,
+    scissor: &Scissor,
+    is_clipped: bool,
+    depth: &mut DepthTarget<'_, '_>,
+    target: &mut T,
+) -> bool {
+    let is_opaque = !(S::Ink::LEAVES_OUT || S::Ink::READS);
+    if is_opaque && S::WRITES_DEPTH {
+        if let Some(color) = shader.solid().and_then(Ink::own) {
+            return solid_fill::triangle_nearer(triangle, color, scissor, is_clipped, depth, target);
+        }
+        if let Some(shader) = shader.table()
+            && ramp_fill::table_nearer(triangle, &shader, scissor, is_clipped, depth, target)
+        {
+            return true;
+        }
+        if fog_fill::triangle_nearer(triangle, shader, scissor, is_clipped, depth, target) {
+            return true;
+        }
+    }
+    shaded_fill::triangle_nearer::<T, S>(triangle, shader, scissor, depth, target)
+}
