@@ -280,9 +280,6 @@ impl<'t> GradientSetup<'t> {
     fn steep(&self, values: &[i32; 3], &Numerators { x, minus_y, k }: &Numerators) -> Gradient {
         let shift = self.shift + k;
         let Triangle { corners, area, viewport } = self.triangle;
-        let [a, ..] = corners;
-        let column = (a.x >> 8).clamp(viewport.left, viewport.right.max(viewport.left));
-        let row = (a.y >> 8).clamp(viewport.top, viewport.bottom.max(viewport.top));
         // Per sub-pixel: 24 bits of the values, and 40 more. The products lie below 2⁶²: a step is at most
         // 2^(62 − shift), and 2⁻²⁸ of it times the extent, 2^(24 − headroom) pixels, less than 2⁹ for x and for y.
         let (right, down) = if shift >= 49 - self.extent.headroom() && shift >= 24 {
@@ -296,6 +293,10 @@ impl<'t> GradientSetup<'t> {
             let divide = |v: i64| divide_long(v, area.unsigned_abs(), self.mantissa.abs());
             (divide(x), divide(-minus_y))
         };
+        // The anchor, here because the divisions above need the registers.
+        let [a, ..] = corners;
+        let column = (a.x >> 8).clamp(viewport.left, viewport.right.max(viewport.left));
+        let row = (a.y >> 8).clamp(viewport.top, viewport.bottom.max(viewport.top));
         // From the corner to the anchor's centre: up to 2²³ sub-pixels.
         let (dx, dy) = (256 * column + 128 - a.x, 256 * row + 128 - a.y);
         let [value, ..] = *values;
