@@ -9,7 +9,7 @@ mod set_up;
 mod texture;
 mod translucent;
 
-/// Its name, and the check, which panics if the library is wrong.
+/// The name of a target, and its check, which panics if the library is wrong.
 pub(crate) type Target = (&'static str, fn(&[u8]));
 
 pub(crate) const TARGETS: [Target; 6] = [

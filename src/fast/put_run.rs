@@ -21,7 +21,7 @@ pub(super) const BLOCK: usize = 8;
 
 /// What is put into a pixel's cell.
 pub(super) trait Put<Cell>: Copy {
-    /// Puts it; returns `false` if the pixel is left out.
+    /// Puts this into a pixel's cell; returns `false` if the pixel is left out.
     fn put(self, cell: &mut Cell) -> bool;
 }
 

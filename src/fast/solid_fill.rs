@@ -104,7 +104,7 @@ impl<Cell: Copy> FillRows<Cell> for Equal<Cell> {
 struct EqualRows<'a, Cell> {
     cells: &'a mut [Cell],
     equal: Equal<Cell>,
-    /// A constant.
+    /// Whether rows may have more than a few pixels: a constant of the tier, known when its loop is compiled.
     may_be_long: bool,
 }
 

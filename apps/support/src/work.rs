@@ -64,7 +64,7 @@ struct EdgeWork {
     beside: u32,
 }
 
-/// A constant of the formula, and how many of it a frame has.
+/// What a constant of the formula is for, such as "vertex", and how many of these a frame has.
 pub type Term = (&'static str, fn(&Work) -> u32);
 
 const FRAME: Term = ("frame", |_| 1);
@@ -83,7 +83,7 @@ const EDGE_CLIPPED: Term = ("edge to be clipped", |work| work.edges.clipped);
 const EDGE_CUT: Term = ("edge cut: more", |work| work.edges.cut);
 const EDGE_IN_BAND: Term = ("edge in a band", |work| work.edges.met);
 const EDGE_PIXEL: Term = ("pixel of a line", |work| work.edges.pixels);
-// The room for vertices takes so much of a frame that nothing else is seen that each frame has.
+// A painter's room for vertices takes so many instructions that what each frame costs beside it cannot be told apart.
 const ROOM: Term = ("room for a vertex", |work| work.room);
 
 /// The constants of a way to draw, by its name in `docs/data/growth.json`; none of an unknown one.
@@ -349,7 +349,7 @@ impl Lies {
     }
 }
 
-/// The least and the largest.
+/// The least and the largest of some coordinates.
 pub fn reach<const N: usize>(places: [i32; N]) -> [i32; 2] {
     places.into_iter().fold([i32::MAX, i32::MIN], |[from, to], at| [from.min(at), to.max(at)])
 }
@@ -361,7 +361,7 @@ fn rows_of_face(mesh: &Mesh<'_>, face: usize, place: Place<'_>) -> Option<[i32; 
     Some(rows_of(&instance.transform(&mut []).bin_faces(&mut bins).ok()?.bounds()))
 }
 
-/// [`rows_of_face`] of an edge.
+/// The first and last row of an edge: those of the bins of a mesh that has no other edge.
 fn rows_of_edge(mesh: &Mesh<'_>, edge: usize, place: Place<'_>) -> Option<[i32; 2]> {
     let alone = Mesh::new(mesh.vertices(), mesh.exponent(), &[]).ok()?;
     let alone = alone.with_edges(mesh.edges().get(edge..=edge)?).ok()?;

@@ -101,17 +101,17 @@ impl<P: FacePlanes> Scene<P> {
         self.camera.place(&self.mesh, &self.model)
     }
 
-    /// Set up before the frame too.
+    /// The camera, set up before the frame.
     pub fn camera(&self) -> &Camera {
         &self.camera
     }
 
-    /// Set up before the frame too.
+    /// The model transform, set up before the frame.
     pub fn model(&self) -> &Affine<ModelSpace, World> {
         &self.model
     }
 
-    /// Set up before the frame too, where there is light.
+    /// The light, set up before the frame; `None` where there is none.
     pub fn light(&self) -> Option<Lambert> {
         lit(&self.model)
     }
