@@ -100,7 +100,7 @@ impl<T: Target> DrawLevels<T::Color> for FogFillNearer<'_, '_, '_, '_, T> {
     ) -> bool {
         let Self { triangle, scissor, is_clipped, depth, target } = self;
         let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
-        // The depths are those of the triangle, from the same corners.
+        // The triangle's depths are those that fog is computed from.
         let fog = Fog { bounds, level, color: move |level| color(level).stored() };
         match is_clipped {
             true => fill_low(memory, triangle, scissor, &mut *depth.buffer, fog),

@@ -2,7 +2,7 @@
 //!
 //! - **Plain twins**: `Target::fill_run` for each run; with depth, `DepthBuffer::test_kept` before it.
 //! - **Domain**: runs of pixels that lie in memory, with depth also in the depth buffer.
-//! - **Gain**: [`Blocks`] are put eight pixels at once, with depth where the depth buffer is still clear, the common case: 7.4
+//! - **Gain**: pixels of [`Blocks`] are written eight at once, with depth where the depth buffer is still clear, the common case: 7.4
 //!   instructions for a texel in place of 11 on an M3, 4.6 for a mixed pixel in place of 6.4 (S5 half), 8.6 in place of 10.7
 //!   (S5 alpha).
 //! - **Test**: `by_every_call` and `everywhere` in `tests/support/src/bridge/ways.rs`.
@@ -16,12 +16,12 @@ use crate::surface::block_fill::fill_eight;
 use crate::surface::put;
 use core::marker::PhantomData;
 
-/// The number of pixels that are put at once.
+/// The number of pixels that are written at once.
 pub(super) const BLOCK: usize = 8;
 
-/// What is put into a pixel's cell.
+/// A stored pixel or an ink, which can be written into the cell of a pixel.
 pub(super) trait Put<Cell>: Copy {
-    /// Puts this into a pixel's cell; returns `false` if the pixel is left out.
+    /// Writes the stored pixel or the ink into a cell; returns `false` if the pixel is left out.
     fn put(self, cell: &mut Cell) -> bool;
 }
 
@@ -58,16 +58,16 @@ impl<Cell: Copy, C: StoredPixel<Cell>, I: Ink<C>> Put<Cell> for Inked<C, I> {
     }
 }
 
-/// What is put into the pixels of a run, and is so cheap to compute that eight pixels are put at once.
+/// A source of inks for a run of pixels. Each ink takes so few instructions that eight pixels are written at once.
 pub(super) trait Blocks<Cell>: Copy {
-    /// What is put into pixels from left to right, without end.
+    /// An endless iterator over the inks of the pixels, from left to right.
     type Inks: Iterator<Item: Put<Cell>> + Copy;
 
-    /// What is put from the first pixel on, apart from what stays the same: LLVM would split the two cells of [`Equal`] if they were
-    /// carried from pixel to pixel, which costs S2 with depth a tenth on an M3.
+    /// The inks from the first pixel of the run on. The iterator is apart from the source, because LLVM keeps the two cells of an
+    /// [`Equal`] that is part of an iterator in two registers: S2 with depth then takes 10 % more instructions on an M3.
     fn inks(self) -> Self::Inks;
 
-    /// Puts the next eight pixels.
+    /// Writes the next eight pixels.
     #[inline(always)]
     fn put_eight(self, inks: &mut Self::Inks, cells: &mut [Cell; BLOCK]) {
         each8(cells, |cell| {
@@ -185,7 +185,7 @@ fn put_next<Cell>(inks: &mut impl Iterator<Item: Put<Cell>>, cell: &mut Cell) ->
     inks.next().is_some_and(|ink| ink.put(cell))
 }
 
-/// Puts a run pixel by pixel. `ROLLED`: the loop is not unrolled, as for few pixels, and for inks that need all registers.
+/// Writes a run pixel by pixel. `ROLLED`: the loop is not unrolled, as for few pixels, and for inks that need all registers.
 #[inline(always)]
 pub(super) fn put_each<Cell, const ROLLED: bool>(
     cells: &mut [Cell],
@@ -199,7 +199,7 @@ pub(super) fn put_each<Cell, const ROLLED: bool>(
     }
 }
 
-/// Puts a run eight pixels at a time.
+/// Writes a run eight pixels at a time.
 #[inline(always)]
 pub(super) fn put_blocks<Cell, S: Blocks<Cell>>(cells: &mut [Cell], source: S) {
     let (zero, (blocks, rest)) = (zero_for::<Cell, S>(), cells.as_chunks_mut::<BLOCK>());
@@ -214,7 +214,7 @@ pub(super) fn put_blocks<Cell, S: Blocks<Cell>>(cells: &mut [Cell], source: S) {
     put_each::<Cell, true>(rest, inks);
 }
 
-/// Puts the pixels of a run that are nearer than the depth buffer, one by one, given depth at the first pixel in 16.16 and its step to
+/// Writes the pixels of a run that are nearer than the depth buffer, one by one, given depth at the first pixel in 16.16 and its step to
 /// the next; returns depth after the last one. `WRITES`: whether depths are stored.
 #[inline(always)]
 pub(super) fn put_each_nearer<Cell, const WRITES: bool>(
@@ -281,7 +281,7 @@ pub(super) fn put_blocks_nearer<Cell, S: Blocks<Cell>>(
     }
 }
 
-/// Puts a block whose depths are not all clear. On a Cortex-M0, [`put_each_nearer`] is inlined instead: that core has too few registers to
+/// Writes a block of pixels where the depth buffer is not clear. On a Cortex-M0, [`put_each_nearer`] is inlined instead: that core has too few registers to
 /// gain by a call, which makes S2 5 % slower.
 #[cold] // so that the loop over clear blocks keeps its registers, and this call saves them
 #[inline(never)]

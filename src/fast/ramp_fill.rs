@@ -165,8 +165,8 @@ where
         Some((run, depths, [z, depth], LookUp { line, color }))
     }
 
-    /// Fills a row of fewer than [`BLOCK`] pixels. What it needs is in memory behind `self`, so the call passes few arguments
-    /// and its loop has all registers.
+    /// Fills a row of fewer than [`BLOCK`] pixels. The gradients and slices stay in memory behind `self`: the call passes few
+    /// arguments, and the loop has all registers.
     #[inline(never)]
     fn short(&mut self, from: usize, left: i32, width: usize) {
         if let Some((run, depths, [z, step], mut colors)) = self.part(from, left, width) {

@@ -1,7 +1,8 @@
 //! Triangles with an ink per pixel, computed by a shader, into memory.
 //!
 //! - **Plain twins**: `pipeline::fill::fill` and `fill_nearer`, which pass each span to `Target::fill_run`, with depth each run
-//!   of nearer pixels; for inks that leave out pixels or are mixed with the stored ones, `fill_kept` and `fill_kept_nearer`.
+//!   of nearer pixels; for inks that leave out pixels or are mixed with stored pixels, `shade_spans` and
+//!   `shade_spans_nearer` pass the runs of the pixels that are drawn.
 //! - **Domain**: every triangle and shader, on a target whose pixels lie in memory.
 //! - **Gain**: the shader's colours are stored in one loop with the edge walker, run by run (`SpanShader::runs`), so that a
 //!   shader computes what a run has in common once. With depth, the shader is called once per row, not once per run of visible
