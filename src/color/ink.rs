@@ -68,6 +68,10 @@ pub trait Ink<C>: Copy + sealed::Ink<C> {
     /// Whether pixels may be left out.
     const LEAVES_OUT: bool;
 
+    /// Whether each pixel is set to the ink's own colour.
+    #[doc(hidden)]
+    const IS_OPAQUE: bool = !(Self::LEAVES_OUT || Self::READS);
+
     /// The ink's own colour, or `None` if the pixel is left out.
     fn own(self) -> Option<C>;
 

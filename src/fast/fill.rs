@@ -18,8 +18,7 @@ pub(crate) fn fill<T: Target, S: SpanShader<T::Color>>(
     is_clipped: bool,
     target: &mut T,
 ) -> bool {
-    let is_opaque = !(S::Ink::LEAVES_OUT || S::Ink::READS);
-    if is_opaque {
+    if S::Ink::IS_OPAQUE {
         if let Some(color) = shader.solid().and_then(Ink::own) {
             return solid_fill::triangle(triangle, color, scissor, is_clipped, target);
         }
@@ -44,8 +43,7 @@ pub(crate) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> bool {
-    let is_opaque = !(S::Ink::LEAVES_OUT || S::Ink::READS);
-    if is_opaque && S::WRITES_DEPTH {
+    if S::Ink::IS_OPAQUE && S::WRITES_DEPTH {
         if let Some(color) = shader.solid().and_then(Ink::own) {
             return solid_fill::triangle_nearer(triangle, color, scissor, is_clipped, depth, target);
         }

@@ -82,6 +82,22 @@ pub(super) trait FillRow {
     fn row(&mut self, start: usize, left: i32, right: i32);
 }
 
+/// Fills a triangle. `is_clipped`: the triangle probably has rows outside the scissor, so the [`Small`] tier is not tried.
+#[inline(always)]
+pub(super) fn fill_triangle<S: PixelStore, T: Corners, D: Depths, F: Fill<T, S::Cell>>(
+    memory: &mut PixelRows<S>,
+    triangle: &T,
+    scissor: &Scissor,
+    is_clipped: bool,
+    depths: D,
+    fill: F,
+) {
+    match is_clipped {
+        true => fill_low(memory, triangle, scissor, depths, fill),
+        false => fill_small(memory, triangle, scissor, depths, fill),
+    }
+}
+
 /// Fills a triangle of the [`Small`] tier; passes all others to [`fill_low`].
 #[inline(never)] // its loop needs all registers
 pub(super) fn fill_small<S: PixelStore, T: Corners, D: Depths, F: Fill<T, S::Cell>>(

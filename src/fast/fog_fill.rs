@@ -9,7 +9,7 @@
 //!   (`tools/bench/run cells G1 G2`).
 //! - **Test**: `tests/shading/fog.rs`, by every draw call.
 
-use super::fill_rows::{fill_low, fill_small, Fill, FillRows};
+use super::fill_rows::{fill_triangle, Fill, FillRows};
 use super::put_run::{put_each, put_each_nearer, Equal, Stored, BLOCK};
 use super::shaded_fill::fill;
 use super::solid_fill::{fill_equal_nearer, fill_long_nearer, FillRun, NearerFill};
@@ -102,10 +102,7 @@ impl<T: Target> DrawLevels<T::Color> for FogFillNearer<'_, '_, '_, '_, T> {
         let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
         // The triangle's depths are those that fog is computed from.
         let fog = Fog { bounds, level, color: move |level| color(level).stored() };
-        match is_clipped {
-            true => fill_low(memory, triangle, scissor, &mut *depth.buffer, fog),
-            false => fill_small(memory, triangle, scissor, &mut *depth.buffer, fog),
-        }
+        fill_triangle(memory, triangle, scissor, is_clipped, &mut *depth.buffer, fog);
         true
     }
 }

@@ -11,7 +11,7 @@
 //!   (`tools/bench/run cells X1`). Not measured alone.
 //! - **Test**: `tests/shading/bands.rs` and `tests/shading/textures.rs`, by every draw call.
 
-use super::fill_rows::{fill_low, fill_small, same_length, Fill, FillRow, FillRows};
+use super::fill_rows::{fill_triangle, same_length, Fill, FillRow, FillRows};
 use super::put_run::{put_blocks, put_blocks_nearer, put_each, put_each_nearer, LookUp, BLOCK};
 use super::{depth_and_light_gradients, depth_gradient, memory_of, RowOrigin};
 use crate::color::StoredPixel;
@@ -34,10 +34,7 @@ pub(crate) fn table_nearer<T: Target>(
     target: &mut T,
 ) -> bool {
     let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
-    match is_clipped {
-        true => fill_low(memory, triangle, scissor, &mut *depth.buffer, shader),
-        false => fill_small(memory, triangle, scissor, &mut *depth.buffer, shader),
-    }
+    fill_triangle(memory, triangle, scissor, is_clipped, &mut *depth.buffer, shader);
     true
 }
 

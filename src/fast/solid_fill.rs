@@ -10,7 +10,7 @@
 //! - **Test**: `by_every_call` in `tests/support/src/bridge/ways.rs`, and `tests/raster/memory_triangles.rs`.
 
 use super::attach::memory_with_drawable;
-use super::fill_rows::{fill_low, fill_small, same_length, Fill, FillRow, FillRows, NoDepth};
+use super::fill_rows::{fill_small, fill_triangle, same_length, Fill, FillRow, FillRows, NoDepth};
 use super::put_run::{put_blocks_nearer, put_each_nearer, Blocks, Equal, BLOCK};
 use super::{depth_gradient, memory_of, RowOrigin};
 use crate::color::StoredPixel;
@@ -31,11 +31,7 @@ pub(crate) fn triangle<T: Target>(
     target: &mut T,
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
-    let fill = Equal([color.stored(); 2]);
-    match is_clipped {
-        true => fill_low(memory, triangle, scissor, NoDepth, fill),
-        false => fill_small(memory, triangle, scissor, NoDepth, fill),
-    }
+    fill_triangle(memory, triangle, scissor, is_clipped, NoDepth, Equal([color.stored(); 2]));
     true
 }
 
@@ -67,10 +63,7 @@ pub(crate) fn triangle_nearer<T: Target>(
 ) -> bool {
     let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
     let fill = Equal([color.stored(); 2]);
-    match is_clipped {
-        true => fill_low(memory, triangle, scissor, &mut *depth.buffer, fill),
-        false => fill_small(memory, triangle, scissor, &mut *depth.buffer, fill),
-    }
+    fill_triangle(memory, triangle, scissor, is_clipped, &mut *depth.buffer, fill);
     true
 }
 

@@ -2,7 +2,7 @@
 
 use super::anti_aliased;
 use super::drawable::{ShaderFor, StrokeFor};
-use super::fill::{fill, is_opaque, line, scissor_of};
+use super::fill::{fill, line, scissor_of};
 use crate::color::Ink;
 use crate::fast::solid_fill;
 use crate::raster::{self, Pixel, Scissor, ScreenPoint, Triangle};
@@ -40,7 +40,7 @@ pub fn fill_triangle<T: Target, S: ShaderFor<T>>(
     if area == 0 {
         return Ok(()); // R6
     }
-    if is_opaque::<T, S>()
+    if S::Ink::IS_OPAQUE
         && let Some(color) = shader.solid().and_then(Ink::own)
         && solid_fill::triangle_2d(corners, area, color, target)
     {

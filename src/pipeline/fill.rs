@@ -53,7 +53,7 @@ fn shade_spans<T: Target, S: ShaderFor<T>>(
 ) -> Result<(), T::Error> {
     let setup = shader.set_up(triangle);
     fast::spans(triangle, scissor).try_for_each(|span| {
-        if is_opaque::<T, S>() {
+        if S::Ink::IS_OPAQUE {
             return draw_run(span, S::span(&setup, span), target);
         }
         let mut is_kept = kept_pixels::<T::Color, S>(&setup, span);
@@ -124,7 +124,7 @@ fn shade_span_nearer<T: Target, S: ShaderFor<T>>(
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let mut kept = (!is_opaque::<T, S>()).then(|| kept_pixels::<T::Color, S>(setup, span));
+    let mut kept = (!S::Ink::IS_OPAQUE).then(|| kept_pixels::<T::Color, S>(setup, span));
     let is_kept = || kept.as_mut().is_none_or(|is_kept| is_kept());
     depth
         .buffer
@@ -134,12 +134,7 @@ fn shade_span_nearer<T: Target, S: ShaderFor<T>>(
 /// The colour of all pixels, if the shader has only one and sets each pixel to it.
 #[inline(always)]
 fn solid_color<T: Target, S: SpanShader<T::Color>>(shader: &S) -> Option<T::Color> {
-    shader.solid().filter(|_| is_opaque::<T, S>()).and_then(Ink::own)
-}
-
-/// Whether each pixel of a face is set to a colour of the shader.
-pub(super) const fn is_opaque<T: Target, S: SpanShader<T::Color>>() -> bool {
-    !(<S::Ink as Ink<T::Color>>::LEAVES_OUT || <S::Ink as Ink<T::Color>>::READS)
+    shader.solid().filter(|_| S::Ink::IS_OPAQUE).and_then(Ink::own)
 }
 
 /// Whether a shader draws the pixels of a span: each call answers for the next one, from left to right.
