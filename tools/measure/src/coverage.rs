@@ -79,52 +79,43 @@ fn draw(from: &Path, to: &Path) -> Result<(), String> {
     ))
 }
 
-/// Counts of how often each pixel was drawn. Every row holds the differences between neighbouring pixels, and one more for what ends at the right border:
-/// a span then costs two additions a row, however wide it is.
+/// How often each pixel was drawn, as the differences between neighbouring pixels, row by row, and one more for what ends with the last
+/// row: a span then costs two additions a row, however wide it is.
 struct Picture {
     differences: Vec<u32>,
-    stride: usize,
+    width: usize,
     scissor: Scissor,
 }
 
 impl Picture {
     /// A picture with sides of at most 4096 pixels.
     fn new(width: u16, height: u16) -> Self {
-        let stride = usize::from(width) + 1;
         Self {
-            differences: vec![0; stride * usize::from(height)],
-            stride,
+            differences: vec![0; usize::from(width) * usize::from(height) + 1],
+            width: width.into(),
             scissor: Scissor::new(0, 0, width.into(), height.into()),
         }
     }
 
     fn triangle(&mut self, vertices: [ScreenPoint; 3]) {
-        let Self { differences, stride, scissor } = self;
-        let Ok(()) = raster::triangle(vertices, scissor, |span| add(differences, *stride, span));
+        let Self { differences, width, scissor } = self;
+        let Ok(()) = raster::triangle(vertices, scissor, |span| add(differences, *width, span));
     }
 
     fn line(&mut self, [a, b]: [Pixel; 2]) {
-        let Self { differences, stride, scissor } = self;
-        let Ok(()) = raster::line(a, b, scissor, |span| add(differences, *stride, span));
+        let Self { differences, width, scissor } = self;
+        let Ok(()) = raster::line(a, b, scissor, |span| add(differences, *width, span));
     }
 
     /// Row by row from the top. A file cannot hold enough triangles and lines for a count to pass 32 bits.
-    fn counts(self) -> Vec<u32> {
-        let mut counts = self.differences;
-        for row in counts.chunks_mut(self.stride) {
-            let mut sum = 0u32;
-            for pixel in row {
-                sum = sum.wrapping_add(*pixel);
-                *pixel = sum;
-            }
+    fn counts(mut self) -> Vec<u32> {
+        let mut sum = 0u32;
+        for pixel in &mut self.differences {
+            sum = sum.wrapping_add(*pixel);
+            *pixel = sum;
         }
-        // Without the last column, which is back at zero.
-        let mut column = 0;
-        counts.retain(|_| {
-            column = if column == self.stride { 1 } else { column + 1 };
-            column != self.stride
-        });
-        counts
+        self.differences.pop();
+        self.differences
     }
 }
 
@@ -133,9 +124,10 @@ fn add(differences: &mut [u32], stride: usize, span: Span) -> Result<(), Infalli
     let Span { x, y, width, height } = span;
     assert!(x >= 0 && y >= 0 && width >= 1 && height >= 1, "{span:?}");
     let (x, y, width, height) = (x as usize, y as usize, width as usize, height as usize);
-    for row in differences[y * stride..(y + height) * stride].chunks_mut(stride) {
-        row[x] = row[x].wrapping_add(1);
-        row[x + width] = row[x + width].wrapping_sub(1);
+    assert!(x + width <= stride && (y + height) * stride < differences.len(), "{span:?}");
+    for start in (y..y + height).map(|row| row * stride + x) {
+        differences[start] = differences[start].wrapping_add(1);
+        differences[start + width] = differences[start + width].wrapping_sub(1);
     }
     Ok(())
 }

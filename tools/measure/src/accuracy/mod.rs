@@ -61,12 +61,13 @@ impl Measured {
         let mut sweeps = sweeps.into_iter().map(ended).collect::<Result<Vec<_>, _>>()?;
         let mut depths: Vec<[Pair; 2]> = RANGES.iter().map(|_| Default::default()).collect();
         for sweep in &mut sweeps {
-            for (all, one) in depths.iter_mut().zip(&mut sweep.depths) {
-                all.iter_mut().zip(one).for_each(|(all, one)| all.append(std::mem::take(one)));
+            let of_all = depths.iter_mut().flatten().flatten();
+            for (all, one) in of_all.zip(sweep.depths.iter_mut().flatten().flatten()) {
+                all.append(std::mem::take(one));
             }
-            sweep.places.iter_mut().for_each(Pair::sort);
+            sweep.places.iter_mut().flatten().for_each(Errors::sort);
         }
-        depths.iter_mut().flatten().for_each(Pair::sort);
+        depths.iter_mut().flatten().flatten().for_each(Errors::sort);
         Ok(Self { sweeps, depths, textures: textures? })
     }
 
@@ -74,17 +75,17 @@ impl Measured {
     fn rows(&self) -> Vec<Value> {
         let mut rows = Vec::new();
         for (population, sweep) in POPULATIONS.iter().zip(&self.sweeps) {
-            for ((_, mesh, _), pair) in DESIGNS.into_iter().zip(&sweep.places) {
+            for ((_, mesh, _), [before, after]) in DESIGNS.into_iter().zip(&sweep.places) {
                 rows.push(json!({"error": "vertex, px", "population": population.name, "mesh": mesh,
-                    "before_snap": pair.before.figures(), "after_snap": pair.after.figures()}));
+                    "before_snap": before.figures(), "after_snap": after.figures()}));
             }
         }
         let steepest = self.sweeps.iter().fold(0f64, |a, sweep| a.max(sweep.per_ratio));
         rows.push(json!({"error": "vertex, px for each unit of r/z", "before_snap": rounded(steepest)}));
         for (far, pairs) in RANGES.into_iter().zip(&self.depths) {
-            for (objects, pair) in OBJECTS.into_iter().zip(pairs) {
+            for (objects, [before, after]) in OBJECTS.into_iter().zip(pairs) {
                 rows.push(json!({"error": "depth, steps", "far_by_near": far, "objects": objects,
-                    "before_rounding": pair.before.figures(), "after_rounding": pair.after.figures()}));
+                    "before_rounding": before.figures(), "after_rounding": after.figures()}));
             }
         }
         rows.extend(self.textures.iter().flat_map(textures::Measured::rows));
@@ -93,15 +94,14 @@ impl Measured {
 
     /// A bound that does not hold.
     fn broken(&self) -> Option<String> {
-        let places = self.sweeps.iter().flat_map(|sweep| &sweep.places).map(|pair| pair.after.largest());
-        let place = places.fold(0.0, f64::max);
         let bounded = RANGES.iter().zip(&self.depths).filter(|(far, _)| **far >= DEPTH.1);
-        let depth = bounded.flat_map(|(_, pairs)| pairs).map(|pair| pair.after.largest()).fold(0.0, f64::max);
-        if place > PLACE {
-            return Some(format!("a vertex is {place} px off, the bound is {PLACE}"));
-        }
-        if depth > DEPTH.0 {
-            return Some(format!("a depth is {depth} steps off, the bound is {}", DEPTH.0));
+        let depths = bounded.flat_map(|(_, pairs)| pairs).map(|pair| ("depth", "steps", pair, DEPTH.0));
+        let places = self.sweeps.iter().flat_map(|sweep| &sweep.places);
+        let places = places.map(|pair| ("vertex", "px", pair, PLACE));
+        for (what, unit, [_, after], bound) in places.chain(depths) {
+            if after.largest() > bound {
+                return Some(format!("a {what} is {} {unit} off, the bound is {bound}", after.largest()));
+            }
         }
         self.textures.iter().find_map(textures::Measured::broken)
     }

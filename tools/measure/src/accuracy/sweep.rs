@@ -12,28 +12,7 @@ use pinhole::{Affine, Camera, Coordinate, Mesh, Scalar};
 pub(super) const COUNT: usize = 1_000_000;
 
 /// Errors before and after the rounding.
-#[derive(Clone, Default)]
-pub(super) struct Pair {
-    pub(super) before: Errors,
-    pub(super) after: Errors,
-}
-
-impl Pair {
-    fn add(&mut self, before: f64, after: f64) {
-        self.before.add(before);
-        self.after.add(after);
-    }
-
-    pub(super) fn append(&mut self, other: Self) {
-        self.before.append(other.before);
-        self.after.append(other.after);
-    }
-
-    pub(super) fn sort(&mut self) {
-        self.before.sort();
-        self.after.sort();
-    }
-}
+pub(super) type Pair = [Errors; 2];
 
 /// The errors of a population.
 #[derive(Default)]
@@ -95,7 +74,7 @@ pub(super) fn sweep(population: &Population) -> Result<Sweep, String> {
     let mut sweep = Sweep::default();
     // Each camera has its own generator, so that no case depends on another.
     for index in 0.. {
-        if sweep.places.iter().all(|pair| pair.before.count() >= COUNT) {
+        if sweep.places.iter().all(|pair| pair[0].count() >= COUNT) {
             break;
         }
         let mut rng = Rng::new(Rng::new(population.seed << 32 | index).next());
@@ -103,7 +82,7 @@ pub(super) fn sweep(population: &Population) -> Result<Sweep, String> {
         let exact = bits.exact();
         let camera = bits.library();
         for (k, design) in DESIGNS.into_iter().enumerate() {
-            if sweep.places[k].before.count() >= COUNT {
+            if sweep.places[k][0].count() >= COUNT {
                 continue;
             }
             let Some(at) = population.target(&mut rng, &bits, &exact) else { continue };
@@ -126,9 +105,10 @@ pub(super) fn sweep(population: &Population) -> Result<Sweep, String> {
                 };
                 let z = chain::depth(clip);
                 let off = |v: V3| (v[0] - x).abs().max((v[1] - y).abs());
-                sweep.places[k].add(off(before), off(after));
-                sweep.depths[range][usize::from(design.2 .1 > 16.0)]
-                    .add((before[2] - z).abs(), (after[2] - z.clamp(0.0, 65_534.0)).abs());
+                let depth = [before[2] - z, after[2] - z.clamp(0.0, 65_534.0)].map(f64::abs);
+                let of_depth = &mut sweep.depths[range][usize::from(design.2 .1 > 16.0)];
+                of_depth.iter_mut().zip(depth).for_each(|(errors, error)| errors.add(error));
+                sweep.places[k].iter_mut().zip([before, after]).for_each(|(errors, at)| errors.add(off(at)));
                 if ratio >= 16.0 {
                     sweep.per_ratio = sweep.per_ratio.max(off(before) / ratio);
                 }

@@ -3,7 +3,6 @@
 mod coverage;
 mod harness;
 mod pictures;
-mod projections;
 mod refused;
 mod scenes;
 mod sprites;

@@ -2,41 +2,18 @@
 //!
 //! 100 random scenes of each kind; `PINHOLE_FULL=1 cargo test -p pinhole-measure pictures -- --nocapture` draws 3000.
 
-use crate::harness::{Drawn, Folder};
+use crate::harness::{used, Drawn, Folder};
 use pinhole_apps_support::bodies::{cuboid, moved, torus, Body};
 use serde_json::{json, Value};
 use std::path::Path;
 use support::oracle;
 use support::oracle::chain::{matmul4, M4, V3};
-use support::oracle::picture::{compare, Comparison, Scene};
+use support::oracle::picture::{compare, Comparison};
 use support::oracle::rng::Rng;
-
-/// The scene as it was used, for the oracle.
-fn scene(value: &Value) -> Scene {
-    let number = |v: &Value| v.as_f64().unwrap();
-    let list = |v: &Value| v.as_array().unwrap().clone();
-    let three = |v: &Value| -> V3 { core::array::from_fn(|i| number(&v[i])) };
-    let matrix =
-        |name: &str| -> M4 { core::array::from_fn(|i| core::array::from_fn(|j| number(&value[name][i][j]))) };
-    Scene {
-        vertices: list(&value["vertices"]).iter().map(three).collect(),
-        triangles: list(&value["triangles"])
-            .iter()
-            .map(|t| core::array::from_fn(|i| t[i].as_u64().unwrap() as usize))
-            .collect(),
-        model: matrix("model"),
-        view: matrix("view"),
-        projection: matrix("projection"),
-        width: value["width"].as_u64().unwrap() as usize,
-        height: value["height"].as_u64().unwrap() as usize,
-        viewport: core::array::from_fn(|i| number(&value["viewport"][i])),
-        cull: value["cull"] == json!("back"),
-    }
-}
 
 /// The picture against the scene that `--used` names.
 fn judge(drawn: &Drawn) -> Comparison {
-    compare(&scene(&drawn.used), &drawn.ids, &drawn.depth)
+    compare(&used(&drawn.used), &drawn.ids, &drawn.depth)
 }
 
 /// The largest move of an edge that a picture may need: half a sub-pixel along both
@@ -65,7 +42,7 @@ fn the_samples_are_explained_by_moving_edges_less_than_half_a_sub_pixel() {
         "teapot_ortho_cull",
     ] {
         let file = samples.join(name).with_extension("json");
-        let found = judge(&to.draw_file(file.to_str().unwrap(), &[]));
+        let found = judge(&to.draw_file(file.to_str().unwrap(), "", false));
         println!("{name}: {found:?}");
         assert!(found.covered * 10 > found.pixels, "{name} shows little: {found:?}");
         assert!(is_explained(&found), "{name}: {found:?}");
@@ -93,13 +70,16 @@ fn rotation(rng: &mut Rng) -> M4 {
     [row(u), row(v), row(w), [0.0, 0.0, 0.0, 1.0]]
 }
 
-/// A random scene of a closed mesh; the camera stands outside, inside, or in its surface.
-fn random_scene(rng: &mut Rng, far_from_origin: bool) -> Value {
-    let body = match rng.below(3) {
+fn random_body(rng: &mut Rng) -> Body {
+    match rng.below(3) {
         0 => torus(1.0, rng.real(0.1, 0.6), 3 + rng.below(20), 3 + rng.below(12)),
         1 => moved(&cuboid([2.0; 3]), |corner| corner.map(|c| c - 1.0)),
         _ => splinters(rng),
-    };
+    }
+}
+
+/// A random scene of a closed mesh; the camera stands outside, inside, or in its surface.
+fn random_scene(rng: &mut Rng, body: &Body, far_from_origin: bool) -> Value {
     let triangles: Vec<_> = (0..body.len()).map(|i| [0, 1, 2].map(|corner| 3 * i + corner)).collect();
     let size = rng.log(0.01, 100.0);
     let mut model = rotation(rng);
@@ -128,31 +108,13 @@ fn random_scene(rng: &mut Rng, far_from_origin: bool) -> Value {
     let far = size * rng.real(4.0, 20.0);
     let half = rng.real(0.2, 1.0);
     let aspect = width as f64 / height as f64;
-    let projection = match rng.below(4) {
-        0 => {
-            let half = half * 2.0 * size;
-            oracle::chain::orthographic(-half * aspect, half * aspect, -half, half, near, far)
-        }
-        1 => {
-            let [l, b] = [0; 2].map(|_| rng.real(-0.5, 0.5) * half * near);
-            oracle::chain::frustum(
-                l - half * near,
-                l + half * near,
-                b - half * near,
-                b + half * near,
-                near,
-                far,
-            )
-        }
-        _ => oracle::chain::frustum(
-            -half * near * aspect,
-            half * near * aspect,
-            -half * near,
-            half * near,
-            near,
-            far,
-        ),
-    };
+    let kind = rng.below(4);
+    let (is_parallel, is_askew) = (kind == 0, kind == 1);
+    let lens = if is_parallel { oracle::chain::orthographic } else { oracle::chain::frustum };
+    let half = half * if is_parallel { 2.0 * size } else { near };
+    let [x, y] = [0; 2].map(|_| if is_askew { rng.real(-0.5, 0.5) * half } else { 0.0 });
+    let across = if is_askew { half } else { half * aspect };
+    let projection = lens(x - across, x + across, y - half, y + half, near, far);
     // It stands for itself times any factor, and takes a turn of the view as well as any other matrix.
     let projection = match rng.below(3) {
         0 => matmul4(&projection, &rotation_about_z(rng)).map(|row| row.map(|c| c * 3.7e-5)),
@@ -181,8 +143,9 @@ fn random_scenes(name: &str, seed: u64, far_from_origin: bool) {
     let mut all = Comparison::default();
     let count = if std::env::var_os("PINHOLE_FULL").is_some() { 3000 } else { 100 };
     for _ in 0..count {
-        let scene = random_scene(&mut rng, far_from_origin);
-        let found = judge(&to.draw(&scene, &[]));
+        let body = random_body(&mut rng);
+        let scene = random_scene(&mut rng, &body, far_from_origin);
+        let found = judge(&to.draw(&scene, ""));
         assert!(is_explained(&found), "{found:?}: {scene}");
         all.add(&found);
     }
@@ -190,6 +153,16 @@ fn random_scenes(name: &str, seed: u64, far_from_origin: bool) {
     assert!(all.covered * 10 > all.pixels, "{all:?}");
     // The bound is no more than twice what is met.
     assert!(all.shift * 2.0 > SHIFT && all.depth * 2.0 > DEPTH, "{all:?}");
+}
+
+#[test]
+fn a_mesh_of_more_vertices_than_16_bits_name_is_explained() {
+    // 24 000 triangles with corners of their own.
+    let scene = random_scene(&mut Rng::new(3), &torus(1.0, 0.4, 150, 80), false);
+    let drawn = Folder::new("large").draw(&scene, "");
+    let found = judge(&drawn);
+    assert!(is_explained(&found) && found.covered * 10 > found.pixels, "{found:?}");
+    assert!(drawn.ids.iter().max().unwrap() > &21_845, "the last part is there, too");
 }
 
 #[test]

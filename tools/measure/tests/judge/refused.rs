@@ -1,8 +1,7 @@
 //! The refusals of `refused.txt`: one line that names the file and the field or option, and no file is changed.
 
 use crate::coverage::COVERAGE;
-use crate::harness::{changed, scene, with, Folder, RENDER};
-use crate::scenes::textured;
+use crate::harness::{changed, Folder, RENDER};
 use pinhole_apps_support::testing::refusal;
 use serde_json::{json, Value};
 
@@ -10,31 +9,38 @@ use serde_json::{json, Value};
 fn refused(to: &Folder, kind: &str, input: &str) -> String {
     let value =
         || -> Value { serde_json::from_str(input).unwrap_or_else(|error| panic!("{input}: {error}")) };
-    let mesh = |mesh: Value| changed(with(json!({"vertices": null, "triangles": null})), mesh);
-    let sprite = |entry: Value| with(json!({"sprites": [changed(entry, value())]}));
+    let table: Value = serde_json::from_str(include_str!("scenes.json")).unwrap();
+    let of = |base: &str, changes: Value| changed(table["bases"][base]["scene"].clone(), &changes);
+    let with = |changes: Value| of("triangles", changes);
+    let mesh = |field: &str, mesh: Value| with(json!({"vertices": null, "triangles": null, field: mesh}));
+    let sprite = |entry: Value| with(json!({"sprites": [changed(entry, &value())]}));
     let words: Vec<&str> = input.split_whitespace().collect();
     let scene = match kind {
         "scene" => with(value()),
+        "space" => of(kind, value()),
         "camera" => with(json!({"camera": value(), "view": null, "projection": null})),
-        "meshes" => mesh(json!({"meshes": value()})),
+        "meshes" => mesh(kind, value()),
         "mesh" => {
             let (name, text) = input.split_once(": ").expect("a file and its text");
             to.write(name, text.replace("; ", "\n").replace(';', "\n"));
-            mesh(json!({"mesh": name}))
+            mesh(kind, name.into())
         }
-        "textured" => return to.refused(&textured(value()), &["--texels", "texels"]),
+        "textured" => return to.refused(&of(kind, value()).to_string(), &["--texels", "texels"]),
         "square" => sprite(json!({"color": [1, 2, 3], "at": [0, 0, -2]})),
         "picture" => sprite(json!({"picture": "picture.png", "at": [0, 0, -2]})),
-        "text" => return to.refused_text(input, &[]),
+        "text" => return to.refused(input, &[]),
         "counts" => {
             to.write("in.json", input.replace("$DEEP", &"[".repeat(100_000)));
             return refusal(&COVERAGE.run_in(&to.0, &["in.json", "kept"]));
         }
         "coverage" => return refusal(&COVERAGE.run_in(&to.0, &words)),
-        "render" => return refusal(&RENDER.run_in(&to.0, &words)),
+        "render" => {
+            to.write("s.json", with(json!({})).to_string());
+            return refusal(&RENDER.run_in(&to.0, &words));
+        }
         _ => panic!("{kind}: no kind of input"),
     };
-    to.refused(&scene, &[])
+    to.refused(&scene.to_string(), &[])
 }
 
 #[test]
@@ -52,7 +58,6 @@ fn what_is_refused_is_named_in_one_line() {
             kind = line.trim_matches(['[', ']']);
             continue;
         };
-        to.write("s.json", scene().to_string());
         to.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         to.write("in.json", r#"{"width": 1, "height": 1}"#);
         let said = refused(&to, kind, input);

@@ -5,11 +5,11 @@ mod scenes;
 use super::{rounded, Errors};
 use crate::oracle::chain;
 use crate::oracle::texture::{off_repeated, Ray};
-use core::convert::Infallible;
 use embedded_graphics::pixelcolor::raw::RawU32;
 use embedded_graphics::prelude::*;
 use pinhole::space::{Model, World};
-use pinhole::{Accuracy, Affine, Mesh, MeshInstance, SpanShader, Texels, Texture};
+use pinhole::{Accuracy, Affine, Mesh, Texels, Texture};
+use pinhole_apps_support::canvas::Canvas;
 use scenes::{Scene, CAMERA, SIDE};
 use serde_json::{json, Value};
 
@@ -50,8 +50,11 @@ impl Measured {
             let ray = Ray::new(&exact, &chain::IDENTITY, at, texels);
             for (i, (_, accuracy, _)) in ACCURACIES.into_iter().enumerate() {
                 let texture = Texture::new(Numbered).with_accuracy(accuracy).at(*uv);
-                for (point, Shown(shown)) in list(&instance, texture) {
-                    let (x, y) = (i64::from(point.x), i64::from(point.y));
+                let mut canvas = Canvas::new(Size::new(SIDE, SIDE), Shown(None));
+                let Ok(_) = instance.solid(|_| texture, &mut [], &mut canvas);
+                for (index, Shown(shown)) in (0..).zip(canvas.pixels()) {
+                    let Some(shown) = shown else { continue };
+                    let (x, y) = (index % i64::from(SIDE), index / i64::from(SIDE));
                     let near = ray.around(x, y).zip(ray.at(x as f64 + 0.5, y as f64 + 0.5));
                     let Some((near, centre)) = near else { continue };
                     let shown = shown.map(|c| f64::from(c) / 2f64.powi(32) * TEXELS);
@@ -92,7 +95,7 @@ impl Measured {
 
 /// The coordinates that a pixel shows, in 2⁻³² of the texture's sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Shown([u32; 2]);
+struct Shown(Option<[u32; 2]>);
 
 impl PixelColor for Shown {
     type Raw = RawU32;
@@ -111,31 +114,6 @@ impl Texels for Numbered {
     }
 
     fn texel(&self, u: u32, v: u32) -> Shown {
-        Shown([u, v])
+        Shown(Some([u, v]))
     }
-}
-
-/// A DrawTarget that lists what is drawn, in the order in which it is drawn.
-struct List(Vec<(Point, Shown)>);
-
-impl OriginDimensions for List {
-    fn size(&self) -> Size {
-        Size::new(SIDE, SIDE)
-    }
-}
-
-impl DrawTarget for List {
-    type Color = Shown;
-    type Error = Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Shown>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        self.0.extend(pixels.into_iter().map(|Pixel(point, color)| (point, color)));
-        Ok(())
-    }
-}
-
-fn list<S: SpanShader<Shown, Ink = Shown>>(instance: &MeshInstance<'_>, shader: S) -> Vec<(Point, Shown)> {
-    let mut list = List(Vec::new());
-    let Ok(_) = instance.solid(|_| shader, &mut [], &mut list);
-    list.0
 }
