@@ -16,7 +16,7 @@ use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::Text;
 use pinhole::{
     mesh_buffers, Affine, Angle, Band, BinnedFaces, Camera, Color, DepthBuffer, Frame, Lambert, Mesh,
-    MeshBuffers, MeshInstance, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport,
+    MeshBuffers, MeshInstance, Point3, Projection, Scalar, Surface, Vector3, ViewTransform, Viewport,
 };
 use pinhole_apps_support::{command, files, still};
 use std::error::Error;
@@ -84,7 +84,7 @@ impl Contents<'_> {
     fn draw(&mut self, band: &mut Band<'_, Rgb565>) -> Result<(), Box<dyn Error>> {
         let mut depth = DepthBuffer::new(band.area(), self.depth)?;
         let colour = |face: usize| Rgb565::new(31, 44, 14).dim(self.light.level(teapot::NORMALS[face]));
-        let Ok(()) = self.faces.depth_tested(colour, &mut depth, band);
+        let Ok(()) = self.faces.draw(colour, &mut band.depth_tested(&mut depth));
         let style = MonoTextStyle::new(&FONT_9X15_BOLD, Rgb565::WHITE);
         let Ok(_) = Text::new("7.5 KB of strips", Point::new(48, 224), style).draw(band);
         Ok(())

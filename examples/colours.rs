@@ -11,7 +11,7 @@ use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
     Affine, Angle, Band, Camera, Color, Cull, DepthBuffer, Dithered, Frame, Gouraud, Lambert, Lit, Mesh,
-    Point3, Projection, Scalar, ScreenVertex, SpanShader, Vector3, ViewTransform, Viewport,
+    Point3, Projection, Scalar, ScreenVertex, SpanShader, Surface, Vector3, ViewTransform, Viewport,
 };
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::generated::Generated;
@@ -184,9 +184,10 @@ impl Scene {
         while let Some(mut band) = frame.next_band(&mut strip)? {
             let mut depth = DepthBuffer::new(band.area(), &mut depths)?;
             let colours = |face: usize| WALL_FACES[face].map(|i| WALL_COLOURS[usize::from(i)]);
-            wall_faces.depth_tested(|face| smooth(Gouraud::new(colours(face))), &mut depth, &mut band)?;
+            wall_faces
+                .draw(|face| smooth(Gouraud::new(colours(face))), &mut band.depth_tested(&mut depth))?;
             let pot = |face| lit(Gouraud::lit(CLAY, pot.corners_of(face, &self.levels)));
-            pot_faces.depth_tested(pot, &mut depth, &mut band)?;
+            pot_faces.draw(pot, &mut band.depth_tested(&mut depth))?;
             send(&band);
         }
         Ok(())

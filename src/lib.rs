@@ -33,7 +33,7 @@
 //! let mut cache = mesh_buffers!(TORUS).cache;
 //! let torus = camera.place(&TORUS, &model);
 //! let mut target = picture.pixels();
-//! let statistics = torus.depth_tested(color, &mut cache, &mut depth, &mut target)?;
+//! let statistics = torus.faces(color).cached(&mut cache).draw(&mut target.depth_tested(&mut depth))?;
 //! assert!(statistics.drawn > 100 && statistics.culled > 100);
 //! # assert!(picture.colors().iter().filter(|&&color| color != Rgb565::CSS_BLACK).count() > 120 * 120 / 4);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -48,14 +48,14 @@
 //! | meshes | [`Mesh`]; [`meshes`] has a cube, a torus … | [`FaceColors`], [`TextureCoords`]; [`pinhole-import`](https://docs.rs/pinhole-import) reads OBJ and STL files |
 //! | moving objects | [`Affine`] | [`Hierarchy`] for joints, [`Quaternion`], [`Scalar`], [`space`] |
 //! | cameras | [`Camera::framing`] | [`ViewTransform`], [`Projection`], [`Viewport`]; [choosing a projection](book::ch3_projections) |
-//! | drawing | [`MeshInstance`]: `solid`, `depth_tested`, `wireframe`, `hidden_line` … | [`Painter`], [`Statistics`]; [which method](book::ch4_visibility) |
+//! | drawing | [`MeshInstance`]: `faces(..).draw(..)`, `edges(..)`, `points(..)` … | [`Painter`], [`Statistics`]; [which method](book::ch4_visibility) |
 //! | many objects | [`Scene`] | [`Frustum`], [`Camera::visibility`] |
-//! | targets | [`Target`]: any DrawTarget, or pixels in memory | [`Picture`], [`Color`] |
+//! | targets | [`Surface`]: any DrawTarget, or pixels in memory; [with a depth buffer](Surface::depth_tested) | [`Picture`], [`Color`] |
 //! | no framebuffer, DMA, two cores | [`Frame`], [`mesh_buffers!`], [`strip_buffers!`] | [bands](book::ch5_bands); [`DirtyRegions`] sends only what has changed |
 //! | light | [`Lambert`] | [`Lights`], [`PointLight`], [`BlinnPhong`], [`Matcap`] |
 //! | shading | a colour, [`Flat`], [`Gouraud`], [`ShadeTable`] | [`Texture`], [`Fogged`], [`VertexFog`], [`Translucent`], [`ScreenDoor`]; your own: [`Shader`] |
 //! | sprites and lines | [`Sprite`], [`MeshInstance::polyline`] | [`AntiAliased`] |
-//! | labels and picking | [`Camera::project`], [`MeshInstance::pick`] | [`Camera::unproject`], [`Camera::ray`] |
+//! | labels and picking | [`Camera::project`], [`Faces::pick`] | [`Camera::unproject`], [`Camera::ray`] |
 //! | 2D, and the stages alone | [`fill_triangle`], [`draw_line`] | [`raster`], [`clip`] |
 //! | RAM, flash and time | [estimating](book::ch6_budget) | [measuring on your board](book::ch10_measuring) |
 //!
@@ -104,9 +104,10 @@ pub use math::{
 #[doc(hidden)]
 pub use pipeline::largest;
 pub use pipeline::{
-    draw_line, fill_triangle, BinnedEdges, BinnedFaces, BinnedScene, Cull, HalfBins, HalfTransform,
-    MeshBuffers, MeshInstance, Object, Painter, PaintersOrder, Picked, PlacedScene, PlacedSprites, Scene,
-    ShaderFor, SplitBins, SplitTransform, SpriteFor, Statistics, StrokeFor, TransformedMesh,
+    draw_line, fill_triangle, BinnedEdges, BinnedFaces, BinnedScene, Cull, Edges, Faces, HalfBins,
+    HalfTransform, MeshBuffers, MeshInstance, Object, Painter, PaintersOrder, Picked, PlacedScene,
+    PlacedSprites, Scene, SceneFaces, ShaderFor, SplitBins, SplitTransform, SpriteFor, Statistics, StrokeFor,
+    TransformedMesh,
 };
 pub use scene::{
     edge_faces, FaceColors, FacePlanes, Hierarchy, Mesh, MeshError, Node, TextureCoords, WithPlanes,
@@ -121,6 +122,6 @@ pub use shading::{
     Texels, Texture, TextureError, Textured, Translucent, VertexFog,
 };
 pub use surface::{
-    Band, BufferError, DepthBuffer, DirtyRegions, Frame, Gives, LeastRun, Memory, Picture, PixelStore,
-    Pixels, StripBuffers, Target, Tracked, TransferCost,
+    Band, BufferError, DepthBuffer, DepthTestedSurface, DirtyRegions, Frame, Gives, LeastRun, Memory,
+    Picture, PixelStore, Pixels, StripBuffers, Surface, Target, Tracked, TransferCost,
 };

@@ -30,7 +30,7 @@
 //! let mut depth = DepthBuffer::new(display.bounding_box(), &mut depths)?;
 //! let mut buffers = mesh_buffers!(TORUS);
 //! let shade = |face: usize| Rgb565::CSS_GOLD.dim(light.level(TORUS.normals()[face]));
-//! let statistics = camera.place(&TORUS, &model).depth_tested(shade, &mut buffers.cache, &mut depth, &mut display)?;
+//! let statistics = camera.place(&TORUS, &model).faces(shade).cached(&mut buffers.cache).draw(&mut display.depth_tested(&mut depth))?;
 //! assert!(statistics.drawn > 100 && statistics.culled > 100);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

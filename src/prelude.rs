@@ -29,9 +29,9 @@ pub use crate::math::{
     Sphere, Vector3,
 };
 pub use crate::pipeline::{
-    draw_line, fill_triangle, BinnedEdges, BinnedFaces, BinnedScene, Cull, HalfBins, HalfTransform,
-    MeshInstance, Object, Painter, PaintersOrder, Picked, PlacedScene, PlacedSprites, Scene, ShaderFor,
-    SplitBins, SplitTransform, SpriteFor, Statistics, StrokeFor, TransformedMesh,
+    draw_line, fill_triangle, BinnedEdges, BinnedFaces, BinnedScene, Cull, Edges, Faces, HalfBins,
+    HalfTransform, MeshInstance, Object, Painter, PaintersOrder, Picked, PlacedScene, PlacedSprites, Scene,
+    SceneFaces, ShaderFor, SplitBins, SplitTransform, SpriteFor, Statistics, StrokeFor, TransformedMesh,
 };
 pub use crate::scene::{
     edge_faces, FaceColors, FacePlanes, Hierarchy, Mesh, MeshError, Node, TextureCoords, WithPlanes,
@@ -47,6 +47,6 @@ pub use crate::shading::{
 };
 pub use crate::space::{Model, View, World};
 pub use crate::surface::{
-    Band, BufferError, DepthBuffer, DirtyRegions, Frame, Gives, LeastRun, Memory, Picture, PixelStore,
-    Pixels, Target, Tracked, TransferCost,
+    Band, BufferError, DepthBuffer, DepthTestedSurface, DirtyRegions, Frame, Gives, LeastRun, Memory,
+    Picture, PixelStore, Pixels, Surface, Target, Tracked, TransferCost,
 };

@@ -49,8 +49,10 @@ impl embedded_graphics::geometry::OriginDimensions for Image {
 
 public_types! {
     Affine<Plain, Plain>, Angle, AntiAliased<Pixel>, MathError, Band<'static, Plain>, BufferError, Barycentric, Alpha,
-    Camera, Canonical, ClipPoint, ClipVertex<2>, CornerValues, ScreenVertex, Cull, DepthBuffer<'static>,     DirtyRegions<4>, FaceColors<'static>, MeshError, TextureCoords<'static>, Dithered<Flat>, BinnedEdges<'static, i16,
+    Camera, Canonical, ClipPoint, ClipVertex<2>, CornerValues, ScreenVertex, Cull, DepthBuffer<'static>,
+    DepthTestedSurface<'static, 'static, Plain>,    DirtyRegions<4>, FaceColors<'static>, MeshError, TextureCoords<'static>, Dithered<Flat>, BinnedEdges<'static, i16,
     true>, BinnedScene<'static, 'static, Plain, 3>, BinnedFaces<'static, i16, true>, WithPlanes, WithoutPlanes, Flat, Format,
+    Edges<'static, i16, WithPlanes, Plain>, Faces<'static, i16, WithPlanes, Plain>, SceneFaces<'static, 'static, 'static, Plain, Plain, 3>,
     Frame<Plain>, CameraError, Gouraud, Gradient, Lit, Projected, Hierarchy<'static>, Inside<Plain>,
     Frustum, HalfBins<'static, i16, true>, SplitBins<'static, i16, true>, HalfTransform<'static, i16, true>,
     SplitTransform<'static, i16, true>, Lambert, BlinnPhong, DirectionalLight, Lights<2>, Matcap, PointLight,
@@ -69,8 +71,8 @@ public_types! {
     World
 }
 
-/// Public by their keyword only: set-ups of shaders, which no path leads to.
-const NOT_NAMED: [&str; 9] = [
+/// Public by their keyword only: set-ups of shaders and marks of targets, which no path leads to.
+const NOT_NAMED: [&str; 11] = [
     "ChannelGradients",
     "DitheredColor",
     "FogLevel",
@@ -79,7 +81,9 @@ const NOT_NAMED: [&str; 9] = [
     "PackedLine",
     "ScreenDoorSetup",
     "TableGradient",
+    "Tested",
     "TextureGradients",
+    "Untested",
 ];
 
 #[test]

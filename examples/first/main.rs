@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch)?;
 
     let pyramid = camera.place(&mesh, &Affine::rotation_y(Angle::degrees(10)));
-    pyramid.wireframe(BinaryColor::On, &mut [ScreenVertex::EMPTY; VERTICES.len()], &mut display)?;
+    pyramid.edges(|_| BinaryColor::On).draw(&mut display)?;
     println!("{display:?}");
     Ok(())
 }

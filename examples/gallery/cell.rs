@@ -65,9 +65,9 @@ pub(crate) fn draw(
         let mut cache = [ScreenVertex::default(); VERTICES.len()];
         if dashed {
             let mut dashed = Dashed { target: sheet, on: 2, off: 2, at: 0 };
-            instance.wireframe(colour, &mut cache, &mut LeastRun::<_, 1>(&mut dashed))?;
+            instance.edges(|_| colour).cached(&mut cache).draw(&mut LeastRun::<_, 1>(&mut dashed))?;
         } else {
-            instance.wireframe(colour, &mut cache, sheet)?;
+            instance.edges(|_| colour).cached(&mut cache).draw(sheet)?;
         }
         Ok(())
     };

@@ -3,8 +3,8 @@
 use super::shaders::{Checkerboard, Fog, Glass};
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
 use pinhole::{
-    Affine, Angle, Camera, DepthBuffer, Mesh, Picture, Point3, Projection, Scalar, Vector3, ViewTransform,
-    Viewport,
+    Affine, Angle, Camera, DepthBuffer, Mesh, Picture, Point3, Projection, Scalar, Surface, Vector3,
+    ViewTransform, Viewport,
 };
 use std::error::Error;
 
@@ -59,9 +59,12 @@ pub(crate) fn draw() -> Result<Vec<Rgb888>, Box<dyn Error>> {
     let model = Affine::identity();
     let [floor, wall, pane] = [&FLOOR, &WALL, &PANE].map(|quad| Mesh::new(quad, 0, &QUAD));
     let (floor, wall, pane) = (floor?, wall?, pane?);
-    camera.place(&floor, &model).depth_tested(board, &mut [], &mut depth, &mut picture.pixels())?;
-    camera.place(&wall, &model).depth_tested(fog, &mut [], &mut depth, &mut picture.pixels())?;
+    camera.place(&floor, &model).faces(board).draw(&mut picture.pixels().depth_tested(&mut depth))?;
+    camera.place(&wall, &model).faces(fog).draw(&mut picture.pixels().depth_tested(&mut depth))?;
     // Draw glass last: it blends with the pixels that are stored when it is drawn.
-    camera.place(&pane, &model).depth_tested(|_| Glass(GLASS), &mut [], &mut depth, &mut picture.pixels())?;
+    camera
+        .place(&pane, &model)
+        .faces(|_| Glass(GLASS))
+        .draw(&mut picture.pixels().depth_tested(&mut depth))?;
     Ok(pixels)
 }

@@ -12,7 +12,7 @@ use embedded_graphics_core::{
 };
 use pinhole::{
     Affine, Angle, Camera, Color, DepthBuffer, Lambert, Mesh, Painter, Point3, Projection, Scalar,
-    ScreenVertex, Statistics, Vector3, ViewTransform, Viewport,
+    ScreenVertex, Statistics, Surface, Vector3, ViewTransform, Viewport,
 };
 
 const SIZE: Size = Size::new(128, 64);
@@ -100,11 +100,11 @@ impl Stage {
                 self.painter.add(&instance, shade).expect("room for the teapot");
                 self.painter.draw(&mut canvas)
             }
-            1 => instance.wireframe(Rgb565::CYAN, &mut cache, &mut canvas),
+            1 => instance.edges(|_| Rgb565::CYAN).cached(&mut cache).draw(&mut canvas),
             _ => {
                 let area = Rectangle::new(Point::zero(), SIZE);
                 let mut depth = DepthBuffer::new(area, &mut self.depth).expect("a depth for each pixel");
-                instance.depth_tested(shade, &mut cache, &mut depth, &mut canvas)
+                instance.faces(shade).cached(&mut cache).draw(&mut canvas.depth_tested(&mut depth))
             }
         };
         let mut checksum = crc32(self.pixels.iter().flat_map(|pixel| pixel.to_be_bytes()));

@@ -74,7 +74,7 @@ fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
             let (differing, of) = scene::misordered(&mut numberer, &instances, size)?;
             (misordered, worst, covered) = (misordered + differing, worst.max(differing), covered + of);
         } else {
-            let statistics = instances[0].wireframe(WIRE, &mut cache, &mut canvas)?;
+            let statistics = instances[0].edges(|_| WIRE).cached(&mut cache).draw(&mut canvas)?;
             wireframe.add(statistics, start.elapsed());
         }
         gif.add(canvas.pixels())?;

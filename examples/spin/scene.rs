@@ -7,7 +7,7 @@ use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
     Affine, Angle, Camera, DepthBuffer, Mesh, MeshInstance, Painter, Point3, Projection, Scalar, Statistics,
-    Vector3, ViewTransform, Viewport,
+    Surface, Vector3, ViewTransform, Viewport,
 };
 use pinhole_apps_support::canvas::Canvas;
 use std::error::Error;
@@ -109,8 +109,8 @@ pub(crate) fn misordered<const CORNERS: usize, const FACES: usize>(
     let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), &mut storage)?;
     let [outside, inside] = instances;
     let first_inside = outside.mesh().faces().len();
-    outside.depth_tested(colour, &mut [], &mut depth, &mut nearest)?;
-    inside.depth_tested(|face| colour(first_inside + face), &mut [], &mut depth, &mut nearest)?;
+    outside.faces(colour).draw(&mut nearest.depth_tested(&mut depth))?;
+    inside.faces(|face| colour(first_inside + face)).draw(&mut nearest.depth_tested(&mut depth))?;
 
     let pairs = || painted.pixels().iter().zip(nearest.pixels());
     let differing = pairs().filter(|(painted, nearest)| painted != nearest).count();

@@ -17,7 +17,7 @@ use pinhole::space::{Model, World};
 use pinhole::{
     Affine, Angle, BlinnPhong, Camera, DepthBuffer, DirectionalLight, FaceColors, Gouraud, Lambert, Lights,
     Matcap, MeshInstance, Picture, Point3, PointLight, Projection, Scalar, ScreenVertex, ShadeTable,
-    SpanShader, Texture, Vector3, ViewTransform, Viewport,
+    SpanShader, Surface, Texture, Vector3, ViewTransform, Viewport,
 };
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::generated::Generated;
@@ -129,7 +129,10 @@ impl Scene<'_> {
         shader: impl Fn(usize) -> S,
     ) -> Result<(), Box<dyn Error>> {
         let mut cache = vec![ScreenVertex::EMPTY; vertices];
-        instance.depth_tested(shader, &mut cache, &mut self.depth, &mut self.picture.pixels())?;
+        instance
+            .faces(shader)
+            .cached(&mut cache)
+            .draw(&mut self.picture.pixels().depth_tested(&mut self.depth))?;
         Ok(())
     }
 }

@@ -103,7 +103,7 @@ pub(crate) fn by_edge() -> Drawn {
     let mesh = Mesh::new(&body.vertices, body.mesh()?.exponent(), &[])?.with_edges(&edges)?;
     let stroke = |edge: usize| Rgb888::new(160, 255, 200).over(NIGHT, factor(edges[edge]));
     scene(NIGHT, |scene| {
-        camera.place(&mesh, &model).wireframe_by_edge(stroke, &mut [], &mut scene.picture.pixels())?;
+        camera.place(&mesh, &model).edges(stroke).draw(&mut scene.picture.pixels())?;
         Ok(())
     })
 }

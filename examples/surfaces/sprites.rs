@@ -6,7 +6,7 @@ use embedded_graphics::geometry::{AnchorPoint, Size};
 use embedded_graphics::pixelcolor::Rgb888;
 use pinhole::{
     Affine, Angle, Camera, ColorKeyed, DepthBuffer, HalfBlended, Lambert, Mesh, Pixels, Point3, Scalar,
-    ShadeTable, Sprite, SpriteSource, Vector3,
+    ShadeTable, Sprite, SpriteSource, Surface, Vector3,
 };
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -92,7 +92,7 @@ pub(crate) fn wood() -> Drawn {
         let tree = Sprite::new(ColorKeyed::new(&conifer, KEY))
             .with_height(Scalar::from_ratio(13, 10))
             .with_anchor(AnchorPoint::BottomCenter);
-        camera.place_sprites(&mesh, &Affine::identity()).depth_tested(|_| tree, depth, target)?;
+        camera.place_sprites(&mesh, &Affine::identity()).draw(|_| tree, &mut target.depth_tested(depth))?;
         Ok(())
     })
 }
@@ -115,7 +115,7 @@ pub(crate) fn fountain() -> Drawn {
             let color = Rgb888::new(255, (240.0 - 190.0 * age) as u8, (150.0 - 140.0 * age) as u8);
             Sprite::square(color, [3, 2, 2, 1][(age * 3.9) as usize])
         };
-        camera.place_sprites(&mesh, &Affine::identity()).depth_tested(spark, depth, target)?;
+        camera.place_sprites(&mesh, &Affine::identity()).draw(spark, &mut target.depth_tested(depth))?;
         // From far to near, as what is behind has to be drawn before.
         for z in -6..6 {
             for x in -1..2 {
@@ -125,7 +125,7 @@ pub(crate) fn fountain() -> Drawn {
                 let size = Scalar::from_f64(0.5 + 0.4 * scattered(number, 2))?;
                 let puff =
                     Sprite::new(HalfBlended::new(Puff(120 + 20 * (number % 4) as u8))).with_size(size, size);
-                camera.place_sprite(at).depth_tested(|_| puff, depth, target)?;
+                camera.place_sprite(at).draw(|_| puff, &mut target.depth_tested(depth))?;
             }
         }
         Ok(())

@@ -10,7 +10,7 @@ use super::Bytes;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
-use pinhole::{draw_line, AntiAliased, Color, ScreenVertex, StoredPixel};
+use pinhole::{draw_line, AntiAliased, Color, ScreenVertex, StoredPixel, Surface};
 use support::bridge::{self, ways};
 
 /// The part of a pixel with x and y from 0 to 1 that lies between two parallels to a line through `at`, whose slope is at most 1 in
@@ -117,11 +117,11 @@ fn edges<const N: usize, C: Color + StoredPixel<[u8; N]> + core::fmt::Debug>(
         let lines = ways::lines_by_every_call(instance, area, sky, &[rows], stroke, Some(face));
         let mut cache = vec![ScreenVertex::EMPTY; scene.vertices.len()];
         let cached = ways::memory(area, sky, &mut |target, _| {
-            let Ok(_) = instance.wireframe(stroke, &mut cache, target);
+            let Ok(_) = instance.edges(|_| stroke).cached(&mut cache).draw(target);
         });
         assert!(cached == lines.all, "the cache shows: {scene:?}");
         let open = ways::memory(area, sky, &mut |target, depth| {
-            let Ok(_) = instance.hidden_line(stroke, &mut [], depth, target);
+            let Ok(_) = instance.edges(|_| stroke).hidden_line(&mut target.depth_tested(depth));
         });
         assert!(open == lines.all, "hidden by nothing: {scene:?}");
     });

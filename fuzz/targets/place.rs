@@ -3,7 +3,8 @@
 use core::fmt::Debug;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    Band, BinnedFaces, Color, DepthBuffer, Ink, MeshInstance, ScreenVertex, SpanShader, StoredPixel, Writes,
+    Band, BinnedFaces, Color, DepthBuffer, Ink, MeshInstance, ScreenVertex, SpanShader, StoredPixel, Surface,
+    Writes,
 };
 use support::bridge::ways::{self, Drawn};
 
@@ -34,11 +35,11 @@ impl<C: Color + Debug> Place<C> {
         let mut bins = vec![0; instance.mesh().face_bins_len()];
         let mut faces = instance.transform(&mut cache).bin_faces(&mut bins).expect("room");
         let banded = ways::bands(self.area, self.sky, self.rows, &mut |band, _| {
-            let Ok(()) = faces.solid(shade, &mut band.pixels());
+            let Ok(()) = faces.draw(shade, &mut band.pixels());
         });
         assert!(banded == drawn.solid, "bands of {} rows", self.rows);
         self.deep_bands(instance, &drawn, &mut |faces, depth, band| {
-            let Ok(()) = faces.depth_tested(shade, depth, &mut band.pixels());
+            let Ok(()) = faces.draw(shade, &mut band.pixels().depth_tested(depth));
         });
         drawn
     }
@@ -55,7 +56,7 @@ impl<C: Color + Debug> Place<C> {
         let drawn = self.in_memory(instance, shade);
         assert!(drawn == ways::everywhere(instance, self.area, self.sky, shade));
         self.deep_bands(instance, &drawn, &mut |faces, depth, band| {
-            faces.depth_tested(shade, depth, band).expect("a band refuses nothing");
+            faces.draw(shade, &mut band.depth_tested(depth)).expect("a band refuses nothing");
         });
         drawn
     }

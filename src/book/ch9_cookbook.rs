@@ -66,7 +66,7 @@
 //!
 //! ![Twelve bars seen from above, one of them orange, and the text 12: 60 kWh][docs/cookbook/orbit.png]
 //!
-//! [`PlacedScene::pick`](crate::PlacedScene::pick) finds the bar that is seen in a pixel, without a picture and without a depth buffer.
+//! [`SceneFaces::pick`](crate::SceneFaces::pick) finds the bar that is seen in a pixel, without a picture and without a depth buffer.
 //!
 //! ```
 #![doc = include_str!("cookbook/orbit.rs")]
@@ -89,7 +89,7 @@
 //!
 //! Drivers of e-paper have a framebuffer and often colours of their own: the program draws into it directly, with any colour.
 //! Only the depth comes in strips of 20 rows, as nothing is drawn outside a [`DepthBuffer`](crate::DepthBuffer).
-//! [`hidden_line`](crate::MeshInstance::hidden_line) leaves out what the pawn itself hides.
+//! [`hidden_line`](crate::Edges::hidden_line) leaves out what the pawn itself hides.
 //!
 //! ```
 #![doc = include_str!("cookbook/epaper.rs")]

@@ -31,7 +31,7 @@ impl Camera {
     ///
     /// let mut display = MockDisplay::<BinaryColor>::new();
     /// display.set_allow_overdraw(true); // edges share their end pixels
-    /// camera.place(&mesh, &Affine::identity()).wireframe(BinaryColor::On, &mut [], &mut display)?;
+    /// camera.place(&mesh, &Affine::identity()).edges(|_| BinaryColor::On).draw(&mut display)?;
     /// let Size { width, height } = display.affected_area().size;
     /// assert!(width > 32 && height > 32, "more than half of 64 pixels");
     /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -19,7 +19,7 @@ pub trait Access: sealed::Access {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Writes {}
 
-/// Reads stored pixels, too, which a target can give if they lie in [memory](crate::Target::memory). No value of this type exists.
+/// Reads stored pixels, too, which a target can give if they lie in [memory](crate::Surface::memory). No value of this type exists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Reads {}
@@ -41,7 +41,7 @@ impl Access for Reads {
 /// | [`Mixed<C, M>`](Mixed) | is set to what a [`BlendMode`] makes of the colour and the stored one |
 /// | `Option<Mixed<C, M>>` | is mixed or left out |
 ///
-/// Mixed inks read pixels, so they compile only for targets whose pixels lie in [memory](crate::Target::memory): a
+/// Mixed inks read pixels, so they compile only for targets whose pixels lie in [memory](crate::Surface::memory): a
 /// [`Picture`](crate::Picture)'s or a [`Band`](crate::Band)'s `pixels()`, or a target of your own that has memory.
 ///
 /// ```

@@ -18,14 +18,14 @@ use crate::color::StoredPixel;
 use crate::math::hints::keep_rolled;
 use crate::raster::{rest, share, unrounded_rest, LineArea, LineCoverage, Scissor};
 use crate::shading::Stroke;
-use crate::surface::Target;
+use crate::surface::Surface;
 use core::cell::Cell;
 
 use super::memory_of;
 
 /// Draws a line, whose columns lie in the scissor, which lies in the target, and returns `true`; or draws nothing.
 #[inline(always)]
-pub(crate) fn anti_aliased_line<T: Target, K: Stroke<T::Color>>(
+pub(crate) fn anti_aliased_line<T: Surface, K: Stroke<T::Color>>(
     line: &LineCoverage,
     area: &LineArea,
     scissor: &Scissor,

@@ -6,12 +6,12 @@ use super::{fog_fill, ramp_fill, shaded_fill, solid_fill};
 use crate::color::Ink;
 use crate::raster::{DepthTriangle, Scissor, Triangle};
 use crate::shading::SpanShader;
-use crate::surface::{DepthTarget, Target};
+use crate::surface::{DepthTarget, Surface};
 
 /// Fills a triangle, if the target's pixels lie in memory; otherwise draws nothing and returns `false`. `is_clipped`: the triangle
 /// probably has rows outside the scissor, so the [`Small`](super::Small) tier is not tried.
 #[inline(always)]
-pub(crate) fn fill<T: Target, S: SpanShader<T::Color>>(
+pub(crate) fn fill<T: Surface, S: SpanShader<T::Color>>(
     triangle: &Triangle<'_>,
     shader: &S,
     scissor: &Scissor,
@@ -35,7 +35,7 @@ pub(crate) fn fill<T: Target, S: SpanShader<T::Color>>(
 
 /// [`fill`] for the pixels that are nearer than the depth buffer.
 #[inline(always)]
-pub(crate) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
+pub(crate) fn fill_nearer<T: Surface, S: SpanShader<T::Color>>(
     triangle: &DepthTriangle<'_>,
     shader: &S,
     scissor: &Scissor,

@@ -18,12 +18,12 @@ use crate::color::StoredPixel;
 use crate::raster::{DepthTriangle, Scissor, Triangle};
 use crate::shading::{DrawLevels, FogBounds, FogLevel, SpanShader};
 use crate::surface::block_fill::{fill_pairs, pair};
-use crate::surface::{DepthTarget, Target};
+use crate::surface::{DepthTarget, Surface};
 
 /// Fills a triangle with one colour for each level of fog, if the shader has these and the target's pixels lie in memory; otherwise
 /// draws nothing and returns `false`.
 #[inline(always)]
-pub(crate) fn triangle<T: Target, S: SpanShader<T::Color>>(
+pub(crate) fn triangle<T: Surface, S: SpanShader<T::Color>>(
     triangle: &Triangle<'_>,
     shader: &S,
     scissor: &Scissor,
@@ -39,7 +39,7 @@ struct FogFill<'a, 't, T> {
     target: &'a mut T,
 }
 
-impl<T: Target> DrawLevels<T::Color> for FogFill<'_, '_, T> {
+impl<T: Surface> DrawLevels<T::Color> for FogFill<'_, '_, T> {
     #[inline(always)]
     fn levels(
         self,
@@ -69,7 +69,7 @@ impl<T: Target> DrawLevels<T::Color> for FogFill<'_, '_, T> {
 /// [`triangle`] for the pixels that are nearer than the depth buffer; declines too if the depth buffer does not
 /// [have the layout of the memory](DepthTarget::is_aligned). `is_clipped`: the triangle probably has rows outside the scissor.
 #[inline(always)]
-pub(crate) fn triangle_nearer<T: Target, S: SpanShader<T::Color>>(
+pub(crate) fn triangle_nearer<T: Surface, S: SpanShader<T::Color>>(
     triangle: &DepthTriangle<'_>,
     shader: &S,
     scissor: &Scissor,
@@ -89,7 +89,7 @@ struct FogFillNearer<'a, 't, 'd, 'b, T> {
     target: &'a mut T,
 }
 
-impl<T: Target> DrawLevels<T::Color> for FogFillNearer<'_, '_, '_, '_, T> {
+impl<T: Surface> DrawLevels<T::Color> for FogFillNearer<'_, '_, '_, '_, T> {
     #[inline(always)]
     fn levels(
         self,

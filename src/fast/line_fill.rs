@@ -1,6 +1,6 @@
 //! Lines of one colour, into memory.
 //!
-//! - **Plain twin**: `pipeline::fill::line`, which passes each span of [`raster::line`](crate::raster::line()) to `Target::fill`.
+//! - **Plain twin**: `pipeline::fill::line`, which passes each span of [`raster::line`](crate::raster::line()) to `Surface::fill`.
 //! - **Domain**: every line, on a target whose pixels lie in memory.
 //! - **Gain**: a steep line costs no span and no error term per pixel: its step takes two instructions. Not measured alone.
 //! - **Test**: `by_every_call` in `tests/support/src/bridge/ways.rs`, and `tests/raster/lines.rs` against
@@ -17,13 +17,13 @@ use crate::color::StoredPixel;
 use crate::math::hints::{keep_branch, keep_rolled};
 use crate::raster::{pixel_index, LineSetup, LineSpans, Pixel, Scissor, Span};
 use crate::surface::block_fill::{fill_pairs, pair};
-use crate::surface::Target;
+use crate::surface::Surface;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// Draws a line inside the scissor, which lies in the target, if the target's pixels lie in memory; otherwise draws nothing and
 /// returns `false`.
 #[inline(always)]
-pub(crate) fn line_into_memory<T: Target>(
+pub(crate) fn line_into_memory<T: Surface>(
     from: Pixel,
     to: Pixel,
     scissor: &Scissor,

@@ -1,7 +1,7 @@
 //! Lines of one colour in one call each, pixel by pixel, into targets where a call costs more than a pixel.
 //!
-//! - **Plain twin**: `pipeline::fill::line`, which passes each span of [`raster::line`](crate::raster::line()) to `Target::fill`.
-//! - **Domain**: lines of at most [`LONGEST`] pixels inside the scissor, on a target whose [`LEAST_RUN`](Target::LEAST_RUN) is
+//! - **Plain twin**: `pipeline::fill::line`, which passes each span of [`raster::line`](crate::raster::line()) to `Surface::fill`.
+//! - **Domain**: lines of at most [`LONGEST`] pixels inside the scissor, on a target whose [`LEAST_RUN`](Surface::LEAST_RUN) is
 //!   more than 1; except flat lines with `LEAST_RUN` pixels per run or more.
 //! - **Gain**: S6 into a DrawTarget in memory takes 29 % of the instructions on an M3, 14 for a pixel.
 //! - **Test**: `tests/raster/lines.rs`.
@@ -12,15 +12,15 @@
 use super::line_slope::{slope, HALF, LONGEST};
 use crate::math::hints::keep_rolled;
 use crate::raster::{LineSetup, Pixel, Scissor};
-use crate::surface::Target;
+use crate::surface::Surface;
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::Pixel as ColoredPixel;
 
-/// Draws a line in one call of [`Target::draw_pixels`], if it is in the domain; otherwise draws nothing and returns `None`. The
+/// Draws a line in one call of [`Surface::draw_pixels`], if it is in the domain; otherwise draws nothing and returns `None`. The
 /// scissor lies in the target.
 #[inline(always)]
-pub(crate) fn line_by_pixels<T: Target>(
+pub(crate) fn line_by_pixels<T: Surface>(
     from: Pixel,
     to: Pixel,
     scissor: &Scissor,
@@ -34,7 +34,7 @@ pub(crate) fn line_by_pixels<T: Target>(
 }
 
 #[inline(never)] // one copy for all callers
-fn line<T: Target>(
+fn line<T: Surface>(
     from: Pixel,
     to: Pixel,
     scissor: &Scissor,
@@ -68,7 +68,7 @@ fn line<T: Target>(
 }
 
 #[inline(never)] // its loop needs all registers
-fn draw<T: Target>(
+fn draw<T: Surface>(
     target: &mut T,
     pixels: impl Iterator<Item = ColoredPixel<T::Color>>,
 ) -> Result<(), T::Error> {

@@ -1,6 +1,6 @@
 //! The loops over the pixels of a run in memory: any inks, with depth or without.
 //!
-//! - **Plain twins**: `Target::fill_run` for each run; with depth, `DepthBuffer::test_kept` before it.
+//! - **Plain twins**: `Surface::fill_run` for each run; with depth, `DepthBuffer::test_kept` before it.
 //! - **Domain**: runs of pixels that lie in memory, with depth also in the depth buffer.
 //! - **Gain**: pixels of [`Blocks`] are written eight at once, with depth where the depth buffer is still clear, the common case: 7.4
 //!   instructions for a texel in place of 11 on an M3, 4.6 for a mixed pixel in place of 6.4 (S5 half), 8.6 in place of 10.7

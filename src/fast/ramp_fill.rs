@@ -19,13 +19,13 @@ use crate::math::cores::CORTEX_M0;
 use crate::math::hints::keep_branch;
 use crate::raster::{DepthTriangle, Gradient, Scissor, Triangle};
 use crate::shading::{PackedLine, TableShader};
-use crate::surface::{DepthTarget, Target};
+use crate::surface::{DepthTarget, Surface};
 
 /// Fills a triangle with colours of a table where it is nearer than the depth buffer, if the target's pixels lie in memory and the depth
 /// buffer [has their layout](DepthTarget::is_aligned); otherwise draws nothing and returns `false`. `is_clipped`: the triangle probably
 /// has rows outside the scissor.
 #[inline(always)]
-pub(crate) fn table_nearer<T: Target>(
+pub(crate) fn table_nearer<T: Surface>(
     triangle: &DepthTriangle<'_>,
     shader: &TableShader<'_, T::Color>,
     scissor: &Scissor,

@@ -1,6 +1,6 @@
 //! Triangles with an ink per pixel, computed by a shader, into memory.
 //!
-//! - **Plain twins**: `pipeline::fill::fill` and `fill_nearer`, which pass each span to `Target::fill_run`, with depth each run
+//! - **Plain twins**: `pipeline::fill::fill` and `fill_nearer`, which pass each span to `Surface::fill_run`, with depth each run
 //!   of nearer pixels; for inks that leave out pixels or are mixed with stored pixels, `shade_spans` and
 //!   `shade_spans_nearer` pass the runs of the pixels that are drawn.
 //! - **Domain**: every triangle and shader, on a target whose pixels lie in memory.
@@ -17,12 +17,12 @@ use super::{depth_gradient, memory_of, RowOrigin};
 use crate::color::Ink;
 use crate::raster::{DepthTriangle, Gradient, Scissor, Span, Triangle};
 use crate::shading::{DrawRuns, Line, SpanShader};
-use crate::surface::{CellOf, DepthBuffer, DepthTarget, PixelRows, PixelStore, Target};
+use crate::surface::{CellOf, DepthBuffer, DepthTarget, PixelRows, PixelStore, Surface};
 
 /// Fills a triangle with the inks of a shader, if the target's pixels lie in memory; otherwise draws
 /// nothing and returns `false`.
 #[inline(always)]
-pub(crate) fn triangle<T: Target, S: SpanShader<T::Color>>(
+pub(crate) fn triangle<T: Surface, S: SpanShader<T::Color>>(
     triangle: &Triangle<'_>,
     shader: &S,
     scissor: &Scissor,
@@ -35,7 +35,7 @@ pub(crate) fn triangle<T: Target, S: SpanShader<T::Color>>(
 
 /// [`triangle`] for one ink that is mixed with the stored pixels.
 #[inline(always)]
-pub(crate) fn triangle_of_one_ink<T: Target, I: Ink<T::Color>>(
+pub(crate) fn triangle_of_one_ink<T: Surface, I: Ink<T::Color>>(
     triangle: &Triangle<'_>,
     ink: I,
     scissor: &Scissor,
@@ -49,13 +49,13 @@ pub(crate) fn triangle_of_one_ink<T: Target, I: Ink<T::Color>>(
 }
 
 /// A triangle and the memory that it is filled into.
-struct ShadedFill<'a, 't, T: Target> {
+struct ShadedFill<'a, 't, T: Surface> {
     memory: &'a mut PixelRows<T::Store>,
     triangle: &'a Triangle<'t>,
     scissor: &'a Scissor,
 }
 
-impl<T: Target, I: Ink<T::Color>> DrawRuns<I> for ShadedFill<'_, '_, T> {
+impl<T: Surface, I: Ink<T::Color>> DrawRuns<I> for ShadedFill<'_, '_, T> {
     #[inline(always)]
     fn runs<R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = I>>(self, runs: impl Fn(Span) -> R) {
         let Self { memory, triangle, scissor } = self;
@@ -175,7 +175,7 @@ impl<Cell> FillRow for SpanRows<'_, '_, Cell> {
 
 /// [`triangle`] for the pixels that are nearer than the depth buffer, whose rows may lie otherwise than those of the memory.
 #[inline(always)]
-pub(crate) fn triangle_nearer<T: Target, S: SpanShader<T::Color>>(
+pub(crate) fn triangle_nearer<T: Surface, S: SpanShader<T::Color>>(
     triangle: &DepthTriangle<'_>,
     shader: &S,
     scissor: &Scissor,
@@ -192,14 +192,14 @@ pub(crate) fn triangle_nearer<T: Target, S: SpanShader<T::Color>>(
 }
 
 /// A triangle, and the memory and depth buffer that it is filled into. `WRITES`: whether depths are stored.
-struct ShadedFillNearer<'a, 't, 'd, 'b, T: Target, const WRITES: bool> {
+struct ShadedFillNearer<'a, 't, 'd, 'b, T: Surface, const WRITES: bool> {
     memory: &'a mut PixelRows<T::Store>,
     depth: &'a mut DepthTarget<'d, 'b>,
     triangle: &'a DepthTriangle<'t>,
     scissor: &'a Scissor,
 }
 
-impl<T: Target, const WRITES: bool> ShadedFillNearer<'_, '_, '_, '_, T, WRITES> {
+impl<T: Surface, const WRITES: bool> ShadedFillNearer<'_, '_, '_, '_, T, WRITES> {
     /// Calls `put` with the pixels and depths of each run, and depth at its first pixel; it returns depth after the last one.
     #[inline(always)]
     fn each_run<Q, R: Iterator<Item = (i32, Q)>>(
@@ -215,7 +215,7 @@ impl<T: Target, const WRITES: bool> ShadedFillNearer<'_, '_, '_, '_, T, WRITES> 
     }
 }
 
-impl<T: Target, I: Ink<T::Color>, const WRITES: bool> DrawRuns<I>
+impl<T: Surface, I: Ink<T::Color>, const WRITES: bool> DrawRuns<I>
     for ShadedFillNearer<'_, '_, '_, '_, T, WRITES>
 {
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! Triangles of one colour, into memory.
 //!
-//! - **Plain twins**: `pipeline::fill::fill`, which passes each span to `Target::fill`; with depth `fill_nearer`:
-//!   `DepthBuffer::test` for each span, and `Target::fill` for each run of visible pixels.
+//! - **Plain twins**: `pipeline::fill::fill`, which passes each span to `Surface::fill`; with depth `fill_nearer`:
+//!   `DepthBuffer::test` for each span, and `Surface::fill` for each run of visible pixels.
 //! - **Domain**: every triangle, on a target whose pixels lie in memory; with depth, only where the depth buffer is laid out as the
 //!   memory is.
 //! - **Gain**: rows go from the edge walker to the cells without a span in between; a small triangle (32 × 30 pixels, or 31 rows
@@ -18,12 +18,12 @@ use crate::math::cores::CORTEX_M0;
 use crate::math::hints::opaque;
 use crate::raster::{DepthTriangle, Gradient, Scissor, ScreenPoint, Triangle};
 use crate::surface::block_fill::{fill_pairs, LONG};
-use crate::surface::{DepthTarget, Target};
+use crate::surface::{DepthTarget, Surface};
 
 /// Fills a triangle, if the target's pixels lie in memory; otherwise draws nothing and returns `false`. `is_clipped`: the
 /// triangle probably has rows outside the scissor, so the [`Small`](super::Small) tier is not tried.
 #[inline(always)]
-pub(crate) fn triangle<T: Target>(
+pub(crate) fn triangle<T: Surface>(
     triangle: &Triangle<'_>,
     color: T::Color,
     scissor: &Scissor,
@@ -38,7 +38,7 @@ pub(crate) fn triangle<T: Target>(
 /// [`triangle`] for 2D drawing, clipped to the part of the target that 2D drawing can reach. `area` is the
 /// [`area`](crate::raster::area()) of the corners and not zero.
 #[inline(always)]
-pub(crate) fn triangle_2d<T: Target>(
+pub(crate) fn triangle_2d<T: Surface>(
     corners: [ScreenPoint; 3],
     area: i64,
     color: T::Color,
@@ -53,7 +53,7 @@ pub(crate) fn triangle_2d<T: Target>(
 /// [`triangle`] for the pixels that are nearer than the depth buffer; declines too if the depth buffer does not
 /// [have the layout of the memory](DepthTarget::is_aligned).
 #[inline(always)]
-pub(crate) fn triangle_nearer<T: Target>(
+pub(crate) fn triangle_nearer<T: Surface>(
     triangle: &DepthTriangle<'_>,
     color: T::Color,
     scissor: &Scissor,

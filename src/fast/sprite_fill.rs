@@ -9,12 +9,12 @@ use super::memory_of;
 use super::put_run::{put_each, put_each_nearer, Inked};
 use crate::color::Ink;
 use crate::raster::Span;
-use crate::surface::Target;
+use crate::surface::Surface;
 
 /// Sets the pixels of a span to their inks, if the target's pixels lie in memory; otherwise draws nothing and returns `false`. With
 /// `DEPTH`, only pixels whose stored depths are larger than `own`, which replaces them unless the ink is mixed with stored pixels.
 #[inline(always)]
-pub(crate) fn row<T: Target, I: Ink<T::Color>, const DEPTH: bool>(
+pub(crate) fn row<T: Surface, I: Ink<T::Color>, const DEPTH: bool>(
     span: Span,
     inks: impl Iterator<Item = I>,
     own: u16,

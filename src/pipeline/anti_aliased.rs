@@ -10,7 +10,7 @@ use crate::math::hints::{keep_rolled, opaque_next};
 use crate::raster::{
     rest, weighted_area, Column, LineArea, LineCoverage, LineDepth, LineEnds, Pixel, Scissor,
 };
-use crate::surface::{DepthBuffer, Memory, Target};
+use crate::surface::{DepthBuffer, Memory, Surface};
 
 /// How many pixels an edge reaches beyond the rows and columns of its ends' pixels. A pixel of which a part is covered has its centre
 /// within 1.21 pixels of the line, and a pixel of which a part belongs to the line within ⅔ pixel before its end: together they are
@@ -19,7 +19,7 @@ pub(super) const BEYOND: i32 = 1;
 
 /// Draws a line between the centres of two pixels, from border to border.
 #[inline(always)]
-pub(super) fn line_between_pixels<T: Target, K: StrokeFor<T>>(
+pub(super) fn line_between_pixels<T: Surface, K: StrokeFor<T>>(
     ends: [Pixel; 2],
     scissor: &Scissor,
     stroke: K,
@@ -33,7 +33,7 @@ pub(super) fn line_between_pixels<T: Target, K: StrokeFor<T>>(
 
 /// Draws an edge of a mesh without a depth test, if it reaches into the viewport.
 #[inline(never)] // one copy for all callers
-pub(super) fn edge<T: Target, K: StrokeFor<T>>(
+pub(super) fn edge<T: Surface, K: StrokeFor<T>>(
     ends: &[UnpackedVertex; 2],
     viewport: &Scissor,
     scissor: &Scissor,
@@ -60,7 +60,7 @@ pub(super) fn edge<T: Target, K: StrokeFor<T>>(
 
 /// Draws the columns of a line whose pixels belong to the line.
 #[inline(never)] // one copy for all callers
-fn all_columns<T: Target, K: StrokeFor<T>>(
+fn all_columns<T: Surface, K: StrokeFor<T>>(
     mut line: LineCoverage,
     area: &LineArea,
     scissor: &Scissor,
@@ -82,7 +82,7 @@ fn all_columns<T: Target, K: StrokeFor<T>>(
 /// Draws the columns of a line that may have pixels outside the scissor, and returns the line's other columns.
 #[cold]
 #[inline(never)]
-fn ends_of_line<T: Target, K: StrokeFor<T>>(
+fn ends_of_line<T: Surface, K: StrokeFor<T>>(
     line: LineCoverage,
     area: &LineArea,
     scissor: &Scissor,
@@ -97,7 +97,7 @@ fn ends_of_line<T: Target, K: StrokeFor<T>>(
 
 /// Mixes the pixels of a line that lie in the scissor. `ends`: the weights of the pixels, if the columns lie at an end.
 #[inline(never)]
-fn by_pixels<T: Target, K: StrokeFor<T>>(
+fn by_pixels<T: Surface, K: StrokeFor<T>>(
     line: &LineCoverage,
     area: &LineArea,
     ends: Option<&LineEnds>,
@@ -112,7 +112,7 @@ fn by_pixels<T: Target, K: StrokeFor<T>>(
 /// share of the line's color, in 2⁻¹⁶. `ends`: as in [`by_pixels`].
 #[inline(always)]
 #[allow(clippy::too_many_arguments)]
-fn mix_columns<const UNROLLED: bool, T: Target, K: StrokeFor<T>, D: Copy>(
+fn mix_columns<const UNROLLED: bool, T: Surface, K: StrokeFor<T>, D: Copy>(
     line: &LineCoverage,
     area: &LineArea,
     ends: Option<&LineEnds>,
@@ -179,7 +179,7 @@ fn meet(ends: [[i32; 2]; 2], viewport: &Scissor) -> bool {
 /// where the line's color has at least half of a pixel.
 #[inline(never)] // one copy for both callers
 #[allow(clippy::too_many_arguments)]
-pub(super) fn visible_edge<T: Target, K: StrokeFor<T>>(
+pub(super) fn visible_edge<T: Surface, K: StrokeFor<T>>(
     ends: &[UnpackedVertex; 2],
     stores: bool,
     is_drawn_over: &mut dyn FnMut(u16, i32, i32) -> bool,

@@ -5,28 +5,21 @@ use super::draw_region::{pixels, DrawRegion};
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::math::Coordinate;
+use crate::scene::FacePlanes;
 use crate::surface::BufferError;
-use crate::surface::{rectangle, DepthBuffer};
+use crate::surface::{rectangle, DepthBuffer, Tested};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// What was transformed with depth: the calls that take a depth buffer ask for it, so that the compiler says what is missing.
+/// What can be drawn into a target with this [test](crate::Target::Test): with a depth buffer, only what was transformed with depth. Draw
+/// calls ask for it, so that the compiler says what is missing.
 #[diagnostic::on_unimplemented(
     message = "a depth buffer needs vertices with depth, and these were transformed without it",
     label = "vertices without depth",
     note = "call `transform_depth` instead of `transform`, or `bin_faces_with_depth` instead of `bin_faces`"
 )]
-pub trait HasDepth<WithDepth> {
-    /// These faces, edges or vertices, in the type with depth, which they already have.
-    #[doc(hidden)]
-    fn with_depth(&mut self) -> &mut WithDepth;
-}
+pub trait DrawnWith<Test> {}
 
-impl<T> HasDepth<T> for T {
-    #[inline(always)]
-    fn with_depth(&mut self) -> &mut T {
-        self
-    }
-}
+impl<V: Coordinate, P: FacePlanes> DrawnWith<Tested> for TransformedMesh<'_, V, true, P> {}
 
 /// The visible primitives of a mesh, binned by their first rows, and the vertices that they are drawn from.
 #[derive(Debug)]

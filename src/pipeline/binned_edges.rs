@@ -1,7 +1,7 @@
 //! Edges that are binned once per frame and drawn band by band.
 
 use super::anti_aliased;
-use super::binned::{Binned, HasDepth};
+use super::binned::{Binned, DrawnWith};
 use super::bins::Bins;
 use super::bounds::bounds;
 use super::draw_region::{pixels, DrawRegion};
@@ -15,8 +15,7 @@ use crate::math::Coordinate;
 use crate::raster::Scissor;
 use crate::scene::FacePlanes;
 use crate::shading::Stroke;
-use crate::surface::BufferError;
-use crate::surface::{DepthBuffer, Target};
+use crate::surface::{BufferError, DepthBuffer, DepthTestedSurface, Surface, Target, Tested, Untested};
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -107,19 +106,35 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
 }
 
 impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
-    /// Draws the edges in a band: see [`MeshInstance::wireframe`](crate::MeshInstance::wireframe).
+    /// Draws the edges in a band as [`Edges::draw`](crate::Edges::draw) does.
     ///
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn draw<T: Target, K: StrokeFor<T>>(&mut self, stroke: K, band: &mut T) -> Result<(), T::Error> {
-        let region = self.advance_to_band::<K, T::Color>(&band.area(), None);
-        self.draw_lines(&region, stroke, band)
+    pub fn draw<T: Target, K: StrokeFor<T::Surface>>(
+        &mut self,
+        stroke: K,
+        band: &mut T,
+    ) -> Result<(), T::Error>
+    where
+        Self: DrawnWith<T::Test>,
+    {
+        band.dispatch(
+            self,
+            |edges, band| {
+                let region = edges.advance_to_band::<K, T::Color>(&band.area(), None);
+                edges.draw_lines(&region, stroke, band)
+            },
+            |edges, band, depth| {
+                let region = edges.advance_to_band::<K, T::Color>(&band.area(), Some(depth));
+                edges.draw_depth_tested(&region, stroke, depth, band)
+            },
+        )
     }
 
     #[inline(never)] // its stack frame does not exist while the bins advance
-    fn draw_lines<T: Target, K: StrokeFor<T>>(
+    fn draw_lines<T: Surface, K: StrokeFor<T>>(
         &mut self,
         region: &DrawRegion,
         stroke: K,
@@ -207,51 +222,28 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     }
 }
 
-impl<'a, V: Coordinate, const DEPTH: bool> BinnedEdges<'a, V, DEPTH> {
-    /// Draws the edges in a band as [`MeshInstance::wireframe_depth_tested`](crate::MeshInstance::wireframe_depth_tested) does.
+impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
+    /// Draws the edges in a band as [`Edges::hidden_line`](crate::Edges::hidden_line) does.
     ///
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn depth_tested<T: Target, K: StrokeFor<T>>(
+    pub fn hidden_line<T: Surface, K: StrokeFor<T>>(
         &mut self,
         stroke: K,
-        depth: &mut DepthBuffer<'_>,
-        band: &mut T,
+        band: &mut DepthTestedSurface<'_, '_, T>,
     ) -> Result<(), T::Error>
     where
-        Self: HasDepth<BinnedEdges<'a, V, true>>,
+        Self: DrawnWith<Tested>,
     {
-        let edges = self.with_depth();
-        let region = edges.advance_to_band::<K, T::Color>(&band.area(), Some(depth));
-        edges.draw_depth_tested(&region, stroke, depth, band)
+        let DepthTestedSurface { surface, depth } = band;
+        let region = self.advance_to_band::<K, T::Color>(&surface.area(), Some(depth));
+        self.draw_hidden_line(&region, stroke, depth, surface)
     }
 
-    /// Draws the edges in a band as [`MeshInstance::hidden_line`](crate::MeshInstance::hidden_line) does.
-    ///
-    /// # Errors
-    ///
-    /// The target's error, at the first span that it refuses.
-    #[inline(always)]
-    pub fn hidden_line<T: Target, K: StrokeFor<T>>(
-        &mut self,
-        stroke: K,
-        depth: &mut DepthBuffer<'_>,
-        band: &mut T,
-    ) -> Result<(), T::Error>
-    where
-        Self: HasDepth<BinnedEdges<'a, V, true>>,
-    {
-        let edges = self.with_depth();
-        let region = edges.advance_to_band::<K, T::Color>(&band.area(), Some(depth));
-        edges.draw_hidden_line(&region, stroke, depth, band)
-    }
-}
-
-impl<V: Coordinate> BinnedEdges<'_, V, true> {
     #[inline(never)] // its stack frame does not exist while the bins advance
-    fn draw_depth_tested<T: Target, K: StrokeFor<T>>(
+    fn draw_depth_tested<T: Surface, K: StrokeFor<T>>(
         &mut self,
         region: &DrawRegion,
         stroke: K,
@@ -262,7 +254,7 @@ impl<V: Coordinate> BinnedEdges<'_, V, true> {
     }
 
     #[inline(never)] // its stack frame does not exist while the bins advance
-    fn draw_hidden_line<T: Target, K: StrokeFor<T>>(
+    fn draw_hidden_line<T: Surface, K: StrokeFor<T>>(
         &mut self,
         region: &DrawRegion,
         stroke: K,
@@ -274,6 +266,9 @@ impl<V: Coordinate> BinnedEdges<'_, V, true> {
         })
     }
 }
+
+impl<V: Coordinate, const DEPTH: bool> DrawnWith<Untested> for BinnedEdges<'_, V, DEPTH> {}
+impl<V: Coordinate> DrawnWith<Tested> for BinnedEdges<'_, V, true> {}
 
 #[cfg(feature = "defmt")]
 impl<V: Coordinate, const DEPTH: bool> defmt::Format for BinnedEdges<'_, V, DEPTH> {

@@ -1,6 +1,6 @@
 //! Faces that are binned once per frame and drawn band by band.
 
-use super::binned::{Binned, HasDepth};
+use super::binned::{Binned, DrawnWith};
 use super::bins::{BinSort, Bins};
 use super::draw_region::{pixels, DrawRegion};
 use super::drawable::ShaderFor;
@@ -17,8 +17,7 @@ use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
 use crate::scene::FacePlanes;
-use crate::surface::BufferError;
-use crate::surface::{DepthBuffer, DepthTarget, Target};
+use crate::surface::{BufferError, DepthBuffer, DepthTarget, Surface, Target, Tested, Untested};
 use core::convert::Infallible;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -108,7 +107,7 @@ pub(super) fn count_faces<'a, V: Coordinate + 'a, const DEPTH: bool>(
 
 impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// Transforms the vertices, without depth, culls the faces, and sorts the visible ones by their first row, for drawing in
-    /// bands. `cache` holds the transformed vertices, as in [`solid`](Self::solid). `storage` is bin storage that the result
+    /// bands. `cache` holds the transformed vertices, as in [`Faces::cached`](crate::Faces::cached). `storage` is bin storage that the result
     /// borrows: one number per visible face, and one per 16 faces of the mesh, rounded up.
     ///
     /// To draw both faces and edges in bands, [`transform`](Self::transform) the vertices once for both.
@@ -130,7 +129,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// let mut faces = instance.bin_faces(&mut cache, &mut bins)?;
     /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
     /// while let Some(mut band) = frame.next_band(&mut strip)? {
-    ///     faces.solid(|_| Gray8::WHITE, &mut band.pixels())?;
+    ///     faces.draw(|_| Gray8::WHITE, &mut band.pixels())?;
     ///     band.send(&mut display)?;
     /// }
     /// assert_eq!((faces.statistics().drawn, faces.statistics().culled), (1, 1));
@@ -228,26 +227,53 @@ impl FaceSource for BandSource<'_, '_> {
 }
 
 impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
-    /// Draws the faces in a band as [`MeshInstance::solid`] does. `shade` is called once for each
-    /// face that lies in the band. A shader that needs depth compiles only for faces that were [transformed with
-    /// depth](MeshInstance::transform_depth).
+    /// Draws the faces in a band as [`Faces::draw`](crate::Faces::draw) does. `shade` is called once for each face that lies in the band.
+    ///
+    /// For a depth test, create the depth buffer for this band's [area](crate::Band::area): nothing is drawn outside it. Faces whose
+    /// vertices were transformed without depth do not compile with one, and neither do they with a shader that needs depth:
+    ///
+    /// ```compile_fail,E0277
+    /// # use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+    /// # use pinhole::prelude::*;
+    /// fn draw(faces: &mut BinnedFaces<'_>, depth: &mut DepthBuffer<'_>, band: &mut Band<'_, Rgb565>) {
+    ///     // Compiles with `BinnedFaces<'_, i16, true>`.
+    ///     let Ok(()) = faces.draw(|_| Rgb565::RED, &mut band.depth_tested(depth));
+    /// }
+    /// ```
     ///
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn solid<T: Target, S: ShaderFor<T>>(
+    pub fn draw<T: Target, S: ShaderFor<T::Surface>>(
         &mut self,
         shade: impl FnMut(usize) -> S,
         band: &mut T,
-    ) -> Result<(), T::Error> {
-        const { assert!(DEPTH || !S::NEEDS_DEPTH, "this shader needs depth: bin faces of `transform_depth`") };
-        let region = self.advance_to_band(&band.area(), None);
-        self.draw_solid(&region, shade, band)
+    ) -> Result<(), T::Error>
+    where
+        Self: DrawnWith<T::Test>,
+    {
+        band.dispatch(
+            (self, shade),
+            |(faces, shade), band| {
+                const {
+                    assert!(
+                        DEPTH || !S::NEEDS_DEPTH,
+                        "this shader needs depth: bin faces of `transform_depth`"
+                    )
+                };
+                let region = faces.advance_to_band(&band.area(), None);
+                faces.draw_solid(&region, shade, band)
+            },
+            |(faces, shade), band, depth| {
+                let region = faces.advance_to_band(&band.area(), Some(depth));
+                faces.draw_depth_tested(&region, shade, depth, band)
+            },
+        )
     }
 
     #[inline(never)] // its stack frame does not exist while the bins advance
-    fn draw_solid<T: Target, S: ShaderFor<T>>(
+    fn draw_solid<T: Surface, S: ShaderFor<T>>(
         &mut self,
         region: &DrawRegion,
         mut shade: impl FnMut(usize) -> S,
@@ -258,6 +284,24 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
             let shader = shade(index);
             draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
                 fill(&triangle.triangle, shader, &region.scissor, IN_BAND, band)
+            })
+        })
+    }
+
+    #[inline(never)] // its stack frame does not exist while the bins advance
+    fn draw_depth_tested<T: Surface, S: ShaderFor<T>>(
+        &mut self,
+        region: &DrawRegion,
+        mut shade: impl FnMut(usize) -> S,
+        depth: &mut DepthBuffer<'_>,
+        band: &mut T,
+    ) -> Result<(), T::Error> {
+        let instance = self.0.transformed.instance;
+        let mut depth = DepthTarget::new(depth, band);
+        self.each(region, |index, face, triangles| {
+            let shader = shade(index);
+            draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
+                fill_nearer(triangle, shader, &region.scissor, IN_BAND, &mut depth, band)
             })
         })
     }
@@ -289,7 +333,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     ///     let mut sent = Vec::new();
     ///     let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     ///     while let Some(mut band) = frame.nth_band(next.fetch_add(1, Relaxed), &mut strip).expect("a row") {
-    ///         let Ok(()) = faces.solid(|_| Gray8::WHITE, &mut band.pixels());
+    ///         let Ok(()) = faces.draw(|_| Gray8::WHITE, &mut band.pixels());
     ///         sent.push((band.area(), band.colors().collect::<Vec<_>>()));
     ///     }
     ///     sent
@@ -357,69 +401,16 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     }
 }
 
-impl<'a, V: Coordinate, const DEPTH: bool> BinnedFaces<'a, V, DEPTH> {
-    /// Draws the faces in a band as [`MeshInstance::depth_tested`] does. Create `depth` for
-    /// this band's [area](crate::Band::area): nothing is drawn outside the depth buffer. `shade` is called once for each face
-    /// that lies in the band.
-    ///
-    /// Faces whose vertices were transformed without depth do not compile here:
-    ///
-    /// ```compile_fail,E0277
-    /// # use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-    /// # use pinhole::prelude::*;
-    /// fn draw(faces: &mut BinnedFaces<'_>, depth: &mut DepthBuffer<'_>, band: &mut Band<'_, Rgb565>) {
-    ///     let Ok(()) = faces.depth_tested(|_| Rgb565::RED, depth, band); // compiles with BinnedFaces<'_, i16, true>
-    /// }
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// The target's error, at the first span that it refuses.
-    #[inline(always)]
-    pub fn depth_tested<T: Target, S: ShaderFor<T>>(
-        &mut self,
-        shade: impl FnMut(usize) -> S,
-        depth: &mut DepthBuffer<'_>,
-        band: &mut T,
-    ) -> Result<(), T::Error>
-    where
-        Self: HasDepth<BinnedFaces<'a, V, true>>,
-    {
-        let faces = self.with_depth();
-        let region = faces.advance_to_band(&band.area(), Some(depth));
-        faces.draw_depth_tested(&region, shade, depth, band)
-    }
-
+impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     /// Stores the depth of the faces in a band and draws nothing: see
     /// [`MeshInstance::depth_only`].
     #[inline(always)]
     pub fn depth_only(&mut self, depth: &mut DepthBuffer<'_>)
     where
-        Self: HasDepth<BinnedFaces<'a, V, true>>,
+        Self: DrawnWith<Tested>,
     {
-        let faces = self.with_depth();
-        let region = faces.advance_to_band(&depth.area(), None);
-        faces.store_depth(&region, depth);
-    }
-}
-
-impl<V: Coordinate> BinnedFaces<'_, V, true> {
-    #[inline(never)] // its stack frame does not exist while the bins advance
-    fn draw_depth_tested<T: Target, S: ShaderFor<T>>(
-        &mut self,
-        region: &DrawRegion,
-        mut shade: impl FnMut(usize) -> S,
-        depth: &mut DepthBuffer<'_>,
-        band: &mut T,
-    ) -> Result<(), T::Error> {
-        let instance = self.0.transformed.instance;
-        let mut depth = DepthTarget::new(depth, band);
-        self.each(region, |index, face, triangles| {
-            let shader = shade(index);
-            draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
-                fill_nearer(triangle, shader, &region.scissor, IN_BAND, &mut depth, band)
-            })
-        })
+        let region = self.advance_to_band(&depth.area(), None);
+        self.store_depth(&region, depth);
     }
 
     #[inline(never)] // its stack frame does not exist while the bins advance
@@ -430,6 +421,9 @@ impl<V: Coordinate> BinnedFaces<'_, V, true> {
         });
     }
 }
+
+impl<V: Coordinate, const DEPTH: bool> DrawnWith<Untested> for BinnedFaces<'_, V, DEPTH> {}
+impl<V: Coordinate> DrawnWith<Tested> for BinnedFaces<'_, V, true> {}
 
 #[cfg(feature = "defmt")]
 impl<V: Coordinate, const DEPTH: bool> defmt::Format for BinnedFaces<'_, V, DEPTH> {

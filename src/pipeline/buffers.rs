@@ -29,7 +29,7 @@ use crate::camera::ScreenVertex;
 /// let mut frame = Frame::new(display.bounding_box(), Rgb565::BLACK);
 /// while let Some(mut band) = frame.next_band(&mut strip.colors)? {
 ///     let mut depth = DepthBuffer::new(band.area(), &mut strip.depths)?;
-///     faces.depth_tested(|face| Rgb565::CSS_GOLD.dim(64 * (face as u16 + 1)), &mut depth, &mut band.pixels())?;
+///     faces.draw(|face| Rgb565::CSS_GOLD.dim(64 * (face as u16 + 1)), &mut band.pixels().depth_tested(&mut depth))?;
 ///     band.send(&mut display)?;
 /// }
 /// assert!(faces.statistics().drawn > 0);

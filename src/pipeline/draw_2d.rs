@@ -6,7 +6,7 @@ use super::fill::{fill, line, scissor_of};
 use crate::color::Ink;
 use crate::fast::solid_fill;
 use crate::raster::{self, Pixel, Scissor, ScreenPoint, Triangle};
-use crate::surface::Target;
+use crate::surface::Surface;
 
 /// Fills the pixels that a triangle covers by the rules of [`raster`](crate::raster), clipped to the target. `corners` are in
 /// the target's coordinates, in 1/256 pixel; either winding is drawn.
@@ -25,7 +25,7 @@ use crate::surface::Target;
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[inline(always)]
-pub fn fill_triangle<T: Target, S: ShaderFor<T>>(
+pub fn fill_triangle<T: Surface, S: ShaderFor<T>>(
     corners: [ScreenPoint; 3],
     shader: S,
     target: &mut T,
@@ -67,7 +67,7 @@ pub fn fill_triangle<T: Target, S: ShaderFor<T>>(
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[inline(always)]
-pub fn draw_line<T: Target, K: StrokeFor<T>>(
+pub fn draw_line<T: Surface, K: StrokeFor<T>>(
     from: Pixel,
     to: Pixel,
     stroke: K,

@@ -1,7 +1,7 @@
 //! The draw region: which pixels a draw call may write.
 
 use crate::raster::Scissor;
-use crate::surface::{inside, DepthBuffer, Target};
+use crate::surface::{inside, DepthBuffer, Surface};
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -22,7 +22,7 @@ pub(super) fn pixels(viewport: &Rectangle) -> Scissor {
 impl DrawRegion {
     /// The part of a viewport that lies in a target.
     #[inline(always)]
-    pub(super) fn new(target: &impl Target, viewport: &Rectangle) -> Self {
+    pub(super) fn new(target: &impl Surface, viewport: &Rectangle) -> Self {
         Self::of(&target.area(), viewport)
     }
 

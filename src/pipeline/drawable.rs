@@ -5,43 +5,43 @@
 
 use crate::color::Ink;
 use crate::shading::{SpanShader, SpriteSource, Stroke};
-use crate::surface::{Gives, Target};
+use crate::surface::{Gives, Surface};
 
 /// A [`SpanShader`] for a target: of its colour type, and with an [`Ink`] that reads pixels only if the target's lie in
-/// [memory](Target::memory). Implemented for every such shader.
+/// [memory](Surface::memory). Implemented for every such shader.
 #[diagnostic::on_unimplemented(
     message = "faces of `{T}` cannot be filled with `{Self}`",
     label = "not a color of the target or a shader for it",
     note = "return the target's color type, or a shader such as `Flat`, `Gouraud`, `Lit` or `Dithered`"
 )]
-pub trait ShaderFor<T: Target>: SpanShader<T::Color> {}
+pub trait ShaderFor<T: Surface>: SpanShader<T::Color> {}
 
-impl<T: Target, S: SpanShader<T::Color>> ShaderFor<T> for S where
+impl<T: Surface, S: SpanShader<T::Color>> ShaderFor<T> for S where
     T::Store: Gives<<S::Ink as Ink<T::Color>>::Access>
 {
 }
 
-/// A [`Stroke`] for a target: of its colour type, and anti-aliased only if the target's pixels lie in [memory](Target::memory).
+/// A [`Stroke`] for a target: of its colour type, and anti-aliased only if the target's pixels lie in [memory](Surface::memory).
 /// Implemented for every such stroke.
 #[diagnostic::on_unimplemented(
     message = "lines of `{T}` cannot be drawn with `{Self}`",
     label = "not a color of the target or a stroke for it",
     note = "pass the target's color type, or `AntiAliased` of it"
 )]
-pub trait StrokeFor<T: Target>: Stroke<T::Color> {}
+pub trait StrokeFor<T: Surface>: Stroke<T::Color> {}
 
-impl<T: Target, K: Stroke<T::Color>> StrokeFor<T> for K where T::Store: Gives<K::Access> {}
+impl<T: Surface, K: Stroke<T::Color>> StrokeFor<T> for K where T::Store: Gives<K::Access> {}
 
 /// A [`SpriteSource`] for a target: of its colour type, and with an [`Ink`] that reads pixels only if the target's lie in
-/// [memory](Target::memory). Implemented for every such picture.
+/// [memory](Surface::memory). Implemented for every such picture.
 #[diagnostic::on_unimplemented(
     message = "`{T}` cannot show sprites of `{Self}`",
     label = "not a picture in the target's colors",
     note = "pass `Texels`, `SpriteImage::new(&image)` of an embedded-graphics image, or `SolidTexel`, in the target's color type"
 )]
-pub trait SpriteFor<T: Target>: SpriteSource<Color = T::Color> {}
+pub trait SpriteFor<T: Surface>: SpriteSource<Color = T::Color> {}
 
-impl<T: Target, S: SpriteSource<Color = T::Color>> SpriteFor<T> for S where
+impl<T: Surface, S: SpriteSource<Color = T::Color>> SpriteFor<T> for S where
     T::Store: Gives<<S::Ink as Ink<T::Color>>::Access>
 {
 }

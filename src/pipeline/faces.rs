@@ -22,7 +22,7 @@ use crate::math::Coordinate;
 use crate::raster::{DepthTriangle, Scissor};
 use crate::scene::FacePlanes;
 use crate::shading::{CornerValues, Shader};
-use crate::surface::{DepthBuffer, DepthTarget, Target};
+use crate::surface::{DepthBuffer, DepthTarget, Surface, Target};
 use core::convert::Infallible;
 
 /// The face loop: culls each face that `source` pushes, clips it if a corner is not on the screen, and calls `sink` with the
@@ -147,7 +147,7 @@ pub(super) fn draw_triangles<V: Coordinate, S: Shader, E>(
 
 /// Draws faces without a depth test.
 #[inline(always)]
-pub(super) fn solid<'a, V: Coordinate + 'a, T: Target, S: ShaderFor<T>, const DEPTH: bool>(
+pub(super) fn solid<'a, V: Coordinate + 'a, T: Surface, S: ShaderFor<T>, const DEPTH: bool>(
     source: impl FaceSource,
     mut cache: impl VertexCache<'a, V, DEPTH>,
     region: &DrawRegion,
@@ -166,7 +166,7 @@ pub(super) fn solid<'a, V: Coordinate + 'a, T: Target, S: ShaderFor<T>, const DE
 
 /// Draws the pixels of faces that are nearer than a depth buffer, and stores their depth.
 #[inline(always)]
-pub(super) fn depth_tested<'a, V: Coordinate + 'a, T: Target, S: ShaderFor<T>>(
+pub(super) fn depth_tested<'a, V: Coordinate + 'a, T: Surface, S: ShaderFor<T>>(
     source: impl FaceSource,
     mut cache: impl VertexCache<'a, V, true>,
     region: &DrawRegion,
@@ -219,20 +219,117 @@ pub(super) fn store_depth<V: Coordinate>(
     }
 }
 
+/// The faces of an instance, with the closure that shades them: drawn, or [picked](Self::pick), by one more call.
+/// [`MeshInstance::faces`] makes it.
+#[derive(Debug)]
+pub struct Faces<'a, V: Coordinate, P: FacePlanes, F> {
+    pub(super) instance: &'a MeshInstance<'a, V, P>,
+    pub(super) shade: F,
+    pub(super) cache: &'a mut [ScreenVertex],
+}
+
 impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
-    /// Draws the faces in the mesh's order, without hidden-surface removal: right for convex meshes, whose front faces never
-    /// hide each other. For other meshes use [`depth_tested`](Self::depth_tested) or a [`Painter`](crate::Painter).
+    /// The faces, to be drawn or picked. `shade` is called once for each face that is drawn, with the face's index, and returns its
+    /// colour or another [`Shader`](crate::Shader).
     ///
-    /// `shade` is called once for each face that is drawn, with the face's index, and returns its colour or another
-    /// [`Shader`](crate::Shader). `cache` holds transformed vertices, as in [`wireframe`](Self::wireframe). Of a mesh [with
-    /// planes](crate::Mesh::with_planes), a vertex is transformed when the first face that may be visible needs it; a vertex
-    /// that must be clipped, or lies farther out than a [`ScreenVertex`] can hold, is transformed again for each such face.
+    /// ```
+    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{meshes::CUBE, prelude::*, Angle};
+    /// # let mut display = MockDisplay::<Gray8>::new();
+    /// # display.set_allow_overdraw(true);
+    /// # let viewport = Viewport::new(Point::zero(), display.size())?;
+    /// # let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let cube = camera.place(&CUBE, &Affine::identity());
+    /// cube.faces(|_| Gray8::WHITE).draw(&mut display)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[inline(always)]
+    pub fn faces<S, F: FnMut(usize) -> S>(&self, shade: F) -> Faces<'_, V, P, F> {
+        Faces { instance: self, shade, cache: &mut [] }
+    }
+}
+
+impl<'a, V: Coordinate, P: FacePlanes, F> Faces<'a, V, P, F> {
+    /// With memory for transformed vertices: as long as the mesh's vertex list, so that each vertex is transformed once. Without it,
+    /// or beyond its end, a vertex is transformed for each face that needs it: slower, but the picture is equal.
+    ///
+    /// Of a mesh [with planes](crate::Mesh::with_planes), a vertex is transformed when the first face that may be visible needs it; a
+    /// vertex that must be clipped, or lies farther out than a [`ScreenVertex`] can hold, is transformed again for each such face.
+    #[must_use]
+    #[inline(always)]
+    pub fn cached(self, cache: &'a mut [ScreenVertex]) -> Self {
+        Self { cache, ..self }
+    }
+
+    /// Draws the faces: into a target without a depth buffer in the mesh's order, without hidden-surface removal, which is right
+    /// for convex meshes, whose front faces never hide each other; into a target [with a depth
+    /// buffer](crate::Surface::depth_tested) the pixels that are nearer than the buffer, whose depth it then stores: right for all
+    /// meshes, also for meshes that pierce each other. A [`Painter`](crate::Painter) needs no depth buffer.
+    ///
+    /// **Depth** is the depth of the face's plane at the pixel's centre, in steps from 0 near to 65534 far, linear on
+    /// the screen. Where two faces have equal depth, the one that was drawn first stays. With a depth buffer, faces are clipped at
+    /// the far plane, even if the camera [does not clip](crate::Camera::with_far_clip) there.
+    ///
+    /// **Error**: within 0.54 of a step for faces within 512 pixels; for larger ones within ½ + 2⁻¹³ and 2⁻¹⁷ for
+    /// every column and row of the viewport. At the far plane a face is drawn half a step nearer, as 65535 is the value of an
+    /// empty buffer: the error there is within 1.1. So faces that are two steps apart are drawn in the right order.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+    /// use pinhole::{
+    ///     space::{Model, World}, Affine, Angle, Camera, Cull, DepthBuffer, Mesh, Point3, Projection,
+    ///     Scalar, Surface, Vector3, ViewTransform, Viewport,
+    /// };
+    /// // Two triangles through each other: one upright, one lying.
+    /// const VERTICES: [[i16; 3]; 6] = [[-9, -9, 0], [9, -9, 0], [0, 9, 0], [-9, 0, 9], [9, 0, 9], [0, 0, -9]];
+    /// let mesh = Mesh::new(&VERTICES, -3, &[[0, 1, 2], [3, 4, 5]])?;
+    /// let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
+    /// let camera = Camera::new(
+    ///     &ViewTransform::look_at(Point3::from_ints(0, 2, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+    ///     &Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_int(1), Scalar::from_int(9))?,
+    ///     &viewport,
+    /// );
+    /// let mut display = MockDisplay::<Gray8>::new();
+    /// display.set_allow_overdraw(true);
+    /// let mut storage = [0; 32 * 32];
+    /// let area = Rectangle::new(Point::zero(), viewport.size());
+    /// let mut depth = DepthBuffer::new(area, &mut storage)?;
+    /// let model = Affine::<Model, World>::identity();
+    /// let instance = camera.place(&mesh, &model).with_cull(Cull::None);
+    /// instance.faces(|face| Gray8::new(100 + face as u8)).draw(&mut display.depth_tested(&mut depth))?;
+    /// let seen = |x, y| display.get_pixel(Point::new(x, y)).map(|c| c.luma());
+    /// assert_eq!((seen(16, 20), seen(16, 10)), (Some(101), Some(100))); // in front of it, and behind
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.
+    #[inline(always)]
+    pub fn draw<T: Target, S: ShaderFor<T::Surface>>(self, target: &mut T) -> Result<Statistics, T::Error>
+    where
+        F: FnMut(usize) -> S,
+    {
+        target.dispatch(
+            self,
+            |Faces { instance, shade, cache }, surface| instance.solid(shade, cache, surface),
+            |Faces { instance, shade, cache }, surface, depth| {
+                instance.depth_tested(shade, cache, depth, surface)
+            },
+        )
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<V: Coordinate, P: FacePlanes, F> defmt::Format for Faces<'_, V, P, F> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "faces of {}", self.instance);
+    }
+}
+
+impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     #[inline(never)] // its stack frame is gone when it returns
-    pub fn solid<T: Target, S: ShaderFor<T>>(
+    fn solid<T: Surface, S: ShaderFor<T>>(
         &self,
         shade: impl FnMut(usize) -> S,
         cache: &mut [ScreenVertex],
@@ -260,57 +357,8 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
         }
     }
 
-    /// Draws the pixels of faces that are nearer than the depth buffer, and stores their depth: right for all meshes, also for
-    /// meshes that pierce each other.
-    ///
-    /// `shade` is called once for each face that is drawn, with the face's index, and returns its colour or another
-    /// [`Shader`](crate::Shader). `cache` holds transformed vertices, as in [`solid`](Self::solid).
-    ///
-    /// **Depth** is the depth of the face's plane at the pixel's centre, in steps from 0 near to 65534 far, linear on
-    /// the screen. Where two faces have equal depth, the one that was drawn first stays. Faces are clipped at the far plane,
-    /// even if the camera [does not clip](crate::Camera::with_far_clip) there. Nothing is drawn outside the depth buffer.
-    ///
-    /// **Error**: within 0.54 of a step for faces within 512 pixels; for larger ones within ½ + 2⁻¹³ and 2⁻¹⁷ for
-    /// every column and row of the viewport. At the far plane a face is drawn half a step nearer, as 65535 is the value of an
-    /// empty buffer: the error there is within 1.1. So faces that are two steps apart are drawn in the right order.
-    ///
-    /// ```
-    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*, primitives::Rectangle};
-    /// use pinhole::{
-    ///     space::{Model, World}, Affine, Angle, Camera, Cull, DepthBuffer, Mesh, Point3, Projection,
-    ///     Scalar, Vector3, ViewTransform, Viewport,
-    /// };
-    /// // Two triangles through each other: one upright, one lying.
-    /// const VERTICES: [[i16; 3]; 6] = [[-9, -9, 0], [9, -9, 0], [0, 9, 0], [-9, 0, 9], [9, 0, 9], [0, 0, -9]];
-    /// let mesh = Mesh::new(&VERTICES, -3, &[[0, 1, 2], [3, 4, 5]])?;
-    /// let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
-    /// let camera = Camera::new(
-    ///     &ViewTransform::look_at(Point3::from_ints(0, 2, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-    ///     &Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_int(1), Scalar::from_int(9))?,
-    ///     &viewport,
-    /// );
-    /// let mut display = MockDisplay::<Gray8>::new();
-    /// display.set_allow_overdraw(true);
-    /// let mut storage = [0; 32 * 32];
-    /// let area = Rectangle::new(Point::zero(), viewport.size());
-    /// let mut depth = DepthBuffer::new(area, &mut storage)?;
-    /// let model = Affine::<Model, World>::identity();
-    /// camera.place(&mesh, &model).with_cull(Cull::None).depth_tested(
-    ///     |face| Gray8::new(100 + face as u8),
-    ///     &mut [],
-    ///     &mut depth,
-    ///     &mut display,
-    /// )?;
-    /// let seen = |x, y| display.get_pixel(Point::new(x, y)).map(|c| c.luma());
-    /// assert_eq!((seen(16, 20), seen(16, 10)), (Some(101), Some(100))); // in front of it, and behind
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// The target's error, at the first span that it refuses.
     #[inline(never)] // its stack frame is gone when it returns
-    pub fn depth_tested<T: Target, S: ShaderFor<T>>(
+    fn depth_tested<T: Surface, S: ShaderFor<T>>(
         &self,
         shade: impl FnMut(usize) -> S,
         cache: &mut [ScreenVertex],
@@ -328,7 +376,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     }
 
     /// Stores the depth of the faces and draws nothing: the first step of hidden-line removal. The depth is, bit for bit, that
-    /// of [`depth_tested`](Self::depth_tested). [`hidden_line`](Self::hidden_line) has an example.
+    /// of [`Faces::draw`]. `cache` is that of [`Faces::cached`], or empty. [`Edges::hidden_line`](crate::Edges::hidden_line) has an example.
     #[inline(never)] // its stack frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [ScreenVertex], depth: &mut DepthBuffer<'_>) -> Statistics {
         let instance = &self.any;

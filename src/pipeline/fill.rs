@@ -9,13 +9,13 @@ use crate::color::Ink;
 use crate::fast::{self, line_fill, line_pixels};
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
 use crate::shading::SpanShader;
-use crate::surface::{draw_run, drawable, each_run, DepthTarget, Target};
+use crate::surface::{draw_run, drawable, each_run, DepthTarget, Surface};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// Fills the pixels of a triangle inside the scissor, which lies in the target. `is_clipped`: whether the triangle probably has
 /// rows outside the scissor, as most triangles in a band have; it changes no pixel, only which path is tried.
 #[inline(always)]
-pub(super) fn fill<T: Target, S: ShaderFor<T>>(
+pub(super) fn fill<T: Surface, S: ShaderFor<T>>(
     triangle: &Triangle<'_>,
     shader: &S,
     scissor: &Scissor,
@@ -33,7 +33,7 @@ pub(super) fn fill<T: Target, S: ShaderFor<T>>(
 
 /// The plain path of [`fill`] for one colour.
 #[inline(never)] // its stack frame is gone when it returns
-fn fill_spans<T: Target>(
+fn fill_spans<T: Surface>(
     triangle: &Triangle<'_>,
     color: T::Color,
     scissor: &Scissor,
@@ -45,7 +45,7 @@ fn fill_spans<T: Target>(
 
 /// The plain path of [`fill`] for inks that vary, or that are not colours.
 #[inline(never)] // its stack frame is gone when it returns
-fn shade_spans<T: Target, S: ShaderFor<T>>(
+fn shade_spans<T: Surface, S: ShaderFor<T>>(
     triangle: &Triangle<'_>,
     shader: &S,
     scissor: &Scissor,
@@ -65,7 +65,7 @@ fn shade_spans<T: Target, S: ShaderFor<T>>(
 /// Fills the pixels of a triangle inside the scissor that are nearer than the depth buffer. The scissor lies in the target and
 /// in the depth buffer. `is_clipped` is that of [`fill`].
 #[inline(always)]
-pub(super) fn fill_nearer<T: Target, S: ShaderFor<T>>(
+pub(super) fn fill_nearer<T: Surface, S: ShaderFor<T>>(
     triangle: &DepthTriangle<'_>,
     shader: &S,
     scissor: &Scissor,
@@ -84,7 +84,7 @@ pub(super) fn fill_nearer<T: Target, S: ShaderFor<T>>(
 
 /// The plain path of [`fill_nearer`] for one colour.
 #[inline(never)] // its stack frame is gone when it returns
-fn fill_spans_nearer<T: Target>(
+fn fill_spans_nearer<T: Surface>(
     triangle: &DepthTriangle<'_>,
     color: T::Color,
     scissor: &Scissor,
@@ -103,7 +103,7 @@ fn fill_spans_nearer<T: Target>(
 
 /// The plain path of [`fill_nearer`] for inks that vary, or that are not colours.
 #[inline(never)] // its stack frame is gone when it returns
-fn shade_spans_nearer<T: Target, S: ShaderFor<T>>(
+fn shade_spans_nearer<T: Surface, S: ShaderFor<T>>(
     triangle: &DepthTriangle<'_>,
     shader: &S,
     scissor: &Scissor,
@@ -117,7 +117,7 @@ fn shade_spans_nearer<T: Target, S: ShaderFor<T>>(
 }
 
 #[inline(never)] // its large stack frame does not exist while the next span is computed
-fn shade_span_nearer<T: Target, S: ShaderFor<T>>(
+fn shade_span_nearer<T: Surface, S: ShaderFor<T>>(
     span: Span,
     setup: &S::Setup,
     gradient: &Gradient,
@@ -133,7 +133,7 @@ fn shade_span_nearer<T: Target, S: ShaderFor<T>>(
 
 /// The colour of all pixels, if the shader has only one and sets each pixel to it.
 #[inline(always)]
-fn solid_color<T: Target, S: SpanShader<T::Color>>(shader: &S) -> Option<T::Color> {
+fn solid_color<T: Surface, S: SpanShader<T::Color>>(shader: &S) -> Option<T::Color> {
     shader.solid().filter(|_| S::Ink::IS_OPAQUE).and_then(Ink::own)
 }
 
@@ -149,7 +149,7 @@ pub(super) fn kept_pixels<C: PixelColor, S: SpanShader<C>>(
 
 /// Draws a line inside the scissor, which lies in the target.
 #[inline(always)]
-pub(super) fn line<T: Target>(
+pub(super) fn line<T: Surface>(
     target: &mut T,
     from: Pixel,
     to: Pixel,
@@ -167,7 +167,7 @@ pub(super) fn line<T: Target>(
 
 /// [`line`] for bands, which cut most lines: [`line_pixels`] would decline, so its code is not linked.
 #[inline(always)]
-pub(super) fn line_in_band<T: Target>(
+pub(super) fn line_in_band<T: Surface>(
     target: &mut T,
     from: Pixel,
     to: Pixel,
@@ -183,7 +183,7 @@ pub(super) fn line_in_band<T: Target>(
 /// The part of a target inside the guard band, in which 2D drawing is done. `Memory` stores it, so that it is not computed for
 /// each triangle.
 #[inline(always)]
-pub(super) fn scissor_of<T: Target>(target: &mut T) -> Scissor {
+pub(super) fn scissor_of<T: Surface>(target: &mut T) -> Scissor {
     match target.memory() {
         Some(memory) => *memory.drawable(),
         None => drawable(&target.area()),

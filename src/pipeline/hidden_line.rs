@@ -5,45 +5,22 @@ use super::cull::Facing;
 use super::draw_region::DrawRegion;
 use super::drawable::StrokeFor;
 use super::face_triangles::FaceTriangles;
-use super::instance::{AnyInstance, MeshInstance};
+use super::instance::AnyInstance;
+#[cfg(doc)]
+use super::instance::MeshInstance;
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
-use super::wireframe::each_edge;
+use super::wireframe::{each_edge, Edges};
 use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::math::Coordinate;
 use crate::raster::{self, DepthTriangle, EdgePlanes, LineDepth, Scissor, ScreenPoint, Span};
 use crate::scene::FacePlanes;
-use crate::surface::{DepthBuffer, Target};
+use crate::surface::{DepthBuffer, DepthTestedSurface, Surface};
 
-impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
-    /// Draws the pixels of the mesh's edges that are as near as the depth buffer or nearer, and stores their depth: for axes,
-    /// paths and cages among solid objects. `cache` is as in [`wireframe`](Self::wireframe).
-    ///
-    /// Call this after the solid objects were drawn [`depth_tested`](Self::depth_tested) into `depth`. An edge that lies in a
-    /// face comes out in pieces, as rounding decides which of both is nearer: for the edges of the solid objects themselves use
-    /// [`hidden_line`](Self::hidden_line).
-    ///
-    /// A pixel's depth is the depth of the line at the pixel's centre along the line's major axis, within 0.51 of a step for
-    /// lines of at most 512 pixels; for longer lines within ½ + 2⁻¹³ and 2⁻¹⁷ for every pixel. A line whose two ends lie in one
-    /// pixel is tested by its nearer end.
-    ///
-    /// # Errors
-    ///
-    /// The target's error, at the first span that it refuses.
-    #[inline(always)]
-    pub fn wireframe_depth_tested<T: Target, K: StrokeFor<T>>(
-        &self,
-        stroke: K,
-        cache: &mut [ScreenVertex],
-        depth: &mut DepthBuffer<'_>,
-        target: &mut T,
-    ) -> Result<Statistics, T::Error> {
-        self.any.wireframe_depth_tested(stroke, cache, depth, target)
-    }
-
+impl<V: Coordinate, P: FacePlanes, F> Edges<'_, V, P, F> {
     /// Draws the parts of the mesh's edges that no face hides: a wireframe of a solid object, on any target, also on 1-bit
     /// displays. First store the depth of this mesh, and of all others that may hide its edges, with
-    /// [`depth_only`](Self::depth_only).
+    /// [`depth_only`](MeshInstance::depth_only).
     ///
     /// A pixel of an edge is drawn if the edge, or the plane of a front face beside it, is at least as near as the stored depth
     /// at the pixel's centre, or less than a step behind it. The plane counts on the side of the edge on which the face lies, beyond
@@ -65,7 +42,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
     /// use pinhole::{
     ///     edge_faces, space::{Model, World}, Affine, Angle, Camera, DepthBuffer, Mesh, Point3, Projection,
-    ///     Scalar, Vector3, ViewTransform, Viewport,
+    ///     Scalar, Surface, Vector3, ViewTransform, Viewport,
     /// };
     /// const VERTICES: [[i16; 3]; 4] = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
     /// const FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
@@ -85,7 +62,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// let mut storage = [0; 64 * 64];
     /// let mut depth = DepthBuffer::new(display.bounding_box(), &mut storage)?;
     /// instance.depth_only(&mut [], &mut depth);
-    /// instance.hidden_line(BinaryColor::On, &mut [], &mut depth, &mut display)?;
+    /// instance.edges(|_| BinaryColor::On).hidden_line(&mut display.depth_tested(&mut depth))?;
     /// // The edge at the back is hidden: from (-1, 1, -1) to (1, -1, -1), through the middle.
     /// let lit = |x, y| display.get_pixel(Point::new(x, y)).is_some();
     /// let [from, to] = [2, 1].map(|i| instance.project(i).unwrap().point.pixel());
@@ -98,49 +75,52 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn hidden_line<T: Target, K: StrokeFor<T>>(
-        &self,
-        stroke: K,
-        cache: &mut [ScreenVertex],
-        depth: &mut DepthBuffer<'_>,
-        target: &mut T,
-    ) -> Result<Statistics, T::Error> {
-        self.any.hidden_line(stroke, cache, depth, target)
+    pub fn hidden_line<T: Surface, K: StrokeFor<T>>(
+        self,
+        target: &mut DepthTestedSurface<'_, '_, T>,
+    ) -> Result<Statistics, T::Error>
+    where
+        F: FnMut(usize) -> K,
+    {
+        let Self { instance, stroke, cache } = self;
+        instance.any.hidden_line(stroke, cache, target.depth, target.surface)
     }
 }
 
 impl<V: Coordinate> AnyInstance<'_, V> {
     #[inline(never)] // its stack frame is gone when it returns
-    fn wireframe_depth_tested<T: Target, K: StrokeFor<T>>(
+    pub(super) fn wireframe_depth_tested<T: Surface, K: StrokeFor<T>>(
         &self,
-        stroke: K,
+        mut stroke: impl FnMut(usize) -> K,
         cache: &mut [ScreenVertex],
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let region = DrawRegion::shared(&target.area(), self.area(), Some(depth));
         let mesh = TransformedMesh::<V, true>::new(self, cache);
-        each_edge(&mesh, |_, ends| draw_nearer(&ends, stroke, &region, depth, target))
+        each_edge(&mesh, |edge, ends| draw_nearer(&ends, stroke(edge), &region, depth, target))
     }
 
     #[inline(never)] // its stack frame is gone when it returns
-    fn hidden_line<T: Target, K: StrokeFor<T>>(
+    fn hidden_line<T: Surface, K: StrokeFor<T>>(
         &self,
-        stroke: K,
+        mut stroke: impl FnMut(usize) -> K,
         cache: &mut [ScreenVertex],
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let region = DrawRegion::shared(&target.area(), self.area(), Some(depth));
         let mesh = TransformedMesh::<V, true>::new(self, cache);
-        each_edge(&mesh, |edge, ends| mesh.draw_hidden_line(edge, &ends, stroke, &region, depth, target))
+        each_edge(&mesh, |edge, ends| {
+            mesh.draw_hidden_line(edge, &ends, stroke(edge), &region, depth, target)
+        })
     }
 }
 
-impl<V: Coordinate> TransformedMesh<'_, V, true> {
+impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     /// Draws the pixels of an edge where the edge, or the plane of a face beside it, is as near as the depth buffer.
     #[inline(always)]
-    pub(super) fn draw_hidden_line<T: Target, K: StrokeFor<T>>(
+    pub(super) fn draw_hidden_line<T: Surface, K: StrokeFor<T>>(
         &self,
         edge: usize,
         ends: &[UnpackedVertex; 2],
@@ -206,7 +186,7 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
             [true, false, true] => (v, c == from),
             _ => return, // without area
         };
-        let corner = self.instance.vertex_transform().unpack::<true>(*corner);
+        let corner = self.instance.vertex_transform().unpack::<DEPTH>(*corner);
         let side = planes.side(corner.point);
         let area = if is_along { side } else { -side };
         if self.instance.cull().facing(area) == Facing::Drawn {
@@ -242,7 +222,7 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
 
 /// Draws the pixels of a line that are as near as the depth buffer or nearer, and stores their depth.
 #[inline(always)]
-pub(super) fn draw_nearer<T: Target, K: StrokeFor<T>>(
+pub(super) fn draw_nearer<T: Surface, K: StrokeFor<T>>(
     ends: &[UnpackedVertex; 2],
     stroke: K,
     region: &DrawRegion,
@@ -269,7 +249,7 @@ pub(super) fn draw_nearer<T: Target, K: StrokeFor<T>>(
 /// Draws the pixels of a line that are as near as the depth buffer or nearer, or for which `is_drawn_over` is true, given the
 /// stored depth and the pixel. `stores`: the depth of drawn pixels is stored.
 #[inline(never)] // one copy for both callers; `is_drawn_over` is called only where the line lies behind the stored depth
-fn draw_visible<T: Target>(
+fn draw_visible<T: Surface>(
     ends: &[UnpackedVertex; 2],
     stores: bool,
     is_drawn_over: &mut dyn FnMut(u16, i32, i32) -> bool,
@@ -295,6 +275,6 @@ fn draw_visible<T: Target>(
 
 /// Fills a run of a line.
 #[inline(never)] // code size: `along` has several calls
-fn fill_run<T: Target>(target: &mut T, run: Span, color: T::Color) -> Result<(), T::Error> {
+fn fill_run<T: Surface>(target: &mut T, run: Span, color: T::Color) -> Result<(), T::Error> {
     target.fill(run, color)
 }

@@ -121,7 +121,7 @@ impl<'m, V: Coordinate, P: FacePlanes> MeshInstance<'m, V, P> {
     /// // The second triangle reaches behind the eye.
     /// let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0], [0, 9, 9]], 0, &[[0, 1, 2], [0, 1, 3]])?;
     /// let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None).without_clipping();
-    /// let statistics = instance.solid(|_| BinaryColor::On, &mut [], &mut MockDisplay::new())?;
+    /// let statistics = instance.faces(|_| BinaryColor::On).draw(&mut MockDisplay::new())?;
     /// assert_eq!((statistics.drawn, statistics.outside), (1, 1));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -141,8 +141,8 @@ impl<'m, V: Coordinate, P: FacePlanes> MeshInstance<'m, V, P> {
     /// # let viewport = Viewport::new(Point::zero(), display.size())?;
     /// # let camera = Camera::framing(&SPHERE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let instance = camera.place(&SPHERE, &Affine::identity());
-    /// let by_planes = instance.solid(|_| BinaryColor::On, &mut [], &mut display)?;
-    /// let by_area = instance.without_planes().solid(|_| BinaryColor::On, &mut [], &mut display)?;
+    /// let by_planes = instance.faces(|_| BinaryColor::On).draw(&mut display)?;
+    /// let by_area = instance.without_planes().faces(|_| BinaryColor::On).draw(&mut display)?;
     /// assert_eq!(by_planes.drawn, by_area.drawn);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -166,11 +166,11 @@ impl<'m, V: Coordinate, P: FacePlanes> MeshInstance<'m, V, P> {
     /// # display.set_allow_overdraw(true);
     /// let from_behind = Mesh::new(&[[-1, -1, 0], [0, 1, 0], [1, -1, 0]], 0, &[[0, 1, 2]])?; // clockwise
     /// let instance = camera.place(&from_behind, &Affine::identity());
-    /// let statistics = instance.solid(|_| BinaryColor::On, &mut [], &mut display)?;
+    /// let statistics = instance.faces(|_| BinaryColor::On).draw(&mut display)?;
     /// assert_eq!((statistics.drawn, statistics.culled), (0, 1));
-    /// let statistics = instance.with_cull(Cull::None).solid(|_| BinaryColor::On, &mut [], &mut display)?;
+    /// let statistics = instance.with_cull(Cull::None).faces(|_| BinaryColor::On).draw(&mut display)?;
     /// assert_eq!((statistics.drawn, statistics.culled), (1, 0));
-    /// let statistics = instance.with_cull(Cull::Front).solid(|_| BinaryColor::On, &mut [], &mut display)?;
+    /// let statistics = instance.with_cull(Cull::Front).faces(|_| BinaryColor::On).draw(&mut display)?;
     /// assert_eq!((statistics.drawn, statistics.culled), (1, 0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

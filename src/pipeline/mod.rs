@@ -8,8 +8,8 @@
 //! 3. A source pushes faces into the face loop (`faces.rs`), in the order of the mesh: all faces, all except culled faces found
 //!    by their planes if the mesh has planes, or the faces that may lie in a band. The loop culls each face by its area on the
 //!    screen; a face with a marked vertex is clipped in clip space and becomes a fan of triangles.
-//! 4. A sink takes the triangles: it fills them with their shader ([`MeshInstance::solid`]), fills their pixels that pass the
-//!    depth test ([`MeshInstance::depth_tested`]), stores only their depth ([`MeshInstance::depth_only`]), bins the face
+//! 4. A sink takes the triangles: it fills them with their shader, or those of their pixels that pass the depth
+//!    test ([`Faces::draw`]), stores only their depth ([`MeshInstance::depth_only`]), bins the face
 //!    ([`MeshInstance::bin_faces`]) or stores it to be drawn from far to near ([`Painter`]).
 //! 5. `fill.rs` draws a triangle or a line into the target, span by span.
 
@@ -51,12 +51,14 @@ pub use buffers::MeshBuffers;
 pub use cull::Cull;
 pub use draw_2d::{draw_line, fill_triangle};
 pub use drawable::{ShaderFor, SpriteFor, StrokeFor};
+pub use faces::Faces;
 pub use instance::MeshInstance;
 pub use painter::{Painter, PaintersOrder};
 pub use pick::Picked;
-pub use scene::{BinnedScene, Object, PlacedScene, Scene};
+pub use scene::{BinnedScene, Object, PlacedScene, Scene, SceneFaces};
 pub use split_bins::{HalfBins, SplitBins};
 pub use split_transform::{HalfTransform, SplitTransform};
 pub use sprites::PlacedSprites;
 pub use statistics::Statistics;
 pub use vertex_cache::TransformedMesh;
+pub use wireframe::Edges;

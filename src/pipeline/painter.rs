@@ -14,8 +14,7 @@ use crate::math::Coordinate;
 use crate::raster::{self, DepthTriangle, Scissor, ScreenPoint, Triangle};
 use crate::scene::FacePlanes;
 use crate::shading::{DepthTested, Shader};
-use crate::surface::BufferError;
-use crate::surface::{DepthBuffer, DepthTarget, Target};
+use crate::surface::{BufferError, DepthBuffer, DepthTarget, Surface, Target, Tested, Untested};
 use core::convert::Infallible;
 use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
@@ -94,24 +93,44 @@ pub struct PaintersOrder<'a, S> {
 }
 
 impl<S: Copy> PaintersOrder<'_, S> {
-    /// Draws the faces that lie in the target, for instance in a band.
+    /// Draws the faces that lie in the target, for instance in a band. With a depth buffer, whose shaders must be [`DepthTested`], it draws
+    /// the pixels that are nearer than the buffer; their depth is stored if the shader [writes
+    /// depth](crate::SpanShader::WRITES_DEPTH).
     ///
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.
-    #[inline(never)] // its stack frame is gone when it returns
+    #[inline(always)]
     pub fn draw<T: Target>(&self, target: &mut T) -> Result<(), T::Error>
     where
-        S: ShaderFor<T>,
+        S: StoredShader<T::Surface, T::Test>,
     {
-        let Some(area) = &self.area else { return Ok(()) };
-        let region = DrawRegion::shared(&target.area(), area, None);
+        target.dispatch(
+            (),
+            |(), surface| S::draw(self, surface, None),
+            |(), surface, depth| S::draw(self, surface, Some(depth)),
+        )
+    }
+
+    /// The pixels that may be drawn; `None` if there is no face.
+    #[inline(always)]
+    fn region(&self, target: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> Option<DrawRegion> {
+        Some(DrawRegion::shared(target, self.area.as_ref()?, depth))
+    }
+
+    /// Calls `draw` with the shader and the triangle of each face that may have pixels in the region.
+    #[inline(always)]
+    fn each<E>(
+        &self,
+        region: &DrawRegion,
+        mut draw: impl FnMut(&S, Triangle<'_>) -> Result<(), E>,
+    ) -> Result<(), E> {
         let mut at = self.first;
         while let Some(face) = self.faces.get(usize::from(at)) {
             let points = self.points(face);
             if !Scissor::bounding_box(&points).intersection(&region.scissor).is_empty() {
                 let triangle = Triangle::new(points, raster::area(&points), &region.viewport);
-                fill(&triangle, &face.shader, &region.scissor, false, target)?;
+                draw(&face.shader, triangle)?;
             }
             at = face.next;
         }
@@ -130,56 +149,50 @@ impl<S: Copy> PaintersOrder<'_, S> {
     }
 }
 
-impl<S: Copy> PaintersOrder<'_, DepthTested<S>> {
-    /// [`draw`](Self::draw) for the pixels that are nearer than the depth buffer. Their depth is stored if the shader
-    /// [writes depth](crate::SpanShader::WRITES_DEPTH). Only pixels of the depth buffer are drawn.
-    ///
-    /// # Errors
-    ///
-    /// The target's error, at the first span that it refuses.
+/// A shader that a [`Painter`] can store for a target with this [test](crate::Target::Test): with a depth buffer, a [`DepthTested`] one.
+/// Implemented for every such shader.
+#[diagnostic::on_unimplemented(
+    message = "a painter's faces cannot be filled with `{Self}`",
+    label = "not a shader for the target, or without the depths of its triangle",
+    note = "into a target with a depth buffer, add faces whose shader is `DepthTested::new(..)` of another"
+)]
+pub trait StoredShader<T: Surface, Test>: Copy {
+    /// Draws faces from far to near, with a depth buffer if the test is [`Tested`].
+    #[doc(hidden)]
+    fn draw(
+        order: &PaintersOrder<'_, Self>,
+        surface: &mut T,
+        depth: Option<&mut DepthBuffer<'_>>,
+    ) -> Result<(), T::Error>;
+}
+
+impl<T: Surface, S: ShaderFor<T>> StoredShader<T, Untested> for S {
     #[inline(never)] // its stack frame is gone when it returns
-    pub fn depth_tested<T: Target>(&self, depth: &mut DepthBuffer<'_>, target: &mut T) -> Result<(), T::Error>
-    where
-        S: ShaderFor<T>,
-    {
-        let Some(area) = &self.area else { return Ok(()) };
-        let region = DrawRegion::shared(&target.area(), area, Some(depth));
-        let mut depth = DepthTarget::new(depth, target);
-        let mut at = self.first;
-        while let Some(face) = self.faces.get(usize::from(at)) {
-            let points = self.points(face);
-            if !Scissor::bounding_box(&points).intersection(&region.scissor).is_empty() {
-                let (shader, depths) = face.shader.parts();
-                let triangle = Triangle::new(points, raster::area(&points), &region.viewport);
-                let triangle = DepthTriangle { triangle, depths };
-                fill_nearer(&triangle, shader, &region.scissor, false, &mut depth, target)?;
-            }
-            at = face.next;
-        }
-        Ok(())
+    fn draw(
+        order: &PaintersOrder<'_, S>,
+        surface: &mut T,
+        _: Option<&mut DepthBuffer<'_>>,
+    ) -> Result<(), T::Error> {
+        let Some(region) = order.region(&surface.area(), None) else { return Ok(()) };
+        order.each(&region, |shader, triangle| fill(&triangle, shader, &region.scissor, false, surface))
     }
 }
 
-impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<DepthTested<S>, VERTICES, FACES> {
-    /// [`draw`](Self::draw) for the pixels that are nearer than the depth buffer: see [`DepthTested`].
-    ///
-    /// # Errors
-    ///
-    /// The target's error, at the first span that it refuses.
+impl<T: Surface, S: ShaderFor<T>> StoredShader<T, Tested> for DepthTested<S> {
     #[inline(never)] // its stack frame is gone when it returns
-    pub fn depth_tested<T: Target>(
-        &mut self,
-        depth: &mut DepthBuffer<'_>,
-        target: &mut T,
-    ) -> Result<Statistics, T::Error>
-    where
-        S: ShaderFor<T>,
-    {
-        let order = self.order();
-        let statistics = order.statistics();
-        let result = order.depth_tested(depth, target);
-        self.clear();
-        result.map(|()| statistics)
+    fn draw(
+        order: &PaintersOrder<'_, Self>,
+        surface: &mut T,
+        depth: Option<&mut DepthBuffer<'_>>,
+    ) -> Result<(), T::Error> {
+        let Some(depth) = depth else { return Ok(()) }; // a test has one
+        let Some(region) = order.region(&surface.area(), Some(depth)) else { return Ok(()) };
+        let mut depth = DepthTarget::new(depth, surface);
+        order.each(&region, |shader, triangle| {
+            let (shader, depths) = shader.parts();
+            let triangle = DepthTriangle { triangle, depths };
+            fill_nearer(&triangle, shader, &region.scissor, false, &mut depth, surface)
+        })
     }
 }
 
@@ -274,7 +287,8 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
         Err(error)
     }
 
-    /// Draws all faces from far to near and removes them, even if the target returns an error.
+    /// Draws all faces from far to near and removes them, even if the target returns an error. With a depth buffer, see
+    /// [`DepthTested`].
     ///
     /// # Errors
     ///
@@ -282,7 +296,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     #[inline(never)] // its stack frame is gone when it returns
     pub fn draw<T: Target>(&mut self, target: &mut T) -> Result<Statistics, T::Error>
     where
-        S: ShaderFor<T>,
+        S: StoredShader<T::Surface, T::Test>,
     {
         let order = self.order();
         let statistics = order.statistics();

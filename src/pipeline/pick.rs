@@ -1,9 +1,9 @@
 //! Picking without drawing: the face that a depth-tested drawing shows at a pixel.
 
-use super::binned::HasDepth;
+use super::binned::DrawnWith;
 use super::draw_region::DrawRegion;
 use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
-use super::faces::{draw_triangles, each_face};
+use super::faces::{draw_triangles, each_face, Faces};
 use super::fill::kept_pixels;
 use super::instance::MeshInstance;
 use super::vertex_cache::{LazyCache, TransformedMesh, VertexCache};
@@ -15,13 +15,13 @@ use crate::raster::ScreenPoint;
 use crate::scene::FacePlanes;
 use crate::shading::SpanShader;
 use crate::space::World;
-use crate::surface::DepthBuffer;
+use crate::surface::{DepthBuffer, Tested};
 use core::convert::Infallible;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The visible point in a pixel: the answer of [`MeshInstance::pick`] and [`PlacedScene::pick`](crate::PlacedScene::pick).
+/// The visible point in a pixel: the answer of [`Faces::pick`] and [`SceneFaces::pick`](crate::SceneFaces::pick).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Picked {
@@ -42,18 +42,16 @@ impl Picked {
     }
 }
 
-impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
+impl<V: Coordinate, P: FacePlanes, F> Faces<'_, V, P, F> {
     /// The face that is seen in a pixel of the target, for touch screens and cursors. It is the face that
-    /// [`depth_tested`](Self::depth_tested) shows there, by equal rules of coverage, culling, clipping and depth. Nothing is drawn,
+    /// [`draw`](Self::draw) shows there with a depth test, by equal rules of coverage, culling, clipping and depth. Nothing is drawn,
     /// and no depth buffer is needed. `None` if no face covers the pixel, or if it lies outside of the viewport or beyond 8192
     /// pixels.
     ///
-    /// `shade` is the closure of the draw call: a face whose shader leaves the pixel out, by a transparent texel or a
-    /// [`ScreenDoor`](crate::ScreenDoor), is not seen there. Where no shader leaves out pixels, return any colour. A translucent
-    /// face is seen like an opaque one.
+    /// A face whose shader leaves the pixel out, by a transparent texel or a [`ScreenDoor`](crate::ScreenDoor), is not seen there.
+    /// Where no shader leaves out pixels, shade with any colour. A translucent face is seen like an opaque one.
     ///
-    /// `cache` is as in [`wireframe`](Self::wireframe); it may be empty. If the vertices are transformed already, call
-    /// [`TransformedMesh::pick`].
+    /// If the vertices are transformed already, call [`TransformedMesh::pick`].
     ///
     /// ```
     /// # use embedded_graphics::{geometry::{Point, Size}, pixelcolor::BinaryColor};
@@ -65,22 +63,23 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(30), Angle::ZERO, Angle::ZERO)?;
     /// let instance = camera.place(&mesh, &Affine::identity());
     /// let opaque = |_face| BinaryColor::On;
-    /// let picked = instance.pick(Point::new(24, 24), opaque, &mut []).ok_or("background")?;
+    /// let picked = instance.faces(opaque).pick(Point::new(24, 24)).ok_or("background")?;
     /// assert_eq!(picked.face, 2); // the corners at the upper right, upper left and lower left
     /// let point = picked.point(&camera).ok_or("far away")?;
     /// assert!(point.x() < Scalar::ZERO && point.y() > Scalar::ZERO && point.z() > -Scalar::ONE);
-    /// assert_eq!(instance.pick(Point::new(0, 0), opaque, &mut []), None);
+    /// assert_eq!(instance.faces(opaque).pick(Point::new(0, 0)), None);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn pick<C: PixelColor, S: SpanShader<C>>(
-        &self,
-        pixel: Point,
-        shade: impl FnMut(usize) -> S,
-        cache: &mut [ScreenVertex],
-    ) -> Option<Picked> {
-        pick_at(pixel, |depth| Some((0, self.pick_nearer(depth, shade, cache)?)))
+    pub fn pick<C: PixelColor, S: SpanShader<C>>(self, pixel: Point) -> Option<Picked>
+    where
+        F: FnMut(usize) -> S,
+    {
+        let Self { instance, shade, cache } = self;
+        pick_at(pixel, |depth| Some((0, instance.pick_nearer(depth, shade, cache)?)))
     }
+}
 
+impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// The face that is seen in the one pixel of the depth buffer, if one is nearer than its depth, which it replaces.
     pub(super) fn pick_nearer<C: PixelColor, S: SpanShader<C>>(
         &self,
@@ -97,23 +96,22 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     }
 }
 
-impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V, DEPTH, P> {
-    /// The face that is seen in a pixel of the target: see [`MeshInstance::pick`].
+impl<V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'_, V, DEPTH, P> {
+    /// The face that is seen in a pixel of the target: see [`Faces::pick`].
     pub fn pick<C: PixelColor, S: SpanShader<C>>(
         &self,
         pixel: Point,
         shade: impl FnMut(usize) -> S,
     ) -> Option<Picked>
     where
-        Self: HasDepth<TransformedMesh<'a, V, true, P>>,
+        Self: DrawnWith<Tested>,
     {
-        let mut mesh = *self;
-        let mesh = mesh.with_depth();
+        let mesh = TransformedMesh::<V, true>::with_cache(self.instance, true, self.cached_vertices());
         pick_at(pixel, |depth| {
             let face = if P::CULL {
-                pick_nearer(PlaneOrder::new(mesh.instance), mesh.any(), depth, shade)
+                pick_nearer(PlaneOrder::new(mesh.instance), mesh, depth, shade)
             } else {
-                pick_nearer(MeshOrder, mesh.any(), depth, shade)
+                pick_nearer(MeshOrder, mesh, depth, shade)
             };
             Some((0, face?))
         })

@@ -10,7 +10,7 @@ use crate::camera::Projected;
 use crate::math::Coordinate;
 use crate::raster::{self, Pixel, Span};
 use crate::scene::FacePlanes;
-use crate::surface::Target;
+use crate::surface::Surface;
 
 impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// Draws each vertex as one pixel. [`polyline`](Self::polyline) has an example.
@@ -19,13 +19,13 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// The target's error, at the first pixel that it refuses.
     #[inline(always)]
-    pub fn points<T: Target>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
+    pub fn points<T: Surface>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
         self.any.points(color, target)
     }
 
     /// Draws lines from each vertex to the next as one polyline. It is closed if the last vertex equals the first. The pixel at
     /// a joint of two lines is drawn once, with the line that ends there; [`AntiAliased`](crate::AntiAliased) says what anti-aliased
-    /// lines cover there. Lines are clipped as in [`wireframe`](Self::wireframe).
+    /// lines cover there. Lines are clipped as in [`Edges::draw`](crate::Edges::draw).
     ///
     /// ```
     /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -51,7 +51,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn polyline<T: Target, K: StrokeFor<T>>(
+    pub fn polyline<T: Surface, K: StrokeFor<T>>(
         &self,
         stroke: K,
         target: &mut T,
@@ -62,7 +62,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
 
 impl<V: Coordinate> AnyInstance<'_, V> {
     #[inline(never)] // its stack frame is gone when it returns
-    fn points<T: Target>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
+    fn points<T: Surface>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
         let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
         let mut statistics = Statistics::default();
         for index in 0..self.mesh().vertices.len() {
@@ -81,7 +81,7 @@ impl<V: Coordinate> AnyInstance<'_, V> {
     }
 
     #[inline(never)] // its stack frame is gone when it returns
-    fn polyline<T: Target, K: StrokeFor<T>>(
+    fn polyline<T: Surface, K: StrokeFor<T>>(
         &self,
         stroke: K,
         target: &mut T,

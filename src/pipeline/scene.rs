@@ -12,10 +12,10 @@ use crate::math::{Affine, Sphere};
 use crate::scene::{Mesh, MeshData, WithPlanes};
 use crate::shading::{Shader, SpanShader};
 use crate::space::{Model, World};
-use crate::surface::BufferError;
-use crate::surface::{DepthBuffer, Target};
+use crate::surface::{BufferError, DepthBuffer, Surface, Target};
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::PixelColor;
+use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
 
 /// An object of a [`Scene`]: a mesh with its transform and its material.
@@ -97,12 +97,12 @@ impl<'m, M> Object<'m, M> {
 ///         let color = object.material;
 ///         move |face: usize| color.dim(64 * (face as u16 + 1))
 ///     };
-///     faces.depth_tested(shade, &mut depth, &mut band.pixels())?;
+///     faces.draw(shade, &mut band.pixels().depth_tested(&mut depth))?;
 ///     band.send(&mut display)?;
 /// }
 /// assert!(placed.len() < 8 && faces.statistics().drawn > 0);
 /// let opaque = |_index, _object: &Object<'_, Rgb565>| |_face| Rgb565::BLACK;
-/// let picked = placed.pick(Point::new(32, 32), opaque, &mut []).ok_or("background")?;
+/// let picked = placed.faces(opaque).pick(Point::new(32, 32)).ok_or("background")?;
 /// assert_eq!(picked.object, 10); // the one in the middle
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -231,31 +231,19 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
         self.instances.iter().map(|(_, instance)| instance.mesh().face_bins_len()).sum()
     }
 
-    /// Draws all objects with a depth test, in one piece. `shade` is called once for each visible object, with its index in the
-    /// scene, and returns a closure that is called once for each face that is drawn, with the face's index. Where this closure
-    /// borrows from the object's material, write it in the call itself: Rust cannot infer its type in a variable. The objects
-    /// share the vertex cache one after the other: it should have room for the largest mesh, and may be shorter.
-    /// [`MeshInstance::depth_tested`] says how faces are drawn.
-    ///
-    /// # Errors
-    ///
-    /// The target's error, at the first span that it refuses.
-    pub fn depth_tested<T: Target, S: ShaderFor<T>, F: FnMut(usize) -> S>(
+    /// The faces of all objects, to be drawn or picked. `shade` is called once for each visible object, with its index in the scene,
+    /// and returns a closure that is called once for each face that is drawn, with the face's index. Where this closure borrows from
+    /// the object's material, write it in the call itself: Rust cannot infer its type in a variable.
+    #[inline(always)]
+    pub fn faces<S, F: FnMut(usize) -> S, G: FnMut(usize, &'s Object<'m, M>) -> F>(
         &self,
-        mut shade: impl FnMut(usize, &'s Object<'m, M>) -> F,
-        cache: &mut [ScreenVertex],
-        depth: &mut DepthBuffer<'_>,
-        target: &mut T,
-    ) -> Result<Statistics, T::Error> {
-        let mut statistics = Statistics::NONE;
-        for (index, object, instance) in self.indexed() {
-            statistics = statistics.and(instance.depth_tested(shade(index, object), cache, depth, target)?);
-        }
-        Ok(statistics)
+        shade: G,
+    ) -> SceneFaces<'_, 's, 'm, M, G, OBJECTS> {
+        SceneFaces { scene: self, shade, cache: &mut [] }
     }
 
     /// Stores all objects in a painter, which draws their faces from far to near, in one piece or in bands: without a depth buffer.
-    /// `shade` is as in [`depth_tested`](Self::depth_tested).
+    /// `shade` is as in [`faces`](Self::faces).
     ///
     /// # Errors
     ///
@@ -266,25 +254,6 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
         painter: &mut Painter<S, VERTICES, FACES>,
     ) -> Result<(), BufferError> {
         self.indexed().try_for_each(|(index, object, instance)| painter.add(instance, shade(index, object)))
-    }
-
-    /// The visible point in a pixel of the target, without drawing: the object, the face and the depth that
-    /// [`depth_tested`](Self::depth_tested) shows there, with the shaders that `shade` returns. Of faces with equal depth it is
-    /// that of the object that was added first. See [`MeshInstance::pick`].
-    pub fn pick<C: PixelColor, S: SpanShader<C>, F: FnMut(usize) -> S>(
-        &self,
-        pixel: Point,
-        mut shade: impl FnMut(usize, &'s Object<'m, M>) -> F,
-        cache: &mut [ScreenVertex],
-    ) -> Option<Picked> {
-        pick_at(pixel, |depth| {
-            let mut nearest = None;
-            for (index, object, instance) in self.indexed() {
-                let face = instance.pick_nearer(depth, shade(index, object), cache);
-                nearest = face.map(|face| (index, face)).or(nearest);
-            }
-            nearest
-        })
     }
 
     /// Transforms the vertices of all visible objects and bins their faces, for drawing in bands. The objects share both
@@ -318,6 +287,64 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
     }
 }
 
+/// The faces of all visible objects, with the closure that shades them: drawn or picked by one more call. [`PlacedScene::faces`] makes it.
+#[derive(Debug)]
+pub struct SceneFaces<'a, 's, 'm, M, G, const OBJECTS: usize> {
+    scene: &'a PlacedScene<'s, 'm, M, OBJECTS>,
+    shade: G,
+    cache: &'a mut [ScreenVertex],
+}
+
+impl<'a, 's, 'm, M, G, const OBJECTS: usize> SceneFaces<'a, 's, 'm, M, G, OBJECTS> {
+    /// With memory for transformed vertices, which the objects share one after the other: it should have room for the largest mesh, and
+    /// may be shorter, as in [`Faces::cached`](crate::Faces::cached).
+    #[must_use]
+    #[inline(always)]
+    pub fn cached(self, cache: &'a mut [ScreenVertex]) -> Self {
+        Self { cache, ..self }
+    }
+
+    /// Draws all objects, in the order of the scene and in one piece: usually into a target [with a depth
+    /// buffer](crate::Surface::depth_tested). [`Faces::draw`](crate::Faces::draw) says how faces are drawn.
+    ///
+    /// # Errors
+    ///
+    /// The target's error, at the first span that it refuses.
+    pub fn draw<T: Target, S: ShaderFor<T::Surface>, F: FnMut(usize) -> S>(
+        self,
+        target: &mut T,
+    ) -> Result<Statistics, T::Error>
+    where
+        G: FnMut(usize, &'s Object<'m, M>) -> F,
+    {
+        let Self { scene, mut shade, cache } = self;
+        let mut statistics = Statistics::NONE;
+        for (index, object, instance) in scene.indexed() {
+            let drawn = instance.faces(shade(index, object)).cached(cache).draw(target)?;
+            statistics = statistics.and(drawn);
+        }
+        Ok(statistics)
+    }
+
+    /// The visible point in a pixel of the target, without drawing: the object, the face and the depth that
+    /// [`draw`](Self::draw) shows there with a depth test. Of faces with equal depth it is that of the object that was added first.
+    /// See [`Faces::pick`](crate::Faces::pick).
+    pub fn pick<C: PixelColor, S: SpanShader<C>, F: FnMut(usize) -> S>(self, pixel: Point) -> Option<Picked>
+    where
+        G: FnMut(usize, &'s Object<'m, M>) -> F,
+    {
+        let Self { scene, mut shade, cache } = self;
+        pick_at(pixel, |depth| {
+            let mut nearest = None;
+            for (index, object, instance) in scene.indexed() {
+                let face = instance.pick_nearer(depth, shade(index, object), cache);
+                nearest = face.map(|face| (index, face)).or(nearest);
+            }
+            nearest
+        })
+    }
+}
+
 /// The faces of all visible objects, binned for bands. [`PlacedScene::bin_faces`] makes it; [`Scene`] has an example.
 #[derive(Debug)]
 pub struct BinnedScene<'f, 'm, M, const OBJECTS: usize> {
@@ -327,28 +354,44 @@ pub struct BinnedScene<'f, 'm, M, const OBJECTS: usize> {
 }
 
 impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
-    /// Draws the faces that lie in a band, with a depth test. `shade` is called once for each object whose bounds meet the band,
+    /// Draws the faces that lie in a band: usually with a depth buffer of the band's area. `shade` is called once for each object whose bounds meet the band,
     /// with its index in the scene, and returns a closure that is called once for each face that is drawn, with the face's index.
     /// Where this closure borrows from the object's material, write it in the call itself: Rust cannot infer its type in a
-    /// variable. All bands together are, pixel by pixel, the picture of [`PlacedScene::depth_tested`].
+    /// variable. All bands together are, pixel by pixel, the picture of [`SceneFaces::draw`].
     ///
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.
-    pub fn depth_tested<T: Target, S: ShaderFor<T>, F: FnMut(usize) -> S>(
+    pub fn draw<T: Target, S: ShaderFor<T::Surface>, F: FnMut(usize) -> S>(
         &mut self,
-        mut shade: impl FnMut(usize, &'f Object<'m, M>) -> F,
-        depth: &mut DepthBuffer<'_>,
+        shade: impl FnMut(usize, &'f Object<'m, M>) -> F,
         target: &mut T,
     ) -> Result<(), T::Error> {
-        let area = target.area();
-        for (index, faces) in &mut self.binned {
-            let is_in_band = !faces.bounds().intersection(&area).is_zero_sized();
-            if let Some(object) = self.objects.get(*index).filter(|_| is_in_band) {
-                faces.depth_tested(shade(*index, object), depth, target)?;
-            }
-        }
-        Ok(())
+        target.dispatch(
+            (self, shade),
+            |(scene, mut shade), surface| {
+                let mut in_band = scene.in_band(surface.area());
+                in_band.try_for_each(|(index, object, faces)| faces.draw(shade(index, object), surface))
+            },
+            |(scene, mut shade), surface, depth| {
+                let mut in_band = scene.in_band(surface.area());
+                let mut target = surface.depth_tested(depth);
+                in_band.try_for_each(|(index, object, faces)| faces.draw(shade(index, object), &mut target))
+            },
+        )
+    }
+
+    /// The objects whose bounds meet a band, with their indices and faces.
+    fn in_band(
+        &mut self,
+        band: Rectangle,
+    ) -> impl Iterator<Item = (usize, &'f Object<'m, M>, &mut BinnedFaces<'f, i16, true>)> {
+        let objects = self.objects;
+        self.binned.iter_mut().filter_map(move |(index, faces)| {
+            let is_in_band = !faces.bounds().intersection(&band).is_zero_sized();
+            let object = objects.get(*index).filter(|_| is_in_band)?;
+            Some((*index, object, faces))
+        })
     }
 
     /// Splits the binned faces of all objects into two, one for each of two cores, as [`BinnedFaces::fork`] splits those of one
@@ -435,5 +478,12 @@ impl<M, const OBJECTS: usize> defmt::Format for PlacedScene<'_, '_, M, OBJECTS> 
 impl<M, const OBJECTS: usize> defmt::Format for BinnedScene<'_, '_, M, OBJECTS> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "{=usize} objects binned: {}", self.binned.len(), self.statistics());
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<M, G, const OBJECTS: usize> defmt::Format for SceneFaces<'_, '_, '_, M, G, OBJECTS> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "faces of {}", self.scene);
     }
 }

@@ -59,7 +59,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     ///     ours.count();
     /// });
     /// let mut faces = split.finish()?;
-    /// faces.solid(|_face| Gray8::WHITE, &mut display)?;
+    /// faces.draw(|_face| Gray8::WHITE, &mut display)?;
     /// assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Gray8::WHITE));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

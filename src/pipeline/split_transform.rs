@@ -46,7 +46,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ///     ours.transform();
     /// });
     /// let mut faces = split.finish().bin_faces(&mut bins)?;
-    /// faces.solid(|_face| Gray8::WHITE, &mut display)?;
+    /// faces.draw(|_face| Gray8::WHITE, &mut display)?;
     /// assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Gray8::WHITE));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

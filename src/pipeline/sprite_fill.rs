@@ -8,7 +8,7 @@ use crate::fast::sprite_fill;
 use crate::math::hints::keep_rolled;
 use crate::raster::{Gradient, Scissor, Span, SpriteAxis, TexelWalk};
 use crate::shading::SpriteSource;
-use crate::surface::{draw_run, each_run, DepthBuffer, Target};
+use crate::surface::{draw_run, each_run, DepthBuffer, Surface};
 
 /// A sprite on the screen.
 #[derive(Debug)]
@@ -35,7 +35,7 @@ impl ScreenSprite {
 /// Draws the pixels of a sprite inside the scissor, which lies in the target. With `DEPTH`, only those that are nearer than the depth
 /// buffer, in which the scissor lies, too.
 #[inline(never)] // its stack frame is gone when it returns
-pub(super) fn fill<T: Target, S: SpriteFor<T>, const DEPTH: bool>(
+pub(super) fn fill<T: Surface, S: SpriteFor<T>, const DEPTH: bool>(
     sprite: &ScreenSprite,
     source: &S,
     scissor: &Scissor,
@@ -85,7 +85,7 @@ impl<S: SpriteSource> TexelRow<'_, S> {
 
 /// Draws the pixels of a span. With `DEPTH` there is a depth buffer.
 #[inline(always)]
-fn fill_row<T: Target, S: SpriteFor<T>, const DEPTH: bool>(
+fn fill_row<T: Surface, S: SpriteFor<T>, const DEPTH: bool>(
     span: Span,
     texels: &TexelRow<'_, S>,
     own: u16,
@@ -117,7 +117,7 @@ fn fill_row<T: Target, S: SpriteFor<T>, const DEPTH: bool>(
 
 /// Draws a run of pixels, none of which is transparent or hidden.
 #[inline(never)] // code size: two calls
-fn draw_texels<T: Target, S: SpriteFor<T>>(
+fn draw_texels<T: Surface, S: SpriteFor<T>>(
     run: Span,
     texels: &TexelRow<'_, S>,
     first: TexelWalk,

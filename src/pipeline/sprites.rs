@@ -12,7 +12,7 @@ use crate::raster::{Scissor, SpriteAxis};
 use crate::scene::{FacePlanes, Mesh};
 use crate::shading::{Sprite, SpriteSize, SpriteSource};
 use crate::space::{Model, World};
-use crate::surface::{rectangle, DepthBuffer, Target};
+use crate::surface::{rectangle, Surface, Target};
 use core::convert::Infallible;
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::primitives::Rectangle;
@@ -46,10 +46,10 @@ impl Camera {
     /// let mut depths = [0; 64 * 64];
     /// let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;
     /// let ball = camera.place(&SPHERE, &Affine::identity());
-    /// ball.depth_tested(|_| Rgb565::BLUE, &mut [], &mut depth, &mut picture.pixels())?;
+    /// ball.faces(|_| Rgb565::BLUE).draw(&mut picture.pixels().depth_tested(&mut depth))?;
     /// for z in [-2, 2] {
     ///     let marker = camera.place_sprite(Point3::from_ints(0, 0, z));
-    ///     marker.depth_tested(|_| Sprite::square(Rgb565::RED, 3), &mut depth, &mut picture.pixels())?;
+    ///     marker.draw(|_| Sprite::square(Rgb565::RED, 3), &mut picture.pixels().depth_tested(&mut depth))?;
     ///     let shown = if z < 0 { Rgb565::BLUE } else { Rgb565::RED };
     ///     assert_eq!(picture.colors()[32 * 64 + 32], shown);
     /// }
@@ -94,6 +94,10 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
     /// Draws the sprites in the order of the vertices: `sprite` gets a vertex's index. Translucent sprites have to come from far to
     /// near.
     ///
+    /// Into a target [with a depth buffer](crate::Surface::depth_tested) it draws the pixels that are nearer than the buffer, and stores
+    /// their depth, except of sprites that are mixed with the stored pixels. Points beyond the far plane are outside then, as with
+    /// faces.
+    ///
     /// [`Statistics`] counts each sprite: as `outside` if its point lies before the near plane, beyond a far plane that clips or more
     /// than 8192 pixels from the target's origin, as `degenerate` if it has no size or no texel, otherwise as `drawn`.
     ///
@@ -116,35 +120,26 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn draw<T: Target, S: SpriteFor<T>>(
+    pub fn draw<T: Target, S: SpriteFor<T::Surface>>(
         &self,
         sprite: impl Fn(usize) -> Sprite<S>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let region = DrawRegion::shared(&target.area(), self.points.area(), None);
-        self.each(false, sprite, |image, source| {
-            fill::<T, S, false>(image, source, &region.scissor, None, target)
-        })
-    }
-
-    /// Draws the pixels of the sprites that are nearer than the depth buffer, and stores their depth, except of sprites that are
-    /// mixed with the stored pixels. Points beyond the far plane are outside, as with faces. Everything else is as in
-    /// [`draw`](Self::draw).
-    ///
-    /// # Errors
-    ///
-    /// The target's error, at the first span that it refuses.
-    #[inline(always)]
-    pub fn depth_tested<T: Target, S: SpriteFor<T>>(
-        &self,
-        sprite: impl Fn(usize) -> Sprite<S>,
-        depth: &mut DepthBuffer<'_>,
-        target: &mut T,
-    ) -> Result<Statistics, T::Error> {
-        let region = DrawRegion::shared(&target.area(), self.points.area(), Some(depth));
-        self.each(true, sprite, |image, source| {
-            fill::<T, S, true>(image, source, &region.scissor, Some(depth), target)
-        })
+        target.dispatch(
+            sprite,
+            |sprite, surface| {
+                let region = DrawRegion::shared(&surface.area(), self.points.area(), None);
+                self.each(false, sprite, |image, source| {
+                    fill::<T::Surface, S, false>(image, source, &region.scissor, None, surface)
+                })
+            },
+            |sprite, surface, depth| {
+                let region = DrawRegion::shared(&surface.area(), self.points.area(), Some(depth));
+                self.each(true, sprite, |image, source| {
+                    fill::<T::Surface, S, true>(image, source, &region.scissor, Some(depth), surface)
+                })
+            },
+        )
     }
 
     /// A rectangle inside the viewport around all pixels of the sprites, hidden and transparent ones too, for

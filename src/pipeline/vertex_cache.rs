@@ -94,7 +94,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
     /// let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// while let Some(mut band) = frame.next_band(&mut strip)? {
-    ///     faces.solid(|_face| Gray8::WHITE, &mut band.pixels())?;
+    ///     faces.draw(|_face| Gray8::WHITE, &mut band.pixels())?;
     ///     band.send(&mut display)?;
     /// }
     /// assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Gray8::WHITE));
@@ -180,6 +180,11 @@ impl<V: Coordinate> AnyInstance<'_, V> {
 }
 
 impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V, DEPTH, P> {
+    /// The vertices that the cache holds.
+    pub(super) const fn cached_vertices(&self) -> &'a [ScreenVertex] {
+        self.cache
+    }
+
     /// The transformed mesh, whether it has planes or not: see [`AnyInstance`].
     #[inline(always)]
     pub(super) fn any(&self) -> TransformedMesh<'a, V, DEPTH> {

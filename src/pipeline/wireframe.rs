@@ -10,7 +10,7 @@ use super::vertex_cache::TransformedMesh;
 use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::math::Coordinate;
 use crate::scene::FacePlanes;
-use crate::surface::Target;
+use crate::surface::{Surface, Target};
 
 /// The edge loop: clips each edge and calls `draw` with the index and the ends of each edge of which clipping leaves something.
 ///
@@ -32,31 +32,20 @@ pub(super) fn each_edge<V: Coordinate, E, const DEPTH: bool>(
     Ok(statistics.with_the_rest_drawn(edges.len()))
 }
 
-impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
-    /// Draws the mesh's edges, each as a line: a Bresenham line of one colour, or [`AntiAliased`](crate::AntiAliased). Clipping
-    /// at the target's border does not change an edge's pixels; an end that is clipped at the near plane, the far plane or the
-    /// guard band is rounded to 1/256 px.
-    ///
-    /// `cache` is memory for transformed vertices. If it is as long as the mesh's vertex list, each vertex is transformed once.
-    /// If it is shorter, or empty, the vertices beyond its end are transformed whenever an edge needs them: slower, but the
-    /// picture is equal.
-    ///
-    /// # Errors
-    ///
-    /// The target's error, at the first span that it refuses.
-    #[inline(always)]
-    pub fn wireframe<T: Target, K: StrokeFor<T>>(
-        &self,
-        stroke: K,
-        cache: &mut [ScreenVertex],
-        target: &mut T,
-    ) -> Result<Statistics, T::Error> {
-        self.any.wireframe(stroke, cache, target)
-    }
+/// The edges of an instance, with the closure that gives their strokes: drawn by one more call. [`MeshInstance::edges`] makes it.
+#[derive(Debug)]
+pub struct Edges<'a, V: Coordinate, P: FacePlanes, F> {
+    pub(super) instance: &'a MeshInstance<'a, V, P>,
+    pub(super) stroke: F,
+    pub(super) cache: &'a mut [ScreenVertex],
+}
 
-    /// Draws the mesh's edges as [`wireframe`](Self::wireframe) does, each with the stroke that `stroke` returns for its index: colours by
-    /// edge, such as the depth cue by [`VertexFog`](crate::VertexFog). Edges are drawn in the order of the mesh, so where lines cross, the
-    /// later edge is seen.
+impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
+    /// The mesh's edges, to be drawn as lines. `stroke` is called once for each edge that is drawn, with the edge's index, and returns
+    /// its colour, or [`AntiAliased`](crate::AntiAliased) of it. Edges are drawn in the order of the mesh, so where lines of several
+    /// colours cross, the later edge is seen.
+    ///
+    /// Colours by edge, such as the depth cue by [`VertexFog`](crate::VertexFog):
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
@@ -81,47 +70,65 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// };
     /// # let mut pixels = [Rgb565::BLUE; 64 * 64];
     /// # let mut picture = Picture::new(&mut pixels, Size::new(64, 64))?;
-    /// camera.place(&mesh, &model).wireframe_by_edge(stroke, &mut [], &mut picture.pixels())?;
+    /// camera.place(&mesh, &model).edges(stroke).draw(&mut picture.pixels())?;
     /// # let seen: Vec<_> = pixels.iter().filter(|c| **c != Rgb565::BLUE).map(|c| c.g()).collect();
     /// assert!(seen.iter().max() > seen.iter().min()); // the far edge is darker
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[inline(always)]
+    pub fn edges<K, F: FnMut(usize) -> K>(&self, stroke: F) -> Edges<'_, V, P, F> {
+        Edges { instance: self, stroke, cache: &mut [] }
+    }
+}
+
+impl<'a, V: Coordinate, P: FacePlanes, F> Edges<'a, V, P, F> {
+    /// With memory for transformed vertices: as long as the mesh's vertex list, so that each vertex is transformed once. Without it,
+    /// or beyond its end, a vertex is transformed for each edge that needs it: slower, but the picture is equal.
+    #[must_use]
+    #[inline(always)]
+    pub fn cached(self, cache: &'a mut [ScreenVertex]) -> Self {
+        Self { cache, ..self }
+    }
+
+    /// Draws each edge as a line: a Bresenham line of one colour, or [`AntiAliased`](crate::AntiAliased). Clipping
+    /// at the target's border does not change an edge's pixels; an end that is clipped at the near plane, the far plane or the
+    /// guard band is rounded to 1/256 px.
+    ///
+    /// Into a target [with a depth buffer](crate::Surface::depth_tested) it draws the pixels that are as near as the buffer or nearer,
+    /// and stores their depth: for axes, paths and cages among solid objects, after those objects. An edge that lies in a face comes
+    /// out in pieces, as rounding decides which of both is nearer: for the edges of the solid objects themselves use
+    /// [`hidden_line`](Self::hidden_line). A pixel's depth is the depth of the line at the pixel's centre along the line's major axis,
+    /// within 0.51 of a step for lines of at most 512 pixels; for longer lines within ½ + 2⁻¹³ and 2⁻¹⁷ for every pixel. A line
+    /// whose two ends lie in one pixel is tested by its nearer end.
     ///
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn wireframe_by_edge<T: Target, K: StrokeFor<T>>(
-        &self,
-        stroke: impl FnMut(usize) -> K,
-        cache: &mut [ScreenVertex],
-        target: &mut T,
-    ) -> Result<Statistics, T::Error> {
-        self.any.wireframe_by_edge(stroke, cache, target)
+    pub fn draw<T: Target, K: StrokeFor<T::Surface>>(self, target: &mut T) -> Result<Statistics, T::Error>
+    where
+        F: FnMut(usize) -> K,
+    {
+        target.dispatch(
+            self,
+            |Edges { instance, stroke, cache }, surface| instance.any.wireframe(stroke, cache, surface),
+            |Edges { instance, stroke, cache }, surface, depth| {
+                instance.any.wireframe_depth_tested(stroke, cache, depth, surface)
+            },
+        )
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<V: Coordinate, P: FacePlanes, F> defmt::Format for Edges<'_, V, P, F> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "edges of {}", self.instance);
     }
 }
 
 impl<V: Coordinate> AnyInstance<'_, V> {
     #[inline(never)] // its stack frame is gone when it returns
-    fn wireframe<T: Target, K: StrokeFor<T>>(
-        &self,
-        stroke: K,
-        cache: &mut [ScreenVertex],
-        target: &mut T,
-    ) -> Result<Statistics, T::Error> {
-        let DrawRegion { scissor, viewport } = DrawRegion::new(target, self.area());
-        each_edge(&TransformedMesh::<V, false>::new(self, cache), |_, ends| {
-            if K::IS_ANTI_ALIASED {
-                anti_aliased::edge(&ends, &viewport, &scissor, stroke, target);
-                return Ok(());
-            }
-            let [from, to] = ends;
-            line(target, from.point.pixel(), to.point.pixel(), &scissor, stroke.color())
-        })
-    }
-
-    #[inline(never)] // its stack frame is gone when it returns
-    fn wireframe_by_edge<T: Target, K: StrokeFor<T>>(
+    fn wireframe<T: Surface, K: StrokeFor<T>>(
         &self,
         mut stroke: impl FnMut(usize) -> K,
         cache: &mut [ScreenVertex],

@@ -16,7 +16,7 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 ///     Err(_) => panic!("indices of the palette"),
 /// };
 /// assert_eq!(COLORS.color::<Rgb888>(2), Rgb888::BLUE);
-/// // In the display's format, for `MeshInstance::depth_tested(|face| COLORS.color(face), …)`.
+/// // In the display's format, for `instance.faces(|face| COLORS.color(face))`.
 /// assert_eq!(COLORS.color::<Rgb565>(0), Rgb565::RED);
 /// // At half of the light, for `|face| COLORS.lit(face, light.level(normals[face]))`.
 /// assert_eq!(COLORS.lit::<Rgb565>(0, 128), Rgb565::new(16, 0, 0));

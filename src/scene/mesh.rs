@@ -459,7 +459,7 @@ impl<'a, V, P> Mesh<'a, V, P> {
     /// let mut display = MockDisplay::<Gray8>::new();
     /// let mut cache = [ScreenVertex::EMPTY; 4];
     /// let model = Affine::<Model, World>::identity();
-    /// let statistics = camera.place(&mesh, &model).solid(|_face| Gray8::WHITE, &mut cache, &mut display)?;
+    /// let statistics = camera.place(&mesh, &model).faces(|_face| Gray8::WHITE).cached(&mut cache).draw(&mut display)?;
     /// assert_eq!((statistics.drawn, statistics.culled), (1, 3));
     /// assert_eq!(cache[0], ScreenVertex::EMPTY); // no visible face has this vertex: it was not transformed
     /// # Ok::<(), Box<dyn std::error::Error>>(())

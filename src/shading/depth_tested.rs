@@ -4,8 +4,8 @@ use super::shader::inner_with_corners;
 use super::{CornerValues, Shader};
 
 /// A shader with the depths of its triangle's corners, for a [`Painter`](crate::Painter) whose faces are drawn from far to near and
-/// tested against a depth buffer: [`Painter::depth_tested`](crate::Painter::depth_tested), in bands
-/// [`PaintersOrder::depth_tested`](crate::PaintersOrder::depth_tested). It takes 12 bytes a face more than the shader.
+/// tested against a depth buffer: [`Painter::draw`](crate::Painter::draw), in bands
+/// [`PaintersOrder::draw`](crate::PaintersOrder::draw). It takes 12 bytes a face more than the shader.
 ///
 /// This is how translucent faces are drawn among opaque ones: opaque faces first, with the depth buffer; then the painter's faces,
 /// whose depth is tested and, if they are [`Translucent`](crate::Translucent), not stored.
@@ -24,12 +24,12 @@ use super::{CornerValues, Shader};
 /// # let mut picture = Picture::new(&mut pixels, Size::new(32, 32))?;
 /// # let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), Size::new(32, 32)), &mut depths)?;
 /// // A wall, then three panes: one behind it, and two before it, of which the nearer one is added first.
-/// at(0).depth_tested(|_| Gray8::new(100), &mut [], &mut depth, &mut picture.pixels())?;
+/// at(0).faces(|_| Gray8::new(100)).draw(&mut picture.pixels().depth_tested(&mut depth))?;
 /// let mut painter = Painter::<DepthTested<HalfBlended<Gray8>>, 9, 3>::new();
 /// for (z, luma) in [(2, 200), (1, 0), (-1, 255)] {
 ///     painter.add(&at(z), |_| DepthTested::new(HalfBlended::new(Gray8::new(luma))))?;
 /// }
-/// painter.depth_tested(&mut depth, &mut picture.pixels())?;
+/// painter.draw(&mut picture.pixels().depth_tested(&mut depth))?;
 /// assert_eq!(picture.colors()[16 * 32 + 16], Gray8::new(125)); // (200 + (0 + 100) / 2) / 2
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

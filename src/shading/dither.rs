@@ -33,7 +33,7 @@ use core::marker::PhantomData;
 /// );
 /// let mut display = MockDisplay::<BinaryColor>::new();
 /// let grey = Flat::from(Rgb888::new(51, 51, 51)); // a fifth of white: 12.8 of 64
-/// camera.place(&mesh, &Affine::<Model, World>::identity()).solid(|_| grey.dithered(), &mut [], &mut display)?;
+/// camera.place(&mesh, &Affine::<Model, World>::identity()).faces(|_| grey.dithered()).draw(&mut display)?;
 /// display.assert_pattern(&[
 ///     "........",
 ///     "..#...#.",

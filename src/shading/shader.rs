@@ -47,13 +47,13 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 ///
 /// // The mesh in one colour.
 /// # let mut target = display();
-/// instance.solid(|_| Rgb565::CYAN, &mut cache, &mut target)?;
+/// instance.faces(|_| Rgb565::CYAN).cached(&mut cache).draw(&mut target)?;
 /// # assert_eq!(colours(&target), 1);
 ///
 /// // A colour for each face, at the light of its normal.
 /// # let mut target = display();
 /// let paint = [Rgb565::RED, Rgb565::WHITE];
-/// instance.solid(|face| paint[face].dim(light.level(mesh.normals()[face])), &mut cache, &mut target)?;
+/// instance.faces(|face| paint[face].dim(light.level(mesh.normals()[face]))).cached(&mut cache).draw(&mut target)?;
 /// # assert_eq!(colours(&target), 2);
 ///
 /// // The light at each vertex, computed once; smooth in between.
@@ -61,13 +61,13 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// let mut levels = [0; VERTICES.len()];
 /// light.levels(mesh.vertex_normals(), &mut levels);
 /// let smooth = |face| Gouraud::lit(Rgb888::CSS_GOLD, mesh.corners_of(face, &levels)).dithered();
-/// instance.solid(smooth, &mut cache, &mut target)?;
+/// instance.faces(smooth).cached(&mut cache).draw(&mut target)?;
 /// # assert!(colours(&target) > 8);
 ///
 /// // A colour for each vertex.
 /// # let mut target = display();
 /// let heights = [Rgb888::RED, Rgb888::RED, Rgb888::BLUE, Rgb888::GREEN];
-/// instance.solid(|face| Gouraud::new(FACES[face].map(|v| heights[usize::from(v)])), &mut cache, &mut target)?;
+/// instance.faces(|face| Gouraud::new(FACES[face].map(|v| heights[usize::from(v)]))).cached(&mut cache).draw(&mut target)?;
 /// # assert!(colours(&target) > 16);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -148,7 +148,7 @@ pub trait Shader: Copy {
 /// # );
 /// # let instance = camera.place(&mesh, &Affine::identity());
 /// let mut display = MockDisplay::<Gray8>::new();
-/// instance.solid(|_face| Ramp([40, 240, 140]), &mut [], &mut display)?;
+/// instance.faces(|_face| Ramp([40, 240, 140])).draw(&mut display)?;
 /// # use embedded_graphics::pixelcolor::GrayColor;
 /// let luma = |x| display.get_pixel(Point::new(x, 24)).unwrap().luma();
 /// assert!(luma(8) < 75 && luma(16) > 130 && luma(16) < 150 && luma(23) > 205);

@@ -13,7 +13,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 )]
 pub trait Stroke<C: PixelColor>: Copy {
     /// [`Reads`](crate::Reads) if lines are anti-aliased, else [`Writes`]. A stroke that reads the stored pixels compiles only for
-    /// targets whose pixels lie in [memory](crate::Target::memory): a [`Picture`](crate::Picture)'s or a [`Band`](crate::Band)'s
+    /// targets whose pixels lie in [memory](crate::Surface::memory): a [`Picture`](crate::Picture)'s or a [`Band`](crate::Band)'s
     /// `pixels()`, or a target of your own that has memory.
     type Access: Access;
 

@@ -8,7 +8,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// A translucent shader, or a translucent picture of a sprite: its colours are mixed with the stored pixels by a [`BlendMode`].
 /// [`HalfBlended`] and [`Blended`] are the types for the modes [`Half`] and [`Alpha`].
 ///
-/// It reads pixels, so it draws into [memory](crate::Target::memory) alone: a [`Picture`](crate::Picture), or the pixels of a
+/// It reads pixels, so it draws into [memory](crate::Surface::memory) alone: a [`Picture`](crate::Picture), or the pixels of a
 /// [`Band`](crate::Band). With another target it does not compile; [`ScreenDoor`](crate::ScreenDoor) draws into every target.
 ///
 /// **Order.** What is behind must be drawn before: opaque faces first, then translucent ones from far to near, by a

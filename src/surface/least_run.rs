@@ -1,12 +1,12 @@
 //! A DrawTarget with a chosen way to take lines.
 
-use super::target::Target;
+use super::target::Surface;
 use crate::raster::Span;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 
-/// A DrawTarget whose [`LEAST_RUN`](Target::LEAST_RUN) is `PIXELS`. The library guesses from the error type whether a target is a
+/// A DrawTarget whose [`LEAST_RUN`](Surface::LEAST_RUN) is `PIXELS`. The library guesses from the error type whether a target is a
 /// display bus; this overrides a wrong guess. The picture is equal with every number.
 ///
 /// - `LeastRun::<_, 1>`: a display driver whose error type has no value, because the microcontroller's SPI cannot fail, as on an
@@ -26,7 +26,7 @@ use embedded_graphics_core::Pixel;
 #[derive(Debug)]
 pub struct LeastRun<'d, D, const PIXELS: u16>(pub &'d mut D);
 
-impl<D: DrawTarget, const PIXELS: u16> Target for LeastRun<'_, D, PIXELS> {
+impl<D: DrawTarget, const PIXELS: u16> Surface for LeastRun<'_, D, PIXELS> {
     type Color = D::Color;
     type Error = D::Error;
     type Store = [D::Color; 0];

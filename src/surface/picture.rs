@@ -12,7 +12,7 @@ use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 
 /// A picture in a caller-provided buffer, one colour per pixel, row by row. It is a DrawTarget; its [`pixels`](Self::pixels)
-/// are the fastest [`Target`](crate::Target).
+/// are the fastest [`Surface`](crate::Surface).
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};

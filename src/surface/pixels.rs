@@ -1,7 +1,7 @@
 //! Pixels in a borrowed slice, as a target.
 
 use super::memory::Memory;
-use super::target::Target;
+use super::target::Surface;
 use crate::color::StoredPixel;
 use crate::raster::Span;
 use crate::surface::BufferError;
@@ -9,7 +9,7 @@ use core::convert::Infallible;
 use core::marker::PhantomData;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// Pixels in a borrowed slice, the fastest [`Target`]. [`Picture::pixels`](crate::Picture::pixels) and
+/// Pixels in a borrowed slice, the fastest [`Surface`]. [`Picture::pixels`](crate::Picture::pixels) and
 /// [`Band::pixels`](crate::Band::pixels) make one, and [`new`](Self::new) makes one of any other framebuffer.
 ///
 /// `C` is the colour type, `Cell` the stored form of one pixel: see [`StoredPixel`].
@@ -55,7 +55,7 @@ impl<'a, C, Cell: Copy> Pixels<'a, C, Cell> {
     }
 }
 
-impl<'a, C: StoredPixel<Cell>, Cell: Copy> Target for Pixels<'a, C, Cell> {
+impl<'a, C: StoredPixel<Cell>, Cell: Copy> Surface for Pixels<'a, C, Cell> {
     type Color = C;
     type Error = Infallible;
     type Store = &'a mut [Cell];

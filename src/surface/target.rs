@@ -1,10 +1,12 @@
-//! The trait of everything that can be drawn into.
+//! Where draw calls draw: a surface, which is everything whose pixels can be drawn, alone or with a depth buffer.
 
 use super::memory::{Memory, PixelStore};
+use super::DepthBuffer;
 use crate::color::{Ink, StoredPixel};
 use crate::raster::Span;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 
@@ -27,7 +29,7 @@ use embedded_graphics_core::Pixel;
 /// ```
 /// use core::convert::Infallible;
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use pinhole::{fill_triangle, raster::{ScreenPoint, Span}, Memory, BufferError, StoredPixel, Target};
+/// use pinhole::{fill_triangle, raster::{ScreenPoint, Span}, Memory, BufferError, StoredPixel, Surface};
 ///
 /// /// A framebuffer that remembers whether it was drawn to.
 /// struct Framebuffer<'a> {
@@ -35,7 +37,7 @@ use embedded_graphics_core::Pixel;
 ///     is_drawn: bool,
 /// }
 ///
-/// impl<'a> Target for Framebuffer<'a> {
+/// impl<'a> Surface for Framebuffer<'a> {
 ///     type Color = Rgb565;
 ///     type Error = Infallible;
 ///     type Store = &'a mut [u16];
@@ -70,7 +72,7 @@ use embedded_graphics_core::Pixel;
     label = "not a drawing target",
     note = "pass any `DrawTarget` of embedded-graphics, `Picture::pixels()` or `Band::pixels()`, by `&mut`"
 )]
-pub trait Target {
+pub trait Surface {
     /// The colour of a pixel.
     type Color: StoredPixel<<Self::Store as PixelStore>::Cell>;
 
@@ -125,9 +127,35 @@ pub trait Target {
     fn memory(&mut self) -> Option<&mut Memory<Self::Store>> {
         None
     }
+
+    /// This surface with a depth buffer: draw calls draw into it the pixels that are nearer than the buffer, and store their depth.
+    /// Nothing is drawn outside the depth buffer.
+    ///
+    /// ```
+    /// # use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+    /// # use pinhole::{meshes::CUBE, prelude::*, Angle};
+    /// # let size = Size::new(32, 32);
+    /// # let viewport = Viewport::new(Point::zero(), size)?;
+    /// # let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// # let mut pixels = [Gray8::BLACK; 32 * 32];
+    /// let mut picture = Picture::new(&mut pixels, size)?;
+    /// let mut depths = [0; 32 * 32];
+    /// let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;
+    /// let cube = camera.place(&CUBE, &Affine::identity());
+    /// cube.faces(|_| Gray8::WHITE).draw(&mut picture.pixels().depth_tested(&mut depth))?;
+    /// assert!(depth.at(Point::new(16, 16)) < Some(DepthBuffer::NOTHING));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[inline(always)]
+    fn depth_tested<'t, 'b>(&'t mut self, depth: &'t mut DepthBuffer<'b>) -> DepthTestedSurface<'t, 'b, Self>
+    where
+        Self: Sized,
+    {
+        DepthTestedSurface { surface: self, depth }
+    }
 }
 
-impl<D: DrawTarget> Target for D {
+impl<D: DrawTarget> Surface for D {
     type Color = D::Color;
     type Error = D::Error;
     type Store = [D::Color; 0];
@@ -154,8 +182,103 @@ impl<D: DrawTarget> Target for D {
     }
 }
 
+/// Where draw calls draw: a [`Surface`], or a surface [with a depth buffer](Surface::depth_tested). Sealed: your own framebuffer
+/// implements [`Surface`].
+#[diagnostic::on_unimplemented(
+    message = "pinhole cannot draw into `{Self}`",
+    label = "not a drawing target",
+    note = "pass any `DrawTarget` of embedded-graphics, `Picture::pixels()` or `Band::pixels()`, by `&mut`; for a depth test its `depth_tested(&mut depth)`"
+)]
+pub trait Target: sealed::Sealed {
+    /// The colour of a pixel.
+    type Color: PixelColor;
+
+    /// The error of drawing.
+    type Error;
+
+    /// The pixels.
+    type Surface: Surface<Color = Self::Color, Error = Self::Error>;
+
+    /// [`Untested`] or [`Tested`].
+    type Test;
+
+    /// Calls `untested` with the surface, or `tested` with the surface and its depth buffer; either gets `arguments`.
+    #[doc(hidden)]
+    fn dispatch<A, R>(
+        &mut self,
+        arguments: A,
+        untested: impl FnOnce(A, &mut Self::Surface) -> R,
+        tested: impl FnOnce(A, &mut Self::Surface, &mut DepthBuffer<'_>) -> R,
+    ) -> R;
+}
+
+/// Marks a [`Target`] without a depth buffer. No value of this type exists.
+#[derive(Clone, Copy, Debug)]
+pub enum Untested {}
+
+/// Marks a [`Target`] with a depth buffer. No value of this type exists.
+#[derive(Clone, Copy, Debug)]
+pub enum Tested {}
+
+impl<S: Surface> Target for S {
+    type Color = S::Color;
+    type Error = S::Error;
+    type Surface = S;
+    type Test = Untested;
+
+    #[inline(always)]
+    fn dispatch<A, R>(
+        &mut self,
+        arguments: A,
+        untested: impl FnOnce(A, &mut S) -> R,
+        _: impl FnOnce(A, &mut S, &mut DepthBuffer<'_>) -> R,
+    ) -> R {
+        untested(arguments, self)
+    }
+}
+
+/// A [`Surface`] with a depth buffer, as [`Surface::depth_tested`] makes it: a draw call draws the pixels that are nearer than the
+/// buffer, and stores their depth.
+#[derive(Debug)]
+pub struct DepthTestedSurface<'t, 'b, S> {
+    pub(crate) surface: &'t mut S,
+    pub(crate) depth: &'t mut DepthBuffer<'b>,
+}
+
+impl<S: Surface> Target for DepthTestedSurface<'_, '_, S> {
+    type Color = S::Color;
+    type Error = S::Error;
+    type Surface = S;
+    type Test = Tested;
+
+    #[inline(always)]
+    fn dispatch<A, R>(
+        &mut self,
+        arguments: A,
+        _: impl FnOnce(A, &mut S) -> R,
+        tested: impl FnOnce(A, &mut S, &mut DepthBuffer<'_>) -> R,
+    ) -> R {
+        tested(arguments, self.surface, self.depth)
+    }
+}
+
+/// A public trait that no other crate can name.
+mod sealed {
+    pub trait Sealed {}
+    impl<S: super::Surface> Sealed for S {}
+    impl<S: super::Surface> Sealed for super::DepthTestedSurface<'_, '_, S> {}
+}
+
+// A surface need not implement `Format`.
+#[cfg(feature = "defmt")]
+impl<S> defmt::Format for DepthTestedSurface<'_, '_, S> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "surface with a {}", self.depth);
+    }
+}
+
 /// The stored form of a target's pixels.
-pub(crate) type CellOf<T> = <<T as Target>::Store as PixelStore>::Cell;
+pub(crate) type CellOf<T> = <<T as Surface>::Store as PixelStore>::Cell;
 
 /// Puts ink into a pixel; returns `false` if the ink leaves the pixel out.
 #[inline(always)]
@@ -172,7 +295,7 @@ pub(crate) fn put<Cell: Copy, C: StoredPixel<Cell>, I: Ink<C>>(cell: &mut Cell, 
 
 /// Draws a run of inks of which none leaves its pixel out.
 #[inline(always)]
-pub(crate) fn draw_run<T: Target, I: Ink<T::Color>>(
+pub(crate) fn draw_run<T: Surface, I: Ink<T::Color>>(
     run: Span,
     inks: impl Iterator<Item = I>,
     target: &mut T,
@@ -188,7 +311,7 @@ pub(crate) fn draw_run<T: Target, I: Ink<T::Color>>(
     Ok(())
 }
 
-/// [`LEAST_RUN`](Target::LEAST_RUN) of a DrawTarget in memory: there a run takes 130 to 190 instructions and a pixel of
+/// [`LEAST_RUN`](Surface::LEAST_RUN) of a DrawTarget in memory: there a run takes 130 to 190 instructions and a pixel of
 /// `draw_iter` 14, on a Cortex-M3.
 const IN_MEMORY: u16 = 16;
 

@@ -9,7 +9,7 @@ use mipidsi::interface::{SpiError, SpiInterface};
 use mipidsi::models::{ILI9341Rgb565, ILI9341Rgb666, ST7789};
 use mipidsi::options::{ColorOrder, Orientation, Rotation};
 use mipidsi::{Builder, Display, NoResetPin};
-use pinhole::{Color, Frame, Target};
+use pinhole::{Color, Frame, Surface};
 use support::oracle::line;
 use support::panel::bus::{Failure, NoDelay, Panel};
 use support::panel::films::{
@@ -129,7 +129,7 @@ fn a_line_sends_one_window_per_run() {
             pixels += line.len();
             runs += 1 + line.windows(2).filter(|pair| is_step(pair)).count();
         }
-        assert_eq!(<Display<Bus, M, NoResetPin> as Target>::LEAST_RUN, 1);
+        assert_eq!(<Display<Bus, M, NoResetPin> as Surface>::LEAST_RUN, 1);
         let size = M::ColorFormat::FORMAT.bits() as usize / 8;
         let least = (runs * 11 + pixels * size, runs);
         assert_eq!(line_traffic::<M, 1>(), least);

@@ -2,7 +2,7 @@
 
 use embedded_graphics_core::primitives::PointsIter;
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Cull, DepthBuffer, Mesh};
+use pinhole::{Affine, Cull, DepthBuffer, Mesh, Surface};
 use support::bridge::draw::Shader;
 use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use support::bridge::rectangle;
@@ -25,7 +25,7 @@ fn draw(
     let mesh = Mesh::new(vertices, exponent, faces).expect("a mesh");
     let instance = camera.library().place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
     let (picture, depths) = screen(rectangle(0, 0, SIZE.0, SIZE.1), &mut |target, depth| {
-        let Ok(_) = instance.depth_tested(|face| Shader(face as u16), &mut [], depth, target);
+        let Ok(_) = instance.faces(|face| Shader(face as u16)).draw(&mut target.depth_tested(depth));
     });
     (picture.pixels.iter().map(|pixel| pixel.map_or(-1, |Shader(face)| face.into())).collect(), depths)
 }
@@ -214,7 +214,7 @@ fn d3_only_pixels_of_the_depth_buffer_are_drawn() {
         let mut picture = Screen::sized(SIZE.0, SIZE.1);
         let mut storage = vec![7; (width * height) as usize];
         let mut depth = DepthBuffer::new(rectangle(x, y, width, height), &mut storage).expect("storage");
-        let Ok(_) = instance.depth_tested(|face| Shader(face as u16), &mut [], &mut depth, &mut picture);
+        let Ok(_) = instance.faces(|face| Shader(face as u16)).draw(&mut picture.depth_tested(&mut depth));
         for (at, (&id, &deep)) in rectangle(0, 0, SIZE.0, SIZE.1).points().zip(ids.iter().zip(&whole)) {
             let held = depth.at(at);
             assert_eq!(held.is_some(), rectangle(x, y, width, height).contains(at));

@@ -407,7 +407,8 @@ fn c6_the_cut_of_a_shared_edge_is_the_same_point_for_both() {
         library
             .place(&mesh, &model.library())
             .with_cull(Cull::None)
-            .solid(|face| Shader(face as u16), &mut [], &mut target)
+            .faces(|face| Shader(face as u16))
+            .draw(&mut target)
             .expect("no error");
         // The quadrangle split along its other diagonal, seen from either side.
         let other = [[0, 1, 3], [1, 2, 3], [3, 1, 0], [3, 2, 1]];

@@ -7,7 +7,7 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{
     edge_faces, Affine, AntiAliased, Color, DepthBuffer, Mesh, MeshInstance, Pixels, Reads, ScreenVertex,
-    StoredPixel, Stroke,
+    StoredPixel, Stroke, Surface,
 };
 use std::f64::consts::TAU;
 use support::bridge::draw::{cube_camera, flat_camera, CUBE, CUBE_EDGES, CUBE_FACES};
@@ -57,12 +57,12 @@ fn all_ways<const N: usize, C: Color + StoredPixel<[u8; N]> + core::fmt::Debug>(
         different += u32::from(lines.hidden != lines.tested);
         // With nothing in front: equal to the lines without depth.
         let open = memory(AREA, background, &mut |target, depth| {
-            let Ok(_) = instance.hidden_line(stroke, &mut [], depth, target);
+            let Ok(_) = instance.edges(|_| stroke).hidden_line(&mut target.depth_tested(depth));
         });
         assert!(open == lines.all);
         // Plain and anti-aliased lines by turns, from the same bins.
         let plain = picture(&mut |target| {
-            let Ok(_) = instance.wireframe(color, &mut [], target);
+            let Ok(_) = instance.edges(|_| color).draw(target);
         });
         let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 8], [0; 13]);
         let transformed = instance.transform(&mut cache);
@@ -103,7 +103,7 @@ fn pixels_of_which_an_edge_has_half_store_its_depth() {
         let instance = camera.place(&mesh, &model);
         let (pixels, depths) = memory_with(AREA, AREA, Gray8::BLACK, &mut |target, depth| {
             let stroke = AntiAliased(Gray8::WHITE);
-            let Ok(_) = instance.wireframe_depth_tested(stroke, &mut [], depth, target);
+            let Ok(_) = instance.edges(|_| stroke).draw(&mut target.depth_tested(depth));
         });
         // A level on either side is left to rounding.
         for (pixel, depth) in pixels.into_iter().zip(depths) {

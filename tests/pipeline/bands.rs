@@ -8,7 +8,7 @@ use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
     BufferError, Color, Cull, DepthBuffer, DirtyRegions, Frame, Mesh, MeshInstance, ScreenVertex, Statistics,
-    Tracked, TransferCost,
+    Surface, Tracked, TransferCost,
 };
 use support::bridge::draw::{cube_camera, CUBE, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -41,7 +41,7 @@ fn draw(
     let (mut strip, mut storage) = (vec![0; pixels], vec![0; pixels]);
     while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
         let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
-        let Ok(()) = faces.depth_tested(colour, &mut depth, &mut band);
+        let Ok(()) = faces.draw(colour, &mut band.depth_tested(&mut depth));
         band.send(display)?;
     }
     Ok(faces.statistics())
@@ -53,7 +53,10 @@ fn luma(display: &Recorder<Gray8>) -> Vec<u8> {
 
 fn whole(instance: &MeshInstance<'_>, area: Rectangle) -> Vec<u8> {
     let (drawn, _) = screen(area, &mut |target, depth| {
-        let Ok(_) = instance.depth_tested(colour, &mut [ScreenVertex::EMPTY; 8], depth, target);
+        let Ok(_) = instance
+            .faces(colour)
+            .cached(&mut [ScreenVertex::EMPTY; 8])
+            .draw(&mut target.depth_tested(depth));
     });
     drawn.over(Gray8::BLACK).into_iter().map(|color| color.luma()).collect()
 }
@@ -122,12 +125,12 @@ fn a_band_that_fails_can_be_drawn_again() {
         let projected = instance.transform(&mut corners);
         let mut faces = projected.bin_faces(&mut bin_storage).expect("room");
         let mut good = Recorder::sized(64, 64);
-        instance.solid(colour, &mut [], &mut good).expect("no error");
+        instance.faces(colour).draw(&mut good).expect("no error");
         for after in [0, 1, 20] {
             let mut bad = Recorder::failing(64, 64, after);
-            assert_eq!(faces.solid(colour, &mut bad), Err(Refused(after)));
+            assert_eq!(faces.draw(colour, &mut bad), Err(Refused(after)));
             bad = Recorder::sized(64, 64);
-            faces.solid(colour, &mut bad).expect("no error");
+            faces.draw(colour, &mut bad).expect("no error");
             assert_eq!(luma(&bad), luma(&good));
         }
     });
@@ -156,7 +159,7 @@ fn a_mesh_larger_than_the_storage_streams_in_chunks() {
     let area = rectangle(0, 0, 96, 64);
     let shade = |face: usize| Gray8::new((face * 7 % 251) as u8 + 1);
     let (reference, _) = screen(area, &mut |target, depth| {
-        let Ok(_) = instance.depth_tested(shade, &mut [], depth, target);
+        let Ok(_) = instance.faces(shade).draw(&mut target.depth_tested(depth));
     });
     let reference = reference.over(Gray8::BLACK);
 
@@ -168,7 +171,10 @@ fn a_mesh_larger_than_the_storage_streams_in_chunks() {
             let own = &vertices[z as usize * 256..(z as usize + 2) * 256];
             let chunk = Mesh::new(own, -13, &chunk_faces).expect("a mesh");
             let chunk = camera.place(&chunk, &model).with_cull(Cull::None);
-            let Ok(_) = chunk.depth_tested(|face| shade(z as usize * 510 + face), &mut corners, depth, band);
+            let Ok(_) = chunk
+                .faces(|face| shade(z as usize * 510 + face))
+                .cached(&mut corners)
+                .draw(&mut band.depth_tested(depth));
         }
     });
     assert!(picture == reference);
@@ -178,7 +184,7 @@ fn a_mesh_larger_than_the_storage_streams_in_chunks() {
     let projected = instance.transform_depth(&mut corners[..300]);
     let mut recorded = projected.bin_faces(&mut bin_storage).expect("room");
     let picture = bands(area, Gray8::BLACK, 16, &mut |band, depth| {
-        let Ok(()) = recorded.depth_tested(shade, depth, band);
+        let Ok(()) = recorded.draw(shade, &mut band.depth_tested(depth));
     });
     assert!(picture == reference);
     assert!(picture.iter().filter(|&&color| color != Gray8::BLACK).count() > 1000, "hardly anything is seen");

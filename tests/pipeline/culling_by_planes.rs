@@ -7,7 +7,8 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{
-    Coordinate, Cull, FacePlanes, Mesh, MeshError, MeshInstance, Scalar, ScreenVertex, Statistics, WithPlanes,
+    Coordinate, Cull, FacePlanes, Mesh, MeshError, MeshInstance, Scalar, ScreenVertex, Statistics, Surface,
+    WithPlanes,
 };
 use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::ways::{bands, by_every_call, lines_by_every_call, memory, screen, Drawn, Lines};
@@ -33,14 +34,12 @@ fn draw<V: Coordinate, P: FacePlanes>(instance: &MeshInstance<'_, V, P>) -> Draw
     let (drawn, counted) = by_every_call(instance, AREA, Rgb565::BLACK, &[7, HEIGHT], &color);
     let mut faces = Vec::new();
     screen(AREA, &mut |target, _| {
-        let Ok(_) = instance.solid(
-            |face| {
+        let Ok(_) = instance
+            .faces(|face| {
                 faces.push(face as u16);
                 color(face)
-            },
-            &mut [],
-            target,
-        );
+            })
+            .draw(target);
     });
     (drawn, faces, counted)
 }
@@ -207,14 +206,14 @@ fn every_way<V: Coordinate>(
             }
         };
         let banded = bands(CUT, Rgb565::BLACK, heights[0], &mut |band, _| {
-            let Ok(()) = faces.solid(color, band);
+            let Ok(()) = faces.draw(color, band);
         });
         assert!(banded == drawn.solid, "transformed: {is_transformed}");
     }
     // Culling leaves out the faces that the turned mesh draws: without culling, no side is known before a face is cut.
     let counts = |instance: &MeshInstance<'_, V>| {
         let (screen, _) = screen(CUT, &mut |target, _| {
-            let Ok(_) = instance.solid(color, &mut [], target);
+            let Ok(_) = instance.faces(color).draw(target);
         });
         screen.counts
     };
@@ -231,8 +230,8 @@ fn every_way<V: Coordinate>(
     // The face that is picked in a pixel is the face that is drawn there.
     for (pixel, drawn) in CUT.points().zip(&drawn.deep).skip(rng.below(300)).step_by(401) {
         let picked = [
-            instance.pick(pixel, color, &mut cache),
-            by_planes.pick(pixel, color, &mut cache),
+            instance.faces(color).cached(&mut cache).pick(pixel),
+            by_planes.faces(color).cached(&mut cache).pick(pixel),
             by_planes.transform_depth(&mut []).pick(pixel, color),
         ];
         for picked in picked {
@@ -243,10 +242,10 @@ fn every_way<V: Coordinate>(
     let lines = lines_by_every_call(&instance, CUT, Rgb565::BLACK, &heights, LINE, None);
     let hidden = memory(CUT, Rgb565::BLACK, &mut |target, depth| {
         by_planes.depth_only(&mut cache, depth);
-        let Ok(_) = instance.hidden_line(LINE, &mut [], depth, target);
+        let Ok(_) = instance.edges(|_| LINE).hidden_line(&mut target.depth_tested(depth));
     });
     let (wire, _) = screen(CUT, &mut |target, _| {
-        let Ok(_) = instance.wireframe(LINE, &mut cache, target);
+        let Ok(_) = instance.edges(|_| LINE).cached(&mut cache).draw(target);
     });
     assert!(hidden == lines.hidden && wire.over(Rgb565::BLACK) == lines.all);
     (statistics, drawn, lines)

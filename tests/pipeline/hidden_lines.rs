@@ -2,7 +2,7 @@
 
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::BinaryColor;
-use pinhole::{edge_faces, Cull, DepthBuffer, Mesh, MeshInstance, ScreenVertex};
+use pinhole::{edge_faces, Cull, DepthBuffer, Mesh, MeshInstance, ScreenVertex, Surface};
 use support::bridge;
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::ways::{bands, screen};
@@ -48,7 +48,7 @@ fn in_bands(instance: &MeshInstance<'_>, rows: u32) -> Vec<BinaryColor> {
     let picture =
         bands(bridge::rectangle(0, 0, WIDTH, HEIGHT), BinaryColor::Off, rows, &mut |band, depth| {
             faces.depth_only(depth);
-            let Ok(()) = edges.hidden_line(BinaryColor::On, depth, band);
+            let Ok(()) = edges.hidden_line(BinaryColor::On, &mut band.depth_tested(depth));
         });
     assert_eq!(faces.statistics().clipped + faces.statistics().outside, 0);
     picture
@@ -192,7 +192,7 @@ fn an_edge_of_a_face_seen_edge_on_is_drawn_whole() {
         let instance = library.place(&mesh, &ModelBits::default().library());
         let (target, _) = screen(bridge::rectangle(0, 0, 160, 120), &mut |target, depth| {
             instance.depth_only(&mut [], depth);
-            let Ok(_) = instance.hidden_line(BinaryColor::On, &mut [], depth, target);
+            let Ok(_) = instance.edges(|_| BinaryColor::On).hidden_line(&mut target.depth_tested(depth));
         });
         let exact = |i| instance.project_unsnapped(i).expect("in view").map(|v| v as f64 / 4_294_967_296.0);
         let vertices: Vec<Vertex> = (0..8).map(exact).collect();
@@ -295,7 +295,8 @@ fn an_edge_without_faces_stays_so_in_large_meshes() {
         let mut drawn = 0;
         let (target, _) = screen(bridge::rectangle(0, 0, 64, 64), &mut |target, depth| {
             instance.depth_only(&mut [], depth);
-            let Ok(statistics) = instance.hidden_line(BinaryColor::On, &mut [], depth, target);
+            let Ok(statistics) =
+                instance.edges(|_| BinaryColor::On).hidden_line(&mut target.depth_tested(depth));
             drawn = statistics.drawn;
         });
         assert_eq!((drawn, target.drawn().count()), (1, 0), "{count} faces");
@@ -342,13 +343,15 @@ fn hidden_lines_draw_the_edges_of_clipped_faces() {
             let listed = unlisted.with_edge_faces(&beside).expect("two faces");
             let (line, own) = screen(area, &mut |target, depth| {
                 let instance = camera.place(&listed, &model);
-                let Ok(_) = instance.wireframe_depth_tested(BinaryColor::On, &mut [], depth, target);
+                let Ok(_) = instance.edges(|_| BinaryColor::On).draw(&mut target.depth_tested(depth));
             });
             let [target, found] = [&listed, &unlisted].map(|mesh| {
                 let (target, depths) = screen(area, &mut |target, depth| {
                     camera.place(&whole, &model).depth_only(&mut [], depth);
-                    let Ok(_) =
-                        camera.place(mesh, &model).hidden_line(BinaryColor::On, &mut [], depth, target);
+                    let Ok(_) = camera
+                        .place(mesh, &model)
+                        .edges(|_| BinaryColor::On)
+                        .hidden_line(&mut target.depth_tested(depth));
                 });
                 assert_eq!(depths, held, "depth is looked at only");
                 target

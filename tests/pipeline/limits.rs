@@ -8,7 +8,7 @@ use pinhole::clip::{Barycentric, Varying};
 use pinhole::raster::Span;
 use pinhole::{
     mesh_buffers, strip_buffers, Affine, Angle, BufferError, Camera, CameraError, Cull, Frame, LightError,
-    MathError, Mesh, MeshBuffers, MeshError, Object, Picture, Scene, Target, TextureError, Viewport,
+    MathError, Mesh, MeshBuffers, MeshError, Object, Picture, Scene, Surface, TextureError, Viewport,
 };
 use std::collections::HashSet;
 use std::error::Error;

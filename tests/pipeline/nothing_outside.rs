@@ -8,7 +8,7 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, IntoStorage, Rgb565, 
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::Span;
 use pinhole::{
-    BufferError, DepthBuffer, Frame, Gouraud, Memory, Mesh, Picture, Pixels, ShadeTable, StoredPixel, Target,
+    BufferError, DepthBuffer, Frame, Gouraud, Memory, Mesh, Picture, Pixels, ShadeTable, StoredPixel, Surface,
 };
 use support::bridge::draw::{cube_camera as camera, turned_cube as draw, CUBE, CUBE_FACES, WAYS};
 use support::bridge::pair::ModelBits;
@@ -98,7 +98,7 @@ fn rectangles_of_any_position_and_size_are_filled() {
 /// A target of this test's own whose pixels lie in memory, as numbers.
 struct Numbers<'a>(Memory<&'a mut [u16]>);
 
-impl<'a> Target for Numbers<'a> {
+impl<'a> Surface for Numbers<'a> {
     type Color = Rgb565;
     type Error = Infallible;
     type Store = &'a mut [u16];
@@ -123,22 +123,21 @@ impl<'a> Target for Numbers<'a> {
 }
 
 /// Draws a cube in every way, with and without depth.
-fn cubes<T: Target<Color = Rgb565>>(target: &mut T) {
+fn cubes<T: Surface<Color = Rgb565>>(target: &mut T) {
     let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).expect("a mesh");
     let (model, camera) = (ModelBits::default().library(), camera((0, 0, 40, 30)).library());
     let instance = camera.place(&mesh, &model);
     let table = ShadeTable::new(Rgb888::CSS_GOLD);
     let smooth = |face| table.lit([10 * face as u16, 200, 256]);
     let solid = |face| Rgb565::new(face as u8 + 1, 9, 9);
-    let _ = instance.solid(solid, &mut [], target);
-    let _ =
-        instance.solid(|face| Gouraud::lit(Rgb888::CSS_CORAL, [10 * face as u16, 200, 256]), &mut [], target);
+    let _ = instance.faces(solid).draw(target);
+    let _ = instance.faces(|face| Gouraud::lit(Rgb888::CSS_CORAL, [10 * face as u16, 200, 256])).draw(target);
     let mut depths = [0; 40 * 30];
     let mut depth = DepthBuffer::new(target.area(), &mut depths).expect("as many numbers");
-    let _ = instance.depth_tested(solid, &mut [], &mut depth, target);
+    let _ = instance.faces(solid).draw(&mut target.depth_tested(&mut depth));
     depth.clear();
-    let _ = instance.depth_tested(smooth, &mut [], &mut depth, target);
-    let _ = instance.wireframe(Rgb565::CSS_WHITE, &mut [], target);
+    let _ = instance.faces(smooth).draw(&mut target.depth_tested(&mut depth));
+    let _ = instance.edges(|_| Rgb565::CSS_WHITE).draw(target);
 }
 
 #[test]

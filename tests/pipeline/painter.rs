@@ -3,7 +3,7 @@
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use embedded_graphics::prelude::PointsIter;
-use pinhole::{Affine, Blended, BufferError, DepthBuffer, DepthTested, HalfBlended, Mesh, Painter};
+use pinhole::{Affine, Blended, BufferError, DepthBuffer, DepthTested, HalfBlended, Mesh, Painter, Surface};
 use support::bridge;
 use support::bridge::draw::{flat_camera, Shader};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -327,10 +327,10 @@ fn panes_are_mixed_from_far_to_near_where_no_wall_hides_them() {
             let colors = bands(area, Gray8::BLACK, rows, &mut |band, depth| {
                 for (i, wall) in walls.iter().enumerate() {
                     let color = |_| Gray8::new(wall.luma);
-                    let Ok(_) = place(i).depth_tested(color, &mut [], depth, &mut band.pixels());
+                    let Ok(_) = place(i).faces(color).draw(&mut band.pixels().depth_tested(depth));
                 }
                 let before = depth.values().to_vec();
-                let Ok(()) = order.depth_tested(depth, &mut band.pixels());
+                let Ok(()) = order.draw(&mut band.pixels().depth_tested(depth));
                 assert!(depth.values() == before);
             });
             for (point, color) in area.points().zip(colors) {
@@ -364,19 +364,19 @@ fn opaque_faces_store_their_depth() {
         let instance = camera.place(&mesh, &Affine::identity());
         let color = |face: usize| Gray8::new(60 * face as u8 + 60);
         let (_, depths) = memory_with(area, area, Gray8::BLACK, &mut |target, depth| {
-            let Ok(_) = instance.depth_tested(color, &mut [], depth, target);
+            let Ok(_) = instance.faces(color).draw(&mut target.depth_tested(depth));
         });
         let (_, painted) = memory_with(area, area, Gray8::BLACK, &mut |target, depth| {
             let mut painter = Painter::<DepthTested<Gray8>, 50, 20>::new();
             painter.add(&instance, |face| DepthTested::new(color(face))).expect("room");
-            let Ok(_) = painter.depth_tested(depth, target);
+            let Ok(_) = painter.draw(&mut target.depth_tested(depth));
         });
         assert!(depths == painted);
         // With translucent faces, no depth is stored.
         let (_, painted) = memory_with(area, area, Gray8::BLACK, &mut |target, depth| {
             let mut painter = Painter::<DepthTested<Blended<Gray8>>, 50, 20>::new();
             painter.add(&instance, |face| DepthTested::new(Blended::new(color(face), 7))).expect("room");
-            let Ok(_) = painter.depth_tested(depth, target);
+            let Ok(_) = painter.draw(&mut target.depth_tested(depth));
         });
         assert!(painted.iter().all(|&depth| depth == DepthBuffer::NOTHING));
     }

@@ -8,8 +8,8 @@ use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
     Affine, Angle, BufferError, Camera, Cull, Mesh, Object, Painter, Picked, Point3, Projection, Scalar,
-    Scene, ScreenDoor, ScreenVertex, SpanShader, Statistics, Vector3, ViewTransform, Viewport, Visibility,
-    WithPlanes,
+    Scene, ScreenDoor, ScreenVertex, SpanShader, Statistics, Surface, Vector3, ViewTransform, Viewport,
+    Visibility, WithPlanes,
 };
 use support::bridge::draw::{CUBE, CUBE_FACES};
 use support::bridge::rectangle;
@@ -101,7 +101,8 @@ fn by_hand<S: SpanShader<Rgb565>>(
         for (index, object) in scene.objects().iter().enumerate() {
             let mesh = object.mesh();
             let instance = camera.place(&mesh, &object.model).with_cull(cull(index)).without_planes();
-            let Ok(_) = instance.depth_tested(|face| shader(number(index, face)), &mut [], depth, target);
+            let Ok(_) =
+                instance.faces(|face| shader(number(index, face))).draw(&mut target.depth_tested(depth));
         }
     })
 }
@@ -121,7 +122,7 @@ fn in_bands(
             assert_eq!(index, object.material);
             move |face| number(index, face)
         };
-        let Ok(()) = faces.depth_tested(shade, depth, &mut band.pixels());
+        let Ok(()) = faces.draw(shade, &mut band.pixels().depth_tested(depth));
     });
     (pixels, faces.statistics())
 }
@@ -149,7 +150,10 @@ fn a_scene_is_its_objects_drawn_by_hand() {
                 asked.push(index);
                 move |face| number(index, face)
             };
-            let Ok(counted) = placed.depth_tested(shade, &mut [ScreenVertex::EMPTY; 8], depth, target);
+            let Ok(counted) = placed
+                .faces(shade)
+                .cached(&mut [ScreenVertex::EMPTY; 8])
+                .draw(&mut target.depth_tested(depth));
             statistics = Some(counted);
         });
         let statistics = statistics.expect("drawn");
@@ -183,7 +187,7 @@ fn a_band_asks_for_the_shaders_of_its_objects() {
             let mesh = object.mesh();
             let instance = camera.place(&mesh, &object.model).with_cull(cull(object.material));
             let pixels = memory(AREA, Rgb565::BLACK, &mut |target, depth| {
-                let Ok(_) = instance.depth_tested(|face| number(0, face), &mut [], depth, target);
+                let Ok(_) = instance.faces(|face| number(0, face)).draw(&mut target.depth_tested(depth));
             });
             let drawn = |row: &i32| {
                 let row = *row as usize * WIDTH as usize;
@@ -210,7 +214,7 @@ fn a_band_asks_for_the_shaders_of_its_objects() {
                 found[index] = true;
                 move |face| number(index, face)
             };
-            let Ok(()) = faces.depth_tested(shade, depth, &mut band.pixels());
+            let Ok(()) = faces.draw(shade, &mut band.pixels().depth_tested(depth));
             let [first, last] = [area.top_left.y, area.top_left.y + area.size.height as i32 - 1];
             for (&[drawn, vertices], is_asked) in rows.iter().zip(found) {
                 let meets = |[top, bottom]: [i32; 2]| top <= last && bottom >= first;
@@ -288,7 +292,7 @@ fn picked_scenes<S: SpanShader<Rgb565>>(meshes: &Meshes, shader: impl Fn(Rgb565)
             move |face| shader(number(index, face))
         };
         for (at, (&color, &depth)) in AREA.points().zip(picture.iter().zip(&depths)) {
-            match placed.pick(at, shade, &mut cache) {
+            match placed.faces(shade).cached(&mut cache).pick(at) {
                 None => {
                     assert_eq!(color, Rgb565::BLACK, "{at}");
                     misses += 1;
@@ -328,14 +332,14 @@ fn picking_an_instance_needs_no_cache() {
         let all = instance.transform_depth(&mut cache);
         for at in rectangle(-4, -4, WIDTH + 8, HEIGHT + 8).points() {
             let picked: Option<Picked> = all.pick(at, opaque);
-            assert_eq!(picked, instance.pick(at, opaque, &mut []));
-            assert_eq!(picked, instance.pick(at, opaque, &mut [ScreenVertex::EMPTY; 3]));
+            assert_eq!(picked, instance.faces(opaque).pick(at));
+            assert_eq!(picked, instance.faces(opaque).cached(&mut [ScreenVertex::EMPTY; 3]).pick(at));
             assert!(picked.is_none_or(|picked| picked.object == 0));
             let in_viewport = rectangle(3, -2, WIDTH - 5, HEIGHT).contains(at);
             assert!(in_viewport || picked.is_none());
         }
         for far_off in [Point::new(9000, 0), Point::new(0, i32::MIN), Point::new(i32::MAX, i32::MAX)] {
-            assert_eq!(instance.pick(far_off, opaque, &mut []), None);
+            assert_eq!(instance.faces(opaque).pick(far_off), None);
         }
     }
 }

@@ -10,7 +10,7 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
     Blended, Camera, ColorKeyed, DepthBuffer, HalfBlended, Mesh, Picture, Pixels, PlacedSprites, Point3,
-    Scalar, SolidTexel, Sprite, SpriteImage, SpriteSource, Statistics, Target,
+    Scalar, SolidTexel, Sprite, SpriteImage, SpriteSource, Statistics, Surface,
 };
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::rectangle;
@@ -276,20 +276,20 @@ impl Scene {
         assert_eq!((culled, clipped), (0, 0));
     }
 
-    fn draw<T: Target<Color = Rgb888, Error = E>, E: core::fmt::Debug>(&self, target: &mut T) {
+    fn draw<T: Surface<Color = Rgb888, Error = E>, E: core::fmt::Debug>(&self, target: &mut T) {
         let statistics =
             self.place(|points| points.draw(|i| self.shapes[i].sprite(self.shapes[i].picture), target));
         self.check_statistics(statistics.expect("no error"));
     }
 
-    fn draw_deep<T: Target<Color = Rgb888, Error = E>, E: core::fmt::Debug>(
+    fn draw_deep<T: Surface<Color = Rgb888, Error = E>, E: core::fmt::Debug>(
         &self,
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) {
         let sprite = |i: usize| self.shapes[i].sprite(self.shapes[i].picture);
         self.check_statistics(
-            self.place(|points| points.depth_tested(sprite, depth, target)).expect("no error"),
+            self.place(|points| points.draw(sprite, &mut target.depth_tested(depth))).expect("no error"),
         );
     }
 
@@ -445,8 +445,8 @@ fn translucent_sprites_are_mixed_with_the_stored_pixels() {
                     match (deep, half) {
                         (false, true) => points.draw(halves, target),
                         (false, false) => points.draw(parts, target),
-                        (true, true) => points.depth_tested(halves, depth, target),
-                        (true, false) => points.depth_tested(parts, depth, target),
+                        (true, true) => points.draw(halves, &mut target.depth_tested(depth)),
+                        (true, false) => points.draw(parts, &mut target.depth_tested(depth)),
                     }
                 });
                 scene.check_statistics(statistics.expect("no error"));
@@ -623,11 +623,11 @@ fn equal_depths_and_both_planes() {
     let count =
         |pixels: &[Rgb888]| colors.map(|color| pixels.iter().filter(|&&pixel| pixel == color).count());
     let draw_deep = |target: &mut Pixels<'_, Rgb888>, depth: &mut DepthBuffer<'_>| {
-        assert_eq!(placed.depth_tested(square, depth, target).expect("no error").drawn, 2);
+        assert_eq!(placed.draw(square, &mut target.depth_tested(depth)).expect("no error").drawn, 2);
     };
     assert_eq!(count(&memory(AREA, SKY, &mut |target, depth| draw_deep(target, depth))), [16, 0]);
     let (found, _) = screen(AREA, &mut |target, depth| {
-        assert_eq!(placed.depth_tested(square, depth, target).expect("no error").drawn, 2);
+        assert_eq!(placed.draw(square, &mut target.depth_tested(depth)).expect("no error").drawn, 2);
     });
     assert_eq!(count(&found.over(SKY)), [16, 0]);
     // Without depth, the last one.
@@ -650,7 +650,7 @@ fn equal_depths_and_both_planes() {
             let (display, _) = screen(AREA, &mut |target, depth| {
                 let statistics = match deep {
                     false => placed.draw(square, target),
-                    true => placed.depth_tested(square, depth, target),
+                    true => placed.draw(square, &mut target.depth_tested(depth)),
                 }
                 .expect("no error");
                 assert_eq!(

@@ -2,7 +2,7 @@
 //! `properties/two_cores.rs`; that all types can be sent to another core, in `format.rs`.
 
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
-use pinhole::{BinnedScene, BufferError, DepthBuffer, Frame, Mesh, Object, ScreenVertex};
+use pinhole::{BinnedScene, BufferError, DepthBuffer, Frame, Mesh, Object, ScreenVertex, Surface};
 use std::thread;
 use support::bridge::draw::{cube_camera, room_faces, CUBE, CUBE_FACES};
 use support::bridge::pair::{ModelBits, Step, ONE};
@@ -93,7 +93,7 @@ fn a_scene_of_several_objects_is_complete() {
         move |face: usize| Gray8::new(own * 60 + face as u8 + 1)
     };
     let whole = memory(rectangle(0, 0, SIZE, SIZE), Gray8::BLACK, &mut |target, depth| {
-        let Ok(_) = placed.depth_tested(shade, &mut [], depth, target);
+        let Ok(_) = placed.faces(shade).draw(&mut target.depth_tested(depth));
     });
     let whole: Vec<u8> = whole.into_iter().map(|color| color.luma()).collect();
     assert!(whole.iter().any(|&luma| luma > 120), "the third object is not seen");
@@ -108,7 +108,7 @@ fn a_scene_of_several_objects_is_complete() {
                     draw(bands, |band| {
                         let mut storage = [0; STRIP];
                         let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
-                        let Ok(()) = objects.depth_tested(shade, &mut depth, &mut band.pixels());
+                        let Ok(()) = objects.draw(shade, &mut band.pixels().depth_tested(&mut depth));
                     })
                 })
             });

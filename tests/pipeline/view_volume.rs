@@ -99,8 +99,8 @@ fn clipped_counts_what_was_cut_and_nothing_else() {
         let instance = camera.place(&mesh, &model);
         assert_eq!(instance.project(1).is_err(), clipped == 1, "{x}");
         let mut target = Recorder::sized(40, 30);
-        let faces = instance.solid(|_| Shader(0), &mut [], &mut target).expect("no error");
-        let edges = instance.wireframe(Shader(0), &mut [], &mut target).expect("no error");
+        let faces = instance.faces(|_| Shader(0)).draw(&mut target).expect("no error");
+        let edges = instance.edges(|_| Shader(0)).draw(&mut target).expect("no error");
         assert_eq!((faces.drawn, faces.clipped), (1, clipped), "a face with a corner at {x}");
         assert_eq!((edges.drawn, edges.clipped), (1, clipped), "an edge with an end at {x}");
     }
@@ -152,7 +152,7 @@ fn classified(camera: &CameraBits, model: &ModelBits, vertices: &[[i16; 3]], exp
     let draw = || {
         let mut target = Recorder::<Shader>::sized(320, 200);
         let instance = library.place(&mesh, &placed).with_cull(Cull::None);
-        (instance.solid(|_| Shader(1), &mut [], &mut target).expect("no error"), target.pixels.is_empty())
+        (instance.faces(|_| Shader(1)).draw(&mut target).expect("no error"), target.pixels.is_empty())
     };
     match found {
         Visibility::Outside => {

@@ -4,7 +4,9 @@ use crate::cases;
 use embedded_graphics_core::pixelcolor::{Gray4, Gray8, GrayColor};
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Color, Cull, DepthBuffer, Frame, Mesh, MeshInstance, Painter, ScreenVertex, Statistics};
+use pinhole::{
+    Color, Cull, DepthBuffer, Frame, Mesh, MeshInstance, Painter, ScreenVertex, Statistics, Surface,
+};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -137,14 +139,21 @@ pub(crate) fn draw(scene: &Scene, way: Way, cache: usize, target: &mut Recorder<
     let mut storage = vec![0; (area.size.width * area.size.height) as usize];
     let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
     let statistics = place(scene, |instance| match way {
-        Way::Solid(cull) => instance.with_cull(cull).solid(colour, &mut corners, target),
-        Way::Depth(cull) => instance.with_cull(cull).depth_tested(colour, &mut corners, &mut depth, target),
-        Way::Wireframe => instance.wireframe(LINE, &mut corners, target),
+        Way::Solid(cull) => instance.with_cull(cull).faces(colour).cached(&mut corners).draw(target),
+        Way::Depth(cull) => instance
+            .with_cull(cull)
+            .faces(colour)
+            .cached(&mut corners)
+            .draw(&mut target.depth_tested(&mut depth)),
+        Way::Wireframe => instance.edges(|_| LINE).cached(&mut corners).draw(target),
         Way::DepthLines | Way::HiddenLines => {
             instance.depth_only(&mut corners, &mut depth);
             match way {
-                Way::HiddenLines => instance.hidden_line(LINE, &mut corners, &mut depth, target),
-                _ => instance.wireframe_depth_tested(LINE, &mut corners, &mut depth, target),
+                Way::HiddenLines => instance
+                    .edges(|_| LINE)
+                    .cached(&mut corners)
+                    .hidden_line(&mut target.depth_tested(&mut depth)),
+                _ => instance.edges(|_| LINE).cached(&mut corners).draw(&mut target.depth_tested(&mut depth)),
             }
         }
         Way::Painter => {
@@ -225,11 +234,11 @@ proptest! {
         let gray = |face: usize| Gray4::new(face as u8 + 1);
         let (mut whole, mut display) = (Recorder::new(area), Recorder::new(area));
         place(&scene, |instance| {
-            instance.solid(gray, &mut [], &mut whole).expect("no error");
+            instance.faces(gray).draw(&mut whole).expect("no error");
             let mut frame = Frame::new(area, Gray4::BLACK);
             let mut strip = vec![0; Frame::<Gray4>::strip_bytes(WIDTH - 1, height)];
             while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
-                instance.solid(gray, &mut [], &mut band).expect("no error");
+                instance.faces(gray).draw(&mut band).expect("no error");
                 let colors: Vec<Gray4> = band.colors().collect();
                 let bytes = colors.chunks(WIDTH as usize - 1).flat_map(|row| {
                     row.chunks(2).map(|p| (p[0].luma() << 4) | p.get(1).map_or(0, |c| c.luma()))

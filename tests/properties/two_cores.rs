@@ -7,7 +7,9 @@ use crate::scenes::{
 };
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
 use embedded_graphics_core::prelude::PointsIter;
-use pinhole::{Band, Cull, DepthBuffer, Frame, Mesh, MeshInstance, Painter, ScreenVertex, Statistics};
+use pinhole::{
+    Band, Cull, DepthBuffer, Frame, Mesh, MeshInstance, Painter, ScreenVertex, Statistics, Surface,
+};
 use proptest::prelude::*;
 use support::oracle::target::Recorder;
 
@@ -61,7 +63,7 @@ fn by_three(
                 three!(faces, |forks: [_; 3]| draw(forks.map(
                     |mut faces: pinhole::BinnedFaces<'_>| -> Core<'_> {
                         Box::new(move |band| {
-                            let Ok(()) = faces.solid(colour, band);
+                            let Ok(()) = faces.draw(colour, band);
                         })
                     }
                 )));
@@ -78,7 +80,7 @@ fn by_three(
                     |mut faces: pinhole::BinnedFaces<'_, i16, true>| -> Core<'_> {
                         Box::new(move |band| {
                             with_depth(band, |depth, band| {
-                                let Ok(()) = faces.depth_tested(colour, depth, band);
+                                let Ok(()) = faces.draw(colour, &mut band.depth_tested(depth));
                             })
                         })
                     }
@@ -117,8 +119,10 @@ fn by_three(
                                 with_depth(band, |depth, band| {
                                     faces.depth_only(depth);
                                     let Ok(()) = match way {
-                                        Way::HiddenLines => edges.hidden_line(LINE, depth, band),
-                                        _ => edges.depth_tested(LINE, depth, band),
+                                        Way::HiddenLines => {
+                                            edges.hidden_line(LINE, &mut band.depth_tested(depth))
+                                        }
+                                        _ => edges.draw(LINE, &mut band.depth_tested(depth)),
                                     };
                                 })
                             })

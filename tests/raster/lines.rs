@@ -8,7 +8,7 @@ use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::Gray8;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
-use pinhole::{draw_line, LeastRun, Pixels, Target};
+use pinhole::{draw_line, LeastRun, Pixels, Surface};
 use support::bridge;
 use support::bridge::compare::line as same;
 use support::bridge::compare::line_both_ways as both_ways;
@@ -246,8 +246,8 @@ fn a_target_that_cannot_fail_gets_a_line_in_one_call() {
             Ok(())
         }
     }
-    assert_eq!([<Driver as Target>::LEAST_RUN, <Recorder<Gray8> as Target>::LEAST_RUN], [16, 1]);
-    assert_eq!(<LeastRun<'_, Driver, 5> as Target>::LEAST_RUN, 5);
+    assert_eq!([<Driver as Surface>::LEAST_RUN, <Recorder<Gray8> as Surface>::LEAST_RUN], [16, 1]);
+    assert_eq!(<LeastRun<'_, Driver, 5> as Surface>::LEAST_RUN, 5);
 }
 
 #[test]
@@ -274,7 +274,7 @@ fn the_first_error_ends_the_line() {
 /// A target that takes spans, and `draw_pixels` as the trait has it.
 struct Spans(Recorder<Gray8>);
 
-impl Target for Spans {
+impl Surface for Spans {
     type Color = Gray8;
     type Error = Refused;
     type Store = [Gray8; 0];

@@ -86,14 +86,14 @@ fn bands_of_every_height_add_up_to_the_full_picture() {
 fn of_parts_of_bytes<C: Colour>(instance: &MeshInstance<'_>, scene: &Scene) {
     let shade: &dyn Fn(usize) -> _ = &|face| scene.shaders[face].1.dithered();
     let (whole, _) = screen(scene.frame, &mut |target, _| {
-        let Ok(_) = instance.solid(shade, &mut [], target);
+        let Ok(_) = instance.faces(shade).draw(target);
     });
     let (mut cache, mut bins) = ([ScreenVertex::EMPTY; VERTICES], [0; FACES + 1]);
     let transformed = instance.transform(&mut cache);
     let mut faces = transformed.bin_faces(&mut bins).expect("room");
     for rows in 1..=13 {
         let banded = bands(scene.frame, C::from_bits(0), rows, &mut |band, _| {
-            let Ok(()) = faces.solid(shade, band);
+            let Ok(()) = faces.draw(shade, band);
         });
         assert!(banded == whole.over(C::from_bits(0)), "{rows} rows");
     }

@@ -6,8 +6,8 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::raster::{Span, Triangle};
 use pinhole::{
-    Blended, ColorKeyed, DepthBuffer, Gouraud, HalfBlended, Pixels, ScreenDoor, Shader, SpanShader, Texels,
-    Texture, Translucent,
+    Blended, ColorKeyed, DepthBuffer, Gouraud, HalfBlended, Pixels, ScreenDoor, Shader, SpanShader, Surface,
+    Texels, Texture, Translucent,
 };
 use support::bridge::ways::{memory, memory_with};
 use support::oracle::rng::Rng;
@@ -25,7 +25,7 @@ fn draw_deep<S: SpanShader<Rgb888>>(
     depth: &mut DepthBuffer<'_>,
 ) {
     faces.place(&usual(), &mut |instance| {
-        let Ok(_) = instance.depth_tested(shade, &mut [], depth, target);
+        let Ok(_) = instance.faces(shade).draw(&mut target.depth_tested(depth));
     });
 }
 

@@ -11,8 +11,8 @@ use pinhole::space::{Model, World};
 use pinhole::{
     Affine, Angle, Blended, Camera, ColorKeyed, DepthBuffer, Flat, Fog, FogTable, Fogged, Gouraud,
     HalfBlended, IndexedTexels, LightError, LitPalette, Picture, Point3, Projection, Scalar, ScreenDoor,
-    ShadeTable, SolidTexel, SpanShader, Sprite, Texels, Texture, Vector3, VertexFog, ViewTransform, Viewport,
-    Window,
+    ShadeTable, SolidTexel, SpanShader, Sprite, Surface, Texels, Texture, Vector3, VertexFog, ViewTransform,
+    Viewport, Window,
 };
 use support::bridge::ways::{by_every_call, memory, memory_with, Drawn};
 use support::oracle::chain::{self, dot, M4, V3};
@@ -113,10 +113,10 @@ fn sprites_have_the_level_of_their_points() {
             let Ok(_) = match case % 6 {
                 0 => placed.draw(solid, &mut picture),
                 1 => placed.draw(keyed, &mut picture.pixels()),
-                2 => placed.depth_tested(solid, &mut depth, &mut picture.pixels()),
-                3 => placed.depth_tested(keyed, &mut depth, &mut picture),
+                2 => placed.draw(solid, &mut picture.pixels().depth_tested(&mut depth)),
+                3 => placed.draw(keyed, &mut picture.depth_tested(&mut depth)),
                 4 => placed.draw(inside, &mut picture.pixels()),
-                _ => placed.depth_tested(outside, &mut depth, &mut picture.pixels()),
+                _ => placed.draw(outside, &mut picture.pixels().depth_tested(&mut depth)),
             };
             let shown = pixels[119 * 240 + 119].luma();
             // A quarter of the sprite's own colour, rounded to nearest.
@@ -162,7 +162,7 @@ fn worst(lens: &Lens, fog: [f64; 2], scene: &Faces) -> ([f64; 2], [usize; 33]) {
         let shade: &dyn Fn(usize) -> _ = &|_| Fogged::new(Gray8::new(32 * LEVEL), &table);
         let pixels = memory(AREA, NOTHING, &mut |target, _| {
             scene.alone(face).place(&camera, &mut |instance| {
-                let Ok(_) = instance.solid(shade, &mut [], target);
+                let Ok(_) = instance.faces(shade).draw(target);
             });
         });
         for (Point { x, y }, pixel) in AREA.points().zip(pixels).filter(|(_, pixel)| *pixel != NOTHING) {
@@ -495,7 +495,7 @@ fn factors(scene: &Faces) -> Drawn<Rgb888> {
 fn deep<S: SpanShader<Rgb888>>(scene: &Faces, shade: &dyn Fn(usize) -> S) -> (Vec<Rgb888>, Vec<u16>) {
     memory_with(AREA, AREA, SKY, &mut |target, depth| {
         scene.place(&usual(), &mut |instance| {
-            let Ok(_) = instance.depth_tested(shade, &mut [], depth, target);
+            let Ok(_) = instance.faces(shade).draw(&mut target.depth_tested(depth));
         });
     })
 }

@@ -162,7 +162,7 @@ fn every_call<S: SpanShader<Rgb888, Ink = Rgb888>>(
     let (drawn, _) = by_every_call(&by_planes.without_planes(), area, SKY, &[area.size.height, 9], shade);
     assert!(drawn.solid == drawn.deep && drawn.solid.iter().filter(|&&color| color != SKY).count() > 2_000);
     let with_planes = memory(area, SKY, &mut |target, _| {
-        let Ok(_) = by_planes.solid(shade, &mut [], target);
+        let Ok(_) = by_planes.faces(shade).draw(target);
     });
     assert!(with_planes == drawn.solid);
 }

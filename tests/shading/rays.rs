@@ -174,7 +174,7 @@ impl Faces {
         let mut screen = Screen::sized(self.side, self.side);
         let shade: &dyn Fn(usize) -> S = &|_| shader;
         self.alone(face).place(camera, &mut |instance| {
-            let Ok(_) = instance.solid(shade, &mut [], &mut screen);
+            let Ok(_) = instance.faces(shade).draw(&mut screen);
         });
         screen
     }

@@ -135,7 +135,7 @@ pub(crate) fn draw<C: PixelColor, I: SpanShader<C, Ink = C>>(
 ) -> Screen<C> {
     let mut screen = Screen::sized(SIZE.0, SIZE.1);
     let shade: &dyn Fn(usize) -> I = &|_| shader;
-    let Ok(_) = instance.with_cull(Cull::None).solid(shade, &mut [], &mut screen);
+    let Ok(_) = instance.with_cull(Cull::None).faces(shade).draw(&mut screen);
     screen
 }
 

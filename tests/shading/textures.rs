@@ -328,8 +328,8 @@ fn a_square_shows_the_picture_once_in_every_unit() {
             let mut picture = Picture::new(&mut pixels, Size::new_equal(side)).unwrap();
             let mut picture = picture.pixels();
             let Ok(_) = match is_clamped {
-                true => instance.solid(|f| texture.clamped_at(coords.corners(f)), &mut [], &mut picture),
-                false => instance.solid(|f| texture.at(coords.corners(f)), &mut [], &mut picture),
+                true => instance.faces(|f| texture.clamped_at(coords.corners(f))).draw(&mut picture),
+                false => instance.faces(|f| texture.at(coords.corners(f))).draw(&mut picture),
             };
             for (i, pixel) in pixels.into_iter().enumerate() {
                 assert_eq!(pixel.b(), 1);

@@ -11,7 +11,7 @@ use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
     Affine, Band, BinnedEdges, BinnedFaces, DepthBuffer, FaceColors, Flat, Frame, Gouraud, Lambert, Mesh,
-    ScreenVertex, Statistics, Texture, Vector3,
+    ScreenVertex, Statistics, Surface, Texture, Vector3,
 };
 use pinhole_import::ImportedMesh;
 
@@ -122,13 +122,13 @@ fn picture(choice: &Choice, job: Job<'_, '_>) -> Result<Drawn, String> {
         Job::HiddenLines(faces, edges) => {
             canvas.bands(|band, depth| {
                 faces.depth_only(depth);
-                let Ok(()) = edges.hidden_line(color, depth, band);
+                let Ok(()) = edges.hidden_line(color, &mut band.depth_tested(depth));
             })?;
             edges.statistics()
         }
         Job::Faces(faces, shades) => {
             canvas.bands(|band, depth| {
-                let Ok(()) = faces.depth_tested(|face| shades.paint(face), depth, band);
+                let Ok(()) = faces.draw(|face| shades.paint(face), &mut band.depth_tested(depth));
             })?;
             faces.statistics()
         }

@@ -4,8 +4,8 @@
 use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Rgb565, Rgb888, RgbColor};
 use pinhole::{
-    Affine, Angle, Camera, Color, DepthBuffer, Flat, Gouraud, Lambert, ScreenVertex, SpanShader, TexelSlice,
-    Texture, Vector3, Viewport,
+    Affine, Angle, Camera, Color, DepthBuffer, Flat, Gouraud, Lambert, ScreenVertex, SpanShader, Surface,
+    TexelSlice, Texture, Vector3, Viewport,
 };
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_import::{import_bytes, Edges, ImportedMesh, Options};
@@ -42,7 +42,10 @@ where
     let mut depth = DepthBuffer::new(canvas_area(), &mut depths).expect("depths");
     let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
     let instance = camera.place(&mesh, &turned);
-    let Ok(_) = instance.depth_tested(|face| shader(face, &light), &mut cache, &mut depth, &mut canvas);
+    let Ok(_) = instance
+        .faces(|face| shader(face, &light))
+        .cached(&mut cache)
+        .draw(&mut canvas.depth_tested(&mut depth));
     let colors = canvas.pixels().iter().map(|&color| color.into());
     colors.flat_map(|color: Rgb888| [color.r(), color.g(), color.b(), 255]).collect()
 }

@@ -14,7 +14,7 @@ use embedded_graphics::primitives::Rectangle;
 use pinhole::{
     AntiAliased, Band, BinnedEdges, BinnedFaces, Blended, Color, Cull, DepthBuffer, Flat, FogTable, Fogged,
     Frame, Gouraud, HalfBlended, Mesh, MeshInstance, Pixels, Scalar, ScreenDoor, ScreenVertex, ShaderFor,
-    SpanShader, Statistics, Target, TexelSlice, Texture, TransformedMesh,
+    SpanShader, Statistics, Surface, TexelSlice, Texture, TransformedMesh,
 };
 use std::convert::Infallible;
 
@@ -273,11 +273,11 @@ fn paint<C: Colour>(
             let colour = C::from(style.colour);
             match style.smooth_lines {
                 false => edges.iter_mut().for_each(|edges| {
-                    let Ok(()) = edges.hidden_line(colour, depth, band);
+                    let Ok(()) = edges.hidden_line(colour, &mut band.depth_tested(depth));
                 }),
                 true => in_memory(band, |pixels| {
                     edges.iter_mut().for_each(|edges| {
-                        let Ok(()) = edges.hidden_line(AntiAliased(colour), depth, pixels);
+                        let Ok(()) = edges.hidden_line(AntiAliased(colour), &mut pixels.depth_tested(depth));
                     });
                 }),
             }
@@ -431,14 +431,14 @@ struct Solid<'a, 'f> {
 }
 
 impl Solid<'_, '_> {
-    fn draw<T: Target<Error = Infallible>, I: ShaderFor<T>>(
+    fn draw<T: Surface<Error = Infallible>, I: ShaderFor<T>>(
         &mut self,
         shader: impl Fn(&Part, usize) -> I,
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) {
         for (part, faces) in self.parts.iter().zip(self.faces.iter_mut()) {
-            let Ok(()) = faces.depth_tested(|face| shader(part, face), depth, target);
+            let Ok(()) = faces.draw(|face| shader(part, face), &mut target.depth_tested(depth));
         }
     }
 }

@@ -9,7 +9,7 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
     Band, Blended, DepthBuffer, FogTable, Fogged, Picture, PlacedSprites, Sprite, SpriteFor, SpriteSource,
-    Statistics, Target,
+    Statistics, Surface,
 };
 use std::convert::Infallible;
 use std::rc::Rc;
@@ -137,13 +137,13 @@ impl<'t, C: Colour> Sprites<'t, C> {
 }
 
 impl<S: Clone> Placed<S> {
-    fn draw<T: Target<Error = Infallible>>(&self, depth: &mut DepthBuffer<'_>, target: &mut T)
+    fn draw<T: Surface<Error = Infallible>>(&self, depth: &mut DepthBuffer<'_>, target: &mut T)
     where
         S: SpriteFor<T>,
     {
         let sprite = |_| self.sprite.clone();
         let Ok(_) = match self.depth_tested {
-            true => self.at.depth_tested(sprite, depth, target),
+            true => self.at.draw(sprite, &mut target.depth_tested(depth)),
             false => self.at.draw(sprite, target),
         };
     }

@@ -261,7 +261,7 @@ impl Frame {
         let lines = RefCell::new(vec![Drawn::default()]);
         let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
         let Ok(statistics) =
-            instance.wireframe(BinaryColor::On, &mut cache, &mut Watch { size, drawn: &lines });
+            instance.edges(|_| BinaryColor::On).cached(&mut cache).draw(&mut Watch { size, drawn: &lines });
         edges.pixels = lines.into_inner().iter().map(|lines| lines.pixels).sum();
         (edges.drawn, edges.cut) = (statistics.drawn, statistics.clipped);
         let vertices = mesh.vertices().len() as u32; // at most 65 536, as faces
@@ -305,7 +305,7 @@ fn faces(instance: &MeshInstance<'_>, size: Size) -> (Vec<Drawn>, Statistics) {
         BinaryColor::On
     };
     let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().cache_len()];
-    let Ok(statistics) = instance.solid(shade, &mut cache, &mut Watch { size, drawn: &drawn });
+    let Ok(statistics) = instance.faces(shade).cached(&mut cache).draw(&mut Watch { size, drawn: &drawn });
     (drawn.into_inner(), statistics)
 }
 

@@ -6,7 +6,7 @@ use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
     Affine, Angle, Band, BinnedFaces, Camera, DepthBuffer, Frame, Lambert, Mesh, MeshInstance, ScreenVertex,
-    Statistics, Vector3, Viewport,
+    Statistics, Surface, Vector3, Viewport,
 };
 
 const BACKGROUND: Rgb565 = Rgb565::BLACK;
@@ -88,7 +88,8 @@ impl Turned<'_> {
         let mut depth = depth.map_err(|_| "fewer depths than pixels in the strip")?;
         let (mesh, light) = (self.mesh, &self.light);
         let level = |face: usize| mesh.normals().get(face).map_or(256, |&normal| light.level(normal));
-        let Ok(()) = self.faces.depth_tested(|face| color(face, level(face)), &mut depth, &mut band.pixels());
+        let Ok(()) =
+            self.faces.draw(|face| color(face, level(face)), &mut band.pixels().depth_tested(&mut depth));
         // Text and icons of embedded-graphics go on top here: a band is a DrawTarget.
         Ok(ControlFlow::Continue(band))
     }

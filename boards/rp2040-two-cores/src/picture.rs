@@ -6,8 +6,8 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    Affine, Angle, BinnedFaces, Camera, DepthBuffer, Frame, Lambert, Mesh, ScreenVertex, Statistics, Vector3,
-    Viewport,
+    Affine, Angle, BinnedFaces, Camera, DepthBuffer, Frame, Lambert, Mesh, ScreenVertex, Statistics, Surface,
+    Vector3, Viewport,
 };
 
 pub const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
@@ -94,7 +94,7 @@ impl<'a> Picture<'a> {
                 let mut band = band.ok_or("more bands than the frame has")?;
                 let depth = DepthBuffer::new(band.area(), depths);
                 let mut depth = depth.map_err(|_| "fewer depths than pixels in half a strip")?;
-                let Ok(()) = faces.depth_tested(shade, &mut depth, &mut band.pixels());
+                let Ok(()) = faces.draw(shade, &mut band.pixels().depth_tested(&mut depth));
                 Ok::<(), &'static str>(())
             };
         for strip in 0..STRIPS {

@@ -8,7 +8,7 @@ use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
 use pinhole::{
     Affine, Angle, Band, BinnedFaces, Camera, DepthBuffer, Frame, Lambert, Mesh, MeshInstance, ScreenVertex,
-    Statistics, Vector3, Viewport,
+    Statistics, Surface, Vector3, Viewport,
 };
 
 pub const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
@@ -96,7 +96,8 @@ impl Turned<'_> {
         let mut depth = depth.map_err(|_| "fewer depths than pixels in the strip")?;
         let (mesh, light) = (self.mesh, &self.light);
         let level = |face: usize| mesh.normals().get(face).map_or(256, |&normal| light.level(normal));
-        let Ok(()) = self.faces.depth_tested(|face| color(face, level(face)), &mut depth, &mut band.pixels());
+        let Ok(()) =
+            self.faces.draw(|face| color(face, level(face)), &mut band.pixels().depth_tested(&mut depth));
         let text = self.label.text();
         let text_box = text.bounding_box();
         // Characters outside the band would cost their time all the same.

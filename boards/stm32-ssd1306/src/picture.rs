@@ -8,7 +8,7 @@ use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Baseline, Text};
 use pinhole::{
     Affine, Angle, Band, BinnedEdges, BinnedFaces, Camera, DepthBuffer, Frame, Mesh, MeshInstance,
-    ScreenVertex, Statistics, Viewport,
+    ScreenVertex, Statistics, Surface, Viewport,
 };
 
 pub const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(128, 64));
@@ -88,7 +88,7 @@ impl Turned<'_> {
         let depth = DepthBuffer::new(band.area(), self.depths);
         let mut depth = depth.map_err(|_| "fewer depths than pixels in the strip")?;
         self.faces.depth_only(&mut depth);
-        let Ok(()) = self.edges.hidden_line(BinaryColor::On, &mut depth, &mut band);
+        let Ok(()) = self.edges.hidden_line(BinaryColor::On, &mut band.depth_tested(&mut depth));
         let Ok(_) = self.label.text().draw(&mut band);
         Ok(band)
     }

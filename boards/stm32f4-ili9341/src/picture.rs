@@ -4,7 +4,8 @@
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
 use embedded_graphics_core::{draw_target::DrawTarget, primitives::Rectangle};
 use pinhole::{
-    Affine, Angle, Camera, DepthBuffer, Frame, Lambert, Mesh, ScreenVertex, Statistics, Vector3, Viewport,
+    Affine, Angle, Camera, DepthBuffer, Frame, Lambert, Mesh, ScreenVertex, Statistics, Surface, Vector3,
+    Viewport,
 };
 
 const BACKGROUND: Rgb565 = Rgb565::BLACK;
@@ -73,7 +74,7 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(
     while let Some(mut band) = frame.next_band(memory.strip).map_err(|_| "the strip is shorter than a row")? {
         let depth = DepthBuffer::new(band.area(), memory.depths);
         let mut depth = depth.map_err(|_| "fewer depths than pixels in the strip")?;
-        let Ok(()) = faces.depth_tested(|face| color(face, level(face)), &mut depth, &mut band.pixels());
+        let Ok(()) = faces.draw(|face| color(face, level(face)), &mut band.pixels().depth_tested(&mut depth));
         // Text and icons of embedded-graphics go on top here: a band is a DrawTarget.
         band.send(display).map_err(|_| "the display refused the pixels")?;
         bytes += band.bytes().len() as u32; // of any display, less than 2³²

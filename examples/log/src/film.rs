@@ -51,7 +51,7 @@ impl Film {
         let mut frame = Frame::new(AREA, Gray8::BLACK);
         let mut bands = 0;
         while let Some(mut band) = frame.next_band(&mut self.strip).expect("room for a row") {
-            let Ok(()) = faces.solid(shade, &mut band.pixels());
+            let Ok(()) = faces.draw(shade, &mut band.pixels());
             bands += 1;
         }
         Ok((faces.statistics(), bands))

@@ -25,7 +25,8 @@ use meshes::{
 use pinhole::space::{Model, World};
 use pinhole::{
     Affine, Angle, BinnedEdges, BinnedFaces, Camera, Color, Gouraud, Hierarchy, Lambert, Mesh, MeshInstance,
-    Node, Point3, Projection, Scalar, ScreenVertex, TransformedMesh, Vector3, ViewTransform, Viewport,
+    Node, Point3, Projection, Scalar, ScreenVertex, Surface, TransformedMesh, Vector3, ViewTransform,
+    Viewport,
 };
 
 /// Frames of a scene.
@@ -140,7 +141,7 @@ impl Scratch {
         screen.mark(edges.bounds());
         screen.show(SCENES[1], |band, depth| {
             faces.depth_only(depth);
-            let Ok(()) = edges.hidden_line(Gray4::WHITE, depth, band);
+            let Ok(()) = edges.hidden_line(Gray4::WHITE, &mut band.depth_tested(depth));
         })
     }
 
@@ -153,7 +154,7 @@ impl Scratch {
         let mut faces = faces(&instance.transform_depth(corners), bin_storage);
         screen.mark(faces.bounds());
         screen.show(SCENES[2], |band, depth| {
-            let Ok(()) = faces.depth_tested(|face| ship_colour(&light, face), depth, band);
+            let Ok(()) = faces.draw(|face| ship_colour(&light, face), &mut band.depth_tested(depth));
         })
     }
 
@@ -168,7 +169,7 @@ impl Scratch {
         screen.mark(faces.bounds());
         screen.show(SCENES[3], |band, depth| {
             let shader = |face| Gouraud::lit(Rgb888::WHITE, TEAPOT.corners_of(face, levels)).dithered();
-            let Ok(()) = faces.depth_tested(shader, depth, band);
+            let Ok(()) = faces.draw(shader, &mut band.depth_tested(depth));
         })
     }
 
@@ -201,10 +202,10 @@ impl Scratch {
             let balls = [(&mut of_sun, &sun.2), (&mut of_planet, &planet.2), (&mut of_moon, &moon.2)];
             for (faces, levels) in balls {
                 let shader = |face| Gouraud::lit(Rgb888::WHITE, BALL.corners_of(face, levels)).dithered();
-                let Ok(()) = faces.depth_tested(shader, depth, band);
+                let Ok(()) = faces.draw(shader, &mut band.depth_tested(depth));
             }
             for (edges, grey) in [(&mut far, 4), (&mut near, 7)] {
-                let Ok(()) = edges.depth_tested(Gray4::new(grey), depth, band);
+                let Ok(()) = edges.draw(Gray4::new(grey), &mut band.depth_tested(depth));
             }
         })
     }
@@ -229,8 +230,8 @@ impl Scratch {
                 let Ok(()) = Pixel(Point::new(x, y), grey).draw(band);
             }
             let shader = |face| Gouraud::lit(Rgb888::WHITE, BALL.corners_of(face, levels)).dithered();
-            let Ok(()) = ground.depth_tested(shader, depth, band);
-            let Ok(()) = ship.depth_tested(|face| ship_colour(&sun, face), depth, band);
+            let Ok(()) = ground.draw(shader, &mut band.depth_tested(depth));
+            let Ok(()) = ship.draw(|face| ship_colour(&sun, face), &mut band.depth_tested(depth));
         })
     }
 
@@ -257,8 +258,8 @@ impl Scratch {
         screen.mark(edges.bounds());
         names.iter().for_each(|name| screen.mark(name.bounding_box()));
         screen.show(SCENES[6], |band, depth| {
-            let Ok(()) = faces.depth_tested(|face| ship_colour(&light, face).dim(150), depth, band);
-            let Ok(()) = edges.hidden_line(Gray4::new(10), depth, band);
+            let Ok(()) = faces.draw(|face| ship_colour(&light, face).dim(150), &mut band.depth_tested(depth));
+            let Ok(()) = edges.hidden_line(Gray4::new(10), &mut band.depth_tested(depth));
             for name in &names {
                 let Ok(_) = name.draw(band);
             }

@@ -68,14 +68,14 @@ pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
     }
     let cut = scene.with_instance(&[face], &[], |instance| {
         let whole = face.iter().all(|&i| instance.project(i.into()).is_ok());
-        (!whole).then(|| draw(scene, |target| instance.solid(|_| Shader(1), &mut [], target)))
+        (!whole).then(|| draw(scene, |target| instance.faces(|_| Shader(1)).draw(target)))
     });
     let Some(drawing) = cut else { return };
     // R7: the same from every corner.
     let [a, b, c] = face;
     for turned in [[b, c, a], [c, a, b]] {
         let turned = scene.with_instance(&[turned], &[], |instance| {
-            draw(scene, |target| instance.solid(|_| Shader(1), &mut [], target))
+            draw(scene, |target| instance.faces(|_| Shader(1)).draw(target))
         });
         assert_eq!(turned.statistics, drawing.statistics, "{face:?} of {scene:?}");
         assert!(turned.target.pixels == drawing.target.pixels, "{face:?} of {scene:?}");

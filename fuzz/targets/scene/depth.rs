@@ -5,7 +5,7 @@ use super::input::Scene;
 use super::{draw, sums_up};
 use embedded_graphics_core::geometry::Point;
 use pinhole::raster::ScreenPoint;
-use pinhole::{DepthBuffer, ScreenVertex};
+use pinhole::{DepthBuffer, ScreenVertex, Surface};
 use support::bridge::draw::Shader;
 use support::oracle::coverage::edge;
 
@@ -17,7 +17,10 @@ fn drawn(scene: &Scene, faces: &[[u16; 3]]) -> Vec<((i32, i32), u16, u16)> {
     let drawing = scene.with_instance(faces, &[], |instance| {
         let mut cache = vec![ScreenVertex::EMPTY; scene.cache];
         draw(scene, |target| {
-            instance.depth_tested(|face| Shader(face as u16), &mut cache, &mut depth, target)
+            instance
+                .faces(|face| Shader(face as u16))
+                .cached(&mut cache)
+                .draw(&mut target.depth_tested(&mut depth))
         })
     });
     sums_up(drawing.statistics, faces.len());

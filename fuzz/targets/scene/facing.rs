@@ -17,8 +17,8 @@ fn both(scene: &Scene, instance: &MeshInstance<'_, i16, WithPlanes>) -> [(Drawin
         };
         let mut cache = vec![ScreenVertex::EMPTY; scene.cache];
         let drawing = draw(scene, |target| match by_planes {
-            true => instance.solid(shade, &mut cache, target),
-            false => instance.without_planes().solid(shade, &mut cache, target),
+            true => instance.faces(shade).cached(&mut cache).draw(target),
+            false => instance.without_planes().faces(shade).cached(&mut cache).draw(target),
         });
         sums_up(drawing.statistics, instance.mesh().faces().len());
         (drawing, faces.into_inner())

@@ -18,7 +18,7 @@ mod whole;
 use super::place::Place;
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
 use input::Scene;
-use pinhole::{Coordinate, DepthBuffer, Mesh, MeshInstance, Painter, ScreenVertex, Statistics};
+use pinhole::{Coordinate, DepthBuffer, Mesh, MeshInstance, Painter, ScreenVertex, Statistics, Surface};
 use support::bridge::draw::Shader;
 use support::bridge::scalar;
 use support::oracle::target::{Call, Recorder, Refused};
@@ -50,7 +50,7 @@ fn calls(scene: &Scene, instance: &MeshInstance<'_>) {
     // Another scene's corners in the cache do no harm.
     let stale = {
         let mut corners = vec![ScreenVertex::default(); scene.vertices.len() + 1];
-        let _ = instance.solid(|_| Shader(0), &mut corners, &mut Recorder::sized(1, 1));
+        let _ = instance.faces(|_| Shader(0)).cached(&mut corners).draw(&mut Recorder::sized(1, 1));
         corners
     };
     let mut asked = 0;
@@ -62,7 +62,7 @@ fn calls(scene: &Scene, instance: &MeshInstance<'_>) {
                 *asked += 1;
                 Shader(face as u16)
             };
-            instance.solid(shade, &mut cache, target)
+            instance.faces(shade).cached(&mut cache).draw(target)
         })
     };
     let faces = solid(scene.cache, &mut asked);
@@ -75,7 +75,7 @@ fn calls(scene: &Scene, instance: &MeshInstance<'_>) {
     let wireframe = |length: usize| {
         let mut cache = stale.clone();
         cache.truncate(length);
-        draw(scene, |target| instance.wireframe(Shader(7), &mut cache, target))
+        draw(scene, |target| instance.edges(|_| Shader(7)).cached(&mut cache).draw(target))
     };
     let edges = wireframe(scene.cache);
     sums_up(edges.statistics, scene.edges.len());
@@ -118,29 +118,29 @@ fn extremes<V: Coordinate<Stored = V>>(scene: &Scene, mesh: Mesh<'_, V>) {
     let (mut bins, mut more) = ([0; 4], [0; 4]); // of three, and one for every 16
     let shade = |face| Shader(face as u16);
     draw(scene, |target| {
-        instance.solid(shade, cache, target)?;
-        by_planes.solid(shade, cache, target)?;
-        by_planes.depth_tested(shade, cache, &mut depth, target)?;
+        instance.faces(shade).cached(cache).draw(target)?;
+        by_planes.faces(shade).cached(cache).draw(target)?;
+        by_planes.faces(shade).cached(cache).draw(&mut target.depth_tested(&mut depth))?;
         by_planes.depth_only(cache, &mut depth);
-        by_planes.pick(scene.bounds.center(), shade, cache);
-        instance.depth_tested(shade, cache, &mut depth, target)?;
+        by_planes.faces(shade).cached(cache).pick(scene.bounds.center());
+        instance.faces(shade).cached(cache).draw(&mut target.depth_tested(&mut depth))?;
         instance.depth_only(cache, &mut depth);
-        instance.wireframe(Shader(1), cache, target)?;
-        instance.wireframe_depth_tested(Shader(1), cache, &mut depth, target)?;
-        instance.hidden_line(Shader(1), cache, &mut depth, target)?;
+        instance.edges(|_| Shader(1)).cached(cache).draw(target)?;
+        instance.edges(|_| Shader(1)).cached(cache).draw(&mut target.depth_tested(&mut depth))?;
+        instance.edges(|_| Shader(1)).cached(cache).hidden_line(&mut target.depth_tested(&mut depth))?;
         instance.points(Shader(1), target)?;
         instance.polyline(Shader(1), target)?;
         let mut faces = by_planes.bin_faces_with_depth(cache, &mut bins).expect("room");
-        faces.depth_tested(shade, &mut depth, target)?;
-        by_planes.bin_faces(cache, &mut bins).expect("room").solid(shade, target)?;
+        faces.draw(shade, &mut target.depth_tested(&mut depth))?;
+        by_planes.bin_faces(cache, &mut bins).expect("room").draw(shade, target)?;
         let transformed = instance.transform_depth(cache);
         let mut faces = transformed.bin_faces(&mut bins).expect("room");
         let mut edges = transformed.bin_edges(&mut more).expect("room");
-        faces.solid(shade, target)?;
-        faces.depth_tested(shade, &mut depth, target)?;
+        faces.draw(shade, target)?;
+        faces.draw(shade, &mut target.depth_tested(&mut depth))?;
         edges.draw(Shader(1), target)?;
-        edges.depth_tested(Shader(1), &mut depth, target)?;
-        edges.hidden_line(Shader(1), &mut depth, target)?;
+        edges.draw(Shader(1), &mut target.depth_tested(&mut depth))?;
+        edges.hidden_line(Shader(1), &mut target.depth_tested(&mut depth))?;
         let mut painter = Painter::<Shader, 60, 40>::new();
         let _ = painter.add(&instance, shade);
         let _ = painter.add(&by_planes, shade);

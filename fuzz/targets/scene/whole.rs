@@ -35,7 +35,7 @@ pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
             return;
         };
         let t = [a, b, c].map(sub_pixels);
-        let drawing = draw(scene, |target| instance.solid(|_| Shader(1), &mut [], target));
+        let drawing = draw(scene, |target| instance.faces(|_| Shader(1)).draw(target));
         let s = drawing.statistics;
         // Front is counter-clockwise with y up: the edge function is negative with y down.
         let area = coverage::edge(t[0], t[1], t[2]);
@@ -65,9 +65,9 @@ fn line_in(a: P, b: P, area: Area) -> Vec<P> {
 
 pub(crate) fn edge(scene: &Scene, edge: [u16; 2]) {
     scene.with_instance(&[], &[edge], |instance| {
-        let drawing = draw(scene, |target| instance.wireframe(Shader(1), &mut [], target));
+        let drawing = draw(scene, |target| instance.edges(|_| Shader(1)).draw(target));
         let turned = scene.with_instance(&[], &[[edge[1], edge[0]]], |instance| {
-            draw(scene, |target| instance.wireframe(Shader(1), &mut [], target))
+            draw(scene, |target| instance.edges(|_| Shader(1)).draw(target))
         });
         // L3, cut or not.
         assert_eq!(turned.statistics, drawing.statistics, "{edge:?}: {scene:?}");

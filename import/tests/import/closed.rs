@@ -138,7 +138,7 @@ fn holes<P: FacePlanes>(mesh: &Mesh<'_, i16, P>, extent: f64, yaw: Angle) -> usi
     let mut cache = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
     let instance = camera.place(mesh, &Affine::rotation_y(yaw));
     let mut picture = Picture::new(&mut drawn, SIZE).unwrap();
-    let Ok(_) = instance.solid(|_| Gray8::WHITE, &mut cache, &mut picture.pixels());
+    let Ok(_) = instance.faces(|_| Gray8::WHITE).cached(&mut cache).draw(&mut picture.pixels());
     let rows = drawn.chunks(SIZE.width as usize);
     let holes = rows.map(|row| {
         let is_drawn = |pixel: &Gray8| *pixel == Gray8::WHITE;

@@ -488,7 +488,7 @@ fn the_source_is_drawn_without_conversion() {
     let mut pixels = [Rgb565::BLACK; (SIDE * SIDE) as usize];
     let mut target = Picture::new(&mut pixels, viewport.size()).unwrap();
     let instance = camera.place(&TEXTURED, &Affine::identity());
-    instance.solid(|face| texture.at(TEXTURED_TEXTURE.corners(face)), &mut [], &mut target.pixels()).unwrap();
+    instance.faces(|face| texture.at(TEXTURED_TEXTURE.corners(face))).draw(&mut target.pixels()).unwrap();
 
     let (mut equal, mut covered) = (0, 0);
     for (index, &color) in pixels.iter().enumerate() {

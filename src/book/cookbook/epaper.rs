@@ -48,7 +48,7 @@ pub fn draw<D: DrawTarget>(yaw: Angle, [ink, paper]: [D::Color; 2], epd: &mut D)
         let rows = Rectangle::new(Point::new(0, top), Size::new(200, 20));
         let mut depth = DepthBuffer::new(rows, &mut depths).expect("room for the rows");
         instance.depth_only(&mut cache, &mut depth);
-        instance.hidden_line(ink, &mut cache, &mut depth, epd)?;
+        instance.edges(|_| ink).cached(&mut cache).hidden_line(&mut epd.depth_tested(&mut depth))?;
     }
     let frame = PrimitiveStyle::with_stroke(ink, 2);
     Rectangle::new(Point::zero(), SIZE).into_styled(frame).draw(epd)?;

@@ -63,8 +63,8 @@ impl Gauge {
         for area in dirty.take() {
             let mut frame = Frame::new(area, BinaryColor::Off);
             while let Some(mut band) = frame.next_band(&mut strip.colors).expect("room for a row") {
-                let Ok(_) = dial.wireframe(BinaryColor::On, &mut [], &mut band);
-                let Ok(()) = needle.solid(shade, &mut band);
+                let Ok(_) = dial.edges(|_| BinaryColor::On).draw(&mut band);
+                let Ok(()) = needle.draw(shade, &mut band);
                 let Ok(_) = text.draw(&mut band);
                 band.send(to)?;
             }

@@ -46,7 +46,7 @@ impl Hud {
         while let Some(mut band) = frame.next_band(&mut strip.colors).expect("room for a row") {
             let mut depth = DepthBuffer::new(band.area(), &mut strip.depths).expect("room for a row");
             let shade = |face| Gouraud::lit(Rgb888::CSS_MEDIUM_TURQUOISE, TORUS.corners_of(face, &levels));
-            let Ok(()) = faces.depth_tested(shade, &mut depth, &mut band.pixels());
+            let Ok(()) = faces.draw(shade, &mut band.pixels().depth_tested(&mut depth));
             let Ok(_) = Text::new(&text, Point::new(6, 16), MonoTextStyle::new(&FONT_8X13, Rgb565::WHITE))
                 .draw(&mut band);
             for (x, &micros) in (0..).zip(times.iter()) {

@@ -61,7 +61,7 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(
     while let Some(mut band) = frame.next_band(&mut strip.colors).expect("room for a row") {
         let mut depth = DepthBuffer::new(band.area(), &mut strip.depths).expect("room for a row");
         let shade = |face: usize| COLORS[face / 8 % 3].dim(light.level(LOGO.normals()[face]));
-        let Ok(()) = faces.depth_tested(shade, &mut depth, &mut band.pixels());
+        let Ok(()) = faces.draw(shade, &mut band.pixels().depth_tested(&mut depth));
         // The label goes on top of what the band shows.
         let style = PrimitiveStyle::with_stroke(Rgb565::WHITE, 1);
         let Ok(()) = Line::new(corner, at - Point::new(-31, 12)).into_styled(style).draw(&mut band);

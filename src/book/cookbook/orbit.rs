@@ -23,7 +23,7 @@ impl Chart {
     pub fn touch(&mut self, at: Point) {
         let opaque = |_bar, _object: &Object<'_, ()>| |_face| Rgb565::BLACK; // a bar is seen in each pixel that it covers
         let cache = &mut [ScreenVertex::EMPTY; CUBE.cache_len()];
-        let picked = self.bars().place(&self.camera()).pick(at, opaque, cache);
+        let picked = self.bars().place(&self.camera()).faces(opaque).cached(cache).pick(at);
         self.picked = picked.map(|picked| picked.object);
     }
 
@@ -66,7 +66,7 @@ impl Chart {
                 let color = if picked { Rgb565::CSS_ORANGE } else { Rgb565::CSS_LIGHT_STEEL_BLUE };
                 move |face: usize| color.dim(light.level(CUBE.normals()[face]))
             };
-            let Ok(()) = bars.depth_tested(shade, &mut depth, &mut band.pixels());
+            let Ok(()) = bars.draw(shade, &mut band.pixels().depth_tested(&mut depth));
             let style = MonoTextStyle::new(&FONT_10X20, Rgb565::CSS_ORANGE);
             let Ok(_) = Text::new(&text, Point::new(8, 22), style).draw(&mut band);
             band.send(display)?;

@@ -64,8 +64,8 @@ impl Scope {
         while let Some(mut band) = frame.next_band(&mut strip.colors).expect("room for a row") {
             let mut depth = DepthBuffer::new(band.area(), &mut strip.depths).expect("room for a row");
             let shade = |face| Gouraud::new(mesh.corners_of(face, heights).map(color));
-            let Ok(()) = faces.depth_tested(shade, &mut depth, &mut band.pixels());
-            let Ok(()) = lines.hidden_line(Rgb565::BLACK, &mut depth, &mut band.pixels());
+            let Ok(()) = faces.draw(shade, &mut band.pixels().depth_tested(&mut depth));
+            let Ok(()) = lines.hidden_line(Rgb565::BLACK, &mut band.pixels().depth_tested(&mut depth));
             band.send(to)?;
         }
         Ok(())

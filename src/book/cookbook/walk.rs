@@ -58,7 +58,7 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(
             let color = house.material;
             move |face: usize| color.dim(light.level(CUBE.normals()[face]))
         };
-        let Ok(()) = houses.depth_tested(shade, &mut depth, &mut band.pixels());
+        let Ok(()) = houses.draw(shade, &mut band.pixels().depth_tested(&mut depth));
         band.send(display)?;
     }
     Ok(houses.statistics())

@@ -46,7 +46,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// let table = FogTable::new(&fog, &camera, Rgb565::WHITE)?;
 /// # let mut pixels = [Rgb565::BLACK; 64 * 64];
 /// # let mut picture = Picture::new(&mut pixels, Size::new(64, 64))?;
-/// instance.solid(|_face| Fogged::new(Rgb565::RED, &table), &mut [], &mut picture.pixels())?;
+/// instance.faces(|_face| Fogged::new(Rgb565::RED, &table)).draw(&mut picture.pixels())?;
 /// # let greens: std::collections::BTreeSet<_> = pixels.iter().filter(|c| c.r() == 31).map(|c| c.g()).collect();
 /// assert!(greens.len() > 12); // from red to white
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -17,7 +17,7 @@ use crate::space::{Model, World};
 /// - **interpolated over faces**: [`ShadeTable::in_fog`](crate::ShadeTable::in_fog) fades one colour into fog; for lit faces,
 ///   [`Gouraud::new`](crate::Gouraud::new) of three [`Flat::in_fog`](crate::Flat::in_fog);
 /// - **textures**: the rows of [`LitPalette::in_fog`](crate::LitPalette::in_fog), by face or by vertex;
-/// - **edges**: [`MeshInstance::wireframe_by_edge`](crate::MeshInstance::wireframe_by_edge), the depth cue of wireframes.
+/// - **edges**: [`MeshInstance::edges`](crate::MeshInstance::edges), the depth cue of wireframes.
 ///
 /// **Error.** A factor is within ½ + 384·2⁻³⁰·r/(end − start) of the exact one, where r is the largest coordinate of the eye or of the
 /// object's origin, plus that of the vertex relative to this origin, in world units. Between the corners of a face the factor is

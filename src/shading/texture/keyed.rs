@@ -27,7 +27,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// # let instance = camera.place(&mesh, &Affine::identity());
 /// # let mut display = MockDisplay::new();
 /// let texture = Texture::new(ColorKeyed::new(&PICTURE, KEY));
-/// instance.solid(|face| texture.at(mesh.corners_of(face, &UV)), &mut [], &mut display)?;
+/// instance.faces(|face| texture.at(mesh.corners_of(face, &UV))).draw(&mut display)?;
 /// assert_eq!(display.get_pixel(Point::new(12, 16)), Some(Rgb565::RED));
 /// assert_eq!(display.get_pixel(Point::new(20, 16)), None);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -123,7 +123,7 @@ impl<S: LitTexels> Textured<S> {
     /// let mut picture = Picture::new(&mut pixels, viewport.size())?;
     /// let instance = camera.place(&mesh, &Affine::identity());
     /// let shade = |face| texture.at(mesh.corners_of(face, &UV)).lit(mesh.corners_of(face, &LEVELS));
-    /// instance.solid(shade, &mut [], &mut picture.pixels())?;
+    /// instance.faces(shade).draw(&mut picture.pixels())?;
     /// // 255 · (1 − (x + ½)/64)
     /// assert_eq!([0, 31, 63].map(|x: usize| pixels[x].luma()), [253, 129, 2]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -42,7 +42,7 @@ pub enum Accuracy {
 /// let texture = Texture::new(&PICTURE);
 /// let mut pixels = [Rgb565::BLACK; 32 * 32];
 /// let mut picture = Picture::new(&mut pixels, viewport.size())?;
-/// instance.solid(|face| texture.at(mesh.corners_of(face, &UV)), &mut [], &mut picture.pixels())?;
+/// instance.faces(|face| texture.at(mesh.corners_of(face, &UV))).draw(&mut picture.pixels())?;
 /// assert_eq!([pixels[16 * 32 + 12], pixels[16 * 32 + 20]], [Rgb565::RED, Rgb565::BLUE]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -143,7 +143,7 @@ impl<S: Texels> Texture<S> {
     /// let mut pixels = [Gray8::WHITE; 64 * 64];
     /// let mut picture = Picture::new(&mut pixels, viewport.size())?;
     /// let instance = camera.place(&mesh, &Affine::identity());
-    /// instance.solid(|face| texture.clamped_at(mesh.corners_of(face, &UV)), &mut [], &mut picture.pixels())?;
+    /// instance.faces(|face| texture.clamped_at(mesh.corners_of(face, &UV))).draw(&mut picture.pixels())?;
     /// assert_eq!([0, 15, 16, 18, 31, 32, 63].map(|x: usize| pixels[x].luma()), [0, 0, 0, 1, 7, 7, 7]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

@@ -4,7 +4,7 @@ use crate::measure::Display;
 use crate::scene::{area, Scene, BACKGROUND, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{DepthBuffer, Frame, Lambert, ScreenVertex, Stroke};
+use pinhole::{DepthBuffer, Frame, Lambert, ScreenVertex, Stroke, Surface};
 
 /// Sizes for the largest scene: its vertices, and its visible faces with a bit for each face of the mesh.
 const CORNERS: usize = 2892;
@@ -80,7 +80,7 @@ pub fn solid(
     let mut faces = projected.bin_faces(bin_storage).ok()?;
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
-        let Ok(()) = faces.solid(scene.shade(light), &mut band.pixels());
+        let Ok(()) = faces.draw(scene.shade(light), &mut band.pixels());
         display.take_bytes(band.bytes());
     }
     black_box(faces.statistics());
@@ -99,7 +99,7 @@ pub fn depth(
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
-        let Ok(()) = faces.depth_tested(scene.shade(light), &mut depth, &mut band.pixels());
+        let Ok(()) = faces.draw(scene.shade(light), &mut band.pixels().depth_tested(&mut depth));
         display.take_bytes(band.bytes());
     }
     black_box(faces.statistics());

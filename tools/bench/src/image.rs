@@ -213,6 +213,6 @@ pub mod prelude {
     pub use pinhole::{
         Angle, AntiAliased, Camera, ColorKeyed, Coordinate, DepthBuffer, DirtyRegions, Fog, FogTable, Fogged,
         Frame, HalfBlended, Lambert, LeastRun, MeshInstance, Painter, Picture, Scalar, ScreenDoor,
-        ScreenVertex, ShadeTable, SpanShader, Sprite, Texture, TransferCost, VertexFog, Viewport,
+        ScreenVertex, ShadeTable, SpanShader, Sprite, Surface, Texture, TransferCost, VertexFog, Viewport,
     };
 }

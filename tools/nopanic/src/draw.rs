@@ -14,7 +14,7 @@ use pinhole::space::{Model, World};
 use pinhole::{
     draw_line, fill_triangle, Affine, AntiAliased, Camera, Color, Coordinate, Cull, DepthBuffer,
     DirtyRegions, FacePlanes, Flat, Frame, Gives, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Object,
-    Painter, Picture, Reads, Scalar, ScreenDoor, ScreenVertex, ShadeTable, SpanShader, Stroke, Target,
+    Painter, Picture, Reads, Scalar, ScreenDoor, ScreenVertex, ShadeTable, SpanShader, Stroke, Surface,
     Tracked, TransferCost, WithPlanes,
 };
 
@@ -83,11 +83,11 @@ fn fill_all<D: DrawTarget<Color: Color>, I: SpanShader<D::Color, Ink = D::Color>
     let Scene { colours, corners, depth, bin_storage, strip, .. } = scene;
     let Some(&(background, _)) = colours.first() else { return };
     let area = area();
-    report(instance.solid(&shade, corners, target));
-    report(by_planes.solid(&shade, corners, target));
+    report(instance.faces(&shade).cached(corners).draw(target));
+    report(by_planes.faces(&shade).cached(corners).draw(target));
     if let Ok(mut depth) = DepthBuffer::new(area, depth) {
-        report(instance.depth_tested(&shade, corners, &mut depth, target));
-        report(by_planes.depth_tested(&shade, corners, &mut depth, target));
+        report(instance.faces(&shade).cached(corners).draw(&mut target.depth_tested(&mut depth)));
+        report(by_planes.faces(&shade).cached(corners).draw(&mut target.depth_tested(&mut depth)));
     }
     let mut painter = Painter::<I, 20, 20>::new();
     report(painter.add(&instance, &shade));
@@ -95,17 +95,17 @@ fn fill_all<D: DrawTarget<Color: Color>, I: SpanShader<D::Color, Ink = D::Color>
     let Ok(Some(mut band)) = frame.next_band(strip) else { return };
     report(painter.order().draw(&mut band));
     if let Ok(mut faces) = instance.transform(corners).bin_faces(bin_storage) {
-        report(faces.solid(&shade, &mut band));
+        report(faces.draw(&shade, &mut band));
     }
     if let Ok(mut faces) = by_planes.bin_faces(corners, bin_storage) {
-        report(faces.solid(&shade, &mut band));
+        report(faces.draw(&shade, &mut band));
     }
     let Ok(mut depth) = DepthBuffer::new(band.area(), depth) else { return };
     if let Ok(mut faces) = by_planes.bin_faces_with_depth(corners, bin_storage) {
-        report(faces.depth_tested(&shade, &mut depth, &mut band));
+        report(faces.draw(&shade, &mut band.depth_tested(&mut depth)));
     }
     if let Ok(mut faces) = instance.transform_depth(corners).bin_faces(bin_storage) {
-        report(faces.depth_tested(&shade, &mut depth, &mut band));
+        report(faces.draw(&shade, &mut band.depth_tested(&mut depth)));
         report((faces.bounds(), faces.statistics()));
     }
     report(band.send(target));
@@ -127,8 +127,8 @@ fn draw_edges<D: DrawTarget<Color: Color>>(
     let area = area();
     let Ok(mut depth) = DepthBuffer::new(area, depth) else { return };
     report(instance.depth_only(corners, &mut depth));
-    report(instance.hidden_line(colour, corners, &mut depth, target));
-    report(instance.wireframe_depth_tested(colour, corners, &mut depth, target));
+    report(instance.edges(|_| colour).cached(corners).hidden_line(&mut target.depth_tested(&mut depth)));
+    report(instance.edges(|_| colour).cached(corners).draw(&mut target.depth_tested(&mut depth)));
 
     let Ok(Some(mut band)) = Frame::new(area, colour).next_band(strip) else { return };
     if let Ok(mut edges) = instance.transform(corners).bin_edges(bin_storage) {
@@ -143,8 +143,8 @@ fn draw_edges<D: DrawTarget<Color: Color>>(
     let transformed = by_planes.transform_depth(corners);
     report(transformed.bin_faces(bin_storage).is_ok());
     if let Ok(mut edges) = transformed.bin_edges(bin_storage) {
-        report(edges.hidden_line(colour, &mut depth, &mut band));
-        report(edges.depth_tested(colour, &mut depth, &mut band));
+        report(edges.hidden_line(colour, &mut band.depth_tested(&mut depth)));
+        report(edges.draw(colour, &mut band.depth_tested(&mut depth)));
     }
     let colours = || colours.iter().map(|c| c.0);
     report(band.fill_solid(&crate::inputs::area(), colour));
@@ -168,21 +168,21 @@ fn draw_instance<D: DrawTarget<Color: Color>, V: Coordinate>(
     };
     report(instance.project(any() as usize));
     report(instance.project_unsnapped(any() as usize));
-    report(instance.wireframe(wire, corners, target));
-    report(instance.solid(&mut shade, corners, target));
-    report(by_planes.solid(&mut shade, corners, target));
+    report(instance.edges(|_| wire).cached(corners).draw(target));
+    report(instance.faces(&mut shade).cached(corners).draw(target));
+    report(by_planes.faces(&mut shade).cached(corners).draw(target));
     report(painter.add(&instance, &mut shade));
     report(instance.points(wire, target));
     report(instance.polyline(wire, target));
     let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
-    report(instance.depth_tested(&mut shade, corners, &mut depth, target));
-    report(by_planes.depth_tested(&mut shade, corners, &mut depth, target));
+    report(instance.faces(&mut shade).cached(corners).draw(&mut target.depth_tested(&mut depth)));
+    report(by_planes.faces(&mut shade).cached(corners).draw(&mut target.depth_tested(&mut depth)));
     report(depth.at(pixel()));
     depth.clear();
 }
 
 /// Pixels in memory, of a picture and of a band: one colour per face, and shaders that vary.
-fn draw_pixels<T: Target<Color = Rgb565>>(
+fn draw_pixels<T: Surface<Color = Rgb565>>(
     scene: &mut Scene<'_, Rgb565>,
     by_planes: &MeshInstance<'_, i16, WithPlanes>,
     target: &mut T,
@@ -193,11 +193,11 @@ fn draw_pixels<T: Target<Color = Rgb565>>(
     let smooth = |_| Gouraud::new([wide_color(); 3]);
     let table = ShadeTable::new(wide_color());
     let shaded = |_| table.lit(levels());
-    report(instance.wireframe(color(), corners, target));
-    report(instance.solid(shade, corners, target));
-    report(instance.solid(smooth, corners, target));
-    report(instance.solid(shaded, corners, target));
-    report(by_planes.solid(shade, corners, target));
+    report(instance.edges(|_| color()).cached(corners).draw(target));
+    report(instance.faces(shade).cached(corners).draw(target));
+    report(instance.faces(smooth).cached(corners).draw(target));
+    report(instance.faces(shaded).cached(corners).draw(target));
+    report(by_planes.faces(shade).cached(corners).draw(target));
     if let Some(corner) = ScreenPoint::from_subpixels(any(), any()) {
         report(fill_triangle([corner, ScreenPoint::default(), corner], shade(any() as usize), target));
     }
@@ -206,15 +206,15 @@ fn draw_pixels<T: Target<Color = Rgb565>>(
     let pixels = ends.map(|raster::Pixel { x, y }| Pixel(Point::new(x.into(), y.into()), shade(1)));
     report(target.draw_pixels(pixels.into_iter()));
     let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
-    report(instance.depth_tested(shade, corners, &mut depth, target));
-    report(instance.depth_tested(smooth, corners, &mut depth, target));
-    report(instance.depth_tested(shaded, corners, &mut depth, target));
-    report(by_planes.depth_tested(smooth, corners, &mut depth, target));
-    report(instance.hidden_line(color(), corners, &mut depth, target));
+    report(instance.faces(shade).cached(corners).draw(&mut target.depth_tested(&mut depth)));
+    report(instance.faces(smooth).cached(corners).draw(&mut target.depth_tested(&mut depth)));
+    report(instance.faces(shaded).cached(corners).draw(&mut target.depth_tested(&mut depth)));
+    report(by_planes.faces(smooth).cached(corners).draw(&mut target.depth_tested(&mut depth)));
+    report(instance.edges(|_| color()).cached(corners).hidden_line(&mut target.depth_tested(&mut depth)));
 }
 
 /// Anti-aliased lines, in every way to draw lines.
-fn draw_anti_aliased<T: Target<Color = Rgb565, Store: Gives<Reads>>>(
+fn draw_anti_aliased<T: Surface<Color = Rgb565, Store: Gives<Reads>>>(
     scene: &mut Scene<'_, Rgb565>,
     by_planes: &MeshInstance<'_, i16, WithPlanes>,
     target: &mut T,
@@ -226,15 +226,15 @@ fn draw_anti_aliased<T: Target<Color = Rgb565, Store: Gives<Reads>>>(
     report((mixed, stroke.covering(mixed, any() as u16)));
     let [from, to] = [(); 2].map(|()| raster::Pixel { x: any() as i16, y: any() as i16 });
     report(draw_line(from, to, stroke, target));
-    report(instance.wireframe(stroke, corners, target));
+    report(instance.edges(|_| stroke).cached(corners).draw(target));
     report(instance.polyline(stroke, target));
     let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
-    report(instance.wireframe_depth_tested(stroke, corners, &mut depth, target));
-    report(instance.hidden_line(stroke, corners, &mut depth, target));
+    report(instance.edges(|_| stroke).cached(corners).draw(&mut target.depth_tested(&mut depth)));
+    report(instance.edges(|_| stroke).cached(corners).hidden_line(&mut target.depth_tested(&mut depth)));
     if let Ok(mut edges) = instance.transform_depth(corners).bin_edges(bin_storage) {
         report(edges.draw(stroke, target));
-        report(edges.depth_tested(stroke, &mut depth, target));
-        report(edges.hidden_line(stroke, &mut depth, target));
+        report(edges.draw(stroke, &mut target.depth_tested(&mut depth)));
+        report(edges.hidden_line(stroke, &mut target.depth_tested(&mut depth)));
     }
 }
 
@@ -258,7 +258,7 @@ fn band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_, i16, WithPlanes>, strip: 
 }
 
 fn pick<P: FacePlanes>(camera: &Camera, instance: &MeshInstance<'_, i16, P>, cache: &mut [ScreenVertex]) {
-    let picked = instance.pick(pixel(), |_| ScreenDoor::new(color(), any() as u8), cache);
+    let picked = instance.faces(|_| ScreenDoor::new(color(), any() as u8)).cached(cache).pick(pixel());
     report(picked.and_then(|picked| picked.point(camera)));
     report(instance.transform_depth(cache).pick(pixel(), |_| color()));
 }
@@ -296,17 +296,17 @@ fn draw_scene(scene: &pinhole::Scene<'_, Rgb565, 5>, camera: &Camera, storage: &
     };
     report((placed.len(), placed.is_empty(), placed.cache_len(), placed.face_bins_len()));
     report(placed.iter().map(|(object, _)| object.mesh().faces().len()).sum::<usize>());
-    report(placed.pick(pixel(), shade, cache));
+    report(placed.faces(shade).cached(cache).pick(pixel()));
     report(placed.paint(shade, painter));
     let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
-    report(placed.depth_tested(shade, cache, &mut depth, target));
+    report(placed.faces(shade).cached(cache).draw(&mut target.depth_tested(&mut depth)));
     let Ok(mut faces) = placed.bin_faces(cache, bins) else { return };
     faces.depth_only(&mut depth);
-    report(faces.depth_tested(shade, &mut depth, target));
+    report(faces.draw(shade, &mut target.depth_tested(&mut depth)));
     report((faces.statistics(), faces.iter().count()));
     let mut cursor = [0; 9];
     let Ok([mut ours, mut theirs]) = faces.fork(&mut cursor) else { return };
-    report(ours.depth_tested(shade, &mut depth, target));
+    report(ours.draw(shade, &mut target.depth_tested(&mut depth)));
     theirs.depth_only(&mut depth);
 }
 
@@ -352,10 +352,10 @@ fn two_cores(cores: &mut Cores<'_>) {
         _ => theirs.count(),
     }
     let Ok(mut faces) = split.finish() else { return };
-    report(faces.solid(|_| color(), &mut band));
+    report(faces.draw(|_| color(), &mut band));
     if let Ok([mut ours, mut theirs]) = faces.fork(cursor) {
-        report(ours.solid(|_| color(), &mut band));
-        report(theirs.solid(|_| color(), &mut band));
+        report(ours.draw(|_| color(), &mut band));
+        report(theirs.draw(|_| color(), &mut band));
     }
     let Ok(mut edges) = transformed.bin_edges(edge_bins) else { return };
     let Ok([mut ours, mut theirs]) = edges.fork(other) else { return };
@@ -374,7 +374,7 @@ fn two_cores_with_depth(cores: &mut Cores<'_>) {
     let Ok([mut ours, mut theirs]) = faces.fork(cursor) else { return };
     let Ok(Some(mut band)) = frame.nth_band(any() as u32, strip) else { return };
     let Ok(mut depth) = DepthBuffer::new(band.area(), depth) else { return };
-    report(ours.depth_tested(|_| color(), &mut depth, &mut band));
+    report(ours.draw(|_| color(), &mut band.depth_tested(&mut depth)));
     theirs.depth_only(&mut depth);
 }
 

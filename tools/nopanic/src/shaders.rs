@@ -17,7 +17,7 @@ use pinhole::{
     DepthBuffer, DepthTested, Flat, Fog, FogTable, Fogged, Gives, Gouraud, HalfBlended, IndexKeyed,
     IndexedTexels, LightError, LitPalette, LitTexels, Memory, Mesh, MeshInstance, Mixed, Painter, Picture,
     Pixels, PlacedSprites, Reads, Scalar, ScreenDoor, ScreenVertex, ShadeTable, Shader, SolidTexel,
-    SpanShader, Sprite, SpriteFor, SpriteImage, SpriteSource, Target, TexelSlice, Texels, Texture,
+    SpanShader, Sprite, SpriteFor, SpriteImage, SpriteSource, Surface, TexelSlice, Texels, Texture,
     TextureError, Translucent, VertexFog, WithPlanes,
 };
 
@@ -88,9 +88,9 @@ impl Faces<'_> {
         let Self { by_planes, cache, cells, depths } = self;
         let instance = by_planes.without_planes();
         let Ok(mut target) = Pixels::<Rgb565, u16>::new(cells, area()) else { return };
-        report(instance.solid(&shade, cache, &mut target));
+        report(instance.faces(&shade).cached(cache).draw(&mut target));
         let Ok(mut depth) = DepthBuffer::new(area(), depths) else { return };
-        report(instance.depth_tested(&shade, cache, &mut depth, &mut target));
+        report(instance.faces(&shade).cached(cache).draw(&mut target.depth_tested(&mut depth)));
     }
 
     /// A texture that repeats.
@@ -114,7 +114,7 @@ impl Faces<'_> {
 fn own(faces: &mut Faces<'_>) -> Result<(), BufferError> {
     faces.draw(|_| shader());
     let Faces { by_planes, cache, cells, depths } = faces;
-    report(by_planes.solid(|_| shader(), cache, &mut Pixels::<Rgb565, u16>::new(cells, area())?));
+    report(by_planes.faces(|_| shader()).cached(cache).draw(&mut Pixels::<Rgb565, u16>::new(cells, area())?));
     if let Ok(mut depth) = DepthBuffer::new(area(), depths) {
         report(by_planes.depth_only(cache, &mut depth));
     }
@@ -129,8 +129,8 @@ fn painter_depth_tested(
     painter.add(&faces.by_planes.without_planes(), shade).ok()?;
     let mut target = Pixels::<Rgb565, u16>::new(faces.cells, area()).ok()?;
     let mut depth = DepthBuffer::new(area(), faces.depths).ok()?;
-    report(painter.order().depth_tested(&mut depth, &mut target));
-    report(painter.depth_tested(&mut depth, &mut target));
+    report(painter.order().draw(&mut target.depth_tested(&mut depth)));
+    report(painter.draw(&mut target.depth_tested(&mut depth)));
     Some(())
 }
 
@@ -209,7 +209,7 @@ fn fogged(faces: &mut Faces<'_>, table: &FogTable<Rgb565>, shades: &ShadeTable<R
     faces.draw(|_| Fogged::new(Blended::new(color(), any() as u8), table));
     if let Ok(mut target) = Pixels::<Rgb565, u16>::new(faces.cells, area()) {
         let instance = faces.by_planes.without_planes();
-        report(instance.wireframe_by_edge(|_| color(), faces.cache, &mut target));
+        report(instance.edges(|_| color()).cached(faces.cache).draw(&mut target));
     }
 }
 
@@ -249,17 +249,17 @@ struct Sprites<'a, V: Coordinate>(&'a PlacedSprites<'a, V>, &'a mut [u16]);
 
 impl<V: Coordinate<Stored = V>> Sprites<'_, V> {
     /// Without depth and with it.
-    fn draw<T: Target<Color = Rgb565>, S: SpriteFor<T>>(&mut self, picture: impl Fn() -> S, target: &mut T) {
+    fn draw<T: Surface<Color = Rgb565>, S: SpriteFor<T>>(&mut self, picture: impl Fn() -> S, target: &mut T) {
         let Self(placed, depths) = self;
         report(placed.draw(|_| sprite(picture()), target).ok());
         let Ok(mut depth) = DepthBuffer::new(area(), depths) else { return };
-        report(placed.depth_tested(|_| sprite(picture()), &mut depth, target).ok());
+        report(placed.draw(|_| sprite(picture()), &mut target.depth_tested(&mut depth)).ok());
     }
 }
 
 type Texels64 = [[Rgb565; 64]; 32];
 
-fn sprites_in_memory<T: Target<Color = Rgb565, Store: Gives<Reads>>>(
+fn sprites_in_memory<T: Surface<Color = Rgb565, Store: Gives<Reads>>>(
     mut sprites: Sprites<'_, i16>,
     texels: &Texels64,
     fog: &FogTable<Rgb565>,
@@ -280,7 +280,7 @@ fn sprites_in_memory<T: Target<Color = Rgb565, Store: Gives<Reads>>>(
     }
 }
 
-fn sprites_in_picture<T: Target<Color = Rgb565>>(
+fn sprites_in_picture<T: Surface<Color = Rgb565>>(
     mut sprites: Sprites<'_, Scalar>,
     texels: &Texels64,
     to: &mut T,
@@ -293,7 +293,7 @@ fn sprites_in_picture<T: Target<Color = Rgb565>>(
     }
 }
 
-fn one_sprite<T: Target<Color = Rgb565>>(camera: &Camera, to: &mut T) {
+fn one_sprite<T: Surface<Color = Rgb565>>(camera: &Camera, to: &mut T) {
     let (placed, square) = (camera.place_sprite(point()), |_| Sprite::square(color(), any() as u8));
     report(placed.draw(square, to).ok());
     report(placed.bounds(square));

@@ -9,7 +9,7 @@ use pinhole::space::{Model, World};
 use pinhole::{
     mesh_buffers, Affine, Angle, BinnedFaces, Camera, Color, DepthBuffer, Fog, IndexedTexels, Lambert,
     LitPalette, Mesh, MeshBuffers, MeshInstance, PlacedSprites, Point3, Projection, Scalar, ScreenDoor,
-    ScreenVertex, Sprite, SpriteSource, Target, Texture, Textured, Vector3, VertexFog, ViewTransform,
+    ScreenVertex, Sprite, SpriteSource, Surface, Texture, Textured, Vector3, VertexFog, ViewTransform,
     Viewport,
 };
 
@@ -362,7 +362,7 @@ enum Body {
 
 impl<'a, C: Ink> Frame<'a, C> {
     /// Draws what lies in a target, whose background is the mist.
-    pub fn draw<T: Target<Color = C>>(
+    pub fn draw<T: Surface<Color = C>>(
         &mut self,
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
@@ -371,15 +371,15 @@ impl<'a, C: Ink> Frame<'a, C> {
         // One loop and one type of closure, so that the code that draws textured faces is linked once.
         let names = [Body::Ground, Body::Canopy, Body::Basket];
         for ((faces, texture), body) in bodies.iter_mut().zip(*textures).zip(names) {
-            faces.depth_tested(shader(scene, levels, texture, body, *passed), depth, target)?;
+            faces.draw(shader(scene, levels, texture, body, *passed), &mut target.depth_tested(depth))?;
         }
-        shadow.depth_tested(|_| ScreenDoor::new(scene.shadow, 40), depth, target)?;
+        shadow.draw(|_| ScreenDoor::new(scene.shadow, 40), &mut target.depth_tested(depth))?;
         let tree = |vertex: usize| {
             let factor = TREE_POINTS.get(vertex).map_or(0, |&point| levels.trees.factor(point));
             let tree = Sprite::new(Tree(scene.tree.map(|color| color.over(scene.mist, factor))));
             tree.with_height(Scalar::from_int(9)).with_anchor(AnchorPoint::BottomCenter)
         };
-        trees.depth_tested(tree, depth, target)?;
+        trees.draw(tree, &mut target.depth_tested(depth))?;
         Ok(())
     }
 }

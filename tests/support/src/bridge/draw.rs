@@ -4,7 +4,7 @@ use super::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use crate::oracle::target::{Recorder, Refused};
 use embedded_graphics_core::pixelcolor::raw::RawU16;
 use embedded_graphics_core::pixelcolor::PixelColor;
-use pinhole::{Coordinate, DepthBuffer, Mesh, MeshInstance, Painter, ScreenVertex, Statistics};
+use pinhole::{Coordinate, DepthBuffer, Mesh, MeshInstance, Painter, ScreenVertex, Statistics, Surface};
 
 /// A colour that names what was drawn, such as the index of the face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,12 +48,12 @@ pub fn solid<V: Coordinate>(
     target: &mut Recorder<Shader>,
 ) -> Result<Statistics, Refused> {
     let mut cache = [ScreenVertex::default(); 64];
-    instance.solid(|face| Shader(face as u16), &mut cache, target)
+    instance.faces(|face| Shader(face as u16)).cached(&mut cache).draw(target)
 }
 
 pub fn wireframe(instance: &MeshInstance<'_>, target: &mut Recorder<Shader>) -> Result<Statistics, Refused> {
     let mut cache = [ScreenVertex::default(); 64];
-    instance.wireframe(Shader(7), &mut cache, target)
+    instance.edges(|_| Shader(7)).cached(&mut cache).draw(target)
 }
 
 /// A camera in front of a turned cube, looking down at it.
@@ -100,8 +100,8 @@ pub fn turned_cube(
     let instance = camera.place(&mesh, &model);
     let mut cache = [ScreenVertex::default(); 8];
     match way {
-        Way::Wireframe => instance.wireframe(Shader(7), &mut cache, target),
-        Way::Solid => instance.solid(|face| Shader(face as u16), &mut cache, target),
+        Way::Wireframe => instance.edges(|_| Shader(7)).cached(&mut cache).draw(target),
+        Way::Solid => instance.faces(|face| Shader(face as u16)).cached(&mut cache).draw(target),
         Way::Painter => {
             let mut painter = Painter::<Shader, 64, 64>::new();
             painter.add(&instance, |face| Shader(face as u16)).expect("enough room");
@@ -111,7 +111,10 @@ pub fn turned_cube(
             let mut storage = vec![0; (width * height) as usize];
             let area = super::rectangle(x, y, width, height);
             let mut depth = DepthBuffer::new(area, &mut storage).expect("storage for all pixels");
-            instance.depth_tested(|face| Shader(face as u16), &mut cache, &mut depth, target)
+            instance
+                .faces(|face| Shader(face as u16))
+                .cached(&mut cache)
+                .draw(&mut target.depth_tested(&mut depth))
         }
     }
 }

@@ -10,7 +10,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{
     Band, Color, Coordinate, DepthBuffer, FacePlanes, Frame, Ink, MeshInstance, Painter, Pixels,
-    ScreenVertex, SpanShader, Statistics, StoredPixel, Stroke, Writes,
+    ScreenVertex, SpanShader, Statistics, StoredPixel, Stroke, Surface, Writes,
 };
 
 /// The pictures of faces without depth and with depth, row by row, and the depth buffer; and from far to near, by [`by_every_call`].
@@ -130,10 +130,10 @@ pub fn in_memory<C: PixelColor, S: SpanShader<C>>(
     let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().vertices().len()];
     let mut other = cache.clone();
     let solid: &mut IntoMemory<'_, C> = &mut |target, _| {
-        let Ok(_) = instance.solid(shade, &mut cache, target);
+        let Ok(_) = instance.faces(shade).cached(&mut cache).draw(target);
     };
     parts_in_memory(area, background, solid, &mut |target, depth| {
-        let Ok(_) = instance.depth_tested(shade, &mut other, depth, target);
+        let Ok(_) = instance.faces(shade).cached(&mut other).draw(&mut target.depth_tested(depth));
     })
 }
 
@@ -168,14 +168,14 @@ pub fn everywhere<C: PixelColor, S: SpanShader<C, Ink: Ink<C, Access = Writes>>>
     let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().vertices().len() / 2];
     let mut other = cache.clone();
     let solid: &mut OntoScreen<'_, C> = &mut |target, _| {
-        let Ok(_) = instance.solid(shade, &mut cache, target);
+        let Ok(_) = instance.faces(shade).cached(&mut cache).draw(target);
     };
     parts_on_screen(&drawn, area, background, solid, &mut |target, depth| {
-        let Ok(_) = instance.depth_tested(shade, &mut other, depth, target);
+        let Ok(_) = instance.faces(shade).cached(&mut other).draw(&mut target.depth_tested(depth));
     });
     if S::WRITES_DEPTH {
         for (pixel, &depth) in area.points().zip(&drawn.depths).step_by(PICKED) {
-            let picked = instance.pick(pixel, shade, &mut other);
+            let picked = instance.faces(shade).cached(&mut other).pick(pixel);
             assert_eq!(picked.map_or(DepthBuffer::NOTHING, |picked| picked.depth), depth, "{pixel}");
         }
     }
@@ -205,9 +205,10 @@ where
     let [mut cache, mut short] = [stale.len(), stale.len() / 3].map(|length| stale[..length].to_vec());
     let mut bins = vec![0; mesh.face_bins_len()];
     let mut counted = Vec::new();
-    let (solid, _) = screen(area, &mut |target, _| counted.extend(instance.solid(shade, &mut cache, target)));
+    let (solid, _) =
+        screen(area, &mut |target, _| counted.extend(instance.faces(shade).cached(&mut cache).draw(target)));
     let (deep, depths) = screen(area, &mut |target, depth| {
-        counted.extend(instance.depth_tested(shade, &mut short, depth, target))
+        counted.extend(instance.faces(shade).cached(&mut short).draw(&mut target.depth_tested(depth)))
     });
     let mut painter = Box::new(Painter::<S, 1500, 1000>::new());
     painter.add(instance, shade).expect("room");
@@ -225,22 +226,23 @@ where
             let Ok(()) = order.draw(&mut band.pixels());
         });
         check(&solid, rows, "at once, in memory", &mut |band, _| {
-            let Ok(statistics) = instance.solid(shade, &mut [], &mut band.pixels());
+            let Ok(statistics) = instance.faces(shade).draw(&mut band.pixels());
             counted.push(statistics);
         });
         check(&deep, rows, "at once, with depth, in memory", &mut |band, depth| {
-            let Ok(statistics) = instance.depth_tested(shade, &mut cache, depth, &mut band.pixels());
+            let Ok(statistics) =
+                instance.faces(shade).cached(&mut cache).draw(&mut band.pixels().depth_tested(depth));
             counted.push(statistics);
         });
         let transformed = instance.transform_depth(&mut short);
         let mut binned = transformed.bin_faces(&mut bins).expect("room");
         check(&solid, rows, "binned", &mut |band, _| {
-            let Ok(()) = binned.solid(shade, band);
+            let Ok(()) = binned.draw(shade, band);
         });
         counted.push(binned.statistics());
         let mut binned = instance.bin_faces_with_depth(&mut cache, &mut bins).expect("room");
         check(&deep, rows, "binned, with depth, in memory", &mut |band, depth| {
-            let Ok(()) = binned.depth_tested(shade, depth, &mut band.pixels());
+            let Ok(()) = binned.draw(shade, &mut band.pixels().depth_tested(depth));
         });
         counted.push(binned.statistics());
     }
@@ -281,18 +283,22 @@ where
         })
     };
     let all = at_once(&mut |target, _| {
-        let Ok(statistics) = instance.wireframe(stroke, &mut [], target);
+        let Ok(statistics) = instance.edges(|_| stroke).draw(target);
         statistics
     });
     let mut over_faces = |is_hidden: bool| {
         at_once(&mut |target, depth| {
             let Ok(_) = match face {
-                Some(color) => instance.depth_tested(|_| color, &mut cache, depth, target),
+                Some(color) => {
+                    instance.faces(|_| color).cached(&mut cache).draw(&mut target.depth_tested(depth))
+                }
                 None => Ok(instance.depth_only(&mut cache, depth)),
             };
             let Ok(statistics) = match is_hidden {
-                false => instance.wireframe_depth_tested(stroke, &mut cache, depth, target),
-                true => instance.hidden_line(stroke, &mut cache, depth, target),
+                false => instance.edges(|_| stroke).cached(&mut cache).draw(&mut target.depth_tested(depth)),
+                true => {
+                    instance.edges(|_| stroke).cached(&mut cache).hidden_line(&mut target.depth_tested(depth))
+                }
             };
             statistics
         })
@@ -311,7 +317,7 @@ where
             let target = &mut band.pixels();
             let Ok(()) = match (what, face) {
                 ("all", _) => Ok(()),
-                (_, Some(color)) => faces.depth_tested(|_| color, depth, target),
+                (_, Some(color)) => faces.draw(|_| color, &mut target.depth_tested(depth)),
                 _ => {
                     faces.depth_only(depth);
                     Ok(())
@@ -319,8 +325,8 @@ where
             };
             let Ok(()) = match what {
                 "all" => edges.draw(stroke, target),
-                "tested" => edges.depth_tested(stroke, depth, target),
-                _ => edges.hidden_line(stroke, depth, target),
+                "tested" => edges.draw(stroke, &mut target.depth_tested(depth)),
+                _ => edges.hidden_line(stroke, &mut target.depth_tested(depth)),
             };
         });
         assert!(banded == *wanted, "{what}, {rows} rows");

@@ -125,7 +125,7 @@ impl Thing {
 
     /// Draws the object at once, onto any target.
     pub fn draw<D: DrawTarget<Color: Color + From<Rgb888>>>(&self, target: &mut D) -> Result<(), D::Error> {
-        self.instance.solid(|face| self.colour::<D::Color>(face), &mut [], target).map(|_| ())
+        self.instance.faces(|face| self.colour::<D::Color>(face)).draw(target).map(|_| ())
     }
 
     /// The rectangle that the object covers.
@@ -159,7 +159,7 @@ pub fn in_bands<D: DrawTarget<Color: Colour>>(
     let mut frame = Frame::new(area, D::Color::from(BACKGROUND));
     while let Some(mut band) = frame.next_band(strip).expect("a strip of a row or more") {
         for (thing, faces) in &mut binned {
-            let Ok(()) = faces.solid(|face| thing.colour::<D::Color>(face), &mut band);
+            let Ok(()) = faces.draw(|face| thing.colour::<D::Color>(face), &mut band);
         }
         band.send(target)?;
     }
@@ -304,7 +304,7 @@ pub fn lines(size: Size) -> Vec<[raster::Pixel; 2]> {
     across.chain(down).map(|(x, y)| [middle, raster::Pixel { x, y }]).collect()
 }
 
-/// The bytes and windows of [`lines`], drawn with this [`LEAST_RUN`](pinhole::Target::LEAST_RUN). Asserts that the panel shows
+/// The bytes and windows of [`lines`], drawn with this [`LEAST_RUN`](pinhole::Surface::LEAST_RUN). Asserts that the panel shows
 /// them.
 pub fn line_traffic<M: Kind<ColorFormat: Colour>, const LEAST_RUN: u16>() -> (usize, usize) {
     let (mut screen, background, ink) =

@@ -5,7 +5,7 @@ use bench::measure::Display;
 use bench::scene::{area, Scene, BACKGROUND};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{Band, BinnedFaces, DepthBuffer, Frame, Lambert, ScreenVertex};
+use pinhole::{Band, BinnedFaces, DepthBuffer, Frame, Lambert, ScreenVertex, Surface};
 
 /// Rows of a band.
 pub(crate) const ROWS: u32 = 16;
@@ -110,7 +110,7 @@ macro_rules! way {
 }
 
 way!(Solid, "solid", bands::solid, split_transform, BinnedFaces<'_>, |faces, shade, _depth, band| faces
-    .solid(shade, &mut band.pixels())
+    .draw(shade, &mut band.pixels())
     .ok());
 way!(
     WithDepth,
@@ -120,7 +120,7 @@ way!(
     BinnedFaces<'_, i16, true>,
     |faces, shade, depth, band| {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
-        faces.depth_tested(shade, &mut depth, &mut band.pixels()).ok()
+        faces.draw(shade, &mut band.pixels().depth_tested(&mut depth)).ok()
     }
 );
 

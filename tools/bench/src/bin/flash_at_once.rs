@@ -13,29 +13,29 @@ image!(cube, corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS], 
     let place = || scene.place(cube);
     match IMAGE {
         "flash_wireframe_pixels" => {
-            place().wireframe(scene::LINE, corners, &mut Sink).ok()?;
+            place().edges(|_| scene::LINE).cached(corners).draw(&mut Sink).ok()?;
         }
         // As a display takes lines: the image holds no code for those into memory.
         "flash_wireframe" => {
-            place().wireframe(scene::LINE, corners, &mut LeastRun::<_, 1>(&mut Sink)).ok()?;
+            place().edges(|_| scene::LINE).cached(corners).draw(&mut LeastRun::<_, 1>(&mut Sink)).ok()?;
         }
         "flash_wireframe_inside" => {
             let mut display = LeastRun::<_, 1>(&mut Sink);
-            place().without_clipping().wireframe(scene::LINE, corners, &mut display).ok()?;
+            place().without_clipping().edges(|_| scene::LINE).cached(corners).draw(&mut display).ok()?;
         }
         "flash_solid" => {
             let light = scene.rigid_light()?;
-            place().solid(scene::flat(&cube.mesh, &light), corners, &mut Sink).ok()?;
+            place().faces(scene::flat(&cube.mesh, &light)).cached(corners).draw(&mut Sink).ok()?;
         }
         "flash_solid_inside" => {
             let light = scene.rigid_light()?;
-            place().without_clipping().solid(scene::flat(&cube.mesh, &light), corners, &mut Sink).ok()?;
+            place().without_clipping().faces(scene::flat(&cube.mesh, &light)).cached(corners).draw(&mut Sink).ok()?;
         }
         "flash_depth" => {
             let area = Rectangle::new(Point::zero(), Size::new(scene::SIZE, ROWS));
             let mut depth = DepthBuffer::new(area, storage).ok()?;
             let light = scene.rigid_light()?;
-            place().depth_tested(scene::flat(&cube.mesh, &light), corners, &mut depth, &mut Sink).ok()?;
+            place().faces(scene::flat(&cube.mesh, &light)).cached(corners).draw(&mut Sink.depth_tested(&mut depth)).ok()?;
         }
         _ => return None,
     }

@@ -33,18 +33,18 @@ image!(
         while let Some(mut band) = frame.next_band(strip).ok()? {
             let mut depth = DepthBuffer::new(band.area(), storage).ok()?;
             match IMAGE {
-    "flash_depth_bands" => faces.depth_tested(scene::flat(mesh, light), &mut depth, &mut band).ok()?,
-    "flash_depth_pixels" | "flash_framing" => faces.depth_tested(scene::flat(mesh, light), &mut depth, &mut band.pixels()).ok()?,
-    "flash_gouraud_pixels" => faces.depth_tested(scene::smooth(mesh, light), &mut depth, &mut band.pixels()).ok()?,
+    "flash_depth_bands" => faces.draw(scene::flat(mesh, light), &mut band.depth_tested(&mut depth)).ok()?,
+    "flash_depth_pixels" | "flash_framing" => faces.draw(scene::flat(mesh, light), &mut band.pixels().depth_tested(&mut depth)).ok()?,
+    "flash_gouraud_pixels" => faces.draw(scene::smooth(mesh, light), &mut band.pixels().depth_tested(&mut depth)).ok()?,
     "flash_dither" =>
-        faces.depth_tested(|face| scene::smooth(mesh, light)(face).dithered(), &mut depth, &mut band).ok()?,
+        faces.draw(|face| scene::smooth(mesh, light)(face).dithered(), &mut band.depth_tested(&mut depth)).ok()?,
     "flash_dither_pixels" => faces
-        .depth_tested(|face| scene::smooth(mesh, light)(face).dithered(), &mut depth, &mut band.pixels())
+        .draw(|face| scene::smooth(mesh, light)(face).dithered(), &mut band.pixels().depth_tested(&mut depth))
         .ok()?,
     "flash_flat_dither_pixels" => faces
-        .depth_tested(scene::flat_dithered(mesh.normals(), light), &mut depth, &mut band.pixels())
+        .draw(scene::flat_dithered(mesh.normals(), light), &mut band.pixels().depth_tested(&mut depth))
         .ok()?,
-    "flash_textured_pixels" => faces.depth_tested(image::textured(mesh, light), &mut depth, &mut band.pixels()).ok()?,
+    "flash_textured_pixels" => faces.draw(image::textured(mesh, light), &mut band.pixels().depth_tested(&mut depth)).ok()?,
     _ => return None,
 };
             band.send(&mut Sink).ok()?;

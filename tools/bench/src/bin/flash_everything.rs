@@ -79,11 +79,11 @@ fn draw<V: Coordinate<Stored = i16>>(
         while let Some(mut band) = frame.next_band(strip).ok()? {
             let mut depth = DepthBuffer::new(band.area(), storage).ok()?;
             faces
-                .depth_tested(|face| scene::smooth(mesh, light)(face).dithered(), &mut depth, &mut band)
+                .draw(|face| scene::smooth(mesh, light)(face).dithered(), &mut band.depth_tested(&mut depth))
                 .ok()?;
-            faces.solid(scene::flat(mesh, light), &mut band).ok()?;
-            edges.hidden_line(scene::LINE, &mut depth, &mut band).ok()?;
-            edges.depth_tested(scene::LINE, &mut depth, &mut band).ok()?;
+            faces.draw(scene::flat(mesh, light), &mut band).ok()?;
+            edges.hidden_line(scene::LINE, &mut band.depth_tested(&mut depth)).ok()?;
+            edges.draw(scene::LINE, &mut band.depth_tested(&mut depth)).ok()?;
             edges.draw(scene::LINE, &mut band).ok()?;
             order.draw(&mut band).ok()?;
             band.send(&mut Sink).ok()?;

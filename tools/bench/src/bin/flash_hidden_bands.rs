@@ -19,7 +19,7 @@ image!(
         while let Some(mut band) = frame.next_band(strip).ok()? {
             let mut depth = DepthBuffer::new(band.area(), storage).ok()?;
             faces.depth_only(&mut depth);
-            edges.hidden_line(scene::LINE, &mut depth, &mut band).ok()?;
+            edges.hidden_line(scene::LINE, &mut band.depth_tested(&mut depth)).ok()?;
             band.send(&mut Sink).ok()?;
         }
         Some(())

@@ -21,16 +21,16 @@ image!(
         match IMAGE {
             "flash_picture" => {
                 let light = scene.rigid_light()?;
-                let Ok(_) = instance.solid(scene::flat(&cube.mesh, &light), corners, target);
+                let Ok(_) = instance.faces(scene::flat(&cube.mesh, &light)).cached(corners).draw(target);
             }
             "flash_depth_picture" => {
                 let light = scene.light();
                 let shade = scene::flat(&cube.mesh, light.as_ref()?);
                 let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), storage).ok()?;
-                let Ok(_) = instance.depth_tested(shade, corners, &mut depth, target);
+                let Ok(_) = instance.faces(shade).cached(corners).draw(&mut target.depth_tested(&mut depth));
             }
             "flash_wireframe_smooth" => {
-                let Ok(_) = instance.wireframe(AntiAliased(scene::LINE), corners, target);
+                let Ok(_) = instance.edges(|_| AntiAliased(scene::LINE)).cached(corners).draw(target);
             }
             _ => return None,
         }

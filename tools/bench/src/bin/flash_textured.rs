@@ -85,7 +85,7 @@ impl Frame<'_> {
         let instance = scene.place(cube);
         let size = black_box(Size::new(scene::SIZE, ROWS));
         let mut picture = Picture::new(memory, size).ok()?;
-        let Ok(_) = instance.solid(&shade, corners, &mut picture.pixels());
+        let Ok(_) = instance.faces(&shade).cached(corners).draw(&mut picture.pixels());
         black_box(picture.colors());
         Some(())
     }

@@ -9,7 +9,7 @@ use crate::scene::{area, Model, Scene, BACKGROUND, LINE};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{DepthBuffer, ScreenVertex, Stroke};
+use pinhole::{DepthBuffer, ScreenVertex, Stroke, Surface};
 
 /// Memory of a strip, of its depth if there is any, of a mesh's vertices and its binned faces or edges.
 pub struct Strip<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: usize> {
@@ -81,7 +81,7 @@ pub(super) fn full_wire<const N: usize>(
     let scene = Scene::new(model)?;
     count(frame, &mut |picture| {
         let Ok(()) = picture.clear(BACKGROUND);
-        drawn(black_box(&scene).place().wireframe(LINE, corners, &mut picture.pixels()))
+        drawn(black_box(&scene).place().edges(|_| LINE).cached(corners).draw(&mut picture.pixels()))
     })
 }
 
@@ -94,7 +94,7 @@ pub(super) fn full<const N: usize>(
     count(frame, &mut |picture| {
         let (scene, light) = black_box((&scene, &light));
         let Ok(()) = picture.clear(BACKGROUND);
-        drawn(scene.place().solid(scene.shade(light), corners, &mut picture.pixels()))
+        drawn(scene.place().faces(scene.shade(light)).cached(corners).draw(&mut picture.pixels()))
     })
 }
 
@@ -109,6 +109,6 @@ pub(super) fn full_z<const N: usize>(
         let Ok(()) = picture.clear(BACKGROUND);
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let (shade, mut pixels) = (scene.shade(light), picture.pixels());
-        drawn(scene.place().depth_tested(shade, corners, &mut depth, &mut pixels))
+        drawn(scene.place().faces(shade).cached(corners).draw(&mut pixels.depth_tested(&mut depth)))
     })
 }

@@ -7,7 +7,7 @@ use crate::scene::{self, area, Scene};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Camera, DepthBuffer, Fog, FogTable, Fogged, Scalar, Texture};
+use pinhole::{Affine, Camera, DepthBuffer, Fog, FogTable, Fogged, Scalar, Surface, Texture};
 
 /// Fog between these distances.
 #[inline(never)] // set-up: off the stack when it returns
@@ -27,7 +27,9 @@ pub(super) fn g1(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted>
     count(frame, &mut |picture| {
         let (instance, light, fog) = black_box((&instance, &light, &fog));
         let shade = scene::flat_of_normals(instance.mesh().normals(), light);
-        drawn(instance.solid(|face| Fogged::new(shade(face), fog), corners, &mut picture.pixels()))
+        drawn(
+            instance.faces(|face| Fogged::new(shade(face), fog)).cached(corners).draw(&mut picture.pixels()),
+        )
     })
 }
 
@@ -39,7 +41,7 @@ pub(super) fn g1_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<C
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let shade = scene::flat_of_normals(instance.mesh().normals(), light);
         let shade = |face| Fogged::new(shade(face), fog);
-        drawn(instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels()))
+        drawn(instance.faces(shade).cached(corners).draw(&mut picture.pixels().depth_tested(&mut depth)))
     })
 }
 
@@ -50,7 +52,7 @@ pub(super) fn g2(Plain { frame, corners }: &mut Plain<4>) -> Option<Counted> {
     count(frame, &mut |picture| {
         let (instance, fog) = black_box((&instance, &fog));
         let shade = |_| Fogged::new(Rgb565::RED, fog);
-        drawn(instance.solid(shade, corners, &mut picture.pixels()))
+        drawn(instance.faces(shade).cached(corners).draw(&mut picture.pixels()))
     })
 }
 
@@ -61,6 +63,6 @@ pub(super) fn g3_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<C
         let (instance, texture, fog) = black_box((&instance, &texture, &fog));
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let shade = |face| Fogged::new(texture.at(torus_uv(face)), fog);
-        drawn(instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels()))
+        drawn(instance.faces(shade).cached(corners).draw(&mut picture.pixels().depth_tested(&mut depth)))
     })
 }

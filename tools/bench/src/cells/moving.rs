@@ -7,8 +7,8 @@ use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Camera, DepthBuffer, Mesh, Point3, Projection, Scalar, Sphere, Vector3, ViewTransform,
-    Viewport, Visibility,
+    Affine, Angle, Camera, DepthBuffer, Mesh, Point3, Projection, Scalar, Sphere, Surface, Vector3,
+    ViewTransform, Viewport, Visibility,
 };
 
 /// S1's pose is a turn of 37° about y, then one of 28° about x. The camera of T1 is raised by the second instead, on a circle
@@ -23,7 +23,9 @@ pub(super) fn t1(Plain { frame, corners }: &mut Plain<CUBE>) -> Option<Counted> 
         turn = black_box(turn + Angle::degrees(3));
         let model = Affine::rotation_y(turn);
         let (camera, mesh) = black_box((&camera, &scene::CUBE.mesh));
-        drawn(camera.place(mesh, &model).wireframe(black_box(LINE), corners, &mut picture.pixels()))
+        drawn(
+            camera.place(mesh, &model).edges(|_| black_box(LINE)).cached(corners).draw(&mut picture.pixels()),
+        )
     })
 }
 
@@ -90,7 +92,13 @@ pub(super) fn f50_z(Deep { frame, depth, corners }: &mut Deep<CUBE>) -> Option<C
         black_box(fifty.frame(|camera, mesh, model| {
             let light = scene::lit(model)?;
             let (shade, mut pixels) = (scene::flat(mesh, &light), picture.pixels());
-            drawn(camera.place(mesh, model).depth_tested(shade, corners, &mut depth, &mut pixels))
+            drawn(
+                camera
+                    .place(mesh, model)
+                    .faces(shade)
+                    .cached(corners)
+                    .draw(&mut pixels.depth_tested(&mut depth)),
+            )
         })?);
         Some(())
     })

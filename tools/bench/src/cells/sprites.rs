@@ -4,7 +4,7 @@ use super::{count, drawn, Counted, Deep};
 use crate::scene::{self, area};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
-use pinhole::{ColorKeyed, DepthBuffer, Mesh, Scalar, Sprite};
+use pinhole::{ColorKeyed, DepthBuffer, Mesh, Scalar, Sprite, Surface};
 
 /// A side of the picture, in texels.
 const SIDE: usize = 16;
@@ -48,6 +48,6 @@ pub(super) fn b1_z(Deep { frame, depth, .. }: &mut Deep<0>) -> Option<Counted> {
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let sprite = Sprite::new(ColorKeyed::new(&DISC, KEY)).with_size(side, side);
         let placed = camera.place_sprites(mesh, turned);
-        drawn(placed.depth_tested(|_| sprite, &mut depth, &mut picture.pixels()))
+        drawn(placed.draw(|_| sprite, &mut picture.pixels().depth_tested(&mut depth)))
     })
 }

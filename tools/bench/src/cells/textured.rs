@@ -9,8 +9,8 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Accuracy, Affine, Angle, Camera, DepthBuffer, Mesh, Point3, Projection, Scalar, Texture, Vector3,
-    ViewTransform, Viewport,
+    Accuracy, Affine, Angle, Camera, DepthBuffer, Mesh, Point3, Projection, Scalar, Surface, Texture,
+    Vector3, ViewTransform, Viewport,
 };
 
 /// A side of the picture, in texels.
@@ -122,7 +122,7 @@ pub(super) fn floor(
         let (instance, texture, uv) = black_box((&instance, &texture, &uv));
         let mesh = instance.mesh();
         let shade = |face| texture.at(mesh.corners_of(face, uv));
-        drawn(instance.solid(shade, corners, &mut picture.pixels()))
+        drawn(instance.faces(shade).cached(corners).draw(&mut picture.pixels()))
     })
 }
 
@@ -133,7 +133,7 @@ pub(super) fn torus(accuracy: Accuracy, Plain { frame, corners }: &mut Plain<TOR
     count(frame, &mut |picture| {
         let (instance, texture) = black_box((&instance, &texture));
         let shade = |face: usize| texture.at(torus_uv(face));
-        drawn(instance.solid(shade, corners, &mut picture.pixels()))
+        drawn(instance.faces(shade).cached(corners).draw(&mut picture.pixels()))
     })
 }
 
@@ -144,6 +144,6 @@ pub(super) fn torus_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Optio
         let (instance, texture) = black_box((&instance, &texture));
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let shade = |face: usize| texture.at(torus_uv(face));
-        drawn(instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels()))
+        drawn(instance.faces(shade).cached(corners).draw(&mut picture.pixels().depth_tested(&mut depth)))
     })
 }

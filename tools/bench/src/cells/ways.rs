@@ -6,7 +6,9 @@ use crate::scene::{self, area, Model, Scene};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565, Rgb888, RgbColor};
 use pinhole::raster::{Pixel, ScreenPoint};
-use pinhole::{draw_line, fill_triangle, DepthBuffer, FacePlanes, Pixels, ShadeTable, ShaderFor, StrokeFor};
+use pinhole::{
+    draw_line, fill_triangle, DepthBuffer, FacePlanes, Pixels, ShadeTable, ShaderFor, StrokeFor, Surface,
+};
 
 /// The functions of a module, each of which draws by `$count` into `$target` of what that hands out, a `$type`.
 macro_rules! ways {
@@ -24,7 +26,7 @@ macro_rules! ways {
                 let scene = Scene::new(model)?;
                 let instance = scene.place();
                 $count(frame, &mut |$surface| {
-                    drawn(black_box(&instance).wireframe(black_box(stroke), corners, $target))
+                    drawn(black_box(&instance).edges(|_| black_box(stroke)).cached(corners).draw($target))
                 })
             }
 
@@ -39,7 +41,7 @@ macro_rules! ways {
                 $count(frame, &mut |$surface| {
                     let (instance, light) = black_box((&instance, &light));
                     let shade = scene::flat_of_normals(instance.mesh().normals(), light);
-                    drawn(instance.solid(shade, corners, $target))
+                    drawn(instance.faces(shade).cached(corners).draw($target))
                 })
             }
 
@@ -54,7 +56,7 @@ macro_rules! ways {
                     let (instance, light) = black_box((&instance, &light));
                     let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
                     let shade = scene::flat_of_normals(instance.mesh().normals(), light);
-                    drawn(instance.depth_tested(shade, corners, &mut depth, $target))
+                    drawn(instance.faces(shade).cached(corners).draw(&mut ($target).depth_tested(&mut depth)))
                 })
             }
 
@@ -73,7 +75,7 @@ macro_rules! ways {
                     light.levels(black_box(&TORUS_NORMALS), levels);
                     let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
                     let shade = |face| white.lit(instance.mesh().corners_of(face, levels));
-                    drawn(instance.depth_tested(shade, corners, &mut depth, $target))
+                    drawn(instance.faces(shade).cached(corners).draw(&mut ($target).depth_tested(&mut depth)))
                 })
             }
 

@@ -18,7 +18,7 @@ use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
     Affine, Angle, Band, DepthBuffer, Frame, Lambert, Mesh, MeshInstance, Painter, Picture, ScreenVertex,
-    SpanShader, Vector3,
+    SpanShader, Surface, Vector3,
 };
 
 /// The number of pixels of the largest picture.
@@ -212,10 +212,10 @@ fn in_one_piece(
     let mut picture = Picture::new(pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
     let drawn = match kind {
-        Kind::Lines => instance.wireframe(LINE, corners, &mut picture.pixels()),
+        Kind::Lines => instance.edges(|_| LINE).cached(corners).draw(&mut picture.pixels()),
         Kind::Depth => {
             let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), depth).ok()?;
-            instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels())
+            instance.faces(shade).cached(corners).draw(&mut picture.pixels().depth_tested(&mut depth))
         }
         Kind::Painted if is_small => {
             small_painter.add(instance, shade).ok()?;
@@ -225,7 +225,7 @@ fn in_one_piece(
             painter.add(instance, shade).ok()?;
             painter.draw(&mut picture.pixels())
         }
-        _ => instance.solid(shade, corners, &mut picture.pixels()),
+        _ => instance.faces(shade).cached(corners).draw(&mut picture.pixels()),
     };
     let Ok(statistics) = drawn;
     black_box(statistics);
@@ -270,7 +270,7 @@ fn hidden_bands(instance: &MeshInstance<'_>, size: Size, rows: u32, memory: &mut
     each_band(size, rows, strip, |band| {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
         faces.depth_only(&mut depth);
-        let Ok(()) = edges.hidden_line(LINE, &mut depth, band);
+        let Ok(()) = edges.hidden_line(LINE, &mut band.depth_tested(&mut depth));
         Some(())
     })?;
     black_box(edges.statistics());
@@ -288,7 +288,7 @@ fn deep_bands<S: SpanShader<Rgb565>>(
     let mut faces = instance.transform_depth(corners).bin_faces(bin_storage).ok()?;
     each_band(size, rows, strip, |band| {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
-        let Ok(()) = faces.depth_tested(&shade, &mut depth, &mut band.pixels());
+        let Ok(()) = faces.draw(&shade, &mut band.pixels().depth_tested(&mut depth));
         Some(())
     })?;
     black_box(faces.statistics());
@@ -305,7 +305,7 @@ fn plain_bands(
     let Memory { corners, bin_storage, strip, .. } = memory;
     let mut faces = instance.transform(corners).bin_faces(bin_storage).ok()?;
     each_band(size, rows, strip, |band| {
-        let Ok(()) = faces.solid(&shade, &mut band.pixels());
+        let Ok(()) = faces.draw(&shade, &mut band.pixels());
         Some(())
     })?;
     black_box(faces.statistics());

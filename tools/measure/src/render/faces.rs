@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::raw::RawU32;
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{Cull, DepthBuffer, Mesh, ScreenVertex, SpanShader, Statistics, Texels, Texture};
+use pinhole::{Cull, DepthBuffer, Mesh, ScreenVertex, SpanShader, Statistics, Surface, Texels, Texture};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_render::parts::parts;
 use pinhole_render::quantised::Quantised;
@@ -58,7 +58,7 @@ fn draw<S: SpanShader<Seen, Ink = Seen>>(
         let mut corners = vec![ScreenVertex::EMPTY; vertices.len()];
         let id = |face: usize| shader(part.first + face);
         let instance = camera.place(&mesh, &quantised.model).with_cull(cull);
-        let Ok(drawn) = instance.depth_tested(id, &mut corners, &mut depth, &mut ids);
+        let Ok(drawn) = instance.faces(id).cached(&mut corners).draw(&mut ids.depth_tested(&mut depth));
         statistics = statistics.and(drawn);
     }
     Ok(Drawn { ids, depth: storage, statistics })

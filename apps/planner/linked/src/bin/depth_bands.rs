@@ -27,13 +27,13 @@ firmware!(|camera, turn, display: Rgb565|
             let mut depth = DepthBuffer::new(band.area(), &mut strip.depths).ok()?;
             let (depth, pixels) = (&mut depth, &mut band.pixels());
             let Ok(()) = match SHADING {
-                "flat" => faces.depth_tested(|face| COLOR.dim(level(face)), depth, pixels),
-                "smooth" => faces.depth_tested(smooth, depth, pixels),
-                "dithered" => faces.depth_tested(|face| Flat::lit(LIT, level(face)).dithered(), depth, pixels),
-                "smooth dithered" => faces.depth_tested(|face| smooth(face).dithered(), depth, pixels),
+                "flat" => faces.draw(|face| COLOR.dim(level(face)), &mut pixels.depth_tested(depth)),
+                "smooth" => faces.draw(smooth, &mut pixels.depth_tested(depth)),
+                "dithered" => faces.draw(|face| Flat::lit(LIT, level(face)).dithered(), &mut pixels.depth_tested(depth)),
+                "smooth dithered" => faces.draw(|face| smooth(face).dithered(), &mut pixels.depth_tested(depth)),
                 _ => {
                     let shade = |face| texture.at(coordinates(&MODEL, face)).lit([level(face); 3]);
-                    faces.depth_tested(shade, depth, pixels)
+                    faces.draw(shade, &mut pixels.depth_tested(depth))
                 }
             };
             band.send(display).ok()?;

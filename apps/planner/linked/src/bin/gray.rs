@@ -27,12 +27,12 @@ firmware!(|camera, turn, display: Color|
             let mut depth = DepthBuffer::new(band.area(), &mut strip.depths).ok()?;
             let (depth, target) = (&mut depth, &mut band);
             let Ok(()) = match SHADING {
-                "flat" => faces.depth_tested(|face| Color::from(LIT).dim(level(face)), depth, target),
-                "smooth" => faces.depth_tested(smooth, depth, target),
-                "dithered" => faces.depth_tested(|face| Flat::lit(LIT, level(face)).dithered(), depth, target),
+                "flat" => faces.draw(|face| Color::from(LIT).dim(level(face)), &mut target.depth_tested(depth)),
+                "smooth" => faces.draw(smooth, &mut target.depth_tested(depth)),
+                "dithered" => faces.draw(|face| Flat::lit(LIT, level(face)).dithered(), &mut target.depth_tested(depth)),
                 _ => {
                     let shade = |face| texture.at(coordinates(&MODEL, face)).lit([level(face); 3]);
-                    faces.depth_tested(shade, depth, target)
+                    faces.draw(shade, &mut target.depth_tested(depth))
                 }
             };
             band.send(display).ok()?;

@@ -16,7 +16,7 @@ firmware!(|camera, turn, display: Color|
         while let Some(mut band) = frame.next_band(&mut strip.colors).ok()? {
             let mut depth = DepthBuffer::new(band.area(), &mut strip.depths).ok()?;
             faces.depth_only(&mut depth);
-            let Ok(()) = edges.hidden_line(Color::from(BinaryColor::On), &mut depth, &mut band);
+            let Ok(()) = edges.hidden_line(Color::from(BinaryColor::On), &mut band.depth_tested(&mut depth));
             band.send(display).ok()?;
         }
         Some(())

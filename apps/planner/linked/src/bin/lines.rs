@@ -19,7 +19,7 @@ firmware!(|camera, turn, display: Rgb565|
         if IS_WHOLE {
             let mut picture = Picture::new(pixels, display.size()).ok()?;
             let Ok(()) = picture.clear(Rgb565::BLACK);
-            let Ok(_) = instance.wireframe(COLOR, &mut mesh.cache, &mut picture.pixels());
+            let Ok(_) = instance.edges(|_| COLOR).cached(&mut mesh.cache).draw(&mut picture.pixels());
             black_box(picture.colors());
             return Some(());
         }

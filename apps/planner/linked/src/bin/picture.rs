@@ -22,9 +22,9 @@ firmware!(|camera, turn, display: Rgb565|
         if HAS_DEPTH {
             let mut depth =
                 DepthBuffer::new(area(display), depths).ok()?;
-            let Ok(_) = instance.depth_tested(shade, cache, &mut depth, &mut picture.pixels());
+            let Ok(_) = instance.faces(shade).cached(cache).draw(&mut picture.pixels().depth_tested(&mut depth));
         } else {
-            let Ok(_) = instance.solid(shade, cache, &mut picture.pixels());
+            let Ok(_) = instance.faces(shade).cached(cache).draw(&mut picture.pixels());
         }
         black_box(picture.colors());
         Some(())

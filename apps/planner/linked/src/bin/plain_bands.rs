@@ -16,7 +16,7 @@ firmware!(|camera, turn, display: Rgb565|
         let mut faces = instance.transform(&mut mesh.cache).bin_faces(&mut mesh.bins).ok()?;
         let mut frame = Frame::new(area(display), Rgb565::BLACK);
         while let Some(mut band) = frame.next_band(strip).ok()? {
-            let Ok(()) = faces.solid(|face| COLOR.dim(level(&MODEL, &light, face)), &mut band.pixels());
+            let Ok(()) = faces.draw(|face| COLOR.dim(level(&MODEL, &light, face)), &mut band.pixels());
             band.send(display).ok()?;
         }
         Some(())

@@ -51,7 +51,7 @@ impl Measured {
             for (i, (_, accuracy, _)) in ACCURACIES.into_iter().enumerate() {
                 let texture = Texture::new(Numbered).with_accuracy(accuracy).at(*uv);
                 let mut canvas = Canvas::new(Size::new(SIDE, SIDE), Shown(None));
-                let Ok(_) = instance.solid(|_| texture, &mut [], &mut canvas);
+                let Ok(_) = instance.faces(|_| texture).draw(&mut canvas);
                 for (index, Shown(shown)) in (0..).zip(canvas.pixels()) {
                     let Some(shown) = shown else { continue };
                     let (x, y) = (index % i64::from(SIDE), index / i64::from(SIDE));
