@@ -10,22 +10,9 @@ use std::path::Path;
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
-/// The ways to draw: the name of each in the data, and the name of its constants here.
-const WAYS: [(&str, &str); 13] = [
-    ("lines", "LINES"),
-    ("faces", "FACES"),
-    ("depth", "DEPTH"),
-    ("bands", "BANDS"),
-    ("line-bands", "LINE_BANDS"),
-    ("hidden-bands", "HIDDEN_BANDS"),
-    ("smooth-bands", "SMOOTH_BANDS"),
-    ("dithered-bands", "DITHERED_BANDS"),
-    ("smooth-dithered-bands", "SMOOTH_DITHERED_BANDS"),
-    ("textured-bands", "TEXTURED_BANDS"),
-    ("plain-bands", "PLAIN_BANDS"),
-    ("painted", "PAINTED_WHOLE"),
-    ("painted-bands", "PAINTED_BANDS"),
-];
+/// The ways to draw, by their names in the data. Here they are in capitals.
+const WAYS: &str = "lines faces depth bands line-bands hidden-bands smooth-bands dithered-bands smooth-dithered-bands textured-bands \
+                    plain-bands painted painted-bands";
 
 const CORES: [&str; 4] = ["M0", "M3", "M4F", "RV32"];
 
@@ -40,24 +27,9 @@ const CHIPS: [(&str, &str); 7] = [
     ("nrf52840", "nRF52840"),
 ];
 
-/// Images, and their names here.
-const IMAGES: [(&str, &str); 15] = [
-    ("framing", "FRAMED_CODE"),
-    ("wireframe_pixels", "LINES_CODE"),
-    ("wireframe_bands", "LINES_BANDS_CODE"),
-    ("hidden_bands", "HIDDEN_BANDS_CODE"),
-    ("picture", "FACES_CODE"),
-    ("depth_picture", "DEPTH_CODE"),
-    ("solid_bands", "PLAIN_BANDS_CODE"),
-    ("depth_bands", "TARGET_CODE"),
-    ("depth_pixels", "BANDS_CODE"),
-    ("gouraud_pixels", "SMOOTH_BANDS_CODE"),
-    ("flat_dither_pixels", "DITHERED_BANDS_CODE"),
-    ("dither_pixels", "SMOOTH_DITHERED_BANDS_CODE"),
-    ("textured_pixels", "TEXTURED_BANDS_CODE"),
-    ("painter", "PAINTED_CODE"),
-    ("painter_bands", "PAINTED_BANDS_CODE"),
-];
+/// Images, by their names in the data. Here they are in capitals, with `_CODE` behind.
+const IMAGES: &str = "framing wireframe_pixels wireframe_bands hidden_bands picture depth_picture solid_bands depth_bands depth_pixels \
+                      gouraud_pixels flat_dither_pixels dither_pixels textured_pixels painter painter_bands";
 
 /// The targets of the cores. Code for an M4F is as that for an M3.
 const TARGETS: [&str; 4] =
@@ -69,7 +41,7 @@ fn main() -> Result<()> {
     growth(&read(&docs, "growth")?, &mut out)?;
     chips(&read(&docs, "chips")?, &mut out)?;
     let footprint = read(&docs, "footprint")?;
-    for (image, name) in IMAGES {
+    for image in IMAGES.split(' ') {
         let of = |column: &str| -> Result<String> {
             let bytes = TARGETS.map(|target| {
                 let found = row(&footprint, &[("image", image), ("target", target), ("level", "3")])?;
@@ -78,7 +50,8 @@ fn main() -> Result<()> {
             Ok(bytes.into_iter().collect::<Result<Vec<_>>>()?.join(", "))
         };
         let [flash, stack] = [of("flash")?, of("stack")?];
-        writeln!(out, "pub(crate) const {name}: Code = Code {{ flash: [{flash}], stack: [{stack}] }};")?;
+        let name = image.to_uppercase();
+        writeln!(out, "pub(crate) const {name}_CODE: Code = Code {{ flash: [{flash}], stack: [{stack}] }};")?;
     }
     let folder = std::env::var("OUT_DIR")?;
     std::fs::write(Path::new(&folder).join("figures.rs"), out)?;
@@ -115,7 +88,8 @@ const IN_FIRMWARE: [(&str, f64); 2] = [("smooth-bands", 29.0), ("painted", 14.0)
 /// The constants of each way to draw for the four cores, and the largest error of the formula, in percent, whether a case was fitted
 /// or not; and the instructions of placing an object, and of turning its light.
 fn growth(rows: &[Value], out: &mut String) -> Result<()> {
-    for (way, name) in WAYS {
+    for way in WAYS.split(' ') {
+        let name = way.to_uppercase().replace('-', "_");
         let known: Vec<_> = terms(way).iter().map(|term| Value::from(term.0)).collect();
         let in_firmware = IN_FIRMWARE.iter().find(|(known, _)| *known == way);
         let (mut constants, mut largest) = (String::new(), in_firmware.map_or(0.0, |(_, error)| *error));

@@ -292,23 +292,16 @@ trait Element {
     fn write(&self, out: &mut String);
 }
 
-impl Element for u8 {
-    fn write(&self, out: &mut String) {
-        let _ = write!(out, "{self}");
-    }
+macro_rules! elements {
+    ($($type:ty)*) => {$(
+        impl Element for $type {
+            fn write(&self, out: &mut String) {
+                let _ = write!(out, "{self}");
+            }
+        }
+    )*};
 }
-
-impl Element for String {
-    fn write(&self, out: &mut String) {
-        out.push_str(self);
-    }
-}
-
-impl Element for i16 {
-    fn write(&self, out: &mut String) {
-        let _ = write!(out, "{self}");
-    }
-}
+elements!(u8 i16 String);
 
 impl<T: Display, const N: usize> Element for [T; N] {
     fn write(&self, out: &mut String) {

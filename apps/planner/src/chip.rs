@@ -1,5 +1,6 @@
 //! The microcontrollers that the page offers.
 
+use crate::choice::place;
 use crate::figures::{ESP32C3_CYCLES, MODELLED};
 use crate::json::{list, object, text};
 
@@ -101,8 +102,5 @@ pub(crate) fn chips() -> String {
 
 /// A chip of this name.
 pub(crate) fn named(key: &str) -> Result<&'static str, String> {
-    CHIPS.iter().find(|chip| chip.key == key).map(|chip| chip.key).ok_or_else(|| {
-        let keys: Vec<_> = CHIPS.iter().map(|chip| chip.key).collect();
-        format!("none of {}", keys.join(", "))
-    })
+    Ok(CHIPS[place(&CHIPS.each_ref().map(|chip| chip.key), key)?].key)
 }

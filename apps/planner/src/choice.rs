@@ -136,11 +136,7 @@ impl Default for Choice {
 
 impl Choice {
     /// The choice that a text such as `mesh=torus&style=gouraud&width=240` describes. Parts that the text does not name have
-    /// their defaults.
-    ///
-    /// # Errors
-    ///
-    /// A message that names the part that is not understood, and the values that it can have.
+    /// their defaults. The error names the part that is not understood, and the values that it can have.
     pub fn parse(text: &str) -> Result<Self, String> {
         let mut choice = Self::default();
         let pairs = || text.split('&').filter(|pair| !pair.is_empty()).map(|pair| pair.split_once('='));
@@ -261,12 +257,15 @@ fn switch(value: &str) -> Result<bool, String> {
     }
 }
 
-fn of<T: Copy>(all: &[(&str, T)], value: &str) -> Result<T, String> {
-    let found = all.iter().find(|(name, _)| *name == value);
-    found.map(|(_, one)| *one).ok_or_else(|| {
-        let names: Vec<_> = all.iter().map(|(name, _)| *name).collect();
-        format!("none of {}", names.join(", "))
-    })
+/// The place of a name. The error has all names.
+pub(crate) fn place(names: &[&str], name: &str) -> Result<usize, String> {
+    names.iter().position(|other| *other == name).ok_or_else(|| format!("none of {}", names.join(", ")))
+}
+
+/// What a name stands for.
+fn of<T: Copy>(all: &[(&str, T)], name: &str) -> Result<T, String> {
+    let names: Vec<_> = all.iter().map(|(name, _)| *name).collect();
+    Ok(all[place(&names, name)?].1)
 }
 
 fn color(value: &str) -> Result<Rgb888, String> {

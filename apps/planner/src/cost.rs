@@ -4,12 +4,12 @@
 use crate::chip::{Chip, CHIPS};
 use crate::choice::{Choice, Style};
 use crate::display::Format;
-use crate::figures::{Code, BANDS_CODE, FRAMED_CODE, PLACING};
+use crate::figures::{Code, DEPTH_PIXELS_CODE, FRAMING_CODE, PLACING};
 use crate::json::{list, object, text};
 use crate::lens::Lens;
 use crate::refused;
 use crate::texture::{Coordinates, TextureImage};
-use crate::ways::{faces, hidden_lines, lines};
+use crate::ways::{faces, hidden_lines, lines, strip};
 use pinhole::{Affine, Projected};
 use pinhole_apps_support::work::Frame;
 use pinhole_import::ImportedMesh;
@@ -43,11 +43,6 @@ const LEAST_ERROR: f32 = 10.0;
 /// Bytes of the commands that set a band's window.
 const COMMANDS: u32 = 11;
 
-/// The bytes of `rows` rows of the display.
-fn strip_bytes(choice: &Choice, rows: u32) -> usize {
-    choice.format.bytes(choice.size.width, rows)
-}
-
 /// Bytes of flash for the colours of faces, if the model has materials and the style shows them, or for a texture and its
 /// coordinates.
 fn materials(model: &ImportedMesh, choice: &Choice, image: &TextureImage) -> usize {
@@ -69,7 +64,6 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage)
     let lens = Lens::new(choice, &sphere);
     let camera = lens.camera(choice, &sphere)?;
     let model_to_world = Affine::rotation_y(choice.turn());
-    let strip = |rows| strip_bytes(choice, rows);
     let coords = Coordinates::of(model, &mesh)?;
     let is_linear = |face: usize, corners: [Projected; 3]| {
         if choice.style != Style::Textured {
@@ -87,13 +81,13 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage)
     };
     let frame = Frame::new(&mesh, choice.size, &|mesh| camera.place(mesh, &model_to_world), &is_linear);
     let ways = match choice.style {
-        Style::Wireframe => lines(&mesh, choice, &frame, &strip),
-        Style::HiddenLine => hidden_lines(&mesh, choice, &frame, &strip),
-        Style::Flat | Style::Gouraud | Style::Textured => faces(&mesh, choice, &frame, &strip),
+        Style::Wireframe => lines(&mesh, choice, &frame),
+        Style::HiddenLine => hidden_lines(&mesh, choice, &frame),
+        Style::Flat | Style::Gouraud | Style::Textured => faces(&mesh, choice, &frame),
     };
     let chip = CHIPS.iter().find(|chip| chip.key == choice.chip).unwrap_or(&CHIPS[0]);
     let spi = if choice.spi == 0 { chip.spi } else { chip.spi.min(choice.spi.into()) };
-    let pixels = strip(choice.size.height);
+    let pixels = strip(choice, choice.size.height);
     let data = model.flash_bytes() + materials(model, choice, image);
     // The first way with the chosen rows: with depth, if there are several.
     let chosen = ways.iter().position(|way| way.rows == Some(choice.rows()));
@@ -119,7 +113,7 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage)
 impl Way {
     /// The code, with the camera, which the templates' firmware has too: its bytes of flash and of stack.
     fn code_on(&self, chip: &Chip) -> [f64; 2] {
-        let code = self.code.and(FRAMED_CODE, BANDS_CODE);
+        let code = self.code.and(FRAMING_CODE, DEPTH_PIXELS_CODE);
         [code.flash, code.stack].map(|of| of.get(chip.column).copied().unwrap_or_default().into())
     }
 

@@ -2,7 +2,7 @@
 
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::raw::RawU2;
-use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, PixelColor, Rgb565, Rgb888, RgbColor};
+use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
 use pinhole::Color;
 
 /// The format of a display's pixels.
@@ -78,11 +78,7 @@ pub const DISPLAYS: [Display; 9] = [
 
 /// A colour type of a pixel that can be drawn, and shown on the page.
 pub(crate) trait Shown: Color + From<Rgb888> + Into<Rgb888> {}
-impl Shown for Rgb565 {}
-impl Shown for BinaryColor {}
-impl Shown for Gray2 {}
-impl Shown for Gray4 {}
-impl Shown for Tricolor {}
+impl<C: Color + From<Rgb888> + Into<Rgb888>> Shown for C {}
 
 /// A pixel of e-paper with black, white and red particles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -10,11 +10,8 @@ use pinhole::{Sphere, Window};
 use pinhole_import::{Axis, Edges, ImportedMesh};
 
 /// A template's file, given by its path in the template's folder, changed for the firmware of a choice. `model` is the name of
-/// the model's file, `sphere` the mesh's bounding sphere.
-///
-/// # Errors
-///
-/// If no template draws such a picture, or the template lacks the text to replace.
+/// the model's file, `sphere` the mesh's bounding sphere. Fails if no template draws such a picture, or the template lacks the text
+/// to replace.
 pub(crate) fn file(
     path: &str,
     text: &str,
@@ -328,65 +325,52 @@ fn readme(text: &str, choice: &Choice) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{manifest, picture, readme, script, texture};
+    use super::{picture, script, texture};
     use crate::choice::Choice;
     use crate::texture::TextureImage;
     use pinhole::{Point3, Scalar, Sphere};
     use pinhole_import::{import_bytes, ImportedMesh, Options};
 
     const PICTURE: &str = include_str!("../../../boards/rp2040-embassy/src/picture.rs");
+    const CORE_PICTURE: &str = include_str!("../../../boards/stm32f4-ili9341/src/picture.rs");
+    const LINE_PICTURE: &str = include_str!("../../../boards/stm32-ssd1306/src/picture.rs");
     const SCRIPT: &str = include_str!("../../../boards/any-cortex-m/build.rs");
 
     fn choice(text: &str) -> Choice {
         Choice::parse(text).expect("a choice")
     }
 
+    fn sphere() -> Sphere {
+        Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_int(1))
+    }
+
     #[test]
     fn the_default_is_the_template() {
-        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_int(1));
-        assert_eq!(picture(PICTURE, &Choice::default(), &sphere).as_deref(), Ok(PICTURE));
+        assert_eq!(picture(PICTURE, &Choice::default(), &sphere()).as_deref(), Ok(PICTURE));
         assert_eq!(script(SCRIPT, &Choice::default(), "model.stl").as_deref(), Ok(SCRIPT));
+        let lines = choice("mesh=cube&format=mono&style=hidden-line&color=ffffff");
+        assert_eq!(picture(LINE_PICTURE, &lines, &sphere()).as_deref(), Ok(LINE_PICTURE));
     }
 
-    /// The template of hidden lines: the page changes its angle of edges and its camera.
+    /// The cases of `firmware.txt`.
     #[test]
-    fn hidden_lines_have_the_colors_the_camera_and_the_edges_of_the_choice() {
-        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_int(1));
-        let template = include_str!("../../../boards/stm32-ssd1306/src/picture.rs");
-        let lines = "mesh=cube&format=mono&style=hidden-line&color=ffffff";
-        assert_eq!(picture(template, &choice(lines), &sphere).as_deref(), Ok(template));
-        let dark = choice(&format!("{lines}&color=000000&background=ffffff&yaw=45"));
-        let made = picture(template, &dark, &sphere).expect("a picture");
-        assert!(made.contains("Frame::new(area, BinaryColor::On)"), "{made}");
-        assert!(made.contains("hidden_line(BinaryColor::Off, "), "{made}");
-        assert!(made.contains("MonoTextStyle::new(&FONT_6X10, BinaryColor::Off)"), "{made}");
-        assert!(made.contains("Angle::degrees(45), Angle::degrees(20));"), "{made}");
-        let template = include_str!("../../../boards/stm32-ssd1306/build.rs");
-        let made = script(template, &choice(lines), "model.stl").expect("a script");
-        let expected =
-            "Edges::Feature { degrees: 1.0 }, up: Some(pinhole_import::Axis::Y),\n        edge_faces: true,";
-        assert!(made.contains(expected), "{made}");
-        let made = script(template, &choice(&format!("{lines}&edges=25")), "model.stl").expect("a script");
-        assert!(made.contains("Edges::Feature { degrees: 25.0 }, "), "{made}");
-    }
-
-    #[test]
-    fn the_readme_is_of_the_folder_that_is_unpacked() {
-        let template = include_str!("../../../boards/rp2040-st7789/README.md");
-        let made = readme(template, &choice("rows=12"));
-        assert!(
-            made.starts_with(
-                "# RP2040 with an ST7789\n\nSaved by pinhole's planner, with bands of 12 rows. The folder is complete: "
-            ),
-            "{made}"
-        );
-        assert!(made.contains("](../pinhole/boards/emulate/README.md)"), "{made}");
-        assert!(!made.contains("C++"), "{made}");
-        assert!(readme(template, &choice("decimate=100")).contains("C++: install g++ or clang first."));
-        assert!(made.contains("](../pinhole/docs/wire.md)"), "{made}");
-        assert!(!made.contains("](../../"), "{made}");
-        let commands = "```sh\ncd firmware\ncargo build --release\n";
-        assert!(made.contains(commands) && !template.contains(commands), "{made}");
+    fn files_are_changed_as_the_choice_says() {
+        for block in include_str!("firmware.txt").split("\n\n").skip(1) {
+            let mut lines = block.lines().skip_while(|line| line.starts_with("//"));
+            let (file, text) =
+                lines.next().and_then(|line| line.split_once(' ')).expect("a file and a choice");
+            let (_, path) = file.split_once('/').expect("a board and a path");
+            let template = format!("{}/../../boards/{file}", env!("CARGO_MANIFEST_DIR"));
+            let template = std::fs::read_to_string(template).expect(file);
+            let made = super::file(path, &template, &choice(text), "model.obj", &sphere()).expect(block);
+            for line in lines.map(|line| line.replace("\\n", "\n")) {
+                let is_right = match line.strip_prefix("! ") {
+                    Some(unwanted) => !made.contains(unwanted),
+                    None => made.contains(&line) && !template.contains(&line),
+                };
+                assert!(is_right, "{block}: {line}\n{made}");
+            }
+        }
     }
 
     const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
@@ -399,91 +383,49 @@ mod tests {
     /// A picture of two colours on the page has one bit per texel in the firmware.
     #[test]
     fn a_texture_is_a_file_of_its_own() {
-        let look = choice("style=textured&texture=grid&color=ff8000");
-        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_int(1));
-        let image = TextureImage::ready(&look).expect("a ready pattern");
-        let core = include_str!("../../../boards/stm32f4-ili9341/src/picture.rs");
-        for (template, library) in [(PICTURE, "embedded_graphics"), (core, "embedded_graphics_core")] {
-            let made = picture(template, &look, &sphere).expect("a picture");
-            assert!(made.contains("|face| texture::at(mesh, face).lit([level(face); 3])"), "{made}");
-            assert!(made.contains("#[path = \"texture.rs\"]\nmod texture;\n"), "{made}");
-            assert!(made.contains("_: impl Fn(usize, u16) -> Rgb565"), "{made}");
+        let image = TextureImage::ready(&choice("style=textured&texture=grid")).expect("a ready pattern");
+        for (template, library) in [(PICTURE, "embedded_graphics"), (CORE_PICTURE, "embedded_graphics_core")]
+        {
             let mut plain = mesh(format!("{TRIANGLE}f 1 2 3\n"));
             let before = plain.clone();
             let made = texture(template, &mut plain, &image);
             assert!(plain == before, "the mesh has become another one");
-            assert!(made.contains(&format!("use {library}::pixelcolor::Rgb565;")), "{made}");
-            let texels =
-                format!("MODEL_TEXELS: pinhole::IndexedTexels<'static, {library}::pixelcolor::Rgb565, 1>");
-            assert!(made.contains(&texels), "{made}");
-            assert!(
-                made.contains("with_exponent(-14)") && made.contains(".at(corners(mesh, face))"),
-                "{made}"
-            );
-            assert!(made.contains("fn corners(mesh: &Mesh<'_>, face: usize)"), "{made}");
+            for wanted in [
+                format!("use {library}::pixelcolor::Rgb565;"),
+                format!("MODEL_TEXELS: pinhole::IndexedTexels<'static, {library}::pixelcolor::Rgb565, 1>"),
+                "with_exponent(-14)".into(),
+                ".at(corners(mesh, face))".into(),
+                "fn corners(mesh: &Mesh<'_>, face: usize)".into(),
+            ] {
+                assert!(made.contains(&wanted), "{wanted}\n{made}");
+            }
             let mut mapped = mesh(format!("{TRIANGLE}vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"));
             let made = texture(template, &mut mapped, &image);
-            assert!(
-                made.contains(".at(MODEL_TEXTURE.corners(face))") && !made.contains("fn corners"),
-                "{made}"
-            );
+            let corners = ".at(MODEL_TEXTURE.corners(face))";
+            assert!(made.contains(corners) && !made.contains("fn corners"), "{made}");
             assert!(made.contains("MODEL_TEXTURE: pinhole::TextureCoords<'static>"), "{made}");
         }
     }
 
     #[test]
     fn a_template_of_other_pictures_is_refused() {
-        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_int(1));
         for text in ["style=hidden-line&format=mono", "style=wireframe", "format=mono", "format=gray4"] {
-            let problem = picture(PICTURE, &choice(text), &sphere).expect_err(text);
+            let problem = picture(PICTURE, &choice(text), &sphere()).expect_err(text);
             assert!(problem.starts_with("this board draws something else"), "{problem}");
         }
     }
 
     #[test]
-    fn a_view_plane_that_is_upright_has_an_eye_beside_the_centre() {
-        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_int(1));
-        let made = picture(PICTURE, &choice("projection=two-point"), &sphere).expect("a picture");
-        // The plane's own direction, and the eye above.
-        assert!(made.contains("let (yaw, pitch) = (Angle::degrees(40), Angle::degrees(0));"), "{made}");
-        assert!(made.contains("centre.x() + pinhole::Scalar::from_bits(0), centre.y() + "), "{made}");
-        let made = picture(PICTURE, &choice("projection=reverse"), &sphere).expect("a picture");
-        assert!(made.contains("pinhole::Projection::from_matrix(&[["), "{made}");
-        assert!(made.contains("pinhole::Point3::new(centre.x(), centre.y(), centre.z());"), "{made}");
-    }
-
-    #[test]
-    fn options_and_file_of_the_choice_are_in_the_script() {
-        let made =
-            script(SCRIPT, &choice("mesh=torus&style=gouraud&two-sided=1"), "model.obj").expect("a script");
-        let expected = "edges: Edges::None, up: Some(pinhole_import::Axis::Y), two_sided: true, vertex_normals: true, ..";
-        assert!(made.contains(expected) && made.contains("FILE: &str = \"model.obj\";"), "{made}");
-    }
-
-    #[test]
     fn bands_have_the_rows_of_the_choice() {
-        let file = |path: &str, template: &str, text: &str| {
-            let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_int(1));
-            super::file(path, template, &choice(text), "model.stl", &sphere)
-        };
         let main = include_str!("../../../boards/rp2040-st7789/src/main.rs");
-        let expected = main.replace("ROWS: u32 = 8;", "ROWS: u32 = 12;");
-        assert_ne!(expected, main);
-        assert_eq!(file("src/main.rs", main, "rows=12").as_deref(), Ok(&expected[..]));
-        let made = file("src/picture.rs", PICTURE, "rows=40").expect("a picture");
-        assert_eq!(made, PICTURE.replace("ROWS: u32 = 32;", "ROWS: u32 = 40;"));
-    }
-
-    #[test]
-    fn the_manifest_names_the_repository_beside_it() {
-        let template = include_str!("../../../boards/any-cortex-m/Cargo.toml");
-        let made = manifest(template, &Choice::default()).expect("a manifest");
-        assert!(!made.contains("decimate"), "{made}");
-        let decimated = manifest(template, &choice("decimate=300")).expect("a manifest");
-        assert!(decimated.contains("default-features = false, features = [\"decimate\"] }"), "{decimated}");
-        let made_script = script(SCRIPT, &choice("decimate=300"), "model.stl").expect("a script");
-        assert!(made_script.contains("edges: Edges::None, decimate: Some(300), .."), "{made_script}");
-        assert!(made.contains("pinhole = { path = \"../pinhole\" }"), "{made}");
-        assert!(!made.contains("{%") && !made.contains("../.."), "{made}");
+        for (path, template, usual, rows) in
+            [("src/main.rs", main, 8, 12), ("src/picture.rs", PICTURE, 32, 40)]
+        {
+            let made = super::file(path, template, &choice(&format!("rows={rows}")), "model.stl", &sphere());
+            let expected =
+                template.replace(&format!("ROWS: u32 = {usual};"), &format!("ROWS: u32 = {rows};"));
+            assert_ne!(expected, template);
+            assert_eq!(made.as_deref(), Ok(&expected[..]));
+        }
     }
 }

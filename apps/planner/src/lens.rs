@@ -1,6 +1,6 @@
 //! The camera of a choice, made by the constructors that firmware uses.
 
-use crate::choice::Choice;
+use crate::choice::{place, Choice};
 use crate::projections::{Kind, Named};
 use crate::refused;
 use embedded_graphics_core::geometry::Point;
@@ -8,10 +8,8 @@ use pinhole::{Angle, Camera, Projection, Scalar, Sphere, ViewTransform, Viewport
 
 /// The projection of this name.
 pub(crate) fn named(name: &str) -> Result<Named, String> {
-    Named::ALL.iter().find(|named| named.name == name).copied().ok_or_else(|| {
-        let names: Vec<_> = Named::ALL.iter().map(|named| named.name).collect();
-        format!("projection={name}: none of {}", names.join(", "))
-    })
+    let place = place(&Named::ALL.each_ref().map(|named| named.name), name);
+    place.map(|place| Named::ALL[place]).map_err(|problem| format!("projection={name}: {problem}"))
 }
 
 /// A projection with its parameters.

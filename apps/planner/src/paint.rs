@@ -2,7 +2,7 @@
 //! so that the library for browsers is small: a colour is stored as its bits, and a shader is set up for its format by a call at
 //! run time.
 
-use crate::display::{Format, Shown};
+use crate::display::{Format, Shown, Tricolor};
 use embedded_graphics_core::pixelcolor::raw::RawU16;
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, PixelColor, Rgb565, Rgb888};
 use pinhole::clip::Barycentric;
@@ -40,28 +40,15 @@ impl Stored {
 /// Calls a generic function with the colour type of a format.
 macro_rules! by_format {
     ($format:expr, $color:ident => $call:expr) => {
-        match $format {
-            Format::Rgb565 => {
-                type $color = Rgb565;
+        by_format!($format, $color => $call, Rgb565 Rgb565, Mono BinaryColor, Gray2 Gray2, Gray4 Gray4, Tricolor Tricolor)
+    };
+    ($format:expr, $color:ident => $call:expr, $($variant:ident $type:ty),*) => {
+        match $format {$(
+            Format::$variant => {
+                type $color = $type;
                 $call
             }
-            Format::Mono => {
-                type $color = BinaryColor;
-                $call
-            }
-            Format::Gray2 => {
-                type $color = Gray2;
-                $call
-            }
-            Format::Gray4 => {
-                type $color = Gray4;
-                $call
-            }
-            Format::Tricolor => {
-                type $color = crate::display::Tricolor;
-                $call
-            }
-        }
+        )*}
     };
 }
 

@@ -48,11 +48,8 @@ impl Planner {
         self.film = None;
     }
 
-    /// Takes a picture for textures: red, green, blue and opacity of each texel, row by row.
-    ///
-    /// # Errors
-    ///
-    /// If a side is none that a texture can have.
+    /// Takes a picture for textures: red, green, blue and opacity of each texel, row by row. Fails if a side is none that a texture
+    /// can have.
     pub fn load_picture(&mut self, bytes: &[u8], width: usize) -> Result<(), Refusal> {
         self.picture = TextureImage::from_rgba(bytes, width)?;
         self.film = None;
@@ -60,11 +57,7 @@ impl Planner {
     }
 
     /// Draws a frame of a choice. Returns red, green, blue and opacity of each pixel, row by row, and a description of the frame
-    /// as JSON.
-    ///
-    /// # Errors
-    ///
-    /// A message that says why the choice or the model cannot be drawn, with a remedy.
+    /// as JSON. The error says why the choice or the model cannot be drawn, with a remedy.
     pub fn draw(&mut self, choice: &Choice) -> Result<(Vec<u8>, String), Refusal> {
         self.mesh(choice)?;
         let mesh = self.made()?;
@@ -90,11 +83,8 @@ impl Planner {
     }
 
     /// Draws and encodes the next frame of a turn of the model, for a GIF file. `begins` is the choice of a new film; with
-    /// `None`, the film begun last continues. Returns the number of frames done and the number of all frames.
-    ///
-    /// # Errors
-    ///
-    /// The errors of [`draw`](Self::draw).
+    /// `None`, the film begun last continues. Returns the number of frames done and the number of all frames. Fails as
+    /// [`draw`](Self::draw) does.
     pub fn film(&mut self, begins: Option<&Choice>) -> Result<[u32; 2], Refusal> {
         let film = match begins {
             Some(choice) => Some(Film::new(choice.clone(), FRAMES)?),
@@ -109,20 +99,12 @@ impl Planner {
         Ok(frames)
     }
 
-    /// The GIF file of the film, with the frames drawn so far.
-    ///
-    /// # Errors
-    ///
-    /// If no film was begun.
+    /// The GIF file of the film, with the frames drawn so far. Fails if no film was begun.
     pub fn gif(&mut self) -> Result<Vec<u8>, Refusal> {
         Ok(self.film.take().ok_or("no film was begun")?.finish()?)
     }
 
-    /// What a frame by a choice costs in RAM, flash and time, as JSON.
-    ///
-    /// # Errors
-    ///
-    /// The errors of [`draw`](Self::draw).
+    /// What a frame by a choice costs in RAM, flash and time, as JSON. Fails as [`draw`](Self::draw) does.
     pub fn costs(&mut self, choice: &Choice) -> Result<String, Refusal> {
         self.mesh(choice)?;
         let mesh = self.made()?;
@@ -130,11 +112,8 @@ impl Planner {
     }
 
     /// A file of a firmware template, changed for a choice; for textured faces also `src/texture.rs`, made from the template's
-    /// `src/picture.rs`.
-    ///
-    /// # Errors
-    ///
-    /// The errors of [`draw`](Self::draw), and a choice that no template draws.
+    /// `src/picture.rs`. Fails as [`draw`](Self::draw) does, and for a choice that no
+    /// template draws.
     pub fn firmware(&mut self, choice: &Choice, path: &str, template: &str) -> Result<String, Refusal> {
         if path == "src/texture.rs" {
             self.mesh(choice)?;
@@ -148,11 +127,7 @@ impl Planner {
         Ok(firmware::file(path, template, choice, model, &sphere)?)
     }
 
-    /// The mesh of a choice as Rust.
-    ///
-    /// # Errors
-    ///
-    /// The errors of [`draw`](Self::draw).
+    /// The mesh of a choice as Rust. Fails as [`draw`](Self::draw) does.
     pub fn rust(&mut self, choice: &Choice) -> Result<String, Refusal> {
         let (name, _) = self.source(choice)?;
         let source = self.mesh(choice)?.to_rust_mesh("MODEL", name.as_ref(), "the planner of pinhole");
@@ -160,11 +135,7 @@ impl Planner {
     }
 
     /// The files that the model takes in the folder of a firmware, by their names: the model's own, and the material libraries that
-    /// it uses.
-    ///
-    /// # Errors
-    ///
-    /// If there is no file, and the errors of [`draw`](Self::draw) if there are libraries.
+    /// it uses. Fails if there is no file and, if there are libraries, as [`draw`](Self::draw) does.
     pub fn model(&mut self, choice: &Choice) -> Result<Vec<(String, Vec<u8>)>, Refusal> {
         let (name, bytes) = self.source(choice)?;
         let mut files = vec![(firmware::model_file(&name).to_owned(), bytes)];

@@ -1,5 +1,6 @@
 //! Meshes that need no file.
 
+use crate::choice::place;
 use pinhole::{meshes, Mesh};
 use pinhole_import::Axis;
 
@@ -46,10 +47,8 @@ pub(crate) const FILE: &str = "file";
 
 /// Checks the name of a mesh.
 pub(crate) fn named(name: &str) -> Result<&'static str, String> {
-    let names = || READY.iter().map(|(name, _)| *name).chain([FILE]);
-    names()
-        .find(|other| *other == name)
-        .ok_or_else(|| format!("none of {}", names().collect::<Vec<_>>().join(", ")))
+    let names: Vec<_> = READY.iter().map(|(name, _)| *name).chain([FILE]).collect();
+    Ok(names[place(&names, name)?])
 }
 
 /// The axis that is up in a ready mesh, if its STL file does not imply it.

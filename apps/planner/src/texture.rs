@@ -48,11 +48,7 @@ impl TextureImage {
         Self { texels, width, palette, used }
     }
 
-    /// From red, green, blue and opacity of each texel.
-    ///
-    /// # Errors
-    ///
-    /// If a side is none that a texture can have.
+    /// From red, green, blue and opacity of each texel. Fails if a side is none that a texture can have.
     pub(crate) fn from_rgba(bytes: &[u8], width: usize) -> Result<Self, String> {
         let colors = || bytes.chunks_exact(4).filter_map(|texel| texel.first_chunk::<3>()).copied();
         let mut counts = Counts::default();
@@ -84,11 +80,7 @@ impl TextureImage {
         [self.width, self.texels.len().checked_div(self.width).unwrap_or(0)]
     }
 
-    /// The texels.
-    ///
-    /// # Errors
-    ///
-    /// If no picture was loaded.
+    /// The texels. Fails if no picture was loaded.
     pub(crate) fn texels(&self) -> Result<IndexedTexels<'_, Rgb888, 8>, String> {
         let [width, height] = self.sides();
         if width == 0 {

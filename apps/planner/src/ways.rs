@@ -20,7 +20,12 @@ fn cache(mesh: &Mesh<'_>) -> usize {
 }
 
 /// Bytes of a face in a painter: five indices of 16 bits, and a colour.
-const PAINTED: usize = 12;
+const PAINTED_FACE: usize = 12;
+
+/// The bytes of `rows` rows of the display.
+pub(crate) fn strip(choice: &Choice, rows: u32) -> usize {
+    choice.format.bytes(choice.size.width, rows)
+}
 
 fn depths(choice: &Choice, rows: u32) -> usize {
     choice.size.width as usize * rows as usize * size_of::<u16>()
@@ -46,7 +51,7 @@ fn into(choice: &Choice, code: Code) -> Code {
     if is_in_memory(choice) {
         code
     } else {
-        code.and(TARGET_CODE, BANDS_CODE)
+        code.and(DEPTH_BANDS_CODE, DEPTH_PIXELS_CODE)
     }
 }
 
@@ -57,129 +62,103 @@ fn lit((mut time, error): ([f64; 4], f32), times: f64) -> ([f64; 4], f32) {
     (time, if times > 1.0 { error.max(INDIRECT_ERROR) } else { error })
 }
 
-pub(crate) fn faces(
-    mesh: &Mesh<'_>,
+/// The instructions of a frame on the four cores, and their largest error in percent.
+type Time = ([f64; 4], f32);
+
+/// A way to draw in bands of so many rows, or in one piece.
+fn way(
     choice: &Choice,
-    frame: &Frame,
-    strip: &dyn Fn(u32) -> usize,
-) -> Vec<Way> {
-    let whole = choice.size.height;
+    name: String,
+    ram: [usize; 4],
+    code: Code,
+    time: Time,
+    kind: usize,
+    rows: Option<u32>,
+) -> Way {
+    let bands = rows.map_or(1, |rows| choice.size.height.div_ceil(rows));
+    Way { name, ram, code, time, kind, bands, rows, note: "" }
+}
+
+pub(crate) fn faces(mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Vec<Way> {
+    let (whole, rows) = (choice.size.height, choice.rows());
     let bins = mesh.face_bins_len() * size_of::<u16>();
-    let (in_bands, in_one_piece) = (|rows| frame.work(Some(rows)), frame.work(None));
     let is_plain = choice.style == Style::Flat && !choice.dithers();
-    let shading = if is_plain {
-        0
-    } else if choice.style == Style::Textured {
-        1
-    } else {
-        2
+    let shading = match choice.style {
+        _ if is_plain => 0,
+        Style::Textured => 1,
+        _ => 2,
     };
     let (code, constants) = match (choice.style, choice.dithers()) {
-        (Style::Textured, _) => (TEXTURED_BANDS_CODE, &TEXTURED_BANDS),
-        (Style::Gouraud, true) => (SMOOTH_DITHERED_BANDS_CODE, &SMOOTH_DITHERED_BANDS),
-        (Style::Gouraud, false) => (SMOOTH_BANDS_CODE, &SMOOTH_BANDS),
-        (_, true) => (DITHERED_BANDS_CODE, &DITHERED_BANDS),
-        (_, false) => (BANDS_CODE, &BANDS),
+        (Style::Textured, _) => (TEXTURED_PIXELS_CODE, &TEXTURED_BANDS),
+        (Style::Gouraud, true) => (DITHER_PIXELS_CODE, &SMOOTH_DITHERED_BANDS),
+        (Style::Gouraud, false) => (GOURAUD_PIXELS_CODE, &SMOOTH_BANDS),
+        (_, true) => (FLAT_DITHER_PIXELS_CODE, &DITHERED_BANDS),
+        (_, false) => (DEPTH_PIXELS_CODE, &BANDS),
     };
     let times = if is_in_memory(choice) { 1.0 } else { INDIRECT[shading] };
-    let way = |name: &str, ram: [usize; 4], code, time, kind, rows: Option<u32>, note| Way {
-        name: rows.map_or(name.into(), |rows| format!("bands of {rows} rows, {name}")),
-        ram,
-        code,
-        time: lit(time, times),
-        kind,
-        bands: rows.map_or(1, |rows| whole.div_ceil(rows)),
-        rows,
-        note,
-    };
-    let with_depth = |rows: u32| {
-        let ram = [cache(mesh), bins, strip(rows), depths(choice, rows)];
-        let time = constants.time(&in_bands(rows));
-        // Code for flat faces has neither smooth shading nor textures.
-        let kind = if choice.style == Style::Flat { 2 } else { LARGE };
-        way("with depth", ram, into(choice, code), time, kind, Some(rows), "")
-    };
+    // Pixels and, with depth, their depths; beside the cache, and room for what is sorted or binned.
+    let of =
+        |name: &str, room: usize, has_depth: bool, code, constants: &Constants, kind, rows: Option<u32>| {
+            let height = rows.unwrap_or(whole);
+            let depths = if has_depth { depths(choice, height) } else { 0 };
+            let name = rows.map_or(name.into(), |rows| format!("bands of {rows} rows, {name}"));
+            let time = lit(constants.time(&frame.work(rows)), times);
+            way(choice, name, [cache(mesh), room, strip(choice, height), depths], code, time, kind, rows)
+        };
+    // Code for flat faces has neither smooth shading nor textures.
+    let kind = if choice.style == Style::Flat { 2 } else { LARGE };
+    let with_depth = |rows| of("with depth", bins, true, into(choice, code), constants, kind, Some(rows));
     let mut ways: Vec<Way> = heights(choice).into_iter().map(with_depth).collect();
     if !(is_plain && is_in_memory(choice)) {
         return ways;
     }
     // Room for all faces, because another view may show more of them.
-    let painted = size_of::<Painter<Rgb565, 0, 0>>() + PAINTED * mesh.faces().len();
-    let (small, rows) = ("small faces that do not pierce each other", choice.rows());
-    let ram = [cache(mesh), painted, strip(rows), 0];
-    let time = PAINTED_BANDS.time(&in_bands(rows));
-    ways.push(way("painter's order", ram, PAINTED_BANDS_CODE, time, 1, Some(rows), small));
-    let (convex, ram) = ("one convex object only", [cache(mesh), bins, strip(rows), 0]);
-    ways.push(way(
-        "without depth",
-        ram,
-        PLAIN_BANDS_CODE,
-        PLAIN_BANDS.time(&in_bands(rows)),
-        1,
-        Some(rows),
-        convex,
-    ));
-    let ram = [cache(mesh), 0, strip(whole), depths(choice, whole)];
-    let time = DEPTH.time(&in_one_piece);
-    ways.push(way("a whole picture, with depth", ram, DEPTH_CODE, time, 2, None, ""));
-    let ram = [cache(mesh), painted, strip(whole), 0];
-    let time = PAINTED_WHOLE.time(&in_one_piece);
-    ways.push(way("a whole picture, painter's order", ram, PAINTED_CODE, time, 1, None, small));
-    let (ram, time) = ([cache(mesh), 0, strip(whole), 0], FACES.time(&in_one_piece));
-    ways.push(way("a whole picture, without depth", ram, FACES_CODE, time, 1, None, convex));
-    ways
-}
-
-pub(crate) fn lines(
-    mesh: &Mesh<'_>,
-    choice: &Choice,
-    frame: &Frame,
-    strip: &dyn Fn(u32) -> usize,
-) -> Vec<Way> {
-    let whole = choice.size.height;
-    let bins = mesh.edge_bins_len() * size_of::<u16>();
-    let in_bands = |rows: u32| Way {
-        name: format!("lines in bands of {rows} rows"),
-        ram: [cache(mesh), bins, strip(rows), 0],
-        code: LINES_BANDS_CODE,
-        time: LINE_BANDS.time(&frame.work(Some(rows))),
-        kind: 0,
-        bands: whole.div_ceil(rows),
-        rows: Some(rows),
-        note: "",
-    };
-    let mut ways: Vec<Way> = heights(choice).into_iter().map(in_bands).collect();
-    if is_in_memory(choice) {
-        ways.push(Way {
-            name: "lines in a whole picture".into(),
-            ram: [cache(mesh), 0, strip(whole), 0],
-            code: LINES_CODE,
-            time: LINES.time(&frame.work(None)),
-            kind: 0,
-            bands: 1,
-            rows: None,
-            note: "",
-        });
+    let painted = size_of::<Painter<Rgb565, 0, 0>>() + PAINTED_FACE * mesh.faces().len();
+    let (small, convex) = ("small faces that do not pierce each other", "one convex object only");
+    let rows = Some(rows);
+    for (note, way) in [
+        (small, of("painter's order", painted, false, PAINTER_BANDS_CODE, &PAINTED_BANDS, 1, rows)),
+        (convex, of("without depth", bins, false, SOLID_BANDS_CODE, &PLAIN_BANDS, 1, rows)),
+        ("", of("a whole picture, with depth", 0, true, DEPTH_PICTURE_CODE, &DEPTH, 2, None)),
+        (small, of("a whole picture, painter's order", painted, false, PAINTER_CODE, &PAINTED, 1, None)),
+        (convex, of("a whole picture, without depth", 0, false, PICTURE_CODE, &FACES, 1, None)),
+    ] {
+        ways.push(Way { note, ..way });
     }
     ways
 }
 
-pub(crate) fn hidden_lines(
-    mesh: &Mesh<'_>,
-    choice: &Choice,
-    frame: &Frame,
-    strip: &dyn Fn(u32) -> usize,
-) -> Vec<Way> {
+pub(crate) fn lines(mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Vec<Way> {
+    let bins = mesh.edge_bins_len() * size_of::<u16>();
+    let in_bands = |rows| {
+        let (name, ram) =
+            (format!("lines in bands of {rows} rows"), [cache(mesh), bins, strip(choice, rows), 0]);
+        let time = LINE_BANDS.time(&frame.work(Some(rows)));
+        way(choice, name, ram, WIREFRAME_BANDS_CODE, time, 0, Some(rows))
+    };
+    let mut ways: Vec<Way> = heights(choice).into_iter().map(in_bands).collect();
+    if is_in_memory(choice) {
+        let ram = [cache(mesh), 0, strip(choice, choice.size.height), 0];
+        let time = LINES.time(&frame.work(None));
+        ways.push(way(choice, "lines in a whole picture".into(), ram, WIREFRAME_PIXELS_CODE, time, 0, None));
+    }
+    ways
+}
+
+pub(crate) fn hidden_lines(mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Vec<Way> {
     let bins = (mesh.face_bins_len() + mesh.edge_bins_len()) * size_of::<u16>();
-    let in_bands = |rows: u32| Way {
-        name: format!("hidden lines in bands of {rows} rows"),
-        ram: [cache(mesh), bins, strip(rows), depths(choice, rows)],
-        code: HIDDEN_BANDS_CODE,
-        time: HIDDEN_BANDS.time(&frame.work(Some(rows))),
-        kind: LARGE,
-        bands: choice.size.height.div_ceil(rows),
-        rows: Some(rows),
-        note: "",
+    let in_bands = |rows| {
+        let ram = [cache(mesh), bins, strip(choice, rows), depths(choice, rows)];
+        let time = HIDDEN_BANDS.time(&frame.work(Some(rows)));
+        way(
+            choice,
+            format!("hidden lines in bands of {rows} rows"),
+            ram,
+            HIDDEN_BANDS_CODE,
+            time,
+            LARGE,
+            Some(rows),
+        )
     };
     heights(choice).into_iter().map(in_bands).collect()
 }

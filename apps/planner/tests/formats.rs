@@ -1,7 +1,7 @@
 //! The page has one copy of the drawing code for all formats. Its pixels equal those of firmware, which is compiled for its
 //! format: drawn here by the library's own shaders, colours and texels, in one piece.
 
-use embedded_graphics::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics::geometry::{Dimensions, Point, Size};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Rgb565, Rgb888, RgbColor};
 use pinhole::{
     Affine, Angle, Camera, Color, DepthBuffer, Flat, Gouraud, Lambert, ScreenVertex, SpanShader, Surface,
@@ -32,14 +32,14 @@ where
 {
     let mesh = model.mesh().expect("a mesh");
     let mut canvas = Canvas::new(SIZE, C::from(Rgb888::BLACK));
-    let viewport = Viewport::new(Point::zero(), canvas.size()).expect("a viewport");
+    let viewport = Viewport::new(Point::zero(), SIZE).expect("a viewport");
     let [field_of_view, yaw, pitch] = [40, 30, 20].map(Angle::degrees);
     let camera =
         Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch).expect("a camera");
     let turned = Affine::rotation_y(Angle::turns(7, 120));
     let light = Lambert::new(&turned, Vector3::from_ints(2, 3, 4), 48).expect("a light");
     let mut depths = vec![0; (SIZE.width * SIZE.height) as usize];
-    let mut depth = DepthBuffer::new(canvas_area(), &mut depths).expect("depths");
+    let mut depth = DepthBuffer::new(canvas.bounding_box(), &mut depths).expect("depths");
     let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
     let instance = camera.place(&mesh, &turned);
     let Ok(_) = instance
@@ -48,10 +48,6 @@ where
         .draw(&mut canvas.depth_tested(&mut depth));
     let colors = canvas.pixels().iter().map(|&color| color.into());
     colors.flat_map(|color: Rgb888| [color.r(), color.g(), color.b(), 255]).collect()
-}
-
-fn canvas_area() -> embedded_graphics::primitives::Rectangle {
-    embedded_graphics::primitives::Rectangle::new(Point::zero(), SIZE)
 }
 
 fn page(rest: &str) -> Vec<u8> {
@@ -66,47 +62,31 @@ fn of_16_bits() -> Rgb888 {
     Rgb565::from(COLOR).into()
 }
 
-/// Styles of a format that has shades: plain and dithered.
-fn dithered_are_equal<C: Color + From<Rgb888> + Into<Rgb888>>(format: &str) {
-    let (flat, smooth) = (model(false), model(true));
+/// All styles that the format has. A format without shades is always dithered, and shows texels as they are.
+fn are_equal<C: Color + From<Rgb888> + Into<Rgb888>>(format: &str, has_shades: bool) {
+    let (flat, smooth, texels) = (model(false), model(true), checker::<C>());
     let mesh = smooth.mesh().expect("a mesh");
+    let level = |face: usize, light: &Lambert| light.level(mesh.normals()[face]);
     let lit = |face: usize, light: &Lambert| {
         let normals = mesh.corners_of(face, mesh.vertex_normals());
         Gouraud::lit(of_16_bits(), normals.map(|normal| light.level(normal)))
     };
-    let level = |face: usize, light: &Lambert| light.level(mesh.normals()[face]);
-    let expected = drawn::<C, _>(&flat, |face, light| Flat::lit(of_16_bits(), level(face, light)).dithered());
-    assert!(page(&format!("format={format}&style=flat&dither=1")) == expected, "{format}, flat");
-    let expected = drawn::<C, _>(&smooth, |face, light| lit(face, light).dithered());
-    assert!(page(&format!("format={format}&style=gouraud&dither=1")) == expected, "{format}, Gouraud");
-}
-
-fn plain_are_equal<C: Color + From<Rgb888> + Into<Rgb888>>(format: &str) {
-    let (flat, smooth) = (model(false), model(true));
-    let mesh = smooth.mesh().expect("a mesh");
-    let level = |face: usize, light: &Lambert| light.level(mesh.normals()[face]);
-    let expected = drawn::<C, _>(&flat, |face, light| C::from(COLOR).dim(level(face, light)));
-    assert!(page(&format!("format={format}&style=flat")) == expected, "{format}, flat");
-    let expected = drawn::<C, _>(&smooth, |face, light| {
-        let normals = mesh.corners_of(face, mesh.vertex_normals());
-        Gouraud::lit(of_16_bits(), normals.map(|normal| light.level(normal)))
-    });
-    assert!(page(&format!("format={format}&style=gouraud")) == expected, "{format}, Gouraud");
-    let texels = checker::<C>();
+    let dithered = |face, light: &Lambert| Flat::lit(of_16_bits(), level(face, light)).dithered();
     let coords = flat.texture().expect("coordinates").expect("coordinates");
-    let texture = texture(&texels, coords.exponent());
-    let expected =
-        drawn::<C, _>(&flat, |face, light| texture.at(coords.corners(face)).lit([level(face, light); 3]));
-    assert!(page(&format!("format={format}&style=textured")) == expected, "{format}, textured");
-}
-
-/// A display of few colours shows texels as they are.
-fn unlit_texture_is_equal<C: Color + From<Rgb888> + Into<Rgb888>>(format: &str) {
-    let (flat, texels) = (model(false), checker::<C>());
-    let coords = flat.texture().expect("coordinates").expect("coordinates");
-    let texture = texture(&texels, coords.exponent());
-    let expected = drawn::<C, _>(&flat, |face, _| texture.at(coords.corners(face)));
-    assert!(page(&format!("format={format}&style=textured")) == expected, "{format}, textured");
+    let texture = Texture::new(TexelSlice::new(&texels, 32, 32).expect("texels"));
+    let texture = texture.with_exponent(coords.exponent()).expect("an exponent");
+    let textured = |face: usize| texture.at(coords.corners(face));
+    let check = |style: &str, expected: Vec<u8>| {
+        assert!(page(&format!("format={format}&style={style}")) == expected, "{format}, {style}");
+    };
+    check("flat&dither=1", drawn::<C, _>(&flat, dithered));
+    check("gouraud&dither=1", drawn::<C, _>(&smooth, |face, light| lit(face, light).dithered()));
+    if !has_shades {
+        return check("textured", drawn::<C, _>(&flat, |face, _| textured(face)));
+    }
+    check("flat", drawn::<C, _>(&flat, |face, light| C::from(COLOR).dim(level(face, light))));
+    check("gouraud", drawn::<C, _>(&smooth, lit));
+    check("textured", drawn::<C, _>(&flat, |face, light| textured(face).lit([level(face, light); 3])));
 }
 
 /// Squares of 8 texels, the upper left one in the colour, the others in a quarter of it.
@@ -116,22 +96,11 @@ fn checker<C: From<Rgb888>>() -> Vec<C> {
     (0..32 * 32).map(|i| C::from(if is_light(i % 32, i / 32) { COLOR } else { dark })).collect()
 }
 
-fn texture<C: Color>(texels: &[C], exponent: i8) -> Texture<TexelSlice<'_, C>> {
-    Texture::new(TexelSlice::new(texels, 32, 32).expect("texels"))
-        .with_exponent(exponent)
-        .expect("an exponent")
-}
-
 #[test]
 fn every_format_has_the_pixels_of_its_own_type() {
-    plain_are_equal::<Rgb565>("rgb565");
-    plain_are_equal::<Gray2>("gray2");
-    plain_are_equal::<Gray4>("gray4");
-    dithered_are_equal::<Rgb565>("rgb565");
-    dithered_are_equal::<Gray2>("gray2");
-    dithered_are_equal::<Gray4>("gray4");
-    dithered_are_equal::<BinaryColor>("mono");
-    dithered_are_equal::<Tricolor>("tricolor");
-    unlit_texture_is_equal::<BinaryColor>("mono");
-    unlit_texture_is_equal::<Tricolor>("tricolor");
+    are_equal::<Rgb565>("rgb565", true);
+    are_equal::<Gray2>("gray2", true);
+    are_equal::<Gray4>("gray4", true);
+    are_equal::<BinaryColor>("mono", false);
+    are_equal::<Tricolor>("tricolor", false);
 }

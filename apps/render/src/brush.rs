@@ -13,54 +13,6 @@ use pinhole::{
 type Repeated<'t, C> = TexelSlice<'t, C>;
 type Clamped<'t, C> = ClampedTexels<TexelSlice<'t, C>>;
 
-#[derive(Clone, Copy)]
-pub(crate) enum Brush<'t, C> {
-    Flat(Flat),
-    FlatDithered(Dithered<Flat>),
-    Smooth(Lit),
-    SmoothDithered(Dithered<Lit>),
-    Glowing(Gouraud),
-    GlowingDithered(Dithered<Gouraud>),
-    Texture(Textured<Repeated<'t, C>>),
-    ClampedTexture(Textured<Clamped<'t, C>>),
-    LitTexture(LitTextured<Repeated<'t, C>>),
-    LitClampedTexture(LitTextured<Clamped<'t, C>>),
-}
-
-impl<C: Colour> Shader for Brush<'_, C> {
-    type Varying = Barycentric;
-    const NEEDS_W: bool = true;
-
-    fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
-        match self {
-            Self::Flat(_) | Self::FlatDithered(_) => *self,
-            Self::Smooth(lit) => Self::Smooth(lit.sub_face(corners)),
-            Self::SmoothDithered(lit) => Self::SmoothDithered(lit.sub_face(corners)),
-            Self::Glowing(glowing) => Self::Glowing(glowing.sub_face(corners)),
-            Self::GlowingDithered(glowing) => Self::GlowingDithered(glowing.sub_face(corners)),
-            Self::Texture(textured) => Self::Texture(textured.sub_face(corners)),
-            Self::ClampedTexture(textured) => Self::ClampedTexture(textured.sub_face(corners)),
-            Self::LitTexture(textured) => Self::LitTexture(textured.sub_face(corners)),
-            Self::LitClampedTexture(textured) => Self::LitClampedTexture(textured.sub_face(corners)),
-        }
-    }
-
-    fn with_corners(&self, corners: &CornerValues) -> Self {
-        match self {
-            Self::Flat(_)
-            | Self::FlatDithered(_)
-            | Self::Smooth(_)
-            | Self::SmoothDithered(_)
-            | Self::Glowing(_)
-            | Self::GlowingDithered(_) => *self,
-            Self::Texture(textured) => Self::Texture(textured.with_corners(corners)),
-            Self::ClampedTexture(textured) => Self::ClampedTexture(textured.with_corners(corners)),
-            Self::LitTexture(textured) => Self::LitTexture(textured.with_corners(corners)),
-            Self::LitClampedTexture(textured) => Self::LitClampedTexture(textured.with_corners(corners)),
-        }
-    }
-}
-
 /// The colours of a span.
 type Colours<'t, C> = Box<dyn Fn(Span) -> Vec<C> + 't>;
 
@@ -73,33 +25,69 @@ fn set_up<'t, C: Colour, S: SpanShader<C, Ink = C, Setup: 't>>(
     Box::new(move |span| S::span(&setup, span).take(span.width as usize).collect())
 }
 
-impl<'t, C: Colour> SpanShader<C> for Brush<'t, C> {
-    type Ink = C;
-    type Setup = Colours<'t, C>;
-
-    fn set_up(&self, triangle: &Triangle<'_>) -> Colours<'t, C> {
-        match self {
-            Self::Flat(flat) => set_up(flat, triangle),
-            Self::FlatDithered(flat) => set_up(flat, triangle),
-            Self::Smooth(lit) => set_up(lit, triangle),
-            Self::SmoothDithered(lit) => set_up(lit, triangle),
-            Self::Glowing(glowing) => set_up(glowing, triangle),
-            Self::GlowingDithered(glowing) => set_up(glowing, triangle),
-            Self::Texture(textured) => set_up(textured, triangle),
-            Self::ClampedTexture(textured) => set_up(textured, triangle),
-            Self::LitTexture(textured) => set_up(textured, triangle),
-            Self::LitClampedTexture(textured) => set_up(textured, triangle),
+/// Defines the type of its variants: those of one colour a face, and those that vary over it.
+macro_rules! brush {
+    ($($flat:ident($of_flat:ty),)* ; $($varying:ident($of_varying:ty),)*) => {
+        #[derive(Clone, Copy)]
+        pub(crate) enum Brush<'t, C> {
+            $($flat($of_flat),)*
+            $($varying($of_varying),)*
         }
-    }
 
-    fn span(colours: &Colours<'t, C>, span: Span) -> impl Iterator<Item = C> {
-        colours(span).into_iter()
-    }
+        impl<C: Colour> Shader for Brush<'_, C> {
+            type Varying = Barycentric;
+            const NEEDS_W: bool = true;
 
-    fn solid(&self) -> Option<C> {
-        match self {
-            Self::Flat(flat) => flat.solid(),
-            _ => None,
+            fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
+                match self {
+                    $(Self::$flat(_) => *self,)*
+                    $(Self::$varying(shader) => Self::$varying(shader.sub_face(corners)),)*
+                }
+            }
+
+            fn with_corners(&self, corners: &CornerValues) -> Self {
+                match self {
+                    $(Self::$flat(_) => *self,)*
+                    $(Self::$varying(shader) => Self::$varying(shader.with_corners(corners)),)*
+                }
+            }
         }
-    }
+
+        impl<'t, C: Colour> SpanShader<C> for Brush<'t, C> {
+            type Ink = C;
+            type Setup = Colours<'t, C>;
+
+            fn set_up(&self, triangle: &Triangle<'_>) -> Colours<'t, C> {
+                match self {
+                    $(Self::$flat(shader) => set_up(shader, triangle),)*
+                    $(Self::$varying(shader) => set_up(shader, triangle),)*
+                }
+            }
+
+            fn span(colours: &Colours<'t, C>, span: Span) -> impl Iterator<Item = C> {
+                colours(span).into_iter()
+            }
+
+            fn solid(&self) -> Option<C> {
+                match self {
+                    Self::Flat(flat) => flat.solid(),
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+
+brush! {
+    Flat(Flat),
+    FlatDithered(Dithered<Flat>),
+    ;
+    Smooth(Lit),
+    SmoothDithered(Dithered<Lit>),
+    Glowing(Gouraud),
+    GlowingDithered(Dithered<Gouraud>),
+    Texture(Textured<Repeated<'t, C>>),
+    ClampedTexture(Textured<Clamped<'t, C>>),
+    LitTexture(LitTextured<Repeated<'t, C>>),
+    LitClampedTexture(LitTextured<Clamped<'t, C>>),
 }

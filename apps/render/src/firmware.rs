@@ -88,11 +88,8 @@ macro_rules! draws_bands {
 #[macro_export]
 macro_rules! draws {
     ($picture:ident, |$mesh:ident, $color:ident, $turn:ident, $display:ident, $screen:ident, $buffers:ident| $frame:block) => {
-        /// Draws the model, turned by an angle, as firmware does.
-        ///
-        /// # Errors
-        ///
-        /// The message that the firmware would log before it stops.
+        /// Draws the model, turned by an angle, as firmware does. The error is the message that the firmware would log before it
+        /// stops.
         pub fn draw<D>(
             model: &pinhole_import::ImportedMesh,
             $turn: pinhole::Angle,
@@ -160,11 +157,8 @@ pub fn project(model: &Path) -> Option<PathBuf> {
 /// The variable that names the project to `pinhole-preview`, when that is built and when it runs.
 pub const PROJECT: &str = "PINHOLE_PROJECT";
 
-/// Runs this command line by `pinhole-preview`, which is this program with the code of a project.
-///
-/// # Errors
-///
-/// A message if the project does not build.
+/// Runs this command line by `pinhole-preview`, which is this program with the code of a project. Fails if the project does not
+/// build.
 pub fn run_in(project: &Path) -> Result<ExitCode, String> {
     let here = std::env::current_exe().map_err(|e| format!("this program does not find itself: {e}"))?;
     let (folder, name) =

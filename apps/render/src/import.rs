@@ -24,11 +24,7 @@ pub fn options(given: &ArgMatches) -> Options {
     Options { texture, ..arguments::options(given) }
 }
 
-/// Whether a model's picture was asked for, in a program that shows a scene.
-///
-/// # Errors
-///
-/// A message that names the option.
+/// Whether a model's picture was asked for, in a program that shows a scene. The error names the option.
 pub fn refuse_texture(given: &ArgMatches) -> Result<(), String> {
     match given.contains_id("texture") {
         true => Err("--texture: a scene has its own texture; use this option with .obj".into()),

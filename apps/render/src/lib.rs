@@ -25,6 +25,5 @@ mod range;
 pub mod scene;
 mod sprite_paint;
 pub mod sprites;
-pub mod style;
 pub mod texture;
 mod turntable;

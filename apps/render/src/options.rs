@@ -11,7 +11,6 @@ use crate::picture::Format;
 use crate::program::Output;
 use crate::projections::Named;
 use crate::scene::LARGEST;
-use crate::style;
 use clap::ArgMatches;
 use embedded_graphics::geometry::Size;
 use pinhole_import::Axis;
@@ -177,7 +176,7 @@ fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
     if fog.is_some() && mode.of_lines() {
         return Err("--fog: is for faces: needs --mode solid, flat or gouraud".into());
     }
-    let usual = style::chosen(mode, format, colour, background, dither);
+    let usual = Style::chosen(mode, format, colour, background, dither);
     Ok((Style { fog, lit_texture, translucency, smooth_lines, ..usual }, format))
 }
 

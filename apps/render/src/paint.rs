@@ -5,10 +5,11 @@ use crate::fog::FogStyle;
 use crate::json::Names;
 use crate::light::{self, Light};
 use crate::parts::{parts, Part};
+use crate::picture::{by_format, luma, Format};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
 use crate::sprite_paint::Sprites;
-use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
+use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
@@ -18,45 +19,15 @@ use pinhole::{
 };
 use std::convert::Infallible;
 
-/// A pixel format of a display.
-pub trait Colour: Color + From<Rgb888> + Into<Rgb888> + 'static {
-    /// Draws a frame in bands, through a strip with room for `rows` rows of the picture. `plan` gets the area that will be drawn
-    /// and chooses the areas to send; `send` gets every band.
-    ///
-    /// A function of the format, not a generic one: its code is compiled here, once, and not where it is called.
-    fn paint(
-        subject: &Subject,
-        scene: (&Scene, &Quantised),
-        style: &Style,
-        rows: u32,
-        plan: Plan<'_>,
-        send: Send<'_, Self>,
-    ) -> Result<Report, String>;
-}
+/// The colour type of a pixel format.
+pub(crate) trait Colour: Color + From<Rgb888> + Into<Rgb888> + 'static {}
+impl<C: Color + From<Rgb888> + Into<Rgb888> + 'static> Colour for C {}
 
 /// Chooses the areas to send, given the area that will be drawn.
 pub type Plan<'a> = &'a mut dyn FnMut(Rectangle) -> Vec<Rectangle>;
 
-/// Takes a band that is drawn.
-pub type Send<'a, C> = &'a mut dyn FnMut(&Band<'_, C>);
-
-macro_rules! colours {
-    ($($colour:ty)*) => {$(
-        impl Colour for $colour {
-            fn paint(
-                subject: &Subject,
-                scene: (&Scene, &Quantised),
-                style: &Style,
-                rows: u32,
-                plan: Plan<'_>,
-                send: Send<'_, Self>,
-            ) -> Result<Report, String> {
-                paint(subject, scene, style, rows, plan, send)
-            }
-        }
-    )*};
-}
-colours!(Rgb888 Rgb666 Rgb565 Gray8 Gray4 Gray2 BinaryColor);
+/// Takes the area of a band that is drawn, and the colours in it, row by row.
+pub type Send<'a> = &'a mut dyn FnMut(Rectangle, &mut dyn Iterator<Item = Rgb888>);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
@@ -147,6 +118,43 @@ pub struct Style {
     pub fog: Option<FogStyle>,
 }
 
+const PAPER: Rgb888 = Rgb888::new(236, 235, 230);
+const CLAY: Rgb888 = Rgb888::new(240, 160, 98);
+const INK: Rgb888 = Rgb888::new(34, 48, 72);
+const CHALK: Rgb888 = Rgb888::new(214, 240, 250);
+
+impl Style {
+    /// The chosen style of opaque faces, unlit textures and plain lines, with defaults that are visible in the format. A chosen
+    /// colour replaces the model's own.
+    pub fn chosen(
+        mode: Mode,
+        format: Format,
+        colour: Option<Rgb888>,
+        background: Option<Rgb888>,
+        dither: bool,
+    ) -> Self {
+        let background = background.unwrap_or(if format.is_grey() { Rgb888::BLACK } else { PAPER });
+        let usual = match (mode.of_lines(), luma(background) > 127) {
+            (true, true) => INK,
+            (true, false) => CHALK,
+            (false, _) if format.is_grey() => Rgb888::WHITE,
+            (false, _) => CLAY,
+        };
+        let own_colours = colour.is_none();
+        Self {
+            mode,
+            colour: colour.unwrap_or(usual),
+            own_colours,
+            background,
+            dither,
+            lit_texture: false,
+            translucency: Translucency::Opaque,
+            smooth_lines: false,
+            fog: None,
+        }
+    }
+}
+
 /// Data of a mesh that do not depend on the camera.
 pub struct Subject {
     pub parts: Vec<Part>,
@@ -186,14 +194,28 @@ pub struct Report {
     pub pixels: usize,
 }
 
-/// [`Colour::paint`] for any format.
-fn paint<C: Colour>(
+/// Draws a frame in bands, through a strip with room for `rows` rows of the picture. `plan` gets the area that will be drawn and
+/// chooses the areas to send; `send` gets every band.
+pub fn paint(
+    subject: &Subject,
+    scene: (&Scene, &Quantised),
+    style: &Style,
+    format: Format,
+    rows: u32,
+    plan: Plan<'_>,
+    send: Send<'_>,
+) -> Result<Report, String> {
+    by_format!(format, C => paint_in::<C>(subject, scene, style, rows, plan, send))
+}
+
+/// [`paint`] in colours of this type.
+fn paint_in<C: Colour>(
     subject: &Subject,
     (scene, quantised): (&Scene, &Quantised),
     style: &Style,
     rows: u32,
     plan: Plan<'_>,
-    send: Send<'_, C>,
+    send: Send<'_>,
 ) -> Result<Report, String> {
     let camera = quantised.camera();
     let cull = if scene.cull { Cull::Back } else { Cull::None };
@@ -239,22 +261,20 @@ fn paint<C: Colour>(
             .intersection(&Rectangle::new(Point::zero(), size)),
     };
 
+    let colour = C::from(style.colour);
     if style.mode == Mode::Wireframe {
         // Lines without depth test: no far plane may clip them.
         let transformed: Vec<_> = instances.iter().zip(&mut corners).map(|(p, c)| p.transform(c)).collect();
         let (mut edges, statistics, bounds) = edges(&transformed, &mut edge_bin_storage)?;
         return out.bands(statistics, &plan(with_sprites(reached(bounds))), |band, _| {
-            let colour = C::from(style.colour);
-            match style.smooth_lines {
-                false => edges.iter_mut().for_each(|edges| {
-                    let Ok(()) = edges.draw(colour, band);
-                }),
-                true => in_memory(band, |pixels| {
-                    edges.iter_mut().for_each(|edges| {
-                        let Ok(()) = edges.draw(AntiAliased(colour), pixels);
-                    });
-                }),
-            }
+            in_memory(band, |pixels| {
+                for edges in &mut edges {
+                    let Ok(()) = match style.smooth_lines {
+                        false => edges.draw(colour, pixels),
+                        true => edges.draw(AntiAliased(colour), pixels),
+                    };
+                }
+            });
         });
     }
 
@@ -270,17 +290,15 @@ fn paint<C: Colour>(
         return out.bands(statistics, &plan(with_sprites(reached(bounds))), |band, depth| {
             // Any part may hide any other.
             faces.iter_mut().for_each(|faces| faces.depth_only(depth));
-            let colour = C::from(style.colour);
-            match style.smooth_lines {
-                false => edges.iter_mut().for_each(|edges| {
-                    let Ok(()) = edges.hidden_line(colour, &mut band.depth_tested(depth));
-                }),
-                true => in_memory(band, |pixels| {
-                    edges.iter_mut().for_each(|edges| {
-                        let Ok(()) = edges.hidden_line(AntiAliased(colour), &mut pixels.depth_tested(depth));
-                    });
-                }),
-            }
+            in_memory(band, |pixels| {
+                let mut target = pixels.depth_tested(depth);
+                for edges in &mut edges {
+                    let Ok(()) = match style.smooth_lines {
+                        false => edges.hidden_line(colour, &mut target),
+                        true => edges.hidden_line(AntiAliased(colour), &mut target),
+                    };
+                }
+            });
         });
     }
 
@@ -311,32 +329,24 @@ fn paint<C: Colour>(
         let texels = TexelSlice::new(&colours, width, height).map_err(|e| e.to_string())?;
         let texture = Texture::new(texels).with_exponent(coords.exponent).map_err(|e| e.to_string())?;
         let uv = |part: &Part, face: usize| coords.uv[number(part, face)];
-        return match (clamped, style.lit_texture) {
-            (false, false) => all.draw(fog, &|part, face| Brush::Texture(texture.at(uv(part, face)))),
-            (true, false) => {
-                all.draw(fog, &|part, face| Brush::ClampedTexture(texture.clamped_at(uv(part, face))))
-            }
-            (false, true) => all.draw(fog, &|part, face| {
-                Brush::LitTexture(texture.at(uv(part, face)).lit(levels(part, face)))
-            }),
-            (true, true) => all.draw(fog, &|part, face| {
+        return all.draw(fog, &|part, face| match (clamped, style.lit_texture) {
+            (false, false) => Brush::Texture(texture.at(uv(part, face))),
+            (true, false) => Brush::ClampedTexture(texture.clamped_at(uv(part, face))),
+            (false, true) => Brush::LitTexture(texture.at(uv(part, face)).lit(levels(part, face))),
+            (true, true) => {
                 Brush::LitClampedTexture(texture.clamped_at(uv(part, face)).lit(levels(part, face)))
-            }),
-        };
+            }
+        });
     }
     let emits = style.own_colours && !scene.colors.emission.is_empty();
-    match (style.mode == Mode::Flat, emits, style.dither) {
-        (true, _, false) => all.draw(fog, &|part, face| Brush::Flat(flat(part, face))),
-        (true, _, true) => all.draw(fog, &|part, face| Brush::FlatDithered(flat(part, face).dithered())),
-        (false, false, false) => all.draw(fog, &|part, face| Brush::Smooth(smooth(part, face))),
-        (false, false, true) => {
-            all.draw(fog, &|part, face| Brush::SmoothDithered(smooth(part, face).dithered()))
-        }
-        (false, true, false) => all.draw(fog, &|part, face| Brush::Glowing(glowing(part, face))),
-        (false, true, true) => {
-            all.draw(fog, &|part, face| Brush::GlowingDithered(glowing(part, face).dithered()))
-        }
-    }
+    all.draw(fog, &|part, face| match (style.mode == Mode::Flat, emits, style.dither) {
+        (true, _, false) => Brush::Flat(flat(part, face)),
+        (true, _, true) => Brush::FlatDithered(flat(part, face).dithered()),
+        (false, false, false) => Brush::Smooth(smooth(part, face)),
+        (false, false, true) => Brush::SmoothDithered(smooth(part, face).dithered()),
+        (false, true, false) => Brush::Glowing(glowing(part, face)),
+        (false, true, true) => Brush::GlowingDithered(glowing(part, face).dithered()),
+    })
 }
 
 /// The triangles of a scene from far to near, by the mean depth of their corners, as [`pinhole::Painter`] sorts them.
@@ -448,7 +458,7 @@ struct Out<'a, C> {
     size: Size,
     style: &'a Style,
     rows: u32,
-    send: Send<'a, C>,
+    send: Send<'a>,
     /// The sprites, drawn after faces or edges.
     sprites: Sprites<'a, C>,
 }
@@ -473,7 +483,7 @@ impl<C: Colour> Out<'_, C> {
                 report.bands += 1;
                 report.bytes += band.bytes().len();
                 report.pixels += (band.area().size.width * band.area().size.height) as usize;
-                (self.send)(&band);
+                (self.send)(band.area(), &mut band.colors().map(Into::into));
             }
         }
         Ok(report)

@@ -1,10 +1,10 @@
 //! A picture in the pixel format of a display, and pictures that scenes name: PNG and BMP files.
 
 use crate::json::Names;
-use crate::paint::{Colour, Report, Style, Subject};
+use crate::paint::{paint, Report, Style, Subject};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
-use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
+use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use std::path::Path;
@@ -20,6 +20,25 @@ pub enum Format {
     Mono,
 }
 
+/// Calls a generic function with the colour type of a format.
+macro_rules! by_format {
+    ($format:expr, $colour:ident => $call:expr) => {
+        $crate::picture::by_format!(
+            $format, $colour => $call,
+            Rgb888 Rgb888, Rgb666 Rgb666, Rgb565 Rgb565, Gray8 Gray8, Gray4 Gray4, Gray2 Gray2, Mono BinaryColor
+        )
+    };
+    ($format:expr, $colour:ident => $call:expr, $($variant:ident $type:ident),*) => {
+        match $format {$(
+            $crate::picture::Format::$variant => {
+                type $colour = embedded_graphics::pixelcolor::$type;
+                $call
+            }
+        )*}
+    };
+}
+pub(crate) use by_format;
+
 impl Format {
     pub const ALL: [(&'static str, Self); 7] = [
         ("rgb888", Self::Rgb888),
@@ -30,6 +49,11 @@ impl Format {
         ("gray2", Self::Gray2),
         ("mono", Self::Mono),
     ];
+
+    /// Bits of a pixel.
+    pub fn bits(self) -> u32 {
+        by_format!(self, C => <C as pinhole::Color>::FORMAT.bits())
+    }
 
     /// Whether the format is monochrome; such displays mostly have a dark background.
     pub const fn is_grey(self) -> bool {
@@ -55,28 +79,11 @@ pub fn picture(
     style: &Style,
     format: Format,
 ) -> Result<(Vec<Rgb888>, Report), String> {
-    match format {
-        Format::Rgb888 => whole::<Rgb888>(subject, scene, style),
-        Format::Rgb666 => whole::<Rgb666>(subject, scene, style),
-        Format::Rgb565 => whole::<Rgb565>(subject, scene, style),
-        Format::Gray8 => whole::<Gray8>(subject, scene, style),
-        Format::Gray4 => whole::<Gray4>(subject, scene, style),
-        Format::Gray2 => whole::<Gray2>(subject, scene, style),
-        Format::Mono => whole::<BinaryColor>(subject, scene, style),
-    }
-}
-
-fn whole<C: Colour>(
-    subject: &Subject,
-    scene: (&Scene, &Quantised),
-    style: &Style,
-) -> Result<(Vec<Rgb888>, Report), String> {
     let size = Size::new(scene.0.width, scene.0.height);
     let mut pixels = Vec::new();
     let mut all = |_| vec![Rectangle::new(Point::zero(), size)];
-    let report = C::paint(subject, scene, style, size.height, &mut all, &mut |band| {
-        pixels.extend(band.colors().map(Into::<Rgb888>::into));
-    })?;
+    let mut send = |_, colours: &mut dyn Iterator<Item = Rgb888>| pixels.extend(colours);
+    let report = paint(subject, scene, style, format, size.height, &mut all, &mut send)?;
     Ok((pixels, report))
 }
 

@@ -37,11 +37,7 @@ pub fn run(code: &Code) -> ExitCode {
     command::run(|| drawn(command::matches(arguments::command(&[]))?, code, &[]))
 }
 
-/// Runs a parsed command line with more outputs than pictures.
-///
-/// # Errors
-///
-/// The message to print.
+/// Runs a parsed command line with more outputs than pictures. The error is the message to print.
 pub fn drawn(given: ArgMatches, code: &Code, more: &'static [Output]) -> Result<ExitCode, String> {
     let options = options::read(given, more)?;
     match options.firmware.filter(|_| code.project.is_none()).and_then(|_| firmware::project(&options.scene))

@@ -23,10 +23,7 @@ pub struct Animation<W: Write> {
 
 impl<W: Write> Animation<W> {
     /// Begins a file with this width and height, whose frames take their colours from a palette of at most 256, or bring their own.
-    ///
-    /// # Errors
-    ///
-    /// The picture has a side above 65535 pixels, or `file` cannot be written.
+    /// Fails if the picture has a side above 65535 pixels, or `file` cannot be written.
     pub fn new(file: W, [width, height]: [u32; 2], palette: &[[u8; 3]]) -> Result<Self, Box<dyn Error>> {
         let (width, height) = (u16::try_from(width)?, u16::try_from(height)?);
         let mut encoder = gif::Encoder::new(file, width, height, palette.as_flattened())?;
@@ -35,11 +32,7 @@ impl<W: Write> Animation<W> {
     }
 
     /// Adds a frame, shown for `delay` hundredths of a second. `pixels` holds indices, row by row, into the palette of the file, or
-    /// into the frame's own.
-    ///
-    /// # Errors
-    ///
-    /// The file cannot be written.
+    /// into the frame's own. Fails if the file cannot be written.
     pub fn add(&mut self, pixels: Vec<u8>, own: Option<&[[u8; 3]]>, delay: u16) -> Result<(), EncodingError> {
         let (width, height) = (self.width, self.height);
         let palette = own.map(|palette| palette.as_flattened().to_vec());
@@ -48,11 +41,7 @@ impl<W: Write> Animation<W> {
         self.encoder.write_frame(&frame)
     }
 
-    /// Completes the file.
-    ///
-    /// # Errors
-    ///
-    /// The file cannot be written.
+    /// Completes the file. Fails if the file cannot be written.
     pub fn finish(self) -> Result<W, EncodingError> {
         self.encoder.into_inner()
     }

@@ -18,11 +18,8 @@ pub fn run<E: ToString>(program: impl FnOnce() -> Result<ExitCode, E>) -> ExitCo
     })
 }
 
-/// Parses the command line. Asked for help, it prints the help and ends the program.
-///
-/// # Errors
-///
-/// The message to print where an argument is wrong.
+/// Parses the command line. Asked for help, it prints the help and ends the program. The error is the message to print where an
+/// argument is wrong.
 pub fn matches(command: Command) -> Result<ArgMatches, String> {
     command.try_get_matches().map_err(|error| {
         if error.exit_code() == 0 {
@@ -54,11 +51,8 @@ pub fn option(name: &'static str, value: &'static str, help: &'static str, defau
     Arg::new(name).long(name).value_name(value).help(help).default_value(default)
 }
 
-/// Parses the value of `--size WxH`; width and height must lie in `range`.
-///
-/// # Errors
-///
-/// The message to print if the text is not a valid size.
+/// Parses the value of `--size WxH`; width and height must lie in `range`. The error is the message to print if the text is not a
+/// valid size.
 pub fn size(text: &str, range: RangeInclusive<u32>) -> Result<Size, String> {
     let size = text.split_once('x').and_then(|(w, h)| Some(Size::new(w.parse().ok()?, h.parse().ok()?)));
     size.filter(|size| range.contains(&size.width) && range.contains(&size.height)).ok_or_else(|| {
@@ -66,11 +60,7 @@ pub fn size(text: &str, range: RangeInclusive<u32>) -> Result<Size, String> {
     })
 }
 
-/// Creates the folder for the output unless it exists.
-///
-/// # Errors
-///
-/// A message that names the folder.
+/// Creates the folder for the output unless it exists. The error names the folder.
 pub fn folder(path: &Path) -> Result<(), String> {
     std::fs::create_dir_all(path).map_err(|e| format!("{}: cannot be created: {e}", path.display()))
 }

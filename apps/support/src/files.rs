@@ -7,11 +7,7 @@ use std::path::{Path, PathBuf};
 
 pub(crate) use crate::host::Part;
 
-/// Checks that no output is the input file under any name.
-///
-/// # Errors
-///
-/// A message that names the output.
+/// Checks that no output is the input file under any name. The error names the output.
 pub fn apart<'a>(input: &Path, outputs: impl IntoIterator<Item = &'a Path>) -> Result<(), String> {
     match outputs.into_iter().find(|output| host::is_same(input, output)) {
         Some(output) => Err(format!("{}: is the input file: name another output", output.display())),
@@ -27,20 +23,13 @@ pub struct Outputs {
 }
 
 impl Outputs {
-    /// Adds a file with these bytes.
-    ///
-    /// # Errors
-    ///
-    /// A message that names the file where it cannot be written.
+    /// Adds a file with these bytes. The error names the file where it cannot be written.
     pub fn add(&mut self, path: &Path, bytes: &[u8]) -> Result<(), String> {
         self.stream(path, |file| file.write_all(bytes).map_err(|e| unwritable(path, e)))
     }
 
-    /// Adds a file that `write` writes piece by piece.
-    ///
-    /// # Errors
-    ///
-    /// The error of `write`, or a message that names the file that cannot be written.
+    /// Adds a file that `write` writes piece by piece. The error is that of `write`, or a message that names the file that cannot
+    /// be written.
     pub fn stream(
         &mut self,
         path: &Path,
@@ -61,10 +50,7 @@ impl Outputs {
     }
 
     /// Moves all files to their names. Returns the names and the number of bytes in each, in the order in which they were added.
-    ///
-    /// # Errors
-    ///
-    /// A message that names the file that cannot be written. Existing files of these names are then unchanged.
+    /// The error names the file that cannot be written. Existing files of these names are then unchanged.
     pub fn settle(self) -> Result<Vec<(PathBuf, u64)>, String> {
         let written = self.parts.iter().map(|(path, bytes, _)| (path.clone(), *bytes)).collect();
         let mut parts = self.parts;
@@ -77,11 +63,8 @@ impl Outputs {
     }
 }
 
-/// Writes files: each is completed under a temporary name first, and all are moved to their names in the end.
-///
-/// # Errors
-///
-/// A message that names the file that cannot be written. Existing files of these names are then unchanged.
+/// Writes files: each is completed under a temporary name first, and all are moved to their names in the end. The error names the
+/// file that cannot be written. Existing files of these names are then unchanged.
 pub fn write<B: AsRef<[u8]>>(files: &[(&Path, B)]) -> Result<(), String> {
     let mut outputs = Outputs::default();
     files.iter().try_for_each(|(path, bytes)| outputs.add(path, bytes.as_ref()))?;

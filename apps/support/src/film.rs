@@ -22,11 +22,8 @@ pub struct Gif {
 }
 
 impl Gif {
-    /// Begins a file. `palette` holds every colour of every frame, at most 256: no colour is approximated.
-    ///
-    /// # Errors
-    ///
-    /// A message that names the file where it cannot be written.
+    /// Begins a file. `palette` holds every colour of every frame, at most 256: no colour is approximated. The error names the file
+    /// where it cannot be written.
     pub fn create(file: &Path, size: Size, palette: &[Rgb565]) -> Result<Self, Box<dyn Error>> {
         let colours: Vec<_> = palette.iter().map(|&c| rgb(c)).collect();
         let index = (0..=255).zip(palette).map(|(i, c)| (c.into_storage(), i)).collect();
@@ -35,11 +32,7 @@ impl Gif {
         Ok(Gif { animation, part, file: file.into(), index })
     }
 
-    /// Adds a frame, shown for 6/100 s.
-    ///
-    /// # Errors
-    ///
-    /// A colour is not in the palette, or the file cannot be written.
+    /// Adds a frame, shown for 6/100 s. Fails if a colour is not in the palette, or the file cannot be written.
     pub fn add(&mut self, pixels: &[Rgb565]) -> Result<(), Box<dyn Error>> {
         let index = |c: &Rgb565| self.index.get(&c.into_storage()).copied();
         let indexed: Option<Vec<u8>> = pixels.iter().map(index).collect();
@@ -47,11 +40,7 @@ impl Gif {
         Ok(self.animation.add(indexed, None, 6).map_err(|e| unwritable(&self.file, e))?)
     }
 
-    /// Completes the file and moves it to its name.
-    ///
-    /// # Errors
-    ///
-    /// The file cannot be written.
+    /// Completes the file and moves it to its name. Fails if the file cannot be written.
     pub fn finish(self) -> Result<(), Box<dyn Error>> {
         let Self { animation, part, file, .. } = self;
         let mut writer = animation.finish().map_err(|e| unwritable(&file, e))?;
@@ -66,11 +55,7 @@ pub fn on_sheet(frame: u32, frames: u32, most: u32) -> bool {
     frame * most % frames < most
 }
 
-/// Writes a contact sheet, four pictures in a row.
-///
-/// # Errors
-///
-/// A message that names the file where it cannot be written.
+/// Writes a contact sheet, four pictures in a row. The error names the file where it cannot be written.
 pub fn write_sheet(file: &Path, size: Size, pictures: &[Canvas<Rgb565>]) -> Result<(), Box<dyn Error>> {
     let columns = pictures.len().min(4) as u32;
     let rows = (pictures.len() as u32).div_ceil(columns);

@@ -15,11 +15,7 @@ pub struct Generated {
 
 impl Generated {
     /// Parses the command line of a program that takes `--out` and `--check` alone. `program` is what follows `cargo run
-    /// --release`, `about` its description, `out` the default file.
-    ///
-    /// # Errors
-    ///
-    /// The message to print where an argument is wrong.
+    /// --release`, `about` its description, `out` the default file. The error is the message to print where an argument is wrong.
     pub fn arguments(program: &'static str, about: &'static str, out: &'static str) -> Result<Self, String> {
         let mut given = matches(Self::command(program, about, out))?;
         Ok(Self::from(program, &mut given))
@@ -46,20 +42,13 @@ impl Generated {
         Self { program: self.program, out: self.out.with_file_name(name), check: self.check }
     }
 
-    /// Writes the file, or compares it.
-    ///
-    /// # Errors
-    ///
-    /// A message that names the file where it cannot be written or read.
+    /// Writes the file, or compares it. The error names the file where it cannot be written or read.
     pub fn finish(self, content: &[u8]) -> Result<ExitCode, String> {
         self.finish_showing(content, |_| ())
     }
 
-    /// Writes a page, or compares it and prints the first line that differs.
-    ///
-    /// # Errors
-    ///
-    /// A message that names the file where it cannot be written or read.
+    /// Writes a page, or compares it and prints the first line that differs. The error names the file where it cannot be written or
+    /// read.
     pub fn finish_page(self, page: &str) -> Result<ExitCode, String> {
         self.finish_showing(page.as_bytes(), |old| {
             let old = String::from_utf8_lossy(old);

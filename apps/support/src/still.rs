@@ -6,11 +6,7 @@ use std::collections::BTreeMap;
 use std::error::Error;
 
 /// Encodes a picture as a PNG file; equal pixels give equal bytes. Pictures of at most 256 colours have a palette, and of at
-/// most 16 half a byte per pixel.
-///
-/// # Errors
-///
-/// The number of pixels is not that of `size`.
+/// most 16 half a byte per pixel. Fails if the number of pixels is not that of `size`.
 pub fn png(size: Size, pixels: &[Rgb888]) -> Result<Vec<u8>, Box<dyn Error>> {
     let bytes = |c: Rgb888| [c.r(), c.g(), c.b()];
     let mut palette: BTreeMap<[u8; 3], u8> = pixels.iter().map(|&c| (bytes(c), 0)).collect();

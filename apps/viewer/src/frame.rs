@@ -4,16 +4,14 @@ use crate::firmware::{self, Oled, Sent};
 use crate::overlay;
 use crate::source::Source;
 use crate::state::{State, Thing};
-use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
+use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{DirtyRegions, Statistics, TransferCost};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_render::fog::FogStyle;
-use pinhole_render::paint::{Colour, Mode, Report, Style, Subject};
-use pinhole_render::picture::Format;
+use pinhole_render::paint::{paint, Mode, Report, Style, Subject};
 use pinhole_render::quantised::Quantised;
-use pinhole_render::style;
 
 /// Statistics of the last frame.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -89,11 +87,8 @@ impl Viewer {
         self.notice = Some(problem);
     }
 
-    /// Brings the display to a state: sends the areas that changed, band by band.
-    ///
-    /// # Errors
-    ///
-    /// A message that names the scene's file and says why it cannot be drawn.
+    /// Brings the display to a state: sends the areas that changed, band by band. The error names the scene's file and says why it
+    /// cannot be drawn.
     pub fn draw(&mut self, state: &State) -> Result<&Shown, String> {
         if !self.drawn.is_some_and(|drawn| drawn.draws_as(state)) {
             self.shown = match state.thing {
@@ -120,18 +115,6 @@ impl Viewer {
     }
 
     fn model(&mut self, state: &State) -> Result<Shown, String> {
-        match state.format {
-            Format::Rgb888 => self.send::<Rgb888>(state),
-            Format::Rgb666 => self.send::<Rgb666>(state),
-            Format::Rgb565 => self.send::<Rgb565>(state),
-            Format::Gray8 => self.send::<Gray8>(state),
-            Format::Gray4 => self.send::<Gray4>(state),
-            Format::Gray2 => self.send::<Gray2>(state),
-            Format::Mono => self.send::<BinaryColor>(state),
-        }
-    }
-
-    fn send<C: Colour>(&mut self, state: &State) -> Result<Shown, String> {
         let size = self.display.size();
         let scene = self.source.scene(state, size)?;
         let (quantised, used) = Quantised::settle(&scene)?;
@@ -144,7 +127,7 @@ impl Viewer {
             fog: state.fog.then_some(FogStyle::AUTO),
             translucency: state.translucency,
             smooth_lines: state.smooth_lines,
-            ..style::chosen(state.mode, state.format, None, None, state.dither)
+            ..Style::chosen(state.mode, state.format, None, None, state.dither)
         };
         let like = |drawn: State| {
             (drawn.thing, drawn.mode, drawn.format, drawn.smooth_lines)
@@ -153,8 +136,9 @@ impl Viewer {
         let Self { display, dirty, .. } = self;
         if !self.drawn.is_some_and(like) {
             // With another format or background the contents are unknown. Areas start and end at whole bytes.
-            let steps = (8 / C::FORMAT.bits().clamp(1, 8)) as u16;
-            let cost = TransferCost::new(C::FORMAT.bits(), TransferCost::MIPI_DCS);
+            let bits = state.format.bits();
+            let steps = (8 / bits.clamp(1, 8)) as u16;
+            let cost = TransferCost::new(bits, TransferCost::MIPI_DCS);
             *dirty = DirtyRegions::new(dirty.area(), cost).with_steps(steps, 1);
         }
         let mut areas = Vec::new();
@@ -164,9 +148,11 @@ impl Viewer {
             areas.clone()
         };
         let rows = state.rows.unwrap_or(size.height);
-        let report = C::paint(subject, (&used, &quantised), &style, rows, &mut plan, &mut |band| {
-            let Ok(()) = display.fill_contiguous(&band.area(), band.colors().map(Into::into));
-        })?;
+        let mut send = |area: Rectangle, colours: &mut dyn Iterator<Item = Rgb888>| {
+            let Ok(()) = display.fill_contiguous(&area, colours);
+        };
+        let scene = (&used, &quantised);
+        let report = paint(subject, scene, &style, state.format, rows, &mut plan, &mut send)?;
         let Report { statistics, sprites, bands, bytes, pixels } = report;
         let bytes = bytes + bands * usize::from(TransferCost::MIPI_DCS);
         Ok(Shown { statistics, sprites, problem: None, bands, pixels, bytes, areas })

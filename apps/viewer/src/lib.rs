@@ -19,11 +19,7 @@ pub use state::{Action, State};
 
 use pinhole_apps_support::{files, still};
 
-/// Writes a picture as a PNG file, completely or not at all.
-///
-/// # Errors
-///
-/// A message that names the file.
+/// Writes a picture as a PNG file, completely or not at all. The error names the file.
 pub fn write_png(
     file: &std::path::Path,
     size: embedded_graphics::geometry::Size,

@@ -35,11 +35,7 @@ pub struct Source {
 
 impl Source {
     /// Reads the files that `pinhole-render` reads: `.obj` and `.stl`, imported as the options say, or a scene (`.json`), which
-    /// is drawn as it stands.
-    ///
-    /// # Errors
-    ///
-    /// A message that names the file and the problem.
+    /// is drawn as it stands. The error names the file and the problem.
     pub fn read(file: &Path, options: &Options) -> Result<Self, String> {
         let before = Before::reading(file);
         let source = Self::unwatched(file, options)?;
@@ -143,11 +139,7 @@ impl Source {
         self.own.as_ref().map(|own| Size::new(own.width, own.height))
     }
 
-    /// Checks that an output is none of the input files.
-    ///
-    /// # Errors
-    ///
-    /// A message that names the output.
+    /// Checks that an output is none of the input files. The error names the output.
     pub fn apart_from(&self, output: &Path) -> Result<(), String> {
         let mut inputs = self.file.as_deref().into_iter().chain(self.beside());
         inputs.try_for_each(|input| files::apart(input, [output]))

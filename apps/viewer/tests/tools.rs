@@ -8,11 +8,11 @@ use pinhole_apps_support::bodies::{cuboid, gear, obj, reversed, stl, torus, Body
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_import::{Axis, Options};
 use pinhole_render::model::{self, Fit, Look};
-use pinhole_render::paint::{Mode, Subject};
+use pinhole_render::paint::{Mode, Style, Subject};
 use pinhole_render::picture::{picture, Format};
 use pinhole_render::projections::Named;
 use pinhole_render::quantised::Quantised;
-use pinhole_render::{firmware, import, style};
+use pinhole_render::{firmware, import};
 use pinhole_viewer::{Source, Viewer};
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -59,7 +59,7 @@ fn rendered(file: &Path, options: &Options) -> Result<(Vec<Rgb888>, Vec<String>)
         import::colors(&mut model),
         &look,
     )?)?;
-    let style = style::chosen(Mode::Solid, Format::Rgb888, None, None, false);
+    let style = Style::chosen(Mode::Solid, Format::Rgb888, None, None, false);
     let (pixels, _) =
         picture(&Subject::new(&used, Mode::Solid), (&used, &quantised), &style, Format::Rgb888)?;
     Ok((pixels, model.warnings.iter().map(ToString::to_string).collect()))

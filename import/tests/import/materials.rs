@@ -1,9 +1,7 @@
 //! Colours and texture coordinates of OBJ files, from the text to the generated source.
 
 use crate::common::{file, folder, obj_beside, said};
-use embedded_graphics::pixelcolor::Rgb888;
-use pinhole::{FaceColors, TextureCoords};
-use pinhole_import::{import, import_bytes, preview, Axis, ImportedMesh, Options};
+use pinhole_import::{import, import_bytes, preview, ImportedMesh, Options};
 use std::path::{Path, PathBuf};
 
 /// A tetrahedron of which each face has a texture coordinate of its own per corner: face i, corner k has (i/4, k/8).
@@ -215,46 +213,6 @@ fn more_than_256_colours_become_the_256_most_used() {
         let nearest = (44..300).map(|other| distance(exact(i), exact(other))).min().unwrap();
         assert_eq!(distance(found, exact(i)), nearest, "{i}");
         face += if i < 44 { 1 } else { 2 };
-    }
-}
-
-include!("generated/painted.rs");
-
-/// That `generated/painted.rs` compiles, and what it then is.
-#[test]
-fn the_source_holds_lists_that_stand_beside_the_mesh() {
-    let path = painted_file("materials-source", &painted());
-    let mesh = import(&path, &Options { up: Some(Axis::Y), ..Options::default() }).unwrap();
-    let command = "pinhole-import painted.obj -o painted.rs --name PAINTED --keep-order";
-    let text = mesh.to_rust_mesh("PAINTED", &path, command).unwrap();
-    if std::env::var_os("GENERATED").is_some() {
-        let here = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/import/generated/painted.rs");
-        std::fs::write(here, &text).unwrap();
-    }
-    assert!(
-        text == include_str!("generated/painted.rs"),
-        "GENERATED=1 cargo test -p pinhole-import writes it"
-    );
-    assert_eq!(PAINTED, mesh.mesh().unwrap());
-    let (colors, texture): (Option<FaceColors<'_>>, TextureCoords<'_>) = (PAINTED_COLORS, PAINTED_TEXTURE);
-    assert_eq!(colors, mesh.colors().unwrap());
-    let colors = colors.unwrap();
-    assert_eq!(colors.lit::<Rgb888>(1, 0), Rgb888::new(255, 102, 0));
-    assert_eq!(Some(texture), mesh.texture().unwrap());
-    assert_eq!(colors.faces().len() + texture.faces().len(), 2 * PAINTED.faces().len());
-    // Not the mesh's, so not in its size.
-    assert!(text.contains("`painted.obj`: 4 vertices, 4 faces, 6 edges; 96 bytes of flash."), "{text}");
-    assert!(text.contains("[`PAINTED`]: 2 colours, 1 of them emitting light; 16 bytes of flash."), "{text}");
-    assert!(text.contains("[`PAINTED`]: 12 pairs; 72 bytes of flash."), "{text}");
-    let lists = mesh.to_rust("a test");
-    for list in [
-        "PALETTE: [[u8; 3]; 2]",
-        "FACE_COLORS: [u8; 4]",
-        "EMISSION: [[u8; 3]; 2]",
-        "TEXTURE_COORDS: [[i16; 2]; 12]",
-        "TEXTURE_FACES: [[u16; 3]; 4]",
-    ] {
-        assert!(lists.contains(&format!("pub const {list} = [")), "{list}\n{lists}");
     }
 }
 

@@ -1,85 +1,14 @@
 //! OBJ files as they come, sound and broken. `fuzz/main.rs` has stranger ones.
 
 use crate::common::Random;
-use pinhole_import::{quantise, read, read_obj, ImportError, ImportedMesh, Problem, Remedy, Triangles};
-use std::collections::HashSet;
+use pinhole_apps_support::bodies::{cuboid, stl};
+use pinhole_import::{
+    quantise, read, read_obj, read_stl, ImportError, ImportedMesh, Problem, Remedy, Triangles,
+};
 use std::path::Path;
 
 fn import(text: &str) -> Result<ImportedMesh, ImportError> {
     read_obj(text.as_bytes(), Path::new("model.obj"))
-}
-
-/// A cube of side 2 of quads, counter-clockwise seen from outside, with eight vertices.
-const CUBE: &str = "
-v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1
-f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8
-";
-
-/// `CUBE`, with four separate vertices for each quad.
-fn cube_of_loose_quads() -> String {
-    let vertices: Vec<&str> = CUBE.lines().filter(|l| l.starts_with('v')).collect();
-    let mut text = String::new();
-    for face in CUBE.lines().filter_map(|l| l.strip_prefix("f ")) {
-        for index in face.split(' ') {
-            text += vertices[index.parse::<usize>().unwrap() - 1];
-            text += "\n";
-        }
-        text += "f -4 -3 -2 -1\n";
-    }
-    text
-}
-
-fn assert_is_the_cube(cube: &ImportedMesh) {
-    let counts = (cube.vertices.len(), cube.edges.len(), cube.faces.len());
-    assert_eq!(counts, (8, 18, 12), "Euler: 8 - 18 + 12 = 2");
-    assert_eq!(cube.topology(), Default::default());
-    // A half extent of 1 is 2^14 steps of 2^-14, the most that fits.
-    assert_eq!(cube.exponent, -14);
-    assert!(cube.vertices.iter().flatten().all(|c| c.abs() == 16384));
-    assert_eq!(cube.volume(), 8.0);
-    assert_eq!(cube.offset, [0.0; 3]);
-    assert_eq!(cube.report.error, 0.0);
-    for axis in 0..3 {
-        for sign in [-1, 1] {
-            let mut normal = [0; 3];
-            normal[axis] = sign * 32767;
-            assert_eq!(cube.normals.iter().filter(|n| **n == normal).count(), 2);
-        }
-    }
-    for (face, normal) in cube.faces.iter().zip(&cube.normals) {
-        let axis = normal.iter().position(|&c| c != 0).unwrap();
-        for &corner in face {
-            let side = cube.vertices[usize::from(corner)][axis].signum();
-            assert_eq!(side, normal[axis].signum(), "normals point outwards");
-        }
-    }
-}
-
-#[test]
-fn text_in_utf16_is_read() {
-    let units = || "\u{feff}".encode_utf16().chain(CUBE.encode_utf16());
-    let little: Vec<u8> = units().flat_map(u16::to_le_bytes).collect();
-    let big: Vec<u8> = units().flat_map(u16::to_be_bytes).collect();
-    for bytes in [little, big] {
-        assert_is_the_cube(&read_obj(&bytes, Path::new("model.obj")).unwrap());
-    }
-}
-
-#[test]
-fn a_cube_is_welded_and_its_edges_are_unique() {
-    let cube = import(CUBE).unwrap();
-    assert_is_the_cube(&cube);
-    assert_eq!(cube.report.welded, 0);
-    let loose = import(&cube_of_loose_quads()).unwrap();
-    assert_is_the_cube(&loose);
-    assert_eq!((loose.report.vertices_read, loose.report.welded), (24, 16));
-
-    assert!(cube.edges.iter().all(|[a, b]| a < b));
-    assert!(cube.edges.is_sorted());
-    assert_eq!(cube.edges.iter().collect::<HashSet<_>>().len(), 18);
-    assert_eq!(cube.mesh().unwrap().faces(), cube.faces);
-    // Where nothing else ends lines, carriage returns do.
-    assert_eq!(import(&CUBE.replace('\n', "\r")).unwrap(), cube);
 }
 
 /// The line that a warning tells a program, of those that have one.
@@ -96,6 +25,12 @@ fn warnings_have_lines() {
         assert_eq!(mesh.warnings[0].line(), Some(line), "{text}");
     }
     assert_eq!(import("f 1\nv 0 x 0\n").unwrap_err().line, Some(2));
+    // Of a text without its end the last line, and of a binary file none.
+    let facet = "facet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+    let binary = stl(&cuboid([1.0; 3])[..11]);
+    for (bytes, line) in [(format!("solid\n{facet}").as_bytes(), Some(8)), (&binary, None)] {
+        assert_eq!(read_stl(bytes, Path::new("model.stl")).unwrap().warnings[0].line(), line);
+    }
 }
 
 /// The largest distance along an axis from a position to its vertex, by search.

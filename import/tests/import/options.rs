@@ -2,10 +2,9 @@
 
 use crate::common::{obj, position, Random};
 use pinhole::MeshError;
+use pinhole_apps_support::bodies;
 use pinhole_import::{Centre, Edges, ImportedMesh, Options, Warning};
-use std::collections::{BTreeSet, HashMap, HashSet};
-
-const NO_FACE: u16 = pinhole::Mesh::<i16>::NO_FACE;
+use std::collections::{HashMap, HashSet};
 
 /// A block of 4 × 2 × 1 from the origin, with z upwards, of quads, counter-clockwise seen from outside.
 const BLOCK: &str = "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 0 2 0\nv 0 0 1\nv 4 0 1\nv 4 2 1\nv 0 2 1\n\
@@ -250,63 +249,6 @@ fn planes_are_those_of_the_finished_mesh() {
     assert!(plain.mesh().unwrap().planes().is_empty() && !Options::default().planes);
 }
 
-/// The offset that is written is what was subtracted, or it is not written.
-#[test]
-fn offsets_are_what_was_subtracted() {
-    let small = "v .30001 .4 .5\nv .30601 .4 .5\nv .30001 .407 .5\nv .30001 .4 .508\n";
-    let far = "v 32767.3 0 0\nv 32767.9 1 0\nv 32767.5 .5 .3\nv 32767.4 .2 .1\n";
-    let plain = "v 1 2 3\nv 5 2 3\nv 1 9 3\nv 1 2 4\n";
-    for (name, vertices, is_held) in [("small", small, false), ("far", far, false), ("plain", plain, true)] {
-        let text = format!("{vertices}f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
-        let mesh = obj(&text, &Options::default()).unwrap();
-        let written = mesh.to_rust("a test").contains("pub const OFFSET");
-        assert_eq!(
-            (written, mesh.to_rust_mesh("M", "model.obj".as_ref(), "a test").unwrap().contains("M_OFFSET")),
-            (is_held, is_held),
-            "{name}"
-        );
-    }
-}
-
-/// The ends of the edges in the file's units, the lower one first.
-fn edges(mesh: &ImportedMesh) -> BTreeSet<[[i32; 3]; 2]> {
-    let end = |vertex: u16| position(mesh, vertex).map(|c| c.round() as i32);
-    mesh.edges.iter().map(|&[a, b]| [end(a).min(end(b)), end(a).max(end(b))]).collect()
-}
-
-#[test]
-fn lines_beside_faces_are_edges() {
-    // To a point above the box, along the diagonal of a side, and along a side's edge.
-    let lines = "v 2 1 6\nl 7 9\nl 5 9\nl 5 7\nl 1 2\n";
-    let text = format!("{BLOCK}{lines}");
-    let without = obj(BLOCK, &Options::default()).unwrap();
-    let mesh = obj(&text, &Options::default()).unwrap();
-    let [above, corner, far] = [[2, 1, 6], [0, 0, 1], [4, 2, 1]];
-    let lone = [[corner.min(above), corner.max(above)], [above, far]];
-    assert_eq!(edges(&mesh), &edges(&without) | &BTreeSet::from(lone));
-    assert_eq!((mesh.vertices.len(), mesh.report.extent), (9, 6.0));
-
-    let feature = Options { edges: Edges::Feature { degrees: 30.0 }, edge_faces: true, ..Options::default() };
-    let mesh = obj(&text, &feature).unwrap();
-    assert_eq!(mesh.edges.len(), 12 + 3, "the lines, and no diagonal but the one that is a line");
-    assert!(mesh.edges.is_sorted() && mesh.mesh().is_ok());
-    let lone = mesh.edge_faces.iter().filter(|beside| **beside == [NO_FACE; 2]).count();
-    assert_eq!((lone, mesh.edge_faces.iter().flatten().filter(|&&face| face == NO_FACE).count()), (2, 4));
-
-    let none = obj(&text, &Options { edges: Edges::None, ..Options::default() }).unwrap();
-    assert_eq!((none.vertices.len(), none.edges.len()), (8, 0));
-}
-
-/// A box from one corner to the other, with eight vertices.
-fn cuboid(low: [f64; 3], high: [f64; 3]) -> String {
-    let mut text = String::new();
-    for corner in 0..8 {
-        let at = [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { low[axis] } else { high[axis] });
-        text += &format!("v {} {} {}\n", at[0], at[1], at[2]);
-    }
-    text + "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n"
-}
-
 /// The positions of vertices in units of 2^-48, exactly.
 fn positions(mesh: &ImportedMesh) -> Vec<[i128; 3]> {
     let bits = |number: f64| {
@@ -335,9 +277,13 @@ fn parts_of_one_step_share_their_corners() {
         let low = [(); 3].map(|()| (steps(1e4) - 5e3 + 0.5) * step);
         let wide = (steps(5e3) + 1.0) * step;
         let shared = low[0] + wide;
-        let high = [shared, low[1] + wide, low[2] + wide];
-        let left = cuboid(low, high);
-        let right = cuboid([shared, low[1], low[2]], [shared + 3.0 * wide, high[1], high[2]]);
+        let part = |size: [f64; 3], low: [f64; 3]| {
+            bodies::obj(&bodies::moved(&bodies::cuboid(size), |at| {
+                [0, 1, 2].map(|axis| low[axis] + at[axis])
+            }))
+        };
+        let left = part([wide; 3], low);
+        let right = part([3.0 * wide, wide, wide], [shared, low[1], low[2]]);
         for centre in [Centre::Box, Centre::Origin] {
             let options = Options { step: Some(step), centre, ..Options::default() };
             let [left, right] = [&left, &right].map(|text| obj(text, &options).unwrap());

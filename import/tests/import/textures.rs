@@ -453,12 +453,12 @@ fn colours_are_rounded_as_embedded_graphics_rounds_them() {
 
 include!("generated/textured.rs");
 
-/// That `generated/textured.rs` compiles, and that the library draws its picture: each pixel shows the texel of a ray in f64, or
-/// one that is no further from it than the library's documentation says.
+/// That `generated/textured.rs` compiles, what it then is, and that the library draws its picture: each pixel shows the texel of a ray
+/// in f64, or one that is no further from it than the library's documentation says.
 #[test]
 fn the_source_is_drawn_without_conversion() {
     let sixteen = Image::from_fn(16, 8, |x, y| [x as u8 % 4 * 64, y as u8 % 4 * 64, 255]);
-    let path = square("drawn", "map_Kd sixteen.png", "sixteen.png", sixteen);
+    let path = square("drawn", "map_Kd sixteen.png\nKe 1.5 .4 0", "sixteen.png", sixteen);
     let mesh = import(&path, &with(16)).unwrap();
     let command = "pinhole-import square.obj -o textured.rs --name TEXTURED --texture 16 --keep-order";
     let text = mesh.to_rust_mesh("TEXTURED", &path, command).unwrap();
@@ -470,6 +470,18 @@ fn the_source_is_drawn_without_conversion() {
         text == include_str!("generated/textured.rs"),
         "GENERATED=1 cargo test -p pinhole-import writes it"
     );
+    assert_eq!(TEXTURED, mesh.mesh().unwrap());
+    assert_eq!((TEXTURED_COLORS, Some(TEXTURED_TEXTURE)), (mesh.colors().unwrap(), mesh.texture().unwrap()));
+    // More light than full is full.
+    assert_eq!(TEXTURED_COLORS.unwrap().lit::<Rgb888>(1, 0), Rgb888::new(255, 102, 0));
+    // A colour and its light, and two indices; four pairs, and six indices. They are not the mesh's, so not in its size.
+    for size in [
+        "4 vertices, 2 faces, 5 edges; 68 bytes of flash.",
+        "1 colours, 1 of them emitting light; 8 bytes of flash.",
+        "4 pairs; 28 bytes of flash.",
+    ] {
+        assert!(text.contains(size), "{text}");
+    }
 
     const SIDE: u32 = 64;
     const EYE: [f64; 3] = [1.5, 1.0, 2.5];

@@ -25,7 +25,7 @@ pub const TEXTURED: pinhole::Mesh<'static> = {
     mesh
 };
 
-/// The colours of the faces of [`TEXTURED`]: 1 colours; 5 bytes of flash.
+/// The colours of the faces of [`TEXTURED`]: 1 colours, 1 of them emitting light; 8 bytes of flash.
 #[rustfmt::skip]
 #[allow(dead_code, unreachable_pub)] // what is not used is not in the flash
 pub const TEXTURED_COLORS: Option<pinhole::FaceColors<'static>> = {
@@ -35,7 +35,11 @@ pub const TEXTURED_COLORS: Option<pinhole::FaceColors<'static>> = {
     static FACES: [u8; 2] = [
         0, 0,
     ];
+    static EMISSION: [[u8; 3]; 1] = [
+        [255,102,0],
+    ];
     let Ok(colors) = pinhole::FaceColors::new(&PALETTE, &FACES) else { panic!() };
+    let Ok(colors) = colors.with_emission(&EMISSION) else { panic!() };
     Some(colors)
 };
 
