@@ -1,5 +1,5 @@
 use crate::host::shown;
-use crate::remedy::{Remedy, Said};
+use crate::remedy::{messages, said, Remedy, Said};
 use crate::warning::{Warning, MOST_FACES};
 use std::error::Error;
 use std::fmt;
@@ -18,58 +18,80 @@ pub struct ImportError {
     pub problem: Problem,
 }
 
-/// The problems that a model can have.
-#[derive(Debug)]
-#[allow(missing_docs)] // of fields: said with each variant
-#[non_exhaustive]
-pub enum Problem {
-    /// The file cannot be opened or read.
-    Read(std::io::Error),
-    /// The Rust file cannot be written.
-    Write(std::io::Error),
-    /// The file's extension is none that this crate reads.
-    UnknownFormat,
-    /// The file has more bytes than this crate reads, 2³⁰.
-    TooLarge,
-    /// A line cannot be understood; the text says what was expected.
-    Syntax(&'static str),
-    /// The file cannot be understood; the text is its parser's.
-    Format(String),
-    /// The file should be text, but is binary: this byte, counted from 0, is the first that is zero.
-    NotText { byte: usize },
-    /// The file ends too soon: by what it says it needs more bytes than are given. The first one missing, counted from 0, is byte `given`.
-    Truncated { needed: u64, given: u64 },
-    /// A face names a vertex that the file does not have.
-    NoSuchVertex,
-    /// A coordinate is NaN or infinite, or becomes so when it is divided by its `w`.
-    NotFinite,
-    /// The coordinate of a binary file that begins with this byte, counted from 0, is NaN or infinite.
-    NotFiniteAt { byte: usize },
-    /// The model has no face, and no line.
-    NoFaces,
-    /// An object of this name is wanted ([`Options::objects`](crate::Options::objects)), but the file has those of these names.
-    NoSuchObject { name: String, names: Vec<String> },
-    /// The model does not fit the grid of [`Options::step`](crate::Options::step); the finest that it fits has a step of 2 to
-    /// this power.
-    Step(i8),
-    /// None of the model's faces, as many as this, has an area.
-    NoArea(usize),
-    /// All of the model's faces, as many as this, lose their area by rounding to the grid.
-    TooThin(usize),
-    /// More vertices than `u16` indices can name (65 536), after welding.
-    TooManyVertices(usize),
-    /// More faces than can be named beside an edge (65 535).
-    TooManyFaces(usize),
-    /// The largest extent (in model units) is beyond what an exponent of `i8` can scale.
-    Extent(f64),
-    /// The step of the grid, 2 to this power, is beyond what a mesh may have.
-    Exponent(i8),
-    /// An option has a value that makes no sense; the text says which.
-    Options(&'static str),
-    /// A texture is wanted of a build that reads no pictures.
-    NoTextures,
-    /// Decimation is wanted of a build without it.
-    NoDecimation,
+messages! {
+    /// The problems that a model can have.
+    #[derive(Debug)]
+    #[allow(missing_docs)] // of fields: said with each variant
+    #[non_exhaustive]
+    pub enum Problem {
+        /// The file cannot be opened or read.
+        Read(error: std::io::Error) => ["cannot be read: {error}"]
+        /// The Rust file cannot be written.
+        Write(error: std::io::Error) => ["cannot be written: {error}"]
+        /// The file's extension is none that this crate reads.
+        UnknownFormat => ["is not a model this program reads: ", ExportFormat]
+        /// The file has more bytes than this crate reads, 2³⁰.
+        TooLarge => ["has more than 1 GiB: ", ReduceModel]
+        /// A line cannot be understood; the text says what was expected.
+        Syntax(what: &'static str) => ["{what}"]
+        /// The file cannot be understood; the text is its parser's.
+        Format(what: String) => ["{what}"]
+        /// The file should be text, but is binary: this byte, counted from 0, is the first that is zero.
+        NotText { byte: usize } => ["is binary, not text, as byte {byte} is zero: ", ExportFormat]
+        /// The file ends too soon: by what it says it needs more bytes than are given. The first one missing, counted from 0, is byte `given`.
+        Truncated { needed: u64, given: u64 } => {
+            let what = match given {
+                0 => "is empty: ".into(),
+                _ => format!("ends before byte {given}, but should have {needed} bytes: "),
+            };
+            Said::new(what, [CopyAgain])
+        }
+        /// A face names a vertex that the file does not have.
+        NoSuchVertex => ["the face names a vertex that does not exist"]
+        /// A coordinate is NaN or infinite, or becomes so when it is divided by its `w`.
+        NotFinite => ["a coordinate is not a finite number: ", Repair]
+        /// The coordinate of a binary file that begins with this byte, counted from 0, is NaN or infinite.
+        NotFiniteAt { byte: usize } => ["the coordinate at byte {byte} is not a finite number: ", Repair]
+        /// The model has no face, and no line.
+        NoFaces => ["has no faces: ", ExportMesh]
+        /// An object of this name is wanted ([`Options::objects`](crate::Options::objects)), but the file has those of these names.
+        NoSuchObject { name: String, names: Vec<String> } => {
+            let others = match names.is_empty() {
+                true => ", as none has a name".into(),
+                false => format!("; its objects and groups are {}", names.join(", ")),
+            };
+            Said::new(format!("has no object {name}{others}"), [])
+        }
+        /// The model does not fit the grid of [`Options::step`](crate::Options::step); the finest that it fits has a step of 2 to
+        /// this power.
+        Step(finest: i8) => ["does not fit the grid: the finest step that it fits is 2^{finest}: ", Step(*finest)]
+        /// None of the model's faces, as many as this, has an area.
+        NoArea(faces: usize) => ["has no face with an area, as all {faces} are points or lines: ", ExportMesh]
+        /// All of the model's faces, as many as this, lose their area by rounding to the grid.
+        TooThin(faces: usize) => [
+            "has no face with an area on a grid of at most 65535 steps along its longest side, as all {faces} are thinner than a step: ",
+            SplitModel, LeaveOutFar
+        ]
+        /// More vertices than `u16` indices can name (65 536), after welding.
+        TooManyVertices(n: usize) => ["has {n} vertices, more than the 65536 of a mesh: ", Decimate(MOST_FACES), SplitModel]
+        /// More faces than can be named beside an edge (65 535).
+        TooManyFaces(n: usize) => [
+            "has {n} faces, more than the 65535 that can be named beside edges: ", NoEdgeFaces, Decimate(MOST_FACES)
+        ]
+        /// The largest extent (in model units) is beyond what an exponent of `i8` can scale.
+        Extent(extent: f64) => ["has an extent of {extent:e}, out of range: ", OtherUnit, Fit]
+        /// The step of the grid, 2 to this power, is beyond what a mesh may have.
+        Exponent(exponent: i8) => ["needs a step of 2^{exponent}, but a mesh has 2^-32 to 2^15: ", OtherUnit, Fit]
+        /// An option has a value that makes no sense; the text says which.
+        Options(what: &'static str) => ["{what}"]
+        /// A texture is wanted of a build that reads no pictures.
+        NoTextures => ["has a texture, but this build reads no pictures: ", Feature("textures")]
+        /// Decimation is wanted of a build without it.
+        NoDecimation => {
+            let what = Said::new("cannot be decimated by this build: ", [Feature("decimate")]);
+            Said { then: ", which needs a C++ compiler", ..what }
+        }
+    }
 }
 
 impl Problem {
@@ -78,94 +100,10 @@ impl Problem {
         ImportError { file: file.to_owned(), line, problem: self }
     }
 
-    /// What to do about it: alternatives.
-    pub fn remedies(&self) -> Vec<Remedy> {
-        self.said().remedies
-    }
-
-    /// The message in one line, with the remedies in a program's own words: imperatives such as "use --flip".
-    pub fn worded(&self, words: impl Fn(Remedy) -> String) -> String {
-        self.said().worded(words)
-    }
-
     /// The warning of a program that shows the model all the same.
     pub(crate) fn as_warning(&self) -> Warning {
         let Said { what, remedies, .. } = self.said();
         Warning::NotForFirmware { problem: what, remedies }
-    }
-
-    pub(crate) fn said(&self) -> Said {
-        use Remedy as R;
-        match self {
-            Problem::Read(error) => format!("cannot be read: {error}").into(),
-            Problem::Write(error) => format!("cannot be written: {error}").into(),
-            Problem::UnknownFormat => Said::new("is not a model this program reads: ", [R::ExportFormat]),
-            Problem::TooLarge => Said::new("has more than 1 GiB: ", [R::ReduceModel]),
-            Problem::Syntax(what) | Problem::Options(what) => (*what).into(),
-            Problem::Format(what) => what.clone().into(),
-            Problem::NotText { byte } => {
-                Said::new(format!("is binary, not text, as byte {byte} is zero: "), [R::ExportFormat])
-            }
-            Problem::Truncated { given: 0, .. } => Said::new("is empty: ", [R::CopyAgain]),
-            Problem::Truncated { needed, given } => Said::new(
-                format!("ends before byte {given}, but should have {needed} bytes: "),
-                [R::CopyAgain],
-            ),
-            Problem::NoSuchVertex => "the face names a vertex that does not exist".into(),
-            Problem::NotFinite => Said::new("a coordinate is not a finite number: ", [R::Repair]),
-            Problem::NotFiniteAt { byte } => {
-                Said::new(format!("the coordinate at byte {byte} is not a finite number: "), [R::Repair])
-            }
-            Problem::NoFaces => Said::new("has no faces: ", [R::ExportMesh]),
-            Problem::NoSuchObject { name, names } if names.is_empty() => {
-                format!("has no object {name}, as none has a name").into()
-            }
-            Problem::NoSuchObject { name, names } => {
-                format!("has no object {name}; its objects and groups are {}", names.join(", ")).into()
-            }
-            Problem::Step(finest) => Said::new(
-                format!("does not fit the grid: the finest step that it fits is 2^{finest}: "),
-                [R::Step(*finest)],
-            ),
-            Problem::NoArea(faces) => Said::new(
-                format!("has no face with an area, as all {faces} are points or lines: "),
-                [R::ExportMesh],
-            ),
-            Problem::TooThin(faces) => Said::new(
-                format!(
-                    "has no face with an area on a grid of at most 65535 steps along its longest side, as all {faces} are thinner than a step: "
-                ),
-                [R::SplitModel, R::LeaveOutFar],
-            ),
-            Problem::TooManyVertices(n) => Said::new(
-                format!("has {n} vertices, more than the 65536 of a mesh: "),
-                [R::Decimate(MOST_FACES), R::SplitModel],
-            ),
-            Problem::TooManyFaces(n) => Said::new(
-                format!("has {n} faces, more than the 65535 that can be named beside edges: "),
-                [R::NoEdgeFaces, R::Decimate(MOST_FACES)],
-            ),
-            Problem::Extent(extent) => {
-                Said::new(format!("has an extent of {extent:e}, out of range: "), [R::OtherUnit, R::Fit])
-            }
-            Problem::Exponent(exponent) => Said::new(
-                format!("needs a step of 2^{exponent}, but a mesh has 2^-32 to 2^15: "),
-                [R::OtherUnit, R::Fit],
-            ),
-            Problem::NoTextures => {
-                Said::new("has a texture, but this build reads no pictures: ", [R::Feature("textures")])
-            }
-            Problem::NoDecimation => Said {
-                then: ", which needs a C++ compiler",
-                ..Said::new("cannot be decimated by this build: ", [R::Feature("decimate")])
-            },
-        }
-    }
-}
-
-impl fmt::Display for Problem {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.worded(|remedy| remedy.to_string()))
     }
 }
 

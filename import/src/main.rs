@@ -5,7 +5,8 @@ use clap::parser::ValueSource;
 use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
 use indicatif::{ProgressBar, ProgressStyle};
 use pinhole_import::host::{self, complain, say, warn};
-use pinhole_import::{arguments, Centre, Edges, ImportedMesh, Options, Step, TextureFormat};
+use pinhole_import::{arguments, Centre, Edges, ImportedMesh, IndexedPicture, Options, Report};
+use pinhole_import::{Step, TextureFormat, Topology};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
@@ -224,53 +225,33 @@ fn command_line(paths: [&Path; 3]) -> String {
 }
 
 fn report(mesh: &ImportedMesh) -> String {
-    let (report, topology) = (mesh.report, mesh.topology());
+    let Report { vertices_read, faces_read, welded, welded_by_quantising, .. } = mesh.report;
+    let Report { degenerate, duplicate, unused, extent, error, fetches: [before, after], .. } = mesh.report;
+    let Report { reversed, backs, decimated, decimation_error, .. } = mesh.report;
+    let Topology { open, crowded, twisted } = mesh.topology();
+    let (size, exponent, centre, volume) = (mesh.size(), mesh.exponent, mesh.offset, mesh.volume());
     let mut text = format!(
-        "{}\n\
-         read {} vertices and {} triangles; merged {} duplicate vertices ({} after rounding); dropped {} degenerate and {} duplicate faces, {} unused vertices\n\
-         step 2^{}; extent {}, largest error of a coordinate {:.3e}; centre {:?}; volume {:.6}\n\
-         edges: {} open, {} in more than two faces, {} between faces of opposite winding\n\
-         vertices fetched for a face, with a cache of 16: {:.2} in the file's order, {:.2} in the mesh's",
-        mesh.size(),
-        report.vertices_read,
-        report.faces_read,
-        report.welded,
-        report.welded_by_quantising,
-        report.degenerate,
-        report.duplicate,
-        report.unused,
-        mesh.exponent,
-        report.extent,
-        report.error,
-        mesh.offset,
-        mesh.volume(),
-        topology.open,
-        topology.crowded,
-        topology.twisted,
-        report.fetches[0],
-        report.fetches[1],
+        "{size}\n\
+         read {vertices_read} vertices and {faces_read} triangles; merged {welded} duplicate vertices ({welded_by_quantising} after rounding); dropped {degenerate} degenerate and {duplicate} duplicate faces, {unused} unused vertices\n\
+         step 2^{exponent}; extent {extent}, largest error of a coordinate {error:.3e}; centre {centre:?}; volume {volume:.6}\n\
+         edges: {open} open, {crowded} in more than two faces, {twisted} between faces of opposite winding\n\
+         vertices fetched for a face, with a cache of 16: {before:.2} in the file's order, {after:.2} in the mesh's"
     );
-    if let Some(picture) = &mesh.picture {
+    if let Some(picture @ IndexedPicture { width, height, palette, error, .. }) = &mesh.picture {
+        let (colours, bytes) = (palette.len(), picture.flash_bytes());
         text += &format!(
-            "\ntexture of {} x {} texels, {} colours: {} bytes of flash; largest error of a channel {} of 255",
-            picture.width,
-            picture.height,
-            picture.palette.len(),
-            picture.flash_bytes(),
-            picture.error
+            "\ntexture of {width} x {height} texels, {colours} colours: {bytes} bytes of flash; largest error of a channel {error} of 255"
         );
     }
-    if report.reversed > 0 {
-        text += &format!("\nreversed {} faces", report.reversed);
+    if reversed > 0 {
+        text += &format!("\nreversed {reversed} faces");
     }
-    if report.backs > 0 {
-        text += &format!("\nadded {} backs of faces", report.backs);
+    if backs > 0 {
+        text += &format!("\nadded {backs} backs of faces");
     }
-    if report.decimated > 0 {
-        let moved = report.decimation_error;
+    if decimated > 0 {
         text += &format!(
-            "\ndecimation took {} faces away, and moved the surface by about {moved:.1e}",
-            report.decimated
+            "\ndecimation took {decimated} faces away, and moved the surface by about {decimation_error:.1e}"
         );
     }
     text

@@ -1,6 +1,8 @@
 //! The picture of a material as texels that name colours of a palette.
 
 use crate::materials::Pictures;
+#[cfg(feature = "textures")]
+use crate::pixels::indexed;
 use crate::{rust, Problem, TextureFormat, Warning};
 use std::path::PathBuf;
 
@@ -105,6 +107,9 @@ pub(crate) fn channels(path: &str) -> Option<Channels> {
     is_path.then_some(Channels { is_gray, max, bits })
 }
 
+/// The picture, but for its file's name, or why it is none.
+pub(crate) type Indexed = Result<IndexedPicture, String>;
+
 /// Reads the picture that the materials name, in the format, and its path. What is doubtful is a warning.
 pub(crate) fn read(
     pictures: Pictures,
@@ -130,7 +135,7 @@ pub(crate) fn read(
         }
         None => return Ok(None), // not wanted
     };
-    match decode::indexed(name, &bytes, format, warnings)? {
+    match indexed(name, &bytes, format, warnings)? {
         Ok(picture) => {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             let name = rust::one_line(&name).replace('`', "'");
@@ -143,101 +148,8 @@ pub(crate) fn read(
     }
 }
 
+/// A build that reads no pictures.
 #[cfg(not(feature = "textures"))]
-mod decode {
-    use super::IndexedPicture;
-    use crate::{Problem, TextureFormat, Warning};
-
-    pub(super) fn indexed(
-        _: &str,
-        _: &[u8],
-        _: &TextureFormat,
-        _: &mut Vec<Warning>,
-    ) -> Result<Result<IndexedPicture, String>, Problem> {
-        Err(Problem::NoTextures)
-    }
-}
-
-#[cfg(feature = "textures")]
-mod decode {
-    use super::IndexedPicture;
-    use crate::{pixels, Problem, TextureFormat, Warning};
-    use std::collections::BTreeMap;
-
-    /// The picture, but for its file's name, or why it is none. What was done to it is a warning, which has its name in the materials.
-    pub(super) fn indexed(
-        named: &str,
-        bytes: &[u8],
-        format: &TextureFormat,
-        warnings: &mut Vec<Warning>,
-    ) -> Result<Result<IndexedPicture, String>, Problem> {
-        let read = match pixels::read(bytes) {
-            Ok(read) => read,
-            Err(problem) => return Ok(Err(problem)),
-        };
-        let named = || named.to_string();
-        let transparent = read.colors.iter().filter(|color| color[3] < 255).count();
-        if transparent > 0 {
-            warnings.push(Warning::PictureTransparent { name: named(), pixels: transparent });
-        }
-        let (from, to) = ([read.width, read.height], [side(read.width), side(read.height)]);
-        let mut pixels: Vec<[u8; 3]> = read.colors.iter().map(|&[r, g, b, _]| [r, g, b]).collect();
-        if from != to {
-            warnings.push(Warning::PictureResized { name: named(), from, to });
-            pixels = pixels::resampled(&pixels, from, to);
-        }
-        let (palette, indices, all) = reduce(&pixels, format.colors);
-        let difference = |(pixel, &index): (&[u8; 3], &u8)| {
-            let color = palette[usize::from(index)];
-            (0..3).map(|i| pixel[i].abs_diff(color[i])).max().unwrap_or_default()
-        };
-        let error = pixels.iter().zip(&indices).map(difference).max().unwrap_or_default();
-        if all > format.colors {
-            warnings.push(Warning::PictureColors { name: named(), count: all, kept: format.colors, error });
-        }
-        let bits = format.colors.ilog2(); // 1, 2, 4 or 8
-        let texels = indices
-            .chunks(8 / bits as usize)
-            .map(|texels| texels.iter().fold(0u32, |byte, &texel| byte << bits | u32::from(texel)) as u8)
-            .collect();
-        let name = String::new();
-        let color = format.color.clone();
-        let [width, height] = to;
-        Ok(Ok(IndexedPicture { name, width, height, palette, texels, color, error }))
-    }
-
-    /// The power of two of 8 to 256 next to a side, the larger one from √2 of the smaller on.
-    fn side(given: usize) -> usize {
-        [8, 16, 32, 64, 128].into_iter().find(|&side| given * given < 2 * side * side).unwrap_or(256)
-    }
-
-    /// A palette of at most `most` colours, the index of each pixel's colour in it, and the number of colours of the picture. If
-    /// the palette holds them, its colours are those of the picture, by their first use; otherwise NeuQuant (Dekker 1994) finds
-    /// them.
-    fn reduce(pixels: &[[u8; 3]], most: usize) -> (Vec<[u8; 3]>, Vec<u8>, usize) {
-        let mut numbers = BTreeMap::new();
-        let mut palette = Vec::new();
-        for &pixel in pixels {
-            numbers.entry(pixel).or_insert_with(|| {
-                palette.push(pixel);
-                palette.len() - 1
-            });
-        }
-        let all = palette.len();
-        if all > most {
-            let rgba: Vec<u8> = pixels.iter().flat_map(|&[r, g, b]| [r, g, b, 255]).collect();
-            let found = color_quant::NeuQuant::new(1, most, &rgba).color_map_rgb();
-            palette = found.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
-            palette.truncate(most);
-            let distance =
-                |a: [u8; 3], b: [u8; 3]| (0..3).map(|i| u32::from(a[i].abs_diff(b[i])).pow(2)).sum::<u32>();
-            for (&pixel, number) in &mut numbers {
-                let nearest = (0..palette.len()).min_by_key(|&i| distance(palette[i], pixel));
-                *number = nearest.unwrap_or_default();
-            }
-        }
-        let indices = pixels.iter().map(|pixel| numbers[pixel] as u8).collect(); // below 256
-        palette.resize(most, [0; 3]);
-        (palette, indices, all)
-    }
+fn indexed(_: &str, _: &[u8], _: &TextureFormat, _: &mut Vec<Warning>) -> Result<Indexed, Problem> {
+    Err(Problem::NoTextures)
 }

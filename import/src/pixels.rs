@@ -1,5 +1,8 @@
-//! The pixels of PNG and BMP files, and pictures of another size.
+//! The pixels of PNG and BMP files, pictures of another size, and palettes.
 
+use crate::picture::Indexed;
+use crate::{IndexedPicture, Problem, TextureFormat, Warning};
+use std::collections::BTreeMap;
 use std::io::Cursor;
 
 /// The longest side of a picture that is read: more would take minutes, and memory.
@@ -21,6 +24,83 @@ pub(crate) fn read(file: &[u8]) -> Result<Pixels, String> {
     } else {
         Err("is neither PNG nor BMP: convert it".into())
     }
+}
+
+/// The picture in the format. What was done to it is a warning, which has its name in the materials.
+pub(crate) fn indexed(
+    named: &str,
+    bytes: &[u8],
+    format: &TextureFormat,
+    warnings: &mut Vec<Warning>,
+) -> Result<Indexed, Problem> {
+    let picture = match read(bytes) {
+        Ok(picture) => picture,
+        Err(problem) => return Ok(Err(problem)),
+    };
+    let named = || named.to_string();
+    let transparent = picture.colors.iter().filter(|color| color[3] < 255).count();
+    if transparent > 0 {
+        warnings.push(Warning::PictureTransparent { name: named(), pixels: transparent });
+    }
+    let (from, to) = ([picture.width, picture.height], [side(picture.width), side(picture.height)]);
+    let mut pixels: Vec<[u8; 3]> = picture.colors.iter().map(|&[r, g, b, _]| [r, g, b]).collect();
+    if from != to {
+        warnings.push(Warning::PictureResized { name: named(), from, to });
+        pixels = resampled(&pixels, from, to);
+    }
+    let (palette, indices, all) = reduce(&pixels, format.colors);
+    let difference = |(pixel, &index): (&[u8; 3], &u8)| {
+        let color = palette[usize::from(index)];
+        (0..3).map(|i| pixel[i].abs_diff(color[i])).max().unwrap_or_default()
+    };
+    let error = pixels.iter().zip(&indices).map(difference).max().unwrap_or_default();
+    if all > format.colors {
+        warnings.push(Warning::PictureColors { name: named(), count: all, kept: format.colors, error });
+    }
+    let bits = format.colors.ilog2(); // 1, 2, 4 or 8
+    let texels = indices
+        .chunks(8 / bits as usize)
+        .map(|texels| texels.iter().fold(0u32, |byte, &texel| byte << bits | u32::from(texel)) as u8)
+        .collect();
+    let name = String::new();
+    let color = format.color.clone();
+    let [width, height] = to;
+    Ok(Ok(IndexedPicture { name, width, height, palette, texels, color, error }))
+}
+
+/// The power of two of 8 to 256 next to a side, the larger one from √2 of the smaller on.
+fn side(given: usize) -> usize {
+    [8, 16, 32, 64, 128].into_iter().find(|&side| given * given < 2 * side * side).unwrap_or(256)
+}
+
+/// A palette of at most `most` colours, the index of each pixel's colour in it, and the number of colours of the picture. If
+/// the palette holds them, its colours are those of the picture, by their first use; otherwise NeuQuant (Dekker 1994) finds
+/// them.
+fn reduce(pixels: &[[u8; 3]], most: usize) -> (Vec<[u8; 3]>, Vec<u8>, usize) {
+    let mut numbers = BTreeMap::new();
+    let mut palette = Vec::new();
+    for &pixel in pixels {
+        numbers.entry(pixel).or_insert_with(|| {
+            palette.push(pixel);
+            palette.len() - 1
+        });
+    }
+    let all = palette.len();
+    if all > most {
+        let rgba: Vec<u8> = pixels.iter().flat_map(|&[r, g, b]| [r, g, b, 255]).collect();
+        let found = color_quant::NeuQuant::new(1, most, &rgba).color_map_rgb();
+        palette = found.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
+        palette.truncate(most);
+        let distance =
+            |a: [u8; 3], b: [u8; 3]| (0..3).map(|i| u32::from(a[i].abs_diff(b[i])).pow(2)).sum::<u32>();
+        for (&pixel, number) in &mut numbers {
+            let nearest = (0..palette.len()).min_by_key(|&i| distance(palette[i], pixel));
+            *number = nearest.unwrap_or_default();
+        }
+    }
+    let indices = pixels.iter().map(|pixel| numbers[pixel] as u8).collect(); // below 256
+    palette.resize(most, [0; 3]);
+    (palette, indices, all)
 }
 
 fn png(file: &[u8]) -> Result<Pixels, Box<dyn std::error::Error>> {

@@ -158,6 +158,55 @@ impl fmt::Display for Remedy {
     }
 }
 
+/// Defines an enum of messages: each variant has its words beside it, as a list of the text and of the remedies that follow it, or as a
+/// block that gives a [`Said`].
+macro_rules! messages {
+    ($(#[$attribute:meta])* pub enum $enum:ident { $(
+        $(#[$doc:meta])*
+        $name:ident $(($($value:ident: $of:ty),+))? $({ $($field:ident: $type:ty),+ })? => $said:tt
+    )+ }) => {
+        $(#[$attribute])*
+        pub enum $enum {
+            $($(#[$doc])* $name $(($($of),+))? $({ $($field: $type),+ })?,)+
+        }
+
+        impl $enum {
+            /// What to do about it: alternatives.
+            pub fn remedies(&self) -> Vec<Remedy> {
+                self.said().remedies
+            }
+
+            /// The message in one line, with the remedies in a program's own words: imperatives such as "use --flip".
+            pub fn worded(&self, words: impl Fn(Remedy) -> String) -> String {
+                self.said().worded(words)
+            }
+
+            #[allow(unused_variables)] // the words may leave out what the variant holds
+            pub(crate) fn said(&self) -> Said {
+                use Remedy::*;
+                match self {
+                    $(Self::$name $(($($value),+))? $({ $($field),+ })? => said!($said),)+
+                }
+            }
+        }
+
+        impl std::fmt::Display for $enum {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str(&self.worded(|remedy| remedy.to_string()))
+            }
+        }
+    };
+}
+
+/// The words of one variant.
+macro_rules! said {
+    ([$text:literal $(, $remedy:expr)*]) => { Said::new(format!($text), [$($remedy),*]) };
+    ([$what:expr $(, $remedy:expr)*]) => { Said::new($what, [$($remedy),*]) };
+    ($said:block) => { $said };
+}
+
+pub(crate) use {messages, said};
+
 /// A message with a gap for remedies.
 #[derive(Default)]
 pub(crate) struct Said {
@@ -167,12 +216,6 @@ pub(crate) struct Said {
     pub(crate) remedies: Vec<Remedy>,
     /// What follows the remedies.
     pub(crate) then: &'static str,
-}
-
-impl<S: Into<String>> From<S> for Said {
-    fn from(what: S) -> Self {
-        Self::new(what, [])
-    }
 }
 
 impl Said {

@@ -1,6 +1,6 @@
 //! A mesh as Rust source.
 
-use crate::ImportedMesh;
+use crate::{ImportedMesh, IndexedPicture};
 use std::fmt::{Display, Write};
 use std::path::Path;
 
@@ -153,24 +153,21 @@ impl ImportedMesh {
                 self.texture_exponent,
             );
         }
-        if let Some(picture) = &self.picture {
-            let (bits, color) = (picture.bits(), one_line(&picture.color));
+        if let Some(picture @ IndexedPicture { name: file, width, height, palette, color, .. }) =
+            &self.picture
+        {
+            let (bits, color) = (picture.bits(), one_line(color));
+            let (colours, bytes) = (palette.len(), picture.flash_bytes());
             let _ = write!(
                 out,
-                "\n/// The picture of [`{name}`]: `{}`, {} x {} texels of {} colours; {} bytes of flash.\n{KEPT}\
+                "\n/// The picture of [`{name}`]: `{file}`, {width} x {height} texels of {colours} colours; {bytes} bytes of flash.\n{KEPT}\
                  pub const {name}_TEXELS: pinhole::IndexedTexels<'static, {color}, {bits}> = {{\n",
-                picture.name,
-                picture.width,
-                picture.height,
-                picture.palette.len(),
-                picture.flash_bytes(),
             );
             nested(out, "BYTES: [u8", &picture.texels);
             nested(out, &format!("PALETTE: [{color}"), &picture.color_calls());
             let _ = write!(
                 out,
-                "    let Ok(texels) = pinhole::IndexedTexels::new(&BYTES, {}, {}, &PALETTE) else {{ panic!() }};\n    texels\n}};\n",
-                picture.width, picture.height,
+                "    let Ok(texels) = pinhole::IndexedTexels::new(&BYTES, {width}, {height}, &PALETTE) else {{ panic!() }};\n    texels\n}};\n",
             );
         }
     }

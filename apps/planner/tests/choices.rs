@@ -3,9 +3,13 @@
 use pinhole_planner::{Choice, Planner, Style, DISPLAYS, READY};
 use serde_json::Value;
 
+fn choice(text: &str) -> Choice {
+    Choice::parse(text).expect(text)
+}
+
 /// The costs of a choice.
 fn costs(planner: &mut Planner, text: &str) -> Value {
-    let costs = planner.costs(&Choice::parse(text).expect(text)).expect(text);
+    let costs = planner.costs(&choice(text)).expect(text);
     serde_json::from_str(&costs).expect("JSON")
 }
 
@@ -33,13 +37,13 @@ fn a_message_names_the_part_and_what_may_stand_there() {
 
 #[test]
 fn a_projection_has_directions_of_its_own_that_others_replace() {
-    let isometric = Choice::parse("projection=isometric").expect("a choice");
+    let isometric = choice("projection=isometric");
     assert_eq!(Choice::parse("yaw=45&pitch=35.26&projection=isometric"), Ok(isometric));
 }
 
 #[test]
 fn no_file_is_a_message() {
-    let file = Choice::parse("mesh=file").expect("a choice");
+    let file = choice("mesh=file");
     let drawn = Planner::default().draw(&file);
     assert_eq!(drawn, Err("no file: drop an STL or OBJ file, or choose a ready mesh".into()));
 }
@@ -49,9 +53,8 @@ fn a_model_has_the_colors_of_its_material_library() {
     let mut planner = Planner::default();
     let model = "mtllib part.mtl\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nusemtl leaf\nf 1 2 3 4\n";
     planner.load("part.obj", model.into());
-    let choice = Choice::parse("mesh=file&projection=front&ambient=256").expect("a choice");
     let middle = |planner: &mut Planner| -> [u8; 4] {
-        let (pixels, _) = planner.draw(&choice).expect("a picture");
+        let (pixels, _) = planner.draw(&choice("mesh=file&projection=front&ambient=256")).expect("a picture");
         let at = 4 * (120 * 240 + 100);
         std::array::from_fn(|channel| pixels[at + channel])
     };
@@ -70,7 +73,7 @@ fn a_firmware_has_the_libraries_that_its_model_uses() {
     let model = "mtllib OTHER.mtl part.mtl\nv 0 0 0\nv 2 0 0\nv 2 2 0\nusemtl leaf\nf 1 2 3\n";
     planner.load("/models/part.obj", model.into());
     let mut names = |text: &str| {
-        let files = planner.model(&Choice::parse(text).expect("a choice")).expect("files");
+        let files = planner.model(&choice(text)).expect("files");
         files.into_iter().map(|(name, _)| name).collect::<Vec<_>>()
     };
     assert_eq!(names("mesh=file"), ["model.obj", "other.mtl", "part.mtl"]);
@@ -84,8 +87,7 @@ fn lines_are_where_the_surface_turns_by_more_than_the_angle() {
     let mut planner = Planner::default();
     planner.load("roof.obj", roof.into());
     let mut edges = |text: &str| {
-        let choice = Choice::parse(&format!("mesh=file&format=mono&{text}")).expect("a choice");
-        let (_, about) = planner.draw(&choice).expect("a picture");
+        let (_, about) = planner.draw(&choice(&format!("mesh=file&format=mono&{text}"))).expect("a picture");
         let (_, rest) = about.split_once(r#""edges":"#).expect("edges");
         rest.split_once(',').map(|(number, _)| number.parse::<u32>())
     };
@@ -101,7 +103,7 @@ fn lines_are_where_the_surface_turns_by_more_than_the_angle() {
 #[test]
 fn a_broken_file_is_a_message_and_a_doubtful_one_a_warning_with_its_remedy() {
     let mut planner = Planner::default();
-    let file = Choice::parse("mesh=file").expect("a choice");
+    let file = choice("mesh=file");
     planner.load("part.stl", b"no model".to_vec());
     let message = planner.draw(&file).map(|_| ()).expect_err("broken").to_string();
     assert!(message.starts_with("part.stl: "), "{message}");
@@ -116,8 +118,7 @@ fn a_broken_file_is_a_message_and_a_doubtful_one_a_warning_with_its_remedy() {
         about.contains(r#""remedies":[{"name":"use faces from behind","changes":{"two-sided":1}}],"message":"open edges: 4"#),
         "{about}"
     );
-    let (_, about) =
-        planner.draw(&Choice::parse("mesh=file&two-sided=1").expect("a choice")).expect("a sheet");
+    let (_, about) = planner.draw(&choice("mesh=file&two-sided=1")).expect("a sheet");
     assert!(about.contains(r#""warnings":[]"#), "{about}");
 }
 
@@ -131,12 +132,12 @@ fn every_mesh_shows_on_every_display_in_every_style() {
                 let text = format!(
                     "mesh={mesh}&width={width}&height={height}&format={format}&style={style}&color=ffffff"
                 );
-                let choice = Choice::parse(&text).expect("a choice");
-                let (pixels, _) = planner.draw(&choice).expect(&text);
+                let chosen = choice(&text);
+                let (pixels, _) = planner.draw(&chosen).expect(&text);
                 assert_eq!(pixels.len(), 4 * (width * height) as usize, "{text}");
                 let lit = pixels.chunks_exact(4).filter(|pixel| pixel.first() > Some(&0)).count();
                 assert!(lit > 100, "{text}: {lit} pixels are not black");
-                planner.costs(&choice).expect(&text);
+                planner.costs(&chosen).expect(&text);
             }
         }
     }
@@ -151,7 +152,7 @@ fn a_picture_laid_on_from_six_sides_is_upright_on_each() {
     planner.load_picture(&texels, 8).expect("a picture");
     for side in ["front", "back", "left", "right", "top", "bottom"] {
         let text = format!("mesh=cube&style=textured&texture=file&ambient=256&projection={side}");
-        let (pixels, about) = planner.draw(&Choice::parse(&text).expect(&text)).expect(&text);
+        let (pixels, about) = planner.draw(&choice(&text)).expect(&text);
         assert!(about.contains("no texture coordinates"), "{about}");
         let at = |x: usize, y: usize| &pixels[4 * (240 * y + x)..][..2];
         // The texels are 16 to 20 pixels wide, and repeat.
@@ -167,7 +168,7 @@ fn rows_of_a_band_change_no_pixel() {
     let mut planner = Planner::default();
     let mut drawn = |rows: u32| {
         let text = format!("mesh=teapot&style=gouraud&dither=1&zoom=220&x=300&rows={rows}");
-        planner.draw(&Choice::parse(&text).expect("a choice")).expect(&text).0
+        planner.draw(&choice(&text)).expect(&text).0
     };
     let whole = drawn(240);
     for rows in [1, 7, 8, 48] {
@@ -227,32 +228,19 @@ fn each_style_has_its_own_time_on_each_chip() {
 #[test]
 fn ways_to_draw_are_compared() {
     let mut planner = Planner::default();
-    let mut names = |text: &str| -> Vec<String> {
+    let mut names = |text: &str| -> String {
         let costs = costs(&mut planner, text);
         let ways = costs["ways"].as_array().expect("ways");
-        ways.iter().filter_map(|way| way["name"].as_str().map(str::to_owned)).collect()
+        ways.iter().map(|way| format!("{}; ", way["name"].as_str().expect("a name"))).collect()
     };
-    assert_eq!(
-        names("rows=8"),
-        [
-            "bands of 8 rows, with depth",
-            "bands of 16 rows, with depth",
-            "bands of 48 rows, with depth",
-            "bands of 8 rows, painter's order",
-            "bands of 8 rows, without depth",
-            "a whole picture, with depth",
-            "a whole picture, painter's order",
-            "a whole picture, without depth",
-        ]
-    );
-    assert_eq!(
-        names("rows=8&format=mono&height=64"),
-        ["bands of 8 rows, with depth", "bands of 16 rows, with depth", "bands of 48 rows, with depth"]
-    );
-    assert_eq!(
-        names("style=wireframe&rows=200").last().map(String::as_str),
-        Some("lines in a whole picture")
-    );
+    let measured =
+        "bands of 8 rows, with depth; bands of 16 rows, with depth; bands of 48 rows, with depth; ";
+    let others =
+        "bands of 8 rows, painter's order; bands of 8 rows, without depth; a whole picture, with depth; \
+                  a whole picture, painter's order; a whole picture, without depth; ";
+    assert_eq!(names("rows=8"), measured.to_owned() + others);
+    assert_eq!(names("rows=8&format=mono&height=64"), measured);
+    assert!(names("style=wireframe&rows=200").ends_with("; lines in a whole picture; "));
 }
 
 /// Code that is copied to RAM takes some, and a band has no more rows than the display.
@@ -260,7 +248,7 @@ fn ways_to_draw_are_compared() {
 fn what_fits_depends_on_where_the_code_is() {
     let mut planner = Planner::default();
     let mut way = |text: &str| {
-        planner.draw(&Choice::parse(text).expect(text)).expect(text);
+        planner.draw(&choice(text)).expect(text);
         chosen(&mut planner, text)
     };
     let large = "mesh=gear&width=240&height=250&rows=248";

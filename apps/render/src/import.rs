@@ -32,10 +32,9 @@ pub fn refuse_texture(given: &ArgMatches) -> Result<(), String> {
     }
 }
 
-/// The first of these options that was typed, if any.
-pub fn typed(given: &ArgMatches) -> Option<&'static str> {
-    let is_typed = |name: &&str| given.value_source(name) == Some(ValueSource::CommandLine);
-    arguments::NAMES.into_iter().find(is_typed)
+/// The first of the options of these names that was typed, if any.
+pub fn typed<'a>(given: &ArgMatches, names: &[&'a str]) -> Option<&'a str> {
+    names.iter().copied().find(|name| given.value_source(name) == Some(ValueSource::CommandLine))
 }
 
 /// Whether a file is a model, and not a scene.

@@ -64,11 +64,19 @@ pub(crate) fn read(mut given: ArgMatches, more: &'static [Output]) -> Result<Opt
         return Err(format!("--{name}: - is no file, and standard output has the messages: name a file"));
     }
     let ascii = choice::<Characters>(&mut given, "ascii")?;
-    let painted = ["colour", "background", "format", "door", "alpha", "fog"]
-        .into_iter()
-        .find(|name| given.contains_id(name));
-    let flags = ["no-dither", "half", "lit-texture", "smooth-lines"];
-    let painted = painted.or_else(|| flags.into_iter().find(|name| given.get_flag(name)));
+    let painted = [
+        "colour",
+        "background",
+        "format",
+        "door",
+        "alpha",
+        "fog",
+        "no-dither",
+        "half",
+        "lit-texture",
+        "smooth-lines",
+    ];
+    let painted = import::typed(&given, &painted);
     let (style, format) = style(&mut given)?;
     let least_turn = edges(&given, style.mode)?;
     let import = import::options(&given);
@@ -160,15 +168,8 @@ fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
     if smooth_lines && !mode.of_lines() {
         return Err("--smooth-lines: needs --mode wireframe or hidden-line".into());
     }
-    let of_faces = [("door", translucency != Translucency::Opaque), ("lit-texture", lit_texture)]
-        .into_iter()
-        .find(|(_, given)| *given);
-    if let Some((name, _)) = of_faces.filter(|_| mode.of_lines()) {
-        let name = match translucency {
-            Translucency::Half => "half",
-            Translucency::Alpha(_) => "alpha",
-            _ => name,
-        };
+    let of_faces = import::typed(given, &["door", "alpha", "half", "lit-texture"]);
+    if let Some(name) = of_faces.filter(|_| mode.of_lines()) {
         return Err(format!("--{name}: is for faces: needs --mode solid, flat or gouraud"));
     }
     let fog = given.get_one::<String>("fog").map(|text| FogStyle::parse(text)).transpose();
@@ -184,9 +185,7 @@ fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
 fn edges(given: &ArgMatches, mode: Mode) -> Result<Option<f64>, String> {
     let angle = given.get_one::<f64>("feature-angle").copied();
     let edges = given.get_one::<String>("edges").map(String::as_str);
-    if let Some(name) =
-        ["edges", "feature-angle"].into_iter().find(|name| given.contains_id(name) && !mode.of_lines())
-    {
+    if let Some(name) = import::typed(given, &["edges", "feature-angle"]).filter(|_| !mode.of_lines()) {
         return Err(format!("--{name}: needs --mode wireframe or hidden-line"));
     }
     if edges == Some("all") && angle.is_some() {
@@ -212,10 +211,10 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool, is_raw: bool) -> Resu
             ));
         }
         let of_camera = ["projection", "from", "yaw", "pitch", "fov", "frame", "size", "gif", "frames"];
-        if let Some(name) = of_camera.into_iter().find(|name| given.contains_id(name)) {
+        if let Some(name) = import::typed(given, &of_camera) {
             return Err(format!("--{name}: a scene has its own camera; use this option with .obj and .stl"));
         }
-        if let Some(name) = import::typed(given) {
+        if let Some(name) = import::typed(given, &pinhole_import::arguments::NAMES) {
             return Err(format!(
                 "--{name}: a scene is drawn as it stands; use this option with .obj and .stl"
             ));

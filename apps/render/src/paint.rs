@@ -319,8 +319,7 @@ fn paint_in<C: Colour>(
     };
     let smooth = |part: &Part, face| Gouraud::lit(colour(part, face), levels(part, face));
     let glowing = |part: &Part, face| smooth(part, face).emitting(emission(part, face));
-    let solid = Solid { parts: all_parts, faces: &mut faces };
-    let all = Faces { out, statistics, areas: &areas, solid, translucency: style.translucency };
+    let all = Faces { out, statistics, areas: &areas, parts: all_parts, faces: &mut faces };
     let picture = scene.texture.as_ref().zip(quantised.texture.as_ref());
     if let Some((colours, (texture, coords))) =
         picture.and_then(|picture| Some((picture.0.colours::<C>()?, picture))).filter(|_| style.own_colours)
@@ -379,13 +378,13 @@ pub(crate) fn in_memory<C: Colour>(band: &mut Band<'_, C>, draw: impl FnOnce(&mu
     let _ = band.fill_contiguous(&area, cells); // a band takes all
 }
 
-/// The faces of a frame, and where they are drawn.
+/// The faces of a frame, in parts, and where they are drawn.
 struct Faces<'a, 'f, C> {
     out: Out<'a, C>,
     statistics: Statistics,
     areas: &'a [Rectangle],
-    solid: Solid<'a, 'f>,
-    translucency: Translucency,
+    parts: &'a [Part],
+    faces: &'a mut [BinnedFaces<'f, Scalar, true>],
 }
 
 /// The shader of a face, given its part and its number there. Behind a pointer, so that the code that draws is one for all shaders.
@@ -403,19 +402,34 @@ impl<C: Colour> Faces<'_, '_, C> {
         self,
         shader: impl Fn(&Part, usize) -> I,
     ) -> Result<Report, String> {
-        let Self { out, statistics, areas, mut solid, translucency } = self;
+        let Self { out, statistics, areas, parts, faces } = self;
+        let translucency = out.style.translucency;
         out.bands(statistics, areas, |band, depth| match translucency {
-            Translucency::Opaque => solid.draw(&shader, depth, band),
+            Translucency::Opaque => solid(parts, faces, &shader, depth, band),
             Translucency::Door(of_64) => {
-                solid.draw(|part, face| ScreenDoor::new(shader(part, face), of_64), depth, band);
+                let shader = |part: &Part, face| ScreenDoor::new(shader(part, face), of_64);
+                solid(parts, faces, shader, depth, band);
             }
             Translucency::Half => in_memory(band, |pixels| {
-                solid.draw(|part, face| HalfBlended::new(shader(part, face)), depth, pixels);
+                solid(parts, faces, |part, face| HalfBlended::new(shader(part, face)), depth, pixels);
             }),
             Translucency::Alpha(of_32) => in_memory(band, |pixels| {
-                solid.draw(|part, face| Blended::new(shader(part, face), of_32), depth, pixels);
+                solid(parts, faces, |part, face| Blended::new(shader(part, face), of_32), depth, pixels);
             }),
         })
+    }
+}
+
+/// Draws the faces of all parts.
+fn solid<T: Surface<Error = Infallible>, I: ShaderFor<T>>(
+    parts: &[Part],
+    faces: &mut [BinnedFaces<'_, Scalar, true>],
+    shader: impl Fn(&Part, usize) -> I,
+    depth: &mut DepthBuffer<'_>,
+    target: &mut T,
+) {
+    for (part, faces) in parts.iter().zip(faces) {
+        let Ok(()) = faces.draw(|face| shader(part, face), &mut target.depth_tested(depth));
     }
 }
 
@@ -432,25 +446,6 @@ fn edges<'a, const DEPTH: bool>(
     let statistics = edges.iter().map(BinnedEdges::statistics).fold(Statistics::default(), Statistics::and);
     let bounds = around(edges.iter().map(BinnedEdges::bounds));
     Ok((edges, statistics, bounds))
-}
-
-/// Draws the faces of all parts.
-struct Solid<'a, 'f> {
-    parts: &'a [Part],
-    faces: &'a mut [BinnedFaces<'f, Scalar, true>],
-}
-
-impl Solid<'_, '_> {
-    fn draw<T: Surface<Error = Infallible>, I: ShaderFor<T>>(
-        &mut self,
-        shader: impl Fn(&Part, usize) -> I,
-        depth: &mut DepthBuffer<'_>,
-        target: &mut T,
-    ) {
-        for (part, faces) in self.parts.iter().zip(self.faces.iter_mut()) {
-            let Ok(()) = faces.draw(|face| shader(part, face), &mut target.depth_tested(depth));
-        }
-    }
 }
 
 /// The destination of bands.

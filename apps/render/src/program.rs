@@ -16,6 +16,7 @@ use pinhole::{Angle, Statistics};
 use pinhole_apps_support::files::{self, Outputs};
 use pinhole_apps_support::{canvas::Canvas, command, still};
 use std::cell::LazyCell;
+use std::fmt;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -180,17 +181,14 @@ fn as_firmware(options: &Options, code: &Code, frame: u32, size: Size) -> Result
     for (path, bytes) in outputs.settle()? {
         command::say(format_args!("{}: {bytes} bytes", path.display()))?;
     }
+    let say = |what: fmt::Arguments<'_>| command::say(format_args!("{}: {what}", model.display()));
     let Statistics { drawn, culled, clipped, outside, degenerate, .. } = statistics;
-    command::say(format_args!(
-        "{}: frame {frame} of {}, {} x {} pixels; of {} faces {drawn} drawn ({clipped} of them clipped), {culled} culled, \
-         {outside} outside, {degenerate} without area",
-        model.display(),
-        firmware::FRAMES,
-        size.width,
-        size.height,
-        imported.faces.len(),
+    let (frames, Size { width, height }, faces) = (firmware::FRAMES, size, imported.faces.len());
+    say(format_args!(
+        "frame {frame} of {frames}, {width} x {height} pixels; of {faces} faces {drawn} drawn ({clipped} of them clipped), {culled} \
+         culled, {outside} outside, {degenerate} without area"
     ))?;
-    command::say(format_args!("{}: in firmware: {}", model.display(), imported.size()))?;
+    say(format_args!("in firmware: {}", imported.size()))?;
     if let Some(project) = code.project {
         command::say(format_args!("{project}: drawn by its src/picture.rs and build.rs"))?;
     }
@@ -212,6 +210,7 @@ fn tell(
     report: Option<Report>,
     written: &[(PathBuf, u64)],
 ) -> Result<(), String> {
+    let say = |what: fmt::Arguments<'_>| command::say(format_args!("{}: {what}", options.scene.display()));
     if let Some(Report { statistics, sprites, .. }) = report {
         let Statistics { drawn, culled, clipped, outside, degenerate, .. } = statistics;
         let (what, count) = match options.style.mode.of_lines() {
@@ -225,20 +224,16 @@ fn tell(
                 (edges, (drawn + outside) as usize)
             }
         };
-        command::say(format_args!(
-            "{}: {} x {} pixels, {} vertices; of {count} {what} {drawn} drawn ({clipped} of them clipped), \
-             {culled} culled, {outside} outside, {degenerate} without area",
-            options.scene.display(),
-            scene.width,
-            scene.height,
-            scene.vertices.len(),
+        let (Scene { width, height, .. }, vertices) = (scene, scene.vertices.len());
+        say(format_args!(
+            "{width} x {height} pixels, {vertices} vertices; of {count} {what} {drawn} drawn ({clipped} of them clipped), {culled} \
+             culled, {outside} outside, {degenerate} without area"
         ))?;
         let Statistics { drawn, outside, degenerate, .. } = sprites;
         let count = drawn + outside + degenerate;
         if count > 0 {
-            command::say(format_args!(
-                "{}: of {count} sprites {drawn} drawn, {outside} outside, {degenerate} without size",
-                options.scene.display()
+            say(format_args!(
+                "of {count} sprites {drawn} drawn, {outside} outside, {degenerate} without size"
             ))?;
         }
     }
@@ -253,10 +248,7 @@ fn tell(
         command::say(format_args!("{}: {bytes} bytes", path.display()))?;
     }
     if written.is_empty() && options.ascii.is_none() {
-        command::say(format_args!(
-            "{}: nothing was written: give --png FILE for the picture, or --ascii for text",
-            options.scene.display()
-        ))?;
+        say(format_args!("nothing was written: give --png FILE for the picture, or --ascii for text"))?;
     }
     Ok(())
 }

@@ -20,9 +20,10 @@ fn main() -> ExitCode {
     command::run(|| -> Result<ExitCode, String> {
         let mut given = command::matches(arguments())?;
         let options = import::options(&given);
+        let typed = import::typed(&given, &pinhole_import::arguments::NAMES);
         let source = match given.remove_one::<PathBuf>("FILE") {
             Some(file) => {
-                if let Some(name) = import::typed(&given).filter(|_| !import::is_model(&file)) {
+                if let Some(name) = typed.filter(|_| !import::is_model(&file)) {
                     return Err(format!(
                         "--{name}: a scene is drawn as it stands; use this option with .obj and .stl"
                     ));
@@ -32,7 +33,7 @@ fn main() -> ExitCode {
                 }
                 Source::read(&file, &options)?
             }
-            None if import::typed(&given).is_some() || given.contains_id("texture") => {
+            None if typed.is_some() || given.contains_id("texture") => {
                 return Err(
                     "--up, --flip, --fix-winding, --two-sided, --root, --texture: are for a FILE".into()
                 )

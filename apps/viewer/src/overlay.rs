@@ -32,33 +32,26 @@ pub(crate) fn draw<D: DrawTarget<Color = Rgb888>>(
             area.into_styled(PrimitiveStyle::with_stroke(SENT, 1)).draw(target)?;
         }
     }
+    let keys = KEYS.iter().map(|(keys, what)| format!("{keys:13} {what}")).collect();
+    let information = || information(state, shown, time);
+    let blocks = [
+        notice.map(|notice| (wrapped(notice), KEY)),
+        state.information.then(|| (information(), TEXT)),
+        state.help.then_some((keys, TEXT)),
+    ];
     let mut top = 0;
-    if let Some(notice) = notice {
-        let lines = wrapped(notice);
+    for (lines, colour) in blocks.into_iter().flatten() {
         paper(top, &lines, target)?;
         for line in &lines {
-            write(line, Point::new(3, top + 2), KEY, target)?;
+            write(line, Point::new(3, top + 2), colour, target)?;
             top += LINE;
         }
         top += 4;
     }
-    if state.information {
-        let lines = information(state, shown, time);
-        paper(top, &lines, target)?;
-        for line in &lines {
-            write(line, Point::new(3, top + 2), TEXT, target)?;
-            top += LINE;
-        }
-        top += 4;
-    }
-    if state.help {
-        let lines: Vec<_> = KEYS.iter().map(|(keys, what)| format!("{keys:13} {what}")).collect();
-        paper(top, &lines, target)?;
-        for ((keys, _), line) in KEYS.iter().zip(&lines) {
-            write(line, Point::new(3, top + 2), TEXT, target)?;
-            write(keys, Point::new(3, top + 2), KEY, target)?;
-            top += LINE;
-        }
+    // The keys are the last block.
+    let first = top - 4 - LINE * KEYS.len() as i32;
+    for (place, (keys, _)) in (0..).zip(KEYS.iter().filter(|_| state.help)) {
+        write(keys, Point::new(3, first + LINE * place + 2), KEY, target)?;
     }
     Ok(())
 }

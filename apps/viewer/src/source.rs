@@ -62,18 +62,8 @@ impl Source {
         let texture = texture::of_model(&model);
         let mesh = std::mem::take(&mut model.triangles);
         let (colors, file) = (import::colors(&mut model), Some(file.into()));
-        Ok(Self {
-            mesh,
-            colors,
-            texture,
-            up: model.up,
-            own: None,
-            file,
-            imported: Some(model),
-            options: options.clone(),
-            watch: Watch::default(),
-            in_firmware: OnceCell::new(),
-        })
+        let (up, imported, options) = (model.up, Some(model), options.clone());
+        Ok(Self { mesh, colors, texture, up, file, imported, options, ..Self::built_in() })
     }
 
     /// The teapot of the firmware examples.

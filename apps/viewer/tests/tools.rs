@@ -154,72 +154,60 @@ fn mixed() -> Body {
 fn all_tools_show_one_picture_and_say_the_same() {
     let (tower, cube, flat) = (cuboid([1.0, 1.0, 3.0]), cuboid([2.0; 3]), cuboid([3.0, 2.0, 1.0]));
     // A box without the three sides that are seen from the right, the front and above.
-    let open = [2, 3, 6, 7, 10, 11].map(|face| cube[face]);
+    let open: Body = [2, 3, 6, 7, 10, 11].map(|face| cube[face]).into();
+    let (gear, flipped) = (gear(), reversed(&gear()));
     let with = |body: &Body, more: &[[[f64; 3]; 3]]| [body, more].concat();
     let sliver = [[0.0; 3], [900.0, 0.0, 0.0], [1800.0, 0.0, 0.0]];
     let none = [[[0.0; 3], [0.0; 3], [1.0, 0.0, 0.0]], [[3.0, 2.0, 0.0]; 3]];
     // Two boxes that share an edge, and a fin on one of them.
     let mut shared = with(&cube, &cuboid([-2.0, -2.0, 2.0]));
     shared.push([[2.0, 2.0, 0.0], [2.0, 2.0, 2.0], [3.0, 3.0, 1.0]]);
+    let more = with(&with(&flat, &[flat[3]; 2]), &none);
+    let twice = "duplicate faces: 2, the first at line 52; ";
+    let many = "100350 faces, more than the 65535 that can be drawn in bands: ";
     let up = |axis| Options { up: Some(axis), ..Options::default() };
     let inside_out = "parts inside out: 1 of 1, the first at triangle 1; ";
     let mut pictures: Vec<(&str, Vec<bool>)> = Vec::new();
-    for (name, bytes, options, said, same) in [
+    let [usual, flip, fix, both_sides]: [&Options; 4] = [&NONE, &FLIP, &FIX, &BOTH_SIDES];
+    for (name, body, options, said, same) in [
         // z is up in an STL file and y in an OBJ file, or either axis, if the options name it.
-        ("tower.stl", stl(&tower), NONE.clone(), &[][..], None),
-        ("tower.obj", obj(&tower).into(), NONE.clone(), &[], None),
-        ("tower.stl", stl(&tower), up(Axis::Y), &[], Some("tower.obj")),
-        ("tower.obj", obj(&tower).into(), up(Axis::Z), &[], Some("tower.stl")),
-        ("tower.obj", obj(&tower).into(), up(Axis::X), &[], None),
-        ("tower.obj", obj(&tower).into(), up(Axis::MinusX), &[], None),
-        ("tower.obj", obj(&tower).into(), up(Axis::MinusZ), &[], None),
-        ("gear.stl", stl(&gear()), NONE.clone(), &[], None),
+        ("tower.stl", &tower, usual, &[][..], None),
+        ("tower.obj", &tower, usual, &[], None),
+        ("tower.stl", &tower, &up(Axis::Y), &[], Some("tower.obj")),
+        ("tower.obj", &tower, &up(Axis::Z), &[], Some("tower.stl")),
+        ("tower.obj", &tower, &up(Axis::X), &[], None),
+        ("tower.obj", &tower, &up(Axis::MinusX), &[], None),
+        ("tower.obj", &tower, &up(Axis::MinusZ), &[], None),
+        ("gear.stl", &gear, usual, &[], None),
         // The insides of the far walls are seen: the same outline.
-        ("flipped.stl", stl(&reversed(&gear())), NONE.clone(), &[inside_out], Some("gear.stl")),
-        ("flipped.stl", stl(&reversed(&gear())), FLIP.clone(), &[], Some("gear.stl")),
-        ("flipped.stl", stl(&reversed(&gear())), FIX.clone(), &[], Some("gear.stl")),
-        ("flipped.stl", stl(&reversed(&gear())), BOTH_SIDES.clone(), &[], Some("gear.stl")),
-        ("gear.stl", stl(&gear()), FLIP.clone(), &[inside_out], None),
-        ("mixed.stl", stl(&mixed()), NONE.clone(), &["edges between faces of opposite winding: "], None),
-        ("mixed.stl", stl(&mixed()), FIX.clone(), &[], Some("gear.stl")),
-        ("mixed.stl", stl(&mixed()), BOTH_SIDES.clone(), &[], Some("gear.stl")),
-        ("cube.obj", obj(&cube).into(), NONE.clone(), &[], None),
-        ("open.obj", obj(&open).into(), NONE.clone(), &["open edges: 6, the first at line 8; "], None),
-        ("open.obj", obj(&open).into(), BOTH_SIDES.clone(), &[], Some("cube.obj")),
-        ("cube.stl", stl(&cube), NONE.clone(), &[], None),
+        ("flipped.stl", &flipped, usual, &[inside_out], Some("gear.stl")),
+        ("flipped.stl", &flipped, flip, &[], Some("gear.stl")),
+        ("flipped.stl", &flipped, fix, &[], Some("gear.stl")),
+        ("flipped.stl", &flipped, both_sides, &[], Some("gear.stl")),
+        ("gear.stl", &gear, flip, &[inside_out], None),
+        ("mixed.stl", &mixed(), usual, &["edges between faces of opposite winding: "], None),
+        ("mixed.stl", &mixed(), fix, &[], Some("gear.stl")),
+        ("mixed.stl", &mixed(), both_sides, &[], Some("gear.stl")),
+        ("cube.obj", &cube, usual, &[], None),
+        ("open.obj", &open, usual, &["open edges: 6, the first at line 8; "], None),
+        ("open.obj", &open, both_sides, &[], Some("cube.obj")),
+        ("cube.stl", &cube, usual, &[], None),
         // A sliver far away moves no frame.
-        (
-            "sliver.stl",
-            stl(&with(&cube, &[sliver])),
-            NONE.clone(),
-            &["faces without area: 1, "],
-            Some("cube.stl"),
-        ),
-        (
-            "shared.obj",
-            obj(&shared).into(),
-            NONE.clone(),
-            &["edges of more than two faces: 2, ", "open edges: 2, "],
-            None,
-        ),
-        ("shared.obj", obj(&shared).into(), BOTH_SIDES.clone(), &[], None),
-        ("flat.obj", obj(&flat).into(), NONE.clone(), &[], None),
+        ("sliver.stl", &with(&cube, &[sliver]), usual, &["faces without area: 1, "], Some("cube.stl")),
+        ("shared.obj", &shared, usual, &["edges of more than two faces: 2, ", "open edges: 2, "], None),
+        ("shared.obj", &shared, both_sides, &[], None),
+        ("flat.obj", &flat, usual, &[], None),
         (
             "more.obj",
-            obj(&with(&with(&flat, &[flat[3]; 2]), &none)).into(),
-            NONE.clone(),
-            &["faces without area: 2, the first at line 60; ", "duplicate faces: 2, the first at line 52; "],
+            &more,
+            usual,
+            &["faces without area: 2, the first at line 60; ", twice],
             Some("flat.obj"),
         ),
-        (
-            "large.stl",
-            stl(&torus(3.0, 1.0, 225, 223)),
-            NONE.clone(),
-            &["size in flash: ", "100350 faces, more than the 65535 that can be drawn in bands: "],
-            None,
-        ),
+        ("large.stl", &torus(3.0, 1.0, 225, 223), usual, &["size in flash: ", many], None),
     ] {
-        let (pixels, warnings) = agreed(&file(name, bytes), &options);
+        let bytes = if name.ends_with("obj") { obj(body).into() } else { stl(body) };
+        let (pixels, warnings) = agreed(&file(name, bytes), options);
         let is_said = |start: &&str| warnings.iter().any(|warning| warning.starts_with(*start));
         assert!(
             warnings.len() == said.len() && said.iter().all(is_said),

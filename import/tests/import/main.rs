@@ -4,7 +4,6 @@ mod cases;
 mod cli;
 mod closed;
 mod common;
-mod decimate;
 mod materials;
 mod obj;
 mod options;

@@ -109,15 +109,6 @@ fn faces_keep_their_colours_and_coordinates_through_every_option() {
     assert_eq!(obj_beside(&bare, &[], &defaults).palette, Vec::<[u8; 3]>::new());
 }
 
-/// A model in a folder of its own, with two libraries.
-fn shelf(name: &str) -> PathBuf {
-    let folder = folder(&format!("shelf-{name}"));
-    std::fs::create_dir_all(folder.join("model/Deep")).unwrap();
-    std::fs::write(folder.join("model/my sky.mtl"), "newmtl sky\nKd 0 0 1\n").unwrap();
-    std::fs::write(folder.join("model/Deep/Rust.MTL"), "newmtl rust\nKd 1 0 0\n").unwrap();
-    folder
-}
-
 /// The colours that a model has by these libraries, and the warnings.
 fn painted_by(folder: &Path, libraries: &str, root: Option<&Path>) -> (Vec<[u8; 3]>, Vec<String>) {
     let path = folder.join("model/model.obj");
@@ -133,8 +124,10 @@ fn painted_by(folder: &Path, libraries: &str, root: Option<&Path>) -> (Vec<[u8; 
 #[test]
 fn libraries_elsewhere_are_skipped() {
     use std::os::unix::fs::symlink;
-    let folder = shelf("elsewhere");
+    let folder = folder("elsewhere");
     let model = folder.join("model");
+    std::fs::create_dir_all(model.join("Deep")).unwrap();
+    std::fs::write(model.join("my sky.mtl"), "newmtl sky\nKd 0 0 1\n").unwrap();
     std::fs::create_dir(folder.join("outside")).unwrap();
     std::fs::write(folder.join("outside/far.mtl"), "newmtl sky\nKd 0 0 1\nnewmtl rust\nKd 1 0 0\n").unwrap();
     symlink(folder.join("outside/far.mtl"), model.join("link.mtl")).unwrap();

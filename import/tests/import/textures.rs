@@ -35,14 +35,8 @@ impl Image {
     }
 
     fn png(&self) -> Vec<u8> {
-        let mut bytes = Vec::new();
-        let mut encoder = png::Encoder::new(&mut bytes, self.width, self.height);
-        encoder.set_color(png::ColorType::Rgba);
-        encoder.set_depth(png::BitDepth::Eight);
-        let mut writer = encoder.write_header().unwrap();
-        writer.write_image_data(self.pixels.as_flattened()).unwrap();
-        writer.finish().unwrap();
-        bytes
+        let kind = (png::ColorType::Rgba, png::BitDepth::Eight);
+        png([self.width, self.height], kind, None, self.pixels.as_flattened())
     }
 
     /// 24 bits a pixel, the lower row first.
@@ -61,6 +55,26 @@ impl Image {
         let bytes = if path.extension().is_some_and(|e| e == "bmp") { self.bmp() } else { self.png() };
         std::fs::write(path, bytes).unwrap();
     }
+}
+
+/// A PNG file, whose palette is red, green and blue of each colour.
+fn png(
+    [width, height]: [u32; 2],
+    (color, depth): (png::ColorType, png::BitDepth),
+    palette: Option<Vec<u8>>,
+    data: &[u8],
+) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(color);
+    encoder.set_depth(depth);
+    if let Some(palette) = palette {
+        encoder.set_palette(palette);
+    }
+    let mut writer = encoder.write_header().unwrap();
+    writer.write_image_data(data).unwrap();
+    writer.finish().unwrap();
+    bytes
 }
 
 /// A BMP file with a header of 40 bytes: what follows the header (masks or a palette), and the pixels.
@@ -243,65 +257,48 @@ fn bmp_files_of_all_kinds_are_read() {
     let palette: [[u8; 3]; 4] = [[0, 0, 0], [255, 0, 0], [0, 255, 255], [255, 255, 255]];
     let of = |x: u32, y: u32| ((3 * x + y * y) % 4) as usize;
     let entries: Vec<u8> = palette.iter().flat_map(|&[r, g, b]| [b, g, r, 0]).collect();
-    let old_entries: Vec<u8> = palette.iter().flat_map(|&[r, g, b]| [b, g, r]).collect();
     // Rows from the bottom of pixels of so many bits, the left one in the highest bits, or the lowest byte first.
-    let upwards = || (0..8).rev();
+    let upwards = |row: &dyn Fn(u32) -> Vec<u8>| (0..8).rev().flat_map(row).collect::<Vec<u8>>();
     let packed = |bits: u32| {
-        let row = move |y| {
+        upwards(&|y| {
             let bits_of = |x| (0..bits).rev().map(move |bit| of(x, y) as u8 >> bit & 1);
             let all: Vec<u8> = (0..8).flat_map(bits_of).collect();
-            let mut bytes: Vec<u8> =
-                all.chunks(8).map(|bits| bits.iter().fold(0, |byte, bit| byte << 1 | bit)).collect();
+            let byte = |bits: &[u8]| bits.iter().fold(0, |byte, bit| byte << 1 | bit);
+            let mut bytes: Vec<u8> = all.chunks(8).map(byte).collect();
             bytes.resize(bytes.len().div_ceil(4) * 4, 0);
             bytes
-        };
-        upwards().flat_map(row).collect::<Vec<u8>>()
+        })
     };
-    let words = |bytes: usize, masks: [u32; 3]| {
-        let word = move |x, y| {
+    let words = |bits: u16, masks: [u32; 3]| {
+        let word = |x, y| {
             let color = palette[of(x, y)];
             let word = (0..3).map(|i| if color[i] == 255 { masks[i] } else { 0 }).sum::<u32>();
-            word.to_le_bytes().into_iter().take(bytes)
+            word.to_le_bytes().into_iter().take(usize::from(bits / 8))
         };
-        upwards().flat_map(move |y| (0..8).flat_map(move |x| word(x, y))).collect::<Vec<u8>>()
+        upwards(&|y| (0..8).flat_map(|x| word(x, y)).collect())
     };
+    let plain = |bits, masks| bmp([8; 2], bits, 0, &[], words(bits, masks));
     let masks = |masks: [u32; 3]| masks.iter().flat_map(|mask| mask.to_le_bytes()).collect::<Vec<u8>>();
-    let mut count_of_4 = bmp([8, 8], 8, 0, &entries, packed(8));
-    count_of_4[46] = 4;
-    let mut short_palette = bmp([8, 8], 4, 0, &entries, packed(4));
-    short_palette[46] = 4;
+    let masked = |bits, of: [u32; 3]| bmp([8; 2], bits, 3, &masks(of), words(bits, of));
     // A run for each pixel; then given pixels, at least 3 of them; then jumps over the black ones.
-    let run = |x, y, both: u8| [1, of(x, y) as u8 * both];
-    let runs = |both| {
-        upwards().flat_map(move |y| (0..8).flat_map(move |x| run(x, y, both)).chain([0, 0])).chain([0, 1])
-    };
-    let given =
-        upwards().flat_map(|y| [0, 8].into_iter().chain((0..8).map(move |x| of(x, y) as u8)).chain([0, 0]));
-    let pairs = upwards().flat_map(|y| {
-        [0, 8]
-            .into_iter()
-            .chain((0..4).map(move |x| (of(2 * x, y) << 4 | of(2 * x + 1, y)) as u8))
-            .chain([0, 0])
-    });
-    let jumps = upwards().flat_map(|y| {
-        let step = move |x| if of(x, y) == 0 { vec![0, 2, 1, 0] } else { run(x, y, 1).to_vec() };
-        (0..8).flat_map(step).chain([0, 0])
-    });
-    let four = |bytes: &[u8], count: u8| {
-        let mut bytes = bytes.to_vec();
-        bytes[46] = count;
+    let run = |x, y, both: u8| vec![1, of(x, y) as u8 * both];
+    let line = |pixels: &dyn Fn(u32) -> Vec<u8>| (0..8).flat_map(pixels).chain([0; 2]).collect::<Vec<u8>>();
+    let runs = |both| [upwards(&|y| line(&|x| run(x, y, both))), vec![0, 1]].concat();
+    let given = upwards(&|y| [vec![0, 8], line(&|x| vec![of(x, y) as u8])].concat());
+    let pair = |x, y| (of(x, y) << 4 | of(x + 1, y)) as u8;
+    let pairs = upwards(&|y| vec![0, 8, pair(0, y), pair(2, y), pair(4, y), pair(6, y), 0, 0]);
+    let jumps = upwards(&|y| line(&|x| if of(x, y) == 0 { vec![0, 2, 1, 0] } else { run(x, y, 1) }));
+    let four = |bits, compression, pixels: Vec<u8>| {
+        let mut bytes = bmp([8; 2], bits, compression, &entries, pixels);
+        bytes[46] = 4;
         bytes
     };
-    let top_down = {
-        let rows = (0..8).flat_map(|y| {
-            (0..8).flat_map(move |x| [palette[of(x, y)][2], palette[of(x, y)][1], palette[of(x, y)][0]])
-        });
-        bmp([8, -8], 24, 0, &[], rows)
-    };
+    const RGB: [u32; 3] = [0xff_0000, 0xff00, 0xff];
+    let downwards = words(24, RGB).chunks(24).rev().flatten().copied().collect::<Vec<u8>>();
     // The header of OS/2: sides of 16 bits, and no fourth byte in the palette.
     let mut old = b"BM\0\0\0\0\0\0\0\0".to_vec();
     old.extend([26 + 12, 0, 0, 0, 12, 0, 0, 0, 8, 0, 8, 0, 1, 0, 8, 0]);
-    old.extend(&old_entries);
+    old.extend(palette.iter().flat_map(|&[r, g, b]| [b, g, r]));
     old.extend(packed(8));
     // A header of 108 bytes with masks of its own, also for opacity.
     let mut new = bmp([8, 8], 32, 3, &[], []);
@@ -310,37 +307,25 @@ fn bmp_files_of_all_kinds_are_read() {
     new.extend([0xff, 0, 0, 0]);
     new.resize(14 + 108, 0);
     new.extend(
-        words(4, [0xff00_0000, 0xff_0000, 0xff00])
+        words(32, [0xff00_0000, 0xff_0000, 0xff00])
             .chunks(4)
             .flat_map(|word| [255, word[1], word[2], word[3]]),
     );
     for (kind, bytes) in [
-        ("24 bits", bmp([8, 8], 24, 0, &[], words(3, [0xff_0000, 0xff00, 0xff]))),
-        ("the upper row first", top_down),
-        ("32 bits", bmp([8, 8], 32, 0, &[], words(4, [0xff_0000, 0xff00, 0xff]))),
-        ("15 bits", bmp([8, 8], 16, 0, &[], words(2, [0x7c00, 0x3e0, 0x1f]))),
-        (
-            "16 bits by masks",
-            bmp([8, 8], 16, 3, &masks([0xf800, 0x7e0, 0x1f]), words(2, [0xf800, 0x7e0, 0x1f])),
-        ),
-        (
-            "30 bits by masks",
-            bmp(
-                [8, 8],
-                32,
-                3,
-                &masks([0x3ff, 0xf_fc00, 0x3ff0_0000]),
-                words(4, [0x3ff, 0xf_fc00, 0x3ff0_0000]),
-            ),
-        ),
-        ("8 bits", four(&bmp([8, 8], 8, 0, &entries, packed(8)), 4)),
-        ("4 bits", four(&bmp([8, 8], 4, 0, &entries, packed(4)), 4)),
+        ("24 bits", plain(24, RGB)),
+        ("the upper row first", bmp([8, -8], 24, 0, &[], downwards)),
+        ("32 bits", plain(32, RGB)),
+        ("15 bits", plain(16, [0x7c00, 0x3e0, 0x1f])),
+        ("16 bits by masks", masked(16, [0xf800, 0x7e0, 0x1f])),
+        ("30 bits by masks", masked(32, [0x3ff, 0xf_fc00, 0x3ff0_0000])),
+        ("8 bits", four(8, 0, packed(8))),
+        ("4 bits", four(4, 0, packed(4))),
         ("2 bits", bmp([8, 8], 2, 0, &entries, packed(2))),
-        ("runs", four(&bmp([8, 8], 8, 1, &entries, runs(1)), 4)),
-        ("runs of 4 bits", four(&bmp([8, 8], 4, 2, &entries, runs(17)), 4)),
-        ("given pixels", four(&bmp([8, 8], 8, 1, &entries, given), 4)),
-        ("given pixels of 4 bits", four(&bmp([8, 8], 4, 2, &entries, pairs), 4)),
-        ("jumps", four(&bmp([8, 8], 8, 1, &entries, jumps), 4)),
+        ("runs", four(8, 1, runs(1))),
+        ("runs of 4 bits", four(4, 2, runs(17))),
+        ("given pixels", four(8, 1, given)),
+        ("given pixels of 4 bits", four(4, 2, pairs)),
+        ("jumps", four(8, 1, jumps)),
         ("an old header", old),
         ("a new header", new),
     ] {
@@ -370,41 +355,23 @@ fn bmp_files_of_all_kinds_are_read() {
 /// Levels of grey in 16 bits, in 2 bits, and colours of a palette.
 #[test]
 fn png_files_of_all_kinds_are_read() {
-    let write = |color, depth, palette: Option<Vec<u8>>, data: &[u8]| {
-        let mut bytes = Vec::new();
-        let mut encoder = png::Encoder::new(&mut bytes, 8, 8);
-        encoder.set_color(color);
-        encoder.set_depth(depth);
-        if let Some(palette) = palette {
-            encoder.set_palette(palette);
-        }
-        let mut writer = encoder.write_header().unwrap();
-        writer.write_image_data(data).unwrap();
-        writer.finish().unwrap();
-        bytes
-    };
     let level = |x: usize, y: usize| (x + 8 * y) as u16;
     let places = || (0..8).flat_map(|y| (0..8).map(move |x| (x, y)));
     // 1023 of 65535 a step: 1023 / 257 = 3.98 of 255.
     let deep: Vec<u8> = places().flat_map(|(x, y)| (level(x, y) * 1023).to_be_bytes()).collect();
-    let (picture, _) = read_picture(
-        "png-16",
-        "it.png",
-        &write(png::ColorType::Grayscale, png::BitDepth::Sixteen, None, &deep),
-    );
-    let picture = picture.unwrap();
+    let deep = png([8; 2], (png::ColorType::Grayscale, png::BitDepth::Sixteen), None, &deep);
+    let picture = read_picture("png-16", "it.png", &deep).0.unwrap();
     for (x, y) in places() {
         let expected = (f64::from(level(x, y) * 1023) / 257.0).round() as u8;
         assert_eq!(picture.color(x, y), [expected; 3]);
     }
-    let shallow = [0b00_01_10_11; 16];
     let palette = vec![9, 8, 7, 255, 0, 0, 0, 255, 0, 0, 0, 255];
     for (color, palette, expected) in [
         (png::ColorType::Grayscale, None, [[0; 3], [85; 3], [170; 3], [255; 3]]),
         (png::ColorType::Indexed, Some(palette), [[9, 8, 7], [255, 0, 0], [0, 255, 0], [0, 0, 255]]),
     ] {
-        let (picture, said) =
-            read_picture("png-2", "it.png", &write(color, png::BitDepth::Two, palette, &shallow));
+        let shallow = png([8; 2], (color, png::BitDepth::Two), palette, &[0b00_01_10_11; 16]);
+        let (picture, said) = read_picture("png-2", "it.png", &shallow);
         let picture = picture.unwrap_or_else(|| panic!("{said}"));
         for (x, y) in places() {
             assert_eq!(picture.color(x, y), expected[x % 4]);

@@ -127,35 +127,6 @@ fn a_model_alone_becomes_a_picture_that_it_fills() {
 }
 
 #[test]
-fn doubts_are_the_importer_s_and_options_mend_them() {
-    // The box with its front reversed: 4 of its edges, the first with triangle 3, lie between opposite windings.
-    let sound = cuboid([1.0, 1.0, 3.0]);
-    let mut mixed = sound.clone();
-    mixed[..2].iter_mut().for_each(|[a, b, _]| std::mem::swap(a, b));
-    let to = Folder::new("doubts");
-    to.write("sound.stl", stl(&sound));
-    to.write("mixed.stl", stl(&mixed));
-    let draw = |line: &str| {
-        let (_, said) = to.run(&format!("{line} --png p.png"));
-        (to.picture("p.png").pixels, said)
-    };
-    let (right, said) = draw("sound.stl");
-    assert_eq!(said, "");
-    let (wrong, said) = draw("mixed.stl");
-    let start = "mixed.stl: warning: edges between faces of opposite winding: 4, ";
-    assert!(
-        said.starts_with(start) && said.ends_with("use --fix-winding\n") && said.lines().count() == 1,
-        "{said}"
-    );
-    assert!(wrong != right);
-    for option in ["--fix-winding", "--two-sided"] {
-        assert!(draw(&format!("mixed.stl {option}")) == (right.clone(), String::new()), "{option}");
-    }
-    // Of a refusal nothing but the refusal is said.
-    refusal(&RENDER.run_in(&to.0, &["mixed.stl", "--png", "."]));
-}
-
-#[test]
 fn colours_are_those_that_were_named() {
     let to = Folder::new("colours");
     to.write("cube.obj", obj(&cuboid([1.0; 3])));
@@ -224,7 +195,6 @@ fn formats_have_no_other_colours() {
 fn modes_are_what_they_say() {
     let to = Folder::new("modes");
     to.write("cube.stl", stl(&cuboid([1.0; 3])));
-    to.write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
     let of = |file: &str, mode: &str| to.draw(&format!("{file} --size 100x80 --mode {mode}"));
     // A cube's sides are flat, its edges sharp: three colours and the background.
     let flat = of("cube.stl", "flat");
@@ -241,24 +211,6 @@ fn modes_are_what_they_say() {
     // The lines lie inside the outline, or outside by half a line's width: half a pixel.
     let [a, b] = [flat.extent(), hidden.extent()];
     assert!(a.iter().flatten().zip(b.iter().flatten()).all(|(a, b)| a.abs_diff(*b) <= 1), "{a:?} {b:?}");
-    for (line, edges) in [
-        // Of a cube's edges no mode of lines but the wireframe has the six diagonals, unless it is asked for all; its sides meet at
-        // 90 degrees.
-        ("cube.stl --mode wireframe", 18),
-        ("cube.stl --mode hidden-line", 12),
-        ("cube.stl --mode hidden-line --edges all", 18),
-        ("cube.stl --mode wireframe --edges feature", 12),
-        ("cube.stl --mode wireframe --feature-angle 89", 12),
-        // Hidden lines have the outline in any case: six edges lie between the three sides that are seen and those that are not.
-        ("cube.stl --mode hidden-line --edges feature --feature-angle 91", 6),
-        ("cube.stl --mode wireframe --edges feature --feature-angle 91", 0),
-        // The back of a sheet, which lies beside its front, makes no edge of a diagonal.
-        ("sheet.obj --mode wireframe --edges feature --two-sided", 4),
-        ("sheet.obj --mode hidden-line --edges feature --two-sided", 4),
-    ] {
-        let (said, _) = to.run(&format!("{line} --stats"));
-        assert!(said.contains(&format!("; of {edges} edges ")), "{line}: {said}");
-    }
 }
 
 /// A ring, inside out, with 64 sides that turn by 5.6 degrees: its only features are its four rims.
@@ -410,51 +362,23 @@ fn text_has_the_picture_s_shape() {
     assert!(said.lines().count() == 31 && said.lines().last().unwrap().contains("p.png"));
 }
 
+/// The lines of `cases.txt`.
 #[test]
-fn messages_for_bad_options_name_the_alternatives() {
-    let to = Folder::new("wrong");
+fn what_is_said_is_as_in_the_table() {
+    let to = Folder::new("cases");
     to.write("m.obj", obj(&cuboid([1.0; 3])));
+    to.write("cube.stl", stl(&cuboid([1.0; 3])));
+    to.write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
     to.write("s.json", "{}");
-    let (camera, as_is) = ("its own camera", "drawn as it stands");
-    for (line, parts) in [
-        ("m.obj --projection fish-eye", &["--projection: fish-eye", "isometric", "one-point", "reverse"][..]),
-        ("m.obj --mode points", &["--mode: points", "solid", "hidden-line"]),
-        ("m.obj --format rgb332", &["--format: rgb332", "rgb565", "mono"]),
-        ("m.obj --ascii=ansi", &["--ascii: ansi", "ramp", "braille"]),
-        ("m.obj --colour bleu", &["--colour: bleu", "#rrggbb", "blue", "rebeccapurple"]),
-        ("m.obj --background #12345", &["--background: #12345", "6 or 3 hexadecimal digits"]),
-        ("m.obj --background #12345é", &["--background: #12345é"]),
-        ("m.obj --from 30", &["--from: 30", "YAW,PITCH"]),
-        ("m.obj --from 30,95", &["--from: pitch: 95 is not from -90 to 90"]),
-        ("m.obj --from 3,4 --yaw 5", &["--from: ", "--yaw"]),
-        ("m.obj --projection two-point --pitch 80", &["--pitch: 80", "two-point"]),
-        ("m.obj --projection isometric --fov 50", &["--fov: isometric has no field of view"]),
-        ("m.obj --stats --colour red", &["--colour: applies to pictures alone: give --png"]),
-        ("m.obj --ascii --no-dither", &["--no-dither: applies to pictures alone"]),
-        ("m.obj --up w", &["'w' for '--up <AXIS>'", "[possible values: x, y, z, -x, -y, -z]"]),
-        ("m.obj --frame box", &["--frame: box", "sphere, outline"]),
-        ("m.obj --frames 12", &["--frames: ", "--gif"]),
-        ("m.obj --gif f.gif --frames 1", &["--frames", "2..=360"]),
-        ("m.obj --gif f.gif --png f.gif", &["--gif: names the same file as --png"]),
-        ("m.obj --edges some", &["--edges", "all, feature"]),
-        ("m.obj --edges feature", &["--edges: needs --mode wireframe or hidden-line"]),
-        ("m.obj --mode wireframe --edges all --feature-angle 9", &["--feature-angle: is that of"]),
-        ("m.obj --mode wireframe --feature-angle 200", &["--feature-angle: 200 is not from 0 to 180"]),
-        ("m.obj --firmware=120", &["--firmware", "120 is not in 0..120"]),
-        ("m.obj --firmware --mode flat", &["--firmware", "cannot be used with", "--mode"]),
-        ("m.obj --size 640", &["--size: 640", "320x240"]),
-        ("s.json --gif f.gif", &["--gif", camera]),
-        ("s.json --from 1,2", &["--from", camera]),
-        ("s.json --frame sphere", &["--frame", camera]),
-        ("s.json --up z", &["--up", as_is]),
-        ("s.json --flip", &["--flip", as_is]),
-        ("s.json --fix-winding", &["--fix-winding", as_is]),
-        ("s.json --two-sided", &["--two-sided", as_is]),
-        ("s.json --root .", &["--root", as_is]),
-    ] {
-        let said = refusal(&RENDER.run_in(&to.0, &line.split(' ').collect::<Vec<_>>()));
-        assert!(parts.iter().all(|part| said.contains(part)), "{line}: {said}");
-        assert_eq!(fs::read_dir(&to.0).unwrap().count(), 2, "{line}");
+    let rows = include_str!("cases.txt").lines().filter(|row| !row.is_empty() && !row.starts_with('#'));
+    for row in rows {
+        let (line, wanted) = row.split_once(" => ").unwrap();
+        let said = match line.strip_prefix("x ") {
+            Some(line) => refusal(&RENDER.run_in(&to.0, &line.split(' ').collect::<Vec<_>>())),
+            None => to.run(line).0,
+        };
+        assert!(wanted.split(" & ").all(|part| said.contains(part)), "{row}: {said}");
+        assert_eq!(fs::read_dir(&to.0).unwrap().count(), 4, "{row}");
     }
 }
 
