@@ -1,11 +1,10 @@
 //! The cells: each scene on each core, from a firmware of its own, and whether its picture is the host's.
 
 use crate::core::{side_by_side, Build, Core, CORES};
-use crate::data::{row, Row};
 use crate::{elf, Result};
 use bench::cells::{Known, ACCURACIES, CELLS};
-use serde_json::json;
-use std::collections::BTreeMap;
+use serde_json::{json, Value};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::path::PathBuf;
 
@@ -41,7 +40,7 @@ pub(crate) struct Cell {
     pub(crate) instructions: u64,
     /// A copy of the image, which is not replaced when the cell is built at another opt-level.
     pub(crate) image: PathBuf,
-    pub(crate) row: Row,
+    pub(crate) row: Value,
 }
 
 impl fmt::Display for Cell {
@@ -60,51 +59,35 @@ fn named(variant: &str, level: &str) -> String {
 
 /// The scenes, variants and cores that the command line names. If it names none of a kind, all of that kind are measured, except
 /// that only the [`MAIN`] cells are measured at opt-level s, and textures by other accuracies only on the M3.
-#[derive(Default)]
-struct Choice {
-    scenes: Vec<String>,
-    variants: Vec<String>,
-    cores: Vec<String>,
-}
+struct Choice<'n>([Vec<&'n str>; 3]);
 
-impl Choice {
+impl<'n> Choice<'n> {
     /// `Err` lists the known names, if one of `names` is unknown.
-    fn new(names: &[&str]) -> Result<Self> {
-        let unique = |name: fn(&Known) -> &'static str| {
-            let mut names: Vec<&str> = CELLS.iter().map(name).collect();
-            names.sort();
-            names.dedup();
-            names
-        };
-        let (scenes, variants) = (unique(|cell| cell.0), unique(|cell| cell.1));
-        let cores = CORES.map(|core| core.name);
-        let mut choice = Self::default();
+    fn new(names: &[&'n str]) -> Result<Self> {
+        let of_cells = |names: fn(&Known) -> Vec<String>| CELLS.iter().flat_map(names).collect();
+        let known: [BTreeSet<String>; 3] = [
+            of_cells(|cell| vec![cell.0.into()]),
+            of_cells(|cell| [FAST, SMALL].map(|level| named(cell.1, level)).into()),
+            CORES.map(|core| core.name.into()).into(),
+        ];
+        let mut choice = Self(Default::default());
         for &name in names {
-            let to = if scenes.contains(&name) {
-                &mut choice.scenes
-            } else if cores.contains(&name) {
-                &mut choice.cores
-            } else if variants.contains(&name.strip_suffix(SMALL_SUFFIX).unwrap_or(name)) {
-                &mut choice.variants
-            } else {
-                return Err(format!(
-                    "there is no scene, variant or core {name}: {scenes:?}, {variants:?} and with {SMALL_SUFFIX}, {cores:?}"
-                )
-                .into());
-            };
-            to.push(name.into());
+            let kind = known.iter().position(|known| known.contains(name));
+            let kind = kind.ok_or_else(|| format!("there is no scene, variant or core {name}: {known:?}"))?;
+            choice.0[kind].push(name);
         }
         Ok(choice)
     }
 
     fn has(&self, &(scene, variant, _): &Known, level: &'static str, core: Core) -> bool {
-        let is_named = |names: &[String], name: &str| names.is_empty() || names.iter().any(|one| one == name);
-        let is_chosen_variant = match self.variants.is_empty() {
+        let Self([scenes, variants, cores]) = self;
+        let is_named = |names: &[&str], name: &str| names.is_empty() || names.contains(&name);
+        let is_chosen_variant = match variants.is_empty() {
             true if ACCURACIES.contains(&variant) => level == FAST && core.name == "M3",
             true => level == FAST || MAIN.contains(&(scene, variant)),
-            false => self.variants.contains(&named(variant, level)),
+            false => variants.contains(&named(variant, level).as_str()),
         };
-        is_chosen_variant && is_named(&self.scenes, scene) && is_named(&self.cores, core.name)
+        is_chosen_variant && is_named(scenes, scene) && is_named(cores, core.name)
     }
 }
 
@@ -124,7 +107,7 @@ pub(crate) fn measure(names: &[&str], failures: &mut Vec<String>) -> Result<Vec<
 }
 
 /// The rows of the cells that these names choose.
-pub(crate) fn rows(names: &[&str], failures: &mut Vec<String>) -> Result<Vec<Row>> {
+pub(crate) fn rows(names: &[&str], failures: &mut Vec<String>) -> Result<Vec<Value>> {
     Ok(measure(names, failures)?.into_iter().map(|cell| cell.row).collect())
 }
 
@@ -159,9 +142,8 @@ fn on(
         std::fs::copy(image(scene, variant), &copy)?;
         let named = named(variant, level);
         let (flash, stack) = (flash.saturating_sub(empty), stack.parse::<u64>()?);
-        let row =
-            row(json!({"scene": scene, "variant": named, "core": core.name, "instructions": instructions,
-            "flash": flash, "ram": statics, "stack": stack, "crc": crc}));
+        let row = json!({"scene": scene, "variant": named, "core": core.name, "instructions": instructions,
+            "flash": flash, "ram": statics, "stack": stack, "crc": crc});
         let cell = Cell { scene, variant: named, core, instructions, image: copy, row };
         println!("{cell}");
         let host = *pictures.entry((scene, variant)).or_insert_with(|| on_host().map(|counted| counted.crc));

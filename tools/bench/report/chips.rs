@@ -3,7 +3,7 @@
 
 use crate::core::CORES;
 use crate::cycles::recorded;
-use crate::data::{self, row, Row};
+use crate::data;
 use crate::record::Frame;
 use crate::timing::flash::{DataCache, Flash, FlashRules};
 use crate::timing::pipeline::Pipeline;
@@ -31,9 +31,9 @@ pub(crate) struct Chip {
 }
 
 /// The chips, and their rows in the file.
-pub(crate) fn chips() -> Result<Vec<(Chip, Row)>> {
-    let rows = data::read("chips")?.into_iter().filter(|row| row.contains_key("pipeline"));
-    rows.map(|row| Ok((serde_json::from_value(Value::Object(row.clone()))?, row))).collect()
+pub(crate) fn chips() -> Result<Vec<(Chip, Value)>> {
+    let rows = data::read("chips")?.into_iter().filter(|row| !row["pipeline"].is_null());
+    rows.map(|row| Ok((serde_json::from_value(row.clone())?, row))).collect()
 }
 
 /// The scenes that each chip draws: in bands and, where the chip has the RAM, in one piece.
@@ -68,7 +68,7 @@ struct ChipFrame {
 /// The rows of the chips, with the cycles of an instruction in frames in bands; and a row for each frame on each chip: drawing in
 /// milliseconds, the part of it that waits for flash in percent, and frames a second over the fastest SPI, if each band is sent before
 /// the next is drawn, and if DMA sends it meanwhile.
-pub(crate) fn rows(failures: &mut Vec<String>) -> Result<[Vec<Row>; 2]> {
+pub(crate) fn rows(failures: &mut Vec<String>) -> Result<[Vec<Value>; 2]> {
     let (mut of_chips, mut of_frames) = (Vec::new(), Vec::new());
     let chips = chips()?;
     for core in CORES {
@@ -104,8 +104,8 @@ pub(crate) fn rows(failures: &mut Vec<String>) -> Result<[Vec<Row>; 2]> {
                 })
             };
             let mut row = row.clone();
-            row.insert("cycles".into(), json!(per_instruction(|frame| frame.cycles)));
-            row.insert("cycles_without_waits".into(), json!(per_instruction(|frame| frame.ideal)));
+            row["cycles"] = json!(per_instruction(|frame| frame.cycles));
+            row["cycles_without_waits"] = json!(per_instruction(|frame| frame.ideal));
             of_chips.push(row);
             let fitting = frames.iter().filter(|frame| frame.fits(chip, false));
             of_frames.extend(fitting.map(|frame| frame.row(chip)));
@@ -147,14 +147,14 @@ impl ChipFrame {
         Self { scene, kind, rows, instructions, cycles, waited, ideal: ideal.cycles, bands }
     }
 
-    fn row(&self, chip: &Chip) -> Row {
+    fn row(&self, chip: &Chip) -> Value {
         let tenths = |figure: f64| (figure * 10.0).round() / 10.0;
         let (drawing, bands) = (chip.milliseconds(self.cycles), f64::from(SIZE.div_ceil(self.rows)));
         let overlapped = self.fits(chip, true).then(|| tenths(1000.0 / self.overlapped(chip)));
         let waits = (100.0 * self.waited as f64 / self.cycles as f64).round();
         let blocking = tenths(1000.0 / (drawing + bands * self.sending(chip)));
-        row(json!({"chip": chip.chip, "scene": self.scene, "variant": KINDS[self.kind], "rows": self.rows,
-            "drawing_ms": tenths(drawing), "waits_percent": waits, "fps_blocking": blocking, "fps_dma": overlapped}))
+        json!({"chip": chip.chip, "scene": self.scene, "variant": KINDS[self.kind], "rows": self.rows,
+            "drawing_ms": tenths(drawing), "waits_percent": waits, "fps_blocking": blocking, "fps_dma": overlapped})
     }
 
     /// Milliseconds that the bus takes for a band.
@@ -225,11 +225,11 @@ impl Estimate {
 }
 
 /// The rows of an ESP32-C3: the cycles of an instruction in lines, faces, and faces with depth.
-fn esp32c3(kinds: [Estimate; 3]) -> [Row; 2] {
+fn esp32c3(kinds: [Estimate; 3]) -> [Value; 2] {
     let row_of = |chip: &str, cycles: fn(&Estimate) -> [u64; 3]| {
         let [least, likely, most] = [0, 1, 2]
             .map(|at| json!(kinds.map(|sum| rounded(cycles(&sum)[at] as f64 / sum.instructions as f64))));
-        row(json!({"chip": chip, "core": "RV32", "mhz": 160, "cycles": likely, "least": least, "most": most}))
+        json!({"chip": chip, "core": "RV32", "mhz": 160, "cycles": likely, "least": least, "most": most})
     };
     [row_of("ESP32-C3, code in RAM", |sum| sum.in_ram), row_of("ESP32-C3, code in flash", Estimate::in_flash)]
 }

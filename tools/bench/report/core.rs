@@ -3,7 +3,7 @@
 use crate::{Result, M0, M3, RV32};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::thread;
 
 /// This directory, and the project's.
@@ -143,22 +143,18 @@ pub(crate) fn side_by_side<T: Sync, R: Send>(
     these: &[T],
     each: impl Fn(&T) -> Result<R> + Sync,
 ) -> Result<Vec<R>> {
-    let waiting = Mutex::new(these.iter().enumerate());
-    let next = || waiting.lock().ok().and_then(|mut waiting| waiting.next());
+    let next = AtomicUsize::new(0);
     // Errors stay in their thread; their messages are passed on.
-    let work = || {
-        let one = |(at, this)| (at, each(this).map_err(|error| error.to_string()));
-        std::iter::from_fn(next).map(one).collect::<Vec<_>>()
+    let one = || {
+        let at = next.fetch_add(1, Relaxed);
+        these.get(at).map(|this| (at, each(this).map_err(|error| error.to_string())))
     };
     let at_once = thread::available_parallelism().map_or(1, usize::from);
-    let mut done = Vec::new();
-    thread::scope(|scope| {
+    let mut done: Vec<_> = thread::scope(|scope| {
+        let work = || std::iter::from_fn(one).collect::<Vec<_>>();
         let threads: Vec<_> = (0..at_once).map(|_| scope.spawn(work)).collect();
-        for thread in threads {
-            done.extend(thread.join().map_err(|_| "a thread panicked")?);
-        }
-        Ok::<(), &str>(())
-    })?;
+        threads.into_iter().flat_map(|thread| thread.join().expect("no panic")).collect()
+    });
     done.sort_by_key(|of| of.0);
     done.into_iter().map(|of| of.1.map_err(Into::into)).collect()
 }

@@ -4,11 +4,10 @@
 use crate::cells::{self, Cell};
 use crate::chips::{chips, Estimate};
 use crate::core::{side_by_side, Core, CORES};
-use crate::data::{row, Row};
 use crate::record::{record, Frame, APART};
 use crate::timing::pipeline::Pipeline;
 use crate::{Result, RV32};
-use serde_json::json;
+use serde_json::{json, Value};
 use std::path::Path;
 
 /// The cores with timing tables: the name of each, of the emulated core whose images it runs, and the table.
@@ -40,7 +39,7 @@ pub(crate) fn recorded(names: &[&str], failures: &mut Vec<String>) -> Result<Vec
 }
 
 /// The cycles, without wait states, of the cells that these scenes, variants and cores choose; all of a kind if none is named.
-pub(crate) fn rows(names: &[&str], failures: &mut Vec<String>) -> Result<Vec<Row>> {
+pub(crate) fn rows(names: &[&str], failures: &mut Vec<String>) -> Result<Vec<Value>> {
     let is_core = |name: &str| TIMED_CORES.iter().any(|core| core.0 == name);
     let named: Vec<&str> = names.iter().copied().filter(|name| is_core(name)).collect();
     let cores: Vec<_> =
@@ -50,8 +49,8 @@ pub(crate) fn rows(names: &[&str], failures: &mut Vec<String>) -> Result<Vec<Row
     let mut rows = Vec::new();
     for (cell, frame) in recorded(&chosen, failures)? {
         rows.extend(cores.iter().filter(|core| core.1 == cell.core.name).map(|(core, _, pipeline)| {
-            row(json!({"scene": cell.scene, "variant": cell.variant, "core": core,
-                "instructions": cell.instructions, "cycles": frame.cycles(*pipeline, None).cycles}))
+            json!({"scene": cell.scene, "variant": cell.variant, "core": core,
+                "instructions": cell.instructions, "cycles": frame.cycles(*pipeline, None).cycles})
         }));
     }
     Ok(rows)

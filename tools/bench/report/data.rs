@@ -1,12 +1,9 @@
 //! The data in `docs/data`: JSON files with a row for each measurement. A check compares new rows with them.
 
 use crate::{core, Result};
-use serde_json::{Map, Value};
+use serde_json::Value;
 use std::fmt::Write;
 use std::path::PathBuf;
-
-/// Columns and their values.
-pub(crate) type Row = Map<String, Value>;
 
 /// Columns with this prefix are limits of the column whose name follows. They are written by hand and kept.
 const LIMIT: &str = "most_";
@@ -35,47 +32,45 @@ pub(crate) enum Strictness {
     Change,
 }
 
-/// A row from an object of `serde_json::json!`.
-pub(crate) fn row(columns: Value) -> Row {
-    match columns {
-        Value::Object(row) => row,
-        _ => Row::new(),
-    }
-}
-
 pub(crate) fn path(name: &str) -> PathBuf {
     core::root().join("docs/data").join(name).with_extension("json")
 }
 
 /// The rows of a file.
-pub(crate) fn read(name: &str) -> Result<Vec<Row>> {
+pub(crate) fn read(name: &str) -> Result<Vec<Value>> {
     let path = path(name);
     let text = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
     let file: Value = serde_json::from_str(&text).map_err(|error| format!("{}: {error}", path.display()))?;
     Ok(serde_json::from_value(file["rows"].clone())?)
 }
 
+/// The columns of a row, and their values.
+fn columns(row: &Value) -> impl Iterator<Item = (&String, &Value)> {
+    row.as_object().into_iter().flatten()
+}
+
 impl Set {
-    fn is_same(&self, a: &Row, b: &Row) -> bool {
-        self.keys.iter().all(|key| a.get(*key) == b.get(*key))
+    fn is_same(&self, a: &Value, b: &Value) -> bool {
+        self.keys.iter().all(|key| a[*key] == b[*key])
     }
 
-    fn named(&self, row: &Row) -> String {
+    fn named(&self, row: &Value) -> String {
         let keys = self.keys.iter().filter_map(|key| row.get(*key));
         keys.map(|key| key.to_string().replace('"', "")).collect::<Vec<_>>().join(" ")
     }
 
     /// Replaces the rows that were measured, with their limits kept, and leaves all others as they are.
-    pub(crate) fn write(&self, measured: Vec<Row>) -> Result<()> {
+    pub(crate) fn write(&self, measured: Vec<Value>) -> Result<()> {
         let (compiler, commit) = (core::compiler()?, core::commit()?);
         let mut rows = if path(self.name).exists() { read(self.name)? } else { Vec::new() };
         for mut new in measured {
-            new.insert(COMPILER.into(), compiler.clone().into());
-            new.insert(COMMIT.into(), commit.clone().into());
+            new[COMPILER] = compiler.as_str().into();
+            new[COMMIT] = commit.as_str().into();
             match rows.iter_mut().find(|old| self.is_same(old, &new)) {
                 Some(old) => {
-                    let limits = old.iter().filter(|(column, _)| column.starts_with(LIMIT));
-                    new.extend(limits.map(|(column, limit)| (column.clone(), limit.clone())));
+                    for (column, limit) in columns(old).filter(|(column, _)| column.starts_with(LIMIT)) {
+                        new[column] = limit.clone();
+                    }
                     *old = new;
                 }
                 None => rows.push(new),
@@ -86,7 +81,7 @@ impl Set {
         for (at, row) in rows.iter().enumerate() {
             let end = if at + 1 < rows.len() { "," } else { "" };
             // What names the row comes first.
-            let others = row.keys().map(String::as_str).filter(|column| !self.keys.contains(column));
+            let others = columns(row).map(|of| of.0.as_str()).filter(|column| !self.keys.contains(column));
             let columns = self.keys.iter().copied().chain(others);
             let columns: Vec<_> = columns.map(|column| format!("\"{column}\":{}", row[column])).collect();
             writeln!(text, "{{{}}}{end}", columns.join(","))?;
@@ -98,10 +93,10 @@ impl Set {
     }
 
     /// Fails where a picture is not the one of the same scene and variant in the file, on any core.
-    pub(crate) fn check_pictures(&self, measured: &[Row], failures: &mut Vec<String>) -> Result<()> {
+    pub(crate) fn check_pictures(&self, measured: &[Value], failures: &mut Vec<String>) -> Result<()> {
         let rows = read(self.name)?;
         for new in measured {
-            let is_same = |old: &&Row| old["scene"] == new["scene"] && old["variant"] == new["variant"];
+            let is_same = |old: &&Value| old["scene"] == new["scene"] && old["variant"] == new["variant"];
             let known = rows.iter().filter(is_same).find_map(|old| old.get("crc"));
             if known.is_some_and(|crc| *crc != new["crc"]) {
                 failures.push(format!("{}: {} is another picture", self.named(new), new["crc"]));
@@ -114,7 +109,7 @@ impl Set {
     /// compiler built them.
     pub(crate) fn check(
         &self,
-        measured: &[Row],
+        measured: &[Value],
         strictness: Strictness,
         failures: &mut Vec<String>,
     ) -> Result<()> {
@@ -128,9 +123,9 @@ impl Set {
             };
             let is_same_compiler = old.get(COMPILER).and_then(Value::as_str) == Some(&compiler);
             others += u32::from(!is_same_compiler);
-            for (column, value) in new {
+            for (column, value) in columns(new) {
                 let before = old.get(column).unwrap_or(&Value::Null);
-                let limit = old.get(&format!("{LIMIT}{column}")).and_then(Value::as_f64);
+                let limit = old.get(format!("{LIMIT}{column}")).and_then(Value::as_f64);
                 let is_over = value.as_f64().zip(limit).is_some_and(|(value, limit)| value > limit);
                 let is_changed = match column.as_str() {
                     "crc" => value != before,

@@ -4,12 +4,11 @@
 mod floats;
 
 use crate::core::Build;
-use crate::data::{row, Row};
 use crate::elf::{self, Provenance};
 use crate::{Result, M0, M3, RV32};
 use floats::is_float_routine;
 use serde::Deserialize;
-use serde_json::json;
+use serde_json::{json, Value};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -20,7 +19,7 @@ pub(crate) const BUILDS: [Build; 5] = [
     Build { target: M0, level: "s" },
     Build { target: RV32, level: "3" },
 ];
-/// Features that are compared with an image that lacks them, by their difference.
+/// The build whose images may not grow.
 pub(crate) const M3_AT_3: &[Build] = &[BUILDS[0]];
 
 /// The images of `src/bin/flash_*.rs`, in `images.json`.
@@ -29,6 +28,8 @@ struct Images {
     /// Files and folders of the library of which images of a kind must not hold any code. The image [`WITNESS`] holds code of all of
     /// them, otherwise the check would be blind.
     without: BTreeMap<String, Vec<String>>,
+    /// The builds in which images of a kind are measured.
+    builds: BTreeMap<String, Vec<String>>,
     images: Vec<Image>,
 }
 
@@ -37,28 +38,7 @@ struct Image {
     name: String,
     says: String,
     without: String,
-    builds: Builds,
-}
-
-/// The builds in which an image is measured.
-#[derive(Clone, Copy, Deserialize, PartialEq, Eq)]
-enum Builds {
-    All,
-    Arm,
-    /// Ways to draw that only the planner compares: at the opt-level whose times it knows.
-    Fast,
-    M3,
-}
-
-impl Builds {
-    fn has(self, build: Build) -> bool {
-        match self {
-            Self::All => true,
-            Self::Arm => build.target != RV32,
-            Self::Fast => build.level == "3",
-            Self::M3 => M3_AT_3.contains(&build),
-        }
-    }
+    builds: String,
 }
 
 /// Links everything that other images must not link.
@@ -74,11 +54,12 @@ fn is_for(part: &str, build: Build) -> bool {
 }
 
 /// Measures the images in these builds.
-pub(crate) fn measure(builds: &[Build], failures: &mut Vec<String>) -> Result<Vec<Row>> {
-    let Images { without, images } = serde_json::from_str(include_str!("../images.json"))?;
+pub(crate) fn measure(builds: &[Build], failures: &mut Vec<String>) -> Result<Vec<Value>> {
+    let Images { without, builds: kinds, images } = serde_json::from_str(include_str!("../images.json"))?;
     let mut rows = Vec::new();
     for &build in builds {
-        let images = || images.iter().filter(|image| image.builds.has(build));
+        let is_built = |image: &&Image| kinds[&image.builds].contains(&build.to_string());
+        let images = || images.iter().filter(is_built);
         let names = ["empty"].into_iter().chain(images().map(|image| image.name.as_str()));
         build.cargo("build", &names.map(|name| format!("--bin=flash_{name}")).collect::<Vec<_>>())?;
         let file = |name: &str| build.image(&format!("flash_{name}"));
@@ -100,8 +81,8 @@ pub(crate) fn measure(builds: &[Build], failures: &mut Vec<String>) -> Result<Ve
                 }
             }
             let flash = flash.saturating_sub(empty);
-            rows.push(row(json!({"image": name, "target": build.target, "level": build.level, "says": says,
-                "flash": flash, "variables": statics, "stack": stack})));
+            rows.push(json!({"image": name, "target": build.target, "level": build.level, "says": says,
+                "flash": flash, "variables": statics, "stack": stack}));
         }
     }
     Ok(rows)

@@ -1,11 +1,10 @@
 //! The cost of a vertex, a face, a row and a pixel, fitted to some cases, and tested by predicting others.
 
 use crate::core::CORES;
-use crate::data::{row, Row};
 use crate::Result;
 use bench::growth::{ways, Case, Way, CASES, WAYS};
 use pinhole_apps_support::work::{terms, Work};
-use serde_json::json;
+use serde_json::{json, Value};
 
 /// A case drawn in a way: how many it has of what each constant is for, and the instructions that it took.
 struct Drawn {
@@ -16,7 +15,7 @@ struct Drawn {
 
 /// A row for each way to draw and core: the constants, and the errors in percent of the frames that they predict, those of the fit
 /// and others; and for each core the instructions of placing an object and of turning its light, which come on top.
-pub(crate) fn rows(_: &mut Vec<String>) -> Result<Vec<Row>> {
+pub(crate) fn rows() -> Result<Vec<Value>> {
     let works = works()?;
     let mut rows = Vec::new();
     for core in CORES {
@@ -29,8 +28,8 @@ pub(crate) fn rows(_: &mut Vec<String>) -> Result<Vec<Row>> {
         if counts.len() != works.len() {
             return Err(format!("growth on {}: {} cases", core.name, counts.len()).into());
         }
-        rows.push(row(json!({"way": "placing", "core": core.name, "constants": [place, light],
-            "names": ["Affine::rotation_y and Camera::place", "Lambert::new"]})));
+        rows.push(json!({"way": "placing", "core": core.name, "constants": [place, light],
+            "names": ["Affine::rotation_y and Camera::place", "Lambert::new"]}));
         for (name, kinds, _) in WAYS {
             let of_ways = works.iter().zip(&counts).filter(|((_, way, _), _)| kinds.contains(&way.kind));
             let (names, counts): (Vec<_>, Vec<_>) = terms(name).into_iter().unzip();
@@ -54,9 +53,9 @@ pub(crate) fn rows(_: &mut Vec<String>) -> Result<Vec<Row>> {
                 [mean, largest].map(|error| (10.0 * error).round() / 10.0)
             };
             let shown: Vec<f64> = constants.iter().map(|constant| rounded(*constant)).collect();
-            rows.push(row(json!({"way": name, "core": core.name, "names": names, "constants": shown,
+            rows.push(json!({"way": name, "core": core.name, "names": names, "constants": shown,
                 "mean_and_largest_error_in_the_fit": errors(true),
-                "mean_and_largest_error_elsewhere": errors(false)})));
+                "mean_and_largest_error_elsewhere": errors(false)}));
         }
     }
     Ok(rows)

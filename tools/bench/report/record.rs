@@ -157,12 +157,9 @@ impl Recorder {
             }
         } else if line.starts_with(b"R") {
             for register in line.chunks(13) {
-                let number = register.get(1..3).map_or(0, |digits| 10 * value(digits[0]) + value(digits[1]));
-                if let (Some(to), Some(digits)) =
-                    (self.state.registers.get_mut(number as usize), register.get(4..12))
-                {
-                    *to = hexadecimal(digits);
-                }
+                let [b'R', tens, ones, b'=', digits @ ..] = register else { continue };
+                let number = 10 * (tens - b'0') + (ones - b'0');
+                self.state.registers[usize::from(number & 15)] = hexadecimal(digits);
             }
         }
     }
@@ -213,15 +210,8 @@ impl Recorder {
     }
 }
 
-fn value(digit: u8) -> u32 {
-    match digit {
-        b'0'..=b'9' => u32::from(digit - b'0'),
-        b'a'..=b'f' => u32::from(digit - b'a') + 10,
-        _ => 0,
-    }
-}
-
 /// A number of up to eight hexadecimal digits.
 fn hexadecimal(digits: &[u8]) -> u32 {
+    let value = |digit: u8| char::from(digit).to_digit(16).unwrap_or(0);
     digits.iter().take(8).fold(0, |sum, digit| sum << 4 | value(*digit))
 }

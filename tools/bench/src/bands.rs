@@ -6,10 +6,6 @@ use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::{DepthBuffer, Frame, Lambert, ScreenVertex, Stroke, Surface};
 
-/// Sizes for the largest scene: its vertices, and its visible faces with a bit for each face of the mesh.
-const CORNERS: usize = 2892;
-const BIN_STORAGE: usize = 1800 + 5780_usize.div_ceil(16);
-
 /// Bytes of the colour strip, for bands of `rows` rows.
 pub const fn bytes(rows: u32) -> usize {
     Frame::<Rgb565>::strip_bytes(SIZE, rows)
@@ -25,30 +21,6 @@ pub struct Storage<'s> {
     pub bin_storage: &'s mut [u16],
     pub strip: &'s mut [u8],
     pub depth: &'s mut [u16],
-}
-
-/// Storage for the largest scene and bands of any height.
-pub struct Memory {
-    corners: [ScreenVertex; CORNERS],
-    bin_storage: [u16; BIN_STORAGE],
-    strip: [u8; bytes(SIZE)],
-    depth: [u16; pixels(SIZE)],
-}
-
-impl Memory {
-    pub const NEW: Self = Self {
-        corners: [ScreenVertex::EMPTY; CORNERS],
-        bin_storage: [0; BIN_STORAGE],
-        strip: [0; bytes(SIZE)],
-        depth: [0; pixels(SIZE)],
-    };
-
-    /// Buffers for bands of `rows` rows.
-    pub fn rows(&mut self, rows: u32) -> Option<Storage<'_>> {
-        let Self { corners, bin_storage, strip, depth } = self;
-        let (strip, depth) = (strip.get_mut(..bytes(rows))?, depth.get_mut(..pixels(rows))?);
-        Some(Storage { corners, bin_storage, strip, depth })
-    }
 }
 
 pub fn wireframe(

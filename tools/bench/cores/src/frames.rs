@@ -31,20 +31,6 @@ pub(crate) trait Cores {
     fn both(&mut self, ours: impl FnOnce(), theirs: impl FnOnce() + Send);
 }
 
-/// Chooses the band that a core draws after another one: `core` is 0 or 1.
-pub(crate) trait Deal: Sync {
-    fn next(&self, core: u32, before: Option<u32>) -> u32;
-}
-
-/// Every other band.
-pub(crate) struct Alternating;
-
-impl Deal for Alternating {
-    fn next(&self, core: u32, before: Option<u32>) -> u32 {
-        before.map_or(core, |before| before + 2)
-    }
-}
-
 /// A frame on one core, as the other images of the bench draw it.
 pub(crate) type One = fn(&Scene, &Lambert, Storage<'_>, &mut Display) -> Option<()>;
 
@@ -58,7 +44,6 @@ pub(crate) trait Way {
         light: &Lambert,
         memory: &mut Memory,
         cores: &mut impl Cores,
-        deal: &impl Deal,
         take: &(impl Fn(u32, &[u8]) + Sync),
     ) -> Option<()>;
 }
@@ -77,7 +62,6 @@ macro_rules! way {
                 light: &Lambert,
                 memory: &mut Memory,
                 cores: &mut impl Cores,
-                deal: &impl Deal,
                 take: &(impl Fn(u32, &[u8]) + Sync),
             ) -> Option<()> {
                 let Memory { corners, bin_storage, cursor, strips, depths } = memory;
@@ -92,7 +76,7 @@ macro_rules! way {
                 let mut faces = split.finish().ok()?;
                 let [ours, theirs] = faces.fork(cursor).ok()?;
                 let draw = |core: u32, strip: &mut [u8], $depth: &mut [u16], mut $faces: $binned| {
-                    each_band(deal, core, strip, take, |$band| {
+                    each_band(core, strip, take, |$band| {
                         let $shade = scene.shade(light);
                         $draw
                     })
@@ -124,19 +108,18 @@ way!(
     }
 );
 
-/// The bands of one core.
+/// The bands of one core: every other one.
 fn each_band(
-    deal: &impl Deal,
     core: u32,
     strip: &mut [u8],
     take: &(impl Fn(u32, &[u8]) + Sync),
     mut draw: impl FnMut(&mut Band<'_, Rgb565>) -> Option<()>,
 ) -> Option<()> {
-    let (frame, mut index) = (Frame::new(area(), BACKGROUND), deal.next(core, None));
+    let (frame, mut index) = (Frame::new(area(), BACKGROUND), core);
     while let Some(mut band) = frame.nth_band(index, strip).ok()? {
         draw(&mut band)?;
         take(index, band.bytes());
-        index = deal.next(core, Some(index));
+        index += 2;
     }
     Some(())
 }

@@ -1,9 +1,9 @@
 //! Frames of scenes S3 and S4 by two cores: one transformed and binned mesh, each core its bands of 16 rows.
 //!
 //! First the second core waits, and the first one does each core's part alone: these instructions are counted. Then both cores
-//! run, and the picture must have the checksum of one core's: with bands in turn and, on cores with the atomic operation, with
-//! bands from a counter. Lines are `scene,way,part,instructions,crc`: *one* is the frame on one core, *first* and *second* are
-//! each core's part, and *frame* is the time of the frame: of what both do at once, the longer part counts.
+//! run, and the picture must have the checksum of one core's. Lines are `scene,way,part,instructions,crc`: *one* is the frame on
+//! one core, *first* and *second* are each core's part, and *frame* is the time of the frame: of what both do at once, the longer
+//! part counts.
 #![no_std]
 #![no_main]
 
@@ -20,7 +20,7 @@ use board::{start_second, Clock};
 use both_cores::OtherCore;
 use core::hint::black_box;
 use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
-use frames::{Alternating, Cores, Deal, Memory, One, Solid, Way, WithDepth, ROWS};
+use frames::{Cores, Memory, One, Solid, Way, WithDepth, ROWS};
 use pinhole::{Lambert, ScreenVertex};
 
 /// Bytes of a row.
@@ -49,17 +49,6 @@ impl Cores for Counted<'_> {
 impl Cores for OtherCore {
     fn both(&mut self, ours: impl FnOnce(), theirs: impl FnOnce() + Send) {
         OtherCore::both(self, ours, theirs);
-    }
-}
-
-/// The core that is free draws the next band.
-#[cfg(target_has_atomic = "32")]
-struct Counter(AtomicU32);
-
-#[cfg(target_has_atomic = "32")]
-impl Deal for Counter {
-    fn next(&self, _: u32, _: Option<u32>) -> u32 {
-        self.0.fetch_add(1, Relaxed)
     }
 }
 
@@ -103,14 +92,7 @@ impl Case {
             black_box(bytes);
         };
         let all = clock.count(|| {
-            good = W::frame(
-                black_box(&self.scene),
-                black_box(&self.light),
-                memory,
-                &mut cores,
-                &Alternating,
-                &take,
-            );
+            good = W::frame(black_box(&self.scene), black_box(&self.light), memory, &mut cores, &take);
         });
         good?;
         let Counted { second, waits, .. } = cores;
@@ -124,13 +106,7 @@ impl Case {
     }
 
     /// Draws a frame by both cores. `None` unless it has the checksum of one core's.
-    fn draw<W: Way>(
-        &self,
-        memory: &mut Memory,
-        other: &mut OtherCore,
-        deal: &impl Deal,
-        pixels: &Pixels,
-    ) -> Option<()> {
+    fn draw<W: Way>(&self, memory: &mut Memory, other: &mut OtherCore, pixels: &Pixels) -> Option<()> {
         pixels.iter().for_each(|word| word.store(!0, Relaxed));
         let take = |index: u32, band: &[u8]| {
             let words = pixels.iter().skip(index as usize * bytes(ROWS) / 4);
@@ -138,7 +114,7 @@ impl Case {
                 word.store(u32::from_ne_bytes(*bytes), Relaxed);
             }
         };
-        W::frame(&self.scene, &self.light, memory, other, deal, &take)?;
+        W::frame(&self.scene, &self.light, memory, other, &take)?;
         let crc = Display::default().look(&mut |display| {
             for words in pixels.chunks(ROW / 4) {
                 let mut row = [0; ROW];
@@ -167,14 +143,8 @@ fn run(memory: &mut Memory, pixels: &Pixels) -> Option<()> {
     let mut other = OtherCore::new(start).ok()?;
     for (_, model) in scenes() {
         let case = Case::new(model)?;
-        case.draw::<Solid>(memory, &mut other, &Alternating, pixels)?;
-        case.draw::<WithDepth>(memory, &mut other, &Alternating, pixels)?;
-        #[cfg(target_has_atomic = "32")]
-        {
-            let counter = || Counter(AtomicU32::new(0));
-            case.draw::<Solid>(memory, &mut other, &counter(), pixels)?;
-            case.draw::<WithDepth>(memory, &mut other, &counter(), pixels)?;
-        }
+        case.draw::<Solid>(memory, &mut other, pixels)?;
+        case.draw::<WithDepth>(memory, &mut other, pixels)?;
     }
     Some(())
 }

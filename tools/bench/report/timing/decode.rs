@@ -1,4 +1,4 @@
-//! The properties of an instruction that decide its cycles: kind, registers and memory address, by the tables of `encodings.txt`.
+//! The properties of an instruction that decide its cycles: kind, registers and memory address, by the tables of `instructions.txt`.
 
 use serde::Deserialize;
 use std::sync::LazyLock;
@@ -10,7 +10,7 @@ pub(crate) type Registers = u32;
 const PC: u32 = 15;
 
 /// The rows of the cores' timing tables.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize)]
 pub(crate) enum Kind {
     /// Arithmetic, moves, comparisons, hints.
     Simple,
@@ -50,6 +50,12 @@ pub(crate) enum Kind {
     System,
     /// An instruction of the FPU.
     Float,
+}
+
+impl Kind {
+    pub(super) fn named(name: &str) -> Option<Self> {
+        serde_json::from_value(name.into()).ok()
+    }
 }
 
 /// The address of a load or store: the sum of two terms.
@@ -95,21 +101,22 @@ struct Encoding {
     fixed: Vec<(u8, u32)>,
 }
 
-/// The tables of `encodings.txt` in their order: Thumb's and RISC-V's, of 16 and of 32 bits.
+pub(super) const TEXT: &str = include_str!("instructions.txt");
+
+/// The first tables of `instructions.txt`: the encodings of Thumb and RISC-V, of 16 and of 32 bits.
 static TABLES: LazyLock<[Encodings; 4]> = LazyLock::new(|| {
-    let tables = include_str!("encodings.txt").split("\n[").skip(1);
-    let tables: Vec<Encodings> = tables.map(table).collect();
-    tables.try_into().unwrap_or_else(|_| panic!("encodings.txt: four tables"))
+    let tables: Vec<Encodings> = TEXT.split("\n[").skip(1).take(4).map(table).collect();
+    tables.try_into().unwrap_or_else(|_| panic!("instructions.txt: four tables"))
 });
 
 fn table(text: &'static str) -> Encodings {
     let lines = text.lines().skip(1).filter(|line| !line.is_empty() && !line.starts_with('#'));
-    lines.map(|line| encoding(line).unwrap_or_else(|| panic!("encodings.txt: {line}"))).collect()
+    lines.map(|line| encoding(line).unwrap_or_else(|| panic!("instructions.txt: {line}"))).collect()
 }
 
 fn encoding(line: &'static str) -> Option<Encoding> {
     let mut words = line.split(' ');
-    let (bits, kind) = (words.next()?, serde_json::from_value(words.next()?.into()).ok()?);
+    let (bits, kind) = (words.next()?, Kind::named(words.next()?)?);
     let fixed = words.map(|field| {
         let (name, value) = field.split_once('=')?;
         Some((*name.as_bytes().first()?, value.parse().ok()?))

@@ -1,10 +1,13 @@
 //! Faces into a picture in memory, a firmware for each shader: of one colour, textured, with a screen door, half mixed, in fog, with
-//! keyed texels, and by a table of shades whose light or fog is that of vertices.
+//! keyed texels, and by a table of shades whose light or fog is that of vertices; and sprites at the vertices, keyed and scaled by their
+//! distance.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::image::prelude::*;
 
 /// The firmware that is built.
 const IMAGE: &str = env!("CARGO_BIN_NAME");
+/// The vertices in the cache: sprites have none.
+const CACHED: usize = if is_equal(IMAGE, "flash_sprites") { 0 } else { CORNERS };
 
 /// 128 bytes, which count.
 static TEXELS: [[Rgb565; 8]; 8] = {
@@ -29,7 +32,7 @@ static SHADES: ShadeTable<Rgb565> = {
 
 image!(
     cube,
-    corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS],
+    corners: [ScreenVertex; CACHED] = [ScreenVertex::EMPTY; CACHED],
     memory: [Rgb565; pixels(ROWS)] = [scene::BACKGROUND; pixels(ROWS)],
     {
         let scene = Turntable::new();
@@ -65,6 +68,7 @@ image!(
                 fog.factors(cube.mesh.vertices(), &mut factors);
                 frame.draw(|face| SHADES.lit(cube.mesh.corners_of(face, &factors)))
             }
+            "flash_sprites" => frame.draw_sprites(),
             _ => None,
         }
     }
@@ -86,6 +90,17 @@ impl Frame<'_> {
         let size = black_box(Size::new(scene::SIZE, ROWS));
         let mut picture = Picture::new(memory, size).ok()?;
         let Ok(_) = instance.faces(&shade).cached(corners).draw(&mut picture.pixels());
+        black_box(picture.colors());
+        Some(())
+    }
+
+    #[inline(always)]
+    fn draw_sprites(self) -> Option<()> {
+        let points = self.scene.camera().place_sprites(&self.cube.mesh, self.scene.model());
+        let mut picture = Picture::new(self.memory, black_box(Size::new(scene::SIZE, ROWS))).ok()?;
+        let side = black_box(Scalar::from_bits(1 << 14));
+        let sprite = Sprite::new(ColorKeyed::new(black_box(&TEXELS), Rgb565::GREEN)).with_size(side, side);
+        let Ok(_) = points.draw(|_| sprite, &mut picture.pixels());
         black_box(picture.colors());
         Some(())
     }

@@ -65,9 +65,7 @@ impl Measured {
             for (all, one) in of_all.zip(sweep.depths.iter_mut().flatten().flatten()) {
                 all.append(std::mem::take(one));
             }
-            sweep.places.iter_mut().flatten().for_each(Errors::sort);
         }
-        depths.iter_mut().flatten().flatten().for_each(Errors::sort);
         Ok(Self { sweeps, depths, textures: textures? })
     }
 
@@ -129,25 +127,16 @@ impl Errors {
         self.squares += other.squares;
     }
 
-    /// Puts the 99.9th percentile in its place, which [`Errors::figures`] needs.
-    fn sort(&mut self) {
-        if let Some(place) = self.percentile() {
-            self.all.select_nth_unstable_by(place, f32::total_cmp);
-        }
-    }
-
-    fn percentile(&self) -> Option<usize> {
-        (self.all.len() - self.all.len() / 1000).checked_sub(1)
-    }
-
     fn largest(&self) -> f64 {
         self.all.iter().fold(0f32, |a, &b| a.max(b)).into()
     }
 
     /// The maximum, the 99.9th percentile and the root mean square, of three digits each.
     fn figures(&self) -> [f64; 3] {
-        let nearly = self.percentile().and_then(|place| self.all.get(place)).copied().unwrap_or_default();
-        let mean = (self.squares / self.all.len().max(1) as f64).sqrt();
+        let mut all = self.all.clone();
+        let percentile = (all.len() - all.len() / 1000).checked_sub(1);
+        let nearly = percentile.map_or(0.0, |at| *all.select_nth_unstable_by(at, f32::total_cmp).1);
+        let mean = (self.squares / all.len().max(1) as f64).sqrt();
         [self.largest(), nearly.into(), mean].map(rounded)
     }
 }

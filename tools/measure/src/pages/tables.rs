@@ -12,8 +12,6 @@ pub(super) fn table_of(name: &str) -> Result<String> {
         "comparison" => comparison(),
         "scenes" => scenes(),
         "frames" => frames(),
-        "bands" => bands(),
-        "cores" => cores(),
         "cycles per instruction" => cycles_per_instruction(),
         "features" => features(),
         "vertex errors" => vertex_errors(),
@@ -97,12 +95,13 @@ fn table(header: &[&str], lines: impl IntoIterator<Item = Vec<String>>) -> Strin
 #[derive(Deserialize)]
 struct Figures {
     data: String,
-    /// The columns of the data that a row names, and those that a column names.
+    /// The columns of the data that a row names, and those that a column names. What a row has for `*` takes its place in the values of a
+    /// column.
     keys: Vec<String>,
     of: Vec<String>,
     /// Headings before the figures: of what a row says, if it begins with that, and of its name.
     first: Vec<String>,
-    /// Heading, values of `of`, and the figure's column.
+    /// Heading, values of `of`, and the figure's column; or heading, `÷`, and the headings of the columns whose ratio it shows.
     columns: Vec<Vec<String>>,
     rows: Vec<Vec<String>>,
 }
@@ -123,17 +122,26 @@ impl Figures {
         let data = Rows::read(&self.data)?;
         let line = |row: &Vec<String>| {
             let (says, values) = row.split_at(row.len().saturating_sub(self.keys.len()));
+            let star = self.keys.iter().zip(values).find(|pair| pair.0 == "*").map_or("", |pair| pair.1);
             let figure = |column: &Vec<String>| {
-                let [_, of @ .., figure] = &column[..] else { return shown(&Value::Null) };
-                let keys = self.keys.iter().chain(&self.of).zip(values.iter().chain(of));
+                let [_, of @ .., figure] = &column[..] else { return &Value::Null };
+                let of: Vec<String> = of.iter().map(|value| value.replace('*', star)).collect();
+                let keys = self.keys.iter().chain(&self.of).zip(values.iter().chain(&of));
+                let keys = keys.filter(|(key, _)| *key != "*");
                 let keys: Vec<_> = keys.map(|(key, value)| (key.as_str(), value.as_str())).collect();
-                shown(&data.row(&keys)[figure])
+                &data.row(&keys)[figure]
             };
-            let name = match values {
-                [scene, variant] => Some(named(scene, variant)),
-                _ => None,
+            let under = |heading: &String| self.columns.iter().find(|column| column[0] == *heading);
+            let cell = |column: &Vec<String>| match &column[..] {
+                [_, sign, above, below] if sign == "÷" => {
+                    let [above, below] = [above, below]
+                        .map(|heading| under(heading).map_or(f64::NAN, |of| number(figure(of))));
+                    format!("{:.2}", above / below)
+                }
+                _ => shown(figure(column)),
             };
-            says.iter().cloned().chain(name).chain(self.columns.iter().map(figure)).collect()
+            let name = (self.keys == ["scene", "variant"]).then(|| named(&values[0], &values[1]));
+            says.iter().cloned().chain(name).chain(self.columns.iter().map(cell)).collect()
         };
         Ok(self.rows.iter().map(line).collect())
     }
@@ -211,34 +219,6 @@ fn frames() -> Result<String> {
     }
     let header = ["chip", "scene", "rows", "drawing, ms", "waits, %", "fps, blocking", "fps, DMA"];
     Ok(table(&header, lines))
-}
-
-fn bands() -> Result<String> {
-    let cells = Rows::read("cells")?;
-    let mut lines = Vec::new();
-    for (depth, what) in [("", "without depth"), ("-z", "with depth")] {
-        for core in CORES {
-            let counts = ["full", "bands16", "bands8"]
-                .map(|variant| &cells.cell("S3", &format!("{variant}{depth}"), core)["instructions"]);
-            let [full, high, low] = counts.map(number);
-            let shares = [high, low].map(|count| format!("{:.2}", count / full));
-            lines.push([vec![format!("{what}, {core}")], counts.map(shown).into(), shares.into()].concat());
-        }
-    }
-    let header =
-        ["S3", "in one piece", "bands of 16 rows", "of 8 rows", "16 rows / one piece", "8 rows / one piece"];
-    Ok(table(&header, lines))
-}
-
-fn cores() -> Result<String> {
-    let data = Rows::read("cores")?;
-    let lines = data.0.iter().map(|row| {
-        let [scene, variant, core, one, frame] =
-            ["scene", "variant", "core", "one", "frame"].map(|column| shown(&row[column]));
-        let share = format!("{:.2}", number(&row["frame"]) / number(&row["one"]));
-        vec![format!("{}, code for {core}", named(&scene, &variant)), one, frame, share]
-    });
-    Ok(table(&["scene", "one core", "two cores", "two / one"], lines))
 }
 
 fn cycles_per_instruction() -> Result<String> {

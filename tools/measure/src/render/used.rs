@@ -4,34 +4,33 @@ use pinhole_render::json::Names;
 use pinhole_render::light::Lights;
 use pinhole_render::scene::{Matrix, Scene};
 use pinhole_render::sprites::{Anchor, SceneSprites, SpritePicture, SpriteSize};
-
+use std::fmt::Display;
 use std::path::Path;
 
 pub(super) fn json(scene: &Scene) -> String {
     let matrix = |m: &Matrix| list(m.map(numbers));
-    let mut text = format!(
-        "{{\"vertices\": {},\n\"triangles\": {},\n\"model\": {},\n\"view\": {},\n\"projection\": {},\n\
-         \"width\": {}, \"height\": {}, \"viewport\": {}, \"cull\": \"{}\"",
-        list(scene.vertices.iter().map(|&vertex| numbers(vertex))),
-        list(scene.triangles.iter().map(list)),
-        matrix(&scene.model),
-        matrix(&scene.view),
-        matrix(&scene.projection),
-        scene.width,
-        scene.height,
-        list(scene.viewport),
-        if scene.cull { "back" } else { "none" },
-    );
+    let picture = [
+        field("width", scene.width),
+        field("height", scene.height),
+        field("viewport", list(scene.viewport)),
+        field("cull", if scene.cull { "\"back\"" } else { "\"none\"" }),
+    ];
+    let mut lines = vec![
+        field("vertices", list(scene.vertices.iter().map(|&vertex| numbers(vertex)))),
+        field("triangles", list(scene.triangles.iter().map(list))),
+        field("model", matrix(&scene.model)),
+        field("view", matrix(&scene.view)),
+        field("projection", matrix(&scene.projection)),
+        picture.join(", "),
+    ];
     for (name, colors) in [("colors", &scene.colors.faces), ("emission", &scene.colors.emission)] {
-        if !colors.is_empty() {
-            text += &format!(",\n\"{name}\": {}", list(colors.iter().map(list)));
-        }
+        lines.extend((!colors.is_empty()).then(|| field(name, list(colors.iter().map(list)))));
     }
     if let Some(texture) = &scene.texture {
         let picture = texture.picture.as_ref().map_or_else(|| list(texture.size), |(_, file)| path(file));
         let uv = list(texture.uv.iter().map(|corners| list(corners.map(numbers))));
         let wrap = if texture.clamped { ", \"wrap\": \"clamp\"" } else { "" };
-        text += &format!(",\n\"texture\": {picture}, \"uv\": {uv}{wrap}");
+        lines.push(format!("{}, {}{wrap}", field("texture", picture), field("uv", uv)));
     }
     if scene.lights != Lights::default() {
         let lamps = scene.lights.lamps.iter().map(|lamp| {
@@ -39,47 +38,43 @@ pub(super) fn json(scene: &Scene) -> String {
             let (towards, level) = (numbers(lamp.towards), lamp.level);
             format!("{{\"towards\": {towards}, \"from\": \"{from}\", \"level\": {level}}}")
         });
-        let ambient = format!("{{\"ambient\": {}}}", scene.lights.ambient);
-        text += &format!(",\n\"lights\": {}", list(std::iter::once(ambient).chain(lamps)));
+        let ambient = format!("{{{}}}", field("ambient", scene.lights.ambient));
+        lines.push(field("lights", list(std::iter::once(ambient).chain(lamps))));
     }
-    if let Some(range) = scene.fog.and_then(|fog| fog.range) {
-        text += &format!(",\n\"fog\": {}", numbers(range));
-    }
+    lines.extend(scene.fog.and_then(|fog| fog.range).map(|range| field("fog", numbers(range))));
     if !scene.sprites.is_empty() {
-        text += &format!(",\n\"sprites\": {}", list(scene.sprites.iter().map(sprites)));
+        lines.push(field("sprites", list(scene.sprites.iter().map(sprites))));
     }
-    text + "}\n"
+    format!("{{{}}}\n", lines.join(",\n"))
 }
 
 /// An entry of `"sprites"`.
 fn sprites(entry: &SceneSprites) -> String {
-    let mut fields = Vec::new();
-    let mut field = |name: &str, value: String| fields.push(format!("\"{name}\": {value}"));
-    match &entry.picture {
+    let mut fields = match &entry.picture {
         SpritePicture::File { path: file, key, .. } => {
-            field("picture", path(file));
-            key.iter().for_each(|key| field("key", list(key)));
+            [field("picture", path(file))].into_iter().chain(key.map(|key| field("key", list(key)))).collect()
         }
         SpritePicture::Ready(shape, color) => {
-            field("picture", name(*shape));
-            field("color", list(color));
+            vec![field("picture", name(*shape)), field("color", list(color))]
         }
-    }
-    match entry.size {
-        SpriteSize::Pixels(pixels) => field("pixels", pixels.to_string()),
+    };
+    fields.push(match entry.size {
+        SpriteSize::Pixels(pixels) => field("pixels", pixels),
         SpriteSize::World(size) => field("size", numbers(size)),
         SpriteSize::Height(height) => field("height", decimal(height)),
-    }
-    match entry.anchor {
+    });
+    fields.push(match entry.anchor {
         Anchor::Named(anchor) => field("anchor", name(anchor)),
         Anchor::Texel(texel) => field("anchor", list(texel)),
-    }
-    entry.alpha.iter().for_each(|alpha| field("alpha", alpha.to_string()));
-    if !entry.depth_tested {
-        field("depth", "\"none\"".into());
-    }
-    field("at", list(entry.points.iter().map(|&point| numbers(point))));
+    });
+    fields.extend(entry.alpha.map(|alpha| field("alpha", alpha)));
+    fields.extend((!entry.depth_tested).then(|| field("depth", "\"none\"")));
+    fields.push(field("at", list(entry.points.iter().map(|&point| numbers(point)))));
     format!("{{{}}}", fields.join(", "))
+}
+
+fn field(name: &str, value: impl Display) -> String {
+    format!("\"{name}\": {value}")
 }
 
 /// The text that stands for a value.

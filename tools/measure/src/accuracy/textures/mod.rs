@@ -66,9 +66,8 @@ impl Measured {
                 }
             }
         }
-        for (others, errors) in measured.others.iter_mut().zip(&mut measured.errors) {
+        for (others, errors) in measured.others.iter_mut().zip(&measured.errors) {
             *others *= 100.0 / errors.count().max(1) as f64;
-            errors.sort();
         }
         Ok(measured)
     }

@@ -29,38 +29,45 @@ pub(crate) const CAMERA: CameraBits = CameraBits {
 };
 
 pub(crate) fn all() -> Vec<Scene> {
-    vec![
-        torus(),
-        floor(
-            ("floor", "X2", "over the whole picture, w 1 : 5.6"),
+    let floors = [
+        (
+            ("floor", Some("X2"), "over the whole picture, w 1 : 5.6"),
             [[-1025, -1025, -1741], [1025, -1025, -1741], [5729, 5729, -9728], [-5729, 5729, -9728]],
-            -10,
-            128,
+            (-10, 128),
         ),
-        floor(
-            ("rolled floor", "X3", "by 25°, cut by the near plane"),
+        (
+            ("rolled floor", Some("X3"), "by 25°, cut by the near plane"),
             [[-5136, -3525, -410], [6001, 1669, -410], [6001, 1669, -9728], [-5136, -3525, -9728]],
-            -10,
-            64,
+            (-10, 64),
         ),
-        floor(
-            ("horizon", "X4", "rolled by 20°, w 1 : 1000, 1600 texels a side"),
+        (
+            ("horizon", Some("X4"), "rolled by 20°, w 1 : 1000, 1600 texels a side"),
             [[-27052, -9880, -29], [27074, 9820, -29], [27074, 9820, -32000], [-27052, -9880, -32000]],
-            -5,
-            1600,
+            (-5, 1600),
         ),
-        Scene {
-            cell: None,
-            ..floor(
-                ("wall", "", "along the line of sight, w 1 : 1000 across columns, 400 texels a side"),
-                [[-16, -480, -19], [-16, 480, -19], [-16, 480, -19200], [-16, -480, -19200]],
-                -4,
-                400,
-            )
-        },
-        needles(),
-        soup(),
-    ]
+        (
+            ("wall", None, "along the line of sight, w 1 : 1000 across columns, 400 texels a side"),
+            [[-16, -480, -19], [-16, 480, -19], [-16, 480, -19200], [-16, -480, -19200]],
+            (-4, 400),
+        ),
+    ];
+    // The corners' unit as a power of two, and the number of texels along the sides.
+    let floors = floors.map(|(named, [a, b, c, d], (exponent, texels)): (_, [[i16; 3]; 4], (_, i16))| {
+        let t = 16 * texels;
+        let faces = [([a, b, c], [[0, t], [t, t], [t, 0]]), ([a, c, d], [[0, t], [t, 0], [0, 0]])];
+        Scene::two_sided(named, exponent, faces)
+    });
+    [torus()].into_iter().chain(floors).chain([needles(), soup()]).collect()
+}
+
+impl Scene {
+    fn two_sided(
+        (name, cell, about): (&'static str, Option<&'static str>, &'static str),
+        exponent: i8,
+        faces: impl IntoIterator<Item = Face>,
+    ) -> Self {
+        Self { name, cell, about, faces: faces.into_iter().collect(), exponent, cull: Cull::None }
+    }
 }
 
 /// X1: S3's torus of 1000 triangles, 64 × 64 texels once round.
@@ -96,18 +103,6 @@ fn torus() -> Scene {
     }
 }
 
-/// A quad with a number of texels along its sides.
-fn floor(
-    (name, cell, about): (&'static str, &'static str, &'static str),
-    [a, b, c, d]: [[i16; 3]; 4],
-    exponent: i8,
-    texels: i16,
-) -> Scene {
-    let t = 16 * texels;
-    let faces = vec![([a, b, c], [[0, t], [t, t], [t, 0]]), ([a, c, d], [[0, t], [t, 0], [0, 0]])];
-    Scene { name, cell: Some(cell), about, faces, exponent, cull: Cull::None }
-}
-
 /// 150 slender triangles, many times as far at one end.
 fn needles() -> Scene {
     let mut rng = Rng::new(61);
@@ -121,14 +116,7 @@ fn needles() -> Scene {
         let uv = [(); 3].map(|()| [(); 2].map(|()| rng.int(-1600, 1600) as i16));
         ([near, far, thin].map(|at| at.map(|c| (c * 64.0).round() as i16)), uv)
     });
-    Scene {
-        name: "needles",
-        cell: None,
-        about: "150 slender triangles, coordinates to ±100 texels",
-        faces: faces.collect(),
-        exponent: -6,
-        cull: Cull::None,
-    }
+    Scene::two_sided(("needles", None, "150 slender triangles, coordinates to ±100 texels"), -6, faces)
 }
 
 /// Random triangles before the near plane and across it.
@@ -141,12 +129,6 @@ fn soup() -> Scene {
         let corners = [(); 3].map(|()| [0, 1, 2].map(|k: usize| (middle[k] + rng.int(-size, size)) as i16));
         (corners, [(); 3].map(|()| [(); 2].map(|()| rng.int(-16_000, 16_000) as i16)))
     });
-    Scene {
-        name: "soups",
-        cell: None,
-        about: "480 random triangles, cut by near and guard band, coordinates to ±1000 texels",
-        faces: faces.collect(),
-        exponent: -6,
-        cull: Cull::None,
-    }
+    let about = "480 random triangles, cut by near and guard band, coordinates to ±1000 texels";
+    Scene::two_sided(("soups", None, about), -6, faces)
 }
