@@ -8,7 +8,7 @@ use embedded_graphics::prelude::*;
 use mipidsi::models::{ILI9341Rgb565, ILI9341Rgb666, ST7789};
 use pinhole_apps_support::command;
 use pinhole_apps_support::generated::Generated;
-use pinhole_apps_support::grouped::grouped;
+use pinhole_apps_support::grouped;
 use std::fmt::Write as _;
 use std::process::ExitCode;
 use support::panel::films::{

@@ -2,7 +2,6 @@
 //! written completely or not at all, pictures in memory, PNG and GIF files, and the named projections.
 
 pub mod animation;
-pub mod grouped;
 pub mod palette;
 pub mod projections;
 
@@ -30,3 +29,17 @@ pub mod still;
 pub mod testing;
 #[cfg(feature = "work")]
 pub mod work;
+
+/// 1234567 as 1 234 567, with spaces that do not break, as pages have large numbers.
+#[must_use]
+pub fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (at, digit) in digits.chars().enumerate() {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
+            text.push('\u{a0}');
+        }
+        text.push(digit);
+    }
+    text
+}

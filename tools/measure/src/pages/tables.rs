@@ -1,6 +1,6 @@
 //! The tables by their names, from the rows of `docs/data`.
 
-use pinhole_apps_support::grouped::grouped;
+use pinhole_apps_support::grouped;
 use serde::Deserialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
