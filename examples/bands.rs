@@ -14,10 +14,7 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::Text;
-use pinhole::{
-    mesh_buffers, Affine, Angle, Band, BinnedFaces, Camera, Color, DepthBuffer, Frame, Lambert, Mesh,
-    MeshBuffers, MeshInstance, Point3, Projection, Scalar, Surface, Vector3, ViewTransform, Viewport,
-};
+use pinhole::{prelude::*, Angle};
 use pinhole_apps_support::{command, files, still};
 use std::error::Error;
 use std::future::Future;

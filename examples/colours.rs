@@ -10,8 +10,9 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Band, Camera, Color, Cull, DepthBuffer, Dithered, Frame, Gouraud, Lambert, Lit, Mesh,
-    Point3, Projection, Scalar, ScreenVertex, SpanShader, Surface, Vector3, ViewTransform, Viewport,
+    prelude::*,
+    shading::{Dithered, SpanShader},
+    Angle,
 };
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::generated::Generated;

@@ -5,21 +5,23 @@
 //! interpolate attributes.
 //!
 //! ```
-//! use pinhole::{clip, space::View, Point3, Projection, Scalar, Window};
+//! use pinhole::{camera::Window, clip, prelude::*, space::View};
 //! let one = Scalar::from_int(1);
 //! let window = Window { left: -one, right: one, bottom: -one, top: one };
 //! let view = Projection::orthographic(window, one, Scalar::from_int(3))?;
 //! let inside = view.apply(Point3::<View>::from_ints(0, 0, -2));
 //! let right = view.apply(Point3::<View>::from_ints(2, 0, -2));
-//! assert_eq!(right.outcode(), pinhole::Outcode::RIGHT);
+//! assert_eq!(right.outcode(), pinhole::clip::Outcode::RIGHT);
 //! let (_, end) = clip::line(inside, right).unwrap();
 //! assert_eq!(end.ndc(), Some(Point3::from_ints(1, 0, 0)));
-//! # Ok::<(), pinhole::CameraError>(())
+//! # Ok::<(), pinhole::camera::CameraError>(())
 //! ```
+
+pub use crate::math::clip_point::{ClipPoint, Outcode};
 
 use crate::math::hints::{keep_rolled, opaque_next};
 use crate::math::num::{fraction, proper_fraction};
-use crate::math::{ClipCoords, ClipPoint};
+use crate::math::ClipCoords;
 use heapless::Vec;
 
 /// The most clip planes.
@@ -75,7 +77,7 @@ impl ClipCoords {
 }
 
 /// A varying: a per-corner value that is linear in space, such as a colour or a texture coordinate, and is interpolated when a
-/// face is clipped. Custom [`Shader`](crate::Shader)s name one; most use [`Barycentric`].
+/// face is clipped. Custom [`Shader`](crate::shading::Shader)s name one; most use [`Barycentric`].
 ///
 /// ```
 /// use pinhole::clip::{Barycentric, Varying};
@@ -267,7 +269,7 @@ impl<const A: usize> AlignedVertex<A> {
     }
 }
 
-/// Distances from the six planes of the view volume, in the order of the bits of [`Outcode`](crate::Outcode).
+/// Distances from the six planes of the view volume, in the order of the bits of [`Outcode`](crate::clip::Outcode).
 impl<const A: usize, const N: usize> ClipCorners for [AlignedVertex<A>; N] {
     fn distance(&self, plane: usize, at: usize) -> i64 {
         let [x, y, z, w] = self.get(at).map_or([0; 4], |p| p.xyzw.map(i64::from));
@@ -313,7 +315,7 @@ pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
 /// *Reentrant polygon clipping*, 1974.)
 ///
 /// ```
-/// use pinhole::{clip::{self, ClipVertex}, space::View, Point3, Projection, Scalar, Window};
+/// use pinhole::{camera::Window, clip::{self, ClipVertex}, prelude::*, space::View};
 /// let one = Scalar::from_int(1);
 /// let window = Window { left: -one, right: one, bottom: -one, top: one };
 /// let view = Projection::orthographic(window, one, Scalar::from_int(3))?;
@@ -327,7 +329,7 @@ pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
 /// assert_eq!(corners.len(), 5);
 /// assert!(corners.contains(&(Point3::from_ints(-1, 0, 0), 50)));
 /// assert!(corners.contains(&(Point3::from_f32(1.0, 0.5, 0.0).unwrap(), 150)));
-/// # Ok::<(), pinhole::CameraError>(())
+/// # Ok::<(), pinhole::camera::CameraError>(())
 /// ```
 pub fn triangle<const A: usize>(corners: [ClipVertex<A>; 3]) -> Vec<ClipVertex<A>, CORNERS> {
     let exponent = corners.iter().map(|c| c.point.exponent()).max().unwrap_or(0);

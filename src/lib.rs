@@ -41,23 +41,23 @@
 //!
 //! # Where things are
 //!
-//! | topic | start here | more |
+//! | topic | module | start here |
 //! |---|---|---|
-//! | learning the pipeline | [`book`], chapter by chapter | seven programs to copy: the [cookbook](book::ch9_cookbook) |
+//! | learning the pipeline | [`book`] | chapter by chapter; seven programs to copy: the [cookbook](book::ch9_cookbook) |
 //! | names to import | [`prelude`] | and [`Angle`], apart because embedded-graphics has one |
-//! | meshes | [`Mesh`]; [`meshes`] has a cube, a torus … | [`FaceColors`], [`TextureCoords`]; [`pinhole-import`](https://docs.rs/pinhole-import) reads OBJ and STL files |
-//! | moving objects | [`Affine`] | [`Hierarchy`] for joints, [`Quaternion`], [`Scalar`], [`space`] |
-//! | cameras | [`Camera::framing`] | [`ViewTransform`], [`Projection`], [`Viewport`]; [choosing a projection](book::ch3_projections) |
-//! | drawing | [`MeshInstance`]: `faces(..).draw(..)`, `edges(..)`, `points(..)` … | [`Painter`], [`Statistics`]; [which method](book::ch4_visibility) |
-//! | many objects | [`Scene`] | [`Frustum`], [`Camera::visibility`] |
-//! | targets | [`Surface`]: any DrawTarget, or pixels in memory; [with a depth buffer](Surface::depth_tested) | [`Picture`], [`Color`] |
-//! | no framebuffer, DMA, two cores | [`Frame`], [`mesh_buffers!`], [`strip_buffers!`] | [bands](book::ch5_bands); [`DirtyRegions`] sends only what has changed |
-//! | light | [`Lambert`] | [`Lights`], [`PointLight`], [`BlinnPhong`], [`Matcap`] |
-//! | shading | a colour, [`Flat`], [`Gouraud`], [`ShadeTable`] | [`Texture`], [`Fogged`], [`VertexFog`], [`Translucent`], [`ScreenDoor`]; your own: [`Shader`] |
-//! | sprites and lines | [`Sprite`], [`MeshInstance::polyline`] | [`AntiAliased`] |
-//! | labels and picking | [`Camera::project`], [`Faces::pick`] | [`Camera::unproject`], [`Camera::ray`] |
-//! | 2D, and the stages alone | [`fill_triangle`], [`draw_line`] | [`raster`], [`clip`] |
-//! | RAM, flash and time | [estimating](book::ch6_budget) | [measuring on your board](book::ch10_measuring) |
+//! | numbers, moving objects | [`math`], [`space`] | [`Affine`], [`Scalar`]; [`Hierarchy`](mesh::Hierarchy) for joints |
+//! | cameras | [`camera`] | [`Camera::framing`]; [`Projection`], [`Viewport`]; [choosing a projection](book::ch3_projections) |
+//! | meshes | [`mesh`], [`meshes`] | [`Mesh`]; a ready cube, torus …; [`pinhole-import`](https://docs.rs/pinhole-import) reads OBJ and STL files |
+//! | drawing | [`draw`] | [`MeshInstance`](draw::MeshInstance): `faces(..).draw(..)`, `edges(..)`, `points(..)` …; [which method](book::ch4_visibility) |
+//! | many objects | [`draw`] | [`Scene`](draw::Scene); [`Frustum`](camera::Frustum) and [`Camera::visibility`] say what is in view |
+//! | targets | [`target`], [`color`] | [`Surface`](target::Surface): any DrawTarget, or pixels in memory; [with a depth buffer](target::Surface::depth_tested) |
+//! | no framebuffer, DMA, two cores | [`bands`] | [`Frame`](bands::Frame), [`mesh_buffers!`], [`strip_buffers!`]; [how](book::ch5_bands); [`DirtyRegions`](bands::DirtyRegions) sends what has changed |
+//! | light | [`light`] | [`Lambert`](light::Lambert); several and point lights, highlights, matcaps |
+//! | shading | [`shading`], [`texture`], [`fog`] | a colour, [`Gouraud`](shading::Gouraud), [`Texture`](texture::Texture), [`Fogged`](fog::Fogged); your own: [`Shader`](shading::Shader) |
+//! | sprites and lines | [`sprite`] | [`Sprite`](sprite::Sprite); [`AntiAliased`](shading::AntiAliased) lines |
+//! | labels and picking | [`camera`], [`draw`] | [`Camera::project`], [`Faces::pick`](draw::Faces::pick) |
+//! | 2D, and the stages alone | [`raster`], [`clip`] | [`fill_triangle`](draw::fill_triangle), [`draw_line`](draw::draw_line) |
+//! | RAM, flash and time | [`book`] | [estimating](book::ch6_budget), [measuring on your board](book::ch10_measuring) |
 //!
 //! Templates for firmware, a viewer and a planner are in the repository; its [README.md] has the steps from a model to a display.
 //!
@@ -76,52 +76,101 @@
 
 #[cfg(doc)]
 pub mod book;
-mod camera;
+pub mod camera;
 pub mod clip;
-mod color;
+pub mod color;
 mod fast;
-mod math;
+pub mod math;
 pub mod meshes;
 mod pipeline;
 pub mod prelude;
 pub mod raster;
 mod scene;
-mod shading;
+pub mod shading;
 pub mod space;
 mod surface;
 
-pub use camera::{
-    Camera, CameraError, Frustum, PlanarProjection, Projected, Projection, Ray, ReferenceVolume,
-    ScreenVertex, Side, VanishingPoint, ViewTransform, Viewport, Visibility, Window,
-};
-pub use color::{
-    Access, Alpha, BlendMode, Color, Format, Half, Ink, Mixed, Reads, StoredPixel, Unmixed, Writes,
-};
-pub use math::{
-    Affine, Angle, ClipPoint, Coordinate, Inside, MathError, NormalMatrix, Outcode, Point3, Quaternion,
-    Scalar, Sphere, Vector3,
-};
+pub mod mesh {
+    //! Meshes, the colours and texture coordinates of their faces, and hierarchies of moving parts. Start with [`Mesh`]; the ready ones are in
+    //! [`meshes`](crate::meshes).
+
+    pub use crate::math::form::Coordinate;
+    pub use crate::scene::{
+        edge_faces, FaceColors, FacePlanes, Hierarchy, Mesh, MeshError, Node, TextureCoords, WithPlanes,
+        WithoutPlanes,
+    };
+}
+
+pub mod draw {
+    //! Drawing: one mesh, a scene of many, faces from far to near, bands, picking, and triangles and lines in 2D. Start with
+    //! [`MeshInstance`]; [`Scene`] is for many objects, [`BinnedFaces`] for bands.
+
+    pub use crate::math::form::Inside;
+    pub use crate::pipeline::{
+        draw_line, fill_triangle, BinnedEdges, BinnedFaces, BinnedScene, Cull, Edges, Faces, HalfBins,
+        HalfTransform, MeshInstance, Object, Painter, PaintersOrder, Picked, PlacedScene, Scene, SceneFaces,
+        ShaderFor, SplitBins, SplitTransform, SpriteFor, Statistics, StrokeFor, TransformedMesh,
+    };
+}
+
+pub mod target {
+    //! What is drawn into: any DrawTarget, or pixels in memory, with a depth buffer or without. Start with [`Surface`], which every
+    //! DrawTarget is; [`Picture`] is a framebuffer.
+
+    pub use crate::surface::{
+        BufferError, DepthBuffer, DepthTestedSurface, Gives, LeastRun, Memory, Picture, PixelStore, Pixels,
+        Surface, Target,
+    };
+}
+
+pub mod bands {
+    //! Frames without a framebuffer, drawn and sent in bands of some rows, and the rectangles that a new frame has to send. Start with
+    //! [`Frame`], and with [`DirtyRegions`] where little changes.
+
+    pub use crate::surface::{Band, DirtyRegions, Frame, Tracked, TransferCost};
+}
+
+pub mod light {
+    //! Light, computed for faces or vertices. Start with [`Lambert`]; [`Lights`] adds several.
+
+    pub use crate::shading::highlight::BlinnPhong;
+    pub use crate::shading::lambert::{Lambert, RigidLambert};
+    pub use crate::shading::light_error::LightError;
+    pub use crate::shading::lights::{DirectionalLight, Lights};
+    pub use crate::shading::matcap::Matcap;
+    pub use crate::shading::point_light::PointLight;
+}
+
+pub mod texture {
+    //! Pictures on faces, perspective-correct. Start with [`Texture`].
+
+    pub use crate::shading::texture::{
+        Accuracy, ClampedTexels, ColorKeyed, IndexKeyed, IndexedTexels, LitIndexedTexels, LitPalette,
+        LitTexels, LitTextured, TexelSlice, Texels, Texture, TextureError, Textured,
+    };
+}
+
+pub mod fog {
+    //! Fog by distance, for pixels or vertices. Start with [`FogTable`] and [`Fogged`].
+
+    pub use crate::shading::fog::{
+        ExponentialFog, Fog, FogProfile, FogTable, Fogged, LinearFog, SquaredFog, VertexFog,
+    };
+}
+
+pub mod sprite {
+    //! Pictures that face the viewer: trees, particles, labels. Start with [`Sprite`].
+
+    pub use crate::pipeline::PlacedSprites;
+    pub use crate::shading::sprite::{SolidTexel, Sprite, SpriteImage, SpriteSource};
+}
+
+// What nearly every program names.
+pub use camera::{Camera, Projection, ViewTransform, Viewport};
+pub use math::{Affine, Angle, Point3, Scalar, Vector3};
+pub use mesh::Mesh;
+// Each is a type and a macro; `#[macro_export]` puts macros here.
 #[doc(hidden)]
 pub use pipeline::largest;
-pub use pipeline::{
-    draw_line, fill_triangle, BinnedEdges, BinnedFaces, BinnedScene, Cull, Edges, Faces, HalfBins,
-    HalfTransform, MeshBuffers, MeshInstance, Object, Painter, PaintersOrder, Picked, PlacedScene,
-    PlacedSprites, Scene, SceneFaces, ShaderFor, SplitBins, SplitTransform, SpriteFor, Statistics, StrokeFor,
-    TransformedMesh,
-};
-pub use scene::{
-    edge_faces, FaceColors, FacePlanes, Hierarchy, Mesh, MeshError, Node, TextureCoords, WithPlanes,
-    WithoutPlanes,
-};
-pub use shading::{
-    Accuracy, AntiAliased, Blended, BlinnPhong, ClampedTexels, ColorKeyed, CornerValues, DepthTested,
-    DirectionalLight, Dithered, ExponentialFog, Flat, Fog, FogProfile, FogTable, Fogged, Gouraud,
-    HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError, Lights, LinearFog, Lit, LitIndexedTexels,
-    LitPalette, LitTexels, LitTextured, Matcap, PointLight, RigidLambert, ScreenDoor, ShadeTable, Shader,
-    SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource, SquaredFog, Stroke, TableShader, TexelSlice,
-    Texels, Texture, TextureError, Textured, Translucent, VertexFog,
-};
-pub use surface::{
-    Band, BufferError, DepthBuffer, DepthTestedSurface, DirtyRegions, Frame, Gives, LeastRun, Memory,
-    Picture, PixelStore, Pixels, StripBuffers, Surface, Target, Tracked, TransferCost,
-};
+pub use pipeline::MeshBuffers;
+pub use surface::StripBuffers;

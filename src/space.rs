@@ -9,17 +9,17 @@
 //! | [`Ndc`] | −1 … 1 | x right, y up, z from near (−1) to far (+1) |
 //!
 //! Clip and screen coordinates have their own arithmetic, so they are separate types,
-//! [`ClipPoint`](crate::ClipPoint) and [`ScreenPoint`](crate::raster::ScreenPoint).
+//! [`ClipPoint`](crate::clip::ClipPoint) and [`ScreenPoint`](crate::raster::ScreenPoint).
 //!
 //! A transform from model space takes no point in world space:
 //!
 //! ```
-//! use pinhole::{space::{Model, World}, Affine, Point3};
+//! use pinhole::prelude::*;
 //! let place = Affine::<Model, World>::identity();
 //! let _: Point3<World> = place.apply(Point3::<Model>::from_ints(1, 2, 3));
 //! ```
 //! ```compile_fail,E0308
-//! use pinhole::{space::{Model, World}, Affine, Point3};
+//! use pinhole::prelude::*;
 //! let place = Affine::<Model, World>::identity();
 //! let _: Point3<World> = place.apply(Point3::<World>::from_ints(1, 2, 3));
 //! ```
@@ -27,12 +27,12 @@
 //! Transforms compose only if the first one's target is the second one's source:
 //!
 //! ```
-//! use pinhole::{space::{Model, World}, Affine, Angle};
+//! use pinhole::{prelude::*, Angle};
 //! let spin = Affine::<Model, Model>::rotation_y(Angle::degrees(30));
 //! let _ = spin.then(&Affine::<Model, World>::identity());
 //! ```
 //! ```compile_fail,E0308
-//! use pinhole::{space::{Model, World}, Affine, Angle};
+//! use pinhole::{prelude::*, Angle};
 //! let spin = Affine::<Model, Model>::rotation_y(Angle::degrees(30));
 //! let _ = spin.then(&Affine::<World, World>::identity());
 //! ```
@@ -40,7 +40,7 @@
 //! Only a [`ViewTransform`](crate::ViewTransform) maps to view space:
 //!
 //! ```
-//! use pinhole::{space::{Model, World}, Affine};
+//! use pinhole::prelude::*;
 //! let _ = Affine::<Model, World>::identity();
 //! ```
 //! ```compile_fail,E0277
@@ -80,7 +80,7 @@ pub enum World {}
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum View {}
 
-/// The space of a canonical view volume: see [`ReferenceVolume`](crate::ReferenceVolume).
+/// The space of a canonical view volume: see [`ReferenceVolume`](crate::camera::ReferenceVolume).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Canonical {}

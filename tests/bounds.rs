@@ -6,8 +6,9 @@ use crate::math::{num, quaternion, unit};
 use embedded_graphics_core::geometry::{Point, Size};
 use pinhole::space::{Model, View, World};
 use pinhole::{
-    Affine, Angle, Mesh, PlanarProjection, Point3, Projection, ReferenceVolume, Scalar, ViewTransform,
-    Viewport,
+    camera::{PlanarProjection, ReferenceVolume},
+    prelude::*,
+    Angle,
 };
 use support::bridge::pair::{random_view, window, CameraBits, ModelBits, ProjectionBits, Step, ViewBits};
 use support::bridge::{self, point, reals, scalar, vector};
@@ -342,7 +343,7 @@ fn rotations(errors: &mut Errors) {
             errors.add("`Quaternion::new`, each part", 2.5 * two(-30.0), off);
         }
         let [w, x, y, z] = q.map(scalar);
-        let ours = pinhole::Quaternion::new(w, x, y, z).map(Affine::<Model, World>::from_quaternion);
+        let ours = pinhole::math::Quaternion::new(w, x, y, z).map(Affine::<Model, World>::from_quaternion);
         let got = linear(&ours.map(|turn| turn.to_matrix()).unwrap_or_default());
         let [w, x, y, z] = real;
         // The sandwich product of the quaternion as stored, over its norm.

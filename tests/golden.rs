@@ -3,7 +3,10 @@
 //! section 4, viewing by PRP and window. `GOLDEN=1 cargo test --test golden` writes the files anew.
 
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Camera, CameraError, Mesh, Painter, ReferenceVolume};
+use pinhole::{
+    camera::{CameraError, ReferenceVolume},
+    prelude::*,
+};
 use std::collections::BTreeSet;
 use support::bridge::draw::{self, solid, wireframe, Shader, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{window, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};

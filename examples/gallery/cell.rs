@@ -6,9 +6,7 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Circle, Line, PrimitiveStyle, Rectangle};
 use pinhole::raster::area;
 use pinhole::space::{Model, World};
-use pinhole::{
-    Affine, Camera, Color, Lambert, LeastRun, Mesh, Painter, ScreenVertex, VanishingPoint, Vector3, Viewport,
-};
+use pinhole::{camera::VanishingPoint, prelude::*, target::LeastRun};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::sheet::INK;
 use std::error::Error;

@@ -3,8 +3,10 @@
 use embedded_graphics::geometry::Size;
 use pinhole::space::World;
 use pinhole::{
-    Angle, MathError, PlanarProjection, Point3, Projection, ReferenceVolume, Scalar, Side, Vector3,
-    ViewTransform, Window,
+    camera::{PlanarProjection, ReferenceVolume, Side, Window},
+    math::MathError,
+    prelude::*,
+    Angle,
 };
 use std::error::Error;
 

@@ -12,7 +12,7 @@ use embedded_graphics::primitives::Rectangle;
 use embedded_hal::digital::OutputPin;
 use embedded_hal::spi::SpiBus;
 use lm3s6965evb::{stack, Board};
-use pinhole::Frame;
+use pinhole::bands::Frame;
 
 const ROWS: u32 = 8;
 

@@ -53,7 +53,7 @@ impl<SPI: SpiBus, DC: OutputPin> Ssd0323<SPI, DC> {
         Ok(panel)
     }
 
-    /// Sends the pixels of a window row by row, two a byte: what [`Band::bytes`](pinhole::Band::bytes) has.
+    /// Sends the pixels of a window row by row, two a byte: what [`Band::bytes`](pinhole::bands::Band::bytes) has.
     ///
     /// # Errors
     ///

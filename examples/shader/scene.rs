@@ -2,10 +2,7 @@
 
 use super::shaders::{Checkerboard, Fog, Glass};
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
-use pinhole::{
-    Affine, Angle, Camera, DepthBuffer, Mesh, Picture, Point3, Projection, Scalar, Surface, Vector3,
-    ViewTransform, Viewport,
-};
+use pinhole::{prelude::*, Angle};
 use std::error::Error;
 
 pub(crate) const SIZE: Size = Size::new(320, 240);

@@ -3,7 +3,10 @@
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
-use pinhole::{BlendMode, CornerValues, Mixed, Shader, SpanShader};
+use pinhole::{
+    color::{BlendMode, Mixed},
+    shading::{CornerValues, Shader, SpanShader},
+};
 
 /// A perspective-correct checkerboard: tiles are squares in space, so u/w, v/w and 1/w are interpolated on the screen.
 #[derive(Clone, Copy)]

@@ -10,10 +10,7 @@ use embedded_graphics_core::{
     primitives::Rectangle,
     Pixel,
 };
-use pinhole::{
-    Affine, Angle, Camera, Color, DepthBuffer, Lambert, Mesh, Painter, Point3, Projection, Scalar,
-    ScreenVertex, Statistics, Surface, Vector3, ViewTransform, Viewport,
-};
+use pinhole::{prelude::*, Angle};
 
 const SIZE: Size = Size::new(128, 64);
 const PIXELS: usize = (SIZE.width * SIZE.height) as usize;

@@ -12,7 +12,7 @@ mod terminal;
 use clap::Command;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
-use pinhole::{Color, Lambert, Painter, ScreenVertex, Statistics, Vector3};
+use pinhole::prelude::*;
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::command::Film;
 use pinhole_apps_support::{command, film};

@@ -5,10 +5,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
-use pinhole::{
-    Affine, Angle, Camera, DepthBuffer, Mesh, MeshInstance, Painter, Point3, Projection, Scalar, Statistics,
-    Surface, Vector3, ViewTransform, Viewport,
-};
+use pinhole::{prelude::*, Angle};
 use pinhole_apps_support::canvas::Canvas;
 use std::error::Error;
 use teapot::{EDGES, FACES, VERTICES};

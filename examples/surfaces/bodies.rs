@@ -1,7 +1,7 @@
 //! The bodies of the sheet, and the picture of a ball.
 
 use embedded_graphics::pixelcolor::Rgb888;
-use pinhole::{Mesh, MeshError};
+use pinhole::{mesh::MeshError, Mesh};
 use std::f64::consts::TAU;
 
 /// The lists of a mesh, with a normal and texture coordinates, in 1/16 texel, for each vertex.

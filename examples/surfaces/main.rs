@@ -15,9 +15,11 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, BlinnPhong, Camera, DepthBuffer, DirectionalLight, FaceColors, Gouraud, Lambert, Lights,
-    Matcap, MeshInstance, Picture, Point3, PointLight, Projection, Scalar, ScreenVertex, ShadeTable,
-    SpanShader, Surface, Texture, Vector3, ViewTransform, Viewport,
+    light::{BlinnPhong, DirectionalLight, Lights, Matcap, PointLight},
+    mesh::FaceColors,
+    prelude::*,
+    shading::SpanShader,
+    Angle,
 };
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::generated::Generated;

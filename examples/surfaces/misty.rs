@@ -5,8 +5,9 @@ use super::{bricks, camera, scene, view, Drawn, CLAY, NIGHT, TEAL};
 use embedded_graphics::pixelcolor::Rgb888;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Camera, Color, Flat, Fog, FogTable, Fogged, Gouraud, Lambert, Mesh, Scalar, Texture,
-    Vector3, VertexFog,
+    fog::{Fog, FogTable, VertexFog},
+    prelude::*,
+    Angle,
 };
 use std::collections::BTreeSet;
 use std::error::Error;

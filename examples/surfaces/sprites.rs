@@ -4,10 +4,7 @@ use super::bodies::{floor, torus};
 use super::{camera, scene, view, Drawn, CLAY, NIGHT};
 use embedded_graphics::geometry::{AnchorPoint, Size};
 use embedded_graphics::pixelcolor::Rgb888;
-use pinhole::{
-    Affine, Angle, Camera, ColorKeyed, DepthBuffer, HalfBlended, Lambert, Mesh, Pixels, Point3, Scalar,
-    ShadeTable, Sprite, SpriteSource, Surface, Vector3,
-};
+use pinhole::{prelude::*, sprite::SpriteSource, target::Pixels, texture::ColorKeyed, Angle};
 use std::error::Error;
 use std::f64::consts::TAU;
 

@@ -10,7 +10,7 @@ use super::Bytes;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
-use pinhole::{draw_line, AntiAliased, Color, ScreenVertex, StoredPixel, Surface};
+use pinhole::{color::StoredPixel, draw::draw_line, prelude::*, shading::AntiAliased};
 use support::bridge::{self, ways};
 
 /// The part of a pixel with x and y from 0 to 1 that lies between two parallels to a line through `at`, whose slope is at most 1 in

@@ -9,7 +9,10 @@
 use super::Bytes;
 use pinhole::clip::{self, ClipVertex};
 use pinhole::space::View;
-use pinhole::{ClipPoint, Outcode, Projection};
+use pinhole::{
+    clip::{ClipPoint, Outcode},
+    Projection,
+};
 use support::bridge::point;
 use support::oracle::chain::{outcode, V4};
 use support::oracle::volume::{distances, gap, inside, largest};

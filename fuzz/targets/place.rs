@@ -3,8 +3,9 @@
 use core::fmt::Debug;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    Band, BinnedFaces, Color, DepthBuffer, Ink, MeshInstance, ScreenVertex, SpanShader, StoredPixel, Surface,
-    Writes,
+    color::{Ink, StoredPixel, Writes},
+    prelude::*,
+    shading::SpanShader,
 };
 use support::bridge::ways::{self, Drawn};
 

@@ -10,8 +10,10 @@ use super::scene::input::Scene;
 use super::Bytes;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use pinhole::{
-    Blended, ColorKeyed, DepthBuffer, Gouraud, HalfBlended, Ink, ScreenDoor, SpanShader, TexelSlice, Texture,
-    Translucent, Unmixed, Writes,
+    color::{Ink, Unmixed, Writes},
+    prelude::*,
+    shading::{Blended, SpanShader, Translucent},
+    texture::{ColorKeyed, TexelSlice},
 };
 use support::bridge::ways::{self, Drawn};
 use support::oracle::rng::Rng;

@@ -5,7 +5,10 @@ use crate::grid::power_of_two;
 use crate::warning::MOST_FACES;
 use crate::{IndexedPicture, Warning};
 #[cfg(feature = "mesh")]
-use pinhole::{FaceColors, Mesh, MeshError, TextureCoords, WithPlanes};
+use pinhole::{
+    mesh::{FaceColors, MeshError, TextureCoords, WithPlanes},
+    Mesh,
+};
 use std::path::PathBuf;
 
 /// A mesh as `pinhole` draws it, owned, with a report about the import.
@@ -39,7 +42,7 @@ pub struct ImportedMesh {
     /// The index of each face's colour; or nothing.
     pub face_colors: Vec<u8>,
     /// Texture coordinates, u to the right and v down, each pair once, in units of 2^`texture_exponent` of a texture's side, as
-    /// [`pinhole::TextureCoords`] has them; or nothing.
+    /// [`pinhole::mesh::TextureCoords`] has them; or nothing.
     pub texture_coords: Vec<[i16; 2]>,
     /// The indices of the coordinates of each face's corners; or nothing.
     pub texture_faces: Vec<[u16; 3]>,
@@ -221,7 +224,7 @@ impl ImportedMesh {
         (bytes > MANY).then_some(Warning::PictureFlash { size: [picture.width, picture.height], bytes })
     }
 
-    /// A warning, if the mesh has more faces than `pinhole::TransformedMesh::bin_faces` takes.
+    /// A warning, if the mesh has more faces than `pinhole::draw::TransformedMesh::bin_faces` takes.
     pub(crate) fn too_many_for_bands(&self) -> Option<Warning> {
         let count = self.faces.len();
         (count > MOST_FACES).then_some(Warning::ManyFaces { count })

@@ -6,7 +6,7 @@ use crate::pixels::indexed;
 use crate::{rust, Problem, TextureFormat, Warning};
 use std::path::PathBuf;
 
-/// A picture as `pinhole::IndexedTexels` borrows it.
+/// A picture as `pinhole::texture::IndexedTexels` borrows it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct IndexedPicture {
     /// The file's name.

@@ -19,10 +19,10 @@ const KEPT: &str =
 
 impl ImportedMesh {
     /// The mesh as Rust source: the constant `name`, a `pinhole::Mesh<'static>` over lists that are there once, or of type
-    /// `pinhole::Mesh<'static, i16, pinhole::WithPlanes>` if it has planes; `name_COLORS`,
-    /// an `Option<pinhole::FaceColors>`, which is `None` where the file has no materials, so that one program draws models with
-    /// and without them; where the file has texture coordinates, `name_TEXTURE`, a `pinhole::TextureCoords`; where a picture was
-    /// [asked for](crate::Options::texture), `name_TEXELS`, a `pinhole::IndexedTexels`; and where `I16F16`
+    /// `pinhole::Mesh<'static, i16, pinhole::mesh::WithPlanes>` if it has planes; `name_COLORS`,
+    /// an `Option<pinhole::mesh::FaceColors>`, which is `None` where the file has no materials, so that one program draws models with
+    /// and without them; where the file has texture coordinates, `name_TEXTURE`, a `pinhole::mesh::TextureCoords`; where a picture was
+    /// [asked for](crate::Options::texture), `name_TEXELS`, a `pinhole::texture::IndexedTexels`; and where `I16F16`
     /// can hold it, `name_OFFSET`. For a module, or for `include!`, also of several such files. Its documentation
     /// has the name of `file`, sizes and errors, and `maker`, by which it was made. `None` if `name` is not
     /// [the name of a constant](crate::is_constant_name).
@@ -54,7 +54,7 @@ impl ImportedMesh {
             if self.offset_bits().is_some() { format!(" + [`{name}_OFFSET`]") } else { String::new() },
             self.report.extent,
             short(self.report.error),
-            if self.planes.is_empty() { "" } else { ", i16, pinhole::WithPlanes" },
+            if self.planes.is_empty() { "" } else { ", i16, pinhole::mesh::WithPlanes" },
         );
         // Statics, so that each list is in flash once, wherever the constant is used.
         nested(&mut out, "VERTICES: [[i16; 3]", &self.vertices);
@@ -91,7 +91,7 @@ impl ImportedMesh {
             let _ = write!(
                 out,
                 "\n/// The colours of the faces of [`{name}`]: none, as its file has no materials.\n{KEPT}\
-                 pub const {name}_COLORS: Option<pinhole::FaceColors<'static>> = None;\n"
+                 pub const {name}_COLORS: Option<pinhole::mesh::FaceColors<'static>> = None;\n"
             );
         } else {
             let bytes =
@@ -102,7 +102,7 @@ impl ImportedMesh {
             let _ = write!(
                 out,
                 "\n/// The colours of the faces of [`{name}`]: {} colours{emitting}; {bytes} bytes of flash.\n{KEPT}\
-                 pub const {name}_COLORS: Option<pinhole::FaceColors<'static>> = {{\n",
+                 pub const {name}_COLORS: Option<pinhole::mesh::FaceColors<'static>> = {{\n",
                 self.palette.len(),
             );
             nested(out, "PALETTE: [[u8; 3]", &self.palette);
@@ -114,7 +114,7 @@ impl ImportedMesh {
             }
             let _ = write!(
                 out,
-                "    let Ok(colors) = pinhole::FaceColors::new(&PALETTE, &FACES) else {{ panic!() }};\n\
+                "    let Ok(colors) = pinhole::mesh::FaceColors::new(&PALETTE, &FACES) else {{ panic!() }};\n\
                  {steps}    Some(colors)\n}};\n",
             );
         }
@@ -127,7 +127,7 @@ impl ImportedMesh {
     /// ```
     /// let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
     /// let mesh = pinhole_import::import_bytes(obj.into(), "part.obj".as_ref(), &[], &pinhole_import::Options::default())?;
-    /// assert!(mesh.to_rust_texture("MODEL").contains("pub const MODEL_TEXTURE: pinhole::TextureCoords<'static>"));
+    /// assert!(mesh.to_rust_texture("MODEL").contains("pub const MODEL_TEXTURE: pinhole::mesh::TextureCoords<'static>"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn to_rust_texture(&self, name: &str) -> String {
@@ -142,14 +142,14 @@ impl ImportedMesh {
             let _ = write!(
                 out,
                 "\n/// The texture coordinates of the faces of [`{name}`]: {} pairs; {bytes} bytes of flash.\n{KEPT}\
-                 pub const {name}_TEXTURE: pinhole::TextureCoords<'static> = {{\n",
+                 pub const {name}_TEXTURE: pinhole::mesh::TextureCoords<'static> = {{\n",
                 self.texture_coords.len(),
             );
             nested(out, "COORDS: [[i16; 2]", &self.texture_coords);
             nested(out, "FACES: [[u16; 3]", &self.texture_faces);
             let _ = write!(
                 out,
-                "    let Ok(texture) = pinhole::TextureCoords::new(&COORDS, &FACES, {}) else {{ panic!() }};\n    texture\n}};\n",
+                "    let Ok(texture) = pinhole::mesh::TextureCoords::new(&COORDS, &FACES, {}) else {{ panic!() }};\n    texture\n}};\n",
                 self.texture_exponent,
             );
         }
@@ -161,13 +161,13 @@ impl ImportedMesh {
             let _ = write!(
                 out,
                 "\n/// The picture of [`{name}`]: `{file}`, {width} x {height} texels of {colours} colours; {bytes} bytes of flash.\n{KEPT}\
-                 pub const {name}_TEXELS: pinhole::IndexedTexels<'static, {color}, {bits}> = {{\n",
+                 pub const {name}_TEXELS: pinhole::texture::IndexedTexels<'static, {color}, {bits}> = {{\n",
             );
             nested(out, "BYTES: [u8", &picture.texels);
             nested(out, &format!("PALETTE: [{color}"), &picture.color_calls());
             let _ = write!(
                 out,
-                "    let Ok(texels) = pinhole::IndexedTexels::new(&BYTES, {width}, {height}, &PALETTE) else {{ panic!() }};\n    texels\n}};\n",
+                "    let Ok(texels) = pinhole::texture::IndexedTexels::new(&BYTES, {width}, {height}, &PALETTE) else {{ panic!() }};\n    texels\n}};\n",
             );
         }
     }

@@ -8,8 +8,8 @@
 //! |---|---|
 //! | the time of a frame | a count of clock cycles |
 //! | whether the core waits for the display | the cycles of the transfers that block, or of waiting for DMA |
-//! | how much is sent | [`Band::bytes`](crate::Band::bytes) of each band, and the bytes of its window |
-//! | what was drawn | [`Statistics`](crate::Statistics), which every draw call returns, and binned faces and edges count |
+//! | how much is sent | [`Band::bytes`](crate::bands::Band::bytes) of each band, and the bytes of its window |
+//! | what was drawn | [`Statistics`](crate::draw::Statistics), which every draw call returns, and binned faces and edges count |
 //!
 //! # Counting cycles
 //!
@@ -26,6 +26,7 @@
 //! ## DWT
 //!
 //! ```ignore
+
 #![doc = include_str!("measuring/dwt.rs")]
 //! ```
 //!
@@ -74,7 +75,7 @@
 //!
 //! | the log says | then |
 //! |---|---|
-//! | much waiting | the bus limits: a faster clock of the bus, [`DirtyRegions`](crate::DirtyRegions) ([docs/wire.md]), or drawing while DMA sends ([chapter 5](super::ch5_bands)) |
+//! | much waiting | the bus limits: a faster clock of the bus, [`DirtyRegions`](crate::bands::DirtyRegions) ([docs/wire.md]), or drawing while DMA sends ([chapter 5](super::ch5_bands)) |
 //! | no waiting | the core limits: higher bands ([docs/bands.md]), a coarser mesh, a faster clock; [docs/speed.md] has what scenes cost |
 //! | much more time than [docs/speed.md] has for such a scene | flash with wait states and without a cache: run code from RAM, or switch the cache on |
 //! | `clipped` above 0 in each frame | the near plane cuts the object: clipping costs more than drawing |

@@ -33,10 +33,11 @@
 //!
 //! ![A ring of six sides in three colours, with the word pinhole at a line to one of its corners][docs/cookbook/logo.png]
 //!
-//! The label is placed by [`MeshInstance::project`](crate::MeshInstance::project), whose answer converts into a `Point`, and drawn with
+//! The label is placed by [`MeshInstance::project`](crate::draw::MeshInstance::project), whose answer converts into a `Point`, and drawn with
 //! embedded-graphics into each band, on top of the ring. In place of the ring, put the mesh that `pinhole-import` makes of your logo.
 //!
 //! ```
+
 #![doc = include_str!("cookbook/logo.rs")]
 //! ```
 //!
@@ -44,8 +45,8 @@
 //!
 //! ![A dial over half a turn, an arrow as the needle, and the text 62 km/h][docs/cookbook/gauge.png]
 //!
-//! [`Tracked`](crate::Tracked) knows where the needle and the text were drawn last. When the value is as before, nothing is drawn and
-//! nothing sent; when it changes, [`DirtyRegions`](crate::DirtyRegions) has the rectangles that differ. Dithering makes greys of one bit.
+//! [`Tracked`](crate::bands::Tracked) knows where the needle and the text were drawn last. When the value is as before, nothing is drawn and
+//! nothing sent; when it changes, [`DirtyRegions`](crate::bands::DirtyRegions) has the rectangles that differ. Dithering makes greys of one bit.
 //!
 //! ```
 #![doc = include_str!("cookbook/gauge.rs")]
@@ -55,7 +56,7 @@
 //!
 //! ![A street between houses of many colours, under a blue sky][docs/cookbook/walk.png]
 //!
-//! A [`Scene`](crate::Scene) of 50 houses, all of them one cube, scaled and moved. Houses that the walker does not see are culled by
+//! A [`Scene`](crate::draw::Scene) of 50 houses, all of them one cube, scaled and moved. Houses that the walker does not see are culled by
 //! their bounding spheres; a house that is next to the walker is clipped at the near plane.
 //!
 //! ```
@@ -66,7 +67,7 @@
 //!
 //! ![Twelve bars seen from above, one of them orange, and the text 12: 60 kWh][docs/cookbook/orbit.png]
 //!
-//! [`SceneFaces::pick`](crate::SceneFaces::pick) finds the bar that is seen in a pixel, without a picture and without a depth buffer.
+//! [`SceneFaces::pick`](crate::draw::SceneFaces::pick) finds the bar that is seen in a pixel, without a picture and without a depth buffer.
 //!
 //! ```
 #![doc = include_str!("cookbook/orbit.rs")]
@@ -76,8 +77,8 @@
 //!
 //! ![A torus, above it the frame time and the number of faces, below it a graph of frame times][docs/cookbook/hud.png]
 //!
-//! Everything of embedded-graphics can be drawn into a [`Band`](crate::Band), after the faces.
-//! [`Statistics`](crate::Statistics) has more counts than these two. Measure the time with a timer of the microcontroller.
+//! Everything of embedded-graphics can be drawn into a [`Band`](crate::bands::Band), after the faces.
+//! [`Statistics`](crate::draw::Statistics) has more counts than these two. Measure the time with a timer of the microcontroller.
 //!
 //! ```
 #![doc = include_str!("cookbook/hud.rs")]
@@ -88,8 +89,8 @@
 //! ![A chess pawn as a mesh of lines][docs/cookbook/epaper.png]
 //!
 //! Drivers of e-paper have a framebuffer and often colours of their own: the program draws into it directly, with any colour.
-//! Only the depth comes in strips of 20 rows, as nothing is drawn outside a [`DepthBuffer`](crate::DepthBuffer).
-//! [`hidden_line`](crate::Edges::hidden_line) leaves out what the pawn itself hides.
+//! Only the depth comes in strips of 20 rows, as nothing is drawn outside a [`DepthBuffer`](crate::target::DepthBuffer).
+//! [`hidden_line`](crate::draw::Edges::hidden_line) leaves out what the pawn itself hides.
 //!
 //! ```
 #![doc = include_str!("cookbook/epaper.rs")]
@@ -100,7 +101,7 @@
 //! ![A landscape of two ridges, red at the top and blue at the bottom, with a line for each row][docs/cookbook/scope.png]
 //!
 //! The vertices of this mesh lie in RAM and are computed in every frame: a mesh only borrows its lists. Colours come from the samples
-//! by [`Gouraud`](crate::Gouraud), one at each corner.
+//! by [`Gouraud`](crate::shading::Gouraud), one at each corner.
 //!
 //! ```
 #![doc = include_str!("cookbook/scope.rs")]

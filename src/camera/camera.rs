@@ -12,11 +12,11 @@ use crate::raster::GUARD_BAND;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// View transform, projection and viewport, composed into one 4 × 4 matrix. [`place`](Self::place) combines it with a mesh and
-/// its model transform; [`MeshInstance::project`](crate::MeshInstance::project) documents the error of projected vertices.
+/// its model transform; [`MeshInstance::project`](crate::draw::MeshInstance::project) documents the error of projected vertices.
 ///
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
-/// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+/// use pinhole::{prelude::*, Angle};
 /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
 /// let camera = Camera::new(
 ///     &ViewTransform::look_at(Point3::from_ints(0, 2, 6), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
@@ -32,7 +32,7 @@ use embedded_graphics_core::primitives::Rectangle;
 ///
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
-/// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+/// use pinhole::{prelude::*, Angle};
 /// const CAMERA: Camera = {
 ///     let (eye, origin, up) = (Point3::from_ints(0, 2, 6), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
 ///     let Ok(viewing) = ViewTransform::look_at(eye, origin, up) else { panic!("the direction") };
@@ -112,7 +112,7 @@ impl Camera {
     ///
     /// ```
     /// # use embedded_graphics::geometry::{Point, Size};
-    /// # use pinhole::{Angle, Camera, CameraError, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+    /// # use pinhole::{camera::CameraError, prelude::*, Angle};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
     /// # let up = Vector3::from_ints(0, 1, 0);

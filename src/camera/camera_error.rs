@@ -15,7 +15,7 @@ pub enum CameraError {
     /// The far plane is not beyond the near plane, or the back plane not behind the front plane.
     NearNotBeforeFar,
     /// Near and far are too close for depth: near·far/(far − near) must be below 2³⁰ for a perspective, near/(far − near) for a
-    /// parallel projection and a [`ReferenceVolume`](crate::ReferenceVolume). Move the planes apart.
+    /// parallel projection and a [`ReferenceVolume`](crate::camera::ReferenceVolume). Move the planes apart.
     NearTooCloseToFar,
     /// The window is empty: it needs left < right and bottom < top.
     EmptyWindow,

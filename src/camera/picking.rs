@@ -35,11 +35,11 @@ pub struct VanishingPoint {
 impl Camera {
     /// Projects a world point: its screen position, within 1/256 px, and its depth, 0 near to 65534 far, within 1 if far is at
     /// least twice near. Points outside of the viewport are projected too.
-    /// [`MeshInstance::project`](crate::MeshInstance::project) has the same error bounds.
+    /// [`MeshInstance::project`](crate::draw::MeshInstance::project) has the same error bounds.
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
-    /// use pinhole::{Angle, Camera, Point3, Projected, Projection, Scalar, Vector3, ViewTransform, Viewport};
+    /// use pinhole::{camera::Projected, prelude::*, Angle};
     /// # let (near, far) = (Scalar::from_int(1), Scalar::from_int(9));
     /// # let (eye, origin, up) = (Point3::from_ints(0, 3, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
     /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
@@ -118,7 +118,7 @@ impl Camera {
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
-    /// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+    /// use pinhole::{prelude::*, Angle};
     /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
     /// # let (near, far) = (Scalar::from_int(1), Scalar::from_int(9));
     /// let lens = Projection::perspective(Angle::degrees(90), viewport.size(), near, far)?;

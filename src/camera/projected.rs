@@ -10,9 +10,9 @@ use embedded_graphics_core::geometry::Point;
 ///
 /// ```
 /// # use embedded_graphics::geometry::Size;
-/// # use pinhole::{Angle, Scalar, Sphere};
+/// # use pinhole::{math::Sphere, Angle, Scalar};
 /// use embedded_graphics::geometry::Point;
-/// use pinhole::{Camera, Point3, Projected, CameraError, Viewport};
+/// use pinhole::{camera::{CameraError, Projected}, prelude::*};
 /// # let origin = Point3::from_ints(0, 0, 0);
 /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
 /// # let sphere = Sphere { centre: origin, radius: Scalar::from_int(2) };

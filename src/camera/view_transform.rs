@@ -22,7 +22,7 @@ use crate::space::{Model, View, World};
 /// Graphics*, 2nd ed., section 6.5.)
 ///
 /// ```
-/// use pinhole::{Point3, Vector3, ViewTransform, CameraError};
+/// use pinhole::{camera::CameraError, prelude::*};
 /// let (eye, target) = (Point3::from_ints(0, 0, 5), Point3::from_ints(0, 0, 0));
 /// let viewing = ViewTransform::look_at(eye, target, Vector3::from_ints(0, 1, 0))?;
 /// assert_eq!(viewing.apply(target), Point3::from_ints(0, 0, -5)); // the camera looks along −z
@@ -84,7 +84,7 @@ impl ViewTransform {
     /// The view from `eye` in the direction `gaze`, with `up` upwards in the picture. Both vectors may have any length.
     ///
     /// ```
-    /// use pinhole::{Point3, Vector3, ViewTransform, CameraError};
+    /// use pinhole::{camera::CameraError, prelude::*};
     /// let (eye, right) = (Point3::from_ints(1, 2, 3), Vector3::from_ints(9, 0, 0));
     /// let viewing = ViewTransform::look_along(eye, right, Vector3::from_ints(0, 1, 0))?;
     /// // Two units ahead of the eye and one above: the camera looks along −z.
@@ -110,7 +110,7 @@ impl ViewTransform {
     /// that the picture is upside down. Coefficients are within 2⁻²⁸, the eye within 2⁻²⁸ of the distance.
     ///
     /// ```
-    /// use pinhole::{Angle, Point3, Scalar, ViewTransform};
+    /// use pinhole::{prelude::*, Angle};
     /// let target = Point3::from_ints(1, 2, 3);
     /// let from_the_right = ViewTransform::orbit(target, Scalar::from_int(5), Angle::QUARTER_TURN, Angle::ZERO);
     /// assert_eq!(from_the_right.eye(), [6 << 32, 2 << 32, 3 << 32]);
@@ -169,7 +169,7 @@ impl ViewTransform {
     /// (Carlbom and Paciorek, *Planar geometric projections and viewing transformations*, 1978.)
     ///
     /// ```
-    /// use pinhole::{Point3, Scalar, Side, Vector3, ViewTransform, CameraError};
+    /// use pinhole::{camera::{CameraError, Side}, prelude::*};
     /// let (origin, up) = (Point3::from_ints(0, 0, 0), Scalar::from_int(2));
     /// let views = [
     ///     ViewTransform::multiview(origin, Side::Top),
@@ -237,7 +237,7 @@ impl ViewTransform {
     /// 4·10⁻⁶: six correct decimals suffice. [`CameraError::EyeOutside`] if the eye is beyond ±32768 world units.
     ///
     /// ```
-    /// use pinhole::{Point3, ViewTransform, CameraError};
+    /// use pinhole::{camera::CameraError, Point3, ViewTransform};
     /// let from_5 = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, -5.0], [0.0, 0.0, 0.0, 1.0]];
     /// let view = ViewTransform::from_matrix(&from_5)?;
     /// assert_eq!(view.eye(), [0, 0, 5 << 32]);
@@ -331,12 +331,12 @@ impl ViewTransform {
         Point3::from_bits(image.map(crate::math::to_scalar))
     }
 
-    /// The normal matrix from model to view space of an object with the transform `model`, such as [`Matcap`](crate::Matcap)
+    /// The normal matrix from model to view space of an object with the transform `model`, such as [`Matcap`](crate::light::Matcap)
     /// takes. Components of the normals that it gives are within 2⁻¹⁵ and κ·2⁻²⁹, where κ is the largest scale factor of `model`
     /// divided by its smallest.
     ///
     /// ```
-    /// use pinhole::{space::{Model, World}, Affine, Point3, Side, ViewTransform};
+    /// use pinhole::{camera::Side, prelude::*};
     /// let from_the_right = ViewTransform::multiview(Point3::from_ints(0, 0, 0), Side::Right);
     /// let normals = from_the_right.normals(&Affine::<Model, World>::identity());
     /// assert_eq!(normals.apply([32767, 0, 0]), [0, 0, 32767]); // +x points to the viewer

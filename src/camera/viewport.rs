@@ -16,7 +16,7 @@ use embedded_graphics_core::primitives::Rectangle;
 ///
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
-/// use pinhole::{Point3, Viewport, CameraError};
+/// use pinhole::{camera::CameraError, Point3, Viewport};
 /// let viewport = Viewport::new(Point::new(10, 20), Size::new(240, 180))?;
 /// let corner = viewport.apply(Point3::from_ints(-1, 1, 0)); // NDC top left
 /// assert_eq!((corner.x(), corner.y()), (10 * 256, 20 * 256));

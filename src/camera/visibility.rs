@@ -29,7 +29,7 @@ impl Camera {
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
-    /// use pinhole::{Affine, Angle, Camera, Mesh, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport, Visibility};
+    /// use pinhole::{camera::Visibility, prelude::*, Angle};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
     /// # let (near, far) = (Scalar::from_int(1), Scalar::from_int(9));
     /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
@@ -52,7 +52,7 @@ impl Camera {
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
-    /// use pinhole::{Affine, Angle, Camera, Mesh, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport, Visibility};
+    /// use pinhole::{camera::Visibility, prelude::*, Angle};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
     /// # let (near, far) = (Scalar::from_int(1), Scalar::from_int(9));
     /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;

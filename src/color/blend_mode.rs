@@ -2,7 +2,7 @@
 
 use super::Color;
 
-/// How the colour of a [`Translucent`](crate::Translucent) face or sprite is mixed with a stored pixel: [`Half`], [`Alpha`], or any function of both
+/// How the colour of a [`Translucent`](crate::shading::Translucent) face or sprite is mixed with a stored pixel: [`Half`], [`Alpha`], or any function of both
 /// colours, such as `|own: Rgb565, stored: Rgb565| stored.emitting(own)`, which adds light.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not mix colors of `{C}`",
@@ -18,7 +18,7 @@ pub trait BlendMode<C>: Copy {
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use pinhole::{BlendMode, Half};
+/// use pinhole::color::{BlendMode, Half};
 /// assert_eq!(Half.blend(Gray8::new(40), Gray8::new(60)), Gray8::new(50));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -36,7 +36,7 @@ impl<C: Color> BlendMode<C> for Half {
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use pinhole::{Alpha, BlendMode};
+/// use pinhole::color::{Alpha, BlendMode};
 /// assert_eq!(Alpha::new(8).blend(Gray8::new(200), Gray8::new(100)), Gray8::new(125)); // 8 of 32
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

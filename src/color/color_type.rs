@@ -15,7 +15,7 @@ use embedded_graphics_core::pixelcolor::{
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::PixelColor;
-/// use pinhole::{Color, Format};
+/// use pinhole::color::{Color, Format};
 /// /// Four bits each of red, green and blue: two pixels in three bytes, as many TFT controllers take them.
 /// #[derive(Clone, Copy, Debug, PartialEq)]
 /// struct Rgb444(u16);
@@ -39,7 +39,7 @@ use embedded_graphics_core::pixelcolor::{
 /// `value · max/255`; a grey target gets the luma of Rec. 601, `(77·red + 150·green + 29·blue)/256`, as in `embedded-graphics`.
 /// Levels have 16 fractional bits and are rounded to integers once, at the pixel.
 ///
-/// In bands ([`Frame`](crate::Frame)) pixels lie as a display takes them: the most significant bit first; several pixels to a byte where they
+/// In bands ([`Frame`](crate::bands::Frame)) pixels lie as a display takes them: the most significant bit first; several pixels to a byte where they
 /// fit, the leftmost in the upper bits; each row begins with a new byte.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no color channels that pinhole knows",
@@ -74,7 +74,7 @@ pub trait Color: PixelColor {
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray4, Rgb565};
-    /// use pinhole::Color;
+    /// use pinhole::color::Color;
     /// assert_eq!(Rgb565::from_channels([31, 0, 1]), Rgb565::new(31, 0, 1));
     /// assert_eq!(Gray4::from_channels([9, 0, 0]), Gray4::new(9));
     /// ```
@@ -94,7 +94,7 @@ pub trait Color: PixelColor {
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-    /// use pinhole::Color;
+    /// use pinhole::color::Color;
     /// assert_eq!(Rgb565::WHITE.dim(256), Rgb565::WHITE);
     /// assert_eq!(Rgb565::WHITE.dim(128), Rgb565::new(16, 32, 16));
     /// assert_eq!(Rgb565::WHITE.dim(0), Rgb565::BLACK);
@@ -112,7 +112,7 @@ pub trait Color: PixelColor {
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-    /// use pinhole::Color;
+    /// use pinhole::color::Color;
     /// assert_eq!(Rgb565::WHITE.dim(128).emitting(Rgb565::RED), Rgb565::new(31, 32, 16));
     /// ```
     #[must_use]
@@ -127,7 +127,7 @@ pub trait Color: PixelColor {
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Rgb565;
-    /// use pinhole::Color;
+    /// use pinhole::color::Color;
     /// assert_eq!(Rgb565::new(31, 10, 3).half(Rgb565::new(0, 20, 3)), Rgb565::new(16, 15, 3));
     /// ```
     #[must_use]
@@ -147,7 +147,7 @@ pub trait Color: PixelColor {
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
-    /// use pinhole::Color;
+    /// use pinhole::color::Color;
     /// assert_eq!(Rgb565::new(31, 0, 8).mix(Rgb565::new(0, 63, 8), 8), Rgb565::new(8, 47, 8)); // 7.75, 47.25, 8
     /// assert_eq!(Gray8::new(200).mix(Gray8::new(100), 32), Gray8::new(200));
     /// ```

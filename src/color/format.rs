@@ -3,7 +3,7 @@
 /// The bits of a colour as a display takes them: how many there are, and which of them are its channels.
 ///
 /// ```
-/// use pinhole::Format;
+/// use pinhole::color::Format;
 /// assert_eq!((Format::rgb(5, 6, 5).bits(), Format::rgb(5, 6, 5).max()), (16, [31, 63, 31]));
 /// assert_eq!(Format::rgb(5, 5, 5).padded_to(16).bits(), 16);
 /// assert_eq!(Format::rgb(6, 6, 6).in_bytes().bits(), 24);
@@ -54,7 +54,7 @@ impl Format {
     }
 
     /// A number of at most 32 bits in place of channels, such as the particles of e-paper. To be drawn in anything but plain colours, the
-    /// type implements [`Color::channels`](crate::Color::channels) and [`Color::from_channels`](crate::Color::from_channels), with
+    /// type implements [`Color::channels`](crate::color::Color::channels) and [`Color::from_channels`](crate::color::Color::from_channels), with
     /// these highest levels of red, green and blue.
     pub const fn indexed(bits: u32, max: [u8; 3]) -> Self {
         Self { bits: if bits < 32 { bits } else { 32 }, kind: Kind::Indexed, max, shifts: [0; 3] }

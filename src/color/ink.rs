@@ -19,7 +19,7 @@ pub trait Access: sealed::Access {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Writes {}
 
-/// Reads stored pixels, too, which a target can give if they lie in [memory](crate::Surface::memory). No value of this type exists.
+/// Reads stored pixels, too, which a target can give if they lie in [memory](crate::target::Surface::memory). No value of this type exists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Reads {}
@@ -32,7 +32,7 @@ impl Access for Reads {
     const READS: bool = true;
 }
 
-/// What a [`SpanShader`](crate::SpanShader) gives for each pixel. The type says what may happen to the pixel:
+/// What a [`SpanShader`](crate::shading::SpanShader) gives for each pixel. The type says what may happen to the pixel:
 ///
 /// | ink | pixel |
 /// |---|---|
@@ -41,12 +41,12 @@ impl Access for Reads {
 /// | [`Mixed<C, M>`](Mixed) | is set to what a [`BlendMode`] makes of the colour and the stored one |
 /// | `Option<Mixed<C, M>>` | is mixed or left out |
 ///
-/// Mixed inks read pixels, so they compile only for targets whose pixels lie in [memory](crate::Surface::memory): a
-/// [`Picture`](crate::Picture)'s or a [`Band`](crate::Band)'s `pixels()`, or a target of your own that has memory.
+/// Mixed inks read pixels, so they compile only for targets whose pixels lie in [memory](crate::target::Surface::memory): a
+/// [`Picture`](crate::target::Picture)'s or a [`Band`](crate::bands::Band)'s `pixels()`, or a target of your own that has memory.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use pinhole::{Half, Ink, Mixed};
+/// use pinhole::color::{Half, Ink, Mixed};
 /// let stored = || Gray8::new(60);
 /// assert_eq!(Gray8::new(40).over(stored), Some(Gray8::new(40)));
 /// assert_eq!(None::<Gray8>.over(stored), None);
@@ -102,12 +102,15 @@ pub trait Ink<C>: Copy + sealed::Ink<C> {
 
 /// A colour that a [`BlendMode`] mixes with the stored one.
 ///
-/// [`Translucent`](crate::Translucent) makes it of any shader's colours. A shader of its own, of light that is added to what is
+/// [`Translucent`](crate::shading::Translucent) makes it of any shader's colours. A shader of its own, of light that is added to what is
 /// stored:
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-/// use pinhole::{fill_triangle, raster::{ScreenPoint, Span, Triangle}, BlendMode, Mixed, Picture, Shader, SpanShader};
+/// use pinhole::{
+///     color::{BlendMode, Mixed}, draw::fill_triangle, raster::{ScreenPoint, Span, Triangle},
+///     shading::{Shader, SpanShader}, target::Picture,
+/// };
 /// #[derive(Clone, Copy)]
 /// struct Sum;
 /// impl BlendMode<Gray8> for Sum {

@@ -15,7 +15,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-/// use pinhole::StoredPixel;
+/// use pinhole::color::StoredPixel;
 /// assert_eq!((Rgb565::RED.stored(), Rgb565::RED.stored()), (Rgb565::RED, [0xf8, 0x00]));
 /// assert_eq!(Rgb565::load([0xf8, 0x00]), Rgb565::RED);
 /// assert_eq!(Rgb565::load(0xf800_u16), Rgb565::RED);

@@ -1,8 +1,8 @@
 //! Triangles whose colours are looked up by one word that varies linearly, into memory: light in a
-//! [`ShadeTable`](crate::ShadeTable), or texture coordinates that share a word.
+//! [`ShadeTable`](crate::shading::ShadeTable), or texture coordinates that share a word.
 //!
 //! - **Plain twins**: `pipeline::fill::fill` and `fill_nearer` with `SpanShader::span` of [`TableShader`] and
-//!   [`Textured`](crate::Textured).
+//!   [`Textured`](crate::texture::Textured).
 //! - **Domain**: on a target whose pixels lie in memory, with depth where the depth buffer is laid out as the memory is: every triangle
 //!   with depth whose colours are those of a table, and textured triangles of the [`Small`](super::Small) tier.
 //! - **Gain**: a row has one run, whose first word is one addition from the row above, and colours of a table are looked up only for

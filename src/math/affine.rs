@@ -28,7 +28,7 @@ use core::marker::PhantomData;
 /// compare the results of [`to_matrix`](Self::to_matrix).
 ///
 /// ```
-/// use pinhole::{space::{Model, World}, Affine, Angle, Point3, Vector3};
+/// use pinhole::{prelude::*, Angle};
 /// let place = Affine::<Model, World>::rotation_z(Angle::QUARTER_TURN)
 ///     .then(&Affine::translation(Vector3::from_ints(0, 0, -5)));
 /// assert_eq!(place.apply(Point3::from_ints(2, 0, 0)), Point3::<World>::from_ints(0, 2, -5));
@@ -107,7 +107,7 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// transformations*, Graphics Gems, 1990.)
     ///
     /// ```
-    /// use pinhole::{space::World, Affine, Angle, MathError, Point3, Vector3};
+    /// use pinhole::{math::MathError, prelude::*, Angle};
     /// let (through, axis) = (Point3::from_ints(1, 0, 0), Vector3::from_ints(0, 0, 7));
     /// let half = Affine::<World, World>::rotation(through, axis, Angle::HALF_TURN)?;
     /// assert_eq!(half.apply(Point3::from_ints(3, 4, 5)), Point3::from_ints(-1, -4, 5));
@@ -166,7 +166,7 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// the axes' components span no more than 30 bits, otherwise within 2⁻³⁰ of the largest coefficient.
     ///
     /// ```
-    /// use pinhole::{space::{Model, World}, Affine, Point3, Vector3};
+    /// use pinhole::prelude::*;
     /// // The model's x, y and z axes map to the world's y, z and x axes; lengths along the first one double.
     /// let [a, b, c] = [[0, 2, 0], [0, 0, 1], [1, 0, 0]].map(|[x, y, z]| Vector3::from_ints(x, y, z));
     /// let place = Affine::<Model, World>::from_frame(a, b, c, Point3::from_ints(10, 0, 0));
@@ -189,7 +189,7 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// ±2³⁰ world units.
     ///
     /// ```
-    /// use pinhole::{space::{Model, World}, Affine, MathError, Point3};
+    /// use pinhole::{math::MathError, prelude::*};
     /// let turn = [[0.0, -1.0, 0.0, 5.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, -3.0], [0.0, 0.0, 0.0, 1.0]];
     /// let place = Affine::<Model, World>::from_matrix(&turn)?;
     /// assert_eq!(place.apply(Point3::from_ints(2, 0, 0)), Point3::from_ints(5, 2, -3));
@@ -232,7 +232,7 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// divided by the product of the rows' lengths, is below a limit between 2⁻²⁵ and 2⁻²³.
     ///
     /// ```
-    /// use pinhole::{space::{Model, World}, Affine, Angle, MathError, Point3, Scalar, Vector3};
+    /// use pinhole::{math::MathError, prelude::*, Angle};
     /// let place = Affine::<Model, Model>::rotation_y(Angle::degrees(90))
     ///     .then(&Affine::<Model, World>::translation(Vector3::from_ints(3, 0, 0)));
     /// let there = place.apply(Point3::from_ints(0, 1, 2));
@@ -332,7 +332,7 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// This transform followed by a [rotation about the x axis](Self::rotation_x) of `B`.
     ///
     /// ```
-    /// use pinhole::{space::{Model, World}, Affine, Angle, Point3, Scalar, Vector3};
+    /// use pinhole::{prelude::*, Angle};
     /// let quarter = Angle::QUARTER_TURN;
     /// let place = Affine::identity().scale_by(Scalar::from_int(2)).rotate_z(quarter).translate(Vector3::from_ints(0, 0, -5));
     /// assert_eq!(place.apply(Point3::<Model>::from_ints(1, 0, 0)), Point3::<World>::from_ints(0, 2, -5));

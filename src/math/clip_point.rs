@@ -8,17 +8,17 @@ use crate::space::Ndc;
 /// [`Projection::apply`](crate::Projection::apply) makes it; there is no public constructor.
 ///
 /// ```
-/// use pinhole::{Projection, Window, Scalar, Point3, space::View};
+/// use pinhole::{camera::Window, prelude::*, space::View};
 /// let one = Scalar::from_int(1);
 /// let window = Window { left: -one, right: one, bottom: -one, top: one };
 /// let frustum = Projection::frustum(window, one, Scalar::from_int(3))?;
 /// let clip = frustum.apply(Point3::<View>::from_ints(0, 0, -3));
 /// assert_eq!(clip.ndc(), Some(Point3::from_ints(0, 0, 1)));
-/// # Ok::<(), pinhole::CameraError>(())
+/// # Ok::<(), pinhole::camera::CameraError>(())
 /// ```
 ///
 /// ```compile_fail,E0451
-/// let forged = pinhole::ClipPoint { x: 0, y: 0, z: 0, w: 1, exponent: 0 };
+/// let forged = pinhole::clip::ClipPoint { x: 0, y: 0, z: 0, w: 1, exponent: 0 };
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

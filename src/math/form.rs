@@ -30,8 +30,8 @@ pub trait Coordinate: Copy + core::fmt::Debug + sealed::Sealed {
     const CLIPS: bool = true;
 }
 
-/// Marks a [`MeshInstance`](crate::MeshInstance) that is not clipped, as its second parameter: `MeshInstance<Inside<i16>>`.
-/// [`MeshInstance::without_clipping`](crate::MeshInstance::without_clipping) makes it. No value of this type exists.
+/// Marks a [`MeshInstance`](crate::draw::MeshInstance) that is not clipped, as its second parameter: `MeshInstance<Inside<i16>>`.
+/// [`MeshInstance::without_clipping`](crate::draw::MeshInstance::without_clipping) makes it. No value of this type exists.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Inside<V>(core::marker::PhantomData<V>);

@@ -3,11 +3,11 @@
 
 mod affine;
 mod angle;
-mod clip_point;
+pub(crate) mod clip_point;
 pub(crate) mod cores;
 mod determinant;
 pub(crate) mod float;
-mod form;
+pub(crate) mod form;
 mod halfword;
 pub(crate) mod hints;
 mod math_error;
@@ -27,11 +27,11 @@ mod vector;
 pub use affine::Affine;
 pub(crate) use affine::{matrix_product, to_scalar};
 pub use angle::Angle;
-pub use clip_point::{ClipPoint, Outcode};
+pub(crate) use clip_point::ClipPoint;
 pub(crate) use cores::LinearForm;
 pub(crate) use determinant::determinant;
 pub(crate) use form::ClipCoords;
-pub use form::{Coordinate, Inside};
+pub(crate) use form::{Coordinate, Inside};
 pub use math_error::MathError;
 pub(crate) use normal::component_to_q15;
 pub use normal::NormalMatrix;

@@ -14,7 +14,7 @@ use core::marker::PhantomData;
 /// outwards. (Turkowski, *Transformations of surface normal vectors*, 1990.)
 ///
 /// ```
-/// use pinhole::{space::{Model, World}, Affine, Scalar};
+/// use pinhole::prelude::*;
 /// let flatten = Affine::<Model, World>::scale_axes(Scalar::from_int(1), Scalar::from_int(1), Scalar::from_ratio(1, 2));
 /// let slope = [23170, 0, 23170]; // 45° in x and z, in 2⁻¹⁵
 /// let [x, _, z] = flatten.normals().apply(slope);
@@ -35,7 +35,7 @@ impl<A, B> Clone for NormalMatrix<A, B> {
 impl<A, B> Copy for NormalMatrix<A, B> {}
 
 impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
-    /// The normal matrix of this transform: see [`NormalMatrix`] for an example. [`Lambert`](crate::Lambert) computes it itself.
+    /// The normal matrix of this transform: see [`NormalMatrix`] for an example. [`Lambert`](crate::light::Lambert) computes it itself.
     #[inline(never)] // set-up: code size counts, speed does not
     pub fn normals(&self) -> NormalMatrix<A, B> {
         let (linear, _) = self.linear();

@@ -7,11 +7,11 @@ use core::marker::PhantomData;
 /// A point of space `S`: three [`Scalar`]s, ±32768 units of the space in steps of 2⁻¹⁶.
 ///
 /// ```
-/// use pinhole::{space::World, Point3, Scalar};
+/// use pinhole::prelude::*;
 /// let p = Point3::<World>::from_ints(1, -2, 3);
 /// assert_eq!(p, Point3::from_f32(1.0, -2.0, 3.0)?);
 /// assert_eq!(p.z(), Scalar::from_int(3));
-/// # Ok::<(), pinhole::MathError>(())
+/// # Ok::<(), pinhole::math::MathError>(())
 /// ```
 #[derive(Debug, PartialEq, Eq)]
 pub struct Point3<S> {

@@ -8,7 +8,7 @@ use crate::math::MathError;
 /// A rotation as a unit quaternion `w + x·i + y·j + z·k`, whose components are stored in 2⁻³⁰.
 ///
 /// ```
-/// use pinhole::{space::{Model, World}, Affine, Angle, Quaternion, MathError, Scalar};
+/// use pinhole::{math::{MathError, Quaternion}, prelude::*, Angle};
 /// let one = Scalar::from_int(1);
 /// let quarter = Quaternion::new(one, Scalar::ZERO, Scalar::ZERO, one)?; // 90° about z, any length
 /// let turn = Affine::<Model, World>::from_quaternion(quarter);

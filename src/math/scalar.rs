@@ -25,7 +25,7 @@ use fixed::types::I16F16;
 /// [`Scalar::from_ratio`] says, also for a divisor of zero. Text has as many digits as distinguish the number from its neighbours.
 ///
 /// ```
-/// use pinhole::{MathError, Scalar};
+/// use pinhole::{math::MathError, Scalar};
 /// const NEAR: Scalar = Scalar::from_ratio(2, 5);
 /// assert_eq!(NEAR.to_string(), "0.4");
 /// assert_eq!(Scalar::from_f32(2.5)? + Scalar::from_int(1), "3.5".parse()?);

@@ -7,7 +7,7 @@ use crate::space::{Model, World};
 /// A bounding sphere of a mesh, in model coordinates.
 ///
 /// ```
-/// use pinhole::{Mesh, Scalar, Sphere};
+/// use pinhole::{math::Sphere, Mesh, Scalar};
 /// const VERTICES: [[i16; 3]; 2] = [[-3, 0, 0], [1, 0, 0]];
 /// let mesh = Mesh::new(&VERTICES, 0, &[]).unwrap();
 /// let sphere: Sphere = mesh.bounding_sphere();
@@ -18,7 +18,7 @@ pub struct Sphere {
     /// The centre, in model units.
     pub centre: Point3<Model>,
     /// The radius, in model units. A negative radius counts as zero. `Scalar::MAX` stands for a radius beyond the range of
-    /// [`Scalar`]: such a sphere is always [`Partly`](crate::Visibility::Partly) visible.
+    /// [`Scalar`]: such a sphere is always [`Partly`](crate::camera::Visibility::Partly) visible.
     pub radius: Scalar,
 }
 
@@ -26,7 +26,7 @@ impl Sphere {
     /// A sphere about a centre; both in model units.
     ///
     /// ```
-    /// use pinhole::{Point3, Scalar, Sphere};
+    /// use pinhole::{math::Sphere, Point3, Scalar};
     /// const SPHERE: Sphere = Sphere::new(Point3::from_ints(0, 2, 0), Scalar::from_int(5));
     /// assert_eq!(SPHERE.radius, Scalar::from_int(5));
     /// ```
@@ -37,10 +37,10 @@ impl Sphere {
     /// A sphere around several, all in the same coordinates: about the centre of the box around them. Its radius is at most √3
     /// times the smallest possible, rounded up by at most 7·2⁻¹⁶; `Scalar::MAX` if it does not fit [`Scalar`], or if one of the
     /// spheres has that radius. Around no spheres it is the origin, with no radius. For the objects of a scene there is
-    /// [`Scene::bounding_sphere`](crate::Scene::bounding_sphere).
+    /// [`Scene::bounding_sphere`](crate::draw::Scene::bounding_sphere).
     ///
     /// ```
-    /// use pinhole::{Point3, Scalar, Sphere};
+    /// use pinhole::{math::Sphere, Point3, Scalar};
     /// let [left, right] = [-4, 6].map(|x| Sphere::new(Point3::from_ints(x, 0, 0), Scalar::ONE));
     /// let both = Sphere::around([left, right]); // from -5 to 7
     /// assert_eq!(both.centre, Point3::from_ints(1, 0, 0));
@@ -84,7 +84,7 @@ impl Sphere {
     /// and 3·2⁻¹⁶. `Scalar::MAX` where centre or radius do not fit [`Scalar`].
     ///
     /// ```
-    /// use pinhole::{prelude::*, Angle};
+    /// use pinhole::{math::Sphere, prelude::*, Angle};
     /// let sphere = Sphere::new(Point3::from_ints(1, 0, 0), Scalar::ONE);
     /// let model = Affine::<Model, World>::scale(Scalar::from_int(2)).rotate_z(Angle::degrees(90));
     /// let placed = sphere.transformed(&model.translate(Vector3::from_ints(0, 0, -7)));

@@ -81,7 +81,7 @@ impl<S> Vector3<S> {
     /// The dot product: the exact sum, rounded to the nearest 2⁻¹⁶ (ties up), saturating at ±32768.
     ///
     /// ```
-    /// use pinhole::{space::World, Scalar, Vector3};
+    /// use pinhole::prelude::*;
     /// let (a, b) = (Vector3::<World>::from_ints(1, 2, 3), Vector3::from_ints(4, -5, 6));
     /// assert_eq!(a.dot(b), Scalar::from_int(12));
     /// ```
@@ -107,7 +107,7 @@ impl<S> Vector3<S> {
     /// The length: within 2⁻¹⁷ (rounded to the nearest 2⁻¹⁶), saturating at 32768.
     ///
     /// ```
-    /// use pinhole::{space::World, Scalar, Vector3};
+    /// use pinhole::prelude::*;
     /// assert_eq!(Vector3::<World>::from_ints(2, 3, -6).length(), Scalar::from_int(7));
     /// ```
     pub fn length(self) -> Scalar {
@@ -128,7 +128,7 @@ impl<S> Point3<S> {
     /// up), saturating at ±32768. `t` may lie outside of 0 … 1.
     ///
     /// ```
-    /// use pinhole::{space::World, Point3, Scalar};
+    /// use pinhole::prelude::*;
     /// let (a, b) = (Point3::<World>::from_ints(0, 10, -4), Point3::from_ints(8, 10, 4));
     /// assert_eq!(a.lerp(b, Scalar::from_ratio(1, 4)), Point3::from_ints(2, 10, -2));
     /// assert_eq!(a + (b - a) * Scalar::from_ratio(1, 4), Point3::from_ints(2, 10, -2));

@@ -31,7 +31,7 @@ impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V,
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-    /// # use pinhole::{Affine, Angle, Camera, ScreenVertex, Frame, Mesh, Painter, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+    /// # use pinhole::{prelude::*, Angle};
     /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?.with_edges(&[[0, 1], [1, 2], [2, 0]])?;
     /// # let mut display = MockDisplay::<Gray8>::new();
     /// # let viewport = Viewport::new(Point::zero(), display.size())?;
@@ -106,7 +106,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
 }
 
 impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
-    /// Draws the edges in a band as [`Edges::draw`](crate::Edges::draw) does.
+    /// Draws the edges in a band as [`Edges::draw`](crate::draw::Edges::draw) does.
     ///
     /// # Errors
     ///
@@ -150,7 +150,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
         })
     }
 
-    /// Splits the binned edges into two, one for each of two cores, as [`BinnedFaces::fork`](crate::BinnedFaces::fork) splits
+    /// Splits the binned edges into two, one for each of two cores, as [`BinnedFaces::fork`](crate::draw::BinnedFaces::fork) splits
     /// faces. `cursor` is the second one's storage, one number per 16 edges of the mesh, rounded up.
     ///
     /// # Errors
@@ -170,7 +170,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     }
 
     /// A rectangle inside the viewport around all visible edges: no pixel outside it is drawn. It is empty if no edge is
-    /// visible. [`AntiAliased`](crate::AntiAliased) lines may reach one pixel beyond it.
+    /// visible. [`AntiAliased`](crate::shading::AntiAliased) lines may reach one pixel beyond it.
     pub fn bounds(&self) -> Rectangle {
         self.0.bounds()
     }
@@ -223,7 +223,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
 }
 
 impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
-    /// Draws the edges in a band as [`Edges::hidden_line`](crate::Edges::hidden_line) does.
+    /// Draws the edges in a band as [`Edges::hidden_line`](crate::draw::Edges::hidden_line) does.
     ///
     /// # Errors
     ///

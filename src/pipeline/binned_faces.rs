@@ -107,14 +107,14 @@ pub(super) fn count_faces<'a, V: Coordinate + 'a, const DEPTH: bool>(
 
 impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// Transforms the vertices, without depth, culls the faces, and sorts the visible ones by their first row, for drawing in
-    /// bands. `cache` holds the transformed vertices, as in [`Faces::cached`](crate::Faces::cached). `storage` is bin storage that the result
+    /// bands. `cache` holds the transformed vertices, as in [`Faces::cached`](crate::draw::Faces::cached). `storage` is bin storage that the result
     /// borrows: one number per visible face, and one per 16 faces of the mesh, rounded up.
     ///
     /// To draw both faces and edges in bands, [`transform`](Self::transform) the vertices once for both.
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-    /// # use pinhole::{Affine, Angle, Camera, ScreenVertex, Frame, Mesh, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+    /// # use pinhole::{prelude::*, Angle};
     /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2], [0, 2, 1]])?;
     /// # let mut display = MockDisplay::<Gray8>::new();
     /// # let viewport = Viewport::new(Point::zero(), display.size())?;
@@ -227,9 +227,9 @@ impl FaceSource for BandSource<'_, '_> {
 }
 
 impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
-    /// Draws the faces in a band as [`Faces::draw`](crate::Faces::draw) does. `shade` is called once for each face that lies in the band.
+    /// Draws the faces in a band as [`Faces::draw`](crate::draw::Faces::draw) does. `shade` is called once for each face that lies in the band.
     ///
-    /// For a depth test, create the depth buffer for this band's [area](crate::Band::area): nothing is drawn outside it. Faces whose
+    /// For a depth test, create the depth buffer for this band's [area](crate::bands::Band::area): nothing is drawn outside it. Faces whose
     /// vertices were transformed without depth do not compile with one, and neither do they with a shader that needs depth:
     ///
     /// ```compile_fail,E0277
@@ -311,7 +311,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     /// rounded up. When both are dropped, the binned faces can be drawn or forked again; a fork can be forked, for more cores.
     ///
     /// Each fork can draw any band; the pixels do not depend on which one does. Bands from top to bottom are fastest:
-    /// a band above the last one of this fork begins again at the top of the bins. [`Frame::nth_band`](crate::Frame::nth_band)
+    /// a band above the last one of this fork begins again at the top of the bins. [`Frame::nth_band`](crate::bands::Frame::nth_band)
     /// gives each core its bands.
     ///
     /// ```

@@ -3,7 +3,7 @@
 use crate::camera::ScreenVertex;
 
 /// Vertex cache and bin storage for one mesh, for several meshes drawn one after the other, or for a
-/// [`Scene`](crate::Scene). [`mesh_buffers!`](crate::mesh_buffers) makes one with the lengths that these need, and the macro `MeshBuffers!` names the type.
+/// [`Scene`](crate::draw::Scene). [`mesh_buffers!`](crate::mesh_buffers) makes one with the lengths that these need, and the macro `MeshBuffers!` names the type.
 ///
 /// It takes 8 bytes per vertex, and 2 per face or edge and per 16 of them.
 ///
@@ -37,11 +37,11 @@ use crate::camera::ScreenVertex;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MeshBuffers<const VERTICES: usize, const BINS: usize, const EDGE_BINS: usize = 0> {
-    /// The vertex cache: see [`MeshInstance::transform`](crate::MeshInstance::transform).
+    /// The vertex cache: see [`MeshInstance::transform`](crate::draw::MeshInstance::transform).
     pub cache: [ScreenVertex; VERTICES],
-    /// Bin storage for faces: see [`TransformedMesh::bin_faces`](crate::TransformedMesh::bin_faces).
+    /// Bin storage for faces: see [`TransformedMesh::bin_faces`](crate::draw::TransformedMesh::bin_faces).
     pub bins: [u16; BINS],
-    /// Bin storage for edges: see [`TransformedMesh::bin_edges`](crate::TransformedMesh::bin_edges).
+    /// Bin storage for edges: see [`TransformedMesh::bin_edges`](crate::draw::TransformedMesh::bin_edges).
     pub edge_bins: [u16; EDGE_BINS],
 }
 
@@ -72,14 +72,14 @@ impl<const VERTICES: usize, const BINS: usize, const EDGE_BINS: usize> defmt::Fo
 }
 
 /// Declares vertex cache and bin storage for one or more `const` meshes that are drawn one after the other: [`MeshBuffers`] with
-/// the lengths of the largest one. `mesh_buffers!([MESH; 8], [OTHER; 1])` is for a [`Scene`](crate::Scene), whose objects are
+/// the lengths of the largest one. `mesh_buffers!([MESH; 8], [OTHER; 1])` is for a [`Scene`](crate::draw::Scene), whose objects are
 /// binned at the same time: for as many of each mesh as can be visible, with the sum of their lengths.
 ///
 /// `mesh_buffers!(MESH)` is for faces, `mesh_buffers!(edges: MESH)` for a wireframe, and `mesh_buffers!(faces, edges: MESH)` for
 /// hidden lines. [`MeshBuffers!`](macro@crate::MeshBuffers) with equal arguments is the type, for statics:
 ///
 /// ```
-/// use pinhole::{mesh_buffers, Mesh, MeshBuffers};
+/// use pinhole::prelude::*;
 /// # struct ConstStaticCell<T>(T); // of the crate static_cell
 /// # impl<T> ConstStaticCell<T> { const fn new(value: T) -> Self { Self(value) } }
 /// const TRIANGLE: Mesh<'static> = match Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[0, 1, 2]]) {

@@ -8,7 +8,7 @@ pub enum Cull {
     #[default]
     Back,
     /// Culls front faces, so that only the inside of a closed mesh is drawn: the first of two draw calls for glass, whose back
-    /// faces show through its front faces ([`Translucent`](crate::Translucent)).
+    /// faces show through its front faces ([`Translucent`](crate::shading::Translucent)).
     Front,
     /// Culls nothing: both sides of each face are drawn.
     None,

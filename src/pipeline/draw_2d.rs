@@ -17,7 +17,7 @@ use crate::surface::Surface;
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
-/// use pinhole::{fill_triangle, raster::ScreenPoint};
+/// use pinhole::{draw::fill_triangle, raster::ScreenPoint};
 /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
 /// let mut display = MockDisplay::new();
 /// fill_triangle([corner(0, 0), corner(4, 0), corner(0, 4)], BinaryColor::On, &mut display)?;
@@ -60,7 +60,7 @@ pub fn fill_triangle<T: Surface, S: ShaderFor<T>>(
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
-/// use pinhole::{draw_line, raster::Pixel};
+/// use pinhole::{draw::draw_line, raster::Pixel};
 /// let mut display = MockDisplay::new();
 /// draw_line(Pixel { x: 0, y: 0 }, Pixel { x: 5, y: 2 }, BinaryColor::On, &mut display)?;
 /// display.assert_pattern(&["##    ", "  ##  ", "    ##"]);

@@ -230,7 +230,7 @@ pub struct Faces<'a, V: Coordinate, P: FacePlanes, F> {
 
 impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// The faces, to be drawn or picked. `shade` is called once for each face that is drawn, with the face's index, and returns its
-    /// colour or another [`Shader`](crate::Shader).
+    /// colour or another [`Shader`](crate::shading::Shader).
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -263,8 +263,8 @@ impl<'a, V: Coordinate, P: FacePlanes, F> Faces<'a, V, P, F> {
 
     /// Draws the faces: into a target without a depth buffer in the mesh's order, without hidden-surface removal, which is right
     /// for convex meshes, whose front faces never hide each other; into a target [with a depth
-    /// buffer](crate::Surface::depth_tested) the pixels that are nearer than the buffer, whose depth it then stores: right for all
-    /// meshes, also for meshes that pierce each other. A [`Painter`](crate::Painter) needs no depth buffer.
+    /// buffer](crate::target::Surface::depth_tested) the pixels that are nearer than the buffer, whose depth it then stores: right for all
+    /// meshes, also for meshes that pierce each other. A [`Painter`](crate::draw::Painter) needs no depth buffer.
     ///
     /// **Depth** is the depth of the face's plane at the pixel's centre, in steps from 0 near to 65534 far, linear on
     /// the screen. Where two faces have equal depth, the one that was drawn first stays. With a depth buffer, faces are clipped at
@@ -276,10 +276,7 @@ impl<'a, V: Coordinate, P: FacePlanes, F> Faces<'a, V, P, F> {
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*, primitives::Rectangle};
-    /// use pinhole::{
-    ///     space::{Model, World}, Affine, Angle, Camera, Cull, DepthBuffer, Mesh, Point3, Projection,
-    ///     Scalar, Surface, Vector3, ViewTransform, Viewport,
-    /// };
+    /// use pinhole::{prelude::*, Angle};
     /// // Two triangles through each other: one upright, one lying.
     /// const VERTICES: [[i16; 3]; 6] = [[-9, -9, 0], [9, -9, 0], [0, 9, 0], [-9, 0, 9], [9, 0, 9], [0, 0, -9]];
     /// let mesh = Mesh::new(&VERTICES, -3, &[[0, 1, 2], [3, 4, 5]])?;
@@ -376,7 +373,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     }
 
     /// Stores the depth of the faces and draws nothing: the first step of hidden-line removal. The depth is, bit for bit, that
-    /// of [`Faces::draw`]. `cache` is that of [`Faces::cached`], or empty. [`Edges::hidden_line`](crate::Edges::hidden_line) has an example.
+    /// of [`Faces::draw`]. `cache` is that of [`Faces::cached`], or empty. [`Edges::hidden_line`](crate::draw::Edges::hidden_line) has an example.
     #[inline(never)] // its stack frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [ScreenVertex], depth: &mut DepthBuffer<'_>) -> Statistics {
         let instance = &self.any;

@@ -40,10 +40,7 @@ impl<V: Coordinate, P: FacePlanes, F> Edges<'_, V, P, F> {
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
-    /// use pinhole::{
-    ///     edge_faces, space::{Model, World}, Affine, Angle, Camera, DepthBuffer, Mesh, Point3, Projection,
-    ///     Scalar, Surface, Vector3, ViewTransform, Viewport,
-    /// };
+    /// use pinhole::{mesh::edge_faces, prelude::*, Angle};
     /// const VERTICES: [[i16; 3]; 4] = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
     /// const FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
     /// const EDGES: [[u16; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];

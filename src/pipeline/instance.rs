@@ -106,12 +106,12 @@ impl<'m, V: Coordinate, P: FacePlanes> MeshInstance<'m, V, P> {
     /// The instance without clipping, for an object that stays in view: beyond the near plane, before a far plane that clips, and
     /// within 1024 pixels of the viewport's centre. Firmware then links no code that cuts faces and edges: 1 to 3 KB less.
     ///
-    /// Faces, edges and points with a vertex elsewhere are not drawn; [`Statistics`](crate::Statistics) counts them as `outside`.
+    /// Faces, edges and points with a vertex elsewhere are not drawn; [`Statistics`](crate::draw::Statistics) counts them as `outside`.
     /// All others are drawn as with clipping, pixel by pixel.
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
-    /// # use pinhole::{Affine, Angle, Camera, Cull, Mesh, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+    /// # use pinhole::{prelude::*, Angle};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
     /// # let up = Vector3::from_ints(0, 1, 0);
@@ -155,7 +155,7 @@ impl<'m, V: Coordinate, P: FacePlanes> MeshInstance<'m, V, P> {
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
-    /// # use pinhole::{Affine, Angle, Camera, Cull, Mesh, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+    /// # use pinhole::{prelude::*, Angle};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
     /// # let up = Vector3::from_ints(0, 1, 0);

@@ -32,10 +32,7 @@ use heapless::Vec;
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
-/// use pinhole::{
-///     space::{Model, World}, Affine, Angle, Camera, Mesh, Painter, Point3, Projection, BufferError,
-///     Scalar, Vector3, ViewTransform, Viewport,
-/// };
+/// use pinhole::{prelude::*, target::BufferError, Angle};
 /// const VERTICES: [[i16; 3]; 3] = [[-1, -1, 0], [1, -1, 0], [0, 1, 0]];
 /// const FACES: [[u16; 3]; 1] = [[0, 1, 2]];
 /// let mesh = Mesh::new(&VERTICES, 0, &FACES)?;
@@ -95,7 +92,7 @@ pub struct PaintersOrder<'a, S> {
 impl<S: Copy> PaintersOrder<'_, S> {
     /// Draws the faces that lie in the target, for instance in a band. With a depth buffer, whose shaders must be [`DepthTested`], it draws
     /// the pixels that are nearer than the buffer; their depth is stored if the shader [writes
-    /// depth](crate::SpanShader::WRITES_DEPTH).
+    /// depth](crate::shading::SpanShader::WRITES_DEPTH).
     ///
     /// # Errors
     ///
@@ -149,7 +146,7 @@ impl<S: Copy> PaintersOrder<'_, S> {
     }
 }
 
-/// A shader that a [`Painter`] can store for a target with this [test](crate::Target::Test): with a depth buffer, a [`DepthTested`] one.
+/// A shader that a [`Painter`] can store for a target with this [test](crate::target::Target::Test): with a depth buffer, a [`DepthTested`] one.
 /// Implemented for every such shader.
 #[diagnostic::on_unimplemented(
     message = "a painter's faces cannot be filled with `{Self}`",
@@ -309,7 +306,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-    /// # use pinhole::{Affine, Angle, Camera, ScreenVertex, Frame, Mesh, Painter, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+    /// # use pinhole::{prelude::*, Angle};
     /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?.with_edges(&[[0, 1], [1, 2], [2, 0]])?;
     /// # let mut display = MockDisplay::<Gray8>::new();
     /// # let viewport = Viewport::new(Point::zero(), display.size())?;

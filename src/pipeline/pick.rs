@@ -21,7 +21,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The visible point in a pixel: the answer of [`Faces::pick`] and [`SceneFaces::pick`](crate::SceneFaces::pick).
+/// The visible point in a pixel: the answer of [`Faces::pick`] and [`SceneFaces::pick`](crate::draw::SceneFaces::pick).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Picked {
@@ -48,14 +48,14 @@ impl<V: Coordinate, P: FacePlanes, F> Faces<'_, V, P, F> {
     /// and no depth buffer is needed. `None` if no face covers the pixel, or if it lies outside of the viewport or beyond 8192
     /// pixels.
     ///
-    /// A face whose shader leaves the pixel out, by a transparent texel or a [`ScreenDoor`](crate::ScreenDoor), is not seen there.
+    /// A face whose shader leaves the pixel out, by a transparent texel or a [`ScreenDoor`](crate::shading::ScreenDoor), is not seen there.
     /// Where no shader leaves out pixels, shade with any colour. A translucent face is seen like an opaque one.
     ///
     /// If the vertices are transformed already, call [`TransformedMesh::pick`].
     ///
     /// ```
     /// # use embedded_graphics::{geometry::{Point, Size}, pixelcolor::BinaryColor};
-    /// use pinhole::{Affine, Angle, Camera, Mesh, Picked, Scalar, Viewport};
+    /// use pinhole::{draw::Picked, prelude::*, Angle};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// const VERTICES: [[i16; 3]; 4] = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
     /// const FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];

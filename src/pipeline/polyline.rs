@@ -24,12 +24,12 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     }
 
     /// Draws lines from each vertex to the next as one polyline. It is closed if the last vertex equals the first. The pixel at
-    /// a joint of two lines is drawn once, with the line that ends there; [`AntiAliased`](crate::AntiAliased) says what anti-aliased
-    /// lines cover there. Lines are clipped as in [`Edges::draw`](crate::Edges::draw).
+    /// a joint of two lines is drawn once, with the line that ends there; [`AntiAliased`](crate::shading::AntiAliased) says what anti-aliased
+    /// lines cover there. Lines are clipped as in [`Edges::draw`](crate::draw::Edges::draw).
     ///
     /// ```
     /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::BinaryColor};
-    /// use pinhole::{Affine, Camera, Mesh, Point3, Projection, Scalar, Side, ViewTransform, Viewport, Window};
+    /// use pinhole::{camera::{Side, Window}, prelude::*};
     /// // A plot: a mesh without faces is a list of points.
     /// let mesh = Mesh::new(&[[0, 0, 0], [2, 3, 0], [4, 1, 0]], 0, &[])?;
     /// let [zero, one, four, five] = [0, 1, 4, 5].map(Scalar::from_int);

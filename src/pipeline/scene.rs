@@ -297,7 +297,7 @@ pub struct SceneFaces<'a, 's, 'm, M, G, const OBJECTS: usize> {
 
 impl<'a, 's, 'm, M, G, const OBJECTS: usize> SceneFaces<'a, 's, 'm, M, G, OBJECTS> {
     /// With memory for transformed vertices, which the objects share one after the other: it should have room for the largest mesh, and
-    /// may be shorter, as in [`Faces::cached`](crate::Faces::cached).
+    /// may be shorter, as in [`Faces::cached`](crate::draw::Faces::cached).
     #[must_use]
     #[inline(always)]
     pub fn cached(self, cache: &'a mut [ScreenVertex]) -> Self {
@@ -305,7 +305,7 @@ impl<'a, 's, 'm, M, G, const OBJECTS: usize> SceneFaces<'a, 's, 'm, M, G, OBJECT
     }
 
     /// Draws all objects, in the order of the scene and in one piece: usually into a target [with a depth
-    /// buffer](crate::Surface::depth_tested). [`Faces::draw`](crate::Faces::draw) says how faces are drawn.
+    /// buffer](crate::target::Surface::depth_tested). [`Faces::draw`](crate::draw::Faces::draw) says how faces are drawn.
     ///
     /// # Errors
     ///
@@ -328,7 +328,7 @@ impl<'a, 's, 'm, M, G, const OBJECTS: usize> SceneFaces<'a, 's, 'm, M, G, OBJECT
 
     /// The visible point in a pixel of the target, without drawing: the object, the face and the depth that
     /// [`draw`](Self::draw) shows there with a depth test. Of faces with equal depth it is that of the object that was added first.
-    /// See [`Faces::pick`](crate::Faces::pick).
+    /// See [`Faces::pick`](crate::draw::Faces::pick).
     pub fn pick<C: PixelColor, S: SpanShader<C>, F: FnMut(usize) -> S>(self, pixel: Point) -> Option<Picked>
     where
         G: FnMut(usize, &'s Object<'m, M>) -> F,
@@ -428,7 +428,7 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
     }
 
     /// The objects with their binned faces, in the order of the scene: for the [bounds](BinnedFaces::bounds) of each, which
-    /// [`Tracked`](crate::Tracked) takes.
+    /// [`Tracked`](crate::bands::Tracked) takes.
     pub fn iter(&self) -> impl Iterator<Item = (&'f Object<'m, M>, &BinnedFaces<'f, i16, true>)> {
         self.binned.iter().filter_map(|(index, faces)| Some((self.objects.get(*index)?, faces)))
     }

@@ -36,7 +36,7 @@ impl Camera {
     ///
     /// ```
     /// use embedded_graphics::{geometry::AnchorPoint, pixelcolor::Rgb565, prelude::*};
-    /// use pinhole::{meshes::SPHERE, prelude::*, Angle};
+    /// use pinhole::{math::Sphere, meshes::SPHERE, prelude::*, Angle};
     /// // A marker of 3 × 3 pixels on a solid ball: drawn before the ball, not drawn behind it.
     /// let mut pixels = [Rgb565::BLACK; 64 * 64];
     /// let mut picture = Picture::new(&mut pixels, Size::new(64, 64))?;
@@ -94,14 +94,14 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
     /// Draws the sprites in the order of the vertices: `sprite` gets a vertex's index. Translucent sprites have to come from far to
     /// near.
     ///
-    /// Into a target [with a depth buffer](crate::Surface::depth_tested) it draws the pixels that are nearer than the buffer, and stores
+    /// Into a target [with a depth buffer](crate::target::Surface::depth_tested) it draws the pixels that are nearer than the buffer, and stores
     /// their depth, except of sprites that are mixed with the stored pixels. Points beyond the far plane are outside then, as with
     /// faces.
     ///
     /// [`Statistics`] counts each sprite: as `outside` if its point lies before the near plane, beyond a far plane that clips or more
     /// than 8192 pixels from the target's origin, as `degenerate` if it has no size or no texel, otherwise as `drawn`.
     ///
-    /// A [`Translucent`](crate::Translucent) picture reads the stored pixels, so it does not compile for a
+    /// A [`Translucent`](crate::shading::Translucent) picture reads the stored pixels, so it does not compile for a
     /// target whose pixels do not lie in memory:
     ///
     /// ```compile_fail
@@ -143,12 +143,12 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
     }
 
     /// A rectangle inside the viewport around all pixels of the sprites, hidden and transparent ones too, for
-    /// [`DirtyRegions`](crate::DirtyRegions): no pixel outside it is drawn. It is empty if there are none. `sprite` is the closure of
+    /// [`DirtyRegions`](crate::bands::DirtyRegions): no pixel outside it is drawn. It is empty if there are none. `sprite` is the closure of
     /// [`draw`](Self::draw).
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
-    /// use pinhole::{prelude::*, Angle};
+    /// use pinhole::{math::Sphere, prelude::*, Angle};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_int(2) };
     /// # let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;

@@ -30,7 +30,7 @@ impl Outcome {
 /// target.
 ///
 /// ```
-/// use pinhole::Statistics;
+/// use pinhole::draw::Statistics;
 /// let [cube, ball] = [4, 9].map(|drawn| Statistics { drawn, culled: 2 * drawn, ..Statistics::default() });
 /// let both = cube.and(ball);
 /// assert_eq!((both.drawn, both.culled, both.outside), (13, 26, 0));
@@ -42,7 +42,7 @@ impl Outcome {
 pub struct Statistics {
     /// Faces, edges or points passed to the rasteriser, whole or clipped.
     pub drawn: u32,
-    /// Back faces, or the faces that [`Cull`](crate::Cull) names.
+    /// Back faces, or the faces that [`Cull`](crate::draw::Cull) names.
     pub culled: u32,
     /// Clipped at the near plane, the far plane or the guard band, and drawn; also counted in `drawn`.
     pub clipped: u32,

@@ -74,10 +74,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-    /// use pinhole::{
-    ///     space::{Model, World}, Affine, Angle, Camera, ScreenVertex, Frame, Mesh, Point3, Projection, Scalar,
-    ///     Vector3, ViewTransform, Viewport,
-    /// };
+    /// use pinhole::{prelude::*, Angle};
     /// const VERTICES: [[i16; 3]; 3] = [[-1, -1, 0], [1, -1, 0], [0, 1, 0]];
     /// let mesh = Mesh::new(&VERTICES, 0, &[[0, 1, 2]])?;
     /// let mut display = MockDisplay::<Gray8>::new();
@@ -121,7 +118,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// ```
     /// # use embedded_graphics::geometry::{Point, Size};
-    /// # use pinhole::{Affine, Angle, Camera, Mesh, Point3, CameraError, Projection, Scalar, Vector3, ViewTransform, Viewport};
+    /// # use pinhole::{camera::CameraError, prelude::*, Angle};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
     /// # let up = Vector3::from_ints(0, 1, 0);

@@ -42,14 +42,14 @@ pub struct Edges<'a, V: Coordinate, P: FacePlanes, F> {
 
 impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// The mesh's edges, to be drawn as lines. `stroke` is called once for each edge that is drawn, with the edge's index, and returns
-    /// its colour, or [`AntiAliased`](crate::AntiAliased) of it. Edges are drawn in the order of the mesh, so where lines of several
+    /// its colour, or [`AntiAliased`](crate::shading::AntiAliased) of it. Edges are drawn in the order of the mesh, so where lines of several
     /// colours cross, the later edge is seen.
     ///
-    /// Colours by edge, such as the depth cue by [`VertexFog`](crate::VertexFog):
+    /// Colours by edge, such as the depth cue by [`VertexFog`](crate::fog::VertexFog):
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
-    /// use pinhole::{Affine, Angle, Color, Camera, Fog, Mesh, Picture, Point3, Projection, Scalar, Vector3, VertexFog, ViewTransform, Viewport};
+    /// use pinhole::{fog::{Fog, VertexFog}, prelude::*, Angle};
     /// // A line away from the viewer in two edges.
     /// const VERTICES: [[i16; 3]; 3] = [[-3, 0, 3], [0, 0, 0], [3, 0, -3]];
     /// const EDGES: [[u16; 2]; 2] = [[0, 1], [1, 2]];
@@ -90,11 +90,11 @@ impl<'a, V: Coordinate, P: FacePlanes, F> Edges<'a, V, P, F> {
         Self { cache, ..self }
     }
 
-    /// Draws each edge as a line: a Bresenham line of one colour, or [`AntiAliased`](crate::AntiAliased). Clipping
+    /// Draws each edge as a line: a Bresenham line of one colour, or [`AntiAliased`](crate::shading::AntiAliased). Clipping
     /// at the target's border does not change an edge's pixels; an end that is clipped at the near plane, the far plane or the
     /// guard band is rounded to 1/256 px.
     ///
-    /// Into a target [with a depth buffer](crate::Surface::depth_tested) it draws the pixels that are as near as the buffer or nearer,
+    /// Into a target [with a depth buffer](crate::target::Surface::depth_tested) it draws the pixels that are as near as the buffer or nearer,
     /// and stores their depth: for axes, paths and cages among solid objects, after those objects. An edge that lies in a face comes
     /// out in pieces, as rounding decides which of both is nearer: for the edges of the solid objects themselves use
     /// [`hidden_line`](Self::hidden_line). A pixel's depth is the depth of the line at the pixel's centre along the line's major axis,

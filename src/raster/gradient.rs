@@ -2,7 +2,7 @@
 
 /// A value that is linear over a triangle, such as depth or a colour channel: its value at pixel (0, 0), and its change per
 /// column and per row. It is evaluated at the centres of the pixels that the triangle covers. Values have 24 bits at the corners
-/// and 32 bits at pixels, in units of 2⁻⁸ of the corners' unit. [`SpanShader`](crate::SpanShader) has an example.
+/// and 32 bits at pixels, in units of 2⁻⁸ of the corners' unit. [`SpanShader`](crate::shading::SpanShader) has an example.
 ///
 /// The value at a covered pixel lies between the values of the corners, so arithmetic modulo 2³² is enough: all sums wrap, and
 /// no gradient is too steep.

@@ -12,7 +12,7 @@ pub fn area([a, b, c]: &[ScreenPoint; 3]) -> i64 {
     determinant((b.x - a.x, b.y - a.y), (c.x - a.x, c.y - a.y))
 }
 
-/// A triangle that is about to be filled, with corners in 24.8, as a custom [`SpanShader`](crate::SpanShader) sees it.
+/// A triangle that is about to be filled, with corners in 24.8, as a custom [`SpanShader`](crate::shading::SpanShader) sees it.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Triangle<'v> {

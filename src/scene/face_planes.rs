@@ -6,7 +6,7 @@
 /// It is the last type parameter of a mesh, and of the types that are made from a mesh. Generic code has it as a parameter, too:
 ///
 /// ```
-/// use pinhole::{prelude::*, Angle};
+/// use pinhole::{mesh::FacePlanes, prelude::*, Angle};
 /// fn placed<'m, P: FacePlanes>(camera: &Camera, mesh: &'m Mesh<'m, i16, P>, turn: Angle) -> MeshInstance<'m, i16, P> {
 ///     camera.place(mesh, &Affine::rotation_y(turn))
 /// }

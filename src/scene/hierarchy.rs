@@ -42,7 +42,7 @@ impl Node {
 /// all world transforms, without recursion or other memory. Only the first 65536 nodes can be parents.
 ///
 /// ```
-/// use pinhole::{space::Model, Affine, Angle, Hierarchy, MeshError, Node, Point3, Vector3};
+/// use pinhole::{mesh::{Hierarchy, MeshError, Node}, prelude::*, Angle};
 /// let out = |x| Affine::<Model, Model>::translation(Vector3::from_ints(x, 0, 0));
 /// let mut nodes = [Node::root(Affine::identity()), Node::child(0, out(2)), Node::child(1, out(3))];
 /// let mut arm = Hierarchy::new(&mut nodes)?;

@@ -10,7 +10,7 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-/// use pinhole::FaceColors;
+/// use pinhole::mesh::FaceColors;
 /// const COLORS: FaceColors<'static> = match FaceColors::new(&[[255, 0, 0], [0, 0, 255]], &[0, 1, 1]) {
 ///     Ok(colors) => colors,
 ///     Err(_) => panic!("indices of the palette"),
@@ -52,7 +52,7 @@ impl<'a> FaceColors<'a> {
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Rgb888;
-    /// use pinhole::{FaceColors, Flat};
+    /// use pinhole::{mesh::FaceColors, shading::Flat};
     /// // A grey case, and a red lamp.
     /// let colors = FaceColors::new(&[[90, 90, 90], [60, 0, 0]], &[0, 1])?.with_emission(&[[0, 0, 0], [180, 20, 0]])?;
     /// assert_eq!(colors.emission::<Rgb888>(1), Rgb888::new(180, 20, 0));
@@ -62,7 +62,7 @@ impl<'a> FaceColors<'a> {
     /// // With fractions of a level, for `Flat::dithered` and `Gouraud::new`.
     /// let face = Flat::lit(colors.color(1), 100).emitting(colors.emission(1));
     /// # let _ = face;
-    /// # Ok::<(), pinhole::MeshError>(())
+    /// # Ok::<(), pinhole::mesh::MeshError>(())
     /// ```
     ///
     /// # Errors
@@ -125,13 +125,13 @@ impl defmt::Format for FaceColors<'_> {
 /// also where c is negative, modulo 2ʷ where the texture repeats.
 ///
 /// ```
-/// use pinhole::TextureCoords;
+/// use pinhole::mesh::TextureCoords;
 /// // A square of two faces, with all of a texture on it, in quarters of its side.
 /// let coords = TextureCoords::new(&[[0, 4], [4, 4], [4, 0], [0, 0]], &[[0, 1, 2], [0, 2, 3]], -2)?;
 /// assert_eq!(coords.corners(1), [[0, 4], [4, 0], [0, 0]]);
 /// // The middle of the texture is texel 32 of 64.
 /// assert_eq!((2i32 << 6) >> -coords.exponent(), 32);
-/// # Ok::<(), pinhole::MeshError>(())
+/// # Ok::<(), pinhole::mesh::MeshError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TextureCoords<'a> {

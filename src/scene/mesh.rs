@@ -19,7 +19,7 @@ use core::marker::PhantomData;
 /// code for the meshes that it has, and no other.
 ///
 /// ```
-/// use pinhole::{Mesh, MeshError};
+/// use pinhole::{mesh::MeshError, Mesh};
 /// const VERTICES: [[i16; 3]; 4] = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]];
 /// const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
 /// const EDGES: [[u16; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
@@ -125,7 +125,7 @@ pub(crate) const NO_FACE: u16 = u16::MAX;
 /// two faces, the second one the next.
 ///
 /// ```
-/// use pinhole::{edge_faces, Mesh};
+/// use pinhole::{mesh::edge_faces, Mesh};
 /// const FACES: [[u16; 3]; 2] = [[0, 1, 2], [2, 1, 3]];
 /// const EDGES: [[u16; 2]; 2] = [[1, 2], [0, 2]];
 /// const BESIDE: [[u16; 2]; 2] = edge_faces(&EDGES, &FACES);
@@ -240,7 +240,7 @@ impl<P> Mesh<'_, i16, P> {
     /// to nearest. Best called in a `const`. 0 for faces without a normal and indices out of range.
     ///
     /// ```
-    /// use pinhole::{Mesh, WithPlanes};
+    /// use pinhole::{mesh::WithPlanes, Mesh};
     /// const VERTICES: [[i16; 3]; 4] = [[0, 0, 0], [8, 0, 0], [0, 8, 0], [0, 0, 8]];
     /// const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
     /// const NORMALS: [[i16; 3]; 4] = [[0, 0, -32767], [0, -32767, 0], [-32767, 0, 0], [18918; 3]];
@@ -414,24 +414,24 @@ impl<'a, V, P> Mesh<'a, V, P> {
     /// [`face_planes`](Mesh::face_planes) computes. Call [`with_normals`](Self::with_normals) first: planes refer to those normals.
     ///
     /// The mesh is then drawn by **early back-face culling**: drawing first tests each face's plane, and transforms a vertex
-    /// only when a face that may be visible needs it. Every draw call for faces does so, as do a [`Painter`](crate::Painter),
+    /// only when a face that may be visible needs it. Every draw call for faces does so, as do a [`Painter`](crate::draw::Painter),
     /// binning for bands, and picking.
     ///
     /// This is worth it for closed meshes of a few hundred faces or more. It costs more than it saves for a few dozen faces,
-    /// for terrain seen from above, and with [`Cull::None`](crate::Cull::None): leave the planes out there, or draw the mesh
+    /// for terrain seen from above, and with [`Cull::None`](crate::draw::Cull::None): leave the planes out there, or draw the mesh
     /// [without them](Self::without_planes). (Figures are in `docs/growth.md`: a draw call computes the eye's position in the
     /// mesh's coordinates, which takes as long as transforming about ten vertices.)
     ///
     /// **Which faces are culled.** A face is culled by its plane if the eye lies behind the plane by more than `max(eye, mesh) / 290`:
     /// the eye's distance from the model's origin and the mesh's largest coordinate, in model units. In a parallel projection a face is
     /// culled if its normal points away from the viewer by more than asin(1/290). No visible face is culled.
-    /// Faces that pass are culled by their area on the screen, as those of every mesh. With [`Cull::Front`](crate::Cull::Front) the
+    /// Faces that pass are culled by their area on the screen, as those of every mesh. With [`Cull::Front`](crate::draw::Cull::Front) the
     /// sides change places: a face is culled if the eye lies so far in front of its plane.
     ///
     /// The picture equals that of the mesh without planes, except for back faces so thin on the screen that rounding their
     /// vertices turns them to the front: slivers narrower than 1/100 pixel, of any length, if vertices are accurate to 1/256 px
-    /// (see [`project`](crate::MeshInstance::project)). Such a sliver may cover a few pixels; with planes it is left out. In
-    /// the [`Statistics`](crate::Statistics), all faces that are culled by planes count as `culled`, even those that would be
+    /// (see [`project`](crate::draw::MeshInstance::project)). Such a sliver may cover a few pixels; with planes it is left out. In
+    /// the [`Statistics`](crate::draw::Statistics), all faces that are culled by planes count as `culled`, even those that would be
     /// `degenerate` or `outside`.
     ///
     /// **Normals** then decide which faces are culled. They must be the geometric normals of the rounded vertices, of unit length,
@@ -440,10 +440,7 @@ impl<'a, V, P> Mesh<'a, V, P> {
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-    /// use pinhole::{
-    ///     space::{Model, World}, Affine, Angle, Camera, ScreenVertex, Mesh, Point3, Projection, Scalar, Vector3, ViewTransform,
-    ///     Viewport,
-    /// };
+    /// use pinhole::{prelude::*, Angle};
     /// const VERTICES: [[i16; 3]; 4] = [[0, 0, 0], [8, 0, 0], [0, 8, 0], [0, 0, 8]];
     /// const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
     /// const NORMALS: [[i16; 3]; 4] = [[0, 0, -32767], [0, -32767, 0], [-32767, 0, 0], [18918; 3]];
@@ -480,7 +477,7 @@ impl<'a, V, P> Mesh<'a, V, P> {
     }
 
     /// The mesh without its planes: its faces are culled by their area on the screen alone. For terrain and other meshes of
-    /// which few faces look away, and for a [`Scene`](crate::Scene) whose meshes must be of one type.
+    /// which few faces look away, and for a [`Scene`](crate::draw::Scene) whose meshes must be of one type.
     ///
     /// ```
     /// use pinhole::{meshes::TORUS, Mesh};
@@ -496,7 +493,7 @@ impl<'a, V, P> Mesh<'a, V, P> {
     /// drawn a little more slowly in this type: a vertex is transformed when a face first needs it, which each face has to find out.
     ///
     /// ```
-    /// use pinhole::{meshes::{CUBE, TORUS}, Mesh, WithPlanes};
+    /// use pinhole::{mesh::WithPlanes, meshes::{CUBE, TORUS}, Mesh};
     /// const PARTS: [Mesh<'static, i16, WithPlanes>; 2] = [CUBE.with_planes_if_any(), TORUS];
     /// # assert_eq!(PARTS.map(|mesh| mesh.planes().len()), [0, 400]);
     /// ```
@@ -506,10 +503,10 @@ impl<'a, V, P> Mesh<'a, V, P> {
 
     /// Adds a unit normal for each vertex, pointing outwards, in 2⁻¹⁵ (32767 stands for 1): the normal of the surface that the
     /// faces approximate, or the mean of the normals of the faces around the vertex. For smooth shading: see
-    /// [`Lambert::levels`](crate::Lambert::levels).
+    /// [`Lambert::levels`](crate::light::Lambert::levels).
     ///
     /// ```
-    /// use pinhole::{Mesh, MeshError};
+    /// use pinhole::{mesh::MeshError, Mesh};
     /// const UP: [i16; 3] = [0, 0, 32_767];
     /// let mesh = Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
     /// assert_eq!(mesh.with_vertex_normals(&[UP; 3])?.vertex_normals(), [UP; 3]);
@@ -568,7 +565,7 @@ impl<'a, V, P> Mesh<'a, V, P> {
     /// [`corners_of`](Self::corners_of), checked once at set-up. Call it in a `const` for lists in flash, and it costs nothing.
     ///
     /// ```
-    /// use pinhole::{Mesh, MeshError};
+    /// use pinhole::{mesh::MeshError, Mesh};
     /// let mesh = Mesh::new(&[[0, 0, 0], [8, 0, 0], [0, 8, 0]], 0, &[[0, 1, 2]])?;
     /// let uv = mesh.per_vertex(&[[0, 0], [128, 0], [0, 128]])?;
     /// assert_eq!(mesh.corners_of(0, uv)[1], [128, 0]);
@@ -589,11 +586,11 @@ impl<'a, V, P> Mesh<'a, V, P> {
     }
 
     /// The list itself, if it has one entry per face: texture coordinates of the corners of each face, as
-    /// [`Texture::at`](crate::Texture::at) takes them, or the faces of [`TextureCoords`](crate::TextureCoords) and of
-    /// [`FaceColors`](crate::FaceColors), checked once at set-up.
+    /// [`Texture::at`](crate::texture::Texture::at) takes them, or the faces of [`TextureCoords`](crate::mesh::TextureCoords) and of
+    /// [`FaceColors`](crate::mesh::FaceColors), checked once at set-up.
     ///
     /// ```
-    /// use pinhole::{Mesh, MeshError, TextureCoords};
+    /// use pinhole::{mesh::{MeshError, TextureCoords}, Mesh};
     /// const FACES: [[u16; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
     /// let mesh = Mesh::new(&[[0, 0, 0], [8, 0, 0], [8, 8, 0], [0, 8, 0]], 0, &FACES)?;
     /// let coords = TextureCoords::new(&[[0, 4], [4, 4], [4, 0]], &[[0, 1, 2]], -2).unwrap();
@@ -619,14 +616,14 @@ impl<'a, V, P> Mesh<'a, V, P> {
     /// ```
     /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[2, 0, 1]])?;
     /// assert_eq!(mesh.corners_of(0, &["a", "b", "c"]), ["c", "a", "b"]);
-    /// # Ok::<(), pinhole::MeshError>(())
+    /// # Ok::<(), pinhole::mesh::MeshError>(())
     /// ```
     pub fn corners_of<T: Copy + Default>(&self, face: usize, of_vertices: &[T]) -> [T; 3] {
         let at = |index: u16| of_vertices.get(usize::from(index)).copied().unwrap_or_default();
         self.data.faces.get(face).map_or_else(|| [T::default(); 3], |&corners| map3(corners, at))
     }
 
-    /// How many vertices a vertex cache holds that has room for all of this mesh: one [`ScreenVertex`](crate::ScreenVertex)
+    /// How many vertices a vertex cache holds that has room for all of this mesh: one [`ScreenVertex`](crate::camera::ScreenVertex)
     /// of 8 bytes per vertex. [`mesh_buffers!`](crate::mesh_buffers) declares caches and bins.
     pub const fn cache_len(&self) -> usize {
         self.data.vertices.len()
@@ -639,7 +636,7 @@ impl<'a, V, P> Mesh<'a, V, P> {
     /// const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
     /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], 0, &FACES)?;
     /// assert_eq!((mesh.cache_len(), mesh.face_bins_len(), mesh.edge_bins_len()), (4, 5, 0));
-    /// # Ok::<(), pinhole::MeshError>(())
+    /// # Ok::<(), pinhole::mesh::MeshError>(())
     /// ```
     pub const fn face_bins_len(&self) -> usize {
         bins_len(self.data.faces.len())

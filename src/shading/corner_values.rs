@@ -4,7 +4,7 @@ use crate::math::num::reciprocal_called;
 use crate::math::unrolled::map3;
 
 /// Depth and 1/w at the corners of a triangle, in the order of its corners: see
-/// [`Shader::with_corners`](crate::Shader::with_corners).
+/// [`Shader::with_corners`](crate::shading::Shader::with_corners).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CornerValues {
@@ -26,7 +26,7 @@ impl CornerValues {
     }
 
     /// Depths in 1/256 of a step: 0 near … 65534·256 + 119 far, linear on the screen. Zeros if the shader does not
-    /// [ask for them](crate::Shader::NEEDS_DEPTH).
+    /// [ask for them](crate::shading::Shader::NEEDS_DEPTH).
     pub const fn depths(&self) -> [i32; 3] {
         self.depths
     }

@@ -3,16 +3,16 @@
 use super::shader::inner_with_corners;
 use super::{CornerValues, Shader};
 
-/// A shader with the depths of its triangle's corners, for a [`Painter`](crate::Painter) whose faces are drawn from far to near and
-/// tested against a depth buffer: [`Painter::draw`](crate::Painter::draw), in bands
-/// [`PaintersOrder::draw`](crate::PaintersOrder::draw). It takes 12 bytes a face more than the shader.
+/// A shader with the depths of its triangle's corners, for a [`Painter`](crate::draw::Painter) whose faces are drawn from far to near and
+/// tested against a depth buffer: [`Painter::draw`](crate::draw::Painter::draw), in bands
+/// [`PaintersOrder::draw`](crate::draw::PaintersOrder::draw). It takes 12 bytes a face more than the shader.
 ///
 /// This is how translucent faces are drawn among opaque ones: opaque faces first, with the depth buffer; then the painter's faces,
-/// whose depth is tested and, if they are [`Translucent`](crate::Translucent), not stored.
+/// whose depth is tested and, if they are [`Translucent`](crate::shading::Translucent), not stored.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
-/// use pinhole::prelude::*;
+/// use pinhole::{prelude::*, shading::DepthTested};
 /// const VERTICES: [[i16; 3]; 3] = [[-2, -2, 0], [2, -2, 0], [0, 2, 0]];
 /// let mesh = Mesh::new(&VERTICES, 0, &[[0, 1, 2]])?;
 /// # let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;

@@ -19,10 +19,7 @@ use core::marker::PhantomData;
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}, prelude::*};
-/// use pinhole::{
-///     space::{Model, World}, Affine, Angle, Camera, Flat, Mesh, Point3, Projection, Scalar, Vector3,
-///     ViewTransform, Viewport,
-/// };
+/// use pinhole::{prelude::*, Angle};
 /// const VERTICES: [[i16; 3]; 3] = [[-30, -30, 0], [30, -30, 0], [0, 30, 0]]; // fills the picture
 /// let mesh = Mesh::new(&VERTICES, 0, &[[0, 1, 2]])?;
 /// let viewport = Viewport::new(Point::zero(), Size::new(8, 8))?;

@@ -12,10 +12,10 @@ impl FaceColors<'_> {
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Rgb565;
-    /// use pinhole::FaceColors;
+    /// use pinhole::mesh::FaceColors;
     /// let colors = FaceColors::new(&[[0, 0, 255]], &[0])?.with_emission(&[[255, 0, 0]])?;
     /// assert_eq!(colors.lit::<Rgb565>(0, 128), Rgb565::new(31, 0, 16));
-    /// # Ok::<(), pinhole::MeshError>(())
+    /// # Ok::<(), pinhole::mesh::MeshError>(())
     /// ```
     pub fn lit<C: From<Rgb888> + Color>(&self, face: usize, level: u16) -> C {
         let lit = self.color::<C>(face).dim(level);
@@ -34,7 +34,7 @@ impl Flat {
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Rgb888;
-    /// use pinhole::Flat;
+    /// use pinhole::shading::Flat;
     /// let glowing = |level| Flat::lit(Rgb888::new(200, 100, 40), level).emitting(Rgb888::new(90, 0, 0));
     /// assert_eq!(glowing(0), Flat::from(Rgb888::new(90, 0, 0)));
     /// assert_eq!(glowing(128), Flat::from(Rgb888::new(190, 50, 20)));
@@ -56,7 +56,7 @@ impl Lit {
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb888, WebColors};
-    /// use pinhole::{Flat, Gouraud};
+    /// use pinhole::shading::{Flat, Gouraud};
     /// let (levels, emission) = ([256, 128, 40], Rgb888::new(60, 0, 0)); // of Lambert::levels
     /// let face = Gouraud::lit(Rgb888::CSS_TEAL, levels).emitting(emission);
     /// assert_eq!(face, Gouraud::new(levels.map(|level| Flat::lit(Rgb888::CSS_TEAL, level).emitting(emission))));
@@ -75,7 +75,7 @@ impl<C: Color> ShadeTable<C> {
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888};
-    /// use pinhole::ShadeTable;
+    /// use pinhole::shading::ShadeTable;
     /// let table = ShadeTable::<Gray8>::emitting(Rgb888::new(200, 200, 200), Rgb888::new(90, 90, 90));
     /// assert_eq!([0, 51, 255].map(|i| table.colors()[i].luma()), [90, 130, 255]);
     /// ```
@@ -96,7 +96,7 @@ impl<C: Color, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROW
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};
-    /// use pinhole::LitPalette;
+    /// use pinhole::texture::LitPalette;
     /// let palette = LitPalette::<Rgb565, 2, 32>::emitting(&[Rgb888::BLUE, Rgb888::WHITE], &[Rgb888::RED, Rgb888::BLACK]);
     /// assert_eq!(palette.row(0), &[Rgb565::RED, Rgb565::BLACK]);
     /// assert_eq!(palette.row(256), &[Rgb565::MAGENTA, Rgb565::WHITE]);

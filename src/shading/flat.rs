@@ -5,12 +5,12 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 /// One colour for a face, with red, green and blue in 1/256 of the steps of `Rgb888`.
 ///
 /// As a shader it fills a face with the nearest colour of the target, computed once per face. The target may have any colour
-/// type with [`Color`](crate::Color), so one closure works for all of them. [`dithered`](Self::dithered) also shows the
+/// type with [`Color`](crate::color::Color), so one closure works for all of them. [`dithered`](Self::dithered) also shows the
 /// fraction that rounding drops.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
-/// use pinhole::Flat;
+/// use pinhole::shading::Flat;
 /// assert_eq!(Flat::from(Rgb888::RED), Flat::lit(Rgb888::RED, 256));
 /// assert_ne!(Flat::lit(Rgb888::new(9, 9, 9), 255), Flat::from(Rgb888::new(9, 9, 9))); // 8.96
 /// ```

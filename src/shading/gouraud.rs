@@ -20,11 +20,11 @@ use core::marker::PhantomData;
 /// the face is clipped, the closer its colours are to perspective-correct ones.
 ///
 /// For one colour with a light level at each corner, [`Gouraud::lit`] is faster, and
-/// [`ShadeTable::lit`](crate::ShadeTable::lit) is the fastest.
+/// [`ShadeTable::lit`](crate::shading::ShadeTable::lit) is the fastest.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
-/// use pinhole::Gouraud;
+/// use pinhole::shading::Gouraud;
 /// let rainbow = Gouraud::new([Rgb888::RED, Rgb888::GREEN, Rgb888::BLUE]);
 /// # let _ = rainbow;
 /// ```

@@ -27,7 +27,7 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 /// 16.1.4.)
 ///
 /// Highlights per vertex look right only where faces are small beside the highlight: choose a low shininess for coarse meshes.
-/// Normals are transformed as by [`Lambert`](crate::Lambert).
+/// Normals are transformed as by [`Lambert`](crate::light::Lambert).
 ///
 /// **Error.** A level is within 5/8 + shininess/64 of the exact one: raising the cosine of the half vector to a power multiplies
 /// its error. Where the light grazes the surface to within 2⁻¹³ rad, the highlight may be there or not. κ, the largest scale
@@ -35,14 +35,14 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor, WebColors};
-/// use pinhole::{space::{Model, World}, Affine, BlinnPhong, ShadeTable, Vector3};
+/// use pinhole::{light::BlinnPhong, prelude::*};
 /// let table = ShadeTable::<Rgb565>::with_highlight(Rgb888::CSS_TEAL, Rgb888::WHITE);
 /// let up = Vector3::from_ints(0, 0, 1);
 /// let light = BlinnPhong::new(&Affine::<Model, World>::identity(), up, up, 0, 16)?;
 /// assert_eq!(light.level([0, 0, 32767]), 256);
 /// assert_eq!(light.level([28377, 0, 16384]), 96); // 60°: half of the diffuse light
 /// assert_eq!(table.colors()[255], Rgb565::WHITE);
-/// # Ok::<(), pinhole::LightError>(())
+/// # Ok::<(), pinhole::light::LightError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -17,7 +17,7 @@ use crate::space::{Model, World};
 /// Graphics*, 2nd ed., section 16.1; normals: section 5.6.)
 ///
 /// ```
-/// use pinhole::{space::{Model, World}, Affine, Lambert, LightError, Vector3};
+/// use pinhole::{light::LightError, prelude::*};
 /// let model = Affine::<Model, World>::identity();
 /// let light = Lambert::new(&model, Vector3::from_ints(0, 0, 9), 64)?;
 /// assert_eq!(light.level([0, 0, 32767]), 256); // faces the light
@@ -89,12 +89,12 @@ impl Lambert {
     /// for smooth shading with [`Gouraud`](super::Gouraud) or a [`ShadeTable`](super::ShadeTable).
     ///
     /// ```
-    /// use pinhole::{space::{Model, World}, Affine, Lambert, Vector3};
+    /// use pinhole::prelude::*;
     /// let light = Lambert::new(&Affine::<Model, World>::identity(), Vector3::from_ints(0, 0, 1), 56)?;
     /// let mut levels = [0; 3];
     /// light.levels(&[[0, 0, 32767], [28377, 0, 16384], [32767, 0, 0]], &mut levels); // 0, 60 and 90 degrees
     /// assert_eq!(levels, [256, 156, 56]);
-    /// # Ok::<(), pinhole::LightError>(())
+    /// # Ok::<(), pinhole::light::LightError>(())
     /// ```
     pub fn levels(&self, normals: &[[i16; 3]], levels: &mut [u16]) {
         for (level, &normal) in levels.iter_mut().zip(normals) {
@@ -145,7 +145,7 @@ impl ScaledLight {
 /// the transpose of the model transform, and a firmware that uses no other light has no code for normal matrices.
 ///
 /// ```
-/// use pinhole::{space::{Model, World}, Affine, Angle, LightError, RigidLambert, Scalar, Vector3};
+/// use pinhole::{light::{LightError, RigidLambert}, prelude::*, Angle};
 /// let model = Affine::<Model, World>::rotation_y(Angle::degrees(90));
 /// let light = RigidLambert::new(&model, Vector3::from_ints(9, 0, 0), 64)?;
 /// assert_eq!(light.level([0, 0, 32767]), 256); // turned from +z to +x, it faces the light

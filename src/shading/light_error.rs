@@ -12,7 +12,7 @@ pub(super) const LEAST_FOG_STEPS: u16 = 8;
 pub enum LightError {
     /// The direction towards the light has length zero: give a vector of any other length.
     ZeroDirection,
-    /// The model transform of a [`RigidLambert`](crate::RigidLambert) stretches or shears: use a [`Lambert`](crate::Lambert).
+    /// The model transform of a [`RigidLambert`](crate::light::RigidLambert) stretches or shears: use a [`Lambert`](crate::light::Lambert).
     NotRigid,
     /// Fog would be full before it begins: `start` must be less than `end`.
     EmptyFog {
@@ -22,10 +22,10 @@ pub enum LightError {
         end: Scalar,
     },
     /// The projection's depth does not depend on the distance alone, which matrices can cause: use a
-    /// [`VertexFog`](crate::VertexFog), or a projection from another constructor.
+    /// [`VertexFog`](crate::fog::VertexFog), or a projection from another constructor.
     SlantedDepth,
     /// Too few steps of depth lie between the distances where the fog begins and where it is full: a
-    /// [`FogTable`](crate::FogTable) needs [`FogTable::LEAST_STEPS`](crate::FogTable::LEAST_STEPS). Move the near plane away from
+    /// [`FogTable`](crate::fog::FogTable) needs [`FogTable::LEAST_STEPS`](crate::fog::FogTable::LEAST_STEPS). Move the near plane away from
     /// the eye, or the fog's start and end apart.
     TooFewFogSteps {
         /// The steps of depth in the fog, rounded down.

@@ -21,14 +21,14 @@ pub struct DirectionalLight {
 /// `ambient + Σ strengthᵢ · max(0, cosᵢ)`, at most 256. A main light, a weaker one from the other side and a little ambient light
 /// show a shape better than one light does.
 ///
-/// Normals are transformed as by [`Lambert`](crate::Lambert): by the inverse transpose of the model transform, or not at all if
+/// Normals are transformed as by [`Lambert`](crate::light::Lambert): by the inverse transpose of the model transform, or not at all if
 /// the transform is conformal. A normal then takes three multiplications for each light.
 ///
 /// **Error.** A level is within ½ + (1/64 + κ·2⁻²²)·N of the exact sum for N lights, where κ is the largest scale factor of the
 /// model transform divided by its smallest.
 ///
 /// ```
-/// use pinhole::{space::{Model, World}, Affine, DirectionalLight, Lights, Vector3};
+/// use pinhole::{light::{DirectionalLight, Lights}, prelude::*};
 /// let model = Affine::<Model, World>::identity();
 /// let key = DirectionalLight { towards: Vector3::from_ints(0, 0, 1), strength: 160 };
 /// let fill = DirectionalLight { towards: Vector3::from_ints(-1, 0, 0), strength: 64 };
@@ -36,7 +36,7 @@ pub struct DirectionalLight {
 /// assert_eq!(lights.level([0, 0, 32767]), 192); // the main light and ambient light
 /// assert_eq!(lights.level([-32767, 0, 0]), 96); // the other light and ambient light
 /// assert_eq!(lights.level([32767, 0, 0]), 32);
-/// # Ok::<(), pinhole::LightError>(())
+/// # Ok::<(), pinhole::light::LightError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

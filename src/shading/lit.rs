@@ -33,12 +33,12 @@ const fn light(level: u16) -> i32 {
 
 impl Gouraud {
     /// The shader of a face in one colour, with a light level at each corner: 0 … 256 (more counts as 256).
-    /// [`Lambert::levels`](crate::Lambert::levels) computes levels, [`Mesh::corners_of`](crate::Mesh::corners_of) picks those
+    /// [`Lambert::levels`](crate::light::Lambert::levels) computes levels, [`Mesh::corners_of`](crate::Mesh::corners_of) picks those
     /// of a face.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
-    /// use pinhole::{Gouraud, Lit};
+    /// use pinhole::shading::{Gouraud, Lit};
     /// let face: Lit = Gouraud::lit(Rgb888::CSS_GOLD, [256, 128, 40]);
     /// # let _ = face;
     /// # use embedded_graphics::pixelcolor::WebColors;

@@ -15,7 +15,7 @@ use crate::space::{Model, View};
 /// NPR shading from art*, 2001.)
 ///
 /// [`color`](Self::color) is the colour of a flat face. For smooth faces, [`coords`](Self::coords) gives texture coordinates of
-/// vertices, by which [`Texture::at`](crate::Texture::at) draws the picture; its exponent is [`EXPONENT`](Self::EXPONENT).
+/// vertices, by which [`Texture::at`](crate::texture::Texture::at) draws the picture; its exponent is [`EXPONENT`](Self::EXPONENT).
 ///
 /// **Error.** Coordinates are within 2⁻¹⁴ of the picture's side of `½ + 127/256 · (x, −y)` for the exact unit normal (x, y, z)
 /// in view space; κ, the largest scale factor of the model transform divided by its smallest, adds κ·2⁻³⁰. The rim lies 1/256 of a
@@ -23,7 +23,7 @@ use crate::space::{Model, View};
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-/// use pinhole::{space::{Model, World}, Affine, Matcap, Point3, Side, ViewTransform};
+/// use pinhole::{camera::Side, light::Matcap, prelude::*};
 /// // A ball of 8 × 8 texels, lit from above.
 /// const BALL: [[Gray8; 8]; 8] = [[Gray8::WHITE; 8], [Gray8::new(224); 8], [Gray8::new(192); 8], [Gray8::new(160); 8],
 ///     [Gray8::new(128); 8], [Gray8::new(96); 8], [Gray8::new(64); 8], [Gray8::new(32); 8]];
@@ -42,7 +42,7 @@ pub struct Matcap {
 }
 
 impl Matcap {
-    /// The exponent of the unit of [`coords`](Self::coords), for [`Texture::with_exponent`](crate::Texture::with_exponent).
+    /// The exponent of the unit of [`coords`](Self::coords), for [`Texture::with_exponent`](crate::texture::Texture::with_exponent).
     pub const EXPONENT: i8 = -15;
 
     /// Sets up the look-up for one object and one view, from [`ViewTransform::normals`](crate::ViewTransform::normals).

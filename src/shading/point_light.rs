@@ -14,7 +14,7 @@ use crate::space::{Model, World};
 /// At distance r of a position to the light, with unit normal n and unit vector l towards the light, a level is `strength ·
 /// max(0, n·l) · (1 − r²/range²)²`, and 0 beyond the range: light falls to nothing at the range, without an edge. (Akenine-Möller
 /// et al., *Real-Time Rendering*, 4th ed., section 5.2.2, windowing functions.) A point light has no ambient part: add its level
-/// to the level of a [`Lambert`](crate::Lambert) or of [`Lights`](crate::Lights). Sums may exceed 256: shaders count more than
+/// to the level of a [`Lambert`](crate::light::Lambert) or of [`Lights`](crate::light::Lights). Sums may exceed 256: shaders count more than
 /// 256 as 256.
 ///
 /// **Error.** A level is within 5/8 + κ·2⁻²² + 2⁻¹⁵·range/r of the exact one for objects at most 64 times as large as the range,
@@ -22,7 +22,7 @@ use crate::space::{Model, World};
 /// 0, because no direction leads to it.
 ///
 /// ```
-/// use pinhole::{space::{Model, World}, Affine, Point3, PointLight, Scalar};
+/// use pinhole::{light::PointLight, prelude::*};
 /// // A mesh in steps of 2⁻⁴ world units, and a lamp 2 above its origin that reaches 4 units far.
 /// let (model, lamp) = (Affine::<Model, World>::identity(), Point3::from_ints(0, 2, 0));
 /// let light = PointLight::new(&model, -4, lamp, Scalar::from_int(4), 256);
@@ -158,10 +158,10 @@ impl PointLight {
     }
 
     /// Adds the [`level`](Self::level) of each vertex to `levels`, up to the end of the shortest slice; sums are at most 256. Call it after
-    /// [`Lambert::levels`](crate::Lambert::levels) or [`Lights::levels`](crate::Lights::levels), or on zeros.
+    /// [`Lambert::levels`](crate::light::Lambert::levels) or [`Lights::levels`](crate::light::Lights::levels), or on zeros.
     ///
     /// ```
-    /// use pinhole::{space::{Model, World}, Affine, Lambert, Point3, PointLight, Scalar, Vector3};
+    /// use pinhole::{light::PointLight, prelude::*};
     /// let model = Affine::<Model, World>::identity();
     /// let (vertices, normals) = ([[0, 0, 0], [3, 0, 0]], [[0, 32767, 0]; 2]);
     /// let mut levels = [0; 2];
@@ -169,7 +169,7 @@ impl PointLight {
     /// let lamp = PointLight::new(&model, 0, Point3::from_ints(0, 2, 0), Scalar::from_int(4), 256);
     /// lamp.add_levels(&vertices, &normals, &mut levels);
     /// assert_eq!(levels, [40 + 144, 40 + 5]);
-    /// # Ok::<(), pinhole::LightError>(())
+    /// # Ok::<(), pinhole::light::LightError>(())
     /// ```
     pub fn add_levels(&self, vertices: &[[i16; 3]], normals: &[[i16; 3]], levels: &mut [u16]) {
         for (level, (&vertex, &normal)) in levels.iter_mut().zip(vertices.iter().zip(normals)) {

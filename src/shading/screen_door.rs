@@ -10,19 +10,19 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// through the others. It works on every target, needs no order of the faces, and stores the depth of the drawn pixels alone.
 /// (Akenine-Möller et al., *Real-Time Rendering*, 4th ed., section 5.5.)
 ///
-/// **The pattern** is that of [`Dithered`](crate::Dithered) (Bayer 1973) and depends only on the pixel's coordinates in the
+/// **The pattern** is that of [`Dithered`](crate::shading::Dithered) (Bayer 1973) and depends only on the pixel's coordinates in the
 /// frame: it does not move with objects, and it continues across bands. The pixels of a lower coverage are among those of every
 /// higher one, so of two faces with equal coverage, one behind the other, only the nearer is seen.
 ///
 /// **On displays** each run of drawn pixels is a window of its own, and most runs are one pixel wide: draw into a
-/// [`Band`](crate::Band) or a [`Picture`](crate::Picture), and send that.
+/// [`Band`](crate::bands::Band) or a [`Picture`](crate::target::Picture), and send that.
 ///
-/// **With [`Dithered`](crate::Dithered)** both patterns have equal thresholds, so the shades of a dithered face with a screen
+/// **With [`Dithered`](crate::shading::Dithered)** both patterns have equal thresholds, so the shades of a dithered face with a screen
 /// door are up to one level too bright: the drawn pixels are those with low thresholds.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
-/// use pinhole::{fill_triangle, raster::ScreenPoint, ScreenDoor};
+/// use pinhole::{draw::fill_triangle, raster::ScreenPoint, shading::ScreenDoor};
 /// let mut display = MockDisplay::new();
 /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
 /// let half = ScreenDoor::new(BinaryColor::On, 32); // 32 of 64 pixels

@@ -11,18 +11,15 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// What a face is filled with: a colour, or colours that vary over the face. Every draw call takes a closure that returns a
 /// shader for each face. A shader also implements [`SpanShader`], which computes the colours of pixels.
 ///
-/// Every `PixelColor` is a shader, at no extra cost. [`Flat`](crate::Flat) and [`Gouraud`](crate::Gouraud) take `Rgb888`
-/// colours for targets of any colour type, dithered or not; [`ShadeTable::lit`](crate::ShadeTable::lit) looks colours up in 256
+/// Every `PixelColor` is a shader, at no extra cost. [`Flat`](crate::shading::Flat) and [`Gouraud`](crate::shading::Gouraud) take `Rgb888`
+/// colours for targets of any colour type, dithered or not; [`ShadeTable::lit`](crate::shading::ShadeTable::lit) looks colours up in 256
 /// levels of light.
 ///
 /// One colour for the mesh, one per face, and one per vertex differ only in the closure:
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888}, prelude::*};
-/// use pinhole::{
-///     space::{Model, World}, Affine, Angle, Camera, ScreenVertex, Color, Gouraud, Lambert, Mesh, Point3, Projection,
-///     Scalar, Vector3, ViewTransform, Viewport,
-/// };
+/// use pinhole::{prelude::*, Angle};
 /// // A roof: two faces that meet in an edge, with normals of the faces and of the vertices.
 /// const VERTICES: [[i16; 3]; 4] = [[0, -4, 0], [0, 4, 0], [-4, 0, -3], [4, 0, -3]];
 /// const FACES: [[u16; 3]; 2] = [[0, 1, 2], [1, 0, 3]];
@@ -96,7 +93,7 @@ pub trait Shader: Copy {
 
     /// The shader of a triangle (a face or a sub-face) with the depths and 1/w of its corners. Called only if
     /// [`NEEDS_DEPTH`](Self::NEEDS_DEPTH) or [`NEEDS_W`](Self::NEEDS_W) is true: once for each triangle, after
-    /// [`sub_face`](Self::sub_face) and before [`set_up`](SpanShader::set_up). A [`Painter`](crate::Painter) stores the shader
+    /// [`sub_face`](Self::sub_face) and before [`set_up`](SpanShader::set_up). A [`Painter`](crate::draw::Painter) stores the shader
     /// that this returns.
     #[must_use]
     fn with_corners(&self, corners: &CornerValues) -> Self {
@@ -113,8 +110,7 @@ pub trait Shader: Copy {
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
-/// use pinhole::{clip::Barycentric, raster::{Gradient, Span, Triangle}, Shader, SpanShader};
-/// # use pinhole::*;
+/// use pinhole::{clip::Barycentric, prelude::*, raster::{Gradient, Span, Triangle}, shading::{Shader, SpanShader}, Angle};
 /// #[derive(Clone, Copy)]
 /// struct Ramp([u8; 3]);
 ///
@@ -160,7 +156,7 @@ pub trait Shader: Copy {
     note = "return `{C}`, the target's color type, from the closure; for other colors return `Flat::from` of them or a `Gouraud`, which convert to the target's"
 )]
 pub trait SpanShader<C: PixelColor>: Shader {
-    /// What the shader gives for a pixel: `C` itself, `Option<C>` if it leaves out pixels, [`Mixed`](crate::Mixed) if its colours are
+    /// What the shader gives for a pixel: `C` itself, `Option<C>` if it leaves out pixels, [`Mixed`](crate::color::Mixed) if its colours are
     /// mixed with the stored pixels.
     type Ink: Ink<C>;
 
@@ -179,7 +175,7 @@ pub trait SpanShader<C: PixelColor>: Shader {
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
-    /// use pinhole::{fill_triangle, raster::{ScreenPoint, Span, Triangle}, Shader, SpanShader};
+    /// use pinhole::{draw::fill_triangle, raster::{ScreenPoint, Span, Triangle}, shading::{Shader, SpanShader}};
     /// /// Every third column of a face.
     /// #[derive(Clone, Copy)]
     /// struct Bars;

@@ -12,8 +12,8 @@ use embedded_graphics_core::pixelcolor::PixelColor;
     note = "pass `{C}`, the target's color type, or `AntiAliased` of it"
 )]
 pub trait Stroke<C: PixelColor>: Copy {
-    /// [`Reads`](crate::Reads) if lines are anti-aliased, else [`Writes`]. A stroke that reads the stored pixels compiles only for
-    /// targets whose pixels lie in [memory](crate::Surface::memory): a [`Picture`](crate::Picture)'s or a [`Band`](crate::Band)'s
+    /// [`Reads`](crate::color::Reads) if lines are anti-aliased, else [`Writes`]. A stroke that reads the stored pixels compiles only for
+    /// targets whose pixels lie in [memory](crate::target::Surface::memory): a [`Picture`](crate::target::Picture)'s or a [`Band`](crate::bands::Band)'s
     /// `pixels()`, or a target of your own that has memory.
     type Access: Access;
 
@@ -58,7 +58,7 @@ impl<C: PixelColor> Stroke<C> for C {
 /// A stroke for anti-aliased lines, one pixel wide in every direction: each pixel is mixed with the colour by the area of it that
 /// the line covers.
 ///
-/// A line in 2D, by [`draw_line`](crate::draw_line), is the parallelogram of the points within ½ pixel of the straight line through
+/// A line in 2D, by [`draw_line`](crate::draw::draw_line), is the parallelogram of the points within ½ pixel of the straight line through
 /// both ends, between two pixel borders: from before the first pixel to behind the last one along the major axis (x or y, whichever
 /// changes more). (Area sampling by a box filter: Foley et al., *Computer Graphics: Principles and Practice*, 2nd ed., section 3.17.2.)
 ///
@@ -78,7 +78,7 @@ impl<C: PixelColor> Stroke<C> for C {
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-/// use pinhole::{draw_line, raster::Pixel, AntiAliased, Picture};
+/// use pinhole::{draw::draw_line, raster::Pixel, shading::AntiAliased, target::Picture};
 /// let mut pixels = [Gray8::BLACK; 5 * 3];
 /// let mut picture = Picture::new(&mut pixels, Size::new(5, 3))?;
 /// let stroke = AntiAliased(Gray8::WHITE);
@@ -86,14 +86,14 @@ impl<C: PixelColor> Stroke<C> for C {
 /// // In column 2 the upper edge rises from 0.69 to 1.19 pixels: a triangle of 0.309 · 0.618 / 2 lies above row 1.
 /// let column = [2, 7, 12].map(|i| picture.colors()[i].luma());
 /// assert_eq!(column, [24, 236, 24]);
-/// # Ok::<(), pinhole::BufferError>(())
+/// # Ok::<(), pinhole::target::BufferError>(())
 /// ```
 ///
 /// A target whose pixels cannot be read, such as a display's driver, does not compile:
 ///
 /// ```compile_fail,E0277
 /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-/// # use pinhole::{draw_line, raster::Pixel, AntiAliased};
+/// # use pinhole::{draw::draw_line, raster::Pixel, shading::AntiAliased};
 /// let mut display = MockDisplay::<Gray8>::new();
 /// draw_line(Pixel { x: 0, y: 0 }, Pixel { x: 4, y: 2 }, AntiAliased(Gray8::WHITE), &mut display).unwrap();
 /// ```

@@ -7,20 +7,20 @@ use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
 
 /// A colour in 256 levels of light, computed once and looked up at every pixel: the fastest smooth light. The table takes 256
 /// colours of the target (512 bytes for `Rgb565`). [`lit`](Self::lit) makes the shader of a face, which steps one gradient and
-/// loads one colour per pixel, where [`Gouraud`](crate::Gouraud) steps three channels. Renderers for palette displays light
+/// loads one colour per pixel, where [`Gouraud`](crate::shading::Gouraud) steps three channels. Renderers for palette displays light
 /// faces this way.
 ///
 /// **Error.** Light is linear on the screen and is rounded to the index of an entry, 0 … 255, with an error of at most
 /// ½ + 2⁻⁹, for any triangle in the guard band. With a table made by [`new`](Self::new), each channel of a pixel is off by at
 /// most ½ level of the target for rounding the entry, plus `(½ + 2⁻⁹) · MAX/255` for rounding the light. A face with full light
-/// at all corners has the last entry everywhere, a face without light the first. [`Gouraud::lit`](crate::Gouraud::lit) is
+/// at all corners has the last entry everywhere, a face without light the first. [`Gouraud::lit`](crate::shading::Gouraud::lit) is
 /// finer, and can be dithered.
 ///
-/// **Clipped faces** are treated as by [`Gouraud`](crate::Gouraud). The light at new corners is rounded to 2⁻¹⁰ of an entry.
+/// **Clipped faces** are treated as by [`Gouraud`](crate::shading::Gouraud). The light at new corners is rounded to 2⁻¹⁰ of an entry.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888}, prelude::*};
-/// use pinhole::{fill_triangle, raster::ScreenPoint, ShadeTable};
+/// use pinhole::{draw::fill_triangle, raster::ScreenPoint, shading::ShadeTable};
 /// let gold = ShadeTable::<Rgb565>::new(Rgb888::CSS_GOLD); // before the first frame
 /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
 /// let mut display = MockDisplay::new();
@@ -36,7 +36,7 @@ impl<C> ShadeTable<C> {
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray4, GrayColor};
-    /// use pinhole::ShadeTable;
+    /// use pinhole::shading::ShadeTable;
     /// static TWO_STEPS: ShadeTable<Gray4> = {
     ///     let mut colors = [Gray4::new(4); 256];
     ///     let mut i = 128;

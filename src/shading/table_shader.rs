@@ -1,4 +1,4 @@
-//! Colours that are looked up in a [`ShadeTable`](crate::ShadeTable) along a span.
+//! Colours that are looked up in a [`ShadeTable`](crate::shading::ShadeTable) along a span.
 
 use super::levels::weighted_mean;
 use super::shader::{Shader, SpanShader};

@@ -8,20 +8,20 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// A translucent shader, or a translucent picture of a sprite: its colours are mixed with the stored pixels by a [`BlendMode`].
 /// [`HalfBlended`] and [`Blended`] are the types for the modes [`Half`] and [`Alpha`].
 ///
-/// It reads pixels, so it draws into [memory](crate::Surface::memory) alone: a [`Picture`](crate::Picture), or the pixels of a
-/// [`Band`](crate::Band). With another target it does not compile; [`ScreenDoor`](crate::ScreenDoor) draws into every target.
+/// It reads pixels, so it draws into [memory](crate::target::Surface::memory) alone: a [`Picture`](crate::target::Picture), or the pixels of a
+/// [`Band`](crate::bands::Band). With another target it does not compile; [`ScreenDoor`](crate::shading::ScreenDoor) draws into every target.
 ///
 /// **Order.** What is behind must be drawn before: opaque faces first, then translucent ones from far to near, by a
-/// [`Painter`](crate::Painter) or object by object. Among opaque faces, use a depth buffer and a `Painter` of
-/// [`DepthTested`](crate::DepthTested) shaders. Depth is tested and not stored, so a translucent face hides nothing. A convex
-/// object needs no painter: draw its back faces ([`Cull::Front`](crate::Cull::Front)), then its front faces.
+/// [`Painter`](crate::draw::Painter) or object by object. Among opaque faces, use a depth buffer and a `Painter` of
+/// [`DepthTested`](crate::shading::DepthTested) shaders. Depth is tested and not stored, so a translucent face hides nothing. A convex
+/// object needs no painter: draw its back faces ([`Cull::Front`](crate::draw::Cull::Front)), then its front faces.
 ///
-/// **Error.** At most ½ level of each channel: see [`Color::half`](crate::Color::half) and
-/// [`Color::mix`](crate::Color::mix).
+/// **Error.** At most ½ level of each channel: see [`Color::half`](crate::color::Color::half) and
+/// [`Color::mix`](crate::color::Color::mix).
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
-/// use pinhole::{fill_triangle, raster::ScreenPoint, Color, HalfBlended, Picture, Translucent};
+/// use pinhole::{draw::fill_triangle, prelude::*, raster::ScreenPoint, shading::Translucent};
 /// let mut pixels = [Rgb565::new(0, 20, 30); 16];
 /// let mut picture = Picture::new(&mut pixels, Size::new(4, 4))?;
 /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
@@ -39,7 +39,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 ///
 /// ```compile_fail,E0277
 /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
-/// # use pinhole::{fill_triangle, raster::ScreenPoint, HalfBlended};
+/// # use pinhole::{draw::fill_triangle, raster::ScreenPoint, shading::HalfBlended};
 /// # pub fn draw(corners: [ScreenPoint; 3], display: &mut MockDisplay<Rgb565>) {
 /// let Ok(_) = fill_triangle(corners, HalfBlended::new(Rgb565::RED), display);
 /// # }
@@ -58,7 +58,7 @@ pub type HalfBlended<S> = Translucent<S, Half>;
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-/// use pinhole::{fill_triangle, raster::ScreenPoint, Blended, Picture};
+/// use pinhole::{draw::fill_triangle, raster::ScreenPoint, shading::Blended, target::Picture};
 /// let mut pixels = [Gray8::new(100); 16];
 /// let mut picture = Picture::new(&mut pixels, Size::new(4, 4))?;
 /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();

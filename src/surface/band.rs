@@ -18,7 +18,7 @@ use embedded_graphics_core::Pixel;
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use pinhole::Frame;
+/// use pinhole::bands::Frame;
 /// let mut display = MockDisplay::<Rgb565>::new();
 /// let mut strip = [0; 64 * 10 * 2]; // ten of the 64 rows, two bytes per pixel
 /// let mut frame = Frame::new(display.bounding_box(), Rgb565::BLUE);
@@ -59,7 +59,7 @@ impl<C: Color> Frame<C> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::{BinaryColor, Rgb565}, prelude::*};
-    /// use pinhole::Frame;
+    /// use pinhole::bands::Frame;
     /// const STRIP: usize = Frame::<Rgb565>::strip_bytes(240, 8);
     /// assert_eq!(STRIP, 3840);
     /// assert_eq!(Frame::<BinaryColor>::strip_bytes(130, 8), 136);
@@ -102,7 +102,7 @@ impl<C: Color> Frame<C> {
     /// Band `index` of the frame, counted from 0 at the top, filled with the background: for bands that several cores draw,
     /// each into a strip of its own. All strips must have equal lengths. A band has as many rows as fit in the strip, the last
     /// one as many as are left. `None` below the frame. This is independent of the bands made so far, and does not count as one.
-    /// [`BinnedFaces::fork`](crate::BinnedFaces::fork) has an example.
+    /// [`BinnedFaces::fork`](crate::draw::BinnedFaces::fork) has an example.
     ///
     /// # Errors
     ///
@@ -123,7 +123,7 @@ impl<C: Color> Frame<C> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
-    /// use pinhole::Frame;
+    /// use pinhole::bands::Frame;
     /// use core::ops::ControlFlow::{Break, Continue};
     /// # struct Dma;
     /// # struct Transfer(Dma, &'static mut [u8]);
@@ -147,7 +147,7 @@ impl<C: Color> Frame<C> {
     ///     }
     /// }
     /// assert_eq!(rows, [0..4, 4..8, 6..10, 0..4, 4..8, 6..10]);
-    /// # Ok::<(), pinhole::BufferError>(())
+    /// # Ok::<(), pinhole::target::BufferError>(())
     /// ```
     ///
     /// # Errors
@@ -205,7 +205,7 @@ impl<'s, C: Color> Band<'s, C> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use pinhole::{draw_line, raster::Pixel, Frame};
+    /// use pinhole::{bands::Frame, draw::draw_line, raster::Pixel};
     /// let mut strip = [0; Frame::<Rgb565>::strip_bytes(8, 2)];
     /// let mut frame = Frame::new(Rectangle::new(Point::zero(), Size::new(8, 2)), Rgb565::BLACK);
     /// let mut band = frame.next_band(&mut strip)?.ok_or("no rows")?;
@@ -241,7 +241,7 @@ impl<'s, C: Color> Band<'s, C> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
-    /// use pinhole::Frame;
+    /// use pinhole::bands::Frame;
     /// let mut strip = [0; 100];
     /// let mut frame = Frame::new(Rectangle::new(Point::zero(), Size::new(40, 10)), Gray8::BLACK);
     /// let band = frame.next_band(&mut strip)?.ok_or("no rows")?;

@@ -31,7 +31,7 @@ pub enum BufferError {
     /// The bin storage is too short: provide at least `needed` numbers.
     Bins {
         /// One number per visible face or edge, and one per 16 faces or edges of the mesh, rounded up; the latter alone for
-        /// the second cursor of a [fork](crate::BinnedFaces::fork).
+        /// the second cursor of a [fork](crate::draw::BinnedFaces::fork).
         needed: usize,
         /// The length of the bin storage.
         given: usize,

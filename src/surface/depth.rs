@@ -17,7 +17,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
 /// use embedded_graphics::primitives::Rectangle;
-/// use pinhole::{DepthBuffer, BufferError};
+/// use pinhole::target::{BufferError, DepthBuffer};
 /// let mut storage = [0; 64 * 64];
 /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
 /// let mut depth = DepthBuffer::new(area, &mut storage)?;

@@ -16,7 +16,7 @@ use embedded_graphics_core::Pixel;
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
-/// use pinhole::{draw_line, raster::Pixel, LeastRun};
+/// use pinhole::{draw::draw_line, raster::Pixel, target::LeastRun};
 /// let mut display = MockDisplay::new();
 /// let ends = [Pixel { x: 0, y: 0 }, Pixel { x: 5, y: 2 }];
 /// draw_line(ends[0], ends[1], BinaryColor::On, &mut LeastRun::<_, 1>(&mut display))?;

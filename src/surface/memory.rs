@@ -7,7 +7,7 @@ use crate::color::{Access, Writes};
 use crate::raster::{PixelLayout, RowScratch, Scissor, Span};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The storage of a [`Surface`](crate::Surface)'s pixels: a mutable slice with one cell per pixel, or `[Color; 0]` for a target
+/// The storage of a [`Surface`](crate::target::Surface)'s pixels: a mutable slice with one cell per pixel, or `[Color; 0]` for a target
 /// without memory.
 ///
 /// The type tells the compiler whether there is memory, so a target without it links no code that draws into memory.
@@ -59,8 +59,8 @@ impl<Cell: Copy> PixelStore for [Cell; 0] {
 
 /// The pixels of a rectangle in memory, row by row, without gaps between rows.
 ///
-/// A [`Surface`](crate::Surface) that owns one and returns it from [`memory`](crate::Surface::memory) is drawn to as fast as
-/// [`Pixels`](crate::Pixels). `Surface` has an example.
+/// A [`Surface`](crate::target::Surface) that owns one and returns it from [`memory`](crate::target::Surface::memory) is drawn to as fast as
+/// [`Pixels`](crate::target::Pixels). `Surface` has an example.
 #[derive(Debug)]
 pub struct Memory<S> {
     /// The part of the area with coordinates in the range of 2D drawing, ±32768; computed once, not for each triangle.

@@ -12,17 +12,17 @@ use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 
 /// A picture in a caller-provided buffer, one colour per pixel, row by row. It is a DrawTarget; its [`pixels`](Self::pixels)
-/// are the fastest [`Surface`](crate::Surface).
+/// are the fastest [`Surface`](crate::target::Surface).
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
-/// use pinhole::{fill_triangle, raster::ScreenPoint, Picture};
+/// use pinhole::{draw::fill_triangle, raster::ScreenPoint, target::Picture};
 /// let mut frame = [Rgb565::BLACK; 32 * 24];
 /// let mut picture = Picture::new(&mut frame, Size::new(32, 24))?;
 /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
 /// let Ok(()) = fill_triangle([corner(0, 0), corner(40, 0), corner(0, 20)], Rgb565::RED, &mut picture.pixels());
 /// assert_eq!((frame[31], frame[32 * 24 - 1]), (Rgb565::RED, Rgb565::BLACK));
-/// # Ok::<(), pinhole::BufferError>(())
+/// # Ok::<(), pinhole::target::BufferError>(())
 /// ```
 #[derive(Debug)]
 pub struct Picture<'a, C> {

@@ -9,8 +9,8 @@ use core::convert::Infallible;
 use core::marker::PhantomData;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// Pixels in a borrowed slice, the fastest [`Surface`]. [`Picture::pixels`](crate::Picture::pixels) and
-/// [`Band::pixels`](crate::Band::pixels) make one, and [`new`](Self::new) makes one of any other framebuffer.
+/// Pixels in a borrowed slice, the fastest [`Surface`]. [`Picture::pixels`](crate::target::Picture::pixels) and
+/// [`Band::pixels`](crate::bands::Band::pixels) make one, and [`new`](Self::new) makes one of any other framebuffer.
 ///
 /// `C` is the colour type, `Cell` the stored form of one pixel: see [`StoredPixel`].
 #[derive(Debug)]
@@ -24,7 +24,7 @@ impl<'a, C: StoredPixel<Cell>, Cell: Copy> Pixels<'a, C, Cell> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use pinhole::{fill_triangle, raster::ScreenPoint, Pixels};
+    /// use pinhole::{draw::fill_triangle, raster::ScreenPoint, target::Pixels};
     /// let mut framebuffer = [0_u16; 32 * 24];
     /// let area = Rectangle::new(Point::zero(), Size::new(32, 24));
     /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
@@ -36,7 +36,7 @@ impl<'a, C: StoredPixel<Cell>, Cell: Copy> Pixels<'a, C, Cell> {
     /// let cells: &mut [[u8; 2]] = bytemuck::cast_slice_mut(&mut framebuffer);
     /// let Ok(()) = fill_triangle(corners, Rgb565::RED, &mut Pixels::new(cells, area)?);
     /// assert_eq!(framebuffer[31].to_ne_bytes(), [0xf8, 0x00]);
-    /// # Ok::<(), pinhole::BufferError>(())
+    /// # Ok::<(), pinhole::target::BufferError>(())
     /// ```
     ///
     /// # Errors

@@ -1,7 +1,7 @@
 //! The memory of a strip, with the lengths computed from its width, rows and colour.
 
-/// The bytes of a strip's pixels, and its depths, for [`Frame::next_band`](crate::Frame::next_band) and
-/// [`DepthBuffer::new`](crate::DepthBuffer::new). [`strip_buffers!`](crate::strip_buffers) makes one with the lengths that a band
+/// The bytes of a strip's pixels, and its depths, for [`Frame::next_band`](crate::bands::Frame::next_band) and
+/// [`DepthBuffer::new`](crate::target::DepthBuffer::new). [`strip_buffers!`](crate::strip_buffers) makes one with the lengths that a band
 /// needs, and the macro `StripBuffers!` names the type. [`MeshBuffers`](struct@crate::MeshBuffers) has an example.
 ///
 /// The bytes are aligned to 4, so that DMA can send them as words.
@@ -59,11 +59,11 @@ macro_rules! strip_buffers {
 #[macro_export]
 macro_rules! StripBuffers {
     ($color:ty, $width:expr, $rows:expr, no depth) => {
-        $crate::StripBuffers<{ $crate::Frame::<$color>::strip_bytes($width as u32, $rows as u32) }>
+        $crate::StripBuffers<{ $crate::bands::Frame::<$color>::strip_bytes($width as u32, $rows as u32) }>
     };
     ($color:ty, $width:expr, $rows:expr) => {
         $crate::StripBuffers<
-            { $crate::Frame::<$color>::strip_bytes($width as u32, $rows as u32) },
+            { $crate::bands::Frame::<$color>::strip_bytes($width as u32, $rows as u32) },
             { ($width as usize).saturating_mul($rows as usize) },
         >
     };

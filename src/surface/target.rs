@@ -10,7 +10,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 
-/// A drawing target: any `embedded-graphics` DrawTarget, [`Pixels`](crate::Pixels) in memory, which take a fraction of the
+/// A drawing target: any `embedded-graphics` DrawTarget, [`Pixels`](crate::target::Pixels) in memory, which take a fraction of the
 /// instructions, or your own type. All get the same picture.
 ///
 /// Every DrawTarget implements this trait. Of a face it gets a `fill_solid` or a `fill_contiguous` for every run of pixels. Of a
@@ -21,7 +21,7 @@ use embedded_graphics_core::Pixel;
 /// - one `fill_solid` per run of pixels, if it can fail: it drives a display, where a window costs more than a pixel. No other
 ///   calls send fewer bytes.
 ///
-/// [`LeastRun`](crate::LeastRun) changes the choice for a target.
+/// [`LeastRun`](crate::target::LeastRun) changes the choice for a target.
 ///
 /// Your own type implements the trait in one of two forms. A target that takes spans has `[Self::Color; 0]` for
 /// [`Store`](Self::Store). A target whose pixels lie in [`Memory`] returns that from [`memory`](Self::memory):
@@ -29,7 +29,10 @@ use embedded_graphics_core::Pixel;
 /// ```
 /// use core::convert::Infallible;
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use pinhole::{fill_triangle, raster::{ScreenPoint, Span}, Memory, BufferError, StoredPixel, Surface};
+/// use pinhole::{
+///     color::StoredPixel, draw::fill_triangle, raster::{ScreenPoint, Span},
+///     target::{BufferError, Memory, Surface},
+/// };
 ///
 /// /// A framebuffer that remembers whether it was drawn to.
 /// struct Framebuffer<'a> {
@@ -199,7 +202,7 @@ pub trait Target: sealed::Sealed {
     /// The pixels.
     type Surface: Surface<Color = Self::Color, Error = Self::Error>;
 
-    /// [`Untested`] or [`Tested`].
+    /// A mark: whether there is a depth buffer.
     type Test;
 
     /// Calls `untested` with the surface, or `tested` with the surface and its depth buffer; either gets `arguments`.

@@ -3,7 +3,7 @@
 //! of the matrix in f64. Affine and view matrices, their round trips, and the matrices that are refused.
 
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Camera, CameraError, MathError, Point3, Projection, ViewTransform};
+use pinhole::{camera::CameraError, math::MathError, prelude::*};
 use support::bridge::pair::{bits, random_view, ModelBits};
 use support::bridge::{point, rectangle};
 use support::oracle::chain::{self, length, Viewport, M4, V3};
@@ -89,7 +89,7 @@ fn s4_vertices_through_any_matrix_are_within_1_256_px() {
         let area = rectangle(5, -7, 480, 320);
         let viewport = pinhole::Viewport::new(area.top_left, area.size).expect("a viewport");
         let camera = Camera::new(&bits_view.library().expect("a view"), &projection, &viewport);
-        let pinhole::Projected { point: p, depth } = match camera.project(point(world)) {
+        let pinhole::camera::Projected { point: p, depth } = match camera.project(point(world)) {
             Ok(found) => found,
             Err(error) => panic!("{error}: {bits_view:?} {:?} {world:?} {clip:?}", c.matrix),
         };

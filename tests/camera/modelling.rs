@@ -3,7 +3,11 @@
 //! `tests/bounds.rs`.
 
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Angle, Hierarchy, MathError, MeshError, Node, Quaternion};
+use pinhole::{
+    math::{MathError, Quaternion},
+    mesh::{Hierarchy, MeshError, Node},
+    Affine, Angle,
+};
 use support::bridge::pair::{ModelBits, Step, ONE};
 use support::bridge::{point, reals, scalar, vector};
 use support::oracle::chain::{self, fx3, M3};

@@ -4,7 +4,10 @@
 
 use embedded_graphics::geometry::Point;
 use pinhole::raster::ScreenPoint;
-use pinhole::{Affine, Camera, CameraError, Mesh, Projected, Projection, ViewTransform, Viewport};
+use pinhole::{
+    camera::{CameraError, Projected},
+    prelude::*,
+};
 use support::bridge::pair::{bits, random_view, ONE};
 use support::bridge::{point, reals, rectangle, vector};
 use support::definition::{Family, Picture, Projectors};

@@ -4,7 +4,8 @@
 
 use pinhole::space::{View, World};
 use pinhole::{
-    Camera, CameraError, PlanarProjection, Point3, Projection, Scalar, Side, Vector3, ViewTransform, Viewport,
+    camera::{CameraError, PlanarProjection, Side},
+    prelude::*,
 };
 use support::bridge::pair::{random_view, rows, window, ViewBits, ONE};
 use support::bridge::{point, reals, rectangle, scalar, vector};

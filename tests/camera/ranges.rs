@@ -2,8 +2,9 @@
 
 use pinhole::space::{Model, View, World};
 use pinhole::{
-    Affine, Camera, CameraError, MathError, Mesh, PlanarProjection, Point3, Projection, ReferenceVolume,
-    Scalar, ViewTransform, Viewport, Visibility,
+    camera::{CameraError, PlanarProjection, ReferenceVolume, Visibility},
+    math::MathError,
+    prelude::*,
 };
 use support::bridge::pair::{window, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::{point, reals, rectangle, scalar, vector};

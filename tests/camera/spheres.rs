@@ -5,9 +5,7 @@
 use embedded_graphics::geometry::{Point, Size};
 use pinhole::meshes::{CUBE, TORUS};
 use pinhole::space::{Model, World};
-use pinhole::{
-    Affine, Angle, Camera, CameraError, Mesh, Object, Point3, Scalar, Scene, Sphere, Vector3, Viewport,
-};
+use pinhole::{camera::CameraError, math::Sphere, prelude::*, Angle};
 use support::oracle::chain::{fx, sin_cos, to_fx};
 use support::oracle::rng::Rng;
 

@@ -6,7 +6,10 @@
 //! The oracle starts from the quantised inputs. The half extent is that of the mesh about its own origin: the largest |coordinate|, times
 //! the model's scale. `--nocapture` shows the figures.
 
-use pinhole::{Camera, CameraError, Mesh, Projected, Viewport};
+use pinhole::{
+    camera::{CameraError, Projected},
+    prelude::*,
+};
 use support::bridge::pair::{bits, random_view, ModelBits, Step, ViewBits};
 use support::bridge::{point, rectangle, scalar};
 use support::definition::{Family, Picture, Projectors};

@@ -9,7 +9,7 @@ use mipidsi::interface::{SpiError, SpiInterface};
 use mipidsi::models::{ILI9341Rgb565, ILI9341Rgb666, ST7789};
 use mipidsi::options::{ColorOrder, Orientation, Rotation};
 use mipidsi::{Builder, Display, NoResetPin};
-use pinhole::{Color, Frame, Surface};
+use pinhole::prelude::*;
 use support::oracle::line;
 use support::panel::bus::{Failure, NoDelay, Panel};
 use support::panel::films::{

@@ -11,7 +11,11 @@ use embedded_graphics::pixelcolor::{BinaryColor, Rgb565};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::meshes::{CUBE, TORUS};
-use pinhole::{mesh_buffers, strip_buffers, Angle, BinnedScene, PlacedScene, ScreenVertex};
+use pinhole::{
+    draw::{BinnedScene, PlacedScene},
+    prelude::*,
+    Angle,
+};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::testing;
 use std::convert::Infallible;
@@ -121,7 +125,7 @@ fn the_book_shows_each_program_with_its_picture_and_its_memory() {
             + cubes(50)
             + strip(320, 8),
         size_of::<orbit::Chart>()
-            + size_of::<pinhole::Scene<'_, usize, 12>>()
+            + size_of::<pinhole::draw::Scene<'_, usize, 12>>()
             + size_of::<PlacedScene<'_, '_, usize, 12>>()
             + size_of::<BinnedScene<'_, '_, usize, 12>>()
             + cubes(12)

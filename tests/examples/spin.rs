@@ -7,7 +7,7 @@ mod scene;
 use crate::example;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
-use pinhole::Painter;
+use pinhole::draw::Painter;
 use pinhole_apps_support::testing;
 use scene::Turntable;
 use std::path::{Path, PathBuf};
@@ -37,7 +37,7 @@ fn the_teapot_is_not_mirrored() {
     let (spout, knob) = (end(0), end(1));
     let at = |frame, vertex| {
         let [outside, _] = table.place(&Turntable::model(frame, FRAMES));
-        let pinhole::Projected { point, depth } = outside.project(vertex).unwrap();
+        let pinhole::camera::Projected { point, depth } = outside.project(vertex).unwrap();
         (point.x() >> 8, point.y() >> 8, depth)
     };
     let (middle, middle_depth) = (120, at(0, knob).2);

@@ -1,8 +1,8 @@
 //! D: depth.
 
 use embedded_graphics_core::primitives::PointsIter;
+use pinhole::prelude::*;
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Cull, DepthBuffer, Mesh, Surface};
 use support::bridge::draw::Shader;
 use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use support::bridge::rectangle;
@@ -131,7 +131,7 @@ fn d2_slivers_never_leave_their_corners_depths() {
         let instance = camera.library().place(&mesh, &Affine::<Model, World>::identity());
         let corners = [0, 1, 2].map(|i| instance.project(i).ok().zip(instance.project_unsnapped(i)));
         let [Some(a), Some(b), Some(c)] = corners else { continue };
-        let [a, b, c] = [a, b, c].map(|(pinhole::Projected { point: p, .. }, fine)| {
+        let [a, b, c] = [a, b, c].map(|(pinhole::camera::Projected { point: p, .. }, fine)| {
             ((i64::from(p.x()), i64::from(p.y())), fine[2])
         });
         // Nearer than the last half step before far, where depths end.

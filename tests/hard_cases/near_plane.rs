@@ -3,7 +3,7 @@
 //! A snapped vertex is up to 1/256 px off, so pixels whose answer is not certain for every ray within
 //! 1/64 px are left out; their number is bounded.
 
-use pinhole::{Coordinate, Cull, Mesh};
+use pinhole::{draw::Cull, mesh::Coordinate, Mesh};
 use support::bridge::draw::{solid, wireframe, Shader, CUBE, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::scalar;
@@ -247,7 +247,7 @@ fn c2_a_vertex_exactly_on_near_is_not_cut() {
             assert_eq!(target.count(x as i32, y as i32), wanted.at(x, y), "({x}, {y}) of {vertices:?}");
         }
         for (v, at) in t.into_iter().enumerate() {
-            let pinhole::Projected { point: p, depth } =
+            let pinhole::camera::Projected { point: p, depth } =
                 library.place(&mesh, &model.library()).project(v).expect("on near is visible");
             assert_eq!((i64::from(p.x()), i64::from(p.y())), at);
             if v <= on {

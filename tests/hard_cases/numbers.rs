@@ -2,7 +2,7 @@
 
 use crate::near_plane;
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Angle, Mesh, Point3, Vector3, ViewTransform};
+use pinhole::{prelude::*, Angle};
 use support::bridge::compare::{close3, HALF};
 use support::bridge::draw::{solid, wireframe, Shader, CUBE, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{bits, ints, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};

@@ -4,10 +4,7 @@
 
 use embedded_graphics_core::geometry::{Point, Size};
 use pinhole::space::{Model, World};
-use pinhole::{
-    Affine, Angle, CameraError, Lambert, LightError, MathError, Mesh, MeshError, Point3, Projection, Scalar,
-    Vector3, ViewTransform, Viewport,
-};
+use pinhole::{camera::CameraError, light::LightError, math::MathError, mesh::MeshError, prelude::*, Angle};
 use support::bridge::pair::{ProjectionBits, ViewBits, ONE};
 use support::bridge::vector;
 use support::oracle::chain::{self, length};
@@ -185,7 +182,7 @@ fn floats_beyond_the_numbers_are_an_error() {
 /// Cameras built at compile time, with every `const` constructor.
 mod constant {
     use super::*;
-    use pinhole::{Camera, Projection, Window};
+    use pinhole::{camera::Window, Camera, Projection};
 
     const SIZE: Size = Size::new(320, 240);
     const UPWARDS: Vector3<World> = Vector3::from_ints(1, 9, 2);

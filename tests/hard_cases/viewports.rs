@@ -2,7 +2,7 @@
 
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{CameraError, Viewport};
+use pinhole::{camera::CameraError, Viewport};
 use support::bridge;
 use support::bridge::draw::{cube_camera as camera, turned_cube as draw, Way, WAYS};
 use support::oracle::target::Recorder;

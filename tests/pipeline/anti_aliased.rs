@@ -6,8 +6,11 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{
-    edge_faces, Affine, AntiAliased, Color, DepthBuffer, Mesh, MeshInstance, Pixels, Reads, ScreenVertex,
-    StoredPixel, Stroke, Surface,
+    color::{Reads, StoredPixel},
+    mesh::edge_faces,
+    prelude::*,
+    shading::{AntiAliased, Stroke},
+    target::Pixels,
 };
 use std::f64::consts::TAU;
 use support::bridge::draw::{cube_camera, flat_camera, CUBE, CUBE_EDGES, CUBE_FACES};

@@ -7,8 +7,9 @@ use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, GrayColor, Rgb565};
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    BufferError, Color, Cull, DepthBuffer, DirtyRegions, Frame, Mesh, MeshInstance, ScreenVertex, Statistics,
-    Surface, Tracked, TransferCost,
+    bands::{DirtyRegions, Tracked, TransferCost},
+    prelude::*,
+    target::BufferError,
 };
 use support::bridge::draw::{cube_camera, CUBE, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};

@@ -1,7 +1,7 @@
 //! R8 for clipped faces: faces cut at the near plane and at the guard band are as watertight as others. From inside a closed mesh every
 //! pixel is drawn exactly once. That it is drawn by the right face is in `hard_cases`, C5.
 
-use pinhole::{Cull, Mesh, Painter};
+use pinhole::prelude::*;
 use std::collections::BTreeMap;
 use support::bridge::draw::{solid, Shader};
 use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};

@@ -7,8 +7,8 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{
-    Coordinate, Cull, FacePlanes, Mesh, MeshError, MeshInstance, Scalar, ScreenVertex, Statistics, Surface,
-    WithPlanes,
+    mesh::{Coordinate, FacePlanes, MeshError, WithPlanes},
+    prelude::*,
 };
 use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::ways::{bands, by_every_call, lines_by_every_call, memory, screen, Drawn, Lines};

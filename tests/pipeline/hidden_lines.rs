@@ -2,7 +2,7 @@
 
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::BinaryColor;
-use pinhole::{edge_faces, Cull, DepthBuffer, Mesh, MeshInstance, ScreenVertex, Surface};
+use pinhole::{mesh::edge_faces, prelude::*};
 use support::bridge;
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::ways::{bands, screen};

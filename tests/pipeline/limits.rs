@@ -7,8 +7,8 @@ use embedded_graphics::primitives::Rectangle;
 use pinhole::clip::{Barycentric, Varying};
 use pinhole::raster::Span;
 use pinhole::{
-    mesh_buffers, strip_buffers, Affine, Angle, BufferError, Camera, CameraError, Cull, Frame, LightError,
-    MathError, Mesh, MeshBuffers, MeshError, Object, Picture, Scene, Surface, TextureError, Viewport,
+    camera::CameraError, light::LightError, math::MathError, mesh::MeshError, prelude::*,
+    target::BufferError, texture::TextureError, Angle,
 };
 use std::collections::HashSet;
 use std::error::Error;

@@ -1,7 +1,7 @@
 //! The ready meshes: closed, turned outwards and of the shape that their documentation says.
 
 use pinhole::meshes::{ARROW, AXES, CUBE, CYLINDER, GRID, SPHERE, TORUS};
-use pinhole::{Mesh, WithPlanes};
+use pinhole::{mesh::WithPlanes, Mesh};
 use std::collections::{BTreeMap, BTreeSet};
 use support::oracle::chain::{cross, dot, length, normalise};
 

@@ -5,8 +5,8 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
 use embedded_graphics_core::primitives::Rectangle;
+use pinhole::draw::{draw_line, fill_triangle};
 use pinhole::raster::{Pixel, ScreenPoint};
-use pinhole::{draw_line, fill_triangle};
 use std::convert::Infallible;
 
 /// A target of the largest size that `embedded-graphics` can express, at any position.

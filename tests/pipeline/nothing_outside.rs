@@ -8,7 +8,9 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, IntoStorage, Rgb565, 
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::Span;
 use pinhole::{
-    BufferError, DepthBuffer, Frame, Gouraud, Memory, Mesh, Picture, Pixels, ShadeTable, StoredPixel, Surface,
+    color::StoredPixel,
+    prelude::*,
+    target::{BufferError, Memory, Pixels},
 };
 use support::bridge::draw::{cube_camera as camera, turned_cube as draw, CUBE, CUBE_FACES, WAYS};
 use support::bridge::pair::ModelBits;

@@ -3,7 +3,11 @@
 
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use embedded_graphics::prelude::PointsIter;
-use pinhole::{Affine, Blended, BufferError, DepthBuffer, DepthTested, HalfBlended, Mesh, Painter, Surface};
+use pinhole::{
+    prelude::*,
+    shading::{Blended, DepthTested},
+    target::BufferError,
+};
 use support::bridge;
 use support::bridge::draw::{flat_camera, Shader};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -142,11 +146,11 @@ fn drawing_empties_the_painter_even_if_the_target_fails() {
         let mut target = Recorder::sized(16, 16);
         let statistics = painter.draw(&mut target).expect("no error");
         assert!(target.calls.is_empty());
-        assert_eq!(statistics, pinhole::Statistics::default());
+        assert_eq!(statistics, pinhole::draw::Statistics::default());
     }
     painter.add(&instance, |_| Shader(0)).expect("enough room");
     painter.clear();
-    assert_eq!(painter.draw(&mut Recorder::sized(16, 16)), Ok(pinhole::Statistics::default()));
+    assert_eq!(painter.draw(&mut Recorder::sized(16, 16)), Ok(pinhole::draw::Statistics::default()));
 }
 
 #[test]
@@ -166,7 +170,7 @@ fn painter_sorts_by_the_mean_depth_of_the_corners() {
             .collect();
         let faces: Vec<[u16; 3]> = (0..20).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
         let mesh = Mesh::new(&vertices, -4, &faces).expect("a mesh");
-        let instance = camera.place(&mesh, &model).with_cull(pinhole::Cull::None);
+        let instance = camera.place(&mesh, &model).with_cull(pinhole::draw::Cull::None);
         let mut painter = Painter::<Shader, 60, 20>::new();
         painter.add(&instance, |face| Shader(face as u16)).expect("enough room");
         let mut target = Recorder::sized(16, 16);
@@ -192,7 +196,7 @@ fn painter_sorts_by_the_mean_depth_of_the_corners() {
 fn the_painter_has_its_documented_size() {
     use core::mem::size_of;
     // 8 bytes for a vertex; 10 bytes and a colour for a face.
-    assert_eq!(size_of::<pinhole::ScreenVertex>(), 8);
+    assert_eq!(size_of::<pinhole::camera::ScreenVertex>(), 8);
     let empty = size_of::<Painter<Shader, 0, 0>>();
     assert_eq!(size_of::<Painter<Shader, 100, 0>>() - empty, 800);
     assert!(size_of::<Painter<Shader, 0, 100>>() - empty <= 1200);

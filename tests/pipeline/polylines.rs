@@ -1,7 +1,7 @@
 //! Points and polylines: a point draws its own pixel, a joint is drawn once, and the picture is the union of the lines of
 //! the line oracle. Closed figures, and lines that the near plane and the guard band cut.
 
-use pinhole::{Mesh, Statistics};
+use pinhole::{draw::Statistics, Mesh};
 use std::collections::BTreeMap;
 use support::bridge::draw::{wireframe, Shader};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};

@@ -7,9 +7,8 @@ use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, BufferError, Camera, Cull, Mesh, Object, Painter, Picked, Point3, Projection, Scalar,
-    Scene, ScreenDoor, ScreenVertex, SpanShader, Statistics, Surface, Vector3, ViewTransform, Viewport,
-    Visibility, WithPlanes,
+    camera::Visibility, draw::Picked, mesh::WithPlanes, prelude::*, shading::SpanShader, target::BufferError,
+    Angle,
 };
 use support::bridge::draw::{CUBE, CUBE_FACES};
 use support::bridge::rectangle;

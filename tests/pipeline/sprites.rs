@@ -9,8 +9,11 @@ use embedded_graphics::pixelcolor::{Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rg
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
-    Blended, Camera, ColorKeyed, DepthBuffer, HalfBlended, Mesh, Picture, Pixels, PlacedSprites, Point3,
-    Scalar, SolidTexel, Sprite, SpriteImage, SpriteSource, Statistics, Surface,
+    prelude::*,
+    shading::Blended,
+    sprite::{PlacedSprites, SolidTexel, SpriteImage, SpriteSource},
+    target::Pixels,
+    texture::ColorKeyed,
 };
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::rectangle;

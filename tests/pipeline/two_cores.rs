@@ -2,7 +2,7 @@
 //! `properties/two_cores.rs`; that all types can be sent to another core, in `format.rs`.
 
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
-use pinhole::{BinnedScene, BufferError, DepthBuffer, Frame, Mesh, Object, ScreenVertex, Surface};
+use pinhole::{draw::BinnedScene, prelude::*, target::BufferError};
 use std::thread;
 use support::bridge::draw::{cube_camera, room_faces, CUBE, CUBE_FACES};
 use support::bridge::pair::{ModelBits, Step, ONE};
@@ -13,7 +13,7 @@ const SIZE: u32 = 64;
 const ROWS: u32 = 16;
 const STRIP: usize = (SIZE * ROWS) as usize;
 /// What the bands of one core show, one after the other: those whose bit in `bands` is set.
-fn draw(bands: u32, mut draw_band: impl FnMut(&mut pinhole::Band<'_, Gray8>)) -> Vec<(u32, Vec<u8>)> {
+fn draw(bands: u32, mut draw_band: impl FnMut(&mut pinhole::bands::Band<'_, Gray8>)) -> Vec<(u32, Vec<u8>)> {
     let frame = Frame::new(rectangle(0, 0, SIZE, SIZE), Gray8::BLACK);
     let mut strip = [0; STRIP];
     let own = (0..SIZE / ROWS).filter(|band| bands >> band & 1 != 0);
@@ -66,7 +66,7 @@ fn a_cursor_too_short_says_what_it_needs() {
     }
     assert!(binned_faces.fork(&mut [0; 2]).is_ok() && binned_edges.fork(&mut [0; 2]).is_ok());
 
-    let mut scene = pinhole::Scene::<(), 2>::new();
+    let mut scene = pinhole::draw::Scene::<(), 2>::new();
     for _ in 0..2 {
         scene.add(Object::new(&mesh, ModelBits(vec![]).library(), ())).expect("room");
     }
@@ -81,7 +81,7 @@ fn a_cursor_too_short_says_what_it_needs() {
 #[test]
 fn a_scene_of_several_objects_is_complete() {
     let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).expect("a mesh");
-    let mut scene = pinhole::Scene::<u8, 3>::new();
+    let mut scene = pinhole::draw::Scene::<u8, 3>::new();
     for (number, at) in [[0, 0, 0], [ONE, ONE / 2, -ONE], [-ONE, -ONE / 3, ONE]].into_iter().enumerate() {
         let model = ModelBits(vec![Step::Y(number as u32 * (1 << 28)), Step::Move(at)]).library();
         scene.add(Object::new(&mesh, model, number as u8)).expect("room");
@@ -131,12 +131,12 @@ fn bands_by_number_are_the_bands_one_after_the_other() {
             let by_number = frame.nth_band(index, &mut strip).expect("a row");
             let one_after = next.next_band(&mut other).expect("a row");
             let bytes_of =
-                |band: Option<pinhole::Band<'_, Gray8>>| band.map(|b| (b.area(), b.bytes().to_vec()));
+                |band: Option<pinhole::bands::Band<'_, Gray8>>| band.map(|b| (b.area(), b.bytes().to_vec()));
             assert_eq!(bytes_of(by_number), bytes_of(one_after), "band {index} of {height} rows");
         }
         assert!(frame.nth_band(u32::MAX, &mut strip).expect("a row").is_none());
     }
     let frame = Frame::new(rectangle(0, 0, 9, 9), Gray8::BLACK);
     let error = frame.nth_band(3, &mut [0; 8]).map(drop);
-    assert_eq!(error, Err(pinhole::BufferError::Strip { needed: 9, given: 8 }));
+    assert_eq!(error, Err(pinhole::target::BufferError::Strip { needed: 9, given: 8 }));
 }

@@ -3,7 +3,12 @@
 
 use pinhole::clip;
 use pinhole::space::View;
-use pinhole::{ClipPoint, Cull, Mesh, Outcode, Projection, Sphere, Visibility};
+use pinhole::{
+    camera::Visibility,
+    clip::{ClipPoint, Outcode},
+    math::Sphere,
+    prelude::*,
+};
 use support::bridge;
 use support::bridge::draw::Shader;
 use support::bridge::pair::{
@@ -177,7 +182,7 @@ fn vertices(rng: &mut Rng) -> [[i16; 3]; 4] {
 /// `Partly` is returned only where the exact sphere comes near to a plane's border.
 #[test]
 fn s5_bounding_spheres_are_classified_as_their_vertices() {
-    assert_eq!(size_of::<pinhole::Frustum>(), 264, "its documentation says so");
+    assert_eq!(size_of::<pinhole::camera::Frustum>(), 264, "its documentation says so");
     let mut rng = Rng::new(0x506);
     let mut tally = Tally::default();
     for _ in 0..30_000 {
@@ -296,7 +301,7 @@ fn s5_points_in_an_off_axis_picture_are_inside() {
         let (library, model) = (camera.library(), model.library());
         let found = library.visibility(&mesh.bounding_sphere(), &model);
         tally.count(found);
-        let Ok(pinhole::Projected { point: at, .. }) = library.place(&mesh, &model).project(0) else {
+        let Ok(pinhole::camera::Projected { point: at, .. }) = library.place(&mesh, &model).project(0) else {
             continue;
         };
         let inside = (1..320 * 256).contains(&at.x()) && (1..200 * 256).contains(&at.y());

@@ -3,7 +3,7 @@
 use crate::cases;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{DirtyRegions, TransferCost};
+use pinhole::bands::{DirtyRegions, TransferCost};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 

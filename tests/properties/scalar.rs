@@ -2,7 +2,7 @@
 
 use crate::cases;
 use fixed::types::I16F16;
-use pinhole::{MathError, Scalar};
+use pinhole::{math::MathError, Scalar};
 use proptest::prelude::*;
 
 /// The bits of a number: any, of any size, a whole number, or an end of the range.

@@ -4,9 +4,7 @@ use crate::cases;
 use embedded_graphics_core::pixelcolor::{Gray4, Gray8, GrayColor};
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{
-    Color, Cull, DepthBuffer, Frame, Mesh, MeshInstance, Painter, ScreenVertex, Statistics, Surface,
-};
+use pinhole::prelude::*;
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};

@@ -7,9 +7,7 @@ use crate::scenes::{
 };
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
 use embedded_graphics_core::prelude::PointsIter;
-use pinhole::{
-    Band, Cull, DepthBuffer, Frame, Mesh, MeshInstance, Painter, ScreenVertex, Statistics, Surface,
-};
+use pinhole::prelude::*;
 use proptest::prelude::*;
 use support::oracle::target::Recorder;
 
@@ -61,7 +59,7 @@ fn by_three(
             let mut faces = both!(split, count).expect("room");
             for _ in 0..2 {
                 three!(faces, |forks: [_; 3]| draw(forks.map(
-                    |mut faces: pinhole::BinnedFaces<'_>| -> Core<'_> {
+                    |mut faces: pinhole::draw::BinnedFaces<'_>| -> Core<'_> {
                         Box::new(move |band| {
                             let Ok(()) = faces.draw(colour, band);
                         })
@@ -77,7 +75,7 @@ fn by_three(
             let mut faces = both!(split, count).expect("room");
             for _ in 0..2 {
                 three!(faces, |forks: [_; 3]| draw(forks.map(
-                    |mut faces: pinhole::BinnedFaces<'_, i16, true>| -> Core<'_> {
+                    |mut faces: pinhole::draw::BinnedFaces<'_, i16, true>| -> Core<'_> {
                         Box::new(move |band| {
                             with_depth(band, |depth, band| {
                                 let Ok(()) = faces.draw(colour, &mut band.depth_tested(depth));
@@ -94,7 +92,7 @@ fn by_three(
             let mut edges = transformed.bin_edges(&mut bins).expect("room");
             for _ in 0..2 {
                 three!(edges, |forks: [_; 3]| draw(forks.map(
-                    |mut edges: pinhole::BinnedEdges<'_>| -> Core<'_> {
+                    |mut edges: pinhole::draw::BinnedEdges<'_>| -> Core<'_> {
                         Box::new(move |band| {
                             let Ok(()) = edges.draw(LINE, band);
                         })
@@ -110,8 +108,8 @@ fn by_three(
             let mut faces = both!(split, count).expect("room");
             let mut edges = transformed.bin_edges(&mut more).expect("room");
             for _ in 0..2 {
-                three!(faces, |of_faces: [pinhole::BinnedFaces<'_, i16, true>; 3]| {
-                    three!(edges, |of_edges: [pinhole::BinnedEdges<'_, i16, true>; 3]| {
+                three!(faces, |of_faces: [pinhole::draw::BinnedFaces<'_, i16, true>; 3]| {
+                    three!(edges, |of_edges: [pinhole::draw::BinnedEdges<'_, i16, true>; 3]| {
                         let mut of_edges = of_edges.into_iter();
                         draw(of_faces.map(|mut faces| -> Core<'_> {
                             let mut edges = of_edges.next().expect("three");

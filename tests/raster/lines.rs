@@ -8,7 +8,10 @@ use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::Gray8;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
-use pinhole::{draw_line, LeastRun, Pixels, Surface};
+use pinhole::{
+    draw::draw_line,
+    target::{LeastRun, Pixels, Surface},
+};
 use support::bridge;
 use support::bridge::compare::line as same;
 use support::bridge::compare::line_both_ways as both_ways;

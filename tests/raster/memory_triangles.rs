@@ -9,7 +9,7 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb888};
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 use pinhole::raster::Span;
-use pinhole::{fill_triangle, DepthBuffer, Frame, Gouraud, Picture};
+use pinhole::{draw::fill_triangle, prelude::*};
 use support::bridge;
 use support::oracle::cases::{self, CLASSES};
 use support::oracle::coverage::{covers, rows, Area, P};

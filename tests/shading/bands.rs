@@ -5,9 +5,7 @@ use embedded_graphics_core::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888};
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::ScreenPoint;
-use pinhole::{
-    fill_triangle, Affine, Color, Cull, Flat, Gouraud, Mesh, MeshInstance, ScreenDoor, ScreenVertex,
-};
+use pinhole::{draw::fill_triangle, prelude::*};
 use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use support::bridge::rectangle;
 use support::bridge::ways::{bands, by_every_call, screen};

@@ -6,8 +6,10 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::raster::{Span, Triangle};
 use pinhole::{
-    Blended, ColorKeyed, DepthBuffer, Gouraud, HalfBlended, Pixels, ScreenDoor, Shader, SpanShader, Surface,
-    Texels, Texture, Translucent,
+    prelude::*,
+    shading::{Blended, Shader, SpanShader, Translucent},
+    target::Pixels,
+    texture::{ColorKeyed, Texels},
 };
 use support::bridge::ways::{memory, memory_with};
 use support::oracle::rng::Rng;

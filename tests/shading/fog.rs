@@ -9,10 +9,14 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::PointsIter;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Blended, Camera, ColorKeyed, DepthBuffer, Flat, Fog, FogTable, Fogged, Gouraud,
-    HalfBlended, IndexedTexels, LightError, LitPalette, Picture, Point3, Projection, Scalar, ScreenDoor,
-    ShadeTable, SolidTexel, SpanShader, Sprite, Surface, Texels, Texture, Vector3, VertexFog, ViewTransform,
-    Viewport, Window,
+    camera::Window,
+    fog::{Fog, FogTable, VertexFog},
+    light::LightError,
+    prelude::*,
+    shading::{Blended, SpanShader},
+    sprite::SolidTexel,
+    texture::{ColorKeyed, IndexedTexels, LitPalette, Texels},
+    Angle,
 };
 use support::bridge::ways::{by_every_call, memory, memory_with, Drawn};
 use support::oracle::chain::{self, dot, M4, V3};

@@ -5,7 +5,10 @@ use crate::rays::{everywhere, floor, in_memory, perspective, Faces, Tiles, AREA,
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::Point;
 use embedded_graphics::primitives::PointsIter;
-use pinhole::{Accuracy, ColorKeyed, DepthBuffer, IndexKeyed, IndexedTexels, Texels, Texture};
+use pinhole::{
+    target::DepthBuffer,
+    texture::{Accuracy, ColorKeyed, IndexKeyed, IndexedTexels, Texels, Texture},
+};
 
 const KEY: Rgb888 = Rgb888::new(255, 0, 255);
 

@@ -10,7 +10,7 @@ use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
 use pinhole::clip::{Barycentric, Varying};
-use pinhole::{Affine, Color, Flat, Gouraud, Mesh, MeshInstance, Scalar, SpanShader};
+use pinhole::{prelude::*, shading::SpanShader};
 use std::sync::LazyLock;
 use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use support::oracle::chain::{self, fx3};

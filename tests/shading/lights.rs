@@ -3,7 +3,8 @@
 
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
 use pinhole::{
-    BlinnPhong, DirectionalLight, Lambert, LightError, Lights, Matcap, PointLight, RigidLambert, Texels,
+    light::{BlinnPhong, DirectionalLight, Lambert, LightError, Lights, Matcap, PointLight, RigidLambert},
+    texture::Texels,
 };
 use support::bridge::pair::{bits, random_view, ModelBits, Step, ONE};
 use support::bridge::{point, scalar, vector};

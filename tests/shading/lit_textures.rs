@@ -4,7 +4,12 @@ use crate::rays::{camera, Faces, SIDE};
 use embedded_graphics::pixelcolor::raw::RawU32;
 use embedded_graphics::pixelcolor::{Gray8, PixelColor};
 use embedded_graphics::prelude::*;
-use pinhole::{IndexedTexels, LitPalette, Projection, Scalar, SpanShader, TexelSlice, Texture, Window};
+use pinhole::{
+    camera::Window,
+    prelude::*,
+    shading::SpanShader,
+    texture::{IndexedTexels, LitPalette, TexelSlice},
+};
 use support::oracle::rng::Rng;
 
 /// The row of a palette, and the number of a colour in it.

@@ -12,7 +12,7 @@ use embedded_graphics::prelude::Point;
 use embedded_graphics::primitives::Rectangle;
 use example::scene::{self, BOARD, FOG_COLOR, FOG_RANGE, GLASS, NEAR_FAR, SIZE, SKY, TILES, WALL_COLOR};
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Camera, Mesh, MeshInstance, Projection, Scalar, SpanShader, Window, WithPlanes};
+use pinhole::{camera::Window, mesh::WithPlanes, prelude::*, shading::SpanShader};
 use support::bridge::ways::{by_every_call, memory};
 use support::oracle::chain::{cross, dot, normalise};
 

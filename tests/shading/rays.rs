@@ -7,8 +7,10 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Camera, Cull, Ink, Mesh, MeshInstance, Point3, Projection, SpanShader, Texels, Vector3,
-    ViewTransform, Viewport, Writes,
+    color::{Ink, Writes},
+    prelude::*,
+    shading::SpanShader,
+    texture::Texels,
 };
 use support::bridge::ways::{self, Drawn};
 use support::oracle::chain::{self, M4, V3};

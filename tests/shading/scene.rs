@@ -6,8 +6,9 @@ use embedded_graphics_core::pixelcolor::{
 };
 use embedded_graphics_core::prelude::*;
 use pinhole::{
-    Affine, Camera, Color, Cull, Flat, Format, Gouraud, Mesh, MeshInstance, Scalar, ShadeTable, SpanShader,
-    TableShader,
+    color::Format,
+    prelude::*,
+    shading::{SpanShader, TableShader},
 };
 use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use support::oracle::coverage::P;
@@ -168,7 +169,7 @@ pub(crate) fn gouraud(colours: [Lit; 3]) -> Gouraud {
 }
 
 /// A shader of corners that differ only in their light.
-pub(crate) fn lit([a, b, c]: [Lit; 3]) -> pinhole::Lit {
+pub(crate) fn lit([a, b, c]: [Lit; 3]) -> pinhole::shading::Lit {
     assert!(a.rgb == b.rgb && a.rgb == c.rgb);
     let [red, green, blue] = a.rgb;
     Gouraud::lit(Rgb888::new(red, green, blue), [a.level, b.level, c.level])

@@ -5,7 +5,11 @@ use crate::scene::{
     corners, draw, for_every_colour, random_colour, random_lights, random_triangle, with_triangle, Colour,
 };
 use embedded_graphics_core::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
-use pinhole::{FaceColors, LitPalette, MeshError, ShadeTable};
+use pinhole::{
+    mesh::{FaceColors, MeshError},
+    shading::ShadeTable,
+    texture::LitPalette,
+};
 use support::oracle::coverage::{centre, edge};
 use support::oracle::rng::Rng;
 use support::oracle::shade::Depths;

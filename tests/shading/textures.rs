@@ -8,8 +8,11 @@ use crate::rays::{
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use pinhole::{
-    Accuracy, Angle, Camera, IndexedTexels, LitTexels, Mesh, Picture, Projection, Scalar, TexelSlice, Texels,
-    Texture, TextureCoords, TextureError, Window,
+    camera::Window,
+    mesh::TextureCoords,
+    prelude::*,
+    texture::{Accuracy, IndexedTexels, LitTexels, TexelSlice, Texels, TextureError},
+    Angle,
 };
 use support::bridge::ways::{by_every_call, everywhere};
 use support::oracle::chain::{self, M4};

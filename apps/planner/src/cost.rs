@@ -10,7 +10,7 @@ use crate::lens::Lens;
 use crate::refused;
 use crate::texture::{Coordinates, TextureImage};
 use crate::ways::{faces, hidden_lines, lines, strip};
-use pinhole::{Affine, Projected};
+use pinhole::{camera::Projected, Affine};
 use pinhole_apps_support::work::Frame;
 use pinhole_import::ImportedMesh;
 

@@ -3,7 +3,7 @@
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::raw::RawU2;
 use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
-use pinhole::Color;
+use pinhole::color::Color;
 
 /// The format of a display's pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,7 +98,7 @@ impl PixelColor for Tricolor {
 /// Two bits, as the controller stores them in two planes: white, and red. Each channel has levels 0 and 1: a colour with red and without
 /// green is red; any other colour is black or white by its green.
 impl Color for Tricolor {
-    const FORMAT: pinhole::Format = pinhole::Format::indexed(2, [1; 3]);
+    const FORMAT: pinhole::color::Format = pinhole::color::Format::indexed(2, [1; 3]);
 
     fn to_bits(self) -> u32 {
         match self {

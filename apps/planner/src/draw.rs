@@ -9,10 +9,7 @@ use crate::texture::{Coordinates, TextureImage};
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{
-    Affine, Band, BinnedEdges, BinnedFaces, DepthBuffer, FaceColors, Flat, Frame, Gouraud, Lambert, Mesh,
-    ScreenVertex, Statistics, Surface, Texture, Vector3,
-};
+use pinhole::{draw::BinnedEdges, mesh::FaceColors, prelude::*};
 use pinhole_import::ImportedMesh;
 
 /// A drawn frame and its statistics.

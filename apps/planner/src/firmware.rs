@@ -6,7 +6,7 @@ use crate::lens::{direction, Lens};
 use crate::texture::{TextureImage, UNIT};
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::{BinaryColor, Rgb565, RgbColor};
-use pinhole::{Sphere, Window};
+use pinhole::{camera::Window, math::Sphere};
 use pinhole_import::{Axis, Edges, ImportedMesh};
 
 /// A template's file, given by its path in the template's folder, changed for the firmware of a choice. `model` is the name of
@@ -179,7 +179,8 @@ pub(crate) fn texture(picture: &str, mesh: &mut ImportedMesh, image: &TextureIma
         "//! What the faces of the model show, and where on it they lie. For another model, save the firmware again.
 
 use {library}::pixelcolor::Rgb565;
-use pinhole::{{IndexedTexels, Mesh, Texture, Textured}};
+use pinhole::texture::{{IndexedTexels, Texture, Textured}};
+use pinhole::Mesh;
 
 /// A face with the picture on it.
 pub fn at({unused}mesh: &Mesh<'_>, face: usize) -> Textured<IndexedTexels<'static, Rgb565, {bits}>> {{
@@ -220,7 +221,7 @@ fn camera(lens: &Lens) -> String {
     let bits = |scalar: pinhole::Scalar| format!("pinhole::Scalar::from_bits({})", scalar.to_bits());
     let rectangle = |Window { left, right, bottom, top }: Window| {
         let [left, right, bottom, top] = [left, right, bottom, top].map(bits);
-        format!("pinhole::Window {{ left: {left}, right: {right}, bottom: {bottom}, top: {top} }}")
+        format!("pinhole::camera::Window {{ left: {left}, right: {right}, bottom: {bottom}, top: {top} }}")
     };
     let mut target = String::from("centre.x(), centre.y(), centre.z()");
     let (distance, projection) = match *lens {
@@ -328,7 +329,7 @@ mod tests {
     use super::{picture, script, texture};
     use crate::choice::Choice;
     use crate::texture::TextureImage;
-    use pinhole::{Point3, Scalar, Sphere};
+    use pinhole::{math::Sphere, Point3, Scalar};
     use pinhole_import::{import_bytes, ImportedMesh, Options};
 
     const PICTURE: &str = include_str!("../../../boards/rp2040-embassy/src/picture.rs");
@@ -392,7 +393,7 @@ mod tests {
             assert!(plain == before, "the mesh has become another one");
             for wanted in [
                 format!("use {library}::pixelcolor::Rgb565;"),
-                format!("MODEL_TEXELS: pinhole::IndexedTexels<'static, {library}::pixelcolor::Rgb565, 1>"),
+                format!("MODEL_TEXELS: pinhole::texture::IndexedTexels<'static, {library}::pixelcolor::Rgb565, 1>"),
                 "with_exponent(-14)".into(),
                 ".at(corners(mesh, face))".into(),
                 "fn corners(mesh: &Mesh<'_>, face: usize)".into(),
@@ -403,7 +404,7 @@ mod tests {
             let made = texture(template, &mut mapped, &image);
             let corners = ".at(MODEL_TEXTURE.corners(face))";
             assert!(made.contains(corners) && !made.contains("fn corners"), "{made}");
-            assert!(made.contains("MODEL_TEXTURE: pinhole::TextureCoords<'static>"), "{made}");
+            assert!(made.contains("MODEL_TEXTURE: pinhole::mesh::TextureCoords<'static>"), "{made}");
         }
     }
 

@@ -4,7 +4,7 @@ use crate::choice::{place, Choice};
 use crate::projections::{Kind, Named};
 use crate::refused;
 use embedded_graphics_core::geometry::Point;
-use pinhole::{Angle, Camera, Projection, Scalar, Sphere, ViewTransform, Viewport, Window};
+use pinhole::{camera::Window, math::Sphere, prelude::*, Angle};
 
 /// The projection of this name.
 pub(crate) fn named(name: &str) -> Result<Named, String> {
@@ -198,7 +198,7 @@ mod tests {
     use super::Lens;
     use crate::choice::Choice;
     use crate::projections::Named;
-    use pinhole::{Point3, Scalar, Sphere};
+    use pinhole::{math::Sphere, Point3, Scalar};
     use std::f64::consts::{FRAC_PI_2, TAU};
 
     #[test]

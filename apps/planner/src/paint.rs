@@ -8,7 +8,9 @@ use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, PixelColor, 
 use pinhole::clip::Barycentric;
 use pinhole::raster::{Span, Triangle};
 use pinhole::{
-    Color, CornerValues, Flat, IndexedTexels, Lit, LitTexels, LitTextured, Shader, SpanShader, Texels,
+    prelude::*,
+    shading::{CornerValues, Shader, SpanShader},
+    texture::{IndexedTexels, LitTexels, LitTextured, Texels},
 };
 
 /// The bits of a display's colour, of at most 16.
@@ -20,7 +22,7 @@ impl PixelColor for Stored {
 }
 
 impl Color for Stored {
-    const FORMAT: pinhole::Format = pinhole::Format::indexed(16, [0; 3]);
+    const FORMAT: pinhole::color::Format = pinhole::color::Format::indexed(16, [0; 3]);
 
     fn to_bits(self) -> u32 {
         self.0.into()
@@ -65,7 +67,7 @@ impl Format {
 
     /// The bytes of `rows` rows of `width` pixels.
     pub(crate) fn bytes(self, width: u32, rows: u32) -> usize {
-        by_format!(self, C => pinhole::Frame::<C>::strip_bytes(width, rows))
+        by_format!(self, C => pinhole::bands::Frame::<C>::strip_bytes(width, rows))
     }
 
     /// The nearest colour at a level of light. Formats of few colours have no shades, so their colours are not dimmed.

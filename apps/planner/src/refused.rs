@@ -1,7 +1,9 @@
 //! Errors of the library, as the page says them. The importer and the page keep nearly all of them out: a sentence for those that
 //! are left is enough, where the library's own sentences would take 8 KB of the page.
 
-use pinhole::{BufferError, CameraError, LightError, MeshError, TextureError};
+use pinhole::{
+    camera::CameraError, light::LightError, mesh::MeshError, target::BufferError, texture::TextureError,
+};
 
 /// The importer's meshes can be wrong in the unit of their vertices alone.
 pub(crate) fn mesh(_: MeshError) -> String {

@@ -5,7 +5,7 @@ use crate::corners::corners;
 use crate::palette::{Counts, Palette};
 use crate::refused;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
-use pinhole::{IndexedTexels, Mesh, TextureCoords};
+use pinhole::{mesh::TextureCoords, texture::IndexedTexels, Mesh};
 use pinhole_import::{ImportedMesh, IndexedPicture};
 
 /// What textured faces show.

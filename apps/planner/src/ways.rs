@@ -6,7 +6,7 @@ use crate::cost::Way;
 use crate::display::Format;
 use crate::figures::*;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{Mesh, Painter, ScreenVertex};
+use pinhole::prelude::*;
 use pinhole_apps_support::work::Frame;
 
 /// The factor by which faces in fewer than 16 bits a pixel take more instructions, as they are drawn into a band as into any target: for

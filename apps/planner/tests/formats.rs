@@ -3,10 +3,7 @@
 
 use embedded_graphics::geometry::{Dimensions, Point, Size};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Rgb565, Rgb888, RgbColor};
-use pinhole::{
-    Affine, Angle, Camera, Color, DepthBuffer, Flat, Gouraud, Lambert, ScreenVertex, SpanShader, Surface,
-    TexelSlice, Texture, Vector3, Viewport,
-};
+use pinhole::{prelude::*, shading::SpanShader, texture::TexelSlice, Angle};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_import::{import_bytes, Edges, ImportedMesh, Options};
 use pinhole_planner::{Choice, Planner, Tricolor};

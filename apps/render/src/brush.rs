@@ -5,8 +5,9 @@ use crate::paint::Colour;
 use pinhole::clip::Barycentric;
 use pinhole::raster::{Span, Triangle};
 use pinhole::{
-    ClampedTexels, CornerValues, Dithered, Flat, Gouraud, Lit, LitTextured, Shader, SpanShader, TexelSlice,
-    Textured,
+    prelude::*,
+    shading::{CornerValues, Dithered, Shader, SpanShader},
+    texture::{ClampedTexels, LitTextured, TexelSlice, Textured},
 };
 
 /// Repeated or clamped texels of a picture.

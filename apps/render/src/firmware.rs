@@ -2,7 +2,7 @@
 //! too, or by those of a project that was made from a template, which are compiled when they are needed (`apps/preview`).
 
 use embedded_graphics::pixelcolor::Rgb565;
-use pinhole::{Angle, Statistics};
+use pinhole::{draw::Statistics, Angle};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_import::{ImportedMesh, Options};
 use std::ffi::OsStr;
@@ -94,7 +94,7 @@ macro_rules! draws {
             model: &pinhole_import::ImportedMesh,
             $turn: pinhole::Angle,
             $display: &mut D,
-        ) -> Result<pinhole::Statistics, String>
+        ) -> Result<pinhole::draw::Statistics, String>
         where
             D: embedded_graphics::draw_target::DrawTarget<Color = embedded_graphics::pixelcolor::Rgb565>,
         {
@@ -102,7 +102,7 @@ macro_rules! draws {
             let colors = model.colors().map_err(|e| e.to_string())?;
             let $color = |face: usize, level: u16| match colors {
                 Some(colors) => colors.lit(face, level),
-                None => pinhole::Color::dim($picture::COLOR, level),
+                None => pinhole::color::Color::dim($picture::COLOR, level),
             };
             let $screen = $display.bounding_box();
             let mut $buffers = $crate::firmware::Buffers::new(&$mesh, $screen.size.width);
@@ -114,7 +114,7 @@ macro_rules! draws {
 /// The memory of a frame.
 pub struct Buffers {
     /// A vertex cache.
-    pub cache: Vec<pinhole::ScreenVertex>,
+    pub cache: Vec<pinhole::camera::ScreenVertex>,
     /// Bins of faces.
     pub bins: Vec<u16>,
     /// A strip of [`ROWS`] rows.
@@ -127,9 +127,9 @@ impl Buffers {
     /// Memory for a mesh on a display `width` pixels wide.
     pub fn new(mesh: &pinhole::Mesh<'_>, width: u32) -> Self {
         Self {
-            cache: vec![pinhole::ScreenVertex::EMPTY; mesh.cache_len()],
+            cache: vec![pinhole::camera::ScreenVertex::EMPTY; mesh.cache_len()],
             bins: vec![0; mesh.face_bins_len()],
-            strip: vec![0; pinhole::Frame::<Rgb565>::strip_bytes(width, ROWS)],
+            strip: vec![0; pinhole::bands::Frame::<Rgb565>::strip_bytes(width, ROWS)],
             depths: vec![0; (width * ROWS) as usize],
         }
     }

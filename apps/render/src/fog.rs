@@ -3,7 +3,7 @@
 use crate::paint::Colour;
 use crate::quantised::Quantised;
 use crate::scene::Scene;
-use pinhole::{Fog, FogTable};
+use pinhole::fog::{Fog, FogTable};
 
 /// Where fog begins and where it is full, and how it grows.
 #[derive(Clone, Copy, Debug, PartialEq)]

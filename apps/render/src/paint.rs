@@ -13,9 +13,12 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
-    AntiAliased, Band, BinnedEdges, BinnedFaces, Blended, Color, Cull, DepthBuffer, Flat, FogTable, Fogged,
-    Frame, Gouraud, HalfBlended, Mesh, MeshInstance, Pixels, Scalar, ScreenDoor, ScreenVertex, ShaderFor,
-    SpanShader, Statistics, Surface, TexelSlice, Texture, TransformedMesh,
+    draw::{BinnedEdges, ShaderFor, TransformedMesh},
+    fog::FogTable,
+    prelude::*,
+    shading::{AntiAliased, Blended, SpanShader},
+    target::Pixels,
+    texture::TexelSlice,
 };
 use std::convert::Infallible;
 
@@ -348,7 +351,7 @@ fn paint_in<C: Colour>(
     })
 }
 
-/// The triangles of a scene from far to near, by the mean depth of their corners, as [`pinhole::Painter`] sorts them.
+/// The triangles of a scene from far to near, by the mean depth of their corners, as [`pinhole::draw::Painter`] sorts them.
 struct Sorted {
     parts: Vec<Part>,
     /// The number that each triangle has in the scene.

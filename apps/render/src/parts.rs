@@ -22,7 +22,7 @@ struct Edge {
 }
 
 const MOST: usize = 65_536;
-/// Three edges per face must fit the 16-bit counters of [`pinhole::TransformedMesh::bin_edges`].
+/// Three edges per face must fit the 16-bit counters of [`pinhole::draw::TransformedMesh::bin_edges`].
 const MOST_FACES: usize = 65_535 / 3;
 
 /// Splits the triangles into parts, in order. Vertices with equal coordinates are merged, because formats such as STL

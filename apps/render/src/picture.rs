@@ -52,7 +52,7 @@ impl Format {
 
     /// Bits of a pixel.
     pub fn bits(self) -> u32 {
-        by_format!(self, C => <C as pinhole::Color>::FORMAT.bits())
+        by_format!(self, C => <C as pinhole::color::Color>::FORMAT.bits())
     }
 
     /// Whether the format is monochrome; such displays mostly have a dark background.

@@ -12,7 +12,7 @@ use crate::{import, model, picture};
 use clap::ArgMatches;
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use pinhole::{Angle, Statistics};
+use pinhole::{draw::Statistics, Angle};
 use pinhole_apps_support::files::{self, Outputs};
 use pinhole_apps_support::{canvas::Canvas, command, still};
 use std::cell::LazyCell;

@@ -8,8 +8,8 @@ use crate::scene::Scene;
 use crate::sprites::SceneSprites;
 use crate::texture::{QuantisedTexture, SceneTexture};
 use embedded_graphics::geometry::{Point, Size};
+use pinhole::prelude::*;
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Camera, Point3, Projection, Scalar, ViewTransform, Viewport};
 
 pub struct Quantised {
     pub vertices: Vec<[Scalar; 3]>,

@@ -8,8 +8,11 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
-    Band, Blended, DepthBuffer, FogTable, Fogged, Picture, PlacedSprites, Sprite, SpriteFor, SpriteSource,
-    Statistics, Surface,
+    draw::SpriteFor,
+    fog::FogTable,
+    prelude::*,
+    shading::Blended,
+    sprite::{PlacedSprites, SpriteSource},
 };
 use std::convert::Infallible;
 use std::rc::Rc;

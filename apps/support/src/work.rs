@@ -8,7 +8,7 @@ use embedded_graphics_core::geometry::{OriginDimensions, Size};
 use embedded_graphics_core::pixelcolor::BinaryColor;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
-use pinhole::{Cull, Mesh, MeshInstance, Projected, ScreenVertex, Statistics};
+use pinhole::{camera::Projected, prelude::*};
 
 /// The counts of a frame.
 #[derive(Clone, Copy, Debug, Default)]

@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{Angle, Color, Statistics};
+use pinhole::{color::Color, draw::Statistics, Angle};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_import::ImportedMesh;
 use show::{Display, Scratch, Screen, SolarSystem, FRAMES, SIZE, SOLAR_SYSTEM};

@@ -7,7 +7,10 @@ use crate::state::{State, Thing};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{DirtyRegions, Statistics, TransferCost};
+use pinhole::{
+    bands::{DirtyRegions, TransferCost},
+    draw::Statistics,
+};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_render::fog::FogStyle;
 use pinhole_render::paint::{paint, Mode, Report, Style, Subject};

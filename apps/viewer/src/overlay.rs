@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{PrimitiveStyle, Rectangle};
 use embedded_graphics::text::{Baseline, Text};
-use pinhole::Statistics;
+use pinhole::draw::Statistics;
 use pinhole_render::paint::Mode;
 use pinhole_render::picture::Format;
 use std::time::Duration;

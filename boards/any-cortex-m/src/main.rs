@@ -16,7 +16,7 @@ use defmt_rtt as _; // logs go through the probe; without one they are dropped
 use display::{Display, SIZE};
 use embedded_graphics_core::{geometry::Dimensions, pixelcolor::Rgb565};
 use picture::{Drawn, Memory};
-use pinhole::{mesh_buffers, strip_buffers, Angle, Color, MeshBuffers, StripBuffers};
+use pinhole::{prelude::*, Angle};
 #[cfg(target_arch = "riscv32")]
 use riscv::singleton;
 use stop::stop;

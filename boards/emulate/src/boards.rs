@@ -4,7 +4,7 @@
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{Angle, DepthBuffer, ScreenVertex, Statistics};
+use pinhole::{prelude::*, Angle};
 use pinhole_import::{ImportedMesh, Options};
 use pinhole_render::firmware;
 use std::path::Path;
@@ -191,7 +191,7 @@ fn changes(model: &Path) -> Result<Pictures, String> {
         let colors = imported.colors().map_err(|error| error.to_string())?;
         let color = |face: usize, level: u16| match colors {
             Some(colors) => colors.lit(face, level),
-            None => pinhole::Color::dim(changes::COLOR, level),
+            None => pinhole::color::Color::dim(changes::COLOR, level),
         };
         let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
         let mut bins = vec![0; mesh.face_bins_len()];

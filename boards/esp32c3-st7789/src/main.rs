@@ -19,7 +19,7 @@ use esp_hal::time::{Instant, Rate};
 use mipidsi::interface::SpiInterface;
 use mipidsi::{models::ST7789, options::ColorInversion, Builder};
 use picture::{Drawn, Memory};
-use pinhole::{mesh_buffers, strip_buffers, Angle, Color, MeshBuffers, StripBuffers};
+use pinhole::{prelude::*, Angle};
 use static_cell::ConstStaticCell;
 use stop::stop;
 

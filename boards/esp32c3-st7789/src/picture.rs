@@ -3,10 +3,7 @@
 
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
 use embedded_graphics_core::{draw_target::DrawTarget, primitives::Rectangle};
-use pinhole::{
-    Affine, Angle, Camera, DepthBuffer, Frame, Lambert, Mesh, ScreenVertex, Statistics, Surface, Vector3,
-    Viewport,
-};
+use pinhole::{prelude::*, Angle};
 
 const BACKGROUND: Rgb565 = Rgb565::BLACK;
 /// Of a model without materials.

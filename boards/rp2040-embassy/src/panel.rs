@@ -11,7 +11,7 @@ use mipidsi::{interface::SpiInterface, models::ST7789, options::ColorInversion, 
 /// lower part of it. mipidsi's own offset is for windows that it opens itself.
 const OFFSET: Point = Point::new(0, 0);
 /// Commands and their arguments before the pixels of a window, in bytes.
-pub const WINDOW_BYTES: u16 = pinhole::TransferCost::MIPI_DCS;
+pub const WINDOW_BYTES: u16 = pinhole::bands::TransferCost::MIPI_DCS;
 
 /// The display's bus, which is blocking for a few bytes of commands and awaited for pixels, and its pins: `select` is low while
 /// it is addressed, `command` is low while commands are sent, `reset` stays high.

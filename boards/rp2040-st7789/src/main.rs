@@ -15,7 +15,7 @@ use embedded_graphics_core::{pixelcolor::Rgb565, primitives::Rectangle};
 use embedded_hal::spi::MODE_3;
 use panel::Panel;
 use picture::Picture;
-use pinhole::{mesh_buffers, strip_buffers, Angle, Color, MeshBuffers, StripBuffers};
+use pinhole::{prelude::*, Angle};
 use rp2040_hal as hal;
 use rp2040_hal::fugit::RateExtU32;
 use rp2040_hal::{dma::DMAExt, gpio::Pins, pac, Clock as _, Sio, Spi, Timer, Watchdog};

@@ -4,10 +4,7 @@
 use core::ops::ControlFlow;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{
-    Affine, Angle, Band, BinnedFaces, Camera, DepthBuffer, Frame, Lambert, Mesh, MeshInstance, ScreenVertex,
-    Statistics, Surface, Vector3, Viewport,
-};
+use pinhole::{prelude::*, Angle};
 
 const BACKGROUND: Rgb565 = Rgb565::BLACK;
 /// Of a model without materials.

@@ -15,7 +15,7 @@ use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_hal::spi::MODE_3;
 use panel::Panel;
 use picture::{area, Memory, Picture, ROWS, SCREEN};
-use pinhole::{mesh_buffers, strip_buffers, Angle, Color, MeshBuffers, StripBuffers};
+use pinhole::{prelude::*, Angle};
 use rp2040_hal as hal;
 use rp2040_hal::fugit::RateExtU32;
 use rp2040_hal::multicore::{Multicore, Stack};

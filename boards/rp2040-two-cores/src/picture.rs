@@ -5,10 +5,7 @@ use crate::both_cores::OtherCore;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{
-    Affine, Angle, BinnedFaces, Camera, DepthBuffer, Frame, Lambert, Mesh, ScreenVertex, Statistics, Surface,
-    Vector3, Viewport,
-};
+use pinhole::{prelude::*, Angle};
 
 pub const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
 /// Rows of a band: more are faster, and take more memory.

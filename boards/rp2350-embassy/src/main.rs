@@ -19,7 +19,7 @@ use embassy_sync::zerocopy_channel::{Receiver, Sender};
 use embassy_time::Delay;
 use panel::Panel;
 use picture::{Picture, PIXELS};
-use pinhole::{mesh_buffers, Color, MeshBuffers};
+use pinhole::prelude::*;
 use static_cell::{ConstStaticCell, StaticCell};
 use stop::stop;
 use tasks::{Strip, Strips};

@@ -6,10 +6,7 @@ use embedded_graphics::pixelcolor::{Rgb565, RgbColor, WebColors};
 use embedded_graphics::prelude::{Dimensions, Drawable, Point, Size};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Alignment, Text};
-use pinhole::{
-    Affine, Angle, Band, BinnedFaces, Camera, DepthBuffer, Frame, Lambert, Mesh, MeshInstance, ScreenVertex,
-    Statistics, Surface, Vector3, Viewport,
-};
+use pinhole::{prelude::*, Angle};
 
 pub const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
 /// Rows of a band as wide as the screen: more are faster, and take more memory.

@@ -6,10 +6,7 @@ use embedded_graphics::pixelcolor::BinaryColor;
 use embedded_graphics::prelude::{Dimensions, Drawable, Point, Size};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Baseline, Text};
-use pinhole::{
-    Affine, Angle, Band, BinnedEdges, BinnedFaces, Camera, DepthBuffer, Frame, Mesh, MeshInstance,
-    ScreenVertex, Statistics, Surface, Viewport,
-};
+use pinhole::{draw::BinnedEdges, prelude::*, Angle};
 
 pub const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(128, 64));
 /// Rows of a band as wide as the screen.

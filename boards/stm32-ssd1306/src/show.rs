@@ -5,7 +5,7 @@ use crate::picture::{self, Picture, PIXELS, SCREEN, STEPS};
 use core::convert::Infallible;
 use display_interface::AsyncWriteOnlyDataCommand;
 use embassy_time::{Instant, Timer};
-use pinhole::{DirtyRegions, Tracked, TransferCost};
+use pinhole::bands::{DirtyRegions, Tracked, TransferCost};
 use ssd1306::mode::{BufferedGraphicsModeAsync, DisplayConfigAsync};
 use ssd1306::size::DisplaySize128x64;
 use ssd1306::Ssd1306Async;

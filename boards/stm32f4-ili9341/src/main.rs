@@ -15,7 +15,7 @@ use mipidsi::interface::SpiInterface;
 use mipidsi::options::{ColorOrder, Orientation, Rotation};
 use mipidsi::{models::ILI9341Rgb565, Builder};
 use picture::{Drawn, Memory};
-use pinhole::{mesh_buffers, strip_buffers, Angle, Color, MeshBuffers, StripBuffers};
+use pinhole::{prelude::*, Angle};
 use stm32f4xx_hal::gpio::Speed;
 use stm32f4xx_hal::{
     pac::{self, SPI1},

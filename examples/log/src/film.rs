@@ -4,10 +4,7 @@
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{
-    Affine, Angle, BufferError, Camera, Frame, Lambert, Mesh, Point3, Projection, Scalar, ScreenVertex,
-    Statistics, Vector3, ViewTransform, Viewport,
-};
+use pinhole::{prelude::*, target::BufferError, Angle};
 
 pub(crate) const FRAMES: u32 = 8;
 pub(crate) const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(128, 64));

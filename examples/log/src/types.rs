@@ -6,11 +6,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model, View, World};
-use pinhole::{
-    Affine, Angle, Camera, DepthBuffer, DirtyRegions, Frame, Hierarchy, Mesh, Node, Painter, Picture,
-    PlanarProjection, Point3, Projection, ReferenceVolume, Scalar, ScreenVertex, ShadeTable, Sphere,
-    TransferCost, Vector3, ViewTransform, Viewport, Window,
-};
+use pinhole::{bands::{DirtyRegions, TransferCost}, camera::{PlanarProjection, ReferenceVolume, Window}, math::Sphere, mesh::{Hierarchy, Node}, prelude::*, Angle};
 
 const SQUARE: [[i16; 3]; 4] = [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]];
 

@@ -60,7 +60,7 @@ mod tests {
     use embedded_graphics::mock_display::MockDisplay;
     use embedded_graphics::pixelcolor::Rgb888;
     use pinhole::raster::ScreenPoint;
-    use pinhole::{fill_triangle, Flat};
+    use pinhole::{draw::fill_triangle, shading::Flat};
 
     /// A grey looks as a face of this grey does whose shader is dithered.
     #[test]

@@ -1,6 +1,6 @@
 //! Meshes: a ship, a ball, a ring and the teapot. The compiler evaluates them into flash; an invalid mesh does not compile.
 
-use pinhole::{edge_faces, Mesh};
+use pinhole::{mesh::edge_faces, Mesh};
 
 /// A ship, nose towards +z, within ±10.
 pub(super) const SHIP: Mesh<'static> = {

@@ -24,9 +24,10 @@ use meshes::{
 };
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, BinnedEdges, BinnedFaces, Camera, Color, Gouraud, Hierarchy, Lambert, Mesh, MeshInstance,
-    Node, Point3, Projection, Scalar, ScreenVertex, Surface, TransformedMesh, Vector3, ViewTransform,
-    Viewport,
+    draw::{BinnedEdges, TransformedMesh},
+    mesh::{Hierarchy, Node},
+    prelude::*,
+    Angle,
 };
 
 /// Frames of a scene.

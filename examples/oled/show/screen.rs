@@ -6,7 +6,10 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::Text;
-use pinhole::{Band, Color, DepthBuffer, DirtyRegions, Frame, TransferCost};
+use pinhole::{
+    bands::{DirtyRegions, TransferCost},
+    prelude::*,
+};
 
 pub(crate) const SIZE: Size = Size::new(128, 64);
 const AREA: Rectangle = Rectangle::new(Point::zero(), SIZE);

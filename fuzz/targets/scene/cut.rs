@@ -2,7 +2,7 @@
 
 use super::draw;
 use super::input::Scene;
-use pinhole::Cull;
+use pinhole::draw::Cull;
 use support::bridge::draw::Shader;
 use support::bridge::pair::ViewBits;
 use support::oracle::chain::{self, length, mul4, V3, V4};

@@ -4,8 +4,8 @@
 use super::input::Scene;
 use super::{draw, sums_up};
 use embedded_graphics_core::geometry::Point;
+use pinhole::prelude::*;
 use pinhole::raster::ScreenPoint;
-use pinhole::{DepthBuffer, ScreenVertex, Surface};
 use support::bridge::draw::Shader;
 use support::oracle::coverage::edge;
 
@@ -63,7 +63,7 @@ fn plane(scene: &Scene, face: [u16; 3], pixels: &[((i32, i32), u16, u16)]) {
     });
     let [Some(a), Some(b), Some(c)] = corners else { return };
     let place = |p: ScreenPoint| (i64::from(p.x()), i64::from(p.y()));
-    let [a, b, c] = [a, b, c].map(|(pinhole::Projected { point: p, .. }, fine)| (place(p), fine[2]));
+    let [a, b, c] = [a, b, c].map(|(pinhole::camera::Projected { point: p, .. }, fine)| (place(p), fine[2]));
     if [a, b, c].iter().any(|corner| corner.1 >> 32 >= 65_534) {
         return;
     }

@@ -3,7 +3,7 @@
 use super::cut::before_rounding;
 use super::input::Scene;
 use super::{draw, sums_up, Drawing};
-use pinhole::{Mesh, MeshInstance, ScreenVertex, WithPlanes};
+use pinhole::{mesh::WithPlanes, prelude::*};
 use std::cell::RefCell;
 use support::bridge::draw::Shader;
 

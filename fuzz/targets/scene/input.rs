@@ -3,7 +3,7 @@
 
 use crate::fuzzed::Bytes;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Cull, Mesh, MeshInstance, Viewport};
+use pinhole::prelude::*;
 use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::rectangle;
 use support::oracle::chain;

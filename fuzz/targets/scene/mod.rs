@@ -18,7 +18,7 @@ mod whole;
 use super::place::Place;
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
 use input::Scene;
-use pinhole::{Coordinate, DepthBuffer, Mesh, MeshInstance, Painter, ScreenVertex, Statistics, Surface};
+use pinhole::{mesh::Coordinate, prelude::*};
 use support::bridge::draw::Shader;
 use support::bridge::scalar;
 use support::oracle::target::{Call, Recorder, Refused};

@@ -2,8 +2,8 @@
 
 use super::input::Scene;
 use super::{draw, Drawing};
+use pinhole::draw::{Cull, MeshInstance};
 use pinhole::raster::ScreenPoint;
-use pinhole::{Cull, MeshInstance};
 use std::collections::BTreeMap;
 use support::bridge::draw::Shader;
 use support::oracle::coverage::{self, Area, P};

@@ -4,7 +4,10 @@
 use super::projections;
 use super::views::{self, triple};
 use crate::fuzzed::Bytes;
-use pinhole::{Camera, CameraError, Mesh, Projected, Visibility};
+use pinhole::{
+    camera::{CameraError, Projected, Visibility},
+    Camera, Mesh,
+};
 use support::bridge::pair::{bits, ModelBits, Step, ViewBits, ONE};
 use support::bridge::{point, rectangle, screen_point};
 use support::definition::{Family, Projectors};

@@ -3,7 +3,7 @@
 use super::camera::angle;
 use super::views::triple;
 use crate::fuzzed::Bytes;
-use pinhole::CameraError;
+use pinhole::camera::CameraError;
 use support::bridge::pair::ONE;
 use support::definition::{Family, Projectors};
 use support::oracle::chain::fx;

@@ -1,7 +1,7 @@
 //! Views: look-at, its variants, and the axonometric ones.
 
 use crate::fuzzed::Bytes;
-use pinhole::{CameraError, ViewTransform};
+use pinhole::{camera::CameraError, ViewTransform};
 use support::bridge::pair::{ViewBits, ONE};
 use support::bridge::{point, scalar, vector};
 use support::oracle::chain::{cross_exact, length, M3};

@@ -7,8 +7,10 @@ use crate::fuzzed::scene::input::Scene;
 use crate::fuzzed::Bytes;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use pinhole::{
-    Accuracy, ColorKeyed, DepthBuffer, IndexKeyed, IndexedTexels, Ink, LitPalette, MeshInstance, ShadeTable,
-    SpanShader, TexelSlice, Texels, Texture, Translucent, Writes,
+    color::{Ink, Writes},
+    prelude::*,
+    shading::{SpanShader, Translucent},
+    texture::{Accuracy, ColorKeyed, IndexKeyed, IndexedTexels, LitPalette, TexelSlice, Texels},
 };
 use support::bridge::ways::{in_memory, Drawn};
 use support::oracle::rng::Rng;

@@ -10,7 +10,7 @@ mod rays;
 
 use super::Bytes;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
-use pinhole::Texels;
+use pinhole::texture::Texels;
 
 /// A texture of 2^n columns and rows whose colours are their coordinates, 12 bits each.
 #[derive(Clone, Copy, Debug)]

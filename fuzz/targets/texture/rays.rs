@@ -6,7 +6,7 @@ use crate::fuzzed::place::Place;
 use crate::fuzzed::Bytes;
 use embedded_graphics_core::pixelcolor::Rgb888;
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
-use pinhole::{Accuracy, Cull, Mesh, MeshInstance, Texture};
+use pinhole::{prelude::*, texture::Accuracy};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::rectangle;
 use support::oracle::chain;

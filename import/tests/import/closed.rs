@@ -3,10 +3,7 @@
 use crate::common::Random;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-use pinhole::{
-    Affine, Angle, Camera, FacePlanes, Mesh, Picture, Point3, Projection, Scalar, ScreenVertex, Vector3,
-    ViewTransform, Viewport,
-};
+use pinhole::{mesh::FacePlanes, prelude::*, Angle};
 use pinhole_import::{import_bytes, quantise, ImportedMesh, Options, Triangles};
 use std::collections::HashMap;
 

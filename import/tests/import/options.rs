@@ -1,7 +1,7 @@
 //! What can be chosen, each against its definition in `f64`.
 
 use crate::common::{obj, position, Random};
-use pinhole::MeshError;
+use pinhole::mesh::MeshError;
 use pinhole_apps_support::bodies;
 use pinhole_import::{Centre, Edges, ImportedMesh, Options, Warning};
 use std::collections::{HashMap, HashSet};
@@ -108,7 +108,7 @@ fn the_faces_beside_edges_are_all_there() {
     let fan = obj(text, &options).unwrap();
     let edges: [[u16; 2]; 8] = fan.edges[..].try_into().unwrap();
     assert_eq!(edges[..2], [[0, 1], [0, 1]]);
-    assert_eq!(fan.edge_faces, pinhole::edge_faces(&edges, &fan.faces));
+    assert_eq!(fan.edge_faces, pinhole::mesh::edge_faces(&edges, &fan.faces));
     assert_eq!(fan.edge_faces[1], [2, u16::MAX]);
     // Faces of feature edges only.
     let options = Options { edges: Edges::Feature { degrees: 30.0 }, ..options };

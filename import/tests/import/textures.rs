@@ -3,10 +3,7 @@
 use crate::common::folder;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics::prelude::*;
-use pinhole::{
-    Affine, Angle, Camera, Picture, Point3, Projection, Scalar, Texels, Texture, Vector3, ViewTransform,
-    Viewport,
-};
+use pinhole::{prelude::*, texture::Texels, Angle};
 use pinhole_import::{import, ImportedMesh, IndexedPicture, Options, TextureFormat};
 use std::path::{Path, PathBuf};
 
@@ -162,9 +159,15 @@ fn texels_of_few_bits_fill_bytes_from_the_left() {
         // As the library reads them.
         let shown = |u: u32, v: u32| -> Rgb888 {
             match bits {
-                1 => pinhole::IndexedTexels::<_, 1>::new(&read.texels, 32, 16, &palette).unwrap().texel(u, v),
-                2 => pinhole::IndexedTexels::<_, 2>::new(&read.texels, 32, 16, &palette).unwrap().texel(u, v),
-                _ => pinhole::IndexedTexels::<_, 4>::new(&read.texels, 32, 16, &palette).unwrap().texel(u, v),
+                1 => pinhole::texture::IndexedTexels::<_, 1>::new(&read.texels, 32, 16, &palette)
+                    .unwrap()
+                    .texel(u, v),
+                2 => pinhole::texture::IndexedTexels::<_, 2>::new(&read.texels, 32, 16, &palette)
+                    .unwrap()
+                    .texel(u, v),
+                _ => pinhole::texture::IndexedTexels::<_, 4>::new(&read.texels, 32, 16, &palette)
+                    .unwrap()
+                    .texel(u, v),
             }
         };
         for (x, y, [r, g, b]) in picture.colors() {

@@ -3,7 +3,7 @@
 use embedded_graphics::mono_font::{ascii::FONT_9X15_BOLD, MonoTextStyle};
 use embedded_graphics::primitives::{PrimitiveStyle, Rectangle};
 use embedded_graphics::{prelude::*, text::*};
-use pinhole::{prelude::*, Angle};
+use pinhole::{math::Sphere, mesh::edge_faces, prelude::*, Angle};
 
 const SIZE: Size = Size::new(200, 200);
 /// The pawn's radii and heights at its 15 rings of vertices, from the foot to the top.

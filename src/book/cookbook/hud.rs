@@ -4,7 +4,7 @@ use core::fmt::Write;
 use embedded_graphics::mono_font::{ascii::FONT_8X13, MonoTextStyle};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::{prelude::*, primitives::Rectangle, text::Text};
-use pinhole::{meshes::TORUS, prelude::*, Angle};
+use pinhole::{math::Sphere, meshes::TORUS, prelude::*, Angle};
 
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
 const CAMERA: Camera = {

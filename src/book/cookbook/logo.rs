@@ -2,7 +2,7 @@
 use embedded_graphics::mono_font::{ascii::FONT_9X15_BOLD, MonoTextStyle};
 use embedded_graphics::primitives::{Line, PrimitiveStyle, Rectangle};
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, text::Text};
-use pinhole::{prelude::*, Angle};
+use pinhole::{math::Sphere, prelude::*, Angle};
 
 const SIZE: Size = Size::new(240, 240);
 const COLORS: [Rgb565; 3] = [Rgb565::CSS_TOMATO, Rgb565::CSS_GOLD, Rgb565::CSS_DEEP_SKY_BLUE];

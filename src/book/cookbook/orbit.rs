@@ -3,7 +3,7 @@
 use core::fmt::Write;
 use embedded_graphics::mono_font::{ascii::FONT_10X20, MonoTextStyle};
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle, text::Text};
-use pinhole::{meshes::CUBE, prelude::*, Angle};
+use pinhole::{math::Sphere, meshes::CUBE, prelude::*, Angle};
 
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
 

@@ -2,7 +2,7 @@
 // height, with hidden lines along the rows, in bands of 8 rows.
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::{prelude::*, primitives::Rectangle};
-use pinhole::{prelude::*, Angle};
+use pinhole::{math::Sphere, prelude::*, Angle};
 
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(320, 240));
 const ROWS: usize = 24;

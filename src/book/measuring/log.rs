@@ -1,5 +1,5 @@
 use super::meter::Measured;
-use pinhole::Statistics;
+use pinhole::draw::Statistics;
 
 /// The core's clock.
 const MEGAHERTZ: u32 = 100;

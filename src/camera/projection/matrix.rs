@@ -39,7 +39,7 @@ impl Projection {
     /// other rows, or row w if all its numbers are 0.
     ///
     /// ```
-    /// use pinhole::{space::View, Point3, Projection, CameraError};
+    /// use pinhole::{camera::CameraError, space::View, Point3, Projection};
     /// // A reverse perspective, in which distant objects are larger: w = 1 + z/8.
     /// let reverse =
     ///     [[0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, -0.25, -1.0], [0.0, 0.0, 0.125, 1.0]];

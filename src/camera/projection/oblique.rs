@@ -19,7 +19,7 @@ impl Projection {
     /// *Computer Graphics*, 2nd ed., section 6.1.2.)
     ///
     /// ```
-    /// use pinhole::{Angle, Projection, CameraError, Scalar, Window};
+    /// use pinhole::{camera::{CameraError, Window}, Angle, Projection, Scalar};
     /// let two = Scalar::from_int(2);
     /// let window = Window { left: -two, right: two, bottom: -two, top: two };
     /// let half = Scalar::from_ratio(1, 2);

@@ -14,7 +14,7 @@ use crate::space::View;
 /// picture, [`Projection::from_planar`] adds a window and a depth.
 ///
 /// ```
-/// use pinhole::{PlanarProjection, Point3, CameraError, Scalar, space::View};
+/// use pinhole::{camera::{CameraError, PlanarProjection}, space::View, Point3, Scalar};
 /// let onto_5 = PlanarProjection::eye_at_origin(Scalar::from_int(5))?;
 /// assert_eq!(onto_5.apply(Point3::<View>::from_ints(2, 4, 10)), Some(Point3::from_ints(1, 2, 5)));
 /// # Ok::<(), CameraError>(())
@@ -196,7 +196,7 @@ impl Projection {
     /// screen, `d = (w at far)/(far − near) · (−z − near)`.
     ///
     /// ```
-    /// use pinhole::{PlanarProjection, Projection, CameraError, Scalar, Vector3, Window};
+    /// use pinhole::{camera::{CameraError, PlanarProjection, Window}, prelude::*};
     /// let [one, two] = [1, 2].map(Scalar::from_int);
     /// let window = Window { left: -two, right: two, bottom: -two, top: two };
     /// // Parallel, along (0, -1, 1): shapes parallel to the plane z = 0 are preserved.

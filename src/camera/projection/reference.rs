@@ -22,7 +22,7 @@ use crate::space::{Canonical, View};
 /// ed., sections 6.2 and 6.5.)
 ///
 /// ```
-/// use pinhole::{Point3, Projection, CameraError, ReferenceVolume, Scalar, Window};
+/// use pinhole::{camera::{CameraError, ReferenceVolume, Window}, prelude::*};
 /// let number = |v| Scalar::from_f32(v).unwrap();
 /// let window = Window { left: number(-1.0), right: number(3.0), bottom: number(-1.0), top: number(3.0) };
 /// let prp = Point3::from_f32(0.5, 0.5, 1.0).unwrap();

@@ -25,7 +25,7 @@ impl Projection {
     ///
     /// ```
     /// use embedded_graphics::geometry::Size;
-    /// use pinhole::{Angle, Projection, CameraError, Scalar};
+    /// use pinhole::{camera::CameraError, Angle, Projection, Scalar};
     /// let (near, far) = (Scalar::from_int(1), Scalar::from_int(20));
     /// let _ = Projection::perspective(Angle::degrees(60), Size::new(240, 240), near, far)?;
     /// let flat = Projection::perspective(Angle::degrees(180), Size::new(240, 240), near, far);
@@ -97,7 +97,7 @@ impl Projection {
     /// (OpenGL 1.x, `glFrustum`; *OpenGL Programming Guide*, appendix on homogeneous coordinates.)
     ///
     /// ```
-    /// use pinhole::{space::View, Point3, Projection, CameraError, Scalar, Window};
+    /// use pinhole::{camera::{CameraError, Window}, prelude::*, space::View};
     /// let [zero, one, two] = [0, 1, 2].map(Scalar::from_int);
     /// // The right half of a picture, for the second of two displays.
     /// let right = Window { left: zero, right: one, bottom: -one, top: one };
@@ -165,7 +165,7 @@ impl Projection {
     /// (OpenGL 1.x, `glOrtho`.)
     ///
     /// ```
-    /// use pinhole::{space::View, Point3, Projection, CameraError, Scalar, Window};
+    /// use pinhole::{camera::{CameraError, Window}, prelude::*, space::View};
     /// let [one, two, three] = [1, 2, 3].map(Scalar::from_int);
     /// let window = Window { left: -two, right: two, bottom: -one, top: one };
     /// let lens = Projection::orthographic(window, one, three)?;

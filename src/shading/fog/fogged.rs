@@ -16,10 +16,10 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// with one colour. A face of one colour in several levels, on a target whose pixels lie in memory, is filled level by level: a
 /// colour is mixed only where the level changes. For all other faces, each pixel is mixed.
 ///
-/// **Draw calls** transform vertices with depth and clip at the far plane. [`fill_triangle`](crate::fill_triangle) has no depth: it
+/// **Draw calls** transform vertices with depth and clip at the far plane. [`fill_triangle`](crate::draw::fill_triangle) has no depth: it
 /// draws in the fog of the near plane.
 ///
-/// **Sprites.** It wraps the picture of a [`Sprite`](crate::Sprite), too, such as a tree: `Sprite::new(Fogged::new(picture, &table))`. All
+/// **Sprites.** It wraps the picture of a [`Sprite`](crate::sprite::Sprite), too, such as a tree: `Sprite::new(Fogged::new(picture, &table))`. All
 /// pixels of a sprite have the level of its point, by its depth as [`FogTable::factor`] takes it.
 ///
 /// **Order of wrappers.** `ScreenDoor` and `Translucent` may be inside or outside: fog changes a shader's own colours before they are mixed with
@@ -33,7 +33,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
-/// use pinhole::{Angle, Camera, Fog, FogTable, Fogged, Mesh, Picture, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+/// use pinhole::{fog::{Fog, FogTable}, prelude::*, Angle};
 /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
 /// # let [eye, origin] = [(0, 4, 8), (0, 0, 0)].map(|(x, y, z)| Point3::from_ints(x, y, z));
 /// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;

@@ -2,7 +2,7 @@
 
 use super::table::LEVELS;
 
-/// The depths at which levels begin, as [`FogTable`](crate::FogTable) has them.
+/// The depths at which levels begin, as [`FogTable`](crate::fog::FogTable) has them.
 pub(crate) type Bounds = [u32; LEVELS + 2];
 
 /// The level of fog at a depth, found by a search from the level of a nearby depth: neighbouring pixels mostly have one level.

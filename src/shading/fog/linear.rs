@@ -14,15 +14,15 @@ use core::marker::PhantomData;
 ///
 /// | fog | type | work for each pixel | works with |
 /// |---|---|---|---|
-/// | by face or by vertex | [`VertexFog`](crate::VertexFog) | none | whatever takes levels of light, and one colour a face |
-/// | by pixel | [`FogTable`](crate::FogTable), [`Fogged`](crate::Fogged) | a mix of two colours; for faces of one colour in memory, a mix only where the level changes | every shader |
+/// | by face or by vertex | [`VertexFog`](crate::fog::VertexFog) | none | whatever takes levels of light, and one colour a face |
+/// | by pixel | [`FogTable`](crate::fog::FogTable), [`Fogged`](crate::fog::Fogged) | a mix of two colours; for faces of one colour in memory, a mix only where the level changes | every shader |
 ///
 /// **Cost by pixel**, in instructions on a Cortex-M3 (`tools/bench/run cells S3 X1 G1 G3`), for a torus of 1000 faces that has
 /// all 32 levels: with one colour a face 252 000 without fog and 683 000 in fog, which include depth at vertices and over faces;
 /// with a depth buffer 534 000 and 803 000; textured, with a depth buffer, 1 099 000 and 2 246 000.
 ///
 /// ```
-/// use pinhole::{Fog, LightError, Scalar};
+/// use pinhole::{fog::Fog, light::LightError, Scalar};
 /// let [near, far] = [4, 20].map(Scalar::from_int);
 /// let fog = Fog::linear(near, far)?;
 /// assert_eq!([fog.start(), fog.end()], [near, far]);
@@ -65,11 +65,11 @@ impl Fog<ExponentialFog> {
     /// left of it. At the part t of the way from `start` to `end`, 64^(−t) is left. At `end` and beyond, less than 1/64 is left,
     /// which is rounded to none.
     ///
-    /// OpenGL's density d, with fog from the eye on, is ln 64/d = 4.159/d for `end` and 0 for `start`. For a [`FogTable`](crate::FogTable)
-    /// only: the factor is not linear in the distance, so a [`VertexFog`](crate::VertexFog) does not take it.
+    /// OpenGL's density d, with fog from the eye on, is ln 64/d = 4.159/d for `end` and 0 for `start`. For a [`FogTable`](crate::fog::FogTable)
+    /// only: the factor is not linear in the distance, so a [`VertexFog`](crate::fog::VertexFog) does not take it.
     ///
     /// ```
-    /// use pinhole::{Fog, Scalar};
+    /// use pinhole::{fog::Fog, Scalar};
     /// let density = 0.25;
     /// let haze = Fog::exponential(Scalar::ZERO, Scalar::from_f32(4.159 / density)?)?;
     /// # Ok::<(), Box<dyn core::error::Error>>(())
@@ -88,12 +88,12 @@ impl Fog<SquaredFog> {
     /// a colour is left. At `end` and beyond, less than 1/64 is left, which is rounded to none.
     ///
     /// OpenGL's density d, with fog from the eye on, is √(ln 64)/d = 2.039/d for `end` and 0 for `start`. For a
-    /// [`FogTable`](crate::FogTable) only, like [`exponential`](Fog::exponential) fog.
+    /// [`FogTable`](crate::fog::FogTable) only, like [`exponential`](Fog::exponential) fog.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-    /// use pinhole::{Fog, FogTable, Scalar};
-    /// # use pinhole::{Angle, Camera, Point3, Projection, Vector3, ViewTransform, Viewport};
+    /// use pinhole::{fog::{Fog, FogTable}, Scalar};
+    /// # use pinhole::{prelude::*, Angle};
     /// # use embedded_graphics::geometry::{Point, Size};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let [eye, origin] = [8, 0].map(|z| Point3::from_ints(0, 0, z));

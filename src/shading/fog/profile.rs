@@ -1,7 +1,7 @@
 //! How fog grows from its start to its end.
 
-/// How [`Fog`](crate::Fog) grows with distance: [`LinearFog`], [`ExponentialFog`] or [`SquaredFog`]. A
-/// [`FogTable`](crate::FogTable) takes fog of each.
+/// How [`Fog`](crate::fog::Fog) grows with distance: [`LinearFog`], [`ExponentialFog`] or [`SquaredFog`]. A
+/// [`FogTable`](crate::fog::FogTable) takes fog of each.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a fog profile",
     label = "not a `FogProfile`",
@@ -14,17 +14,17 @@ pub trait FogProfile: sealed::Sealed {
     fn share(odd: u32) -> u32;
 }
 
-/// The profile of [`Fog::linear`](crate::Fog::linear): the factor is linear in the distance.
+/// The profile of [`Fog::linear`](crate::fog::Fog::linear): the factor is linear in the distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LinearFog;
 
-/// The profile of [`Fog::exponential`](crate::Fog::exponential): one density everywhere.
+/// The profile of [`Fog::exponential`](crate::fog::Fog::exponential): one density everywhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ExponentialFog;
 
-/// The profile of [`Fog::squared`](crate::Fog::squared): thin near its start.
+/// The profile of [`Fog::squared`](crate::fog::Fog::squared): thin near its start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SquaredFog;

@@ -10,18 +10,18 @@ use crate::shading::light_error::{LightError, LEAST_FOG_STEPS};
 /// The levels of fog besides none.
 pub(super) const LEVELS: usize = 32;
 
-/// Fog by depth, in 32 levels, for [`Fogged`](crate::Fogged) faces, points, labels and lines. Levels are equal steps of the
+/// Fog by depth, in 32 levels, for [`Fogged`](crate::fog::Fogged) faces, points, labels and lines. Levels are equal steps of the
 /// factor, 1/32 each, and the table has the depth at which each level begins, so all levels lie within the fog's own range of
 /// depth. It takes 136 bytes and a colour, and holds as long as the camera's projection does: the camera may move and turn.
 ///
 /// **Error.** At an exact depth, the factor is the factor at the exact distance, rounded to the nearest 1/32: off by at most
-/// 1/64. Depth itself has the error that [`DepthBuffer`](crate::DepthBuffer) and [`Projected`](crate::Projected) state; one step
+/// 1/64. Depth itself has the error that [`DepthBuffer`](crate::target::DepthBuffer) and [`Projected`](crate::camera::Projected) state; one step
 /// of depth is a distance of distance²·(far − near)/(65535·near·far) in perspective, and of (far − near)/65535 in parallel
 /// projections.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
-/// use pinhole::{Angle, Camera, Fog, FogTable, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+/// use pinhole::{fog::{Fog, FogTable}, prelude::*, Angle};
 /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
 /// # let [eye, origin] = [8, 0].map(|z| Point3::from_ints(0, 0, z));
 /// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
@@ -86,7 +86,7 @@ impl<C> FogTable<C> {
         bounds.partition_point(|&bound| bound <= depth) as u8 // at most 32
     }
 
-    /// The factor at a depth, such as that of a [projected point](crate::Projected): 32, no fog, to 0, nothing but fog.
+    /// The factor at a depth, such as that of a [projected point](crate::camera::Projected): 32, no fog, to 0, nothing but fog.
     pub fn factor(&self, depth: u16) -> u8 {
         LEVELS as u8 - self.level(u32::from(depth) << 16 | Gradient::DEPTH_BIAS)
     }

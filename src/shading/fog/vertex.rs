@@ -13,19 +13,19 @@ use crate::space::{Model, World};
 ///
 /// A factor is 256 without fog and 0 where nothing but fog is seen, so it can be used like a level of light:
 ///
-/// - **a colour for each face**: `color.over(fog_color, factor)`, of [`Color`](crate::Color); for any target, [`Flat::in_fog`](crate::Flat::in_fog);
-/// - **interpolated over faces**: [`ShadeTable::in_fog`](crate::ShadeTable::in_fog) fades one colour into fog; for lit faces,
-///   [`Gouraud::new`](crate::Gouraud::new) of three [`Flat::in_fog`](crate::Flat::in_fog);
-/// - **textures**: the rows of [`LitPalette::in_fog`](crate::LitPalette::in_fog), by face or by vertex;
-/// - **edges**: [`MeshInstance::edges`](crate::MeshInstance::edges), the depth cue of wireframes.
+/// - **a colour for each face**: `color.over(fog_color, factor)`, of [`Color`](crate::color::Color); for any target, [`Flat::in_fog`](crate::shading::Flat::in_fog);
+/// - **interpolated over faces**: [`ShadeTable::in_fog`](crate::shading::ShadeTable::in_fog) fades one colour into fog; for lit faces,
+///   [`Gouraud::new`](crate::shading::Gouraud::new) of three [`Flat::in_fog`](crate::shading::Flat::in_fog);
+/// - **textures**: the rows of [`LitPalette::in_fog`](crate::texture::LitPalette::in_fog), by face or by vertex;
+/// - **edges**: [`MeshInstance::edges`](crate::draw::MeshInstance::edges), the depth cue of wireframes.
 ///
 /// **Error.** A factor is within ½ + 384·2⁻³⁰·r/(end − start) of the exact one, where r is the largest coordinate of the eye or of the
 /// object's origin, plus that of the vertex relative to this origin, in world units. Between the corners of a face the factor is
-/// linear on the screen, not in space; [`Fogged`](crate::Fogged) is exact there.
+/// linear on the screen, not in space; [`Fogged`](crate::fog::Fogged) is exact there.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
-/// use pinhole::{Affine, Angle, Color, Camera, Fog, Point3, Projection, Scalar, Vector3, VertexFog, ViewTransform, Viewport};
+/// use pinhole::{fog::{Fog, VertexFog}, prelude::*, Angle};
 /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
 /// # let [eye, origin] = [8, 0].map(|z| Point3::from_ints(0, 0, z));
 /// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;

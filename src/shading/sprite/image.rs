@@ -4,14 +4,14 @@ use super::source::SpriteSource;
 use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics_core::image::GetPixel;
 
-/// An image of embedded-graphics as the picture of a [`Sprite`](crate::Sprite): `ImageRaw` in any colour and byte order, a
+/// An image of embedded-graphics as the picture of a [`Sprite`](crate::sprite::Sprite): `ImageRaw` in any colour and byte order, a
 /// `Framebuffer`, tinybmp's `Bmp`, or any other type with `GetPixel` and `OriginDimensions`. It may have any size.
 ///
 /// A pixel that the image does not give, such as those of a compressed `Bmp`, is transparent.
 ///
 /// ```
 /// use embedded_graphics::{image::ImageRaw, pixelcolor::{raw::BigEndian, Rgb565}, prelude::*};
-/// use pinhole::{SpriteImage, SpriteSource};
+/// use pinhole::sprite::{SpriteImage, SpriteSource};
 /// // Three texels: red, the key, blue.
 /// const BYTES: [u8; 6] = [0xf8, 0x00, 0xf8, 0x1f, 0x00, 0x1f];
 /// let image = ImageRaw::<Rgb565, BigEndian>::new(&BYTES, 3);

@@ -4,11 +4,11 @@ use super::source::SpriteSource;
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-/// A picture of one texel, for squares and rectangles of one colour: what [`Sprite::square`](crate::Sprite::square) makes.
+/// A picture of one texel, for squares and rectangles of one colour: what [`Sprite::square`](crate::sprite::Sprite::square) makes.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
-/// use pinhole::{SolidTexel, SpriteSource};
+/// use pinhole::sprite::{SolidTexel, SpriteSource};
 /// assert_eq!(SolidTexel::new(Rgb565::RED).picture_size(), Size::new(1, 1));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,20 +5,20 @@ use crate::shading::Texels;
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-/// The picture of a [`Sprite`](crate::Sprite): a rectangle of texels, each a colour or transparent.
+/// The picture of a [`Sprite`](crate::sprite::Sprite): a rectangle of texels, each a colour or transparent.
 ///
 /// | picture | source |
 /// |---|---|
-/// | texels of a texture: 8 to 256 a side, powers of two | every [`Texels`], such as `&[[C; W]; H]`, [`IndexedTexels`](crate::IndexedTexels) and, with transparent ones, [`ColorKeyed`](crate::ColorKeyed) and [`IndexKeyed`](crate::IndexKeyed) |
-/// | an image of embedded-graphics of any size: `ImageRaw`, `Framebuffer`, tinybmp's `Bmp` | [`SpriteImage`](crate::SpriteImage) |
-/// | one colour | [`SolidTexel`](crate::SolidTexel) |
-/// | one of these, mixed with what is behind it | [`Translucent`](crate::Translucent): [`HalfBlended`](crate::HalfBlended), [`Blended`](crate::Blended) |
-/// | one of these, in fog | [`Fogged`](crate::Fogged) |
+/// | texels of a texture: 8 to 256 a side, powers of two | every [`Texels`], such as `&[[C; W]; H]`, [`IndexedTexels`](crate::texture::IndexedTexels) and, with transparent ones, [`ColorKeyed`](crate::texture::ColorKeyed) and [`IndexKeyed`](crate::texture::IndexKeyed) |
+/// | an image of embedded-graphics of any size: `ImageRaw`, `Framebuffer`, tinybmp's `Bmp` | [`SpriteImage`](crate::sprite::SpriteImage) |
+/// | one colour | [`SolidTexel`](crate::sprite::SolidTexel) |
+/// | one of these, mixed with what is behind it | [`Translucent`](crate::shading::Translucent): [`HalfBlended`](crate::shading::HalfBlended), [`Blended`](crate::shading::Blended) |
+/// | one of these, in fog | [`Fogged`](crate::fog::Fogged) |
 /// | a formula | an implementation of your own |
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-/// use pinhole::SpriteSource;
+/// use pinhole::sprite::SpriteSource;
 /// /// A disc that is bright in its middle.
 /// struct Glow;
 /// impl SpriteSource for Glow {
@@ -44,7 +44,7 @@ pub trait SpriteSource {
     /// The colour of a texel.
     type Color: PixelColor;
 
-    /// A texel: its colour, `Option<Self::Color>` if some texels are transparent, or [`Mixed`](crate::Mixed) with the stored pixels.
+    /// A texel: its colour, `Option<Self::Color>` if some texels are transparent, or [`Mixed`](crate::color::Mixed) with the stored pixels.
     /// The depth of a sprite that is mixed is tested and not stored.
     type Ink: Ink<Self::Color>;
 

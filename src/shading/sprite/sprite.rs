@@ -23,7 +23,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 ///
 /// ```
 /// use embedded_graphics::{geometry::AnchorPoint, mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
-/// use pinhole::{prelude::*, Angle, SpriteImage};
+/// use pinhole::{math::Sphere, prelude::*, sprite::SpriteImage, Angle};
 /// use embedded_graphics::image::ImageRaw;
 /// // A flag of 5 × 4 texels, whose pole stands on a point of the world.
 /// let image = ImageRaw::<BinaryColor>::new(&[0b11111_000, 0b11111_000, 0b10000_000, 0b10000_000], 5);
@@ -88,7 +88,7 @@ impl<S> Sprite<S> {
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-    /// use pinhole::{prelude::*, Angle};
+    /// use pinhole::{prelude::*, sprite::SolidTexel, Angle};
     /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// let (eye, up) = (Point3::from_ints(0, 0, 8), Vector3::from_ints(0, 1, 0));
     /// let view = ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), up)?;
@@ -135,7 +135,7 @@ impl<S> Sprite<S> {
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-    /// use pinhole::{prelude::*, Angle};
+    /// use pinhole::{math::Sphere, prelude::*, Angle};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_int(1) };
     /// # let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
@@ -187,7 +187,7 @@ impl<S: SpriteSource> Sprite<S> {
     ///
     /// ```
     /// use embedded_graphics::{image::ImageRaw, pixelcolor::Gray8};
-    /// use pinhole::{Scalar, Sprite, SpriteImage};
+    /// use pinhole::{sprite::{Sprite, SpriteImage}, Scalar};
     /// let image = ImageRaw::<Gray8>::new(&[0; 15], 3); // 3 × 5 texels
     /// let tree = Sprite::new(SpriteImage::new(&image)).with_height(Scalar::from_int(10)); // 6 wide
     /// # let _ = tree;

@@ -4,7 +4,7 @@ use super::texels::Texels;
 use crate::math::num::leading_zeros;
 
 /// Texels whose edge continues without end, where other [`Texels`] repeat: a coordinate beyond the picture, below 0 too, shows the
-/// nearest texel of the edge. [`Texture::clamped_at`](crate::Texture::clamped_at) makes it. (OpenGL: `CLAMP_TO_EDGE`.)
+/// nearest texel of the edge. [`Texture::clamped_at`](crate::texture::Texture::clamped_at) makes it. (OpenGL: `CLAMP_TO_EDGE`.)
 ///
 /// Costs two comparisons more for each coordinate of a pixel than a picture that repeats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

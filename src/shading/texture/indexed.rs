@@ -11,14 +11,14 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-/// use pinhole::{IndexedTexels, Texels};
+/// use pinhole::texture::{IndexedTexels, Texels};
 /// const PALETTE: [Rgb565; 2] = [Rgb565::BLACK, Rgb565::YELLOW];
 /// let rows = [0b1000_0000, 0, 0, 0, 0, 0, 0, 0b0000_0001];
 /// let texels = IndexedTexels::<_, 1>::new(&rows, 8, 8, &PALETTE)?;
 /// assert_eq!(texels.texel(0, 0), Rgb565::YELLOW);
 /// assert_eq!(texels.texel(1 << 29, 0), Rgb565::BLACK);
 /// assert_eq!(texels.texel(u32::MAX, u32::MAX), Rgb565::YELLOW);
-/// # Ok::<(), pinhole::TextureError>(())
+/// # Ok::<(), pinhole::texture::TextureError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct IndexedTexels<'t, C, const BITS: u32> {

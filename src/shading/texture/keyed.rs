@@ -10,9 +10,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
-/// use pinhole::{
-///     Affine, Angle, Camera, ColorKeyed, Mesh, Point3, Projection, Scalar, Texture, Vector3, ViewTransform, Viewport,
-/// };
+/// use pinhole::{prelude::*, texture::ColorKeyed, Angle};
 /// // A square that shows a picture of 8 × 8 texels once: its right half is left out.
 /// const KEY: Rgb565 = Rgb565::MAGENTA;
 /// static PICTURE: [[Rgb565; 8]; 8] = [[Rgb565::RED, Rgb565::RED, Rgb565::RED, Rgb565::RED, KEY, KEY, KEY, KEY]; 8];
@@ -66,13 +64,13 @@ impl<S: Texels> Texels for ColorKeyed<S, S::Color> {
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-/// use pinhole::{IndexKeyed, IndexedTexels, Texels};
+/// use pinhole::texture::{IndexKeyed, IndexedTexels, Texels};
 /// const PALETTE: [Rgb565; 2] = [Rgb565::BLACK, Rgb565::YELLOW];
 /// let rows = [0b1000_0000, 0, 0, 0, 0, 0, 0, 0b0000_0001];
 /// let texels = IndexKeyed::new(IndexedTexels::<_, 1>::new(&rows, 8, 8, &PALETTE)?, 0);
 /// assert_eq!(texels.texel(0, 0), Some(Rgb565::YELLOW));
 /// assert_eq!(texels.texel(1 << 29, 0), None);
-/// # Ok::<(), pinhole::TextureError>(())
+/// # Ok::<(), pinhole::texture::TextureError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct IndexKeyed<'t, C, const BITS: u32> {

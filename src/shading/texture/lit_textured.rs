@@ -15,11 +15,11 @@ use crate::shading::{CornerValues, Shader, SpanShader};
 /// [`Texels`] that can be shown in several levels of light, for [`Textured::lit`].
 ///
 /// Texels whose colours can be [dimmed](Color) are multiplied by the light at each pixel. Those of a
-/// [`LitPalette`](crate::LitPalette) are looked up in the palette's row, which is faster.
+/// [`LitPalette`](crate::texture::LitPalette) are looked up in the palette's row, which is faster.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Gray8;
-/// use pinhole::LitTexels;
+/// use pinhole::texture::LitTexels;
 /// let picture = [[Gray8::new(200); 8]; 8];
 /// assert_eq!((&picture).lit_texel(0, 0, 255), Gray8::new(200));
 /// assert_eq!((&picture).lit_texel(0, 0, 63), Gray8::new(49));
@@ -88,7 +88,7 @@ impl<S: LitTexels> LitTexels for ClampedTexels<S> {
 /// **Error.** The texel is that of [`Textured`]. Its light is rounded to the nearest of the levels that the texels have, after an
 /// error of 2⁻⁹ of a level.
 ///
-/// **Clipped faces** have the light of [`Gouraud`](crate::Gouraud): new corners' light is interpolated in space, and rounded to
+/// **Clipped faces** have the light of [`Gouraud`](crate::shading::Gouraud): new corners' light is interpolated in space, and rounded to
 /// 2⁻¹⁸ of full light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -100,12 +100,12 @@ pub struct LitTextured<S> {
 
 impl<S: LitTexels> Textured<S> {
     /// This face with a level of light at each corner, 0 … 256 (more counts as 256), in the order of the face's vertices.
-    /// [`Lambert::levels`](crate::Lambert::levels) computes levels, [`Mesh::corners_of`](crate::Mesh::corners_of) picks those of a
+    /// [`Lambert::levels`](crate::light::Lambert::levels) computes levels, [`Mesh::corners_of`](crate::Mesh::corners_of) picks those of a
     /// face.
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::{Gray8, GrayColor}, prelude::*};
-    /// use pinhole::{Affine, Camera, Mesh, Picture, Point3, Projection, Scalar, Texture, Vector3, ViewTransform, Viewport, Window};
+    /// use pinhole::{camera::Window, prelude::*};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let (one, two) = (Scalar::from_int(1), Scalar::from_int(2));
     /// # let window = Window { left: -two, right: two, bottom: -two, top: two };

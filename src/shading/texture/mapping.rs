@@ -25,9 +25,7 @@ pub enum Accuracy {
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
-/// use pinhole::{
-///     Affine, Angle, Camera, Mesh, Picture, Point3, Projection, Scalar, Texture, Vector3, ViewTransform, Viewport,
-/// };
+/// use pinhole::{prelude::*, Angle};
 /// // A square that shows a picture of 8 × 8 texels once.
 /// static PICTURE: [[Rgb565; 8]; 8] = [[Rgb565::RED, Rgb565::RED, Rgb565::RED, Rgb565::RED, Rgb565::BLUE, Rgb565::BLUE, Rgb565::BLUE, Rgb565::BLUE]; 8];
 /// const UV: [[i16; 2]; 4] = [[0, 128], [128, 128], [128, 0], [0, 0]];
@@ -94,7 +92,7 @@ impl<S: Texels> Texture<S> {
     }
 
     /// Sets the unit of coordinates to 2^`exponent` of the picture's width and height, as
-    /// [`TextureCoords`](crate::TextureCoords) have it.
+    /// [`TextureCoords`](crate::mesh::TextureCoords) have it.
     ///
     /// # Errors
     ///
@@ -126,7 +124,7 @@ impl<S: Texels> Texture<S> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::{Gray8, GrayColor}, prelude::*};
-    /// use pinhole::{Affine, Camera, Mesh, Picture, Point3, Projection, Scalar, Texture, Vector3, ViewTransform, Viewport, Window};
+    /// use pinhole::{camera::Window, prelude::*};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let (one, two) = (Scalar::from_int(1), Scalar::from_int(2));
     /// # let window = Window { left: -two, right: two, bottom: -two, top: two };

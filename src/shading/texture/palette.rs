@@ -15,13 +15,13 @@ use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
 /// is off by at most 1/(2·(`ROWS` − 1)) of full light.
 ///
 /// - **Light by face** costs no instruction a pixel: [`Texture::with_palette`] takes the [`row`](Self::row) of the face's level.
-/// - **Light by vertex**, linear on the screen: [`IndexedTexels::with_lit_palette`], and [`Textured::lit`](crate::Textured::lit) for
+/// - **Light by vertex**, linear on the screen: [`IndexedTexels::with_lit_palette`], and [`Textured::lit`](crate::texture::Textured::lit) for
 ///   each face.
 /// - **Fog** by face or vertex: rows from the fog's colour to the palette's, by [`in_fog`](Self::in_fog).
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};
-/// use pinhole::{Color, IndexedTexels, LitPalette, Texture};
+/// use pinhole::{color::Color, texture::{IndexedTexels, LitPalette, Texture}};
 /// let palette = LitPalette::<Rgb565, 2, 32>::new(&[Rgb888::BLACK, Rgb888::WHITE]); // before the first frame
 /// assert_eq!(palette.row(0), &[Rgb565::BLACK; 2]);
 /// assert_eq!(palette.row(256), &[Rgb565::BLACK, Rgb565::WHITE]);
@@ -35,7 +35,7 @@ use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
 /// let texture = Texture::new(texels.with_lit_palette(&palette));
 /// let by_vertex = texture.at([[0, 0], [128, 0], [0, 128]]).lit([256, 99, 0]);
 /// # let _ = (by_face, by_vertex);
-/// # Ok::<(), pinhole::TextureError>(())
+/// # Ok::<(), pinhole::texture::TextureError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LitPalette<C, const COLORS: usize, const ROWS: usize>([[C; COLORS]; ROWS]);
@@ -100,7 +100,7 @@ impl<'t, C: PixelColor, const BITS: u32> Texture<IndexedTexels<'t, C, BITS>> {
 }
 
 /// Texels of `BITS` bits each, 1, 2, 4 or 8, that name colours of a [`LitPalette`]: for light by vertex.
-/// [`IndexedTexels::with_lit_palette`] makes them. Without [`Textured::lit`](crate::Textured::lit) they show full light.
+/// [`IndexedTexels::with_lit_palette`] makes them. Without [`Textured::lit`](crate::texture::Textured::lit) they show full light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LitIndexedTexels<'t, C, const BITS: u32, const COLORS: usize, const ROWS: usize> {
     texels: IndexedTexels<'t, C, BITS>,

@@ -8,11 +8,11 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// takes no instruction.
 ///
 /// `&[[C; W]; H]` has its size in its type, which is the fastest; [`TexelSlice`] has it at run time;
-/// [`IndexedTexels`](crate::IndexedTexels) looks colours up in a palette. A formula implements the trait, too:
+/// [`IndexedTexels`](crate::texture::IndexedTexels) looks colours up in a palette. A formula implements the trait, too:
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::BinaryColor;
-/// use pinhole::Texels;
+/// use pinhole::texture::Texels;
 /// /// A chessboard of 8 × 8 texels.
 /// #[derive(Clone, Copy)]
 /// struct Chessboard;
@@ -179,12 +179,12 @@ pub(super) const fn checked_bits(width: usize, height: usize) -> Result<[u32; 2]
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-/// use pinhole::{TexelSlice, Texels};
+/// use pinhole::texture::{TexelSlice, Texels};
 /// let picture: Vec<Gray8> = (0..8 * 16).map(Gray8::new).collect();
 /// let texels = TexelSlice::new(&picture, 8, 16)?;
 /// // Half of the width, a quarter of the height.
 /// assert_eq!(texels.texel(1 << 31, 1 << 30), Gray8::new(4 * 8 + 4));
-/// # Ok::<(), pinhole::TextureError>(())
+/// # Ok::<(), pinhole::texture::TextureError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TexelSlice<'t, C> {

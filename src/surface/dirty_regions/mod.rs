@@ -27,7 +27,7 @@ impl TransferCost {
     /// Alliance, *Specification for Display Command Set*).
     pub const MIPI_DCS: u16 = 11;
 
-    /// The cost for `pixel_bits` per pixel (see [`Color::FORMAT.bits()`](crate::Color::FORMAT.bits()); more than 256 count as 256) and
+    /// The cost for `pixel_bits` per pixel (see [`Color::FORMAT.bits()`](crate::color::Color::FORMAT.bits()); more than 256 count as 256) and
     /// `window_bytes` of commands before the first pixel of each rectangle. A row of pixels is rounded up to bytes, and to
     /// [steps](DirtyRegions::with_steps) if there are any. 2³¹ bytes and more count as equal.
     pub const fn new(pixel_bits: u32, window_bytes: u16) -> Self {
@@ -52,7 +52,7 @@ impl TransferCost {
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, pixelcolor::Rgb565, primitives::Rectangle};
-/// use pinhole::{DirtyRegions, Color, Tracked, TransferCost};
+/// use pinhole::{bands::{DirtyRegions, Tracked, TransferCost}, color::Color};
 /// let screen = Rectangle::new(Point::zero(), Size::new(240, 240));
 /// let mut dirty = DirtyRegions::<4>::new(screen, TransferCost::new(Rgb565::FORMAT.bits(), TransferCost::MIPI_DCS));
 /// let at = |x, y| Rectangle::new(Point::new(x, y), Size::new(10, 10));
@@ -75,7 +75,7 @@ impl TransferCost {
 ///
 /// ```
 /// # use embedded_graphics::{geometry::{Point, Size}, pixelcolor::Rgb565, primitives::Rectangle};
-/// # use pinhole::{DirtyRegions, TransferCost, Color};
+/// # use pinhole::{bands::{DirtyRegions, TransferCost}, color::Color};
 /// # let screen = Rectangle::new(Point::zero(), Size::new(240, 240));
 /// # let mut dirty = DirtyRegions::<4>::new(screen, TransferCost::new(Rgb565::FORMAT.bits(), TransferCost::MIPI_DCS));
 /// # let at = |x, y| Rectangle::new(Point::new(x, y), Size::new(10, 10));
@@ -94,7 +94,7 @@ impl TransferCost {
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
 /// use embedded_graphics::primitives::{Circle, PrimitiveStyle};
-/// use pinhole::{DirtyRegions, Frame, Color, Tracked, TransferCost};
+/// use pinhole::{bands::{DirtyRegions, Frame, Tracked, TransferCost}, color::Color};
 /// let mut display = MockDisplay::<Gray8>::new();
 /// display.set_allow_overdraw(true);
 /// let mut dirty = DirtyRegions::<4>::new(display.bounding_box(), TransferCost::new(Gray8::FORMAT.bits(), 11));

@@ -11,7 +11,7 @@ use embedded_graphics_core::primitives::Rectangle;
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, pixelcolor::BinaryColor, primitives::Rectangle};
-/// use pinhole::{DirtyRegions, Color, Tracked, TransferCost};
+/// use pinhole::{bands::{DirtyRegions, Tracked, TransferCost}, color::Color};
 /// let screen = Rectangle::new(Point::zero(), Size::new(128, 64));
 /// let mut dirty = DirtyRegions::<4>::new(screen, TransferCost::new(BinaryColor::FORMAT.bits(), 6));
 /// let (mut needle, mut label) = (Tracked::new(), Tracked::new());

@@ -7,7 +7,10 @@ use crate::bridge::pair::window;
 use crate::bridge::{point, scalar, vector};
 use crate::oracle::chain::{self, fx, fx3, Viewport, V3};
 use embedded_graphics_core::geometry::Size;
-use pinhole::{Angle, CameraError, PlanarProjection, Projection, ReferenceVolume};
+use pinhole::{
+    camera::{CameraError, PlanarProjection, ReferenceVolume},
+    Angle, Projection,
+};
 
 /// All lines that project: through one centre, or along one direction.
 #[derive(Clone, Copy, Debug)]

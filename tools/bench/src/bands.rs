@@ -4,7 +4,7 @@ use crate::measure::Display;
 use crate::scene::{area, Scene, BACKGROUND, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{DepthBuffer, Frame, Lambert, ScreenVertex, Stroke, Surface};
+use pinhole::{prelude::*, shading::Stroke};
 
 /// Bytes of the colour strip, for bands of `rows` rows.
 pub const fn bytes(rows: u32) -> usize {

@@ -9,10 +9,7 @@ use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 use pinhole::space::{Model as ModelSpace, World};
-use pinhole::{
-    edge_faces, Affine, Angle, Camera, FacePlanes, IndexedTexels, Lambert, LitTextured, Mesh, MeshInstance,
-    Point3, Projection, RigidLambert, Scalar, Texture, Vector3, ViewTransform, Viewport,
-};
+use pinhole::{light::RigidLambert, mesh::{edge_faces, FacePlanes}, prelude::*, texture::{IndexedTexels, LitTextured}, Angle};
 
 /// A program that draws a frame of each of [`cubes`], one after the other: the second one is cut, so what cutting takes of
 /// the stack is seen.
@@ -74,7 +71,7 @@ const fn large() -> Model {
 #[cfg(all(target_arch = "arm", target_has_atomic = "32"))]
 const _: () = {
     assert!(size_of::<MeshInstance<'_>>() == 176);
-    assert!(size_of::<pinhole::BinnedFaces<'_, i16, true>>() == 88);
+    assert!(size_of::<pinhole::draw::BinnedFaces<'_, i16, true>>() == 88);
     assert!(size_of::<Lambert>() == 52);
 };
 
@@ -210,9 +207,5 @@ pub mod prelude {
     pub use embedded_graphics_core::geometry::{Point, Size};
     pub use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
     pub use embedded_graphics_core::primitives::Rectangle;
-    pub use pinhole::{
-        Angle, AntiAliased, Camera, ColorKeyed, Coordinate, DepthBuffer, DirtyRegions, Fog, FogTable, Fogged,
-        Frame, HalfBlended, Lambert, LeastRun, MeshInstance, Painter, Picture, Scalar, ScreenDoor,
-        ScreenVertex, ShadeTable, SpanShader, Sprite, Surface, Texture, TransferCost, VertexFog, Viewport,
-    };
+    pub use pinhole::{bands::{DirtyRegions, TransferCost}, fog::{Fog, FogTable, VertexFog}, mesh::Coordinate, prelude::*, shading::{AntiAliased, SpanShader}, target::LeastRun, texture::ColorKeyed, Angle};
 }

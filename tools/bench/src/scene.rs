@@ -5,10 +5,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model as ModelSpace, World};
-use pinhole::{
-    Affine, Angle, Camera, Color, Dithered, FacePlanes, Flat, Gouraud, Lambert, Lit, Mesh, MeshInstance,
-    Point3, Projection, RigidLambert, Scalar, Vector3, ViewTransform, Viewport, WithPlanes, WithoutPlanes,
-};
+use pinhole::{light::RigidLambert, mesh::{FacePlanes, WithPlanes, WithoutPlanes}, prelude::*, shading::Dithered, Angle};
 
 /// Width and height of a frame.
 pub const SIZE: u32 = 240;

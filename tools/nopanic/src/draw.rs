@@ -12,10 +12,13 @@ use embedded_graphics_core::Pixel;
 use pinhole::raster::{self, Scissor, ScreenPoint, Span};
 use pinhole::space::{Model, World};
 use pinhole::{
-    draw_line, fill_triangle, Affine, AntiAliased, Camera, Color, Coordinate, Cull, DepthBuffer,
-    DirtyRegions, FacePlanes, Flat, Frame, Gives, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Object,
-    Painter, Picture, Reads, Scalar, ScreenDoor, ScreenVertex, ShadeTable, SpanShader, Stroke, Surface,
-    Tracked, TransferCost, WithPlanes,
+    bands::{DirtyRegions, Tracked, TransferCost},
+    color::Reads,
+    draw::{draw_line, fill_triangle},
+    mesh::{Coordinate, FacePlanes, WithPlanes},
+    prelude::*,
+    shading::{AntiAliased, SpanShader, Stroke},
+    target::{Gives, LeastRun},
 };
 
 /// A scene that is set up elsewhere, so that the compiler knows nothing of it here.
@@ -264,7 +267,7 @@ fn pick<P: FacePlanes>(camera: &Camera, instance: &MeshInstance<'_, i16, P>, cac
 }
 
 fn change<'m, P: FacePlanes>(
-    scene: &mut pinhole::Scene<'m, Rgb565, 5>,
+    scene: &mut pinhole::draw::Scene<'m, Rgb565, 5>,
     mesh: &'m Mesh<'m, i16, P>,
     model: &Affine<Model, World>,
 ) {
@@ -272,7 +275,7 @@ fn change<'m, P: FacePlanes>(
     match any() {
         0 => report(scene.add(object)),
         1 => scene.clear(),
-        2 => *scene = pinhole::Scene::default(),
+        2 => *scene = pinhole::draw::Scene::default(),
         _ => scene.objects_mut().iter_mut().for_each(|object| object.model = *model),
     }
     report((scene.objects(), scene.bounding_sphere()));
@@ -287,7 +290,7 @@ struct Storage<'a> {
     target: Wire<Rgb565>,
 }
 
-fn draw_scene(scene: &pinhole::Scene<'_, Rgb565, 5>, camera: &Camera, storage: &mut Storage<'_>) {
+fn draw_scene(scene: &pinhole::draw::Scene<'_, Rgb565, 5>, camera: &Camera, storage: &mut Storage<'_>) {
     let Storage { cache, bins, depth, painter, target } = storage;
     let placed = scene.place(camera);
     let shade = |index: usize, object: &Object<'_, Rgb565>| {
@@ -416,9 +419,9 @@ entries! {
     entry_pick_by_planes(camera: &Camera, instance: &MeshInstance<'_, i16, WithPlanes>, cache: &mut [ScreenVertex]) { pick(camera, instance, cache) }
     entry_pick(camera: &Camera, instance: &MeshInstance<'_>, cache: &mut [ScreenVertex]) { pick(camera, instance, cache) }
 
-    entry_scene<'m>(scene: &mut pinhole::Scene<'m, Rgb565, 5>, mesh: &'m Mesh<'m>, model: &Affine<Model, World>) { change(scene, mesh, model) }
-    entry_scene_with_planes<'m>(scene: &mut pinhole::Scene<'m, Rgb565, 5>, mesh: &'m Mesh<'m, i16, WithPlanes>, model: &Affine<Model, World>) { change(scene, mesh, model) }
-    entry_draw_scene(scene: &pinhole::Scene<'_, Rgb565, 5>, camera: &Camera, storage: &mut Storage<'_>) { draw_scene(scene, camera, storage) }
+    entry_scene<'m>(scene: &mut pinhole::draw::Scene<'m, Rgb565, 5>, mesh: &'m Mesh<'m>, model: &Affine<Model, World>) { change(scene, mesh, model) }
+    entry_scene_with_planes<'m>(scene: &mut pinhole::draw::Scene<'m, Rgb565, 5>, mesh: &'m Mesh<'m, i16, WithPlanes>, model: &Affine<Model, World>) { change(scene, mesh, model) }
+    entry_draw_scene(scene: &pinhole::draw::Scene<'_, Rgb565, 5>, camera: &Camera, storage: &mut Storage<'_>) { draw_scene(scene, camera, storage) }
     entry_two_cores(cores: &mut Cores<'_>) { two_cores(cores) }
     entry_two_cores_with_depth(cores: &mut Cores<'_>) { two_cores_with_depth(cores) }
 

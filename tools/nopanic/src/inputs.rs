@@ -6,7 +6,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::World;
-use pinhole::{Point3, Scalar, StoredPixel, Vector3, Window};
+use pinhole::{camera::Window, color::StoredPixel, prelude::*};
 
 pub(crate) fn scalar() -> Scalar {
     Scalar::from_bits(any())

@@ -14,13 +14,21 @@ use pinhole::clip::{self, Varying};
 use pinhole::raster::{Gradient, Pixel, ScreenPoint, Triangle};
 use pinhole::space::{Canonical, Model, Ndc, View, World};
 use pinhole::{
-    edge_faces, Affine, Angle, Band, BlinnPhong, Camera, CameraError, ClipPoint, Color, Coordinate,
-    DepthBuffer, DirectionalLight, DirtyRegions, FaceColors, Flat, Fog, Format, Frame, Frustum, Gouraud,
-    Hierarchy, Lambert, LightError, Lights, Lit, LitPalette, Matcap, MathError, Mesh, MeshBuffers, MeshError,
-    MeshInstance, Node, NormalMatrix, Outcode, PlanarProjection, Point3, PointLight, Projected, Projection,
-    Quaternion, Ray, ReferenceVolume, RigidLambert, Scalar, ShadeTable, Side, Sphere, SquaredFog, Statistics,
-    StoredPixel, StripBuffers, TextureCoords, TransformedMesh, VanishingPoint, Vector3, ViewTransform,
-    Viewport, Visibility, WithPlanes,
+    bands::DirtyRegions,
+    camera::{
+        CameraError, Frustum, PlanarProjection, Projected, Ray, ReferenceVolume, Side, VanishingPoint,
+        Visibility,
+    },
+    clip::{ClipPoint, Outcode},
+    color::{Format, StoredPixel},
+    draw::TransformedMesh,
+    fog::{Fog, SquaredFog},
+    light::{BlinnPhong, DirectionalLight, LightError, Lights, Matcap, PointLight, RigidLambert},
+    math::{MathError, NormalMatrix, Quaternion, Sphere},
+    mesh::{edge_faces, Coordinate, FaceColors, Hierarchy, MeshError, Node, TextureCoords, WithPlanes},
+    prelude::*,
+    texture::LitPalette,
+    Angle,
 };
 
 type Vertices = &'static [[i16; 3]];
@@ -228,7 +236,7 @@ entries! {
     entry_depths<'d>(depth: &'d DepthBuffer<'_>) -> &'d [u16] { depth.values() }
     entry_dirty_area(dirty: &DirtyRegions<7>) -> Rectangle { dirty.area() }
     entry_table(colours: [Rgb565; 256]) -> Rgb565 { ShadeTable::from_colors(colours).colors()[usize::from(any() as u8)] }
-    entry_lit(colour: Rgb888) -> pinhole::Dithered<Lit> { Gouraud::lit(colour, [any() as u16; 3]).dithered() }
+    entry_lit(colour: Rgb888) -> pinhole::shading::Dithered<Lit> { Gouraud::lit(colour, [any() as u16; 3]).dithered() }
     entry_triangle_plane(triangle: &Triangle<'_>, values: [u32; 3]) -> Gradient { triangle.gradient(values) }
     entry_carries_nothing(corner: usize) { <() as Varying>::of(corner); ().towards(&(), any().into()) }
 

@@ -13,12 +13,19 @@ use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
 use pinhole::space::{Model, World};
 use pinhole::{
-    Accuracy, Affine, BlendMode, Blended, BufferError, Camera, Color, ColorKeyed, Coordinate, CornerValues,
-    DepthBuffer, DepthTested, Flat, Fog, FogTable, Fogged, Gives, Gouraud, HalfBlended, IndexKeyed,
-    IndexedTexels, LightError, LitPalette, LitTexels, Memory, Mesh, MeshInstance, Mixed, Painter, Picture,
-    Pixels, PlacedSprites, Reads, Scalar, ScreenDoor, ScreenVertex, ShadeTable, Shader, SolidTexel,
-    SpanShader, Sprite, SpriteFor, SpriteImage, SpriteSource, Surface, TexelSlice, Texels, Texture,
-    TextureError, Translucent, VertexFog, WithPlanes,
+    color::{BlendMode, Mixed, Reads},
+    draw::SpriteFor,
+    fog::{Fog, FogTable, VertexFog},
+    light::LightError,
+    mesh::{Coordinate, WithPlanes},
+    prelude::*,
+    shading::{Blended, CornerValues, DepthTested, Shader, SpanShader, Translucent},
+    sprite::{PlacedSprites, SolidTexel, SpriteImage, SpriteSource},
+    target::{BufferError, Gives, Memory, Pixels},
+    texture::{
+        Accuracy, ColorKeyed, IndexKeyed, IndexedTexels, LitPalette, LitTexels, TexelSlice, Texels,
+        TextureError,
+    },
 };
 
 /// Depths, 1/w and the weights of each corner, and the pixels that are there.

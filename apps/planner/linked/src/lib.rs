@@ -18,11 +18,7 @@ pub use embedded_graphics_core::draw_target::DrawTarget;
 pub use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
 pub use embedded_graphics_core::pixelcolor::{BinaryColor, Rgb565, RgbColor};
 pub use embedded_graphics_core::primitives::Rectangle;
-pub use pinhole::{
-    mesh_buffers, strip_buffers, Affine, Angle, Camera, Color as _, DepthBuffer, Flat, Frame, Gouraud,
-    IndexedTexels, Lambert, Mesh, MeshBuffers, Painter, Picture, ScreenVertex, StripBuffers, Texture,
-    Vector3, Viewport,
-};
+pub use pinhole::{color::Color as _, prelude::*, texture::IndexedTexels, Angle};
 
 /// The colour of the model.
 pub const COLOR: Rgb565 = Rgb565::new(31, 52, 14);

@@ -6,7 +6,7 @@
 use embedded_graphics::pixelcolor::{raw::RawU16, Rgb565};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{Angle, Statistics};
+use pinhole::{draw::Statistics, Angle};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_import::ImportedMesh;
 use pinhole_render::firmware::{self, Buffers};

@@ -16,7 +16,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::{pixelcolor::Rgb565, primitives::Rectangle};
 use embedded_hal::spi::MODE_3;
 use panel::Panel;
-use pinhole::{strip_buffers, DepthBuffer, Frame, StripBuffers};
+use pinhole::prelude::*;
 use rp2040_hal as hal;
 use rp2040_hal::fugit::RateExtU32;
 use rp2040_hal::{dma::DMAExt, gpio::Pins, pac, Clock as _, Sio, Spi, Timer, Watchdog};

@@ -7,10 +7,11 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 use pinhole::meshes::{CUBE, SPHERE};
 use pinhole::space::{Model, World};
 use pinhole::{
-    mesh_buffers, Affine, Angle, BinnedFaces, Camera, Color, DepthBuffer, Fog, IndexedTexels, Lambert,
-    LitPalette, Mesh, MeshBuffers, MeshInstance, PlacedSprites, Point3, Projection, Scalar, ScreenDoor,
-    ScreenVertex, Sprite, SpriteSource, Surface, Texture, Textured, Vector3, VertexFog, ViewTransform,
-    Viewport,
+    fog::{Fog, VertexFog},
+    prelude::*,
+    sprite::{PlacedSprites, SpriteSource},
+    texture::{IndexedTexels, LitPalette, Textured},
+    Angle,
 };
 
 /// The way after which everything looks as before, in 1/32 world units: trees repeat after 48 units, fields after 16.

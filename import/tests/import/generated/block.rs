@@ -6,7 +6,7 @@
 /// coordinate by quantising 0.
 #[rustfmt::skip]
 #[allow(dead_code, unreachable_pub)] // what is not used is not in the flash
-pub const BLOCK: pinhole::Mesh<'static, i16, pinhole::WithPlanes> = {
+pub const BLOCK: pinhole::Mesh<'static, i16, pinhole::mesh::WithPlanes> = {
     static VERTICES: [[i16; 3]; 8] = [
         [-20480,-5120,10240], [-20480,-5120,-10240], [20480,-5120,-10240], [20480,-5120,10240], [-20480,5120,10240],
         [20480,5120,10240], [20480,5120,-10240], [-20480,5120,-10240],
@@ -45,7 +45,7 @@ pub const BLOCK: pinhole::Mesh<'static, i16, pinhole::WithPlanes> = {
 /// The colours of the faces of [`BLOCK`]: none, as its file has no materials.
 #[rustfmt::skip]
 #[allow(dead_code, unreachable_pub)] // what is not used is not in the flash
-pub const BLOCK_COLORS: Option<pinhole::FaceColors<'static>> = None;
+pub const BLOCK_COLORS: Option<pinhole::mesh::FaceColors<'static>> = None;
 
 /// What was subtracted from the vertices of [`BLOCK`], in model units: bits of `I16F16`.
 #[rustfmt::skip]

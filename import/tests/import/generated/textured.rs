@@ -28,7 +28,7 @@ pub const TEXTURED: pinhole::Mesh<'static> = {
 /// The colours of the faces of [`TEXTURED`]: 1 colours, 1 of them emitting light; 8 bytes of flash.
 #[rustfmt::skip]
 #[allow(dead_code, unreachable_pub)] // what is not used is not in the flash
-pub const TEXTURED_COLORS: Option<pinhole::FaceColors<'static>> = {
+pub const TEXTURED_COLORS: Option<pinhole::mesh::FaceColors<'static>> = {
     static PALETTE: [[u8; 3]; 1] = [
         [255,255,255],
     ];
@@ -38,7 +38,7 @@ pub const TEXTURED_COLORS: Option<pinhole::FaceColors<'static>> = {
     static EMISSION: [[u8; 3]; 1] = [
         [255,102,0],
     ];
-    let Ok(colors) = pinhole::FaceColors::new(&PALETTE, &FACES) else { panic!() };
+    let Ok(colors) = pinhole::mesh::FaceColors::new(&PALETTE, &FACES) else { panic!() };
     let Ok(colors) = colors.with_emission(&EMISSION) else { panic!() };
     Some(colors)
 };
@@ -46,21 +46,21 @@ pub const TEXTURED_COLORS: Option<pinhole::FaceColors<'static>> = {
 /// The texture coordinates of the faces of [`TEXTURED`]: 4 pairs; 28 bytes of flash.
 #[rustfmt::skip]
 #[allow(dead_code, unreachable_pub)] // what is not used is not in the flash
-pub const TEXTURED_TEXTURE: pinhole::TextureCoords<'static> = {
+pub const TEXTURED_TEXTURE: pinhole::mesh::TextureCoords<'static> = {
     static COORDS: [[i16; 2]; 4] = [
         [0,16384], [16384,16384], [16384,0], [0,0],
     ];
     static FACES: [[u16; 3]; 2] = [
         [0,1,2], [0,2,3],
     ];
-    let Ok(texture) = pinhole::TextureCoords::new(&COORDS, &FACES, -14) else { panic!() };
+    let Ok(texture) = pinhole::mesh::TextureCoords::new(&COORDS, &FACES, -14) else { panic!() };
     texture
 };
 
 /// The picture of [`TEXTURED`]: `sixteen.png`, 16 x 8 texels of 16 colours; 96 bytes of flash.
 #[rustfmt::skip]
 #[allow(dead_code, unreachable_pub)] // what is not used is not in the flash
-pub const TEXTURED_TEXELS: pinhole::IndexedTexels<'static, embedded_graphics::pixelcolor::Rgb565, 4> = {
+pub const TEXTURED_TEXELS: pinhole::texture::IndexedTexels<'static, embedded_graphics::pixelcolor::Rgb565, 4> = {
     static BYTES: [u8; 64] = [
         1, 35, 1, 35, 1, 35, 1, 35, 69, 103, 69, 103, 69, 103, 69, 103, 137, 171, 137, 171, 137, 171, 137, 171, 205, 239,
         205, 239, 205, 239, 205, 239, 1, 35, 1, 35, 1, 35, 1, 35, 69, 103, 69, 103, 69, 103, 69, 103, 137, 171, 137, 171,
@@ -76,7 +76,7 @@ pub const TEXTURED_TEXELS: pinhole::IndexedTexels<'static, embedded_graphics::pi
         embedded_graphics::pixelcolor::Rgb565::new(0, 47, 31), embedded_graphics::pixelcolor::Rgb565::new(8, 47, 31),
         embedded_graphics::pixelcolor::Rgb565::new(16, 47, 31), embedded_graphics::pixelcolor::Rgb565::new(23, 47, 31),
     ];
-    let Ok(texels) = pinhole::IndexedTexels::new(&BYTES, 16, 8, &PALETTE) else { panic!() };
+    let Ok(texels) = pinhole::texture::IndexedTexels::new(&BYTES, 16, 8, &PALETTE) else { panic!() };
     texels
 };
 

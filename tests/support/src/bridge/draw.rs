@@ -4,7 +4,7 @@ use super::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use crate::oracle::target::{Recorder, Refused};
 use embedded_graphics_core::pixelcolor::raw::RawU16;
 use embedded_graphics_core::pixelcolor::PixelColor;
-use pinhole::{Coordinate, DepthBuffer, Mesh, MeshInstance, Painter, ScreenVertex, Statistics, Surface};
+use pinhole::{mesh::Coordinate, prelude::*};
 
 /// A colour that names what was drawn, such as the index of the face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -9,8 +9,8 @@ use crate::oracle::coverage::{Area, Counts, P};
 use core::convert::Infallible;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
+use pinhole::prelude::*;
 use pinhole::raster::{self, Pixel, Scissor, ScreenPoint, Span};
-use pinhole::{Point3, Scalar, Vector3};
 
 pub fn scalar(bits: i32) -> Scalar {
     Scalar::from_bits(bits)

@@ -5,7 +5,11 @@ use crate::oracle::chain::{self, fx, M4};
 use crate::oracle::rng::Rng;
 use embedded_graphics_core::geometry::Size;
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Angle, Camera, CameraError, Projection, ViewTransform, Viewport, Window};
+use pinhole::{
+    camera::{CameraError, Window},
+    prelude::*,
+    Angle,
+};
 
 /// One in I16F16.
 pub const ONE: i32 = 1 << 16;

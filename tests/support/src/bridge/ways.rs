@@ -9,8 +9,11 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{
-    Band, Color, Coordinate, DepthBuffer, FacePlanes, Frame, Ink, MeshInstance, Painter, Pixels,
-    ScreenVertex, SpanShader, Statistics, StoredPixel, Stroke, Surface, Writes,
+    color::{Ink, StoredPixel, Writes},
+    mesh::{Coordinate, FacePlanes},
+    prelude::*,
+    shading::{SpanShader, Stroke},
+    target::Pixels,
 };
 
 /// The pictures of faces without depth and with depth, row by row, and the depth buffer; and from far to near, by [`by_every_call`].

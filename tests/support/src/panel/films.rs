@@ -8,8 +8,12 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    draw_line, raster, Affine, Angle, Camera, Color, DirtyRegions, Frame, Lambert, LeastRun, Mesh,
-    MeshInstance, Point3, Projection, Scalar, ScreenVertex, TransferCost, Vector3, ViewTransform, Viewport,
+    bands::{DirtyRegions, TransferCost},
+    draw::draw_line,
+    prelude::*,
+    raster,
+    target::LeastRun,
+    Angle,
 };
 
 /// The cube of ±1.
@@ -304,7 +308,7 @@ pub fn lines(size: Size) -> Vec<[raster::Pixel; 2]> {
     across.chain(down).map(|(x, y)| [middle, raster::Pixel { x, y }]).collect()
 }
 
-/// The bytes and windows of [`lines`], drawn with this [`LEAST_RUN`](pinhole::Surface::LEAST_RUN). Asserts that the panel shows
+/// The bytes and windows of [`lines`], drawn with this [`LEAST_RUN`](pinhole::target::Surface::LEAST_RUN). Asserts that the panel shows
 /// them.
 pub fn line_traffic<M: Kind<ColorFormat: Colour>, const LEAST_RUN: u16>() -> (usize, usize) {
     let (mut screen, background, ink) =

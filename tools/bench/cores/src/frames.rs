@@ -5,7 +5,7 @@ use bench::measure::Display;
 use bench::scene::{area, Scene, BACKGROUND};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{Band, BinnedFaces, DepthBuffer, Frame, Lambert, ScreenVertex, Surface};
+use pinhole::prelude::*;
 
 /// Rows of a band.
 pub(crate) const ROWS: u32 = 16;

@@ -21,7 +21,7 @@ use both_cores::OtherCore;
 use core::hint::black_box;
 use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use frames::{Cores, Memory, One, Solid, Way, WithDepth, ROWS};
-use pinhole::{Lambert, ScreenVertex};
+use pinhole::{camera::ScreenVertex, light::Lambert};
 
 /// Bytes of a row.
 const ROW: usize = bytes(1);

@@ -9,7 +9,7 @@ use crate::scene::{area, Model, Scene, BACKGROUND, LINE};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{DepthBuffer, ScreenVertex, Stroke, Surface};
+use pinhole::{prelude::*, shading::Stroke};
 
 /// Memory of a strip, of its depth if there is any, of a mesh's vertices and its binned faces or edges.
 pub struct Strip<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: usize> {

@@ -5,7 +5,7 @@ use crate::measure::Checksum;
 use crate::scene::{BACKGROUND, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::ScreenVertex;
+use pinhole::camera::ScreenVertex;
 
 const PIXELS: usize = (SIZE * SIZE) as usize;
 

@@ -22,12 +22,12 @@ use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{Accuracy, AntiAliased, Blended, HalfBlended, Mesh, Statistics, WithPlanes};
+use pinhole::{mesh::WithPlanes, prelude::*, shading::{AntiAliased, Blended}, texture::Accuracy};
 use textured::{X2, X3, X4};
 use ways::{picture, screen as dt};
 
 /// The picture that cells are drawn into; its size is unknown to the compiler.
-pub type Picture<'p> = pinhole::Picture<'p, Rgb565>;
+pub type Picture<'p> = pinhole::target::Picture<'p, Rgb565>;
 
 /// The result of a cell.
 #[derive(Clone, Copy)]

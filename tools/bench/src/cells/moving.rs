@@ -6,10 +6,7 @@ use crate::scene::{self, area, LINE, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
 use pinhole::space::{Model, World};
-use pinhole::{
-    Affine, Angle, Camera, DepthBuffer, Mesh, Point3, Projection, Scalar, Sphere, Surface, Vector3,
-    ViewTransform, Viewport, Visibility,
-};
+use pinhole::{camera::Visibility, math::Sphere, prelude::*, Angle};
 
 /// S1's pose is a turn of 37° about y, then one of 28° about x. The camera of T1 is raised by the second instead, on a circle
 /// about the cube: sine and cosine of 28°, times S1's distance, in 2⁻¹⁶.

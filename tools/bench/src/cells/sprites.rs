@@ -4,7 +4,7 @@ use super::{count, drawn, Counted, Deep};
 use crate::scene::{self, area};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
-use pinhole::{ColorKeyed, DepthBuffer, Mesh, Scalar, Sprite, Surface};
+use pinhole::{prelude::*, texture::ColorKeyed};
 
 /// A side of the picture, in texels.
 const SIDE: usize = 16;

@@ -8,10 +8,7 @@ use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::space::{Model, World};
-use pinhole::{
-    Accuracy, Affine, Angle, Camera, DepthBuffer, Mesh, Point3, Projection, Scalar, Surface, Texture,
-    Vector3, ViewTransform, Viewport,
-};
+use pinhole::{prelude::*, texture::Accuracy, Angle};
 
 /// A side of the picture, in texels.
 const SIDE: usize = 64;

@@ -1,7 +1,7 @@
 //! The cases of `growth.json`: some to fit the constants, others to test the predictions.
 
 use super::{Kind, SMALL};
-use pinhole::{Cull, Mesh};
+use pinhole::{draw::Cull, Mesh};
 
 /// A mesh of 10 to 20 000 triangles, which `build.rs` makes; it is not checked yet: the compiler would take long.
 pub(super) struct Shape {

@@ -16,10 +16,7 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{
-    Affine, Angle, Band, DepthBuffer, Frame, Lambert, Mesh, MeshInstance, Painter, Picture, ScreenVertex,
-    SpanShader, Surface, Vector3,
-};
+use pinhole::{prelude::*, shading::SpanShader, Angle};
 
 /// The number of pixels of the largest picture.
 const PIXELS: usize = 480 * 320;

@@ -3,7 +3,7 @@
 use super::texture::{coordinates, TEXELS_OF_UNIT};
 use super::{Case, Way, PAINTED_CORNERS, SMALL};
 use embedded_graphics_core::geometry::Size;
-use pinhole::Projected;
+use pinhole::camera::Projected;
 use pinhole_apps_support::work::{reach, Frame, Work};
 
 impl Case {

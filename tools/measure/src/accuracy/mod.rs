@@ -42,7 +42,7 @@ struct Measured {
 
 /// The objects of the two columns of depths.
 const OBJECTS: [&str; 2] = ["points and r/z ≤ 16", "r/z ≤ 300"];
-/// The bounds that [`pinhole::MeshInstance::project`] and [`pinhole::Camera::project`] document, in px and in depth steps; the latter from
+/// The bounds that [`pinhole::draw::MeshInstance::project`] and [`pinhole::Camera::project`] document, in px and in depth steps; the latter from
 /// a ratio of far to near on.
 const PLACE: f64 = 1.0 / 256.0;
 const DEPTH: (f64, f64) = (1.0, 2.0);

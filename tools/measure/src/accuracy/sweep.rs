@@ -6,7 +6,7 @@ use crate::bridge::{point, scalar, vector};
 use crate::oracle::chain::{self, V3};
 use crate::oracle::rng::Rng;
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Camera, Coordinate, Mesh, Scalar};
+use pinhole::{mesh::Coordinate, prelude::*};
 
 /// Vertices per population and design.
 pub(super) const COUNT: usize = 1_000_000;
@@ -39,13 +39,17 @@ fn seen<V: Coordinate<Stored = V>>(
     let instance = camera.place(mesh, model);
     let vertex = |i| {
         let before = instance.project_unsnapped(i)?.map(|v| v as f64 / 4_294_967_296.0);
-        let pinhole::Projected { point: p, depth } = instance.project(i).ok()?;
+        let pinhole::camera::Projected { point: p, depth } = instance.project(i).ok()?;
         Some(Seen { before, after: [f64::from(p.x()) / 256.0, f64::from(p.y()) / 256.0, f64::from(depth)] })
     };
     (0..VERTICES).map(vertex).collect()
 }
 
-fn object(camera: &Camera, design: Design, object: &Object) -> Result<Vec<Option<Seen>>, pinhole::MeshError> {
+fn object(
+    camera: &Camera,
+    design: Design,
+    object: &Object,
+) -> Result<Vec<Option<Seen>>, pinhole::mesh::MeshError> {
     let model = object.model.library();
     Ok(match design {
         Design::Fixed => {
@@ -58,12 +62,12 @@ fn object(camera: &Camera, design: Design, object: &Object) -> Result<Vec<Option
 
 /// A single point by [`Camera::project`]. It is also drawn as an object without extent, from which its position before the snap
 /// is read.
-fn single(camera: &Camera, at: [i32; 3]) -> Result<Option<Seen>, pinhole::MeshError> {
+fn single(camera: &Camera, at: [i32; 3]) -> Result<Option<Seen>, pinhole::mesh::MeshError> {
     let model = Affine::<Model, World>::scale(Scalar::ZERO).then(&Affine::translation(vector(at)));
     let vertices = [[0; 3]; VERTICES];
     let as_object = seen(camera, &Mesh::new(&vertices, 0, &[])?, &model).into_iter().next().flatten();
     let after = camera.project(point(at)).ok();
-    Ok(as_object.zip(after).map(|(s, pinhole::Projected { point: p, depth })| Seen {
+    Ok(as_object.zip(after).map(|(s, pinhole::camera::Projected { point: p, depth })| Seen {
         after: [f64::from(p.x()) / 256.0, f64::from(p.y()) / 256.0, f64::from(depth)],
         ..s
     }))

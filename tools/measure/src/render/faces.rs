@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::raw::RawU32;
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{Cull, DepthBuffer, Mesh, ScreenVertex, SpanShader, Statistics, Surface, Texels, Texture};
+use pinhole::{prelude::*, shading::SpanShader, texture::Texels};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_render::parts::parts;
 use pinhole_render::quantised::Quantised;

@@ -59,8 +59,8 @@ mod tests {
         assert_eq!(names("krate::scene::edges::<12>"), ["krate::scene::edges"]);
         assert_eq!(names("<krate::Affine<krate::A, krate::B>>::then::<krate::C>"), ["krate::Affine::then"]);
         assert_eq!(
-            names("<krate::Pixels<Rgb, [u8; 2]> as krate::Surface>::fill"),
-            ["<krate::Pixels as krate::Surface>::fill", "krate::Surface::fill"]
+            names("<krate::target::Pixels<Rgb, [u8; 2]> as krate::target::Surface>::fill"),
+            ["<krate::target::Pixels as krate::target::Surface>::fill", "krate::target::Surface::fill"]
         );
         assert_eq!(names("<krate::Plane>::at::{closure#0}"), ["krate::Plane::at::{closure#0}"]);
         assert_eq!(

@@ -8,7 +8,10 @@ use crate::oracle::texture::{off_repeated, Ray};
 use embedded_graphics::pixelcolor::raw::RawU32;
 use embedded_graphics::prelude::*;
 use pinhole::space::{Model, World};
-use pinhole::{Accuracy, Affine, Mesh, Texels, Texture};
+use pinhole::{
+    prelude::*,
+    texture::{Accuracy, Texels},
+};
 use pinhole_apps_support::canvas::Canvas;
 use scenes::{Scene, CAMERA, SIDE};
 use serde_json::{json, Value};
@@ -21,7 +24,7 @@ const ACCURACIES: [(&str, Accuracy, f64); 3] = [
 ];
 /// The side of the texture, in texels.
 const TEXELS: f64 = 64.0;
-/// The error that [`pinhole::Texture`] documents in addition to the accuracy, for faces without a corner close to the eye.
+/// The error that [`pinhole::texture::Texture`] documents in addition to the accuracy, for faces without a corner close to the eye.
 const PLANES: f64 = 0.02;
 
 /// The errors of a scene by each accuracy.
@@ -38,7 +41,7 @@ pub(super) fn measure() -> Result<Vec<Measured>, String> {
 }
 
 impl Measured {
-    fn new(scene: Scene) -> Result<Self, pinhole::MeshError> {
+    fn new(scene: Scene) -> Result<Self, pinhole::mesh::MeshError> {
         let (camera, exact) = (CAMERA.library(), CAMERA.exact());
         let mut measured = Self { scene, errors: Default::default(), others: [0.0; ACCURACIES.len()] };
         for (corners, uv) in &measured.scene.faces {

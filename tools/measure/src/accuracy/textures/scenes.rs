@@ -3,7 +3,7 @@
 use crate::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use crate::oracle::chain::V3;
 use crate::oracle::rng::Rng;
-use pinhole::Cull;
+use pinhole::draw::Cull;
 
 /// Width and height of the picture.
 pub(crate) const SIDE: u32 = 240;
