@@ -13,7 +13,10 @@ use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::primitives::Rectangle;
 use embedded_hal::digital::OutputPin;
-use pinhole::{bands::{DirtyRegions, Frame, Tracked, TransferCost}, color::Color};
+use pinhole::{
+    bands::{DirtyRegions, Frame, Tracked, TransferCost},
+    color::Color,
+};
 
 /// Memory for a band, and the band that is in it.
 pub struct Strip {

@@ -6,7 +6,14 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model, View, World};
-use pinhole::{bands::{DirtyRegions, TransferCost}, camera::{PlanarProjection, ReferenceVolume, Window}, math::Sphere, mesh::{Hierarchy, Node}, prelude::*, Angle};
+use pinhole::{
+    bands::{DirtyRegions, TransferCost},
+    camera::{PlanarProjection, ReferenceVolume, Window},
+    math::Sphere,
+    mesh::{Hierarchy, Node},
+    prelude::*,
+    Angle,
+};
 
 const SQUARE: [[i16; 3]; 4] = [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]];
 

@@ -9,7 +9,13 @@ use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 use pinhole::space::{Model as ModelSpace, World};
-use pinhole::{light::RigidLambert, mesh::{edge_faces, FacePlanes}, prelude::*, texture::{IndexedTexels, LitTextured}, Angle};
+use pinhole::{
+    light::RigidLambert,
+    mesh::{edge_faces, FacePlanes},
+    prelude::*,
+    texture::{IndexedTexels, LitTextured},
+    Angle,
+};
 
 /// A program that draws a frame of each of [`cubes`], one after the other: the second one is cut, so what cutting takes of
 /// the stack is seen.
@@ -207,5 +213,14 @@ pub mod prelude {
     pub use embedded_graphics_core::geometry::{Point, Size};
     pub use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
     pub use embedded_graphics_core::primitives::Rectangle;
-    pub use pinhole::{bands::{DirtyRegions, TransferCost}, fog::{Fog, FogTable, VertexFog}, mesh::Coordinate, prelude::*, shading::{AntiAliased, SpanShader}, target::LeastRun, texture::ColorKeyed, Angle};
+    pub use pinhole::{
+        bands::{DirtyRegions, TransferCost},
+        fog::{Fog, FogTable, VertexFog},
+        mesh::Coordinate,
+        prelude::*,
+        shading::{AntiAliased, SpanShader},
+        target::LeastRun,
+        texture::ColorKeyed,
+        Angle,
+    };
 }

@@ -5,7 +5,13 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model as ModelSpace, World};
-use pinhole::{light::RigidLambert, mesh::{FacePlanes, WithPlanes, WithoutPlanes}, prelude::*, shading::Dithered, Angle};
+use pinhole::{
+    light::RigidLambert,
+    mesh::{FacePlanes, WithPlanes, WithoutPlanes},
+    prelude::*,
+    shading::Dithered,
+    Angle,
+};
 
 /// Width and height of a frame.
 pub const SIZE: u32 = 240;

@@ -7,7 +7,10 @@ use crate::scene::{self, area, Scene};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
 use pinhole::space::{Model, World};
-use pinhole::{fog::{Fog, FogTable}, prelude::*};
+use pinhole::{
+    fog::{Fog, FogTable},
+    prelude::*,
+};
 
 /// Fog between these distances.
 #[inline(never)] // set-up: off the stack when it returns

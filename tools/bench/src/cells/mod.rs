@@ -22,7 +22,12 @@ use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{mesh::WithPlanes, prelude::*, shading::{AntiAliased, Blended}, texture::Accuracy};
+use pinhole::{
+    mesh::WithPlanes,
+    prelude::*,
+    shading::{AntiAliased, Blended},
+    texture::Accuracy,
+};
 use textured::{X2, X3, X4};
 use ways::{picture, screen as dt};
 

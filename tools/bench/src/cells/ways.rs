@@ -6,7 +6,12 @@ use crate::scene::{self, area, Model, Scene};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565, Rgb888, RgbColor};
 use pinhole::raster::{Pixel, ScreenPoint};
-use pinhole::{draw::{draw_line, fill_triangle, ShaderFor, StrokeFor}, mesh::FacePlanes, prelude::*, target::Pixels};
+use pinhole::{
+    draw::{draw_line, fill_triangle, ShaderFor, StrokeFor},
+    mesh::FacePlanes,
+    prelude::*,
+    target::Pixels,
+};
 
 /// The functions of a module, each of which draws by `$count` into `$target` of what that hands out, a `$type`.
 macro_rules! ways {

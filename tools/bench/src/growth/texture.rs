@@ -1,7 +1,10 @@
 //! A picture on faces that have no texture coordinates, as the planner lays it on.
 
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{prelude::*, texture::{IndexedTexels, LitTextured}};
+use pinhole::{
+    prelude::*,
+    texture::{IndexedTexels, LitTextured},
+};
 
 /// A side of the picture, in texels.
 const SIDE: usize = 64;
