@@ -78,7 +78,7 @@ public_types! {
 }
 
 /// Public by their keyword only: set-ups of shaders and marks of targets, which no path leads to.
-const NOT_NAMED: [&str; 11] = [
+const NOT_NAMED: [&str; 12] = [
     "ChannelGradients",
     "DitheredColor",
     "FogLevel",
@@ -89,6 +89,7 @@ const NOT_NAMED: [&str; 11] = [
     "TableGradient",
     "Tested",
     "TextureGradients",
+    "Unmatched",
     "Untested",
 ];
 

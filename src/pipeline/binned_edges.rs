@@ -15,7 +15,9 @@ use crate::math::Coordinate;
 use crate::raster::Scissor;
 use crate::scene::FacePlanes;
 use crate::shading::Stroke;
-use crate::surface::{BufferError, DepthBuffer, DepthTestedSurface, Surface, Target, Tested, Untested};
+use crate::surface::{
+    BufferError, DepthBuffer, DepthTestedSurface, Surface, Target, Tested, Unmatched, Untested,
+};
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -269,6 +271,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
 
 impl<V: Coordinate, const DEPTH: bool> DrawnWith<Untested> for BinnedEdges<'_, V, DEPTH> {}
 impl<V: Coordinate> DrawnWith<Tested> for BinnedEdges<'_, V, true> {}
+impl<V: Coordinate, const DEPTH: bool> DrawnWith<Unmatched> for BinnedEdges<'_, V, DEPTH> {}
 
 #[cfg(feature = "defmt")]
 impl<V: Coordinate, const DEPTH: bool> defmt::Format for BinnedEdges<'_, V, DEPTH> {

@@ -17,7 +17,7 @@ use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
 use crate::scene::FacePlanes;
-use crate::surface::{BufferError, DepthBuffer, DepthTarget, Surface, Target, Tested, Untested};
+use crate::surface::{BufferError, DepthBuffer, DepthTarget, Surface, Target, Tested, Unmatched, Untested};
 use core::convert::Infallible;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -424,6 +424,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
 
 impl<V: Coordinate, const DEPTH: bool> DrawnWith<Untested> for BinnedFaces<'_, V, DEPTH> {}
 impl<V: Coordinate> DrawnWith<Tested> for BinnedFaces<'_, V, true> {}
+impl<V: Coordinate, const DEPTH: bool> DrawnWith<Unmatched> for BinnedFaces<'_, V, DEPTH> {}
 
 #[cfg(feature = "defmt")]
 impl<V: Coordinate, const DEPTH: bool> defmt::Format for BinnedFaces<'_, V, DEPTH> {

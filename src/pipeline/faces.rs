@@ -221,6 +221,7 @@ pub(super) fn store_depth<V: Coordinate>(
 
 /// The faces of an instance, with the closure that shades them: drawn, or [picked](Self::pick), by one more call.
 /// [`MeshInstance::faces`] makes it.
+#[must_use = "`draw` draws the faces, `pick` finds the one in a pixel"]
 #[derive(Debug)]
 pub struct Faces<'a, V: Coordinate, P: FacePlanes, F> {
     pub(super) instance: &'a MeshInstance<'a, V, P>,
@@ -255,7 +256,6 @@ impl<'a, V: Coordinate, P: FacePlanes, F> Faces<'a, V, P, F> {
     ///
     /// Of a mesh [with planes](crate::Mesh::with_planes), a vertex is transformed when the first face that may be visible needs it; a
     /// vertex that must be clipped, or lies farther out than a [`ScreenVertex`] can hold, is transformed again for each such face.
-    #[must_use]
     #[inline(always)]
     pub fn cached(self, cache: &'a mut [ScreenVertex]) -> Self {
         Self { cache, ..self }

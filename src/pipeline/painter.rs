@@ -14,7 +14,7 @@ use crate::math::Coordinate;
 use crate::raster::{self, DepthTriangle, Scissor, ScreenPoint, Triangle};
 use crate::scene::FacePlanes;
 use crate::shading::{DepthTested, Shader};
-use crate::surface::{BufferError, DepthBuffer, DepthTarget, Surface, Target, Tested, Untested};
+use crate::surface::{BufferError, DepthBuffer, DepthTarget, Surface, Target, Tested, Unmatched, Untested};
 use core::convert::Infallible;
 use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
@@ -160,8 +160,13 @@ pub trait StoredShader<T: Surface, Test>: Copy {
         order: &PaintersOrder<'_, Self>,
         surface: &mut T,
         depth: Option<&mut DepthBuffer<'_>>,
-    ) -> Result<(), T::Error>;
+    ) -> Result<(), T::Error> {
+        let _ = (order, surface, depth);
+        Ok(()) // of no target: see `Unmatched`
+    }
 }
+
+impl<T: Surface, S: ShaderFor<T>> StoredShader<T, Unmatched> for S {}
 
 impl<T: Surface, S: ShaderFor<T>> StoredShader<T, Untested> for S {
     #[inline(never)] // its stack frame is gone when it returns

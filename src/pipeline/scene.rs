@@ -288,6 +288,7 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
 }
 
 /// The faces of all visible objects, with the closure that shades them: drawn or picked by one more call. [`PlacedScene::faces`] makes it.
+#[must_use = "`draw` draws the faces, `pick` finds the one in a pixel"]
 #[derive(Debug)]
 pub struct SceneFaces<'a, 's, 'm, M, G, const OBJECTS: usize> {
     scene: &'a PlacedScene<'s, 'm, M, OBJECTS>,
@@ -298,7 +299,6 @@ pub struct SceneFaces<'a, 's, 'm, M, G, const OBJECTS: usize> {
 impl<'a, 's, 'm, M, G, const OBJECTS: usize> SceneFaces<'a, 's, 'm, M, G, OBJECTS> {
     /// With memory for transformed vertices, which the objects share one after the other: it should have room for the largest mesh, and
     /// may be shorter, as in [`Faces::cached`](crate::draw::Faces::cached).
-    #[must_use]
     #[inline(always)]
     pub fn cached(self, cache: &'a mut [ScreenVertex]) -> Self {
         Self { cache, ..self }

@@ -33,6 +33,7 @@ pub(super) fn each_edge<V: Coordinate, E, const DEPTH: bool>(
 }
 
 /// The edges of an instance, with the closure that gives their strokes: drawn by one more call. [`MeshInstance::edges`] makes it.
+#[must_use = "`draw` draws the edges, `hidden_line` those in sight"]
 #[derive(Debug)]
 pub struct Edges<'a, V: Coordinate, P: FacePlanes, F> {
     pub(super) instance: &'a MeshInstance<'a, V, P>,
@@ -84,7 +85,6 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
 impl<'a, V: Coordinate, P: FacePlanes, F> Edges<'a, V, P, F> {
     /// With memory for transformed vertices: as long as the mesh's vertex list, so that each vertex is transformed once. Without it,
     /// or beyond its end, a vertex is transformed for each edge that needs it: slower, but the picture is equal.
-    #[must_use]
     #[inline(always)]
     pub fn cached(self, cache: &'a mut [ScreenVertex]) -> Self {
         Self { cache, ..self }

@@ -223,6 +223,11 @@ pub enum Untested {}
 #[derive(Clone, Copy, Debug)]
 pub enum Tested {}
 
+/// Marks no target. A trait that has only one mark implemented for a type makes the compiler expect that mark, and say no more; with this
+/// one beside it, the compiler says what the trait advises. No value of this type exists.
+#[derive(Clone, Copy, Debug)]
+pub enum Unmatched {}
+
 impl<S: Surface> Target for S {
     type Color = S::Color;
     type Error = S::Error;
@@ -242,6 +247,7 @@ impl<S: Surface> Target for S {
 
 /// A [`Surface`] with a depth buffer, as [`Surface::depth_tested`] makes it: a draw call draws the pixels that are nearer than the
 /// buffer, and stores their depth.
+#[must_use = "pass it to a draw call by `&mut`"]
 #[derive(Debug)]
 pub struct DepthTestedSurface<'t, 'b, S> {
     pub(crate) surface: &'t mut S,
@@ -277,6 +283,26 @@ mod sealed {
 impl<S> defmt::Format for DepthTestedSurface<'_, '_, S> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "surface with a {}", self.depth);
+    }
+}
+
+/// A depth buffer, and whether its rows are laid out like those of the target's memory.
+#[derive(Debug)]
+pub(crate) struct DepthTarget<'d, 'b> {
+    pub(crate) buffer: &'d mut DepthBuffer<'b>,
+    /// Whether a pixel has the same index in the depth buffer as in the target's memory: the two begin with the same pixel and
+    /// have rows of the same width. Either may have more rows.
+    pub(crate) is_aligned: bool,
+}
+
+impl<'d, 'b> DepthTarget<'d, 'b> {
+    /// Compares the layouts of depth buffer and target: once per draw call, not for each triangle.
+    #[inline(always)]
+    pub(crate) fn new<T: Surface>(buffer: &'d mut DepthBuffer<'b>, target: &mut T) -> Self {
+        let Rectangle { top_left, size } = buffer.area();
+        let pixels = target.memory().map(|memory| memory.area());
+        let is_aligned = pixels.is_some_and(|own| own.top_left == top_left && own.size.width == size.width);
+        Self { buffer, is_aligned }
     }
 }
 

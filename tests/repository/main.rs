@@ -2,5 +2,6 @@
 
 mod layering;
 mod links;
+mod messages;
 mod package;
 mod public_names;
