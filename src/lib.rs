@@ -50,10 +50,10 @@
 //! | meshes | [`mesh`], [`meshes`] | [`Mesh`]; a ready cube, torus …; [`pinhole-import`](https://docs.rs/pinhole-import) reads OBJ and STL files |
 //! | drawing | [`draw`] | [`MeshInstance`](draw::MeshInstance): `faces(..).draw(..)`, `edges(..)`, `points(..)` …; [which method](book::ch4_visibility) |
 //! | many objects | [`draw`] | [`Scene`](draw::Scene); [`Frustum`](camera::Frustum) and [`Camera::visibility`] say what is in view |
-//! | targets | [`target`], [`color`] | [`Surface`](target::Surface): any DrawTarget, or pixels in memory; [with a depth buffer](target::Surface::depth_tested) |
+//! | targets | [`target`], [`color`] | [`Surface`](target::Surface): any DrawTarget, or pixels in memory; [with a depth buffer](target::Surface::depth_tested); your own colour: [`Color`](color::Color) |
 //! | no framebuffer, DMA, two cores | [`bands`] | [`Frame`](bands::Frame), [`mesh_buffers!`], [`strip_buffers!`]; [how](book::ch5_bands); [`DirtyRegions`](bands::DirtyRegions) sends what has changed |
 //! | light | [`light`] | [`Lambert`](light::Lambert); several and point lights, highlights, matcaps |
-//! | shading | [`shading`], [`texture`], [`fog`] | a colour, [`Gouraud`](shading::Gouraud), [`Texture`](texture::Texture), [`Fogged`](fog::Fogged); your own: [`Shader`](shading::Shader) |
+//! | shading | [`shading`], [`texture`], [`fog`] | a colour, [`Gouraud`](shading::Gouraud), [`Texture`](texture::Texture), [`Fogged`](fog::Fogged); your own: [`SpanShader`](shading::SpanShader) |
 //! | sprites and lines | [`sprite`] | [`Sprite`](sprite::Sprite); [`AntiAliased`](shading::AntiAliased) lines |
 //! | labels and picking | [`camera`], [`draw`] | [`Camera::project`], [`Faces::pick`](draw::Faces::pick) |
 //! | 2D, and the stages alone | [`raster`], [`clip`] | [`fill_triangle`](draw::fill_triangle), [`draw_line`](draw::draw_line) |

@@ -233,7 +233,7 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
 
     /// The faces of all objects, to be drawn or picked. `shade` is called once for each visible object, with its index in the scene,
     /// and returns a closure that is called once for each face that is drawn, with the face's index. Where this closure borrows from
-    /// the object's material, write it in the call itself: Rust cannot infer its type in a variable.
+    /// the object, write it in the call itself: Rust cannot infer its type in a variable.
     #[inline(always)]
     pub fn faces<S, F: FnMut(usize) -> S, G: FnMut(usize, &'s Object<'m, M>) -> F>(
         &self,
@@ -356,7 +356,7 @@ pub struct BinnedScene<'f, 'm, M, const OBJECTS: usize> {
 impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
     /// Draws the faces that lie in a band: usually with a depth buffer of the band's area. `shade` is called once for each object whose bounds meet the band,
     /// with its index in the scene, and returns a closure that is called once for each face that is drawn, with the face's index.
-    /// Where this closure borrows from the object's material, write it in the call itself: Rust cannot infer its type in a
+    /// Where this closure borrows from the object, write it in the call itself: Rust cannot infer its type in a
     /// variable. All bands together are, pixel by pixel, the picture of [`SceneFaces::draw`].
     ///
     /// # Errors

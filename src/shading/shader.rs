@@ -71,7 +71,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 #[diagnostic::on_unimplemented(
     message = "faces cannot be filled with `{Self}`",
     label = "not a color or a shader",
-    note = "return the target's color type, or a shader such as `Flat`, `Gouraud`, `Lit` or `Dithered`"
+    note = "return the target's color type, a shader such as `Flat`, `Gouraud`, `Lit` or `Dithered`, or implement `Shader` and `SpanShader` for your own"
 )]
 pub trait Shader: Copy {
     /// The varying of a corner: what clipping interpolates where a plane cuts an edge of the face. Use `()` if nothing varies
@@ -105,7 +105,8 @@ pub trait Shader: Copy {
 /// A [`Shader`] for targets whose pixels have the colour type `C`. It is set up once for each triangle and then returns the
 /// colours of each span.
 ///
-/// Example of a custom shader, which interpolates a grey value from corner to corner. `examples/shader` has three more: a
+/// Example of a custom shader, which interpolates a grey value from corner to corner; [`span`](Self::span) has one that leaves out pixels, and
+/// `examples/shader` three more: a
 /// perspective-correct checkerboard, depth fog, and a blend with the stored pixels.
 ///
 /// ```

@@ -23,8 +23,8 @@ use embedded_graphics_core::Pixel;
 ///
 /// [`LeastRun`](crate::target::LeastRun) changes the choice for a target.
 ///
-/// Your own type implements the trait in one of two forms. A target that takes spans has `[Self::Color; 0]` for
-/// [`Store`](Self::Store). A target whose pixels lie in [`Memory`] returns that from [`memory`](Self::memory):
+/// Your own type implements the trait if it is no DrawTarget, in one of two forms. A target that takes spans, or has several pixels in a byte,
+/// has `[Self::Color; 0]` for [`Store`](Self::Store). A target whose pixels lie in [`Memory`] returns that from [`memory`](Self::memory):
 ///
 /// ```
 /// use core::convert::Infallible;
@@ -88,7 +88,7 @@ pub trait Surface {
     /// The rectangle that can be drawn to.
     fn area(&self) -> Rectangle;
 
-    /// Sets the pixels of a span, which lies in the [`area`](Self::area), to one colour.
+    /// Sets the pixels of a span, a row or a column, which lies in the [`area`](Self::area), to one colour.
     ///
     /// # Errors
     ///
