@@ -37,7 +37,6 @@
 //! embedded-graphics into each band, on top of the ring. In place of the ring, put the mesh that `pinhole-import` makes of your logo.
 //!
 //! ```
-
 #![doc = include_str!("cookbook/logo.rs")]
 //! ```
 //!

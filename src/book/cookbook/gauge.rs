@@ -4,12 +4,8 @@ use core::fmt::Write;
 use embedded_graphics::mono_font::{ascii::FONT_6X13_BOLD, MonoTextStyle};
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb888};
 use embedded_graphics::{prelude::*, primitives::Rectangle, text::*};
-use pinhole::{
-    bands::{DirtyRegions, Tracked, TransferCost},
-    math::Sphere,
-    prelude::*,
-    Angle,
-};
+use pinhole::bands::{DirtyRegions, Tracked, TransferCost};
+use pinhole::{math::Sphere, prelude::*, Angle};
 
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(128, 64));
 /// 21 marks over half a turn from left to right, every fifth one longer, and the outline: vertices and edges.
