@@ -26,7 +26,6 @@
 //! ## DWT
 //!
 //! ```ignore
-
 #![doc = include_str!("measuring/dwt.rs")]
 //! ```
 //!
