@@ -71,14 +71,14 @@ pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
         (!whole).then(|| draw(scene, |target| instance.faces(|_| Shader(1)).draw(target)))
     });
     let Some(drawing) = cut else { return };
-    // R7: the same from every corner.
     let [a, b, c] = face;
-    for turned in [[b, c, a], [c, a, b]] {
-        let turned = scene.with_instance(&[turned], &[], |instance| {
+    let turned = [[b, c, a], [c, a, b]].map(|turned| {
+        scene.with_instance(&[turned], &[], |instance| {
             draw(scene, |target| instance.faces(|_| Shader(1)).draw(target))
-        });
+        })
+    });
+    for turned in &turned {
         assert_eq!(turned.statistics, drawing.statistics, "{face:?} of {scene:?}");
-        assert!(turned.target.pixels == drawing.target.pixels, "{face:?} of {scene:?}");
     }
     let points: Vec<V3> = (0..scene.vertices.len() as u16).map(|i| scene.model_point(i)).collect();
     let (exact, model) = (scene.camera.exact(), scene.model.exact());
@@ -102,9 +102,10 @@ pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
     let seen = moved.map(|camera| {
         sides.iter().map(|side| eye::faces(&camera, &model, &points, &[*side])).collect::<Vec<_>>()
     });
+    let (mut is_sliver, mut is_folded) = (true, false);
     for (x, y) in scene.area().pixels() {
         let count = drawing.target.count(x as i32, y as i32);
-        assert!(count <= 1, "({x}, {y}) {count} times: {face:?} of {scene:?}");
+        is_folded |= count > 1;
         let answers = seen.each_ref().map(|sides| {
             let each = sides.iter().map(|faces| eye::pixel(faces, (x, y), scene.far_clip, tolerance));
             each.collect::<Result<Vec<_>, ()>>().map(|found| found.iter().any(Option::is_some))
@@ -113,11 +114,19 @@ pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
         if answers != [Ok(wanted); 3] {
             continue;
         }
-        assert_eq!(
-            count == 1,
-            wanted,
-            "({x}, {y}) within {tolerance} px: {face:?} of {scene:?} {:?}",
-            drawing.statistics
-        );
+        is_sliver &= !wanted;
+        for count in
+            [count].into_iter().chain(turned.iter().map(|turned| turned.target.count(x as i32, y as i32)))
+        {
+            assert_eq!(
+                count > 0,
+                wanted,
+                "({x}, {y}) within {tolerance} px: {face:?} of {scene:?} {:?}",
+                drawing.statistics
+            );
+        }
     }
+    // Each pixel once, and the same from every corner (R7), but for slivers, of which no pixel is certain: rounding may fold their fan.
+    let is_equal = turned.iter().all(|turned| turned.target.pixels == drawing.target.pixels);
+    assert!(is_sliver || is_equal && !is_folded, "{face:?} of {scene:?}");
 }
