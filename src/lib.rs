@@ -114,8 +114,8 @@ pub mod draw {
 }
 
 pub mod target {
-    //! What is drawn into: any DrawTarget, or pixels in memory, with a depth buffer or without. Start with [`Surface`], which every
-    //! DrawTarget is; [`Picture`] is a framebuffer.
+    //! Drawing targets: any DrawTarget, or pixels in memory, with a depth buffer or without. Start with [`Surface`], the trait of every
+    //! DrawTarget; [`Picture`] is a framebuffer.
 
     pub use crate::surface::{
         BufferError, DepthBuffer, DepthTestedSurface, Gives, LeastRun, Memory, Picture, PixelStore, Pixels,

@@ -10,8 +10,8 @@ use crate::surface::BufferError;
 use crate::surface::{rectangle, DepthBuffer, Tested};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// What can be drawn into a target with this [test](crate::target::Target::Test): with a depth buffer, only what was transformed with depth. Draw
-/// calls ask for it, so that the compiler says what is missing.
+/// Binned faces, binned edges or vertices that can be drawn into a target with this [test](crate::target::Target::Test): with a depth buffer,
+/// only vertices with depth. Draw calls have this bound, so that the compiler names the missing depth.
 #[diagnostic::on_unimplemented(
     message = "a depth buffer needs vertices with depth, and these were transformed without it",
     label = "vertices without depth",

@@ -162,7 +162,7 @@ pub trait StoredShader<T: Surface, Test>: Copy {
         depth: Option<&mut DepthBuffer<'_>>,
     ) -> Result<(), T::Error> {
         let _ = (order, surface, depth);
-        Ok(()) // of no target: see `Unmatched`
+        Ok(()) // never called: no target has the mark `Unmatched`
     }
 }
 

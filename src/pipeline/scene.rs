@@ -354,8 +354,8 @@ pub struct BinnedScene<'f, 'm, M, const OBJECTS: usize> {
 }
 
 impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
-    /// Draws the faces that lie in a band: usually with a depth buffer of the band's area. `shade` is called once for each object whose bounds meet the band,
-    /// with its index in the scene, and returns a closure that is called once for each face that is drawn, with the face's index.
+    /// Draws the faces that lie in a band: usually with a depth buffer of the band's area. `shade` is called once for each object whose
+    /// bounds meet the band, with the object's index in the scene, and returns a closure that is called once for each face that is drawn, with the face's index.
     /// Where this closure borrows from the object, write it in the call itself: Rust cannot infer its type in a
     /// variable. All bands together are, pixel by pixel, the picture of [`SceneFaces::draw`].
     ///

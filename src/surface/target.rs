@@ -202,7 +202,7 @@ pub trait Target: sealed::Sealed {
     /// The pixels.
     type Surface: Surface<Color = Self::Color, Error = Self::Error>;
 
-    /// A mark: whether there is a depth buffer.
+    /// A marker type that says whether the target has a depth buffer.
     type Test;
 
     /// Calls `untested` with the surface, or `tested` with the surface and its depth buffer; either gets `arguments`.
@@ -223,8 +223,8 @@ pub enum Untested {}
 #[derive(Clone, Copy, Debug)]
 pub enum Tested {}
 
-/// Marks no target. A trait that has only one mark implemented for a type makes the compiler expect that mark, and say no more; with this
-/// one beside it, the compiler says what the trait advises. No value of this type exists.
+/// Marks no target. If a type implements a trait for one mark only, the compiler expects that mark, and does not print the trait's advice. A
+/// second implementation, for `Unmatched`, makes the compiler print it. No value of this type exists.
 #[derive(Clone, Copy, Debug)]
 pub enum Unmatched {}
 

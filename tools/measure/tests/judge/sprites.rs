@@ -68,7 +68,7 @@ pub(crate) fn over(base: &Drawn, scene: &Value, law: &str, discs: &Value) -> Vec
             sprites.push(Sprite { low, size, distance: -at[2], entry });
         }
     }
-    // Those that are stored come first, in the file's order; then the others from far to near.
+    // Sprites whose depth is stored come first, in the file's order; then the translucent sprites from far to near.
     sprites.sort_by(|a, b| {
         let key =
             |sprite: &Sprite<'_>| if sprite.entry["alpha"].is_null() { f64::MIN } else { -sprite.distance };
