@@ -72,7 +72,8 @@
 //! * **Ranges**: a world of ±32768 units in steps of 2⁻¹⁶, viewports within ±8192 pixels, at most 65 536 vertices per mesh. Faces run counter-clockwise
 //!   seen from outside.
 //!
-//! The feature `defmt` gives every public type a `defmt::Format`. Minimum Rust: 1.88. Changes: [CHANGELOG.md].
+//! Features: `defmt` gives every public type a `defmt::Format`; `fixed` converts a [`Scalar`] from and to an
+//! `I16F16` of that crate. Minimum Rust: 1.88. Changes: [CHANGELOG.md].
 
 #[cfg(doc)]
 pub mod book;

@@ -4,10 +4,12 @@ use super::form::sealed::Sealed;
 use super::num::divide;
 use super::Coordinate;
 use crate::math::MathError;
-use core::fmt::{Display, Formatter};
+use core::fmt::{Debug, Display, Formatter, Write};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 use core::str::FromStr;
+#[cfg(feature = "fixed")]
 use fixed::types::I16F16;
+use heapless::String;
 
 /// A fixed-point number: 16 integer and 16 fractional bits, ±32768 in steps of 2⁻¹⁶.
 ///
@@ -18,7 +20,7 @@ use fixed::types::I16F16;
 /// | an `f32` or `f64` | [`Scalar::from_f32`], [`Scalar::from_f64`], with an error for NaN and for numbers out of range |
 /// | any number that is known to be in range | [`Scalar::from_num`] |
 /// | text, such as `"-2.5"` | [`str::parse`] |
-/// | an `I16F16` of the crate `fixed` | `.into()`, which converts back, too |
+/// | an `I16F16` of the crate `fixed` | `.into()`, which converts back, too, with the feature `fixed` |
 ///
 /// Operators saturate: a result beyond the range is [`Scalar::MIN`] or [`Scalar::MAX`]. Sums, differences and negation are exact
 /// within the range. Products are rounded to the nearest 2⁻¹⁶, ties up, like `Vector3 * Scalar`; quotients as
@@ -33,9 +35,9 @@ use fixed::types::I16F16;
 /// assert_eq!(Scalar::from_f32(f32::NAN), Err(MathError::NotFinite));
 /// # Ok::<(), MathError>(())
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(transparent)]
-pub struct Scalar(I16F16);
+pub struct Scalar(i32);
 
 /// The nearest 32-bit number.
 pub(super) const fn saturated(v: i64) -> i32 {
@@ -63,13 +65,13 @@ impl Scalar {
     /// From the number of steps of 2⁻¹⁶, exact.
     #[inline]
     pub const fn from_bits(bits: i32) -> Self {
-        Self(I16F16::from_bits(bits))
+        Self(bits)
     }
 
     /// The number of steps of 2⁻¹⁶.
     #[inline]
     pub const fn to_bits(self) -> i32 {
-        self.0.to_bits()
+        self.0
     }
 
     /// A whole number: exact from −32768 to 32767, otherwise [`Scalar::MIN`] or [`Scalar::MAX`].
@@ -217,17 +219,19 @@ impl From<i16> for Scalar {
     }
 }
 
+#[cfg(feature = "fixed")]
 #[diagnostic::do_not_recommend] // its name is longer than a line
 impl From<I16F16> for Scalar {
     fn from(number: I16F16) -> Self {
-        Self(number)
+        Self::from_bits(number.to_bits())
     }
 }
 
+#[cfg(feature = "fixed")]
 #[diagnostic::do_not_recommend] // its name is longer than a line
 impl From<Scalar> for I16F16 {
     fn from(number: Scalar) -> Self {
-        number.0
+        Self::from_bits(number.to_bits())
     }
 }
 
@@ -267,9 +271,42 @@ impl FromStr for Scalar {
     }
 }
 
+/// As many decimals as asked for, of which 16 are all there are, or as few as name no other number. Rounded to the nearest, ties to
+/// even.
 impl Display for Scalar {
     fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
-        Display::fmt(&self.0, f)
+        let bits = self.to_bits().unsigned_abs();
+        let (whole, part) = (bits >> 16, u64::from(bits & 0xFFFF));
+        let exact = part * 5_u64.pow(16); // in 10⁻¹⁶: 16 bits and 38
+        let rounded = |decimals: u32| {
+            let unit = 10_u64.pow(16 - decimals);
+            let (digits, rest) = (exact / unit, exact % unit);
+            let odd = if decimals == 0 { u64::from(whole) } else { digits } & 1;
+            digits + u64::from(2 * rest + odd > unit)
+        };
+        // Five decimals are off by at most ½·10⁻⁵, which is less than half a step of 2⁻¹⁶.
+        let names_it = |&decimals: &u32| {
+            let unit = 10_u64.pow(decimals);
+            ((rounded(decimals) << 16) + unit / 2) / unit == part // at most 17 bits and 17
+        };
+        let decimals = match f.precision() {
+            Some(precision) => precision.min(16) as u32,
+            None => (0..5).find(names_it).unwrap_or(5),
+        };
+        let (unit, digits) = (10_u64.pow(decimals), rounded(decimals));
+        let (whole, digits) = (u64::from(whole) + digits / unit, digits % unit);
+        let mut text = String::<22>::new(); // 32768.0000000000000000
+        match decimals {
+            0 => write!(text, "{whole}")?,
+            _ => write!(text, "{whole}.{digits:0width$}", width = decimals as usize)?,
+        }
+        f.pad_integral(self.to_bits() >= 0, "", &text)
+    }
+}
+
+impl Debug for Scalar {
+    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
+        write!(f, "Scalar({self})")
     }
 }
 

@@ -104,7 +104,13 @@ proptest! {
         prop_assert_eq!(text.parse(), Ok(number));
         prop_assert!((text.parse::<f64>().unwrap() - number.to_f64()).abs() < 1.0 / 131_072.0);
         prop_assert_eq!(format!("{number:?}"), format!("Scalar({text})"));
-        prop_assert_eq!(I16F16::from(number), I16F16::from_bits(bits));
+        let other = I16F16::from_bits(bits);
+        prop_assert_eq!(&text, &other.to_string());
+        prop_assert_eq!(format!("{number:+09} {number:<9}"), format!("{other:+09} {other:<9}"));
+        for decimals in 0..=16 {
+            prop_assert_eq!(format!("{number:8.decimals$}"), format!("{:8.decimals$}", number.to_f64()));
+        }
+        prop_assert_eq!(I16F16::from(number), other);
         prop_assert_eq!(Scalar::from(I16F16::from_bits(bits)), number);
     }
 
