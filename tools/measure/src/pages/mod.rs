@@ -47,21 +47,22 @@ pub(crate) fn run(given: &ArgMatches) -> Result<ExitCode, String> {
         }
         Ok(())
     };
+    let tables = tables::Tables::read()?;
     for path in PAGES {
-        compare(path, with_tables(path)?)?;
+        compare(path, with_tables(path, &tables)?)?;
     }
     compare(PICTURES, pictures::definitions()?)?;
     Ok(if current { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 
 /// A page with its tables made anew.
-fn with_tables(path: &str) -> Result<String, String> {
+fn with_tables(path: &str, tables: &tables::Tables) -> Result<String, String> {
     let old = read(path)?;
     let (mut text, mut rest) = (String::new(), old.as_str());
     while let Some((before, after)) = rest.split_once(BEGIN) {
         let (name, after) = after.split_once(" -->\n").ok_or(format!("{path}: a table without a name"))?;
         let (_, after) = after.split_once(END).ok_or(format!("{path}: {name} has no end"))?;
-        let table = tables::table_of(name).map_err(|e| format!("{path}: table {name}: {e}"))?;
+        let table = tables.table(name).map_err(|e| format!("{path}: table {name}: {e}"))?;
         text += &[before, BEGIN, name, " -->\n", &table, END].concat();
         rest = after;
     }
