@@ -36,7 +36,6 @@
 //! ```
 
 use crate::math::num::scale;
-use crate::math::unit::{cross, normalise};
 use crate::math::Angle;
 use crate::scene::{edge_faces, Mesh, WithPlanes};
 
@@ -79,10 +78,10 @@ macro_rules! meshes {
 
 /// The radius and the y of the sphere's rings, from the lowest.
 const SPHERE_RINGS: [[i32; 2]; 7] = {
-    let (mut rings, mut ring) = ([[0; 2]; 7], 0);
+    let (turn, mut rings, mut ring) = (circle::<16>(), [[0; 2]; 7], 0);
     while ring < 7 {
         // The angle from the south pole is 1/16, 2/16 … 7/16 of a turn.
-        let (sine, cosine) = Angle::turns(ring as i32 + 1, 16).sin_cos();
+        let (sine, cosine) = turn[ring + 1];
         rings[ring] = [times(ONE, sine), -times(ONE, cosine)];
         ring += 1;
     }
@@ -157,7 +156,7 @@ meshes! {
 
 /// `length · factor` for a factor in 2⁻³⁰, rounded to nearest.
 const fn times(length: i32, factor: i32) -> i32 {
-    scale(length as i64 * factor as i64, -30) as i32 // at most `length`, 15 bits
+    scale(length as i64 * factor as i64, -30) as i32 // 62 bits, and at most `length`
 }
 
 const fn with_normals(
@@ -170,17 +169,42 @@ const fn with_normals(
     mesh
 }
 
-/// A unit vector in 2⁻³⁰ as Q0.15.
-const fn q15([x, y, z]: [i32; 3]) -> [i16; 3] {
-    const fn of(c: i32) -> i16 {
-        let rounded = (c + (1 << 14)) >> 15;
-        if rounded > 32_767 {
-            32_767
-        } else {
-            rounded as i16
-        }
+/// The sine and cosine, in 2⁻³⁰, of 0/N, 1/N … of a turn. A mesh takes them from this table, as the compiler needs long for each.
+const fn circle<const N: usize>() -> [(i32, i32); N] {
+    let (mut turn, mut k) = ([(0, 0); N], 0);
+    while k < N {
+        turn[k] = Angle::turns(k as i32, N as u32).sin_cos();
+        k += 1;
     }
-    [of(x), of(y), of(z)]
+    turn
+}
+
+/// A number in 2⁻³⁰, at most 1, as Q0.15.
+const fn q15(number: i32) -> i16 {
+    let rounded = (number + (1 << 14)) >> 15;
+    if rounded > 32_767 {
+        32_767
+    } else {
+        rounded as i16
+    }
+}
+
+/// The direction of a vector of at most 33 bits, as Q0.15. In `f64`, in which the compiler needs a tenth of the time of
+/// `math::unit::normalise`, whose results it has.
+const fn direction([x, y, z]: [i64; 3]) -> [i16; 3] {
+    let (x, y, z) = (x as f64, y as f64, z as f64);
+    let square = x * x + y * y + z * z;
+    // The square root by Newton's method: half the exponent is within 6 % of it, and each step doubles the digits.
+    let (mut length, mut step) = (f64::from_bits((square.to_bits() >> 1) + (1023 << 51)), 0);
+    while step < 4 {
+        length = (length + square / length) / 2.0;
+        step += 1;
+    }
+    const fn component(ratio: f64) -> i16 {
+        let steps = ratio * (1 << 30) as f64;
+        q15((if steps < 0.0 { steps - 0.5 } else { steps + 0.5 }) as i32) // `as` rounds to zero
+    }
+    [component(x / length), component(y / length), component(z / length)]
 }
 
 const fn face_normals<const F: usize>(vertices: &[[i16; 3]], faces: &[[u16; 3]; F]) -> [[i16; 3]; F] {
@@ -191,7 +215,8 @@ const fn face_normals<const F: usize>(vertices: &[[i16; 3]], faces: &[[u16; 3]; 
     while face < F {
         let [a, b, c] = faces[face];
         let (a, b, c) = (vertices[a as usize], vertices[b as usize], vertices[c as usize]);
-        normals[face] = q15(normalise(&cross(&side(a, b), &side(a, c))));
+        let ([a, b, c], [p, q, r]) = (side(a, b), side(a, c));
+        normals[face] = direction([b * r - c * q, c * p - a * r, a * q - b * p]);
         face += 1;
     }
     normals
@@ -216,11 +241,11 @@ const fn revolved<const AROUND: usize, const RINGS: usize, const V: usize>(
     rings: &[[i32; 2]; RINGS],
     [south, north]: [i32; 2],
 ) -> [[i16; 3]; V] {
-    let (mut vertices, mut ring) = ([[0; 3]; V], 0);
+    let (turn, mut vertices, mut ring) = (circle::<AROUND>(), [[0; 3]; V], 0);
     while ring < RINGS {
         let ([radius, y], mut i) = (rings[ring], 0);
         while i < AROUND {
-            let (sine, cosine) = Angle::turns(i as i32, AROUND as u32).sin_cos();
+            let (sine, cosine) = turn[i];
             vertices[ring * AROUND + i] =
                 [times(radius, sine) as i16, y as i16, times(radius, cosine) as i16];
             i += 1;
@@ -304,7 +329,7 @@ const fn sphere_normals() -> [[i16; 3]; 114] {
     let (mut normals, mut i) = ([[0; 3]; 114], 0);
     while i < 114 {
         let [x, y, z] = vertices[i];
-        normals[i] = q15(normalise(&[x as i64, y as i64, z as i64]));
+        normals[i] = direction([x as i64, y as i64, z as i64]);
         i += 1;
     }
     normals
@@ -312,10 +337,10 @@ const fn sphere_normals() -> [[i16; 3]; 114] {
 
 /// Vertex i · `ACROSS` + j: i around the axis, j around the tube, from the outside upwards.
 const fn torus_vertices<const AROUND: usize, const ACROSS: usize, const V: usize>() -> [[i16; 3]; V] {
+    let (around, across) = (circle::<AROUND>(), circle::<ACROSS>());
     let (mut vertices, mut k) = ([[0; 3]; V], 0);
     while k < V {
-        let (s, c) = Angle::turns((k / ACROSS) as i32, AROUND as u32).sin_cos();
-        let (t, d) = Angle::turns((k % ACROSS) as i32, ACROSS as u32).sin_cos();
+        let ((s, c), (t, d)) = (around[k / ACROSS], across[k % ACROSS]);
         let (radius, tube) = (ONE * 7 / 10, ONE * 3 / 10);
         let from_axis = radius + times(tube, d);
         vertices[k] = [times(from_axis, s) as i16, times(tube, t) as i16, times(from_axis, c) as i16];
@@ -325,11 +350,11 @@ const fn torus_vertices<const AROUND: usize, const ACROSS: usize, const V: usize
 }
 
 const fn torus_normals<const AROUND: usize, const ACROSS: usize, const V: usize>() -> [[i16; 3]; V] {
+    let (around, across) = (circle::<AROUND>(), circle::<ACROSS>());
     let (mut normals, mut k) = ([[0; 3]; V], 0);
     while k < V {
-        let (s, c) = Angle::turns((k / ACROSS) as i32, AROUND as u32).sin_cos();
-        let (t, d) = Angle::turns((k % ACROSS) as i32, ACROSS as u32).sin_cos();
-        normals[k] = q15([scale(s as i64 * d as i64, -30) as i32, t, scale(c as i64 * d as i64, -30) as i32]);
+        let ((s, c), (t, d)) = (around[k / ACROSS], across[k % ACROSS]);
+        normals[k] = [q15(times(s, d)), q15(t), q15(times(c, d))];
         k += 1;
     }
     normals
