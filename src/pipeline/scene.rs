@@ -307,6 +307,26 @@ impl<'a, 's, 'm, M, G, const OBJECTS: usize> SceneFaces<'a, 's, 'm, M, G, OBJECT
     /// Draws all objects, in the order of the scene and in one piece: usually into a target [with a depth
     /// buffer](crate::target::Surface::depth_tested). [`Faces::draw`](crate::draw::Faces::draw) says how faces are drawn.
     ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{meshes::{CUBE, TORUS}, prelude::*, Angle};
+    /// let mut scene = Scene::<Gray8, 2>::new(); // a colour is the material here
+    /// scene.add(Object::new(&CUBE, Affine::identity(), Gray8::new(200)))?;
+    /// scene.add(Object::new(&TORUS, Affine::identity().translate(Vector3::from_ints(2, 0, 0)), Gray8::new(90)))?;
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// let camera = Camera::framing(&scene.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    ///
+    /// let (mut pixels, mut depths) = ([Gray8::BLACK; 64 * 64], [0; 64 * 64]);
+    /// let mut picture = Picture::new(&mut pixels, viewport.size())?;
+    /// let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;
+    /// let placed = scene.place(&camera);
+    /// let mut cache = [ScreenVertex::EMPTY; 200]; // as the largest mesh needs: `TORUS.cache_len()`
+    /// let faces = placed.faces(|_, object| |_| object.material).cached(&mut cache);
+    /// let statistics = faces.draw(&mut picture.pixels().depth_tested(&mut depth))?;
+    /// assert!(statistics.drawn > 100);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.

@@ -70,6 +70,45 @@ use embedded_graphics_core::Pixel;
 /// assert!(target.is_drawn && cells[31] == 0xf800);
 /// # Ok::<(), BufferError>(())
 /// ```
+///
+/// Pixels that share bytes, as those of a monochrome display, have no memory that fast paths could write to:
+///
+/// ```
+/// use core::convert::Infallible;
+/// use embedded_graphics::{pixelcolor::BinaryColor, prelude::*, primitives::Rectangle};
+/// use pinhole::{draw::draw_line, raster::{self, Span}, target::Surface};
+///
+/// /// 128 × 64 pixels in pages of 8 rows: a byte is a column of a page, with its top row in the lowest bit.
+/// struct Pages([u8; 1024]);
+///
+/// impl Surface for Pages {
+///     type Color = BinaryColor;
+///     type Error = Infallible;
+///     type Store = [BinaryColor; 0];
+///
+///     fn area(&self) -> Rectangle {
+///         Rectangle::new(Point::zero(), Size::new(128, 64))
+///     }
+///     fn fill(&mut self, span: Span, color: BinaryColor) -> Result<(), Infallible> {
+///         for y in span.y..span.y + span.height {
+///             self.fill_run(Span { y, height: 1, ..span }, core::iter::repeat(color))?;
+///         }
+///         Ok(())
+///     }
+///     fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = BinaryColor>) -> Result<(), Infallible> {
+///         for (x, color) in (span.x..span.x + span.width).zip(colors) {
+///             let (byte, bit) = (&mut self.0[(span.y / 8 * 128 + x) as usize], 1 << span.y % 8);
+///             *byte = if color.is_on() { *byte | bit } else { *byte & !bit };
+///         }
+///         Ok(())
+///     }
+/// }
+///
+/// let mut display = Pages([0; 1024]);
+/// let [from, to] = [0, 127].map(|x| raster::Pixel { x, y: 10 });
+/// let Ok(()) = draw_line(from, to, BinaryColor::On, &mut display);
+/// assert_eq!(display.0[128..256], [1 << 2; 128]);
+/// ```
 #[diagnostic::on_unimplemented(
     message = "pinhole cannot draw into `{Self}`",
     label = "not a drawing target",
