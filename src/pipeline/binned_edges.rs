@@ -3,7 +3,6 @@
 use super::anti_aliased;
 use super::binned::{Binned, DrawnWith};
 use super::bins::Bins;
-use super::bounds::bounds;
 use super::draw_region::{pixels, DrawRegion};
 use super::drawable::StrokeFor;
 use super::fill::line_in_band;
@@ -279,4 +278,13 @@ impl<V: Coordinate, const DEPTH: bool> defmt::Format for BinnedEdges<'_, V, DEPT
         let Self(Binned { bins, statistics, .. }) = self;
         defmt::write!(f, "edges within {}: {}", bins.bounds(), statistics);
     }
+}
+
+/// The bounding box of the pixels of a line of one colour.
+#[inline(always)]
+fn bounds([from, to]: &[UnpackedVertex; 2]) -> Scissor {
+    let (from, to) = (from.point.pixel(), to.point.pixel());
+    let (left, right) = (from.x.min(to.x), from.x.max(to.x));
+    let (top, bottom) = (from.y.min(to.y), from.y.max(to.y));
+    Scissor::new(left.into(), top.into(), i32::from(right) + 1, i32::from(bottom) + 1)
 }

@@ -18,7 +18,6 @@ mod binned;
 mod binned_edges;
 mod binned_faces;
 mod bins;
-mod bounds;
 mod buffers;
 mod clip_face;
 mod cull;

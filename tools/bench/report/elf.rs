@@ -61,6 +61,7 @@ pub(crate) fn symbols(image: &Path) -> Result<Vec<String>> {
 
 /// The library's code: for each address the chain of functions inlined there.
 pub(crate) struct Provenance {
+    start: u64,
     places: Vec<Place>,
 }
 
@@ -121,7 +122,14 @@ impl Provenance {
             Some(frame)
         };
         let places = frames(image)?.into_iter();
-        Ok(Self { places: places.map(|place| place.into_iter().filter_map(within).collect()).collect() })
+        let places = places.map(|place| place.into_iter().filter_map(within).collect()).collect();
+        Ok(Self { start: sizes(image)?.code.start, places })
+    }
+
+    /// The library's functions at an address, the innermost first.
+    pub(crate) fn at(&self, address: u32) -> Option<&[Frame]> {
+        let index = u64::from(address).checked_sub(self.start)? / STEP;
+        Some(self.places.get(index as usize)?)
     }
 
     /// Bytes of this file or folder, and of the functions inlined into it.

@@ -10,6 +10,7 @@ mod footprint;
 mod growth;
 mod record;
 mod two_cores;
+mod way;
 
 /// Cycles from instructions: timing tables of the Cortex-M cores and of an ESP32-C3, and how long flash takes.
 mod timing {
@@ -42,13 +43,14 @@ const CHIPS: Set = Set { name: "chips", command: "chips", keys: &["chip"] };
 const FRAMES: Set = Set { name: "frames", command: "chips", keys: &["chip", "scene", "variant", "rows"] };
 const CORES: Set = Set { name: "cores", command: "cores", keys: CELL };
 const FOOTPRINT: Set = Set { name: "footprint", command: "footprint", keys: &["image", "target", "level"] };
+const WAY: Set = Set { name: "way", command: "way", keys: CELL };
 
 /// Rows for one file or more.
 type Measured = Vec<(Set, Vec<Value>)>;
 
 /// What the words of the command line measure.
 type Measure = fn(&mut Vec<String>) -> Result<Measured>;
-const MEASURES: [(&str, Measure); 7] = [
+const MEASURES: [(&str, Measure); 8] = [
     ("speed", |failures| Ok(vec![(CELLS, cells::rows(&[], failures)?)])),
     // The cells in bands alone, with what they are compared with.
     ("bands", |failures| Ok(vec![(CELLS, cells::rows(&BANDS, failures)?)])),
@@ -56,6 +58,7 @@ const MEASURES: [(&str, Measure); 7] = [
     ("growth", |_| Ok(vec![(GROWTH, growth::rows()?)])),
     ("chips", |failures| Ok([CHIPS, FRAMES].into_iter().zip(chips::rows(failures)?).collect())),
     ("cores", |failures| Ok(vec![(CORES, two_cores::rows(failures)?)])),
+    ("way", |failures| Ok(vec![(WAY, way::rows(failures)?)])),
     ("footprint", |failures| Ok(vec![(FOOTPRINT, footprint::measure(&footprint::BUILDS, failures)?)])),
 ];
 
@@ -66,7 +69,7 @@ const GUARDED: [&str; 7] = ["S1", "S2", "S3", "plain", "z", "M0", "M3"];
 const TEXTURES: [&str; 8] = ["X1", "X2", "X3", "X4", "plain", "eighth", "sixteenth", "M3"];
 
 const USAGE: &str = "\
-tools/bench/run [--check] speed | bands | cycles | growth | chips | cores | footprint ...
+tools/bench/run [--check] speed | bands | cycles | growth | chips | cores | way | footprint ...
 tools/bench/run guard [--rebase]
 tools/bench/run cells [--write] [SCENE...] [VARIANT...] [M0 | M3 | M4F | RV32]
 tools/bench/run cycles SCENE... [VARIANT...] [M0 | M0+ | M3 | M4 | M33]

@@ -12,8 +12,9 @@ use std::path::Path;
 use std::process::ExitCode;
 
 /// The pages with tables.
-const PAGES: [&str; 7] = [
+const PAGES: [&str; 8] = [
     "README.md",
+    "ARCHITECTURE.md",
     "docs/accuracy.md",
     "docs/speed.md",
     "docs/growth.md",
