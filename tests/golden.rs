@@ -3,10 +3,7 @@
 //! section 4, viewing by PRP and window. `GOLDEN=1 cargo test --test golden` writes the files anew.
 
 use pinhole::space::{Model, World};
-use pinhole::{
-    camera::{CameraError, ReferenceVolume},
-    prelude::*,
-};
+use pinhole::{camera::ReferenceVolume, prelude::*};
 use std::collections::BTreeSet;
 use support::bridge::draw::{self, solid, wireframe, Shader, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{window, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -112,33 +109,6 @@ fn a_cube_matches_its_golden_pictures() {
     let flat = ProjectionBits::Orthographic([-2 * ONE, 2 * ONE, -2 * ONE, 2 * ONE], ONE, 20 * ONE);
     let drawn = [lens, flat].map(|projection| cube(projection).as_the_oracle().join("\n")).join("\n");
     assert!(drawn == include_str!("golden/cube.golden"), "{drawn}");
-}
-
-#[test]
-fn s4_reference_volumes_report_their_own_errors() {
-    let make = |prp: [i32; 3], w: [i32; 4], front: i32, back: i32| {
-        (
-            ReferenceVolume::perspective(point(prp), window(w), scalar(front), scalar(back)).map(|_| ()),
-            ReferenceVolume::parallel(point(prp), window(w), scalar(front), scalar(back)).map(|_| ()),
-        )
-    };
-    let w = [-ONE, ONE, -ONE, ONE];
-    assert_eq!(make([0, 0, ONE], w, ONE - 1, 0), (Ok(()), Ok(())));
-    let behind = Err(CameraError::ReferenceBehindPlane);
-    assert_eq!(make([0, 0, 0], w, -ONE, -2 * ONE), (behind, behind));
-    assert_eq!(make([0, 0, -ONE], w, -2 * ONE, -3 * ONE), (behind, behind));
-    assert_eq!(make([0, 0, 1], w, 0, -ONE), (Ok(()), Ok(())));
-    assert_eq!(make([0, 0, ONE], w, ONE, 0), (Err(CameraError::NearNotPositive), Ok(())));
-    let order = Err(CameraError::NearNotBeforeFar);
-    assert_eq!(make([0, 0, ONE], w, 0, 0), (order, order));
-    assert_eq!(make([0, 0, ONE], w, -1, 0), (order, order));
-    let empty = Err(CameraError::EmptyWindow);
-    assert_eq!(make([0, 0, ONE], [ONE, ONE, -ONE, ONE], 0, -ONE), (empty, empty));
-    assert_eq!(make([0, 0, ONE], [-ONE, ONE, ONE, -ONE], 0, -ONE), (empty, empty));
-    // A window of 2⁻¹⁶ at 30000 units cannot be told apart from its centre.
-    let far = [30_000 * ONE, 30_000 * ONE + 1, -ONE, ONE];
-    let small = Err(CameraError::WindowTooSmall);
-    assert_eq!(make([0, 0, ONE], far, 0, -ONE), (small, small));
 }
 
 /// Viewing by PRP and window.

@@ -108,30 +108,9 @@ fn s4_a_view_plane_behind_the_eye_is_refused() {
 }
 
 #[test]
-fn s4_planar_projections_report_their_own_errors() {
-    let none = Err(CameraError::NoViewPlane);
-    assert_eq!(PlanarProjection::eye_at_origin(scalar(0)), none);
-    assert_eq!(PlanarProjection::origin_in_plane(scalar(0)), none);
-    for q in [None, Some(scalar(ONE))] {
-        assert_eq!(PlanarProjection::general(scalar(0), q, Vector3::from_ints(1, 2, 0)), none);
-        assert_eq!(PlanarProjection::general(scalar(0), q, Vector3::from_ints(0, 0, 0)), none);
-        assert!(PlanarProjection::general(scalar(0), q, vector([i32::MAX, 0, 1])).is_ok());
-    }
-    assert_eq!(PlanarProjection::general(scalar(0), Some(scalar(0)), Vector3::from_ints(0, 0, 1)), none);
-    // w = 0: no image.
-    let first = PlanarProjection::eye_at_origin(scalar(5 * ONE)).expect("a plane");
-    assert_eq!(first.apply(Point3::from_ints(1, 1, 0)), None);
-    let planar = PlanarProjection::parallel();
-    let make = |w: [i32; 4], n: i32, f: i32| {
-        Projection::from_planar(&planar, window(w), scalar(n), scalar(f)).map(|_| ())
-    };
-    let good = [-ONE, ONE, -ONE, ONE];
-    assert_eq!(make(good, -ONE, ONE), Ok(()));
-    assert_eq!(make([ONE, ONE, -ONE, ONE], 0, ONE), Err(CameraError::EmptyWindow));
-    assert_eq!(make(good, ONE, ONE), Err(CameraError::NearNotBeforeFar));
-    let far = [30_000 * ONE, 30_000 * ONE + 1, -ONE, ONE];
-    assert_eq!(make(far, 0, ONE), Err(CameraError::WindowTooSmall));
-    assert_eq!(make(good, 30_000 * ONE, 30_000 * ONE + 1), Err(CameraError::NearTooCloseToFar));
+fn s4_a_point_at_the_eye_has_no_planar_image() {
+    let planar = PlanarProjection::eye_at_origin(scalar(5 * ONE)).expect("a plane");
+    assert_eq!(planar.apply(Point3::from_ints(1, 1, 0)), None);
 }
 
 /// x = x + 2³⁰·(z − 2⁻¹⁰) through a window 2⁻¹⁶ wide: its constant is −2³⁷, which the window's own +1 must not

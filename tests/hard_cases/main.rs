@@ -18,18 +18,18 @@
 //! | B7 joints | `tests/pipeline/polylines.rs` | the union of the lines |
 //! | C1 crossing near | `fuzz/targets/scene/cut.rs`; `tests/pipeline/polylines.rs` | one ray per pixel, no clipping in it; the exact cut |
 //! | C2 a vertex on near | `near_plane::c2_*` | exact coverage of the snapped triangle |
-//! | C3 w down to nothing | `near_plane::c3_*`; `tests/camera/vertex_chain.rs` | one ray per pixel |
+//! | C3 w down to nothing | `near_plane::c3_*`; `fuzz/targets/set_up/camera.rs` | one ray per pixel; the f64 chain |
 //! | C4 all behind | `near_plane::c4_*` | empty |
 //! | C5 inside a mesh | `near_plane::c5_*`; `tests/pipeline/clipped_faces.rs`, `tests/pipeline/culling_by_planes.rs` | one ray per pixel; each pixel once; all ways of drawing |
-//! | C6 far off screen, the shared cut, larger than the screen | `near_plane::c6_*`; `tests/camera/vertex_chain.rs` | one ray per pixel; the f64 chain |
+//! | C6 far off screen, the shared cut, larger than the screen | `near_plane::c6_*`; `fuzz/targets/set_up/camera.rs` | one ray per pixel; the f64 chain |
 //! | D1 the threshold of z-fighting | `depth::d1_*` | f64, all that is two steps apart |
 //! | D2 slivers and extrapolation | `depth::d2_*`; `d2_*` in `src/raster/depth.rs` | the plane in rationals |
 //! | D3 what is stored | `depth::d3_*` | f64 |
 //! | E1 large offsets | `numbers::e1_*`; `s3_views` in `tests/bounds.rs`; `tests/camera/vertex_chain.rs` | the same scene at the origin; f64 |
 //! | E2 out of Q16.16 | `numbers::e2_*`; `tests/camera/vertex_chain.rs` | by hand; f64 |
-//! | E3 parallel up | `setup_errors::e3_*` | exact angles of integer vectors |
+//! | E3 parallel up | `fuzz/targets/set_up/views.rs` | exact angles of integer vectors |
 //! | E4 zero, tiny and huge vectors | `s3_views` in `tests/bounds.rs`; `fuzz/targets/set_up/views.rs` | f64 |
-//! | E5 degenerate lenses | `setup_errors::e5_*`; `fuzz/targets/set_up/projections.rs` | the documented bounds, both sides |
+//! | E5 degenerate lenses | `fuzz/targets/set_up/projections.rs` | the documented bounds, both sides |
 //! | E6 drift | `numbers::e6_*` | exact fractions of a turn |
 //! | E7 sine and cosine | `e7_*` in `tests/bounds.rs`; `numbers::e7_*` | f64; by hand |
 //! | E8 reciprocal | `e8_reciprocal` in `tests/bounds.rs` | f64 |

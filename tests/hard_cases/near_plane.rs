@@ -45,21 +45,6 @@ impl Tally {
     }
 }
 
-/// Compares single triangles, each second one with its front turned away; the closure makes camera, model, vertices, exponent.
-fn triangles(
-    seed: u64,
-    count: usize,
-    mut case: impl FnMut(&mut Rng) -> (CameraBits, ModelBits, [[i16; 3]; 3], i8),
-) -> Tally {
-    let (mut rng, mut total) = (Rng::new(seed), Tally::default());
-    for k in 0..count {
-        let (camera, model, vertices, exponent) = case(&mut rng);
-        let face = [[0, 1, 2], [0, 2, 1]][k % 2];
-        total.add(compare(&camera, false, &model, &vertices, exponent, &[face], TOLERANCE));
-    }
-    total
-}
-
 /// Draws the front faces of a mesh and compares every pixel with the ray through it, except pixels where a ray within
 /// `tolerance` px may hit another face.
 pub(crate) fn compare(
@@ -320,21 +305,6 @@ fn c4_everything_behind_is_empty() {
             assert!(instance.project(v).is_err());
         }
     }
-}
-
-#[test]
-fn c6_huge_triangles_about_the_screen_cover_what_rays_meet() {
-    let total = triangles(0xC6, 6000, |rng| {
-        let depth = rng.log(1.0, 3000.0);
-        let size = rng.log(depth, 32767.0) as i64;
-        let tilt = rng.log(1.0, size as f64) as i64;
-        let vertices = [(); 3].map(|()| {
-            [rng.int(-size, size) as i16, rng.int(-size, size) as i16, rng.int(-tilt, tilt) as i16]
-        });
-        let model = ModelBits(vec![Step::Move(bits([0.0, 0.0, -depth]).expect("in range"))]);
-        (camera(24, 18, ONE / 4, 30000 * ONE), model, vertices, 0)
-    });
-    assert!(total.covered > 50_000);
 }
 
 #[test]

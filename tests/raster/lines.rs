@@ -13,7 +13,6 @@ use pinhole::{
     target::{LeastRun, Pixels, Surface},
 };
 use support::bridge;
-use support::bridge::compare::line as same;
 use support::bridge::compare::line_both_ways as both_ways;
 use support::oracle::cases;
 use support::oracle::coverage::Area;
@@ -307,51 +306,6 @@ fn pixels_are_spans_by_default() {
         assert_eq!(target.0.pixels.len(), exact.len());
         assert!(exact.iter().all(|&(x, y)| target.0.count(x as i32, y as i32) == 1));
         assert!(!target.0.pixel_by_pixel());
-    }
-}
-
-#[test]
-fn l2_every_small_scissor_crops_the_line() {
-    // Every rectangle of a 9 × 9 field, on lines of every kind through it.
-    let lines = [
-        ((-3, 1), (11, 7)),
-        ((0, 0), (8, 4)),
-        ((1, -4), (4, 13)),
-        ((8, 0), (0, 4)),
-        ((12, -2), (-2, 9)),
-        ((-5, -5), (12, 12)),
-        ((-2, 10), (10, -2)),
-        ((4, -9), (4, 20)),
-        ((-9, 3), (20, 3)),
-        ((4, 4), (4, 4)),
-        ((-30, 2), (40, 5)),
-        ((7, 40), (2, -41)),
-    ];
-    for (a, b) in lines {
-        for l in 0..9 {
-            for r in l..=9 {
-                for t in 0..9 {
-                    for d in t..=9 {
-                        same(a, b, Area::new(l, t, r, d));
-                    }
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn l2_nearly_horizontal_and_vertical_lines_are_exact() {
-    let mut rng = Rng::new(0x121);
-    for _ in 0..2000 {
-        let (long, short) = (rng.int(200, 4000), rng.int(-3, 3));
-        let a = (rng.int(-50, 50), rng.int(-50, 50));
-        for b in [(a.0 + long, a.1 + short), (a.0 + short, a.1 - long)] {
-            let s = rng.int(0, 1024);
-            let x = a.0 + (b.0 - a.0) * s / 1024 + rng.int(-12, 3);
-            let y = a.1 + (b.1 - a.1) * s / 1024 + rng.int(-12, 3);
-            both_ways(a, b, Area::new(x, y, x + rng.int(1, 20), y + rng.int(1, 20)));
-        }
     }
 }
 
