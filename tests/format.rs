@@ -6,6 +6,14 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
+/// All public names.
+mod everything {
+    pub(super) use pinhole::{
+        bands::*, camera::*, clip::*, color::*, draw::*, fog::*, light::*, math::*, mesh::*, raster::*,
+        shading::*, space::*, sprite::*, target::*, texture::*, *,
+    };
+}
+
 /// The list, by types whose parameters have no Format where there are any.
 macro_rules! public_types {
     ($($name:ident $(<$($parameter:tt),*>)?),* $(,)?) => {
@@ -14,10 +22,7 @@ macro_rules! public_types {
         #[cfg(feature = "defmt")]
         #[allow(dead_code)] // that it compiles is the test
         fn all_are_formats() {
-            use pinhole::{
-                bands::*, camera::*, clip::*, color::*, draw::*, fog::*, light::*, math::*, mesh::*, raster::*, shading::*, space::*,
-                sprite::*, target::*, texture::*, *,
-            };
+            use everything::*;
             struct Plain;
             fn is_format<T: defmt::Format>() {}
             $(is_format::<$name $(<$($parameter),*>)?>();)*
@@ -25,10 +30,7 @@ macro_rules! public_types {
 
         #[allow(dead_code)] // that it compiles is the test
         fn all_are_send_and_sync() {
-            use pinhole::{
-                bands::*, camera::*, clip::*, color::*, draw::*, fog::*, light::*, math::*, mesh::*, raster::*, shading::*, space::*,
-                sprite::*, target::*, texture::*, *,
-            };
+            use everything::*;
             struct Plain;
             fn is_send_and_sync<T: Send + Sync>() {}
             $(is_send_and_sync::<$name $(<$($parameter),*>)?>();)*

@@ -1,6 +1,6 @@
 //! One cell: the house in one view.
 
-use crate::house::{Side, DRAWN, EDGES, EXPONENT, FACES, HOUSE, NORMALS, SIDES, VERTICES};
+use crate::house::{Side, DRAWN, EDGES, EXPONENT, FACES, HOUSE, SIDES, VERTICES};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Circle, Line, PrimitiveStyle, Rectangle};
@@ -53,7 +53,7 @@ pub(crate) fn draw(
             Side::RoofLeft | Side::RoofRight => ROOF,
             Side::Back | Side::Left | Side::Right => WALL,
         };
-        colour.dim(light.level(NORMALS[face]))
+        colour.dim(light.level(SIDES[face].normal()))
     })?;
     painter.draw(sheet)?;
 

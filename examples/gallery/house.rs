@@ -77,27 +77,23 @@ pub(crate) const SIDES: [Side; 16] = [
     RoofLeft, RoofLeft,
 ];
 
-const ONE: i16 = 32_767;
-/// 1/√2.
-const SLANT: i16 = 23_170;
-pub(crate) const NORMALS: [[i16; 3]; 16] = [
-    [0, 0, ONE],
-    [0, 0, ONE],
-    [0, 0, ONE],
-    [0, 0, -ONE],
-    [0, 0, -ONE],
-    [0, 0, -ONE],
-    [ONE, 0, 0],
-    [ONE, 0, 0],
-    [-ONE, 0, 0],
-    [-ONE, 0, 0],
-    [0, -ONE, 0],
-    [0, -ONE, 0],
-    [SLANT, SLANT, 0],
-    [SLANT, SLANT, 0],
-    [-SLANT, SLANT, 0],
-    [-SLANT, SLANT, 0],
-];
+impl Side {
+    /// Outwards, 32 767 long.
+    pub(crate) fn normal(self) -> [i16; 3] {
+        const ONE: i16 = 32_767;
+        /// 1/√2.
+        const SLANT: i16 = 23_170;
+        match self {
+            Front => [0, 0, ONE],
+            Back => [0, 0, -ONE],
+            Right => [ONE, 0, 0],
+            Left => [-ONE, 0, 0],
+            Floor => [0, -ONE, 0],
+            RoofRight => [SLANT, SLANT, 0],
+            RoofLeft => [-SLANT, SLANT, 0],
+        }
+    }
+}
 
 /// The edges of the body with the two sides that meet there. The first three leave the origin along x, y and z.
 pub(crate) const EDGES: [([u16; 2], [Side; 2]); 15] = [
@@ -136,9 +132,6 @@ pub(crate) const DRAWN: [([u16; 2], Side); 12] = [
 
 /// The surface.
 pub(crate) const HOUSE: Mesh<'static> = match Mesh::new(&VERTICES, EXPONENT, &FACES) {
-    Ok(mesh) => match mesh.with_normals(&NORMALS) {
-        Ok(mesh) => mesh,
-        Err(_) => panic!("normals"), // at compile time
-    },
-    Err(_) => panic!("faces"),
+    Ok(mesh) => mesh,
+    Err(_) => panic!("faces"), // at compile time
 };

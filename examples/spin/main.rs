@@ -9,15 +9,16 @@
 mod scene;
 mod terminal;
 
-use clap::Command;
+use clap::{value_parser, Command};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use pinhole::prelude::*;
 use pinhole_apps_support::canvas::Canvas;
-use pinhole_apps_support::command::Film;
-use pinhole_apps_support::{command, film};
+use pinhole_apps_support::command::{self, option};
+use pinhole_apps_support::film;
 use scene::Turntable;
 use std::error::Error;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 use teapot::{EDGES, FACES, NORMALS, VERTICES};
@@ -32,18 +33,25 @@ fn main() -> ExitCode {
     command::run(|| -> Result<ExitCode, Box<dyn Error>> {
         let about =
             "Turns a teapot once, drawn as on a microcontroller, and writes an animated GIF and a contact sheet";
-        let command = Command::new("spin").about(about);
-        let command = Film::arguments(command, "Frames of the full turn, 2 to 720", "48", "target/spin");
-        film(&Film::from(&mut command::matches(command)?))?;
+        let mut given = command::matches(
+            Command::new("spin").about(about).args([
+                option("size", "N", "Width and height of the picture in pixels, 16 to 2048", "240")
+                    .value_parser(value_parser!(u32).range(16..=2048)),
+                option("frames", "N", "Frames of the full turn, 2 to 720", "48")
+                    .value_parser(value_parser!(u32).range(2..=720)),
+                option("out", "DIR", "The folder for the pictures", "target/spin")
+                    .value_parser(value_parser!(PathBuf)),
+            ]),
+        )?;
+        let [size, frames] = ["size", "frames"].map(|name| given.remove_one(name).unwrap_or_default());
+        film(Size::new_equal(size), frames, &given.remove_one::<PathBuf>("out").unwrap_or_default())?;
         Ok(ExitCode::SUCCESS)
     })
 }
 
-fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
-    let (size, frames) = (Size::new_equal(arguments.size), arguments.frames);
+fn film(size: Size, frames: u32, out: &Path) -> Result<(), Box<dyn Error>> {
     let table = Turntable::new(size)?;
 
-    let out = &arguments.out;
     command::folder(out)?;
     let (gif_file, sheet_file) = (out.join("spin.gif"), out.join("spin.png"));
     let mut gif = film::Gif::create(&gif_file, size, &palette())?;

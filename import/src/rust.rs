@@ -206,27 +206,19 @@ impl ImportedMesh {
             "Edges, once for every two faces beside them."
         };
         list(&mut out, edges_doc, "EDGES: [[u16; 2]", &self.edges);
-        if !self.edge_faces.is_empty() {
-            let doc = "The two faces beside each edge; 65535 is none.";
-            list(&mut out, doc, "EDGE_FACES: [[u16; 2]", &self.edge_faces);
-        }
+        let doc = "The two faces beside each edge; 65535 is none.";
+        list_if_any(&mut out, doc, "EDGE_FACES: [[u16; 2]", &self.edge_faces);
         list(&mut out, "The unit normal of each face, 32767 = 1.", "NORMALS: [[i16; 3]", &self.normals);
-        if !self.planes.is_empty() {
-            let doc = "Where the plane of each face lies along its normal, for `with_planes`.";
-            list(&mut out, doc, "PLANES: [i16", &self.planes);
-        }
-        if !self.vertex_normals.is_empty() {
-            let doc = "The unit normal of each vertex, 32767 = 1.";
-            list(&mut out, doc, "VERTEX_NORMALS: [[i16; 3]", &self.vertex_normals);
-        }
+        let doc = "Where the plane of each face lies along its normal, for `with_planes`.";
+        list_if_any(&mut out, doc, "PLANES: [i16", &self.planes);
+        let doc = "The unit normal of each vertex, 32767 = 1.";
+        list_if_any(&mut out, doc, "VERTEX_NORMALS: [[i16; 3]", &self.vertex_normals);
         if !self.face_colors.is_empty() {
             let doc = "The colours of faces, for `FaceColors`.";
             list(&mut out, doc, "PALETTE: [[u8; 3]", &self.palette);
             list(&mut out, "The index of each face's colour.", "FACE_COLORS: [u8", &self.face_colors);
-            if !self.emission.is_empty() {
-                let doc = "The light that a face of each colour emits, for `FaceColors::with_emission`.";
-                list(&mut out, doc, "EMISSION: [[u8; 3]", &self.emission);
-            }
+            let doc = "The light that a face of each colour emits, for `FaceColors::with_emission`.";
+            list_if_any(&mut out, doc, "EMISSION: [[u8; 3]", &self.emission);
         }
         if !self.texture_faces.is_empty() {
             let doc = "Texture coordinates in units of 2^TEXTURE_EXPONENT of a texture's side, for `TextureCoords`.";
@@ -314,6 +306,13 @@ fn list(out: &mut String, doc: &str, head: &str, rows: &[impl Element]) {
     let _ = write!(out, "/// {doc}\n#[rustfmt::skip]\npub const {head}; {}] = [", rows.len());
     elements(out, "   ", rows);
     out.push_str("\n];\n\n");
+}
+
+/// [`list`], if there is anything in it.
+fn list_if_any(out: &mut String, doc: &str, head: &str, rows: &[impl Element]) {
+    if !rows.is_empty() {
+        list(out, doc, head, rows);
+    }
 }
 
 /// Writes a static within a constant.

@@ -3,6 +3,8 @@
 
 use crate::cross::{has_tools, symbols, target_dir};
 use crate::floats::is_float_routine;
+use pinhole_apps_support::bodies::{self, circle, prism, Body};
+use pinhole_apps_support::testing;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -92,24 +94,21 @@ fn previews(folder: &Folder, model: &str, preview: &str) {
     let picture = folder.path.join("target/render/model.png");
     let drawn = |commands: &str| {
         folder.shell(&format!("cd firmware\n{commands}"), &[]);
-        fs::read(&picture).expect("the preview")
+        testing::picture(&picture).1
     };
     // The README's first picture, which has the gear of the template.
     let gear = drawn(preview);
-    assert!(gear == fs::read(Path::new(ROOT).join("docs/part.png")).expect("docs/part.png"));
-    fs::write(folder.path.join("bracket.stl"), pinhole_apps_support::bodies::stl(&plate()))
-        .expect("bracket.stl");
+    let bytes = |file: &Path| fs::read(file).expect("a picture");
+    assert!(bytes(&picture) == bytes(&Path::new(ROOT).join("docs/part.png")));
+    fs::write(folder.path.join("bracket.stl"), bodies::stl(&plate())).expect("bracket.stl");
     let plate = drawn(&format!("{model}{preview}"));
     assert!(plate != gear);
 
     let code = folder.path.join("firmware/src/picture.rs");
     let text = fs::read_to_string(&code).expect("picture.rs");
-    let [gold, teal] = ["Rgb565::CSS_GOLD", "Rgb565::CSS_TEAL"];
-    assert_eq!(text.matches(gold).count(), 1);
-    fs::write(&code, text.replace(gold, teal)).expect("picture.rs");
+    firmware::edit(&code, "Rgb565::CSS_GOLD", "Rgb565::CSS_TEAL");
     let changed = drawn(preview);
     fs::write(&code, text).expect("picture.rs");
-    let [plate, changed] = [&plate, &changed].map(|png| pixels(png));
     // Gold has more red than blue, teal no red; the outline is one.
     let is_gold = |&[r, g, b]: &[u8; 3]| r > g && g > b;
     let is_teal = |&[r, g, b]: &[u8; 3]| r == 0 && g > 0 && b > 0;
@@ -120,26 +119,13 @@ fn previews(folder: &Folder, model: &str, preview: &str) {
 }
 
 /// A plate of 300 mm as a CAD program has it, z up, with a hole.
-fn plate() -> pinhole_apps_support::bodies::Body {
-    use pinhole_apps_support::bodies::{circle, prism};
+fn plate() -> Body {
     // The corner of the square in a direction: the larger coordinate is 150.
     let square = circle(32, |i| {
         let (sin, cos) = (std::f64::consts::TAU * i as f64 / 32.0).sin_cos();
         150.0 / sin.abs().max(cos.abs())
     });
     prism(&square, &circle(32, |_| 60.0), 20.0)
-}
-
-/// The pixels of a PNG file.
-fn pixels(png: &[u8]) -> Vec<[u8; 3]> {
-    let mut decoder = png::Decoder::new(std::io::Cursor::new(png));
-    decoder.set_transformations(png::Transformations::EXPAND);
-    let mut reader = decoder.read_info().expect("a PNG");
-    let mut bytes = vec![0; reader.output_buffer_size().expect("a size")];
-    let info = reader.next_frame(&mut bytes).expect("a picture");
-    assert_eq!(info.color_type, png::ColorType::Rgb);
-    bytes.truncate(info.buffer_size());
-    bytes.as_chunks().0.to_vec()
 }
 
 /// Follows the README's steps 5 and 6: each line of its table is in the template, once, and is set to another chip and display.
@@ -187,12 +173,11 @@ fn is_set_as_the_readme_says(folder: &Folder, target: &str) {
         fs::write(&file, text.replace(line.as_str(), new)).expect("a file of the template");
     }
     // Step 6: a driver, here one that counts pixels.
-    let display = folder.path.join("firmware/src/display.rs");
-    let text = fs::read_to_string(&display).expect("display.rs");
-    let stand_in = "pixels.into_iter().for_each(|pixel| _ = black_box(pixel));";
-    assert_eq!(text.matches(stand_in).count(), 1);
-    fs::write(&display, text.replace(stand_in, "black_box(pixels.into_iter().count());"))
-        .expect("display.rs");
+    firmware::edit(
+        &folder.path.join("firmware/src/display.rs"),
+        "pixels.into_iter().for_each(|pixel| _ = black_box(pixel));",
+        "black_box(pixels.into_iter().count());",
+    );
 
     folder.shell("cd firmware\ncargo build --release", &[("CARGO_BUILD_TARGET", target)]);
     let symbols = firmware_symbols(target);

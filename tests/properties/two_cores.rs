@@ -26,14 +26,23 @@ macro_rules! both {
     }};
 }
 
-/// Three cores' cursors over binned faces or edges: one of two forks is forked. `$draw` is what each draws.
+/// Calls `$draw` with three cores that draw binned faces or edges, or both, into a band, each by cursors of its own: one of two forks is
+/// forked. Twice, as the forks are gone then.
 macro_rules! three {
-    ($binned:ident, $draw:expr) => {{
-        let (mut cursor, mut other) = ([0xffff], [0xffff]);
-        let [mut first, third] = $binned.fork(&mut cursor).expect("room");
-        let [first, second] = first.fork(&mut other).expect("room");
-        ($draw)([first, second, third])
-    }};
+    ([$($binned:ident),+], $draw:ident, |$band:ident| $into_band:expr) => {
+        for _ in 0..2 {
+            $(
+                let (mut cursor, mut other) = ([0xffff], [0xffff]);
+                let [mut first, third] = $binned.fork(&mut cursor).expect("room");
+                let [first, second] = first.fork(&mut other).expect("room");
+                let mut $binned = [first, second, third].into_iter();
+            )+
+            $draw(core::array::from_fn(|_| -> Core<'_> {
+                $(let mut $binned = $binned.next().expect("three");)+
+                Box::new(move |$band| $into_band)
+            }));
+        }
+    };
 }
 
 /// Calls `draw` with a depth buffer of a band.
@@ -43,7 +52,7 @@ fn with_depth(band: &mut Band<'_, Gray8>, draw: impl FnOnce(&mut DepthBuffer<'_>
     draw(&mut DepthBuffer::new(area, &mut storage).expect("storage"), band);
 }
 
-/// Transforms and bins a mesh on two threads, and calls `draw` with three cores that draw it; twice, as the forks are gone then.
+/// Transforms and bins a mesh on two threads, and calls `draw` with three cores that draw it.
 fn by_three(
     instance: &MeshInstance<'_>,
     way: Way,
@@ -57,15 +66,9 @@ fn by_three(
             let mut split = instance.split_transform(cache);
             let mut split = both!(split, transform).split_bin_faces(&mut bins);
             let mut faces = both!(split, count).expect("room");
-            for _ in 0..2 {
-                three!(faces, |forks: [_; 3]| draw(forks.map(
-                    |mut faces: pinhole::draw::BinnedFaces<'_>| -> Core<'_> {
-                        Box::new(move |band| {
-                            let Ok(()) = faces.draw(colour, band);
-                        })
-                    }
-                )));
-            }
+            three!([faces], draw, |band| {
+                let Ok(()) = faces.draw(colour, band);
+            });
             faces.statistics()
         }
         Way::Depth(cull) => {
@@ -73,32 +76,18 @@ fn by_three(
             let mut split = instance.split_transform_depth(cache);
             let mut split = both!(split, transform).split_bin_faces(&mut bins);
             let mut faces = both!(split, count).expect("room");
-            for _ in 0..2 {
-                three!(faces, |forks: [_; 3]| draw(forks.map(
-                    |mut faces: pinhole::draw::BinnedFaces<'_, i16, true>| -> Core<'_> {
-                        Box::new(move |band| {
-                            with_depth(band, |depth, band| {
-                                let Ok(()) = faces.draw(colour, &mut band.depth_tested(depth));
-                            })
-                        })
-                    }
-                )));
-            }
+            three!([faces], draw, |band| with_depth(band, |depth, band| {
+                let Ok(()) = faces.draw(colour, &mut band.depth_tested(depth));
+            }));
             faces.statistics()
         }
         Way::Wireframe => {
             let mut split = instance.split_transform(cache);
             let transformed = both!(split, transform);
             let mut edges = transformed.bin_edges(&mut bins).expect("room");
-            for _ in 0..2 {
-                three!(edges, |forks: [_; 3]| draw(forks.map(
-                    |mut edges: pinhole::draw::BinnedEdges<'_>| -> Core<'_> {
-                        Box::new(move |band| {
-                            let Ok(()) = edges.draw(LINE, band);
-                        })
-                    }
-                )));
-            }
+            three!([edges], draw, |band| {
+                let Ok(()) = edges.draw(LINE, band);
+            });
             edges.statistics()
         }
         Way::DepthLines | Way::HiddenLines => {
@@ -107,27 +96,13 @@ fn by_three(
             let mut split = transformed.split_bin_faces(&mut bins);
             let mut faces = both!(split, count).expect("room");
             let mut edges = transformed.bin_edges(&mut more).expect("room");
-            for _ in 0..2 {
-                three!(faces, |of_faces: [pinhole::draw::BinnedFaces<'_, i16, true>; 3]| {
-                    three!(edges, |of_edges: [pinhole::draw::BinnedEdges<'_, i16, true>; 3]| {
-                        let mut of_edges = of_edges.into_iter();
-                        draw(of_faces.map(|mut faces| -> Core<'_> {
-                            let mut edges = of_edges.next().expect("three");
-                            Box::new(move |band| {
-                                with_depth(band, |depth, band| {
-                                    faces.depth_only(depth);
-                                    let Ok(()) = match way {
-                                        Way::HiddenLines => {
-                                            edges.hidden_line(LINE, &mut band.depth_tested(depth))
-                                        }
-                                        _ => edges.draw(LINE, &mut band.depth_tested(depth)),
-                                    };
-                                })
-                            })
-                        }));
-                    })
-                });
-            }
+            three!([faces, edges], draw, |band| with_depth(band, |depth, band| {
+                faces.depth_only(depth);
+                let Ok(()) = match way {
+                    Way::HiddenLines => edges.hidden_line(LINE, &mut band.depth_tested(depth)),
+                    _ => edges.draw(LINE, &mut band.depth_tested(depth)),
+                };
+            }));
             edges.statistics()
         }
         Way::Painter => {

@@ -1,10 +1,10 @@
 //! Command lines: help, options that several programs take, and one form for every refusal.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{value_parser, Arg, ArgMatches, Command};
+use clap::{Arg, ArgMatches, Command};
 use embedded_graphics::geometry::Size;
 use std::ops::RangeInclusive;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 
 pub use crate::host::{complain, say, warn};
@@ -63,43 +63,4 @@ pub fn size(text: &str, range: RangeInclusive<u32>) -> Result<Size, String> {
 /// Creates the folder for the output unless it exists. The error names the folder.
 pub fn folder(path: &Path) -> Result<(), String> {
     std::fs::create_dir_all(path).map_err(|e| format!("{}: cannot be created: {e}", path.display()))
-}
-
-/// The options of every example that writes a film.
-pub struct Film {
-    /// Width and height of the picture in pixels.
-    pub size: u32,
-    /// How many frames the film has.
-    pub frames: u32,
-    /// The folder for the files.
-    pub out: PathBuf,
-}
-
-impl Film {
-    /// Adds the options to a command. `frames` is the help of `--frames`, `count` and `out` are defaults.
-    pub fn arguments(
-        command: Command,
-        frames: &'static str,
-        count: &'static str,
-        out: &'static str,
-    ) -> Command {
-        command
-            .arg(
-                option("size", "N", "Width and height of the picture in pixels, 16 to 2048", "240")
-                    .value_parser(value_parser!(u32).range(16..=2048)),
-            )
-            .arg(option("frames", "N", frames, count).value_parser(value_parser!(u32).range(2..=720)))
-            .arg(
-                option("out", "DIR", "The folder for the pictures", out).value_parser(value_parser!(PathBuf)),
-            )
-    }
-
-    /// Takes the options from a parsed command line.
-    pub fn from(given: &mut ArgMatches) -> Self {
-        Self {
-            size: given.remove_one("size").unwrap_or_default(),
-            frames: given.remove_one("frames").unwrap_or_default(),
-            out: given.remove_one("out").unwrap_or_default(),
-        }
-    }
 }

@@ -3,6 +3,9 @@
 //! Every function here panics where the promise that it is named for does not hold.
 #![allow(clippy::missing_panics_doc)] // to panic is what these functions are for
 
+use crate::still;
+use embedded_graphics::geometry::Size;
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -74,6 +77,21 @@ fn message(done: &Output) -> String {
     let text = String::from_utf8(done.stderr.clone()).expect("a message in UTF-8");
     assert_eq!((done.status.code(), text.lines().count()), (Some(2), 1), "{text}");
     text
+}
+
+/// Writes `skin.obj`, a square, with its material and a picture that is red on the left and blue on the right. Returns the file.
+pub fn textured(folder: &Path) -> PathBuf {
+    let colors: Vec<_> = (0..64).map(|i| if i % 8 < 4 { Rgb888::RED } else { Rgb888::BLUE }).collect();
+    let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
+    let picture = still::png(Size::new(8, 8), &colors).expect("a picture");
+    for (name, content) in [
+        ("skin.png", picture),
+        ("skin.mtl", b"newmtl skin\nKd 1 1 1\nmap_Kd skin.png\n".into()),
+        ("skin.obj", format!("mtllib skin.mtl\nusemtl skin\n{square}").into()),
+    ] {
+        fs::write(folder.join(name), content).expect("room");
+    }
+    folder.join("skin.obj")
 }
 
 /// The size of a PNG file's picture and its colours, row by row.

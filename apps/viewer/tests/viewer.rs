@@ -6,6 +6,7 @@ use embedded_graphics::primitives::Rectangle;
 use pinhole::Angle;
 use pinhole_apps_support::bodies::{stl, torus};
 use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::testing;
 use pinhole_import::Options;
 use pinhole_render::firmware;
 use pinhole_viewer::{Action, Placement, Source, State, Viewer};
@@ -470,16 +471,7 @@ fn vertices_are_sprites_that_keep_their_size_or_shrink() {
 /// A model's picture is shown in every projection, if it is asked for.
 #[test]
 fn a_model_s_picture_is_its_texture() {
-    let folder = file("textured.mtl", "newmtl skin\nKd 1 1 1\nmap_Kd skin.png\n");
-    let mut encoder =
-        png::Encoder::new(std::fs::File::create(folder.with_file_name("skin.png")).unwrap(), 8, 8);
-    encoder.set_color(png::ColorType::Rgb);
-    let pixels: Vec<u8> = (0..64).flat_map(|i| if i % 8 < 4 { [255, 0, 0] } else { [0, 0, 255] }).collect();
-    encoder.write_header().unwrap().write_image_data(&pixels).unwrap();
-    let model = file(
-        "textured.obj",
-        "mtllib textured.mtl\nusemtl skin\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n",
-    );
+    let model = testing::textured(file("textured", "").parent().unwrap());
     let options = Options { texture: Some(pinhole_import::TextureFormat::default()), ..Options::default() };
     for keys in ["C C", "C C p p p"] {
         let mut viewer = Viewer::new(Source::read(&model, &options).unwrap(), SIZE);

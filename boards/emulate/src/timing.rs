@@ -44,8 +44,7 @@ impl Timing {
         if pulse < RESET_PULSE {
             return Err(format!("a reset pulse of {pulse} ns: the controller needs {RESET_PULSE} ns"));
         }
-        self.any = (time + SUPPLY, "reset");
-        self.sleep = (time + SLEEP, "reset");
+        self.wait(time, "reset");
         Ok(true)
     }
 
@@ -60,22 +59,20 @@ impl Timing {
             let early = (earliest - time).div_ceil(US);
             return Err(format!("command {command:#04x} is {early} µs too early after {why}"));
         }
-        match command {
-            SWRESET => {
-                self.any = (time + SUPPLY, "SWRESET");
-                self.sleep = (time + SLEEP, "SWRESET");
-            }
-            SLPIN => {
-                self.any = (time + SUPPLY, "SLPIN");
-                self.sleep = (time + SLEEP, "SLPIN");
-            }
-            SLPOUT => {
-                self.any = (time + SUPPLY, "SLPOUT");
-                self.sleep = (time + SLEEP, "SLPOUT");
-            }
-            _ => {}
-        }
+        let why = match command {
+            SWRESET => "SWRESET",
+            SLPIN => "SLPIN",
+            SLPOUT => "SLPOUT",
+            _ => return Ok(()),
+        };
+        self.wait(time, why);
         Ok(())
+    }
+
+    /// After a reset, or a change of the power supply.
+    fn wait(&mut self, time: u64, why: &'static str) {
+        self.any = (time + SUPPLY, why);
+        self.sleep = (time + SLEEP, why);
     }
 }
 
@@ -100,30 +97,26 @@ mod tests {
 
     #[test]
     fn each_time_that_is_too_short_is_an_error() {
-        let refusal =
-            |timing: &mut Timing, command, time| timing.command(command, time).expect_err("too early");
         let mut timing = Timing::new();
-        assert_eq!(refusal(&mut timing, INVON, 4_999_000), "command 0x21 is 1 µs too early after power on");
-        assert_eq!(
-            refusal(&mut timing, SLPOUT, 119_000_000),
-            "command 0x11 is 1000 µs too early after power on"
-        );
-        timing.command(SWRESET, 5_000_000).expect("late enough");
-        assert_eq!(refusal(&mut timing, INVON, 9_999_999), "command 0x21 is 1 µs too early after SWRESET");
-        assert_eq!(
-            refusal(&mut timing, SLPOUT, 124_000_000),
-            "command 0x11 is 1000 µs too early after SWRESET"
-        );
-        timing.command(SLPOUT, 125_000_000).expect("late enough");
-        assert_eq!(refusal(&mut timing, INVON, 129_999_000), "command 0x21 is 1 µs too early after SLPOUT");
-        assert_eq!(
-            refusal(&mut timing, SLPIN, 244_000_000),
-            "command 0x10 is 1000 µs too early after SLPOUT"
-        );
+        for (obeyed, [(command, early), (sleep, earlier)], why) in [
+            (None, [(INVON, 4_999_000), (SLPOUT, 119_000_000)], "power on"),
+            (Some((SWRESET, 5_000_000)), [(INVON, 9_999_999), (SLPOUT, 124_000_000)], "SWRESET"),
+            (Some((SLPOUT, 125_000_000)), [(INVON, 129_999_000), (SLPIN, 244_000_000)], "SLPOUT"),
+        ] {
+            if let Some((command, time)) = obeyed {
+                timing.command(command, time).expect("late enough");
+            }
+            let refused = |command: u8, early: u32| {
+                Err(format!("command {command:#04x} is {early} µs too early after {why}"))
+            };
+            assert_eq!(timing.command(command, early), refused(command, 1));
+            assert_eq!(timing.command(sleep, earlier), refused(sleep, 1000));
+        }
 
         timing.reset_line(false, 300_000_000).expect("a pulse begins");
-        assert_eq!(refusal(&mut timing, INVON, 300_000_001), "command 0x21 while the reset line is low");
-        let pulse = timing.reset_line(true, 300_009_999).expect_err("too short");
-        assert_eq!(pulse, "a reset pulse of 9999 ns: the controller needs 10000 ns");
+        let low = "command 0x21 while the reset line is low";
+        assert_eq!(timing.command(INVON, 300_000_001), Err(low.into()));
+        let pulse = "a reset pulse of 9999 ns: the controller needs 10000 ns";
+        assert_eq!(timing.reset_line(true, 300_009_999), Err(pulse.into()));
     }
 }

@@ -2,9 +2,9 @@
 
 use super::draw;
 use super::input::Scene;
+use crate::fuzzed::set_up::views::sine;
 use pinhole::draw::Cull;
 use support::bridge::draw::Shader;
-use support::bridge::pair::ViewBits;
 use support::oracle::chain::{self, length, mul4, V3, V4};
 use support::oracle::eye;
 
@@ -40,7 +40,7 @@ pub(crate) fn before_rounding(scene: &Scene, face: [u16; 3]) -> Option<(f64, f64
     let share = |i: usize, size: f64| size / 2.0 * rho[i] / least;
     let budget = share(0, v.width).max(share(1, v.height)) + 8192.0 * 8192.0 / free * rho[3] / least;
     // The 12 is for VUP well off VPN: the roll's error grows as 1/sine.
-    let factor = 12.0 + (1.0 / sine(scene) - 4.0).max(0.0);
+    let factor = 12.0 + (1.0 / sine(scene.camera.view) - 4.0).max(0.0);
     // A new vertex also moves along its edge by 2⁻³¹ of the edge, and its plane moves by the rounding of d and w: twice the
     // budget.
     let px = 2.0 * factor * 2f64.powi(-30) * budget;
@@ -49,21 +49,9 @@ pub(crate) fn before_rounding(scene: &Scene, face: [u16; 3]) -> Option<(f64, f64
     Some((px, depth))
 }
 
-/// Of the angle between VUP and VPN.
-fn sine(scene: &Scene) -> f64 {
-    let (n, up) = match scene.camera.view {
-        ViewBits::LookAt(e, t, up) => (core::array::from_fn(|i| i64::from(e[i]) - i64::from(t[i])), up),
-        ViewBits::LookAlong(_, g, up) => (g.map(|c| -i64::from(c)), up),
-        ViewBits::Reference(_, n, up) => (n.map(i64::from), up),
-    };
-    let up = up.map(i64::from);
-    let long = |v: [i64; 3]| length(v.map(|c| c as f64));
-    length(chain::cross_exact(n, up)) / (long(n) * long(up))
-}
-
 pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
     let Some((tolerance, depth)) = tolerance(scene, face) else { return };
-    if !(tolerance < 0.25 && depth < 0.01 && sine(scene) > 0.02) {
+    if !(tolerance < 0.25 && depth < 0.01 && sine(scene.camera.view) > 0.02) {
         return;
     }
     let cut = scene.with_instance(&[face], &[], |instance| {

@@ -214,9 +214,7 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
         [solve(0), solve(1), -depth]
     };
     let view = &set_up.view;
-    let world: V3 =
-        core::array::from_fn(|i| view.eye[i] + (0..3).map(|k| view.rows[k][i] * at[k]).sum::<f64>());
-    let Some(world) = bits(world) else { return };
+    let Some(world) = bits(view.back(at)) else { return };
     points(b, &set_up, world, apart);
 
     let exponent = (b.i8() >> 2).clamp(-32, 15) as i8;

@@ -6,7 +6,7 @@
 
 mod camera;
 mod projections;
-mod views;
+pub(super) mod views;
 
 use super::Bytes;
 

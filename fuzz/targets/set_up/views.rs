@@ -2,9 +2,9 @@
 
 use crate::fuzzed::Bytes;
 use pinhole::{camera::CameraError, ViewTransform};
-use support::bridge::pair::{ViewBits, ONE};
+use support::bridge::pair::{rows, ViewBits, ONE};
 use support::bridge::{point, scalar, vector};
-use support::oracle::chain::{cross_exact, length, M3};
+use support::oracle::chain::{cross_exact, length};
 
 /// A vector of any kind: wild, on the lattice of whole units, or nearly along another.
 pub(crate) fn triple(b: &mut Bytes<'_>, other: [i32; 3]) -> [i32; 3] {
@@ -53,10 +53,6 @@ pub(crate) fn sine(view: ViewBits) -> f64 {
     length(cross_exact(n, up)) / (length(n.map(|c| c as f64)) * length(up.map(|c| c as f64)))
 }
 
-fn reals(view: &ViewTransform) -> M3 {
-    view.rows().map(|row| row.map(|c| f64::from(c) / f64::from(1 << 30)))
-}
-
 /// The three constructors must return `got`, whose rows are the exact ones.
 fn same(got: Result<ViewTransform, CameraError>, view: ViewBits) {
     let (n, up) = directions(view);
@@ -76,7 +72,7 @@ fn same(got: Result<ViewTransform, CameraError>, view: ViewBits) {
         Ok(got) => {
             assert!(sine > bound * 0.999, "{sine}: {view:?}");
             let exact = view.exact().rows;
-            for (ours, exact) in reals(&got).iter().flatten().zip(exact.iter().flatten()) {
+            for (ours, exact) in rows(&got).iter().flatten().zip(exact.iter().flatten()) {
                 // 2⁻²⁹ for VUP well away, growing as 1/sine; the oracle's own f64 counts for nothing.
                 assert!((ours - exact).abs() * sine <= 2f64.powi(-28), "{ours} for {exact}: {view:?}");
             }

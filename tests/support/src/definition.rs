@@ -186,19 +186,4 @@ impl Family {
             }
         }
     }
-
-    pub fn window(&self) -> Option<[i32; 4]> {
-        match *self {
-            Self::FieldOfView(..) => None,
-            Self::Frustum(w, ..)
-            | Self::Orthographic(w, ..)
-            | Self::Oblique(w, ..)
-            | Self::Reference(_, w, ..)
-            | Self::ReferenceParallel(_, w, ..)
-            | Self::EyeAtOrigin(_, w, ..)
-            | Self::OriginInPlane(_, w, ..)
-            | Self::PlanarParallel(w, ..)
-            | Self::General(_, _, _, w, ..) => Some(w),
-        }
-    }
 }

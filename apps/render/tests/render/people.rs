@@ -3,7 +3,7 @@
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use pinhole::Angle;
-use pinhole_apps_support::bodies::{cuboid, obj, stl};
+use pinhole_apps_support::bodies::{circle, cuboid, moved, obj, prism, stl};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::testing::{self, extent, refusal, Program};
 use pinhole_render::firmware;
@@ -217,19 +217,8 @@ fn modes_are_what_they_say() {
 #[test]
 fn hidden_lines_show_the_outline_of_a_round_body() {
     let to = Folder::new("round");
-    let sides = 64;
-    let vertex = |i: usize, [radius, y]: [f64; 2]| {
-        let (sin, cos) = (i as f64 / sides as f64 * core::f64::consts::TAU).sin_cos();
-        format!("v {} {y} {}\n", radius * cos, radius * sin)
-    };
-    let rims = [[1.0, 0.0], [1.0, 0.4], [0.85, 0.4], [0.85, 0.0]];
-    let vertices: String = (0..sides).flat_map(|i| rims.map(|rim| vertex(i, rim))).collect();
-    let at = |i: usize, rim: usize| i % sides * 4 + rim % 4 + 1;
-    let face = |i: usize, rim: usize| {
-        format!("f {} {} {} {}\n", at(i, rim), at(i + 1, rim), at(i + 1, rim + 1), at(i, rim + 1))
-    };
-    let faces: String = (0..sides).flat_map(|i| (0..4).map(move |rim| face(i, rim))).collect();
-    to.write("ring.obj", vertices + &faces);
+    let ring = prism(&circle(64, |_| 1.0), &circle(64, |_| 0.85), 0.4);
+    to.write("ring.obj", obj(&moved(&ring, |[x, y, z]| [x, z, y])));
     let of = |mode: &str| to.draw(&format!("ring.obj --flip --size 160x120 --mode {mode}")).drawn();
     let (body, lines) = (of("flat"), of("hidden-line --edges feature"));
     // At both ends of each row of the body a line is at most a pixel away, in that row or the next, but for the gaps of lines that
@@ -386,13 +375,7 @@ fn what_is_said_is_as_in_the_table() {
 #[test]
 fn a_model_s_picture_is_shown_where_it_is_asked_for() {
     let to = Folder::new("picture");
-    let mut encoder = png::Encoder::new(fs::File::create(to.0.join("skin.png")).unwrap(), 8, 8);
-    encoder.set_color(png::ColorType::Rgb);
-    let pixels: Vec<u8> = (0..64).flat_map(|i| if i % 8 < 4 { [255, 0, 0] } else { [0, 0, 255] }).collect();
-    encoder.write_header().unwrap().write_image_data(&pixels).unwrap();
-    to.write("skin.mtl", "newmtl skin\nKd 1 1 1\nmap_Kd skin.png\n");
-    let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
-    to.write("skin.obj", format!("mtllib skin.mtl\nusemtl skin\n{square}"));
+    testing::textured(&to.0);
     let shown = |options: &str| {
         let (_, frames, said) = to.film(&format!("skin.obj --two-sided --size 64x48 --frames 2{options}"));
         (frames[0].1.contains(&[255, 0, 0]) && frames[0].1.contains(&[0, 0, 255]), said)
