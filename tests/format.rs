@@ -3,8 +3,6 @@
 //! latter always. `examples/log` tests the output on a device.
 
 use std::collections::BTreeSet;
-use std::fs;
-use std::path::Path;
 
 /// All public names.
 mod everything {
@@ -97,8 +95,10 @@ const NOT_NAMED: [&str; 12] = [
 
 #[test]
 fn no_public_type_is_missing() {
-    let mut found = BTreeSet::new();
-    types(&Path::new(support::ROOT).join("src"), &mut found);
+    // A chapter's programs are text to the crate, and only doctests compile them.
+    let files = support::sources().into_iter().filter(|(file, _)| !file.starts_with("book/"));
+    let found: BTreeSet<String> =
+        files.flat_map(|(_, text)| text.lines().filter_map(named).collect::<Vec<_>>()).collect();
     let listed = LISTED.iter().chain(&NOT_NAMED).map(|name| name.to_string()).collect();
     assert_eq!(found, listed, "the sources' public types, and those listed here");
 }
@@ -107,20 +107,19 @@ fn no_public_type_is_missing() {
 /// own files.
 #[test]
 fn types_left_out_of_the_list_are_not_public() {
-    let source = |path: &str| {
-        let path = Path::new(support::ROOT).join("src").join(path);
-        fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-    };
-    let root = source("lib.rs");
+    let sources = support::sources();
+    let root = &sources["lib.rs"];
     let modules: Vec<&str> = root.lines().filter_map(|line| line.strip_prefix("pub mod ")).collect();
     // A module with a body in lib.rs has no file, and exports types of other modules.
-    let files: Vec<String> =
-        modules.iter().filter_map(|name| name.strip_suffix(';')).map(source_of).collect();
+    let files = modules.iter().filter_map(|name| name.strip_suffix(';')).map(|name| {
+        let mut paths = [format!("{name}/mod.rs"), format!("{name}.rs")].into_iter();
+        paths.find(|path| sources.contains_key(path)).expect("a file")
+    });
+    let files: Vec<String> = files.collect();
     assert!(files.contains(&"shading/mod.rs".into()) && files.contains(&"clip.rs".into()), "{files:?}");
     let mut exported = BTreeSet::new();
-    for text in
-        files.iter().filter(|file| !file.starts_with("book")).map(|file| source(file)).chain([root.clone()])
-    {
+    let files = files.iter().filter(|file| !file.starts_with("book"));
+    for text in files.map(|file| &sources[file]).chain([root]) {
         for item in text.split(';').filter_map(|item| item.split_once("pub use ")) {
             exported.extend(item.1.split(|c: char| !c.is_alphanumeric()).map(str::to_string));
         }
@@ -135,35 +134,9 @@ fn types_left_out_of_the_list_are_not_public() {
     }
 }
 
-/// The file of a module at the root.
-fn source_of(module: &str) -> String {
-    let folder = format!("{module}/mod.rs");
-    if Path::new(support::ROOT).join("src").join(&folder).exists() {
-        folder
-    } else {
-        format!("{module}.rs")
-    }
-}
-
 /// The name after `pub struct`, `pub enum` or `pub union` at the start of a line.
 fn named(line: &str) -> Option<String> {
     let line = line.trim_start();
     let rest = ["pub struct ", "pub enum ", "pub union "].iter().find_map(|kind| line.strip_prefix(kind))?;
     rest.split(|c: char| !c.is_alphanumeric()).next().map(str::to_string)
-}
-
-/// Adds the public types of all files of a folder.
-fn types(folder: &Path, found: &mut BTreeSet<String>) {
-    for entry in fs::read_dir(folder).expect("a folder") {
-        let path = entry.expect("an entry").path();
-        if path.ends_with("src/book") {
-            continue; // a chapter's programs are text to the crate, and only doctests compile them
-        }
-        if path.is_dir() {
-            types(&path, found);
-        } else {
-            let text = fs::read_to_string(&path).expect("a source file");
-            found.extend(text.lines().filter_map(named));
-        }
-    }
 }

@@ -14,6 +14,7 @@ use support::bridge::draw::{CUBE, CUBE_FACES};
 use support::bridge::rectangle;
 use support::bridge::ways::{bands, memory, memory_with};
 use support::oracle::rng::Rng;
+use support::solids::Solid;
 
 const WIDTH: u32 = 56;
 const HEIGHT: u32 = 41;
@@ -29,14 +30,8 @@ type Meshes = (Mesh<'static, i16, WithPlanes>, Mesh<'static>);
 
 fn meshes() -> Meshes {
     let cube = Mesh::new(&CUBE, 0, &CUBE_FACES).expect("a cube");
-    let normal = |face: &[u16; 3]| {
-        let [a, b, c] = face.map(|index| CUBE[usize::from(index)].map(i32::from));
-        let (u, v) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
-        // Along an axis.
-        let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-        n.map(|c| c.signum() as i16 * i16::MAX)
-    };
-    let cube = cube.with_normals(CUBE_FACES.iter().map(normal).collect::<Vec<_>>().leak()).expect("normals");
+    let normals = Solid::new(CUBE.to_vec(), 0, CUBE_FACES.to_vec()).normals();
+    let cube = cube.with_normals(normals.leak()).expect("normals");
     let planes: [i16; 12] = cube.face_planes();
     let tetrahedron = Mesh::new(&TETRAHEDRON, -3, &TETRAHEDRON_FACES).expect("a tetrahedron");
     (cube.with_planes(planes.to_vec().leak()).expect("planes"), tetrahedron)

@@ -6,34 +6,28 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use support::ROOT;
 
 type Graph<'a> = BTreeMap<&'a str, BTreeSet<&'a str>>;
 
-/// The code of each file by its path from `src`, without comments and tests.
-fn sources() -> BTreeMap<String, String> {
-    let src = Path::new(ROOT).join("src");
-    let (mut found, mut folders) = (BTreeMap::new(), vec![src.clone()]);
-    while let Some(folder) = folders.pop() {
-        let paths = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
-        let (inner, files): (Vec<PathBuf>, Vec<PathBuf>) = paths.partition(|path| path.is_dir());
-        folders.extend(inner);
-        for file in files.iter().filter(|file| file.extension().is_some_and(|end| end == "rs")) {
-            let name = file.strip_prefix(&src).expect("below src").to_string_lossy().replace('\\', "/");
-            let (mut code, mut in_test) = (String::new(), false);
-            for line in fs::read_to_string(file).expect("a source").lines() {
-                let line = line.split("//").next().unwrap_or("");
-                in_test |= line == "#[cfg(test)]";
-                code += if in_test { "" } else { line };
-                code.push('\n');
-                // Until the last line of the item.
-                in_test &= line != "}" && (line.starts_with(' ') || !line.ends_with(';'));
-            }
-            found.insert(name, code);
-        }
+/// The code of a file, without comments and tests.
+fn code(text: &str) -> String {
+    let (mut code, mut in_test) = (String::new(), false);
+    for line in text.lines() {
+        let line = line.split("//").next().unwrap_or("");
+        in_test |= line == "#[cfg(test)]";
+        code += if in_test { "" } else { line };
+        code.push('\n');
+        // Until the last line of the item.
+        in_test &= line != "}" && (line.starts_with(' ') || !line.ends_with(';'));
     }
-    found
+    code
+}
+
+/// The code of each file of the library.
+fn sources() -> BTreeMap<String, String> {
+    support::sources().into_iter().map(|(file, text)| (file, code(&text))).collect()
 }
 
 /// The module of a file, from the crate's root.

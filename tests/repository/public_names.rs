@@ -96,25 +96,14 @@ fn every_public_name_is_in_the_glossary() {
 /// The compiler's own message names the trait alone.
 #[test]
 fn every_public_trait_says_what_to_do() {
-    let (mut folders, mut count) = (vec![Path::new(ROOT).join("src")], 0);
-    while let Some(folder) = folders.pop() {
-        for path in fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()) {
-            if path.is_dir() {
-                folders.push(path);
-                continue;
-            }
-            let text = fs::read_to_string(&path).expect("a source");
-            for (at, trait_) in text.match_indices("\npub trait ") {
-                let attributes = text[..at].rsplit("\n\n").next().unwrap_or("");
-                let is_explained =
-                    attributes.contains("#[diagnostic::on_unimplemented(") && attributes.contains("note = ");
-                assert!(
-                    is_explained,
-                    "{}:{trait_} `diagnostic::on_unimplemented` with a note",
-                    path.display()
-                );
-                count += 1;
-            }
+    let mut count = 0;
+    for (file, text) in support::sources() {
+        for (at, trait_) in text.match_indices("\npub trait ") {
+            let attributes = text[..at].rsplit("\n\n").next().unwrap_or("");
+            let is_explained =
+                attributes.contains("#[diagnostic::on_unimplemented(") && attributes.contains("note = ");
+            assert!(is_explained, "{file}:{trait_} `diagnostic::on_unimplemented` with a note");
+            count += 1;
         }
     }
     assert!(count >= 12, "only {count} traits were found");

@@ -10,8 +10,29 @@
 // Test code: its types are made by the tests alone, and tests end at the first error.
 #![allow(clippy::new_without_default, clippy::result_unit_err, clippy::should_implement_trait)]
 
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
 /// The repository's folder.
 pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
+/// The text of each file of the library, by its path from `src`.
+pub fn sources() -> BTreeMap<String, String> {
+    let src = Path::new(ROOT).join("src");
+    let (mut found, mut folders) = (BTreeMap::new(), vec![src.clone()]);
+    while let Some(folder) = folders.pop() {
+        for path in fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()) {
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|end| end == "rs") {
+                let name = path.strip_prefix(&src).expect("below src").to_string_lossy().replace('\\', "/");
+                found.insert(name, fs::read_to_string(&path).expect("a source"));
+            }
+        }
+    }
+    found
+}
 
 pub mod bridge;
 pub mod definition;
