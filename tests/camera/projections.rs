@@ -4,7 +4,7 @@
 
 use pinhole::space::{View, World};
 use pinhole::{
-    camera::{CameraError, PlanarProjection, Side},
+    camera::{CameraError, PlanarProjection, ReferenceVolume, Side},
     prelude::*,
 };
 use support::bridge::pair::{random_view, rows, window, ViewBits, ONE};
@@ -105,6 +105,24 @@ fn s4_a_view_plane_behind_the_eye_is_refused() {
     };
     assert_eq!(make(-ONE), Ok(()));
     assert_eq!(make(ONE), Err(CameraError::NearNotPositive));
+    // Points in the plane of the eye have w = 0: the near plane at the eye, and the far plane at an eye beyond the picture.
+    let at_eye = PlanarProjection::eye_at_origin(scalar(-ONE)).expect("a plane");
+    assert_eq!(Projection::from_planar(&at_eye, w, scalar(0), f).err(), Some(CameraError::NearNotPositive));
+    let beyond = PlanarProjection::origin_in_plane(scalar(8 * ONE)).expect("a plane");
+    let to = |far: i32| Projection::from_planar(&beyond, w, n, scalar(far)).map(|_| ());
+    assert_eq!([to(8 * ONE - 1), to(8 * ONE)], [Ok(()), Err(CameraError::NearNotPositive)]);
+}
+
+/// −front/(front − back) is beyond the range of numbers where the planes are a step of 2⁻¹⁶ apart.
+#[test]
+fn s4_planes_of_a_parallel_volume_too_close_to_each_other_are_refused() {
+    let make = |front: i32, back: i32| {
+        let prp = point([0, 0, ONE]);
+        ReferenceVolume::parallel(prp, window([-ONE, ONE, -ONE, ONE]), scalar(front), scalar(back))
+            .map(|_| ())
+    };
+    assert_eq!(make(-20_000 * ONE, -20_001 * ONE), Ok(()));
+    assert_eq!(make(-20_000 * ONE, -20_000 * ONE - 1), Err(CameraError::NearTooCloseToFar));
 }
 
 #[test]
