@@ -5,6 +5,7 @@ mod meshes;
 
 use pinhole::Mesh;
 use serde::Deserialize;
+use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
@@ -32,21 +33,8 @@ struct Model {
 struct Growth {
     /// Name, kind, and one or two numbers of parts.
     shapes: Vec<(String, String, [u16; 2])>,
-    cases: Vec<Case>,
-}
-
-#[derive(Deserialize)]
-struct Case {
-    name: String,
-    shape: String,
-    /// `Shape`, or `Points`: its vertices alone.
-    what: String,
-    eye: [i32; 3],
-    size: [u32; 2],
-    /// `Back` or `None`.
-    cull: String,
-    level: bool,
-    fitted: bool,
+    /// The fields of each, as Rust has them but for names of shapes and of `Cull`.
+    cases: Vec<BTreeMap<String, Value>>,
 }
 
 fn main() -> Result<()> {
@@ -123,9 +111,13 @@ fn shapes(scenes: &Scenes, growth: &Growth) -> Result<String> {
         add(&name.to_uppercase(), vertices, edges, faces)?;
     }
     writeln!(text, "pub const CASES: &[Case] = &[")?;
-    for Case { name, shape, what, eye, size, cull, level, fitted } in &growth.cases {
-        write!(text, "Case {{ name: {name:?}, what: What::{what}(&{shape}), eye: {eye:?}, size: {size:?}, ")?;
-        writeln!(text, "cull: Cull::{cull}, level: {level}, fitted: {fitted} }},")?;
+    for case in &growth.cases {
+        let field = |(name, value): (&String, &Value)| match (name.as_str(), value.as_str()) {
+            ("shape", Some(shape)) => format!("shape: &{shape}"),
+            ("cull", Some(cull)) => format!("cull: Cull::{cull}"),
+            _ => format!("{name}: {value}"),
+        };
+        writeln!(text, "Case {{ {} }},", case.iter().map(field).collect::<Vec<_>>().join(", "))?;
     }
     Ok(text + "];")
 }

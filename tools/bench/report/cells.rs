@@ -1,6 +1,6 @@
 //! The cells: each scene on each core, from a firmware of its own, and whether its picture is the host's.
 
-use crate::core::{side_by_side, Build, Core, CORES};
+use crate::core::{run, side_by_side, Build, Core, CORES};
 use crate::{elf, Result};
 use bench::cells::{Known, ACCURACIES, CELLS};
 use serde_json::{json, Value};
@@ -14,18 +14,8 @@ const SMALL: &str = "s";
 const SMALL_SUFFIX: &str = "-s";
 
 /// The cells that are measured at opt-level s too where no variant is named: one for each way to draw.
-const MAIN: [(&str, &str); 10] = [
-    ("S1", "plain"),
-    ("S2", "z"),
-    ("S3", "plain"),
-    ("S3", "z"),
-    ("S6", "dt"),
-    ("S8", "z"),
-    ("C1", "plain"),
-    ("C1", "z"),
-    ("T1", "plain"),
-    ("F50", "z"),
-];
+const MAIN: [&str; 10] =
+    ["S1 plain", "S2 z", "S3 plain", "S3 z", "S6 dt", "S8 z", "C1 plain", "C1 z", "T1 plain", "F50 z"];
 
 /// The columns that are printed: the bytes of flash are those beyond a firmware that draws nothing; RAM are variables; the stack is
 /// the deepest, with set-up and the firmware's own frames.
@@ -84,7 +74,7 @@ impl<'n> Choice<'n> {
         let is_named = |names: &[&str], name: &str| names.is_empty() || names.contains(&name);
         let is_chosen_variant = match variants.is_empty() {
             true if ACCURACIES.contains(&variant) => level == FAST && core.name == "M3",
-            true => level == FAST || MAIN.contains(&(scene, variant)),
+            true => level == FAST || MAIN.contains(&format!("{scene} {variant}").as_str()),
             false => variants.contains(&named(variant, level).as_str()),
         };
         is_chosen_variant && is_named(scenes, scene) && is_named(cores, core.name)
@@ -129,7 +119,7 @@ fn on(
     build.cargo("build", &bins.map(|bin| format!("--bin={bin}")).collect::<Vec<_>>())?;
     let empty = elf::sizes(&build.image(EMPTY))?.flash;
     let image = |scene, variant| build.image(&bin(scene, variant));
-    let printed = side_by_side(these, |(scene, variant, _)| core.run(&image(scene, variant)))?;
+    let printed = side_by_side(these, |(scene, variant, _)| run(core.name, &image(scene, variant)))?;
     let mut cells = Vec::new();
     for (&(scene, variant, on_host), printed) in these.iter().zip(printed) {
         let fields: Vec<&str> = printed.trim().split(',').collect();

@@ -1,10 +1,9 @@
 //! The emulated cores, and building and running images for them, by `tools/cross` and `tools/bench/emulate`.
 
 use crate::{Result, M0, M3, RV32};
+use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
-use std::thread;
 
 /// This directory, and the project's.
 const BENCH: &str = env!("CARGO_MANIFEST_DIR");
@@ -31,30 +30,25 @@ impl Core {
     pub(crate) const fn build(self) -> Build {
         Build { target: self.target, level: "3" }
     }
+}
 
-    /// Runs a firmware and returns its output.
-    pub(crate) fn run(self, image: &Path) -> Result<String> {
-        self.run_on(self.name, image)
-    }
+/// Runs a firmware on a board of `tools/bench/emulate`, that of a core or another one, and returns its output.
+pub(crate) fn run(board: &str, image: &Path) -> Result<String> {
+    printed(&mut emulate(board, image))
+}
 
-    /// Runs a firmware for this core on a board of `tools/bench/emulate` and returns its output.
-    pub(crate) fn run_on(self, board: &str, image: &Path) -> Result<String> {
-        let output = emulate(board, image).output()?;
-        let (printed, console) = (String::from_utf8(output.stdout)?, String::from_utf8_lossy(&output.stderr));
-        if !output.status.success() {
-            let image = image.display();
-            return Err(format!("{image} on {board}: {}\n{printed}{console}", output.status).into());
-        }
-        Ok(printed)
-    }
-
-    /// The board of this core; further arguments are QEMU's.
-    pub(crate) fn emulate(self, image: &Path) -> Command {
-        emulate(self.name, image)
+/// Runs a command and returns what it prints.
+fn printed(command: &mut Command) -> Result<String> {
+    let output = command.output()?;
+    let (printed, console) = (String::from_utf8(output.stdout)?, String::from_utf8_lossy(&output.stderr));
+    match output.status.success() {
+        true => Ok(printed.trim().into()),
+        false => Err(format!("{command:?}: {}\n{printed}{console}", output.status).into()),
     }
 }
 
-fn emulate(board: &str, image: &Path) -> Command {
+/// Further arguments are QEMU's.
+pub(crate) fn emulate(board: &str, image: &Path) -> Command {
     let mut command = Command::new("bash");
     command.arg("emulate").arg(board).arg(image);
     command.current_dir(BENCH).stdin(Stdio::null());
@@ -124,37 +118,21 @@ fn cross() -> Command {
 /// The compiler that the firmware is built with.
 pub(crate) fn compiler() -> Result<String> {
     // The name of the target makes `tools/cross` choose the compiler.
-    let output =
-        cross().args(["bash", "-c", "\"${RUSTC:-rustc}\" --version", "--target", crate::M3]).output()?;
-    let text = String::from_utf8(output.stdout)?;
+    let text = printed(cross().args(["bash", "-c", "\"${RUSTC:-rustc}\" --version", "--target", crate::M3]))?;
     // Without the date and the distributor's additions.
     Ok(text.split_whitespace().take(2).collect::<Vec<_>>().join(" "))
 }
 
 /// The last commit.
 pub(crate) fn commit() -> Result<String> {
-    let output = Command::new("git").args(["rev-parse", "--short=8", "HEAD"]).current_dir(BENCH).output()?;
-    Ok(String::from_utf8(output.stdout)?.trim().into())
+    printed(Command::new("git").args(["rev-parse", "--short=8", "HEAD"]).current_dir(BENCH))
 }
 
 /// Applies `each` to all items, as many at a time as the host has cores; returns the results in order. Instructions are counted by
 /// the emulator's own clock, so tasks that run at the same time change no count.
 pub(crate) fn side_by_side<T: Sync, R: Send>(
     these: &[T],
-    each: impl Fn(&T) -> Result<R> + Sync,
+    each: impl Fn(&T) -> Result<R> + Sync + Send,
 ) -> Result<Vec<R>> {
-    let next = AtomicUsize::new(0);
-    // Errors stay in their thread; their messages are passed on.
-    let one = || {
-        let at = next.fetch_add(1, Relaxed);
-        these.get(at).map(|this| (at, each(this).map_err(|error| error.to_string())))
-    };
-    let at_once = thread::available_parallelism().map_or(1, usize::from);
-    let mut done: Vec<_> = thread::scope(|scope| {
-        let work = || std::iter::from_fn(one).collect::<Vec<_>>();
-        let threads: Vec<_> = (0..at_once).map(|_| scope.spawn(work)).collect();
-        threads.into_iter().flat_map(|thread| thread.join().expect("no panic")).collect()
-    });
-    done.sort_by_key(|of| of.0);
-    done.into_iter().map(|of| of.1.map_err(Into::into)).collect()
+    these.par_iter().map(each).collect()
 }

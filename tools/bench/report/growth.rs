@@ -1,6 +1,6 @@
 //! The cost of a vertex, a face, a row and a pixel, fitted to some cases, and tested by predicting others.
 
-use crate::core::CORES;
+use crate::core::{run, CORES};
 use crate::Result;
 use bench::growth::{ways, Case, Way, CASES, WAYS};
 use pinhole_apps_support::work::{terms, Work};
@@ -20,7 +20,7 @@ pub(crate) fn rows() -> Result<Vec<Value>> {
     let mut rows = Vec::new();
     for core in CORES {
         core.build().cargo("build", &["--bin=growth".into()])?;
-        let printed = core.run(&core.build().image("growth"))?;
+        let printed = run(core.name, &core.build().image("growth"))?;
         // In the same order.
         let counts = printed.lines().map(|line| line.parse::<u64>());
         let mut counts = counts.collect::<std::result::Result<Vec<_>, _>>()?;
@@ -43,8 +43,7 @@ pub(crate) fn rows() -> Result<Vec<Value>> {
                 return Err(format!("{name} on {}: less than nothing for a {}", core.name, names[at]).into());
             }
             let errors = |is_fitted: bool| {
-                let chosen =
-                    drawn.iter().filter(|one| one.case.fitted == is_fitted && !one.case.is_of_points());
+                let chosen = drawn.iter().filter(|one| one.case.fitted == is_fitted && !one.case.points);
                 let estimate = |one: &Drawn| dot(&one.counts, &constants);
                 let errors = chosen.map(|one| 100.0 * (estimate(one) / one.instructions as f64 - 1.0));
                 let errors: Vec<f64> = errors.collect();

@@ -1,7 +1,7 @@
 //! The instructions of counted frames, one after the other, from the log that QEMU writes when it executes one instruction at a time:
 //! of an Arm core with the registers before each instruction, of RISC-V its address alone.
 
-use crate::core::Core;
+use crate::core::{emulate, Core};
 use crate::elf::{self, frames, Place, STEP};
 use crate::timing::decode::Instruction;
 use crate::timing::program::{Conditions, Executed, Program, State};
@@ -77,7 +77,7 @@ pub(crate) fn record(core: Core, image: &Path) -> Result<Frame> {
     let (elf::Sizes { flash, code, bytes, .. }, places) = (elf::sizes(image)?, frames(image)?);
     let named = |what: &str| format!("{}: {what}", image.display());
     let clock = function(&code, &places, |name| name.contains("Clock") && name.ends_with("count"));
-    let mut command = core.emulate(image);
+    let mut command = emulate(core.name, image);
     command.args(if has_registers { LOG } else { LOG_OF_ADDRESSES }).args(filter(&code, &places));
     let mut qemu = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn()?;
     let mut lines = BufReader::with_capacity(1 << 20, Paused(qemu.stderr.take().ok_or("its log")?));

@@ -1,6 +1,6 @@
 //! Instructions of each core when two draw one frame.
 
-use crate::core::CORES;
+use crate::core::{run, CORES};
 use crate::data;
 use crate::{Result, CELL};
 use serde_json::{json, Value};
@@ -14,7 +14,7 @@ pub(crate) fn rows(failures: &mut Vec<String>) -> Result<Vec<Value>> {
     let (mut rows, cells) = (Vec::new(), data::read("cells")?);
     for core in CORES.into_iter().filter(|core| ["M0", "M3"].contains(&core.name)) {
         core.build().cargo("build", &["--package=cores".into()])?;
-        let printed = core.run_on("two-M33", &core.build().image("two_cores"))?;
+        let printed = run("two-M33", &core.build().image("two_cores"))?;
         let lines: Vec<Vec<&str>> = printed.lines().map(|line| line.split(',').collect()).collect();
         // For each scene and way a line for each part.
         for parts in lines.chunk_by(|a, b| a[..2] == b[..2]) {

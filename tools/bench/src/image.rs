@@ -89,6 +89,9 @@ const EDGES: usize = 12;
 /// Rows of a band.
 pub const ROWS: u32 = 8;
 
+/// The texture coordinates of the corners of both faces of a side, in 1/16 texel.
+pub const UV: [[[i16; 2]; 3]; 2] = [[[0, 128], [128, 128], [128, 0]], [[0, 128], [128, 0], [0, 0]]];
+
 /// Each face with a small picture on it, in the light that its normal has.
 #[inline(always)]
 pub fn textured<'s>(
@@ -100,11 +103,9 @@ pub fn textured<'s>(
         let Ok(texels) = IndexedTexels::new(&[0xf0; 8], 8, 8, &PALETTE) else { panic!("texels") };
         texels
     };
-    /// Of the two triangles of a square, in 1/16 texel.
-    const CORNERS: [[[i16; 2]; 3]; 2] = [[[0, 128], [128, 128], [128, 0]], [[0, 128], [128, 0], [0, 0]]];
     |face| {
         let level = mesh.normals().get(face).map_or(256, |&normal| light.level(normal));
-        let [even, odd] = CORNERS;
+        let [even, odd] = UV;
         Texture::new(TEXELS).at(if face % 2 == 0 { even } else { odd }).lit([level; 3])
     }
 }
@@ -125,12 +126,12 @@ const CAMERA: Camera = {
 
 /// The cube on a turntable.
 pub struct Turntable {
-    model: Affine<ModelSpace, World>,
+    pub model: Affine<ModelSpace, World>,
 }
 
 impl Turntable {
     /// Turned by an angle that the compiler does not know.
-    pub fn new() -> Self {
+    pub fn turned() -> Self {
         Self { model: Affine::rotation_y(Angle::from_bits(black_box(1 << 29))) }
     }
 
@@ -145,23 +146,12 @@ impl Turntable {
         black_box(&CAMERA)
     }
 
-    /// How the cube is turned.
-    pub const fn model(&self) -> &Affine<ModelSpace, World> {
-        &self.model
-    }
-
     pub fn light(&self) -> Option<Lambert> {
         lit(&self.model)
     }
 
     pub fn rigid_light(&self) -> Option<RigidLambert> {
         rigidly_lit(&self.model)
-    }
-}
-
-impl Default for Turntable {
-    fn default() -> Self {
-        Self::new()
     }
 }
 
@@ -205,7 +195,7 @@ impl DrawTarget for Sink {
 
 /// The names that the images use.
 pub mod prelude {
-    pub use super::{cubes_with_edge_faces, Sink, Turntable, BIN_STORAGE, CORNERS, ROWS};
+    pub use super::{cubes_with_edge_faces, Sink, Turntable, BIN_STORAGE, CORNERS, ROWS, UV};
     pub use crate::bands::{bytes, pixels};
     pub use crate::scene::Model;
     pub use crate::{image, is_equal, scene};

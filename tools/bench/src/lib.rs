@@ -17,18 +17,6 @@ pub mod lists {
     include!(concat!(env!("OUT_DIR"), "/lists.rs"));
 }
 
-/// Where the name of an image stands in a list. A name that is not there does not compile.
-const fn position(name: &str, names: &[&str]) -> usize {
-    let mut at = 0;
-    while at < names.len() {
-        if is_equal(name, names[at]) {
-            return at;
-        }
-        at += 1;
-    }
-    panic!("no image of this name in the list")
-}
-
 /// Whether two names are equal: several images are built from one file, and each chooses its part by its name when it is compiled.
 pub const fn is_equal(a: &str, b: &str) -> bool {
     let (a, b, mut same) = (a.as_bytes(), b.as_bytes(), 0);

@@ -75,8 +75,8 @@ pub(crate) const fn by_planes(model: &Model, planes: &'static [i16]) -> Model<Wi
 /// A model before its camera: set up before the frame.
 pub struct Scene<P = WithoutPlanes> {
     mesh: Mesh<'static, i16, P>,
-    model: Affine<ModelSpace, World>,
-    camera: Camera,
+    pub model: Affine<ModelSpace, World>,
+    pub camera: Camera,
 }
 
 impl<P: FacePlanes> Scene<P> {
@@ -102,16 +102,6 @@ impl<P: FacePlanes> Scene<P> {
     #[inline(always)]
     pub fn place(&self) -> MeshInstance<'_, i16, P> {
         self.camera.place(&self.mesh, &self.model)
-    }
-
-    /// The camera, set up before the frame.
-    pub fn camera(&self) -> &Camera {
-        &self.camera
-    }
-
-    /// The model transform, set up before the frame.
-    pub fn model(&self) -> &Affine<ModelSpace, World> {
-        &self.model
     }
 
     /// The light, set up before the frame; `None` where there is none.

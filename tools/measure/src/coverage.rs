@@ -98,13 +98,12 @@ impl Picture {
     }
 
     fn triangle(&mut self, vertices: [ScreenPoint; 3]) {
-        let Self { differences, width, scissor } = self;
-        let Ok(()) = raster::triangle(vertices, scissor, |span| add(differences, *width, span));
+        let Ok(()) =
+            raster::triangle(vertices, &self.scissor, |span| add(&mut self.differences, self.width, span));
     }
 
     fn line(&mut self, [a, b]: [Pixel; 2]) {
-        let Self { differences, width, scissor } = self;
-        let Ok(()) = raster::line(a, b, scissor, |span| add(differences, *width, span));
+        let Ok(()) = raster::line(a, b, &self.scissor, |span| add(&mut self.differences, self.width, span));
     }
 
     /// Row by row from the top. A file cannot hold enough triangles and lines for a count to pass 32 bits.

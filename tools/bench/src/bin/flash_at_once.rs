@@ -9,7 +9,7 @@ const IMAGE: &str = env!("CARGO_BIN_NAME");
 const DEPTHS: usize = if is_equal(IMAGE, "flash_depth") { pixels(ROWS) } else { 0 };
 
 image!(cube, corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS], storage: [u16; DEPTHS] = [0; DEPTHS], {
-    let scene = Turntable::new();
+    let scene = Turntable::turned();
     let place = || scene.place(cube);
     match IMAGE {
         "flash_wireframe_pixels" => {

@@ -22,7 +22,7 @@ image!(
     strip: [u8; bytes(ROWS)] = [0; bytes(ROWS)],
     storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)],
     {
-        let turntable = Turntable::new();
+        let turntable = Turntable::turned();
         let instance = if is_equal(IMAGE, "flash_framing") { framed(cube)? } else { turntable.place(cube) };
         let light = turntable.light();
         let light = light.as_ref()?;

@@ -42,14 +42,14 @@ fn place(cube: &'static Model, objects: &mut Vec<Object, 1>) -> Option<()> {
     let camera = cube.camera();
     objects.clear();
     let instance = camera.as_ref()?.place(&cube.mesh, &cube.turned());
-    objects.push(Object { instance, light: Turntable::new().light()? }).ok()
+    objects.push(Object { instance, light: Turntable::turned().light()? }).ok()
 }
 
 /// Records the cube for painter's order, before another camera.
 #[inline(never)]
 fn record(cube: &'static Model, light: &Lambert, painter: &mut Order) -> Option<()> {
     painter.clear();
-    let (instance, shade) = (Turntable::new().place(cube), scene::flat(&cube.mesh, light));
+    let (instance, shade) = (Turntable::turned().place(cube), scene::flat(&cube.mesh, light));
     if INSIDE {
         painter.add(&instance.without_clipping(), shade).ok()
     } else {

@@ -10,7 +10,7 @@ image!(
     strip: [u8; bytes(ROWS)] = [0; bytes(ROWS)],
     storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)],
     {
-        let instance = Turntable::new().place(cube);
+        let instance = Turntable::turned().place(cube);
         let transformed = instance.transform_depth(corners);
         let mut faces = transformed.bin_faces(bin_storage);
         let mut edges = transformed.bin_edges(edge_bin_storage);

@@ -19,7 +19,7 @@ image!(
     strip: [u8; STRIP] = [0; STRIP],
     memory: [Rgb565; PIXELS] = [scene::BACKGROUND; PIXELS],
     {
-        let scene = Turntable::new();
+        let scene = Turntable::turned();
         let light = scene.light();
         let shade = scene::flat(&cube.mesh, light.as_ref()?);
         painter.clear();

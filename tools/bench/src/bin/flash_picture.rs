@@ -13,7 +13,7 @@ image!(
     memory: [Rgb565; pixels(ROWS)] = [scene::BACKGROUND; pixels(ROWS)],
     storage: [u16; DEPTHS] = [0; DEPTHS],
     {
-        let scene = Turntable::new();
+        let scene = Turntable::turned();
         let size = black_box(Size::new(scene::SIZE, ROWS));
         let instance = scene.place(cube);
         let mut picture = Picture::new(memory, size).ok()?;

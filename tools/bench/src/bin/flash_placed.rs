@@ -12,7 +12,7 @@ image!(cube, {
             black_box(cube);
         }
         "flash_place" => {
-            black_box(Turntable::new().place(cube));
+            black_box(Turntable::turned().place(cube));
         }
         "flash_camera" => {
             let (camera, model) = (cube.camera(), cube.turned());

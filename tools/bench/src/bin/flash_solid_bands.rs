@@ -11,7 +11,7 @@ image!(
     bin_storage: [u16; BIN_STORAGE] = [0; BIN_STORAGE],
     strip: [u8; bytes(ROWS)] = [0; bytes(ROWS)],
     {
-        let scene = Turntable::new();
+        let scene = Turntable::turned();
         let instance = scene.place(cube);
         let mut frame = Frame::new(scene::area(), scene::BACKGROUND);
         if OF_LINES {

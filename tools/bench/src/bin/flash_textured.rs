@@ -16,9 +16,6 @@ static TEXELS: [[Rgb565; 8]; 8] = {
     texels
 };
 
-/// The coordinates of the corners of both faces of a side.
-const UV: [[[i16; 2]; 3]; 2] = [[[0, 128], [128, 128], [128, 0]], [[0, 128], [128, 0], [0, 0]]];
-
 /// 512 bytes, which count.
 static SHADES: ShadeTable<Rgb565> = {
     let mut shades = [Rgb565::BLACK; 256];
@@ -35,7 +32,7 @@ image!(
     corners: [ScreenVertex; CACHED] = [ScreenVertex::EMPTY; CACHED],
     memory: [Rgb565; pixels(ROWS)] = [scene::BACKGROUND; pixels(ROWS)],
     {
-        let scene = Turntable::new();
+        let scene = Turntable::turned();
         let frame = Frame { cube, scene: &scene, corners, memory };
         let color = |face| if face & 1 == 0 { Rgb565::RED } else { scene::BACKGROUND };
         let fog = || {
@@ -63,7 +60,7 @@ image!(
                 frame.draw(|face| SHADES.lit(cube.mesh.corners_of(face, &levels)))
             }
             "flash_vertex_fog" => {
-                let fog = VertexFog::new(&fog()?, scene.camera(), scene.model(), cube.mesh.exponent());
+                let fog = VertexFog::new(&fog()?, scene.camera(), &scene.model, cube.mesh.exponent());
                 let mut factors = [0; CORNERS];
                 fog.factors(cube.mesh.vertices(), &mut factors);
                 frame.draw(|face| SHADES.lit(cube.mesh.corners_of(face, &factors)))
@@ -96,7 +93,7 @@ impl Frame<'_> {
 
     #[inline(always)]
     fn draw_sprites(self) -> Option<()> {
-        let points = self.scene.camera().place_sprites(&self.cube.mesh, self.scene.model());
+        let points = self.scene.camera().place_sprites(&self.cube.mesh, &self.scene.model);
         let mut picture = Picture::new(self.memory, black_box(Size::new(scene::SIZE, ROWS))).ok()?;
         let side = black_box(Scalar::from_bits(1 << 14));
         let sprite = Sprite::new(ColorKeyed::new(black_box(&TEXELS), Rgb565::GREEN)).with_size(side, side);

@@ -1,15 +1,14 @@
 //! Models in bands, as many pixels sent as a frame has, and in one piece. Both clear the picture and set the object's transform up in
 //! each frame. The meshes have no planes.
 
-use super::{count, drawn, Counted, Deep, Plain};
+use super::{count, draw_faces, drawn, Counted, Memory, Plain};
 use crate::bands::{self, Storage};
 use crate::board::Clock;
 use crate::measure::Display;
-use crate::scene::{area, Model, Scene, BACKGROUND, LINE};
+use crate::scene::{Model, Scene, BACKGROUND, LINE};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{prelude::*, shading::Stroke};
+use pinhole::prelude::*;
 
 /// Memory of a strip, of its depth if there is any, of a mesh's vertices and its binned faces or edges.
 pub struct Strip<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: usize> {
@@ -33,34 +32,22 @@ impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: 
         let Self { corners, bin_storage, strip, depth } = self;
         Storage { corners, bin_storage, strip, depth }
     }
-}
 
-pub(super) fn plain<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: usize>(
-    model: &'static Model,
-    memory: &mut Strip<BYTES, DEPTHS, BINS, CORNERS>,
-) -> Option<Counted> {
-    let scene = Scene::new(model)?;
-    let light = scene.light()?;
-    count_bands(&mut |display| bands::solid(black_box(&scene), black_box(&light), memory.storage(), display))
-}
+    /// A model's faces, with depth where the memory has depths.
+    pub(super) fn faces(&mut self, model: &'static Model) -> Option<Counted> {
+        let scene = Scene::new(model)?;
+        let light = scene.light()?;
+        count_bands(&mut |display| match const { DEPTHS == 0 } {
+            true => bands::solid(black_box(&scene), black_box(&light), self.storage(), display),
+            false => bands::depth(black_box(&scene), black_box(&light), self.storage(), display),
+        })
+    }
 
-pub(super) fn deep<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: usize>(
-    model: &'static Model,
-    memory: &mut Strip<BYTES, DEPTHS, BINS, CORNERS>,
-) -> Option<Counted> {
-    let scene = Scene::new(model)?;
-    let light = scene.light()?;
-    count_bands(&mut |display| bands::depth(black_box(&scene), black_box(&light), memory.storage(), display))
-}
-
-/// A model's edges.
-pub(super) fn wire<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: usize>(
-    model: &'static Model,
-    stroke: impl Stroke<Rgb565>,
-    memory: &mut Strip<BYTES, DEPTHS, BINS, CORNERS>,
-) -> Option<Counted> {
-    let scene = Scene::new(model)?;
-    count_bands(&mut |display| bands::wireframe(black_box(&scene), stroke, memory.storage(), display))
+    /// A model's edges.
+    pub(super) fn wire(&mut self, model: &'static Model) -> Option<Counted> {
+        let scene = Scene::new(model)?;
+        count_bands(&mut |display| bands::wireframe(black_box(&scene), LINE, self.storage(), display))
+    }
 }
 
 /// Draws three frames, counts the second, and takes the checksum of the third.
@@ -76,7 +63,7 @@ fn count_bands(frame: &mut dyn FnMut(&mut Display) -> Option<()>) -> Option<Coun
 
 pub(super) fn full_wire<const N: usize>(
     model: &'static Model,
-    Plain { frame, corners }: &mut Plain<N>,
+    Plain { frame, corners, .. }: &mut Plain<N>,
 ) -> Option<Counted> {
     let scene = Scene::new(model)?;
     count(frame, &mut |picture| {
@@ -85,30 +72,15 @@ pub(super) fn full_wire<const N: usize>(
     })
 }
 
-pub(super) fn full<const N: usize>(
+pub(super) fn full<const N: usize, const DEPTHS: usize>(
     model: &'static Model,
-    Plain { frame, corners }: &mut Plain<N>,
+    Memory { frame, depth, corners }: &mut Memory<N, DEPTHS>,
 ) -> Option<Counted> {
     let scene = Scene::new(model)?;
     let light = scene.light()?;
     count(frame, &mut |picture| {
         let (scene, light) = black_box((&scene, &light));
         let Ok(()) = picture.clear(BACKGROUND);
-        drawn(scene.place().faces(scene.shade(light)).cached(corners).draw(&mut picture.pixels()))
-    })
-}
-
-pub(super) fn full_z<const N: usize>(
-    model: &'static Model,
-    Deep { frame, depth, corners }: &mut Deep<N>,
-) -> Option<Counted> {
-    let scene = Scene::new(model)?;
-    let light = scene.light()?;
-    count(frame, &mut |picture| {
-        let (scene, light) = black_box((&scene, &light));
-        let Ok(()) = picture.clear(BACKGROUND);
-        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let (shade, mut pixels) = (scene.shade(light), picture.pixels());
-        drawn(scene.place().faces(shade).cached(corners).draw(&mut pixels.depth_tested(&mut depth)))
+        draw_faces(scene.place().faces(scene.shade(light)).cached(corners), depth, &mut picture.pixels())
     })
 }

@@ -2,8 +2,8 @@
 //! rolled floor, in one colour, whose two faces have all levels each; G3: X1's textured torus in the fog of G1.
 
 use super::textured::{camera, torus_uv, Floor, PICTURE, X3};
-use super::{count, drawn, Counted, Deep, Plain, TORUS};
-use crate::scene::{self, area, Scene};
+use super::{count, draw_faces, drawn, Counted, Deep, Memory, Plain, TORUS};
+use crate::scene::{self, Scene};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
 use pinhole::space::{Model, World};
@@ -24,31 +24,20 @@ const TORUS_FOG: [i32; 2] = [2, 5];
 /// The floor lies between 0.5, where the near plane cuts it, and 9.5.
 const FLOOR_FOG: [i32; 2] = [1, 9];
 
-pub(super) fn g1(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
+pub(super) fn g1<const DEPTHS: usize>(
+    Memory { frame, depth, corners }: &mut Memory<TORUS, DEPTHS>,
+) -> Option<Counted> {
     let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
-    let (light, instance, fog) = (scene.light()?, scene.place(), fog(TORUS_FOG, scene.camera())?);
+    let (light, instance, fog) = (scene.light()?, scene.place(), fog(TORUS_FOG, &scene.camera)?);
     count(frame, &mut |picture| {
         let (instance, light, fog) = black_box((&instance, &light, &fog));
-        let shade = scene::flat_of_normals(instance.mesh().normals(), light);
-        drawn(
-            instance.faces(|face| Fogged::new(shade(face), fog)).cached(corners).draw(&mut picture.pixels()),
-        )
-    })
-}
-
-pub(super) fn g1_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
-    let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
-    let (light, instance, fog) = (scene.light()?, scene.place(), fog(TORUS_FOG, scene.camera())?);
-    count(frame, &mut |picture| {
-        let (instance, light, fog) = black_box((&instance, &light, &fog));
-        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let shade = scene::flat_of_normals(instance.mesh().normals(), light);
         let shade = |face| Fogged::new(shade(face), fog);
-        drawn(instance.faces(shade).cached(corners).draw(&mut picture.pixels().depth_tested(&mut depth)))
+        draw_faces(instance.faces(shade).cached(corners), depth, &mut picture.pixels())
     })
 }
 
-pub(super) fn g2(Plain { frame, corners }: &mut Plain<4>) -> Option<Counted> {
+pub(super) fn g2(Plain { frame, corners, .. }: &mut Plain<4>) -> Option<Counted> {
     let (camera, floor): (_, &Floor) = (camera()?, black_box(&X3));
     let (instance, fog) =
         (camera.place(&floor.mesh, &Affine::<Model, World>::identity()), fog(FLOOR_FOG, &camera)?);
@@ -61,11 +50,10 @@ pub(super) fn g2(Plain { frame, corners }: &mut Plain<4>) -> Option<Counted> {
 
 pub(super) fn g3_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
     let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
-    let (texture, instance, fog) = (Texture::new(&PICTURE), scene.place(), fog(TORUS_FOG, scene.camera())?);
+    let (texture, instance, fog) = (Texture::new(&PICTURE), scene.place(), fog(TORUS_FOG, &scene.camera)?);
     count(frame, &mut |picture| {
         let (instance, texture, fog) = black_box((&instance, &texture, &fog));
-        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let shade = |face| Fogged::new(texture.at(torus_uv(face)), fog);
-        drawn(instance.faces(shade).cached(corners).draw(&mut picture.pixels().depth_tested(&mut depth)))
+        draw_faces(instance.faces(shade).cached(corners), depth, &mut picture.pixels())
     })
 }

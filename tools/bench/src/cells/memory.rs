@@ -24,29 +24,22 @@ impl Frame {
     }
 }
 
-/// Memory of a picture and of a mesh's vertices.
-pub struct Plain<const N: usize> {
+/// Memory of a picture, of a mesh's vertices, and of a depth buffer unless `DEPTHS` is 0.
+pub struct Memory<const N: usize, const DEPTHS: usize> {
     pub(crate) frame: Frame,
-    pub(crate) corners: [ScreenVertex; N],
-}
-
-impl<const N: usize> Plain<N> {
-    pub const NEW: Self = Self { frame: Frame::NEW, corners: [ScreenVertex::EMPTY; N] };
-}
-
-/// Memory of a picture, a depth buffer and a mesh's vertices.
-pub struct Deep<const N: usize> {
-    pub(crate) frame: Frame,
-    pub(crate) depth: Depth,
+    pub(crate) depth: Depth<DEPTHS>,
     pub(crate) corners: [ScreenVertex; N],
 }
 
 #[repr(C, align(4))]
-pub(crate) struct Depth(pub(crate) [u16; PIXELS]);
+pub(crate) struct Depth<const DEPTHS: usize>(pub(crate) [u16; DEPTHS]);
 
-impl<const N: usize> Deep<N> {
+pub type Plain<const N: usize> = Memory<N, 0>;
+pub type Deep<const N: usize> = Memory<N, PIXELS>;
+
+impl<const N: usize, const DEPTHS: usize> Memory<N, DEPTHS> {
     pub const NEW: Self =
-        Self { frame: Frame::NEW, depth: Depth([0; PIXELS]), corners: [ScreenVertex::EMPTY; N] };
+        Self { frame: Frame::NEW, depth: Depth([0; DEPTHS]), corners: [ScreenVertex::EMPTY; N] };
 }
 
 /// Memory of a picture, a depth buffer, a mesh's vertices, and the light at each vertex.

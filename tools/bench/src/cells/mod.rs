@@ -10,11 +10,12 @@ mod textured;
 mod ways;
 
 pub use banded::Strip;
-pub use memory::{Deep, Frame, Plain, Smooth};
+pub use memory::{Deep, Frame, Memory, Plain, Smooth};
 pub use screen::Screen;
 
 use crate::bands::{bytes, pixels};
 use crate::board::{println, Clock};
+use crate::is_equal;
 use crate::lists::{COLOURS, LINES, SCREEN, TORUS_EDGES, TRIANGLES};
 use crate::scene::{self, Model, BACKGROUND, LINE, SIZE};
 use core::convert::Infallible;
@@ -22,10 +23,13 @@ use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::Rgb565;
+use memory::Depth;
 use pinhole::{
-    mesh::WithPlanes,
+    draw::{Faces, ShaderFor},
+    mesh::{FacePlanes, WithPlanes},
     prelude::*,
     shading::{AntiAliased, Blended},
+    target::Surface,
     texture::Accuracy,
 };
 use textured::{X2, X3, X4};
@@ -116,12 +120,12 @@ cells! {
     // S1: the cube's edges. S2: the cube, a colour for each face.
     "S1" "plain": Plain<CUBE>, |m| picture::wire(&scene::CUBE, LINE, m);
     "S2" "plain": Plain<CUBE>, |m| picture::flat(&scene::CUBE, m);
-    "S2" "z": Deep<CUBE>, |m| picture::flat_z(&scene::CUBE, m);
+    "S2" "z": Deep<CUBE>, |m| picture::flat(&scene::CUBE, m);
     // S3: the torus, S4: the icosphere, a colour for each face, culled by face planes; S8: the torus, smooth.
     "S3" "plain": Plain<TORUS>, |m| picture::flat(&scene::TORUS_BY_PLANES, m);
-    "S3" "z": Deep<TORUS>, |m| picture::flat_z(&scene::TORUS_BY_PLANES, m);
+    "S3" "z": Deep<TORUS>, |m| picture::flat(&scene::TORUS_BY_PLANES, m);
     "S4" "plain": Plain<ICO>, |m| picture::flat(&scene::ICO_BY_PLANES, m);
-    "S4" "z": Deep<ICO>, |m| picture::flat_z(&scene::ICO_BY_PLANES, m);
+    "S4" "z": Deep<ICO>, |m| picture::flat(&scene::ICO_BY_PLANES, m);
     "S8" "z": Smooth<TORUS>, |m| picture::smooth_z(&scene::TORUS_BY_PLANES, m);
     // S5: one triangle over half of the picture. S6: a thousand lines. S7: a thousand triangles.
     "S5" "plain": Frame, |m| picture::triangle(&SCREEN, LINE, m);
@@ -129,24 +133,24 @@ cells! {
     "S7" "plain": Frame, |m| picture::triangles(&TRIANGLES, &COLOURS, m);
     // Without planes.
     "S3" "no-planes": Plain<TORUS>, |m| picture::flat(&scene::TORUS, m);
-    "S3" "no-planes-z": Deep<TORUS>, |m| picture::flat_z(&scene::TORUS, m);
+    "S3" "no-planes-z": Deep<TORUS>, |m| picture::flat(&scene::TORUS, m);
     // All edges.
     "S3" "wire": Plain<TORUS>, |m| picture::wire(&TORUS_EDGED, LINE, m);
     // The torus from near by.
     "C1" "plain": Plain<TORUS>, |m| picture::flat(&C1, m);
-    "C1" "z": Deep<TORUS>, |m| picture::flat_z(&C1, m);
+    "C1" "z": Deep<TORUS>, |m| picture::flat(&C1, m);
     "C1" "wire": Plain<TORUS>, |m| picture::wire(&C1_EDGED, LINE, m);
     "C1" "planes": Plain<TORUS>, |m| picture::flat(&C1_PLANES, m);
-    "C1" "planes-z": Deep<TORUS>, |m| picture::flat_z(&C1_PLANES, m);
+    "C1" "planes-z": Deep<TORUS>, |m| picture::flat(&C1_PLANES, m);
     // T1: the turning cube. F50: fifty cubes before a moving camera, half of them out of view. The placing is counted.
     "T1" "plain": Plain<CUBE>, |m| moving::t1(m);
     "F50" "z": Deep<CUBE>, |m| moving::f50_z(m);
     // Into a DrawTarget of the firmware's own.
     "S1" "dt": Plain<CUBE>, |m| dt::wire(&scene::CUBE, LINE, m);
     "S2" "dt": Plain<CUBE>, |m| dt::flat(&scene::CUBE, m);
-    "S2" "dt-z": Deep<CUBE>, |m| dt::flat_z(&scene::CUBE, m);
+    "S2" "dt-z": Deep<CUBE>, |m| dt::flat(&scene::CUBE, m);
     "S3" "dt": Plain<TORUS>, |m| dt::flat(&scene::TORUS_BY_PLANES, m);
-    "S3" "dt-z": Deep<TORUS>, |m| dt::flat_z(&scene::TORUS_BY_PLANES, m);
+    "S3" "dt-z": Deep<TORUS>, |m| dt::flat(&scene::TORUS_BY_PLANES, m);
     "S5" "dt": Frame, |m| dt::triangle(&SCREEN, LINE, m);
     "S6" "dt": Frame, |m| dt::lines(&LINES, LINE, m);
     "S7" "dt": Frame, |m| dt::triangles(&TRIANGLES, &COLOURS, m);
@@ -168,41 +172,45 @@ cells! {
     "X2" "sixteenth": Plain<4>, |m| textured::floor(&X2, Accuracy::Sixteenth, m);
     "X3" "sixteenth": Plain<4>, |m| textured::floor(&X3, Accuracy::Sixteenth, m);
     "X4" "sixteenth": Plain<4>, |m| textured::floor(&X4, Accuracy::Sixteenth, m);
-    "X1" "z": Deep<TORUS>, |m| textured::torus_z(m);
+    "X1" "z": Deep<TORUS>, |m| textured::torus(Accuracy::Quarter, m);
     // S5 blended in equal parts, and by an alpha of 13/32.
     "S5" "half": Frame, |m| picture::triangle(&SCREEN, HalfBlended::new(black_box(LINE)), m);
     "S5" "alpha": Frame, |m| picture::triangle(&SCREEN, Blended::new(black_box(LINE), black_box(13)), m);
     // The torus, a floor and the textured torus in fog by pixel. Fifty sprites.
     "G1" "plain": Plain<TORUS>, |m| foggy::g1(m);
-    "G1" "z": Deep<TORUS>, |m| foggy::g1_z(m);
+    "G1" "z": Deep<TORUS>, |m| foggy::g1(m);
     "G2" "plain": Plain<4>, |m| foggy::g2(m);
     "G3" "z": Deep<TORUS>, |m| foggy::g3_z(m);
     "B1" "z": Deep<0>, |m| sprites::b1_z(m);
     // In one piece with the clear of the picture, and in bands.
     "S1" "full": Plain<CUBE>, |m| banded::full_wire(&scene::CUBE, m);
-    "S1" "bands8": Strip<{ bytes(8) }, 0, CUBE_BINS, CUBE>, |m| banded::wire(&scene::CUBE, LINE, m);
-    "S1" "bands16": Strip<{ bytes(16) }, 0, CUBE_BINS, CUBE>, |m| banded::wire(&scene::CUBE, LINE, m);
+    "S1" "bands8": Strip<{ bytes(8) }, 0, CUBE_BINS, CUBE>, |m| m.wire(&scene::CUBE);
+    "S1" "bands16": Strip<{ bytes(16) }, 0, CUBE_BINS, CUBE>, |m| m.wire(&scene::CUBE);
     "S2" "full": Plain<CUBE>, |m| banded::full(&scene::CUBE, m);
-    "S2" "full-z": Deep<CUBE>, |m| banded::full_z(&scene::CUBE, m);
-    "S2" "bands8": Strip<{ bytes(8) }, 0, CUBE_BINS, CUBE>, |m| banded::plain(&scene::CUBE, m);
-    "S2" "bands8-z": Strip<{ bytes(8) }, { pixels(8) }, CUBE_BINS, CUBE>, |m| banded::deep(&scene::CUBE, m);
-    "S2" "bands16": Strip<{ bytes(16) }, 0, CUBE_BINS, CUBE>, |m| banded::plain(&scene::CUBE, m);
-    "S2" "bands16-z": Strip<{ bytes(16) }, { pixels(16) }, CUBE_BINS, CUBE>, |m| banded::deep(&scene::CUBE, m);
+    "S2" "full-z": Deep<CUBE>, |m| banded::full(&scene::CUBE, m);
+    "S2" "bands8": Strip<{ bytes(8) }, 0, CUBE_BINS, CUBE>, |m| m.faces(&scene::CUBE);
+    "S2" "bands8-z": Strip<{ bytes(8) }, { pixels(8) }, CUBE_BINS, CUBE>, |m| m.faces(&scene::CUBE);
+    "S2" "bands16": Strip<{ bytes(16) }, 0, CUBE_BINS, CUBE>, |m| m.faces(&scene::CUBE);
+    "S2" "bands16-z": Strip<{ bytes(16) }, { pixels(16) }, CUBE_BINS, CUBE>, |m| m.faces(&scene::CUBE);
     "S3" "full": Plain<TORUS>, |m| banded::full(&scene::TORUS, m);
-    "S3" "full-z": Deep<TORUS>, |m| banded::full_z(&scene::TORUS, m);
-    "S3" "bands8": Strip<{ bytes(8) }, 0, TORUS_BINS, TORUS>, |m| banded::plain(&scene::TORUS, m);
-    "S3" "bands8-z": Strip<{ bytes(8) }, { pixels(8) }, TORUS_BINS, TORUS>, |m| banded::deep(&scene::TORUS, m);
-    "S3" "bands16": Strip<{ bytes(16) }, 0, TORUS_BINS, TORUS>, |m| banded::plain(&scene::TORUS, m);
-    "S3" "bands16-z": Strip<{ bytes(16) }, { pixels(16) }, TORUS_BINS, TORUS>, |m| banded::deep(&scene::TORUS, m);
-    "S4" "bands8-z": Strip<{ bytes(8) }, { pixels(8) }, ICO_BINS, ICO>, |m| banded::deep(&scene::ICO, m);
+    "S3" "full-z": Deep<TORUS>, |m| banded::full(&scene::TORUS, m);
+    "S3" "bands8": Strip<{ bytes(8) }, 0, TORUS_BINS, TORUS>, |m| m.faces(&scene::TORUS);
+    "S3" "bands8-z": Strip<{ bytes(8) }, { pixels(8) }, TORUS_BINS, TORUS>, |m| m.faces(&scene::TORUS);
+    "S3" "bands16": Strip<{ bytes(16) }, 0, TORUS_BINS, TORUS>, |m| m.faces(&scene::TORUS);
+    "S3" "bands16-z": Strip<{ bytes(16) }, { pixels(16) }, TORUS_BINS, TORUS>, |m| m.faces(&scene::TORUS);
+    "S4" "bands8-z": Strip<{ bytes(8) }, { pixels(8) }, ICO_BINS, ICO>, |m| m.faces(&scene::ICO);
 }
 
 /// The variants of textures by other accuracies.
 pub const ACCURACIES: [&str; 2] = ["eighth", "sixteenth"];
 
-/// The number of the cell with this image.
+/// The number of the cell with this image. A name that no cell has does not compile.
 pub const fn of_image(name: &str) -> usize {
-    crate::position(name, IMAGES)
+    let mut at = 0;
+    while !is_equal(name, IMAGES[at]) {
+        at += 1;
+    }
+    at
 }
 
 /// Draws two frames, each on a cleared picture, and counts the second without the clear. `draw` says whether it could.
@@ -242,36 +250,24 @@ fn drawn(statistics: Result<Statistics, Infallible>) -> Option<()> {
     Some(())
 }
 
+/// Draws faces, with depth where the memory has depths.
+#[inline(always)]
+fn draw_faces<P: FacePlanes, S: ShaderFor<T>, T, const DEPTHS: usize>(
+    faces: Faces<'_, i16, P, impl FnMut(usize) -> S>,
+    depth: &mut Depth<DEPTHS>,
+    surface: &mut T,
+) -> Option<()>
+where
+    T: Surface<Color = Rgb565, Error = Infallible>,
+{
+    if const { DEPTHS == 0 } {
+        return drawn(faces.draw(surface));
+    }
+    let mut depth = DepthBuffer::new(black_box(scene::area()), &mut depth.0).ok()?;
+    drawn(faces.draw(&mut surface.depth_tested(&mut depth)))
+}
+
 /// The line that `report` reads: `instructions,stack,crc`.
 pub fn print(Counted { instructions, crc, .. }: Counted, stack: usize) {
     println!("{instructions},{stack},{crc:08x}");
-}
-
-/// A firmware that draws one cell: its memory, and how.
-#[macro_export]
-macro_rules! cell {
-    ($memory:ty, $draw:path) => {
-        #[cfg(target_os = "none")]
-        #[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
-        #[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
-        fn main() -> ! {
-            use core::cell::RefCell;
-            use critical_section::Mutex;
-            // Not on the stack.
-            static MEMORY: Mutex<RefCell<$memory>> = Mutex::new(RefCell::new(<$memory>::NEW));
-            $crate::stack::paint();
-            let counted = critical_section::with(|token| $draw(&mut MEMORY.borrow_ref_mut(token)));
-            let stack = $crate::stack::deepest();
-            if let Some(counted) = counted {
-                $crate::cells::print(counted, stack);
-            }
-            $crate::board::end(counted.is_some())
-        }
-
-        #[cfg(not(target_os = "none"))]
-        fn main() {
-            let counted = $draw(&mut *Box::<$memory>::new(<$memory>::NEW));
-            $crate::board::end(counted.is_some())
-        }
-    };
 }

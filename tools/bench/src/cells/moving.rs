@@ -6,14 +6,14 @@ use crate::scene::{self, area, LINE, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
 use pinhole::space::{Model, World};
-use pinhole::{camera::Visibility, math::Sphere, prelude::*, Angle};
+use pinhole::{camera::Visibility, prelude::*, Angle};
 
 /// S1's pose is a turn of 37° about y, then one of 28° about x. The camera of T1 is raised by the second instead, on a circle
 /// about the cube: sine and cosine of 28°, times S1's distance, in 2⁻¹⁶.
 const T1_EYE: [i32; 3] = [0, 126_213, 237_374];
 
 /// The cube of S1 turns by 3° a frame before a camera that stands still; the counted frame shows nearly S1's picture.
-pub(super) fn t1(Plain { frame, corners }: &mut Plain<CUBE>) -> Option<Counted> {
+pub(super) fn t1(Plain { frame, corners, .. }: &mut Plain<CUBE>) -> Option<Counted> {
     let camera = scene::camera(T1_EYE, Size::new(SIZE, SIZE))?;
     let mut turn = Angle::degrees(31);
     count(frame, &mut |picture| {
@@ -30,73 +30,46 @@ pub(super) fn t1(Plain { frame, corners }: &mut Plain<CUBE>) -> Option<Counted> 
 const COLUMNS: i32 = 10;
 const ROWS: i32 = 5;
 
-/// Fifty cubes that each turn about y, before a camera that moves along x and looks ahead: 25 of them are in view in the
-/// counted frame.
-struct Fifty {
-    mesh: Mesh<'static>,
-    sphere: Sphere,
-    lens: Projection,
-    viewport: Viewport,
-    /// The number of the frame.
-    time: i32,
-}
-
-impl Fifty {
-    fn new() -> Option<Self> {
-        let size = Size::new(SIZE, SIZE);
-        let mesh = black_box(&scene::CUBE).mesh;
-        let (near, far) = (Scalar::from_bits(black_box(1 << 15)), Scalar::from_bits(black_box(40 << 16)));
-        let lens = Projection::perspective(Angle::degrees(black_box(60)), size, near, far).ok()?;
-        let viewport = Viewport::new(Point::zero(), size).ok()?;
-        Some(Self { mesh, sphere: mesh.bounding_sphere(), lens, viewport, time: 0 })
-    }
-
-    /// Calls `draw` for each cube that may be in view, from the farthest row to the nearest. Returns how many these are.
-    #[inline(always)]
-    fn frame(
-        &mut self,
-        mut draw: impl FnMut(&Camera, &Mesh<'static>, &Affine<Model, World>) -> Option<()>,
-    ) -> Option<u32> {
-        self.time = black_box(self.time + 1);
+/// Fifty cubes that each turn about y, from the farthest row to the nearest, before a camera that moves along x and looks ahead: 25
+/// of them are in view in the counted frame.
+pub(super) fn f50_z(Deep { frame, depth, corners }: &mut Deep<CUBE>) -> Option<Counted> {
+    let size = Size::new(SIZE, SIZE);
+    let mesh = black_box(&scene::CUBE).mesh;
+    let sphere = mesh.bounding_sphere();
+    let (near, far) = (Scalar::from_bits(black_box(1 << 15)), Scalar::from_bits(black_box(40 << 16)));
+    let lens = Projection::perspective(Angle::degrees(black_box(60)), size, near, far).ok()?;
+    let viewport = Viewport::new(Point::zero(), size).ok()?;
+    let mut time = 0;
+    count(frame, &mut |picture| {
+        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
+        let mut draw = |camera: &Camera, model: &Affine<Model, World>| {
+            let light = scene::lit(model)?;
+            let (shade, mut pixels) = (scene::flat(&mesh, &light), picture.pixels());
+            let instance = camera.place(&mesh, model);
+            drawn(instance.faces(shade).cached(corners).draw(&mut pixels.depth_tested(&mut depth)))
+        };
+        time = black_box(time + 1);
         // A sixteenth of a unit a frame.
-        let x = Scalar::from_bits((self.time << 12) - (1 << 15));
+        let x = Scalar::from_bits((time << 12) - (1 << 15));
         let (eye, ahead) = (
             Point3::new(x, Scalar::from_int(3), Scalar::from_int(0)),
             Point3::new(x, Scalar::from_int(0), Scalar::from_int(-12)),
         );
         let view = ViewTransform::look_at(eye, ahead, Vector3::from_ints(0, 1, 0)).ok()?;
-        let camera = Camera::new(&view, &self.lens, &self.viewport);
+        let camera = Camera::new(&view, &lens, &viewport);
         let (frustum, mut in_view) = (camera.frustum(), 0);
         for row in 0..black_box(ROWS) {
             for column in 0..black_box(COLUMNS) {
-                let turn = Angle::degrees(3 * self.time + 20 * column + 7 * row);
+                let turn = Angle::degrees(3 * time + 20 * column + 7 * row);
                 let to = Vector3::from_ints((6 * column - 27) as i16, 0, (6 * row - 32) as i16);
                 let model = Affine::<_, Model>::rotation_y(turn).then(&Affine::translation(to));
-                if frustum.visibility(&self.sphere, &model) != Visibility::Outside {
+                if frustum.visibility(&sphere, &model) != Visibility::Outside {
                     in_view += 1;
-                    draw(&camera, &self.mesh, &model)?;
+                    draw(&camera, &model)?;
                 }
             }
         }
-        Some(in_view)
-    }
-}
-
-pub(super) fn f50_z(Deep { frame, depth, corners }: &mut Deep<CUBE>) -> Option<Counted> {
-    let mut fifty = Fifty::new()?;
-    count(frame, &mut |picture| {
-        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        black_box(fifty.frame(|camera, mesh, model| {
-            let light = scene::lit(model)?;
-            let (shade, mut pixels) = (scene::flat(mesh, &light), picture.pixels());
-            drawn(
-                camera
-                    .place(mesh, model)
-                    .faces(shade)
-                    .cached(corners)
-                    .draw(&mut pixels.depth_tested(&mut depth)),
-            )
-        })?);
+        black_box(in_view);
         Some(())
     })
 }

@@ -2,8 +2,8 @@
 //! far end is 5.6 times as far away as its near end; X3: a floor rolled by 25 degrees, which the near plane cuts; X4: one rolled
 //! by 20 degrees that reaches the horizon, a thousand times as far away.
 
-use super::{count, drawn, Counted, Deep, Plain, TORUS};
-use crate::scene::{self, area, Scene, SIZE};
+use super::{count, draw_faces, drawn, Counted, Memory, Plain, TORUS};
+use crate::scene::{self, Scene, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
@@ -31,42 +31,23 @@ pub(super) fn torus_uv(face: usize) -> [[i16; 2]; 3] {
     TORUS_UV.get(face).copied().unwrap_or_default()
 }
 
-/// Rings of the torus, and vertices of a ring.
-const RINGS: u16 = 25;
-const RING: u16 = 20;
-
-/// Texture coordinates of the corners of each face of the torus, in 1/16 texel.
+/// Texture coordinates of the corners of each face of the torus, in 1/16 texel: once round 25 rings of 20 vertices, with two faces for
+/// each vertex.
 static TORUS_UV: [[[i16; 2]; 3]; 1000] = {
-    let faces = scene::TORUS.mesh.faces();
     let mut uv = [[[0; 2]; 3]; 1000];
-    let mut face = 0;
-    while face < 1000 {
-        let [first, ..] = faces[face];
-        let mut corner = 0;
-        while corner < 3 {
-            let vertex = faces[face][corner];
-            // Once round: a vertex on the seam is 0 for one face, and the number of vertices for another.
-            let ring = unwound(vertex / RING, first / RING, RINGS);
-            let at = unwound(vertex % RING, first % RING, RING);
-            let full = 16 * SIDE as i32;
-            uv[face][corner] = [(ring * full / RINGS as i32) as i16, (at * full / RING as i32) as i16];
-            corner += 1;
-        }
-        face += 1;
+    let mut vertex = 0;
+    while vertex < 500 {
+        let (ring, at) = (vertex / 20, vertex % 20);
+        let [a, b] = [torus_corner(ring, at), torus_corner(ring + 1, at)];
+        let [c, d] = [torus_corner(ring + 1, at + 1), torus_corner(ring, at + 1)];
+        (uv[2 * vertex], uv[2 * vertex + 1]) = ([a, b, c], [a, c, d]);
+        vertex += 1;
     }
     uv
 };
 
-/// A number modulo `count`, next to the number `by`.
-const fn unwound(number: u16, by: u16, count: u16) -> i32 {
-    let (number, by, count) = (number as i32, by as i32, count as i32);
-    if number - by > count / 2 {
-        number - count
-    } else if by - number > count / 2 {
-        number + count
-    } else {
-        number
-    }
+const fn torus_corner(ring: usize, at: usize) -> [i16; 2] {
+    [(16 * SIDE * ring / 25) as i16, (16 * SIDE * at / 20) as i16]
 }
 
 /// The two faces of a quad.
@@ -108,7 +89,7 @@ pub(super) fn camera() -> Option<Camera> {
 pub(super) fn floor(
     floor: &'static Floor,
     accuracy: Accuracy,
-    Plain { frame, corners }: &mut Plain<4>,
+    Plain { frame, corners, .. }: &mut Plain<4>,
 ) -> Option<Counted> {
     let (camera, floor) = (camera()?, black_box(floor));
     let instance = camera.place(&floor.mesh, &Affine::<Model, World>::identity());
@@ -124,23 +105,15 @@ pub(super) fn floor(
 }
 
 #[inline(always)]
-pub(super) fn torus(accuracy: Accuracy, Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
+pub(super) fn torus<const DEPTHS: usize>(
+    accuracy: Accuracy,
+    Memory { frame, depth, corners }: &mut Memory<TORUS, DEPTHS>,
+) -> Option<Counted> {
     let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
     let (texture, instance) = (Texture::new(&PICTURE).with_accuracy(accuracy), scene.place());
     count(frame, &mut |picture| {
         let (instance, texture) = black_box((&instance, &texture));
         let shade = |face: usize| texture.at(torus_uv(face));
-        drawn(instance.faces(shade).cached(corners).draw(&mut picture.pixels()))
-    })
-}
-
-pub(super) fn torus_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
-    let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
-    let (texture, instance) = (Texture::new(&PICTURE), scene.place());
-    count(frame, &mut |picture| {
-        let (instance, texture) = black_box((&instance, &texture));
-        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let shade = |face: usize| texture.at(torus_uv(face));
-        drawn(instance.faces(shade).cached(corners).draw(&mut picture.pixels().depth_tested(&mut depth)))
+        draw_faces(instance.faces(shade).cached(corners), depth, &mut picture.pixels())
     })
 }

@@ -1,8 +1,8 @@
 //! The ways to draw a scene: into a picture in memory, and into a DrawTarget that is not this library's.
 
-use super::{count, count_screen, drawn, Counted, Deep, Frame, Plain, Screen, Smooth, TORUS};
+use super::{count, count_screen, draw_faces, drawn, Counted, Frame, Memory, Plain, Screen, Smooth, TORUS};
 use crate::lists::TORUS_NORMALS;
-use crate::scene::{self, area, Model, Scene};
+use crate::scene::{self, Model, Scene};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565, Rgb888, RgbColor};
 use pinhole::raster::{Pixel, ScreenPoint};
@@ -24,7 +24,7 @@ macro_rules! ways {
             pub(in super::super) fn wire<const N: usize>(
                 model: &'static Model,
                 stroke: impl for<$life> StrokeFor<$type>,
-                Plain { frame, corners }: &mut Plain<N>,
+                Plain { frame, corners, .. }: &mut Plain<N>,
             ) -> Option<Counted> {
                 let scene = Scene::new(model)?;
                 let instance = scene.place();
@@ -35,31 +35,16 @@ macro_rules! ways {
 
             /// A light level for each face.
             #[inline(always)]
-            pub(in super::super) fn flat<P: FacePlanes, const N: usize>(
+            pub(in super::super) fn flat<P: FacePlanes, const N: usize, const DEPTHS: usize>(
                 model: &'static Model<P>,
-                Plain { frame, corners }: &mut Plain<N>,
+                Memory { frame, depth, corners }: &mut Memory<N, DEPTHS>,
             ) -> Option<Counted> {
                 let scene = Scene::new(model)?;
                 let (light, instance) = (scene.light()?, scene.place());
                 $count(frame, &mut |$surface| {
                     let (instance, light) = black_box((&instance, &light));
                     let shade = scene::flat_of_normals(instance.mesh().normals(), light);
-                    drawn(instance.faces(shade).cached(corners).draw($target))
-                })
-            }
-
-            #[inline(always)]
-            pub(in super::super) fn flat_z<P: FacePlanes, const N: usize>(
-                model: &'static Model<P>,
-                Deep { frame, depth, corners }: &mut Deep<N>,
-            ) -> Option<Counted> {
-                let scene = Scene::new(model)?;
-                let (light, instance) = (scene.light()?, scene.place());
-                $count(frame, &mut |$surface| {
-                    let (instance, light) = black_box((&instance, &light));
-                    let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-                    let shade = scene::flat_of_normals(instance.mesh().normals(), light);
-                    drawn(instance.faces(shade).cached(corners).draw(&mut ($target).depth_tested(&mut depth)))
+                    draw_faces(instance.faces(shade).cached(corners), depth, $target)
                 })
             }
 
@@ -69,16 +54,15 @@ macro_rules! ways {
                 model: &'static Model<P>,
                 Smooth { deep, levels }: &mut Smooth<TORUS>,
             ) -> Option<Counted> {
-                let Deep { frame, depth, corners } = deep;
+                let Memory { frame, depth, corners } = deep;
                 let scene = Scene::new(model)?;
                 let (light, instance) = (scene.light()?, scene.place());
                 let white = ShadeTable::new(Rgb888::WHITE);
                 $count(frame, &mut |$surface| {
                     let (instance, light, white) = black_box((&instance, &light, &white));
                     light.levels(black_box(&TORUS_NORMALS), levels);
-                    let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
                     let shade = |face| white.lit(instance.mesh().corners_of(face, levels));
-                    drawn(instance.faces(shade).cached(corners).draw(&mut ($target).depth_tested(&mut depth)))
+                    draw_faces(instance.faces(shade).cached(corners), depth, $target)
                 })
             }
 

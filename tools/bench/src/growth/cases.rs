@@ -27,10 +27,6 @@ impl Shape {
         mesh.with_edge_faces(self.beside.get(..count)?).ok()
     }
 
-    fn vertices(&self) -> usize {
-        self.vertices.len()
-    }
-
     /// Its vertices alone.
     fn points(&self) -> Option<Mesh<'static>> {
         Mesh::new(self.vertices, self.exponent, &[]).ok()
@@ -42,7 +38,9 @@ include!(concat!(env!("OUT_DIR"), "/shapes.rs"));
 /// A mesh before a camera. Lengths in 2⁻¹⁶.
 pub struct Case {
     pub name: &'static str,
-    pub(super) what: What,
+    pub(super) shape: &'static Shape,
+    /// Whether it is the shape's vertices alone.
+    pub points: bool,
     pub(super) eye: [i32; 3],
     pub size: [u32; 2],
     pub(super) cull: Cull,
@@ -52,34 +50,20 @@ pub struct Case {
     pub fitted: bool,
 }
 
-pub(super) enum What {
-    Shape(&'static Shape),
-    /// The vertices of a mesh alone.
-    Points(&'static Shape),
-}
-
-impl What {
+impl Case {
     /// The mesh for a way to draw: for hidden lines it has the faces beside the edges.
     pub(super) fn mesh(&self, kind: Kind) -> Option<Mesh<'static>> {
-        match (self, kind) {
-            (Self::Shape(shape), Kind::HiddenBands) => shape.with_edge_faces(1),
-            (Self::Shape(shape), Kind::FewHiddenBands) => shape.with_edge_faces(FEW),
-            (Self::Shape(shape), _) => shape.mesh(),
-            (Self::Points(shape), _) => shape.points(),
+        match kind {
+            _ if self.points => self.shape.points(),
+            Kind::HiddenBands => self.shape.with_edge_faces(1),
+            Kind::FewHiddenBands => self.shape.with_edge_faces(FEW),
+            _ => self.shape.mesh(),
         }
-    }
-}
-
-impl Case {
-    /// Whether it has no faces.
-    pub fn is_of_points(&self) -> bool {
-        matches!(self.what, What::Points(_))
     }
 
     /// Whether it is drawn by the smaller painter, which has room for three times its vertices.
     pub(super) fn is_small(&self) -> bool {
-        let (What::Shape(shape) | What::Points(shape)) = self.what;
-        shape.vertices() <= SMALL / 3
+        self.shape.vertices.len() <= SMALL / 3
     }
 }
 

@@ -145,7 +145,7 @@ pub fn placing(clock: &mut Clock) -> Option<[u32; 2]> {
 
 impl Case {
     fn scene(&self, way: Way) -> Option<Scene> {
-        self.scene_of(self.what.mesh(way.kind)?)
+        self.scene_of(self.mesh(way.kind)?)
     }
 
     fn scene_of(&self, mesh: Mesh<'static>) -> Option<Scene> {

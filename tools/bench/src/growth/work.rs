@@ -9,7 +9,7 @@ use pinhole_apps_support::work::{reach, Frame, Work};
 impl Case {
     /// The work of a frame that is drawn in a way. `None` if it cannot be drawn.
     pub fn work(&self, way: Way) -> Option<Work> {
-        let mesh = self.what.mesh(way.kind)?;
+        let mesh = self.mesh(way.kind)?;
         let scene = self.scene_of(mesh)?;
         let is_linear = |face: usize, corners: [Projected; 3]| {
             let normal = mesh.normals().get(face).copied().unwrap_or_default();
@@ -27,7 +27,7 @@ impl Case {
         let frame = Frame::new(
             &mesh,
             Size::new(width, height),
-            &|mesh| scene.camera().place(mesh, scene.model()).with_cull(self.cull),
+            &|mesh| scene.camera.place(mesh, &scene.model).with_cull(self.cull),
             &is_linear,
         );
         let mut work = frame.work(way.rows);
