@@ -9,6 +9,9 @@ pub mod growth;
 pub mod image;
 pub mod measure;
 pub mod scene;
+/// How deep the stack was, by the code that the board of the examples has for it: painted first, looked at afterwards.
+#[cfg(target_os = "none")]
+#[path = "../../lm3s6965evb/src/stack.rs"]
 pub mod stack;
 
 /// What S5, S6 and S7 draw, and the normals at the torus's vertices for S8. Integers of triangles are corners of pixels, those of lines

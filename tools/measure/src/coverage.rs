@@ -53,20 +53,29 @@ pub(crate) fn run(mut given: ArgMatches) -> Result<ExitCode, String> {
 fn draw(from: &Path, to: &Path) -> Result<(), String> {
     files::apart(from, [to])?;
     let Input { width, height, triangles, lines } = json::read(from)?;
-    let (width, height) = (width.0 as u16, height.0 as u16); // at most 4096
-    let mut picture = Picture::new(width, height);
+    let (width, height) = (width.0 as usize, height.0 as usize); // at most 4096
+    let scissor = Scissor::new(0, 0, width as i32, height as i32);
+    // How often each pixel was drawn, as the differences between neighbouring pixels, row by row, and one more for what ends with the
+    // last row: a span then costs two additions a row, however wide it is.
+    let mut counts = vec![0u32; width * height + 1];
     for [x0, y0, x1, y1, x2, y2] in &triangles {
         let corners = [(x0, y0), (x1, y1), (x2, y2)].map(|(x, y)| ScreenPoint::from_subpixels(x.0, y.0));
         // All are inside the guard band.
         if let [Some(a), Some(b), Some(c)] = corners {
-            picture.triangle([a, b, c]);
+            let Ok(()) = raster::triangle([a, b, c], &scissor, |span| add(&mut counts, width, span));
         }
     }
     for [x0, y0, x1, y1] in &lines {
         let pixel = |x: &Pixels, y: &Pixels| Pixel { x: x.0 as i16, y: y.0 as i16 }; // within ±32767
-        picture.line([pixel(x0, y0), pixel(x1, y1)]);
+        let Ok(()) =
+            raster::line(pixel(x0, y0), pixel(x1, y1), &scissor, |span| add(&mut counts, width, span));
     }
-    let counts = picture.counts();
+    counts.pop();
+    let mut sum = 0u32; // a file cannot hold enough triangles and lines for a count to pass 32 bits
+    for count in &mut counts {
+        sum = sum.wrapping_add(*count);
+        *count = sum;
+    }
     let bytes: Vec<u8> = counts.iter().flat_map(|count| count.to_le_bytes()).collect();
     files::write(&[(to, bytes)])?;
     command::say(format_args!(
@@ -77,45 +86,6 @@ fn draw(from: &Path, to: &Path) -> Result<(), String> {
         counts.iter().filter(|&&count| count > 0).count(),
         counts.iter().max().unwrap_or(&0),
     ))
-}
-
-/// How often each pixel was drawn, as the differences between neighbouring pixels, row by row, and one more for what ends with the last
-/// row: a span then costs two additions a row, however wide it is.
-struct Picture {
-    differences: Vec<u32>,
-    width: usize,
-    scissor: Scissor,
-}
-
-impl Picture {
-    /// A picture with sides of at most 4096 pixels.
-    fn new(width: u16, height: u16) -> Self {
-        Self {
-            differences: vec![0; usize::from(width) * usize::from(height) + 1],
-            width: width.into(),
-            scissor: Scissor::new(0, 0, width.into(), height.into()),
-        }
-    }
-
-    fn triangle(&mut self, vertices: [ScreenPoint; 3]) {
-        let Ok(()) =
-            raster::triangle(vertices, &self.scissor, |span| add(&mut self.differences, self.width, span));
-    }
-
-    fn line(&mut self, [a, b]: [Pixel; 2]) {
-        let Ok(()) = raster::line(a, b, &self.scissor, |span| add(&mut self.differences, self.width, span));
-    }
-
-    /// Row by row from the top. A file cannot hold enough triangles and lines for a count to pass 32 bits.
-    fn counts(mut self) -> Vec<u32> {
-        let mut sum = 0u32;
-        for pixel in &mut self.differences {
-            sum = sum.wrapping_add(*pixel);
-            *pixel = sum;
-        }
-        self.differences.pop();
-        self.differences
-    }
 }
 
 /// Panics if the span leaves the picture: the rasteriser keeps to its scissor.

@@ -17,23 +17,8 @@ struct Object {
 }
 
 /// Buffers that the caller provides for a frame.
-struct Buffers {
-    corners: [ScreenVertex; CORNERS],
-    bin_storage: [u16; BIN_STORAGE],
-    edge_bin_storage: [u16; BIN_STORAGE + 8],
-    strip: [u8; bytes(ROWS)],
-    storage: [u16; pixels(ROWS)],
-}
-
-impl Buffers {
-    const EMPTY: Self = Self {
-        corners: [ScreenVertex::EMPTY; CORNERS],
-        bin_storage: [0; BIN_STORAGE],
-        edge_bin_storage: [0; BIN_STORAGE + 8],
-        strip: [0; bytes(ROWS)],
-        storage: [0; pixels(ROWS)],
-    };
-}
+type Buffers =
+    (MeshBuffers<CORNERS, BIN_STORAGE, { BIN_STORAGE + 8 }>, StripBuffers<{ bytes(ROWS) }, { pixels(ROWS) }>);
 
 /// Places the cube before a camera made at run time. Each step is a function of its own, so that its stack is free again
 /// when it returns.
@@ -65,19 +50,18 @@ fn draw<V: Coordinate<Stored = i16>>(
     light: &Lambert,
     painter: &mut Order,
     dirty: &mut DirtyRegions<2>,
-    buffers: &mut Buffers,
+    (MeshBuffers { cache, bins, edge_bins }, StripBuffers { colors, depths }): &mut Buffers,
 ) -> Option<()> {
-    let Buffers { corners, bin_storage, edge_bin_storage, strip, storage } = buffers;
-    let projected = instance.transform_depth(corners);
-    let mut faces = projected.bin_faces(bin_storage);
-    let mut edges = projected.bin_edges(edge_bin_storage);
+    let projected = instance.transform_depth(cache);
+    let mut faces = projected.bin_faces(bins);
+    let mut edges = projected.bin_edges(edge_bins);
     let (faces, edges) = (faces.as_mut().ok()?, edges.as_mut().ok()?);
     let (mesh, order) = (&cube.mesh, painter.order());
     dirty.mark(faces.bounds());
     for &area in &dirty.take() {
         let mut frame = Frame::new(area, scene::BACKGROUND);
-        while let Some(mut band) = frame.next_band(strip).ok()? {
-            let mut depth = DepthBuffer::new(band.area(), storage).ok()?;
+        while let Some(mut band) = frame.next_band(colors).ok()? {
+            let mut depth = DepthBuffer::new(band.area(), depths).ok()?;
             faces
                 .draw(|face| scene::smooth(mesh, light)(face).dithered(), &mut band.depth_tested(&mut depth))
                 .ok()?;
@@ -98,7 +82,7 @@ image!(
     objects: Vec<Object, 1> = Vec::new(),
     painter: Order = Order::new(),
     dirty: DirtyRegions<2> = DirtyRegions::new(scene::area(), TransferCost::new(11, 2)),
-    buffers: Buffers = Buffers::EMPTY,
+    buffers: Buffers = (MeshBuffers::new(), StripBuffers::new()),
     {
         place(cube, objects)?;
         let object = objects.first()?;

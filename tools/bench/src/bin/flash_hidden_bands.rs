@@ -4,20 +4,17 @@ use bench::image::prelude::*;
 
 image!(
     [Model; cubes_with_edge_faces] cube,
-    corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS],
-    bin_storage: [u16; BIN_STORAGE] = [0; BIN_STORAGE],
-    edge_bin_storage: [u16; BIN_STORAGE] = [0; BIN_STORAGE],
-    strip: [u8; bytes(ROWS)] = [0; bytes(ROWS)],
-    storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)],
+    buffers: MeshBuffers<CORNERS, BIN_STORAGE, BIN_STORAGE> = MeshBuffers::new(),
+    strips: StripBuffers<{ bytes(ROWS) }, { pixels(ROWS) }> = StripBuffers::new(),
     {
         let instance = Turntable::turned().place(cube);
-        let transformed = instance.transform_depth(corners);
-        let mut faces = transformed.bin_faces(bin_storage);
-        let mut edges = transformed.bin_edges(edge_bin_storage);
+        let transformed = instance.transform_depth(&mut buffers.cache);
+        let mut faces = transformed.bin_faces(&mut buffers.bins);
+        let mut edges = transformed.bin_edges(&mut buffers.edge_bins);
         let (faces, edges) = (faces.as_mut().ok()?, edges.as_mut().ok()?);
         let mut frame = Frame::new(scene::area(), scene::BACKGROUND);
-        while let Some(mut band) = frame.next_band(strip).ok()? {
-            let mut depth = DepthBuffer::new(band.area(), storage).ok()?;
+        while let Some(mut band) = frame.next_band(&mut strips.colors).ok()? {
+            let mut depth = DepthBuffer::new(band.area(), &mut strips.depths).ok()?;
             faces.depth_only(&mut depth);
             edges.hidden_line(scene::LINE, &mut band.depth_tested(&mut depth)).ok()?;
             band.send(&mut Sink).ok()?;

@@ -18,9 +18,7 @@ impl Frame {
 
     /// The result of a cell whose frame this is.
     pub(super) fn counted(&self, instructions: u32) -> Counted {
-        let pixels = black_box(&self.0);
-        let drawn = pixels.iter().filter(|&&pixel| pixel != BACKGROUND).count();
-        Counted { instructions, crc: Checksum::of(pixels), drawn }
+        Counted { instructions, crc: Checksum::of(black_box(&self.0)) }
     }
 }
 

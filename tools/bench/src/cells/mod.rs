@@ -44,8 +44,6 @@ pub struct Counted {
     pub instructions: u32,
     /// CRC-32 of the pixels as little-endian numbers.
     pub crc: u32,
-    /// Pixels that are not the background's.
-    pub drawn: usize,
 }
 
 /// The most vertices of a scene: of the cube, of the torus and of the icosphere.
@@ -213,34 +211,31 @@ pub const fn of_image(name: &str) -> usize {
     at
 }
 
-/// Draws two frames, each on a cleared picture, and counts the second without the clear. `draw` says whether it could.
-#[inline(never)]
-pub fn count(frame: &mut Frame, draw: &mut dyn FnMut(&mut Picture<'_>) -> Option<()>) -> Option<Counted> {
-    let mut clock = Clock::new()?;
-    let mut picture = Picture::new(&mut frame.0, black_box(Size::new(SIZE, SIZE))).ok()?;
-    let Ok(()) = picture.clear(BACKGROUND);
-    draw(&mut picture)?;
-    let Ok(()) = picture.clear(BACKGROUND);
-    let mut good = None;
-    let instructions = clock.count(&mut || good = draw(&mut picture))?;
-    good.map(|()| frame.counted(instructions))
+/// Defines a function that draws two frames, each on a cleared target, and counts the second without the clear. `draw` says whether it
+/// could.
+macro_rules! count {
+    ($count:ident, $target:ident, |$new:ident| $option:expr) => {
+        #[inline(never)]
+        pub fn $count(
+            frame: &mut Frame,
+            draw: &mut dyn FnMut(&mut $target<'_>) -> Option<()>,
+        ) -> Option<Counted> {
+            let mut clock = Clock::new()?;
+            let $new = $target::new(&mut frame.0, black_box(Size::new(SIZE, SIZE)));
+            let mut target = $option?;
+            let Ok(()) = target.clear(BACKGROUND);
+            draw(&mut target)?;
+            let Ok(()) = target.clear(BACKGROUND);
+            let mut good = None;
+            let instructions = clock.count(&mut || good = draw(&mut target))?;
+            good.map(|()| frame.counted(instructions))
+        }
+    };
 }
 
-/// [`count`] on a DrawTarget that is not this library's.
-#[inline(never)]
-pub fn count_screen(
-    frame: &mut Frame,
-    draw: &mut dyn FnMut(&mut Screen<'_>) -> Option<()>,
-) -> Option<Counted> {
-    let mut clock = Clock::new()?;
-    let mut screen = Screen::new(&mut frame.0, black_box(Size::new(SIZE, SIZE)))?;
-    let Ok(()) = screen.clear(BACKGROUND);
-    draw(&mut screen)?;
-    let Ok(()) = screen.clear(BACKGROUND);
-    let mut good = None;
-    let instructions = clock.count(&mut || good = draw(&mut screen))?;
-    good.map(|()| frame.counted(instructions))
-}
+count!(count, Picture, |new| new.ok());
+// On a DrawTarget that is not this library's.
+count!(count_screen, Screen, |new| new);
 
 /// The end of a frame: what a draw call returns is used.
 #[inline(always)]
@@ -268,6 +263,6 @@ where
 }
 
 /// The line that `report` reads: `instructions,stack,crc`.
-pub fn print(Counted { instructions, crc, .. }: Counted, stack: usize) {
+pub fn print(Counted { instructions, crc }: Counted, stack: usize) {
     println!("{instructions},{stack},{crc:08x}");
 }

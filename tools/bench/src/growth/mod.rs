@@ -38,9 +38,7 @@ const STRIP: usize = Frame::<Rgb565>::strip_bytes(480, 48);
 pub struct Memory {
     pixels: [Rgb565; PIXELS],
     depth: [u16; PIXELS],
-    corners: [ScreenVertex; CORNERS],
-    bin_storage: [u16; BIN_STORAGE],
-    edge_bin_storage: [u16; EDGE_BIN_STORAGE],
+    buffers: MeshBuffers<CORNERS, BIN_STORAGE, EDGE_BIN_STORAGE>,
     strip: [u8; STRIP],
     painter: Painter<Rgb565, PAINTED_CORNERS, PAINTED_FACES>,
     small_painter: Painter<Rgb565, SMALL, SMALL>,
@@ -50,9 +48,7 @@ impl Memory {
     pub const NEW: Self = Self {
         pixels: [BACKGROUND; PIXELS],
         depth: [0; PIXELS],
-        corners: [ScreenVertex::EMPTY; CORNERS],
-        bin_storage: [0; BIN_STORAGE],
-        edge_bin_storage: [0; EDGE_BIN_STORAGE],
+        buffers: MeshBuffers::new(),
         strip: [0; STRIP],
         painter: Painter::new(),
         small_painter: Painter::new(),
@@ -205,14 +201,14 @@ fn in_one_piece(
     is_small: bool,
     memory: &mut Memory,
 ) -> Option<()> {
-    let Memory { pixels, depth, corners, painter, small_painter, .. } = memory;
+    let Memory { pixels, depth, buffers: MeshBuffers { cache, .. }, painter, small_painter, .. } = memory;
     let mut picture = Picture::new(pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
     let drawn = match kind {
-        Kind::Lines => instance.edges(|_| LINE).cached(corners).draw(&mut picture.pixels()),
+        Kind::Lines => instance.edges(|_| LINE).cached(cache).draw(&mut picture.pixels()),
         Kind::Depth => {
             let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), depth).ok()?;
-            instance.faces(shade).cached(corners).draw(&mut picture.pixels().depth_tested(&mut depth))
+            instance.faces(shade).cached(cache).draw(&mut picture.pixels().depth_tested(&mut depth))
         }
         Kind::Painted if is_small => {
             small_painter.add(instance, shade).ok()?;
@@ -222,7 +218,7 @@ fn in_one_piece(
             painter.add(instance, shade).ok()?;
             painter.draw(&mut picture.pixels())
         }
-        _ => instance.faces(shade).cached(corners).draw(&mut picture.pixels()),
+        _ => instance.faces(shade).cached(cache).draw(&mut picture.pixels()),
     };
     let Ok(statistics) = drawn;
     black_box(statistics);
@@ -247,9 +243,9 @@ fn each_band(
 
 /// Into a band as into any target, as line drawings for displays of one bit are.
 fn line_bands(instance: &MeshInstance<'_>, size: Size, rows: u32, memory: &mut Memory) -> Option<()> {
-    let Memory { corners, edge_bin_storage, strip, .. } = memory;
-    let transformed = instance.transform(corners);
-    let mut edges = transformed.bin_edges(edge_bin_storage).ok()?;
+    let Memory { buffers: MeshBuffers { cache, edge_bins, .. }, strip, .. } = memory;
+    let transformed = instance.transform(cache);
+    let mut edges = transformed.bin_edges(edge_bins).ok()?;
     each_band(size, rows, strip, |band| {
         let Ok(()) = edges.draw(LINE, band);
         Some(())
@@ -260,10 +256,10 @@ fn line_bands(instance: &MeshInstance<'_>, size: Size, rows: u32, memory: &mut M
 
 /// Depths of the faces, and then the edges, into a band as into any target.
 fn hidden_bands(instance: &MeshInstance<'_>, size: Size, rows: u32, memory: &mut Memory) -> Option<()> {
-    let Memory { depth, corners, bin_storage, edge_bin_storage, strip, .. } = memory;
-    let transformed = instance.transform_depth(corners);
-    let mut faces = transformed.bin_faces(bin_storage).ok()?;
-    let mut edges = transformed.bin_edges(edge_bin_storage).ok()?;
+    let Memory { depth, buffers: MeshBuffers { cache, bins, edge_bins }, strip, .. } = memory;
+    let transformed = instance.transform_depth(cache);
+    let mut faces = transformed.bin_faces(bins).ok()?;
+    let mut edges = transformed.bin_edges(edge_bins).ok()?;
     each_band(size, rows, strip, |band| {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
         faces.depth_only(&mut depth);
@@ -281,8 +277,8 @@ fn deep_bands<S: SpanShader<Rgb565>>(
     rows: u32,
     memory: &mut Memory,
 ) -> Option<()> {
-    let Memory { depth, corners, bin_storage, strip, .. } = memory;
-    let mut faces = instance.transform_depth(corners).bin_faces(bin_storage).ok()?;
+    let Memory { depth, buffers: MeshBuffers { cache, bins, .. }, strip, .. } = memory;
+    let mut faces = instance.transform_depth(cache).bin_faces(bins).ok()?;
     each_band(size, rows, strip, |band| {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
         let Ok(()) = faces.draw(&shade, &mut band.pixels().depth_tested(&mut depth));
@@ -299,8 +295,8 @@ fn plain_bands(
     rows: u32,
     memory: &mut Memory,
 ) -> Option<()> {
-    let Memory { corners, bin_storage, strip, .. } = memory;
-    let mut faces = instance.transform(corners).bin_faces(bin_storage).ok()?;
+    let Memory { buffers: MeshBuffers { cache, bins, .. }, strip, .. } = memory;
+    let mut faces = instance.transform(cache).bin_faces(bins).ok()?;
     each_band(size, rows, strip, |band| {
         let Ok(()) = faces.draw(&shade, &mut band.pixels());
         Some(())

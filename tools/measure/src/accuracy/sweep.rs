@@ -5,6 +5,7 @@ use super::Errors;
 use crate::bridge::{point, scalar, vector};
 use crate::oracle::chain::{self, V3};
 use crate::oracle::rng::Rng;
+use pinhole::camera::Projected;
 use pinhole::space::{Model, World};
 use pinhole::{mesh::Coordinate, prelude::*};
 
@@ -31,6 +32,10 @@ struct Seen {
     after: V3,
 }
 
+fn after(Projected { point, depth }: Projected) -> V3 {
+    [f64::from(point.x()) / 256.0, f64::from(point.y()) / 256.0, depth.into()]
+}
+
 fn seen<V: Coordinate<Stored = V>>(
     camera: &Camera,
     mesh: &Mesh<'_, V>,
@@ -39,8 +44,7 @@ fn seen<V: Coordinate<Stored = V>>(
     let instance = camera.place(mesh, model);
     let vertex = |i| {
         let before = instance.project_unsnapped(i)?.map(|v| v as f64 / 4_294_967_296.0);
-        let pinhole::camera::Projected { point: p, depth } = instance.project(i).ok()?;
-        Some(Seen { before, after: [f64::from(p.x()) / 256.0, f64::from(p.y()) / 256.0, f64::from(depth)] })
+        Some(Seen { before, after: after(instance.project(i).ok()?) })
     };
     (0..VERTICES).map(vertex).collect()
 }
@@ -66,11 +70,8 @@ fn single(camera: &Camera, at: [i32; 3]) -> Result<Option<Seen>, pinhole::mesh::
     let model = Affine::<Model, World>::scale(Scalar::ZERO).then(&Affine::translation(vector(at)));
     let vertices = [[0; 3]; VERTICES];
     let as_object = seen(camera, &Mesh::new(&vertices, 0, &[])?, &model).into_iter().next().flatten();
-    let after = camera.project(point(at)).ok();
-    Ok(as_object.zip(after).map(|(s, pinhole::camera::Projected { point: p, depth })| Seen {
-        after: [f64::from(p.x()) / 256.0, f64::from(p.y()) / 256.0, f64::from(depth)],
-        ..s
-    }))
+    let projected = camera.project(point(at)).ok();
+    Ok(as_object.zip(projected).map(|(seen, projected)| Seen { after: after(projected), ..seen }))
 }
 
 /// A million visible vertices for each design.

@@ -98,16 +98,11 @@ fn numbers<const N: usize>(numbers: [f64; N]) -> String {
     list(numbers.map(decimal))
 }
 
-/// A number with all its decimal digits: exact, unlike the shortest representation.
+/// A number with all its decimal digits, one for each bit of its fraction: exact, unlike the shortest representation.
 fn decimal(v: f64) -> String {
-    // v = odd · 2^exponent needs −exponent digits after the point.
-    let bits = v.to_bits();
-    let field = (bits >> 52 & 0x7ff) as i32;
-    let fraction = bits & ((1 << 52) - 1);
-    let mantissa = if field == 0 { fraction } else { fraction | 1 << 52 };
-    if mantissa == 0 {
-        return "0".into();
+    let (mut scaled, mut digits) = (v, 0);
+    while scaled.fract() != 0.0 {
+        (scaled, digits) = (scaled * 2.0, digits + 1); // exact
     }
-    let exponent = field.max(1) - 1075 + mantissa.trailing_zeros() as i32;
-    format!("{v:.*}", (-exponent).max(0) as usize)
+    format!("{:.digits$}", v + 0.0) // no negative zero
 }
