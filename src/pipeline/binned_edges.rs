@@ -10,6 +10,7 @@ use super::hidden_line::draw_nearer;
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::camera::UnpackedVertex;
+use crate::color::Access;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
 use crate::scene::FacePlanes;
@@ -142,7 +143,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
         band: &mut T,
     ) -> Result<(), T::Error> {
         self.each::<K, _, _>(region, |_, _, ends| {
-            if K::IS_ANTI_ALIASED {
+            if <K::Access as Access>::READS {
                 anti_aliased::edge(&ends, &region.viewport, &region.scissor, stroke, band);
                 return Ok(());
             }
@@ -184,7 +185,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
         band: &Rectangle,
         depth: Option<&DepthBuffer<'_>>,
     ) -> DrawRegion {
-        if K::IS_ANTI_ALIASED {
+        if <K::Access as Access>::READS {
             self.advance::<{ anti_aliased::BEYOND }>(band, depth)
         } else {
             self.advance::<0>(band, depth)
@@ -217,7 +218,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
             let ends = edge.and_then(|&edge| transformed.edge_out_of_line(edge, &mut Statistics::default()));
             let Some(ends) = ends else { return Ok(true) };
             draw(transformed, index, ends)?;
-            let beyond = if K::IS_ANTI_ALIASED { anti_aliased::BEYOND } else { 0 };
+            let beyond = if <K::Access as Access>::READS { anti_aliased::BEYOND } else { 0 };
             Ok(bounds(&ends).rows().end + beyond <= end)
         })
     }

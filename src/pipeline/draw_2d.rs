@@ -3,7 +3,7 @@
 use super::anti_aliased;
 use super::drawable::{ShaderFor, StrokeFor};
 use super::fill::{fill, line, scissor_of};
-use crate::color::Ink;
+use crate::color::{Access, Ink};
 use crate::fast::solid_fill;
 use crate::raster::{self, Pixel, Scissor, ScreenPoint, Triangle};
 use crate::surface::Surface;
@@ -74,7 +74,7 @@ pub fn draw_line<T: Surface, K: StrokeFor<T>>(
     target: &mut T,
 ) -> Result<(), T::Error> {
     let scissor = scissor_of(target);
-    if K::IS_ANTI_ALIASED {
+    if <K::Access as Access>::READS {
         anti_aliased::line_between_pixels([from, to], &scissor, stroke, target);
         return Ok(());
     }

@@ -12,6 +12,7 @@ use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use super::wireframe::{each_edge, Edges};
 use crate::camera::{ScreenVertex, UnpackedVertex};
+use crate::color::Access;
 use crate::math::Coordinate;
 use crate::raster::{self, DepthTriangle, EdgePlanes, LineDepth, Scissor, ScreenPoint, Span};
 use crate::scene::FacePlanes;
@@ -131,7 +132,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
             let planes = planes.get_or_insert_with(|| self.planes_beside(edge, ends, &region.viewport));
             planes.are_in_front(stored, x, y)
         };
-        if K::IS_ANTI_ALIASED {
+        if <K::Access as Access>::READS {
             let DrawRegion { viewport, scissor } = region;
             anti_aliased::visible_edge(
                 ends,
@@ -227,7 +228,7 @@ pub(super) fn draw_nearer<T: Surface, K: StrokeFor<T>>(
     target: &mut T,
 ) -> Result<(), T::Error> {
     let DrawRegion { viewport, scissor } = region;
-    if K::IS_ANTI_ALIASED {
+    if <K::Access as Access>::READS {
         anti_aliased::visible_edge(
             ends,
             true,

@@ -7,6 +7,7 @@ use super::instance::{AnyInstance, MeshInstance};
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::camera::Projected;
+use crate::color::Access;
 use crate::math::Coordinate;
 use crate::raster::{self, Pixel, Span};
 use crate::scene::FacePlanes;
@@ -102,7 +103,7 @@ impl<V: Coordinate> AnyInstance<'_, V> {
         // The pixel not to draw again: where the previous line ended or, for the first line, where the last one will end.
         let mut joint = if closed { first } else { None };
         for index in 1..count {
-            if K::IS_ANTI_ALIASED {
+            if <K::Access as Access>::READS {
                 // Each line draws its part of a joint.
                 if let Some(ends) = mesh.edge([(index - 1) as u16, index as u16], &mut statistics) {
                     anti_aliased::edge(&ends, &viewport, &scissor, stroke, target);

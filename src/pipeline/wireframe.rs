@@ -8,6 +8,7 @@ use super::instance::{AnyInstance, MeshInstance};
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::camera::{ScreenVertex, UnpackedVertex};
+use crate::color::Access;
 use crate::math::Coordinate;
 use crate::scene::FacePlanes;
 use crate::surface::{Surface, Target};
@@ -136,7 +137,7 @@ impl<V: Coordinate> AnyInstance<'_, V> {
     ) -> Result<Statistics, T::Error> {
         let DrawRegion { scissor, viewport } = DrawRegion::new(target, self.area());
         each_edge(&TransformedMesh::<V, false>::new(self, cache), |index, ends| {
-            if K::IS_ANTI_ALIASED {
+            if <K::Access as Access>::READS {
                 anti_aliased::edge(&ends, &viewport, &scissor, stroke(index), target);
                 return Ok(());
             }

@@ -17,10 +17,6 @@ pub trait Stroke<C: PixelColor>: Copy {
     /// `pixels()`, or a target of your own that has memory.
     type Access: Access;
 
-    /// Whether lines are anti-aliased.
-    #[doc(hidden)]
-    const IS_ANTI_ALIASED: bool = <Self::Access as Access>::READS;
-
     /// The colour of a pixel that the line covers.
     fn color(&self) -> C;
 
@@ -32,13 +28,11 @@ pub trait Stroke<C: PixelColor>: Copy {
         self.color()
     }
 
-    /// Shares of [`mixer`](Self::mixer) are in 2^−`SHARE_BITS`.
-    #[doc(hidden)]
+    /// The number of bits of a share that [`mixer`](Self::mixer) takes: 8 or fewer.
     const SHARE_BITS: u32 = 8;
 
-    /// [`covering`](Self::covering) as a function for loops. Its arguments are the stored colour and its share, the part that the
-    /// line does not cover.
-    #[doc(hidden)]
+    /// [`covering`](Self::covering) as a function for loops. Its arguments are the stored colour and its share in 2^−`SHARE_BITS`: the
+    /// part of the pixel that the line does not cover. Override both where what all pixels of a line need can be computed once.
     #[inline(always)]
     fn mixer(self) -> impl Fn(C, u32) -> C + Copy {
         move |below, rest| self.covering(below, 256_u32.wrapping_sub(rest) as u16)

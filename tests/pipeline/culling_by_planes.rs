@@ -142,15 +142,24 @@ fn culling_by_planes_draws_the_same_teapot() {
     assert!(near.clipped > 2500, "{near:?}");
 }
 
+/// A mesh without planes in the type of those with planes: only the order differs in which vertices are transformed.
 #[test]
-fn planes_belong_to_their_normals() {
+fn a_mesh_without_planes_is_not_culled_by_planes() {
     let mesh = Mesh::new(&teapot::VERTICES, teapot::EXPONENT, &teapot::FACES).unwrap();
     let mesh = mesh.with_normals(&teapot::NORMALS).unwrap();
+    // New normals remove the planes, which belonged to the old normals.
     let zeros = [0; 992];
     let replaced = mesh.with_planes(&zeros).unwrap().with_normals(&teapot::NORMALS).unwrap();
     assert_eq!((mesh.planes(), replaced), (&[][..], mesh));
     assert_eq!(mesh.with_planes(&zeros).unwrap().without_planes(), mesh);
     assert_eq!(mesh.with_planes(&zeros).unwrap().with_planes_if_any().planes(), zeros);
+    let (mut rng, of_both) = (Rng::new(0xfad), mesh.with_planes_if_any());
+    for distance in [5.0, 17.0, 300.0] {
+        let camera = camera(&mut rng, distance, false).library();
+        let instance = camera.place(&of_both, &ModelBits::random_rotation(&mut rng).library());
+        let found = draw(&instance);
+        assert!(found == draw(&instance.without_planes()) && found.2.drawn > 100, "{:?}", found.2);
+    }
 }
 
 #[test]

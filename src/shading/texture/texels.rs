@@ -47,8 +47,8 @@ pub trait Texels: Copy {
     /// column is `u >> (32 − bits)`, rounded down.
     fn texel(&self, u: u32, v: u32) -> Self::Ink;
 
-    /// [`texel`](Self::texel) as a function, for loops: what all pixels need is computed once, and held in registers.
-    #[doc(hidden)]
+    /// [`texel`](Self::texel) as a function for loops, of `[u, v]`. Override it where what all pixels of a triangle need can be computed
+    /// once; it must give equal texels.
     #[inline(always)]
     fn finder(&self) -> impl Fn([u32; 2]) -> Self::Ink + Copy {
         let texels = *self;
