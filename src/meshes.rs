@@ -189,8 +189,8 @@ const fn q15(number: i32) -> i16 {
     }
 }
 
-/// The direction of a vector of at most 33 bits, as Q0.15. In `f64`, in which the compiler needs a tenth of the time of
-/// `math::unit::normalise`, whose results it has.
+/// The direction of a vector of at most 33 bits, as Q0.15. In `f64`: the compiler takes ten times as long for the integers of
+/// `math::unit::normalise`, which give equal normals.
 const fn direction([x, y, z]: [i64; 3]) -> [i16; 3] {
     let (x, y, z) = (x as f64, y as f64, z as f64);
     let square = x * x + y * y + z * z;

@@ -308,7 +308,7 @@ fn list(out: &mut String, doc: &str, head: &str, rows: &[impl Element]) {
     out.push_str("\n];\n\n");
 }
 
-/// [`list`], if there is anything in it.
+/// [`list`], unless there are no rows.
 fn list_if_any(out: &mut String, doc: &str, head: &str, rows: &[impl Element]) {
     if !rows.is_empty() {
         list(out, doc, head, rows);

@@ -271,8 +271,8 @@ impl FromStr for Scalar {
     }
 }
 
-/// As many decimals as asked for, of which 16 are all there are, or as few as name no other number. Rounded to the nearest, ties to
-/// even.
+/// With a precision, that many decimals, but at most 16: no number has more. Without one, the fewest decimals that name no other
+/// number. Rounded to nearest, ties to even.
 impl Display for Scalar {
     fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
         let bits = self.to_bits().unsigned_abs();

@@ -422,7 +422,7 @@ fn colours_are_rounded_as_embedded_graphics_rounds_them() {
 
 include!("generated/textured.rs");
 
-/// That `generated/textured.rs` compiles, and what it then is: in the colours of a display, the pixels of the picture.
+/// `generated/textured.rs` compiles, and its texels are the pixels of the picture in the colours of a display.
 #[test]
 fn it_compiles_to_the_picture() {
     let sixteen = Image::from_fn(16, 8, |x, y| [x as u8 % 4 * 64, y as u8 % 4 * 64, 255]);
