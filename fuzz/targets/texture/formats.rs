@@ -40,6 +40,7 @@ pub(crate) fn check(data: &[u8]) {
     let Some(area) = scene.rectangle() else { return };
     let mut b = Bytes::new(head);
     let kind = b.byte();
+    let format = kind / 2 % 10;
     let seed = b.u32();
     let mut rng = Rng::new(seed.into());
     // Few bytes say the coordinates of all corners: one corner's are given, others lie within some reach.
@@ -59,13 +60,13 @@ pub(crate) fn check(data: &[u8]) {
         bits,
         exponent: -(b.below(16) as i8),
         accuracy: b.of(&[Accuracy::Quarter, Accuracy::Eighth, Accuracy::Sixteenth]),
-        clamped: kind & 1 != 0,
+        clamped: kind & 1 != 0 && matches!(format, 1 | 6),
         seed,
         scene: &scene,
         alone: Vec::new(),
     };
     textures.draw_alone();
-    match (kind >> 1) % 10 {
+    match format {
         0 => textures.in_type(),
         1 => textures.slice(),
         2 => textures.indexed::<8>(),
@@ -84,22 +85,31 @@ impl Textures<'_> {
         Texture::new(texels).with_accuracy(self.accuracy).with_exponent(self.exponent).expect("-15 to 0")
     }
 
-    /// Draws on every target; the texture is repeated or clamped.
+    /// Draws into memory; the texture is repeated.
     fn draw<S: Texels<Color = Rgb888>>(&self, texels: S) -> Drawn<Rgb888> {
         let texture = self.texture(texels);
-        match self.clamped {
-            true => self.shade(|face| texture.clamped_at(self.uv[face])),
-            false => self.shade(|face| texture.at(self.uv[face])),
-        }
+        self.shade(|face| texture.at(self.uv[face]))
     }
 
-    fn shade<S: SpanShader<Rgb888, Ink: Ink<Rgb888, Access = Writes>>>(
+    fn shade<S: SpanShader<Rgb888>>(&self, shade: impl Fn(usize) -> S) -> Drawn<Rgb888> {
+        self.with_instance(|instance| in_memory(instance, self.place.area, SKY, &shade))
+    }
+
+    /// Draws on every target; the texture is repeated or clamped. Two formats do, one of them with a key, which stand for all: each
+    /// format, target and way to number texels instantiates the drawing code once more.
+    fn draw_everywhere<S: Texels<Color = Rgb888, Ink: Ink<Rgb888, Access = Writes>>>(
         &self,
-        shade: impl Fn(usize) -> S,
+        texels: S,
     ) -> Drawn<Rgb888> {
-        self.scene.with_instance(&self.scene.faces, &[], |instance: &MeshInstance<'_>| {
-            self.place.everywhere(instance, &shade)
+        let texture = self.texture(texels);
+        self.with_instance(|instance| match self.clamped {
+            true => self.place.everywhere(instance, &|face| texture.clamped_at(self.uv[face])),
+            false => self.place.everywhere(instance, &|face| texture.at(self.uv[face])),
         })
+    }
+
+    fn with_instance<R>(&self, draw: impl FnOnce(&MeshInstance<'_>) -> R) -> R {
+        self.scene.with_instance(&self.scene.faces, &[], draw)
     }
 
     fn draw_alone(&mut self) {
@@ -171,7 +181,7 @@ impl Textures<'_> {
 
     fn slice(&self) {
         let (colors, [w, h]) = (self.colors(), self.sides());
-        let drawn = self.draw(TexelSlice::new(&colors, w, h).expect("texels"));
+        let drawn = self.draw_everywhere(TexelSlice::new(&colors, w, h).expect("texels"));
         self.compare(&drawn, |at| Some(colors[at]));
     }
 
@@ -213,7 +223,8 @@ impl Textures<'_> {
         let ([w, h], palette) = (self.sides(), Self::palette::<2>());
         let colors: Vec<Rgb888> = self.bytes().iter().map(|&byte| palette[usize::from(byte & 3)]).collect();
         let key = palette[self.seed as usize & 3];
-        let drawn = self.draw(ColorKeyed::new(TexelSlice::new(&colors, w, h).expect("texels"), key));
+        let drawn =
+            self.draw_everywhere(ColorKeyed::new(TexelSlice::new(&colors, w, h).expect("texels"), key));
         self.compare(&drawn, |at| Some(colors[at]).filter(|&color| color != key));
     }
 
@@ -241,10 +252,7 @@ impl Textures<'_> {
         let (bytes, [w, h]) = (self.bytes(), self.sides());
         let texels = IndexedTexels::<_, 4>::new(&bytes, w, h, palette.row(256)).expect("texels");
         let texture = self.texture(texels.with_lit_palette(&palette));
-        let lit = match self.clamped {
-            true => self.shade(|face| texture.clamped_at(self.uv[face]).lit(levels[face])),
-            false => self.shade(|face| texture.at(self.uv[face]).lit(levels[face])),
-        };
+        let lit = self.shade(|face| texture.at(self.uv[face]).lit(levels[face]));
         let table = ShadeTable::from_colors(core::array::from_fn(|i| Rgb888::new(i as u8, 0, 0)));
         let light = self.shade(|face| table.lit(levels[face]));
         let unlit = self.draw(texels);
