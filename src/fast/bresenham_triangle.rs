@@ -15,7 +15,7 @@
 use super::rows::{RowOrigin, Rows};
 use crate::math::hints::keep_rolled;
 use crate::math::num::{divide_by_subtraction, divide_floor};
-use crate::raster::edge::{base_column, distances_to_centre, first_row, numerator};
+use crate::raster::edge::{first_row, Edge, EdgeWalker};
 use crate::raster::triangle::sort_by_y;
 use crate::raster::{PixelLayout, RowScratch, Scissor, ScreenPoint, Span, Triangle, GUARD_BAND};
 
@@ -151,21 +151,11 @@ impl RowScratch {
         }
         let rows = rows as usize;
         let Some(ends) = self.ends.get_mut(at..at.wrapping_add(rows)) else { return 0 };
-        let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx| ≤ 2²², 0 < dy < 2¹³
-        let (less, mut e) = divide(-numerator(distances_to_centre(p), dx, dy), dy);
-        let mut x = start.wrapping_add((base_column(p) - less) as usize);
-        let (q, r) = if rows > 1 { divide(dx, dy) } else { (0, 0) };
-        let step = self.layout.stride.wrapping_add(q as usize);
+        let mut edge = Edge::at_first_row(p, q, divide).as_indices(start, self.layout.stride);
         for ends in ends {
             keep_rolled();
-            ends[side & 1] = x;
-            x = x.wrapping_add(step);
-            e -= r;
-            if e < 0 {
-                keep_rolled();
-                e += dy;
-                x = x.wrapping_add(1);
-            }
+            ends[side & 1] = edge.column() as usize;
+            edge.next();
         }
         rows
     }

@@ -10,8 +10,10 @@ pub(crate) struct AnyTriangle {
     /// The corners, sorted by y, and whether the middle one lies to the left of the edge between the other two.
     corners: [ScreenPoint; 3],
     middle_is_left: bool,
-    /// Whether the triangle reaches beyond the scissor's columns.
-    is_beyond: bool,
+    /// Whether the triangle reaches beyond the scissor's columns. If so, both edges are set up for each trapezoid, because clipping
+    /// replaces them.
+    pub(crate) is_beyond: bool,
+    long_is_set_up: bool,
     left: i32,
     right: i32,
     /// The next row, and the row below the last one.
@@ -29,6 +31,7 @@ impl AnyTriangle {
             corners,
             middle_is_left,
             is_beyond: bounds.left < scissor.left || bounds.right > scissor.right,
+            long_is_set_up: false,
             left: scissor.left,
             right: scissor.right,
             row: bounds.top.max(scissor.top),
@@ -37,27 +40,33 @@ impl AnyTriangle {
     }
 
     /// Whether no row is left.
+    #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {
         self.row >= self.end
     }
 
-    /// Writes the next trapezoid, which has at least one row, to `trapezoid`; returns `false` if none is left. The caller
-    /// provides the memory, because a trapezoid is too large to be returned in registers.
+    /// Writes the next trapezoid, which has at least one row, to `trapezoid`; returns `false` if none is left. `trapezoid` is the one
+    /// written before, with its edges at the row below it: the caller provides the memory, because a trapezoid is too large to be
+    /// returned in registers.
     #[inline(never)]
     pub(crate) fn trapezoid(&mut self, trapezoid: &mut Trapezoid<Edge>) -> bool {
-        let Self { corners: [a, b, c], row, end, .. } = *self;
+        let &mut Self { corners: [ref a, ref b, ref c], row, end, .. } = self;
         if row >= end {
             return false;
         }
-        let middle = first_row(&b);
+        let middle = first_row(b);
         let (p, q, end) = if row < middle { (a, b, middle.min(end)) } else { (b, c, end) };
         let [left, right] = &mut trapezoid.edges;
         let (short, long) = if self.middle_is_left { (left, right) } else { (right, left) };
-        *short = Edge::new(&p, &q, row);
-        *long = Edge::new(&a, &c, row);
-        (trapezoid.x, trapezoid.y, trapezoid.rows) = (0, row, end - row);
+        short.set_up(p, q, row);
+        if !self.long_is_set_up {
+            long.set_up(a, c, row);
+        }
+        (trapezoid.y, trapezoid.rows) = (row, end - row);
         if self.is_beyond {
             trapezoid.clip_columns(self.left, self.right);
+        } else {
+            self.long_is_set_up = true;
         }
         self.row += trapezoid.rows;
         true

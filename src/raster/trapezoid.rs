@@ -25,11 +25,11 @@ impl<E: EdgeWalker> Trapezoid<E> {
         (left.next(), right.next())
     }
 
-    /// Calls `row` for each row with a base index and the row's ends, counted from it. `start` is the first row's base index,
-    /// and each row adds `stride`; returns the base index of the row below the last one.
+    /// Calls `row` for each row with a base index and the row's ends, counted from it, and leaves the edges at the row below. `start`
+    /// is the first row's base index, and each row adds `stride`; returns the base index of the row below the last one.
     #[inline(always)]
     pub(crate) fn each(
-        mut self,
+        &mut self,
         mut start: usize,
         stride: usize,
         mut row: impl FnMut(usize, i32, i32),
@@ -81,8 +81,8 @@ impl Trapezoid<Edge> {
     /// A trapezoid that has no row.
     #[inline(always)]
     pub(crate) fn without_rows() -> Self {
-        // Edges that the compiler does not know: it would clear a trapezoid of zeros by a library function.
-        Self { x: 0, y: 0, rows: 0, edges: [Edge::vertical(opaque(0)); 2] }
+        // A number that the compiler does not know: it would clear a trapezoid of zeros by a library function.
+        Self { x: 0, y: 0, rows: opaque(0), edges: [Edge::vertical(0); 2] }
     }
 
     /// The first column and the number of pixels, if the trapezoid is a rectangle of this width.
