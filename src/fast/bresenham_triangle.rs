@@ -3,10 +3,7 @@
 //! The ends of all rows are computed beforehand, one edge after the other, so that each edge has all registers for itself.
 //! A [`RowScratch`] stores them.
 //!
-//! In the n-th row of an edge ⌈T⌉ is x, where `e = x·dy − (m + n·dx)` is one of 0 … dy − 1 (`raster/edge.rs` defines m and
-//! T). With `dx = q·dy + r`, 0 ≤ r < dy, the next row has x + q and e − r, or, if that is negative, x + q + 1 and
-//! e − r + dy: no value is rounded, and the quotients of most edges are so small that subtraction finds them. This is the
-//! error term of J. E. Bresenham, *Algorithm for computer control of a digital plotter*, 1965, with integer steps q.
+//! The edges are those of the plain twin, `raster/edge.rs`; but the quotients of most of them are so small that subtraction finds them.
 //!
 //! - **Plain twin**: [`AnyTriangle`](crate::raster::AnyTriangle), and its spans, [`Triangle::spans`].
 //! - **Domain**: all corners between the scissor's columns and within 31 rows. Without `CLIP_ROWS` all corners lie inside the
@@ -17,9 +14,8 @@
 
 use super::rows::{RowOrigin, Rows};
 use crate::math::hints::keep_rolled;
-use crate::raster::edge::{
-    base_column, distances_to_centre, divide_by_subtraction, first_row, numerator, LongDivision,
-};
+use crate::math::num::{divide_by_subtraction, divide_floor};
+use crate::raster::edge::{first_row, Edge, EdgeWalker};
 use crate::raster::triangle::sort_by_y;
 use crate::raster::{PixelLayout, RowScratch, Scissor, ScreenPoint, Span, Triangle, GUARD_BAND};
 
@@ -134,7 +130,7 @@ impl RowScratch {
         at: usize,
         side: usize,
     ) -> usize {
-        self.store_edge(p, q, start, at, side, divide)
+        self.store_edge(p, q, start, at, side, divide_floor)
     }
 
     /// [`walk_edge`](Self::walk_edge), given a function for ⌊n / d⌋ and its remainder.
@@ -155,34 +151,13 @@ impl RowScratch {
         }
         let rows = rows as usize;
         let Some(ends) = self.ends.get_mut(at..at.wrapping_add(rows)) else { return 0 };
-        let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx| ≤ 2²², 0 < dy < 2¹³
-        let (less, mut e) = divide(-numerator(distances_to_centre(p), dx, dy), dy);
-        let mut x = start.wrapping_add((base_column(p) - less) as usize);
-        let (q, r) = if rows > 1 { divide(dx, dy) } else { (0, 0) };
-        let step = self.layout.stride.wrapping_add(q as usize);
+        let mut edge = Edge::at_first_row(p, q, divide).as_indices(start, self.layout.stride);
         for ends in ends {
             keep_rolled();
-            ends[side & 1] = x;
-            x = x.wrapping_add(step);
-            e -= r;
-            if e < 0 {
-                keep_rolled();
-                e += dy;
-                x = x.wrapping_add(1);
-            }
+            ends[side & 1] = edge.column() as usize;
+            edge.next();
         }
         rows
-    }
-}
-
-/// ⌊n / d⌋ and its remainder, by [`LongDivision`].
-fn divide(n: i32, d: i32) -> (i32, i32) {
-    let quotient = (LongDivision::new(d).divide(n.into()) >> 32) as i32; // exact or one too small
-    let remainder = n.wrapping_sub(quotient.wrapping_mul(d));
-    if remainder < d {
-        (quotient, remainder)
-    } else {
-        (quotient.wrapping_add(1), remainder.wrapping_sub(d))
     }
 }
 
@@ -405,20 +380,5 @@ mod tests {
             clipped += u32::from(top > bounds.top);
         }
         assert!(walked > 1000 && clipped > 500, "{walked} {clipped}");
-    }
-
-    #[test]
-    fn quotients_are_exact() {
-        let random = &mut Random(13);
-        for i in 0..100_000 {
-            let d = random.within([3, 300, 8191][i % 3]).abs() + 1;
-            for n in [random.within(1 << 22), random.within(40) * d, random.within(40) * d - 1] {
-                let exact = (n.div_euclid(d), n.rem_euclid(d));
-                assert_eq!(divide(n, d), exact, "{n} / {d}");
-                if n.abs() < 40 * d {
-                    assert_eq!(divide_by_subtraction(n, d), exact, "{n} / {d}");
-                }
-            }
-        }
     }
 }

@@ -1,10 +1,20 @@
 //! Edges of triangles of few rows in 12.20, where a division is one instruction.
 //!
-//! - **Plain twin**: [`Edge32`](crate::raster::edge::Edge32).
+//! - **Plain twin**: [`Edge`](crate::raster::edge::Edge).
 //! - **Domain**: edges within a [`Divisor`]'s width and height, walked over the rows of the edge only.
-//! - **Gain**: two or four 32-bit divisions per edge in place of a reciprocal and two 64-bit corrections. Not measured alone;
+//! - **Gain**: a row takes two instructions for an edge in place of five, and two registers in place of five. Not measured alone;
 //!   [`fast`](super) has the gain of the triangles that use it.
 //! - **Test**: `edges_stay_within_a_lattice_unit` in this file, and `tests/raster/memory_triangles.rs`.
+//!
+//! With T of `raster/edge.rs`, a multiple of 1/dy, an edge adds up rounded numbers S with
+//!
+//! ```text
+//!     T − 1/dy < S ≤ T
+//! ```
+//!
+//! No multiple of 1/dy other than T lies there, and so no integer: `⌈S⌉ = ⌈T⌉`. An edge stores S less one unit of the last place:
+//! the integer part of that is ⌈S⌉ − 1, so a row costs one addition. Any stored value from T − 1/dy up to but excluding T gives the
+//! same end.
 
 use crate::raster::edge::{distances_to_centre, numerator, EdgeWalker};
 use crate::raster::ScreenPoint;
@@ -44,7 +54,7 @@ impl EdgeWalker for Edge20 {
     }
 }
 
-/// Computes the value and step of an [`Edge20`], rounded down far enough: `raster/edge.rs` says how far, and what S and T are.
+/// Computes the value and step of an [`Edge20`], rounded down far enough.
 pub(crate) trait Divisor {
     /// The corners of a triangle are less than this far apart, in sub-pixels.
     const WIDTH: i32;

@@ -183,13 +183,15 @@ fn fill_any<S: PixelStore, T: Corners, D: Depths, F: Fill<T, S::Cell>>(
     while trapezoids.trapezoid(&mut trapezoid) {
         let origin @ RowOrigin { x, y, .. } = RowOrigin { x: trapezoid.x, y: trapezoid.y, shear: 0 };
         let mut rows = fill.rows(cells, depths, origin, i32::MAX);
-        match trapezoid.as_rectangle(layout.stride as i32) {
-            // A face wider than the picture is clipped at both sides: its rows join into one run.
-            Some((x, pixels)) if F::JOINS => rows.row(layout.at(x, y), 0, pixels),
-            _ => {
-                let start = layout.at(x, y);
-                trapezoid.each(start, layout.stride, |start, left, right| rows.row(start, left, right));
-            }
+        let start = layout.at(x, y);
+        // A face wider than the picture is clipped at both sides: its rows join into one run.
+        if F::JOINS
+            && trapezoids.is_beyond
+            && let Some((x, pixels)) = trapezoid.as_rectangle(layout.stride as i32)
+        {
+            rows.row(start, x, pixels.wrapping_add(x));
+        } else {
+            trapezoid.each(start, layout.stride, |start, left, right| rows.row(start, left, right));
         }
     }
 }

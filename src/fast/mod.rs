@@ -14,7 +14,7 @@
 //! | [`Small`]: [`SmallTriangle`](small_triangle) with [`OneDivision`](edge20) | 32 × 30, inside the scissor | 12.20 in 32 bits; one division for an edge's value, one for its step | all but Cortex-M0 | not measured alone |
 //! | [`Low`], the middle tier: [`SmallTriangle`](small_triangle) with [`TwoDivisions`](edge20) | 2040 × 32, rows clipped | 12.20 in 32 bits; two divisions each | all but Cortex-M0 | S3 takes 9 % fewer instructions on an M3, 4.5 % with depth; nothing on an M0 |
 //! | both: `BresenhamTriangle` (`bresenham_triangle.rs`) | 31 rows, rows clipped | integers and an error term; no rounding | Cortex-M0 | edges by reciprocals instead take 12 % more instructions on S3, 11 % on S4 and S7 |
-//! | [`AnyTriangle`](crate::raster::AnyTriangle), the definition | any in the guard band | 32.32 in 64 bits; a reciprocal and two corrections | all | – |
+//! | [`AnyTriangle`](crate::raster::AnyTriangle), the definition | any in the guard band | an integer and an error term; no rounding | all | – |
 //!
 //! Gradients of triangles within 32 pixels have a fast path, too: [`tiny_gradient`].
 

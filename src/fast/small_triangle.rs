@@ -42,6 +42,10 @@ impl<D: Divisor, const CLIP_ROWS: bool> SmallTriangle<D, CLIP_ROWS> {
             return None;
         }
         let [p, q, r] = &triangle.corners;
+        // Most large triangles are tall: they are declined before the corners are sorted.
+        if CLIP_ROWS && p.y.max(q.y).max(r.y) - p.y.min(q.y).min(r.y) >= D::HEIGHT {
+            return None;
+        }
         let (left, right) = (p.x.min(q.x).min(r.x), p.x.max(q.x).max(r.x));
         let (ends, middle_is_left) = sort_by_y(triangle.corners, triangle.area);
         let [a, _, c] = &ends;

@@ -1,28 +1,24 @@
 //! Splits any triangle inside the guard band into trapezoids, and these into spans.
 
-use super::edge::{first_row, Edge32};
+use super::edge::{first_row, Edge};
 use super::triangle::{area, sort_by_y};
 use super::{Scissor, ScreenPoint, Span, Trapezoid, Triangle};
 
-/// The trapezoids of a triangle inside a scissor, top to bottom. A trapezoid ends at the middle corner, where an edge
-/// enters or leaves the scissor's columns, and where an edge must be set up again to stay exact.
+/// The trapezoids of a triangle inside a scissor, top to bottom. A trapezoid ends at the middle corner, and where an edge
+/// enters or leaves the scissor's columns.
 pub(crate) struct AnyTriangle {
+    /// The corners, sorted by y, and whether the middle one lies to the left of the edge between the other two.
+    corners: [ScreenPoint; 3],
+    middle_is_left: bool,
+    /// Whether the triangle reaches beyond the scissor's columns. If so, both edges are set up for each trapezoid, because clipping
+    /// replaces them.
+    pub(crate) is_beyond: bool,
+    long_is_set_up: bool,
+    left: i32,
+    right: i32,
     /// The next row, and the row below the last one.
     row: i32,
     end: i32,
-    /// The edge that ends or begins at the middle corner, and the edge from the top to the bottom corner, both in the row `row`.
-    short: Edge32,
-    long: Edge32,
-    /// The rows at which `short` and `long` must be set up again.
-    until: [i32; 2],
-    /// The scissor's columns, and whether the triangle reaches beyond them.
-    left: i32,
-    right: i32,
-    is_beyond: bool,
-    /// Whether the middle corner lies to the left of `long`.
-    middle_is_left: bool,
-    /// The corners, sorted by y.
-    corners: [ScreenPoint; 3],
 }
 
 impl AnyTriangle {
@@ -32,75 +28,55 @@ impl AnyTriangle {
         let (corners, middle_is_left) = sort_by_y(triangle.corners, triangle.area);
         let beside = bounds.left >= scissor.right || bounds.right <= scissor.left;
         Self {
-            row: bounds.top.max(scissor.top),
-            end: if beside { i32::MIN } else { bounds.bottom.min(scissor.bottom) },
-            short: Edge32::default(),
-            long: Edge32::default(),
-            until: [i32::MIN; 2],
+            corners,
+            middle_is_left,
+            is_beyond: bounds.left < scissor.left || bounds.right > scissor.right,
+            long_is_set_up: false,
             left: scissor.left,
             right: scissor.right,
-            is_beyond: bounds.left < scissor.left || bounds.right > scissor.right,
-            middle_is_left,
-            corners,
+            row: bounds.top.max(scissor.top),
+            end: if beside { i32::MIN } else { bounds.bottom.min(scissor.bottom) },
         }
     }
 
     /// Whether no row is left.
+    #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {
         self.row >= self.end
     }
 
-    /// Writes the next trapezoid, which has at least one row, to `trapezoid`; returns `false` if none is left. The caller
-    /// provides the memory, because a trapezoid is too large to be returned in registers.
+    /// Writes the next trapezoid, which has at least one row, to `trapezoid`; returns `false` if none is left. `trapezoid` is the one
+    /// written before, with its edges at the row below it: the caller provides the memory, because a trapezoid is too large to be
+    /// returned in registers.
     #[inline(never)]
-    pub(crate) fn trapezoid(&mut self, trapezoid: &mut Trapezoid<Edge32>) -> bool {
-        if self.is_empty() {
+    pub(crate) fn trapezoid(&mut self, trapezoid: &mut Trapezoid<Edge>) -> bool {
+        let &mut Self { corners: [ref a, ref b, ref c], row, end, .. } = self;
+        if row >= end {
             return false;
         }
-        self.set_up_edges();
-        self.take_rows(trapezoid);
-        true
-    }
-
-    /// Writes the rows up to the next row where an edge must be set up, or crosses the left or right border of the scissor, and
-    /// advances both edges.
-    #[inline(never)] // its stack frame is not live while edges are set up
-    fn take_rows(&mut self, trapezoid: &mut Trapezoid<Edge32>) {
-        let Self { row: y, short, long, until: [short_until, long_until], .. } = *self;
-        let rows = self.end.min(short_until).min(long_until) - y;
-        let edges = if self.middle_is_left { [short, long] } else { [long, short] };
-        *trapezoid = Trapezoid { x: 0, y, rows, edges };
+        let middle = first_row(b);
+        let (p, q, end) = if row < middle { (a, b, middle.min(end)) } else { (b, c, end) };
+        let [left, right] = &mut trapezoid.edges;
+        let (short, long) = if self.middle_is_left { (left, right) } else { (right, left) };
+        short.set_up(p, q, row);
+        if !self.long_is_set_up {
+            long.set_up(a, c, row);
+        }
+        (trapezoid.y, trapezoid.rows) = (row, end - row);
         if self.is_beyond {
             trapezoid.clip_columns(self.left, self.right);
+        } else {
+            self.long_is_set_up = true;
         }
-        self.short.advance(trapezoid.rows);
-        self.long.advance(trapezoid.rows);
         self.row += trapezoid.rows;
-    }
-
-    /// Where the next row is the one in `until`, sets up the short or the long edge from there on.
-    #[inline(never)]
-    fn set_up_edges(&mut self) {
-        let Self { row, corners: [a, b, c], until: [short_until, long_until], .. } = *self;
-        let furthest = row + Edge32::MAX_ROWS;
-        if row >= short_until {
-            let middle = first_row(&b);
-            let (p, q, end) = if row < middle { (a, b, middle.min(furthest)) } else { (b, c, furthest) };
-            self.short = Edge32::new(&p, &q, row);
-            self.until = [end, long_until];
-        }
-        if row >= long_until {
-            self.long = Edge32::new(&a, &c, row);
-            let [short_until, _] = self.until;
-            self.until = [short_until, furthest];
-        }
+        true
     }
 }
 
 /// The spans of a triangle inside a scissor, top to bottom: the definition that every fast path reproduces.
 pub(crate) struct Spans {
     /// The present trapezoid, without the rows already returned.
-    trapezoid: Trapezoid<Edge32>,
+    trapezoid: Trapezoid<Edge>,
     /// The part of the triangle below it.
     below: AnyTriangle,
 }

@@ -1,6 +1,6 @@
 //! Trapezoids: consecutive rows between two edges.
 
-use super::edge::{Edge32, EdgeWalker};
+use super::edge::{Edge, EdgeWalker};
 use super::Span;
 use crate::math::hints::{keep_rolled, opaque};
 
@@ -25,11 +25,11 @@ impl<E: EdgeWalker> Trapezoid<E> {
         (left.next(), right.next())
     }
 
-    /// Calls `row` for each row with a base index and the row's ends, counted from it. `start` is the first row's base index,
-    /// and each row adds `stride`; returns the base index of the row below the last one.
+    /// Calls `row` for each row with a base index and the row's ends, counted from it, and leaves the edges at the row below. `start`
+    /// is the first row's base index, and each row adds `stride`; returns the base index of the row below the last one.
     #[inline(always)]
     pub(crate) fn each(
-        mut self,
+        &mut self,
         mut start: usize,
         stride: usize,
         mut row: impl FnMut(usize, i32, i32),
@@ -77,12 +77,12 @@ impl<E: EdgeWalker> Trapezoid<E> {
     }
 }
 
-impl Trapezoid<Edge32> {
+impl Trapezoid<Edge> {
     /// A trapezoid that has no row.
     #[inline(always)]
     pub(crate) fn without_rows() -> Self {
-        // Edges that the compiler does not know: it would clear a trapezoid of zeros by a library function.
-        Self { x: 0, y: 0, rows: 0, edges: [Edge32::vertical(opaque(0)); 2] }
+        // A number that the compiler does not know: it would clear a trapezoid of zeros by a library function.
+        Self { x: 0, y: 0, rows: opaque(0), edges: [Edge::vertical(0); 2] }
     }
 
     /// The first column and the number of pixels, if the trapezoid is a rectangle of this width.
@@ -108,27 +108,11 @@ impl Trapezoid<Edge32> {
 /// it stays inside the limit in these rows, and vertical at the limit if it stays outside. `right`: whether outside is to the
 /// right of the limit.
 #[inline(never)] // one copy for both edges: code size counts here, few triangles are clipped
-fn clip_edge(edge: &mut Edge32, limit: i32, mut rows: i32, right: bool) -> i32 {
-    let outside = |row: i32| {
-        let column = edge.column_below(row);
-        if right {
-            column > limit
-        } else {
-            column < limit
-        }
-    };
-    let starts_outside = outside(0);
-    if outside(rows - 1) != starts_outside {
-        // Bisection between a row on the side of the first row and a row on the other side.
-        let (mut near, mut far) = (0, rows - 1);
-        while far - near > 1 {
-            let middle = (near + far) >> 1;
-            *(if outside(middle) == starts_outside { &mut near } else { &mut far }) = middle;
-        }
-        rows = far;
-    }
-    if starts_outside {
-        *edge = Edge32::vertical(limit);
+fn clip_edge(edge: &mut Edge, limit: i32, rows: i32, right: bool) -> i32 {
+    let first_beyond = limit + i32::from(right); // a right edge may end at the limit
+    let rows = edge.rows_before(first_beyond, rows);
+    if (edge.column() >= first_beyond) == right {
+        *edge = Edge::vertical(limit);
     }
     rows
 }

@@ -1,7 +1,7 @@
 //! Functions that write and read rows of pixels as displays take them: see [`Color`].
 
+use super::block_fill::fill;
 use crate::color::Color;
-use crate::math::hints::{keep_rolled, opaque};
 
 /// Whether pixels are whole bytes, so that rows follow each other without gaps.
 pub(super) const fn is_whole_bytes<C: Color>() -> bool {
@@ -30,83 +30,32 @@ pub(super) fn fill_pixels<C: Color>(row: &mut [u8], from: usize, to: usize, colo
     let bits = color.to_bits();
     let [_, a, b, c] = bits.to_be_bytes();
     match C::FORMAT.bits() {
-        8 => fill_bytes(row, from, to, [c], [c; 4]),
+        8 => fill_cells(row, from, to, [c]),
         12 => fill_twelve(row, from, to, bits),
-        16 => fill_bytes(row, from, to, [b, c], [b, c, b, c]),
-        24 => fill_bytes(row, from, to, [a, b, c], [a, b, c]),
-        32 => fill_bytes(row, from, to, bits.to_be_bytes(), bits.to_be_bytes()),
+        16 => fill_cells(row, from, to, [b, c]),
+        24 => fill_cells(row, from, to, [a, b, c]),
+        32 => fill_cells(row, from, to, bits.to_be_bytes()),
         _ => fill_packed::<C>(row, from, to, bits),
     }
 }
 
-/// Sets pixels `from..to` of `N` bytes each. `word` has `M` bytes: as many pixels as one store writes.
+/// The cells `from..to` of a row of bytes, if the row has them.
 #[inline(always)]
-fn fill_bytes<const N: usize, const M: usize>(
-    row: &mut [u8],
-    from: usize,
-    to: usize,
-    pixel: [u8; N],
-    word: [u8; M],
-) {
-    let (from, to) = (from.wrapping_mul(N), to.wrapping_mul(N)); // no product wraps: the row lies in memory
-    if let Some(run) = row.get_mut(from..to) {
-        fill_blocks(run, pixel, word);
-    }
+fn cells<const N: usize>(row: &mut [u8], from: usize, to: usize) -> &mut [[u8; N]] {
+    // No product wraps: the row lies in memory.
+    let run = row.get_mut(from.wrapping_mul(N)..to.wrapping_mul(N)).unwrap_or_default();
+    run.as_chunks_mut().0
 }
 
-/// Repeats a pixel: eight pixels at a time, and 32 in long runs, such as a whole band. `keep_rolled` keeps LLVM from unrolling
-/// the loops, which costs short runs more than it saves.
-///
-/// With `--cfg pinhole_plain` pixel by pixel, to the same bytes, as `rows_are_the_bits_of_their_pixels` tests.
+/// Sets the cells `from..to` of a row, if the row has them.
+#[inline(always)]
+fn fill_cells<const N: usize>(row: &mut [u8], from: usize, to: usize, cell: [u8; N]) {
+    fill_run(cells(row, from, to), cell);
+}
+
 #[inline(never)] // its loops need the registers of the loops that draw
-fn fill_blocks<const N: usize, const M: usize>(mut run: &mut [u8], pixel: [u8; N], word: [u8; M]) {
-    if cfg!(pinhole_plain) {
-        return run.chunks_exact_mut(N).for_each(|bytes| put(bytes, pixel));
-    }
-    let word = opaque(word); // else LLVM calls `memset` for each block of black
-    if run.len() >= 64 * N {
-        let (rest, blocks) = run.split_at_mut(run.len() % (32 * N));
-        for block in blocks.chunks_exact_mut(32 * N) {
-            let (a, b) = block.split_at_mut(16 * N);
-            let ((a, b), (c, d)) = (a.split_at_mut(8 * N), b.split_at_mut(8 * N));
-            put_eight(a, word);
-            put_eight(b, word);
-            put_eight(c, word);
-            put_eight(d, word);
-            keep_rolled();
-        }
-        run = rest;
-    }
-    let (few, eights) = run.split_at_mut(run.len() % (8 * N));
-    for bytes in few.chunks_exact_mut(N) {
-        put(bytes, pixel);
-        keep_rolled();
-    }
-    for eight in eights.chunks_exact_mut(8 * N) {
-        put_eight(eight, word);
-        keep_rolled();
-    }
-}
-
-/// Sets eight pixels, which are two, four or eight words, without a loop.
-#[inline(always)]
-fn put_eight<const M: usize>(eight: &mut [u8], word: [u8; M]) {
-    match eight.as_chunks_mut().0 {
-        [a, b] => (*a, *b) = (word, word),
-        [a, b, c, d] => (*a, *b, *c, *d) = (word, word, word, word),
-        [a, b, c, d, e, f, g, h] => {
-            (*a, *b, *c, *d) = (word, word, word, word);
-            (*e, *f, *g, *h) = (word, word, word, word);
-        }
-        _ => {}
-    }
-}
-
-#[inline(always)]
-fn put<const N: usize>(bytes: &mut [u8], value: [u8; N]) {
-    if let Ok(bytes) = <&mut [u8; N]>::try_from(bytes) {
-        *bytes = value;
-    }
+fn fill_run<const N: usize>(run: &mut [[u8; N]], cell: [u8; N]) {
+    fill(run, cell);
 }
 
 /// The number of pixels in a byte, for formats of fewer than 8 bits.
@@ -167,9 +116,7 @@ fn fill_twelve(row: &mut [u8], mut from: usize, mut to: usize, bits: u32) {
             (*first, *middle) = (a, *middle & 0x0f | b & 0xf0);
         }
     }
-    if let Some(pairs) = row.get_mut(first(from)..first(to)) {
-        fill_blocks(pairs, [a, b, c], [a, b, c]);
-    }
+    fill_cells(row, from / 2, to / 2, [a, b, c]);
 }
 
 /// Sets pixel `x` of a row, if the row has it.
@@ -177,23 +124,22 @@ fn fill_twelve(row: &mut [u8], mut from: usize, mut to: usize, bits: u32) {
 pub(super) fn set_pixel<C: Color>(row: &mut [u8], x: usize, color: C) {
     let bits = color.to_bits();
     match C::FORMAT.bits() {
-        8 => set_bytes(row, x, [bits as u8]),
+        8 => set_cell(row, x, [bits as u8]),
         12 => fill_twelve(row, x, x.wrapping_add(1), bits),
-        16 => set_bytes(row, x, (bits as u16).to_be_bytes()),
+        16 => set_cell(row, x, (bits as u16).to_be_bytes()),
         24 => {
             let [_, a, b, c] = bits.to_be_bytes();
-            set_bytes(row, x, [a, b, c]);
+            set_cell(row, x, [a, b, c]);
         }
-        32 => set_bytes(row, x, bits.to_be_bytes()),
+        32 => set_cell(row, x, bits.to_be_bytes()),
         _ => fill_packed::<C>(row, x, x.wrapping_add(1), bits),
     }
 }
 
 #[inline(always)]
-fn set_bytes<const N: usize>(row: &mut [u8], x: usize, bytes: [u8; N]) {
-    let from = x.wrapping_mul(N);
-    if let Some(pixel) = row.get_mut(from..from.wrapping_add(N)) {
-        put(pixel, bytes);
+fn set_cell<const N: usize>(row: &mut [u8], x: usize, cell: [u8; N]) {
+    if let [pixel] = cells(row, x, x.wrapping_add(1)) {
+        *pixel = cell;
     }
 }
 
@@ -201,9 +147,9 @@ fn set_bytes<const N: usize>(row: &mut [u8], x: usize, bytes: [u8; N]) {
 #[inline(always)]
 pub(super) fn copy_pixels<C: Color>(row: &mut [u8], from: usize, to: usize, colors: impl Iterator<Item = C>) {
     match C::FORMAT.bits() {
-        8 => copy_bytes(row, from, to, colors.map(|c| [c.to_bits() as u8])),
-        16 => copy_bytes(row, from, to, colors.map(|c| (c.to_bits() as u16).to_be_bytes())),
-        24 => copy_bytes(
+        8 => copy_cells(row, from, to, colors.map(|c| [c.to_bits() as u8])),
+        16 => copy_cells(row, from, to, colors.map(|c| (c.to_bits() as u16).to_be_bytes())),
+        24 => copy_cells(
             row,
             from,
             to,
@@ -212,18 +158,15 @@ pub(super) fn copy_pixels<C: Color>(row: &mut [u8], from: usize, to: usize, colo
                 [x, y, z]
             }),
         ),
-        32 => copy_bytes(row, from, to, colors.map(|c| c.to_bits().to_be_bytes())),
+        32 => copy_cells(row, from, to, colors.map(|c| c.to_bits().to_be_bytes())),
         _ => (from..to).zip(colors).for_each(|(x, color)| set_pixel(row, x, color)),
     }
 }
 
 #[inline(always)]
-fn copy_bytes<const N: usize>(row: &mut [u8], from: usize, to: usize, colors: impl Iterator<Item = [u8; N]>) {
-    let (from, to) = (from.wrapping_mul(N), to.wrapping_mul(N));
-    if let Some(run) = row.get_mut(from..to) {
-        for (pixel, bytes) in run.chunks_exact_mut(N).zip(colors) {
-            put(pixel, bytes);
-        }
+fn copy_cells<const N: usize>(row: &mut [u8], from: usize, to: usize, values: impl Iterator<Item = [u8; N]>) {
+    for (cell, value) in cells(row, from, to).iter_mut().zip(values) {
+        *cell = value;
     }
 }
 

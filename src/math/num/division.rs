@@ -1,8 +1,9 @@
-//! Long division, for set-up: no library call, no panic.
+//! Divisions: no library call, no panic.
 
 use super::bits::{leading_zeros, max, shift_to_fit};
 use super::product::mul_wide;
-use super::reciprocal::reciprocal_of_normalised;
+use super::reciprocal::{reciprocal, reciprocal_of_normalised};
+use crate::math::cores::CORTEX_M0;
 use crate::math::hints::keep_rolled;
 
 /// `⌊n · 2^bits / d⌋` by long division: no library call, no panic. Requires `n < 2·d`, `0 < d < 2⁶²`
@@ -56,6 +57,48 @@ pub(crate) const fn divide(n: u64, d: u32) -> (u64, u32) {
     (quotient, (n as u32).wrapping_sub((quotient as u32).wrapping_mul(d))) // below d: 31 bits tell
 }
 
+/// `⌊n / d⌋` and the remainder 0 … d − 1, for 0 < d ≤ 2²².
+#[inline(always)]
+pub(crate) fn divide_floor(n: i32, d: i32) -> (i32, i32) {
+    if CORTEX_M0 {
+        return divide_by_reciprocal(n, d);
+    }
+    let d = d.max(1); // so that the compiler knows that it divides
+    let (quotient, remainder) = (n / d, n % d);
+    match remainder < 0 {
+        true => (quotient - 1, remainder + d),
+        false => (quotient, remainder),
+    }
+}
+
+/// [`divide_floor`] by a reciprocal: where no instruction divides.
+///
+/// The reciprocal has a relative error of 2⁻²⁹ and n has 31 bits, so the quotient is off by at most 4 before it is rounded
+/// down, and the remainder before its correction lies within ±6·d.
+#[inline(never)]
+fn divide_by_reciprocal(n: i32, d: i32) -> (i32, i32) {
+    let r = reciprocal(d); // 1/d = mantissa · 2^(shift − 61), shift of 8 … 30
+    let quotient = (mul_wide(n, r.mantissa) >> ((61 - r.shift) & 63)) as i32;
+    let (correction, remainder) = divide_by_subtraction(n.wrapping_sub(quotient.wrapping_mul(d)), d);
+    (quotient.wrapping_add(correction), remainder)
+}
+
+/// The quotient ⌊n / d⌋ and the remainder, by repeated subtraction. For small quotients: it takes one step per unit of the
+/// quotient.
+#[inline(always)]
+pub(crate) fn divide_by_subtraction(n: i32, d: i32) -> (i32, i32) {
+    let (mut quotient, mut remainder) = (0, n);
+    while remainder < 0 {
+        keep_rolled();
+        (quotient, remainder) = (quotient - 1, remainder.wrapping_add(d));
+    }
+    while remainder >= d {
+        keep_rolled();
+        (quotient, remainder) = (quotient + 1, remainder.wrapping_sub(d));
+    }
+    (quotient, remainder)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -77,6 +120,20 @@ mod tests {
                     let exact = (u64::from(n) << 31) / u64::from(d);
                     assert_eq!(proper_fraction(n, d) as u64, exact, "{n} / {d}");
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn floors_are_exact() {
+        let mut state = 13;
+        for i in 0..200_000 {
+            let n = random(&mut state) as i32 >> (i % 31);
+            let d = ((random(&mut state) >> 42) as i32 >> (i / 31 % 22)) + 1;
+            let exact = (n.div_euclid(d), n.rem_euclid(d));
+            assert_eq!([divide_floor(n, d), divide_by_reciprocal(n, d)], [exact; 2], "{n} / {d}");
+            if n.abs() < 40 * d {
+                assert_eq!(divide_by_subtraction(n, d), exact, "{n} / {d}");
             }
         }
     }

@@ -10,10 +10,11 @@ mod scaling;
 mod square_root;
 
 pub(crate) use super::cores::CORTEX_M0;
-pub(crate) use super::hints::keep_rolled;
 pub(crate) use accumulator::Accumulator;
 pub(crate) use bits::{bits_of, leading_zeros, magnitude, max, min, shift_to_fit};
-pub(crate) use division::{divide, fraction, proper_fraction};
+#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+pub(crate) use division::divide_by_subtraction;
+pub(crate) use division::{divide, divide_floor, fraction, proper_fraction};
 pub(crate) use product::{dot, mul_called, mul_high, mul_wide, row_times, transposed};
 pub(crate) use reciprocal::{
     reciprocal, reciprocal_called, reciprocal_of_large, reciprocal_of_positive, Reciprocal,
