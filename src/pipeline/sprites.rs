@@ -231,9 +231,4 @@ fn fixed_size(texels: u32, pixels: u8) -> i32 {
     sub_pixels.min(SpriteAxis::LARGEST as u64) as i32
 }
 
-#[cfg(feature = "defmt")]
-impl<V: Coordinate> defmt::Format for PlacedSprites<'_, V> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "sprites at the vertices of {}", self.points);
-    }
-}
+defmt_format!([V: Coordinate] PlacedSprites<'_, V>, self, "sprites at the vertices of {}", self.points);

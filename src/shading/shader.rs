@@ -4,7 +4,7 @@ use super::CornerValues;
 use crate::clip::Varying;
 use crate::color::Ink;
 use crate::raster::{Gradient, Span, Triangle};
-use crate::shading::{FogBounds, FogLevel, Line, TableShader};
+use crate::shading::TableShader;
 use core::iter::{once, repeat};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
@@ -210,12 +210,29 @@ pub trait SpanShader<C: PixelColor>: Shader {
         once((span.width, Self::span(setup, span)))
     }
 
-    /// Hands [`runs`](Self::runs) to a loop over the rows of a triangle, for targets whose pixels lie in memory. A shader with
-    /// several kinds of set-up overrides it, so that each kind gets a loop of its own.
-    #[doc(hidden)]
+    /// The ink of a pixel as a function of the numbers that [`lines`](Self::lines) returns, if inks are such: texels at texture
+    /// coordinates. Then targets whose pixels lie in memory take `lines` instead of [`runs`](Self::runs), and write colours eight at a
+    /// time. Inks must equal those of `runs`.
     #[inline(always)]
-    fn draw_runs<D: DrawRuns<Self::Ink>>(setup: &Self::Setup, draw: D) {
-        draw.runs(|span| Self::runs(setup, span));
+    fn look_up(setup: &Self::Setup) -> Option<impl Fn([u32; 2]) -> Self::Ink + Copy> {
+        let _ = setup;
+        None::<fn([u32; 2]) -> Self::Ink>
+    }
+
+    /// The runs of a span for [`look_up`](Self::look_up), from left to right: the width of each, two numbers at its first pixel, and
+    /// their changes from a pixel to the next, to be added wrapping.
+    #[inline(always)]
+    fn lines(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, [[u32; 2]; 2])> {
+        let _ = (setup, span);
+        core::iter::empty()
+    }
+
+    /// The gradient of the first number of [`lines`](Self::lines), if the ink of each pixel of the triangle is
+    /// [`look_up`](Self::look_up) of it and any second number. Small triangles are then filled faster.
+    #[inline(always)]
+    fn ramp(setup: &Self::Setup) -> Option<&Gradient> {
+        let _ = setup;
+        None
     }
 
     /// The ink of all pixels, if the shader has only one. Then [`span`](Self::span) is not called, and neither is
@@ -232,58 +249,36 @@ pub trait SpanShader<C: PixelColor>: Shader {
         None
     }
 
-    /// Hands one colour for each level of fog to a loop over the rows of a triangle, for targets whose pixels lie in memory, if
-    /// the shader's colours consist of these. Returns whether the triangle is drawn.
-    #[doc(hidden)]
+    /// The colours of all pixels by their depths, if they depend on nothing else. Targets whose pixels lie in memory fill each row
+    /// level by level, instead of calling [`set_up`](Self::set_up) and [`span`](Self::span).
     #[inline(always)]
-    fn draw_levels<D: DrawLevels<C>>(&self, draw: D) -> bool {
-        let _ = draw;
-        false
+    fn levels(&self) -> Option<DepthLevels<'_, impl Fn(u8) -> C + Copy>> {
+        None::<DepthLevels<'_, fn(u8) -> C>>
+    }
+
+    /// A shader that draws equal pixels in less time, if there is one: of a wrapper that changes nothing over this triangle, the
+    /// shader inside. Targets whose pixels lie in memory draw it instead.
+    #[inline(always)]
+    fn inner(&self) -> Option<&impl SpanShader<C, Ink = Self::Ink>> {
+        None::<&Self>
     }
 }
 
-/// A loop over the rows of a triangle, into memory.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a loop over the rows of a triangle",
-    note = "leave `draw_runs` as the trait has it, and override `runs`"
-)]
-pub trait DrawRuns<I>: Sized {
-    /// Fills the triangle with the runs that `runs` returns for each span.
-    fn runs<R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = I>>(self, runs: impl Fn(Span) -> R);
-
-    /// Fills the triangle with the inks of `texel` at the texture coordinates that `lines` returns for each span, as runs: the
-    /// width of each, and its coordinates.
-    fn lines<L: Line, R: Iterator<Item = (i32, L)>>(
-        self,
-        lines: impl Fn(Span) -> R,
-        texel: impl Fn([u32; 2]) -> I + Copy,
-    ) {
-        self.runs(|span| lines(span).map(|(width, line)| (width, line.map(texel))));
-    }
-
-    /// Fills the triangle with the inks of `texel`, given a gradient of texture coordinates that share a word; or draws
-    /// nothing and returns `false`.
-    fn packed(&mut self, _gradient: &Gradient, _texel: impl Fn([u32; 2]) -> I + Copy) -> bool {
-        false
-    }
+/// Colours by depth, in levels, as [`SpanShader::levels`] returns them.
+#[derive(Clone, Copy, Debug)]
+pub struct DepthLevels<'t, F> {
+    /// At the triangle's corners, in 16.8, as [`CornerValues::depths`] has them.
+    pub depths: [i32; 3],
+    /// Level l is seen from depth `bounds[l]` on and before `bounds[l + 1]`: depths at pixels in 16.16, in ascending order, from 0 to
+    /// `u32::MAX`. There are 33 levels, of which any may be empty.
+    pub bounds: &'t [u32; 34],
+    /// Any level of the triangle, where the search for others begins: 0 … 32.
+    pub first: u8,
+    /// The colour of a level.
+    pub color: F,
 }
 
-/// A loop over the rows of a triangle in fog, into memory.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a loop over the rows of a triangle in fog",
-    note = "leave `draw_levels` as the trait has it"
-)]
-pub trait DrawLevels<C>: Sized {
-    /// Fills the triangle, whose corners have these depths in 16.8, with the colours of the levels, and returns whether it is drawn.
-    /// `bounds` are the depths at which the levels begin, and `level` is any of them.
-    fn levels(
-        self,
-        depths: &[i32; 3],
-        bounds: &FogBounds,
-        level: FogLevel,
-        color: impl Fn(u8) -> C + Copy,
-    ) -> bool;
-}
+defmt_format!([F] DepthLevels<'_, F>, self, "colours by depths {} from {}/2^16", self.depths, self.bounds);
 
 /// Calls [`Shader::with_corners`] of a wrapped shader; a shader that asks for nothing is returned as it is.
 #[inline(always)]

@@ -119,16 +119,6 @@ impl<C: PixelColor> TableShader<'_, C> {
 }
 
 // The colours are not printed: they need not implement `Format`.
-#[cfg(feature = "defmt")]
-impl<C> defmt::Format for ShadeTable<C> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "shade table");
-    }
-}
+defmt_format!([C] ShadeTable<C>, self, "shade table");
 
-#[cfg(feature = "defmt")]
-impl<C> defmt::Format for TableShader<'_, C> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "light {} of a shade table, in 1/1024", self.light);
-    }
-}
+defmt_format!([C] TableShader<'_, C>, self, "light {} of a shade table, in 1/1024", self.light);

@@ -470,10 +470,4 @@ impl<C> defmt::Format for Frame<C> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<C> defmt::Format for Band<'_, C> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let Rectangle { top_left, size } = self.area;
-        defmt::write!(f, "band of {} at {}", size, top_left);
-    }
-}
+defmt_format!([C] Band<'_, C>, self, "band of {} at {}", self.area.size, self.area.top_left);

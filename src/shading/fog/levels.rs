@@ -7,7 +7,7 @@ pub(crate) type Bounds = [u32; LEVELS + 2];
 
 /// The level of fog at a depth, found by a search from the level of a nearby depth: neighbouring pixels mostly have one level.
 #[derive(Clone, Copy, Debug)]
-pub struct FogLevel {
+pub(crate) struct FogLevel {
     level: usize,
     /// The least depth that has the level, and how many depths from there on have it.
     from: u32,
@@ -17,7 +17,7 @@ pub struct FogLevel {
 impl FogLevel {
     /// A level, 0 … 32.
     #[inline(always)]
-    pub(super) fn new(level: u8, bounds: &Bounds) -> Self {
+    pub(crate) fn new(level: u8, bounds: &Bounds) -> Self {
         Self::of(level.into(), bounds)
     }
 

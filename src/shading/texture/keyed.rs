@@ -104,17 +104,9 @@ impl<C: PixelColor, const BITS: u32> Texels for IndexKeyed<'_, C, BITS> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<S, C> defmt::Format for ColorKeyed<S, C> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let _ = self; // texels and colours may have no format
-        defmt::write!(f, "texels, one colour transparent");
-    }
-}
+defmt_format!([S, C] ColorKeyed<S, C>, self, "texels, one colour transparent");
 
-#[cfg(feature = "defmt")]
-impl<C, const BITS: u32> defmt::Format for IndexKeyed<'_, C, BITS> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{}, index {=u8} transparent", self.texels, self.key);
-    }
-}
+defmt_format!(
+    [C, const BITS: u32] IndexKeyed<'_, C, BITS>, self,
+    "{}, index {=u8} transparent", self.texels, self.key
+);

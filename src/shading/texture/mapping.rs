@@ -194,19 +194,11 @@ impl FaceCoords {
 /// The fractional bits of a corner's coordinates: clipping rounds the coordinates of new corners to 2⁻⁸ of the texture's unit.
 pub(super) const FRACTION: u32 = 8;
 
-#[cfg(feature = "defmt")]
-impl<S> defmt::Format for Texture<S> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let [u, v] = self.unit;
-        defmt::write!(
-            f,
-            "texture in 2^{=i8} and 2^{=i8} of its sides, to {}",
-            u as i8 - 32,
-            v as i8 - 32,
-            self.accuracy
-        );
-    }
-}
+defmt_format!(
+    [S] Texture<S>, self,
+    "texture in 2^{=i8} and 2^{=i8} of its sides, to {}",
+    self.unit[0] as i8 - 32, self.unit[1] as i8 - 32, self.accuracy
+);
 
 #[cfg(feature = "defmt")]
 impl<S> defmt::Format for Textured<S> {

@@ -22,7 +22,7 @@ mod textured;
 pub use clamped::ClampedTexels;
 pub use indexed::IndexedTexels;
 pub use keyed::{ColorKeyed, IndexKeyed};
-pub(crate) use line::{Line, PackedLine};
+pub(crate) use line::Line;
 pub use lit_textured::{LitTexels, LitTextured};
 pub use mapping::{Accuracy, Texture, Textured};
 pub use palette::{LitIndexedTexels, LitPalette};

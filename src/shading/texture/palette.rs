@@ -147,18 +147,13 @@ impl<C: PixelColor, const BITS: u32, const COLORS: usize, const ROWS: usize> sup
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<C, const COLORS: usize, const ROWS: usize> defmt::Format for LitPalette<C, COLORS, ROWS> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{=usize} colours in {=usize} levels of light", COLORS, ROWS);
-    }
-}
+defmt_format!(
+    [C, const COLORS: usize, const ROWS: usize] LitPalette<C, COLORS, ROWS>, self,
+    "{=usize} colours in {=usize} levels of light", COLORS, ROWS
+);
 
-#[cfg(feature = "defmt")]
-impl<C, const BITS: u32, const COLORS: usize, const ROWS: usize> defmt::Format
-    for LitIndexedTexels<'_, C, BITS, COLORS, ROWS>
-{
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{} of {}", self.texels, self.palette);
-    }
-}
+defmt_format!(
+    [C, const BITS: u32, const COLORS: usize, const ROWS: usize] LitIndexedTexels<'_, C, BITS, COLORS, ROWS>, self,
+    "{} of {}",
+    self.texels, self.palette
+);

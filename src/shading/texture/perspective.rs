@@ -1,6 +1,6 @@
 //! Texture coordinates in perspective: quotients of two numbers that are linear on the screen.
 
-use super::line::{Line, LARGEST_BLOCK};
+use super::line::{Coordinates, LARGEST_BLOCK};
 use super::linear::range;
 use super::mapping::{FaceCoords, FRACTION};
 use crate::math::hints::opaque_next;
@@ -368,9 +368,15 @@ impl Perspective {
 
     /// The line between two samples, 2^`bits` pixels from each other, from pixel `passed` on.
     #[inline(always)]
-    pub(super) fn between<L: Line>(&self, left: Sample, right: Sample, bits: i32, passed: i32) -> L {
+    pub(super) fn between<const N: usize>(
+        &self,
+        left: Sample,
+        right: Sample,
+        bits: i32,
+        passed: i32,
+    ) -> Coordinates<N> {
         let [m, n, ..] = self.shifts();
-        L::between([left.u, left.v], [right.u, right.v], self.origin, [m, n], bits, passed)
+        Coordinates::between([left.u, left.v], [right.u, right.v], self.origin, [m, n], bits, passed)
     }
 
     /// For u and v, the binary logarithms of a [`Sample`]'s unit in 2⁻³² of the sides: [`LARGEST_BLOCK`] … 23, so that the steps over a

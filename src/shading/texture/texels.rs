@@ -231,10 +231,4 @@ impl<C: PixelColor> Texels for TexelSlice<'_, C> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<C> defmt::Format for TexelSlice<'_, C> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let [w, h] = self.bits;
-        defmt::write!(f, "{=u32} x {=u32} texels", 1 << w, 1 << h);
-    }
-}
+defmt_format!([C] TexelSlice<'_, C>, self, "{=u32} x {=u32} texels", 1 << self.bits[0], 1 << self.bits[1]);
