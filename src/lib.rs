@@ -161,7 +161,7 @@ pub mod texture {
 
     pub use crate::shading::texture::{
         Accuracy, ClampedTexels, ColorKeyed, IndexKeyed, IndexedTexels, LitIndexedTexels, LitPalette,
-        LitTexels, LitTextured, TexelSlice, Texels, Texture, TextureError, Textured,
+        LitTextured, TexelSlice, Texels, Texture, TextureError, Textured,
     };
 }
 

@@ -1,9 +1,10 @@
 //! Light that faces emit themselves: a colour that is added after light.
 
-use super::levels::emissive;
+use super::levels::mixture;
 use super::{Flat, Gouraud, Lit, LitPalette, ShadeTable};
 use crate::color::Color;
 use crate::scene::FaceColors;
+use core::array::from_fn;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
 impl FaceColors<'_> {
@@ -80,12 +81,7 @@ impl<C: Color> ShadeTable<C> {
     /// assert_eq!([0, 51, 255].map(|i| table.colors()[i].luma()), [90, 130, 255]);
     /// ```
     pub fn emitting(color: Rgb888, emission: Rgb888) -> Self {
-        let mut light = 0;
-        Self::from_colors([(); 256].map(|()| {
-            let shade = emissive(color, emission, light, 255);
-            light += 1;
-            shade
-        }))
+        Self::from_colors(from_fn(|light| mixture(color, light as u32, emission, 255, 255)))
     }
 }
 
@@ -103,15 +99,12 @@ impl<C: Color, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROW
     /// ```
     pub fn emitting(palette: &[Rgb888; COLORS], emission: &[Rgb888; COLORS]) -> Self {
         let steps = ROWS as u32 - 1; // 1 … 255: the compiler checks the number of rows
-        let mut row = 0;
-        Self::from_rows([(); ROWS].map(|()| {
+        Self::from_rows(from_fn(|row| {
             let mut emission = emission.iter();
-            let colors = palette.each_ref().map(|&color| {
+            palette.each_ref().map(|&color| {
                 let emission = emission.next().copied().unwrap_or(Rgb888::BLACK);
-                emissive(color, emission, row, steps)
-            });
-            row += 1;
-            colors
+                mixture(color, row as u32, emission, steps, steps)
+            })
         }))
     }
 }

@@ -135,12 +135,11 @@ impl<C: Color> ShadeTable<C> {
     ///
     /// [`BlinnPhong`] has an example.
     pub fn with_highlight(color: Rgb888, highlight: Rgb888) -> Self {
-        let mut index = 0u32;
-        Self::from_colors([(); 256].map(|()| {
+        Self::from_colors(core::array::from_fn(|index| {
             // In 1/765: 4·index for `color` up to three quarters of 255, then less of it, and `highlight` instead.
-            let rest = (4 * index).saturating_sub(765); // 0 … 255
-            let weights = [(4 * index).min(765) - 3 * rest, 3 * rest];
-            index += 1;
+            let index = 4 * index as u32;
+            let rest = index.saturating_sub(765); // 0 … 255
+            let weights = [index.min(765) - 3 * rest, 3 * rest];
             let mix = |a: u8, b: u8| {
                 let [x, y] = weights; // their sum is at most 765
                 u32::from(a) * x + u32::from(b) * y

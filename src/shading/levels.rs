@@ -28,26 +28,12 @@ pub(super) fn levels<C: Color>(color: Flat) -> [i32; 3] {
     }
 }
 
-/// The colour of the target nearest to `color` at `step`/`steps` of its light; halves are rounded up. `steps` is 1 … 255, and
-/// `step` is 0 … `steps`.
+/// The colour of the target nearest to `share` parts of `color` plus `other_share` parts of `other`, of `steps` parts each, each channel
+/// saturating at full; halves are rounded up. `steps` is 1 … 255, and shares are 0 … `steps`.
 #[inline(always)] // `steps` is a constant of each caller
-pub(super) fn lit<C: Color>(color: Rgb888, step: u32, steps: u32) -> C {
-    nearest(channels(color).map(|channel| channel * step), steps)
-}
-
-/// The colour of the target nearest to `step`/`steps` of `color` and the rest of `fog`; halves are rounded up. `steps` is 1 …
-/// 255, and `step` is 0 … `steps`.
-pub(super) fn faded<C: Color>(color: Rgb888, fog: Rgb888, step: u32, steps: u32) -> C {
-    let ([r, g, b], [s, t, u]) = (channels(color), channels(fog));
-    let mix = |own: u32, fog: u32| own * step + fog * steps.saturating_sub(step);
-    nearest([mix(r, s), mix(g, t), mix(b, u)], steps)
-}
-
-/// The colour of the target nearest to `color` at `step`/`steps` of its light, plus `emission`, each channel saturating at full;
-/// halves are rounded up. `steps` is 1 … 255, and `step` is 0 … `steps`.
-pub(super) fn emissive<C: Color>(color: Rgb888, emission: Rgb888, step: u32, steps: u32) -> C {
-    let ([r, g, b], [s, t, u]) = (channels(color), channels(emission));
-    let sum = |own: u32, emission: u32| (own * step + emission * steps).min(255 * steps);
+pub(super) fn mixture<C: Color>(color: Rgb888, share: u32, other: Rgb888, other_share: u32, steps: u32) -> C {
+    let ([r, g, b], [s, t, u]) = (channels(color), channels(other));
+    let sum = |own: u32, other: u32| (own * share + other * other_share).min(255 * steps);
     nearest([sum(r, s), sum(g, t), sum(b, u)], steps)
 }
 

@@ -1,9 +1,10 @@
 //! Smooth light by table: 256 shades of one colour, computed once.
 
-use super::levels::lit;
+use super::levels::mixture;
 use crate::color::Color;
 use crate::math::unrolled::map3;
-use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
+use core::array::from_fn;
+use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
 
 /// A colour in 256 levels of light, computed once and looked up at every pixel: the fastest smooth light. The table takes 256
 /// colours of the target (512 bytes for `Rgb565`). [`lit`](Self::lit) makes the shader of a face, which steps one gradient and
@@ -72,12 +73,7 @@ impl<C> ShadeTable<C> {
 impl<C: Color> ShadeTable<C> {
     /// The colours of the target nearest to `color` at 0/255, 1/255 … 255/255 of its light; halves are rounded up.
     pub fn new(color: Rgb888) -> Self {
-        let mut light = 0;
-        Self([(); 256].map(|()| {
-            let shade = lit(color, light, 255);
-            light += 1;
-            shade
-        }))
+        Self(from_fn(|light| mixture(color, light as u32, Rgb888::BLACK, 0, 255)))
     }
 }
 

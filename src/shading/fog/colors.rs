@@ -1,8 +1,9 @@
 //! Colours on their way into the fog: for fog by face and by vertex.
 
 use crate::color::Color;
-use crate::shading::levels::faded;
+use crate::shading::levels::mixture;
 use crate::shading::{Flat, LitPalette, ShadeTable};
+use core::array::from_fn;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
 impl Flat {
@@ -48,12 +49,7 @@ impl<C: Color> ShadeTable<C> {
     /// # let _ = face;
     /// ```
     pub fn in_fog(color: Rgb888, fog: Rgb888) -> Self {
-        let mut light = 0;
-        Self::from_colors([(); 256].map(|()| {
-            let shade = faded(color, fog, light, 255);
-            light += 1;
-            shade
-        }))
+        Self::from_colors(from_fn(|light| mixture(color, light as u32, fog, 255 - light as u32, 255)))
     }
 }
 
@@ -72,11 +68,9 @@ impl<C: Color, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROW
     /// ```
     pub fn in_fog(palette: &[Rgb888; COLORS], fog: Rgb888) -> Self {
         let steps = ROWS as u32 - 1; // 1 … 255: the compiler checks the number of rows
-        let mut row = 0;
-        Self::from_rows([(); ROWS].map(|()| {
-            let colors = palette.each_ref().map(|&color| faded(color, fog, row, steps));
-            row += 1;
-            colors
+        Self::from_rows(from_fn(|row| {
+            let row = row as u32;
+            palette.each_ref().map(|&color| mixture(color, row, fog, steps.saturating_sub(row), steps))
         }))
     }
 }

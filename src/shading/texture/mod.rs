@@ -23,7 +23,7 @@ pub use clamped::ClampedTexels;
 pub use indexed::IndexedTexels;
 pub use keyed::{ColorKeyed, IndexKeyed};
 pub(crate) use line::Line;
-pub use lit_textured::{LitTexels, LitTextured};
+pub use lit_textured::LitTextured;
 pub use mapping::{Accuracy, Texture, Textured};
 pub use palette::{LitIndexedTexels, LitPalette};
 pub use texels::{TexelSlice, Texels, TextureError};

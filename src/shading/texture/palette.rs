@@ -4,8 +4,9 @@ use super::indexed::IndexedTexels;
 use super::mapping::Texture;
 use super::texels::Texels;
 use crate::color::Color;
-use crate::shading::levels::lit;
-use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
+use crate::shading::levels::mixture;
+use core::array::from_fn;
+use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
 
 /// A palette in `ROWS` levels of light, computed once: the colours of a texture with a palette in any light, without a
 /// multiplication. 16 colours in 32 levels take 1 KB as `Rgb565`. (Quake's *colormap* is such a table: Abrash, *Graphics
@@ -80,11 +81,8 @@ impl<C: Color, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROW
     /// The colours of the target nearest to each colour at 0/(`ROWS` − 1), 1/(`ROWS` − 1) … of its light; halves are rounded up.
     pub fn new(palette: &[Rgb888; COLORS]) -> Self {
         let steps = (1u32 << Self::ROW_BITS) - 1;
-        let mut row = 0;
-        Self([(); ROWS].map(|()| {
-            let colors = palette.each_ref().map(|&color| lit(color, row, steps));
-            row += 1;
-            colors
+        Self(from_fn(|row| {
+            palette.each_ref().map(|&color| mixture(color, row as u32, Rgb888::BLACK, 0, steps))
         }))
     }
 }
@@ -133,11 +131,7 @@ impl<C: PixelColor, const BITS: u32, const COLORS: usize, const ROWS: usize> Tex
     fn texel(&self, u: u32, v: u32) -> C {
         self.texels.texel(u, v)
     }
-}
 
-impl<C: PixelColor, const BITS: u32, const COLORS: usize, const ROWS: usize> super::LitTexels
-    for LitIndexedTexels<'_, C, BITS, COLORS, ROWS>
-{
     const LEVEL_BITS: u32 = LitPalette::<C, COLORS, ROWS>::ROW_BITS;
 
     #[inline(always)]
