@@ -1,5 +1,6 @@
 //! Gouraud shading of one colour: only the light is interpolated.
 
+use super::flat::Flat;
 use super::gouraud::{ChannelGradients, Gouraud};
 use super::levels::{aligned_max, fraction_bits, luma, weighted_mean};
 use crate::color::Color;
@@ -55,8 +56,25 @@ impl Lit {
         Self { light: corners.map(|weights| weighted_mean(self.light, weights, FULL)), ..*self }
     }
 
+    /// The shader of a face that emits light of its own: `emission` is added at each corner, each channel saturating at full, and
+    /// the sums are interpolated. A channel that saturates at only some of the corners is darker between them than light plus
+    /// emission would be.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Rgb888, WebColors};
+    /// use pinhole::shading::{Flat, Gouraud};
+    /// let (levels, emission) = ([256, 128, 40], Rgb888::new(60, 0, 0)); // of Lambert::levels
+    /// let face = Gouraud::lit(Rgb888::CSS_TEAL, levels).emitting(emission);
+    /// assert_eq!(face, Gouraud::new(levels.map(|level| Flat::lit(Rgb888::CSS_TEAL, level).emitting(emission))));
+    /// ```
+    #[must_use]
+    pub fn emitting(self, emission: Rgb888) -> Gouraud {
+        let (color, levels) = self.parts();
+        Gouraud::new(levels.map(|level| Flat::lit(color, level).emitting(emission)))
+    }
+
     /// The colour, and the light levels at the corners, 0 … 256: exact for [`Gouraud::lit`], the nearest levels for a sub-face.
-    pub(super) fn parts(&self) -> (Rgb888, [u16; 3]) {
+    fn parts(&self) -> (Rgb888, [u16; 3]) {
         let [r, g, b] = self.color;
         // Up to `FULL`, which is less than 2²²·256/255 + 1: the product is less than 2³⁰ + 2⁸.
         (Rgb888::new(r, g, b), self.light.map(|light| ((light as u32 * 255 + (1 << 21)) >> 22) as u16))

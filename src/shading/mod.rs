@@ -3,7 +3,6 @@
 mod corner_values;
 mod depth_tested;
 mod dither;
-mod emission;
 mod flat;
 pub(crate) mod fog;
 mod gouraud;
@@ -44,5 +43,5 @@ pub(crate) use sprite::{Sprite, SpriteSource};
 pub use stroke::{AntiAliased, Stroke};
 pub use table::{ShadeTable, TableShader};
 pub(crate) use texture::Line;
-pub(crate) use texture::{LitPalette, Texels};
+pub(crate) use texture::Texels;
 pub use translucent::{Blended, HalfBlended, Translucent};

@@ -75,6 +75,36 @@ impl<C: Color> ShadeTable<C> {
     pub fn new(color: Rgb888) -> Self {
         Self(from_fn(|light| mixture(color, light as u32, Rgb888::BLACK, 0, 255)))
     }
+
+    /// A table that fades `color` into `fog`: entry i is the colour of the target nearest to i/255 of `color` and the rest of
+    /// `fog`; halves are rounded up. [`lit`](Self::lit) takes the factors of a [`VertexFog`](crate::fog::VertexFog) at the corners of
+    /// a face.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
+    /// use pinhole::shading::ShadeTable;
+    /// let table = ShadeTable::<Gray8>::in_fog(Rgb888::BLACK, Rgb888::WHITE);
+    /// assert_eq!([0, 55, 255].map(|i| table.colors()[i].luma()), [255, 200, 0]);
+    /// let face = table.lit([256, 200, 90]); // of VertexFog::factors
+    /// # let _ = face;
+    /// ```
+    pub fn in_fog(color: Rgb888, fog: Rgb888) -> Self {
+        Self::from_colors(from_fn(|light| mixture(color, light as u32, fog, 255 - light as u32, 255)))
+    }
+
+    /// A table for faces that emit light of their own: entry i is the colour of the target nearest to i/255 of `color` plus
+    /// `emission`, each channel saturating at full; halves are rounded up. A face takes no more instructions than with
+    /// [`new`](Self::new).
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888};
+    /// use pinhole::shading::ShadeTable;
+    /// let table = ShadeTable::<Gray8>::emitting(Rgb888::new(200, 200, 200), Rgb888::new(90, 90, 90));
+    /// assert_eq!([0, 51, 255].map(|i| table.colors()[i].luma()), [90, 130, 255]);
+    /// ```
+    pub fn emitting(color: Rgb888, emission: Rgb888) -> Self {
+        Self::from_colors(from_fn(|light| mixture(color, light as u32, emission, 255, 255)))
+    }
 }
 
 /// The shader of a face that looks its colours up in a [`ShadeTable`], by light that is linear between the corners.

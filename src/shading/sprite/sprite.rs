@@ -1,7 +1,6 @@
 //! A sprite: a picture with a size and an anchor.
 
-use super::solid::SolidTexel;
-use super::source::SpriteSource;
+use super::source::{SolidTexel, SpriteSource};
 use crate::math::num::divide;
 use crate::math::Scalar;
 use embedded_graphics_core::geometry::{AnchorPoint, Size};

@@ -85,6 +85,48 @@ impl<C: Color, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROW
             palette.each_ref().map(|&color| mixture(color, row as u32, Rgb888::BLACK, 0, steps))
         }))
     }
+
+    /// A palette that fades into fog: row i has i/(`ROWS` − 1) of the palette's colours and the rest of the fog's colour, so row
+    /// 0 is fog alone; halves are rounded up. [`row`](Self::row) takes the factor of
+    /// [`VertexFog::face_factor`](crate::fog::VertexFog::face_factor), [`Textured::lit`](crate::texture::Textured::lit) the factors of
+    /// [`VertexFog::factors`](crate::fog::VertexFog::factors).
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};
+    /// use pinhole::texture::LitPalette;
+    /// let palette = LitPalette::<Rgb565, 2, 32>::in_fog(&[Rgb888::RED, Rgb888::BLACK], Rgb888::WHITE);
+    /// assert_eq!(palette.row(0), &[Rgb565::WHITE; 2]);
+    /// assert_eq!(palette.row(256), &[Rgb565::RED, Rgb565::BLACK]);
+    /// ```
+    pub fn in_fog(palette: &[Rgb888; COLORS], fog: Rgb888) -> Self {
+        let steps = ROWS as u32 - 1; // 1 … 255: the compiler checks the number of rows
+        Self::from_rows(from_fn(|row| {
+            let row = row as u32;
+            palette.each_ref().map(|&color| mixture(color, row, fog, steps.saturating_sub(row), steps))
+        }))
+    }
+
+    /// A palette of texels that emit light of their own, such as the digits of a dial: row i has i/(`ROWS` − 1) of the palette's
+    /// colours plus `emission`, so row 0 is the emission alone; channels saturate at full, halves are rounded up. The emission of
+    /// a colour that emits nothing is black.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};
+    /// use pinhole::texture::LitPalette;
+    /// let palette = LitPalette::<Rgb565, 2, 32>::emitting(&[Rgb888::BLUE, Rgb888::WHITE], &[Rgb888::RED, Rgb888::BLACK]);
+    /// assert_eq!(palette.row(0), &[Rgb565::RED, Rgb565::BLACK]);
+    /// assert_eq!(palette.row(256), &[Rgb565::MAGENTA, Rgb565::WHITE]);
+    /// ```
+    pub fn emitting(palette: &[Rgb888; COLORS], emission: &[Rgb888; COLORS]) -> Self {
+        let steps = ROWS as u32 - 1; // 1 … 255: the compiler checks the number of rows
+        Self::from_rows(from_fn(|row| {
+            let mut emission = emission.iter();
+            palette.each_ref().map(|&color| {
+                let emission = emission.next().copied().unwrap_or(Rgb888::BLACK);
+                mixture(color, row as u32, emission, steps, steps)
+            })
+        }))
+    }
 }
 
 impl<'t, C: PixelColor, const BITS: u32> Texture<IndexedTexels<'t, C, BITS>> {
