@@ -1,10 +1,9 @@
 //! Ordered dithering.
 
-use super::gouraud::{Rounding, SpanColors};
+use super::gouraud::Rounding;
 use super::levels::{add_bias, align, integer_parts, levels};
 use super::{Flat, Gouraud, Lit};
 use crate::color::Color;
-use core::marker::PhantomData;
 
 /// A shader with ordered dithering, which shows more shades than the target has: each pixel is rounded down or up by a
 /// threshold, one of 64 in an 8 × 8 pattern. [`Flat::dithered`], [`Gouraud::dithered`] and [`Lit::dithered`] make it. (Bayer,
@@ -59,25 +58,6 @@ impl Flat {
     #[inline]
     pub(crate) fn nearest<C: Color>(&self) -> C {
         C::from_channels(integer_parts::<C>(add_bias::<C>(levels::<C>(*self).map(align), 1 << 23)))
-    }
-}
-
-/// One colour, set up for dithering.
-#[derive(Clone, Copy, Debug)]
-pub struct DitheredColor<C> {
-    levels: [u32; 3],
-    color: PhantomData<C>,
-}
-
-impl<C: Color> DitheredColor<C> {
-    pub(crate) fn new(color: Flat) -> Self {
-        Self { levels: levels::<C>(color).map(align), color: PhantomData }
-    }
-
-    /// The colours of a span that starts at pixel (x, y).
-    #[inline(always)]
-    pub(crate) fn span(&self, x: i32, y: i32) -> SpanColors<C, Bayer> {
-        SpanColors::new(self.levels, [0; 3], (x, y))
     }
 }
 

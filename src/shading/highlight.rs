@@ -1,6 +1,6 @@
 //! Light with a highlight, by Blinn's version of Phong's model.
 
-use super::levels::luma;
+use super::levels::{each, scaled};
 use super::normal_space::{dot_words, to_words, NormalSpace};
 use super::ShadeTable;
 use crate::color::Color;
@@ -144,12 +144,10 @@ impl<C: Color> ShadeTable<C> {
                 let [x, y] = weights; // their sum is at most 765
                 u32::from(a) * x + u32::from(b) * y
             };
-            let [r, g, b] =
+            let mixed =
                 [mix(color.r(), highlight.r()), mix(color.g(), highlight.g()), mix(color.b(), highlight.b())];
-            // Color in units of 1/(255·765·2⁸) of full: at most 255·765·2⁸ < 2²⁶.
-            let [r, g, b] = if C::FORMAT.is_gray() { [luma([r, g, b]); 3] } else { [r << 8, g << 8, b << 8] };
-            let [x, y, z] = C::FORMAT.max();
-            C::from_channels([nearest(r, x), nearest(g, y), nearest(b, z)])
+            // In units of 1/(255·765·2⁸) of full: at most 255·765·2⁸ < 2²⁶.
+            C::from_channels(each::<C, _, _>(scaled::<C>(mixed), nearest))
         }))
     }
 }

@@ -27,13 +27,13 @@ mod translucent;
 
 pub use corner_values::CornerValues;
 pub use depth_tested::DepthTested;
+pub(crate) use dither::Bayer;
 pub use dither::Dithered;
-pub(crate) use dither::{Bayer, DitheredColor};
 pub use flat::Flat;
 pub(crate) use fog::Fogged;
 pub(crate) use fog::{FogBounds, FogLevel};
 pub use gouraud::Gouraud;
-pub(crate) use gouraud::{ChannelGradients, Nearest};
+pub(crate) use gouraud::Nearest;
 pub(crate) use light_error::LightError;
 pub use lit::Lit;
 pub use screen_door::ScreenDoor;

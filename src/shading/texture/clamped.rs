@@ -82,15 +82,8 @@ impl<S: Texels> Texels for ClampedTexels<S> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<S> defmt::Format for ClampedTexels<S> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let [w, h] = self.sides;
-        defmt::write!(
-            f,
-            "texels that do not repeat, for coordinates of 2^{=u8} widths and 2^{=u8} heights",
-            w,
-            h
-        );
-    }
-}
+defmt_format!(
+    [S] ClampedTexels<S>, self,
+    "texels that do not repeat, for coordinates of 2^{=u8} widths and 2^{=u8} heights",
+    self.sides[0], self.sides[1]
+);

@@ -86,36 +86,26 @@ impl<S: Texels> Shader for LitTextured<S> {
     }
 }
 
-/// A [`LitTextured`] face set up for a triangle.
-#[derive(Clone, Copy, Debug)]
-pub struct LitTextureGradients<S> {
-    texture: TextureGradients<S>,
-    light: Gradient,
-}
-
 impl<S: Texels<Color: Color>> SpanShader<S::Color> for LitTextured<S> {
     type Ink = S::Ink;
-    type Setup = LitTextureGradients<S>;
+    type Setup = (TextureGradients<S>, Gradient);
 
-    fn set_up(&self, triangle: &Triangle<'_>) -> LitTextureGradients<S> {
-        LitTextureGradients {
-            texture: self.face.set_up(triangle),
-            light: Gradient::of_light(triangle, &self.light),
-        }
+    fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
+        (self.face.set_up(triangle), Gradient::of_light(triangle, &self.light))
     }
 
-    fn span(setup: &LitTextureGradients<S>, span: Span) -> impl Iterator<Item = S::Ink> {
+    fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = S::Ink> {
         Self::runs(setup, span).flat_map(|(width, colors)| colors.take(width as usize))
     }
 
     #[inline(always)]
     fn runs(
-        setup: &LitTextureGradients<S>,
+        (texture, light): &Self::Setup,
         span: Span,
     ) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Ink>)> {
-        let texels = *setup.texture.texels();
-        let (mut next, step) = (setup.light.at(span.x, span.y), setup.light.step());
-        setup.texture.coordinates(span).map(move |(width, line)| {
+        let texels = *texture.texels();
+        let (mut next, step) = (light.at(span.x, span.y), light.step());
+        texture.coordinates(span).map(move |(width, line)| {
             let mut light = next;
             next = next.wrapping_add(step.wrapping_mul(width as u32));
             let colors = line.map(move |[u, v]| {

@@ -200,20 +200,9 @@ defmt_format!(
     self.unit[0] as i8 - 32, self.unit[1] as i8 - 32, self.accuracy
 );
 
-#[cfg(feature = "defmt")]
-impl<S> defmt::Format for Textured<S> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let FaceCoords { uv, unit: [u, v], accuracy, .. } = self.coords;
-        let [a, b, c] = uv.map(|uv| uv.map(|c| c >> FRACTION));
-        defmt::write!(
-            f,
-            "texture in 2^{=i8} and 2^{=i8} of its sides, to {} at {=[?]}, {=[?]} and {=[?]}",
-            u as i8 - 32,
-            v as i8 - 32,
-            accuracy,
-            a,
-            b,
-            c
-        );
-    }
-}
+defmt_format!(
+    [S] Textured<S>, self,
+    "texture in 2^{=i8} and 2^{=i8} of its sides, to {} at {}",
+    self.coords.unit[0] as i8 - 32, self.coords.unit[1] as i8 - 32, self.coords.accuracy,
+    self.coords.uv.map(|uv| uv.map(|c| c >> FRACTION))
+);
