@@ -4,17 +4,17 @@ use super::clamped::{span, ClampedTexels};
 use super::texels::{Texels, TextureError};
 
 /// The error bound of interpolated texture coordinates: how far the texel that a pixel shows may be from the exact one. A lower
-/// bound divides rows into shorter runs.
+/// bound divides rows into shorter runs. The discriminant is the binary logarithm of its inverse.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Accuracy {
     /// 1/4 texel.
     #[default]
-    Quarter,
+    Quarter = 2,
     /// 1/8 texel.
-    Eighth,
+    Eighth = 3,
     /// 1/16 texel.
-    Sixteenth,
+    Sixteenth = 4,
 }
 
 /// A texture: [`Texels`], the unit of texture coordinates, and how accurately they are interpolated.
@@ -177,18 +177,6 @@ pub(super) struct FaceCoords {
     /// As of a [`Texture`].
     pub(super) unit: [u8; 2],
     pub(super) accuracy: Accuracy,
-}
-
-impl FaceCoords {
-    /// The binary logarithm of 1/[`Accuracy`].
-    #[inline(always)]
-    pub(super) fn accuracy_bits(&self) -> u32 {
-        match self.accuracy {
-            Accuracy::Quarter => 2,
-            Accuracy::Eighth => 3,
-            Accuracy::Sixteenth => 4,
-        }
-    }
 }
 
 /// The fractional bits of a corner's coordinates: clipping rounds the coordinates of new corners to 2⁻⁸ of the texture's unit.

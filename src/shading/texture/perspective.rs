@@ -258,7 +258,7 @@ impl Perspective {
         let texel = u_texel.max(v_texel);
         let coarser = [(texel - u_texel) as u8, (texel - v_texel) as u8];
         // log₂(1/(4·ε)), rounded up.
-        let exponent = coords.accuracy_bits() as i32 + n + texel - 41;
+        let exponent = coords.accuracy as i32 + n + texel - 41;
         let size = Size::of(triangle);
         let curvature = Curvature::new(&planes, (first.x >> 8, first.y >> 8), &size, coarser, exponent);
         let is_by_rows = is_linear_by_rows(&planes, least_q, &size, &curvature);
