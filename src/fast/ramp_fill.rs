@@ -41,9 +41,9 @@ pub(crate) fn table_nearer<T: Surface>(
 impl<C: StoredPixel<Cell>, Cell: Copy> Fill<DepthTriangle<'_>, Cell> for &TableShader<'_, C> {
     #[inline(always)]
     fn set_up(self, triangle: &DepthTriangle<'_>) -> impl FillRows<Cell> {
-        let colors = self.colors();
+        let colors = self.colors;
         RampFill::<_, true, true> {
-            gradients: depth_and_light_gradients(&triangle.triangle, &triangle.depths, self.light()),
+            gradients: depth_and_light_gradients(&triangle.triangle, &triangle.depths, &self.light),
             color: move |[light, _]: [u32; 2]| TableShader::look_up(colors, light),
         }
     }

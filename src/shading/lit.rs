@@ -69,15 +69,13 @@ impl Lit {
     /// ```
     #[must_use]
     pub fn emitting(self, emission: Rgb888) -> Gouraud {
-        let (color, levels) = self.parts();
-        Gouraud::new(levels.map(|level| Flat::lit(color, level).emitting(emission)))
-    }
-
-    /// The colour, and the light levels at the corners, 0 … 256: exact for [`Gouraud::lit`], the nearest levels for a sub-face.
-    fn parts(&self) -> (Rgb888, [u16; 3]) {
         let [r, g, b] = self.color;
-        // Up to `FULL`, which is less than 2²²·256/255 + 1: the product is less than 2³⁰ + 2⁸.
-        (Rgb888::new(r, g, b), self.light.map(|light| ((light as u32 * 255 + (1 << 21)) >> 22) as u16))
+        Gouraud::new(self.light.map(|light| {
+            // 0 … 256: exact for `Gouraud::lit`, the nearest level for a sub-face. Up to `FULL`, which is less than 2²²·256/255 + 1: the
+            // product is less than 2³⁰ + 2⁸.
+            let level = ((light as u32 * 255 + (1 << 21)) >> 22) as u16;
+            Flat::lit(Rgb888::new(r, g, b), level).emitting(emission)
+        }))
     }
 
     /// The gradients of the channels over a triangle.

@@ -111,28 +111,9 @@ impl<C: Color> ShadeTable<C> {
 /// [`ShadeTable::lit`] makes it.
 #[derive(Clone, Copy, Debug)]
 pub struct TableShader<'t, C> {
-    colors: &'t [C; 256],
+    pub(crate) colors: &'t [C; 256],
     /// The index into the table at each corner, in 2⁻¹⁰.
-    light: [i32; 3],
-}
-
-impl<'t, C> TableShader<'t, C> {
-    pub(crate) const fn colors(&self) -> &'t [C; 256] {
-        self.colors
-    }
-
-    /// With this light at the corners, in 2⁻¹⁰ of an index.
-    pub(super) const fn with_light(self, light: [i32; 3]) -> Self
-    where
-        C: Copy,
-    {
-        Self { light, ..self }
-    }
-
-    /// The index into the table at each corner, in 2⁻¹⁰.
-    pub(crate) const fn light(&self) -> &[i32; 3] {
-        &self.light
-    }
+    pub(crate) light: [i32; 3],
 }
 
 impl<C: PixelColor> TableShader<'_, C> {

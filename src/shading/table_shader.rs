@@ -12,8 +12,8 @@ impl<C: PixelColor> Shader for TableShader<'_, C> {
     type Varying = Barycentric;
 
     fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
-        let light = corners.map(|corner| weighted_mean(*self.light(), corner.weights(), 255 << 10));
-        self.with_light(light)
+        let light = corners.map(|corner| weighted_mean(self.light, corner.weights(), 255 << 10));
+        Self { light, ..*self }
     }
 }
 
@@ -22,7 +22,7 @@ impl<'t, C: PixelColor> SpanShader<C> for TableShader<'t, C> {
     type Setup = (&'t [C; 256], Gradient);
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
-        (self.colors(), Gradient::of_light(triangle, self.light()))
+        (self.colors, Gradient::of_light(triangle, &self.light))
     }
 
     #[inline(always)]

@@ -53,7 +53,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Fogged<'t, S, C> {
-    shader: S,
+    pub(in crate::shading) shader: S,
     table: &'t FogTable<C>,
     /// At the corners, in 16.8.
     depths: [i32; 3],
@@ -65,12 +65,6 @@ impl<'t, S, C> Fogged<'t, S, C> {
     /// A shader in the fog of a table.
     pub fn new(shader: S, table: &'t FogTable<C>) -> Self {
         Self { shader, table, depths: [0; 3], levels: [table.level(Gradient::DEPTH_BIAS); 2] }
-    }
-
-    /// The wrapped shader or picture.
-    #[inline(always)]
-    pub(in crate::shading) const fn inner(&self) -> &S {
-        &self.shader
     }
 
     /// Sets the level to that of a depth, 0 … 65535, and returns the wrapped picture.
@@ -139,7 +133,8 @@ impl<'t, P, C: Color> FoggedSetup<'t, P, C> {
     fn levels(&self, x: i32, y: i32) -> FogLevels<'t> {
         let [least, _] = self.levels;
         let bounds = &self.table.bounds;
-        FogLevels::new(bounds, FogLevel::new(least, bounds), self.depth.at(x, y), self.depth.step())
+        let level = FogLevel::new(least, bounds);
+        FogLevels { bounds, level, depth: self.depth.at(x, y), step: self.depth.step() }
     }
 
     /// A colour in a level of fog.

@@ -128,17 +128,17 @@ impl<C: Color, S: SpriteSource<Color = C>> SpriteSource for Fogged<'_, S, C> {
     type Ink = S::Ink;
 
     fn picture_size(&self) -> Size {
-        self.inner().picture_size()
+        self.shader.picture_size()
     }
 
     #[inline(always)]
     fn texel_at(&self, column: u32, row: u32) -> S::Ink {
-        self.inner().texel_at(column, row).map(|color| self.in_nearest_level(color))
+        self.shader.texel_at(column, row).map(|color| self.in_nearest_level(color))
     }
 
     #[inline(always)]
     fn solid_texel(&self) -> Option<S::Ink> {
-        Some(self.inner().solid_texel()?.map(|color| self.in_nearest_level(color)))
+        Some(self.shader.solid_texel()?.map(|color| self.in_nearest_level(color)))
     }
 
     fn set_depth(&mut self, depth: u16) {
@@ -151,17 +151,15 @@ impl<S: SpriteSource<Ink: Unmixed<S::Color>>, M: BlendMode<S::Color>> SpriteSour
     type Ink = <S::Ink as Unmixed<S::Color>>::Mixed<M>;
 
     fn picture_size(&self) -> Size {
-        let (picture, _) = self.parts();
-        picture.picture_size()
+        self.shader.picture_size()
     }
 
     #[inline(always)]
     fn texel_at(&self, column: u32, row: u32) -> Self::Ink {
-        let (picture, mode) = self.parts();
-        picture.texel_at(column, row).mixed(*mode)
+        self.shader.texel_at(column, row).mixed(self.mode)
     }
 
     fn set_depth(&mut self, depth: u16) {
-        self.inner_mut().set_depth(depth);
+        self.shader.set_depth(depth);
     }
 }

@@ -103,7 +103,7 @@ impl<S: Texels<Color: Color>> SpanShader<S::Color> for LitTextured<S> {
         (texture, light): &Self::Setup,
         span: Span,
     ) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Ink>)> {
-        let texels = *texture.texels();
+        let texels = texture.texels;
         let (mut next, step) = (light.at(span.x, span.y), light.step());
         texture.coordinates(span).map(move |(width, line)| {
             let mut light = next;

@@ -64,7 +64,7 @@ pub(super) struct PerspectiveRuns<'g> {
     row: Planes,
     x: i32,
     end: i32,
-    /// The row's [curvature](Perspective::curvature).
+    /// The row's [curvature](super::perspective::Curvature::of_row).
     curvature: i32,
     /// The sample at `x`, if the last run ended there with one.
     left: Sample,
@@ -87,7 +87,7 @@ impl<'g> PerspectiveRuns<'g> {
             row: perspective.row(y),
             x,
             end: x + width, // inside the guard band
-            curvature: perspective.curvature(y),
+            curvature: perspective.curvature.of_row(y),
             left: Sample::ZERO,
             reach: BEGIN,
         }
@@ -107,7 +107,7 @@ impl<'g> PerspectiveRuns<'g> {
             let (_, most) = self.at(x);
             bits = if reach == BEGIN { most } else { most.min(bits) };
         }
-        bits = bits.min(perspective.widest_block());
+        bits = bits.min(perspective.widest_block);
         while bits > 0 {
             let (from, to) = block(x, bits);
             let (behind, reach) = self.at(to);

@@ -24,7 +24,7 @@ impl<S: Texels> Shader for Textured<S> {
     }
 
     fn with_corners(&self, corners: &CornerValues) -> Self {
-        Self { coords: FaceCoords { w: corners.w(), ..self.coords }, ..*self }
+        Self { coords: FaceCoords { w: corners.w, ..self.coords }, ..*self }
     }
 }
 
@@ -69,16 +69,11 @@ fn mean(values: [i32; 3], weights: [i32; 3]) -> i32 {
 /// A [`Textured`] face set up for a triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct TextureGradients<S> {
-    texels: S,
+    pub(super) texels: S,
     gradients: Gradients,
 }
 
 impl<S: Texels> TextureGradients<S> {
-    #[inline(always)]
-    pub(super) const fn texels(&self) -> &S {
-        &self.texels
-    }
-
     /// The runs of a span: their widths, and the lines of their texture coordinates.
     #[inline(always)]
     fn lines(&self, span: Span) -> impl Iterator<Item = (i32, Line)> + use<'_, S> {
