@@ -75,6 +75,20 @@
 //! Features: `defmt` gives every public type a `defmt::Format`; `fixed` converts a [`Scalar`] from and to an
 //! `I16F16` of that crate. Minimum Rust: 1.88. Changes: [CHANGELOG.md].
 
+/// Implements `defmt::Format` for a type whose parameters need not implement it: the parameters in brackets, the type, `self`, and
+/// the text and arguments of `defmt::write!`.
+macro_rules! defmt_format {
+    ([$($parameter:tt)*] $type:ty, $own:ident, $($text:tt)*) => {
+        #[cfg(feature = "defmt")]
+        impl<$($parameter)*> defmt::Format for $type {
+            fn format(&$own, f: defmt::Formatter<'_>) {
+                let _ = $own; // some texts have no arguments
+                defmt::write!(f, $($text)*);
+            }
+        }
+    };
+}
+
 #[cfg(doc)]
 pub mod book;
 pub mod camera;
@@ -147,7 +161,7 @@ pub mod texture {
 
     pub use crate::shading::texture::{
         Accuracy, ClampedTexels, ColorKeyed, IndexKeyed, IndexedTexels, LitIndexedTexels, LitPalette,
-        LitTexels, LitTextured, TexelSlice, Texels, Texture, TextureError, Textured,
+        LitTextured, TexelSlice, Texels, Texture, TextureError, Textured,
     };
 }
 

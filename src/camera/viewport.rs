@@ -91,10 +91,8 @@ impl Viewport {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl defmt::Format for Viewport {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let Rectangle { top_left, size } = self.area;
-        defmt::write!(f, "{=u32}x{=u32}+{=i32}+{=i32}", size.width, size.height, top_left.x, top_left.y);
-    }
-}
+defmt_format!(
+    [] Viewport, self,
+    "{=u32}x{=u32}+{=i32}+{=i32}",
+    self.area.size.width, self.area.size.height, self.area.top_left.x, self.area.top_left.y
+);

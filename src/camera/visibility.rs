@@ -171,9 +171,4 @@ impl Frustum {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl defmt::Format for Frustum {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "frustum, axes {}/2^30, eye {}/2^32", self.axes, self.eye);
-    }
-}
+defmt_format!([] Frustum, self, "frustum, axes {}/2^30, eye {}/2^32", self.axes, self.eye);

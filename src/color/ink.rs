@@ -102,47 +102,14 @@ pub trait Ink<C>: Copy + sealed::Ink<C> {
 
 /// A colour that a [`BlendMode`] mixes with the stored one.
 ///
-/// [`Translucent`](crate::shading::Translucent) makes it of any shader's colours. A shader of its own, of light that is added to what is
-/// stored:
+/// [`Translucent`](crate::shading::Translucent) makes it of any shader's colours. A shader of your own can give light that is added to
+/// what is stored:
 ///
 /// ```
-/// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-/// use pinhole::{
-///     color::{BlendMode, Mixed}, draw::fill_triangle, raster::{ScreenPoint, Span, Triangle},
-///     shading::{Shader, SpanShader}, target::Picture,
-/// };
-/// #[derive(Clone, Copy)]
-/// struct Sum;
-/// impl BlendMode<Gray8> for Sum {
-///     fn blend(self, own: Gray8, stored: Gray8) -> Gray8 {
-///         Gray8::new(own.luma().saturating_add(stored.luma()))
-///     }
-/// }
-///
-/// #[derive(Clone, Copy)]
-/// struct Beam(u8);
-/// impl Shader for Beam {
-///     type Varying = ();
-///     fn sub_face(&self, _: [(); 3]) -> Self {
-///         *self
-///     }
-/// }
-/// impl SpanShader<Gray8> for Beam {
-///     type Ink = Mixed<Gray8, Sum>;
-///     type Setup = u8;
-///     fn set_up(&self, _: &Triangle<'_>) -> u8 {
-///         self.0
-///     }
-///     fn span(&own: &u8, _: Span) -> impl Iterator<Item = Self::Ink> {
-///         core::iter::repeat(Mixed::new(Gray8::new(own), Sum))
-///     }
-/// }
-/// let mut pixels = [Gray8::new(100); 16];
-/// let mut picture = Picture::new(&mut pixels, Size::new(4, 4))?;
-/// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
-/// fill_triangle([corner(0, 0), corner(4, 0), corner(0, 4)], Beam(80), &mut picture.pixels())?;
-/// assert_eq!([picture.colors()[0], picture.colors()[15]], [Gray8::new(180), Gray8::new(100)]);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// use embedded_graphics::pixelcolor::Rgb565;
+/// use pinhole::color::{Color, Ink, Mixed};
+/// let beam = Mixed::new(Rgb565::new(9, 0, 0), |own: Rgb565, stored: Rgb565| stored.emitting(own));
+/// assert_eq!(beam.over(|| Rgb565::new(30, 5, 5)), Some(Rgb565::new(31, 5, 5)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -68,3 +68,27 @@ fn gathered<C: Color>(word: u32) -> C {
 }
 
 impl<C: Color> Mixer for C {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::random::Random;
+    use core::fmt::Debug;
+    use embedded_graphics_core::pixelcolor::{Bgr555, Gray4, Rgb565, Rgb888};
+
+    fn check<C: Color + Debug>(random: &mut Random) {
+        for alpha in (0..=32).cycle().take(9_000) {
+            let [own, other] = [(); 2].map(|()| C::from_bits(random.bits()));
+            assert_eq!(own.fade(other)(alpha), own.mix(other, alpha), "{own:?} {other:?} {alpha}");
+        }
+    }
+
+    #[test]
+    fn a_fade_is_a_mix() {
+        let random = &mut Random(5);
+        check::<Rgb565>(random);
+        check::<Bgr555>(random);
+        check::<Rgb888>(random);
+        check::<Gray4>(random);
+    }
+}

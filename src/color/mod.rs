@@ -6,8 +6,6 @@ mod format;
 mod ink;
 mod mixer;
 mod stored_pixel;
-#[cfg(test)]
-mod tests;
 
 pub use blend_mode::{Alpha, BlendMode, Half};
 pub use color_type::Color;
@@ -15,5 +13,3 @@ pub use format::Format;
 pub use ink::{Access, Ink, Mixed, Reads, Unmixed, Writes};
 pub(crate) use mixer::Mixer;
 pub use stored_pixel::StoredPixel;
-#[cfg(test)]
-pub(crate) use tests::Rgb444;

@@ -22,15 +22,18 @@ pub(crate) fn fill<T: Surface, S: SpanShader<T::Color>>(
         if let Some(color) = shader.solid().and_then(Ink::own) {
             return solid_fill::triangle(triangle, color, scissor, is_clipped, target);
         }
-        if fog_fill::triangle(triangle, shader, scissor, target) {
-            return true;
+        if let Some(levels) = shader.levels() {
+            return fog_fill::triangle(triangle, &levels, scissor, target);
         }
     } else if !S::Ink::LEAVES_OUT
         && let Some(ink) = shader.solid()
     {
         return shaded_fill::triangle_of_one_ink(triangle, ink, scissor, target);
     }
-    shaded_fill::triangle::<T, S>(triangle, shader, scissor, target)
+    match shader.inner() {
+        Some(inner) => shaded_fill::triangle(triangle, inner, scissor, target),
+        None => shaded_fill::triangle(triangle, shader, scissor, target),
+    }
 }
 
 /// [`fill`] for the pixels that are nearer than the depth buffer.
@@ -47,14 +50,34 @@ pub(crate) fn fill_nearer<T: Surface, S: SpanShader<T::Color>>(
         if let Some(color) = shader.solid().and_then(Ink::own) {
             return solid_fill::triangle_nearer(triangle, color, scissor, is_clipped, depth, target);
         }
-        if let Some(shader) = shader.table()
-            && ramp_fill::table_nearer(triangle, &shader, scissor, is_clipped, depth, target)
+        if let Some(levels) = shader.levels()
+            && fog_fill::triangle_nearer(triangle, &levels, scissor, is_clipped, depth, target)
         {
             return true;
         }
-        if fog_fill::triangle_nearer(triangle, shader, scissor, is_clipped, depth, target) {
-            return true;
-        }
     }
-    shaded_fill::triangle_nearer::<T, S>(triangle, shader, scissor, depth, target)
+    match shader.inner() {
+        Some(inner) => vary_nearer(triangle, inner, scissor, is_clipped, depth, target),
+        None => vary_nearer(triangle, shader, scissor, is_clipped, depth, target),
+    }
+}
+
+/// [`fill_nearer`] for inks that vary.
+#[inline(always)]
+fn vary_nearer<T: Surface, S: SpanShader<T::Color>>(
+    triangle: &DepthTriangle<'_>,
+    shader: &S,
+    scissor: &Scissor,
+    is_clipped: bool,
+    depth: &mut DepthTarget<'_, '_>,
+    target: &mut T,
+) -> bool {
+    if S::Ink::IS_OPAQUE
+        && S::WRITES_DEPTH
+        && let Some(shader) = shader.table()
+        && ramp_fill::table_nearer(triangle, &shader, scissor, is_clipped, depth, target)
+    {
+        return true;
+    }
+    shaded_fill::triangle_nearer(triangle, shader, scissor, depth, target)
 }

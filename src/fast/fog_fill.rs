@@ -1,6 +1,7 @@
 //! Triangles of one colour in several levels of fog, into memory.
 //!
-//! - **Plain twins**: `pipeline::fill::fill` and `fill_nearer` with the spans of [`Fogged`](crate::fog::Fogged).
+//! - **Plain twins**: `pipeline::fill::fill` and `fill_nearer` with the spans of a shader that has
+//!   [`levels`](crate::shading::SpanShader::levels): [`Fogged`](crate::fog::Fogged).
 //! - **Domain**: every triangle, on a target whose pixels lie in memory; with depth, only where the depth buffer is laid out as the
 //!   memory is.
 //! - **Gain**: a colour is mixed where the level changes, not at each pixel; a row in one level, the common case, is filled like
@@ -16,110 +17,60 @@ use super::solid_fill::{fill_equal_nearer, fill_long_nearer, FillRun, NearerFill
 use super::{depth_gradient, memory_of};
 use crate::color::StoredPixel;
 use crate::raster::{DepthTriangle, Scissor, Triangle};
-use crate::shading::{DrawLevels, FogBounds, FogLevel, SpanShader};
+use crate::shading::{DepthLevels, FogBounds, FogLevel};
 use crate::surface::block_fill::{fill_pairs, pair};
 use crate::surface::{DepthTarget, Surface};
 
-/// Fills a triangle with one colour for each level of fog, if the shader has these and the target's pixels lie in memory; otherwise
-/// draws nothing and returns `false`.
+/// Fills a triangle with one colour for each level, if the target's pixels lie in memory; otherwise draws nothing and returns
+/// `false`.
 #[inline(always)]
-pub(crate) fn triangle<T: Surface, S: SpanShader<T::Color>>(
+pub(crate) fn triangle<T: Surface, F: Fn(u8) -> T::Color + Copy>(
     triangle: &Triangle<'_>,
-    shader: &S,
+    fog: &DepthLevels<'_, F>,
     scissor: &Scissor,
     target: &mut T,
 ) -> bool {
-    shader.draw_levels(FogFill { triangle, scissor, target })
-}
-
-/// A triangle and the target that it is filled into.
-struct FogFill<'a, 't, T> {
-    triangle: &'a Triangle<'t>,
-    scissor: &'a Scissor,
-    target: &'a mut T,
-}
-
-impl<T: Surface> DrawLevels<T::Color> for FogFill<'_, '_, T> {
-    #[inline(always)]
-    fn levels(
-        self,
-        depths: &[i32; 3],
-        bounds: &FogBounds,
-        level: FogLevel,
-        color: impl Fn(u8) -> T::Color + Copy,
-    ) -> bool {
-        let Self { triangle, scissor, target } = self;
-        let Some(memory) = memory_of(target) else { return false };
-        let gradient = depth_gradient(triangle, depths);
-        let mut levels = Levels::new(bounds, level, move |level| color(level).stored());
-        fill(memory, triangle, scissor, &mut |cells, span| {
-            let (first, step, width) = (gradient.at(span.x, span.y), gradient.step(), cells.len());
-            if width < BLOCK {
-                levels.short_row(cells, first, step);
-            } else if levels.has(first, step, width) {
-                fill_pairs(cells, levels.first.pair, true);
-            } else {
-                levels.row::<false>(cells, &mut [], first, step);
-            }
-        });
-        true
-    }
+    let Some(memory) = memory_of(target) else { return false };
+    let gradient = depth_gradient(triangle, &fog.depths);
+    let color = fog.color;
+    let mut levels = Levels::new(fog, move |level| color(level).stored());
+    fill(memory, triangle, scissor, &mut |cells, span| {
+        let (first, step, width) = (gradient.at(span.x, span.y), gradient.step(), cells.len());
+        if width < BLOCK {
+            levels.short_row(cells, first, step);
+        } else if levels.has(first, step, width) {
+            fill_pairs(cells, levels.first.pair, true);
+        } else {
+            levels.row::<false>(cells, &mut [], first, step);
+        }
+    });
+    true
 }
 
 /// [`triangle`] for the pixels that are nearer than the depth buffer; declines too if the depth buffer does not
 /// [have the layout of the memory](DepthTarget::is_aligned). `is_clipped`: the triangle probably has rows outside the scissor.
 #[inline(always)]
-pub(crate) fn triangle_nearer<T: Surface, S: SpanShader<T::Color>>(
+pub(crate) fn triangle_nearer<T: Surface, F: Fn(u8) -> T::Color + Copy>(
     triangle: &DepthTriangle<'_>,
-    shader: &S,
+    fog: &DepthLevels<'_, F>,
     scissor: &Scissor,
     is_clipped: bool,
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> bool {
-    shader.draw_levels(FogFillNearer { triangle, scissor, is_clipped, depth, target })
+    let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
+    fill_triangle(memory, triangle, scissor, is_clipped, &mut *depth.buffer, fog);
+    true
 }
 
-/// A triangle, and the depth buffer and target that it is filled into.
-struct FogFillNearer<'a, 't, 'd, 'b, T> {
-    triangle: &'a DepthTriangle<'t>,
-    scissor: &'a Scissor,
-    is_clipped: bool,
-    depth: &'a mut DepthTarget<'d, 'b>,
-    target: &'a mut T,
-}
-
-impl<T: Surface> DrawLevels<T::Color> for FogFillNearer<'_, '_, '_, '_, T> {
-    #[inline(always)]
-    fn levels(
-        self,
-        _: &[i32; 3],
-        bounds: &FogBounds,
-        level: FogLevel,
-        color: impl Fn(u8) -> T::Color + Copy,
-    ) -> bool {
-        let Self { triangle, scissor, is_clipped, depth, target } = self;
-        let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
-        // The triangle's depths are those that fog is computed from.
-        let fog = Fog { bounds, level, color: move |level| color(level).stored() };
-        fill_triangle(memory, triangle, scissor, is_clipped, &mut *depth.buffer, fog);
-        true
-    }
-}
-
-/// The bounds of the levels, one to begin with, and the cell of each.
-struct Fog<'t, F> {
-    bounds: &'t FogBounds,
-    level: FogLevel,
-    color: F,
-}
-
-impl<Cell: Copy, F: Fn(u8) -> Cell> Fill<DepthTriangle<'_>, Cell> for Fog<'_, F> {
+impl<Cell: Copy, C: StoredPixel<Cell>, F: Fn(u8) -> C + Copy> Fill<DepthTriangle<'_>, Cell>
+    for &DepthLevels<'_, F>
+{
+    /// The triangle's depths are those that levels are computed from.
     #[inline(always)]
     fn set_up(self, triangle: &DepthTriangle<'_>) -> impl FillRows<Cell> {
-        let Self { bounds, level, color } = self;
-        let depth = depth_gradient(&triangle.triangle, &triangle.depths);
-        NearerFill { depth, fill: Levels::new(bounds, level, color) }
+        let (depth, color) = (depth_gradient(&triangle.triangle, &triangle.depths), self.color);
+        NearerFill { depth, fill: Levels::new(self, move |level| color(level).stored()) }
     }
 }
 
@@ -141,7 +92,8 @@ struct Levels<'t, Cell, F> {
 
 impl<'t, Cell: Copy, F: Fn(u8) -> Cell> Levels<'t, Cell, F> {
     #[inline(always)]
-    fn new(bounds: &'t FogBounds, level: FogLevel, color: F) -> Self {
+    fn new<G>(&DepthLevels { bounds, first, .. }: &DepthLevels<'t, G>, color: F) -> Self {
+        let level = FogLevel::new(first, bounds);
         let first = Known { level, pair: pair(color(level.level())) };
         Self { bounds, color, first, other: first }
     }

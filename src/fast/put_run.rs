@@ -131,6 +131,60 @@ impl<Cell, P: Put<Cell>> Blocks<Cell> for OneInk<P> {
     }
 }
 
+/// Numbers that are linear along a run.
+pub(super) trait Linear: Copy {
+    /// The numbers at the next pixel; advances to the pixel after it.
+    fn advance(&mut self) -> [u32; 2];
+
+    /// The numbers, in a form in which the compiler does not see that they are linear; `zero` is 0, [opaque] to it.
+    fn hidden(self, zero: u32) -> Self;
+}
+
+impl Linear for Line {
+    #[inline(always)]
+    fn advance(&mut self) -> [u32; 2] {
+        Self::advance(self)
+    }
+
+    #[inline(always)]
+    fn hidden(self, zero: u32) -> Self {
+        let [u, v] = self.at;
+        Self { at: [hidden(u, zero), hidden(v, zero)], ..self }
+    }
+}
+
+/// One number that is linear along a run.
+#[derive(Clone, Copy)]
+pub(super) struct Ramp {
+    pub(super) at: u32,
+    pub(super) step: u32,
+}
+
+impl Linear for Ramp {
+    #[inline(always)]
+    fn advance(&mut self) -> [u32; 2] {
+        let at = self.at;
+        self.at = at.wrapping_add(self.step);
+        [at, 0]
+    }
+
+    #[inline(always)]
+    fn hidden(self, zero: u32) -> Self {
+        Self { at: hidden(self.at, zero), ..self }
+    }
+}
+
+/// `at`, without the compiler's knowledge of how it changes from turn to turn; `zero` is 0, [opaque] to it. An exclusive or with an
+/// unknown 0 is one instruction; [`opaque`] stores the number and loads it again, which a Cortex-M0 can do better than keep another
+/// register.
+#[inline(always)]
+fn hidden(at: u32, zero: u32) -> u32 {
+    match CORTEX_M0 {
+        true => opaque(at),
+        false => at ^ zero,
+    }
+}
+
 /// The colours that a function returns for a line of values: of a texture for coordinates, or, with `TABLE`, of a table for light.
 #[derive(Clone, Copy)]
 pub(super) struct LookUp<L, F, const TABLE: bool> {
@@ -138,7 +192,7 @@ pub(super) struct LookUp<L, F, const TABLE: bool> {
     pub(super) color: F,
 }
 
-impl<L: Line, C, F: Fn([u32; 2]) -> C, const TABLE: bool> Iterator for LookUp<L, F, TABLE> {
+impl<L: Linear, C, F: Fn([u32; 2]) -> C, const TABLE: bool> Iterator for LookUp<L, F, TABLE> {
     type Item = Inked<C, C>;
 
     #[inline(always)]
@@ -151,7 +205,7 @@ impl<Cell, C, L, F, const TABLE: bool> Blocks<Cell> for LookUp<L, F, TABLE>
 where
     Cell: Copy,
     C: StoredPixel<Cell>,
-    L: Line,
+    L: Linear,
     F: Fn([u32; 2]) -> C + Copy,
 {
     type Inks = Self;

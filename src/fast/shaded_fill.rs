@@ -16,8 +16,8 @@ use super::ramp_fill::Packed;
 use super::{depth_gradient, memory_of, RowOrigin};
 use crate::color::Ink;
 use crate::raster::{DepthTriangle, Gradient, Scissor, Span, Triangle};
-use crate::shading::{DrawRuns, Line, SpanShader};
-use crate::surface::{CellOf, DepthBuffer, DepthTarget, PixelRows, PixelStore, Surface};
+use crate::shading::{Line, SpanShader};
+use crate::surface::{DepthBuffer, DepthTarget, PixelRows, PixelStore, Surface};
 
 /// Fills a triangle with the inks of a shader, if the target's pixels lie in memory; otherwise draws
 /// nothing and returns `false`.
@@ -29,7 +29,26 @@ pub(crate) fn triangle<T: Surface, S: SpanShader<T::Color>>(
     target: &mut T,
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
-    S::draw_runs(&shader.set_up(triangle), ShadedFill::<T> { memory, triangle, scissor });
+    let setup = shader.set_up(triangle);
+    let Some(color) = S::look_up(&setup).and_then(Ink::opaque) else {
+        fill(memory, triangle, scissor, &mut |cells, span| {
+            each_run(cells, S::runs(&setup, span), |pixels, run| {
+                put_each::<_, false>(pixels, run.map(Inked::<T::Color, S::Ink>::new));
+            });
+        });
+        return true;
+    };
+    if let Some(gradient) = S::ramp(&setup)
+        && fill_only_small(memory, triangle, scissor, &mut [], Packed { gradient, color })
+    {
+        return true;
+    }
+    fill(memory, triangle, scissor, &mut |cells, span| {
+        let texel = color; // a copy, in a register
+        each_run(cells, S::lines(&setup, span), |pixels, [at, step]| {
+            put_blocks(pixels, LookUp::<_, _, false> { line: Line { at, step }, color: texel });
+        });
+    });
     true
 }
 
@@ -46,51 +65,6 @@ pub(crate) fn triangle_of_one_ink<T: Surface, I: Ink<T::Color>>(
         put_blocks(cells, OneInk(Inked::<T::Color, I>::new(ink)));
     });
     true
-}
-
-/// A triangle and the memory that it is filled into.
-struct ShadedFill<'a, 't, T: Surface> {
-    memory: &'a mut PixelRows<T::Store>,
-    triangle: &'a Triangle<'t>,
-    scissor: &'a Scissor,
-}
-
-impl<T: Surface, I: Ink<T::Color>> DrawRuns<I> for ShadedFill<'_, '_, T> {
-    #[inline(always)]
-    fn runs<R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = I>>(self, runs: impl Fn(Span) -> R) {
-        let Self { memory, triangle, scissor } = self;
-        fill(memory, triangle, scissor, &mut |cells, span| {
-            each_run(cells, runs(span), |pixels, run| {
-                put_each::<_, false>(pixels, run.map(Inked::<T::Color, I>::new));
-            });
-        });
-    }
-
-    #[inline(always)]
-    fn lines<L: Line, R: Iterator<Item = (i32, L)>>(
-        self,
-        lines: impl Fn(Span) -> R,
-        texel: impl Fn([u32; 2]) -> I + Copy,
-    ) {
-        let Some(texel) = I::opaque(texel) else {
-            return self.runs(|span| lines(span).map(|(width, line)| (width, line.map(texel))));
-        };
-        let Self { memory, triangle, scissor } = self;
-        fill(memory, triangle, scissor, &mut |cells, span| {
-            let color = texel; // a copy, in a register
-            each_run(cells, lines(span), |pixels, line| {
-                put_blocks(pixels, LookUp::<L, _, false> { line, color });
-            });
-        });
-    }
-
-    #[inline(always)]
-    fn packed(&mut self, gradient: &Gradient, texel: impl Fn([u32; 2]) -> I + Copy) -> bool {
-        let Self { memory, triangle, scissor } = self;
-        I::opaque(texel).is_some_and(|texel| {
-            fill_only_small(memory, *triangle, scissor, &mut [], Packed { gradient, texel })
-        })
-    }
 }
 
 /// Calls `put` with the pixels of each run.
@@ -183,73 +157,37 @@ pub(crate) fn triangle_nearer<T: Surface, S: SpanShader<T::Color>>(
     target: &mut T,
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
-    let setup = shader.set_up(&triangle.triangle);
-    match S::WRITES_DEPTH {
-        true => S::draw_runs(&setup, ShadedFillNearer::<T, true> { memory, depth, triangle, scissor }),
-        false => S::draw_runs(&setup, ShadedFillNearer::<T, false> { memory, depth, triangle, scissor }),
+    let DepthTriangle { triangle: corners, depths, .. } = triangle;
+    let setup = shader.set_up(corners);
+    let Some(color) = S::look_up(&setup).and_then(Ink::opaque).filter(|_| S::WRITES_DEPTH) else {
+        let gradient = depth_gradient(corners, depths);
+        fill(memory, corners, scissor, &mut |cells, span| {
+            let runs = S::runs(&setup, span);
+            each_run_nearer(cells, depth.buffer, span, &gradient, runs, |pixels, depths, z, step, run| {
+                let mut inks = run.map(Inked::<T::Color, S::Ink>::new);
+                match S::WRITES_DEPTH {
+                    true => put_each_nearer::<_, true>(pixels, depths, z, step, &mut inks),
+                    false => put_each_nearer::<_, false>(pixels, depths, z, step, &mut inks),
+                }
+            });
+        });
+        return true;
+    };
+    if depth.is_aligned
+        && let Some(gradient) = S::ramp(&setup)
+        && fill_only_small(memory, triangle, scissor, depth.buffer.values_mut(), Packed { gradient, color })
+    {
+        return true;
     }
+    let gradient = depth_gradient(corners, depths);
+    fill(memory, corners, scissor, &mut |cells, span| {
+        let lines = S::lines(&setup, span);
+        each_run_nearer(cells, depth.buffer, span, &gradient, lines, |pixels, depths, z, step, [at, by]| {
+            let line = Line { at, step: by };
+            put_blocks_nearer(pixels, depths, z, step, LookUp::<_, _, false> { line, color })
+        });
+    });
     true
-}
-
-/// A triangle, and the memory and depth buffer that it is filled into. `WRITES`: whether depths are stored.
-struct ShadedFillNearer<'a, 't, 'd, 'b, T: Surface, const WRITES: bool> {
-    memory: &'a mut PixelRows<T::Store>,
-    depth: &'a mut DepthTarget<'d, 'b>,
-    triangle: &'a DepthTriangle<'t>,
-    scissor: &'a Scissor,
-}
-
-impl<T: Surface, const WRITES: bool> ShadedFillNearer<'_, '_, '_, '_, T, WRITES> {
-    /// Calls `put` with the pixels and depths of each run, and depth at its first pixel; it returns depth after the last one.
-    #[inline(always)]
-    fn each_run<Q, R: Iterator<Item = (i32, Q)>>(
-        self,
-        runs: impl Fn(Span) -> R,
-        put: impl Fn(&mut [CellOf<T>], &mut [u16], u32, u32, Q) -> u32,
-    ) {
-        let Self { memory, depth, triangle, scissor } = self;
-        let gradient = depth_gradient(&triangle.triangle, &triangle.depths);
-        fill(memory, &triangle.triangle, scissor, &mut |cells, span| {
-            each_run_nearer(cells, depth.buffer, span, &gradient, runs(span), &put);
-        });
-    }
-}
-
-impl<T: Surface, I: Ink<T::Color>, const WRITES: bool> DrawRuns<I>
-    for ShadedFillNearer<'_, '_, '_, '_, T, WRITES>
-{
-    #[inline(always)]
-    fn runs<R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = I>>(self, runs: impl Fn(Span) -> R) {
-        self.each_run(runs, |pixels, depths, z, step, run| {
-            let mut inks = run.map(Inked::<T::Color, I>::new);
-            put_each_nearer::<_, WRITES>(pixels, depths, z, step, &mut inks)
-        });
-    }
-
-    #[inline(always)]
-    fn lines<L: Line, R: Iterator<Item = (i32, L)>>(
-        self,
-        lines: impl Fn(Span) -> R,
-        texel: impl Fn([u32; 2]) -> I + Copy,
-    ) {
-        let Some(color) = I::opaque(texel).filter(|_| WRITES) else {
-            return self.runs(|span| lines(span).map(|(width, line)| (width, line.map(texel))));
-        };
-        self.each_run(lines, |pixels, depths, z, step, line| {
-            put_blocks_nearer(pixels, depths, z, step, LookUp::<L, _, false> { line, color })
-        });
-    }
-
-    #[inline(always)]
-    fn packed(&mut self, gradient: &Gradient, texel: impl Fn([u32; 2]) -> I + Copy) -> bool {
-        let Self { memory, depth, triangle, scissor } = self;
-        let depths = depth.buffer.values_mut();
-        depth.is_aligned
-            && WRITES
-            && I::opaque(texel).is_some_and(|texel| {
-                fill_only_small(memory, *triangle, scissor, depths, Packed { gradient, texel })
-            })
-    }
 }
 
 /// Calls `put` with the pixels and depths of each run, depth at its first pixel, and its step; it returns depth after the last one.

@@ -273,13 +273,10 @@ impl<V: Coordinate, const DEPTH: bool> DrawnWith<Untested> for BinnedEdges<'_, V
 impl<V: Coordinate> DrawnWith<Tested> for BinnedEdges<'_, V, true> {}
 impl<V: Coordinate, const DEPTH: bool> DrawnWith<Unmatched> for BinnedEdges<'_, V, DEPTH> {}
 
-#[cfg(feature = "defmt")]
-impl<V: Coordinate, const DEPTH: bool> defmt::Format for BinnedEdges<'_, V, DEPTH> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let Self(Binned { bins, statistics, .. }) = self;
-        defmt::write!(f, "edges within {}: {}", bins.bounds(), statistics);
-    }
-}
+defmt_format!(
+    [V: Coordinate, const DEPTH: bool] BinnedEdges<'_, V, DEPTH>, self,
+    "edges within {}: {}", self.0.bins.bounds(), self.0.statistics
+);
 
 /// The bounding box of the pixels of a line of one colour.
 #[inline(always)]

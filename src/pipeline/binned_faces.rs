@@ -426,10 +426,7 @@ impl<V: Coordinate, const DEPTH: bool> DrawnWith<Untested> for BinnedFaces<'_, V
 impl<V: Coordinate> DrawnWith<Tested> for BinnedFaces<'_, V, true> {}
 impl<V: Coordinate, const DEPTH: bool> DrawnWith<Unmatched> for BinnedFaces<'_, V, DEPTH> {}
 
-#[cfg(feature = "defmt")]
-impl<V: Coordinate, const DEPTH: bool> defmt::Format for BinnedFaces<'_, V, DEPTH> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let Self(Binned { bins, statistics, .. }) = self;
-        defmt::write!(f, "faces within {}: {}", bins.bounds(), statistics);
-    }
-}
+defmt_format!(
+    [V: Coordinate, const DEPTH: bool] BinnedFaces<'_, V, DEPTH>, self,
+    "faces within {}: {}", self.0.bins.bounds(), self.0.statistics
+);

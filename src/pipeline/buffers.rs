@@ -62,14 +62,11 @@ impl<const VERTICES: usize, const BINS: usize, const EDGE_BINS: usize> Default
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<const VERTICES: usize, const BINS: usize, const EDGE_BINS: usize> defmt::Format
-    for MeshBuffers<VERTICES, BINS, EDGE_BINS>
-{
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "buffers of {=usize} vertices, {=usize} + {=usize} bins", VERTICES, BINS, EDGE_BINS);
-    }
-}
+defmt_format!(
+    [const VERTICES: usize, const BINS: usize, const EDGE_BINS: usize] MeshBuffers<VERTICES, BINS, EDGE_BINS>, self,
+    "buffers of {=usize} vertices, {=usize} + {=usize} bins",
+    VERTICES, BINS, EDGE_BINS
+);
 
 /// Declares vertex cache and bin storage for one or more `const` meshes that are drawn one after the other: [`MeshBuffers`] with
 /// the lengths of the largest one. `mesh_buffers!([MESH; 8], [OTHER; 1])` is for a [`Scene`](crate::draw::Scene), whose objects are

@@ -317,12 +317,7 @@ impl<'a, V: Coordinate, P: FacePlanes, F> Faces<'a, V, P, F> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<V: Coordinate, P: FacePlanes, F> defmt::Format for Faces<'_, V, P, F> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "faces of {}", self.instance);
-    }
-}
+defmt_format!([V: Coordinate, P: FacePlanes, F] Faces<'_, V, P, F>, self, "faces of {}", self.instance);
 
 impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     #[inline(never)] // its stack frame is gone when it returns

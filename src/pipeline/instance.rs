@@ -181,13 +181,10 @@ impl<'m, V: Coordinate, P: FacePlanes> MeshInstance<'m, V, P> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<V: Coordinate> defmt::Format for AnyInstance<'_, V> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let Rectangle { top_left, size } = *self.area();
-        defmt::write!(f, "{} in {} at {}, cull {}", self.mesh(), size, top_left, self.cull());
-    }
-}
+defmt_format!(
+    [V: Coordinate] AnyInstance<'_, V>, self,
+    "{} in {} at {}, cull {}", self.mesh(), self.area().size, self.area().top_left, self.cull()
+);
 
 #[cfg(feature = "defmt")]
 impl<V: Coordinate, P: FacePlanes> defmt::Format for MeshInstance<'_, V, P> {

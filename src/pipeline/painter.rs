@@ -482,25 +482,13 @@ impl<S: Shader, const FACES: usize> Recorder<'_, S, FACES> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<S, const VERTICES: usize, const FACES: usize> defmt::Format for Painter<S, VERTICES, FACES> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let (vertices, faces) = (self.vertices.len(), self.faces.len());
-        defmt::write!(
-            f,
-            "painter of {=usize}/{=usize} vertices, {=usize}/{=usize} faces: {}",
-            vertices,
-            VERTICES,
-            faces,
-            FACES,
-            self.statistics
-        );
-    }
-}
+defmt_format!(
+    [S, const VERTICES: usize, const FACES: usize] Painter<S, VERTICES, FACES>, self,
+    "painter of {=usize}/{=usize} vertices, {=usize}/{=usize} faces: {}",
+    self.vertices.len(), VERTICES, self.faces.len(), FACES, self.statistics
+);
 
-#[cfg(feature = "defmt")]
-impl<S> defmt::Format for PaintersOrder<'_, S> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "painter's order of {=usize} faces: {}", self.faces.len(), self.statistics);
-    }
-}
+defmt_format!(
+    [S] PaintersOrder<'_, S>, self,
+    "painter's order of {=usize} faces: {}", self.faces.len(), self.statistics
+);

@@ -473,37 +473,24 @@ const _: () = {
 };
 
 // Materials are not printed: they need not implement `Format`.
-#[cfg(feature = "defmt")]
-impl<M> defmt::Format for Object<'_, M> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "object of {} in {}, cull {}", self.mesh, self.sphere, self.cull);
-    }
-}
+defmt_format!([M] Object<'_, M>, self, "object of {} in {}, cull {}", self.mesh, self.sphere, self.cull);
 
-#[cfg(feature = "defmt")]
-impl<M, const OBJECTS: usize> defmt::Format for Scene<'_, M, OBJECTS> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "scene of {=usize}/{=usize} objects", self.objects.len(), OBJECTS);
-    }
-}
+defmt_format!(
+    [M, const OBJECTS: usize] Scene<'_, M, OBJECTS>, self,
+    "scene of {=usize}/{=usize} objects", self.objects.len(), OBJECTS
+);
 
-#[cfg(feature = "defmt")]
-impl<M, const OBJECTS: usize> defmt::Format for PlacedScene<'_, '_, M, OBJECTS> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{=usize}/{=usize} objects placed", self.instances.len(), self.objects.len());
-    }
-}
+defmt_format!(
+    [M, const OBJECTS: usize] PlacedScene<'_, '_, M, OBJECTS>, self,
+    "{=usize}/{=usize} objects placed", self.instances.len(), self.objects.len()
+);
 
-#[cfg(feature = "defmt")]
-impl<M, const OBJECTS: usize> defmt::Format for BinnedScene<'_, '_, M, OBJECTS> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{=usize} objects binned: {}", self.binned.len(), self.statistics());
-    }
-}
+defmt_format!(
+    [M, const OBJECTS: usize] BinnedScene<'_, '_, M, OBJECTS>, self,
+    "{=usize} objects binned: {}", self.binned.len(), self.statistics()
+);
 
-#[cfg(feature = "defmt")]
-impl<M, G, const OBJECTS: usize> defmt::Format for SceneFaces<'_, '_, '_, M, G, OBJECTS> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "faces of {}", self.scene);
-    }
-}
+defmt_format!(
+    [M, G, const OBJECTS: usize] SceneFaces<'_, '_, '_, M, G, OBJECTS>, self,
+    "faces of {}", self.scene
+);

@@ -120,17 +120,12 @@ impl<V: Coordinate, const DEPTH: bool> HalfBins<'_, V, DEPTH> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<V: Coordinate, const DEPTH: bool> defmt::Format for SplitBins<'_, V, DEPTH> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let [front, back] = &self.halves;
-        defmt::write!(f, "{}, halves counted: {=bool}, {=bool}", self.transformed, front.done, back.done);
-    }
-}
+defmt_format!(
+    [V: Coordinate, const DEPTH: bool] SplitBins<'_, V, DEPTH>, self,
+    "{}, halves counted: {=bool}, {=bool}", self.transformed, self.halves[0].done, self.halves[1].done
+);
 
-#[cfg(feature = "defmt")]
-impl<V: Coordinate, const DEPTH: bool> defmt::Format for HalfBins<'_, V, DEPTH> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{=usize} faces from {=usize}", self.faces.len(), self.faces.start);
-    }
-}
+defmt_format!(
+    [V: Coordinate, const DEPTH: bool] HalfBins<'_, V, DEPTH>, self,
+    "{=usize} faces from {=usize}", self.faces.len(), self.faces.start
+);

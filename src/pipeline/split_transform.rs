@@ -97,17 +97,12 @@ impl<V: Coordinate, const DEPTH: bool> HalfTransform<'_, V, DEPTH> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<V: Coordinate, const DEPTH: bool> defmt::Format for SplitTransform<'_, V, DEPTH> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let [front, back] = self.done;
-        defmt::write!(f, "{}, halves transformed: {=bool}, {=bool}", self.instance, front, back);
-    }
-}
+defmt_format!(
+    [V: Coordinate, const DEPTH: bool] SplitTransform<'_, V, DEPTH>, self,
+    "{}, halves transformed: {=bool}, {=bool}", self.instance, self.done[0], self.done[1]
+);
 
-#[cfg(feature = "defmt")]
-impl<V: Coordinate, const DEPTH: bool> defmt::Format for HalfTransform<'_, V, DEPTH> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "vertices from {=usize} of {}", self.first, self.instance);
-    }
-}
+defmt_format!(
+    [V: Coordinate, const DEPTH: bool] HalfTransform<'_, V, DEPTH>, self,
+    "vertices from {=usize} of {}", self.first, self.instance
+);

@@ -185,8 +185,8 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
                 None => Outcome::Outside,
                 Some(image) if image.is_empty() => Outcome::Degenerate,
                 Some(image) => {
-                    sprite.source_mut().set_depth(image.depth);
-                    draw(&image, sprite.source())?;
+                    sprite.source.set_depth(image.depth);
+                    draw(&image, &sprite.source)?;
                     Outcome::Unclipped
                 }
             };
@@ -199,8 +199,8 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
     #[inline(always)]
     fn image<S: SpriteSource>(&self, index: u16, far: bool, sprite: &Sprite<S>) -> Option<ScreenSprite> {
         let UnpackedVertex { point, depth } = self.point(index, far)?;
-        let Size { width: columns, height: rows } = sprite.source().picture_size();
-        let size = match sprite.size() {
+        let Size { width: columns, height: rows } = sprite.source.picture_size();
+        let size = match sprite.size {
             _ if columns == 0 || rows == 0 => [0; 2],
             SpriteSize::Pixels(pixels) => [columns, rows].map(|texels| fixed_size(texels, pixels)),
             SpriteSize::World(size) => self.size_in_world(index, size)?,
@@ -231,9 +231,4 @@ fn fixed_size(texels: u32, pixels: u8) -> i32 {
     sub_pixels.min(SpriteAxis::LARGEST as u64) as i32
 }
 
-#[cfg(feature = "defmt")]
-impl<V: Coordinate> defmt::Format for PlacedSprites<'_, V> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "sprites at the vertices of {}", self.points);
-    }
-}
+defmt_format!([V: Coordinate] PlacedSprites<'_, V>, self, "sprites at the vertices of {}", self.points);

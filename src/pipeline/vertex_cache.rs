@@ -565,9 +565,7 @@ impl<A, B> ExactSizeIterator for Pairs<'_, A, B> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<V: Coordinate, const DEPTH: bool, P: FacePlanes> defmt::Format for TransformedMesh<'_, V, DEPTH, P> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{}, {=usize} vertices cached", self.instance, self.cache.len());
-    }
-}
+defmt_format!(
+    [V: Coordinate, const DEPTH: bool, P: FacePlanes] TransformedMesh<'_, V, DEPTH, P>, self,
+    "{}, {=usize} vertices cached", self.instance, self.cache.len()
+);

@@ -120,12 +120,7 @@ impl<'a, V: Coordinate, P: FacePlanes, F> Edges<'a, V, P, F> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<V: Coordinate, P: FacePlanes, F> defmt::Format for Edges<'_, V, P, F> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "edges of {}", self.instance);
-    }
-}
+defmt_format!([V: Coordinate, P: FacePlanes, F] Edges<'_, V, P, F>, self, "edges of {}", self.instance);
 
 impl<V: Coordinate> AnyInstance<'_, V> {
     #[inline(never)] // its stack frame is gone when it returns

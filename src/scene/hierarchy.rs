@@ -115,9 +115,4 @@ impl<'a> Hierarchy<'a> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl defmt::Format for Hierarchy<'_> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "hierarchy of {=usize} nodes", self.nodes.len());
-    }
-}
+defmt_format!([] Hierarchy<'_>, self, "hierarchy of {=usize} nodes", self.nodes.len());

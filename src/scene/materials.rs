@@ -109,12 +109,10 @@ impl<'a> FaceColors<'a> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl defmt::Format for FaceColors<'_> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{=usize} colours of {=usize} faces", self.palette.len(), self.faces.len());
-    }
-}
+defmt_format!(
+    [] FaceColors<'_>, self,
+    "{=usize} colours of {=usize} faces", self.palette.len(), self.faces.len()
+);
 
 /// Texture coordinates of the corners of a mesh's faces: each different pair once, 4 bytes, and three indices a face, 6 bytes.
 /// `pinhole-import` makes them from an OBJ model.
@@ -186,10 +184,7 @@ impl<'a> TextureCoords<'a> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl defmt::Format for TextureCoords<'_> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let (coords, faces) = (self.coords.len(), self.faces.len());
-        defmt::write!(f, "{=usize} texture coordinates of {=usize} faces", coords, faces);
-    }
-}
+defmt_format!(
+    [] TextureCoords<'_>, self,
+    "{=usize} texture coordinates of {=usize} faces", self.coords.len(), self.faces.len()
+);

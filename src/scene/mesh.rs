@@ -737,13 +737,11 @@ impl<V: Coordinate> MeshData<'_, V> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<V> defmt::Format for MeshData<'_, V> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let (v, t, e) = (self.vertices.len(), self.faces.len(), self.edges.len());
-        defmt::write!(f, "mesh of {=usize} vertices, {=usize} faces, {=usize} edges", v, t, e);
-    }
-}
+defmt_format!(
+    [V] MeshData<'_, V>, self,
+    "mesh of {=usize} vertices, {=usize} faces, {=usize} edges",
+    self.vertices.len(), self.faces.len(), self.edges.len()
+);
 
 #[cfg(feature = "defmt")]
 impl<V, P> defmt::Format for Mesh<'_, V, P> {

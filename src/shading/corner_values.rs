@@ -9,7 +9,8 @@ use crate::math::unrolled::map3;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CornerValues {
     depths: [i32; 3],
-    w: [i32; 3],
+    /// In the unit of the face's vertices. Those of one face may be compared, as multiples of each other.
+    pub(super) w: [i32; 3],
 }
 
 impl CornerValues {
@@ -17,12 +18,6 @@ impl CornerValues {
     #[inline(always)]
     pub(crate) const fn new(depths: [i32; 3], w: [i32; 3]) -> Self {
         Self { depths, w }
-    }
-
-    /// w, in the unit of the face's vertices. Those of one face may be compared, as multiples of each other.
-    #[inline(always)]
-    pub(super) const fn w(&self) -> [i32; 3] {
-        self.w
     }
 
     /// Depths in 1/256 of a step: 0 near … 65534·256 + 119 far, linear on the screen. Zeros if the shader does not

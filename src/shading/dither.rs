@@ -1,10 +1,9 @@
 //! Ordered dithering.
 
-use super::gouraud::{Rounding, SpanColors};
+use super::gouraud::Rounding;
 use super::levels::{add_bias, align, integer_parts, levels};
 use super::{Flat, Gouraud, Lit};
 use crate::color::Color;
-use core::marker::PhantomData;
 
 /// A shader with ordered dithering, which shows more shades than the target has: each pixel is rounded down or up by a
 /// threshold, one of 64 in an 8 × 8 pattern. [`Flat::dithered`], [`Gouraud::dithered`] and [`Lit::dithered`] make it. (Bayer,
@@ -18,19 +17,13 @@ use core::marker::PhantomData;
 /// target can show exactly, such as black and white, are not dithered.
 ///
 /// ```
-/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}, prelude::*};
-/// use pinhole::{prelude::*, Angle};
-/// const VERTICES: [[i16; 3]; 3] = [[-30, -30, 0], [30, -30, 0], [0, 30, 0]]; // fills the picture
-/// let mesh = Mesh::new(&VERTICES, 0, &[[0, 1, 2]])?;
-/// let viewport = Viewport::new(Point::zero(), Size::new(8, 8))?;
-/// let camera = Camera::new(
-///     &ViewTransform::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-///     &Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_int(1), Scalar::from_int(9))?,
-///     &viewport,
-/// );
-/// let mut display = MockDisplay::<BinaryColor>::new();
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}, prelude::*, primitives::Rectangle};
+/// use pinhole::{draw::fill_triangle, raster::ScreenPoint, shading::Flat};
+/// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
 /// let grey = Flat::from(Rgb888::new(51, 51, 51)); // a fifth of white: 12.8 of 64
-/// camera.place(&mesh, &Affine::<Model, World>::identity()).faces(|_| grey.dithered()).draw(&mut display)?;
+/// let mut display = MockDisplay::<BinaryColor>::new();
+/// let mut square = display.clipped(&Rectangle::new(Point::zero(), Size::new(8, 8)));
+/// fill_triangle([corner(0, 0), corner(0, 16), corner(16, 0)], grey.dithered(), &mut square)?;
 /// display.assert_pattern(&[
 ///     "........",
 ///     "..#...#.",
@@ -41,7 +34,7 @@ use core::marker::PhantomData;
 ///     "........",
 ///     "#.#.#.#.",
 /// ]);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -65,25 +58,6 @@ impl Flat {
     #[inline]
     pub(crate) fn nearest<C: Color>(&self) -> C {
         C::from_channels(integer_parts::<C>(add_bias::<C>(levels::<C>(*self).map(align), 1 << 23)))
-    }
-}
-
-/// One colour, set up for dithering.
-#[derive(Clone, Copy, Debug)]
-pub struct DitheredColor<C> {
-    levels: [u32; 3],
-    color: PhantomData<C>,
-}
-
-impl<C: Color> DitheredColor<C> {
-    pub(crate) fn new(color: Flat) -> Self {
-        Self { levels: levels::<C>(color).map(align), color: PhantomData }
-    }
-
-    /// The colours of a span that starts at pixel (x, y).
-    #[inline(always)]
-    pub(crate) fn span(&self, x: i32, y: i32) -> SpanColors<C, Bayer> {
-        SpanColors::new(self.levels, [0; 3], (x, y))
     }
 }
 

@@ -1,9 +1,9 @@
 //! Gouraud shading: colours interpolated linearly over a triangle.
 
-use super::levels::{add_bias, integer_parts, levels, weighted_mean};
+use super::levels::{add_bias, each, integer_parts, levels, weighted_mean};
 use super::Flat;
 use crate::color::Color;
-use crate::raster::{Gradient, GradientSetup, Triangle};
+use crate::raster::{Gradient, GradientSetup, Span, Triangle};
 use core::marker::PhantomData;
 
 /// Gouraud shading: a colour at each corner of a face, in the order of the face's vertices, interpolated linearly on the
@@ -49,44 +49,17 @@ impl Gouraud {
         }))
     }
 
-    /// The gradients of the channels over a triangle.
+    /// The gradients of the channels' levels over a triangle, with [`fraction_bits`](super::levels::fraction_bits) fractional bits: within
+    /// 2⁻¹⁰ + 2⁻¹³ level of the exact levels.
+    ///
+    /// [`GradientSetup::through`] is off by less than `(w + h)/2 + 34 + 2¹⁰·⁶` units of the last of at least 24 fractional bits, w
+    /// columns and h rows from its corner, w + h ≤ 2¹⁵, and its corners are off by 2⁻¹⁷ level. So adding the bias (½ to round,
+    /// 1/128 to 127/128 to dither) keeps every sum within 0 … 2³²: a channel that is full at all corners is full in between.
     #[inline(always)]
-    pub(crate) fn gradients<C: Color>(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
-        let [a, b, c] = self.0.map(levels::<C>);
-        let ([a, d, g], [b, e, h], [c, f, i]) = (a, b, c);
+    pub(super) fn gradients<C: Color>(&self, triangle: &Triangle<'_>) -> [Gradient; 3] {
+        let [[a, d, g], [b, e, h], [c, f, i]] = self.0.map(levels::<C>);
         let setup = GradientSetup::new(triangle);
-        let first = setup.through(&[a, b, c]);
-        let gradients = if C::FORMAT.is_gray() {
-            [first; 3]
-        } else {
-            [first, setup.through(&[d, e, f]), setup.through(&[g, h, i])]
-        };
-        ChannelGradients::new(gradients)
-    }
-}
-
-/// The levels of each channel over a triangle, with [`fraction_bits`](super::levels::fraction_bits) fractional bits: within
-/// 2⁻¹⁰ + 2⁻¹³ level of the exact levels.
-///
-/// [`GradientSetup::through`] is off by less than `(w + h)/2 + 34 + 2¹⁰·⁶` units of the last of at least 24 fractional bits, w
-/// columns and h rows from its corner, w + h ≤ 2¹⁵, and its corners are off by 2⁻¹⁷ level. So adding the bias (½ to round,
-/// 1/128 to 127/128 to dither) keeps every sum within 0 … 2³²: a channel that is full at all corners is full in between.
-#[derive(Clone, Copy, Debug)]
-pub struct ChannelGradients<C> {
-    gradients: [Gradient; 3],
-    color: PhantomData<C>,
-}
-
-impl<C: Color> ChannelGradients<C> {
-    #[inline(always)]
-    pub(super) fn new(gradients: [Gradient; 3]) -> Self {
-        Self { gradients, color: PhantomData }
-    }
-
-    /// The colours of a span that starts at the covered pixel (x, y).
-    #[inline(always)]
-    pub(crate) fn span<R: Rounding>(&self, x: i32, y: i32) -> SpanColors<C, R> {
-        SpanColors::new(self.gradients.map(|g| g.at(x, y)), self.gradients.map(|g| g.step()), (x, y))
+        each::<C, _, _>([[a, b, c], [d, e, f], [g, h, i]], |values, _| setup.through(&values))
     }
 }
 
@@ -128,6 +101,12 @@ pub(crate) struct SpanColors<C, R> {
 }
 
 impl<C: Color, R: Rounding> SpanColors<C, R> {
+    /// The colours of a span that starts at the covered pixel (x, y), from the gradients of its channels.
+    #[inline(always)]
+    pub(super) fn along(gradients: &[Gradient; 3], Span { x, y, .. }: Span) -> Self {
+        Self::new(gradients.map(|g| g.at(x, y)), gradients.map(|g| g.step()), (x, y))
+    }
+
     #[inline(always)]
     pub(super) fn new(levels: [u32; 3], steps: [u32; 3], (x, y): (i32, i32)) -> Self {
         let levels = add_bias::<C>(levels, R::FIRST);
@@ -142,10 +121,7 @@ impl<C: Color, R: Rounding> Iterator for SpanColors<C, R> {
     fn next(&mut self) -> Option<C> {
         let levels = integer_parts::<C>(add_bias::<C>(self.levels, self.rounding.next()));
         let ([r, g, b], [x, y, z]) = (self.levels, self.steps);
-        self.levels = match C::FORMAT.is_gray() {
-            true => [r.wrapping_add(x), 0, 0],
-            false => [r.wrapping_add(x), g.wrapping_add(y), b.wrapping_add(z)],
-        };
+        self.levels = each::<C, _, _>([(r, x), (g, y), (b, z)], |(level, step), _| level.wrapping_add(step));
         Some(C::from_channels(levels))
     }
 }
@@ -164,7 +140,7 @@ mod tests {
         let mut worst = |viewport, cases, reach| {
             let triangles = Triangles { reach, viewport, cases, most: 65_280 };
             triangles.worst(random, (16, 0), |triangle, colors| {
-                Gouraud(colors.map(|c| Flat([c as u16; 3]))).gradients::<Gray8>(triangle).gradients[0]
+                Gouraud(colors.map(|c| Flat([c as u16; 3]))).gradients::<Gray8>(triangle)[0]
             })
         };
         let small = [600, 20_000, 65_000].map(|reach| worst(600, 30_000, reach)).into_iter().max().unwrap();

@@ -1,6 +1,6 @@
 //! Light with a highlight, by Blinn's version of Phong's model.
 
-use super::levels::luma;
+use super::levels::{each, scaled};
 use super::normal_space::{dot_words, to_words, NormalSpace};
 use super::ShadeTable;
 use crate::color::Color;
@@ -135,22 +135,19 @@ impl<C: Color> ShadeTable<C> {
     ///
     /// [`BlinnPhong`] has an example.
     pub fn with_highlight(color: Rgb888, highlight: Rgb888) -> Self {
-        let mut index = 0u32;
-        Self::from_colors([(); 256].map(|()| {
+        Self::from_colors(core::array::from_fn(|index| {
             // In 1/765: 4·index for `color` up to three quarters of 255, then less of it, and `highlight` instead.
-            let rest = (4 * index).saturating_sub(765); // 0 … 255
-            let weights = [(4 * index).min(765) - 3 * rest, 3 * rest];
-            index += 1;
+            let index = 4 * index as u32;
+            let rest = index.saturating_sub(765); // 0 … 255
+            let weights = [index.min(765) - 3 * rest, 3 * rest];
             let mix = |a: u8, b: u8| {
                 let [x, y] = weights; // their sum is at most 765
                 u32::from(a) * x + u32::from(b) * y
             };
-            let [r, g, b] =
+            let mixed =
                 [mix(color.r(), highlight.r()), mix(color.g(), highlight.g()), mix(color.b(), highlight.b())];
-            // Color in units of 1/(255·765·2⁸) of full: at most 255·765·2⁸ < 2²⁶.
-            let [r, g, b] = if C::FORMAT.is_gray() { [luma([r, g, b]); 3] } else { [r << 8, g << 8, b << 8] };
-            let [x, y, z] = C::FORMAT.max();
-            C::from_channels([nearest(r, x), nearest(g, y), nearest(b, z)])
+            // In units of 1/(255·765·2⁸) of full: at most 255·765·2⁸ < 2²⁶.
+            C::from_channels(each::<C, _, _>(scaled::<C>(mixed), nearest))
         }))
     }
 }

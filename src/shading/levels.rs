@@ -16,38 +16,38 @@ pub(super) const fn aligned_max(max: u8) -> u8 {
     max << (max | 1).leading_zeros()
 }
 
-/// The channels of `C` as levels with [`fraction_bits`] − 8 fractional bits, below 2²⁴, rounded to nearest.
-#[inline]
-pub(super) fn levels<C: Color>(color: Flat) -> [i32; 3] {
-    let [r, g, b] = color.0.map(u32::from); // ≤ 255·2⁸
-    let [x, y, z] = C::FORMAT.max().map(aligned_max);
-    if C::FORMAT.is_gray() {
-        [level(luma([r, g, b]), x), 0, 0]
-    } else {
-        [level(r << 8, x), level(g << 8, y), level(b << 8, z)]
+/// A function of each channel and its highest level; a grey has one channel, the first.
+#[inline(always)]
+pub(super) fn each<C: Color, T, U: Default>([r, g, b]: [T; 3], of: impl Fn(T, u8) -> U) -> [U; 3] {
+    let [x, y, z] = C::FORMAT.max();
+    match C::FORMAT.is_gray() {
+        true => [of(r, x), U::default(), U::default()],
+        false => [of(r, x), of(g, y), of(b, z)],
     }
 }
 
-/// The colour of the target nearest to `color` at `step`/`steps` of its light; halves are rounded up. `steps` is 1 … 255, and
-/// `step` is 0 … `steps`.
+/// Red, green and blue times 2⁸; of a grey target, the luma of Rec. 601 times 2⁸ first.
+#[inline(always)]
+pub(super) fn scaled<C: Color>([r, g, b]: [u32; 3]) -> [u32; 3] {
+    match C::FORMAT.is_gray() {
+        true => [77 * r + 150 * g + 29 * b, 0, 0],
+        false => [r << 8, g << 8, b << 8],
+    }
+}
+
+/// The channels of `C` as levels with [`fraction_bits`] − 8 fractional bits, below 2²⁴, rounded to nearest.
+#[inline]
+pub(super) fn levels<C: Color>(color: Flat) -> [i32; 3] {
+    let channels = scaled::<C>(color.0.map(u32::from)); // ≤ 255·2¹⁶
+    each::<C, _, _>(channels, |channel, max| level(channel, aligned_max(max)))
+}
+
+/// The colour of the target nearest to `share` parts of `color` plus `other_share` parts of `other`, of `steps` parts each, each channel
+/// saturating at full; halves are rounded up. `steps` is 1 … 255, and shares are 0 … `steps`.
 #[inline(always)] // `steps` is a constant of each caller
-pub(super) fn lit<C: Color>(color: Rgb888, step: u32, steps: u32) -> C {
-    nearest(channels(color).map(|channel| channel * step), steps)
-}
-
-/// The colour of the target nearest to `step`/`steps` of `color` and the rest of `fog`; halves are rounded up. `steps` is 1 …
-/// 255, and `step` is 0 … `steps`.
-pub(super) fn faded<C: Color>(color: Rgb888, fog: Rgb888, step: u32, steps: u32) -> C {
-    let ([r, g, b], [s, t, u]) = (channels(color), channels(fog));
-    let mix = |own: u32, fog: u32| own * step + fog * steps.saturating_sub(step);
-    nearest([mix(r, s), mix(g, t), mix(b, u)], steps)
-}
-
-/// The colour of the target nearest to `color` at `step`/`steps` of its light, plus `emission`, each channel saturating at full;
-/// halves are rounded up. `steps` is 1 … 255, and `step` is 0 … `steps`.
-pub(super) fn emissive<C: Color>(color: Rgb888, emission: Rgb888, step: u32, steps: u32) -> C {
-    let ([r, g, b], [s, t, u]) = (channels(color), channels(emission));
-    let sum = |own: u32, emission: u32| (own * step + emission * steps).min(255 * steps);
+pub(super) fn mixture<C: Color>(color: Rgb888, share: u32, other: Rgb888, other_share: u32, steps: u32) -> C {
+    let ([r, g, b], [s, t, u]) = (channels(color), channels(other));
+    let sum = |own: u32, other: u32| (own * share + other * other_share).min(255 * steps);
     nearest([sum(r, s), sum(g, t), sum(b, u)], steps)
 }
 
@@ -62,17 +62,8 @@ fn nearest<C: Color>(channels: [u32; 3], steps: u32) -> C {
     // Color are at most 255·255, here 2⁸ times as much, times 255: less than 2³² with the half.
     let nearest =
         |channel: u32, max: u8| (channel * u32::from(max) + unit / 2).checked_div(unit).unwrap_or_default();
-    let ([r, g, b], [x, y, z]) = (channels, C::FORMAT.max());
-    let levels = match C::FORMAT.is_gray() {
-        true => [nearest(luma(channels), x), 0, 0],
-        false => [nearest(r << 8, x), nearest(g << 8, y), nearest(b << 8, z)],
-    };
+    let levels = each::<C, _, _>(scaled::<C>(channels), nearest);
     C::from_channels(levels.map(|level| level as u8)) // ≤ MAX
-}
-
-/// The luma of Rec. 601 of these channels, times 2⁸.
-pub(super) fn luma([r, g, b]: [u32; 3]) -> u32 {
-    77 * r + 150 * g + 29 * b
 }
 
 /// `value · max/255`, rounded to nearest, for values up to 255·2¹⁶.
@@ -100,23 +91,15 @@ pub(super) fn align(level: i32) -> u32 {
 
 /// Adds `by`, in 2⁻²⁴ level, to the level of each channel.
 #[inline(always)]
-pub(super) fn add_bias<C: Color>([r, g, b]: [u32; 3], by: u32) -> [u32; 3] {
-    let [x, y, z] = C::FORMAT.max().map(fraction_bits);
-    let more = |level: u32, fraction_bits: u32| level.wrapping_add(by << (fraction_bits - 24)); // by < 2²⁴
-    match C::FORMAT.is_gray() {
-        true => [more(r, x), 0, 0],
-        false => [more(r, x), more(g, y), more(b, z)],
-    }
+pub(super) fn add_bias<C: Color>(levels: [u32; 3], by: u32) -> [u32; 3] {
+    each::<C, _, _>(levels, |level, max| level.wrapping_add(by << (fraction_bits(max) - 24)))
+    // by < 2²⁴
 }
 
 /// The integer parts of levels.
 #[inline(always)]
-pub(super) fn integer_parts<C: Color>([r, g, b]: [u32; 3]) -> [u8; 3] {
-    let [x, y, z] = C::FORMAT.max().map(fraction_bits);
-    match C::FORMAT.is_gray() {
-        true => [(r >> x) as u8, 0, 0],
-        false => [(r >> x) as u8, (g >> y) as u8, (b >> z) as u8],
-    }
+pub(super) fn integer_parts<C: Color>(levels: [u32; 3]) -> [u8; 3] {
+    each::<C, _, _>(levels, |level, max| (level >> fraction_bits(max)) as u8)
 }
 
 #[cfg(test)]

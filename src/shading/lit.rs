@@ -1,10 +1,11 @@
 //! Gouraud shading of one colour: only the light is interpolated.
 
-use super::gouraud::{ChannelGradients, Gouraud};
-use super::levels::{aligned_max, fraction_bits, luma, weighted_mean};
+use super::flat::Flat;
+use super::gouraud::Gouraud;
+use super::levels::{aligned_max, each, fraction_bits, scaled, weighted_mean};
 use crate::color::Color;
 use crate::math::num::mul_wide;
-use crate::raster::{GradientSetup, Triangle};
+use crate::raster::{Gradient, GradientSetup, Triangle};
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
 /// Gouraud shading of one colour: a light level at each corner of a face, in the order of the face's vertices, interpolated
@@ -55,16 +56,31 @@ impl Lit {
         Self { light: corners.map(|weights| weighted_mean(self.light, weights, FULL)), ..*self }
     }
 
-    /// The colour, and the light levels at the corners, 0 … 256: exact for [`Gouraud::lit`], the nearest levels for a sub-face.
-    pub(super) fn parts(&self) -> (Rgb888, [u16; 3]) {
+    /// The shader of a face that emits light of its own: `emission` is added at each corner, each channel saturating at full, and
+    /// the sums are interpolated. A channel that saturates at only some of the corners is darker between them than light plus
+    /// emission would be.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Rgb888, WebColors};
+    /// use pinhole::shading::{Flat, Gouraud};
+    /// let (levels, emission) = ([256, 128, 40], Rgb888::new(60, 0, 0)); // of Lambert::levels
+    /// let face = Gouraud::lit(Rgb888::CSS_TEAL, levels).emitting(emission);
+    /// assert_eq!(face, Gouraud::new(levels.map(|level| Flat::lit(Rgb888::CSS_TEAL, level).emitting(emission))));
+    /// ```
+    #[must_use]
+    pub fn emitting(self, emission: Rgb888) -> Gouraud {
         let [r, g, b] = self.color;
-        // Up to `FULL`, which is less than 2²²·256/255 + 1: the product is less than 2³⁰ + 2⁸.
-        (Rgb888::new(r, g, b), self.light.map(|light| ((light as u32 * 255 + (1 << 21)) >> 22) as u16))
+        Gouraud::new(self.light.map(|light| {
+            // 0 … 256: exact for `Gouraud::lit`, the nearest level for a sub-face. Up to `FULL`, which is less than 2²²·256/255 + 1: the
+            // product is less than 2³⁰ + 2⁸.
+            let level = ((light as u32 * 255 + (1 << 21)) >> 22) as u16;
+            Flat::lit(Rgb888::new(r, g, b), level).emitting(emission)
+        }))
     }
 
     /// The gradients of the channels over a triangle.
     #[inline(always)]
-    pub(crate) fn gradients<C: Color>(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
+    pub(super) fn gradients<C: Color>(&self, triangle: &Triangle<'_>) -> [Gradient; 3] {
         let setup = GradientSetup::new(triangle);
         let Some(light) = (if C::FORMAT.is_gray() { None } else { setup.slope_through(&self.light) }) else {
             return self.per_channel::<C>(&setup);
@@ -73,21 +89,16 @@ impl Lit {
         // than 512 + 34 + 2¹⁰·⁶ of 2³⁰, which is 2⁻¹¹ of 255 levels; rounding down adds 1024 · 2⁻²⁴.
         let times =
             |channel: u8, max: u8| light.times(i32::from(channel) * i32::from(max), 38 - fraction_bits(max));
-        let ([r, g, b], [x, y, z]) = (self.color, C::FORMAT.max());
-        ChannelGradients::new([times(r, x), times(g, y), times(b, z)])
+        each::<C, _, _>(self.color, times)
     }
 
     /// The gradients computed channel by channel: for greys, and if light changes fast from pixel to pixel.
     #[inline(never)]
-    fn per_channel<C: Color>(&self, setup: &GradientSetup<'_>) -> ChannelGradients<C> {
+    fn per_channel<C: Color>(&self, setup: &GradientSetup<'_>) -> [Gradient; 3] {
         let through = |factor: u32, max: u8| {
             let factor = (factor * u32::from(aligned_max(max))) as i32; // ≤ 255² · 2⁸
             setup.through(&self.light.map(|light| ((mul_wide(light, factor) + (1 << 21)) >> 22) as i32))
         };
-        let ([r, g, b], [x, y, z]) = (self.color.map(u32::from), C::FORMAT.max());
-        ChannelGradients::new(match C::FORMAT.is_gray() {
-            true => [through(luma([r, g, b]), x); 3],
-            false => [through(r << 8, x), through(g << 8, y), through(b << 8, z)],
-        })
+        each::<C, _, _>(scaled::<C>(self.color.map(u32::from)), through)
     }
 }

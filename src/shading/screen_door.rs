@@ -66,40 +66,34 @@ impl<S: Shader> Shader for ScreenDoor<S> {
     }
 }
 
-/// A [`ScreenDoor`] set up for a triangle.
-#[derive(Clone, Copy, Debug)]
-pub struct ScreenDoorSetup<P> {
-    own: P,
-    rows: &'static [u8; 8],
-}
-
 impl<C: PixelColor, S: SpanShader<C>> SpanShader<C> for ScreenDoor<S> {
     type Ink = <S::Ink as Ink<C>>::Optional;
-    type Setup = ScreenDoorSetup<S::Setup>;
+    /// The inner shader's, and the rows of the pattern.
+    type Setup = (S::Setup, &'static [u8; 8]);
     const WRITES_DEPTH: bool = S::WRITES_DEPTH;
 
-    fn set_up(&self, triangle: &Triangle<'_>) -> ScreenDoorSetup<S::Setup> {
+    fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
         let [none, ..] = &ROWS;
         let rows = ROWS.get(usize::from(self.coverage)).unwrap_or(none); // coverage is at most 64
-        ScreenDoorSetup { own: self.shader.set_up(triangle), rows }
+        (self.shader.set_up(triangle), rows)
     }
 
     #[inline(always)]
-    fn span(setup: &ScreenDoorSetup<S::Setup>, span: Span) -> impl Iterator<Item = Self::Ink> {
+    fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = Self::Ink> {
         Self::runs(setup, span).flat_map(|(width, run)| run.take(width as usize))
     }
 
     #[inline(always)]
     fn runs(
-        setup: &ScreenDoorSetup<S::Setup>,
+        (own, rows): &Self::Setup,
         span: Span,
     ) -> impl Iterator<Item = (i32, impl Iterator<Item = Self::Ink>)> {
-        let [first, ..] = setup.rows;
+        let [first, ..] = *rows;
         // The mask keeps the index inside the pattern.
-        let row = setup.rows.get(span.y as usize & 7).unwrap_or(first);
+        let row = rows.get(span.y as usize & 7).unwrap_or(first);
         let row = u32::from(*row) * 0x0101_0101; // four times the 8 columns
         let mut x = span.x;
-        S::runs(&setup.own, span).map(move |(width, run)| {
+        S::runs(own, span).map(move |(width, run)| {
             let mut columns = row.rotate_right(x as u32 & 31);
             x = x.wrapping_add(width); // at most the end of the span
             let inks = run.map(move |ink| {

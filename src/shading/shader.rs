@@ -4,7 +4,7 @@ use super::CornerValues;
 use crate::clip::Varying;
 use crate::color::Ink;
 use crate::raster::{Gradient, Span, Triangle};
-use crate::shading::{FogBounds, FogLevel, Line, TableShader};
+use crate::shading::TableShader;
 use core::iter::{once, repeat};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
@@ -18,7 +18,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// One colour for the mesh, one per face, and one per vertex differ only in the closure:
 ///
 /// ```
-/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888}, prelude::*};
+/// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};
 /// use pinhole::{prelude::*, Angle};
 /// // A roof: two faces that meet in an edge, with normals of the faces and of the vertices.
 /// const VERTICES: [[i16; 3]; 4] = [[0, -4, 0], [0, 4, 0], [-4, 0, -3], [4, 0, -3]];
@@ -26,46 +26,28 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// const NORMALS: [[i16; 3]; 2] = [[-19660, 0, 26214], [19660, 0, 26214]];
 /// const VERTEX_NORMALS: [[i16; 3]; 4] = [[0, 0, 32767], [0, 0, 32767], NORMALS[0], NORMALS[1]];
 /// let mesh = Mesh::new(&VERTICES, 0, &FACES)?.with_normals(&NORMALS)?.with_vertex_normals(&VERTEX_NORMALS)?;
-/// # let viewport = Viewport::new(Point::zero(), Size::new(48, 48))?;
-/// # let camera = Camera::new(
-/// #     &ViewTransform::look_at(Point3::from_ints(0, 0, 9), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-/// #     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(20))?,
-/// #     &viewport,
-/// # );
+/// let viewport = Viewport::new(Point::zero(), Size::new(48, 48))?;
+/// let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(60), Angle::ZERO, Angle::ZERO)?;
 /// let model = Affine::<Model, World>::identity();
 /// let instance = camera.place(&mesh, &model);
 /// let light = Lambert::new(&model, Vector3::from_ints(-1, 0, 2), 64)?;
-/// # let mut cache = [ScreenVertex::EMPTY; 4];
-/// # let colours = |display: &MockDisplay<Rgb565>| {
-/// #     let row = (0..48).filter_map(|x| display.get_pixel(Point::new(x, 24)));
-/// #     row.map(|c| c.into_storage()).collect::<std::collections::BTreeSet<_>>().len()
-/// # };
-/// # let display = || { let mut display = MockDisplay::<Rgb565>::new(); display.set_allow_overdraw(true); display };
-///
-/// // The mesh in one colour.
-/// # let mut target = display();
-/// instance.faces(|_| Rgb565::CYAN).cached(&mut cache).draw(&mut target)?;
-/// # assert_eq!(colours(&target), 1);
-///
-/// // A colour for each face, at the light of its normal.
-/// # let mut target = display();
-/// let paint = [Rgb565::RED, Rgb565::WHITE];
-/// instance.faces(|face| paint[face].dim(light.level(mesh.normals()[face]))).cached(&mut cache).draw(&mut target)?;
-/// # assert_eq!(colours(&target), 2);
-///
-/// // The light at each vertex, computed once; smooth in between.
-/// # let mut target = display();
 /// let mut levels = [0; VERTICES.len()];
 /// light.levels(mesh.vertex_normals(), &mut levels);
-/// let smooth = |face| Gouraud::lit(Rgb888::CSS_GOLD, mesh.corners_of(face, &levels)).dithered();
-/// instance.faces(smooth).cached(&mut cache).draw(&mut target)?;
-/// # assert!(colours(&target) > 8);
+/// let (paint, heights) = ([Rgb565::RED, Rgb565::WHITE], [Rgb888::RED, Rgb888::RED, Rgb888::BLUE, Rgb888::GREEN]);
+/// let mut pixels = [Rgb565::BLACK; 48 * 48];
+/// let mut picture = Picture::new(&mut pixels, viewport.size())?;
 ///
+/// // The mesh in one colour.
+/// instance.faces(|_| Rgb565::CYAN).draw(&mut picture.pixels())?;
+/// // A colour for each face, at the light of its normal.
+/// instance.faces(|face| paint[face].dim(light.level(mesh.normals()[face]))).draw(&mut picture.pixels())?;
+/// // The light at each vertex, computed once; smooth in between.
+/// let smooth = |face| Gouraud::lit(Rgb888::CSS_GOLD, mesh.corners_of(face, &levels)).dithered();
+/// instance.faces(smooth).draw(&mut picture.pixels())?;
 /// // A colour for each vertex.
-/// # let mut target = display();
-/// let heights = [Rgb888::RED, Rgb888::RED, Rgb888::BLUE, Rgb888::GREEN];
-/// instance.faces(|face| Gouraud::new(FACES[face].map(|v| heights[usize::from(v)]))).cached(&mut cache).draw(&mut target)?;
-/// # assert!(colours(&target) > 16);
+/// instance.faces(|face| Gouraud::new(mesh.corners_of(face, &heights))).draw(&mut picture.pixels())?;
+/// # let shown: std::collections::BTreeSet<_> = pixels.iter().map(|c| c.into_storage()).collect();
+/// # assert!(shown.len() > 16);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[diagnostic::on_unimplemented(
@@ -110,8 +92,9 @@ pub trait Shader: Copy {
 /// perspective-correct checkerboard, depth fog, and a blend with the stored pixels.
 ///
 /// ```
-/// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
-/// use pinhole::{clip::Barycentric, prelude::*, raster::{Gradient, Span, Triangle}, shading::{Shader, SpanShader}, Angle};
+/// use embedded_graphics::{pixelcolor::{Gray8, GrayColor}, prelude::*};
+/// use pinhole::{clip::Barycentric, draw::fill_triangle, raster::{Gradient, ScreenPoint, Span, Triangle}};
+/// use pinhole::{shading::{Shader, SpanShader}, target::Picture};
 /// #[derive(Clone, Copy)]
 /// struct Ramp([u8; 3]);
 ///
@@ -134,22 +117,23 @@ pub trait Shader: Copy {
 ///     fn span(gradient: &Gradient, span: Span) -> impl Iterator<Item = Gray8> {
 ///         (span.x..).map(move |x| Gray8::new((gradient.at(x, span.y) >> 24) as u8))
 ///     }
+///     // The rest is optional: in memory, eight pixels are then written at a time.
+///     fn look_up(_: &Gradient) -> Option<impl Fn([u32; 2]) -> Gray8 + Copy> {
+///         Some(|[level, _]: [u32; 2]| Gray8::new((level >> 24) as u8))
+///     }
+///     fn lines(gradient: &Gradient, span: Span) -> impl Iterator<Item = (i32, [[u32; 2]; 2])> {
+///         core::iter::once((span.width, [[gradient.at(span.x, span.y), 0], [gradient.step(), 0]]))
+///     }
+///     fn ramp(gradient: &Gradient) -> Option<&Gradient> {
+///         Some(gradient)
+///     }
 /// }
-/// # const VERTICES: [[i16; 3]; 3] = [[-3, -3, 0], [3, -3, 0], [0, 3, 0]];
-/// # let mesh = Mesh::new(&VERTICES, -1, &[[0, 1, 2]])?;
-/// # let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
-/// # let camera = Camera::new(
-/// #     &ViewTransform::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-/// #     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(9))?,
-/// #     &viewport,
-/// # );
-/// # let instance = camera.place(&mesh, &Affine::identity());
-/// let mut display = MockDisplay::<Gray8>::new();
-/// instance.faces(|_face| Ramp([40, 240, 140])).draw(&mut display)?;
-/// # use embedded_graphics::pixelcolor::GrayColor;
-/// let luma = |x| display.get_pixel(Point::new(x, 24)).unwrap().luma();
-/// assert!(luma(8) < 75 && luma(16) > 130 && luma(16) < 150 && luma(23) > 205);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// let mut pixels = [Gray8::BLACK; 32 * 32];
+/// let mut picture = Picture::new(&mut pixels, Size::new(32, 32))?;
+/// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
+/// let Ok(()) = fill_triangle([corner(0, 0), corner(0, 32), corner(32, 0)], Ramp([40, 240, 140]), &mut picture.pixels());
+/// assert_eq!([0, 16 * 32, 16, 10 * 32 + 10].map(|i: usize| pixels[i].luma()), [44, 144, 94, 138]);
+/// # Ok::<(), pinhole::target::BufferError>(())
 /// ```
 #[diagnostic::on_unimplemented(
     message = "faces of a target of `{C}` cannot be filled with `{Self}`",
@@ -210,12 +194,29 @@ pub trait SpanShader<C: PixelColor>: Shader {
         once((span.width, Self::span(setup, span)))
     }
 
-    /// Hands [`runs`](Self::runs) to a loop over the rows of a triangle, for targets whose pixels lie in memory. A shader with
-    /// several kinds of set-up overrides it, so that each kind gets a loop of its own.
-    #[doc(hidden)]
+    /// The ink of a pixel as a function of the numbers that [`lines`](Self::lines) returns, if inks are such: texels at texture
+    /// coordinates. Then targets whose pixels lie in memory take `lines` instead of [`runs`](Self::runs), and write colours eight at a
+    /// time. Inks must equal those of `runs`.
     #[inline(always)]
-    fn draw_runs<D: DrawRuns<Self::Ink>>(setup: &Self::Setup, draw: D) {
-        draw.runs(|span| Self::runs(setup, span));
+    fn look_up(setup: &Self::Setup) -> Option<impl Fn([u32; 2]) -> Self::Ink + Copy> {
+        let _ = setup;
+        None::<fn([u32; 2]) -> Self::Ink>
+    }
+
+    /// The runs of a span for [`look_up`](Self::look_up), from left to right: the width of each, two numbers at its first pixel, and
+    /// their changes from a pixel to the next, to be added wrapping.
+    #[inline(always)]
+    fn lines(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, [[u32; 2]; 2])> {
+        let _ = (setup, span);
+        core::iter::empty()
+    }
+
+    /// The gradient of the first number of [`lines`](Self::lines), if the ink of each pixel of the triangle is
+    /// [`look_up`](Self::look_up) of it and any second number. Small triangles are then filled faster.
+    #[inline(always)]
+    fn ramp(setup: &Self::Setup) -> Option<&Gradient> {
+        let _ = setup;
+        None
     }
 
     /// The ink of all pixels, if the shader has only one. Then [`span`](Self::span) is not called, and neither is
@@ -232,58 +233,37 @@ pub trait SpanShader<C: PixelColor>: Shader {
         None
     }
 
-    /// Hands one colour for each level of fog to a loop over the rows of a triangle, for targets whose pixels lie in memory, if
-    /// the shader's colours consist of these. Returns whether the triangle is drawn.
-    #[doc(hidden)]
+    /// The colours of all pixels by their depths, if they depend on nothing else. Targets whose pixels lie in memory fill each row
+    /// level by level, instead of calling [`set_up`](Self::set_up) and [`span`](Self::span).
     #[inline(always)]
-    fn draw_levels<D: DrawLevels<C>>(&self, draw: D) -> bool {
-        let _ = draw;
-        false
+    fn levels(&self) -> Option<DepthLevels<'_, impl Fn(u8) -> C + Copy>> {
+        None::<DepthLevels<'_, fn(u8) -> C>>
+    }
+
+    /// A shader that draws equal pixels in less time, if there is one: of a wrapper that changes nothing over this triangle, the
+    /// shader inside. Targets whose pixels lie in memory draw it instead.
+    #[inline(always)]
+    fn inner(&self) -> Option<&impl SpanShader<C, Ink = Self::Ink>> {
+        None::<&Self>
     }
 }
 
-/// A loop over the rows of a triangle, into memory.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a loop over the rows of a triangle",
-    note = "leave `draw_runs` as the trait has it, and override `runs`"
-)]
-pub trait DrawRuns<I>: Sized {
-    /// Fills the triangle with the runs that `runs` returns for each span.
-    fn runs<R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = I>>(self, runs: impl Fn(Span) -> R);
-
-    /// Fills the triangle with the inks of `texel` at the texture coordinates that `lines` returns for each span, as runs: the
-    /// width of each, and its coordinates.
-    fn lines<L: Line, R: Iterator<Item = (i32, L)>>(
-        self,
-        lines: impl Fn(Span) -> R,
-        texel: impl Fn([u32; 2]) -> I + Copy,
-    ) {
-        self.runs(|span| lines(span).map(|(width, line)| (width, line.map(texel))));
-    }
-
-    /// Fills the triangle with the inks of `texel`, given a gradient of texture coordinates that share a word; or draws
-    /// nothing and returns `false`.
-    fn packed(&mut self, _gradient: &Gradient, _texel: impl Fn([u32; 2]) -> I + Copy) -> bool {
-        false
-    }
+/// Colours by depth, in levels, as [`SpanShader::levels`] returns them: those of [`Fogged`](crate::fog::Fogged), or of a shader of your
+/// own, such as contour lines of distance.
+#[derive(Clone, Copy, Debug)]
+pub struct DepthLevels<'t, F> {
+    /// At the triangle's corners, in 16.8, as [`CornerValues::depths`] has them.
+    pub depths: [i32; 3],
+    /// Level l is seen from depth `bounds[l]` on and before `bounds[l + 1]`: depths at pixels in 16.16, in ascending order, from 0 to
+    /// `u32::MAX`. There are 33 levels, of which any may be empty.
+    pub bounds: &'t [u32; 34],
+    /// Any level of the triangle, where the search for others begins: 0 … 32.
+    pub first: u8,
+    /// The colour of a level.
+    pub color: F,
 }
 
-/// A loop over the rows of a triangle in fog, into memory.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a loop over the rows of a triangle in fog",
-    note = "leave `draw_levels` as the trait has it"
-)]
-pub trait DrawLevels<C>: Sized {
-    /// Fills the triangle, whose corners have these depths in 16.8, with the colours of the levels, and returns whether it is drawn.
-    /// `bounds` are the depths at which the levels begin, and `level` is any of them.
-    fn levels(
-        self,
-        depths: &[i32; 3],
-        bounds: &FogBounds,
-        level: FogLevel,
-        color: impl Fn(u8) -> C + Copy,
-    ) -> bool;
-}
+defmt_format!([F] DepthLevels<'_, F>, self, "colours by depths {} from {}/2^16", self.depths, self.bounds);
 
 /// Calls [`Shader::with_corners`] of a wrapped shader; a shader that asks for nothing is returned as it is.
 #[inline(always)]

@@ -1,10 +1,12 @@
 //! The shader traits of [`Flat`], [`Gouraud`], [`Lit`] and [`Dithered`].
 
+use super::gouraud::SpanColors;
+use super::levels::{align, levels};
 use super::{Shader, SpanShader};
 use crate::clip::Barycentric;
 use crate::color::Color;
-use crate::raster::{Span, Triangle};
-use crate::shading::{Bayer, ChannelGradients, Dithered, DitheredColor, Flat, Gouraud, Lit, Nearest};
+use crate::raster::{Gradient, Span, Triangle};
+use crate::shading::{Bayer, Dithered, Flat, Gouraud, Lit, Nearest};
 use core::iter::repeat;
 
 impl Shader for Flat {
@@ -44,15 +46,16 @@ impl<S: Shader> Shader for Dithered<S> {
 
 impl<C: Color> SpanShader<C> for Dithered<Flat> {
     type Ink = C;
-    type Setup = DitheredColor<C>;
+    /// The levels of the channels.
+    type Setup = [u32; 3];
 
-    fn set_up(&self, _: &Triangle<'_>) -> DitheredColor<C> {
-        DitheredColor::new(self.0)
+    fn set_up(&self, _: &Triangle<'_>) -> [u32; 3] {
+        levels::<C>(self.0).map(align)
     }
 
     #[inline(always)]
-    fn span(setup: &DitheredColor<C>, span: Span) -> impl Iterator<Item = C> {
-        setup.span(span.x, span.y)
+    fn span(levels: &[u32; 3], Span { x, y, .. }: Span) -> impl Iterator<Item = C> {
+        SpanColors::<C, Bayer>::new(*levels, [0; 3], (x, y))
     }
 }
 
@@ -68,31 +71,31 @@ macro_rules! smooth {
 
         impl<C: Color> SpanShader<C> for $shader {
             type Ink = C;
-            type Setup = ChannelGradients<C>;
+            type Setup = [Gradient; 3];
 
             #[inline(always)]
-            fn set_up(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
-                self.gradients(triangle)
+            fn set_up(&self, triangle: &Triangle<'_>) -> [Gradient; 3] {
+                self.gradients::<C>(triangle)
             }
 
             #[inline(always)]
-            fn span(setup: &ChannelGradients<C>, span: Span) -> impl Iterator<Item = C> {
-                setup.span::<Nearest>(span.x, span.y)
+            fn span(gradients: &[Gradient; 3], span: Span) -> impl Iterator<Item = C> {
+                SpanColors::<C, Nearest>::along(gradients, span)
             }
         }
 
         impl<C: Color> SpanShader<C> for Dithered<$shader> {
             type Ink = C;
-            type Setup = ChannelGradients<C>;
+            type Setup = [Gradient; 3];
 
             #[inline(always)]
-            fn set_up(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
-                self.0.gradients(triangle)
+            fn set_up(&self, triangle: &Triangle<'_>) -> [Gradient; 3] {
+                self.0.gradients::<C>(triangle)
             }
 
             #[inline(always)]
-            fn span(setup: &ChannelGradients<C>, span: Span) -> impl Iterator<Item = C> {
-                setup.span::<Bayer>(span.x, span.y)
+            fn span(gradients: &[Gradient; 3], span: Span) -> impl Iterator<Item = C> {
+                SpanColors::<C, Bayer>::along(gradients, span)
             }
         }
     )*};

@@ -1,9 +1,10 @@
 //! Smooth light by table: 256 shades of one colour, computed once.
 
-use super::levels::lit;
+use super::levels::mixture;
 use crate::color::Color;
 use crate::math::unrolled::map3;
-use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
+use core::array::from_fn;
+use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
 
 /// A colour in 256 levels of light, computed once and looked up at every pixel: the fastest smooth light. The table takes 256
 /// colours of the target (512 bytes for `Rgb565`). [`lit`](Self::lit) makes the shader of a face, which steps one gradient and
@@ -72,12 +73,37 @@ impl<C> ShadeTable<C> {
 impl<C: Color> ShadeTable<C> {
     /// The colours of the target nearest to `color` at 0/255, 1/255 … 255/255 of its light; halves are rounded up.
     pub fn new(color: Rgb888) -> Self {
-        let mut light = 0;
-        Self([(); 256].map(|()| {
-            let shade = lit(color, light, 255);
-            light += 1;
-            shade
-        }))
+        Self(from_fn(|light| mixture(color, light as u32, Rgb888::BLACK, 0, 255)))
+    }
+
+    /// A table that fades `color` into `fog`: entry i is the colour of the target nearest to i/255 of `color` and the rest of
+    /// `fog`; halves are rounded up. [`lit`](Self::lit) takes the factors of a [`VertexFog`](crate::fog::VertexFog) at the corners of
+    /// a face.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
+    /// use pinhole::shading::ShadeTable;
+    /// let table = ShadeTable::<Gray8>::in_fog(Rgb888::BLACK, Rgb888::WHITE);
+    /// assert_eq!([0, 55, 255].map(|i| table.colors()[i].luma()), [255, 200, 0]);
+    /// let face = table.lit([256, 200, 90]); // of VertexFog::factors
+    /// # let _ = face;
+    /// ```
+    pub fn in_fog(color: Rgb888, fog: Rgb888) -> Self {
+        Self::from_colors(from_fn(|light| mixture(color, light as u32, fog, 255 - light as u32, 255)))
+    }
+
+    /// A table for faces that emit light of their own: entry i is the colour of the target nearest to i/255 of `color` plus
+    /// `emission`, each channel saturating at full; halves are rounded up. A face takes no more instructions than with
+    /// [`new`](Self::new).
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888};
+    /// use pinhole::shading::ShadeTable;
+    /// let table = ShadeTable::<Gray8>::emitting(Rgb888::new(200, 200, 200), Rgb888::new(90, 90, 90));
+    /// assert_eq!([0, 51, 255].map(|i| table.colors()[i].luma()), [90, 130, 255]);
+    /// ```
+    pub fn emitting(color: Rgb888, emission: Rgb888) -> Self {
+        Self::from_colors(from_fn(|light| mixture(color, light as u32, emission, 255, 255)))
     }
 }
 
@@ -85,28 +111,9 @@ impl<C: Color> ShadeTable<C> {
 /// [`ShadeTable::lit`] makes it.
 #[derive(Clone, Copy, Debug)]
 pub struct TableShader<'t, C> {
-    colors: &'t [C; 256],
+    pub(crate) colors: &'t [C; 256],
     /// The index into the table at each corner, in 2⁻¹⁰.
-    light: [i32; 3],
-}
-
-impl<'t, C> TableShader<'t, C> {
-    pub(crate) const fn colors(&self) -> &'t [C; 256] {
-        self.colors
-    }
-
-    /// With this light at the corners, in 2⁻¹⁰ of an index.
-    pub(super) const fn with_light(self, light: [i32; 3]) -> Self
-    where
-        C: Copy,
-    {
-        Self { light, ..self }
-    }
-
-    /// The index into the table at each corner, in 2⁻¹⁰.
-    pub(crate) const fn light(&self) -> &[i32; 3] {
-        &self.light
-    }
+    pub(crate) light: [i32; 3],
 }
 
 impl<C: PixelColor> TableShader<'_, C> {
@@ -119,16 +126,6 @@ impl<C: PixelColor> TableShader<'_, C> {
 }
 
 // The colours are not printed: they need not implement `Format`.
-#[cfg(feature = "defmt")]
-impl<C> defmt::Format for ShadeTable<C> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "shade table");
-    }
-}
+defmt_format!([C] ShadeTable<C>, self, "shade table");
 
-#[cfg(feature = "defmt")]
-impl<C> defmt::Format for TableShader<'_, C> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "light {} of a shade table, in 1/1024", self.light);
-    }
-}
+defmt_format!([C] TableShader<'_, C>, self, "light {} of a shade table, in 1/1024", self.light);

@@ -12,24 +12,24 @@ impl<C: PixelColor> Shader for TableShader<'_, C> {
     type Varying = Barycentric;
 
     fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
-        let light = corners.map(|corner| weighted_mean(*self.light(), corner.weights(), 255 << 10));
-        self.with_light(light)
+        let light = corners.map(|corner| weighted_mean(self.light, corner.weights(), 255 << 10));
+        Self { light, ..*self }
     }
 }
 
 impl<'t, C: PixelColor> SpanShader<C> for TableShader<'t, C> {
     type Ink = C;
-    type Setup = TableGradient<'t, C>;
+    type Setup = (&'t [C; 256], Gradient);
 
-    fn set_up(&self, triangle: &Triangle<'_>) -> TableGradient<'t, C> {
-        TableGradient { colors: self.colors(), light: Gradient::of_light(triangle, self.light()) }
+    fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
+        (self.colors, Gradient::of_light(triangle, &self.light))
     }
 
     #[inline(always)]
-    fn span(setup: &TableGradient<'t, C>, Span { x, y, .. }: Span) -> impl Iterator<Item = C> {
-        let (mut light, step) = (setup.light.at(x, y), setup.light.step());
+    fn span((colors, light): &Self::Setup, Span { x, y, .. }: Span) -> impl Iterator<Item = C> {
+        let (mut light, step) = (light.at(x, y), light.step());
         repeat_with(move || {
-            let color = Self::look_up(setup.colors, light);
+            let color = Self::look_up(colors, light);
             light = light.wrapping_add(step);
             color
         })
@@ -39,11 +39,4 @@ impl<'t, C: PixelColor> SpanShader<C> for TableShader<'t, C> {
     fn table(&self) -> Option<TableShader<'_, C>> {
         Some(*self)
     }
-}
-
-/// A [`TableShader`] set up for a triangle.
-#[derive(Debug)]
-pub struct TableGradient<'t, C> {
-    colors: &'t [C; 256],
-    light: Gradient,
 }

@@ -47,8 +47,8 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Translucent<S, M> {
-    shader: S,
-    mode: M,
+    pub(super) shader: S,
+    pub(super) mode: M,
 }
 
 /// A translucent shader: half of its colour, half of the stored pixel. [`Translucent`] has the rules.
@@ -88,17 +88,6 @@ impl<S, M> Translucent<S, M> {
     /// A shader or picture whose colours are mixed with the stored pixels by any [`BlendMode`].
     pub const fn by(shader: S, mode: M) -> Self {
         Self { shader, mode }
-    }
-
-    /// The shader or picture, and how its colours are mixed with the stored pixels.
-    #[inline(always)]
-    pub(super) const fn parts(&self) -> (&S, &M) {
-        (&self.shader, &self.mode)
-    }
-
-    /// The shader or picture, to be changed.
-    pub(super) const fn inner_mut(&mut self) -> &mut S {
-        &mut self.shader
     }
 }
 

@@ -462,18 +462,9 @@ impl<C: Color> DrawTarget for Band<'_, C> {
 }
 
 // Colours and pixels are not printed: a colour need not implement `Format`, and a strip is kilobytes.
-#[cfg(feature = "defmt")]
-impl<C> defmt::Format for Frame<C> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let (Rectangle { top_left, size }, done) = (self.area, self.done);
-        defmt::write!(f, "frame of {} at {}, {=u32} rows drawn", size, top_left, done);
-    }
-}
+defmt_format!(
+    [C] Frame<C>, self,
+    "frame of {} at {}, {=u32} rows drawn", self.area.size, self.area.top_left, self.done
+);
 
-#[cfg(feature = "defmt")]
-impl<C> defmt::Format for Band<'_, C> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let Rectangle { top_left, size } = self.area;
-        defmt::write!(f, "band of {} at {}", size, top_left);
-    }
-}
+defmt_format!([C] Band<'_, C>, self, "band of {} at {}", self.area.size, self.area.top_left);

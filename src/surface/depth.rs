@@ -191,13 +191,7 @@ impl<'a> DepthBuffer<'a> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl defmt::Format for DepthBuffer<'_> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let Rectangle { top_left, size } = self.area;
-        defmt::write!(f, "depth buffer of {} at {}", size, top_left);
-    }
-}
+defmt_format!([] DepthBuffer<'_>, self, "depth buffer of {} at {}", self.area.size, self.area.top_left);
 
 #[cfg(test)]
 mod tests {

@@ -53,9 +53,4 @@ impl<D: DrawTarget, const PIXELS: u16> Surface for LeastRun<'_, D, PIXELS> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<D, const PIXELS: u16> defmt::Format for LeastRun<'_, D, PIXELS> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "target with runs of {} pixels", PIXELS);
-    }
-}
+defmt_format!([D, const PIXELS: u16] LeastRun<'_, D, PIXELS>, self, "target with runs of {} pixels", PIXELS);

@@ -187,13 +187,7 @@ impl<S: PixelStore> Memory<S> {
 }
 
 // The cells are not printed: there are as many as pixels.
-#[cfg(feature = "defmt")]
-impl<S> defmt::Format for Memory<S> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let Rectangle { top_left, size } = self.rows.area;
-        defmt::write!(f, "memory of {} at {}", size, top_left);
-    }
-}
+defmt_format!([S] Memory<S>, self, "memory of {} at {}", self.rows.area.size, self.rows.area.top_left);
 
 #[cfg(test)]
 mod tests {

@@ -26,7 +26,7 @@ pub use memory::{Gives, Memory, PixelStore};
 pub use picture::Picture;
 pub use pixels::Pixels;
 pub use strip::StripBuffers;
-pub(crate) use target::{draw_run, put, CellOf, DepthTarget, Tested, Unmatched, Untested};
+pub(crate) use target::{draw_run, put, DepthTarget, Tested, Unmatched, Untested};
 pub use target::{DepthTestedSurface, Surface, Target};
 
 use crate::raster::Scissor;

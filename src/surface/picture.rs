@@ -118,9 +118,4 @@ impl<C: PixelColor> DrawTarget for Picture<'_, C> {
 }
 
 // The colours are not printed: they need not implement `Format`.
-#[cfg(feature = "defmt")]
-impl<C> defmt::Format for Picture<'_, C> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "picture of {}", self.area.size);
-    }
-}
+defmt_format!([C] Picture<'_, C>, self, "picture of {}", self.area.size);

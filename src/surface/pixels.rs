@@ -83,9 +83,4 @@ impl<'a, C: StoredPixel<Cell>, Cell: Copy> Surface for Pixels<'a, C, Cell> {
 }
 
 // The colour is not printed: it need not implement `Format`.
-#[cfg(feature = "defmt")]
-impl<C, Cell> defmt::Format for Pixels<'_, C, Cell> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "pixels of {}", self.memory.area());
-    }
-}
+defmt_format!([C, Cell] Pixels<'_, C, Cell>, self, "pixels of {}", self.memory.area());

@@ -205,10 +205,30 @@ pub(super) fn get_pixel<C: Color>(row: &[u8], x: usize) -> Option<C> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::color::Rgb444;
+    use crate::color::Format;
     use embedded_graphics_core::pixelcolor::{
-        Bgr565, Bgr666, BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888,
+        Bgr565, Bgr666, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb565, Rgb666, Rgb888,
     };
+
+    /// Two pixels in three bytes.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    struct Rgb444(u16);
+
+    impl PixelColor for Rgb444 {
+        type Raw = ();
+    }
+
+    impl Color for Rgb444 {
+        const FORMAT: Format = Format::rgb(4, 4, 4);
+
+        fn to_bits(self) -> u32 {
+            self.0.into()
+        }
+
+        fn from_bits(bits: u32) -> Self {
+            Self(bits as u16)
+        }
+    }
 
     /// Long enough for a partly covered byte at both ends and two whole bytes between. Test rows have one byte more than it
     /// needs.

@@ -27,12 +27,10 @@ impl<const BYTES: usize, const PIXELS: usize> Default for StripBuffers<BYTES, PI
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<const BYTES: usize, const PIXELS: usize> defmt::Format for StripBuffers<BYTES, PIXELS> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "strip of {=usize} bytes and {=usize} depths", BYTES, PIXELS);
-    }
-}
+defmt_format!(
+    [const BYTES: usize, const PIXELS: usize] StripBuffers<BYTES, PIXELS>, self,
+    "strip of {=usize} bytes and {=usize} depths", BYTES, PIXELS
+);
 
 /// Declares the memory of a strip, `strip_buffers!(COLOR, WIDTH, ROWS)`: [`StripBuffers`] with the bytes and the depths of `ROWS`
 /// rows of `WIDTH` pixels. `strip_buffers!(COLOR, WIDTH, ROWS, no depth)` has no depths.

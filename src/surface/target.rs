@@ -318,12 +318,7 @@ mod sealed {
 }
 
 // A surface need not implement `Format`.
-#[cfg(feature = "defmt")]
-impl<S> defmt::Format for DepthTestedSurface<'_, '_, S> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "surface with a {}", self.depth);
-    }
-}
+defmt_format!([S] DepthTestedSurface<'_, '_, S>, self, "surface with a {}", self.depth);
 
 /// A depth buffer, and whether its rows are laid out like those of the target's memory.
 #[derive(Debug)]
@@ -344,9 +339,6 @@ impl<'d, 'b> DepthTarget<'d, 'b> {
         Self { buffer, is_aligned }
     }
 }
-
-/// The stored form of a target's pixels.
-pub(crate) type CellOf<T> = <<T as Surface>::Store as PixelStore>::Cell;
 
 /// Puts ink into a pixel; returns `false` if the ink leaves the pixel out.
 #[inline(always)]

@@ -1,4 +1,4 @@
-//! Translucency: faces over what is behind them, face by face. The levels of the colours themselves are tested in `src/color/tests.rs`.
+//! Translucency: faces over what is behind them, face by face. The levels of the colours themselves are tested in `colors.rs`.
 
 use crate::rays::{each_level, everywhere, floor, in_memory, mixed, usual, Faces, Tiles, AREA, SIZE, SKY};
 use embedded_graphics::pixelcolor::Rgb888;

@@ -6,9 +6,10 @@ use embedded_graphics::pixelcolor::{Gray8, PixelColor};
 use embedded_graphics::prelude::*;
 use pinhole::{
     camera::Window,
+    color::Format,
     prelude::*,
     shading::SpanShader,
-    texture::{IndexedTexels, LitPalette, TexelSlice},
+    texture::{ColorKeyed, IndexedTexels, LitPalette, TexelSlice, Texels},
 };
 use support::oracle::rng::Rng;
 
@@ -18,6 +19,18 @@ struct Entry(u16, u16);
 
 impl PixelColor for Entry {
     type Raw = RawU32;
+}
+
+impl Color for Entry {
+    const FORMAT: Format = Format::indexed(32, [0; 3]);
+
+    fn to_bits(self) -> u32 {
+        u32::from(self.0) | u32::from(self.1) << 16
+    }
+
+    fn from_bits(bits: u32) -> Self {
+        Self(bits as u16, (bits >> 16) as u16)
+    }
 }
 
 /// A triangle on the screen, in sub-pixels of 1/64.
@@ -115,6 +128,10 @@ fn texels_are_multiplied_by_light_at_each_pixel() {
     let bytes: Vec<u8> = flat.iter().map(|color| color.luma()).collect();
     let palette: Vec<Gray8> = (0..=255).map(Gray8::new).collect();
     let texture = Texture::new(&picture);
+    // Keyed texels are lit, too, and the key is found before.
+    let keyed = ColorKeyed::new(&picture, picture[0][0]);
+    let found = [0, 1 << 27].map(|u| keyed.lit_texel(u, 0, 128));
+    assert_eq!(found, [None, Some(picture[0][1].dim(129))]);
     let slice = Texture::new(TexelSlice::new(&flat, 32, 64).unwrap());
     let indexed = Texture::new(IndexedTexels::<_, 8>::new(&bytes, 32, 64, &palette).unwrap());
     let mut pixels = 0;

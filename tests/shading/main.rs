@@ -3,6 +3,7 @@
 
 mod bands;
 mod blended;
+mod colors;
 mod fog;
 mod left_out;
 mod levels;

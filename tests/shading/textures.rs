@@ -11,7 +11,7 @@ use pinhole::{
     camera::Window,
     mesh::TextureCoords,
     prelude::*,
-    texture::{Accuracy, IndexedTexels, LitTexels, TexelSlice, Texels, TextureError},
+    texture::{Accuracy, IndexedTexels, TexelSlice, Texels, TextureError},
     Angle,
 };
 use support::bridge::ways::{by_every_call, everywhere};
@@ -386,9 +386,7 @@ impl Texels for Colored {
     fn texel(&self, u: u32, v: u32) -> Rgb888 {
         Rgb888::new((u >> 24) as u8, (v >> 24) as u8, (u >> 16 ^ v >> 12) as u8)
     }
-}
 
-impl LitTexels for Colored {
     const LEVEL_BITS: u32 = 7;
 
     fn lit_texel(&self, u: u32, v: u32, level: u32) -> Rgb888 {

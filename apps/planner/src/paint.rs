@@ -10,7 +10,7 @@ use pinhole::raster::{Span, Triangle};
 use pinhole::{
     prelude::*,
     shading::{CornerValues, Shader, SpanShader},
-    texture::{IndexedTexels, LitTexels, LitTextured, Texels},
+    texture::{IndexedTexels, LitTextured, Texels},
 };
 
 /// The bits of a display's colour, of at most 16.
@@ -99,10 +99,6 @@ impl Texels for Picture<'_> {
     fn texel(&self, u: u32, v: u32) -> Stored {
         self.format.store(self.texels.texel(u, v))
     }
-}
-
-impl LitTexels for Picture<'_> {
-    const LEVEL_BITS: u32 = 8;
 
     fn lit_texel(&self, u: u32, v: u32, level: u32) -> Stored {
         // As the library dims texels: the level becomes 0 … 256, at most ½ from level·256/255.

@@ -4,8 +4,8 @@ use super::levels::{FogLevel, FogLevels};
 use super::table::{FogTable, LEVELS};
 use crate::color::{Color, Ink, Mixer};
 use crate::raster::{Gradient, Span, Triangle};
-use crate::shading::shader::{inner_with_corners, DrawLevels, DrawRuns};
-use crate::shading::{CornerValues, Shader, SpanShader, TableShader};
+use crate::shading::shader::{inner_with_corners, DepthLevels};
+use crate::shading::{CornerValues, Shader, SpanShader};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// A shader in fog: its colours are mixed with the fog's colour by the depth of each pixel. It wraps any shader (colours, smooth,
@@ -53,7 +53,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Fogged<'t, S, C> {
-    shader: S,
+    pub(in crate::shading) shader: S,
     table: &'t FogTable<C>,
     /// At the corners, in 16.8.
     depths: [i32; 3],
@@ -65,12 +65,6 @@ impl<'t, S, C> Fogged<'t, S, C> {
     /// A shader in the fog of a table.
     pub fn new(shader: S, table: &'t FogTable<C>) -> Self {
         Self { shader, table, depths: [0; 3], levels: [table.level(Gradient::DEPTH_BIAS); 2] }
-    }
-
-    /// The wrapped shader or picture.
-    #[inline(always)]
-    pub(in crate::shading) const fn inner(&self) -> &S {
-        &self.shader
     }
 
     /// Sets the level to that of a depth, 0 … 65535, and returns the wrapped picture.
@@ -119,12 +113,10 @@ impl<S: Shader, C: PixelColor> Shader for Fogged<'_, S, C> {
 }
 
 // The fog's colour is not printed: it need not implement `Format`.
-#[cfg(feature = "defmt")]
-impl<S: defmt::Format, C> defmt::Format for Fogged<'_, S, C> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{} in levels {} of fog", self.shader, self.levels);
-    }
-}
+defmt_format!(
+    [S: defmt::Format, C] Fogged<'_, S, C>, self,
+    "{} in levels {} of fog", self.shader, self.levels
+);
 
 /// A [`Fogged`] shader set up for a triangle.
 #[derive(Clone, Copy, Debug)]
@@ -141,7 +133,8 @@ impl<'t, P, C: Color> FoggedSetup<'t, P, C> {
     fn levels(&self, x: i32, y: i32) -> FogLevels<'t> {
         let [least, _] = self.levels;
         let bounds = &self.table.bounds;
-        FogLevels::new(bounds, FogLevel::new(least, bounds), self.depth.at(x, y), self.depth.step())
+        let level = FogLevel::new(least, bounds);
+        FogLevels { bounds, level, depth: self.depth.at(x, y), step: self.depth.step() }
     }
 
     /// A colour in a level of fog.
@@ -192,36 +185,23 @@ impl<'t, C: Color, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
     }
 
     #[inline(always)]
-    fn draw_runs<D: DrawRuns<S::Ink>>(setup: &Self::Setup, draw: D) {
-        match setup.levels {
-            [_, 0] => S::draw_runs(&setup.own, draw),
-            _ => draw.runs(|span| Self::runs(setup, span)),
-        }
-    }
-
-    #[inline(always)]
     fn solid(&self) -> Option<S::Ink> {
         let level = self.level()?;
         Some(self.shader.solid()?.map(|color| mixed(color, self.table.color, level)))
     }
 
     #[inline(always)]
-    fn draw_levels<D: DrawLevels<C>>(&self, draw: D) -> bool {
-        let [least, _] = self.levels;
-        let (Some(own), fog) = (self.shader.solid().and_then(Ink::own), self.table.color) else {
-            return false;
-        };
-        let bounds = &self.table.bounds;
-        let fade = own.fade(fog);
-        draw.levels(&self.depths, bounds, FogLevel::new(least, bounds), move |level| {
-            fade(LEVELS as u8 - level)
-        })
+    fn levels(&self) -> Option<DepthLevels<'_, impl Fn(u8) -> C + Copy>> {
+        let own = self.shader.solid().and_then(Ink::own)?;
+        let ([first, _], fade) = (self.levels, own.fade(self.table.color));
+        let color = move |level| fade(LEVELS as u8 - level);
+        Some(DepthLevels { depths: self.depths, bounds: &self.table.bounds, first, color })
     }
 
     #[inline(always)]
-    fn table(&self) -> Option<TableShader<'_, C>> {
+    fn inner(&self) -> Option<&impl SpanShader<C, Ink = S::Ink>> {
         match self.levels {
-            [_, 0] => self.shader.table(),
+            [_, 0] => Some(&self.shader),
             _ => None,
         }
     }

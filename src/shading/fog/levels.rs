@@ -7,7 +7,7 @@ pub(crate) type Bounds = [u32; LEVELS + 2];
 
 /// The level of fog at a depth, found by a search from the level of a nearby depth: neighbouring pixels mostly have one level.
 #[derive(Clone, Copy, Debug)]
-pub struct FogLevel {
+pub(crate) struct FogLevel {
     level: usize,
     /// The least depth that has the level, and how many depths from there on have it.
     from: u32,
@@ -17,7 +17,7 @@ pub struct FogLevel {
 impl FogLevel {
     /// A level, 0 … 32.
     #[inline(always)]
-    pub(super) fn new(level: u8, bounds: &Bounds) -> Self {
+    pub(crate) fn new(level: u8, bounds: &Bounds) -> Self {
         Self::of(level.into(), bounds)
     }
 
@@ -74,18 +74,11 @@ impl FogLevel {
 /// The level of each pixel of a span, from left to right. The depth of pixel k is exactly `depth + k·step`, modulo 2³², so a
 /// pixel has the level of its own depth, however the span is cut.
 pub(super) struct FogLevels<'t> {
-    bounds: &'t Bounds,
-    level: FogLevel,
-    depth: u32,
-    step: u32,
-}
-
-impl<'t> FogLevels<'t> {
-    /// `level`: where the search for the first level begins.
-    #[inline(always)]
-    pub(super) fn new(bounds: &'t Bounds, level: FogLevel, depth: u32, step: u32) -> Self {
-        Self { bounds, level, depth, step }
-    }
+    pub(super) bounds: &'t Bounds,
+    /// Where the search for the level begins.
+    pub(super) level: FogLevel,
+    pub(super) depth: u32,
+    pub(super) step: u32,
 }
 
 impl Iterator for FogLevels<'_> {
@@ -111,7 +104,7 @@ mod tests {
         for (depth, step) in [(u32::MAX, 0), (5, u32::MAX), (u32::MAX, 1 << 31), (0, 77)] {
             for level in [0, 32, 255] {
                 let level = FogLevel::new(level, &bounds);
-                assert!(FogLevels::new(&bounds, level, depth, step).take(20).count() == 20);
+                assert!(FogLevels { bounds: &bounds, level, depth, step }.take(20).count() == 20);
                 let level = level.at(depth, &bounds);
                 assert!(level.further(depth, step, 9) <= 9);
             }

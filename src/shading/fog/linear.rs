@@ -141,9 +141,4 @@ impl<P> Fog<P> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<P> defmt::Format for Fog<P> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "fog from {} to {}", self.start, self.end);
-    }
-}
+defmt_format!([P] Fog<P>, self, "fog from {} to {}", self.start, self.end);

@@ -1,10 +1,8 @@
 //! Fog: colours that fade into one colour with the distance from the camera.
 //!
 //! `linear` says where the fog begins and where it is full, and `profile` how it grows in between. `vertex` computes the factor
-//! at vertices and faces, for fog that costs no instruction per pixel, and `colors` has tables and colours for it. `table` has
-//! the factor by depth, and `fogged` the shader that looks it up at each pixel, by `levels`.
+//! at vertices and faces, for fog that costs no instruction per pixel. `table` has the factor by depth, and `fogged` the shader that looks it up at each pixel, by `levels`.
 
-mod colors;
 mod fogged;
 mod levels;
 mod linear;

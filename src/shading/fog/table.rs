@@ -100,9 +100,4 @@ impl<C: Color> FogTable<C> {
 }
 
 // The colours are not printed: they need not implement `Format`.
-#[cfg(feature = "defmt")]
-impl<C> defmt::Format for FogTable<C> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "fog of levels from depths {}/2^16", self.bounds);
-    }
-}
+defmt_format!([C] FogTable<C>, self, "fog of levels from depths {}/2^16", self.bounds);

@@ -67,9 +67,4 @@ impl<I: GetPixel + OriginDimensions> SpriteSource for SpriteImage<'_, I> {
 }
 
 // Image and colour are not printed: they need not implement `Format`.
-#[cfg(feature = "defmt")]
-impl<I: GetPixel + OriginDimensions> defmt::Format for SpriteImage<'_, I> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "picture of {}", self.image.size());
-    }
-}
+defmt_format!([I: GetPixel + OriginDimensions] SpriteImage<'_, I>, self, "picture of {}", self.image.size());

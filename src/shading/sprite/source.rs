@@ -1,7 +1,7 @@
 //! Where the texels of a sprite come from.
 
-use crate::color::Ink;
-use crate::shading::Texels;
+use crate::color::{BlendMode, Color, Ink, Unmixed};
+use crate::shading::{Fogged, Texels, Translucent};
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
@@ -83,5 +83,83 @@ impl<S: Texels> SpriteSource for S {
         // The left and the upper border of the texel, in 2⁻³² of a side: sides have 3 to 8 bits.
         let [w, h] = self.size_bits().map(|bits| 32u32.wrapping_sub(bits) & 31);
         self.texel(column << w, row << h)
+    }
+}
+
+/// A picture of one texel, for squares and rectangles of one colour: what [`Sprite::square`](crate::sprite::Sprite::square) makes.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
+/// use pinhole::sprite::{SolidTexel, SpriteSource};
+/// assert_eq!(SolidTexel::new(Rgb565::RED).picture_size(), Size::new(1, 1));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SolidTexel<C>(C);
+
+impl<C> SolidTexel<C> {
+    /// A texel of one colour.
+    pub const fn new(color: C) -> Self {
+        Self(color)
+    }
+}
+
+impl<C: PixelColor> SpriteSource for SolidTexel<C> {
+    type Color = C;
+    type Ink = C;
+
+    fn picture_size(&self) -> Size {
+        Size::new(1, 1)
+    }
+
+    #[inline(always)]
+    fn texel_at(&self, _: u32, _: u32) -> C {
+        self.0
+    }
+
+    #[inline(always)]
+    fn solid_texel(&self) -> Option<C> {
+        Some(self.0)
+    }
+}
+
+impl<C: Color, S: SpriteSource<Color = C>> SpriteSource for Fogged<'_, S, C> {
+    type Color = C;
+    type Ink = S::Ink;
+
+    fn picture_size(&self) -> Size {
+        self.shader.picture_size()
+    }
+
+    #[inline(always)]
+    fn texel_at(&self, column: u32, row: u32) -> S::Ink {
+        self.shader.texel_at(column, row).map(|color| self.in_nearest_level(color))
+    }
+
+    #[inline(always)]
+    fn solid_texel(&self) -> Option<S::Ink> {
+        Some(self.shader.solid_texel()?.map(|color| self.in_nearest_level(color)))
+    }
+
+    fn set_depth(&mut self, depth: u16) {
+        self.set_level_of(depth).set_depth(depth);
+    }
+}
+
+impl<S: SpriteSource<Ink: Unmixed<S::Color>>, M: BlendMode<S::Color>> SpriteSource for Translucent<S, M> {
+    type Color = S::Color;
+    type Ink = <S::Ink as Unmixed<S::Color>>::Mixed<M>;
+
+    fn picture_size(&self) -> Size {
+        self.shader.picture_size()
+    }
+
+    #[inline(always)]
+    fn texel_at(&self, column: u32, row: u32) -> Self::Ink {
+        self.shader.texel_at(column, row).mixed(self.mode)
+    }
+
+    fn set_depth(&mut self, depth: u16) {
+        self.shader.set_depth(depth);
     }
 }

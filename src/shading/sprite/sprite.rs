@@ -1,7 +1,6 @@
 //! A sprite: a picture with a size and an anchor.
 
-use super::solid::SolidTexel;
-use super::source::SpriteSource;
+use super::source::{SolidTexel, SpriteSource};
 use crate::math::num::divide;
 use crate::math::Scalar;
 use embedded_graphics_core::geometry::{AnchorPoint, Size};
@@ -43,8 +42,8 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Sprite<S> {
-    source: S,
-    size: SpriteSize,
+    pub(crate) source: S,
+    pub(crate) size: SpriteSize,
     anchor: Anchor,
 }
 
@@ -150,24 +149,6 @@ impl<S> Sprite<S> {
     pub const fn with_anchor_at(mut self, column: u32, row: u32) -> Self {
         self.anchor = Anchor::Texels([column, row]);
         self
-    }
-
-    /// The picture.
-    #[inline(always)]
-    pub(crate) const fn source(&self) -> &S {
-        &self.source
-    }
-
-    /// The picture, to be changed.
-    #[inline(always)]
-    pub(crate) const fn source_mut(&mut self) -> &mut S {
-        &mut self.source
-    }
-
-    /// The size.
-    #[inline(always)]
-    pub(crate) const fn size(&self) -> SpriteSize {
-        self.size
     }
 }
 

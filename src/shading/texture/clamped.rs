@@ -1,6 +1,7 @@
 //! Texels of a picture that does not repeat.
 
 use super::texels::Texels;
+use crate::color::Color;
 use crate::math::num::leading_zeros;
 
 /// Texels whose edge continues without end, where other [`Texels`] repeat: a coordinate beyond the picture, below 0 too, shows the
@@ -33,13 +34,9 @@ impl<S: Texels> ClampedTexels<S> {
 
     /// u and v in 2⁻³² of the picture's sides, for coordinates that span more.
     #[inline(always)]
-    pub(super) const fn inside(&self, u: u32, v: u32) -> [u32; 2] {
+    const fn inside(&self, u: u32, v: u32) -> [u32; 2] {
         let [w, h] = self.sides;
         [clamped(u, w), clamped(v, h)]
-    }
-
-    pub(super) const fn texels(&self) -> &S {
-        &self.texels
     }
 }
 
@@ -73,17 +70,20 @@ impl<S: Texels> Texels for ClampedTexels<S> {
     }
 
     const WIDE: bool = true;
-}
+    const LEVEL_BITS: u32 = S::LEVEL_BITS;
 
-#[cfg(feature = "defmt")]
-impl<S> defmt::Format for ClampedTexels<S> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let [w, h] = self.sides;
-        defmt::write!(
-            f,
-            "texels that do not repeat, for coordinates of 2^{=u8} widths and 2^{=u8} heights",
-            w,
-            h
-        );
+    #[inline(always)]
+    fn lit_texel(&self, u: u32, v: u32, level: u32) -> S::Ink
+    where
+        S::Color: Color,
+    {
+        let [u, v] = self.inside(u, v);
+        self.texels.lit_texel(u, v, level)
     }
 }
+
+defmt_format!(
+    [S] ClampedTexels<S>, self,
+    "texels that do not repeat, for coordinates of 2^{=u8} widths and 2^{=u8} heights",
+    self.sides[0], self.sides[1]
+);

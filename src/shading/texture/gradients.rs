@@ -35,7 +35,7 @@ impl Gradients {
         // 5 … 30.
         let (unit @ [u_unit, v_unit], [w, h]) = (coords.unit, size_bits);
         let shift = |unit: u8, bits: u32| {
-            (coords.accuracy_bits() + u32::from(unit) + bits).wrapping_sub(FRACTION + 6)
+            (coords.accuracy as u32 + u32::from(unit) + bits).wrapping_sub(FRACTION + 6)
         };
         let [w, h] = [shift(u_unit, w), shift(v_unit, h)];
         // (1/w₀ − 1/w₁)/(1/w₁) = (w₁ − w₀)/w₀.

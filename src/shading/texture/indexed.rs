@@ -125,10 +125,7 @@ impl<'t, C: PixelColor, const BITS: u32> IndexedTexels<'t, C, BITS> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<C, const BITS: u32> defmt::Format for IndexedTexels<'_, C, BITS> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let [w, h] = self.bits;
-        defmt::write!(f, "{=u32} x {=u32} texels of {=u32} bits", 1 << w, 1 << h, BITS);
-    }
-}
+defmt_format!(
+    [C, const BITS: u32] IndexedTexels<'_, C, BITS>, self,
+    "{=u32} x {=u32} texels of {=u32} bits", 1 << self.bits[0], 1 << self.bits[1], BITS
+);

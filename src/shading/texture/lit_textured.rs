@@ -1,9 +1,7 @@
 //! The shader of a face that shows a texture in light of its own at each corner.
 
-use super::clamped::ClampedTexels;
-use super::indexed::IndexedTexels;
 use super::mapping::Textured;
-use super::texels::{TexelSlice, Texels};
+use super::texels::Texels;
 use super::textured::TextureGradients;
 use crate::clip::Barycentric;
 use crate::color::Color;
@@ -11,76 +9,6 @@ use crate::math::unrolled::map3;
 use crate::raster::{Gradient, Span, Triangle};
 use crate::shading::levels::weighted_mean;
 use crate::shading::{CornerValues, Shader, SpanShader};
-
-/// [`Texels`] that can be shown in several levels of light, for [`Textured::lit`].
-///
-/// Texels whose colours can be [dimmed](Color) are multiplied by the light at each pixel. Those of a
-/// [`LitPalette`](crate::texture::LitPalette) are looked up in the palette's row, which is faster.
-///
-/// ```
-/// use embedded_graphics::pixelcolor::Gray8;
-/// use pinhole::texture::LitTexels;
-/// let picture = [[Gray8::new(200); 8]; 8];
-/// assert_eq!((&picture).lit_texel(0, 0, 255), Gray8::new(200));
-/// assert_eq!((&picture).lit_texel(0, 0, 63), Gray8::new(49));
-/// ```
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` are not texels that can be lit",
-    label = "not `LitTexels`",
-    note = "use texels whose colors implement `Color`, or `IndexedTexels::with_lit_palette`"
-)]
-pub trait LitTexels: Texels {
-    /// The binary logarithm of the number of levels: 1 … 8.
-    const LEVEL_BITS: u32;
-
-    /// The colour of the texel that holds a point, as [`Texels::texel`] returns it, in
-    /// `level`/(2^[`LEVEL_BITS`](Self::LEVEL_BITS) − 1) of full light. `level` is below 2^`LEVEL_BITS`.
-    fn lit_texel(&self, u: u32, v: u32, level: u32) -> Self::Color;
-}
-
-/// A colour at `level`/255 of its light.
-#[inline(always)]
-fn dimmed<C: Color>(color: C, level: u32) -> C {
-    // 0 … 256, at most ½ from level·256/255.
-    color.dim((level + (level >> 7)) as u16)
-}
-
-impl<C: Color, const W: usize, const H: usize> LitTexels for &[[C; W]; H] {
-    const LEVEL_BITS: u32 = 8;
-
-    #[inline(always)]
-    fn lit_texel(&self, u: u32, v: u32, level: u32) -> C {
-        dimmed(self.texel(u, v), level)
-    }
-}
-
-impl<C: Color> LitTexels for TexelSlice<'_, C> {
-    const LEVEL_BITS: u32 = 8;
-
-    #[inline(always)]
-    fn lit_texel(&self, u: u32, v: u32, level: u32) -> C {
-        dimmed(self.texel(u, v), level)
-    }
-}
-
-impl<C: Color, const BITS: u32> LitTexels for IndexedTexels<'_, C, BITS> {
-    const LEVEL_BITS: u32 = 8;
-
-    #[inline(always)]
-    fn lit_texel(&self, u: u32, v: u32, level: u32) -> C {
-        dimmed(self.texel(u, v), level)
-    }
-}
-
-impl<S: LitTexels> LitTexels for ClampedTexels<S> {
-    const LEVEL_BITS: u32 = S::LEVEL_BITS;
-
-    #[inline(always)]
-    fn lit_texel(&self, u: u32, v: u32, level: u32) -> S::Color {
-        let [u, v] = self.inside(u, v);
-        self.texels().lit_texel(u, v, level)
-    }
-}
 
 /// A texture on a face, with light of its own at each corner, linear on the screen between the corners: [`Textured::lit`] makes
 /// it.
@@ -98,7 +26,7 @@ pub struct LitTextured<S> {
     light: [i32; 3],
 }
 
-impl<S: LitTexels> Textured<S> {
+impl<S: Texels<Color: Color>> Textured<S> {
     /// This face with a level of light at each corner, 0 … 256 (more counts as 256), in the order of the face's vertices.
     /// [`Lambert::levels`](crate::light::Lambert::levels) computes levels, [`Mesh::corners_of`](crate::Mesh::corners_of) picks those of a
     /// face.
@@ -144,7 +72,7 @@ const fn of_level(level: u16, bits: u32) -> i32 {
     ((((level * levels) << 10) + (1 << 17)) >> (bits & 31)) as i32 - (1 << 9)
 }
 
-impl<S: LitTexels> Shader for LitTextured<S> {
+impl<S: Texels> Shader for LitTextured<S> {
     type Varying = Barycentric;
     const NEEDS_W: bool = true;
 
@@ -158,36 +86,26 @@ impl<S: LitTexels> Shader for LitTextured<S> {
     }
 }
 
-/// A [`LitTextured`] face set up for a triangle.
-#[derive(Clone, Copy, Debug)]
-pub struct LitTextureGradients<S> {
-    texture: TextureGradients<S>,
-    light: Gradient,
-}
+impl<S: Texels<Color: Color>> SpanShader<S::Color> for LitTextured<S> {
+    type Ink = S::Ink;
+    type Setup = (TextureGradients<S>, Gradient);
 
-impl<S: LitTexels> SpanShader<S::Color> for LitTextured<S> {
-    type Ink = S::Color;
-    type Setup = LitTextureGradients<S>;
-
-    fn set_up(&self, triangle: &Triangle<'_>) -> LitTextureGradients<S> {
-        LitTextureGradients {
-            texture: self.face.set_up(triangle),
-            light: Gradient::of_light(triangle, &self.light),
-        }
+    fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
+        (self.face.set_up(triangle), Gradient::of_light(triangle, &self.light))
     }
 
-    fn span(setup: &LitTextureGradients<S>, span: Span) -> impl Iterator<Item = S::Color> {
+    fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = S::Ink> {
         Self::runs(setup, span).flat_map(|(width, colors)| colors.take(width as usize))
     }
 
     #[inline(always)]
     fn runs(
-        setup: &LitTextureGradients<S>,
+        (texture, light): &Self::Setup,
         span: Span,
-    ) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Color>)> {
-        let texels = *setup.texture.texels();
-        let (mut next, step) = (setup.light.at(span.x, span.y), setup.light.step());
-        setup.texture.coordinates(span).map(move |(width, line)| {
+    ) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Ink>)> {
+        let texels = texture.texels;
+        let (mut next, step) = (light.at(span.x, span.y), light.step());
+        texture.coordinates(span).map(move |(width, line)| {
             let mut light = next;
             next = next.wrapping_add(step.wrapping_mul(width as u32));
             let colors = line.map(move |[u, v]| {

@@ -4,17 +4,17 @@ use super::clamped::{span, ClampedTexels};
 use super::texels::{Texels, TextureError};
 
 /// The error bound of interpolated texture coordinates: how far the texel that a pixel shows may be from the exact one. A lower
-/// bound divides rows into shorter runs.
+/// bound divides rows into shorter runs. The discriminant is the binary logarithm of its inverse.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Accuracy {
     /// 1/4 texel.
     #[default]
-    Quarter,
+    Quarter = 2,
     /// 1/8 texel.
-    Eighth,
+    Eighth = 3,
     /// 1/16 texel.
-    Sixteenth,
+    Sixteenth = 4,
 }
 
 /// A texture: [`Texels`], the unit of texture coordinates, and how accurately they are interpolated.
@@ -179,49 +179,18 @@ pub(super) struct FaceCoords {
     pub(super) accuracy: Accuracy,
 }
 
-impl FaceCoords {
-    /// The binary logarithm of 1/[`Accuracy`].
-    #[inline(always)]
-    pub(super) fn accuracy_bits(&self) -> u32 {
-        match self.accuracy {
-            Accuracy::Quarter => 2,
-            Accuracy::Eighth => 3,
-            Accuracy::Sixteenth => 4,
-        }
-    }
-}
-
 /// The fractional bits of a corner's coordinates: clipping rounds the coordinates of new corners to 2⁻⁸ of the texture's unit.
 pub(super) const FRACTION: u32 = 8;
 
-#[cfg(feature = "defmt")]
-impl<S> defmt::Format for Texture<S> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let [u, v] = self.unit;
-        defmt::write!(
-            f,
-            "texture in 2^{=i8} and 2^{=i8} of its sides, to {}",
-            u as i8 - 32,
-            v as i8 - 32,
-            self.accuracy
-        );
-    }
-}
+defmt_format!(
+    [S] Texture<S>, self,
+    "texture in 2^{=i8} and 2^{=i8} of its sides, to {}",
+    self.unit[0] as i8 - 32, self.unit[1] as i8 - 32, self.accuracy
+);
 
-#[cfg(feature = "defmt")]
-impl<S> defmt::Format for Textured<S> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let FaceCoords { uv, unit: [u, v], accuracy, .. } = self.coords;
-        let [a, b, c] = uv.map(|uv| uv.map(|c| c >> FRACTION));
-        defmt::write!(
-            f,
-            "texture in 2^{=i8} and 2^{=i8} of its sides, to {} at {=[?]}, {=[?]} and {=[?]}",
-            u as i8 - 32,
-            v as i8 - 32,
-            accuracy,
-            a,
-            b,
-            c
-        );
-    }
-}
+defmt_format!(
+    [S] Textured<S>, self,
+    "texture in 2^{=i8} and 2^{=i8} of its sides, to {} at {}",
+    self.coords.unit[0] as i8 - 32, self.coords.unit[1] as i8 - 32, self.coords.accuracy,
+    self.coords.uv.map(|uv| uv.map(|c| c >> FRACTION))
+);

@@ -4,8 +4,9 @@ use super::indexed::IndexedTexels;
 use super::mapping::Texture;
 use super::texels::Texels;
 use crate::color::Color;
-use crate::shading::levels::lit;
-use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
+use crate::shading::levels::mixture;
+use core::array::from_fn;
+use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
 
 /// A palette in `ROWS` levels of light, computed once: the colours of a texture with a palette in any light, without a
 /// multiplication. 16 colours in 32 levels take 1 KB as `Rgb565`. (Quake's *colormap* is such a table: Abrash, *Graphics
@@ -80,11 +81,50 @@ impl<C: Color, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROW
     /// The colours of the target nearest to each colour at 0/(`ROWS` − 1), 1/(`ROWS` − 1) … of its light; halves are rounded up.
     pub fn new(palette: &[Rgb888; COLORS]) -> Self {
         let steps = (1u32 << Self::ROW_BITS) - 1;
-        let mut row = 0;
-        Self([(); ROWS].map(|()| {
-            let colors = palette.each_ref().map(|&color| lit(color, row, steps));
-            row += 1;
-            colors
+        Self(from_fn(|row| {
+            palette.each_ref().map(|&color| mixture(color, row as u32, Rgb888::BLACK, 0, steps))
+        }))
+    }
+
+    /// A palette that fades into fog: row i has i/(`ROWS` − 1) of the palette's colours and the rest of the fog's colour, so row
+    /// 0 is fog alone; halves are rounded up. [`row`](Self::row) takes the factor of
+    /// [`VertexFog::face_factor`](crate::fog::VertexFog::face_factor), [`Textured::lit`](crate::texture::Textured::lit) the factors of
+    /// [`VertexFog::factors`](crate::fog::VertexFog::factors).
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};
+    /// use pinhole::texture::LitPalette;
+    /// let palette = LitPalette::<Rgb565, 2, 32>::in_fog(&[Rgb888::RED, Rgb888::BLACK], Rgb888::WHITE);
+    /// assert_eq!(palette.row(0), &[Rgb565::WHITE; 2]);
+    /// assert_eq!(palette.row(256), &[Rgb565::RED, Rgb565::BLACK]);
+    /// ```
+    pub fn in_fog(palette: &[Rgb888; COLORS], fog: Rgb888) -> Self {
+        let steps = ROWS as u32 - 1; // 1 … 255: the compiler checks the number of rows
+        Self::from_rows(from_fn(|row| {
+            let row = row as u32;
+            palette.each_ref().map(|&color| mixture(color, row, fog, steps.saturating_sub(row), steps))
+        }))
+    }
+
+    /// A palette of texels that emit light of their own, such as the digits of a dial: row i has i/(`ROWS` − 1) of the palette's
+    /// colours plus `emission`, so row 0 is the emission alone; channels saturate at full, halves are rounded up. The emission of
+    /// a colour that emits nothing is black.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};
+    /// use pinhole::texture::LitPalette;
+    /// let palette = LitPalette::<Rgb565, 2, 32>::emitting(&[Rgb888::BLUE, Rgb888::WHITE], &[Rgb888::RED, Rgb888::BLACK]);
+    /// assert_eq!(palette.row(0), &[Rgb565::RED, Rgb565::BLACK]);
+    /// assert_eq!(palette.row(256), &[Rgb565::MAGENTA, Rgb565::WHITE]);
+    /// ```
+    pub fn emitting(palette: &[Rgb888; COLORS], emission: &[Rgb888; COLORS]) -> Self {
+        let steps = ROWS as u32 - 1; // 1 … 255: the compiler checks the number of rows
+        Self::from_rows(from_fn(|row| {
+            let mut emission = emission.iter();
+            palette.each_ref().map(|&color| {
+                let emission = emission.next().copied().unwrap_or(Rgb888::BLACK);
+                mixture(color, row as u32, emission, steps, steps)
+            })
         }))
     }
 }
@@ -133,11 +173,7 @@ impl<C: PixelColor, const BITS: u32, const COLORS: usize, const ROWS: usize> Tex
     fn texel(&self, u: u32, v: u32) -> C {
         self.texels.texel(u, v)
     }
-}
 
-impl<C: PixelColor, const BITS: u32, const COLORS: usize, const ROWS: usize> super::LitTexels
-    for LitIndexedTexels<'_, C, BITS, COLORS, ROWS>
-{
     const LEVEL_BITS: u32 = LitPalette::<C, COLORS, ROWS>::ROW_BITS;
 
     #[inline(always)]
@@ -147,18 +183,13 @@ impl<C: PixelColor, const BITS: u32, const COLORS: usize, const ROWS: usize> sup
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<C, const COLORS: usize, const ROWS: usize> defmt::Format for LitPalette<C, COLORS, ROWS> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{=usize} colours in {=usize} levels of light", COLORS, ROWS);
-    }
-}
+defmt_format!(
+    [C, const COLORS: usize, const ROWS: usize] LitPalette<C, COLORS, ROWS>, self,
+    "{=usize} colours in {=usize} levels of light", COLORS, ROWS
+);
 
-#[cfg(feature = "defmt")]
-impl<C, const BITS: u32, const COLORS: usize, const ROWS: usize> defmt::Format
-    for LitIndexedTexels<'_, C, BITS, COLORS, ROWS>
-{
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{} of {}", self.texels, self.palette);
-    }
-}
+defmt_format!(
+    [C, const BITS: u32, const COLORS: usize, const ROWS: usize] LitIndexedTexels<'_, C, BITS, COLORS, ROWS>, self,
+    "{} of {}",
+    self.texels, self.palette
+);

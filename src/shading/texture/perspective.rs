@@ -1,6 +1,6 @@
 //! Texture coordinates in perspective: quotients of two numbers that are linear on the screen.
 
-use super::line::{Line, LARGEST_BLOCK};
+use super::line::{Coordinates, LARGEST_BLOCK};
 use super::linear::range;
 use super::mapping::{FaceCoords, FRACTION};
 use crate::math::hints::opaque_next;
@@ -19,9 +19,9 @@ pub(super) struct Perspective {
     origin: [u32; 2],
     /// Four [`shifts`](Self::shifts), of 5 bits each.
     shifts: u32,
-    /// The binary logarithm of the widest block.
-    largest_block: i32,
-    curvature: Curvature,
+    /// The binary logarithm of the widest block, in pixels.
+    pub(super) widest_block: i32,
+    pub(super) curvature: Curvature,
     /// The column that planes are counted from: 0 unless coordinates are [linear by rows](is_linear_by_rows), otherwise that in
     /// the middle of the triangle.
     anchor: i32,
@@ -67,7 +67,7 @@ impl Sample {
 /// they are linear. Between pixels L columns apart with q₀ and q₁, s/q changes by K·L/(q₀·q₁), and q by q'·L: interpolated linearly
 /// in between, s/q is off by at most |K·q'|·L²/(4·q₀·q₁·min(q₀, q₁)) ≤ |K·q'|·L²/(4·m³) with m = min(q₀, q₁).
 #[derive(Clone, Copy, Debug)]
-struct Curvature {
+pub(super) struct Curvature {
     /// K of s and of t in row 0, wrapping, and their changes from row to row, in a unit in which those of covered rows are below
     /// 2³⁰: in texels, those of the larger unit of both.
     rows: [[i32; 2]; 2],
@@ -123,7 +123,7 @@ impl Curvature {
 
     /// The binary logarithm of |K·q'|/(4·ε) in a row, as a fraction of 2⁹³, in 2⁻¹⁶.
     #[inline(never)] // code size
-    fn of_row(&self, y: i32) -> i32 {
+    pub(super) fn of_row(&self, y: i32) -> i32 {
         let [s, t] = map2(self.k(y), i32::unsigned_abs);
         log_of_2_31(s.max(t).wrapping_add(self.slack)) + self.bound
     }
@@ -258,7 +258,7 @@ impl Perspective {
         let texel = u_texel.max(v_texel);
         let coarser = [(texel - u_texel) as u8, (texel - v_texel) as u8];
         // log₂(1/(4·ε)), rounded up.
-        let exponent = coords.accuracy_bits() as i32 + n + texel - 41;
+        let exponent = coords.accuracy as i32 + n + texel - 41;
         let size = Size::of(triangle);
         let curvature = Curvature::new(&planes, (first.x >> 8, first.y >> 8), &size, coarser, exponent);
         let is_by_rows = is_linear_by_rows(&planes, least_q, &size, &curvature);
@@ -268,7 +268,7 @@ impl Perspective {
             planes: map3(planes, |plane| Gradient { origin: plane.at(anchor, 0), ..plane }),
             origin: [phase(u, u_unit), phase(v, v_unit)],
             shifts: (u_up | v_up << 5 | (u_up - u_full) << 10 | (v_up - v_full) << 15) as u32,
-            largest_block: size.largest_block,
+            widest_block: size.largest_block,
             curvature,
             anchor,
             steps: [step - w, step - h],
@@ -303,12 +303,6 @@ impl Perspective {
     pub(super) fn row(&self, y: i32) -> Planes {
         let [q, s, t] = map3(self.planes, |plane| plane.at(0, y));
         Planes { q: q as i32, s: s.wrapping_sub(BIAS) as i32, t: t.wrapping_sub(BIAS) as i32 }
-    }
-
-    /// The curvature of a row, for [`largest_block`](Self::largest_block).
-    #[inline(always)]
-    pub(super) fn curvature(&self, y: i32) -> i32 {
-        self.curvature.of_row(y)
     }
 
     /// The planes in a column, given those in column 0.
@@ -353,12 +347,6 @@ impl Perspective {
         (3 * log_of_2_31(m as u32) - curvature) >> 17
     }
 
-    /// The binary logarithm of the widest block, in pixels.
-    #[inline(always)]
-    pub(super) const fn widest_block(&self) -> i32 {
-        self.largest_block
-    }
-
     /// The coordinates of a sample, in 2⁻³² of the sides.
     #[inline(always)]
     pub(super) fn phases(&self, Sample { u, v }: Sample) -> [u32; 2] {
@@ -368,9 +356,15 @@ impl Perspective {
 
     /// The line between two samples, 2^`bits` pixels from each other, from pixel `passed` on.
     #[inline(always)]
-    pub(super) fn between<L: Line>(&self, left: Sample, right: Sample, bits: i32, passed: i32) -> L {
+    pub(super) fn between<const N: usize>(
+        &self,
+        left: Sample,
+        right: Sample,
+        bits: i32,
+        passed: i32,
+    ) -> Coordinates<N> {
         let [m, n, ..] = self.shifts();
-        L::between([left.u, left.v], [right.u, right.v], self.origin, [m, n], bits, passed)
+        Coordinates::between([left.u, left.v], [right.u, right.v], self.origin, [m, n], bits, passed)
     }
 
     /// For u and v, the binary logarithms of a [`Sample`]'s unit in 2⁻³² of the sides: [`LARGEST_BLOCK`] … 23, so that the steps over a

@@ -1,17 +1,9 @@
 //! A row of pixels, divided into runs over which texture coordinates are linear.
 
 use super::gradients::Gradients;
-use super::line::{Line, PackedLine, TexelLine, LARGEST_BLOCK};
+use super::line::{Coordinates, Line, LARGEST_BLOCK};
 use super::perspective::{Perspective, Planes, Sample};
-use super::texels::Texels;
 use crate::raster::{Gradient, Span};
-use core::marker::PhantomData;
-
-/// The runs of a span: their widths and coordinates.
-pub(super) trait LineRuns {
-    /// The next run.
-    fn next_run<L: Line>(&mut self) -> Option<(i32, L)>;
-}
 
 /// The runs of a span whose coordinates are linear: blocks of 2^[`LARGEST_BLOCK`] pixels, at multiples of it on the screen.
 pub(super) struct LinearRuns {
@@ -37,11 +29,10 @@ impl LinearRuns {
     fn of([first, step]: [[u32; 2]; 2], Span { x, width, .. }: Span) -> Self {
         Self { first, step, x, end: x + width } // inside the guard band
     }
-}
 
-impl LineRuns for LinearRuns {
+    /// The next run, its width and coordinates.
     #[inline(always)]
-    fn next_run<L: Line>(&mut self) -> Option<(i32, L)> {
+    fn next_run<const N: usize>(&mut self) -> Option<(i32, Coordinates<N>)> {
         let Self { x, end, first: [u, v], step } = *self;
         if x >= end {
             return None;
@@ -50,7 +41,7 @@ impl LineRuns for LinearRuns {
         self.x = to;
         let along = |first: u32, step: u32| first.wrapping_add(step.wrapping_mul(from as u32));
         let [du, dv] = step;
-        let line = L::of_block([along(u, du), along(v, dv)], step, LARGEST_BLOCK, x - from);
+        let line = Coordinates::of_block([along(u, du), along(v, dv)], step, LARGEST_BLOCK, x - from);
         Some((to.min(end) - x, line))
     }
 }
@@ -73,7 +64,7 @@ pub(super) struct PerspectiveRuns<'g> {
     row: Planes,
     x: i32,
     end: i32,
-    /// The row's [curvature](Perspective::curvature).
+    /// The row's [curvature](super::perspective::Curvature::of_row).
     curvature: i32,
     /// The sample at `x`, if the last run ended there with one.
     left: Sample,
@@ -96,7 +87,7 @@ impl<'g> PerspectiveRuns<'g> {
             row: perspective.row(y),
             x,
             end: x + width, // inside the guard band
-            curvature: perspective.curvature(y),
+            curvature: perspective.curvature.of_row(y),
             left: Sample::ZERO,
             reach: BEGIN,
         }
@@ -104,7 +95,7 @@ impl<'g> PerspectiveRuns<'g> {
 
     /// The next run, up to the new `x` or the end.
     #[inline(never)] // its loop needs all registers
-    fn run<L: Line>(&mut self) -> L {
+    fn run<const N: usize>(&mut self) -> Coordinates<N> {
         let Self { perspective, x, reach, .. } = *self;
         let is_next = reach > SINGLE;
         // A block that began further left would have been the last run.
@@ -116,7 +107,7 @@ impl<'g> PerspectiveRuns<'g> {
             let (_, most) = self.at(x);
             bits = if reach == BEGIN { most } else { most.min(bits) };
         }
-        bits = bits.min(perspective.widest_block());
+        bits = bits.min(perspective.widest_block);
         while bits > 0 {
             let (from, to) = block(x, bits);
             let (behind, reach) = self.at(to);
@@ -158,11 +149,10 @@ impl<'g> PerspectiveRuns<'g> {
         }
         may
     }
-}
 
-impl LineRuns for PerspectiveRuns<'_> {
+    /// The next run, its width and coordinates.
     #[inline(always)]
-    fn next_run<L: Line>(&mut self) -> Option<(i32, L)> {
+    fn next_run<const N: usize>(&mut self) -> Option<(i32, Coordinates<N>)> {
         let x = self.x;
         if x >= self.end {
             return None;
@@ -172,30 +162,10 @@ impl LineRuns for PerspectiveRuns<'_> {
     }
 }
 
-/// [`LineRuns`] as an iterator.
-pub(super) struct Lines<R, L>(R, PhantomData<L>);
-
-impl<R: LineRuns, L: Line> Lines<R, L> {
-    #[inline(always)]
-    pub(super) const fn new(runs: R) -> Self {
-        Self(runs, PhantomData)
-    }
-}
-
-impl<R: LineRuns, L: Line> Iterator for Lines<R, L> {
-    type Item = (i32, L);
-
-    #[inline(always)]
-    fn next(&mut self) -> Option<(i32, L)> {
-        let Self(runs, _) = self;
-        runs.next_run()
-    }
-}
-
 /// The runs of a span over a triangle of any kind.
 pub(super) enum Runs<'g> {
     /// Of a small triangle: the only run of the span.
-    Packed(Option<(i32, PackedLine)>),
+    Packed(Option<(i32, Coordinates<1>)>),
     Linear(LinearRuns),
     Perspective(PerspectiveRuns<'g>),
 }
@@ -205,52 +175,26 @@ impl<'g> Runs<'g> {
     pub(super) fn new(gradients: &'g Gradients, span: Span) -> Self {
         match gradients {
             Gradients::Packed(gradient) => {
-                Self::Packed(Some((span.width, PackedLine::of_row(gradient, span))))
+                let words = Coordinates { at: [gradient.at(span.x, span.y)], step: [gradient.step()] };
+                Self::Packed(Some((span.width, words)))
             }
             Gradients::Linear(gradients) => Self::Linear(LinearRuns::new(gradients, span)),
             Gradients::Rows(rows) => Self::Linear(LinearRuns::by_row(rows, span)),
             Gradients::Perspective(perspective) => Self::Perspective(PerspectiveRuns::new(perspective, span)),
         }
     }
-}
 
-impl LineRuns for Runs<'_> {
+    /// The next run, its width and coordinates, of which `N` numbers are known.
     #[inline(always)]
-    fn next_run<L: Line>(&mut self) -> Option<(i32, L)> {
-        match self {
+    pub(super) fn next_run<const N: usize>(&mut self) -> Option<(i32, Line)> {
+        let (width, own) = match self {
             Self::Packed(run) => {
-                let (width, line) = run.take()?;
-                Some((width, L::of_packed(line)?))
+                let (width, words) = run.take().filter(|_| N == 1)?;
+                return Some((width, words.line()));
             }
-            Self::Linear(runs) => runs.next_run(),
-            Self::Perspective(runs) => runs.next_run(),
-        }
-    }
-}
-
-/// [`Runs`] with the lines that texels of type `S` need.
-pub(super) struct TexelRuns<'g, S> {
-    runs: Runs<'g>,
-    texels: PhantomData<S>,
-}
-
-impl<'g, S: Texels> TexelRuns<'g, S> {
-    #[inline(always)]
-    pub(super) fn new(gradients: &'g Gradients, span: Span) -> Self {
-        Self { runs: Runs::new(gradients, span), texels: PhantomData }
-    }
-}
-
-impl<S: Texels> Iterator for TexelRuns<'_, S> {
-    type Item = (i32, TexelLine<S>);
-
-    #[inline(always)]
-    fn next(&mut self) -> Option<(i32, TexelLine<S>)> {
-        if S::WIDE {
-            let (width, line) = self.runs.next_run()?;
-            return Some((width, TexelLine::of_wide(line)));
-        }
-        let (width, line) = self.runs.next_run()?;
-        Some((width, TexelLine::of_packed(line)))
+            Self::Linear(runs) => runs.next_run::<N>()?,
+            Self::Perspective(runs) => runs.next_run::<N>()?,
+        };
+        Some((width, own.line()))
     }
 }

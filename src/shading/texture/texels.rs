@@ -1,6 +1,6 @@
 //! Where the texels of a texture come from.
 
-use crate::color::Unmixed;
+use crate::color::{Color, Ink, Unmixed};
 use crate::math::hints::opaque;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
@@ -62,6 +62,29 @@ pub trait Texels: Copy {
     /// 18 of these 37 by rounding, which adds up over at most 32 pixels, and 19 because the corners' coordinates are moved
     /// inwards, so that no pixel shows what lies beyond them. `tests/shading/textures.rs` asserts the bound, and meets 33.
     const WIDE: bool = false;
+
+    /// The binary logarithm of the number of levels of light that [`lit_texel`](Self::lit_texel) takes: 1 … 8.
+    const LEVEL_BITS: u32 = 8;
+
+    /// The [`texel`](Self::texel) that holds a point, in `level`/(2^[`LEVEL_BITS`](Self::LEVEL_BITS) − 1) of full light, for
+    /// [`Textured::lit`](crate::texture::Textured::lit). `level` is below 2^`LEVEL_BITS`. By default the texel's colour is
+    /// [dimmed](Color::dim); override both where looking up a colour is faster.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::Gray8;
+    /// use pinhole::texture::Texels;
+    /// let picture = [[Gray8::new(200); 8]; 8];
+    /// assert_eq!([255, 63].map(|level| (&picture).lit_texel(0, 0, level)), [200, 49].map(Gray8::new));
+    /// ```
+    #[inline(always)]
+    fn lit_texel(&self, u: u32, v: u32, level: u32) -> Self::Ink
+    where
+        Self::Color: Color,
+    {
+        // 0 … 256, at most ½ from level·256/255 if there are 256 levels.
+        let level = (level + (level >> 7)) as u16;
+        self.texel(u, v).map(|color| color.dim(level))
+    }
 }
 
 /// The index of the column or row that holds `coordinate`, in 2⁻³² of a side with 2^`bits` columns or rows; `bits` is 1 … 31.
@@ -231,10 +254,4 @@ impl<C: PixelColor> Texels for TexelSlice<'_, C> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<C> defmt::Format for TexelSlice<'_, C> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let [w, h] = self.bits;
-        defmt::write!(f, "{=u32} x {=u32} texels", 1 << w, 1 << h);
-    }
-}
+defmt_format!([C] TexelSlice<'_, C>, self, "{=u32} x {=u32} texels", 1 << self.bits[0], 1 << self.bits[1]);

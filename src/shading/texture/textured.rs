@@ -1,17 +1,17 @@
 //! The shader of a face that shows a texture.
 
 use super::gradients::Gradients;
-use super::line::{PackedLine, WideLine};
+use super::line::{unpacked, Line};
 use super::linear::range;
 use super::mapping::{FaceCoords, Textured};
-use super::runs::{Lines, Runs, TexelRuns};
+use super::runs::Runs;
 use super::texels::Texels;
 use crate::clip::Barycentric;
 use crate::math::hints::opaque_next;
 use crate::math::num::{dot, leading_zeros};
 use crate::math::unrolled::map3;
-use crate::raster::{Span, Triangle};
-use crate::shading::{CornerValues, DrawRuns, Shader, SpanShader};
+use crate::raster::{Gradient, Span, Triangle};
+use crate::shading::{CornerValues, Shader, SpanShader};
 
 impl<S: Texels> Shader for Textured<S> {
     type Varying = Barycentric;
@@ -24,7 +24,7 @@ impl<S: Texels> Shader for Textured<S> {
     }
 
     fn with_corners(&self, corners: &CornerValues) -> Self {
-        Self { coords: FaceCoords { w: corners.w(), ..self.coords }, ..*self }
+        Self { coords: FaceCoords { w: corners.w, ..self.coords }, ..*self }
     }
 }
 
@@ -69,14 +69,19 @@ fn mean(values: [i32; 3], weights: [i32; 3]) -> i32 {
 /// A [`Textured`] face set up for a triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct TextureGradients<S> {
-    texels: S,
+    pub(super) texels: S,
     gradients: Gradients,
 }
 
 impl<S: Texels> TextureGradients<S> {
+    /// The runs of a span: their widths, and the lines of their texture coordinates.
     #[inline(always)]
-    pub(super) const fn texels(&self) -> &S {
-        &self.texels
+    fn lines(&self, span: Span) -> impl Iterator<Item = (i32, Line)> + use<'_, S> {
+        let mut runs = Runs::new(&self.gradients, span);
+        core::iter::from_fn(move || match S::WIDE {
+            true => runs.next_run::<2>(),
+            false => runs.next_run::<1>(),
+        })
     }
 
     /// The runs of a span: their widths, and the texture coordinates of their pixels in 2⁻³² of the sides.
@@ -85,7 +90,16 @@ impl<S: Texels> TextureGradients<S> {
         &self,
         span: Span,
     ) -> impl Iterator<Item = (i32, impl Iterator<Item = [u32; 2]>)> + use<'_, S> {
-        TexelRuns::<S>::new(&self.gradients, span)
+        self.lines(span).map(|(width, line)| (width, line.map(coordinates::<S>)))
+    }
+}
+
+/// u and v in 2⁻³² of the sides, from the numbers of a line.
+#[inline(always)]
+const fn coordinates<S: Texels>([u, v]: [u32; 2]) -> [u32; 2] {
+    match S::WIDE {
+        true => [u, v],
+        false => unpacked(u),
     }
 }
 
@@ -93,6 +107,7 @@ impl<S: Texels> SpanShader<S::Color> for Textured<S> {
     type Ink = S::Ink;
     type Setup = TextureGradients<S>;
 
+    #[inline(always)]
     fn set_up(&self, triangle: &Triangle<'_>) -> TextureGradients<S> {
         let Self { texels, coords } = self;
         let gradients = Gradients::new(coords, texels.size_bits(), S::WIDE, triangle);
@@ -113,17 +128,21 @@ impl<S: Texels> SpanShader<S::Color> for Textured<S> {
     }
 
     #[inline(always)]
-    fn draw_runs<D: DrawRuns<S::Ink>>(setup: &TextureGradients<S>, mut draw: D) {
+    fn look_up(setup: &TextureGradients<S>) -> Option<impl Fn([u32; 2]) -> S::Ink + Copy> {
         let texel = setup.texels.finder();
-        if let Gradients::Packed(gradient) = &setup.gradients
-            && draw.packed(gradient, texel)
-        {
-            return;
-        }
-        // One loop over rows for triangles of all kinds: another for each takes 2 KB of flash, with depth 3 KB.
-        match S::WIDE {
-            true => draw.lines(|span| Lines::<_, WideLine>::new(Runs::new(&setup.gradients, span)), texel),
-            false => draw.lines(|span| Lines::<_, PackedLine>::new(Runs::new(&setup.gradients, span)), texel),
+        Some(move |numbers| texel(coordinates::<S>(numbers)))
+    }
+
+    #[inline(always)]
+    fn lines(setup: &TextureGradients<S>, span: Span) -> impl Iterator<Item = (i32, [[u32; 2]; 2])> {
+        setup.lines(span).map(|(width, Line { at, step })| (width, [at, step]))
+    }
+
+    #[inline(always)]
+    fn ramp(setup: &TextureGradients<S>) -> Option<&Gradient> {
+        match &setup.gradients {
+            Gradients::Packed(gradient) => Some(gradient),
+            _ => None,
         }
     }
 }

@@ -271,23 +271,11 @@ impl<const N: usize> DirtyRegions<N> {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl<const N: usize> defmt::Format for DirtyRegions<N> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let (marks, last) = (self.now.len(), self.last.len());
-        let Rectangle { top_left, size } = self.area;
-        defmt::write!(
-            f,
-            "dirty regions of {} at {}: {=usize}/{=usize} marks, {=usize} before, all: {=bool}",
-            size,
-            top_left,
-            marks,
-            N,
-            last,
-            self.all
-        );
-    }
-}
+defmt_format!(
+    [const N: usize] DirtyRegions<N>, self,
+    "dirty regions of {} at {}: {=usize}/{=usize} marks, {=usize} before, all: {=bool}",
+    self.area.size, self.area.top_left, self.now.len(), N, self.last.len(), self.all
+);
 
 #[cfg(test)]
 mod tests {

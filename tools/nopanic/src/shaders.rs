@@ -23,8 +23,7 @@ use pinhole::{
     sprite::{PlacedSprites, SolidTexel, SpriteImage, SpriteSource},
     target::{BufferError, Gives, Memory, Pixels},
     texture::{
-        Accuracy, ColorKeyed, IndexKeyed, IndexedTexels, LitPalette, LitTexels, TexelSlice, Texels,
-        TextureError,
+        Accuracy, ColorKeyed, IndexKeyed, IndexedTexels, LitPalette, TexelSlice, Texels, TextureError,
     },
 };
 
@@ -110,7 +109,7 @@ impl Faces<'_> {
     }
 
     /// A picture that does not repeat, without light and with light at each corner.
-    fn clamped_and_lit<S: LitTexels<Color = Rgb565>>(&mut self, texels: S) -> Result<(), TextureError> {
+    fn clamped_and_lit<S: Texels<Color = Rgb565>>(&mut self, texels: S) -> Result<(), TextureError> {
         let texture = Texture::new(texels).with_exponent(any() as i8)?;
         self.draw(|_| texture.clamped_at(corners()));
         self.draw(|_| texture.clamped_at(corners()).lit(levels()));

@@ -1,32 +1,47 @@
 //! Arithmetic on colours against integers: each channel is compared with its exact value, of colours taken apart by
 //! embedded-graphics.
 
-use super::{Color, Format, Mixer};
-use crate::math::random::Random;
 use core::fmt::Debug;
-use embedded_graphics_core::pixelcolor::{
+use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor, Rgb555, Rgb565,
     Rgb666, Rgb888, RgbColor,
 };
+use pinhole::color::{Color, Format};
+use pinhole::shading::{AntiAliased, Stroke};
+use support::oracle::rng::Rng;
 
-/// Two pixels in three bytes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Rgb444(pub(crate) u16);
+macro_rules! own_colors {
+    ($($name:ident: $format:expr;)*) => {$(
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        struct $name(u32);
 
-impl PixelColor for Rgb444 {
-    type Raw = ();
+        impl PixelColor for $name {
+            type Raw = ();
+        }
+
+        impl Color for $name {
+            const FORMAT: Format = $format;
+
+            fn to_bits(self) -> u32 {
+                self.0
+            }
+
+            fn from_bits(bits: u32) -> Self {
+                Self(bits)
+            }
+        }
+    )*};
 }
 
-impl Color for Rgb444 {
-    const FORMAT: Format = Format::rgb(4, 4, 4);
-
-    fn to_bits(self) -> u32 {
-        self.0.into()
-    }
-
-    fn from_bits(bits: u32) -> Self {
-        Self(bits as u16)
-    }
+own_colors! {
+    Rgb444: Format::rgb(4, 4, 4);
+    Rgb332: Format::rgb(3, 3, 2);
+    Bgr233: Format::bgr(2, 3, 3).padded_to(16);
+    Rgb888In32: Format::rgb(90, 9, 8).padded_to(99);
+    Gray4Upper: Format::gray(4).in_bytes();
+    Gray4Lower: Format::gray(4).padded_to(8);
+    Sixteen: Format::indexed(4, [0; 3]).padded_to(2);
+    Words: Format::indexed(99, [1; 3]);
 }
 
 /// E-paper with black, white and red particles.
@@ -77,7 +92,7 @@ impl Color for Tricolor {
 /// each channel, and coverage is known in steps of `step`/256.
 fn check<C: Color + Debug>(parts: impl Fn(C) -> [u8; 3], max: [u8; 3], step: u16) {
     assert_eq!(C::FORMAT.max(), max);
-    let mut random = Random(5);
+    let mut random = Rng::new(5);
     let bits = ((1_u64 << C::FORMAT.bits()) - 1) as u32;
     for i in 0..3_000 {
         // All bits, none, and random ones.
@@ -111,20 +126,20 @@ fn check_pair<C: Color + Debug>(
     parts: impl Fn(C) -> [u8; 3],
     max: [u8; 3],
     step: u16,
-    random: &mut Random,
+    random: &mut Rng,
 ) {
     let coverage = random.below(257) as u16;
     let rounded = (coverage + step / 2) / step * step;
     // Of 256, rarely more.
-    let lights = [300, 300, 300, 1 << 16][random.below(4) as usize];
+    let lights = [300, 300, 300, 1 << 16][random.below(4)];
     let level = random.below(lights) as u16;
     let (mixed, over) = (parts(own.mix(stored, alpha)), parts(own.over(stored, coverage)));
     let (half, dimmed, sum) = (parts(own.half(stored)), parts(own.dim(level)), parts(own.emitting(stored)));
     assert_eq!(C::from_channels(own.channels()), own);
     assert_eq!(own.channels(), parts(own));
-    assert_eq!(own.fade(stored)(alpha), own.mix(stored, alpha), "{own:?} {stored:?} {alpha}");
-    let rest = u32::from((256 - rounded) >> (8 - C::SHARE_BITS));
-    assert_eq!(Mixer::mixer(own)(stored, rest), own.over(stored, coverage), "{own:?} {stored:?} {coverage}");
+    let rest = u32::from((256 - rounded) >> (8 - <AntiAliased<C> as Stroke<C>>::SHARE_BITS));
+    let mixer = Stroke::mixer(AntiAliased(own));
+    assert_eq!(mixer(stored, rest), own.over(stored, coverage), "{own:?} {stored:?} {coverage}");
     let [alpha, rounded, light] = [alpha.into(), rounded, level.min(256)].map(u32::from);
     for channel in 0..3 {
         let [own, stored] = [parts(own), parts(stored)].map(|parts| u32::from(parts[channel]));
@@ -179,37 +194,35 @@ fn a_colour_that_is_a_number_is_mixed_by_its_channels() {
     assert_eq!((White.dim(128), White.dim(127), Red.dim(200)), (White, Black, Red));
     assert_eq!((Red.emitting(White), Black.emitting(Red)), (White, Red));
     assert_eq!((White.mix(Black, 16), White.mix(Black, 15), Red.over(White, 128)), (White, Black, White));
-    assert_eq!((Red.half(Black), Black.half(White), Red.fade(Black)(15)), (Red, Black, Black));
+    assert_eq!((Red.half(Black), Black.half(White), Red.mix(Black, 15)), (Red, Black, Black));
+}
+
+/// Compares the bits of a pixel whose levels are the highest of one channel.
+fn check_bits<C: Color>(bits: u32, max: [u8; 3], wanted: [u32; 3]) {
+    assert_eq!((C::FORMAT.bits(), C::FORMAT.max(), C::FORMAT.is_gray()), (bits, max, max[1] == 0));
+    let [x, y, z] = max;
+    let found = [[x, 0, 0], [0, y, 0], [0, 0, z]].map(|levels| C::from_channels(levels).to_bits());
+    assert_eq!(found, wanted, "{:?}", C::FORMAT);
+    assert_eq!(C::from_bits(!0).channels(), max);
 }
 
 /// Where the bits of a pixel lie, written out.
 #[test]
 fn channels_lie_where_displays_take_them() {
-    for (format, bits, max, [r, g, b]) in [
-        (Rgb565::FORMAT, 16, [31, 63, 31], [0xf800, 0x07e0, 0x001f]),
-        (Bgr565::FORMAT, 16, [31, 63, 31], [0x001f, 0x07e0, 0xf800]),
-        (Rgb555::FORMAT, 16, [31; 3], [0x7c00, 0x03e0, 0x001f]),
-        (Bgr555::FORMAT, 16, [31; 3], [0x001f, 0x03e0, 0x7c00]),
-        (Rgb666::FORMAT, 24, [63; 3], [0xfc_0000, 0x00_fc00, 0x00_00fc]),
-        (Bgr666::FORMAT, 24, [63; 3], [0x00_00fc, 0x00_fc00, 0xfc_0000]),
-        (Rgb888::FORMAT, 24, [255; 3], [0xff_0000, 0x00_ff00, 0x00_00ff]),
-        (Bgr888::FORMAT, 24, [255; 3], [0x00_00ff, 0x00_ff00, 0xff_0000]),
-        (Rgb444::FORMAT, 12, [15; 3], [0xf00, 0x0f0, 0x00f]),
-        (Format::rgb(3, 3, 2), 8, [7, 7, 3], [0xe0, 0x1c, 0x03]),
-        (Format::bgr(2, 3, 3).padded_to(16), 16, [7, 7, 3], [0x07, 0x38, 0xc0]),
-        (Format::rgb(90, 9, 8).padded_to(99), 32, [255; 3], [0xff_0000, 0x00_ff00, 0x00_00ff]),
-    ] {
-        assert_eq!((format.bits(), format.max(), format.is_gray()), (bits, max, false));
-        let [x, y, z] = max;
-        let packed = [[x, 0, 0], [0, y, 0], [0, 0, z]].map(|levels| format.pack(levels));
-        assert_eq!(packed, [r, g, b], "{format:?}");
-        assert_eq!(format.unpack(!0), max);
-    }
-    for (format, bits) in
-        [(Gray4::FORMAT, 4), (Format::gray(4).in_bytes(), 8), (Format::gray(4).padded_to(8), 8)]
-    {
-        assert_eq!((format.bits(), format.max(), format.is_gray()), (bits, [15, 0, 0], true));
-    }
-    assert_eq!(Format::gray(4).in_bytes().pack([9, 0, 0]), 0x90);
-    assert_eq!((Format::indexed(99, [1; 3]).bits(), Format::indexed(4, [0; 3]).padded_to(2).bits()), (32, 4));
+    check_bits::<Rgb565>(16, [31, 63, 31], [0xf800, 0x07e0, 0x001f]);
+    check_bits::<Bgr565>(16, [31, 63, 31], [0x001f, 0x07e0, 0xf800]);
+    check_bits::<Rgb555>(16, [31; 3], [0x7c00, 0x03e0, 0x001f]);
+    check_bits::<Bgr555>(16, [31; 3], [0x001f, 0x03e0, 0x7c00]);
+    check_bits::<Rgb666>(24, [63; 3], [0xfc_0000, 0x00_fc00, 0x00_00fc]);
+    check_bits::<Bgr666>(24, [63; 3], [0x00_00fc, 0x00_fc00, 0xfc_0000]);
+    check_bits::<Rgb888>(24, [255; 3], [0xff_0000, 0x00_ff00, 0x00_00ff]);
+    check_bits::<Bgr888>(24, [255; 3], [0x00_00ff, 0x00_ff00, 0xff_0000]);
+    check_bits::<Rgb444>(12, [15; 3], [0xf00, 0x0f0, 0x00f]);
+    check_bits::<Rgb332>(8, [7, 7, 3], [0xe0, 0x1c, 0x03]);
+    check_bits::<Bgr233>(16, [7, 7, 3], [0x07, 0x38, 0xc0]);
+    check_bits::<Rgb888In32>(32, [255; 3], [0xff_0000, 0x00_ff00, 0x00_00ff]);
+    check_bits::<Gray4>(4, [15, 0, 0], [15, 0, 0]);
+    check_bits::<Gray4Upper>(8, [15, 0, 0], [0xf0, 0, 0]);
+    check_bits::<Gray4Lower>(8, [15, 0, 0], [15, 0, 0]);
+    assert_eq!([Words::FORMAT.bits(), Sixteen::FORMAT.bits()], [32, 4]);
 }
