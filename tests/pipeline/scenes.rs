@@ -322,10 +322,9 @@ fn picking_an_instance_needs_no_cache() {
         let model = Affine::<Model, World>::rotation_y(Angle::from_bits(rng.bits()))
             .translate(Vector3::from_ints(0, 0, -4));
         let instance = camera.place(&meshes.0, &model);
-        let mut cache = [ScreenVertex::EMPTY; 8];
-        let all = instance.transform_depth(&mut cache);
         for at in rectangle(-4, -4, WIDTH + 8, HEIGHT + 8).points() {
-            let picked: Option<Picked> = all.pick(at, opaque);
+            let picked: Option<Picked> =
+                instance.faces(opaque).cached(&mut [ScreenVertex::EMPTY; 8]).pick(at);
             assert_eq!(picked, instance.faces(opaque).pick(at));
             assert_eq!(picked, instance.faces(opaque).cached(&mut [ScreenVertex::EMPTY; 3]).pick(at));
             assert!(picked.is_none_or(|picked| picked.object == 0));

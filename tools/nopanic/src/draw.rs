@@ -263,7 +263,6 @@ fn band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_, i16, WithPlanes>, strip: 
 fn pick<P: FacePlanes>(camera: &Camera, instance: &MeshInstance<'_, i16, P>, cache: &mut [ScreenVertex]) {
     let picked = instance.faces(|_| ScreenDoor::new(color(), any() as u8)).cached(cache).pick(pixel());
     report(picked.and_then(|picked| picked.point(camera)));
-    report(instance.transform_depth(cache).pick(pixel(), |_| color()));
 }
 
 fn change<'m, P: FacePlanes>(
