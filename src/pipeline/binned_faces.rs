@@ -191,7 +191,7 @@ impl<'a, V: Coordinate> AnyInstance<'a, V> {
     }
 
     #[inline(never)] // the sort's arrays leave the stack when it returns
-    fn fill_bins<const DEPTH: bool>(
+    pub(super) fn fill_bins<const DEPTH: bool>(
         &self,
         cache: &mut [ScreenVertex],
         bins: &mut Bins<'_>,

@@ -59,6 +59,15 @@ impl Camera {
         let vertex_transform = VertexTransform::new(self, model, mesh.exponent(), mesh.justify(), V::NARROW);
         MeshInstance::of(Parts { mesh, vertex_transform, cull: Cull::Back })
     }
+
+    /// An instance for vertices that are cached and on the screen: it unpacks them, and can transform none.
+    #[inline(never)] // as `place_data`
+    pub(super) fn place_cached<'m, V: Coordinate<Stored = V>, P: FacePlanes>(
+        &self,
+        mesh: &'m MeshData<'m, V>,
+    ) -> MeshInstance<'m, V, P> {
+        MeshInstance::of(Parts { mesh, vertex_transform: VertexTransform::of_cached(self), cull: Cull::Back })
+    }
 }
 
 impl<'m, V: Coordinate> AnyInstance<'m, V> {

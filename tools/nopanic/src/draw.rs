@@ -305,7 +305,7 @@ fn draw_scene(scene: &pinhole::draw::Scene<'_, Rgb565, 5>, camera: &Camera, stor
     let Ok(mut faces) = placed.bin_faces(cache, bins) else { return };
     faces.depth_only(&mut depth);
     report(faces.draw(shade, &mut target.depth_tested(&mut depth)));
-    report((faces.statistics(), faces.iter().count()));
+    report((faces.statistics(), faces.bounds().count()));
     let mut cursor = [0; 9];
     let Ok([mut ours, mut theirs]) = faces.fork(&mut cursor) else { return };
     report(ours.draw(shade, &mut target.depth_tested(&mut depth)));
