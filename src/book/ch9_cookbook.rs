@@ -17,8 +17,8 @@
 //! |---|---|--:|---|
 //! | [a logo with a label](#a-logo-with-a-label) | 240 × 240, 16 bits | 7 976 | `Memory`, on the stack or in a static |
 //! | [a gauge](#a-gauge) | 128 × 64, 1 bit | 468 | `Gauge` in a static, the rest on the stack |
-//! | [a walk through a town](#a-walk-through-a-town) | 320 × 240, 16 bits | 36 396 | `Town` in a static, the rest on the stack |
-//! | [bars, an encoder and a touch screen](#bars-an-encoder-and-a-touch-screen) | 240 × 240, 16 bits | 14 128 | the stack |
+//! | [a walk through a town](#a-walk-through-a-town) | 320 × 240, 16 bits | 25 636 | `Town` in a static, the rest on the stack |
+//! | [bars, an encoder and a touch screen](#bars-an-encoder-and-a-touch-screen) | 240 × 240, 16 bits | 11 576 | the stack |
 //! | [a head-up display](#a-head-up-display) | 240 × 240, 16 bits | 10 772 | `Hud` in a static, the rest on the stack |
 //! | [a drawing on e-paper](#a-drawing-on-e-paper) | 200 × 200, 1 bit | 9 920 | the stack |
 //! | [a scope](#a-scope) | 320 × 240, 16 bits | 26 376 | `Scope` in a static, the rest on the stack |

@@ -155,6 +155,29 @@ impl VertexTransform {
         transform
     }
 
+    /// The transform of an object whose vertices are cached: it can [unpack](Self::unpack) them, and nothing else.
+    #[inline(always)]
+    pub(crate) const fn of_cached(camera: &Camera) -> Self {
+        Self {
+            w: LinearForm::ZERO,
+            x: LinearForm::ZERO,
+            y: LinearForm::ZERO,
+            justify_factor: 0,
+            min_w: i32::MAX,
+            right: 0,
+            bias: 0,
+            origin: 0,
+            depth_scale: 0,
+            scale_down: 0,
+            d_over_w: 0,
+            d: LinearForm::ZERO,
+            xy_over_w: 0,
+            screen: camera.screen,
+            by_d: false,
+            far_clip: camera.far_clip,
+        }
+    }
+
     /// The vertex in clip space. Few vertices take this path, so code size counts and speed does not.
     #[inline(never)]
     pub(crate) fn clip_into<V: Coordinate>(&self, vertex: [V; 3], slot: &mut ClipCoords) {

@@ -5,12 +5,11 @@ use super::draw_region::{pixels, DrawRegion};
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::math::Coordinate;
-use crate::scene::FacePlanes;
 use crate::surface::BufferError;
-use crate::surface::{rectangle, DepthBuffer, Tested};
+use crate::surface::{rectangle, DepthBuffer};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// Binned faces, binned edges or vertices that can be drawn into a target with this [test](crate::target::Target::Test): with a depth buffer,
+/// Binned faces or edges that can be drawn into a target with this [test](crate::target::Target::Test): with a depth buffer,
 /// only vertices with depth. Draw calls have this bound, so that the compiler names the missing depth.
 #[diagnostic::on_unimplemented(
     message = "a depth buffer needs vertices with depth, and these were transformed without it",
@@ -18,8 +17,6 @@ use embedded_graphics_core::primitives::Rectangle;
     note = "call `transform_depth` instead of `transform`, or `bin_faces_with_depth` instead of `bin_faces`"
 )]
 pub trait DrawnWith<Test> {}
-
-impl<V: Coordinate, P: FacePlanes> DrawnWith<Tested> for TransformedMesh<'_, V, true, P> {}
 
 /// The visible primitives of a mesh, binned by their first rows, and the vertices that they are drawn from.
 #[derive(Debug)]

@@ -37,10 +37,7 @@ impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V,
     /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?.with_edges(&[[0, 1], [1, 2], [2, 0]])?;
     /// # let mut display = MockDisplay::<Gray8>::new();
     /// # let viewport = Viewport::new(Point::zero(), display.size())?;
-    /// # let view = ViewTransform::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?;
-    /// # let [near, far] = [1, 9].map(Scalar::from_int);
-    /// # let lens = Projection::perspective(Angle::degrees(40), viewport.size(), near, far)?;
-    /// # let camera = Camera::new(&view, &lens, &viewport);
+    /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// let instance = camera.place(&mesh, &Affine::identity());
     /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 3 + 1]); // one per vertex; one per edge, and one per 16 edges

@@ -22,7 +22,7 @@ use core::convert::Infallible;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// The visible faces of a mesh, binned by their first rows: each band, or any other rectangle of the picture, draws only the
-/// faces that lie in it. [`MeshInstance::bin_faces`] makes it and has an example, and so does [`TransformedMesh::bin_faces`].
+/// faces that lie in it. [`MeshInstance::bin_faces`] makes it and has an example; [`TransformedMesh::bin_faces`] makes it, too.
 #[derive(Debug)]
 pub struct BinnedFaces<'a, V: Coordinate = i16, const DEPTH: bool = false>(pub(super) Binned<'a, V, DEPTH>);
 
@@ -118,10 +118,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2], [0, 2, 1]])?;
     /// # let mut display = MockDisplay::<Gray8>::new();
     /// # let viewport = Viewport::new(Point::zero(), display.size())?;
-    /// # let view = ViewTransform::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?;
-    /// # let [near, far] = [1, 9].map(Scalar::from_int);
-    /// # let lens = Projection::perspective(Angle::degrees(40), viewport.size(), near, far)?;
-    /// # let camera = Camera::new(&view, &lens, &viewport);
+    /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// let mesh = mesh.with_normals(&[[0, 0, 32_767], [0, 0, -32_767]])?.with_planes(&[0, 0])?;
     /// let instance = camera.place(&mesh, &Affine::identity());
@@ -194,7 +191,7 @@ impl<'a, V: Coordinate> AnyInstance<'a, V> {
     }
 
     #[inline(never)] // the sort's arrays leave the stack when it returns
-    fn fill_bins<const DEPTH: bool>(
+    pub(super) fn fill_bins<const DEPTH: bool>(
         &self,
         cache: &mut [ScreenVertex],
         bins: &mut Bins<'_>,

@@ -25,14 +25,21 @@ pub(super) struct Bins<'s> {
     top: i32,
     /// A bin has 2^shift rows.
     shift: u32,
+    /// Where the next band continues.
+    pub(super) cursor: Cursor,
+    /// The bounding box of the visible primitives inside the viewport. Before the sort: the viewport.
+    bounds: Scissor,
+}
+
+/// Up to where primitives are activated.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cursor {
     /// How many entries of `order` were activated. During the sort: how many primitives are visible.
     activated: usize,
     /// The bin of the first primitive that was not activated, or a lower bound for it.
     next: usize,
     /// The end of the last band.
     row: i32,
-    /// The bounding box of the visible primitives inside the viewport. Before the sort: the viewport.
-    bounds: Scissor,
 }
 
 /// The sort that fills [`Bins`]: primitives are counted, and then distributed.
@@ -78,9 +85,7 @@ impl<'s> Bins<'s> {
             active: storage,
             top: rows.start,
             shift,
-            activated: 0,
-            next: 0,
-            row: i32::MIN,
+            cursor: Cursor { activated: 0, next: 0, row: i32::MIN },
             bounds: viewport,
         }
     }
@@ -96,7 +101,7 @@ impl<'s> Bins<'s> {
     pub(super) fn sort_counted(&mut self, parts: [&Counts; 2]) -> BinSort<'_, 's> {
         let mut sort = self.sort();
         for counts in parts {
-            sort.bins.activated += counts.visible; // at most all items
+            sort.bins.cursor.activated += counts.visible; // at most all items
             sort.bins.bounds = sort.bins.bounds.union(&counts.bounds);
             for (end, count) in sort.ends.iter_mut().zip(&counts.bins) {
                 keep_rolled();
@@ -116,18 +121,15 @@ impl<'s> Bins<'s> {
         let (needed, given) = (self.active.len(), cursor.len());
         let second = cursor.get_mut(..needed).ok_or(BufferError::Bins { needed, given })?;
         // Every band begins above this row, so the first band of each of the two cursors, and of these bins after them, clears its bits.
-        self.row = i32::MAX;
-        let Bins { order, top, shift, activated, next, row, bounds, .. } = *self;
-        Ok([&mut *self.active, second].map(|active| Bins {
-            order,
-            active,
-            top,
-            shift,
-            activated,
-            next,
-            row,
-            bounds,
-        }))
+        self.cursor.row = i32::MAX;
+        let Bins { order, top, shift, cursor, bounds, .. } = *self;
+        let active = [&mut *self.active, second];
+        Ok(active.map(|active| Bins { order, active, top, shift, cursor, bounds }))
+    }
+
+    /// These bins for one band. The cursor that they end with belongs to these bins: copy it back.
+    pub(super) fn reborrowed(&mut self) -> Bins<'_> {
+        Bins { active: self.active, ..*self }
     }
 
     /// The bounding box of the visible primitives inside the viewport.
@@ -169,8 +171,8 @@ impl<'s> Bins<'s> {
 
     /// Begins again at the next band, unless the last one ended at this row: it was drawn with the same rows beyond.
     pub(super) fn continue_at(&mut self, row: i32) {
-        if self.row != row {
-            self.row = i32::MAX;
+        if self.cursor.row != row {
+            self.cursor.row = i32::MAX;
         }
     }
 
@@ -180,32 +182,32 @@ impl<'s> Bins<'s> {
         if rows.is_empty() {
             return;
         }
-        if rows.start < self.row {
+        if rows.start < self.cursor.row {
             // This band does not follow the last one: start again at the top.
             self.active.fill(0);
-            (self.activated, self.next) = (0, 0);
+            (self.cursor.activated, self.cursor.next) = (0, 0);
         }
-        self.row = rows.end;
+        self.cursor.row = rows.end;
         if rows.end <= self.top {
             return;
         }
         let last = self.bin(rows.end - 1);
-        if last < self.next {
+        if last < self.cursor.next {
             return;
         }
         // Bisection finds the end of these bins: storing the ends would take 128 bytes.
-        let (begun, mut behind) = (self.activated, self.order.len());
-        self.next = BINS;
-        while self.activated < behind {
-            let middle = (self.activated + behind) / 2; // at most 65535 each
+        let (begun, mut behind) = (self.cursor.activated, self.order.len());
+        self.cursor.next = BINS;
+        while self.cursor.activated < behind {
+            let middle = (self.cursor.activated + behind) / 2; // at most 65535 each
             let bin = self.order.get(middle).map_or(BINS, |&item| self.bin(first_row(item.into())));
             if bin <= last {
-                self.activated = middle + 1;
+                self.cursor.activated = middle + 1;
             } else {
-                (behind, self.next) = (middle, bin);
+                (behind, self.cursor.next) = (middle, bin);
             }
         }
-        for &item in self.order.get(begun..self.activated).unwrap_or_default() {
+        for &item in self.order.get(begun..self.cursor.activated).unwrap_or_default() {
             keep_rolled();
             if let Some(bits) = self.active.get_mut(usize::from(item / 16)) {
                 *bits |= 1 << (item % 16);
@@ -217,7 +219,7 @@ impl<'s> Bins<'s> {
 impl<'s> BinSort<'_, 's> {
     /// The primitives counted so far, in place of a sort.
     pub(super) fn into_counts(self) -> Counts {
-        Counts { visible: self.bins.activated, bounds: self.bins.bounds, bins: self.ends }
+        Counts { visible: self.bins.cursor.activated, bounds: self.bins.bounds, bins: self.ends }
     }
 
     /// Counts a primitive with this bounding box if it meets the viewport.
@@ -230,7 +232,7 @@ impl<'s> BinSort<'_, 's> {
             return;
         }
         self.bins.bounds = self.bins.bounds.union(bounds);
-        self.bins.activated += 1; // at most all items
+        self.bins.cursor.activated += 1; // at most all items
         if let Some(bits) = self.bins.active.get_mut(item / 16) {
             *bits |= 1 << (item % 16);
         }
@@ -262,7 +264,7 @@ impl<'s> BinSort<'_, 's> {
         if items > usize::from(u16::MAX) {
             return Err(BufferError::TooManyItems { items });
         }
-        let Bins { active, activated, .. } = &mut *self.bins;
+        let Bins { active, cursor: Cursor { activated, .. }, .. } = &mut *self.bins;
         let words = items.div_ceil(16);
         let (needed, given) = (*activated + words, active.len());
         if given < needed {
@@ -297,7 +299,7 @@ impl<'s> BinSort<'_, 's> {
             }
         }
         self.bins.order = order;
-        self.bins.activated = 0;
+        self.bins.cursor.activated = 0;
         // Each primitive meets the viewport, but may extend beyond it.
         self.bins.bounds = self.bins.bounds.clipped_to(&self.viewport);
     }

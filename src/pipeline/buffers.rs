@@ -9,27 +9,20 @@ use crate::camera::ScreenVertex;
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
-/// use pinhole::{prelude::*, Angle};
-/// const VERTICES: [[i16; 3]; 4] = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
-/// const FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
-/// const MESH: Mesh<'static> = match Mesh::new(&VERTICES, 0, &FACES) {
-///     Ok(mesh) => mesh,
-///     Err(_) => panic!("faces"),
-/// };
-///
+/// use pinhole::{meshes::CUBE, prelude::*, Angle};
 /// let mut display = MockDisplay::<Rgb565>::new();
 /// let viewport = Viewport::new(Point::zero(), display.size())?;
-/// let sphere = MESH.bounding_sphere();
+/// let sphere = CUBE.bounding_sphere();
 /// let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::degrees(30), Angle::degrees(20))?;
 ///
-/// let mut buffers = mesh_buffers!(MESH);
+/// let mut buffers = mesh_buffers!(CUBE);
 /// let mut strip = strip_buffers!(Rgb565, 64, 8);
-/// let instance = camera.place(&MESH, &Affine::identity());
+/// let instance = camera.place(&CUBE, &Affine::identity());
 /// let mut faces = instance.transform_depth(&mut buffers.cache).bin_faces(&mut buffers.bins)?;
 /// let mut frame = Frame::new(display.bounding_box(), Rgb565::BLACK);
 /// while let Some(mut band) = frame.next_band(&mut strip.colors)? {
 ///     let mut depth = DepthBuffer::new(band.area(), &mut strip.depths)?;
-///     faces.draw(|face| Rgb565::CSS_GOLD.dim(64 * (face as u16 + 1)), &mut band.pixels().depth_tested(&mut depth))?;
+///     faces.draw(|face| Rgb565::CSS_GOLD.dim(20 * (face as u16 + 1)), &mut band.pixels().depth_tested(&mut depth))?;
 ///     band.send(&mut display)?;
 /// }
 /// assert!(faces.statistics().drawn > 0);

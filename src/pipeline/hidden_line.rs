@@ -50,11 +50,7 @@ impl<V: Coordinate, P: FacePlanes, F> Edges<'_, V, P, F> {
     /// let mut display = MockDisplay::<BinaryColor>::new();
     /// # display.set_allow_overdraw(true);
     /// let viewport = Viewport::new(Point::zero(), display.size())?;
-    /// let camera = Camera::new(
-    ///     &ViewTransform::look_at(Point3::from_ints(0, 0, 5), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-    ///     &Projection::perspective(Angle::degrees(45), viewport.size(), Scalar::from_int(1), Scalar::from_int(9))?,
-    ///     &viewport,
-    /// );
+    /// let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let model = Affine::<Model, World>::rotation_y(Angle::degrees(20));
     /// let instance = camera.place(&mesh, &model);
     /// let mut storage = [0; 64 * 64];

@@ -59,6 +59,15 @@ impl Camera {
         let vertex_transform = VertexTransform::new(self, model, mesh.exponent(), mesh.justify(), V::NARROW);
         MeshInstance::of(Parts { mesh, vertex_transform, cull: Cull::Back })
     }
+
+    /// An instance for vertices that are cached and on the screen: it unpacks them, and can transform none.
+    #[inline(never)] // as `place_data`
+    pub(super) fn place_cached<'m, V: Coordinate<Stored = V>, P: FacePlanes>(
+        &self,
+        mesh: &'m MeshData<'m, V>,
+    ) -> MeshInstance<'m, V, P> {
+        MeshInstance::of(Parts { mesh, vertex_transform: VertexTransform::of_cached(self), cull: Cull::Back })
+    }
 }
 
 impl<'m, V: Coordinate> AnyInstance<'m, V> {
@@ -157,14 +166,10 @@ impl<'m, V: Coordinate, P: FacePlanes> MeshInstance<'m, V, P> {
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
     /// # use pinhole::{prelude::*, Angle};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
-    /// # let up = Vector3::from_ints(0, 1, 0);
-    /// # let [near, far] = [1, 9].map(Scalar::from_int);
-    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
-    /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// # let mut display = MockDisplay::new();
     /// # display.set_allow_overdraw(true);
     /// let from_behind = Mesh::new(&[[-1, -1, 0], [0, 1, 0], [1, -1, 0]], 0, &[[0, 1, 2]])?; // clockwise
+    /// # let camera = Camera::framing(&from_behind.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let instance = camera.place(&from_behind, &Affine::identity());
     /// let statistics = instance.faces(|_| BinaryColor::On).draw(&mut display)?;
     /// assert_eq!((statistics.drawn, statistics.culled), (0, 1));

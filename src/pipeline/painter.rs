@@ -33,15 +33,9 @@ use heapless::Vec;
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
 /// use pinhole::{prelude::*, target::BufferError, Angle};
-/// const VERTICES: [[i16; 3]; 3] = [[-1, -1, 0], [1, -1, 0], [0, 1, 0]];
-/// const FACES: [[u16; 3]; 1] = [[0, 1, 2]];
-/// let mesh = Mesh::new(&VERTICES, 0, &FACES)?;
+/// let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
 /// let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
-/// let camera = Camera::new(
-///     &ViewTransform::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-///     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(9))?,
-///     &viewport,
-/// );
+/// let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
 /// let mut painter = Painter::<Gray8, 6, 2>::new();
 /// for (z, luma) in [(0, 80), (-2, 40)] {
 ///     let model = Affine::<Model, World>::translation(Vector3::from_ints(0, 0, z));
@@ -315,10 +309,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?.with_edges(&[[0, 1], [1, 2], [2, 0]])?;
     /// # let mut display = MockDisplay::<Gray8>::new();
     /// # let viewport = Viewport::new(Point::zero(), display.size())?;
-    /// # let view = ViewTransform::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?;
-    /// # let [near, far] = [1, 9].map(Scalar::from_int);
-    /// # let lens = Projection::perspective(Angle::degrees(40), viewport.size(), near, far)?;
-    /// # let camera = Camera::new(&view, &lens, &viewport);
+    /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// let mut painter = Painter::<Gray8, 3, 1>::new();
     /// painter.add(&camera.place(&mesh, &Affine::identity()), |_| Gray8::WHITE)?;

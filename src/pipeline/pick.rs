@@ -1,6 +1,5 @@
 //! Picking without drawing: the face that a depth-tested drawing shows at a pixel.
 
-use super::binned::DrawnWith;
 use super::draw_region::DrawRegion;
 use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
 use super::faces::{draw_triangles, each_face, Faces};
@@ -15,7 +14,7 @@ use crate::raster::ScreenPoint;
 use crate::scene::FacePlanes;
 use crate::shading::SpanShader;
 use crate::space::World;
-use crate::surface::{DepthBuffer, Tested};
+use crate::surface::DepthBuffer;
 use core::convert::Infallible;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -50,8 +49,6 @@ impl<V: Coordinate, P: FacePlanes, F> Faces<'_, V, P, F> {
     ///
     /// A face whose shader leaves the pixel out, by a transparent texel or a [`ScreenDoor`](crate::shading::ScreenDoor), is not seen there.
     /// Where no shader leaves out pixels, shade with any colour. A translucent face is seen like an opaque one.
-    ///
-    /// If the vertices are transformed already, call [`TransformedMesh::pick`].
     ///
     /// ```
     /// # use embedded_graphics::{geometry::{Point, Size}, pixelcolor::BinaryColor};
@@ -93,28 +90,6 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
         } else {
             pick_nearer(MeshOrder, TransformedMesh::new(&self.any, cache), depth, shade)
         }
-    }
-}
-
-impl<V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'_, V, DEPTH, P> {
-    /// The face that is seen in a pixel of the target: see [`Faces::pick`].
-    pub fn pick<C: PixelColor, S: SpanShader<C>>(
-        &self,
-        pixel: Point,
-        shade: impl FnMut(usize) -> S,
-    ) -> Option<Picked>
-    where
-        Self: DrawnWith<Tested>,
-    {
-        let mesh = TransformedMesh::<V, true>::with_cache(self.instance, true, self.cached_vertices());
-        pick_at(pixel, |depth| {
-            let face = if P::CULL {
-                pick_nearer(PlaneOrder::new(mesh.instance), mesh, depth, shade)
-            } else {
-                pick_nearer(MeshOrder, mesh, depth, shade)
-            };
-            Some((0, face?))
-        })
     }
 }
 

@@ -1,18 +1,23 @@
 //! Scenes of many objects: culled by their bounding spheres, placed, binned into shared memory, and drawn in bands.
 
+use super::binned::Binned;
 use super::binned_faces::BinnedFaces;
+use super::bins::Bins;
 use super::cull::Cull;
+use super::draw_region::pixels;
 use super::drawable::ShaderFor;
 use super::instance::MeshInstance;
 use super::painter::Painter;
 use super::pick::{pick_at, Picked};
 use super::statistics::Statistics;
+use super::vertex_cache::TransformedMesh;
 use crate::camera::{Camera, ScreenVertex, Visibility};
 use crate::math::{Affine, Sphere};
 use crate::scene::{Mesh, MeshData, WithPlanes};
 use crate::shading::{Shader, SpanShader};
 use crate::space::{Model, World};
-use crate::surface::{BufferError, DepthBuffer, Surface, Target};
+use crate::surface::{rectangle, BufferError, DepthBuffer, Surface, Target};
+use core::convert::Infallible;
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
@@ -53,6 +58,12 @@ impl<'m, M> Object<'m, M> {
     pub fn with_cull(self, cull: Cull) -> Self {
         Self { cull, ..self }
     }
+
+    /// The object before a camera.
+    #[inline(always)]
+    fn place(&self, camera: &Camera) -> MeshInstance<'m, i16, WithPlanes> {
+        camera.place_data(self.mesh, &self.model).with_cull(self.cull)
+    }
 }
 
 /// Up to `OBJECTS` objects. In every frame: [`place`](Self::place) those that a camera sees, [bin](PlacedScene::bin_faces) their
@@ -62,29 +73,22 @@ impl<'m, M> Object<'m, M> {
 /// by which it can look up data that is stored elsewhere.
 ///
 /// **Memory** beside the objects themselves, all of it on the stack during a frame, on a 32-bit core: for each of the `OBJECTS`,
-/// 184 bytes in [`PlacedScene`] (212 on a Cortex-M0) and 92 in [`BinnedScene`]; and one vertex cache and one bin storage for all
-/// visible objects.
+/// 4 bytes in [`PlacedScene`] and 68 in [`BinnedScene`]; and one vertex cache and one bin storage for all visible objects.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
-/// use pinhole::{prelude::*, Angle};
-/// const VERTICES: [[i16; 3]; 4] = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
-/// const FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
-/// const MESH: Mesh<'static> = match Mesh::new(&VERTICES, 0, &FACES) {
-///     Ok(mesh) => mesh,
-///     Err(_) => panic!("faces"),
-/// };
+/// use pinhole::{meshes::CUBE, prelude::*, Angle};
 /// let mut scene = Scene::<Rgb565, 20>::new();
 /// for (number, color) in (-10..).zip([Rgb565::CSS_GOLD, Rgb565::CSS_TEAL].into_iter().cycle().take(20)) {
 ///     let moved = Affine::identity().rotate_y(Angle::degrees(9 * number)).translate(Vector3::from_ints(3 * number as i16, 0, 0));
-///     scene.add(Object::new(&MESH, moved, color))?;
+///     scene.add(Object::new(&CUBE, moved, color))?;
 /// }
 /// let mut display = MockDisplay::<Rgb565>::new();
 /// let viewport = Viewport::new(Point::zero(), display.size())?;
 /// let view = ViewTransform::orbit(Point3::from_ints(0, 0, 0), Scalar::from_int(12), Angle::ZERO, Angle::degrees(20));
 /// let lens = Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_int(1), Scalar::from_int(40))?;
 /// let camera = Camera::new(&view, &lens, &viewport);
-/// let mut buffers = mesh_buffers!([MESH; 8]); // for 8 visible objects
+/// let mut buffers = mesh_buffers!([CUBE; 8]); // for 8 visible objects
 /// let mut strip = strip_buffers!(Rgb565, 64, 8);
 ///
 /// let placed = scene.place(&camera);
@@ -95,7 +99,7 @@ impl<'m, M> Object<'m, M> {
 ///     // Once for each object in the band, and then for each of its faces.
 ///     let shade = |_index: usize, object: &Object<'_, Rgb565>| {
 ///         let color = object.material;
-///         move |face: usize| color.dim(64 * (face as u16 + 1))
+///         move |face: usize| color.dim(20 * (face as u16 + 1))
 ///     };
 ///     faces.draw(shade, &mut band.pixels().depth_tested(&mut depth))?;
 ///     band.send(&mut display)?;
@@ -172,19 +176,17 @@ impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
 }
 
 impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
-    /// Places the objects before a camera for one frame, except those whose bounding spheres lie [outside](Visibility::Outside)
-    /// of the view volume: such an object costs the test of its sphere and nothing else. The far plane counts, even if the camera
-    /// does not clip there.
-    pub fn place<'s>(&'s self, camera: &Camera) -> PlacedScene<'s, 'm, M, OBJECTS> {
-        let frustum = camera.frustum();
-        let mut placed = PlacedScene { objects: &self.objects, instances: Vec::new() };
+    /// Finds the objects that a camera may see in a frame: all except those whose bounding spheres lie
+    /// [outside](Visibility::Outside) of the view volume. Such an object costs the test of its sphere and nothing else. The far plane
+    /// counts, even if the camera does not clip there. Visible objects are [placed](Camera::place) one by one when they are drawn.
+    pub fn place<'s>(&'s self, camera: &'s Camera) -> PlacedScene<'s, 'm, M, OBJECTS> {
+        let (frustum, mut visible) = (camera.frustum(), Vec::new());
         for (index, object) in self.objects.iter().enumerate() {
             if frustum.visibility(&object.sphere, &object.model) != Visibility::Outside {
-                let instance = camera.place_data(object.mesh, &object.model).with_cull(object.cull);
-                let _ = placed.instances.push((index, instance)); // both have the capacity `OBJECTS`
+                let _ = visible.push(index); // both have the capacity `OBJECTS`
             }
         }
-        placed
+        PlacedScene { objects: &self.objects, camera, visible }
     }
 }
 
@@ -192,43 +194,41 @@ impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
 #[derive(Clone, Debug)]
 pub struct PlacedScene<'s, 'm, M, const OBJECTS: usize> {
     objects: &'s [Object<'m, M>],
-    /// The visible objects by their indices.
-    instances: Vec<(usize, MeshInstance<'m, i16, WithPlanes>), OBJECTS>,
+    camera: &'s Camera,
+    /// The indices of the visible objects.
+    visible: Vec<usize, OBJECTS>,
 }
 
 impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
     /// The number of objects that may be seen: all others are culled.
     pub fn len(&self) -> usize {
-        self.instances.len()
+        self.visible.len()
     }
 
     /// Whether no object can be seen.
     pub fn is_empty(&self) -> bool {
-        self.instances.is_empty()
+        self.visible.is_empty()
     }
 
-    /// The objects that may be seen, in the order of the scene, with their instances: for wireframes and other
+    /// The objects that may be seen, in the order of the scene, each placed when the iterator reaches it: for wireframes and other
     /// drawing that this type has no method for.
-    pub fn iter(&self) -> impl Iterator<Item = (&'s Object<'m, M>, &MeshInstance<'m, i16, WithPlanes>)> {
-        self.indexed().map(|(_, object, instance)| (object, instance))
+    pub fn iter(&self) -> impl Iterator<Item = (&'s Object<'m, M>, MeshInstance<'m, i16, WithPlanes>)> + '_ {
+        self.visible().map(|(_, object)| (object, object.place(self.camera)))
     }
 
-    /// With the indices of the objects in the scene.
-    fn indexed(
-        &self,
-    ) -> impl Iterator<Item = (usize, &'s Object<'m, M>, &MeshInstance<'m, i16, WithPlanes>)> {
-        let object = |index: usize| self.objects.get(index);
-        self.instances.iter().filter_map(move |(index, instance)| Some((*index, object(*index)?, instance)))
+    /// The objects that may be seen, with their indices in the scene.
+    fn visible(&self) -> impl Iterator<Item = (usize, &'s Object<'m, M>)> + '_ {
+        self.visible.iter().filter_map(|&index| Some((index, self.objects.get(index)?)))
     }
 
     /// How many vertices all visible objects have: the length of a vertex cache with room for all of them.
     pub fn cache_len(&self) -> usize {
-        self.instances.iter().map(|(_, instance)| instance.mesh().cache_len()).sum()
+        self.visible().map(|(_, object)| object.mesh().cache_len()).sum()
     }
 
     /// How many numbers of bin storage suffice for all visible objects.
     pub fn face_bins_len(&self) -> usize {
-        self.instances.iter().map(|(_, instance)| instance.mesh().face_bins_len()).sum()
+        self.visible().map(|(_, object)| object.mesh().face_bins_len()).sum()
     }
 
     /// The faces of all objects, to be drawn or picked. `shade` is called once for each visible object, with its index in the scene,
@@ -253,7 +253,8 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
         mut shade: impl FnMut(usize, &'s Object<'m, M>) -> F,
         painter: &mut Painter<S, VERTICES, FACES>,
     ) -> Result<(), BufferError> {
-        self.indexed().try_for_each(|(index, object, instance)| painter.add(instance, shade(index, object)))
+        self.visible()
+            .try_for_each(|(index, object)| painter.add(&object.place(self.camera), shade(index, object)))
     }
 
     /// Transforms the vertices of all visible objects and bins their faces, for drawing in bands. The objects share both
@@ -273,17 +274,20 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
         if given < needed {
             return Err(BufferError::Bins { needed, given });
         }
-        let (mut cache, mut bins, mut binned) = (cache, bins, Vec::new());
-        for (index, instance) in &self.instances {
-            let vertices = instance.mesh().cache_len().min(cache.len());
+        let (mut cache, mut bins) = (cache, bins);
+        let Self { objects, camera, .. } = *self;
+        let mut scene = BinnedScene { objects, camera, binned: Vec::new(), statistics: Statistics::NONE };
+        for (index, object) in self.visible() {
+            let vertices = object.mesh().cache_len().min(cache.len());
             let (own_cache, other_cache) = cache.split_at_mut_checked(vertices).unwrap_or_default();
-            let numbers = instance.mesh().face_bins_len();
+            let numbers = object.mesh().face_bins_len();
             let (own_bins, other_bins) = bins.split_at_mut_checked(numbers).unwrap_or_default();
             (cache, bins) = (other_cache, other_bins);
-            let faces = instance.bin_faces_with_depth(own_cache, own_bins)?;
-            let _ = binned.push((*index, faces)); // both have the capacity `OBJECTS`
+            let (binned, statistics) = BinnedObject::new(index, object, camera, own_cache, own_bins)?;
+            scene.statistics = scene.statistics.and(statistics);
+            let _ = scene.binned.push(binned); // both have the capacity `OBJECTS`
         }
-        Ok(BinnedScene { objects: self.objects, binned })
+        Ok(scene)
     }
 }
 
@@ -339,7 +343,8 @@ impl<'a, 's, 'm, M, G, const OBJECTS: usize> SceneFaces<'a, 's, 'm, M, G, OBJECT
     {
         let Self { scene, mut shade, cache } = self;
         let mut statistics = Statistics::NONE;
-        for (index, object, instance) in scene.indexed() {
+        for (index, object) in scene.visible() {
+            let instance = object.place(scene.camera);
             let drawn = instance.faces(shade(index, object)).cached(cache).draw(target)?;
             statistics = statistics.and(drawn);
         }
@@ -356,7 +361,8 @@ impl<'a, 's, 'm, M, G, const OBJECTS: usize> SceneFaces<'a, 's, 'm, M, G, OBJECT
         let Self { scene, mut shade, cache } = self;
         pick_at(pixel, |depth| {
             let mut nearest = None;
-            for (index, object, instance) in scene.indexed() {
+            for (index, object) in scene.visible() {
+                let instance = object.place(scene.camera);
                 let face = instance.pick_nearer(depth, shade(index, object), cache);
                 nearest = face.map(|face| (index, face)).or(nearest);
             }
@@ -369,8 +375,41 @@ impl<'a, 's, 'm, M, G, const OBJECTS: usize> SceneFaces<'a, 's, 'm, M, G, OBJECT
 #[derive(Debug)]
 pub struct BinnedScene<'f, 'm, M, const OBJECTS: usize> {
     objects: &'f [Object<'m, M>],
-    /// The visible objects by their indices.
-    binned: Vec<(usize, BinnedFaces<'f, i16, true>), OBJECTS>,
+    camera: &'f Camera,
+    /// The visible objects.
+    binned: Vec<BinnedObject<'f>, OBJECTS>,
+    statistics: Statistics,
+}
+
+/// The binned faces of an object without its instance, which takes more memory than all of this and is made again in each band.
+#[derive(Debug)]
+struct BinnedObject<'f> {
+    /// The index of the object in the scene.
+    index: usize,
+    /// Its vertices, as far as there was room for them.
+    cache: &'f [ScreenVertex],
+    bins: Bins<'f>,
+    /// Whether all vertices of its visible faces are in the cache and on the screen.
+    is_cached: bool,
+}
+
+impl<'f> BinnedObject<'f> {
+    /// Places an object and bins its faces, with depth.
+    #[inline(never)] // the instance is off the stack when it returns
+    fn new<M>(
+        index: usize,
+        object: &Object<'_, M>,
+        camera: &Camera,
+        cache: &'f mut [ScreenVertex],
+        storage: &'f mut [u16],
+    ) -> Result<(Self, Statistics), BufferError> {
+        let MeshInstance { any: instance, .. } = &object.place(camera);
+        let mut bins = Bins::new(storage, object.mesh.faces.len(), pixels(instance.area()));
+        let statistics = instance.fill_bins::<true>(cache, &mut bins)?;
+        let is_outside = |vertex: &ScreenVertex| vertex.planes().is_some();
+        let is_cached = cache.len() >= object.mesh.vertices.len() && !cache.iter().any(is_outside);
+        Ok((Self { index, cache, bins, is_cached }, statistics))
+    }
 }
 
 impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
@@ -390,28 +429,45 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
         target.dispatch(
             (self, shade),
             |(scene, mut shade), surface| {
-                let mut in_band = scene.in_band(surface.area());
-                in_band.try_for_each(|(index, object, faces)| faces.draw(shade(index, object), surface))
+                let area = surface.area();
+                scene.each_in_band(&area, S::NEEDS_W, |index, object, faces| {
+                    faces.draw(shade(index, object), surface)
+                })
             },
             |(scene, mut shade), surface, depth| {
-                let mut in_band = scene.in_band(surface.area());
+                let area = surface.area();
                 let mut target = surface.depth_tested(depth);
-                in_band.try_for_each(|(index, object, faces)| faces.draw(shade(index, object), &mut target))
+                scene.each_in_band(&area, S::NEEDS_W, |index, object, faces| {
+                    faces.draw(shade(index, object), &mut target)
+                })
             },
         )
     }
 
-    /// The objects whose bounds meet a band, with their indices and faces.
-    fn in_band(
+    /// Calls `draw` for each object whose bounds meet a band, with the object's index and its faces. `transforms`: vertices that are in
+    /// the cache and on the screen are transformed, too.
+    #[inline(always)]
+    fn each_in_band<E>(
         &mut self,
-        band: Rectangle,
-    ) -> impl Iterator<Item = (usize, &'f Object<'m, M>, &mut BinnedFaces<'f, i16, true>)> {
-        let objects = self.objects;
-        self.binned.iter_mut().filter_map(move |(index, faces)| {
-            let is_in_band = !faces.bounds().intersection(&band).is_zero_sized();
-            let object = objects.get(*index).filter(|_| is_in_band)?;
-            Some((*index, object, faces))
-        })
+        band: &Rectangle,
+        transforms: bool,
+        mut draw: impl FnMut(usize, &'f Object<'m, M>, &mut BinnedFaces<'_, i16, true>) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let Self { objects, camera, ref mut binned, .. } = *self;
+        for BinnedObject { index, cache, bins, is_cached } in binned {
+            let is_in_band = !rectangle(&bins.bounds()).intersection(band).is_zero_sized();
+            let Some(object) = objects.get(*index).filter(|_| is_in_band) else { continue };
+            let instance = match transforms || !*is_cached {
+                true => object.place(camera),
+                false => camera.place_cached(object.mesh),
+            };
+            let transformed = TransformedMesh::with_cache(&instance.any, true, cache);
+            let mut faces =
+                BinnedFaces(Binned { transformed, bins: bins.reborrowed(), statistics: Statistics::NONE });
+            draw(*index, object, &mut faces)?;
+            bins.cursor = faces.0.bins.cursor;
+        }
+        Ok(())
     }
 
     /// Splits the binned faces of all objects into two, one for each of two cores, as [`BinnedFaces::fork`] splits those of one
@@ -426,36 +482,41 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
         &'b mut self,
         cursor: &'b mut [u16],
     ) -> Result<[BinnedScene<'b, 'm, M, OBJECTS>; 2], BufferError> {
-        let (mut cursor, mut first, mut second) = (cursor, Vec::new(), Vec::new());
-        for (index, faces) in &mut self.binned {
-            let faces_of_mesh = self.objects.get(*index).map_or(0, |object| object.mesh.faces.len());
+        let Self { objects, camera, ref mut binned, statistics } = *self;
+        let half = || BinnedScene { objects, camera, binned: Vec::new(), statistics };
+        let (mut cursor, mut forks) = (cursor, [half(), half()]);
+        for BinnedObject { index, cache, bins, is_cached } in binned {
+            let faces_of_mesh = objects.get(*index).map_or(0, |object| object.mesh.faces.len());
             let numbers = faces_of_mesh.div_ceil(16).min(cursor.len());
             let (own, other) = cursor.split_at_mut_checked(numbers).unwrap_or_default();
             cursor = other;
-            let [ours, theirs] = faces.fork(own)?;
-            let _ = first.push((*index, ours)); // all three have the capacity `OBJECTS`
-            let _ = second.push((*index, theirs));
+            for (fork, bins) in forks.iter_mut().zip(bins.fork(own)?) {
+                let object = BinnedObject { index: *index, cache, bins, is_cached: *is_cached };
+                let _ = fork.binned.push(object); // all three have the capacity `OBJECTS`
+            }
         }
-        let objects = self.objects;
-        Ok([BinnedScene { objects, binned: first }, BinnedScene { objects, binned: second }])
+        Ok(forks)
     }
 
     /// Stores the depth of the faces that lie in a band, and draws nothing: see [`BinnedFaces::depth_only`].
     pub fn depth_only(&mut self, depth: &mut DepthBuffer<'_>) {
-        for (_, faces) in &mut self.binned {
+        let Ok(()) = self.each_in_band(&depth.area(), false, |_, _, faces| {
             faces.depth_only(depth);
-        }
+            Ok::<(), Infallible>(())
+        });
     }
 
-    /// The objects with their binned faces, in the order of the scene: for the [bounds](BinnedFaces::bounds) of each, which
-    /// [`Tracked`](crate::bands::Tracked) takes.
-    pub fn iter(&self) -> impl Iterator<Item = (&'f Object<'m, M>, &BinnedFaces<'f, i16, true>)> {
-        self.binned.iter().filter_map(|(index, faces)| Some((self.objects.get(*index)?, faces)))
+    /// The objects, in the order of the scene, each with a rectangle around its visible faces: for
+    /// [`Tracked`](crate::bands::Tracked).
+    pub fn bounds(&self) -> impl Iterator<Item = (&'f Object<'m, M>, Rectangle)> + '_ {
+        self.binned
+            .iter()
+            .filter_map(|object| Some((self.objects.get(object.index)?, rectangle(&object.bins.bounds()))))
     }
 
     /// Counts for the whole frame, summed over all visible objects, whichever bands were drawn.
-    pub fn statistics(&self) -> Statistics {
-        self.binned.iter().fold(Statistics::NONE, |sum, (_, faces)| sum.and(faces.statistics()))
+    pub const fn statistics(&self) -> Statistics {
+        self.statistics
     }
 }
 
@@ -463,13 +524,7 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
 #[cfg(target_pointer_width = "32")]
 const _: () = {
     assert!(size_of::<Object<'static, ()>>() == 88);
-    let placed = size_of::<(usize, MeshInstance<'static>)>();
-    assert!(if cfg!(all(target_arch = "arm", target_has_atomic = "32")) {
-        placed == 184
-    } else {
-        placed <= 212
-    });
-    assert!(size_of::<(usize, BinnedFaces<'static, i16, true>)>() == 92);
+    assert!(size_of::<BinnedObject<'static>>() == 68);
 };
 
 // Materials are not printed: they need not implement `Format`.
@@ -482,12 +537,12 @@ defmt_format!(
 
 defmt_format!(
     [M, const OBJECTS: usize] PlacedScene<'_, '_, M, OBJECTS>, self,
-    "{=usize}/{=usize} objects placed", self.instances.len(), self.objects.len()
+    "{=usize}/{=usize} objects placed", self.len(), self.objects.len()
 );
 
 defmt_format!(
     [M, const OBJECTS: usize] BinnedScene<'_, '_, M, OBJECTS>, self,
-    "{=usize} objects binned: {}", self.binned.len(), self.statistics()
+    "{=usize} objects binned: {}", self.binned.len(), self.statistics
 );
 
 defmt_format!(

@@ -11,7 +11,7 @@ use crate::math::Coordinate;
 use crate::surface::BufferError;
 use core::ops::Range;
 
-/// Bin storage that two cores fill. [`TransformedMesh::split_bin_faces`] makes it and has an example.
+/// Bin storage that two cores fill. [`TransformedMesh::split_bin_faces`] makes it.
 #[derive(Debug)]
 pub struct SplitBins<'a, V: Coordinate = i16, const DEPTH: bool = false> {
     transformed: TransformedMesh<'a, V, DEPTH>,
@@ -42,27 +42,7 @@ struct Half {
 impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// Divides [binning](Self::bin_faces) between two cores: what [`finish`](SplitBins::finish) returns is what `bin_faces`
     /// returns, bit for bit. `storage` is as for `bin_faces`.
-    ///
-    /// ```
-    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-    /// use pinhole::{prelude::*, Angle};
-    /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
-    /// # let mut display = MockDisplay::<Gray8>::new();
-    /// # let viewport = Viewport::new(Point::zero(), display.size())?;
-    /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
-    /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 2]);
-    /// let instance = camera.place(&mesh, &Affine::identity());
-    /// let mut split = instance.transform(&mut cache).split_bin_faces(&mut bins);
-    /// let [ours, theirs] = split.halves();
-    /// std::thread::scope(|scope| {
-    ///     scope.spawn(|| theirs.count());
-    ///     ours.count();
-    /// });
-    /// let mut faces = split.finish()?;
-    /// faces.draw(|_face| Gray8::WHITE, &mut display)?;
-    /// assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Gray8::WHITE));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
+    /// [`MeshInstance::split_transform`](crate::draw::MeshInstance::split_transform) has an example.
     pub fn split_bin_faces(&self, storage: &'a mut [u16]) -> SplitBins<'a, V, DEPTH> {
         let half = || Half { done: false, counts: Counts::NONE, statistics: Statistics::NONE };
         SplitBins { transformed: *self, storage, halves: [half(), half()] }

@@ -45,7 +45,13 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ///     scope.spawn(|| theirs.transform());
     ///     ours.transform();
     /// });
-    /// let mut faces = split.finish().bin_faces(&mut bins)?;
+    /// let mut split = split.finish().split_bin_faces(&mut bins);
+    /// let [ours, theirs] = split.halves();
+    /// std::thread::scope(|scope| {
+    ///     scope.spawn(|| theirs.count());
+    ///     ours.count();
+    /// });
+    /// let mut faces = split.finish()?;
     /// faces.draw(|_face| Gray8::WHITE, &mut display)?;
     /// assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Gray8::WHITE));
     /// # Ok::<(), Box<dyn std::error::Error>>(())

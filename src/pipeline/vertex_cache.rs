@@ -43,7 +43,7 @@ pub(super) trait VertexCache<'a, V: Coordinate, const DEPTH: bool> {
 /// A mesh instance with its vertices transformed to the screen, each once, for drawing in bands: the next step is
 /// [`bin_faces`](Self::bin_faces) or [`bin_edges`](Self::bin_edges). With `DEPTH` the vertices have depth.
 ///
-/// [`MeshInstance::transform`] makes it and has an example; [`MeshInstance::transform_depth`] makes it with depth. The vertices
+/// [`MeshInstance::transform`] makes it; [`MeshInstance::transform_depth`] makes it with depth. The vertices
 /// lie in a caller-provided cache, which may be shorter than the mesh's vertex list: vertices beyond its end are transformed
 /// whenever a face or an edge needs them, and the picture is equal.
 #[derive(Debug)]
@@ -68,35 +68,9 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// Transforms the mesh's vertices once, without depth, for drawing in bands. `cache` holds one screen vertex per vertex of
     /// the mesh; if it is shorter, vertices beyond its end are transformed whenever they are needed.
     ///
-    /// Use it to bin edges, or to draw faces and edges from one cache. For faces alone [`bin_faces`](Self::bin_faces) is as
+    /// Use it to [bin edges](TransformedMesh::bin_edges), which has an example, or to draw faces and edges from one cache. For faces alone [`bin_faces`](Self::bin_faces) is as
     /// fast, and of a mesh [with planes](crate::Mesh::with_planes) it transforms only the vertices of faces that may be
     /// visible.
-    ///
-    /// ```
-    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-    /// use pinhole::{prelude::*, Angle};
-    /// const VERTICES: [[i16; 3]; 3] = [[-1, -1, 0], [1, -1, 0], [0, 1, 0]];
-    /// let mesh = Mesh::new(&VERTICES, 0, &[[0, 1, 2]])?;
-    /// let mut display = MockDisplay::<Gray8>::new();
-    /// let viewport = Viewport::new(Point::zero(), display.size())?;
-    /// let camera = Camera::new(
-    ///     &ViewTransform::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-    ///     &Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_int(1), Scalar::from_int(9))?,
-    ///     &viewport,
-    /// );
-    /// let model = Affine::<Model, World>::identity();
-    /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 2]); // one per vertex; one per face, and one per 16 faces
-    /// let instance = camera.place(&mesh, &model);
-    /// let mut faces = instance.transform(&mut cache).bin_faces(&mut bins)?;
-    /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
-    /// let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
-    /// while let Some(mut band) = frame.next_band(&mut strip)? {
-    ///     faces.draw(|_face| Gray8::WHITE, &mut band.pixels())?;
-    ///     band.send(&mut display)?;
-    /// }
-    /// assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Gray8::WHITE));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn transform<'a>(&'a self, cache: &'a mut [ScreenVertex]) -> TransformedMesh<'a, V, false, P> {
         TransformedMesh::new(&self.any, cache).of_mesh()
     }
@@ -177,11 +151,6 @@ impl<V: Coordinate> AnyInstance<'_, V> {
 }
 
 impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V, DEPTH, P> {
-    /// The vertices that the cache holds.
-    pub(super) const fn cached_vertices(&self) -> &'a [ScreenVertex] {
-        self.cache
-    }
-
     /// The transformed mesh, whether it has planes or not: see [`AnyInstance`].
     #[inline(always)]
     pub(super) fn any(&self) -> TransformedMesh<'a, V, DEPTH> {

@@ -229,7 +229,7 @@ fn every_way<V: Coordinate>(
         let picked = [
             instance.faces(color).cached(&mut cache).pick(pixel),
             by_planes.faces(color).cached(&mut cache).pick(pixel),
-            by_planes.transform_depth(&mut []).pick(pixel, color),
+            by_planes.faces(color).pick(pixel),
         ];
         for picked in picked {
             assert_eq!(picked.map_or(Rgb565::BLACK, |picked| color(picked.face)), *drawn, "{pixel}");

@@ -8,7 +8,7 @@ use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
     camera::Visibility, draw::Picked, mesh::WithPlanes, prelude::*, shading::SpanShader, target::BufferError,
-    Angle,
+    texture::Texture, Angle,
 };
 use support::bridge::draw::{CUBE, CUBE_FACES};
 use support::bridge::rectangle;
@@ -24,6 +24,13 @@ const OBJECTS: usize = 24;
 /// A tetrahedron and a cube; the cube's faces are those of a closed mesh.
 const TETRAHEDRON: [[i16; 3]; 4] = [[9, 9, 9], [9, -9, -9], [-9, 9, -9], [-9, -9, 9]];
 const TETRAHEDRON_FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
+
+/// A stripe.
+static TEXELS: [[Rgb565; 8]; 8] = {
+    let mut texels = [[Rgb565::RED; 8]; 8];
+    texels[3] = [Rgb565::BLUE; 8];
+    texels
+};
 
 /// A mesh with planes, and one without.
 type Meshes = (Mesh<'static, i16, WithPlanes>, Mesh<'static>);
@@ -101,11 +108,11 @@ fn by_hand<S: SpanShader<Rgb565>>(
     })
 }
 
-fn in_bands(
+fn in_bands<S: SpanShader<Rgb565>>(
     scene: &Scene<'_, usize, OBJECTS>,
     camera: &Camera,
-    rows: u32,
-    cache: usize,
+    (rows, cache): (u32, usize),
+    shader: impl Fn(Rgb565) -> S + Copy,
 ) -> (Vec<Rgb565>, Statistics) {
     let placed = scene.place(camera);
     let mut cache = vec![ScreenVertex::EMPTY; cache.min(placed.cache_len())];
@@ -114,7 +121,7 @@ fn in_bands(
     let pixels = bands(AREA, Rgb565::BLACK, rows, &mut |band, depth| {
         let shade = |index: usize, object: &Object<'_, usize>| {
             assert_eq!(index, object.material);
-            move |face| number(index, face)
+            move |face| shader(number(index, face))
         };
         let Ok(()) = faces.draw(shade, &mut band.pixels().depth_tested(depth));
     });
@@ -130,10 +137,14 @@ fn a_scene_is_its_objects_drawn_by_hand() {
         let (scene, camera) = (random(&mut rng, meshes), camera(&mut rng));
         let (wanted, _) = by_hand(&scene, &camera, |number| number);
         for (rows, cache) in [(1, usize::MAX), (7, 30), (HEIGHT, 0)] {
-            let (found, statistics) = in_bands(&scene, &camera, rows, cache);
+            let (found, statistics) = in_bands(&scene, &camera, (rows, cache), |number| number);
             assert!(found == wanted, "{rows} rows");
             clipped += statistics.clipped;
         }
+        // Textures also need w of the corners, which no cache holds.
+        let textured = |_| Texture::new(&TEXELS).at([[0, 128], [128, 128], [128, 0]]);
+        let (wanted_texture, _) = by_hand(&scene, &camera, textured);
+        assert!(in_bands(&scene, &camera, (7, usize::MAX), textured).0 == wanted_texture);
 
         // In one piece, and which objects are asked for their shaders.
         let placed = scene.place(&camera);
@@ -163,7 +174,7 @@ fn a_scene_is_its_objects_drawn_by_hand() {
         let faces: usize = visible.iter().map(|&index| scene.objects()[index].mesh().faces().len()).sum();
         let Statistics { drawn: d, culled: c, outside, degenerate, .. } = statistics;
         assert_eq!((d + c + outside + degenerate) as usize, faces);
-        assert_eq!(in_bands(&scene, &camera, 8, 0).1, statistics);
+        assert_eq!(in_bands(&scene, &camera, (8, 0), |number| number).1, statistics);
         (culled, drawn) = (culled + OBJECTS - visible.len(), drawn + d);
     }
     assert!(culled > 300 && drawn > 2000 && clipped > 300, "{culled} {drawn} {clipped}");
@@ -322,10 +333,9 @@ fn picking_an_instance_needs_no_cache() {
         let model = Affine::<Model, World>::rotation_y(Angle::from_bits(rng.bits()))
             .translate(Vector3::from_ints(0, 0, -4));
         let instance = camera.place(&meshes.0, &model);
-        let mut cache = [ScreenVertex::EMPTY; 8];
-        let all = instance.transform_depth(&mut cache);
         for at in rectangle(-4, -4, WIDTH + 8, HEIGHT + 8).points() {
-            let picked: Option<Picked> = all.pick(at, opaque);
+            let picked: Option<Picked> =
+                instance.faces(opaque).cached(&mut [ScreenVertex::EMPTY; 8]).pick(at);
             assert_eq!(picked, instance.faces(opaque).pick(at));
             assert_eq!(picked, instance.faces(opaque).cached(&mut [ScreenVertex::EMPTY; 3]).pick(at));
             assert!(picked.is_none_or(|picked| picked.object == 0));

@@ -43,7 +43,8 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(
     let gaze = Vector3::new(-heading.sin(), Scalar::ZERO, -heading.cos());
     let view = ViewTransform::look_along(eye, gaze, Vector3::from_ints(0, 1, 0)).expect("a level gaze");
     let viewport = Viewport::new(Point::zero(), SIZE).expect("a small display");
-    let placed = town.place(&Camera::new(&view, &LENS, &viewport));
+    let camera = Camera::new(&view, &LENS, &viewport);
+    let placed = town.place(&camera);
     let mut houses = placed.bin_faces(&mut buffers.cache, &mut buffers.bins).expect("room for all houses");
     // No house is turned, so one light serves all.
     let light = Lambert::new(&Affine::identity(), Vector3::from_ints(3, 4, 2), 130).expect("a direction");

@@ -30,8 +30,7 @@ pub fn wireframe(
     display: &mut Display,
 ) -> Option<()> {
     let instance = scene.place();
-    let projected = instance.transform(corners);
-    let mut edges = projected.bin_edges(bin_storage).ok()?;
+    let mut edges = instance.transform(corners).bin_edges(bin_storage).ok()?;
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let Ok(()) = edges.draw(stroke, &mut band.pixels());
@@ -48,8 +47,7 @@ pub fn solid(
     display: &mut Display,
 ) -> Option<()> {
     let instance = scene.place();
-    let projected = instance.transform(corners);
-    let mut faces = projected.bin_faces(bin_storage).ok()?;
+    let mut faces = instance.transform(corners).bin_faces(bin_storage).ok()?;
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let Ok(()) = faces.draw(scene.shade(light), &mut band.pixels());
@@ -66,8 +64,7 @@ pub fn depth(
     display: &mut Display,
 ) -> Option<()> {
     let instance = scene.place();
-    let projected = instance.transform_depth(corners);
-    let mut faces = projected.bin_faces(bin_storage).ok()?;
+    let mut faces = instance.transform_depth(corners).bin_faces(bin_storage).ok()?;
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;

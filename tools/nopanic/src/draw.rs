@@ -263,7 +263,6 @@ fn band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_, i16, WithPlanes>, strip: 
 fn pick<P: FacePlanes>(camera: &Camera, instance: &MeshInstance<'_, i16, P>, cache: &mut [ScreenVertex]) {
     let picked = instance.faces(|_| ScreenDoor::new(color(), any() as u8)).cached(cache).pick(pixel());
     report(picked.and_then(|picked| picked.point(camera)));
-    report(instance.transform_depth(cache).pick(pixel(), |_| color()));
 }
 
 fn change<'m, P: FacePlanes>(
@@ -306,7 +305,7 @@ fn draw_scene(scene: &pinhole::draw::Scene<'_, Rgb565, 5>, camera: &Camera, stor
     let Ok(mut faces) = placed.bin_faces(cache, bins) else { return };
     faces.depth_only(&mut depth);
     report(faces.draw(shade, &mut target.depth_tested(&mut depth)));
-    report((faces.statistics(), faces.iter().count()));
+    report((faces.statistics(), faces.bounds().count()));
     let mut cursor = [0; 9];
     let Ok([mut ours, mut theirs]) = faces.fork(&mut cursor) else { return };
     report(ours.draw(shade, &mut target.depth_tested(&mut depth)));

@@ -1,17 +1,20 @@
-//! A picture in memory, some rows of one, drawn at once, a firmware each: lit faces without depth and with it, and anti-aliased lines.
+//! A picture in memory, some rows of one, drawn at once, a firmware each: lit faces without depth and with it, a
+//! scene of twelve objects with depth, and anti-aliased lines.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::image::prelude::*;
 
 /// The firmware that is built.
 const IMAGE: &str = env!("CARGO_BIN_NAME");
-/// The number of depths in the depth buffer.
-const DEPTHS: usize = if is_equal(IMAGE, "flash_depth_picture") { pixels(ROWS) } else { 0 };
+/// The number of objects in the scene, and of depths in the depth buffer.
+const OBJECTS: usize = if is_equal(IMAGE, "flash_scene") { 12 } else { 0 };
+const DEPTHS: usize = if OBJECTS > 0 || is_equal(IMAGE, "flash_depth_picture") { pixels(ROWS) } else { 0 };
 
 image!(
     cube,
     corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS],
     memory: [Rgb565; pixels(ROWS)] = [scene::BACKGROUND; pixels(ROWS)],
     storage: [u16; DEPTHS] = [0; DEPTHS],
+    objects: pinhole::draw::Scene<'static, Rgb565, OBJECTS> = pinhole::draw::Scene::new(),
     {
         let scene = Turntable::turned();
         let size = black_box(Size::new(scene::SIZE, ROWS));
@@ -28,6 +31,14 @@ image!(
                 let shade = scene::flat(&cube.mesh, light.as_ref()?);
                 let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), storage).ok()?;
                 let Ok(_) = instance.faces(shade).cached(corners).draw(&mut target.depth_tested(&mut depth));
+            }
+            "flash_scene" => {
+                objects.clear();
+                while objects.add(Object::new(&cube.mesh, scene.model, scene::LINE)).is_ok() {}
+                let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), storage).ok()?;
+                let placed = objects.place(scene.camera());
+                let faces = placed.faces(|_, object| |_| object.material).cached(corners);
+                let Ok(_) = faces.draw(&mut target.depth_tested(&mut depth));
             }
             "flash_wireframe_smooth" => {
                 let Ok(_) = instance.edges(|_| AntiAliased(scene::LINE)).cached(corners).draw(target);

@@ -33,7 +33,8 @@ image!(
     memory: [Rgb565; pixels(ROWS)] = [scene::BACKGROUND; pixels(ROWS)],
     {
         let scene = Turntable::turned();
-        let frame = Frame { cube, scene: &scene, corners, memory };
+        let mut picture = Picture::new(memory, black_box(Size::new(scene::SIZE, ROWS))).ok()?;
+        let frame = Frame { place: || scene.place(cube), corners, picture: &mut picture };
         let color = |face| if face & 1 == 0 { Rgb565::RED } else { scene::BACKGROUND };
         let fog = || {
             let [start, end] = black_box([1 << 16, 4 << 16]).map(Scalar::from_bits);
@@ -65,40 +66,30 @@ image!(
                 fog.factors(cube.mesh.vertices(), &mut factors);
                 frame.draw(|face| SHADES.lit(cube.mesh.corners_of(face, &factors)))
             }
-            "flash_sprites" => frame.draw_sprites(),
-            _ => None,
+            "flash_sprites" => {
+                let points = scene.camera().place_sprites(&cube.mesh, &scene.model);
+                let side = black_box(Scalar::from_bits(1 << 14));
+                let texels = ColorKeyed::new(black_box(&TEXELS), Rgb565::GREEN);
+                let sprite = Sprite::new(texels).with_size(side, side);
+                let Ok(_) = points.draw(|_| sprite, &mut picture.pixels());
+            }
+            _ => return None,
         }
+        black_box(picture.colors());
+        Some(())
     }
 );
 
 /// What the faces are drawn with.
-struct Frame<'a> {
-    cube: &'static scene::Model,
-    scene: &'a Turntable,
+struct Frame<'a, 'p, I> {
+    place: I,
     corners: &'a mut [ScreenVertex],
-    memory: &'a mut [Rgb565],
+    picture: &'a mut Picture<'p, Rgb565>,
 }
 
-impl Frame<'_> {
+impl<I: FnOnce() -> MeshInstance<'static>> Frame<'_, '_, I> {
     #[inline(always)]
-    fn draw<S: SpanShader<Rgb565>>(self, shade: impl Fn(usize) -> S) -> Option<()> {
-        let Self { cube, scene, corners, memory } = self;
-        let instance = scene.place(cube);
-        let size = black_box(Size::new(scene::SIZE, ROWS));
-        let mut picture = Picture::new(memory, size).ok()?;
-        let Ok(_) = instance.faces(&shade).cached(corners).draw(&mut picture.pixels());
-        black_box(picture.colors());
-        Some(())
-    }
-
-    #[inline(always)]
-    fn draw_sprites(self) -> Option<()> {
-        let points = self.scene.camera().place_sprites(&self.cube.mesh, &self.scene.model);
-        let mut picture = Picture::new(self.memory, black_box(Size::new(scene::SIZE, ROWS))).ok()?;
-        let side = black_box(Scalar::from_bits(1 << 14));
-        let sprite = Sprite::new(ColorKeyed::new(black_box(&TEXELS), Rgb565::GREEN)).with_size(side, side);
-        let Ok(_) = points.draw(|_| sprite, &mut picture.pixels());
-        black_box(picture.colors());
-        Some(())
+    fn draw<S: SpanShader<Rgb565>>(self, shade: impl Fn(usize) -> S) {
+        let Ok(_) = (self.place)().faces(&shade).cached(self.corners).draw(&mut self.picture.pixels());
     }
 }
