@@ -75,7 +75,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 )]
 pub trait Shader: Copy {
     /// The varying of a corner: what clipping interpolates where a plane cuts an edge of the face. Use `()` if nothing varies
-    /// from corner to corner, [`Barycentric`](crate::clip::Barycentric) to get the weights of the new corners, or your own
+    /// from corner to corner, [`Barycentric`](crate::shading::Barycentric) to get the weights of the new corners, or your own
     /// type.
     type Varying: Varying;
 
@@ -111,7 +111,7 @@ pub trait Shader: Copy {
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
-/// use pinhole::{clip::Barycentric, prelude::*, raster::{Gradient, Span, Triangle}, shading::{Shader, SpanShader}, Angle};
+/// use pinhole::{prelude::*, raster::{Gradient, Span, Triangle}, shading::{Barycentric, Shader, SpanShader}, Angle};
 /// #[derive(Clone, Copy)]
 /// struct Ramp([u8; 3]);
 ///

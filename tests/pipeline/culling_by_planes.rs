@@ -165,11 +165,14 @@ fn a_mesh_without_planes_is_not_culled_by_planes() {
 #[test]
 fn a_list_of_planes_of_the_wrong_length_is_refused() {
     let mesh = Mesh::new(&teapot::VERTICES, 0, &teapot::FACES).unwrap();
-    assert_eq!(mesh.with_planes(&[0; 992]), Err(MeshError::NormalCount { faces: 992, normals: 0 }));
+    assert_eq!(
+        mesh.with_planes(&[0; 992]),
+        Err(MeshError::ListLength { one: "normal per face", given: 0, needed: 992 })
+    );
     let mesh = mesh.with_normals(&teapot::NORMALS).unwrap();
     let error = mesh.with_planes(&[0; 991]).unwrap_err();
-    assert_eq!(error, MeshError::PlaneCount { faces: 992, planes: 991 });
-    assert_eq!(error.to_string(), "991 planes for 992 faces: give one per face");
+    assert_eq!(error, MeshError::ListLength { one: "plane per face", given: 991, needed: 992 });
+    assert_eq!(error.to_string(), "a list of 991 entries where 992 are needed: give one plane per face");
     // Fewer planes and more planes than faces; planes of normals longer than 1.
     assert_eq!(mesh.face_planes::<3>(), mesh.face_planes::<992>()[..3]);
     assert_eq!(mesh.face_planes::<993>()[992], 0);
