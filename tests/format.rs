@@ -66,7 +66,7 @@ public_types! {
     Model, Ndc, Node, Painter<Plain, 4, 4>,
     PaintersOrder<'static, Plain>, Picture<'static, Plain>, Pixel, Pixels<'static, Plain>, MeshInstance<'static,
     i16>, Point3<Plain>, Projection, Ray,     Object<'static, Plain>, Picked, PlacedSprites<'static, i16>, PlacedScene<'static, 'static, Plain, 3>, Scene<'static,
-    Plain, 3>, RigidLambert, Scalar, Scissor, ShadeTable<Plain>, TableShader<'static, Plain>,
+    Plain, 3>, RigidLambert, Scalar, ShadeTable<Plain>, TableShader<'static, Plain>,
     Accuracy, Half, DepthTested<Flat>, Fog, FogTable<Plain>, Fogged<'static, Flat, Plain>,
     VertexFog, ColorKeyed<Plain, Plain>, IndexKeyed<'static, Plain, 1>, IndexedTexels<'static, Plain,
     1>, ClampedTexels<Plain>, LitIndexedTexels<'static, Plain, 1, 2, 2>, LitPalette<Plain, 2, 2>, LitTextured<Plain>,

@@ -4,7 +4,6 @@ use crate::house::{Side, DRAWN, EDGES, EXPONENT, FACES, HOUSE, SIDES, VERTICES};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Circle, Line, PrimitiveStyle, Rectangle};
-use pinhole::raster::area;
 use pinhole::space::{Model, World};
 use pinhole::{prelude::*, target::LeastRun};
 use pinhole_apps_support::canvas::Canvas;
@@ -33,7 +32,7 @@ pub(crate) fn draw(
         FACES.iter().zip(SIDES).any(|(face, of)| {
             let corners = face.map(|i| points[usize::from(i)]);
             let whole = corners.iter().copied().collect::<Option<Vec<_>>>();
-            of == side && whole.is_some_and(|p| area(&[p[0], p[1], p[2]]) > 0)
+            of == side && whole.is_some_and(|p| is_front(&p))
         })
     };
     let cell = Rectangle::new(viewport.top_left(), viewport.size());
@@ -88,6 +87,12 @@ pub(crate) fn draw(
         }
     }
     Ok(())
+}
+
+/// Whether the corners of a face, with y down, run counter-clockwise with y up.
+fn is_front(corners: &[pinhole::raster::ScreenPoint]) -> bool {
+    let [a, b, c] = [0, 1, 2].map(|i| (i64::from(corners[i].x()), i64::from(corners[i].y())));
+    (b.0 - a.0) * (c.1 - a.1) < (b.1 - a.1) * (c.0 - a.0)
 }
 
 fn place([x, y]: [i32; 2]) -> Point {

@@ -259,20 +259,12 @@ impl<P> Mesh<'_, i16, P> {
     pub const fn face_planes<const N: usize>(&self) -> [i16; N] {
         let (mut planes, mut face) = ([0; N], 0);
         while face < N {
-            planes[face] = self.face_plane(face);
+            if let Some((&[x, y, z], normal)) = self.data.corner_and_normal(face) {
+                planes[face] = plane_distance([x as i32, y as i32, z as i32], normal, self.data.justify);
+            }
             face += 1;
         }
         planes
-    }
-
-    /// The plane of one face: see [`face_planes`](Mesh::face_planes).
-    pub const fn face_plane(&self, face: usize) -> i16 {
-        if let Some((corner, normal)) = self.data.corner_and_normal(face) {
-            let [x, y, z] = *corner;
-            plane_distance([x as i32, y as i32, z as i32], normal, self.data.justify)
-        } else {
-            0
-        }
     }
 }
 
@@ -319,28 +311,6 @@ impl<'a> Mesh<'a, Scalar> {
         }
         let justify = justify(magnitude);
         Ok(Self::of(MeshData::new(vertices, faces, -16, justify)))
-    }
-}
-
-impl<P> Mesh<'_, Scalar, P> {
-    /// The plane of each face: see [`Mesh::face_planes`](Mesh::<i16>::face_planes).
-    pub const fn face_planes<const N: usize>(&self) -> [i16; N] {
-        let (mut planes, mut face) = ([0; N], 0);
-        while face < N {
-            planes[face] = self.face_plane(face);
-            face += 1;
-        }
-        planes
-    }
-
-    /// The plane of one face: see [`face_planes`](Mesh::face_planes).
-    pub const fn face_plane(&self, face: usize) -> i16 {
-        if let Some((corner, normal)) = self.data.corner_and_normal(face) {
-            let [x, y, z] = *corner;
-            plane_distance([x.to_bits(), y.to_bits(), z.to_bits()], normal, self.data.justify)
-        } else {
-            0
-        }
     }
 }
 
@@ -627,6 +597,13 @@ const fn bins_len(primitives: usize) -> usize {
 }
 
 impl<V: Coordinate, P> Mesh<'_, V, P> {
+    /// The plane of one face, for lists whose length is known at run time: as [`face_planes`](Mesh::face_planes).
+    pub fn face_plane(&self, face: usize) -> i16 {
+        self.data.corner_and_normal(face).map_or(0, |(&corner, normal)| {
+            plane_distance(map3(corner, |c| c.times(1)), normal, self.data.justify)
+        })
+    }
+
     /// A bounding sphere about the centre of the vertices' bounding box, in model units. Its radius is at most √3 times the
     /// smallest possible, rounded up by at most 9·2⁻¹⁶ plus 2⁻²⁸ of itself; `Scalar::MAX` if centre or radius do not fit
     /// [`Scalar`]. For [`Frustum::visibility`](crate::camera::Frustum::visibility): compute it once per mesh.

@@ -151,7 +151,7 @@ entries! {
     entry_mesh_edges(mesh: &Mesh<'static>) -> (Faces, [Edges; 2]) { (mesh.faces(), [mesh.edges(), mesh.edge_faces()]) }
     entry_mesh_numbers(mesh: &Mesh<'static>) -> (&'static [i16], i8) { (mesh.planes(), mesh.exponent()) }
     entry_face_planes(mesh: &Mesh<'static>, face: usize) -> ([i16; 9], i16) { (mesh.face_planes(), mesh.face_plane(face)) }
-    entry_wide_face_planes(mesh: &Mesh<'static, Scalar>) -> [i16; 9] { mesh.face_planes() }
+    entry_wide_face_plane(mesh: &Mesh<'static, Scalar>, face: usize) -> i16 { mesh.face_plane(face) }
     entry_vertex_normals(mesh: Mesh<'static>, n: Vertices) -> Result<Mesh<'static>, MeshError> { mesh.with_vertex_normals(n) }
 
     entry_rotation(angle: Angle) -> Result<Affine<Model, World>, MathError> { Affine::rotation(point(), vector(), angle) }
