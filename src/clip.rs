@@ -1,23 +1,6 @@
 //! Clipping of lines and polygons against planes in homogeneous coordinates, before the perspective divide.
 //!
-//! The pipeline clips against the near plane, the guard band and, on request, the far plane; the rasteriser's scissor does the
-//! rest. For callers who need clipped geometry, [`line()`] and [`triangle`] clip against all six planes of the view volume and
-//! interpolate attributes.
-//!
-//! ```
-//! use pinhole::{camera::Window, clip, prelude::*, space::View};
-//! let one = Scalar::from_int(1);
-//! let window = Window { left: -one, right: one, bottom: -one, top: one };
-//! let view = Projection::orthographic(window, one, Scalar::from_int(3))?;
-//! let inside = view.apply(Point3::<View>::from_ints(0, 0, -2));
-//! let right = view.apply(Point3::<View>::from_ints(2, 0, -2));
-//! assert_eq!(right.outcode(), pinhole::clip::Outcode::RIGHT);
-//! let (_, end) = clip::line(inside, right).unwrap();
-//! assert_eq!(end.ndc(), Some(Point3::from_ints(1, 0, 0)));
-//! # Ok::<(), pinhole::camera::CameraError>(())
-//! ```
-
-pub use crate::math::clip_point::{ClipPoint, Outcode};
+//! The pipeline clips against the near plane, the guard band and, on request, the far plane; the rasteriser's scissor does the rest.
 
 use crate::math::hints::{keep_rolled, opaque_next};
 use crate::math::num::{fraction, proper_fraction};
@@ -28,7 +11,7 @@ use heapless::Vec;
 const PLANES: usize = 6;
 
 /// The most corners of a triangle clipped against six planes: 3 + 6.
-pub const CORNERS: usize = 9;
+const CORNERS: usize = 9;
 
 /// Slots for a polygon's corners while it is clipped by one plane: it has at most `CORNERS − 1` corners before, and two are
 /// added before any is removed.
@@ -80,7 +63,7 @@ impl ClipCoords {
 /// face is clipped. Custom [`Shader`](crate::shading::Shader)s name one; most use [`Barycentric`].
 ///
 /// ```
-/// use pinhole::clip::{Barycentric, Varying};
+/// use pinhole::shading::{Barycentric, Varying};
 /// let (a, b) = (Barycentric::of(0), Barycentric::of(1));
 /// assert_eq!(a.towards(&b, 1 << 29).weights(), [3 << 28, 1 << 28, 0]); // a quarter of the way
 /// ```
@@ -235,119 +218,168 @@ pub(crate) fn clip_triangle(corners: &mut impl ClipCorners, polygon: &mut SlotOr
     crossed
 }
 
-/// An input or output vertex of [`triangle`]: a point in clip space with `A` attributes that vary linearly over a face, such as
-/// colours or texture coordinates.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ClipVertex<const A: usize> {
-    /// The position.
-    pub point: ClipPoint,
-    /// The attributes, in any unit, in the full range of `i32`. They are interpolated linearly in clip space, hence linearly in
-    /// space, with a parameter of 31 bits, and rounded to nearest: within 1 of the exact value if the two ends differ by less
-    /// than 2³¹.
-    pub attributes: [i32; A],
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::random::mixed;
 
-/// x, y, z, w with an exponent common to all points of a line or triangle, and attributes.
-#[derive(Clone, Copy)]
-struct AlignedVertex<const A: usize> {
-    xyzw: [i32; 4],
-    attributes: [i32; A],
-}
+    /// Corners with x, y, z, w, and two weights in 2⁻³⁰, clipped against −w ≤ x, y, z ≤ w.
+    #[derive(Clone, Copy)]
+    struct Volume([[i32; 6]; CLIP_SLOTS]);
 
-impl<const A: usize> AlignedVertex<A> {
-    fn new(point: &ClipPoint, exponent: i32, attributes: [i32; A]) -> Self {
-        Self { xyzw: point.in_units(exponent), attributes }
+    fn distances([x, y, z, w, ..]: [i32; 6]) -> [i64; PLANES] {
+        let [x, y, z, w] = [x, y, z, w].map(i64::from);
+        [w + x, w - x, w + y, w - y, w + z, w - z]
     }
 
-    fn towards(mut self, other: &Self, t: i32) -> Self {
-        let ends = self.xyzw.iter_mut().zip(&other.xyzw);
-        for (a, &b) in ends.chain(self.attributes.iter_mut().zip(&other.attributes)) {
-            *a = lerp(*a, b, t);
+    impl ClipCorners for Volume {
+        fn distance(&self, plane: usize, at: usize) -> i64 {
+            distances(self.0[at])[plane]
         }
-        self
-    }
-}
 
-/// Distances from the six planes of the view volume, in the order of the bits of [`Outcode`](crate::clip::Outcode).
-impl<const A: usize, const N: usize> ClipCorners for [AlignedVertex<A>; N] {
-    fn distance(&self, plane: usize, at: usize) -> i64 {
-        let [x, y, z, w] = self.get(at).map_or([0; 4], |p| p.xyzw.map(i64::from));
-        match plane {
-            0 => w + x,
-            1 => w - x,
-            2 => w + y,
-            3 => w - y,
-            4 => w + z,
-            _ => w - z,
+        fn planes_outside(&self, at: usize) -> u32 {
+            distances(self.0[at]).iter().rev().fold(0, |planes, &d| planes << 1 | u32::from(d < 0))
+        }
+
+        fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32) {
+            let (a, b) = (self.0[inside], self.0[outside]);
+            self.0[at] = core::array::from_fn(|i| lerp(a[i], b[i], t));
         }
     }
 
-    fn planes_outside(&self, at: usize) -> u32 {
-        (0..PLANES).fold(0, |planes, plane| planes | u32::from(self.distance(plane, at) < 0) << (plane & 31))
+    /// The most that six cuts move a coordinate: a half for each cut, and a step of a weight is up to half a unit.
+    const OFF: f64 = 6.0;
+
+    /// Points of 30 bits and fewer, on planes and edges of the volume, or anywhere.
+    fn point(state: &mut u64) -> [i32; 4] {
+        let down = (mixed(state) % 12) as u32;
+        let mut any = || match mixed(state) % 8 {
+            0 => 0,
+            1 => (1 << 29) >> down,
+            2 => -((1 << 29) >> down),
+            _ => mixed(state) as i32 >> (2 + down),
+        };
+        [any(), any(), any(), any()]
     }
 
-    fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32) {
-        if let (Some(a), Some(b)) = (self.get(inside), self.get(outside)) {
-            let point = a.towards(b, t);
-            if let Some(slot) = self.get_mut(at) {
-                *slot = point;
+    fn volume(points: [[i32; 4]; 3]) -> Volume {
+        let mut slots = [[0; 6]; CLIP_SLOTS];
+        for (i, [x, y, z, w]) in points.into_iter().enumerate() {
+            slots[i] = [x, y, z, w, i32::from(i == 1) << 30, i32::from(i == 2) << 30];
+        }
+        Volume(slots)
+    }
+
+    /// The part of a segment that lies in the volume, as parameters, by Liang and Barsky's algorithm in f64.
+    fn part_inside(a: [i32; 6], b: [i32; 6], margin: f64) -> Option<(f64, f64)> {
+        let (mut first, mut last) = (0f64, 1f64);
+        for (from, to) in distances(a).into_iter().zip(distances(b)) {
+            let (from, to) = (from as f64 + margin, to as f64 + margin);
+            match (from < 0.0, to < 0.0) {
+                (true, true) => return None,
+                (true, false) => first = first.max(from / (from - to)),
+                (false, true) => last = last.min(from / (from - to)),
+                (false, false) => {}
             }
         }
+        (first <= last).then_some((first, last))
     }
-}
 
-/// Clips a line against the view volume −w ≤ x, y, z ≤ w; `None` if it is outside. New ends are within 2⁻²⁷ of the larger end's
-/// coordinates or, if the line is nearly parallel to a plane, within eight times the displacement that an error of 2⁻³⁰ in its
-/// ends causes. Exchanging the ends gives the same points. (Cohen–Sutherland in homogeneous coordinates: Foley et al.,
-/// *Computer Graphics*, 2nd ed., section 6.5.4.)
-pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
-    let exponent = a.exponent().max(b.exponent());
-    let mut ends = [a, b].map(|p| AlignedVertex::new(&p, exponent, []));
-    let inside = clip_line(&mut ends).is_some();
-    let [a, b] = ends.map(|p| ClipPoint::from_units(p.xyzw, exponent));
-    inside.then_some((a, b))
-}
+    /// Where a segment is clipped, and that the order of its ends does not matter.
+    #[test]
+    fn lines_end_where_they_leave_the_volume() {
+        let (mut state, mut cut) = (5u64, 0);
+        for _ in 0..200_000 {
+            let ends = [point(&mut state), point(&mut state)];
+            let (mut slots, mut other) =
+                (volume([ends[0], ends[1], [0; 4]]), volume([ends[1], ends[0], [0; 4]]));
+            let (a, b) = (slots.0[0], slots.0[1]);
+            let (got, back) = (clip_line(&mut slots), clip_line(&mut other));
+            assert_eq!(got, back, "{ends:?}");
+            let Some(clipped) = got else {
+                assert_eq!(part_inside(a, b, -OFF), None, "{ends:?} is lost");
+                continue;
+            };
+            cut += usize::from(clipped);
+            let (p, q) = (slots.0[0], slots.0[1]);
+            assert_eq!([&p[..4], &q[..4]], [&other.0[1][..4], &other.0[0][..4]], "{ends:?}");
+            assert!(clipped || (p, q) == (a, b));
+            assert!([p, q].iter().all(|&end| distances(end).iter().all(|&d| d as f64 >= -OFF)), "{ends:?}");
+            assert!(part_inside(a, b, OFF).is_some(), "{ends:?}: nothing is inside");
+            // Each end lies on the segment, at the parameter that its weight says.
+            for end in [p, q] {
+                let t = f64::from(end[4]) / f64::from(1 << 30);
+                for i in 0..4 {
+                    let exact = f64::from(a[i]) + (f64::from(b[i]) - f64::from(a[i])) * t;
+                    assert!((f64::from(end[i]) - exact).abs() <= OFF, "{ends:?}: {end:?}");
+                }
+            }
+        }
+        assert!(cut > 10_000, "{cut}");
+    }
 
-/// Clips a triangle against the view volume −w ≤ x, y, z ≤ w: the result is a convex polygon of up to nine vertices in the
-/// triangle's order, empty if the triangle is outside. New vertices are within 2⁻²⁷ of the largest vertex's coordinates, except
-/// on edges nearly parallel to a plane. Triangles that share an edge get the same new vertices on it. (Sutherland and Hodgman,
-/// *Reentrant polygon clipping*, 1974.)
-///
-/// ```
-/// use pinhole::{camera::Window, clip::{self, ClipVertex}, prelude::*, space::View};
-/// let one = Scalar::from_int(1);
-/// let window = Window { left: -one, right: one, bottom: -one, top: one };
-/// let view = Projection::orthographic(window, one, Scalar::from_int(3))?;
-/// // Twice as wide as the window, with an attribute from 0 to 200.
-/// let corner = |x, y, light| {
-///     ClipVertex { point: view.apply(Point3::<View>::from_ints(x, y, -2)), attributes: [light] }
-/// };
-/// let part = clip::triangle([corner(-2, 0, 0), corner(2, 0, 200), corner(0, 1, 100)]);
-/// // Its left and right ends are clipped, at a height of ½.
-/// let corners: Vec<_> = part.iter().map(|c| (c.point.ndc().unwrap(), c.attributes[0])).collect();
-/// assert_eq!(corners.len(), 5);
-/// assert!(corners.contains(&(Point3::from_ints(-1, 0, 0), 50)));
-/// assert!(corners.contains(&(Point3::from_f32(1.0, 0.5, 0.0).unwrap(), 150)));
-/// # Ok::<(), pinhole::camera::CameraError>(())
-/// ```
-pub fn triangle<const A: usize>(corners: [ClipVertex<A>; 3]) -> Vec<ClipVertex<A>, CORNERS> {
-    let exponent = corners.iter().map(|c| c.point.exponent()).max().unwrap_or(0);
-    let [a, b, c] = corners.map(|c| AlignedVertex::new(&c.point, exponent, c.attributes));
-    let mut slots = [a; CLIP_SLOTS];
-    (slots[1], slots[2]) = (b, c);
-    let mut result = Vec::new();
-    let mut polygon = SlotOrder::new();
-    clip_triangle(&mut slots, &mut polygon);
-    if polygon.len() < 3 {
-        return result;
+    /// Corners of a polygon lie where their weights say, inside the volume; a point of the triangle is in the polygon if it is in the volume;
+    /// and triangles that share an edge get equal corners on it.
+    #[test]
+    fn polygons_are_what_a_triangle_has_in_the_volume() {
+        let (mut state, mut cut, mut sampled) = (6u64, 0, [0; 2]);
+        for _ in 0..100_000 {
+            let [a, b, c, d] = [(); 4].map(|()| point(&mut state));
+            let (mut one, mut two) = (volume([a, b, c]), volume([b, a, d]));
+            let (corners, mut order, mut other) = (one, SlotOrder::new(), SlotOrder::new());
+            cut += usize::from(clip_triangle(&mut one, &mut order) && order.len() >= 3);
+            clip_triangle(&mut two, &mut other);
+            let polygon: Vec<[i32; 6], CORNERS> = order.iter().map(|&at| one.0[usize::from(at)]).collect();
+            let blend = |u: f64, v: f64| -> [f64; 4] {
+                core::array::from_fn(|i| {
+                    let [a, b, c] = [0, 1, 2].map(|k| f64::from(corners.0[k][i]));
+                    a + (b - a) * u + (c - a) * v
+                })
+            };
+            for corner in &polygon {
+                let [u, v] = [4, 5].map(|i| f64::from(corner[i]) / f64::from(1 << 30));
+                let gaps =
+                    blend(u, v).into_iter().zip(corner).map(|(exact, &c)| (exact - f64::from(c)).abs());
+                assert!(gaps.fold(0.0, f64::max) <= 2.0 * OFF, "{a:?} {b:?} {c:?}: {corner:?}");
+                assert!(
+                    distances(*corner).iter().all(|&d| d as f64 >= -OFF),
+                    "{a:?} {b:?} {c:?}: {corner:?}"
+                );
+            }
+            // The ends of the shared edge, where it is clipped, are corners of both.
+            let mut line = volume([a, b, [0; 4]]);
+            if clip_line(&mut line).is_some() && order.len() >= 3 && other.len() >= 3 {
+                let has = |slots: &Volume, order: &SlotOrder, end: [i32; 6]| {
+                    order.iter().any(|&at| slots.0[usize::from(at)][..4] == end[..4])
+                };
+                for end in [line.0[0], line.0[1]] {
+                    assert!(has(&one, &order, end) && has(&two, &other, end), "{a:?} {b:?} {c:?} {d:?}");
+                }
+            }
+            // A point of the triangle, by the planes and by the polygon's sides, in steps of its weights.
+            let mut share = || (mixed(&mut state) >> 33) as f64 / 2f64.powi(31);
+            let (u, v) = (share(), share());
+            let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
+            let [x, y, z, w] = blend(u, v);
+            let least = [w + x, w - x, w + y, w - y, w + z, w - z].into_iter().fold(f64::MAX, f64::min);
+            let (u, v) = (u * f64::from(1 << 30), v * f64::from(1 << 30));
+            let is_beside = |slack: f64| {
+                (0..polygon.len()).all(|i| {
+                    let (from, to) = (polygon[i], polygon[(i + 1) % polygon.len()]);
+                    let [ax, ay, bx, by] = [from[4], from[5], to[4], to[5]].map(f64::from);
+                    let (dx, dy) = (bx - ax, by - ay);
+                    let room = slack * ((dx.abs() + dy.abs()) + 2.0 * ((u - ax).abs() + (v - ay).abs()));
+                    dx * (v - ay) - dy * (u - ax) >= -room
+                })
+            };
+            if least >= 4.0 * OFF {
+                sampled[0] += 1;
+                assert!(polygon.len() >= 3 && is_beside(2.0 * OFF), "{a:?} {b:?} {c:?}: {u} {v} is missing");
+            } else if least <= -4.0 * OFF && polygon.len() >= 3 {
+                sampled[1] += 1;
+                assert!(!is_beside(-2.0 * OFF), "{a:?} {b:?} {c:?}: {u} {v} is there");
+            }
+        }
+        assert!(cut > 10_000 && sampled.iter().all(|&n| n > 1000), "{cut} {sampled:?}");
     }
-    for corner in polygon.iter().filter_map(|&at| slots.get(usize::from(at))) {
-        // A polygon has at most `CORNERS` vertices.
-        let _ = result.push(ClipVertex {
-            point: ClipPoint::from_units(corner.xyzw, exponent),
-            attributes: corner.attributes,
-        });
-    }
-    result
 }

@@ -49,14 +49,14 @@
 //! | cameras | [`camera`] | [`Camera::framing`]; [`Projection`], [`Viewport`]; [choosing a projection](book::ch3_projections) |
 //! | meshes | [`mesh`], [`meshes`] | [`Mesh`]; a ready cube, torus …; [`pinhole-import`](https://docs.rs/pinhole-import) reads OBJ and STL files |
 //! | drawing | [`draw`] | [`MeshInstance`](draw::MeshInstance): `faces(..).draw(..)`, `edges(..)`, `points(..)` …; [which method](book::ch4_visibility) |
-//! | many objects | [`draw`] | [`Scene`](draw::Scene); [`Frustum`](camera::Frustum) and [`Camera::visibility`] say what is in view |
+//! | many objects | [`draw`] | [`Scene`](draw::Scene); [`Camera::frustum`] says what is in view |
 //! | targets | [`target`], [`color`] | [`Surface`](target::Surface): any DrawTarget, or pixels in memory; [with a depth buffer](target::Surface::depth_tested); your own colour: [`Color`](color::Color) |
 //! | no framebuffer, DMA, two cores | [`bands`] | [`Frame`](bands::Frame), [`mesh_buffers!`], [`strip_buffers!`]; [how](book::ch5_bands); [`DirtyRegions`](bands::DirtyRegions) sends what has changed |
 //! | light | [`light`] | [`Lambert`](light::Lambert); several and point lights, highlights, matcaps |
 //! | shading | [`shading`], [`texture`], [`fog`] | a colour, [`Gouraud`](shading::Gouraud), [`Texture`](texture::Texture), [`Fogged`](fog::Fogged); your own: [`SpanShader`](shading::SpanShader) |
 //! | sprites and lines | [`sprite`] | [`Sprite`](sprite::Sprite); [`AntiAliased`](shading::AntiAliased) lines |
 //! | labels and picking | [`camera`], [`draw`] | [`Camera::project`], [`Faces::pick`](draw::Faces::pick) |
-//! | 2D, and the stages alone | [`raster`], [`clip`] | [`fill_triangle`](draw::fill_triangle), [`draw_line`](draw::draw_line) |
+//! | 2D | [`raster`] | [`fill_triangle`](draw::fill_triangle), [`draw_line`](draw::draw_line) |
 //! | RAM, flash and time | [`book`] | [estimating](book::ch6_budget), [measuring on your board](book::ch10_measuring) |
 //!
 //! Templates for firmware, a viewer and a planner are in the repository; its [README.md] has the steps from a model to a display.
@@ -92,7 +92,7 @@ macro_rules! defmt_format {
 #[cfg(doc)]
 pub mod book;
 pub mod camera;
-pub mod clip;
+mod clip;
 pub mod color;
 mod fast;
 pub mod math;
@@ -168,9 +168,7 @@ pub mod texture {
 pub mod fog {
     //! Fog by distance, for pixels or vertices. Start with [`FogTable`] and [`Fogged`].
 
-    pub use crate::shading::fog::{
-        ExponentialFog, Fog, FogProfile, FogTable, Fogged, LinearFog, SquaredFog, VertexFog,
-    };
+    pub use crate::shading::fog::{Fog, FogTable, Fogged, VertexFog};
 }
 
 pub mod sprite {

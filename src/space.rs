@@ -5,11 +5,9 @@
 //! | [`Model`] | world units | the mesh's own |
 //! | [`World`] | world units | right-handed, the scene's own |
 //! | [`View`] | world units | u right, v up, n towards the viewer: the camera looks along −n |
-//! | [`Canonical`] | – | −1 ≤ x, y ≤ 1 and −1 ≤ z ≤ 0, or x, y = ±z and −1 ≤ z < 0 |
 //! | [`Ndc`] | −1 … 1 | x right, y up, z from near (−1) to far (+1) |
 //!
-//! Clip and screen coordinates have their own arithmetic, so they are separate types,
-//! [`ClipPoint`](crate::clip::ClipPoint) and [`ScreenPoint`](crate::raster::ScreenPoint).
+//! Screen coordinates have their own arithmetic, so [`ScreenPoint`](crate::raster::ScreenPoint) is a type of its own.
 //!
 //! A transform from model space takes no point in world space:
 //!
@@ -48,14 +46,6 @@
 //! let _ = Affine::<World, View>::identity();
 //! ```
 
-/// A coordinate space of the pipeline. Sealed: no other type can implement it.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a coordinate space",
-    label = "not a space",
-    note = "the spaces are `Model`, `World`, `View`, `Canonical` and `Ndc`"
-)]
-pub trait Space: sealed::Sealed {}
-
 /// A space in which a scene is set up: [`Model`] or [`World`]. [`Affine`](crate::Affine) maps between these; each later space
 /// is reached by one function.
 #[diagnostic::on_unimplemented(
@@ -63,7 +53,7 @@ pub trait Space: sealed::Sealed {}
     label = "not `Model` or `World`",
     note = "`ViewTransform` leads to `View`, `Projection` and `Viewport` to the screen"
 )]
-pub trait SceneSpace: Space {}
+pub trait SceneSpace: sealed::Sealed {}
 
 /// Model space: the coordinates of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,22 +70,12 @@ pub enum World {}
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum View {}
 
-/// The space of a canonical view volume: see [`ReferenceVolume`](crate::camera::ReferenceVolume).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Canonical {}
-
 /// Normalised device coordinates: x to the right, y up, z away from the viewer; the view volume is −1 … 1 on all axes, with the
 /// near plane at z = −1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Ndc {}
 
-impl Space for Model {}
-impl Space for World {}
-impl Space for View {}
-impl Space for Canonical {}
-impl Space for Ndc {}
 impl SceneSpace for Model {}
 impl SceneSpace for World {}
 
@@ -103,7 +83,4 @@ mod sealed {
     pub trait Sealed {}
     impl Sealed for super::Model {}
     impl Sealed for super::World {}
-    impl Sealed for super::View {}
-    impl Sealed for super::Canonical {}
-    impl Sealed for super::Ndc {}
 }

@@ -2,8 +2,8 @@
 //! snapped, then exact coverage and exact lines), in perspective, in orthographic projection, and by the worked set-ups of docs/spec.md,
 //! section 4, viewing by PRP and window. `GOLDEN=1 cargo test --test golden` writes the files anew.
 
+use pinhole::prelude::*;
 use pinhole::space::{Model, World};
-use pinhole::{camera::ReferenceVolume, prelude::*};
 use std::collections::BTreeSet;
 use support::bridge::draw::{self, solid, wireframe, Shader, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{window, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -230,8 +230,8 @@ fn s4_the_direction_of_a_parallel_projection_is_window_center_minus_prp() {
     assert_eq!(d, [0.0, 0.0, -10.0]);
     // Off the centre it is oblique: a unit of depth moves by (2, −1)/4 of a unit.
     let (prp, area) = (point([-2 * ONE, ONE, 4 * ONE]), window([-ONE, ONE, -ONE, ONE]));
-    let volume = ReferenceVolume::parallel(prp, area, scalar(0), scalar(-4 * ONE)).expect("a volume");
-    let got = volume.normalise(point([0, 0, -4 * ONE]));
+    let lens = Projection::parallel_from_reference(prp, area, scalar(0), scalar(-4 * ONE)).expect("a volume");
+    let got = lens.apply(point([0, 0, -4 * ONE])).expect("a point before the eye");
     // DOP = (0, 0, 0) − (−2, 1, 4) = (2, −1, −4): from (0, 0, −4) back along it to (−2, 1, 0).
-    assert_eq!(reals(got), [-2.0, 1.0, -1.0]);
+    assert_eq!(reals(got), [-2.0, 1.0, 1.0]);
 }

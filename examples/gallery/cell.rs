@@ -4,9 +4,8 @@ use crate::house::{Side, DRAWN, EDGES, EXPONENT, FACES, HOUSE, SIDES, VERTICES};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Circle, Line, PrimitiveStyle, Rectangle};
-use pinhole::raster::area;
 use pinhole::space::{Model, World};
-use pinhole::{camera::VanishingPoint, prelude::*, target::LeastRun};
+use pinhole::{prelude::*, target::LeastRun};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::sheet::INK;
 use std::error::Error;
@@ -33,14 +32,14 @@ pub(crate) fn draw(
         FACES.iter().zip(SIDES).any(|(face, of)| {
             let corners = face.map(|i| points[usize::from(i)]);
             let whole = corners.iter().copied().collect::<Option<Vec<_>>>();
-            of == side && whole.is_some_and(|p| area(&[p[0], p[1], p[2]]) > 0)
+            of == side && whole.is_some_and(|p| is_front(&p))
         })
     };
     let cell = Rectangle::new(viewport.top_left(), viewport.size());
 
     for (axis, point) in camera.vanishing_points().into_iter().enumerate() {
         if let Some(point) = point {
-            rays(axis, &point, &points, &mut sheet.clipped(&cell))?;
+            rays(axis, point, &points, &mut sheet.clipped(&cell))?;
         }
     }
 
@@ -84,14 +83,20 @@ pub(crate) fn draw(
 
     for (axis, point) in camera.vanishing_points().into_iter().enumerate() {
         if let Some(point) = point {
-            mark(place(&point), AXES[axis], &mut sheet.clipped(&cell))?;
+            mark(place(point), AXES[axis], &mut sheet.clipped(&cell))?;
         }
     }
     Ok(())
 }
 
-fn place(point: &VanishingPoint) -> Point {
-    Point::new(point.x >> 8, point.y >> 8)
+/// Whether the corners of a face, with y down, run counter-clockwise with y up.
+fn is_front(corners: &[pinhole::raster::ScreenPoint]) -> bool {
+    let [a, b, c] = [0, 1, 2].map(|i| (i64::from(corners[i].x()), i64::from(corners[i].y())));
+    (b.0 - a.0) * (c.1 - a.1) < (b.1 - a.1) * (c.0 - a.0)
+}
+
+fn place([x, y]: [i32; 2]) -> Point {
+    Point::new(x >> 8, y >> 8)
 }
 
 /// Draws a vanishing point.
@@ -107,13 +112,14 @@ pub(crate) fn mark<D: DrawTarget<Color = Rgb888>>(
 /// Draws the rays from the edges along an axis to their vanishing point.
 fn rays<D: DrawTarget<Color = Rgb888>>(
     axis: usize,
-    vanishing: &VanishingPoint,
+    vanishing: [i32; 2],
     points: &[Option<pinhole::raster::ScreenPoint>],
     target: &mut D,
 ) -> Result<(), D::Error> {
     // Rays to a vanishing point farther away look parallel.
     const FARTHEST: i32 = 8192 * 256;
-    if vanishing.x.abs() > FARTHEST || vanishing.y.abs() > FARTHEST {
+    let [x, y] = vanishing;
+    if x.abs() > FARTHEST || y.abs() > FARTHEST {
         return Ok(());
     }
     let target = &mut Dashed { target, on: 1, off: 2, at: 0 };
@@ -125,9 +131,8 @@ fn rays<D: DrawTarget<Color = Rgb888>>(
         if moved != [axis] {
             continue;
         }
-        let away = |p: pinhole::raster::ScreenPoint| {
-            i64::from(p.x() - vanishing.x).pow(2) + i64::from(p.y() - vanishing.y).pow(2)
-        };
+        let away =
+            |p: pinhole::raster::ScreenPoint| i64::from(p.x() - x).pow(2) + i64::from(p.y() - y).pow(2);
         let start = if away(from) < away(to) { from } else { to }.pixel();
         Line::new(Point::new(start.x.into(), start.y.into()), place(vanishing))
             .into_styled(PrimitiveStyle::with_stroke(AXES[axis], 1))

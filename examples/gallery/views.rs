@@ -2,12 +2,7 @@
 
 use embedded_graphics::geometry::Size;
 use pinhole::space::World;
-use pinhole::{
-    camera::{PlanarProjection, ReferenceVolume, Side, Window},
-    math::MathError,
-    prelude::*,
-    Angle,
-};
+use pinhole::{camera::Window, math::MathError, prelude::*, Angle};
 use std::error::Error;
 
 /// A cell of the sheet.
@@ -60,23 +55,22 @@ pub(crate) fn all(picture: Size) -> Result<Vec<View>, Box<dyn Error>> {
     // A shift lens: seen from above, but with an upright view plane, so that verticals stay vertical.
     let shifted = Projection::frustum(window(-0.9, 0.9, -1.4, 0.4), number(0.8), number(8.0))?;
     // The view plane is z = 0 of view space, through the middle of the house.
-    let planar =
-        |planar: &PlanarProjection| Projection::from_planar(planar, square(1.5), number(-1.0), number(2.0));
-    let near_eye =
-        PlanarProjection::general(Scalar::ZERO, Some(number(3.0)), Vector3::from_f32(1.0, 1.0, 2.0)?)?;
+    let planar = |distance, x, y, z| {
+        let direction = Vector3::from_ints(x, y, z);
+        Projection::planar(Scalar::ZERO, distance, direction, square(1.5), number(-1.0), number(2.0))
+    };
+    let near_eye = planar(Some(number(3.0)), 1, 1, 2)?;
     // From above at 45°: the plan keeps its shape, and verticals their length.
-    let far_eye = PlanarProjection::general(Scalar::ZERO, None, Vector3::from_ints(0, -1, 1))?;
+    let far_eye = planar(None, 0, -1, 1)?;
     let plan =
         ViewTransform::from_reference(middle, Vector3::from_ints(0, 1, 0), Vector3::from_ints(-1, 0, -2))?;
     // By reference point and window. Front and back at n = 0.5 and −4.
     let (front, back, ten) = (number(0.5), number(-4.0), Point3::from_ints(0, 0, 10));
-    let volume = |prp, window| -> Result<Projection, Box<dyn Error>> {
-        Ok(Projection::from_reference(&ReferenceVolume::perspective(prp, window, front, back)?))
-    };
+    let volume = |prp, window| Projection::perspective_from_reference(prp, window, front, back);
     let near_prp = volume(point([0.5, 0.5, 1.0])?, window(-1.0, 3.0, -1.0, 3.0))?;
     let wide = volume(ten, window(-10.0, 20.0, -10.0, 20.0))?;
     let closer = volume(ten, window(-1.0, 2.0, -1.0, 2.0))?;
-    let in_parallel = ReferenceVolume::parallel(ten, square(2.0), front, back)?;
+    let in_parallel = Projection::parallel_from_reference(ten, square(2.0), front, back)?;
     let corner = from([2.0, 0.5, 0.0], [1, 0, 1])?;
     // The projectors meet behind the house, so that distant parts are larger and opposite walls are visible at once:
     // w = 1 + z/2 over view z, 3/2 one unit before the middle of the house and 1/2 one unit behind it, where z/w is −1 and +1.
@@ -86,25 +80,28 @@ pub(crate) fn all(picture: Size) -> Result<Vec<View>, Box<dyn Error>> {
         [0.0, 0.0, -1.0, -0.5],
         [0.0, 0.0, 0.5, 1.0],
     ])?;
-    let side = |side| ViewTransform::multiview(middle, side);
+    let side = |vpn| from(MIDDLE, vpn);
+    // Seen from above, up is away from the viewer; from below, towards the viewer.
+    let level =
+        |y| ViewTransform::from_reference(middle, Vector3::from_ints(0, y, 0), Vector3::from_ints(0, 0, -y));
+    let front = side([0, 0, 1])?;
     let isometric = ViewTransform::isometric(middle);
-    let dimetric = ViewTransform::dimetric(middle, number(2.0), number(1.0))?;
-    let trimetric = ViewTransform::trimetric(middle, Vector3::from_ints(1, 2, 3))?;
+    let (dimetric, trimetric) = (side([2, 1, 2])?, side([1, 2, 3])?);
 
     let multiview = "multiview, orthographic";
     let views = [
-        ("front", [multiview, "VPN (0,0,1)"], side(Side::Front), parallel),
-        ("back", [multiview, "VPN (0,0,-1)"], side(Side::Back), parallel),
-        ("top", [multiview, "VPN (0,1,0)"], side(Side::Top), parallel),
-        ("bottom", [multiview, "VPN (0,-1,0)"], side(Side::Bottom), parallel),
-        ("left", [multiview, "VPN (-1,0,0)"], side(Side::Left), parallel),
-        ("right", [multiview, "VPN (1,0,0)"], side(Side::Right), parallel),
+        ("front", [multiview, "VPN (0,0,1)"], front, parallel),
+        ("back", [multiview, "VPN (0,0,-1)"], side([0, 0, -1])?, parallel),
+        ("top", [multiview, "VPN (0,1,0)"], level(1)?, parallel),
+        ("bottom", [multiview, "VPN (0,-1,0)"], level(-1)?, parallel),
+        ("left", [multiview, "VPN (-1,0,0)"], side([-1, 0, 0])?, parallel),
+        ("right", [multiview, "VPN (1,0,0)"], side([1, 0, 0])?, parallel),
         ("isometric", ["VPN (1,1,1)", "x, y, z: 0.82"], isometric, parallel),
         ("dimetric", ["VPN (2,1,2)", "x, z: 0.75; y: 0.94"], dimetric, parallel),
         ("trimetric", ["VPN (1,2,3)", "x: 0.96; y: 0.85; z: 0.60"], trimetric, parallel),
-        ("cavalier", ["oblique, angle 45°, factor 1", "VPN (0,0,1)"], side(Side::Front), slanted(45, 1.0)?),
-        ("cabinet", ["oblique, angle 45°, factor 0.5", "VPN (0,0,1)"], side(Side::Front), slanted(45, 0.5)?),
-        ("oblique 60°", ["angle 60°, factor 0.75", "VPN (0,0,1)"], side(Side::Front), slanted(60, 0.75)?),
+        ("cavalier", ["oblique, angle 45°, factor 1", "VPN (0,0,1)"], front, slanted(45, 1.0)?),
+        ("cabinet", ["oblique, angle 45°, factor 0.5", "VPN (0,0,1)"], front, slanted(45, 0.5)?),
+        ("oblique 60°", ["angle 60°, factor 0.75", "VPN (0,0,1)"], front, slanted(60, 0.75)?),
         (
             "one-point",
             ["VPN (0,0,1), field of view 100°", "eye (1.5, 1, 1.5)"],
@@ -129,17 +126,12 @@ pub(crate) fn all(picture: Size) -> Result<Vec<View>, Box<dyn Error>> {
             from([1.6, 2.0, 1.5], [1, 0, 2])?,
             shifted,
         ),
-        (
-            "general planar",
-            ["z_p 0, Q 3, direction (1,1,2)", "VPN (0,0,1)"],
-            side(Side::Front),
-            planar(&near_eye)?,
-        ),
+        ("general planar", ["z_p 0, Q 3, direction (1,1,2)", "VPN (0,0,1)"], front, near_eye),
         (
             "general planar, parallel",
             ["z_p 0, Q infinite, dir (0,-1,1)", "VPN (0,1,0): the plan is true"],
             plan,
-            planar(&far_eye)?,
+            far_eye,
         ),
         (
             "PRP, window: one-point",
@@ -158,7 +150,7 @@ pub(crate) fn all(picture: Size) -> Result<Vec<View>, Box<dyn Error>> {
             "PRP, window: parallel",
             ["VRP (1,.5,0), VPN (0,0,1)", "PRP (0,0,10), window -2..2"],
             from([1.0, 0.5, 0.0], [0, 0, 1])?,
-            Projection::from_reference(&in_parallel),
+            in_parallel,
         ),
         (
             "from_matrix: reverse",

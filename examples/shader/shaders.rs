@@ -1,8 +1,8 @@
 //! Three custom shaders, written with the public interface of `pinhole` alone.
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
-use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
+use pinhole::shading::Barycentric;
 use pinhole::{
     color::{BlendMode, Mixed},
     shading::{CornerValues, Shader, SpanShader},

@@ -48,8 +48,8 @@ impl Turntable {
         let projection = Projection::perspective(
             Angle::degrees(30),
             size,
-            Scalar::from_f64((distance - radius) * 0.99)?,
-            Scalar::from_f64((distance + radius) * 1.01)?,
+            Scalar::try_from((distance - radius) * 0.99)?,
+            Scalar::try_from((distance + radius) * 1.01)?,
         )?;
         let viewport = Viewport::new(Point::zero(), size)?;
         Ok(Turntable {

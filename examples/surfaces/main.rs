@@ -89,14 +89,14 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
 
 /// The view from an eye to the origin, rolled by an angle.
 fn view(eye: [f64; 3], roll: f64) -> Result<ViewTransform, Box<dyn Error>> {
-    let [x, y, z] = eye.map(Scalar::from_f64);
+    let [x, y, z] = eye.map(Scalar::try_from);
     let up = Vector3::from_f32(roll.to_radians().sin() as f32, roll.to_radians().cos() as f32, 0.0)?;
     Ok(ViewTransform::look_at(Point3::new(x?, y?, z?), Point3::from_ints(0, 0, 0), up)?)
 }
 
 fn camera(view: &ViewTransform, near: f64, far: f64) -> Result<Camera, Box<dyn Error>> {
     let viewport = Viewport::new(Point::zero(), PICTURE)?;
-    let [near, far] = [Scalar::from_f64(near)?, Scalar::from_f64(far)?];
+    let [near, far] = [Scalar::try_from(near)?, Scalar::try_from(far)?];
     let projection = Projection::perspective(Angle::degrees(38), PICTURE, near, far)?;
     Ok(Camera::new(view, &projection, &viewport))
 }
@@ -166,7 +166,7 @@ fn three_lights() -> Drawn {
 
 fn highlight() -> Drawn {
     let (view, _, model) = usual()?;
-    let [_, _, [x, y, z]] = view.rows().map(|row| row.map(|c| c as f32 / (1 << 30) as f32));
+    let [_, _, [x, y, z, _], _] = view.to_matrix().map(|row| row.map(|c| c as f32));
     let viewer = Vector3::from_f32(x, y, z)?;
     let light = BlinnPhong::new(&model, Vector3::from_ints(-2, 4, 3), viewer, 40, 32)?;
     let table = ShadeTable::with_highlight(TEAL, Rgb888::WHITE);
@@ -229,7 +229,7 @@ fn emission() -> Drawn {
 fn matcap() -> Drawn {
     let body = torus(40, 20);
     let (view, camera, model) = usual()?;
-    let matcap = Matcap::new(&view.normals(&model));
+    let matcap = Matcap::new(&view, &model);
     let mut coords = vec![[0; 2]; body.normals.len()];
     matcap.all_coords(&body.normals, &mut coords);
     let ball = ball();
@@ -242,7 +242,7 @@ fn matcap() -> Drawn {
 fn matcap_of_faces() -> Drawn {
     let body = torus(24, 12);
     let (view, camera, model) = usual()?;
-    let matcap = Matcap::new(&view.normals(&model));
+    let matcap = Matcap::new(&view, &model);
     let ball = ball();
     let mesh = body.mesh()?;
     let normals = body.face_normals();

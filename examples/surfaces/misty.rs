@@ -15,7 +15,7 @@ use std::error::Error;
 const MIST: Rgb888 = Rgb888::new(188, 196, 208);
 
 fn range(start: f64, end: f64) -> Result<Fog, Box<dyn Error>> {
-    Ok(Fog::linear(Scalar::from_f64(start)?, Scalar::from_f64(end)?)?)
+    Ok(Fog::new(Scalar::try_from(start)?, Scalar::try_from(end)?)?)
 }
 
 /// The bricks of the rolled camera, up to the fog in which the horizon lies.

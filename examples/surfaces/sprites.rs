@@ -119,7 +119,7 @@ pub(crate) fn fountain() -> Drawn {
                 let number = (3 * z + x + 30) as usize;
                 let [dx, dy] = [0, 1].map(|of| scattered(number, of) as f32 - 0.5);
                 let at = Point3::from_f32(x as f32 * 1.1 + dx, 1.0 + 0.9 * dy, z as f32 * 0.18)?;
-                let size = Scalar::from_f64(0.5 + 0.4 * scattered(number, 2))?;
+                let size = Scalar::try_from(0.5 + 0.4 * scattered(number, 2))?;
                 let puff =
                     Sprite::new(HalfBlended::new(Puff(120 + 20 * (number % 4) as u8))).with_size(size, size);
                 camera.place_sprite(at).draw(|_| puff, &mut target.depth_tested(depth))?;

@@ -2,7 +2,6 @@
 //! random ones.
 
 mod anti_aliased;
-mod clip;
 mod place;
 mod scene;
 mod set_up;
@@ -12,9 +11,8 @@ mod translucent;
 /// The name of a target, and its check, which panics if the library is wrong.
 pub(crate) type Target = (&'static str, fn(&[u8]));
 
-pub(crate) const TARGETS: [Target; 6] = [
+pub(crate) const TARGETS: [Target; 5] = [
     ("anti_aliased", anti_aliased::check),
-    ("clip", clip::check),
     ("scene", scene::check),
     ("set_up", set_up::check),
     ("texture", texture::check),

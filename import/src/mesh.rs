@@ -140,7 +140,7 @@ impl ImportedMesh {
     ///
     /// # Errors
     ///
-    /// [`MeshError`] as from [`mesh`](Self::mesh), or if there are no planes: [`MeshError::PlaneCount`].
+    /// [`MeshError`] as from [`mesh`](Self::mesh), or if there are no planes: [`MeshError::ListLength`].
     pub fn mesh_with_planes(&self) -> Result<Mesh<'_, i16, WithPlanes>, MeshError> {
         self.mesh()?.with_planes(&self.planes)
     }

@@ -7,20 +7,16 @@
 pub enum CameraError {
     /// The field of view is not 1/4096 to 2047/4096 turn, about 0.09° to 179.9°.
     FieldOfView,
-    /// The aspect ratio has a width or height of zero: pass the viewport's size, or a ratio such as 4 × 3.
-    EmptyAspect,
     /// The near plane of a perspective is not in front of the centre of projection. `near` must be > 0; the front plane of a
     /// reference volume must lie on the view plane's side of the projection reference point.
     NearNotPositive,
-    /// The far plane is not beyond the near plane, or the back plane not behind the front plane.
+    /// The far plane is not beyond the near plane, or the back plane not behind the front plane, or they are too close for depth:
+    /// near·far/(far − near) must be below 2³⁰ for a perspective, near/(far − near) for a parallel projection and one by a reference
+    /// point. Move the planes apart.
     NearNotBeforeFar,
-    /// Near and far are too close for depth: near·far/(far − near) must be below 2³⁰ for a perspective, near/(far − near) for a
-    /// parallel projection and a [`ReferenceVolume`](crate::camera::ReferenceVolume). Move the planes apart.
-    NearTooCloseToFar,
-    /// The window is empty: it needs left < right and bottom < top.
+    /// The window is empty, or its distance from the axis is 2³⁰ times its extent: it needs left < right and bottom < top. Enlarge or
+    /// centre it.
     EmptyWindow,
-    /// The window's distance from the axis is 2³⁰ times its extent: enlarge or centre it.
-    WindowTooSmall,
     /// The projectors are parallel to the view plane, or the centre of projection lies in it.
     NoViewPlane,
     /// The projection reference point is not in front of the view plane, at n > 0.
@@ -31,30 +27,22 @@ pub enum CameraError {
         /// The row's name: x, y, z or w.
         row: char,
     },
-    /// A constant of a projection is beyond ±2³⁰: choose a larger unit, or a view plane nearer to the origin.
+    /// A constant of a projection is beyond ±2³⁰, an eye outside of ±32768 world units, or the far side of the sphere to be framed more
+    /// than 32768 world units from the eye: choose a larger unit, a view plane nearer to the origin, or a wider field of view.
     OutOfRange,
     /// The sphere to be framed has a radius of zero or less: the mesh has no vertices, or only one.
     NoRadius,
-    /// The far side of the sphere to be framed would lie more than 32768 world units from the eye: choose a larger unit or a wider
-    /// field of view.
-    TooFar,
     /// The near side of the sphere to be framed would lie less than 2⁻¹⁰ world units from the eye, where near and far planes have no
     /// room between: choose a smaller unit or a narrower field of view.
     TooNear,
     /// The view plane normal (VPN) or the gaze has length zero: give a direction, or a target that differs from the eye.
     ZeroDirection,
-    /// The view up vector (VUP) has length zero: give a vector that is not parallel to the gaze, such as (0, 1, 0).
-    ZeroUp,
-    /// The VPN does not fit the axonometric view: all three components must be non-zero, all different in size for a trimetric
-    /// view, and `side` and `up` different in size for a dimetric one.
-    NotAxonometric,
     /// The viewing matrix is not a rotation followed by a translation.
     NotRigid,
-    /// The eye lies outside ±32768 world units: choose a larger unit.
-    EyeOutside,
-    /// VUP is parallel to the gaze to within 2⁻¹² rad, so the roll is undefined: give another VUP.
+    /// The view up vector (VUP) has length zero, or is parallel to the gaze to within 2⁻¹² rad, so the roll is undefined: give another,
+    /// such as (0, 1, 0).
     ParallelUp,
-    /// The viewport's width or height is zero.
+    /// The width or height of a viewport or of an aspect ratio is zero: it must be at least 1.
     EmptyViewport,
     /// The viewport extends beyond ±8192 pixels from the target's origin.
     ViewportOutside,
@@ -78,29 +66,20 @@ impl core::fmt::Display for CameraError {
                 );
             }
             Self::FieldOfView => "field of view must be 0.09° to 179.9°",
-            Self::EmptyAspect => "the aspect ratio has a width or height of zero: pass the viewport's size",
             Self::NearNotPositive => "the near plane of a perspective must be in front of the eye, at a distance greater than 0",
-            Self::NearNotBeforeFar => "the far plane must lie beyond the near plane",
-            Self::NearTooCloseToFar => "near and far planes are too close together for depth: move them apart",
-            Self::EmptyWindow => "the window is empty: it needs left < right and bottom < top",
-            Self::WindowTooSmall => "the window is too small for its distance from the axis: enlarge or centre it",
+            Self::NearNotBeforeFar => "the far plane must lie beyond the near plane, and not too close to it for depth: move them apart",
+            Self::EmptyWindow => "the window is empty, or too small for its distance from the axis: it needs left < right and bottom < top; enlarge or centre it",
             Self::NoViewPlane => "the projectors are parallel to the view plane, or start in it: change the direction or the distance",
             Self::ReferenceBehindPlane => "the projection reference point must be in front of the view plane, at n > 0",
-            Self::OutOfRange => "a constant of the projection is beyond 2^30: choose a larger unit, or a plane nearer to the origin",
+            Self::OutOfRange => "the eye or the object lies beyond 32768 world units, or a constant beyond 2^30: choose a larger unit, a wider field of view, or a plane nearer to the origin",
             Self::NoRadius => "the sphere has no radius: the mesh needs at least two different vertices",
-            Self::TooFar => {
-                "the object would lie more than 32768 world units from the eye: choose a larger unit, or a wider field of view"
-            }
             Self::TooNear => {
                 "the object would touch the eye: choose a smaller unit, or a narrower field of view"
             }
             Self::ZeroDirection => "the viewing direction has length zero: give a direction, or a target that differs from the eye",
-            Self::ZeroUp => "the up vector has length zero: give one that is not along the viewing direction",
-            Self::NotAxonometric => "the view plane normal does not fit: an axonometric view needs non-zero components, a trimetric one three different ones",
             Self::NotRigid => "the viewing matrix is not rigid: it needs three orthonormal, right-handed rows and the last row 0 0 0 1",
-            Self::EyeOutside => "the eye lies beyond 32768 world units: choose a larger unit",
-            Self::ParallelUp => "the up vector is parallel to the viewing direction: give another",
-            Self::EmptyViewport => "the viewport has no pixels: width and height must be at least 1",
+            Self::ParallelUp => "the up vector has length zero, or is parallel to the viewing direction: give another",
+            Self::EmptyViewport => "the viewport or the aspect ratio has no pixels: width and height must be at least 1",
             Self::ViewportOutside => {
                 "the viewport extends beyond ±8192 pixels from the target's origin: move or shrink it"
             }

@@ -75,7 +75,7 @@ impl Camera {
         let near = before - if slack < before >> 1 { slack + 8 } else { before >> 1 };
         let far = distance + radius + slack + 8;
         if far > i32::MAX as i64 {
-            return Err(CameraError::TooFar);
+            return Err(CameraError::OutOfRange);
         }
         let [x, y, z] = sphere.centre.bits();
         let centre = Point3::new(Scalar::from_bits(x), Scalar::from_bits(y), Scalar::from_bits(z));

@@ -20,14 +20,14 @@ mod visibility;
 
 pub use camera::Camera;
 pub use camera_error::CameraError;
-pub use picking::{Ray, VanishingPoint};
+pub use picking::Ray;
 pub(crate) use plane_eye::PlaneEye;
 pub use projected::Projected;
-pub use projection::{PlanarProjection, Projection, ReferenceVolume, Window};
+pub use projection::{Projection, Window};
 pub use screen_vertex::ScreenVertex;
 pub(crate) use screen_vertex::UnpackedVertex;
 pub(crate) use size_on_screen::SizeOnScreen;
 pub(crate) use vertex_transform::{DepthOf, VertexTransform};
-pub use view_transform::{Side, ViewTransform};
+pub use view_transform::ViewTransform;
 pub use viewport::Viewport;
 pub use visibility::{Frustum, Visibility};

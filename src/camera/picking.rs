@@ -6,9 +6,9 @@ use super::{Camera, VertexTransform};
 use crate::camera::CameraError;
 use crate::math::num::{add, dot, row_times, scale, shift_to_fit};
 use crate::math::unit::{cross_exact, is_zero, normalise};
-use crate::math::{to_scalar, Affine, Point3, Row, Scalar, Vector3};
+use crate::math::{Affine, Point3, Row, Scalar, Vector3};
 use crate::raster::{ScreenPoint, GUARD_BAND};
-use crate::space::{Model, Ndc, World};
+use crate::space::{Model, World};
 
 /// A half-line in world space, whose points all project to one screen position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,18 +18,6 @@ pub struct Ray {
     pub origin: Point3<World>,
     /// The direction away from the eye, in world units, of length 16384 up to rounding.
     pub direction: Vector3<World>,
-}
-
-/// The vanishing point of a world axis: the images of all lines parallel to the axis meet there.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct VanishingPoint {
-    /// x and y in NDC, saturated; z is 0.
-    pub ndc: Point3<Ndc>,
-    /// Screen x in 1/256 pixel, saturated at ±2³⁰; it may lie far off the screen.
-    pub x: i32,
-    /// Screen y in 1/256 pixel, downwards, saturated at ±2³⁰.
-    pub y: i32,
 }
 
 impl Camera {
@@ -110,7 +98,8 @@ impl Camera {
         Some(Ray { origin, direction: Vector3::new(x, y, z) })
     }
 
-    /// The finite vanishing points of the world's x, y and z axes: `None` for an axis whose parallels stay
+    /// The finite vanishing points of the world's x, y and z axes, where the images of all lines parallel to the axis meet: `[x, y]` on
+    /// the screen in 1/256 pixel, saturated at ±2³⁰, because they may lie far off the screen. `None` for an axis whose parallels stay
     /// parallel (its direction lies within 2⁻²⁵ of the view plane), as all do under a parallel projection.
     ///
     /// Error: 1/512 px, and as far as the point moves when its axis turns by 2⁻²⁸ rad; for fields of view from 26°
@@ -126,11 +115,11 @@ impl Camera {
     /// let eye = Point3::from_ints(5, 0, 5);
     /// let view = ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?;
     /// let [x, y, z] = Camera::new(&view, &lens, &viewport).vanishing_points();
-    /// let (x, z) = (x.ok_or("parallel")?, z.ok_or("parallel")?);
-    /// assert!(x.x.abs() <= 1 && (z.x - 240 * 256).abs() <= 1 && y.is_none());
+    /// let ([x, _], [z, _]) = (x.ok_or("parallel")?, z.ok_or("parallel")?);
+    /// assert!(x.abs() <= 1 && (z - 240 * 256).abs() <= 1 && y.is_none());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn vanishing_points(&self) -> [Option<VanishingPoint>; 3] {
+    pub fn vanishing_points(&self) -> [Option<[i32; 2]>; 3] {
         let point = |direction: [i32; 3]| {
             // The rows without their constants: three products of at most 2⁶⁰.
             let at = |row: &Row| (dot(&row.linear, &direction), row.exponent);
@@ -152,17 +141,7 @@ impl Camera {
             let [cx, cy] = self.screen.centre();
             let near =
                 |v: i64, centre: i32| add(scale(v, -16), centre.into()).clamp(-(1 << 30), 1 << 30) as i32;
-            let size = self.screen.area.size;
-            let normal = |v: i64, extent: u32| {
-                let (m, e) = ratio(v, u64::from(extent) * 128);
-                to_scalar(scale(m, e + 16))
-            };
-            Some(VanishingPoint {
-                // A saturated value may be i32::MIN, whose negation overflows.
-                ndc: Point3::from_bits([normal(x, size.width), normal(y, size.height).saturating_neg(), 0]),
-                x: near(x, cx),
-                y: near(y, cy),
-            })
+            Some([near(x, cx), near(y, cy)])
         };
         let [u, v, n] = self.axes;
         [point([u[0], v[0], n[0]]), point([u[1], v[1], n[1]]), point([u[2], v[2], n[2]])]

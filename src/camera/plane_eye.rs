@@ -107,7 +107,7 @@ mod tests {
     fn each_number_of_the_eye_is_within_its_error() {
         let (mut random, mut largest, mut counted) = (Random(5), 0.0_f64, 0);
         let viewport = Viewport::new(Point::new(-7, 3), Size::new(240, 180)).unwrap();
-        let number = |v| Scalar::from_f64(v).expect("in range");
+        let number = |v| Scalar::try_from(v).expect("in range");
         let lens =
             Projection::perspective(Angle::degrees(50), viewport.size(), number(0.1), number(90.0)).unwrap();
         let side = number(3.0);

@@ -154,9 +154,9 @@ mod tests {
 
     #[test]
     fn a_point_in_the_plane_of_the_eye_has_no_size() {
-        let view = ViewTransform::look_along(
+        let view = ViewTransform::from_reference(
             Point3::from_ints(0, 0, 0),
-            Vector3::from_ints(0, 0, -1),
+            Vector3::from_ints(0, 0, 1),
             Vector3::from_ints(0, 1, 0),
         );
         let viewport = Viewport::new(Point::zero(), Size::new(64, 64)).unwrap();

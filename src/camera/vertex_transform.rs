@@ -545,7 +545,7 @@ mod tests {
     /// ARCHITECTURE.md, "Numbers": half a unit from rounding, and the bits truncated before.
     #[test]
     fn depth_of_a_vertex_is_within_0_7_of_its_unit() {
-        let number = |v| Scalar::from_f64(v).expect("in range");
+        let number = |v| Scalar::try_from(v).expect("in range");
         let viewport = Viewport::new(Point::zero(), Size::new(240, 180)).unwrap();
         let (mut random, mut largest, mut counts) = (Random(7), [0.0_f64; 2], [0; 2]);
         for (near, far) in
@@ -583,7 +583,7 @@ mod tests {
     #[test]
     fn the_packed_and_the_wide_path_give_the_same_bits() {
         let size = Size::new(240, 180);
-        let number = |v| Scalar::from_f64(v).expect("in range");
+        let number = |v| Scalar::try_from(v).expect("in range");
         let mut positions = 0;
         for (near, far) in [(0.05, 3.0), (0.5, 20.0), (1.0, 1.2), (1.0, 3000.0), (2.5, 3.5), (0.001, 9.0)] {
             for eye in [0.6, 1.4, 3.0, 12.0] {

@@ -39,33 +39,13 @@ pub struct ViewTransform {
     eye: [i64; 3],
 }
 
-/// The side of an object that a multiview orthographic drawing shows. In the picture up is −z for the top view, +z for the
-/// bottom view, and +y for all other views. (Foley et al., *Computer Graphics*, 2nd ed., section 6.1.2: front, top and side
-/// elevations.)
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Side {
-    /// Seen from +z.
-    Front,
-    /// Seen from −z.
-    Back,
-    /// Seen from +x.
-    Right,
-    /// Seen from −x.
-    Left,
-    /// Seen from +y: the plan.
-    Top,
-    /// Seen from −y.
-    Bottom,
-}
-
 impl ViewTransform {
     /// The view from `eye` to `target`, both in world units, with `up` upwards in the picture. `up` may have any length. The
     /// [type](Self) states the error bound of coefficients.
     ///
     /// # Errors
     ///
-    /// [`CameraError::ZeroDirection`] if the target is the eye, [`ZeroUp`](CameraError::ZeroUp) if `up` has
+    /// [`CameraError::ZeroDirection`] if the target is the eye, [`ParallelUp`](CameraError::ParallelUp) if `up` has
     /// length zero, and [`ParallelUp`](CameraError::ParallelUp) if `up` is parallel to the gaze to within 2⁻¹² rad.
     pub const fn look_at(
         eye: Point3<World>,
@@ -81,29 +61,6 @@ impl ViewTransform {
         )
     }
 
-    /// The view from `eye` in the direction `gaze`, with `up` upwards in the picture. Both vectors may have any length.
-    ///
-    /// ```
-    /// use pinhole::{camera::CameraError, prelude::*};
-    /// let (eye, right) = (Point3::from_ints(1, 2, 3), Vector3::from_ints(9, 0, 0));
-    /// let viewing = ViewTransform::look_along(eye, right, Vector3::from_ints(0, 1, 0))?;
-    /// // Two units ahead of the eye and one above: the camera looks along −z.
-    /// assert_eq!(viewing.apply(Point3::from_ints(3, 3, 3)), Point3::from_ints(0, 1, -2));
-    /// # Ok::<(), CameraError>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// As [`look_at`](Self::look_at).
-    pub const fn look_along(
-        eye: Point3<World>,
-        gaze: Vector3<World>,
-        up: Vector3<World>,
-    ) -> Result<Self, CameraError> {
-        let [x, y, z] = to_i64(gaze);
-        Self::from_axes(eye, &[-x, -y, -z], up)
-    }
-
     /// The view of a camera that orbits `target` at this distance, with y up: for a turntable, an encoder or a touch screen. At
     /// `yaw` 0 and `pitch` 0 the eye is on the +z side of the target. A positive yaw moves it to the right, towards +x; a
     /// positive pitch moves it up. Every angle is valid: at a pitch of a quarter turn the camera looks straight down, and beyond
@@ -112,8 +69,8 @@ impl ViewTransform {
     /// ```
     /// use pinhole::{prelude::*, Angle};
     /// let target = Point3::from_ints(1, 2, 3);
-    /// let from_the_right = ViewTransform::orbit(target, Scalar::from_int(5), Angle::QUARTER_TURN, Angle::ZERO);
-    /// assert_eq!(from_the_right.eye(), [6 << 32, 2 << 32, 3 << 32]);
+    /// let from_the_right = ViewTransform::orbit(target, Scalar::from_int(5), Angle::degrees(90), Angle::ZERO);
+    /// assert_eq!(from_the_right.apply(Point3::from_ints(6, 2, 3)), Point3::from_ints(0, 0, 0)); // the eye
     /// assert_eq!(from_the_right.apply(target), Point3::from_ints(0, 0, -5));
     /// ```
     pub const fn orbit(target: Point3<World>, distance: Scalar, yaw: Angle, pitch: Angle) -> Self {
@@ -135,7 +92,35 @@ impl ViewTransform {
         Self { rows, eye }
     }
 
-    /// The view by view reference point (VRP), view plane normal (VPN, towards the viewer) and view up vector (VUP).
+    /// The view by view reference point (VRP), view plane normal (VPN, towards the viewer) and view up vector (VUP), all of any length:
+    /// the view from `vrp` against the direction `vpn`. Technical drawings are named by the VPN:
+    ///
+    /// | name | VPN | VUP |
+    /// |---|---|---|
+    /// | multiview: front, back; right, left | ±z; ±x | y |
+    /// | multiview: top; bottom | y; −y | −z; z |
+    /// | isometric | (1, 1, 1): [`isometric`](Self::isometric) | y |
+    /// | dimetric | two components of equal size, such as (2, 1, 2) | y |
+    /// | trimetric | three components of different size, such as (1, 2, 3) | y |
+    ///
+    /// A VPN and a VUP along axes give exact axes. (Carlbom and Paciorek, *Planar geometric projections and viewing transformations*,
+    /// 1978.)
+    ///
+    /// ```
+    /// use pinhole::{camera::CameraError, prelude::*};
+    /// let (origin, y) = (Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
+    /// let views = [
+    ///     ViewTransform::from_reference(origin, y, Vector3::from_ints(0, 0, -1))?, // from the top
+    ///     ViewTransform::isometric(origin),
+    ///     ViewTransform::from_reference(origin, Vector3::from_ints(1, 2, 1), y)?,
+    ///     ViewTransform::from_reference(origin, Vector3::from_ints(1, 2, 3), y)?,
+    /// ];
+    /// // The foreshortening of each axis under an orthographic projection is √(1 − nᵢ²).
+    /// let n = views.map(|view| view.to_matrix()[2]);
+    /// let lengths = n.map(|[x, y, z, _]| [x, y, z].map(|c| (100.0 * (1.0 - c * c).sqrt()).round()));
+    /// assert_eq!(lengths, [[100.0, 0.0, 100.0], [82.0; 3], [91.0, 58.0, 91.0], [96.0, 85.0, 60.0]]);
+    /// # Ok::<(), CameraError>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -148,82 +133,15 @@ impl ViewTransform {
         Self::from_axes(vrp, &to_i64(vpn), vup)
     }
 
-    /// One of the six principal views of multiview drawings, with the view reference point `vrp`: under an orthographic
-    /// projection faces parallel to the view plane keep their shape and scale. Exact.
-    pub const fn multiview(vrp: Point3<World>, side: Side) -> Self {
-        const P: i32 = 1 << 30;
-        // u, v, n; n points from the object to the viewer.
-        let rows = match side {
-            Side::Front => [[P, 0, 0], [0, P, 0], [0, 0, P]],
-            Side::Back => [[-P, 0, 0], [0, P, 0], [0, 0, -P]],
-            Side::Right => [[0, 0, -P], [0, P, 0], [P, 0, 0]],
-            Side::Left => [[0, 0, P], [0, P, 0], [-P, 0, 0]],
-            Side::Top => [[P, 0, 0], [0, 0, -P], [0, P, 0]],
-            Side::Bottom => [[P, 0, 0], [0, 0, P], [0, -P, 0]],
-        };
-        Self { rows, eye: to_q32(vrp) }
-    }
-
     /// The isometric view, VPN (1, 1, 1) and y up: with an orthographic projection all three axes
     /// are foreshortened by √(2/3). Coefficients within 2⁻³².
     /// (Carlbom and Paciorek, *Planar geometric projections and viewing transformations*, 1978.)
-    ///
-    /// ```
-    /// use pinhole::{camera::{CameraError, Side}, prelude::*};
-    /// let (origin, up) = (Point3::from_ints(0, 0, 0), Scalar::from_int(2));
-    /// let views = [
-    ///     ViewTransform::multiview(origin, Side::Top),
-    ///     ViewTransform::isometric(origin),
-    ///     ViewTransform::dimetric(origin, Scalar::from_int(1), up)?, // VPN (1, 2, 1)
-    ///     ViewTransform::trimetric(origin, Vector3::from_ints(1, 2, 3))?,
-    /// ];
-    /// // The foreshortening of each axis is √(1 − nᵢ²).
-    /// let n = views.map(|view| view.rows()[2].map(|c| f64::from(c) / f64::from(1 << 30)));
-    /// let lengths = n.map(|n| n.map(|c| (100.0 * (1.0 - c * c).sqrt()).round()));
-    /// assert_eq!(lengths, [[100.0, 0.0, 100.0], [82.0; 3], [91.0, 58.0, 91.0], [96.0, 85.0, 60.0]]);
-    /// # Ok::<(), CameraError>(())
-    /// ```
     pub const fn isometric(vrp: Point3<World>) -> Self {
         // 1/√2, 1/√6, 2/√6 and 1/√3 in 2⁻³⁰.
         const H: i32 = 759_250_125;
         const S: i32 = 438_353_264;
         const T: i32 = 619_925_131;
         Self { rows: [[H, 0, -H], [-S, 2 * S, -S], [T, T, T]], eye: to_q32(vrp) }
-    }
-
-    /// A dimetric view, y up: VPN (`side`, `up`, `side`). Under an orthographic projection x and z are foreshortened equally,
-    /// by √((side² + up²)/(2·side² + up²)), and y by
-    /// √(2·side²/(2·side² + up²)).
-    ///
-    /// # Errors
-    ///
-    /// [`CameraError::NotAxonometric`] if `side` or `up` is zero or their sizes are equal, and
-    /// [`CameraError::ParallelUp`] if `side` is below 2⁻¹²·⁵ of `up`. [`isometric`](Self::isometric) has an
-    /// example.
-    pub const fn dimetric(vrp: Point3<World>, side: Scalar, up: Scalar) -> Result<Self, CameraError> {
-        if side.to_bits() == 0
-            || up.to_bits() == 0
-            || side.to_bits().unsigned_abs() == up.to_bits().unsigned_abs()
-        {
-            return Err(CameraError::NotAxonometric);
-        }
-        Self::from_reference(vrp, Vector3::new(side, up, side), Vector3::from_ints(0, 1, 0))
-    }
-
-    /// A trimetric view, y up: a VPN of three non-zero components of different sizes. An orthographic projection foreshortens
-    /// each axis differently, axis i by √(1 − (VPNᵢ/|VPN|)²).
-    ///
-    /// # Errors
-    ///
-    /// [`CameraError::NotAxonometric`] if a component is zero or two have equal sizes, and
-    /// [`CameraError::ParallelUp`] if the VPN is within 2⁻¹² rad of the y axis.
-    pub const fn trimetric(vrp: Point3<World>, vpn: Vector3<World>) -> Result<Self, CameraError> {
-        let [x, y, z] = vpn.bits();
-        let (x, y, z) = (x.unsigned_abs(), y.unsigned_abs(), z.unsigned_abs());
-        if x == 0 || y == 0 || z == 0 || x == y || y == z || z == x {
-            return Err(CameraError::NotAxonometric);
-        }
-        Self::from_reference(vrp, vpn, Vector3::from_ints(0, 1, 0))
     }
 
     /// From a rigid row-major matrix for column vectors. The rows of its rotation become u, v, n, rounded to 2⁻³⁰. The eye is
@@ -234,13 +152,12 @@ impl ViewTransform {
     ///
     /// [`CameraError::NotRigid`] if the last row is not (0, 0, 0, 1), a number is not finite, the rows are left-handed,
     /// or, as given or as rounded, a row's squared length differs from 1 or the dot product of two rows from 0 by more than
-    /// 4·10⁻⁶: six correct decimals suffice. [`CameraError::EyeOutside`] if the eye is beyond ±32768 world units.
+    /// 4·10⁻⁶: six correct decimals suffice. [`CameraError::OutOfRange`] if the eye is beyond ±32768 world units.
     ///
     /// ```
     /// use pinhole::{camera::CameraError, Point3, ViewTransform};
     /// let from_5 = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, -5.0], [0.0, 0.0, 0.0, 1.0]];
     /// let view = ViewTransform::from_matrix(&from_5)?;
-    /// assert_eq!(view.eye(), [0, 0, 5 << 32]);
     /// assert_eq!(view.apply(Point3::from_ints(0, 0, 0)), Point3::from_ints(0, 0, -5));
     /// assert_eq!(view.to_matrix(), from_5);
     /// # Ok::<(), CameraError>(())
@@ -272,12 +189,12 @@ impl ViewTransform {
         };
         let part = |e: f64| {
             let inside = (-32_768.0..=32_768.0).contains(&e);
-            to_fixed(e, 32).filter(|_| inside).ok_or(CameraError::EyeOutside)
+            to_fixed(e, 32).filter(|_| inside).ok_or(CameraError::OutOfRange)
         };
         Ok(Self { rows, eye: [part(eye(0))?, part(eye(1))?, part(eye(2))?] })
     }
 
-    /// The row-major matrix that the camera uses: [`rows`](Self::rows), and the translation −R·eye rounded to 53 bits.
+    /// The row-major matrix that the camera uses: u, v, n, exact, and the translation −R·eye rounded to 53 bits.
     /// [`from_matrix`](Self::from_matrix) reads it back.
     pub fn to_matrix(&self) -> [[f64; 4]; 4] {
         let [u, v, n] = self.rows.map(|row| {
@@ -298,7 +215,7 @@ impl ViewTransform {
             return Err(CameraError::ZeroDirection);
         }
         if is_zero(&up_unit) {
-            return Err(CameraError::ZeroUp);
+            return Err(CameraError::ParallelUp);
         }
         // |up × n|² = sin² of the angle between them, in 2⁻⁶⁰.
         let sine = cross_units(&up_unit, &n);
@@ -310,15 +227,9 @@ impl ViewTransform {
         Ok(Self { rows: [u, cross_units(&n, &u), n], eye: to_q32(eye) })
     }
 
-    /// The axes u, v, n as rows, in 2⁻³⁰: −2³⁰ … 2³⁰. The constructor states their error bound.
-    pub const fn rows(&self) -> [[i32; 3]; 3] {
+    /// The axes u, v, n as rows, in 2⁻³⁰: −2³⁰ … 2³⁰.
+    pub(super) const fn rows(&self) -> [[i32; 3]; 3] {
         self.rows
-    }
-
-    /// The translation column `(−u·eye, −v·eye, −n·eye)` in 2⁻³² world units; each within
-    /// 2⁻¹³ over the sine of the angle between VUP and VPN. For inspection only: the pipeline subtracts the eye first.
-    pub fn translation(&self) -> [i64; 3] {
-        self.rotation_rows().map(|row| row.apply(&self.eye.map(|c| -c)))
     }
 
     /// A world point in view coordinates, rounded to 2⁻¹⁶ and saturated: within ½ + 2⁻¹⁷ of a step of 2⁻¹⁶, given the stored
@@ -331,22 +242,14 @@ impl ViewTransform {
         Point3::from_bits(image.map(crate::math::to_scalar))
     }
 
-    /// The normal matrix from model to view space of an object with the transform `model`, such as [`Matcap`](crate::light::Matcap)
-    /// takes. Components of the normals that it gives are within 2⁻¹⁵ and κ·2⁻²⁹, where κ is the largest scale factor of `model`
-    /// divided by its smallest.
-    ///
-    /// ```
-    /// use pinhole::{camera::Side, prelude::*};
-    /// let from_the_right = ViewTransform::multiview(Point3::from_ints(0, 0, 0), Side::Right);
-    /// let normals = from_the_right.normals(&Affine::<Model, World>::identity());
-    /// assert_eq!(normals.apply([32767, 0, 0]), [0, 0, 32767]); // +x points to the viewer
-    /// ```
-    pub fn normals(&self, model: &Affine<Model, World>) -> NormalMatrix<Model, View> {
+    /// The normal matrix from model to view space of an object with the transform `model`. Components of the normals that it gives are
+    /// within 2⁻¹⁵ and κ·2⁻²⁹, where κ is the largest scale factor of `model` divided by its smallest.
+    pub(crate) fn normals(&self, model: &Affine<Model, World>) -> NormalMatrix<Model, View> {
         model.normals().rotated(&self.rows)
     }
 
     /// The eye in 2⁻³² world units, exact: −2⁴⁷ … 2⁴⁷.
-    pub const fn eye(&self) -> [i64; 3] {
+    pub(super) const fn eye(&self) -> [i64; 3] {
         self.eye
     }
 
@@ -427,7 +330,7 @@ mod tests {
         let same = ViewTransform::look_at(Point3::from_ints(3, 0, 0), Point3::from_ints(0, 0, 0), up);
         let origin = Point3::from_ints(0, 0, 0);
         assert_eq!(
-            Ok(ViewTransform::orbit(origin, Scalar::from_int(3), Angle::QUARTER_TURN, Angle::ZERO)),
+            Ok(ViewTransform::orbit(origin, Scalar::from_int(3), Angle::degrees(90), Angle::ZERO)),
             same
         );
     }

@@ -18,14 +18,10 @@ pub enum Visibility {
 }
 
 impl Camera {
-    /// Tests a bounding sphere, placed by `model`, against the six planes of the view volume. `Outside` and `Inside` are
-    /// certain: the margin is less than 2⁻²⁰ of the sphere's size and distance, and at the far plane of a perspective
-    /// 2⁻²⁸·far/near of that distance more.
-    ///
-    /// An object that is `Outside` need not be drawn: only vertices within 1/512 pixel of the border could show, rounded to
-    /// 1/256 pixel. An object that is `Inside` is not clipped. The far plane counts even if the camera does not [clip
-    /// there](Self::with_far_clip); then objects beyond it would be drawn without a depth buffer, and culling them changes the
-    /// picture. A sphere of radius `Scalar::MAX`, too large to represent, is `Partly` visible.
+    /// The view volume, for tests of bounding spheres. An object that is [`Outside`](Visibility::Outside) need not be drawn: only vertices
+    /// within 1/512 pixel of the border could show, rounded to 1/256 pixel. An object that is `Inside` is not clipped. The far plane counts
+    /// even if the camera does not [clip there](Self::with_far_clip); then objects beyond it would be drawn without a depth buffer, and
+    /// culling them changes the picture.
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
@@ -36,33 +32,11 @@ impl Camera {
     /// # let (eye, origin, up) = (Point3::from_ints(0, 0, 5), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
     /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// let mesh = Mesh::new(&[[-1, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
-    /// let sphere = mesh.bounding_sphere(); // once
-    /// let at = |x, y, z| camera.visibility(&sphere, &Affine::translation(Vector3::from_ints(x, y, z)));
+    /// let (sphere, frustum) = (mesh.bounding_sphere(), camera.frustum()); // once, for all objects
+    /// let at = |x, y, z| frustum.visibility(&sphere, &Affine::translation(Vector3::from_ints(x, y, z)));
     /// assert_eq!(at(0, 0, 0), Visibility::Inside);
     /// assert_eq!(at(0, 0, 4), Visibility::Partly); // through the near plane
     /// assert_eq!(at(0, 0, 9), Visibility::Outside); // behind the camera
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    #[inline(never)] // the frustum's memory is gone when it returns
-    pub fn visibility(&self, sphere: &Sphere, model: &Affine<Model, World>) -> Visibility {
-        self.frustum().visibility(sphere, model)
-    }
-
-    /// The view volume, for tests of many objects before this camera: its planes are computed once, not for each object.
-    ///
-    /// ```
-    /// use embedded_graphics::geometry::{Point, Size};
-    /// use pinhole::{camera::Visibility, prelude::*, Angle};
-    /// # let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
-    /// # let (near, far) = (Scalar::from_int(1), Scalar::from_int(9));
-    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
-    /// # let (eye, origin, up) = (Point3::from_ints(0, 0, 5), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
-    /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
-    /// let mesh = Mesh::new(&[[-1, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
-    /// let (sphere, frustum) = (mesh.bounding_sphere(), camera.frustum());
-    /// let row = [0, 2, 9].map(|x| Affine::translation(Vector3::from_ints(x, 0, 0)));
-    /// let drawn = row.iter().filter(|model| frustum.visibility(&sphere, model) != Visibility::Outside).count();
-    /// assert_eq!(drawn, 2); // the picture reaches to ±2.9 there
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[inline(never)] // set-up: code size counts
@@ -122,7 +96,9 @@ impl Length {
 }
 
 impl Frustum {
-    /// Tests a bounding sphere, placed by `model`, against the six planes: the result of [`Camera::visibility`].
+    /// Tests a bounding sphere, placed by `model`, against the six planes. `Outside` and `Inside` are certain: the margin is less than
+    /// 2⁻²⁰ of the sphere's size and distance, and at the far plane of a perspective 2⁻²⁸·far/near of that distance more. A sphere of
+    /// radius `Scalar::MAX`, too large to represent, is `Partly` visible.
     #[inline(never)] // set-up: code size counts
     pub fn visibility(&self, sphere: &Sphere, model: &Affine<Model, World>) -> Visibility {
         if sphere.radius == Scalar::MAX {

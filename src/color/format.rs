@@ -99,7 +99,7 @@ impl Format {
 
     /// Whether there is one channel, luma, in place of red, green and blue.
     #[inline(always)]
-    pub const fn is_gray(self) -> bool {
+    pub(crate) const fn is_gray(self) -> bool {
         matches!(self.kind, Kind::Gray)
     }
 

@@ -1,6 +1,6 @@
 //! Lines of one colour, into memory.
 //!
-//! - **Plain twin**: `pipeline::fill::line`, which passes each span of [`raster::line`](crate::raster::line()) to `Surface::fill`.
+//! - **Plain twin**: `pipeline::fill::line`, which passes each span of `raster::line` to `Surface::fill`.
 //! - **Domain**: every line, on a target whose pixels lie in memory.
 //! - **Gain**: a steep line costs no span and no error term per pixel: its step takes two instructions. Not measured alone.
 //! - **Test**: `by_every_call` in `tests/support/src/bridge/ways.rs`, and `tests/raster/lines.rs` against
@@ -121,7 +121,7 @@ fn down(stride: usize, up: bool) -> usize {
 }
 
 /// Draws a line that runs more to the right than down or up, pixel by pixel. `error` is the error term of
-/// [`raster::line`](crate::raster::line()) at the first pixel, less 2m + 1, for the minor extent m: the line goes to its next
+/// `raster::line` at the first pixel, less 2m + 1, for the minor extent m: the line goes to its next
 /// row where adding 2m makes it 0 or more.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))] // a Cortex-M0 has registers for a loop, not for the rest
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline(always))]

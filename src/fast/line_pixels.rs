@@ -1,6 +1,6 @@
 //! Lines of one colour in one call each, pixel by pixel, into targets where a call costs more than a pixel.
 //!
-//! - **Plain twin**: `pipeline::fill::line`, which passes each span of [`raster::line`](crate::raster::line()) to `Surface::fill`.
+//! - **Plain twin**: `pipeline::fill::line`, which passes each span of `raster::line` to `Surface::fill`.
 //! - **Domain**: lines of at most [`LONGEST`] pixels inside the scissor, on a target whose [`LEAST_RUN`](Surface::LEAST_RUN) is
 //!   more than 1; except flat lines with `LEAST_RUN` pixels per run or more.
 //! - **Gain**: S6 into a DrawTarget in memory takes 29 % of the instructions on an M3, 14 for a pixel.

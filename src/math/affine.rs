@@ -2,10 +2,11 @@
 
 use super::float;
 use super::hints::opaque_next;
-use super::num::{add, dot, fraction, row_times, scale, shift_to_fit, sqrt, transposed};
+use super::num::{add, fraction, row_times, scale, shift_to_fit, sqrt, transposed};
+use super::quaternion;
 use super::row::{block_scaled, transform_point, Row};
 use super::unit::{cross_exact, is_zero, normalise};
-use super::{Angle, Point3, Quaternion, Scalar, Vector3};
+use super::{Angle, Point3, Scalar, Vector3};
 use crate::math::MathError;
 use crate::space::SceneSpace;
 use core::marker::PhantomData;
@@ -29,7 +30,7 @@ use core::marker::PhantomData;
 ///
 /// ```
 /// use pinhole::{prelude::*, Angle};
-/// let place = Affine::<Model, World>::rotation_z(Angle::QUARTER_TURN)
+/// let place = Affine::<Model, World>::rotation_z(Angle::degrees(90))
 ///     .then(&Affine::translation(Vector3::from_ints(0, 0, -5)));
 /// assert_eq!(place.apply(Point3::from_ints(2, 0, 0)), Point3::<World>::from_ints(0, 2, -5));
 /// ```
@@ -109,18 +110,18 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// ```
     /// use pinhole::{math::MathError, prelude::*, Angle};
     /// let (through, axis) = (Point3::from_ints(1, 0, 0), Vector3::from_ints(0, 0, 7));
-    /// let half = Affine::<World, World>::rotation(through, axis, Angle::HALF_TURN)?;
+    /// let half = Affine::<World, World>::rotation(through, axis, Angle::degrees(180))?;
     /// assert_eq!(half.apply(Point3::from_ints(3, 4, 5)), Point3::from_ints(-1, -4, 5));
     /// # Ok::<(), MathError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`MathError::ZeroAxis`] if `axis` has length zero.
+    /// [`MathError::ZeroLength`] if `axis` has length zero.
     pub fn rotation(through: Point3<B>, axis: Vector3<B>, angle: Angle) -> Result<Self, MathError> {
         let axis = normalise(&axis.bits().map(i64::from));
         if is_zero(&axis) {
-            return Err(MathError::ZeroAxis);
+            return Err(MathError::ZeroLength);
         }
         let (s, c) = angle.sin_cos();
         // 0 … 2³¹.
@@ -138,10 +139,28 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
         Ok(Self::fixing(linear, through))
     }
 
-    /// The rotation that a quaternion describes. Coefficients within 2⁻²⁷.
+    /// The rotation of the quaternion `w + x·i + y·j + z·k`, of any length but zero. Coefficients within 2⁻²⁷.
     /// (Shoemake, *Animating rotation with quaternion curves*, 1985.)
-    pub fn from_quaternion(quaternion: Quaternion) -> Self {
-        let [w, x, y, z] = quaternion.components().map(i64::from);
+    ///
+    /// ```
+    /// use pinhole::{math::MathError, prelude::*, Angle};
+    /// let [zero, one] = [Scalar::ZERO, Scalar::ONE];
+    /// let turn = Affine::<Model, World>::from_quaternion([one, zero, zero, one])?; // 90° about z
+    /// let p = Point3::from_ints(1, 0, 0);
+    /// assert_eq!(turn.apply(p), Affine::<Model, World>::rotation_z(Angle::degrees(90)).apply(p));
+    /// # Ok::<(), MathError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`MathError::ZeroLength`] if all components are zero.
+    pub fn from_quaternion(wxyz: [Scalar; 4]) -> Result<Self, MathError> {
+        Self::from_parts_of_quaternion(wxyz.map(|c| i64::from(c.to_bits())))
+    }
+
+    /// From components in any unit, each within ±2⁶².
+    fn from_parts_of_quaternion(wxyz: [i64; 4]) -> Result<Self, MathError> {
+        let [w, x, y, z] = quaternion::unit(wxyz).ok_or(MathError::ZeroLength)?.map(i64::from);
         // Twice a product of 30-bit numbers, to 2⁻³⁰.
         let twice = |sum: i64| scale(sum, -29);
         let one = i64::from(ONE);
@@ -150,7 +169,7 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
             [twice(x * y + w * z), one - twice(x * x + z * z), twice(y * z - w * x)],
             [twice(x * z - w * y), twice(y * z + w * x), one - twice(x * x + y * y)],
         ];
-        Self::fixing(linear, Point3::from_ints(0, 0, 0))
+        Ok(Self::fixing(linear, Point3::from_ints(0, 0, 0)))
     }
 
     /// The map with this linear part, in 2⁻³⁰ of up to 31 bits, that maps the point `fixed` to itself.
@@ -209,7 +228,7 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
         let part = |i: usize| float::to_fixed(translation[i], 32).ok_or(MathError::NotFinite);
         let offset = [part(0)?, part(1)?, part(2)?];
         if translation.iter().any(|t| t.abs() > 1_073_741_824.0) {
-            return Err(MathError::TranslationOutOfRange);
+            return Err(MathError::OutOfRange);
         }
         Ok(Self::from_parts(linear, exponent, offset))
     }
@@ -238,7 +257,6 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// let there = place.apply(Point3::from_ints(0, 1, 2));
     /// assert_eq!(there, Point3::from_ints(5, 1, 0)); // z goes to x
     /// assert_eq!(place.inverse()?.apply(there), Point3::from_ints(0, 1, 2));
-    /// assert_eq!(place.rigid_inverse()?.apply(there), Point3::from_ints(0, 1, 2));
     /// let flat = Affine::<Model, World>::scale(Scalar::ZERO);
     /// assert_eq!(flat.inverse(), Err(MathError::Singular));
     /// # Ok::<(), MathError>(())
@@ -291,28 +309,6 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
         }
     }
 
-    /// The inverse of a rigid transform (rotation or reflection, and translation): `Rᵀ` and `−Rᵀ·o`. Without division; only the
-    /// translation is rounded, to 2⁻³³.
-    ///
-    /// # Errors
-    ///
-    /// [`MathError::NotRigid`] if a row's squared length differs from 1, or the dot product of two rows from 0, by more than
-    /// 2⁻²⁰.
-    pub fn rigid_inverse(&self) -> Result<Affine<B, A>, MathError> {
-        let [x, y, z] = &self.linear;
-        // In 2⁻⁶⁰ for a block of exponent 0; a rotation's largest coefficient is above ½, and 1 has exponent 1.
-        let one = scale(1 << 60, -2 * self.exponent);
-        let near = |value: i64, wanted: i64| (value - wanted).abs() <= one >> 20;
-        let rigid = [x, y, z].iter().all(|row| near(dot(row, row), one))
-            && near(dot(x, y), 0)
-            && near(dot(y, z), 0)
-            && near(dot(z, x), 0);
-        if !matches!(self.exponent, 0 | 1) || !rigid {
-            return Err(MathError::NotRigid);
-        }
-        Ok(self.inverse_from_linear(transposed(&self.linear), self.exponent))
-    }
-
     /// The inverse, given its linear part L: the translation is `−L·o`.
     fn inverse_from_linear(&self, linear: [[i32; 3]; 3], exponent: i32) -> Affine<B, A> {
         let back = Affine::<B, A>::from_parts(linear, exponent, [0; 3]);
@@ -333,8 +329,8 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     ///
     /// ```
     /// use pinhole::{prelude::*, Angle};
-    /// let quarter = Angle::QUARTER_TURN;
-    /// let place = Affine::identity().scale_by(Scalar::from_int(2)).rotate_z(quarter).translate(Vector3::from_ints(0, 0, -5));
+    /// let quarter = Angle::degrees(90);
+    /// let place = Affine::scale(Scalar::from_int(2)).rotate_z(quarter).translate(Vector3::from_ints(0, 0, -5));
     /// assert_eq!(place.apply(Point3::<Model>::from_ints(1, 0, 0)), Point3::<World>::from_ints(0, 2, -5));
     /// ```
     #[must_use]
@@ -352,12 +348,6 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     #[must_use]
     pub fn rotate_z(&self, angle: Angle) -> Self {
         self.then(&Affine::rotation_z(angle))
-    }
-
-    /// This transform followed by a uniform [scale](Self::scale) about the origin of `B`.
-    #[must_use]
-    pub fn scale_by(&self, factor: Scalar) -> Self {
-        self.then(&Affine::scale(factor))
     }
 
     /// This transform followed by the translation by `t`: exact, but for translations that saturate at ±2³⁰.
@@ -398,6 +388,31 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     fn rows(&self) -> [Row; 3] {
         let row = |i: usize| Row { linear: self.linear[i], exponent: self.exponent, offset: self.offset[i] };
         [row(0), row(1), row(2)]
+    }
+}
+
+/// The rotation of a quaternion of `micromath`. Components are truncated to 2⁻³²; at lengths from 2⁻⁸ to 2¹⁵ the largest one keeps all
+/// its 24 bits.
+///
+/// # Errors
+///
+/// [`MathError::ZeroLength`] if all components are below 2⁻³², [`NotFinite`](MathError::NotFinite) or
+/// [`OutOfRange`](MathError::OutOfRange) if one is NaN, infinite or beyond ±32768.
+impl<A: SceneSpace, B: SceneSpace> TryFrom<micromath::Quaternion> for Affine<A, B> {
+    type Error = MathError;
+
+    fn try_from(q: micromath::Quaternion) -> Result<Self, MathError> {
+        let [w, x, y, z] = [q.w(), q.x(), q.y(), q.z()].map(|c| {
+            if !c.is_finite() {
+                Err(MathError::NotFinite)
+            } else if !(-32_768.0..=32_768.0).contains(&c) {
+                Err(MathError::OutOfRange)
+            } else {
+                // Exact: a float times a power of two; truncated below 2⁻³².
+                Ok((f64::from(c) * 4_294_967_296.0) as i64)
+            }
+        });
+        Self::from_parts_of_quaternion([w?, x?, y?, z?])
     }
 }
 
@@ -480,18 +495,11 @@ mod tests {
     /// A chain is the composition of its steps, bit for bit.
     #[test]
     fn chains_compose() {
-        let (angle, t, factor) =
-            (Angle::degrees(25), Vector3::from_ints(1, -2, 30_000), Scalar::from_ratio(5, 4));
+        let (angle, t) = (Angle::degrees(25), Vector3::from_ints(1, -2, 30_000));
         let base =
             Affine::<Model, World>::rotation_y(Angle::degrees(70)).translate(Vector3::from_ints(5, 6, 7));
-        let steps = [
-            Affine::rotation_x(angle),
-            Affine::rotation_y(angle),
-            Affine::rotation_z(angle),
-            Affine::scale(factor),
-        ];
-        let chained =
-            [base.rotate_x(angle), base.rotate_y(angle), base.rotate_z(angle), base.scale_by(factor)];
+        let steps = [Affine::rotation_x(angle), Affine::rotation_y(angle), Affine::rotation_z(angle)];
+        let chained = [base.rotate_x(angle), base.rotate_y(angle), base.rotate_z(angle)];
         for (step, chained) in steps.iter().zip(chained) {
             assert_eq!(base.then(step), chained);
         }
@@ -508,7 +516,7 @@ mod tests {
         }
         let p = grown.apply(Point3::from_ints(1, -1, 0));
         assert_eq!(p, Point3::new(Scalar::MAX, Scalar::MIN, Scalar::ZERO));
-        let tiny = Affine::<World, World>::scale(Scalar::DELTA);
+        let tiny = Affine::<World, World>::scale(Scalar::from_bits(1));
         let mut shrunk = tiny;
         for _ in 0..6000 {
             shrunk = shrunk.then(&tiny);

@@ -8,8 +8,7 @@ use super::{MathError, Scalar};
 ///
 /// ```
 /// use pinhole::Angle;
-/// assert_eq!(Angle::degrees(90), Angle::QUARTER_TURN);
-/// assert_eq!(Angle::QUARTER_TURN.sin_cos(), (1 << 30, 0));
+/// assert_eq!(Angle::degrees(90).sin_cos(), (1 << 30, 0));
 /// // A turning model does not drift when its angle is made from the frame's number:
 /// assert_eq!(Angle::turns(3600, 3600), Angle::ZERO);
 /// ```
@@ -20,10 +19,6 @@ pub struct Angle(u32);
 impl Angle {
     /// 0°.
     pub const ZERO: Self = Self(0);
-    /// 90°.
-    pub const QUARTER_TURN: Self = Self(1 << 30);
-    /// 180°.
-    pub const HALF_TURN: Self = Self(1 << 31);
 
     /// An angle of `bits` units of 2⁻³² turn, exact.
     pub const fn from_bits(bits: u32) -> Self {
@@ -132,8 +127,8 @@ impl Angle {
     /// ```
     /// use pinhole::{Angle, Scalar};
     /// let [zero, one, two] = [0, 1, 2].map(Scalar::from_int);
-    /// assert_eq!(Angle::atan2(two, zero), Angle::QUARTER_TURN);
-    /// assert_eq!(Angle::atan2(zero, -one), Angle::HALF_TURN);
+    /// assert_eq!(Angle::atan2(two, zero), Angle::degrees(90));
+    /// assert_eq!(Angle::atan2(zero, -one), Angle::degrees(180));
     /// let error = Angle::atan2(one, one) - Angle::degrees(45);
     /// assert!(error.bits() as i32 <= 8 && error.bits() as i32 >= -8);
     /// ```
@@ -259,9 +254,9 @@ mod tests {
         let at = |y, x| Angle::atan2(Scalar::from_bits(y), Scalar::from_bits(x));
         assert_eq!(at(0, 0), Angle::ZERO);
         for far in [1, i32::MAX] {
-            assert_eq!([at(0, far), at(far, 0)], [Angle::ZERO, Angle::QUARTER_TURN]);
-            assert_eq!([at(0, -far), at(-far, 0)], [Angle::HALF_TURN, -Angle::QUARTER_TURN]);
+            assert_eq!([at(0, far), at(far, 0)], [Angle::ZERO, Angle::degrees(90)]);
+            assert_eq!([at(0, -far), at(-far, 0)], [Angle::degrees(180), -Angle::degrees(90)]);
         }
-        assert_eq!([at(i32::MIN, 0), at(0, i32::MIN)], [-Angle::QUARTER_TURN, Angle::HALF_TURN]);
+        assert_eq!([at(i32::MIN, 0), at(0, i32::MIN)], [-Angle::degrees(90), Angle::degrees(180)]);
     }
 }

@@ -7,23 +7,18 @@
 pub enum MathError {
     /// A number is NaN or infinite: check the computation that produced it.
     NotFinite,
-    /// A number is outside of the type's range: choose a larger unit, so that numbers get smaller.
+    /// A number is outside of the type's range, or a translation beyond ±2³⁰ world units: choose a larger unit, so that numbers get smaller.
     OutOfRange,
     /// The text is not a decimal number, such as `-2.5`.
     Syntax,
-    /// The axis of a rotation has length zero: give a direction.
-    ZeroAxis,
-    /// All four components of a quaternion are zero: the identity is (1, 0, 0, 0).
-    ZeroQuaternion,
+    /// The axis of a rotation has length zero, or all components of a quaternion are zero: give a direction, or (1, 0, 0, 0) for no
+    /// rotation.
+    ZeroLength,
     /// The last row of a matrix is not (0, 0, 0, 1): use [`Projection::from_matrix`](crate::Projection::from_matrix) for a
     /// projection.
     NotAffine,
-    /// The translation of a matrix is beyond ±2³⁰ world units: choose a larger unit.
-    TranslationOutOfRange,
     /// A transform that is to be inverted is singular: use no scale of zero, and no axis in the plane of the two others.
     Singular,
-    /// A transform that is to be inverted as a rigid one scales or shears: use [`Affine::inverse`](crate::Affine::inverse).
-    NotRigid,
 }
 
 impl core::fmt::Display for MathError {
@@ -34,14 +29,13 @@ impl core::fmt::Display for MathError {
                 "the number is out of range: choose a larger unit of length, or reduce the angle"
             }
             Self::Syntax => "the text is not a decimal number, such as -2.5",
-            Self::ZeroAxis => "the axis of rotation has length zero: give a direction",
-            Self::ZeroQuaternion => "the quaternion has length zero: the identity is (1, 0, 0, 0)",
+            Self::ZeroLength => {
+                "the axis or quaternion has length zero: give a direction, or (1, 0, 0, 0) for no rotation"
+            }
             Self::NotAffine => {
                 "the last row of the matrix is not 0 0 0 1: an affine transform holds no projection"
             }
-            Self::TranslationOutOfRange => "the translation is beyond 2^30 world units: choose a larger unit",
             Self::Singular => "the transform is singular: a scale is zero, or its axes lie in a plane",
-            Self::NotRigid => "the transform is not rigid: use `inverse`, which also inverts scale and shear",
         })
     }
 }

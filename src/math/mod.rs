@@ -3,7 +3,6 @@
 
 mod affine;
 mod angle;
-pub(crate) mod clip_point;
 pub(crate) mod cores;
 mod determinant;
 pub(crate) mod float;
@@ -27,16 +26,14 @@ mod vector;
 pub use affine::Affine;
 pub(crate) use affine::{matrix_product, to_scalar};
 pub use angle::Angle;
-pub(crate) use clip_point::ClipPoint;
 pub(crate) use cores::LinearForm;
 pub(crate) use determinant::determinant;
 pub(crate) use form::ClipCoords;
 pub(crate) use form::{Coordinate, Inside};
 pub use math_error::MathError;
 pub(crate) use normal::component_to_q15;
-pub use normal::NormalMatrix;
+pub(crate) use normal::NormalMatrix;
 pub use point::{Point3, Vector3};
-pub use quaternion::Quaternion;
 pub(crate) use row::{homogeneous, Row};
 pub use scalar::Scalar;
 pub use sphere::Sphere;

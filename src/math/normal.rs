@@ -12,16 +12,8 @@ use core::marker::PhantomData;
 ///
 /// It is computed from the cofactors, so it exists even for singular transforms. Under a reflection normals keep pointing
 /// outwards. (Turkowski, *Transformations of surface normal vectors*, 1990.)
-///
-/// ```
-/// use pinhole::prelude::*;
-/// let flatten = Affine::<Model, World>::scale_axes(Scalar::from_int(1), Scalar::from_int(1), Scalar::from_ratio(1, 2));
-/// let slope = [23170, 0, 23170]; // 45° in x and z, in 2⁻¹⁵
-/// let [x, _, z] = flatten.normals().apply(slope);
-/// assert_eq!((x, z), (14654, 29309)); // z doubles against x, and the length is one again
-/// ```
 #[derive(Debug, PartialEq, Eq)]
-pub struct NormalMatrix<A, B> {
+pub(crate) struct NormalMatrix<A, B> {
     /// The rows of the normal matrix, 30 bits, times an unknown positive factor.
     rows: [[i32; 3]; 3],
     ends: PhantomData<(A, B)>,
@@ -35,9 +27,9 @@ impl<A, B> Clone for NormalMatrix<A, B> {
 impl<A, B> Copy for NormalMatrix<A, B> {}
 
 impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
-    /// The normal matrix of this transform: see [`NormalMatrix`] for an example. [`Lambert`](crate::light::Lambert) computes it itself.
+    /// The normal matrix of this transform.
     #[inline(never)] // set-up: code size counts, speed does not
-    pub fn normals(&self) -> NormalMatrix<A, B> {
+    pub(crate) fn normals(&self) -> NormalMatrix<A, B> {
         let (linear, _) = self.linear();
         let (mut rows, _) = cofactors(linear);
         // The sign of the determinant: three products of at most 2⁶⁰.
@@ -55,7 +47,7 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
 impl<A, B> NormalMatrix<A, B> {
     /// Maps a normal (2⁻¹⁵, any length) to a unit normal (2⁻¹⁵, 32767 stands for 1), each component within 2⁻¹⁵ and
     /// κ·2⁻³⁰, where κ is the transform's largest stretch over its smallest; zero where the image has no direction.
-    pub fn apply(&self, normal: [i16; 3]) -> [i16; 3] {
+    pub(crate) fn apply(&self, normal: [i16; 3]) -> [i16; 3] {
         let ([x, y, z], normal) = (&self.rows, normal.map(i32::from)); // three products of at most 2⁴⁵
         let image = [dot(x, &normal), dot(y, &normal), dot(z, &normal)];
         to_q15(normalise(&image))
@@ -88,5 +80,20 @@ pub(crate) fn component_to_q15(c: i32) -> i16 {
 impl<A, B> defmt::Format for NormalMatrix<A, B> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "normals {}", self.rows);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Scalar;
+    use crate::space::{Model, World};
+
+    /// The direction that is left, or none.
+    #[test]
+    fn s2_normals_of_flattened_models() {
+        let flat = Affine::<Model, World>::scale_axes(Scalar::ONE, Scalar::ONE, Scalar::ZERO).normals();
+        assert_eq!(flat.apply([100, 0, 30_000]), [0, 0, 32_767]);
+        assert_eq!(Affine::<Model, World>::scale(Scalar::ZERO).normals().apply([1, 2, 3]), [0; 3]);
     }
 }

@@ -17,12 +17,12 @@ use heapless::String;
 /// |---|---|
 /// | a whole number | [`Scalar::from_int`], or `.into()` from an `i16` |
 /// | a fraction, such as 2/5 for 0.4 | [`Scalar::from_ratio`] |
-/// | an `f32` or `f64` | [`Scalar::from_f32`], [`Scalar::from_f64`], with an error for NaN and for numbers out of range |
+/// | an `f32` or `f64` | [`Scalar::from_f32`], [`Scalar::try_from`], with an error for NaN and for numbers out of range |
 /// | any number that is known to be in range | [`Scalar::from_num`] |
 /// | text, such as `"-2.5"` | [`str::parse`] |
 /// | an `I16F16` of the crate `fixed` | `.into()`, which converts back, too, with the feature `fixed` |
 ///
-/// Operators saturate: a result beyond the range is [`Scalar::MIN`] or [`Scalar::MAX`]. Sums, differences and negation are exact
+/// `f64::from` gives the number back, exact. Operators saturate: a result beyond the range is [`Scalar::MIN`] or [`Scalar::MAX`]. Sums, differences and negation are exact
 /// within the range. Products are rounded to the nearest 2⁻¹⁶, ties up, like `Vector3 * Scalar`; quotients as
 /// [`Scalar::from_ratio`] says, also for a divisor of zero. Text has as many digits as distinguish the number from its neighbours.
 ///
@@ -59,8 +59,6 @@ impl Scalar {
     pub const MIN: Self = Self::from_bits(i32::MIN);
     /// The largest number, 32768 − 2⁻¹⁶.
     pub const MAX: Self = Self::from_bits(i32::MAX);
-    /// The step between neighbouring numbers, 2⁻¹⁶.
-    pub const DELTA: Self = Self::from_bits(1);
 
     /// From the number of steps of 2⁻¹⁶, exact.
     #[inline]
@@ -106,15 +104,10 @@ impl Scalar {
     /// [`MathError`] when the number is NaN, infinite or outside ±32768. It does not saturate, because a coordinate that was
     /// moved is a fault that is hard to find in a picture.
     pub const fn from_f32(number: f32) -> Result<Self, MathError> {
-        Self::from_f64(number as f64)
+        Self::from_double(number as f64)
     }
 
-    /// From a floating-point number, rounded to the nearest 2⁻¹⁶, ties away from zero.
-    ///
-    /// # Errors
-    ///
-    /// [`MathError`] when the number is NaN, infinite or outside ±32768.
-    pub const fn from_f64(number: f64) -> Result<Self, MathError> {
+    const fn from_double(number: f64) -> Result<Self, MathError> {
         if !number.is_finite() {
             return Err(MathError::NotFinite);
         }
@@ -138,22 +131,12 @@ impl Scalar {
     /// ```
     pub fn from_num(number: impl Into<f64>) -> Self {
         let number = number.into();
-        match Self::from_f64(number) {
+        match Self::from_double(number) {
             Ok(scalar) => scalar,
             Err(_) if number > 0.0 => Self::MAX,
             Err(_) if number < 0.0 => Self::MIN,
             Err(_) => Self::ZERO,
         }
-    }
-
-    /// The nearest `f32`.
-    pub const fn to_f32(self) -> f32 {
-        self.to_bits() as f32 / 65_536.0 // rounded once: the divisor is a power of two
-    }
-
-    /// The number as an `f64`, exact.
-    pub const fn to_f64(self) -> f64 {
-        self.to_bits() as f64 / 65_536.0
     }
 
     /// The number without its sign; −32768 becomes [`Scalar::MAX`].
@@ -211,6 +194,27 @@ impl Coordinate for Scalar {
     }
     const NARROW: bool = false;
     type Stored = Self;
+}
+
+/// Rounded to the nearest 2⁻¹⁶, ties away from zero.
+///
+/// # Errors
+///
+/// [`MathError`] when the number is NaN, infinite or outside ±32768.
+#[diagnostic::do_not_recommend]
+impl TryFrom<f64> for Scalar {
+    type Error = MathError;
+
+    fn try_from(number: f64) -> Result<Self, MathError> {
+        Self::from_double(number)
+    }
+}
+
+/// Exact.
+impl From<Scalar> for f64 {
+    fn from(number: Scalar) -> Self {
+        Self::from(number.to_bits()) / 65_536.0
+    }
 }
 
 impl From<i16> for Scalar {

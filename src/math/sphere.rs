@@ -23,17 +23,6 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// A sphere about a centre; both in model units.
-    ///
-    /// ```
-    /// use pinhole::{math::Sphere, Point3, Scalar};
-    /// const SPHERE: Sphere = Sphere::new(Point3::from_ints(0, 2, 0), Scalar::from_int(5));
-    /// assert_eq!(SPHERE.radius, Scalar::from_int(5));
-    /// ```
-    pub const fn new(centre: Point3<Model>, radius: Scalar) -> Self {
-        Self { centre, radius }
-    }
-
     /// A sphere around several, all in the same coordinates: about the centre of the box around them. Its radius is at most √3
     /// times the smallest possible, rounded up by at most 7·2⁻¹⁶; `Scalar::MAX` if it does not fit [`Scalar`], or if one of the
     /// spheres has that radius. Around no spheres it is the origin, with no radius. For the objects of a scene there is
@@ -41,7 +30,7 @@ impl Sphere {
     ///
     /// ```
     /// use pinhole::{math::Sphere, Point3, Scalar};
-    /// let [left, right] = [-4, 6].map(|x| Sphere::new(Point3::from_ints(x, 0, 0), Scalar::ONE));
+    /// let [left, right] = [-4, 6].map(|x| Sphere { centre: Point3::from_ints(x, 0, 0), radius: Scalar::ONE });
     /// let both = Sphere::around([left, right]); // from -5 to 7
     /// assert_eq!(both.centre, Point3::from_ints(1, 0, 0));
     /// assert!(both.radius >= Scalar::from_int(6) && both.radius < Scalar::from_ratio(6001, 1000));
@@ -85,7 +74,7 @@ impl Sphere {
     ///
     /// ```
     /// use pinhole::{math::Sphere, prelude::*, Angle};
-    /// let sphere = Sphere::new(Point3::from_ints(1, 0, 0), Scalar::ONE);
+    /// let sphere = Sphere { centre: Point3::from_ints(1, 0, 0), radius: Scalar::ONE };
     /// let model = Affine::<Model, World>::scale(Scalar::from_int(2)).rotate_z(Angle::degrees(90));
     /// let placed = sphere.transformed(&model.translate(Vector3::from_ints(0, 0, -7)));
     /// assert_eq!(placed.centre, Point3::from_ints(0, 2, -7));

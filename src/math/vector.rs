@@ -115,37 +115,6 @@ impl<S> Vector3<S> {
         let length = sqrt(x * x + y * y + z * z); // ≤ 3·2⁶²; the root of a number in 2⁻³² is in 2⁻¹⁶
         Scalar::from_bits(saturated(length.into()))
     }
-
-    /// The vector at `t` on the way from this one (0) to `other` (1): each coordinate exact, rounded to the nearest 2⁻¹⁶ (ties
-    /// up), saturating at ±32768. `t` may lie outside of 0 … 1.
-    pub fn lerp(self, other: Self, t: Scalar) -> Self {
-        Self::from_bits(between(self.bits(), other.bits(), t))
-    }
-}
-
-impl<S> Point3<S> {
-    /// The point at `t` on the way from this one (0) to `other` (1): each coordinate exact, rounded to the nearest 2⁻¹⁶ (ties
-    /// up), saturating at ±32768. `t` may lie outside of 0 … 1.
-    ///
-    /// ```
-    /// use pinhole::prelude::*;
-    /// let (a, b) = (Point3::<World>::from_ints(0, 10, -4), Point3::from_ints(8, 10, 4));
-    /// assert_eq!(a.lerp(b, Scalar::from_ratio(1, 4)), Point3::from_ints(2, 10, -2));
-    /// assert_eq!(a + (b - a) * Scalar::from_ratio(1, 4), Point3::from_ints(2, 10, -2));
-    /// ```
-    pub fn lerp(self, other: Self, t: Scalar) -> Self {
-        Self::from_bits(between(self.bits(), other.bits(), t))
-    }
-}
-
-/// `a + (b − a)·t` for each coordinate, rounded once and saturated.
-fn between([a, b, c]: [i32; 3], [x, y, z]: [i32; 3], t: Scalar) -> [i32; 3] {
-    let at = |from: i32, to: i32| {
-        let (from, to) = (i64::from(from), i64::from(to));
-        // The difference has 33 bits.
-        rounded(Accumulator::ZERO.plus(t.to_bits(), to - from).carried().plus(1 << 16, from))
-    };
-    [at(a, x), at(b, y), at(c, z)]
 }
 
 #[cfg(test)]
@@ -187,10 +156,7 @@ mod tests {
             assert_eq!(a.dot(b).to_bits(), nearest(p * x + q * y + r * z, 16));
             let cross = [q * z - r * y, r * x - p * z, p * y - q * x];
             assert_eq!(a.cross(b).bits(), cross.map(|v| nearest(v, 16)));
-            let along = [(p, x), (q, y), (r, z)].map(|(a, b)| nearest(a * 65_536 + (b - a) * factor, 16));
-            assert_eq!(a.lerp(b, t).bits(), along);
             let (from, to) = (Point3::<World>::from_bits(a.bits()), Point3::from_bits(b.bits()));
-            assert_eq!(from.lerp(to, t).bits(), along);
             assert_eq!((from - to).bits(), (a - b).bits());
             assert_eq!((from + b).bits(), (a + b).bits());
             assert_eq!((from - b).bits(), (a - b).bits());

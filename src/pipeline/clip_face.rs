@@ -272,7 +272,7 @@ mod tests {
     /// face is culled exactly if what clipping leaves of it is turned away after rounding.
     #[test]
     fn back_faces_are_known_before_they_are_cut() {
-        let number = |v| Scalar::from_f64(v).expect("in range");
+        let number = |v| Scalar::try_from(v).expect("in range");
         let viewport = Viewport::new(Point::new(-7, 3), Size::new(240, 180)).unwrap();
         let (eye, near) = (1.2, 0.5);
         let lens =

@@ -153,7 +153,7 @@ mod tests {
     fn faces_are_left_out_only_where_the_eye_is_behind_their_plane() {
         const FACES: usize = 27;
         let mut random = Random(11);
-        let number = |v| Scalar::from_f64(v).expect("in range");
+        let number = |v| Scalar::try_from(v).expect("in range");
         let bits = |v: V| v.map(|c| f64::from(number(c).to_bits()) / 65_536.0); // what the library is given
         let viewport = Viewport::new(Point::new(-7, 3), Size::new(240, 180)).unwrap();
         let lens =

@@ -30,13 +30,14 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// ```
     /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::BinaryColor};
-    /// use pinhole::{camera::{Side, Window}, prelude::*};
+    /// use pinhole::{camera::Window, prelude::*};
     /// // A plot: a mesh without faces is a list of points.
     /// let mesh = Mesh::new(&[[0, 0, 0], [2, 3, 0], [4, 1, 0]], 0, &[])?;
     /// let [zero, one, four, five] = [0, 1, 4, 5].map(Scalar::from_int);
     /// let viewport = Viewport::new(Point::zero(), Size::new(5, 4))?;
     /// let window = Window { left: zero, right: five, bottom: zero, top: four };
-    /// let view = ViewTransform::multiview(Point3::from_f32(-0.5, -0.5, 0.0)?, Side::Front); // to pixel centres
+    /// let (front, up) = (Vector3::from_ints(0, 0, 1), Vector3::from_ints(0, 1, 0));
+    /// let view = ViewTransform::from_reference(Point3::from_f32(-0.5, -0.5, 0.0)?, front, up)?; // to pixel centres
     /// let camera = Camera::new(&view, &Projection::orthographic(window, -one, one)?, &viewport);
     /// let instance = camera.place(&mesh, &Affine::identity());
     /// let mut display = MockDisplay::new(); // which refuses a pixel that is drawn twice

@@ -62,7 +62,7 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(50))?;
     /// # let camera = Camera::new(&view, &lens, &viewport);
     /// let model = Affine::identity();
-    /// let fog = Fog::linear(Scalar::from_int(12), Scalar::from_int(20))?; // the camera is at z = 16
+    /// let fog = Fog::new(Scalar::from_int(12), Scalar::from_int(20))?; // the camera is at z = 16
     /// let fog = VertexFog::new(&fog, &camera, &model, mesh.exponent());
     /// let mut factors = [0; VERTICES.len()];
     /// fog.factors(&VERTICES, &mut factors); // once per frame

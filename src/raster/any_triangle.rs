@@ -1,7 +1,7 @@
 //! Splits any triangle inside the guard band into trapezoids, and these into spans.
 
 use super::edge::{first_row, Edge};
-use super::triangle::{area, sort_by_y};
+use super::triangle::sort_by_y;
 use super::{Scissor, ScreenPoint, Span, Trapezoid, Triangle};
 
 /// The trapezoids of a triangle inside a scissor, top to bottom. A trapezoid ends at the middle corner, and where an edge
@@ -98,36 +98,6 @@ impl Triangle<'_> {
     #[inline(always)]
     pub(crate) fn spans(&self, scissor: &Scissor) -> Spans {
         Spans::new(self, scissor)
-    }
-}
-
-/// Calls `span` for each row's covered pixels inside the scissor, top to bottom: rules R1 to R9.
-///
-/// # Errors
-///
-/// The first error of `span`, which ends the walk.
-///
-/// ```
-/// use pinhole::raster::{triangle, Scissor, ScreenPoint};
-/// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
-/// let scissor = Scissor::new(0, 0, 16, 16);
-/// let mut rows = Vec::new();
-/// triangle([corner(0, 0), corner(4, 0), corner(0, 4)], &scissor, |s| -> Result<(), ()> {
-///     rows.push((s.y, s.x, s.width));
-///     Ok(())
-/// })?;
-/// // The slanted edge passes through pixel centres and is a right edge: they are not covered.
-/// assert_eq!(rows, [(0, 0, 3), (1, 0, 2), (2, 0, 1)]);
-/// # Ok::<(), ()>(())
-/// ```
-pub fn triangle<E>(
-    vertices: [ScreenPoint; 3],
-    scissor: &Scissor,
-    span: impl FnMut(Span) -> Result<(), E>,
-) -> Result<(), E> {
-    match area(&vertices) {
-        0 => Ok(()), // R6
-        area => Triangle::new(vertices, area, scissor).spans(scissor).try_for_each(span),
     }
 }
 

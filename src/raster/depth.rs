@@ -52,7 +52,7 @@ impl Gradient {
 mod tests {
     use super::*;
     use crate::math::random::Random;
-    use crate::raster::{area, triangle, ScreenPoint};
+    use crate::raster::{area, ScreenPoint};
 
     /// Half a step of depth in 2⁻²⁰; the 2⁻¹⁷ of a pixel are 8 of these units.
     const HALF: i128 = 1 << 19;
@@ -80,7 +80,7 @@ mod tests {
         let [za, zb, zc] = corners.map(|c| i128::from(c.2.min(farthest)));
         let total = cross(a, b, c);
         let mut worst = 0;
-        let Ok::<(), core::convert::Infallible>(()) = triangle(points, scissor, |span| {
+        for span in Triangle::new(points, area(&points), scissor).spans(scissor) {
             // A span's ends and its middle: the error is linear in between but for rounding.
             for x in [span.x, span.x + span.width / 2, span.x + span.width - 1] {
                 let p = (i128::from(x) * 256 + 128, i128::from(span.y) * 256 + 128);
@@ -91,8 +91,7 @@ mod tests {
                 let error = (stored * 256 * total - exact).abs() << 20;
                 worst = worst.max(error / (256 * total.abs()) + 1);
             }
-            Ok(())
-        });
+        }
         worst
     }
 

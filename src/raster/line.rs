@@ -19,20 +19,8 @@ use crate::math::num::divide;
 /// # Errors
 ///
 /// The first error of `span`; no further span is computed.
-///
-/// ```
-/// use pinhole::raster::{line, Pixel, Scissor, Span};
-/// let scissor = Scissor::new(0, 0, 64, 64);
-/// let mut runs = Vec::new();
-/// line(Pixel { x: 0, y: 0 }, Pixel { x: 2, y: 1 }, &scissor, |run| -> Result<(), ()> {
-///     runs.push((run.x, run.y, run.width));
-///     Ok(())
-/// })?;
-/// assert_eq!(runs, [(0, 0, 2), (2, 1, 1)]); // the tie at x = 1 keeps the smaller step
-/// # Ok::<(), ()>(())
-/// ```
 #[inline(always)]
-pub fn line<E>(
+pub(crate) fn line<E>(
     a: Pixel,
     b: Pixel,
     scissor: &Scissor,

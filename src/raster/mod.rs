@@ -1,5 +1,6 @@
-//! The rasteriser: lines and triangles to spans of pixels, in integers, without colours or targets. It can be used on its
-//! own.
+//! The rasteriser's types: positions on the screen, spans of pixels, and values that are linear over a triangle, for shaders of your own.
+//! [`fill_triangle`](crate::draw::fill_triangle) and [`draw_line`](crate::draw::draw_line) fill any target; one that takes fills
+//! (`fill_solid`) gets each span.
 //!
 //! # Rules
 //!
@@ -60,14 +61,13 @@ mod table_light;
 pub(crate) mod trapezoid;
 pub(crate) mod triangle;
 
-pub use any_triangle::triangle;
 pub(crate) use any_triangle::{AnyTriangle, Spans};
 pub(crate) use depth::FARTHEST;
 pub(crate) use depth_triangle::DepthTriangle;
 pub(crate) use edge_planes::EdgePlanes;
 pub use gradient::Gradient;
 pub(crate) use gradient_setup::GradientSetup;
-pub use line::line;
+pub(crate) use line::line;
 pub(crate) use line::{LineSetup, LineSpans};
 pub(crate) use line_area::{rest, share, unrounded_rest, LineArea, PIXELS};
 pub(crate) use line_coverage::{Column, LineCoverage};
@@ -75,9 +75,11 @@ pub(crate) use line_depth::LineDepth;
 pub(crate) use line_end::{weighted_area, LineEnds};
 pub(crate) use pixel_layout::{pixel_index, PixelLayout};
 pub(crate) use row_scratch::RowScratch;
-pub use scissor::Scissor;
-pub use screen::{Pixel, ScreenPoint, GUARD_BAND};
+pub(crate) use scissor::Scissor;
+pub(crate) use screen::GUARD_BAND;
+pub use screen::{Pixel, ScreenPoint};
 pub use span::Span;
 pub(crate) use sprite_axis::{SpriteAxis, TexelWalk};
 pub(crate) use trapezoid::Trapezoid;
-pub use triangle::{area, Triangle};
+pub(crate) use triangle::area;
+pub use triangle::Triangle;

@@ -1,8 +1,7 @@
 //! Gradients over random triangles against exact weights, for tests of interpolation.
 
 use crate::math::random::Random;
-use crate::raster::{area, triangle, Gradient, Scissor, ScreenPoint, Triangle};
-use core::convert::Infallible;
+use crate::raster::{area, Gradient, Scissor, ScreenPoint, Triangle};
 
 /// Random triangles, less the degenerate ones. Their corners are within `reach` subpixels of a point in the viewport, which is `viewport`
 /// pixels to each side of the origin. Every fourth is a sliver, every fourth as large as `reach` allows. Their corners have values up to
@@ -36,12 +35,13 @@ impl Triangles {
                 1 => self.most,
                 _ => random.within(self.most.into()).abs(),
             });
-            let found = gradient(&Triangle::new(points, area(&points), &scissor), values);
+            let triangle = Triangle::new(points, area(&points), &scissor);
+            let found = gradient(&triangle, values);
             let cross = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
                 i128::from((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]))
             };
             let (total, [u, v, w]) = (cross(a, b, c), values.map(i128::from));
-            let Ok::<(), Infallible>(()) = triangle(points, &scissor, |span| {
+            for span in triangle.spans(&scissor) {
                 for x in [span.x, span.x + span.width - 1] {
                     let p = [x, span.y].map(|v| i64::from(v) * 256 + 128);
                     let exact = u * cross(p, b, c) + v * cross(a, p, c) + w * cross(a, b, p);
@@ -50,8 +50,7 @@ impl Triangles {
                     let off = (own * total - (exact << shift)).rem_euclid(turn);
                     worst = worst.max(off.min(turn - off) / total.abs() + 1);
                 }
-                Ok(())
-            });
+            }
         }
         worst
     }

@@ -6,7 +6,7 @@ use super::{ScreenPoint, GUARD_BAND};
 /// outside is written. Empty if `left ≥ right` or `top ≥ bottom`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Scissor {
+pub(crate) struct Scissor {
     pub(crate) left: i32,
     pub(crate) top: i32,
     pub(crate) right: i32,
@@ -15,7 +15,7 @@ pub struct Scissor {
 
 impl Scissor {
     /// A scissor in pixels. Its bounds are clamped to ±32768: no pixel beyond is ever drawn.
-    pub fn new(left: i32, top: i32, right: i32, bottom: i32) -> Self {
+    pub(crate) fn new(left: i32, top: i32, right: i32, bottom: i32) -> Self {
         Self { left, top, right, bottom }.clamped()
     }
 

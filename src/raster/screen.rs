@@ -3,7 +3,7 @@
 use embedded_graphics_core::geometry::Point;
 
 /// The guard band: 3D geometry is clipped this many pixels to each side of the target's origin.
-pub const GUARD_BAND: i32 = 8192;
+pub(crate) const GUARD_BAND: i32 = 8192;
 
 /// A point on the screen in 24.8: x to the right and y downwards, in sub-pixels of 1/256 pixel. Pixel (i, j) covers
 /// [256·i, 256·i + 256) × [256·j, 256·j + 256). All points lie inside the guard band or on its border.

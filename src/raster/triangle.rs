@@ -7,7 +7,7 @@ use core::borrow::Borrow;
 /// Twice the signed area in square sub-pixels: positive when the vertices run counter-clockwise
 /// as seen with y up, which is what faces the viewer. Exact: |area| ≤ 2⁴⁵.
 #[inline(always)]
-pub fn area([a, b, c]: &[ScreenPoint; 3]) -> i64 {
+pub(crate) fn area([a, b, c]: &[ScreenPoint; 3]) -> i64 {
     // Differences below 2²³, products below 2⁴⁵.
     determinant((b.x - a.x, b.y - a.y), (c.x - a.x, c.y - a.y))
 }
@@ -70,4 +70,23 @@ pub(crate) fn sort_by_y<P: Borrow<ScreenPoint>>(corners: [P; 3], area: i64) -> (
         }
     }
     ([a, b, c], orientation >= 0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::random::mixed;
+
+    /// Half of the shoelace formula's sum, with y down: negative for corners that run counter-clockwise with y up.
+    #[test]
+    fn a6_the_area_is_positive_counter_clockwise_with_y_up() {
+        let mut state = 0xA6;
+        for k in 0..10_000 {
+            let mut number = || (mixed(&mut state) as i32) >> (10 + k % 21); // ±2²¹ and less
+            let corners = [(); 3].map(|()| ScreenPoint::clamped(number(), number()));
+            let [a, b, c] = corners.map(|p| (i128::from(p.x), i128::from(p.y)));
+            let sum = [(a, b), (b, c), (c, a)].map(|(p, q)| p.0 * q.1 - q.0 * p.1).iter().sum::<i128>();
+            assert_eq!(i128::from(area(&corners)), -sum);
+        }
+    }
 }

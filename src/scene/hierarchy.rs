@@ -26,16 +26,6 @@ impl Node {
     pub const fn child(parent: u16, local: Affine<Model, Model>) -> Self {
         Self { parent: Some(parent), local, world: Affine::identity() }
     }
-
-    /// The transform to the parent, or to the world for a root.
-    pub const fn local(&self) -> &Affine<Model, Model> {
-        &self.local
-    }
-
-    /// The transform to the world, as of the last update.
-    pub const fn world(&self) -> &Affine<Model, World> {
-        &self.world
-    }
 }
 
 /// A transform hierarchy over a caller-provided list of nodes. Parents come before their children, so one forward pass updates
@@ -46,7 +36,7 @@ impl Node {
 /// let out = |x| Affine::<Model, Model>::translation(Vector3::from_ints(x, 0, 0));
 /// let mut nodes = [Node::root(Affine::identity()), Node::child(0, out(2)), Node::child(1, out(3))];
 /// let mut arm = Hierarchy::new(&mut nodes)?;
-/// arm.set_local(0, Affine::rotation_z(Angle::QUARTER_TURN));
+/// arm.set_local(0, Affine::rotation_z(Angle::degrees(90)));
 /// arm.update();
 /// let hand = arm.world(2).unwrap();
 /// assert_eq!(hand.apply(Point3::from_ints(0, 0, 0)), Point3::from_ints(0, 5, 0));
@@ -106,12 +96,7 @@ impl<'a> Hierarchy<'a> {
 
     /// A node's transform to the world, as of the last update; `None` if the index does not exist.
     pub fn world(&self, node: usize) -> Option<&Affine<Model, World>> {
-        self.nodes.get(node).map(Node::world)
-    }
-
-    /// The nodes, parents before their children.
-    pub fn nodes(&self) -> &[Node] {
-        self.nodes
+        self.nodes.get(node).map(|node| &node.world)
     }
 }
 

@@ -67,10 +67,15 @@ impl<'a> FaceColors<'a> {
     ///
     /// # Errors
     ///
-    /// [`MeshError::EmissionCount`] if the list is not as long as the palette.
+    /// [`MeshError::ListLength`] if the list is not as long as the palette.
     pub const fn with_emission(self, emission: &'a [[u8; 3]]) -> Result<Self, MeshError> {
         if emission.len() != self.palette.len() {
-            return Err(MeshError::EmissionCount { emission: emission.len(), palette: self.palette.len() });
+            let (given, needed) = (emission.len(), self.palette.len());
+            return Err(MeshError::ListLength {
+                one: "emitted colour per colour, black for none",
+                given,
+                needed,
+            });
         }
         Ok(Self { emission, ..self })
     }
@@ -93,19 +98,9 @@ impl<'a> FaceColors<'a> {
         colors.get(usize::from(*self.faces.get(face)?)).copied()
     }
 
-    /// The colours `[red, green, blue]`, 255 is full.
-    pub const fn palette(&self) -> &'a [[u8; 3]] {
-        self.palette
-    }
-
-    /// The light that a face of each colour of the [`palette`](Self::palette) emits; empty if none was given.
-    pub const fn emissions(&self) -> &'a [[u8; 3]] {
+    /// The light that a face of each colour of the palette emits; empty if none was given.
+    pub(crate) const fn emissions(&self) -> &'a [[u8; 3]] {
         self.emission
-    }
-
-    /// The index in the [`palette`](Self::palette) of each face's colour.
-    pub const fn faces(&self) -> &'a [u8] {
-        self.faces
     }
 }
 
@@ -146,7 +141,7 @@ impl<'a> TextureCoords<'a> {
     /// [`MeshError`] if a face uses an index that the list does not have, or the exponent is outside of −15 … 0.
     pub const fn new(coords: &'a [[i16; 2]], faces: &'a [[u16; 3]], exponent: i8) -> Result<Self, MeshError> {
         if exponent < -15 || exponent > 0 {
-            return Err(MeshError::TextureExponent { exponent });
+            return Err(MeshError::Exponent { exponent });
         }
         let (count, mut face) = (coords.len(), 0);
         while face < faces.len() {
@@ -166,16 +161,6 @@ impl<'a> TextureCoords<'a> {
     pub fn corners(&self, face: usize) -> [[i16; 2]; 3] {
         let at = |index: u16| self.coords.get(usize::from(index)).copied().unwrap_or_default();
         self.faces.get(face).map_or([[0; 2]; 3], |corners| corners.map(at))
-    }
-
-    /// The texture coordinates `[u, v]`, in units of 2^[`exponent`](Self::exponent) of the texture's side.
-    pub const fn coords(&self) -> &'a [[i16; 2]] {
-        self.coords
-    }
-
-    /// For each face, the indices in [`coords`](Self::coords) of its three corners.
-    pub const fn faces(&self) -> &'a [[u16; 3]] {
-        self.faces
     }
 
     /// The exponent of the unit: coordinate = number · 2^exponent of a texture's side.

@@ -259,20 +259,12 @@ impl<P> Mesh<'_, i16, P> {
     pub const fn face_planes<const N: usize>(&self) -> [i16; N] {
         let (mut planes, mut face) = ([0; N], 0);
         while face < N {
-            planes[face] = self.face_plane(face);
+            if let Some((&[x, y, z], normal)) = self.data.corner_and_normal(face) {
+                planes[face] = plane_distance([x as i32, y as i32, z as i32], normal, self.data.justify);
+            }
             face += 1;
         }
         planes
-    }
-
-    /// The plane of one face: see [`face_planes`](Mesh::face_planes).
-    pub const fn face_plane(&self, face: usize) -> i16 {
-        if let Some((corner, normal)) = self.data.corner_and_normal(face) {
-            let [x, y, z] = *corner;
-            plane_distance([x as i32, y as i32, z as i32], normal, self.data.justify)
-        } else {
-            0
-        }
     }
 }
 
@@ -319,28 +311,6 @@ impl<'a> Mesh<'a, Scalar> {
         }
         let justify = justify(magnitude);
         Ok(Self::of(MeshData::new(vertices, faces, -16, justify)))
-    }
-}
-
-impl<P> Mesh<'_, Scalar, P> {
-    /// The plane of each face: see [`Mesh::face_planes`](Mesh::<i16>::face_planes).
-    pub const fn face_planes<const N: usize>(&self) -> [i16; N] {
-        let (mut planes, mut face) = ([0; N], 0);
-        while face < N {
-            planes[face] = self.face_plane(face);
-            face += 1;
-        }
-        planes
-    }
-
-    /// The plane of one face: see [`face_planes`](Mesh::face_planes).
-    pub const fn face_plane(&self, face: usize) -> i16 {
-        if let Some((corner, normal)) = self.data.corner_and_normal(face) {
-            let [x, y, z] = *corner;
-            plane_distance([x.to_bits(), y.to_bits(), z.to_bits()], normal, self.data.justify)
-        } else {
-            0
-        }
     }
 }
 
@@ -402,10 +372,14 @@ impl<'a, V, P> Mesh<'a, V, P> {
     ///
     /// # Errors
     ///
-    /// [`MeshError::NormalCount`] if there is not one normal per face.
+    /// [`MeshError::ListLength`] if there is not one normal per face.
     pub const fn with_normals(self, normals: &'a [[i16; 3]]) -> Result<Mesh<'a, V>, MeshError> {
         if normals.len() != self.data.faces.len() {
-            return Err(MeshError::NormalCount { faces: self.data.faces.len(), normals: normals.len() });
+            return Err(MeshError::ListLength {
+                one: "normal per face",
+                given: normals.len(),
+                needed: self.data.faces.len(),
+            });
         }
         Ok(Mesh::of(MeshData { normals, planes: &[], ..self.data }))
     }
@@ -464,14 +438,14 @@ impl<'a, V, P> Mesh<'a, V, P> {
     ///
     /// # Errors
     ///
-    /// [`MeshError::PlaneCount`] if there is not one plane per face, [`MeshError::NormalCount`] if the mesh has no normals.
+    /// [`MeshError::ListLength`] if there is not one plane per face, or if the mesh has no normals.
     pub const fn with_planes(self, planes: &'a [i16]) -> Result<Mesh<'a, V, WithPlanes>, MeshError> {
         let (faces, normals) = (self.data.faces.len(), self.data.normals.len());
         if planes.len() != faces {
-            return Err(MeshError::PlaneCount { faces, planes: planes.len() });
+            return Err(MeshError::ListLength { one: "plane per face", given: planes.len(), needed: faces });
         }
         if normals != faces {
-            return Err(MeshError::NormalCount { faces, normals });
+            return Err(MeshError::ListLength { one: "normal per face", given: normals, needed: faces });
         }
         Ok(Mesh { data: MeshData { planes, ..self.data }, planes: PhantomData })
     }
@@ -510,18 +484,18 @@ impl<'a, V, P> Mesh<'a, V, P> {
     /// const UP: [i16; 3] = [0, 0, 32_767];
     /// let mesh = Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
     /// assert_eq!(mesh.with_vertex_normals(&[UP; 3])?.vertex_normals(), [UP; 3]);
-    /// let too_few = mesh.with_vertex_normals(&[UP; 2]);
-    /// assert_eq!(too_few, Err(MeshError::VertexNormalCount { vertices: 3, normals: 2 }));
+    /// let too_few = mesh.with_vertex_normals(&[UP; 2]).unwrap_err();
+    /// assert_eq!(too_few.to_string(), "a list of 2 entries where 3 are needed: give one normal per vertex");
     /// # Ok::<(), MeshError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`MeshError::VertexNormalCount`] if there is not one normal per vertex.
+    /// [`MeshError::ListLength`] if there is not one normal per vertex.
     pub const fn with_vertex_normals(self, vertex_normals: &'a [[i16; 3]]) -> Result<Self, MeshError> {
         let (vertices, normals) = (self.data.vertices.len(), vertex_normals.len());
         if normals != vertices {
-            return Err(MeshError::VertexNormalCount { vertices, normals });
+            return Err(MeshError::ListLength { one: "normal per vertex", given: normals, needed: vertices });
         }
         Ok(Self { data: MeshData { vertex_normals, ..self.data }, planes: PhantomData })
     }
@@ -561,57 +535,8 @@ impl<'a, V, P> Mesh<'a, V, P> {
         self.data.vertex_normals
     }
 
-    /// The list itself, if it has one entry per vertex: texture coordinates, light levels or colours for
-    /// [`corners_of`](Self::corners_of), checked once at set-up. Call it in a `const` for lists in flash, and it costs nothing.
-    ///
-    /// ```
-    /// use pinhole::{mesh::MeshError, Mesh};
-    /// let mesh = Mesh::new(&[[0, 0, 0], [8, 0, 0], [0, 8, 0]], 0, &[[0, 1, 2]])?;
-    /// let uv = mesh.per_vertex(&[[0, 0], [128, 0], [0, 128]])?;
-    /// assert_eq!(mesh.corners_of(0, uv)[1], [128, 0]);
-    /// let too_few = mesh.per_vertex(&[[0, 0], [128, 0]]);
-    /// assert_eq!(too_few, Err(MeshError::VertexListCount { vertices: 3, entries: 2 }));
-    /// # Ok::<(), MeshError>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`MeshError::VertexListCount`] if there is not one entry per vertex.
-    pub const fn per_vertex<'l, T>(&self, list: &'l [T]) -> Result<&'l [T], MeshError> {
-        let (vertices, entries) = (self.data.vertices.len(), list.len());
-        if entries != vertices {
-            return Err(MeshError::VertexListCount { vertices, entries });
-        }
-        Ok(list)
-    }
-
-    /// The list itself, if it has one entry per face: texture coordinates of the corners of each face, as
-    /// [`Texture::at`](crate::texture::Texture::at) takes them, or the faces of [`TextureCoords`](crate::mesh::TextureCoords) and of
-    /// [`FaceColors`](crate::mesh::FaceColors), checked once at set-up.
-    ///
-    /// ```
-    /// use pinhole::{mesh::{MeshError, TextureCoords}, Mesh};
-    /// const FACES: [[u16; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
-    /// let mesh = Mesh::new(&[[0, 0, 0], [8, 0, 0], [8, 8, 0], [0, 8, 0]], 0, &FACES)?;
-    /// let coords = TextureCoords::new(&[[0, 4], [4, 4], [4, 0]], &[[0, 1, 2]], -2).unwrap();
-    /// let too_few = mesh.per_face(coords.faces());
-    /// assert_eq!(too_few, Err(MeshError::FaceListCount { faces: 2, entries: 1 }));
-    /// # Ok::<(), MeshError>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`MeshError::FaceListCount`] if there is not one entry per face.
-    pub const fn per_face<'l, T>(&self, list: &'l [T]) -> Result<&'l [T], MeshError> {
-        let (faces, entries) = (self.data.faces.len(), list.len());
-        if entries != faces {
-            return Err(MeshError::FaceListCount { faces, entries });
-        }
-        Ok(list)
-    }
-
-    /// Looks up the entries of a face's three vertices, in the face's order, in a list with one entry per vertex
-    /// ([`per_vertex`](Self::per_vertex) checks its length). Missing entries are `T::default()`.
+    /// Looks up the entries of a face's three vertices, in the face's order, in a list with one entry per vertex.
+    /// Missing entries are `T::default()`.
     ///
     /// ```
     /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[2, 0, 1]])?;
@@ -672,9 +597,16 @@ const fn bins_len(primitives: usize) -> usize {
 }
 
 impl<V: Coordinate, P> Mesh<'_, V, P> {
+    /// The plane of one face, for lists whose length is known at run time: as [`face_planes`](Mesh::face_planes).
+    pub fn face_plane(&self, face: usize) -> i16 {
+        self.data.corner_and_normal(face).map_or(0, |(&corner, normal)| {
+            plane_distance(map3(corner, |c| c.times(1)), normal, self.data.justify)
+        })
+    }
+
     /// A bounding sphere about the centre of the vertices' bounding box, in model units. Its radius is at most √3 times the
     /// smallest possible, rounded up by at most 9·2⁻¹⁶ plus 2⁻²⁸ of itself; `Scalar::MAX` if centre or radius do not fit
-    /// [`Scalar`]. For [`Camera::visibility`](crate::Camera::visibility): compute it once per mesh.
+    /// [`Scalar`]. For [`Frustum::visibility`](crate::camera::Frustum::visibility): compute it once per mesh.
     pub fn bounding_sphere(&self) -> Sphere {
         self.data.bounding_sphere()
     }

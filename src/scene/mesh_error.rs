@@ -29,42 +29,16 @@ pub enum MeshError {
         /// The edge's index or, if there is not one pair of faces per edge, the number of pairs.
         edge: usize,
     },
-    /// The number of face normals differs from the number of faces.
-    NormalCount {
-        /// How many faces there are.
-        faces: usize,
-        /// How many normals were given.
-        normals: usize,
-    },
-    /// The number of face planes differs from the number of faces.
-    PlaneCount {
-        /// How many faces there are.
-        faces: usize,
-        /// How many planes were given.
-        planes: usize,
-    },
-    /// The number of vertex normals differs from the number of vertices.
-    VertexNormalCount {
-        /// How many vertices there are.
-        vertices: usize,
-        /// How many normals were given.
-        normals: usize,
-    },
-    /// A list does not have one entry for each vertex.
-    VertexListCount {
-        /// How many vertices there are.
-        vertices: usize,
+    /// A list is too short or too long.
+    ListLength {
+        /// What each entry is for, such as "normal per face".
+        one: &'static str,
         /// How many entries were given.
-        entries: usize,
+        given: usize,
+        /// How many are needed.
+        needed: usize,
     },
-    /// A list does not have one entry for each face.
-    FaceListCount {
-        /// How many faces there are.
-        faces: usize,
-        /// How many entries were given.
-        entries: usize,
-    },
-    /// The exponent of the vertices' unit is outside of −32 … 15: choose another unit.
+    /// The exponent of a unit is out of range, −32 … 15 for vertices and −15 … 0 for texture coordinates: choose another unit.
     Exponent {
         /// The given exponent.
         exponent: i8,
@@ -77,19 +51,6 @@ pub enum MeshError {
         index: u16,
         /// How many colours or coordinates there are.
         count: usize,
-    },
-    /// The list of emitted colours is not as long as the palette: give one for each colour, black for a colour that emits
-    /// nothing.
-    EmissionCount {
-        /// How many emitted colours there are.
-        emission: usize,
-        /// How many colours the palette has.
-        palette: usize,
-    },
-    /// The exponent of the texture coordinates' unit is outside of −15 … 0: choose another unit.
-    TextureExponent {
-        /// The given exponent.
-        exponent: i8,
     },
     /// A node of a hierarchy has a parent that does not come before it. Order the list so that parents come first, which also
     /// excludes cycles.
@@ -116,35 +77,14 @@ impl core::fmt::Display for MeshError {
             Self::EdgeFaces { edge } => {
                 write!(f, "edge {edge} has no pair of faces, or uses a face that the mesh does not have")
             }
-            Self::NormalCount { faces, normals } => {
-                write!(f, "{normals} normals for {faces} faces: give one per face")
-            }
-            Self::PlaneCount { faces, planes } => {
-                write!(f, "{planes} planes for {faces} faces: give one per face")
-            }
-            Self::VertexNormalCount { vertices, normals } => {
-                write!(f, "{normals} vertex normals for {vertices} vertices: give one per vertex")
-            }
-            Self::VertexListCount { vertices, entries } => {
-                write!(f, "a list of {entries} entries for {vertices} vertices: give one per vertex")
-            }
-            Self::FaceListCount { faces, entries } => {
-                write!(f, "a list of {entries} entries for {faces} faces: give one per face")
+            Self::ListLength { one, given, needed } => {
+                write!(f, "a list of {given} entries where {needed} are needed: give one {one}")
             }
             Self::Exponent { exponent } => {
-                write!(f, "exponent {exponent} is not -32 to 15: choose another unit")
+                write!(f, "the unit 2^{exponent} is out of range, 2^-32 to 2^15 for vertices and 2^-15 to 1 for texture coordinates: choose another")
             }
             Self::MaterialIndex { face, index, count } => {
                 write!(f, "face {face} uses colour or texture coordinate {index}, but the list has {count}")
-            }
-            Self::EmissionCount { emission, palette } => {
-                write!(f, "{emission} emitted colours for a palette of {palette}: give one for each, black for none")
-            }
-            Self::TextureExponent { exponent } => {
-                write!(
-                    f,
-                    "texture coordinates in 2^{exponent} of a texture, but the exponent must be -15 to 0"
-                )
             }
             Self::Parent { node, parent } => {
                 write!(

@@ -60,8 +60,8 @@ pub struct BlinnPhong {
 
 impl BlinnPhong {
     /// Sets up the light on an object with the transform `model`. `towards_light` and `towards_viewer` point to the light and to
-    /// the viewer (world space, any length); for the viewer, take the third of [`ViewTransform::rows`](crate::ViewTransform::rows)
-    /// or the eye minus the object's position. `ambient` is the ambient part of the diffuse light in 1/256 (more than 256 counts as 256).
+    /// the viewer (world space, any length); for the viewer, take the eye minus the target, as
+    /// [`ViewTransform::look_at`](crate::ViewTransform::look_at) takes them, or the eye minus the object's position. `ambient` is the ambient part of the diffuse light in 1/256 (more than 256 counts as 256).
     /// `shininess` is the exponent, rounded down to a power of two of 1 … 256: 4 looks like rubber, 32 like plastic, 128 like
     /// polished metal. If the light is straight behind the object, there is no highlight.
     ///

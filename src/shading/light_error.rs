@@ -25,7 +25,7 @@ pub enum LightError {
     /// [`VertexFog`](crate::fog::VertexFog), or a projection from another constructor.
     SlantedDepth,
     /// Too few steps of depth lie between the distances where the fog begins and where it is full: a
-    /// [`FogTable`](crate::fog::FogTable) needs [`FogTable::LEAST_STEPS`](crate::fog::FogTable::LEAST_STEPS). Move the near plane away from
+    /// [`FogTable`](crate::fog::FogTable) needs 8. Move the near plane away from
     /// the eye, or the fog's start and end apart.
     TooFewFogSteps {
         /// The steps of depth in the fog, rounded down.

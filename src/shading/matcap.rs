@@ -3,9 +3,10 @@
 use super::lambert::is_conformal;
 use super::normal_space::{dot_words, to_words};
 use super::Texels;
+use crate::camera::ViewTransform;
 use crate::math::unit::normalise;
-use crate::math::NormalMatrix;
-use crate::space::{Model, View};
+use crate::math::{Affine, NormalMatrix};
+use crate::space::{Model, View, World};
 
 /// A material capture: the picture of a ball, with all light and reflections on it, looked up by the normal in view space. It is
 /// the cheapest shiny look: a face costs six multiplications and one texel, a vertex six multiplications.
@@ -23,12 +24,12 @@ use crate::space::{Model, View};
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-/// use pinhole::{camera::Side, light::Matcap, prelude::*};
+/// use pinhole::{light::Matcap, prelude::*, Angle};
 /// // A ball of 8 × 8 texels, lit from above.
 /// const BALL: [[Gray8; 8]; 8] = [[Gray8::WHITE; 8], [Gray8::new(224); 8], [Gray8::new(192); 8], [Gray8::new(160); 8],
 ///     [Gray8::new(128); 8], [Gray8::new(96); 8], [Gray8::new(64); 8], [Gray8::new(32); 8]];
-/// let view = ViewTransform::multiview(Point3::from_ints(0, 0, 0), Side::Front);
-/// let matcap = Matcap::new(&view.normals(&Affine::<Model, World>::identity()));
+/// let view = ViewTransform::orbit(Point3::from_ints(0, 0, 0), Scalar::ONE, Angle::ZERO, Angle::ZERO); // from the front
+/// let matcap = Matcap::new(&view, &Affine::identity());
 /// assert_eq!(matcap.coords([0, 0, 32767]), [16384, 16384]); // the middle
 /// assert_eq!(matcap.color(&BALL, [0, 32767, 0]), Gray8::WHITE);
 /// assert_eq!(matcap.color(&BALL, [0, -32767, 0]), Gray8::new(32));
@@ -45,13 +46,14 @@ impl Matcap {
     /// The exponent of the unit of [`coords`](Self::coords), for [`Texture::with_exponent`](crate::texture::Texture::with_exponent).
     pub const EXPONENT: i8 = -15;
 
-    /// Sets up the look-up for one object and one view, from [`ViewTransform::normals`](crate::ViewTransform::normals).
+    /// Sets up the look-up for one view and one object with the transform `model`.
     #[inline(never)] // set-up: its stack frame is gone before faces are drawn
-    pub fn new(normals: &NormalMatrix<Model, View>) -> Self {
+    pub fn new(view: &ViewTransform, model: &Affine<Model, World>) -> Self {
+        let normals = view.normals(model);
         let rows = normals.rows();
         let [x, y, _] = rows;
         let axes = is_conformal(rows).then(|| [x, y].map(|row| to_words(normalise(&row.map(i64::from)))));
-        Self { normals: *normals, axes }
+        Self { normals, axes }
     }
 
     /// The point of the picture for this unit normal (model space, in 2⁻¹⁵), `[u, v]` in 2⁻¹⁵ of the picture's sides: u to the

@@ -25,6 +25,7 @@ mod table_shader;
 pub(crate) mod texture;
 mod translucent;
 
+pub use crate::clip::{Barycentric, Varying};
 pub use corner_values::CornerValues;
 pub use depth_tested::DepthTested;
 pub(crate) use dither::Bayer;

@@ -57,7 +57,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 )]
 pub trait Shader: Copy {
     /// The varying of a corner: what clipping interpolates where a plane cuts an edge of the face. Use `()` if nothing varies
-    /// from corner to corner, [`Barycentric`](crate::clip::Barycentric) to get the weights of the new corners, or your own
+    /// from corner to corner, [`Barycentric`](crate::shading::Barycentric) to get the weights of the new corners, or your own
     /// type.
     type Varying: Varying;
 
@@ -93,8 +93,8 @@ pub trait Shader: Copy {
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Gray8, GrayColor}, prelude::*};
-/// use pinhole::{clip::Barycentric, draw::fill_triangle, raster::{Gradient, ScreenPoint, Span, Triangle}};
-/// use pinhole::{shading::{Shader, SpanShader}, target::Picture};
+/// use pinhole::{draw::fill_triangle, raster::{Gradient, ScreenPoint, Span, Triangle}};
+/// use pinhole::{shading::{Barycentric, Shader, SpanShader}, target::Picture};
 /// #[derive(Clone, Copy)]
 /// struct Ramp([u8; 3]);
 ///

@@ -4,7 +4,7 @@
 
 use pinhole::space::{Model, World};
 use pinhole::{
-    math::{MathError, Quaternion},
+    math::MathError,
     mesh::{Hierarchy, MeshError, Node},
     Affine, Angle,
 };
@@ -39,8 +39,7 @@ fn s2_quaternions_of_micromath_are_taken() {
             continue;
         }
         let quaternion = micromath::Quaternion::new(q[0], q[1], q[2], q[3]);
-        let ours =
-            Affine::<Model, World>::from_quaternion(Quaternion::try_from(quaternion).expect("a rotation"));
+        let ours = Affine::<Model, World>::try_from(quaternion).expect("a rotation");
         let exact = by_quaternion(unit(q.map(f64::from)));
         for (row, exact) in ours.to_matrix().iter().zip(exact) {
             worst = row.iter().zip(exact).map(|(c, exact)| (c - exact).abs()).fold(worst, f64::max);
@@ -48,14 +47,14 @@ fn s2_quaternions_of_micromath_are_taken() {
     }
     assert!(worst <= 2f64.powi(-27), "2^{}", worst.log2());
     let zero = scalar(0);
-    assert_eq!(Quaternion::new(zero, zero, zero, zero), Err(MathError::ZeroQuaternion));
-    let from = |w: f32, x: f32| Quaternion::try_from(micromath::Quaternion::new(w, x, 0.0, 0.0));
-    assert_eq!(from(0.0, 0.0), Err(MathError::ZeroQuaternion));
+    assert_eq!(Affine::<Model, World>::from_quaternion([zero; 4]), Err(MathError::ZeroLength));
+    let from = |w: f32, x: f32| Affine::<Model, World>::try_from(micromath::Quaternion::new(w, x, 0.0, 0.0));
+    assert_eq!(from(0.0, 0.0), Err(MathError::ZeroLength));
     assert_eq!(from(f32::NAN, 0.0), Err(MathError::NotFinite));
     assert_eq!(from(1.0, f32::INFINITY), Err(MathError::NotFinite));
     assert_eq!(from(40_000.0, 0.0), Err(MathError::OutOfRange));
-    let about_nothing = Affine::<Model, World>::rotation(point([0; 3]), vector([0; 3]), Angle::QUARTER_TURN);
-    assert_eq!(about_nothing, Err(MathError::ZeroAxis));
+    let about_nothing = Affine::<Model, World>::rotation(point([0; 3]), vector([0; 3]), Angle::degrees(90));
+    assert_eq!(about_nothing, Err(MathError::ZeroLength));
 }
 
 #[test]
@@ -94,40 +93,6 @@ fn s2_singular_frames_are_refused_exactly_at_the_bound() {
     }
     let flat = Affine::<Model, World>::scale_axes(scalar(ONE), scalar(ONE), scalar(0));
     assert_eq!(flat.inverse().map(|_| ()), Err(MathError::Singular));
-}
-
-/// The direction that is left, or none.
-#[test]
-fn s2_normals_of_flattened_models() {
-    let flat = Affine::<Model, World>::scale_axes(scalar(ONE), scalar(ONE), scalar(0)).normals();
-    assert_eq!(flat.apply([100, 0, 30_000]), [0, 0, 32_767]);
-    assert_eq!(Affine::<Model, World>::scale(scalar(0)).normals().apply([1, 2, 3]), [0; 3]);
-}
-
-#[test]
-fn s2_rigid_inverses_are_refused_exactly_at_the_bound() {
-    for (scale, rigid) in [(ONE, true), (ONE + 1, false), (2 * ONE, false), (ONE / 2, false), (-ONE, true)] {
-        let a = Affine::<Model, World>::scale(scalar(scale)).rigid_inverse().map(|_| ());
-        assert_eq!(a, if rigid { Ok(()) } else { Err(MathError::NotRigid) }, "{scale}");
-    }
-    // Row lengths to 2⁻²⁰: 2⁻¹⁶ is above it.
-    let sheared = Affine::<Model, World>::from_frame(
-        vector([ONE, 0, 0]),
-        vector([1, ONE, 0]),
-        vector([0, 0, ONE]),
-        point([0; 3]),
-    );
-    assert_eq!(sheared.rigid_inverse().map(|_| ()), Err(MathError::NotRigid));
-    // A coefficient of 1, for which all coefficients are scaled down, does not change the limit.
-    for (long, rigid) in [(2f64.powi(-20), false), (2f64.powi(-22), true)] {
-        let c = (0.5f64).sqrt();
-        for (a, b) in [(1.0, 0.0), (c, c)] {
-            let row = [[a + a * long, -b - b * long, 0.0, 0.0], [b, a, 0.0, 0.0]];
-            let m = [row[0], row[1], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
-            let inverse = Affine::<Model, World>::from_matrix(&m).expect("a matrix").rigid_inverse();
-            assert_eq!(inverse.is_ok(), rigid, "{m:?}");
-        }
-    }
 }
 
 fn random_local(rng: &mut Rng) -> ModelBits {

@@ -221,7 +221,7 @@ fn near_cuts_at_its_distance_for_any_near_and_far() {
             Family::EyeAtOrigin(-n, w, n, f),
         ] {
             let eye = [0; 3].map(|_| rng.int(-10_000 << 16, 10_000 << 16) as i32);
-            let view = ViewTransform::look_along(point(eye), vector([0, 0, -ONE]), vector([0, ONE, 0]))
+            let view = ViewTransform::from_reference(point(eye), vector([0, 0, ONE]), vector([0, ONE, 0]))
                 .expect("a view");
             let at = if matches!(family, Family::Reference(..)) { 0 } else { n };
             let camera = camera(view, &family);

@@ -2,11 +2,8 @@
 //! that contains all others, Q → ∞, and the planes that are refused; and projections by name: the defining property of each. That
 //! images are the projector cut by the plane is in `bounds`.
 
-use pinhole::space::{View, World};
-use pinhole::{
-    camera::{CameraError, PlanarProjection, ReferenceVolume, Side},
-    prelude::*,
-};
+use pinhole::space::World;
+use pinhole::{camera::CameraError, prelude::*};
 use support::bridge::pair::{random_view, rows, window, ViewBits, ONE};
 use support::bridge::{point, reals, rectangle, scalar, vector};
 use support::definition::Family;
@@ -37,21 +34,30 @@ fn s3_worked_example_a_is_a_view() {
     // The translation column: the image of the world's origin.
     let column = [r2, -2.0 * r2, -2.0];
     close(&reals(v.apply(Point3::from_ints(0, 0, 0))), &column, 1.1 * HALF, "column");
-    close(&v.translation().map(|c| c as f64 / 4_294_967_296.0), &column, 1e-8, "translation()");
+    close(&v.to_matrix().map(|row| row[3])[..3], &column, 1e-8, "to_matrix()");
     assert_eq!(v.apply(Point3::from_ints(1, 2, 3)), Point3::from_ints(0, 0, 0));
-    // The other constructors give an equal view.
+    // The other constructor gives an equal view.
     let (eye, up) = (Point3::from_ints(1, 2, 3), Vector3::from_ints(0, 1, 0));
     assert_eq!(ViewTransform::look_at(eye, Point3::from_ints(-1, 3, 1), up), Ok(v));
-    assert_eq!(ViewTransform::look_along(eye, Vector3::from_ints(-2, 1, -2), up), Ok(v));
 }
 
-fn five() -> [PlanarProjection; 3] {
-    let d = scalar(5 * ONE);
-    [
-        PlanarProjection::eye_at_origin(d).expect("a plane"),
-        PlanarProjection::origin_in_plane(d).expect("a plane"),
-        PlanarProjection::parallel(),
-    ]
+/// A planar projection through a window of −1 … 1, between these planes: images are in the plane's own coordinates.
+fn planar(
+    z_p: i32,
+    distance: Option<i32>,
+    direction: [i32; 3],
+    near: i32,
+    far: i32,
+) -> Result<Projection, CameraError> {
+    let square = window([-ONE, ONE, -ONE, ONE]);
+    let direction = vector(direction);
+    Projection::planar(scalar(z_p), distance.map(scalar), direction, square, scalar(near), scalar(far))
+}
+
+/// x and y of the image of a point, by the matrix as stored.
+fn image(lens: &Projection, p: [f64; 3]) -> [f64; 2] {
+    let [x, y, _, w] = chain::mul4(&lens.to_matrix(), [p[0], p[1], p[2], 1.0]);
+    [x / w, y / w]
 }
 
 fn close(ours: &[f64], exact: &[f64], bound: f64, what: &str) {
@@ -64,32 +70,31 @@ fn close(ours: &[f64], exact: &[f64], bound: f64, what: &str) {
 fn s4_worked_example_a_points() {
     let p = example_a().apply(Point3::<World>::from_ints(3, 1, 5));
     close(&reals(p), &[0.0, 0.0, 3.0], 1.1 / 65536.0, "in view coordinates");
-    let homogeneous = [[0.0, 0.0, 3.0, 0.6], [0.0, 0.0, 0.0, 1.6], [0.0, 0.0, 0.0, 1.0]];
-    let images = [[0.0, 0.0, 5.0], [0.0; 3], [0.0; 3]];
-    for (k, planar) in five().iter().enumerate() {
-        let got = planar.homogeneous(p).map(|c| fx(c.to_bits()));
-        close(&got, &homogeneous[k], 2.0 * HALF, "homogeneous");
-        let image = planar.apply(p).expect("an image");
-        close(&reals(image), &images[k], 4.0 * HALF, "image");
+    // The centre at the origin and the plane at 5, the plane at 0 and the centre at −5, and at infinity. w is 3/5, 8/5 and 1.
+    let (d, back) = (5 * ONE, [0, 0, -1]);
+    let lenses = [(d, Some(d)), (0, Some(d)), (0, None)];
+    for ((z_p, distance), w) in lenses.into_iter().zip([0.6, 1.6, 1.0]) {
+        // The picture shows z from 9 to 1.
+        let lens = planar(z_p, distance, back, -9 * ONE, -ONE).expect("a plane");
+        close(&image(&lens, reals(p)), &[0.0; 2], 4.0 * HALF, "image");
+        let [.., row] = lens.to_matrix();
+        let at = |z: f64| row[2] * z + row[3];
+        close(&[at(3.0) / at(fx(z_p))], &[w], 2.0 * HALF, "w, which is 1 in the plane");
     }
-}
-
-fn random_point(rng: &mut Rng) -> [i32; 3] {
-    [0; 3].map(|_| rng.int(-50 * i64::from(ONE), 50 * i64::from(ONE)) as i32)
 }
 
 #[test]
 fn s4_general_matrix_contains_the_oblique_ones() {
     // Q infinite and (dx, dy) ≠ 0: x − dx/dz·z.
-    let oblique = PlanarProjection::general(scalar(0), None, Vector3::from_ints(3, 4, 5)).expect("a plane");
-    assert_eq!(oblique.apply(Point3::from_ints(1, 1, -5)), Some(Point3::from_ints(4, 5, 0)));
-    assert_eq!(oblique.homogeneous(Point3::from_ints(1, 1, -5)), [4, 5, 0, 1].map(|c| scalar(c * ONE)));
-    // Straight down: the parallel one, exactly.
-    let straight = PlanarProjection::general(scalar(0), None, Vector3::from_ints(0, 0, 7)).expect("a plane");
-    let mut rng = Rng::new(0x4C);
-    for _ in 0..1000 {
-        let p = point::<View>(random_point(&mut rng));
-        assert_eq!(straight.apply(p), PlanarProjection::parallel().apply(p));
+    let oblique = planar(0, None, [3, 4, 5], ONE, 9 * ONE).expect("a plane");
+    let seen = oblique.apply(Point3::from_ints(1, 1, -5)).expect("an image");
+    assert_eq!((seen.x(), seen.y(), seen.z()), (scalar(4 * ONE), scalar(5 * ONE), scalar(0)));
+    // Straight down: the orthographic one, exactly.
+    let straight = planar(0, None, [0, 0, 7], ONE, 9 * ONE).expect("a plane");
+    let square = window([-ONE, ONE, -ONE, ONE]);
+    let orthographic = Projection::orthographic(square, scalar(ONE), scalar(9 * ONE)).expect("a box");
+    for (planar, row) in straight.to_matrix().iter().zip(orthographic.to_matrix()) {
+        close(planar, &row, 2f64.powi(-30), "rows");
     }
 }
 
@@ -97,19 +102,13 @@ fn s4_general_matrix_contains_the_oblique_ones() {
 /// near and far before the eye has w ≤ 0 and is refused.
 #[test]
 fn s4_a_view_plane_behind_the_eye_is_refused() {
-    let w = window([-ONE, ONE, -ONE, ONE]);
-    let (n, f) = (scalar(ONE), scalar(10 * ONE));
-    let make = |d: i32| {
-        let planar = PlanarProjection::eye_at_origin(scalar(d)).expect("a plane");
-        Projection::from_planar(&planar, w, n, f).map(|_| ())
-    };
+    let back = [0, 0, -1];
+    let make = |d: i32| planar(d, Some(d), back, ONE, 10 * ONE).map(|_| ());
     assert_eq!(make(-ONE), Ok(()));
     assert_eq!(make(ONE), Err(CameraError::NearNotPositive));
     // Points in the plane of the eye have w = 0: the near plane at the eye, and the far plane at an eye beyond the picture.
-    let at_eye = PlanarProjection::eye_at_origin(scalar(-ONE)).expect("a plane");
-    assert_eq!(Projection::from_planar(&at_eye, w, scalar(0), f).err(), Some(CameraError::NearNotPositive));
-    let beyond = PlanarProjection::origin_in_plane(scalar(8 * ONE)).expect("a plane");
-    let to = |far: i32| Projection::from_planar(&beyond, w, n, scalar(far)).map(|_| ());
+    assert_eq!(planar(-ONE, Some(-ONE), back, 0, 10 * ONE).err(), Some(CameraError::NearNotPositive));
+    let to = |far: i32| planar(0, Some(8 * ONE), back, ONE, far).map(|_| ());
     assert_eq!([to(8 * ONE - 1), to(8 * ONE)], [Ok(()), Err(CameraError::NearNotPositive)]);
 }
 
@@ -118,17 +117,17 @@ fn s4_a_view_plane_behind_the_eye_is_refused() {
 fn s4_planes_of_a_parallel_volume_too_close_to_each_other_are_refused() {
     let make = |front: i32, back: i32| {
         let prp = point([0, 0, ONE]);
-        ReferenceVolume::parallel(prp, window([-ONE, ONE, -ONE, ONE]), scalar(front), scalar(back))
-            .map(|_| ())
+        let square = window([-ONE, ONE, -ONE, ONE]);
+        Projection::parallel_from_reference(prp, square, scalar(front), scalar(back)).map(|_| ())
     };
     assert_eq!(make(-20_000 * ONE, -20_001 * ONE), Ok(()));
-    assert_eq!(make(-20_000 * ONE, -20_000 * ONE - 1), Err(CameraError::NearTooCloseToFar));
+    assert_eq!(make(-20_000 * ONE, -20_000 * ONE - 1), Err(CameraError::NearNotBeforeFar));
 }
 
 #[test]
 fn s4_a_point_at_the_eye_has_no_planar_image() {
-    let planar = PlanarProjection::eye_at_origin(scalar(5 * ONE)).expect("a plane");
-    assert_eq!(planar.apply(Point3::from_ints(1, 1, 0)), None);
+    let lens = planar(-5 * ONE, Some(-5 * ONE), [0, 0, -1], ONE, 9 * ONE).expect("a plane");
+    assert_eq!(lens.apply(Point3::from_ints(1, 1, 0)), None);
 }
 
 /// x = x + 2³⁰·(z − 2⁻¹⁰) through a window 2⁻¹⁶ wide: its constant is −2³⁷, which the window's own +1 must not
@@ -139,7 +138,7 @@ fn s4_a_planar_window_too_small_is_refused_whichever_way_it_lies() {
         for (left, right) in [(-1, 0), (0, 1)] {
             let window = [left, right, -ONE, ONE];
             let general = Family::General(ONE >> 10, None, [dx, 0, -1], window, ONE, 2 * ONE);
-            assert_eq!(general.library().map(|_| ()), Err(CameraError::WindowTooSmall), "{general:?}");
+            assert_eq!(general.library().map(|_| ()), Err(CameraError::EmptyWindow), "{general:?}");
         }
     }
 }
@@ -150,10 +149,10 @@ fn s4_a_planar_window_too_small_is_refused_whichever_way_it_lies() {
 fn s4_directions_keep_their_last_bit_beside_the_least_number() {
     for least in [i32::MIN, -i32::MAX] {
         for dz in [1, -1, 3, -3] {
-            let direction = vector([0, least, dz]);
-            let general = PlanarProjection::general(scalar(ONE / 64), Some(scalar(ONE)), direction);
-            let image = general.expect("a plane").apply(Point3::from_ints(0, 0, 0)).expect("an image");
-            close(&reals(image), &[0.0, -1.0, 1.0 / 64.0], 2.0 * HALF, "beside the origin");
+            // One step of depth on the side of the plane where the centre is not.
+            let (z_p, back) = (ONE / 64, if dz > 0 { 1 } else { -2 });
+            let lens = planar(z_p, Some(ONE), [0, least, dz], back - z_p, back + 1 - z_p).expect("a plane");
+            close(&image(&lens, [0.0; 3]), &[0.0, -1.0], 2.0 * HALF, "beside the origin");
         }
     }
 }
@@ -196,20 +195,22 @@ fn near_to(got: f64, want: f64, room: f64, what: &str) {
 #[test]
 fn s4_multiview_keeps_faces_parallel_to_the_plane_at_their_exact_size() {
     // Which world axes point right and up, and which to the viewer.
-    let sides: [(Side, V3, V3, V3); 6] = [
-        (Side::Front, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]),
-        (Side::Back, [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]),
-        (Side::Right, [0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]),
-        (Side::Left, [0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]),
-        (Side::Top, [1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]),
-        (Side::Bottom, [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]),
+    let sides: [(&str, V3, V3, V3); 6] = [
+        ("front", [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]),
+        ("back", [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]),
+        ("right", [0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]),
+        ("left", [0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]),
+        ("top", [1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]),
+        ("bottom", [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]),
     ];
     let mut rng = Rng::new(0x51);
     for (side, right, up, near) in sides {
         assert_eq!(chain::cross(right, up), near, "right-handed");
         for _ in 0..300 {
             let vrp = [0; 3].map(|_| rng.int(-100, 100) as i32 * ONE);
-            let camera = drawing(&ViewTransform::multiview(point(vrp), side), &orthographic());
+            let [vpn, vup] = [near, up].map(|axis| vector(axis.map(|c| c as i32)));
+            let view = ViewTransform::from_reference(point(vrp), vpn, vup).expect("a view");
+            let camera = drawing(&view, &orthographic());
             let p = [0; 3].map(|_| rng.int(-1000, 1000) as i32 * (ONE / 64));
             let world = [0, 1, 2].map(|i| vrp[i] + p[i]);
             let got = at(&camera, world);
@@ -233,10 +234,8 @@ fn s4_axonometric_views_foreshorten_by_their_normal() {
     let mut seen = 0;
     for case in 0..2000 {
         let [x, y, z] = [0; 3].map(|_| rng.int(-400_000, 400_000) as i32);
-        let (vpn, view) = match case % 2 {
-            0 => ([x, y, z], ViewTransform::trimetric(point([0; 3]), vector([x, y, z]))),
-            _ => ([x, y, x], ViewTransform::dimetric(point([0; 3]), scalar(x.abs()), scalar(y))),
-        };
+        let vpn = if case % 2 == 0 { [x, y, z] } else { [x, y, x] };
+        let view = ViewTransform::from_reference(point([0; 3]), vector(vpn), vector([0, ONE, 0]));
         let Ok(view) = view else { continue };
         seen += 1;
         let n = chain::normalise(chain::fx3(vpn));
@@ -245,14 +244,6 @@ fn s4_axonometric_views_foreshorten_by_their_normal() {
         }
     }
     assert!(seen > 1900, "{seen}");
-    let refused = Err(CameraError::NotAxonometric);
-    for (side, up) in [(0, ONE), (ONE, 0), (ONE, ONE), (ONE, -ONE), (-ONE, ONE)] {
-        let got = ViewTransform::dimetric(point([0; 3]), scalar(side), scalar(up));
-        assert_eq!(got, refused, "{side} {up}");
-    }
-    for vpn in [[ONE, 2 * ONE, 0], [ONE, ONE, 2 * ONE], [ONE, 2 * ONE, -ONE], [0, 0, 0]] {
-        assert_eq!(ViewTransform::trimetric(point([0; 3]), vector(vpn)), refused, "{vpn:?}");
-    }
 }
 
 /// For each VPN: the number of non-zero components is the number of finite vanishing points, and each
@@ -310,21 +301,13 @@ fn s4_n_point_perspectives_have_n_vanishing_points_where_the_axes_go() {
                 + far * (300.0 * 2f64.powi(-29) + far * 2f64.powi(-29)) / 100.0
                 + far * 2f64.powi(-28) / slope;
             if far < 1e6 {
-                let got = (f64::from(found.x) / 256.0, f64::from(found.y) / 256.0);
+                let got = (f64::from(found[0]) / 256.0, f64::from(found[1]) / 256.0);
                 assert!(
                     (got.0 - x).abs() <= room && (got.1 - y).abs() <= room,
                     "{got:?} for {x} {y} ± {room}: {vpn:?} {family:?}"
                 );
-                let ndc = [found.ndc.x(), found.ndc.y()].map(|c| fx(c.to_bits()));
-                let (nx, ny) = exact_viewport.apply([ndc[0], ndc[1], 0.0]);
-                if ndc.iter().all(|c| c.abs() < 32_000.0) {
-                    assert!((nx - got.0).abs() < 0.006 && (ny - got.1).abs() < 0.006, "{ndc:?} {got:?}");
-                }
             } else {
-                assert!(
-                    f64::from(found.x).abs().max(f64::from(found.y).abs()) > 1e8,
-                    "{found:?} for {x} {y}"
-                );
+                assert!(found.iter().any(|c| f64::from(*c).abs() > 1e8), "{found:?} for {x} {y}");
             }
         }
     }
@@ -356,12 +339,10 @@ fn s4_parallel_projections_have_no_vanishing_points() {
 fn s4_vanishing_points_beyond_all_numbers_keep_their_side() {
     let family = Family::FieldOfView((1 << 20) + 1, (240, 240), ONE, 9 * ONE);
     for up in [1, -1] {
-        let view = ViewTransform::look_along(point([0; 3]), vector([0, up, -5000]), vector([0, ONE, 0]));
+        let view = ViewTransform::from_reference(point([0; 3]), vector([0, -up, 5000]), vector([0, ONE, 0]));
         let camera = drawing(&view.expect("a view"), &family.library().expect("a projection"));
         let [_, y, _] = camera.vanishing_points();
-        let y = y.expect("finite");
-        let end = if up == 1 { Scalar::MAX } else { -Scalar::MAX };
-        assert_eq!((y.ndc.x(), y.ndc.y(), y.x, y.y), (scalar(0), end, 2000 * 256, -up << 30));
+        assert_eq!(y, Some([2000 * 256, -up << 30]));
     }
 }
 

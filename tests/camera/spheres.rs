@@ -18,7 +18,7 @@ fn numbers(sphere: &Sphere) -> ([f64; 3], f64) {
 
 fn sphere(centre: [i32; 3], radius: i32) -> Sphere {
     let [x, y, z] = centre.map(Scalar::from_bits);
-    Sphere::new(Point3::new(x, y, z), Scalar::from_bits(radius))
+    Sphere { centre: Point3::new(x, y, z), radius: Scalar::from_bits(radius) }
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -71,7 +71,7 @@ fn a_sphere_around_what_has_no_bound_has_none() {
     assert_eq!((both.centre, both.radius), (sphere([-1; 3], 0).centre, Scalar::MAX));
     assert_eq!(all.transformed(&Affine::identity()).radius, Scalar::MAX);
     let away = Affine::translation(Vector3::from_ints(32767, 0, 0));
-    let far = Sphere::new(Point3::from_ints(30000, 0, 0), Scalar::ONE).transformed(&away);
+    let far = Sphere { centre: Point3::from_ints(30000, 0, 0), radius: Scalar::ONE }.transformed(&away);
     assert_eq!(far.radius, Scalar::MAX, "its centre is beyond Scalar");
     assert_eq!(sphere([0; 3], 1 << 30).transformed(&Affine::scale(Scalar::from_int(3))).radius, Scalar::MAX);
 }
@@ -81,7 +81,7 @@ fn a_transformed_sphere_holds_what_the_transform_makes_of_it() {
     let mut rng = Rng::new(0x5f02);
     for case in 0..3000 {
         let angles: [Angle; 6] = [0; 6].map(|_| Angle::from_bits(rng.bits()));
-        let scales = [0; 3].map(|_| Scalar::from_f64(rng.log(0.02, 40.0)).expect("in range"));
+        let scales = [0; 3].map(|_| Scalar::try_from(rng.log(0.02, 40.0)).expect("in range"));
         let moved = Vector3::from_ints(rng.int(-90, 90) as i16, 5, rng.int(-9000, 9000) as i16);
         // Scales along the axes, then a rotation; every second one after another rotation, which shears.
         let mut model = Affine::<Model, World>::identity();
@@ -108,7 +108,7 @@ fn a_transformed_sphere_holds_what_the_transform_makes_of_it() {
             let reached = distance(image([0, 1, 2].map(|i| from[i] + r * direction[i])), to);
             assert!(reached <= radius, "{reached} {radius}");
         }
-        let stretch = scales.map(|c| c.to_f64()).into_iter().fold(0.0, f64::max);
+        let stretch = scales.map(f64::from).into_iter().fold(0.0, f64::max);
         // A rotation before the scales leaves their lengths, but the rows of the product are not along axes.
         let factor = if case % 2 == 0 { 1.0 } else { 1.32 };
         let most = stretch * factor * r * (1.0 + 2f64.powi(-25)) + 4.0;
@@ -264,7 +264,7 @@ fn what_is_refused_has_no_room() {
         let distance = radius / silhouette(case.field_of_view);
         match case.camera() {
             Ok(_) => assert!(distance + radius < 2_147_483_648.0 && distance - radius > 62.0),
-            Err(CameraError::TooFar) => {
+            Err(CameraError::OutOfRange) => {
                 far += 1;
                 assert!(distance + radius * (65.0 / 64.0) > 2_147_483_000.0, "{radius} {distance}");
             }
@@ -289,10 +289,11 @@ fn spheres_and_angles_out_of_range_are_explained() {
     assert_eq!(frame(-1, good), Some(CameraError::NoRadius));
     assert_eq!(frame(1 << 16, wide), Some(CameraError::FieldOfView));
     assert_eq!(frame(1 << 16, Angle::ZERO), Some(CameraError::FieldOfView));
-    assert_eq!(frame(i32::MAX, good), Some(CameraError::TooFar));
+    assert_eq!(frame(i32::MAX, good), Some(CameraError::OutOfRange));
     assert_eq!(frame(3, good), Some(CameraError::TooNear));
     assert_eq!(frame(1 << 16, good), None);
-    for error in [CameraError::NoRadius, CameraError::FieldOfView, CameraError::TooFar, CameraError::TooNear]
+    for error in
+        [CameraError::NoRadius, CameraError::FieldOfView, CameraError::OutOfRange, CameraError::TooNear]
     {
         assert!(error.to_string().len() > 20, "{error:?}");
     }

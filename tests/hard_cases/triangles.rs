@@ -2,7 +2,7 @@
 //! `tests/raster` compares all triangles of small lattices, and a million random ones, with the exact rule: A2 to A5.
 
 use crate::near_plane;
-use pinhole::raster::{self, ScreenPoint};
+use pinhole::raster::ScreenPoint;
 use pinhole::Mesh;
 use support::bridge::draw::{solid, Shader};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -95,18 +95,6 @@ fn a6_faces_are_culled_by_their_snapped_area() {
     }
     println!("{turned} turned over by the snap, {vanished} flattened; {drawn} pixels drawn");
     assert!(turned > 50 && vanished > 50 && drawn > 0);
-}
-
-#[test]
-fn a6_the_area_is_positive_counter_clockwise_with_y_up() {
-    let mut rng = Rng::new(0xA6);
-    for _ in 0..10_000 {
-        let reach = 1i64 << rng.int(1, 21);
-        let mut p = || (rng.int(-reach, reach), rng.int(-reach, reach));
-        let t = [p(), p(), p()];
-        // With y down, the edge function is negative for counter-clockwise with y up.
-        assert_eq!(raster::area(&t.map(bridge::screen_point)), -coverage::edge(t[0], t[1], t[2]));
-    }
 }
 
 #[test]

@@ -113,7 +113,7 @@ fn culling_by_planes_draws_the_same_teapot() {
     let mesh = mesh.with_planes(&planes).unwrap();
     let fixed = teapot::VERTICES.map(|v| v.map(|c| Scalar::from_bits(i32::from(c) << 6)));
     let wide = Mesh::from_fixed(&fixed, &teapot::FACES).unwrap().with_normals(&teapot::NORMALS).unwrap();
-    let wide_planes: [i16; 992] = wide.face_planes();
+    let wide_planes: [i16; 992] = core::array::from_fn(|face| wide.face_plane(face));
     assert_eq!(wide_planes, planes, "justified, they are the same numbers");
     let wide = wide.with_planes(&wide_planes).unwrap();
     let (mut rng, mut near, mut far) = (Rng::new(0xfac), Tally::default(), Tally::default());
@@ -165,11 +165,14 @@ fn a_mesh_without_planes_is_not_culled_by_planes() {
 #[test]
 fn a_list_of_planes_of_the_wrong_length_is_refused() {
     let mesh = Mesh::new(&teapot::VERTICES, 0, &teapot::FACES).unwrap();
-    assert_eq!(mesh.with_planes(&[0; 992]), Err(MeshError::NormalCount { faces: 992, normals: 0 }));
+    assert_eq!(
+        mesh.with_planes(&[0; 992]),
+        Err(MeshError::ListLength { one: "normal per face", given: 0, needed: 992 })
+    );
     let mesh = mesh.with_normals(&teapot::NORMALS).unwrap();
     let error = mesh.with_planes(&[0; 991]).unwrap_err();
-    assert_eq!(error, MeshError::PlaneCount { faces: 992, planes: 991 });
-    assert_eq!(error.to_string(), "991 planes for 992 faces: give one per face");
+    assert_eq!(error, MeshError::ListLength { one: "plane per face", given: 991, needed: 992 });
+    assert_eq!(error.to_string(), "a list of 991 entries where 992 are needed: give one plane per face");
     // Fewer planes and more planes than faces; planes of normals longer than 1.
     assert_eq!(mesh.face_planes::<3>(), mesh.face_planes::<992>()[..3]);
     assert_eq!(mesh.face_planes::<993>()[992], 0);

@@ -65,9 +65,9 @@ fn random<'m>(rng: &mut Rng, meshes: &'m Meshes) -> Scene<'m, usize, OBJECTS> {
         let turned = Affine::<Model, World>::identity()
             .rotate_x(Angle::from_bits(rng.bits()))
             .rotate_y(Angle::from_bits(rng.bits()))
-            .scale_by(Scalar::from_f64(rng.log(0.3, 2.0)).expect("in range"));
+            .then(&Affine::scale(Scalar::try_from(rng.log(0.3, 2.0)).expect("in range")));
         let [x, y, z] = [rng.real(-9.0, 9.0), rng.real(-6.0, 6.0), rng.real(-14.0, 6.0)]
-            .map(|v| Scalar::from_f64(v).expect("in range"));
+            .map(|v| Scalar::try_from(v).expect("in range"));
         let model = turned.translate(Vector3::new(x, y, z));
         let object = match rng.below(2) {
             0 => Object::new(&meshes.0, model, index),
@@ -85,7 +85,7 @@ fn camera(rng: &mut Rng) -> Camera {
     let (yaw, pitch) = (Angle::from_bits(rng.bits() >> 4), Angle::from_bits(rng.bits() >> 5));
     let centre = Point3::from_ints(0, 0, -4);
     let view =
-        ViewTransform::orbit(centre, Scalar::from_f64(rng.real(2.0, 9.0)).expect("in range"), yaw, pitch);
+        ViewTransform::orbit(centre, Scalar::try_from(rng.real(2.0, 9.0)).expect("in range"), yaw, pitch);
     let [near, far] = [1, 14].map(Scalar::from_int);
     let lens = Projection::perspective(Angle::degrees(65), viewport.size(), near, far).expect("a lens");
     Camera::new(&view, &lens, &viewport)
@@ -166,7 +166,7 @@ fn a_scene_is_its_objects_drawn_by_hand() {
         let visible: Vec<usize> = (0..OBJECTS)
             .filter(|&index| {
                 let object = &scene.objects()[index];
-                camera.visibility(&object.sphere, &object.model) != Visibility::Outside
+                camera.frustum().visibility(&object.sphere, &object.model) != Visibility::Outside
             })
             .collect();
         assert_eq!(asked, visible, "an object out of view costs the test of its sphere only");

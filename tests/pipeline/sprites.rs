@@ -589,16 +589,19 @@ fn sprites_far_outside_draw_what_reaches_in() {
     let huge = Scalar::MAX;
     let mut drawn = 0;
     for [x, y] in [[-8000, 0], [8100, 0], [0, 8100], [0, -8000], [32_000, 0], [5000, 5000]] {
-        for (width, height) in
-            [(huge, huge), (huge, Scalar::DELTA), (Scalar::DELTA, huge), (Scalar::ONE, Scalar::ONE)]
-        {
+        for (width, height) in [
+            (huge, huge),
+            (huge, Scalar::from_bits(1)),
+            (Scalar::from_bits(1), huge),
+            (Scalar::ONE, Scalar::ONE),
+        ] {
             let mut display = MockDisplay::new();
             let placed = flat().place_sprite(Point3::from_ints(x, -y, -10));
             let sprite = Sprite::new(SolidTexel::new(BinaryColor::On)).with_size(width, height);
             let statistics = placed.draw(|_| sprite, &mut display).expect("no error");
             // The guard band: 8192 pixels; a size of less than a sub-pixel is none.
             let is_outside = x.abs() > 8192;
-            let is_thin = !is_outside && (width == Scalar::DELTA || height == Scalar::DELTA);
+            let is_thin = !is_outside && (width == Scalar::from_bits(1) || height == Scalar::from_bits(1));
             let counts = [statistics.drawn, statistics.outside, statistics.degenerate];
             assert_eq!(counts.map(|n| n == 1), [!is_outside && !is_thin, is_outside, is_thin]);
             let reaches = |at: i16, size: Scalar| size == huge || (0..64).contains(&at);

@@ -58,7 +58,6 @@ macro_rules! fuzzed {
 
 fuzzed! {
     anti_aliased: 100_000,
-    clip: 600_000,
     scene: 25_000,
     set_up: 600_000,
     texture: 30_000,

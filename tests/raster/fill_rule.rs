@@ -1,5 +1,10 @@
 //! R1–R7 and R9: the library's coverage equals the exact edge functions, with no tolerance. Scissors and errors, of lines too.
 
+use embedded_graphics::pixelcolor::BinaryColor;
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use pinhole::draw::{draw_line, fill_triangle};
+use pinhole::target::LeastRun;
 use support::bridge;
 use support::bridge::compare;
 use support::oracle;
@@ -132,28 +137,49 @@ fn scissors_of_extreme_bounds_crop_and_do_not_panic() {
     }
 }
 
+/// A target that refuses a fill after so many.
+struct Refuses {
+    after: usize,
+    calls: usize,
+}
+
+impl Dimensions for Refuses {
+    fn bounding_box(&self) -> Rectangle {
+        bridge::rectangle(0, 0, 16, 16)
+    }
+}
+
+impl DrawTarget for Refuses {
+    type Color = BinaryColor;
+    type Error = usize;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<BinaryColor>>>(&mut self, _: I) -> Result<(), usize> {
+        panic!("pixels in place of spans")
+    }
+
+    fn fill_solid(&mut self, _: &Rectangle, _: BinaryColor) -> Result<(), usize> {
+        self.calls += 1;
+        if self.calls > self.after {
+            return Err(self.after);
+        }
+        Ok(())
+    }
+}
+
 #[test]
-fn an_error_of_the_callback_ends_a_triangle_and_a_line_and_is_returned() {
-    use pinhole::raster::{self, Span};
+fn an_error_of_the_target_ends_a_triangle_and_a_line_and_is_returned() {
     let corners = [(0, 0), (4000, 100), (300, 4000)].map(bridge::screen_point);
     let [from, to] = [(0, 0), (15, 11)].map(bridge::pixel);
-    let scissor = bridge::scissor(Area::new(0, 0, 16, 16));
-    type Draw<'a> = &'a dyn Fn(&mut dyn FnMut(Span) -> Result<(), usize>) -> Result<(), usize>;
-    let draws: [Draw<'_>; 2] =
-        [&|call| raster::triangle(corners, &scissor, call), &|call| raster::line(from, to, &scissor, call)];
+    type Draw<'a> = &'a dyn Fn(&mut Refuses) -> Result<(), usize>;
+    let draws: [Draw<'_>; 2] = [&|target| fill_triangle(corners, BinaryColor::On, target), &|target| {
+        draw_line(from, to, BinaryColor::On, &mut LeastRun::<_, 1>(target))
+    }];
     for (draw, count) in draws.into_iter().zip([15, 12]) {
         for n in 0..=count {
-            let mut calls = 0;
-            let result = draw(&mut |_| {
-                calls += 1;
-                if calls > n {
-                    Err(n)
-                } else {
-                    Ok(())
-                }
-            });
+            let mut target = Refuses { after: n, calls: 0 };
+            let result = draw(&mut target);
             let wanted = if n < count { (Err(n), n + 1) } else { (Ok(()), count) };
-            assert_eq!((result, calls), wanted);
+            assert_eq!((result, target.calls), wanted);
         }
     }
 }

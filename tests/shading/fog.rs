@@ -23,7 +23,7 @@ use support::oracle::chain::{self, dot, M4, V3};
 use support::oracle::rng::Rng;
 
 fn number(v: f64) -> Scalar {
-    Scalar::from_f64(v).expect("in range")
+    Scalar::try_from(v).expect("in range")
 }
 
 /// A view volume, in f64, of 240 × 240 pixels: in perspective with 60 degrees, or parallel with a window of ±`half`.
@@ -93,7 +93,7 @@ fn sprites_have_the_level_of_their_points() {
     ];
     for (lens, range) in cases {
         let camera = camera(&lens.projection());
-        let fog = Fog::linear(number(range[0]), number(range[1])).unwrap();
+        let fog = Fog::new(number(range[0]), number(range[1])).unwrap();
         let table = FogTable::new(&fog, &camera, Gray8::BLACK).unwrap();
         // The depth at which a level begins.
         let begin = |level: f64| lens.bound(range[0] + (range[1] - range[0]) * (level - 0.5) / 32.0);
@@ -151,7 +151,7 @@ fn sprites_have_the_level_of_their_points() {
 /// pixel's level: of triangles within 512 pixels, and of larger ones. And the pixels that have each level.
 fn worst(lens: &Lens, fog: [f64; 2], scene: &Faces) -> ([f64; 2], [usize; 33]) {
     let camera = camera(&lens.projection());
-    let table = Fog::linear(number(fog[0]), number(fog[1])).unwrap();
+    let table = Fog::new(number(fog[0]), number(fog[1])).unwrap();
     let table = FogTable::new(&table, &camera, Gray8::BLACK).unwrap();
     let (mut worst, mut counts) = ([0.0; 2], [0; 33]);
     for face in 0..scene.uv.len() {
@@ -309,9 +309,9 @@ fn factors_are_the_nearest_at_every_depth() {
         let camera = camera(&lens.projection());
         let [start, end] = fog.map(number);
         let table = match case {
-            0 => FogTable::new(&Fog::linear(start, end).unwrap(), &camera, Gray8::BLACK),
-            1 => FogTable::new(&Fog::exponential(start, end).unwrap(), &camera, Gray8::BLACK),
-            _ => FogTable::new(&Fog::squared(start, end).unwrap(), &camera, Gray8::BLACK),
+            0 => FogTable::new(&Fog::new(start, end).unwrap(), &camera, Gray8::BLACK),
+            1 => FogTable::exponential(&Fog::new(start, end).unwrap(), &camera, Gray8::BLACK),
+            _ => FogTable::squared(&Fog::new(start, end).unwrap(), &camera, Gray8::BLACK),
         }
         .unwrap();
         let bounds = core::array::from_fn::<f64, 32, _>(|i| {
@@ -340,7 +340,7 @@ fn factors_are_the_nearest_at_every_depth() {
 
 #[test]
 fn set_ups_that_cannot_be_are_refused() {
-    let fog = |start, end| Fog::linear(number(start), number(end));
+    let fog = |start, end| Fog::new(number(start), number(end));
     assert_eq!(fog(2.0, 2.0), Err(LightError::EmptyFog { start: number(2.0), end: number(2.0) }));
     let table = |lens: &Lens, start, end| {
         FogTable::new(&fog(start, end).unwrap(), &camera(&lens.projection()), Gray8::BLACK)
@@ -382,7 +382,7 @@ fn factors_of_vertices_are_linear_in_distance() {
     for case in 0..3_000 {
         let reach = [20.0, 3000.0, 0.5][case % 3];
         let mut vector = |size: f64| [0; 3].map(|_| number(rng.real(-size, size)));
-        let f64s = |v: [Scalar; 3]| v.map(|c| c.to_f64());
+        let f64s = |v: [Scalar; 3]| v.map(f64::from);
         let [axes @ .., origin, eye, ahead] = [
             vector(2.0),
             vector(2.0),
@@ -401,9 +401,8 @@ fn factors_of_vertices_are_linear_in_distance() {
         let [x, y, z] = axes;
         let model = Affine::<Model, World>::from_frame(vector3(x), vector3(y), vector3(z), point(origin));
         let up = if direction[1].abs() < 0.9 * length { [0, 1, 0] } else { [1, 0, 0] };
-        let view =
-            ViewTransform::look_along(point(eye), vector3(ahead), Vector3::from_ints(up[0], up[1], up[2]))
-                .unwrap();
+        let up = Vector3::from_ints(up[0], up[1], up[2]);
+        let view = ViewTransform::from_reference(point(eye), -vector3(ahead), up).unwrap();
         let viewport = Viewport::new(Point::zero(), Size::new(SIDE, SIDE)).unwrap();
         let lens = Lens { near: 1.0, far: 100.0, parallel: None };
         let camera = Camera::new(&view, &lens.projection(), &viewport);
@@ -427,9 +426,9 @@ fn factors_of_vertices_are_linear_in_distance() {
         if start >= end {
             continue;
         }
-        let fog = Fog::linear(start, end).unwrap();
+        let fog = Fog::new(start, end).unwrap();
         let fog = VertexFog::new(&fog, &camera, &model, exponent);
-        let [start, end] = [start, end].map(|c| c.to_f64());
+        let [start, end] = [start, end].map(f64::from);
         let exact = |v: V3| (256.0 * (end - distance(v)) / (end - start)).clamp(0.0, 256.0);
         let mut factors = vec![0; vertices.len()];
         fog.factors(&vertices, &mut factors);
@@ -481,7 +480,7 @@ fn colors_in_fog_are_the_nearest() {
 const FOG: Rgb888 = Rgb888::new(200, 90, 30);
 
 fn table(color: Rgb888) -> FogTable<Rgb888> {
-    let fog = Fog::linear(Scalar::from_int(2), Scalar::from_int(30)).unwrap();
+    let fog = Fog::new(Scalar::from_int(2), Scalar::from_int(30)).unwrap();
     FogTable::new(&fog, &usual(), color).unwrap()
 }
 

@@ -9,7 +9,7 @@ use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
-use pinhole::clip::{Barycentric, Varying};
+use pinhole::shading::{Barycentric, Varying};
 use pinhole::{prelude::*, shading::SpanShader};
 use std::sync::LazyLock;
 use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};

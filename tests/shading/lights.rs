@@ -368,7 +368,7 @@ fn matcap_coordinates_are_within_their_bound() {
         let (model, _) = random_model(&mut rng);
         let view = random_view(&mut rng);
         let (ours, exact) = (view.library().expect("a view"), view.exact());
-        let matcap = Matcap::new(&ours.normals(&model.library()));
+        let matcap = Matcap::new(&ours, &model.library());
         let model = model.exact();
         for _ in 0..5 {
             let n = random_normal(&mut rng);
@@ -410,7 +410,7 @@ fn lists_of_normals_are_lit_one_by_one() {
         check("lights", &|n| light.level(n), &|levels| light.levels(&normals, levels));
         let light = BlinnPhong::new(&model, towards, vector([0, 0, ONE]), 64, 8).expect("a light");
         check("highlights", &|n| light.level(n), &|levels| light.levels(&normals, levels));
-        let matcap = Matcap::new(&random_view(&mut rng).library().expect("a view").normals(&model));
+        let matcap = Matcap::new(&random_view(&mut rng).library().expect("a view"), &model);
         let mut coords = vec![[5; 2]; length];
         matcap.all_coords(&normals, &mut coords);
         for (i, found) in coords.into_iter().enumerate() {

@@ -342,7 +342,7 @@ mod tests {
     }
 
     fn sphere() -> Sphere {
-        Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_int(1))
+        Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_int(1) }
     }
 
     #[test]

@@ -33,7 +33,7 @@ const FILL: f64 = 31.0 / 32.0;
 impl Lens {
     /// The lens of a choice for a mesh with this bounding sphere.
     pub(crate) fn new(choice: &Choice, sphere: &Sphere) -> Self {
-        let radius = sphere.radius.to_f64();
+        let radius = f64::from(sphere.radius);
         let zoom = f64::from(choice.zoom) / 100.0;
         let (width, height) = (f64::from(choice.size.width), f64::from(choice.size.height));
         let narrow = width.min(height);
@@ -116,7 +116,7 @@ impl Lens {
         let between = |near: f64, far: f64| far * near / (far - (far - near) * depth);
         match *self {
             Self::Framing { range: [near, far], .. } => between(near, far),
-            Self::Frustum { near, far, .. } => between(near.to_f64(), far.to_f64()),
+            Self::Frustum { near, far, .. } => between(f64::from(near), f64::from(far)),
             // z/w = −(u + ½)/(1 + u/2), where w = 1 + u/2.
             Self::Matrix(_) => {
                 let z = 2.0 * depth - 1.0;
@@ -219,7 +219,7 @@ mod tests {
     /// Checks points of the sphere, near to and far from the eye.
     #[test]
     fn the_sphere_fills_the_picture_and_its_centre_is_in_the_middle() {
-        let sphere = Sphere::new(Point3::from_ints(1, -2, 3), Scalar::from_ratio(3, 2));
+        let sphere = Sphere { centre: Point3::from_ints(1, -2, 3), radius: Scalar::from_ratio(3, 2) };
         let mut vertices = vec![[256, -512, 768]];
         for i in 0..40 * 80 {
             let (latitude, longitude) =

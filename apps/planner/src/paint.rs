@@ -5,8 +5,8 @@
 use crate::display::{Format, Shown, Tricolor};
 use embedded_graphics_core::pixelcolor::raw::RawU16;
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, PixelColor, Rgb565, Rgb888};
-use pinhole::clip::Barycentric;
 use pinhole::raster::{Span, Triangle};
+use pinhole::shading::Barycentric;
 use pinhole::{
     prelude::*,
     shading::{CornerValues, Shader, SpanShader},

@@ -34,7 +34,7 @@ pub(crate) fn light(_: LightError) -> String {
 pub(crate) fn camera(error: CameraError) -> String {
     match error {
         CameraError::NoRadius => "the model has no extent: it needs at least two different vertices",
-        CameraError::TooFar | CameraError::EyeOutside | CameraError::OutOfRange => {
+        CameraError::OutOfRange => {
             "the model is too large for its unit: choose a larger unit, or a wider field of view"
         }
         CameraError::TooNear => {

@@ -2,8 +2,8 @@
 //! once for a pixel format, and not once more for each kind of shader.
 
 use crate::paint::Colour;
-use pinhole::clip::Barycentric;
 use pinhole::raster::{Span, Triangle};
+use pinhole::shading::Barycentric;
 use pinhole::{
     prelude::*,
     shading::{CornerValues, Dithered, Shader, SpanShader},

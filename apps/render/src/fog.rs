@@ -77,11 +77,11 @@ impl FogStyle {
         }
         let camera = quantised.camera();
         match self.profile {
-            Profile::Linear => Fog::linear(start, end).and_then(|fog| FogTable::new(&fog, &camera, colour)),
+            Profile::Linear => Fog::new(start, end).and_then(|fog| FogTable::new(&fog, &camera, colour)),
             Profile::Exponential => {
-                Fog::exponential(start, end).and_then(|fog| FogTable::new(&fog, &camera, colour))
+                Fog::new(start, end).and_then(|fog| FogTable::exponential(&fog, &camera, colour))
             }
-            Profile::Squared => Fog::squared(start, end).and_then(|fog| FogTable::new(&fog, &camera, colour)),
+            Profile::Squared => Fog::new(start, end).and_then(|fog| FogTable::squared(&fog, &camera, colour)),
         }
         .map_err(|e| format!("fog: {e}"))
     }

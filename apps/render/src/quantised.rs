@@ -109,7 +109,7 @@ impl Quantised {
     /// A distance in the scene's units in the crate's; the largest or smallest number for one beyond.
     pub(crate) fn distance(&self, distance: f64) -> Scalar {
         let distance = distance * two_to(self.units.world);
-        Scalar::from_f64(distance).unwrap_or(if distance < 0.0 { Scalar::MIN } else { Scalar::MAX })
+        Scalar::try_from(distance).unwrap_or(if distance < 0.0 { Scalar::MIN } else { Scalar::MAX })
     }
 
     /// A point of the world in the crate's numbers.

@@ -8,7 +8,7 @@ use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model, View, World};
 use pinhole::{
     bands::{DirtyRegions, TransferCost},
-    camera::{PlanarProjection, ReferenceVolume, Window},
+    camera::Window,
     math::Sphere,
     mesh::{Hierarchy, Node},
     prelude::*,
@@ -65,9 +65,8 @@ pub(crate) fn log() {
 
     let [zero, one, two] = [0, 1, 2].map(Scalar::from_int);
     let window = Window { left: -two, right: two, bottom: -one, top: one };
-    let volume = ReferenceVolume::parallel(Point3::from_ints(0, 0, 1), window, zero, -two);
+    let volume = Projection::parallel_from_reference(Point3::from_ints(0, 0, 1), window, zero, -two);
     debug!("{}", volume.expect("a volume"));
-    debug!("{}", PlanarProjection::parallel());
     let lens =
         Projection::perspective(Angle::degrees(90), AREA.size, one, one + two).expect("near before far");
     debug!("{}", lens);

@@ -108,6 +108,7 @@ impl SetUp {
         for (rho, [linear, constant]) in rho.iter_mut().zip(projections::parts(&self.bits.1)) {
             *rho += linear * reach + constant;
         }
+        rho[3] += projections::cancelled(&self.bits.1);
         rho
     }
 
@@ -234,7 +235,7 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
     let mesh = Mesh::new(&vertices, exponent, &[]).expect("a mesh");
     let model_ours = model.library();
     let instance = set_up.camera.place(&mesh, &model_ours);
-    let found = set_up.camera.visibility(&mesh.bounding_sphere(), &model_ours);
+    let found = set_up.camera.frustum().visibility(&mesh.bounding_sphere(), &model_ours);
     for (i, &v) in vertices.iter().enumerate() {
         let got = instance.project(i).ok();
         // The documented world.

@@ -93,7 +93,7 @@ impl Reasons {
         self.when(n >= f, E::NearNotBeforeFar);
         if n > 0 && n < f {
             let size = fx(n) * fx(f) / (f64::from(f) - f64::from(n)) * 65_536.0;
-            self.below(size, LIMIT, E::NearTooCloseToFar);
+            self.below(size, LIMIT, E::NearNotBeforeFar);
         }
     }
 
@@ -104,12 +104,12 @@ impl Reasons {
         for (low, high) in [(l, r), (b, t)] {
             if low < high {
                 let (low, high) = (f64::from(low), f64::from(high));
-                self.below((low + high).abs() / (high - low), LIMIT, E::WindowTooSmall);
+                self.below((low + high).abs() / (high - low), LIMIT, E::EmptyWindow);
             }
         }
         if near < far {
             let (n, f) = (near as f64, far as f64);
-            self.below(n.abs() / (f - n), LIMIT, E::NearTooCloseToFar);
+            self.below(n.abs() / (f - n), LIMIT, E::NearNotBeforeFar);
         }
     }
 
@@ -131,7 +131,7 @@ fn reasons(family: &Family) -> Reasons {
     match *family {
         Family::FieldOfView(fov, (w, h), n, f) => {
             all.when(!(1 << 20..=(1 << 31) - (1 << 20)).contains(&fov), E::FieldOfView);
-            all.when(w == 0 || h == 0, E::EmptyAspect);
+            all.when(w == 0 || h == 0, E::EmptyViewport);
             all.central(n, f);
         }
         Family::Frustum(w, n, f) => {
@@ -145,10 +145,10 @@ fn reasons(family: &Family) -> Reasons {
             all.when(back >= front, E::NearNotBeforeFar);
             all.window(w);
             let depth = f64::from(front) - f64::from(back);
-            all.below((f64::from(pn) - f64::from(front)) / depth, LIMIT, E::NearTooCloseToFar);
+            all.below((f64::from(pn) - f64::from(front)) / depth, LIMIT, E::NearNotBeforeFar);
             for (low, high) in [(w[0], w[1]), (w[2], w[3])] {
                 let (low, high) = (f64::from(low), f64::from(high));
-                all.below((low + high).abs() / (high - low) * fx(pn), LIMIT, E::WindowTooSmall);
+                all.below((low + high).abs() / (high - low) * fx(pn), LIMIT, E::EmptyWindow);
             }
         }
         Family::ReferenceParallel([_, _, pn], w, front, back) => {
@@ -227,6 +227,7 @@ pub(crate) fn parts(family: &Family) -> [[f64; 2]; 2] {
         _ => return [[0.0; 2]; 2],
     };
     let (Planar { slope, constant, image }, picture) = (terms(family), family.picture());
+    let constant = constant.abs() + cancelled(family);
     let slant = |axis: usize| match picture.projectors {
         Projectors::From(c) => c[axis] / (c[2] - picture.plane),
         Projectors::Along(d) => d[axis] / d[2],
@@ -238,6 +239,15 @@ pub(crate) fn parts(family: &Family) -> [[f64; 2]; 2] {
     })
 }
 
+/// What cancels in the constant of w = 1 + (z − plane)/plane of a planar projection from the origin: 1 twice.
+pub(crate) fn cancelled(family: &Family) -> f64 {
+    if matches!(family, Family::EyeAtOrigin(..)) {
+        2.0
+    } else {
+        0.0
+    }
+}
+
 /// A planar projection's picture: near and far before the centre, and no constant beyond 2³⁰.
 fn planar_reasons(all: &mut Reasons, family: &Family, plane: bool, w: [i32; 4], n: i32, f: i32) {
     all.window(w);
@@ -247,7 +257,7 @@ fn planar_reasons(all: &mut Reasons, family: &Family, plane: bool, w: [i32; 4], 
     }
     let Planar { slope, constant, image } = terms(family);
     if saturates(family) {
-        all.perhaps.extend([E::NearNotPositive, E::NearTooCloseToFar, E::WindowTooSmall, E::OutOfRange]);
+        all.perhaps.extend([E::NearNotPositive, E::NearNotBeforeFar, E::EmptyWindow, E::OutOfRange]);
         return;
     }
     let at = |distance: i32| constant - slope * fx(distance);
@@ -271,7 +281,7 @@ fn planar_reasons(all: &mut Reasons, family: &Family, plane: bool, w: [i32; 4], 
     };
     if n < f {
         let slope = fx(n) / (fx(f) - fx(n));
-        limit(all, [at(f) * slope, step * slope], E::NearTooCloseToFar);
+        limit(all, [at(f) * slope, step * slope], E::NearNotBeforeFar);
     }
     for (axis, low, high) in [(0, fx(w[0]), fx(w[1])), (1, fx(w[2]), fx(w[3]))] {
         if low >= high {
@@ -280,7 +290,7 @@ fn planar_reasons(all: &mut Reasons, family: &Family, plane: bool, w: [i32; 4], 
         limit(
             all,
             [2.0 * image[axis] / (high - low), -constant * (low + high) / (high - low)],
-            E::WindowTooSmall,
+            E::EmptyWindow,
         );
     }
 }

@@ -1,6 +1,7 @@
 //! Colours and texture coordinates of OBJ files, from the text to the generated source.
 
 use crate::common::{file, folder, obj_beside, said};
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use pinhole_import::{import, import_bytes, preview, ImportedMesh, Options};
 use std::path::{Path, PathBuf};
 
@@ -64,7 +65,8 @@ fn by_vertex(mesh: &ImportedMesh) -> Vec<Face> {
             .collect();
         corners.sort_by_key(|(vertex, _)| *vertex);
         let missing = 10 - corners.iter().map(|(vertex, _)| vertex).sum::<usize>();
-        let color = colors.palette()[usize::from(colors.faces()[face])];
+        let color: Rgb888 = colors.color(face);
+        let color = [color.r(), color.g(), color.b()];
         ([4, 3, 1, 2].iter().position(|&m| m == missing).unwrap(), color, corners)
     };
     (0..mesh.faces.len()).map(of).collect()

@@ -244,7 +244,7 @@ fn planes_are_those_of_the_finished_mesh() {
     assert_eq!(plain, ImportedMesh { planes: Vec::new(), ..made });
     assert_eq!(
         plain.mesh_with_planes().unwrap_err(),
-        MeshError::PlaneCount { faces: plain.faces.len(), planes: 0 }
+        MeshError::ListLength { one: "plane per face", given: 0, needed: plain.faces.len() }
     );
     assert!(plain.mesh().unwrap().planes().is_empty() && !Options::default().planes);
 }

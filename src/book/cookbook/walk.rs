@@ -40,8 +40,8 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(
 ) -> Result<Statistics, D::Error> {
     let mut buffers = mesh_buffers!([CUBE; 50]);
     let mut strip = strip_buffers!(Rgb565, SIZE.width, 8);
-    let gaze = Vector3::new(-heading.sin(), Scalar::ZERO, -heading.cos());
-    let view = ViewTransform::look_along(eye, gaze, Vector3::from_ints(0, 1, 0)).expect("a level gaze");
+    let back = Vector3::new(heading.sin(), Scalar::ZERO, heading.cos()); // against the gaze
+    let view = ViewTransform::from_reference(eye, back, Vector3::from_ints(0, 1, 0)).expect("a level gaze");
     let viewport = Viewport::new(Point::zero(), SIZE).expect("a small display");
     let camera = Camera::new(&view, &LENS, &viewport);
     let placed = town.place(&camera);

@@ -44,7 +44,7 @@ impl Projection {
     /// let reverse =
     ///     [[0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, -0.25, -1.0], [0.0, 0.0, 0.125, 1.0]];
     /// let lens = Projection::from_matrix(&reverse)?;
-    /// let across = |z| lens.apply(Point3::<View>::from_ints(1, 0, z)).ndc().map(|ndc| ndc.x().to_f32());
+    /// let across = |z| lens.apply(Point3::<View>::from_ints(1, 0, z)).map(|ndc| f64::from(ndc.x()));
     /// assert_eq!((across(0), across(-4)), (Some(0.5), Some(1.0)));
     /// assert_eq!(lens.to_matrix(), reverse.map(|row| row.map(|c| 0.5 * c))); // the same for any positive factor
     /// # Ok::<(), CameraError>(())

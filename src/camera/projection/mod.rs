@@ -11,7 +11,5 @@ mod volume;
 mod window;
 
 pub(super) use parts::ratio;
-pub use planar::PlanarProjection;
 pub use projection::Projection;
-pub use reference::ReferenceVolume;
 pub use window::Window;

@@ -30,9 +30,9 @@ impl Projection {
     ///
     /// # Errors
     ///
-    /// [`CameraError::EmptyWindow`], [`WindowTooSmall`](CameraError::WindowTooSmall),
+    /// [`CameraError::EmptyWindow`], [`EmptyWindow`](CameraError::EmptyWindow),
     /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar) and
-    /// [`NearTooCloseToFar`](CameraError::NearTooCloseToFar).
+    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar).
     pub fn oblique(
         window: Window,
         near: Scalar,

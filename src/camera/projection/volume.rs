@@ -35,10 +35,10 @@ impl Projection {
     ///
     /// # Errors
     ///
-    /// [`CameraError::FieldOfView`], [`EmptyAspect`](CameraError::EmptyAspect),
+    /// [`CameraError::FieldOfView`], [`EmptyViewport`](CameraError::EmptyViewport),
     /// [`NearNotPositive`](CameraError::NearNotPositive),
     /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar) and
-    /// [`NearTooCloseToFar`](CameraError::NearTooCloseToFar).
+    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar).
     #[inline(never)] // set-up: code size counts, speed does not
     pub const fn perspective(
         fov_y: Angle,
@@ -50,7 +50,7 @@ impl Projection {
             return Err(CameraError::FieldOfView);
         }
         if aspect.width == 0 || aspect.height == 0 {
-            return Err(CameraError::EmptyAspect);
+            return Err(CameraError::EmptyViewport);
         }
         let (sine, cosine) = Angle::from_bits(fov_y.bits() / 2).sin_cos();
         // Half angles of 1/8192 … 2047/8192 turn: both positive, 30 bits; times 32-bit sides.
@@ -102,8 +102,8 @@ impl Projection {
     /// // The right half of a picture, for the second of two displays.
     /// let right = Window { left: zero, right: one, bottom: -one, top: one };
     /// let lens = Projection::frustum(right, one, two)?;
-    /// assert_eq!(lens.apply(Point3::<View>::from_ints(0, 0, -2)).ndc(), Some(Point3::from_ints(-1, 0, 1)));
-    /// assert_eq!(lens.apply(Point3::<View>::from_ints(1, 0, -1)).ndc(), Some(Point3::from_ints(1, 0, -1)));
+    /// assert_eq!(lens.apply(Point3::<View>::from_ints(0, 0, -2)), Some(Point3::from_ints(-1, 0, 1)));
+    /// assert_eq!(lens.apply(Point3::<View>::from_ints(1, 0, -1)), Some(Point3::from_ints(1, 0, -1)));
     /// # Ok::<(), CameraError>(())
     /// ```
     ///
@@ -111,7 +111,7 @@ impl Projection {
     ///
     /// [`CameraError::EmptyWindow`], [`NearNotPositive`](CameraError::NearNotPositive),
     /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar) and
-    /// [`NearTooCloseToFar`](CameraError::NearTooCloseToFar).
+    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar).
     pub const fn frustum(window: Window, near: Scalar, far: Scalar) -> Result<Self, CameraError> {
         let Window { left, right, bottom, top } = window;
         let (Some(x), Some(y)) = (Self::shear(0, left, right, near), Self::shear(1, bottom, top, near))
@@ -143,7 +143,7 @@ impl Projection {
         let Some(depth) = extent(near, far) else { return Err(CameraError::NearNotBeforeFar) };
         let (n, f) = (near.to_bits() as i64, far.to_bits() as i64);
         let Some(at_eye) = offset(-n * f, depth << 16) else {
-            return Err(CameraError::NearTooCloseToFar);
+            return Err(CameraError::NearNotBeforeFar);
         };
         let d = row(2, ratio(-f, depth), at_eye);
         let w = row(2, (-1, 0), 0);
@@ -169,7 +169,7 @@ impl Projection {
     /// let [one, two, three] = [1, 2, 3].map(Scalar::from_int);
     /// let window = Window { left: -two, right: two, bottom: -one, top: one };
     /// let lens = Projection::orthographic(window, one, three)?;
-    /// let ndc = |z| lens.apply(Point3::<View>::from_ints(1, 1, z)).ndc();
+    /// let ndc = |z| lens.apply(Point3::<View>::from_ints(1, 1, z));
     /// assert_eq!(ndc(-1), Point3::from_f32(0.5, 1.0, -1.0).ok()); // on the near plane
     /// assert_eq!(ndc(-3), Point3::from_f32(0.5, 1.0, 1.0).ok()); // on the far plane: no smaller
     /// # Ok::<(), CameraError>(())
@@ -177,9 +177,9 @@ impl Projection {
     ///
     /// # Errors
     ///
-    /// [`CameraError::EmptyWindow`], [`WindowTooSmall`](CameraError::WindowTooSmall),
+    /// [`CameraError::EmptyWindow`], [`EmptyWindow`](CameraError::EmptyWindow),
     /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar) and
-    /// [`NearTooCloseToFar`](CameraError::NearTooCloseToFar).
+    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar).
     pub const fn orthographic(window: Window, near: Scalar, far: Scalar) -> Result<Self, CameraError> {
         let Window { left, right, bottom, top } = window;
         let (x, y) = match (Self::centred(0, left, right), Self::centred(1, bottom, top)) {
@@ -188,7 +188,7 @@ impl Projection {
         };
         let Some(depth) = extent(near, far) else { return Err(CameraError::NearNotBeforeFar) };
         let Some(at_eye) = offset(-(near.to_bits() as i64), depth) else {
-            return Err(CameraError::NearTooCloseToFar);
+            return Err(CameraError::NearNotBeforeFar);
         };
         let d = row(2, ratio(-1 << 16, depth), at_eye);
         let w = Row { offset: 1 << 32, ..Row::ZERO };
@@ -199,7 +199,7 @@ impl Projection {
     const fn centred(axis: usize, low: Scalar, high: Scalar) -> Result<Row, CameraError> {
         let Some(extent) = extent(low, high) else { return Err(CameraError::EmptyWindow) };
         let sum = low.to_bits() as i64 + high.to_bits() as i64;
-        let Some(centre) = offset(-sum, extent) else { return Err(CameraError::WindowTooSmall) };
+        let Some(centre) = offset(-sum, extent) else { return Err(CameraError::EmptyWindow) };
         Ok(row(axis, ratio(2 << 16, extent), centre))
     }
 }

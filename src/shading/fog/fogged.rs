@@ -42,7 +42,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// const FLOOR: [[i16; 3]; 4] = [[-90, 0, 0], [90, 0, 0], [90, 0, -90], [-90, 0, -90]];
 /// let mesh = Mesh::new(&FLOOR, 0, &[[0, 1, 2], [0, 2, 3]])?;
 /// let instance = camera.place(&mesh, &pinhole::Affine::identity());
-/// let fog = Fog::linear(Scalar::from_int(10), Scalar::from_int(40))?;
+/// let fog = Fog::new(Scalar::from_int(10), Scalar::from_int(40))?;
 /// let table = FogTable::new(&fog, &camera, Rgb565::WHITE)?;
 /// # let mut pixels = [Rgb565::BLACK; 64 * 64];
 /// # let mut picture = Picture::new(&mut pixels, Size::new(64, 64))?;

@@ -13,6 +13,5 @@ mod vertex;
 pub use fogged::Fogged;
 pub(crate) use levels::{Bounds as FogBounds, FogLevel};
 pub use linear::Fog;
-pub use profile::{ExponentialFog, FogProfile, LinearFog, SquaredFog};
 pub use table::FogTable;
 pub use vertex::VertexFog;

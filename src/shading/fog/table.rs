@@ -1,7 +1,7 @@
 //! The factor of fog as a table over the fog's own range of depth.
 
 use super::linear::Fog;
-use super::profile::FogProfile;
+use super::profile;
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::raster::Gradient;
@@ -27,7 +27,7 @@ pub(super) const LEVELS: usize = 32;
 /// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
 /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(100))?;
 /// let camera = Camera::new(&view, &lens, &viewport); // 8 before the origin
-/// let fog = Fog::linear(Scalar::from_int(4), Scalar::from_int(20))?;
+/// let fog = Fog::new(Scalar::from_int(4), Scalar::from_int(20))?;
 /// let table = FogTable::new(&fog, &camera, Rgb565::WHITE)?;
 /// let depth = camera.project(Point3::from_ints(0, 0, 0))?.depth;
 /// assert_eq!(table.factor(depth), 24); // a quarter of the way: 24 of 32 are left
@@ -43,18 +43,68 @@ pub struct FogTable<C> {
 }
 
 impl<C> FogTable<C> {
-    /// The fewest steps of depth between the start and the end of fog.
-    pub const LEAST_STEPS: u16 = LEAST_FOG_STEPS;
-
-    /// The table of a fog of this colour before this camera.
+    /// The table of a fog of this colour before this camera, whose factor is linear in the distance (`GL_LINEAR`).
     ///
     /// # Errors
     ///
     /// [`LightError::SlantedDepth`] if the projection's depth does not depend on the distance alone: only projections from matrices
-    /// have such depth. [`LightError::TooFewFogSteps`] if fewer than [`LEAST_STEPS`](Self::LEAST_STEPS) steps of depth lie between the
+    /// have such depth. [`LightError::TooFewFogSteps`] if fewer than 8 steps of depth lie between the
     /// start and the end of the fog, or in the part of it between the near and the far plane.
     #[inline(never)] // set-up: code size counts, speed does not
-    pub fn new<P: FogProfile>(fog: &Fog<P>, camera: &Camera, color: C) -> Result<Self, LightError> {
+    pub fn new(fog: &Fog, camera: &Camera, color: C) -> Result<Self, LightError> {
+        Self::by_profile(fog, camera, color, profile::linear)
+    }
+
+    /// The table of fog of constant density (`GL_EXP`): over each unit of distance from the fog's start on, a colour loses an equal part
+    /// of what is left of it. At the part t of the way from start to end, 64^(−t) is left. At the end and beyond, less than 1/64 is left,
+    /// which is rounded to none. OpenGL's density d, with fog from the eye on, is ln 64/d = 4.159/d for the end and 0 for the start.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+    /// use pinhole::{fog::{Fog, FogTable}, Scalar};
+    /// # use pinhole::{prelude::*, Angle};
+    /// # use embedded_graphics::geometry::{Point, Size};
+    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// # let [eye, origin] = [8, 0].map(|z| Point3::from_ints(0, 0, z));
+    /// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
+    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(100))?;
+    /// # let camera = Camera::new(&view, &lens, &viewport);
+    /// let fog = Fog::new(Scalar::ZERO, Scalar::from_int(16))?;
+    /// let depth = camera.project(Point3::from_ints(0, 0, 0))?.depth; // 8 before the camera, half of the way
+    /// assert_eq!(FogTable::new(&fog, &camera, Gray8::WHITE)?.factor(depth), 16);
+    /// assert_eq!(FogTable::exponential(&fog, &camera, Gray8::WHITE)?.factor(depth), 4); // 32·64^(−1/2)
+    /// assert_eq!(FogTable::squared(&fog, &camera, Gray8::WHITE)?.factor(depth), 11); // 32·64^(−1/4) = 11.3
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`new`](Self::new).
+    #[inline(never)] // set-up: code size counts, speed does not
+    pub fn exponential(fog: &Fog, camera: &Camera, color: C) -> Result<Self, LightError> {
+        Self::by_profile(fog, camera, color, profile::exponential)
+    }
+
+    /// The table of fog that is thin near its start and then grows fast (`GL_EXP2`): at the part t of the way from start to end,
+    /// 64^(−t²) of a colour is left. OpenGL's density d, with fog from the eye on, is √(ln 64)/d = 2.039/d for the end and 0 for the
+    /// start. [`exponential`](Self::exponential) has an example.
+    ///
+    /// # Errors
+    ///
+    /// As [`new`](Self::new).
+    #[inline(never)] // set-up: code size counts, speed does not
+    pub fn squared(fog: &Fog, camera: &Camera, color: C) -> Result<Self, LightError> {
+        Self::by_profile(fog, camera, color, profile::squared)
+    }
+
+    /// The table by a profile of this module: a program links those that it uses.
+    #[inline(always)]
+    fn by_profile(
+        fog: &Fog,
+        camera: &Camera,
+        color: C,
+        share: impl Fn(u32) -> u32,
+    ) -> Result<Self, LightError> {
         let [start, end] = fog.range().map(i64::from);
         let depth_at = |distance| camera.depth_at(distance).ok_or(LightError::SlantedDepth);
         let (first, last) = (depth_at(start << 16)?, depth_at(end << 16)?);
@@ -70,7 +120,7 @@ impl<C> FogTable<C> {
         for (odd, bound) in (1_u32..).step_by(2).zip(bounds.iter_mut().skip(1).take(LEVELS)) {
             // Half-way between two levels: a share of the range. The range has 33 bits, the product with a share in 2⁻⁴⁶ has 63,
             // shifted to 2⁻³².
-            let depth = depth_at((start << 16) + (((end - start) * i64::from(P::share(odd))) >> 14))?;
+            let depth = depth_at((start << 16) + (((end - start) * i64::from(share(odd))) >> 14))?;
             least = depth.saturating_add(Gradient::DEPTH_BIAS).max(least);
             *bound = least;
         }

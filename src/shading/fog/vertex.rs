@@ -31,7 +31,7 @@ use crate::space::{Model, World};
 /// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
 /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(100))?;
 /// let camera = Camera::new(&view, &lens, &viewport); // at z = 8, towards −z
-/// let fog = Fog::linear(Scalar::from_int(4), Scalar::from_int(20))?;
+/// let fog = Fog::new(Scalar::from_int(4), Scalar::from_int(20))?;
 /// let fog = VertexFog::new(&fog, &camera, &Affine::identity(), 0);
 /// assert_eq!(fog.factor([3, 2, 0]), 192); // 8 before the camera, a quarter of the way
 /// assert_eq!(fog.factor([0, 0, -90]), 0);

@@ -65,16 +65,6 @@ impl<'t, C: PixelColor, const BITS: u32> IndexedTexels<'t, C, BITS> {
             _ => Err(TextureError::Palette { needed, given }),
         }
     }
-
-    /// These texels with the colours of another palette.
-    ///
-    /// # Errors
-    ///
-    /// [`TextureError::Palette`] if there are fewer than 2^`BITS` colours.
-    pub const fn with_palette(self, palette: &'t [C]) -> Result<Self, TextureError> {
-        let [w, h] = self.bits;
-        Self::new(self.bytes, 1 << w, 1 << h, palette)
-    }
 }
 
 impl<C: PixelColor, const BITS: u32> IndexedTexels<'_, C, BITS> {

@@ -57,11 +57,6 @@ impl<C, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROWS> {
         Self(rows)
     }
 
-    /// The rows, from no light to full light.
-    pub const fn rows(&self) -> &[[C; COLORS]; ROWS] {
-        &self.0
-    }
-
     /// The row nearest to a level of light: 0 … 256 (more counts as 256).
     #[inline]
     pub fn row(&self, level: u16) -> &[C; COLORS] {

@@ -7,10 +7,7 @@ use crate::bridge::pair::window;
 use crate::bridge::{point, scalar, vector};
 use crate::oracle::chain::{self, fx, fx3, Viewport, V3};
 use embedded_graphics_core::geometry::Size;
-use pinhole::{
-    camera::{CameraError, PlanarProjection, ReferenceVolume},
-    Angle, Projection,
-};
+use pinhole::{camera::CameraError, Angle, Projection};
 
 /// All lines that project: through one centre, or along one direction.
 #[derive(Clone, Copy, Debug)]
@@ -109,8 +106,8 @@ pub enum Family {
 
 impl Family {
     pub fn library(&self) -> Result<Projection, CameraError> {
-        let planar = |planar: PlanarProjection, w, n, f| {
-            Projection::from_planar(&planar, window(w), scalar(n), scalar(f))
+        let planar = |z: i32, q: Option<i32>, d: [i32; 3], w, n, f| {
+            Projection::planar(scalar(z), q.map(scalar), vector(d), window(w), scalar(n), scalar(f))
         };
         match *self {
             Self::FieldOfView(fov, (w, h), n, f) => {
@@ -122,19 +119,15 @@ impl Family {
                 Projection::oblique(window(w), scalar(n), scalar(f), Angle::from_bits(angle), scalar(factor))
             }
             Self::Reference(p, w, front, back) => {
-                let volume = ReferenceVolume::perspective(point(p), window(w), scalar(front), scalar(back))?;
-                Ok(Projection::from_reference(&volume))
+                Projection::perspective_from_reference(point(p), window(w), scalar(front), scalar(back))
             }
             Self::ReferenceParallel(p, w, front, back) => {
-                let volume = ReferenceVolume::parallel(point(p), window(w), scalar(front), scalar(back))?;
-                Ok(Projection::from_reference(&volume))
+                Projection::parallel_from_reference(point(p), window(w), scalar(front), scalar(back))
             }
-            Self::EyeAtOrigin(d, w, n, f) => planar(PlanarProjection::eye_at_origin(scalar(d))?, w, n, f),
-            Self::OriginInPlane(d, w, n, f) => planar(PlanarProjection::origin_in_plane(scalar(d))?, w, n, f),
-            Self::PlanarParallel(w, n, f) => planar(PlanarProjection::parallel(), w, n, f),
-            Self::General(z, q, d, w, n, f) => {
-                planar(PlanarProjection::general(scalar(z), q.map(scalar), vector(d))?, w, n, f)
-            }
+            Self::EyeAtOrigin(d, w, n, f) => planar(d, Some(d), [0, 0, -1], w, n, f),
+            Self::OriginInPlane(d, w, n, f) => planar(0, Some(d), [0, 0, -1], w, n, f),
+            Self::PlanarParallel(w, n, f) => planar(0, None, [0, 0, 1], w, n, f),
+            Self::General(z, q, d, w, n, f) => planar(z, q, d, w, n, f),
         }
     }
 

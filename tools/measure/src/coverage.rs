@@ -1,8 +1,9 @@
 //! The rasteriser alone: draws triangles and lines from a JSON file and counts how often each pixel is drawn.
 
+use crate::bridge::{line_spans, triangle_spans};
+use crate::oracle::coverage::Area;
 use clap::{value_parser, Arg, ArgMatches, Command};
-use core::convert::Infallible;
-use pinhole::raster::{self, Pixel, Scissor, ScreenPoint, Span, GUARD_BAND};
+use pinhole::raster::Span;
 use pinhole_apps_support::{command, files};
 use pinhole_render::json::{self, Whole};
 use serde::Deserialize;
@@ -21,7 +22,7 @@ OUT: for each pixel, row by row from the top, a little-endian u32: how many tria
 Bad input: one line on stderr, exit code 2, and OUT is not changed."#;
 
 /// A coordinate of a triangle.
-type Subpixels = Whole<{ -GUARD_BAND * 256 }, { GUARD_BAND * 256 }>;
+type Subpixels = Whole<-2_097_152, 2_097_152>;
 /// A coordinate of a line. The documented range is symmetric; `Pixel` could hold -32768 too.
 type Pixels = Whole<-32_767, 32_767>;
 
@@ -54,21 +55,18 @@ fn draw(from: &Path, to: &Path) -> Result<(), String> {
     files::apart(from, [to])?;
     let Input { width, height, triangles, lines } = json::read(from)?;
     let (width, height) = (width.0 as usize, height.0 as usize); // at most 4096
-    let scissor = Scissor::new(0, 0, width as i32, height as i32);
+    let area = Area::new(0, 0, width as i64, height as i64);
     // How often each pixel was drawn, as the differences between neighbouring pixels, row by row, and one more for what ends with the
     // last row: a span then costs two additions a row, however wide it is.
     let mut counts = vec![0u32; width * height + 1];
+    let point = |x: i32, y: i32| (i64::from(x), i64::from(y));
     for [x0, y0, x1, y1, x2, y2] in &triangles {
-        let corners = [(x0, y0), (x1, y1), (x2, y2)].map(|(x, y)| ScreenPoint::from_subpixels(x.0, y.0));
-        // All are inside the guard band.
-        if let [Some(a), Some(b), Some(c)] = corners {
-            let Ok(()) = raster::triangle([a, b, c], &scissor, |span| add(&mut counts, width, span));
-        }
+        let corners = [point(x0.0, y0.0), point(x1.0, y1.0), point(x2.0, y2.0)];
+        triangle_spans(corners, area).into_iter().for_each(|span| add(&mut counts, width, span));
     }
     for [x0, y0, x1, y1] in &lines {
-        let pixel = |x: &Pixels, y: &Pixels| Pixel { x: x.0 as i16, y: y.0 as i16 }; // within ±32767
-        let Ok(()) =
-            raster::line(pixel(x0, y0), pixel(x1, y1), &scissor, |span| add(&mut counts, width, span));
+        let spans = line_spans(point(x0.0, y0.0), point(x1.0, y1.0), area);
+        spans.into_iter().for_each(|span| add(&mut counts, width, span));
     }
     counts.pop();
     let mut sum = 0u32; // a file cannot hold enough triangles and lines for a count to pass 32 bits
@@ -89,7 +87,7 @@ fn draw(from: &Path, to: &Path) -> Result<(), String> {
 }
 
 /// Panics if the span leaves the picture: the rasteriser keeps to its scissor.
-fn add(differences: &mut [u32], stride: usize, span: Span) -> Result<(), Infallible> {
+fn add(differences: &mut [u32], stride: usize, span: Span) {
     let Span { x, y, width, height } = span;
     assert!(x >= 0 && y >= 0 && width >= 1 && height >= 1, "{span:?}");
     let (x, y, width, height) = (x as usize, y as usize, width as usize, height as usize);
@@ -98,5 +96,4 @@ fn add(differences: &mut [u32], stride: usize, span: Span) -> Result<(), Infalli
         differences[start] = differences[start].wrapping_add(1);
         differences[start + width] = differences[start + width].wrapping_sub(1);
     }
-    Ok(())
 }

@@ -3,13 +3,12 @@
 use crate::any;
 use crate::inputs::{area, color, levels, pixel, report, size, wide_color};
 use crate::targets::{Least, Wire};
-use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point};
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, Rgb565};
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
-use pinhole::raster::{self, Scissor, ScreenPoint, Span};
+use pinhole::raster::{self, ScreenPoint};
 use pinhole::space::{Model, World};
 use pinhole::{
     bands::{DirtyRegions, Tracked, TransferCost},
@@ -312,18 +311,6 @@ fn draw_scene(scene: &pinhole::draw::Scene<'_, Rgb565, 5>, camera: &Camera, stor
     theirs.depth_only(&mut depth);
 }
 
-fn span(span: Span) -> Result<(), i32> {
-    black_box(span);
-    match any() {
-        0 => Ok(()),
-        error => Err(error),
-    }
-}
-
-fn scissor() -> Scissor {
-    Scissor::new(any(), any(), any(), any())
-}
-
 /// What two cores draw with.
 struct Cores<'a> {
     instance: MeshInstance<'a>,
@@ -424,9 +411,6 @@ entries! {
     entry_two_cores(cores: &mut Cores<'_>) { two_cores(cores) }
     entry_two_cores_with_depth(cores: &mut Cores<'_>) { two_cores_with_depth(cores) }
 
-    entry_raster_triangle(corners: [ScreenPoint; 3]) -> Result<(), i32> { raster::triangle(corners, &scissor(), span) }
-    entry_raster_area(corners: [ScreenPoint; 3]) -> i64 { raster::area(&corners) }
-    entry_raster_line(from: raster::Pixel, to: raster::Pixel) -> Result<(), i32> { raster::line(from, to, &scissor(), span) }
     entry_raster_pixel(point: ScreenPoint) -> raster::Pixel { point.pixel() }
     entry_raster_screen_point() -> Option<ScreenPoint> { ScreenPoint::from_subpixels(any(), any()) }
 

@@ -9,21 +9,16 @@ use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::clip::{self, Varying};
 use pinhole::raster::{Gradient, Pixel, ScreenPoint, Triangle};
-use pinhole::space::{Canonical, Model, Ndc, View, World};
+use pinhole::shading::Varying;
+use pinhole::space::{Model, Ndc, View, World};
 use pinhole::{
     bands::DirtyRegions,
-    camera::{
-        CameraError, Frustum, PlanarProjection, Projected, Ray, ReferenceVolume, Side, VanishingPoint,
-        Visibility,
-    },
-    clip::{ClipPoint, Outcode},
+    camera::{CameraError, Frustum, Projected, Ray, Visibility},
     color::{Format, StoredPixel},
     draw::TransformedMesh,
-    fog::{Fog, SquaredFog},
     light::{BlinnPhong, DirectionalLight, LightError, Lights, Matcap, PointLight, RigidLambert},
-    math::{MathError, NormalMatrix, Quaternion, Sphere},
+    math::{MathError, Sphere},
     mesh::{edge_faces, Coordinate, FaceColors, Hierarchy, MeshError, Node, TextureCoords, WithPlanes},
     prelude::*,
     texture::LitPalette,
@@ -73,10 +68,10 @@ entries! {
     entry_scalar_operators(a: Scalar, b: Scalar) -> [Scalar; 6] { [a + b, a - b, a * b, a / b, -a, a.abs()] }
     entry_scalar_assignments(a: &mut Scalar) { *a += scalar(); *a -= scalar(); *a *= scalar(); *a /= scalar() }
     entry_scalar_from() -> [Scalar; 3] { [Scalar::from_int(any()), Scalar::from_ratio(any(), any()), Scalar::from(any() as i16)] }
-    entry_scalar_from_floats(single: f32, double: f64) -> [Result<Scalar, MathError>; 2] { [Scalar::from_f32(single), Scalar::from_f64(double)] }
+    entry_scalar_from_floats(single: f32, double: f64) -> [Result<Scalar, MathError>; 2] { [Scalar::from_f32(single), Scalar::try_from(double)] }
     entry_scalar_from_num(single: f32, double: f64) -> [Scalar; 2] { [Scalar::from_num(single), Scalar::from_num(double)] }
     entry_scalar_from_text(text: &str) -> Result<Scalar, MathError> { text.parse() }
-    entry_scalar_to(a: Scalar) -> (f32, f64) { (a.to_f32(), a.to_f64()) }
+    entry_scalar_to(a: Scalar) -> f64 { a.into() }
     entry_angle(a: Angle, b: Angle) -> (i32, i32) { (a + b - -Angle::turns(any(), any() as u32) + Angle::degrees(any())).sin_cos() }
     entry_sin_cos(a: Angle) -> (Scalar, Scalar) { (a.sin(), a.cos()) }
     entry_atan2(y: Scalar, x: Scalar) -> Angle { Angle::atan2(y, x) }
@@ -85,9 +80,8 @@ entries! {
     entry_point_sums() -> (Point3<World>, Vector3<World>) { (point() + vector() - vector(), point() - point()) }
     entry_point_moves(moved: &mut Point3<World>) { *moved += vector(); *moved -= vector() }
     entry_vector_products() -> (Scalar, Vector3<World>, Scalar) { (vector().dot(vector()), vector().cross(vector()), vector().length()) }
-    entry_lerp() -> (Point3<World>, Vector3<World>) { (point().lerp(point(), scalar()), vector().lerp(vector(), scalar())) }
     entry_chain(a: &Affine<Model, World>, angle: Angle) -> Affine<Model, World> {
-        a.scale_by(scalar()).rotate_x(angle).rotate_y(angle).rotate_z(angle).translate(vector())
+        a.rotate_x(angle).rotate_y(angle).rotate_z(angle).translate(vector())
     }
     entry_framing(sphere: &Sphere, viewport: &Viewport, fov: Angle, yaw: Angle, pitch: Angle) -> Result<Camera, CameraError> {
         Camera::framing(sphere, viewport, fov, yaw, pitch)
@@ -112,14 +106,12 @@ entries! {
     entry_apply(a: &Affine<Model, World>, p: Point3<Model>) -> Point3<World> { a.apply(p) }
 
     entry_look_at() -> Result<ViewTransform, CameraError> { ViewTransform::look_at(point(), point(), vector()) }
-    entry_look_along() -> Result<ViewTransform, CameraError> { ViewTransform::look_along(point(), vector(), vector()) }
     entry_from_reference() -> Result<ViewTransform, CameraError> { ViewTransform::from_reference(point(), vector(), vector()) }
     entry_view(viewing: &ViewTransform) -> Point3<View> { viewing.apply(point()) }
     entry_perspective(fov: Angle) -> Result<Projection, CameraError> { Projection::perspective(fov, size(), scalar(), scalar()) }
     entry_frustum() -> Result<Projection, CameraError> { Projection::frustum(window(), scalar(), scalar()) }
     entry_orthographic() -> Result<Projection, CameraError> { Projection::orthographic(window(), scalar(), scalar()) }
-    entry_clip(projection: &Projection, p: Point3<View>) -> ClipPoint { projection.apply(p) }
-    entry_divide(p: &ClipPoint) -> Option<Point3<Ndc>> { p.ndc() }
+    entry_clip(projection: &Projection, p: Point3<View>) -> Option<Point3<Ndc>> { projection.apply(p) }
     entry_viewport() -> Result<Viewport, CameraError> { Viewport::new(pixel(), size()) }
     entry_screen(viewport: &Viewport, p: Point3<Ndc>) -> ScreenPoint { viewport.apply(p) }
     entry_camera(a: &ViewTransform, b: &Projection, c: &Viewport) -> Camera { Camera::new(a, b, c).with_far_clip(any() == 0) }
@@ -140,7 +132,7 @@ entries! {
     entry_point_light(model: &Affine<Model, World>, exponent: i8, strength: u16) -> PointLight { PointLight::new(model, exponent, point(), scalar(), strength) }
     entry_point_light_level(light: &PointLight, position: [i16; 3], normal: [i16; 3]) -> u16 { light.level(position, normal) }
     entry_point_light_levels(light: &PointLight, vertices: &[[i16; 3]], normals: &[[i16; 3]], levels: &mut [u16]) { light.add_levels(vertices, normals, levels) }
-    entry_view_normals(view: &ViewTransform, model: &Affine<Model, World>) -> Matcap { Matcap::new(&view.normals(model)) }
+    entry_view_normals(view: &ViewTransform, model: &Affine<Model, World>) -> Matcap { Matcap::new(view, model) }
     entry_matcap_coords(matcap: &Matcap, normals: &[[i16; 3]], coords: &mut [[i16; 2]]) -> [i16; 2] { matcap.all_coords(normals, coords); matcap.coords([any() as i16; 3]) }
     entry_matcap_color(matcap: &Matcap, ball: &[[Rgb565; 32]; 32], normal: [i16; 3]) -> Rgb565 { matcap.color(ball, normal) }
     entry_statistics(a: Statistics, b: Statistics) -> Statistics { a.and(b) }
@@ -148,50 +140,36 @@ entries! {
     entry_wide_mesh(v: WideVertices, f: Faces) -> Result<Mesh<'static, Scalar>, MeshError> { Mesh::from_fixed(v, f) }
     entry_format(red: u32, green: u32, blue: u32) -> [Format; 4] { [Format::rgb(red, green, blue), Format::bgr(blue, green, red), Format::gray(red), Format::indexed(red, [any() as u8; 3])] }
     entry_format_of(format: Format, bits: u32) -> [Format; 2] { [format.padded_to(bits), format.in_bytes()] }
-    entry_format_parts(format: Format) -> (u32, [u8; 3], bool) { (format.bits(), format.max(), format.is_gray()) }
+    entry_format_parts(format: Format) -> (u32, [u8; 3]) { (format.bits(), format.max()) }
     entry_face_colors(p: &'static [[u8; 3]], f: &'static [u8]) -> Result<FaceColors<'static>, MeshError> { FaceColors::new(p, f) }
-    entry_face_color(colors: &FaceColors<'static>, face: usize) -> (Rgb565, usize, usize) { (colors.color(face), colors.palette().len(), colors.faces().len()) }
+    entry_face_color(colors: &FaceColors<'static>, face: usize) -> Rgb565 { colors.color(face) }
     entry_face_emission(colors: FaceColors<'static>, e: &'static [[u8; 3]]) -> Result<FaceColors<'static>, MeshError> { colors.with_emission(e) }
-    entry_face_lit(colors: &FaceColors<'static>, face: usize, level: u16) -> (Rgb565, Gray8, usize) { (colors.lit(face, level), colors.emission(face), colors.emissions().len()) }
+    entry_face_lit(colors: &FaceColors<'static>, face: usize, level: u16) -> (Rgb565, Gray8) { (colors.lit(face, level), colors.emission(face)) }
     entry_texture_coords(c: &'static [[i16; 2]], f: Faces, exponent: i8) -> Result<TextureCoords<'static>, MeshError> { TextureCoords::new(c, f, exponent) }
-    entry_texture_corners(t: &TextureCoords<'static>, face: usize) -> ([[i16; 2]; 3], usize, usize, i8) { (t.corners(face), t.coords().len(), t.faces().len(), t.exponent()) }
+    entry_texture_corners(t: &TextureCoords<'static>, face: usize) -> ([[i16; 2]; 3], i8) { (t.corners(face), t.exponent()) }
     entry_edges(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edges(e) }
     entry_edge_faces(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edge_faces(e) }
     entry_normals(mesh: Mesh<'static>, n: Vertices) -> Result<Mesh<'static>, MeshError> { mesh.with_normals(n) }
-    entry_per_vertex(mesh: &Mesh<'static>, list: &'static [[i16; 2]]) -> Result<&'static [[i16; 2]], MeshError> { mesh.per_vertex(list) }
-    entry_per_face(mesh: &Mesh<'static>, list: &'static [[[i16; 2]; 3]]) -> Result<&'static [[[i16; 2]; 3]], MeshError> { mesh.per_face(list) }
     entry_planes(mesh: Mesh<'static>, p: &'static [i16]) -> Result<Mesh<'static, i16, WithPlanes>, MeshError> { mesh.with_planes(p) }
     entry_mesh_lists(mesh: &Mesh<'static>) -> [Vertices; 2] { [mesh.vertices(), mesh.normals()] }
     entry_mesh_edges(mesh: &Mesh<'static>) -> (Faces, [Edges; 2]) { (mesh.faces(), [mesh.edges(), mesh.edge_faces()]) }
     entry_mesh_numbers(mesh: &Mesh<'static>) -> (&'static [i16], i8) { (mesh.planes(), mesh.exponent()) }
     entry_face_planes(mesh: &Mesh<'static>, face: usize) -> ([i16; 9], i16) { (mesh.face_planes(), mesh.face_plane(face)) }
-    entry_wide_face_planes(mesh: &Mesh<'static, Scalar>) -> [i16; 9] { mesh.face_planes() }
+    entry_wide_face_plane(mesh: &Mesh<'static, Scalar>, face: usize) -> i16 { mesh.face_plane(face) }
     entry_vertex_normals(mesh: Mesh<'static>, n: Vertices) -> Result<Mesh<'static>, MeshError> { mesh.with_vertex_normals(n) }
 
     entry_rotation(angle: Angle) -> Result<Affine<Model, World>, MathError> { Affine::rotation(point(), vector(), angle) }
-    entry_quaternion() -> Result<Quaternion, MathError> { Quaternion::new(scalar(), scalar(), scalar(), scalar()) }
-    entry_micromath(q: micromath::Quaternion) -> Result<Quaternion, MathError> { q.try_into() }
-    entry_from_quaternion(q: Quaternion) -> Affine<Model, World> { Affine::from_quaternion(q) }
+    entry_micromath(q: micromath::Quaternion) -> Result<Affine<Model, World>, MathError> { q.try_into() }
+    entry_from_quaternion() -> Result<Affine<Model, World>, MathError> { Affine::from_quaternion([scalar(), scalar(), scalar(), scalar()]) }
     entry_from_frame() -> Affine<Model, World> { Affine::from_frame(vector(), vector(), vector(), point()) }
     entry_inverse(a: &Affine<Model, World>) -> Result<Affine<World, Model>, MathError> { a.inverse() }
-    entry_rigid_inverse(a: &Affine<Model, World>) -> Result<Affine<World, Model>, MathError> { a.rigid_inverse() }
-    entry_normal(a: &Affine<Model, World>, n: [i16; 3]) -> [i16; 3] { a.normals().apply(n) }
 
-    entry_multiview(side: Side) -> ViewTransform { ViewTransform::multiview(point(), side) }
     entry_isometric() -> ViewTransform { ViewTransform::isometric(point()) }
-    entry_dimetric() -> Result<ViewTransform, CameraError> { ViewTransform::dimetric(point(), scalar(), scalar()) }
-    entry_trimetric() -> Result<ViewTransform, CameraError> { ViewTransform::trimetric(point(), vector()) }
     entry_view_matrix(m: &[[f64; 4]; 4]) -> Result<ViewTransform, CameraError> { ViewTransform::from_matrix(m) }
     entry_oblique(angle: Angle) -> Result<Projection, CameraError> { Projection::oblique(window(), scalar(), scalar(), angle, scalar()) }
-    entry_eye_at_origin() -> Result<PlanarProjection, CameraError> { PlanarProjection::eye_at_origin(scalar()) }
-    entry_origin_in_plane() -> Result<PlanarProjection, CameraError> { PlanarProjection::origin_in_plane(scalar()) }
-    entry_general(q: Option<Scalar>, d: Vector3<View>) -> Result<PlanarProjection, CameraError> { PlanarProjection::general(scalar(), q, d) }
-    entry_planar(planar: &PlanarProjection) -> (Option<Point3<View>>, [Scalar; 4]) { (planar.apply(point()), planar.homogeneous(point())) }
-    entry_from_planar(planar: &PlanarProjection) -> Result<Projection, CameraError> { Projection::from_planar(planar, window(), scalar(), scalar()) }
-    entry_reference() -> Result<ReferenceVolume, CameraError> { ReferenceVolume::perspective(point(), window(), scalar(), scalar()) }
-    entry_reference_parallel() -> Result<ReferenceVolume, CameraError> { ReferenceVolume::parallel(point(), window(), scalar(), scalar()) }
-    entry_normalise(volume: &ReferenceVolume) -> (Point3<Canonical>, Scalar) { (volume.normalise(point()), volume.z_min()) }
-    entry_from_volume(volume: &ReferenceVolume) -> Projection { Projection::from_reference(volume) }
+    entry_planar(q: Option<Scalar>, d: Vector3<View>) -> Result<Projection, CameraError> { Projection::planar(scalar(), q, d, window(), scalar(), scalar()) }
+    entry_reference() -> Result<Projection, CameraError> { Projection::perspective_from_reference(point(), window(), scalar(), scalar()) }
+    entry_reference_parallel() -> Result<Projection, CameraError> { Projection::parallel_from_reference(point(), window(), scalar(), scalar()) }
     entry_affine_matrix(m: &[[f64; 4]; 4]) -> Result<Affine<Model, World>, MathError> { Affine::from_matrix(m) }
     entry_affine_to_matrix(a: &Affine<Model, World>) -> [[f64; 4]; 4] { a.to_matrix() }
     entry_view_to_matrix(v: &ViewTransform) -> [[f64; 4]; 4] { v.to_matrix() }
@@ -201,17 +179,13 @@ entries! {
     entry_project(camera: &Camera) -> Result<Projected, CameraError> { camera.project(point()) }
     entry_unproject(camera: &Camera, at: ScreenPoint, depth: u16) -> Option<Point3<World>> { camera.unproject(at, depth) }
     entry_ray(camera: &Camera, at: ScreenPoint) -> Option<Ray> { camera.ray(at) }
-    entry_vanishing_points(camera: &Camera) -> [Option<VanishingPoint>; 3] { camera.vanishing_points() }
-    entry_visibility(camera: &Camera, s: &Sphere, a: &Affine<Model, World>) -> Visibility { camera.visibility(s, a) }
+    entry_vanishing_points(camera: &Camera) -> [Option<[i32; 2]>; 3] { camera.vanishing_points() }
     entry_camera_frustum(camera: &Camera) -> Frustum { camera.frustum() }
     entry_frustum_visibility(frustum: &Frustum, s: &Sphere, a: &Affine<Model, World>) -> Visibility { frustum.visibility(s, a) }
     entry_bounding_sphere(mesh: &Mesh<'static>) -> Sphere { mesh.bounding_sphere() }
     entry_wide_bounding_sphere(mesh: &Mesh<'static, Scalar>) -> Sphere { mesh.bounding_sphere() }
-    entry_sphere_around(spheres: &[Sphere]) -> Sphere { Sphere::around(spheres.iter().copied().chain([Sphere::new(Point3::from_ints(1, 2, 3), Scalar::from_bits(any()))])) }
+    entry_sphere_around(spheres: &[Sphere]) -> Sphere { Sphere::around(spheres.iter().copied().chain([Sphere { centre: Point3::from_ints(1, 2, 3), radius: Scalar::from_bits(any()) }])) }
     entry_sphere_transformed(s: &Sphere, a: &Affine<Model, World>) -> Sphere { s.transformed(a) }
-    entry_outcode(p: &ClipPoint) -> Outcode { p.outcode() }
-    entry_clip_line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> { clip::line(a, b) }
-    entry_clip_triangle(corners: [clip::ClipVertex<3>; 3]) -> usize { black_box(clip::triangle(corners)).len() }
     entry_hierarchy(nodes: &'static mut [Node]) -> Result<Hierarchy<'static>, MeshError> { Hierarchy::new(nodes) }
     entry_update(hierarchy: &mut Hierarchy<'static>) { hierarchy.update() }
     entry_set_local(hierarchy: &mut Hierarchy<'static>, local: Affine<Model, Model>) -> bool { hierarchy.set_local(any() as usize, local) }
@@ -222,15 +196,11 @@ entries! {
 
     entry_vector_parts(v: Vector3<World>) -> [Scalar; 3] { [v.x(), v.y(), v.z()] }
     entry_vector_micromath(v: micromath::vector::F32x3) -> Result<Vector3<World>, MathError> { v.try_into() }
-    entry_outcode_sets(a: Outcode, b: Outcode) -> (Outcode, Outcode, u8) { (a.and(b), a.or(b), a.bits()) }
-    entry_translation_of_view(viewing: &ViewTransform) -> [i64; 3] { viewing.translation() }
     entry_viewport_parts(viewport: &Viewport) -> (Point, Size) { (viewport.top_left(), viewport.size()) }
-    entry_parallel() -> PlanarProjection { PlanarProjection::parallel() }
     entry_coordinates(narrow: i16, wide: Scalar) -> (i32, i32) { (Coordinate::times(narrow, any()), Coordinate::times(wide, any())) }
 
     entry_nodes(local: Affine<Model, Model>) -> [Node; 2] { [Node::root(local), Node::child(any() as u16, local)] }
-    entry_node<'n>(node: &'n Node) -> (&'n Affine<Model, Model>, &'n Affine<Model, World>) { (node.local(), node.world()) }
-    entry_hierarchy_node<'h>(hierarchy: &'h Hierarchy<'_>) -> (Option<&'h Affine<Model, World>>, &'h [Node]) { (hierarchy.world(any() as usize), hierarchy.nodes()) }
+    entry_hierarchy_node<'h>(hierarchy: &'h Hierarchy<'_>) -> Option<&'h Affine<Model, World>> { hierarchy.world(any() as usize) }
     entry_instance_mesh<'p>(instance: &MeshInstance<'p, i16, WithPlanes>) -> (Mesh<'p, i16, WithPlanes>, Mesh<'p>) { (instance.mesh(), instance.without_planes().mesh()) }
     entry_mesh_planes(mesh: Mesh<'static, i16, WithPlanes>) -> (Mesh<'static>, Mesh<'static, i16, WithPlanes>) { (mesh.without_planes(), mesh.without_planes().with_planes_if_any()) }
 
@@ -246,12 +216,10 @@ entries! {
 
     entry_copies(
         affine: &Affine<Model, World>,
-        normals: &NormalMatrix<Model, World>,
         point: &Point3<World>,
-        vector: &Vector3<World>,
-        fog: &Fog<SquaredFog>
+        vector: &Vector3<World>
     ) {
-        report((Clone::clone(affine), Clone::clone(normals), Clone::clone(point), Clone::clone(vector), Clone::clone(fog)))
+        report((Clone::clone(affine), Clone::clone(point), Clone::clone(vector)))
     }
     entry_copy_of_mesh(mesh: &Mesh<'static>) -> Mesh<'static> { Clone::clone(mesh) }
     entry_copy_of_transformed(transformed: &TransformedMesh<'static, i16, true>) -> TransformedMesh<'static, i16, true> { Clone::clone(transformed) }

@@ -9,8 +9,8 @@ use embedded_graphics_core::image::GetPixel;
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
-use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
+use pinhole::shading::Barycentric;
 use pinhole::space::{Model, World};
 use pinhole::{
     color::{BlendMode, Mixed, Reads},
@@ -184,13 +184,13 @@ fn blend<C: Color>() {
 }
 
 fn fog(camera: &Camera) -> Result<FogTable<Rgb565>, LightError> {
-    let fog = Fog::linear(scalar(), scalar())?;
+    let fog = Fog::new(scalar(), scalar())?;
     let table = match any() {
         0 => FogTable::new(&fog, camera, color())?,
-        1 => FogTable::new(&Fog::exponential(scalar(), scalar())?, camera, color())?,
-        _ => FogTable::new(&Fog::squared(scalar(), scalar())?, camera, color())?,
+        1 => FogTable::exponential(&fog, camera, color())?,
+        _ => FogTable::squared(&fog, camera, color())?,
     };
-    report((fog.start(), fog.end(), table.factor(any() as u16), table.color_at(color(), any() as u16)));
+    report((table.factor(any() as u16), table.color_at(color(), any() as u16)));
     Ok(table)
 }
 
@@ -324,8 +324,8 @@ entries! {
 
     entry_texture_of_known_size(faces: &mut Faces<'_>, texels: &Texels64) -> Result<(), TextureError> { faces.textured(texels) }
     entry_texture_of_any_size(faces: &mut Faces<'_>, texels: &[Rgb565]) -> Result<(), TextureError> { faces.textured(TexelSlice::new(texels, any() as usize, any() as usize)?) }
-    entry_texture_with_palette(faces: &mut Faces<'_>, texels: &[u8], palette: &[Rgb565], other: &[Rgb565]) -> Result<(), TextureError> {
-        faces.textured(IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?.with_palette(other)?)
+    entry_texture_with_palette(faces: &mut Faces<'_>, texels: &[u8], palette: &[Rgb565]) -> Result<(), TextureError> {
+        faces.textured(IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?)
     }
     entry_texture_with_key(faces: &mut Faces<'_>, texels: &[u8], palette: &[Rgb565]) -> Result<(), TextureError> {
         keyed(faces, IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?)
@@ -333,7 +333,7 @@ entries! {
     entry_lit_texture_of_known_size(faces: &mut Faces<'_>, texels: &Texels64) -> Result<(), TextureError> { faces.clamped_and_lit(texels) }
     entry_lit_texture_of_any_size(faces: &mut Faces<'_>, texels: &[Rgb565]) -> Result<(), TextureError> { faces.clamped_and_lit(TexelSlice::new(texels, any() as usize, any() as usize)?) }
     entry_lit_texture_with_palette(faces: &mut Faces<'_>, texels: &[u8], colors: &[Rgb888; 17]) -> Result<(), TextureError> {
-        lit_palette(faces, texels, &LitPalette::from_rows(*LitPalette::<Rgb565, 17, 32>::new(colors).rows()))
+        lit_palette(faces, texels, &LitPalette::from_rows([*LitPalette::<Rgb565, 17, 32>::new(colors).row(any() as u16); 32]))
     }
 
     entry_blend_binary() { blend::<BinaryColor>() }

@@ -253,7 +253,7 @@ impl<C: Ink> Scene<C> {
         let viewport = Viewport::new(Point::zero(), size).map_err(|_| "the screen has no pixels")?;
         let (Ok(view), Ok(lens)) = (view, lens) else { return Err("no camera") };
         let camera = Camera::new(&view, &lens, &viewport);
-        let fog = Fog::linear(Scalar::from_int(20), Scalar::from_int(112)).map_err(|_| "no fog")?;
+        let fog = Fog::new(Scalar::from_int(20), Scalar::from_int(112)).map_err(|_| "no fog")?;
         Ok(Self {
             camera,
             fog,

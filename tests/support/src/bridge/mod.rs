@@ -7,10 +7,14 @@ pub mod ways;
 
 use crate::oracle::coverage::{Area, Counts, P};
 use core::convert::Infallible;
-use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Dimensions, Point, Size};
+use embedded_graphics_core::pixelcolor::BinaryColor;
 use embedded_graphics_core::primitives::Rectangle;
+use pinhole::draw::{draw_line, fill_triangle};
 use pinhole::prelude::*;
-use pinhole::raster::{self, Pixel, Scissor, ScreenPoint, Span};
+use pinhole::raster::{Pixel, ScreenPoint, Span};
+use pinhole::target::LeastRun;
 
 pub fn scalar(bits: i32) -> Scalar {
     Scalar::from_bits(bits)
@@ -49,30 +53,62 @@ pub fn pixel(p: P) -> Pixel {
     Pixel { x, y }
 }
 
-pub fn scissor(area: Area) -> Scissor {
-    let [l, t, r, b] =
-        [area.left, area.top, area.right, area.bottom].map(|c| i32::try_from(c).expect("an i32"));
-    Scissor::new(l, t, r, b)
+/// A target that keeps the spans that it is filled with, each as a rectangle of one row or one column.
+struct Spans {
+    area: Rectangle,
+    spans: Vec<Span>,
+}
+
+impl Spans {
+    /// Of an area whose bounds may lie anywhere; those on the wrong side of each other make it empty.
+    fn new(area: Area) -> Self {
+        let clamped = |c: i64| c.clamp(i64::from(i32::MIN), i64::from(i32::MAX));
+        let size = |low: i64, high: i64| u32::try_from(clamped(high) - clamped(low)).unwrap_or(0);
+        let at = Point::new(clamped(area.left) as i32, clamped(area.top) as i32);
+        let size = Size::new(size(area.left, area.right), size(area.top, area.bottom));
+        Self { area: Rectangle::new(at, size), spans: Vec::new() }
+    }
+}
+
+impl Dimensions for Spans {
+    fn bounding_box(&self) -> Rectangle {
+        self.area
+    }
+}
+
+impl DrawTarget for Spans {
+    type Color = BinaryColor;
+    type Error = Infallible;
+
+    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = embedded_graphics_core::Pixel<BinaryColor>>,
+    {
+        for embedded_graphics_core::Pixel(at, color) in pixels {
+            self.fill_solid(&Rectangle::new(at, Size::new(1, 1)), color)?;
+        }
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, _: BinaryColor) -> Result<(), Infallible> {
+        let Rectangle { top_left: Point { x, y }, size: Size { width, height } } = *area;
+        self.spans.push(Span { x, y, width: width as i32, height: height as i32 });
+        Ok(())
+    }
 }
 
 /// All spans of a triangle.
 pub fn triangle_spans(t: [P; 3], area: Area) -> Vec<Span> {
-    let mut spans = Vec::new();
-    let Ok(()) = raster::triangle(t.map(screen_point), &scissor(area), |span| {
-        spans.push(span);
-        Ok::<(), Infallible>(())
-    });
-    spans
+    let mut target = Spans::new(area);
+    let Ok(()) = fill_triangle(t.map(screen_point), BinaryColor::On, &mut target);
+    target.spans
 }
 
 /// All spans of a line.
 pub fn line_spans(a: P, b: P, area: Area) -> Vec<Span> {
-    let mut spans = Vec::new();
-    let Ok(()) = raster::line(pixel(a), pixel(b), &scissor(area), |span| {
-        spans.push(span);
-        Ok::<(), Infallible>(())
-    });
-    spans
+    let mut target = Spans::new(area);
+    let Ok(()) = draw_line(pixel(a), pixel(b), BinaryColor::On, &mut LeastRun::<_, 1>(&mut target));
+    target.spans
 }
 
 /// The pixels of spans; panics if a span is not one row or column, or leaves the area.

@@ -21,7 +21,8 @@ pub fn ints(x: i16, y: i16, z: i16) -> [i32; 3] {
 
 /// The rows of a view, as reals.
 pub fn rows(v: &ViewTransform) -> [[f64; 3]; 3] {
-    v.rows().map(|r| r.map(|c| f64::from(c) / f64::from(1 << 30)))
+    let [u, v, n, _] = v.to_matrix().map(|[x, y, z, _]| [x, y, z]);
+    [u, v, n]
 }
 
 /// A view, described by bits.
@@ -39,7 +40,9 @@ impl ViewBits {
     pub fn library(self) -> Result<ViewTransform, CameraError> {
         match self {
             Self::LookAt(e, t, u) => ViewTransform::look_at(point(e), point(t), vector(u)),
-            Self::LookAlong(e, g, u) => ViewTransform::look_along(point(e), vector(g), vector(u)),
+            Self::LookAlong(e, g, u) => {
+                ViewTransform::from_reference(point(e), vector(g.map(i32::saturating_neg)), vector(u))
+            }
             Self::Reference(e, n, u) => ViewTransform::from_reference(point(e), vector(n), vector(u)),
         }
     }

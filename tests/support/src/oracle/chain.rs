@@ -244,17 +244,6 @@ impl Viewport {
     }
 }
 
-/// Outcode bits of the homogeneous volume (docs/spec.md, section 5).
-pub fn outcode(p: V4) -> u8 {
-    let [x, y, z, w] = p;
-    u8::from(x < -w)
-        | u8::from(x > w) << 1
-        | u8::from(y < -w) << 2
-        | u8::from(y > w) << 3
-        | u8::from(z < -w) << 4
-        | u8::from(z > w) << 5
-}
-
 /// docs/spec.md, section 7: the depth before it is rounded and clamped, 0 near … 65535 far.
 pub fn depth(clip: V4) -> f64 {
     65535.0 * (clip[2] / clip[3] + 1.0) / 2.0

@@ -8,7 +8,6 @@
 //! * [`eye`] what a camera sees in each pixel, in f64, by one ray per pixel: no clipping in it
 //! * [`target`] draw targets that count, that fail and that make ASCII pictures
 //! * [`picture`] how far edges must move to explain a whole depth-tested picture, in f64
-//! * [`volume`] the homogeneous view volume: distances, and what of a line is inside
 //! * [`shade`] colours over a triangle and dithered, in exact fractions
 //! * [`texture`] the texture coordinates that pixels show, in f64, by one ray per pixel
 //! * [`cut_faces`] colours of faces that the near plane, the far plane or the guard band cuts, in f64
@@ -28,4 +27,3 @@ pub mod rng;
 pub mod shade;
 pub mod target;
 pub mod texture;
-pub mod volume;

@@ -74,9 +74,9 @@ pub struct Thing {
 fn camera(size: Size) -> Camera {
     let number = |v| Scalar::from_f32(v).expect("in range");
     let eye = Point3::from_f32(0.0, 0.0, DISTANCE).expect("in range");
-    let along = (Vector3::from_ints(0, 0, -1), Vector3::from_ints(0, 1, 0));
+    let (back, up) = (Vector3::from_ints(0, 0, 1), Vector3::from_ints(0, 1, 0));
     Camera::new(
-        &ViewTransform::look_along(eye, along.0, along.1).expect("a view"),
+        &ViewTransform::from_reference(eye, back, up).expect("a view"),
         &Projection::perspective(Angle::degrees(60), size, number(0.5), number(20.0)).expect("a projection"),
         &Viewport::new(Point::zero(), size).expect("a viewport"),
     )

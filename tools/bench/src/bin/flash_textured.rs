@@ -38,7 +38,7 @@ image!(
         let color = |face| if face & 1 == 0 { Rgb565::RED } else { scene::BACKGROUND };
         let fog = || {
             let [start, end] = black_box([1 << 16, 4 << 16]).map(Scalar::from_bits);
-            Fog::linear(start, end).ok()
+            Fog::new(start, end).ok()
         };
         match IMAGE {
             "flash_color" => frame.draw(color),

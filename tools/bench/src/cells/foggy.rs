@@ -16,7 +16,7 @@ use pinhole::{
 #[inline(never)] // set-up: off the stack when it returns
 fn fog(range: [i32; 2], camera: &Camera) -> Option<FogTable<Rgb565>> {
     let [start, end] = black_box(range).map(Scalar::from_int);
-    FogTable::new(&Fog::linear(start, end).ok()?, camera, Rgb565::CSS_LIGHT_STEEL_BLUE).ok()
+    FogTable::new(&Fog::new(start, end).ok()?, camera, Rgb565::CSS_LIGHT_STEEL_BLUE).ok()
 }
 
 /// The torus lies between the distances 2.04 and 4.73.
