@@ -108,7 +108,6 @@ impl SetUp {
         for (rho, [linear, constant]) in rho.iter_mut().zip(projections::parts(&self.bits.1)) {
             *rho += linear * reach + constant;
         }
-        rho[3] += projections::cancelled(&self.bits.1);
         rho
     }
 

@@ -227,7 +227,6 @@ pub(crate) fn parts(family: &Family) -> [[f64; 2]; 2] {
         _ => return [[0.0; 2]; 2],
     };
     let (Planar { slope, constant, image }, picture) = (terms(family), family.picture());
-    let constant = constant.abs() + cancelled(family);
     let slant = |axis: usize| match picture.projectors {
         Projectors::From(c) => c[axis] / (c[2] - picture.plane),
         Projectors::Along(d) => d[axis] / d[2],
@@ -237,15 +236,6 @@ pub(crate) fn parts(family: &Family) -> [[f64; 2]; 2] {
         let both = |image: f64, w: f64| ((2.0 * image).abs() + (w * sum).abs()) / extent;
         [both(slant(axis), slope), both(image[axis], constant)]
     })
-}
-
-/// What cancels in the constant of w = 1 + (z − plane)/plane of a planar projection from the origin: 1 twice.
-pub(crate) fn cancelled(family: &Family) -> f64 {
-    if matches!(family, Family::EyeAtOrigin(..)) {
-        2.0
-    } else {
-        0.0
-    }
 }
 
 /// A planar projection's picture: near and far before the centre, and no constant beyond 2³⁰.

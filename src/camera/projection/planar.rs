@@ -23,8 +23,7 @@ impl Projection {
     /// ```
     ///
     /// A negative `distance` puts the centre on the other side of the plane. `None` is an infinite distance: a parallel projection along
-    /// `direction`, orthographic or oblique. The plane contains the origin for z_p = 0. The centre is the origin for `(d, Some(d), −z)`;
-    /// [`frustum`](Self::frustum) is more exact there, as the constants of w, 1 and z_p/(Q·dz), cancel.
+    /// `direction`, orthographic or oblique. The plane contains the origin for z_p = 0. The centre is the origin for `(d, Some(d), −z)`.
     ///
     /// Rounded coefficients move the image of a point by at most 2⁻²⁸/(w·dz) of the largest coordinate of point, plane and image.
     ///
@@ -85,7 +84,15 @@ impl Projection {
                 }
                 let (m, e) = ratio(length << 16, product.unsigned_abs());
                 let slope = (if product < 0 { m } else { -m }, e);
-                slanted(UNIT, slope)
+                // w = −(z − z_c)/(Q·dz), from the z of the centre, z_p + Q·dz: 1 and z_p/(Q·dz) would cancel for a centre at the
+                // origin. Along z, Q·dz is the distance itself, of one bit more than a ratio has.
+                let rise = if (dx, dy) == (0, 0) {
+                    (i64::from(distance.to_bits()) << 16) * dz.signum()
+                } else {
+                    let (m, e) = ratio(product, length as u64);
+                    scale(m, e + 16)
+                };
+                row(2, (1, 0), -(z_p + rise)).times(slope) // both within 2⁴⁷
             }
         };
         if [x, y, w].iter().any(|row| row.offset.abs() >= SATURATED) {
