@@ -94,6 +94,7 @@ entries! {
     }
     entry_angle_f32(degrees: f32) -> Result<Angle, MathError> { Angle::from_degrees_f32(degrees) }
     entry_point_f32(x: f32, y: f32, z: f32) -> Result<Point3<World>, MathError> { Point3::from_f32(x, y, z) }
+    entry_vector_ints(x: i16, y: i16, z: i16) -> Vector3<World> { Vector3::from_ints(x, y, z) }
     entry_vector_f32(x: f32, y: f32, z: f32) -> Result<Vector3<World>, MathError> { Vector3::from_f32(x, y, z) }
 
     entry_translation() -> Affine<Model, World> { Affine::translation(vector()) }

@@ -6,8 +6,9 @@ use bench::image::prelude::*;
 /// The firmware that is built.
 const IMAGE: &str = env!("CARGO_BIN_NAME");
 /// The number of objects in the scene, and of depths in the depth buffer.
-const OBJECTS: usize = if is_equal(IMAGE, "flash_scene") { 12 } else { 0 };
-const DEPTHS: usize = if OBJECTS > 0 || is_equal(IMAGE, "flash_depth_picture") { pixels(ROWS) } else { 0 };
+const IS_SCENE: bool = is_equal(IMAGE, "flash_scene");
+const OBJECTS: usize = if IS_SCENE { 12 } else { 0 };
+const DEPTHS: usize = if IS_SCENE || is_equal(IMAGE, "flash_depth_picture") { pixels(ROWS) } else { 0 };
 
 image!(
     cube,
