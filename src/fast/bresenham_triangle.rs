@@ -3,7 +3,7 @@
 //! The ends of all rows are computed beforehand, one edge after the other, so that each edge has all registers for itself.
 //! A [`RowScratch`] stores them.
 //!
-//! The edges are those of the plain twin, `raster/edge.rs`; but the quotients of most of them are so small that subtraction finds them.
+//! The edges are those of the plain twin, `raster/edge.rs`; but most quotients are so small that subtraction finds them.
 //!
 //! - **Plain twin**: [`AnyTriangle`](crate::raster::AnyTriangle), and its spans, [`Triangle::spans`].
 //! - **Domain**: all corners between the scissor's columns and within 31 rows. Without `CLIP_ROWS` all corners lie inside the

@@ -66,7 +66,7 @@ pub(crate) fn triangle_nearer<T: Surface, F: Fn(u8) -> T::Color + Copy>(
 impl<Cell: Copy, C: StoredPixel<Cell>, F: Fn(u8) -> C + Copy> Fill<DepthTriangle<'_>, Cell>
     for &DepthLevels<'_, F>
 {
-    /// The triangle's depths are those that levels are computed from.
+    /// The depths of `triangle` equal `self.depths`, from which the levels are computed.
     #[inline(always)]
     fn set_up(self, triangle: &DepthTriangle<'_>) -> impl FillRows<Cell> {
         let (depth, color) = (depth_gradient(&triangle.triangle, &triangle.depths), self.color);

@@ -248,7 +248,7 @@ pub trait SpanShader<C: PixelColor>: Shader {
     }
 }
 
-/// Colours by depth, in levels, as [`SpanShader::levels`] returns them: those of [`Fogged`](crate::fog::Fogged), or of a shader of your
+/// Colours by depth, in levels, as [`SpanShader::levels`] returns them: the fog of [`Fogged`](crate::fog::Fogged), or a shader of your
 /// own, such as contour lines of distance.
 #[derive(Clone, Copy, Debug)]
 pub struct DepthLevels<'t, F> {

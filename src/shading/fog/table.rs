@@ -97,7 +97,7 @@ impl<C> FogTable<C> {
         Self::by_profile(fog, camera, color, profile::squared)
     }
 
-    /// The table by a profile of this module: a program links those that it uses.
+    /// The table by a profile of this module: a program links the profiles that it uses.
     #[inline(always)]
     fn by_profile(
         fog: &Fog,
