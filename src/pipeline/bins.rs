@@ -127,7 +127,7 @@ impl<'s> Bins<'s> {
         Ok(active.map(|active| Bins { order, active, top, shift, cursor, bounds }))
     }
 
-    /// These bins for one band. The cursor that they end with belongs to these bins: copy it back.
+    /// A copy of the bins for one band, which borrows their active bits. Its cursor after the band must be copied back.
     pub(super) fn reborrowed(&mut self) -> Bins<'_> {
         Bins { active: self.active, ..*self }
     }

@@ -150,7 +150,7 @@ impl Edge {
                 false => (self.column - column, self.dy - 1 - self.error),
             };
             if dx == 0 || distance < 0 {
-                // It never does so; or it did in the row that it has been moved to.
+                // The edge never reaches the column, or reached it in the row that the edge has been moved to.
                 return if passed == 0 { rows } else { passed };
             }
             let part = distance.min(Self::COLUMNS);
@@ -173,7 +173,8 @@ impl EdgeWalker for Edge {
         self.column = self.column.wrapping_add(self.step);
         let (error, borrows) = (self.error as u32).overflowing_sub(self.rest as u32);
         self.error = error as i32;
-        // The same answer from the flag that the subtraction sets: S2 takes 4 % fewer instructions on an M3, but 5 % more on an M0.
+        // The carry flag of the subtraction says whether it borrows: S2 takes 4 % fewer instructions on an M3 than by the sign, and 5 % more
+        // on an M0.
         let is_negative = if CORTEX_M0 { self.error < 0 } else { borrows };
         if is_negative {
             keep_branch();

@@ -30,9 +30,7 @@ impl Projection {
     ///
     /// # Errors
     ///
-    /// [`CameraError::EmptyWindow`], [`EmptyWindow`](CameraError::EmptyWindow),
-    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar) and
-    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar).
+    /// [`CameraError::EmptyWindow`] and [`NearNotBeforeFar`](CameraError::NearNotBeforeFar).
     pub fn oblique(
         window: Window,
         near: Scalar,

@@ -36,9 +36,7 @@ impl Projection {
     /// # Errors
     ///
     /// [`CameraError::FieldOfView`], [`EmptyViewport`](CameraError::EmptyViewport),
-    /// [`NearNotPositive`](CameraError::NearNotPositive),
-    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar) and
-    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar).
+    /// [`NearNotPositive`](CameraError::NearNotPositive) and [`NearNotBeforeFar`](CameraError::NearNotBeforeFar).
     #[inline(never)] // set-up: code size counts, speed does not
     pub const fn perspective(
         fov_y: Angle,
@@ -109,8 +107,7 @@ impl Projection {
     ///
     /// # Errors
     ///
-    /// [`CameraError::EmptyWindow`], [`NearNotPositive`](CameraError::NearNotPositive),
-    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar) and
+    /// [`CameraError::EmptyWindow`], [`NearNotPositive`](CameraError::NearNotPositive) and
     /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar).
     pub const fn frustum(window: Window, near: Scalar, far: Scalar) -> Result<Self, CameraError> {
         let Window { left, right, bottom, top } = window;
@@ -177,9 +174,7 @@ impl Projection {
     ///
     /// # Errors
     ///
-    /// [`CameraError::EmptyWindow`], [`EmptyWindow`](CameraError::EmptyWindow),
-    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar) and
-    /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar).
+    /// [`CameraError::EmptyWindow`] and [`NearNotBeforeFar`](CameraError::NearNotBeforeFar).
     pub const fn orthographic(window: Window, near: Scalar, far: Scalar) -> Result<Self, CameraError> {
         let Window { left, right, bottom, top } = window;
         let (x, y) = match (Self::centred(0, left, right), Self::centred(1, bottom, top)) {

@@ -37,8 +37,8 @@ pub(super) struct Coordinates<const N: usize> {
 }
 
 impl<const N: usize> Coordinates<N> {
-    /// Those of a block of 2^`bits` pixels from its pixel `passed` on, given the exact coordinates of the block's first pixel and the
-    /// change from a pixel to the next. `bits` is 0 … [`LARGEST_BLOCK`].
+    /// Coordinates of a block of 2^`bits` pixels from its pixel `passed` on, given the exact coordinates of the block's first pixel and
+    /// the change from a pixel to the next. `bits` is 0 … [`LARGEST_BLOCK`].
     ///
     /// Words are packed in the middle of the block, so that the steps' rounding adds up over half of it.
     #[inline(always)]
