@@ -149,7 +149,8 @@ impl Linear for Line {
     #[inline(always)]
     fn hidden(self, zero: u32) -> Self {
         let [u, v] = self.at;
-        Self { at: [hidden(u, zero), hidden(v, zero)], ..self }
+        // The second number is 0 where coordinates share a word. On a Cortex-M0 hiding it would store it for each pixel all the same.
+        Self { at: [hidden(u, zero), if CORTEX_M0 { v } else { hidden(v, zero) }], ..self }
     }
 }
 
