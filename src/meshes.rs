@@ -12,8 +12,7 @@
 //!
 //! Faces are counter-clockwise, and all meshes except the grid and the axes are closed. Each has face normals, edges without
 //! diagonals, and edge faces, so that every draw call works. The sphere and the torus have [face planes](Mesh::with_planes). The
-//! other meshes have few faces, or are open: culling by planes would cost more than it saves. `TORUS.without_planes()` has the
-//! same type as a mesh without planes.
+//! other meshes have few faces, or are open: culling by planes would cost more than it saves. Smooth light needs vertex normals.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
@@ -37,7 +36,7 @@
 
 use crate::math::num::scale;
 use crate::math::Angle;
-use crate::scene::{edge_faces, Mesh, WithPlanes};
+use crate::scene::{edge_faces, Mesh};
 
 /// 1 in vertex units of 2⁻¹⁴.
 const ONE: i32 = 1 << 14;
@@ -49,10 +48,10 @@ type Edges<const E: usize> = ([[u16; 2]; E], [[u16; 2]; E]);
 
 /// Defines a mesh with all that belongs to it. The arrays are statics, so that a program has each once.
 macro_rules! meshes {
-    ($($(#[$doc:meta])* $name:ident $(with planes $planes:ident)?, $vertex_count:literal, $face_count:literal, $edge_count:literal:
+    ($($(#[$doc:meta])* $name:ident $(with $planes:ident)?, $vertex_count:literal, $face_count:literal, $edge_count:literal:
         $vertices:expr, $faces:expr, $edges:expr $(, vertex normals $vertex_normals:expr)?;)*) => {$(
         $(#[$doc])*
-        pub const $name: Mesh<'static, i16 $(, $planes)?> = {
+        pub const $name: Mesh<'static> = {
             static VERTICES: [[i16; 3]; $vertex_count] = $vertices;
             static FACES: [[u16; 3]; $face_count] = $faces;
             static EDGES: [[u16; 2]; $edge_count] = $edges.0;
@@ -60,10 +59,8 @@ macro_rules! meshes {
             static NORMALS: [[i16; 3]; $face_count] = face_normals(&VERTICES, &FACES);
             let mesh = with_normals(&VERTICES, &FACES, &NORMALS);
             $(
-                static PLANES: [i16; $face_count] = with_normals(&VERTICES, &FACES, &NORMALS).face_planes();
-                let Ok(mesh): Result<Mesh<'static, i16, $planes>, _> = mesh.with_planes(&PLANES) else {
-                    panic!("one plane for each face")
-                };
+                static $planes: [i16; $face_count] = with_normals(&VERTICES, &FACES, &NORMALS).face_planes();
+                let Ok(mesh) = mesh.with_planes(&$planes) else { panic!("one plane for each face") };
             )?
             let Ok(mesh) = mesh.with_edges(&EDGES) else { panic!("edges of these vertices") };
             let Ok(mesh) = mesh.with_edge_faces(&EDGE_FACES) else { panic!("two faces for each edge") };
@@ -114,7 +111,7 @@ meshes! {
         cube_vertices(), CUBE_FACES, (CUBE_EDGES, edge_faces(&CUBE_EDGES, &CUBE_FACES));
 
     /// A sphere of radius 1, with its poles on the y axis, 16 faces around and 8 from pole to pole.
-    SPHERE with planes WithPlanes, 114, 224, 240:
+    SPHERE with PLANES, 114, 224, 240:
         revolved::<16, 7, 114>(&SPHERE_RINGS, [-ONE, ONE]),
         revolved_faces::<16, 7, 224>(),
         revolved_edges::<16, 7, 240>(true, true),
@@ -122,7 +119,7 @@ meshes! {
 
     /// A torus about the y axis: a tube of radius 0.3 around a circle of radius 0.7, 20 segments around the axis and 10 around the
     /// tube.
-    TORUS with planes WithPlanes, 200, 400, 400:
+    TORUS with PLANES, 200, 400, 400:
         torus_vertices::<20, 10, 200>(),
         torus_faces::<20, 10, 400>(),
         torus_edges::<20, 10, 400>(),

@@ -43,7 +43,7 @@ impl Picture {
         solid(&instance, &mut faces).expect("no error");
         let mut painted = Recorder::sized(width, height);
         let mut painter = Painter::<Shader, 8, 12>::new();
-        painter.add(&instance, |face| Shader(face as u16)).expect("room");
+        instance.faces(|face| Shader(face as u16)).sorted(&mut painter).expect("room");
         painter.draw(&mut painted).expect("no error");
         let by_letter = |target: &Recorder<Shader>| {
             target.picture(width as i32, height as i32, |Shader(face)| self.letter(usize::from(face)))

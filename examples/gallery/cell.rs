@@ -45,15 +45,17 @@ pub(crate) fn draw(
 
     let light = Lambert::new(&model, Vector3::from_ints(3, 5, 6), 176)?;
     let mut painter = Painter::<Rgb888, 64, 64>::new();
-    painter.add(&house, |face| {
-        let colour = match SIDES[face] {
-            Side::Front => MARKED,
-            Side::Floor => FLOOR,
-            Side::RoofLeft | Side::RoofRight => ROOF,
-            Side::Back | Side::Left | Side::Right => WALL,
-        };
-        colour.dim(light.level(SIDES[face].normal()))
-    })?;
+    house
+        .faces(|face| {
+            let colour = match SIDES[face] {
+                Side::Front => MARKED,
+                Side::Floor => FLOOR,
+                Side::RoofLeft | Side::RoofRight => ROOF,
+                Side::Back | Side::Left | Side::Right => WALL,
+            };
+            colour.dim(light.level(SIDES[face].normal()))
+        })
+        .sorted(&mut painter)?;
     painter.draw(sheet)?;
 
     let mut edges = |list: &[[u16; 2]], colour: Rgb888, dashed: bool| -> Result<(), Box<dyn Error>> {

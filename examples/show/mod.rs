@@ -94,7 +94,7 @@ impl Stage {
         let mut cache = [ScreenVertex::EMPTY; teapot::VERTICES.len()];
         let Ok(statistics) = match frame / TURN {
             0 => {
-                self.painter.add(&instance, shade).expect("room for the teapot");
+                instance.faces(shade).sorted(&mut self.painter).expect("room for the teapot");
                 self.painter.draw(&mut canvas)
             }
             1 => instance.edges(|_| Rgb565::CYAN).cached(&mut cache).draw(&mut canvas),

@@ -82,9 +82,9 @@ where
     D::Error: Error + 'static,
 {
     let first_inside = outside.mesh().faces().len();
-    painter.add(inside, |face| shade(first_inside + face))?;
+    inside.faces(|face| shade(first_inside + face)).sorted(painter)?;
     let statistics = painter.draw(target)?;
-    painter.add(outside, shade)?;
+    outside.faces(shade).sorted(painter)?;
     Ok(painter.draw(target)?.and(statistics))
 }
 

@@ -6,7 +6,7 @@ use crate::warning::MOST_FACES;
 use crate::{IndexedPicture, Warning};
 #[cfg(feature = "mesh")]
 use pinhole::{
-    mesh::{FaceColors, MeshError, TextureCoords, WithPlanes},
+    mesh::{FaceColors, MeshError, TextureCoords},
     Mesh,
 };
 use std::path::PathBuf;
@@ -116,7 +116,7 @@ pub struct Topology {
 /// As types of `pinhole`.
 #[cfg(feature = "mesh")]
 impl ImportedMesh {
-    /// The mesh, borrowed, without its planes: [`mesh_with_planes`](Self::mesh_with_planes) has them.
+    /// The mesh, borrowed, with all lists that the options asked for.
     ///
     /// # Errors
     ///
@@ -130,19 +130,13 @@ impl ImportedMesh {
         if !self.normals.is_empty() {
             mesh = mesh.with_normals(&self.normals)?;
         }
+        if !self.planes.is_empty() {
+            mesh = mesh.with_planes(&self.planes)?;
+        }
         if !self.vertex_normals.is_empty() {
             mesh = mesh.with_vertex_normals(&self.vertex_normals)?;
         }
         Ok(mesh)
-    }
-
-    /// The mesh, borrowed, with its planes, if [`Options::planes`](crate::Options::planes) asked for them.
-    ///
-    /// # Errors
-    ///
-    /// [`MeshError`] as from [`mesh`](Self::mesh), or if there are no planes: [`MeshError::ListLength`].
-    pub fn mesh_with_planes(&self) -> Result<Mesh<'_, i16, WithPlanes>, MeshError> {
-        self.mesh()?.with_planes(&self.planes)
     }
 
     /// The colours of its faces, borrowed, if it has any.

@@ -59,8 +59,8 @@ pub struct Options {
     pub edge_faces: bool,
     /// A normal for each face.
     pub normals: bool,
-    /// The plane of each face, 2 bytes, by which back faces are culled early: see [`pinhole::Mesh::with_planes`]. The mesh in Rust
-    /// is then a `Mesh<'static, i16, WithPlanes>`. Needs `normals`.
+    /// The plane of each face, 2 bytes, by which back faces are culled early: see [`pinhole::Mesh::with_planes`]. Needs
+    /// `normals`.
     pub planes: bool,
     /// A normal for each vertex: the mean of its faces' normals, each weighted by the face's angle there (Thürmer and
     /// Wüthrich, "Computing Vertex Normals from Polygonal Facets", 1998), so that it does not depend on how a surface was

@@ -18,8 +18,7 @@ const KEPT: &str =
     "#[rustfmt::skip]\n#[allow(dead_code, unreachable_pub)] // what is not used is not in the flash\n";
 
 impl ImportedMesh {
-    /// The mesh as Rust source: the constant `name`, a `pinhole::Mesh<'static>` over lists that are there once, or of type
-    /// `pinhole::Mesh<'static, i16, pinhole::mesh::WithPlanes>` if it has planes; `name_COLORS`,
+    /// The mesh as Rust source: the constant `name`, a `pinhole::Mesh<'static>` over lists that are there once; `name_COLORS`,
     /// an `Option<pinhole::mesh::FaceColors>`, which is `None` where the file has no materials, so that one program draws models with
     /// and without them; where the file has texture coordinates, `name_TEXTURE`, a `pinhole::mesh::TextureCoords`; where a picture was
     /// [asked for](crate::Options::texture), `name_TEXELS`, a `pinhole::texture::IndexedTexels`; and where `I16F16`
@@ -48,13 +47,12 @@ impl ImportedMesh {
              /// coordinate by quantising {}.\n\
              #[rustfmt::skip]\n\
              #[allow(dead_code, unreachable_pub)] // what is not used is not in the flash\n\
-             pub const {name}: pinhole::Mesh<'static{}> = {{\n",
+             pub const {name}: pinhole::Mesh<'static> = {{\n",
             self.size(),
             self.exponent,
             if self.offset_bits().is_some() { format!(" + [`{name}_OFFSET`]") } else { String::new() },
             self.report.extent,
             short(self.report.error),
-            if self.planes.is_empty() { "" } else { ", i16, pinhole::mesh::WithPlanes" },
         );
         // Statics, so that each list is in flash once, wherever the constant is used.
         nested(&mut out, "VERTICES: [[i16; 3]", &self.vertices);

@@ -38,7 +38,8 @@ use embedded_graphics_core::pixelcolor::{
 /// Its `Raw` is `()`, as 12 bits are no whole bytes: in bands, draw into the [`Band`](crate::bands::Band) itself, not into its `pixels()`, which
 /// does not build. Two such pixels, 0xABC and 0xDEF, are the bytes AB CD EF.
 ///
-/// Shaders take colours as `Rgb888`, whatever the target. Red, green and blue each become a level of their channel,
+/// Shaders take colours as `Rgb888`, whatever the target; a plain colour in place of a shader has the target's type
+/// ([`Flat`](crate::shading::Flat) of an `Rgb888` has any). Generic code asks for `DrawTarget<Color: Color>`. Red, green and blue each become a level of their channel,
 /// `value · max/255`; a grey target gets the luma of Rec. 601, `(77·red + 150·green + 29·blue)/256`, as in `embedded-graphics`.
 /// Levels have 16 fractional bits and are rounded to integers once, at the pixel.
 ///

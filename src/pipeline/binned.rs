@@ -14,7 +14,7 @@ use embedded_graphics_core::primitives::Rectangle;
 #[diagnostic::on_unimplemented(
     message = "a depth buffer needs vertices with depth, and these were transformed without it",
     label = "vertices without depth",
-    note = "call `transform_depth` instead of `transform`, or `bin_faces_with_depth` instead of `bin_faces`"
+    note = "call `transform_depth` instead of `transform` before the faces or edges are binned"
 )]
 pub trait DrawnWith<Test> {}
 

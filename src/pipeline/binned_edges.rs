@@ -13,7 +13,6 @@ use crate::camera::UnpackedVertex;
 use crate::color::Access;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
-use crate::scene::FacePlanes;
 use crate::shading::Stroke;
 use crate::surface::{
     BufferError, DepthBuffer, DepthTestedSurface, Surface, Target, Tested, Unmatched, Untested,
@@ -26,7 +25,7 @@ use embedded_graphics_core::primitives::Rectangle;
 #[derive(Debug)]
 pub struct BinnedEdges<'a, V: Coordinate = i16, const DEPTH: bool = false>(Binned<'a, V, DEPTH>);
 
-impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V, DEPTH, P> {
+impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// Sorts the visible edges by their first row, for drawing in bands. `storage` is bin storage that the result borrows. It
     /// must hold one number per visible edge and one per 16 edges of the mesh, rounded up: `edges + edges.div_ceil(16)` numbers
     /// are always enough.
@@ -58,7 +57,7 @@ impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V,
     /// the mesh has more than 65535 edges. Nothing is binned then.
     #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while edges are drawn
     pub fn bin_edges(&self, storage: &'a mut [u16]) -> Result<BinnedEdges<'a, V, DEPTH>, BufferError> {
-        let mut edges = BinnedEdges(Binned::new(self.any(), storage, self.instance.mesh().edges.len()));
+        let mut edges = BinnedEdges(Binned::new(*self, storage, self.instance.mesh().edges.len()));
         edges.0.statistics = edges.0.transformed.fill_edge_bins(&mut edges.0.bins)?;
         Ok(edges)
     }

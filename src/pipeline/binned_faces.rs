@@ -2,34 +2,52 @@
 
 use super::binned::{Binned, DrawnWith};
 use super::bins::{BinSort, Bins};
-use super::draw_region::{pixels, DrawRegion};
+use super::draw_region::DrawRegion;
 use super::drawable::ShaderFor;
-use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
+use super::face_source::{FaceSource, MeshOrder};
 use super::face_triangles::FaceTriangles;
 use super::faces::{draw_triangles, each_face, store_depth};
 use super::fill::{fill, fill_nearer};
-use super::instance::{AnyInstance, MeshInstance};
 use super::statistics::Statistics;
-use super::vertex_cache::{BinnedVertices, LazyCache, TransformedMesh, VertexCache};
-use crate::camera::ScreenVertex;
+use super::vertex_cache::{BinnedVertices, TransformedMesh};
 use crate::clip::Varying;
 use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
-use crate::scene::FacePlanes;
 use crate::surface::{BufferError, DepthBuffer, DepthTarget, Surface, Target, Tested, Unmatched, Untested};
 use core::convert::Infallible;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// The visible faces of a mesh, binned by their first rows: each band, or any other rectangle of the picture, draws only the
-/// faces that lie in it. [`MeshInstance::bin_faces`] makes it and has an example; [`TransformedMesh::bin_faces`] makes it, too.
+/// faces that lie in it. [`TransformedMesh::bin_faces`] makes it and has an example.
 #[derive(Debug)]
 pub struct BinnedFaces<'a, V: Coordinate = i16, const DEPTH: bool = false>(pub(super) Binned<'a, V, DEPTH>);
 
-impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V, DEPTH, P> {
+impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// Culls the faces and sorts the visible ones by their first row, for drawing in bands. `storage` is bin storage that the
     /// result borrows. It must hold one number per visible face and one per 16 faces of the mesh, rounded up:
     /// `faces + faces.div_ceil(16)` numbers are always enough.
+    ///
+    /// ```
+    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+    /// # use pinhole::{prelude::*, Angle};
+    /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2], [0, 2, 1]])?;
+    /// # let mut display = MockDisplay::<Gray8>::new();
+    /// # let viewport = Viewport::new(Point::zero(), display.size())?;
+    /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
+    /// let instance = camera.place(&mesh, &Affine::identity());
+    /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 2 + 1]); // one per vertex; one per face, and one per 16 faces
+    /// let mut faces = instance.transform(&mut cache).bin_faces(&mut bins)?;
+    /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
+    /// while let Some(mut band) = frame.next_band(&mut strip)? {
+    ///     faces.draw(|_| Gray8::WHITE, &mut band.pixels())?;
+    ///     band.send(&mut display)?;
+    /// }
+    /// assert_eq!((faces.statistics().drawn, faces.statistics().culled), (1, 1));
+    /// assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Gray8::WHITE));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -37,18 +55,17 @@ impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V,
     /// the mesh has more than 65535 faces. Nothing is binned then.
     #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while faces are drawn
     pub fn bin_faces(&self, storage: &'a mut [u16]) -> Result<BinnedFaces<'a, V, DEPTH>, BufferError> {
-        let mut faces = BinnedFaces(Binned::new(self.any(), storage, self.instance.mesh().faces.len()));
+        let mut faces = BinnedFaces(Binned::new(*self, storage, self.instance.mesh().faces.len()));
         faces.0.statistics = self.fill_bins(&mut faces.0.bins)?;
         Ok(faces)
     }
 
     #[inline(never)] // the sort's arrays leave the stack when it returns
-    fn fill_bins(&self, bins: &mut Bins<'_>) -> Result<Statistics, BufferError> {
-        if P::CULL {
-            bin(PlaneOrder::new(self.instance), self.any(), bins)
-        } else {
-            bin(MeshOrder, self.any(), bins)
-        }
+    pub(super) fn fill_bins(&self, bins: &mut Bins<'_>) -> Result<Statistics, BufferError> {
+        let (count, mut sort) = (self.instance.mesh().faces.len(), bins.sort());
+        let statistics = count_faces(MeshOrder, self, &mut sort);
+        sort.finish(count, |index| self.first_row(index))?;
+        Ok(statistics)
     }
 }
 
@@ -75,130 +92,24 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     }
 }
 
-/// Bins the faces of a source: culls and counts them all, then sorts the visible ones.
-#[inline(always)]
-fn bin<'a, V: Coordinate + 'a, const DEPTH: bool>(
-    source: impl FaceSource,
-    mut cache: impl VertexCache<'a, V, DEPTH>,
-    bins: &mut Bins<'_>,
-) -> Result<Statistics, BufferError> {
-    let (count, mut sort) = (cache.instance().mesh().faces.len(), bins.sort());
-    let statistics = count_faces(source, &mut cache, &mut sort);
-    let mesh = cache.view();
-    sort.finish(count, |index| mesh.first_row(index))?;
-    Ok(statistics)
-}
-
 /// Culls and clips faces, and passes the visible ones to the counting sort.
 #[inline(never)] // its frame is gone when the faces are sorted
 pub(super) fn count_faces<'a, V: Coordinate + 'a, const DEPTH: bool>(
     source: impl FaceSource,
-    cache: &mut impl VertexCache<'a, V, DEPTH>,
+    transformed: &TransformedMesh<'a, V, DEPTH>,
     sort: &mut BinSort<'_, '_>,
 ) -> Statistics {
     let viewport = Scissor::EMPTY; // no gradient is asked for
-    let Ok(statistics) =
-        each_face(source, cache, &viewport, |index, _, triangles: &mut FaceTriangles<'_, ()>| {
+    let Ok(statistics) = each_face(
+        source,
+        &mut { *transformed },
+        &viewport,
+        |index, _, triangles: &mut FaceTriangles<'_, ()>| {
             sort.add(index, &triangles.fan.bounds());
             Ok::<bool, Infallible>(true)
-        });
+        },
+    );
     statistics
-}
-
-impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
-    /// Transforms the vertices, without depth, culls the faces, and sorts the visible ones by their first row, for drawing in
-    /// bands. `cache` holds the transformed vertices, as in [`Faces::cached`](crate::draw::Faces::cached). `storage` is bin storage that the result
-    /// borrows: one number per visible face, and one per 16 faces of the mesh, rounded up.
-    ///
-    /// To draw both faces and edges in bands, [`transform`](Self::transform) the vertices once for both.
-    ///
-    /// ```
-    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-    /// # use pinhole::{prelude::*, Angle};
-    /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2], [0, 2, 1]])?;
-    /// # let mut display = MockDisplay::<Gray8>::new();
-    /// # let viewport = Viewport::new(Point::zero(), display.size())?;
-    /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
-    /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
-    /// let mesh = mesh.with_normals(&[[0, 0, 32_767], [0, 0, -32_767]])?.with_planes(&[0, 0])?;
-    /// let instance = camera.place(&mesh, &Affine::identity());
-    /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 2 + 1]); // one per vertex; one per face, and one per 16 faces
-    /// let mut faces = instance.bin_faces(&mut cache, &mut bins)?;
-    /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
-    /// while let Some(mut band) = frame.next_band(&mut strip)? {
-    ///     faces.draw(|_| Gray8::WHITE, &mut band.pixels())?;
-    ///     band.send(&mut display)?;
-    /// }
-    /// assert_eq!((faces.statistics().drawn, faces.statistics().culled), (1, 1));
-    /// assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Gray8::WHITE));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`BufferError::Bins`] if `storage` is too short; the error says how many numbers are needed. [`BufferError::TooManyItems`] if
-    /// the mesh has more than 65535 faces. Nothing is binned then.
-    #[inline(always)]
-    pub fn bin_faces<'a>(
-        &'a self,
-        cache: &'a mut [ScreenVertex],
-        storage: &'a mut [u16],
-    ) -> Result<BinnedFaces<'a, V>, BufferError> {
-        self.binned(cache, storage)
-    }
-
-    /// Bins the visible faces as [`bin_faces`](Self::bin_faces) does, of vertices with depth, for depth-tested bands. Faces are
-    /// clipped at the far plane, even if the camera does not clip there.
-    ///
-    /// # Errors
-    ///
-    /// The errors of [`bin_faces`](Self::bin_faces), for the same reasons.
-    #[inline(always)]
-    pub fn bin_faces_with_depth<'a>(
-        &'a self,
-        cache: &'a mut [ScreenVertex],
-        storage: &'a mut [u16],
-    ) -> Result<BinnedFaces<'a, V, true>, BufferError> {
-        self.binned(cache, storage)
-    }
-
-    #[inline(always)]
-    fn binned<'a, const DEPTH: bool>(
-        &'a self,
-        cache: &'a mut [ScreenVertex],
-        storage: &'a mut [u16],
-    ) -> Result<BinnedFaces<'a, V, DEPTH>, BufferError> {
-        if P::CULL {
-            self.any.bin_by_planes(cache, storage)
-        } else {
-            TransformedMesh::new(&self.any, cache).bin_faces(storage)
-        }
-    }
-}
-
-impl<'a, V: Coordinate> AnyInstance<'a, V> {
-    /// Bins the faces that their planes leave, and transforms the vertices of those faces.
-    #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while faces are drawn
-    fn bin_by_planes<const DEPTH: bool>(
-        &'a self,
-        cache: &'a mut [ScreenVertex],
-        storage: &'a mut [u16],
-    ) -> Result<BinnedFaces<'a, V, DEPTH>, BufferError> {
-        let mut bins = Bins::new(storage, self.mesh().faces.len(), pixels(self.area()));
-        let statistics = self.fill_bins::<DEPTH>(cache, &mut bins)?;
-        let transformed = TransformedMesh::with_cache(self, DEPTH, cache);
-        Ok(BinnedFaces(Binned { transformed, bins, statistics }))
-    }
-
-    #[inline(never)] // the sort's arrays leave the stack when it returns
-    pub(super) fn fill_bins<const DEPTH: bool>(
-        &self,
-        cache: &mut [ScreenVertex],
-        bins: &mut Bins<'_>,
-    ) -> Result<Statistics, BufferError> {
-        let far = DEPTH || self.vertex_transform().clips_at_far();
-        bin(PlaneOrder::new(self), LazyCache::<V, DEPTH>::new(self, far, cache), bins)
-    }
 }
 
 /// Most faces of a band have rows outside it. All of them take the tier of clipped triangles, so that firmware that draws in

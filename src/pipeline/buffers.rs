@@ -64,7 +64,8 @@ defmt_format!(
 /// Declares vertex cache and bin storage for one or more `const` meshes that are drawn one after the other: [`MeshBuffers`] with
 /// the lengths of the largest one. `mesh_buffers!([MESH; 8], [OTHER; 1])` is for a [`Scene`](crate::draw::Scene), whose objects are
 /// binned at the same time: for as many of each mesh as can be visible, with the sum of their lengths. Drawn in one piece, the objects share
-/// the vertex cache of the largest mesh.
+/// the vertex cache of the largest mesh. A mesh that is made at run time has no constant lengths: it takes slices of
+/// [`cache_len`](crate::Mesh::cache_len) vertices and [`face_bins_len`](crate::Mesh::face_bins_len) numbers.
 ///
 /// `mesh_buffers!(MESH)` is for faces, `mesh_buffers!(edges: MESH)` for a wireframe, and `mesh_buffers!(faces, edges: MESH)` for
 /// hidden lines. [`MeshBuffers!`](macro@crate::MeshBuffers) with equal arguments is the type, for statics:

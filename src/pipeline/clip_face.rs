@@ -301,14 +301,13 @@ mod tests {
             let both_sides = instance.with_cull(Cull::None);
             let mut triangles = FaceTriangles::<()>::new(&Scissor::GUARD_BAND);
             let face = [0, 1, 2];
-            let all =
-                TransformedMesh::<_, true>::new(&both_sides.any, &mut []).clip_face(&face, &mut triangles);
+            let all = TransformedMesh::<_, true>::new(&both_sides, &mut []).clip_face(&face, &mut triangles);
             if all != Outcome::Clipped {
                 continue;
             }
             cut += 1;
             let expected = if triangles.fan.is_reversed() { Outcome::Culled } else { all };
-            let transformed = TransformedMesh::<_, true>::new(&instance.any, &mut []);
+            let transformed = TransformedMesh::<_, true>::new(&instance, &mut []);
             assert!(transformed.clip_face(&face, &mut triangles) == expected, "{vertices:?}");
             let mut slots = [ClipCoords::ZERO; 3];
             let clipper = transformed.clipper(&face, &mut slots, None);

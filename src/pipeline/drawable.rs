@@ -12,7 +12,7 @@ use crate::surface::{Gives, Surface};
 #[diagnostic::on_unimplemented(
     message = "faces of `{T}` cannot be filled with `{Self}`",
     label = "not a color of the target or a shader for it",
-    note = "return the target's color type, a shader such as `Flat`, `Gouraud`, `Lit` or `Dithered`, or implement `Shader` and `SpanShader` for your own"
+    note = "return the target's color type, a shader such as `Flat`, `Gouraud`, `Lit` or `texture.at(corners)`, or implement `Shader` and `SpanShader` for your own; the fog of `Fogged` has the target's color type, too"
 )]
 pub trait ShaderFor<T: Surface>: SpanShader<T::Color> {}
 

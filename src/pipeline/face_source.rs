@@ -3,7 +3,7 @@
 //! Sources push and are not iterators: pulled through an iterator, a frame of S3 takes 6 % more instructions.
 
 use super::cull::Cull;
-use super::instance::AnyInstance;
+use super::instance::MeshInstance;
 use crate::camera::PlaneEye;
 use crate::math::hints::keep_rolled;
 use crate::math::Coordinate;
@@ -61,7 +61,7 @@ impl FaceSource for PartOrder {
 /// The faces of a mesh, in its order, without those whose planes show that they are culled: early back-face culling, before a
 /// vertex is transformed.
 pub(super) struct PlaneOrder<'a, V: Coordinate> {
-    instance: &'a AnyInstance<'a, V>,
+    instance: &'a MeshInstance<'a, V>,
     eye: PlaneEye,
 }
 
@@ -94,7 +94,7 @@ impl<V: Coordinate> FaceSource for PlaneOrder<'_, V> {
 impl<'a, V: Coordinate> PlaneOrder<'a, V> {
     /// The faces of an instance that may be drawn; all of them if it culls none.
     #[inline(always)]
-    pub(super) fn new(instance: &'a AnyInstance<'a, V>) -> Self {
+    pub(super) fn new(instance: &'a MeshInstance<'a, V>) -> Self {
         let eye = match instance.cull() {
             _ if instance.mesh().planes.is_empty() => PlaneEye::NOWHERE,
             Cull::Back => PlaneEye::new(instance.vertex_transform()),
@@ -208,10 +208,9 @@ mod tests {
                     .unwrap();
             let camera = Camera::new(&view, &lens, &viewport);
             let instance = camera.place(&mesh, &model);
-            let seen = PlaneOrder::new(&instance.any).visible(0, FACES);
+            let seen = PlaneOrder::new(&instance).visible(0, FACES);
             assert_eq!(seen >> FACES, 0);
-            let distance =
-                own.into_iter().fold(f64::from(1 << (31 - mesh.data().justify())), |m, c| m.max(c.abs()));
+            let distance = own.into_iter().fold(f64::from(1 << (31 - mesh.justify())), |m, c| m.max(c.abs()));
             for (face, corners) in faces.iter().enumerate() {
                 let [a, b, c] = corners.map(|vertex| vertices[usize::from(vertex)].map(f64::from));
                 let normal = cross(minus(b, a), minus(c, a));

@@ -11,7 +11,7 @@ use super::drawable::ShaderFor;
 use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
 use super::face_triangles::FaceTriangles;
 use super::fill::{fill, fill_nearer};
-use super::instance::{AnyInstance, MeshInstance};
+use super::instance::MeshInstance;
 use super::statistics::{Outcome, Statistics};
 use super::vertex_cache::{area, LazyCache, TransformedMesh, VertexCache};
 use crate::camera::ScreenVertex;
@@ -20,7 +20,6 @@ use crate::fast;
 use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::{DepthTriangle, Scissor};
-use crate::scene::FacePlanes;
 use crate::shading::{CornerValues, Shader};
 use crate::surface::{DepthBuffer, DepthTarget, Surface, Target};
 use core::convert::Infallible;
@@ -91,7 +90,7 @@ pub(super) fn each_face<
 /// The shader of a face's current triangle, with the depths and 1/w of the triangle's corners if the shader needs them.
 #[inline(always)]
 pub(super) fn triangle_shader<V: Coordinate, S: Shader>(
-    instance: &AnyInstance<'_, V>,
+    instance: &MeshInstance<'_, V>,
     face: &[u16; 3],
     triangles: &FaceTriangles<'_, S::Varying>,
     shader: &S,
@@ -112,7 +111,7 @@ pub(super) fn triangle_shader<V: Coordinate, S: Shader>(
 
 /// Clip space's w at the corners of a face that is not cut.
 #[inline(never)] // code size
-fn w_of_corners<V: Coordinate>(instance: &AnyInstance<'_, V>, face: &[u16; 3]) -> [i32; 3] {
+fn w_of_corners<V: Coordinate>(instance: &MeshInstance<'_, V>, face: &[u16; 3]) -> [i32; 3] {
     let (vertices, transform) = (instance.mesh().vertices, instance.vertex_transform());
     map3(*face, |index| {
         let vertex = vertices.get(usize::from(index)); // Mesh has checked that there is one
@@ -123,7 +122,7 @@ fn w_of_corners<V: Coordinate>(instance: &AnyInstance<'_, V>, face: &[u16; 3]) -
 /// Draws the triangles of a face: `draw` gets each with its shader.
 #[inline(always)]
 pub(super) fn draw_triangles<V: Coordinate, S: Shader, E>(
-    instance: &AnyInstance<'_, V>,
+    instance: &MeshInstance<'_, V>,
     face: &[u16; 3],
     triangles: &mut FaceTriangles<'_, S::Varying>,
     shader: &S,
@@ -185,21 +184,6 @@ pub(super) fn depth_tested<'a, V: Coordinate + 'a, T: Surface, S: ShaderFor<T>>(
     })
 }
 
-/// Stores the depth of faces and draws nothing.
-#[inline(always)]
-pub(super) fn depth_only<'a, V: Coordinate + 'a>(
-    source: impl FaceSource,
-    mut cache: impl VertexCache<'a, V, true>,
-    region: &DrawRegion,
-    depth: &mut DepthBuffer<'_>,
-) -> Statistics {
-    let Ok(statistics) = each_face(source, &mut cache, &region.viewport, |_, _, triangles| {
-        store_depth::<V>(triangles, &region.scissor, depth);
-        Ok::<bool, Infallible>(true)
-    });
-    statistics
-}
-
 /// Stores the depth of a face's triangles.
 #[inline(always)]
 pub(super) fn store_depth<V: Coordinate>(
@@ -223,13 +207,13 @@ pub(super) fn store_depth<V: Coordinate>(
 /// [`MeshInstance::faces`] makes it.
 #[must_use = "`draw` draws the faces, `pick` finds the one in a pixel"]
 #[derive(Debug)]
-pub struct Faces<'a, V: Coordinate, P: FacePlanes, F> {
-    pub(super) instance: &'a MeshInstance<'a, V, P>,
+pub struct Faces<'a, V: Coordinate, F, const BY_PLANES: bool = false> {
+    pub(super) instance: &'a MeshInstance<'a, V>,
     pub(super) shade: F,
     pub(super) cache: &'a mut [ScreenVertex],
 }
 
-impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
+impl<V: Coordinate> MeshInstance<'_, V> {
     /// The faces, to be drawn or picked. `shade` is called once for each face that is drawn, with the face's index, and returns its
     /// colour or another [`Shader`](crate::shading::Shader).
     ///
@@ -245,16 +229,25 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[inline(always)]
-    pub fn faces<S, F: FnMut(usize) -> S>(&self, shade: F) -> Faces<'_, V, P, F> {
+    pub fn faces<S, F: FnMut(usize) -> S>(&self, shade: F) -> Faces<'_, V, F> {
         Faces { instance: self, shade, cache: &mut [] }
     }
 }
 
-impl<'a, V: Coordinate, P: FacePlanes, F> Faces<'a, V, P, F> {
+impl<'a, V: Coordinate, F, const BY_PLANES: bool> Faces<'a, V, F, BY_PLANES> {
+    /// Culls back faces by the [planes](crate::Mesh::with_planes) of the mesh, if it has any, before their vertices are transformed. Worth
+    /// it for closed meshes of a few hundred faces or more: `with_planes` says when, and has an example. Firmware links this code only if
+    /// it calls this.
+    #[inline(always)]
+    pub fn culled_by_planes(self) -> Faces<'a, V, F, true> {
+        let Self { instance, shade, cache } = self;
+        Faces { instance, shade, cache }
+    }
+
     /// With memory for transformed vertices: as long as the mesh's vertex list, so that each vertex is transformed once. Without it,
     /// or beyond its end, a vertex is transformed for each face that needs it: slower, but the picture is equal.
     ///
-    /// Of a mesh [with planes](crate::Mesh::with_planes), a vertex is transformed when the first face that may be visible needs it; a
+    /// [Culled by planes](Self::culled_by_planes), a vertex is transformed when the first face that may be visible needs it; a
     /// vertex that must be clipped, or lies farther out than a [`ScreenVertex`] can hold, is transformed again for each such face.
     #[inline(always)]
     pub fn cached(self, cache: &'a mut [ScreenVertex]) -> Self {
@@ -309,61 +302,64 @@ impl<'a, V: Coordinate, P: FacePlanes, F> Faces<'a, V, P, F> {
     {
         target.dispatch(
             self,
-            |Faces { instance, shade, cache }, surface| instance.solid(shade, cache, surface),
+            |Faces { instance, shade, cache }, surface| {
+                instance.solid::<_, _, BY_PLANES>(shade, cache, surface)
+            },
             |Faces { instance, shade, cache }, surface, depth| {
-                instance.depth_tested(shade, cache, depth, surface)
+                instance.depth_tested::<_, _, BY_PLANES>(shade, cache, depth, surface)
             },
         )
     }
 }
 
-defmt_format!([V: Coordinate, P: FacePlanes, F] Faces<'_, V, P, F>, self, "faces of {}", self.instance);
+defmt_format!(
+    [V: Coordinate, F, const BY_PLANES: bool] Faces<'_, V, F, BY_PLANES>, self,
+    "faces of {}", self.instance
+);
 
-impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
+impl<V: Coordinate> MeshInstance<'_, V> {
     #[inline(never)] // its stack frame is gone when it returns
-    fn solid<T: Surface, S: ShaderFor<T>>(
+    fn solid<T: Surface, S: ShaderFor<T>, const BY_PLANES: bool>(
         &self,
         shade: impl FnMut(usize) -> S,
         cache: &mut [ScreenVertex],
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let instance = &self.any;
-        let region = DrawRegion::new(target, instance.area());
-        match (P::CULL, S::NEEDS_DEPTH) {
+        let region = DrawRegion::new(target, self.area());
+        match (BY_PLANES, S::NEEDS_DEPTH) {
             (false, false) => {
-                let cache = TransformedMesh::<V, false>::new(instance, cache);
+                let cache = TransformedMesh::<V, false>::new(self, cache);
                 solid(MeshOrder, cache, &region, shade, target)
             }
             (false, true) => {
-                let cache = TransformedMesh::<V, true>::new(instance, cache);
+                let cache = TransformedMesh::<V, true>::new(self, cache);
                 solid(MeshOrder, cache, &region, shade, target)
             }
             (true, false) => {
-                let (source, far) = (PlaneOrder::new(instance), instance.vertex_transform().clips_at_far());
-                solid(source, LazyCache::<V, false>::new(instance, far, cache), &region, shade, target)
+                let (source, far) = (PlaneOrder::new(self), self.vertex_transform().clips_at_far());
+                solid(source, LazyCache::<V, false>::new(self, far, cache), &region, shade, target)
             }
             (true, true) => {
-                let source = PlaneOrder::new(instance);
-                solid(source, LazyCache::<V, true>::new(instance, true, cache), &region, shade, target)
+                let source = PlaneOrder::new(self);
+                solid(source, LazyCache::<V, true>::new(self, true, cache), &region, shade, target)
             }
         }
     }
 
     #[inline(never)] // its stack frame is gone when it returns
-    fn depth_tested<T: Surface, S: ShaderFor<T>>(
+    fn depth_tested<T: Surface, S: ShaderFor<T>, const BY_PLANES: bool>(
         &self,
         shade: impl FnMut(usize) -> S,
         cache: &mut [ScreenVertex],
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let instance = &self.any;
-        let region = DrawRegion::new(target, instance.area()).with_depth(depth);
-        if P::CULL {
-            let source = PlaneOrder::new(instance);
-            depth_tested(source, LazyCache::new(instance, true, cache), &region, shade, depth, target)
+        let region = DrawRegion::new(target, self.area()).with_depth(depth);
+        if BY_PLANES {
+            let source = PlaneOrder::new(self);
+            depth_tested(source, LazyCache::new(self, true, cache), &region, shade, depth, target)
         } else {
-            depth_tested(MeshOrder, TransformedMesh::new(instance, cache), &region, shade, depth, target)
+            depth_tested(MeshOrder, TransformedMesh::new(self, cache), &region, shade, depth, target)
         }
     }
 
@@ -371,12 +367,12 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// of [`Faces::draw`]. `cache` is that of [`Faces::cached`], or empty. [`Edges::hidden_line`](crate::draw::Edges::hidden_line) has an example.
     #[inline(never)] // its stack frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [ScreenVertex], depth: &mut DepthBuffer<'_>) -> Statistics {
-        let instance = &self.any;
-        let region = DrawRegion::shared(&depth.area(), instance.area(), None);
-        if P::CULL {
-            depth_only(PlaneOrder::new(instance), LazyCache::new(instance, true, cache), &region, depth)
-        } else {
-            depth_only(MeshOrder, TransformedMesh::new(instance, cache), &region, depth)
-        }
+        let region = DrawRegion::shared(&depth.area(), self.area(), None);
+        let mut cache = TransformedMesh::<V, true>::new(self, cache);
+        let Ok(statistics) = each_face(MeshOrder, &mut cache, &region.viewport, |_, _, triangles| {
+            store_depth::<V>(triangles, &region.scissor, depth);
+            Ok::<bool, Infallible>(true)
+        });
+        statistics
     }
 }

@@ -5,7 +5,7 @@ use super::cull::Facing;
 use super::draw_region::DrawRegion;
 use super::drawable::StrokeFor;
 use super::face_triangles::FaceTriangles;
-use super::instance::AnyInstance;
+use super::instance::MeshInstance;
 #[cfg(doc)]
 use super::instance::MeshInstance;
 use super::statistics::Statistics;
@@ -15,10 +15,9 @@ use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::color::Access;
 use crate::math::Coordinate;
 use crate::raster::{self, DepthTriangle, EdgePlanes, LineDepth, Scissor, ScreenPoint, Span};
-use crate::scene::FacePlanes;
 use crate::surface::{DepthBuffer, DepthTestedSurface, Surface};
 
-impl<V: Coordinate, P: FacePlanes, F> Edges<'_, V, P, F> {
+impl<V: Coordinate, F> Edges<'_, V, F> {
     /// Draws the parts of the mesh's edges that no face hides: a wireframe of a solid object, on any target, also on 1-bit
     /// displays. First store the depth of this mesh, and of all others that may hide its edges, with
     /// [`depth_only`](MeshInstance::depth_only).
@@ -77,11 +76,11 @@ impl<V: Coordinate, P: FacePlanes, F> Edges<'_, V, P, F> {
         F: FnMut(usize) -> K,
     {
         let Self { instance, stroke, cache } = self;
-        instance.any.hidden_line(stroke, cache, target.depth, target.surface)
+        instance.hidden_line(stroke, cache, target.depth, target.surface)
     }
 }
 
-impl<V: Coordinate> AnyInstance<'_, V> {
+impl<V: Coordinate> MeshInstance<'_, V> {
     #[inline(never)] // its stack frame is gone when it returns
     pub(super) fn wireframe_depth_tested<T: Surface, K: StrokeFor<T>>(
         &self,

@@ -3,7 +3,7 @@
 use super::cull::Cull;
 use crate::camera::{Camera, VertexTransform};
 use crate::math::{Affine, Coordinate, Inside};
-use crate::scene::{FacePlanes, Mesh, MeshData, WithoutPlanes};
+use crate::scene::Mesh;
 use crate::space::{Model, World};
 use core::marker::PhantomData;
 use embedded_graphics_core::primitives::Rectangle;
@@ -12,17 +12,9 @@ use embedded_graphics_core::primitives::Rectangle;
 /// and frame.
 ///
 /// Each drawing mode is a method: lines, solid faces, faces with a depth test, hidden lines, points. [The
-/// book](crate::book::ch4_visibility) compares them. Faces of a mesh [with planes](Mesh::with_planes) are culled by them first.
+/// book](crate::book::ch4_visibility) compares them.
 #[derive(Clone, Copy, Debug)]
-pub struct MeshInstance<'m, V: Coordinate = i16, P: FacePlanes = WithoutPlanes> {
-    pub(super) any: AnyInstance<'m, V>,
-    planes: PhantomData<P>,
-}
-
-/// A mesh instance, whether its mesh has planes or not. Only the choice of a face source depends on planes, so firmware that
-/// draws both kinds of meshes has one copy of all other code.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct AnyInstance<'m, V: Coordinate> {
+pub struct MeshInstance<'m, V: Coordinate = i16> {
     parts: Parts<'m, V::Stored>,
     clipping: PhantomData<V>,
 }
@@ -32,7 +24,7 @@ pub(super) struct AnyInstance<'m, V: Coordinate> {
 /// instances, and call `memcpy`, which is 394 bytes on an M3.
 #[derive(Clone, Copy, Debug)]
 struct Parts<'m, S: Coordinate> {
-    mesh: &'m MeshData<'m, S>,
+    mesh: &'m Mesh<'m, S>,
     vertex_transform: VertexTransform,
     cull: Cull,
 }
@@ -40,37 +32,28 @@ struct Parts<'m, S: Coordinate> {
 impl Camera {
     /// Places a mesh before this camera: `model` takes the mesh's vertices to the world. Everything that depends on the
     /// object but not on its vertices is computed here, in integers.
-    #[inline(always)]
-    pub fn place<'m, V: Coordinate<Stored = V>, P: FacePlanes>(
-        &self,
-        mesh: &'m Mesh<'m, V, P>,
-        model: &Affine<Model, World>,
-    ) -> MeshInstance<'m, V, P> {
-        self.place_data(mesh.data(), model)
-    }
-
-    /// [`place`](Self::place) for the data of a mesh.
     #[inline(never)] // the result is large and is written directly to the caller's variable: inlined, it would be on the stack twice
-    pub(super) fn place_data<'m, V: Coordinate<Stored = V>, P: FacePlanes>(
+    pub fn place<'m, V: Coordinate<Stored = V>>(
         &self,
-        mesh: &'m MeshData<'m, V>,
+        mesh: &'m Mesh<'m, V>,
         model: &Affine<Model, World>,
-    ) -> MeshInstance<'m, V, P> {
-        let vertex_transform = VertexTransform::new(self, model, mesh.exponent(), mesh.justify(), V::NARROW);
+    ) -> MeshInstance<'m, V> {
+        let vertex_transform =
+            VertexTransform::new(self, model, mesh.exponent().into(), mesh.justify(), V::NARROW);
         MeshInstance::of(Parts { mesh, vertex_transform, cull: Cull::Back })
     }
 
     /// An instance for vertices that are cached and on the screen: it unpacks them, and can transform none.
-    #[inline(never)] // as `place_data`
-    pub(super) fn place_cached<'m, V: Coordinate<Stored = V>, P: FacePlanes>(
+    #[inline(never)] // as `place`
+    pub(super) fn place_cached<'m, V: Coordinate<Stored = V>>(
         &self,
-        mesh: &'m MeshData<'m, V>,
-    ) -> MeshInstance<'m, V, P> {
+        mesh: &'m Mesh<'m, V>,
+    ) -> MeshInstance<'m, V> {
         MeshInstance::of(Parts { mesh, vertex_transform: VertexTransform::of_cached(self), cull: Cull::Back })
     }
 }
 
-impl<'m, V: Coordinate> AnyInstance<'m, V> {
+impl<'m, V: Coordinate> MeshInstance<'m, V> {
     /// The viewport's pixels.
     pub(super) const fn area(&self) -> &Rectangle {
         self.parts.vertex_transform.area()
@@ -88,28 +71,15 @@ impl<'m, V: Coordinate> AnyInstance<'m, V> {
         self.parts.cull
     }
 
-    /// The mesh of this instance.
-    #[inline(always)]
-    pub(super) const fn mesh(&self) -> &'m MeshData<'m, V::Stored> {
-        self.parts.mesh
-    }
-
-    #[inline(never)] // inlined, it would be read from the clipped instance: see `Parts`
-    const fn mesh_out_of_line(&self) -> &'m MeshData<'m, V::Stored> {
-        self.parts.mesh
-    }
-}
-
-impl<'m, V: Coordinate, P: FacePlanes> MeshInstance<'m, V, P> {
     #[inline(always)]
     const fn of(parts: Parts<'m, V::Stored>) -> Self {
-        Self { any: AnyInstance { parts, clipping: PhantomData }, planes: PhantomData }
+        Self { parts, clipping: PhantomData }
     }
 
     /// The mesh of this instance.
     #[inline(always)]
-    pub const fn mesh(&self) -> Mesh<'m, V::Stored, P> {
-        Mesh::with_data(self.any.mesh_out_of_line())
+    pub const fn mesh(&self) -> &'m Mesh<'m, V::Stored> {
+        self.parts.mesh
     }
 
     /// The instance without clipping, for an object that stays in view: beyond the near plane, before a far plane that clips, and
@@ -135,29 +105,8 @@ impl<'m, V: Coordinate, P: FacePlanes> MeshInstance<'m, V, P> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn without_clipping(self) -> MeshInstance<'m, Inside<V>, P> {
-        MeshInstance::of(self.any.parts)
-    }
-
-    /// The instance without the planes of its mesh: its faces are culled by their area on the screen alone. The reasons to
-    /// leave planes out are in [`Mesh::with_planes`].
-    ///
-    /// ```
-    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
-    /// # use pinhole::{meshes::SPHERE, prelude::*, Angle};
-    /// # let mut display = MockDisplay::new();
-    /// # display.set_allow_overdraw(true);
-    /// # let viewport = Viewport::new(Point::zero(), display.size())?;
-    /// # let camera = Camera::framing(&SPHERE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
-    /// let instance = camera.place(&SPHERE, &Affine::identity());
-    /// let by_planes = instance.faces(|_| BinaryColor::On).draw(&mut display)?;
-    /// let by_area = instance.without_planes().faces(|_| BinaryColor::On).draw(&mut display)?;
-    /// assert_eq!(by_planes.drawn, by_area.drawn);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    #[must_use]
-    pub fn without_planes(self) -> MeshInstance<'m, V> {
-        MeshInstance::of(self.any.parts)
+    pub fn without_clipping(self) -> MeshInstance<'m, Inside<V>> {
+        MeshInstance::of(self.parts)
     }
 
     /// Sets which faces are culled; the default is [`Cull::Back`].
@@ -181,19 +130,12 @@ impl<'m, V: Coordinate, P: FacePlanes> MeshInstance<'m, V, P> {
     /// ```
     #[must_use]
     pub fn with_cull(mut self, cull: Cull) -> Self {
-        self.any.parts.cull = cull;
+        self.parts.cull = cull;
         self
     }
 }
 
 defmt_format!(
-    [V: Coordinate] AnyInstance<'_, V>, self,
+    [V: Coordinate] MeshInstance<'_, V>, self,
     "{} in {} at {}, cull {}", self.mesh(), self.area().size, self.area().top_left, self.cull()
 );
-
-#[cfg(feature = "defmt")]
-impl<V: Coordinate, P: FacePlanes> defmt::Format for MeshInstance<'_, V, P> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        self.any.format(f);
-    }
-}

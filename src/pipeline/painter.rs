@@ -3,16 +3,15 @@
 use super::draw_region::DrawRegion;
 use super::drawable::ShaderFor;
 use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
-use super::faces::{draw_triangles, each_face};
+use super::faces::{draw_triangles, each_face, Faces};
 use super::fill::{fill, fill_nearer};
-use super::instance::{AnyInstance, MeshInstance};
+use super::instance::MeshInstance;
 use super::statistics::Statistics;
 use super::vertex_cache::{transform_all, LazyCache, TransformedMesh, VertexCache};
 use crate::camera::ScreenVertex;
 use crate::math::hints::{keep_rolled, opaque};
 use crate::math::Coordinate;
 use crate::raster::{self, DepthTriangle, Scissor, ScreenPoint, Triangle};
-use crate::scene::FacePlanes;
 use crate::shading::{DepthTested, Shader};
 use crate::surface::{BufferError, DepthBuffer, DepthTarget, Surface, Target, Tested, Unmatched, Untested};
 use core::convert::Infallible;
@@ -28,7 +27,7 @@ use heapless::Vec;
 /// hidden surface problem*, 1972, split such faces; this painter does not.)
 ///
 /// `VERTICES` and `FACES` are the capacities: room for all vertices of all meshes, and for all visible faces. Memory: 8 bytes
-/// per vertex; 10 bytes and a shader (usually a colour) per face. [`add`](Self::add) transforms each vertex of a mesh once.
+/// per vertex; 10 bytes and a shader (usually a colour) per face. [`Faces::sorted`] adds a mesh and transforms each of its vertices once.
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
@@ -39,10 +38,10 @@ use heapless::Vec;
 /// let mut painter = Painter::<Gray8, 6, 2>::new();
 /// for (z, luma) in [(0, 80), (-2, 40)] {
 ///     let model = Affine::<Model, World>::translation(Vector3::from_ints(0, 0, z));
-///     painter.add(&camera.place(&mesh, &model), |_face| Gray8::new(luma))?;
+///     camera.place(&mesh, &model).faces(|_face| Gray8::new(luma)).sorted(&mut painter)?;
 /// }
 /// assert!(matches!(
-///     painter.add(&camera.place(&mesh, &Affine::identity()), |_| Gray8::new(0)),
+///     camera.place(&mesh, &Affine::identity()).faces(|_| Gray8::new(0)).sorted(&mut painter),
 ///     Err(BufferError::PainterVertices { needed: 9, capacity: 6 }),
 /// ));
 /// let mut display = MockDisplay::new();
@@ -192,6 +191,26 @@ impl<T: Surface, S: ShaderFor<T>> StoredShader<T, Tested> for DepthTested<S> {
     }
 }
 
+impl<V: Coordinate, F, const BY_PLANES: bool> Faces<'_, V, F, BY_PLANES> {
+    /// Stores the visible faces in a [`Painter`], which draws them and those of other objects from far to near. The closure is called once for
+    /// each visible face. A face that is clipped takes vertices of its own; [culled by planes](Self::culled_by_planes) also a face with a
+    /// corner farther out than a [`ScreenVertex`] can hold.
+    ///
+    /// # Errors
+    ///
+    /// [`BufferError`] if there is no room, or if the viewport differs from that of the stored faces. Nothing of this mesh is
+    /// stored then; the faces of other meshes stay.
+    pub fn sorted<S: Shader + Copy, const VERTICES: usize, const FACES: usize>(
+        self,
+        painter: &mut Painter<S, VERTICES, FACES>,
+    ) -> Result<(), BufferError>
+    where
+        F: FnMut(usize) -> S,
+    {
+        painter.add::<V, BY_PLANES>(self.instance, self.shade)
+    }
+}
+
 /// No face: the end of a list.
 const NONE: u16 = u16::MAX;
 
@@ -209,27 +228,18 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
         self.area = None;
     }
 
-    /// Stores the visible faces of a mesh instance. `shade` is called once for each visible face, with the face's index, and
-    /// returns its shader. A face that is clipped takes vertices of its own; of a mesh [with planes](crate::Mesh::with_planes)
-    /// also a face with a corner farther out than a [`ScreenVertex`] can hold.
-    ///
-    /// # Errors
-    ///
-    /// [`BufferError`] if there is no room, or if the viewport differs from that of the stored faces. Nothing of this mesh is
-    /// stored then; the faces of other meshes stay.
     #[inline(never)] // its stack frame is gone when it returns
-    pub fn add<V: Coordinate, P: FacePlanes>(
+    fn add<V: Coordinate, const BY_PLANES: bool>(
         &mut self,
-        instance: &MeshInstance<'_, V, P>,
+        instance: &MeshInstance<'_, V>,
         shade: impl FnMut(usize) -> S,
     ) -> Result<(), BufferError>
     where
         S: Shader,
     {
-        let instance = &instance.any;
         let far = S::NEEDS_DEPTH || instance.vertex_transform().clips_at_far();
         let (vertices, mut recorder) = self.begin(instance)?;
-        let statistics = if P::CULL {
+        let statistics = if BY_PLANES {
             let mut cache = LazyCache::<V, true>::new(instance, far, vertices);
             let statistics = recorder.record(PlaneOrder::new(instance), &mut cache, false, shade);
             recorder.room.unpack(instance, false, cache.into_cache());
@@ -249,7 +259,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     /// Reserves the vertices of a mesh, as many as fit, and returns the recorder of its faces.
     fn begin<V: Coordinate>(
         &mut self,
-        instance: &AnyInstance<'_, V>,
+        instance: &MeshInstance<'_, V>,
     ) -> Result<(&mut [ScreenVertex], Recorder<'_, S, FACES>), BufferError> {
         if self.vertices.is_empty() {
             self.area = Some(*instance.area());
@@ -312,7 +322,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// let mut painter = Painter::<Gray8, 3, 1>::new();
-    /// painter.add(&camera.place(&mesh, &Affine::identity()), |_| Gray8::WHITE)?;
+    /// camera.place(&mesh, &Affine::identity()).faces(|_| Gray8::WHITE).sorted(&mut painter)?;
     /// let order = painter.order();
     /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
     /// while let Some(mut band) = frame.next_band(&mut strip)? {
@@ -387,7 +397,12 @@ struct Room {
 impl Room {
     /// Converts the mesh's vertices from packed screen vertices to points. `all`: also vertices that are not on the screen, or
     /// that lie farther out than a [`ScreenVertex`] can hold, because unclipped faces may refer to them.
-    fn unpack<V: Coordinate>(&self, instance: &AnyInstance<'_, V>, all: bool, vertices: &mut [ScreenVertex]) {
+    fn unpack<V: Coordinate>(
+        &self,
+        instance: &MeshInstance<'_, V>,
+        all: bool,
+        vertices: &mut [ScreenVertex],
+    ) {
         let uncached = TransformedMesh::<V, true>::with_cache(instance, false, &[]);
         for (index, vertex) in vertices.iter_mut().enumerate() {
             let point = if vertex.is_on_screen() {

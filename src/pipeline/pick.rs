@@ -11,7 +11,6 @@ use crate::color::Ink;
 use crate::fast;
 use crate::math::{Coordinate, Point3};
 use crate::raster::ScreenPoint;
-use crate::scene::FacePlanes;
 use crate::shading::SpanShader;
 use crate::space::World;
 use crate::surface::DepthBuffer;
@@ -41,7 +40,7 @@ impl Picked {
     }
 }
 
-impl<V: Coordinate, P: FacePlanes, F> Faces<'_, V, P, F> {
+impl<V: Coordinate, F, const BY_PLANES: bool> Faces<'_, V, F, BY_PLANES> {
     /// The face that is seen in a pixel of the target, for touch screens and cursors. It is the face that
     /// [`draw`](Self::draw) shows there with a depth test, by equal rules of coverage, culling, clipping and depth. Nothing is drawn,
     /// and no depth buffer is needed. `None` if no face covers the pixel, or if it lies outside of the viewport or beyond 8192
@@ -72,23 +71,23 @@ impl<V: Coordinate, P: FacePlanes, F> Faces<'_, V, P, F> {
         F: FnMut(usize) -> S,
     {
         let Self { instance, shade, cache } = self;
-        pick_at(pixel, |depth| Some((0, instance.pick_nearer(depth, shade, cache)?)))
+        pick_at(pixel, |depth| Some((0, instance.pick_nearer::<_, _, BY_PLANES>(depth, shade, cache)?)))
     }
 }
 
-impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
+impl<V: Coordinate> MeshInstance<'_, V> {
     /// The face that is seen in the one pixel of the depth buffer, if one is nearer than its depth, which it replaces.
-    pub(super) fn pick_nearer<C: PixelColor, S: SpanShader<C>>(
+    pub(super) fn pick_nearer<C: PixelColor, S: SpanShader<C>, const BY_PLANES: bool>(
         &self,
         depth: &mut DepthBuffer<'_>,
         shade: impl FnMut(usize) -> S,
         cache: &mut [ScreenVertex],
     ) -> Option<usize> {
-        if P::CULL {
-            let source = PlaneOrder::new(&self.any);
-            pick_nearer(source, LazyCache::new(&self.any, true, cache), depth, shade)
+        if BY_PLANES {
+            let source = PlaneOrder::new(self);
+            pick_nearer(source, LazyCache::new(self, true, cache), depth, shade)
         } else {
-            pick_nearer(MeshOrder, TransformedMesh::new(&self.any, cache), depth, shade)
+            pick_nearer(MeshOrder, TransformedMesh::new(self, cache), depth, shade)
         }
     }
 }

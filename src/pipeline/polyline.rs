@@ -3,25 +3,38 @@
 use super::anti_aliased;
 use super::draw_region::DrawRegion;
 use super::drawable::StrokeFor;
-use super::instance::{AnyInstance, MeshInstance};
+use super::instance::MeshInstance;
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::camera::Projected;
 use crate::color::Access;
 use crate::math::Coordinate;
 use crate::raster::{self, Pixel, Span};
-use crate::scene::FacePlanes;
 use crate::surface::Surface;
 
-impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
+impl<V: Coordinate> MeshInstance<'_, V> {
     /// Draws each vertex as one pixel. [`polyline`](Self::polyline) has an example.
     ///
     /// # Errors
     ///
     /// The target's error, at the first pixel that it refuses.
-    #[inline(always)]
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn points<T: Surface>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
-        self.any.points(color, target)
+        let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
+        let mut statistics = Statistics::default();
+        for index in 0..self.mesh().vertices.len() {
+            match self.projected(index) {
+                Some(Projected { point, .. }) => {
+                    statistics.drawn += 1;
+                    let (x, y) = (i32::from(point.pixel().x), i32::from(point.pixel().y));
+                    if scissor.rows().contains(&y) && scissor.columns().contains(&x) {
+                        target.fill(Span { x, y, width: 1, height: 1 }, color)?;
+                    }
+                }
+                None => statistics.outside += 1,
+            }
+        }
+        Ok(statistics)
     }
 
     /// Draws lines from each vertex to the next as one polyline. It is closed if the last vertex equals the first. The pixel at
@@ -52,38 +65,8 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.
-    #[inline(always)]
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn polyline<T: Surface, K: StrokeFor<T>>(
-        &self,
-        stroke: K,
-        target: &mut T,
-    ) -> Result<Statistics, T::Error> {
-        self.any.polyline(stroke, target)
-    }
-}
-
-impl<V: Coordinate> AnyInstance<'_, V> {
-    #[inline(never)] // its stack frame is gone when it returns
-    fn points<T: Surface>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
-        let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
-        let mut statistics = Statistics::default();
-        for index in 0..self.mesh().vertices.len() {
-            match self.projected(index) {
-                Some(Projected { point, .. }) => {
-                    statistics.drawn += 1;
-                    let (x, y) = (i32::from(point.pixel().x), i32::from(point.pixel().y));
-                    if scissor.rows().contains(&y) && scissor.columns().contains(&x) {
-                        target.fill(Span { x, y, width: 1, height: 1 }, color)?;
-                    }
-                }
-                None => statistics.outside += 1,
-            }
-        }
-        Ok(statistics)
-    }
-
-    #[inline(never)] // its stack frame is gone when it returns
-    fn polyline<T: Surface, K: StrokeFor<T>>(
         &self,
         stroke: K,
         target: &mut T,

@@ -13,7 +13,7 @@ use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::camera::{Camera, ScreenVertex, Visibility};
 use crate::math::{Affine, Sphere};
-use crate::scene::{Mesh, MeshData, WithPlanes};
+use crate::scene::Mesh;
 use crate::shading::{Shader, SpanShader};
 use crate::space::{Model, World};
 use crate::surface::{rectangle, BufferError, DepthBuffer, Surface, Target};
@@ -28,7 +28,7 @@ use heapless::Vec;
 /// It takes 88 bytes and the memory of its material on a 32-bit core.
 #[derive(Clone, Copy, Debug)]
 pub struct Object<'m, M> {
-    mesh: &'m MeshData<'m, i16>,
+    mesh: &'m Mesh<'m>,
     /// The bounding sphere by which the object is culled, in model units. [`Object::new`] computes it; set it for a mesh whose sphere
     /// is a constant.
     pub sphere: Sphere,
@@ -44,13 +44,13 @@ impl<'m, M> Object<'m, M> {
     /// An object whose back faces are culled. Its bounding sphere is computed from all vertices: do this once, not in every frame.
     ///
     /// Meshes with [planes](Mesh::with_planes) and without them go into one scene.
-    pub fn new<P>(mesh: &'m Mesh<'m, i16, P>, model: Affine<Model, World>, material: M) -> Self {
-        Self { mesh: mesh.data(), sphere: mesh.bounding_sphere(), model, cull: Cull::Back, material }
+    pub fn new(mesh: &'m Mesh<'m>, model: Affine<Model, World>, material: M) -> Self {
+        Self { mesh, sphere: mesh.bounding_sphere(), model, cull: Cull::Back, material }
     }
 
-    /// The mesh, in the type of meshes with planes, whether it has any or not.
-    pub fn mesh(&self) -> Mesh<'m, i16, WithPlanes> {
-        Mesh::with_data(self.mesh)
+    /// The mesh.
+    pub fn mesh(&self) -> &'m Mesh<'m> {
+        self.mesh
     }
 
     /// Sets which faces are culled.
@@ -61,8 +61,8 @@ impl<'m, M> Object<'m, M> {
 
     /// The object before a camera.
     #[inline(always)]
-    fn place(&self, camera: &Camera) -> MeshInstance<'m, i16, WithPlanes> {
-        camera.place_data(self.mesh, &self.model).with_cull(self.cull)
+    fn place(&self, camera: &Camera) -> MeshInstance<'m> {
+        camera.place(self.mesh, &self.model).with_cull(self.cull)
     }
 }
 
@@ -212,7 +212,7 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
 
     /// The objects that may be seen, in the order of the scene, each placed when the iterator reaches it: for wireframes and other
     /// drawing that this type has no method for.
-    pub fn iter(&self) -> impl Iterator<Item = (&'s Object<'m, M>, MeshInstance<'m, i16, WithPlanes>)> + '_ {
+    pub fn iter(&self) -> impl Iterator<Item = (&'s Object<'m, M>, MeshInstance<'m>)> + '_ {
         self.visible().map(|(_, object)| (object, object.place(self.camera)))
     }
 
@@ -240,21 +240,6 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
         shade: G,
     ) -> SceneFaces<'_, 's, 'm, M, G, OBJECTS> {
         SceneFaces { scene: self, shade, cache: &mut [] }
-    }
-
-    /// Stores all objects in a painter, which draws their faces from far to near, in one piece or in bands: without a depth buffer.
-    /// `shade` is as in [`faces`](Self::faces).
-    ///
-    /// # Errors
-    ///
-    /// [`BufferError`] if an object has no room. The objects before it are stored then.
-    pub fn paint<S: Shader, F: FnMut(usize) -> S, const VERTICES: usize, const FACES: usize>(
-        &self,
-        mut shade: impl FnMut(usize, &'s Object<'m, M>) -> F,
-        painter: &mut Painter<S, VERTICES, FACES>,
-    ) -> Result<(), BufferError> {
-        self.visible()
-            .try_for_each(|(index, object)| painter.add(&object.place(self.camera), shade(index, object)))
     }
 
     /// Transforms the vertices of all visible objects and bins their faces, for drawing in bands. The objects share both
@@ -345,10 +330,29 @@ impl<'a, 's, 'm, M, G, const OBJECTS: usize> SceneFaces<'a, 's, 'm, M, G, OBJECT
         let mut statistics = Statistics::NONE;
         for (index, object) in scene.visible() {
             let instance = object.place(scene.camera);
-            let drawn = instance.faces(shade(index, object)).cached(cache).draw(target)?;
+            let faces = instance.faces(shade(index, object)).culled_by_planes();
+            let drawn = faces.cached(cache).draw(target)?;
             statistics = statistics.and(drawn);
         }
         Ok(statistics)
+    }
+
+    /// Stores the faces of all objects in a painter, which draws them from far to near, in one piece or in bands: without a depth buffer.
+    ///
+    /// # Errors
+    ///
+    /// [`BufferError`] if an object has no room. The objects before it are stored then.
+    pub fn sorted<S: Shader, F: FnMut(usize) -> S, const VERTICES: usize, const FACES: usize>(
+        self,
+        painter: &mut Painter<S, VERTICES, FACES>,
+    ) -> Result<(), BufferError>
+    where
+        G: FnMut(usize, &'s Object<'m, M>) -> F,
+    {
+        let Self { scene, mut shade, .. } = self;
+        scene.visible().try_for_each(|(index, object)| {
+            object.place(scene.camera).faces(shade(index, object)).culled_by_planes().sorted(painter)
+        })
     }
 
     /// The visible point in a pixel of the target, without drawing: the object, the face and the depth that
@@ -363,7 +367,7 @@ impl<'a, 's, 'm, M, G, const OBJECTS: usize> SceneFaces<'a, 's, 'm, M, G, OBJECT
             let mut nearest = None;
             for (index, object) in scene.visible() {
                 let instance = object.place(scene.camera);
-                let face = instance.pick_nearer(depth, shade(index, object), cache);
+                let face = instance.pick_nearer::<_, _, true>(depth, shade(index, object), cache);
                 nearest = face.map(|face| (index, face)).or(nearest);
             }
             nearest
@@ -403,9 +407,9 @@ impl<'f> BinnedObject<'f> {
         cache: &'f mut [ScreenVertex],
         storage: &'f mut [u16],
     ) -> Result<(Self, Statistics), BufferError> {
-        let MeshInstance { any: instance, .. } = &object.place(camera);
+        let instance = &object.place(camera);
         let mut bins = Bins::new(storage, object.mesh.faces.len(), pixels(instance.area()));
-        let statistics = instance.fill_bins::<true>(cache, &mut bins)?;
+        let statistics = TransformedMesh::<i16, true>::new(instance, cache).fill_bins(&mut bins)?;
         let is_outside = |vertex: &ScreenVertex| vertex.planes().is_some();
         let is_cached = cache.len() >= object.mesh.vertices.len() && !cache.iter().any(is_outside);
         Ok((Self { index, cache, bins, is_cached }, statistics))
@@ -461,7 +465,7 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
                 true => object.place(camera),
                 false => camera.place_cached(object.mesh),
             };
-            let transformed = TransformedMesh::with_cache(&instance.any, true, cache);
+            let transformed = TransformedMesh::with_cache(&instance, true, cache);
             let mut faces =
                 BinnedFaces(Binned { transformed, bins: bins.reborrowed(), statistics: Statistics::NONE });
             draw(*index, object, &mut faces)?;

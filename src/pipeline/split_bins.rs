@@ -91,10 +91,10 @@ impl<'a, V: Coordinate, const DEPTH: bool> SplitBins<'a, V, DEPTH> {
 impl<V: Coordinate, const DEPTH: bool> HalfBins<'_, V, DEPTH> {
     /// Culls and counts the faces of this half.
     pub fn count(self) {
-        let Self { mut transformed, faces, bits, half } = self;
+        let Self { transformed, faces, bits, half } = self;
         let mut bins = Bins::new(bits, faces.len(), pixels(transformed.instance.area()));
         let mut sort = bins.sort();
-        half.statistics = count_faces(PartOrder(faces), &mut transformed, &mut sort);
+        half.statistics = count_faces(PartOrder(faces), &transformed, &mut sort);
         half.counts = sort.into_counts();
         half.done = true;
     }

@@ -1,6 +1,6 @@
 //! The vertex stage on two cores: each transforms half of a mesh's vertices into its half of the vertex cache.
 
-use super::instance::{AnyInstance, MeshInstance};
+use super::instance::MeshInstance;
 use super::vertex_cache::{transform_all, TransformedMesh};
 use crate::camera::ScreenVertex;
 use crate::math::Coordinate;
@@ -9,7 +9,7 @@ use crate::math::Coordinate;
 /// [`split_transform_depth`](MeshInstance::split_transform_depth) makes it with depth.
 #[derive(Debug)]
 pub struct SplitTransform<'a, V: Coordinate = i16, const DEPTH: bool = false> {
-    instance: &'a AnyInstance<'a, V>,
+    instance: &'a MeshInstance<'a, V>,
     cache: &'a mut [ScreenVertex],
     /// Whether each half is transformed.
     done: [bool; 2],
@@ -18,7 +18,7 @@ pub struct SplitTransform<'a, V: Coordinate = i16, const DEPTH: bool = false> {
 /// Half of a mesh's vertices, to be transformed into half of a vertex cache: [`SplitTransform::halves`] makes two.
 #[derive(Debug)]
 pub struct HalfTransform<'a, V: Coordinate = i16, const DEPTH: bool = false> {
-    instance: &'a AnyInstance<'a, V>,
+    instance: &'a MeshInstance<'a, V>,
     /// The index of the first vertex.
     first: usize,
     cache: &'a mut [ScreenVertex],
@@ -27,8 +27,7 @@ pub struct HalfTransform<'a, V: Coordinate = i16, const DEPTH: bool = false> {
 
 impl<V: Coordinate> MeshInstance<'_, V> {
     /// Divides the [transform](Self::transform) of the mesh's vertices between two cores: what
-    /// [`finish`](SplitTransform::finish) returns is what `transform` returns, bit for bit. For meshes without face planes:
-    /// a mesh that has them is drawn by [`without_planes`](Self::without_planes).
+    /// [`finish`](SplitTransform::finish) returns is what `transform` returns, bit for bit.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -57,13 +56,13 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn split_transform<'a>(&'a self, cache: &'a mut [ScreenVertex]) -> SplitTransform<'a, V> {
-        SplitTransform { instance: &self.any, cache, done: [false; 2] }
+        SplitTransform { instance: self, cache, done: [false; 2] }
     }
 
     /// Divides the [transform with depth](Self::transform_depth) of the mesh's vertices between two cores, as
     /// [`split_transform`](Self::split_transform) does without depth.
     pub fn split_transform_depth<'a>(&'a self, cache: &'a mut [ScreenVertex]) -> SplitTransform<'a, V, true> {
-        SplitTransform { instance: &self.any, cache, done: [false; 2] }
+        SplitTransform { instance: self, cache, done: [false; 2] }
     }
 }
 

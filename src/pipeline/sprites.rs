@@ -2,14 +2,14 @@
 
 use super::draw_region::{pixels, DrawRegion};
 use super::drawable::SpriteFor;
-use super::instance::AnyInstance;
+use super::instance::MeshInstance;
 use super::sprite_fill::{fill, ScreenSprite};
 use super::statistics::{Outcome, Statistics};
 use super::vertex_cache::TransformedMesh;
 use crate::camera::{Camera, SizeOnScreen, UnpackedVertex};
 use crate::math::{Affine, Coordinate, Point3, Scalar, Vector3};
 use crate::raster::{Scissor, SpriteAxis};
-use crate::scene::{FacePlanes, Mesh};
+use crate::scene::Mesh;
 use crate::shading::{Sprite, SpriteSize, SpriteSource};
 use crate::space::{Model, World};
 use crate::surface::{rectangle, Surface, Target};
@@ -21,7 +21,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// frame.
 #[derive(Clone, Copy, Debug)]
 pub struct PlacedSprites<'m, V: Coordinate = i16> {
-    points: AnyInstance<'m, V>,
+    points: MeshInstance<'m, V>,
     world_size: SizeOnScreen,
 }
 
@@ -80,13 +80,13 @@ impl Camera {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[inline(never)] // the result is large and is written directly to the caller's variable
-    pub fn place_sprites<'m, V: Coordinate<Stored = V>, P: FacePlanes>(
+    pub fn place_sprites<'m, V: Coordinate<Stored = V>>(
         &self,
-        mesh: &'m Mesh<'m, V, P>,
+        mesh: &'m Mesh<'m, V>,
         model: &Affine<Model, World>,
     ) -> PlacedSprites<'m, V> {
-        let points = self.place(mesh, model).any;
-        PlacedSprites { world_size: SizeOnScreen::new(self, model, points.mesh().exponent()), points }
+        let points = self.place(mesh, model);
+        PlacedSprites { world_size: SizeOnScreen::new(self, model, mesh.exponent().into()), points }
     }
 }
 

@@ -3,15 +3,13 @@
 //! [`TransformedMesh`] transforms all vertices before the first face; [`LazyCache`] transforms a vertex when the first face
 //! needs it.
 
-use super::instance::{AnyInstance, MeshInstance};
+use super::instance::MeshInstance;
 use crate::camera::CameraError;
 use crate::camera::{Projected, ScreenVertex, UnpackedVertex, VertexTransform};
 use crate::math::hints::{keep_rolled, opaque};
 use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster;
-use crate::scene::{FacePlanes, WithoutPlanes};
-use core::marker::PhantomData;
 
 /// A vertex cache, as the face loop sees it.
 pub(super) trait VertexCache<'a, V: Coordinate, const DEPTH: bool> {
@@ -28,7 +26,7 @@ pub(super) trait VertexCache<'a, V: Coordinate, const DEPTH: bool> {
     }
 
     /// The instance whose vertices are cached.
-    fn instance(&self) -> &'a AnyInstance<'a, V>;
+    fn instance(&self) -> &'a MeshInstance<'a, V>;
 
     /// A read-only view of the cache.
     fn view(&self) -> TransformedMesh<'_, V, DEPTH>;
@@ -47,39 +45,36 @@ pub(super) trait VertexCache<'a, V: Coordinate, const DEPTH: bool> {
 /// lie in a caller-provided cache, which may be shorter than the mesh's vertex list: vertices beyond its end are transformed
 /// whenever a face or an edge needs them, and the picture is equal.
 #[derive(Debug)]
-pub struct TransformedMesh<'a, V: Coordinate = i16, const DEPTH: bool = false, P: FacePlanes = WithoutPlanes>
-{
-    pub(super) instance: &'a AnyInstance<'a, V>,
+pub struct TransformedMesh<'a, V: Coordinate = i16, const DEPTH: bool = false> {
+    pub(super) instance: &'a MeshInstance<'a, V>,
     /// Whether the far plane clips.
     pub(super) far: bool,
     cache: &'a [ScreenVertex],
-    planes: PhantomData<P>,
 }
 
 // Not derived: V need not be Clone behind a reference.
-impl<V: Coordinate, const DEPTH: bool, P: FacePlanes> Clone for TransformedMesh<'_, V, DEPTH, P> {
+impl<V: Coordinate, const DEPTH: bool> Clone for TransformedMesh<'_, V, DEPTH> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<V: Coordinate, const DEPTH: bool, P: FacePlanes> Copy for TransformedMesh<'_, V, DEPTH, P> {}
+impl<V: Coordinate, const DEPTH: bool> Copy for TransformedMesh<'_, V, DEPTH> {}
 
-impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
+impl<V: Coordinate> MeshInstance<'_, V> {
     /// Transforms the mesh's vertices once, without depth, for drawing in bands. `cache` holds one screen vertex per vertex of
     /// the mesh; if it is shorter, vertices beyond its end are transformed whenever they are needed.
     ///
-    /// Use it to [bin edges](TransformedMesh::bin_edges), which has an example, or to draw faces and edges from one cache. For faces alone [`bin_faces`](Self::bin_faces) is as
-    /// fast, and of a mesh [with planes](crate::Mesh::with_planes) it transforms only the vertices of faces that may be
-    /// visible.
-    pub fn transform<'a>(&'a self, cache: &'a mut [ScreenVertex]) -> TransformedMesh<'a, V, false, P> {
-        TransformedMesh::new(&self.any, cache).of_mesh()
+    /// The next step is to [bin faces](TransformedMesh::bin_faces) or [edges](TransformedMesh::bin_edges), or both. For a depth test, or fog, call
+    /// [`transform_depth`](Self::transform_depth) instead.
+    pub fn transform<'a>(&'a self, cache: &'a mut [ScreenVertex]) -> TransformedMesh<'a, V, false> {
+        TransformedMesh::new(self, cache)
     }
 
     /// Transforms the mesh's vertices once, with depth, for depth-tested bands. `cache` is as in
     /// [`transform`](Self::transform). Faces and edges are clipped at the far plane, even if the camera [does not
     /// clip](crate::Camera::with_far_clip) there.
-    pub fn transform_depth<'a>(&'a self, cache: &'a mut [ScreenVertex]) -> TransformedMesh<'a, V, true, P> {
-        TransformedMesh::new(&self.any, cache).of_mesh()
+    pub fn transform_depth<'a>(&'a self, cache: &'a mut [ScreenVertex]) -> TransformedMesh<'a, V, true> {
+        TransformedMesh::new(self, cache)
     }
 
     /// Projects vertex `index`: its screen point and its depth.
@@ -114,19 +109,6 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// [`CameraError`] if the mesh has no such vertex, or if the vertex lies in front of the near plane, outside the guard band
     /// or, if the camera clips there, beyond the far plane.
     pub fn project(&self, index: usize) -> Result<Projected, CameraError> {
-        self.any.project(index)
-    }
-
-    /// Vertex `index` before it is rounded to 1/256 px, for measurements: x and y in 2⁻³² px, and depth in 2⁻³² of its 65536
-    /// steps, not clamped to the range of depth. `None` if the mesh has no such vertex, or if it lies in front of the near
-    /// plane. Values beyond ±2³⁰ saturate.
-    pub fn project_unsnapped(&self, index: usize) -> Option<[i64; 3]> {
-        self.any.project_unsnapped(index)
-    }
-}
-
-impl<V: Coordinate> AnyInstance<'_, V> {
-    fn project(&self, index: usize) -> Result<Projected, CameraError> {
         if let Some(seen) = self.projected(index) {
             return Ok(seen);
         }
@@ -135,14 +117,10 @@ impl<V: Coordinate> AnyInstance<'_, V> {
         Err(transform.why_not_projected(&transform.clip(vertex)).unwrap_or(CameraError::OutsideGuardBand))
     }
 
-    /// A projected vertex, for drawing: `None` if it is not on the screen, since a reason would take code.
-    pub(super) fn projected(&self, index: usize) -> Option<Projected> {
-        let index = u16::try_from(index).ok().filter(|_| index < self.mesh().vertices.len())?;
-        let vertex = TransformedMesh::<V, true>::with_cache(self, false, &[]).vertex(index)?;
-        Some(Projected { point: vertex.point, depth: vertex.step() })
-    }
-
-    fn project_unsnapped(&self, index: usize) -> Option<[i64; 3]> {
+    /// Vertex `index` before it is rounded to 1/256 px, for measurements: x and y in 2⁻³² px, and depth in 2⁻³² of its 65536
+    /// steps, not clamped to the range of depth. `None` if the mesh has no such vertex, or if it lies in front of the near
+    /// plane. Values beyond ±2³⁰ saturate.
+    pub fn project_unsnapped(&self, index: usize) -> Option<[i64; 3]> {
         let vertex = *self.mesh().vertices.get(index)?;
         let h = self.vertex_transform().clip(vertex);
         let [_, _, d, w] = h.xydw;
@@ -150,26 +128,19 @@ impl<V: Coordinate> AnyInstance<'_, V> {
     }
 }
 
-impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V, DEPTH, P> {
-    /// The transformed mesh, whether it has planes or not: see [`AnyInstance`].
-    #[inline(always)]
-    pub(super) fn any(&self) -> TransformedMesh<'a, V, DEPTH> {
-        let Self { instance, far, cache, .. } = *self;
-        TransformedMesh { instance, far, cache, planes: PhantomData }
+impl<V: Coordinate> MeshInstance<'_, V> {
+    /// A projected vertex, for drawing: `None` if it is not on the screen, since a reason would take code.
+    pub(super) fn projected(&self, index: usize) -> Option<Projected> {
+        let index = u16::try_from(index).ok().filter(|_| index < self.mesh().vertices.len())?;
+        let vertex = TransformedMesh::<V, true>::with_cache(self, false, &[]).vertex(index)?;
+        Some(Projected { point: vertex.point, depth: vertex.step() })
     }
 }
 
 impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
-    /// The transformed mesh in the type that says whether it has planes.
-    #[inline(always)]
-    fn of_mesh<P: FacePlanes>(self) -> TransformedMesh<'a, V, DEPTH, P> {
-        let Self { instance, far, cache, .. } = self;
-        TransformedMesh { instance, far, cache, planes: PhantomData }
-    }
-
     /// Transforms as many vertices as fit into the cache; the others are transformed when a face needs them. With `DEPTH`, for
     /// drawing with a depth buffer, faces are clipped at the far plane even if the camera does not clip there.
-    pub(super) fn new(instance: &'a AnyInstance<'_, V>, cache: &'a mut [ScreenVertex]) -> Self {
+    pub(super) fn new(instance: &'a MeshInstance<'_, V>, cache: &'a mut [ScreenVertex]) -> Self {
         let far = DEPTH || instance.vertex_transform().clips_at_far();
         transform_all::<V, DEPTH>(instance.vertex_transform(), far, instance.mesh().vertices, cache);
         Self::of_full_cache(instance, cache)
@@ -177,7 +148,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
 
     /// The mesh with a cache whose vertices are all transformed.
     #[inline(always)]
-    pub(super) fn of_full_cache(instance: &'a AnyInstance<'_, V>, cache: &'a [ScreenVertex]) -> Self {
+    pub(super) fn of_full_cache(instance: &'a MeshInstance<'_, V>, cache: &'a [ScreenVertex]) -> Self {
         // With depth, `opaque` hides the length of the cache: comparing with a register takes one instruction, with many
         // constants two. Without depth no register is left for the length, and the constant is better.
         Self::with_cache(instance, DEPTH, if DEPTH { opaque(cache) } else { cache })
@@ -185,9 +156,13 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
 
     /// A view of a cache that already holds screen vertices. `far`: whether faces are clipped at the far plane.
     #[inline(always)]
-    pub(super) fn with_cache(instance: &'a AnyInstance<'_, V>, far: bool, cache: &'a [ScreenVertex]) -> Self {
+    pub(super) fn with_cache(
+        instance: &'a MeshInstance<'_, V>,
+        far: bool,
+        cache: &'a [ScreenVertex],
+    ) -> Self {
         let far = far || instance.vertex_transform().clips_at_far();
-        Self { instance, far, cache, planes: PhantomData }
+        Self { instance, far, cache }
     }
 
     /// A vertex: from the cache, or transformed again if the cache does not hold it.
@@ -269,7 +244,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for Transfo
     }
 
     #[inline(always)]
-    fn instance(&self) -> &'a AnyInstance<'a, V> {
+    fn instance(&self) -> &'a MeshInstance<'a, V> {
         self.instance
     }
 
@@ -293,7 +268,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for BinnedV
     }
 
     #[inline(always)]
-    fn instance(&self) -> &'a AnyInstance<'a, V> {
+    fn instance(&self) -> &'a MeshInstance<'a, V> {
         self.0.instance
     }
 
@@ -305,7 +280,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for BinnedV
 
 /// A vertex cache that transforms a vertex at its first use.
 pub(super) struct LazyCache<'a, 'c, V: Coordinate, const DEPTH: bool> {
-    instance: &'a AnyInstance<'a, V>,
+    instance: &'a MeshInstance<'a, V>,
     /// Whether the far plane clips.
     far: bool,
     cache: &'c mut [ScreenVertex],
@@ -314,7 +289,7 @@ pub(super) struct LazyCache<'a, 'c, V: Coordinate, const DEPTH: bool> {
 impl<'a, 'c, V: Coordinate, const DEPTH: bool> LazyCache<'a, 'c, V, DEPTH> {
     /// Marks all vertices as not transformed. `far`: the far plane clips.
     #[inline(always)]
-    pub(super) fn new(instance: &'a AnyInstance<'a, V>, far: bool, cache: &'c mut [ScreenVertex]) -> Self {
+    pub(super) fn new(instance: &'a MeshInstance<'a, V>, far: bool, cache: &'c mut [ScreenVertex]) -> Self {
         let count = instance.mesh().vertices.len().min(cache.len());
         let cache = cache.get_mut(..count).unwrap_or_default();
         // `opaque` hides that the value is zero: LLVM would call `memset`, which is slower.
@@ -371,7 +346,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for LazyCac
     }
 
     #[inline(always)]
-    fn instance(&self) -> &'a AnyInstance<'a, V> {
+    fn instance(&self) -> &'a MeshInstance<'a, V> {
         self.instance
     }
 
@@ -395,7 +370,7 @@ pub(super) fn area<const DEPTH: bool>(corners: &[ScreenVertex; 3]) -> i64 {
 
 #[inline(never)] // the transform gets all registers
 fn transform_one<V: Coordinate, const DEPTH: bool>(
-    instance: &AnyInstance<'_, V>,
+    instance: &MeshInstance<'_, V>,
     far: bool,
     index: u16,
     to: &mut ScreenVertex,
@@ -535,6 +510,6 @@ impl<A, B> ExactSizeIterator for Pairs<'_, A, B> {
 }
 
 defmt_format!(
-    [V: Coordinate, const DEPTH: bool, P: FacePlanes] TransformedMesh<'_, V, DEPTH, P>, self,
+    [V: Coordinate, const DEPTH: bool] TransformedMesh<'_, V, DEPTH>, self,
     "{}, {=usize} vertices cached", self.instance, self.cache.len()
 );

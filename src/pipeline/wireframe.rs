@@ -4,13 +4,12 @@ use super::anti_aliased;
 use super::draw_region::DrawRegion;
 use super::drawable::StrokeFor;
 use super::fill::line;
-use super::instance::{AnyInstance, MeshInstance};
+use super::instance::MeshInstance;
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::color::Access;
 use crate::math::Coordinate;
-use crate::scene::FacePlanes;
 use crate::surface::{Surface, Target};
 
 /// The edge loop: clips each edge and calls `draw` with the index and the ends of each edge of which clipping leaves something.
@@ -36,13 +35,13 @@ pub(super) fn each_edge<V: Coordinate, E, const DEPTH: bool>(
 /// The edges of an instance, with the closure that gives their strokes: drawn by one more call. [`MeshInstance::edges`] makes it.
 #[must_use = "`draw` draws the edges, `hidden_line` those in sight"]
 #[derive(Debug)]
-pub struct Edges<'a, V: Coordinate, P: FacePlanes, F> {
-    pub(super) instance: &'a MeshInstance<'a, V, P>,
+pub struct Edges<'a, V: Coordinate, F> {
+    pub(super) instance: &'a MeshInstance<'a, V>,
     pub(super) stroke: F,
     pub(super) cache: &'a mut [ScreenVertex],
 }
 
-impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
+impl<V: Coordinate> MeshInstance<'_, V> {
     /// The mesh's edges, to be drawn as lines. `stroke` is called once for each edge that is drawn, with the edge's index, and returns
     /// its colour, or [`AntiAliased`](crate::shading::AntiAliased) of it. Edges are drawn in the order of the mesh, so where lines of several
     /// colours cross, the later edge is seen.
@@ -78,12 +77,12 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[inline(always)]
-    pub fn edges<K, F: FnMut(usize) -> K>(&self, stroke: F) -> Edges<'_, V, P, F> {
+    pub fn edges<K, F: FnMut(usize) -> K>(&self, stroke: F) -> Edges<'_, V, F> {
         Edges { instance: self, stroke, cache: &mut [] }
     }
 }
 
-impl<'a, V: Coordinate, P: FacePlanes, F> Edges<'a, V, P, F> {
+impl<'a, V: Coordinate, F> Edges<'a, V, F> {
     /// With memory for transformed vertices: as long as the mesh's vertex list, so that each vertex is transformed once. Without it,
     /// or beyond its end, a vertex is transformed for each edge that needs it: slower, but the picture is equal.
     #[inline(always)]
@@ -112,17 +111,17 @@ impl<'a, V: Coordinate, P: FacePlanes, F> Edges<'a, V, P, F> {
     {
         target.dispatch(
             self,
-            |Edges { instance, stroke, cache }, surface| instance.any.wireframe(stroke, cache, surface),
+            |Edges { instance, stroke, cache }, surface| instance.wireframe(stroke, cache, surface),
             |Edges { instance, stroke, cache }, surface, depth| {
-                instance.any.wireframe_depth_tested(stroke, cache, depth, surface)
+                instance.wireframe_depth_tested(stroke, cache, depth, surface)
             },
         )
     }
 }
 
-defmt_format!([V: Coordinate, P: FacePlanes, F] Edges<'_, V, P, F>, self, "edges of {}", self.instance);
+defmt_format!([V: Coordinate, F] Edges<'_, V, F>, self, "edges of {}", self.instance);
 
-impl<V: Coordinate> AnyInstance<'_, V> {
+impl<V: Coordinate> MeshInstance<'_, V> {
     #[inline(never)] // its stack frame is gone when it returns
     fn wireframe<T: Surface, K: StrokeFor<T>>(
         &self,

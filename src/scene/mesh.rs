@@ -1,11 +1,9 @@
 //! Borrowed triangle meshes.
 
-use super::face_planes::{WithPlanes, WithoutPlanes};
 use crate::math::num::{scale, sqrt};
 use crate::math::unrolled::map3;
 use crate::math::{Coordinate, Point3, Scalar, Sphere};
 use crate::scene::MeshError;
-use core::marker::PhantomData;
 
 /// A triangle mesh over borrowed data, checked once when it is made. Made in a `const`, it lives in flash.
 ///
@@ -13,10 +11,6 @@ use core::marker::PhantomData;
 /// Cortex-M0. Meshes that need more range have [`Scalar`] vertices ([`Mesh::from_fixed`]). Faces are counter-clockwise seen
 /// from outside; a mesh without faces is a list of points, for plots and tool paths. Wireframes need edges, lighting needs
 /// normals.
-///
-/// `P` says whether the mesh has face planes, by which back faces are culled before their vertices are transformed:
-/// [`WithoutPlanes`] until [`with_planes`](Mesh::with_planes) makes it [`WithPlanes`]. As this is a type, firmware links the
-/// code for the meshes that it has, and no other.
 ///
 /// ```
 /// use pinhole::{mesh::MeshError, Mesh};
@@ -36,15 +30,7 @@ use core::marker::PhantomData;
 /// assert_eq!(wrong, Err(MeshError::FaceIndex { face: 0, index: 4 }));
 /// ```
 #[derive(Debug, PartialEq, Eq)]
-pub struct Mesh<'a, V = i16, P = WithoutPlanes> {
-    data: MeshData<'a, V>,
-    planes: PhantomData<P>,
-}
-
-/// The data of a mesh. Everything is drawn from this one type, so there is one copy of the code, whether meshes have planes or
-/// not.
-#[derive(Debug, PartialEq, Eq)]
-pub(crate) struct MeshData<'a, V> {
+pub struct Mesh<'a, V = i16> {
     pub(crate) vertices: &'a [[V; 3]],
     pub(crate) faces: &'a [[u16; 3]],
     pub(crate) edges: &'a [[u16; 2]],
@@ -57,24 +43,17 @@ pub(crate) struct MeshData<'a, V> {
     justify: u8,
 }
 
-// Not derived: V and P need not be Clone behind references.
-impl<V, P> Clone for Mesh<'_, V, P> {
+// Not derived: V need not be Clone behind references.
+impl<V> Clone for Mesh<'_, V> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<V, P> Copy for Mesh<'_, V, P> {}
+impl<V> Copy for Mesh<'_, V> {}
 
-impl<V> Clone for MeshData<'_, V> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-impl<V> Copy for MeshData<'_, V> {}
-
-impl<'a, V> MeshData<'a, V> {
+impl<'a, V> Mesh<'a, V> {
     /// Vertices and faces alone.
-    const fn new(vertices: &'a [[V; 3]], faces: &'a [[u16; 3]], exponent: i8, justify: u8) -> Self {
+    const fn of_lists(vertices: &'a [[V; 3]], faces: &'a [[u16; 3]], exponent: i8, justify: u8) -> Self {
         Self {
             vertices,
             faces,
@@ -230,17 +209,17 @@ impl<'a> Mesh<'a, i16> {
             i += 1;
         }
         let justify = justify(magnitude);
-        Ok(Self::of(MeshData::new(vertices, faces, exponent, justify)))
+        Ok(Self::of_lists(vertices, faces, exponent, justify))
     }
 }
 
-impl<P> Mesh<'_, i16, P> {
+impl Mesh<'_, i16> {
     /// The plane of each face, for [`with_planes`](Mesh::with_planes): the signed distance of the face from the origin along
     /// its normal. `N` is the number of faces. In units of 2⁻¹⁴ of the power of two that bounds the mesh's coordinates, rounded
     /// to nearest. Best called in a `const`. 0 for faces without a normal and indices out of range.
     ///
     /// ```
-    /// use pinhole::{mesh::WithPlanes, Mesh};
+    /// use pinhole::Mesh;
     /// const VERTICES: [[i16; 3]; 4] = [[0, 0, 0], [8, 0, 0], [0, 8, 0], [0, 0, 8]];
     /// const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
     /// const NORMALS: [[i16; 3]; 4] = [[0, 0, -32767], [0, -32767, 0], [-32767, 0, 0], [18918; 3]];
@@ -250,7 +229,7 @@ impl<P> Mesh<'_, i16, P> {
     ///     mesh
     /// };
     /// const PLANES: [i16; 4] = PLAIN.face_planes();
-    /// const CORNER: Mesh<'static, i16, WithPlanes> = match PLAIN.with_planes(&PLANES) {
+    /// const CORNER: Mesh<'static> = match PLAIN.with_planes(&PLANES) {
     ///     Ok(mesh) => mesh,
     ///     Err(_) => panic!("planes"),
     /// };
@@ -259,8 +238,8 @@ impl<P> Mesh<'_, i16, P> {
     pub const fn face_planes<const N: usize>(&self) -> [i16; N] {
         let (mut planes, mut face) = ([0; N], 0);
         while face < N {
-            if let Some((&[x, y, z], normal)) = self.data.corner_and_normal(face) {
-                planes[face] = plane_distance([x as i32, y as i32, z as i32], normal, self.data.justify);
+            if let Some((&[x, y, z], normal)) = self.corner_and_normal(face) {
+                planes[face] = plane_distance([x as i32, y as i32, z as i32], normal, self.justify);
             }
             face += 1;
         }
@@ -310,7 +289,7 @@ impl<'a> Mesh<'a, Scalar> {
             i += 1;
         }
         let justify = justify(magnitude);
-        Ok(Self::of(MeshData::new(vertices, faces, -16, justify)))
+        Ok(Self::of_lists(vertices, faces, -16, justify))
     }
 }
 
@@ -318,12 +297,6 @@ impl<'a, V> Mesh<'a, V> {
     /// The face index that stands for "no face" in lists of edge faces: a border.
     pub const NO_FACE: u16 = NO_FACE;
 
-    const fn of(data: MeshData<'a, V>) -> Self {
-        Self { data, planes: PhantomData }
-    }
-}
-
-impl<'a, V, P> Mesh<'a, V, P> {
     /// Adds the edges that a wireframe draws, each listed once, as two vertex indices in any order. Removes edge faces that
     /// were added before, because they belong to other edges.
     ///
@@ -335,12 +308,12 @@ impl<'a, V, P> Mesh<'a, V, P> {
         while edge < edges.len() {
             let [a, b] = edges[edge];
             let index = if a > b { a } else { b };
-            if index as usize >= self.data.vertices.len() {
+            if index as usize >= self.vertices.len() {
                 return Err(MeshError::EdgeIndex { edge, index });
             }
             edge += 1;
         }
-        Ok(Self { data: MeshData { edges, edge_faces: &[], ..self.data }, planes: PhantomData })
+        Ok(Self { edges, edge_faces: &[], ..self })
     }
 
     /// Adds the two faces adjacent to each edge, for hidden-line drawing, which would search all faces for them otherwise:
@@ -351,20 +324,19 @@ impl<'a, V, P> Mesh<'a, V, P> {
     ///
     /// [`MeshError::EdgeFaces`] if there is not one pair per edge, or a face index is out of range.
     pub const fn with_edge_faces(self, edge_faces: &'a [[u16; 2]]) -> Result<Self, MeshError> {
-        if edge_faces.len() != self.data.edges.len() {
+        if edge_faces.len() != self.edges.len() {
             return Err(MeshError::EdgeFaces { edge: edge_faces.len() });
         }
         let mut edge = 0;
         while edge < edge_faces.len() {
             let [a, b] = edge_faces[edge];
-            let (a_there, b_there) =
-                ((a as usize) < self.data.faces.len(), (b as usize) < self.data.faces.len());
+            let (a_there, b_there) = ((a as usize) < self.faces.len(), (b as usize) < self.faces.len());
             if !(a_there || a == NO_FACE) || !(b_there || b == NO_FACE) {
                 return Err(MeshError::EdgeFaces { edge });
             }
             edge += 1;
         }
-        Ok(Self { data: MeshData { edge_faces, ..self.data }, planes: PhantomData })
+        Ok(Self { edge_faces, ..self })
     }
 
     /// Adds a unit normal for each face, pointing outwards, in 2⁻¹⁵ (32767 stands for 1). Removes planes that were added before,
@@ -373,28 +345,26 @@ impl<'a, V, P> Mesh<'a, V, P> {
     /// # Errors
     ///
     /// [`MeshError::ListLength`] if there is not one normal per face.
-    pub const fn with_normals(self, normals: &'a [[i16; 3]]) -> Result<Mesh<'a, V>, MeshError> {
-        if normals.len() != self.data.faces.len() {
+    pub const fn with_normals(self, normals: &'a [[i16; 3]]) -> Result<Self, MeshError> {
+        if normals.len() != self.faces.len() {
             return Err(MeshError::ListLength {
                 one: "normal per face",
                 given: normals.len(),
-                needed: self.data.faces.len(),
+                needed: self.faces.len(),
             });
         }
-        Ok(Mesh::of(MeshData { normals, planes: &[], ..self.data }))
+        Ok(Self { normals, planes: &[], ..self })
     }
 
     /// Adds the plane of each face: its signed distance from the origin along the normal, which
     /// [`face_planes`](Mesh::face_planes) computes. Call [`with_normals`](Self::with_normals) first: planes refer to those normals.
     ///
-    /// The mesh is then drawn by **early back-face culling**: drawing first tests each face's plane, and transforms a vertex
-    /// only when a face that may be visible needs it. Every draw call for faces does so, as do a [`Painter`](crate::draw::Painter),
-    /// binning for bands, and picking.
+    /// [`culled_by_planes`](crate::draw::Faces::culled_by_planes) draws a mesh by **early back-face culling**: it first tests each face's plane,
+    /// and transforms a vertex only when a face that may be visible needs it. So does a [`Scene`](crate::draw::Scene) in one piece.
     ///
-    /// This is worth it for closed meshes of a few hundred faces or more. It costs more than it saves for a few dozen faces,
-    /// for terrain seen from above, and with [`Cull::None`](crate::draw::Cull::None): leave the planes out there, or draw the mesh
-    /// [without them](Self::without_planes). (Figures are in `docs/growth.md`: a draw call computes the eye's position in the
-    /// mesh's coordinates, which takes as long as transforming about ten vertices.)
+    /// This is worth it for closed meshes of a few hundred faces or more, drawn in one piece. It costs more than it saves for a few dozen
+    /// faces, for terrain seen from above, and with [`Cull::None`](crate::draw::Cull::None). (Figures are in `docs/growth.md`: a draw call
+    /// computes the eye's position in the mesh's coordinates, which takes as long as transforming about ten vertices.)
     ///
     /// **Which faces are culled.** A face is culled by its plane if the eye lies behind the plane by more than `max(eye, mesh) / 290`:
     /// the eye's distance from the model's origin and the mesh's largest coordinate, in model units. In a parallel projection a face is
@@ -430,7 +400,12 @@ impl<'a, V, P> Mesh<'a, V, P> {
     /// let mut display = MockDisplay::<Gray8>::new();
     /// let mut cache = [ScreenVertex::EMPTY; 4];
     /// let model = Affine::<Model, World>::identity();
-    /// let statistics = camera.place(&mesh, &model).faces(|_face| Gray8::WHITE).cached(&mut cache).draw(&mut display)?;
+    /// let statistics = camera
+    ///     .place(&mesh, &model)
+    ///     .faces(|_face| Gray8::WHITE)
+    ///     .culled_by_planes()
+    ///     .cached(&mut cache)
+    ///     .draw(&mut display)?;
     /// assert_eq!((statistics.drawn, statistics.culled), (1, 3));
     /// assert_eq!(cache[0], ScreenVertex::EMPTY); // no visible face has this vertex: it was not transformed
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -439,40 +414,15 @@ impl<'a, V, P> Mesh<'a, V, P> {
     /// # Errors
     ///
     /// [`MeshError::ListLength`] if there is not one plane per face, or if the mesh has no normals.
-    pub const fn with_planes(self, planes: &'a [i16]) -> Result<Mesh<'a, V, WithPlanes>, MeshError> {
-        let (faces, normals) = (self.data.faces.len(), self.data.normals.len());
+    pub const fn with_planes(self, planes: &'a [i16]) -> Result<Self, MeshError> {
+        let (faces, normals) = (self.faces.len(), self.normals.len());
         if planes.len() != faces {
             return Err(MeshError::ListLength { one: "plane per face", given: planes.len(), needed: faces });
         }
         if normals != faces {
             return Err(MeshError::ListLength { one: "normal per face", given: normals, needed: faces });
         }
-        Ok(Mesh { data: MeshData { planes, ..self.data }, planes: PhantomData })
-    }
-
-    /// The mesh without its planes: its faces are culled by their area on the screen alone. For terrain and other meshes of
-    /// which few faces look away, and for a [`Scene`](crate::draw::Scene) whose meshes must be of one type.
-    ///
-    /// ```
-    /// use pinhole::{meshes::TORUS, Mesh};
-    /// const PLAIN: Mesh<'static> = TORUS.without_planes();
-    /// assert_eq!((PLAIN.faces(), PLAIN.planes().len()), (TORUS.faces(), 0));
-    /// ```
-    pub const fn without_planes(self) -> Mesh<'a, V> {
-        Mesh::of(MeshData { planes: &[], ..self.data })
-    }
-
-    /// The mesh in the type of meshes with planes, keeping the planes that it has, if any: for a list of meshes of which some have
-    /// planes. A face without a plane is culled by its area on the screen alone, so the picture does not change. A mesh that has none is
-    /// drawn a little more slowly in this type: a vertex is transformed when a face first needs it, which each face has to find out.
-    ///
-    /// ```
-    /// use pinhole::{mesh::WithPlanes, meshes::{CUBE, TORUS}, Mesh};
-    /// const PARTS: [Mesh<'static, i16, WithPlanes>; 2] = [CUBE.with_planes_if_any(), TORUS];
-    /// # assert_eq!(PARTS.map(|mesh| mesh.planes().len()), [0, 400]);
-    /// ```
-    pub const fn with_planes_if_any(self) -> Mesh<'a, V, WithPlanes> {
-        Mesh { data: self.data, planes: PhantomData }
+        Ok(Self { planes, ..self })
     }
 
     /// Adds a unit normal for each vertex, pointing outwards, in 2⁻¹⁵ (32767 stands for 1): the normal of the surface that the
@@ -493,46 +443,46 @@ impl<'a, V, P> Mesh<'a, V, P> {
     ///
     /// [`MeshError::ListLength`] if there is not one normal per vertex.
     pub const fn with_vertex_normals(self, vertex_normals: &'a [[i16; 3]]) -> Result<Self, MeshError> {
-        let (vertices, normals) = (self.data.vertices.len(), vertex_normals.len());
+        let (vertices, normals) = (self.vertices.len(), vertex_normals.len());
         if normals != vertices {
             return Err(MeshError::ListLength { one: "normal per vertex", given: normals, needed: vertices });
         }
-        Ok(Self { data: MeshData { vertex_normals, ..self.data }, planes: PhantomData })
+        Ok(Self { vertex_normals, ..self })
     }
 
     /// The vertices, in units of 2^[`exponent`](Self::exponent).
     pub const fn vertices(&self) -> &'a [[V; 3]] {
-        self.data.vertices
+        self.vertices
     }
 
     /// The faces: three vertex indices each, counter-clockwise from outside.
     pub const fn faces(&self) -> &'a [[u16; 3]] {
-        self.data.faces
+        self.faces
     }
 
     /// The edges: two vertex indices each; empty if none were added.
     pub const fn edges(&self) -> &'a [[u16; 2]] {
-        self.data.edges
+        self.edges
     }
 
     /// The indices of the two faces adjacent to each edge, [`NO_FACE`](Self::NO_FACE) at a border; empty if none were added.
     pub const fn edge_faces(&self) -> &'a [[u16; 2]] {
-        self.data.edge_faces
+        self.edge_faces
     }
 
     /// The unit normals of the faces in 2⁻¹⁵; empty if none were added.
     pub const fn normals(&self) -> &'a [[i16; 3]] {
-        self.data.normals
+        self.normals
     }
 
     /// The planes of the faces; empty if none were added. See [`with_planes`](Self::with_planes).
     pub const fn planes(&self) -> &'a [i16] {
-        self.data.planes
+        self.planes
     }
 
-    /// The unit normals of the vertices in 2⁻¹⁵; empty if none were added.
+    /// The unit normals of the vertices in 2⁻¹⁵; empty if none were added, as for the ready `CUBE`, `CYLINDER` and `ARROW`.
     pub const fn vertex_normals(&self) -> &'a [[i16; 3]] {
-        self.data.vertex_normals
+        self.vertex_normals
     }
 
     /// Looks up the entries of a face's three vertices, in the face's order, in a list with one entry per vertex.
@@ -545,13 +495,13 @@ impl<'a, V, P> Mesh<'a, V, P> {
     /// ```
     pub fn corners_of<T: Copy + Default>(&self, face: usize, of_vertices: &[T]) -> [T; 3] {
         let at = |index: u16| of_vertices.get(usize::from(index)).copied().unwrap_or_default();
-        self.data.faces.get(face).map_or_else(|| [T::default(); 3], |&corners| map3(corners, at))
+        self.faces.get(face).map_or_else(|| [T::default(); 3], |&corners| map3(corners, at))
     }
 
     /// How many vertices a vertex cache holds that has room for all of this mesh: one [`ScreenVertex`](crate::camera::ScreenVertex)
     /// of 8 bytes per vertex. [`mesh_buffers!`](crate::mesh_buffers) declares caches and bins.
     pub const fn cache_len(&self) -> usize {
-        self.data.vertices.len()
+        self.vertices.len()
     }
 
     /// How many `u16`s of bin storage suffice for the faces of this mesh, whichever of them are visible: one per face, and one
@@ -564,30 +514,18 @@ impl<'a, V, P> Mesh<'a, V, P> {
     /// # Ok::<(), pinhole::mesh::MeshError>(())
     /// ```
     pub const fn face_bins_len(&self) -> usize {
-        bins_len(self.data.faces.len())
+        bins_len(self.faces.len())
     }
 
     /// How many `u16`s of bin storage suffice for the edges of this mesh, whichever of them are visible: one per edge, and one
     /// per 16 edges.
     pub const fn edge_bins_len(&self) -> usize {
-        bins_len(self.data.edges.len())
+        bins_len(self.edges.len())
     }
 
     /// The exponent of the vertices' unit: model coordinate = vertex · 2^exponent, of the bits of [`Scalar`] vertices.
     pub const fn exponent(&self) -> i8 {
-        self.data.exponent
-    }
-
-    /// The mesh's lists and the exponent of its vertices, whether it has planes or not.
-    #[inline(always)]
-    pub(crate) const fn data(&self) -> &MeshData<'a, V> {
-        &self.data
-    }
-
-    /// The mesh with this data.
-    #[inline(always)]
-    pub(crate) const fn with_data(data: &MeshData<'a, V>) -> Self {
-        Self { data: *data, planes: PhantomData }
+        self.exponent
     }
 }
 
@@ -596,46 +534,17 @@ const fn bins_len(primitives: usize) -> usize {
     primitives + primitives.div_ceil(16)
 }
 
-impl<V: Coordinate, P> Mesh<'_, V, P> {
+impl<V: Coordinate> Mesh<'_, V> {
     /// The plane of one face, for lists whose length is known at run time: as [`face_planes`](Mesh::face_planes).
     pub fn face_plane(&self, face: usize) -> i16 {
-        self.data.corner_and_normal(face).map_or(0, |(&corner, normal)| {
-            plane_distance(map3(corner, |c| c.times(1)), normal, self.data.justify)
-        })
+        self.corner_and_normal(face)
+            .map_or(0, |(&corner, normal)| plane_distance(map3(corner, |c| c.times(1)), normal, self.justify))
     }
 
     /// A bounding sphere about the centre of the vertices' bounding box, in model units. Its radius is at most √3 times the
     /// smallest possible, rounded up by at most 9·2⁻¹⁶ plus 2⁻²⁸ of itself; `Scalar::MAX` if centre or radius do not fit
     /// [`Scalar`]. For [`Frustum::visibility`](crate::camera::Frustum::visibility): compute it once per mesh.
     pub fn bounding_sphere(&self) -> Sphere {
-        self.data.bounding_sphere()
-    }
-}
-
-impl<'a, V> MeshData<'a, V> {
-    pub(crate) const fn exponent(&self) -> i32 {
-        self.exponent as i32
-    }
-
-    pub(crate) const fn justify(&self) -> u32 {
-        self.justify as u32
-    }
-
-    /// A face's first vertex, and its normal.
-    const fn corner_and_normal(&self, face: usize) -> Option<(&'a [V; 3], [i16; 3])> {
-        if face >= self.faces.len() || face >= self.normals.len() {
-            return None;
-        }
-        let index = self.faces[face][0] as usize;
-        if index >= self.vertices.len() {
-            return None; // `check_indices` excludes it; the compiler does not know
-        }
-        Some((&self.vertices[index], self.normals[face]))
-    }
-}
-
-impl<V: Coordinate> MeshData<'_, V> {
-    fn bounding_sphere(&self) -> Sphere {
         let justify = u32::from(self.justify);
         // In 2^unit world units.
         let (unit, factor) = (i32::from(self.exponent) - justify as i32, 1 << (justify & 31));
@@ -669,15 +578,26 @@ impl<V: Coordinate> MeshData<'_, V> {
     }
 }
 
+impl<'a, V> Mesh<'a, V> {
+    pub(crate) const fn justify(&self) -> u32 {
+        self.justify as u32
+    }
+
+    /// A face's first vertex, and its normal.
+    const fn corner_and_normal(&self, face: usize) -> Option<(&'a [V; 3], [i16; 3])> {
+        if face >= self.faces.len() || face >= self.normals.len() {
+            return None;
+        }
+        let index = self.faces[face][0] as usize;
+        if index >= self.vertices.len() {
+            return None; // `check_indices` excludes it; the compiler does not know
+        }
+        Some((&self.vertices[index], self.normals[face]))
+    }
+}
+
 defmt_format!(
-    [V] MeshData<'_, V>, self,
+    [V] Mesh<'_, V>, self,
     "mesh of {=usize} vertices, {=usize} faces, {=usize} edges",
     self.vertices.len(), self.faces.len(), self.edges.len()
 );
-
-#[cfg(feature = "defmt")]
-impl<V, P> defmt::Format for Mesh<'_, V, P> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        self.data.format(f);
-    }
-}

@@ -27,7 +27,7 @@ use super::{CornerValues, Shader};
 /// at(0).faces(|_| Gray8::new(100)).draw(&mut picture.pixels().depth_tested(&mut depth))?;
 /// let mut painter = Painter::<DepthTested<HalfBlended<Gray8>>, 9, 3>::new();
 /// for (z, luma) in [(2, 200), (1, 0), (-1, 255)] {
-///     painter.add(&at(z), |_| DepthTested::new(HalfBlended::new(Gray8::new(luma))))?;
+///     at(z).faces(|_| DepthTested::new(HalfBlended::new(Gray8::new(luma)))).sorted(&mut painter)?;
 /// }
 /// painter.draw(&mut picture.pixels().depth_tested(&mut depth))?;
 /// assert_eq!(picture.colors()[16 * 32 + 16], Gray8::new(125)); // (200 + (0 + 100) / 2) / 2

@@ -86,7 +86,8 @@ impl Lambert {
     }
 
     /// Writes the [`level`](Self::level) of each normal to `levels`, up to the end of the shorter slice. Call it once per frame
-    /// for smooth shading with [`Gouraud`](super::Gouraud) or a [`ShadeTable`](super::ShadeTable).
+    /// for smooth shading with [`Gouraud`](super::Gouraud) or a [`ShadeTable`](super::ShadeTable). The normals are those of vertices: a mesh
+    /// without [`vertex_normals`](crate::Mesh::vertex_normals) has an empty list, no level is written, and its faces come out black.
     ///
     /// ```
     /// use pinhole::prelude::*;

@@ -9,8 +9,8 @@ use crate::raster::{Gradient, GradientSetup, Triangle};
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
 /// Gouraud shading of one colour: a light level at each corner of a face, in the order of the face's vertices, interpolated
-/// linearly on the screen. It is faster than [`Gouraud::new`] with three dimmed colours, as it sets up one gradient instead of
-/// three. [`Gouraud::lit`] makes it.
+/// linearly on the screen. [`Gouraud::lit`] makes it. It is faster than [`Gouraud::new`] with three dimmed colours, as it sets up one
+/// gradient instead of three.
 ///
 /// **Error.** As for [`Gouraud`], each channel of a pixel is the exact value at the pixel's centre, rounded to the nearest
 /// level of the target: off by at most ½ + 2⁻⁹ level.

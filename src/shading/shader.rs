@@ -61,8 +61,8 @@ pub trait Shader: Copy {
     /// type.
     type Varying: Varying;
 
-    /// Whether the shader needs the depths of a triangle's corners, in [`with_corners`](Self::with_corners). If true, every
-    /// draw call transforms vertices with depth and clips at the far plane.
+    /// Whether the shader needs the depths of a triangle's corners, in [`with_corners`](Self::with_corners). If true, draw calls in one
+    /// piece transform vertices with depth and clip at the far plane; in bands, faces of `transform` do not build with it.
     const NEEDS_DEPTH: bool = false;
 
     /// Whether the shader needs 1/w of a triangle's corners, in [`with_corners`](Self::with_corners), for perspective-correct

@@ -10,7 +10,8 @@ use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// A depth buffer: for each pixel of a rectangle of the target, the depth of the nearest face drawn so far. It takes 2 bytes per
-/// pixel, in a caller-provided buffer.
+/// pixel, in a caller-provided buffer. Nothing is drawn outside of it: in bands, make one for each band's
+/// [area](crate::bands::Band::area).
 ///
 /// Depth is linear on the screen, from 0 near to 65534 far; 65535 marks a pixel where nothing was drawn.
 ///

@@ -118,7 +118,7 @@ fn a_transformed_sphere_holds_what_the_transform_makes_of_it() {
 
 #[test]
 fn a_scene_s_sphere_is_around_its_objects() {
-    let torus = TORUS.without_planes();
+    let torus = TORUS;
     let mut scene = Scene::<u8, 3>::new();
     assert_eq!(scene.bounding_sphere(), sphere([0; 3], 0));
     let placed = [

@@ -66,7 +66,7 @@ fn once(camera: &CameraBits, model: &ModelBits, vertices: &[[i16; 3]], exponent:
         );
     }
     let mut painter = Painter::<Shader, 800, 800>::new();
-    painter.add(&instance, |face| Shader(face as u16)).expect("enough room");
+    instance.faces(|face| Shader(face as u16)).sorted(&mut painter).expect("enough room");
     let mut painted = Recorder::sized(width, height);
     assert_eq!(painter.draw(&mut painted), Ok(statistics));
     assert!(painted.pixels == target.pixels, "the painter draws another picture");

@@ -3,16 +3,18 @@
 //! culled by planes, in bands, in painter's order, as wireframes and with hidden lines; faces that are culled before they are cut are those
 //! that are drawn only without culling. `Cull::Front` draws what `Cull::Back` draws of the mesh with all faces turned over.
 
+use core::convert::Infallible;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{
-    mesh::{Coordinate, FacePlanes, MeshError, WithPlanes},
+    mesh::{Coordinate, MeshError},
     prelude::*,
 };
 use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
-use support::bridge::ways::{bands, by_every_call, lines_by_every_call, memory, screen, Drawn, Lines};
+use support::bridge::ways::{bands, by_every_call, by_planes, lines_by_every_call, screen, Drawn, Lines};
 use support::oracle::rng::Rng;
+use support::oracle::target::Screen;
 use support::{solids, teapot};
 
 const WIDTH: u32 = 90;
@@ -30,18 +32,32 @@ fn color(face: usize) -> Rgb565 {
 /// The pictures of all draw calls, the faces that were shaded at once without depth, in order, and the counts.
 type Drawing = (Drawn<Rgb565>, Vec<u16>, Statistics);
 
-fn draw<V: Coordinate, P: FacePlanes>(instance: &MeshInstance<'_, V, P>) -> Drawing {
+fn draw<V: Coordinate>(instance: &MeshInstance<'_, V>) -> Drawing {
     let (drawn, counted) = by_every_call(instance, AREA, Rgb565::BLACK, &[7, HEIGHT], &color);
+    let faces = shaded(|shade, target| instance.faces(shade).draw(target));
+    (drawn, faces, counted)
+}
+
+/// [`draw`] where planes cull.
+fn draw_by_planes<V: Coordinate>(instance: &MeshInstance<'_, V>) -> Drawing {
+    let (drawn, counted) = by_planes(instance, AREA, Rgb565::BLACK, &color);
+    let faces = shaded(|shade, target| instance.faces(shade).culled_by_planes().draw(target));
+    (drawn, faces, counted)
+}
+
+/// The faces that a draw call shades, in order.
+fn shaded(
+    draw: impl Fn(&mut dyn FnMut(usize) -> Rgb565, &mut Screen<Rgb565>) -> Result<Statistics, Infallible>,
+) -> Vec<u16> {
     let mut faces = Vec::new();
     screen(AREA, &mut |target, _| {
-        let Ok(_) = instance
-            .faces(|face| {
-                faces.push(face as u16);
-                color(face)
-            })
-            .draw(target);
+        let mut shade = |face| {
+            faces.push(face as u16);
+            color(face)
+        };
+        let Ok(_) = draw(&mut shade, target);
     });
-    (drawn, faces, counted)
+    faces
 }
 
 #[derive(Default, Debug)]
@@ -54,20 +70,17 @@ struct Tally {
 }
 
 /// Twice the area before corners are snapped, in 2⁻⁶⁴ pixels; positive for front faces.
-fn exact_area<V: Coordinate, P: FacePlanes>(
-    instance: &MeshInstance<'_, V, P>,
-    face: [u16; 3],
-) -> Option<i128> {
+fn exact_area<V: Coordinate>(instance: &MeshInstance<'_, V>, face: [u16; 3]) -> Option<i128> {
     let [a, b, c] = face.map(|index| instance.project_unsnapped(index.into()).map(|p| p.map(i128::from)));
     let (a, b, c) = (a?, b?, c?);
     Some((c[0] - a[0]) * (b[1] - a[1]) - (b[0] - a[0]) * (c[1] - a[1]))
 }
 
-fn compare<V: Coordinate>(instance: &MeshInstance<'_, V, WithPlanes>, cull: Cull, tally: &mut Tally) {
+fn compare<V: Coordinate>(instance: &MeshInstance<'_, V>, cull: Cull, tally: &mut Tally) {
     let instance = &instance.with_cull(cull);
     let count = instance.mesh().faces().len() as u32;
-    let (expected, faces, e) = draw(&instance.without_planes());
-    let (found, others, f) = draw(instance);
+    let (expected, faces, e) = draw(instance);
+    let (found, others, f) = draw_by_planes(instance);
     let missing: Vec<u16> = faces.iter().copied().filter(|face| !others.contains(face)).collect();
     for &face in &missing {
         let area = exact_area(instance, instance.mesh().faces()[usize::from(face)]);
@@ -142,7 +155,7 @@ fn culling_by_planes_draws_the_same_teapot() {
     assert!(near.clipped > 2500, "{near:?}");
 }
 
-/// A mesh without planes in the type of those with planes: only the order differs in which vertices are transformed.
+/// Of a mesh without planes, only the order differs in which vertices are transformed.
 #[test]
 fn a_mesh_without_planes_is_not_culled_by_planes() {
     let mesh = Mesh::new(&teapot::VERTICES, teapot::EXPONENT, &teapot::FACES).unwrap();
@@ -151,14 +164,13 @@ fn a_mesh_without_planes_is_not_culled_by_planes() {
     let zeros = [0; 992];
     let replaced = mesh.with_planes(&zeros).unwrap().with_normals(&teapot::NORMALS).unwrap();
     assert_eq!((mesh.planes(), replaced), (&[][..], mesh));
-    assert_eq!(mesh.with_planes(&zeros).unwrap().without_planes(), mesh);
-    assert_eq!(mesh.with_planes(&zeros).unwrap().with_planes_if_any().planes(), zeros);
-    let (mut rng, of_both) = (Rng::new(0xfad), mesh.with_planes_if_any());
+    assert_eq!(mesh.with_planes(&zeros).unwrap().planes(), zeros);
+    let mut rng = Rng::new(0xfad);
     for distance in [5.0, 17.0, 300.0] {
         let camera = camera(&mut rng, distance, false).library();
-        let instance = camera.place(&of_both, &ModelBits::random_rotation(&mut rng).library());
-        let found = draw(&instance);
-        assert!(found == draw(&instance.without_planes()) && found.2.drawn > 100, "{:?}", found.2);
+        let instance = camera.place(&mesh, &ModelBits::random_rotation(&mut rng).library());
+        let found = draw_by_planes(&instance);
+        assert!(found == draw(&instance) && found.2.drawn > 100, "{:?}", found.2);
     }
 }
 
@@ -185,31 +197,21 @@ fn a_list_of_planes_of_the_wrong_length_is_refused() {
 /// Draws in every way, compares, and returns the statistics of faces, and the pictures of faces and of edges.
 fn every_way<V: Coordinate>(
     rng: &mut Rng,
-    by_planes: &MeshInstance<'_, V, WithPlanes>,
+    instance: &MeshInstance<'_, V>,
     turned: &MeshInstance<'_, V>,
 ) -> (Statistics, Drawn<Rgb565>, Lines<Rgb565>) {
-    let instance = by_planes.without_planes();
     let heights = [rng.int(1, 12) as u32, CUT.size.height];
-    let (drawn, statistics) = by_every_call(&instance, CUT, Rgb565::BLACK, &heights, &color);
-    let (planes, _) = by_every_call(by_planes, CUT, Rgb565::BLACK, &heights, &color);
+    let (drawn, statistics) = by_every_call(instance, CUT, Rgb565::BLACK, &heights, &color);
+    let (planes, _) = by_planes(instance, CUT, Rgb565::BLACK, &color);
     assert!(planes == drawn, "by planes");
-    // Binned without depth, at once and of transformed vertices.
+    // Binned without depth.
     let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().vertices().len() / 2];
     let mut bins = vec![0; instance.mesh().face_bins_len()];
-    for is_transformed in [false, true] {
-        let transformed;
-        let mut faces = match is_transformed {
-            false => by_planes.bin_faces(&mut cache, &mut bins).expect("room"),
-            true => {
-                transformed = by_planes.transform(&mut cache);
-                transformed.bin_faces(&mut bins).expect("room")
-            }
-        };
-        let banded = bands(CUT, Rgb565::BLACK, heights[0], &mut |band, _| {
-            let Ok(()) = faces.draw(color, band);
-        });
-        assert!(banded == drawn.solid, "transformed: {is_transformed}");
-    }
+    let mut faces = instance.transform(&mut cache).bin_faces(&mut bins).expect("room");
+    let banded = bands(CUT, Rgb565::BLACK, heights[0], &mut |band, _| {
+        let Ok(()) = faces.draw(color, band);
+    });
+    assert!(banded == drawn.solid, "binned");
     // Culling leaves out the faces that the turned mesh draws: without culling, no side is known before a face is cut.
     let counts = |instance: &MeshInstance<'_, V>| {
         let (screen, _) = screen(CUT, &mut |target, _| {
@@ -217,7 +219,7 @@ fn every_way<V: Coordinate>(
         });
         screen.counts
     };
-    let (front, behind, both) = (counts(&instance), counts(turned), counts(&instance.with_cull(Cull::None)));
+    let (front, behind, both) = (counts(instance), counts(turned), counts(&instance.with_cull(Cull::None)));
     assert!((0..both.len()).all(|i| both[i] == front[i] + behind[i]));
     // Front faces are culled as back faces of the turned mesh are. Where faces are cut, rounding depends on the order of corners.
     let reversed = instance.with_cull(Cull::Front);
@@ -231,23 +233,18 @@ fn every_way<V: Coordinate>(
     for (pixel, drawn) in CUT.points().zip(&drawn.deep).skip(rng.below(300)).step_by(401) {
         let picked = [
             instance.faces(color).cached(&mut cache).pick(pixel),
-            by_planes.faces(color).cached(&mut cache).pick(pixel),
-            by_planes.faces(color).pick(pixel),
+            instance.faces(color).culled_by_planes().cached(&mut cache).pick(pixel),
+            instance.faces(color).culled_by_planes().pick(pixel),
         ];
         for picked in picked {
             assert_eq!(picked.map_or(Rgb565::BLACK, |picked| color(picked.face)), *drawn, "{pixel}");
         }
     }
-    // Lines, and hidden lines with the depths of faces that are culled by planes.
-    let lines = lines_by_every_call(&instance, CUT, Rgb565::BLACK, &heights, LINE, None);
-    let hidden = memory(CUT, Rgb565::BLACK, &mut |target, depth| {
-        by_planes.depth_only(&mut cache, depth);
-        let Ok(_) = instance.edges(|_| LINE).hidden_line(&mut target.depth_tested(depth));
-    });
+    let lines = lines_by_every_call(instance, CUT, Rgb565::BLACK, &heights, LINE, None);
     let (wire, _) = screen(CUT, &mut |target, _| {
         let Ok(_) = instance.edges(|_| LINE).cached(&mut cache).draw(target);
     });
-    assert!(hidden == lines.hidden && wire.over(Rgb565::BLACK) == lines.all);
+    assert!(wire.over(Rgb565::BLACK) == lines.all);
     (statistics, drawn, lines)
 }
 

@@ -1,36 +1,35 @@
 //! The ready meshes: closed, turned outwards and of the shape that their documentation says.
 
 use pinhole::meshes::{ARROW, AXES, CUBE, CYLINDER, GRID, SPHERE, TORUS};
-use pinhole::{mesh::WithPlanes, Mesh};
+use pinhole::Mesh;
 use std::collections::{BTreeMap, BTreeSet};
 use support::oracle::chain::{cross, dot, length, normalise};
 
-/// All meshes in one type, those with planes and those without.
-const CLOSED: [(&str, Mesh<'static, i16, WithPlanes>, i64); 5] = [
-    ("cube", CUBE.with_planes_if_any(), 2),
+const CLOSED: [(&str, Mesh<'static>, i64); 5] = [
+    ("cube", CUBE, 2),
     ("sphere", SPHERE, 2),
     ("torus", TORUS, 0),
-    ("cylinder", CYLINDER.with_planes_if_any(), 2),
-    ("arrow", ARROW.with_planes_if_any(), 2),
+    ("cylinder", CYLINDER, 2),
+    ("arrow", ARROW, 2),
 ];
-const OPEN: [(&str, Mesh<'static, i16, WithPlanes>); 1] = [("grid", GRID.with_planes_if_any())];
+const OPEN: [(&str, Mesh<'static>); 1] = [("grid", GRID)];
 
-fn vertex<P>(mesh: &Mesh<'_, i16, P>, index: u16) -> [f64; 3] {
+fn vertex(mesh: &Mesh<'_>, index: u16) -> [f64; 3] {
     mesh.vertices()[usize::from(index)].map(|c| f64::from(c) * f64::from(mesh.exponent()).exp2())
 }
 
-fn corners<P>(mesh: &Mesh<'_, i16, P>, face: [u16; 3]) -> [[f64; 3]; 3] {
+fn corners(mesh: &Mesh<'_>, face: [u16; 3]) -> [[f64; 3]; 3] {
     face.map(|index| vertex(mesh, index))
 }
 
 /// Twice the area of a face, along its normal.
-fn face_normal<P>(mesh: &Mesh<'_, i16, P>, face: [u16; 3]) -> [f64; 3] {
+fn face_normal(mesh: &Mesh<'_>, face: [u16; 3]) -> [f64; 3] {
     let [a, b, c] = corners(mesh, face);
     let side = |to: [f64; 3]| [0, 1, 2].map(|i| to[i] - a[i]);
     cross(side(b), side(c))
 }
 
-fn volume<P>(mesh: &Mesh<'_, i16, P>) -> f64 {
+fn volume(mesh: &Mesh<'_>) -> f64 {
     mesh.faces().iter().map(|&face| dot(corners(mesh, face)[0], face_normal(mesh, face)) / 6.0).sum()
 }
 
@@ -72,10 +71,10 @@ fn volumes_are_those_of_the_shapes() {
             (y - z) / 3.0 * polygon(16.0, 1.0) * (r * r + r * s + s * s)
         })
         .sum();
-    near(&SPHERE.without_planes(), sphere);
+    near(&SPHERE, sphere);
     // Pappus, for the decagon turned in 20 steps: the mean radius of its area is 0.7, by symmetry.
     let chord = 20.0 * (PI / 20.0).sin() * 2.0 * (PI / 20.0).cos() / (2.0 * PI);
-    near(&TORUS.without_planes(), polygon(10.0, 0.3) * 2.0 * PI * 0.7 * chord);
+    near(&TORUS, polygon(10.0, 0.3) * 2.0 * PI * 0.7 * chord);
 }
 
 /// Each face's normal is that of its vertices, points away from the mesh's middle or tube, and its plane is that of the library.
@@ -138,13 +137,13 @@ fn edges_are_sides_of_their_two_faces() {
 fn sizes_are_documented() {
     let text = include_str!("../../src/meshes.rs");
     for (name, mesh, low, high) in [
-        ("CUBE", CUBE.with_planes_if_any(), [-1.0; 3], [1.0; 3]),
+        ("CUBE", CUBE, [-1.0; 3], [1.0; 3]),
         ("SPHERE", SPHERE, [-1.0; 3], [1.0; 3]),
         ("TORUS", TORUS, [-1.0, -0.3, -1.0], [1.0, 0.3, 1.0]),
-        ("CYLINDER", CYLINDER.with_planes_if_any(), [-1.0; 3], [1.0; 3]),
-        ("ARROW", ARROW.with_planes_if_any(), [-0.125, 0.0, -0.125], [0.125, 1.0, 0.125]),
-        ("GRID", GRID.with_planes_if_any(), [-1.0, 0.0, -1.0], [1.0, 0.0, 1.0]),
-        ("AXES", AXES.with_planes_if_any(), [0.0; 3], [1.0; 3]),
+        ("CYLINDER", CYLINDER, [-1.0; 3], [1.0; 3]),
+        ("ARROW", ARROW, [-0.125, 0.0, -0.125], [0.125, 1.0, 0.125]),
+        ("GRID", GRID, [-1.0, 0.0, -1.0], [1.0, 0.0, 1.0]),
+        ("AXES", AXES, [0.0; 3], [1.0; 3]),
     ] {
         let all: Vec<_> = (0..mesh.vertices().len() as u16).map(|index| vertex(&mesh, index)).collect();
         for axis in 0..3 {

@@ -57,7 +57,7 @@ fn painter_sorts_any_number_of_faces() {
             if let Some(z) = count.checked_sub(1).map(|i| depths[i]) {
                 let model = ModelBits(vec![Step::Move([0, 0, -z])]).library();
                 let shader = Shader(count as u16 - 1);
-                painter.add(&camera.place(&mesh, &model), |_| shader).expect("enough room");
+                camera.place(&mesh, &model).faces(|_| shader).sorted(&mut painter).expect("enough room");
             }
             if rng.one_in(5) || count == n {
                 let mut target = Recorder::sized(16, 16);
@@ -78,18 +78,18 @@ fn a_full_painter_names_the_parameter_and_value_to_raise() {
     let instance = camera.place(&mesh, &model);
     let mut painter = Painter::<Shader, 7, 9>::new();
     for _ in 0..2 {
-        painter.add(&instance, |_| Shader(0)).expect("enough room");
+        instance.faces(|_| Shader(0)).sorted(&mut painter).expect("enough room");
     }
     assert!(matches!(
-        painter.add(&instance, |_| Shader(0)),
+        instance.faces(|_| Shader(0)).sorted(&mut painter),
         Err(BufferError::PainterVertices { needed: 9, capacity: 7 })
     ));
     let mut painter = Painter::<Shader, 9, 2>::new();
     for _ in 0..2 {
-        painter.add(&instance, |_| Shader(0)).expect("enough room");
+        instance.faces(|_| Shader(0)).sorted(&mut painter).expect("enough room");
     }
     assert!(matches!(
-        painter.add(&instance, |_| Shader(1)),
+        instance.faces(|_| Shader(1)).sorted(&mut painter),
         Err(BufferError::PainterFaces { needed: 3, capacity: 2 })
     ));
     // The faces added before are drawn.
@@ -101,18 +101,18 @@ fn a_full_painter_names_the_parameter_and_value_to_raise() {
     let mut painter = Painter::<Shader, 7, 9>::new();
     let large = empty.expect("a mesh");
     let full = Err(BufferError::PainterVertices { needed: 8, capacity: 7 });
-    assert_eq!(painter.add(&other.place(&large, &model), |_| Shader(0)), full);
+    assert_eq!(other.place(&large, &model).faces(|_| Shader(0)).sorted(&mut painter), full);
     for added in 0..2 {
-        painter.add(&instance, |_| Shader(0)).expect("enough room");
+        instance.faces(|_| Shader(0)).sorted(&mut painter).expect("enough room");
         let full = Err(BufferError::PainterVertices { needed: 3 * added + 11, capacity: 7 });
-        assert_eq!(painter.add(&camera.place(&large, &model), |_| Shader(0)), full);
+        assert_eq!(camera.place(&large, &model).faces(|_| Shader(0)).sorted(&mut painter), full);
     }
     let mut target = Recorder::sized(16, 16);
     assert_eq!(painter.draw(&mut target).expect("no error").drawn, 2);
     // With exactly that capacity the mesh fits.
     let mut painter = Painter::<Shader, 9, 3>::new();
     for _ in 0..3 {
-        painter.add(&instance, |_| Shader(0)).expect("enough room");
+        instance.faces(|_| Shader(0)).sorted(&mut painter).expect("enough room");
     }
 }
 
@@ -124,9 +124,16 @@ fn an_empty_mesh_leaves_the_viewport_open() {
     let model = ModelBits(vec![Step::Move([0, 0, -5 * ONE])]).library();
     let other = bridge::draw::cube_camera((3, 4, 9, 9)).library();
     let mut painter = Painter::<Shader, 4, 4>::new();
-    painter.add(&other.place(&empty, &model), |_| Shader(0)).expect("no room needed");
-    painter.add(&camera().place(&mesh, &model), |_| Shader(7)).expect("the first that draws anything");
-    assert_eq!(painter.add(&other.place(&mesh, &model), |_| Shader(0)), Err(BufferError::OtherViewport));
+    other.place(&empty, &model).faces(|_| Shader(0)).sorted(&mut painter).expect("no room needed");
+    camera()
+        .place(&mesh, &model)
+        .faces(|_| Shader(7))
+        .sorted(&mut painter)
+        .expect("the first that draws anything");
+    assert_eq!(
+        other.place(&mesh, &model).faces(|_| Shader(0)).sorted(&mut painter),
+        Err(BufferError::OtherViewport)
+    );
     let mut target = Recorder::sized(16, 16);
     painter.draw(&mut target).expect("no error");
     assert_eq!(order(&target.calls), [7]);
@@ -139,7 +146,7 @@ fn drawing_empties_the_painter_even_if_the_target_fails() {
     let instance = camera.place(&mesh, &model);
     let mut painter = Painter::<Shader, 3, 1>::new();
     for fails in [None, Some(0), Some(3)] {
-        painter.add(&instance, |_| Shader(0)).expect("enough room");
+        instance.faces(|_| Shader(0)).sorted(&mut painter).expect("enough room");
         let mut target = Recorder::sized(16, 16);
         target.fails_at = fails;
         assert_eq!(painter.draw(&mut target).is_err(), fails.is_some());
@@ -148,7 +155,7 @@ fn drawing_empties_the_painter_even_if_the_target_fails() {
         assert!(target.calls.is_empty());
         assert_eq!(statistics, pinhole::draw::Statistics::default());
     }
-    painter.add(&instance, |_| Shader(0)).expect("enough room");
+    instance.faces(|_| Shader(0)).sorted(&mut painter).expect("enough room");
     painter.clear();
     assert_eq!(painter.draw(&mut Recorder::sized(16, 16)), Ok(pinhole::draw::Statistics::default()));
 }
@@ -172,7 +179,7 @@ fn painter_sorts_by_the_mean_depth_of_the_corners() {
         let mesh = Mesh::new(&vertices, -4, &faces).expect("a mesh");
         let instance = camera.place(&mesh, &model).with_cull(pinhole::draw::Cull::None);
         let mut painter = Painter::<Shader, 60, 20>::new();
-        painter.add(&instance, |face| Shader(face as u16)).expect("enough room");
+        instance.faces(|face| Shader(face as u16)).sorted(&mut painter).expect("enough room");
         let mut target = Recorder::sized(16, 16);
         painter.draw(&mut target).expect("no error");
         let sum = |face: u16| -> Option<u32> {
@@ -216,14 +223,16 @@ fn a_painter_holds_as_many_faces_as_its_index_can_name() {
         let none = Mesh::new(&vertices[..1], 0, &[]).expect("a mesh");
         let mut painter = Painter::<Shader, 65_600, 65_600>::new();
         let mut shaded = 0u16;
-        painter
-            .add(&camera.place(&whole, &model), |_| {
+        camera
+            .place(&whole, &model)
+            .faces(|_| {
                 shaded = shaded.wrapping_add(1);
                 Shader(shaded)
             })
+            .sorted(&mut painter)
             .expect("65536 corners and 65535 faces");
         assert!(matches!(
-            painter.add(&camera.place(&none, &model), |_| Shader(0)),
+            camera.place(&none, &model).faces(|_| Shader(0)).sorted(&mut painter),
             Err(BufferError::PainterVertices { needed: 65_537, .. })
         ));
         let mut target = Recorder::new(bridge::rectangle(8, 8, 1, 1));
@@ -235,10 +244,10 @@ fn a_painter_holds_as_many_faces_as_its_index_can_name() {
         let many = Mesh::new(&VERTICES, 0, &FACES_10922).expect("a mesh");
         let one = Mesh::new(&VERTICES, 0, &FACE).expect("a mesh");
         for mesh in [&many, &many, &many, &many, &many, &many, &one, &one, &one] {
-            painter.add(&camera.place(mesh, &model), |_| Shader(0)).expect("enough room");
+            camera.place(mesh, &model).faces(|_| Shader(0)).sorted(&mut painter).expect("enough room");
         }
         assert!(matches!(
-            painter.add(&camera.place(&one, &model), |_| Shader(0)),
+            camera.place(&one, &model).faces(|_| Shader(0)).sorted(&mut painter),
             Err(BufferError::PainterFaces { needed: 65_536, .. })
         ));
         let mut target = Recorder::new(bridge::rectangle(8, 8, 1, 1));
@@ -322,7 +331,7 @@ fn panes_are_mixed_from_far_to_near_where_no_wall_hides_them() {
         let mut painter = Painter::<DepthTested<HalfBlended<Gray8>>, 24, 12>::new();
         for (i, pane) in panes.iter().enumerate() {
             let shader = DepthTested::new(HalfBlended::new(Gray8::new(pane.luma)));
-            painter.add(&place(i + 3), |_| shader).expect("room");
+            place(i + 3).faces(|_| shader).sorted(&mut painter).expect("room");
         }
 
         // In bands, the depths of each from the walls.
@@ -372,14 +381,17 @@ fn opaque_faces_store_their_depth() {
         });
         let (_, painted) = memory_with(area, area, Gray8::BLACK, &mut |target, depth| {
             let mut painter = Painter::<DepthTested<Gray8>, 50, 20>::new();
-            painter.add(&instance, |face| DepthTested::new(color(face))).expect("room");
+            instance.faces(|face| DepthTested::new(color(face))).sorted(&mut painter).expect("room");
             let Ok(_) = painter.draw(&mut target.depth_tested(depth));
         });
         assert!(depths == painted);
         // With translucent faces, no depth is stored.
         let (_, painted) = memory_with(area, area, Gray8::BLACK, &mut |target, depth| {
             let mut painter = Painter::<DepthTested<Blended<Gray8>>, 50, 20>::new();
-            painter.add(&instance, |face| DepthTested::new(Blended::new(color(face), 7))).expect("room");
+            instance
+                .faces(|face| DepthTested::new(Blended::new(color(face), 7)))
+                .sorted(&mut painter)
+                .expect("room");
             let Ok(_) = painter.draw(&mut target.depth_tested(depth));
         });
         assert!(painted.iter().all(|&depth| depth == DepthBuffer::NOTHING));

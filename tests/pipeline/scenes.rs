@@ -7,8 +7,8 @@ use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    camera::Visibility, draw::Picked, mesh::WithPlanes, prelude::*, shading::SpanShader, target::BufferError,
-    texture::Texture, Angle,
+    camera::Visibility, draw::Picked, prelude::*, shading::SpanShader, target::BufferError, texture::Texture,
+    Angle,
 };
 use support::bridge::draw::{CUBE, CUBE_FACES};
 use support::bridge::rectangle;
@@ -33,7 +33,7 @@ static TEXELS: [[Rgb565; 8]; 8] = {
 };
 
 /// A mesh with planes, and one without.
-type Meshes = (Mesh<'static, i16, WithPlanes>, Mesh<'static>);
+type Meshes = (Mesh<'static>, Mesh<'static>);
 
 fn meshes() -> Meshes {
     let cube = Mesh::new(&CUBE, 0, &CUBE_FACES).expect("a cube");
@@ -100,8 +100,7 @@ fn by_hand<S: SpanShader<Rgb565>>(
 ) -> (Vec<Rgb565>, Vec<u16>) {
     memory_with(AREA, AREA, Rgb565::BLACK, &mut |target, depth| {
         for (index, object) in scene.objects().iter().enumerate() {
-            let mesh = object.mesh();
-            let instance = camera.place(&mesh, &object.model).with_cull(cull(index)).without_planes();
+            let instance = camera.place(object.mesh(), &object.model).with_cull(cull(index));
             let Ok(_) =
                 instance.faces(|face| shader(number(index, face))).draw(&mut target.depth_tested(depth));
         }
@@ -253,11 +252,11 @@ fn a_scene_in_painters_order_is_its_objects_in_a_painter() {
             assert_eq!(index, object.material);
             move |face| number(index, face)
         };
-        scene.place(&camera).paint(shade, &mut painter).expect("room for all faces");
+        scene.place(&camera).faces(shade).sorted(&mut painter).expect("room for all faces");
         for object in scene.objects() {
-            let mesh = object.mesh();
-            let instance = camera.place(&mesh, &object.model).with_cull(cull(object.material));
-            hands.add(&instance, |face| number(object.material, face)).expect("room for all faces");
+            let instance = camera.place(object.mesh(), &object.model).with_cull(cull(object.material));
+            let faces = instance.faces(|face| number(object.material, face)).culled_by_planes();
+            faces.sorted(&mut hands).expect("room for all faces");
         }
         let pixels = draw(&mut painter);
         assert!(pixels == draw(&mut hands));

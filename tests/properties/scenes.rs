@@ -156,7 +156,7 @@ pub(crate) fn draw(scene: &Scene, way: Way, cache: usize, target: &mut Recorder<
         }
         Way::Painter => {
             let mut painter = Box::new(Painter::<Gray8, 128, 64>::new());
-            painter.add(instance, colour).expect("room");
+            instance.faces(colour).sorted(&mut painter).expect("room");
             painter.draw(target)
         }
     });

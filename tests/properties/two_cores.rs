@@ -107,7 +107,7 @@ fn by_three(
         }
         Way::Painter => {
             let mut painter = Box::new(Painter::<Gray8, 128, 64>::new());
-            painter.add(instance, colour).expect("room");
+            instance.faces(colour).sorted(&mut painter).expect("room");
             let order = painter.order();
             draw([order; 3].map(|order| -> Core<'_> {
                 Box::new(move |band| {

@@ -12,7 +12,7 @@ use embedded_graphics::prelude::Point;
 use embedded_graphics::primitives::Rectangle;
 use example::scene::{self, BOARD, FOG_COLOR, FOG_RANGE, GLASS, NEAR_FAR, SIZE, SKY, TILES, WALL_COLOR};
 use pinhole::space::{Model, World};
-use pinhole::{camera::Window, mesh::WithPlanes, prelude::*, shading::SpanShader};
+use pinhole::{camera::Window, prelude::*, shading::SpanShader};
 use support::bridge::ways::{by_every_call, memory};
 use support::oracle::chain::{cross, dot, normalise};
 
@@ -150,19 +150,19 @@ fn a_shader_gets_depth_and_w_whichever_call_draws_it() {
     }
 }
 
-fn quad(corners: &'static [[i16; 3]; 4]) -> Mesh<'static, i16, WithPlanes> {
-    Mesh::new(corners, 0, &scene::QUAD).expect("a quad").with_planes_if_any()
+fn quad(corners: &'static [[i16; 3]; 4]) -> Mesh<'static> {
+    Mesh::new(corners, 0, &scene::QUAD).expect("a quad")
 }
 
 fn every_call<S: SpanShader<Rgb888, Ink = Rgb888>>(
-    by_planes: &MeshInstance<'_, i16, WithPlanes>,
+    instance: &MeshInstance<'_>,
     area: Rectangle,
     shade: &dyn Fn(usize) -> S,
 ) {
-    let (drawn, _) = by_every_call(&by_planes.without_planes(), area, SKY, &[area.size.height, 9], shade);
+    let (drawn, _) = by_every_call(instance, area, SKY, &[area.size.height, 9], shade);
     assert!(drawn.solid == drawn.deep && drawn.solid.iter().filter(|&&color| color != SKY).count() > 2_000);
     let with_planes = memory(area, SKY, &mut |target, _| {
-        let Ok(_) = by_planes.faces(shade).draw(target);
+        let Ok(_) = instance.faces(shade).culled_by_planes().draw(target);
     });
     assert!(with_planes == drawn.solid);
 }

@@ -32,7 +32,7 @@ pub(crate) fn log() {
     debug!("{}", transformed.bin_edges(&mut edge_bins).expect("room"));
 
     let mut painter = Painter::<Gray8, 8, 4>::new();
-    painter.add(&instance, |_| Gray8::WHITE).expect("room");
+    instance.faces(|_| Gray8::WHITE).sorted(&mut painter).expect("room");
     debug!("{}", painter);
     debug!("{}", painter.order());
 

@@ -3,12 +3,12 @@
 use super::cut::before_rounding;
 use super::input::Scene;
 use super::{draw, sums_up, Drawing};
-use pinhole::{mesh::WithPlanes, prelude::*};
+use pinhole::prelude::*;
 use std::cell::RefCell;
 use support::bridge::draw::Shader;
 
 /// Drawn with and without, and the faces that each drew.
-fn both(scene: &Scene, instance: &MeshInstance<'_, i16, WithPlanes>) -> [(Drawing, Vec<usize>); 2] {
+fn both(scene: &Scene, instance: &MeshInstance<'_>) -> [(Drawing, Vec<usize>); 2] {
     [false, true].map(|by_planes| {
         let faces = RefCell::new(Vec::new());
         let shade = |face| {
@@ -17,8 +17,8 @@ fn both(scene: &Scene, instance: &MeshInstance<'_, i16, WithPlanes>) -> [(Drawin
         };
         let mut cache = vec![ScreenVertex::EMPTY; scene.cache];
         let drawing = draw(scene, |target| match by_planes {
-            true => instance.faces(shade).cached(&mut cache).draw(target),
-            false => instance.without_planes().faces(shade).cached(&mut cache).draw(target),
+            true => instance.faces(shade).culled_by_planes().cached(&mut cache).draw(target),
+            false => instance.faces(shade).cached(&mut cache).draw(target),
         });
         sums_up(drawing.statistics, instance.mesh().faces().len());
         (drawing, faces.into_inner())
@@ -27,7 +27,7 @@ fn both(scene: &Scene, instance: &MeshInstance<'_, i16, WithPlanes>) -> [(Drawin
 
 /// Whether a face is a front face before its corners are rounded to sub-pixels, by more than the error of screen positions can
 /// make of an edge-on face. `None` if a corner has no screen position, or numbers leave their range.
-fn is_front(scene: &Scene, instance: &MeshInstance<'_, i16, WithPlanes>, face: [u16; 3]) -> Option<bool> {
+fn is_front(scene: &Scene, instance: &MeshInstance<'_>, face: [u16; 3]) -> Option<bool> {
     let (error, _) = before_rounding(scene, face)?;
     let place = |index: u16| {
         let place = instance.project_unsnapped(index.into())?;
@@ -45,8 +45,7 @@ fn is_front(scene: &Scene, instance: &MeshInstance<'_, i16, WithPlanes>, face: [
 pub(crate) fn check(scene: &Scene) {
     let camera = scene.camera.library().with_far_clip(scene.far_clip);
     let mesh = Mesh::new(&scene.vertices, scene.exponent, &scene.faces).expect("a mesh");
-    let without = mesh.with_planes_if_any();
-    let instance = camera.place(&without, &scene.model.library()).with_cull(scene.cull);
+    let instance = camera.place(&mesh, &scene.model.library()).with_cull(scene.cull);
     let [(plain, _), (by_planes, _)] = both(scene, &instance);
     assert_eq!(by_planes.statistics, plain.statistics, "without planes: {scene:?}");
     assert!(by_planes.target.calls == plain.target.calls, "without planes: {scene:?}");

@@ -87,7 +87,7 @@ fn calls(scene: &Scene, instance: &MeshInstance<'_>) {
     // The painter draws the same faces, in its own order: each pixel as often.
     let painted = draw(scene, |target| {
         let mut painter = Painter::<Shader, 100, 40>::new();
-        painter.add(instance, |face| Shader(face as u16)).expect("enough room");
+        instance.faces(|face| Shader(face as u16)).sorted(&mut painter).expect("enough room");
         painter.draw(target)
     });
     assert_eq!(painted.statistics, faces.statistics);
@@ -109,8 +109,7 @@ fn extremes<V: Coordinate<Stored = V>>(scene: &Scene, mesh: Mesh<'_, V>) {
     let mesh = mesh.with_edges(&scene.edges).and_then(|mesh| mesh.with_normals(normals));
     let mesh = mesh.and_then(|mesh| mesh.with_planes(&planes)).expect("as many as faces");
     let (camera, model) = (scene.camera.library().with_far_clip(scene.far_clip), scene.model.library());
-    let by_planes = camera.place(&mesh, &model).with_cull(scene.cull);
-    let instance = by_planes.without_planes();
+    let instance = camera.place(&mesh, &model).with_cull(scene.cull);
     let mut cache = vec![ScreenVertex::EMPTY; scene.cache];
     let cache = &mut cache[..];
     let mut storage = vec![0; (scene.bounds.size.width * scene.bounds.size.height) as usize];
@@ -119,10 +118,9 @@ fn extremes<V: Coordinate<Stored = V>>(scene: &Scene, mesh: Mesh<'_, V>) {
     let shade = |face| Shader(face as u16);
     draw(scene, |target| {
         instance.faces(shade).cached(cache).draw(target)?;
-        by_planes.faces(shade).cached(cache).draw(target)?;
-        by_planes.faces(shade).cached(cache).draw(&mut target.depth_tested(&mut depth))?;
-        by_planes.depth_only(cache, &mut depth);
-        by_planes.faces(shade).cached(cache).pick(scene.bounds.center());
+        instance.faces(shade).culled_by_planes().cached(cache).draw(target)?;
+        instance.faces(shade).culled_by_planes().cached(cache).draw(&mut target.depth_tested(&mut depth))?;
+        instance.faces(shade).culled_by_planes().cached(cache).pick(scene.bounds.center());
         instance.faces(shade).cached(cache).draw(&mut target.depth_tested(&mut depth))?;
         instance.depth_only(cache, &mut depth);
         instance.edges(|_| Shader(1)).cached(cache).draw(target)?;
@@ -130,9 +128,7 @@ fn extremes<V: Coordinate<Stored = V>>(scene: &Scene, mesh: Mesh<'_, V>) {
         instance.edges(|_| Shader(1)).cached(cache).hidden_line(&mut target.depth_tested(&mut depth))?;
         instance.points(Shader(1), target)?;
         instance.polyline(Shader(1), target)?;
-        let mut faces = by_planes.bin_faces_with_depth(cache, &mut bins).expect("room");
-        faces.draw(shade, &mut target.depth_tested(&mut depth))?;
-        by_planes.bin_faces(cache, &mut bins).expect("room").draw(shade, target)?;
+        instance.transform(cache).bin_faces(&mut bins).expect("room").draw(shade, target)?;
         let transformed = instance.transform_depth(cache);
         let mut faces = transformed.bin_faces(&mut bins).expect("room");
         let mut edges = transformed.bin_edges(&mut more).expect("room");
@@ -142,8 +138,8 @@ fn extremes<V: Coordinate<Stored = V>>(scene: &Scene, mesh: Mesh<'_, V>) {
         edges.draw(Shader(1), &mut target.depth_tested(&mut depth))?;
         edges.hidden_line(Shader(1), &mut target.depth_tested(&mut depth))?;
         let mut painter = Painter::<Shader, 60, 40>::new();
-        let _ = painter.add(&instance, shade);
-        let _ = painter.add(&by_planes, shade);
+        let _ = instance.faces(shade).sorted(&mut painter);
+        let _ = instance.faces(shade).culled_by_planes().sorted(&mut painter);
         painter.draw(target)
     });
 }

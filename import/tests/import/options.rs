@@ -1,7 +1,6 @@
 //! What can be chosen, each against its definition in `f64`.
 
 use crate::common::{obj, position, Random};
-use pinhole::mesh::MeshError;
 use pinhole_apps_support::bodies;
 use pinhole_import::{Centre, Edges, ImportedMesh, Options, Warning};
 use std::collections::{HashMap, HashSet};
@@ -222,7 +221,7 @@ fn lines_are_right_after_faces_were_ordered() {
 fn planes_are_those_of_the_finished_mesh() {
     let options = Options { reorder: true, planes: true, ..Options::default() };
     let made = obj(BLOCK, &options).unwrap();
-    let mesh = made.mesh_with_planes().unwrap();
+    let mesh = made.mesh().unwrap();
     assert_eq!(mesh.planes(), mesh.face_planes::<12>());
     assert_eq!(mesh.planes(), made.planes);
 
@@ -242,10 +241,6 @@ fn planes_are_those_of_the_finished_mesh() {
     // Nothing else is different, and by default there are none.
     let plain = obj(&text, &Options { planes: false, ..options }).unwrap();
     assert_eq!(plain, ImportedMesh { planes: Vec::new(), ..made });
-    assert_eq!(
-        plain.mesh_with_planes().unwrap_err(),
-        MeshError::ListLength { one: "plane per face", given: 0, needed: plain.faces.len() }
-    );
     assert!(plain.mesh().unwrap().planes().is_empty() && !Options::default().planes);
 }
 

@@ -87,8 +87,7 @@ fn it_compiles_to_the_mesh() {
     let text = mesh.to_rust_mesh("BLOCK", &stl, command).unwrap();
     let there = include_str!("generated/block.rs");
     assert!(text == there, "is not what this makes: (cd import/tests/import/generated && {command})");
-    assert_eq!(BLOCK, mesh.mesh_with_planes().unwrap());
-    assert_eq!(BLOCK.without_planes(), mesh.mesh().unwrap());
+    assert_eq!(BLOCK, mesh.mesh().unwrap());
     assert_eq!(BLOCK_COLORS, None);
     assert_eq!(BLOCK_OFFSET, mesh.offset.map(|c| (c * 65536.0) as i32));
     // 40 wide, 10 high, 20 deep: half of each in 2^-10, the finest step in which 20 is below 32767.

@@ -82,7 +82,7 @@ fn two_sided_adds_the_backs_of_what_can_be_seen_from_behind() {
     };
     assert_eq!((sheet_edges(&one), sheet_edges(&two)), (vec![2, 2], vec![2, 2, 2, 2]));
     assert_eq!((one.edges.len(), two.edges.len()), (16, 20));
-    let mesh = two.mesh_with_planes().unwrap();
+    let mesh = two.mesh().unwrap();
     assert_eq!((mesh.faces().len(), mesh.planes().len()), (16, 16));
     // Without vertex normals both sides share the vertices.
     let lean = import(&text, &Options { two_sided: true, ..Options::default() }).unwrap();

@@ -37,7 +37,7 @@ impl Hud {
         let light = Lambert::new(&model, Vector3::from_ints(2, 3, 4), 60).expect("a direction");
         light.levels(TORUS.vertex_normals(), &mut levels);
         let instance = CAMERA.place(&TORUS, &model);
-        let mut faces = instance.bin_faces_with_depth(&mut mesh.cache, &mut mesh.bins).expect("room");
+        let mut faces = instance.transform_depth(&mut mesh.cache).bin_faces(&mut mesh.bins).expect("room");
         let (mut text, counts) = (heapless::String::<64>::new(), faces.statistics());
         let (ms, fps) = (micros / 1000, 1_000_000 / micros.max(1));
         write!(text, "{ms} ms, {fps} fps\n{} faces\n{} culled", counts.drawn, counts.culled).expect("short");

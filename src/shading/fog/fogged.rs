@@ -16,7 +16,8 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// with one colour. A face of one colour in several levels, on a target whose pixels lie in memory, is filled level by level: a
 /// colour is mixed only where the level changes. For all other faces, each pixel is mixed.
 ///
-/// **Draw calls** transform vertices with depth and clip at the far plane. [`fill_triangle`](crate::draw::fill_triangle) has no depth: it
+/// **Draw calls** in one piece transform vertices with depth and clip at the far plane. In bands, bin faces of
+/// [`transform_depth`](crate::draw::MeshInstance::transform_depth); of `transform`, `cargo build` stops (`cargo check` does not). [`fill_triangle`](crate::draw::fill_triangle) has no depth: it
 /// draws in the fog of the near plane.
 ///
 /// **Sprites.** It wraps the picture of a [`Sprite`](crate::sprite::Sprite), too, such as a tree: `Sprite::new(Fogged::new(picture, &table))`. All

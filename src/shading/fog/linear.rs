@@ -38,7 +38,8 @@ pub struct Fog {
 
 impl Fog {
     /// Fog between these distances, in world units. They may lie outside of the camera's near and far plane, and `start` may be
-    /// negative: points there are behind the camera.
+    /// negative: points there are behind the camera. [`Camera::framing`](crate::Camera::framing) with 40° puts the eye 3 radii
+    /// from the centre of the sphere that it frames: fog from 2 to 4 radii goes through the object.
     ///
     /// # Errors
     ///

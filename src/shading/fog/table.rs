@@ -50,6 +50,8 @@ impl<C> FogTable<C> {
     /// [`LightError::SlantedDepth`] if the projection's depth does not depend on the distance alone: only projections from matrices
     /// have such depth. [`LightError::TooFewFogSteps`] if fewer than 8 steps of depth lie between the
     /// start and the end of the fog, or in the part of it between the near and the far plane.
+    ///
+    /// Fog wholly beyond the far plane is never seen, and fog wholly before the near plane hides everything: neither is an error.
     #[inline(never)] // set-up: code size counts, speed does not
     pub fn new(fog: &Fog, camera: &Camera, color: C) -> Result<Self, LightError> {
         Self::by_profile(fog, camera, color, profile::linear)

@@ -85,7 +85,7 @@ pub struct Texture<S> {
 }
 
 impl<S: Texels> Texture<S> {
-    /// A texture whose coordinates are in 1/16 texel.
+    /// A texture whose coordinates are in 1/16 texel. Each side of the picture is 8, 16, 32, 64, 128 or 256 texels; another does not build.
     pub fn new(texels: S) -> Self {
         let unit = texels.size_bits().map(|bits| 28u32.saturating_sub(bits).max(16) as u8);
         Self { texels, unit, accuracy: Accuracy::Quarter }

@@ -14,7 +14,7 @@ use pinhole::{
     bands::{DirtyRegions, Tracked, TransferCost},
     color::Reads,
     draw::{draw_line, fill_triangle},
-    mesh::{Coordinate, FacePlanes, WithPlanes},
+    mesh::Coordinate,
     prelude::*,
     shading::{AntiAliased, SpanShader, Stroke},
     target::{Gives, LeastRun},
@@ -25,8 +25,8 @@ struct Scene<'a, C> {
     camera: Camera,
     model: Affine<Model, World>,
     light: Lambert,
-    mesh: Mesh<'a, i16, WithPlanes>,
-    wide_mesh: Mesh<'a, Scalar, WithPlanes>,
+    mesh: Mesh<'a>,
+    wide_mesh: Mesh<'a, Scalar>,
     colours: &'a [(C, [i16; 3])],
     corners: &'a mut [ScreenVertex],
     depth: &'a mut [u16],
@@ -77,35 +77,34 @@ fn shade<D: DrawTarget<Color: Color>>(scene: &mut Scene<'_, D::Color>, levels: &
 
 fn fill_all<D: DrawTarget<Color: Color>, I: SpanShader<D::Color, Ink = D::Color>>(
     scene: &mut Scene<'_, D::Color>,
-    by_planes: &MeshInstance<'_, i16, WithPlanes>,
+    instance: &MeshInstance<'_>,
     shade: impl Fn(usize) -> I,
     target: &mut D,
 ) {
-    let instance = by_planes.without_planes();
     let Scene { colours, corners, depth, bin_storage, strip, .. } = scene;
     let Some(&(background, _)) = colours.first() else { return };
     let area = area();
     report(instance.faces(&shade).cached(corners).draw(target));
-    report(by_planes.faces(&shade).cached(corners).draw(target));
+    report(instance.faces(&shade).culled_by_planes().cached(corners).draw(target));
     if let Ok(mut depth) = DepthBuffer::new(area, depth) {
         report(instance.faces(&shade).cached(corners).draw(&mut target.depth_tested(&mut depth)));
-        report(by_planes.faces(&shade).cached(corners).draw(&mut target.depth_tested(&mut depth)));
+        report(
+            instance
+                .faces(&shade)
+                .culled_by_planes()
+                .cached(corners)
+                .draw(&mut target.depth_tested(&mut depth)),
+        );
     }
     let mut painter = Painter::<I, 20, 20>::new();
-    report(painter.add(&instance, &shade));
+    report(instance.faces(&shade).sorted(&mut painter));
     let mut frame = Frame::new(area, background);
     let Ok(Some(mut band)) = frame.next_band(strip) else { return };
     report(painter.order().draw(&mut band));
     if let Ok(mut faces) = instance.transform(corners).bin_faces(bin_storage) {
         report(faces.draw(&shade, &mut band));
     }
-    if let Ok(mut faces) = by_planes.bin_faces(corners, bin_storage) {
-        report(faces.draw(&shade, &mut band));
-    }
     let Ok(mut depth) = DepthBuffer::new(band.area(), depth) else { return };
-    if let Ok(mut faces) = by_planes.bin_faces_with_depth(corners, bin_storage) {
-        report(faces.draw(&shade, &mut band.depth_tested(&mut depth)));
-    }
     if let Ok(mut faces) = instance.transform_depth(corners).bin_faces(bin_storage) {
         report(faces.draw(&shade, &mut band.depth_tested(&mut depth)));
         report((faces.bounds(), faces.statistics()));
@@ -120,10 +119,9 @@ fn fill_all<D: DrawTarget<Color: Color>, I: SpanShader<D::Color, Ink = D::Color>
 /// Lines with depth, hidden lines, and edges in a band.
 fn draw_edges<D: DrawTarget<Color: Color>>(
     scene: &mut Scene<'_, D::Color>,
-    by_planes: &MeshInstance<'_, i16, WithPlanes>,
+    instance: &MeshInstance<'_>,
     target: &mut D,
 ) {
-    let instance = by_planes.without_planes();
     let Scene { colours, corners, depth, bin_storage, strip, .. } = scene;
     let Some(&(colour, _)) = colours.first() else { return };
     let area = area();
@@ -140,9 +138,8 @@ fn draw_edges<D: DrawTarget<Color: Color>>(
     if let Ok(mut faces) = instance.transform_depth(corners).bin_faces(bin_storage) {
         faces.depth_only(&mut depth);
     }
-    report(instance.bin_faces(corners, bin_storage).is_ok());
-    report(by_planes.transform(corners).bin_faces(bin_storage).is_ok());
-    let transformed = by_planes.transform_depth(corners);
+    report(instance.transform(corners).bin_faces(bin_storage).is_ok());
+    let transformed = instance.transform_depth(corners);
     report(transformed.bin_faces(bin_storage).is_ok());
     if let Ok(mut edges) = transformed.bin_edges(bin_storage) {
         report(edges.hidden_line(colour, &mut band.depth_tested(&mut depth)));
@@ -158,10 +155,9 @@ fn draw_edges<D: DrawTarget<Color: Color>>(
 
 fn draw_instance<D: DrawTarget<Color: Color>, V: Coordinate>(
     scene: &mut Scene<'_, D::Color>,
-    by_planes: &MeshInstance<'_, V, WithPlanes>,
+    instance: &MeshInstance<'_, V>,
     target: &mut D,
 ) {
-    let instance = by_planes.without_planes();
     let Scene { light, colours, corners, depth, painter, .. } = scene;
     let Some(&(wire, _)) = colours.first() else { return };
     let mut shade = |face: usize| {
@@ -172,13 +168,19 @@ fn draw_instance<D: DrawTarget<Color: Color>, V: Coordinate>(
     report(instance.project_unsnapped(any() as usize));
     report(instance.edges(|_| wire).cached(corners).draw(target));
     report(instance.faces(&mut shade).cached(corners).draw(target));
-    report(by_planes.faces(&mut shade).cached(corners).draw(target));
-    report(painter.add(&instance, &mut shade));
+    report(instance.faces(&mut shade).culled_by_planes().cached(corners).draw(target));
+    report(instance.faces(&mut shade).sorted(painter));
     report(instance.points(wire, target));
     report(instance.polyline(wire, target));
     let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
     report(instance.faces(&mut shade).cached(corners).draw(&mut target.depth_tested(&mut depth)));
-    report(by_planes.faces(&mut shade).cached(corners).draw(&mut target.depth_tested(&mut depth)));
+    report(
+        instance
+            .faces(&mut shade)
+            .culled_by_planes()
+            .cached(corners)
+            .draw(&mut target.depth_tested(&mut depth)),
+    );
     report(depth.at(pixel()));
     depth.clear();
 }
@@ -186,10 +188,9 @@ fn draw_instance<D: DrawTarget<Color: Color>, V: Coordinate>(
 /// Pixels in memory, of a picture and of a band: one colour per face, and shaders that vary.
 fn draw_pixels<T: Surface<Color = Rgb565>>(
     scene: &mut Scene<'_, Rgb565>,
-    by_planes: &MeshInstance<'_, i16, WithPlanes>,
+    instance: &MeshInstance<'_>,
     target: &mut T,
 ) {
-    let instance = by_planes.without_planes();
     let Scene { light, corners, depth, .. } = scene;
     let shade = |face: usize| Rgb565::new(face as u8, 0, 0).dim(light.level([any() as i16, 0, 0]));
     let smooth = |_| Gouraud::new([wide_color(); 3]);
@@ -199,7 +200,7 @@ fn draw_pixels<T: Surface<Color = Rgb565>>(
     report(instance.faces(shade).cached(corners).draw(target));
     report(instance.faces(smooth).cached(corners).draw(target));
     report(instance.faces(shaded).cached(corners).draw(target));
-    report(by_planes.faces(shade).cached(corners).draw(target));
+    report(instance.faces(shade).culled_by_planes().cached(corners).draw(target));
     if let Some(corner) = ScreenPoint::from_subpixels(any(), any()) {
         report(fill_triangle([corner, ScreenPoint::default(), corner], shade(any() as usize), target));
     }
@@ -211,17 +212,18 @@ fn draw_pixels<T: Surface<Color = Rgb565>>(
     report(instance.faces(shade).cached(corners).draw(&mut target.depth_tested(&mut depth)));
     report(instance.faces(smooth).cached(corners).draw(&mut target.depth_tested(&mut depth)));
     report(instance.faces(shaded).cached(corners).draw(&mut target.depth_tested(&mut depth)));
-    report(by_planes.faces(smooth).cached(corners).draw(&mut target.depth_tested(&mut depth)));
+    report(
+        instance.faces(smooth).culled_by_planes().cached(corners).draw(&mut target.depth_tested(&mut depth)),
+    );
     report(instance.edges(|_| color()).cached(corners).hidden_line(&mut target.depth_tested(&mut depth)));
 }
 
 /// Anti-aliased lines, in every way to draw lines.
 fn draw_anti_aliased<T: Surface<Color = Rgb565, Store: Gives<Reads>>>(
     scene: &mut Scene<'_, Rgb565>,
-    by_planes: &MeshInstance<'_, i16, WithPlanes>,
+    instance: &MeshInstance<'_>,
     target: &mut T,
 ) {
-    let instance = by_planes.without_planes();
     let Scene { corners, depth, bin_storage, .. } = scene;
     let stroke = AntiAliased(color());
     let mixed = stroke.color().over(color(), any() as u16);
@@ -240,7 +242,7 @@ fn draw_anti_aliased<T: Surface<Color = Rgb565, Store: Gives<Reads>>>(
     }
 }
 
-fn picture(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_, i16, WithPlanes>, memory: &mut [Rgb565]) {
+fn picture(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, memory: &mut [Rgb565]) {
     let Ok(mut picture) = Picture::new(memory, size()) else { return };
     draw(scene, &mut picture);
     report(picture.fill_solid(&picture.bounding_box(), color()));
@@ -252,21 +254,23 @@ fn picture(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_, i16, WithPlanes>, memo
     report(picture.colors());
 }
 
-fn band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_, i16, WithPlanes>, strip: &mut [u8]) {
+fn band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, strip: &mut [u8]) {
     let Ok(Some(mut band)) = Frame::new(area(), color()).next_band(strip) else { return };
     let instance = scene.camera.place(mesh, &scene.model);
     draw_pixels(scene, &instance, &mut band.pixels());
     draw_anti_aliased(scene, &instance, &mut band.pixels());
 }
 
-fn pick<P: FacePlanes>(camera: &Camera, instance: &MeshInstance<'_, i16, P>, cache: &mut [ScreenVertex]) {
-    let picked = instance.faces(|_| ScreenDoor::new(color(), any() as u8)).cached(cache).pick(pixel());
+fn pick(camera: &Camera, instance: &MeshInstance<'_>, cache: &mut [ScreenVertex]) {
+    let faces = || instance.faces(|_| ScreenDoor::new(color(), any() as u8));
+    report(faces().culled_by_planes().cached(cache).pick(pixel()));
+    let picked = faces().cached(cache).pick(pixel());
     report(picked.and_then(|picked| picked.point(camera)));
 }
 
-fn change<'m, P: FacePlanes>(
+fn change<'m>(
     scene: &mut pinhole::draw::Scene<'m, Rgb565, 5>,
-    mesh: &'m Mesh<'m, i16, P>,
+    mesh: &'m Mesh<'m>,
     model: &Affine<Model, World>,
 ) {
     let object = Object::new(mesh, *model, color()).with_cull(Cull::None);
@@ -298,7 +302,7 @@ fn draw_scene(scene: &pinhole::draw::Scene<'_, Rgb565, 5>, camera: &Camera, stor
     report((placed.len(), placed.is_empty(), placed.cache_len(), placed.face_bins_len()));
     report(placed.iter().map(|(object, _)| object.mesh().faces().len()).sum::<usize>());
     report(placed.faces(shade).cached(cache).pick(pixel()));
-    report(placed.paint(shade, painter));
+    report(placed.faces(shade).sorted(painter));
     let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
     report(placed.faces(shade).cached(cache).draw(&mut target.depth_tested(&mut depth)));
     let Ok(mut faces) = placed.bin_faces(cache, bins) else { return };
@@ -399,14 +403,12 @@ entries! {
     entry_shaded_wire_gray8(scene: &mut Scene<'_, Gray8>, levels: &mut [u16], target: &mut Wire<Gray8>) { shade(scene, levels, target) }
     entry_shaded_wire_binary(scene: &mut Scene<'_, BinaryColor>, levels: &mut [u16], target: &mut Wire<BinaryColor>) { shade(scene, levels, target) }
 
-    entry_pixels_of_picture(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_, i16, WithPlanes>, memory: &mut [Rgb565]) { picture(scene, mesh, memory) }
-    entry_pixels_of_band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_, i16, WithPlanes>, strip: &mut [u8]) { band(scene, mesh, strip) }
+    entry_pixels_of_picture(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, memory: &mut [Rgb565]) { picture(scene, mesh, memory) }
+    entry_pixels_of_band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, strip: &mut [u8]) { band(scene, mesh, strip) }
     entry_band_or_strip(frame: &mut Frame<Rgb565>, strip: &mut [u8]) { report(frame.band_or_strip(strip)) }
-    entry_pick_by_planes(camera: &Camera, instance: &MeshInstance<'_, i16, WithPlanes>, cache: &mut [ScreenVertex]) { pick(camera, instance, cache) }
     entry_pick(camera: &Camera, instance: &MeshInstance<'_>, cache: &mut [ScreenVertex]) { pick(camera, instance, cache) }
 
     entry_scene<'m>(scene: &mut pinhole::draw::Scene<'m, Rgb565, 5>, mesh: &'m Mesh<'m>, model: &Affine<Model, World>) { change(scene, mesh, model) }
-    entry_scene_with_planes<'m>(scene: &mut pinhole::draw::Scene<'m, Rgb565, 5>, mesh: &'m Mesh<'m, i16, WithPlanes>, model: &Affine<Model, World>) { change(scene, mesh, model) }
     entry_draw_scene(scene: &pinhole::draw::Scene<'_, Rgb565, 5>, camera: &Camera, storage: &mut Storage<'_>) { draw_scene(scene, camera, storage) }
     entry_two_cores(cores: &mut Cores<'_>) { two_cores(cores) }
     entry_two_cores_with_depth(cores: &mut Cores<'_>) { two_cores_with_depth(cores) }

@@ -19,7 +19,7 @@ use pinhole::{
     draw::TransformedMesh,
     light::{BlinnPhong, DirectionalLight, LightError, Lights, Matcap, PointLight, RigidLambert},
     math::{MathError, Sphere},
-    mesh::{edge_faces, Coordinate, FaceColors, Hierarchy, MeshError, Node, TextureCoords, WithPlanes},
+    mesh::{edge_faces, Coordinate, FaceColors, Hierarchy, MeshError, Node, TextureCoords},
     prelude::*,
     texture::LitPalette,
     Angle,
@@ -151,7 +151,7 @@ entries! {
     entry_edges(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edges(e) }
     entry_edge_faces(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edge_faces(e) }
     entry_normals(mesh: Mesh<'static>, n: Vertices) -> Result<Mesh<'static>, MeshError> { mesh.with_normals(n) }
-    entry_planes(mesh: Mesh<'static>, p: &'static [i16]) -> Result<Mesh<'static, i16, WithPlanes>, MeshError> { mesh.with_planes(p) }
+    entry_planes(mesh: Mesh<'static>, p: &'static [i16]) -> Result<Mesh<'static>, MeshError> { mesh.with_planes(p) }
     entry_mesh_lists(mesh: &Mesh<'static>) -> [Vertices; 2] { [mesh.vertices(), mesh.normals()] }
     entry_mesh_edges(mesh: &Mesh<'static>) -> (Faces, [Edges; 2]) { (mesh.faces(), [mesh.edges(), mesh.edge_faces()]) }
     entry_mesh_numbers(mesh: &Mesh<'static>) -> (&'static [i16], i8) { (mesh.planes(), mesh.exponent()) }
@@ -202,8 +202,7 @@ entries! {
 
     entry_nodes(local: Affine<Model, Model>) -> [Node; 2] { [Node::root(local), Node::child(any() as u16, local)] }
     entry_hierarchy_node<'h>(hierarchy: &'h Hierarchy<'_>) -> Option<&'h Affine<Model, World>> { hierarchy.world(any() as usize) }
-    entry_instance_mesh<'p>(instance: &MeshInstance<'p, i16, WithPlanes>) -> (Mesh<'p, i16, WithPlanes>, Mesh<'p>) { (instance.mesh(), instance.without_planes().mesh()) }
-    entry_mesh_planes(mesh: Mesh<'static, i16, WithPlanes>) -> (Mesh<'static>, Mesh<'static, i16, WithPlanes>) { (mesh.without_planes(), mesh.without_planes().with_planes_if_any()) }
+    entry_instance_mesh<'p>(instance: &MeshInstance<'p>) -> &'p Mesh<'p> { instance.mesh() }
 
     entry_band_bytes<'b>(band: &'b Band<'_, Rgb565>) -> &'b [u8] { band.bytes() }
     entry_frame_area(frame: &Frame<Rgb565>) -> Rectangle { frame.area() }

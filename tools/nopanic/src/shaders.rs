@@ -17,7 +17,7 @@ use pinhole::{
     draw::SpriteFor,
     fog::{Fog, FogTable, VertexFog},
     light::LightError,
-    mesh::{Coordinate, WithPlanes},
+    mesh::Coordinate,
     prelude::*,
     shading::{Blended, CornerValues, DepthTested, Shader, SpanShader, Translucent},
     sprite::{PlacedSprites, SolidTexel, SpriteImage, SpriteSource},
@@ -82,7 +82,7 @@ fn shader() -> Everything {
 
 /// Faces, and the memory that they are drawn with.
 struct Faces<'a> {
-    by_planes: MeshInstance<'a, i16, WithPlanes>,
+    instance: MeshInstance<'a>,
     cache: &'a mut [ScreenVertex],
     cells: &'a mut [u16],
     depths: &'a mut [u16],
@@ -91,8 +91,7 @@ struct Faces<'a> {
 impl Faces<'_> {
     /// Into memory, without depth and with it.
     fn draw<S: SpanShader<Rgb565>>(&mut self, shade: impl Fn(usize) -> S) {
-        let Self { by_planes, cache, cells, depths } = self;
-        let instance = by_planes.without_planes();
+        let Self { instance, cache, cells, depths } = self;
         let Ok(mut target) = Pixels::<Rgb565, u16>::new(cells, area()) else { return };
         report(instance.faces(&shade).cached(cache).draw(&mut target));
         let Ok(mut depth) = DepthBuffer::new(area(), depths) else { return };
@@ -119,10 +118,16 @@ impl Faces<'_> {
 
 fn own(faces: &mut Faces<'_>) -> Result<(), BufferError> {
     faces.draw(|_| shader());
-    let Faces { by_planes, cache, cells, depths } = faces;
-    report(by_planes.faces(|_| shader()).cached(cache).draw(&mut Pixels::<Rgb565, u16>::new(cells, area())?));
+    let Faces { instance, cache, cells, depths } = faces;
+    report(
+        instance
+            .faces(|_| shader())
+            .culled_by_planes()
+            .cached(cache)
+            .draw(&mut Pixels::<Rgb565, u16>::new(cells, area())?),
+    );
     if let Ok(mut depth) = DepthBuffer::new(area(), depths) {
-        report(by_planes.depth_only(cache, &mut depth));
+        report(instance.depth_only(cache, &mut depth));
     }
     Ok(())
 }
@@ -132,7 +137,7 @@ fn painter_depth_tested(
     faces: &mut Faces<'_>,
 ) -> Option<()> {
     let shade = |_| DepthTested::new(HalfBlended::new(color()));
-    painter.add(&faces.by_planes.without_planes(), shade).ok()?;
+    faces.instance.faces(shade).sorted(painter).ok()?;
     let mut target = Pixels::<Rgb565, u16>::new(faces.cells, area()).ok()?;
     let mut depth = DepthBuffer::new(area(), faces.depths).ok()?;
     report(painter.order().draw(&mut target.depth_tested(&mut depth)));
@@ -214,8 +219,7 @@ fn fogged(faces: &mut Faces<'_>, table: &FogTable<Rgb565>, shades: &ShadeTable<R
     faces.draw(|_| Fogged::new(ScreenDoor::new(color(), any() as u8), table));
     faces.draw(|_| Fogged::new(Blended::new(color(), any() as u8), table));
     if let Ok(mut target) = Pixels::<Rgb565, u16>::new(faces.cells, area()) {
-        let instance = faces.by_planes.without_planes();
-        report(instance.edges(|_| color()).cached(faces.cache).draw(&mut target));
+        report(faces.instance.edges(|_| color()).cached(faces.cache).draw(&mut target));
     }
 }
 
@@ -317,7 +321,7 @@ fn memory(cells: &mut [u16]) -> Result<(), BufferError> {
 
 entries! {
     entry_shader_of_own(faces: &mut Faces<'_>) -> Result<(), BufferError> { own(faces) }
-    entry_painter_by_planes(painter: &mut Painter<Everything, 20, 20>, faces: &Faces<'_>) { report(painter.add(&faces.by_planes, |_| shader())) }
+    entry_painter_by_planes(painter: &mut Painter<Everything, 20, 20>, faces: &Faces<'_>) { report(faces.instance.faces(|_| shader()).culled_by_planes().sorted(painter)) }
     entry_painter_depth_tested(painter: &mut Painter<DepthTested<HalfBlended<Rgb565>>, 20, 20>, faces: &mut Faces<'_>) -> Option<()> { painter_depth_tested(painter, faces) }
     entry_translucent(faces: &mut Faces<'_>) { translucent(faces) }
     entry_memory_of_own(cells: &mut [u16]) -> Result<(), BufferError> { memory(cells) }

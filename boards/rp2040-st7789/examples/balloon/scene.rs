@@ -103,7 +103,7 @@ const SHADOW: Mesh<'static> = {
         Err(_) => panic!("faces"),
     }
 };
-const CANOPY: Mesh<'static> = SPHERE.without_planes();
+const CANOPY: Mesh<'static> = SPHERE;
 const BASKET: Mesh<'static> = CUBE;
 /// A tree at each vertex, far ones first.
 const TREES: Mesh<'static> = match Mesh::new(&TREE_POINTS, 0, &[]) {

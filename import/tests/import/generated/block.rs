@@ -6,7 +6,7 @@
 /// coordinate by quantising 0.
 #[rustfmt::skip]
 #[allow(dead_code, unreachable_pub)] // what is not used is not in the flash
-pub const BLOCK: pinhole::Mesh<'static, i16, pinhole::mesh::WithPlanes> = {
+pub const BLOCK: pinhole::Mesh<'static> = {
     static VERTICES: [[i16; 3]; 8] = [
         [-20480,-5120,10240], [-20480,-5120,-10240], [20480,-5120,-10240], [20480,-5120,10240], [-20480,5120,10240],
         [20480,5120,10240], [20480,5120,-10240], [-20480,5120,-10240],

@@ -104,7 +104,7 @@ pub fn turned_cube(
         Way::Solid => instance.faces(|face| Shader(face as u16)).cached(&mut cache).draw(target),
         Way::Painter => {
             let mut painter = Painter::<Shader, 64, 64>::new();
-            painter.add(&instance, |face| Shader(face as u16)).expect("enough room");
+            instance.faces(|face| Shader(face as u16)).sorted(&mut painter).expect("enough room");
             painter.draw(target)
         }
         Way::Depth => {

@@ -10,7 +10,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{
     color::{Ink, StoredPixel, Writes},
-    mesh::{Coordinate, FacePlanes},
+    mesh::Coordinate,
     prelude::*,
     shading::{SpanShader, Stroke},
     target::Pixels,
@@ -188,8 +188,8 @@ pub fn everywhere<C: PixelColor, S: SpanShader<C, Ink: Ink<C, Access = Writes>>>
 /// By every draw call for faces: at once, binned and from far to near; onto a DrawTarget and into memory, in one piece and in bands of
 /// each height; from vertex caches of several lengths that hold the vertices of another picture. Binned faces are drawn onto a
 /// DrawTarget without depth, and into memory with depth: `properties` draws both by both.
-pub fn by_every_call<const N: usize, C, S, V, P>(
-    instance: &MeshInstance<'_, V, P>,
+pub fn by_every_call<const N: usize, C, S, V>(
+    instance: &MeshInstance<'_, V>,
     area: Rectangle,
     background: C,
     heights: &[u32],
@@ -199,7 +199,6 @@ where
     C: Color + StoredPixel<[u8; N]> + Debug,
     S: SpanShader<C, Ink: Ink<C, Access = Writes>>,
     V: Coordinate,
-    P: FacePlanes,
 {
     let mesh = instance.mesh();
     let mut stale = vec![ScreenVertex::EMPTY; mesh.vertices().len() + 3];
@@ -214,7 +213,7 @@ where
         counted.extend(instance.faces(shade).cached(&mut short).draw(&mut target.depth_tested(depth)))
     });
     let mut painter = Box::new(Painter::<S, 1500, 1000>::new());
-    painter.add(instance, shade).expect("room");
+    instance.faces(shade).sorted(&mut painter).expect("room");
     let order = painter.order();
     let (painted, _) = screen(area, &mut |target, _| {
         let Ok(()) = order.draw(target);
@@ -243,13 +242,34 @@ where
             let Ok(()) = binned.draw(shade, band);
         });
         counted.push(binned.statistics());
-        let mut binned = instance.bin_faces_with_depth(&mut cache, &mut bins).expect("room");
+        let mut binned = instance.transform_depth(&mut cache).bin_faces(&mut bins).expect("room");
         check(&deep, rows, "binned, with depth, in memory", &mut |band, depth| {
             let Ok(()) = binned.draw(shade, &mut band.pixels().depth_tested(depth));
         });
         counted.push(binned.statistics());
     }
     assert!(counted.iter().all(|statistics| *statistics == counted[0]), "{counted:?}");
+    (Drawn { solid, deep, depths, painted }, counted[0])
+}
+
+/// By every draw call that culls by planes: at once, into a DrawTarget without depth and with depth, and from far to near.
+pub fn by_planes<C: Color + Debug, S: SpanShader<C, Ink: Ink<C, Access = Writes>>, V: Coordinate>(
+    instance: &MeshInstance<'_, V>,
+    area: Rectangle,
+    background: C,
+    shade: &dyn Fn(usize) -> S,
+) -> (Drawn<C>, Statistics) {
+    let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().vertices().len() * 2 / 3];
+    let mut counted = Vec::new();
+    let faces = || instance.faces(shade).culled_by_planes();
+    let (solid, _) = screen(area, &mut |target, _| counted.extend(faces().cached(&mut cache).draw(target)));
+    let (deep, depths) =
+        screen(area, &mut |target, depth| counted.extend(faces().draw(&mut target.depth_tested(depth))));
+    let mut painter = Box::new(Painter::<S, 1500, 1000>::new());
+    faces().sorted(&mut painter).expect("room");
+    let (painted, _) = screen(area, &mut |target, _| counted.extend(painter.draw(target)));
+    assert!(counted.iter().all(|statistics| *statistics == counted[0]), "{counted:?}");
+    let [solid, deep, painted] = [solid, deep, painted].map(|screen| screen.over(background));
     (Drawn { solid, deep, depths, painted }, counted[0])
 }
 

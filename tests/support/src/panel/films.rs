@@ -135,7 +135,7 @@ impl Thing {
     /// The rectangle that the object covers.
     fn bounds(&self) -> Rectangle {
         let (mut cache, mut bins) = STORE;
-        self.instance.bin_faces(&mut cache, &mut bins).expect("room for all faces").bounds()
+        self.instance.transform(&mut cache).bin_faces(&mut bins).expect("room for all faces").bounds()
     }
 }
 
@@ -158,7 +158,7 @@ pub fn in_bands<D: DrawTarget<Color: Colour>>(
     let mut stores = vec![STORE; things.len()];
     let mut binned = Vec::new();
     for (thing, (cache, bins)) in things.iter().zip(&mut stores) {
-        binned.push((thing, thing.instance.bin_faces(cache, bins).expect("room for all faces")));
+        binned.push((thing, thing.instance.transform(cache).bin_faces(bins).expect("room for all faces")));
     }
     let mut frame = Frame::new(area, D::Color::from(BACKGROUND));
     while let Some(mut band) = frame.next_band(strip).expect("a strip of a row or more") {
