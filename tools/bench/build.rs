@@ -70,7 +70,7 @@ fn models(scenes: &Scenes) -> Result<String> {
         let [distance, ..] = bits([*distance, 0.0, 0.0]);
         write!(text, "pub static {name}: Model = Model {{ axes: {axes:?}, distance: {distance}, ")?;
         writeln!(text, "mesh: mesh(&{vertices:?}, -{k}, &{faces:?}, &{normals:?}, &{edges:?}) }};")?;
-        writeln!(text, "pub static {name}_BY_PLANES: Model<WithPlanes> = by_planes(&{name}, &{planes:?});")?;
+        writeln!(text, "pub static {name}_BY_PLANES: Model = by_planes(&{name}, &{planes:?});")?;
     }
     Ok(text)
 }

@@ -11,7 +11,7 @@ use embedded_graphics_core::Pixel;
 use pinhole::space::{Model as ModelSpace, World};
 use pinhole::{
     light::RigidLambert,
-    mesh::{edge_faces, FacePlanes},
+    mesh::edge_faces,
     prelude::*,
     texture::{IndexedTexels, LitTextured},
     Angle,
@@ -136,7 +136,7 @@ impl Turntable {
     }
 
     #[inline(always)]
-    pub fn place<P: FacePlanes>(&self, cube: &'static Model<P>) -> MeshInstance<'static, i16, P> {
+    pub fn place(&self, cube: &'static Model) -> MeshInstance<'static> {
         self.camera().place(&cube.mesh, &self.model)
     }
 

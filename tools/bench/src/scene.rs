@@ -5,13 +5,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model as ModelSpace, World};
-use pinhole::{
-    light::RigidLambert,
-    mesh::{FacePlanes, WithPlanes, WithoutPlanes},
-    prelude::*,
-    shading::Dithered,
-    Angle,
-};
+use pinhole::{light::RigidLambert, prelude::*, shading::Dithered, Angle};
 
 /// Width and height of a frame.
 pub const SIZE: u32 = 240;
@@ -27,15 +21,15 @@ pub const fn area() -> Rectangle {
 }
 
 /// What `build.rs` makes of a model: of each one without face planes and one with them.
-pub struct Model<P = WithoutPlanes> {
-    pub mesh: Mesh<'static, i16, P>,
+pub struct Model {
+    pub mesh: Mesh<'static>,
     /// Where the object's axes point in the world, in 2⁻¹⁶.
     pub(crate) axes: [[i32; 3]; 3],
     /// Of the eye from the origin, in 2⁻¹⁶.
     pub(crate) distance: i32,
 }
 
-impl<P> Model<P> {
+impl Model {
     /// Turned as it is shown. The compiler sees none of the numbers.
     #[inline(always)]
     pub fn turned(&self) -> Affine<ModelSpace, World> {
@@ -66,41 +60,36 @@ const fn mesh(
 }
 
 /// At compile time: the model with these planes.
-pub(crate) const fn by_planes(model: &Model, planes: &'static [i16]) -> Model<WithPlanes> {
+pub(crate) const fn by_planes(model: &Model, planes: &'static [i16]) -> Model {
     let Model { mesh, axes, distance } = model;
     let Ok(mesh) = mesh.with_planes(planes) else { panic!("planes") };
     Model { mesh, axes: *axes, distance: *distance }
 }
 
 /// A model before its camera: set up before the frame.
-pub struct Scene<P = WithoutPlanes> {
-    mesh: Mesh<'static, i16, P>,
+pub struct Scene {
+    mesh: Mesh<'static>,
     pub model: Affine<ModelSpace, World>,
     pub camera: Camera,
 }
 
-impl<P: FacePlanes> Scene<P> {
+impl Scene {
     /// Of a model as it is shown.
     #[inline(always)]
-    pub fn new(model: &'static Model<P>) -> Option<Self> {
+    pub fn new(model: &'static Model) -> Option<Self> {
         let model = black_box(model);
         Some(Self { mesh: model.mesh, camera: model.camera()?, model: model.turned() })
     }
 
     /// Of any mesh, turned to these axes, from an eye that looks at the origin, in 2⁻¹⁶.
     #[inline(always)]
-    pub fn viewed(
-        mesh: Mesh<'static, i16, P>,
-        axes: [[i32; 3]; 3],
-        eye: [i32; 3],
-        size: Size,
-    ) -> Option<Self> {
+    pub fn viewed(mesh: Mesh<'static>, axes: [[i32; 3]; 3], eye: [i32; 3], size: Size) -> Option<Self> {
         Some(Self { mesh, camera: camera(eye, size)?, model: turned(axes) })
     }
 
     /// The first thing in every frame.
     #[inline(always)]
-    pub fn place(&self) -> MeshInstance<'_, i16, P> {
+    pub fn place(&self) -> MeshInstance<'_> {
         self.camera.place(&self.mesh, &self.model)
     }
 
@@ -154,7 +143,7 @@ impl Light for RigidLambert {
 
 /// Each face in the light that its normal has.
 #[inline(always)]
-pub fn flat<'s, P>(mesh: &'s Mesh<'s, i16, P>, light: &'s impl Light) -> impl Fn(usize) -> Rgb565 + 's {
+pub fn flat<'s>(mesh: &'s Mesh<'s>, light: &'s impl Light) -> impl Fn(usize) -> Rgb565 + 's {
     |face| face_in_light(mesh.normals().get(face), light)
 }
 

@@ -36,9 +36,9 @@ fn record(cube: &'static Model, light: &Lambert, painter: &mut Order) -> Option<
     painter.clear();
     let (instance, shade) = (Turntable::turned().place(cube), scene::flat(&cube.mesh, light));
     if INSIDE {
-        painter.add(&instance.without_clipping(), shade).ok()
+        instance.without_clipping().faces(shade).sorted(painter).ok()
     } else {
-        painter.add(&instance, shade).ok()
+        instance.faces(shade).sorted(painter).ok()
     }
 }
 

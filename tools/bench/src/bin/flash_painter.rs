@@ -23,7 +23,7 @@ image!(
         let light = scene.light();
         let shade = scene::flat(&cube.mesh, light.as_ref()?);
         painter.clear();
-        painter.add(&scene.place(cube), shade).ok()?;
+        scene.place(cube).faces(shade).sorted(painter).ok()?;
         if IN_BANDS {
             let order = painter.order();
             let mut frame = Frame::new(scene::area(), scene::BACKGROUND);

@@ -23,7 +23,7 @@ image!(
         } else {
             let light = scene.light();
             let light = light.as_ref()?;
-            let mut faces = instance.bin_faces(corners, bin_storage);
+            let mut faces = instance.transform(corners).bin_faces(bin_storage);
             let faces = faces.as_mut().ok()?;
             while let Some(mut band) = frame.next_band(strip).ok()? {
                 let Ok(()) = faces.draw(scene::flat(&cube.mesh, light), &mut band.pixels());

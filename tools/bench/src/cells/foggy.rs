@@ -33,7 +33,7 @@ pub(super) fn g1<const DEPTHS: usize>(
         let (instance, light, fog) = black_box((&instance, &light, &fog));
         let shade = scene::flat_of_normals(instance.mesh().normals(), light);
         let shade = |face| Fogged::new(shade(face), fog);
-        draw_faces(instance.faces(shade).cached(corners), depth, &mut picture.pixels())
+        draw_faces(instance.faces(shade).culled_by_planes().cached(corners), depth, &mut picture.pixels())
     })
 }
 
@@ -54,6 +54,6 @@ pub(super) fn g3_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<C
     count(frame, &mut |picture| {
         let (instance, texture, fog) = black_box((&instance, &texture, &fog));
         let shade = |face| Fogged::new(texture.at(torus_uv(face)), fog);
-        draw_faces(instance.faces(shade).cached(corners), depth, &mut picture.pixels())
+        draw_faces(instance.faces(shade).culled_by_planes().cached(corners), depth, &mut picture.pixels())
     })
 }

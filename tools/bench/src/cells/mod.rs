@@ -26,7 +26,6 @@ use embedded_graphics_core::pixelcolor::Rgb565;
 use memory::Depth;
 use pinhole::{
     draw::{Faces, ShaderFor},
-    mesh::{FacePlanes, WithPlanes},
     prelude::*,
     shading::{AntiAliased, Blended},
     target::Surface,
@@ -61,7 +60,7 @@ const ICO_BINS: usize = 1750 + 5780_usize.div_ceil(16);
 static TORUS_EDGED: Model = edged(&scene::TORUS, &TORUS_EDGES);
 const NEAR: i32 = 52_429;
 static C1: Model = at(&scene::TORUS, NEAR);
-static C1_PLANES: Model<WithPlanes> = at(&scene::TORUS_BY_PLANES, NEAR);
+static C1_PLANES: Model = at(&scene::TORUS_BY_PLANES, NEAR);
 static C1_EDGED: Model = at(&TORUS_EDGED, NEAR);
 
 /// At compile time: without normals.
@@ -72,7 +71,7 @@ const fn edged(model: &Model, edges: &'static [[u16; 2]]) -> Model {
     Model { mesh, axes: *axes, distance: *distance }
 }
 
-const fn at<P>(model: &Model<P>, distance: i32) -> Model<P> {
+const fn at(model: &Model, distance: i32) -> Model {
     let Model { mesh, axes, .. } = model;
     Model { mesh: *mesh, axes: *axes, distance }
 }
@@ -117,38 +116,38 @@ cells! {
     "empty" "plain": Frame, |m| count(m, &mut |_| Some(()));
     // S1: the cube's edges. S2: the cube, a colour for each face.
     "S1" "plain": Plain<CUBE>, |m| picture::wire(&scene::CUBE, LINE, m);
-    "S2" "plain": Plain<CUBE>, |m| picture::flat(&scene::CUBE, m);
-    "S2" "z": Deep<CUBE>, |m| picture::flat(&scene::CUBE, m);
+    "S2" "plain": Plain<CUBE>, |m| picture::flat::<false, _, _>(&scene::CUBE, m);
+    "S2" "z": Deep<CUBE>, |m| picture::flat::<false, _, _>(&scene::CUBE, m);
     // S3: the torus, S4: the icosphere, a colour for each face, culled by face planes; S8: the torus, smooth.
-    "S3" "plain": Plain<TORUS>, |m| picture::flat(&scene::TORUS_BY_PLANES, m);
-    "S3" "z": Deep<TORUS>, |m| picture::flat(&scene::TORUS_BY_PLANES, m);
-    "S4" "plain": Plain<ICO>, |m| picture::flat(&scene::ICO_BY_PLANES, m);
-    "S4" "z": Deep<ICO>, |m| picture::flat(&scene::ICO_BY_PLANES, m);
+    "S3" "plain": Plain<TORUS>, |m| picture::flat::<true, _, _>(&scene::TORUS_BY_PLANES, m);
+    "S3" "z": Deep<TORUS>, |m| picture::flat::<true, _, _>(&scene::TORUS_BY_PLANES, m);
+    "S4" "plain": Plain<ICO>, |m| picture::flat::<true, _, _>(&scene::ICO_BY_PLANES, m);
+    "S4" "z": Deep<ICO>, |m| picture::flat::<true, _, _>(&scene::ICO_BY_PLANES, m);
     "S8" "z": Smooth<TORUS>, |m| picture::smooth_z(&scene::TORUS_BY_PLANES, m);
     // S5: one triangle over half of the picture. S6: a thousand lines. S7: a thousand triangles.
     "S5" "plain": Frame, |m| picture::triangle(&SCREEN, LINE, m);
     "S6" "plain": Frame, |m| picture::lines(&LINES, LINE, m);
     "S7" "plain": Frame, |m| picture::triangles(&TRIANGLES, &COLOURS, m);
     // Without planes.
-    "S3" "no-planes": Plain<TORUS>, |m| picture::flat(&scene::TORUS, m);
-    "S3" "no-planes-z": Deep<TORUS>, |m| picture::flat(&scene::TORUS, m);
+    "S3" "no-planes": Plain<TORUS>, |m| picture::flat::<false, _, _>(&scene::TORUS, m);
+    "S3" "no-planes-z": Deep<TORUS>, |m| picture::flat::<false, _, _>(&scene::TORUS, m);
     // All edges.
     "S3" "wire": Plain<TORUS>, |m| picture::wire(&TORUS_EDGED, LINE, m);
     // The torus from near by.
-    "C1" "plain": Plain<TORUS>, |m| picture::flat(&C1, m);
-    "C1" "z": Deep<TORUS>, |m| picture::flat(&C1, m);
+    "C1" "plain": Plain<TORUS>, |m| picture::flat::<false, _, _>(&C1, m);
+    "C1" "z": Deep<TORUS>, |m| picture::flat::<false, _, _>(&C1, m);
     "C1" "wire": Plain<TORUS>, |m| picture::wire(&C1_EDGED, LINE, m);
-    "C1" "planes": Plain<TORUS>, |m| picture::flat(&C1_PLANES, m);
-    "C1" "planes-z": Deep<TORUS>, |m| picture::flat(&C1_PLANES, m);
+    "C1" "planes": Plain<TORUS>, |m| picture::flat::<true, _, _>(&C1_PLANES, m);
+    "C1" "planes-z": Deep<TORUS>, |m| picture::flat::<true, _, _>(&C1_PLANES, m);
     // T1: the turning cube. F50: fifty cubes before a moving camera, half of them out of view. The placing is counted.
     "T1" "plain": Plain<CUBE>, |m| moving::t1(m);
     "F50" "z": Deep<CUBE>, |m| moving::f50_z(m);
     // Into a DrawTarget of the firmware's own.
     "S1" "dt": Plain<CUBE>, |m| dt::wire(&scene::CUBE, LINE, m);
-    "S2" "dt": Plain<CUBE>, |m| dt::flat(&scene::CUBE, m);
-    "S2" "dt-z": Deep<CUBE>, |m| dt::flat(&scene::CUBE, m);
-    "S3" "dt": Plain<TORUS>, |m| dt::flat(&scene::TORUS_BY_PLANES, m);
-    "S3" "dt-z": Deep<TORUS>, |m| dt::flat(&scene::TORUS_BY_PLANES, m);
+    "S2" "dt": Plain<CUBE>, |m| dt::flat::<false, _, _>(&scene::CUBE, m);
+    "S2" "dt-z": Deep<CUBE>, |m| dt::flat::<false, _, _>(&scene::CUBE, m);
+    "S3" "dt": Plain<TORUS>, |m| dt::flat::<true, _, _>(&scene::TORUS_BY_PLANES, m);
+    "S3" "dt-z": Deep<TORUS>, |m| dt::flat::<true, _, _>(&scene::TORUS_BY_PLANES, m);
     "S5" "dt": Frame, |m| dt::triangle(&SCREEN, LINE, m);
     "S6" "dt": Frame, |m| dt::lines(&LINES, LINE, m);
     "S7" "dt": Frame, |m| dt::triangles(&TRIANGLES, &COLOURS, m);
@@ -247,8 +246,8 @@ fn drawn(statistics: Result<Statistics, Infallible>) -> Option<()> {
 
 /// Draws faces, with depth where the memory has depths.
 #[inline(always)]
-fn draw_faces<P: FacePlanes, S: ShaderFor<T>, T, const DEPTHS: usize>(
-    faces: Faces<'_, i16, P, impl FnMut(usize) -> S>,
+fn draw_faces<S: ShaderFor<T>, T, const DEPTHS: usize, const BY_PLANES: bool>(
+    faces: Faces<'_, i16, impl FnMut(usize) -> S, BY_PLANES>,
     depth: &mut Depth<DEPTHS>,
     surface: &mut T,
 ) -> Option<()>

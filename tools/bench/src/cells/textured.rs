@@ -114,6 +114,6 @@ pub(super) fn torus<const DEPTHS: usize>(
     count(frame, &mut |picture| {
         let (instance, texture) = black_box((&instance, &texture));
         let shade = |face: usize| texture.at(torus_uv(face));
-        draw_faces(instance.faces(shade).cached(corners), depth, &mut picture.pixels())
+        draw_faces(instance.faces(shade).culled_by_planes().cached(corners), depth, &mut picture.pixels())
     })
 }

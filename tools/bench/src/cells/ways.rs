@@ -8,7 +8,6 @@ use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565, Rgb888, RgbColor};
 use pinhole::raster::{Pixel, ScreenPoint};
 use pinhole::{
     draw::{draw_line, fill_triangle, ShaderFor, StrokeFor},
-    mesh::FacePlanes,
     prelude::*,
     target::Pixels,
 };
@@ -33,10 +32,10 @@ macro_rules! ways {
                 })
             }
 
-            /// A light level for each face.
+            /// A light level for each face, culled by planes or not.
             #[inline(always)]
-            pub(in super::super) fn flat<P: FacePlanes, const N: usize, const DEPTHS: usize>(
-                model: &'static Model<P>,
+            pub(in super::super) fn flat<const BY_PLANES: bool, const N: usize, const DEPTHS: usize>(
+                model: &'static Model,
                 Memory { frame, depth, corners }: &mut Memory<N, DEPTHS>,
             ) -> Option<Counted> {
                 let scene = Scene::new(model)?;
@@ -44,14 +43,18 @@ macro_rules! ways {
                 $count(frame, &mut |$surface| {
                     let (instance, light) = black_box((&instance, &light));
                     let shade = scene::flat_of_normals(instance.mesh().normals(), light);
-                    draw_faces(instance.faces(shade).cached(corners), depth, $target)
+                    let faces = instance.faces(shade).cached(corners);
+                    match BY_PLANES {
+                        true => draw_faces(faces.culled_by_planes(), depth, $target),
+                        false => draw_faces(faces, depth, $target),
+                    }
                 })
             }
 
-            /// The light at each vertex, and between them smoothly.
+            /// The light at each vertex, and between them smoothly; culled by planes.
             #[inline(always)]
-            pub(in super::super) fn smooth_z<P: FacePlanes>(
-                model: &'static Model<P>,
+            pub(in super::super) fn smooth_z(
+                model: &'static Model,
                 Smooth { deep, levels }: &mut Smooth<TORUS>,
             ) -> Option<Counted> {
                 let Memory { frame, depth, corners } = deep;
@@ -62,7 +65,7 @@ macro_rules! ways {
                     let (instance, light, white) = black_box((&instance, &light, &white));
                     light.levels(black_box(&TORUS_NORMALS), levels);
                     let shade = |face| white.lit(instance.mesh().corners_of(face, levels));
-                    draw_faces(instance.faces(shade).cached(corners), depth, $target)
+                    draw_faces(instance.faces(shade).culled_by_planes().cached(corners), depth, $target)
                 })
             }
 

@@ -211,11 +211,11 @@ fn in_one_piece(
             instance.faces(shade).cached(cache).draw(&mut picture.pixels().depth_tested(&mut depth))
         }
         Kind::Painted if is_small => {
-            small_painter.add(instance, shade).ok()?;
+            instance.faces(shade).sorted(small_painter).ok()?;
             small_painter.draw(&mut picture.pixels())
         }
         Kind::Painted => {
-            painter.add(instance, shade).ok()?;
+            instance.faces(shade).sorted(painter).ok()?;
             painter.draw(&mut picture.pixels())
         }
         _ => instance.faces(shade).cached(cache).draw(&mut picture.pixels()),
@@ -314,7 +314,7 @@ fn painted_bands<const V: usize, const F: usize>(
     painter: &mut Painter<Rgb565, V, F>,
 ) -> Option<()> {
     painter.clear();
-    painter.add(instance, shade).ok()?;
+    instance.faces(shade).sorted(painter).ok()?;
     let order = painter.order();
     each_band(size, rows, strip, |band| {
         let Ok(()) = order.draw(&mut band.pixels());
