@@ -311,7 +311,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
 
 impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     /// Stores the depth of the faces in a band and draws nothing: see
-    /// [`MeshInstance::depth_only`].
+    /// [`MeshInstance::depth_only`](crate::draw::MeshInstance::depth_only).
     #[inline(always)]
     pub fn depth_only(&mut self, depth: &mut DepthBuffer<'_>)
     where

@@ -6,8 +6,6 @@ use super::draw_region::DrawRegion;
 use super::drawable::StrokeFor;
 use super::face_triangles::FaceTriangles;
 use super::instance::MeshInstance;
-#[cfg(doc)]
-use super::instance::MeshInstance;
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use super::wireframe::{each_edge, Edges};
