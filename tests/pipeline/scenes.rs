@@ -193,7 +193,7 @@ fn a_band_asks_for_the_shaders_of_its_objects() {
         // The rows of each object's pixels, drawn alone.
         let rows_of = |object: &Object<'_, usize>| {
             let mesh = object.mesh();
-            let instance = camera.place(&mesh, &object.model).with_cull(cull(object.material));
+            let instance = camera.place(mesh, &object.model).with_cull(cull(object.material));
             let pixels = memory(AREA, Rgb565::BLACK, &mut |target, depth| {
                 let Ok(_) = instance.faces(|face| number(0, face)).draw(&mut target.depth_tested(depth));
             });
@@ -207,7 +207,7 @@ fn a_band_asks_for_the_shaders_of_its_objects() {
         // The rows of its vertices, among which its faces are, if none is clipped.
         let box_of = |object: &Object<'_, usize>| {
             let mesh = object.mesh();
-            let instance = camera.place(&mesh, &object.model);
+            let instance = camera.place(mesh, &object.model);
             let row = |vertex| instance.project(vertex).map(|seen| Point::from(seen).y);
             let rows = (0..mesh.vertices().len()).map(row).collect::<Result<Vec<i32>, _>>().ok()?;
             Some([*rows.iter().min()?, *rows.iter().max()?])
