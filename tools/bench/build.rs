@@ -7,7 +7,7 @@ use pinhole::Mesh;
 use serde::Deserialize;
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::Write;
+use std::fmt::{Debug, Write};
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
@@ -15,12 +15,14 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 struct Scenes {
     light: [f64; 3],
     models: BTreeMap<String, Model>,
+    /// Flat sides of meshes: a corner, the two sides of a field at it, and the numbers of fields along them.
+    sided: BTreeMap<String, Vec<meshes::Side>>,
     lines: Vec<[i16; 4]>,
     tris2d: Vec<[i64; 7]>,
     full_screen_triangle: [i16; 6],
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Default, Deserialize)]
 struct Model {
     vertices: Vec<[f64; 3]>,
     faces: Vec<[u16; 3]>,
@@ -28,6 +30,9 @@ struct Model {
     model_rotation: [[f64; 3]; 3],
     distance: f64,
 }
+
+/// Of groups of cells: scene, variant, memory and drawing, as Rust has them.
+type Cells = BTreeMap<String, Vec<[String; 4]>>;
 
 #[derive(Deserialize)]
 struct Growth {
@@ -39,15 +44,13 @@ struct Growth {
 
 fn main() -> Result<()> {
     let here = std::path::PathBuf::from(std::env::var("CARGO_MANIFEST_DIR")?);
-    for file in ["scenes.json", "growth.json", "build.rs", "meshes.rs"] {
-        println!("cargo::rerun-if-changed={file}");
-    }
-    let scenes: Scenes = serde_json::from_str(&std::fs::read_to_string("scenes.json")?)?;
-    let growth: Growth = serde_json::from_str(&std::fs::read_to_string("growth.json")?)?;
+    println!("cargo::rerun-if-changed=build.rs\ncargo::rerun-if-changed=meshes.rs");
+    let (scenes, growth): (Scenes, Growth) = (read("scenes.json")?, read("growth.json")?);
     let out = std::env::var("OUT_DIR")?;
     std::fs::write(format!("{out}/models.rs"), models(&scenes)?)?;
     std::fs::write(format!("{out}/lists.rs"), lists(&scenes)?)?;
     std::fs::write(format!("{out}/shapes.rs"), shapes(&scenes, &growth)?)?;
+    std::fs::write(format!("{out}/cells.rs"), cells(&read("cells.json")?))?;
     // The memory.x of Arm's board.
     println!("cargo::rustc-link-search={}/board", here.display());
     // The memory.x of RISC-V's board; the flag that names it is in the root's configuration.
@@ -56,9 +59,27 @@ fn main() -> Result<()> {
     Ok(())
 }
 
+fn read<T: serde::de::DeserializeOwned>(file: &str) -> Result<T> {
+    println!("cargo::rerun-if-changed={file}");
+    Ok(serde_json::from_str(&std::fs::read_to_string(file)?)?)
+}
+
+fn cells(cells: &Cells) -> String {
+    let row = |[scene, variant, memory, draw]: &[String; 4]| {
+        format!("{scene:?} {variant:?}: {memory}, |m| {draw};\n")
+    };
+    let rows: String = cells.values().flatten().map(row).collect();
+    format!("cells! {{ {rows} }}")
+}
+
 fn models(scenes: &Scenes) -> Result<String> {
     let mut text = format!("pub(crate) const LIGHT: [i32; 3] = {:?};\n", bits(scenes.light));
-    for (name, model) in &scenes.models {
+    let mut models = scenes.models.clone();
+    for (name, sides) in &scenes.sided {
+        let (vertices, faces) = meshes::sided(sides);
+        models.insert(name.clone(), Model { vertices, faces, ..Model::default() });
+    }
+    for (name, model) in &models {
         let Model { vertices, faces, edges, model_rotation, distance } = model;
         let name = name.to_uppercase();
         let (k, vertices) = quantised(vertices)?;
@@ -97,13 +118,8 @@ fn shapes(scenes: &Scenes, growth: &Growth) -> Result<String> {
         write!(text, "faces: &{faces:?}, normals: &{normals:?}, ")?;
         Ok(writeln!(text, "edges: &{edges:?}, beside: &{beside:?} }};")?)
     };
-    for (name, kind, [m, n]) in &growth.shapes {
-        let (vertices, faces) = match kind.as_str() {
-            "torus" => meshes::torus(*m, *n),
-            "sphere" => meshes::sphere(*m, *n),
-            "sheet" => meshes::sheet(*m),
-            _ => return Err(format!("growth.json: {kind}").into()),
-        };
+    for (name, kind, parts) in &growth.shapes {
+        let (vertices, faces) = meshes::named(kind, *parts).ok_or_else(|| format!("growth.json: {kind}"))?;
         add(name, &vertices, &edges_of(&faces), &faces)?;
     }
     for (name, Model { vertices, edges, faces, .. }) in &scenes.models {
@@ -137,24 +153,45 @@ fn beside(edges: &[[u16; 2]], faces: &[[u16; 3]]) -> Vec<[u16; 2]> {
     edges.iter().map(of_edge).collect()
 }
 
-/// The torus's vertex normals and edges, and the lists of 2D lines and triangles.
+/// The torus's vertex normals, edges and texture coordinates, the lists of 2D lines and triangles, and pictures.
 fn lists(scenes: &Scenes) -> Result<String> {
     let torus = scenes.models.get("torus").ok_or("no torus")?;
     let normals = torus.vertices.iter().map(|&vertex| torus_normal(vertex).map(unit));
     let normals: Vec<[i16; 3]> = normals.collect::<Result<_>>()?;
-    let (edges, lines, screen) = (edges_of(&torus.faces), &scenes.lines, &scenes.full_screen_triangle);
+    let tenth: Vec<_> = quantised(&torus.vertices)?.1.into_iter().step_by(10).collect();
+    // A picture of 64 × 64 texels once round 25 rings of 20 vertices, in 1/16 texel.
+    let uv = meshes::quads(25, 20, |i, j| [1024 * u32::from(i) / 25, 1024 * u32::from(j) / 20]);
     let corners: Vec<_> = scenes.tris2d.iter().map(|t| &t[..6]).collect();
     let colours: Vec<_> = scenes.tris2d.iter().map(|t| t[6]).collect();
-    let [normal_count, edge_count, line_count, triangle_count] =
-        [normals.len(), edges.len(), lines.len(), corners.len()];
-    Ok(format!(
-        "pub static TORUS_NORMALS: [[i16; 3]; {normal_count}] = {normals:?};\n\
-         pub static TORUS_EDGES: [[u16; 2]; {edge_count}] = {edges:?};\n\
-         pub static LINES: [[i16; 4]; {line_count}] = {lines:?};\n\
-         pub static TRIANGLES: [[i16; 6]; {triangle_count}] = {corners:?};\n\
-         pub static COLOURS: [u16; {triangle_count}] = {colours:?};\n\
-         pub static SCREEN: [i16; 6] = {screen:?};\n"
-    ))
+    let is_in_disc = |[x, y]: [usize; 2]| x.abs_diff(15).pow(2) + y.abs_diff(15).pow(2) < 15 * 15;
+    Ok([
+        format!("pub static SCREEN: [i16; 6] = {:?};\n", scenes.full_screen_triangle),
+        list("TORUS_NORMALS", "[i16; 3]", &normals),
+        list("TORUS_EDGES", "[u16; 2]", &edges_of(&torus.faces)),
+        list("TORUS_UV", "[[i16; 2]; 3]", &uv),
+        list("POINTS", "[i16; 3]", &tenth),
+        list("LINES", "[i16; 4]", &scenes.lines),
+        list("TRIANGLES", "[i16; 6]", &corners),
+        list("COLOURS", "u16", &colours),
+        picture("PICTURE", 64, |x, y| [x / 2, y, 31 - (x + y) / 4]),
+        picture("DISC", 16, |x, y| if is_in_disc([2 * x, 2 * y]) { [31, 2 * y, 2 * x] } else { [31, 0, 31] }),
+    ]
+    .concat())
+}
+
+fn list<T: Debug>(name: &str, of: &str, values: &[T]) -> String {
+    format!("pub static {name}: [{of}; {}] = {values:?};\n", values.len())
+}
+
+/// A picture of red, green and blue by columns and rows.
+fn picture(name: &str, side: usize, texel: impl Fn(usize, usize) -> [usize; 3]) -> String {
+    let texel = |x: usize, y: usize| {
+        let [red, green, blue] = texel(x, y);
+        format!("Rgb565::new({red}, {green}, {blue})")
+    };
+    let row = |y: usize| (0..side).map(|x| texel(x, y)).collect::<Vec<_>>().join(", ");
+    let rows: Vec<_> = (0..side).map(row).collect();
+    format!("pub static {name}: [[Rgb565; {side}]; {side}] = [[{}]];\n", rows.join("], ["))
 }
 
 /// A unit normal in 2⁻¹⁵.

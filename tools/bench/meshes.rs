@@ -4,7 +4,7 @@
 pub(crate) type Shape = (Vec<[f64; 3]>, Vec<[u16; 3]>);
 
 /// A tube of radius 0.4 round a circle of radius 1: `2·around·across` triangles.
-pub(crate) fn torus(around: u16, across: u16) -> Shape {
+fn torus(around: u16, across: u16) -> Shape {
     let at = |i: u16, j: u16| {
         let ((s, c), (t, d)) = (turn(i, around), turn(j, across));
         [(1.0 + 0.4 * d) * c, (1.0 + 0.4 * d) * s, 0.4 * t]
@@ -14,7 +14,7 @@ pub(crate) fn torus(around: u16, across: u16) -> Shape {
 }
 
 /// A sphere of radius 1: `2·around·(down − 1)` triangles.
-pub(crate) fn sphere(around: u16, down: u16) -> Shape {
+fn sphere(around: u16, down: u16) -> Shape {
     let ring = |i: u16, j: u16| {
         let ((s, c), polar) = (turn(i, around), f64::from(j + 1) / f64::from(down) * std::f64::consts::PI);
         [polar.sin() * c, polar.sin() * s, polar.cos()]
@@ -34,7 +34,7 @@ pub(crate) fn sphere(around: u16, down: u16) -> Shape {
 }
 
 /// Land with hills, 4 by 4 and open, y up: `2·side²` triangles.
-pub(crate) fn sheet(side: u16) -> Shape {
+fn sheet(side: u16) -> Shape {
     let at = |i: u16, j: u16| {
         let [x, z] = [i, j].map(|i| f64::from(i) / f64::from(side) * 4.0 - 2.0);
         [x, 0.2 * (3.0 * x).sin() * (2.5 * z).cos() - 0.5, z]
@@ -44,12 +44,37 @@ pub(crate) fn sheet(side: u16) -> Shape {
     (grid(side + 1, side + 1, at), faces)
 }
 
-fn grid(m: u16, n: u16, at: impl Fn(u16, u16) -> [f64; 3]) -> Vec<[f64; 3]> {
+/// A corner, the two sides of a field at it, and the numbers of fields along them.
+pub(crate) type Side = ([f64; 3], [f64; 3], [f64; 3], [u16; 2]);
+
+/// Flat sides, each with vertices of its own: two triangles for each field.
+pub(crate) fn sided(sides: &[Side]) -> Shape {
+    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+    for (from, u, v, [m, n]) in sides {
+        let first = vertices.len() as u16;
+        let at = |i: u16, j: u16| [0, 1, 2].map(|c| from[c] + f64::from(i) * u[c] + f64::from(j) * v[c]);
+        vertices.extend(grid(m + 1, n + 1, at));
+        faces.extend(quads(*m, *n, |i, j| first + i * (n + 1) + j));
+    }
+    (vertices, faces)
+}
+
+fn grid<T>(m: u16, n: u16, at: impl Fn(u16, u16) -> T) -> Vec<T> {
     (0..m).flat_map(|i| (0..n).map(move |j| (i, j))).map(|(i, j)| at(i, j)).collect()
 }
 
+/// Any of these shapes, by its name.
+pub(crate) fn named(kind: &str, [m, n]: [u16; 2]) -> Option<Shape> {
+    Some(match kind {
+        "torus" => torus(m, n),
+        "sphere" => sphere(m, n),
+        "sheet" => sheet(m),
+        _ => return None,
+    })
+}
+
 /// Two triangles for each field, with i × j to the front.
-fn quads(m: u16, n: u16, index: impl Fn(u16, u16) -> u16) -> Vec<[u16; 3]> {
+pub(crate) fn quads<T: Copy>(m: u16, n: u16, index: impl Fn(u16, u16) -> T) -> Vec<[T; 3]> {
     let field = |(i, j): (u16, u16)| {
         let [a, b, c, d] = [index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)];
         [[a, b, c], [a, c, d]]

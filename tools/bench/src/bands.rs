@@ -1,10 +1,12 @@
-//! Whole frames in bands: faces are binned once, then drawn band by band.
+//! Whole frames in bands: faces or edges are binned once, then drawn band by band.
 
 use crate::measure::Display;
 use crate::scene::{area, Scene, BACKGROUND, SIZE};
 use core::hint::black_box;
+use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{prelude::*, shading::Stroke};
+use embedded_graphics_core::primitives::Rectangle;
+use pinhole::{color::Color, draw::BinnedEdges, prelude::*, shading::SpanShader};
 
 /// Bytes of the colour strip, for bands of `rows` rows.
 pub const fn bytes(rows: u32) -> usize {
@@ -23,54 +25,105 @@ pub struct Storage<'s> {
     pub depth: &'s mut [u16],
 }
 
-pub fn wireframe(
-    scene: &Scene,
-    stroke: impl Stroke<Rgb565>,
-    Storage { corners, bin_storage, strip, .. }: Storage<'_>,
-    display: &mut Display,
+/// Hands each band of a picture to `draw`.
+pub fn each_band<C: Color>(
+    size: Size,
+    background: C,
+    strip: &mut [u8],
+    mut draw: impl FnMut(&mut Band<'_, C>) -> Option<()>,
 ) -> Option<()> {
-    let instance = scene.place();
-    let mut edges = instance.transform(corners).bin_edges(bin_storage).ok()?;
-    let mut frame = Frame::new(area(), BACKGROUND);
+    let mut frame = Frame::new(Rectangle::new(Point::zero(), size), background);
     while let Some(mut band) = frame.next_band(strip).ok()? {
-        let Ok(()) = edges.draw(stroke, &mut band.pixels());
-        display.take_bytes(band.bytes());
+        draw(&mut band)?;
     }
+    Some(())
+}
+
+/// Draws edges, and hands each band to `send`.
+pub fn wireframe(
+    instance: &MeshInstance<'_>,
+    size: Size,
+    Storage { corners, bin_storage, strip, .. }: Storage<'_>,
+    mut draw: impl FnMut(&mut BinnedEdges<'_>, &mut Band<'_, Rgb565>),
+) -> Option<()> {
+    let mut edges = instance.transform(corners).bin_edges(bin_storage).ok()?;
+    each_band(size, BACKGROUND, strip, |band| {
+        draw(&mut edges, band);
+        Some(())
+    })?;
     black_box(edges.statistics());
     Some(())
 }
 
-pub fn solid(
-    scene: &Scene,
-    light: &Lambert,
-    Storage { corners, bin_storage, strip, .. }: Storage<'_>,
-    display: &mut Display,
+/// Draws the edges that no face hides into each band, as into any target, and hands it to `send`.
+pub fn hidden<C: Color>(
+    instance: &MeshInstance<'_>,
+    [stroke, background]: [C; 2],
+    size: Size,
+    edge_bins: &mut [u16],
+    Storage { corners, bin_storage, strip, depth }: Storage<'_>,
+    mut send: impl FnMut(&Band<'_, C>),
 ) -> Option<()> {
-    let instance = scene.place();
+    let transformed = instance.transform_depth(corners);
+    let mut faces = transformed.bin_faces(bin_storage).ok()?;
+    let mut edges = transformed.bin_edges(edge_bins).ok()?;
+    each_band(size, background, strip, |band| {
+        let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
+        faces.depth_only(&mut depth);
+        let Ok(()) = edges.hidden_line(stroke, &mut band.depth_tested(&mut depth));
+        send(band);
+        Some(())
+    })?;
+    black_box(edges.statistics());
+    Some(())
+}
+
+/// Draws faces without depth, and hands each band to `send`.
+pub fn solid<S: SpanShader<Rgb565>>(
+    instance: &MeshInstance<'_>,
+    shade: impl Fn(usize) -> S,
+    size: Size,
+    Storage { corners, bin_storage, strip, .. }: Storage<'_>,
+    mut send: impl FnMut(&Band<'_, Rgb565>),
+) -> Option<()> {
     let mut faces = instance.transform(corners).bin_faces(bin_storage).ok()?;
-    let mut frame = Frame::new(area(), BACKGROUND);
-    while let Some(mut band) = frame.next_band(strip).ok()? {
-        let Ok(()) = faces.draw(scene.shade(light), &mut band.pixels());
-        display.take_bytes(band.bytes());
-    }
+    each_band(size, BACKGROUND, strip, |band| {
+        let Ok(()) = faces.draw(&shade, &mut band.pixels());
+        send(band);
+        Some(())
+    })?;
     black_box(faces.statistics());
     Some(())
 }
 
-pub fn depth(
-    scene: &Scene,
-    light: &Lambert,
+/// Draws faces with depth, and hands each band to `send`.
+pub fn depth<S: SpanShader<Rgb565>>(
+    instance: &MeshInstance<'_>,
+    shade: impl Fn(usize) -> S,
+    size: Size,
     Storage { corners, bin_storage, strip, depth }: Storage<'_>,
-    display: &mut Display,
+    mut send: impl FnMut(&Band<'_, Rgb565>),
 ) -> Option<()> {
-    let instance = scene.place();
     let mut faces = instance.transform_depth(corners).bin_faces(bin_storage).ok()?;
-    let mut frame = Frame::new(area(), BACKGROUND);
-    while let Some(mut band) = frame.next_band(strip).ok()? {
+    each_band(size, BACKGROUND, strip, |band| {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
-        let Ok(()) = faces.draw(scene.shade(light), &mut band.pixels().depth_tested(&mut depth));
-        display.take_bytes(band.bytes());
-    }
+        let Ok(()) = faces.draw(&shade, &mut band.pixels().depth_tested(&mut depth));
+        send(band);
+        Some(())
+    })?;
     black_box(faces.statistics());
     Some(())
+}
+
+/// A frame of a lit scene.
+pub type LitFrame = fn(&Scene, &Lambert, Storage<'_>, &mut Display) -> Option<()>;
+
+/// [`solid`], lit.
+pub fn lit_solid(scene: &Scene, light: &Lambert, storage: Storage<'_>, display: &mut Display) -> Option<()> {
+    solid(&scene.place(), scene.shade(light), area().size, storage, |band| display.take_bytes(band.bytes()))
+}
+
+/// [`depth`], lit.
+pub fn lit_depth(scene: &Scene, light: &Lambert, storage: Storage<'_>, display: &mut Display) -> Option<()> {
+    depth(&scene.place(), scene.shade(light), area().size, storage, |band| display.take_bytes(band.bytes()))
 }

@@ -14,9 +14,10 @@ pub mod scene;
 #[path = "../../lm3s6965evb/src/stack.rs"]
 pub mod stack;
 
-/// What S5, S6 and S7 draw, and the normals at the torus's vertices for S8. Integers of triangles are corners of pixels, those of lines
-/// are pixels.
+/// What S5, S6 and S7 draw, the normals at the torus's vertices for S8, pictures, and what is at vertices. Integers of triangles are
+/// corners of pixels, those of lines are pixels.
 pub mod lists {
+    use embedded_graphics_core::pixelcolor::Rgb565;
     include!(concat!(env!("OUT_DIR"), "/lists.rs"));
 }
 

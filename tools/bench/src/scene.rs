@@ -1,4 +1,4 @@
-//! The scenes of `scenes.json`: S1 and S2 show its cube, S3 its torus, S4 its icosphere.
+//! The scenes of `scenes.json`: S1 and S2 show its cube, S3 its torus, S4 its icosphere, R1 its room.
 
 use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -39,7 +39,7 @@ impl Model {
     /// Before it. `None` is for what the types cannot know: that its numbers have an image.
     #[inline(always)]
     pub fn camera(&self) -> Option<Camera> {
-        camera([0, 0, black_box(self).distance], Size::new(SIZE, SIZE))
+        View::new([0, 0, black_box(self).distance], Size::new(SIZE, SIZE)).camera()
     }
 }
 
@@ -84,7 +84,7 @@ impl Scene {
     /// Of any mesh, turned to these axes, from an eye that looks at the origin, in 2⁻¹⁶.
     #[inline(always)]
     pub fn viewed(mesh: Mesh<'static>, axes: [[i32; 3]; 3], eye: [i32; 3], size: Size) -> Option<Self> {
-        Some(Self { mesh, camera: camera(eye, size)?, model: turned(axes) })
+        Some(Self { mesh, camera: View::new(eye, size).camera()?, model: turned(axes) })
     }
 
     /// The first thing in every frame.
@@ -100,7 +100,7 @@ impl Scene {
     /// Lambert-flat.
     #[inline(always)]
     pub fn shade<'s>(&'s self, light: &'s Lambert) -> impl Fn(usize) -> Rgb565 + 's {
-        flat(&self.mesh, light)
+        flat(&self.mesh, |normal| light.level(normal))
     }
 }
 
@@ -110,56 +110,48 @@ fn turned(axes: [[i32; 3]; 3]) -> Affine<ModelSpace, World> {
     Affine::from_frame(x, y, z, Point3::from_ints(0, 0, 0))
 }
 
-/// Of an eye that looks at the origin, in 2⁻¹⁶. In a function of its own: what it is made of is off the stack when it returns.
-#[inline(never)]
-pub(crate) fn camera(eye: [i32; 3], size: Size) -> Option<Camera> {
-    let [x, y, z] = eye.map(Scalar::from_bits);
-    let (origin, up) = (Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
-    let viewing = ViewTransform::look_at(Point3::new(x, y, z), origin, up).ok()?;
-    let (near, far) = (Scalar::from_bits(black_box(1 << 15)), Scalar::from_bits(black_box(20 << 16)));
-    let projection = Projection::perspective(Angle::degrees(black_box(60)), size, near, far).ok()?;
-    let viewport = Viewport::new(Point::zero(), size).ok()?;
-    Some(Camera::new(&viewing, &projection, &viewport))
+/// A camera at a place in the world. Lengths in 2⁻¹⁶.
+pub(crate) struct View {
+    pub(crate) eye: [i32; 3],
+    /// A point before the eye.
+    pub(crate) ahead: [i32; 3],
+    /// The vertical angle of view.
+    pub(crate) degrees: i32,
+    /// The distances of the near and the far plane.
+    pub(crate) range: [i32; 2],
+    pub(crate) size: Size,
 }
 
-/// A light that has a level for a normal.
-pub trait Light {
-    fn level(&self, normal: [i16; 3]) -> u16;
-}
+impl View {
+    /// Of the origin.
+    pub(crate) const fn new(eye: [i32; 3], size: Size) -> Self {
+        Self { eye, ahead: [0; 3], degrees: 60, range: [1 << 15, 20 << 16], size }
+    }
 
-impl Light for Lambert {
-    #[inline(always)]
-    fn level(&self, normal: [i16; 3]) -> u16 {
-        self.level(normal)
+    /// The compiler sees none of the numbers. In a function of its own: what it is made of is off the stack when it returns.
+    #[inline(never)]
+    pub(crate) fn camera(&self) -> Option<Camera> {
+        let Self { eye, ahead, degrees, range: [near, far], size } = *black_box(self);
+        let place = |[x, y, z]: [Scalar; 3]| Point3::new(x, y, z);
+        let [eye, ahead] = [eye, ahead].map(|at| place(at.map(Scalar::from_bits)));
+        let view = ViewTransform::look_at(eye, ahead, Vector3::from_ints(0, 1, 0)).ok()?;
+        let [near, far] = [near, far].map(Scalar::from_bits);
+        let projection = Projection::perspective(Angle::degrees(degrees), size, near, far).ok()?;
+        Some(Camera::new(&view, &projection, &Viewport::new(Point::zero(), size).ok()?))
     }
 }
 
-impl Light for RigidLambert {
-    #[inline(always)]
-    fn level(&self, normal: [i16; 3]) -> u16 {
-        self.level(normal)
-    }
-}
-
-/// Each face in the light that its normal has.
+/// Each face in the light that its normal has; `level` is that of a normal.
 #[inline(always)]
-pub fn flat<'s>(mesh: &'s Mesh<'s>, light: &'s impl Light) -> impl Fn(usize) -> Rgb565 + 's {
-    |face| face_in_light(mesh.normals().get(face), light)
+pub fn flat<'s>(mesh: &'s Mesh<'s>, level: impl Fn([i16; 3]) -> u16 + 's) -> impl Fn(usize) -> Rgb565 + 's {
+    move |face| mesh.normals().get(face).map_or(FACE, |&normal| FACE.dim(level(normal)))
 }
 
 /// [`flat`] where an instance has the mesh. The images of which flash is measured hold the mesh, one word where the list of normals
 /// is two: up to 40 bytes at opt-level s.
 #[inline(always)]
-pub fn flat_of_normals<'s>(normals: &'s [[i16; 3]], light: &'s impl Light) -> impl Fn(usize) -> Rgb565 + 's {
-    |face| face_in_light(normals.get(face), light)
-}
-
-#[inline(always)]
-fn face_in_light(normal: Option<&[i16; 3]>, light: &impl Light) -> Rgb565 {
-    match normal {
-        Some(&normal) => FACE.dim(light.level(normal)),
-        None => FACE,
-    }
+pub fn flat_of_normals<'s>(normals: &'s [[i16; 3]], light: &'s Lambert) -> impl Fn(usize) -> Rgb565 + 's {
+    |face| normals.get(face).map_or(FACE, |&normal| FACE.dim(light.level(normal)))
 }
 
 /// Each face in the light that its normal has, in dithered colours.

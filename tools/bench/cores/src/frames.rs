@@ -1,7 +1,6 @@
 //! A frame drawn by two cores, independent of how they are run.
 
-use bench::bands::{self, bytes, pixels, Storage};
-use bench::measure::Display;
+use bench::bands::{self, bytes, pixels, LitFrame};
 use bench::scene::{area, Scene, BACKGROUND};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::Rgb565;
@@ -31,13 +30,11 @@ pub(crate) trait Cores {
     fn both(&mut self, ours: impl FnOnce(), theirs: impl FnOnce() + Send);
 }
 
-/// A frame on one core, as the other images of the bench draw it.
-pub(crate) type One = fn(&Scene, &Lambert, Storage<'_>, &mut Display) -> Option<()>;
-
 /// A way to draw frames. `take` gets the number and the bytes of each band.
 pub(crate) trait Way {
     const NAME: &'static str;
-    const ONE: One;
+    /// A frame on one core, as the other images of the bench draw it.
+    const ONE: LitFrame;
 
     fn frame(
         scene: &Scene,
@@ -55,7 +52,7 @@ macro_rules! way {
 
         impl Way for $way {
             const NAME: &'static str = $name;
-            const ONE: One = $one;
+            const ONE: LitFrame = $one;
 
             fn frame(
                 scene: &Scene,
@@ -93,13 +90,13 @@ macro_rules! way {
     };
 }
 
-way!(Solid, "solid", bands::solid, split_transform, BinnedFaces<'_>, |faces, shade, _depth, band| faces
+way!(Solid, "solid", bands::lit_solid, split_transform, BinnedFaces<'_>, |faces, shade, _depth, band| faces
     .draw(shade, &mut band.pixels())
     .ok());
 way!(
     WithDepth,
     "depth",
-    bands::depth,
+    bands::lit_depth,
     split_transform_depth,
     BinnedFaces<'_, i16, true>,
     |faces, shade, depth, band| {

@@ -12,7 +12,7 @@ mod board;
 mod both_cores;
 mod frames;
 
-use bench::bands::{bytes, pixels, Storage};
+use bench::bands::{bytes, pixels, LitFrame, Storage};
 use bench::board::{end, println};
 use bench::measure::Display;
 use bench::scene::{Model, Scene, ICO, SIZE, TORUS};
@@ -20,7 +20,7 @@ use board::{start_second, Clock};
 use both_cores::OtherCore;
 use core::hint::black_box;
 use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
-use frames::{Cores, Memory, One, Solid, Way, WithDepth, ROWS};
+use frames::{Cores, Memory, Solid, Way, WithDepth, ROWS};
 use pinhole::{camera::ScreenVertex, light::Lambert};
 
 /// Bytes of a row.
@@ -71,7 +71,7 @@ impl Case {
     }
 
     #[inline(never)]
-    fn one(&self, one: One, memory: &mut Memory, display: &mut Display) -> Option<()> {
+    fn one(&self, one: LitFrame, memory: &mut Memory, display: &mut Display) -> Option<()> {
         let Memory { corners, bin_storage, strips: [strip, _], depths: [depth, _], .. } = memory;
         one(
             black_box(&self.scene),

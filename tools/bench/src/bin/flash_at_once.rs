@@ -25,17 +25,17 @@ image!(cube, corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS], 
         }
         "flash_solid" => {
             let light = scene.rigid_light()?;
-            place().faces(scene::flat(&cube.mesh, &light)).cached(corners).draw(&mut Sink).ok()?;
+            place().faces(scene::flat(&cube.mesh, |normal| light.level(normal))).cached(corners).draw(&mut Sink).ok()?;
         }
         "flash_solid_inside" => {
             let light = scene.rigid_light()?;
-            place().without_clipping().faces(scene::flat(&cube.mesh, &light)).cached(corners).draw(&mut Sink).ok()?;
+            place().without_clipping().faces(scene::flat(&cube.mesh, |normal| light.level(normal))).cached(corners).draw(&mut Sink).ok()?;
         }
         "flash_depth" => {
             let area = Rectangle::new(Point::zero(), Size::new(scene::SIZE, ROWS));
             let mut depth = DepthBuffer::new(area, storage).ok()?;
             let light = scene.rigid_light()?;
-            place().faces(scene::flat(&cube.mesh, &light)).cached(corners).draw(&mut Sink.depth_tested(&mut depth)).ok()?;
+            place().faces(scene::flat(&cube.mesh, |normal| light.level(normal))).cached(corners).draw(&mut Sink.depth_tested(&mut depth)).ok()?;
         }
         _ => return None,
     }

@@ -33,8 +33,8 @@ image!(
         while let Some(mut band) = frame.next_band(strip).ok()? {
             let mut depth = DepthBuffer::new(band.area(), storage).ok()?;
             match IMAGE {
-    "flash_depth_bands" => faces.draw(scene::flat(mesh, light), &mut band.depth_tested(&mut depth)).ok()?,
-    "flash_depth_pixels" | "flash_framing" => faces.draw(scene::flat(mesh, light), &mut band.pixels().depth_tested(&mut depth)).ok()?,
+    "flash_depth_bands" => faces.draw(scene::flat(mesh, |normal| light.level(normal)), &mut band.depth_tested(&mut depth)).ok()?,
+    "flash_depth_pixels" | "flash_framing" => faces.draw(scene::flat(mesh, |normal| light.level(normal)), &mut band.pixels().depth_tested(&mut depth)).ok()?,
     "flash_gouraud_pixels" => faces.draw(scene::smooth(mesh, light), &mut band.pixels().depth_tested(&mut depth)).ok()?,
     "flash_dither" =>
         faces.draw(|face| scene::smooth(mesh, light)(face).dithered(), &mut band.depth_tested(&mut depth)).ok()?,

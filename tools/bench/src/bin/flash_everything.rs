@@ -34,7 +34,8 @@ fn place(cube: &'static Model, objects: &mut Vec<Object, 1>) -> Option<()> {
 #[inline(never)]
 fn record(cube: &'static Model, light: &Lambert, painter: &mut Order) -> Option<()> {
     painter.clear();
-    let (instance, shade) = (Turntable::turned().place(cube), scene::flat(&cube.mesh, light));
+    let (instance, shade) =
+        (Turntable::turned().place(cube), scene::flat(&cube.mesh, |normal| light.level(normal)));
     if INSIDE {
         instance.without_clipping().faces(shade).sorted(painter).ok()
     } else {
@@ -65,7 +66,7 @@ fn draw<V: Coordinate<Stored = i16>>(
             faces
                 .draw(|face| scene::smooth(mesh, light)(face).dithered(), &mut band.depth_tested(&mut depth))
                 .ok()?;
-            faces.draw(scene::flat(mesh, light), &mut band).ok()?;
+            faces.draw(scene::flat(mesh, |normal| light.level(normal)), &mut band).ok()?;
             edges.hidden_line(scene::LINE, &mut band.depth_tested(&mut depth)).ok()?;
             edges.draw(scene::LINE, &mut band.depth_tested(&mut depth)).ok()?;
             edges.draw(scene::LINE, &mut band).ok()?;

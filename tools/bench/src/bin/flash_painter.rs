@@ -21,7 +21,8 @@ image!(
     {
         let scene = Turntable::turned();
         let light = scene.light();
-        let shade = scene::flat(&cube.mesh, light.as_ref()?);
+        let light = light.as_ref()?;
+        let shade = scene::flat(&cube.mesh, |normal| light.level(normal));
         painter.clear();
         scene.place(cube).faces(shade).sorted(painter).ok()?;
         if IN_BANDS {

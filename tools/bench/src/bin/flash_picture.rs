@@ -25,11 +25,12 @@ image!(
         match IMAGE {
             "flash_picture" => {
                 let light = scene.rigid_light()?;
-                let Ok(_) = instance.faces(scene::flat(&cube.mesh, &light)).cached(corners).draw(target);
+                let Ok(_) = instance.faces(scene::flat(&cube.mesh, |normal| light.level(normal))).cached(corners).draw(target);
             }
             "flash_depth_picture" => {
                 let light = scene.light();
-                let shade = scene::flat(&cube.mesh, light.as_ref()?);
+                let light = light.as_ref()?;
+                let shade = scene::flat(&cube.mesh, |normal| light.level(normal));
                 let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), storage).ok()?;
                 let Ok(_) = instance.faces(shade).cached(corners).draw(&mut target.depth_tested(&mut depth));
             }

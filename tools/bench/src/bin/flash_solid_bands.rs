@@ -26,7 +26,7 @@ image!(
             let mut faces = instance.transform(corners).bin_faces(bin_storage);
             let faces = faces.as_mut().ok()?;
             while let Some(mut band) = frame.next_band(strip).ok()? {
-                let Ok(()) = faces.draw(scene::flat(&cube.mesh, light), &mut band.pixels());
+                let Ok(()) = faces.draw(scene::flat(&cube.mesh, |normal| light.level(normal)), &mut band.pixels());
                 band.send(&mut Sink).ok()?;
             }
         }

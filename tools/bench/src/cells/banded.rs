@@ -5,7 +5,7 @@ use super::{count, draw_faces, drawn, Counted, Memory, Plain};
 use crate::bands::{self, Storage};
 use crate::board::Clock;
 use crate::measure::Display;
-use crate::scene::{Model, Scene, BACKGROUND, LINE};
+use crate::scene::{area, Model, Scene, BACKGROUND, LINE};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use pinhole::prelude::*;
@@ -31,15 +31,20 @@ impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: 
         let scene = Scene::new(model)?;
         let light = scene.light()?;
         count_bands(&mut |display| match const { DEPTHS == 0 } {
-            true => bands::solid(black_box(&scene), black_box(&light), self.storage(), display),
-            false => bands::depth(black_box(&scene), black_box(&light), self.storage(), display),
+            true => bands::lit_solid(black_box(&scene), black_box(&light), self.storage(), display),
+            false => bands::lit_depth(black_box(&scene), black_box(&light), self.storage(), display),
         })
     }
 
     /// A model's edges.
     pub(super) fn wire(&mut self, model: &'static Model) -> Option<Counted> {
         let scene = Scene::new(model)?;
-        count_bands(&mut |display| bands::wireframe(black_box(&scene), LINE, self.storage(), display))
+        count_bands(&mut |display| {
+            bands::wireframe(&black_box(&scene).place(), area().size, self.storage(), |edges, band| {
+                let Ok(()) = edges.draw(LINE, &mut band.pixels());
+                display.take_bytes(band.bytes());
+            })
+        })
     }
 }
 
@@ -64,9 +69,9 @@ pub(super) fn full_wire<const N: usize>(
     })
 }
 
-pub(super) fn full<const N: usize, const DEPTHS: usize>(
+pub(super) fn full<const N: usize, const DEPTH_ROWS: usize>(
     model: &'static Model,
-    Memory { frame, depth, corners }: &mut Memory<N, DEPTHS>,
+    Memory { frame, depth, corners }: &mut Memory<N, DEPTH_ROWS>,
 ) -> Option<Counted> {
     let scene = Scene::new(model)?;
     let light = scene.light()?;

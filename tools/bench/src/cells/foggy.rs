@@ -1,8 +1,9 @@
 //! G1 to G3: fog by pixel. G1: S3's torus, in fog from its nearest to its farthest point, so that all 32 levels are on it; G2: X3's
 //! rolled floor, in one colour, whose two faces have all levels each; G3: X1's textured torus in the fog of G1.
 
-use super::textured::{camera, torus_uv, Floor, PICTURE, X3};
+use super::textured::{torus_uv, Floor, FLOOR_VIEW, X3};
 use super::{count, draw_faces, drawn, Counted, Deep, Memory, Plain, TORUS};
+use crate::lists::PICTURE;
 use crate::scene::{self, Scene};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
@@ -14,7 +15,7 @@ use pinhole::{
 
 /// Fog between these distances.
 #[inline(never)] // set-up: off the stack when it returns
-fn fog(range: [i32; 2], camera: &Camera) -> Option<FogTable<Rgb565>> {
+pub(super) fn fog(range: [i32; 2], camera: &Camera) -> Option<FogTable<Rgb565>> {
     let [start, end] = black_box(range).map(Scalar::from_int);
     FogTable::new(&Fog::new(start, end).ok()?, camera, Rgb565::CSS_LIGHT_STEEL_BLUE).ok()
 }
@@ -24,8 +25,8 @@ const TORUS_FOG: [i32; 2] = [2, 5];
 /// The floor lies between 0.5, where the near plane cuts it, and 9.5.
 const FLOOR_FOG: [i32; 2] = [1, 9];
 
-pub(super) fn g1<const DEPTHS: usize>(
-    Memory { frame, depth, corners }: &mut Memory<TORUS, DEPTHS>,
+pub(super) fn g1<const DEPTH_ROWS: usize>(
+    Memory { frame, depth, corners }: &mut Memory<TORUS, DEPTH_ROWS>,
 ) -> Option<Counted> {
     let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
     let (light, instance, fog) = (scene.light()?, scene.place(), fog(TORUS_FOG, &scene.camera)?);
@@ -38,7 +39,7 @@ pub(super) fn g1<const DEPTHS: usize>(
 }
 
 pub(super) fn g2(Plain { frame, corners, .. }: &mut Plain<4>) -> Option<Counted> {
-    let (camera, floor): (_, &Floor) = (camera()?, black_box(&X3));
+    let (camera, floor): (_, &Floor) = (FLOOR_VIEW.camera()?, black_box(&X3));
     let (instance, fog) =
         (camera.place(&floor.mesh, &Affine::<Model, World>::identity()), fog(FLOOR_FOG, &camera)?);
     count(frame, &mut |picture| {

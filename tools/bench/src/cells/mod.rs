@@ -4,6 +4,7 @@ mod banded;
 mod foggy;
 mod memory;
 mod moving;
+mod room;
 mod screen;
 mod sprites;
 mod textured;
@@ -17,7 +18,7 @@ use crate::bands::{bytes, pixels};
 use crate::board::{println, Clock};
 use crate::is_equal;
 use crate::lists::{COLOURS, LINES, SCREEN, TORUS_EDGES, TRIANGLES};
-use crate::scene::{self, Model, BACKGROUND, LINE, SIZE};
+use crate::scene::{self, Model, BACKGROUND, LINE};
 use core::convert::Infallible;
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -111,92 +112,8 @@ macro_rules! cells {
     };
 }
 
-cells! {
-    // The start, the count of a frame in which nothing is drawn, and the end: in every cell.
-    "empty" "plain": Frame, |m| count(m, &mut |_| Some(()));
-    // S1: the cube's edges. S2: the cube, a colour for each face.
-    "S1" "plain": Plain<CUBE>, |m| picture::wire(&scene::CUBE, LINE, m);
-    "S2" "plain": Plain<CUBE>, |m| picture::flat::<false, _, _>(&scene::CUBE, m);
-    "S2" "z": Deep<CUBE>, |m| picture::flat::<false, _, _>(&scene::CUBE, m);
-    // S3: the torus, S4: the icosphere, a colour for each face, culled by face planes; S8: the torus, smooth.
-    "S3" "plain": Plain<TORUS>, |m| picture::flat::<true, _, _>(&scene::TORUS_BY_PLANES, m);
-    "S3" "z": Deep<TORUS>, |m| picture::flat::<true, _, _>(&scene::TORUS_BY_PLANES, m);
-    "S4" "plain": Plain<ICO>, |m| picture::flat::<true, _, _>(&scene::ICO_BY_PLANES, m);
-    "S4" "z": Deep<ICO>, |m| picture::flat::<true, _, _>(&scene::ICO_BY_PLANES, m);
-    "S8" "z": Smooth<TORUS>, |m| picture::smooth_z(&scene::TORUS_BY_PLANES, m);
-    // S5: one triangle over half of the picture. S6: a thousand lines. S7: a thousand triangles.
-    "S5" "plain": Frame, |m| picture::triangle(&SCREEN, LINE, m);
-    "S6" "plain": Frame, |m| picture::lines(&LINES, LINE, m);
-    "S7" "plain": Frame, |m| picture::triangles(&TRIANGLES, &COLOURS, m);
-    // Without planes.
-    "S3" "no-planes": Plain<TORUS>, |m| picture::flat::<false, _, _>(&scene::TORUS, m);
-    "S3" "no-planes-z": Deep<TORUS>, |m| picture::flat::<false, _, _>(&scene::TORUS, m);
-    // All edges.
-    "S3" "wire": Plain<TORUS>, |m| picture::wire(&TORUS_EDGED, LINE, m);
-    // The torus from near by.
-    "C1" "plain": Plain<TORUS>, |m| picture::flat::<false, _, _>(&C1, m);
-    "C1" "z": Deep<TORUS>, |m| picture::flat::<false, _, _>(&C1, m);
-    "C1" "wire": Plain<TORUS>, |m| picture::wire(&C1_EDGED, LINE, m);
-    "C1" "planes": Plain<TORUS>, |m| picture::flat::<true, _, _>(&C1_PLANES, m);
-    "C1" "planes-z": Deep<TORUS>, |m| picture::flat::<true, _, _>(&C1_PLANES, m);
-    // T1: the turning cube. F50: fifty cubes before a moving camera, half of them out of view. The placing is counted.
-    "T1" "plain": Plain<CUBE>, |m| moving::t1(m);
-    "F50" "z": Deep<CUBE>, |m| moving::f50_z(m);
-    // Into a DrawTarget of the firmware's own.
-    "S1" "dt": Plain<CUBE>, |m| dt::wire(&scene::CUBE, LINE, m);
-    "S2" "dt": Plain<CUBE>, |m| dt::flat::<false, _, _>(&scene::CUBE, m);
-    "S2" "dt-z": Deep<CUBE>, |m| dt::flat::<false, _, _>(&scene::CUBE, m);
-    "S3" "dt": Plain<TORUS>, |m| dt::flat::<true, _, _>(&scene::TORUS_BY_PLANES, m);
-    "S3" "dt-z": Deep<TORUS>, |m| dt::flat::<true, _, _>(&scene::TORUS_BY_PLANES, m);
-    "S5" "dt": Frame, |m| dt::triangle(&SCREEN, LINE, m);
-    "S6" "dt": Frame, |m| dt::lines(&LINES, LINE, m);
-    "S7" "dt": Frame, |m| dt::triangles(&TRIANGLES, &COLOURS, m);
-    "S8" "dt-z": Smooth<TORUS>, |m| dt::smooth_z(&scene::TORUS_BY_PLANES, m);
-    // Anti-aliased: S1, S3's edges, and S6.
-    "S1" "smooth": Plain<CUBE>, |m| picture::wire(&scene::CUBE, AntiAliased(LINE), m);
-    "S3" "smooth": Plain<TORUS>, |m| picture::wire(&TORUS_EDGED, AntiAliased(LINE), m);
-    "S6" "smooth": Frame, |m| picture::lines(&LINES, AntiAliased(LINE), m);
-    // Textures on the torus, on a floor, on one that is rolled, and on one that reaches the horizon, by each accuracy.
-    "X1" "plain": Plain<TORUS>, |m| textured::torus(Accuracy::Quarter, m);
-    "X2" "plain": Plain<4>, |m| textured::floor(&X2, Accuracy::Quarter, m);
-    "X3" "plain": Plain<4>, |m| textured::floor(&X3, Accuracy::Quarter, m);
-    "X4" "plain": Plain<4>, |m| textured::floor(&X4, Accuracy::Quarter, m);
-    "X1" "eighth": Plain<TORUS>, |m| textured::torus(Accuracy::Eighth, m);
-    "X2" "eighth": Plain<4>, |m| textured::floor(&X2, Accuracy::Eighth, m);
-    "X3" "eighth": Plain<4>, |m| textured::floor(&X3, Accuracy::Eighth, m);
-    "X4" "eighth": Plain<4>, |m| textured::floor(&X4, Accuracy::Eighth, m);
-    "X1" "sixteenth": Plain<TORUS>, |m| textured::torus(Accuracy::Sixteenth, m);
-    "X2" "sixteenth": Plain<4>, |m| textured::floor(&X2, Accuracy::Sixteenth, m);
-    "X3" "sixteenth": Plain<4>, |m| textured::floor(&X3, Accuracy::Sixteenth, m);
-    "X4" "sixteenth": Plain<4>, |m| textured::floor(&X4, Accuracy::Sixteenth, m);
-    "X1" "z": Deep<TORUS>, |m| textured::torus(Accuracy::Quarter, m);
-    // S5 blended in equal parts, and by an alpha of 13/32.
-    "S5" "half": Frame, |m| picture::triangle(&SCREEN, HalfBlended::new(black_box(LINE)), m);
-    "S5" "alpha": Frame, |m| picture::triangle(&SCREEN, Blended::new(black_box(LINE), black_box(13)), m);
-    // The torus, a floor and the textured torus in fog by pixel. Fifty sprites.
-    "G1" "plain": Plain<TORUS>, |m| foggy::g1(m);
-    "G1" "z": Deep<TORUS>, |m| foggy::g1(m);
-    "G2" "plain": Plain<4>, |m| foggy::g2(m);
-    "G3" "z": Deep<TORUS>, |m| foggy::g3_z(m);
-    "B1" "z": Deep<0>, |m| sprites::b1_z(m);
-    // In one piece with the clear of the picture, and in bands.
-    "S1" "full": Plain<CUBE>, |m| banded::full_wire(&scene::CUBE, m);
-    "S1" "bands8": Strip<{ bytes(8) }, 0, CUBE_BINS, CUBE>, |m| m.wire(&scene::CUBE);
-    "S1" "bands16": Strip<{ bytes(16) }, 0, CUBE_BINS, CUBE>, |m| m.wire(&scene::CUBE);
-    "S2" "full": Plain<CUBE>, |m| banded::full(&scene::CUBE, m);
-    "S2" "full-z": Deep<CUBE>, |m| banded::full(&scene::CUBE, m);
-    "S2" "bands8": Strip<{ bytes(8) }, 0, CUBE_BINS, CUBE>, |m| m.faces(&scene::CUBE);
-    "S2" "bands8-z": Strip<{ bytes(8) }, { pixels(8) }, CUBE_BINS, CUBE>, |m| m.faces(&scene::CUBE);
-    "S2" "bands16": Strip<{ bytes(16) }, 0, CUBE_BINS, CUBE>, |m| m.faces(&scene::CUBE);
-    "S2" "bands16-z": Strip<{ bytes(16) }, { pixels(16) }, CUBE_BINS, CUBE>, |m| m.faces(&scene::CUBE);
-    "S3" "full": Plain<TORUS>, |m| banded::full(&scene::TORUS, m);
-    "S3" "full-z": Deep<TORUS>, |m| banded::full(&scene::TORUS, m);
-    "S3" "bands8": Strip<{ bytes(8) }, 0, TORUS_BINS, TORUS>, |m| m.faces(&scene::TORUS);
-    "S3" "bands8-z": Strip<{ bytes(8) }, { pixels(8) }, TORUS_BINS, TORUS>, |m| m.faces(&scene::TORUS);
-    "S3" "bands16": Strip<{ bytes(16) }, 0, TORUS_BINS, TORUS>, |m| m.faces(&scene::TORUS);
-    "S3" "bands16-z": Strip<{ bytes(16) }, { pixels(16) }, TORUS_BINS, TORUS>, |m| m.faces(&scene::TORUS);
-    "S4" "bands8-z": Strip<{ bytes(8) }, { pixels(8) }, ICO_BINS, ICO>, |m| m.faces(&scene::ICO);
-}
+// The list in `cells.json`.
+include!(concat!(env!("OUT_DIR"), "/cells.rs"));
 
 /// The variants of textures by other accuracies.
 pub const ACCURACIES: [&str; 2] = ["eighth", "sixteenth"];
@@ -214,20 +131,30 @@ pub const fn of_image(name: &str) -> usize {
 /// could.
 macro_rules! count {
     ($count:ident, $target:ident, |$new:ident| $option:expr) => {
-        #[inline(never)]
-        pub fn $count(
-            frame: &mut Frame,
+        #[inline(always)]
+        pub fn $count<const WIDTH: usize, const HEIGHT: usize>(
+            frame: &mut Frame<WIDTH, HEIGHT>,
             draw: &mut dyn FnMut(&mut $target<'_>) -> Option<()>,
         ) -> Option<Counted> {
-            let mut clock = Clock::new()?;
-            let $new = $target::new(&mut frame.0, black_box(Size::new(SIZE, SIZE)));
-            let mut target = $option?;
-            let Ok(()) = target.clear(BACKGROUND);
-            draw(&mut target)?;
-            let Ok(()) = target.clear(BACKGROUND);
-            let mut good = None;
-            let instructions = clock.count(&mut || good = draw(&mut target))?;
-            good.map(|()| frame.counted(instructions))
+            // Compiled once, in this crate, whatever the size.
+            #[inline(never)]
+            fn count(
+                pixels: &mut [Rgb565],
+                size: Size,
+                draw: &mut dyn FnMut(&mut $target<'_>) -> Option<()>,
+            ) -> Option<u32> {
+                let mut clock = Clock::new()?;
+                let $new = $target::new(pixels, black_box(size));
+                let mut target = $option?;
+                let Ok(()) = target.clear(BACKGROUND);
+                draw(&mut target)?;
+                let Ok(()) = target.clear(BACKGROUND);
+                let mut good = None;
+                let instructions = clock.count(&mut || good = draw(&mut target))?;
+                good.map(|()| instructions)
+            }
+            let instructions = count(frame.0.as_flattened_mut(), Frame::<WIDTH, HEIGHT>::SIZE, draw)?;
+            Some(frame.counted(instructions))
         }
     };
 }
@@ -246,19 +173,18 @@ fn drawn(statistics: Result<Statistics, Infallible>) -> Option<()> {
 
 /// Draws faces, with depth where the memory has depths.
 #[inline(always)]
-fn draw_faces<S: ShaderFor<T>, T, const DEPTHS: usize, const BY_PLANES: bool>(
+fn draw_faces<S: ShaderFor<T>, T, const WIDTH: usize, const ROWS: usize, const BY_PLANES: bool>(
     faces: Faces<'_, i16, impl FnMut(usize) -> S, BY_PLANES>,
-    depth: &mut Depth<DEPTHS>,
+    depth: &mut Depth<WIDTH, ROWS>,
     surface: &mut T,
 ) -> Option<()>
 where
     T: Surface<Color = Rgb565, Error = Infallible>,
 {
-    if const { DEPTHS == 0 } {
+    if const { ROWS == 0 } {
         return drawn(faces.draw(surface));
     }
-    let mut depth = DepthBuffer::new(black_box(scene::area()), &mut depth.0).ok()?;
-    drawn(faces.draw(&mut surface.depth_tested(&mut depth)))
+    drawn(faces.draw(&mut surface.depth_tested(&mut depth.buffer()?)))
 }
 
 /// The line that `report` reads: `instructions,stack,crc`.

@@ -2,7 +2,7 @@
 //! it; the lens is set up before.
 
 use super::{count, drawn, Counted, Deep, Plain, CUBE};
-use crate::scene::{self, area, LINE, SIZE};
+use crate::scene::{self, View, LINE, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
 use pinhole::space::{Model, World};
@@ -14,7 +14,7 @@ const T1_EYE: [i32; 3] = [0, 126_213, 237_374];
 
 /// The cube of S1 turns by 3° a frame before a camera that stands still; the counted frame shows nearly S1's picture.
 pub(super) fn t1(Plain { frame, corners, .. }: &mut Plain<CUBE>) -> Option<Counted> {
-    let camera = scene::camera(T1_EYE, Size::new(SIZE, SIZE))?;
+    let camera = View::new(T1_EYE, scene::area().size).camera()?;
     let mut turn = Angle::degrees(31);
     count(frame, &mut |picture| {
         turn = black_box(turn + Angle::degrees(3));
@@ -41,10 +41,10 @@ pub(super) fn f50_z(Deep { frame, depth, corners }: &mut Deep<CUBE>) -> Option<C
     let viewport = Viewport::new(Point::zero(), size).ok()?;
     let mut time = 0;
     count(frame, &mut |picture| {
-        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
+        let mut depth = depth.buffer()?;
         let mut draw = |camera: &Camera, model: &Affine<Model, World>| {
             let light = scene::lit(model)?;
-            let (shade, mut pixels) = (scene::flat(&mesh, &light), picture.pixels());
+            let (shade, mut pixels) = (scene::flat(&mesh, |normal| light.level(normal)), picture.pixels());
             let instance = camera.place(&mesh, model);
             drawn(instance.faces(shade).cached(corners).draw(&mut pixels.depth_tested(&mut depth)))
         };

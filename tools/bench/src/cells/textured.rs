@@ -3,51 +3,16 @@
 //! by 20 degrees that reaches the horizon, a thousand times as far away.
 
 use super::{count, draw_faces, drawn, Counted, Memory, Plain, TORUS};
-use crate::scene::{self, Scene, SIZE};
+use crate::lists::{PICTURE, TORUS_UV};
+use crate::scene::{self, area, Scene, View};
 use core::hint::black_box;
-use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::space::{Model, World};
-use pinhole::{prelude::*, texture::Accuracy, Angle};
-
-/// A side of the picture, in texels.
-const SIDE: usize = 64;
-
-/// A picture with a different colour for nearly every texel.
-pub(super) static PICTURE: [[Rgb565; SIDE]; SIDE] = {
-    let mut picture = [[Rgb565::new(0, 0, 0); SIDE]; SIDE];
-    let mut at = 0;
-    while at < SIDE * SIDE {
-        let (x, y) = (at % SIDE, at / SIDE);
-        picture[y][x] = Rgb565::new((x / 2) as u8, y as u8, (31 - (x + y) / 4) as u8);
-        at += 1;
-    }
-    picture
-};
+use pinhole::{prelude::*, texture::Accuracy};
 
 /// The coordinates of the corners of a face of the torus.
 #[inline(always)]
 pub(super) fn torus_uv(face: usize) -> [[i16; 2]; 3] {
     TORUS_UV.get(face).copied().unwrap_or_default()
-}
-
-/// Texture coordinates of the corners of each face of the torus, in 1/16 texel: once round 25 rings of 20 vertices, with two faces for
-/// each vertex.
-static TORUS_UV: [[[i16; 2]; 3]; 1000] = {
-    let mut uv = [[[0; 2]; 3]; 1000];
-    let mut vertex = 0;
-    while vertex < 500 {
-        let (ring, at) = (vertex / 20, vertex % 20);
-        let [a, b] = [torus_corner(ring, at), torus_corner(ring + 1, at)];
-        let [c, d] = [torus_corner(ring + 1, at + 1), torus_corner(ring, at + 1)];
-        (uv[2 * vertex], uv[2 * vertex + 1]) = ([a, b, c], [a, c, d]);
-        vertex += 1;
-    }
-    uv
-};
-
-const fn torus_corner(ring: usize, at: usize) -> [i16; 2] {
-    [(16 * SIDE * ring / 25) as i16, (16 * SIDE * at / 20) as i16]
 }
 
 /// The two faces of a quad.
@@ -75,15 +40,13 @@ pub(super) static X4: Floor = quad(
 );
 
 /// An eye at the origin, which looks along −z.
-#[inline(never)]
-pub(super) fn camera() -> Option<Camera> {
-    let [eye, ahead] = [0, -1].map(|z| Point3::from_ints(0, 0, z));
-    let view = ViewTransform::look_at(eye, ahead, Vector3::from_ints(0, 1, 0)).ok()?;
-    let (near, far) = (Scalar::from_bits(black_box(1 << 15)), Scalar::from_bits(black_box(2000 << 16)));
-    let size = Size::new(SIZE, SIZE);
-    let lens = Projection::perspective(Angle::degrees(black_box(60)), size, near, far).ok()?;
-    Some(Camera::new(&view, &lens, &Viewport::new(Point::zero(), size).ok()?))
-}
+pub(super) const FLOOR_VIEW: View = View {
+    eye: [0; 3],
+    ahead: [0, 0, -1 << 16],
+    degrees: 60,
+    range: [1 << 15, 2000 << 16],
+    size: area().size,
+};
 
 #[inline(always)]
 pub(super) fn floor(
@@ -91,7 +54,7 @@ pub(super) fn floor(
     accuracy: Accuracy,
     Plain { frame, corners, .. }: &mut Plain<4>,
 ) -> Option<Counted> {
-    let (camera, floor) = (camera()?, black_box(floor));
+    let (camera, floor) = (FLOOR_VIEW.camera()?, black_box(floor));
     let instance = camera.place(&floor.mesh, &Affine::<Model, World>::identity());
     let texture = Texture::new(&PICTURE).with_accuracy(accuracy);
     let t = floor.texels.wrapping_mul(16);
@@ -105,9 +68,9 @@ pub(super) fn floor(
 }
 
 #[inline(always)]
-pub(super) fn torus<const DEPTHS: usize>(
+pub(super) fn torus<const DEPTH_ROWS: usize>(
     accuracy: Accuracy,
-    Memory { frame, depth, corners }: &mut Memory<TORUS, DEPTHS>,
+    Memory { frame, depth, corners }: &mut Memory<TORUS, DEPTH_ROWS>,
 ) -> Option<Counted> {
     let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
     let (texture, instance) = (Texture::new(&PICTURE).with_accuracy(accuracy), scene.place());

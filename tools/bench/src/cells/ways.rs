@@ -34,9 +34,9 @@ macro_rules! ways {
 
             /// A light level for each face, culled by planes or not.
             #[inline(always)]
-            pub(in super::super) fn flat<const BY_PLANES: bool, const N: usize, const DEPTHS: usize>(
+            pub(in super::super) fn flat<const BY_PLANES: bool, const N: usize, const DEPTH_ROWS: usize>(
                 model: &'static Model,
-                Memory { frame, depth, corners }: &mut Memory<N, DEPTHS>,
+                Memory { frame, depth, corners }: &mut Memory<N, DEPTH_ROWS>,
             ) -> Option<Counted> {
                 let scene = Scene::new(model)?;
                 let (light, instance) = (scene.light()?, scene.place());

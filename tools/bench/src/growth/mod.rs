@@ -9,6 +9,7 @@ mod work;
 pub use cases::{Case, CASES};
 
 use self::texture::textured;
+use crate::bands::{self, Storage};
 use crate::board::Clock;
 use crate::scene::{flat_dithered, flat_of_normals, smooth, Scene, BACKGROUND, LINE};
 use core::hint::black_box;
@@ -16,7 +17,7 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{prelude::*, shading::SpanShader, Angle};
+use pinhole::{prelude::*, Angle};
 
 /// The number of pixels of the largest picture.
 const PIXELS: usize = 480 * 320;
@@ -157,36 +158,11 @@ impl Case {
         let (instance, light) = (scene.place().with_cull(self.cull), scene.light()?);
         let size = Size::new(self.size[0], self.size[1]);
         let (instance, light, size) = black_box((&instance, &light, size));
-        let (mesh, is_small, mut good) = (instance.mesh(), self.is_small(), None);
+        let (is_small, mut good) = (self.is_small(), None);
         let instructions = clock.count(&mut || {
-            let flat = flat_of_normals(mesh.normals(), light);
             good = match way.rows {
-                None => in_one_piece(instance, way.kind, flat, size, is_small, memory),
-                Some(rows) => match way.kind {
-                    Kind::LineBands => line_bands(instance, size, rows, memory),
-                    Kind::HiddenBands | Kind::FewHiddenBands => hidden_bands(instance, size, rows, memory),
-                    Kind::SmoothBands => deep_bands(instance, smooth(&mesh, light), size, rows, memory),
-                    Kind::DitheredBands => {
-                        deep_bands(instance, flat_dithered(mesh.normals(), light), size, rows, memory)
-                    }
-                    Kind::SmoothDitheredBands => {
-                        let shade = |face| smooth(&mesh, light)(face).dithered();
-                        deep_bands(instance, shade, size, rows, memory)
-                    }
-                    Kind::TexturedBands => {
-                        let shade = textured(&mesh, light);
-                        shade.and_then(|shade| deep_bands(instance, shade, size, rows, memory))
-                    }
-                    Kind::PlainBands => plain_bands(instance, flat, size, rows, memory),
-                    Kind::PaintedBands => {
-                        let Memory { strip, painter, small_painter, .. } = memory;
-                        match is_small {
-                            true => painted_bands(instance, flat, size, rows, strip, small_painter),
-                            false => painted_bands(instance, flat, size, rows, strip, painter),
-                        }
-                    }
-                    _ => deep_bands(instance, flat, size, rows, memory),
-                },
+                None => in_one_piece(instance, way.kind, light, size, is_small, memory),
+                Some(rows) => in_bands(instance, way.kind, light, (size, rows), is_small, memory),
             }
         })?;
         good.map(|()| instructions)
@@ -196,11 +172,12 @@ impl Case {
 fn in_one_piece(
     instance: &MeshInstance<'_>,
     kind: Kind,
-    shade: impl Fn(usize) -> Rgb565,
+    light: &Lambert,
     size: Size,
     is_small: bool,
     memory: &mut Memory,
 ) -> Option<()> {
+    let shade = flat_of_normals(instance.mesh().normals(), light);
     let Memory { pixels, depth, buffers: MeshBuffers { cache, .. }, painter, small_painter, .. } = memory;
     let mut picture = Picture::new(pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
@@ -225,99 +202,63 @@ fn in_one_piece(
     Some(())
 }
 
-/// The bands of a picture, each handed to `draw`.
-fn each_band(
-    size: Size,
-    rows: u32,
-    strip: &mut [u8],
-    mut draw: impl FnMut(&mut Band<'_, Rgb565>) -> Option<()>,
+fn in_bands(
+    instance: &MeshInstance<'_>,
+    kind: Kind,
+    light: &Lambert,
+    (size, rows): (Size, u32),
+    is_small: bool,
+    memory: &mut Memory,
 ) -> Option<()> {
-    let strip = strip.get_mut(..Frame::<Rgb565>::strip_bytes(size.width, rows))?;
-    let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
-    while let Some(mut band) = frame.next_band(strip).ok()? {
-        draw(&mut band)?;
-        black_box(band.bytes());
-    }
-    Some(())
-}
-
-/// Into a band as into any target, as line drawings for displays of one bit are.
-fn line_bands(instance: &MeshInstance<'_>, size: Size, rows: u32, memory: &mut Memory) -> Option<()> {
-    let Memory { buffers: MeshBuffers { cache, edge_bins, .. }, strip, .. } = memory;
-    let transformed = instance.transform(cache);
-    let mut edges = transformed.bin_edges(edge_bins).ok()?;
-    each_band(size, rows, strip, |band| {
-        let Ok(()) = edges.draw(LINE, band);
-        Some(())
-    })?;
-    black_box(edges.statistics());
-    Some(())
-}
-
-/// Depths of the faces, and then the edges, into a band as into any target.
-fn hidden_bands(instance: &MeshInstance<'_>, size: Size, rows: u32, memory: &mut Memory) -> Option<()> {
     let Memory { depth, buffers: MeshBuffers { cache, bins, edge_bins }, strip, .. } = memory;
-    let transformed = instance.transform_depth(cache);
-    let mut faces = transformed.bin_faces(bins).ok()?;
-    let mut edges = transformed.bin_edges(edge_bins).ok()?;
-    each_band(size, rows, strip, |band| {
-        let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
-        faces.depth_only(&mut depth);
-        let Ok(()) = edges.hidden_line(LINE, &mut band.depth_tested(&mut depth));
-        Some(())
-    })?;
-    black_box(edges.statistics());
-    Some(())
-}
-
-fn deep_bands<S: SpanShader<Rgb565>>(
-    instance: &MeshInstance<'_>,
-    shade: impl Fn(usize) -> S,
-    size: Size,
-    rows: u32,
-    memory: &mut Memory,
-) -> Option<()> {
-    let Memory { depth, buffers: MeshBuffers { cache, bins, .. }, strip, .. } = memory;
-    let mut faces = instance.transform_depth(cache).bin_faces(bins).ok()?;
-    each_band(size, rows, strip, |band| {
-        let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
-        let Ok(()) = faces.draw(&shade, &mut band.pixels().depth_tested(&mut depth));
-        Some(())
-    })?;
-    black_box(faces.statistics());
-    Some(())
-}
-
-fn plain_bands(
-    instance: &MeshInstance<'_>,
-    shade: impl Fn(usize) -> Rgb565,
-    size: Size,
-    rows: u32,
-    memory: &mut Memory,
-) -> Option<()> {
-    let Memory { buffers: MeshBuffers { cache, bins, .. }, strip, .. } = memory;
-    let mut faces = instance.transform(cache).bin_faces(bins).ok()?;
-    each_band(size, rows, strip, |band| {
-        let Ok(()) = faces.draw(&shade, &mut band.pixels());
-        Some(())
-    })?;
-    black_box(faces.statistics());
-    Some(())
+    let strip = strip.get_mut(..Frame::<Rgb565>::strip_bytes(size.width, rows))?;
+    let (mesh, mut storage) = (instance.mesh(), Storage { corners: cache, bin_storage: bins, strip, depth });
+    let flat = flat_of_normals(mesh.normals(), light);
+    let send = |band: &Band<'_, Rgb565>| {
+        black_box(band.bytes());
+    };
+    match kind {
+        // Into a band as into any target, as line drawings for displays of one bit are.
+        Kind::LineBands => {
+            storage.bin_storage = edge_bins;
+            bands::wireframe(instance, size, storage, |edges, band| {
+                let Ok(()) = edges.draw(LINE, band);
+                send(band);
+            })
+        }
+        Kind::HiddenBands | Kind::FewHiddenBands => {
+            bands::hidden(instance, [LINE, BACKGROUND], size, edge_bins, storage, send)
+        }
+        Kind::SmoothBands => bands::depth(instance, smooth(&mesh, light), size, storage, send),
+        Kind::DitheredBands => {
+            bands::depth(instance, flat_dithered(mesh.normals(), light), size, storage, send)
+        }
+        Kind::SmoothDitheredBands => {
+            bands::depth(instance, |face| smooth(&mesh, light)(face).dithered(), size, storage, send)
+        }
+        Kind::TexturedBands => bands::depth(instance, textured(&mesh, light)?, size, storage, send),
+        Kind::PlainBands => bands::solid(instance, flat, size, storage, send),
+        Kind::PaintedBands => match is_small {
+            true => painted_bands(instance, flat, size, storage.strip, &mut memory.small_painter),
+            false => painted_bands(instance, flat, size, storage.strip, &mut memory.painter),
+        },
+        _ => bands::depth(instance, flat, size, storage, send),
+    }
 }
 
 fn painted_bands<const V: usize, const F: usize>(
     instance: &MeshInstance<'_>,
     shade: impl Fn(usize) -> Rgb565,
     size: Size,
-    rows: u32,
     strip: &mut [u8],
     painter: &mut Painter<Rgb565, V, F>,
 ) -> Option<()> {
     painter.clear();
     instance.faces(shade).sorted(painter).ok()?;
     let order = painter.order();
-    each_band(size, rows, strip, |band| {
+    bands::each_band(size, BACKGROUND, strip, |band| {
         let Ok(()) = order.draw(&mut band.pixels());
+        black_box(band.bytes());
         Some(())
     })?;
     black_box(order.statistics());
