@@ -17,9 +17,12 @@ pub(super) struct Perspective {
     planes: [Gradient; 3],
     /// u₀ and v₀ in 2⁻³² of the sides.
     origin: [u32; 2],
-    /// Four [`shifts`](Self::shifts), of 5 bits each.
-    shifts: u32,
-    /// The binary logarithm of the widest block, in pixels.
+    /// Half of a [`Sample`]'s unit in 2⁻³² of the sides, for u and v: 2^([`LARGEST_BLOCK`] − 1) … 2²², so that the steps over a block are
+    /// exact.
+    half_units: [u32; 2],
+    /// The right shifts from s/q and t/q in 2^([`ROOM`] − 29) to that unit: 0 … 23.
+    downs: [u8; 2],
+    /// The width of the widest block, in pixels: a power of two.
     pub(super) widest_block: i32,
     pub(super) curvature: Curvature,
     /// The column that planes are counted from: 0 unless coordinates are [linear by rows](is_linear_by_rows), otherwise that in
@@ -50,7 +53,7 @@ impl Planes {
     }
 }
 
-/// Texture coordinates relative to those of the farthest corner, in the unit that [`Perspective::shifts`] says: at most 2²⁹.
+/// Texture coordinates relative to those of the farthest corner, in the unit that [`Perspective::half_units`] says: at most 2²⁹.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     u: i32,
@@ -267,8 +270,9 @@ impl Perspective {
         let own = Self {
             planes: map3(planes, |plane| Gradient { origin: plane.at(anchor, 0), ..plane }),
             origin: [phase(u, u_unit), phase(v, v_unit)],
-            shifts: (u_up | v_up << 5 | (u_up - u_full) << 10 | (v_up - v_full) << 15) as u32,
-            widest_block: size.largest_block,
+            half_units: [1 << ((u_up - 1) & 31), 1 << ((v_up - 1) & 31)],
+            downs: [(u_up - u_full) as u8, (v_up - v_full) as u8],
+            widest_block: 1 << (size.largest_block & 31),
             curvature,
             anchor,
             steps: [step - w, step - h],
@@ -281,9 +285,9 @@ impl Perspective {
     #[inline(never)]
     pub(super) fn line(&self, y: i32) -> [[u32; 2]; 2] {
         let Self { curvature, anchor, steps, .. } = self;
-        let planes @ Planes { q, .. } = self.row(y);
+        let Planes { q, s, t } = self.row(y);
         let r = reciprocal_of_positive(q); // 1/q = mantissa · 2^(shift − 61)
-        let [u, v] = self.phases(self.times(planes, r));
+        let [u, v] = self.phases(self.times(s, t, r));
         let square = mul_high(r.mantissa, r.mantissa); // 1/q² = square · 2^(2·shift − 90)
         let ([k_s, k_t], [m, n]) = (curvature.k(y), *steps);
         let step = |k: i32, up: i32| {
@@ -305,15 +309,29 @@ impl Perspective {
         Planes { q: q as i32, s: s.wrapping_sub(BIAS) as i32, t: t.wrapping_sub(BIAS) as i32 }
     }
 
-    /// The planes in a column, given those in column 0.
+    /// The planes `by` columns further right.
     #[inline(always)]
-    pub(super) fn at(&self, Planes { q, s, t }: Planes, x: i32) -> Planes {
+    pub(super) fn beyond(&self, Planes { q, s, t }: Planes, by: i32) -> Planes {
         let [q_step, s_step, t_step] = map3(self.planes, |plane| plane.step() as i32);
         Planes {
-            q: q.wrapping_add(q_step.wrapping_mul(x)),
-            s: s.wrapping_add(s_step.wrapping_mul(x)),
-            t: t.wrapping_add(t_step.wrapping_mul(x)),
+            q: q.wrapping_add(q_step.wrapping_mul(by)),
+            s: s.wrapping_add(s_step.wrapping_mul(by)),
+            t: t.wrapping_add(t_step.wrapping_mul(by)),
         }
+    }
+
+    /// q of [`beyond`](Self::beyond).
+    #[inline(always)]
+    pub(super) fn q_beyond(&self, Planes { q, .. }: Planes, by: i32) -> i32 {
+        let [step, ..] = &self.planes;
+        q.wrapping_add((step.step() as i32).wrapping_mul(by))
+    }
+
+    /// Whether q decreases to the right.
+    #[inline(always)]
+    pub(super) fn q_falls(&self) -> bool {
+        let [step, ..] = &self.planes;
+        (step.step() as i32) < 0
     }
 
     /// The coordinates where there is [room](Planes::has_room) for them; elsewhere, which is beside the triangle, those nearest to
@@ -323,20 +341,26 @@ impl Perspective {
         // In 32 bits: samples do not need the lower bits.
         let most = if q >> (31 - ROOM) == 0 { q << ROOM } else { i32::MAX };
         let inside = |s: i32| s.min(most).max(-most);
-        self.divided(Planes { q, s: inside(s), t: inside(t) })
+        self.divided_called(Planes { q, s: inside(s), t: inside(t) })
     }
 
     /// s/q and t/q, where there is [room](Planes::has_room).
+    #[inline(always)]
+    pub(super) fn divided(&self, Planes { q, s, t }: Planes) -> Sample {
+        self.times(s, t, reciprocal_of_positive(q))
+    }
+
+    /// [`divided`](Self::divided) as a function.
     #[inline(never)] // code size
-    pub(super) fn divided(&self, planes: Planes) -> Sample {
-        self.times(planes, reciprocal_of_positive(planes.q))
+    pub(super) fn divided_called(&self, planes: Planes) -> Sample {
+        self.divided(planes)
     }
 
     /// s and t times 1/q = mantissa · 2^(shift − 61).
     #[inline(always)]
-    fn times(&self, Planes { s, t, .. }: Planes, r: Reciprocal) -> Sample {
-        let divided = |s: i32, down: u32| mul_high(s >> ROOM << (r.shift & 31), r.mantissa) >> down;
-        let [.., u, v] = self.shifts();
+    fn times(&self, s: i32, t: i32, r: Reciprocal) -> Sample {
+        let divided = |s: i32, down: u8| mul_high(s >> ROOM << (r.shift & 31), r.mantissa) >> (down & 31);
+        let [u, v] = self.downs;
         Sample { u: divided(s, u), v: divided(t, v) }
     }
 
@@ -350,8 +374,8 @@ impl Perspective {
     /// The coordinates of a sample, in 2⁻³² of the sides.
     #[inline(always)]
     pub(super) fn phases(&self, Sample { u, v }: Sample) -> [u32; 2] {
-        let ([a, b], [m, n, ..]) = (self.origin, self.shifts());
-        [a.wrapping_add((u as u32) << m), b.wrapping_add((v as u32) << n)]
+        let ([a, b], [m, n]) = (self.origin, self.half_units);
+        [a.wrapping_add((u as u32).wrapping_mul(m << 1)), b.wrapping_add((v as u32).wrapping_mul(n << 1))]
     }
 
     /// The line between two samples, 2^`bits` pixels from each other, from pixel `passed` on.
@@ -363,16 +387,8 @@ impl Perspective {
         bits: i32,
         passed: i32,
     ) -> Coordinates<N> {
-        let [m, n, ..] = self.shifts();
-        Coordinates::between([left.u, left.v], [right.u, right.v], self.origin, [m, n], bits, passed)
-    }
-
-    /// For u and v, the binary logarithms of a [`Sample`]'s unit in 2⁻³² of the sides: [`LARGEST_BLOCK`] … 23, so that the steps over a
-    /// block are exact; and the right shifts from s/q and t/q in 2^([`ROOM`] − 29) to that unit: 0 … 23.
-    #[inline(always)]
-    fn shifts(&self) -> [u32; 4] {
-        let Self { shifts, .. } = *self;
-        [shifts & 31, shifts >> 5 & 31, shifts >> 10 & 31, shifts >> 15 & 31]
+        let ends = [[left.u, left.v], [right.u, right.v]];
+        Coordinates::between(ends, self.origin, self.half_units, bits, passed)
     }
 }
 
