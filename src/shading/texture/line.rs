@@ -51,34 +51,31 @@ impl<const N: usize> Coordinates<N> {
         Self::around(packed(along(half)), packed(step), passed.wrapping_sub(half as i32))
     }
 
-    /// [`of_block`](Self::of_block) from the coordinates at both ends, 2^`bits` pixels from each other, relative to `origin`, in twice
-    /// `half_units` of 2⁻³² of the sides; a unit is at least 2^`bits`, so that steps are exact.
+    /// The line over a block of 2^`bits` pixels, 1 … [`LARGEST_BLOCK`], from its pixel `passed` on, given the sum of the coordinates at
+    /// both ends and their difference, relative to `origin`, in twice `half_units` of 2⁻³² of the sides; a unit is at least 2^`bits`, so
+    /// that steps are exact.
     #[inline(always)]
-    pub(super) fn between(
-        [[a, b], [c, d]]: [[i32; 2]; 2],
+    pub(super) fn through(
+        [a, b]: [i32; 2],
+        [du, dv]: [i32; 2],
         [u, v]: [u32; 2],
         [m, n]: [u32; 2],
         bits: i32,
         passed: i32,
     ) -> Self {
         let less = bits.wrapping_sub(1) & 31;
-        let step = match bits {
-            0 => [0; 2],
-            _ => [((c - a) as u32).wrapping_mul(m >> less), ((d - b) as u32).wrapping_mul(n >> less)],
-        };
-        if N == 2 {
-            let first = [
-                u.wrapping_add((a as u32).wrapping_mul(m << 1)),
-                v.wrapping_add((b as u32).wrapping_mul(n << 1)),
-            ];
-            return Self::of_block(first, step, bits, passed);
-        }
+        let step = [(du as u32).wrapping_mul(m >> less), (dv as u32).wrapping_mul(n >> less)];
         // The middle is the mean of both ends.
-        let middle = packed([
-            u.wrapping_add(((a + c) as u32).wrapping_mul(m)),
-            v.wrapping_add(((b + d) as u32).wrapping_mul(n)),
-        ]);
-        Self::around(middle, packed(step), passed.wrapping_sub((1i32 << (bits & 31)) >> 1))
+        let middle = [u.wrapping_add((a as u32).wrapping_mul(m)), v.wrapping_add((b as u32).wrapping_mul(n))];
+        let by = passed.wrapping_sub(1 << less);
+        match N {
+            1 => Self::around(packed(middle), packed(step), by),
+            _ => {
+                let ([u, v], [du, dv]) = (middle, step);
+                let along = |at: u32, step: u32| at.wrapping_add(step.wrapping_mul(by as u32));
+                Self::of([along(u, du), along(v, dv)], step)
+            }
+        }
     }
 
     /// Both numbers of a line; the second is 0 if coordinates share a word.

@@ -69,6 +69,12 @@ impl Sample {
 /// Along a row s and q are linear, with the steps s' and q', so K = s'·q − s·q' is constant, and so is that of t; from row to row
 /// they are linear. Between pixels L columns apart with q₀ and q₁, s/q changes by K·L/(q₀·q₁), and q by q'·L: interpolated linearly
 /// in between, s/q is off by at most |K·q'|·L²/(4·q₀·q₁·min(q₀, q₁)) ≤ |K·q'|·L²/(4·m³) with m = min(q₀, q₁).
+///
+/// This error has one sign: with t from 0 to 1 along the block and Δ the change of s/q over it, s/q differs from the line by
+/// Δ·(q₁ − q₀)·t·(1 − t)/q(t), whose largest magnitude is that of e = Δ·(q₁ − q₀)/(√q₀ + √q₁)². Lines are moved by
+/// h = Δ·(q₁ − q₀)/(8·q₁), and are then off by at most |h| or |e − h|. Both are at most |K·q'|·L²/(8·m³). In units of |K·q'|·L²/m³,
+/// and with r = max(q₀, q₁)/m, Δ·(q₁ − q₀) is 1/r in units of m, and e = 1/(r·(1 + √r)²) ≤ r^(−3/2)/4. Where q₁ = m, h is 1/(8·r) and e is at most
+/// twice that. Where q₀ = m, h is 1/(8·r²), and with x = r^(−1/2) ≤ 1, e − h is at most x³/4 − x⁴/8 = x³·(2 − x)/8 ≤ 1/8.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Curvature {
     /// K of s and of t in row 0, wrapping, and their changes from row to row, in a unit in which those of covered rows are below
@@ -78,7 +84,7 @@ pub(super) struct Curvature {
     cut: i32,
     /// An upper bound of K's error.
     slack: u32,
-    /// The logarithm of |K·q'|/(4·ε), as a fraction of 2⁹³, less the logarithm of |K| in this unit, as a fraction of 2³¹: in 2⁻¹⁶, like
+    /// The logarithm of |K·q'|/(8·ε), as a fraction of 2⁹³, less the logarithm of |K| in this unit, as a fraction of 2³¹: in 2⁻¹⁶, like
     /// the logarithms.
     bound: i32,
 }
@@ -124,7 +130,7 @@ impl Curvature {
         map2(self.rows, |[k, step]| k.wrapping_add(step.wrapping_mul(y)))
     }
 
-    /// The binary logarithm of |K·q'|/(4·ε) in a row, as a fraction of 2⁹³, in 2⁻¹⁶.
+    /// The binary logarithm of |K·q'|/(8·ε) in a row, as a fraction of 2⁹³, in 2⁻¹⁶.
     #[inline(never)] // code size
     pub(super) fn of_row(&self, y: i32) -> i32 {
         let [s, t] = map2(self.k(y), i32::unsigned_abs);
@@ -260,8 +266,8 @@ impl Perspective {
         let (u_texel, v_texel) = (u_unit + w, v_unit + h); // 19 … 40
         let texel = u_texel.max(v_texel);
         let coarser = [(texel - u_texel) as u8, (texel - v_texel) as u8];
-        // log₂(1/(4·ε)), rounded up.
-        let exponent = coords.accuracy as i32 + n + texel - 41;
+        // log₂(1/(8·ε)), rounded up.
+        let exponent = coords.accuracy as i32 + n + texel - 42;
         let size = Size::of(triangle);
         let curvature = Curvature::new(&planes, (first.x >> 8, first.y >> 8), &size, coarser, exponent);
         let is_by_rows = is_linear_by_rows(&planes, least_q, &size, &curvature);
@@ -341,19 +347,13 @@ impl Perspective {
         // In 32 bits: samples do not need the lower bits.
         let most = if q >> (31 - ROOM) == 0 { q << ROOM } else { i32::MAX };
         let inside = |s: i32| s.min(most).max(-most);
-        self.divided_called(Planes { q, s: inside(s), t: inside(t) })
+        self.divided(Planes { q, s: inside(s), t: inside(t) })
     }
 
     /// s/q and t/q, where there is [room](Planes::has_room).
-    #[inline(always)]
+    #[inline(never)] // code size
     pub(super) fn divided(&self, Planes { q, s, t }: Planes) -> Sample {
         self.times(s, t, reciprocal_of_positive(q))
-    }
-
-    /// [`divided`](Self::divided) as a function.
-    #[inline(never)] // code size
-    pub(super) fn divided_called(&self, planes: Planes) -> Sample {
-        self.divided(planes)
     }
 
     /// s and t times 1/q = mantissa · 2^(shift − 61).
@@ -365,7 +365,7 @@ impl Perspective {
     }
 
     /// The binary logarithm of the largest distance between two pixels over which coordinates may be interpolated linearly, if q
-    /// is `m` or more at both: |K·q'|·L² ≤ 4·ε·m³. Negative for none.
+    /// is `m` or more at both: |K·q'|·L² ≤ 8·ε·m³. Negative for none.
     #[inline(always)]
     pub(super) fn largest_block(curvature: i32, m: i32) -> i32 {
         (3 * log_of_2_31(m as u32) - curvature) >> 17
@@ -378,17 +378,34 @@ impl Perspective {
         [a.wrapping_add((u as u32).wrapping_mul(m << 1)), b.wrapping_add((v as u32).wrapping_mul(n << 1))]
     }
 
-    /// The line between two samples, 2^`bits` pixels from each other, from pixel `passed` on.
+    /// The sample at the end of a block of 2^`bits` pixels, and the block's line from pixel `passed` on, moved by half of its error: see
+    /// [`Curvature`].
     #[inline(always)]
-    pub(super) fn between<const N: usize>(
+    pub(super) fn line_to<const N: usize>(
         &self,
         left: Sample,
-        right: Sample,
+        behind: Planes,
         bits: i32,
         passed: i32,
-    ) -> Coordinates<N> {
-        let ends = [[left.u, left.v], [right.u, right.v]];
-        Coordinates::between(ends, self.origin, self.half_units, bits, passed)
+    ) -> (Sample, Coordinates<N>) {
+        let Planes { q, s, t } = behind;
+        let r = reciprocal_of_positive(q);
+        let right = self.times(s, t, r);
+        let [q_step, ..] = &self.planes;
+        // (q₁ − q₀)/(8·q₁) in 2⁻²⁹. It wraps where |q₁ − q₀| > 8·q₁, but |Δ| is at most 8·ε/(r·(r − 1)) < ε/9 there: with any share below
+        // 2³⁰, the line moves by less than 2·ε/9, and is off by less than ε/3.
+        let change = (q_step.step() as i32) << (bits & 31); // no more than q changes over the triangle
+        let share = mul_high(change >> ROOM << (r.shift & 31), r.mantissa);
+        let twice = |d: i32| mul_high(d, share) << 4; // 2·h, to 16 units
+        let (du, dv) = (right.u - left.u, right.v - left.v);
+        let sum = [(left.u + right.u).wrapping_add(twice(du)), (left.v + right.v).wrapping_add(twice(dv))];
+        (right, Coordinates::through(sum, [du, dv], self.origin, self.half_units, bits, passed))
+    }
+
+    /// The coordinates of one pixel.
+    #[inline(always)]
+    pub(super) fn point<const N: usize>(&self, Sample { u, v }: Sample) -> Coordinates<N> {
+        Coordinates::through([u + u, v + v], [0; 2], self.origin, self.half_units, 1, 0)
     }
 }
 
@@ -409,7 +426,9 @@ fn is_linear_by_rows(planes: &[Gradient; 3], least_q: i32, size: &Size, curvatur
     }
     let has_room = (1 << 29) + (1 << 12) + over(s.max(t)) <= (least as u64) << ROOM;
     let curvature = curvature.of_row(top).max(curvature.of_row(bottom));
-    has_room && curvature + 2 * (log_of(2 * reach as u32) + ROUND_UP) <= 3 * log_of_2_31(least as u32)
+    // `curvature` is of half of that.
+    let error = curvature + 2 * (log_of(2 * reach as u32) + ROUND_UP) + (1 << 16);
+    has_room && error <= 3 * log_of_2_31(least as u32)
 }
 
 /// The planes of a triangle, set up from its farthest corner.

@@ -119,12 +119,12 @@ impl<'g> PerspectiveRuns<'g> {
         };
         let Some(Block { bits, passed, reach, behind }) = block else {
             (self.x, self.planes, self.reach) = (x + 1, perspective.beyond(self.planes, 1), SINGLE);
-            return perspective.between(self.left, self.left, 0, 0);
+            return perspective.point(self.left);
         };
-        let (left, right) = (self.left, perspective.divided(behind));
+        let (right, line) = perspective.line_to(self.left, behind, bits, passed);
         (self.planes, self.left) = (behind, right);
         (self.x, self.reach) = (x + (1 << (bits & 31)) - passed, reach);
-        perspective.between(left, right, bits, passed)
+        line
     }
 
     /// The largest block of at most 2^`bits` pixels that begins at `x`, where the last run ended.
@@ -159,7 +159,7 @@ impl<'g> PerspectiveRuns<'g> {
                 let (first, behind) = (perspective.beyond(planes, from), perspective.beyond(planes, to));
                 // Coordinates with room at both ends of a block have room between them.
                 if first.has_room() && behind.has_room() {
-                    self.left = perspective.divided_called(first);
+                    self.left = perspective.divided(first);
                     return Some(Block { bits, passed, reach: self.reach_at(to), behind });
                 }
             }
