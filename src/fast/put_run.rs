@@ -9,7 +9,7 @@
 
 use crate::color::{Ink, StoredPixel};
 use crate::math::cores::CORTEX_M0;
-use crate::math::hints::{keep_rolled, opaque};
+use crate::math::hints::{keep_branch, keep_rolled, opaque};
 use crate::math::unrolled::each8;
 use crate::shading::Line;
 use crate::surface::block_fill::fill_eight;
@@ -81,11 +81,9 @@ pub(super) trait Blocks<Cell>: Copy {
     /// Whether the compiler must not see that values are linear: it would keep multiples of their steps on the stack.
     const IS_HIDDEN: bool = false;
 
-    /// The inks, in a form in which the compiler does not see that they are linear; `zero` is 0, [opaque] to it. Called if
-    /// [`IS_HIDDEN`](Self::IS_HIDDEN).
+    /// The inks, in a form in which the compiler does not see that they are linear. Called if [`IS_HIDDEN`](Self::IS_HIDDEN).
     #[inline(always)]
-    fn hidden(inks: Self::Inks, zero: u32) -> Self::Inks {
-        let _ = zero;
+    fn hidden(inks: Self::Inks) -> Self::Inks {
         inks
     }
 }
@@ -191,6 +189,8 @@ fn hidden(at: u32, zero: u32) -> u32 {
 pub(super) struct LookUp<L, F, const TABLE: bool> {
     pub(super) line: L,
     pub(super) color: F,
+    /// 0, which the compiler does not know unless `TABLE`: see [`hidden`].
+    pub(super) zero: u32,
 }
 
 impl<L: Linear, C, F: Fn([u32; 2]) -> C, const TABLE: bool> Iterator for LookUp<L, F, TABLE> {
@@ -221,17 +221,8 @@ where
     const IS_HIDDEN: bool = !TABLE;
 
     #[inline(always)]
-    fn hidden(inks: Self, zero: u32) -> Self {
-        Self { line: inks.line.hidden(zero), ..inks }
-    }
-}
-
-/// A zero that the compiler does not know, for values that are [hidden](Blocks::hidden).
-#[inline(always)]
-fn zero_for<Cell, S: Blocks<Cell>>() -> u32 {
-    match S::IS_HIDDEN {
-        true => opaque(0),
-        false => 0,
+    fn hidden(inks: Self) -> Self {
+        Self { line: inks.line.hidden(inks.zero), ..inks }
     }
 }
 
@@ -257,12 +248,12 @@ pub(super) fn put_each<Cell, const ROLLED: bool>(
 /// Writes a run eight pixels at a time.
 #[inline(always)]
 pub(super) fn put_blocks<Cell, S: Blocks<Cell>>(cells: &mut [Cell], source: S) {
-    let (zero, (blocks, rest)) = (zero_for::<Cell, S>(), cells.as_chunks_mut::<BLOCK>());
+    let (blocks, rest) = cells.as_chunks_mut::<BLOCK>();
     let mut inks = source.inks();
     for block in blocks {
         source.put_eight(&mut inks, block);
         if S::IS_HIDDEN {
-            inks = S::hidden(inks, zero);
+            inks = S::hidden(inks);
         }
         keep_rolled();
     }
@@ -301,7 +292,7 @@ pub(super) fn put_blocks_nearer<Cell, S: Blocks<Cell>>(
 ) -> u32 {
     // The lengths are equal already; this tells the compiler.
     let Some(depths) = depths.get_mut(..cells.len()) else { return z };
-    let (zero, mut inks) = (zero_for::<Cell, S>(), source.inks());
+    let mut inks = source.inks();
     let ((blocks, rest), (depth_blocks, depth_rest)) =
         (cells.as_chunks_mut::<BLOCK>(), depths.as_chunks_mut::<BLOCK>());
     for (block, stored) in blocks.iter_mut().zip(depth_blocks) {
@@ -326,14 +317,28 @@ pub(super) fn put_blocks_nearer<Cell, S: Blocks<Cell>>(
             z = z.wrapping_add(step.wrapping_mul(BLOCK as u32));
         }
         if S::IS_HIDDEN {
-            inks = S::hidden(inks, zero);
+            inks = S::hidden(inks);
         }
         keep_rolled();
     }
-    match S::IS_UNROLLED {
-        true => put_each_nearer::<Cell, true>(rest, depth_rest, z, step, &mut inks),
-        false => put_each_nearer::<Cell, true>(opaque(rest), opaque(depth_rest), z, step, &mut inks),
+    if S::IS_UNROLLED {
+        return put_each_nearer::<Cell, true>(rest, depth_rest, z, step, &mut inks);
     }
+    // A number that the compiler does not know keeps it from unrolling the loop.
+    let count = opaque(rest.len());
+    let (Some(rest), Some(depth_rest)) = (rest.get_mut(..count), depth_rest.get_mut(..count)) else {
+        return z;
+    };
+    for (cell, stored) in rest.iter_mut().zip(depth_rest) {
+        let ink = inks.next();
+        if z >> 16 < u32::from(*stored) && ink.is_some_and(|ink| ink.put(cell)) {
+            *stored = (z >> 16) as u16;
+            keep_branch();
+        }
+        z = z.wrapping_add(step);
+        keep_rolled();
+    }
+    z
 }
 
 /// Writes a block of pixels where the depth buffer is not clear. On a Cortex-M0, [`put_each_nearer`] is inlined instead: that core has too few registers to

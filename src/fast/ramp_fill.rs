@@ -16,7 +16,7 @@ use super::put_run::{put_blocks, put_blocks_nearer, put_each, put_each_nearer, L
 use super::{depth_and_light_gradients, depth_gradient, memory_of, RowOrigin};
 use crate::color::StoredPixel;
 use crate::math::cores::CORTEX_M0;
-use crate::math::hints::keep_branch;
+use crate::math::hints::{keep_branch, opaque};
 use crate::raster::{DepthTriangle, Gradient, Scissor, Triangle};
 use crate::shading::TableShader;
 use crate::surface::{DepthTarget, Surface};
@@ -159,7 +159,7 @@ where
         let depths = if DEPTH { part_of(self.depths, from, width)? } else { &mut [] };
         let z = self.z.wrapping_add(depth.wrapping_mul(left as u32));
         let line = Ramp { at: self.value.wrapping_add(value.wrapping_mul(left as u32)), step: value };
-        Some((run, depths, [z, depth], LookUp { line, color }))
+        Some((run, depths, [z, depth], LookUp { line, color, zero: 0 }))
     }
 
     /// Fills a row of fewer than [`BLOCK`] pixels. The gradients and slices stay in memory behind `self`: the call passes few
@@ -178,7 +178,10 @@ where
     /// Fills a row of [`BLOCK`] pixels or more.
     #[inline(never)]
     fn long(&mut self, from: usize, left: i32, width: usize) {
-        if let Some((run, depths, [z, step], colors)) = self.part(from, left, width) {
+        if let Some((run, depths, [z, step], mut colors)) = self.part(from, left, width) {
+            if !TABLE {
+                colors.zero = opaque(0);
+            }
             match DEPTH {
                 true => _ = put_blocks_nearer(run, depths, z, step, colors),
                 false => put_blocks(run, colors),

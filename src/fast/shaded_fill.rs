@@ -10,11 +10,12 @@
 //!   the runs and for their colours.
 //! - **Test**: `everywhere` and `by_every_call` in `tests/support/src/bridge/ways.rs`, and `tests/raster/memory_triangles.rs`.
 
-use super::fill_rows::{fill_low, fill_only_small, Fill, FillRow, FillRows, NoDepth};
+use super::fill_rows::{fill_low, fill_only_small, same_length, Fill, FillRow, FillRows, NoDepth};
 use super::put_run::{put_blocks, put_blocks_nearer, put_each, put_each_nearer, Inked, LookUp, OneInk};
 use super::ramp_fill::Packed;
 use super::{depth_gradient, memory_of, RowOrigin};
 use crate::color::Ink;
+use crate::math::hints::opaque;
 use crate::raster::{DepthTriangle, Gradient, Scissor, Span, Triangle};
 use crate::shading::{Line, SpanShader};
 use crate::surface::{DepthBuffer, DepthTarget, PixelRows, PixelStore, Surface};
@@ -44,9 +45,9 @@ pub(crate) fn triangle<T: Surface, S: SpanShader<T::Color>>(
         return true;
     }
     fill(memory, triangle, scissor, &mut |cells, span| {
-        let texel = color; // a copy, in a register
+        let (texel, zero) = (color, opaque(0)); // a copy, in a register
         each_run(cells, S::lines(&setup, span), |pixels, [at, step]| {
-            put_blocks(pixels, LookUp::<_, _, false> { line: Line { at, step }, color: texel });
+            put_blocks(pixels, LookUp::<_, _, false> { line: Line { at, step }, color: texel, zero });
         });
     });
     true
@@ -181,10 +182,10 @@ pub(crate) fn triangle_nearer<T: Surface, S: SpanShader<T::Color>>(
     }
     let gradient = depth_gradient(corners, depths);
     fill(memory, corners, scissor, &mut |cells, span| {
-        let lines = S::lines(&setup, span);
+        let (lines, zero) = (S::lines(&setup, span), opaque(0));
         each_run_nearer(cells, depth.buffer, span, &gradient, lines, |pixels, depths, z, step, [at, by]| {
             let line = Line { at, step: by };
-            put_blocks_nearer(pixels, depths, z, step, LookUp::<_, _, false> { line, color })
+            put_blocks_nearer(pixels, depths, z, step, LookUp::<_, _, false> { line, color, zero })
         });
     });
     true
@@ -193,14 +194,15 @@ pub(crate) fn triangle_nearer<T: Surface, S: SpanShader<T::Color>>(
 /// Calls `put` with the pixels and depths of each run, depth at its first pixel, and its step; it returns depth after the last one.
 #[inline(always)]
 fn each_run_nearer<Cell, Q>(
-    mut cells: &mut [Cell],
+    cells: &mut [Cell],
     depth: &mut DepthBuffer<'_>,
     span: Span,
     gradient: &Gradient,
     runs: impl Iterator<Item = (i32, Q)>,
     put: impl Fn(&mut [Cell], &mut [u16], u32, u32, Q) -> u32,
 ) {
-    let Some(mut depths) = depth.row(span.x, span.y, span.width) else { return };
+    let Some(depths) = depth.row(span.x, span.y, span.width) else { return };
+    let (mut cells, mut depths) = same_length(cells, depths);
     let mut z = gradient.at(span.x, span.y);
     for (width, run) in runs {
         let (Some((pixels, more)), Some((stored, further))) =

@@ -203,6 +203,10 @@ pub trait SpanShader<C: PixelColor>: Shader {
         None::<fn([u32; 2]) -> Self::Ink>
     }
 
+    /// Whether [`look_up`](Self::look_up) needs the first number alone, so that a wrapper may put the second one to a use of its own, as
+    /// fog does.
+    const ONE_NUMBER: bool = false;
+
     /// The runs of a span for [`look_up`](Self::look_up), from left to right: the width of each, two numbers at its first pixel, and
     /// their changes from a pixel to the next, to be added wrapping.
     #[inline(always)]

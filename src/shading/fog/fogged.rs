@@ -1,11 +1,12 @@
 //! Faces and sprites in fog.
 
-use super::levels::{FogLevel, FogLevels};
+use super::levels::{FogLevel, FogLevels, LevelRuns};
 use super::table::{FogTable, LEVELS};
 use crate::color::{Color, Ink, Mixer};
 use crate::raster::{Gradient, Span, Triangle};
 use crate::shading::shader::{inner_with_corners, DepthLevels};
 use crate::shading::{CornerValues, Shader, SpanShader};
+use core::cell::Cell;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// A shader in fog: its colours are mixed with the fog's colour by the depth of each pixel. It wraps any shader (colours, smooth,
@@ -120,22 +121,23 @@ defmt_format!(
 );
 
 /// A [`Fogged`] shader set up for a triangle.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct FoggedSetup<'t, P, C> {
     own: P,
     table: &'t FogTable<C>,
     depth: Gradient,
-    levels: [u8; 2],
+    /// The level where the last search ended: the next one begins there.
+    level: Cell<FogLevel>,
 }
 
 impl<'t, P, C: Color> FoggedSetup<'t, P, C> {
     /// The level of each pixel from `x` on.
     #[inline(always)]
     fn levels(&self, x: i32, y: i32) -> FogLevels<'t> {
-        let [least, _] = self.levels;
-        let bounds = &self.table.bounds;
-        let level = FogLevel::new(least, bounds);
-        FogLevels { bounds, level, depth: self.depth.at(x, y), step: self.depth.step() }
+        let (bounds, depth) = (&self.table.bounds, self.depth.at(x, y));
+        let level = self.level.get().at(depth, bounds);
+        self.level.set(level);
+        FogLevels { bounds, level, depth, step: self.depth.step() }
     }
 
     /// A colour in a level of fog.
@@ -165,7 +167,9 @@ impl<'t, C: Color, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
             }
             None => Gradient::of_depth(triangle, &self.depths),
         };
-        FoggedSetup { own: self.shader.set_up(triangle), table: self.table, depth, levels: self.levels }
+        let [least, _] = self.levels;
+        let level = Cell::new(FogLevel::new(least, &self.table.bounds));
+        FoggedSetup { own: self.shader.set_up(triangle), table: self.table, depth, level }
     }
 
     #[inline(always)]
@@ -183,6 +187,20 @@ impl<'t, C: Color, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
             x = x.wrapping_add(width);
             (width, inks.zip(levels).map(move |(ink, level)| ink.map(|color| setup.mixed(color, level))))
         })
+    }
+
+    #[inline(always)]
+    fn look_up(setup: &Self::Setup) -> Option<impl Fn([u32; 2]) -> S::Ink + Copy> {
+        let own = S::look_up(&setup.own).filter(|_| S::ONE_NUMBER)?;
+        let mix = setup.table.color.mixer();
+        Some(move |[number, share]: [u32; 2]| own([number, 0]).map(|color| mix(color, share)))
+    }
+
+    #[inline(always)]
+    fn lines(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, [[u32; 2]; 2])> {
+        let (depth, step) = (setup.depth.at(span.x, span.y), setup.depth.step());
+        let levels = LevelRuns { bounds: &setup.table.bounds, level: &setup.level, depth, step };
+        FogLines { lines: S::lines(&setup.own, span), width: 0, line: [0; 2], levels, bits: C::SHARE_BITS }
     }
 
     #[inline(always)]
@@ -205,5 +223,33 @@ impl<'t, C: Color, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
             [_, 0] => Some(&self.shader),
             _ => None,
         }
+    }
+}
+
+/// The lines of a shader that takes [one number](SpanShader::ONE_NUMBER), cut where the level of fog changes. The second number is the
+/// share of the shader's own colour, in 2^−`bits`.
+struct FogLines<'s, R> {
+    lines: R,
+    /// What is left of the present line: its width, and the number and its step.
+    width: i32,
+    line: [u32; 2],
+    levels: LevelRuns<'s>,
+    bits: u32,
+}
+
+impl<R: Iterator<Item = (i32, [[u32; 2]; 2])>> Iterator for FogLines<'_, R> {
+    type Item = (i32, [[u32; 2]; 2]);
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<(i32, [[u32; 2]; 2])> {
+        if self.width <= 0 {
+            let (width, [[at, _], [step, _]]) = self.lines.next()?;
+            (self.width, self.line) = (width, [at, step]);
+        }
+        let ((width, level), [at, step]) = (self.levels.next_run(self.width), self.line);
+        (self.width, self.line) =
+            (self.width - width, [at.wrapping_add(step.wrapping_mul(width as u32)), step]);
+        let share = (LEVELS as u32 - level) << (self.bits - 5);
+        Some((width, [[at, share], [step, 0]]))
     }
 }

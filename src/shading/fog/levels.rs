@@ -1,6 +1,7 @@
 //! The level of fog of each pixel of a span.
 
 use super::table::LEVELS;
+use core::cell::Cell;
 
 /// The depths at which levels begin, as [`FogTable`](crate::fog::FogTable) has them.
 pub(crate) type Bounds = [u32; LEVELS + 2];
@@ -68,6 +69,39 @@ impl FogLevel {
     #[inline(always)]
     pub(crate) fn level(&self) -> u8 {
         self.level as u8
+    }
+}
+
+/// The runs of pixels of a span that have one level of fog, from left to right.
+pub(super) struct LevelRuns<'s> {
+    pub(super) bounds: &'s Bounds,
+    /// The level where the last search ended: the next one begins there.
+    pub(super) level: &'s Cell<FogLevel>,
+    /// At the first pixel of the next run.
+    pub(super) depth: u32,
+    pub(super) step: u32,
+}
+
+impl LevelRuns<'_> {
+    /// The width of the next run, at most `most`, which is positive, and its level.
+    #[inline(always)]
+    pub(super) fn next_run(&mut self, most: i32) -> (i32, u32) {
+        let (level, depth) = (self.level.get(), self.depth);
+        let last = depth.wrapping_add(self.step.wrapping_mul((most as u32).wrapping_sub(1)));
+        let width = match level.has(depth) && level.has(last) {
+            true => most,
+            false => self.find(most),
+        };
+        self.depth = depth.wrapping_add(self.step.wrapping_mul(width as u32));
+        (width, self.level.get().level().into())
+    }
+
+    /// Sets the level to that of the next pixel, and returns how many pixels have it, at most `most`.
+    #[inline(never)] // its loops would take the registers of the loops over pixels
+    fn find(&mut self, most: i32) -> i32 {
+        let level = self.level.get().at(self.depth, self.bounds);
+        self.level.set(level);
+        (level.further(self.depth, self.step, (most as u32).wrapping_sub(1)) as i32).wrapping_add(1)
     }
 }
 

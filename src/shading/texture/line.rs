@@ -51,28 +51,31 @@ impl<const N: usize> Coordinates<N> {
         Self::around(packed(along(half)), packed(step), passed.wrapping_sub(half as i32))
     }
 
-    /// [`of_block`](Self::of_block) from the coordinates at both ends, 2^`bits` pixels from each other, in 2^`up` of 2⁻³² of the
-    /// sides, relative to `origin`; `up` is at least `bits`, so that steps are exact.
+    /// The line over a block of 2^`bits` pixels, 1 … [`LARGEST_BLOCK`], from its pixel `passed` on, given the sum of the coordinates at
+    /// both ends and their difference, relative to `origin`, in twice `half_units` of 2⁻³² of the sides; a unit is at least 2^`bits`, so
+    /// that steps are exact.
     #[inline(always)]
-    pub(super) fn between(
+    pub(super) fn through(
         [a, b]: [i32; 2],
-        [c, d]: [i32; 2],
+        [du, dv]: [i32; 2],
         [u, v]: [u32; 2],
-        up @ [m, n]: [u32; 2],
+        [m, n]: [u32; 2],
         bits: i32,
         passed: i32,
     ) -> Self {
-        let step = steps([a, b], [c, d], up, bits);
-        if N == 2 {
-            let first = [u.wrapping_add((a as u32) << (m & 31)), v.wrapping_add((b as u32) << (n & 31))];
-            return Self::of_block(first, step, bits, passed);
-        }
+        let less = bits.wrapping_sub(1) & 31;
+        let step = [(du as u32).wrapping_mul(m >> less), (dv as u32).wrapping_mul(n >> less)];
         // The middle is the mean of both ends.
-        let middle = packed([
-            u.wrapping_add(((a + c) as u32) << (m.wrapping_sub(1) & 31)),
-            v.wrapping_add(((b + d) as u32) << (n.wrapping_sub(1) & 31)),
-        ]);
-        Self::around(middle, packed(step), passed.wrapping_sub(1i32 << (bits.wrapping_sub(1) & 31)))
+        let middle = [u.wrapping_add((a as u32).wrapping_mul(m)), v.wrapping_add((b as u32).wrapping_mul(n))];
+        let by = passed.wrapping_sub(1 << less);
+        match N {
+            1 => Self::around(packed(middle), packed(step), by),
+            _ => {
+                let ([u, v], [du, dv]) = (middle, step);
+                let along = |at: u32, step: u32| at.wrapping_add(step.wrapping_mul(by as u32));
+                Self::of([along(u, du), along(v, dv)], step)
+            }
+        }
     }
 
     /// Both numbers of a line; the second is 0 if coordinates share a word.
@@ -93,13 +96,6 @@ impl<const N: usize> Coordinates<N> {
         let of = |first: u32, second: u32| core::array::from_fn(|i| if i == 0 { first } else { second });
         Self { at: of(u, v), step: of(du, dv) }
     }
-}
-
-/// The change per pixel between coordinates 2^`bits` pixels from each other.
-#[inline(always)]
-fn steps([a, b]: [i32; 2], [c, d]: [i32; 2], up: [u32; 2], bits: i32) -> [u32; 2] {
-    let [m, n] = up.map(|up| up.wrapping_sub(bits as u32) & 31);
-    [((c - a) as u32) << m, ((d - b) as u32) << n]
 }
 
 /// Both coordinates, or their steps, from 2⁻³² of the sides into one word: the word nearest to u whose lower 16 bits are v,

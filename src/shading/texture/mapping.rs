@@ -59,8 +59,8 @@ pub enum Accuracy {
 ///   the triangle.
 /// - Otherwise s = (u − u₀)·q and q are interpolated linearly, and divided at both ends of a run of pixels. Along a row they have
 ///   steps s' and q', and K = s'·q − s·q' is constant: over L pixels u changes by K·L/(q₀·q₁) and q by q'·L, so coordinates that
-///   are linear in between are off by at most |K·q'|·L²/(4·m³), m the lesser q of both ends. Each pixel belongs to the longest
-///   run for which this is at most the [`Accuracy`]. Runs have 1 to 64 pixels, and begin and end at multiples of their length, so
+///   are linear in between are off by at most |K·q'|·L²/(4·m³), m the lesser q of both ends, always to one side. Moved by half of
+///   that, they are off by at most |K·q'|·L²/(8·m³). Each pixel belongs to the longest run for which this is at most the [`Accuracy`]. Runs have 1 to 64 pixels, and begin and end at multiples of their length, so
 ///   that a pixel does not depend on where a span begins.
 ///
 /// **Error of the planes.** u·q and q have 22 bits at the corners, and the error of

@@ -17,9 +17,12 @@ pub(super) struct Perspective {
     planes: [Gradient; 3],
     /// u₀ and v₀ in 2⁻³² of the sides.
     origin: [u32; 2],
-    /// Four [`shifts`](Self::shifts), of 5 bits each.
-    shifts: u32,
-    /// The binary logarithm of the widest block, in pixels.
+    /// Half of a [`Sample`]'s unit in 2⁻³² of the sides, for u and v: 2^([`LARGEST_BLOCK`] − 1) … 2²², so that the steps over a block are
+    /// exact.
+    half_units: [u32; 2],
+    /// The right shifts from s/q and t/q in 2^([`ROOM`] − 29) to that unit: 0 … 23.
+    downs: [u8; 2],
+    /// The width of the widest block, in pixels: a power of two.
     pub(super) widest_block: i32,
     pub(super) curvature: Curvature,
     /// The column that planes are counted from: 0 unless coordinates are [linear by rows](is_linear_by_rows), otherwise that in
@@ -50,7 +53,7 @@ impl Planes {
     }
 }
 
-/// Texture coordinates relative to those of the farthest corner, in the unit that [`Perspective::shifts`] says: at most 2²⁹.
+/// Texture coordinates relative to those of the farthest corner, in the unit that [`Perspective::half_units`] says: at most 2²⁹.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     u: i32,
@@ -66,6 +69,12 @@ impl Sample {
 /// Along a row s and q are linear, with the steps s' and q', so K = s'·q − s·q' is constant, and so is that of t; from row to row
 /// they are linear. Between pixels L columns apart with q₀ and q₁, s/q changes by K·L/(q₀·q₁), and q by q'·L: interpolated linearly
 /// in between, s/q is off by at most |K·q'|·L²/(4·q₀·q₁·min(q₀, q₁)) ≤ |K·q'|·L²/(4·m³) with m = min(q₀, q₁).
+///
+/// This error has one sign: with t from 0 to 1 along the block and Δ the change of s/q over it, s/q differs from the line by
+/// Δ·(q₁ − q₀)·t·(1 − t)/q(t), whose largest magnitude is that of e = Δ·(q₁ − q₀)/(√q₀ + √q₁)². Lines are moved by
+/// h = Δ·(q₁ − q₀)/(8·q₁), and are then off by at most |h| or |e − h|. Both are at most |K·q'|·L²/(8·m³). In units of |K·q'|·L²/m³,
+/// and with r = max(q₀, q₁)/m, Δ·(q₁ − q₀) is 1/r in units of m, and e = 1/(r·(1 + √r)²) ≤ r^(−3/2)/4. Where q₁ = m, h is 1/(8·r) and e is at most
+/// twice that. Where q₀ = m, h is 1/(8·r²), and with x = r^(−1/2) ≤ 1, e − h is at most x³/4 − x⁴/8 = x³·(2 − x)/8 ≤ 1/8.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Curvature {
     /// K of s and of t in row 0, wrapping, and their changes from row to row, in a unit in which those of covered rows are below
@@ -75,7 +84,7 @@ pub(super) struct Curvature {
     cut: i32,
     /// An upper bound of K's error.
     slack: u32,
-    /// The logarithm of |K·q'|/(4·ε), as a fraction of 2⁹³, less the logarithm of |K| in this unit, as a fraction of 2³¹: in 2⁻¹⁶, like
+    /// The logarithm of |K·q'|/(8·ε), as a fraction of 2⁹³, less the logarithm of |K| in this unit, as a fraction of 2³¹: in 2⁻¹⁶, like
     /// the logarithms.
     bound: i32,
 }
@@ -121,7 +130,7 @@ impl Curvature {
         map2(self.rows, |[k, step]| k.wrapping_add(step.wrapping_mul(y)))
     }
 
-    /// The binary logarithm of |K·q'|/(4·ε) in a row, as a fraction of 2⁹³, in 2⁻¹⁶.
+    /// The binary logarithm of |K·q'|/(8·ε) in a row, as a fraction of 2⁹³, in 2⁻¹⁶.
     #[inline(never)] // code size
     pub(super) fn of_row(&self, y: i32) -> i32 {
         let [s, t] = map2(self.k(y), i32::unsigned_abs);
@@ -257,8 +266,8 @@ impl Perspective {
         let (u_texel, v_texel) = (u_unit + w, v_unit + h); // 19 … 40
         let texel = u_texel.max(v_texel);
         let coarser = [(texel - u_texel) as u8, (texel - v_texel) as u8];
-        // log₂(1/(4·ε)), rounded up.
-        let exponent = coords.accuracy as i32 + n + texel - 41;
+        // log₂(1/(8·ε)), rounded up.
+        let exponent = coords.accuracy as i32 + n + texel - 42;
         let size = Size::of(triangle);
         let curvature = Curvature::new(&planes, (first.x >> 8, first.y >> 8), &size, coarser, exponent);
         let is_by_rows = is_linear_by_rows(&planes, least_q, &size, &curvature);
@@ -267,8 +276,9 @@ impl Perspective {
         let own = Self {
             planes: map3(planes, |plane| Gradient { origin: plane.at(anchor, 0), ..plane }),
             origin: [phase(u, u_unit), phase(v, v_unit)],
-            shifts: (u_up | v_up << 5 | (u_up - u_full) << 10 | (v_up - v_full) << 15) as u32,
-            widest_block: size.largest_block,
+            half_units: [1 << ((u_up - 1) & 31), 1 << ((v_up - 1) & 31)],
+            downs: [(u_up - u_full) as u8, (v_up - v_full) as u8],
+            widest_block: 1 << (size.largest_block & 31),
             curvature,
             anchor,
             steps: [step - w, step - h],
@@ -281,9 +291,9 @@ impl Perspective {
     #[inline(never)]
     pub(super) fn line(&self, y: i32) -> [[u32; 2]; 2] {
         let Self { curvature, anchor, steps, .. } = self;
-        let planes @ Planes { q, .. } = self.row(y);
+        let Planes { q, s, t } = self.row(y);
         let r = reciprocal_of_positive(q); // 1/q = mantissa · 2^(shift − 61)
-        let [u, v] = self.phases(self.times(planes, r));
+        let [u, v] = self.phases(self.times(s, t, r));
         let square = mul_high(r.mantissa, r.mantissa); // 1/q² = square · 2^(2·shift − 90)
         let ([k_s, k_t], [m, n]) = (curvature.k(y), *steps);
         let step = |k: i32, up: i32| {
@@ -305,15 +315,29 @@ impl Perspective {
         Planes { q: q as i32, s: s.wrapping_sub(BIAS) as i32, t: t.wrapping_sub(BIAS) as i32 }
     }
 
-    /// The planes in a column, given those in column 0.
+    /// The planes `by` columns further right.
     #[inline(always)]
-    pub(super) fn at(&self, Planes { q, s, t }: Planes, x: i32) -> Planes {
+    pub(super) fn beyond(&self, Planes { q, s, t }: Planes, by: i32) -> Planes {
         let [q_step, s_step, t_step] = map3(self.planes, |plane| plane.step() as i32);
         Planes {
-            q: q.wrapping_add(q_step.wrapping_mul(x)),
-            s: s.wrapping_add(s_step.wrapping_mul(x)),
-            t: t.wrapping_add(t_step.wrapping_mul(x)),
+            q: q.wrapping_add(q_step.wrapping_mul(by)),
+            s: s.wrapping_add(s_step.wrapping_mul(by)),
+            t: t.wrapping_add(t_step.wrapping_mul(by)),
         }
+    }
+
+    /// q of [`beyond`](Self::beyond).
+    #[inline(always)]
+    pub(super) fn q_beyond(&self, Planes { q, .. }: Planes, by: i32) -> i32 {
+        let [step, ..] = &self.planes;
+        q.wrapping_add((step.step() as i32).wrapping_mul(by))
+    }
+
+    /// Whether q decreases to the right.
+    #[inline(always)]
+    pub(super) fn q_falls(&self) -> bool {
+        let [step, ..] = &self.planes;
+        (step.step() as i32) < 0
     }
 
     /// The coordinates where there is [room](Planes::has_room) for them; elsewhere, which is beside the triangle, those nearest to
@@ -328,20 +352,20 @@ impl Perspective {
 
     /// s/q and t/q, where there is [room](Planes::has_room).
     #[inline(never)] // code size
-    pub(super) fn divided(&self, planes: Planes) -> Sample {
-        self.times(planes, reciprocal_of_positive(planes.q))
+    pub(super) fn divided(&self, Planes { q, s, t }: Planes) -> Sample {
+        self.times(s, t, reciprocal_of_positive(q))
     }
 
     /// s and t times 1/q = mantissa · 2^(shift − 61).
     #[inline(always)]
-    fn times(&self, Planes { s, t, .. }: Planes, r: Reciprocal) -> Sample {
-        let divided = |s: i32, down: u32| mul_high(s >> ROOM << (r.shift & 31), r.mantissa) >> down;
-        let [.., u, v] = self.shifts();
+    fn times(&self, s: i32, t: i32, r: Reciprocal) -> Sample {
+        let divided = |s: i32, down: u8| mul_high(s >> ROOM << (r.shift & 31), r.mantissa) >> (down & 31);
+        let [u, v] = self.downs;
         Sample { u: divided(s, u), v: divided(t, v) }
     }
 
     /// The binary logarithm of the largest distance between two pixels over which coordinates may be interpolated linearly, if q
-    /// is `m` or more at both: |K·q'|·L² ≤ 4·ε·m³. Negative for none.
+    /// is `m` or more at both: |K·q'|·L² ≤ 8·ε·m³. Negative for none.
     #[inline(always)]
     pub(super) fn largest_block(curvature: i32, m: i32) -> i32 {
         (3 * log_of_2_31(m as u32) - curvature) >> 17
@@ -350,29 +374,38 @@ impl Perspective {
     /// The coordinates of a sample, in 2⁻³² of the sides.
     #[inline(always)]
     pub(super) fn phases(&self, Sample { u, v }: Sample) -> [u32; 2] {
-        let ([a, b], [m, n, ..]) = (self.origin, self.shifts());
-        [a.wrapping_add((u as u32) << m), b.wrapping_add((v as u32) << n)]
+        let ([a, b], [m, n]) = (self.origin, self.half_units);
+        [a.wrapping_add((u as u32).wrapping_mul(m << 1)), b.wrapping_add((v as u32).wrapping_mul(n << 1))]
     }
 
-    /// The line between two samples, 2^`bits` pixels from each other, from pixel `passed` on.
+    /// The sample at the end of a block of 2^`bits` pixels, and the block's line from pixel `passed` on, moved by half of its error: see
+    /// [`Curvature`].
     #[inline(always)]
-    pub(super) fn between<const N: usize>(
+    pub(super) fn line_to<const N: usize>(
         &self,
         left: Sample,
-        right: Sample,
+        behind: Planes,
         bits: i32,
         passed: i32,
-    ) -> Coordinates<N> {
-        let [m, n, ..] = self.shifts();
-        Coordinates::between([left.u, left.v], [right.u, right.v], self.origin, [m, n], bits, passed)
+    ) -> (Sample, Coordinates<N>) {
+        let Planes { q, s, t } = behind;
+        let r = reciprocal_of_positive(q);
+        let right = self.times(s, t, r);
+        let [q_step, ..] = &self.planes;
+        // (q₁ − q₀)/(8·q₁) in 2⁻²⁹. It wraps where |q₁ − q₀| > 8·q₁, but |Δ| is at most 8·ε/(r·(r − 1)) < ε/9 there: with any share below
+        // 2³⁰, the line moves by less than 2·ε/9, and is off by less than ε/3.
+        let change = (q_step.step() as i32) << (bits & 31); // no more than q changes over the triangle
+        let share = mul_high(change >> ROOM << (r.shift & 31), r.mantissa);
+        let twice = |d: i32| mul_high(d, share) << 4; // 2·h, to 16 units
+        let (du, dv) = (right.u - left.u, right.v - left.v);
+        let sum = [(left.u + right.u).wrapping_add(twice(du)), (left.v + right.v).wrapping_add(twice(dv))];
+        (right, Coordinates::through(sum, [du, dv], self.origin, self.half_units, bits, passed))
     }
 
-    /// For u and v, the binary logarithms of a [`Sample`]'s unit in 2⁻³² of the sides: [`LARGEST_BLOCK`] … 23, so that the steps over a
-    /// block are exact; and the right shifts from s/q and t/q in 2^([`ROOM`] − 29) to that unit: 0 … 23.
+    /// The coordinates of one pixel.
     #[inline(always)]
-    fn shifts(&self) -> [u32; 4] {
-        let Self { shifts, .. } = *self;
-        [shifts & 31, shifts >> 5 & 31, shifts >> 10 & 31, shifts >> 15 & 31]
+    pub(super) fn point<const N: usize>(&self, Sample { u, v }: Sample) -> Coordinates<N> {
+        Coordinates::through([u + u, v + v], [0; 2], self.origin, self.half_units, 1, 0)
     }
 }
 
@@ -393,7 +426,9 @@ fn is_linear_by_rows(planes: &[Gradient; 3], least_q: i32, size: &Size, curvatur
     }
     let has_room = (1 << 29) + (1 << 12) + over(s.max(t)) <= (least as u64) << ROOM;
     let curvature = curvature.of_row(top).max(curvature.of_row(bottom));
-    has_room && curvature + 2 * (log_of(2 * reach as u32) + ROUND_UP) <= 3 * log_of_2_31(least as u32)
+    // `curvature` is of half of that.
+    let error = curvature + 2 * (log_of(2 * reach as u32) + ROUND_UP) + (1 << 16);
+    has_room && error <= 3 * log_of_2_31(least as u32)
 }
 
 /// The planes of a triangle, set up from its farthest corner.

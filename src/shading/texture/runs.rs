@@ -3,6 +3,7 @@
 use super::gradients::Gradients;
 use super::line::{Coordinates, Line, LARGEST_BLOCK};
 use super::perspective::{Perspective, Planes, Sample};
+use crate::math::hints::keep_rolled;
 use crate::raster::{Gradient, Span};
 
 /// The runs of a span whose coordinates are linear: blocks of 2^[`LARGEST_BLOCK`] pixels, at multiples of it on the screen.
@@ -60,10 +61,10 @@ const fn block(x: i32, bits: i32) -> (i32, i32) {
 /// pixel shows the same texel however its row is cut into spans, by bands, by the depth buffer or by another target.
 pub(super) struct PerspectiveRuns<'g> {
     perspective: &'g Perspective,
-    /// In column 0.
-    row: Planes,
     x: i32,
     end: i32,
+    /// At `x`.
+    planes: Planes,
     /// The row's [curvature](super::perspective::Curvature::of_row).
     curvature: i32,
     /// The sample at `x`, if the last run ended there with one.
@@ -73,20 +74,29 @@ pub(super) struct PerspectiveRuns<'g> {
     reach: i32,
 }
 
+/// A block of 2^`bits` pixels, of which `passed` lie left of `x`, and where it ends.
+struct Block {
+    bits: i32,
+    passed: i32,
+    /// As in [`PerspectiveRuns`].
+    reach: i32,
+    behind: Planes,
+}
+
 /// No run was before.
-const BEGIN: i32 = i32::MIN;
+const BEGIN: i32 = 0;
 
 /// The last run had one pixel.
-const SINGLE: i32 = i32::MIN + 1;
+const SINGLE: i32 = -1;
 
 impl<'g> PerspectiveRuns<'g> {
     #[inline(always)]
     pub(super) fn new(perspective: &'g Perspective, Span { x, y, width, .. }: Span) -> Self {
         Self {
             perspective,
-            row: perspective.row(y),
             x,
             end: x + width, // inside the guard band
+            planes: perspective.beyond(perspective.row(y), x),
             curvature: perspective.curvature.of_row(y),
             left: Sample::ZERO,
             reach: BEGIN,
@@ -97,57 +107,73 @@ impl<'g> PerspectiveRuns<'g> {
     #[inline(never)] // its loop needs all registers
     fn run<const N: usize>(&mut self) -> Coordinates<N> {
         let Self { perspective, x, reach, .. } = *self;
-        let is_next = reach > SINGLE;
         // A block that began further left would have been the last run.
-        let mut bits = x.trailing_zeros() as i32;
-        if is_next {
-            bits = bits.min(reach);
-        } else {
-            // Coordinates with room at both ends of a block have room between them.
-            let (_, most) = self.at(x);
-            bits = if reach == BEGIN { most } else { most.min(bits) };
-        }
-        bits = bits.min(perspective.widest_block);
+        let bits = (x | perspective.widest_block).trailing_zeros() as i32;
+        let block = match reach > 0 {
+            true => self.block_from_here(bits.min(reach)),
+            false => self.block_around(if reach == BEGIN {
+                perspective.widest_block.trailing_zeros() as i32
+            } else {
+                bits
+            }),
+        };
+        let Some(Block { bits, passed, reach, behind }) = block else {
+            (self.x, self.planes, self.reach) = (x + 1, perspective.beyond(self.planes, 1), SINGLE);
+            return perspective.point(self.left);
+        };
+        let (right, line) = perspective.line_to(self.left, behind, bits, passed);
+        (self.planes, self.left) = (behind, right);
+        (self.x, self.reach) = (x + (1 << (bits & 31)) - passed, reach);
+        line
+    }
+
+    /// The largest block of at most 2^`bits` pixels that begins at `x`, where the last run ended.
+    #[inline(always)]
+    fn block_from_here(&self, mut bits: i32) -> Option<Block> {
+        let Self { perspective, planes, .. } = *self;
         while bits > 0 {
-            let (from, to) = block(x, bits);
-            let (behind, reach) = self.at(to);
-            if reach >= bits && self.may_begin(is_next, from, bits) {
-                let (left, right) = (self.left, perspective.divided(behind));
-                (self.x, self.reach, self.left) = (to, reach, right);
-                return perspective.between(left, right, bits, x - from);
+            let width = 1 << (bits & 31); // at most 64
+            let reach = self.reach_at(width);
+            if reach >= bits {
+                let behind = perspective.beyond(planes, width);
+                if behind.has_room() {
+                    return Some(Block { bits, passed: 0, reach, behind });
+                }
             }
             bits -= 1;
+            keep_rolled();
         }
-        if !is_next {
-            self.left = perspective.nearest(perspective.at(self.row, x));
-        }
-        (self.x, self.reach) = (x + 1, SINGLE);
-        perspective.between(self.left, self.left, 0, 0)
+        None
     }
 
-    /// The planes in a column, and the binary logarithm of the largest block that may begin or end there, as far as q there decides.
-    #[inline(never)]
-    fn at(&self, x: i32) -> (Planes, i32) {
-        let planes = self.perspective.at(self.row, x);
-        match planes.has_room() {
-            true => (planes, Perspective::largest_block(self.curvature, planes.q)),
-            false => (planes, 0),
+    /// The largest block of at most 2^`bits` pixels that has `x` in it. Computes the sample at its begin, or at `x` if there is none.
+    #[inline(always)]
+    fn block_around(&mut self, most: i32) -> Option<Block> {
+        let Self { perspective, x, planes, .. } = *self;
+        let (mut bits, falls) = (most.min(self.reach_at(0)), perspective.q_falls());
+        while bits > 0 {
+            let width = 1 << (bits & 31); // at most 64
+            let passed = x & (width - 1);
+            let (from, to) = (-passed, width - passed);
+            if self.reach_at(if falls { to } else { from }) >= bits {
+                let (first, behind) = (perspective.beyond(planes, from), perspective.beyond(planes, to));
+                // Coordinates with room at both ends of a block have room between them.
+                if first.has_room() && behind.has_room() {
+                    self.left = perspective.divided(first);
+                    return Some(Block { bits, passed, reach: self.reach_at(to), behind });
+                }
+            }
+            bits -= 1;
+            keep_rolled();
         }
+        self.left = perspective.nearest(planes);
+        None
     }
 
-    /// Whether a block may begin in column `from`, as far as q there decides: computes the sample there, unless it is that at the end
-    /// of the run before.
-    #[inline(never)]
-    fn may_begin(&mut self, is_next: bool, from: i32, bits: i32) -> bool {
-        if is_next {
-            return true;
-        }
-        let (first, reach) = self.at(from);
-        let may = reach >= bits;
-        if may {
-            self.left = self.perspective.divided(first);
-        }
-        may
+    /// The binary logarithm of the largest block that may begin or end `by` columns from `x`, as far as q there decides.
+    #[inline(always)]
+    fn reach_at(&self, by: i32) -> i32 {
+        Perspective::largest_block(self.curvature, self.perspective.q_beyond(self.planes, by))
     }
 
     /// The next run, its width and coordinates.

@@ -106,6 +106,7 @@ const fn coordinates<S: Texels>([u, v]: [u32; 2]) -> [u32; 2] {
 impl<S: Texels> SpanShader<S::Color> for Textured<S> {
     type Ink = S::Ink;
     type Setup = TextureGradients<S>;
+    const ONE_NUMBER: bool = !S::WIDE;
 
     #[inline(always)]
     fn set_up(&self, triangle: &Triangle<'_>) -> TextureGradients<S> {
