@@ -1,7 +1,9 @@
 //! Functions that write and read rows of pixels as displays take them: see [`Color`].
 
-use super::block_fill::fill;
+use super::block_fill::{fill, fill_words};
 use crate::color::Color;
+use crate::math::hints::keep_rolled;
+use bytemuck::pod_align_to_mut;
 
 /// Whether pixels are whole bytes, so that rows follow each other without gaps.
 pub(super) const fn is_whole_bytes<C: Color>() -> bool {
@@ -36,6 +38,30 @@ pub(super) fn fill_pixels<C: Color>(row: &mut [u8], from: usize, to: usize, colo
         24 => fill_cells(row, from, to, [a, b, c]),
         32 => fill_cells(row, from, to, bits.to_be_bytes()),
         _ => fill_packed::<C>(row, from, to, bits),
+    }
+}
+
+/// Fills bytes that hold whole pixels with one colour: words of four bytes where a pixel repeats in a word. Cells of bytes are not aligned,
+/// so that a Cortex-M0 stores them byte by byte: clearing the strips of a frame took 215 000 of the 1 853 000 instructions of S3 with
+/// depth in bands of 8 rows there, and takes 33 000 by words.
+#[inline(always)]
+pub(super) fn fill_all<C: Color>(bytes: &mut [u8], color: C) {
+    let bits = color.to_bits();
+    let word = match C::FORMAT.bits() {
+        8 => (bits & 0xff) * 0x0101_0101,
+        16 => (bits & 0xffff) * 0x0001_0001,
+        32 => bits,
+        _ => return fill_pixels(bytes, 0, bytes.len() / 3, color),
+    };
+    let (before, words, after) = pod_align_to_mut::<u8, u32>(bytes);
+    // The word that follows the bytes before it, at most three.
+    let next = word.rotate_left(8 * (before.len() as u32 & 3));
+    fill_words(words, next.to_be());
+    for (ends, word) in [(before, word), (after, next)] {
+        for (byte, value) in ends.iter_mut().zip(word.to_be_bytes()) {
+            keep_rolled();
+            *byte = value;
+        }
     }
 }
 
@@ -170,13 +196,18 @@ fn copy_cells<const N: usize>(row: &mut [u8], from: usize, to: usize, values: im
     }
 }
 
+/// The bits of a pixel of whole bytes, most significant byte first.
+#[inline(always)]
+pub(super) fn bits_of_bytes(pixel: &[u8]) -> u32 {
+    pixel.iter().fold(0, |bits, &byte| bits << 8 | u32::from(byte))
+}
+
 /// The colour of pixel `x` of a row, if the row has it.
 #[inline(always)]
 pub(super) fn get_pixel<C: Color>(row: &[u8], x: usize) -> Option<C> {
     let bytes = |n: usize| {
         let from = x.wrapping_mul(n);
-        let pixel = row.get(from..from.wrapping_add(n))?;
-        Some(pixel.iter().fold(0, |bits, &byte| bits << 8 | u32::from(byte)))
+        Some(bits_of_bytes(row.get(from..from.wrapping_add(n))?))
     };
     let bits = match C::FORMAT.bits() {
         8 => bytes(1)?,
@@ -255,6 +286,15 @@ mod tests {
         for (i, &color) in colors.iter().enumerate() {
             assert_eq!(C::from_bits(color.to_bits()), color);
             assert!(size == 32 || color.to_bits() < 1 << size, "{color:?}");
+            // All bytes at once, at every alignment and length of whole pixels.
+            for (from, pixels) in (0..4).flat_map(|from| (0..WIDTH).map(move |pixels| (from, pixels))) {
+                let (mut all, mut each) = ([0xa5; 4 * WIDTH], [0xa5; 4 * WIDTH]);
+                if is_whole_bytes::<C>() {
+                    fill_all(&mut all[from..from + pixels * size / 8], color);
+                    fill_pixels(&mut each[from..], 0, pixels, color);
+                }
+                assert_eq!(all, each);
+            }
             for from in 0..=WIDTH {
                 for to in from..=WIDTH {
                     // Before the call the row is neither all zeros nor all ones.
