@@ -229,14 +229,14 @@ fn in_bands(
         Kind::HiddenBands | Kind::FewHiddenBands => {
             bands::hidden(instance, [LINE, BACKGROUND], size, edge_bins, storage, send)
         }
-        Kind::SmoothBands => bands::depth(instance, smooth(&mesh, light), size, storage, send),
+        Kind::SmoothBands => bands::depth(instance, smooth(mesh, light), size, storage, send),
         Kind::DitheredBands => {
             bands::depth(instance, flat_dithered(mesh.normals(), light), size, storage, send)
         }
         Kind::SmoothDitheredBands => {
-            bands::depth(instance, |face| smooth(&mesh, light)(face).dithered(), size, storage, send)
+            bands::depth(instance, |face| smooth(mesh, light)(face).dithered(), size, storage, send)
         }
-        Kind::TexturedBands => bands::depth(instance, textured(&mesh, light)?, size, storage, send),
+        Kind::TexturedBands => bands::depth(instance, textured(mesh, light)?, size, storage, send),
         Kind::PlainBands => bands::solid(instance, flat, size, storage, send),
         Kind::PaintedBands => match is_small {
             true => painted_bands(instance, flat, size, storage.strip, &mut memory.small_painter),
