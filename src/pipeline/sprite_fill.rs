@@ -47,18 +47,16 @@ pub(super) fn fill<T: Surface, S: SpriteFor<T>, const DEPTH: bool>(
         return Ok(());
     }
     let (left, width) = (covered.left, covered.right - covered.left); // inside the guard band
-    let first = sprite.columns.walk(left);
-    let mut row = sprite.rows.walk(covered.top);
+    let (first, mut row) = (sprite.columns.walk(left), sprite.rows.walk(covered.top));
+    let texel_at = |column, row| source.texel_at(column, row);
+    let tested = depth.as_deref_mut().filter(|_| DEPTH);
+    if sprite_fill::sprite(&covered, [first, row], texel_at, sprite.depth, tested, target) {
+        return Ok(());
+    }
     for y in covered.rows() {
         let span = Span { x: left, y, width, height: 1 };
         let texels = TexelRow { source, row: row.texel(), first };
-        let depths = match &mut depth {
-            Some(depth) if DEPTH => depth.row(left, y, width).unwrap_or_default(),
-            _ => &mut [],
-        };
-        if !sprite_fill::row::<T, S::Ink, DEPTH>(span, texels.inks(first), sprite.depth, depths, target) {
-            fill_row::<T, S, DEPTH>(span, &texels, sprite.depth, &mut depth, target)?;
-        }
+        fill_row::<T, S, DEPTH>(span, &texels, sprite.depth, &mut depth, target)?;
         row.advance();
     }
     Ok(())
