@@ -4,7 +4,10 @@ use super::line::{Coordinates, LARGEST_BLOCK};
 use super::linear::range;
 use super::mapping::{FaceCoords, FRACTION};
 use crate::math::hints::opaque_next;
-use crate::math::num::{leading_zeros, mul_high, mul_wide, reciprocal_of_positive, Reciprocal};
+use crate::math::num::{
+    leading_zeros, mul_called, mul_high, mul_wide, reciprocal_called, reciprocal_of_positive, Reciprocal,
+    CORTEX_M0,
+};
 use crate::math::unrolled::{map2, map3};
 use crate::raster::{Gradient, GradientSetup, ScreenPoint, Triangle};
 use crate::shading::corner_values::inverse_w;
@@ -61,6 +64,12 @@ pub(super) struct Sample {
 }
 
 impl Sample {
+    /// The sum of this sample and itself.
+    #[inline(always)]
+    pub(super) fn twice(self) -> [i32; 2] {
+        [self.u + self.u, self.v + self.v]
+    }
+
     pub(super) const ZERO: Self = Self { u: 0, v: 0 };
 }
 
@@ -95,9 +104,22 @@ fn log_of(v: u32) -> i32 {
     log_of_2_31(v) + (31 << 16)
 }
 
-/// [`log_of`] `v ≥ 1` as a fraction of 2³¹.
+/// [`log_of`] `v ≥ 1` as a fraction of 2³¹. On a Cortex-M0 a call: code size.
 #[inline(always)]
 fn log_of_2_31(v: u32) -> i32 {
+    match CORTEX_M0 {
+        true => log_of_2_31_called(v),
+        false => log_of_2_31_inlined(v),
+    }
+}
+
+#[inline(never)]
+fn log_of_2_31_called(v: u32) -> i32 {
+    log_of_2_31_inlined(v)
+}
+
+#[inline(always)]
+fn log_of_2_31_inlined(v: u32) -> i32 {
     let zeros = leading_zeros(v);
     let fraction = (v << (zeros & 31)) << 1 >> 16; // without the leading bit
     fraction as i32 - (zeros << 16)
@@ -225,6 +247,12 @@ fn leading_zeros_64(v: u64) -> i32 {
     }
 }
 
+/// [`mul_high`] as a call on a Cortex-M0: code size.
+#[inline(always)]
+fn high(a: i32, b: i32) -> i32 {
+    (mul_called(a, b) >> 32) as i32 // fits, as that of `mul_high`
+}
+
 /// A [`Sample`] has room for s and t up to 2^`ROOM` times q.
 const ROOM: i32 = 3;
 
@@ -292,7 +320,7 @@ impl Perspective {
     pub(super) fn line(&self, y: i32) -> [[u32; 2]; 2] {
         let Self { curvature, anchor, steps, .. } = self;
         let Planes { q, s, t } = self.row(y);
-        let r = reciprocal_of_positive(q); // 1/q = mantissa · 2^(shift − 61)
+        let r = reciprocal_called(q); // 1/q = mantissa · 2^(shift − 61)
         let [u, v] = self.phases(self.times(s, t, r));
         let square = mul_high(r.mantissa, r.mantissa); // 1/q² = square · 2^(2·shift − 90)
         let ([k_s, k_t], [m, n]) = (curvature.k(y), *steps);
@@ -353,13 +381,13 @@ impl Perspective {
     /// s/q and t/q, where there is [room](Planes::has_room).
     #[inline(never)] // code size
     pub(super) fn divided(&self, Planes { q, s, t }: Planes) -> Sample {
-        self.times(s, t, reciprocal_of_positive(q))
+        self.times(s, t, reciprocal_called(q))
     }
 
     /// s and t times 1/q = mantissa · 2^(shift − 61).
     #[inline(always)]
     fn times(&self, s: i32, t: i32, r: Reciprocal) -> Sample {
-        let divided = |s: i32, down: u8| mul_high(s >> ROOM << (r.shift & 31), r.mantissa) >> (down & 31);
+        let divided = |s: i32, down: u8| high(s >> ROOM << (r.shift & 31), r.mantissa) >> (down & 31);
         let [u, v] = self.downs;
         Sample { u: divided(s, u), v: divided(t, v) }
     }
@@ -378,34 +406,34 @@ impl Perspective {
         [a.wrapping_add((u as u32).wrapping_mul(m << 1)), b.wrapping_add((v as u32).wrapping_mul(n << 1))]
     }
 
-    /// The sample at the end of a block of 2^`bits` pixels, and the block's line from pixel `passed` on, moved by half of its error: see
-    /// [`Curvature`].
+    /// The sample at the end of a block of 2^`bits` pixels, and for [`line_through`](Self::line_through) the sum of those at both ends,
+    /// moved by half of the line's error (see [`Curvature`]), and their difference.
     #[inline(always)]
-    pub(super) fn line_to<const N: usize>(
-        &self,
-        left: Sample,
-        behind: Planes,
-        bits: i32,
-        passed: i32,
-    ) -> (Sample, Coordinates<N>) {
+    pub(super) fn ends(&self, left: Sample, behind: Planes, bits: i32) -> (Sample, [i32; 2], [i32; 2]) {
         let Planes { q, s, t } = behind;
-        let r = reciprocal_of_positive(q);
+        let r = if CORTEX_M0 { reciprocal_called(q) } else { reciprocal_of_positive(q) };
         let right = self.times(s, t, r);
         let [q_step, ..] = &self.planes;
         // (q₁ − q₀)/(8·q₁) in 2⁻²⁹. It wraps where |q₁ − q₀| > 8·q₁, but |Δ| is at most 8·ε/(r·(r − 1)) < ε/9 there: with any share below
         // 2³⁰, the line moves by less than 2·ε/9, and is off by less than ε/3.
         let change = (q_step.step() as i32) << (bits & 31); // no more than q changes over the triangle
-        let share = mul_high(change >> ROOM << (r.shift & 31), r.mantissa);
-        let twice = |d: i32| mul_high(d, share) << 4; // 2·h, to 16 units
+        let share = high(change >> ROOM << (r.shift & 31), r.mantissa);
+        let twice = |d: i32| high(d, share) << 4; // 2·h, to 16 units
         let (du, dv) = (right.u - left.u, right.v - left.v);
         let sum = [(left.u + right.u).wrapping_add(twice(du)), (left.v + right.v).wrapping_add(twice(dv))];
-        (right, Coordinates::through(sum, [du, dv], self.origin, self.half_units, bits, passed))
+        (right, sum, [du, dv])
     }
 
-    /// The coordinates of one pixel.
+    /// The line over a block of 2^`bits` pixels from pixel `passed` on: see [`Coordinates::through`].
     #[inline(always)]
-    pub(super) fn point<const N: usize>(&self, Sample { u, v }: Sample) -> Coordinates<N> {
-        Coordinates::through([u + u, v + v], [0; 2], self.origin, self.half_units, 1, 0)
+    pub(super) fn line_through<const N: usize>(
+        &self,
+        sum: [i32; 2],
+        change: [i32; 2],
+        bits: i32,
+        passed: i32,
+    ) -> Coordinates<N> {
+        Coordinates::through(sum, change, self.origin, self.half_units, bits, passed)
     }
 }
 

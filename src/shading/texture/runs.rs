@@ -69,25 +69,21 @@ pub(super) struct PerspectiveRuns<'g> {
     curvature: i32,
     /// The sample at `x`, if the last run ended there with one.
     left: Sample,
-    /// The binary logarithm of the largest block that may begin at `x`, as far as q there decides; otherwise [`BEGIN`] or
-    /// [`SINGLE`].
-    reach: i32,
+    /// What the last run was.
+    last: i32,
 }
 
 /// A block of 2^`bits` pixels, of which `passed` lie left of `x`, and where it ends.
 struct Block {
     bits: i32,
     passed: i32,
-    /// As in [`PerspectiveRuns`].
-    reach: i32,
     behind: Planes,
 }
 
-/// No run was before.
+/// Values of [`PerspectiveRuns::last`]: no run was before, or it had one pixel, or it was a block.
 const BEGIN: i32 = 0;
-
-/// The last run had one pixel.
-const SINGLE: i32 = -1;
+const SINGLE: i32 = 1;
+const BLOCK: i32 = 2;
 
 impl<'g> PerspectiveRuns<'g> {
     #[inline(always)]
@@ -99,32 +95,29 @@ impl<'g> PerspectiveRuns<'g> {
             planes: perspective.beyond(perspective.row(y), x),
             curvature: perspective.curvature.of_row(y),
             left: Sample::ZERO,
-            reach: BEGIN,
+            last: BEGIN,
         }
     }
 
     /// The next run, up to the new `x` or the end.
     #[inline(never)] // its loop needs all registers
     fn run<const N: usize>(&mut self) -> Coordinates<N> {
-        let Self { perspective, x, reach, .. } = *self;
+        let Self { perspective, x, last, .. } = *self;
         // A block that began further left would have been the last run.
-        let bits = (x | perspective.widest_block).trailing_zeros() as i32;
-        let block = match reach > 0 {
-            true => self.block_from_here(bits.min(reach)),
-            false => self.block_around(if reach == BEGIN {
-                perspective.widest_block.trailing_zeros() as i32
-            } else {
-                bits
-            }),
-        };
-        let Some(Block { bits, passed, reach, behind }) = block else {
-            (self.x, self.planes, self.reach) = (x + 1, perspective.beyond(self.planes, 1), SINGLE);
-            return perspective.point(self.left);
-        };
-        let (right, line) = perspective.line_to(self.left, behind, bits, passed);
-        (self.planes, self.left) = (behind, right);
-        (self.x, self.reach) = (x + (1 << (bits & 31)) - passed, reach);
-        line
+        let aligned = if last == BEGIN { 0 } else { x };
+        let bits = (aligned | perspective.widest_block).trailing_zeros() as i32;
+        let bits = bits.min(self.reach_at(0));
+        let block = if last == BLOCK { self.block_from_here(bits) } else { self.block_around(bits) };
+        let (mut sum, mut change, mut line) = (self.left.twice(), [0; 2], (1, 0));
+        if let Some(Block { bits, passed, behind }) = block {
+            (self.x, self.planes, self.last) = (x + (1 << (bits & 31)) - passed, behind, BLOCK);
+            (self.left, sum, change) = perspective.ends(self.left, behind, bits);
+            line = (bits, passed);
+        } else {
+            (self.x, self.planes, self.last) = (x + 1, perspective.beyond(self.planes, 1), SINGLE);
+        }
+        let (bits, passed) = line;
+        perspective.line_through(sum, change, bits, passed)
     }
 
     /// The largest block of at most 2^`bits` pixels that begins at `x`, where the last run ended.
@@ -133,11 +126,10 @@ impl<'g> PerspectiveRuns<'g> {
         let Self { perspective, planes, .. } = *self;
         while bits > 0 {
             let width = 1 << (bits & 31); // at most 64
-            let reach = self.reach_at(width);
-            if reach >= bits {
+            if self.reach_at(width) >= bits {
                 let behind = perspective.beyond(planes, width);
                 if behind.has_room() {
-                    return Some(Block { bits, passed: 0, reach, behind });
+                    return Some(Block { bits, passed: 0, behind });
                 }
             }
             bits -= 1;
@@ -148,9 +140,9 @@ impl<'g> PerspectiveRuns<'g> {
 
     /// The largest block of at most 2^`bits` pixels that has `x` in it. Computes the sample at its begin, or at `x` if there is none.
     #[inline(always)]
-    fn block_around(&mut self, most: i32) -> Option<Block> {
+    fn block_around(&mut self, mut bits: i32) -> Option<Block> {
         let Self { perspective, x, planes, .. } = *self;
-        let (mut bits, falls) = (most.min(self.reach_at(0)), perspective.q_falls());
+        let falls = perspective.q_falls();
         while bits > 0 {
             let width = 1 << (bits & 31); // at most 64
             let passed = x & (width - 1);
@@ -160,7 +152,7 @@ impl<'g> PerspectiveRuns<'g> {
                 // Coordinates with room at both ends of a block have room between them.
                 if first.has_room() && behind.has_room() {
                     self.left = perspective.divided(first);
-                    return Some(Block { bits, passed, reach: self.reach_at(to), behind });
+                    return Some(Block { bits, passed, behind });
                 }
             }
             bits -= 1;
