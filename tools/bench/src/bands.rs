@@ -6,7 +6,12 @@ use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{color::Color, draw::BinnedEdges, prelude::*, shading::SpanShader};
+use pinhole::{
+    color::Color,
+    draw::{ActiveFace, BinnedEdges},
+    prelude::*,
+    shading::SpanShader,
+};
 
 /// Bytes of the colour strip, for bands of `rows` rows.
 pub const fn bytes(rows: u32) -> usize {
@@ -118,12 +123,33 @@ pub fn depth<S: SpanShader<Rgb565>>(
 /// A frame of a lit scene.
 pub type LitFrame = fn(&Scene, &Lambert, Storage<'_>, &mut Display) -> Option<()>;
 
-/// [`solid`], lit.
-pub fn lit_solid(scene: &Scene, light: &Lambert, storage: Storage<'_>, display: &mut Display) -> Option<()> {
-    solid(&scene.place(), scene.shade(light), area().size, storage, |band| display.take_bytes(band.bytes()))
+/// Defines a frame of a lit scene, with a list of active faces or without one.
+macro_rules! lit {
+    ($name:ident($($list:ident: $entry:ty)?), $transform:ident, $bin:ident, |$band:ident $(, $depth:ident)?| $target:expr) => {
+        pub fn $name(
+            scene: &Scene,
+            light: &Lambert,
+            Storage { corners, bin_storage, strip, depth: _depths }: Storage<'_>,
+            $($list: &mut [$entry],)?
+            display: &mut Display,
+        ) -> Option<()> {
+            let instance = scene.place();
+            let mut faces = instance.$transform(corners).$bin(bin_storage $(, $list)?).ok()?;
+            each_band(area().size, BACKGROUND, strip, |$band| {
+                $(let mut $depth = DepthBuffer::new($band.area(), _depths).ok()?;)?
+                let Ok(()) = faces.draw(scene.shade(light), $target);
+                display.take_bytes($band.bytes());
+                Some(())
+            })?;
+            black_box(faces.statistics());
+            Some(())
+        }
+    };
 }
 
-/// [`depth`], lit.
-pub fn lit_depth(scene: &Scene, light: &Lambert, storage: Storage<'_>, display: &mut Display) -> Option<()> {
-    depth(&scene.place(), scene.shade(light), area().size, storage, |band| display.take_bytes(band.bytes()))
-}
+lit!(lit_solid(), transform, bin_faces, |band| &mut band.pixels());
+lit!(lit_depth(), transform_depth, bin_faces, |band, depth| &mut band.pixels().depth_tested(&mut depth));
+lit!(lit_active(list: ActiveFace<Rgb565>), transform, bin_active_faces, |band| &mut band.pixels());
+lit!(lit_active_depth(list: ActiveFace<Rgb565, 3>), transform_depth, bin_active_faces, |band, depth| {
+    &mut band.pixels().depth_tested(&mut depth)
+});

@@ -10,6 +10,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{
     color::{Ink, StoredPixel, Writes},
+    draw::ActiveFace,
     mesh::Coordinate,
     prelude::*,
     shading::{SpanShader, Stroke},
@@ -247,6 +248,21 @@ where
             let Ok(()) = binned.draw(shade, &mut band.pixels().depth_tested(depth));
         });
         counted.push(binned.statistics());
+        // Lists of active faces without room, with too little, and with enough.
+        let length = [0, 1, 4, 300][(rows + counted[0].drawn) as usize % 4];
+        let (mut list, mut deep_list) = (vec![ActiveFace::EMPTY; length], vec![ActiveFace::EMPTY; length]);
+        let transformed = instance.transform(&mut short);
+        let mut active = transformed.bin_active_faces(&mut bins, &mut list).expect("room");
+        check(&solid, rows, "active", &mut |band, _| {
+            let Ok(()) = active.draw(shade, &mut band.pixels());
+        });
+        counted.push(active.statistics());
+        let transformed = instance.transform_depth(&mut cache);
+        let mut active = transformed.bin_active_faces(&mut bins, &mut deep_list).expect("room");
+        check(&deep, rows, "active, with depth", &mut |band, depth| {
+            let Ok(()) = active.draw(shade, &mut band.pixels().depth_tested(depth));
+        });
+        counted.push(active.statistics());
     }
     assert!(counted.iter().all(|statistics| *statistics == counted[0]), "{counted:?}");
     (Drawn { solid, deep, depths, painted }, counted[0])

@@ -10,7 +10,7 @@ mod sprites;
 mod textured;
 mod ways;
 
-pub use banded::Strip;
+pub use banded::{Listed, Strip};
 pub use memory::{Deep, Frame, Memory, Plain, Smooth};
 pub use screen::Screen;
 
@@ -26,7 +26,7 @@ use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::Rgb565;
 use memory::Depth;
 use pinhole::{
-    draw::{Faces, ShaderFor},
+    draw::{ActiveFace, Faces, ShaderFor},
     prelude::*,
     shading::{AntiAliased, Blended},
     target::Surface,
@@ -54,6 +54,9 @@ pub const ICO: usize = 2892;
 /// Bins: the visible faces or edges of each, with some to spare, and a bit for each that the mesh has.
 const CUBE_BINS: usize = 12 + 1;
 const TORUS_BINS: usize = 480 + 1000_usize.div_ceil(16);
+/// Links of all faces of the torus, and entries for those that continue in bands of 8 rows.
+const TORUS_LINKS: usize = 1000 + 1000_usize.div_ceil(16);
+const LIST: usize = 56;
 const ICO_BINS: usize = 1750 + 5780_usize.div_ceil(16);
 
 /// The torus with its edges alone, for wireframes, and from so near that parts of it lie behind the camera, and others beyond the
