@@ -249,16 +249,12 @@ where
         });
         counted.push(binned.statistics());
         // Lists of active faces without room, with too little, and with enough.
-        let length = [0, 1, 4, 300][(rows + counted[0].drawn) as usize % 4];
-        let (mut list, mut deep_list) = (vec![ActiveFace::EMPTY; length], vec![ActiveFace::EMPTY; length]);
-        let transformed = instance.transform(&mut short);
+        let mut list = vec![ActiveFace::EMPTY; [0, 1, 4, 300][(rows + counted[0].drawn) as usize % 4]];
+        let transformed = instance.transform_depth(&mut cache);
         let mut active = transformed.bin_active_faces(&mut bins, &mut list).expect("room");
         check(&solid, rows, "active", &mut |band, _| {
             let Ok(()) = active.draw(shade, &mut band.pixels());
         });
-        counted.push(active.statistics());
-        let transformed = instance.transform_depth(&mut cache);
-        let mut active = transformed.bin_active_faces(&mut bins, &mut deep_list).expect("room");
         check(&deep, rows, "active, with depth", &mut |band, depth| {
             let Ok(()) = active.draw(shade, &mut band.pixels().depth_tested(depth));
         });
