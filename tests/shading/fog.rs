@@ -543,6 +543,7 @@ fn every_shader_is_mixed_with_the_fog_at_its_pixels() {
         check(scene, &factors, &|face| Gouraud::lit(colors(face)[2], [256, 90, 180]).dithered());
         check(scene, &factors, &|face| shades.lit([256, 20 + face as u16, 180]));
         check(scene, &factors, &|face| Texture::new(Tiles).at(scene.uv[face]));
+        check(scene, &factors, &|face| Texture::new(Tiles).clamped_at(scene.uv[face]));
         check(scene, &factors, &|face| lit.at(scene.uv[face]).lit([256, 90, 180]));
     }
 }
@@ -580,8 +581,10 @@ fn fogged_faces_are_equal_by_every_draw_call() {
     let shade = |face: usize| {
         Fogged::new(Gouraud::new([Rgb888::RED, Rgb888::GREEN, Rgb888::new(0, 0, face as u8)]), &fog)
     };
+    let textured = |face: usize| Fogged::new(Texture::new(Tiles).at(scene.uv[face]), &fog);
     scene.place(&usual(), &mut |instance| {
         let (drawn, _) = by_every_call(instance, AREA, SKY, &[17, SIDE], &shade);
         assert!(drawn.solid.iter().filter(|&&pixel| pixel != SKY).count() > 5_000);
+        by_every_call(instance, AREA, SKY, &[17, SIDE], &textured);
     });
 }

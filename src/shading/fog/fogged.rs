@@ -15,7 +15,8 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 ///
 /// A face without fog is drawn by the wrapped shader alone. A face of one colour whose pixels have one level of fog is filled
 /// with one colour. A face of one colour in several levels, on a target whose pixels lie in memory, is filled level by level: a
-/// colour is mixed only where the level changes. For all other faces, each pixel is mixed.
+/// colour is mixed only where the level changes. For all other faces, each pixel is mixed; a texture that repeats is drawn there by runs of
+/// one level.
 ///
 /// **Draw calls** in one piece transform vertices with depth and clip at the far plane. In bands, bin faces of
 /// [`transform_depth`](crate::draw::MeshInstance::transform_depth); of `transform`, `cargo build` stops (`cargo check` does not). [`fill_triangle`](crate::draw::fill_triangle) has no depth: it
