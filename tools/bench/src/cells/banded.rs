@@ -4,10 +4,13 @@
 use super::{count, draw_faces, drawn, Counted, Memory, Plain};
 use crate::bands::{self, Storage};
 use crate::board::Clock;
+use crate::growth::cases::WHEEL;
 use crate::measure::Display;
-use crate::scene::{area, Model, Scene, BACKGROUND, LINE};
+use crate::scene::{area, Model, Scene, BACKGROUND, LINE, TORUS};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::pixelcolor::BinaryColor;
 use pinhole::prelude::*;
 
 /// Memory of a strip, of its depth if there is any, of a mesh's vertices and its binned faces or edges.
@@ -42,6 +45,27 @@ impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: 
         count_bands(&mut |display| {
             bands::wireframe(&black_box(&scene).place(), area().size, self.storage(), |edges, band| {
                 let Ok(()) = edges.draw(LINE, &mut band.pixels());
+                display.take_bytes(band.bytes());
+            })
+        })
+    }
+}
+
+/// Memory of a wheel of 144 vertices, 288 faces and 432 edges, and of a strip of 16 rows of one bit.
+pub struct Wheel(MeshBuffers<144, { 288 + 18 }, { 432 + 27 }>, StripBuffers<{ 16 * 16 }, { 128 * 16 }>);
+
+impl Wheel {
+    pub const NEW: Self = Self(MeshBuffers::new(), StripBuffers::new());
+
+    /// The edges that no face hides, on a display of 128 × 64 pixels of one bit, turned as S3.
+    pub(super) fn hidden(&mut self) -> Option<Counted> {
+        let (mesh, size) = (WHEEL.with_edge_faces(1)?, Size::new(128, 64));
+        let scene = Scene::viewed(mesh, black_box(&TORUS).axes, [0, 0, 222_822], size)?;
+        count_bands(&mut |display| {
+            let Self(MeshBuffers { cache, bins, edge_bins }, StripBuffers { colors, depths }) = self;
+            let storage = Storage { corners: cache, bin_storage: bins, strip: colors, depth: depths };
+            let colors = [BinaryColor::On, BinaryColor::Off];
+            bands::hidden(&black_box(&scene).place(), colors, size, edge_bins, storage, |band| {
                 display.take_bytes(band.bytes());
             })
         })
