@@ -6,9 +6,9 @@ use super::drawable::StrokeFor;
 use crate::camera::UnpackedVertex;
 use crate::color::StoredPixel;
 use crate::fast::anti_aliased_line::anti_aliased_line;
-use crate::math::hints::{keep_rolled, opaque_next};
+use crate::math::hints::keep_rolled;
 use crate::raster::{
-    rest, weighted_area, Column, LineArea, LineCoverage, LineDepth, LineEnds, Pixel, Scissor,
+    rest, share, weighted_area, Column, LineArea, LineCoverage, LineDepth, LineEnds, Pixel, Scissor,
 };
 use crate::surface::{DepthBuffer, Memory, Surface};
 
@@ -129,16 +129,16 @@ fn mix_columns<const UNROLLED: bool, T: Surface, K: StrokeFor<T>, D: Copy>(
     let [tall, wide] = [line.tall, !line.tall].map(i32::from);
     for Column { column, first, areas } in line.columns(area) {
         let own = depth(column);
-        let mut pixel = 0;
-        while let Some(&area) = areas.get(pixel) {
-            let at = [column, first + pixel as i32];
-            let row = if line.rises { !at[1] } else { at[1] };
+        for (at, area) in (first..).zip(areas) {
+            if !UNROLLED {
+                keep_rolled();
+            }
+            if share(area, K::SHARE_BITS) == 0 {
+                continue;
+            }
+            let weight = ends.map_or(LineEnds::ALL, |ends| ends.weight([column, at]));
+            let row = if line.rises { !at } else { at };
             let (x, y) = (column * wide + row * tall, column * tall + row * wide);
-            let is_covered = rest(area, K::SHARE_BITS) != 1 << K::SHARE_BITS;
-            let weight = match ends {
-                Some(ends) if is_covered => ends.weight(at),
-                _ => LineEnds::ALL * i32::from(is_covered),
-            };
             if weight != 0
                 && scissor.rows().contains(&y)
                 && scissor.columns().contains(&x)
@@ -155,7 +155,6 @@ fn mix_columns<const UNROLLED: bool, T: Surface, K: StrokeFor<T>, D: Copy>(
                     *cell = mix(below, rest(share, K::SHARE_BITS)).stored();
                 }
             }
-            pixel = if UNROLLED { pixel + 1 } else { opaque_next(pixel) };
         }
     }
 }

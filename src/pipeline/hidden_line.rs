@@ -120,9 +120,11 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<(), T::Error> {
+        let line_depth = line_depth(ends);
         let mut planes = None; // found at the first pixel that lies behind the stored depth
         let mut is_surface = |stored, x, y| {
-            let planes = planes.get_or_insert_with(|| self.planes_beside(edge, ends, &region.viewport));
+            let planes =
+                planes.get_or_insert_with(|| self.planes_beside(edge, ends, &line_depth, &region.viewport));
             planes.are_in_front(stored, x, y)
         };
         if <K::Access as Access>::READS {
@@ -139,45 +141,56 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
             );
             return Ok(());
         }
-        draw_visible(ends, false, &mut is_surface, stroke.color(), &region.scissor, depth, target)
+        draw_visible(
+            ends,
+            &line_depth,
+            false,
+            &mut is_surface,
+            stroke.color(),
+            &region.scissor,
+            depth,
+            target,
+        )
     }
 
     /// The planes of the drawn faces beside an edge.
     #[inline(never)] // its stack frame is gone when it returns
-    fn planes_beside(&self, edge: usize, ends: &[UnpackedVertex; 2], viewport: &Scissor) -> EdgePlanes {
-        let mut planes = EdgePlanes::new(ends.map(|end| end.point), ends.map(|end| end.depth));
+    fn planes_beside(
+        &self,
+        edge: usize,
+        ends: &[UnpackedVertex; 2],
+        line_depth: &LineDepth,
+        viewport: &Scissor,
+    ) -> EdgePlanes {
+        let mut planes = EdgePlanes::new(ends.map(|end| end.point), ends.map(|end| end.depth), line_depth);
         let mesh = self.instance.mesh();
+        let Some(edge_ends) = mesh.edges.get(edge) else { return planes };
+        let are_on_screen = edge_ends.iter().all(|&index| self.screen_vertex(index).is_on_screen());
         for at in 0..mesh.candidates_beside(edge) {
-            if let (Some(face), Some(edge)) = (mesh.face_beside(edge, at), mesh.edges.get(edge)) {
-                if let Some(corners) = self.uncached_corners(face) {
-                    self.add_plane(edge, face, &corners, &mut planes);
-                } else if V::CLIPS {
-                    self.add_plane_of_clipped(face, viewport, &mut planes);
+            let Some(face) = mesh.face_beside(edge, at) else { continue };
+            match third_corner(edge_ends, face) {
+                Some((index, is_along)) if are_on_screen => {
+                    let corner = self.screen_vertex(index);
+                    if corner.is_on_screen() {
+                        self.add_plane(corner, is_along, &mut planes);
+                        continue;
+                    }
                 }
+                // A face without area, or one that is not beside the edge.
+                None if self.uncached_corners(face).is_some() => continue,
+                _ => {}
+            }
+            if V::CLIPS {
+                self.add_plane_of_clipped(face, viewport, &mut planes);
             }
         }
         planes
     }
 
-    /// Adds the plane of a face on the screen, if it is drawn.
-    fn add_plane(
-        &self,
-        [from, to]: &[u16; 2],
-        face: &[u16; 3],
-        corners: &[ScreenVertex; 3],
-        planes: &mut EdgePlanes,
-    ) {
-        let [a, b, c] = face;
-        // The corner that is not an end of the edge, and whether the face has the edge from its first to its second end.
-        let [u, v, w] = corners;
-        let is_end = |index: &u16| index == from || index == to;
-        let (corner, is_along) = match [a, b, c].map(is_end) {
-            [true, true, false] => (w, a == from),
-            [false, true, true] => (u, b == from),
-            [true, false, true] => (v, c == from),
-            _ => return, // without area
-        };
-        let corner = self.instance.vertex_transform().unpack::<DEPTH>(*corner);
+    /// Adds the plane of a face on the screen, if it is drawn, by its corner that is not an end of the edge.
+    #[inline(always)]
+    fn add_plane(&self, corner: ScreenVertex, is_along: bool, planes: &mut EdgePlanes) {
+        let corner = self.instance.vertex_transform().unpack::<DEPTH>(corner);
         let side = planes.side(corner.point);
         let area = if is_along { side } else { -side };
         if self.instance.cull().facing(area) == Facing::Drawn {
@@ -211,6 +224,25 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     }
 }
 
+/// The corner of a face that is not an end of an edge, and whether the face has the edge from its first to its second end. `None` if
+/// the face has not both ends, or has no area.
+#[inline(always)]
+fn third_corner([from, to]: &[u16; 2], [a, b, c]: &[u16; 3]) -> Option<(u16, bool)> {
+    let is_end = |index: &u16| index == from || index == to;
+    match [a, b, c].map(is_end) {
+        [true, true, false] => Some((*c, a == from)),
+        [false, true, true] => Some((*a, b == from)),
+        [true, false, true] => Some((*b, c == from)),
+        _ => None,
+    }
+}
+
+/// Depth along an edge.
+#[inline(always)]
+fn line_depth(ends: &[UnpackedVertex; 2]) -> LineDepth {
+    LineDepth::new(ends.map(|end| end.point), ends.map(|end| end.depth))
+}
+
 /// Draws the pixels of a line that are as near as the depth buffer or nearer, and stores their depth.
 #[inline(always)]
 pub(super) fn draw_nearer<T: Surface, K: StrokeFor<T>>(
@@ -234,14 +266,16 @@ pub(super) fn draw_nearer<T: Surface, K: StrokeFor<T>>(
         );
         return Ok(());
     }
-    draw_visible(ends, true, &mut |_, _, _| false, stroke.color(), scissor, depth, target)
+    draw_visible(ends, &line_depth(ends), true, &mut |_, _, _| false, stroke.color(), scissor, depth, target)
 }
 
 /// Draws the pixels of a line that are as near as the depth buffer or nearer, or for which `is_drawn_over` is true, given the
 /// stored depth and the pixel. `stores`: the depth of drawn pixels is stored.
 #[inline(never)] // one copy for both callers; `is_drawn_over` is called only where the line lies behind the stored depth
+#[allow(clippy::too_many_arguments)]
 fn draw_visible<T: Surface>(
     ends: &[UnpackedVertex; 2],
+    line_depth: &LineDepth,
     stores: bool,
     is_drawn_over: &mut dyn FnMut(u16, i32, i32) -> bool,
     color: T::Color,
@@ -249,7 +283,6 @@ fn draw_visible<T: Surface>(
     depth: &mut DepthBuffer<'_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let line_depth = LineDepth::new(ends.map(|end| end.point), ends.map(|end| end.depth));
     let [from, to] = ends.map(|end| end.point.pixel());
     raster::line(from, to, scissor, |span| {
         let is_visible = |x, y, stored: &mut u16| {

@@ -40,10 +40,10 @@ struct Plane {
 }
 
 impl EdgePlanes {
-    /// An edge without faces, with the depths of its ends in 16.8.
-    pub(crate) fn new(ends: [ScreenPoint; 2], depths: [i32; 2]) -> Self {
+    /// An edge without faces, with the depths of its ends in 16.8 and the depth along the line between them.
+    pub(crate) fn new(ends: [ScreenPoint; 2], depths: [i32; 2], line: &LineDepth) -> Self {
         let ([from, to], [first, last]) = (ends, depths);
-        let (tall, step) = LineDepth::new(ends, depths).step();
+        let (tall, step) = line.step();
         // An edge in one pixel has the depth of its nearer end everywhere, as `LineDepth` has it.
         let depth = if step == 0 { first.min(last) } else { first };
         let margin = 4 * (to.x - from.x).abs().max((to.y - from.y).abs()); // at most 2²⁴
@@ -133,7 +133,8 @@ mod tests {
             if length.abs() < 1024 {
                 continue; // depth may change by more than half of its range within a pixel
             }
-            let mut planes = EdgePlanes::new([from, to], [depths[0], depths[1]]);
+            let (ends, depths_of_ends) = ([from, to], [depths[0], depths[1]]);
+            let mut planes = EdgePlanes::new(ends, depths_of_ends, &LineDepth::new(ends, depths_of_ends));
             let side = planes.side(corner);
             planes.add(corner, depths[2], side);
             // A pixel on the line, within 1.7 pixels along the minor axis.
@@ -196,7 +197,7 @@ mod tests {
             let (faces, stored) = ([face(), face(), face()], random.below(12_000) as u16);
             let ends = ([point(-20, 0), point(20, 0)], [1_500_000; 2]);
             let of = |faces: &[(ScreenPoint, i32)]| {
-                let mut planes = EdgePlanes::new(ends.0, ends.1);
+                let mut planes = EdgePlanes::new(ends.0, ends.1, &LineDepth::new(ends.0, ends.1));
                 for &(corner, depth) in faces {
                     let side = planes.side(corner);
                     planes.add(corner, depth, side);

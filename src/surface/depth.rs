@@ -166,7 +166,11 @@ impl<'a> DepthBuffer<'a> {
     ) -> Result<(), E> {
         let tall = span.height > 1;
         let length = span.width.max(span.height); // the other is 1
-        let left = self.area.top_left.x;
+        let Rectangle { top_left, size } = self.area;
+        // No operation wraps for a pixel of the area.
+        let row = (span.y.wrapping_sub(top_left.y) as usize).wrapping_mul(size.width as usize);
+        let mut index = row.wrapping_add(span.x.wrapping_sub(top_left.x) as usize);
+        let step = if tall { size.width as usize } else { 1 };
         let mut run = |first: i32, end: i32| {
             let (by, length) = (first, end - first);
             match (length > 0, tall) {
@@ -178,15 +182,11 @@ impl<'a> DepthBuffer<'a> {
         let mut first = 0;
         for i in 0..length {
             let (x, y) = if tall { (span.x, span.y + i) } else { (span.x + i, span.y) };
-            let column = x.wrapping_sub(left) as usize;
-            let stored = self
-                .row_range(y)
-                .and_then(|row| self.values.get_mut(row))
-                .and_then(|row| row.get_mut(column));
-            if !stored.is_some_and(|stored| is_seen(x, y, stored)) {
+            if !self.values.get_mut(index).is_some_and(|stored| is_seen(x, y, stored)) {
                 run(first, i)?;
                 first = i + 1;
             }
+            index = index.wrapping_add(step);
         }
         run(first, length)
     }

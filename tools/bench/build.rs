@@ -31,9 +31,6 @@ struct Model {
     distance: f64,
 }
 
-/// Of groups of cells: scene, variant, memory and drawing, as Rust has them.
-type Cells = BTreeMap<String, Vec<[String; 4]>>;
-
 #[derive(Deserialize)]
 struct Growth {
     /// Name, kind, and one or two numbers of parts.
@@ -64,11 +61,12 @@ fn read<T: serde::de::DeserializeOwned>(file: &str) -> Result<T> {
     Ok(serde_json::from_str(&std::fs::read_to_string(file)?)?)
 }
 
-fn cells(cells: &Cells) -> String {
+/// Of groups of cells: scene, variant, memory and drawing, as Rust has them.
+fn cells(groups: &BTreeMap<String, Vec<[String; 4]>>) -> String {
     let row = |[scene, variant, memory, draw]: &[String; 4]| {
         format!("{scene:?} {variant:?}: {memory}, |m| {draw};\n")
     };
-    let rows: String = cells.values().flatten().map(row).collect();
+    let rows: String = groups.values().flatten().map(row).collect();
     format!("cells! {{ {rows} }}")
 }
 
@@ -114,7 +112,7 @@ fn shapes(scenes: &Scenes, growth: &Growth) -> Result<String> {
     let mut add = |name: &str, vertices: &[[f64; 3]], edges: &[[u16; 2]], faces: &[[u16; 3]]| -> Result<()> {
         let (k, vertices) = quantised(vertices)?;
         let (normals, beside) = (normals(&vertices, faces), beside(edges, faces));
-        write!(text, "static {name}: Shape = Shape {{ exponent: -{k}, vertices: &{vertices:?}, ")?;
+        write!(text, "pub(crate) static {name}: Shape = Shape {{ exponent: -{k}, vertices: &{vertices:?}, ")?;
         write!(text, "faces: &{faces:?}, normals: &{normals:?}, ")?;
         Ok(writeln!(text, "edges: &{edges:?}, beside: &{beside:?} }};")?)
     };
@@ -158,23 +156,33 @@ fn lists(scenes: &Scenes) -> Result<String> {
     let torus = scenes.models.get("torus").ok_or("no torus")?;
     let normals = torus.vertices.iter().map(|&vertex| torus_normal(vertex).map(unit));
     let normals: Vec<[i16; 3]> = normals.collect::<Result<_>>()?;
-    let tenth: Vec<_> = quantised(&torus.vertices)?.1.into_iter().step_by(10).collect();
+    let (_, vertices) = quantised(&torus.vertices)?;
+    let tenth: Vec<_> = vertices.iter().step_by(10).collect();
+    // 173 has no factor of their number: each vertex comes once at most, near ones after far ones and before them.
+    let scattered: Vec<_> = (0..200).map(|i| vertices[173 * i % vertices.len()]).collect();
     // A picture of 64 × 64 texels once round 25 rings of 20 vertices, in 1/16 texel.
     let uv = meshes::quads(25, 20, |i, j| [1024 * u32::from(i) / 25, 1024 * u32::from(j) / 20]);
     let corners: Vec<_> = scenes.tris2d.iter().map(|t| &t[..6]).collect();
     let colours: Vec<_> = scenes.tris2d.iter().map(|t| t[6]).collect();
-    let is_in_disc = |[x, y]: [usize; 2]| x.abs_diff(15).pow(2) + y.abs_diff(15).pow(2) < 15 * 15;
+    // In halves of a texel from the middle.
+    let is_in = |x: usize, y: usize, end: usize| {
+        (2 * x).abs_diff(end).pow(2) + (2 * y).abs_diff(end).pow(2) < end * end
+    };
     Ok([
         format!("pub static SCREEN: [i16; 6] = {:?};\n", scenes.full_screen_triangle),
         list("TORUS_NORMALS", "[i16; 3]", &normals),
         list("TORUS_EDGES", "[u16; 2]", &edges_of(&torus.faces)),
         list("TORUS_UV", "[[i16; 2]; 3]", &uv),
         list("POINTS", "[i16; 3]", &tenth),
+        list("MANY_POINTS", "[i16; 3]", &scattered),
         list("LINES", "[i16; 4]", &scenes.lines),
         list("TRIANGLES", "[i16; 6]", &corners),
         list("COLOURS", "u16", &colours),
+        list("TEXELS", "u8", &(0..64 * 64).map(|at| (at % 64 + 3 * (at / 64)) as u8).collect::<Vec<_>>()),
+        picture("PALETTE", 16, |x, y| [2 * y + x / 8, 4 * y + x / 4, 31 - 2 * y - x / 8]),
         picture("PICTURE", 64, |x, y| [x / 2, y, 31 - (x + y) / 4]),
-        picture("DISC", 16, |x, y| if is_in_disc([2 * x, 2 * y]) { [31, 2 * y, 2 * x] } else { [31, 0, 31] }),
+        picture("DISC", 16, |x, y| if is_in(x, y, 15) { [31, 2 * y, 2 * x] } else { [31, 0, 31] }),
+        picture("SMALL_DISC", 8, |x, y| if is_in(x, y, 7) { [31, 8 * y + x, 3] } else { [31, 0, 31] }),
     ]
     .concat())
 }
@@ -189,8 +197,8 @@ fn picture(name: &str, side: usize, texel: impl Fn(usize, usize) -> [usize; 3]) 
         let [red, green, blue] = texel(x, y);
         format!("Rgb565::new({red}, {green}, {blue})")
     };
-    let row = |y: usize| (0..side).map(|x| texel(x, y)).collect::<Vec<_>>().join(", ");
-    let rows: Vec<_> = (0..side).map(row).collect();
+    let rows: Vec<_> =
+        (0..side).map(|y| (0..side).map(|x| texel(x, y)).collect::<Vec<_>>().join(", ")).collect();
     format!("pub static {name}: [[Rgb565; {side}]; {side}] = [[{}]];\n", rows.join("], ["))
 }
 

@@ -37,14 +37,19 @@ macro_rules! image {
 }
 
 /// The cube, and one twice as large about the same centre: the near planes of [`Turntable`]'s camera and of
-/// [`Scene`](crate::scene::Scene)'s cut it where it shows, and both eyes are outside of it. The compiler does not know how many
-/// there are: it makes the code of a frame once.
+/// [`Scene`](crate::scene::Scene)'s cut it where it shows, and both eyes are outside of it.
+const CUBES: [Model; 2] = {
+    let Model { mesh: cube, axes, distance } = CUBE;
+    let Ok(mesh) = Mesh::new(cube.vertices(), cube.exponent() + 1, cube.faces()) else { panic!("faces") };
+    let Ok(mesh) = mesh.with_normals(cube.normals()) else { panic!("normals") };
+    let Ok(mesh) = mesh.with_edges(cube.edges()) else { panic!("edges") };
+    [Model { mesh: cube, axes, distance }, Model { mesh, axes, distance: 3 << 16 }]
+};
+
+/// Both cubes. The compiler does not know how many there are: it makes the code of a frame once.
 pub fn cubes() -> &'static [Model] {
-    static CUBES: [Model; 2] = {
-        let Model { mesh, axes, distance } = CUBE;
-        [Model { mesh, axes, distance }, large()]
-    };
-    black_box(CUBES.as_slice())
+    static BOTH: [Model; 2] = CUBES;
+    black_box(BOTH.as_slice())
 }
 
 /// [`cubes`] with the faces beside their edges.
@@ -53,24 +58,12 @@ pub fn cubes_with_edge_faces() -> &'static [Model] {
         let Some(edges) = CUBE.mesh.edges().first_chunk::<EDGES>() else { panic!("edges") };
         edge_faces(edges, CUBE.mesh.faces())
     };
-    const fn with(model: Model) -> Model {
-        let Ok(mesh) = model.mesh.with_edge_faces(&BESIDE) else { panic!("faces beside edges") };
-        Model { mesh, axes: model.axes, distance: model.distance }
+    const fn with(Model { mesh, axes, distance }: &Model) -> Model {
+        let Ok(mesh) = mesh.with_edge_faces(&BESIDE) else { panic!("faces beside edges") };
+        Model { mesh, axes: *axes, distance: *distance }
     }
-    static CUBES: [Model; 2] = {
-        let Model { mesh, axes, distance } = CUBE;
-        [with(Model { mesh, axes, distance }), with(large())]
-    };
-    black_box(CUBES.as_slice())
-}
-
-/// At compile time: the cube that is cut.
-const fn large() -> Model {
-    let Model { mesh: cube, axes, .. } = CUBE;
-    let Ok(large) = Mesh::new(cube.vertices(), cube.exponent() + 1, cube.faces()) else { panic!("faces") };
-    let Ok(large) = large.with_normals(cube.normals()) else { panic!("normals") };
-    let Ok(mesh) = large.with_edges(cube.edges()) else { panic!("edges") };
-    Model { mesh, axes, distance: 3 << 16 }
+    static BOTH: [Model; 2] = [with(&CUBES[0]), with(&CUBES[1])];
+    black_box(BOTH.as_slice())
 }
 
 /// What the book's chapter on budgets says that they take of a frame; on a Cortex-M0 a mesh takes more.

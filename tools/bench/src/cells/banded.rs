@@ -4,11 +4,13 @@
 use super::{count, draw_faces, drawn, Counted, Memory, Plain, LIST, TORUS, TORUS_LINKS};
 use crate::bands::{self, Storage};
 use crate::board::Clock;
+use crate::growth::cases::WHEEL;
 use crate::measure::Display;
 use crate::scene::{self, area, Model, Scene, BACKGROUND, LINE};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::pixelcolor::Rgb565;
+use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::pixelcolor::{BinaryColor, Rgb565};
 use pinhole::draw::ActiveFace;
 use pinhole::prelude::*;
 
@@ -71,6 +73,27 @@ impl<E, const BYTES: usize, const DEPTHS: usize> Listed<E, BYTES, DEPTHS> {
         let (Self(strip, list), scene) = (self, Scene::new(&scene::TORUS)?);
         let light = scene.light()?;
         count_bands(&mut |to| draw(black_box(&scene), black_box(&light), strip.storage(), list, to))
+    }
+}
+
+/// Memory of a wheel of 144 vertices, 288 faces and 432 edges, and of a strip of 16 rows of one bit.
+pub struct Wheel(MeshBuffers<144, { 288 + 18 }, { 432 + 27 }>, StripBuffers<{ 16 * 16 }, { 128 * 16 }>);
+
+impl Wheel {
+    pub const NEW: Self = Self(MeshBuffers::new(), StripBuffers::new());
+
+    /// The edges that no face hides, on a display of 128 × 64 pixels of one bit, turned as S3.
+    pub(super) fn hidden(&mut self) -> Option<Counted> {
+        let (mesh, size) = (WHEEL.with_edge_faces(1)?, Size::new(128, 64));
+        let scene = Scene::viewed(mesh, black_box(&scene::TORUS).axes, [0, 0, 222_822], size)?;
+        count_bands(&mut |display| {
+            let Self(MeshBuffers { cache, bins, edge_bins }, StripBuffers { colors, depths }) = self;
+            let storage = Storage { corners: cache, bin_storage: bins, strip: colors, depth: depths };
+            let colors = [BinaryColor::On, BinaryColor::Off];
+            bands::hidden(&black_box(&scene).place(), colors, size, edge_bins, storage, |band| {
+                display.take_bytes(band.bytes());
+            })
+        })
     }
 }
 

@@ -10,14 +10,14 @@ mod sprites;
 mod textured;
 mod ways;
 
-pub use banded::{Listed, Strip};
+pub use banded::{Listed, Strip, Wheel};
 pub use memory::{Deep, Frame, Memory, Plain, Smooth};
 pub use screen::Screen;
 
 use crate::bands::{bytes, pixels};
 use crate::board::{println, Clock};
 use crate::is_equal;
-use crate::lists::{COLOURS, LINES, SCREEN, TORUS_EDGES, TRIANGLES};
+use crate::lists::{self, COLOURS, LINES, SCREEN, TORUS_EDGES, TRIANGLES};
 use crate::scene::{self, Model, BACKGROUND, LINE};
 use core::convert::Infallible;
 use core::hint::black_box;
@@ -46,7 +46,7 @@ pub struct Counted {
     pub crc: u32,
 }
 
-/// The most vertices of a scene: of the cube, of the torus and of the icosphere.
+/// The vertices of the cube, of the torus, of the icosphere.
 pub const CUBE: usize = 8;
 pub const TORUS: usize = 500;
 pub const ICO: usize = 2892;

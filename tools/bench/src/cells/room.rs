@@ -19,11 +19,10 @@ pub(super) type Memory<const DEPTH_ROWS: usize> = super::Memory<112, DEPTH_ROWS,
 
 /// Near the corner at the origin, looking along the room.
 const VIEW: View = View {
-    eye: [85_197, 65_536, -58_982],
     ahead: [301_466, 52_429, -524_288],
     degrees: 75,
     range: [6_554, 30 << 16],
-    size: Size::new(COLUMNS as u32, ROWS as u32),
+    ..View::new([85_197, 65_536, -58_982], Size::new(COLUMNS as u32, ROWS as u32))
 };
 /// The farthest corner has a distance of 10.
 const FOG: [i32; 2] = [1, 9];

@@ -40,13 +40,8 @@ pub(super) static X4: Floor = quad(
 );
 
 /// An eye at the origin, which looks along −z.
-pub(super) const FLOOR_VIEW: View = View {
-    eye: [0; 3],
-    ahead: [0, 0, -1 << 16],
-    degrees: 60,
-    range: [1 << 15, 2000 << 16],
-    size: area().size,
-};
+pub(super) const FLOOR_VIEW: View =
+    View { ahead: [0, 0, -1 << 16], range: [1 << 15, 2000 << 16], ..View::new([0; 3], area().size) };
 
 #[inline(always)]
 pub(super) fn floor(

@@ -4,7 +4,7 @@ use super::{Kind, SMALL};
 use pinhole::{draw::Cull, Mesh};
 
 /// A mesh of 10 to 20 000 triangles, which `build.rs` makes; it is not checked yet: the compiler would take long.
-pub(super) struct Shape {
+pub(crate) struct Shape {
     exponent: i8,
     vertices: &'static [[i16; 3]],
     faces: &'static [[u16; 3]],
@@ -21,7 +21,7 @@ impl Shape {
     }
 
     /// With the first part of the edges, one of every `one_of`, and the faces beside them.
-    fn with_edge_faces(&self, one_of: usize) -> Option<Mesh<'static>> {
+    pub(crate) fn with_edge_faces(&self, one_of: usize) -> Option<Mesh<'static>> {
         let count = self.edges.len() / one_of.max(1);
         let mesh = self.mesh()?.with_edges(self.edges.get(..count)?).ok()?;
         mesh.with_edge_faces(self.beside.get(..count)?).ok()

@@ -1,7 +1,7 @@
 //! How a frame's instructions grow with vertices, triangles, pixels and bands: cases that have more of one and less of
 //! another. The firmware counts them; the host draws them too, and says what there was to do.
 
-mod cases;
+pub(crate) mod cases;
 mod texture;
 #[cfg(feature = "report")]
 mod work;

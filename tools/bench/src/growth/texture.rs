@@ -1,5 +1,6 @@
 //! A picture on faces that have no texture coordinates, as the planner lays it on.
 
+use crate::lists::{PALETTE, TEXELS};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::{
     prelude::*,
@@ -8,24 +9,6 @@ use pinhole::{
 
 /// A side of the picture, in texels.
 const SIDE: usize = 64;
-static TEXELS: [u8; SIDE * SIDE] = {
-    let mut texels = [0; SIDE * SIDE];
-    let mut at = 0;
-    while at < SIDE * SIDE {
-        texels[at] = (at % SIDE + 3 * (at / SIDE)) as u8; // modulo 256, the number of colours
-        at += 1;
-    }
-    texels
-};
-static PALETTE: [Rgb565; 256] = {
-    let mut palette = [Rgb565::new(0, 0, 0); 256];
-    let mut at = 0;
-    while at < 256 {
-        palette[at] = Rgb565::new((at / 8) as u8, (at / 4) as u8, (31 - at / 8) as u8);
-        at += 1;
-    }
-    palette
-};
 /// The unit of coordinates as a power of two, in sides of the picture: a mesh as large as coordinates allow shows it four times.
 const UNIT: i8 = -14;
 /// Texels in a unit of coordinates.
@@ -38,7 +21,7 @@ pub(super) fn textured<'s>(
     mesh: &'s Mesh<'s>,
     light: &'s Lambert,
 ) -> Option<impl Fn(usize) -> LitTextured<IndexedTexels<'static, Rgb565, 8>> + 's> {
-    let texture = Texture::new(IndexedTexels::new(&TEXELS, SIDE, SIDE, &PALETTE).ok()?);
+    let texture = Texture::new(IndexedTexels::new(&TEXELS, SIDE, SIDE, PALETTE.as_flattened()).ok()?);
     let texture = texture.with_exponent(UNIT).ok()?;
     Some(move |face| {
         let normal = mesh.normals().get(face).copied().unwrap_or_default();
