@@ -6,12 +6,8 @@ use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{
-    color::Color,
-    draw::{ActiveFace, BinnedEdges},
-    prelude::*,
-    shading::SpanShader,
-};
+use pinhole::draw::{ActiveFace, BinnedEdges};
+use pinhole::{color::Color, prelude::*, shading::SpanShader};
 
 /// Bytes of the colour strip, for bands of `rows` rows.
 pub const fn bytes(rows: u32) -> usize {
@@ -83,73 +79,46 @@ pub fn hidden<C: Color>(
     Some(())
 }
 
-/// Draws faces without depth, and hands each band to `send`.
-pub fn solid<S: SpanShader<Rgb565>>(
-    instance: &MeshInstance<'_>,
-    shade: impl Fn(usize) -> S,
-    size: Size,
-    Storage { corners, bin_storage, strip, .. }: Storage<'_>,
-    mut send: impl FnMut(&Band<'_, Rgb565>),
-) -> Option<()> {
-    let mut faces = instance.transform(corners).bin_faces(bin_storage).ok()?;
-    each_band(size, BACKGROUND, strip, |band| {
-        let Ok(()) = faces.draw(&shade, &mut band.pixels());
-        send(band);
-        Some(())
-    })?;
-    black_box(faces.statistics());
-    Some(())
-}
-
-/// Draws faces with depth, and hands each band to `send`.
-pub fn depth<S: SpanShader<Rgb565>>(
-    instance: &MeshInstance<'_>,
-    shade: impl Fn(usize) -> S,
-    size: Size,
-    Storage { corners, bin_storage, strip, depth }: Storage<'_>,
-    mut send: impl FnMut(&Band<'_, Rgb565>),
-) -> Option<()> {
-    let mut faces = instance.transform_depth(corners).bin_faces(bin_storage).ok()?;
-    each_band(size, BACKGROUND, strip, |band| {
-        let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
-        let Ok(()) = faces.draw(&shade, &mut band.pixels().depth_tested(&mut depth));
-        send(band);
-        Some(())
-    })?;
-    black_box(faces.statistics());
-    Some(())
-}
-
-/// A frame of a lit scene.
-pub type LitFrame = fn(&Scene, &Lambert, Storage<'_>, &mut Display) -> Option<()>;
-
-/// Defines a frame of a lit scene, with a list of active faces or without one.
-macro_rules! lit {
-    ($name:ident($($list:ident: $entry:ty)?), $transform:ident, $bin:ident, |$band:ident $(, $depth:ident)?| $target:expr) => {
-        pub fn $name(
-            scene: &Scene,
-            light: &Lambert,
+/// Defines two functions that draw faces in bands, with a list of active faces or without one: any faces, with each band handed to
+/// `send`, and those of a lit scene.
+macro_rules! faces {
+    ($name:ident, $lit:ident ($($list:ident: $entry:ty)?), $transform:ident, $bin:ident, |$band:ident $(, $depth:ident)?| $target:expr) => {
+        pub fn $name<S: SpanShader<Rgb565>>(
+            instance: &MeshInstance<'_>,
+            shade: impl Fn(usize) -> S,
+            size: Size,
             Storage { corners, bin_storage, strip, depth: _depths }: Storage<'_>,
             $($list: &mut [$entry],)?
-            display: &mut Display,
+            mut send: impl FnMut(&Band<'_, Rgb565>),
         ) -> Option<()> {
-            let instance = scene.place();
             let mut faces = instance.$transform(corners).$bin(bin_storage $(, $list)?).ok()?;
-            each_band(area().size, BACKGROUND, strip, |$band| {
+            each_band(size, BACKGROUND, strip, |$band| {
                 $(let mut $depth = DepthBuffer::new($band.area(), _depths).ok()?;)?
-                let Ok(()) = faces.draw(scene.shade(light), $target);
-                display.take_bytes($band.bytes());
+                let Ok(()) = faces.draw(&shade, $target);
+                send($band);
                 Some(())
             })?;
             black_box(faces.statistics());
             Some(())
         }
+
+        pub fn $lit(
+            scene: &Scene, light: &Lambert, to: Storage<'_>, $($list: &mut [$entry],)? display: &mut Display
+        ) -> Option<()> {
+            let send = |band: &Band<'_, Rgb565>| display.take_bytes(band.bytes());
+            $name(&scene.place(), scene.shade(light), area().size, to, $($list,)? send)
+        }
     };
 }
 
-lit!(lit_solid(), transform, bin_faces, |band| &mut band.pixels());
-lit!(lit_depth(), transform_depth, bin_faces, |band, depth| &mut band.pixels().depth_tested(&mut depth));
-lit!(lit_active(list: ActiveFace<Rgb565>), transform, bin_active_faces, |band| &mut band.pixels());
-lit!(lit_active_depth(list: ActiveFace<Rgb565, 3>), transform_depth, bin_active_faces, |band, depth| {
+faces!(solid, lit_solid(), transform, bin_faces, |band| &mut band.pixels());
+faces!(depth, lit_depth(), transform_depth, bin_faces, |band, depth| {
     &mut band.pixels().depth_tested(&mut depth)
 });
+faces!(active, lit_active(list: ActiveFace<Rgb565>), transform, bin_active_faces, |band| &mut band.pixels());
+faces!(active_depth, lit_active_depth(list: ActiveFace<Rgb565, 3>), transform_depth, bin_active_faces, |band, depth| {
+    &mut band.pixels().depth_tested(&mut depth)
+});
+
+/// A frame of a lit scene.
+pub type LitFrame = fn(&Scene, &Lambert, Storage<'_>, &mut Display) -> Option<()>;

@@ -61,9 +61,8 @@ const fn mesh(
 
 /// At compile time: the model with these planes.
 pub(crate) const fn by_planes(model: &Model, planes: &'static [i16]) -> Model {
-    let Model { mesh, axes, distance } = model;
-    let Ok(mesh) = mesh.with_planes(planes) else { panic!("planes") };
-    Model { mesh, axes: *axes, distance: *distance }
+    let Ok(mesh) = model.mesh.with_planes(planes) else { panic!("planes") };
+    Model { mesh, ..*model }
 }
 
 /// A model before its camera: set up before the frame.

@@ -36,10 +36,9 @@ fn record(cube: &'static Model, light: &Lambert, painter: &mut Order) -> Option<
     painter.clear();
     let (instance, shade) =
         (Turntable::turned().place(cube), scene::flat(&cube.mesh, |normal| light.level(normal)));
-    if INSIDE {
-        instance.without_clipping().faces(shade).sorted(painter).ok()
-    } else {
-        instance.faces(shade).sorted(painter).ok()
+    match INSIDE {
+        true => instance.without_clipping().faces(shade).sorted(painter).ok(),
+        false => instance.faces(shade).sorted(painter).ok(),
     }
 }
 

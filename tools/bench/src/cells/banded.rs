@@ -53,22 +53,17 @@ impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: 
 }
 
 /// A strip for the torus with a list of active faces.
-pub struct Listed<E, const BYTES: usize, const DEPTHS: usize>(
+pub struct Listed<const WORDS: usize, const BYTES: usize, const DEPTHS: usize>(
     Strip<BYTES, DEPTHS, TORUS_LINKS, TORUS>,
-    [E; LIST],
+    [ActiveFace<Rgb565, WORDS>; LIST],
 );
 
-impl<const BYTES: usize> Listed<ActiveFace<Rgb565>, BYTES, 0> {
+impl<const WORDS: usize, const BYTES: usize, const DEPTHS: usize> Listed<WORDS, BYTES, DEPTHS> {
     pub const NEW: Self = Self(Strip::NEW, [ActiveFace::EMPTY; LIST]);
-}
-impl<const BYTES: usize, const DEPTHS: usize> Listed<ActiveFace<Rgb565, 3>, BYTES, DEPTHS> {
-    pub const NEW: Self = Self(Strip::NEW, [ActiveFace::EMPTY; LIST]);
-}
 
-impl<E, const BYTES: usize, const DEPTHS: usize> Listed<E, BYTES, DEPTHS> {
     pub(super) fn torus(
         &mut self,
-        draw: fn(&Scene, &Lambert, Storage<'_>, &mut [E], &mut Display) -> Option<()>,
+        draw: fn(&Scene, &Lambert, Storage<'_>, &mut [ActiveFace<Rgb565, WORDS>], &mut Display) -> Option<()>,
     ) -> Option<Counted> {
         let (Self(strip, list), scene) = (self, Scene::new(&scene::TORUS)?);
         let light = scene.light()?;

@@ -26,7 +26,7 @@ use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::Rgb565;
 use memory::Depth;
 use pinhole::{
-    draw::{ActiveFace, Faces, ShaderFor},
+    draw::{Faces, ShaderFor},
     prelude::*,
     shading::{AntiAliased, Blended},
     target::Surface,
@@ -69,15 +69,14 @@ static C1_EDGED: Model = at(&TORUS_EDGED, NEAR);
 
 /// At compile time: without normals.
 const fn edged(model: &Model, edges: &'static [[u16; 2]]) -> Model {
-    let Model { mesh, axes, distance } = model;
+    let mesh = &model.mesh;
     let Ok(mesh) = Mesh::new(mesh.vertices(), mesh.exponent(), mesh.faces()) else { panic!("faces") };
     let Ok(mesh) = mesh.with_edges(edges) else { panic!("edges") };
-    Model { mesh, axes: *axes, distance: *distance }
+    Model { mesh, ..*model }
 }
 
 const fn at(model: &Model, distance: i32) -> Model {
-    let Model { mesh, axes, .. } = model;
-    Model { mesh: *mesh, axes: *axes, distance }
+    Model { distance, ..*model }
 }
 
 /// A cell's firmware, by the cell's number in the list.

@@ -20,9 +20,8 @@ pub(super) fn t1(Plain { frame, corners, .. }: &mut Plain<CUBE>) -> Option<Count
         turn = black_box(turn + Angle::degrees(3));
         let model = Affine::rotation_y(turn);
         let (camera, mesh) = black_box((&camera, &scene::CUBE.mesh));
-        drawn(
-            camera.place(mesh, &model).edges(|_| black_box(LINE)).cached(corners).draw(&mut picture.pixels()),
-        )
+        let instance = camera.place(mesh, &model);
+        drawn(instance.edges(|_| black_box(LINE)).cached(corners).draw(&mut picture.pixels()))
     })
 }
 
@@ -51,10 +50,8 @@ pub(super) fn f50_z(Deep { frame, depth, corners }: &mut Deep<CUBE>) -> Option<C
         time = black_box(time + 1);
         // A sixteenth of a unit a frame.
         let x = Scalar::from_bits((time << 12) - (1 << 15));
-        let (eye, ahead) = (
-            Point3::new(x, Scalar::from_int(3), Scalar::from_int(0)),
-            Point3::new(x, Scalar::from_int(0), Scalar::from_int(-12)),
-        );
+        let [eye, ahead] =
+            [[3, 0], [0, -12]].map(|at| at.map(Scalar::from_int)).map(|[y, z]| Point3::new(x, y, z));
         let view = ViewTransform::look_at(eye, ahead, Vector3::from_ints(0, 1, 0)).ok()?;
         let camera = Camera::new(&view, &lens, &viewport);
         let (frustum, mut in_view) = (camera.frustum(), 0);
