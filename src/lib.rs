@@ -122,9 +122,10 @@ pub mod draw {
 
     pub use crate::math::form::Inside;
     pub use crate::pipeline::{
-        draw_line, fill_triangle, BinnedEdges, BinnedFaces, BinnedScene, Cull, Edges, Faces, HalfBins,
-        HalfTransform, MeshInstance, Object, Painter, PaintersOrder, Picked, PlacedScene, Scene, SceneFaces,
-        ShaderFor, SplitBins, SplitTransform, SpriteFor, Statistics, StrokeFor, TransformedMesh,
+        draw_line, fill_triangle, ActiveFace, ActiveFaces, BinnedEdges, BinnedFaces, BinnedScene, Cull,
+        Edges, Faces, HalfBins, HalfTransform, MeshInstance, Object, Painter, PaintersOrder, Picked,
+        PlacedScene, Scene, SceneFaces, ShaderFor, SplitBins, SplitTransform, SpriteFor, Statistics,
+        StrokeFor, TransformedMesh,
     };
 }
 

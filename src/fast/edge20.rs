@@ -29,6 +29,8 @@ pub(crate) struct Edge20 {
 }
 
 impl Edge20 {
+    pub(crate) const EMPTY: Self = Self { value: 0, step: 0 };
+
     /// The edge from `p` down to `q`, at the [first row](crate::raster::edge::first_row) of `p`, which must lie above that of
     /// `q`. Columns are counted from `from` columns to the left of p's [base column](crate::raster::edge::base_column).
     #[inline(always)]

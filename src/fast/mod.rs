@@ -16,6 +16,8 @@
 //! | both: `BresenhamTriangle` (`bresenham_triangle.rs`) | 31 rows, rows clipped | integers and an error term; no rounding | Cortex-M0 | edges by reciprocals instead take 12 % more instructions on S3, 11 % on S4 and S7 |
 //! | [`AnyTriangle`](crate::raster::AnyTriangle), the definition | any in the guard band | an integer and an error term; no rounding | all | – |
 //!
+//! In bands with a list of active faces, triangles of both kinds that begin in a band go to [`carried`] first.
+//!
 //! Gradients of triangles within 32 pixels have a fast path, too: [`tiny_gradient`].
 
 #![cfg_attr(pinhole_plain, allow(dead_code))]
@@ -25,7 +27,7 @@ mod attach;
 mod back_face;
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 pub(crate) mod bresenham_triangle;
-#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
+pub(crate) mod carried;
 mod edge20;
 mod fill;
 mod fill_rows;

@@ -94,11 +94,11 @@ impl<Cell: Copy> FillRows<Cell> for Equal<Cell> {
 }
 
 /// Rows of equal cells.
-struct EqualRows<'a, Cell> {
-    cells: &'a mut [Cell],
-    equal: Equal<Cell>,
+pub(super) struct EqualRows<'a, Cell> {
+    pub(super) cells: &'a mut [Cell],
+    pub(super) equal: Equal<Cell>,
     /// Whether rows may have more than a few pixels: a constant of the tier, known when its loop is compiled.
-    may_be_long: bool,
+    pub(super) may_be_long: bool,
 }
 
 impl<Cell: Copy> FillRow for EqualRows<'_, Cell> {
@@ -164,15 +164,15 @@ impl<Cell: Copy> FillRun<Cell> for Equal<Cell> {
 }
 
 /// Rows of cells and depths, with depth along them.
-struct NearerRows<'a, Cell, F> {
-    fill: &'a mut F,
-    cells: &'a mut [Cell],
-    depths: &'a mut [u16],
+pub(super) struct NearerRows<'a, Cell, F> {
+    pub(super) fill: &'a mut F,
+    pub(super) cells: &'a mut [Cell],
+    pub(super) depths: &'a mut [u16],
     /// The change of depth from a pixel to its right neighbour, and from row to row.
-    step: u32,
-    down: u32,
+    pub(super) step: u32,
+    pub(super) down: u32,
     /// Depth at the origin that the next row's ends are counted from.
-    z: u32,
+    pub(super) z: u32,
 }
 
 impl<Cell, F: FillRun<Cell>> FillRow for NearerRows<'_, Cell, F> {

@@ -2,7 +2,7 @@
 
 use super::anti_aliased;
 use super::binned::{Binned, DrawnWith};
-use super::bins::Bins;
+use super::bins::{each_active, Bins};
 use super::draw_region::{pixels, DrawRegion};
 use super::drawable::StrokeFor;
 use super::fill::line_in_band;
@@ -210,7 +210,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
         }
         let (edges, end) = (self.0.transformed.instance.mesh().edges, region.scissor.rows().end);
         let Binned { transformed, bins, .. } = &mut self.0;
-        bins.band(|index| {
+        each_active(bins.active(), |index| {
             let edge = edges.get(index);
             let ends = edge.and_then(|&edge| transformed.edge_out_of_line(edge, &mut Statistics::default()));
             let Some(ends) = ends else { return Ok(true) };

@@ -1,7 +1,7 @@
 //! Faces that are binned once per frame and drawn band by band.
 
 use super::binned::{Binned, DrawnWith};
-use super::bins::{BinSort, Bins};
+use super::bins::{each_active, BinSort, Bins};
 use super::draw_region::{pixels, DrawRegion};
 use super::drawable::ShaderFor;
 use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
@@ -204,7 +204,7 @@ impl<'a, V: Coordinate> AnyInstance<'a, V> {
 /// Most faces of a band have rows outside it. All of them take the tier of clipped triangles, so that firmware that draws in
 /// bands alone has no code of the tier of inside triangles, some 850 bytes on an M3. In bands of 8 rows trying that tier first would
 /// save 1 % of S3's instructions, in bands of 16 rows 3 %.
-const IN_BAND: bool = true;
+pub(super) const IN_BAND: bool = true;
 
 /// The binned faces that a band may meet, in the order of the mesh.
 struct BandSource<'b, 's>(&'b mut Bins<'s>);
@@ -216,7 +216,7 @@ impl FaceSource for BandSource<'_, '_> {
         faces: &[[u16; 3]],
         mut visit: impl FnMut(usize, &[u16; 3]) -> Result<bool, E>,
     ) -> Result<(), E> {
-        self.0.band(|index| match faces.get(index) {
+        each_active(self.0.active(), |index| match faces.get(index) {
             Some(face) => visit(index, face),
             None => Ok(true),
         })

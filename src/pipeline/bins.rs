@@ -141,32 +141,10 @@ impl<'s> Bins<'s> {
         (row.saturating_sub(self.top).max(0) >> self.shift).min(BINS as i32 - 1) as usize
     }
 
-    /// Calls `draw` with the index of each primitive that may lie in the band of the last
-    /// [`advance_to_band`](Self::advance_to_band), in the order of the mesh. `draw` returns whether the primitive ends in or
-    /// above the band: then it is no longer active.
-    ///
-    /// # Errors
-    ///
-    /// The first error of `draw`.
-    #[inline(always)]
-    pub(super) fn band<E>(&mut self, mut draw: impl FnMut(usize) -> Result<bool, E>) -> Result<(), E> {
-        let mut words = self.active.iter_mut().enumerate();
-        // A loop of its own skips words without an active primitive: most words of a band.
-        let is_active = |(_, bits): &(usize, &mut u16)| {
-            keep_rolled();
-            **bits != 0
-        };
-        while let Some((word, bits)) = words.find(is_active) {
-            let mut remaining = u32::from(*bits);
-            while remaining != 0 {
-                let lowest = remaining & remaining.wrapping_neg();
-                remaining ^= lowest;
-                if draw(word * 16 + lowest.trailing_zeros() as usize)? {
-                    *bits ^= lowest as u16; // one of 16 bits
-                }
-            }
-        }
-        Ok(())
+    /// A bit for each primitive of the mesh: set if the primitive may lie in the band of the last
+    /// [`advance_to_band`](Self::advance_to_band).
+    pub(super) fn active(&mut self) -> &mut [u16] {
+        self.active
     }
 
     /// Begins again at the next band, unless the last one ended at this row: it was drawn with the same rows beyond.
@@ -214,6 +192,36 @@ impl<'s> Bins<'s> {
             }
         }
     }
+}
+
+/// Calls `draw` with the index of each primitive whose bit is set, in the order of the mesh. `draw` returns whether the primitive ends in or
+/// above the band: then it is no longer active.
+///
+/// # Errors
+///
+/// The first error of `draw`.
+#[inline(always)]
+pub(super) fn each_active<E>(
+    active: &mut [u16],
+    mut draw: impl FnMut(usize) -> Result<bool, E>,
+) -> Result<(), E> {
+    let mut words = active.iter_mut().enumerate();
+    // A loop of its own skips words without an active primitive: most words of a band.
+    let is_active = |(_, bits): &(usize, &mut u16)| {
+        keep_rolled();
+        **bits != 0
+    };
+    while let Some((word, bits)) = words.find(is_active) {
+        let mut remaining = u32::from(*bits);
+        while remaining != 0 {
+            let lowest = remaining & remaining.wrapping_neg();
+            remaining ^= lowest;
+            if draw(word * 16 + lowest.trailing_zeros() as usize)? {
+                *bits ^= lowest as u16; // one of 16 bits
+            }
+        }
+    }
+    Ok(())
 }
 
 impl<'s> BinSort<'_, 's> {

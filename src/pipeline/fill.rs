@@ -133,7 +133,7 @@ fn shade_span_nearer<T: Surface, S: ShaderFor<T>>(
 
 /// The colour of all pixels, if the shader has only one and sets each pixel to it.
 #[inline(always)]
-fn solid_color<T: Surface, S: SpanShader<T::Color>>(shader: &S) -> Option<T::Color> {
+pub(super) fn solid_color<T: Surface, S: SpanShader<T::Color>>(shader: &S) -> Option<T::Color> {
     shader.solid().filter(|_| S::Ink::IS_OPAQUE).and_then(Ink::own)
 }
 

@@ -13,6 +13,7 @@
 //!    ([`MeshInstance::bin_faces`]) or stores it to be drawn from far to near ([`Painter`]).
 //! 5. `fill.rs` draws a triangle or a line into the target, span by span.
 
+mod active_faces;
 mod anti_aliased;
 mod binned;
 mod binned_edges;
@@ -42,6 +43,7 @@ mod statistics;
 mod vertex_cache;
 mod wireframe;
 
+pub use active_faces::{ActiveFace, ActiveFaces};
 pub use binned_edges::BinnedEdges;
 pub use binned_faces::BinnedFaces;
 #[doc(hidden)]

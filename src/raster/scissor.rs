@@ -99,6 +99,15 @@ impl Scissor {
         }
     }
 
+    /// Whether two rectangles that are not empty have a pixel in common.
+    #[inline(always)]
+    pub(crate) fn meets(&self, other: &Self) -> bool {
+        self.left < other.right
+            && self.right > other.left
+            && self.top < other.bottom
+            && self.bottom > other.top
+    }
+
     /// Whether the scissor contains no pixel.
     #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {

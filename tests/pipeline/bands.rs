@@ -8,15 +8,17 @@ use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
     bands::{DirtyRegions, Tracked, TransferCost},
+    draw::ActiveFace,
     prelude::*,
     target::BufferError,
 };
 use support::bridge::draw::{cube_camera, CUBE, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::rectangle;
-use support::bridge::ways::{bands, screen};
+use support::bridge::ways::{bands, memory, memory_with, screen};
 use support::oracle::rng::Rng;
 use support::oracle::target::{Recorder, Refused, Screen};
+use support::solids::torus;
 
 fn cube<R>(viewport: (i32, i32, u32, u32), then: impl FnOnce(&MeshInstance<'_>) -> R) -> R {
     let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).and_then(|m| m.with_edges(&CUBE_EDGES)).expect("a mesh");
@@ -25,7 +27,7 @@ fn cube<R>(viewport: (i32, i32, u32, u32), then: impl FnOnce(&MeshInstance<'_>) 
 }
 
 fn colour(face: usize) -> Gray8 {
-    Gray8::new(face as u8 + 1)
+    Gray8::new((face % 255) as u8 + 1)
 }
 
 /// Draws the cube in bands of `rows` rows and sends them to a display.
@@ -400,4 +402,79 @@ fn the_display_shows_the_frame_and_receives_nothing_while_nothing_changes() {
         }
     }
     assert!(quiet > 500 && busy > 300 && erased > 5, "{quiet} {busy} {erased}");
+}
+
+/// Draws bands by lists of active faces on one core or on two in turns, and compares each with the picture of one piece. `order`: the
+/// numbers of the bands, and their columns.
+fn in_any_order(instance: &MeshInstance<'_>, rows: u32, length: usize, order: &[(u32, i32, u32)]) {
+    let [mut cache, mut deep_cache] = [(); 2].map(|()| vec![ScreenVertex::EMPTY; 600]);
+    let [mut bins, mut deep_bins, mut cursor, mut deep_cursor] = [(); 4].map(|()| vec![0; 600]);
+    let [mut list, mut other] = [(); 2].map(|()| vec![ActiveFace::EMPTY; length]);
+    let [mut deep_list, mut deep_other] = [(); 2].map(|()| vec![ActiveFace::EMPTY; length]);
+    let mesh = instance.transform_depth(&mut deep_cache);
+    let mut deep = mesh.bin_active_faces(&mut deep_bins, &mut deep_list).expect("room");
+    let mut deep = deep.fork(&mut deep_cursor, &mut deep_other).expect("room");
+    let mesh = instance.transform(&mut cache);
+    let mut solid = mesh.bin_active_faces(&mut bins, &mut list).expect("room");
+    assert_eq!(solid.bounds(), mesh.bin_faces(&mut [0; 600]).expect("room").bounds());
+    let mut solid = solid.fork(&mut cursor, &mut other).expect("room");
+    for (at, &(number, left, width)) in order.iter().enumerate() {
+        let area = rectangle(left, (number * rows) as i32, width, rows);
+        let core = at % (1 + length % 2);
+        let wanted = memory_with(area, area, Gray8::BLACK, &mut |target, depth| {
+            let Ok(_) = instance.faces(colour).draw(&mut target.depth_tested(depth));
+        });
+        let found = memory_with(area, area, Gray8::BLACK, &mut |target, depth| {
+            let Ok(()) = deep[core].draw(colour, &mut target.depth_tested(depth));
+        });
+        assert!(found == wanted, "band {number} of {rows} rows, {length} entries, {order:?}");
+        let wanted = memory(area, Gray8::BLACK, &mut |target, _| {
+            let Ok(_) = instance.faces(colour).draw(target);
+        });
+        let found = memory(area, Gray8::BLACK, &mut |target, _| {
+            let Ok(()) = solid[core].draw(colour, target);
+        });
+        assert!(found == wanted, "band {number} of {rows} rows without depth, {length} entries, {order:?}");
+    }
+}
+
+/// The storage of active faces has a link for each face of the mesh.
+#[test]
+fn bins_of_active_faces_too_short_say_what_they_need() {
+    let (mut bins, mut list) = ([0; 12], [ActiveFace::<Gray8>::EMPTY; 3]);
+    cube((0, 0, 64, 64), |instance| {
+        let mesh = instance.transform(&mut []);
+        let error = mesh.bin_active_faces(&mut bins, &mut list).map(|_| ());
+        assert_eq!(error, Err(BufferError::Bins { needed: 13, given: 12 }));
+    });
+}
+
+/// Faces that continue from band to band, in bands from top to bottom, from bottom to top, twice each, every second one, and in columns
+/// that change: from near by, where many faces are cut, and from afar.
+#[test]
+fn active_faces_show_one_piece_in_bands_of_any_order() {
+    const SIDE: u32 = 64;
+    let torus = torus(20, 10);
+    let mesh = Mesh::new(&torus.vertices, torus.exponent, &torus.faces).expect("a mesh");
+    let mut rng = Rng::new(19);
+    for (case, rows) in [1, 2, 3, 5, 8, 13, 30].into_iter().cycle().take(28).enumerate() {
+        let model = ModelBits(vec![Step::Y(rng.bits()), Step::X(rng.bits())]);
+        let camera = cube_camera((0, 0, SIDE, SIDE)).library();
+        let model = model.library();
+        let instance = camera.place(&mesh, &model);
+        let numbers: Vec<u32> = (0..SIDE.div_ceil(rows)).collect();
+        let all = |number: &u32| (*number, 0, SIDE);
+        let twice = |number: &u32| [all(number), all(number)];
+        let order: Vec<(u32, i32, u32)> = match case % 6 {
+            0 => numbers.iter().map(all).collect(),
+            1 => numbers.iter().rev().map(all).collect(),
+            2 => numbers.iter().flat_map(twice).collect(),
+            3 => numbers.iter().step_by(2).map(all).collect(),
+            4 => numbers.iter().map(|&number| (number, 10 * (number as i32 / 3 % 3), 40)).collect(),
+            _ => numbers.iter().map(|_| all(&numbers[rng.below(numbers.len())])).collect(),
+        };
+        for length in [0, 1, 7, 100] {
+            in_any_order(&instance, rows, length, &order);
+        }
+    }
 }

@@ -4,12 +4,12 @@ use crate::cases;
 use embedded_graphics_core::pixelcolor::{Gray4, Gray8, GrayColor};
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::prelude::*;
+use pinhole::{draw::ActiveFace, prelude::*};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::rectangle;
-use support::bridge::ways::{by_every_call, lines_by_every_call};
+use support::bridge::ways::{bands, by_every_call, lines_by_every_call};
 use support::oracle::chain;
 use support::oracle::target::Recorder;
 
@@ -188,7 +188,17 @@ fn points(scene: &Scene) -> Vec<Option<(i64, i64)>> {
 fn by_all_calls(scene: &Scene, area: Rectangle, heights: &[u32]) {
     place(scene, |instance| {
         for cull in [Cull::Back, Cull::None] {
-            by_every_call(&instance.with_cull(cull), area, BACKGROUND, heights, &colour);
+            let instance = &instance.with_cull(cull);
+            let (drawn, _) = by_every_call(instance, area, BACKGROUND, heights, &colour);
+            for &rows in heights {
+                let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 16], [0; 9]);
+                let (mesh, mut list) = (instance.transform(&mut cache), [ActiveFace::EMPTY; 3]);
+                let mut faces = mesh.bin_active_faces(&mut bins, &mut list).expect("room");
+                let found = bands(area, BACKGROUND, rows, &mut |band, _| {
+                    let Ok(()) = faces.draw(colour, &mut band.pixels());
+                });
+                assert!(found == drawn.solid, "active faces without depth, {rows} rows");
+            }
         }
         lines_by_every_call(instance, area, BACKGROUND, heights, LINE, None);
     });

@@ -4,6 +4,7 @@ use crate::measure::Display;
 use crate::scene::{area, Scene, BACKGROUND, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::Rgb565;
+use pinhole::draw::ActiveFace;
 use pinhole::{prelude::*, shading::Stroke};
 
 /// Bytes of the colour strip, for bands of `rows` rows.
@@ -40,37 +41,33 @@ pub fn wireframe(
     Some(())
 }
 
-pub fn solid(
-    scene: &Scene,
-    light: &Lambert,
-    Storage { corners, bin_storage, strip, .. }: Storage<'_>,
-    display: &mut Display,
-) -> Option<()> {
-    let instance = scene.place();
-    let mut faces = instance.transform(corners).bin_faces(bin_storage).ok()?;
-    let mut frame = Frame::new(area(), BACKGROUND);
-    while let Some(mut band) = frame.next_band(strip).ok()? {
-        let Ok(()) = faces.draw(scene.shade(light), &mut band.pixels());
-        display.take_bytes(band.bytes());
-    }
-    black_box(faces.statistics());
-    Some(())
+/// Defines a function that draws faces in bands, of a list of active faces or without one.
+macro_rules! faces {
+    ($name:ident($($list:ident: $entry:ty)?), $transform:ident, $bin:ident, |$band:ident $(, $depth:ident)?| $target:expr) => {
+        pub fn $name(
+            scene: &Scene,
+            light: &Lambert,
+            Storage { corners, bin_storage, strip, depth: _depths }: Storage<'_>,
+            $($list: &mut [$entry],)?
+            display: &mut Display,
+        ) -> Option<()> {
+            let instance = scene.place();
+            let mut faces = instance.$transform(corners).$bin(bin_storage $(, $list)?).ok()?;
+            let mut frame = Frame::new(area(), BACKGROUND);
+            while let Some(mut $band) = frame.next_band(strip).ok()? {
+                $(let mut $depth = DepthBuffer::new($band.area(), _depths).ok()?;)?
+                let Ok(()) = faces.draw(scene.shade(light), $target);
+                display.take_bytes($band.bytes());
+            }
+            black_box(faces.statistics());
+            Some(())
+        }
+    };
 }
 
-pub fn depth(
-    scene: &Scene,
-    light: &Lambert,
-    Storage { corners, bin_storage, strip, depth }: Storage<'_>,
-    display: &mut Display,
-) -> Option<()> {
-    let instance = scene.place();
-    let mut faces = instance.transform_depth(corners).bin_faces(bin_storage).ok()?;
-    let mut frame = Frame::new(area(), BACKGROUND);
-    while let Some(mut band) = frame.next_band(strip).ok()? {
-        let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
-        let Ok(()) = faces.draw(scene.shade(light), &mut band.pixels().depth_tested(&mut depth));
-        display.take_bytes(band.bytes());
-    }
-    black_box(faces.statistics());
-    Some(())
-}
+faces!(solid(), transform, bin_faces, |band| &mut band.pixels());
+faces!(depth(), transform_depth, bin_faces, |band, depth| &mut band.pixels().depth_tested(&mut depth));
+faces!(active(list: ActiveFace<Rgb565>), transform, bin_active_faces, |band| &mut band.pixels());
+faces!(active_depth(list: ActiveFace<Rgb565, 3>), transform_depth, bin_active_faces, |band, depth| {
+    &mut band.pixels().depth_tested(&mut depth)
+});

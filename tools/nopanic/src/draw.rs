@@ -13,7 +13,7 @@ use pinhole::space::{Model, World};
 use pinhole::{
     bands::{DirtyRegions, Tracked, TransferCost},
     color::Reads,
-    draw::{draw_line, fill_triangle},
+    draw::{draw_line, fill_triangle, ActiveFace},
     mesh::{Coordinate, FacePlanes, WithPlanes},
     prelude::*,
     shading::{AntiAliased, SpanShader, Stroke},
@@ -109,6 +109,20 @@ fn fill_all<D: DrawTarget<Color: Color>, I: SpanShader<D::Color, Ink = D::Color>
     if let Ok(mut faces) = instance.transform_depth(corners).bin_faces(bin_storage) {
         report(faces.draw(&shade, &mut band.depth_tested(&mut depth)));
         report((faces.bounds(), faces.statistics()));
+    }
+    let [mut list, mut other] = [[ActiveFace::EMPTY; 3]; 2];
+    if let Ok(mut faces) = instance.transform_depth(corners).bin_active_faces(bin_storage, &mut list) {
+        report(faces.draw(&shade, &mut target.depth_tested(&mut depth)));
+        report((faces.bounds(), faces.statistics()));
+        if let Ok([mut ours, _]) = faces.fork(&mut [0; 9], &mut other) {
+            report(ours.draw(&shade, target));
+        }
+    }
+    let [mut list, mut other] = [[ActiveFace::EMPTY; 3]; 2];
+    if let Ok(mut faces) = by_planes.transform(corners).bin_active_faces(bin_storage, &mut list) {
+        report(faces.draw(&shade, target));
+        report((faces.bounds(), faces.statistics()));
+        report(faces.fork(&mut [0; 9], &mut other).is_ok());
     }
     report(band.send(target));
     match any() {

@@ -10,6 +10,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{
     color::{Ink, StoredPixel, Writes},
+    draw::ActiveFace,
     mesh::{Coordinate, FacePlanes},
     prelude::*,
     shading::{SpanShader, Stroke},
@@ -248,6 +249,17 @@ where
             let Ok(()) = binned.draw(shade, &mut band.pixels().depth_tested(depth));
         });
         counted.push(binned.statistics());
+        // Lists of active faces without room, with too little, and with enough.
+        let mut list = vec![ActiveFace::EMPTY; [0, 1, 4, 300][(rows + counted[0].drawn) as usize % 4]];
+        let transformed = instance.transform_depth(&mut cache);
+        let mut active = transformed.bin_active_faces(&mut bins, &mut list).expect("room");
+        check(&solid, rows, "active", &mut |band, _| {
+            let Ok(()) = active.draw(shade, &mut band.pixels());
+        });
+        check(&deep, rows, "active, with depth", &mut |band, depth| {
+            let Ok(()) = active.draw(shade, &mut band.pixels().depth_tested(depth));
+        });
+        counted.push(active.statistics());
     }
     assert!(counted.iter().all(|statistics| *statistics == counted[0]), "{counted:?}");
     (Drawn { solid, deep, depths, painted }, counted[0])

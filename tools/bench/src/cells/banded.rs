@@ -1,13 +1,15 @@
 //! Models in bands, as many pixels sent as a frame has, and in one piece. Both clear the picture and set the object's transform up in
 //! each frame. The meshes have no planes.
 
-use super::{count, draw_faces, drawn, Counted, Memory, Plain};
+use super::{count, draw_faces, drawn, Counted, Memory, Plain, LIST, TORUS, TORUS_LINKS};
 use crate::bands::{self, Storage};
 use crate::board::Clock;
 use crate::measure::Display;
-use crate::scene::{Model, Scene, BACKGROUND, LINE};
+use crate::scene::{self, Model, Scene, BACKGROUND, LINE};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::pixelcolor::Rgb565;
+use pinhole::draw::ActiveFace;
 use pinhole::prelude::*;
 
 /// Memory of a strip, of its depth if there is any, of a mesh's vertices and its binned faces or edges.
@@ -40,6 +42,30 @@ impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: 
     pub(super) fn wire(&mut self, model: &'static Model) -> Option<Counted> {
         let scene = Scene::new(model)?;
         count_bands(&mut |display| bands::wireframe(black_box(&scene), LINE, self.storage(), display))
+    }
+}
+
+/// A strip for the torus with a list of active faces.
+pub struct Listed<E, const BYTES: usize, const DEPTHS: usize>(
+    Strip<BYTES, DEPTHS, TORUS_LINKS, TORUS>,
+    [E; LIST],
+);
+
+impl<const BYTES: usize> Listed<ActiveFace<Rgb565>, BYTES, 0> {
+    pub const NEW: Self = Self(Strip::NEW, [ActiveFace::EMPTY; LIST]);
+}
+impl<const BYTES: usize, const DEPTHS: usize> Listed<ActiveFace<Rgb565, 3>, BYTES, DEPTHS> {
+    pub const NEW: Self = Self(Strip::NEW, [ActiveFace::EMPTY; LIST]);
+}
+
+impl<E, const BYTES: usize, const DEPTHS: usize> Listed<E, BYTES, DEPTHS> {
+    pub(super) fn torus(
+        &mut self,
+        draw: fn(&Scene, &Lambert, Storage<'_>, &mut [E], &mut Display) -> Option<()>,
+    ) -> Option<Counted> {
+        let (Self(strip, list), scene) = (self, Scene::new(&scene::TORUS)?);
+        let light = scene.light()?;
+        count_bands(&mut |to| draw(black_box(&scene), black_box(&light), strip.storage(), list, to))
     }
 }
 

@@ -9,7 +9,7 @@ mod sprites;
 mod textured;
 mod ways;
 
-pub use banded::Strip;
+pub use banded::{Listed, Strip};
 pub use memory::{Deep, Frame, Memory, Plain, Smooth};
 pub use screen::Screen;
 
@@ -25,7 +25,7 @@ use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::Rgb565;
 use memory::Depth;
 use pinhole::{
-    draw::{Faces, ShaderFor},
+    draw::{ActiveFace, Faces, ShaderFor},
     mesh::{FacePlanes, WithPlanes},
     prelude::*,
     shading::{AntiAliased, Blended},
@@ -54,6 +54,9 @@ pub const ICO: usize = 2892;
 /// Bins: the visible faces or edges of each, with some to spare, and a bit for each that the mesh has.
 const CUBE_BINS: usize = 12 + 1;
 const TORUS_BINS: usize = 480 + 1000_usize.div_ceil(16);
+/// Links of all faces of the torus, and entries for those that continue in bands of 8 rows.
+const TORUS_LINKS: usize = 1000 + 1000_usize.div_ceil(16);
+const LIST: usize = 56;
 const ICO_BINS: usize = 1750 + 5780_usize.div_ceil(16);
 
 /// The torus with its edges alone, for wireframes, and from so near that parts of it lie behind the camera, and others beyond the
@@ -196,6 +199,9 @@ cells! {
     "S3" "bands8-z": Strip<{ bytes(8) }, { pixels(8) }, TORUS_BINS, TORUS>, |m| m.faces(&scene::TORUS);
     "S3" "bands16": Strip<{ bytes(16) }, 0, TORUS_BINS, TORUS>, |m| m.faces(&scene::TORUS);
     "S3" "bands16-z": Strip<{ bytes(16) }, { pixels(16) }, TORUS_BINS, TORUS>, |m| m.faces(&scene::TORUS);
+    "S3" "active8": Listed<ActiveFace<Rgb565>, { bytes(8) }, 0>, |m| m.torus(crate::bands::active);
+    "S3" "active8-z": Listed<ActiveFace<Rgb565, 3>, { bytes(8) }, { pixels(8) }>,
+        |m| m.torus(crate::bands::active_depth);
     "S4" "bands8-z": Strip<{ bytes(8) }, { pixels(8) }, ICO_BINS, ICO>, |m| m.faces(&scene::ICO);
 }
 
