@@ -438,6 +438,30 @@ fn in_any_order(instance: &MeshInstance<'_>, rows: u32, length: usize, order: &[
     }
 }
 
+/// A face that is carried is not shaded again, and one that finds no entry is.
+#[test]
+fn carried_faces_are_shaded_once() {
+    let torus = torus(20, 10);
+    let mesh = Mesh::new(&torus.vertices, torus.exponent, &torus.faces).expect("a mesh");
+    let model = ModelBits(vec![Step::Y(1 << 29)]).library();
+    let instance = cube_camera((0, 0, 64, 64)).library().place(&mesh, &model);
+    let shaded = [0, 5, 100].map(|length| {
+        let (mut cache, mut bins) = (vec![ScreenVertex::EMPTY; 200], vec![0; 425]);
+        let (mesh, mut list) = (instance.transform_depth(&mut cache), vec![ActiveFace::EMPTY; length]);
+        let (mut faces, mut calls) = (mesh.bin_active_faces(&mut bins, &mut list).expect("room"), 0);
+        bands(rectangle(0, 0, 64, 64), Gray8::BLACK, 4, &mut |band, depth| {
+            let shade = |face| {
+                calls += 1;
+                colour(face)
+            };
+            let Ok(()) = faces.draw(shade, &mut band.pixels().depth_tested(depth));
+        });
+        calls
+    });
+    // Fewer calls with each longer list.
+    assert!(shaded.is_sorted_by(|before, after| before > after) || cfg!(pinhole_plain), "{shaded:?}");
+}
+
 /// The storage of active faces has a link for each face of the mesh.
 #[test]
 fn bins_of_active_faces_too_short_say_what_they_need() {
