@@ -88,10 +88,9 @@ image!(
         let object = objects.first()?;
         record(cube, &object.light, painter)?;
         let Object { instance, light } = object;
-        if INSIDE {
-            draw(cube, &instance.without_clipping(), light, painter, dirty, buffers)
-        } else {
-            draw(cube, instance, light, painter, dirty, buffers)
+        match INSIDE {
+            true => draw(cube, &instance.without_clipping(), light, painter, dirty, buffers),
+            false => draw(cube, instance, light, painter, dirty, buffers),
         }
     }
 );
