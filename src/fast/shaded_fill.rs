@@ -45,9 +45,12 @@ pub(crate) fn triangle<T: Surface, S: SpanShader<T::Color>>(
         return true;
     }
     fill(memory, triangle, scissor, &mut |cells, span| {
-        let (texel, zero) = (color, opaque(0)); // a copy, in a register
+        let texel = color; // a copy, in a register
         each_run(cells, S::lines(&setup, span), |pixels, [at, step]| {
-            put_blocks(pixels, LookUp::<_, _, false> { line: Line { at, step }, color: texel, zero });
+            put_blocks(
+                pixels,
+                LookUp::<_, _, false> { line: Line { at, step }, color: texel, zero: opaque(0) },
+            );
         });
     });
     true
