@@ -218,8 +218,8 @@ impl<'a, V: Coordinate, P: FacePlanes> TransformedMesh<'a, V, true, P> {
 }
 
 impl<'a, V: Coordinate, P: FacePlanes> TransformedMesh<'a, V, false, P> {
-    /// Bins the visible faces and carries those that continue below a band to the next one, without depth. The other
-    /// [`bin_active_faces`](TransformedMesh::<V, true, P>::bin_active_faces), for vertices with depth, says how and has an example.
+    /// Bins the visible faces and carries those that continue below a band to the next one, without depth. The
+    /// method of vertices with depth says how and has an example.
     ///
     /// # Errors
     ///
