@@ -217,8 +217,8 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
 }
 
 impl<'a, V: Coordinate> TransformedMesh<'a, V, false> {
-    /// Bins the visible faces and carries those that continue below a band to the next one, without depth. The other
-    /// [`bin_active_faces`](TransformedMesh::<V, true>::bin_active_faces), for vertices with depth, says how and has an example.
+    /// Bins the visible faces and carries those that continue below a band to the next one, without depth. The
+    /// method of vertices with depth says how and has an example.
     ///
     /// # Errors
     ///
