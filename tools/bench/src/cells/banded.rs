@@ -61,10 +61,7 @@ pub struct Listed<const WORDS: usize, const BYTES: usize, const DEPTHS: usize>(
 impl<const WORDS: usize, const BYTES: usize, const DEPTHS: usize> Listed<WORDS, BYTES, DEPTHS> {
     pub const NEW: Self = Self(Strip::NEW, [ActiveFace::EMPTY; LIST]);
 
-    pub(super) fn torus(
-        &mut self,
-        draw: fn(&Scene, &Lambert, Storage<'_>, &mut [ActiveFace<Rgb565, WORDS>], &mut Display) -> Option<()>,
-    ) -> Option<Counted> {
+    pub(super) fn torus(&mut self, draw: bands::ActiveFrame<WORDS>) -> Option<Counted> {
         let (Self(strip, list), scene) = (self, Scene::new(&scene::TORUS)?);
         let light = scene.light()?;
         count_bands(&mut |to| draw(black_box(&scene), black_box(&light), strip.storage(), list, to))
