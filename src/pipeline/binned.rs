@@ -5,6 +5,7 @@ use super::draw_region::{pixels, DrawRegion};
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::math::Coordinate;
+use crate::shading::Shader;
 use crate::surface::BufferError;
 use crate::surface::{rectangle, DepthBuffer};
 use embedded_graphics_core::primitives::Rectangle;
@@ -17,6 +18,11 @@ use embedded_graphics_core::primitives::Rectangle;
     note = "call `transform_depth` instead of `transform` before the faces or edges are binned"
 )]
 pub trait DrawnWith<Test> {}
+
+/// Stops the build where a shader needs depth and the binned vertices have none: for a `const` block of a draw call.
+pub(super) const fn assert_depth<S: Shader, const DEPTH: bool>() {
+    assert!(DEPTH || !S::NEEDS_DEPTH, "this shader needs depth: bin faces of `transform_depth`")
+}
 
 /// The visible primitives of a mesh, binned by their first rows, and the vertices that they are drawn from.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! Faces that are binned once per frame and drawn band by band.
 
-use super::binned::{Binned, DrawnWith};
+use super::binned::{assert_depth, Binned, DrawnWith};
 use super::bins::{each_active, BinSort, Bins};
 use super::draw_region::DrawRegion;
 use super::drawable::ShaderFor;
@@ -164,12 +164,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
         band.dispatch(
             (self, shade),
             |(faces, shade), band| {
-                const {
-                    assert!(
-                        DEPTH || !S::NEEDS_DEPTH,
-                        "this shader needs depth: bin faces of `transform_depth`"
-                    )
-                };
+                const { assert_depth::<S, DEPTH>() };
                 let region = faces.advance_to_band(&band.area(), None);
                 faces.draw_solid(&region, shade, band)
             },

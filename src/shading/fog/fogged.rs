@@ -231,7 +231,7 @@ impl<'t, C: Color, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
 /// share of the shader's own colour, in 2^−`bits`.
 struct FogLines<'s, R> {
     lines: R,
-    /// What is left of the present line: its width, and the number and its step.
+    /// The rest of the current line: its width in pixels, its number at the next pixel, and the change of the number from pixel to pixel.
     width: i32,
     line: [u32; 2],
     levels: LevelRuns<'s>,

@@ -69,7 +69,7 @@ pub(super) struct PerspectiveRuns<'g> {
     curvature: i32,
     /// The sample at `x`, if the last run ended there with one.
     left: Sample,
-    /// What the last run was.
+    /// The kind of the last run: [`BEGIN`], [`SINGLE`] or [`BLOCK`].
     last: i32,
 }
 
