@@ -17,7 +17,7 @@ firmware!(|camera, turn, display: Rgb565|
         let model = Affine::rotation_y(turn);
         let light = light(&model)?;
         painter.clear();
-        camera.place(&MODEL, &model).faces(|face| COLOR.dim(level(&MODEL, &light, face))).sorted(&mut painter).ok()?;
+        camera.place(&MODEL, &model).faces(|face| COLOR.dim(level(&MODEL, &light, face))).sorted(painter).ok()?;
         if IS_WHOLE {
             let mut picture = Picture::new(pixels, display.size()).ok()?;
             let Ok(()) = picture.clear(Rgb565::BLACK);
