@@ -86,6 +86,8 @@ messages! {
         Options(what: &'static str) => ["{what}"]
         /// A texture is wanted of a build that reads no pictures.
         NoTextures => ["has a texture, but this build reads no pictures: ", Feature("textures")]
+        /// Clusters are wanted of a build that makes none.
+        NoClusters => ["cannot be ordered into clusters by this build: ", Feature("clusters")]
         /// Decimation is wanted of a build without it.
         NoDecimation => {
             let what = Said::new("cannot be decimated by this build: ", [Feature("decimate")]);

@@ -35,6 +35,7 @@ pub mod arguments;
 mod beside;
 mod bodies;
 mod boxes;
+mod clusters;
 mod decimate;
 mod edges;
 mod error;
@@ -147,7 +148,7 @@ pub fn read(file: &Path) -> Result<ImportedMesh, ImportError> {
 /// # Errors
 ///
 /// As [`read`]; and [`Problem::Exponent`] where the model's unit is too large or too small for a mesh,
-/// [`Problem::Options`], [`Problem::TooManyFaces`], [`Problem::NoDecimation`].
+/// [`Problem::Options`], [`Problem::TooManyFaces`], [`Problem::NoClusters`], [`Problem::NoDecimation`].
 pub fn import(file: &Path, options: &Options) -> Result<ImportedMesh, ImportError> {
     import_with(file, options, |_| ())
 }

@@ -68,6 +68,10 @@ fn command() -> Command {
                 .help("The plane of each face, for early back-face culling: 2 bytes a face"),
         )
         .arg(
+            flag("clusters")
+                .help("Order faces into clusters, for meshes much of which is out of view or turned away: 2.5 bytes a face, with planes"),
+        )
+        .arg(
             choice("texture", &["2", "4", "16", "256"])
                 .value_name("COLORS")
                 .help("Write the picture of the materials (map_Kd, PNG or BMP) as texels of 1, 2, 4 or 8 bits and a palette"),
@@ -126,6 +130,7 @@ fn options(given: &ArgMatches) -> Options {
         edge_faces: given.get_flag("edge-faces"),
         normals: matches!(word("normals"), "face" | "both"),
         planes: given.get_flag("planes"),
+        clusters: given.get_flag("clusters"),
         vertex_normals: matches!(word("normals"), "vertex" | "both"),
         texture: texture(given),
         ..arguments::options(given)

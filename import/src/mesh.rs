@@ -31,7 +31,8 @@ pub struct ImportedMesh {
     /// The unit normal of each face, 32767 = 1, computed from the quantised vertices; it points to where the face is
     /// seen counter-clockwise. Or nothing.
     pub normals: Vec<[i16; 3]>,
-    /// Where the plane of each face lies along its normal, as [`Mesh::face_planes`] finds it; or nothing.
+    /// Where the plane of each face lies along its normal, as [`Mesh::face_planes`] finds it, and then eight numbers for each of the
+    /// [clusters](crate::Options::clusters); or nothing.
     pub planes: Vec<i16>,
     /// The unit normal of each vertex, likewise; or nothing.
     pub vertex_normals: Vec<[i16; 3]>,
@@ -130,7 +131,9 @@ impl ImportedMesh {
         if !self.normals.is_empty() {
             mesh = mesh.with_normals(&self.normals)?;
         }
-        if !self.planes.is_empty() {
+        if self.has_clusters() {
+            mesh = mesh.with_clustered_planes(&self.planes)?;
+        } else if !self.planes.is_empty() {
             mesh = mesh.with_planes(&self.planes)?;
         }
         if !self.vertex_normals.is_empty() {
@@ -183,8 +186,13 @@ impl ImportedMesh {
         self.faces.iter().zip(&self.normals).map(plane).collect()
     }
 
+    /// Whether clusters follow the planes.
+    pub(crate) fn has_clusters(&self) -> bool {
+        self.planes.len() > self.faces.len()
+    }
+
     /// The bytes that the mesh's lists take in flash: 6 for a vertex, face or normal, 4 for an edge or its pair of faces, 2 for a
-    /// plane. Colours and texture coordinates do not count: only firmware that uses them has them in flash.
+    /// plane, 16 for a cluster. Colours and texture coordinates do not count: only firmware that uses them has them in flash.
     pub fn flash_bytes(&self) -> usize {
         size_of_val(&self.vertices[..])
             + size_of_val(&self.faces[..])

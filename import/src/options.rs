@@ -62,6 +62,10 @@ pub struct Options {
     /// The plane of each face, 2 bytes, by which back faces are culled early: see [`pinhole::Mesh::with_planes`]. Needs
     /// `normals`.
     pub planes: bool,
+    /// Orders faces into clusters of 32 that lie close together and are turned alike, and adds planes and clusters, 2.5 bytes a face: what
+    /// is out of view or turned away then takes one test a cluster. See [`pinhole::Mesh::with_clustered_planes`]. Needs `normals`, and the
+    /// feature `clusters`.
+    pub clusters: bool,
     /// A normal for each vertex: the mean of its faces' normals, each weighted by the face's angle there (Thürmer and
     /// Wüthrich, "Computing Vertex Normals from Polygonal Facets", 1998), so that it does not depend on how a surface was
     /// cut into triangles.
@@ -118,6 +122,7 @@ impl Default for Options {
             edge_faces: false,
             normals: true,
             planes: false,
+            clusters: false,
             vertex_normals: false,
             texture: None,
             root: None,
@@ -147,7 +152,10 @@ impl Options {
         if self.decimate == Some(0) {
             return Err(Problem::Options("no triangles would be left"));
         }
-        if self.planes && !self.normals {
+        if self.clusters && !cfg!(feature = "clusters") {
+            return Err(Problem::NoClusters);
+        }
+        if (self.planes || self.clusters) && !self.normals {
             return Err(Problem::Options("planes belong to the normals of faces: ask for these too"));
         }
         if let Some(texture) = &self.texture {

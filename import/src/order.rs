@@ -19,6 +19,18 @@ pub(crate) fn reorder<S: Copy>(
     if after >= before {
         return before;
     }
+    put(&places, faces, sources, vertices);
+    after
+}
+
+/// Puts faces and their data into an order, and vertices into that of their first use.
+pub(crate) fn put<S: Copy>(
+    places: &[usize],
+    faces: &mut Vec<[usize; 3]>,
+    sources: &mut Vec<S>,
+    vertices: &mut Vec<[i16; 3]>,
+) {
+    let ordered: Vec<[usize; 3]> = places.iter().map(|&place| faces[place]).collect();
     let new = by_first_use(&ordered, vertices.len());
     *faces = ordered.into_iter().map(|face| face.map(|v| new[v])).collect();
     *sources = places.iter().map(|&place| sources[place]).collect();
@@ -27,7 +39,6 @@ pub(crate) fn reorder<S: Copy>(
         moved[place] = *vertex;
     }
     *vertices = moved;
-    after
 }
 
 /// The places of the faces in their new order: the fan about one vertex after the other, where the next vertex is one

@@ -9,7 +9,7 @@ use crate::normals::{cross, of_vertices, on_one_line, unit};
 use crate::parts::Parts;
 use crate::picture;
 use crate::weld::{weld, Numbered};
-use crate::{decimate, order, Axis, Edges, Options, Preview, Problem, Step, Triangles, Warning};
+use crate::{clusters, decimate, order, Axis, Edges, Options, Preview, Problem, Step, Triangles, Warning};
 use std::collections::BTreeSet;
 
 /// Makes a mesh of triangles: welds, centres, quantises, derives edges and normals. Scales and orders nothing: it has the
@@ -122,6 +122,12 @@ pub(crate) fn make(
     if options.reorder && vertices.len() <= MOST_VERTICES {
         begins(Step::Order);
         fetches[1] = order::reorder(&mut corners, &mut numbers, &mut vertices);
+    }
+    let clusters = cfg!(feature = "clusters") && options.clusters;
+    if clusters && vertices.len() <= MOST_VERTICES {
+        let places = clusters::order(&corners, &vertices);
+        order::put(&places, &mut corners, &mut numbers, &mut vertices);
+        fetches[1] = order::fetches(&corners, vertices.len());
     }
     let lines = joined(ends_of_lines, &mut vertices);
     let too_many = (vertices.len() > MOST_VERTICES).then_some(Problem::TooManyVertices(vertices.len()));
@@ -307,7 +313,11 @@ pub(crate) fn make(
         },
         warnings: Vec::new(),
     };
-    let planes = if options.planes { mesh.find_planes() } else { Vec::new() };
+    let mut planes = if options.planes || clusters { mesh.find_planes() } else { Vec::new() };
+    if clusters {
+        let clusters = clusters::describe(&mesh.faces, &mesh.vertices, &mesh.normals, &planes);
+        planes.extend(clusters.as_flattened());
+    }
     let mesh = ImportedMesh { planes, ..mesh };
     let mut warnings = made.warnings;
     warnings.extend(mesh.large());

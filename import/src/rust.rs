@@ -61,7 +61,8 @@ impl ImportedMesh {
         nested_step(&mut out, &mut steps, "EDGES: [[u16; 2]", "with_edges", &self.edges);
         nested_step(&mut out, &mut steps, "EDGE_FACES: [[u16; 2]", "with_edge_faces", &self.edge_faces);
         nested_step(&mut out, &mut steps, "NORMALS: [[i16; 3]", "with_normals", &self.normals);
-        nested_step(&mut out, &mut steps, "PLANES: [i16", "with_planes", &self.planes);
+        let with_planes = if self.has_clusters() { "with_clustered_planes" } else { "with_planes" };
+        nested_step(&mut out, &mut steps, "PLANES: [i16", with_planes, &self.planes);
         let name_of_normals = "VERTEX_NORMALS: [[i16; 3]";
         nested_step(&mut out, &mut steps, name_of_normals, "with_vertex_normals", &self.vertex_normals);
         let _ = write!(
@@ -207,7 +208,10 @@ impl ImportedMesh {
         let doc = "The two faces beside each edge; 65535 is none.";
         list_if_any(&mut out, doc, "EDGE_FACES: [[u16; 2]", &self.edge_faces);
         list(&mut out, "The unit normal of each face, 32767 = 1.", "NORMALS: [[i16; 3]", &self.normals);
-        let doc = "Where the plane of each face lies along its normal, for `with_planes`.";
+        let doc = match self.has_clusters() {
+            true => "Planes of faces, and clusters, for `with_clustered_planes`.",
+            false => "Where the plane of each face lies along its normal, for `with_planes`.",
+        };
         list_if_any(&mut out, doc, "PLANES: [i16", &self.planes);
         let doc = "The unit normal of each vertex, 32767 = 1.";
         list_if_any(&mut out, doc, "VERTEX_NORMALS: [[i16; 3]", &self.vertex_normals);

@@ -15,13 +15,13 @@
 //!
 //! | program | display | RAM in bytes | where |
 //! |---|---|--:|---|
-//! | [a logo with a label](#a-logo-with-a-label) | 240 × 240, 16 bits | 7 976 | `Memory`, on the stack or in a static |
-//! | [a gauge](#a-gauge) | 128 × 64, 1 bit | 468 | `Gauge` in a static, the rest on the stack |
-//! | [a walk through a town](#a-walk-through-a-town) | 320 × 240, 16 bits | 25 636 | `Town` in a static, the rest on the stack |
-//! | [bars, an encoder and a touch screen](#bars-an-encoder-and-a-touch-screen) | 240 × 240, 16 bits | 11 576 | the stack |
-//! | [a head-up display](#a-head-up-display) | 240 × 240, 16 bits | 10 772 | `Hud` in a static, the rest on the stack |
+//! | [a logo with a label](#a-logo-with-a-label) | 240 × 240, 16 bits | 8 008 | `Memory`, on the stack or in a static |
+//! | [a gauge](#a-gauge) | 128 × 64, 1 bit | 472 | `Gauge` in a static, the rest on the stack |
+//! | [a walk through a town](#a-walk-through-a-town) | 320 × 240, 16 bits | 26 436 | `Town` in a static, the rest on the stack |
+//! | [bars, an encoder and a touch screen](#bars-an-encoder-and-a-touch-screen) | 240 × 240, 16 bits | 11 768 | the stack |
+//! | [a head-up display](#a-head-up-display) | 240 × 240, 16 bits | 10 836 | `Hud` in a static, the rest on the stack |
 //! | [a drawing on e-paper](#a-drawing-on-e-paper) | 200 × 200, 1 bit | 9 920 | the stack |
-//! | [a scope](#a-scope) | 320 × 240, 16 bits | 26 376 | `Scope` in a static, the rest on the stack |
+//! | [a scope](#a-scope) | 320 × 240, 16 bits | 26 504 | `Scope` in a static, the rest on the stack |
 //!
 //! RAM is all arrays and state of a program, measured on a 64-bit host; a 32-bit core needs no more. What the library's functions
 //! themselves use of the stack is in [docs/footprint.md].

@@ -1,6 +1,7 @@
 //! The camera: its position and orientation ([`ViewTransform`]), its view volume ([`Projection`]) and the rectangle of the
 //! target that shows it ([`Viewport`]).
 
+mod borders;
 #[allow(clippy::module_inception)] // the type has the folder's name
 mod camera;
 mod camera_error;
@@ -18,6 +19,7 @@ mod view_transform;
 mod viewport;
 mod visibility;
 
+pub(crate) use borders::Borders;
 pub use camera::Camera;
 pub use camera_error::CameraError;
 pub use picking::Ray;

@@ -80,6 +80,30 @@ impl PlaneEye {
         // Three products of 2¹⁵ and 2¹³, one of 2¹⁵ and 2¹⁴, whatever the normal's length: below 2³¹.
         i32::from(a) * x + i32::from(b) * y + i32::from(c) * z - i32::from(plane) * twice - Self::MARGIN
     }
+
+    /// Whether [`behind`](Self::behind) is certainly positive or zero for all faces of a cluster: see
+    /// [`Mesh::with_clustered_planes`](crate::Mesh::with_clustered_planes) for its numbers.
+    ///
+    /// With the eye u = xyz − w·c from the cluster's point c, the sum for a face is `n·u + w·(n·c − 2·plane)`. Its normal n lies within
+    /// M of the cluster's vector a, its plane within E of c: the sum is at least `a·u − M·|u| − |w|·E`. (Shirman and Abi-Ezzi, *The Cone of
+    /// Normals Technique for Fast Processing of Curved Patches*, 1993, with a ball in place of the cone.)
+    #[inline(always)]
+    pub(crate) fn is_behind_all(self, &[cx, cy, cz, radius, ax, ay, az, errors]: &[i16; 8]) -> bool {
+        // Each component is off by a half, which a normal of up to 2¹⁵ in each component multiplies.
+        const MARGIN: i32 = PlaneEye::MARGIN + 3 * (1 << 14);
+        let errors = i32::from(errors as u16);
+        let along = |eye: i32, c: i16| eye - ((self.w * i32::from(c) + (1 << 14)) >> 15); // at most 2¹⁴
+        let [x, y, z] = self.xyz;
+        let (x, y, z) = (along(x, cx), along(y, cy), along(z, cz));
+        let from_planes = ((i32::from(radius as u16) * ((errors & 255) + 1)) >> 8) + 1; // at most 2¹⁶
+                                                                                        // At most 3·2²⁹, and 2²⁹ + 2¹⁸: in 2¹⁵ they are subtracted without overflow.
+        let in_front = (i32::from(ax) * x + i32::from(ay) * y + i32::from(az) * z) >> 15;
+        let off = (self.w.abs() * from_planes + MARGIN + (1 << 15) - 1) >> 15;
+        let Ok(rest) = u32::try_from(in_front - off) else { return false };
+        // M is (m + 1)·2⁷, so (M·|u|)² is (m + 1)²·u²·2¹⁴, in 2³⁰ as the square of the rest, which is below 3·2¹⁴.
+        let (most, square) = ((errors >> 8) as u32 + 1, (x * x + y * y + z * z) as u32); // 2⁸, 3·2²⁸
+        rest * rest >= most * most * ((square >> 16) + 1)
+    }
 }
 
 #[cfg(test)]

@@ -17,6 +17,7 @@ use crate::math::unrolled::{map2, map3};
 use crate::math::{matrix_product, Affine, ClipCoords, Coordinate, LinearForm, Row};
 use crate::raster::{ScreenPoint, FARTHEST, GUARD_BAND};
 use crate::space::{Model, World};
+use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// The vertex transform of one object under one camera: model coordinates to clip space and to the screen.
@@ -200,6 +201,35 @@ impl VertexTransform {
     /// The linear forms x, y (in one unit) and w (in another) of a justified vertex: coefficients in 2⁻³¹, and an offset.
     pub(crate) fn forms(&self) -> [([i32; 3], i32); 3] {
         [self.x.numbers(), self.y.numbers(), self.w.numbers()]
+    }
+
+    /// Linear forms of justified coordinates, coefficients in 2⁻³¹ and an offset, that are negative only outside of the view: beyond
+    /// the left, right, top or bottom border of the viewport, or before the near plane, for a vertex and for new vertices between such
+    /// vertices. Their rounding by some units of x, y, d and w is allowed for. Beyond a border, that of positions is less
+    /// than the half pixel to the first pixel's centre.
+    pub(crate) fn borders(&self) -> [[i64; 4]; 5] {
+        const ROUNDING: i64 = 4;
+        let wide = |([a, b, c], offset): ([i32; 3], i32)| [a, b, c, offset].map(i64::from);
+        let ([x, y, w], [a, b, c, d]) = (self.forms().map(wide), wide(self.d.numbers()));
+        let up = 1 << ((self.xy_over_w + self.screen.unit) & 31); // ≤ 2²¹
+        let Size { width, height } = self.area().size;
+        // w times half the extent, which is at most 2²², and ±v times up: below 2⁵⁴.
+        let border = |[p, q, r, s]: [i64; 4], extent: u32, up: i64| {
+            let (half, [a, b, c, d]) = (i64::from(extent) * 128, w);
+            let rounding = ROUNDING * (half + up.abs());
+            [half * a + up * p, half * b + up * q, half * c + up * r, half * d + up * s + rounding]
+        };
+        let [left, right] = [up, -up].map(|up| border(x, width, up));
+        let [top, bottom] = [up, -up].map(|up| border(y, height, up));
+        [left, right, top, bottom, [a, b, c, d + ROUNDING]]
+    }
+
+    /// The centres of the viewport's first and last column and row, relative to the origin of packed vertices, in 24.8.
+    pub(crate) fn pixel_centres(&self) -> ([i32; 2], [i32; 2]) {
+        let (Rectangle { top_left, size }, [x, y]) = (self.area(), self.screen.packed_origin);
+        let first = [top_left.x * 256 + 128 - x, top_left.y * 256 + 128 - y]; // the viewport lies in the guard band
+        let [width, height] = [size.width, size.height].map(|extent| (extent as i32 - 1) * 256);
+        (first, [first[0] + width, first[1] + height])
     }
 
     /// The viewport's pixels.

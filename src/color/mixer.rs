@@ -53,6 +53,22 @@ pub(crate) trait Mixer: Color {
             gathered(sum >> 5 & mask)
         }
     }
+
+    /// [`mixer`](Self::mixer) for shares that are equal over a run of pixels, such as those of fog: this colour times its share is computed
+    /// once for the run. `mixer` takes one instruction more for each pixel on an M3.
+    #[inline(always)]
+    fn run_mixer(self) -> impl Fn(Self, u32) -> Self + Copy {
+        let (mask, mix) = (opaque(Self::MASK), self.mixer());
+        let own = spread(self, Self::MASK);
+        move |stored, rest| match Self::WORDS.is_spread {
+            // `rest` is 0 … 32. LLVM would turn a sum with own·rest into a product with (stored − own), as in `mixer`.
+            true => {
+                let of_run = own.wrapping_mul(32_u32.wrapping_sub(rest)).wrapping_add(Self::HALF);
+                gathered(of_run.wrapping_add(spread(stored, mask).wrapping_mul(rest)) >> 5 & mask)
+            }
+            false => mix(stored, rest),
+        }
+    }
 }
 
 /// The channels of a colour in a word, with the middle one 16 bits higher.
@@ -79,12 +95,14 @@ mod tests {
     fn check<C: Color + Debug>(random: &mut Random) {
         for alpha in (0..=32).cycle().take(9_000) {
             let [own, other] = [(); 2].map(|()| C::from_bits(random.bits()));
-            assert_eq!(own.fade(other)(alpha), own.mix(other, alpha), "{own:?} {other:?} {alpha}");
+            let (mixed, share) = (own.mix(other, alpha), u32::from(alpha) << (C::SHARE_BITS - 5));
+            assert_eq!(own.fade(other)(alpha), mixed, "{own:?} {other:?} {alpha}");
+            assert_eq!(other.run_mixer()(own, share), mixed, "{own:?} {other:?} {alpha}");
         }
     }
 
     #[test]
-    fn a_fade_is_a_mix() {
+    fn fades_and_runs_are_mixed() {
         let random = &mut Random(5);
         check::<Rgb565>(random);
         check::<Bgr555>(random);

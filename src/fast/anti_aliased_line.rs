@@ -2,9 +2,11 @@
 //!
 //! - **Plain twin**: `pipeline::anti_aliased::mix_columns`, which tests each pixel.
 //! - **Domain**: lines in 2D, and edges between the pixels around their ends, on a target whose pixels lie in memory: those that run more
-//!   to the right than down or up, clipped or not, and all others that lie between the scissor's columns.
-//! - **Gain**: S6 anti-aliased takes 4.1 million instructions on an M3, 6.1 on an M0; one loop for lines with and without depth took 6.9 and
-//!   9.6 million.
+//!   to the right than down or up, clipped or not, and all others that lie between the scissor's columns. The pixels around the ends of
+//!   edges that lie inside the scissor, whose ends are not near one another, with a stroke that is opaque; not in
+//!   a browser, where a page counts bytes and not instructions.
+//! - **Gain**: S6 anti-aliased takes 4.0 million instructions on an M3, 6.1 on an M0; one loop for lines with and without depth took 6.9 and
+//!   9.6 million. A1, the torus's edges, takes 3.0 million on an M3, 4.8 on an M0; with ends by the plain path 3.8 and 5.7 million.
 //! - **Test**: `the_fast_path_mixes_the_pixels_of_the_plain_one` and `hard_lines_are_mixed_as_by_the_plain_path` in
 //!   `pipeline/anti_aliased.rs`, which compare both pixel by pixel; `tests/pipeline/anti_aliased.rs`, in bands and with depth.
 //!
@@ -16,7 +18,7 @@
 
 use crate::color::StoredPixel;
 use crate::math::hints::keep_rolled;
-use crate::raster::{rest, share, unrounded_rest, LineArea, LineCoverage, Scissor};
+use crate::raster::{rest, share, unrounded_rest, weighted_area, LineArea, LineCoverage, LineEnds, Scissor};
 use crate::shading::Stroke;
 use crate::surface::Surface;
 use core::cell::Cell;
@@ -71,6 +73,86 @@ pub(crate) fn anti_aliased_line<T: Surface, K: Stroke<T::Color>>(
     true
 }
 
+/// Draws an edge with an opaque stroke, if it lies inside the scissor, which lies in the target, and is so long that its start and its end are
+/// parts of their own, and returns `true`; or draws nothing. `parts` are the columns at its start, in its middle and at its end.
+#[inline(always)]
+pub(crate) fn anti_aliased_edge<T: Surface, K: Stroke<T::Color>>(
+    parts: &[LineCoverage; 3],
+    area: &LineArea,
+    weights: &[LineEnds; 2],
+    scissor: &Scissor,
+    stroke: K,
+    target: &mut T,
+) -> bool {
+    let [start, middle, end] = parts;
+    if cfg!(target_family = "wasm") || !K::IS_OPAQUE || !start.inside || end.first >= end.end {
+        return false;
+    }
+    let Some(memory) = memory_of(target) else { return false };
+    let (cells, scratch) = memory.parts();
+    let layout = scratch.layout;
+    let mix = stroke.mixer();
+    let mix = move |cell, area, weight| {
+        let share = if weight < LineEnds::ALL { weighted_area(area, weight) } else { area };
+        mix(T::Color::load(cell), rest(share, K::SHARE_BITS)).stored()
+    };
+    let (along, aside) = if start.tall { (layout.stride, 1) } else { (1, layout.stride) };
+    let aside = if start.rises { aside.wrapping_neg() } else { aside };
+    for (part, weights) in [(start, &weights[0]), (end, &weights[1])] {
+        let row = if part.rises { !part.row } else { part.row };
+        let [x, y] = if part.tall { [row, part.first] } else { [part.first, row] };
+        let weight = weights.of_one_end([part.first, part.row]);
+        let (count, minor) = (part.end - part.first, [part.fraction, part.slope()]);
+        around_end(cells, layout.at(x, y), count, [along, aside], minor, area, weight, K::SHARE_BITS, mix);
+    }
+    anti_aliased_line(middle, area, scissor, stroke, target);
+    true
+}
+
+/// Draws the columns around an end. `at` is the index of the first middle pixel; the next column lies `along` further, and the next row
+/// `aside`. `weight`: the middle pixel's, and its change per column and per row, in 2⁻²⁰. `mix` returns a pixel of which the line covers
+/// an area, with a weight.
+#[inline(never)] // its loop needs all registers
+#[allow(clippy::too_many_arguments)]
+fn around_end<C: Copy>(
+    cells: &mut [C],
+    mut at: usize,
+    count: i32,
+    [along, aside]: [usize; 2],
+    [mut fraction, slope]: [u32; 2],
+    area: &LineArea,
+    [mut weight, by_column, by_row]: [i32; 3],
+    bits: u32,
+    mix: impl Fn(C, i32, i32) -> C,
+) {
+    for _ in 0..count {
+        let areas = area.column(fraction);
+        // Few columns have five pixels.
+        let (mut index, mut own, areas) = match &areas {
+            [0, areas @ .., 0] => (at, weight, areas.as_slice()),
+            areas => (at.wrapping_sub(aside), weight.wrapping_sub(by_row), areas.as_slice()),
+        };
+        (index, own) = (index.wrapping_sub(aside), own.wrapping_sub(by_row));
+        for &area in areas {
+            if share(area, bits) != 0
+                && own >= 1 << 20
+                && let Some(pixel) = cells.get_mut(index)
+            {
+                *pixel = mix(*pixel, area, own >> 20);
+            }
+            (index, own) = (index.wrapping_add(aside), own.wrapping_add(by_row));
+            keep_rolled();
+        }
+        let carries;
+        (fraction, carries) = fraction.overflowing_add(slope);
+        (at, weight) = (at.wrapping_add(along), weight.wrapping_add(by_column));
+        if carries {
+            (at, weight) = (at.wrapping_add(aside), weight.wrapping_add(by_row));
+        }
+        keep_rolled();
+    }
+}
+
 /// Draws a line with one row per column. `at` is the index of the middle pixel relative to the first one, in 32.32, in which the position
 /// in that pixel is the fraction; `cells` begins two pixels before the first one and ends two after the last one.
 #[inline(never)] // its loop needs all registers
@@ -94,10 +176,10 @@ fn tall<C: Copy>(
         if above > 0 {
             let (beyond, far) = area.area(above);
             left += beyond;
-            if let Some(far) = far {
+            if far != 0 {
                 put(cells, index, rest(far, bits), &mix);
             }
-            let share = share(beyond - far.unwrap_or(0), bits);
+            let share = share(beyond - far, bits);
             if share != 0
                 && let Some(pixel) = before.get(index)
             {
@@ -107,10 +189,10 @@ fn tall<C: Copy>(
         if below > 0 {
             let (beyond, far) = area.area(below);
             left += beyond;
-            if let Some(far) = far {
+            if far != 0 {
                 put(cells, index + 4, rest(far, bits), &mix);
             }
-            let share = share(beyond - far.unwrap_or(0), bits);
+            let share = share(beyond - far, bits);
             if share != 0
                 && let Some(pixel) = after.get(index)
             {
@@ -154,10 +236,10 @@ fn wide<C: Copy>(
         if above > 0 {
             let (beyond, far) = area.area(above);
             left += beyond;
-            if let Some(far) = far {
+            if far != 0 {
                 put(cells, at.wrapping_sub(down.wrapping_mul(2)), rest(far, bits), &mix);
             }
-            let share = share(beyond - far.unwrap_or(0), bits);
+            let share = share(beyond - far, bits);
             if share != 0
                 && let Some(pixel) = cells.get(at.wrapping_sub(down))
             {
@@ -167,10 +249,10 @@ fn wide<C: Copy>(
         if below > 0 {
             let (beyond, far) = area.area(below);
             left += beyond;
-            if let Some(far) = far {
+            if far != 0 {
                 put(cells, at.wrapping_add(down.wrapping_mul(2)), rest(far, bits), &mix);
             }
-            let share = share(beyond - far.unwrap_or(0), bits);
+            let share = share(beyond - far, bits);
             if share != 0
                 && let Some(pixel) = cells.get(at.wrapping_add(down))
             {

@@ -3,8 +3,8 @@
 //! - **Plain twins**: `solid_fill::triangle` and `solid_fill::triangle_nearer`, with a band as the scissor.
 //! - **Domain**: all corners between the scissor's columns and within 32 × 30 pixels, the first row not above the scissor; on a target
 //!   whose pixels lie in memory, with depth only where the depth buffer is laid out as the memory is. Nothing on a Cortex-M0.
-//! - **Gain**: on an M3, S3 in bands of 8 rows takes 780 000 instructions with depth in place of 1 039 000, and 469 000 in place of 665 000
-//!   without, 60 000 of them by binning (`tools/bench/run cells S3 active8-z M3`). A Cortex-M0, which has no division, walks other edges.
+//! - **Gain**: on an M3, S3 in bands of 8 rows takes 791 000 instructions with depth in place of 964 000, and 479 000 in place of 605 000
+//!   without (`tools/bench/run cells S3 active8-z M3`). A Cortex-M0, which has no division, walks other edges.
 //! - **Test**: `tests/pipeline/bands.rs`, and `by_every_call` in `tests/support/src/bridge/ways.rs`.
 
 use super::edge20::{Divisor, Edge20, OneDivision, TwoDivisions};

@@ -1,17 +1,15 @@
 //! Binned faces with a list of active faces, which continue from band to band.
 
-use super::binned::{assert_depth, DrawnWith};
+use super::binned::{assert_depth, Binned, DrawnWith};
 use super::binned_faces::IN_BAND;
-use super::bins::each_active;
-use super::cull::Facing;
-use super::draw_region::{pixels, DrawRegion};
+use super::bins::{each_active, NONE};
+use super::draw_region::DrawRegion;
 use super::drawable::ShaderFor;
-use super::face_source::{FaceSource, MeshOrder, PartOrder};
-use super::face_triangles::FaceTriangles;
+use super::face_source::PartOrder;
 use super::faces::{draw_triangles, each_face};
 use super::fill::{fill, fill_nearer, solid_color};
-use super::statistics::{Outcome, Statistics};
-use super::vertex_cache::{area, BinnedVertices, TransformedMesh, VertexCache};
+use super::statistics::Statistics;
+use super::vertex_cache::{area, BinnedVertices, TransformedMesh};
 use crate::color::Ink;
 use crate::fast::carried::{self, Carried, Rest};
 use crate::math::hints::keep_rolled;
@@ -19,11 +17,7 @@ use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::{DepthTriangle, Scissor};
 use crate::shading::SpanShader;
-use crate::surface::{
-    rectangle, BufferError, DepthBuffer, DepthTarget, Surface, Target, Tested, Unmatched, Untested,
-};
-use core::convert::Infallible;
-use core::ops::Range;
+use crate::surface::{BufferError, DepthBuffer, DepthTarget, Surface, Target, Tested, Unmatched, Untested};
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -43,40 +37,15 @@ impl<C: PixelColor, const WORDS: usize> ActiveFace<C, WORDS> {
     pub const EMPTY: Self = Self { face: 0, next: 0, carried: Carried::EMPTY }; // all bits 0: a static takes no flash
 }
 
-/// The number of no entry, and of no face: a mesh has at most 65535, and a list has as many entries at most.
-const NONE: u16 = u16::MAX;
-
 /// The visible faces of a mesh, binned by their first rows, and a list of those that continue from band to band.
 /// [`TransformedMesh::bin_active_faces`] makes it and has an example.
 #[derive(Debug)]
 pub struct ActiveFaces<'a, C, V: Coordinate = i16, const DEPTH: bool = false, const WORDS: usize = 0> {
-    transformed: TransformedMesh<'a, V, DEPTH>,
-    statistics: Statistics,
-    chains: Chains<'a>,
-    /// A bit for each face of the mesh: set if the face has begun, and neither ended nor entered the list.
-    bits: &'a mut [u16],
+    /// Faces whose bits are set have begun, and neither ended nor entered the list.
+    binned: Binned<'a, V, DEPTH>,
     list: List<'a, C, WORDS>,
     /// The left and right end of the last band, and the row below it; `None` if no band was drawn to its end.
     below: Option<[i32; 3]>,
-}
-
-/// The number of bins. With 240 rows, each bin has eight.
-const BINS: usize = 32;
-
-/// The visible faces in bins of rows, by one pass over the mesh. They are linked, not sorted as in `bins.rs`, so that no first row is
-/// computed twice; but a link for each face of the mesh takes more memory than one for each visible face.
-#[derive(Clone, Copy, Debug)]
-struct Chains<'s> {
-    /// For each face of the mesh the next one in its bin.
-    next: &'s [u16],
-    /// The first face of each bin.
-    first: [u16; BINS],
-    /// The first row of the first bin.
-    top: i32,
-    /// A bin has 2^shift rows.
-    shift: u32,
-    /// The first bin whose faces have not begun.
-    bin: usize,
 }
 
 /// The faces that continue below the last band, linked in the order of the mesh.
@@ -170,7 +139,7 @@ impl<'f, C, const WORDS: usize> List<'f, C, WORDS> {
 impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
     /// Bins the visible faces as [`bin_faces`](Self::bin_faces) does, and carries faces that continue below a band to the next one: their
     /// edges, depth and colour are not computed again. The pixels are those of `bin_faces`. S3, a torus of 1000 triangles with depth in bands of 8 rows,
-    /// takes 1.31 times the instructions of one piece on a Cortex-M3, 1.74 times without the list.
+    /// takes 1.33 times the instructions of one piece on a Cortex-M3, 1.62 times without the list.
     ///
     /// `storage` is bin storage that the result borrows: [`face_bins_len`](crate::Mesh::face_bins_len) numbers. `list` holds the faces
     /// that continue: with as many entries as faces cross the border of two bands, none is set up twice. The torus needs 56, a height field of
@@ -233,81 +202,6 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, false> {
     }
 }
 
-impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
-    /// What becomes of a face with an uncached vertex, or one without a position, and the bounding box of its pixels.
-    #[cold]
-    #[inline(never)]
-    fn clipped_bounds(&self, face: &[u16; 3]) -> (Outcome, Scissor) {
-        let viewport = Scissor::EMPTY; // no gradient is computed
-        let mut triangles = FaceTriangles::<()>::new(&viewport);
-        (self.clip_face(face, &mut triangles), triangles.fan.bounds())
-    }
-}
-
-impl Chains<'_> {
-    /// Links the faces of a source.
-    #[inline(always)]
-    fn link<'a, V: Coordinate + 'a, const DEPTH: bool>(
-        &mut self,
-        source: impl FaceSource,
-        mut mesh: TransformedMesh<'a, V, DEPTH>,
-        viewport: &Scissor,
-        next: &mut [u16],
-    ) -> Statistics {
-        let (faces, mut statistics) = (mesh.instance.mesh().faces, Statistics::NONE);
-        let Ok(()) = source.push(faces, |index, face| {
-            // As in `each_face`, without a triangle: S3 with depth takes 3 % fewer instructions in bands of 8 rows on an M3.
-            let bounds = match mesh.corners(face) {
-                Some(corners) => {
-                    match mesh.instance.cull().facing(area::<DEPTH>(&corners)) {
-                        Facing::Drawn => statistics.count(Outcome::Unclipped),
-                        Facing::Culled => return Ok::<bool, Infallible>(true),
-                        Facing::EdgeOn => {
-                            statistics.count(Outcome::Degenerate);
-                            return Ok(true);
-                        }
-                    }
-                    Scissor::bounding_box(&map3(mesh.unpack(corners), |corner| corner.point))
-                }
-                None => {
-                    let (outcome, bounds) = mesh.clipped_bounds(face);
-                    statistics.count(outcome);
-                    if !outcome.is_drawn() {
-                        return Ok(true);
-                    }
-                    bounds
-                }
-            };
-            if !bounds.is_empty() && bounds.meets(viewport) {
-                let bin = self.bin_of(bounds.top);
-                if let (Some(first), Some(next)) = (self.first.get_mut(bin), next.get_mut(index)) {
-                    *next = core::mem::replace(first, index as u16); // fewer than 65535
-                }
-            }
-            Ok(true)
-        });
-        statistics.with_the_rest_culled(faces.len())
-    }
-
-    /// Calls `visit` with each face in some bins.
-    #[inline(always)]
-    fn each(&self, bins: Range<usize>, mut visit: impl FnMut(usize)) {
-        for &first in self.first.get(bins).unwrap_or_default() {
-            let mut face = usize::from(first);
-            // `NONE` has no next one.
-            while let Some(&next) = self.next.get(face) {
-                keep_rolled();
-                visit(face);
-                face = next.into();
-            }
-        }
-    }
-
-    fn bin_of(&self, row: i32) -> usize {
-        ((row - self.top).max(0) >> self.shift).min(BINS as i32 - 1) as usize
-    }
-}
-
 impl<'a, C: PixelColor, V: Coordinate, const DEPTH: bool, const WORDS: usize>
     ActiveFaces<'a, C, V, DEPTH, WORDS>
 {
@@ -317,46 +211,17 @@ impl<'a, C: PixelColor, V: Coordinate, const DEPTH: bool, const WORDS: usize>
         storage: &'a mut [u16],
         list: &'a mut [ActiveFace<C, WORDS>],
     ) -> Result<Self, BufferError> {
-        let (transformed, items) = (*mesh, mesh.instance.mesh().faces.len());
-        let (words, given) = (items.div_ceil(16), storage.len());
-        let (bits, next) = storage.split_at_mut_checked(words).unwrap_or_default();
-        let Some(next) = next.get_mut(..items) else {
-            return Err(BufferError::Bins { needed: items + words, given }); // fewer than 2³²: a face takes six bytes
-        };
-        if items > usize::from(NONE) {
-            return Err(BufferError::TooManyItems { items });
-        }
-        let viewport = pixels(transformed.instance.area());
-        let height = viewport.bottom.saturating_sub(viewport.top).max(1).unsigned_abs();
-        let mut chains = Chains {
-            next: &[],
-            first: [NONE; BINS],
-            top: viewport.top,
-            shift: (27 - (height - 1).leading_zeros().min(27)) % 32, // (height − 1) >> shift < 32
-            bin: 0,
-        };
-        let statistics = chains.link(MeshOrder, transformed, &viewport, next);
-        chains.next = next;
-        Ok(Self { transformed, statistics, chains, bits, list: List::new(list), below: None })
+        Ok(Self { binned: Binned::of_faces(mesh, storage)?, list: List::new(list), below: None })
     }
 
     /// Counts for the whole frame, as [`BinnedFaces::statistics`](crate::draw::BinnedFaces::statistics).
     pub const fn statistics(&self) -> Statistics {
-        self.statistics
+        self.binned.statistics
     }
 
     /// A rectangle around all visible faces, as [`BinnedFaces::bounds`](crate::draw::BinnedFaces::bounds).
     pub fn bounds(&self) -> Rectangle {
-        let mut bounds = Scissor::UNION_IDENTITY;
-        let mesh = self.transformed;
-        self.chains.each(0..BINS, |index| {
-            let Some(face) = mesh.instance.mesh().faces.get(index) else { return };
-            bounds = bounds.union(&match mesh.on_screen(face) {
-                Some(corners) => Scissor::bounding_box(&map3(mesh.unpack(corners), |corner| corner.point)),
-                None => mesh.clipped_bounds(face).1,
-            });
-        });
-        rectangle(&bounds.clipped_to(&pixels(self.transformed.instance.area())))
+        self.binned.bounds()
     }
 
     /// Splits the faces into two, one for each of two cores, as [`BinnedFaces::fork`](crate::draw::BinnedFaces::fork) does: `cursor` is the
@@ -370,19 +235,10 @@ impl<'a, C: PixelColor, V: Coordinate, const DEPTH: bool, const WORDS: usize>
         cursor: &'b mut [u16],
         list: &'b mut [ActiveFace<C, WORDS>],
     ) -> Result<[ActiveFaces<'b, C, V, DEPTH, WORDS>; 2], BufferError> {
-        let (needed, given) = (self.bits.len(), cursor.len());
-        let bits = cursor.get_mut(..needed).ok_or(BufferError::Bins { needed, given })?;
         self.below = None;
-        let Self { transformed, statistics, chains, .. } = *self;
-        let forks = [(&mut *self.bits, &mut *self.list.entries), (bits, list)];
-        Ok(forks.map(|(bits, list)| ActiveFaces {
-            transformed,
-            statistics,
-            chains,
-            bits,
-            list: List::new(list),
-            below: None,
-        }))
+        let [one, other] = self.binned.fork(cursor)?;
+        let forks = [(one, &mut *self.list.entries), (other, list)];
+        Ok(forks.map(|(binned, list)| ActiveFaces { binned, list: List::new(list), below: None }))
     }
 
     /// Draws the faces in a band as [`BinnedFaces::draw`](crate::draw::BinnedFaces::draw) does. `shade` is called for a face in the first band that it lies in, and in
@@ -449,26 +305,19 @@ impl<'a, C: PixelColor, V: Coordinate, const DEPTH: bool, const WORDS: usize>
         depth: Option<&DepthBuffer<'_>>,
         carries: bool,
     ) -> DrawRegion {
-        let region = DrawRegion::shared(band, self.transformed.instance.area(), depth);
-        let Scissor { left, top, right, bottom } = region.scissor;
+        let Self { binned, list, below } = self;
+        let region = DrawRegion::shared(band, binned.transformed.instance.area(), depth);
+        let Scissor { left, top, right, .. } = region.scissor;
         if region.scissor.is_empty() {
             return region;
         }
-        let Self { chains, bits, list, below, .. } = self;
         let continues = below.is_some_and(|[l, r, row]| l == left && r == right && row == top);
         if !(continues && (carries || list.first == NONE)) {
             list.clear();
-            bits.fill(0);
-            chains.bin = 0;
+            binned.bins.restart();
         }
         *below = None; // until the band is drawn
-        let end = chains.bin_of(bottom - 1) + 1;
-        chains.each(chains.bin..end, |face| {
-            if let Some(bits) = bits.get_mut(face / 16) {
-                *bits |= 1 << (face % 16);
-            }
-        });
-        chains.bin = chains.bin.max(end);
+        binned.bins.advance_to_band(&region.scissor.rows());
         region
     }
 
@@ -481,14 +330,14 @@ impl<'a, C: PixelColor, V: Coordinate, const DEPTH: bool, const WORDS: usize>
         band: &mut T,
         mut depth: Option<&mut DepthTarget<'_, '_>>,
     ) -> Result<(), T::Error> {
-        let (scissor, mesh) = (&region.scissor, self.transformed);
+        let Self { binned: Binned { transformed: mesh, bins, .. }, list, below } = self;
+        let (scissor, mesh) = (&region.scissor, *mesh);
         if scissor.is_empty() {
             return Ok(());
         }
-        let Self { bits, list, below, .. } = self;
         let faces = mesh.instance.mesh().faces;
         let (mut cursor, mut triangle) = (list.cursor(), DepthTriangle::new(&region.viewport));
-        each_active(bits, |index| {
+        each_active(bins.active(), |index| {
             let number = index as u16; // fewer than 65535 faces
             if cursor.face < number {
                 list.continue_to(number, &mut cursor, scissor, depths_of(&mut depth), band);
@@ -588,7 +437,7 @@ defmt_format!([C, const WORDS: usize] ActiveFace<C, WORDS>, self, "active face {
 
 defmt_format!(
     [C, V: Coordinate, const DEPTH: bool, const WORDS: usize] ActiveFaces<'_, C, V, DEPTH, WORDS>, self,
-    "faces with a list of {=usize} entries: {}", self.list.entries.len(), self.statistics
+    "faces with a list of {=usize} entries: {}", self.list.entries.len(), self.binned.statistics
 );
 
 /// The figures of the documentation.

@@ -5,7 +5,7 @@
 use super::drawable::StrokeFor;
 use crate::camera::UnpackedVertex;
 use crate::color::StoredPixel;
-use crate::fast::anti_aliased_line::anti_aliased_line;
+use crate::fast::anti_aliased_line::{anti_aliased_edge, anti_aliased_line};
 use crate::math::hints::keep_rolled;
 use crate::raster::{
     rest, share, weighted_area, Column, LineArea, LineCoverage, LineDepth, LineEnds, Pixel, Scissor,
@@ -46,15 +46,31 @@ pub(super) fn edge<T: Surface, K: StrokeFor<T>>(
         return;
     }
     let area = line.area();
-    let (at_ends, [start, middle, end]) = LineEnds::new(ends, &line, &area);
-    for (part, at_end) in [start, end].iter().zip(&at_ends) {
+    let (at_ends, parts) = LineEnds::new(ends, &line, &area);
+    if !anti_aliased_edge(&parts, &area, &at_ends, scissor, stroke, target) {
+        // Copied, so that what the fast path takes has no address, and lies in registers.
+        by_parts(parts.clone(), &area, &at_ends.clone(), scissor, stroke, target);
+    }
+}
+
+/// Draws an edge by its parts: the columns at its start, those in its middle, and those at its end.
+#[inline(never)] // most edges are drawn by the fast path
+fn by_parts<T: Surface, K: StrokeFor<T>>(
+    [start, middle, end]: [LineCoverage; 3],
+    area: &LineArea,
+    at_ends: &[LineEnds; 2],
+    scissor: &Scissor,
+    stroke: K,
+    target: &mut T,
+) {
+    for (part, at_end) in [start, end].iter().zip(at_ends) {
         keep_rolled();
         if part.first < part.end && (part.inside || part.meets(scissor)) {
-            by_pixels(part, &area, Some(at_end), scissor, stroke, target);
+            by_pixels(part, area, Some(at_end), scissor, stroke, target);
         }
     }
     if middle.first < middle.end {
-        all_columns(middle, &area, scissor, stroke, target);
+        all_columns(middle, area, scissor, stroke, target);
     }
 }
 
@@ -148,7 +164,7 @@ fn mix_columns<const UNROLLED: bool, T: Surface, K: StrokeFor<T>, D: Copy>(
                 let share = match weight {
                     LineEnds::ALL => area,
                     // Shares of an opaque color leave factors of the stored color. Shares of a translucent one nearly add up.
-                    _ if mix(below, 0) == color => weighted_area(area, weight),
+                    _ if K::IS_OPAQUE || mix(below, 0) == color => weighted_area(area, weight),
                     _ => (area * weight) >> 4,
                 };
                 if is_visible(own, x, y, share) {
@@ -181,7 +197,7 @@ fn meet(ends: [[i32; 2]; 2], viewport: &Scissor) -> bool {
 pub(super) fn visible_edge<T: Surface, K: StrokeFor<T>>(
     ends: &[UnpackedVertex; 2],
     stores: bool,
-    is_drawn_over: &mut dyn FnMut(u16, i32, i32) -> bool,
+    is_drawn_over: &mut dyn FnMut(u16, i32, i32) -> Option<bool>,
     viewport: &Scissor,
     scissor: &Scissor,
     stroke: K,
@@ -211,7 +227,7 @@ pub(super) fn visible_edge<T: Surface, K: StrokeFor<T>>(
             |column| line_depth.depth(column, column),
             |own, x, y, share| {
                 let Some([stored]) = depth.row(x, y, 1) else { return false };
-                let is_visible = own <= *stored || is_drawn_over(*stored, x, y);
+                let is_visible = own <= *stored || is_drawn_over(*stored, x, y) == Some(true);
                 if is_visible && stores && share >= 1 << 15 {
                     *stored = own;
                 }
@@ -226,6 +242,7 @@ mod tests {
     use super::*;
     use crate::color::{Color, Reads};
     use crate::math::random::Random;
+    use crate::raster::ScreenPoint;
     use crate::shading::{AntiAliased, Stroke};
     use crate::surface::{Picture, Pixels};
     use embedded_graphics_core::geometry::Size;
@@ -242,6 +259,7 @@ mod tests {
 
     impl<const BITS: u32> Stroke<Rgb888> for Trace<BITS> {
         type Access = Reads;
+        const IS_OPAQUE: bool = true; // both paths then take shares by weight
         const SHARE_BITS: u32 = BITS;
 
         fn color(&self) -> Rgb888 {
@@ -264,6 +282,7 @@ mod tests {
     struct Taken {
         tall: usize,
         wide: usize,
+        edges: usize,
         pixels: usize,
     }
 
@@ -318,6 +337,36 @@ mod tests {
         }
     }
 
+    /// Draws an edge, by the fast path where it is taken, and by the plain one in all parts, and compares each pixel.
+    fn compare_edge<C: Color + core::fmt::Debug, K: Stroke<C, Access = Reads>>(
+        ends: [[i32; 2]; 2],
+        scissor: &Scissor,
+        stroke: K,
+        background: &Cells<C>,
+        taken: &mut Taken,
+    ) {
+        let line = LineCoverage::new(ends, BEYOND, scissor);
+        let area = line.area();
+        let (at_ends, parts) = LineEnds::new(ends, &line, &area);
+        let weights = [Some(&at_ends[0]), None, Some(&at_ends[1])];
+        let plain = picture(background, |pixels| {
+            for (part, weights) in parts.iter().zip(weights) {
+                by_pixels(part, &area, weights, scissor, stroke, pixels);
+            }
+        });
+        let vertices =
+            ends.map(|[x, y]| UnpackedVertex { point: ScreenPoint::from_subpixels(x, y).unwrap(), depth: 0 });
+        let drawn =
+            picture(background, |pixels| edge(&vertices, &Scissor::GUARD_BAND, scissor, stroke, pixels));
+        assert!(drawn == plain, "{ends:?} {scissor:?}");
+        let mut taken_alone = false;
+        let fast = picture(background, |pixels| {
+            taken_alone = anti_aliased_edge(&parts, &area, &at_ends, scissor, stroke, pixels);
+        });
+        assert!(fast == if taken_alone { plain } else { *background }, "{ends:?} {scissor:?}");
+        taken.edges += usize::from(taken_alone);
+    }
+
     /// Compares a line in every format, over a background of random colors.
     fn in_all_formats(ends: [[i32; 2]; 2], scissor: &Scissor, random: &mut Random, taken: &mut Taken) {
         fn one<C: Color + core::fmt::Debug>(
@@ -328,7 +377,10 @@ mod tests {
             taken: &mut Taken,
         ) {
             let random = [(); 40 * 33].map(|()| C::from_bits(random.bits() & ((1 << C::FORMAT.bits()) - 1)));
+            let mix = AntiAliased(color).mixer();
+            assert!(random.iter().all(|&below| mix(below, 0) == color)); // IS_OPAQUE
             for background in [[C::from_bits(0); 40 * 33], random] {
+                compare_edge(ends, scissor, AntiAliased(color), &background, taken);
                 compare(ends, scissor, AntiAliased(color), &background, taken);
             }
         }
@@ -346,6 +398,8 @@ mod tests {
         let background = [(); 40 * 33].map(|()| Rgb888::from_bits(random.bits() & 0xff_ffff));
         compare(ends, scissor, Trace::<8>, &background, taken);
         compare(ends, scissor, Trace::<5>, &background, taken);
+        compare_edge(ends, scissor, Trace::<8>, &background, taken);
+        compare_edge(ends, scissor, Trace::<5>, &background, taken);
         if random.below(20) == 0 {
             in_all_formats(ends, scissor, random, taken);
         }
@@ -377,7 +431,8 @@ mod tests {
             check([end(), end()], &scissor, random, &mut taken);
         }
         assert!(
-            cfg!(pinhole_plain) || taken.tall > 3_000 && taken.wide > 3_000 && taken.pixels > 200_000,
+            cfg!(pinhole_plain)
+                || taken.tall > 3_000 && taken.wide > 3_000 && taken.edges > 300 && taken.pixels > 200_000,
             "{taken:?}"
         );
     }
@@ -407,7 +462,8 @@ mod tests {
             }
         }
         assert!(
-            cfg!(pinhole_plain) || taken.tall > 1_500 && taken.wide > 1_500 && taken.pixels > 100_000,
+            cfg!(pinhole_plain)
+                || taken.tall > 1_500 && taken.wide > 1_500 && taken.edges > 200 && taken.pixels > 100_000,
             "{taken:?}"
         );
     }

@@ -1,7 +1,7 @@
 //! Primitives of a mesh, faces or edges, that are binned once and drawn band by band.
 
 use super::bins::Bins;
-use super::draw_region::{pixels, DrawRegion};
+use super::draw_region::DrawRegion;
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::math::Coordinate;
@@ -32,18 +32,7 @@ pub(super) struct Binned<'a, V: Coordinate, const DEPTH: bool> {
     pub(super) statistics: Statistics,
 }
 
-impl<'a, V: Coordinate, const DEPTH: bool> Binned<'a, V, DEPTH> {
-    /// Empty bins for a mesh with `count` primitives.
-    #[inline(always)]
-    pub(super) fn new(
-        transformed: TransformedMesh<'a, V, DEPTH>,
-        storage: &'a mut [u16],
-        count: usize,
-    ) -> Self {
-        let bins = Bins::new(storage, count, pixels(transformed.instance.area()));
-        Self { transformed, bins, statistics: Statistics::NONE }
-    }
-
+impl<V: Coordinate, const DEPTH: bool> Binned<'_, V, DEPTH> {
     /// Two sets of the same primitives, each for bands of its own; `cursor` is the second one's storage.
     #[inline(always)]
     pub(super) fn fork<'b>(
@@ -67,7 +56,6 @@ impl<'a, V: Coordinate, const DEPTH: bool> Binned<'a, V, DEPTH> {
         &mut self,
         band: &Rectangle,
         depth: Option<&DepthBuffer<'_>>,
-        first_row: impl Fn(&TransformedMesh<'a, V, DEPTH>, usize) -> i32,
     ) -> DrawRegion {
         let Self { transformed, bins, .. } = self;
         let region = DrawRegion::shared(band, transformed.instance.area(), depth);
@@ -76,7 +64,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Binned<'a, V, DEPTH> {
             rows = rows.start + BEYOND..rows.end + BEYOND; // inside the guard band before
             bins.continue_at(rows.start);
         }
-        bins.advance_to_band(&rows, |index| first_row(transformed, index));
+        bins.advance_to_band(&rows);
         region
     }
 }

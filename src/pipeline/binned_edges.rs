@@ -2,7 +2,7 @@
 
 use super::anti_aliased;
 use super::binned::{Binned, DrawnWith};
-use super::bins::{each_active, Bins};
+use super::bins::{each_active, BinStorage};
 use super::draw_region::{pixels, DrawRegion};
 use super::drawable::StrokeFor;
 use super::fill::line_in_band;
@@ -26,9 +26,8 @@ use embedded_graphics_core::primitives::Rectangle;
 pub struct BinnedEdges<'a, V: Coordinate = i16, const DEPTH: bool = false>(Binned<'a, V, DEPTH>);
 
 impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
-    /// Sorts the visible edges by their first row, for drawing in bands. `storage` is bin storage that the result borrows. It
-    /// must hold one number per visible edge and one per 16 edges of the mesh, rounded up: `edges + edges.div_ceil(16)` numbers
-    /// are always enough.
+    /// Puts the visible edges into bins of rows, for drawing in bands. `storage` is bin storage that the result borrows:
+    /// [`edge_bins_len`](crate::Mesh::edge_bins_len) numbers.
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -39,7 +38,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// let instance = camera.place(&mesh, &Affine::identity());
-    /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 3 + 1]); // one per vertex; one per edge, and one per 16 edges
+    /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 5]); // `mesh.cache_len()`, `mesh.edge_bins_len()`
     /// let mut edges = instance.transform(&mut cache).bin_edges(&mut bins)?;
     /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
     /// while let Some(mut band) = frame.next_band(&mut strip)? {
@@ -57,44 +56,30 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// the mesh has more than 65535 edges. Nothing is binned then.
     #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while edges are drawn
     pub fn bin_edges(&self, storage: &'a mut [u16]) -> Result<BinnedEdges<'a, V, DEPTH>, BufferError> {
-        let mut edges = BinnedEdges(Binned::new(*self, storage, self.instance.mesh().edges.len()));
-        edges.0.statistics = edges.0.transformed.fill_edge_bins(&mut edges.0.bins)?;
-        Ok(edges)
+        let edges = self.instance.mesh().edges;
+        let mut fill = BinStorage::new(storage, edges.len())?.fill(pixels(self.instance.area()));
+        let mut statistics = Statistics::NONE;
+        for (index, &edge) in edges.iter().enumerate() {
+            fill.add(index, &self.bounds_in_bins(edge, &mut statistics));
+        }
+        let statistics = statistics.with_the_rest_drawn(edges.len());
+        Ok(BinnedEdges(Binned { transformed: *self, bins: fill.bins(), statistics }))
     }
 }
 
 impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
-    /// Clips and counts all edges, then sorts the visible ones.
-    #[inline(never)] // the sort's arrays leave the stack when it returns
-    fn fill_edge_bins(&self, bins: &mut Bins<'_>) -> Result<Statistics, BufferError> {
-        let (edges, mut statistics) = (self.instance.mesh().edges, Statistics::NONE);
-        let mut sort = bins.sort();
-        for (index, &edge) in edges.iter().enumerate() {
-            let ends = self.edge_out_of_line(edge, &mut statistics);
-            sort.add(index, &ends.map_or(Scissor::EMPTY, |ends| self.bounds_in_bins(&ends)));
-        }
-        sort.finish(edges.len(), |index| self.first_row_of_edge(index))?;
-        Ok(statistics.with_the_rest_drawn(edges.len()))
-    }
-
     /// [`edge`](Self::edge) as one shared copy, for callers whose code size matters more than their speed.
     #[inline(never)]
     fn edge_out_of_line(&self, edge: [u16; 2], statistics: &mut Statistics) -> Option<[UnpackedVertex; 2]> {
         self.edge(edge, statistics)
     }
 
-    /// The first row of a binned edge.
-    #[inline(never)] // one copy for two callers
-    fn first_row_of_edge(&self, index: usize) -> i32 {
-        let edge = self.instance.mesh().edges.get(index);
-        let ends = edge.and_then(|&edge| self.edge_out_of_line(edge, &mut Statistics::default()));
-        ends.map_or(0, |ends| self.bounds_in_bins(&ends).rows().start)
-    }
-
-    /// The bounding box of an edge or, if it does not meet the viewport, the box that an anti-aliased line reaches into.
+    /// The bounding box of an edge or, if it does not meet the viewport, the box that an anti-aliased line reaches into. It is empty
+    /// if clipping leaves nothing of the edge.
     #[inline(always)]
-    fn bounds_in_bins(&self, ends: &[UnpackedVertex; 2]) -> Scissor {
-        let bounds = bounds(ends);
+    fn bounds_in_bins(&self, edge: [u16; 2], statistics: &mut Statistics) -> Scissor {
+        let Some(ends) = self.edge_out_of_line(edge, statistics) else { return Scissor::EMPTY };
+        let bounds = bounds(&ends);
         if bounds.intersection(&pixels(self.instance.area())).is_empty() {
             bounds.grown(anti_aliased::BEYOND)
         } else {
@@ -194,7 +179,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
         band: &Rectangle,
         depth: Option<&DepthBuffer<'_>>,
     ) -> DrawRegion {
-        self.0.advance_to_band::<BEYOND>(band, depth, TransformedMesh::first_row_of_edge)
+        self.0.advance_to_band::<BEYOND>(band, depth)
     }
 
     /// Calls `draw` for each edge that may lie in the band of the last [`advance_to_band`](Self::advance_to_band).
@@ -280,5 +265,5 @@ fn bounds([from, to]: &[UnpackedVertex; 2]) -> Scissor {
     let (from, to) = (from.point.pixel(), to.point.pixel());
     let (left, right) = (from.x.min(to.x), from.x.max(to.x));
     let (top, bottom) = (from.y.min(to.y), from.y.max(to.y));
-    Scissor::new(left.into(), top.into(), i32::from(right) + 1, i32::from(bottom) + 1)
+    Scissor::unclamped(left.into(), top.into(), i32::from(right) + 1, i32::from(bottom) + 1)
 }

@@ -1,118 +1,210 @@
 //! Primitives of a mesh (faces or edges), binned by their first rows.
 //!
-//! One list holds the indices of the primitives, sorted into bins of rows by a counting sort (Knuth, *The Art of Computer
-//! Programming*, vol. 3, 2nd ed., section 5.2), which visits each primitive twice. As in an active-edge table, a band activates
-//! the bins that begin above its end: it sets a bit for each of their primitives. The bit stays set until the primitive ends.
+//! The primitives of a bin are linked, as the edges of a scan line are in an edge table (Foley, van Dam, Feiner, Hughes, *Computer
+//! Graphics: Principles and Practice*, 2nd ed., section 3.6.3): one pass over the mesh fills all bins. As in an active-edge table, a band
+//! activates the bins that begin above its end: it sets a bit for each of their primitives. The bit stays set until the primitive ends.
 //! Bits are visited in ascending order, so primitives are drawn in the order of the mesh, whatever the bands.
 
 use crate::math::hints::keep_rolled;
 use crate::raster::Scissor;
+use crate::scene::{bin_count, bins_len, MOST_BINS};
 use crate::surface::BufferError;
 use core::ops::Range;
 
-/// The number of bins. With 240 rows, each bin has four.
-const BINS: usize = 64;
+/// The number of no primitive: a mesh has at most 65535, whose numbers are smaller.
+pub(super) const NONE: u16 = u16::MAX;
 
-/// The visible primitives of a mesh, sorted for bands, in memory that the caller provides.
+/// The visible primitives of a mesh in bins of rows, in memory that the caller provides.
 #[derive(Debug)]
 pub(super) struct Bins<'s> {
-    /// Indices of primitives, bin after bin: [forks](Self::fork) share them. Empty before the sort.
-    order: &'s [u16],
-    /// A bit for each primitive of the mesh: set if the primitive is active, that is, it has begun and not ended. During the
-    /// sort: set if the primitive is visible, and behind these bits lies the storage of `order`.
+    /// The first primitive of each bin, and for each primitive of the mesh the next one in its bin: [forks](Self::fork) share them.
+    first: &'s [u16],
+    next: &'s [u16],
+    /// A bit for each primitive of the mesh: set if the primitive is active, that is, it has begun and not ended.
     active: &'s mut [u16],
-    /// The first row of the first bin.
-    top: i32,
-    /// A bin has 2^shift rows.
-    shift: u32,
+    rows: BinRows,
     /// Where the next band continues.
     pub(super) cursor: Cursor,
-    /// The bounding box of the visible primitives inside the viewport. Before the sort: the viewport.
+    /// The bounding box of the visible primitives inside the viewport.
     bounds: Scissor,
 }
 
 /// Up to where primitives are activated.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cursor {
-    /// How many entries of `order` were activated. During the sort: how many primitives are visible.
-    activated: usize,
-    /// The bin of the first primitive that was not activated, or a lower bound for it.
-    next: usize,
+    /// The first bin that is not activated.
+    bin: usize,
     /// The end of the last band.
     row: i32,
 }
 
-/// The sort that fills [`Bins`]: primitives are counted, and then distributed.
-pub(super) struct BinSort<'b, 's> {
-    bins: &'b mut Bins<'s>,
-    /// A primitive that does not meet the viewport is dropped.
-    viewport: Scissor,
-    /// The number of primitives in each bin; then the index in `order` of the bin's next primitive. Not a field of [`Bins`],
-    /// which stays on the stack while bands are drawn.
-    ends: [u16; BINS],
+impl Cursor {
+    /// The next band begins above its row, and so at the top of the bins.
+    const TOP: Self = Self { bin: 0, row: i32::MAX };
 }
 
-/// The primitives that were counted in a part of the mesh: their sum is that of the mesh.
+/// The rows of bins.
+#[derive(Clone, Copy, Debug)]
+struct BinRows {
+    /// The first row of the first bin.
+    top: i32,
+    /// A bin has 2^shift rows.
+    shift: u32,
+}
+
+impl BinRows {
+    /// The rows of `bins` bins, a power of two, in a viewport.
+    fn new(viewport: &Scissor, bins: usize) -> Self {
+        let height = viewport.bottom.saturating_sub(viewport.top).max(1).unsigned_abs();
+        let bits = 32 - (height - 1).leading_zeros(); // (height − 1) >> shift < bins
+        Self { top: viewport.top, shift: bits.saturating_sub(bins.trailing_zeros()) % 32 }
+    }
+
+    fn bin(&self, row: i32) -> usize {
+        (row.saturating_sub(self.top).max(0) >> self.shift) as usize
+    }
+}
+
+/// Bin storage in its parts, before the bins are filled.
+#[derive(Debug, Default)]
+pub(super) struct BinStorage<'s> {
+    active: &'s mut [u16],
+    first: &'s mut [u16],
+    pub(super) next: &'s mut [u16],
+}
+
+/// Bins that are filled: [add](Self::add) each visible primitive.
 #[derive(Debug)]
-pub(super) struct Counts {
-    visible: usize,
-    bounds: Scissor,
-    bins: [u16; BINS],
+pub(super) struct BinFill<'s> {
+    storage: BinStorage<'s>,
+    /// The primitive whose link is the first of the storage.
+    base: usize,
+    rows: BinRows,
+    viewport: Scissor,
+    /// The bounding box of the primitives added so far, inside the viewport.
+    pub(super) bounds: Scissor,
 }
 
-impl Counts {
-    pub(super) const NONE: Self = Self { visible: 0, bounds: Scissor::UNION_IDENTITY, bins: [0; BINS] };
+/// A part of the primitives, linked by one of two cores.
+#[derive(Debug)]
+pub(super) struct BinPart {
+    first: [u16; MOST_BINS],
+    /// The bounding box of the primitives of this part.
+    pub(super) bounds: Scissor,
 }
 
-impl<'s> Bins<'s> {
-    /// Empty bins for `items` primitives that may be drawn in a viewport.
+impl<'s> BinStorage<'s> {
+    /// Storage for `items` primitives.
+    ///
+    /// # Errors
+    ///
+    /// [`BufferError`] if the storage is too short or there are too many primitives.
     #[inline(never)] // once per frame, like most of this file: code size matters more than speed
-    pub(super) fn new(storage: &'s mut [u16], items: usize, viewport: Scissor) -> Self {
-        // `make_room` reports storage that is too short even for the bits.
-        let words = items.div_ceil(16).min(storage.len());
-        storage.get_mut(..words).unwrap_or_default().fill(0);
-        Self::over(storage, viewport)
-    }
-
-    /// Bins over storage whose bits are set, or zero.
-    #[inline(always)]
-    pub(super) fn over(storage: &'s mut [u16], viewport: Scissor) -> Self {
-        let rows = viewport.rows();
-        let height = rows.end.saturating_sub(rows.start).max(1).unsigned_abs();
-        let shift = (26 - (height - 1).leading_zeros().min(26)) % 32; // (height − 1) >> shift < 64
-        Self {
-            order: &[],
-            active: storage,
-            top: rows.start,
-            shift,
-            cursor: Cursor { activated: 0, next: 0, row: i32::MIN },
-            bounds: viewport,
+    pub(super) fn new(storage: &'s mut [u16], items: usize) -> Result<Self, BufferError> {
+        if items > usize::from(NONE) {
+            return Err(BufferError::TooManyItems { items });
         }
+        let (needed, given) = (bins_len(items), storage.len());
+        let all = storage.get_mut(..needed);
+        let Some((active, links)) = all.and_then(|all| all.split_at_mut_checked(items.div_ceil(16))) else {
+            return Err(BufferError::Bins { needed, given });
+        };
+        let (first, next) = links.split_at_mut_checked(bin_count(items)).unwrap_or_default();
+        Ok(Self { active, first, next })
     }
 
-    /// Begins the sort: [add](BinSort::add) each primitive in the order of the mesh, then [finish](BinSort::finish) the sort.
+    /// Begins to fill bins for a viewport.
+    pub(super) fn fill(self, viewport: Scissor) -> BinFill<'s> {
+        BinFill::new(self, 0, viewport)
+    }
+
+    /// Filled bins. `bounds`: those of all primitives that were added.
     #[inline(always)]
-    pub(super) fn sort(&mut self) -> BinSort<'_, 's> {
-        let viewport = core::mem::replace(&mut self.bounds, Scissor::UNION_IDENTITY);
-        BinSort { bins: self, viewport, ends: [0; BINS] }
+    fn bins(self, viewport: &Scissor, bounds: &Scissor) -> Bins<'s> {
+        let Self { active, first, next } = self;
+        let rows = BinRows::new(viewport, first.len());
+        // Without a primitive they are no box yet.
+        Bins { first, next, active, rows, cursor: Cursor::TOP, bounds: bounds.clipped_to(viewport) }
     }
 
-    /// The sort of primitives that were counted in two parts, whose bits are set: [finish](BinSort::finish) it.
-    pub(super) fn sort_counted(&mut self, parts: [&Counts; 2]) -> BinSort<'_, 's> {
-        let mut sort = self.sort();
-        for counts in parts {
-            sort.bins.cursor.activated += counts.visible; // at most all items
-            sort.bins.bounds = sort.bins.bounds.union(&counts.bounds);
-            for (end, count) in sort.ends.iter_mut().zip(&counts.bins) {
+    /// Bins that were filled in two parts.
+    pub(super) fn joined(self, viewport: &Scissor, [front, back]: [&BinPart; 2]) -> Bins<'s> {
+        for ((first, &front), &back) in self.first.iter_mut().zip(&front.first).zip(&back.first) {
+            // As if one pass had linked all: the last face of the mesh first.
+            let mut last = back;
+            while let Some(&next) = self.next.get(usize::from(last)).filter(|next| **next != NONE) {
                 keep_rolled();
-                *end = end.wrapping_add(*count); // at most all items
+                last = next;
+            }
+            *first = if back == NONE { front } else { back };
+            if let Some(next) = self.next.get_mut(usize::from(last)) {
+                *next = front;
             }
         }
-        sort
+        self.bins(viewport, &front.bounds.union(&back.bounds))
+    }
+}
+
+impl BinPart {
+    pub(super) const EMPTY: Self = Self { first: [NONE; MOST_BINS], bounds: Scissor::UNION_IDENTITY };
+
+    /// Begins to fill the bins of a part of `items` primitives with those from `base` on, whose links are `next`.
+    pub(super) fn fill<'b>(
+        &'b mut self,
+        next: &'b mut [u16],
+        base: usize,
+        items: usize,
+        viewport: Scissor,
+    ) -> BinFill<'b> {
+        let first = self.first.get_mut(..bin_count(items)).unwrap_or_default(); // at most `MOST_BINS`
+        BinFill::new(BinStorage { active: &mut [], first, next }, base, viewport)
+    }
+}
+
+impl<'s> BinFill<'s> {
+    #[inline(never)] // once per frame, like most of this file: code size matters more than speed
+    fn new(storage: BinStorage<'s>, base: usize, viewport: Scissor) -> Self {
+        storage.first.fill(NONE);
+        let rows = BinRows::new(&viewport, storage.first.len());
+        Self { storage, base, rows, viewport, bounds: Scissor::UNION_IDENTITY }
     }
 
-    /// Two cursors over these bins, each for bands of its own: they share the list of primitives, and `cursor` holds the second
-    /// one's bits. The first one uses the bits of these bins, which begin again at their next band.
+    /// The filled bins.
+    #[inline(always)]
+    pub(super) fn bins(self) -> Bins<'s> {
+        self.storage.bins(&self.viewport, &self.bounds)
+    }
+
+    /// Links a primitive with this bounding box if it meets the viewport. `item` counts from the first primitive of this part.
+    #[inline(always)]
+    pub(super) fn add(&mut self, item: usize, bounds: &Scissor) {
+        // A box inside of those before it meets the viewport, as they do: one test for most primitives.
+        if bounds.is_empty() || !(self.bounds.contains(bounds) || self.extend(bounds)) {
+            return;
+        }
+        let BinStorage { first, next, .. } = &mut self.storage;
+        let first = first.get_mut(self.rows.bin(bounds.top));
+        if let (Some(first), Some(next)) = (first, next.get_mut(item)) {
+            *next = core::mem::replace(first, (self.base + item) as u16); // fewer than 65535
+        }
+    }
+}
+
+impl BinFill<'_> {
+    /// Extends the bounding box by the part of a box inside the viewport, if there is one.
+    #[inline(never)]
+    fn extend(&mut self, bounds: &Scissor) -> bool {
+        let meets = bounds.meets(&self.viewport);
+        if meets {
+            self.bounds = self.bounds.union(&bounds.clipped_to(&self.viewport));
+        }
+        meets
+    }
+}
+
+impl Bins<'_> {
+    /// Two cursors over these bins, each for bands of its own: they share the links, and `cursor` holds the second one's bits. The first one
+    /// uses the bits of these bins, which begin again at their next band.
     ///
     /// # Errors
     ///
@@ -120,11 +212,10 @@ impl<'s> Bins<'s> {
     pub(super) fn fork<'b>(&'b mut self, cursor: &'b mut [u16]) -> Result<[Bins<'b>; 2], BufferError> {
         let (needed, given) = (self.active.len(), cursor.len());
         let second = cursor.get_mut(..needed).ok_or(BufferError::Bins { needed, given })?;
-        // Every band begins above this row, so the first band of each of the two cursors, and of these bins after them, clears its bits.
-        self.cursor.row = i32::MAX;
-        let Bins { order, top, shift, cursor, bounds, .. } = *self;
+        self.restart();
+        let Bins { first, next, rows, cursor, bounds, .. } = *self;
         let active = [&mut *self.active, second];
-        Ok(active.map(|active| Bins { order, active, top, shift, cursor, bounds }))
+        Ok(active.map(|active| Bins { first, next, active, rows, cursor, bounds }))
     }
 
     /// A copy of the bins for one band, which borrows their active bits. Its cursor after the band must be copied back.
@@ -137,60 +228,52 @@ impl<'s> Bins<'s> {
         self.bounds
     }
 
-    fn bin(&self, row: i32) -> usize {
-        (row.saturating_sub(self.top).max(0) >> self.shift).min(BINS as i32 - 1) as usize
-    }
-
     /// A bit for each primitive of the mesh: set if the primitive may lie in the band of the last
     /// [`advance_to_band`](Self::advance_to_band).
     pub(super) fn active(&mut self) -> &mut [u16] {
         self.active
     }
 
+    /// Begins again at the next band.
+    pub(super) fn restart(&mut self) {
+        self.cursor = Cursor::TOP;
+    }
+
     /// Begins again at the next band, unless the last one ended at this row: it was drawn with the same rows beyond.
     pub(super) fn continue_at(&mut self, row: i32) {
         if self.cursor.row != row {
-            self.cursor.row = i32::MAX;
+            self.restart();
         }
     }
 
-    /// Activates the primitives that begin in a band or above it. `first_row` returns the row by which a primitive was sorted.
-    #[inline(always)]
-    pub(super) fn advance_to_band(&mut self, rows: &Range<i32>, first_row: impl Fn(usize) -> i32) {
+    /// Activates the primitives that begin in a band or above it.
+    #[inline(never)] // one copy for all draw calls
+    pub(super) fn advance_to_band(&mut self, rows: &Range<i32>) {
         if rows.is_empty() {
             return;
         }
         if rows.start < self.cursor.row {
             // This band does not follow the last one: start again at the top.
             self.active.fill(0);
-            (self.cursor.activated, self.cursor.next) = (0, 0);
+            self.cursor = Cursor::TOP;
         }
         self.cursor.row = rows.end;
-        if rows.end <= self.top {
+        if rows.end <= self.rows.top {
             return;
         }
-        let last = self.bin(rows.end - 1);
-        if last < self.cursor.next {
-            return;
-        }
-        // Bisection finds the end of these bins: storing the ends would take 128 bytes.
-        let (begun, mut behind) = (self.cursor.activated, self.order.len());
-        self.cursor.next = BINS;
-        while self.cursor.activated < behind {
-            let middle = (self.cursor.activated + behind) / 2; // at most 65535 each
-            let bin = self.order.get(middle).map_or(BINS, |&item| self.bin(first_row(item.into())));
-            if bin <= last {
-                self.cursor.activated = middle + 1;
-            } else {
-                (behind, self.cursor.next) = (middle, bin);
+        let end = (self.rows.bin(rows.end - 1) + 1).min(self.first.len());
+        for &first in self.first.get(self.cursor.bin..end).unwrap_or_default() {
+            let mut item = first;
+            // `NONE` has no next one.
+            while let Some(&next) = self.next.get(usize::from(item)) {
+                keep_rolled();
+                if let Some(bits) = self.active.get_mut(usize::from(item / 16)) {
+                    *bits |= 1 << (item % 16);
+                }
+                item = next;
             }
         }
-        for &item in self.order.get(begun..self.cursor.activated).unwrap_or_default() {
-            keep_rolled();
-            if let Some(bits) = self.active.get_mut(usize::from(item / 16)) {
-                *bits |= 1 << (item % 16);
-            }
-        }
+        self.cursor.bin = self.cursor.bin.max(end);
     }
 }
 
@@ -222,93 +305,4 @@ pub(super) fn each_active<E>(
         }
     }
     Ok(())
-}
-
-impl<'s> BinSort<'_, 's> {
-    /// The primitives counted so far, in place of a sort.
-    pub(super) fn into_counts(self) -> Counts {
-        Counts { visible: self.bins.cursor.activated, bounds: self.bins.bounds, bins: self.ends }
-    }
-
-    /// Counts a primitive with this bounding box if it meets the viewport.
-    #[inline(never)] // code size matters more than speed: once per visible primitive
-    pub(super) fn add(&mut self, item: usize, bounds: &Scissor) {
-        let (rows, columns) = (bounds.rows(), bounds.columns());
-        let (all_rows, all_columns) = (self.viewport.rows(), self.viewport.columns());
-        let meets = |own: &Range<i32>, all: &Range<i32>| own.start < all.end && own.end > all.start;
-        if bounds.is_empty() || !(meets(&rows, &all_rows) && meets(&columns, &all_columns)) {
-            return;
-        }
-        self.bins.bounds = self.bins.bounds.union(bounds);
-        self.bins.cursor.activated += 1; // at most all items
-        if let Some(bits) = self.bins.active.get_mut(item / 16) {
-            *bits |= 1 << (item % 16);
-        }
-        let bin = self.bins.bin(bounds.rows().start);
-        if let Some(count) = self.ends.get_mut(bin) {
-            *count = count.wrapping_add(1); // at most all items
-        }
-    }
-
-    /// Distributes the counted primitives to their bins by their first rows. `items`: the number of primitives in the mesh.
-    ///
-    /// # Errors
-    ///
-    /// [`BufferError`] if the storage is too short or there are too many primitives.
-    #[inline(always)]
-    pub(super) fn finish(
-        &mut self,
-        items: usize,
-        first_row: impl FnMut(usize) -> i32,
-    ) -> Result<(), BufferError> {
-        let order = self.make_room(items)?;
-        self.distribute(order, first_row);
-        Ok(())
-    }
-
-    /// Checks the storage, turns counts into the indices at which bins begin, and returns the storage of the list.
-    #[inline(never)]
-    fn make_room(&mut self, items: usize) -> Result<&'s mut [u16], BufferError> {
-        if items > usize::from(u16::MAX) {
-            return Err(BufferError::TooManyItems { items });
-        }
-        let Bins { active, cursor: Cursor { activated, .. }, .. } = &mut *self.bins;
-        let words = items.div_ceil(16);
-        let (needed, given) = (*activated + words, active.len());
-        if given < needed {
-            return Err(BufferError::Bins { needed, given });
-        }
-        let (bits, order) = core::mem::take(active).split_at_mut_checked(words).unwrap_or_default();
-        *active = bits;
-        let mut sum = 0u16;
-        for end in &mut self.ends {
-            keep_rolled();
-            let count = core::mem::replace(end, sum);
-            sum = sum.wrapping_add(count); // all counted primitives, in the end
-        }
-        Ok(order.get_mut(..*activated).unwrap_or_default())
-    }
-
-    /// Writes the index of each counted primitive to `order`, into its bin.
-    #[inline(always)]
-    fn distribute(&mut self, order: &'s mut [u16], mut first_row: impl FnMut(usize) -> i32) {
-        for word in 0..self.bins.active.len() {
-            let mut remaining = self.bins.active.get_mut(word).map_or(0, core::mem::take);
-            while remaining != 0 {
-                let item = word * 16 + remaining.trailing_zeros() as usize;
-                remaining &= remaining.wrapping_sub(1);
-                let bin = self.bins.bin(first_row(item));
-                if let Some(end) = self.ends.get_mut(bin) {
-                    if let Some(entry) = order.get_mut(usize::from(*end)) {
-                        *entry = item as u16; // fewer than 65536
-                    }
-                    *end = end.wrapping_add(1); // at most all items
-                }
-            }
-        }
-        self.bins.order = order;
-        self.bins.cursor.activated = 0;
-        // Each primitive meets the viewport, but may extend beyond it.
-        self.bins.bounds = self.bins.bounds.clipped_to(&self.viewport);
-    }
 }

@@ -85,9 +85,9 @@ defmt_format!(
 /// static BUFFERS: ConstStaticCell<MeshBuffers!(TRIANGLE)> = ConstStaticCell::new(mesh_buffers!(TRIANGLE));
 /// # let _ = &BUFFERS.0;
 /// let shared = mesh_buffers!(TRIANGLE, POINTS);
-/// assert_eq!((shared.cache.len(), shared.bins.len()), (9, 2)); // a face, and one for up to 16 faces
+/// assert_eq!((shared.cache.len(), shared.bins.len()), (9, 3)); // a face, one for up to 16 faces, and a bin
 /// let scene = mesh_buffers!([TRIANGLE; 20], [POINTS; 1]);
-/// assert_eq!((scene.cache.len(), scene.bins.len()), (20 * 3 + 9, 20 * 2));
+/// assert_eq!((scene.cache.len(), scene.bins.len()), (20 * 3 + 9, 20 * 3));
 /// ```
 #[macro_export]
 macro_rules! mesh_buffers {

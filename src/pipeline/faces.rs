@@ -3,12 +3,12 @@
 //!
 //! | source | cache | sink |
 //! |---|---|---|
-//! | [`MeshOrder`], [`PlaneOrder`], binned faces | [`TransformedMesh`], [`LazyCache`] | a fill, a depth-tested fill, depth only, bins, a painter, picking |
+//! | [`MeshOrder`], [`PlaneOrder`], [`ClusterOrder`], binned faces | [`TransformedMesh`], [`LazyCache`] | a fill, a depth-tested fill, depth only, bins, a painter, picking |
 
 use super::cull::Facing;
 use super::draw_region::DrawRegion;
 use super::drawable::ShaderFor;
-use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
+use super::face_source::{ClusterOrder, FaceSource, MeshOrder, PlaneOrder};
 use super::face_triangles::FaceTriangles;
 use super::fill::{fill, fill_nearer};
 use super::instance::MeshInstance;
@@ -37,10 +37,11 @@ pub(super) fn each_face<
     V: Coordinate + 'a,
     C: VertexCache<'a, V, DEPTH>,
     K: Varying,
+    S: FaceSource,
     E,
     const DEPTH: bool,
 >(
-    source: impl FaceSource,
+    source: S,
     cache: &mut C,
     viewport: &Scissor,
     mut sink: impl FnMut(usize, &[u16; 3], &mut FaceTriangles<'_, K>) -> Result<bool, E>,
@@ -62,6 +63,9 @@ pub(super) fn each_face<
                         statistics.count(Outcome::Degenerate);
                         return Ok(true);
                     }
+                }
+                if !S::may_show::<DEPTH>(instance.vertex_transform(), &corners) {
+                    return Ok(true); // counted as culled
                 }
                 let Some(corners) = cache.reload_corners(face, corners) else { return Ok(true) };
                 statistics.count(Outcome::Unclipped);
@@ -207,7 +211,7 @@ pub(super) fn store_depth<V: Coordinate>(
 /// [`MeshInstance::faces`] makes it.
 #[must_use = "`draw` draws the faces, `pick` finds the one in a pixel"]
 #[derive(Debug)]
-pub struct Faces<'a, V: Coordinate, F, const BY_PLANES: bool = false> {
+pub struct Faces<'a, V: Coordinate, F, const CULLED_BY: u8 = NOTHING> {
     pub(super) instance: &'a MeshInstance<'a, V>,
     pub(super) shade: F,
     pub(super) cache: &'a mut [ScreenVertex],
@@ -234,12 +238,44 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     }
 }
 
-impl<'a, V: Coordinate, F, const BY_PLANES: bool> Faces<'a, V, F, BY_PLANES> {
+/// How a draw call culls faces before it transforms their vertices: not at all, by planes, or by clusters and planes.
+pub(super) const NOTHING: u8 = 0;
+pub(super) const PLANES: u8 = 1;
+pub(super) const CLUSTERS: u8 = 2;
+
+impl<'a, V: Coordinate, F, const CULLED_BY: u8> Faces<'a, V, F, CULLED_BY> {
     /// Culls back faces by the [planes](crate::Mesh::with_planes) of the mesh, if it has any, before their vertices are transformed. Worth
     /// it for closed meshes of a few hundred faces or more: `with_planes` says when, and has an example. Firmware links this code only if
     /// it calls this.
     #[inline(always)]
-    pub fn culled_by_planes(self) -> Faces<'a, V, F, true> {
+    pub fn culled_by_planes(self) -> Faces<'a, V, F, PLANES> {
+        let Self { instance, shade, cache } = self;
+        Faces { instance, shade, cache }
+    }
+
+    /// Culls faces by the [clusters](crate::Mesh::with_clustered_planes) of the mesh, if it has any, which leaves out 32 faces by one test:
+    /// those that lie outside of the viewport or before the near plane as a whole, or are turned away. In other clusters back faces are
+    /// culled by their planes, and faces beside the viewport before they are shaded. Worth it for meshes of a thousand faces or more, most
+    /// of which are out of view or turned away.
+    ///
+    /// The picture equals that of [`culled_by_planes`](Self::culled_by_planes). In the [`Statistics`] faces that are left out count as
+    /// `culled`, also those out of view. Firmware links this code only if it calls this.
+    ///
+    /// ```
+    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+    /// # use pinhole::{prelude::*, Angle};
+    /// # let mut display = MockDisplay::<Gray8>::new();
+    /// let mesh = Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?.with_normals(&[[0, 0, 32_767]])?;
+    /// let mesh = mesh.with_clustered_planes(&[0, 8192, 8192, 0, 11_586, 0, 0, 32_767, 0])?; // pinhole-import makes them
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let aside = Affine::translation(Vector3::from_ints(9, 0, 0));
+    /// let statistics = camera.place(&mesh, &aside).faces(|_| Gray8::WHITE).culled_by_clusters().draw(&mut display)?;
+    /// assert_eq!(statistics.culled, 1); // out of view: no vertex was transformed
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[inline(always)]
+    pub fn culled_by_clusters(self) -> Faces<'a, V, F, CLUSTERS> {
         let Self { instance, shade, cache } = self;
         Faces { instance, shade, cache }
     }
@@ -303,51 +339,60 @@ impl<'a, V: Coordinate, F, const BY_PLANES: bool> Faces<'a, V, F, BY_PLANES> {
         target.dispatch(
             self,
             |Faces { instance, shade, cache }, surface| {
-                instance.solid::<_, _, BY_PLANES>(shade, cache, surface)
+                instance.solid::<_, _, CULLED_BY>(shade, cache, surface)
             },
             |Faces { instance, shade, cache }, surface, depth| {
-                instance.depth_tested::<_, _, BY_PLANES>(shade, cache, depth, surface)
+                instance.depth_tested::<_, _, CULLED_BY>(shade, cache, depth, surface)
             },
         )
     }
 }
 
 defmt_format!(
-    [V: Coordinate, F, const BY_PLANES: bool] Faces<'_, V, F, BY_PLANES>, self,
+    [V: Coordinate, F, const CULLED_BY: u8] Faces<'_, V, F, CULLED_BY>, self,
     "faces of {}", self.instance
 );
 
 impl<V: Coordinate> MeshInstance<'_, V> {
     #[inline(never)] // its stack frame is gone when it returns
-    fn solid<T: Surface, S: ShaderFor<T>, const BY_PLANES: bool>(
+    fn solid<T: Surface, S: ShaderFor<T>, const CULLED_BY: u8>(
         &self,
         shade: impl FnMut(usize) -> S,
         cache: &mut [ScreenVertex],
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let region = DrawRegion::new(target, self.area());
-        match (BY_PLANES, S::NEEDS_DEPTH) {
-            (false, false) => {
+        let far = self.vertex_transform().clips_at_far();
+        match (CULLED_BY, S::NEEDS_DEPTH) {
+            (NOTHING, false) => {
                 let cache = TransformedMesh::<V, false>::new(self, cache);
                 solid(MeshOrder, cache, &region, shade, target)
             }
-            (false, true) => {
+            (NOTHING, true) => {
                 let cache = TransformedMesh::<V, true>::new(self, cache);
                 solid(MeshOrder, cache, &region, shade, target)
             }
-            (true, false) => {
-                let (source, far) = (PlaneOrder::new(self), self.vertex_transform().clips_at_far());
+            (PLANES, false) => {
+                let source = PlaneOrder::new(self);
                 solid(source, LazyCache::<V, false>::new(self, far, cache), &region, shade, target)
             }
-            (true, true) => {
+            (PLANES, true) => {
                 let source = PlaneOrder::new(self);
+                solid(source, LazyCache::<V, true>::new(self, true, cache), &region, shade, target)
+            }
+            (_, false) => {
+                let source = ClusterOrder::new(self);
+                solid(source, LazyCache::<V, false>::new(self, far, cache), &region, shade, target)
+            }
+            (_, true) => {
+                let source = ClusterOrder::new(self);
                 solid(source, LazyCache::<V, true>::new(self, true, cache), &region, shade, target)
             }
         }
     }
 
     #[inline(never)] // its stack frame is gone when it returns
-    fn depth_tested<T: Surface, S: ShaderFor<T>, const BY_PLANES: bool>(
+    fn depth_tested<T: Surface, S: ShaderFor<T>, const CULLED_BY: u8>(
         &self,
         shade: impl FnMut(usize) -> S,
         cache: &mut [ScreenVertex],
@@ -355,11 +400,18 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let region = DrawRegion::new(target, self.area()).with_depth(depth);
-        if BY_PLANES {
-            let source = PlaneOrder::new(self);
-            depth_tested(source, LazyCache::new(self, true, cache), &region, shade, depth, target)
-        } else {
-            depth_tested(MeshOrder, TransformedMesh::new(self, cache), &region, shade, depth, target)
+        match CULLED_BY {
+            NOTHING => {
+                depth_tested(MeshOrder, TransformedMesh::new(self, cache), &region, shade, depth, target)
+            }
+            PLANES => {
+                let source = PlaneOrder::new(self);
+                depth_tested(source, LazyCache::new(self, true, cache), &region, shade, depth, target)
+            }
+            _ => {
+                let source = ClusterOrder::new(self);
+                depth_tested(source, LazyCache::new(self, true, cache), &region, shade, depth, target)
+            }
         }
     }
 

@@ -12,7 +12,7 @@ use super::wireframe::{each_edge, Edges};
 use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::color::Access;
 use crate::math::Coordinate;
-use crate::raster::{self, DepthTriangle, EdgePlanes, LineDepth, Scissor, ScreenPoint, Span};
+use crate::raster::{DepthTriangle, EdgePlanes, LineDepth, LineSetup, LineSpans, Scissor, ScreenPoint, Span};
 use crate::surface::{DepthBuffer, DepthTestedSurface, Surface};
 
 impl<V: Coordinate, F> Edges<'_, V, F> {
@@ -123,9 +123,10 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         let line_depth = line_depth(ends);
         let mut planes = None; // found at the first pixel that lies behind the stored depth
         let mut is_surface = |stored, x, y| {
-            let planes =
-                planes.get_or_insert_with(|| self.planes_beside(edge, ends, &line_depth, &region.viewport));
-            planes.are_in_front(stored, x, y)
+            if planes.is_none() {
+                self.find_planes_beside(edge, ends, &line_depth, &region.viewport, &mut planes);
+            }
+            planes.as_ref().and_then(|planes| planes.are_in_front(stored, x, y))
         };
         if <K::Access as Access>::READS {
             let DrawRegion { viewport, scissor } = region;
@@ -153,18 +154,20 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         )
     }
 
-    /// The planes of the drawn faces beside an edge.
+    /// Stores the planes of the drawn faces beside an edge.
     #[inline(never)] // its stack frame is gone when it returns
-    fn planes_beside(
+    fn find_planes_beside(
         &self,
         edge: usize,
         ends: &[UnpackedVertex; 2],
         line_depth: &LineDepth,
         viewport: &Scissor,
-    ) -> EdgePlanes {
-        let mut planes = EdgePlanes::new(ends.map(|end| end.point), ends.map(|end| end.depth), line_depth);
+        planes: &mut Option<EdgePlanes>, // not returned: it would be copied
+    ) {
+        let (points, depths) = (ends.map(|end| end.point), ends.map(|end| end.depth));
+        let planes = planes.insert(EdgePlanes::new(points, depths, line_depth));
         let mesh = self.instance.mesh();
-        let Some(edge_ends) = mesh.edges.get(edge) else { return planes };
+        let Some(edge_ends) = mesh.edges.get(edge) else { return };
         let are_on_screen = edge_ends.iter().all(|&index| self.screen_vertex(index).is_on_screen());
         for at in 0..mesh.candidates_beside(edge) {
             let Some(face) = mesh.face_beside(edge, at) else { continue };
@@ -172,7 +175,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
                 Some((index, is_along)) if are_on_screen => {
                     let corner = self.screen_vertex(index);
                     if corner.is_on_screen() {
-                        self.add_plane(corner, is_along, &mut planes);
+                        self.add_plane(corner, is_along, planes);
                         continue;
                     }
                 }
@@ -181,10 +184,9 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
                 _ => {}
             }
             if V::CLIPS {
-                self.add_plane_of_clipped(face, viewport, &mut planes);
+                self.add_plane_of_clipped(face, viewport, planes);
             }
         }
-        planes
     }
 
     /// Adds the plane of a face on the screen, if it is drawn, by its corner that is not an end of the edge.
@@ -254,47 +256,44 @@ pub(super) fn draw_nearer<T: Surface, K: StrokeFor<T>>(
 ) -> Result<(), T::Error> {
     let DrawRegion { viewport, scissor } = region;
     if <K::Access as Access>::READS {
-        anti_aliased::visible_edge(
-            ends,
-            true,
-            &mut |_, _, _| false,
-            viewport,
-            scissor,
-            stroke,
-            depth,
-            target,
-        );
+        anti_aliased::visible_edge(ends, true, &mut |_, _, _| None, viewport, scissor, stroke, depth, target);
         return Ok(());
     }
-    draw_visible(ends, &line_depth(ends), true, &mut |_, _, _| false, stroke.color(), scissor, depth, target)
+    draw_visible(ends, &line_depth(ends), true, &mut |_, _, _| None, stroke.color(), scissor, depth, target)
 }
 
 /// Draws the pixels of a line that are as near as the depth buffer or nearer, or for which `is_drawn_over` is true, given the
-/// stored depth and the pixel. `stores`: the depth of drawn pixels is stored.
+/// stored depth and the pixel; it returns `None` if it never is. `stores`: the depth of drawn pixels is stored.
 #[inline(never)] // one copy for both callers; `is_drawn_over` is called only where the line lies behind the stored depth
 #[allow(clippy::too_many_arguments)]
 fn draw_visible<T: Surface>(
     ends: &[UnpackedVertex; 2],
     line_depth: &LineDepth,
     stores: bool,
-    is_drawn_over: &mut dyn FnMut(u16, i32, i32) -> bool,
+    is_drawn_over: &mut dyn FnMut(u16, i32, i32) -> Option<bool>,
     color: T::Color,
     scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
     let [from, to] = ends.map(|end| end.point.pixel());
-    raster::line(from, to, scissor, |span| {
-        let is_visible = |x, y, stored: &mut u16| {
-            let own = line_depth.depth(x, y);
-            let is_visible = own <= *stored || is_drawn_over(*stored, x, y);
-            if is_visible && stores {
-                *stored = own;
-            }
-            is_visible
-        };
-        depth.along(span, is_visible, |visible| fill_run(target, visible, color))
-    })
+    let line = LineSpans::new(&LineSetup::new(from, to), scissor);
+    let (tall, mut may_be_drawn_over) = (line.tall, true);
+    let is_visible = |[major, minor]: [i32; 2], stored: &mut u16| {
+        let own = line_depth.depth(major, major);
+        let is_visible = own <= *stored
+            || may_be_drawn_over && {
+                let [x, y] = if tall { [minor, major] } else { [major, minor] };
+                let is_drawn_over = is_drawn_over(*stored, x, y);
+                may_be_drawn_over = is_drawn_over.is_some();
+                is_drawn_over == Some(true)
+            };
+        if is_visible && stores {
+            *stored = own;
+        }
+        is_visible
+    };
+    depth.along(line, is_visible, |visible| fill_run(target, visible, color))
 }
 
 /// Fills a run of a line.

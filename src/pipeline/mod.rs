@@ -5,8 +5,8 @@
 //! 2. Vertices go through the forms to the screen, into a cache that the caller provides: all before the first face
 //!    ([`TransformedMesh`]), or, culled by planes, each when the first face needs it (`LazyCache`). Vertices that are not on
 //!    the screen are marked: they need clipping.
-//! 3. A source pushes faces into the face loop (`faces.rs`), in the order of the mesh: all faces, those that their planes do not
-//!    cull, or the faces that may lie in a band. The loop culls each face by its area on the
+//! 3. A source pushes faces into the face loop (`faces.rs`), in the order of the mesh: all faces, those that their planes or
+//!    clusters do not cull, or the faces that may lie in a band. The loop culls each face by its area on the
 //!    screen; a face with a marked vertex is clipped in clip space and becomes a fan of triangles.
 //! 4. A sink takes the triangles: it fills them with their shader, or those of their pixels that pass the depth
 //!    test ([`Faces::draw`]), stores only their depth ([`MeshInstance::depth_only`]), bins the face

@@ -2,8 +2,8 @@
 
 use super::draw_region::DrawRegion;
 use super::drawable::ShaderFor;
-use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
-use super::faces::{draw_triangles, each_face, Faces};
+use super::face_source::{ClusterOrder, FaceSource, MeshOrder, PlaneOrder};
+use super::faces::{draw_triangles, each_face, Faces, NOTHING, PLANES};
 use super::fill::{fill, fill_nearer};
 use super::instance::MeshInstance;
 use super::statistics::Statistics;
@@ -191,7 +191,7 @@ impl<T: Surface, S: ShaderFor<T>> StoredShader<T, Tested> for DepthTested<S> {
     }
 }
 
-impl<V: Coordinate, F, const BY_PLANES: bool> Faces<'_, V, F, BY_PLANES> {
+impl<V: Coordinate, F, const CULLED_BY: u8> Faces<'_, V, F, CULLED_BY> {
     /// Stores the visible faces in a [`Painter`], which draws them and those of other objects from far to near. The closure is called once for
     /// each visible face. A face that is clipped takes vertices of its own; [culled by planes](Self::culled_by_planes) also a face with a
     /// corner farther out than a [`ScreenVertex`] can hold.
@@ -207,7 +207,7 @@ impl<V: Coordinate, F, const BY_PLANES: bool> Faces<'_, V, F, BY_PLANES> {
     where
         F: FnMut(usize) -> S,
     {
-        painter.add::<V, BY_PLANES>(self.instance, self.shade)
+        painter.add::<V, CULLED_BY>(self.instance, self.shade)
     }
 }
 
@@ -229,7 +229,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     }
 
     #[inline(never)] // its stack frame is gone when it returns
-    fn add<V: Coordinate, const BY_PLANES: bool>(
+    fn add<V: Coordinate, const CULLED_BY: u8>(
         &mut self,
         instance: &MeshInstance<'_, V>,
         shade: impl FnMut(usize) -> S,
@@ -239,9 +239,12 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     {
         let far = S::NEEDS_DEPTH || instance.vertex_transform().clips_at_far();
         let (vertices, mut recorder) = self.begin(instance)?;
-        let statistics = if BY_PLANES {
+        let statistics = if CULLED_BY != NOTHING {
             let mut cache = LazyCache::<V, true>::new(instance, far, vertices);
-            let statistics = recorder.record(PlaneOrder::new(instance), &mut cache, false, shade);
+            let statistics = match CULLED_BY {
+                PLANES => recorder.record(PlaneOrder::new(instance), &mut cache, false, shade),
+                _ => recorder.record(ClusterOrder::new(instance), &mut cache, false, shade),
+            };
             recorder.room.unpack(instance, false, cache.into_cache());
             statistics
         } else {

@@ -1,8 +1,8 @@
 //! Picking without drawing: the face that a depth-tested drawing shows at a pixel.
 
 use super::draw_region::DrawRegion;
-use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
-use super::faces::{draw_triangles, each_face, Faces};
+use super::face_source::{ClusterOrder, FaceSource, MeshOrder, PlaneOrder};
+use super::faces::{draw_triangles, each_face, Faces, NOTHING, PLANES};
 use super::fill::kept_pixels;
 use super::instance::MeshInstance;
 use super::vertex_cache::{LazyCache, TransformedMesh, VertexCache};
@@ -40,7 +40,7 @@ impl Picked {
     }
 }
 
-impl<V: Coordinate, F, const BY_PLANES: bool> Faces<'_, V, F, BY_PLANES> {
+impl<V: Coordinate, F, const CULLED_BY: u8> Faces<'_, V, F, CULLED_BY> {
     /// The face that is seen in a pixel of the target, for touch screens and cursors. It is the face that
     /// [`draw`](Self::draw) shows there with a depth test, by equal rules of coverage, culling, clipping and depth. Nothing is drawn,
     /// and no depth buffer is needed. `None` if no face covers the pixel, or if it lies outside of the viewport or beyond 8192
@@ -71,23 +71,28 @@ impl<V: Coordinate, F, const BY_PLANES: bool> Faces<'_, V, F, BY_PLANES> {
         F: FnMut(usize) -> S,
     {
         let Self { instance, shade, cache } = self;
-        pick_at(pixel, |depth| Some((0, instance.pick_nearer::<_, _, BY_PLANES>(depth, shade, cache)?)))
+        pick_at(pixel, |depth| Some((0, instance.pick_nearer::<_, _, CULLED_BY>(depth, shade, cache)?)))
     }
 }
 
 impl<V: Coordinate> MeshInstance<'_, V> {
     /// The face that is seen in the one pixel of the depth buffer, if one is nearer than its depth, which it replaces.
-    pub(super) fn pick_nearer<C: PixelColor, S: SpanShader<C>, const BY_PLANES: bool>(
+    pub(super) fn pick_nearer<C: PixelColor, S: SpanShader<C>, const CULLED_BY: u8>(
         &self,
         depth: &mut DepthBuffer<'_>,
         shade: impl FnMut(usize) -> S,
         cache: &mut [ScreenVertex],
     ) -> Option<usize> {
-        if BY_PLANES {
-            let source = PlaneOrder::new(self);
-            pick_nearer(source, LazyCache::new(self, true, cache), depth, shade)
-        } else {
-            pick_nearer(MeshOrder, TransformedMesh::new(self, cache), depth, shade)
+        match CULLED_BY {
+            NOTHING => pick_nearer(MeshOrder, TransformedMesh::new(self, cache), depth, shade),
+            PLANES => {
+                let source = PlaneOrder::new(self);
+                pick_nearer(source, LazyCache::new(self, true, cache), depth, shade)
+            }
+            _ => {
+                let source = ClusterOrder::new(self);
+                pick_nearer(source, LazyCache::new(self, true, cache), depth, shade)
+            }
         }
     }
 }

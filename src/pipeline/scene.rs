@@ -1,11 +1,11 @@
 //! Scenes of many objects: culled by their bounding spheres, placed, binned into shared memory, and drawn in bands.
 
 use super::binned::Binned;
-use super::binned_faces::BinnedFaces;
+use super::binned_faces::{bin_faces, BinnedFaces};
 use super::bins::Bins;
 use super::cull::Cull;
-use super::draw_region::pixels;
 use super::drawable::ShaderFor;
+use super::faces::PLANES;
 use super::instance::MeshInstance;
 use super::painter::Painter;
 use super::pick::{pick_at, Picked};
@@ -73,7 +73,7 @@ impl<'m, M> Object<'m, M> {
 /// by which it can look up data that is stored elsewhere.
 ///
 /// **Memory** beside the objects themselves, all of it on the stack during a frame, on a 32-bit core: for each of the `OBJECTS`,
-/// 4 bytes in [`PlacedScene`] and 68 in [`BinnedScene`]; and one vertex cache and one bin storage for all visible objects.
+/// 4 bytes in [`PlacedScene`] and 72 in [`BinnedScene`]; and one vertex cache and one bin storage for all visible objects.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
@@ -367,7 +367,7 @@ impl<'a, 's, 'm, M, G, const OBJECTS: usize> SceneFaces<'a, 's, 'm, M, G, OBJECT
             let mut nearest = None;
             for (index, object) in scene.visible() {
                 let instance = object.place(scene.camera);
-                let face = instance.pick_nearer::<_, _, true>(depth, shade(index, object), cache);
+                let face = instance.pick_nearer::<_, _, PLANES>(depth, shade(index, object), cache);
                 nearest = face.map(|face| (index, face)).or(nearest);
             }
             nearest
@@ -408,8 +408,7 @@ impl<'f> BinnedObject<'f> {
         storage: &'f mut [u16],
     ) -> Result<(Self, Statistics), BufferError> {
         let instance = &object.place(camera);
-        let mut bins = Bins::new(storage, object.mesh.faces.len(), pixels(instance.area()));
-        let statistics = TransformedMesh::<i16, true>::new(instance, cache).fill_bins(&mut bins)?;
+        let (bins, statistics) = bin_faces(&TransformedMesh::<i16, true>::new(instance, cache), storage)?;
         let is_outside = |vertex: &ScreenVertex| vertex.planes().is_some();
         let is_cached = cache.len() >= object.mesh.vertices.len() && !cache.iter().any(is_outside);
         Ok((Self { index, cache, bins, is_cached }, statistics))
@@ -528,7 +527,7 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
 #[cfg(target_pointer_width = "32")]
 const _: () = {
     assert!(size_of::<Object<'static, ()>>() == 88);
-    assert!(size_of::<BinnedObject<'static>>() == 68);
+    assert!(size_of::<BinnedObject<'static>>() == 72);
 };
 
 // Materials are not printed: they need not implement `Format`.

@@ -1,8 +1,8 @@
-//! Binning on two cores: each culls and counts half of a mesh's faces. Then one core sorts the visible ones.
+//! Binning on two cores: each culls half of a mesh's faces and links the visible ones. Then one core joins the bins.
 
 use super::binned::Binned;
-use super::binned_faces::{count_faces, BinnedFaces};
-use super::bins::{Bins, Counts};
+use super::binned_faces::BinnedFaces;
+use super::bins::{BinPart, BinStorage};
 use super::draw_region::pixels;
 use super::face_source::PartOrder;
 use super::statistics::Statistics;
@@ -19,54 +19,53 @@ pub struct SplitBins<'a, V: Coordinate = i16, const DEPTH: bool = false> {
     halves: [Half; 2],
 }
 
-/// Half of a mesh's faces, to be culled and counted: [`SplitBins::halves`] makes two.
+/// Half of a mesh's faces, to be culled and binned: [`SplitBins::halves`] makes two.
 #[derive(Debug)]
 pub struct HalfBins<'a, V: Coordinate = i16, const DEPTH: bool = false> {
     transformed: TransformedMesh<'a, V, DEPTH>,
-    /// The faces of this half. The first one's index is a multiple of 16.
+    /// The faces of this half.
     faces: Range<usize>,
-    /// A bit for each of them.
-    bits: &'a mut [u16],
+    /// The link of each of them.
+    next: &'a mut [u16],
     half: &'a mut Half,
 }
 
-/// What was counted in half of the faces.
+/// The bins of half of the faces.
 #[derive(Debug)]
 struct Half {
-    /// Whether the faces were counted.
+    /// Whether the faces were binned.
     done: bool,
-    counts: Counts,
+    part: BinPart,
     statistics: Statistics,
 }
 
 impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
-    /// Divides [binning](Self::bin_faces) between two cores: what [`finish`](SplitBins::finish) returns is what `bin_faces`
-    /// returns, bit for bit. `storage` is as for `bin_faces`.
+    /// Divides [binning](Self::bin_faces) between two cores: what [`finish`](SplitBins::finish) returns draws what `bin_faces`
+    /// draws, bit for bit. `storage` is as for `bin_faces`.
     /// [`MeshInstance::split_transform`](crate::draw::MeshInstance::split_transform) has an example.
     pub fn split_bin_faces(&self, storage: &'a mut [u16]) -> SplitBins<'a, V, DEPTH> {
-        let half = || Half { done: false, counts: Counts::NONE, statistics: Statistics::NONE };
+        let half = || Half { done: false, part: BinPart::EMPTY, statistics: Statistics::NONE };
         SplitBins { transformed: *self, storage, halves: [half(), half()] }
     }
 }
 
 impl<'a, V: Coordinate, const DEPTH: bool> SplitBins<'a, V, DEPTH> {
-    /// Both halves of the faces, which differ by up to 16 faces. Send one to the other core.
+    /// Both halves of the faces. Send one to the other core.
     pub fn halves(&mut self) -> [HalfBins<'_, V, DEPTH>; 2] {
         let Self { transformed, ref mut storage, ref mut halves } = *self;
         let faces = transformed.instance.mesh().faces.len();
-        let middle = faces / 2 / 16; // in words of 16 faces
-        let words = faces.div_ceil(16).min(storage.len());
-        let bits = storage.get_mut(..words).unwrap_or_default();
-        // `finish` reports storage that is too short for the bits.
-        let (front, back) = bits.split_at_mut_checked(middle.min(words)).unwrap_or_default();
+        // `finish` reports storage that is too short.
+        let BinStorage { next, .. } = BinStorage::new(storage, faces).unwrap_or_default();
+        let middle = faces / 2;
+        let (front, back) = next.split_at_mut_checked(middle).unwrap_or_default();
         let [front_half, back_half] = halves;
         [
-            HalfBins { transformed, faces: 0..16 * middle, bits: front, half: front_half },
-            HalfBins { transformed, faces: 16 * middle..faces, bits: back, half: back_half },
+            HalfBins { transformed, faces: 0..middle, next: front, half: front_half },
+            HalfBins { transformed, faces: middle..faces, next: back, half: back_half },
         ]
     }
 
-    /// Sorts the visible faces. A half that no core has counted is counted here.
+    /// Joins the halves. A half that no core has binned is binned here.
     ///
     /// # Errors
     ///
@@ -75,34 +74,33 @@ impl<'a, V: Coordinate, const DEPTH: bool> SplitBins<'a, V, DEPTH> {
     pub fn finish(mut self) -> Result<BinnedFaces<'a, V, DEPTH>, BufferError> {
         for half in self.halves() {
             if !half.half.done {
-                half.count();
+                half.bin();
             }
         }
         let Self { transformed, storage, halves: [front, back] } = self;
-        let faces = transformed.instance.mesh().faces.len();
-        let mut bins = Bins::over(storage, pixels(transformed.instance.area()));
-        let mut sort = bins.sort_counted([&front.counts, &back.counts]);
-        sort.finish(faces, |index| transformed.first_row(index))?;
+        let (faces, viewport) =
+            (transformed.instance.mesh().faces.len(), pixels(transformed.instance.area()));
+        let bins = BinStorage::new(storage, faces)?.joined(&viewport, [&front.part, &back.part]);
         let statistics = front.statistics.and(back.statistics).with_the_rest_culled(faces);
         Ok(BinnedFaces(Binned { transformed, bins, statistics }))
     }
 }
 
 impl<V: Coordinate, const DEPTH: bool> HalfBins<'_, V, DEPTH> {
-    /// Culls and counts the faces of this half.
-    pub fn count(self) {
-        let Self { transformed, faces, bits, half } = self;
-        let mut bins = Bins::new(bits, faces.len(), pixels(transformed.instance.area()));
-        let mut sort = bins.sort();
-        half.statistics = count_faces(PartOrder(faces), &transformed, &mut sort);
-        half.counts = sort.into_counts();
+    /// Culls the faces of this half and puts the visible ones into bins.
+    pub fn bin(self) {
+        let Self { transformed, faces, next, half } = self;
+        let all = transformed.instance.mesh().faces.len();
+        let mut fill = half.part.fill(next, faces.start, all, pixels(transformed.instance.area()));
+        half.statistics = fill.add_faces(PartOrder(faces), transformed);
+        half.part.bounds = fill.bounds;
         half.done = true;
     }
 }
 
 defmt_format!(
     [V: Coordinate, const DEPTH: bool] SplitBins<'_, V, DEPTH>, self,
-    "{}, halves counted: {=bool}, {=bool}", self.transformed, self.halves[0].done, self.halves[1].done
+    "{}, halves binned: {=bool}, {=bool}", self.transformed, self.halves[0].done, self.halves[1].done
 );
 
 defmt_format!(

@@ -36,7 +36,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// # let mut display = MockDisplay::<Gray8>::new();
     /// # let viewport = Viewport::new(Point::zero(), display.size())?;
     /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
-    /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 2]);
+    /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 3]);
     /// let instance = camera.place(&mesh, &Affine::identity());
     /// let mut split = instance.split_transform(&mut cache);
     /// let [ours, theirs] = split.halves();
@@ -47,8 +47,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// let mut split = split.finish().split_bin_faces(&mut bins);
     /// let [ours, theirs] = split.halves();
     /// std::thread::scope(|scope| {
-    ///     scope.spawn(|| theirs.count());
-    ///     ours.count();
+    ///     scope.spawn(|| theirs.bin());
+    ///     ours.bin();
     /// });
     /// let mut faces = split.finish()?;
     /// faces.draw(|_face| Gray8::WHITE, &mut display)?;

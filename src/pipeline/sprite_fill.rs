@@ -39,6 +39,7 @@ pub(super) fn fill<T: Surface, S: SpriteFor<T>, const DEPTH: bool>(
     sprite: &ScreenSprite,
     source: &S,
     scissor: &Scissor,
+    strip: &mut sprite_fill::Strip,
     mut depth: Option<&mut DepthBuffer<'_>>,
     target: &mut T,
 ) -> Result<(), T::Error> {
@@ -50,7 +51,7 @@ pub(super) fn fill<T: Surface, S: SpriteFor<T>, const DEPTH: bool>(
     let (first, mut row) = (sprite.columns.walk(left), sprite.rows.walk(covered.top));
     let texel_at = |column, row| source.texel_at(column, row);
     let tested = depth.as_deref_mut().filter(|_| DEPTH);
-    if sprite_fill::sprite(&covered, [first, row], texel_at, sprite.depth, tested, target) {
+    if sprite_fill::sprite(&covered, [first, row], strip, texel_at, sprite.depth, tested, target) {
         return Ok(());
     }
     for y in covered.rows() {

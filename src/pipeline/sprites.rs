@@ -7,6 +7,7 @@ use super::sprite_fill::{fill, ScreenSprite};
 use super::statistics::{Outcome, Statistics};
 use super::vertex_cache::TransformedMesh;
 use crate::camera::{Camera, SizeOnScreen, UnpackedVertex};
+use crate::fast::sprite_fill::Strip;
 use crate::math::{Affine, Coordinate, Point3, Scalar, Vector3};
 use crate::raster::{Scissor, SpriteAxis};
 use crate::scene::Mesh;
@@ -129,14 +130,17 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
             sprite,
             |sprite, surface| {
                 let region = DrawRegion::shared(&surface.area(), self.points.area(), None);
+                let mut strip = Strip::default();
                 self.each(false, sprite, |image, source| {
-                    fill::<T::Surface, S, false>(image, source, &region.scissor, None, surface)
+                    fill::<T::Surface, S, false>(image, source, &region.scissor, &mut strip, None, surface)
                 })
             },
             |sprite, surface, depth| {
                 let region = DrawRegion::shared(&surface.area(), self.points.area(), Some(depth));
+                let mut strip = Strip::default();
                 self.each(true, sprite, |image, source| {
-                    fill::<T::Surface, S, true>(image, source, &region.scissor, Some(depth), surface)
+                    let depth = Some(&mut *depth);
+                    fill::<T::Surface, S, true>(image, source, &region.scissor, &mut strip, depth, surface)
                 })
             },
         )

@@ -78,11 +78,11 @@ impl EdgePlanes {
     }
 
     /// Whether a plane on the side of a pixel's centre is at least as near there as a stored depth, or less than a step behind it:
-    /// both are rounded. The pixel is one of the edge as a line, anti-aliased or not.
-    pub(crate) fn are_in_front(&self, stored: u16, x: i32, y: i32) -> bool {
+    /// both are rounded. The pixel is one of the edge as a line, anti-aliased or not. `None` if there is no plane.
+    pub(crate) fn are_in_front(&self, stored: u16, x: i32, y: i32) -> Option<bool> {
         let [positive, negative] = self.planes;
         if positive.is_none() && negative.is_none() {
-            return false;
+            return None;
         }
         let centre = ScreenPoint::inside(x * 256 + 128, y * 256 + 128); // of a pixel of the target
                                                                         // The centre lies within 1.71 pixels of the edge along the minor axis, and the edge is at most 2²² units long: S and the
@@ -92,12 +92,12 @@ impl EdgePlanes {
             dy.wrapping_mul(centre.x - self.from.x).wrapping_sub(dx.wrapping_mul(centre.y - self.from.y));
         // Below 2²⁶: the centre is less than a pixel beyond the ends.
         let behind = ((i32::from(stored) + 1) << 8).wrapping_sub(self.line(centre) as i32);
-        [(positive, side), (negative, side.wrapping_neg())].into_iter().any(|(plane, side)| {
+        Some([(positive, side), (negative, side.wrapping_neg())].into_iter().any(|(plane, side)| {
             let Some(Plane { rise, run }) = plane else { return false };
             // Where the plane is nearest within the margin.
             let [less, more] = [side.wrapping_sub(self.margin), side.wrapping_add(self.margin)];
             more >= 0 && mul_called(behind, run) >= mul_called(rise, if rise < 0 { more } else { less })
-        })
+        }))
     }
 }
 
@@ -169,7 +169,7 @@ mod tests {
                 if !(0.0..65_535.0).contains(&stored) {
                     continue;
                 }
-                let is_in_front = planes.are_in_front(stored as u16, pixel[0], pixel[1]);
+                let is_in_front = planes.are_in_front(stored as u16, pixel[0], pixel[1]) == Some(true);
                 let ahead = stored + 1.0 - exact;
                 if s + margin < 0 {
                     assert!(!is_in_front);
@@ -191,6 +191,8 @@ mod tests {
     fn the_nearest_plane_of_a_side_decides() {
         let point = |x: i32, y: i32| ScreenPoint::inside(x << 8, y << 8);
         let mut random = Random(6);
+        let none = EdgePlanes::new([point(0, 0); 2], [0; 2], &LineDepth::new([point(0, 0); 2], [0; 2]));
+        assert_eq!(none.are_in_front(9, 0, 0), None);
         for _ in 0..10_000 {
             let mut face =
                 || (point(random.within(30), 1 + random.below(40) as i32), random.below(3_000_000) as i32);
@@ -202,7 +204,7 @@ mod tests {
                     let side = planes.side(corner);
                     planes.add(corner, depth, side);
                 }
-                [0, -1].map(|y| planes.are_in_front(stored, 3, y))
+                [0, -1].map(|y| planes.are_in_front(stored, 3, y).unwrap())
             };
             let each = faces.map(|face| of(&[face])[0]);
             let [a, b, c] = faces;

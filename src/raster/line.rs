@@ -125,22 +125,22 @@ fn invert(odd: i32, length: i32, rise: i32) -> i32 {
 /// The spans of a line inside a scissor, from its smaller end on: one per run of pixels along the major axis.
 pub(crate) struct LineSpans {
     /// The smaller end, in pixels.
-    x: i32,
-    y: i32,
+    pub(crate) x: i32,
+    pub(crate) y: i32,
     /// Whether the major axis is y, and whether y decreases along the line.
-    tall: bool,
-    up: bool,
+    pub(crate) tall: bool,
+    pub(crate) up: bool,
     /// The next step along the major axis, and the last one.
-    step: i32,
-    last: i32,
+    pub(crate) step: i32,
+    pub(crate) last: i32,
     /// The minor steps made so far.
-    minor_step: i32,
+    pub(crate) minor_step: i32,
     /// Bresenham's error term `2·m·(i + 1) − L − 2·L·k` after i major and k minor steps of a line of extents L and m: positive if
     /// the next pixel makes a minor step. A major step alone adds `along`, a major and a minor step add `aside`. All three are below
     /// 2¹⁸ in magnitude.
-    error: i32,
-    along: i32,
-    aside: i32,
+    pub(crate) error: i32,
+    pub(crate) along: i32,
+    pub(crate) aside: i32,
 }
 
 impl LineSpans {

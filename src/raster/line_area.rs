@@ -51,13 +51,13 @@ impl LineArea {
     }
 
     /// For a line that reaches `x`, above 0, beyond a border between two pixels: the area beyond the border, and the part of this
-    /// area that is [more](Self::far) than a pixel beyond it.
+    /// area that is more than a pixel beyond it.
     #[inline(always)]
-    pub(crate) fn area(&self, x: i32) -> (i32, Option<i32>) {
+    pub(crate) fn area(&self, x: i32) -> (i32, i32) {
         if x < self.slope {
-            (self.triangle(x), None)
+            (self.triangle(x), 0)
         } else {
-            (x - (self.slope >> 1), (x > ONE).then(|| self.triangle(x - ONE)))
+            (x - (self.slope >> 1), if x > ONE { self.triangle(x - ONE) } else { 0 })
         }
     }
 
@@ -73,8 +73,7 @@ impl LineArea {
     #[inline(always)]
     pub(crate) fn column(&self, fraction: u32) -> [i32; PIXELS] {
         let [(before, far_before), (after, far_after)] =
-            self.beyond(fraction).map(|x| if x > 0 { self.area(x) } else { (0, None) });
-        let [far_before, far_after] = [far_before, far_after].map(|far| far.unwrap_or(0));
+            self.beyond(fraction).map(|x| if x > 0 { self.area(x) } else { (0, 0) });
         let middle = self.height - before - after;
         [far_before, before - far_before, middle, after - far_after, far_after]
     }

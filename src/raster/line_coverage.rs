@@ -44,15 +44,16 @@ pub(crate) struct Column {
 
 impl LineCoverage {
     /// The line between two points with coordinates in 1/256 pixel, at most 2²³ in magnitude: from `beyond` columns, 0 or 1, before
-    /// the column of one end to as many after that of the other end. [`inside`](Self::inside) is true if two pixels lie between the
-    /// ends' pixels and the scissor's border, and false if the line has yet to be [clipped](Self::clipped).
+    /// the column of one end to as many after that of the other end. [`inside`](Self::inside) is true if two pixels and `beyond` lie
+    /// between the ends' pixels and the scissor's border, and false if the line has yet to be [clipped](Self::clipped): the middle of
+    /// the line lies within ½ + `beyond` pixels of an end's pixel in each column, and the line reaches 1.21 pixels beyond its middle.
     #[inline(always)]
     pub(crate) fn new([[ax, ay], [bx, by]]: [[i32; 2]; 2], beyond: i32, scissor: &Scissor) -> Self {
         let (left, right, top, bottom) = (ax.min(bx), ax.max(bx), ay.min(by), ay.max(by));
-        let inside = left >> 8 > scissor.left + 1
-            && right >> 8 < scissor.right - 2
-            && top >> 8 > scissor.top + 1
-            && bottom >> 8 < scissor.bottom - 2;
+        let inside = left >> 8 > scissor.left + 1 + beyond
+            && right >> 8 < scissor.right - 2 - beyond
+            && top >> 8 > scissor.top + 1 + beyond
+            && bottom >> 8 < scissor.bottom - 2 - beyond;
         let (width, height) = (right - left, bottom - top);
         let (tall, rises) = (height > width, (ax - bx) ^ (ay - by) < 0);
         let (from, length, low, rise) =
@@ -92,7 +93,7 @@ impl LineCoverage {
     /// How far the middle moves over `columns` columns, in 2⁻³².
     #[inline(always)]
     pub(crate) fn distance(&self, columns: i32) -> i64 {
-        mul_wide(self.slope as i32, columns) << 3 // 29 + 17 + 3 bits
+        mul_wide((self.slope << 2) as i32, 2 * columns) // 31 + 18 bits: shifted before, a product takes one instruction
     }
 
     /// The part of the line in the scissor's columns, without most of the columns whose pixels all lie outside the scissor's
@@ -327,7 +328,7 @@ mod tests {
 
     /// A line that is inside before clipping has no pixel outside the scissor.
     #[test]
-    fn a_line_two_pixels_from_the_border_is_inside() {
+    fn a_line_two_pixels_and_beyond_from_the_border_is_inside() {
         let random = &mut Random(33);
         let mut inside = 0;
         for _ in 0..40_000 {
@@ -336,8 +337,6 @@ mod tests {
             for beyond in [0, 1] {
                 let line = LineCoverage::new([point(), point()], beyond, &scissor);
                 if line.inside {
-                    let line = line
-                        .part(line.first + 3 * beyond..(line.end - 3 * beyond).max(line.first + 3 * beyond));
                     inside += 1;
                     let (columns, rows) = line.axes(&scissor);
                     assert!(columns.start <= line.first && line.end <= columns.end);

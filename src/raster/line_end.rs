@@ -19,6 +19,9 @@ use crate::math::num::{leading_zeros, reciprocal};
 /// 1 in areas and logarithms: 2⁻¹⁶.
 const ONE: i32 = 1 << 16;
 
+/// Half of a weight's unit, which is 1/16, in 2⁻²⁴: weights are rounded to nearest.
+const HALF_WEIGHT: i32 = 1 << 19;
+
 /// What a pixel keeps at least of the stored color where only a part of it belongs to a line: 1/32. Without this limit, a line that
 /// covers a whole pixel would leave 0ʷ = 0 of it, however small the part is that belongs to the line.
 const LEAST_LEFT: i32 = ONE / 32;
@@ -26,9 +29,10 @@ const LEAST_LEFT: i32 = ONE / 32;
 /// The weights of the pixels around the ends of an anti-aliased line.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LineEnds {
-    /// ½ + ¾·a for the pixel in column 0 and row 0, and each of both ends, in the order of the line's columns.
+    /// ½ + ¾·a for the pixel in column 0 and row 0, and each of both ends, in 2⁻²⁴ with half of a weight added. Away from one end:
+    /// a counts from this end into the line, and the other end is far away.
     ahead: [i32; 2],
-    /// The change per column and per row, in the axes of the line: ¾/√(1 + m²) and ¾·m/√(1 + m²).
+    /// The change per column and per row, in the axes of the line: ¾/√(1 + m²) and ¾·m/√(1 + m²), negative at the line's last columns.
     step: [i32; 2],
 }
 
@@ -55,7 +59,7 @@ impl LineEnds {
         // Wraps; within 16 pixels of an end the sums of `weight` do not.
         let ahead = |[column, row]: [i32; 2]| {
             let part = |step: i32, end: i32| step.wrapping_mul(128_i32.wrapping_sub(end));
-            part(along, column).wrapping_add(part(across, row)).wrapping_add(ONE << 7)
+            part(along, column).wrapping_add(part(across, row)).wrapping_add((ONE << 7) + HALF_WEIGHT)
         };
         let step = [along << 8, across << 8];
         // Weights count while the middle of a column is less than ⅔ + m pixels from the end, and 1⅓ pixels at most.
@@ -72,7 +76,9 @@ impl LineEnds {
         let far = 8 << 24;
         let [start_ahead, end_ahead] = [ahead(from), ahead(to)];
         let at_start = Self { ahead: [start_ahead, start_ahead.wrapping_sub(far)], step };
-        let at_end = Self { ahead: [end_ahead.wrapping_add(far), end_ahead], step };
+        // From the end back: 16 − ⌊n/2²⁰⌋ = ⌊(17·2²⁰ − 1 − n)/2²⁰⌋.
+        let end_ahead = ((17 << 20) - 1_i32).wrapping_sub(end_ahead);
+        let at_end = Self { ahead: [end_ahead, end_ahead.wrapping_sub(far)], step: step.map(|step| -step) };
         let parts = [start.clone(), start.end..end.start, end];
         ([at_start, at_end], parts.map(|columns| line.part(columns)))
     }
@@ -81,17 +87,24 @@ impl LineEnds {
     /// axes of the line, lies in the columns at an end.
     #[inline(always)]
     pub(crate) fn weight(&self, [column, row]: [i32; 2]) -> i32 {
-        let place = self.step[0].wrapping_mul(column).wrapping_add(self.step[1].wrapping_mul(row));
-        let [from, to] = self.ahead.map(|ahead| {
-            // From 2⁻²⁴ to 1/512, and odd, so that no weight lies in the middle between two sixteenths.
-            ((((ahead.wrapping_add(place)) >> 15 | 1) + 16) >> 5).clamp(0, Self::ALL)
-        });
+        let by = self.step[0].wrapping_mul(column).wrapping_add(self.step[1].wrapping_mul(row));
+        let [from, to] = self.ahead.map(|ahead| (ahead.wrapping_add(by) >> 20).clamp(0, Self::ALL));
         from - to // not negative: no coordinate decreases from end to end
+    }
+
+    /// The weight of a pixel at one end, in 2⁻²⁰: not [clamped](Self::weight) to 0 … [`ALL`](Self::ALL), and not rounded down. And
+    /// how it changes per column and per row.
+    #[inline(always)]
+    pub(crate) fn of_one_end(&self, [column, row]: [i32; 2]) -> [i32; 3] {
+        let [along, across] = self.step;
+        let by = along.wrapping_mul(column).wrapping_add(across.wrapping_mul(row));
+        [self.ahead[0].wrapping_add(by), along, across]
     }
 }
 
 /// The share of a line's color in a pixel with this weight, 1 … 15, of which the whole line covers `area`, both shares in 2⁻¹⁶:
 /// 1 − (1 − area)ʷ, within 2⁻¹⁰, where 1 − area counts as 1/32 if it is less.
+#[inline(always)] // two calls, in loops
 pub(crate) fn weighted_area(area: i32, weight: i32) -> i32 {
     let left = (ONE - area).max(LEAST_LEFT);
     // −log₂ in 2⁻¹⁶: at most 5.

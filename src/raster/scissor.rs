@@ -15,6 +15,7 @@ pub(crate) struct Scissor {
 
 impl Scissor {
     /// A scissor in pixels. Its bounds are clamped to ±32768: no pixel beyond is ever drawn.
+    #[cfg(test)]
     pub(crate) fn new(left: i32, top: i32, right: i32, bottom: i32) -> Self {
         Self { left, top, right, bottom }.clamped()
     }
@@ -106,6 +107,15 @@ impl Scissor {
             && self.right > other.left
             && self.top < other.bottom
             && self.bottom > other.top
+    }
+
+    /// Whether a rectangle that is not empty lies inside this one.
+    #[inline(always)]
+    pub(crate) fn contains(&self, other: &Self) -> bool {
+        self.left <= other.left
+            && self.right >= other.right
+            && self.top <= other.top
+            && self.bottom >= other.bottom
     }
 
     /// Whether the scissor contains no pixel.

@@ -36,6 +36,7 @@ pub struct Mesh<'a, V = i16> {
     pub(crate) edges: &'a [[u16; 2]],
     pub(crate) edge_faces: &'a [[u16; 2]],
     pub(crate) normals: &'a [[i16; 3]],
+    /// A plane for each face, and clusters behind them; or nothing.
     pub(crate) planes: &'a [i16],
     vertex_normals: &'a [[i16; 3]],
     exponent: i8,
@@ -91,6 +92,9 @@ impl<'a, V> Mesh<'a, V> {
         (face.contains(&from) && face.contains(&to)).then_some(face)
     }
 }
+
+/// The number of faces of a cluster.
+pub(crate) const CLUSTER: usize = 32;
 
 /// [`Mesh::NO_FACE`], whatever the type of the mesh.
 pub(crate) const NO_FACE: u16 = u16::MAX;
@@ -425,6 +429,41 @@ impl<'a, V> Mesh<'a, V> {
         Ok(Self { planes, ..self })
     }
 
+    /// Adds the plane of each face, as [`with_planes`](Self::with_planes), and *clusters*: for every 32 consecutive faces a ball around
+    /// their vertices and a ball around their normals. [`culled_by_clusters`](crate::draw::Faces::culled_by_clusters) then leaves out
+    /// all faces of a cluster by one test, if it lies outside of the view volume or all of its planes show their backs. `pinhole-import
+    /// --clusters` orders faces so that those of a cluster lie close together and are turned alike, and makes the list: half a byte more
+    /// for a face. `culled_by_clusters` has an example.
+    ///
+    /// `planes` has a plane for each face, and then eight numbers for each cluster; the last cluster may have fewer faces:
+    ///
+    /// 1. x, y and z of a point, and a radius (a `u16`), in 2⁻¹⁵ of the power of two that bounds the mesh's coordinates. All corners of
+    ///    the faces lie within the radius of the point.
+    /// 2. x, y and z of a vector in 2⁻¹⁵, and in the last number, also a `u16`, two bytes m (the higher one) and e: all normals lie
+    ///    within (m + 1)/256 of the vector, and all planes, each with its normal, within (e + 1)/256 of the radius and one unit of the
+    ///    point.
+    ///
+    /// As with normals, other numbers cull visible faces.
+    ///
+    /// # Errors
+    ///
+    /// [`MeshError::ListLength`] if the list has another length, or if the mesh has no normals.
+    pub const fn with_clustered_planes(self, planes: &'a [i16]) -> Result<Self, MeshError> {
+        let faces = self.faces.len();
+        let needed = faces + 8 * faces.div_ceil(CLUSTER); // a slice has at most 2⁶³/6 faces
+        let of_faces = match planes.split_at_checked(faces) {
+            Some((of_faces, _)) if planes.len() == needed => of_faces,
+            _ => {
+                let one = "plane per face and eight numbers per 32 faces";
+                return Err(MeshError::ListLength { one, given: planes.len(), needed });
+            }
+        };
+        match self.with_planes(of_faces) {
+            Ok(mesh) => Ok(Self { planes, ..mesh }),
+            Err(error) => Err(error),
+        }
+    }
+
     /// Adds a unit normal for each vertex, pointing outwards, in 2⁻¹⁵ (32767 stands for 1): the normal of the surface that the
     /// faces approximate, or the mean of the normals of the faces around the vertex. For smooth shading: see
     /// [`Lambert::levels`](crate::light::Lambert::levels).
@@ -477,7 +516,18 @@ impl<'a, V> Mesh<'a, V> {
 
     /// The planes of the faces; empty if none were added. See [`with_planes`](Self::with_planes).
     pub const fn planes(&self) -> &'a [i16] {
-        self.planes
+        match self.planes.split_at_checked(self.faces.len()) {
+            Some((planes, _)) => planes,
+            None => &[],
+        }
+    }
+
+    /// The clusters of the faces; empty if none were added. See [`with_clustered_planes`](Self::with_clustered_planes).
+    pub const fn clusters(&self) -> &'a [[i16; 8]] {
+        match self.planes.split_at_checked(self.faces.len()) {
+            Some((_, clusters)) => clusters.as_chunks().0,
+            None => &[],
+        }
     }
 
     /// The unit normals of the vertices in 2⁻¹⁵; empty if none were added, as for the ready `CUBE`, `CYLINDER` and `ARROW`.
@@ -504,21 +554,19 @@ impl<'a, V> Mesh<'a, V> {
         self.vertices.len()
     }
 
-    /// How many `u16`s of bin storage suffice for the faces of this mesh, whichever of them are visible: one per face, and one
-    /// per 16 faces.
+    /// How many `u16`s of bin storage the faces of this mesh take: one per face, one per 16 faces, and up to 32 for the bins.
     ///
     /// ```
     /// const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
     /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], 0, &FACES)?;
-    /// assert_eq!((mesh.cache_len(), mesh.face_bins_len(), mesh.edge_bins_len()), (4, 5, 0));
+    /// assert_eq!((mesh.cache_len(), mesh.face_bins_len(), mesh.edge_bins_len()), (4, 7, 0));
     /// # Ok::<(), pinhole::mesh::MeshError>(())
     /// ```
     pub const fn face_bins_len(&self) -> usize {
         bins_len(self.faces.len())
     }
 
-    /// How many `u16`s of bin storage suffice for the edges of this mesh, whichever of them are visible: one per edge, and one
-    /// per 16 edges.
+    /// How many `u16`s of bin storage the edges of this mesh take: one per edge, one per 16 edges, and up to 32 for the bins.
     pub const fn edge_bins_len(&self) -> usize {
         bins_len(self.edges.len())
     }
@@ -529,9 +577,21 @@ impl<'a, V> Mesh<'a, V> {
     }
 }
 
-/// An index for each primitive, and a bit for each: slices have at most 2⁶³/4 elements, so the sum does not overflow.
-const fn bins_len(primitives: usize) -> usize {
-    primitives + primitives.div_ceil(16)
+/// A link for each primitive, a bit for each, and a number for each bin: slices have at most 2⁶³/4 elements, so the sum does not overflow.
+pub(crate) const fn bins_len(primitives: usize) -> usize {
+    primitives + primitives.div_ceil(16) + bin_count(primitives)
+}
+
+/// The most bins that primitives have. With 240 rows, each has eight.
+pub(crate) const MOST_BINS: usize = 32;
+
+/// The number of bins of some primitives, a power of two: fewer for few, which are tested in more bands for it.
+pub(crate) const fn bin_count(primitives: usize) -> usize {
+    match primitives / 2 {
+        0 => primitives, // none, or one
+        half if half < MOST_BINS => 1 << (usize::BITS - 1 - half.leading_zeros()),
+        _ => MOST_BINS,
+    }
 }
 
 impl<V: Coordinate> Mesh<'_, V> {

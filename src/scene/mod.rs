@@ -8,5 +8,7 @@ mod mesh_error;
 pub use hierarchy::{Hierarchy, Node};
 pub use materials::{FaceColors, TextureCoords};
 
+pub(crate) use mesh::CLUSTER;
+pub(crate) use mesh::{bin_count, bins_len, MOST_BINS};
 pub use mesh::{edge_faces, Mesh};
 pub use mesh_error::MeshError;

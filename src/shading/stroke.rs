@@ -28,6 +28,10 @@ pub trait Stroke<C: PixelColor>: Copy {
         self.color()
     }
 
+    /// Whether a pixel that the line covers in full gets [`color`](Self::color), whatever is stored in it. If this is `true`, ends of edges
+    /// are drawn faster. `false` is right for every stroke: a translucent one, or one that is not known to be opaque.
+    const IS_OPAQUE: bool = false;
+
     /// The number of bits of a share that [`mixer`](Self::mixer) takes: 8 or fewer.
     const SHARE_BITS: u32 = 8;
 
@@ -111,6 +115,7 @@ impl<C: Color> Stroke<C> for AntiAliased<C> {
         self.0.over(below, coverage)
     }
 
+    const IS_OPAQUE: bool = true;
     const SHARE_BITS: u32 = <C as Mixer>::SHARE_BITS;
 
     #[inline(always)]

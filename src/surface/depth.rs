@@ -2,8 +2,8 @@
 
 use super::block_fill::fill_words;
 use super::{each_run, inside};
-use crate::math::hints::keep_rolled;
-use crate::raster::{Gradient, Scissor, Span};
+use crate::math::hints::{keep_branch, keep_rolled};
+use crate::raster::{Gradient, LineSpans, Scissor, Span};
 use crate::surface::BufferError;
 use bytemuck::pod_align_to_mut;
 use embedded_graphics_core::geometry::Point;
@@ -156,39 +156,60 @@ impl<'a> DepthBuffer<'a> {
         each_run(span, row.iter_mut().map(is_nearer), visible)
     }
 
-    /// Calls `visible` for each run of pixels of a line's span for which `is_seen` returns `true`. `is_seen` gets a pixel's
-    /// column, its row, and its depth in the buffer, which it may change. The span lies in the area.
+    /// Calls `visible` for each run of pixels of a line for which `is_seen` returns `true`. `is_seen` gets a pixel's coordinates along
+    /// the line's major and its minor axis, and its depth in the buffer, which it may change. The line lies in the area.
+    #[inline(always)]
     pub(crate) fn along<E>(
         &mut self,
-        span: Span,
-        mut is_seen: impl FnMut(i32, i32, &mut u16) -> bool,
+        line: LineSpans,
+        mut is_seen: impl FnMut([i32; 2], &mut u16) -> bool,
         mut visible: impl FnMut(Span) -> Result<(), E>,
     ) -> Result<(), E> {
-        let tall = span.height > 1;
-        let length = span.width.max(span.height); // the other is 1
+        let LineSpans { x, y, tall, up, step, last, minor_step, mut error, along, aside } = line;
         let Rectangle { top_left, size } = self.area;
-        // No operation wraps for a pixel of the area.
-        let row = (span.y.wrapping_sub(top_left.y) as usize).wrapping_mul(size.width as usize);
-        let mut index = row.wrapping_add(span.x.wrapping_sub(top_left.x) as usize);
-        let step = if tall { size.width as usize } else { 1 };
-        let mut run = |first: i32, end: i32| {
-            let (by, length) = (first, end - first);
-            match (length > 0, tall) {
-                (false, _) => Ok(()),
-                (true, true) => visible(Span { y: span.y + by, height: length, ..span }),
-                (true, false) => visible(Span { x: span.x + by, width: length, ..span }),
-            }
+        let (stride, down) = (size.width as usize, if up { -1 } else { 1 });
+        let index_down = if up { stride.wrapping_neg() } else { stride };
+        // How coordinates and the index change from pixel to pixel, and where the line turns aside.
+        let ([mut major, mut minor], [by, by_aside], [index_by, index_aside]) = if tall {
+            ([y + down * step, x + minor_step], [down, 1], [index_down, 1])
+        } else {
+            ([x + step, y + down * minor_step], [1, down], [1, index_down])
         };
-        let mut first = 0;
-        for i in 0..length {
-            let (x, y) = if tall { (span.x, span.y + i) } else { (span.x + i, span.y) };
-            if !self.values.get_mut(index).is_some_and(|stored| is_seen(x, y, stored)) {
-                run(first, i)?;
-                first = i + 1;
+        // No operation wraps for a pixel of the area.
+        let [x, y] = if tall { [minor, major] } else { [major, minor] };
+        let row = (y.wrapping_sub(top_left.y) as usize).wrapping_mul(stride);
+        let mut index = row.wrapping_add(x.wrapping_sub(top_left.x) as usize);
+        // The run of `count` pixels that ends with a pixel.
+        let mut run = |count: i32, end: i32, minor: i32| {
+            if count == 0 {
+                return Ok(());
             }
-            index = index.wrapping_add(step);
+            keep_branch(); // most calls have no run, and the rest would be computed before the test
+            let first = end.min(end - by * (count - 1));
+            visible(if tall {
+                Span { x: minor, y: first, width: 1, height: count }
+            } else {
+                Span { x: first, y: minor, width: count, height: 1 }
+            })
+        };
+        let mut count = 0;
+        for _ in step..=last {
+            if self.values.get_mut(index).is_some_and(|stored| is_seen([major, minor], stored)) {
+                count += 1;
+            } else {
+                run(count, major - by, minor)?;
+                count = 0;
+            }
+            if error > 0 {
+                run(count, major, minor)?;
+                (count, error) = (0, error + aside);
+                (minor, index) = (minor + by_aside, index.wrapping_add(index_aside));
+            } else {
+                error += along;
+            }
+            (major, index) = (major + by, index.wrapping_add(index_by));
         }
-        run(first, length)
+        run(count, major - by, minor)
     }
 }
 
@@ -197,29 +218,51 @@ defmt_format!([] DepthBuffer<'_>, self, "depth buffer of {} at {}", self.area.si
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::raster::{LineSetup, Pixel};
     use embedded_graphics_core::geometry::{Point, Size};
 
-    /// The visible runs of a line's span lie in the row or column of the span and are one pixel thick, for spans along a row and
-    /// along a column.
+    /// The visible runs of a line are one pixel thick, and have the pixels that are seen, for lines in all directions.
     #[test]
-    fn runs_of_a_line_are_parts_of_its_span() {
+    fn runs_of_a_line_are_its_seen_pixels() {
         let mut values = [0; 8 * 8];
         let area = Rectangle::new(Point::new(10, 20), Size::new(8, 8));
         let mut depth = DepthBuffer::new(area, &mut values).unwrap();
-        // The second and the fifth of six pixels are hidden: runs of 1, 2 and 1 pixels.
-        let mut runs = |span: Span| {
-            let mut found = heapless::Vec::<Span, 6>::new();
+        // The second and the fifth of six pixels are hidden.
+        let mut runs = |a: [i16; 2], b: [i16; 2]| {
+            let setup = LineSetup::new(Pixel { x: a[0], y: a[1] }, Pixel { x: b[0], y: b[1] });
+            let mut found = heapless::Vec::<[i32; 4], 6>::new();
             let mut seen = 0;
-            let is_seen = |_, _, _: &mut u16| {
+            let is_seen = |_: [i32; 2], stored: &mut u16| {
                 seen += 1;
+                *stored = seen;
                 ![2, 5].contains(&seen)
             };
-            depth.along(span, is_seen, |run| found.push(run)).unwrap();
+            let line = LineSpans::new(&setup, &Scissor::new(10, 20, 18, 28));
+            let run = |run: Span| found.push([run.x, run.y, run.width, run.height]);
+            depth.along(line, is_seen, run).unwrap();
+            let stored = depth.row(b[0].into(), b[1].into(), 1).unwrap()[0];
+            assert_eq!((seen, stored), (6, if b[0] < a[0] { 1 } else { 6 }), "{a:?} {b:?}");
             found
         };
-        let across = |x, width| Span { x, y: 23, width, height: 1 };
-        assert_eq!(runs(across(11, 6)), [across(11, 1), across(13, 2), across(16, 1)]);
-        let down = |y, height| Span { x: 13, y, width: 1, height };
-        assert_eq!(runs(down(21, 6)), [down(21, 1), down(23, 2), down(26, 1)]);
+        assert_eq!(runs([11, 23], [16, 23]), [[11, 23, 1, 1], [13, 23, 2, 1], [16, 23, 1, 1]]);
+        assert_eq!(runs([13, 21], [13, 26]), [[13, 21, 1, 1], [13, 23, 1, 2], [13, 26, 1, 1]]);
+        // From the left end on, the line goes to the next row or column after three pixels.
+        assert_eq!(
+            runs([11, 23], [16, 24]),
+            [[11, 23, 1, 1], [13, 23, 1, 1], [14, 24, 1, 1], [16, 24, 1, 1]]
+        );
+        assert_eq!(
+            runs([16, 24], [11, 25]),
+            [[11, 25, 1, 1], [13, 25, 1, 1], [14, 24, 1, 1], [16, 24, 1, 1]]
+        );
+        assert_eq!(
+            runs([12, 21], [13, 26]),
+            [[12, 21, 1, 1], [12, 23, 1, 1], [13, 24, 1, 1], [13, 26, 1, 1]]
+        );
+        assert_eq!(
+            runs([12, 26], [13, 21]),
+            [[12, 26, 1, 1], [12, 24, 1, 1], [13, 23, 1, 1], [13, 21, 1, 1]]
+        );
+        assert_eq!(runs([12, 26], [12, 21]), [[12, 26, 1, 1], [12, 23, 1, 2], [12, 21, 1, 1]]);
     }
 }

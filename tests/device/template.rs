@@ -271,10 +271,10 @@ fn templates() -> Vec<String> {
 /// faces with 1 KB for the log.
 #[test]
 fn the_readme_says_how_much_ram_the_template_takes() {
-    let buffers = size_of::<pinhole::MeshBuffers<500, { 1000 + 1000_usize.div_ceil(16) }>>();
+    let buffers = size_of::<pinhole::MeshBuffers<500, { 1000 + 1000_usize.div_ceil(16) + 32 }>>();
     let strip = size_of_val(&pinhole::strip_buffers!(embedded_graphics::pixelcolor::Rgb565, 240, 8));
-    // 2 bytes for 16 faces more, and 2 align the next buffer.
-    assert_eq!((buffers, strip), (500 * 8 + 1063 * 2 + 2, 240 * 8 * 4));
+    // 2 bytes for 16 faces more, 64 for the bins, and 2 align the next buffer.
+    assert_eq!((buffers, strip), (500 * 8 + 1095 * 2 + 2, 240 * 8 * 4));
     let readme = read("README.md");
     assert!(readme.contains(
         "RAM = 8 B per vertex + 2 B per face + 4 B per pixel of a band (colour and depth): 15 KB for"

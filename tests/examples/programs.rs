@@ -27,26 +27,9 @@ fn films_have_their_frames_and_sheets() {
     assert_eq!(testing::picture(&out.join("spin.png")).0, [128, 64]);
 }
 
-#[test]
-fn the_bands_example_draws_one_picture_in_three_ways() {
-    let to = folder("bands", "example");
-    let done = example("bands", &["--out".as_ref(), to.as_os_str()]);
-    let said = String::from_utf8_lossy(&done.stdout).into_owned();
-    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
-    let others = said.split_whitespace().find_map(|word| word.parse::<u32>().ok());
-    assert!(others.is_some_and(|n| n >= 30) && said.contains("the same picture three times"), "{said}");
-    let (_, pixels) = testing::picture(&to.join("bands.png"));
-    // The pot's shades, the caption, the background, which is not even half of it; no magenta.
-    let colours: BTreeSet<_> = pixels.iter().collect();
-    assert!(colours.contains(&[255; 3]) && !colours.contains(&[255, 0, 255]));
-    let background = pixels.iter().filter(|&&p| p == pixels[0]).count();
-    assert!(colours.len() > 20 && background * 3 < pixels.len() * 2, "{background}");
-}
-
 /// Examples that write files into their working folder and print what they wrote.
-const PRINTING: [(&str, &str); 4] = [
+const PRINTING: [(&str, &str); 3] = [
     ("spin", "--size 16 --frames 2 --out spin"),
-    ("bands", "--out bands"),
     ("gallery", "--out gallery.png"),
     ("cookbook", "--out cookbook"),
 ];
@@ -73,7 +56,6 @@ fn full_output_is_an_error() {
 fn failed_write_changes_nothing() {
     for (name, line, output) in [
         ("gallery", "--out gallery.png", "gallery.png"),
-        ("bands", "--out .", "bands.png"),
         ("cookbook", "--out .", "logo.png"),
         ("spin", "--size 16 --frames 2 --out .", "spin.gif"),
     ] {

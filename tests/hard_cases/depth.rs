@@ -8,7 +8,6 @@ use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use support::bridge::rectangle;
 use support::bridge::ways::screen;
 use support::oracle::chain;
-use support::oracle::coverage::{edge, P};
 use support::oracle::picture::{compare, Scene};
 use support::oracle::rng::Rng;
 use support::oracle::target::Screen;
@@ -110,52 +109,6 @@ fn d1_the_first_of_two_equal_depths_stays() {
         let (ids, _) = draw(&camera, &vertices, -10, &[[0, 1, 2], [3, 4, 5]]);
         assert!(ids.iter().all(|&id| id <= 0) && ids.contains(&0));
     }
-}
-
-/// Slivers and faces seen edge-on: the plane of the snapped corners in rationals.
-#[test]
-fn d2_slivers_never_leave_their_corners_depths() {
-    let mut rng = Rng::new(0xd2);
-    let (mut pixels, mut largest, mut steep) = (0, 0f64, 0);
-    for round in 0..20_000 {
-        let camera = camera([1, 4, 7][round % 3] * ONE, 40 * ONE);
-        // A needle: two corners close together, or three nearly in a row, along or across the view.
-        let reach = |rng: &mut Rng, n: f64| [0; 3].map(|_| rng.real(-n, n));
-        let (a, b) = (reach(&mut rng, 12_000.0), reach(&mut rng, 12_000.0));
-        let width = rng.log(0.5, 300.0);
-        let t = if round % 2 == 0 { 0.0 } else { rng.unit() };
-        let beside = reach(&mut rng, width);
-        let c: [f64; 3] = core::array::from_fn(|i| a[i] + t * (b[i] - a[i]) + beside[i]);
-        let vertices = [a, b, c].map(|p| p.map(|c| c.round() as i16));
-        let mesh = Mesh::new(&vertices, -10, &[[0, 1, 2]]).expect("a mesh");
-        let instance = camera.library().place(&mesh, &Affine::<Model, World>::identity());
-        let corners = [0, 1, 2].map(|i| instance.project(i).ok().zip(instance.project_unsnapped(i)));
-        let [Some(a), Some(b), Some(c)] = corners else { continue };
-        let [a, b, c] = [a, b, c].map(|(pinhole::camera::Projected { point: p, .. }, fine)| {
-            ((i64::from(p.x()), i64::from(p.y())), fine[2])
-        });
-        // Nearer than the last half step before far, where depths end.
-        if [a, b, c].iter().any(|corner| corner.1 >> 32 >= 65_534) {
-            continue;
-        }
-        let (ids, depths) = draw(&camera, &vertices, -10, &[[0, 1, 2]]);
-        for (place, _) in ids.iter().enumerate().filter(|(_, id)| **id == 0) {
-            let (x, y) = ((place % SIZE.0 as usize) as i64, (place / SIZE.0 as usize) as i64);
-            let at: P = (256 * x + 128, 256 * y + 128);
-            let weights = [edge(b.0, c.0, at), edge(c.0, a.0, at), edge(a.0, b.0, at)].map(i128::from);
-            let area: i128 = weights.iter().sum();
-            let sum: i128 = weights.iter().zip([a.1, b.1, c.1]).map(|(w, z)| w * i128::from(z)).sum();
-            let error = (i128::from(depths[place]) * (area << 32) - sum) as f64 / (area << 32) as f64;
-            largest = largest.max(error.abs());
-            pixels += 1;
-            let [low, high] = [a.1.min(b.1).min(c.1), a.1.max(b.1).max(c.1)].map(|z| z >> 32);
-            steep += usize::from(area.abs() < 1 << 18 && high - low > 10_000);
-            let depth = i64::from(depths[place]);
-            assert!(low <= depth && depth <= high + 1, "{vertices:?} {at:?}: {depth} of {low} … {high}");
-        }
-    }
-    assert!(largest <= 0.54 && largest > 0.5, "{largest}");
-    assert!(pixels > 20_000 && steep > 1_000, "{pixels}, {steep}");
 }
 
 /// docs/spec.md, section 7: the stored depth is round(65535·(z/w + 1)/2), and 65535 where nothing is drawn; it is linear on the screen.

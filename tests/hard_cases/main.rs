@@ -20,10 +20,10 @@
 //! | C2 a vertex on near | `near_plane::c2_*` | exact coverage of the snapped triangle |
 //! | C3 w down to nothing | `near_plane::c3_*`; `fuzz/targets/set_up/camera.rs` | one ray per pixel; the f64 chain |
 //! | C4 all behind | `near_plane::c4_*` | empty |
-//! | C5 inside a mesh | `near_plane::c5_*`; `tests/pipeline/clipped_faces.rs`, `tests/pipeline/culling_by_planes.rs` | one ray per pixel; each pixel once; all ways of drawing |
+//! | C5 inside a mesh | `fuzz/targets/scene/cut.rs`; `tests/pipeline/clipped_faces.rs`, `tests/pipeline/culling_by_planes.rs` | one ray per pixel; each pixel once; all ways of drawing |
 //! | C6 far off screen, the shared cut, larger than the screen | `near_plane::c6_*`; `fuzz/targets/set_up/camera.rs` | one ray per pixel; the f64 chain |
 //! | D1 the threshold of z-fighting | `depth::d1_*` | f64, all that is two steps apart |
-//! | D2 slivers and extrapolation | `depth::d2_*`; `d2_*` in `src/raster/depth.rs` | the plane in rationals |
+//! | D2 slivers and extrapolation | `d2_*` in `src/raster/depth.rs`; `fuzz/targets/scene/depth.rs` | the plane in rationals |
 //! | D3 what is stored | `depth::d3_*` | f64 |
 //! | E1 large offsets | `numbers::e1_*`; `s3_views` in `tests/bounds.rs`; `tests/camera/vertex_chain.rs` | the same scene at the origin; f64 |
 //! | E2 out of Q16.16 | `numbers::e2_*`; `tests/camera/vertex_chain.rs` | by hand; f64 |

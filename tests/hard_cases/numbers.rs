@@ -68,7 +68,7 @@ fn e1_a_scene_at_20000_is_the_scene_at_the_origin() {
             let mut model = turn.clone();
             model.0.push(Step::Move(offset));
             // What one ray a pixel sees, in f64.
-            let tally = near_plane::compare(&c, false, &model, &CUBE, 0, &CUBE_FACES, 1.0 / 64.0);
+            let tally = near_plane::compare(&c, &model, &CUBE, 0, &CUBE_FACES, 1.0 / 64.0);
             let (mut faces, mut edges) =
                 (Recorder::<Shader>::sized(48, 32), Recorder::<Shader>::sized(48, 32));
             let (library, model) = (c.library(), model.library());

@@ -185,7 +185,7 @@ fn a5_faces_beyond_the_guard_band_are_cut_there() {
         let model = ModelBits::default();
         for faces in [[[0, 1, 2]], [[0, 2, 1]]] {
             // ARCHITECTURE's budget for half extent ÷ distance up to 1600: 12·2⁻³⁰·8192·1600 < 0.15 px.
-            let t = near_plane::compare(&camera, false, &model, &vertices, -3, &faces, 0.15 + 1.0 / 64.0);
+            let t = near_plane::compare(&camera, &model, &vertices, -3, &faces, 0.15 + 1.0 / 64.0);
             (covered, background) = (covered + t.covered, background + t.background);
         }
         let mesh = Mesh::new(&vertices, -3, &[]).expect("a mesh");

@@ -67,7 +67,7 @@ fn all_ways<const N: usize, C: Color + StoredPixel<[u8; N]> + core::fmt::Debug>(
         let plain = picture(&mut |target| {
             let Ok(_) = instance.edges(|_| color).draw(target);
         });
-        let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 8], [0; 13]);
+        let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 8], [0; 17]);
         let transformed = instance.transform(&mut cache);
         let mut edges = transformed.bin_edges(&mut bins).expect("room");
         for rows in heights {

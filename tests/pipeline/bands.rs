@@ -36,7 +36,7 @@ fn draw(
     rows: u32,
     display: &mut Recorder<Gray8>,
 ) -> Result<Statistics, Refused> {
-    let (mut corners, mut bin_storage) = ([ScreenVertex::EMPTY; 8], [0; 13]);
+    let (mut corners, mut bin_storage) = ([ScreenVertex::EMPTY; 8], [0; 17]);
     let area = display.bounding_box();
     let mut faces = instance.transform_depth(&mut corners).bin_faces(&mut bin_storage).expect("room");
     let mut frame = Frame::new(area, Gray8::BLACK);
@@ -124,7 +124,7 @@ fn a_display_error_in_mid_frame_is_returned() {
 #[test]
 fn a_band_that_fails_can_be_drawn_again() {
     cube((0, 0, 64, 64), |instance| {
-        let (mut corners, mut bin_storage) = ([ScreenVertex::EMPTY; 8], [0; 7]);
+        let (mut corners, mut bin_storage) = ([ScreenVertex::EMPTY; 8], [0; 17]);
         let projected = instance.transform(&mut corners);
         let mut faces = projected.bin_faces(&mut bin_storage).expect("room");
         let mut good = Recorder::sized(64, 64);
@@ -183,7 +183,7 @@ fn a_mesh_larger_than_the_storage_streams_in_chunks() {
     assert!(picture == reference);
 
     // Binned once, with a cache of 300 vertices: the others are computed where a face needs them.
-    let mut bin_storage = vec![0; faces.len() + faces.len().div_ceil(16)];
+    let mut bin_storage = vec![0; instance.mesh().face_bins_len()];
     let projected = instance.transform_depth(&mut corners[..300]);
     let mut recorded = projected.bin_faces(&mut bin_storage).expect("room");
     let picture = bands(area, Gray8::BLACK, 16, &mut |band, depth| {
@@ -446,7 +446,7 @@ fn carried_faces_are_shaded_once() {
     let model = ModelBits(vec![Step::Y(1 << 29)]).library();
     let instance = cube_camera((0, 0, 64, 64)).library().place(&mesh, &model);
     let shaded = [0, 5, 100].map(|length| {
-        let (mut cache, mut bins) = (vec![ScreenVertex::EMPTY; 200], vec![0; 425]);
+        let (mut cache, mut bins) = (vec![ScreenVertex::EMPTY; 200], vec![0; mesh.face_bins_len()]);
         let (mesh, mut list) = (instance.transform_depth(&mut cache), vec![ActiveFace::EMPTY; length]);
         let (mut faces, mut calls) = (mesh.bin_active_faces(&mut bins, &mut list).expect("room"), 0);
         bands(rectangle(0, 0, 64, 64), Gray8::BLACK, 4, &mut |band, depth| {
@@ -462,14 +462,13 @@ fn carried_faces_are_shaded_once() {
     assert!(shaded.is_sorted_by(|before, after| before > after) || cfg!(pinhole_plain), "{shaded:?}");
 }
 
-/// The storage of active faces has a link for each face of the mesh.
 #[test]
 fn bins_of_active_faces_too_short_say_what_they_need() {
-    let (mut bins, mut list) = ([0; 12], [ActiveFace::<Gray8>::EMPTY; 3]);
+    let (mut bins, mut list) = ([0; 16], [ActiveFace::<Gray8>::EMPTY; 3]);
     cube((0, 0, 64, 64), |instance| {
         let mesh = instance.transform(&mut []);
         let error = mesh.bin_active_faces(&mut bins, &mut list).map(|_| ());
-        assert_eq!(error, Err(BufferError::Bins { needed: 13, given: 12 }));
+        assert_eq!(error, Err(BufferError::Bins { needed: 17, given: 16 }));
     });
 }
 

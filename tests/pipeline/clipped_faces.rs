@@ -1,5 +1,5 @@
 //! R8 for clipped faces: faces cut at the near plane and at the guard band are as watertight as others. From inside a closed mesh every
-//! pixel is drawn exactly once. That it is drawn by the right face is in `hard_cases`, C5.
+//! pixel is drawn exactly once. That it is drawn by the right face is in `fuzz/targets/scene/cut.rs`.
 
 use pinhole::prelude::*;
 use std::collections::BTreeMap;

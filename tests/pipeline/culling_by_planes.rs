@@ -1,4 +1,4 @@
-//! Culling by face planes leaves every picture and the order of faces unchanged, except for faces that face away and that the snap of
+//! Culling by face planes and by clusters leaves every picture and the order of faces unchanged, except for faces that face away and that the snap of
 //! their corners turns to the front. Meshes that the near plane and the guard band cut are equal in every way of drawing: solid, with depth,
 //! culled by planes, in bands, in painter's order, as wireframes and with hidden lines; faces that are culled before they are cut are those
 //! that are drawn only without culling. `Cull::Front` draws what `Cull::Back` draws of the mesh with all faces turned over.
@@ -11,8 +11,11 @@ use pinhole::{
     mesh::{Coordinate, MeshError},
     prelude::*,
 };
+use pinhole_import::{import_bytes, ImportedMesh, Options};
 use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
-use support::bridge::ways::{bands, by_every_call, by_planes, lines_by_every_call, screen, Drawn, Lines};
+use support::bridge::ways::{
+    bands, by_clusters, by_every_call, by_planes, lines_by_every_call, screen, Drawn, Lines,
+};
 use support::oracle::rng::Rng;
 use support::oracle::target::Screen;
 use support::{solids, teapot};
@@ -155,6 +158,64 @@ fn culling_by_planes_draws_the_same_teapot() {
     assert!(near.clipped > 2500, "{near:?}");
 }
 
+/// A torus and a teapot in clusters, from within, through the near plane, far away and aside, mirrored, flat and in parallel projections:
+/// pictures and picked faces are those of culling by planes, of fewer faces. The faces that are left out have no pixel.
+#[test]
+fn culling_by_clusters_draws_the_picture_of_culling_by_planes() {
+    let torus = solids::torus(24, 16);
+    let meshes = [clustered(&torus.vertices, &torus.faces), clustered(&teapot::VERTICES, &teapot::FACES)];
+    let mut rng = Rng::new(0xfae);
+    let (mut faces, mut vertices, mut clipped) = ([0; 2], [0; 2], 0);
+    for i in 0..240 {
+        let made = &meshes[i % 2];
+        let mesh = made.mesh().unwrap();
+        assert_eq!(mesh.clusters().len(), mesh.faces().len().div_ceil(32));
+        let camera = camera(&mut rng, [6.0, 14.0, 25.0, 90.0][i / 2 % 4], i % 5 == 0).library();
+        let mut model = ModelBits::random_rotation(&mut rng);
+        if i % 3 == 0 {
+            model.0.insert(0, Step::Scale([-ONE, ONE / [4, 50][i / 3 % 2], ONE]));
+        }
+        let cull = [Cull::Back, Cull::Back, Cull::Front, Cull::None][i / 8 % 4];
+        let instance = camera.place(&mesh, &model.library()).with_cull(cull);
+        let (planes, counted) = by_planes(&instance, AREA, Rgb565::BLACK, &color);
+        let (clusters, found) = by_clusters(&instance, AREA, Rgb565::BLACK, &color);
+        assert!(clusters == planes, "other pixels");
+        assert_eq!(found.drawn + found.culled + found.outside + found.degenerate, mesh.faces().len() as u32);
+        let unclipped = instance.without_clipping();
+        let (planes, _) = by_planes(&unclipped, AREA, Rgb565::BLACK, &color);
+        assert!(by_clusters(&unclipped, AREA, Rgb565::BLACK, &color).0 == planes, "not clipped");
+        let at = Point::new(rng.int(0, 90) as i32, rng.int(0, 60) as i32);
+        let mut cache = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
+        let picked = instance.faces(color).culled_by_planes().cached(&mut cache).pick(at);
+        assert_eq!(instance.faces(color).culled_by_clusters().cached(&mut cache).pick(at), picked);
+        faces = [faces[0] + counted.drawn, faces[1] + found.drawn];
+        clipped += found.clipped;
+        if i / 2 % 4 < 3 || cull == Cull::None {
+            continue;
+        }
+        // In view and without planes, vertices are left out by clusters alone that are turned away.
+        let normals = vec![[0; 3]; mesh.faces().len()];
+        let lists = [&normals.as_flattened()[..normals.len()], mesh.clusters().as_flattened()].concat();
+        let bare = Mesh::new(mesh.vertices(), mesh.exponent(), mesh.faces()).unwrap();
+        let bare = bare.with_normals(&normals).and_then(|bare| bare.with_clustered_planes(&lists)).unwrap();
+        let bare = camera.place(&bare, &model.library()).with_cull(cull);
+        let _ = bare.faces(color).culled_by_clusters().cached(&mut cache).pick(at);
+        let touched = cache.iter().filter(|vertex| **vertex != ScreenVertex::EMPTY).count();
+        vertices = [vertices[0] + cache.len(), vertices[1] + touched];
+    }
+    assert!(clipped > 1000, "{clipped}");
+    assert!(20 * faces[1] < 19 * faces[0] && 20 * vertices[1] < 19 * vertices[0], "{faces:?} {vertices:?}");
+}
+
+/// A mesh by the importer.
+fn clustered(vertices: &[[i16; 3]], faces: &[[u16; 3]]) -> ImportedMesh {
+    let corners = vertices.iter().map(|[x, y, z]| format!("v {x} {y} {z}\n"));
+    let sides = faces.iter().map(|face| face.map(|v| u32::from(v) + 1));
+    let obj = corners.chain(sides.map(|[a, b, c]| format!("f {a} {b} {c}\n"))).collect::<String>();
+    let options = Options { clusters: true, reorder: true, fit: Some(24.0), ..Options::default() };
+    import_bytes(obj.into(), "mesh.obj".as_ref(), &[], &options).unwrap()
+}
+
 /// Of a mesh without planes, only the order differs in which vertices are transformed.
 #[test]
 fn a_mesh_without_planes_is_not_culled_by_planes() {
@@ -185,6 +246,11 @@ fn a_list_of_planes_of_the_wrong_length_is_refused() {
     let error = mesh.with_planes(&[0; 991]).unwrap_err();
     assert_eq!(error, MeshError::ListLength { one: "plane per face", given: 991, needed: 992 });
     assert_eq!(error.to_string(), "a list of 991 entries where 992 are needed: give one plane per face");
+    let one = "plane per face and eight numbers per 32 faces";
+    for given in [0, 992, 1239, 1241] {
+        let error = mesh.with_clustered_planes(&[0; 1241][..given]).unwrap_err();
+        assert_eq!(error, MeshError::ListLength { one, given, needed: 1240 });
+    }
     // Fewer planes and more planes than faces; planes of normals longer than 1.
     assert_eq!(mesh.face_planes::<3>(), mesh.face_planes::<992>()[..3]);
     assert_eq!(mesh.face_planes::<993>()[992], 0);

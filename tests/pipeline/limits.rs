@@ -107,25 +107,25 @@ fn camera() -> Camera {
 #[test]
 fn bins_have_room_for_all_faces_and_no_more() {
     let (mut buffers, camera) = (mesh_buffers!(FEW, MANY), camera());
-    assert_eq!((buffers.cache.len(), buffers.bins.len(), buffers.edge_bins.len()), (3, 17 + 2, 0));
-    assert_eq!(mesh_buffers!(FEW).bins.len(), 16 + 1);
+    assert_eq!((buffers.cache.len(), buffers.bins.len(), buffers.edge_bins.len()), (3, 17 + 2 + 8, 0));
+    assert_eq!(mesh_buffers!(FEW).bins.len(), 16 + 1 + 8);
     let instance = camera.place(&MANY, &Affine::identity()).with_cull(Cull::None);
     let projected = instance.transform(&mut buffers.cache);
     assert!(projected.bin_faces(&mut buffers.bins).is_ok());
-    let short = projected.bin_faces(&mut buffers.bins[..18]).err();
-    assert_eq!(short, Some(BufferError::Bins { needed: 19, given: 18 }));
+    let short = projected.bin_faces(&mut buffers.bins[..26]).err();
+    assert_eq!(short, Some(BufferError::Bins { needed: 27, given: 26 }));
 }
 
 #[test]
 fn bins_have_room_for_all_edges_and_no_more() {
     let (mut buffers, camera) = (mesh_buffers!(edges: MANY), camera());
-    assert_eq!((buffers.cache.len(), buffers.bins.len(), buffers.edge_bins.len()), (3, 0, 17 + 2));
+    assert_eq!((buffers.cache.len(), buffers.bins.len(), buffers.edge_bins.len()), (3, 0, 17 + 2 + 8));
     let both = mesh_buffers!(faces, edges: MANY);
-    assert_eq!((both.cache.len(), both.bins.len(), both.edge_bins.len()), (3, 19, 19));
+    assert_eq!((both.cache.len(), both.bins.len(), both.edge_bins.len()), (3, 27, 27));
     let instance = camera.place(&MANY, &Affine::identity());
     let projected = instance.transform(&mut buffers.cache);
     assert!(projected.bin_edges(&mut buffers.edge_bins).is_ok());
-    assert!(projected.bin_edges(&mut buffers.edge_bins[..18]).is_err());
+    assert!(projected.bin_edges(&mut buffers.edge_bins[..26]).is_err());
 }
 
 #[test]
@@ -148,7 +148,7 @@ fn strips_have_room_for_their_rows_and_no_more() {
 fn a_scene_has_room_for_all_its_objects_and_no_more() {
     const OBJECTS: usize = 3;
     let mut buffers = mesh_buffers!([FEW; OBJECTS], [MANY; 1]);
-    assert_eq!((buffers.cache.len(), buffers.bins.len()), (4 * 3, 3 * (16 + 1) + 17 + 2));
+    assert_eq!((buffers.cache.len(), buffers.bins.len()), (4 * 3, 3 * (16 + 1 + 8) + 17 + 2 + 8));
     let mut scene = Scene::<(), 4>::new();
     for mesh in [&FEW, &FEW, &FEW, &MANY] {
         scene.add(Object::new(mesh, Affine::identity(), ()).with_cull(Cull::None)).expect("room for four");

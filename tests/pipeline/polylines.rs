@@ -1,11 +1,11 @@
-//! Points and polylines: a point draws its own pixel, a joint is drawn once, and the picture is the union of the lines of
-//! the line oracle. Closed figures, and lines that the near plane and the guard band cut.
+//! Polylines: a joint is drawn once, and the picture is the union of the lines of the line oracle. Closed figures, and lines that the
+//! near plane and the guard band cut. Points are compared with their projections by `fuzz/targets/scene/whole.rs`.
 
 use pinhole::{draw::Statistics, Mesh};
 use std::collections::BTreeMap;
 use support::bridge::draw::{wireframe, Shader};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
-use support::oracle::chain::{self, snap};
+use support::oracle::chain;
 use support::oracle::coverage::Area;
 use support::oracle::line;
 use support::oracle::rng::Rng;
@@ -28,20 +28,15 @@ fn draw(
     model: &ModelBits,
     vertices: &[[i16; 3]],
     exponent: i8,
-    points: bool,
 ) -> (Recorder<Shader>, Statistics) {
     let mesh = Mesh::new(vertices, exponent, &[]).expect("a mesh");
     let mut target = Recorder::sized(SIZE, SIZE);
     let placed_model = model.library();
     let library = camera.library();
     let instance = library.place(&mesh, &placed_model);
-    let statistics = if points {
-        instance.points(Shader(1), &mut target)
-    } else {
-        instance.polyline(Shader(1), &mut target)
-    };
+    let statistics = instance.polyline(Shader(1), &mut target).expect("no error");
     assert_eq!(target.outside, 0);
-    (target, statistics.expect("no error"))
+    (target, statistics)
 }
 
 /// Away from the viewer, so that the box holds it.
@@ -74,7 +69,7 @@ fn oracle(path: &[(i64, i64)]) -> BTreeMap<(i32, i32), u32> {
 }
 
 fn check(path: &[(i64, i64)]) {
-    let (target, statistics) = draw(&flat(), &back(), &in_pixels(path), -1, false);
+    let (target, statistics) = draw(&flat(), &back(), &in_pixels(path), -1);
     let got: BTreeMap<_, _> = target.pixels.iter().map(|(&at, &(_, n))| (at, n)).collect();
     assert_eq!(got, oracle(path), "{path:?}\n{}", target.picture(SIZE as i32, SIZE as i32, |_| '#'));
     assert_eq!(statistics.drawn as usize, path.len().saturating_sub(1));
@@ -151,56 +146,10 @@ fn random_paths_are_the_union_of_their_lines() {
 #[test]
 fn a_polyline_of_fewer_than_two_vertices_draws_nothing() {
     for n in 0..2 {
-        let (target, statistics) = draw(&flat(), &back(), &in_pixels(&[(5, 5)][..n]), -1, false);
+        let (target, statistics) = draw(&flat(), &back(), &in_pixels(&[(5, 5)][..n]), -1);
         assert!(target.pixels.is_empty());
         assert_eq!(statistics, Statistics::default());
     }
-}
-
-#[test]
-fn points_draw_the_pixel_that_they_lie_in() {
-    let mut rng = Rng::new(0x72);
-    let camera = CameraBits {
-        view: ViewBits::LookAt([ONE, 2 * ONE, 6 * ONE], [0; 3], [0, ONE, 0]),
-        projection: ProjectionBits::Perspective(1 << 29, (SIZE, SIZE), ONE, 50 * ONE),
-        viewport: (0, 0, SIZE, SIZE),
-    };
-    let vertices: Vec<[i16; 3]> = (0..3000).map(|_| [0; 3].map(|_| rng.int(-2500, 2500) as i16)).collect();
-    let model = ModelBits(vec![Step::Y(77_777_777)]);
-    let (target, statistics) = draw(&camera, &model, &vertices, -8, true);
-    let (exact, exact_model) = (camera.exact(), model.exact());
-    let mut counts: BTreeMap<(i32, i32), u32> = BTreeMap::new();
-    let (mut drawn, mut unsure) = (0, Vec::new());
-    for &v in &vertices {
-        let clip = exact.clip(&exact_model, chain::vertex(v, -8));
-        if clip[2] < -clip[3] || clip[3] <= 0.0 {
-            continue;
-        }
-        let at = exact.screen(clip);
-        if at.0.abs().max(at.1.abs()) > 8192.0 {
-            continue;
-        }
-        drawn += 1;
-        let (x, y) = snap(at);
-        // A tie of the snap at a pixel's border may go either way.
-        if [at.0, at.1].iter().any(|c| ((c - c.round()).abs() - 1.0 / 512.0).abs() < 1e-5) {
-            unsure.push((x >> 8, y >> 8));
-            continue;
-        }
-        let pixel = ((x >> 8) as i32, (y >> 8) as i32);
-        if (0..SIZE as i32).contains(&pixel.0) && (0..SIZE as i32).contains(&pixel.1) {
-            *counts.entry(pixel).or_insert(0) += 1;
-        }
-    }
-    assert!(unsure.len() < 5);
-    assert_eq!(statistics.drawn, drawn);
-    assert_eq!(statistics.drawn + statistics.outside, 3000);
-    let got: u32 = target.pixels.values().map(|(_, n)| n).sum();
-    for (at, n) in &counts {
-        assert!(target.count(at.0, at.1) >= *n, "{at:?}");
-    }
-    assert!(got as usize <= counts.values().sum::<u32>() as usize + unsure.len());
-    assert!(counts.len() > 300);
 }
 
 /// Cut at near: the pixels are the union of the cut lines, whose ends the f64 chain gives.
@@ -218,7 +167,7 @@ fn paths_through_the_near_plane_are_cut_there() {
         let vertices: Vec<[i16; 3]> = (0..6)
             .map(|_| [rng.int(-600, 600) as i16, rng.int(-600, 600) as i16, rng.int(-1500, 300) as i16])
             .collect();
-        let (target, statistics) = draw(&camera, &model, &vertices, -8, false);
+        let (target, statistics) = draw(&camera, &model, &vertices, -8);
         let mut union = std::collections::BTreeSet::new();
         let mut sure = true;
         let (mut drawn, mut clipped, mut outside) = (0, 0, 0);

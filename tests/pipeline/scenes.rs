@@ -367,10 +367,10 @@ fn a_scene_without_room_says_what_it_needs() {
         Camera::framing(&sphere, &viewport, Angle::degrees(50), Angle::ZERO, Angle::ZERO).expect("a camera");
     // The second lies beyond the far plane, which is just behind the first.
     let placed = scene.place(&camera);
-    assert_eq!((placed.len(), placed.cache_len(), placed.face_bins_len()), (1, 8, 13));
+    assert_eq!((placed.len(), placed.cache_len(), placed.face_bins_len()), (1, 8, 17));
     assert_eq!(placed.iter().map(|(object, _)| object.material).collect::<Vec<_>>(), [7]);
-    let short = placed.bin_faces(&mut [], &mut [0; 12]).err();
-    assert_eq!(short, Some(BufferError::Bins { needed: 13, given: 12 }));
+    let short = placed.bin_faces(&mut [], &mut [0; 16]).err();
+    assert_eq!(short, Some(BufferError::Bins { needed: 17, given: 16 }));
     scene.clear();
     assert!(scene.place(&camera).is_empty() && scene.objects().is_empty());
 }

@@ -56,7 +56,7 @@ fn a_cursor_too_short_says_what_it_needs() {
     let mesh = Mesh::new(&CUBE, 0, &faces).and_then(|mesh| mesh.with_edges(&edges)).expect("a mesh");
     let instance = cube_camera((0, 0, SIZE, SIZE)).library().place(&mesh, &ModelBits(vec![]).library());
     let transformed = instance.transform(&mut []);
-    let (mut bins, mut edge_bins) = ([0; 19], [0; 19]);
+    let (mut bins, mut edge_bins) = ([0; 27], [0; 27]);
     let mut binned_faces = transformed.bin_faces(&mut bins).expect("room");
     let mut binned_edges = transformed.bin_edges(&mut edge_bins).expect("room");
     for given in 0..2 {
@@ -71,7 +71,7 @@ fn a_cursor_too_short_says_what_it_needs() {
         scene.add(Object::new(&mesh, ModelBits(vec![]).library(), ())).expect("room");
     }
     let camera = cube_camera((0, 0, SIZE, SIZE)).library();
-    let (placed, mut bins) = (scene.place(&camera), [0; 38]);
+    let (placed, mut bins) = (scene.place(&camera), [0; 54]);
     let mut binned: BinnedScene<'_, '_, _, 2> = placed.bin_faces(&mut [], &mut bins).expect("room");
     assert_eq!(binned.fork(&mut [0; 3]).map(drop), Err(BufferError::Bins { needed: 2, given: 1 }));
     assert!(binned.fork(&mut [0; 4]).is_ok());
@@ -98,7 +98,7 @@ fn a_scene_of_several_objects_is_complete() {
     let whole: Vec<u8> = whole.into_iter().map(|color| color.luma()).collect();
     assert!(whole.iter().any(|&luma| luma > 120), "the third object is not seen");
 
-    let (mut cache, mut bins, mut cursor) = ([ScreenVertex::EMPTY; 24], [0; 39], [0; 3]);
+    let (mut cache, mut bins, mut cursor) = ([ScreenVertex::EMPTY; 24], [0; 51], [0; 3]);
     let mut binned = placed.bin_faces(&mut cache, &mut bins).expect("room");
     for assignment in 0..1 << (SIZE / ROWS) {
         let forks = binned.fork(&mut cursor).expect("room");

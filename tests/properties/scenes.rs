@@ -191,7 +191,7 @@ fn by_all_calls(scene: &Scene, area: Rectangle, heights: &[u32]) {
             let instance = &instance.with_cull(cull);
             let (drawn, _) = by_every_call(instance, area, BACKGROUND, heights, &colour);
             for &rows in heights {
-                let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 16], [0; 9]);
+                let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 16], [0; 13]);
                 let (mesh, mut list) = (instance.transform(&mut cache), [ActiveFace::EMPTY; 3]);
                 let mut faces = mesh.bin_active_faces(&mut bins, &mut list).expect("room");
                 let found = bands(area, BACKGROUND, rows, &mut |band, _| {
@@ -222,7 +222,7 @@ proptest! {
     #[test]
     fn bounds_contain_every_drawn_pixel(scene in scene()) {
         let (faces, edges) = place(&scene, |instance| {
-            let (mut cache, mut bins, mut more) = ([ScreenVertex::EMPTY; 16], [0; 9], [0; 9]);
+            let (mut cache, mut bins, mut more) = ([ScreenVertex::EMPTY; 16], [0; 13], [0; 13]);
             let transformed = instance.transform(&mut cache);
             let faces = transformed.bin_faces(&mut bins).expect("room").bounds();
             (faces, transformed.bin_edges(&mut more).expect("room").bounds())

@@ -59,13 +59,13 @@ fn by_three(
     cache: &mut [ScreenVertex],
     draw: &dyn Fn([Core<'_>; 3]),
 ) -> Statistics {
-    let (mut bins, mut more) = ([0; 9], [0; 9]);
+    let (mut bins, mut more) = ([0; 13], [0; 13]);
     match way {
         Way::Solid(cull) => {
             let instance = instance.with_cull(cull);
             let mut split = instance.split_transform(cache);
             let mut split = both!(split, transform).split_bin_faces(&mut bins);
-            let mut faces = both!(split, count).expect("room");
+            let mut faces = both!(split, bin).expect("room");
             three!([faces], draw, |band| {
                 let Ok(()) = faces.draw(colour, band);
             });
@@ -75,7 +75,7 @@ fn by_three(
             let instance = instance.with_cull(cull);
             let mut split = instance.split_transform_depth(cache);
             let mut split = both!(split, transform).split_bin_faces(&mut bins);
-            let mut faces = both!(split, count).expect("room");
+            let mut faces = both!(split, bin).expect("room");
             three!([faces], draw, |band| with_depth(band, |depth, band| {
                 let Ok(()) = faces.draw(colour, &mut band.depth_tested(depth));
             }));
@@ -94,7 +94,7 @@ fn by_three(
             let mut split = instance.split_transform_depth(cache);
             let transformed = both!(split, transform);
             let mut split = transformed.split_bin_faces(&mut bins);
-            let mut faces = both!(split, count).expect("room");
+            let mut faces = both!(split, bin).expect("room");
             let mut edges = transformed.bin_edges(&mut more).expect("room");
             three!([faces, edges], draw, |band| with_depth(band, |depth, band| {
                 faces.depth_only(depth);
@@ -186,16 +186,16 @@ proptest! {
             0 => split.finish(),
             1 | 2 => {
                 let [ours, theirs] = split.halves();
-                if order == 1 { ours.count() } else { theirs.count() }
+                if order == 1 { ours.bin() } else { theirs.bin() }
                 split.finish()
             }
             3 => {
                 let [ours, theirs] = split.halves();
-                theirs.count();
-                ours.count();
+                theirs.bin();
+                ours.bin();
                 split.finish()
             }
-            _ => both!(split, count),
+            _ => both!(split, bin),
         };
         // All fields, and so all numbers of the bins and of the vertex cache.
         prop_assert_eq!(format!("{in_halves:?}"), format!("{in_one_piece:?}"));

@@ -86,7 +86,7 @@ fn of_parts_of_bytes<C: Colour>(instance: &MeshInstance<'_>, scene: &Scene) {
     let (whole, _) = screen(scene.frame, &mut |target, _| {
         let Ok(_) = instance.faces(shade).draw(target);
     });
-    let (mut cache, mut bins) = ([ScreenVertex::EMPTY; VERTICES], [0; FACES + 1]);
+    let (mut cache, mut bins) = ([ScreenVertex::EMPTY; VERTICES], vec![0; instance.mesh().face_bins_len()]);
     let transformed = instance.transform(&mut cache);
     let mut faces = transformed.bin_faces(&mut bins).expect("room");
     for rows in 1..=13 {

@@ -4,6 +4,7 @@
 mod meshes;
 
 use pinhole::Mesh;
+use pinhole_import::{import_bytes, Centre, Options};
 use serde::Deserialize;
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -89,7 +90,18 @@ fn models(scenes: &Scenes) -> Result<String> {
         let [distance, ..] = bits([*distance, 0.0, 0.0]);
         write!(text, "pub static {name}: Model = Model {{ axes: {axes:?}, distance: {distance}, ")?;
         writeln!(text, "mesh: mesh(&{vertices:?}, -{k}, &{faces:?}, &{normals:?}, &{edges:?}) }};")?;
-        writeln!(text, "pub static {name}_BY_PLANES: Model = by_planes(&{name}, &{planes:?});")?;
+        let mut add = |by: &str, mesh: String| {
+            let mesh = format!("match {mesh} {{ Ok(mesh) => mesh, Err(_) => panic!() }}");
+            writeln!(text, "pub static {name}_BY_{by}: Model = Model {{ mesh: {mesh}, ..{name} }};")
+        };
+        add("PLANES", format!("{name}.mesh.with_planes(&{planes:?})"))?;
+        let mut obj: String = model.vertices.iter().map(|[x, y, z]| format!("v {x} {y} {z}\n")).collect();
+        obj.extend(faces.iter().map(|&[a, b, c]| format!("f {} {} {}\n", a + 1, b + 1, c + 1)));
+        let options = Options { centre: Centre::Origin, clusters: true, ..Options::default() };
+        let made = import_bytes(obj.into(), "model.obj".as_ref(), &[], &options)?;
+        let (vertices, k, faces, normals) = (made.vertices, made.exponent, made.faces, made.normals);
+        let mesh = format!("mesh(&{vertices:?}, {k}, &{faces:?}, &{normals:?}, &[])");
+        add("CLUSTERS", format!("{mesh}.with_clustered_planes(&{:?})", made.planes))?;
     }
     Ok(text)
 }
@@ -154,8 +166,7 @@ fn beside(edges: &[[u16; 2]], faces: &[[u16; 3]]) -> Vec<[u16; 2]> {
 /// The torus's vertex normals, edges and texture coordinates, the lists of 2D lines and triangles, and pictures.
 fn lists(scenes: &Scenes) -> Result<String> {
     let torus = scenes.models.get("torus").ok_or("no torus")?;
-    let normals = torus.vertices.iter().map(|&vertex| torus_normal(vertex).map(unit));
-    let normals: Vec<[i16; 3]> = normals.collect::<Result<_>>()?;
+    let normals: Vec<[i16; 3]> = torus.vertices.iter().map(|&vertex| unit(torus_normal(vertex))).collect();
     let (_, vertices) = quantised(&torus.vertices)?;
     let tenth: Vec<_> = vertices.iter().step_by(10).collect();
     // 173 has no factor of their number: each vertex comes once at most, near ones after far ones and before them.
@@ -193,18 +204,16 @@ fn list<T: Debug>(name: &str, of: &str, values: &[T]) -> String {
 
 /// A picture of red, green and blue by columns and rows.
 fn picture(name: &str, side: usize, texel: impl Fn(usize, usize) -> [usize; 3]) -> String {
-    let texel = |x: usize, y: usize| {
-        let [red, green, blue] = texel(x, y);
-        format!("Rgb565::new({red}, {green}, {blue})")
-    };
+    let texel = |x, y| format!("Rgb565::new{:?}", <(usize, usize, usize)>::from(texel(x, y)));
     let rows: Vec<_> =
         (0..side).map(|y| (0..side).map(|x| texel(x, y)).collect::<Vec<_>>().join(", ")).collect();
     format!("pub static {name}: [[Rgb565; {side}]; {side}] = [[{}]];\n", rows.join("], ["))
 }
 
-/// A unit normal in 2⁻¹⁵.
+/// A normal of unit length in 2⁻¹⁵.
 fn unit(normal: [f64; 3]) -> [i16; 3] {
-    normal.map(|c| (c * 32767.0).round() as i16)
+    let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
+    normal.map(|c| (c / length * 32767.0).round() as i16)
 }
 
 /// A vector in 2⁻¹⁶.
@@ -212,24 +221,17 @@ fn bits(v: [f64; 3]) -> [i32; 3] {
     v.map(|c| (c * 65536.0).round() as i32)
 }
 
-/// The unit normal of the torus: away from the circle of radius 1 about z, the centre line of the tube.
-fn torus_normal([x, y, z]: [f64; 3]) -> Result<[f64; 3]> {
+/// The normal of the torus: away from the circle of radius 1 about z, the centre line of the tube.
+fn torus_normal([x, y, z]: [f64; 3]) -> [f64; 3] {
     let from_axis = x.hypot(y);
-    let away = [x - x / from_axis, y - y / from_axis, z];
-    let length = away.iter().map(|c| c * c).sum::<f64>().sqrt();
-    if (length - 0.42).abs() > 1e-6 {
-        return Err("the torus's tube has a radius of 0.42".into());
-    }
-    Ok(away.map(|c| c / length))
+    [x - x / from_axis, y - y / from_axis, z]
 }
 
-/// The unit normal of a counter-clockwise face.
+/// The normal of a counter-clockwise face.
 fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
     let side = |to: [f64; 3]| [to[0] - a[0], to[1] - a[1], to[2] - a[2]];
     let (u, v) = (side(b), side(c));
-    let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    let length = n.iter().map(|c| c * c).sum::<f64>().sqrt();
-    n.map(|c| c / length)
+    [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
 }
 
 /// All edges of the faces, each once.

@@ -245,9 +245,8 @@ fn paint_in<C: Colour>(
     let instances: Vec<MeshInstance<'_, Scalar>> =
         meshes.iter().map(|mesh| camera.place(mesh, &quantised.model).with_cull(cull)).collect();
     let mut corners: Vec<_> = vertices.iter().map(|v| vec![ScreenVertex::EMPTY; v.len()]).collect();
-    let bin_storage = |count: usize| vec![0; count + count.div_ceil(16)];
-    let mut face_bin_storage: Vec<_> = meshes.iter().map(|mesh| bin_storage(mesh.faces().len())).collect();
-    let mut edge_bin_storage: Vec<_> = meshes.iter().map(|mesh| bin_storage(mesh.edges().len())).collect();
+    let mut face_bin_storage: Vec<_> = meshes.iter().map(|mesh| vec![0; mesh.face_bins_len()]).collect();
+    let mut edge_bin_storage: Vec<_> = meshes.iter().map(|mesh| vec![0; mesh.edge_bins_len()]).collect();
     let size = Size::new(scene.width, scene.height);
     // Lines are not in fog.
     let fog = style.fog.or(scene.fog).filter(|_| !style.mode.of_lines() || !scene.sprites.is_empty());

@@ -77,7 +77,7 @@ impl<'a> Picture<'a> {
         other.both(|| ours.transform(), || theirs.transform());
         let mut split = split.finish().split_bin_faces(bins);
         let [ours, theirs] = split.halves();
-        other.both(|| ours.count(), || theirs.count());
+        other.both(|| ours.bin(), || theirs.bin());
         let faces = split.finish();
         let mut faces = faces.map_err(|_| "no room for all faces: the bins are of another mesh")?;
         let statistics = faces.statistics();

@@ -18,8 +18,7 @@ const TEAPOT: Mesh<'static> = {
     mesh
 };
 
-/// Too few for the frames in which most faces are seen: those are dropped.
-const BIN_STORAGE: usize = 370 + teapot::FACES.len().div_ceil(16);
+const BIN_STORAGE: usize = TEAPOT.face_bins_len();
 
 /// The memory of a film.
 pub(crate) struct Film {
@@ -44,7 +43,10 @@ impl Film {
         let shade = |face: usize| Gray8::new(teapot::NORMALS.get(face).map_or(0, |&n| light.level(n) as u8));
 
         let instance = camera(40 - 4 * number as i16).place(&TEAPOT, &model);
-        let mut faces = instance.transform(&mut self.cache).bin_faces(&mut self.bins)?;
+        // Every fourth frame has too little room, to show how it is dropped.
+        let room = if number % 4 == 3 { BIN_STORAGE / 2 } else { BIN_STORAGE };
+        let bins = self.bins.get_mut(..room).unwrap_or_default();
+        let mut faces = instance.transform(&mut self.cache).bin_faces(bins)?;
         let mut frame = Frame::new(AREA, Gray8::BLACK);
         let mut bands = 0;
         while let Some(mut band) = frame.next_band(&mut self.strip).expect("room for a row") {

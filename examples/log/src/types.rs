@@ -20,7 +20,7 @@ const SQUARE: [[i16; 3]; 4] = [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]];
 pub(crate) fn log() {
     let mesh = Mesh::new(&SQUARE, -3, &[[0, 1, 2], [0, 2, 3]]).expect("a mesh");
     let mesh = mesh.with_edges(&[[0, 1], [1, 2]]).expect("edges");
-    let (mut cache, mut face_bins, mut edge_bins) = ([ScreenVertex::EMPTY; 3], [0; 3], [0; 3]);
+    let (mut cache, mut face_bins, mut edge_bins) = ([ScreenVertex::EMPTY; 3], [0; 4], [0; 4]);
     debug!("{}", mesh);
     debug!("{}", Viewport::new(Point::new(8, 0), Size::new(128, 64)).expect("a viewport"));
 

@@ -71,9 +71,9 @@ pub(crate) const SOLAR_SYSTEM: SolarSystem = [
     Node::child(0, Affine::identity()),
 ];
 
-/// Length of the bin storage: an entry per face or edge, and one for every 16 of them.
+/// Length of the bin storage: an entry per face or edge, one for every 16 of them, and one for each bin.
 const fn bin_storage_len(count: usize) -> usize {
-    count + count.div_ceil(16)
+    count + count.div_ceil(16) + 32
 }
 
 impl Scratch {

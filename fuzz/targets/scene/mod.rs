@@ -105,22 +105,29 @@ fn calls(scene: &Scene, instance: &MeshInstance<'_>) {
 /// All calls that draw or pick, of a mesh with normals and planes of any other.
 fn extremes<V: Coordinate<Stored = V>>(scene: &Scene, mesh: Mesh<'_, V>) {
     let normals = &scene.vertices[..scene.faces.len()];
-    let planes: Vec<i16> = normals.iter().map(|normal| normal[0] ^ normal[1]).collect();
+    let mut planes: Vec<i16> = normals.iter().map(|normal| normal[0] ^ normal[1]).collect();
+    let cluster = normals.as_flattened().iter().cycle().take(8 * planes.len().div_ceil(32));
+    planes.extend(cluster);
     let mesh = mesh.with_edges(&scene.edges).and_then(|mesh| mesh.with_normals(normals));
-    let mesh = mesh.and_then(|mesh| mesh.with_planes(&planes)).expect("as many as faces");
+    let mesh = mesh.and_then(|mesh| mesh.with_clustered_planes(&planes)).expect("as many as faces");
     let (camera, model) = (scene.camera.library().with_far_clip(scene.far_clip), scene.model.library());
     let instance = camera.place(&mesh, &model).with_cull(scene.cull);
     let mut cache = vec![ScreenVertex::EMPTY; scene.cache];
     let cache = &mut cache[..];
     let mut storage = vec![0; (scene.bounds.size.width * scene.bounds.size.height) as usize];
     let mut depth = DepthBuffer::new(scene.bounds, &mut storage).expect("storage for all pixels");
-    let (mut bins, mut more) = ([0; 4], [0; 4]); // of three, and one for every 16
+    let (mut bins, mut more) = ([0; 5], [0; 5]); // of three, one for every 16, and one bin
     let shade = |face| Shader(face as u16);
     draw(scene, |target| {
         instance.faces(shade).cached(cache).draw(target)?;
         instance.faces(shade).culled_by_planes().cached(cache).draw(target)?;
         instance.faces(shade).culled_by_planes().cached(cache).draw(&mut target.depth_tested(&mut depth))?;
         instance.faces(shade).culled_by_planes().cached(cache).pick(scene.bounds.center());
+        instance
+            .faces(shade)
+            .culled_by_clusters()
+            .cached(cache)
+            .draw(&mut target.depth_tested(&mut depth))?;
         instance.faces(shade).cached(cache).draw(&mut target.depth_tested(&mut depth))?;
         instance.depth_only(cache, &mut depth);
         instance.edges(|_| Shader(1)).cached(cache).draw(target)?;

@@ -244,6 +244,39 @@ fn planes_are_those_of_the_finished_mesh() {
     assert!(plain.mesh().unwrap().planes().is_empty() && !Options::default().planes);
 }
 
+/// By the definition of `Mesh::with_clustered_planes`; and on a ball they are small.
+#[test]
+fn clusters_are_close_around_their_faces() {
+    for step in [None, Some(1.0 / 64.0)] {
+        let made = obj(&ball(24, 32), &Options { clusters: true, step, ..Options::default() }).unwrap();
+        let (mesh, count) = (made.mesh().unwrap(), made.faces.len());
+        assert_eq!((mesh.planes(), mesh.clusters().len()), (&made.planes[..count], count.div_ceil(32)));
+        let largest = made.vertices.iter().flatten().map(|c| c.unsigned_abs()).max().unwrap();
+        let unit = 32768.0 / f64::from((largest + 1).next_power_of_two());
+        let apart = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
+        let mut radii = 0.0;
+        for (at, &[x, y, z, radius, a, b, c, errors]) in mesh.clusters().iter().enumerate() {
+            let (centre, axis) = ([x, y, z].map(f64::from), [a, b, c].map(f64::from));
+            let (radius, m, e) = (f64::from(radius as u16), errors as u16 >> 8, errors as u16 & 255);
+            for face in (32 * at..count).take(32) {
+                let corners =
+                    made.faces[face].map(|v| made.vertices[usize::from(v)].map(|c| unit * f64::from(c)));
+                assert!(corners.iter().all(|corner| apart(*corner, centre) <= radius));
+                let normal = made.normals[face].map(f64::from);
+                assert!(apart(normal, axis) <= f64::from(m + 1) * 128.0);
+                let along: f64 = normal.iter().zip(centre).map(|(n, c)| n * c / 32768.0).sum();
+                let off = (along - 2.0 * f64::from(made.planes[face])).abs();
+                assert!(off <= f64::from(e + 1) / 256.0 * radius + 1.0, "{off}");
+            }
+            assert!(m < 200 && e < 200, "{m} {e}");
+            radii += radius / unit * 2f64.powi(i32::from(made.exponent));
+        }
+        let mean = radii / mesh.clusters().len() as f64;
+        assert!(mean < 1.3, "{mean} of a ball of 3");
+    }
+    assert!(obj(BLOCK, &Options { clusters: true, normals: false, ..Options::default() }).is_err());
+}
+
 /// The positions of vertices in units of 2^-48, exactly.
 fn positions(mesh: &ImportedMesh) -> Vec<[i128; 3]> {
     let bits = |number: f64| {

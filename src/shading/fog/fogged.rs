@@ -193,7 +193,7 @@ impl<'t, C: Color, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
     #[inline(always)]
     fn look_up(setup: &Self::Setup) -> Option<impl Fn([u32; 2]) -> S::Ink + Copy> {
         let own = S::look_up(&setup.own).filter(|_| S::ONE_NUMBER)?;
-        let mix = setup.table.color.mixer();
+        let mix = setup.table.color.run_mixer();
         Some(move |[number, share]: [u32; 2]| own([number, 0]).map(|color| mix(color, share)))
     }
 

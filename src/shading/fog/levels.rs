@@ -1,6 +1,7 @@
 //! The level of fog of each pixel of a span.
 
 use super::table::LEVELS;
+use crate::math::hints::keep_rolled;
 use core::cell::Cell;
 
 /// The depths at which levels begin, as [`FogTable`](crate::fog::FogTable) has them.
@@ -42,9 +43,11 @@ impl FogLevel {
     pub(crate) fn at(mut self, depth: u32, bounds: &Bounds) -> Self {
         while depth < self.from && self.level > 0 {
             self = Self::of(self.level - 1, bounds);
+            keep_rolled();
         }
         while depth >= self.from.wrapping_add(self.reach) && self.level < LEVELS {
             self = Self::of(self.level + 1, bounds);
+            keep_rolled();
         }
         self
     }

@@ -70,13 +70,13 @@ pub fn cubes_with_edge_faces() -> &'static [Model] {
 #[cfg(all(target_arch = "arm", target_has_atomic = "32"))]
 const _: () = {
     assert!(size_of::<MeshInstance<'_>>() == 176);
-    assert!(size_of::<pinhole::draw::BinnedFaces<'_, i16, true>>() == 88);
+    assert!(size_of::<pinhole::draw::BinnedFaces<'_, i16, true>>() == 92);
     assert!(size_of::<Lambert>() == 52);
 };
 
-/// The cube's vertices, and its faces or edges with a word of bits.
+/// The cube's vertices, and bin storage for its faces or edges.
 pub const CORNERS: usize = 8;
-pub const BIN_STORAGE: usize = 12 + 1;
+pub const BIN_STORAGE: usize = 12 + 1 + 4;
 const EDGES: usize = 12;
 
 /// Rows of a band.

@@ -59,12 +59,6 @@ const fn mesh(
     mesh
 }
 
-/// At compile time: the model with these planes.
-pub(crate) const fn by_planes(model: &Model, planes: &'static [i16]) -> Model {
-    let Ok(mesh) = model.mesh.with_planes(planes) else { panic!("planes") };
-    Model { mesh, ..*model }
-}
-
 /// A model before its camera: set up before the frame.
 pub struct Scene {
     mesh: Mesh<'static>,

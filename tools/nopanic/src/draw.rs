@@ -278,6 +278,7 @@ fn band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, strip: &mut [u8]) {
 fn pick(camera: &Camera, instance: &MeshInstance<'_>, cache: &mut [ScreenVertex]) {
     let faces = || instance.faces(|_| ScreenDoor::new(color(), any() as u8));
     report(faces().culled_by_planes().cached(cache).pick(pixel()));
+    report(faces().culled_by_clusters().cached(cache).pick(pixel()));
     let picked = faces().cached(cache).pick(pixel());
     report(picked.and_then(|picked| picked.point(camera)));
 }
@@ -355,8 +356,8 @@ fn two_cores(cores: &mut Cores<'_>) {
     let mut split = transformed.split_bin_faces(bins);
     let [ours, theirs] = split.halves();
     match any() {
-        0 => ours.count(),
-        _ => theirs.count(),
+        0 => ours.bin(),
+        _ => theirs.bin(),
     }
     let Ok(mut faces) = split.finish() else { return };
     report(faces.draw(|_| color(), &mut band));

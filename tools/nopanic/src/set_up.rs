@@ -152,6 +152,7 @@ entries! {
     entry_edge_faces(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edge_faces(e) }
     entry_normals(mesh: Mesh<'static>, n: Vertices) -> Result<Mesh<'static>, MeshError> { mesh.with_normals(n) }
     entry_planes(mesh: Mesh<'static>, p: &'static [i16]) -> Result<Mesh<'static>, MeshError> { mesh.with_planes(p) }
+    entry_clusters(mesh: Mesh<'static>, p: &'static [i16]) -> Option<&'static [[i16; 8]]> { Some(mesh.with_clustered_planes(p).ok()?.clusters()) }
     entry_mesh_lists(mesh: &Mesh<'static>) -> [Vertices; 2] { [mesh.vertices(), mesh.normals()] }
     entry_mesh_edges(mesh: &Mesh<'static>) -> (Faces, [Edges; 2]) { (mesh.faces(), [mesh.edges(), mesh.edge_faces()]) }
     entry_mesh_numbers(mesh: &Mesh<'static>) -> (&'static [i16], i8) { (mesh.planes(), mesh.exponent()) }

@@ -264,26 +264,42 @@ where
     (Drawn { solid, deep, depths, painted }, counted[0])
 }
 
-/// By every draw call that culls by planes: at once, into a DrawTarget without depth and with depth, and from far to near.
-pub fn by_planes<C: Color + Debug, S: SpanShader<C, Ink: Ink<C, Access = Writes>>, V: Coordinate>(
-    instance: &MeshInstance<'_, V>,
-    area: Rectangle,
-    background: C,
-    shade: &dyn Fn(usize) -> S,
-) -> (Drawn<C>, Statistics) {
-    let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().vertices().len() * 2 / 3];
-    let mut counted = Vec::new();
-    let faces = || instance.faces(shade).culled_by_planes();
-    let (solid, _) = screen(area, &mut |target, _| counted.extend(faces().cached(&mut cache).draw(target)));
-    let (deep, depths) =
-        screen(area, &mut |target, depth| counted.extend(faces().draw(&mut target.depth_tested(depth))));
-    let mut painter = Box::new(Painter::<S, 1500, 1000>::new());
-    faces().sorted(&mut painter).expect("room");
-    let (painted, _) = screen(area, &mut |target, _| counted.extend(painter.draw(target)));
-    assert!(counted.iter().all(|statistics| *statistics == counted[0]), "{counted:?}");
-    let [solid, deep, painted] = [solid, deep, painted].map(|screen| screen.over(background));
-    (Drawn { solid, deep, depths, painted }, counted[0])
+macro_rules! culled_early {
+    ($(#[$doc:meta])* $name:ident, $culled_by:ident, $count:expr) => {
+        $(#[$doc])*
+        pub fn $name<C: Color + Debug, S: SpanShader<C, Ink: Ink<C, Access = Writes>>, V: Coordinate>(
+            instance: &MeshInstance<'_, V>,
+            area: Rectangle,
+            background: C,
+            shade: &dyn Fn(usize) -> S,
+        ) -> (Drawn<C>, Statistics) {
+            let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().vertices().len() * 2 / 3];
+            let mut counted = Vec::new();
+            let faces = || instance.faces(shade).$culled_by();
+            let (solid, _) =
+                screen(area, &mut |target, _| counted.extend(faces().cached(&mut cache).draw(target)));
+            let (deep, depths) = screen(area, &mut |target, depth| {
+                counted.extend(faces().draw(&mut target.depth_tested(depth)))
+            });
+            let mut painter = Box::new(Painter::<S, 1500, 1000>::new());
+            faces().sorted(&mut painter).expect("room");
+            let (painted, _) = screen(area, &mut |target, _| counted.extend(painter.draw(target)));
+            let count = $count;
+            assert!(counted.iter().all(|each| count(each) == count(&counted[0])), "{counted:?}");
+            let [solid, deep, painted] = [solid, deep, painted].map(|screen| screen.over(background));
+            (Drawn { solid, deep, depths, painted }, counted[0])
+        }
+    };
 }
+
+culled_early!(
+    /// By every draw call that culls by planes: at once, into a DrawTarget without depth and with depth, and from far to near.
+    by_planes, culled_by_planes, |each: &Statistics| *each
+);
+culled_early!(
+    /// [`by_planes`] with clusters. Whether a face beside the viewport is drawn or culled depends on the cache.
+    by_clusters, culled_by_clusters, |each: &Statistics| (each.drawn + each.culled, each.outside)
+);
 
 /// Pictures of edges: all of them, those before the faces, and those that faces do not hide.
 #[derive(Clone, Debug, PartialEq)]

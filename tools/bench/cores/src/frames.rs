@@ -9,11 +9,10 @@ use pinhole::prelude::*;
 /// Rows of a band.
 pub(crate) const ROWS: u32 = 16;
 
-/// The sizes for S4, the larger scene: vertices; visible faces with a bit for each face of the mesh; and these bits once more for
-/// the second cursor.
+/// The sizes for S4, the larger scene: vertices; a bit for each face, for each cursor; faces with these bits and the bins.
 pub(crate) const VERTICES: usize = 2892;
 pub(crate) const CURSOR: usize = 5780_usize.div_ceil(16);
-pub(crate) const BIN_STORAGE: usize = 1800 + CURSOR;
+pub(crate) const BIN_STORAGE: usize = 5780 + CURSOR + 32;
 
 /// A strip and a depth strip for each core, and what both share.
 pub(crate) struct Memory {
@@ -69,7 +68,7 @@ macro_rules! way {
                 cores.both(|| ours.transform(), || theirs.transform());
                 let mut split = split.finish().split_bin_faces(bin_storage);
                 let [ours, theirs] = split.halves();
-                cores.both(|| ours.count(), || theirs.count());
+                cores.both(|| ours.bin(), || theirs.bin());
                 let mut faces = split.finish().ok()?;
                 let [ours, theirs] = faces.fork(cursor).ok()?;
                 let draw = |core: u32, strip: &mut [u8], $depth: &mut [u16], mut $faces: $binned| {

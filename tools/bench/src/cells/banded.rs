@@ -1,7 +1,7 @@
 //! Models in bands, as many pixels sent as a frame has, and in one piece. Both clear the picture and set the object's transform up in
 //! each frame. The meshes have no planes.
 
-use super::{count, draw_faces, drawn, Counted, Memory, Plain, LIST, TORUS, TORUS_LINKS};
+use super::{count, draw_faces, drawn, Counted, Memory, Plain, LIST, TORUS, TORUS_BINS};
 use crate::bands::{self, Storage};
 use crate::board::Clock;
 use crate::growth::cases::WHEEL;
@@ -54,7 +54,7 @@ impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: 
 
 /// A strip for the torus with a list of active faces.
 pub struct Listed<const WORDS: usize, const BYTES: usize, const DEPTHS: usize>(
-    Strip<BYTES, DEPTHS, TORUS_LINKS, TORUS>,
+    Strip<BYTES, DEPTHS, TORUS_BINS, TORUS>,
     [ActiveFace<Rgb565, WORDS>; LIST],
 );
 
@@ -69,7 +69,10 @@ impl<const WORDS: usize, const BYTES: usize, const DEPTHS: usize> Listed<WORDS, 
 }
 
 /// Memory of a wheel of 144 vertices, 288 faces and 432 edges, and of a strip of 16 rows of one bit.
-pub struct Wheel(MeshBuffers<144, { 288 + 18 }, { 432 + 27 }>, StripBuffers<{ 16 * 16 }, { 128 * 16 }>);
+pub struct Wheel(
+    MeshBuffers<144, { 288 + 18 + 32 }, { 432 + 27 + 32 }>,
+    StripBuffers<{ 16 * 16 }, { 128 * 16 }>,
+);
 
 impl Wheel {
     pub const NEW: Self = Self(MeshBuffers::new(), StripBuffers::new());

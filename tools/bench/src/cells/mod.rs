@@ -51,13 +51,12 @@ pub const CUBE: usize = 8;
 pub const TORUS: usize = 500;
 pub const ICO: usize = 2892;
 
-/// Bins: the visible faces or edges of each, with some to spare, and a bit for each that the mesh has.
-const CUBE_BINS: usize = 12 + 1;
-const TORUS_BINS: usize = 480 + 1000_usize.div_ceil(16);
-/// Links of all faces of the torus, and entries for those that continue in bands of 8 rows.
-const TORUS_LINKS: usize = 1000 + 1000_usize.div_ceil(16);
+/// Bins of the faces of each, or of the cube's edges.
+const CUBE_BINS: usize = scene::CUBE.mesh.face_bins_len();
+const TORUS_BINS: usize = scene::TORUS.mesh.face_bins_len();
+const ICO_BINS: usize = scene::ICO.mesh.face_bins_len();
+/// Entries for the torus's faces that continue in bands of 8 rows.
 const LIST: usize = 56;
-const ICO_BINS: usize = 1750 + 5780_usize.div_ceil(16);
 
 /// The torus with its edges alone, for wireframes, and from so near that parts of it lie behind the camera, and others beyond the
 /// borders of the picture: with the eye at 0.8 from its centre, where the near plane at 0.5 cuts it. It reaches 1.42.
@@ -175,8 +174,8 @@ fn drawn(statistics: Result<Statistics, Infallible>) -> Option<()> {
 
 /// Draws faces, with depth where the memory has depths.
 #[inline(always)]
-fn draw_faces<S: ShaderFor<T>, T, const WIDTH: usize, const ROWS: usize, const BY_PLANES: bool>(
-    faces: Faces<'_, i16, impl FnMut(usize) -> S, BY_PLANES>,
+fn draw_faces<S: ShaderFor<T>, T, const WIDTH: usize, const ROWS: usize, const CULLED_BY: u8>(
+    faces: Faces<'_, i16, impl FnMut(usize) -> S, CULLED_BY>,
     depth: &mut Depth<WIDTH, ROWS>,
     surface: &mut T,
 ) -> Option<()>

@@ -34,7 +34,7 @@ macro_rules! ways {
 
             /// A light level for each face, culled by planes or not.
             #[inline(always)]
-            pub(in super::super) fn flat<const BY_PLANES: bool, const N: usize, const DEPTH_ROWS: usize>(
+            pub(in super::super) fn flat<const CULLED_BY: u8, const N: usize, const DEPTH_ROWS: usize>(
                 model: &'static Model,
                 Memory { frame, depth, corners }: &mut Memory<N, DEPTH_ROWS>,
             ) -> Option<Counted> {
@@ -44,9 +44,10 @@ macro_rules! ways {
                     let (instance, light) = black_box((&instance, &light));
                     let shade = scene::flat_of_normals(instance.mesh().normals(), light);
                     let faces = instance.faces(shade).cached(corners);
-                    match BY_PLANES {
-                        true => draw_faces(faces.culled_by_planes(), depth, $target),
-                        false => draw_faces(faces, depth, $target),
+                    match CULLED_BY {
+                        0 => draw_faces(faces, depth, $target),
+                        1 => draw_faces(faces.culled_by_planes(), depth, $target),
+                        _ => draw_faces(faces.culled_by_clusters(), depth, $target),
                     }
                 })
             }

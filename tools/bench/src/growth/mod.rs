@@ -23,10 +23,10 @@ use pinhole::{prelude::*, Angle};
 const PIXELS: usize = 480 * 320;
 /// The number of vertices of the largest mesh.
 const CORNERS: usize = 10_000;
-/// The bins of the faces of the largest mesh, with one more for every 16.
-const BIN_STORAGE: usize = 20_000 + 20_000 / 16;
-/// The bins of the edges of the largest mesh, with one more for every 16.
-const EDGE_BIN_STORAGE: usize = 30_000 + 30_000 / 16;
+/// Bin storage for the faces of the largest mesh.
+const BIN_STORAGE: usize = 20_000 + 20_000 / 16 + 32;
+/// Bin storage for the edges of the largest mesh.
+const EDGE_BIN_STORAGE: usize = 30_000 + 30_000 / 16 + 32;
 /// The vertices that a painter stores: those of the largest mesh, and those of faces that are cut.
 const PAINTED_CORNERS: usize = CORNERS + 2_000;
 /// The visible faces of any mesh, and the triangles of those that are cut.
