@@ -6,7 +6,7 @@ use core::fmt;
 use embedded_graphics_core::{
     draw_target::DrawTarget,
     geometry::{OriginDimensions, Point, Size},
-    pixelcolor::{raw::ToBytes, Rgb565, RgbColor},
+    pixelcolor::{raw::ToBytes, Gray4, GrayColor, Rgb565, RgbColor},
     primitives::Rectangle,
     Pixel,
 };
@@ -17,7 +17,7 @@ const PIXELS: usize = (SIZE.width * SIZE.height) as usize;
 
 /// The number of frames of each kind.
 const TURN: u32 = 6;
-const KINDS: [&str; 3] = ["solid", "wireframe", "depth"];
+const KINDS: [&str; 4] = ["solid", "wireframe", "depth", "bands"];
 pub(crate) const FRAMES: u32 = TURN * KINDS.len() as u32;
 
 /// Checked by the compiler: an invalid mesh does not compile.
@@ -31,11 +31,14 @@ const TEAPOT: Mesh<'static> = {
 /// Room for the vertices, and for the corners of faces that the near plane cuts.
 const CORNERS: usize = teapot::VERTICES.len() + 300;
 const FACES: usize = teapot::FACES.len();
+/// Eight rows in 16 greys, two pixels a byte.
+const STRIP: usize = Frame::<Gray4>::strip_bytes(SIZE.width, 8);
 
 /// The memory the show needs; firmware keeps it in a `static`.
 pub(crate) struct Stage {
     pixels: [Rgb565; PIXELS],
     depth: [u16; PIXELS],
+    strip: [u8; STRIP],
     painter: Painter<Rgb565, CORNERS, FACES>,
 }
 
@@ -73,7 +76,12 @@ pub(crate) struct Report {
 
 impl Stage {
     pub(crate) const fn new() -> Self {
-        Self { pixels: [Rgb565::BLACK; PIXELS], depth: [0; PIXELS], painter: Painter::new() }
+        Self {
+            pixels: [Rgb565::BLACK; PIXELS],
+            depth: [0; PIXELS],
+            strip: [0; STRIP],
+            painter: Painter::new(),
+        }
     }
 
     /// Draws one frame. Each kind turns the teapot once around and comes closer all the time, until the near plane and
@@ -92,6 +100,10 @@ impl Stage {
             None => Rgb565::MAGENTA,
         };
         let mut cache = [ScreenVertex::EMPTY; teapot::VERTICES.len()];
+        if frame / TURN == 3 {
+            let (statistics, checksum) = self.draw_bands(&instance, |face| shade(face).into());
+            return Report { frame, checksum, statistics };
+        }
         let Ok(statistics) = match frame / TURN {
             0 => {
                 instance.faces(shade).sorted(&mut self.painter).expect("room for the teapot");
@@ -109,6 +121,31 @@ impl Stage {
             checksum ^= crc32(self.depth.iter().flat_map(|depth| depth.to_be_bytes()));
         }
         Report { frame, checksum, statistics }
+    }
+
+    /// Draws faces and hidden lines in bands, and computes a checksum of the bytes that a display would get.
+    fn draw_bands(
+        &mut self,
+        instance: &MeshInstance<'_>,
+        shade: impl Fn(usize) -> Gray4,
+    ) -> (Statistics, u32) {
+        let mut cache = [ScreenVertex::EMPTY; teapot::VERTICES.len()];
+        // Its memory is enough for the bins and for the depths of a band.
+        let (face_bins, rest) = self.depth.split_at_mut(TEAPOT.face_bins_len());
+        let (edge_bins, depths) = rest.split_at_mut(TEAPOT.edge_bins_len());
+        let transformed = instance.transform_depth(&mut cache);
+        let mut faces = transformed.bin_faces(face_bins).expect("room for the teapot");
+        let mut edges = transformed.bin_edges(edge_bins).expect("room for its edges");
+        let mut frame = Frame::new(Rectangle::new(Point::zero(), SIZE), Gray4::new(2));
+        let mut checksum = 0_u32;
+        while let Some(mut band) = frame.next_band(&mut self.strip).expect("room for a row") {
+            let mut depth = DepthBuffer::new(band.area(), depths).expect("a depth for each pixel");
+            let mut target = band.depth_tested(&mut depth);
+            let Ok(()) = faces.draw(&shade, &mut target);
+            let Ok(()) = edges.hidden_line(Gray4::WHITE, &mut target);
+            checksum = checksum.rotate_left(1) ^ crc32(band.bytes().iter().copied());
+        }
+        (faces.statistics(), checksum)
     }
 }
 

@@ -1,12 +1,8 @@
 //! The scene of `spin`: the teapot on a turntable, seen from a little above.
 
-use embedded_graphics::pixelcolor::raw::RawU24;
-use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
-use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{prelude::*, Angle};
-use pinhole_apps_support::canvas::Canvas;
 use std::error::Error;
 use teapot::{EDGES, FACES, VERTICES};
 
@@ -86,30 +82,4 @@ where
     let statistics = painter.draw(target)?;
     outside.faces(shade).sorted(painter)?;
     Ok(painter.draw(target)?.and(statistics))
-}
-
-/// The colour of the background, which no face has.
-const NOTHING: Rgb888 = Rgb888::WHITE;
-
-/// How many pixels show another face in painter's order than with a depth buffer, and how many show a face at all.
-pub(crate) fn misordered<const CORNERS: usize, const FACES: usize>(
-    painter: &mut Painter<Rgb888, CORNERS, FACES>,
-    instances: &[MeshInstance<'_>; 2],
-    size: Size,
-) -> Result<(usize, usize), Box<dyn Error>> {
-    // A face's colour is its index.
-    let colour = |face: usize| RawU24::new(face as u32).into();
-    let [mut painted, mut nearest] = [(); 2].map(|()| Canvas::new(size, NOTHING));
-    paint(painter, instances, colour, &mut painted)?;
-
-    let mut storage = vec![0; painted.pixels().len()];
-    let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), &mut storage)?;
-    let [outside, inside] = instances;
-    let first_inside = outside.mesh().faces().len();
-    outside.faces(colour).draw(&mut nearest.depth_tested(&mut depth))?;
-    inside.faces(|face| colour(first_inside + face)).draw(&mut nearest.depth_tested(&mut depth))?;
-
-    let pairs = || painted.pixels().iter().zip(nearest.pixels());
-    let differing = pairs().filter(|(painted, nearest)| painted != nearest).count();
-    Ok((differing, pairs().filter(|(_, nearest)| **nearest != NOTHING).count()))
 }

@@ -19,19 +19,6 @@ impl Body {
         Mesh::new(&self.vertices, self.exponent, &self.faces)
     }
 
-    /// The unit normal of each face.
-    pub(crate) fn face_normals(&self) -> Vec<[i16; 3]> {
-        let normal = |face: &[u16; 3]| {
-            let [a, b, c] = face.map(|i| self.vertices[usize::from(i)].map(f64::from));
-            let side = |to: [f64; 3]| [0, 1, 2].map(|i| to[i] - a[i]);
-            let (p, q) = (side(b), side(c));
-            let n = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| p[i] * q[j] - p[j] * q[i]);
-            let length = n.iter().map(|c| c * c).sum::<f64>().sqrt().max(1.0);
-            n.map(|c| (c / length * 32767.0).round() as i16)
-        };
-        self.faces.iter().map(normal).collect()
-    }
-
     /// The two triangles of each field of a grid of vertices, `across` + 1 to a row, counter-clockwise if the next row is to the
     /// right of the next vertex.
     fn grid(mut self, rows: usize, across: usize) -> Self {

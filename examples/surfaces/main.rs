@@ -8,14 +8,14 @@ mod bodies;
 mod misty;
 mod sprites;
 
-use bodies::{ball, floor, torus, Body};
+use bodies::{ball, floor, torus};
 use embedded_graphics::mono_font::iso_8859_1::{FONT_6X10, FONT_6X13_BOLD};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    light::{BlinnPhong, DirectionalLight, Lights, Matcap, PointLight},
+    light::{BlinnPhong, Matcap, PointLight},
     mesh::FaceColors,
     prelude::*,
     shading::SpanShader,
@@ -32,7 +32,7 @@ const PICTURE: Size = Size::new(176, 132);
 const GAP: u32 = 8;
 const CAPTION: u32 = 17;
 const HEADER: u32 = 24;
-const COLUMNS: u32 = 4;
+const COLUMNS: u32 = 3;
 
 const NIGHT: Rgb888 = Rgb888::new(24, 28, 40);
 const CLAY: Rgb888 = Rgb888::new(226, 140, 84);
@@ -52,20 +52,14 @@ fn main() -> ExitCode {
 }
 
 fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
-    let cells: [(&str, &str, Drawn); 15] = [
-        ("Lambert", "one light", one_light()),
-        ("Lights", "three lights", three_lights()),
+    let cells: [(&str, &str, Drawn); 9] = [
         ("PointLight", "two lamps", lamps()),
         ("FaceColors", "emitting light", emission()),
         ("BlinnPhong", "highlight, ^32", highlight()),
-        ("Matcap", "per vertex", matcap()),
-        ("Matcap", "per face", matcap_of_faces()),
-        ("Texture", "64 x 64 texels", texture()),
+        ("Matcap", "64 x 64 texels", matcap()),
         ("Texture", "rolled camera", rolled()),
         ("Fogged", "texture, per pixel", misty::by_pixel()),
         ("VertexFog", "light per vertex", misty::by_vertex()),
-        ("VertexFog", "per face", misty::by_face()),
-        ("VertexFog", "depth cue, per edge", misty::by_edge()),
         ("Sprite", "32 x 64 texels", sprites::wood()),
         ("Sprite", "points, half mixed", sprites::fountain()),
     ];
@@ -73,7 +67,7 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
     let rows = (cells.len() as u32).div_ceil(COLUMNS);
     let size = Size::new(COLUMNS * cell.width + GAP, HEADER + rows * cell.height + GAP);
     let mut sheet = Canvas::new(size, BACKGROUND);
-    let title = "pinhole: light at vertices and faces, material captures, textures, fog, sprites";
+    let title = "pinhole: lights, a material capture, textures, fog, sprites";
     write(title, Point::new(GAP as i32, 7), &FONT_6X13_BOLD, INK, &mut sheet);
     for (index, (name, details, pixels)) in (0..).zip(cells) {
         let at = Point::new(GAP as i32, HEADER as i32)
@@ -139,38 +133,18 @@ impl Scene<'_> {
     }
 }
 
-/// A torus under light levels that are computed for its vertices.
-fn lit(table: &ShadeTable<Rgb888>, levels: impl Fn(&Body) -> Result<Vec<u16>, Box<dyn Error>>) -> Drawn {
-    let body = torus(40, 20);
-    let (_, camera, model) = usual()?;
-    let levels = levels(&body)?;
-    let mesh = body.mesh()?;
-    let shader = |face: usize| table.lit(mesh.corners_of(face, &levels));
-    scene(NIGHT, |scene| scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader))
-}
-
-fn one_light() -> Drawn {
-    let (_, _, model) = usual()?;
-    let light = Lambert::new(&model, Vector3::from_ints(-2, 4, 3), 40)?;
-    lit(&ShadeTable::new(CLAY), |body| Ok(body.normals.iter().map(|&n| light.level(n)).collect()))
-}
-
-fn three_lights() -> Drawn {
-    let (_, _, model) = usual()?;
-    let lights = [([-2, 4, 3], 170), ([4, 0, 1], 90), ([0, -3, 1], 50)];
-    let lights = lights
-        .map(|([x, y, z], strength)| DirectionalLight { towards: Vector3::from_ints(x, y, z), strength });
-    let lights = Lights::new(&model, &lights, 24)?;
-    lit(&ShadeTable::new(CLAY), |body| Ok(body.normals.iter().map(|&n| lights.level(n)).collect()))
-}
-
+/// A torus with a highlight, by light levels at its vertices.
 fn highlight() -> Drawn {
-    let (view, _, model) = usual()?;
+    let body = torus(40, 20);
+    let (view, camera, model) = usual()?;
     let [_, _, [x, y, z, _], _] = view.to_matrix().map(|row| row.map(|c| c as f32));
     let viewer = Vector3::from_f32(x, y, z)?;
     let light = BlinnPhong::new(&model, Vector3::from_ints(-2, 4, 3), viewer, 40, 32)?;
     let table = ShadeTable::with_highlight(TEAL, Rgb888::WHITE);
-    lit(&table, |body| Ok(body.normals.iter().map(|&n| light.level(n)).collect()))
+    let levels: Vec<u16> = body.normals.iter().map(|&normal| light.level(normal)).collect();
+    let mesh = body.mesh()?;
+    let shader = |face: usize| table.lit(mesh.corners_of(face, &levels));
+    scene(NIGHT, |scene| scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader))
 }
 
 /// Two lamps over a floor, one of them behind a torus.
@@ -239,17 +213,6 @@ fn matcap() -> Drawn {
     scene(NIGHT, |scene| scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader))
 }
 
-fn matcap_of_faces() -> Drawn {
-    let body = torus(24, 12);
-    let (view, camera, model) = usual()?;
-    let matcap = Matcap::new(&view, &model);
-    let ball = ball();
-    let mesh = body.mesh()?;
-    let normals = body.face_normals();
-    let shader = |face: usize| matcap.color(&ball, normals[face]);
-    scene(NIGHT, |scene| scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader))
-}
-
 /// Tiles of 64 × 64 texels: bricks in two tones, with light mortar.
 fn bricks() -> [[Rgb888; 64]; 64] {
     let mut texels = [[Rgb888::new(206, 196, 180); 64]; 64];
@@ -264,16 +227,6 @@ fn bricks() -> [[Rgb888; 64]; 64] {
         }
     }
     texels
-}
-
-fn texture() -> Drawn {
-    let body = torus(40, 20);
-    let (_, camera, model) = usual()?;
-    let bricks = bricks();
-    let texture = Texture::new(&bricks);
-    let mesh = body.mesh()?;
-    let shader = |face: usize| texture.at(mesh.corners_of(face, &body.uv));
-    scene(NIGHT, |scene| scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader))
 }
 
 /// A floor of two triangles to the horizon, seen by a rolled camera.

@@ -1,7 +1,7 @@
-//! The row of fog: by pixel, by vertex, by face, and by edge.
+//! Fog by pixel and by vertex.
 
-use super::bodies::{floor, torus, Body};
-use super::{bricks, camera, scene, view, Drawn, CLAY, NIGHT, TEAL};
+use super::bodies::{floor, torus};
+use super::{bricks, camera, scene, view, Drawn, CLAY};
 use embedded_graphics::pixelcolor::Rgb888;
 use pinhole::space::{Model, World};
 use pinhole::{
@@ -9,7 +9,6 @@ use pinhole::{
     prelude::*,
     Angle,
 };
-use std::collections::BTreeSet;
 use std::error::Error;
 
 const MIST: Rgb888 = Rgb888::new(188, 196, 208);
@@ -67,53 +66,4 @@ pub(crate) fn by_vertex() -> Drawn {
         }
         Ok(())
     })
-}
-
-/// One colour for each face.
-pub(crate) fn by_face() -> Drawn {
-    let body = torus(24, 12);
-    let normals = body.face_normals();
-    let (camera, models) = row()?;
-    let fog = range(2.5, 13.0)?;
-    let mesh = body.mesh()?;
-    scene(MIST, |scene| {
-        for model in &models {
-            let light = Lambert::new(model, Vector3::from_ints(-2, 4, 3), 40)?;
-            let fog = VertexFog::new(&fog, &camera, model, mesh.exponent());
-            let shader = |face: usize| {
-                let corners = mesh.faces()[face].map(|vertex| body.vertices[usize::from(vertex)]);
-                Flat::lit(TEAL, light.level(normals[face])).in_fog(MIST, fog.face_factor(corners))
-            };
-            scene.draw(&camera.place(&mesh, model), body.vertices.len(), shader)?;
-        }
-        Ok(())
-    })
-}
-
-/// Edges that fade with distance, the far ones first.
-pub(crate) fn by_edge() -> Drawn {
-    let body = torus(24, 12);
-    let camera = camera(&view([0.0, 2.0, 2.9], 0.0)?, 1.0, 9.0)?;
-    let model = Affine::rotation_x(Angle::degrees(20)).rotate_z(Angle::degrees(-18));
-    let fog = VertexFog::new(&range(2.6, 4.5)?, &camera, &model, body.mesh()?.exponent());
-    let mut factors = vec![0; body.vertices.len()];
-    fog.factors(&body.vertices, &mut factors);
-    let factor = |[a, b]: [u16; 2]| (factors[usize::from(a)] + factors[usize::from(b)]) / 2;
-    let mut edges = sides(&body);
-    edges.sort_by_key(|&edge| factor(edge));
-    let mesh = Mesh::new(&body.vertices, body.mesh()?.exponent(), &[])?.with_edges(&edges)?;
-    let stroke = |edge: usize| Rgb888::new(160, 255, 200).over(NIGHT, factor(edges[edge]));
-    scene(NIGHT, |scene| {
-        camera.place(&mesh, &model).edges(stroke).draw(&mut scene.picture.pixels())?;
-        Ok(())
-    })
-}
-
-/// The sides of the fields of a body's grid, without their diagonals.
-fn sides(body: &Body) -> Vec<[u16; 2]> {
-    let sides = body.faces.chunks_exact(2).flat_map(|field| {
-        let &[[a, c, b], [_, d, _]] = field else { return [[0; 2]; 4] };
-        [[a, b], [b, c], [c, d], [d, a]].map(|[from, to]| [from.min(to), from.max(to)])
-    });
-    sides.collect::<BTreeSet<_>>().into_iter().collect()
 }

@@ -12,10 +12,7 @@ use support::{firmware, ROOT};
 /// QEMU needs a second or two; more than this means that the firmware hangs.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(120);
 
-/// Where it begins: see memory.x.
-const RAM: u32 = 0x2000_0000;
-
-/// The examples, built for one target.
+/// The example `hello`, built for one target.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Firmware {
     target: &'static str,
@@ -35,33 +32,20 @@ impl Firmware {
         if !has_tools(target) {
             return None;
         }
-        let examples: &[&str] = if target.starts_with("thumb") { &["hello", "oled"] } else { &["hello"] };
-        let mut build = cross();
-        build.args([
-            env!("CARGO"),
-            "build",
-            "--quiet",
-            "--release",
-            "--features",
-            "qemu",
-            "--target",
-            target,
-        ]);
-        build.args(examples.iter().flat_map(|example| ["--example", example]));
-        firmware::run(&mut build);
+        let build = ["build", "--quiet", "--release", "--features", "qemu", "--example", "hello", "--target"];
+        firmware::run(cross().arg(env!("CARGO")).args(build).arg(target));
         Some(Self { target })
     }
 
-    /// The file of an example.
-    pub(crate) fn image(&self, example: &str) -> PathBuf {
-        target_dir().join(self.target).join("release/examples").join(example)
+    fn image(&self) -> PathBuf {
+        target_dir().join(self.target).join("release/examples/hello")
     }
 
     /// The lines that `hello` prints on an emulated core. It must exit with 0.
     pub(crate) fn run_hello(&self, core: &str) -> Vec<String> {
         let mut child = Command::new("bash")
             .args(["tools/emulate", core])
-            .arg(self.image("hello"))
+            .arg(self.image())
             .current_dir(ROOT)
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
@@ -85,30 +69,15 @@ impl Firmware {
         text.lines().map(str::to_string).collect()
     }
 
-    /// The float routines that are linked into an example.
-    pub(crate) fn float_routines(&self, example: &str) -> Vec<String> {
-        let listing = self.symbols(example);
-        let names = listing.lines().filter_map(|line| line.split_whitespace().last());
-        names.filter(|name| is_float_routine(name)).map(str::to_string).collect()
-    }
-
-    /// Bytes of RAM that an example's variables take: up to where the linker has the last of them end.
-    pub(crate) fn variables(&self, example: &str) -> u32 {
-        let listing = self.symbols(example);
-        let end =
-            listing.lines().find(|line| line.ends_with(" __euninit")).expect("the linker script's symbol");
-        let end = end.split_whitespace().next().expect("an address");
-        u32::from_str_radix(end, 16).expect("an address") - RAM
-    }
-
-    /// An example's symbols, a line each.
-    fn symbols(&self, example: &str) -> String {
-        let listing = symbols(&self.image(example));
+    /// The float routines that are linked into the example.
+    pub(crate) fn float_routines(&self) -> Vec<String> {
+        let listing = symbols(&self.image());
         assert!(
             listing.lines().any(|line| line.ends_with(" Reset")),
             "not the symbols of a firmware: {listing}"
         );
-        listing
+        let names = listing.lines().filter_map(|line| line.split_whitespace().last());
+        names.filter(|name| is_float_routine(name)).map(str::to_string).collect()
     }
 }
 

@@ -13,8 +13,8 @@ use pinhole::prelude::*;
 use support::oracle::line;
 use support::panel::bus::{Failure, NoDelay, Panel};
 use support::panel::films::{
-    changes, dirty, film, in_bands, in_pixels, in_spans, line_traffic, lines, pixel_bytes, reference, strip,
-    sum, Colour, Film, Way, BACKGROUND, FRAMES,
+    changes, dirty, film, in_bands, in_spans, line_traffic, lines, pixel_bytes, reference, strip, sum,
+    Colour, Film, Way, BACKGROUND, FRAMES,
 };
 use support::panel::screen::{Bus, Kind, Screen, StoredPixel};
 use support::panel::{Controller, Held};
@@ -103,13 +103,8 @@ fn drawing_directly_onto_the_panel_shows_the_same_picture() {
                 in_spans(&things, &mut screen.display).unwrap();
                 screen.assert_shows(&picture, "spans");
                 let (spans, _) = screen.count();
-                in_pixels(&things, &mut screen.display).unwrap();
-                screen.assert_shows(&picture, "single pixels");
-                let (single, windows) = screen.count();
                 let pixels = pixel_bytes::<M::ColorFormat>(M::SIZE);
-                let size = M::ColorFormat::FORMAT.bits() as usize / 8;
-                assert_eq!(single, pixels + 11 + (windows - 1) * (11 + size));
-                assert!(pixels < spans && spans < single, "{pixels}, {spans}, {single}");
+                assert!(pixels < spans && spans < 2 * pixels, "{pixels}, {spans}");
             }
         }
     }

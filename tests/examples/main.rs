@@ -1,8 +1,6 @@
-//! The examples, run as a user runs them: their pictures and films, their messages for bad input, and their promises about
-//! standard output and files.
+//! The examples, run as a user runs them: their pictures and films, and their messages for bad input.
 
 mod cookbook;
-mod programs;
 mod spin;
 
 use pinhole_apps_support::testing;

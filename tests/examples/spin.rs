@@ -4,18 +4,48 @@
 #[path = "../../examples/spin/scene.rs"]
 mod scene;
 
-use crate::example;
-use embedded_graphics::pixelcolor::Rgb888;
+use crate::{example, folder};
+use embedded_graphics::pixelcolor::{raw::RawU24, Rgb888};
 use embedded_graphics::prelude::*;
-use pinhole::draw::Painter;
+use embedded_graphics::primitives::Rectangle;
+use pinhole::prelude::*;
+use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::testing;
 use scene::Turntable;
-use std::path::{Path, PathBuf};
+use std::collections::BTreeSet;
+use std::fs::{self, File};
 use teapot::VERTICES;
 
 const SIZE: Size = Size::new_equal(240);
 const FRAMES: u32 = 48;
 
+/// The colour of the background, which no face has.
+const NOTHING: Rgb888 = Rgb888::WHITE;
+
+/// How many pixels show another face in painter's order than with a depth buffer, and how many show a face at all.
+fn misordered<const CORNERS: usize, const FACES: usize>(
+    painter: &mut Painter<Rgb888, CORNERS, FACES>,
+    instances: &[MeshInstance<'_>; 2],
+    size: Size,
+) -> Result<(usize, usize), Box<dyn std::error::Error>> {
+    // A face's colour is its index.
+    let colour = |face: usize| RawU24::new(face as u32).into();
+    let [mut painted, mut nearest] = [(); 2].map(|()| Canvas::new(size, NOTHING));
+    scene::paint(painter, instances, colour, &mut painted)?;
+
+    let mut storage = vec![0; painted.pixels().len()];
+    let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), &mut storage)?;
+    let [outside, inside] = instances;
+    let first_inside = outside.mesh().faces().len();
+    outside.faces(colour).draw(&mut nearest.depth_tested(&mut depth))?;
+    inside.faces(|face| colour(first_inside + face)).draw(&mut nearest.depth_tested(&mut depth))?;
+
+    let pairs = || painted.pixels().iter().zip(nearest.pixels());
+    let differing = pairs().filter(|(painted, nearest)| painted != nearest).count();
+    Ok((differing, pairs().filter(|(_, nearest)| **nearest != NOTHING).count()))
+}
+
+/// `ch4_visibility.md` says so.
 #[test]
 fn painters_order_shows_the_nearest_face_but_in_one_pixel_of_a_hundred() {
     let mut painter = Box::new(Painter::<Rgb888, 1024, 1024>::new());
@@ -23,7 +53,7 @@ fn painters_order_shows_the_nearest_face_but_in_one_pixel_of_a_hundred() {
     let (mut pixels, mut of) = (0, 0);
     for frame in 0..FRAMES / 2 {
         let instances = turntable.place(&Turntable::model(frame, FRAMES));
-        let (differing, covered) = scene::misordered(&mut painter, &instances, SIZE).unwrap();
+        let (differing, covered) = misordered(&mut painter, &instances, SIZE).unwrap();
         (pixels, of) = (pixels + differing, of + covered);
     }
     println!("{pixels} of {of} pixels show another face than a depth buffer would");
@@ -51,30 +81,32 @@ fn the_teapot_is_not_mirrored() {
     }
 }
 
-/// A path that no other test file has.
-fn scratch(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("spin-{name}"))
+/// A film has its frames, which differ; another path may be given.
+#[test]
+fn the_film_has_its_frames() {
+    let file = folder("spin", "film").join("below/turn.gif");
+    let done = example("spin", &["--out", file.to_str().unwrap()]);
+    assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+    let mut gif = gif::DecodeOptions::new().read_info(File::open(&file).unwrap()).unwrap();
+    assert_eq!((u32::from(gif.width()), u32::from(gif.height())), (SIZE.width, SIZE.height));
+    let mut found = BTreeSet::new();
+    while let Some(frame) = gif.read_next_frame().unwrap() {
+        found.insert(frame.buffer.to_vec());
+    }
+    assert_eq!(found.len(), FRAMES as usize, "each frame differs");
+    let checked = example("spin", &["--check", "--out", file.to_str().unwrap()]);
+    assert!(checked.status.success(), "{checked:?}");
 }
 
 #[test]
 fn bad_input_is_one_line_exit_code_2_and_no_output() {
-    let (file, out) = (scratch("file"), scratch("never"));
-    std::fs::write(&file, "").unwrap();
-    let unwritable = file.join("below");
-    for (arguments, named) in [
-        (["--size", "0"], "--size"),
-        (["--size", "2049"], "--size"),
-        (["--size", "many"], "--size"),
-        (["--frames", "1"], "--frames"),
-        (["--film", "x"], "--film"),
-        (["--out", unwritable.to_str().unwrap()], "file/below"),
-    ] {
-        let mut arguments = arguments.to_vec();
-        if arguments[0] != "--out" {
-            arguments.extend(["--out", out.to_str().unwrap()]);
-        }
+    let to = folder("spin", "refused");
+    fs::write(to.join("file"), "").unwrap();
+    let below = to.join("file/below.gif");
+    for (arguments, named) in
+        [(["--film", "x"], "--film"), (["--out", below.to_str().unwrap()], "refused/file")]
+    {
         let said = testing::refusal(&example("spin", &arguments));
         assert!(said.contains(named), "{said}");
-        assert!(!out.exists());
     }
 }

@@ -4,7 +4,7 @@
 //! | case | tests | oracle |
 //! |---|---|---|
 //! | A0 the rule: snap, then cull; top and left edges | `triangles::a0_*`, `triangles::a6_faces_*` | by hand; the f64 chain |
-//! | A1 watertight | `watertight::a1_*` | each centre exactly in, on or out of the partition |
+//! | A1 watertight | `tests/raster`; `tests/pipeline/clipped_faces.rs` | exact edge functions, of which it follows; each pixel once |
 //! | A2 slivers | `Sliver` in `tests/raster/random_shapes.rs` | exact edge functions |
 //! | A3 degenerate | `tests/raster/fill_rule.rs` | exactly zero area |
 //! | A4 ties | `tests/raster/fill_rule.rs` | exact edge functions |
@@ -41,4 +41,3 @@ mod numbers;
 mod setup_errors;
 mod triangles;
 mod viewports;
-mod watertight;

@@ -52,7 +52,8 @@ const FILMS: &str = "\
 
 Means over a film, without the first frame (all of the screen); in brackets the largest frame. Bands and dirty
 rectangles use a strip of ROWS rows. *Spans* draws straight onto the display: cleared, then each run of equal pixels a
-`fill_solid`. *Pixels* gives the display one pixel at a time. Both flicker, as the display shows the cleared screen first.
+`fill_solid`. That flickers, as the display shows the cleared screen first. Where the cube turns by 5° or more, dirty rectangles are at most
+1.05 of the bytes of the least rectangle about the pixels that differ from those of the last frame.
 ";
 
 const LINES: &str = "\
@@ -63,17 +64,6 @@ line as a `fill_solid` is what a target gets that can fail, such as this driver;
 
 | panel | a line is | bytes a line | windows a line |
 |---|---|---|---|
-";
-
-const CHANGED: &str = "\
-## Dirty rectangles, and what changed
-
-Bytes sent with dirty rectangles, over the bytes of the least rectangle about the pixels that differ from those of the last frame:
-for a cube that rotates about an axis of the world, ST7789, in bands of ROWS rows. The rectangles are known from the vertices before
-anything is drawn, so a pixel that is drawn in its old colour is also sent.
-
-| a frame turns by | axis | share over the film | the worst frame | frames above 1.05 |
-|---|---|---|---|---|
 ";
 
 fn page() -> String {
@@ -94,8 +84,6 @@ fn page() -> String {
     let _ = write!(page, "\n{LINES}");
     lines_on::<ST7789>(&mut page);
     lines_on::<ILI9341Rgb666>(&mut page);
-    let _ = write!(page, "\n{}", CHANGED.replace("ROWS", &ROWS.to_string()));
-    changed(&mut page);
     page
 }
 
@@ -143,7 +131,6 @@ fn films_of<M: Kind<ColorFormat: Colour>>(page: &mut String, what: Film, name: &
         (Way::DirtyRegions, "dirty rectangles"),
         (Way::Bands, "full frames in bands"),
         (Way::Spans, "spans, on the cleared screen"),
-        (Way::Pixels, "pixels, on the cleared screen"),
     ] {
         let costs = film::<M>(what, FRAMES, way);
         let mean = |of: fn(&Cost) -> usize| of(&sum(&costs)) as f64 / costs.len() as f64;
@@ -169,23 +156,5 @@ fn lines_on<M: Kind<ColorFormat: Colour>>(page: &mut String) {
     ] {
         let (bytes, windows) = (bytes as f64 / count, windows as f64 / count);
         let _ = writeln!(page, "| {} | {name} | {bytes:.0} | {windows:.0} |", M::NAME);
-    }
-}
-
-fn changed(page: &mut String) {
-    for (turn, step) in [(20, "18°"), (36, "10°"), (72, "5°"), (360, "1°"), (1440, "¼°")] {
-        for axis in [[0, 1, 0], [3, -2, 1]] {
-            let costs = film::<ST7789>(Film::Cube { axis, turn }, turn, Way::DirtyRegions);
-            let share = |cost: &Cost| cost.bytes as f64 / cost.changed as f64;
-            let worst = costs.iter().map(share).fold(0.0, f64::max);
-            let above = costs.iter().filter(|cost| cost.bytes * 100 > cost.changed * 105).count();
-            let [x, y, z] = axis;
-            let _ = writeln!(
-                page,
-                "| {step} | ({x}, {y}, {z}) | {:.4} | {worst:.4} | {above} of {} |",
-                share(&sum(&costs)),
-                costs.len()
-            );
-        }
     }
 }

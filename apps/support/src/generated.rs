@@ -1,15 +1,17 @@
 //! Files of the repository that a program generates, or with `--check` compares.
 
-use crate::command::{complain, matches, option, say};
+use crate::command::{complain, folder, matches, option, say};
 use crate::files;
 use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// A generated file of the repository.
+/// A generated file of the repository, or a folder of such.
 pub struct Generated {
     program: &'static str,
+    /// The file, and what the command line has for `--out`.
     out: PathBuf,
+    given: PathBuf,
     check: bool,
 }
 
@@ -26,20 +28,20 @@ impl Generated {
         let check = Arg::new("check").long("check").action(ArgAction::SetTrue);
         Command::new(program)
             .about(about)
-            .arg(option("out", "FILE", "The file to write", out).value_parser(value_parser!(PathBuf)))
+            .arg(option("out", "PATH", "What to write", out).value_parser(value_parser!(PathBuf)))
             .arg(check.help("Write nothing; exit with code 1 if the file is out of date"))
     }
 
     /// Takes `--out` and `--check` from a parsed command line.
     pub fn from(program: &'static str, given: &mut ArgMatches) -> Self {
-        let out = given.remove_one("out").unwrap_or_default();
-        Self { program, out, check: given.get_flag("check") }
+        let out: PathBuf = given.remove_one("out").unwrap_or_default();
+        Self { program, given: out.clone(), out, check: given.get_flag("check") }
     }
 
-    /// Another file of the program, in the folder of this one.
+    /// A file in this folder.
     #[must_use]
-    pub fn beside(&self, name: &str) -> Self {
-        Self { program: self.program, out: self.out.with_file_name(name), check: self.check }
+    pub fn within(&self, name: &str) -> Self {
+        Self { out: self.out.join(name), given: self.given.clone(), ..*self }
     }
 
     /// Writes the file, or compares it. The error names the file where it cannot be written or read.
@@ -62,6 +64,7 @@ impl Generated {
     fn finish_showing(self, content: &[u8], difference: impl FnOnce(&[u8])) -> Result<ExitCode, String> {
         let (program, out) = (self.program, self.out.display());
         if !self.check {
+            self.out.parent().map_or(Ok(()), folder)?;
             files::write(&[(&*self.out, content)])?;
             say(&out)?;
             return Ok(ExitCode::SUCCESS);
@@ -71,7 +74,10 @@ impl Generated {
             return Ok(ExitCode::SUCCESS);
         }
         difference(&file);
-        complain(format_args!("{out}: out of date: run cargo run --release {program} -- --out {out}"));
+        complain(format_args!(
+            "{out}: out of date: run cargo run --release {program} -- --out {}",
+            self.given.display()
+        ));
         Ok(ExitCode::from(1))
     }
 }

@@ -14,8 +14,6 @@ pub mod command;
 #[cfg(feature = "host")]
 pub mod files;
 #[cfg(feature = "host")]
-pub mod film;
-#[cfg(feature = "host")]
 pub mod generated;
 /// The importer has it, and the examples should not wait for the importer.
 #[cfg(feature = "host")]

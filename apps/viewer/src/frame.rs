@@ -1,9 +1,8 @@
 //! From a state to the pixels of a display, as firmware sends them.
 
-use crate::firmware::{self, Oled, Sent};
 use crate::overlay;
 use crate::source::Source;
-use crate::state::{State, Thing};
+use crate::state::State;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
@@ -19,12 +18,10 @@ use pinhole_render::quantised::Quantised;
 /// Statistics of the last frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Shown {
-    /// Statistics of faces, or of edges where the mode draws edges; all zero for the OLED's scene.
+    /// Statistics of faces, or of edges where the mode draws edges.
     pub statistics: Statistics,
     /// Statistics of sprites.
     pub sprites: Statistics,
-    /// Why the firmware cannot draw the model, in one line.
-    pub problem: Option<String>,
     /// Bands sent.
     pub bands: usize,
     /// Pixels sent.
@@ -42,7 +39,6 @@ pub struct Viewer {
     dirty: DirtyRegions<4>,
     drawn: Option<State>,
     subject: Option<(Mode, Subject)>,
-    oled: Oled,
     shown: Shown,
     /// Why a file that was dropped, or has changed, is not shown.
     notice: Option<String>,
@@ -58,7 +54,6 @@ impl Viewer {
             dirty: DirtyRegions::new(area, TransferCost::new(16, TransferCost::MIPI_DCS)),
             drawn: None,
             subject: None,
-            oled: Oled::new(),
             shown: Shown::default(),
             notice: None,
         }
@@ -94,10 +89,7 @@ impl Viewer {
     /// cannot be drawn.
     pub fn draw(&mut self, state: &State) -> Result<&Shown, String> {
         if !self.drawn.is_some_and(|drawn| drawn.draws_as(state)) {
-            self.shown = match state.thing {
-                Thing::Model => self.model(state).map_err(|e| self.source.named(&e))?,
-                Thing::Oled | Thing::Template => self.firmware(state),
-            };
+            self.shown = self.model(state).map_err(|e| self.source.named(&e))?;
             self.drawn = Some(*state);
         }
         Ok(&self.shown)
@@ -133,8 +125,7 @@ impl Viewer {
             ..Style::chosen(state.mode, state.format, None, None, state.dither)
         };
         let like = |drawn: State| {
-            (drawn.thing, drawn.mode, drawn.format, drawn.smooth_lines)
-                == (state.thing, state.mode, state.format, state.smooth_lines)
+            (drawn.mode, drawn.format, drawn.smooth_lines) == (state.mode, state.format, state.smooth_lines)
         };
         let Self { display, dirty, .. } = self;
         if !self.drawn.is_some_and(like) {
@@ -158,34 +149,6 @@ impl Viewer {
         let report = paint(subject, scene, &style, state.format, rows, &mut plan, &mut send)?;
         let Report { statistics, sprites, bands, bytes, pixels } = report;
         let bytes = bytes + bands * usize::from(TransferCost::MIPI_DCS);
-        Ok(Shown { statistics, sprites, problem: None, bands, pixels, bytes, areas })
-    }
-
-    fn firmware(&mut self, state: &State) -> Shown {
-        if !self.drawn.is_some_and(|drawn| drawn.thing == state.thing) {
-            let all = Rectangle::new(Point::zero(), self.display.size());
-            let Ok(()) = self.display.fill_solid(&all, Rgb888::new(24, 26, 30));
-            self.oled.forget();
-        }
-        let (sent, statistics) = match state.thing {
-            Thing::Template => {
-                let display = &mut self.display;
-                let drawn = self
-                    .source
-                    .in_firmware()
-                    .and_then(|model| firmware::template(model, state.step, display));
-                match drawn {
-                    Ok((sent, statistics)) => (Some(sent), statistics),
-                    Err(problem) => return Shown { problem: Some(problem), ..Shown::default() },
-                }
-            }
-            _ => {
-                let rows = state.rows.unwrap_or(u32::MAX);
-                (self.oled.draw(state.step, rows, &mut self.display), Statistics::default())
-            }
-        };
-        // The panel shows one frame during several of the window's.
-        let Some(Sent { areas, pixels, bytes }) = sent else { return self.shown.clone() };
-        Shown { statistics, bands: areas.len(), pixels, bytes, areas, ..Shown::default() }
+        Ok(Shown { statistics, sprites, bands, pixels, bytes, areas })
     }
 }

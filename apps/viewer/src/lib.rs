@@ -2,9 +2,8 @@
 //! pixels in a window of any size. `main.rs` has the command line, `window.rs` the window; everything else is tested without it.
 //!
 //! A model is drawn by the code of `pinhole-render`, but as firmware draws: in bands, and only
-//! where a frame differs from the last one. The scenes of the firmware examples are included.
+//! where a frame differs from the last one.
 
-mod firmware;
 mod frame;
 mod overlay;
 mod placement;

@@ -1,7 +1,7 @@
 //! Overlays: rectangles sent, statistics, keys.
 
 use crate::frame::Shown;
-use crate::state::{State, Thing, KEYS};
+use crate::state::{State, KEYS};
 use embedded_graphics::mono_font::{ascii::FONT_6X10, MonoTextStyle};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
@@ -93,44 +93,25 @@ fn wrapped(message: &str) -> Vec<String> {
 }
 
 fn information(state: &State, shown: &Shown, time: Option<Duration>) -> Vec<String> {
-    let mut lines = Vec::new();
-    match state.thing {
-        Thing::Oled => lines.push("examples/oled: its panel, gray4".into()),
-        Thing::Template => match &shown.problem {
-            None => lines.push("in firmware: boards/any-cortex-m, rgb565, bands of 8 rows".into()),
-            Some(problem) => {
-                lines.push("not for firmware:".into());
-                lines.extend(wrapped(problem));
-                return lines;
-            }
-        },
-        Thing::Model => {
-            let dithered = if state.dither && !state.mode.of_lines() { " dithered" } else { "" };
-            lines.push(format!(
-                "{}, {}, {}{dithered}",
-                state.projection.map_or("own camera", |named| named.name),
-                name(&Mode::ALL, state.mode),
-                name(&Format::ALL, state.format),
-            ));
-            let Statistics { drawn, culled, clipped, outside, degenerate, .. } = shown.statistics;
-            let what = if state.mode.of_lines() { "edges" } else { "faces" };
-            lines.push(format!(
-                "{what}: {drawn} drawn, {culled} culled, {clipped} cut, {} dropped",
-                outside + degenerate
-            ));
-            let Statistics { drawn, outside, degenerate, .. } = shown.sprites;
-            if drawn + outside + degenerate > 0 {
-                lines.push(format!("sprites: {drawn} drawn, {} dropped", outside + degenerate));
-            }
-        }
+    let dithered = if state.dither && !state.mode.of_lines() { " dithered" } else { "" };
+    let Statistics { drawn, culled, clipped, outside, degenerate, .. } = shown.statistics;
+    let what = if state.mode.of_lines() { "edges" } else { "faces" };
+    let mut lines = vec![
+        format!(
+            "{}, {}, {}{dithered}",
+            state.projection.map_or("own camera", |named| named.name),
+            name(&Mode::ALL, state.mode),
+            name(&Format::ALL, state.format),
+        ),
+        format!("{what}: {drawn} drawn, {culled} culled, {clipped} cut, {} dropped", outside + degenerate),
+    ];
+    let Statistics { drawn, outside, degenerate, .. } = shown.sprites;
+    if drawn + outside + degenerate > 0 {
+        lines.push(format!("sprites: {drawn} drawn, {} dropped", outside + degenerate));
     }
-    let rows = match (state.thing, state.rows) {
-        (Thing::Template, _) => String::new(),
-        (_, Some(rows)) => format!(" of {rows} rows"),
-        (_, None) => " of all rows".into(),
-    };
+    let rows = state.rows.map_or("all".into(), |rows| rows.to_string());
     let Shown { bands, pixels, bytes, .. } = shown;
-    lines.push(format!("{bands} bands{rows}: {pixels} px, {bytes} bytes"));
+    lines.push(format!("{bands} bands of {rows} rows: {pixels} px, {bytes} bytes"));
     if let Some(time) = time {
         lines.push(format!("{:.2} ms a frame; h: help", time.as_secs_f64() * 1e3));
     }

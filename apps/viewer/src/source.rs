@@ -1,17 +1,15 @@
-//! The model: a file, or the mesh of the firmware examples.
+//! The model: a file, or the teapot of the examples.
 
-use crate::firmware;
 use crate::state::{Markers, State};
 use crate::watch::{Before, Watch};
 use embedded_graphics::geometry::{AnchorPoint, Size};
 use pinhole_apps_support::files;
-use pinhole_import::{Axis, ImportedMesh, Options, Preview, Triangles};
+use pinhole_import::{Axis, Options, Preview, Triangles};
+use pinhole_render::import;
 use pinhole_render::model::{self, Fit, Look};
 use pinhole_render::scene::{bounds, Colors, Matrix, Scene};
 use pinhole_render::sprites::{Anchor, SceneSprites, Shape, SpritePicture, SpriteSize};
 use pinhole_render::texture::{self, SceneTexture};
-use pinhole_render::{firmware as template, import};
-use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
 
 /// A mesh, with a camera if its file has one.
@@ -29,8 +27,6 @@ pub struct Source {
     options: Options,
     /// The files, as they were before they were read.
     watch: Watch,
-    /// The mesh that firmware of the template has, or why it has none: imported when it is shown.
-    in_firmware: OnceCell<Result<ImportedMesh, String>>,
 }
 
 impl Source {
@@ -66,13 +62,12 @@ impl Source {
         Ok(Self { mesh, colors, texture, up, file, imported, options, ..Self::built_in() })
     }
 
-    /// The teapot of the firmware examples.
+    /// The teapot of the examples.
     pub fn built_in() -> Self {
-        let teapot = firmware::teapot();
-        let step = f64::from(teapot.exponent()).exp2();
+        let step = f64::from(teapot::EXPONENT).exp2();
         let mesh = Triangles {
-            positions: teapot.vertices().iter().map(|v| v.map(|c| f64::from(c) * step)).collect(),
-            faces: teapot.faces().iter().map(|face| face.map(usize::from)).collect(),
+            positions: teapot::VERTICES.iter().map(|v| v.map(|c| f64::from(c) * step)).collect(),
+            faces: teapot::FACES.iter().map(|face| face.map(usize::from)).collect(),
         };
         Self {
             mesh,
@@ -84,29 +79,7 @@ impl Source {
             imported: None,
             options: Options::default(),
             watch: Watch::default(),
-            in_firmware: OnceCell::new(),
         }
-    }
-
-    /// The mesh that the template's firmware would have for this model, or for the teapot if the mesh is built in. The error says
-    /// why there is no such mesh.
-    pub(crate) fn in_firmware(&self) -> Result<&ImportedMesh, String> {
-        let make = || match (&self.file, &self.imported) {
-            (Some(file), Some(_)) => {
-                let options = template::options(&template::TEMPLATE, &self.options);
-                let imported = pinhole_import::import(file, &options).map_err(|e| e.to_string());
-                // The other scenes show the files as they were.
-                match self.watch.is_as_read() {
-                    true => imported,
-                    false => Err("its file has changed since it was read".into()),
-                }
-            }
-            _ => {
-                let file = include_bytes!("../../../assets/teapot.obj");
-                pinhole_import::read_obj(file, "teapot.obj".as_ref()).map_err(|e| e.to_string())
-            }
-        };
-        self.in_firmware.get_or_init(make).as_ref().map_err(Clone::clone)
     }
 
     /// Warnings about a model, in the importer's words.

@@ -7,7 +7,6 @@ use pinhole_render::projections::Named;
 /// Everything that a picture depends on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
-    pub(crate) thing: Thing,
     /// Angles of the eye in degrees.
     pub(crate) yaw: f64,
     pub(crate) pitch: f64,
@@ -29,8 +28,6 @@ pub struct State {
     pub(crate) cull: bool,
     /// Rows of a band; `None` draws the picture in one piece.
     pub(crate) rows: Option<u32>,
-    /// Counts frames while the model turns.
-    pub(crate) step: u32,
     pub(crate) turning: bool,
     /// Which overlays are shown.
     pub(crate) outlines: bool,
@@ -52,17 +49,6 @@ pub(crate) enum Markers {
     Discs,
 }
 
-/// What the viewer can show.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Thing {
-    /// The file, or the built-in mesh.
-    Model,
-    /// The show of `examples/oled`.
-    Oled,
-    /// The firmware of the template.
-    Template,
-}
-
 /// The effect of a key, or of the mouse's wheel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
@@ -82,7 +68,7 @@ pub enum Action {
 type Change = fn(&mut State);
 
 /// What each key changes. Keys are named by their characters, or `left`, `right`, `up`, `down`, `space`.
-const CHANGES: [(&str, Change); 30] = [
+const CHANGES: [(&str, Change); 29] = [
     ("left", |state| state.orbit(-STEP, 0.0)),
     ("right", |state| state.orbit(STEP, 0.0)),
     ("up", |state| state.orbit(0.0, STEP)),
@@ -111,7 +97,6 @@ const CHANGES: [(&str, Change); 30] = [
     ("i", |state| state.information ^= true),
     ("h", |state| state.help ^= true),
     ("space", |state| state.turning ^= true),
-    ("m", |state| state.thing = next(&[Thing::Model, Thing::Oled, Thing::Template], state.thing, 1)),
     ("0", |state| *state = State { help: state.help, ..State::new(state.own, state.own_cull) }),
 ];
 
@@ -129,7 +114,7 @@ pub(crate) const KEYS: [(&str, &str); 14] = [
     ("k o", "cull faces turned away, fog"),
     ("r", "rectangles that were sent"),
     ("i h", "information, help"),
-    ("space m 0", "turn, next scene, reset"),
+    ("space 0", "turn, reset"),
     ("x q", "screenshot, quit"),
 ];
 
@@ -148,7 +133,6 @@ impl State {
     pub fn new(own_camera: bool, cull: bool) -> Self {
         let usual = Named::ALL[0];
         Self {
-            thing: Thing::Model,
             yaw: if own_camera { 0.0 } else { usual.yaw },
             pitch: if own_camera { 0.0 } else { usual.pitch },
             zoom: 1.0,
@@ -163,7 +147,6 @@ impl State {
             markers: Markers::None,
             cull,
             rows: Some(8),
-            step: 0,
             turning: false,
             outlines: false,
             information: true,
@@ -203,10 +186,7 @@ impl State {
     /// Advances time by 1/60 s.
     pub fn tick(&mut self) {
         if self.turning {
-            self.step = self.step.wrapping_add(1);
-            if self.thing == Thing::Model {
-                self.orbit(-1.0, 0.0);
-            }
+            self.orbit(-1.0, 0.0);
         }
     }
 
@@ -233,7 +213,6 @@ impl State {
             outlines: false,
             information: false,
             help: false,
-            step: if state.thing == Thing::Model { 0 } else { state.step },
             ..*state
         };
         bare(self) == bare(other)

@@ -24,7 +24,6 @@ impl Before {
 #[derive(Default)]
 pub(crate) struct Watch {
     files: Vec<PathBuf>,
-    read: Vec<Stamp>,
     /// At the last look.
     last: Vec<Stamp>,
     /// When [`Self::has_changed`] told of a change.
@@ -36,16 +35,11 @@ impl Watch {
     pub(crate) fn of(Before(file, before): Before, beside: impl Iterator<Item = PathBuf>) -> Self {
         let files: Vec<_> = std::iter::once(file).chain(beside).collect();
         let read: Vec<_> = std::iter::once(before).chain(files[1..].iter().map(|file| stamp(file))).collect();
-        Self { files, last: read.clone(), told: read.clone(), read }
+        Self { files, last: read.clone(), told: read }
     }
 
     fn now(&self) -> Vec<Stamp> {
         self.files.iter().map(|file| stamp(file)).collect()
-    }
-
-    /// Whether the files are those that were read.
-    pub(crate) fn is_as_read(&self) -> bool {
-        self.now() == self.read
     }
 
     /// Whether files have changed, and stayed as they are since the last call, so that nobody is writing them. Tells of each change

@@ -1,14 +1,10 @@
 //! What keys do, and what is sent to the display for them. No window is needed.
 
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::Angle;
-use pinhole_apps_support::bodies::{stl, torus};
-use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::testing;
 use pinhole_import::Options;
-use pinhole_render::firmware;
 use pinhole_viewer::{Action, Placement, Source, State, Viewer};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -49,7 +45,7 @@ fn colours(pixels: &[Rgb888]) -> BTreeSet<[u8; 3]> {
 fn keys_go_round_and_back() {
     let first = pressed("");
     for (key, count) in
-        [("p", 21), ("P", 21), ("c", 7), ("C", 7), ("b", 5), ("B", 5), ("m", 3), ("t", 4), ("o", 2), ("v", 3)]
+        [("p", 21), ("P", 21), ("c", 7), ("C", 7), ("b", 5), ("B", 5), ("t", 4), ("o", 2), ("v", 3)]
     {
         let mut state = first;
         let mut met = vec![state];
@@ -67,7 +63,7 @@ fn keys_go_round_and_back() {
     }
     let modes: Vec<_> = ["s", "f", "g", "w", "l"].map(pressed).to_vec();
     assert!((1..5).all(|i| !modes[..i].contains(&modes[i])));
-    assert_eq!(pressed("w p c b m k left + 0"), first);
+    assert_eq!(pressed("w p c b k left + 0"), first);
     assert_eq!(pressed("right left"), first);
     assert_eq!(State::key("nothing"), None);
     assert_eq!((State::key("x"), State::key("q")), (Some(Action::Screenshot), Some(Action::Quit)));
@@ -111,7 +107,7 @@ fn what_was_sent_before_and_now_is_the_whole_picture() {
     let mut sent = Vec::new();
     // A bar ends what is pressed before a frame.
     let keys = " | left | left up | b | w | right | a | right | - - | a | - - - | left | l | g | t | left | t | left | t | t | o | left | o | v | left | v | - - - \
-                | w | right | v | g | d | c | down | c | k | c left | c b | right | c | left left | b b | c | p | p | p p p | left | 0 | m | m | m | P | + + + + | up up";
+                | w | right | v | g | d | c | down | c | k | c left | c b | right | c | left left | b b | c | p | p | p p p | left | 0 | P | + + + + | up up";
     for keys in keys.split('|') {
         press(&mut state, keys);
         sent.push(viewer.draw(&state).unwrap().pixels);
@@ -206,69 +202,6 @@ fn overlays_are_in_the_window_and_not_on_the_display() {
     assert!(!areas.is_empty());
 }
 
-#[test]
-fn the_firmware_s_scenes_are_its_pictures() {
-    // The OLED's panel is 128 × 64 pixels of 16 greys; where there is room, each of its pixels is shown as 2 × 2.
-    let size = Size::new(256, 128);
-    let mut viewer = Viewer::new(Source::built_in(), size);
-    let mut state = pressed("m space");
-    let mut pictures = BTreeSet::new();
-    for frame in 0..24 {
-        let shown = viewer.draw(&state).unwrap().clone();
-        // The first frame of each scene of eight frames is sent whole, at two pixels a byte; of the others, what differs.
-        assert_eq!(shown.bytes == 128 * 64 / 2, frame % 8 == 0, "{frame}");
-        assert_eq!(shown.pixels, 2 * shown.bytes);
-        let mut other = Viewer::new(Source::built_in(), size);
-        other.draw(&state).unwrap();
-        assert!(viewer.pixels() == other.pixels(), "{frame}");
-        assert!(shown.areas.iter().all(|a| a.top_left.x % 2 == 0 && a.size.width % 2 == 0));
-        let rows: Vec<_> = viewer.pixels().chunks(256).collect();
-        for (y, row) in rows.iter().enumerate() {
-            assert!(*row == rows[y & !1] && row.chunks(2).all(|pair| pair[0] == pair[1]));
-        }
-        let met = colours(viewer.pixels());
-        assert!(met.iter().all(|[r, g, b]| r % 17 == 0 && r == g && g == b), "{met:?}");
-        pictures.insert(viewer.pixels().iter().map(|c| c.r()).collect::<Vec<_>>());
-        (0..8).for_each(|_| state.tick());
-    }
-    assert!(pictures.len() > 20, "{}", pictures.len());
-    // The template's model is gold, at several levels of light, before black.
-    press(&mut state, "m");
-    viewer.draw(&state).unwrap();
-    let met = colours(viewer.pixels());
-    assert!(met.contains(&[0; 3]) && met.iter().filter(|[r, g, b]| r > g && g > b).count() >= 2, "{met:?}");
-}
-
-/// The third scene is the file's model as firmware draws it, or says why there is none.
-#[test]
-fn the_firmware_s_model_is_the_user_s() {
-    let text = "v 0 0 0\nv 3 0 0\nv 0 2 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
-    let path = file("own.obj", text);
-    let options = firmware::options(&firmware::TEMPLATE, &Options::default());
-    let model = pinhole_import::import(&path, &options).unwrap();
-    let mut viewer = Viewer::new(read(&path).unwrap(), SIZE);
-    let mut state = pressed("m m space");
-    for frame in 0..3 {
-        let mut wanted = Canvas::new(SIZE, Rgb565::MAGENTA);
-        let turn = Angle::turns(frame, firmware::FRAMES);
-        let statistics = firmware::draw(&model, turn, &mut wanted).unwrap();
-        let shown = viewer.draw(&state).unwrap();
-        assert_eq!((shown.statistics, &shown.problem), (statistics, &None));
-        assert_eq!(shown.pixels, wanted.pixels().len());
-        let wanted: Vec<Rgb888> = wanted.pixels().iter().map(|color| (*color).into()).collect();
-        assert!(wanted == viewer.pixels(), "frame {frame}");
-        state.tick();
-    }
-
-    // 90 000 vertices: the model is shown, and a message in place of the firmware's picture.
-    let mut viewer = Viewer::new(read(&file("vast.stl", stl(&torus(3.0, 1.0, 300, 300)))).unwrap(), SIZE);
-    assert_eq!(viewer.draw(&pressed("")).unwrap().problem, None);
-    let problem = viewer.draw(&state).unwrap().problem.clone().unwrap();
-    assert!(problem.contains("has 90000 vertices, more than the 65536 of a mesh: use"), "{problem}");
-    let written = viewer.picture(&state, None);
-    assert!(written.iter().filter(|color| color.r() > 200).count() > 300, "it is written in the window");
-}
-
 /// A scene of 64 × 64 pixels without perspective, with these fields.
 fn flat(fields: &str) -> String {
     format!(
@@ -294,41 +227,32 @@ fn tetrahedron(size: f64) -> String {
 }
 
 #[test]
-fn a_file_that_changes_is_shown_anew_in_all_scenes() {
-    let (path, states) = (file("changing.obj", tetrahedron(1.0)), [pressed(""), pressed("m m")]);
-    let pictures = |viewer: &mut Viewer| {
-        states.map(|state| {
-            let problem = viewer.draw(&state).unwrap().problem.clone();
-            (problem, viewer.pixels().to_vec())
-        })
+fn a_file_that_changes_is_shown_anew() {
+    let (path, state) = (file("changing.obj", tetrahedron(1.0)), pressed(""));
+    let picture = |viewer: &mut Viewer| {
+        viewer.draw(&state).unwrap();
+        viewer.pixels().to_vec()
     };
-    let of_now = || pictures(&mut Viewer::new(read(&path).unwrap(), SIZE));
+    let of_now = || picture(&mut Viewer::new(read(&path).unwrap(), SIZE));
     let mut viewer = Viewer::new(read(&path).unwrap(), SIZE);
     assert!(!viewer.reload() && !viewer.reload());
-    let first = pictures(&mut viewer);
+    let first = picture(&mut viewer);
     assert!(first == of_now());
     file("changing.obj", tetrahedron(2.5));
     let second = of_now();
-    assert!(first[0] != second[0] && first[1] != second[1]);
-    // Until the file is read again, both scenes show the old one; and not while somebody may be writing it.
-    assert!(pictures(&mut viewer) == first && !viewer.reload());
+    assert!(first != second);
+    // Until the file is read again, the old one is shown; and not while somebody may be writing it.
+    assert!(picture(&mut viewer) == first && !viewer.reload());
     assert!(viewer.reload() && !viewer.reload());
-    assert!(pictures(&mut viewer) == second);
-    // What the firmware would have is imported when it is shown first: never another model than the other scenes show.
-    let mut late = Viewer::new(read(&path).unwrap(), SIZE);
-    file("changing.obj", tetrahedron(1.0));
-    let [(_, model), (problem, _)] = pictures(&mut late);
-    assert!(model == second[0].1);
-    assert_eq!(problem.as_deref(), Some("its file has changed since it was read"));
+    assert!(picture(&mut viewer) == second);
     // A file that cannot be read leaves the picture, says so in the window, and is tried again when it changes.
     file("changing.obj", "v 0 0\n");
     assert!(!viewer.reload() && viewer.reload() && !viewer.reload());
-    let shown = pictures(&mut viewer);
-    assert!(shown[0] == second[0]);
-    let with_notice = viewer.picture(&states[0], None);
+    assert!(picture(&mut viewer) == second);
+    let with_notice = viewer.picture(&state, None);
     file("changing.obj", tetrahedron(2.5));
     assert!(!viewer.reload() && viewer.reload());
-    assert!(pictures(&mut viewer) == second && viewer.picture(&states[0], None) != with_notice);
+    assert!(picture(&mut viewer) == second && viewer.picture(&state, None) != with_notice);
 }
 
 #[test]

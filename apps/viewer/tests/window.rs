@@ -144,7 +144,7 @@ fn the_window_shows_what_the_host_renders() {
     let _ = fs::remove_dir_all(&folder); // from an earlier run
     fs::create_dir_all(&folder).unwrap();
     let Some((_server, display)) = server(&folder) else { return };
-    for (number, keys) in ["s - - - - r left", "l p p c h", "c c c c d up b", "m b"].into_iter().enumerate() {
+    for (number, keys) in ["s - - - - r left", "l p p c h", "c c c c d up b", "b b"].into_iter().enumerate() {
         let png = folder.join(format!("{number}.png"));
         let viewer = Command::new(VIEWER)
             .args(["--scale", "1", "--stay", "60000", "--keys", keys, "--screenshot"])

@@ -1,6 +1,5 @@
 //! One of each type whose Format is written by hand.
 
-use crate::film::{camera, AREA};
 use defmt::debug;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
@@ -15,6 +14,7 @@ use pinhole::{
     Angle,
 };
 
+const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(128, 64));
 const SQUARE: [[i16; 3]; 4] = [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]];
 
 pub(crate) fn log() {
@@ -24,7 +24,9 @@ pub(crate) fn log() {
     debug!("{}", mesh);
     debug!("{}", Viewport::new(Point::new(8, 0), Size::new(128, 64)).expect("a viewport"));
 
-    let instance = camera(40).place(&mesh, &Affine::identity());
+    let [near, far] = [1, 100].map(Scalar::from_int);
+    let lens = Projection::perspective(Angle::degrees(30), AREA.size, near, far).expect("a field of view");
+    let instance = camera([0, 6, 40], &lens).place(&mesh, &Affine::identity());
     debug!("{}", instance);
     let transformed = instance.transform(&mut cache);
     debug!("{}", transformed);
@@ -54,7 +56,6 @@ pub(crate) fn log() {
 
     let move_on = Affine::<Model, World>::translation(Vector3::from_ints(1, 2, -3));
     debug!("{}", move_on);
-    debug!("{}", move_on.normals());
     let mut picture = [Gray8::BLACK; 6];
     let mut picture = Picture::new(&mut picture, Size::new(3, 2)).expect("room");
     debug!("{}", picture);
@@ -70,7 +71,11 @@ pub(crate) fn log() {
     let lens =
         Projection::perspective(Angle::degrees(90), AREA.size, one, one + two).expect("near before far");
     debug!("{}", lens);
-    let [eye, origin] = [2, 0].map(|z| Point3::from_ints(0, 0, z));
+    debug!("{}", camera([0, 0, 2], &lens));
+}
+
+fn camera([x, y, z]: [i16; 3], lens: &Projection) -> Camera {
+    let (eye, origin) = (Point3::from_ints(x, y, z), Point3::from_ints(0, 0, 0));
     let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0)).expect("a direction");
-    debug!("{}", Camera::new(&view, &lens, &Viewport::new(AREA.top_left, AREA.size).expect("a viewport")));
+    Camera::new(&view, lens, &Viewport::new(AREA.top_left, AREA.size).expect("a viewport"))
 }

@@ -9,9 +9,9 @@ pub mod growth;
 pub mod image;
 pub mod measure;
 pub mod scene;
-/// How deep the stack was, by the code that the board of the examples has for it: painted first, looked at afterwards.
+/// How deep the stack was: painted first, looked at afterwards. A file outside of this package, as it needs `unsafe`.
 #[cfg(target_os = "none")]
-#[path = "../../lm3s6965evb/src/stack.rs"]
+#[path = "../../stack.rs"]
 pub mod stack;
 
 /// What S5, S6 and S7 draw, the normals at the torus's vertices for S8, pictures, and what is at vertices. Integers of triangles are

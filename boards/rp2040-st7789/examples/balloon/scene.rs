@@ -1,6 +1,5 @@
 //! A balloon drifts over fields in the mist, among trees: textures in perspective, light and fog by rows of palettes, which cost no
-//! instruction a pixel, sprites, and a shadow by a screen door. It is drawn in any colour type, into any target, and needs no file but this one; the OLED
-//! example of pinhole's repository shows it in 16 greys and in dithered black and white.
+//! instruction a pixel, sprites, and a shadow by a screen door. It is drawn in any colour type, into any target, and needs no file but this one.
 
 use embedded_graphics_core::geometry::{AnchorPoint, Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb888;

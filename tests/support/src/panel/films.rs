@@ -1,4 +1,4 @@
-//! Films to send to a panel: the spinning cube S2 of the benchmarks, and a small moving cube before one that stands still. Four methods of
+//! Films to send to a panel: the spinning cube S2 of the benchmarks, and a small moving cube before one that stands still. Three methods of
 //! sending their frames, and the bytes that each takes; every frame on the panel is compared with the frame drawn in memory.
 
 use super::screen::{Kind, Screen, StoredPixel};
@@ -10,36 +10,13 @@ use pinhole::space::{Model, World};
 use pinhole::{
     bands::{DirtyRegions, TransferCost},
     draw::draw_line,
+    meshes::CUBE,
     prelude::*,
     raster,
     target::LeastRun,
     Angle,
 };
 
-/// The cube of ±1.
-const VERTICES: [[i16; 3]; 8] =
-    [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1], [-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1]];
-const FACES: [[u16; 3]; 12] = [
-    [0, 1, 2],
-    [0, 2, 3],
-    [5, 4, 7],
-    [5, 7, 6],
-    [3, 2, 6],
-    [3, 6, 7],
-    [4, 5, 1],
-    [4, 1, 0],
-    [1, 5, 6],
-    [1, 6, 2],
-    [4, 0, 3],
-    [4, 3, 7],
-];
-const CUBE: &Mesh<'static> = &match Mesh::new(&VERTICES, 0, &FACES) {
-    Ok(mesh) => mesh,
-    Err(_) => panic!(),
-};
-/// The normal of each pair of faces.
-const NORMALS: [[i16; 3]; 6] =
-    [[0, 0, 32767], [0, 0, -32767], [0, 32767, 0], [0, -32767, 0], [32767, 0, 0], [-32767, 0, 0]];
 /// The orientation of the cube of S2.
 const ROTATION: [[f64; 4]; 4] = [
     [0.7986355, 0.0, 0.601815, 0.0],
@@ -90,7 +67,7 @@ impl Film {
             let (x, y, z) = LIGHT;
             let towards = Vector3::from_f32(x, y, z).expect("in range");
             let light = Lambert::new(&model, towards, 40).expect("a light");
-            Thing { instance: camera.place(CUBE, &model), light, colour, moves }
+            Thing { instance: camera.place(&CUBE, &model), light, colour, moves }
         };
         let stands = Affine::from_matrix(&ROTATION).expect("a rotation");
         let (green, red) = (Rgb888::new(90, 220, 140), Rgb888::new(250, 90, 60));
@@ -124,7 +101,7 @@ const STORE: Store = ([ScreenVertex::EMPTY; CUBE.cache_len()], [0; CUBE.face_bin
 
 impl Thing {
     fn colour<C: Color + From<Rgb888>>(&self, face: usize) -> C {
-        C::from(self.colour).dim(self.light.level(NORMALS[face / 2]))
+        C::from(self.colour).dim(self.light.level(CUBE.normals()[face]))
     }
 
     /// Draws the object at once, onto any target.
@@ -192,30 +169,6 @@ pub fn in_spans<D: DrawTarget<Color: Colour>>(things: &[Thing], target: &mut D) 
     things.iter().try_for_each(|thing| thing.draw(target))
 }
 
-/// Draws directly onto the panel: clears it, then sends each pixel.
-pub fn in_pixels<D: DrawTarget<Color: Colour>>(things: &[Thing], target: &mut D) -> Result<(), D::Error> {
-    target.clear(BACKGROUND.into())?;
-    things.iter().try_for_each(|thing| thing.draw(&mut Single(target)))
-}
-
-/// A target that is given one pixel at a time.
-struct Single<'a, D>(&'a mut D);
-
-impl<D: DrawTarget> Dimensions for Single<'_, D> {
-    fn bounding_box(&self) -> Rectangle {
-        self.0.bounding_box()
-    }
-}
-
-impl<D: DrawTarget> DrawTarget for Single<'_, D> {
-    type Color = D::Color;
-    type Error = D::Error;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<D::Color>>>(&mut self, pixels: I) -> Result<(), D::Error> {
-        pixels.into_iter().try_for_each(|pixel| self.0.draw_iter([pixel]))
-    }
-}
-
 /// The pixels of a frame, drawn in memory at once.
 pub fn reference<C: Colour>(things: &[Thing], size: Size) -> Vec<C> {
     let mut picture = target::Screen::sized(size.width, size.height);
@@ -254,7 +207,6 @@ pub enum Way {
     Bands,
     DirtyRegions,
     Spans,
-    Pixels,
 }
 
 /// The number of rows of a band, which is as wide as the panel.
@@ -283,7 +235,6 @@ pub fn film<M: Kind<ColorFormat: Colour>>(film: Film, frames: u32, way: Way) -> 
             Way::Bands => in_bands(&things, area, &mut strip, display),
             Way::DirtyRegions => changes(&things, &mut dirty, &mut strip, display),
             Way::Spans => in_spans(&things, display),
-            Way::Pixels => in_pixels(&things, display),
         };
         sent.expect("a bus that works");
         let picture = reference(&things, M::SIZE);
