@@ -29,7 +29,8 @@ const CHIPS: [(&str, &str); 7] = [
 
 /// Images, by their names in the data. Here they are in capitals, with `_CODE` behind.
 const IMAGES: &str = "framing wireframe_pixels wireframe_bands hidden_bands picture depth_picture solid_bands depth_bands depth_pixels \
-                      gouraud_pixels flat_dither_pixels dither_pixels textured_pixels painter painter_bands";
+                      gouraud_pixels flat_dither_pixels dither_pixels textured_bands textured_pixels \
+                      painter painter_bands";
 
 /// The targets of the cores. Code for an M4F is as that for an M3.
 const TARGETS: [&str; 4] =

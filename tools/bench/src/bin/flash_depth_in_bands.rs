@@ -44,6 +44,7 @@ image!(
     "flash_flat_dither_pixels" => faces
         .draw(scene::flat_dithered(mesh.normals(), light), &mut band.pixels().depth_tested(&mut depth))
         .ok()?,
+    "flash_textured_bands" => faces.draw(image::textured(mesh, light), &mut band.depth_tested(&mut depth)).ok()?,
     "flash_textured_pixels" => faces.draw(image::textured(mesh, light), &mut band.pixels().depth_tested(&mut depth)).ok()?,
     _ => return None,
 };
