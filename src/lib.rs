@@ -122,8 +122,8 @@ pub mod draw {
     pub use crate::pipeline::{
         draw_line, fill_triangle, ActiveFace, ActiveFaces, BinnedEdges, BinnedFaces, BinnedScene, Cull,
         Edges, Faces, HalfBins, HalfTransform, MeshInstance, Object, Painter, PaintersOrder, Picked,
-        PlacedScene, Scene, SceneFaces, ShaderFor, SplitBins, SplitTransform, SpriteFor, Statistics,
-        StrokeFor, TransformedMesh,
+        PlacedScene, Scene, SceneFaces, ShaderFor, SmoothEdges, SplitBins, SplitTransform, SpriteFor,
+        Statistics, StrokeFor, TransformedMesh,
     };
 }
 
@@ -133,7 +133,7 @@ pub mod target {
 
     pub use crate::surface::{
         BufferError, DepthBuffer, DepthTestedSurface, Gives, LeastRun, Memory, Picture, PixelStore, Pixels,
-        Surface, Target,
+        SmoothPass, Surface, Target,
     };
 }
 
@@ -141,7 +141,7 @@ pub mod bands {
     //! Frames without a framebuffer, drawn and sent in bands of some rows, and the rectangles that a new frame has to send. Start with
     //! [`Frame`], and with [`DirtyRegions`] where little changes.
 
-    pub use crate::surface::{Band, DirtyRegions, Frame, Tracked, TransferCost};
+    pub use crate::surface::{Band, DirtyRegions, Frame, SmoothBand, SmoothFrame, Tracked, TransferCost};
 }
 
 pub mod light {

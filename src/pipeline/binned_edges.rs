@@ -70,7 +70,11 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
 impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     /// [`edge`](Self::edge) as one shared copy, for callers whose code size matters more than their speed.
     #[inline(never)]
-    fn edge_out_of_line(&self, edge: [u16; 2], statistics: &mut Statistics) -> Option<[UnpackedVertex; 2]> {
+    pub(super) fn edge_out_of_line(
+        &self,
+        edge: [u16; 2],
+        statistics: &mut Statistics,
+    ) -> Option<[UnpackedVertex; 2]> {
         self.edge(edge, statistics)
     }
 

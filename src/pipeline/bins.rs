@@ -113,6 +113,11 @@ impl<'s> BinStorage<'s> {
         Ok(Self { active, first, next })
     }
 
+    /// The bits of active primitives, which a band's first advance clears.
+    pub(super) fn active(&mut self) -> &mut [u16] {
+        self.active
+    }
+
     /// Begins to fill bins for a viewport.
     pub(super) fn fill(self, viewport: Scissor) -> BinFill<'s> {
         BinFill::new(self, 0, viewport)
@@ -167,6 +172,12 @@ impl<'s> BinFill<'s> {
         storage.first.fill(NONE);
         let rows = BinRows::new(&viewport, storage.first.len());
         Self { storage, base, rows, viewport, bounds: Scissor::UNION_IDENTITY }
+    }
+
+    /// The bits of active primitives, until the bins are filled.
+    #[inline(always)]
+    pub(super) fn active(&self) -> &[u16] {
+        self.storage.active
     }
 
     /// The filled bins.

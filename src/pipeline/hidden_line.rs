@@ -12,7 +12,9 @@ use super::wireframe::{each_edge, Edges};
 use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::color::Access;
 use crate::math::Coordinate;
-use crate::raster::{DepthTriangle, EdgePlanes, LineDepth, LineSetup, LineSpans, Scissor, ScreenPoint, Span};
+use crate::raster::{
+    area, DepthTriangle, EdgePlanes, LineDepth, LineSetup, LineSpans, Scissor, ScreenPoint, Span,
+};
 use crate::surface::{DepthBuffer, DepthTestedSurface, Surface};
 
 impl<V: Coordinate, F> Edges<'_, V, F> {
@@ -166,6 +168,19 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     ) {
         let (points, depths) = (ends.map(|end| end.point), ends.map(|end| end.depth));
         let planes = planes.insert(EdgePlanes::new(points, depths, line_depth));
+        self.each_face_beside(edge, &points, viewport, |corner, depth, side| planes.add(corner, depth, side));
+    }
+
+    /// Calls `add` for each drawn face beside an edge between these points, with a corner that is not an end of the edge, its depth in 16.8,
+    /// and the [`area`] of the edge and this corner.
+    #[inline(always)]
+    pub(super) fn each_face_beside(
+        &self,
+        edge: usize,
+        ends: &[ScreenPoint; 2],
+        viewport: &Scissor,
+        mut add: impl FnMut(ScreenPoint, i32, i64),
+    ) {
         let mesh = self.instance.mesh();
         let Some(edge_ends) = mesh.edges.get(edge) else { return };
         let are_on_screen = edge_ends.iter().all(|&index| self.screen_vertex(index).is_on_screen());
@@ -175,7 +190,12 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
                 Some((index, is_along)) if are_on_screen => {
                     let corner = self.screen_vertex(index);
                     if corner.is_on_screen() {
-                        self.add_plane(corner, is_along, planes);
+                        let corner = self.instance.vertex_transform().unpack::<DEPTH>(corner);
+                        let side = side_of(ends, corner.point);
+                        let area = if is_along { side } else { -side };
+                        if self.instance.cull().facing(area) == Facing::Drawn {
+                            add(corner.point, corner.depth, side);
+                        }
                         continue;
                     }
                 }
@@ -184,46 +204,47 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
                 _ => {}
             }
             if V::CLIPS {
-                self.add_plane_of_clipped(face, viewport, planes);
+                if let Some((corner, depth, side)) = self.corner_of_clipped(face, ends, viewport) {
+                    add(corner, depth, side);
+                }
             }
         }
     }
 
-    /// Adds the plane of a face on the screen, if it is drawn, by its corner that is not an end of the edge.
-    #[inline(always)]
-    fn add_plane(&self, corner: ScreenVertex, is_along: bool, planes: &mut EdgePlanes) {
-        let corner = self.instance.vertex_transform().unpack::<DEPTH>(corner);
-        let side = planes.side(corner.point);
-        let area = if is_along { side } else { -side };
-        if self.instance.cull().facing(area) == Facing::Drawn {
-            planes.add(corner.point, corner.depth, side);
-        }
-    }
-
-    /// Adds the plane of a face that is clipped, if it is drawn, by the corner of the polygon that is farthest from the edge.
+    /// Of a face that is clipped, if it is drawn, the corner of the polygon that is farthest from the edge.
     #[cold]
     #[inline(never)] // its stack frame is not set up for faces on the screen
-    fn add_plane_of_clipped(&self, face: &[u16; 3], viewport: &Scissor, planes: &mut EdgePlanes) {
+    fn corner_of_clipped(
+        &self,
+        face: &[u16; 3],
+        ends: &[ScreenPoint; 2],
+        viewport: &Scissor,
+    ) -> Option<(ScreenPoint, i32, i64)> {
         let mut triangles = FaceTriangles::<()>::new(viewport);
         if !self.clip_face(face, &mut triangles).is_drawn() {
-            return;
+            return None;
         }
-        let mut farthest = (0, ScreenPoint::ORIGIN, 0);
+        let mut farthest = (ScreenPoint::ORIGIN, 0, 0);
         loop {
             let DepthTriangle { triangle, depths } = triangles.fan.triangle();
             for (&corner, &depth) in triangle.corners().iter().zip(depths) {
-                let side = planes.side(corner);
-                if side.abs() > i64::abs(farthest.0) {
-                    farthest = (side, corner, depth);
+                let side = side_of(ends, corner);
+                if side.abs() > i64::abs(farthest.2) {
+                    farthest = (corner, depth, side);
                 }
             }
             if !triangles.fan.advance() {
                 break;
             }
         }
-        let (side, corner, depth) = farthest;
-        planes.add(corner, depth, side);
+        Some(farthest)
     }
+}
+
+/// The [`area`] of an edge and a point.
+#[inline(always)]
+fn side_of(&[from, to]: &[ScreenPoint; 2], point: ScreenPoint) -> i64 {
+    area(&[from, to, point])
 }
 
 /// The corner of a face that is not an end of an edge, and whether the face has the edge from its first to its second end. `None` if

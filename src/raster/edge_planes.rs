@@ -5,12 +5,12 @@
 //! covers the centre there may be any other face of the object. On a convex object it never lies in front of the plane of a
 //! front face, however far the plane is continued. So the plane tells the object's own faces from one that hides the edge.
 
-use super::{area, LineDepth, ScreenPoint};
+use super::{LineDepth, ScreenPoint};
 use crate::math::num::mul_called;
 
 /// The planes through an edge, at most one on each side of it on the screen.
 ///
-/// With S(p) = [`area`] of the edge's ends and a point p, and a point c of a face, the face's plane has the depth
+/// With S(p) = [`area`](super::area) of the edge's ends and a point p, and a point c of a face, the face's plane has the depth
 ///
 /// ```text
 ///     line(p) + S(p) · (z(c) − line(c)) / S(c)
@@ -51,8 +51,9 @@ impl EdgePlanes {
     }
 
     /// S of a point, with all of its bits.
+    #[cfg(test)]
     pub(crate) fn side(&self, point: ScreenPoint) -> i64 {
-        area(&[self.from, self.to, point])
+        super::area(&[self.from, self.to, point])
     }
 
     /// Adds the plane of a face with this corner, at a depth in 16.8, and its S.

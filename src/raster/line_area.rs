@@ -63,7 +63,7 @@ impl LineArea {
 
     /// x²/2m, for x of 0 … m.
     #[inline(always)]
-    fn triangle(&self, x: i32) -> i32 {
+    pub(crate) fn triangle(&self, x: i32) -> i32 {
         // x/m ≤ 1, in 2⁻¹⁵; its product with x, halved, is in 2⁻³²: below 2³¹, as the one before.
         let width = (x as u32).wrapping_mul(self.inverse) >> 16;
         ((x as u32).wrapping_mul(width) >> 16) as i32

@@ -38,6 +38,7 @@
 //! ```
 
 mod any_triangle;
+mod crossed_edge;
 mod depth;
 mod depth_triangle;
 pub(crate) mod edge;
@@ -62,6 +63,7 @@ pub(crate) mod trapezoid;
 pub(crate) mod triangle;
 
 pub(crate) use any_triangle::{AnyTriangle, Spans};
+pub(crate) use crossed_edge::{CrossedEdge, CrossedPixel};
 pub(crate) use depth::FARTHEST;
 pub(crate) use depth_triangle::DepthTriangle;
 pub(crate) use edge_planes::EdgePlanes;

@@ -184,6 +184,11 @@ pub struct Band<'s, C> {
 }
 
 impl<'s, C: Color> Band<'s, C> {
+    /// A band whose rows are the first ones of a strip.
+    pub(super) fn unchecked(area: Rectangle, strip: &'s mut [u8]) -> Self {
+        Self { area, stride: row_bytes::<C>(area.size.width), strip, color: PhantomData }
+    }
+
     /// The rectangle of the band, in the coordinates of the frame.
     pub const fn area(&self) -> Rectangle {
         self.area

@@ -54,6 +54,11 @@ impl<'a> DepthBuffer<'a> {
         Ok(buffer)
     }
 
+    /// A depth buffer for callers that have checked the number of values, which stay.
+    pub(super) const fn unchecked(area: Rectangle, values: &'a mut [u16]) -> Self {
+        Self { area, values }
+    }
+
     /// Sets every depth to [`NOTHING`](Self::NOTHING). Call it before each frame but the first.
     pub fn clear(&mut self) {
         let (before, words, after) = pod_align_to_mut::<u16, u32>(self.values);

@@ -12,6 +12,8 @@ mod memory;
 mod picture;
 mod pixels;
 mod row;
+mod smooth_frame;
+mod smoothing;
 mod strip;
 mod target;
 
@@ -25,6 +27,9 @@ pub(crate) use memory::PixelRows;
 pub use memory::{Gives, Memory, PixelStore};
 pub use picture::Picture;
 pub use pixels::Pixels;
+pub use smooth_frame::{SmoothBand, SmoothFrame};
+pub use smoothing::SmoothPass;
+pub(crate) use smoothing::{Corner, Seen};
 pub use strip::StripBuffers;
 pub(crate) use target::{draw_run, put, DepthTarget, Tested, Unmatched, Untested};
 pub use target::{DepthTestedSurface, Surface, Target};

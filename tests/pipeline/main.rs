@@ -13,6 +13,7 @@ mod nothing_outside;
 mod painter;
 mod polylines;
 mod scenes;
+mod smooth_edges;
 mod sprites;
 mod two_cores;
 mod view_volume;

@@ -183,6 +183,7 @@ fn lists(scenes: &Scenes) -> Result<String> {
         format!("pub static SCREEN: [i16; 6] = {:?};\n", scenes.full_screen_triangle),
         list("TORUS_NORMALS", "[i16; 3]", &normals),
         list("TORUS_EDGES", "[u16; 2]", &edges_of(&torus.faces)),
+        list("TORUS_BESIDE", "[u16; 2]", &beside(&edges_of(&torus.faces), &torus.faces)),
         list("TORUS_UV", "[[i16; 2]; 3]", &uv),
         list("POINTS", "[i16; 3]", &tenth),
         list("MANY_POINTS", "[i16; 3]", &scattered),

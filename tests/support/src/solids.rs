@@ -183,6 +183,41 @@ pub fn village(rng: &mut Rng) -> Solid {
     blocks(&all)
 }
 
+/// A house with a roof, a chimney, windows, a fence, a mast and a tree, on a meadow.
+pub fn house() -> Solid {
+    const UNIT: f64 = 6_000.0;
+    let mut all = vec![
+        ([-4.0, -0.05, -4.0], [3.0, 0.0, 3.0]),
+        ([-1.2, 0.0, -0.8], [1.2, 1.2, 0.8]),
+        ([0.4, 1.3, -0.35], [0.7, 2.4, -0.05]),
+        ([-0.2, 0.0, 0.8], [0.2, 0.75, 0.84]),
+        ([-0.95, 0.45, 0.8], [-0.5, 0.85, 0.83]),
+        ([0.5, 0.45, 0.8], [0.95, 0.85, 0.83]),
+        ([-2.7, 0.3, 2.21], [2.5, 0.36, 2.26]),
+        ([2.0, 0.0, -1.3], [2.06, 3.0, -1.24]),
+        ([-2.3, 0.0, -0.1], [-2.15, 1.0, 0.05]),
+        ([-2.7, 0.9, -0.5], [-1.75, 1.9, 0.45]),
+    ];
+    all.extend(
+        (0..9).map(|post| -2.6 + 0.62 * f64::from(post)).map(|x| ([x, 0.0, 2.2], [x + 0.07, 0.45, 2.27])),
+    );
+    let lowered = |[x, y, z]: [f64; 3]| [x, y - 0.55, z].map(|c| c * UNIT);
+    let boxes = all.into_iter().map(|(low, high)| {
+        let (low, high) = (lowered(low), lowered(high));
+        ([0, 1, 2].map(|i| (low[i] + high[i]) / 2.0), [0, 1, 2].map(|i| (high[i] - low[i]) / 2.0))
+    });
+    let Solid { mut vertices, mut faces, .. } = blocks(&boxes.collect::<Vec<_>>());
+    // The roof: two eaves and a ridge.
+    let first = vertices.len() as u16;
+    for x in [-1.3, 1.3] {
+        let corners = [[x, 1.15, 0.95], [x, 1.15, -0.95], [x, 2.0, 0.0]];
+        vertices.extend(corners.map(|corner| lowered(corner).map(|c| c as i16)));
+    }
+    let roof = [[0, 2, 1], [3, 4, 5], [0, 3, 5], [0, 5, 2], [4, 1, 2], [4, 2, 5], [1, 4, 3], [1, 3, 0]];
+    faces.extend(roof.map(|face| face.map(|corner| first + corner)));
+    Solid { exponent: -12, ..Solid::with_creases(vertices, faces) }
+}
+
 /// Three boxes through each other.
 pub fn crossing(rng: &mut Rng) -> Solid {
     let mut block = || {

@@ -7,7 +7,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::draw::{ActiveFace, BinnedEdges};
-use pinhole::{color::Color, prelude::*, shading::SpanShader};
+use pinhole::{bands::SmoothFrame, color::Color, prelude::*, shading::SpanShader};
 
 /// Bytes of the colour strip, for bands of `rows` rows.
 pub const fn bytes(rows: u32) -> usize {
@@ -76,6 +76,30 @@ pub fn hidden<C: Color>(
         Some(())
     })?;
     black_box(edges.statistics());
+    Some(())
+}
+
+/// Draws the faces of a lit scene in bands, and smooths their silhouettes and perhaps their creases.
+pub fn smooth<const BYTES: usize, const PIXELS: usize>(
+    scene: &Scene,
+    light: &Lambert,
+    Storage { corners, bin_storage, strip, depth }: Storage<'_>,
+    kept: &mut StripBuffers<BYTES, PIXELS>,
+    edge_bins: &mut [u16],
+    has_creases: bool,
+    display: &mut Display,
+) -> Option<()> {
+    let (instance, shade) = (scene.place(), scene.shade(light));
+    let transformed = instance.transform_depth(corners);
+    let mut faces = transformed.bin_faces(bin_storage).ok()?;
+    let mut edges = transformed.bin_smooth_edges(|_| has_creases, edge_bins).ok()?;
+    let mut frame = SmoothFrame::new(area(), BACKGROUND, &mut kept.colors, &mut kept.depths).ok()?;
+    while let Some(mut band) = frame.next_band(strip, depth).ok()? {
+        let (mut pixels, mut depth) = band.new_rows();
+        let Ok(()) = faces.draw(&shade, &mut pixels.depth_tested(&mut depth));
+        display.take_bytes(band.smooth(|pass| edges.draw(pass)).bytes());
+    }
+    black_box(faces.statistics());
     Some(())
 }
 

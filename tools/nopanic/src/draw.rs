@@ -11,7 +11,7 @@ use embedded_graphics_core::Pixel;
 use pinhole::raster::{self, ScreenPoint};
 use pinhole::space::{Model, World};
 use pinhole::{
-    bands::{DirtyRegions, Tracked, TransferCost},
+    bands::{DirtyRegions, SmoothFrame, Tracked, TransferCost},
     color::Reads,
     draw::{draw_line, fill_triangle, ActiveFace},
     mesh::Coordinate,
@@ -275,6 +275,31 @@ fn band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, strip: &mut [u8]) {
     draw_anti_aliased(scene, &instance, &mut band.pixels());
 }
 
+/// Smoothed edges, in a picture and in bands.
+fn smooth(
+    scene: &mut Scene<'_, Rgb565>,
+    mesh: &Mesh<'_>,
+    memory: &mut [Rgb565],
+    kept: &mut [u8],
+    kept_depths: &mut [u16],
+) {
+    let Scene { camera, model, corners, depth, bin_storage, strip, .. } = scene;
+    let instance = camera.place(mesh, model);
+    let transformed = instance.transform_depth(corners);
+    let Ok(mut edges) = transformed.bin_smooth_edges(|_| any() == 0, bin_storage) else { return };
+    if let (Ok(mut picture), Ok(mut depth)) = (Picture::new(memory, size()), DepthBuffer::new(area(), depth))
+    {
+        picture.pixels().depth_tested(&mut depth).smooth(|pass| edges.draw(pass));
+    }
+    let Ok(mut frame) = SmoothFrame::new(area(), color(), kept, kept_depths) else { return };
+    report(frame.area());
+    let Ok(Some(mut band)) = frame.next_band(strip, depth) else { return };
+    report(band.area());
+    let (mut pixels, mut depth) = band.new_rows();
+    report(instance.faces(|_| color()).draw(&mut pixels.depth_tested(&mut depth)));
+    report(band.smooth(|pass| edges.draw(pass)).bytes());
+}
+
 fn pick(camera: &Camera, instance: &MeshInstance<'_>, cache: &mut [ScreenVertex]) {
     let faces = || instance.faces(|_| ScreenDoor::new(color(), any() as u8));
     report(faces().culled_by_planes().cached(cache).pick(pixel()));
@@ -427,6 +452,8 @@ entries! {
     entry_draw_scene(scene: &pinhole::draw::Scene<'_, Rgb565, 5>, camera: &Camera, storage: &mut Storage<'_>) { draw_scene(scene, camera, storage) }
     entry_two_cores(cores: &mut Cores<'_>) { two_cores(cores) }
     entry_two_cores_with_depth(cores: &mut Cores<'_>) { two_cores_with_depth(cores) }
+
+    entry_smooth(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, memory: &mut [Rgb565], kept: &mut [u8], kept_depths: &mut [u16]) { smooth(scene, mesh, memory, kept, kept_depths) }
 
     entry_raster_pixel(point: ScreenPoint) -> raster::Pixel { point.pixel() }
     entry_raster_screen_point() -> Option<ScreenPoint> { ScreenPoint::from_subpixels(any(), any()) }

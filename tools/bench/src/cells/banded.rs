@@ -1,7 +1,7 @@
 //! Models in bands, as many pixels sent as a frame has, and in one piece. Both clear the picture and set the object's transform up in
 //! each frame. The meshes have no planes.
 
-use super::{count, draw_faces, drawn, Counted, Memory, Plain, LIST, TORUS, TORUS_BINS};
+use super::{count, draw_faces, drawn, Counted, Memory, Plain, LIST, TORUS, TORUS_BINS, TORUS_SMOOTH};
 use crate::bands::{self, Storage};
 use crate::board::Clock;
 use crate::growth::cases::WHEEL;
@@ -48,6 +48,34 @@ impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: 
                 let Ok(()) = edges.draw(LINE, &mut band.pixels());
                 display.take_bytes(band.bytes());
             })
+        })
+    }
+}
+
+/// A strip of 8 rows and one that waits for the torus, whose edges are smoothed.
+pub struct SmoothStrip(
+    Strip<{ bands::bytes(9) }, { bands::pixels(9) }, TORUS_BINS, TORUS>,
+    StripBuffers<{ bands::bytes(2) }, { bands::pixels(2) }>,
+    [u16; 1500 + 2 * 94 + 32],
+);
+
+impl SmoothStrip {
+    pub const NEW: Self = Self(Strip::NEW, StripBuffers::new(), [0; 1500 + 2 * 94 + 32]);
+
+    /// The torus's silhouettes, and its creases.
+    pub(super) fn torus(&mut self, has_creases: bool) -> Option<Counted> {
+        let (Self(strip, kept, edge_bins), scene) = (self, Scene::new(&TORUS_SMOOTH)?);
+        let light = scene.light()?;
+        count_bands(&mut |to| {
+            bands::smooth(
+                black_box(&scene),
+                black_box(&light),
+                strip.storage(),
+                kept,
+                edge_bins,
+                has_creases,
+                to,
+            )
         })
     }
 }

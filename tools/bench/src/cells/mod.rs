@@ -10,14 +10,14 @@ mod sprites;
 mod textured;
 mod ways;
 
-pub use banded::{Listed, Strip, Wheel};
+pub use banded::{Listed, SmoothStrip, Strip, Wheel};
 pub use memory::{Deep, Frame, Memory, Plain, Smooth};
 pub use screen::Screen;
 
 use crate::bands::{bytes, pixels};
 use crate::board::{println, Clock};
 use crate::is_equal;
-use crate::lists::{self, COLOURS, LINES, SCREEN, TORUS_EDGES, TRIANGLES};
+use crate::lists::{self, COLOURS, LINES, SCREEN, TORUS_BESIDE, TORUS_EDGES, TRIANGLES};
 use crate::scene::{self, Model, BACKGROUND, LINE};
 use core::convert::Infallible;
 use core::hint::black_box;
@@ -61,6 +61,12 @@ const LIST: usize = 56;
 /// The torus with its edges alone, for wireframes, and from so near that parts of it lie behind the camera, and others beyond the
 /// borders of the picture: with the eye at 0.8 from its centre, where the near plane at 0.5 cuts it. It reaches 1.42.
 static TORUS_EDGED: Model = edged(&scene::TORUS, &TORUS_EDGES);
+/// The torus with its edges and the faces beside them.
+static TORUS_SMOOTH: Model = {
+    let Ok(mesh) = scene::TORUS.mesh.with_edges(&TORUS_EDGES) else { panic!("edges") };
+    let Ok(mesh) = mesh.with_edge_faces(&TORUS_BESIDE) else { panic!("faces") };
+    Model { mesh, ..scene::TORUS }
+};
 const NEAR: i32 = 52_429;
 static C1: Model = at(&scene::TORUS, NEAR);
 static C1_PLANES: Model = at(&scene::TORUS_BY_PLANES, NEAR);
