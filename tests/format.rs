@@ -54,7 +54,7 @@ impl embedded_graphics::geometry::OriginDimensions for Image {
 }
 
 public_types! {
-    Affine<Plain, Plain>, ActiveFace<Plain>, ActiveFaces<'static, Plain, i16, true, 3>, Angle, AntiAliased<Pixel>, MathError, Band<'static, Plain>, BufferError, Barycentric, Alpha,
+    Affine<Plain, Plain>, ActiveFace<Plain>, ActiveFaces<'static, Plain, i16, true, 3>, Angle, AntiAliased<Pixel>, AntiAliasedByTable<Pixel>, MathError, Band<'static, Plain>, BufferError, Barycentric, Alpha,
     Camera, CornerValues, ScreenVertex, Cull, DepthBuffer<'static>,
     DepthTestedSurface<'static, 'static, Plain>,    DirtyRegions<4>, FaceColors<'static>, MeshError, TextureCoords<'static>, Dithered<Flat>, BinnedEdges<'static, i16,
     true>, BinnedScene<'static, 'static, Plain, 3>, BinnedFaces<'static, i16, true>, Flat, Format,

@@ -44,6 +44,7 @@ mod small_triangle;
 pub(crate) mod solid_fill;
 mod spans;
 pub(crate) mod sprite_fill;
+pub(crate) mod table_line;
 mod tiers;
 mod tiny_gradient;
 

@@ -6,16 +6,23 @@ use super::drawable::StrokeFor;
 use crate::camera::UnpackedVertex;
 use crate::color::StoredPixel;
 use crate::fast::anti_aliased_line::{anti_aliased_edge, anti_aliased_line};
+use crate::fast::table_line::table_line;
 use crate::math::hints::keep_rolled;
 use crate::raster::{
-    rest, share, weighted_area, Column, LineArea, LineCoverage, LineDepth, LineEnds, Pixel, Scissor,
+    areas_at, rest, share, weighted_area, Column, LineArea, LineCoverage, LineDepth, LineEnds, Pixel, Scissor,
 };
+use crate::shading::{rests_of_line, Stroke};
 use crate::surface::{DepthBuffer, Memory, Surface};
+use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// How many pixels an edge reaches beyond the rows and columns of its ends' pixels. A pixel of which a part is covered has its centre
 /// within 1.21 pixels of the line, and a pixel of which a part belongs to the line within ⅔ pixel before its end: together they are
 /// within 1.38 pixels of the end, which may lie on the border of its pixel.
 pub(super) const BEYOND: i32 = 1;
+
+/// The number of rows where areas are taken from a table: an edge begins up to ¼ pixel before its end, where its middle may lie in the row
+/// before, and covers a part of the row before that one.
+pub(super) const BEYOND_BY_TABLE: i32 = 2;
 
 /// Draws a line between the centres of two pixels, from border to border.
 #[inline(always)]
@@ -41,6 +48,13 @@ pub(super) fn edge<T: Surface, K: StrokeFor<T>>(
     target: &mut T,
 ) {
     let ends = subpixels(ends);
+    if K::BY_TABLE {
+        let (line, halves) = LineCoverage::between_ends(ends, scissor);
+        if line.first < line.end && !table_line(&line, halves, stroke, target) && meet(ends, viewport) {
+            by_parts(line.split(halves), &line.area(), &[LineEnds::HALF; 2], scissor, stroke, target);
+        }
+        return;
+    }
     let line = LineCoverage::new(ends, BEYOND, scissor);
     if !line.inside && !meet(ends, viewport) {
         return;
@@ -85,7 +99,7 @@ fn all_columns<T: Surface, K: StrokeFor<T>>(
 ) {
     if !line.inside {
         line = line.clipped(scissor);
-        if line.tall && !line.inside {
+        if (line.tall || K::BY_TABLE) && !line.inside {
             line = ends_of_line(line, area, scissor, stroke, target);
         }
     }
@@ -143,7 +157,14 @@ fn mix_columns<const UNROLLED: bool, T: Surface, K: StrokeFor<T>, D: Copy>(
     let (layout, color, mix) = (scratch.layout, stroke.color(), stroke.mixer());
     // Without a branch, from which LLVM would make two loops.
     let [tall, wide] = [line.tall, !line.tall].map(i32::from);
-    for Column { column, first, areas } in line.columns(area) {
+    // The table has the weights of ends, too, which are one half.
+    let (rests, exact) = (rests_of_line::<_, K>(line.slope())[usize::from(ends.is_some())], *area);
+    let ends = ends.filter(|_| !K::BY_TABLE);
+    let areas = move |fraction| match K::BY_TABLE {
+        true => areas_at(rests, fraction, K::SHARE_BITS),
+        false => exact.column(fraction),
+    };
+    for Column { column, first, areas } in line.columns_by(areas) {
         let own = depth(column);
         for (at, area) in (first..).zip(areas) {
             if !UNROLLED {
@@ -189,6 +210,22 @@ fn meet(ends: [[i32; 2]; 2], viewport: &Scissor) -> bool {
     !pixels.grown(BEYOND).intersection(viewport).is_empty()
 }
 
+/// An edge by its parts, and the weights of the pixels at its start and its end.
+#[inline(always)]
+fn parts_of<C: PixelColor, K: Stroke<C>>(
+    ends: [[i32; 2]; 2],
+    scissor: &Scissor,
+) -> (LineArea, [LineEnds; 2], [LineCoverage; 3]) {
+    if K::BY_TABLE {
+        let (line, halves) = LineCoverage::between_ends(ends, scissor);
+        return (line.area(), [LineEnds::HALF; 2], line.split(halves));
+    }
+    let line = LineCoverage::new(ends, BEYOND, scissor);
+    let area = line.area();
+    let (at_ends, parts) = LineEnds::new(ends, &line, &area);
+    (area, at_ends, parts)
+}
+
 /// Draws the pixels of an edge that are as near as the depth buffer, or for which `is_drawn_over` is true, given the stored depth
 /// and the pixel. All pixels of a column have the depth of the line in the middle of the column. `stores`: that depth is stored
 /// where the line's color has at least half of a pixel.
@@ -208,10 +245,8 @@ pub(super) fn visible_edge<T: Surface, K: StrokeFor<T>>(
     if !meet(points, viewport) {
         return;
     }
-    let line = LineCoverage::new(points, BEYOND, scissor);
-    let area = line.area();
-    let ([at_start, at_end], [start, middle, end]) = LineEnds::new(points, &line, &area);
-    let line_depth = LineDepth::on_axis(line.tall, ends.map(|end| end.point), ends.map(|end| end.depth));
+    let (area, [at_start, at_end], [start, middle, end]) = parts_of::<_, K>(points, scissor);
+    let line_depth = LineDepth::on_axis(middle.tall, ends.map(|end| end.point), ends.map(|end| end.depth));
     for (part, ends) in [(start, Some(&at_start)), (middle.clipped(scissor), None), (end, Some(&at_end))] {
         keep_rolled();
         if part.first >= part.end || !part.meets(scissor) {
@@ -243,7 +278,7 @@ mod tests {
     use crate::color::{Color, Reads};
     use crate::math::random::Random;
     use crate::raster::ScreenPoint;
-    use crate::shading::{AntiAliased, Stroke};
+    use crate::shading::AntiAliased;
     use crate::surface::{Picture, Pixels};
     use embedded_graphics_core::geometry::Size;
     use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
@@ -255,12 +290,13 @@ mod tests {
 
     /// A stroke that shows each mix, its share and its order: any other gives another pixel, but for one of 2²⁴.
     #[derive(Clone, Copy)]
-    struct Trace<const BITS: u32>;
+    struct Trace<const BITS: u32, const BY_TABLE: bool = false>;
 
-    impl<const BITS: u32> Stroke<Rgb888> for Trace<BITS> {
+    impl<const BITS: u32, const BY_TABLE: bool> Stroke<Rgb888> for Trace<BITS, BY_TABLE> {
         type Access = Reads;
         const IS_OPAQUE: bool = true; // both paths then take shares by weight
         const SHARE_BITS: u32 = BITS;
+        const BY_TABLE: bool = BY_TABLE;
 
         fn color(&self) -> Rgb888 {
             Rgb888::WHITE
@@ -283,6 +319,7 @@ mod tests {
         tall: usize,
         wide: usize,
         edges: usize,
+        by_table: usize,
         pixels: usize,
     }
 
@@ -345,9 +382,7 @@ mod tests {
         background: &Cells<C>,
         taken: &mut Taken,
     ) {
-        let line = LineCoverage::new(ends, BEYOND, scissor);
-        let area = line.area();
-        let (at_ends, parts) = LineEnds::new(ends, &line, &area);
+        let (area, at_ends, parts) = parts_of::<_, K>(ends, scissor);
         let weights = [Some(&at_ends[0]), None, Some(&at_ends[1])];
         let plain = picture(background, |pixels| {
             for (part, weights) in parts.iter().zip(weights) {
@@ -359,6 +394,10 @@ mod tests {
         let drawn =
             picture(background, |pixels| edge(&vertices, &Scissor::GUARD_BAND, scissor, stroke, pixels));
         assert!(drawn == plain, "{ends:?} {scissor:?}");
+        if K::BY_TABLE {
+            taken.by_table += usize::from(parts[1].inside);
+            return;
+        }
         let mut taken_alone = false;
         let fast = picture(background, |pixels| {
             taken_alone = anti_aliased_edge(&parts, &area, &at_ends, scissor, stroke, pixels);
@@ -382,6 +421,7 @@ mod tests {
             for background in [[C::from_bits(0); 40 * 33], random] {
                 compare_edge(ends, scissor, AntiAliased(color), &background, taken);
                 compare(ends, scissor, AntiAliased(color), &background, taken);
+                compare_edge(ends, scissor, AntiAliased(color).by_table(), &background, taken);
             }
         }
         one(Gray8::WHITE, ends, scissor, random, taken);
@@ -400,6 +440,9 @@ mod tests {
         compare(ends, scissor, Trace::<5>, &background, taken);
         compare_edge(ends, scissor, Trace::<8>, &background, taken);
         compare_edge(ends, scissor, Trace::<5>, &background, taken);
+        compare(ends, scissor, Trace::<8, true>, &background, taken);
+        compare_edge(ends, scissor, Trace::<8, true>, &background, taken);
+        compare_edge(ends, scissor, Trace::<5, true>, &background, taken);
         if random.below(20) == 0 {
             in_all_formats(ends, scissor, random, taken);
         }
@@ -466,5 +509,6 @@ mod tests {
                 || taken.tall > 1_500 && taken.wide > 1_500 && taken.edges > 200 && taken.pixels > 100_000,
             "{taken:?}"
         );
+        assert!(taken.by_table > 500, "{taken:?}");
     }
 }

@@ -170,7 +170,9 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
         band: &Rectangle,
         depth: Option<&DepthBuffer<'_>>,
     ) -> DrawRegion {
-        if <K::Access as Access>::READS {
+        if K::BY_TABLE {
+            self.advance::<{ anti_aliased::BEYOND_BY_TABLE }>(band, depth)
+        } else if <K::Access as Access>::READS {
             self.advance::<{ anti_aliased::BEYOND }>(band, depth)
         } else {
             self.advance::<0>(band, depth)
@@ -203,7 +205,10 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
             let ends = edge.and_then(|&edge| transformed.edge_out_of_line(edge, &mut Statistics::default()));
             let Some(ends) = ends else { return Ok(true) };
             draw(transformed, index, ends)?;
-            let beyond = if <K::Access as Access>::READS { anti_aliased::BEYOND } else { 0 };
+            let beyond = match (K::BY_TABLE, <K::Access as Access>::READS) {
+                (true, _) => anti_aliased::BEYOND_BY_TABLE,
+                (false, is_anti_aliased) => anti_aliased::BEYOND * i32::from(is_anti_aliased),
+            };
             Ok(bounds(&ends).rows().end + beyond <= end)
         })
     }

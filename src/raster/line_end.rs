@@ -24,7 +24,7 @@ const HALF_WEIGHT: i32 = 1 << 19;
 
 /// What a pixel keeps at least of the stored color where only a part of it belongs to a line: 1/32. Without this limit, a line that
 /// covers a whole pixel would leave 0ʷ = 0 of it, however small the part is that belongs to the line.
-const LEAST_LEFT: i32 = ONE / 32;
+pub(super) const LEAST_LEFT: i32 = ONE / 32;
 
 /// The weights of the pixels around the ends of an anti-aliased line.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +39,9 @@ pub(crate) struct LineEnds {
 impl LineEnds {
     /// The weight of a pixel of which all belongs to the line.
     pub(crate) const ALL: i32 = 16;
+
+    /// Half of each pixel belongs to the line.
+    pub(crate) const HALF: Self = Self { ahead: [(Self::ALL / 2) << 20, 0], step: [0; 2] };
 
     /// An edge, whose ends are in 1/256 pixel as for [`LineCoverage::new`], and the columns in which weights count at its start and
     /// at its end, between them those whose pixels all belong to the line. If the line is short, the first columns are all.

@@ -50,6 +50,7 @@ mod line_area;
 mod line_coverage;
 mod line_depth;
 mod line_end;
+mod line_table;
 mod pixel_layout;
 #[cfg(test)]
 pub(crate) mod random_triangles;
@@ -75,6 +76,7 @@ pub(crate) use line_area::{rest, share, unrounded_rest, LineArea, PIXELS};
 pub(crate) use line_coverage::{Column, LineCoverage};
 pub(crate) use line_depth::LineDepth;
 pub(crate) use line_end::{weighted_area, LineEnds};
+pub(crate) use line_table::{areas_at, line_table, rests_at, rests_of, LineRests};
 pub(crate) use pixel_layout::{pixel_index, PixelLayout};
 pub(crate) use row_scratch::RowScratch;
 pub(crate) use scissor::Scissor;

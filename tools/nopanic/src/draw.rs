@@ -236,10 +236,10 @@ fn draw_pixels<T: Surface<Color = Rgb565>>(
 fn draw_anti_aliased<T: Surface<Color = Rgb565, Store: Gives<Reads>>>(
     scene: &mut Scene<'_, Rgb565>,
     instance: &MeshInstance<'_>,
+    stroke: impl Stroke<Rgb565, Access = Reads>,
     target: &mut T,
 ) {
     let Scene { corners, depth, bin_storage, .. } = scene;
-    let stroke = AntiAliased(color());
     let mixed = stroke.color().over(color(), any() as u16);
     report((mixed, stroke.covering(mixed, any() as u16)));
     let [from, to] = [(); 2].map(|()| raster::Pixel { x: any() as i16, y: any() as i16 });
@@ -263,7 +263,8 @@ fn picture(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, memory: &mut [Rgb565]
     report(picture.clear(color()));
     let instance = scene.camera.place(mesh, &scene.model);
     draw_pixels(scene, &instance, &mut picture.pixels());
-    draw_anti_aliased(scene, &instance, &mut picture.pixels());
+    draw_anti_aliased(scene, &instance, AntiAliased(color()), &mut picture.pixels());
+    draw_anti_aliased(scene, &instance, AntiAliased(color()).by_table(), &mut picture.pixels());
     draw_pixels(scene, &instance, &mut LeastRun::<_, 3>(&mut Wire(color())));
     report(picture.colors());
 }
@@ -272,7 +273,8 @@ fn band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, strip: &mut [u8]) {
     let Ok(Some(mut band)) = Frame::new(area(), color()).next_band(strip) else { return };
     let instance = scene.camera.place(mesh, &scene.model);
     draw_pixels(scene, &instance, &mut band.pixels());
-    draw_anti_aliased(scene, &instance, &mut band.pixels());
+    draw_anti_aliased(scene, &instance, AntiAliased(color()), &mut band.pixels());
+    draw_anti_aliased(scene, &instance, AntiAliased(color()).by_table(), &mut band.pixels());
 }
 
 /// Smoothed edges, in a picture and in bands.
