@@ -245,6 +245,11 @@ impl Bins<'_> {
         self.active
     }
 
+    /// Whether no band was drawn yet.
+    pub(super) fn is_new(&self) -> bool {
+        self.cursor.row == Cursor::TOP.row
+    }
+
     /// Begins again at the next band.
     pub(super) fn restart(&mut self) {
         self.cursor = Cursor::TOP;

@@ -203,10 +203,9 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
                 None if self.uncached_corners(face).is_some() => continue,
                 _ => {}
             }
-            if V::CLIPS {
-                if let Some((corner, depth, side)) = self.corner_of_clipped(face, ends, viewport) {
-                    add(corner, depth, side);
-                }
+            let clipped = if V::CLIPS { self.corner_of_clipped(face, ends, viewport) } else { None };
+            if let Some((corner, depth, side)) = clipped {
+                add(corner, depth, side);
             }
         }
     }

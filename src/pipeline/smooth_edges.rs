@@ -185,7 +185,8 @@ impl<V: Coordinate> SmoothEdges<'_, V> {
             return;
         }
         let (rows, is_last) = pass.rows();
-        if !is_last {
+        // The passes over a band are one visit of the bins, which begins with the first pass that draws.
+        if !is_last || bins.is_new() {
             bins.advance_to_band(&rows);
         }
         let edges = transformed.instance.mesh().edges;
@@ -199,10 +200,9 @@ impl<V: Coordinate> SmoothEdges<'_, V> {
                 }
                 let edge = edges.get(index).copied().unwrap_or_default();
                 let Some(ends) = transformed.edge_out_of_line(edge, &mut statistics) else { return Ok(true) };
-                if let Some(crossed) = crossed(&ends) {
-                    if let Some(seen) = transformed.seen(index, &crossed, &viewport) {
-                        pass.edge(&crossed, seen, &scissor);
-                    }
+                let Some(crossed) = crossed(&ends) else { return Ok(true) };
+                if let Some(seen) = transformed.seen(index, &crossed, &viewport) {
+                    pass.edge(&crossed, seen, &scissor);
                 }
                 Ok::<bool, Infallible>(is_last && bounds(&ends).rows().end <= rows.end)
             });

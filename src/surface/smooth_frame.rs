@@ -66,7 +66,7 @@ struct Kept<'k> {
 #[derive(Debug)]
 pub struct SmoothBand<'s, 'k, C> {
     /// All rows, and the new ones.
-    area: Rectangle,
+    all: Rectangle,
     new: Rectangle,
     /// The pixels and depths of all rows.
     strip: &'s mut [u8],
@@ -153,8 +153,8 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
         DepthBuffer::new(new_area, depths.get_mut(columns.wrapping_mul(before)..).unwrap_or_default())?;
         self.done += new; // at most `height`
         self.waits = waits;
-        let area = area_of(top - waiting as i32, waiting + new);
-        Ok(Some(SmoothBand { area, new: new_area, strip, depths, kept, waits, color: PhantomData }))
+        let all = area_of(top - waiting as i32, waiting + new);
+        Ok(Some(SmoothBand { all, new: new_area, strip, depths, kept, waits, color: PhantomData }))
     }
 }
 
@@ -174,9 +174,9 @@ impl<'s, C: Color> SmoothBand<'s, '_, C> {
     where
         C: StoredPixel<[u8; N]>,
     {
-        let before = (self.area.size.height - self.new.size.height) as usize; // 0 or 1
-        let cells = self.strip.get_mut(before.wrapping_mul(row_bytes::<C>(self.area.size.width))..);
-        let depths = self.depths.get_mut(before.wrapping_mul(self.area.size.width as usize)..);
+        let before = (self.all.size.height - self.new.size.height) as usize; // 0 or 1
+        let cells = self.strip.get_mut(before.wrapping_mul(row_bytes::<C>(self.all.size.width))..);
+        let depths = self.depths.get_mut(before.wrapping_mul(self.all.size.width as usize)..);
         let pixels = Pixels::unchecked(cells_of::<C, N>(cells.unwrap_or_default()), self.new);
         (pixels, DepthBuffer::unchecked(self.new, depths.unwrap_or_default()))
     }
@@ -193,11 +193,11 @@ impl<'s, C: Color> SmoothBand<'s, '_, C> {
     where
         C: StoredPixel<[u8; N]>,
     {
-        let Self { area, new, strip, depths, kept, waits, .. } = self;
-        let Rectangle { top_left, size: Size { width, height } } = area;
+        let Self { all, new, strip, depths, kept, waits, .. } = self;
+        let Rectangle { top_left, size: Size { width, height } } = all;
         let (row, columns) = (row_bytes::<C>(width), width as usize);
         let layout = PixelLayout::new(top_left.x, top_left.y, columns);
-        let pixels = inside(&area);
+        let pixels = inside(&all);
         // Without a row that waited, nothing lies above.
         let has_above = height > new.size.height;
         let above: (&[[u8; N]], &[u16]) = match (kept.colors.get(..row), kept.depths.get(..columns)) {
@@ -237,4 +237,4 @@ fn cells_of<C: Color, const N: usize>(strip: &mut [u8]) -> &mut [[u8; N]] {
 }
 
 defmt_format!([C] SmoothFrame<'_, C>, self, "smooth frame of {} at {}", self.area.size, self.area.top_left);
-defmt_format!([C] SmoothBand<'_, '_, C>, self, "smooth band of {} at {}", self.area.size, self.area.top_left);
+defmt_format!([C] SmoothBand<'_, '_, C>, self, "smooth band of {} at {}", self.all.size, self.all.top_left);

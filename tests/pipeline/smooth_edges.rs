@@ -1,5 +1,6 @@
 //! Smoothed edges, against 16 × 16 samples of each pixel by an oracle that interpolates in f64.
 
+use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use pinhole::{bands::SmoothFrame, prelude::*, shading::Gouraud};
 use support::bridge;
@@ -213,6 +214,37 @@ fn bands_are_smoothed_as_one_piece() {
                 assert!(in_bands(&scene, &instance, size, rows) == whole, "{} {size:?} {rows}", scene.name);
             }
         }
+    }
+}
+
+/// Edges that are drawn in the pass over odd rows alone smooth no other pixels than those of the picture's odd rows.
+#[test]
+fn one_pass_smooths_its_rows() {
+    let scene = &scenes()[1];
+    let (beside, [width, height]) = (scene.solid.edge_faces(), [128, 64]);
+    let (mesh, camera, model) = (scene.mesh(&beside), camera(width, height).library(), scene.model.library());
+    let instance = camera.place(&mesh, &model);
+    let [plain, _] = pictures(scene, &instance, width, height);
+    let (mut cache, mut bins) =
+        (vec![ScreenVertex::EMPTY; mesh.cache_len()], vec![0; mesh.smooth_bins_len()]);
+    let (mut cells, mut depths) = (plain.clone(), vec![0; plain.len()]);
+    let mut depth = DepthBuffer::new(bridge::rectangle(0, 0, width, height), &mut depths).expect("room");
+    instance.depth_only(&mut cache, &mut depth);
+    let transformed = instance.transform_depth(&mut cache);
+    for only in [0, 1] {
+        cells.copy_from_slice(&plain);
+        let mut picture = Picture::new(&mut cells, Size::new(width, height)).expect("room");
+        let (mut edges, mut pass_number) =
+            (transformed.bin_smooth_edges(|_| true, &mut bins).expect("room"), 0);
+        picture.pixels().depth_tested(&mut depth).smooth(|pass| {
+            if pass_number == only {
+                edges.draw(pass);
+            }
+            pass_number += 1;
+        });
+        let changed = |at: &usize| cells[*at] != plain[*at];
+        assert!((0..cells.len()).filter(changed).count() > 100);
+        assert!((0..cells.len()).filter(changed).all(|at| at / width as usize % 2 == only));
     }
 }
 

@@ -14,9 +14,11 @@ function advised(costs, way, faces) {
   // What a mesh takes grows by its faces, in RAM and in flash.
   const inFlash = (costs.rom - (way.flash - costs.mesh)) / costs.mesh;
   // A decimated surface has more edges a face, since fewer of its faces are flat together.
-  const sure = way.name.startsWith('hidden lines') ? 0.6 : 0.95;
+  const [, sure] = [['hidden lines', 0.6], ['lines', 0.9], ['', 0.95]].find(([start]) => way.name.startsWith(start));
+  // The heads of bins, at most 32 of two bytes for faces or edges, become fewer by steps.
+  const heads = way.name.startsWith('hidden lines') ? 128 : 64;
   const fewer = (rows) => {
-    const most = sure * faces * Math.min((room - aRow * rows) / (cache + bins), inFlash);
+    const most = sure * faces * Math.min((room - aRow * rows - heads) / (cache + bins), inFlash);
     // Two digits are as much as the estimate is good for.
     const digit = 10 ** Math.max(Math.floor(Math.log10(most)) - 1, 0);
     return most >= 4 && most < faces ? Math.floor(most / digit) * digit : undefined;

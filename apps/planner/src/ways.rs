@@ -89,11 +89,13 @@ pub(crate) fn faces(mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Vec<Way>
         _ => 2,
     };
     let (code, constants) = match (choice.style, choice.dithers()) {
+        // Textures take more in any band than flat faces do.
+        (Style::Textured, _) if !is_in_memory(choice) => (TEXTURED_BANDS_CODE, &TEXTURED_BANDS),
         (Style::Textured, _) => (TEXTURED_PIXELS_CODE, &TEXTURED_BANDS),
-        (Style::Gouraud, true) => (DITHER_PIXELS_CODE, &SMOOTH_DITHERED_BANDS),
-        (Style::Gouraud, false) => (GOURAUD_PIXELS_CODE, &SMOOTH_BANDS),
-        (_, true) => (FLAT_DITHER_PIXELS_CODE, &DITHERED_BANDS),
-        (_, false) => (DEPTH_PIXELS_CODE, &BANDS),
+        (Style::Gouraud, true) => (into(choice, DITHER_PIXELS_CODE), &SMOOTH_DITHERED_BANDS),
+        (Style::Gouraud, false) => (into(choice, GOURAUD_PIXELS_CODE), &SMOOTH_BANDS),
+        (_, true) => (into(choice, FLAT_DITHER_PIXELS_CODE), &DITHERED_BANDS),
+        (_, false) => (into(choice, DEPTH_PIXELS_CODE), &BANDS),
     };
     let times = if is_in_memory(choice) { 1.0 } else { INDIRECT[shading] };
     // Pixels and, with depth, their depths; beside the cache, and room for what is sorted or binned.
@@ -107,7 +109,7 @@ pub(crate) fn faces(mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Vec<Way>
         };
     // Code for flat faces has neither smooth shading nor textures.
     let kind = if choice.style == Style::Flat { 2 } else { LARGE };
-    let with_depth = |rows| of("with depth", bins, true, into(choice, code), constants, kind, Some(rows));
+    let with_depth = |rows| of("with depth", bins, true, code, constants, kind, Some(rows));
     let mut ways: Vec<Way> = heights(choice).into_iter().map(with_depth).collect();
     if !(is_plain && is_in_memory(choice)) {
         return ways;

@@ -357,7 +357,7 @@ pub fn reach<const N: usize>(places: [i32; N]) -> [i32; 2] {
 /// The first and last row of a face: those of the bins of a mesh that has no other face.
 fn rows_of_face(mesh: &Mesh<'_>, face: usize, place: Place<'_>) -> Option<[i32; 2]> {
     let alone = Mesh::new(mesh.vertices(), mesh.exponent(), mesh.faces().get(face..=face)?).ok()?;
-    let (instance, mut bins) = (place(&alone), [0; 2]);
+    let (instance, mut bins) = (place(&alone), vec![0; alone.face_bins_len()]);
     Some(rows_of(&instance.transform(&mut []).bin_faces(&mut bins).ok()?.bounds()))
 }
 

@@ -38,7 +38,7 @@ pub(crate) fn rows() -> Result<Vec<Value>> {
                 Drawn { case, counts, instructions }
             });
             let drawn: Vec<_> = drawn.collect();
-            let constants = constants(&drawn)?;
+            let constants = constants(&drawn).map_err(|error| format!("{name} on {}: {error}", core.name))?;
             if let Some(at) = constants.iter().position(|constant| *constant < 0.0) {
                 return Err(format!("{name} on {}: less than nothing for a {}", core.name, names[at]).into());
             }

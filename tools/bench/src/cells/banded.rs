@@ -1,7 +1,10 @@
 //! Models in bands, as many pixels sent as a frame has, and in one piece. Both clear the picture and set the object's transform up in
 //! each frame. The meshes have no planes.
 
-use super::{count, draw_faces, drawn, Counted, Memory, Plain, LIST, TORUS, TORUS_BINS, TORUS_SMOOTH};
+use super::{
+    count, count_screen, draw_faces, drawn, Counted, Frame, Memory, Plain, LIST, TORUS, TORUS_BINS,
+    TORUS_SMOOTH,
+};
 use crate::bands::{self, Storage};
 use crate::board::Clock;
 use crate::growth::cases::WHEEL;
@@ -25,7 +28,7 @@ impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: 
 {
     pub const NEW: Self = Self(MeshBuffers::new(), StripBuffers::new());
 
-    fn storage(&mut self) -> Storage<'_> {
+    pub(super) fn storage(&mut self) -> Storage<'_> {
         let Self(MeshBuffers { cache, bins, .. }, StripBuffers { colors, depths }) = self;
         Storage { corners: cache, bin_storage: bins, strip: colors, depth: depths }
     }
@@ -96,6 +99,24 @@ impl<const WORDS: usize, const BYTES: usize, const DEPTHS: usize> Listed<WORDS, 
     }
 }
 
+/// A strip for the torus with depth, and the picture of a DrawTarget that copies bands.
+pub struct Sent(Strip<{ bands::bytes(8) }, { bands::pixels(8) }, TORUS_BINS, TORUS>, Frame);
+
+impl Sent {
+    pub const NEW: Self = Self(Strip::NEW, Frame::NEW);
+
+    pub(super) fn torus(&mut self) -> Option<Counted> {
+        let (Self(strip, frame), scene) = (self, Scene::new(&scene::TORUS)?);
+        let light = scene.light()?;
+        count_screen(frame, &mut |screen| {
+            let (scene, light) = black_box((&scene, &light));
+            bands::depth(&scene.place(), scene.shade(light), area().size, strip.storage(), |band| {
+                let Ok(()) = band.send(screen);
+            })
+        })
+    }
+}
+
 /// Memory of a wheel of 144 vertices, 288 faces and 432 edges, and of a strip of 16 rows of one bit.
 pub struct Wheel(
     MeshBuffers<144, { 288 + 18 + 32 }, { 432 + 27 + 32 }>,
@@ -121,7 +142,7 @@ impl Wheel {
 }
 
 /// Draws three frames, counts the second, and takes the checksum of the third.
-fn count_bands(frame: &mut dyn FnMut(&mut Display) -> Option<()>) -> Option<Counted> {
+pub(super) fn count_bands(frame: &mut dyn FnMut(&mut Display) -> Option<()>) -> Option<Counted> {
     let (mut clock, mut display, mut good) = (Clock::new()?, Display::default(), true);
     let mut once = |display: &mut Display| good &= frame(display).is_some();
     once(&mut display);

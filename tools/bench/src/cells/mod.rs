@@ -1,6 +1,7 @@
 //! The cells: scenes drawn in some variants, each by a firmware of its own with no more memory than the scene takes.
 
 mod banded;
+mod field;
 mod foggy;
 mod memory;
 mod moving;
@@ -10,7 +11,8 @@ mod sprites;
 mod textured;
 mod ways;
 
-pub use banded::{Listed, SmoothStrip, Strip, Wheel};
+pub use banded::{Listed, Sent, SmoothStrip, Strip, Wheel};
+pub use field::{Banded, Whole};
 pub use memory::{Deep, Frame, Memory, Plain, Smooth};
 pub use screen::Screen;
 
