@@ -1,16 +1,16 @@
 //! Smoothing: pixels that an edge crosses are mixed with their neighbours beyond it.
 
+use super::inside;
 use super::memory::{Gives, PixelStore};
 use super::target::{DepthTestedSurface, Surface};
-use super::{inside, DepthBuffer};
 use crate::color::{Color, Mixer, Reads, StoredPixel};
 use crate::raster::{share, CrossedEdge, CrossedPixel, PixelLayout, Scissor, ScreenPoint};
 use core::marker::PhantomData;
 use core::ops::Range;
+use embedded_graphics_core::primitives::Rectangle;
 
 /// A pass of smoothing over every other row: first the even rows, then the odd ones. A pixel is mixed with a neighbour in its own row or in a
-/// row of the other pass, so the picture does not depend on the bands in which it is made, as red-black orders of relaxation do not depend on
-/// the order of points. [`smooth`](DepthTestedSurface::smooth) makes the passes.
+/// row of the other pass, so the picture does not depend on the bands in which it is made (the zebra order of line relaxation). [`smooth`](DepthTestedSurface::smooth) makes the passes.
 #[derive(Debug)]
 pub struct SmoothPass<'p, C, Cell> {
     pub(super) cells: &'p mut [Cell],
@@ -58,7 +58,8 @@ where
         &mut self,
         mut edges: impl FnMut(&mut SmoothPass<'_, S::Color, <S::Store as PixelStore>::Cell>),
     ) {
-        let (values, depth_layout) = laid_out(self.depth);
+        let (values, Rectangle { top_left, size }) = (self.depth.values(), self.depth.area());
+        let depth_layout = PixelLayout::new(top_left.x, top_left.y, size.width as usize);
         let pixels = inside(&self.surface.area()).clipped_to(&self.depth.scissor());
         let Some(memory) = self.surface.memory() else { return };
         let (drawable, rows) = memory.split();
@@ -78,12 +79,6 @@ where
             });
         }
     }
-}
-
-/// The depths of a buffer, and where they lie.
-pub(super) fn laid_out<'d>(depth: &'d DepthBuffer<'_>) -> (&'d [u16], PixelLayout) {
-    let area = depth.area();
-    (depth.values(), PixelLayout::new(area.top_left.x, area.top_left.y, area.size.width as usize))
 }
 
 impl<C: StoredPixel<Cell> + Color, Cell: Copy> SmoothPass<'_, C, Cell> {
