@@ -29,6 +29,7 @@ pub mod ch2_coordinates {}
 #[doc = include_str!("ch3_projections.md")]
 pub mod ch3_projections {}
 
+#[doc = include_str!("links.md")]
 #[doc = include_str!("ch4_visibility.md")]
 pub mod ch4_visibility {}
 
