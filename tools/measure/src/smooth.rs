@@ -29,18 +29,18 @@ enum Method {
     Samples([u32; 2]),
     /// A sample in the middle of a pixel, and a share of those in its corners.
     Quincunx,
-    /// Silhouettes, and with creases if it is set.
+    /// Smoothed silhouettes, and with creases if it is set.
     Smooth(bool),
 }
 
 const METHODS: [(&str, Method); 7] = [
     ("none", Method::Samples([1, 1])),
-    ("1 × 2 samples", Method::Samples([1, 2])),
-    ("2 × 2 samples", Method::Samples([2, 2])),
+    ("1×2", Method::Samples([1, 2])),
+    ("2×2", Method::Samples([2, 2])),
     ("quincunx", Method::Quincunx),
-    ("4 × 4 samples", Method::Samples([4, 4])),
-    ("smoothed silhouettes", Method::Smooth(false)),
-    ("– and creases", Method::Smooth(true)),
+    ("4×4", Method::Samples([4, 4])),
+    ("silhouettes", Method::Smooth(false)),
+    ("creases", Method::Smooth(true)),
 ];
 
 pub(crate) fn command() -> Command {
