@@ -174,7 +174,7 @@ pub mod sprite {
     //! Pictures that face the viewer: trees, particles, labels. Start with [`Sprite`].
 
     pub use crate::pipeline::PlacedSprites;
-    pub use crate::shading::sprite::{SolidTexel, Sprite, SpriteImage, SpriteSource};
+    pub use crate::shading::sprite::{RotatedPicture, SolidTexel, Sprite, SpriteImage, SpriteSource};
 }
 
 // What nearly every program names.

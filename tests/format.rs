@@ -65,7 +65,7 @@ public_types! {
     LeastRun<'static, Plain, 1>, LightError, Memory<Plain>, Mixed<Flat, Alpha>, Reads, Writes, Mesh<'static, Plain>, MeshBuffers<3, 2, 1>,
     Model, Ndc, Node, Painter<Plain, 4, 4>,
     PaintersOrder<'static, Plain>, Picture<'static, Plain>, Pixel, Pixels<'static, Plain>, MeshInstance<'static,
-    i16>, Point3<Plain>, Projection, Ray,     Object<'static, Plain>, Picked, PlacedSprites<'static, i16>, PlacedScene<'static, 'static, Plain, 3>, Scene<'static,
+    i16>, Point3<Plain>, Projection, Ray,     Object<'static, Plain>, Picked, PlacedSprites<'static, i16>, RotatedPicture<Plain>, Rotation, Upright<'static, Plain>, PlacedScene<'static, 'static, Plain, 3>, Scene<'static,
     Plain, 3>, RigidLambert, Scalar, ShadeTable<Plain>, TableShader<'static, Plain>,
     Accuracy, Half, DepthLevels<'static, Plain>, DepthTested<Flat>, Fog, FogTable<Plain>, Fogged<'static, Flat, Plain>,
     VertexFog, ColorKeyed<Plain, Plain>, IndexKeyed<'static, Plain, 1>, IndexedTexels<'static, Plain,

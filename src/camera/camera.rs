@@ -90,10 +90,12 @@ impl Camera {
         let room = 31 - max(free, 128).leading_zeros() as i32;
         let unit = min(32 - (max(half, 128) - 1).leading_zeros() as i32, room);
         let [x_row, y_row, d_row, w_row] = projection.rows();
+        let (is_swapped, [across, up]) = viewport.rotation().axes();
+        let (x_row, y_row) = if is_swapped { (y_row, x_row) } else { (x_row, y_row) };
         // Half the viewport in units of 2^unit sub-pixels; y is negated, because screen y grows downwards.
         let rows = [
-            scaled_row(x_row, area.size.width as i32 * 128, -unit),
-            scaled_row(y_row, area.size.height as i32 * -128, -unit),
+            scaled_row(x_row, area.size.width as i32 * 128 * across, -unit),
+            scaled_row(y_row, area.size.height as i32 * -128 * up, -unit),
             scaled_row(d_row, 65_535, -16),
             *w_row,
         ];

@@ -33,9 +33,13 @@ impl SizeOnScreen {
         let [x, y, _, own] = &camera.rows;
         let mut w = *own; // a copy that is overwritten
         own.compose(&view, 0, &mut w);
-        let [[a, _, _], [_, b, _]] = [x.linear, y.linear];
         let up = camera.screen.unit;
-        Self { w, unit, factors: [(a.abs(), x.exponent + up), (b.abs(), y.exponent + up)] }
+        // Where the viewport is turned by a quarter, x is a form of v, and y of u.
+        let [across, down] = [x, y].map(|row| {
+            let [a, b, _] = row.linear;
+            (a.abs().max(b.abs()), row.exponent + up)
+        });
+        Self { w, unit, factors: [across, down] }
     }
 
     /// Width and height on the screen, in sub-pixels, of a rectangle at a vertex of `size` in world units: at most `largest`

@@ -1,5 +1,6 @@
 //! The viewport transform: NDC to the screen.
 
+use super::rotation::Rotation;
 use crate::camera::CameraError;
 use crate::math::num::scale;
 use crate::math::Point3;
@@ -11,7 +12,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// The rectangle of the target, in pixels, that shows the picture. It may extend beyond the target: only pixels inside both are
 /// drawn.
 ///
-/// NDC −1 and +1 map to its outer borders, not to pixel centres; y is negated, because screen y grows downwards:
+/// NDC −1 and +1 of an [unturned](Self::rotated) picture map to its outer borders, not to pixel centres; y is negated, because screen y grows downwards:
 /// `x = x₀ + (x + 1)·W/2`, `y = y₀ + (1 − y)·H/2`.
 ///
 /// ```
@@ -25,6 +26,7 @@ use embedded_graphics_core::primitives::Rectangle;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Viewport {
     area: Rectangle,
+    rotation: Rotation,
 }
 
 impl Viewport {
@@ -44,13 +46,56 @@ impl Viewport {
         if !inside(top_left.x, size.width) || !inside(top_left.y, size.height) {
             return Err(CameraError::ViewportOutside);
         }
-        Ok(Self { area: Rectangle::new(top_left, size) })
+        Ok(Self { area: Rectangle::new(top_left, size), rotation: Rotation::Deg0 })
     }
 
-    /// Width and height in pixels; also serves as the aspect ratio for
+    /// This viewport with its picture turned, for a panel that is mounted turned: the camera draws the turned picture at no cost for a pixel,
+    /// and bands of the [area](Self::area) run along the rows that the controller scans. [`size`](Self::size) is then that of the picture as
+    /// its viewer sees it, while depths, bands and touched pixels keep the coordinates of the panel.
+    ///
+    /// Text and icons are turned by [`upright`](Self::upright), sprites by [`Sprite::rotated`](crate::sprite::Sprite::rotated).
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
+    /// use pinhole::{camera::Rotation, prelude::*, Angle};
+    /// // A roof, whose ridge is its upper vertex, on a panel of 12 × 8 pixels whose left border is at the top of the device.
+    /// const ROOF: [[i16; 3]; 3] = [[-60, -30, 0], [60, -30, 0], [0, 30, 0]];
+    /// let mesh = Mesh::new(&ROOF, 0, &[[0, 1, 2]])?;
+    /// let viewport = Viewport::new(Point::zero(), Size::new(12, 8))?.rotated(Rotation::Deg270);
+    /// assert_eq!(viewport.size(), Size::new(8, 12));
+    /// let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let mut panel = MockDisplay::new();
+    /// camera.place(&mesh, &Affine::identity()).faces(|_| BinaryColor::On).draw(&mut panel)?;
+    /// panel.assert_pattern(&[
+    ///     "            ",
+    ///     "       #    ",
+    ///     "      ##    ",
+    ///     "     ###    ",
+    ///     "     ###    ",
+    ///     "      ##    ",
+    ///     "       #    ",
+    /// ]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub const fn rotated(self, rotation: Rotation) -> Self {
+        Self { rotation, ..self }
+    }
+
+    /// Width and height of the picture in pixels, as its viewer sees it; also serves as the aspect ratio for
     /// [`Projection::perspective`](crate::Projection::perspective).
     pub const fn size(&self) -> Size {
-        self.area.size
+        self.rotation.of_size(self.area.size)
+    }
+
+    /// The rectangle of the target.
+    pub const fn area(&self) -> Rectangle {
+        self.area
+    }
+
+    /// How far the picture is [turned](Self::rotated).
+    pub const fn rotation(&self) -> Rotation {
+        self.rotation
     }
 
     /// The top left corner, in pixels of the target.
@@ -61,6 +106,8 @@ impl Viewport {
     /// The screen position of a point in NDC, rounded to the nearest 1/256 pixel (ties up) and clamped to the guard band.
     pub fn apply(&self, p: Point3<Ndc>) -> ScreenPoint {
         let [x, y, _] = p.bits();
+        let (is_swapped, [across, up]) = self.rotation.axes();
+        let [x, y] = if is_swapped { [y, x] } else { [x, y] };
         let (half_width, half_height) = self.half_extent();
         let (centre_x, centre_y) = self.centre();
         // Half pixels times NDC in 2⁻¹⁶ are in 2⁻¹⁷, screen positions in 2⁻⁸. Products have 15 + 32 bits.
@@ -69,8 +116,8 @@ impl Viewport {
             v.clamp(i64::from(-GUARD_BAND * 256), i64::from(GUARD_BAND * 256)) as i32
         };
         ScreenPoint::clamped(
-            along(centre_x, half_width * i64::from(x)),
-            along(centre_y, -half_height * i64::from(y)),
+            along(centre_x, half_width * i64::from(x) * i64::from(across)),
+            along(centre_y, -half_height * i64::from(y) * i64::from(up)),
         )
     }
 
@@ -85,14 +132,10 @@ impl Viewport {
     fn half_extent(&self) -> (i64, i64) {
         (i64::from(self.area.size.width), i64::from(self.area.size.height))
     }
-
-    pub(super) const fn area(&self) -> Rectangle {
-        self.area
-    }
 }
 
 defmt_format!(
     [] Viewport, self,
-    "{=u32}x{=u32}+{=i32}+{=i32}",
-    self.area.size.width, self.area.size.height, self.area.top_left.x, self.area.top_left.y
+    "{=u32}x{=u32}+{=i32}+{=i32} {}",
+    self.area.size.width, self.area.size.height, self.area.top_left.x, self.area.top_left.y, self.rotation
 );

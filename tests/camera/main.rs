@@ -6,5 +6,6 @@ mod modelling;
 mod picking;
 mod projections;
 mod ranges;
+mod rotated;
 mod spheres;
 mod vertex_chain;

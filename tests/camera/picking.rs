@@ -5,7 +5,7 @@
 use embedded_graphics::geometry::Point;
 use pinhole::raster::ScreenPoint;
 use pinhole::{
-    camera::{CameraError, Projected},
+    camera::{CameraError, Projected, Rotation},
     prelude::*,
 };
 use support::bridge::pair::{bits, random_view, ONE};
@@ -19,6 +19,13 @@ const SIZE: f64 = 400.0;
 fn camera(view: ViewTransform, family: &Family) -> Camera {
     let area = rectangle(0, 0, 400, 400);
     let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
+    // What is true of an upright picture is true of a turned one.
+    let viewport = match family {
+        Family::Frustum(..) => viewport.rotated(Rotation::Deg90),
+        Family::Oblique(..) => viewport.rotated(Rotation::Deg180),
+        Family::Reference(..) => viewport.rotated(Rotation::Deg270),
+        _ => viewport,
+    };
     Camera::new(&view, &family.library().expect("a projection"), &viewport)
 }
 

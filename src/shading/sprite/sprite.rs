@@ -1,9 +1,11 @@
 //! A sprite: a picture with a size and an anchor.
 
+use super::rotated::RotatedPicture;
 use super::source::{SolidTexel, SpriteSource};
+use crate::camera::Rotation;
 use crate::math::num::divide;
 use crate::math::Scalar;
-use embedded_graphics_core::geometry::{AnchorPoint, Size};
+use embedded_graphics_core::geometry::{AnchorPoint, Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// A picture that faces the viewer, at a point of the world: a tree, a particle, a label, a marker. Also called a billboard or, of
@@ -153,6 +155,58 @@ impl<S> Sprite<S> {
 }
 
 impl<S: SpriteSource> Sprite<S> {
+    /// This sprite with its picture, size and anchor turned as the picture of a [turned viewport](crate::Viewport::rotated) is: upright for its
+    /// viewer. What is set afterwards counts along the panel's rows and columns.
+    ///
+    /// ```
+    /// use embedded_graphics::{geometry::AnchorPoint, image::ImageRaw, mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
+    /// use pinhole::{camera::Rotation, math::Sphere, prelude::*, sprite::SpriteImage, Angle};
+    /// # let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_int(1) };
+    /// // A flag of 5 × 4 texels, with its pole below it.
+    /// let image = ImageRaw::<BinaryColor>::new(&[0b11111_000, 0b11111_000, 0b10000_000, 0b10000_000], 5);
+    /// let flag = Sprite::new(SpriteImage::new(&image).with_key(BinaryColor::Off)).with_anchor(AnchorPoint::BottomLeft);
+    /// let viewport = Viewport::new(Point::zero(), Size::new(12, 8))?.rotated(Rotation::Deg90);
+    /// let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let mut panel = MockDisplay::new();
+    /// camera.place_sprite(Point3::from_ints(0, 0, 0)).draw(|_| flag.rotated(viewport.rotation()), &mut panel)?;
+    /// panel.assert_pattern(&[
+    ///     "            ",
+    ///     "            ",
+    ///     "            ",
+    ///     "            ",
+    ///     "      ####  ", // the viewer's upper border is at the right
+    ///     "        ##  ",
+    ///     "        ##  ",
+    ///     "        ##  ",
+    /// ]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn rotated(self, rotation: Rotation) -> Sprite<RotatedPicture<S>> {
+        let is_quarter = rotation.of_size(Size::new(1, 2)).width == 2;
+        let size = match self.size {
+            SpriteSize::World([width, height]) if is_quarter => SpriteSize::World([height, width]),
+            size => size,
+        };
+        // Borders are turned like the texels of a picture with one texel more each way.
+        let turn = |[x, y]: [u32; 2], last: Size| {
+            let all =
+                rotation.of_size(Size::new(last.width.saturating_add(1), last.height.saturating_add(1)));
+            let Point { x, y } = rotation.to_panel(Point::new(x as i32, y as i32), all);
+            [x as u32, y as u32]
+        };
+        let anchor = match self.anchor {
+            Anchor::Halves(at) => {
+                Anchor::Halves(turn(at.map(u32::from), Size::new(2, 2)).map(|halves| halves as u8))
+            }
+            Anchor::Texels([x, y]) => {
+                let last = self.source.picture_size();
+                Anchor::Texels(turn([x.min(last.width), y.min(last.height)], last))
+            }
+        };
+        Sprite { source: RotatedPicture::new(self.source, rotation), size, anchor }
+    }
+
     /// The parts of width and height, 0 … 2³⁰, that lie before the anchor, rounded down.
     #[inline(always)]
     pub(crate) fn before_anchor(&self, size: [i32; 2], texels: [u32; 2]) -> [i32; 2] {

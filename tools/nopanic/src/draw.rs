@@ -1,13 +1,13 @@
 //! Drawing, into targets in three colours each.
 
 use crate::any;
-use crate::inputs::{area, color, levels, pixel, report, size, wide_color};
+use crate::inputs::{area, color, levels, pixel, report, rotation, size, wide_color};
 use crate::targets::{Least, Wire};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point};
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, Rgb565};
 use embedded_graphics_core::primitives::Rectangle;
-use embedded_graphics_core::Pixel;
+use embedded_graphics_core::{Drawable, Pixel};
 use pinhole::raster::{self, ScreenPoint};
 use pinhole::space::{Model, World};
 use pinhole::{
@@ -51,6 +51,13 @@ fn draw<D: DrawTarget<Color: Color>>(scene: &mut Scene<'_, D::Color>, target: &m
         0 => scene.painter.clear(),
         _ => report(scene.painter.draw(target)),
     }
+    let Ok(viewport) = Viewport::new(pixel(), size()) else { return };
+    let viewport = viewport.rotated(rotation());
+    let colour = <D::Color as Color>::from_bits(any() as u32);
+    let mut upright = viewport.upright(target);
+    report(upright.bounding_box());
+    report(upright.fill_solid(&area(), colour).ok());
+    report(Pixel(pixel(), colour).draw(&mut upright).ok());
 }
 
 /// Shaders that vary over a face, in every way to draw faces, in whole frames and in bands.

@@ -6,7 +6,11 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::World;
-use pinhole::{camera::Window, color::StoredPixel, prelude::*};
+use pinhole::{
+    camera::{Rotation, Window},
+    color::StoredPixel,
+    prelude::*,
+};
 
 pub(crate) fn scalar() -> Scalar {
     Scalar::from_bits(any())
@@ -22,6 +26,15 @@ pub(crate) fn vector() -> Vector3<World> {
 
 pub(crate) fn window() -> Window {
     Window { left: scalar(), right: scalar(), bottom: scalar(), top: scalar() }
+}
+
+pub(crate) fn rotation() -> Rotation {
+    match any() & 3 {
+        0 => Rotation::Deg0,
+        1 => Rotation::Deg90,
+        2 => Rotation::Deg180,
+        _ => Rotation::Deg270,
+    }
 }
 
 pub(crate) fn pixel() -> Point {

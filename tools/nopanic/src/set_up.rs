@@ -2,7 +2,7 @@
 //! `Clone` is written by hand.
 
 use crate::any;
-use crate::inputs::{pixel, point, report, scalar, size, vector, window};
+use crate::inputs::{pixel, point, report, rotation, scalar, size, vector, window};
 use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{
@@ -14,7 +14,7 @@ use pinhole::shading::Varying;
 use pinhole::space::{Model, Ndc, View, World};
 use pinhole::{
     bands::DirtyRegions,
-    camera::{CameraError, Frustum, Projected, Ray, Visibility},
+    camera::{CameraError, Frustum, Projected, Ray, Rotation, Visibility},
     color::{Format, StoredPixel},
     draw::TransformedMesh,
     light::{BlinnPhong, DirectionalLight, LightError, Lights, Matcap, PointLight, RigidLambert},
@@ -198,7 +198,10 @@ entries! {
 
     entry_vector_parts(v: Vector3<World>) -> [Scalar; 3] { [v.x(), v.y(), v.z()] }
     entry_vector_micromath(v: micromath::vector::F32x3) -> Result<Vector3<World>, MathError> { v.try_into() }
-    entry_viewport_parts(viewport: &Viewport) -> (Point, Size) { (viewport.top_left(), viewport.size()) }
+    entry_viewport_parts(viewport: &Viewport) -> (Point, Size, Rectangle, Rotation) {
+        (viewport.top_left(), viewport.size(), viewport.area(), viewport.rotation())
+    }
+    entry_rotated_viewport() -> Result<Viewport, CameraError> { Ok(Viewport::new(pixel(), size())?.rotated(rotation())) }
     entry_coordinates(narrow: i16, wide: Scalar) -> (i32, i32) { (Coordinate::times(narrow, any()), Coordinate::times(wide, any())) }
 
     entry_nodes(local: Affine<Model, Model>) -> [Node; 2] { [Node::root(local), Node::child(any() as u16, local)] }

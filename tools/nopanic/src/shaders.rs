@@ -2,7 +2,7 @@
 //! and sprites.
 
 use crate::any;
-use crate::inputs::{area, color, corners, levels, point, report, scalar, size, wide_color};
+use crate::inputs::{area, color, corners, levels, point, report, rotation, scalar, size, wide_color};
 use core::hint::black_box;
 use embedded_graphics_core::geometry::{AnchorPoint, OriginDimensions, Point, Size};
 use embedded_graphics_core::image::GetPixel;
@@ -307,6 +307,8 @@ fn one_sprite<T: Surface<Color = Rgb565>>(camera: &Camera, to: &mut T) {
     let (placed, square) = (camera.place_sprite(point()), |_| Sprite::square(color(), any() as u8));
     report(placed.draw(square, to).ok());
     report(placed.bounds(square));
+    let image = Image(size());
+    report(placed.draw(|_| sprite(SpriteImage::new(&image)).rotated(rotation()), to).ok());
 }
 
 fn memory(cells: &mut [u16]) -> Result<(), BufferError> {

@@ -3,7 +3,7 @@
 
 use super::{
     count, count_screen, draw_faces, drawn, Counted, Frame, Memory, Plain, LIST, TORUS, TORUS_BINS,
-    TORUS_SMOOTH,
+    TORUS_EDGE_BINS, TORUS_SMOOTH,
 };
 use crate::bands::{self, Storage};
 use crate::board::Clock;
@@ -59,11 +59,11 @@ impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: 
 pub struct SmoothStrip(
     Strip<{ bands::bytes(9) }, { bands::pixels(9) }, TORUS_BINS, TORUS>,
     StripBuffers<{ bands::bytes(2) }, { bands::pixels(2) }>,
-    [u16; 1500 + 2 * 94 + 32],
+    [u16; TORUS_EDGE_BINS],
 );
 
 impl SmoothStrip {
-    pub const NEW: Self = Self(Strip::NEW, StripBuffers::new(), [0; 1500 + 2 * 94 + 32]);
+    pub const NEW: Self = Self(Strip::NEW, StripBuffers::new(), [0; TORUS_EDGE_BINS]);
 
     /// The torus's silhouettes, and its creases.
     pub(super) fn torus(&mut self, has_creases: bool) -> Option<Counted> {
