@@ -83,6 +83,25 @@ impl SmoothStrip {
     }
 }
 
+/// A strip of 8 rows for the torus with four samples a pixel, and their means.
+pub struct Sampled(
+    Strip<{ 4 * bands::bytes(8) }, { 4 * bands::pixels(8) }, TORUS_BINS, TORUS>,
+    [u8; bands::bytes(8)],
+);
+
+impl Sampled {
+    pub const NEW: Self = Self(Strip::NEW, [0; bands::bytes(8)]);
+
+    pub(super) fn torus(&mut self) -> Option<Counted> {
+        let (Self(strip, means), torus) = (self, black_box(&scene::TORUS));
+        let scene = Scene::viewed(torus.mesh, torus.axes, [0, 0, torus.distance], area().size * 2)?;
+        let light = scene.light()?;
+        count_bands(&mut |to| {
+            bands::sampled(black_box(&scene), black_box(&light), strip.storage(), means, to)
+        })
+    }
+}
+
 /// A strip for the torus with a list of active faces.
 pub struct Listed<const WORDS: usize, const BYTES: usize, const DEPTHS: usize>(
     Strip<BYTES, DEPTHS, TORUS_BINS, TORUS>,

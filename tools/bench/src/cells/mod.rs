@@ -11,7 +11,7 @@ mod sprites;
 mod textured;
 mod ways;
 
-pub use banded::{Listed, Sent, SmoothStrip, Strip, Wheel};
+pub use banded::{Listed, Sampled, Sent, SmoothStrip, Strip, Wheel};
 pub use field::{Banded, Whole};
 pub use memory::{Deep, Frame, Memory, Plain, Smooth};
 pub use screen::Screen;
