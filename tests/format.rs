@@ -70,7 +70,7 @@ public_types! {
     Accuracy, Half, DepthLevels<'static, Plain>, DepthTested<Flat>, Fog, FogTable<Plain>, Fogged<'static, Flat, Plain>,
     VertexFog, ColorKeyed<Plain, Plain>, IndexKeyed<'static, Plain, 1>, IndexedTexels<'static, Plain,
     1>, ClampedTexels<Plain>, LitIndexedTexels<'static, Plain, 1, 2, 2>, LitPalette<Plain, 2, 2>, LitTextured<Plain>,
-    TexelSlice<'static, Plain>, Texture<Plain>, TextureError, Textured<Plain>, ScreenDoor<Flat>, SmoothBand<'static, 'static, Plain>, SmoothEdges<'static, i16>,
+    TexelSlice<'static, Plain>, Texture<Plain>, TextureError, Textured<Plain>, ScreenDoor<Flat>, SmoothBand<'static, 'static, Plain>, SmoothEdge, SmoothEdges<'static, i16>,
     SmoothFrame<'static, Plain>, SmoothPass<'static, Plain, Plain>, SolidTexel<Pixel>,
     Sprite<Plain>, SpriteImage<'static, Image>, ScreenPoint, Span, Sphere, Statistics, StripBuffers<6, 2>,
     TransformedMesh<'static, i16, true>, Triangle<'static>, Vector3<Plain>, View, ViewTransform,

@@ -5,6 +5,7 @@
 //! activates the bins that begin above its end: it sets a bit for each of their primitives. The bit stays set until the primitive ends.
 //! Bits are visited in ascending order, so primitives are drawn in the order of the mesh, whatever the bands.
 
+use super::edge_lists::EdgeLists;
 use crate::math::hints::keep_rolled;
 use crate::raster::Scissor;
 use crate::scene::{bin_count, bins_len, MOST_BINS};
@@ -45,7 +46,7 @@ impl Cursor {
 
 /// The rows of bins.
 #[derive(Clone, Copy, Debug)]
-struct BinRows {
+pub(super) struct BinRows {
     /// The first row of the first bin.
     top: i32,
     /// A bin has 2^shift rows.
@@ -60,7 +61,7 @@ impl BinRows {
         Self { top: viewport.top, shift: bits.saturating_sub(bins.trailing_zeros()) % 32 }
     }
 
-    fn bin(&self, row: i32) -> usize {
+    pub(super) fn bin(&self, row: i32) -> usize {
         (row.saturating_sub(self.top).max(0) >> self.shift) as usize
     }
 }
@@ -186,6 +187,21 @@ impl<'s> BinFill<'s> {
         self.storage.bins(&self.viewport, &self.bounds)
     }
 
+    /// The filled bins, of edges to smooth.
+    #[inline(always)]
+    pub(super) fn edge_lists(self) -> EdgeLists<'s> {
+        let Self { storage: BinStorage { first, next, .. }, rows, .. } = self;
+        EdgeLists::new(first, next, rows)
+    }
+
+    /// Marks all primitives as those in no bin: they link to themselves.
+    pub(super) fn leave_all_out(&mut self) {
+        for (item, next) in (0..NONE).zip(self.storage.next.iter_mut()) {
+            keep_rolled();
+            *next = item;
+        }
+    }
+
     /// Links a primitive with this bounding box if it meets the viewport. `item` counts from the first primitive of this part.
     #[inline(always)]
     pub(super) fn add(&mut self, item: usize, bounds: &Scissor) {
@@ -243,11 +259,6 @@ impl Bins<'_> {
     /// [`advance_to_band`](Self::advance_to_band).
     pub(super) fn active(&mut self) -> &mut [u16] {
         self.active
-    }
-
-    /// Whether no band was drawn yet.
-    pub(super) fn is_new(&self) -> bool {
-        self.cursor.row == Cursor::TOP.row
     }
 
     /// Begins again at the next band.

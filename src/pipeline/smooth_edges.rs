@@ -1,8 +1,9 @@
 //! Silhouettes and creases, which are smoothed after the faces are drawn.
 
-use super::bins::{each_active, BinStorage, Bins};
+use super::bins::BinStorage;
 use super::cull::{Cull, Facing};
 use super::draw_region::pixels;
+use super::edge_lists::EdgeLists;
 use super::face_triangles::FaceTriangles;
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
@@ -11,18 +12,43 @@ use crate::color::{Color, StoredPixel};
 use crate::math::hints::keep_rolled;
 use crate::math::unrolled::map3;
 use crate::math::Coordinate;
-use crate::raster::{area, CrossedEdge, Scissor};
-use crate::surface::{BufferError, Corner, Seen, SmoothPass};
-use core::convert::Infallible;
+use crate::raster::{area, CrossedEdge, CrossedPair, Scissor};
+use crate::surface::{BufferError, Pairs, Seen, SeenKind, SmoothPass};
 
 /// The edges of a mesh that are smoothed in a picture, binned by their first rows: silhouettes, beyond which no face of the mesh follows, and
 /// creases, at which the surface turns. [`TransformedMesh::bin_smooth_edges`] makes it and has an example.
 #[derive(Debug)]
 pub struct SmoothEdges<'a, V: Coordinate = i16> {
     transformed: TransformedMesh<'a, V, true>,
-    bins: Bins<'a>,
-    /// A bit for each edge: set for creases.
-    creases: &'a [u16],
+    lists: EdgeLists<'a>,
+    kinds: Kinds<'a>,
+    /// Edges that are set up, each at its index modulo a power of two, which is larger by 1 than `mask`.
+    list: &'a mut [SmoothEdge],
+    mask: usize,
+    /// Memory for an edge without an entry in the list, and for pairs of pixels.
+    own: SmoothEdge,
+    pairs: Pairs,
+}
+
+/// An entry of a list of edges that are set up, of 80 bytes: [`SmoothEdges::keep_in`].
+#[derive(Clone, Copy, Debug)]
+pub struct SmoothEdge {
+    /// The index of the edge, and 1; 0 of no edge.
+    number: u32,
+    seen: Seen,
+    crossed: CrossedEdge,
+}
+
+impl SmoothEdge {
+    /// An entry without an edge, with which the caller's list begins.
+    pub const EMPTY: Self = Self { number: 0, seen: Seen::NONE, crossed: CrossedEdge::EMPTY }; // all bits 0: a static takes no flash
+}
+
+/// What an edge is, in bits for each edge.
+#[derive(Debug)]
+struct Kinds<'a> {
+    silhouettes: &'a mut [u16],
+    wide: &'a mut [u16],
 }
 
 impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
@@ -69,40 +95,52 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
         let mesh = self.instance.mesh();
         let (needed, given) = (mesh.smooth_bins_len(), storage.len());
         let bits = mesh.edges.len().div_ceil(16);
-        let all = storage.get_mut(..needed).and_then(|all| all.split_at_mut_checked(bits));
-        let (creases, storage) = all.ok_or(BufferError::Bins { needed, given })?;
-        creases.fill(0);
+        let all = storage.get_mut(..needed).and_then(|all| all.split_at_mut_checked(2 * bits));
+        let (kinds, storage) = all.ok_or(BufferError::Bins { needed, given })?;
+        kinds.fill(0);
+        let (silhouettes, wide) = kinds.split_at_mut_checked(bits).unwrap_or_default();
+        let kinds = Kinds { silhouettes, wide };
         let mut storage = BinStorage::new(storage, mesh.edges.len())?;
-        // The bits of active edges are not in use yet: they tell which faces are drawn, if there are as many.
+        // No edge is active yet: the bits tell which faces are drawn, if there are as many.
         let are_faces_marked = self.mark_drawn_faces(storage.active());
         let viewport = pixels(self.instance.area());
         let (mut fill, mut statistics) = (storage.fill(viewport), Statistics::default());
-        for (index, &edge) in mesh.edges.iter().enumerate() {
+        let mut own = SmoothEdge::EMPTY;
+        fill.leave_all_out();
+        let edge_faces = if are_faces_marked { mesh.edge_faces } else { &[] };
+        let culls = self.instance.cull() != Cull::None;
+        // From the last one to the first one: each bin has its edges in the order of the mesh.
+        for (index, &edge) in mesh.edges.iter().enumerate().rev() {
             keep_rolled();
-            let beside = mesh.edge_faces.get(index).filter(|_| are_faces_marked);
-            // Both faces lie on one side of an edge only where front and back faces are drawn: then their planes decide.
-            let mut kind = beside.map(|beside| beside.map(|face| is_marked(fill.active(), face.into())));
-            if kind == Some([true; 2]) && self.instance.cull() == Cull::None {
-                kind = None;
-            }
-            if kind == Some([false; 2]) || kind == Some([true; 2]) && !is_crease(index) {
-                continue;
+            let mut drawn = None;
+            if let Some(&[one, other]) = edge_faces.get(index) {
+                let count = [one, other].map(|face| u8::from(is_marked(fill.active(), face.into())));
+                let count = count[0] + count[1];
+                if count == 0 || count == 2 && !is_crease(index) {
+                    continue;
+                }
+                // Both faces lie on one side of an edge only where front and back faces are drawn: then their planes decide.
+                drawn = (count == 1 || culls).then_some(count);
             }
             let Some(ends) = self.edge_out_of_line(edge, &mut statistics) else { continue };
-            let is_crease = match kind {
-                Some(drawn) => drawn == [true; 2],
-                None => match crossed(&ends).and_then(|crossed| self.seen(index, &crossed, &viewport)) {
-                    Some(Seen::Silhouette { .. }) => false,
-                    Some(Seen::Crease(_)) if is_crease(index) => true,
-                    _ => continue,
-                },
+            let is_silhouette = match drawn {
+                Some(drawn) => drawn == 1,
+                None if !self.set_up(index, &viewport, &mut own) => continue,
+                None => own.seen.kind != SeenKind::Crease,
             };
-            if let Some(bits) = creases.get_mut(index / 16) {
-                *bits |= u16::from(is_crease) << (index % 16);
+            let [from, to] = ends.map(|end| end.point);
+            let is_wide = (to.x - from.x).abs() >= (to.y - from.y).abs();
+            for (bits, is_set) in [(&mut *kinds.silhouettes, is_silhouette), (&mut *kinds.wide, is_wide)] {
+                if let Some(bits) = bits.get_mut(index / 16) {
+                    *bits |= u16::from(is_set) << (index % 16);
+                }
             }
-            fill.add(index, &bounds(&ends));
+            if is_silhouette || drawn.is_some() || is_crease(index) {
+                fill.add(index, &bounds(&ends));
+            }
         }
-        Ok(SmoothEdges { transformed: *self, bins: fill.bins(), creases })
+        let (pairs, lists) = ([CrossedPair::EMPTY; 16], fill.edge_lists());
+        Ok(SmoothEdges { transformed: *self, lists, kinds, list: &mut [], mask: 0, own, pairs })
     }
 
     /// Sets a bit for each face that is drawn, and returns `true`; or nothing, if the bits are too few, or no edge lists its faces.
@@ -135,76 +173,103 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
         self.clip_face(face, &mut FaceTriangles::<()>::new(&viewport)).is_drawn()
     }
 
-    /// Between which pixels an edge is seen, by the planes of the drawn faces beside it.
+    /// Sets an edge up, with the planes of the drawn faces beside it. Returns whether there is such a face.
     #[inline(never)]
-    fn seen(&self, index: usize, edge: &CrossedEdge, viewport: &Scissor) -> Option<Seen> {
-        let mut corners: [Option<Corner>; 2] = [None; 2];
-        self.each_face_beside(index, edge.ends(), viewport, |point, depth, side| {
+    fn set_up(&self, index: usize, viewport: &Scissor, to: &mut SmoothEdge) -> bool {
+        to.number = 0;
+        let Some(&edge) = self.instance.mesh().edges.get(index) else { return false };
+        let Some(ends) = self.edge_out_of_line(edge, &mut Statistics::default()) else { return false };
+        let points = ends.map(|end| end.point);
+        let Some(crossed) = CrossedEdge::new(points, ends.map(|end| end.depth)) else { return false };
+        to.crossed = crossed;
+        let SmoothEdge { crossed, seen: Seen { gradients, kind }, number } = to;
+        let mut sides = 0; // a bit for each side on which a face lies
+        self.each_face_beside(index, &points, viewport, |point, depth, side| {
             if side == 0 {
                 return;
             }
-            let (is_high, corner) = (edge.is_high(side), Corner { point, depth });
-            let [low, high] = &mut corners;
-            let nearest = if is_high { high } else { low };
+            let (is_high, gradient) = (crossed.is_high(side), crossed.gradient(point, depth));
+            let [low, high] = &mut *gradients;
+            let (nearest, bit) = if is_high { (high, 2) } else { (low, 1) };
             // The nearest of several on one side.
-            let is_nearer = |other: Corner| {
-                let [own, other] = [corner, other].map(|Corner { point, depth }| edge.gradient(point, depth));
-                if is_high {
-                    own < other
-                } else {
-                    own > other
-                }
-            };
-            if nearest.is_none_or(is_nearer) {
-                *nearest = Some(corner);
+            if sides & bit == 0 || (gradient < *nearest) == is_high {
+                *nearest = gradient;
             }
+            sides |= bit;
         });
-        match corners {
-            [Some(corner), None] => Some(Seen::Silhouette { corner, is_high: false }),
-            [None, Some(corner)] => Some(Seen::Silhouette { corner, is_high: true }),
-            [Some(low), Some(high)] => {
-                let gradient = |Corner { point, depth }| edge.gradient(point, depth);
-                Some(Seen::Crease([gradient(low), gradient(high)]))
-            }
-            [None, None] => None,
-        }
+        (*number, *kind) = (
+            index as u32 + 1,
+            match sides {
+                1 => SeenKind::Low,
+                2 => SeenKind::High,
+                _ => SeenKind::Crease,
+            },
+        );
+        sides != 0
     }
 }
 
-impl<V: Coordinate> SmoothEdges<'_, V> {
+impl<'a, V: Coordinate> SmoothEdges<'a, V> {
+    /// Keeps edges that are set up, a power of two of them: an edge without an entry is set up again in each band, and twice if it is flat. 16
+    /// entries are enough for the silhouettes of most meshes.
+    ///
+    /// ```
+    /// # use pinhole::{draw::{SmoothEdge, SmoothEdges}, prelude::*};
+    /// # fn each_frame<'a>(transformed: &pinhole::draw::TransformedMesh<'a, i16, true>, bins: &'a mut [u16], list: &'a mut [SmoothEdge; 16]) -> Option<()> {
+    /// // let mut list = [SmoothEdge::EMPTY; 16];
+    /// let mut edges = transformed.bin_smooth_edges(|_| false, bins).ok()?;
+    /// edges.keep_in(list);
+    /// # Some(())
+    /// # }
+    /// ```
+    pub fn keep_in(&mut self, list: &'a mut [SmoothEdge]) {
+        for edge in list.iter_mut() {
+            keep_rolled();
+            edge.number = 0;
+        }
+        self.mask = list.len().checked_ilog2().map_or(0, |bits| (1 << bits) - 1);
+        self.list = list;
+    }
+
     /// Smooths the edges in a pass, which [`smooth`](crate::target::DepthTestedSurface::smooth) makes: pixels that an edge crosses, and that
     /// no face hides, are mixed with their neighbours beyond the edge, by the area of the pixel that lies there.
     ///
     /// The area is exact but for the rounding of corners to 1/256 px, of the slope to 2⁻²⁹, and of shares to 1/32 or 1/256.
     #[inline(never)] // its stack frame does not exist while faces are drawn
     pub fn draw<C: Color + StoredPixel<Cell>, Cell: Copy>(&mut self, pass: &mut SmoothPass<'_, C, Cell>) {
-        let Self { transformed, bins, creases } = self;
+        let Self { transformed, lists, kinds, list, mask, own, pairs } = self;
         let viewport = pixels(transformed.instance.area());
-        let scissor = pass.pixels().clipped_to(&viewport);
+        let (scissor, odd) = (pass.pixels().clipped_to(&viewport), pass.odd());
         if scissor.is_empty() {
             return;
         }
-        let (rows, is_last) = pass.rows();
-        // The passes over a band are one visit of the bins, which begins with the first pass that draws.
-        if !is_last || bins.is_new() {
-            bins.advance_to_band(&rows);
-        }
-        let edges = transformed.instance.mesh().edges;
-        let mut statistics = Statistics::default();
-        let has_creases = creases.iter().any(|bits| *bits != 0);
-        // Creases first: where both meet, what lies beyond a silhouette is mixed with the smoothed crease.
-        for of_creases in [true, false].into_iter().skip(usize::from(!has_creases)) {
-            let Ok(()) = each_active(bins.active(), |index| {
-                if is_marked(creases, index) != of_creases {
-                    return Ok(false);
+        let (rows, is_last) = (scissor.rows(), odd != 0);
+        lists.advance(&rows, is_last, |index| {
+            2 * usize::from(is_marked(kinds.silhouettes, index)) + usize::from(is_marked(kinds.wide, index))
+        });
+        // Creases, then silhouettes; the second pass mixes no neighbours in a row, as tall edges do.
+        for kind in [0, 1, 2, 3] {
+            let is_wide = kind & 1 != 0;
+            if is_last && !is_wide {
+                continue;
+            }
+            lists.each(kind, |index| {
+                let number = index as u32 + 1; // fewer than 65535
+                let free = |edge: &&mut SmoothEdge| edge.number == 0 || edge.number == number;
+                let edge = list.get_mut(index & *mask).filter(free).unwrap_or(&mut *own);
+                if edge.number != number && !transformed.set_up(index, &viewport, edge) {
+                    return true;
                 }
-                let edge = edges.get(index).copied().unwrap_or_default();
-                let Some(ends) = transformed.edge_out_of_line(edge, &mut statistics) else { return Ok(true) };
-                let Some(crossed) = crossed(&ends) else { return Ok(true) };
-                if let Some(seen) = transformed.seen(index, &crossed, &viewport) {
-                    pass.edge(&crossed, seen, &scissor);
+                if let Some(columns) = edge.crossed.columns_within(&scissor, odd) {
+                    pass.edge(&edge.crossed, edge.seen, columns, &scissor, pairs);
                 }
-                Ok::<bool, Infallible>(is_last && bounds(&ends).rows().end <= rows.end)
+                // The last row of a wide edge may be mixed with the row below it.
+                let bottom = edge.crossed.bottom();
+                let ends = if is_wide { is_last && bottom < rows.end } else { bottom <= rows.end };
+                if ends {
+                    edge.number = 0;
+                }
+                ends
             });
         }
     }
@@ -216,12 +281,6 @@ fn is_marked(bits: &[u16], at: usize) -> bool {
     bits.get(at / 16).is_some_and(|bits| bits >> (at % 16) & 1 != 0)
 }
 
-/// The edge between two vertices.
-#[inline(always)]
-fn crossed(ends: &[UnpackedVertex; 2]) -> Option<CrossedEdge> {
-    CrossedEdge::new(ends.map(|end| end.point), ends.map(|end| end.depth))
-}
-
 /// The bounding box of the pixels that an edge crosses.
 #[inline(always)]
 fn bounds([from, to]: &[UnpackedVertex; 2]) -> Scissor {
@@ -230,4 +289,9 @@ fn bounds([from, to]: &[UnpackedVertex; 2]) -> Scissor {
     Scissor::unclamped(left, top, right, bottom)
 }
 
-defmt_format!([V: Coordinate] SmoothEdges<'_, V>, self, "edges to smooth within {}", self.bins.bounds());
+defmt_format!([] SmoothEdge, self, "smooth edge {=u32}", self.number);
+defmt_format!([V: Coordinate] SmoothEdges<'_, V>, self, "edges to smooth, with a list of {=usize}", self.list.len());
+
+/// The figure of the documentation.
+#[cfg(target_pointer_width = "32")]
+const _: () = assert!(size_of::<SmoothEdge>() == 80);

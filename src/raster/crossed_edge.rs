@@ -1,55 +1,83 @@
 //! The pixels that an edge between two faces crosses: which part of each lies beyond the edge, as seen from the pixel's centre.
 //!
-//! Along its major axis an edge goes through columns of pixels; in a column it crosses at most two pixels, as its slope is at most 1. In
-//! one pixel the part below the edge is a trapezoid. Where the edge goes from pixel r to r + 1, the part of r above it and the part of
-//! r + 1 below it are triangles of area x²/2m, of the height x that the edge has in the pixel and its slope m. Areas are within 2⁻¹³ pixel.
+//! Along its major axis an edge goes through columns of pixels; in a column it changes the two pixels whose centres lie on both sides of its
+//! middle, as its slope is at most 1: no other pixel has a part beyond the edge. Let the middle lie f below the centre of the first of these
+//! pixels, 0 ≤ f < 1, and the edge reach h above and below it, h ≤ ½. With d = ½ − f, the part of the first pixel below the edge is
+//! d while d ≥ h, and 0 while d ≤ −h; between, the edge goes from one pixel to the other, and the part is a triangle of (d + h)²/4h. The part of
+//! the second pixel above the edge is smaller by d. Where the edge ends in the column, d and h count for its part of the column. Areas are within
+//! 2⁻¹³ pixel.
 
-use super::{LineArea, ScreenPoint};
+use super::line_area::{inverse_of_slope, triangle};
+use super::{Scissor, ScreenPoint};
 use crate::math::num::{mul_wide, reciprocal_called};
 
 /// Depths along an edge are in 2⁻¹⁴ step: 30 bits and the sign.
 const DEPTH_BITS: u32 = 14;
 
 /// An edge on the screen.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct CrossedEdge {
-    ends: [ScreenPoint; 2],
     /// Whether the major axis is y.
     pub(crate) tall: bool,
-    /// The ends along the major axis in 2⁻⁸ pixel, in ascending order, and the minor coordinate and the depth, in 2⁻⁸ step, of the first.
-    from: i32,
-    to: i32,
-    minor: i32,
-    depth: i32,
     /// Whether the ends changed places.
     flipped: bool,
-    /// The change of the minor coordinate per column in 2⁻³² pixel: at most 2³².
+    /// The ends along the major axis in 2⁻⁸ pixel, in ascending order.
+    from: i32,
+    to: i32,
+    /// The minor coordinates of the ends.
+    minor: i32,
+    end: i32,
+    /// The depth of the first end in 2⁻⁸ step, and in the middle of column 0 in 2⁻¹⁴ step, modulo 2³².
+    from_depth: i32,
+    depth: i32,
+    /// Half a pixel above the middle of column 0 in 2⁻³² pixel, and the change per column: at most 2³².
+    origin: i64,
     slope: i64,
+    /// [`inverse_of_slope`] of the slope, or 0 if it is below 2⁻¹⁰.
+    inverse: u32,
     /// The change of depth per column in 2⁻¹⁴ step: at most 2²⁹.
     climb: i32,
+    /// Half of the slope, in 2⁻¹⁶: h.
+    reach: i32,
+    /// The first column in which the edge has its whole width, unless it ends there.
+    whole: i32,
 }
 
-/// A pixel that an edge crosses.
+/// The pixels of a column that an edge changes: they follow each other along the minor axis.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct CrossedPixel {
-    /// Along the major and the minor axis.
+pub(crate) struct CrossedPair {
+    /// Along the major axis, and along the minor axis of the first pixel.
     pub(crate) major: i32,
     pub(crate) minor: i32,
-    /// The neighbour on the other side of the edge has a minor coordinate larger by this: 1 or −1.
-    pub(crate) aside: i32,
-    /// The part of the pixel on the neighbour's side, in 2⁻¹⁶.
-    pub(crate) share: i32,
-    /// How far the pixel's centre lies beyond the edge along the minor axis, in 2⁻⁸ pixel: within ±384.
-    pub(crate) offset: i32,
-    /// The depth of the edge in the middle of the column, in 2⁻⁸ step.
-    pub(crate) depth: i32,
+    /// How far the middle of the edge lies beyond the first pixel's centre, in 2⁻³² pixel.
+    pub(crate) offset: u32,
+}
+
+impl CrossedPair {
+    pub(crate) const EMPTY: Self = Self { major: 0, minor: 0, offset: 0 };
 }
 
 impl CrossedEdge {
+    pub(crate) const EMPTY: Self = Self {
+        tall: false,
+        flipped: false,
+        from: 0,
+        to: 0,
+        minor: 0,
+        end: 0,
+        from_depth: 0,
+        depth: 0,
+        origin: 0,
+        slope: 0,
+        inverse: 0,
+        climb: 0,
+        reach: 0,
+        whole: 0,
+    };
+
     /// The edge between two points with depths in 16.8. `None` if it has no length along its major axis.
-    #[inline(always)]
-    pub(crate) fn new(ends: [ScreenPoint; 2], [za, zb]: [i32; 2]) -> Option<Self> {
-        let [a, b] = ends;
+    #[inline(always)] // called by one function: the result is not copied
+    pub(crate) fn new([a, b]: [ScreenPoint; 2], [za, zb]: [i32; 2]) -> Option<Self> {
         let tall = (b.y - a.y).abs() > (b.x - a.x).abs();
         let along = |p: ScreenPoint| if tall { (p.y, p.x) } else { (p.x, p.y) };
         let (mut first, mut last) = ((along(a), za), (along(b), zb));
@@ -68,12 +96,37 @@ impl CrossedEdge {
         // In 2⁻¹⁴ step per pixel: 25 + 31 bits, down by 17 … 47.
         let climb = mul_wide(end_depth - depth, r.mantissa) >> (47 - r.shift.min(30));
         let climb = climb.clamp(-(1 << 29), 1 << 29) as i32;
-        Some(Self { ends, tall, from, to, minor, depth, flipped, slope, climb })
+        // Without triangles if they have less than 2⁻¹³ pixel.
+        let steep = (slope.unsigned_abs() >> 3).min((1 << 29) - 1) as u32;
+        let inverse = if steep < 1 << 19 { 0 } else { inverse_of_slope(steep) };
+        let into = 128 - from; // to the middle of column 0: 24 bits
+        let (from_depth, in_column) = (depth, (mul_wide(climb, into) >> 8) as i32);
+        let depth = (from_depth << (DEPTH_BITS - 8)).wrapping_add(in_column);
+        let origin = (i64::from(minor) << 24) - (1 << 31) + ((slope * i64::from(into)) >> 8);
+        let (reach, whole) = ((slope.unsigned_abs() >> 17) as i32, (from + 255) >> 8);
+        Some(Self {
+            tall,
+            flipped,
+            from,
+            to,
+            minor,
+            end,
+            from_depth,
+            depth,
+            origin,
+            slope,
+            inverse,
+            climb,
+            reach,
+            whole,
+        })
     }
 
-    /// The points that the edge lies between, in the order in which they were given.
-    pub(crate) const fn ends(&self) -> &[ScreenPoint; 2] {
-        &self.ends
+    /// The row below those that it crosses.
+    #[inline(always)]
+    pub(crate) fn bottom(&self) -> i32 {
+        let lowest = if self.tall { self.to } else { self.minor.max(self.end) };
+        (lowest >> 8) + 1
     }
 
     /// Whether points whose [`area`](super::area) with the edge is `side`, not 0, have larger minor coordinates than the edge.
@@ -89,7 +142,7 @@ impl CrossedEdge {
         let (along, aside) = if self.tall { (point.y, point.x) } else { (point.x, point.y) };
         let by = i64::from(along - self.from); // 23 bits and the sign
         let away = i64::from(aside - self.minor) - ((self.slope * by) >> 32);
-        let climb = i64::from(depth - self.depth) - ((i64::from(self.climb) * by) >> DEPTH_BITS);
+        let climb = i64::from(depth - self.from_depth) - ((i64::from(self.climb) * by) >> DEPTH_BITS);
         // A face thinner than 2⁻⁸ pixel counts as that thick. 24 bits: points lie in the guard band.
         let r = reciprocal_called(away.unsigned_abs().clamp(1, 1 << 24) as i32);
         let climb = climb.clamp(-(1 << 30), 1 << 30) as i32;
@@ -102,103 +155,88 @@ impl CrossedEdge {
         }
     }
 
-    /// The columns that the edge crosses: from the first to the last, inclusive.
-    #[inline(always)]
-    pub(crate) fn columns(&self) -> (i32, i32) {
-        (self.from >> 8, (self.to - 1) >> 8)
-    }
-
-    /// Of columns, those in which the edge may lie between two minor coordinates in pixels, `low` inclusive to `high` exclusive.
-    #[inline(always)]
-    pub(crate) fn columns_between(&self, [first, last]: [i32; 2], [low, high]: [i32; 2]) -> [i32; 2] {
-        let (mut first, mut last) = (first, last);
-        // Of short edges, and of flat ones, which stay in few rows, all columns are looked at. 2⁻⁶ pixel per column.
-        if last - first > 8 && self.slope.unsigned_abs() >> 26 != 0 {
-            // 1/|slope| in 2⁻²⁹: a mantissa of 31 bits and a shift of at most 7.
-            let r = reciprocal_called((self.slope.unsigned_abs() >> 3).min(1 << 29) as i32);
-            // The column of a minor coordinate, within 1: the distance has 22 bits in 2⁻⁸ pixel.
-            let column = |minor: i32| {
-                let away = ((minor << 8) - self.minor).clamp(-(1 << 22), 1 << 22);
-                let by = mul_wide(if self.slope < 0 { -away } else { away }, r.mantissa);
-                ((by >> (32 - r.shift.min(8))) as i32 + self.from) >> 8
-            };
-            let ends = if self.slope < 0 { [column(high), column(low)] } else { [column(low), column(high)] };
-            first = first.max(ends[0] - 1);
-            last = last.min(ends[1] + 1);
+    /// Of the edge's columns, the first and the last one that may have a pair of pixels in `scissor`. `None` if no pair lies there, nor, unless the
+    /// edge is tall, a pair whose first row has the parity of `odd`.
+    #[inline(never)]
+    pub(crate) fn columns_within(&self, scissor: &Scissor, odd: i32) -> Option<[i32; 2]> {
+        let Scissor { left, top, right, bottom } = *scissor;
+        let [start, end, top, bottom] =
+            if self.tall { [top, bottom, left, right] } else { [left, right, top, bottom] };
+        // The first rows of pairs. The middles of columns lie up to half of the slope beyond the ends, and 2⁻⁸ pixel, as the slope is rounded.
+        let beyond = (self.reach >> 8) + 1;
+        let low = ((self.minor.min(self.end) - beyond - 128) >> 8).max(top);
+        let high = ((self.minor.max(self.end) + beyond - 128) >> 8).min(bottom - 2);
+        if low > high || low == high && !self.tall && (low ^ odd) & 1 != 0 {
+            return None;
         }
-        [first, last]
+        let mut first = (self.from >> 8).max(start);
+        let mut last = ((self.to - 1) >> 8).min(end - 1);
+        // Of short edges, and of flat ones, which stay in few rows, all columns are looked at. 2⁻⁷ pixel per column.
+        if last - first > 8 && self.reach >> 8 != 0 {
+            // The column of a minor coordinate, within 2: the distance has 22 bits in 2⁻⁸ pixel, the inverse 22 in 2⁻¹⁵.
+            let column = |row: i32| {
+                let away = ((row << 8) - self.minor).clamp(-(1 << 22), 1 << 22);
+                let by = (mul_wide(away, self.inverse as i32) >> 15) as i32;
+                ((if self.end < self.minor { -by } else { by }) + self.from) >> 8
+            };
+            let ends = [column(top), column(bottom)];
+            first = first.max(ends[0].min(ends[1]) - 2);
+            last = last.min(ends[0].max(ends[1]) + 2);
+        }
+        (first <= last).then_some([first, last])
     }
 
-    /// Calls `visit` with pixels that the edge crosses in columns of pixels, `first` to `last`. `TALL` is that of the edge. Of a tall edge, whose
-    /// columns are rows of the picture, every other column is looked at, with all of its pixels; of another edge every column, with the
-    /// pixel in a row of the parity of `odd`.
-    #[inline(always)]
-    pub(crate) fn each_pixel<const TALL: bool>(
+    /// Finds the pairs of pixels in columns `first` to `last` whose first minor coordinates are `start` or at most `most` larger, and of the parity
+    /// of `odd` unless the edge is tall. Returns their number, at most that of `found`.
+    #[inline(never)]
+    pub(crate) fn find_pairs(
         &self,
         [first, last]: [i32; 2],
+        [start, most]: [i32; 2],
         odd: i32,
-        mut visit: impl FnMut(CrossedPixel),
-    ) {
-        let steep = (self.slope.unsigned_abs() >> 3).min((1 << 29) - 1) as u32;
-        let areas = LineArea::new(steep);
-        let start = self.from >> 8;
-        // At the left border of the first column, and in its middle.
-        let into = i64::from(self.from & 255);
-        let mut border = (i64::from(self.minor) << 24) - ((self.slope * into) >> 8)
-            + self.slope * i64::from(first - start);
-        let middle = (i64::from(self.climb) * (128 - into)) >> 8;
-        let mut depth = (self.depth << (DEPTH_BITS - 8))
-            .wrapping_add(middle as i32)
-            .wrapping_add(self.climb.wrapping_mul(first - start));
-        let step = if TALL { 2 } else { 1 };
-        let (slope, climb) = (self.slope, self.climb.wrapping_mul(step));
-        let by = if TALL { 2 * slope } else { slope };
-        // Columns in which the edge has its whole width.
-        let (whole, end) = ((self.from + 255) >> 8, self.to >> 8);
-        let mut column = first;
+        found: &mut [CrossedPair],
+    ) -> usize {
+        let mut middle = self.origin + self.slope * i64::from(first);
+        let (slope, most, every) = (self.slope, most as u32, i32::from(!self.tall));
+        let (room, mut column) = (found.len(), first);
+        let mut to = found.iter_mut();
         while column <= last {
-            let (mut ends, mut wide) = ([border, border + slope], 256);
-            if column < whole || column >= end {
-                (ends, wide) = self.part(column, border);
+            let minor = (middle >> 32) as i32;
+            if minor.wrapping_sub(start) as u32 <= most && (minor ^ odd) & every == 0 {
+                let Some(to) = to.next() else { break };
+                *to = CrossedPair { major: column, minor, offset: middle as u32 };
             }
-            let [low, high] = if slope < 0 { [ends[1], ends[0]] } else { ends };
-            let (row, last_row) = ((low >> 32) as i32, (high >> 32) as i32);
-            let [from, to] = [low, high].map(|minor| (minor as u32 >> 16) as i32);
-            let crosses = last_row != row;
-            // The second pixel of the column, or the first one; then the first one, if both are visited.
-            let mut second = crosses && (TALL || (last_row ^ odd) & 1 == 0);
-            if TALL || second || (row ^ odd) & 1 == 0 {
-                // The middle of the column relative to the first pixel, in 2⁻¹⁶ pixel.
-                let middle = ((border + (slope >> 1) - (i64::from(row) << 32)) >> 16) as i32;
-                loop {
-                    let below = match (crosses, second) {
-                        (false, _) => ((from + to) * wide) >> 9, // below 2¹⁷ · 2⁸
-                        (true, false) => (wide << 8) - areas.triangle((1 << 16) - from),
-                        (true, true) => areas.triangle(to),
-                    };
-                    let minor = row + i32::from(second);
-                    let offset = ((i32::from(second) << 16) + (1 << 15) - middle) >> 8;
-                    let (share, aside) = if offset < 0 { ((wide << 8) - below, 1) } else { (below, -1) };
-                    let depth = depth >> (DEPTH_BITS - 8);
-                    visit(CrossedPixel { major: column, minor, aside, share, offset, depth });
-                    if !(TALL && second) {
-                        break;
-                    }
-                    second = false;
-                }
-            }
-            (border, depth, column) = (border + by, depth.wrapping_add(climb), column + step);
+            (middle, column) = (middle + slope, column + 1);
         }
+        room - to.len()
     }
 
-    /// The minor coordinates of the edge's ends in a column that it does not cross as a whole, in the order of columns, and how much of its
-    /// width the edge takes, in 2⁻⁸. `border`: the minor coordinate at the left border.
-    #[cold]
-    #[inline(never)]
-    fn part(&self, column: i32, border: i64) -> ([i64; 2], i32) {
-        let (left, right) = (self.from.max(column << 8), self.to.min((column + 1) << 8));
-        let at = |along: i32| border + ((self.slope * i64::from(along - (column << 8))) >> 8);
-        ([at(left), at(right)], right - left) // 1 … 255
+    /// The depth of the edge in the middle of a column, in 2⁻⁸ step.
+    #[inline(always)]
+    pub(crate) fn depth(&self, column: i32) -> i32 {
+        self.climb.wrapping_mul(column).wrapping_add(self.depth) >> (DEPTH_BITS - 8)
+    }
+
+    /// The part of each pixel of a pair on the side of the other one, in 2⁻¹⁶.
+    #[inline(always)]
+    pub(crate) fn shares(&self, pair: &CrossedPair) -> [i32; 2] {
+        let d = (pair.offset as i32 ^ i32::MAX) >> 16; // an offset of 0 is ½ − 2⁻¹⁶
+        let (mut d, mut part, mut reach) = (d, d, self.reach);
+        if pair.major < self.whole || pair.major >= self.to >> 8 {
+            [d, part, reach] = self.in_part(pair.major, d);
+        }
+        let crossed = reach - d.abs();
+        let both = if crossed > 0 { triangle(crossed, self.inverse) } else { 0 };
+        [both + part.max(0), both + (-part).max(0)]
+    }
+
+    /// In a column of which the edge takes a part: d in the middle of this part, its product with the width of the part, and h.
+    #[inline(never)] // twice for each edge
+    fn in_part(&self, column: i32, d: i32) -> [i32; 3] {
+        let [left, right] = [self.from.max(column << 8), self.to.min((column + 1) << 8)];
+        let (aside, width) = (left + right - (column << 9) - 256, right - left); // 1 … 255 wide
+        let d = d - (((self.slope >> 16) as i32 * aside) >> 9); // within ±1: 17 bits and 9
+        [d, (d * width) >> 8, (self.reach * width) >> 8]
     }
 }
 
@@ -207,8 +245,7 @@ mod tests {
     use super::*;
     use crate::math::random::Random;
 
-    /// The share of a pixel beyond the edge as seen from its centre, by integrals in f64, for edges of all lengths and slopes; and no pixel
-    /// is left out that an edge crosses.
+    /// The parts of pixels beyond the edge, by integrals in f64, for edges of all lengths and slopes; and no other pixel has such a part.
     #[test]
     fn shares_are_areas() {
         let mut random = Random(3);
@@ -227,51 +264,83 @@ mod tests {
             }
             let slope = (to.0[1] - from.0[1]) / (to.0[0] - from.0[0]);
             let at = |major: f64| from.0[1] + slope * (major - from.0[0]);
-            let (first, last) = edge.columns();
+            let (first, last) = (edge.from >> 8, (edge.to - 1) >> 8);
             let last = last.min(first + 700);
-            let mut crossed = 0;
-            let mut check = |pixel: CrossedPixel| {
-                let column = f64::from(pixel.major);
+            let mut pairs = [CrossedPair::EMPTY; 701];
+            let anywhere = [i32::MIN / 2, i32::MAX];
+            let found = [0, 1].map(|odd| {
+                let count = edge.find_pairs([first, last], anywhere, odd, &mut pairs);
+                assert!(pairs[..count].iter().all(|pair| edge.tall || (pair.minor ^ odd) & 1 == 0));
+                pairs[..count].to_vec()
+            });
+            let all = if edge.tall { found[0].clone() } else { found.concat() };
+            assert_eq!(all.len(), (last - first + 1) as usize);
+            for pair in all {
+                let (shares, depth) = (edge.shares(&pair), edge.depth(pair.major));
+                let column = f64::from(pair.major);
                 let (left, right) = (from.0[0].max(column), to.0[0].min(column + 1.0));
-                // By Simpson's rule between the points at which the edge goes in or out of the pixel: exact for lines.
-                let depth_in = |major: f64| (at(major) - f64::from(pixel.minor)).clamp(0.0, 1.0);
-                let corners =
-                    [0.0, 1.0].map(|v| from.0[0] + (f64::from(pixel.minor) + v - from.0[1]) / slope);
-                let mut cuts = [left, right, corners[0].clamp(left, right), corners[1].clamp(left, right)];
-                cuts.sort_by(f64::total_cmp);
-                let below: f64 =
-                    cuts.windows(2).map(|w| (w[1] - w[0]) * (depth_in(w[0]) + depth_in(w[1])) / 2.0).sum();
-                let middle = at(column + 0.5) - f64::from(pixel.minor) - 0.5;
-                let share = if pixel.aside > 0 { right - left - below } else { below };
-                largest = largest.max((f64::from(pixel.share) / 65_536.0 - share).abs());
-                assert!((f64::from(pixel.offset) / 256.0 + middle).abs() < 0.01, "{a:?} {b:?} {pixel:?}");
-                assert!((pixel.aside > 0) == (pixel.offset < 0));
+                // The part of a pixel below the edge by Simpson's rule between the points at which the edge goes in or out: exact for lines.
+                let below = |minor: i32| {
+                    let depth_in = |major: f64| (at(major) - f64::from(minor)).clamp(0.0, 1.0);
+                    let corners = [0.0, 1.0].map(|v| from.0[0] + (f64::from(minor) + v - from.0[1]) / slope);
+                    let mut cuts =
+                        [left, right, corners[0].clamp(left, right), corners[1].clamp(left, right)];
+                    cuts.sort_by(f64::total_cmp);
+                    let part = |w: &[f64]| (w[1] - w[0]) * (depth_in(w[0]) + depth_in(w[1])) / 2.0;
+                    right - left - cuts.windows(2).map(part).sum::<f64>()
+                };
+                let wide = right - left;
+                for (minor, expected) in [
+                    (pair.minor - 1, 0.0),
+                    (pair.minor, f64::from(shares[0]) / 65_536.0),
+                    (pair.minor + 1, wide - f64::from(shares[1]) / 65_536.0),
+                    (pair.minor + 2, wide),
+                ] {
+                    largest = largest.max((below(minor) - expected).abs());
+                }
+                let middle = at(column + 0.5) - f64::from(pair.minor) - 0.5;
+                assert!(
+                    (f64::from(pair.offset) / 4_294_967_296.0 - middle).abs() < 0.01,
+                    "{a:?} {b:?} {pair:?}"
+                );
                 if to.0[0] - from.0[0] > 2.0 && column + 0.5 > from.0[0] && column + 0.5 < to.0[0] {
                     let along = (column + 0.5 - from.0[0]) / (to.0[0] - from.0[0]);
-                    let depth = f64::from(from.1) + along * f64::from(to.1 - from.1);
-                    farthest = farthest.max((f64::from(pixel.depth) - depth).abs());
+                    let expected = f64::from(from.1) + along * f64::from(to.1 - from.1);
+                    farthest = farthest.max((f64::from(depth) - expected).abs());
                 }
-                crossed += 1;
-            };
-            if edge.tall {
-                edge.each_pixel::<true>([first, last], 0, &mut check);
-                edge.each_pixel::<true>([first + 1, last], 1, &mut check);
-            } else {
-                edge.each_pixel::<false>([first, last], 0, &mut check);
-                edge.each_pixel::<false>([first, last], 1, &mut check);
             }
-            // Rows in a column by its ends; where an end lies within 2⁻¹² of a border, either may come out.
-            let rows = |column: i32| {
-                let (left, right) = (from.0[0].max(f64::from(column)), to.0[0].min(f64::from(column) + 1.0));
-                let (low, high) = (at(left).min(at(right)), at(left).max(at(right)));
-                let count = |by: f64| ((high + by).floor() - (low - by).floor()) as i32 + 1;
-                [count(-1.0 / 4096.0), count(1.0 / 4096.0)]
-            };
-            let [least, most] =
-                (first..=last).map(rows).fold([0; 2], |sum, n| [sum[0] + n[0], sum[1] + n[1]]);
-            assert!((least..=most).contains(&crossed), "{a:?} {b:?} {crossed} {least} {most}");
         }
         // 2⁻¹³ pixel, and 1/16 of a step over 700 pixels.
-        assert!(largest < 1.1e-4 && farthest < 16.0, "{largest} {farthest}");
+        assert!(largest < 1.2e-4 && farthest < 16.0, "{largest} {farthest}");
+    }
+
+    /// The columns for some rows have all pairs of these rows, and few more.
+    #[test]
+    fn columns_within_rows_have_all_of_their_pairs() {
+        let mut random = Random(4);
+        for i in 0..4_000 {
+            let reach = [300, 3_000, 60_000, 200_000][i % 4];
+            let mut point = || ScreenPoint::inside(random.within(reach), random.within(reach));
+            let Some(edge) = CrossedEdge::new([point(), point()], [0; 2]) else { continue };
+            let (top, odd) = (random.within(reach) >> 8, i as i32 & 1);
+            let rows = top..top + 9;
+            let scissor = if edge.tall {
+                Scissor::unclamped(top, -300, top + 9, 300)
+            } else {
+                Scissor::unclamped(-300, top, 300, top + 9)
+            };
+            let found = edge.columns_within(&scissor, odd);
+            let all = [(edge.from >> 8).max(-300), ((edge.to - 1) >> 8).min(299)];
+            let mut pairs = [CrossedPair::EMPTY; 600];
+            let count = edge.find_pairs(all, [rows.start, rows.end - 2 - rows.start], odd, &mut pairs);
+            for pair in &pairs[..count] {
+                assert!(found.is_some_and(|[first, last]| (first..=last).contains(&pair.major)));
+            }
+            if let Some([first, last]) = found
+                && edge.slope.abs() > 1 << 30
+            {
+                assert!(last - first < 9 * 4 + 10);
+            }
+        }
     }
 }

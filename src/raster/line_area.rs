@@ -33,9 +33,7 @@ impl LineArea {
     /// The preparation for a slope of 0 … 2²⁹ − 1 in 2⁻²⁹.
     #[inline(always)]
     pub(crate) fn new(slope: u32) -> Self {
-        // 1/slope = mantissa · 2^(shift − 61) in 2²⁹: this is 2⁴⁴/slope. `shift` is at most 11 if the slope is at least 2¹⁹.
-        let r = reciprocal(slope as i32);
-        let inverse = r.mantissa as u32 >> (17 - r.shift.min(17));
+        let inverse = inverse_of_slope(slope);
         let m = if slope < 1 << 19 { 0 } else { slope >> 13 };
         let height = height(m);
         Self { height, reach: (height + m as i32 - 1) >> 1, slope: m as i32, inverse }
@@ -64,9 +62,7 @@ impl LineArea {
     /// x²/2m, for x of 0 … m.
     #[inline(always)]
     pub(crate) fn triangle(&self, x: i32) -> i32 {
-        // x/m ≤ 1, in 2⁻¹⁵; its product with x, halved, is in 2⁻³²: below 2³¹, as the one before.
-        let width = (x as u32).wrapping_mul(self.inverse) >> 16;
-        ((x as u32).wrapping_mul(width) >> 16) as i32
+        triangle(x, self.inverse)
     }
 
     /// The areas of the pixels of a column, in the order of their rows. `fraction`: where the middle lies in its pixel, in 2⁻³².
@@ -77,6 +73,22 @@ impl LineArea {
         let middle = self.height - before - after;
         [far_before, before - far_before, middle, after - far_after, far_after]
     }
+}
+
+/// 1/m in 2⁻¹⁵, at most 2²⁵, of a slope m of 2¹⁹ … 2²⁹ − 1 in 2⁻²⁹.
+#[inline(always)]
+pub(crate) fn inverse_of_slope(slope: u32) -> u32 {
+    // 1/slope = mantissa · 2^(shift − 61) in 2²⁹: this is 2⁴⁴/slope. `shift` is at most 11 if the slope is at least 2¹⁹.
+    let r = reciprocal(slope as i32);
+    r.mantissa as u32 >> (17 - r.shift.min(17))
+}
+
+/// x²/2m, for x of 0 … m in 2⁻¹⁶ and 1/m in 2⁻¹⁵.
+#[inline(always)]
+pub(crate) fn triangle(x: i32, inverse: u32) -> i32 {
+    // x/m ≤ 1, in 2⁻¹⁵; its product with x, halved, is in 2⁻³²: below 2³¹, as the one before.
+    let width = (x as u32).wrapping_mul(inverse) >> 16;
+    ((x as u32).wrapping_mul(width) >> 16) as i32
 }
 
 /// The part of a pixel that `area`, 0 … 2¹⁶ in 2⁻¹⁶, leaves uncovered, in 2^−`bits`, `bits` 1 … 15: rounded to nearest, and down

@@ -572,9 +572,9 @@ impl<'a, V> Mesh<'a, V> {
     }
 
     /// How many `u16`s of bin storage the edges of this mesh take to be smoothed: those of
-    /// [`edge_bins_len`](Self::edge_bins_len), and one more per 16 edges.
+    /// [`edge_bins_len`](Self::edge_bins_len), and two more per 16 edges.
     pub const fn smooth_bins_len(&self) -> usize {
-        bins_len(self.edges.len()) + self.edges.len().div_ceil(16)
+        bins_len(self.edges.len()) + 2 * self.edges.len().div_ceil(16)
     }
 
     /// The exponent of the vertices' unit: model coordinate = vertex · 2^exponent, of the bits of [`Scalar`] vertices.

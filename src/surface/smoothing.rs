@@ -4,52 +4,55 @@ use super::inside;
 use super::memory::{Gives, PixelStore};
 use super::target::{DepthTestedSurface, Surface};
 use crate::color::{Color, Mixer, Reads, StoredPixel};
-use crate::raster::{share, CrossedEdge, CrossedPixel, PixelLayout, Scissor, ScreenPoint};
+use crate::math::hints::keep_rolled;
+use crate::raster::{share, CrossedEdge, CrossedPair, PixelLayout, Scissor};
 use core::marker::PhantomData;
-use core::ops::Range;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// A pass of smoothing over every other row: first the even rows, then the odd ones. A pixel is mixed with a neighbour in its own row or in a
-/// row of the other pass, so the picture does not depend on the bands in which it is made (the zebra order of line relaxation). [`smooth`](DepthTestedSurface::smooth) makes the passes.
+/// A pass of smoothing: each edge mixes pairs of neighbours. The first pass mixes neighbours in a row, and neighbours in a column of which the upper
+/// one has an even row; the second pass those of which it has an odd row. So no pass mixes a row with both of the rows beside it, and the picture
+/// does not depend on the bands in which it is made (the zebra order of line relaxation). [`smooth`](DepthTestedSurface::smooth) makes the passes.
 #[derive(Debug)]
 pub struct SmoothPass<'p, C, Cell> {
     pub(super) cells: &'p mut [Cell],
     pub(super) layout: PixelLayout,
     pub(super) depths: &'p [u16],
     pub(super) depth_layout: PixelLayout,
-    /// The pixels that have a colour and a depth.
+    /// The pixels that have a colour and a depth. In the first pass without a row that it has smoothed before.
     pub(super) pixels: Scissor,
-    /// The row above them, which is finished: nothing, or as wide as they are.
-    pub(super) above: (&'p [Cell], &'p [u16]),
-    /// The rows that are smoothed, of those with the parity of `odd`.
-    pub(super) rows: Range<i32>,
+    /// The parity of the upper rows: 1 in the second pass.
     pub(super) odd: i32,
     pub(super) color: PhantomData<C>,
 }
 
-/// A corner of a face, with its depth in 16.8.
+/// Which pixels of an edge are smoothed. Gradients are the changes of depth per pixel of the minor axis, in 2⁻⁸ step.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Corner {
-    pub(crate) point: ScreenPoint,
-    pub(crate) depth: i32,
+pub(crate) struct Seen {
+    /// Of the faces with the smaller and the larger minor coordinates; 0 if only one of them is drawn.
+    pub(crate) gradients: [i32; 2],
+    pub(crate) kind: SeenKind,
 }
 
-/// Which pixels of an edge are smoothed.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Seen {
-    /// Beyond a silhouette: the pixel on the far side is at least as far as the edge, or the one on the near side belongs to the face with
-    /// this corner. `is_high`: the face has the larger minor coordinates.
-    Silhouette { corner: Corner, is_high: bool },
-    /// Along a crease: both pixels belong to their faces, whose depths change by these gradients per pixel, of which the second has the larger
-    /// minor coordinates.
-    Crease([i32; 2]),
+/// Where an edge is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum SeenKind {
+    /// Beyond a silhouette: where the pixel on the far side is at least as far as the edge, or the one on the near side, which has the smaller minor
+    /// coordinate, belongs to the face.
+    Low,
+    /// Beyond a silhouette whose face has the larger minor coordinates.
+    High,
+    /// Along a crease: where both pixels belong to their faces.
+    Crease,
 }
+
+/// Pairs of pixels of an edge, at most as many as are mixed at once.
+pub(crate) type Pairs = [CrossedPair; 16];
 
 impl<S: Surface<Color: Color>> DepthTestedSurface<'_, '_, S>
 where
     S::Store: Gives<Reads>,
 {
-    /// Smooths the edges of a picture that is drawn, with its depths: `edges` is called for the even rows and for the odd ones, and passes
+    /// Smooths the edges of a picture that is drawn, with its depths: `edges` is called twice, and passes
     /// each pass to the [edges](crate::draw::SmoothEdges::draw) of all objects. [`SmoothEdges`](crate::draw::SmoothEdges) has an example. In
     /// bands [`SmoothFrame`](crate::bands::SmoothFrame) does so.
     ///
@@ -58,7 +61,7 @@ where
         &mut self,
         mut edges: impl FnMut(&mut SmoothPass<'_, S::Color, <S::Store as PixelStore>::Cell>),
     ) {
-        let (values, Rectangle { top_left, size }) = (self.depth.values(), self.depth.area());
+        let (depths, Rectangle { top_left, size }) = (self.depth.values(), self.depth.area());
         let depth_layout = PixelLayout::new(top_left.x, top_left.y, size.width as usize);
         let pixels = inside(&self.surface.area()).clipped_to(&self.depth.scissor());
         let Some(memory) = self.surface.memory() else { return };
@@ -66,137 +69,143 @@ where
         let pixels = pixels.clipped_to(drawable);
         let (cells, scratch) = rows.parts();
         for odd in [0, 1] {
-            edges(&mut SmoothPass {
-                cells,
-                layout: scratch.layout,
-                depths: values,
-                depth_layout,
-                pixels,
-                above: (&[], &[]),
-                rows: pixels.rows(),
-                odd,
-                color: PhantomData,
-            });
+            let (layout, color) = (scratch.layout, PhantomData);
+            edges(&mut SmoothPass { cells, layout, depths, depth_layout, pixels, odd, color });
         }
     }
 }
 
 impl<C: StoredPixel<Cell> + Color, Cell: Copy> SmoothPass<'_, C, Cell> {
-    /// The rows in which an edge that is smoothed by this pass may lie, and whether it is the last pass over them.
-    pub(crate) fn rows(&self) -> (Range<i32>, bool) {
-        (self.rows.clone(), self.odd == 1)
-    }
-
-    /// The pixels that have a colour and a depth.
+    /// The pixels that are smoothed by this pass.
     pub(crate) fn pixels(&self) -> Scissor {
         self.pixels
     }
 
-    /// Smooths an edge.
+    /// 1 in the second pass, which mixes no neighbours in a row.
+    pub(crate) fn odd(&self) -> i32 {
+        self.odd
+    }
+
+    /// Smooths an edge in these columns, or rows if it is tall. `pairs`: memory.
     #[inline(never)]
-    pub(crate) fn edge(&mut self, edge: &CrossedEdge, seen: Seen, scissor: &Scissor) {
+    pub(crate) fn edge(
+        &mut self,
+        edge: &CrossedEdge,
+        seen: Seen,
+        [first, last]: [i32; 2],
+        scissor: &Scissor,
+        pairs: &mut Pairs,
+    ) {
         const {
             assert!(
                 C::FORMAT.bits() > 1,
                 "edges cannot be smoothed with two colours: use a color of more bits"
             )
         };
-        let (columns, rows) =
-            (scissor.columns(), self.rows.start.max(scissor.top)..self.rows.end.min(scissor.bottom));
-        let (first, last) = edge.columns();
-        let mut gradient = None; // of the face at a silhouette, computed at the first pixel that needs it
-        if edge.tall {
-            let first = first.max(rows.start);
-            let first = first + ((first ^ self.odd) & 1);
-            edge.each_pixel::<true>([first, last.min(rows.end - 1)], self.odd, |pixel| {
-                let [x, y] = [pixel.minor, pixel.major];
-                if columns.contains(&x) && columns.contains(&(x + pixel.aside)) {
-                    self.mix(pixel, [x, y], [x + pixel.aside, y], edge, seen, &mut gradient);
+        let Self { cells, depths, layout, depth_layout, odd, .. } = self;
+        let [layout, depth_layout] = [*layout, *depth_layout].map(|layout| Along::new(layout, edge));
+        let (start, end) =
+            if edge.tall { (scissor.left, scissor.right) } else { (scissor.top, scissor.bottom) };
+        let mut first = first;
+        while first <= last {
+            let next = first + pairs.len() as i32;
+            let columns = [first, last.min(next - 1)];
+            let found = edge.find_pairs(columns, [start, end - start - 2], *odd, pairs);
+            let found = pairs.get_mut(..found).unwrap_or_default();
+            weight(edge, seen, C::SHARE_BITS, depths, depth_layout, found);
+            for &mut CrossedPair { major, minor, offset: shares } in found {
+                keep_rolled();
+                if shares == 0 {
+                    continue;
                 }
-            });
-        } else {
-            let within = [first.max(columns.start), last.min(columns.end - 1)];
-            let within = edge.columns_between(within, [rows.start, rows.end]);
-            // The row above the first one is there, or nothing lies there.
-            let top = scissor.top - i32::from(!self.above.0.is_empty());
-            edge.each_pixel::<false>(within, self.odd, |pixel| {
-                let [x, y] = [pixel.major, pixel.minor];
-                let beyond = y + pixel.aside;
-                if rows.contains(&y) && beyond >= top && beyond < scissor.bottom {
-                    self.mix(pixel, [x, y], [x, beyond], edge, seen, &mut gradient);
+                let at = layout.at(major, minor);
+                let beyond = at.wrapping_add(layout.minor);
+                let (Some(&low), Some(&high)) = (cells.get(at), cells.get(beyond)) else { continue };
+                let (low, high) = (C::load(low), C::load(high));
+                for (at, own, other, share) in
+                    [(at, low, high, shares & 0xffff), (beyond, high, low, shares >> 16)]
+                {
+                    if share != 0
+                        && let Some(cell) = cells.get_mut(at)
+                    {
+                        *cell = other.mixer()(own, (1 << C::SHARE_BITS) - share).stored();
+                    }
                 }
-            });
+            }
+            first = next;
         }
     }
+}
 
-    /// Mixes a pixel with its neighbour, if the edge is seen between them.
+/// Gives pairs of an edge their shares in 2^−`bits` in place of their offset, that of the second pixel 16 bits higher: 0 where the edge is not seen.
+#[inline(never)] // one copy for all colours
+fn weight(
+    edge: &CrossedEdge,
+    seen: Seen,
+    bits: u32,
+    depths: &[u16],
+    layout: Along,
+    pairs: &mut [CrossedPair],
+) {
+    for pair in pairs {
+        let [low, high] = edge.shares(pair).map(|area| share(area, bits)); // at most 2^bits
+        let (depth, offset) = (edge.depth(pair.major), (pair.offset >> 24) as i32);
+        pair.offset = 0;
+        let at = layout.at(pair.major, pair.minor);
+        if let (Some(&own), Some(&other)) = (depths.get(at), depths.get(at.wrapping_add(layout.minor)))
+            && seen.between(depth, offset, [own, other])
+        {
+            pair.offset = low | high << 16;
+        }
+    }
+}
+
+/// Where the pairs of an edge lie in a buffer.
+#[derive(Clone, Copy)]
+struct Along {
+    origin: usize,
+    major: usize,
+    minor: usize,
+}
+
+impl Along {
     #[inline(always)]
-    fn mix(
-        &mut self,
-        pixel: CrossedPixel,
-        [x, y]: [i32; 2],
-        [beside, beyond]: [i32; 2],
-        edge: &CrossedEdge,
-        seen: Seen,
-        gradient: &mut Option<i32>,
-    ) {
-        let share = share(pixel.share, C::SHARE_BITS);
-        if share == 0 {
-            return;
-        }
-        let own = self.depths.get(self.depth_layout.at(x, y));
-        let (theirs, neighbour) = if beyond < self.pixels.top {
-            let at = beside.wrapping_sub(self.pixels.left) as usize;
-            let (cells, depths) = self.above;
-            (depths.get(at), cells.get(at))
-        } else {
-            (
-                self.depths.get(self.depth_layout.at(beside, beyond)),
-                self.cells.get(self.layout.at(beside, beyond)),
-            )
-        };
-        let (Some(&own), Some(&theirs), Some(&neighbour)) = (own, theirs, neighbour) else { return };
-        if !seen.between(&pixel, own, theirs, edge, gradient) {
-            return;
-        }
-        if let Some(cell) = self.cells.get_mut(self.layout.at(x, y)) {
-            *cell = C::load(neighbour).mixer()(C::load(*cell), (1 << C::SHARE_BITS) - share).stored();
-        }
+    fn new(PixelLayout { stride, origin }: PixelLayout, edge: &CrossedEdge) -> Self {
+        let (major, minor) = if edge.tall { (stride, 1) } else { (1, stride) };
+        Self { origin, major, minor }
+    }
+
+    /// Index of the first pixel of a pair.
+    #[inline(always)]
+    fn at(self, major: i32, minor: i32) -> usize {
+        let along = (major as usize).wrapping_mul(self.major);
+        (minor as usize).wrapping_mul(self.minor).wrapping_add(along).wrapping_add(self.origin)
     }
 }
 
 impl Seen {
-    /// Whether the edge is seen between a pixel with this depth and its neighbour.
+    pub(crate) const NONE: Self = Self { gradients: [0; 2], kind: SeenKind::Low };
+
+    /// Whether an edge with this depth is seen between the pixels of a pair, with these depths. `offset`: how far the edge lies beyond the centre
+    /// of the first pixel, in 2⁻⁸ pixel.
     #[inline(always)]
-    fn between(
-        self,
-        pixel: &CrossedPixel,
-        own: u16,
-        theirs: u16,
-        edge: &CrossedEdge,
-        known: &mut Option<i32>,
-    ) -> bool {
-        let [own, theirs] = [own, theirs].map(|depth| i32::from(depth) << 8);
-        let [at, beyond] = [pixel.offset, pixel.offset + (pixel.aside << 8)];
-        // Within two steps, as depths are rounded, and an eighth of the change per pixel, as corners are.
+    fn between(self, depth: i32, offset: i32, depths: [u16; 2]) -> bool {
+        let [low, high] = depths.map(|of_pixel| (i32::from(of_pixel) << 8) - depth);
+        // The pixels' centres lie before and behind the edge.
+        let (before, behind) = (-offset, 256 - offset);
+        // Within two steps, as depths are rounded, and 1/32 of the change per pixel, as corners are.
         let fits = |depth: i32, gradient: i32, offset: i32| {
-            let off = depth - pixel.depth - ((gradient * offset) >> 8); // 2²¹ · 2¹⁰
-            off.abs() <= 512 + (gradient.abs() >> 3)
+            let within = 512 + (gradient.abs() >> 5);
+            let off = depth - ((gradient * offset) >> 8); // 2²¹ · 2⁸
+            (off + within) as u32 <= 2 * within as u32 // |off| ≤ within
         };
-        match self {
-            Self::Silhouette { corner: Corner { point, depth }, is_high } => {
-                // The pixel itself lies on the near side if the neighbour lies on the far side.
-                let (near, offset, far) =
-                    if (pixel.aside < 0) == is_high { (own, at, theirs) } else { (theirs, beyond, own) };
-                far >= pixel.depth
-                    || fits(near, *known.get_or_insert_with(|| edge.gradient(point, depth)), offset)
-            }
-            Self::Crease([low, high]) => {
-                let [own_gradient, other] = if pixel.aside < 0 { [high, low] } else { [low, high] };
-                fits(own, own_gradient, at) && fits(theirs, other, beyond)
-            }
+        let [low_gradient, high_gradient] = self.gradients;
+        match self.kind {
+            SeenKind::Low => high >= 0 || fits(low, low_gradient, before),
+            SeenKind::High => low >= 0 || fits(high, high_gradient, behind),
+            SeenKind::Crease => fits(low, low_gradient, before) && fits(high, high_gradient, behind),
         }
     }
 }
 
-defmt_format!([C, Cell] SmoothPass<'_, C, Cell>, self, "pass over rows {=i32} to {=i32}", self.rows.start, self.rows.end);
+defmt_format!([C, Cell] SmoothPass<'_, C, Cell>, self, "pass over rows {=i32} to {=i32}", self.pixels.top, self.pixels.bottom);

@@ -6,7 +6,7 @@ use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::draw::{ActiveFace, BinnedEdges};
+use pinhole::draw::{ActiveFace, BinnedEdges, SmoothEdge};
 use pinhole::{bands::SmoothFrame, color::Color, prelude::*, shading::SpanShader};
 
 /// Bytes of the colour strip, for bands of `rows` rows.
@@ -80,12 +80,13 @@ pub fn hidden<C: Color>(
 }
 
 /// Draws the faces of a lit scene in bands, and smooths their silhouettes and perhaps their creases.
-pub fn smooth<const BYTES: usize, const PIXELS: usize>(
+pub fn smooth(
     scene: &Scene,
     light: &Lambert,
     Storage { corners, bin_storage, strip, depth }: Storage<'_>,
-    kept: &mut StripBuffers<BYTES, PIXELS>,
+    kept: &mut [u8],
     edge_bins: &mut [u16],
+    list: &mut [SmoothEdge],
     has_creases: bool,
     display: &mut Display,
 ) -> Option<()> {
@@ -93,8 +94,9 @@ pub fn smooth<const BYTES: usize, const PIXELS: usize>(
     let transformed = instance.transform_depth(corners);
     let mut faces = transformed.bin_faces(bin_storage).ok()?;
     let mut edges = transformed.bin_smooth_edges(|_| has_creases, edge_bins).ok()?;
-    let mut frame = SmoothFrame::new(area(), BACKGROUND, &mut kept.colors, &mut kept.depths).ok()?;
-    while let Some(mut band) = frame.next_band(strip, depth).ok()? {
+    edges.keep_in(list);
+    let mut frame = SmoothFrame::new(area(), BACKGROUND, kept, depth).ok()?;
+    while let Some(mut band) = frame.next_band(strip).ok()? {
         let (mut pixels, mut depth) = band.new_rows();
         let Ok(()) = faces.draw(&shade, &mut pixels.depth_tested(&mut depth));
         display.take_bytes(band.smooth(|pass| edges.draw(pass)).bytes());

@@ -5,18 +5,23 @@ use crate::cells::{TORUS, TORUS_BINS, TORUS_EDGE_BINS, TORUS_SMOOTH};
 use crate::measure::Display;
 use crate::scene::{self, area, Scene, LINE};
 use core::hint::black_box;
-use pinhole::prelude::*;
+use pinhole::{draw::SmoothEdge, prelude::*};
 
-/// What the frames are drawn in: a strip of 9 rows of 240 pixels and two rows more, and the torus's cache and bins.
+/// What the frames are drawn in: a strip of 9 rows of 240 pixels and one row more, and the torus's cache and bins.
 pub struct Memory {
     mesh: MeshBuffers<TORUS, TORUS_BINS, TORUS_EDGE_BINS>,
     strip: StripBuffers<{ bytes(9) }, { pixels(9) }>,
-    kept: StripBuffers<{ bytes(2) }, { pixels(2) }>,
+    kept: [u8; bytes(1)],
+    list: [SmoothEdge; 16],
 }
 
 impl Memory {
-    pub const NEW: Self =
-        Self { mesh: MeshBuffers::new(), strip: StripBuffers::new(), kept: StripBuffers::new() };
+    pub const NEW: Self = Self {
+        mesh: MeshBuffers::new(),
+        strip: StripBuffers::new(),
+        kept: [0; bytes(1)],
+        list: [SmoothEdge::EMPTY; 16],
+    };
 }
 
 /// A frame of a cell, from placing the mesh to the bytes of the last band.
@@ -72,8 +77,12 @@ fn draw(
     memory: &mut Memory,
     count: &mut dyn FnMut(&mut dyn FnMut(&mut Display) -> Option<()>) -> Option<()>,
 ) -> Option<()> {
-    let Memory { mesh: MeshBuffers { cache, bins, edge_bins }, strip: StripBuffers { colors, depths }, kept } =
-        memory;
+    let Memory {
+        mesh: MeshBuffers { cache, bins, edge_bins },
+        strip: StripBuffers { colors, depths },
+        kept,
+        list,
+    } = memory;
     let has_faces = scene != "S1";
     let is_smooth = variant == "bands8-z-edges";
     let scene = Scene::new(match scene {
@@ -89,7 +98,7 @@ fn draw(
         let scene = black_box(&scene);
         match (variant, &light) {
             ("bands8-z-edges", Some(light)) => {
-                bands::smooth(scene, light, storage, kept, edge_bins, false, display)
+                bands::smooth(scene, light, storage, kept, edge_bins, list, false, display)
             }
             ("bands8-z", Some(light)) => bands::lit_depth(scene, light, storage, display),
             (_, Some(light)) if has_faces => bands::lit_solid(scene, light, storage, display),

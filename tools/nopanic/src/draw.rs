@@ -13,7 +13,7 @@ use pinhole::space::{Model, World};
 use pinhole::{
     bands::{DirtyRegions, SmoothFrame, Tracked, TransferCost},
     color::Reads,
-    draw::{draw_line, fill_triangle, ActiveFace},
+    draw::{draw_line, fill_triangle, ActiveFace, SmoothEdge},
     mesh::Coordinate,
     prelude::*,
     shading::{AntiAliased, SpanShader, Stroke},
@@ -290,19 +290,20 @@ fn smooth(
     mesh: &Mesh<'_>,
     memory: &mut [Rgb565],
     kept: &mut [u8],
-    kept_depths: &mut [u16],
+    list: &mut [SmoothEdge],
 ) {
     let Scene { camera, model, corners, depth, bin_storage, strip, .. } = scene;
     let instance = camera.place(mesh, model);
     let transformed = instance.transform_depth(corners);
     let Ok(mut edges) = transformed.bin_smooth_edges(|_| any() == 0, bin_storage) else { return };
+    edges.keep_in(list);
     if let (Ok(mut picture), Ok(mut depth)) = (Picture::new(memory, size()), DepthBuffer::new(area(), depth))
     {
         picture.pixels().depth_tested(&mut depth).smooth(|pass| edges.draw(pass));
     }
-    let Ok(mut frame) = SmoothFrame::new(area(), color(), kept, kept_depths) else { return };
+    let Ok(mut frame) = SmoothFrame::new(area(), color(), kept, depth) else { return };
     report(frame.area());
-    let Ok(Some(mut band)) = frame.next_band(strip, depth) else { return };
+    let Ok(Some(mut band)) = frame.next_band(strip) else { return };
     report(band.area());
     let (mut pixels, mut depth) = band.new_rows();
     report(instance.faces(|_| color()).draw(&mut pixels.depth_tested(&mut depth)));
@@ -462,7 +463,7 @@ entries! {
     entry_two_cores(cores: &mut Cores<'_>) { two_cores(cores) }
     entry_two_cores_with_depth(cores: &mut Cores<'_>) { two_cores_with_depth(cores) }
 
-    entry_smooth(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, memory: &mut [Rgb565], kept: &mut [u8], kept_depths: &mut [u16]) { smooth(scene, mesh, memory, kept, kept_depths) }
+    entry_smooth(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, memory: &mut [Rgb565], kept: &mut [u8], list: &mut [SmoothEdge]) { smooth(scene, mesh, memory, kept, list) }
 
     entry_raster_pixel(point: ScreenPoint) -> raster::Pixel { point.pixel() }
     entry_raster_screen_point() -> Option<ScreenPoint> { ScreenPoint::from_subpixels(any(), any()) }

@@ -14,7 +14,7 @@ use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::{BinaryColor, Rgb565};
-use pinhole::draw::ActiveFace;
+use pinhole::draw::{ActiveFace, SmoothEdge};
 use pinhole::prelude::*;
 
 /// Memory of a strip, of its depth if there is any, of a mesh's vertices and its binned faces or edges.
@@ -56,18 +56,20 @@ impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: 
 }
 
 /// A strip of 8 rows and one that waits for the torus, whose edges are smoothed.
-pub struct SmoothStrip(
+pub struct SmoothStrip<const LIST: usize>(
     Strip<{ bands::bytes(9) }, { bands::pixels(9) }, TORUS_BINS, TORUS>,
-    StripBuffers<{ bands::bytes(2) }, { bands::pixels(2) }>,
+    [u8; bands::bytes(1)],
     [u16; TORUS_EDGE_BINS],
+    [SmoothEdge; LIST],
 );
 
-impl SmoothStrip {
-    pub const NEW: Self = Self(Strip::NEW, StripBuffers::new(), [0; TORUS_EDGE_BINS]);
+impl<const LIST: usize> SmoothStrip<LIST> {
+    pub const NEW: Self =
+        Self(Strip::NEW, [0; bands::bytes(1)], [0; TORUS_EDGE_BINS], [SmoothEdge::EMPTY; LIST]);
 
     /// The torus's silhouettes, and its creases.
     pub(super) fn torus(&mut self, has_creases: bool) -> Option<Counted> {
-        let (Self(strip, kept, edge_bins), scene) = (self, Scene::new(&TORUS_SMOOTH)?);
+        let (Self(strip, kept, edge_bins, list), scene) = (self, Scene::new(&TORUS_SMOOTH)?);
         let light = scene.light()?;
         count_bands(&mut |to| {
             bands::smooth(
@@ -76,6 +78,7 @@ impl SmoothStrip {
                 strip.storage(),
                 kept,
                 edge_bins,
+                list,
                 has_creases,
                 to,
             )

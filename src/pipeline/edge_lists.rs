@@ -1,0 +1,104 @@
+//! Edges in bins by their first rows, and those that have begun in lists by their kinds.
+
+use super::bins::{BinRows, NONE};
+use core::ops::Range;
+
+/// The kinds of edges, in the order in which they are smoothed: where a crease and a silhouette meet, what lies beyond the silhouette is
+/// mixed with the smoothed crease.
+pub(super) const KINDS: usize = 4;
+
+/// The edges of a mesh in bins of rows, and in a list of each kind those that have begun and not ended, in the order of the mesh: the edges of
+/// each bin and of each list are linked.
+#[derive(Debug)]
+pub(super) struct EdgeLists<'s> {
+    first: &'s mut [u16],
+    /// The next edge of each edge, or the edge itself if it is not smoothed.
+    next: &'s mut [u16],
+    rows: BinRows,
+    lists: [u16; KINDS],
+    /// The first bin whose edges are in no list yet, and the end of the last band.
+    bin: usize,
+    row: i32,
+}
+
+impl<'s> EdgeLists<'s> {
+    /// Edges in bins. The next one of each bin is larger.
+    pub(super) fn new(first: &'s mut [u16], next: &'s mut [u16], rows: BinRows) -> Self {
+        Self { first, next, rows, lists: [NONE; KINDS], bin: 0, row: i32::MIN }
+    }
+
+    /// Moves the edges that begin in a band into their lists. Unless the band lies below the last one, or `is_again` the last one, begins again
+    /// with all edges.
+    #[inline(never)]
+    pub(super) fn advance(&mut self, rows: &Range<i32>, is_again: bool, kind: impl Fn(usize) -> usize) {
+        if is_again && rows.end == self.row {
+            return;
+        }
+        if rows.start < self.row {
+            self.restart();
+        }
+        self.row = rows.end;
+        let end = (self.rows.bin(rows.end - 1) + 1).min(self.first.len());
+        for bin in self.bin..end {
+            let Some(first) = self.first.get_mut(bin) else { break };
+            let mut edge = core::mem::replace(first, NONE);
+            let mut before = [NONE; KINDS];
+            while let Some(&following) = self.next.get(usize::from(edge)) {
+                let kind = kind(edge.into());
+                let Some(before) = before.get_mut(kind) else { break };
+                let mut next = self.link(*before, kind);
+                while next < edge {
+                    (*before, next) = (next, self.link(next, kind));
+                }
+                self.set_link(*before, kind, edge);
+                self.set_link(edge, kind, next);
+                (*before, edge) = (edge, following);
+            }
+        }
+        self.bin = self.bin.max(end);
+    }
+
+    /// Calls `visit` with each edge of a list: it returns whether the edge ends in the band.
+    #[inline(always)]
+    pub(super) fn each(&mut self, kind: usize, mut visit: impl FnMut(usize) -> bool) {
+        let (mut before, mut edge) = (NONE, self.link(NONE, kind));
+        while let Some(&next) = self.next.get(usize::from(edge)) {
+            if visit(edge.into()) {
+                self.set_link(before, kind, next);
+            } else {
+                before = edge;
+            }
+            edge = next;
+        }
+    }
+
+    /// The edge after `before`, or the first one of a list.
+    #[inline(always)]
+    fn link(&self, before: u16, kind: usize) -> u16 {
+        self.next.get(usize::from(before)).or(self.lists.get(kind)).copied().unwrap_or(NONE)
+    }
+
+    #[inline(always)]
+    fn set_link(&mut self, before: u16, kind: usize, to: u16) {
+        if let Some(link) = self.next.get_mut(usize::from(before)).or(self.lists.get_mut(kind)) {
+            *link = to;
+        }
+    }
+
+    /// Moves all edges into the first bin.
+    #[cold]
+    #[inline(never)]
+    fn restart(&mut self) {
+        self.first.fill(NONE);
+        let mut first = NONE;
+        for (edge, next) in (0..NONE).zip(self.next.iter_mut()).rev() {
+            if *next != edge {
+                (*next, first) = (first, edge);
+            }
+        }
+        if let Some(bin) = self.first.first_mut() {
+            *bin = first;
+        }
+        (self.lists, self.bin) = ([NONE; KINDS], 0);
+    }
+}
