@@ -149,7 +149,8 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
             keep_rolled();
             edge.number = 0;
         }
-        let (pairs, lists) = ([CrossedPair::EMPTY; 16], fill.edge_lists());
+        let (first, next, rows) = fill.links();
+        let (pairs, lists) = ([CrossedPair::EMPTY; 16], EdgeLists::new(first, next, rows));
         Ok(SmoothEdges { transformed: *self, lists, kinds, list, mask, own, pairs })
     }
 
