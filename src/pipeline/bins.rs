@@ -5,7 +5,6 @@
 //! activates the bins that begin above its end: it sets a bit for each of their primitives. The bit stays set until the primitive ends.
 //! Bits are visited in ascending order, so primitives are drawn in the order of the mesh, whatever the bands.
 
-use super::edge_lists::EdgeLists;
 use crate::math::hints::keep_rolled;
 use crate::raster::Scissor;
 use crate::scene::{bin_count, bins_len, MOST_BINS};
@@ -187,11 +186,11 @@ impl<'s> BinFill<'s> {
         self.storage.bins(&self.viewport, &self.bounds)
     }
 
-    /// The filled bins, of edges to smooth.
+    /// The first primitive of each bin, the next one of each primitive, and the rows of the bins.
     #[inline(always)]
-    pub(super) fn edge_lists(self) -> EdgeLists<'s> {
+    pub(super) fn links(self) -> (&'s mut [u16], &'s mut [u16], BinRows) {
         let Self { storage: BinStorage { first, next, .. }, rows, .. } = self;
-        EdgeLists::new(first, next, rows)
+        (first, next, rows)
     }
 
     /// Marks all primitives as those in no bin: they link to themselves.

@@ -139,7 +139,8 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
                 fill.add(index, &bounds(&ends));
             }
         }
-        let (pairs, lists) = ([CrossedPair::EMPTY; 16], fill.edge_lists());
+        let (first, next, rows) = fill.links();
+        let (pairs, lists) = ([CrossedPair::EMPTY; 16], EdgeLists::new(first, next, rows));
         Ok(SmoothEdges { transformed: *self, lists, kinds, list: &mut [], mask: 0, own, pairs })
     }
 
