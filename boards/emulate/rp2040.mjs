@@ -5,7 +5,8 @@
 // ROM and IMAGE are ELF files. `modules` is the folder with node_modules, `wires` the pins of clock and data, `select` and
 // `command` those at the display's CS and D/C, `watch` pins whose changes are reported, separated by commas, and `log` the
 // address of the image's RTT control block. `inputs` are changes of pins from outside, `MILLISECONDS:PIN=LEVEL` in the order of
-// time, separated by commas; until its first one such a pin is high, as if pulled up. rp2040js counts cycles as the Cortex-M0+ does; flash is as fast as RAM, because
+// time, separated by commas; until its first one such a pin is high, as if pulled up. With byte N, `fail=N stalls=1` lets DMA wait
+// for ever, until it is aborted. rp2040js counts cycles as the Cortex-M0+ does; flash is as fast as RAM, because
 // misses of its cache are not modelled, nor is the second core.
 
 import { writeSync } from 'node:fs';
@@ -27,6 +28,8 @@ const TIME = 0x40;
 const CLOCK = 0x60;
 /** The emulator has broken the bus, as it was asked to. */
 const BROKEN = 0x50;
+/** The chip was reset: 1 by its firmware, 0 by its watchdog. */
+const RESET = 0x70;
 
 const buffer = Buffer.alloc(1 << 16);
 let filled = 0;
@@ -106,7 +109,9 @@ const spi = mcu.spi[number('spi')];
 const FUNCTION_SPI = 1;
 const wires = options.wires.split(',').map(Number);
 let [shifted, byteTime] = [0, 0];
+let untilFault = number('fail'); // NaN: none
 const arrived = clock.createAlarm(() => {
+  if (untilFault-- === 0) stall();
   const lines = (levels[command] ? 1 : 0) | (unselected ? 2 : 0);
   if (spi.dataBits === 16) report(BYTE | lines, shifted >> 8, clock.nanos - byteTime);
   report(BYTE | lines, shifted & 0xff, clock.nanos);
@@ -126,6 +131,35 @@ spi.onTransmit = (value) => {
   arrived.schedule((dataBits * 1e9) / clockFrequency);
 };
 
+// A running channel of DMA is not served any more.
+function stall() {
+  report(BROKEN, 0, clock.nanos);
+  for (const channel of mcu.dma.channels.filter(({ active }) => active)) {
+    channel.transferAlarm.cancel();
+    channel.scheduleTransfer = () => {};
+    channel.abort = () => {
+      delete channel.scheduleTransfer;
+      delete channel.abort;
+      channel.abort();
+    };
+  }
+}
+
+// A reset by the watchdog's timer, or by its trigger. Registers of peripherals keep what they have.
+const watchdog = mcu.peripherals[0x40058];
+let restarts = false;
+watchdog.onWatchdogTrigger = () => {
+  report(RESET, watchdog.reason >> 1, clock.nanos);
+  restarts = true;
+};
+function restart() {
+  restarts = false;
+  for (const channel of mcu.dma.channels) channel.abort();
+  watchdog.writeUint32(0, 0);
+  Object.assign(core, { VTOR: 0, PM: false, waiting: false, pendingInterrupts: 0 });
+  core.reset();
+}
+
 // Waiting: the core polls a status that says that SPI or DMA are busy, or it sleeps. Two polls that are further apart than a loop
 // takes are not one wait.
 const LOOP = 100;
@@ -139,9 +173,10 @@ function reportWaiting() {
   report(WAITED, 0, waited);
   waited = 0;
 }
-const [BUSY, CHANNELS, CONTROL] = [1 << 24, 0x300, [0x0c, 0x10, 0x20, 0x30]];
+const [BUSY, CHANNELS, CONTROL, ABORT] = [1 << 24, 0x300, [0x0c, 0x10, 0x20, 0x30], 0x444];
 const readDma = mcu.dma.readUint32.bind(mcu.dma);
 mcu.dma.readUint32 = (offset) => {
+  if (offset === ABORT) return 0; // done at once; rp2040js does not have it
   const value = readDma(offset);
   if (offset < CHANNELS && CONTROL.includes(offset & 0x3f) && value & BUSY) poll();
   return value;
@@ -170,6 +205,7 @@ const INTERVAL = 100_000;
 let cycle = 8;
 for (let next = INTERVAL; ; ) {
   for (let i = 0; i < 1000; i++) {
+    if (restarts) restart();
     if (core.waiting) {
       const sleep = clock.nanosToNextAlarm;
       if (sleep <= 0 && !clock.nextAlarm) fail('the core sleeps, and nothing would wake it');

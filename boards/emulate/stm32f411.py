@@ -3,10 +3,11 @@
     python stm32f411.py IMAGE hooks=FILE wires=5,7 select=4 command=3 watch=2 log=ADDRESS
 
 The core is Unicorn's Cortex-M4. Here are the peripherals that the firmware uses, after the reference manual RM0383: RCC, as
-far as clocks start and switch; GPIOA; SPI1 as a master that sends; the cycle counter. Exceptions are not modelled. `wires`,
+far as clocks start and switch; GPIOA; SPI1 as a master that sends; stream 3 of DMA2, which feeds it; the watchdog IWDG, and the
+system reset; the cycle counter. Exceptions are not modelled. `wires`,
 `select`, `command` and `watch` are pins of port A: clock and data of SPI1, the display's CS and D/C, and those whose changes
-are reported, separated by commas. `log` is the address of the image's RTT control block. `overrun=N` sets SPI1's overrun flag
-once, with byte N.
+are reported, separated by commas. `log` is the address of the image's RTT control block. With byte N, `fail=N` lets the bus fail
+once: DMA ends with an error, or, with `stalls=1`, is not served any more; if the core sends that byte, SPI1 reports an overrun.
 
 `hooks` is the library of hooks/, which does what happens in every basic block and for every byte.
 
@@ -19,7 +20,8 @@ import os
 import struct
 import sys
 
-from unicorn import UC_ARCH_ARM, UC_ERR_OK, UC_HOOK_BLOCK, UC_HOOK_MEM_INVALID, UC_MODE_MCLASS, UC_MODE_THUMB, Uc, UcError
+from unicorn import UC_ARCH_ARM, UC_ERR_OK, UC_HOOK_BLOCK, UC_HOOK_MEM_INVALID, UC_MODE_MCLASS, UC_MODE_THUMB
+from unicorn import UC_PROT_ALL, Uc, UcError
 from unicorn import arm_const as arm
 from unicorn.unicorn_py3.unicorn import uclib
 
@@ -29,7 +31,7 @@ FLASH, RAM, RAM_SIZE = 0x0800_0000, 0x2000_0000, 128 << 10
 HSI, HSE = 16_000_000, 25_000_000
 PERIPHERAL = 2
 # Kinds of records: see rp2040.mjs.
-PIN, LOG, WAITED, TIME, CLOCK = 0x10, 0x20, 0x30, 0x40, 0x60
+PIN, LOG, WAITED, TIME, CLOCK, RESET = 0x10, 0x20, 0x30, 0x40, 0x60, 0x70
 
 image, *rest = sys.argv[1:]
 options = dict(option.split("=") for option in rest)
@@ -39,7 +41,8 @@ watched = [int(pin) for pin in options.get("watch", "").split(",") if pin]
 
 
 NUMBERS = "cycles since nanoseconds frequency due current after repeated levels select command clocked waiting shifting end"
-NUMBERS += " received overrun unselected bit_cycles polled polled_at polled_in sent fail_at waited filled"
+NUMBERS += " received overrun unselected bit_cycles polled polled_at polled_in sent fail_at stalls waited"
+NUMBERS += " dma_on dma_next dma_left dma_flags only_sends filled"
 WORD = ctypes.c_uint64
 FUNCTIONS = {
     "cost": ctypes.CFUNCTYPE(WORD, WORD, ctypes.c_uint32),
@@ -63,13 +66,15 @@ class Hooks(ctypes.Structure):
 
 
 library = ctypes.CDLL(options["hooks"])
-hooks = Hooks(frequency=HSI, levels=0xFFFF, select=select, command=command, fail_at=int(options.get("overrun", NONE)))
+hooks = Hooks(frequency=HSI, levels=0xFFFF, select=select, command=command, fail_at=int(options.get("fail", NONE)))
+hooks.stalls = int(options.get("stalls", 0))
 hooks.waiting = hooks.shifting = hooks.polled = NONE
 if library.hooks_size() != ctypes.sizeof(hooks):
     sys.exit(f"{options['hooks']}: of another version: run boards/emulate/run --build")
 library.hooks_read.restype = WORD
 library.hooks_report.argtypes = [ctypes.c_void_p, WORD, WORD, WORD]
 library.hooks_read.argtypes = [ctypes.c_void_p, WORD, ctypes.c_uint32, ctypes.c_void_p]
+library.hooks_start_dma.argtypes = [ctypes.c_void_p]
 library.hooks_write.argtypes = [ctypes.c_void_p, WORD, ctypes.c_uint32, WORD, ctypes.c_void_p]
 
 
@@ -161,7 +166,7 @@ class Rcc(Registers):
 
     def write_30(self, value):
         self.words[self.AHB1ENR] = value
-        gpio.clocked = bool(value & 1)
+        gpio.clocked, dma.clocked = bool(value & 1), bool(value >> 22 & 1)
 
     def write_44(self, value):
         self.words[self.APB2ENR] = value
@@ -253,6 +258,7 @@ class Spi1(Registers):
     def set_up(self):
         """Cycles of a bit."""
         control = self.words.get(self.CR1, 0)
+        hooks.only_sends = control >> 14 & 3 == 3  # BIDIMODE and BIDIOE
         if control & (self.MASTER | self.ENABLED) != self.MASTER | self.ENABLED:
             problem("SPI1 is written while it is no master, or not enabled")
         if bool(control & self.CPHA) != bool(control & self.CPOL):
@@ -267,6 +273,66 @@ class Spi1(Registers):
         return bit_cycles
 
 
+class Dma(Registers):
+    """Of DMA2 stream 3, from memory to SPI1, byte by byte. The library sends, and reads its flags."""
+
+    clocked = False
+    # Channel 3, byte by byte from memory to a peripheral, memory addresses that rise, and no other mode.
+    MODE, WANTED = 0x0FECFFE0, 3 << 25 | 1 << 10 | 1 << 6
+    SPI1_DATA = 0x4001_300C
+
+    def write_08(self, value):  # LIFCR
+        hooks.dma_flags &= ~value
+
+    def read_58(self):  # CR
+        return self.words.get(0x58, 0) | bool(hooks.dma_on)
+
+    def write_58(self, value):
+        self.words[0x58] = value & ~1
+        if not value & 1:
+            hooks.dma_on = 0
+        elif not hooks.dma_on:
+            self.start(value)
+
+    def read_5c(self):  # NDTR
+        return hooks.dma_left
+
+    def write_5c(self, value):
+        hooks.dma_left = value & 0xFFFF
+
+    def start(self, control):
+        peripheral, memory = (self.words.get(offset, 0) for offset in (0x60, 0x64))
+        if control & self.MODE != self.WANTED or peripheral != self.SPI1_DATA:
+            problem(f"DMA2_S3CR {control:#x} from {memory:#x} to {peripheral:#x} is not modelled")
+        elif not RAM <= memory <= memory + hooks.dma_left <= RAM + RAM_SIZE or not hooks.dma_left:
+            problem(f"DMA of {hooks.dma_left} bytes at {memory:#x}, which is not in RAM")
+        elif hooks.dma_flags:
+            problem("DMA is started with flags of the transfer before")
+        elif not spi.words.get(0x04, 0) & 2:  # CR2: TXDMAEN
+            problem("DMA is started, and SPI1 does not ask for bytes")
+        else:
+            hooks.dma_next = ctypes.addressof(ram) + memory - RAM
+            library.hooks_start_dma(ctypes.addressof(hooks))
+
+
+class Watchdog(Registers):
+    """IWDG, with 32 kHz."""
+
+    due = NONE
+
+    def write_00(self, value):  # KR
+        if value == 0xCCCC or value == 0xAAAA and self.due != NONE:
+            ticks = (self.words.get(0x08, 0xFFF) + 1) * (4 << min(self.words.get(0x04, 0), 6))
+            self.due = clock.time() + ticks * 1_000_000_000 // 32_000
+
+
+class SystemControl(Registers):
+    def write(self, offset, value):
+        super().write(offset, value)
+        if offset == 0x10C and value == 0x05FA_0004:  # AIRCR: SYSRESETREQ
+            reset("the firmware")
+
+
 class Trace(Registers):
     """DWT: CYCCNT counts, whether it was enabled or not."""
 
@@ -274,22 +340,26 @@ class Trace(Registers):
         return clock.cycles & 0xFFFFFFFF
 
 
-rcc, power, gpio, spi = Rcc(), Power(), GpioA(), Spi1()
+rcc, power, gpio, spi, dma, watchdog = Rcc(), Power(), GpioA(), Spi1(), Dma(), Watchdog()
 
 uc = Uc(UC_ARCH_ARM, UC_MODE_THUMB | UC_MODE_MCLASS)
 uc.ctl_set_cpu_model(arm.UC_CPU_ARM_CORTEX_M4)
 uc.mem_map(FLASH, 512 << 10)
-uc.mem_map(RAM, RAM_SIZE)
+ram = ctypes.create_string_buffer(RAM_SIZE)  # which DMA reads, too
+uc.mem_map_ptr(RAM, RAM_SIZE, UC_PROT_ALL, ctypes.addressof(ram))
 PERIPHERALS, BIT_BAND, BIT_BAND_SIZE = 0x4000_0000, 0x4200_0000, 32 << 20
 PAGE, BLOCK = 0x1000, 0x400  # Unicorn maps pages; a peripheral has a block
 blocks = {
+    0x4000_3000: watchdog,
     0x4000_7000: power,
     0x4001_3000: spi,
     0x4002_0000: gpio,
     0x4002_3800: rcc,
     0x4002_3C00: Registers(),  # flash interface: wait states and caches
+    0x4002_6400: dma,
     0xE000_1000: Trace(),
-    0xE000_EC00: Registers(),  # system control block
+    0xE004_2000: Registers(),  # DBGMCU
+    0xE000_EC00: SystemControl(),
 }
 
 
@@ -339,24 +409,35 @@ def check(status):
         raise UcError(status)
 
 
+MMIO_WRITE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, WORD, ctypes.c_uint32, WORD, ctypes.c_void_p)
 # Unicorn calls the library's functions itself, with the structure that is shared.
 shared = ctypes.addressof(hooks)
-SPI1_PAGE = 0x4001_3000
-for page in {address & -PAGE for address in blocks} - {SPI1_PAGE}:
+SPI1_PAGE, DMA_PAGE = 0x4001_3000, 0x4002_6000
+for page in {address & -PAGE for address in blocks} - {SPI1_PAGE, DMA_PAGE}:
     uc.mmio_map(page, PAGE, read, page, write, page)
 # The library calls these for what is neither SPI1's status nor its data.
 hooks.read = FUNCTIONS["read"](lambda offset: read(None, offset, 4, SPI1_PAGE))
 hooks.write = FUNCTIONS["write"](lambda offset, value: write(None, offset, 4, value, SPI1_PAGE))
 check(uclib.uc_mmio_map(uc._uch, SPI1_PAGE, PAGE, library.hooks_read, shared, library.hooks_write, shared))
+write_dma = MMIO_WRITE(lambda _uc, offset, size, value, _data: write(None, offset, size, value, DMA_PAGE))
+check(uclib.uc_mmio_map(uc._uch, DMA_PAGE, PAGE, library.hooks_read_dma, shared, write_dma, None))
 uc.mmio_map(BIT_BAND, BIT_BAND_SIZE, read_bit, None, write_bit, None)
 
-failure = None
+failure, is_reset = None, False
 
 
 def problem(text):
     """Ends the run: an exception would not leave Unicorn."""
     global failure
     failure = failure or text
+    uc.emu_stop()
+
+
+def reset(by):
+    """Ends the run up to here; the chip starts anew."""
+    global is_reset
+    is_reset = True
+    report(RESET, by == "the firmware", clock.time())
     uc.emu_stop()
 
 
@@ -416,6 +497,8 @@ def look():
     report(WAITED, 0, hooks.waited * 1_000_000_000 // hooks.frequency)  # since the last look
     hooks.waited = 0
     report(TIME, 0, clock.time())
+    if clock.time() >= watchdog.due:
+        reset("the watchdog")
     hooks.due = hooks.cycles + INTERVAL
 
 
@@ -429,9 +512,29 @@ handle = ctypes.c_size_t()
 everywhere = 1, 0
 check(uclib.uc_hook_add(uc._uch, ctypes.byref(handle), UC_HOOK_BLOCK, library.hooks_block, shared, *everywhere))
 uc.hook_add(UC_HOOK_MEM_INVALID, invalid)
-stack, start = struct.unpack("<II", uc.mem_read(FLASH, 8))
-uc.reg_write(arm.UC_ARM_REG_SP, stack)
+
+
+def start_chip():
+    """Peripherals as after a reset, but for the log and the time; returns the address of the first instruction."""
+    global is_reset
+    is_reset = False
+    for registers in blocks.values():
+        registers.words.clear()
+    gpio.clocked = spi.clocked = dma.clocked = hooks.clocked = False
+    hooks.dma_on = hooks.dma_flags = hooks.received = hooks.overrun = hooks.bit_cycles = 0
+    hooks.waiting = hooks.shifting = NONE
+    watchdog.due = NONE
+    clock.set(HSI)
+    gpio.drive(0)
+    stack, start = struct.unpack("<II", uc.mem_read(FLASH, 8))
+    uc.reg_write(arm.UC_ARM_REG_SP, stack)
+    return start
+
+
+start = start_chip()
 while failure is None:
+    if is_reset:
+        start = start_chip()
     try:
         uc.emu_start(start, 0xFFFF_FFFF)
     except UcError as error:

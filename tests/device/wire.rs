@@ -34,10 +34,10 @@ fn the_spinning_cube_is_scene_s2_of_the_benchmarks() {
 /// the tests below panels are RGB, and run from left to right.
 #[test]
 fn the_stm32_board_sets_its_panel_up_the_right_way_round() {
-    let board = include_str!("../../boards/stm32f4-ili9341/src/main.rs");
+    let board = include_str!("../../boards/stm32f4-ili9341/src/panel.rs");
     for line in [
-        ".orientation(Orientation::new().rotate(Rotation::Deg90).flip_vertical())",
-        ".color_order(ColorOrder::Bgr)",
+        "const ORIENTATION: Orientation = Orientation::new().rotate(Rotation::Deg90).flip_vertical();",
+        "const COLOR_ORDER: ColorOrder = ColorOrder::Bgr;",
     ] {
         assert!(board.lines().any(|code| code.trim() == line), "not what the board says: {line}");
     }

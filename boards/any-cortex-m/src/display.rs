@@ -1,5 +1,5 @@
-//! Stands for your display, and shows nothing. Put your driver's set-up here, and return what it makes: any DrawTarget in
-//! 16-bit colour, such as a `Display` of mipidsi.
+//! Stands for your display, and shows nothing. Put your driver's set-up here: any DrawTarget in 16-bit colour, such as a `Display` of
+//! mipidsi. The README has an example.
 
 use core::convert::Infallible;
 use core::hint::black_box;
@@ -8,11 +8,21 @@ use embedded_graphics_core::prelude::{DrawTarget, OriginDimensions, Pixel, Size}
 
 pub const SIZE: Size = Size::new(240, 240);
 
+/// Stands for your HAL's peripherals, such as `stm32f4xx_hal::pac::Peripherals`.
+pub struct Peripherals;
+
+impl Peripherals {
+    pub fn take() -> Option<Self> {
+        Some(Self)
+    }
+}
+
 pub struct Display;
 
 impl Display {
-    pub fn new() -> Self {
-        Self
+    /// Sets the display up. An error is logged before the chip is reset.
+    pub fn new(_: Peripherals) -> Result<Self, &'static str> {
+        Ok(Self)
     }
 }
 

@@ -13,7 +13,7 @@ use clock::Clock;
 #[cfg(target_arch = "arm")]
 use cortex_m::singleton;
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
-use display::{Display, SIZE};
+use display::{Display, Peripherals, SIZE};
 use embedded_graphics_core::{geometry::Dimensions, pixelcolor::Rgb565};
 use picture::{Drawn, Memory};
 use pinhole::{prelude::*, Angle};
@@ -49,7 +49,8 @@ fn main() -> ! {
     #[cfg(target_arch = "riscv32")]
     let clock = Clock::start();
 
-    let mut display = Display::new();
+    let Some(peripherals) = Peripherals::take() else { stop("the chip's peripherals are in use") };
+    let mut display = Display::new(peripherals).unwrap_or_else(|problem| stop(problem));
     let camera = picture::camera(&MODEL, display.bounding_box()).unwrap_or_else(|problem| stop(problem));
     // A constant: what the model does not have is left out when this is compiled.
     let color = |face: usize, level: u16| match MODEL_COLORS {

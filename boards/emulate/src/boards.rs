@@ -122,8 +122,7 @@ pub(crate) const BOARDS: &[Board] = &[
         },
         frames: 48,
         sends: Sends::All,
-        // The code of `boards/any-cortex-m`, word by word (`boards/share`).
-        pictures: |model| turn(model, Size::new(320, 240), 48, firmware::draw),
+        pictures: |model| turn(model, Size::new(320, 240), 48, drawing::draw),
     },
 ];
 

@@ -26,6 +26,8 @@ pub(crate) enum What {
     Clock(u64),
     /// The bus has broken, on request.
     Broken,
+    /// The chip was reset: by its firmware, or by its watchdog.
+    Reset { by_firmware: bool },
 }
 
 impl Event {
@@ -47,6 +49,7 @@ impl Event {
             0x40 => (time, What::Time),
             0x50 => (time, What::Broken),
             0x60 => (0, What::Clock(time)),
+            0x70 => (time, What::Reset { by_firmware: value != 0 }),
             _ => return Err(io::Error::other(format!("the emulator's output is damaged: kind {kind:#04x}"))),
         };
         Ok(Some(Self { time, what }))

@@ -24,8 +24,9 @@ use std::path::{Path, PathBuf};
 use std::process::{self, ExitCode, Stdio};
 use watch::{Frame, Watch};
 
-/// The longest time for which no frame may end, in nanoseconds.
+/// The longest time for which no frame may end, in nanoseconds, and that after a fault of the bus.
 const PATIENCE: u64 = 2_000_000_000;
+const RECOVERY: u64 = 1_000_000_000;
 
 fn main() -> ExitCode {
     run(|| {
@@ -35,6 +36,7 @@ fn main() -> ExitCode {
         let tools: PathBuf = given.remove_one("tools").ok_or("no tools")?;
         let frames: Option<u32> = given.remove_one("frames");
         let break_at: Option<u32> = given.remove_one("break-bus");
+        let break_by: String = given.remove_one("by").ok_or("no fault")?;
         let inputs: Option<String> = given.remove_one("inputs");
         let pictures: Option<PathBuf> = given.remove_one("pictures");
         let board = BOARDS.iter().find(|board| board.name == name);
@@ -45,6 +47,7 @@ fn main() -> ExitCode {
         let run = Run {
             frames: frames.unwrap_or(board.frames),
             break_at,
+            break_by: &break_by,
             inputs: inputs.as_deref(),
             pictures: pictures.as_deref(),
         };
@@ -68,7 +71,8 @@ fn arguments() -> Command {
         "Runs a board's firmware on an emulated microcontroller and compares every frame with the host's";
     let image = "The linked firmware, an ELF file";
     let frames = "Frames to compare, in place of a turn";
-    let break_bus = "Let the bus fail with this byte: the firmware must log it, and show whole frames again";
+    let break_bus = "Let the bus fail with this byte: the firmware must log it, and show whole frames again within a second";
+    let by = "How it fails: DMA (or the bus, if the core sends that byte) reports an error, DMA stalls, or the panel is reset";
     let inputs = "Drive pins from outside, each from a time on: a frame then shows the step of the turn after or before the \
                   last one, and the steps are printed";
     let pictures = "What the frames must show, in place of what the host draws: all pixels of a frame of the turn, row by row, \
@@ -79,6 +83,7 @@ fn arguments() -> Command {
         .arg(Arg::new("image").value_name("IMAGE").required(true).value_parser(file()).help(image))
         .arg(option("frames", "N", frames).value_parser(value_parser!(u32).range(2..)))
         .arg(option("break-bus", "BYTE", break_bus).value_parser(value_parser!(u32)))
+        .arg(option("by", "FAULT", by).value_parser(["error", "stall", "reset"]).default_value("error"))
         .arg(option("inputs", "MS:PIN=LEVEL,...", inputs))
         .arg(option("pictures", "FILE", pictures).value_parser(file()))
         .arg(
@@ -92,8 +97,9 @@ fn arguments() -> Command {
 struct Run<'a> {
     /// Frames to compare.
     frames: u32,
-    /// The byte with which the bus fails.
+    /// The byte with which the bus fails, and how.
     break_at: Option<u32>,
+    break_by: &'a str,
     /// Changes of pins, as `rp2040.mjs` takes them.
     inputs: Option<&'a str>,
     /// The pictures that frames must show, in place of the host's drawing.
@@ -102,7 +108,7 @@ struct Run<'a> {
 
 /// Runs the firmware and returns the frames that it has shown, all of which equal the host's drawing.
 fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<Vec<Frame>, String> {
-    let &Run { frames, break_at, inputs, pictures } = run;
+    let &Run { frames, break_at, break_by, inputs, pictures } = run;
     let bytes = std::fs::read(image).map_err(|error| format!("{}: {error}", image.display()))?;
     let tables = log::Tables::of(&bytes).map_err(|problem| format!("{}: {problem}", image.display()))?;
     let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(board.name).join("model.stl");
@@ -113,9 +119,6 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
     let mut watch = Watch::new(board, pictures);
     let mut log = tables.decoder();
 
-    if break_at.is_some() && matches!(board.chip, Chip::Rp2040 { .. }) {
-        return Err("nothing on its bus can fail".into());
-    }
     let mut emulator = emulator(&board.chip, image, tools, tables.address);
     if let Some(inputs) = inputs {
         if board.sends == Sends::All || !matches!(board.chip, Chip::Rp2040 { .. }) {
@@ -124,8 +127,15 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
         watch.allow_steps_back();
         emulator.arg(format!("inputs={inputs}"));
     }
-    if let Some(byte) = break_at {
-        emulator.arg(format!("overrun={byte}"));
+    if break_at.is_some() && break_by == "error" && matches!(board.chip, Chip::Rp2040 { .. }) {
+        return Err("nothing on its bus reports errors".into());
+    }
+    match (break_at, break_by) {
+        (Some(byte), "reset") => watch.forget_at(byte),
+        (Some(byte), fault) => {
+            emulator.arg(format!("fail={byte}")).arg(format!("stalls={}", u8::from(fault == "stall")));
+        }
+        (None, _) => {}
     }
     emulator.stdin(Stdio::null()).stdout(Stdio::piped());
     let running = emulator.spawn().map_err(|error| format!("{:?}: {error}", emulator.get_program()))?;
@@ -133,7 +143,7 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
     let mut events = BufReader::with_capacity(1 << 16, running.0.stdout.take().ok_or("no output")?);
     let mut last_line = String::from("none");
     let mut problems = 0;
-    while watch.frames().len() < frames as usize {
+    while watch.frames().len() < frames as usize || watch.broken().is_some() {
         let Some(event) = Event::read(&mut events).map_err(|error| error.to_string())? else {
             let status = running.0.wait().map_err(|error| error.to_string())?;
             return Err(format!("the emulator has ended, {status}"));
@@ -158,9 +168,13 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
             let seconds = PATIENCE / 1_000_000_000;
             return Err(at(format!("no frame for {seconds} s; the last line of the log: {last_line}")));
         }
+        if watch.broken().is_some_and(|since| event.time > since + RECOVERY) {
+            let problem = "no whole frame for 1 s after the bus has broken; the last line of the log";
+            return Err(at(format!("{problem}: {last_line}")));
+        }
         watch.event(event).map_err(at)?;
     }
-    if break_at.is_some() && problems == 0 {
+    if break_at.is_some() && break_by != "reset" && problems == 0 {
         return Err("the bus has broken, and the firmware has not logged it".into());
     }
     Ok(watch.frames().to_vec())

@@ -15,8 +15,16 @@ pub(crate) struct Watch<'a> {
     frames: Vec<Frame>,
     /// Frames that the firmware has given up.
     lost: u32,
-    /// Whether the bus has broken since the last complete frame: data on its way may be cut off.
-    broken: bool,
+    /// Frames that were shown before the chip was reset.
+    before: u32,
+    /// When the bus has broken or the panel has lost its state, until the next frame that is whole: data on its way may be cut off, and
+    /// frames before it are lost.
+    broken: Option<u64>,
+    /// Whether anything of the current frame was refused since then.
+    spoilt: bool,
+    /// The byte with which the panel loses its state, as after a reset; and bytes so far.
+    forgets_at: Option<u64>,
+    received: u64,
     /// The last picture that was shown, and the pictures that may be next, with their steps of the turn: see [`Sends::Changes`].
     last: Vec<u32>,
     next: Vec<(u32, Vec<u32>)>,
@@ -49,7 +57,11 @@ impl<'a> Watch<'a> {
             waited: 0,
             frames: Vec::new(),
             lost: 0,
-            broken: false,
+            before: 0,
+            broken: None,
+            spoilt: false,
+            forgets_at: None,
+            received: 0,
             last: Vec::new(),
             next: Vec::new(),
             steps_back: false,
@@ -59,6 +71,16 @@ impl<'a> Watch<'a> {
     /// From now on a frame may also show the step of the turn before the last one.
     pub(crate) fn allow_steps_back(&mut self) {
         self.steps_back = true;
+    }
+
+    /// With this byte the panel loses its state.
+    pub(crate) fn forget_at(&mut self, byte: u32) {
+        self.forgets_at = Some(byte.into());
+    }
+
+    /// When the bus has broken or the panel has lost its state, if no whole frame was shown since.
+    pub(crate) fn broken(&self) -> Option<u64> {
+        self.broken
     }
 
     pub(crate) fn frames(&self) -> &[Frame] {
@@ -92,7 +114,15 @@ impl<'a> Watch<'a> {
                 Ok(())
             }
             What::Broken => {
-                self.broken = true;
+                self.broken = Some(event.time);
+                Ok(())
+            }
+            What::Reset { by_firmware } => {
+                if self.broken.is_none() {
+                    let by = if by_firmware { "itself" } else { "its watchdog" };
+                    return Err(format!("the chip is reset by {by}"));
+                }
+                (self.before, self.lost) = (self.frames.len() as u32, 0);
                 Ok(())
             }
             What::Pin { .. } | What::Log(_) | What::Time => Ok(()),
@@ -103,9 +133,17 @@ impl<'a> Watch<'a> {
         if !selected {
             return Err(format!("byte {byte:#04x} while CS is high"));
         }
+        self.received += 1;
+        if self.forgets_at == Some(self.received) {
+            self.controller.reset();
+            self.broken = Some(time);
+        }
         if !data {
             self.timing.command(byte, time)?;
-            if byte == 0x2c && self.controller.inverted() != self.board.display.inverted {
+            if byte == 0x2c
+                && self.broken.is_none()
+                && self.controller.inverted() != self.board.display.inverted
+            {
                 return Err("pixels before the inversion is as the glass needs it".into());
             }
         }
@@ -122,8 +160,11 @@ impl<'a> Watch<'a> {
     /// Reports what the controller would not have understood.
     fn refusals(&mut self) -> Result<(), String> {
         let controller = &mut self.controller;
-        if self.broken {
-            (controller.partly_filled, controller.cut_off) = (0, 0);
+        if self.broken.is_some() {
+            let cut = controller.partly_filled + controller.overfilled + controller.cut_off;
+            self.spoilt |= cut > 0 || !controller.errors.is_empty();
+            (controller.partly_filled, controller.overfilled, controller.cut_off) = (0, 0, 0);
+            controller.errors.clear();
         }
         if let Some(error) = controller.errors.first() {
             Err(error.clone())
@@ -141,10 +182,23 @@ impl<'a> Watch<'a> {
     /// The last pixel of a frame has arrived.
     fn frame(&mut self, time: u64) -> Result<(), String> {
         let display = &self.board.display;
-        let number = (self.frames.len() as u32 + self.lost) % self.board.frames;
+        if std::mem::take(&mut self.spoilt) || self.controller.inverted() != display.inverted {
+            return Ok(()); // one after the bus has broken
+        }
+        let mut number = (self.frames.len() as u32 - self.before + self.lost) % self.board.frames;
         let (width, height) = (usize::from(display.width), usize::from(display.height));
-        let (shown, wanted) =
-            (self.controller.picture(display.held, width, height), (self.pictures)(number)?);
+        let shown = self.controller.picture(display.held, width, height);
+        let mut wanted = (self.pictures)(number)?;
+        // While the panel did not know what it got, nobody has counted frames.
+        let turn = if self.broken.is_some() { self.board.frames } else { 1 };
+        for _ in 1..turn {
+            if shown == wanted {
+                break;
+            }
+            self.lost += 1;
+            number = (number + 1) % self.board.frames;
+            wanted = (self.pictures)(number)?;
+        }
         if shown.len() != wanted.len() {
             return Err(format!(
                 "frame {number}: {} pixels, and the host draws {}",
@@ -197,7 +251,7 @@ impl<'a> Watch<'a> {
     /// The display shows the next picture.
     fn shown(&mut self, time: u64, step: u32, picture: Vec<u32>) -> Result<(), String> {
         let (bytes, _) = self.controller.count();
-        self.broken = false;
+        self.broken = None;
         self.frames.push(Frame { time, waited: self.waited, bytes, step });
         if self.board.sends == Sends::Changes {
             self.last = picture;

@@ -23,13 +23,13 @@ const RP2040: Template = Template { board: "rp2040-st7789", target: "thumbv6m-no
 const EMBASSY: Template = Template { board: "rp2040-embassy", target: "thumbv6m-none-eabi" };
 const STM32: Template = Template { board: "stm32f4-ili9341", target: "thumbv7em-none-eabihf" };
 
-/// Tests by their names: a template, what is edited, and the problem with which its run must end.
+/// Tests by their names: a template, options of its run, what is edited, and the problem with which the run must end.
 macro_rules! faults {
-    ($($(#[$about:meta])* $name:ident: $template:ident, [$($edit:expr),*], $problem:literal;)*) => {$(
+    ($($(#[$about:meta])* $name:ident: $template:ident $([$($option:literal),*])?, [$($edit:expr),*], $problem:literal;)*) => {$(
         $(#[$about])*
         #[test]
         fn $name() {
-            $template.ends(&[$($edit),*], &[], $problem);
+            $template.ends(&[$($edit),*], &[$($($option),*)?], $problem);
         }
     )*};
 }
@@ -37,22 +37,48 @@ macro_rules! faults {
 faults! {
     /// The last bytes are still in the bus's queue when CS rises.
     without_flush_the_rp2040_deselects_the_display_too_early: RP2040,
-        [("src/panel.rs", "bus.flush().is_err() || select.set_high().is_err()", "select.set_high().is_err()")],
+        [("src/panel.rs", "bus.flush().is_ok() && self.pins", "self.pins")],
         "while CS is high";
     without_waiting_the_reset_is_too_short: RP2040,
-        [("src/panel.rs", "/// At rest",
-          "struct Hasty;\nimpl DelayNs for Hasty { fn delay_ns(&mut self, _: u32) {} }\n/// At rest"),
-         ("src/panel.rs", "builder.init(delay)", "{ let _ = delay; builder.init(&mut Hasty) }")],
+        [("src/panel.rs", "/// Why something",
+          "struct Hasty;\nimpl DelayNs for Hasty { fn delay_ns(&mut self, _: u32) {} }\n/// Why something"),
+         ("src/panel.rs", "builder.init(&mut delay)", "{ let _ = &mut delay; builder.init(&mut Hasty) }")],
         "a reset pulse of";
     a_bus_that_is_too_fast_is_noticed_on_the_stm32: STM32,
-        [("src/main.rs", "MODE_0, 25.MHz()", "MODE_0, 50.MHz()")],
+        [("src/main.rs", "const HERTZ: u32 = 25_000_000", "const HERTZ: u32 = 50_000_000")],
         "a byte in 160 ns";
     a_bus_mode_that_the_display_does_not_have_is_noticed_on_the_stm32: STM32,
-        [("src/main.rs", "spi::MODE_0}", "spi::MODE_1}"), ("src/main.rs", "spi, MODE_0,", "spi, MODE_1,")],
+        [("src/main.rs", "MODE: Mode = MODE_0", "MODE: Mode = embedded_hal::spi::MODE_1")],
         "neither in mode 0 nor in mode 3";
-    without_waiting_the_first_command_is_too_early_on_the_stm32: STM32,
-        [("src/main.rs", "cortex_m::asm::delay(time.div_ceil(1000) * MEGAHERTZ);", "let _ = time;")],
-        "command 0x36 is 5000 µs too early after reset";
+    without_waiting_the_reset_is_too_short_on_the_stm32: STM32,
+        [("src/panel.rs", "cortex_m::asm::delay(time.div_ceil(1000) * (MEGAHERTZ / 2));", "let _ = time;")],
+        "a reset pulse of";
+    /// The last bytes are still in the bus's registers when CS rises.
+    without_waiting_for_the_bus_the_stm32_deselects_the_display_too_early: STM32,
+        [("src/panel.rs", "within_time(|| (!self.bus.is_busy()).then_some(()))?;\n        self.select.set_high();",
+          "self.select.set_high();")],
+        "while CS is high";
+    dma_that_repeats_one_byte_is_noticed: STM32,
+        [("src/panel.rs", "memory_increment(true)", "memory_increment(false)")],
+        "is not modelled";
+    commands_among_the_bytes_of_dma_are_noticed: STM32,
+        [("src/panel.rs", "self.finish().and_then(|()| self.wire.open(area))", "self.wire.open(area)")],
+        "unknown command";
+    without_refresh_a_panel_stays_lost_on_the_rp2040: RP2040 ["--break-bus", "200000", "--by", "reset"],
+        [("src/main.rs", "shown = panel.refresh()", "shown = Ok(())")],
+        "no whole frame for 1 s after the bus has broken";
+    a_watchdog_resets_an_rp2040_that_hangs: RP2040 ["--frames", "40"],
+        [("src/main.rs", "watchdog.feed();", "if frame == 0 {\n                watchdog.feed();\n            }")],
+        "the chip is reset by its watchdog";
+    without_refresh_a_panel_stays_lost_on_the_stm32: STM32 ["--break-bus", "200000", "--by", "reset"],
+        [("src/main.rs", "shown = panel.refresh()", "shown = Ok(())")],
+        "no whole frame for 1 s after the bus has broken";
+    without_a_time_limit_and_a_watchdog_a_stall_lasts: STM32 ["--break-bus", "200000", "--by", "stall"],
+        [("src/panel.rs", "> PATIENCE", "> u32::MAX"), ("src/main.rs", "WATCHDOG: u32 = 1000", "WATCHDOG: u32 = 0")],
+        "no whole frame for 1 s after the bus has broken";
+    a_watchdog_resets_an_stm32_that_hangs: STM32 ["--frames", "30"],
+        [("src/main.rs", "watchdog.feed();", "if frame == 0 {\n                watchdog.feed();\n            }")],
+        "the chip is reset by its watchdog";
 }
 
 /// The template itself passes, so the mutants fail because of their own faults.
@@ -78,30 +104,44 @@ fn an_encoder_whose_contacts_are_swapped_turns_the_other_way() {
     assert_eq!(turned, [-3]);
 }
 
-/// With byte 100 000, in the middle of the first frame, SPI1 reports an overrun. The frame is lost, and the next one as well, as the HAL
-/// clears the error only there; the two after are compared, pixel by pixel.
+/// A byte in the middle of the second frame.
+const MIDDLE: &str = "200000";
+
+/// The frame is lost and logged, the panel reset, and the frames after it are compared, pixel by pixel; all within a second.
 #[test]
-fn a_bus_error_is_logged_and_the_frames_after_it_are_whole() {
-    let said = STM32.passes(&["--break-bus", "100000"]);
-    assert!(said.is_none_or(|said| {
-        said.contains("logs: frame 0: the display refused the pixels")
-            && said.contains("logs: frame 1: the display refused the pixels")
-            && !said.contains("logs: frame 2")
-    }));
+fn after_a_fault_of_the_bus_the_panel_is_reset_and_drawn_whole() {
+    let stalls = "the bus does not go on";
+    for (template, fault, problem) in
+        [(&STM32, "error", "DMA has an error"), (&STM32, "stall", stalls), (&RP2040, "stall", stalls)]
+    {
+        let said = template.passes(&["--break-bus", MIDDLE, "--by", fault]);
+        let wanted = format!("logs: frame 1: {problem}");
+        assert!(said.is_none_or(|said| said.contains(&wanted) && !said.contains("frame 2")), "{fault}");
+    }
 }
 
+/// The panel forgets its registers in the middle of a frame, which the firmware cannot see.
 #[test]
-fn firmware_that_gives_up_after_a_bus_error_fails() {
+fn a_panel_that_lost_its_state_comes_back_within_a_second() {
+    for template in [STM32, RP2040] {
+        template.passes(&["--break-bus", MIDDLE, "--by", "reset"]);
+    }
+}
+
+/// The firmware says why, and resets the chip, whose next start succeeds.
+#[test]
+fn a_bus_error_during_the_start_resets_the_chip() {
+    let said = STM32.passes(&["--break-bus", "3"]);
+    assert!(said.is_none_or(|said| said.contains("logs: the display does not start")));
+}
+
+/// As above, where all of the chip is reset: the firmware gives up after a stall.
+#[test]
+fn an_rp2040_that_gives_up_starts_anew() {
     let log = "defmt::error!(\"frame {=u32}: {=str}\", frame, problem)";
     let edits = [("src/main.rs", log, "stop(problem)")];
-    let problem = "no frame for 2 s; the last line of the log: the display refused the pixels";
-    STM32.ends(&edits, &["--break-bus", "100000"], problem);
-}
-
-#[test]
-fn a_bus_error_during_the_start_is_logged() {
-    let problem = "no frame for 2 s; the last line of the log: the display does not start";
-    STM32.ends(&[], &["--break-bus", "3"], problem);
+    let Some(output) = RP2040.run(&edits, &["--break-bus", MIDDLE, "--by", "stall"]) else { return };
+    assert!(output.status.success(), "{output:?}");
 }
 
 impl Template {

@@ -17,7 +17,7 @@ use panel::Panel;
 use picture::Picture;
 use pinhole::{prelude::*, Angle};
 use rp2040_hal as hal;
-use rp2040_hal::fugit::RateExtU32;
+use rp2040_hal::fugit::{ExtU32, RateExtU32};
 use rp2040_hal::{dma::DMAExt, gpio::Pins, pac, Clock as _, Sio, Spi, Timer, Watchdog};
 use stop::stop;
 
@@ -33,6 +33,10 @@ static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 const CRYSTAL: u32 = 12_000_000;
 /// Frames of a turn.
 const FRAMES: u32 = 120;
+/// The chip is reset when a frame takes longer, in milliseconds; 0: no watchdog.
+const WATCHDOG: u32 = 1000;
+/// Frames from one writing of the panel's registers to the next, less than a second.
+const REFRESH: u32 = 16;
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
 /// Rows of a band: more are faster, and take more memory.
 const ROWS: u32 = 8;
@@ -57,25 +61,26 @@ fn main() -> ! {
         &mut watchdog,
     );
     let Ok(clocks) = clocks else { stop("the clocks do not start") };
-    let mut timer = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
+    if WATCHDOG > 0 {
+        watchdog.start(WATCHDOG.millis());
+    }
+    let timer = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
 
     let pins = Pins::new(p.IO_BANK0, p.PADS_BANK0, Sio::new(p.SIO).gpio_bank0, &mut p.RESETS);
     let bus = Spi::<_, _, _, 8>::new(p.SPI0, (pins.gpio19.into_function(), pins.gpio18.into_function()))
         .init(&mut p.RESETS, clocks.peripheral_clock.freq(), 62_500_000.Hz(), MODE_3);
-    let [select, command, reset] = [
-        pins.gpio17.into_push_pull_output().into_dyn_pin(),
-        pins.gpio20.into_push_pull_output().into_dyn_pin(),
-        pins.gpio21.into_push_pull_output().into_dyn_pin(),
-    ];
+    let pins = panel::Pins {
+        select: pins.gpio17.into_push_pull_output().into_dyn_pin(),
+        command: pins.gpio20.into_push_pull_output().into_dyn_pin(),
+        reset: pins.gpio21.into_push_pull_output().into_dyn_pin(),
+    };
     let channel = p.DMA.split(&mut p.RESETS).ch0;
-    let panel = Panel::new(bus, channel, select, command, reset, &mut timer);
+    let mut panel = Panel::new(bus, channel, pins, timer, &mut other.colors);
+    panel.start().unwrap_or_else(|problem| stop(problem));
 
     let picture = Picture::new(&MODEL, SCREEN, &mut mesh.cache, &mut mesh.bins, &mut strip.depths);
     let mut picture = picture.unwrap_or_else(|problem| stop(problem));
     let mut free: &'static mut [u8] = &mut strip.colors;
-    // The first to leave is black.
-    let first_band = Rectangle::new(SCREEN.top_left, Size::new(SCREEN.size.width, ROWS));
-    let mut transfer = panel.send(&first_band, &mut other.colors);
     // A constant: what the model does not have is left out when this is compiled.
     let color = |face: usize, level: u16| match MODEL_COLORS {
         Some(colors) => colors.lit(face, level),
@@ -83,25 +88,42 @@ fn main() -> ! {
     };
     loop {
         for frame in 0..FRAMES {
+            watchdog.feed();
             let start = timer.get_counter_low();
             let turned = picture.turned(Angle::turns(frame as i32, FRAMES));
             let mut turned = turned.unwrap_or_else(|problem| stop(problem));
-            let mut bytes = 0;
+            let (mut bytes, mut shown) = (0, Ok(()));
             free = loop {
                 match turned.band_or_strip(color, free).unwrap_or_else(|problem| stop(problem)) {
                     Break(strip) => break strip,
                     Continue(band) => {
                         let area = band.area();
                         bytes += band.bytes().len() as u32; // of all bands, 115 200
-                        let (panel, sent) = transfer.wait();
-                        transfer = panel.send(&area, band.into_bytes());
-                        free = sent;
+                        match panel.send(&area, band.into_bytes()) {
+                            Ok(sent) => free = sent,
+                            Err((strip, problem)) => {
+                                shown = Err(problem);
+                                break strip;
+                            }
+                        }
                     }
                 }
             };
             let time = timer.get_counter_low().wrapping_sub(start);
-            let statistics = turned.statistics();
-            defmt::info!("frame {=u32}: {=u32} us, {=u32} bytes, {}", frame, time, bytes, statistics);
+            if shown.is_ok() && frame % REFRESH == 0 {
+                shown = panel.refresh();
+            }
+            match shown {
+                Ok(()) => {
+                    let statistics = turned.statistics();
+                    defmt::info!("frame {=u32}: {=u32} us, {=u32} bytes, {}", frame, time, bytes, statistics);
+                }
+                // The next frame is sent whole.
+                Err(problem) => {
+                    defmt::error!("frame {=u32}: {=str}", frame, problem);
+                    panel.start().unwrap_or_else(|problem| stop(problem));
+                }
+            }
         }
     }
 }

@@ -17,7 +17,7 @@ use panel::Panel;
 use picture::{area, Memory, Picture, ROWS, SCREEN};
 use pinhole::{prelude::*, Angle};
 use rp2040_hal as hal;
-use rp2040_hal::fugit::RateExtU32;
+use rp2040_hal::fugit::{ExtU32, RateExtU32};
 use rp2040_hal::multicore::{Multicore, Stack};
 use rp2040_hal::{dma::DMAExt, gpio::Pins, pac, Clock as _, Sio, Spi, Timer, Watchdog};
 use stop::stop;
@@ -37,6 +37,10 @@ static STACK: Stack<2048> = Stack::new();
 const CRYSTAL: u32 = 12_000_000;
 /// Frames of a turn.
 const FRAMES: u32 = 120;
+/// The chip is reset when a frame takes longer, in milliseconds; 0: no watchdog.
+const WATCHDOG: u32 = 1000;
+/// Frames from one writing of the panel's registers to the next, less than a second.
+const REFRESH: u32 = 16;
 
 #[hal::entry]
 fn main() -> ! {
@@ -62,7 +66,10 @@ fn main() -> ! {
         &mut watchdog,
     );
     let Ok(clocks) = clocks else { stop("the clocks do not start") };
-    let mut timer = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
+    if WATCHDOG > 0 {
+        watchdog.start(WATCHDOG.millis());
+    }
+    let timer = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
 
     let mut sio = Sio::new(p.SIO);
     let mut cores = Multicore::new(&mut p.PSM, &mut p.PPB, &mut sio.fifo);
@@ -73,13 +80,14 @@ fn main() -> ! {
     let pins = Pins::new(p.IO_BANK0, p.PADS_BANK0, sio.gpio_bank0, &mut p.RESETS);
     let bus = Spi::<_, _, _, 8>::new(p.SPI0, (pins.gpio19.into_function(), pins.gpio18.into_function()))
         .init(&mut p.RESETS, clocks.peripheral_clock.freq(), 62_500_000.Hz(), MODE_3);
-    let [select, command, reset] = [
-        pins.gpio17.into_push_pull_output().into_dyn_pin(),
-        pins.gpio20.into_push_pull_output().into_dyn_pin(),
-        pins.gpio21.into_push_pull_output().into_dyn_pin(),
-    ];
+    let pins = panel::Pins {
+        select: pins.gpio17.into_push_pull_output().into_dyn_pin(),
+        command: pins.gpio20.into_push_pull_output().into_dyn_pin(),
+        reset: pins.gpio21.into_push_pull_output().into_dyn_pin(),
+    };
     let channel = p.DMA.split(&mut p.RESETS).ch0;
-    let panel = Panel::new(bus, channel, select, command, reset, &mut timer);
+    let mut panel = Panel::new(bus, channel, pins, timer, &mut other.colors);
+    panel.start().unwrap_or_else(|problem| stop(problem));
 
     let half = strip.depths.len() / 2;
     let (depths, other_depths) = strip.depths.split_at_mut(half);
@@ -87,8 +95,6 @@ fn main() -> ! {
     let memory = Memory { cache: &mut mesh.cache, bins: &mut mesh.bins, cursor, depths };
     let mut picture = Picture::new(&MODEL, memory).unwrap_or_else(|problem| stop(problem));
     let mut free: &'static mut [u8] = &mut strip.colors;
-    // The first to leave is black.
-    let mut transfer = Some(panel.send(&area(0), &mut other.colors));
     // A constant: what the model does not have is left out when this is compiled.
     let color = |face: usize, level: u16| match MODEL_COLORS {
         Some(colors) => colors.lit(face, level),
@@ -96,18 +102,33 @@ fn main() -> ! {
     };
     loop {
         for frame in 0..FRAMES {
+            watchdog.feed();
             let start = timer.get_counter_low();
             let turn = Angle::turns(frame as i32, FRAMES);
+            let mut shown = Ok(());
             let drawn = picture.draw(color, turn, &mut other_core, free, |strip, pixels| {
-                let Some(running) = transfer.take() else { stop("the display is in use") };
-                let (panel, sent) = running.wait();
-                transfer = Some(panel.send(&area(strip), pixels));
-                sent
+                if shown.is_err() {
+                    return pixels; // the rest of a frame that is given up
+                }
+                panel.send(&area(strip), pixels).unwrap_or_else(|(strip, problem)| {
+                    shown = Err(problem);
+                    strip
+                })
             });
             let (statistics, strip) = drawn.unwrap_or_else(|problem| stop(problem));
             free = strip;
             let time = timer.get_counter_low().wrapping_sub(start);
-            defmt::info!("frame {=u32}: {=u32} us, {}", frame, time, statistics);
+            if shown.is_ok() && frame % REFRESH == 0 {
+                shown = panel.refresh();
+            }
+            match shown {
+                Ok(()) => defmt::info!("frame {=u32}: {=u32} us, {}", frame, time, statistics),
+                // The next frame is sent whole.
+                Err(problem) => {
+                    defmt::error!("frame {=u32}: {=str}", frame, problem);
+                    panel.start().unwrap_or_else(|problem| stop(problem));
+                }
+            }
         }
     }
 }

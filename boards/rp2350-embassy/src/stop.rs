@@ -1,9 +1,19 @@
 //! What the firmware does when it cannot go on. Neither way formats text: messages of `unwrap`, `expect` and panics would link
 //! `core::fmt`, several kilobytes.
 
-/// Logs the problem, and waits for a reset.
+/// Rounds of some 3 cycles before the reset, in which a probe reads the log: 0.24 s at 100 MHz.
+#[cfg(target_arch = "arm")]
+const DELAY: u32 = 8_000_000;
+
+/// Logs the problem, and resets the chip; on RISC-V, where each chip does that in its own way, waits for a watchdog.
 pub fn stop(problem: &'static str) -> ! {
     defmt::error!("{=str}", problem);
+    #[cfg(target_arch = "arm")]
+    {
+        cortex_m::asm::delay(DELAY);
+        cortex_m::peripheral::SCB::sys_reset()
+    }
+    #[cfg(not(target_arch = "arm"))]
     loop {
         core::hint::spin_loop();
     }

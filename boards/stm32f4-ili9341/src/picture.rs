@@ -1,8 +1,9 @@
-//! A frame of any closed mesh: lit, with depth, in bands. It knows no board: a host that includes this file draws the same
-//! pixels, as `pinhole-render MODEL --firmware` does.
+//! A frame of any closed mesh: lit, with depth, in bands that are sent while the next one is drawn. It draws the pixels of the
+//! other boards' `picture.rs`.
 
+use core::ops::ControlFlow;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
-use embedded_graphics_core::{draw_target::DrawTarget, primitives::Rectangle};
+use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{prelude::*, Angle};
 
 const BACKGROUND: Rgb565 = Rgb565::BLACK;
@@ -11,70 +12,86 @@ pub const COLOR: Rgb565 = Rgb565::CSS_GOLD;
 /// Light on faces that are turned away from the lamp; full light is 256.
 const AMBIENT: u16 = 48;
 
-/// The memory of a drawing: `mesh_buffers!` and `strip_buffers!` declare it.
-pub struct Memory<'a> {
+/// A mesh before its camera, and the memory of its drawing.
+pub struct Picture<'a> {
+    mesh: &'a Mesh<'a>,
+    screen: Rectangle,
+    camera: Camera,
+    instance: MeshInstance<'a>,
     cache: &'a mut [ScreenVertex],
     bins: &'a mut [u16],
-    strip: &'a mut [u8],
     depths: &'a mut [u16],
 }
 
-impl<'a> Memory<'a> {
-    /// A vertex cache and bins for the mesh, and a strip of some rows with the depths of its pixels.
+/// The mesh of a frame, as far as it is drawn.
+pub struct Turned<'a> {
+    mesh: &'a Mesh<'a>,
+    frame: Frame<Rgb565>,
+    /// With depth.
+    faces: BinnedFaces<'a, i16, true>,
+    depths: &'a mut [u16],
+    light: Lambert,
+}
+
+impl<'a> Picture<'a> {
+    /// A camera to the right of the mesh and above it, which sees all of it however it is turned. The memory is a vertex cache
+    /// and bins for the mesh, and the depths of a band.
     pub fn new(
+        mesh: &'a Mesh<'a>,
+        screen: Rectangle,
         cache: &'a mut [ScreenVertex],
         bins: &'a mut [u16],
-        strip: &'a mut [u8],
         depths: &'a mut [u16],
-    ) -> Self {
-        Self { cache, bins, strip, depths }
+    ) -> Result<Self, &'static str> {
+        let viewport = Viewport::new(screen.top_left, screen.size)
+            .map_err(|_| "the screen has no pixels, or more than 8192 a side")?;
+        let (field_of_view, yaw, pitch) = (Angle::degrees(40), Angle::degrees(30), Angle::degrees(20));
+        let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch)
+            .map_err(|_| "the model is a point, or too large: see `fit` in build.rs")?;
+        let instance = camera.place(mesh, &Affine::identity());
+        Ok(Self { mesh, screen, camera, instance, cache, bins, depths })
+    }
+
+    /// A frame: vertices to the screen, visible faces into the bins of the bands.
+    pub fn turned(&mut self, turn: Angle) -> Result<Turned<'_>, &'static str> {
+        let model = Affine::rotation_y(turn);
+        self.instance = self.camera.place(self.mesh, &model);
+        let faces = self.instance.transform_depth(self.cache).bin_faces(self.bins);
+        Ok(Turned {
+            mesh: self.mesh,
+            frame: Frame::new(self.screen, BACKGROUND),
+            faces: faces.map_err(|_| {
+                "no room for all faces: the bins are of another mesh, or it has more than 65535 faces"
+            })?,
+            depths: self.depths,
+            light: Lambert::new(&model, Vector3::from_ints(2, 3, 4), AMBIENT).map_err(|_| "no light")?,
+        })
     }
 }
 
-/// A camera to the right of the mesh and above it, which sees all of it however it is turned.
-pub fn camera(mesh: &Mesh<'_>, screen: Rectangle) -> Result<Camera, &'static str> {
-    let viewport = Viewport::new(screen.top_left, screen.size)
-        .map_err(|_| "the screen has no pixels, or more than 8192 a side")?;
-    let (field_of_view, yaw, pitch) = (Angle::degrees(40), Angle::degrees(30), Angle::degrees(20));
-    Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch)
-        .map_err(|_| "the model is a point, or too large: see `fit` in build.rs")
-}
-
-/// What a frame was.
-pub struct Drawn {
-    pub statistics: Statistics,
-    /// Of the pixels that were sent, without those of commands.
-    pub bytes: u32,
-}
-
-/// Draws the mesh, turned about the y axis, and sends it to the display band by band. `color` gives the colour of each face at a level of light.
-pub fn draw<D: DrawTarget<Color = Rgb565>>(
-    mesh: &Mesh<'_>,
-    color: impl Fn(usize, u16) -> Rgb565,
-    camera: &Camera,
-    turn: Angle,
-    memory: &mut Memory<'_>,
-    display: &mut D,
-) -> Result<Drawn, &'static str> {
-    let model = Affine::rotation_y(turn);
-    let light = Lambert::new(&model, Vector3::from_ints(2, 3, 4), AMBIENT).map_err(|_| "no light")?;
-    let level = |face: usize| mesh.normals().get(face).map_or(256, |&normal| light.level(normal));
-
-    // Once a frame: vertices to the screen, visible faces into the bins of the bands.
-    let instance = camera.place(mesh, &model);
-    let faces = instance.transform_depth(memory.cache).bin_faces(memory.bins);
-    let mut faces = faces.map_err(|_| {
-        "no room for all faces: the bins are of another mesh, or it has more than 65535 faces"
-    })?;
-    let mut frame = Frame::new(display.bounding_box(), BACKGROUND);
-    let mut bytes = 0;
-    while let Some(mut band) = frame.next_band(memory.strip).map_err(|_| "the strip is shorter than a row")? {
-        let depth = DepthBuffer::new(band.area(), memory.depths);
+impl Turned<'_> {
+    /// The next band of the frame, drawn, or after the last one the strip back. `color` gives the colour of each face at a level of light. The display's height need not be a multiple of
+    /// the strip's rows: a band that has too few of its own begins higher up.
+    pub fn band_or_strip<'s>(
+        &mut self,
+        color: impl Fn(usize, u16) -> Rgb565,
+        strip: &'s mut [u8],
+    ) -> Result<ControlFlow<&'s mut [u8], Band<'s, Rgb565>>, &'static str> {
+        let mut band = match self.frame.band_or_strip(strip).map_err(|_| "the strip is shorter than a row")? {
+            ControlFlow::Continue(band) => band,
+            ControlFlow::Break(strip) => return Ok(ControlFlow::Break(strip)),
+        };
+        let depth = DepthBuffer::new(band.area(), self.depths);
         let mut depth = depth.map_err(|_| "fewer depths than pixels in the strip")?;
-        let Ok(()) = faces.draw(|face| color(face, level(face)), &mut band.pixels().depth_tested(&mut depth));
+        let (mesh, light) = (self.mesh, &self.light);
+        let level = |face: usize| mesh.normals().get(face).map_or(256, |&normal| light.level(normal));
+        let Ok(()) =
+            self.faces.draw(|face| color(face, level(face)), &mut band.pixels().depth_tested(&mut depth));
         // Text and icons of embedded-graphics go on top here: a band is a DrawTarget.
-        band.send(display).map_err(|_| "the display refused the pixels")?;
-        bytes += band.bytes().len() as u32; // of any display, less than 2³²
+        Ok(ControlFlow::Continue(band))
     }
-    Ok(Drawn { statistics: faces.statistics(), bytes })
+
+    pub fn statistics(&self) -> Statistics {
+        self.faces.statistics()
+    }
 }

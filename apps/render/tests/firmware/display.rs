@@ -8,13 +8,22 @@ use semihosting::println;
 
 pub const SIZE: Size = Size::new(96, 64);
 
+/// Stands for your HAL's peripherals, such as `stm32f4xx_hal::pac::Peripherals`.
+pub struct Peripherals;
+
+impl Peripherals {
+    pub fn take() -> Option<Self> {
+        Some(Self)
+    }
+}
+
 pub struct Display {
     sent: u32,
 }
 
 impl Display {
-    pub fn new() -> Self {
-        Self { sent: 0 }
+    pub fn new(_: Peripherals) -> Result<Self, &'static str> {
+        Ok(Self { sent: 0 })
     }
 }
 

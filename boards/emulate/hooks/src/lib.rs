@@ -30,6 +30,15 @@ const TXE: u64 = 1 << 1;
 const OVERRUN: u64 = 1 << 6;
 const BUSY: u64 = 1 << 7;
 
+/// Offset of DMA2's status of streams 0 to 3 in the page of its registers, and from SPI1's page to that page.
+const DMA_STATUS: u64 = 0x400;
+const DMA_PAGE: u64 = 0x1_3000;
+/// Flags of stream 3 in it.
+const DMA_ERROR: u64 = 1 << 25;
+const DMA_COMPLETE: u64 = 1 << 27;
+/// What the byte `fail_at` does to DMA, besides an overrun of SPI1: see [`Hooks::dma_on`].
+const STALLED: u64 = 2;
+
 /// Kinds of records: see `rp2040.mjs`.
 const BYTE: u64 = 0x00;
 const BROKEN: u64 = 0x50;
@@ -74,11 +83,22 @@ pub struct Hooks {
     polled: Cell<u64>,
     polled_at: Cell<u64>,
     polled_in: Cell<u64>,
-    /// The number of bytes sent, and the number of the byte at which the overrun flag is set.
+    /// The number of bytes sent, and the number of the byte with which the bus fails. If DMA has sent it, DMA stalls or reports an
+    /// error; else SPI1 reports an overrun.
     sent: Cell<u64>,
     fail_at: u64,
+    stalls: u64,
     /// Cycles for which the core has waited for the bus.
     waited: Cell<u64>,
+
+    /// DMA2's stream 3, which sends by SPI1: whether it is on (1), or on but not served any more (2); the next byte and the bytes
+    /// left; its flags.
+    dma_on: Cell<u64>,
+    dma_next: Cell<u64>,
+    dma_left: Cell<u64>,
+    dma_flags: Cell<u64>,
+    /// Whether SPI1 only sends: then it receives nothing, and nothing can be lost.
+    only_sends: Cell<u64>,
 
     filled: Cell<u64>,
 
@@ -143,6 +163,36 @@ pub unsafe extern "C" fn hooks_write(
     unsafe { &*hooks }.write(offset, value);
 }
 
+/// A register of the page of DMA1 and DMA2 is read: Unicorn's `uc_cb_mmio_read_t`.
+///
+/// # Safety
+///
+/// `hooks` is valid.
+#[no_mangle]
+pub unsafe extern "C" fn hooks_read_dma(
+    _engine: *mut (),
+    offset: u64,
+    _size: u32,
+    hooks: *const Hooks,
+) -> u64 {
+    // SAFETY: as the caller promises
+    unsafe { &*hooks }.read_dma(offset)
+}
+
+/// DMA2's stream 3 is switched on.
+///
+/// # Safety
+///
+/// `hooks` is valid, and its `dma_next` and `dma_left` are bytes of memory that live as long.
+#[no_mangle]
+pub unsafe extern "C" fn hooks_start_dma(hooks: *const Hooks) {
+    // SAFETY: as the caller promises
+    let hooks = unsafe { &*hooks };
+    hooks.settle();
+    hooks.dma_on.set(1);
+    hooks.feed(hooks.cycles.get());
+}
+
 /// A record for the reader: see `rp2040.mjs`.
 ///
 /// # Safety
@@ -174,9 +224,28 @@ impl Hooks {
             self.current.set(address);
             self.repeated.set(0);
         }
+        // DMA reads memory when the bus has room, not when somebody looks.
+        if self.dma_on.get() != 0 {
+            self.settle();
+        }
         if self.cycles.get() >= self.due.get() {
             (self.look)();
         }
+    }
+
+    fn read_dma(&self, offset: u64) -> u64 {
+        if offset != DMA_STATUS {
+            return (self.read)(DMA_PAGE + offset);
+        }
+        add(&self.cycles, PERIPHERAL);
+        self.settle();
+        self.poll(
+            || self.dma_flags.get(),
+            || {
+                let bytes = if self.dma_on.get() == 1 { self.dma_left.get().saturating_sub(1) } else { 0 };
+                self.end.get() + bytes * 8 * self.bit_cycles.get()
+            },
+        )
     }
 
     fn read(&self, offset: u64) -> u64 {
@@ -186,7 +255,7 @@ impl Hooks {
         add(&self.cycles, PERIPHERAL);
         self.settle();
         if offset == STATUS {
-            return self.poll();
+            return self.poll(|| self.status(), || self.end.get());
         }
         self.polled.set(NONE);
         self.received.set(0);
@@ -210,11 +279,11 @@ impl Hooks {
         }
     }
 
-    /// The status. A loop that waits for the end of a byte is recognised when it has read the same status twice; its rounds until
-    /// the end are then skipped.
-    fn poll(&self) -> u64 {
-        let mut status = self.status();
-        if self.shifting.get() != NONE {
+    /// The status of SPI1 or DMA. A loop that waits is recognised when it has read the same status twice; its rounds until the
+    /// `end` of the wait are then skipped.
+    fn poll(&self, read: impl Fn() -> u64, end: impl Fn() -> u64) -> u64 {
+        let mut status = read();
+        if self.shifting.get() != NONE && self.dma_on.get() != STALLED {
             let again = status == self.polled.get();
             let entered = if again { self.polled_in.get() } else { self.current.get() };
             let round = entered.checked_sub(FLASH).and_then(|offset| self.rounds.get(offset as usize / 2));
@@ -226,11 +295,11 @@ impl Hooks {
                 let round = u64::from(round.get());
                 if round > 0 {
                     // Later than now, because `settle` has taken all else.
-                    let rounds = (self.end.get() - self.cycles.get()).div_ceil(round);
+                    let rounds = (end() - self.cycles.get()).div_ceil(round);
                     add(&self.waited, rounds * round);
                     add(&self.cycles, rounds * round);
                     self.settle();
-                    status = self.status();
+                    status = read();
                 }
             }
         }
@@ -258,15 +327,45 @@ impl Hooks {
                 self.overrun.set(1);
             }
             if self.sent.get() == self.fail_at {
-                self.overrun.set(1);
+                self.fail();
                 self.report(BROKEN, 0, self.time(end));
             }
-            self.received.set(1);
+            self.received.set(u64::from(self.only_sends.get() == 0));
             add(&self.sent, 1);
             self.shifting.set(NONE);
             let byte = self.waiting.replace(NONE);
             if byte != NONE {
                 self.shift(byte, end);
+            }
+            self.feed(end);
+        }
+    }
+
+    fn fail(&self) {
+        if self.dma_on.get() == 0 {
+            self.overrun.set(1);
+        } else if self.stalls != 0 {
+            self.dma_on.set(STALLED);
+        } else {
+            self.dma_on.set(0);
+            self.dma_flags.set(DMA_ERROR);
+        }
+    }
+
+    /// DMA fills the bus's registers.
+    fn feed(&self, now: u64) {
+        while self.dma_on.get() == 1 && self.waiting.get() == NONE {
+            // SAFETY: as the caller of `hooks_start_dma` promises
+            let byte = unsafe { *(self.dma_next.get() as *const u8) };
+            add(&self.dma_next, 1);
+            self.dma_left.set(self.dma_left.get() - 1);
+            if self.dma_left.get() == 0 {
+                self.dma_on.set(0);
+                self.dma_flags.set(DMA_COMPLETE);
+            }
+            match self.shifting.get() {
+                NONE => self.shift(byte.into(), now),
+                _ => self.waiting.set(byte.into()),
             }
         }
     }

@@ -33,6 +33,8 @@ static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 const CRYSTAL: u32 = 12_000_000;
 /// Frames until everything looks as before.
 const FRAMES: i32 = 96;
+/// Frames from one writing of the panel's registers to the next.
+const REFRESH: i32 = 8;
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
 /// Rows of a band: more are faster, and take more memory.
 const ROWS: u32 = 40;
@@ -59,24 +61,22 @@ fn main() -> ! {
         &mut watchdog,
     );
     let Ok(clocks) = clocks else { stop("the clocks do not start") };
-    let mut timer = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
+    let timer = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
 
     let pins = Pins::new(p.IO_BANK0, p.PADS_BANK0, Sio::new(p.SIO).gpio_bank0, &mut p.RESETS);
     let bus = Spi::<_, _, _, 8>::new(p.SPI0, (pins.gpio19.into_function(), pins.gpio18.into_function()))
         .init(&mut p.RESETS, clocks.peripheral_clock.freq(), 62_500_000.Hz(), MODE_3);
-    let [select, command, reset] = [
-        pins.gpio17.into_push_pull_output().into_dyn_pin(),
-        pins.gpio20.into_push_pull_output().into_dyn_pin(),
-        pins.gpio21.into_push_pull_output().into_dyn_pin(),
-    ];
+    let pins = panel::Pins {
+        select: pins.gpio17.into_push_pull_output().into_dyn_pin(),
+        command: pins.gpio20.into_push_pull_output().into_dyn_pin(),
+        reset: pins.gpio21.into_push_pull_output().into_dyn_pin(),
+    };
     let channel = p.DMA.split(&mut p.RESETS).ch0;
-    let panel = Panel::new(bus, channel, select, command, reset, &mut timer);
+    let mut panel = Panel::new(bus, channel, pins, timer, &mut other.colors);
+    panel.start().unwrap_or_else(|problem| stop(problem));
 
     let scene = Scene::<Rgb565>::new(SCREEN.size, &MORNING).unwrap_or_else(|problem| stop(problem));
     let mut free: &'static mut [u8] = &mut strip.colors;
-    // The first to leave is black.
-    let first_band = Rectangle::new(SCREEN.top_left, Size::new(SCREEN.size.width, ROWS));
-    let mut transfer = panel.send(&first_band, &mut other.colors);
     loop {
         for number in 0..FRAMES {
             let start = timer.get_counter_low();
@@ -94,10 +94,12 @@ fn main() -> ! {
                 let mut depth = depth.unwrap_or_else(|_| stop("fewer depths than pixels in the strip"));
                 let Ok(()) = view.draw(&mut depth, &mut band.pixels());
                 let area = band.area();
-                let (panel, sent) = transfer.wait();
-                transfer = panel.send(&area, band.into_bytes());
-                free = sent;
+                // The chip starts anew after an error of the bus.
+                free = panel.send(&area, band.into_bytes()).unwrap_or_else(|(_, problem)| stop(problem));
             };
+            if number % REFRESH == 0 {
+                panel.refresh().unwrap_or_else(|problem| stop(problem));
+            }
             let time = timer.get_counter_low().wrapping_sub(start);
             defmt::info!("frame {=i32}: {=u32} us", number, time);
         }
