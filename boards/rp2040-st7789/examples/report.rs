@@ -62,5 +62,11 @@ fn main() -> ! {
             row.crc
         );
     });
-    stop(if drawn.is_some() { "report: end" } else { "a scene has no camera or no light" })
+    if drawn.is_none() {
+        stop("a scene has no camera or no light");
+    }
+    defmt::info!("report: end");
+    loop {
+        core::hint::spin_loop();
+    }
 }
