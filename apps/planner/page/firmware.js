@@ -12,7 +12,7 @@ function showBoards() {
   const isMono = state.format === 'mono';
   const changes = { style: isMono ? 'hidden-line' : 'flat', ...(!isMono && state.format !== 'rgb565' && withPanel(menu.displays[0])) };
   write('no-firmware', boards.length > 0 || !drawnModel ? '' : 'The templates draw flat, Gouraud and textured faces in 16-bit colour, and hidden lines in black and white. ',
-    `Draw ${isMono ? 'hidden lines' : changes.width ? 'flat faces on an ST7789' : 'flat faces'}`, changes);
+    [`Draw ${isMono ? 'hidden lines' : changes.width ? 'flat faces on an ST7789' : 'flat faces'}`, changes]);
   showFirmware();
 }
 
@@ -30,13 +30,13 @@ function showFirmware() {
   write('wiring', isOffered ? driver + decimates : '');
 }
 
-// Writes a paragraph, with a button if there are changes to make, only where its text differs: a press on a button must not be lost.
-function write(id, text, button, changes) {
-  const whole = text + (button ?? '');
+// Writes a paragraph, with buttons, each a text and changes, only where its text differs: a press on a button must not be lost.
+function write(id, text, ...buttons) {
+  const whole = JSON.stringify([text, buttons]);
   if ($(id).dataset.whole === whole) return;
   $(id).dataset.whole = whole;
   $(id).hidden = !text;
-  $(id).replaceChildren(text, ...(text && button ? [remedyButton(button, changes)] : []));
+  $(id).replaceChildren(text, ...(text ? buttons.map((button) => remedyButton(...button)) : []));
 }
 
 // A note if the board's display differs from the one that the page shows: its firmware frames the model for the board's display.
@@ -46,7 +46,7 @@ function showOtherDisplay(isOther, board, display) {
   const { controller } = partsOf(board);
   const spi = clockOf({ name: controller });
   write('other-display', `The display of ${board} has ${width} × ${height} pixels, and its firmware frames the model for them. `,
-    `Show ${width} × ${height} pixels`, { width, height, spi, controller });
+    [`Show ${width} × ${height} pixels`, { width, height, spi, controller }]);
 }
 
 const family = (name) => name.split('-')[0];
@@ -75,9 +75,11 @@ function toWrite(board) {
 // A note if the costs are those of another chip than the board's.
 function showOtherChip(isOffered, board) {
   const { chip } = partsOf(board);
-  if (!isOffered || !chip || family(chip) === family(state.chip) || nearestBoard(state.chip, panelChosen()) === board) return write('other-chip', '');
+  const nearest = nearestBoard(state.chip, panelChosen());
+  if (!isOffered || !chip || family(chip) === family(state.chip) || nearest === board) return write('other-chip', '');
   const name = (key) => menu.chips.find((one) => one.key === key)?.name;
-  write('other-chip', `The costs above are those of the ${name(state.chip)}, which is not the chip of ${board}. `, `Show the costs on the ${name(chip)}`, { chip });
+  write('other-chip', `The figures are those of the ${name(state.chip)}, which is not the chip of ${board}. `,
+    [`Show those of the ${name(chip)}`, { chip }], [`Take ${nearest} instead`, { board: nearest }]);
 }
 
 // The buffers of the board's firmware, if its display has the sides that the page shows.
@@ -85,7 +87,7 @@ function showBuffers(isShown, board) {
   const way = costsShown && chosenOf(costsShown);
   if (!isShown || !way?.rows) return write('buffers', '');
   const { strips } = partsOf(board);
-  const use = (rows) => (rows ? [`Use bands of ${rows} rows`, { rows }] : []);
+  const use = (rows) => (rows ? [[`Use bands of ${rows} rows`, { rows }]] : []);
   if (board === 'rp2040-two-cores' && state.height % (2 * way.rows)) {
     return write('buffers', 'Its two cores draw as many bands each. ', ...use(HEIGHTS.find((rows) => rows < way.rows && state.height % (2 * rows) === 0)));
   }

@@ -44,8 +44,8 @@ function panelOf({ width, height, format, controller }) {
 const panelChosen = () => (isOwnSize ? undefined : panelOf(state));
 
 // Facts about controllers. MHz that SPI takes by the data sheet; an ILI9341, whose data sheet has 10, is usually run at 25 to 40; an ST7789
-// takes 62.5, more than most chips have. The diagonal in inches, by height if there are several, of the square around a round one. Bits of a pixel on the bus, if not those
-// in memory. Frames per second that the panel can show. What a driver must do.
+// takes 62.5, more than most chips have. The diagonal in inches, by height if there are several, and for a round panel that of the square
+// around it. Bits of a pixel on the bus, if they are not those in memory. Frames per second that the panel can show. What a driver must do.
 const FACTS = {
   ST7789: { inches: { 240: 1.3, 320: 2 } },
   ILI9341: { spi: 25, inches: 2.4 },

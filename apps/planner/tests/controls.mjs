@@ -101,6 +101,12 @@ export const controls = ({ browser, pixels, settled, isGood, faces, load }) => {
       await settled(tab);
       assert.equal(await tab.inputValue('#chip'), 'samd21');
       assert.equal(await tab.inputValue('#height'), '320');
+      // The nearest template is offered for a chip that has none.
+      await tab.selectOption('#board', 'rp2040-st7789');
+      await tab.selectOption('#chip', 'stm32l476');
+      await tab.click('#other-chip button >> nth=1');
+      await settled(tab);
+      assert.equal(await tab.inputValue('#board'), 'any-cortex-m');
       await tab.click('#matrix thead button >> nth=1');
       const column = await tab.locator('#matrix tbody tr td:nth-child(2)').allTextContents();
       const speeds = column.slice(0, chips).map((text) => parseFloat(text.replace('≈', '')));
