@@ -43,7 +43,7 @@
 //!
 //! | topic | module | start here |
 //! |---|---|---|
-//! | learning the pipeline | [`book`] | chapter by chapter; seven programs to copy: the [cookbook](book::ch9_cookbook) |
+//! | learning the pipeline | [`book`] | chapter by chapter; eight programs to copy: the [cookbook](book::ch9_cookbook) |
 //! | names to import | [`prelude`] | and [`Angle`], apart because embedded-graphics has one |
 //! | numbers, moving objects | [`math`], [`space`] | [`Affine`], [`Scalar`]; [`Hierarchy`](mesh::Hierarchy) for joints |
 //! | cameras | [`camera`] | [`Camera::framing`]; [`Projection`], [`Viewport`]; [choosing a projection](book::ch3_projections) |

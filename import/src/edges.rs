@@ -94,9 +94,10 @@ impl Sides {
         (topology, first)
     }
 
-    /// The edges that are wanted, in ascending order, and, if they are wanted, too, the faces beside each. `lines` are edges, the
+    /// The edges that are wanted, features first if they are wanted first, otherwise in ascending order, and, if they are wanted, too, the
+    /// faces beside each. `lines` are edges, the
     /// lower vertex first, whether a face has them or not. `backs` are the faces that the mesh has a second time, reversed, after
-    /// all `crosses.len()` of them: their edges are listed with the backs, too.
+    /// all `crosses.len()` of them: their edges are listed with the backs, too. `colors` are numbers of the faces' colours, or nothing.
     ///
     /// # Errors
     ///
@@ -107,6 +108,7 @@ impl Sides {
         lines: &BTreeSet<[usize; 2]>,
         crosses: &[[i64; 3]],
         backs: &[usize],
+        colors: &[u8],
     ) -> Result<Selected, Problem> {
         let count = crosses.len() + backs.len();
         if options.edge_faces && count > usize::from(u16::MAX) {
@@ -117,15 +119,18 @@ impl Sides {
         let mut without_faces = lines.clone();
         for sides in self.edges() {
             let is_line = !lines.is_empty() && without_faces.remove(&sides[0].edge());
-            let wanted = match options.edges {
-                Edges::All => true,
-                Edges::None => false,
-                Edges::Feature { degrees } => match (meeting(sides), sides) {
-                    (Meeting::Surface, [a, b]) => turn(crosses[a.face()], crosses[b.face()]) > degrees,
-                    _ => true,
-                },
+            let is_feature = |degrees| match (meeting(sides), sides) {
+                (Meeting::Surface, [a, b]) => turn(crosses[a.face()], crosses[b.face()]) > degrees,
+                _ => true,
             };
-            let edge = as_indices(sides[0].edge());
+            let has_two_colors = || matches!(sides, [a, b] if colors.get(a.face()) != colors.get(b.face()));
+            let (wanted, is_later) = match options.edges {
+                Edges::All => (true, false),
+                Edges::None => (false, false),
+                Edges::Feature { degrees } => (is_feature(degrees), false),
+                Edges::CreasesFirst { degrees } => (true, !(is_feature(degrees) || has_two_colors())),
+            };
+            let edge = (is_later, as_indices(sides[0].edge()));
             if !(wanted || is_line) {
                 continue;
             }
@@ -146,13 +151,18 @@ impl Sides {
                 }
             }
         }
-        selected.extend(without_faces.into_iter().map(|edge| (as_indices(edge), NO_FACES)));
+        selected.extend(without_faces.into_iter().map(|edge| ((false, as_indices(edge)), NO_FACES)));
         selected.sort_by_key(|&(edge, _)| edge);
-        let (edges, mut beside): (Vec<_>, Vec<_>) = selected.into_iter().unzip();
+        let creases = match options.edges {
+            Edges::CreasesFirst { .. } => Some(selected.partition_point(|&((is_later, _), _)| !is_later)),
+            _ => None,
+        };
+        let (edges, mut beside): (Vec<_>, Vec<_>) =
+            selected.into_iter().map(|((_, edge), beside)| (edge, beside)).unzip();
         if !options.edge_faces {
             beside.clear();
         }
-        Ok(Selected { edges, beside })
+        Ok(Selected { edges, creases, beside })
     }
 }
 
@@ -161,6 +171,7 @@ const NO_FACES: [u16; 2] = [u16::MAX; 2];
 
 pub(crate) struct Selected {
     pub(crate) edges: Vec<[u16; 2]>,
+    pub(crate) creases: Option<usize>,
     pub(crate) beside: Vec<[u16; 2]>,
 }
 

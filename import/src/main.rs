@@ -44,20 +44,21 @@ fn command() -> Command {
                 .help("The constant's name"),
         )
         .arg(
-            choice("edges", &["all", "feature", "none"])
+            choice("edges", &["all", "feature", "creases-first", "none"])
                 .default_value("all")
                 .help(
                     "Which edges: all of all triangles; feature, edges where the surface turns by more than --feature-angle, \
-                     or ends, so that flat faces have no diagonals; or none",
+                     or ends, so that flat faces have no diagonals; creases-first, all edges, feature edges first, and their number \
+                     NAME_CREASES, for smooth edges; or none",
                 ),
         )
         .arg(
             number("feature-angle")
                 .value_name("DEGREES")
                 .default_value("30")
-                .help("How far the surface turns at a feature edge, 0 to 180"),
+                .help("How far the surface turns at a feature edge or crease, 0 to 180"),
         )
-        .arg(flag("edge-faces").help("The two faces beside each edge, for hidden lines: 4 bytes an edge"))
+        .arg(flag("edge-faces").help("The two faces beside each edge, for hidden lines and smooth edges: 4 bytes an edge"))
         .arg(
             choice("normals", &["face", "vertex", "both", "none"])
                 .default_value("face")
@@ -117,13 +118,15 @@ const DECIMATE: &str = if cfg!(feature = "decimate") {
 
 fn options(given: &ArgMatches) -> Options {
     let word = |name: &str| given.get_one::<String>(name).map_or("", String::as_str);
+    let degrees = given.get_one("feature-angle").copied().unwrap_or(30.0);
     Options {
         fit: given.get_one("fit").copied(),
         decimate: given.get_one("decimate").copied(),
         centre: if word("centre") == "origin" { Centre::Origin } else { Centre::Box },
         reorder: !given.get_flag("keep-order"),
         edges: match word("edges") {
-            "feature" => Edges::Feature { degrees: given.get_one("feature-angle").copied().unwrap_or(30.0) },
+            "feature" => Edges::Feature { degrees },
+            "creases-first" => Edges::CreasesFirst { degrees },
             "none" => Edges::None,
             _ => Edges::All,
         },
@@ -148,8 +151,10 @@ fn texture(given: &ArgMatches) -> Option<TextureFormat> {
 fn refuse_idle(given: &ArgMatches) -> Result<(), String> {
     let typed = |name| given.value_source(name) == Some(ValueSource::CommandLine);
     let word = |name: &str| given.get_one::<String>(name).map_or("", String::as_str);
-    if typed("feature-angle") && word("edges") != "feature" {
-        return Err("--feature-angle: is that of --edges feature: give this, too".into());
+    if typed("feature-angle") && !matches!(word("edges"), "feature" | "creases-first") {
+        return Err(
+            "--feature-angle: is that of --edges feature or creases-first: give one of them, too".into()
+        );
     }
     if typed("texture-color") && !typed("texture") {
         return Err("--texture-color: is that of --texture COLORS: give this, too".into());

@@ -24,8 +24,11 @@ pub struct ImportedMesh {
     /// The triangles, counter-clockwise seen from outside if they are so in the file. Indices are `u16`, as
     /// [`pinhole::Mesh`] takes no smaller ones.
     pub faces: Vec<[u16; 3]>,
-    /// The edges, the lower index first, in ascending order; each once, but with `edge_faces` once for every two faces.
+    /// The edges, the lower index first, in ascending order (creases and borders before all others if
+    /// [asked for](crate::Edges::CreasesFirst)); each once, but with `edge_faces` once for every two faces.
     pub edges: Vec<[u16; 2]>,
+    /// The number of edges that [come first](crate::Edges::CreasesFirst), as creases and borders; or nothing.
+    pub creases: Option<usize>,
     /// The two faces beside each edge, [`Mesh::NO_FACE`] for one that is not there; or nothing.
     pub edge_faces: Vec<[u16; 2]>,
     /// The unit normal of each face, 32767 = 1, computed from the quantised vertices; it points to where the face is

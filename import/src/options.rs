@@ -54,7 +54,7 @@ pub struct Options {
     pub materials_only: bool,
     /// Which edges the mesh gets.
     pub edges: Edges,
-    /// The two faces beside each edge, which hidden lines need. An edge of more faces is then listed once for every two.
+    /// The two faces beside each edge, which hidden lines and smooth edges need. An edge of more faces is then listed once for every two.
     /// Wants `edges`.
     pub edge_faces: bool,
     /// A normal for each face.
@@ -144,7 +144,7 @@ impl Options {
         if self.step.is_some() && self.exponent().is_none() {
             return Err(Problem::Options("the step is not a power of two from 2^-32 to 2^15"));
         }
-        if let Edges::Feature { degrees } = self.edges {
+        if let Edges::Feature { degrees } | Edges::CreasesFirst { degrees } = self.edges {
             if !(0.0..=180.0).contains(&degrees) {
                 return Err(Problem::Options("the feature angle is not between 0 and 180 degrees"));
             }
@@ -253,6 +253,14 @@ pub enum Edges {
     /// Creases and borders only: edges where the angle between the normals of both faces is larger than this, edges of one face, and
     /// edges that are not part of a proper surface (three faces, or two of opposite winding). Angles are measured after quantising.
     Feature {
+        /// 0 … 180.
+        degrees: f64,
+    },
+    /// Each edge of each face, first the edges of [`Feature`](Self::Feature) and those between faces of two colours: for faces with smooth
+    /// edges, which `pinhole::draw::TransformedMesh::bin_smooth_edges` takes with [`Options::edge_faces`]. Its `is_crease` is
+    /// `|edge| edge < MESH_CREASES`: [`ImportedMesh::creases`](crate::ImportedMesh::creases). 0 degrees suit faces in one light each: only
+    /// the diagonals of flat surfaces then come later. Smooth shading has a crease where it ends.
+    CreasesFirst {
         /// 0 … 180.
         degrees: f64,
     },

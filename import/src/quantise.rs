@@ -263,7 +263,7 @@ pub(crate) fn make(
     let crosses: Vec<_> = corners.iter().map(|f| cross(f.map(|i| vertices[i]))).collect();
     // In range: there are at most 65536 vertices.
     let mut corners: Vec<[u16; 3]> = corners.iter().map(|f| f.map(|i| i as u16)).collect();
-    let selected = match sides.select(options, &lines, &crosses, &backs) {
+    let selected = match sides.select(options, &lines, &crosses, &backs, &face_colors) {
         Ok(selected) => selected,
         Err(problem) => return Ok(Preview { mesh: Err(problem), ..made }),
     };
@@ -280,6 +280,7 @@ pub(crate) fn make(
         exponent: grid.exponent,
         faces: corners,
         edges: selected.edges,
+        creases: selected.creases,
         edge_faces: selected.beside,
         normals,
         planes: Vec::new(),

@@ -21,7 +21,8 @@ impl ImportedMesh {
     /// The mesh as Rust source: the constant `name`, a `pinhole::Mesh<'static>` over lists that are there once; `name_COLORS`,
     /// an `Option<pinhole::mesh::FaceColors>`, which is `None` where the file has no materials, so that one program draws models with
     /// and without them; where the file has texture coordinates, `name_TEXTURE`, a `pinhole::mesh::TextureCoords`; where a picture was
-    /// [asked for](crate::Options::texture), `name_TEXELS`, a `pinhole::texture::IndexedTexels`; and where `I16F16`
+    /// [asked for](crate::Options::texture), `name_TEXELS`, a `pinhole::texture::IndexedTexels`; where
+    /// [creases come first](crate::Edges::CreasesFirst), their number `name_CREASES`; and where `I16F16`
     /// can hold it, `name_OFFSET`. For a module, or for `include!`, also of several such files. Its documentation
     /// has the name of `file`, sizes and errors, and `maker`, by which it was made. `None` if `name` is not
     /// [the name of a constant](crate::is_constant_name).
@@ -72,6 +73,13 @@ impl ImportedMesh {
             self.exponent,
         );
         self.write_materials(&mut out, name);
+        if let Some(creases) = self.creases {
+            let _ = write!(
+                out,
+                "\n/// The number of creases and borders of [`{name}`], its first edges: `|edge| edge < {name}_CREASES` tells them.\n{KEPT}\
+                 pub const {name}_CREASES: usize = {creases};\n"
+            );
+        }
         if let Some([x, y, z]) = self.offset_bits() {
             let _ = write!(
                 out,
@@ -172,7 +180,7 @@ impl ImportedMesh {
     }
 
     /// The mesh as Rust source, list by list, for code that works on them at compile time: the constants `VERTICES`,
-    /// `EXPONENT`, `FACES`, `EDGES`, `NORMALS` and, where `I16F16` can hold it, `OFFSET`; `EDGE_FACES`, `PLANES`,
+    /// `EXPONENT`, `FACES`, `EDGES`, `NORMALS` and, where `I16F16` can hold it, `OFFSET`; `CREASES`, `EDGE_FACES`, `PLANES`,
     /// `VERTEX_NORMALS`, `PALETTE`, `FACE_COLORS`, `EMISSION`, `TEXTURE_COORDS`, `TEXTURE_FACES` and `TEXTURE_EXPONENT`, `TEXELS`, `TEXEL_PALETTE`
     /// and `TEXTURE_SIZE` where there are any. It can be a module of its own or be taken in by `include!`. The header names
     /// `command`, by which the file was made.
@@ -205,6 +213,12 @@ impl ImportedMesh {
             "Edges, once for every two faces beside them."
         };
         list(&mut out, edges_doc, "EDGES: [[u16; 2]", &self.edges);
+        if let Some(creases) = self.creases {
+            let _ = writeln!(
+                out,
+                "/// The number of creases and borders, the first edges.\npub const CREASES: usize = {creases};\n"
+            );
+        }
         let doc = "The two faces beside each edge; 65535 is none.";
         list_if_any(&mut out, doc, "EDGE_FACES: [[u16; 2]", &self.edge_faces);
         list(&mut out, "The unit normal of each face, 32767 = 1.", "NORMALS: [[i16; 3]", &self.normals);

@@ -8,9 +8,10 @@
 //! 6. [Estimating RAM, flash and frame time](ch6_budget)
 //! 7. [Number formats and errors](ch7_numbers)
 //! 8. [From embedded-gfx and embedded-3dgfx](ch8_porting)
-//! 9. [Cookbook](ch9_cookbook): seven whole programs, with their pictures
+//! 9. [Cookbook](ch9_cookbook): eight whole programs, with their pictures
 //! 10. [Measuring on your board](ch10_measuring): clock cycles, waiting, bytes, and logs
 //! 11. [Changing the firmware's picture](ch11_changes): colours, a second object, a texture, fog, a label, a button
+//! 12. [Tearing](ch12_tearing), with a figure
 //!
 //! If you have a firmware from a template and want to change its picture, begin with chapter 11.
 //!
@@ -29,6 +30,7 @@ pub mod ch2_coordinates {}
 #[doc = include_str!("ch3_projections.md")]
 pub mod ch3_projections {}
 
+#[doc = include_str!("links.md")]
 #[doc = include_str!("ch4_visibility.md")]
 pub mod ch4_visibility {}
 
@@ -49,6 +51,13 @@ pub mod ch8_porting {}
 
 #[doc = include_str!("ch11_changes.md")]
 pub mod ch11_changes {}
+
+#[doc = include_str!("ch12_tearing.md")]
+#[doc = ""]
+#[doc = include_str!("tearing.svg")]
+#[doc = ""]
+#[doc = include_str!("ch12_rules.md")]
+pub mod ch12_tearing {}
 
 pub mod ch10_measuring;
 pub mod ch9_cookbook;

@@ -18,7 +18,8 @@
 //!
 //! In bands with a list of active faces, triangles of both kinds that begin in a band go to [`carried`] first.
 //!
-//! Gradients of triangles within 32 pixels have a fast path, too: [`tiny_gradient`].
+//! Gradients of triangles within 32 pixels have a fast path, too: [`tiny_gradient`]. Smooth triangles of a few pixels with depth go to
+//! [`tiny_table`] before all tiers.
 
 #![cfg_attr(pinhole_plain, allow(dead_code))]
 
@@ -47,6 +48,7 @@ pub(crate) mod sprite_fill;
 pub(crate) mod table_line;
 mod tiers;
 mod tiny_gradient;
+mod tiny_table;
 
 use attach::memory_of;
 pub(crate) use back_face::is_back_face;

@@ -13,7 +13,7 @@
 
 use super::fill_rows::{fill_triangle, same_length, Fill, FillRow, FillRows};
 use super::put_run::{put_blocks, put_blocks_nearer, put_each, put_each_nearer, LookUp, Ramp, BLOCK};
-use super::{depth_and_light_gradients, depth_gradient, memory_of, RowOrigin};
+use super::{depth_and_light_gradients, depth_gradient, memory_of, tiny_table, RowOrigin};
 use crate::color::StoredPixel;
 use crate::math::cores::CORTEX_M0;
 use crate::math::hints::{keep_branch, opaque};
@@ -34,6 +34,12 @@ pub(crate) fn table_nearer<T: Surface>(
     target: &mut T,
 ) -> bool {
     let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
+    if !CORTEX_M0
+        && (1..=tiny_table::MOST_AREA).contains(&triangle.triangle.area)
+        && tiny_table::fill(memory, triangle, shader, scissor, depth.buffer.values_mut())
+    {
+        return true;
+    }
     fill_triangle(memory, triangle, scissor, is_clipped, &mut *depth.buffer, shader);
     true
 }

@@ -8,6 +8,7 @@ mod cross;
 mod floats;
 #[path = "../../examples/show/mod.rs"]
 mod teapot;
+mod tearing;
 mod template;
 mod wire;
 

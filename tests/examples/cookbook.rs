@@ -6,8 +6,8 @@ mod book;
 mod scenes;
 
 use crate::{example, folder};
-use book::{epaper, gauge, hud, logo, orbit, scope, walk};
-use embedded_graphics::pixelcolor::{BinaryColor, Rgb565};
+use book::{epaper, gauge, hud, logo, orbit, samples, scope, walk};
+use embedded_graphics::pixelcolor::{raw::RawU16, BinaryColor, Rgb565};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::meshes::{CUBE, TORUS};
@@ -21,9 +21,10 @@ use pinhole_apps_support::testing;
 use std::convert::Infallible;
 use std::fs;
 use std::path::Path;
+use support::oracle::rng::Rng;
 use support::ROOT;
 
-const PROGRAMS: [&str; 7] = ["logo", "gauge", "walk", "orbit", "hud", "epaper", "scope"];
+const PROGRAMS: [&str; 8] = ["logo", "gauge", "walk", "orbit", "hud", "epaper", "scope", "samples"];
 
 /// A display that counts the pixels that it receives.
 struct Counting<C> {
@@ -133,6 +134,7 @@ fn the_book_shows_each_program_with_its_picture_and_its_memory() {
         size_of::<hud::Hud>() + 2 * TORUS.cache_len(),
         size_of::<ScreenVertex>() * epaper::PAWN.cache_len() + 2 * 200 * 20,
         size_of::<scope::Scope>() + size_of_val(scope::AT_REST.vertices()),
+        size_of::<samples::Memory>(),
     ];
     let rows: Vec<&str> = chapter.lines().filter(|line| line.starts_with("//! | [")).collect();
     assert_eq!(rows.len(), memory.len());
@@ -185,4 +187,21 @@ fn a_touch_picks_the_bar_that_is_seen() {
         }
     }
     assert!(bars > 50 && nothing > 50, "{bars} on bars, {nothing} beside them");
+}
+
+#[test]
+fn four_samples_become_their_mean() {
+    let mut rng = Rng::new(47);
+    for _ in 0..10_000 {
+        let samples: [u16; 4] = std::array::from_fn(|_| rng.below(65_536) as u16);
+        let colors = samples.map(|bits| Rgb565::from(RawU16::new(bits)));
+        let bytes = samples.map(u16::to_be_bytes);
+        let [upper, lower] = [0, 2].map(|i| [bytes[i][0], bytes[i][1], bytes[i + 1][0], bytes[i + 1][1]]);
+        let mean = |channel: fn(&Rgb565) -> u8| {
+            (colors.iter().map(|color| u32::from(channel(color))).sum::<u32>() + 2) / 4
+        };
+        let wanted = [mean(Rgb565::r), mean(Rgb565::g), mean(Rgb565::b)].map(|level| level as u8);
+        let found = samples::mean((&upper, &lower));
+        assert_eq!([found.r(), found.g(), found.b()], wanted, "{samples:x?}");
+    }
 }

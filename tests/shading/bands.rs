@@ -80,6 +80,43 @@ fn bands_of_every_height_add_up_to_the_full_picture() {
     }
 }
 
+/// Faces of a few pixels with colours of a table. The view is parallel, eight units a pixel, so that many corners and edges hit pixel
+/// centres. Faces pierce each other, every fourth one lies in the plane of the face before it, and some lie beyond the viewport's borders.
+#[test]
+fn tiny_faces_with_depth_are_those_of_the_plain_path() {
+    const COUNT: usize = 80;
+    let mut rng = Rng::new(0x81);
+    let faces: Vec<_> = (0..COUNT as u16)
+        .map(|face| [0, 1, 2].map(|corner| 3 * (face - u16::from(face % 4 == 3)) + corner))
+        .collect();
+    for case in 0..40 {
+        let vertices: Vec<_> = (0..COUNT)
+            .flat_map(|_| {
+                let [x, y, z] = [85, 65, 6].map(|reach| rng.int(-reach, reach));
+                let far = if rng.one_in(9) { 32_000 } else { 0 }; // above the frame
+                let [width, height] = [0; 2].map(|_| [2, 12, 20, 128][rng.below(4)]);
+                [(); 3].map(|()| {
+                    let right = [0, width, rng.int(0, width)][rng.below(3)];
+                    [x + right, y + far + rng.int(0, height), z + rng.int(-40, 40)].map(|c| c as i16)
+                })
+            })
+            .collect();
+        let tables: Vec<_> = (0..COUNT).map(|_| shaded::<Rgb565>(random_lights(&mut rng))).collect();
+        let [w, h] = [21, 13].map(|pixels| pixels * ONE / 16);
+        let camera = CameraBits {
+            view: ViewBits::LookAlong([0, 0, 3 * ONE], [0, 0, -ONE], [0, ONE, 0]),
+            projection: ProjectionBits::Orthographic([-w, w, -h, h], ONE / 4, 9 * ONE),
+            viewport: (0, 0, 21, 13),
+        };
+        let mesh = Mesh::new(&vertices, -6, &faces).expect("a mesh");
+        let frame = [rectangle(2, 1, 17, 11), rectangle(-3, -2, 28, 17)][case % 2];
+        for cull in [Cull::Back, Cull::None] {
+            let instance = camera.library().place(&mesh, &Affine::identity()).with_cull(cull);
+            by_every_call(&instance, frame, Rgb565::BLACK, &[1, 2, 3, 8, 17], &|face| tables[face]);
+        }
+    }
+}
+
 /// Pixels of less than a byte are packed in bands, and cannot be drawn into memory.
 fn of_parts_of_bytes<C: Colour>(instance: &MeshInstance<'_>, scene: &Scene) {
     let shade: &dyn Fn(usize) -> _ = &|face| scene.shaders[face].1.dithered();

@@ -49,6 +49,8 @@ fn main() -> Result<()> {
     std::fs::write(format!("{out}/lists.rs"), lists(&scenes)?)?;
     std::fs::write(format!("{out}/shapes.rs"), shapes(&scenes, &growth)?)?;
     std::fs::write(format!("{out}/cells.rs"), cells(&read("cells.json")?))?;
+    let version = std::process::Command::new(std::env::var("RUSTC")?).arg("--version").output()?.stdout;
+    println!("cargo::rustc-env=BENCH_COMPILER={}", String::from_utf8(version)?.trim());
     // The memory.x of Arm's board.
     println!("cargo::rustc-link-search={}/board", here.display());
     // The memory.x of RISC-V's board; the flag that names it is in the root's configuration.

@@ -152,7 +152,7 @@ fn faces(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String>
     };
     if let Some((shader, dither)) = shader {
         let dithered = if dither { ".dithered()" } else { "" };
-        let lit = format!("pinhole::{shader}::lit(color(face, 256).into(), level(face)){dithered}");
+        let lit = format!("{shader}::lit(color(face, 256).into(), level(face)){dithered}");
         replace(FACES, &lit)?;
     }
     Ok(without_unused(text))
@@ -364,12 +364,41 @@ mod tests {
             let template = format!("{}/../../boards/{file}", env!("CARGO_MANIFEST_DIR"));
             let template = std::fs::read_to_string(template).expect(file);
             let made = super::file(path, &template, &choice(text), "model.obj", &sphere()).expect(block);
+            check_paths(&template, &made);
             for line in lines.map(|line| line.replace("\\n", "\n")) {
                 let is_right = match line.strip_prefix("! ") {
                     Some(unwanted) => !made.contains(unwanted),
                     None => made.contains(&line) && !template.contains(&line),
                 };
                 assert!(is_right, "{block}: {line}\n{made}");
+            }
+        }
+    }
+
+    /// Paths that compile, as they stand in files.
+    macro_rules! paths {
+        ($($path:path),* $(,)?) => {
+            const PATHS: &[&str] = &[$(stringify!($path)),*];
+            $(const _: () = { #[allow(unused_imports)] use $path as _; };)*
+        };
+    }
+
+    paths! {
+        pinhole::Mesh, pinhole::Point3, pinhole::Projection, pinhole::Scalar, pinhole::ViewTransform, pinhole::camera::Window,
+        pinhole::mesh::TextureCoords, pinhole::texture::IndexedTexels, pinhole::prelude::Flat, pinhole::prelude::Gouraud,
+    }
+
+    /// What the page writes into a file of a template names what there is.
+    fn check_paths(template: &str, made: &str) {
+        for line in
+            made.lines().filter(|line| !template.contains(line.trim()) && !line.trim().starts_with("use "))
+        {
+            for (at, _) in line.match_indices("pinhole::") {
+                let known = |path: &&&str| line.get(at..).is_some_and(|rest| rest.starts_with(**path));
+                assert!(PATHS.iter().find(known).is_some(), "a path that is not known to compile: {line}");
+            }
+            for name in ["Flat::", "Gouraud::"] {
+                assert!(!line.contains(name) || template.contains("prelude::*"), "{line}");
             }
         }
     }

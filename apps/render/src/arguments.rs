@@ -107,6 +107,7 @@ pub fn command(more: &'static [Output]) -> Command {
             .allow_hyphen_values(true),
         )
         .arg(flag("smooth-lines", "Anti-aliased lines in wireframe and hidden-line"))
+        .arg(flag("smooth-faces", "Anti-aliased edges of faces: silhouettes, and creases between faces of different light or colour"))
         .arg(flag("no-dither", "Round to the nearest colours of the format instead of dithering"))
         .arg(flag("stats", "Print how many triangles were drawn, culled and clipped"))
         .next_help_heading("For a mesh")

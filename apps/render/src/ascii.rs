@@ -44,6 +44,7 @@ pub(crate) fn text(
         own_colours: false, // characters show light alone
         background: Rgb888::BLACK,
         dither: braille,
+        smooth_faces: false,
         ..*style
     };
     let format = if braille { Format::Mono } else { Format::Gray8 };

@@ -75,6 +75,7 @@ pub(crate) fn read(mut given: ArgMatches, more: &'static [Output]) -> Result<Opt
         "half",
         "lit-texture",
         "smooth-lines",
+        "smooth-faces",
     ];
     let painted = import::typed(&given, &painted);
     let (style, format) = style(&mut given)?;
@@ -168,7 +169,16 @@ fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
     if smooth_lines && !mode.of_lines() {
         return Err("--smooth-lines: needs --mode wireframe or hidden-line".into());
     }
-    let of_faces = import::typed(given, &["door", "alpha", "half", "lit-texture"]);
+    let smooth_faces = given.get_flag("smooth-faces");
+    if smooth_faces && format == Format::Mono {
+        return Err(
+            "--smooth-faces: mono has no mixed colours: give --format gray2 or one of more colours".into()
+        );
+    }
+    if let Some(name) = import::typed(given, &["door", "alpha", "half"]).filter(|_| smooth_faces) {
+        return Err(format!("--smooth-faces: is for opaque faces: omit --{name}"));
+    }
+    let of_faces = import::typed(given, &["door", "alpha", "half", "lit-texture", "smooth-faces"]);
     if let Some(name) = of_faces.filter(|_| mode.of_lines()) {
         return Err(format!("--{name}: is for faces: needs --mode solid, flat or gouraud"));
     }
@@ -178,7 +188,7 @@ fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
         return Err("--fog: is for faces: needs --mode solid, flat or gouraud".into());
     }
     let usual = Style::chosen(mode, format, colour, background, dither);
-    Ok((Style { fog, lit_texture, translucency, smooth_lines, ..usual }, format))
+    Ok((Style { fog, lit_texture, translucency, smooth_lines, smooth_faces, ..usual }, format))
 }
 
 /// The edges that a mode of lines draws.

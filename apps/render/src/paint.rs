@@ -9,11 +9,11 @@ use crate::picture::{by_format, luma, Format};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
 use crate::sprite_paint::Sprites;
-use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
-    draw::{BinnedEdges, ShaderFor, TransformedMesh},
+    draw::{BinnedEdges, ShaderFor, SmoothEdges, TransformedMesh},
     fog::FogTable,
     prelude::*,
     shading::{AntiAliased, Blended, SpanShader},
@@ -23,8 +23,33 @@ use pinhole::{
 use std::convert::Infallible;
 
 /// The colour type of a pixel format.
-pub(crate) trait Colour: Color + From<Rgb888> + Into<Rgb888> + 'static {}
-impl<C: Color + From<Rgb888> + Into<Rgb888> + 'static> Colour for C {}
+pub(crate) trait Colour: Color + From<Rgb888> + Into<Rgb888> + 'static {
+    /// Smooths the edges of faces that are drawn. Without effect in two colours, which have no mean.
+    fn smooth(
+        pixels: &mut Pixels<'_, Self>,
+        depth: &mut DepthBuffer<'_>,
+        edges: &mut [SmoothEdges<'_, Scalar>],
+    );
+}
+
+macro_rules! smoothed_colours {
+    ($($type:ty)*) => {$(
+        impl Colour for $type {
+            fn smooth(
+                pixels: &mut Pixels<'_, Self>,
+                depth: &mut DepthBuffer<'_>,
+                edges: &mut [SmoothEdges<'_, Scalar>],
+            ) {
+                pixels.depth_tested(depth).smooth(|pass| edges.iter_mut().for_each(|edges| edges.draw(pass)));
+            }
+        }
+    )*};
+}
+smoothed_colours!(Rgb888 Rgb666 Rgb565 Gray8 Gray4 Gray2);
+
+impl Colour for BinaryColor {
+    fn smooth(_: &mut Pixels<'_, Self>, _: &mut DepthBuffer<'_>, _: &mut [SmoothEdges<'_, Scalar>]) {}
+}
 
 /// Chooses the areas to send, given the area that will be drawn.
 pub type Plan<'a> = &'a mut dyn FnMut(Rectangle) -> Vec<Rectangle>;
@@ -117,6 +142,8 @@ pub struct Style {
     pub translucency: Translucency,
     /// Whether lines are anti-aliased.
     pub smooth_lines: bool,
+    /// Whether the edges of opaque faces are anti-aliased.
+    pub smooth_faces: bool,
     /// Fog on faces, instead of the scene's.
     pub fog: Option<FogStyle>,
 }
@@ -153,6 +180,7 @@ impl Style {
             lit_texture: false,
             translucency: Translucency::Opaque,
             smooth_lines: false,
+            smooth_faces: false,
             fog: None,
         }
     }
@@ -166,19 +194,23 @@ pub struct Subject {
 }
 
 impl Subject {
-    /// The data that a mode needs, with the edges that are usual in it.
-    pub fn new(scene: &Scene, mode: Mode) -> Self {
-        Self::with_edges(scene, mode, mode.least_turn())
+    /// The data that a style needs, with the edges that are usual in its mode.
+    pub fn new(scene: &Scene, style: &Style) -> Self {
+        Self::with_edges(scene, style, style.mode.least_turn())
     }
 
-    /// As [`Subject::new`], with the edges at which the surface turns by more than some degrees, or ends, or with all.
-    pub fn with_edges(scene: &Scene, mode: Mode, degrees: Option<f64>) -> Self {
+    /// As [`Subject::new`], in modes of lines with the edges at which the surface turns by more than some degrees, or ends, or with all.
+    pub fn with_edges(scene: &Scene, style: &Style, degrees: Option<f64>) -> Self {
         let mut parts = parts(&scene.vertices, &scene.triangles);
-        let mut normals = Vec::new();
-        if mode.of_lines() {
-            parts.iter_mut().for_each(|part| part.find_edges(&scene.vertices, degrees));
+        let (mut normals, crease) = (Vec::new(), style.mode.crease());
+        let find = |part: &mut Part, degrees| part.find_edges(&scene.vertices, degrees);
+        if style.mode.of_lines() {
+            parts.iter_mut().for_each(|part| find(part, degrees));
         } else {
-            normals = light::normals(&scene.vertices, &scene.triangles, mode.crease());
+            normals = light::normals(&scene.vertices, &scene.triangles, crease);
+            if style.smooth_faces {
+                parts.iter_mut().for_each(|part| find(part, Some(crease)));
+            }
         }
         Self { parts, normals }
     }
@@ -232,7 +264,13 @@ fn paint_in<C: Colour>(
     let vertices: Vec<_> = all_parts.iter().map(|part| part.vertices(&quantised.vertices)).collect();
     // A wireframe shows the mesh itself; hidden lines show a body, with its outline.
     let facings = (style.mode == Mode::HiddenLine).then(|| scene.facings());
-    let edges_drawn: Vec<_> = all_parts.iter().map(|part| part.drawn_edges(facings.as_deref())).collect();
+    let is_smooth =
+        style.smooth_faces && style.translucency == Translucency::Opaque && !style.mode.of_lines();
+    let edges_of = |part: &Part| match is_smooth {
+        true => part.all_edges(),
+        false => part.drawn_edges(facings.as_deref()),
+    };
+    let edges_drawn: Vec<_> = all_parts.iter().map(edges_of).collect();
     let meshes = all_parts
         .iter()
         .zip(&vertices)
@@ -256,12 +294,13 @@ fn paint_in<C: Colour>(
     let sprites_reach = sprites.bounds;
     let with_sprites = |drawn: Rectangle| around([drawn, sprites_reach].into_iter());
     let out = Out { size, style, rows, send, sprites };
-    // Anti-aliased lines reach one pixel beyond the edges.
-    let reached = |edges: Rectangle| match style.smooth_lines && !edges.is_zero_sized() {
-        false => edges,
-        true => Rectangle::new(edges.top_left - Point::new_equal(1), edges.size + Size::new_equal(2))
+    // Anti-aliased lines reach one pixel beyond the edges, smooth faces one pixel beyond the faces.
+    let with_border = |drawn: Rectangle| match drawn.is_zero_sized() {
+        true => drawn,
+        false => Rectangle::new(drawn.top_left - Point::new_equal(1), drawn.size + Size::new_equal(2))
             .intersection(&Rectangle::new(Point::zero(), size)),
     };
+    let reached = |edges: Rectangle| if style.smooth_lines { with_border(edges) } else { edges };
 
     let colour = C::from(style.colour);
     if style.mode == Mode::Wireframe {
@@ -305,7 +344,22 @@ fn paint_in<C: Colour>(
     }
 
     let statistics = faces.iter().map(BinnedFaces::statistics).fold(Statistics::default(), Statistics::and);
-    let areas = plan(with_sprites(around(faces.iter().map(BinnedFaces::bounds))));
+    let bounds = around(faces.iter().map(BinnedFaces::bounds));
+    let areas = plan(with_sprites(if is_smooth { with_border(bounds) } else { bounds }));
+    // A surface that is shaded smoothly has creases where it is not, or where its colour changes.
+    let own_colour = |face: Option<usize>| scene.colors.faces.get(face?).filter(|_| style.own_colours);
+    let is_crease = |part: &Part, edge: usize| {
+        let [one, other] = part.triangles_beside(edge).map(own_colour);
+        part.is_feature(edge) || one != other
+    };
+    let mut edge_bin_storage: Vec<_> = meshes.iter().map(|mesh| vec![0; mesh.smooth_bins_len()]).collect();
+    let parts = all_parts.iter().zip(&transformed).zip(&mut edge_bin_storage).filter(|_| is_smooth);
+    let mut edges = parts
+        .map(|((part, transformed), storage)| {
+            transformed.bin_smooth_edges(|edge| is_crease(part, edge), storage)
+        })
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(|e| e.to_string())?;
     let light = Light::new(scene, quantised);
     let levels = |part: &Part, face: usize| light.corners(number(part, face), &subject.normals);
     let colour = |part: &Part, face: usize| {
@@ -321,7 +375,8 @@ fn paint_in<C: Colour>(
     };
     let smooth = |part: &Part, face| Gouraud::lit(colour(part, face), levels(part, face));
     let glowing = |part: &Part, face| smooth(part, face).emitting(emission(part, face));
-    let all = Faces { out, statistics, areas: &areas, parts: all_parts, faces: &mut faces };
+    let all =
+        Faces { out, statistics, areas: &areas, parts: all_parts, faces: &mut faces, edges: &mut edges };
     let picture = scene.texture.as_ref().zip(quantised.texture.as_ref());
     if let Some((colours, (texture, coords))) =
         picture.and_then(|picture| Some((picture.0.colours::<C>()?, picture))).filter(|_| style.own_colours)
@@ -387,6 +442,8 @@ struct Faces<'a, 'f, C> {
     areas: &'a [Rectangle],
     parts: &'a [Part],
     faces: &'a mut [BinnedFaces<'f, Scalar, true>],
+    /// The edges to smooth.
+    edges: &'a mut [SmoothEdges<'f, Scalar>],
 }
 
 /// The shader of a face, given its part and its number there. Behind a pointer, so that the code that draws is one for all shaders.
@@ -404,8 +461,24 @@ impl<C: Colour> Faces<'_, '_, C> {
         self,
         shader: impl Fn(&Part, usize) -> I,
     ) -> Result<Report, String> {
-        let Self { out, statistics, areas, parts, faces } = self;
+        let Self { out, statistics, areas, parts, faces, edges } = self;
         let translucency = out.style.translucency;
+        if !edges.is_empty() {
+            // Smoothed in one piece, which bands equal in every format.
+            let picture = out.in_one_piece(|band, depth| {
+                solid(parts, faces, &shader, depth, band);
+                in_memory(band, |pixels| C::smooth(pixels, depth, edges));
+            })?;
+            let width = out.size.width as usize;
+            return out.bands(statistics, areas, |band, depth| {
+                // For sprites.
+                faces.iter_mut().for_each(|faces| faces.depth_only(depth));
+                let area = band.area();
+                let (left, columns) = (area.top_left.x as usize, area.size.width as usize); // in the picture
+                let rows = picture.chunks(width.max(1)).skip(area.top_left.y as usize);
+                let _ = band.fill_contiguous(&area, rows.flat_map(|row| &row[left..left + columns]).copied());
+            });
+        }
         out.bands(statistics, areas, |band, depth| match translucency {
             Translucency::Opaque => solid(parts, faces, &shader, depth, band),
             Translucency::Door(of_64) => {
@@ -461,6 +534,23 @@ struct Out<'a, C> {
 }
 
 impl<C: Colour> Out<'_, C> {
+    /// Draws the picture in one band, which is not sent, and returns its pixels.
+    fn in_one_piece(
+        &self,
+        draw: impl FnOnce(&mut Band<'_, C>, &mut DepthBuffer<'_>),
+    ) -> Result<Vec<C>, String> {
+        let (Size { width, height }, area) = (self.size, Rectangle::new(Point::zero(), self.size));
+        let mut strip = vec![0; Frame::<C>::strip_bytes(width, height)];
+        let mut depths = vec![0; width as usize * height as usize];
+        let mut frame = Frame::new(area, C::from(self.style.background));
+        let mut depth = DepthBuffer::new(area, &mut depths).map_err(|e| e.to_string())?;
+        let Some(mut band) = frame.next_band(&mut strip).map_err(|e| e.to_string())? else {
+            return Ok(Vec::new());
+        };
+        draw(&mut band, &mut depth);
+        Ok(band.colors().collect())
+    }
+
     fn bands(
         self,
         statistics: Statistics,

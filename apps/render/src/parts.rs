@@ -97,6 +97,22 @@ impl Part {
         }
     }
 
+    /// All edges, and the two faces beside each.
+    pub fn all_edges(&self) -> (Vec<[u16; 2]>, Vec<[u16; 2]>) {
+        self.edges.iter().map(|edge| (edge.ends, edge.beside)).unzip()
+    }
+
+    /// Whether the surface turns or ends at an edge, one of [all](Self::all_edges).
+    pub fn is_feature(&self, edge: usize) -> bool {
+        self.edges.get(edge).is_some_and(|edge| edge.is_feature)
+    }
+
+    /// The triangles of the mesh beside an edge, one of [all](Self::all_edges).
+    pub fn triangles_beside(&self, edge: usize) -> [Option<usize>; 2] {
+        let beside = self.edges.get(edge).map_or([Mesh::<Scalar>::NO_FACE; 2], |edge| edge.beside);
+        beside.map(|face| (face != Mesh::<Scalar>::NO_FACE).then_some(self.first + usize::from(face)))
+    }
+
     /// The edges to draw, and the two faces beside each: features and, if it is known how each triangle of the mesh faces the eye
     /// ([`Scene::facings`]), silhouettes, which lie between a front and a back face.
     ///

@@ -101,7 +101,7 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
         outputs.add(path, &bytes)?;
         report = drawn.map(|statistics| Report { statistics, ..Report::default() }).or(report);
     }
-    let subject = LazyCell::new(|| Subject::with_edges(&used, options.style.mode, options.least_turn));
+    let subject = LazyCell::new(|| Subject::with_edges(&used, &options.style, options.least_turn));
     let picture = || picture::picture(&subject, (&used, &quantised), &options.style, options.format);
     if let Some(path) = &options.png {
         let (pixels, drawn) = picture().map_err(named)?;

@@ -36,7 +36,7 @@ pub(crate) fn gif(
         let look = Look { yaw, fit, ..*look };
         let scene = model::scene(mesh.clone(), colors.clone(), &look)?;
         let (quantised, used) = Quantised::settle(&Scene { texture: texture.cloned(), ..scene })?;
-        let subject = subject.get_or_insert_with(|| Subject::with_edges(&used, style.mode, least_turn));
+        let subject = subject.get_or_insert_with(|| Subject::with_edges(&used, style, least_turn));
         Ok(picture(subject, (&used, &quantised), style, format)?.0)
     })
 }

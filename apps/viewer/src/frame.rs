@@ -38,7 +38,7 @@ pub struct Viewer {
     display: Canvas<Rgb888>,
     dirty: DirtyRegions<4>,
     drawn: Option<State>,
-    subject: Option<(Mode, Subject)>,
+    subject: Option<((Mode, bool), Subject)>,
     shown: Shown,
     /// Why a file that was dropped, or has changed, is not shown.
     notice: Option<String>,
@@ -113,19 +113,21 @@ impl Viewer {
         let size = self.display.size();
         let scene = self.source.scene(state, size)?;
         let (quantised, used) = Quantised::settle(&scene)?;
-        if self.subject.as_ref().is_none_or(|(mode, _)| *mode != state.mode) {
-            self.subject = Some((state.mode, Subject::new(&used, state.mode)));
-        }
-        let Some((_, subject)) = &self.subject else { return Ok(Shown::default()) };
         let style = Style {
             lit_texture: state.lit_texture,
             fog: state.fog.then_some(FogStyle::AUTO),
             translucency: state.translucency,
-            smooth_lines: state.smooth_lines,
+            smooth_lines: state.smooth,
+            smooth_faces: state.smooth,
             ..Style::chosen(state.mode, state.format, None, None, state.dither)
         };
+        let needs = (state.mode, state.smooth);
+        if self.subject.as_ref().is_none_or(|(kind, _)| *kind != needs) {
+            self.subject = Some((needs, Subject::new(&used, &style)));
+        }
+        let Some((_, subject)) = &self.subject else { return Ok(Shown::default()) };
         let like = |drawn: State| {
-            (drawn.mode, drawn.format, drawn.smooth_lines) == (state.mode, state.format, state.smooth_lines)
+            (drawn.mode, drawn.format, drawn.smooth) == (state.mode, state.format, state.smooth)
         };
         let Self { display, dirty, .. } = self;
         if !self.drawn.is_some_and(like) {

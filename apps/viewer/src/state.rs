@@ -17,8 +17,8 @@ pub struct State {
     pub(crate) format: Format,
     pub(crate) dither: bool,
     pub(crate) translucency: Translucency,
-    /// Whether lines are anti-aliased, and whether a texture is lit.
-    pub(crate) smooth_lines: bool,
+    /// Whether lines and the edges of opaque faces are anti-aliased, and whether a texture is lit.
+    pub(crate) smooth: bool,
     pub(crate) lit_texture: bool,
     /// Whether there is fog over the model.
     pub(crate) fog: bool,
@@ -86,7 +86,7 @@ const CHANGES: [(&str, Change); 29] = [
     ("C", |state| state.format = next(&Format::ALL.map(|(_, format)| format), state.format, -1)),
     ("d", |state| state.dither ^= true),
     ("t", |state| state.translucency = next(&TRANSLUCENCIES, state.translucency, 1)),
-    ("a", |state| state.smooth_lines ^= true),
+    ("a", |state| state.smooth ^= true),
     ("n", |state| state.lit_texture ^= true),
     ("o", |state| state.fog ^= true),
     ("v", |state| state.markers = next(&[Markers::None, Markers::Squares, Markers::Discs], state.markers, 1)),
@@ -108,7 +108,7 @@ pub(crate) const KEYS: [(&str, &str); 14] = [
     ("p P", "projection"),
     ("c C", "colour format"),
     ("d", "dither"),
-    ("t a n", "translucent, smooth lines, lit texture"),
+    ("t a n", "translucent, smooth edges, lit texture"),
     ("v", "sprites at vertices: squares, discs"),
     ("b B", "rows of a band"),
     ("k o", "cull faces turned away, fog"),
@@ -141,7 +141,7 @@ impl State {
             format: Format::Rgb565,
             dither: true,
             translucency: Translucency::Opaque,
-            smooth_lines: false,
+            smooth: false,
             lit_texture: false,
             fog: false,
             markers: Markers::None,

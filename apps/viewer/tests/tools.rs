@@ -60,8 +60,7 @@ fn rendered(file: &Path, options: &Options) -> Result<(Vec<Rgb888>, Vec<String>)
         &look,
     )?)?;
     let style = Style::chosen(Mode::Solid, Format::Rgb888, None, None, false);
-    let (pixels, _) =
-        picture(&Subject::new(&used, Mode::Solid), (&used, &quantised), &style, Format::Rgb888)?;
+    let (pixels, _) = picture(&Subject::new(&used, &style), (&used, &quantised), &style, Format::Rgb888)?;
     Ok((pixels, model.warnings.iter().map(ToString::to_string).collect()))
 }
 

@@ -61,6 +61,9 @@ fn keys_go_round_and_back() {
         assert_ne!(pressed(key), first);
         assert_eq!(pressed(&format!("{key} {key}")), first);
     }
+    // Smooth edges: of faces, of lines; not in two colours.
+    let is_smoothed = |keys: &str| alone(&pressed(keys)) != alone(&pressed(&format!("a {keys}")));
+    assert_eq!(["", "f", "w", "l", "c c c c"].map(is_smoothed), [true, true, true, true, false]);
     let modes: Vec<_> = ["s", "f", "g", "w", "l"].map(pressed).to_vec();
     assert!((1..5).all(|i| !modes[..i].contains(&modes[i])));
     assert_eq!(pressed("w p c b k left + 0"), first);
@@ -107,7 +110,7 @@ fn what_was_sent_before_and_now_is_the_whole_picture() {
     let mut sent = Vec::new();
     // A bar ends what is pressed before a frame.
     let keys = " | left | left up | b | w | right | a | right | - - | a | - - - | left | l | g | t | left | t | left | t | t | o | left | o | v | left | v | - - - \
-                | w | right | v | g | d | c | down | c | k | c left | c b | right | c | left left | b b | c | p | p | p p p | left | 0 | P | + + + + | up up";
+                | w | right | v | g | d | c | down | c | k | c left | c b | right | c | left left | b b | c | p | p | p p p | left | 0 | P | + + + + | up up | 0 a | - - - | left | g | left | a";
     for keys in keys.split('|') {
         press(&mut state, keys);
         sent.push(viewer.draw(&state).unwrap().pixels);
@@ -166,7 +169,7 @@ fn statistics_are_those_of_what_was_sent() {
 
 #[test]
 fn bands_of_any_height_are_one_picture() {
-    for keys in ["g", "f", "w", "l", "c c c c"] {
+    for keys in ["g", "f", "w", "l", "c c c c", "a g", "a f", "a c c c c"] {
         let whole = alone(&pressed(&format!("{keys} b b")));
         for rows in ["B B", "B", "", "b"] {
             assert!(alone(&pressed(&format!("{keys} {rows}"))) == whole, "{keys} {rows}");

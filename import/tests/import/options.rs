@@ -92,6 +92,35 @@ fn feature_edges_are_those_where_the_surface_turns_or_ends() {
     }
 }
 
+/// As many of a ball's edges come first as it has features, and then all others; also with lines that no face has, and with backs.
+#[test]
+fn creases_come_first() {
+    let mut text = ball(8, 10);
+    text += "v 9 9 9\nv 9 9 8\nv 9 8 9\nf -3 -2 -1\nl 1 2\n"; // a sheet and a line
+    let options = |edges, edge_faces| Options { edges, edge_faces, two_sided: true, ..Options::default() };
+    for (degrees, edge_faces) in [(0.0, true), (17.0, true), (17.0, false), (180.0, true)] {
+        let [all, features, sorted] =
+            [Edges::All, Edges::Feature { degrees }, Edges::CreasesFirst { degrees }]
+                .map(|edges| obj(&text, &options(edges, edge_faces)).unwrap());
+        assert_eq!((all.creases, features.creases), (None, None));
+        let list = |mesh: &ImportedMesh| -> Vec<([u16; 2], Option<[u16; 2]>)> {
+            let beside = |edge: usize| mesh.edge_faces.get(edge).copied();
+            mesh.edges.iter().enumerate().map(|(edge, &ends)| (ends, beside(edge))).collect()
+        };
+        let (features, mut others) = (list(&features), list(&all));
+        others.retain(|edge| !features.contains(edge));
+        assert_eq!(sorted.creases, Some(features.len()));
+        assert_eq!(list(&sorted), [features, others].concat());
+    }
+    // The diagonal of a flat sheet, whose faces have the mean colours of their corners.
+    let sheet = |blue: i32| {
+        let text =
+            format!("v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nv 1 1 0 1 0 {blue}\nf 1 2 3\nf 2 4 3\n");
+        obj(&text, &options(Edges::CreasesFirst { degrees: 0.0 }, true)).unwrap().creases
+    };
+    assert_eq!([sheet(0), sheet(1)], [Some(8), Some(10)]); // with the backs
+}
+
 #[test]
 fn the_faces_beside_edges_are_all_there() {
     let options = Options { edge_faces: true, ..Options::default() };

@@ -4,6 +4,7 @@
 //! * [`bridge`]: passes an oracle's plain numbers to the library and the library's answers back.
 //! * [`definition`]: every projection by its geometric definition, in f64.
 //! * [`firmware`]: builds firmware, from copies of the templates too.
+//! * [`smooth_scenes`]: scenes whose edges are smoothed, and their supersampled pictures.
 //! * [`solids`]: meshes that hide and cut each other.
 //! * [`teapot`]: the Utah teapot as a constant mesh.
 //! * `panel` (feature `panel`): a model of a display controller behind its bus, and films to send to it.
@@ -40,5 +41,6 @@ pub mod firmware;
 pub mod oracle;
 #[cfg(feature = "panel")]
 pub mod panel;
+pub mod smooth_scenes;
 pub mod solids;
 pub use teapot;

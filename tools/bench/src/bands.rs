@@ -103,6 +103,46 @@ pub fn smooth<const BYTES: usize, const PIXELS: usize>(
     Some(())
 }
 
+/// Draws the faces of a lit scene of twice the picture's width and height in bands, and puts the mean of each four pixels into `means`.
+pub fn sampled(
+    scene: &Scene,
+    light: &Lambert,
+    Storage { corners, bin_storage, strip, depth }: Storage<'_>,
+    means: &mut [u8],
+    display: &mut Display,
+) -> Option<()> {
+    let (instance, shade) = (scene.place(), scene.shade(light));
+    let mut faces = instance.transform_depth(corners).bin_faces(bin_storage).ok()?;
+    each_band(area().size * 2, BACKGROUND, strip, |band| {
+        let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
+        let Ok(()) = faces.draw(&shade, &mut band.pixels().depth_tested(&mut depth));
+        let row = bytes(2);
+        let rows = band.bytes().chunks_exact(2 * row).zip(means.chunks_exact_mut(bytes(1)));
+        for (rows, means) in rows {
+            let (upper, lower) = rows.split_at_checked(row)?;
+            let samples = upper.as_chunks().0.iter().zip(lower.as_chunks().0);
+            for (mean, samples) in means.as_chunks_mut().0.iter_mut().zip(samples) {
+                *mean = mean_of(samples).to_be_bytes();
+            }
+        }
+        display.take_bytes(means.get(..band.bytes().len() / 4)?);
+        Some(())
+    })?;
+    black_box(faces.statistics());
+    Some(())
+}
+
+/// The mean of two pixels above two others, as in the book's cookbook.
+fn mean_of((&[a, b, c, d], &[e, f, g, h]): (&[u8; 4], &[u8; 4])) -> u16 {
+    const APART: u32 = 0x07e0_f81f;
+    let sum = [[a, b], [c, d], [e, f], [g, h]].iter().fold(0x0040_1002, |sum, &bytes| {
+        let bits = u32::from(u16::from_be_bytes(bytes));
+        sum + ((bits | bits << 16) & APART)
+    });
+    let mean = (sum >> 2) & APART;
+    (mean | mean >> 16) as u16
+}
+
 /// Defines two functions that draw faces in bands, with a list of active faces or without one: any faces, with each band handed to
 /// `send`, and those of a lit scene.
 macro_rules! faces {

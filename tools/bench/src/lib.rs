@@ -8,6 +8,7 @@ pub mod cells;
 pub mod growth;
 pub mod image;
 pub mod measure;
+pub mod report;
 pub mod scene;
 /// How deep the stack was: painted first, looked at afterwards. A file outside of this package, as it needs `unsafe`.
 #[cfg(target_os = "none")]

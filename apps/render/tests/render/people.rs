@@ -214,6 +214,53 @@ fn modes_are_what_they_say() {
 }
 
 /// A ring, inside out, with 64 sides that turn by 5.6 degrees: its only features are its four rims.
+/// With smooth edges a picture comes closer to one of eight times the size: silhouettes, creases, and edges between two colours.
+#[test]
+fn smooth_faces_have_edges_of_mixed_colours() {
+    let to = Folder::new("smooth");
+    // Two triangles of one plane.
+    to.write("sheet.obj", "v 0 0 0 1 0 0\nv 4 1 0 1 0 0\nv 1 5 0 1 0 0\nv 5 6 0 0 1 1\nf 1 2 3\nf 2 4 3\n");
+    for (options, gain) in [
+        (format!("{GEAR} --mode flat"), 4.0),
+        (format!("{GEAR} --mode solid"), 4.0),
+        (format!("{TEAPOT} --mode gouraud --format rgb565"), 2.0), // whose parts meet in no edges
+        ("sheet.obj --from 0,0 --mode flat".into(), 4.0),
+        ("sheet.obj --from 0,0 --format gray4 --no-dither".into(), 2.0),
+    ] {
+        let of = |size, more| to.draw(&format!("{options} --size {size}{more}"));
+        let fine = of("512x384", "").pixels;
+        let mean = |pixel: usize, channel: usize| {
+            let (column, row) = (pixel % 64 * 8, pixel / 64 * 8);
+            let sum = (0..64)
+                .map(|at| u32::from(fine[(row + at / 8) * 512 + column + at % 8][channel]))
+                .sum::<u32>();
+            f64::from(sum) / 64.0
+        };
+        let off = |pixels: &[[u8; 3]]| {
+            let off = |(pixel, channel): (usize, usize)| {
+                (f64::from(pixels[pixel][channel]) - mean(pixel, channel)).powi(2)
+            };
+            (0..64 * 48 * 3).map(|at| off((at / 3, at % 3))).sum::<f64>().sqrt()
+        };
+        let [plain, smooth] = ["", " --smooth-faces"].map(|more| off(&of("64x48", more).pixels));
+        assert!(smooth * gain < plain, "{options}: {plain} {smooth}");
+    }
+    // The first frame of a film is the picture; 16 greys fit in its palette. A scene's sprites are drawn into it afterwards.
+    let line = format!("{GEAR} --size 64x48 --format gray4 --smooth-faces");
+    assert!(to.film(&format!("{line} --frames 2")).1[0].1 == to.draw(&line).pixels);
+    let scene = |sprites| {
+        let text = format!(
+            r#"{{"mesh": "sheet.obj", "camera": {{}}, "width": 64, "height": 48, "sprites": [{sprites}]}}"#
+        );
+        to.write("scene.json", text);
+        to.draw("scene.json --smooth-faces").pixels
+    };
+    let dot = r#"{"at": [3, 3, 1], "color": [1, 2, 3], "pixels": 5}, {"at": [3, 3, -1], "color": [9, 9, 9]}"#;
+    let [before, after] = ["", dot].map(scene);
+    let changed: Vec<_> = before.iter().zip(after).filter(|(before, after)| *before != after).collect();
+    assert!(changed.len() == 25 && changed.iter().all(|(_, after)| *after == [1, 2, 3]), "{changed:?}");
+}
+
 #[test]
 fn hidden_lines_show_the_outline_of_a_round_body() {
     let to = Folder::new("round");

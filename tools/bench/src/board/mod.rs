@@ -72,6 +72,8 @@ mod exit {
         end(well)
     }
 
+    // A template has its own.
+    #[cfg(feature = "emulated")]
     #[panic_handler]
     fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
         end(false)

@@ -3,7 +3,7 @@
 
 use super::{
     count, count_screen, draw_faces, drawn, Counted, Frame, Memory, Plain, LIST, TORUS, TORUS_BINS,
-    TORUS_SMOOTH,
+    TORUS_EDGE_BINS, TORUS_SMOOTH,
 };
 use crate::bands::{self, Storage};
 use crate::board::Clock;
@@ -59,11 +59,11 @@ impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: 
 pub struct SmoothStrip(
     Strip<{ bands::bytes(9) }, { bands::pixels(9) }, TORUS_BINS, TORUS>,
     StripBuffers<{ bands::bytes(2) }, { bands::pixels(2) }>,
-    [u16; 1500 + 2 * 94 + 32],
+    [u16; TORUS_EDGE_BINS],
 );
 
 impl SmoothStrip {
-    pub const NEW: Self = Self(Strip::NEW, StripBuffers::new(), [0; 1500 + 2 * 94 + 32]);
+    pub const NEW: Self = Self(Strip::NEW, StripBuffers::new(), [0; TORUS_EDGE_BINS]);
 
     /// The torus's silhouettes, and its creases.
     pub(super) fn torus(&mut self, has_creases: bool) -> Option<Counted> {
@@ -79,6 +79,25 @@ impl SmoothStrip {
                 has_creases,
                 to,
             )
+        })
+    }
+}
+
+/// A strip of 8 rows for the torus with four samples a pixel, and their means.
+pub struct Sampled(
+    Strip<{ 4 * bands::bytes(8) }, { 4 * bands::pixels(8) }, TORUS_BINS, TORUS>,
+    [u8; bands::bytes(8)],
+);
+
+impl Sampled {
+    pub const NEW: Self = Self(Strip::NEW, [0; bands::bytes(8)]);
+
+    pub(super) fn torus(&mut self) -> Option<Counted> {
+        let (Self(strip, means), torus) = (self, black_box(&scene::TORUS));
+        let scene = Scene::viewed(torus.mesh, torus.axes, [0, 0, torus.distance], area().size * 2)?;
+        let light = scene.light()?;
+        count_bands(&mut |to| {
+            bands::sampled(black_box(&scene), black_box(&light), strip.storage(), means, to)
         })
     }
 }

@@ -11,7 +11,7 @@ mod sprites;
 mod textured;
 mod ways;
 
-pub use banded::{Listed, Sent, SmoothStrip, Strip, Wheel};
+pub use banded::{Listed, Sampled, Sent, SmoothStrip, Strip, Wheel};
 pub use field::{Banded, Whole};
 pub use memory::{Deep, Frame, Memory, Plain, Smooth};
 pub use screen::Screen;
@@ -55,7 +55,9 @@ pub const ICO: usize = 2892;
 
 /// Bins of the faces of each, or of the cube's edges.
 const CUBE_BINS: usize = scene::CUBE.mesh.face_bins_len();
-const TORUS_BINS: usize = scene::TORUS.mesh.face_bins_len();
+pub(crate) const TORUS_BINS: usize = scene::TORUS.mesh.face_bins_len();
+/// And of its edges to be smoothed.
+pub(crate) const TORUS_EDGE_BINS: usize = TORUS_SMOOTH.mesh.smooth_bins_len();
 const ICO_BINS: usize = scene::ICO.mesh.face_bins_len();
 /// Entries for the torus's faces that continue in bands of 8 rows.
 const LIST: usize = 56;
@@ -64,7 +66,7 @@ const LIST: usize = 56;
 /// borders of the picture: with the eye at 0.8 from its centre, where the near plane at 0.5 cuts it. It reaches 1.42.
 static TORUS_EDGED: Model = edged(&scene::TORUS, &TORUS_EDGES);
 /// The torus with its edges and the faces beside them.
-static TORUS_SMOOTH: Model = {
+pub(crate) static TORUS_SMOOTH: Model = {
     let Ok(mesh) = scene::TORUS.mesh.with_edges(&TORUS_EDGES) else { panic!("edges") };
     let Ok(mesh) = mesh.with_edge_faces(&TORUS_BESIDE) else { panic!("faces") };
     Model { mesh, ..scene::TORUS }

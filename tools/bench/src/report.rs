@@ -1,0 +1,132 @@
+//! Six cells, drawn on a board: `cargo run --release --example report` in a template logs what `cargo run -p pinhole-report -- LOG` reads.
+
+use crate::bands::{self, bytes, pixels, Storage};
+use crate::cells::{TORUS, TORUS_BINS, TORUS_EDGE_BINS, TORUS_SMOOTH};
+use crate::measure::Display;
+use crate::scene::{self, area, Scene, LINE};
+use core::hint::black_box;
+use pinhole::prelude::*;
+
+/// What the frames are drawn in: a strip of 9 rows of 240 pixels and two rows more, and the torus's cache and bins.
+pub struct Memory {
+    mesh: MeshBuffers<TORUS, TORUS_BINS, TORUS_EDGE_BINS>,
+    strip: StripBuffers<{ bytes(9) }, { pixels(9) }>,
+    kept: StripBuffers<{ bytes(2) }, { pixels(2) }>,
+}
+
+impl Memory {
+    pub const NEW: Self =
+        Self { mesh: MeshBuffers::new(), strip: StripBuffers::new(), kept: StripBuffers::new() };
+}
+
+/// A frame of a cell, from placing the mesh to the bytes of the last band.
+pub struct Row {
+    pub scene: &'static str,
+    pub variant: &'static str,
+    pub cycles: u32,
+    /// The CRC-32 of the pixels as little-endian numbers.
+    pub crc: u32,
+}
+
+/// The compiler that has built this.
+pub const COMPILER: &str = env!("BENCH_COMPILER");
+
+/// Wires, faces, faces with depth of a cube and of a torus, and the torus with smooth silhouettes.
+const CELLS: [[&str; 2]; 6] = [
+    ["S1", "bands8"],
+    ["S2", "bands8"],
+    ["S2", "bands8-z"],
+    ["S3", "bands8"],
+    ["S3", "bands8-z"],
+    ["S3", "bands8-z-edges"],
+];
+
+/// Draws each cell three times, and reports the second time. `cycles` reads a counter of the core's clock that counts up and starts again
+/// after `last`, which is a power of two less 1; the frames take up to 8 million cycles. `None` if a cell cannot be drawn.
+pub fn each(
+    memory: &mut Memory,
+    last: u32,
+    cycles: &mut dyn FnMut() -> u32,
+    row: &mut dyn FnMut(Row),
+) -> Option<()> {
+    for [scene, variant] in CELLS {
+        draw(scene, variant, memory, &mut |frame| {
+            let (mut display, mut good) = (Display::default(), true);
+            let mut once = |display: &mut Display| good &= frame(display).is_some();
+            once(&mut display);
+            let begin = cycles();
+            once(&mut display);
+            let cycles = cycles().wrapping_sub(begin) & last;
+            let crc = display.look(&mut once);
+            row(good.then_some(Row { scene, variant, cycles, crc })?);
+            Some(())
+        })?;
+    }
+    Some(())
+}
+
+/// Hands a frame of a cell to `count`.
+fn draw(
+    scene: &str,
+    variant: &str,
+    memory: &mut Memory,
+    count: &mut dyn FnMut(&mut dyn FnMut(&mut Display) -> Option<()>) -> Option<()>,
+) -> Option<()> {
+    let Memory { mesh: MeshBuffers { cache, bins, edge_bins }, strip: StripBuffers { colors, depths }, kept } =
+        memory;
+    let has_faces = scene != "S1";
+    let is_smooth = variant == "bands8-z-edges";
+    let scene = Scene::new(match scene {
+        "S3" if is_smooth => &TORUS_SMOOTH,
+        "S3" => &scene::TORUS,
+        _ => &scene::CUBE,
+    })?;
+    let light = scene.light();
+    let rows = if is_smooth { 9 } else { 8 };
+    let (colors, depths) = (colors.get_mut(..bytes(rows))?, depths.get_mut(..pixels(rows))?);
+    count(&mut |display| {
+        let storage = Storage { corners: cache, bin_storage: bins, strip: colors, depth: depths };
+        let scene = black_box(&scene);
+        match (variant, &light) {
+            ("bands8-z-edges", Some(light)) => {
+                bands::smooth(scene, light, storage, kept, edge_bins, false, display)
+            }
+            ("bands8-z", Some(light)) => bands::lit_depth(scene, light, storage, display),
+            (_, Some(light)) if has_faces => bands::lit_solid(scene, light, storage, display),
+            _ => bands::wireframe(&scene.place(), area().size, storage, |edges, band| {
+                let Ok(()) = edges.draw(LINE, &mut band.pixels());
+                display.take_bytes(band.bytes());
+            }),
+        }
+    })
+}
+
+#[cfg(all(test, not(target_os = "none")))]
+mod tests {
+    use super::*;
+    use crate::cells::CELLS;
+
+    /// The pictures are those of the cells of which the page has figures.
+    #[test]
+    fn pictures_are_those_of_the_cells() {
+        let (mut memory, mut now, mut rows) = (Box::new(Memory::NEW), 0xff_fff0, Vec::new());
+        let mut clock = || {
+            now += 100;
+            now & 0xff_ffff // it starts again
+        };
+        each(&mut memory, 0xff_ffff, &mut clock, &mut |row| rows.push(row)).expect("six pictures");
+        for row in &rows {
+            let cell =
+                CELLS.iter().find(|(scene, variant, _)| [scene, variant] == [&row.scene, &row.variant]);
+            let (.., draw) = cell.expect("a cell");
+            assert_eq!(
+                (row.cycles, row.crc),
+                (100, draw().expect("a picture").crc),
+                "{} {}",
+                row.scene,
+                row.variant
+            );
+        }
+        assert_eq!(rows.len(), 6);
+    }
+}

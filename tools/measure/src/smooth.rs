@@ -1,0 +1,198 @@
+//! The error of smoothed edges and of supersampling against 16 × 16 samples a pixel, docs/data/smooth.json, and a picture for the README.
+
+use clap::{value_parser, Arg, ArgMatches, Command};
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::generated::Generated;
+use pinhole_apps_support::{files, still};
+use pinhole_render::import;
+use pinhole_render::model::{self, Fit, Look};
+use pinhole_render::paint::{Mode, Style, Subject};
+use pinhole_render::picture::{picture, Format};
+use pinhole_render::projections::Named;
+use pinhole_render::quantised::Quantised;
+use serde_json::json;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use support::bridge::pair::ProjectionBits;
+use support::smooth_scenes::{camera, reference, scenes, Scene};
+use support::ROOT;
+
+const PROGRAM: &str = "-p pinhole-measure -- smooth";
+const SIZES: [[u32; 2]; 2] = [[240, 240], [128, 64]];
+
+/// How edges are anti-aliased.
+enum Method {
+    /// This many samples across and down.
+    Samples([u32; 2]),
+    /// A sample in the middle of a pixel, and a share of those in its corners.
+    Quincunx,
+    /// Smoothed silhouettes, and with creases if it is set.
+    Smooth(bool),
+}
+
+const METHODS: [(&str, Method); 7] = [
+    ("none", Method::Samples([1, 1])),
+    ("1×2", Method::Samples([1, 2])),
+    ("2×2", Method::Samples([2, 2])),
+    ("quincunx", Method::Quincunx),
+    ("4×4", Method::Samples([4, 4])),
+    ("silhouettes", Method::Smooth(false)),
+    ("creases", Method::Smooth(true)),
+];
+
+pub(crate) fn command() -> Command {
+    let sheet = Arg::new("sheet").long("sheet").value_name("FILE").value_parser(value_parser!(PathBuf));
+    Generated::command("smooth", "Measures the errors of smoothed edges, and draws some", "docs")
+        .arg(sheet.help("Write a contact sheet of all scenes and methods, too"))
+}
+
+pub(crate) fn run(given: &mut ArgMatches) -> Result<ExitCode, String> {
+    let sheet: Option<PathBuf> = given.remove_one("sheet");
+    let folder = Generated::from(PROGRAM, given);
+    let (mut rows, mut pictures) = (Vec::new(), Vec::new());
+    for scene in scenes() {
+        for size in SIZES {
+            let (beside, model) = (scene.solid.edge_faces(), scene.model.library());
+            let (mesh, camera) = (scene.mesh(&beside), camera(size[0], size[1]).library());
+            let reference = reference(&scene, &camera.place(&mesh, &model), size);
+            let plain = METHODS[0].1.picture(&scene, size);
+            for (name, method) in &METHODS {
+                // A surface that is shaded smoothly has no creases.
+                let has_creases = !scene.is_smooth || !matches!(method, Method::Smooth(true));
+                let picture = if has_creases { method.picture(&scene, size) } else { plain.clone() };
+                let (rms, far, worse) = reference.errors(&picture, &plain);
+                let [rms, far] = [rms, far].map(|error| (10.0 * error).round() / 10.0);
+                let row = json!({"scene": scene.name, "width": size[0], "height": size[1], "method": name, "rms": rms,
+                    "over_20_percent": far, "worse": worse});
+                rows.extend(has_creases.then(|| row.to_string()));
+                pictures.push((size, picture));
+            }
+        }
+    }
+    if let Some(file) = sheet {
+        pictures.retain(|(size, _)| *size == SIZES[1]);
+        let pictures: Vec<_> = pictures.into_iter().map(|(_, picture)| picture).collect();
+        files::write(&[(&*file, in_rows(&pictures, SIZES[1], METHODS.len(), 2)?)])?;
+    }
+    let text = format!(
+        "{{\n\"command\": \"cargo run --release {PROGRAM}\",\n\"rows\": [\n{}\n]\n}}\n",
+        rows.join(",\n")
+    );
+    let data = folder.within("data/smooth.json").finish_page(&text)?;
+    let picture = folder.within("smooth.png").finish(&gear()?)?;
+    Ok(if data == ExitCode::SUCCESS { picture } else { data })
+}
+
+impl Method {
+    fn picture(&self, scene: &Scene, [width, height]: [u32; 2]) -> Vec<Rgb888> {
+        let (beside, model) = (scene.solid.edge_faces(), scene.model.library());
+        let (mesh, usual) = (scene.mesh(&beside), camera(width, height));
+        let draw = |camera: &support::bridge::pair::CameraBits, creases| {
+            let (_, _, width, height) = camera.viewport;
+            scene.picture(&camera.library().place(&mesh, &model), [width, height], creases)
+        };
+        match *self {
+            Self::Smooth(creases) => draw(&usual, Some(creases)),
+            Self::Samples([across, down]) => {
+                let mut larger = usual;
+                larger.viewport = (0, 0, width * across, height * down);
+                let samples = draw(&larger, None);
+                let at = |x, y, i| {
+                    samples[((y * down + i / across) * width * across + x * across + i % across) as usize]
+                };
+                averaged([width, height], |x, y| (0..across * down).map(|i| (at(x, y, i), 1)).collect())
+            }
+            Self::Quincunx => {
+                // One column and row more, in a window that is larger by half a pixel on each side: their middles are corners.
+                let mut corners = usual;
+                let ProjectionBits::Perspective(angle, _, near, far) = usual.projection else {
+                    return Vec::new();
+                };
+                let tangent = (f64::from(angle) / 4_294_967_296.0 * std::f64::consts::PI).tan();
+                let half = (tangent * f64::from(height + 1) / f64::from(height)).atan();
+                let angle = (half / std::f64::consts::PI * 4_294_967_296.0).round() as u32;
+                corners.projection = ProjectionBits::Perspective(angle, (width + 1, height + 1), near, far);
+                corners.viewport = (0, 0, width + 1, height + 1);
+                let (middles, corners) = (draw(&usual, None), draw(&corners, None));
+                averaged([width, height], |x, y| {
+                    let corner = |i| (corners[((y + i / 2) * (width + 1) + x + i % 2) as usize], 1);
+                    (0..4u32).map(corner).chain([(middles[(y * width + x) as usize], 4)]).collect()
+                })
+            }
+        }
+    }
+}
+
+/// A picture of greys, each the weighted mean of samples.
+fn averaged([width, height]: [u32; 2], samples: impl Fn(u32, u32) -> Vec<(Rgb888, u32)>) -> Vec<Rgb888> {
+    let mean = |samples: Vec<(Rgb888, u32)>| {
+        let (sum, weights) = samples.iter().fold((0, 0), |(sum, weights), (color, weight)| {
+            (sum + u32::from(color.r()) * weight, weights + weight)
+        });
+        let level = ((sum + weights / 2) / weights) as u8;
+        Rgb888::new(level, level, level)
+    };
+    (0..width * height).map(|i| mean(samples(i % width, i / width))).collect()
+}
+
+/// A gear without and with smooth edges, at true size and magnified.
+fn gear() -> Result<Vec<u8>, String> {
+    const SIZE: [u32; 2] = [144, 84];
+    const TIMES: u32 = 4;
+    /// The left upper corner of the part that is magnified.
+    const PART: [u32; 2] = [0, 26];
+    let mut pictures = Vec::new();
+    let mut model =
+        import::read(&Path::new(ROOT).join("boards/any-cortex-m/model.stl"), &Default::default())?;
+    let projection = Named::ALL[0];
+    let look = Look {
+        projection,
+        yaw: projection.yaw,
+        pitch: projection.pitch,
+        field_of_view: projection.field_of_view(),
+        width: SIZE[0],
+        height: SIZE[1],
+        up: model.up,
+        fit: Fit::Outline,
+    };
+    let triangles = std::mem::take(&mut model.triangles);
+    let (quantised, scene) = Quantised::settle(&model::scene(triangles, import::colors(&mut model), &look)?)?;
+    for smooth_faces in [false, true] {
+        let style = Style { smooth_faces, ..Style::chosen(Mode::Solid, Format::Rgb565, None, None, false) };
+        let (subject, from) = (Subject::new(&scene, &style), (&scene, &quantised));
+        let pixels = picture(&subject, from, &style, Format::Rgb565)?.0;
+        let [width, height] = SIZE;
+        let magnified = |i: u32| {
+            let (x, y) = (PART[0] + i % width / TIMES, PART[1] + i / width / TIMES);
+            pixels[(y * width + x) as usize]
+        };
+        let magnified = (0..width * height).map(magnified).collect();
+        pictures.extend([pixels, magnified]);
+    }
+    in_rows(&pictures, SIZE, 4, 1)
+}
+
+/// Pictures of one size in rows, each magnified, as a PNG file.
+fn in_rows(
+    pictures: &[Vec<Rgb888>],
+    [width, height]: [u32; 2],
+    columns: usize,
+    times: u32,
+) -> Result<Vec<u8>, String> {
+    const GAP: u32 = 8;
+    let cell = Size::new(width, height) * times + Size::new_equal(GAP);
+    let rows = pictures.len().div_ceil(columns);
+    let size = Size::new(columns as u32, rows as u32).component_mul(cell) - Size::new_equal(GAP);
+    let mut sheet = Canvas::new(size, Rgb888::WHITE);
+    for (place, pixels) in (0..).zip(pictures) {
+        let at = Size::new(place % columns as u32, place / columns as u32).component_mul(cell);
+        let area = Rectangle::new(Point::zero() + at, Size::new(width, height) * times);
+        let wide = width * times;
+        let colour = |i: u32| pixels[(i / wide / times * width + i % wide / times) as usize];
+        let Ok(()) = sheet.fill_contiguous(&area, (0..wide * height * times).map(colour));
+    }
+    still::png(size, sheet.pixels()).map_err(|e| e.to_string())
+}
