@@ -36,6 +36,9 @@ async function open(file) {
     // The library's messages about a file begin with its name, and the line where that is known.
     const name = problem.message.startsWith(`${file.name}:`) ? '' : `${file.name}: `;
     say(name + grouped(problem.message), true);
+    // Figures that were asked for while the library had this file are asked for again.
+    matrixOf = undefined;
+    if (drawnModel) showCosts(choice());
   }
 }
 
