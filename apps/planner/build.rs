@@ -16,15 +16,15 @@ const WAYS: &str = "lines faces depth bands line-bands hidden-bands smooth-bands
 
 const CORES: [&str; 4] = ["M0", "M3", "M4F", "RV32"];
 
-/// The chips, and their names in choices.
-const CHIPS: [(&str, &str); 7] = [
-    ("rp2040", "RP2040, code in flash"),
-    ("rp2040-ram", "RP2040, code in RAM"),
-    ("rp2350-ram", "RP2350, code in RAM"),
-    ("stm32f030", "STM32F030xC"),
-    ("stm32f103", "STM32F103xB"),
-    ("stm32f411", "STM32F411xE"),
-    ("nrf52840", "nRF52840"),
+/// The chips' names in choices and in the data, and their flash in KB: of an RP2040 that of a Pico, of an RP2350 that of a Pico 2.
+const CHIPS: [(&str, &str, u32); 7] = [
+    ("rp2040", "RP2040, code in flash", 2048),
+    ("rp2040-ram", "RP2040, code in RAM", 2048),
+    ("rp2350-ram", "RP2350, code in RAM", 4096),
+    ("stm32f030", "STM32F030xC", 256),
+    ("stm32f103", "STM32F103xB", 128),
+    ("stm32f411", "STM32F411xE", 512),
+    ("nrf52840", "nRF52840", 1024),
 ];
 
 /// Images, by their names in the data. Here they are in capitals, with `_CODE` behind.
@@ -125,7 +125,7 @@ fn growth(rows: &[Value], out: &mut String) -> Result<()> {
 /// The chips, and the cycles of an instruction of an ESP32-C3: the least, the likely ones, and the most.
 fn chips(rows: &[Value], out: &mut String) -> Result<()> {
     writeln!(out, "pub(crate) const MODELLED: [Chip; {}] = [", CHIPS.len())?;
-    for (key, name) in CHIPS {
+    for (key, name, flash) in CHIPS {
         let row = row(rows, &[("chip", name)])?;
         let core = &row["core"];
         let column = match core.as_str() {
@@ -139,7 +139,7 @@ fn chips(rows: &[Value], out: &mut String) -> Result<()> {
         let (error, cycles) = (&row["error"], numbers(&row["cycles"])?);
         writeln!(
             out,
-            "    Chip {{ key: {key:?}, name: {name:?}, core: {core}, column: {column}, clock: {clock:?}, spi: {spi:?}, ram: {ram:?}, error: {error}, cycles: {cycles:?}, range: None }},"
+            "    Chip {{ key: {key:?}, name: {name:?}, core: {core}, column: {column}, clock: {clock:?}, spi: {spi:?}, ram: {ram:?}, flash: {flash}.0, error: {error}, is_estimate: false, cycles: {cycles:?}, range: None }},"
         )?;
     }
     writeln!(out, "];")?;

@@ -42,14 +42,14 @@ function writeAddress() {
 }
 
 // The state of the address. What is not understood has its default, and a notice says so.
-function readAddress() {
+async function readAddress() {
   const read = { ...DEFAULTS };
   const parts = new URLSearchParams(location.hash.slice(1));
   const [file, picture] = ['file', 'picture'].map((key) => parts.get(key));
   for (const key of ['file', 'picture']) parts.delete(key);
   const wrong = [];
   for (const [key, value] of parts) {
-    const problem = problemOf(key, value);
+    const problem = await problemOf(key, value);
     if (problem) wrong.push(`${key}=${value}: ${problem}`);
     else read[key] = NUMBERS.includes(key) ? Number(value) : value;
   }
@@ -62,14 +62,15 @@ function readAddress() {
 }
 
 // What is wrong with a part of an address, by the library, which gets the part alone.
-function problemOf(key, value) {
+async function problemOf(key, value) {
   if (!Object.hasOwn(DEFAULTS, key)) return 'no such part';
   if (key === 'mesh' && value === 'file') return '';
   if (key === 'board') return boardsOf(templates).some(([board]) => board === value) ? '' : 'no such board';
+  if (key === 'controller') return menu.displays.some((panel) => controllerOf(panel) === value) ? '' : 'no such controller';
   if (key === 'light' && value.split(',').length !== 3) return 'not three numbers';
   if (/[&=]/.test(value)) return 'not a value';
   try {
-    library.model(`${key}=${value}`);
+    await library.bytes('model', `${key}=${value}`);
     return '';
   } catch ({ message }) {
     return message.replace(`${key}=${value}: `, '');

@@ -5,7 +5,7 @@
 let isOwnSize = false;
 
 function showControls() {
-  for (const key of ['mesh', 'style', 'projection', 'up', 'format', 'width', 'height', 'yaw', 'pitch', 'ambient', 'edges', 'chip', 'rows']) {
+  for (const key of ['mesh', 'style', 'projection', 'up', 'format', 'width', 'height', 'yaw', 'pitch', 'ambient', 'edges', 'chip', 'rows', 'core', 'mhz', 'ram', 'flash']) {
     $(key).value = state[key];
   }
   for (const key of ['flip', 'fix-winding', 'two-sided']) $(key).checked = state[key] === 1;
@@ -17,6 +17,10 @@ function showControls() {
   isOwnSize ||= panel < 0;
   $('panel-type').value = isOwnSize ? 'own' : panel;
   $('own').hidden = !isOwnSize;
+  $('own-chip').hidden = state.chip !== 'own';
+  $('panel-note').textContent = factsOf(panelChosen()).note ?? '';
+  const { basis } = menu.chips.find(({ key }) => key === state.chip) ?? {};
+  $('basis').textContent = basis ? `An estimate, by ${basis}.` : '';
   $('texture').value = state.texture;
   $('textures').hidden = state.style !== 'textured';
   showDecimation(state.decimate);
@@ -63,7 +67,7 @@ function takeNumber(id, key = id, empty = undefined) {
     field.value = ''; // of letters, too, which a browser keeps otherwise
     showControls();
     const kept = field.value ? `${count(Number(field.value))} stays` : 'it stays empty';
-    say(`${field.labels[0].textContent.trim()}: a whole number from ${count(Number(field.min))} to ${count(Number(field.max))}; ${kept}.`, true);
+    say(`${field.ariaLabel ?? field.labels[0].textContent.trim()}: a whole number from ${count(Number(field.min))} to ${count(Number(field.max))}; ${kept}.`, true);
   });
 }
 
@@ -75,6 +79,8 @@ function buildControls() {
   options($('projection'), menu.projections.map(({ name }) => [name, name]));
   options($('texture'), menu.textures.filter((name) => name !== 'file').map((name) => [name, name]));
   options($('chip'), menu.chips.map(({ key, name }) => [key, name]));
+  options($('core'), menu.cores.map((name) => [name, name]));
+  options($('shown'), Object.keys(SHOWN).map((name) => [name, name]));
   options($('board'), boardsOf(templates));
   options($('up'), [['auto', 'as usual for the file'], ...menu.axes.map((name) => [name, name])]);
 
@@ -83,10 +89,10 @@ function buildControls() {
     allFaces = 0;
     set({ mesh: e.target.value, decimate: 0 });
   });
-  for (const key of ['style', 'texture', 'up', 'format', 'chip']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value }));
+  for (const key of ['style', 'texture', 'up', 'format', 'chip', 'core']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value }));
   for (const key of ['yaw', 'pitch', 'ambient', 'edges']) $(key).addEventListener('input', (e) => set({ [key]: Number(e.target.value) }));
   $('zoom').addEventListener('input', (e) => set({ zoom: numberAt(e.target, ZOOMS) }));
-  for (const key of ['width', 'height', 'rows']) {
+  for (const key of ['width', 'height', 'rows', 'mhz', 'ram', 'flash']) {
     takeNumber(key);
   }
   takeNumber('spi', 'spi', 0);
@@ -115,12 +121,15 @@ function buildControls() {
       const isPaper = display.name.startsWith('e-paper');
       const wasPaper = state.background === 'ffffff';
       const { width, height, format } = display;
-      const spi = clockOf(display);
-      set({ width, height, format, spi, ...(isPaper === wasPaper ? {} : { background: isPaper ? 'ffffff' : '000000' }) });
+      const [controller, spi] = [controllerOf(display), clockOf(display)];
+      set({ width, height, format, spi, controller, ...(isPaper === wasPaper ? {} : { background: isPaper ? 'ffffff' : '000000' }) });
     } else {
       showControls();
     }
   });
+  $('shown').addEventListener('input', drawMatrix);
+  $('matrix').addEventListener('keydown', moveInMatrix);
+  $('compare').addEventListener('toggle', showMatrix);
   for (const id of ['file', 'picture-file']) $(id).addEventListener('change', (e) => openAll(e.target.files));
   $('board').addEventListener('input', (e) => {
     const board = e.target.value;
@@ -131,10 +140,11 @@ function buildControls() {
   $('reset-all').addEventListener('click', resetAll);
   $('nearer').addEventListener('click', () => zoom(1.25));
   $('farther').addEventListener('click', () => zoom(0.8));
+  $('true-size').addEventListener('click', trueSize);
   $('turntable').addEventListener('click', turntable);
   $('png').addEventListener('click', savePng);
   $('gif').addEventListener('click', saveGif);
-  $('cancel').addEventListener('click', () => (filming = false));
+  $('cancel').addEventListener('click', cancel);
   $('link').addEventListener('click', copyLink);
   $('zip').addEventListener('click', saved(saveZip));
   $('picture').addEventListener('click', saved(() => saveSource('picture.rs')));

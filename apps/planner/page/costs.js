@@ -5,26 +5,32 @@ let costTimer;
 let costsShown;
 
 // Waits until changes pause: counting the work of a frame takes as long as drawing it.
-function showCosts(library, choice) {
+function showCosts(choice) {
   clearTimeout(costTimer);
-  costTimer = setTimeout(() => {
+  const timer = (costTimer = setTimeout(async () => {
     try {
-      const costs = JSON.parse(library.ask('costs', choice));
+      const costs = JSON.parse(await library.ask('costs', choice));
+      if (timer !== costTimer) return; // something else was chosen meanwhile
       costsShown = costs;
-      $('verdict').replaceChildren(...verdict(costs), ...advice(costs));
-      $('cost').replaceChildren(costTable(costs), notes(costs));
+      $('verdict').replaceChildren(...verdict(costs));
+      $('advice').replaceChildren(...advice(costs));
+      $('cost').replaceChildren(costTable(costs));
+      $('notes').replaceChildren(notes(costs));
       $('costs').hidden = false;
+      $('turntable').textContent = `Turn at ${rate(framesOf(chosenOf(costs), panelChosen()))} frames/s`;
       showFirmware();
+      showMatrix();
     } catch {
-      hideCosts(); // the message stands below the display
+      if (timer === costTimer) hideCosts(); // the message stands below the display
     }
-  }, 120);
+  }, 120));
 }
 
 function hideCosts() {
   clearTimeout(costTimer);
+  costTimer = undefined;
   $('costs').hidden = true;
-  $('verdict').replaceChildren();
+  for (const id of ['verdict', 'advice']) $(id).replaceChildren();
   costsShown = undefined;
   showFirmware();
 }
@@ -43,14 +49,32 @@ function frameRates(costs, { drawing, bus, error, range }) {
 
 const rate = (frames) => (frames < 9.95 ? frames.toFixed(1) : frames.toFixed(0));
 
-// Whether the chosen way fits the chip, and how fast it is.
+// Whether the chosen way fits the chip, what it lacks if not, and three meters: RAM, flash and speed.
 function verdict(costs) {
   const way = chosenOf(costs);
-  const fits = way.fits && way.fitsFlash;
+  const [ram, flash] = [way.ram + way.beside, way.flash];
+  const lacks = [[way.fits, ram, 'RAM', costs.ram], [way.fitsFlash, flash, 'flash', costs.rom]].filter(([fits]) => !fits);
+  const missing = lacks.map(([, uses, of, has]) => `${kilobytes(uses)} of ${of} (it has ${kilobytes(has, 0)})`).join(', ');
+  const text = missing ? `Does not fit the ${costs.chip}: ${missing}.` : `Fits the ${costs.chip}.`;
   const [slow, fast] = frameRates(costs, way);
-  const uses = `${kilobytes(way.ram + way.beside)} of RAM (it has ${kilobytes(costs.ram, 0)}), ${kilobytes(way.flash)} of flash (${kilobytes(costs.rom, 0)})`;
-  const text = `${fits ? 'Fits' : 'Does not fit'} the ${costs.chip}: ${uses}. ${rate(way.blocking)} frames/s (${rate(slow)} to ${rate(fast)}), limited by the ${way.limit}.`;
-  return [element('p', { className: fits ? 'verdict' : 'verdict bad' }, text)];
+  const panel = panelChosen();
+  const [speed, limit] = [framesOf(way, panel), limitOf(way, panel)];
+  const of = (name, uses, has, fits) => meter(name, `${kilobytes(uses)} of ${kilobytes(has, 0)}`, fits, uses / has);
+  return [
+    element('p', { className: missing ? 'verdict bad' : 'verdict' }, text),
+    element('div', { className: 'meters' }, of('RAM', ram, costs.ram, way.fits), of('Flash', flash, costs.rom, way.fitsFlash),
+      meter('Speed', `${rate(speed)} frames/s (${limit === 'the panel' ? 'at most' : `${rate(slow)} to ${rate(fast)}`}), limited by ${limit}`, true, speed / FASTEST, Math.max(speed, fast) / FASTEST)),
+  ];
+}
+
+const FASTEST = 60; // frames/s at the end of the meter
+
+// A named bar with its value in words, filled to a part of 1, and more faintly as far as the value may be.
+function meter(name, text, isGood, part, most = part) {
+  const width = (part) => `width: ${Math.min(100 * part, 100).toFixed(1)}%`;
+  const bar = element('div', { className: isGood ? 'meter' : 'meter bad', role: 'meter', ariaLabel: name, ariaValueText: text, ariaValueMin: 0, ariaValueMax: 100,
+    ariaValueNow: Math.min(Math.round(100 * part), 100) }, element('i', { className: 'range', style: width(most) }), element('i', { style: width(part) }));
+  return element('div', {}, element('b', {}, name), bar, element('div', { className: 'note' }, text));
 }
 
 // What to change if the chosen way to draw does not fit.
@@ -65,9 +89,10 @@ function advice(costs) {
   if (both && menu.decimates) made.push(remedyButton(`Use ${bands(both.rows)} and ${count(both.faces)} faces`, { rows: both.rows, decimate: both.faces }));
   const others = costs.ways.filter((other) => other.fits && other.fitsFlash && other.note);
   const other = others.length ? ` ${others[0].name}, for ${others[0].note}, fits: write it yourself by the library's documentation.` : '';
-  const none = made.length || other ? '' : ' Choose a chip with more memory.';
+  const chip = menu.chips.find(({ basis }, at) => !basis && costs.chips[at].fits && costs.chips[at].fitsFlash);
+  if (chip) made.push(remedyButton(`Use the ${chip.name}`, { chip: chip.key, board: nearestBoard(chip.key, panelChosen()) }));
   const needs = `${way.name}: ${kilobytes(way.ram)} of variables and ${kilobytes(way.beside)} of stack${costs.inRam ? ' and code' : ''}, and ${kilobytes(way.flash)} of flash.`;
-  return [element('div', { className: 'advice' }, `${capital(needs)}${capital(other, 1)}${none} `, ...made)];
+  return [element('div', { className: 'advice' }, `${capital(needs)}${capital(other, 1)} `, ...made)];
 }
 
 // With a capital letter at a place.
@@ -131,19 +156,29 @@ function notes(costs) {
     `Flash: the mesh and the code that draws, at opt-level 3, ± ${costs.flashError} %. Drivers and logs come on top.`,
     `Frames/s: each band is drawn, then sent; by DMA: one is drawn while another is sent, so there are two of them in RAM, if there is room.`,
     ...displayNotes(costs),
-    `Drawing: ± is the largest error of the instructions in any case measured (docs/growth.md).${inexact} The cycles of an instruction differ by up to ${costs.cyclesError} % from model to model. Error of the chip's timing: ${costs.error}.`,
+    `Drawing: ± is the largest error of the instructions in any case measured (docs/growth.md).${inexact} The cycles of an instruction differ by up to ${costs.cyclesError} % from model to model. ${costs.estimate ? 'The chip\'s timing is an estimate' : 'Error of the chip\'s timing'}: ${costs.error}.`,
   ];
   return element('ul', { className: 'note' }, ...lines.map((line) => element('li', {}, line)));
+}
+
+// Whether a picture can be free of tearing. The scan starts at the top with the first band, runs ahead of it, and overtakes it if it comes
+// again before the last band is written.
+function tearing({ blocking, bus }) {
+  const [most, written] = [2000 / 60, 1000 / blocking];
+  const sent = `${bus.toFixed(0)} ms`;
+  const tears = written < most ? 'it can be free of tearing' : bus < most ? `it tears, unless it is drawn before it is sent, which takes ${sent}` : `it tears, as sending alone takes ${sent}`;
+  return `Tearing: a picture that starts at the panel's TE signal must be written within two refreshes, ${most.toFixed(0)} ms at 60 Hz. Here it takes ${written.toFixed(0)} ms: ${tears}.`;
 }
 
 // What the bus is, or what takes longer than drawing and sending.
 function displayNotes(costs) {
   const { name } = panelOf(state) ?? { name: '' };
   const notes = [];
+  if (state.format === 'rgb565') notes.push(tearing(chosenOf(costs)));
   if (name.startsWith('SSD1306')) {
     // Nine bits a byte, at 400 kHz.
     notes.push(`By I²C at 400 kHz, as on stm32-ssd1306, sending takes ${Math.round((9 * costs.ways[0].bytes) / 400)} ms.`);
   }
-  if (name.startsWith('e-paper')) notes.push('E-paper itself takes about a second to change, with a third colour up to half a minute: Frames/s is of drawing and sending alone.');
+  if (name.startsWith('e-paper')) notes.push('The table of ways to draw has frames/s of drawing and sending alone, without the time in which e-paper changes.');
   return notes;
 }

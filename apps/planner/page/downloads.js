@@ -13,8 +13,7 @@ function savePng() {
   $('display').toBlob((blob) => save(`${modelName()}.png`, blob));
 }
 
-// The frames are made one by one. Between two of them the page handles events: the cancel button, another file or another picture
-// ends the film.
+// The frames are made one by one. The cancel button, another file or another picture ends the film.
 let filming = false;
 
 async function saveGif() {
@@ -23,11 +22,11 @@ async function saveGif() {
   $('gif').disabled = true;
   $('filming').hidden = false;
   $('filmed').value = 0;
+  $('doing').textContent = 'Frames of the turn';
   $('cancel').focus();
   try {
     const bytes = await library.gif(choice(), async (done, all) => {
       [$('filmed').max, $('filmed').value] = [all, done];
-      await new Promise((listened) => setTimeout(listened));
       return filming;
     });
     if (bytes) save(name, new Blob([bytes], { type: 'image/gif' }));
@@ -43,9 +42,9 @@ async function saveGif() {
 
 // Runs an action that saves a file, and shows a message if it fails.
 function saved(action) {
-  return () => {
+  return async () => {
     try {
-      action();
+      await action();
     } catch (problem) {
       say(problem.message, true);
     }
@@ -55,19 +54,18 @@ function saved(action) {
 // The choice without a turn, because the firmware turns the model itself.
 const still = () => choice({ ...state, turn: 0 });
 
-function saveZip() {
+async function saveZip() {
   const board = $('board').value;
-  save(`${board}.zip`, new Blob([zip(firmware(library, templates, board, still()))], { type: 'application/zip' }));
+  save(`${board}.zip`, new Blob([await library.zip(board, still())], { type: 'application/zip' }));
 }
 
 // Saves one file of the firmware's own code.
-function saveSource(name) {
-  const files = firmware(library, templates, $('board').value, still());
-  save(name, new Blob([files.get(`firmware/src/${name}`)]));
+async function saveSource(name) {
+  save(name, new Blob([await library.source($('board').value, still(), name)]));
 }
 
-function saveRust() {
-  save(`${modelName()}.rs`, new Blob([library.ask('rust', choice())]));
+async function saveRust() {
+  save(`${modelName()}.rs`, new Blob([await library.ask('rust', choice())]));
 }
 
 async function copyLink() {

@@ -9,18 +9,22 @@ async function open(file) {
       await openPicture(file);
       return;
     }
-    const bytes = new Uint8Array(await file.arrayBuffer());
-    await new Promise((done) => setTimeout(done)); // so that the line above is seen
     if (isLibrary(file)) {
-      library.load(file.name, bytes);
+      await library.load(file);
+      loaded.libraries.push(file);
       tooLarge = {};
       drawnModel = '';
       change({});
       return;
     }
     const settings = { ...Object.fromEntries(OF_FILE.map((key) => [key, DEFAULTS[key]])), ...awaited.model?.settings };
-    tryModel(file.name, bytes, settings);
-    opened = { name: file.name, bytes };
+    held += 1; // no frame has the new model and the settings of the old one
+    try {
+      await tryModel(file, settings);
+    } finally {
+      release();
+    }
+    loaded.model = file;
     fileName = file.name;
     if (!$('mesh').querySelector('[value=file]')) $('mesh').append(element('option', { value: 'file' }));
     $('mesh').querySelector('[value=file]').textContent = file.name;
@@ -32,23 +36,24 @@ async function open(file) {
     // The library's messages about a file begin with its name, and the line where that is known.
     const name = problem.message.startsWith(`${file.name}:`) ? '' : `${file.name}: `;
     say(name + grouped(problem.message), true);
+    // Figures that were asked for while the library had this file are asked for again.
+    matrixOf = undefined;
+    if (drawnModel) showCosts(choice());
   }
 }
 
-let opened; // the model that the page shows or has in its menu: its name and its bytes
-
 // Loads a model, and draws it once. If it cannot be read, the model before it stays; if decimation makes it one that can be drawn, it is
 // taken, because the page has a button for that.
-function tryModel(name, bytes, settings) {
-  library.load(name, bytes);
+async function tryModel(file, settings) {
+  await library.load(file);
   tooLarge = {};
   const before = performance.now();
   try {
-    drawState({ ...state, mesh: 'file', ...settings });
+    await drawState({ ...state, mesh: 'file', ...settings });
     imported = performance.now() - before;
   } catch (problem) {
     if (isRemedied(problem)) return;
-    if (opened) library.load(opened.name, opened.bytes);
+    if (loaded.model && !problem.isCancelled) await library.load(loaded.model);
     throw new Error(drawnModel ? `${problem.message}. The page keeps ${meshName()}.` : problem.message);
   }
 }
@@ -67,7 +72,8 @@ async function openPicture(file) {
   context.fillStyle = '#fff'; // behind transparent parts
   context.fillRect(0, 0, width, height);
   context.drawImage(picture, 0, 0, width, height);
-  library.picture(width, new Uint8Array(context.getImageData(0, 0, width, height).data.buffer));
+  loaded.picture = [width, new Uint8Array(context.getImageData(0, 0, width, height).data.buffer)];
+  await library.picture(...loaded.picture);
   if (!$('texture').querySelector('[value=file]')) $('texture').append(element('option', { value: 'file' }));
   $('texture').querySelector('[value=file]').textContent = file.name;
   pictureName = file.name;

@@ -9,7 +9,10 @@ function showBoards() {
   for (const id of ['zip', 'picture', 'texels']) $(id).disabled = boards.length === 0;
   $('rust').disabled = !drawnModel;
   $('texels').hidden = state.style !== 'textured';
-  $('no-firmware').hidden = boards.length > 0 || !drawnModel;
+  const isMono = state.format === 'mono';
+  const changes = { style: isMono ? 'hidden-line' : 'flat', ...(!isMono && state.format !== 'rgb565' && withPanel(menu.displays[0])) };
+  write('no-firmware', boards.length > 0 || !drawnModel ? '' : 'The templates draw flat, Gouraud and textured faces in 16-bit colour, and hidden lines in black and white. ',
+    [`Draw ${isMono ? 'hidden lines' : changes.width ? 'flat faces on an ST7789' : 'flat faces'}`, changes]);
   showFirmware();
 }
 
@@ -23,34 +26,60 @@ function showFirmware() {
   showBuffers(isOffered && !isOther, board);
   const driver = display ? 'Its README has the wiring of the display.' : 'Put the driver of your display into src/display.rs: what is there shows nothing.';
   const decimates = state.decimate ? ' Its build decimates the model by a library in C++: install g++ or clang first.' : '';
+  write('to-write', isOffered ? toWrite(board) : '');
   write('wiring', isOffered ? driver + decimates : '');
 }
 
-// Writes a paragraph, with a button if there are changes to make, only where its text differs: a press on a button must not be lost.
-function write(id, text, button, changes) {
-  const whole = text + (button ?? '');
+// Writes a paragraph, with buttons, each a text and changes, only where its text differs: a press on a button must not be lost.
+function write(id, text, ...buttons) {
+  const whole = JSON.stringify([text, buttons]);
   if ($(id).dataset.whole === whole) return;
   $(id).dataset.whole = whole;
   $(id).hidden = !text;
-  $(id).replaceChildren(text, ...(button ? [remedyButton(button, changes)] : []));
+  $(id).replaceChildren(text, ...(text ? buttons.map((button) => remedyButton(...button)) : []));
 }
 
 // A note if the board's display differs from the one that the page shows: its firmware frames the model for the board's display.
 function showOtherDisplay(isOther, board, display) {
   if (!isOther) return write('other-display', '');
   const { width, height } = display;
-  const spi = clockOf(panelOf({ ...display, format: state.format }));
+  const { controller } = partsOf(board);
+  const spi = clockOf({ name: controller });
   write('other-display', `The display of ${board} has ${width} × ${height} pixels, and its firmware frames the model for them. `,
-    `Show ${width} × ${height} pixels`, { width, height, spi });
+    [`Show ${width} × ${height} pixels`, { width, height, spi, controller }]);
+}
+
+const family = (name) => name.split('-')[0];
+
+// The template for a chip and a display: one of both, the plain one first, one of the chip, or the nearest.
+function nearestBoard(chip, panel) {
+  const boards = [...new Set([...templates.keys()].map((path) => path.split('/')[0]))];
+  const score = (board) => (family(partsOf(board).chip ?? '') === family(chip) ? 2 : 0) +
+    (partsOf(board).controller === controllerOf(panel) ? 1 : 0) + (/-(st7789|ili9341|ssd1306)$/.test(board) ? 0.5 : 0);
+  const best = boards.filter((board) => score(board) >= 2).sort((a, b) => score(b) - score(a))[0];
+  return best ?? (chip === 'esp32c6' ? 'esp32c3-st7789' : 'any-cortex-m');
+}
+
+// What the user must write where the template is of another chip or another display.
+function toWrite(board) {
+  const [{ chip, controller }, wanted] = [partsOf(board), controllerOf(panelChosen()) ?? 'your display'];
+  const { name } = menu.chips.find(({ key }) => key === state.chip);
+  const parts = [];
+  if (!chip) parts.push(`target, memory and clocks of the ${name} in .cargo/config.toml, memory.x and src/main.rs`);
+  else if (state.chip === 'esp32c6' && board === 'esp32c3-st7789') parts.push('in Cargo.toml the feature esp32c6 of each esp crate, in .cargo/config.toml the target riscv32imac-unknown-none-elf, and the pins');
+  if (!controller) parts.push(`SPI and the driver of ${wanted} in src/display.rs`);
+  else if (controller !== wanted) parts.push(`the driver of ${wanted} in place of the ${controller}'s`);
+  return parts.length ? `Left for you to write: ${parts.join('; ')}.` : '';
 }
 
 // A note if the costs are those of another chip than the board's.
 function showOtherChip(isOffered, board) {
   const { chip } = partsOf(board);
-  const family = (name) => name.split('-')[0];
-  if (!isOffered || !chip || family(chip) === family(state.chip)) return write('other-chip', '');
+  const nearest = nearestBoard(state.chip, panelChosen());
+  if (!isOffered || !chip || family(chip) === family(state.chip) || nearest === board) return write('other-chip', '');
   const name = (key) => menu.chips.find((one) => one.key === key)?.name;
-  write('other-chip', `The costs above are those of the ${name(state.chip)}, which is not the chip of ${board}. `, `Show the costs on the ${name(chip)}`, { chip });
+  write('other-chip', `The figures are those of the ${name(state.chip)}, which is not the chip of ${board}. `,
+    [`Show those of the ${name(chip)}`, { chip }], [`Take ${nearest} instead`, { board: nearest }]);
 }
 
 // The buffers of the board's firmware, if its display has the sides that the page shows.
@@ -58,9 +87,15 @@ function showBuffers(isShown, board) {
   const way = costsShown && chosenOf(costsShown);
   if (!isShown || !way?.rows) return write('buffers', '');
   const { strips } = partsOf(board);
+  const use = (rows) => (rows ? [[`Use bands of ${rows} rows`, { rows }]] : []);
+  if (board === 'rp2040-two-cores' && state.height % (2 * way.rows)) {
+    return write('buffers', 'Its two cores draw as many bands each. ', ...use(HEIGHTS.find((rows) => rows < way.rows && state.height % (2 * rows) === 0)));
+  }
   const more = strips > 1 ? `, with the pixels of ${strips} bands, as one is drawn while another is sent` : '';
   const bytes = buffersOf(board, way);
   const isLarge = $('other-chip').hidden && bytes + way.beside > costsShown.ram;
-  const large = isLarge ? `. That does not fit the ${kilobytes(costsShown.ram, 0)} of the chip beside ${kilobytes(way.beside)} of stack: choose fewer rows or faces` : '';
-  write('buffers', `Its buffers take ${kilobytes(bytes)} of RAM in bands of ${way.rows} rows${more}${large}.`);
+  const large = isLarge ? `. That does not fit the ${kilobytes(costsShown.ram, 0)} of the chip beside ${kilobytes(way.beside)} of stack` : '';
+  const [cache, bins, ...ofRows] = way.parts;
+  const fits = (rows) => rows < way.rows && buffersOf(board, { parts: [cache, bins, ...ofRows.map((bytes) => (bytes * rows) / way.rows)] }) + way.beside < costsShown.ram;
+  write('buffers', `Its buffers take ${kilobytes(bytes)} of RAM in bands of ${way.rows} rows${more}${large}. `, ...(isLarge ? use(HEIGHTS.find(fits)) : []));
 }

@@ -2,10 +2,10 @@
 'use strict';
 
 // Shows the state of the address.
-function followAddress() {
+async function followAddress() {
   isOwnSize = false;
   written = undefined;
-  change(readAddress());
+  change(await readAddress());
   showControls();
 }
 
@@ -16,18 +16,22 @@ function resetAll() {
 
 async function start() {
   try {
-    library = await Pinhole.from(await unpacked(PINHOLE));
-    templates = untar(await unpacked(BOARDS));
+    const [script, wasm, boards] = await Promise.all([WORKER, PINHOLE, BOARDS].map(unpacked));
+    parts = { script, wasm, boards };
+    templates = untar(boards);
+    await startWorker();
+    menu = await library.menu();
   } catch (problem) {
-    say(`This browser cannot run the page: ${problem.message}. It needs WebAssembly and DecompressionStream, which browsers have since 2023.`, true);
+    say(`This browser cannot run the page: ${problem.message}. It needs WebAssembly, workers and DecompressionStream, which browsers have since 2023.`, true);
     return;
   }
-  menu = library.menu();
   buildControls();
   listenForDrops();
   listenToPointers();
   listenToKeys();
+  $('compare').open = innerWidth > 832;
   followAddress();
+  setInterval(watchCalls, 200);
   addEventListener('resize', scale);
   addEventListener('hashchange', followAddress);
 }

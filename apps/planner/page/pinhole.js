@@ -44,7 +44,7 @@ class Pinhole {
   async gif(choice, goesOn) {
     let [done, all] = [0, 1];
     while (done < all) {
-      [done, all] = this.ask('film', done === 0 ? choice : '').split(' ').map(Number);
+      [done, all] = (await this.ask('film', done === 0 ? choice : '')).split(' ').map(Number);
       if (!(await goesOn(done, all))) return null;
     }
     return this.bytes('gif', '');

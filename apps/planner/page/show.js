@@ -1,30 +1,54 @@
 // Draws the state, and shows what the library says about it: the picture, the model, its warnings and the boards.
 'use strict';
 
-function show() {
+async function show() {
+  if (held) return; // drawn when nothing holds it back
   asked = false;
+  held += 1;
+  const of = { ...state };
+  try {
+    await showState(of);
+  } finally {
+    release();
+  }
+}
+
+// Draws what was asked for while frames were held back.
+function release() {
+  held -= 1;
+  if (asked) requestAnimationFrame(show);
+}
+
+async function showState(of) {
   const canvas = $('display');
   try {
     const before = performance.now();
-    const { pixels, about } = drawState();
+    const { pixels, about } = await drawState(of);
     const took = performance.now() - before;
+    canvas.classList.toggle('round', factsOf(panelChosen()).isRound === true);
     if (canvas.width !== about.width || canvas.height !== about.height) {
       [canvas.width, canvas.height] = [about.width, about.height];
     }
-    canvas.getContext('2d').putImageData(new ImageData(new Uint8ClampedArray(pixels), about.width, about.height), 0, 0);
+    canvas.getContext('2d').putImageData(new ImageData(pixels, about.width, about.height), 0, 0);
     scale();
+    shown = of;
     canvas.classList.remove('stale');
     // While the model turns, only another choice changes what is shown beside it: a screen reader that reads each frame never ends.
-    const kind = JSON.stringify([{ ...state, turn: 0 }, about.model]);
+    const kind = JSON.stringify([{ ...of, turn: 0 }, about.model]);
     if (turning && drawnModel && kind === shownKind) return;
     shownKind = kind;
     describe(about);
     if (JSON.stringify(about.model) !== drawnModel) slowest = Math.max(took, imported);
     imported = 0;
     showModel(about.model);
-    showCosts(library, choice());
+    showCosts(choice(of));
     showBoards();
   } catch (problem) {
+    if (problem.isCancelled && shown) {
+      set(shown);
+      say(`Stopped: ${problem.message}.`);
+      return;
+    }
     shownKind = '';
     say(grouped(problem.message), true);
     drawnModel = '';
@@ -48,11 +72,11 @@ function show() {
 let tooLarge = {};
 const modelKey = (of) => JSON.stringify(['mesh', 'style', 'edges', ...OF_FILE].map((key) => of[key]));
 
-function drawState(of = state) {
+async function drawState(of = state) {
   const model = modelKey(of);
   if (tooLarge.model === model) throw tooLarge.problem;
   try {
-    return library.draw(choice(of));
+    return await library.draw(choice(of));
   } catch (problem) {
     if (isRemedied(problem)) tooLarge = { model, problem };
     throw problem;
@@ -64,7 +88,7 @@ let shownKind = '';
 
 // Describes the frame in words.
 function describe({ width, height, bytes, statistics: { drawn, culled, clipped } }) {
-  say(`${width} × ${height}: ${counted(drawn, ofLines() ? 'edge' : 'face')} drawn, ${count(culled)} culled, ${count(clipped)} clipped; ${count(bytes)} bytes a frame`);
+  say(`${width} × ${height}: ${counted(drawn, ofLines() ? 'edge' : 'face')} drawn, ${count(culled)} seen from behind and left out (culled), ${count(clipped)} cut at a border (clipped); ${count(bytes)} bytes a frame`);
   const label = `${meshName()}, ${state.style}, ${state.projection}, on ${width} × ${height} pixels`;
   if ($('display').getAttribute('aria-label') !== label) $('display').setAttribute('aria-label', label);
 }
@@ -124,14 +148,28 @@ function remedyButton(text, changes) {
   return button;
 }
 
-// Each pixel of the display takes a whole number of screen pixels, as many as fit.
+let isTrueSize = false;
+
+function trueSize() {
+  isTrueSize = !isTrueSize;
+  $('true-size').setAttribute('aria-pressed', isTrueSize);
+  scale();
+}
+
+// In true size the panel is as large as its glass, where the screen has 96 pixels an inch. Otherwise each pixel of the display takes a whole number of
+// screen pixels, as many as fit.
 function scale() {
   const canvas = $('display');
-  const room = $('frame').clientWidth - 24;
-  const fits = Math.min(room / canvas.width, Math.max(innerHeight * 0.6, 240) / canvas.height);
+  const bezel = canvas.offsetWidth - canvas.clientWidth;
+  const isNarrow = matchMedia('(max-width: 52rem)').matches;
+  const fits = Math.min(($('frame').clientWidth - bezel) / canvas.width, Math.max(innerHeight * (isNarrow ? 0.3 : 0.64), 160) / canvas.height);
   const fine = devicePixelRatio || 1;
   const times = fits * fine >= 1 ? Math.floor(fits * fine) / fine : fits;
   // A display of one row, or of one column, is seen, too.
-  canvas.style.width = `${Math.max(canvas.width * times, 1)}px`;
-  canvas.style.height = `${Math.max(canvas.height * times, 1)}px`;
+  const { inches } = factsOf(panelChosen());
+  $('true-size').hidden = !inches;
+  // CSS has 96 pixels an inch.
+  const shown = isTrueSize && inches ? (96 * (inches[canvas.height] ?? inches)) / Math.hypot(canvas.width, canvas.height) : times;
+  canvas.style.width = `${Math.max(canvas.width * shown, 1)}px`;
+  canvas.style.height = `${Math.max(canvas.height * shown, 1)}px`;
 }

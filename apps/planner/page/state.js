@@ -7,10 +7,10 @@ const DEFAULTS = {
   mesh: 'gear', width: 240, height: 240, format: 'rgb565', style: 'flat', dither: 0, projection: 'perspective', yaw: 30, pitch: 20,
   zoom: 100, x: 0, y: 0, turn: 0, color: 'ffd700', background: '000000', light: '2,3,4', ambient: 48, up: 'auto', flip: 0,
   'fix-winding': 0, 'two-sided': 0, decimate: 0, edges: 0, texture: 'checker', rows: 8, chip: 'rp2040', spi: 0, board: 'rp2040-st7789',
+  controller: 'ST7789', core: 'M4', mhz: 100, ram: 128, flash: 512,
 };
 const NUMBERS = Object.keys(DEFAULTS).filter((key) => typeof DEFAULTS[key] === 'number');
 
-let library;
 let menu;
 let templates;
 let fileName; // of the model that was opened
@@ -21,7 +21,9 @@ let allFaces = 0; // of the model, without decimation; 0 if they are not known
 let isTooLarge = false; // whether the model cannot be drawn with as many faces as now
 let slowest = 0; // milliseconds of the last frame that a new mesh was made for
 let imported = 0; // milliseconds in which the file that was opened last was drawn first
-let asked = false;
+let asked = false; // whether a frame will be drawn
+let held = 0; // what holds frames back: one that is being drawn, a file that is being read
+let shown; // the state that was drawn last
 
 // Whether the style draws edges instead of faces.
 const ofLines = () => ['wireframe', 'hidden-line'].includes(state.style);
@@ -29,16 +31,40 @@ const ofLines = () => ['wireframe', 'hidden-line'].includes(state.style);
 // The name of the chosen mesh in the menu.
 const meshName = () => (state.mesh === 'file' ? fileName : state.mesh);
 
-// The choice that is passed to the library: every part of the state but the board, which changes neither the picture nor its costs.
-const choice = ({ board, ...of } = state) => Object.entries(of).map(([key, value]) => `${key}=${value}`).join('&');
+// The choice that is passed to the library: every part of the state but the board and the controller, which change neither the picture
+// nor its costs, and the bits of a pixel on the bus.
+const choice = ({ board, controller, ...of } = state) =>
+  Object.entries({ ...of, wire: factsOf(panelOf({ controller, ...of })).wire ?? 0 }).map(([key, value]) => `${key}=${value}`).join('&');
 
-// The display of the menu that has these pixels.
-const panelOf = ({ width, height, format }) => menu.displays.find((d) => d.width === width && d.height === height && d.format === format);
+// The display of the menu that has these pixels: that of the chosen controller, if several have.
+function panelOf({ width, height, format, controller }) {
+  const all = menu.displays.filter((d) => d.width === width && d.height === height && d.format === format);
+  return all.find(({ name }) => name.startsWith(controller)) ?? all[0];
+}
+const panelChosen = () => (isOwnSize ? undefined : panelOf(state));
 
-// MHz that a controller's SPI takes by its data sheet; an ILI9341, whose data sheet has 10, is usually run at 25 to 40. An ST7789 takes
-// 62.5, more than most chips have.
-const CLOCKS = { ILI9341: 25, ST7735: 15, SSD1306: 10, SSD1327: 10, 'e-paper': 10 };
-const clockOf = (panel) => CLOCKS[panel?.name.split(',')[0]] ?? 0;
+// Facts about controllers. MHz that SPI takes by the data sheet; an ILI9341, whose data sheet has 10, is usually run at 25 to 40; an ST7789
+// takes 62.5, more than most chips have. The diagonal in inches, by height if there are several, and for a round panel that of the square
+// around it. Bits of a pixel on the bus, if they are not those in memory. Frames per second that the panel can show. What a driver must do.
+const FACTS = {
+  ST7789: { inches: { 240: 1.3, 320: 2 } },
+  ILI9341: { spi: 25, inches: 2.4 },
+  ILI9488: { spi: 20, inches: 3.5, wire: 24, note: 'By SPI it takes three bytes a pixel: the driver widens 16-bit colours as it sends them.' },
+  GC9A01: { inches: 1.81, isRound: true, note: 'The corners are sent, but not seen.' },
+  CO5300: { spi: 50, inches: 2.02, isRound: true, note: 'Windows have even columns and rows, so a band has an even number of rows. The figures are of one data line; by QSPI sending takes a quarter.' },
+  ST7735: { spi: 15, inches: 1.44 },
+  SSD1306: { spi: 10, inches: 0.96 },
+  SH1106: { spi: 4, inches: 1.3, note: 'Its memory has 132 columns, of which the glass shows 128 from the third, and is written page by page.' },
+  SSD1327: { spi: 10, inches: 1.5 },
+  'e-paper': { spi: 10, most: 1, inches: { 200: 1.54, 128: 2.9, 300: 4.2, 104: 2.13 }, note: 'The panel takes about a second to change, with a third colour up to half a minute.' },
+};
+const controllerOf = (panel) => panel?.name.split(',')[0];
+const factsOf = (panel) => FACTS[controllerOf(panel)] ?? {};
+const clockOf = (panel) => factsOf(panel).spi ?? 0;
+
+// Frames per second of a way to draw, each band drawn and then sent, on a panel that may be slower; and what limits them.
+const framesOf = (way, panel) => Math.min(way.blocking, factsOf(panel).most ?? Infinity);
+const limitOf = (way, panel) => (way.blocking > (factsOf(panel).most ?? Infinity) ? 'the panel' : way.limit === 'bus' ? 'sending' : 'drawing');
 
 // Draws once before the next frame of the screen, however many changes there were.
 function change(changes) {

@@ -48,15 +48,22 @@ function turntable() {
   turning = true;
   $('turntable').setAttribute('aria-pressed', true);
   let last;
-  // Steps follow the time that has passed, so a slow tab turns as fast, in larger steps: a turn takes 4 seconds.
+  // Steps follow the time that has passed, so a slow tab turns as fast, in larger steps: a turn takes 4 seconds. Pictures change as often
+  // as on the display.
   let at = state.turn;
+  let [turned, due] = [at, 0];
   const step = (time) => {
     if (!turning) return;
-    if (Math.floor(at) % TURNS !== state.turn) at = state.turn; // it was reset meanwhile
+    if (state.turn !== turned) at = state.turn; // it was reset meanwhile
     at += last === undefined ? 0 : within(time - last, 0, 1000) * (TURNS / 4000);
     last = time;
-    const turn = Math.floor(at) % TURNS;
-    if (turn !== state.turn) change({ turn });
+    turned = state.turn;
+    if (time >= due) {
+      const period = costsShown ? 1000 / framesOf(chosenOf(costsShown), panelChosen()) : 0;
+      due = Math.max(due + period, time);
+      turned = Math.floor(at) % TURNS;
+      if (turned !== state.turn) change({ turn: turned });
+    }
     requestAnimationFrame(step);
   };
   requestAnimationFrame(step);

@@ -87,6 +87,11 @@ pub struct Choice {
     pub(crate) rows: u32,
     /// The microcontroller whose costs are shown.
     pub(crate) chip: &'static str,
+    /// The index of an own chip's core in [`chip::CORES`], and its clock in MHz, RAM and flash in KB.
+    pub(crate) core: usize,
+    pub(crate) own: [u32; 3],
+    /// Bits of a pixel on the bus, or 0 for those of the format.
+    pub(crate) wire: u32,
     /// The most MHz of its SPI that the display takes, or 0 for the fastest of the microcontroller.
     pub(crate) spi: u32,
 }
@@ -97,6 +102,10 @@ pub(crate) const TURNS: u32 = 120;
 const MOST_FACES: u32 = 1_000_000;
 /// MHz that no display's SPI exceeds.
 const FASTEST: u32 = 200;
+/// MHz that no microcontroller's core exceeds.
+const FASTEST_CORE: u32 = 1000;
+/// KB of a microcontroller's RAM or flash, at most.
+const MOST_MEMORY: u32 = 65_536;
 /// The longest side of a display, in pixels.
 const LONGEST: u32 = 1024;
 
@@ -129,6 +138,9 @@ impl Default for Choice {
             decimate: 0,
             rows: 8,
             chip: chip::CHIPS[0].key,
+            core: 2,
+            own: [100, 128, 512],
+            wire: 0,
             spi: 0,
         }
     }
@@ -181,6 +193,11 @@ impl Choice {
             "two-sided" => self.two_sided = switch(value)?,
             "rows" => self.rows = within(value, 1, LONGEST)?,
             "chip" => self.chip = chip::named(value)?,
+            "core" => self.core = place(&chip::CORES.map(|(name, _)| name), value)?,
+            "mhz" => self.own[0] = within(value, 1, FASTEST_CORE)?,
+            "ram" => self.own[1] = within(value, 1, MOST_MEMORY)?,
+            "flash" => self.own[2] = within(value, 1, MOST_MEMORY)?,
+            "wire" => self.wire = within(value, 0, 32)?,
             "spi" => self.spi = within(value, 0, FASTEST)?,
             _ => return Err("no such part".into()),
         }

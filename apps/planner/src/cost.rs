@@ -1,11 +1,11 @@
 //! What a frame costs on a chip: RAM and flash by the library's own lengths and measured images, time by the formula of
 //! docs/growth.md.
 
-use crate::chip::{Chip, CHIPS};
+use crate::chip::{self, Chip, CHIPS};
 use crate::choice::{Choice, Style};
 use crate::display::Format;
 use crate::figures::{Code, DEPTH_PIXELS_CODE, FRAMING_CODE, PLACING};
-use crate::json::{list, object, text};
+use crate::json::{list, number, object_of_numbers, text};
 use crate::lens::Lens;
 use crate::refused;
 use crate::texture::{Coordinates, TextureImage};
@@ -85,29 +85,45 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage)
         Style::HiddenLine => hidden_lines(&mesh, choice, &frame),
         Style::Flat | Style::Gouraud | Style::Textured => faces(&mesh, choice, &frame),
     };
-    let chip = CHIPS.iter().find(|chip| chip.key == choice.chip).unwrap_or(&CHIPS[0]);
-    let spi = if choice.spi == 0 { chip.spi } else { chip.spi.min(choice.spi.into()) };
-    let pixels = strip(choice, choice.size.height);
+    let chip = &chip::stated(choice.chip, choice);
+    let spi = |chip: &Chip| if choice.spi == 0 { chip.spi } else { chip.spi.min(choice.spi.into()) };
+    let pixels = match choice.wire {
+        0 => strip(choice, choice.size.height),
+        bits => (choice.size.width * choice.size.height * bits).div_ceil(8) as usize,
+    };
     let data = model.flash_bytes() + materials(model, choice, image);
     // The first way with the chosen rows: with depth, if there are several.
     let chosen = ways.iter().position(|way| way.rows == Some(choice.rows()));
-    let ways = ways.iter().enumerate().map(|(at, way)| way.on(chip, spi, [pixels, data], chosen == Some(at)));
+    let bytes = [pixels, data];
+    // The chosen way on each chip, in the order of the menu.
+    let chips = chosen.and_then(|at| ways.get(at)).into_iter().flat_map(|way| {
+        CHIPS.iter().map(move |chip| {
+            let chip = chip::stated(chip.key, choice);
+            way.on(&chip, spi(&chip), bytes, true)
+        })
+    });
+    let ways = ways.iter().enumerate().map(|(at, way)| way.on(chip, spi(chip), bytes, chosen == Some(at)));
     let is_in_few_bits = choice.format != Format::Rgb565 && !choice.style.is_of_lines();
-    Ok(object([
+    let numbers = [
+        ("clock", chip.clock),
+        ("spi", spi(chip)),
+        ("ram", chip.ram * 1024.0),
+        ("rom", chip.flash * 1024.0),
+        ("inRam", u8::from(chip.is_in_ram()).into()),
+        ("estimate", u8::from(chip.is_estimate).into()),
+        ("mesh", data as f64),
+        ("cyclesError", chip.cycles_error(is_in_few_bits).into()),
+        ("flashError", FLASH_ERROR.into()),
+        ("exact", u8::from(choice.format == Format::Rgb565).into()),
+    ];
+    let texts = [
         ("chip", text(chip.name)),
         ("core", text(chip.core)),
-        ("clock", chip.clock.to_string()),
-        ("spi", spi.to_string()),
-        ("ram", (chip.ram * 1024.0).to_string()),
-        ("rom", (chip.flash() * 1024.0).to_string()),
-        ("inRam", u8::from(chip.is_in_ram()).to_string()),
         ("error", text(chip.error)),
-        ("mesh", data.to_string()),
-        ("cyclesError", chip.cycles_error(is_in_few_bits).to_string()),
-        ("flashError", FLASH_ERROR.to_string()),
-        ("exact", u8::from(choice.format == Format::Rgb565).to_string()),
         ("ways", list(ways)),
-    ]))
+        ("chips", list(chips)),
+    ];
+    Ok(object_of_numbers(&texts, &numbers))
 }
 
 impl Way {
@@ -145,31 +161,35 @@ impl Way {
         let cycles = |per: &[f64; 3]| instructions * chip.of_kind(per, self.kind);
         let in_ms = |per: &[f64; 3]| cycles(per) / (chip.clock * 1000.0);
         let drawing = in_ms(&chip.cycles);
-        let range = chip.range.iter().flatten().map(|per| format!("{:.2}", in_ms(per)));
-        let flag = |is_so: bool| u8::from(is_so).to_string();
-        object([
-            ("name", text(&self.name)),
-            ("note", text(self.note)),
-            ("ram", ram.to_string()),
-            ("parts", list(self.ram.map(|bytes| bytes.to_string()))),
-            ("beside", self.beside(chip).to_string()),
-            ("stack", stack.to_string()),
-            ("flash", flash.to_string()),
-            ("bytes", bytes.to_string()),
-            ("bus", format!("{bus:.2}")),
+        let range = chip.range.iter().flatten().map(|per| number(in_ms(per)));
+        let flag = |is_so: bool| f64::from(u8::from(is_so));
+        let numbers = [
+            ("ram", ram as f64),
+            ("beside", self.beside(chip)),
+            ("stack", stack),
+            ("flash", flash),
+            ("bytes", bytes),
+            ("bus", bus),
             ("fits", flag(self.fits(chip, 0.0))),
             ("fitsTwice", flag(self.fits(chip, pixels as f64))),
-            ("fitsFlash", flag(flash < chip.flash() * 1024.0)),
+            ("fitsFlash", flag(flash < chip.flash * 1024.0)),
             ("chosen", flag(is_chosen)),
-            ("rows", self.rows.map_or("null".into(), |rows| rows.to_string())),
-            ("instructions", format!("{instructions:.0}")),
-            ("cycles", format!("{:.0}", cycles(&chip.cycles))),
-            ("drawing", format!("{drawing:.2}")),
+            ("instructions", instructions),
+            ("cycles", cycles(&chip.cycles)),
+            ("drawing", drawing),
+            ("error", self.time.1.max(LEAST_ERROR).into()),
+            ("blocking", 1000.0 / (drawing + bus)),
+            ("dma", 1000.0 / drawing.max(bus)),
+            // 0 if there are no bands.
+            ("rows", self.rows.unwrap_or_default().into()),
+        ];
+        let texts = [
+            ("name", text(&self.name)),
+            ("note", text(self.note)),
+            ("parts", list(self.ram.map(|bytes| number(bytes as f64)))),
             ("range", list(range)),
-            ("error", self.time.1.max(LEAST_ERROR).to_string()),
-            ("blocking", format!("{:.1}", 1000.0 / (drawing + bus))),
-            ("dma", format!("{:.1}", 1000.0 / drawing.max(bus))),
             ("limit", text(if drawing > bus { "CPU" } else { "bus" })),
-        ])
+        ];
+        object_of_numbers(&texts, &numbers)
     }
 }

@@ -64,11 +64,17 @@ const fn display(name: &'static str, width: u32, height: u32, format: Format) ->
 }
 
 /// The displays that the page offers, the usual one first.
-pub const DISPLAYS: [Display; 9] = [
+pub static DISPLAYS: [Display; 15] = [
     display("ST7789, 240 × 240, 16-bit colour", 240, 240, Format::Rgb565),
+    display("ST7789, 240 × 320, 16-bit colour", 240, 320, Format::Rgb565),
+    display("ST7789, 170 × 320, 16-bit colour", 170, 320, Format::Rgb565),
     display("ILI9341, 320 × 240, 16-bit colour", 320, 240, Format::Rgb565),
+    display("ILI9488, 480 × 320, 18-bit colour", 480, 320, Format::Rgb565),
+    display("GC9A01, 240 × 240, round, 16-bit colour", 240, 240, Format::Rgb565),
+    display("CO5300, 466 × 466, round, 16-bit colour", 466, 466, Format::Rgb565),
     display("ST7735, 128 × 128, 16-bit colour", 128, 128, Format::Rgb565),
     display("SSD1306, 128 × 64, black and white", 128, 64, Format::Mono),
+    display("SH1106, 128 × 64, black and white", 128, 64, Format::Mono),
     display("SSD1327, 128 × 128, 16 greys", 128, 128, Format::Gray4),
     display("e-paper, 200 × 200, black and white", 200, 200, Format::Mono),
     display("e-paper, 296 × 128, 4 greys", 296, 128, Format::Gray2),

@@ -7,7 +7,7 @@ use crate::display::{Format, DISPLAYS};
 use crate::draw;
 use crate::film::Film;
 use crate::firmware;
-use crate::json::{list, object, text};
+use crate::json::{list, object, object_of_numbers, text};
 use crate::projections::Named;
 use crate::ready::{self, READY};
 use crate::refused;
@@ -71,8 +71,8 @@ impl Planner {
             ("clipped", statistics.clipped),
             ("degenerate", statistics.degenerate),
         ];
-        let counts = object(counts.map(|(name, count)| (name, count.to_string())));
-        let what = object([
+        let counts = object_of_numbers(&[], &counts.map(|(name, count)| (name, f64::from(count))));
+        let what = object(&[
             ("width", choice.size.width.to_string()),
             ("height", choice.size.height.to_string()),
             ("bytes", drawn.bytes.to_string()),
@@ -189,7 +189,7 @@ impl Planner {
     pub fn menu() -> String {
         let names = |names: &mut dyn Iterator<Item = &str>| list(names.map(text));
         let displays = DISPLAYS.iter().map(|display| {
-            object([
+            object(&[
                 ("name", text(display.name)),
                 ("width", display.width.to_string()),
                 ("height", display.height.to_string()),
@@ -203,9 +203,9 @@ impl Planner {
                 ("pitch", named.pitch.to_string()),
                 ("steepest", named.kind.steepest().to_string()),
             ];
-            object(parts)
+            object(&parts)
         });
-        object([
+        object(&[
             ("meshes", names(&mut READY.iter().map(|(name, _)| *name))),
             ("displays", list(displays)),
             ("formats", names(&mut Format::ALL.iter().map(|(name, _)| *name))),
@@ -219,6 +219,7 @@ impl Planner {
             ("textures", names(&mut Pattern::ALL.iter().map(|(name, _)| *name))),
             ("projections", list(projections)),
             ("chips", chip::chips()),
+            ("cores", names(&mut chip::CORES.iter().map(|(name, _)| *name))),
             ("axes", names(&mut Axis::ALL.iter().map(|(name, _)| *name))),
         ])
     }
@@ -236,7 +237,7 @@ fn model(mesh: &ImportedMesh, choice: &Choice) -> String {
     let warnings = mesh.warnings.iter().map(|warning| (warning.worded(words), warning.remedies()));
     let warnings = warnings.chain(is_laid_on.then(|| (BY_SIDES.into(), Vec::new())));
     let warnings = warnings.map(|(message, remedies)| about(&message, &remedies));
-    object([
+    object(&[
         ("vertices", mesh.vertices.len().to_string()),
         ("faces", mesh.faces.len().to_string()),
         ("edges", mesh.edges.len().to_string()),

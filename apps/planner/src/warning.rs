@@ -4,18 +4,19 @@ use crate::json::{list, object, text};
 use pinhole_import::{ImportError, Remedy, Warning};
 use std::fmt;
 
-/// The button of a remedy, if the page has one: its name, and the parts of a choice that it sets.
-fn button(remedy: Remedy) -> Option<(&'static str, &'static [(&'static str, usize)])> {
+/// The button of a remedy, if the page has one: its name, and the parts of a choice that it sets, with values in JSON.
+fn button(remedy: Remedy) -> Option<(&'static str, &'static [(&'static str, &'static str)])> {
     Some(match remedy {
-        Remedy::TwoSided => ("use faces from behind", &[("two-sided", 1)]),
-        Remedy::FixWinding => ("use winding outwards", &[("fix-winding", 1)]),
+        Remedy::TwoSided => ("use faces from behind", &[("two-sided", "1")]),
+        Remedy::FixWinding => ("use winding outwards", &[("fix-winding", "1")]),
         Remedy::FixWindingNotFlip => {
-            ("use winding outwards instead of reversed faces", &[("fix-winding", 1), ("flip", 0)])
+            ("use winding outwards instead of reversed faces", &[("fix-winding", "1"), ("flip", "0")])
         }
-        Remedy::Flip => ("use reversed faces", &[("flip", 1)]),
-        Remedy::NotFlip => ("leave out reversed faces", &[("flip", 0)]),
+        Remedy::Flip => ("use reversed faces", &[("flip", "1")]),
+        Remedy::NotFlip => ("leave out reversed faces", &[("flip", "0")]),
+        Remedy::NoEdges | Remedy::NoEdgeFaces => ("draw flat faces", &[("style", "\"flat\"")]),
         // The page finds the number of faces.
-        Remedy::Decimate(_) if cfg!(feature = "decimate") => ("decimate it", &[("decimate", 0)]),
+        Remedy::Decimate(_) if cfg!(feature = "decimate") => ("decimate it", &[("decimate", "0")]),
         _ => return None,
     })
 }
@@ -25,7 +26,6 @@ pub(crate) fn words(remedy: Remedy) -> String {
     match (button(remedy), remedy) {
         (Some((name, _)), _) => name.into(),
         (None, Remedy::TextureColors(_)) => "drop it on this page".into(),
-        (None, Remedy::NoEdges) => "choose a style without lines".into(),
         (None, other) => other.to_string(),
     }
 }
@@ -33,8 +33,8 @@ pub(crate) fn words(remedy: Remedy) -> String {
 /// The buttons of the remedies, as JSON.
 fn buttons(remedies: &[Remedy]) -> impl Iterator<Item = String> + '_ {
     remedies.iter().filter_map(|&remedy| button(remedy)).map(|(name, parts)| {
-        let parts = object(parts.iter().map(|(part, value)| (*part, value.to_string())));
-        object([("name", text(name)), ("changes", parts)])
+        let parts: Vec<_> = parts.iter().map(|(part, value)| (*part, (*value).into())).collect();
+        object(&[("name", text(name)), ("changes", object(&parts))])
     })
 }
 
@@ -54,7 +54,7 @@ impl Refusal {
 
 /// A message and the buttons of its remedies, as JSON.
 pub(crate) fn about(message: &str, remedies: &[Remedy]) -> String {
-    object([("remedies", list(buttons(remedies))), ("message", text(message))])
+    object(&[("remedies", list(buttons(remedies))), ("message", text(message))])
 }
 
 impl From<String> for Refusal {
@@ -95,8 +95,9 @@ mod tests {
     #[test]
     fn a_remedy_is_a_button_where_the_page_has_one() {
         let both = r#"{"name":"use winding outwards instead of reversed faces","changes":{"fix-winding":1,"flip":0}}"#;
-        let remedies = [Remedy::CloseSurface, Remedy::FixWindingNotFlip];
-        assert_eq!(buttons(&remedies).collect::<Vec<_>>(), [both]);
+        let flat = r#"{"name":"draw flat faces","changes":{"style":"flat"}}"#;
+        let remedies = [Remedy::CloseSurface, Remedy::FixWindingNotFlip, Remedy::NoEdgeFaces];
+        assert_eq!(buttons(&remedies).collect::<Vec<_>>(), [both, flat]);
         assert_eq!(words(Remedy::TwoSided), "use faces from behind");
         assert_eq!(words(Remedy::CloseSurface), "close the surface");
     }

@@ -258,3 +258,29 @@ fn what_fits_depends_on_where_the_code_is() {
         assert_eq!(way(&format!("style={style}&height=100&rows=1000"))["rows"], 100, "{style}");
     }
 }
+
+/// The matrix has the chosen way on each chip, as the costs on this chip have it, and an own chip has the cycles of its core.
+#[test]
+fn the_matrix_has_the_costs_on_every_chip() {
+    let mut planner = Planner::default();
+    let menu: Value = serde_json::from_str(&Planner::menu()).expect("JSON");
+    let text = "mesh=torus&width=480&height=320&spi=20&wire=24&mhz=100&ram=128&flash=512";
+    let all = costs(&mut planner, text)["chips"].clone();
+    let keys: Vec<_> =
+        menu["chips"].as_array().expect("chips").iter().map(|chip| chip["key"].clone()).collect();
+    assert_eq!(all.as_array().map(Vec::len), Some(keys.len()));
+    for (key, on) in keys.iter().zip(all.as_array().expect("costs")) {
+        let key = key.as_str().expect("a key");
+        assert_eq!(chosen(&mut planner, &format!("{text}&chip={key}")), *on, "{key}");
+    }
+    // An own chip has half of its clock for SPI, of which the display takes 20 MHz.
+    let mut way = |more: &str| chosen(&mut planner, &format!("{text}&{more}"));
+    assert_eq!(way("chip=own&core=M4"), way("chip=stm32f411"));
+    assert_eq!(way("chip=own&core=M33&mhz=150")["drawing"], way("chip=rp2350-ram")["drawing"]);
+    let time = |way: Value| way["drawing"].as_f64().expect("a time");
+    assert!(time(way("chip=own&core=M7")) < time(way("chip=own&core=M4")));
+    assert_eq!([way("chip=own&ram=8")["fits"].clone(), way("chip=own&flash=8")["fitsFlash"].clone()], [0, 0]);
+    // 24 bits a pixel, at 20 MHz, and the commands of the bands.
+    let bus = way("chip=stm32h743")["bus"].as_f64().expect("a time");
+    assert!((bus - (480.0 * 320.0 * 24.0) / 20e3).abs() < 0.3, "{bus} ms");
+}

@@ -29,8 +29,8 @@ export const mistakes = ({ address, open, pixels, settled, load, faces, decimate
     // Nor is the model read again for another view of it.
     await tab.evaluate(() => {
       window.draws = 0;
-      const draw = Pinhole.prototype.draw;
-      Pinhole.prototype.draw = function (text) { window.draws += 1; return draw.call(this, text); };
+      const { draw } = library;
+      library.draw = (text) => { window.draws += 1; return draw(text); };
     });
     await tab.locator('#display').press('ArrowLeft');
     await settled(tab);
@@ -47,7 +47,7 @@ export const mistakes = ({ address, open, pixels, settled, load, faces, decimate
     await tab.keyboard.press('Enter');
     await settled(tab);
     assert.equal(await tab.textContent('#warnings'), '');
-    assert.equal(await focused(tab), 'status');
+    assert.equal(await focused(tab), 'two-sided');
     await tab.selectOption('#board', 'stm32f4-ili9341');
     await tab.focus('#other-display button');
     await tab.keyboard.press('Enter');
@@ -73,7 +73,6 @@ export const mistakes = ({ address, open, pixels, settled, load, faces, decimate
 
   async 'a link of an own file asks for it, and its settings are of that file'(tab) {
     await load(tab, 'a part.stl', stl(400));
-    await tab.click('summary');
     await tab.selectOption('#up', 'y');
     await tab.selectOption('#projection', 'front');
     if (await decimates(tab)) await type(tab, '#decimate-to', '100');
@@ -165,7 +164,7 @@ export const mistakes = ({ address, open, pixels, settled, load, faces, decimate
     const before = (await writes()).cost;
     await tab.selectOption('#chip', 'esp32c3');
     await tab.waitForTimeout(700);
-    assert.match(await tab.textContent('#cost'), /ESP32-C3/);
+    assert.match(await tab.textContent('#costs'), /ESP32-C3/);
     const { cost } = await writes();
     assert.ok(cost - before === 1, `${cost - before} times`);
     assert.match(tab.url(), /chip=esp32c3/);
