@@ -41,8 +41,14 @@ struct Growth {
 }
 
 fn main() -> Result<()> {
-    let here = std::path::PathBuf::from(std::env::var("CARGO_MANIFEST_DIR")?);
-    println!("cargo::rerun-if-changed=build.rs\ncargo::rerun-if-changed=meshes.rs");
+    let package = std::path::PathBuf::from(std::env::var("CARGO_MANIFEST_DIR")?);
+    // The folder `library` has a manifest alone.
+    let is_library = package.ends_with("library");
+    let here = package.ancestors().nth(is_library.into()).ok_or("a folder")?;
+    std::env::set_current_dir(here)?;
+    for file in ["build.rs", "meshes.rs", "scenes.json", "growth.json", "cells.json"] {
+        println!("cargo::rerun-if-changed={}/{file}", here.display());
+    }
     let (scenes, growth): (Scenes, Growth) = (read("scenes.json")?, read("growth.json")?);
     let out = std::env::var("OUT_DIR")?;
     std::fs::write(format!("{out}/models.rs"), models(&scenes)?)?;
@@ -51,6 +57,9 @@ fn main() -> Result<()> {
     std::fs::write(format!("{out}/cells.rs"), cells(&read("cells.json")?))?;
     let version = std::process::Command::new(std::env::var("RUSTC")?).arg("--version").output()?.stdout;
     println!("cargo::rustc-env=BENCH_COMPILER={}", String::from_utf8(version)?.trim());
+    if is_library {
+        return Ok(());
+    }
     // The memory.x of Arm's board.
     println!("cargo::rustc-link-search={}/board", here.display());
     // The memory.x of RISC-V's board; the flag that names it is in the root's configuration.
@@ -60,7 +69,6 @@ fn main() -> Result<()> {
 }
 
 fn read<T: serde::de::DeserializeOwned>(file: &str) -> Result<T> {
-    println!("cargo::rerun-if-changed={file}");
     Ok(serde_json::from_str(&std::fs::read_to_string(file)?)?)
 }
 
