@@ -79,21 +79,26 @@ pub fn hidden<C: Color>(
     Some(())
 }
 
+/// What smooth edges take beside it: the row that waits, bins, and entries for edges that are set up.
+pub struct EdgeStorage<'s> {
+    pub kept: &'s mut [u8],
+    pub bins: &'s mut [u16],
+    pub list: &'s mut [SmoothEdge],
+}
+
 /// Draws the faces of a lit scene in bands, and smooths their silhouettes and perhaps their creases.
 pub fn smooth(
     scene: &Scene,
     light: &Lambert,
     Storage { corners, bin_storage, strip, depth }: Storage<'_>,
-    kept: &mut [u8],
-    edge_bins: &mut [u16],
-    list: &mut [SmoothEdge],
+    EdgeStorage { kept, bins, list }: EdgeStorage<'_>,
     has_creases: bool,
     display: &mut Display,
 ) -> Option<()> {
     let (instance, shade) = (scene.place(), scene.shade(light));
     let transformed = instance.transform_depth(corners);
     let mut faces = transformed.bin_faces(bin_storage).ok()?;
-    let mut edges = transformed.bin_smooth_edges(|_| has_creases, edge_bins).ok()?;
+    let mut edges = transformed.bin_smooth_edges(|_| has_creases, bins).ok()?;
     edges.keep_in(list);
     let mut frame = SmoothFrame::new(area(), BACKGROUND, kept, depth).ok()?;
     while let Some(mut band) = frame.next_band(strip).ok()? {

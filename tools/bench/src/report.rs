@@ -1,6 +1,6 @@
 //! Six cells, drawn on a board: `cargo run --release --example report` in a template logs what `cargo run -p pinhole-report -- LOG` reads.
 
-use crate::bands::{self, bytes, pixels, Storage};
+use crate::bands::{self, bytes, pixels, EdgeStorage, Storage};
 use crate::cells::{TORUS, TORUS_BINS, TORUS_EDGE_BINS, TORUS_SMOOTH};
 use crate::measure::Display;
 use crate::scene::{self, area, Scene, LINE};
@@ -70,12 +70,14 @@ pub fn each(
     Some(())
 }
 
+type Frame<'f> = dyn FnMut(&mut Display) -> Option<()> + 'f;
+
 /// Hands a frame of a cell to `count`.
 fn draw(
     scene: &str,
     variant: &str,
     memory: &mut Memory,
-    count: &mut dyn FnMut(&mut dyn FnMut(&mut Display) -> Option<()>) -> Option<()>,
+    count: &mut dyn FnMut(&mut Frame<'_>) -> Option<()>,
 ) -> Option<()> {
     let Memory {
         mesh: MeshBuffers { cache, bins, edge_bins },
@@ -97,9 +99,14 @@ fn draw(
         let storage = Storage { corners: cache, bin_storage: bins, strip: colors, depth: depths };
         let scene = black_box(&scene);
         match (variant, &light) {
-            ("bands8-z-edges", Some(light)) => {
-                bands::smooth(scene, light, storage, kept, edge_bins, list, false, display)
-            }
+            ("bands8-z-edges", Some(light)) => bands::smooth(
+                scene,
+                light,
+                storage,
+                EdgeStorage { kept, bins: edge_bins, list },
+                false,
+                display,
+            ),
             ("bands8-z", Some(light)) => bands::lit_depth(scene, light, storage, display),
             (_, Some(light)) if has_faces => bands::lit_solid(scene, light, storage, display),
             _ => bands::wireframe(&scene.place(), area().size, storage, |edges, band| {

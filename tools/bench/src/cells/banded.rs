@@ -5,7 +5,7 @@ use super::{
     count, count_screen, draw_faces, drawn, Counted, Frame, Memory, Plain, LIST, TORUS, TORUS_BINS,
     TORUS_EDGE_BINS, TORUS_SMOOTH,
 };
-use crate::bands::{self, Storage};
+use crate::bands::{self, EdgeStorage, Storage};
 use crate::board::Clock;
 use crate::growth::cases::WHEEL;
 use crate::measure::Display;
@@ -69,19 +69,11 @@ impl<const LIST: usize> SmoothStrip<LIST> {
 
     /// The torus's silhouettes, and its creases.
     pub(super) fn torus(&mut self, has_creases: bool) -> Option<Counted> {
-        let (Self(strip, kept, edge_bins, list), scene) = (self, Scene::new(&TORUS_SMOOTH)?);
+        let (Self(strip, kept, bins, list), scene) = (self, Scene::new(&TORUS_SMOOTH)?);
         let light = scene.light()?;
         count_bands(&mut |to| {
-            bands::smooth(
-                black_box(&scene),
-                black_box(&light),
-                strip.storage(),
-                kept,
-                edge_bins,
-                list,
-                has_creases,
-                to,
-            )
+            let (scene, light) = black_box((&scene, &light));
+            bands::smooth(scene, light, strip.storage(), EdgeStorage { kept, bins, list }, has_creases, to)
         })
     }
 }
