@@ -33,7 +33,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// # let (mut cache, mut bins, mut edge_bins) = ([ScreenVertex::EMPTY; 4], [0; 7], [0; 16]);
 /// let mesh = instance.transform_depth(&mut cache);
 /// let mut faces = mesh.bin_faces(&mut bins)?;
-/// let mut edges = mesh.bin_smooth_edges(|_| false, &mut edge_bins, &mut [])?;
+/// let mut edges = mesh.bin_smooth_edges(|_| false, &mut edge_bins)?;
 /// let mut frame = SmoothFrame::new(display.bounding_box(), Gray8::BLACK, &mut kept, &mut strip.depths)?;
 /// let mut heights = Vec::new();
 /// while let Some(mut band) = frame.next_band(&mut strip.colors)? {
