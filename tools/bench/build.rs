@@ -42,10 +42,10 @@ struct Growth {
 
 fn main() -> Result<()> {
     let package = std::path::PathBuf::from(std::env::var("CARGO_MANIFEST_DIR")?);
-    // The folder `library` has a manifest alone.
-    let is_library = package.ends_with("library");
-    let here = package.ancestors().nth(is_library.into()).ok_or("a folder")?;
-    std::env::set_current_dir(here)?;
+    // `tools/report/scenes` has a manifest alone.
+    let is_library = package.ends_with("scenes");
+    let here = if is_library { package.join("../../bench") } else { package };
+    std::env::set_current_dir(&here)?;
     for file in ["build.rs", "meshes.rs", "scenes.json", "growth.json", "cells.json"] {
         println!("cargo::rerun-if-changed={}/{file}", here.display());
     }
