@@ -80,7 +80,7 @@ const PARTS = {
   'rp2040-two-cores': { chip: 'rp2040', strips: 4, depths: 2 },
   'rp2350-embassy': { chip: 'rp2350-ram', strips: 3 },
   'stm32-ssd1306': { chip: 'stm32f411', controller: 'SSD1306' },
-  'stm32f4-ili9341': { chip: 'stm32f411', controller: 'ILI9341' },
+  'stm32f4-ili9341': { chip: 'stm32f411', controller: 'ILI9341', strips: 2 },
 };
 const partsOf = (board) => ({ strips: 1, depths: 1, controller: 'ST7789', ...PARTS[board] });
 
