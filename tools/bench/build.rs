@@ -42,9 +42,9 @@ struct Growth {
 
 fn main() -> Result<()> {
     let package = std::path::PathBuf::from(std::env::var("CARGO_MANIFEST_DIR")?);
-    // `tools/report/scenes` has a manifest alone.
+    // `tools/scenes` has a manifest alone.
     let is_library = package.ends_with("scenes");
-    let here = if is_library { package.join("../../bench") } else { package };
+    let here = if is_library { package.join("../bench") } else { package };
     std::env::set_current_dir(&here)?;
     for file in ["build.rs", "meshes.rs", "scenes.json", "growth.json", "cells.json"] {
         println!("cargo::rerun-if-changed={}/{file}", here.display());
