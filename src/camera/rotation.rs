@@ -41,7 +41,7 @@ impl Rotation {
 
     /// The pixel or texel of a picture, turned: its place in the turned picture, which has this size. Wraps beyond 2³¹.
     #[inline(always)]
-    pub(crate) const fn to_panel(self, Point { x, y }: Point, Size { width, height }: Size) -> Point {
+    pub(crate) const fn turn(self, Point { x, y }: Point, Size { width, height }: Size) -> Point {
         let (right, bottom) = ((width as i32).wrapping_sub(1), (height as i32).wrapping_sub(1));
         match self {
             Self::Deg0 => Point::new(x, y),
@@ -60,14 +60,14 @@ impl Rotation {
         }
     }
 
-    /// As [`to_panel`](Self::to_panel), of all pixels of a rectangle; an empty one stays empty.
-    pub(crate) fn rectangle_to_panel(self, area: &Rectangle, size: Size) -> Rectangle {
+    /// As [`turn`](Self::turn), of all pixels of a rectangle; an empty one stays empty.
+    pub(crate) fn turn_rectangle(self, area: &Rectangle, size: Size) -> Rectangle {
         let Rectangle { top_left, size: Size { width, height } } = *area;
         let last = Point::new(
             top_left.x.wrapping_add_unsigned(width).wrapping_sub(1),
             top_left.y.wrapping_add_unsigned(height).wrapping_sub(1),
         );
-        let [a, b] = [top_left, last].map(|corner| self.to_panel(corner, size));
+        let [a, b] = [top_left, last].map(|corner| self.turn(corner, size));
         Rectangle::new(Point::new(a.x.min(b.x), a.y.min(b.y)), self.of_size(area.size))
     }
 }

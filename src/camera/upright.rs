@@ -46,7 +46,7 @@ impl Viewport {
 
 impl<T> Upright<'_, T> {
     fn to_target(&self, area: &Rectangle) -> Rectangle {
-        let area = self.rotation.rectangle_to_panel(area, self.area.size);
+        let area = self.rotation.turn_rectangle(area, self.area.size);
         Rectangle::new(sum(area.top_left, self.area.top_left), area.size)
     }
 }
@@ -72,7 +72,7 @@ impl<T: DrawTarget> Dimensions for Upright<'_, T> {
             return Rectangle::zero();
         }
         let on_panel = Rectangle::new(Point::new(x, y), Size::new(width, height));
-        self.rotation.inverse().rectangle_to_panel(&on_panel, self.rotation.of_size(size))
+        self.rotation.inverse().turn_rectangle(&on_panel, self.rotation.of_size(size))
     }
 }
 
@@ -82,7 +82,7 @@ impl<T: DrawTarget> DrawTarget for Upright<'_, T> {
 
     fn draw_iter<I: IntoIterator<Item = Pixel<T::Color>>>(&mut self, pixels: I) -> Result<(), T::Error> {
         let (rotation, Rectangle { top_left, size }) = (self.rotation, self.area);
-        let turned = |Pixel(at, color)| Pixel(sum(rotation.to_panel(at, size), top_left), color);
+        let turned = |Pixel(at, color)| Pixel(sum(rotation.turn(at, size), top_left), color);
         self.target.draw_iter(pixels.into_iter().map(turned))
     }
 

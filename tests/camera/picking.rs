@@ -19,7 +19,7 @@ const SIZE: f64 = 400.0;
 fn camera(view: ViewTransform, family: &Family) -> Camera {
     let area = rectangle(0, 0, 400, 400);
     let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
-    // What is true of an upright picture is true of a turned one.
+    // Some pictures are turned: the bounds hold for each rotation.
     let viewport = match family {
         Family::Frustum(..) => viewport.rotated(Rotation::Deg90),
         Family::Oblique(..) => viewport.rotated(Rotation::Deg180),

@@ -60,7 +60,7 @@ impl Panel {
 
     /// Resets the panel and sets it up: at the start, and after an error of the bus.
     pub fn start(&mut self) -> Result<(), Problem> {
-        // What is on its way is given up.
+        // A strip that DMA still sends is given up.
         self.transfer.pause(|_| ());
         self.transfer.clear_all_flags();
         self.is_sending = false;

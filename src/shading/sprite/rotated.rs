@@ -30,8 +30,7 @@ impl<S: SpriteSource> SpriteSource for RotatedPicture<S> {
     #[inline(always)]
     fn texel_at(&self, column: u32, row: u32) -> S::Ink {
         // Numbers of 2³¹ and more wrap, and wrap back.
-        let Point { x, y } =
-            self.rotation.inverse().to_panel(Point::new(column as i32, row as i32), self.size);
+        let Point { x, y } = self.rotation.inverse().turn(Point::new(column as i32, row as i32), self.size);
         self.source.texel_at(x as u32, y as u32)
     }
 

@@ -192,7 +192,7 @@ impl<S: SpriteSource> Sprite<S> {
         let turn = |[x, y]: [u32; 2], last: Size| {
             let all =
                 rotation.of_size(Size::new(last.width.saturating_add(1), last.height.saturating_add(1)));
-            let Point { x, y } = rotation.to_panel(Point::new(x as i32, y as i32), all);
+            let Point { x, y } = rotation.turn(Point::new(x as i32, y as i32), all);
             [x as u32, y as u32]
         };
         let anchor = match self.anchor {

@@ -87,7 +87,7 @@ fn read(text: &str) -> Result<Log, String> {
     Ok(Log { chip: chip.into(), core: core.into(), megahertz, compiler: compiler.into(), frames })
 }
 
-/// What is known of a scene: the CRC of its picture and, of a core with a model, the cycles of a frame.
+/// The CRC of a scene's picture and, of a core with a model, the cycles of a frame.
 fn expected(
     cells: &Table,
     cycles: &Table,
