@@ -66,9 +66,8 @@
 //! * **Exact.** One fill rule decides each pixel: neighbours leave no crack and share no pixel, with equal bits on all cores, in debug and
 //!   release builds. [docs/accuracy.md] has all errors, [docs/spec.md] the rules.
 //! * **Integers only**, except in conversions from and to floats.
-//! * **No panic, no heap, no `unsafe`.** Memory is the caller's; its lengths are computed from the mesh. Set-up errors say what to do if
-//!   printed by `{error}`: an error that `main` returns is printed by `{error:?}`, without its advice. Drawing returns only the target's own
-//!   error.
+//! * **No panic, no heap, no `unsafe`.** Memory is the caller's; its lengths are computed from the mesh. Print set-up errors by `{error}`:
+//!   `Display` says what to do, and `Debug`, by which an error of `main` is printed, does not. Drawing returns only the target's own error.
 //! * **Unused features cost no flash** ([docs/footprint.md]). [docs/speed.md] has instructions, times and frames per second.
 //! * **Ranges**: a world of ±32768 units in steps of 2⁻¹⁶, viewports within ±8192 pixels, at most 65 536 vertices per mesh. Faces run counter-clockwise
 //!   seen from outside.

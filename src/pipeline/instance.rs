@@ -83,7 +83,7 @@ impl<'m, V: Coordinate> MeshInstance<'m, V> {
     }
 
     /// The instance without clipping, for an object that stays in view: beyond the near plane, before a far plane that clips, and
-    /// within 1024 pixels of the viewport's centre. Firmware then links no code that cuts faces and edges: 1 to 3 KB less.
+    /// within 1024 pixels of the viewport's centre. Firmware then links no code that cuts faces and edges: 2 to 5 KB less.
     ///
     /// Faces, edges and points with a vertex elsewhere are not drawn; [`Statistics`](crate::draw::Statistics) counts them as `outside`.
     /// All others are drawn as with clipping, pixel by pixel.

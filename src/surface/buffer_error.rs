@@ -1,8 +1,8 @@
-//! Why memory that the caller gives is too small for what it is to hold.
+//! A buffer of the caller's that is too short, or full.
 
 use embedded_graphics_core::geometry::Size;
 
-/// Why memory that the caller gives is too small for what it is to hold. After an error it holds nothing new.
+/// A buffer of the caller's is too short, or full. After an error it holds nothing new.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

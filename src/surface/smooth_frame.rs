@@ -13,8 +13,8 @@ use core::marker::PhantomData;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// A [`Frame`] whose edges are smoothed. To smooth a band's last row takes the row below, which the next band draws: so a band is finished but
-/// for its last row, which is kept for the next one, with its depths.
+/// A [`Frame`] whose edges are smoothed. Smoothing a row needs the row below it, so the last row of each band, with its depths, is kept for the
+/// next band.
 ///
 /// ```
 /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -101,7 +101,7 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
     }
 
     /// The next band: the row that waited, and new rows, filled with the background. It has as many rows as fit in the strip and have room
-    /// for their depths, or one less: the row that waits has an odd number. `None` after the last band.
+    /// for their depths, or one fewer, so that the row that waits has an odd number. `None` after the last band.
     ///
     /// # Errors
     ///

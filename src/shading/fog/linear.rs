@@ -16,7 +16,7 @@ use crate::shading::LightError;
 /// | by pixel | [`FogTable`](crate::fog::FogTable), [`Fogged`](crate::fog::Fogged) | a mix of two colours; for faces of one colour in memory, a mix only where the level changes | every shader |
 ///
 /// **Cost by pixel**, in instructions on a Cortex-M3 (`tools/bench/run cells S3 X1 G1 G3`), for a torus of 1000 faces that has
-/// all 32 levels: with one colour a face 253 000 without fog and 662 000 in fog, which include depth at vertices and over faces;
+/// all 32 levels: with one colour a face 253 000 without fog and 670 000 in fog, which include depth at vertices and over faces;
 /// with a depth buffer 540 000 and 780 000; textured, with a depth buffer, 926 000 and 1 954 000.
 ///
 /// ```

@@ -155,8 +155,8 @@ impl<S> Sprite<S> {
 }
 
 impl<S: SpriteSource> Sprite<S> {
-    /// This sprite with its picture, size and anchor turned as the picture of a [turned viewport](crate::Viewport::rotated) is: upright for its
-    /// viewer. What is set afterwards counts along the panel's rows and columns.
+    /// This sprite with its picture, size and anchor turned to match a [turned viewport](crate::Viewport::rotated), so that its viewer sees it
+    /// upright. Call it last: sizes and anchors that are set later count along the panel's rows and columns.
     ///
     /// ```
     /// use embedded_graphics::{geometry::AnchorPoint, image::ImageRaw, mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
