@@ -52,15 +52,15 @@ const FILMS: &str = "\
 
 Means over a film, without the first frame (all of the screen); in brackets the largest frame. Bands and dirty
 rectangles use a strip of ROWS rows. *Spans* draws straight onto the display: cleared, then each run of equal pixels a
-`fill_solid`. That flickers, as the display shows the cleared screen first. Where the cube turns by 5° or more, dirty rectangles are at most
-1.05 of the bytes of the least rectangle about the pixels that differ from those of the last frame.
+`fill_solid`. That flickers, as the display shows the cleared screen first. Where the cube turns by 5° or more, dirty rectangles take at
+most 5 % more bytes than the bounding rectangle of all pixels that change.
 ";
 
 const LINES: &str = "\
 ## Lines
 
-Lines from the middle of the panel to every eighth point of its border, drawn straight onto the display. Each run of a
-line as a `fill_solid` is what a target gets that can fail, such as this driver; one `draw_iter` a line is what a target in memory gets.
+Lines from the middle of the panel to every eighth point of its border, drawn straight onto the display. A target that can fail,
+such as this driver, gets a `fill_solid` for each run; one that cannot, as it lies in memory, one `draw_iter` for each line.
 
 | panel | a line is | bytes a line | windows a line |
 |---|---|---|---|
@@ -79,7 +79,6 @@ fn page() -> String {
     ];
     for (what, name) in films {
         films_of::<ST7789>(&mut page, what, name);
-        films_of::<ILI9341Rgb666>(&mut page, what, name);
     }
     let _ = write!(page, "\n{LINES}");
     lines_on::<ST7789>(&mut page);
