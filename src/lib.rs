@@ -54,7 +54,7 @@
 //! | no framebuffer, DMA, two cores | [`bands`] | [`Frame`](bands::Frame), [`mesh_buffers!`], [`strip_buffers!`]; [how](book::ch5_bands); [`DirtyRegions`](bands::DirtyRegions) sends what has changed |
 //! | light | [`light`] | [`Lambert`](light::Lambert); several and point lights, highlights, matcaps |
 //! | shading | [`shading`], [`texture`], [`fog`] | a colour, [`Gouraud`](shading::Gouraud), [`Texture`](texture::Texture), [`Fogged`](fog::Fogged); your own: [`SpanShader`](shading::SpanShader) |
-//! | sprites and lines | [`sprite`] | [`Sprite`](sprite::Sprite); [`AntiAliased`](shading::AntiAliased) lines |
+//! | sprites, smooth edges | [`sprite`], [`draw`] | [`Sprite`](sprite::Sprite); [`AntiAliased`](shading::AntiAliased) lines; [`SmoothEdges`](draw::SmoothEdges) of faces |
 //! | labels and picking | [`camera`], [`draw`] | [`Camera::project`], [`Faces::pick`](draw::Faces::pick) |
 //! | 2D | [`raster`] | [`fill_triangle`](draw::fill_triangle), [`draw_line`](draw::draw_line) |
 //! | RAM, flash and time | [`book`] | [estimating](book::ch6_budget), [measuring on your board](book::ch10_measuring) |

@@ -28,7 +28,8 @@ use embedded_graphics_core::geometry::Point;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Projected {
-    /// The position on the screen; it may lie outside of the viewport.
+    /// The position on the screen; it may lie outside of the viewport. For upright text on a turned picture, convert it by
+    /// [`upright_point`](crate::Viewport::upright_point).
     pub point: ScreenPoint,
     /// The depth: 0 near to 65534 far.
     pub depth: u16,

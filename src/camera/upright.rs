@@ -44,6 +44,24 @@ impl Viewport {
     }
 }
 
+impl Viewport {
+    /// The pixel of the picture that lies at a pixel of the target: where a label of a [projected](crate::Camera::project) point goes, if it is
+    /// drawn [upright](Self::upright). Wraps beyond 2³¹.
+    ///
+    /// ```
+    /// use embedded_graphics::geometry::{Point, Size};
+    /// use pinhole::{camera::Rotation, Viewport};
+    /// let viewport = Viewport::new(Point::new(10, 20), Size::new(8, 4))?.rotated(Rotation::Deg90);
+    /// assert_eq!(viewport.upright_point(Point::new(17, 20)), Point::new(0, 0)); // the panel's upper right corner
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub const fn upright_point(&self, at: Point) -> Point {
+        let Rectangle { top_left: Point { x, y }, size } = self.area();
+        let (at, rotation) = (Point::new(at.x.wrapping_sub(x), at.y.wrapping_sub(y)), self.rotation());
+        rotation.inverse().turn(at, rotation.of_size(size))
+    }
+}
+
 impl<T> Upright<'_, T> {
     fn to_target(&self, area: &Rectangle) -> Rectangle {
         let area = self.rotation.turn_rectangle(area, self.area.size);

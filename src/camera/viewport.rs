@@ -54,9 +54,9 @@ impl Viewport {
 
     /// This viewport with its picture turned, for a panel that is mounted turned: the camera draws the turned picture at no cost for a pixel,
     /// and bands of the [area](Self::area) run along the rows that the controller scans. [`size`](Self::size) is then that of the picture as
-    /// its viewer sees it, while depths, bands and touched pixels keep the coordinates of the panel.
+    /// its viewer sees it, while depths, bands, touched pixels and projected points keep the coordinates of the panel.
     ///
-    /// Text and icons are turned by [`upright`](Self::upright), sprites by [`Sprite::rotated`](crate::sprite::Sprite::rotated).
+    /// Text and icons are turned by [`upright`](Self::upright), their points by [`upright_point`](Self::upright_point), sprites by [`Sprite::rotated`](crate::sprite::Sprite::rotated).
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};

@@ -44,7 +44,8 @@ use embedded_graphics_core::pixelcolor::{
 /// Levels have 16 fractional bits and are rounded to integers once, at the pixel.
 ///
 /// In bands ([`Frame`](crate::bands::Frame)) pixels lie as a display takes them: the most significant bit first; several pixels to a byte where they
-/// fit, the leftmost in the upper bits; each row begins with a new byte.
+/// fit, the leftmost in the upper bits; each row begins with a new byte. A controller
+/// that takes pixels as one stream of bits needs rows of whole bytes: areas of an even width for 12 bits.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no color channels that pinhole knows",
     label = "no `Color`",

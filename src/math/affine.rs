@@ -217,6 +217,9 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// ```
     pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, MathError> {
         let [x, y, z, last] = *matrix;
+        if last.iter().any(|number| !number.is_finite()) {
+            return Err(MathError::NotFinite);
+        }
         if last != [0.0, 0.0, 0.0, 1.0] {
             return Err(MathError::NotAffine);
         }

@@ -35,7 +35,9 @@ impl core::fmt::Display for MathError {
             Self::NotAffine => {
                 "the last row of the matrix is not 0 0 0 1: an affine transform holds no projection"
             }
-            Self::Singular => "the transform is singular: a scale is zero, or its axes lie in a plane",
+            Self::Singular => {
+                "the transform is singular: give no scale of zero, and axes that do not lie in a plane"
+            }
         })
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Scalar;
 use crate::math::MathError;
+use core::fmt::{Debug, Formatter};
 use core::marker::PhantomData;
 
 /// A point of space `S`: three [`Scalar`]s, ±32768 units of the space in steps of 2⁻¹⁶.
@@ -13,14 +14,14 @@ use core::marker::PhantomData;
 /// assert_eq!(p.z(), Scalar::from_int(3));
 /// # Ok::<(), pinhole::math::MathError>(())
 /// ```
-#[derive(Debug, PartialEq, Eq)]
+#[derive(PartialEq, Eq)]
 pub struct Point3<S> {
     bits: [i32; 3],
     space: PhantomData<S>,
 }
 
 /// A direction or difference in space `S`, of any length: three [`Scalar`]s.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(PartialEq, Eq)]
 pub struct Vector3<S> {
     bits: [i32; 3],
     space: PhantomData<S>,
@@ -79,6 +80,13 @@ macro_rules! coordinates {
             }
         }
 
+        /// The coordinates in decimals.
+        impl<S> Debug for $name<S> {
+            fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
+                let [x, y, z] = self.bits.map(Scalar::from_bits);
+                write!(f, "{}({x}, {y}, {z})", stringify!($name))
+            }
+        }
         // Not derived: a tag need not be Copy for its point to be.
         impl<S> Clone for $name<S> {
             fn clone(&self) -> Self {

@@ -4,7 +4,7 @@ use super::num::{mul_translation, sqrt};
 use super::{Affine, Point3, Scalar};
 use crate::space::{Model, World};
 
-/// A bounding sphere of a mesh, in model coordinates.
+/// A bounding sphere of a mesh, in model coordinates; [transformed](Self::transformed), or of a scene, it is in world coordinates.
 ///
 /// ```
 /// use pinhole::{math::Sphere, Mesh, Scalar};

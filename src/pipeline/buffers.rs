@@ -67,8 +67,8 @@ defmt_format!(
 /// the vertex cache of the largest mesh. A mesh that is made at run time has no constant lengths: it takes slices of
 /// [`cache_len`](crate::Mesh::cache_len) vertices and [`face_bins_len`](crate::Mesh::face_bins_len) numbers.
 ///
-/// `mesh_buffers!(MESH)` is for faces, `mesh_buffers!(edges: MESH)` for a wireframe, and `mesh_buffers!(faces, edges: MESH)` for
-/// hidden lines. [`MeshBuffers!`](macro@crate::MeshBuffers) with equal arguments is the type, for statics:
+/// `mesh_buffers!(MESH)` is for faces, with storage in the field `bins`; `mesh_buffers!(edges: MESH)` for a wireframe, with `edge_bins`; and
+/// `mesh_buffers!(faces, edges: MESH)` for hidden lines, with both. [`MeshBuffers!`](macro@crate::MeshBuffers) with equal arguments is the type, for statics:
 ///
 /// ```
 /// use pinhole::prelude::*;

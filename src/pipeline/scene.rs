@@ -70,7 +70,8 @@ impl<'m, M> Object<'m, M> {
 /// faces, and draw band by band.
 ///
 /// `M` is the material of an object, any type, such as a colour. The closure that returns shaders also gets the object's index,
-/// by which it can look up data that is stored elsewhere.
+/// by which it can look up data that is stored elsewhere. A lit object has a [`Lambert`](crate::light::Lambert) in its material, made for its
+/// transform, or in a list by its index: the cookbook's `samples` is an example.
 ///
 /// **Memory** beside the objects themselves, all of it on the stack during a frame, on a 32-bit core: for each of the `OBJECTS`,
 /// 4 bytes in [`PlacedScene`] and 72 in [`BinnedScene`]; and one vertex cache and one bin storage for all visible objects.

@@ -75,7 +75,7 @@ impl core::fmt::Display for MeshError {
                 write!(f, "edge {edge} uses vertex {index}, which the mesh does not have: indices begin at 0")
             }
             Self::EdgeFaces { edge } => {
-                write!(f, "edge {edge} has no pair of faces, or uses a face that the mesh does not have")
+                write!(f, "edge {edge} has no pair of faces, or uses a face that the mesh does not have: list edges first, then one pair for each, as `edge_faces` returns them")
             }
             Self::ListLength { one, given, needed } => {
                 write!(f, "a list of {given} entries where {needed} are needed: give one {one}")

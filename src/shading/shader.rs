@@ -238,7 +238,8 @@ pub trait SpanShader<C: PixelColor>: Shader {
     }
 
     /// The colours of all pixels by their depths, if they depend on nothing else. Targets whose pixels lie in memory fill each row
-    /// level by level, instead of calling [`set_up`](Self::set_up) and [`span`](Self::span).
+    /// level by level, instead of calling [`set_up`](Self::set_up) and [`span`](Self::span), which must find equal levels, by
+    /// [`Triangle::depth_gradient`].
     #[inline(always)]
     fn levels(&self) -> Option<DepthLevels<'_, impl Fn(u8) -> C + Copy>> {
         None::<DepthLevels<'_, fn(u8) -> C>>

@@ -30,8 +30,9 @@ pub enum BufferError {
     },
     /// The bin storage is too short: provide at least `needed` numbers.
     Bins {
-        /// One number per visible face or edge, and one per 16 faces or edges of the mesh, rounded up; the latter alone for
-        /// the second cursor of a [fork](crate::draw::BinnedFaces::fork).
+        /// [`face_bins_len`](crate::Mesh::face_bins_len), [`edge_bins_len`](crate::Mesh::edge_bins_len) or
+        /// [`smooth_bins_len`](crate::Mesh::smooth_bins_len), summed over a scene; one per 16 faces or edges for the second cursor of a
+        /// [fork](crate::draw::BinnedFaces::fork).
         needed: usize,
         /// The length of the bin storage.
         given: usize,

@@ -11,8 +11,10 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::prelude::Point;
 use embedded_graphics::primitives::Rectangle;
 use example::scene::{self, BOARD, FOG_COLOR, FOG_RANGE, GLASS, NEAR_FAR, SIZE, SKY, TILES, WALL_COLOR};
+use pinhole::raster::{Gradient, Span, Triangle};
+use pinhole::shading::{CornerValues, DepthLevels, Shader, SpanShader};
 use pinhole::space::{Model, World};
-use pinhole::{camera::Window, prelude::*, shading::SpanShader};
+use pinhole::{camera::Window, prelude::*, Angle};
 use support::bridge::ways::{by_every_call, memory};
 use support::oracle::chain::{cross, dot, normalise};
 
@@ -130,6 +132,90 @@ fn a_checkerboard_a_fog_and_glass_made_outside_the_crate_are_those_of_rays() {
     assert!(compared * 100 > pixels.len() * 97, "{compared} of {}", pixels.len());
     assert!(met.iter().all(|&count| count > 3_000), "{met:?}");
     assert!(worst > 0.6, "{worst}");
+}
+
+/// Stripes by depth, as levels and as spans.
+#[derive(Clone, Copy)]
+struct Contours([i32; 3]);
+
+/// The first depth of a level, in steps. The floor of the scene has 44 660 to 64 129.
+const fn begin(level: u32) -> u32 {
+    44_000 + 620 * level
+}
+
+const STRIPES: [u32; 34] = {
+    let mut bounds = [u32::MAX; 34];
+    bounds[0] = 0;
+    let mut level = 1;
+    while level < 33 {
+        bounds[level as usize] = begin(level) << 16;
+        level += 1;
+    }
+    bounds
+};
+
+/// The level of a depth.
+fn level(depth: u32) -> u8 {
+    (1..33).filter(|&level| depth >= begin(level)).count() as u8
+}
+
+fn stripe(level: u8) -> Rgb888 {
+    Rgb888::new(level * 7, 255 - level * 7, level % 2 * 255)
+}
+
+impl Shader for Contours {
+    type Varying = ();
+    const NEEDS_DEPTH: bool = true;
+
+    fn sub_face(&self, _: [(); 3]) -> Self {
+        *self
+    }
+
+    fn with_corners(&self, corners: &CornerValues) -> Self {
+        Self(corners.depths())
+    }
+}
+
+impl SpanShader<Rgb888> for Contours {
+    type Ink = Rgb888;
+    type Setup = Gradient;
+
+    fn set_up(&self, triangle: &Triangle<'_>) -> Gradient {
+        triangle.depth_gradient(self.0)
+    }
+
+    fn span(depth: &Gradient, span: Span) -> impl Iterator<Item = Rgb888> {
+        (span.x..).map(move |x| stripe(level(depth.at(x, span.y) >> 16)))
+    }
+
+    fn levels(&self) -> Option<DepthLevels<'_, impl Fn(u8) -> Rgb888 + Copy>> {
+        Some(DepthLevels { depths: self.0, bounds: &STRIPES, first: 0, color: stripe })
+    }
+}
+
+/// Targets with memory fill them level by level, others by spans.
+#[test]
+fn contour_lines_are_those_of_the_stored_depths() {
+    let (view, projection, viewport) = scene::camera().expect("a camera");
+    let (area, camera) = (Rectangle::new(Point::zero(), SIZE), Camera::new(&view, &projection, &viewport));
+    let floor = quad(&scene::FLOOR);
+    let mut seen = std::collections::BTreeSet::new();
+    for turn in 0..6 {
+        let instance = camera.place(&floor, &Affine::rotation_z(Angle::degrees(2 + 3 * turn)));
+        every_call(&instance, area, &|_: usize| Contours([0; 3]));
+        let count = (SIZE.width * SIZE.height) as usize;
+        let (mut pixels, mut depths) = (vec![Rgb888::BLACK; count], vec![0; count]);
+        let mut picture = Picture::new(&mut pixels, SIZE).expect("a picture");
+        let mut depth = DepthBuffer::new(area, &mut depths).expect("a depth buffer");
+        let Ok(_) = instance.faces(|_| Contours([0; 3])).draw(&mut picture.pixels().depth_tested(&mut depth));
+        let drawn = pixels.iter().zip(&depths).filter(|(_, depth)| **depth != DepthBuffer::NOTHING);
+        for (&pixel, &depth) in drawn {
+            let level = level(depth.into());
+            assert_eq!(pixel, stripe(level), "{depth}");
+            seen.insert(level);
+        }
+    }
+    assert!(seen.len() > 25, "{seen:?}");
 }
 
 /// The shader decides whether depths and 1/w are computed: every draw call gives it the same, also with face planes.

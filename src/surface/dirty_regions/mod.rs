@@ -166,7 +166,7 @@ impl<const N: usize> DirtyRegions<N> {
     }
 
     /// Rounds rectangles outward to multiples of `columns` and `rows` (0 counts as 1), from the area's top left corner, for
-    /// controllers that address several pixels at once: 2 columns where a byte holds two pixels of Gray4, 8 rows where a byte
+    /// controllers that address several pixels at once: 2 columns where a byte holds two pixels of Gray4 or three bytes two of 12 bits, 8 rows where a byte
     /// holds a column of eight (SSD1306). If the area is not a multiple, rectangles at its right and bottom border end with it.
     /// Marks are dropped, and in the next frame all of the area is dirty.
     #[must_use]

@@ -198,8 +198,8 @@ entries! {
 
     entry_vector_parts(v: Vector3<World>) -> [Scalar; 3] { [v.x(), v.y(), v.z()] }
     entry_vector_micromath(v: micromath::vector::F32x3) -> Result<Vector3<World>, MathError> { v.try_into() }
-    entry_viewport_parts(viewport: &Viewport) -> (Point, Size, Rectangle, Rotation) {
-        (viewport.top_left(), viewport.size(), viewport.area(), viewport.rotation())
+    entry_viewport_parts(viewport: &Viewport) -> (Point, Size, Rectangle, Rotation, Point) {
+        (viewport.top_left(), viewport.size(), viewport.area(), viewport.rotation(), viewport.upright_point(pixel()))
     }
     entry_moved_viewport() -> Result<Viewport, CameraError> {
         Ok(Viewport::new(pixel(), size())?.rotated(rotation()).jittered([any() as i8, any() as i8]))
@@ -218,6 +218,7 @@ entries! {
     entry_table(colours: [Rgb565; 256]) -> Rgb565 { ShadeTable::from_colors(colours).colors()[usize::from(any() as u8)] }
     entry_lit(colour: Rgb888) -> pinhole::shading::Dithered<Lit> { Gouraud::lit(colour, [any() as u16; 3]).dithered() }
     entry_triangle_plane(triangle: &Triangle<'_>, values: [u32; 3]) -> Gradient { triangle.gradient(values) }
+    entry_triangle_depth(triangle: &Triangle<'_>, depths: [i32; 3]) -> Gradient { triangle.depth_gradient(depths) }
     entry_carries_nothing(corner: usize) { <() as Varying>::of(corner); ().towards(&(), any().into()) }
 
     entry_copies(
