@@ -5,16 +5,18 @@ mod anti_aliased;
 mod place;
 mod scene;
 mod set_up;
+mod smooth;
 mod texture;
 mod translucent;
 
 /// The name of a target, and its check, which panics if the library is wrong.
 pub(crate) type Target = (&'static str, fn(&[u8]));
 
-pub(crate) const TARGETS: [Target; 5] = [
+pub(crate) const TARGETS: [Target; 6] = [
     ("anti_aliased", anti_aliased::check),
     ("scene", scene::check),
     ("set_up", set_up::check),
+    ("smooth", smooth::check),
     ("texture", texture::check),
     ("translucent", translucent::check),
 ];

@@ -113,9 +113,9 @@ impl<'s> BinStorage<'s> {
         Ok(Self { active, first, next })
     }
 
-    /// The bits of active primitives, which a band's first advance clears.
-    pub(super) fn active(&mut self) -> &mut [u16] {
-        self.active
+    /// The bits of active primitives, for lists that need none.
+    pub(super) fn take_active(&mut self) -> &'s mut [u16] {
+        core::mem::take(&mut self.active)
     }
 
     /// Begins to fill bins for a viewport.
@@ -172,12 +172,6 @@ impl<'s> BinFill<'s> {
         storage.first.fill(NONE);
         let rows = BinRows::new(&viewport, storage.first.len());
         Self { storage, base, rows, viewport, bounds: Scissor::UNION_IDENTITY }
-    }
-
-    /// The bits of active primitives, until the bins are filled.
-    #[inline(always)]
-    pub(super) fn active(&self) -> &[u16] {
-        self.storage.active
     }
 
     /// The filled bins.

@@ -58,6 +58,12 @@ impl<'s> EdgeLists<'s> {
         self.bin = self.bin.max(end);
     }
 
+    /// Whether a list has no edge.
+    #[inline(always)]
+    pub(super) fn is_empty(&self, kind: usize) -> bool {
+        self.link(NONE, kind) == NONE
+    }
+
     /// Calls `visit` with each edge of a list: it returns whether the edge ends in the band.
     #[inline(always)]
     pub(super) fn each(&mut self, kind: usize, mut visit: impl FnMut(usize) -> bool) {

@@ -6,13 +6,12 @@ use super::draw_region::pixels;
 use super::edge_lists::EdgeLists;
 use super::face_triangles::FaceTriangles;
 use super::statistics::Statistics;
-use super::vertex_cache::TransformedMesh;
+use super::vertex_cache::{area, TransformedMesh};
 use crate::camera::UnpackedVertex;
 use crate::color::{Color, StoredPixel};
 use crate::math::hints::keep_rolled;
-use crate::math::unrolled::map3;
 use crate::math::Coordinate;
-use crate::raster::{area, CrossedEdge, CrossedPair, Scissor};
+use crate::raster::{CrossedEdge, CrossedPair, Scissor};
 use crate::surface::{BufferError, Pairs, Seen, SeenKind, SmoothPass};
 
 /// The edges of a mesh that are smoothed in a picture, binned by their first rows: silhouettes, beyond which no face of the mesh follows, and
@@ -30,7 +29,7 @@ pub struct SmoothEdges<'a, V: Coordinate = i16> {
     pairs: Pairs,
 }
 
-/// An entry of a list of edges that are set up, of 80 bytes: [`SmoothEdges::keep_in`].
+/// An entry of a list of edges that are set up, of 72 bytes: [`SmoothEdges::keep_in`].
 #[derive(Clone, Copy, Debug)]
 pub struct SmoothEdge {
     /// The index of the edge, and 1; 0 of no edge.
@@ -54,8 +53,9 @@ struct Kinds<'a> {
 impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
     /// Finds the silhouettes of a mesh, and those of its creases that are in front, for [smoothing](crate::target::DepthTestedSurface::smooth).
     /// `is_crease` tells of an edge by its index whether it is a crease where both of its faces are drawn: `|_| false` for a surface that is
-    /// lit smoothly, `|_| true` for one in facets. `storage` has [`smooth_bins_len`](crate::Mesh::smooth_bins_len) numbers. The mesh should list all of its edges,
-    /// and the [faces beside them](crate::Mesh::with_edge_faces).
+    /// lit smoothly, `|_| true` for one in facets, or whether the colours of the [faces beside it](crate::Mesh::edge_faces) differ: each crease that
+    /// is left out saves as much as a face takes. `storage` has [`smooth_bins_len`](crate::Mesh::smooth_bins_len) numbers. The mesh should list
+    /// all of its edges, and the [faces beside them](crate::Mesh::with_edge_faces).
     ///
     /// ```
     /// # use embedded_graphics::{pixelcolor::Gray8, prelude::*};
@@ -102,7 +102,8 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
         let kinds = Kinds { silhouettes, wide };
         let mut storage = BinStorage::new(storage, mesh.edges.len())?;
         // No edge is active yet: the bits tell which faces are drawn, if there are as many.
-        let are_faces_marked = self.mark_drawn_faces(storage.active());
+        let drawn_faces = storage.take_active();
+        let are_faces_marked = self.mark_drawn_faces(drawn_faces);
         let viewport = pixels(self.instance.area());
         let (mut fill, mut statistics) = (storage.fill(viewport), Statistics::default());
         let mut own = SmoothEdge::EMPTY;
@@ -114,7 +115,7 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
             keep_rolled();
             let mut drawn = None;
             if let Some(&[one, other]) = edge_faces.get(index) {
-                let count = [one, other].map(|face| u8::from(is_marked(fill.active(), face.into())));
+                let count = [one, other].map(|face| u8::from(is_marked(drawn_faces, face.into())));
                 let count = count[0] + count[1];
                 if count == 0 || count == 2 && !is_crease(index) {
                     continue;
@@ -150,19 +151,20 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
         if mesh.edge_faces.is_empty() || bits.len() < mesh.faces.len().div_ceil(16) {
             return false;
         }
+        // Whether faces of positive and of negative area are drawn.
+        let [front, back] = [1, -1].map(|area| self.instance.cull().facing(area) == Facing::Drawn);
         for (bits, faces) in bits.iter_mut().zip(mesh.faces.chunks(16)) {
-            *bits = 0;
-            for face in faces.iter().rev() {
+            *bits = faces.iter().rev().fold(0, |bits, face| {
                 keep_rolled();
                 let is_drawn = match self.on_screen(face) {
-                    Some(corners) => {
-                        let area = area(&map3(corners, |corner| corner.offset::<true>()));
-                        self.instance.cull().facing(area) == Facing::Drawn
-                    }
+                    Some(corners) => match area::<true>(&corners) {
+                        ..0 => back,
+                        area => front && area != 0,
+                    },
                     None => self.is_clipped_face_drawn(face),
                 };
-                *bits = *bits << 1 | u16::from(is_drawn);
-            }
+                bits << 1 | u32::from(is_drawn)
+            }) as u16; // 16 bits
         }
         true
     }
@@ -240,20 +242,21 @@ impl<'a, V: Coordinate> SmoothEdges<'a, V> {
     pub fn draw<C: Color + StoredPixel<Cell>, Cell: Copy>(&mut self, pass: &mut SmoothPass<'_, C, Cell>) {
         let Self { transformed, lists, kinds, list, mask, own, pairs } = self;
         let viewport = pixels(transformed.instance.area());
-        let (scissor, odd) = (pass.pixels().clipped_to(&viewport), pass.odd());
+        let (scissor, is_last) = (pass.pixels().clipped_to(&viewport), pass.is_last());
         if scissor.is_empty() {
             return;
         }
-        let (rows, is_last) = (scissor.rows(), odd != 0);
+        let rows = scissor.rows();
         lists.advance(&rows, is_last, |index| {
             2 * usize::from(is_marked(kinds.silhouettes, index)) + usize::from(is_marked(kinds.wide, index))
         });
         // Creases, then silhouettes; the second pass mixes no neighbours in a row, as tall edges do.
         for kind in [0, 1, 2, 3] {
             let is_wide = kind & 1 != 0;
-            if is_last && !is_wide {
+            if is_last && !is_wide || lists.is_empty(kind) {
                 continue;
             }
+            let axes = pass.axes(&scissor, !is_wide);
             lists.each(kind, |index| {
                 let number = index as u32 + 1; // fewer than 65535
                 let free = |edge: &&mut SmoothEdge| edge.number == 0 || edge.number == number;
@@ -261,9 +264,7 @@ impl<'a, V: Coordinate> SmoothEdges<'a, V> {
                 if edge.number != number && !transformed.set_up(index, &viewport, edge) {
                     return true;
                 }
-                if let Some(columns) = edge.crossed.columns_within(&scissor, odd) {
-                    pass.edge(&edge.crossed, edge.seen, columns, &scissor, pairs);
-                }
+                pass.edge(&edge.crossed, &edge.seen, &axes, pairs);
                 // The last row of a wide edge may be mixed with the row below it.
                 let bottom = edge.crossed.bottom();
                 let ends = if is_wide { is_last && bottom < rows.end } else { bottom <= rows.end };
@@ -295,4 +296,4 @@ defmt_format!([V: Coordinate] SmoothEdges<'_, V>, self, "edges to smooth, with a
 
 /// The figure of the documentation.
 #[cfg(target_pointer_width = "32")]
-const _: () = assert!(size_of::<SmoothEdge>() == 80);
+const _: () = assert!(size_of::<SmoothEdge>() == 72);

@@ -5,7 +5,7 @@ use super::memory::{Gives, PixelStore};
 use super::target::{DepthTestedSurface, Surface};
 use crate::color::{Color, Mixer, Reads, StoredPixel};
 use crate::math::hints::keep_rolled;
-use crate::raster::{share, CrossedEdge, CrossedPair, PixelLayout, Scissor};
+use crate::raster::{share, CrossedEdge, CrossedPair, PixelLayout, Scissor, Window};
 use core::marker::PhantomData;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -81,38 +81,34 @@ impl<C: StoredPixel<Cell> + Color, Cell: Copy> SmoothPass<'_, C, Cell> {
         self.pixels
     }
 
-    /// 1 in the second pass, which mixes no neighbours in a row.
-    pub(crate) fn odd(&self) -> i32 {
-        self.odd
+    /// Whether this is the second pass, which mixes no neighbours in a row.
+    pub(crate) fn is_last(&self) -> bool {
+        self.odd != 0
     }
 
-    /// Smooths an edge in these columns, or rows if it is tall. `pairs`: memory.
+    /// How to smooth edges that are tall, or wide.
+    pub(crate) fn axes(&self, scissor: &Scissor, is_tall: bool) -> Axes {
+        let Self { layout, depth_layout, odd, .. } = *self;
+        let [layout, depth_layout] = [layout, depth_layout].map(|layout| Along::new(layout, is_tall));
+        Axes { window: Window::new(scissor, is_tall, odd), layout, depth_layout }
+    }
+
+    /// Smooths an edge. `pairs`: memory.
     #[inline(never)]
-    pub(crate) fn edge(
-        &mut self,
-        edge: &CrossedEdge,
-        seen: Seen,
-        [first, last]: [i32; 2],
-        scissor: &Scissor,
-        pairs: &mut Pairs,
-    ) {
+    pub(crate) fn edge(&mut self, edge: &CrossedEdge, seen: &Seen, axes: &Axes, pairs: &mut Pairs) {
         const {
             assert!(
                 C::FORMAT.bits() > 1,
                 "edges cannot be smoothed with two colours: use a color of more bits"
             )
         };
-        let Self { cells, depths, layout, depth_layout, odd, .. } = self;
-        let [layout, depth_layout] = [*layout, *depth_layout].map(|layout| Along::new(layout, edge));
-        let (start, end) =
-            if edge.tall { (scissor.left, scissor.right) } else { (scissor.top, scissor.bottom) };
-        let mut first = first;
+        let Some([mut first, last]) = edge.columns_within(&axes.window) else { return };
+        let (cells, layout) = (&mut *self.cells, &axes.layout);
         while first <= last {
             let next = first + pairs.len() as i32;
-            let columns = [first, last.min(next - 1)];
-            let found = edge.find_pairs(columns, [start, end - start - 2], *odd, pairs);
+            let found = edge.find_pairs([first, last.min(next - 1)], &axes.window, pairs);
             let found = pairs.get_mut(..found).unwrap_or_default();
-            weight(edge, seen, C::SHARE_BITS, depths, depth_layout, found);
+            weight(edge, seen, C::SHARE_BITS, self.depths, &axes.depth_layout, found);
             for &mut CrossedPair { major, minor, offset: shares } in found {
                 keep_rolled();
                 if shares == 0 {
@@ -128,7 +124,7 @@ impl<C: StoredPixel<Cell> + Color, Cell: Copy> SmoothPass<'_, C, Cell> {
                     if share != 0
                         && let Some(cell) = cells.get_mut(at)
                     {
-                        *cell = other.mixer()(own, (1 << C::SHARE_BITS) - share).stored();
+                        *cell = own.mixed(other, share).stored();
                     }
                 }
             }
@@ -141,23 +137,30 @@ impl<C: StoredPixel<Cell> + Color, Cell: Copy> SmoothPass<'_, C, Cell> {
 #[inline(never)] // one copy for all colours
 fn weight(
     edge: &CrossedEdge,
-    seen: Seen,
+    seen: &Seen,
     bits: u32,
     depths: &[u16],
-    layout: Along,
+    layout: &Along,
     pairs: &mut [CrossedPair],
 ) {
     for pair in pairs {
-        let [low, high] = edge.shares(pair).map(|area| share(area, bits)); // at most 2^bits
         let (depth, offset) = (edge.depth(pair.major), (pair.offset >> 24) as i32);
-        pair.offset = 0;
         let at = layout.at(pair.major, pair.minor);
-        if let (Some(&own), Some(&other)) = (depths.get(at), depths.get(at.wrapping_add(layout.minor)))
-            && seen.between(depth, offset, [own, other])
-        {
-            pair.offset = low | high << 16;
-        }
+        pair.offset = match (depths.get(at), depths.get(at.wrapping_add(layout.minor))) {
+            (Some(&own), Some(&other)) if seen.between(depth, offset, [own, other]) => {
+                let [low, high] = edge.shares(pair).map(|area| share(area, bits)); // at most 2^bits
+                low | high << 16
+            }
+            _ => 0,
+        };
     }
+}
+
+/// The pairs that a pass mixes along edges that are tall, or wide.
+pub(crate) struct Axes {
+    window: Window,
+    layout: Along,
+    depth_layout: Along,
 }
 
 /// Where the pairs of an edge lie in a buffer.
@@ -170,14 +173,14 @@ struct Along {
 
 impl Along {
     #[inline(always)]
-    fn new(PixelLayout { stride, origin }: PixelLayout, edge: &CrossedEdge) -> Self {
-        let (major, minor) = if edge.tall { (stride, 1) } else { (1, stride) };
+    fn new(PixelLayout { stride, origin }: PixelLayout, is_tall: bool) -> Self {
+        let (major, minor) = if is_tall { (stride, 1) } else { (1, stride) };
         Self { origin, major, minor }
     }
 
     /// Index of the first pixel of a pair.
     #[inline(always)]
-    fn at(self, major: i32, minor: i32) -> usize {
+    fn at(&self, major: i32, minor: i32) -> usize {
         let along = (major as usize).wrapping_mul(self.major);
         (minor as usize).wrapping_mul(self.minor).wrapping_add(along).wrapping_add(self.origin)
     }
@@ -189,7 +192,7 @@ impl Seen {
     /// Whether an edge with this depth is seen between the pixels of a pair, with these depths. `offset`: how far the edge lies beyond the centre
     /// of the first pixel, in 2⁻⁸ pixel.
     #[inline(always)]
-    fn between(self, depth: i32, offset: i32, depths: [u16; 2]) -> bool {
+    fn between(&self, depth: i32, offset: i32, depths: [u16; 2]) -> bool {
         let [low, high] = depths.map(|of_pixel| (i32::from(of_pixel) << 8) - depth);
         // The pixels' centres lie before and behind the edge.
         let (before, behind) = (-offset, 256 - offset);

@@ -60,6 +60,7 @@ fuzzed! {
     anti_aliased: 100_000,
     scene: 25_000,
     set_up: 600_000,
+    smooth: 100_000,
     texture: 30_000,
     translucent: 30_000,
 }

@@ -179,12 +179,17 @@ impl Reference {
     /// pixels that are worse than in another picture by more than 8 levels.
     pub fn errors(&self, picture: &[Rgb888], plain: &[Rgb888]) -> (f64, f64, usize) {
         let off = |picture: &[Rgb888], i: usize| (f64::from(picture[i].r()) - self.means[i]).abs();
-        let edges: Vec<f64> =
-            (0..picture.len()).filter(|&i| self.is_edge[i]).map(|i| off(picture, i)).collect();
-        let count = edges.len() as f64;
-        let far = edges.iter().filter(|&&off| off > 20.0).count();
+        let edges = || (0..picture.len()).filter(|&i| self.is_edge[i]);
+        let far = edges().filter(|&i| off(picture, i) > 20.0).count();
         let worse = (0..picture.len()).filter(|&i| off(picture, i) > off(plain, i) + 8.0).count();
-        let squares: f64 = edges.iter().map(|off| off * off).sum();
-        ((squares / count).sqrt(), 100.0 * far as f64 / count, worse)
+        let (count, rms) = (edges().count() as f64, self.rms(|i| off(picture, i)));
+        (rms, 100.0 * far as f64 / count, worse)
+    }
+
+    /// Root mean square of errors over edge pixels.
+    pub fn rms(&self, off: impl Fn(usize) -> f64) -> f64 {
+        let squares: Vec<f64> =
+            (0..self.means.len()).filter(|&i| self.is_edge[i]).map(|i| off(i).powi(2)).collect();
+        (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
     }
 }

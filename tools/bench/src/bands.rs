@@ -4,7 +4,7 @@ use crate::measure::Display;
 use crate::scene::{area, Scene, BACKGROUND, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::Rgb565;
+use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::draw::{ActiveFace, BinnedEdges, SmoothEdge};
 use pinhole::{bands::SmoothFrame, color::Color, prelude::*, shading::SpanShader};
@@ -98,7 +98,8 @@ pub fn smooth(
     let (instance, shade) = (scene.place(), scene.shade(light));
     let transformed = instance.transform_depth(corners);
     let mut faces = transformed.bin_faces(bin_storage).ok()?;
-    let mut edges = transformed.bin_smooth_edges(|_| has_creases, bins).ok()?;
+    let is_crease = |edge| has_creases && contrasts(edge, instance.mesh(), &shade);
+    let mut edges = transformed.bin_smooth_edges(is_crease, bins).ok()?;
     edges.keep_in(list);
     let mut frame = SmoothFrame::new(area(), BACKGROUND, kept, depth).ok()?;
     while let Some(mut band) = frame.next_band(strip).ok()? {
@@ -108,6 +109,16 @@ pub fn smooth(
     }
     black_box(faces.statistics());
     Some(())
+}
+
+/// Whether the faces beside an edge differ by two levels of a channel of five bits.
+#[inline(never)]
+fn contrasts(edge: usize, mesh: &Mesh<'_>, shade: impl Fn(usize) -> Rgb565) -> bool {
+    let Some(&faces) = mesh.edge_faces().get(edge) else { return true };
+    let [one, other] = faces.map(|face| shade(face.into()));
+    let [r, g, b] =
+        [RgbColor::r, RgbColor::g, RgbColor::b].map(|channel| channel(&one).abs_diff(channel(&other)));
+    r >= 2 || g >= 4 || b >= 2
 }
 
 /// Draws the faces of a lit scene of twice the picture's width and height in bands, and puts the mean of each four pixels into `means`.
