@@ -159,7 +159,7 @@ pub mod texture {
 
     pub use crate::shading::texture::{
         Accuracy, ClampedTexels, ColorKeyed, IndexKeyed, IndexedTexels, LitIndexedTexels, LitPalette,
-        LitTextured, TexelSlice, Texels, Texture, TextureError, Textured,
+        LitTextured, MipPicture, MipTexels, TexelSlice, Texels, Texture, TextureError, Textured,
     };
 }
 

@@ -44,6 +44,17 @@ pub(crate) fn triangle<T: Surface, S: SpanShader<T::Color>>(
     {
         return true;
     }
+    if S::BY_RUN {
+        fill(memory, triangle, scissor, &mut |cells, span| {
+            each_run(cells, S::lines(&setup, span), |pixels, [at @ [_, second], step]| {
+                if let Some(color) = S::look_up_in_run(&setup, second).and_then(Ink::opaque) {
+                    let (line, zero) = (Line { at, step }, opaque(0));
+                    put_blocks(pixels, LookUp::<_, _, false> { line, color, zero });
+                }
+            });
+        });
+        return true;
+    }
     fill(memory, triangle, scissor, &mut |cells, span| {
         let texel = color; // a copy, in a register
         each_run(cells, S::lines(&setup, span), |pixels, [at, step]| {
@@ -184,6 +195,18 @@ pub(crate) fn triangle_nearer<T: Surface, S: SpanShader<T::Color>>(
         return true;
     }
     let gradient = depth_gradient(corners, depths);
+    if S::BY_RUN {
+        fill(memory, corners, scissor, &mut |cells, span| {
+            let (lines, zero) = (S::lines(&setup, span), opaque(0));
+            each_run_nearer(cells, depth.buffer, span, &gradient, lines, |pixels, depths, z, step, run| {
+                let [at @ [_, second], by] = run;
+                let Some(color) = S::look_up_in_run(&setup, second).and_then(Ink::opaque) else { return z };
+                let line = Line { at, step: by };
+                put_blocks_nearer(pixels, depths, z, step, LookUp::<_, _, false> { line, color, zero })
+            });
+        });
+        return true;
+    }
     fill(memory, corners, scissor, &mut |cells, span| {
         let (lines, zero) = (S::lines(&setup, span), opaque(0));
         each_run_nearer(cells, depth.buffer, span, &gradient, lines, |pixels, depths, z, step, [at, by]| {

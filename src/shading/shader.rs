@@ -203,6 +203,17 @@ pub trait SpanShader<C: PixelColor>: Shader {
         None::<fn([u32; 2]) -> Self::Ink>
     }
 
+    /// Whether the function that [`look_up`](Self::look_up) returns differs from run to run: see
+    /// [`look_up_in_run`](Self::look_up_in_run).
+    const BY_RUN: bool = false;
+
+    /// [`look_up`](Self::look_up) for a run, given the second number at its first pixel. Called if [`BY_RUN`](Self::BY_RUN).
+    #[inline(always)]
+    fn look_up_in_run(setup: &Self::Setup, second: u32) -> Option<impl Fn([u32; 2]) -> Self::Ink + Copy> {
+        let _ = second;
+        Self::look_up(setup)
+    }
+
     /// Whether [`look_up`](Self::look_up) needs the first number alone, so that a wrapper may put the second one to a use of its own, as
     /// fog does.
     const ONE_NUMBER: bool = false;

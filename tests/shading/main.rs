@@ -9,6 +9,7 @@ mod left_out;
 mod levels;
 mod lights;
 mod lit_textures;
+mod mips;
 mod own_shaders;
 mod rays;
 mod scene;

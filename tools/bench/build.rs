@@ -203,6 +203,8 @@ fn lists(scenes: &Scenes) -> Result<String> {
         list("TEXELS", "u8", &(0..64 * 64).map(|at| (at % 64 + 3 * (at / 64)) as u8).collect::<Vec<_>>()),
         picture("PALETTE", 16, |x, y| [2 * y + x / 8, 4 * y + x / 4, 31 - 2 * y - x / 8]),
         picture("PICTURE", 64, |x, y| [x / 2, y, 31 - (x + y) / 4]),
+        // Each row of the reduced copies as that in the middle of the rows that it is for.
+        picture("COPIES", 64, |x, y| [x / 2, (y + 1).min(63), 31 - (x + (y + 1).min(63)) / 4]),
         picture("DISC", 16, |x, y| if is_in(x, y, 15) { [31, 2 * y, 2 * x] } else { [31, 0, 31] }),
         picture("SMALL_DISC", 8, |x, y| if is_in(x, y, 7) { [31, 8 * y + x, 3] } else { [31, 0, 31] }),
     ]

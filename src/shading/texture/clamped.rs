@@ -63,6 +63,18 @@ impl<S: Texels> Texels for ClampedTexels<S> {
         [w.wrapping_add(across as u32), h.wrapping_add(down as u32)]
     }
 
+    const HAS_COPIES: bool = S::HAS_COPIES;
+
+    #[inline(always)]
+    fn covered_by(&self, covered: i32) -> Self {
+        Self { texels: self.texels.covered_by(covered), ..*self }
+    }
+
+    #[inline(always)]
+    fn covered(&self) -> i32 {
+        self.texels.covered()
+    }
+
     #[inline(always)]
     fn texel(&self, u: u32, v: u32) -> S::Ink {
         let [u, v] = self.inside(u, v);

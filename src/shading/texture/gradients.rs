@@ -3,6 +3,7 @@
 use super::linear::{is_linear, linear_gradients, packed_gradient, range};
 use super::mapping::{FaceCoords, FRACTION};
 use super::perspective::Perspective;
+use crate::math::num::leading_zeros;
 use crate::raster::{Gradient, Triangle};
 
 /// Texture coordinates over a triangle.
@@ -54,5 +55,32 @@ impl Gradients {
                 false => Self::Perspective(own),
             }
         })
+    }
+}
+
+impl Gradients {
+    /// The binary logarithm of the number of texels that a pixel covers along each axis, rounded down, in 2⁻¹⁶; 0 where it differs over
+    /// the triangle.
+    #[inline(always)]
+    pub(super) fn covered(&self, [w, h]: [u32; 2]) -> i32 {
+        // Has the highest bit of both magnitudes, or of one unit less. Steps are less than half a side.
+        let magnitudes = |a: u32, b: u32| {
+            let of = |step: u32| step as i32 ^ (step as i32 >> 31);
+            (of(a) | of(b)) as u32
+        };
+        match self {
+            Self::Packed(words) => {
+                let [right, down] = [words.step(), words.row_step()];
+                // In 2⁻¹⁶ of a side: 15 bits, and at most 8 of the side.
+                let (u, v) = (magnitudes(right, down) >> 16, magnitudes(right << 16, down << 16) >> 16);
+                (15 - leading_zeros((u << (w & 15)) | (v << (h & 15)))) << 16
+            }
+            Self::Linear([u, v]) => {
+                let of =
+                    |bits: u32, u: &Gradient| bits as i32 - leading_zeros(magnitudes(u.step(), u.row_step()));
+                (of(w, u).max(of(h, v)) - 1) << 16
+            }
+            Self::Rows(_) | Self::Perspective(_) => 0,
+        }
     }
 }

@@ -103,9 +103,8 @@ impl<S: Texels<Color: Color>> SpanShader<S::Color> for LitTextured<S> {
         (texture, light): &Self::Setup,
         span: Span,
     ) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Ink>)> {
-        let texels = texture.texels;
         let (mut next, step) = (light.at(span.x, span.y), light.step());
-        texture.coordinates(span).map(move |(width, line)| {
+        texture.coordinates(span).map(move |(width, line, texels)| {
             let mut light = next;
             next = next.wrapping_add(step.wrapping_mul(width as u32));
             let colors = line.map(move |[u, v]| {

@@ -1,7 +1,7 @@
 //! Textures: faces that show a picture, in perspective.
 //!
 //! `texels` and `indexed` say where texels come from, `palette` has colours in several levels of light, `clamped` texels that do not
-//! repeat, `mapping` what a texture on a face is, `textured` makes a shader of it, `lit_textured` one with light at each corner,
+//! repeat, `mip` reduced copies of a picture, `mapping` what a texture on a face is, `textured` makes a shader of it, `lit_textured` one with light at each corner,
 //! `gradients` interpolates texture coordinates over a triangle, and `runs` divides a row into runs of pixels over which they
 //! are linear.
 
@@ -13,6 +13,7 @@ mod line;
 mod linear;
 mod lit_textured;
 mod mapping;
+mod mip;
 mod palette;
 mod perspective;
 mod runs;
@@ -25,5 +26,6 @@ pub use keyed::{ColorKeyed, IndexKeyed};
 pub(crate) use line::Line;
 pub use lit_textured::LitTextured;
 pub use mapping::{Accuracy, Texture, Textured};
+pub use mip::{MipPicture, MipTexels};
 pub use palette::{LitIndexedTexels, LitPalette};
 pub use texels::{TexelSlice, Texels, TextureError};

@@ -336,6 +336,36 @@ impl Perspective {
         [[u.wrapping_sub(du.wrapping_mul(anchor)), v.wrapping_sub(dv.wrapping_mul(anchor))], [du, dv]]
     }
 
+    /// The binary logarithm of the number of texels that a pixel covers along each axis, in 2⁻¹⁶, of a texture with these binary
+    /// logarithms of its sides.
+    ///
+    /// s/q changes by (s'·q − s·q')/q² from a pixel to the next. The changes to the right and down are added up: no less than along any
+    /// line, and at most √2 times as much.
+    #[inline(never)] // code size
+    pub(super) fn covered(&self, Planes { q, s, t }: Planes, [w, h]: [u32; 2]) -> i32 {
+        let ([q_plane, s_plane, t_plane], [m, n], [i, j]) = (self.planes, self.half_units, self.downs);
+        // In 2³² of the product of both units: at corners whose w is 32767 times as large as another's, 4 bits are left.
+        let along = |s: i32, step: u32, q_step: u32| {
+            (mul_high(step as i32, q) - mul_high(s, q_step as i32)).unsigned_abs()
+        };
+        let both = |s: i32, plane: Gradient| {
+            along(s, plane.step(), q_plane.step()) + along(s, plane.row_step(), q_plane.row_step())
+        };
+        // A half unit is 2^(5 … 22), and s/q in 2^(ROOM − 29) a coordinate in twice as much, divided by 2^downs.
+        let texel =
+            |half: u32, bits: u32, down: u8| (half.trailing_zeros() + 1 + bits) as i32 - i32::from(down);
+        let (u, v) = (texel(m, w, i), texel(n, h, j));
+        let finer = |u: i32, v: i32| (v - u).max(0) & 31;
+        let most = (both(s, s_plane) >> finer(u, v)).max(both(t, t_plane) >> finer(v, u));
+        log_of(most | 1) - 2 * log_of(q.max(1) as u32) + ((u.max(v) + 29 - ROOM) << 16)
+    }
+
+    /// [`covered`](Self::covered) in the column in the middle of the triangle, where coordinates are [linear by rows](is_linear_by_rows).
+    #[inline(always)]
+    pub(super) fn covered_in_row(&self, y: i32, size_bits: [u32; 2]) -> i32 {
+        self.covered(self.row(y), size_bits)
+    }
+
     /// The planes in column 0 of a row.
     #[inline(always)]
     pub(super) fn row(&self, y: i32) -> Planes {

@@ -168,6 +168,12 @@ impl<'g> PerspectiveRuns<'g> {
         Perspective::largest_block(self.curvature, self.perspective.q_beyond(self.planes, by))
     }
 
+    /// The binary logarithm of the number of texels that the pixel after the last run [covers](Perspective::covered).
+    #[inline(always)]
+    pub(super) fn covered(&self, size_bits: [u32; 2]) -> i32 {
+        self.perspective.covered(self.planes, size_bits)
+    }
+
     /// The next run, its width and coordinates.
     #[inline(always)]
     fn next_run<const N: usize>(&mut self) -> Option<(i32, Coordinates<N>)> {

@@ -50,9 +50,35 @@ pub trait Texels: Copy {
     /// [`texel`](Self::texel) as a function for loops, of `[u, v]`. Override it where what all pixels of a triangle need can be computed
     /// once; it must give equal texels.
     #[inline(always)]
-    fn finder(&self) -> impl Fn([u32; 2]) -> Self::Ink + Copy {
-        let texels = *self;
-        move |[u, v]| texels.texel(u, v)
+    fn finder(self) -> impl Fn([u32; 2]) -> Self::Ink + Copy {
+        move |[u, v]| self.texel(u, v)
+    }
+
+    /// Whether there are reduced copies of the picture, as in [`MipTexels`](crate::texture::MipTexels), for faces on which a pixel covers
+    /// more than one texel.
+    const HAS_COPIES: bool = false;
+
+    /// These texels where a pixel covers 2^(`covered`/2¹⁶) texels along each axis: those of the reduced copy to show, if there are any.
+    /// Shaders call it for each triangle and for each run of pixels.
+    #[must_use]
+    #[inline(always)]
+    fn covered_by(&self, covered: i32) -> Self {
+        let _ = covered;
+        *self
+    }
+
+    /// The number that [`covered_by`](Self::covered_by) was last called with; 0 without copies.
+    #[inline(always)]
+    fn covered(&self) -> i32 {
+        0
+    }
+
+    /// [`finder`](Self::finder) of texels at `u` and at `v/2 & mask | offset`, of `[mask, offset]`: a copy's rows in a picture of
+    /// twice the height. Override it where such rows are found faster.
+    #[inline(always)]
+    fn finder_of_rows(self, [mask, offset]: [u32; 2]) -> impl Fn([u32; 2]) -> Self::Ink + Copy {
+        let texel = self.finder();
+        move |[u, v]| texel([u, (v >> 1) & mask | offset])
     }
 
     /// Whether u and v take 32 bits each. If not, they have 16 bits each and lie in one word, which saves two instructions a pixel
@@ -94,7 +120,7 @@ pub(super) const fn index(coordinate: u32, bits: u32) -> usize {
 }
 
 /// The binary logarithm of a side, which the compiler checks.
-const fn side_bits(side: usize) -> u32 {
+pub(super) const fn side_bits(side: usize) -> u32 {
     assert!(
         side.is_power_of_two() && side >= 8 && side <= 256,
         "a texture's side is 8, 16, 32, 64, 128 or 256"
@@ -119,8 +145,8 @@ impl<C: PixelColor, const W: usize, const H: usize> Texels for &[[C; W]; H] {
     }
 
     #[inline(always)]
-    fn finder(&self) -> impl Fn([u32; 2]) -> C + Copy {
-        let (texels, rows) = (*self, opaque((H - 1) * W));
+    fn finder(self) -> impl Fn([u32; 2]) -> C + Copy {
+        let (texels, rows) = (self, opaque((H - 1) * W));
         move |[u, v]| {
             let [w, h] = const { [side_bits(W), side_bits(H)] };
             // Bits of the mask that are not known may be those of the column, so the sum of both is not split in two, and the column is

@@ -74,23 +74,40 @@ pub struct TextureGradients<S> {
 }
 
 impl<S: Texels> TextureGradients<S> {
-    /// The runs of a span: their widths, and the lines of their texture coordinates.
+    /// The runs of a span: their widths, the lines of their texture coordinates, and what [`Texels::covered_by`] takes.
     #[inline(always)]
-    fn lines(&self, span: Span) -> impl Iterator<Item = (i32, Line)> + use<'_, S> {
+    fn lines(&self, span: Span) -> impl Iterator<Item = (i32, Line, i32)> + use<'_, S> {
         let mut runs = Runs::new(&self.gradients, span);
-        core::iter::from_fn(move || match S::WIDE {
-            true => runs.next_run::<2>(),
-            false => runs.next_run::<1>(),
+        // A number that the compiler knows where texels have no copies.
+        let of_row = match &self.gradients {
+            _ if !S::HAS_COPIES => 0,
+            Gradients::Rows(rows) => rows.covered_in_row(span.y, self.texels.size_bits()),
+            _ => self.texels.covered(),
+        };
+        core::iter::from_fn(move || {
+            let (width, line) = match S::WIDE {
+                true => runs.next_run::<2>(),
+                false => runs.next_run::<1>(),
+            }?;
+            if S::HAS_COPIES
+                && let Runs::Perspective(runs) = &runs
+            {
+                return Some((width, line, runs.covered(self.texels.size_bits())));
+            }
+            Some((width, line, of_row))
         })
     }
 
-    /// The runs of a span: their widths, and the texture coordinates of their pixels in 2⁻³² of the sides.
+    /// The runs of a span: their widths, the texture coordinates of their pixels in 2⁻³² of the sides, and their texels.
     #[inline(always)]
     pub(super) fn coordinates(
         &self,
         span: Span,
-    ) -> impl Iterator<Item = (i32, impl Iterator<Item = [u32; 2]>)> + use<'_, S> {
-        self.lines(span).map(|(width, line)| (width, line.map(coordinates::<S>)))
+    ) -> impl Iterator<Item = (i32, impl Iterator<Item = [u32; 2]>, S)> + use<'_, S> {
+        let texels = self.texels;
+        self.lines(span).map(move |(width, line, covered)| {
+            (width, line.map(coordinates::<S>), texels.covered_by(covered))
+        })
     }
 }
 
@@ -106,13 +123,18 @@ const fn coordinates<S: Texels>([u, v]: [u32; 2]) -> [u32; 2] {
 impl<S: Texels> SpanShader<S::Color> for Textured<S> {
     type Ink = S::Ink;
     type Setup = TextureGradients<S>;
-    const ONE_NUMBER: bool = !S::WIDE;
+    const ONE_NUMBER: bool = !S::WIDE && !S::HAS_COPIES;
+    const BY_RUN: bool = S::HAS_COPIES;
 
     #[inline(always)]
     fn set_up(&self, triangle: &Triangle<'_>) -> TextureGradients<S> {
         let Self { texels, coords } = self;
         let gradients = Gradients::new(coords, texels.size_bits(), S::WIDE, triangle);
-        TextureGradients { texels: *texels, gradients }
+        let texels = match S::HAS_COPIES {
+            true => texels.covered_by(gradients.covered(texels.size_bits())),
+            false => *texels,
+        };
+        TextureGradients { texels, gradients }
     }
 
     fn span(setup: &TextureGradients<S>, span: Span) -> impl Iterator<Item = S::Ink> {
@@ -124,19 +146,33 @@ impl<S: Texels> SpanShader<S::Color> for Textured<S> {
         setup: &TextureGradients<S>,
         span: Span,
     ) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Ink>)> {
-        let texels = setup.texels;
-        setup.coordinates(span).map(move |(width, line)| (width, line.map(move |[u, v]| texels.texel(u, v))))
+        setup
+            .coordinates(span)
+            .map(move |(width, line, texels)| (width, line.map(move |[u, v]| texels.texel(u, v))))
     }
 
     #[inline(always)]
     fn look_up(setup: &TextureGradients<S>) -> Option<impl Fn([u32; 2]) -> S::Ink + Copy> {
         let texel = setup.texels.finder();
+        // Texels of 32-bit coordinates leave no number for the copy of a run.
+        (!S::HAS_COPIES || !S::WIDE).then_some(move |numbers| texel(coordinates::<S>(numbers)))
+    }
+
+    #[inline(always)]
+    fn look_up_in_run(
+        setup: &TextureGradients<S>,
+        covered: u32,
+    ) -> Option<impl Fn([u32; 2]) -> S::Ink + Copy> {
+        let texel = setup.texels.covered_by(covered as i32).finder();
         Some(move |numbers| texel(coordinates::<S>(numbers)))
     }
 
     #[inline(always)]
     fn lines(setup: &TextureGradients<S>, span: Span) -> impl Iterator<Item = (i32, [[u32; 2]; 2])> {
-        setup.lines(span).map(|(width, Line { at, step })| (width, [at, step]))
+        setup.lines(span).map(|(width, Line { at: [u, v], step }, covered)| {
+            let second = if S::HAS_COPIES { covered as u32 } else { v };
+            (width, [[u, second], step])
+        })
     }
 
     #[inline(always)]

@@ -23,7 +23,8 @@ use pinhole::{
     sprite::{PlacedSprites, SolidTexel, SpriteImage, SpriteSource},
     target::{BufferError, Gives, Memory, Pixels},
     texture::{
-        Accuracy, ColorKeyed, IndexKeyed, IndexedTexels, LitPalette, TexelSlice, Texels, TextureError,
+        Accuracy, ColorKeyed, IndexKeyed, IndexedTexels, LitPalette, MipPicture, MipTexels, TexelSlice,
+        Texels, TextureError,
     },
 };
 
@@ -329,9 +330,15 @@ entries! {
     entry_memory_of_own(cells: &mut [u16]) -> Result<(), BufferError> { memory(cells) }
 
     entry_texture_of_known_size(faces: &mut Faces<'_>, texels: &Texels64) -> Result<(), TextureError> { faces.textured(texels) }
+    entry_texture_with_mips(faces: &mut Faces<'_>, texels: &Texels64) -> Result<(), TextureError> {
+        let built = MipPicture::build(*texels);
+        faces.textured(MipPicture::new(*built.copies(), *texels).texels())?;
+        faces.clamped_and_lit(built.texels())
+    }
     entry_texture_of_any_size(faces: &mut Faces<'_>, texels: &[Rgb565]) -> Result<(), TextureError> { faces.textured(TexelSlice::new(texels, any() as usize, any() as usize)?) }
     entry_texture_with_palette(faces: &mut Faces<'_>, texels: &[u8], palette: &[Rgb565]) -> Result<(), TextureError> {
-        faces.textured(IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?)
+        faces.textured(IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?)?;
+        faces.textured(MipTexels::new(IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?))
     }
     entry_texture_with_key(faces: &mut Faces<'_>, texels: &[u8], palette: &[Rgb565]) -> Result<(), TextureError> {
         keyed(faces, IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?)

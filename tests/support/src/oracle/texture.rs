@@ -33,6 +33,27 @@ impl Ray {
         ahead.then(|| [0, 1].map(|axis| (0..3).map(|i| weights[i] * self.uv[i][axis]).sum::<f64>() / sum))
     }
 
+    /// By how many texels u or v changes from a pixel to the next, to the right or down, whichever is most.
+    pub fn covered(&self, x: i64, y: i64) -> Option<f64> {
+        let (x, y, h) = (x as f64 + 0.5, y as f64 + 0.5, 1.0 / 64.0);
+        let mut most = 0.0f64;
+        for (dx, dy) in [(h, 0.0), (0.0, h)] {
+            let (before, after) = (self.at(x - dx, y - dy)?, self.at(x + dx, y + dy)?);
+            most = (0..2).map(|axis| (after[axis] - before[axis]).abs() / (2.0 * h)).fold(most, f64::max);
+        }
+        Some(most)
+    }
+
+    /// The mean of a picture that repeats, over `n` × `n` points of a pixel.
+    pub fn mean(&self, x: i64, y: i64, n: u32, picture: &dyn Fn([i64; 2]) -> f64) -> Option<f64> {
+        let mut sum = 0.0;
+        for (i, j) in (0..n).flat_map(|j| (0..n).map(move |i| (i, j))) {
+            let [dx, dy] = [i, j].map(|i| (f64::from(i) + 0.5) / f64::from(n));
+            sum += picture(self.at(x as f64 + dx, y as f64 + dy)?.map(|c| c.floor() as i64));
+        }
+        Some(sum / f64::from(n * n))
+    }
+
     /// The ranges of u and of v of points within 1/64 pixel, in x and in y, of a pixel's centre.
     pub fn around(&self, x: i64, y: i64) -> Option<[Range; 2]> {
         let (x, y) = (x as f64 + 0.5, y as f64 + 0.5);
@@ -55,4 +76,15 @@ pub fn off_repeated(shown: f64, (low, high): Range, side: f64) -> f64 {
 /// How far a coordinate is outside of a range, where the edge of a picture from 0 to `side` continues.
 pub fn off_clamped(shown: f64, (low, high): Range, side: f64) -> f64 {
     (low.clamp(0.0, side) - shown).max(shown - high.clamp(0.0, side))
+}
+
+/// The mean of a picture that repeats, over rows `rows` and over 2ⁿ columns about the centre of one: both of its halves count alike.
+pub fn mean_about(column: i64, rows: std::ops::Range<i64>, n: u32, picture: &dyn Fn([i64; 2]) -> f64) -> f64 {
+    let (half_columns, rows) =
+        (2 * column + 1 - (1 << n)..2 * column + 1 + (1 << n), rows.collect::<Vec<_>>());
+    let count = rows.len() as f64 * 2.0 * f64::from(1 << n);
+    half_columns
+        .map(|half| rows.iter().map(|&row| picture([half.div_euclid(2), row])).sum::<f64>())
+        .sum::<f64>()
+        / count
 }

@@ -10,7 +10,7 @@ use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::draw::ShaderFor;
 use pinhole::space::{Model, World};
-use pinhole::{prelude::*, target::Pixels};
+use pinhole::{prelude::*, target::Pixels, texture::Texels};
 
 const COLUMNS: usize = 320;
 pub(super) const ROWS: usize = 240;
@@ -45,8 +45,11 @@ fn draw<S: for<'p> ShaderFor<Pixels<'p, Rgb565>>, const DEPTH_ROWS: usize>(
 }
 
 #[inline(always)]
-pub(super) fn textured<const DEPTH_ROWS: usize>(memory: &mut Memory<DEPTH_ROWS>) -> Option<Counted> {
-    let texture = black_box(Texture::new(&PICTURE));
+pub(super) fn textured<S: Texels<Color = Rgb565, Ink = Rgb565>, const DEPTH_ROWS: usize>(
+    texture: Texture<S>,
+    memory: &mut Memory<DEPTH_ROWS>,
+) -> Option<Counted> {
+    let texture = black_box(texture);
     draw(&VIEW.camera()?, |uv| texture.at(uv), memory)
 }
 

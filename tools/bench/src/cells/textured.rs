@@ -3,16 +3,31 @@
 //! by 20 degrees that reaches the horizon, a thousand times as far away.
 
 use super::{count, draw_faces, drawn, Counted, Memory, Plain, TORUS};
-use crate::lists::{PICTURE, TORUS_UV};
+use crate::lists::{COPIES, PICTURE, TORUS_UV};
 use crate::scene::{self, area, Scene, View};
 use core::hint::black_box;
+use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::space::{Model, World};
-use pinhole::{prelude::*, texture::Accuracy};
+use pinhole::{
+    prelude::*,
+    texture::{Accuracy, MipPicture, MipTexels, Texels},
+};
 
 /// The coordinates of the corners of a face of the torus.
 #[inline(always)]
 pub(super) fn torus_uv(face: usize) -> [[i16; 2]; 3] {
     TORUS_UV.get(face).copied().unwrap_or_default()
+}
+
+/// The picture, by an accuracy.
+pub(super) fn plain(accuracy: Accuracy) -> Texture<&'static [[Rgb565; 64]; 64]> {
+    Texture::new(&PICTURE).with_accuracy(accuracy)
+}
+
+/// The picture with its reduced copies.
+pub(super) fn copies() -> Texture<MipTexels<&'static MipPicture<Rgb565, 64, 64>>> {
+    static PICTURES: MipPicture<Rgb565, 64, 64> = MipPicture::new(COPIES, PICTURE);
+    Texture::new(PICTURES.texels())
 }
 
 /// The two faces of a quad.
@@ -44,14 +59,13 @@ pub(super) const FLOOR_VIEW: View =
     View { ahead: [0, 0, -1 << 16], range: [1 << 15, 2000 << 16], ..View::new([0; 3], area().size) };
 
 #[inline(always)]
-pub(super) fn floor(
+pub(super) fn floor<S: Texels<Color = Rgb565, Ink = Rgb565>>(
     floor: &'static Floor,
-    accuracy: Accuracy,
+    texture: Texture<S>,
     Plain { frame, corners, .. }: &mut Plain<4>,
 ) -> Option<Counted> {
     let (camera, floor) = (FLOOR_VIEW.camera()?, black_box(floor));
     let instance = camera.place(&floor.mesh, &Affine::<Model, World>::identity());
-    let texture = Texture::new(&PICTURE).with_accuracy(accuracy);
     let t = floor.texels.wrapping_mul(16);
     let uv = [[0, t], [t, t], [t, 0], [0, 0]];
     count(frame, &mut |picture| {
@@ -63,12 +77,12 @@ pub(super) fn floor(
 }
 
 #[inline(always)]
-pub(super) fn torus<const DEPTH_ROWS: usize>(
-    accuracy: Accuracy,
+pub(super) fn torus<S: Texels<Color = Rgb565, Ink = Rgb565>, const DEPTH_ROWS: usize>(
+    texture: Texture<S>,
     Memory { frame, depth, corners }: &mut Memory<TORUS, DEPTH_ROWS>,
 ) -> Option<Counted> {
     let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
-    let (texture, instance) = (Texture::new(&PICTURE).with_accuracy(accuracy), scene.place());
+    let instance = scene.place();
     count(frame, &mut |picture| {
         let (instance, texture) = black_box((&instance, &texture));
         let shade = |face: usize| texture.at(torus_uv(face));
