@@ -12,7 +12,8 @@ use embedded_graphics_core::primitives::Rectangle;
 /// The rectangle of the target, in pixels, that shows the picture. It may extend beyond the target: only pixels inside both are
 /// drawn.
 ///
-/// NDC −1 and +1 of an [unturned](Self::rotated) picture map to its outer borders, not to pixel centres; y is negated, because screen y grows downwards:
+/// NDC −1 and +1 of a picture that is neither [turned](Self::rotated) nor [jittered](Self::jittered) map to its outer borders, not to pixel
+/// centres; y is negated, because screen y grows downwards:
 /// `x = x₀ + (x + 1)·W/2`, `y = y₀ + (1 − y)·H/2`.
 ///
 /// ```
@@ -27,6 +28,8 @@ use embedded_graphics_core::primitives::Rectangle;
 pub struct Viewport {
     area: Rectangle,
     rotation: Rotation,
+    /// How far the picture is moved, in 2⁻⁸ pixel: less than half a pixel.
+    jitter: [i8; 2],
 }
 
 impl Viewport {
@@ -46,7 +49,7 @@ impl Viewport {
         if !inside(top_left.x, size.width) || !inside(top_left.y, size.height) {
             return Err(CameraError::ViewportOutside);
         }
-        Ok(Self { area: Rectangle::new(top_left, size), rotation: Rotation::Deg0 })
+        Ok(Self { area: Rectangle::new(top_left, size), rotation: Rotation::Deg0, jitter: [0; 2] })
     }
 
     /// This viewport with its picture turned, for a panel that is mounted turned: the camera draws the turned picture at no cost for a pixel,
@@ -80,6 +83,37 @@ impl Viewport {
     #[must_use]
     pub const fn rotated(self, rotation: Rotation) -> Self {
         Self { rotation, ..self }
+    }
+
+    /// This viewport with its picture moved by a part of a pixel: to the right and downwards on the target, in 1/256 pixel, −127 to 127; −128
+    /// counts as −127. Every point moves by exactly so much, and the [area](Self::area) stays. The mean of frames that are jittered evenly is
+    /// anti-aliased, textures and intersections included, without more memory for a frame's depth: for still pictures, and for displays that
+    /// are slower than drawing, as e-paper (accumulation buffer: Haeberli and Akeley, SIGGRAPH 1990).
+    ///
+    /// ```
+    /// # use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+    /// # use pinhole::{meshes::CUBE, prelude::*, Angle};
+    /// const SIZE: Size = Size::new(64, 64);
+    /// let viewport = Viewport::new(Point::zero(), SIZE)?;
+    /// let mut mean = [0; 64 * 64];
+    /// for jitter in [[-32, -96], [96, -32], [32, 96], [-96, 32]] { // four samples, turned against rows and columns
+    ///     let viewport = viewport.jittered(jitter);
+    ///     let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::degrees(30), Angle::degrees(20))?;
+    ///     let mut pixels = [Gray8::BLACK; 64 * 64];
+    ///     let mut picture = Picture::new(&mut pixels, SIZE)?;
+    ///     camera.place(&CUBE, &Affine::identity()).faces(|_| Gray8::WHITE).draw(&mut picture.pixels())?;
+    ///     for (mean, pixel) in mean.iter_mut().zip(&pixels) {
+    ///         *mean += pixel.luma() / 4;
+    ///     }
+    /// }
+    /// let mixed = mean.iter().filter(|&&level| level != 0 && level != 252).count();
+    /// assert!(mixed > 100); // the outline
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub const fn jittered(self, [x, y]: [i8; 2]) -> Self {
+        // Less than half a pixel: what lies beyond a border covers no pixel's centre before it.
+        Self { jitter: [if x < -127 { -127 } else { x }, if y < -127 { -127 } else { y }], ..self }
     }
 
     /// Width and height of the picture in pixels, as its viewer sees it; also serves as the aspect ratio for
@@ -121,11 +155,13 @@ impl Viewport {
         )
     }
 
-    /// The centre in 24.8: a multiple of half a pixel.
+    /// The centre in 24.8: a multiple of half a pixel, and the jitter.
     pub(super) const fn centre(&self) -> (i32, i32) {
         // ±8192 px · 256 = 2²¹; half an extent of at most 2¹⁴ px adds 2²¹.
         let Rectangle { top_left, size } = self.area;
-        (top_left.x * 256 + size.width as i32 * 128, top_left.y * 256 + size.height as i32 * 128)
+        let (x, y) =
+            (top_left.x * 256 + size.width as i32 * 128, top_left.y * 256 + size.height as i32 * 128);
+        (x + self.jitter[0] as i32, y + self.jitter[1] as i32)
     }
 
     /// Half of width and height in half pixels, which equals width and height in pixels.

@@ -1,5 +1,5 @@
-//! Turned viewports: points lie where the definition puts them once their picture is turned, text and sprites are turned with it, and
-//! spheres are in view where they were.
+//! Turned and jittered viewports: points lie where the definition puts them once their picture is turned or moved, text and sprites are
+//! turned with it, and spheres are in view where they were.
 
 use embedded_graphics::geometry::AnchorPoint;
 use embedded_graphics::pixelcolor::Gray8;
@@ -70,6 +70,85 @@ fn points_lie_where_the_turned_picture_has_them() {
             compared += 1;
         }
     }
+}
+
+#[test]
+fn every_point_moves_by_the_jitter() {
+    let mut rng = Rng::new(0x91);
+    let size = (240, 135);
+    let viewport = Viewport::new(Point::new(7, -20), Size::new(size.0, size.1)).expect("a viewport");
+    for (jitter, moved) in
+        [([0, 0], [0, 0]), ([1, -1], [1, -1]), ([-128, 127], [-127, 127]), ([90, 31], [90, 31])]
+    {
+        let jittered = viewport.jittered(jitter);
+        assert_eq!((jittered.area(), jittered.size()), (viewport.area(), viewport.size()));
+        for family in lenses(size) {
+            let view_bits = random_view(&mut rng);
+            let (view, picture) = (view_bits.exact(), family.picture());
+            let (library_view, lens) =
+                (view_bits.library().expect("a view"), family.library().expect("a lens"));
+            let [still, camera] =
+                [viewport, jittered].map(|viewport| Camera::new(&library_view, &lens, &viewport));
+            let mut compared = 0;
+            while compared < 500 {
+                let n = picture.front + (picture.back - picture.front) * rng.real(0.001, 0.999);
+                let at = picture.back_to([rng.real(-1.0, 1.0), rng.real(-1.0, 1.0)], n);
+                let Some(world) = bits(view.back(at)) else { continue };
+                let [from, to] =
+                    [still, camera].map(|camera| camera.project(point(world)).expect("in view").point);
+                assert_eq!([to.x() - from.x(), to.y() - from.y()], moved, "{family:?}");
+                compared += 1;
+            }
+        }
+    }
+}
+
+/// Objects at the borders, which a scene leaves out if they are out of view, show the pixels that they have without a scene. A jitter is
+/// less than half a pixel, so what lies beyond a border covers no pixel before it.
+#[test]
+fn a_jittered_scene_leaves_nothing_out() {
+    let mut rng = Rng::new(0x92);
+    let size = Size::new(24, 16);
+    let window = [-12 * ONE, 12 * ONE, -8 * ONE, 8 * ONE]; // a unit is a pixel
+    let lens = Family::Orthographic(window, ONE, 900 * ONE).library().expect("a lens");
+    let eye = Point3::from_ints(0, 0, 100);
+    let view =
+        ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0)).expect("a view");
+    const SQUARE: [[i16; 3]; 4] = [[-256, -256, 0], [256, -256, 0], [256, 256, 0], [-256, 256, 0]];
+    let mesh = Mesh::new(&SQUARE, -8, &[[0, 1, 2], [0, 2, 3]]).expect("a mesh"); // 2 pixels wide
+    let mut shown = 0;
+    for _ in 0..2000 {
+        let jitter = [0; 2].map(|_| rng.int(-127, 127) as i8);
+        let viewport = Viewport::new(Point::zero(), size).expect("a viewport").jittered(jitter);
+        let camera = Camera::new(&view, &lens, &viewport);
+        // Its centre lies within a pixel of where it goes out of the picture.
+        let [x, y] = [13, 9].map(|out| {
+            let at = out * 65_536 + rng.int(-65_536, 65_536) as i32;
+            if rng.below(2) == 0 {
+                at
+            } else {
+                -at
+            }
+        });
+        let [x, y] = if rng.below(2) == 0 { [x, 0] } else { [0, y] }.map(Scalar::from_bits);
+        let model = Affine::translation(Vector3::new(x, y, Scalar::ZERO));
+        let mut drawn = [[Gray8::BLACK; 24 * 16]; 2];
+        let [alone, of_scene] = &mut drawn;
+        let mut picture = Picture::new(alone, size).expect("a picture");
+        let Ok(_) = camera.place(&mesh, &model).faces(|_| Gray8::WHITE).draw(&mut picture.pixels());
+        let mut scene = Scene::<(), 1>::new();
+        scene.add(Object::new(&mesh, model, ())).expect("room");
+        let mut cache = [ScreenVertex::EMPTY; 4];
+        let mut picture = Picture::new(of_scene, size).expect("a picture");
+        let Ok(_) = scene
+            .place(&camera)
+            .faces(|_, _| |_| Gray8::WHITE)
+            .cached(&mut cache)
+            .draw(&mut picture.pixels());
+        assert!(drawn[0] == drawn[1], "{jitter:?} {x:?} {y:?}");
+        shown += usize::from(drawn[0].contains(&Gray8::WHITE));
+    }
+    assert!((500..1500).contains(&shown), "{shown}");
 }
 
 const PANEL: Size = Size::new(24, 16);

@@ -1,8 +1,8 @@
 // Tests the page in a headless Chromium, opened from disk: what a user does with mouse, keys, files and buttons.
 //
-//   node browser.mjs PAGE PLAYWRIGHT [FOLDER]
+//   node browser.mjs PAGE MODULES [FOLDER]
 //
-// PLAYWRIGHT is the folder of playwright-core; pictures of the page go into FOLDER.
+// MODULES is the folder with playwright-core and axe-core; pictures of the page go into FOLDER.
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { execFileSync } from 'node:child_process';
@@ -13,8 +13,8 @@ import { pathToFileURL } from 'node:url';
 import { controls } from './controls.mjs';
 import { mistakes } from './mistakes.mjs';
 
-const [page, playwright, folder] = process.argv.slice(2).map((path) => resolve(path));
-const { chromium } = createRequire(import.meta.url)(playwright);
+const [page, modules, folder] = process.argv.slice(2).map((path) => resolve(path));
+const { chromium } = createRequire(import.meta.url)(join(modules, 'playwright-core'));
 const flags = [
   '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
   '--disable-sync',
@@ -50,6 +50,20 @@ const tests = {
     const other = await open(link);
     assert.equal(await pixels(other), picture, 'the link shows another picture');
     await other.context().close();
+  },
+
+  async 'axe finds nothing, in three sizes and both colour schemes'(tab) {
+    await tab.evaluate(readFileSync(join(modules, 'axe-core/axe.min.js'), 'utf8'));
+    for (const width of [1440, 900, 390]) {
+      for (const colorScheme of ['light', 'dark']) {
+        await tab.setViewportSize({ width, height: 900 });
+        await tab.emulateMedia({ colorScheme });
+        const { violations, passes } = await tab.evaluate(() => axe.run(document, { preload: false }));
+        const found = violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' '))}`);
+        assert.deepEqual(found, [], `${width} px, ${colorScheme}`);
+        assert.ok(passes.length > 20, `only ${passes.length} rules apply`);
+      }
+    }
   },
 
   async 'every mesh, display and style draws'(tab) {

@@ -166,18 +166,27 @@ pub const PROJECT: &str = "PINHOLE_PROJECT";
 /// Runs this command line by `pinhole-preview`, which is this program with the code of a project. Fails if the project does not
 /// build.
 pub fn run_in(project: &Path) -> Result<ExitCode, String> {
-    let here = std::env::current_exe().map_err(|e| format!("this program does not find itself: {e}"))?;
-    let (folder, name) =
-        (here.parent().unwrap_or(Path::new("")), format!("pinhole-preview{}", std::env::consts::EXE_SUFFIX));
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+    if !root.join("apps/preview/Cargo.toml").is_file() {
+        return Err(format!(
+            "{}: its preview is built in pinhole's repository, which is no longer at {}: install this program again from where it lies",
+            project.display(),
+            root.display()
+        ));
+    }
+    let here = std::env::current_exe().map_err(|e| format!("this program does not find itself: {e}"))?;
+    let folder = here.parent().unwrap_or(Path::new(""));
+    // Beside this program where cargo built it, with what both use; for an installed program in the repository.
+    let (folder, profile) = match (folder.parent(), folder.file_name().and_then(OsStr::to_str)) {
+        (Some(target), Some(profile)) if target.join("CACHEDIR.TAG").is_file() => (folder.into(), profile),
+        _ => (root.join("target/release"), "release"),
+    };
+    let name = format!("pinhole-preview{}", std::env::consts::EXE_SUFFIX);
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
     cargo.args(["build", "--quiet", "--package", "pinhole-preview", "--profile"]);
-    cargo.arg(match folder.file_name().and_then(OsStr::to_str) {
-        Some("debug") | None => "dev",
-        Some(profile) => profile,
-    });
+    cargo.arg(if profile == "debug" { "dev" } else { profile });
     if let Some(target_dir) = folder.parent() {
-        cargo.arg("--target-dir").arg(target_dir); // what both programs use is built already
+        cargo.arg("--target-dir").arg(target_dir);
     }
     // Not in the folder of the firmware, whose configuration is for the microcontroller.
     cargo.current_dir(root).env(PROJECT, project);

@@ -35,7 +35,7 @@ pub struct Output {
 
 /// Runs the command. `code` draws the firmware's picture.
 pub fn run(code: &Code) -> ExitCode {
-    command::run(|| drawn(command::matches(arguments::command(&[]))?, code, &[]))
+    command::run(|| drawn(command::installed(arguments::command(&[]).name("pinhole-render"))?, code, &[]))
 }
 
 /// Runs a parsed command line with more outputs than pictures. The error is the message to print.

@@ -1,8 +1,10 @@
 //! Command lines: help, options that several programs take, and one form for every refusal.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{Arg, ArgMatches, Command};
+use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
+use clap_complete::Shell;
 use embedded_graphics::geometry::Size;
+use std::io::{self, Write};
 use std::ops::RangeInclusive;
 use std::path::Path;
 use std::process::ExitCode;
@@ -30,6 +32,35 @@ pub fn matches(command: Command) -> Result<ArgMatches, String> {
         let lines: Vec<_> = text.lines().take_while(|line| !line.is_empty()).map(str::trim).collect();
         lines.join(" ") + what_to_do(&error)
     })
+}
+
+/// Parses the command line of a program that users install: it has a version, and prints completions of its options for a shell, or its
+/// man page.
+pub fn installed(command: Command) -> Result<ArgMatches, String> {
+    let completions = Arg::new("completions").long("completions").value_name("SHELL");
+    let man = Arg::new("man").long("man").action(ArgAction::SetTrue).exclusive(true);
+    let mut command = command
+        .version(env!("CARGO_PKG_VERSION"))
+        .next_help_heading("To install")
+        .arg(
+            completions
+                .help("Print the completions of options for a shell")
+                .value_parser(value_parser!(Shell))
+                .exclusive(true),
+        )
+        .arg(man.help("Print the man page"));
+    let mut given = matches(command.clone())?;
+    let mut text = Vec::new();
+    if let Some(shell) = given.remove_one::<Shell>("completions") {
+        let name = command.get_name().to_string();
+        clap_complete::generate(shell, &mut command, name, &mut text);
+    } else if given.get_flag("man") {
+        clap_mangen::Man::new(command).render(&mut text).map_err(|e| e.to_string())?;
+    } else {
+        return Ok(given);
+    }
+    let _ = io::stdout().write_all(&text); // a reader such as `head` may have seen enough
+    std::process::exit(0)
 }
 
 /// The advice that ends the message about a refused argument, from its colon on.

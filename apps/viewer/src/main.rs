@@ -18,7 +18,7 @@ use std::time::Duration;
 
 fn main() -> ExitCode {
     command::run(|| -> Result<ExitCode, String> {
-        let mut given = command::matches(arguments())?;
+        let mut given = command::installed(arguments())?;
         let options = import::options(&given);
         let typed = import::typed(&given, &pinhole_import::arguments::NAMES);
         let source = match given.remove_one::<PathBuf>("FILE") {
@@ -82,7 +82,7 @@ fn tell(source: &Source) -> Result<(), String> {
 
 fn arguments() -> Command {
     let text = |name: &'static str, value, help| Arg::new(name).long(name).value_name(value).help(help);
-    Command::new("viewer")
+    Command::new("pinhole-viewer")
         .about("Shows a model in a window, as on the display of a microcontroller; press h for the keys. A file that is dropped on the \
              window is shown, and a file that changes is read again")
         .arg(

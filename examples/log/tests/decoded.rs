@@ -22,7 +22,7 @@ fn each_type_logs_its_value() {
 /// out.
 const TYPES: [&str; 24] = [
     "mesh of 4 vertices, 2 faces, 2 edges",
-    "128x64+8+0",
+    "128x64+8+0 Deg0",
     "mesh of 4 vertices, 2 faces, 2 edges in Size { width: 128, height: 64 } at Point { x: 0, y: 0 }, cull Back",
     "mesh of 4 vertices, 2 faces, 2 edges in Size { width: 128, height: 64 } at Point { x: 0, y: 0 }, cull Back, \
      3 vertices cached",

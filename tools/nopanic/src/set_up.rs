@@ -201,7 +201,9 @@ entries! {
     entry_viewport_parts(viewport: &Viewport) -> (Point, Size, Rectangle, Rotation) {
         (viewport.top_left(), viewport.size(), viewport.area(), viewport.rotation())
     }
-    entry_rotated_viewport() -> Result<Viewport, CameraError> { Ok(Viewport::new(pixel(), size())?.rotated(rotation())) }
+    entry_moved_viewport() -> Result<Viewport, CameraError> {
+        Ok(Viewport::new(pixel(), size())?.rotated(rotation()).jittered([any() as i8, any() as i8]))
+    }
     entry_coordinates(narrow: i16, wide: Scalar) -> (i32, i32) { (Coordinate::times(narrow, any()), Coordinate::times(wide, any())) }
 
     entry_nodes(local: Affine<Model, Model>) -> [Node; 2] { [Node::root(local), Node::child(any() as u16, local)] }

@@ -86,6 +86,24 @@ impl Picture {
     }
 }
 
+/// What an installation sets up names the program and all of its options.
+#[test]
+fn an_installation_has_completions_and_a_man_page() {
+    let folder = Folder::new("installation");
+    let (version, _) = folder.run("--version");
+    assert_eq!(version.trim(), format!("pinhole-render {}", env!("CARGO_PKG_VERSION")));
+    for (line, heading, option) in [
+        ("--completions bash", "complete -F _pinhole__render", "--smooth-faces"),
+        ("--completions zsh", "#compdef pinhole-render", "--smooth-faces["),
+        ("--man", ".TH pinhole-render 1", "smooth\\-faces"),
+    ] {
+        let (text, warnings) = folder.run(line);
+        assert!(text.contains(heading) && text.contains(option) && warnings.is_empty(), "{line}: {text}");
+    }
+    let beside = RENDER.run_in(&folder.0, &["--man", "model.stl"]);
+    assert_eq!(beside.status.code(), Some(2));
+}
+
 #[test]
 fn a_model_alone_becomes_a_picture_that_it_fills() {
     let to = Folder::new("alone");
