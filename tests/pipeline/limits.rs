@@ -23,7 +23,7 @@ fn each_message_names_the_fault_and_the_way_out() {
         MathError::OutOfRange => "range", "unit";
         MathError::ZeroLength => "axis", "length zero", "direction", "(1, 0, 0, 0)";
         MathError::NotAffine => "last row", "0 0 0 1";
-        MathError::Singular => "singular", "scale is zero";
+        MathError::Singular => "singular", "scale of zero";
         LightError::ZeroDirection => "direction", "light", "length zero", "give";
         LightError::NotRigid => "model transform", "stretches", "use Lambert";
         MeshError::TooManyVertices { vertices: 70_001 } => "70001", "65536", "split";
