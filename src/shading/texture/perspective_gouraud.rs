@@ -23,6 +23,9 @@ use crate::shading::{Bayer, CornerValues, Dithered, Gouraud, Nearest, Shader, Sp
 /// of two corners are interpolated as [`Texture`](crate::texture::Texture) interpolates texture coordinates: divided by 1/w at both
 /// ends of a run of pixels over which the colour departs from a line by at most ¼ level.
 ///
+/// A floor over a picture of 240 × 240 pixels takes 1.17 times the instructions of [`Gouraud`] on a Cortex-M3 (cells X2 `gouraud` and
+/// `perspective`), 13.5 a pixel.
+///
 /// **Clipped faces** have the colours of the whole face, rounded to 1/256 of a step of `Rgb888` at new corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
