@@ -5,7 +5,7 @@
 // ROM and IMAGE are ELF files. `modules` is the folder with node_modules, `wires` the pins of clock and data, `select` and
 // `command` those at the display's CS and D/C, `watch` pins whose changes are reported, separated by commas, and `log` the
 // address of the image's RTT control block. `inputs` are changes of pins from outside, `MILLISECONDS:PIN=LEVEL` in the order of
-// time, separated by commas; until its first one such a pin is high, as if pulled up. With byte N, `fail=N stalls=1` lets DMA wait
+// time, separated by commas; until its first one such a pin is high, as if pulled up. `tearing` is a pin at the display's TE. With byte N, `fail=N stalls=1` lets DMA wait
 // for ever, until it is aborted. rp2040js counts cycles as the Cortex-M0+ does; flash is as fast as RAM, because
 // misses of its cache are not modelled, nor is the second core.
 
@@ -104,6 +104,17 @@ function scheduleChange() {
 }
 scheduleChange();
 
+// TE, as src/watch.rs has it: high in the first lines of a refresh, if the display was told to drive it (TEON).
+const [LINE, LINES, PORCH, TEON] = [48449, 344, 24, 0x35];
+let drivesTe = false;
+const tearing = number('tearing'); // NaN: not connected
+const edge = clock.createAlarm(() => {
+  const line = Math.round(clock.nanos / LINE) % LINES;
+  mcu.gpio[tearing].setInputValue(drivesTe && line < PORCH);
+  edge.schedule((line < PORCH ? PORCH - line : LINES - line) * LINE);
+});
+if (!Number.isNaN(tearing)) edge.schedule(0);
+
 // The bus. A byte takes its bits' time; the display takes D/C at the last bit, and must be selected from the first one.
 const spi = mcu.spi[number('spi')];
 const FUNCTION_SPI = 1;
@@ -112,6 +123,7 @@ let [shifted, byteTime] = [0, 0];
 let untilFault = number('fail'); // NaN: none
 const arrived = clock.createAlarm(() => {
   if (untilFault-- === 0) stall();
+  drivesTe ||= !levels[command] && (shifted & 0xff) === TEON;
   const lines = (levels[command] ? 1 : 0) | (unselected ? 2 : 0);
   if (spi.dataBits === 16) report(BYTE | lines, shifted >> 8, clock.nanos - byteTime);
   report(BYTE | lines, shifted & 0xff, clock.nanos);

@@ -12,7 +12,8 @@ use crate::color::{Color, StoredPixel};
 use crate::math::hints::keep_rolled;
 use crate::math::Coordinate;
 use crate::raster::{CrossedEdge, CrossedPair, Scissor};
-use crate::surface::{BufferError, Pairs, Seen, SeenKind, SmoothPass};
+use crate::surface::{rectangle, BufferError, Pairs, Seen, SeenKind, SmoothPass};
+use embedded_graphics_core::primitives::Rectangle;
 
 /// The edges of a mesh that are smoothed in a picture, binned by their first rows: silhouettes, beyond which no face of the mesh follows, and
 /// creases, at which the surface turns. [`TransformedMesh::bin_smooth_edges`] makes it and has an example.
@@ -21,6 +22,8 @@ pub struct SmoothEdges<'a, V: Coordinate = i16> {
     transformed: TransformedMesh<'a, V, true>,
     lists: EdgeLists<'a>,
     kinds: Kinds<'a>,
+    /// The pixels that smoothing may change.
+    bounds: Scissor,
     /// Edges that are set up, each at its index modulo a power of two, which is larger by 1 than `mask`.
     list: &'a mut [SmoothEdge],
     mask: usize,
@@ -140,9 +143,11 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
                 fill.add(index, &bounds(&ends));
             }
         }
+        // A pixel that an edge crosses is mixed with its neighbour. Bounds without an edge remain empty.
+        let bounds = fill.bounds.grown(1).clipped_to(&viewport);
         let (first, next, rows) = fill.links();
         let (pairs, lists) = ([CrossedPair::EMPTY; 16], EdgeLists::new(first, next, rows));
-        Ok(SmoothEdges { transformed: *self, lists, kinds, list: &mut [], mask: 0, own, pairs })
+        Ok(SmoothEdges { transformed: *self, lists, kinds, bounds, list: &mut [], mask: 0, own, pairs })
     }
 
     /// Sets a bit for each face that is drawn, and returns `true`; or nothing, if the bits are too few, or no edge lists its faces.
@@ -234,13 +239,20 @@ impl<'a, V: Coordinate> SmoothEdges<'a, V> {
         self.list = list;
     }
 
+    /// A rectangle inside the viewport around the pixels that smoothing may change: they lie up to a pixel outside the faces. It is empty if no
+    /// edge is smoothed. [`DirtyRegions`](crate::bands::DirtyRegions) need what the faces draw, too:
+    /// `faces.bounds().envelope(&edges.bounds())`, with the [bounds of the faces](crate::draw::BinnedFaces::bounds).
+    pub fn bounds(&self) -> Rectangle {
+        rectangle(&self.bounds)
+    }
+
     /// Smooths the edges in a pass, which [`smooth`](crate::target::DepthTestedSurface::smooth) makes: pixels that an edge crosses, and that
     /// no face hides, are mixed with their neighbours beyond the edge, by the area of the pixel that lies there.
     ///
     /// The area is exact but for the rounding of corners to 1/256 px, of the slope to 2⁻²⁹, and of shares to 1/32 or 1/256.
     #[inline(never)] // its stack frame does not exist while faces are drawn
     pub fn draw<C: Color + StoredPixel<Cell>, Cell: Copy>(&mut self, pass: &mut SmoothPass<'_, C, Cell>) {
-        let Self { transformed, lists, kinds, list, mask, own, pairs } = self;
+        let Self { transformed, lists, kinds, list, mask, own, pairs, .. } = self;
         let viewport = pixels(transformed.instance.area());
         let (scissor, is_last) = (pass.pixels().clipped_to(&viewport), pass.is_last());
         if scissor.is_empty() {

@@ -5,13 +5,12 @@ use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_hal::spi::SpiDevice;
-use mipidsi::interface::{SpiError, SpiInterface};
+use mipidsi::interface::SpiError;
 use mipidsi::models::{ILI9341Rgb565, ILI9341Rgb666, ST7789};
-use mipidsi::options::{ColorOrder, Orientation, Rotation};
-use mipidsi::{Builder, Display, NoResetPin};
+use mipidsi::{Display, NoResetPin};
 use pinhole::prelude::*;
 use support::oracle::line;
-use support::panel::bus::{Failure, NoDelay, Panel};
+use support::panel::bus::Failure;
 use support::panel::films::{
     changes, dirty, film, in_bands, in_spans, line_traffic, lines, pixel_bytes, reference, strip, sum,
     Colour, Film, Way, BACKGROUND, FRAMES,
@@ -28,38 +27,6 @@ fn the_spinning_cube_is_scene_s2_of_the_benchmarks() {
     let picture = reference::<Rgb565>(&CUBE.frame(ST7789::SIZE, 0), ST7789::SIZE);
     let covered = picture.iter().filter(|colour| **colour != Rgb565::from(BACKGROUND)).count();
     assert_eq!(covered, 17964);
-}
-
-/// The driver as `boards/stm32f4-ili9341` sets it up, before the panel that it is for: BGR, with columns from right to left. In
-/// the tests below panels are RGB, and run from left to right.
-#[test]
-fn the_stm32_board_sets_its_panel_up_the_right_way_round() {
-    let board = include_str!("../../boards/stm32f4-ili9341/src/panel.rs");
-    for line in [
-        "const ORIENTATION: Orientation = Orientation::new().rotate(Rotation::Deg90).flip_vertical();",
-        "const COLOR_ORDER: ColorOrder = ColorOrder::Bgr;",
-    ] {
-        assert!(board.lines().any(|code| code.trim() == line), "not what the board says: {line}");
-    }
-    let panel = Panel::of(Controller::new().with_bgr());
-    let mut buffer = [0; 1024];
-    let bus = SpiInterface::new(panel.clone(), panel.data_or_command(), &mut buffer);
-    let Ok(mut display) = Builder::new(ILI9341Rgb565, bus)
-        .orientation(Orientation::new().rotate(Rotation::Deg90).flip_vertical())
-        .color_order(ColorOrder::Bgr)
-        .init(&mut NoDelay)
-    else {
-        panic!("it cannot be set up")
-    };
-    let (size, things) = (ILI9341Rgb565::SIZE, CUBE.frame(ILI9341Rgb565::SIZE, 3));
-    assert_eq!(display.bounding_box().size, size);
-    let mut strip = strip::<Rgb565>(size.width, 8);
-    let area = display.bounding_box();
-    in_bands(&things, area, &mut strip, &mut display).unwrap();
-    let controller = panel.controller();
-    assert!(controller.errors.is_empty(), "{:?}", controller.errors);
-    let wanted: Vec<u32> = reference::<Rgb565>(&things, size).iter().map(|colour| colour.stored()).collect();
-    assert!(controller.picture(Held::LandscapeMirrored, size.width as usize, size.height as usize) == wanted);
 }
 
 /// Runs a test for every panel.

@@ -60,7 +60,13 @@ macro_rules! draws_into_a_target {
             let $crate::firmware::Buffers { cache, bins, strip, depths } = &mut buffers;
             let mut memory = $picture::Memory::new(cache, bins, strip, depths);
             let camera = $picture::camera(&mesh, screen)?;
-            Ok($picture::draw(&mesh, color, &camera, turn, &mut memory, display)?.statistics)
+            let send = |area: &_, pixels: &[u8]| {
+                let pixels = pixels.as_chunks().0.iter().map(|&pixel| u16::from_be_bytes(pixel));
+                let colors =
+                    pixels.map(|pixel| embedded_graphics::pixelcolor::raw::RawU16::new(pixel).into());
+                display.fill_contiguous(area, colors).map_err(|_| "the display refused the pixels")
+            };
+            Ok($picture::draw(&mesh, color, &camera, turn, &mut memory, screen, send)?.statistics)
         });
     };
 }

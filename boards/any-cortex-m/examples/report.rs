@@ -13,7 +13,7 @@ use clock::Clock;
 #[cfg(target_arch = "arm")]
 use cortex_m::singleton;
 use defmt_rtt as _;
-use pinhole_bench::report::{self, Memory};
+use pinhole_bench::{log_report, report::Memory};
 #[cfg(target_arch = "riscv32")]
 use riscv::singleton;
 use stop::stop;
@@ -36,21 +36,10 @@ fn main() -> ! {
     #[cfg(target_arch = "riscv32")]
     let clock = Clock::start();
 
-    defmt::info!("report: chip {=str}, {=str}, {=u32} MHz, {=str}", CHIP, CORE, MEGAHERTZ, report::COMPILER);
-    let drawn = report::each(memory, u32::MAX, &mut || clock.cycles(), &mut |row| {
-        let (scene, variant) = (row.scene, row.variant);
-        defmt::info!(
-            "report: {=str} {=str} {=u32} cycles, crc {=u32:08x}",
-            scene,
-            variant,
-            row.cycles,
-            row.crc
-        );
-    });
+    let drawn = log_report!(CHIP, CORE, MEGAHERTZ, memory, u32::MAX, clock.cycles());
     if drawn.is_none() {
         stop("a scene has no camera or no light");
     }
-    defmt::info!("report: end");
     loop {
         core::hint::spin_loop();
     }

@@ -14,7 +14,7 @@ use clock::Clock;
 use cortex_m::singleton;
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
 use display::{Display, Peripherals, SIZE};
-use embedded_graphics_core::{geometry::Dimensions, pixelcolor::Rgb565};
+use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb565, primitives::Rectangle};
 use picture::{Drawn, Memory};
 use pinhole::{prelude::*, Angle};
 #[cfg(target_arch = "riscv32")]
@@ -29,6 +29,7 @@ const MEGAHERTZ: u32 = 16;
 const FRAMES: u32 = 120;
 /// Rows of a band: more are faster, and take more memory.
 const ROWS: u32 = 8;
+const SCREEN: Rectangle = Rectangle::new(Point::zero(), SIZE);
 
 #[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
 #[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
@@ -51,7 +52,7 @@ fn main() -> ! {
 
     let Some(peripherals) = Peripherals::take() else { stop("the chip's peripherals are in use") };
     let mut display = Display::new(peripherals).unwrap_or_else(|problem| stop(problem));
-    let camera = picture::camera(&MODEL, display.bounding_box()).unwrap_or_else(|problem| stop(problem));
+    let camera = picture::camera(&MODEL, SCREEN).unwrap_or_else(|problem| stop(problem));
     // A constant: what the model does not have is left out when this is compiled.
     let color = |face: usize, level: u16| match MODEL_COLORS {
         Some(colors) => colors.lit(face, level),
@@ -61,7 +62,9 @@ fn main() -> ! {
         for frame in 0..FRAMES {
             let start = clock.cycles();
             let turn = Angle::turns(frame as i32, FRAMES);
-            let drawn = picture::draw(&MODEL, color, &camera, turn, &mut memory, &mut display);
+            let drawn = picture::draw(&MODEL, color, &camera, turn, &mut memory, SCREEN, |area, pixels| {
+                display.send(area, pixels)
+            });
             let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
             match drawn {
                 Ok(Drawn { statistics, bytes }) => {

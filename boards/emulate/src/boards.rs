@@ -77,6 +77,8 @@ pub(crate) struct Display {
     pub(crate) inverted: bool,
     /// The shortest bit on the bus, in nanoseconds.
     pub(crate) bit: u64,
+    /// The pin that the panel's TE is connected with: then no refresh of the panel may show rows of two frames.
+    pub(crate) tearing: Option<u8>,
 }
 
 /// The pixels of a frame of the turn as the display's memory stores them, row by row.
@@ -104,7 +106,7 @@ pub(crate) const BOARDS: &[Board] = &[
     Board {
         name: "rp2040-embassy",
         chip: PICO,
-        display: ST7789,
+        display: Display { tearing: Some(13), ..ST7789 },
         frames: changes::STEPS as u32,
         sends: Sends::Changes,
         pictures: changes,
@@ -118,6 +120,7 @@ pub(crate) const BOARDS: &[Board] = &[
             held: Held::LandscapeMirrored,
             bgr: true,
             inverted: false,
+            tearing: None,
             bit: 40, // beyond the data sheet, as the board's README says
         },
         frames: 48,
@@ -134,6 +137,7 @@ const ST7789: Display = Display {
     bgr: false,
     inverted: true,
     bit: 16, // the data sheet's limit
+    tearing: None,
 };
 
 /// Imports a board's model as its build script does, which is that of all these templates (`boards/share`).

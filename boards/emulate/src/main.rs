@@ -120,6 +120,9 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
     let mut log = tables.decoder();
 
     let mut emulator = emulator(&board.chip, image, tools, tables.address);
+    if let Some(pin) = board.display.tearing {
+        emulator.arg(format!("tearing={pin}"));
+    }
     if let Some(inputs) = inputs {
         if board.sends == Sends::All || !matches!(board.chip, Chip::Rp2040 { .. }) {
             return Err("nothing is connected to its inputs".into());
@@ -176,6 +179,15 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
     }
     if break_at.is_some() && break_by != "reset" && problems == 0 {
         return Err("the bus has broken, and the firmware has not logged it".into());
+    }
+    let (refreshes, torn) = watch.refreshes();
+    if torn > 0 && break_at.is_none() {
+        return Err(format!(
+            "{torn} of the panel's {refreshes} refreshes are torn: they show rows of two frames"
+        ));
+    }
+    if refreshes > 0 {
+        say(format_args!("{}: no tear in the panel's {refreshes} refreshes", board.name))?;
     }
     Ok(watch.frames().to_vec())
 }

@@ -1,8 +1,9 @@
 //! Follows the events of a board: what its display shows, whether the controller would take it, and the time of each frame.
 
-use crate::boards::{Board, Pictures, Sends};
+use crate::boards::{Board, Display, Pictures, Sends};
 use crate::events::{Event, What};
 use crate::timing::Timing;
+use std::collections::VecDeque;
 use support::panel::Controller;
 
 /// A board from power on to its last frame.
@@ -28,9 +29,31 @@ pub(crate) struct Watch<'a> {
     /// The last picture that was shown, and the pictures that may be next, with their steps of the turn: see [`Sends::Changes`].
     last: Vec<u32>,
     next: Vec<(u32, Vec<u32>)>,
+    /// All pictures, of which any may be next after the bus has broken.
+    turn: Vec<Vec<u32>>,
     /// Whether the step before the last one may be next, too: an encoder turns the model.
     steps_back: bool,
+    scan: Scan,
 }
+
+/// How a panel reads its memory: row by row, and in some lines, while TE is high, nothing. As an ST7789 is set at first.
+#[derive(Default)]
+struct Scan {
+    /// Lines since power on.
+    line: u64,
+    /// The rows that were read last.
+    picture: Vec<u32>,
+    /// The pictures that were shown last.
+    whole: VecDeque<Vec<u32>>,
+    refreshes: u32,
+    torn: u32,
+}
+
+/// Nanoseconds of a line; 60 refreshes take a second.
+const LINE: u64 = 48_449;
+const LINES: u64 = 344;
+/// Lines in which TE is high.
+const PORCH: u64 = 24;
 
 /// A frame that has arrived at the display completely.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,12 +70,10 @@ pub(crate) struct Frame {
 
 impl<'a> Watch<'a> {
     pub(crate) fn new(board: &'a Board, pictures: Pictures) -> Self {
-        let controller = Controller::new();
-        let controller = if board.display.bgr { controller.with_bgr() } else { controller };
         Self {
             board,
             pictures,
-            controller,
+            controller: powered_on(board),
             timing: Timing::new(),
             waited: 0,
             frames: Vec::new(),
@@ -64,7 +85,9 @@ impl<'a> Watch<'a> {
             received: 0,
             last: Vec::new(),
             next: Vec::new(),
+            turn: Vec::new(),
             steps_back: false,
+            scan: Scan::default(),
         }
     }
 
@@ -90,6 +113,32 @@ impl<'a> Watch<'a> {
     /// The firmware logs that it has given up a frame.
     pub(crate) fn lose_frame(&mut self) {
         self.lost += 1;
+    }
+
+    /// How many refreshes the panel has had since the first frame, and how many of them showed rows of two frames.
+    pub(crate) fn refreshes(&self) -> (u32, u32) {
+        (self.scan.refreshes, self.scan.torn)
+    }
+
+    /// Lets the panel read its memory up to a time, before which nothing has changed since the last call.
+    fn scan(&mut self, time: u64) {
+        let Display { width, height, held, .. } = self.board.display;
+        let (scan, width) = (&mut self.scan, usize::from(width));
+        for line in std::mem::replace(&mut scan.line, time / LINE)..time / LINE {
+            let row = (line % LINES).checked_sub(PORCH).filter(|row| *row < height.into());
+            scan.picture
+                .extend(row.into_iter().flat_map(|row| self.controller.row(held, width, row as usize)));
+            if line % LINES < LINES - 1 {
+                continue;
+            }
+            let shown = std::mem::take(&mut scan.picture);
+            if scan.whole.is_empty() || self.broken.is_some() {
+                continue;
+            }
+            scan.refreshes += 1;
+            let mut whole = scan.whole.iter().chain(self.next.iter().map(|(_, next)| next));
+            scan.torn += u32::from(whole.all(|picture| *picture != shown));
+        }
     }
 
     /// Takes an event that is not one of the log. An error says what a real display would not have shown, or which pixels differ.
@@ -133,9 +182,12 @@ impl<'a> Watch<'a> {
         if !selected {
             return Err(format!("byte {byte:#04x} while CS is high"));
         }
+        if self.board.display.tearing.is_some() {
+            self.scan(time);
+        }
         self.received += 1;
         if self.forgets_at == Some(self.received) {
-            self.controller.reset();
+            self.controller = powered_on(self.board);
             self.broken = Some(time);
         }
         if !data {
@@ -224,6 +276,17 @@ impl<'a> Watch<'a> {
         let display = &self.board.display;
         let width = usize::from(display.width);
         let shown = self.controller.picture(display.held, width, display.height.into());
+        if self.broken.is_some() {
+            if self.turn.is_empty() {
+                self.turn = (0..self.board.frames).map(&mut self.pictures).collect::<Result<_, _>>()?;
+            }
+            let is_ready =
+                !std::mem::take(&mut self.spoilt) && self.controller.inverted() == display.inverted;
+            return match self.turn.iter().position(|picture| is_ready && *picture == shown) {
+                Some(step) => self.shown(time, step as u32, shown),
+                None => Ok(()),
+            };
+        }
         // The first pixel that is neither as before nor as in a picture that may be next.
         let other = |next: &[u32]| {
             let mut pixels = shown.iter().zip(self.last.iter().zip(next));
@@ -254,6 +317,8 @@ impl<'a> Watch<'a> {
         self.broken = None;
         self.frames.push(Frame { time, waited: self.waited, bytes, step });
         if self.board.sends == Sends::Changes {
+            self.scan.whole.push_back(picture.clone());
+            self.scan.whole.drain(..self.scan.whole.len().saturating_sub(3));
             self.last = picture;
             self.next.clear();
             let turn = self.board.frames;
@@ -266,10 +331,19 @@ impl<'a> Watch<'a> {
     }
 }
 
+fn powered_on(board: &Board) -> Controller {
+    let controller = Controller::new();
+    if board.display.bgr {
+        controller.with_bgr()
+    } else {
+        controller
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::boards::{Chip, Display};
+    use crate::boards::Chip;
     use support::panel::Held;
     use Step::{Clock, Reset, Send, Unselected, Waited};
 
@@ -277,7 +351,15 @@ mod tests {
     const BOARD: Board = Board {
         name: "test",
         chip: Chip::Rp2040 { spi: 0, clock: 0, data: 1, select: 2, command: 3, reset: 4 },
-        display: Display { width: 2, height: 2, held: Held::Upright, bgr: false, inverted: true, bit: 16 },
+        display: Display {
+            width: 2,
+            height: 2,
+            held: Held::Upright,
+            bgr: false,
+            inverted: true,
+            bit: 16,
+            tearing: None,
+        },
         frames: 1,
         sends: Sends::All,
         pictures: |_| Err("no model".into()),

@@ -3,21 +3,22 @@
 #![no_std]
 #![no_main]
 
+mod panel;
 mod picture;
 mod stop;
 
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
-use embedded_graphics_core::geometry::Dimensions;
-use embedded_graphics_core::pixelcolor::Rgb565;
-use embedded_hal_bus::spi::ExclusiveDevice;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::{pixelcolor::Rgb565, primitives::Rectangle};
 use esp_hal::clock::CpuClock;
 use esp_hal::delay::Delay;
 use esp_hal::gpio::{Level, Output, OutputConfig};
+use esp_hal::rtc_cntl::{Rtc, RwdtStage};
 use esp_hal::spi::master::{Config, Spi};
 use esp_hal::spi::Mode;
-use esp_hal::time::{Instant, Rate};
-use mipidsi::interface::SpiInterface;
-use mipidsi::{models::ST7789, options::ColorInversion, Builder};
+use esp_hal::time::{Duration, Instant, Rate};
+use esp_hal::Blocking;
+use panel::{Bus as _, Panel, Problem, WAKING};
 use picture::{Drawn, Memory};
 use pinhole::{prelude::*, Angle};
 use static_cell::ConstStaticCell;
@@ -33,14 +34,18 @@ mod description {
 
 /// Frames of a turn.
 const FRAMES: u32 = 120;
-const WIDTH: u32 = 240;
+/// The chip is reset when a frame takes longer; zero: no watchdog.
+const WATCHDOG: Duration = Duration::from_secs(1);
+/// Frames from one writing of the panel's registers to the next, less than a second.
+const REFRESH: u32 = 16;
+const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
 /// Rows of a band: more are faster, and take more memory.
 const ROWS: u32 = 24;
 
 // In statics, so that the linker says if they do not fit. The rest of RAM is the stack.
 static MESH: ConstStaticCell<MeshBuffers!(MODEL)> = ConstStaticCell::new(mesh_buffers!(MODEL));
-static STRIP: ConstStaticCell<StripBuffers!(Rgb565, WIDTH, ROWS)> =
-    ConstStaticCell::new(strip_buffers!(Rgb565, WIDTH, ROWS));
+static STRIP: ConstStaticCell<StripBuffers!(Rgb565, SCREEN.size.width, ROWS)> =
+    ConstStaticCell::new(strip_buffers!(Rgb565, SCREEN.size.width, ROWS));
 
 #[esp_hal::main]
 fn main() -> ! {
@@ -50,23 +55,23 @@ fn main() -> ! {
     let mut memory = Memory::new(&mut mesh.cache, &mut mesh.bins, &mut strip.colors, &mut strip.depths);
 
     let p = esp_hal::init(esp_hal::Config::default().with_cpu_clock(CpuClock::max())); // 160 MHz
+    let mut watchdog = Rtc::new(p.RTC_TIMER).rwdt;
+    if WATCHDOG > Duration::ZERO {
+        watchdog.set_timeout(RwdtStage::Stage0, WATCHDOG);
+        watchdog.enable();
+    }
     let config = Config::default().with_frequency(Rate::from_mhz(40)).with_mode(Mode::_3);
-    let Ok(bus) = Spi::new(p.SPI2, config) else { stop("no such clock of the bus") };
-    let bus = bus.with_sck(p.GPIO6).with_mosi(p.GPIO7);
-    let select = Output::new(p.GPIO10, Level::High, OutputConfig::default());
-    let command = Output::new(p.GPIO4, Level::High, OutputConfig::default());
-    let reset = Output::new(p.GPIO5, Level::High, OutputConfig::default());
+    let Ok(spi) = Spi::new(p.SPI2, config) else { stop("no such clock of the bus") };
+    let mut panel = Panel {
+        bus: Bus(spi.with_sck(p.GPIO6).with_mosi(p.GPIO7)),
+        select: Output::new(p.GPIO10, Level::High, OutputConfig::default()),
+        command: Output::new(p.GPIO4, Level::High, OutputConfig::default()),
+        reset: Output::new(p.GPIO5, Level::High, OutputConfig::default()),
+    };
+    let mut delay = Delay::new();
+    panel.start(&mut delay).unwrap_or_else(|problem| stop(problem));
 
-    let mut buffer = [0; 1024];
-    let Ok(device) = ExclusiveDevice::new_no_delay(bus, select); // a pin of this chip cannot fail
-    let display = Builder::new(ST7789, SpiInterface::new(device, command, &mut buffer))
-        .display_size(240, 240)
-        .invert_colors(ColorInversion::Inverted)
-        .reset_pin(reset)
-        .init(&mut Delay::new());
-    let Ok(mut display) = display else { stop("the display does not start") };
-
-    let camera = picture::camera(&MODEL, display.bounding_box()).unwrap_or_else(|problem| stop(problem));
+    let camera = picture::camera(&MODEL, SCREEN).unwrap_or_else(|problem| stop(problem));
     // A constant: what the model does not have is left out when this is compiled.
     let color = |face: usize, level: u16| match MODEL_COLORS {
         Some(colors) => colors.lit(face, level),
@@ -74,16 +79,43 @@ fn main() -> ! {
     };
     loop {
         for frame in 0..FRAMES {
+            watchdog.feed();
             let start = Instant::now();
             let turn = Angle::turns(frame as i32, FRAMES);
-            match picture::draw(&MODEL, color, &camera, turn, &mut memory, &mut display) {
+            let drawn = picture::draw(&MODEL, color, &camera, turn, &mut memory, SCREEN, |area, pixels| {
+                panel.window(area)?.write(pixels)
+            });
+            let time = start.elapsed().as_micros();
+            let is_due = frame % REFRESH == 0;
+            let shown =
+                drawn.and_then(|drawn| if is_due { panel.refresh().map(|()| drawn) } else { Ok(drawn) });
+            match shown {
                 Ok(Drawn { statistics, bytes }) => {
-                    let time = start.elapsed().as_micros();
                     defmt::info!("frame {=u32}: {=u64} us, {=u32} bytes, {}", frame, time, bytes, statistics);
                 }
-                // The next frame is sent as a whole.
-                Err(problem) => defmt::error!("{=str}", problem),
+                // The next frame is sent whole.
+                Err(problem) => {
+                    defmt::error!("frame {=u32}: {=str}", frame, problem);
+                    panel.start(&mut delay).unwrap_or_else(|problem| stop(problem));
+                }
+            }
+            if is_due {
+                delay.delay_millis(WAKING);
             }
         }
+    }
+}
+
+/// Blocks while it sends.
+struct Bus(Spi<'static, Blocking>);
+
+impl panel::Bus for Bus {
+    /// Also for pixels, in wire order.
+    fn write(&mut self, bytes: &[u8]) -> Result<(), Problem> {
+        self.0.write(bytes).map_err(|_| "the bus has an error")
+    }
+
+    fn finish(&mut self) -> Result<(), Problem> {
+        Ok(())
     }
 }

@@ -2,7 +2,7 @@
 //! pixels, as `pinhole-render MODEL --firmware` does.
 
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
-use embedded_graphics_core::{draw_target::DrawTarget, primitives::Rectangle};
+use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{prelude::*, Angle};
 
 const BACKGROUND: Rgb565 = Rgb565::BLACK;
@@ -47,14 +47,16 @@ pub struct Drawn {
     pub bytes: u32,
 }
 
-/// Draws the mesh, turned about the y axis, and sends it to the display band by band. `color` gives the colour of each face at a level of light.
-pub fn draw<D: DrawTarget<Color = Rgb565>>(
+/// Draws the mesh, turned about the y axis, band by band. `color` gives the colour of each face at a level of light. `send` gets the
+/// rectangle of each band, and its pixels in wire order: row by row, the high byte of each first.
+pub fn draw(
     mesh: &Mesh<'_>,
     color: impl Fn(usize, u16) -> Rgb565,
     camera: &Camera,
     turn: Angle,
     memory: &mut Memory<'_>,
-    display: &mut D,
+    screen: Rectangle,
+    mut send: impl FnMut(&Rectangle, &[u8]) -> Result<(), &'static str>,
 ) -> Result<Drawn, &'static str> {
     let model = Affine::rotation_y(turn);
     let light = Lambert::new(&model, Vector3::from_ints(2, 3, 4), AMBIENT).map_err(|_| "no light")?;
@@ -66,14 +68,14 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(
     let mut faces = faces.map_err(|_| {
         "no room for all faces: the bins are of another mesh, or it has more than 65535 faces"
     })?;
-    let mut frame = Frame::new(display.bounding_box(), BACKGROUND);
+    let mut frame = Frame::new(screen, BACKGROUND);
     let mut bytes = 0;
     while let Some(mut band) = frame.next_band(memory.strip).map_err(|_| "the strip is shorter than a row")? {
         let depth = DepthBuffer::new(band.area(), memory.depths);
         let mut depth = depth.map_err(|_| "fewer depths than pixels in the strip")?;
         let Ok(()) = faces.draw(|face| color(face, level(face)), &mut band.pixels().depth_tested(&mut depth));
         // Text and icons of embedded-graphics go on top here: a band is a DrawTarget.
-        band.send(display).map_err(|_| "the display refused the pixels")?;
+        send(&band.area(), band.bytes())?;
         bytes += band.bytes().len() as u32; // of any display, less than 2³²
     }
     Ok(Drawn { statistics: faces.statistics(), bytes })

@@ -11,7 +11,7 @@ mod picture;
 mod stop;
 mod tasks;
 
-use chip::{Board, Bus, Input, Output};
+use chip::{Board, Input, Output, Watchdog};
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
 use embassy_executor::Executor;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
@@ -22,7 +22,7 @@ use picture::{Picture, PIXELS};
 use pinhole::prelude::*;
 use static_cell::{ConstStaticCell, StaticCell};
 use stop::stop;
-use tasks::{Strip, Strips};
+use tasks::{Bus, Strip, Strips};
 
 include!(concat!(env!("OUT_DIR"), "/model.rs"));
 
@@ -37,13 +37,16 @@ static EXECUTOR: StaticCell<Executor> = StaticCell::new();
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    let Board { bus, select, command, reset, contacts, button } = chip::start();
-    let panel = Panel::new(bus, select, command, reset, &mut Delay).unwrap_or_else(|problem| stop(problem));
+    let Board { spi, select, command, reset, contacts, button, tearing, watchdog } = chip::start();
+    let mut panel = Panel { bus: Bus(spi), select, command, reset };
+    panel.start(&mut Delay).unwrap_or_else(|problem| stop(problem));
 
     let Some(bands) = BANDS.try_take() else { stop("the strips are in use") };
     let Some(strips) = STRIPS.try_init_with(|| Strips::new(bands)) else { stop("the strips are in use") };
     let (empty, drawn) = strips.split();
-    let (Ok(read), Ok(send), Ok(draw)) = (read(contacts, button), send(panel, drawn), draw(empty)) else {
+    let (Ok(read), Ok(send), Ok(draw)) =
+        (read(contacts, button), send(panel, drawn, tearing), draw(empty, watchdog))
+    else {
         stop("a task runs already")
     };
     let urgent = chip::urgent();
@@ -64,12 +67,13 @@ async fn read(contacts: [Input<'static>; 2], button: Input<'static>) {
 async fn send(
     mut panel: Panel<Bus, Output<'static>>,
     drawn: Receiver<'static, CriticalSectionRawMutex, Strip>,
+    mut tearing: Input<'static>,
 ) {
-    match tasks::send(&mut panel, drawn).await {}
+    match tasks::send(&mut panel, drawn, &mut tearing).await {}
 }
 
 #[embassy_executor::task]
-async fn draw(empty: Sender<'static, CriticalSectionRawMutex, Strip>) {
+async fn draw(empty: Sender<'static, CriticalSectionRawMutex, Strip>, mut watchdog: Watchdog) {
     let (Some(mesh), Some(depths)) = (MESH.try_take(), DEPTHS.try_take()) else {
         stop("the buffers are in use")
     };
@@ -80,6 +84,6 @@ async fn draw(empty: Sender<'static, CriticalSectionRawMutex, Strip>) {
         Some(colors) => colors.lit(face, level),
         None => picture::COLOR.dim(level),
     };
-    let Err(problem) = tasks::draw(&mut picture, color, empty).await;
+    let Err(problem) = tasks::draw(&mut picture, color, empty, || watchdog.feed()).await;
     stop(problem)
 }

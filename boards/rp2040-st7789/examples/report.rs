@@ -9,7 +9,7 @@ mod stop;
 use cortex_m::peripheral::{syst::SystClkSource, SYST};
 use cortex_m::singleton;
 use defmt_rtt as _;
-use pinhole_bench::report::{self, Memory};
+use pinhole_bench::{log_report, report::Memory};
 use rp2040_hal as hal;
 use rp2040_hal::{pac, Watchdog};
 use stop::stop;
@@ -51,21 +51,10 @@ fn main() -> ! {
     timer.clear_current();
     timer.enable_counter();
 
-    defmt::info!("report: chip RP2040, code in flash, M0+, 125 MHz, {=str}", report::COMPILER);
-    let drawn = report::each(memory, LAST, &mut || LAST - SYST::get_current(), &mut |row| {
-        let (scene, variant) = (row.scene, row.variant);
-        defmt::info!(
-            "report: {=str} {=str} {=u32} cycles, crc {=u32:08x}",
-            scene,
-            variant,
-            row.cycles,
-            row.crc
-        );
-    });
+    let drawn = log_report!("RP2040, code in flash", "M0+", 125, memory, LAST, LAST - SYST::get_current());
     if drawn.is_none() {
         stop("a scene has no camera or no light");
     }
-    defmt::info!("report: end");
     loop {
         core::hint::spin_loop();
     }

@@ -3,17 +3,19 @@
 #![no_std]
 #![no_main]
 
+mod bus;
 mod panel;
 mod picture;
 mod stop;
 
+use bus::Bus;
 use core::ops::ControlFlow::{Break, Continue};
 use cortex_m::singleton;
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::{pixelcolor::Rgb565, primitives::Rectangle};
-use embedded_hal::spi::MODE_3;
-use panel::Panel;
+use embedded_hal::{delay::DelayNs, spi::MODE_3};
+use panel::{Panel, WAKING};
 use picture::Picture;
 use pinhole::{prelude::*, Angle};
 use rp2040_hal as hal;
@@ -67,16 +69,17 @@ fn main() -> ! {
     let timer = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
 
     let pins = Pins::new(p.IO_BANK0, p.PADS_BANK0, Sio::new(p.SIO).gpio_bank0, &mut p.RESETS);
-    let bus = Spi::<_, _, _, 8>::new(p.SPI0, (pins.gpio19.into_function(), pins.gpio18.into_function()))
+    let spi = Spi::<_, _, _, 8>::new(p.SPI0, (pins.gpio19.into_function(), pins.gpio18.into_function()))
         .init(&mut p.RESETS, clocks.peripheral_clock.freq(), 62_500_000.Hz(), MODE_3);
-    let pins = panel::Pins {
+    let channel = p.DMA.split(&mut p.RESETS).ch0;
+    let mut panel = Panel {
+        bus: Bus::new(spi, channel, timer, &mut other.colors),
         select: pins.gpio17.into_push_pull_output().into_dyn_pin(),
         command: pins.gpio20.into_push_pull_output().into_dyn_pin(),
         reset: pins.gpio21.into_push_pull_output().into_dyn_pin(),
     };
-    let channel = p.DMA.split(&mut p.RESETS).ch0;
-    let mut panel = Panel::new(bus, channel, pins, timer, &mut other.colors);
-    panel.start().unwrap_or_else(|problem| stop(problem));
+    let mut delay = timer;
+    panel.start(&mut delay).unwrap_or_else(|problem| stop(problem));
 
     let picture = Picture::new(&MODEL, SCREEN, &mut mesh.cache, &mut mesh.bins, &mut strip.depths);
     let mut picture = picture.unwrap_or_else(|problem| stop(problem));
@@ -99,11 +102,11 @@ fn main() -> ! {
                     Continue(band) => {
                         let area = band.area();
                         bytes += band.bytes().len() as u32; // of all bands, 115 200
-                        match panel.send(&area, band.into_bytes()) {
-                            Ok(sent) => free = sent,
-                            Err((strip, problem)) => {
+                        match panel.window(&area) {
+                            Ok(bus) => free = bus.send(band.into_bytes()),
+                            Err(problem) => {
                                 shown = Err(problem);
-                                break strip;
+                                break band.into_bytes();
                             }
                         }
                     }
@@ -112,6 +115,7 @@ fn main() -> ! {
             let time = timer.get_counter_low().wrapping_sub(start);
             if shown.is_ok() && frame % REFRESH == 0 {
                 shown = panel.refresh();
+                delay.delay_ms(WAKING);
             }
             match shown {
                 Ok(()) => {
@@ -121,7 +125,7 @@ fn main() -> ! {
                 // The next frame is sent whole.
                 Err(problem) => {
                     defmt::error!("frame {=u32}: {=str}", frame, problem);
-                    panel.start().unwrap_or_else(|problem| stop(problem));
+                    panel.start(&mut delay).unwrap_or_else(|problem| stop(problem));
                 }
             }
         }

@@ -4,16 +4,18 @@
 #![no_main]
 
 mod both_cores;
+mod bus;
 mod panel;
 mod picture;
 mod stop;
 
 use both_cores::{serve, OtherCore};
+use bus::Bus;
 use cortex_m::singleton;
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
 use embedded_graphics_core::pixelcolor::Rgb565;
-use embedded_hal::spi::MODE_3;
-use panel::Panel;
+use embedded_hal::{delay::DelayNs, spi::MODE_3};
+use panel::{Panel, WAKING};
 use picture::{area, Memory, Picture, ROWS, SCREEN};
 use pinhole::{prelude::*, Angle};
 use rp2040_hal as hal;
@@ -78,16 +80,17 @@ fn main() -> ! {
     let Ok(mut other_core) = other_core else { stop("the second core does not start") };
 
     let pins = Pins::new(p.IO_BANK0, p.PADS_BANK0, sio.gpio_bank0, &mut p.RESETS);
-    let bus = Spi::<_, _, _, 8>::new(p.SPI0, (pins.gpio19.into_function(), pins.gpio18.into_function()))
+    let spi = Spi::<_, _, _, 8>::new(p.SPI0, (pins.gpio19.into_function(), pins.gpio18.into_function()))
         .init(&mut p.RESETS, clocks.peripheral_clock.freq(), 62_500_000.Hz(), MODE_3);
-    let pins = panel::Pins {
+    let channel = p.DMA.split(&mut p.RESETS).ch0;
+    let mut panel = Panel {
+        bus: Bus::new(spi, channel, timer, &mut other.colors),
         select: pins.gpio17.into_push_pull_output().into_dyn_pin(),
         command: pins.gpio20.into_push_pull_output().into_dyn_pin(),
         reset: pins.gpio21.into_push_pull_output().into_dyn_pin(),
     };
-    let channel = p.DMA.split(&mut p.RESETS).ch0;
-    let mut panel = Panel::new(bus, channel, pins, timer, &mut other.colors);
-    panel.start().unwrap_or_else(|problem| stop(problem));
+    let mut delay = timer;
+    panel.start(&mut delay).unwrap_or_else(|problem| stop(problem));
 
     let half = strip.depths.len() / 2;
     let (depths, other_depths) = strip.depths.split_at_mut(half);
@@ -110,23 +113,27 @@ fn main() -> ! {
                 if shown.is_err() {
                     return pixels; // the rest of a frame that is given up
                 }
-                panel.send(&area(strip), pixels).unwrap_or_else(|(strip, problem)| {
-                    shown = Err(problem);
-                    strip
-                })
+                match panel.window(&area(strip)) {
+                    Ok(bus) => bus.send(pixels),
+                    Err(problem) => {
+                        shown = Err(problem);
+                        pixels
+                    }
+                }
             });
             let (statistics, strip) = drawn.unwrap_or_else(|problem| stop(problem));
             free = strip;
             let time = timer.get_counter_low().wrapping_sub(start);
             if shown.is_ok() && frame % REFRESH == 0 {
                 shown = panel.refresh();
+                delay.delay_ms(WAKING);
             }
             match shown {
                 Ok(()) => defmt::info!("frame {=u32}: {=u32} us, {}", frame, time, statistics),
                 // The next frame is sent whole.
                 Err(problem) => {
                     defmt::error!("frame {=u32}: {=str}", frame, problem);
-                    panel.start().unwrap_or_else(|problem| stop(problem));
+                    panel.start(&mut delay).unwrap_or_else(|problem| stop(problem));
                 }
             }
         }

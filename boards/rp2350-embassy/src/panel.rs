@@ -1,83 +1,100 @@
-//! The ST7789 at the end of its bus: mipidsi sets it up and opens windows, and pixels are sent by a transfer that is awaited.
+//! A panel whose controller has the commands of MIPI DCS, as most have, at the end of a bus that can fail.
 
-use embedded_graphics::geometry::Point;
-use embedded_graphics::primitives::Rectangle;
+use core::convert::Infallible;
+use embedded_graphics_core::{geometry::Point, primitives::Rectangle};
 use embedded_hal::{delay::DelayNs, digital::OutputPin};
-use embedded_hal_bus::spi::{ExclusiveDevice, NoDelay};
-use mipidsi::dcs::{InterfaceExt, SetColumnAddress, SetPageAddress, WriteMemoryStart};
-use mipidsi::{interface::SpiInterface, models::ST7789, options::ColorInversion, Builder};
 
-/// Where the glass's first pixel lies in the controller's memory, which is 240 × 320: (0, 80) on modules that show the
-/// lower part of it. mipidsi's own offset is for windows that it opens itself.
-const OFFSET: Point = Point::new(0, 0);
-/// Commands and their arguments before the pixels of a window, in bytes.
-pub const WINDOW_BYTES: u16 = pinhole::bands::TransferCost::MIPI_DCS;
+/// Where the glass's first pixel lies in the ST7789's memory, which is 240 × 320: (0, 80) on modules that show the lower part of it.
+const OFFSET: Point = Point::zero();
+/// Commands with their parameters, of which a panel remembers the effect. Other controllers need more: their data sheets, and the
+/// models of the crate mipidsi, have them.
+const REGISTERS: [(u8, &[u8]); 6] = [
+    (0x36, &[0x00]), // MADCTL: columns from left to right, rows from top to bottom, red before blue
+    (0x21, &[]),     // INVON, for a glass whose colours are inverted; 0x20, INVOFF, for another
+    (0x3a, &[0x55]), // COLMOD: 16 bits a pixel
+    (0x13, &[]),     // NORON
+    (0x35, &[0x00]), // TEON: the pin TE is high while the panel reads no row
+    (0x29, &[]),     // DISPON
+];
 
-/// The display's bus, which is blocking for a few bytes of commands and awaited for pixels, and its pins: `select` is low while
-/// it is addressed, `command` is low while commands are sent, `reset` stays high.
-pub struct Panel<Bus, Pin> {
-    bus: Bus,
-    select: Pin,
-    command: Pin,
-    reset: Pin,
+// The rest is right for any such panel.
+
+const SLEEP_OUT: u8 = 0x11;
+const COLUMNS: u8 = 0x2a;
+const ROWS: u8 = 0x2b;
+const WRITE_MEMORY: u8 = 0x2c;
+/// From a reset, or from [`Panel::refresh`], to the next refresh at the earliest, in ms: the data sheets ask for 120.
+const SLEEP: u32 = 121;
+/// How long nothing may be sent after a refresh, in ms: the data sheets ask for 5.
+pub const WAKING: u32 = 6;
+
+/// Why something has not reached the panel.
+pub type Problem = &'static str;
+
+/// What the panel is connected by. It does not wait for ever: it gives up.
+pub trait Bus {
+    /// Sends the bytes of a command, and returns when the last bit is sent.
+    fn write(&mut self, bytes: &[u8]) -> Result<(), Problem>;
+    /// Waits for the pixels that DMA sends, if it does.
+    fn finish(&mut self) -> Result<(), Problem>;
 }
 
-impl<Bus, Pin> Panel<Bus, Pin>
-where
-    Bus: embedded_hal::spi::SpiBus + embedded_hal_async::spi::SpiBus,
-    Pin: OutputPin,
-{
-    /// Sets the controller up, which takes 0.3 s. All pins are high.
-    pub fn new(
-        bus: Bus,
-        select: Pin,
-        command: Pin,
-        reset: Pin,
-        delay: &mut impl DelayNs,
-    ) -> Result<Self, &'static str> {
-        let mut panel = Self { bus, select, command, reset };
-        let interface = interface(&mut panel.bus, &mut panel.select, &mut panel.command)?;
-        let builder = Builder::new(ST7789, interface).display_size(240, 240);
-        let builder = builder.invert_colors(ColorInversion::Inverted).reset_pin(&mut panel.reset);
-        builder.init(delay).map_err(|_| "the display does not start")?;
-        Ok(panel)
+/// The bus, and pins: `select` is low while the panel is addressed, `command` while commands are sent, and `reset`
+/// while the panel is reset.
+pub struct Panel<B, Pin> {
+    pub bus: B,
+    pub select: Pin,
+    pub command: Pin,
+    pub reset: Pin,
+}
+
+impl<B: Bus, Pin: OutputPin<Error = Infallible>> Panel<B, Pin> {
+    /// Resets the panel and sets it up: at the start, and after an error of the bus.
+    pub fn start(&mut self, delay: &mut impl DelayNs) -> Result<(), Problem> {
+        self.finish().or_else(|_| self.finish())?; // pixels on their way are given up
+        let Ok(()) = self.reset.set_low();
+        delay.delay_us(20);
+        let Ok(()) = self.reset.set_high();
+        delay.delay_ms(SLEEP);
+        self.refresh()?;
+        delay.delay_ms(SLEEP);
+        Ok(())
     }
 
-    /// Sends pixels in wire order into a window. The bytes of the window's commands are sent at once; other tasks run while the
-    /// pixels are sent.
-    pub async fn send(&mut self, area: &Rectangle, bytes: &[u8]) -> Result<(), &'static str> {
+    /// Writes the registers, which nobody sees unless the panel had lost its state.
+    pub fn refresh(&mut self) -> Result<(), Problem> {
+        for (command, parameters) in REGISTERS {
+            self.command(command, parameters)?;
+        }
+        self.command(SLEEP_OUT, &[])
+    }
+
+    /// Opens a window, and returns the bus for its pixels.
+    pub fn window(&mut self, area: &Rectangle) -> Result<&mut B, Problem> {
         let (first, last) = (area.top_left + OFFSET, area.bottom_right().unwrap_or(area.top_left) + OFFSET);
-        // All lie on the display.
-        let [left, top, right, bottom] = [first.x, first.y, last.x, last.y].map(|border| border as u16);
-        let mut interface = interface(&mut self.bus, &mut self.select, &mut self.command)?;
-        interface
-            .write_command(SetColumnAddress::new(left, right))
-            .and_then(|()| interface.write_command(SetPageAddress::new(top, bottom)))
-            .and_then(|()| interface.write_command(WriteMemoryStart))
-            .map_err(|_| "the display refuses a command")?;
-
-        let selected = self.command.set_high().and_then(|()| self.select.set_low());
-        selected.map_err(|_| "a pin of the display cannot be set")?;
-        let sent = embedded_hal_async::spi::SpiBus::write(&mut self.bus, bytes).await;
-        let sent = match sent {
-            Ok(()) => embedded_hal_async::spi::SpiBus::flush(&mut self.bus).await,
-            error => error,
-        };
-        self.select.set_high().map_err(|_| "a pin of the display cannot be set")?;
-        sent.map_err(|_| "the bus of the display fails")
+        for (command, first, last) in [(COLUMNS, first.x, last.x), (ROWS, first.y, last.y)] {
+            let [[a, b], [c, d]] = [first, last].map(|border| (border as u16).to_be_bytes()); // on the display
+            self.command(command, &[a, b, c, d])?;
+        }
+        self.command(WRITE_MEMORY, &[])?;
+        let Ok(()) = self.select.set_low();
+        Ok(&mut self.bus)
     }
-}
 
-type Interface<'a, Bus, Pin> =
-    SpiInterface<'a, ExclusiveDevice<&'a mut Bus, &'a mut Pin, NoDelay>, &'a mut Pin>;
+    /// Waits for the last pixel of a window.
+    pub fn finish(&mut self) -> Result<(), Problem> {
+        self.bus.finish()?;
+        let Ok(()) = self.select.set_high();
+        Ok(())
+    }
 
-/// For commands. Its buffer would be for pixels.
-fn interface<'a, Bus: embedded_hal::spi::SpiBus, Pin: OutputPin>(
-    bus: &'a mut Bus,
-    select: &'a mut Pin,
-    command: &'a mut Pin,
-) -> Result<Interface<'a, Bus, Pin>, &'static str> {
-    let device =
-        ExclusiveDevice::new_no_delay(bus, select).map_err(|_| "a pin of the display cannot be set")?;
-    Ok(SpiInterface::new(device, command, &mut []))
+    #[inline(never)] // or each of its eight callers gets a copy
+    fn command(&mut self, command: u8, parameters: &[u8]) -> Result<(), Problem> {
+        self.finish()?;
+        let (Ok(()), Ok(())) = (self.command.set_low(), self.select.set_low());
+        self.bus.write(&[command])?;
+        let Ok(()) = self.command.set_high();
+        self.bus.write(parameters)?;
+        self.finish()
+    }
 }

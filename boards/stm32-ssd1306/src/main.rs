@@ -14,9 +14,10 @@ use embassy_executor::Executor;
 use embassy_stm32::gpio::{Input, Pull};
 use embassy_stm32::i2c::{self, I2c, Master};
 use embassy_stm32::mode::Async;
-use embassy_stm32::peripherals::{DMA1_CH0, DMA1_CH6, I2C1};
+use embassy_stm32::peripherals::{DMA1_CH0, DMA1_CH6, I2C1, IWDG};
 use embassy_stm32::rcc::{APBPrescaler, Pll, PllMul, PllPDiv, PllPreDiv, PllSource, Sysclk};
 use embassy_stm32::time::Hertz;
+use embassy_stm32::wdg::IndependentWatchdog;
 use embassy_stm32::{bind_interrupts, dma};
 use picture::{Picture, PIXELS};
 use pinhole::{mesh_buffers, MeshBuffers};
@@ -32,6 +33,9 @@ bind_interrupts!(struct Interrupts {
     DMA1_STREAM6 => dma::InterruptHandler<DMA1_CH6>;
     DMA1_STREAM0 => dma::InterruptHandler<DMA1_CH0>;
 });
+
+/// The chip is reset when a frame takes longer, in microseconds; 0: no watchdog.
+const WATCHDOG: u32 = 2_000_000;
 
 // In statics, so that the linker says if they do not fit. The rest of RAM is the stack.
 static MESH: ConstStaticCell<MeshBuffers!(faces, edges: MODEL)> =
@@ -54,13 +58,19 @@ fn main() -> ! {
     config.rcc.sys = Sysclk::PLL1_P;
     config.rcc.apb1_pre = APBPrescaler::DIV2;
     let p = embassy_stm32::init(config);
+    let mut watchdog = IndependentWatchdog::new(p.IWDG, WATCHDOG.max(1000));
+    if WATCHDOG > 0 {
+        watchdog.unleash();
+    }
     let mut config = i2c::Config::default();
     config.frequency = Hertz::khz(400);
     let bus = I2c::new(p.I2C1, p.PB6, p.PB7, p.DMA1_CH6, p.DMA1_CH0, Interrupts, config);
     let contacts = [Input::new(p.PA1, Pull::Up), Input::new(p.PA2, Pull::Up)];
     let button = Input::new(p.PA0, Pull::Up);
 
-    let (Ok(read), Ok(show)) = (read(contacts, button), show(bus)) else { stop("a task runs already") };
+    let (Ok(read), Ok(show)) = (read(contacts, button), show(bus, watchdog)) else {
+        stop("a task runs already")
+    };
     let executor = EXECUTOR.try_init_with(Executor::new).unwrap_or_else(|| stop("the executor runs already"));
     executor.run(|spawner| {
         spawner.spawn(read);
@@ -74,7 +84,7 @@ async fn read(contacts: [Input<'static>; 2], button: Input<'static>) {
 }
 
 #[embassy_executor::task]
-async fn show(bus: I2c<'static, Async, Master>) {
+async fn show(bus: I2c<'static, Async, Master>, mut watchdog: IndependentWatchdog<'static, IWDG>) {
     let (Some(mesh), Some(depths)) = (MESH.try_take(), DEPTHS.try_take()) else {
         stop("the buffers are in use")
     };
@@ -83,6 +93,6 @@ async fn show(bus: I2c<'static, Async, Master>) {
     let display =
         Ssd1306Async::new(I2CDisplayInterface::new(bus), DisplaySize128x64, DisplayRotation::Rotate0);
     let mut display = display.into_buffered_graphics_mode();
-    let Err(problem) = show::show(&mut display, &mut picture).await;
+    let Err(problem) = show::show(&mut display, &mut picture, || watchdog.pet()).await;
     stop(problem)
 }

@@ -4,7 +4,7 @@ use crate::input;
 use crate::picture::{self, Picture, PIXELS, SCREEN, STEPS};
 use core::convert::Infallible;
 use display_interface::AsyncWriteOnlyDataCommand;
-use embassy_time::{Instant, Timer};
+use embassy_time::{with_timeout, Duration, Instant, Timer};
 use pinhole::bands::{DirtyRegions, Tracked, TransferCost};
 use ssd1306::mode::{BufferedGraphicsModeAsync, DisplayConfigAsync};
 use ssd1306::size::DisplaySize128x64;
@@ -12,30 +12,39 @@ use ssd1306::Ssd1306Async;
 
 /// Before each rectangle: two commands of three bytes, each with an address and a control byte, and those of the pixels.
 const WINDOW_BYTES: u16 = 12;
+/// From one set-up of the display to the next, by which one that has lost its state comes back. It is dark for a millisecond.
+const REFRESH: Duration = Duration::from_secs(5);
+/// The longest time that a set-up or a rectangle may take. The whole display takes 23 ms.
+const PATIENCE: Duration = Duration::from_millis(100);
+/// The longest time in which nothing changes before the watchdog is fed again.
+const REST: Duration = Duration::from_millis(500);
 
 type Display<Bus> = Ssd1306Async<Bus, DisplaySize128x64, BufferedGraphicsModeAsync<DisplaySize128x64>>;
 
 /// Shows the model at step 0, and from then on as the encoder and the button say. An error of the bus is logged, the display is
-/// set up again, and everything is sent. It returns only errors that every frame would repeat, such as a strip without room
-/// for a row.
+/// set up again, and everything is sent. The watchdog is fed once a frame. It returns only errors that every frame would repeat,
+/// such as a strip without room for a row.
 pub async fn show<Bus: AsyncWriteOnlyDataCommand>(
     display: &mut Display<Bus>,
     picture: &mut Picture<'_>,
+    mut feed_watchdog: impl FnMut(),
 ) -> Result<Infallible, &'static str> {
     // At most four rectangles: those of the model and of the text, before and now. A byte is a column of eight pixels.
     let mut dirty = DirtyRegions::<4>::new(SCREEN, TransferCost::new(1, WINDOW_BYTES)).with_steps(1, 8);
     let mut shown = [Tracked::new(); 2];
     let mut strip = [0; PIXELS / 8];
     let (mut step, mut clicks, mut number) = (0, 0, 0_u32);
-    let mut ready = false;
+    let mut due = Instant::MIN;
     loop {
+        feed_watchdog();
         let begin = Instant::now();
-        while !ready {
-            ready = display.init().await.is_ok();
-            if !ready {
+        if begin >= due {
+            if !matches!(with_timeout(PATIENCE, display.init()).await, Ok(Ok(()))) {
                 defmt::error!("no display answers on the bus: see SDA, SCL, their pull-ups and the power");
-                Timer::after_secs(1).await;
+                Timer::after(REST).await;
+                continue;
             }
+            due = begin + REFRESH;
             dirty.invalidate();
         }
         let mut turned = picture.turned(step)?;
@@ -44,7 +53,7 @@ pub async fn show<Bus: AsyncWriteOnlyDataCommand>(
         }
         let areas = dirty.take();
         if areas.is_empty() {
-            input::changed().await;
+            with_timeout(REST, input::changed()).await.ok();
         } else {
             let mut bytes = 0;
             for area in areas {
@@ -57,9 +66,10 @@ pub async fn show<Bus: AsyncWriteOnlyDataCommand>(
                 }
                 bytes += u32::from(WINDOW_BYTES) + area.size.width * area.size.height / 8;
                 // What has been written into the buffer since it was sent last: this rectangle.
-                if ready && display.flush().await.is_err() {
+                if !matches!(with_timeout(PATIENCE, display.flush()).await, Ok(Ok(()))) {
                     defmt::error!("the bus of the display fails: the display is set up again");
-                    ready = false;
+                    due = Instant::MIN;
+                    break;
                 }
             }
             defmt::info!(

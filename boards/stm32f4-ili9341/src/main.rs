@@ -3,17 +3,20 @@
 #![no_std]
 #![no_main]
 
+mod bus;
 mod panel;
 mod picture;
 mod stop;
 
+use bus::{Bus, Delay, MEGAHERTZ};
 use core::ops::ControlFlow::{Break, Continue};
 use cortex_m::{peripheral::DWT, singleton};
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::{pixelcolor::Rgb565, primitives::Rectangle};
+use embedded_hal::delay::DelayNs;
 use embedded_hal::spi::{Mode, MODE_0};
-use panel::{Panel, Wire, MEGAHERTZ};
+use panel::{Panel, WAKING};
 use picture::Picture;
 use pinhole::{prelude::*, Angle};
 use stm32f4xx_hal::gpio::Speed;
@@ -67,12 +70,9 @@ fn main() -> ! {
     let pins = peripherals.GPIOA.split(&mut rcc);
     let serial_clock = pins.pa5.into_alternate().speed(Speed::VeryHigh);
     let data = pins.pa7.into_alternate().speed(Speed::VeryHigh);
-    let reset = pins.pa2.into_push_pull_output();
-    let command = pins.pa3.into_push_pull_output();
-    let select = pins.pa4.into_push_pull_output();
     // Nothing is read: one wire for data, and no byte that could be lost.
     let wires = (Some(serial_clock), Some(data));
-    let bus = Spi::new_bidi(peripherals.SPI1, wires, MODE, HERTZ.Hz(), &mut rcc);
+    let spi = Spi::new_bidi(peripherals.SPI1, wires, MODE, HERTZ.Hz(), &mut rcc);
     // SAFETY: DMA's handle is for the bus's data register alone, which the core does not write until DMA is done
     #[allow(unsafe_code)]
     let for_dma = unsafe { SPI1::steal() };
@@ -80,8 +80,14 @@ fn main() -> ! {
         Spi::new_bidi(for_dma, (SPI1::NoSck, SPI1::NoMosi), MODE, HERTZ.Hz(), &mut rcc).use_dma().tx();
     let stream = StreamsTuple::new(peripherals.DMA2, &mut rcc).3;
 
-    let mut panel = Panel::new(Wire { bus, select, command }, reset, (stream, sender), &mut other.colors);
-    panel.start().unwrap_or_else(|problem| stop(problem));
+    let mut panel = Panel {
+        bus: Bus::new(spi, stream, sender, &mut other.colors),
+        select: pins.pa4.into_push_pull_output().erase(),
+        command: pins.pa3.into_push_pull_output().erase(),
+        reset: pins.pa2.into_push_pull_output().erase(),
+    };
+    let mut delay = Delay;
+    panel.start(&mut delay).unwrap_or_else(|problem| stop(problem));
 
     let picture = Picture::new(&MODEL, SCREEN, &mut mesh.cache, &mut mesh.bins, &mut strip.depths);
     let mut picture = picture.unwrap_or_else(|problem| stop(problem));
@@ -104,11 +110,11 @@ fn main() -> ! {
                     Continue(band) => {
                         let area = band.area();
                         bytes += band.bytes().len() as u32; // of all bands, 153 600
-                        match panel.send(&area, band.into_bytes()) {
-                            Ok(sent) => free = sent,
-                            Err((strip, problem)) => {
+                        match panel.window(&area) {
+                            Ok(bus) => free = bus.send(band.into_bytes()),
+                            Err(problem) => {
                                 shown = Err(problem);
-                                break strip;
+                                break band.into_bytes();
                             }
                         }
                     }
@@ -117,6 +123,7 @@ fn main() -> ! {
             let time = DWT::cycle_count().wrapping_sub(start) / MEGAHERTZ;
             if shown.is_ok() && frame % REFRESH == 0 {
                 shown = panel.refresh();
+                delay.delay_ms(WAKING);
             }
             match shown {
                 Ok(()) => {
@@ -126,7 +133,7 @@ fn main() -> ! {
                 // The next frame is sent whole.
                 Err(problem) => {
                     defmt::error!("frame {=u32}: {=str}", frame, problem);
-                    panel.start().unwrap_or_else(|problem| stop(problem));
+                    panel.start(&mut delay).unwrap_or_else(|problem| stop(problem));
                 }
             }
         }

@@ -2,21 +2,13 @@
 //! `core::fmt`, several kilobytes.
 
 /// Rounds of some 3 cycles before the reset, in which a probe reads the log: 0.24 s at 100 MHz.
-#[cfg(target_arch = "arm")]
 const DELAY: u32 = 8_000_000;
 
-/// Logs the problem, and resets the chip; on RISC-V, where each chip does that in its own way, waits for a watchdog.
+/// Logs the problem, and resets the chip.
 pub fn stop(problem: &'static str) -> ! {
     defmt::error!("{=str}", problem);
-    #[cfg(target_arch = "arm")]
-    {
-        cortex_m::asm::delay(DELAY);
-        cortex_m::peripheral::SCB::sys_reset()
-    }
-    #[cfg(not(target_arch = "arm"))]
-    loop {
-        core::hint::spin_loop();
-    }
+    cortex_m::asm::delay(DELAY);
+    cortex_m::peripheral::SCB::sys_reset()
 }
 
 /// Logs where a panic happened. pinhole itself does not panic.

@@ -36,6 +36,20 @@ pub struct Row {
 /// The compiler that has built this.
 pub const COMPILER: &str = env!("BENCH_COMPILER");
 
+/// Logs a report by the `defmt` of the firmware: the chip, its core and its clock, and what [`each`] draws with the memory, the last
+/// count and the counter. `None` if a cell cannot be drawn.
+#[macro_export]
+macro_rules! log_report {
+    ($chip:expr, $core:expr, $megahertz:expr, $memory:expr, $last:expr, $cycles:expr) => {{
+        use $crate::report::{each, Row, COMPILER};
+        defmt::info!("report: chip {=str}, {=str}, {=u32} MHz, {=str}", $chip, $core, $megahertz, COMPILER);
+        let drawn = each($memory, $last, &mut || $cycles, &mut |Row { scene, variant, cycles, crc }| {
+            defmt::info!("report: {=str} {=str} {=u32} cycles, crc {=u32:08x}", scene, variant, cycles, crc);
+        });
+        drawn.inspect(|()| defmt::info!("report: end"))
+    }};
+}
+
 /// Wires, faces, faces with depth of a cube and of a torus, and the torus with smooth silhouettes.
 const CELLS: [[&str; 2]; 6] = [
     ["S1", "bands8"],

@@ -3,19 +3,22 @@
 #![no_std]
 #![no_main]
 
+#[path = "../../src/bus.rs"]
+mod bus;
 #[path = "../../src/panel.rs"]
 mod panel;
 mod scene;
 #[path = "../../src/stop.rs"]
 mod stop;
 
+use bus::Bus;
 use core::ops::ControlFlow::{Break, Continue};
 use cortex_m::singleton;
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::{pixelcolor::Rgb565, primitives::Rectangle};
-use embedded_hal::spi::MODE_3;
-use panel::Panel;
+use embedded_hal::{delay::DelayNs, spi::MODE_3};
+use panel::{Panel, WAKING};
 use pinhole::prelude::*;
 use rp2040_hal as hal;
 use rp2040_hal::fugit::RateExtU32;
@@ -64,16 +67,17 @@ fn main() -> ! {
     let timer = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
 
     let pins = Pins::new(p.IO_BANK0, p.PADS_BANK0, Sio::new(p.SIO).gpio_bank0, &mut p.RESETS);
-    let bus = Spi::<_, _, _, 8>::new(p.SPI0, (pins.gpio19.into_function(), pins.gpio18.into_function()))
+    let spi = Spi::<_, _, _, 8>::new(p.SPI0, (pins.gpio19.into_function(), pins.gpio18.into_function()))
         .init(&mut p.RESETS, clocks.peripheral_clock.freq(), 62_500_000.Hz(), MODE_3);
-    let pins = panel::Pins {
+    let channel = p.DMA.split(&mut p.RESETS).ch0;
+    let mut panel = Panel {
+        bus: Bus::new(spi, channel, timer, &mut other.colors),
         select: pins.gpio17.into_push_pull_output().into_dyn_pin(),
         command: pins.gpio20.into_push_pull_output().into_dyn_pin(),
         reset: pins.gpio21.into_push_pull_output().into_dyn_pin(),
     };
-    let channel = p.DMA.split(&mut p.RESETS).ch0;
-    let mut panel = Panel::new(bus, channel, pins, timer, &mut other.colors);
-    panel.start().unwrap_or_else(|problem| stop(problem));
+    let mut delay = timer;
+    panel.start(&mut delay).unwrap_or_else(|problem| stop(problem));
 
     let scene = Scene::<Rgb565>::new(SCREEN.size, &MORNING).unwrap_or_else(|problem| stop(problem));
     let mut free: &'static mut [u8] = &mut strip.colors;
@@ -95,10 +99,12 @@ fn main() -> ! {
                 let Ok(()) = view.draw(&mut depth, &mut band.pixels());
                 let area = band.area();
                 // The chip starts anew after an error of the bus.
-                free = panel.send(&area, band.into_bytes()).unwrap_or_else(|(_, problem)| stop(problem));
+                let bus = panel.window(&area).unwrap_or_else(|problem| stop(problem));
+                free = bus.send(band.into_bytes());
             };
             if number % REFRESH == 0 {
                 panel.refresh().unwrap_or_else(|problem| stop(problem));
+                delay.delay_ms(WAKING);
             }
             let time = timer.get_counter_low().wrapping_sub(start);
             defmt::info!("frame {=i32}: {=u32} us", number, time);

@@ -181,7 +181,7 @@ impl Controller {
                 self.state = State::Pixels(Vec::new());
                 return;
             }
-            0x36 | 0x3a => 1,
+            0x35 | 0x36 | 0x3a => 1,
             0xb4 => 1, // how the glass is inverted
             _ => {
                 self.wrong(format!("unknown command {command:#04x}"));
@@ -251,7 +251,7 @@ impl Controller {
                     self.wrong(format!("COLMOD {format:#04x}"));
                 }
             }
-            _ => {} // inversion
+            _ => {} // inversion; TE, which whoever has the panel drives
         }
     }
 
@@ -284,12 +284,16 @@ impl Controller {
 
     /// The visible picture: the pixels of the upper left `width` × `height` of the glass as it is mounted, row by row.
     pub fn picture(&self, held: Held, width: usize, height: usize) -> Vec<u32> {
-        let at = |x: usize, y: usize| match held {
+        (0..height).flat_map(|y| self.row(held, width, y)).collect()
+    }
+
+    /// The pixels of a row of the picture.
+    pub fn row(&self, held: Held, width: usize, y: usize) -> impl Iterator<Item = u32> + '_ {
+        let at = move |x: usize| match held {
             Held::Upright => (x, y),
             Held::Landscape => (usize::from(COLUMNS) - 1 - y, x),
             Held::LandscapeMirrored => (y, x),
         };
-        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| at(x, y)));
-        pixels.map(|(x, y)| self.memory[y * usize::from(COLUMNS) + x]).collect()
+        (0..width).map(at).map(|(x, y)| self.memory[y * usize::from(COLUMNS) + x])
     }
 }
