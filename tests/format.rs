@@ -63,7 +63,7 @@ public_types! {
     Frustum, HalfBins<'static, i16, true>, SplitBins<'static, i16, true>, HalfTransform<'static, i16, true>,
     SplitTransform<'static, i16, true>, Lambert, BlinnPhong, DirectionalLight, Lights<2>, Matcap, PointLight,
     LeastRun<'static, Plain, 1>, LightError, Memory<Plain>, Mixed<Flat, Alpha>, Reads, Writes, Mesh<'static, Plain>, MeshBuffers<3, 2, 1>,
-    Model, Ndc, Node, Painter<Plain, 4, 4>,
+    Model, Ndc, Node, Painter<Plain, 4, 4>, PerspectiveGouraud,
     PaintersOrder<'static, Plain>, Picture<'static, Plain>, Pixel, Pixels<'static, Plain>, MeshInstance<'static,
     i16>, Point3<Plain>, Projection, Ray,     Object<'static, Plain>, Picked, PlacedSprites<'static, i16>, RotatedPicture<Plain>, Rotation, Upright<'static, Plain>, PlacedScene<'static, 'static, Plain, 3>, Scene<'static,
     Plain, 3>, RigidLambert, Scalar, ShadeTable<Plain>, TableShader<'static, Plain>,
@@ -79,7 +79,8 @@ public_types! {
 }
 
 /// Public by their keyword only: set-ups of shaders and marks of targets, which no path leads to.
-const NOT_NAMED: [&str; 5] = ["FoggedSetup", "Tested", "TextureGradients", "Unmatched", "Untested"];
+const NOT_NAMED: [&str; 7] =
+    ["FoggedSetup", "LevelGradients", "Tested", "TextureGradients", "Unmatched", "Untested", "Weights"];
 
 #[test]
 fn no_public_type_is_missing() {

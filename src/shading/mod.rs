@@ -45,5 +45,6 @@ pub(crate) use stroke::rests_of_line;
 pub use stroke::{AntiAliased, AntiAliasedByTable, Stroke};
 pub use table::{ShadeTable, TableShader};
 pub(crate) use texture::Line;
+pub use texture::PerspectiveGouraud;
 pub(crate) use texture::Texels;
 pub use translucent::{Blended, HalfBlended, Translucent};

@@ -2,7 +2,8 @@
 
 use super::gouraud::SpanColors;
 use super::levels::{align, levels};
-use super::{Shader, SpanShader};
+use super::shader::inner_with_corners;
+use super::{CornerValues, Shader, SpanShader};
 use crate::clip::Barycentric;
 use crate::color::Color;
 use crate::raster::{Gradient, Span, Triangle};
@@ -38,9 +39,14 @@ impl<C: Color> SpanShader<C> for Flat {
 
 impl<S: Shader> Shader for Dithered<S> {
     type Varying = S::Varying;
+    const NEEDS_W: bool = S::NEEDS_W;
 
     fn sub_face(&self, corners: [S::Varying; 3]) -> Self {
         Self(self.0.sub_face(corners))
+    }
+
+    fn with_corners(&self, corners: &CornerValues) -> Self {
+        Self(inner_with_corners(&self.0, corners))
     }
 }
 

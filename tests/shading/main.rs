@@ -11,6 +11,7 @@ mod lights;
 mod lit_textures;
 mod mips;
 mod own_shaders;
+mod perspective_gouraud;
 mod rays;
 mod scene;
 mod tables;

@@ -195,6 +195,11 @@ impl Faces {
         self.ray_of(face, projection, self.corners(face).map(|[.., z]| [-z, 0.0]))
     }
 
+    /// The weights of the second and the third corner of a face.
+    pub(crate) fn weights(&self, face: usize, projection: &M4) -> FaceRay {
+        self.ray_of(face, projection, [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
+    }
+
     fn ray_of(&self, face: usize, projection: &M4, values: [[f64; 2]; 3]) -> FaceRay {
         let camera = chain::Camera {
             view: chain::View { rows: chain::IDENTITY.m, eye: [0.0; 3] },

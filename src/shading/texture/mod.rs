@@ -2,6 +2,7 @@
 //!
 //! `texels` and `indexed` say where texels come from, `palette` has colours in several levels of light, `clamped` texels that do not
 //! repeat, `mip` reduced copies of a picture, `mapping` what a texture on a face is, `textured` makes a shader of it, `lit_textured` one with light at each corner,
+//! `perspective_gouraud` has no texels, but weights of corners,
 //! `gradients` interpolates texture coordinates over a triangle, and `runs` divides a row into runs of pixels over which they
 //! are linear.
 
@@ -16,6 +17,7 @@ mod mapping;
 mod mip;
 mod palette;
 mod perspective;
+mod perspective_gouraud;
 mod runs;
 mod texels;
 mod textured;
@@ -28,4 +30,5 @@ pub use lit_textured::LitTextured;
 pub use mapping::{Accuracy, Texture, Textured};
 pub use mip::{MipPicture, MipTexels};
 pub use palette::{LitIndexedTexels, LitPalette};
+pub use perspective_gouraud::PerspectiveGouraud;
 pub use texels::{TexelSlice, Texels, TextureError};

@@ -30,7 +30,7 @@ pub(super) struct Perspective {
     pub(super) curvature: Curvature,
     /// The column that planes are counted from: 0 unless coordinates are [linear by rows](is_linear_by_rows), otherwise that in
     /// the middle of the triangle.
-    anchor: i32,
+    pub(super) anchor: i32,
     /// For [`line`](Self::line): the left shifts from products of K and 1/q² to the change from a pixel to the next, for mantissas of
     /// 1/q that are not shifted.
     steps: [i32; 2],

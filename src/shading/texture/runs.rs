@@ -69,7 +69,7 @@ pub(super) struct PerspectiveRuns<'g> {
     curvature: i32,
     /// The sample at `x`, if the last run ended there with one.
     left: Sample,
-    /// The kind of the last run: [`BEGIN`], [`SINGLE`] or [`BLOCK`].
+    /// The binary logarithm of the last run's block: [`BEGIN`], [`SINGLE`] or more.
     last: i32,
 }
 
@@ -80,10 +80,9 @@ struct Block {
     behind: Planes,
 }
 
-/// Values of [`PerspectiveRuns::last`]: no run was before, or it had one pixel, or it was a block.
-const BEGIN: i32 = 0;
-const SINGLE: i32 = 1;
-const BLOCK: i32 = 2;
+/// Values of [`PerspectiveRuns::last`]: no run was before, or it had one pixel.
+const BEGIN: i32 = -1;
+const SINGLE: i32 = 0;
 
 impl<'g> PerspectiveRuns<'g> {
     #[inline(always)]
@@ -107,10 +106,10 @@ impl<'g> PerspectiveRuns<'g> {
         let aligned = if last == BEGIN { 0 } else { x };
         let bits = (aligned | perspective.widest_block).trailing_zeros() as i32;
         let bits = bits.min(self.reach_at(0));
-        let block = if last == BLOCK { self.block_from_here(bits) } else { self.block_around(bits) };
+        let block = if last > SINGLE { self.block_from_here(bits) } else { self.block_around(bits) };
         let (mut sum, mut change, mut line) = (self.left.twice(), [0; 2], (1, 0));
         if let Some(Block { bits, passed, behind }) = block {
-            (self.x, self.planes, self.last) = (x + (1 << (bits & 31)) - passed, behind, BLOCK);
+            (self.x, self.planes, self.last) = (x + (1 << (bits & 31)) - passed, behind, bits);
             (self.left, sum, change) = perspective.ends(self.left, behind, bits);
             line = (bits, passed);
         } else {
@@ -183,6 +182,44 @@ impl<'g> PerspectiveRuns<'g> {
         }
         let line = self.run();
         Some((self.x.min(self.end) - x, line))
+    }
+}
+
+impl PerspectiveRuns<'_> {
+    /// The next run, its width and coordinates about the middle of its block, wherever in the block it begins.
+    #[inline(always)]
+    pub(super) fn next_about_middle(&mut self) -> Option<(i32, AboutColumn)> {
+        let x = self.x;
+        let (width, Coordinates { at, step }) = self.next_run::<2>()?;
+        let by = x - (self.x - ((1 << (self.last & 31)) >> 1)); // inside the guard band
+        Some((width, AboutColumn::new(at, step, by)))
+    }
+}
+
+/// Texture coordinates that are linear along a run, given in a column that does not depend on where the run begins.
+#[derive(Clone, Copy)]
+pub(super) struct AboutColumn {
+    /// In that column, in 2⁻³² of the sides.
+    pub(super) at: [u32; 2],
+    pub(super) step: [u32; 2],
+    /// The run's first pixel, in columns from that column.
+    pub(super) by: i32,
+}
+
+impl AboutColumn {
+    /// From coordinates `by` columns from the column.
+    #[inline(always)]
+    fn new([u, v]: [u32; 2], step @ [du, dv]: [u32; 2], by: i32) -> Self {
+        let back = |at: u32, step: u32| at.wrapping_sub(step.wrapping_mul(by as u32));
+        Self { at: [back(u, du), back(v, dv)], step, by }
+    }
+
+    /// Of a span over a triangle whose coordinates are linear by rows.
+    #[inline(always)]
+    pub(super) fn by_row(rows: &Perspective, Span { x, y, .. }: Span) -> Self {
+        let [first, step] = rows.line(y);
+        let own = Self::new(first, step, -rows.anchor);
+        Self { by: x - rows.anchor, ..own } // inside the guard band
     }
 }
 

@@ -362,6 +362,12 @@ entries! {
     entry_blend_bgr666() { blend::<Bgr666>() }
     entry_blend_bgr888() { blend::<Bgr888>() }
 
+    entry_gouraud_in_perspective(faces: &mut Faces<'_>) {
+        let shader = || Gouraud::new([wide_color(), wide_color(), wide_color()]).in_perspective();
+        faces.draw(|_| shader());
+        faces.draw(|_| shader().dithered());
+    }
+
     entry_fog(camera: &Camera) -> Result<FogTable<Rgb565>, LightError> { fog(camera) }
     entry_vertex_fog(fog: &Fog, camera: &Camera, model: &Affine<Model, World>, vertices: &[[i16; 3]], factors: &mut [u16]) { vertex_fog(fog, camera, model, vertices, factors) }
     entry_fogged(faces: &mut Faces<'_>, table: &FogTable<Rgb565>, shades: &ShadeTable<Rgb565>) { fogged(faces, table, shades) }

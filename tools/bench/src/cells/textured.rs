@@ -1,15 +1,16 @@
 //! X1 to X4: textures. X1: S3's torus, with a picture of 64 × 64 texels once round; X2: a floor over the whole picture, whose
 //! far end is 5.6 times as far away as its near end; X3: a floor rolled by 25 degrees, which the near plane cuts; X4: one rolled
-//! by 20 degrees that reaches the horizon, a thousand times as far away.
+//! by 20 degrees that reaches the horizon, a thousand times as far away. X2 and X4 also in colours at their corners.
 
 use super::{count, draw_faces, drawn, Counted, Memory, Plain, TORUS};
 use crate::lists::{COPIES, PICTURE, TORUS_UV};
 use crate::scene::{self, area, Scene, View};
 use core::hint::black_box;
-use embedded_graphics_core::pixelcolor::Rgb565;
+use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use pinhole::space::{Model, World};
 use pinhole::{
     prelude::*,
+    shading::SpanShader,
     texture::{Accuracy, MipPicture, MipTexels, Texels},
 };
 
@@ -72,6 +73,23 @@ pub(super) fn floor<S: Texels<Color = Rgb565, Ink = Rgb565>>(
         let (instance, texture, uv) = black_box((&instance, &texture, &uv));
         let mesh = instance.mesh();
         let shade = |face| texture.at(mesh.corners_of(face, uv));
+        drawn(instance.faces(shade).cached(corners).draw(&mut picture.pixels()))
+    })
+}
+
+/// A floor without a texture, from blue at the near end to white at the far one.
+#[inline(always)]
+pub(super) fn gouraud_floor<S: SpanShader<Rgb565, Ink = Rgb565>>(
+    floor: &'static Floor,
+    shader: impl Fn(Gouraud) -> S,
+    Plain { frame, corners, .. }: &mut Plain<4>,
+) -> Option<Counted> {
+    let (camera, floor) = (FLOOR_VIEW.camera()?, black_box(floor));
+    let instance = camera.place(&floor.mesh, &Affine::<Model, World>::identity());
+    let colors = [Rgb888::BLUE, Rgb888::BLUE, Rgb888::WHITE, Rgb888::WHITE];
+    count(frame, &mut |picture| {
+        let (instance, colors) = black_box((&instance, &colors));
+        let shade = |face| shader(Gouraud::new(instance.mesh().corners_of(face, colors)));
         drawn(instance.faces(shade).cached(corners).draw(&mut picture.pixels()))
     })
 }
