@@ -50,7 +50,7 @@ impl<C: PixelColor> StoredPixel<C> for C {
 #[diagnostic::on_unimplemented(
     message = "a pixel of this color is not {N} bytes",
     label = "not {N} bytes",
-    note = "draw into the `Band` itself instead of `Band::pixels()`, or into a `Picture`, which stores colors"
+    note = "draw into the `Band` itself instead of `Band::pixels()`; edges are smoothed in a `Picture`, which stores colors"
 )]
 pub trait InBytes<const N: usize> {}
 impl InBytes<1> for RawU8 {}

@@ -12,7 +12,8 @@ use crate::color::{Color, StoredPixel};
 use crate::math::hints::keep_rolled;
 use crate::math::Coordinate;
 use crate::raster::{CrossedEdge, CrossedPair, Scissor};
-use crate::surface::{BufferError, Pairs, Seen, SeenKind, SmoothPass};
+use crate::surface::{inside, rectangle, BufferError, Pairs, Seen, SeenKind, SmoothPass};
+use embedded_graphics_core::primitives::Rectangle;
 
 /// The edges of a mesh that are smoothed in a picture, binned by their first rows: silhouettes, beyond which no face of the mesh follows, and
 /// creases, at which the surface turns. [`TransformedMesh::bin_smooth_edges`] makes it and has an example.
@@ -21,6 +22,8 @@ pub struct SmoothEdges<'a, V: Coordinate = i16> {
     transformed: TransformedMesh<'a, V, true>,
     lists: EdgeLists<'a>,
     kinds: Kinds<'a>,
+    /// The pixels that smoothing may change.
+    bounds: Scissor,
     /// Edges that are set up, each at its index modulo a power of two, which is larger by 1 than `mask`.
     list: &'a mut [SmoothEdge],
     mask: usize,
@@ -54,8 +57,10 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
     /// Finds the silhouettes of a mesh, and those of its creases that are in front, for [smoothing](crate::target::DepthTestedSurface::smooth).
     /// `is_crease` tells of an edge by its index whether it is a crease where both of its faces are drawn: `|_| false` for a surface that is
     /// lit smoothly, `|_| true` for one in facets, or whether the colours of the [faces beside it](crate::Mesh::edge_faces) differ: each crease that
-    /// is left out saves as much as a face takes. `storage` has [`smooth_bins_len`](crate::Mesh::smooth_bins_len) numbers. The mesh should list
-    /// all of its edges, and the [faces beside them](crate::Mesh::with_edge_faces).
+    /// is left out saves as much as a face takes. `storage` has [`smooth_bins_len`](crate::Mesh::smooth_bins_len) numbers.
+    ///
+    /// **Only [edges that the mesh lists](crate::Mesh::with_edges) are smoothed: of a mesh without edges none, and that is no error.** List all of them, and the
+    /// [faces beside them](crate::Mesh::with_edge_faces): otherwise these are searched.
     ///
     /// ```
     /// # use embedded_graphics::{pixelcolor::Gray8, prelude::*};
@@ -140,9 +145,11 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
                 fill.add(index, &bounds(&ends));
             }
         }
+        // A pixel that an edge crosses is mixed with its neighbour. Bounds without an edge remain empty.
+        let bounds = fill.bounds.grown(1).clipped_to(&viewport);
         let (first, next, rows) = fill.links();
         let (pairs, lists) = ([CrossedPair::EMPTY; 16], EdgeLists::new(first, next, rows));
-        Ok(SmoothEdges { transformed: *self, lists, kinds, list: &mut [], mask: 0, own, pairs })
+        Ok(SmoothEdges { transformed: *self, lists, kinds, bounds, list: &mut [], mask: 0, own, pairs })
     }
 
     /// Sets a bit for each face that is drawn, and returns `true`; or nothing, if the bits are too few, or no edge lists its faces.
@@ -234,13 +241,25 @@ impl<'a, V: Coordinate> SmoothEdges<'a, V> {
         self.list = list;
     }
 
+    /// The smallest rectangle around `faces`, the [bounds of the faces](crate::draw::BinnedFaces::bounds), and the pixels that smoothing may change,
+    /// which lie inside the viewport and up to a pixel outside the faces: for [`DirtyRegions`](crate::bands::DirtyRegions).
+    /// [`SmoothFrame`](crate::bands::SmoothFrame) has an example.
+    pub fn bounds(&self, faces: Rectangle) -> Rectangle {
+        let (faces, edges) = (inside(&faces), &self.bounds);
+        rectangle(&match (faces.is_empty(), edges.is_empty()) {
+            (true, _) => *edges,
+            (_, true) => faces,
+            _ => faces.union(edges),
+        })
+    }
+
     /// Smooths the edges in a pass, which [`smooth`](crate::target::DepthTestedSurface::smooth) makes: pixels that an edge crosses, and that
     /// no face hides, are mixed with their neighbours beyond the edge, by the area of the pixel that lies there.
     ///
     /// The area is exact but for the rounding of corners to 1/256 px, of the slope to 2⁻²⁹, and of shares to 1/32 or 1/256.
     #[inline(never)] // its stack frame does not exist while faces are drawn
     pub fn draw<C: Color + StoredPixel<Cell>, Cell: Copy>(&mut self, pass: &mut SmoothPass<'_, C, Cell>) {
-        let Self { transformed, lists, kinds, list, mask, own, pairs } = self;
+        let Self { transformed, lists, kinds, list, mask, own, pairs, .. } = self;
         let viewport = pixels(transformed.instance.area());
         let (scissor, is_last) = (pass.pixels().clipped_to(&viewport), pass.is_last());
         if scissor.is_empty() {

@@ -21,11 +21,11 @@ pub enum BufferError {
         /// Elements in the buffer.
         given: usize,
     },
-    /// A strip is too short for one row.
+    /// A strip, or the buffer of the row that a [`SmoothFrame`](crate::bands::SmoothFrame) keeps, is too short.
     Strip {
-        /// Bytes of a row: the least that a strip needs.
+        /// Bytes of one row; of three rows for the strip of a `SmoothFrame`.
         needed: usize,
-        /// Bytes of the strip.
+        /// Bytes of the buffer.
         given: usize,
     },
     /// The bin storage is too short: provide at least `needed` numbers.
@@ -80,7 +80,7 @@ impl core::fmt::Display for BufferError {
                 write!(f, "a depth buffer of {needed} pixels needs a buffer of {needed} `u16`, but this one has {given}")
             }
             Self::Strip { needed, given } => {
-                write!(f, "a strip of {given} bytes has no room for a row: it needs {needed} bytes, or a multiple of that")
+                write!(f, "a buffer of {given} bytes has too little room for rows of pixels: it needs at least {needed} bytes")
             }
             Self::Bins { needed, given } => {
                 write!(

@@ -27,7 +27,7 @@ pub trait PixelStore: Gives<Writes> {
 /// The storage of a target that gives a shader, a stroke or a sprite what it needs: every one takes colours, and slices give
 /// stored pixels, too.
 #[diagnostic::on_unimplemented(
-    message = "a translucent shader or an anti-aliased line reads pixels, which this target cannot give",
+    message = "a translucent shader, an anti-aliased line or a smoothed edge reads pixels, which this target cannot give",
     label = "its pixels cannot be read",
     note = "draw into the `pixels()` of a `Picture` or of a `Band`; or use a `ScreenDoor`, or a plain color for lines",
     note = "where the shader's type is a parameter, ask for a `ShaderFor<T>` of the target's type, or for `SpanShader<C, Ink = C>`"

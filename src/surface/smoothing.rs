@@ -48,19 +48,20 @@ pub(crate) enum SeenKind {
 /// Pairs of pixels of an edge, at most as many as are mixed at once.
 pub(crate) type Pairs = [CrossedPair; 16];
 
-impl<S: Surface<Color: Color>> DepthTestedSurface<'_, '_, S>
-where
-    S::Store: Gives<Reads>,
-{
+impl<S: Surface> DepthTestedSurface<'_, '_, S> {
     /// Smooths the edges of a picture that is drawn, with its depths: `edges` is called twice, and passes
     /// each pass to the [edges](crate::draw::SmoothEdges::draw) of all objects. [`SmoothEdges`](crate::draw::SmoothEdges) has an example. In
     /// bands [`SmoothFrame`](crate::bands::SmoothFrame) does so.
     ///
-    /// It compiles for targets whose pixels lie in memory and have more than one bit.
+    /// The target is one whose pixels lie in memory, such as [`picture.pixels()`](crate::target::Picture::pixels): a display or the `Picture` itself does not
+    /// compile. With a colour of two values `cargo build` stops (`cargo check` does not).
     pub fn smooth(
         &mut self,
         mut edges: impl FnMut(&mut SmoothPass<'_, S::Color, <S::Store as PixelStore>::Cell>),
-    ) {
+    ) where
+        S::Color: Color,
+        S::Store: Gives<Reads>,
+    {
         let (depths, Rectangle { top_left, size }) = (self.depth.values(), self.depth.area());
         let depth_layout = PixelLayout::new(top_left.x, top_left.y, size.width as usize);
         let pixels = inside(&self.surface.area()).clipped_to(&self.depth.scissor());

@@ -297,6 +297,7 @@ fn smooth(
     let transformed = instance.transform_depth(corners);
     let Ok(mut edges) = transformed.bin_smooth_edges(|_| any() == 0, bin_storage) else { return };
     edges.keep_in(list);
+    report(edges.bounds(area()));
     if let (Ok(mut picture), Ok(mut depth)) = (Picture::new(memory, size()), DepthBuffer::new(area(), depth))
     {
         picture.pixels().depth_tested(&mut depth).smooth(|pass| edges.draw(pass));
