@@ -2,11 +2,11 @@
 
 use core::fmt::Debug;
 use embedded_graphics::draw_target::DrawTargetExt;
-use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr888, Gray2, Gray4, Gray8, PixelColor, Rgb565, Rgb666, Rgb888, RgbColor,
 };
-use embedded_graphics_core::primitives::Rectangle;
+use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::color::{Color, Format, StoredPixel};
 use pinhole::{
     bands::{DirtyRegions, SmoothFrame, TransferCost},
@@ -191,6 +191,97 @@ fn smoothed_edges_are_close_to_their_areas() {
             let [most, most_far, most_worse] =
                 if height == 240 { [5.0, 1.2, 32.0] } else { [9.2, 4.0, 90.0] };
             assert!(rms[1] < most && 2.0 * rms[1] < rms[0] && far < most_far && worse as f64 <= most_worse);
+        }
+    }
+}
+
+/// Objects of which one is clipped by the viewport, one by the near plane, and one shows its back faces.
+#[test]
+fn a_scene_is_smoothed_as_its_objects() {
+    let (area, [cube, torus, _, gear, house]) = (bridge::rectangle(0, 0, 128, 64), &scenes()[..]) else {
+        panic!("five solids");
+    };
+    let beside = [cube, torus, gear, house].map(|scene| scene.solid.edge_faces());
+    let meshes = [(cube, &beside[0]), (torus, &beside[1]), (gear, &beside[2]), (house, &beside[3])];
+    let meshes = meshes.map(|(scene, beside)| scene.mesh(beside));
+    let camera = camera(128, 64).library();
+    let mut scene = pinhole::draw::Scene::<u8, 5>::new();
+    let mut add = |mesh, step, [x, y, z]: [i16; 3], cull, level| {
+        let model = turned(step).library().translate(Vector3::from_ints(x, y, z));
+        scene.add(Object::new(mesh, model, level).with_cull(cull)).expect("room");
+    };
+    add(&meshes[0], 1, [-2, 0, 0], Cull::Front, 250);
+    add(&meshes[1], 2, [3, 0, 1], Cull::None, 40);
+    add(&meshes[2], 3, [0, 0, -3], Cull::Back, 120);
+    add(&meshes[3], 4, [90, 0, 0], Cull::Back, 0); // out of view
+    add(&meshes[0], 5, [4, -1, 7], Cull::None, 90);
+    let is_crease = |index: usize, edge: usize| !(index + edge).is_multiple_of(3);
+    let shade = |_, object: &Object<'_, u8>| {
+        let level = object.material;
+        move |face: usize| grey(level.wrapping_add(5 * (face % 50) as u8))
+    };
+    let placed = scene.place(&camera);
+    assert_eq!(placed.len(), 4);
+
+    // The objects one by one.
+    let draw = |smooth: &mut dyn FnMut(&mut Picture<'_, Rgb888>, &mut DepthBuffer<'_>)| {
+        let (mut cells, mut depths) = (vec![grey(BACKGROUND); 128 * 64], vec![0; 128 * 64]);
+        let mut picture = Picture::new(&mut cells, area.size).expect("room");
+        let mut depth = DepthBuffer::new(area, &mut depths).expect("room");
+        let Ok(_) = placed.faces(shade).draw(&mut picture.pixels().depth_tested(&mut depth));
+        smooth(&mut picture, &mut depth);
+        cells
+    };
+    let storage = || (vec![ScreenVertex::EMPTY; 2000], vec![0; 20_000], vec![0; 20_000]);
+    let whole = draw(&mut |picture, depth| {
+        let instances: Vec<_> = placed.iter().map(|(_, instance)| instance).collect();
+        let mut storages = [(); 4].map(|()| storage());
+        let mut edges = Vec::new();
+        for ((index, instance), (cache, bins, _)) in
+            [0, 1, 2, 4].into_iter().zip(&instances).zip(&mut storages)
+        {
+            let transformed = instance.transform_depth(cache);
+            edges.push(transformed.bin_smooth_edges(|edge| is_crease(index, edge), bins).expect("room"));
+        }
+        picture
+            .pixels()
+            .depth_tested(depth)
+            .smooth(|pass| edges.iter_mut().for_each(|edges| edges.draw(pass)));
+    });
+    let plain = draw(&mut |_, _| {});
+    let differ = whole.iter().zip(&plain).filter(|(a, b)| a != b).count();
+    assert!(differ > 300, "{differ}");
+
+    let creases = |index, _: &Object<'_, u8>, edge| is_crease(index, edge);
+    for (vertices, entries) in [(2000, 0), (2000, 16), (300, 16), (0, 3)] {
+        let (mut cache, mut bins, mut edge_bins) = storage();
+        let mut list = vec![SmoothEdge::EMPTY; entries];
+        let mut faces = placed.bin_faces(&mut cache[..vertices], &mut bins).expect("room");
+        let needed = placed.smooth_bins_len();
+        let error = faces.bin_smooth_edges(creases, &mut vec![0; needed - 1]).map(drop);
+        assert_eq!(error, Err(BufferError::Bins { needed, given: needed - 1 }));
+        let mut edges = faces.bin_smooth_edges(creases, &mut edge_bins[..needed]).expect("room");
+        edges.keep_in(&mut list);
+        let bounds: Vec<_> = edges.bounds().map(|(_, bounds)| bounds).collect();
+        let is_inside = |at: Point| bounds.iter().any(|bounds| bounds.contains(at));
+        let smooth = draw(&mut |picture, depth| {
+            picture.pixels().depth_tested(depth).smooth(|pass| edges.draw(pass));
+        });
+        assert!(smooth == whole);
+        for (at, color) in area.points().zip(&smooth) {
+            assert!(is_inside(at) || *color == grey(BACKGROUND), "{at}");
+        }
+        for rows in [3, 8, 13] {
+            let (mut strip, mut depths) = (vec![0; 128 * 3 * rows], vec![0; 128 * rows]);
+            let mut kept = [0; 128 * 3];
+            let mut frame = SmoothFrame::new(area, grey(BACKGROUND), &mut kept, &mut depths).expect("room");
+            let mut picture = Vec::new();
+            while let Some(mut band) = frame.next_band(&mut strip).expect("room") {
+                let (mut pixels, mut depth) = band.new_rows();
+                let Ok(()) = faces.draw(shade, &mut pixels.depth_tested(&mut depth));
+                picture.extend(band.smooth(|pass| edges.draw(pass)).colors());
+            }
+            assert!(picture == whole, "{rows}");
         }
     }
 }
