@@ -121,8 +121,8 @@ pub mod draw {
     pub use crate::pipeline::{
         draw_line, fill_triangle, ActiveFace, ActiveFaces, BinnedEdges, BinnedFaces, BinnedScene, Cull,
         Edges, Faces, HalfBins, HalfTransform, MeshInstance, Object, Painter, PaintersOrder, Picked,
-        PlacedScene, Scene, SceneFaces, ShaderFor, SmoothEdge, SmoothEdges, SplitBins, SplitTransform,
-        SpriteFor, Statistics, StrokeFor, TransformedMesh,
+        PlacedScene, Scene, SceneFaces, ShaderFor, SmoothEdge, SmoothEdges, SmoothScene, SplitBins,
+        SplitTransform, SpriteFor, Statistics, StrokeFor, TransformedMesh,
     };
 }
 

@@ -58,7 +58,7 @@ pub use faces::Faces;
 pub use instance::MeshInstance;
 pub use painter::{Painter, PaintersOrder};
 pub use pick::Picked;
-pub use scene::{BinnedScene, Object, PlacedScene, Scene, SceneFaces};
+pub use scene::{BinnedScene, Object, PlacedScene, Scene, SceneFaces, SmoothScene};
 pub use smooth_edges::{SmoothEdge, SmoothEdges};
 pub use split_bins::{HalfBins, SplitBins};
 pub use split_transform::{HalfTransform, SplitTransform};

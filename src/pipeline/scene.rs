@@ -9,14 +9,17 @@ use super::faces::PLANES;
 use super::instance::MeshInstance;
 use super::painter::Painter;
 use super::pick::{pick_at, Picked};
+use super::smooth_edges::{SmoothBins, SmoothEdge, SmoothMemory};
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::camera::{Camera, ScreenVertex, Visibility};
+use crate::color::{Color, StoredPixel};
 use crate::math::{Affine, Sphere};
+use crate::raster::Scissor;
 use crate::scene::Mesh;
 use crate::shading::{Shader, SpanShader};
 use crate::space::{Model, World};
-use crate::surface::{rectangle, BufferError, DepthBuffer, Surface, Target};
+use crate::surface::{rectangle, BufferError, DepthBuffer, SmoothPass, Surface, Target};
 use core::convert::Infallible;
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -230,6 +233,11 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
     /// How many numbers of bin storage suffice for all visible objects.
     pub fn face_bins_len(&self) -> usize {
         self.visible().map(|(_, object)| object.mesh().face_bins_len()).sum()
+    }
+
+    /// How many numbers of storage suffice for the [smoothed edges](BinnedScene::bin_smooth_edges) of all visible objects.
+    pub fn smooth_bins_len(&self) -> usize {
+        self.visible().map(|(_, object)| object.mesh().smooth_bins_len()).sum()
     }
 
     /// The faces of all objects, to be drawn or picked. `shade` is called once for each visible object, with its index in the scene,
@@ -502,6 +510,69 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
         Ok(forks)
     }
 
+    /// Finds the edges of all visible objects that are smoothed, as [`TransformedMesh::bin_smooth_edges`] does for one mesh: only edges that a
+    /// mesh lists are smoothed. `is_crease` tells of an edge, by the index of its object in the scene, the object and the edge's index, whether it is a
+    /// crease. The objects share `storage`: [`smooth_bins_len`](PlacedScene::smooth_bins_len) numbers.
+    ///
+    /// ```
+    /// # use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+    /// # use pinhole::{mesh::edge_faces, prelude::*, Angle};
+    /// # const VERTICES: [[i16; 3]; 4] = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
+    /// # const FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
+    /// # const EDGES: [[u16; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+    /// # const BESIDE: [[u16; 2]; 6] = edge_faces(&EDGES, &FACES);
+    /// # let mesh = Mesh::new(&VERTICES, 0, &FACES)?.with_edges(&EDGES)?.with_edge_faces(&BESIDE)?;
+    /// # let mut scene = Scene::<Gray8, 2>::new();
+    /// # scene.add(Object::new(&mesh, Affine::identity(), Gray8::new(200)))?;
+    /// # scene.add(Object::new(&mesh, Affine::rotation_y(Angle::degrees(90)), Gray8::new(90)))?;
+    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// # let camera = Camera::framing(&scene.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// # let (mut pixels, mut depths) = ([Gray8::BLACK; 64 * 64], [0; 64 * 64]);
+    /// # let mut picture = Picture::new(&mut pixels, viewport.size())?;
+    /// # let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;
+    /// let placed = scene.place(&camera); // a scene of two tetrahedra, whose edges are listed
+    /// let (mut cache, mut bins, mut edge_bins) = ([ScreenVertex::EMPTY; 2 * 4], [0; 2 * 7], [0; 40]);
+    /// let mut faces = placed.bin_faces(&mut cache, &mut bins)?;
+    /// let mut edges = faces.bin_smooth_edges(|_index, _object, _edge| false, &mut edge_bins)?;
+    /// faces.draw(|_, object| |_| object.material, &mut picture.pixels().depth_tested(&mut depth))?;
+    /// picture.pixels().depth_tested(&mut depth).smooth(|pass| edges.draw(pass));
+    /// // In bands: `band.smooth(|pass| edges.draw(pass))` of a `SmoothFrame`.
+    /// # assert!(picture.colors().iter().filter(|color| ![0, 90, 200].contains(&color.luma())).count() > 50);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`BufferError`] if the storage is too short, or a mesh has more than 65535 edges.
+    #[inline(never)] // the result is large
+    pub fn bin_smooth_edges(
+        &self,
+        mut is_crease: impl FnMut(usize, &'f Object<'m, M>, usize) -> bool,
+        storage: &'f mut [u16],
+    ) -> Result<SmoothScene<'f, 'm, M, OBJECTS>, BufferError> {
+        const { assert!(OBJECTS <= 1 << 16, "edges are smoothed of at most 65536 objects") };
+        let Self { objects, camera, ref binned, .. } = *self;
+        let visible = || binned.iter().filter_map(|binned| Some((binned, objects.get(binned.index)?)));
+        let needed = visible().map(|(_, object)| object.mesh.smooth_bins_len()).sum();
+        let (given, mut storage) = (storage.len(), storage);
+        if given < needed {
+            return Err(BufferError::Bins { needed, given });
+        }
+        let mut scene = SmoothScene { objects, camera, smooth: Vec::new(), memory: SmoothMemory::new() };
+        for (&BinnedObject { index, cache, ref bins, is_cached }, object) in visible() {
+            let numbers = object.mesh.smooth_bins_len();
+            let (own, other) = storage.split_at_mut_checked(numbers).unwrap_or_default();
+            storage = other;
+            let instance = object.place(camera);
+            let transformed = TransformedMesh::with_cache(&instance, true, cache);
+            let edges = transformed.smooth_bins(|edge| is_crease(index, object, edge), own)?;
+            let bounds = edges.bounds_with(&bins.bounds());
+            let _ = scene.smooth.push(SmoothObject { index, cache, edges, bounds, is_cached });
+            // both have the capacity `OBJECTS`
+        }
+        Ok(scene)
+    }
+
     /// Stores the depth of the faces that lie in a band, and draws nothing: see [`BinnedFaces::depth_only`].
     pub fn depth_only(&mut self, depth: &mut DepthBuffer<'_>) {
         let Ok(()) = self.each_in_band(&depth.area(), false, |_, _, faces| {
@@ -524,11 +595,66 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
     }
 }
 
+/// The edges of all visible objects that are smoothed. [`BinnedScene::bin_smooth_edges`] makes it and has an example.
+///
+/// For each of the `OBJECTS` it takes 104 bytes on a 32-bit core.
+#[derive(Debug)]
+pub struct SmoothScene<'f, 'm, M, const OBJECTS: usize> {
+    objects: &'f [Object<'m, M>],
+    camera: &'f Camera,
+    smooth: Vec<SmoothObject<'f>, OBJECTS>,
+    memory: SmoothMemory<'f>,
+}
+
+/// The smoothed edges of an object without its instance: as [`BinnedObject`].
+#[derive(Debug)]
+struct SmoothObject<'f> {
+    index: usize,
+    cache: &'f [ScreenVertex],
+    edges: SmoothBins<'f>,
+    /// Of faces and edges.
+    bounds: Scissor,
+    is_cached: bool,
+}
+
+impl<'f, 'm, M, const OBJECTS: usize> SmoothScene<'f, 'm, M, OBJECTS> {
+    /// Keeps edges of all objects that are set up: see [`SmoothEdges::keep_in`](crate::draw::SmoothEdges::keep_in).
+    pub fn keep_in(&mut self, list: &'f mut [SmoothEdge]) {
+        self.memory.keep_in(list);
+    }
+
+    /// The objects, in the order of the scene, each with a rectangle around the pixels that its faces draw and that smoothing may change: for
+    /// [`Tracked`](crate::bands::Tracked), in place of [`BinnedScene::bounds`].
+    pub fn bounds(&self) -> impl Iterator<Item = (&'f Object<'m, M>, Rectangle)> + '_ {
+        let bounds =
+            |object: &SmoothObject<'_>| Some((self.objects.get(object.index)?, rectangle(&object.bounds)));
+        self.smooth.iter().filter_map(bounds)
+    }
+
+    /// Smooths the edges of all objects in a pass, in the order of the scene: see [`SmoothEdges::draw`](crate::draw::SmoothEdges::draw).
+    #[inline(never)] // its stack frame does not exist while faces are drawn
+    pub fn draw<C: Color + StoredPixel<Cell>, Cell: Copy>(&mut self, pass: &mut SmoothPass<'_, C, Cell>) {
+        let Self { objects, camera, ref mut smooth, ref mut memory } = *self;
+        let mut pixels = pass.pixels();
+        // Of bands, the second pass begins a row higher: both meet the bounds, or neither.
+        pixels.top = pixels.top.saturating_sub(i32::from(!pass.is_last()));
+        for SmoothObject { index, cache, edges, is_cached, .. } in smooth {
+            let Some(object) = objects.get(*index).filter(|_| pixels.meets(&edges.bounds)) else { continue };
+            let instance = match *is_cached {
+                true => camera.place_cached(object.mesh).with_cull(object.cull),
+                false => object.place(camera),
+            };
+            edges.draw(&TransformedMesh::with_cache(&instance, true, cache), *index, memory, pass);
+        }
+    }
+}
+
 /// The figures of the documentation.
 #[cfg(target_pointer_width = "32")]
 const _: () = {
     assert!(size_of::<Object<'static, ()>>() == 88);
     assert!(size_of::<BinnedObject<'static>>() == 72);
+    assert!(size_of::<SmoothObject<'static>>() == 104);
 };
 
 // Materials are not printed: they need not implement `Format`.
@@ -547,6 +673,11 @@ defmt_format!(
 defmt_format!(
     [M, const OBJECTS: usize] BinnedScene<'_, '_, M, OBJECTS>, self,
     "{=usize} objects binned: {}", self.binned.len(), self.statistics
+);
+
+defmt_format!(
+    [M, const OBJECTS: usize] SmoothScene<'_, '_, M, OBJECTS>, self,
+    "edges of {=usize} objects to smooth", self.smooth.len()
 );
 
 defmt_format!(

@@ -12,7 +12,7 @@ use crate::color::{Color, StoredPixel};
 use crate::math::hints::keep_rolled;
 use crate::math::Coordinate;
 use crate::raster::{CrossedEdge, CrossedPair, Scissor};
-use crate::surface::{rectangle, BufferError, Pairs, Seen, SeenKind, SmoothPass};
+use crate::surface::{inside, rectangle, BufferError, Pairs, Seen, SeenKind, SmoothPass};
 use embedded_graphics_core::primitives::Rectangle;
 
 /// The edges of a mesh that are smoothed in a picture, binned by their first rows: silhouettes, beyond which no face of the mesh follows, and
@@ -20,14 +20,26 @@ use embedded_graphics_core::primitives::Rectangle;
 #[derive(Debug)]
 pub struct SmoothEdges<'a, V: Coordinate = i16> {
     transformed: TransformedMesh<'a, V, true>,
+    bins: SmoothBins<'a>,
+    memory: SmoothMemory<'a>,
+}
+
+/// The edges of a mesh that are smoothed, without the mesh.
+#[derive(Debug)]
+pub(super) struct SmoothBins<'a> {
     lists: EdgeLists<'a>,
     kinds: Kinds<'a>,
     /// The pixels that smoothing may change.
-    bounds: Scissor,
-    /// Edges that are set up, each at its index modulo a power of two, which is larger by 1 than `mask`.
+    pub(super) bounds: Scissor,
+}
+
+/// Memory for edges that are set up, and for pairs of pixels.
+#[derive(Debug)]
+pub(super) struct SmoothMemory<'a> {
+    /// Each edge at its index modulo a power of two, which is larger by 1 than `mask`.
     list: &'a mut [SmoothEdge],
     mask: usize,
-    /// Memory for an edge without an entry in the list, and for pairs of pixels.
+    /// For an edge without an entry in the list.
     own: SmoothEdge,
     pairs: Pairs,
 }
@@ -35,7 +47,7 @@ pub struct SmoothEdges<'a, V: Coordinate = i16> {
 /// An entry of a list of edges that are set up, of 72 bytes: [`SmoothEdges::keep_in`].
 #[derive(Clone, Copy, Debug)]
 pub struct SmoothEdge {
-    /// The index of the edge, and 1; 0 of no edge.
+    /// The index of the edge and, in the higher 16 bits, of its object, and 1; 0 of no edge.
     number: u32,
     seen: Seen,
     crossed: CrossedEdge,
@@ -57,8 +69,10 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
     /// Finds the silhouettes of a mesh, and those of its creases that are in front, for [smoothing](crate::target::DepthTestedSurface::smooth).
     /// `is_crease` tells of an edge by its index whether it is a crease where both of its faces are drawn: `|_| false` for a surface that is
     /// lit smoothly, `|_| true` for one in facets, or whether the colours of the [faces beside it](crate::Mesh::edge_faces) differ: each crease that
-    /// is left out saves as much as a face takes. `storage` has [`smooth_bins_len`](crate::Mesh::smooth_bins_len) numbers. The mesh should list
-    /// all of its edges, and the [faces beside them](crate::Mesh::with_edge_faces).
+    /// is left out saves as much as a face takes. `storage` has [`smooth_bins_len`](crate::Mesh::smooth_bins_len) numbers.
+    ///
+    /// **Only [edges that the mesh lists](crate::Mesh::with_edges) are smoothed: of a mesh without edges none, and that is no error.** List all of them, and the
+    /// [faces beside them](crate::Mesh::with_edge_faces): otherwise these are searched.
     ///
     /// ```
     /// # use embedded_graphics::{pixelcolor::Gray8, prelude::*};
@@ -92,9 +106,22 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
     #[inline(never)] // the result is large
     pub fn bin_smooth_edges(
         &self,
-        mut is_crease: impl FnMut(usize) -> bool,
+        is_crease: impl FnMut(usize) -> bool,
         storage: &'a mut [u16],
     ) -> Result<SmoothEdges<'a, V>, BufferError> {
+        let bins = self.smooth_bins(is_crease, storage)?;
+        Ok(SmoothEdges { transformed: *self, bins, memory: SmoothMemory::new() })
+    }
+}
+
+impl<V: Coordinate> TransformedMesh<'_, V, true> {
+    /// The edges that are smoothed.
+    #[inline(always)]
+    pub(super) fn smooth_bins<'s>(
+        &self,
+        mut is_crease: impl FnMut(usize) -> bool,
+        storage: &'s mut [u16],
+    ) -> Result<SmoothBins<'s>, BufferError> {
         let mesh = self.instance.mesh();
         let (needed, given) = (mesh.smooth_bins_len(), storage.len());
         let bits = mesh.edges.len().div_ceil(16);
@@ -129,7 +156,7 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
             let Some(ends) = self.edge_out_of_line(edge, &mut statistics) else { continue };
             let is_silhouette = match drawn {
                 Some(drawn) => drawn == 1,
-                None if !self.set_up(index, &viewport, &mut own) => continue,
+                None if !self.set_up(index, 0, &viewport, &mut own) => continue,
                 None => own.seen.kind != SeenKind::Crease,
             };
             let [from, to] = ends.map(|end| end.point);
@@ -146,8 +173,7 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
         // A pixel that an edge crosses is mixed with its neighbour. Bounds without an edge remain empty.
         let bounds = fill.bounds.grown(1).clipped_to(&viewport);
         let (first, next, rows) = fill.links();
-        let (pairs, lists) = ([CrossedPair::EMPTY; 16], EdgeLists::new(first, next, rows));
-        Ok(SmoothEdges { transformed: *self, lists, kinds, bounds, list: &mut [], mask: 0, own, pairs })
+        Ok(SmoothBins { lists: EdgeLists::new(first, next, rows), kinds, bounds })
     }
 
     /// Sets a bit for each face that is drawn, and returns `true`; or nothing, if the bits are too few, or no edge lists its faces.
@@ -183,7 +209,7 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
 
     /// Sets an edge up, with the planes of the drawn faces beside it. Returns whether there is such a face.
     #[inline(never)]
-    fn set_up(&self, index: usize, viewport: &Scissor, to: &mut SmoothEdge) -> bool {
+    fn set_up(&self, index: usize, id: u32, viewport: &Scissor, to: &mut SmoothEdge) -> bool {
         to.number = 0;
         let Some(&edge) = self.instance.mesh().edges.get(index) else { return false };
         let Some(ends) = self.edge_out_of_line(edge, &mut Statistics::default()) else { return false };
@@ -206,7 +232,7 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
             sides |= bit;
         });
         (*number, *kind) = (
-            index as u32 + 1,
+            id,
             match sides {
                 1 => SeenKind::Low,
                 2 => SeenKind::High,
@@ -231,19 +257,15 @@ impl<'a, V: Coordinate> SmoothEdges<'a, V> {
     /// # }
     /// ```
     pub fn keep_in(&mut self, list: &'a mut [SmoothEdge]) {
-        for edge in list.iter_mut() {
-            keep_rolled();
-            edge.number = 0;
-        }
-        self.mask = list.len().checked_ilog2().map_or(0, |bits| (1 << bits) - 1);
-        self.list = list;
+        self.memory.keep_in(list);
     }
 
-    /// A rectangle inside the viewport around the pixels that smoothing may change: they lie up to a pixel outside the faces. It is empty if no
-    /// edge is smoothed. [`DirtyRegions`](crate::bands::DirtyRegions) need what the faces draw, too:
-    /// `faces.bounds().envelope(&edges.bounds())`, with the [bounds of the faces](crate::draw::BinnedFaces::bounds).
-    pub fn bounds(&self) -> Rectangle {
-        rectangle(&self.bounds)
+    /// The smallest rectangle around `faces`, the [bounds of the faces](crate::draw::BinnedFaces::bounds), and the pixels that smoothing may change,
+    /// which lie inside the viewport and up to a pixel outside the faces: for [`DirtyRegions`](crate::bands::DirtyRegions).
+    /// [`SmoothFrame`](crate::bands::SmoothFrame) has an example.
+    pub fn bounds(&self, faces: Rectangle) -> Rectangle {
+        let faces = inside(&faces);
+        rectangle(&self.bins.bounds_with(&faces))
     }
 
     /// Smooths the edges in a pass, which [`smooth`](crate::target::DepthTestedSurface::smooth) makes: pixels that an edge crosses, and that
@@ -252,7 +274,47 @@ impl<'a, V: Coordinate> SmoothEdges<'a, V> {
     /// The area is exact but for the rounding of corners to 1/256 px, of the slope to 2⁻²⁹, and of shares to 1/32 or 1/256.
     #[inline(never)] // its stack frame does not exist while faces are drawn
     pub fn draw<C: Color + StoredPixel<Cell>, Cell: Copy>(&mut self, pass: &mut SmoothPass<'_, C, Cell>) {
-        let Self { transformed, lists, kinds, list, mask, own, pairs, .. } = self;
+        self.bins.draw(&self.transformed, 0, &mut self.memory, pass);
+    }
+}
+
+impl<'a> SmoothMemory<'a> {
+    pub(super) fn new() -> Self {
+        Self { list: &mut [], mask: 0, own: SmoothEdge::EMPTY, pairs: [CrossedPair::EMPTY; 16] }
+    }
+
+    /// Keeps edges in a list from now on.
+    pub(super) fn keep_in(&mut self, list: &'a mut [SmoothEdge]) {
+        for edge in list.iter_mut() {
+            keep_rolled();
+            edge.number = 0;
+        }
+        self.mask = list.len().checked_ilog2().map_or(0, |bits| (1 << bits) - 1);
+        self.list = list;
+    }
+}
+
+impl SmoothBins<'_> {
+    /// The smallest rectangle around the pixels that smoothing may change, and the bounds of the faces.
+    pub(super) fn bounds_with(&self, faces: &Scissor) -> Scissor {
+        match (faces.is_empty(), self.bounds.is_empty()) {
+            (true, _) => self.bounds,
+            (_, true) => *faces,
+            _ => faces.union(&self.bounds),
+        }
+    }
+
+    /// Smooths the edges of an object, whose number in a scene is `object`, in a pass.
+    #[inline(always)]
+    pub(super) fn draw<V: Coordinate, C: Color + StoredPixel<Cell>, Cell: Copy>(
+        &mut self,
+        transformed: &TransformedMesh<'_, V, true>,
+        object: usize,
+        memory: &mut SmoothMemory<'_>,
+        pass: &mut SmoothPass<'_, C, Cell>,
+    ) {
+        let Self { lists, kinds, .. } = self;
+        let SmoothMemory { list, mask, own, pairs } = memory;
         let viewport = pixels(transformed.instance.area());
         let (scissor, is_last) = (pass.pixels().clipped_to(&viewport), pass.is_last());
         if scissor.is_empty() {
@@ -270,10 +332,10 @@ impl<'a, V: Coordinate> SmoothEdges<'a, V> {
             }
             let axes = pass.axes(&scissor, !is_wide);
             lists.each(kind, |index| {
-                let number = index as u32 + 1; // fewer than 65535
+                let number = ((object as u32) << 16 | index as u32) + 1; // fewer than 65535 edges
                 let free = |edge: &&mut SmoothEdge| edge.number == 0 || edge.number == number;
                 let edge = list.get_mut(index & *mask).filter(free).unwrap_or(&mut *own);
-                if edge.number != number && !transformed.set_up(index, &viewport, edge) {
+                if edge.number != number && !transformed.set_up(index, number, &viewport, edge) {
                     return true;
                 }
                 pass.edge(&edge.crossed, &edge.seen, &axes, pairs);
@@ -304,7 +366,7 @@ fn bounds([from, to]: &[UnpackedVertex; 2]) -> Scissor {
 }
 
 defmt_format!([] SmoothEdge, self, "smooth edge {=u32}", self.number);
-defmt_format!([V: Coordinate] SmoothEdges<'_, V>, self, "edges to smooth, with a list of {=usize}", self.list.len());
+defmt_format!([V: Coordinate] SmoothEdges<'_, V>, self, "edges to smooth, with a list of {=usize}", self.memory.list.len());
 
 /// The figure of the documentation.
 #[cfg(target_pointer_width = "32")]

@@ -14,25 +14,32 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
 /// A [`Frame`] whose edges are smoothed. Smoothing a row needs the row below it, so the last row of each band, with its depths, is kept for the
-/// next band.
+/// next band. It compiles for colours of whole bytes only: draw 1-bit, Gray4 or 12-bit colours into a [`Picture`](crate::target::Picture), where two
+/// colours cannot be smoothed.
 ///
 /// ```
-/// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-/// # use pinhole::{bands::SmoothFrame, mesh::edge_faces, prelude::*, strip_buffers, Angle};
+/// # use embedded_graphics::{draw_target::DrawTargetExt, mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+/// # use pinhole::{bands::{DirtyRegions, SmoothFrame, TransferCost}, mesh::edge_faces, prelude::*, strip_buffers, Angle};
 /// # const VERTICES: [[i16; 3]; 4] = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
 /// # const FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
 /// # const EDGES: [[u16; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 /// # const BESIDE: [[u16; 2]; 6] = edge_faces(&EDGES, &FACES);
-/// # let mesh = Mesh::new(&VERTICES, 0, &FACES)?.with_edges(&EDGES)?.with_edge_faces(&BESIDE)?;
+/// # const fn ready(mesh: Result<Mesh<'static>, pinhole::mesh::MeshError>) -> Mesh<'static> { match mesh { Ok(mesh) => mesh, Err(_) => panic!() } }
+/// # const MESH: Mesh<'static> = ready(ready(ready(Mesh::new(&VERTICES, 0, &FACES)).with_edges(&EDGES)).with_edge_faces(&BESIDE));
 /// # let mut display = MockDisplay::<Gray8>::new();
+/// # display.set_allow_overdraw(true);
 /// # let viewport = Viewport::new(Point::zero(), display.size())?;
-/// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::degrees(20))?;
-/// # let instance = camera.place(&mesh, &Affine::identity());
+/// # let camera = Camera::framing(&MESH.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::degrees(20))?;
+/// # let instance = camera.place(&MESH, &Affine::identity());
+/// // `MESH` is a `const`, as `pinhole-import --edges creases-first --edge-faces` writes it, and `instance` is it before a camera. Firmware has these
+/// // buffers in statics, whose lengths are constants: `static EDGE_BINS: ConstStaticCell<[u16; MESH.smooth_bins_len()]>`.
+/// let mut buffers = mesh_buffers!(MESH);
+/// let mut edge_bins = [0; MESH.smooth_bins_len()];
 /// let mut strip = strip_buffers!(Gray8, 64, 9); // 8 rows, and the one that waits
 /// let mut kept = [0; Frame::<Gray8>::strip_bytes(64, 1)];
-/// # let (mut cache, mut bins, mut edge_bins) = ([ScreenVertex::EMPTY; 4], [0; 7], [0; 16]);
-/// let mesh = instance.transform_depth(&mut cache);
-/// let mut faces = mesh.bin_faces(&mut bins)?;
+///
+/// let mesh = instance.transform_depth(&mut buffers.cache);
+/// let mut faces = mesh.bin_faces(&mut buffers.bins)?;
 /// let mut edges = mesh.bin_smooth_edges(|_| false, &mut edge_bins)?;
 /// let mut frame = SmoothFrame::new(display.bounding_box(), Gray8::BLACK, &mut kept, &mut strip.depths)?;
 /// let mut heights = Vec::new();
@@ -44,6 +51,22 @@ use embedded_graphics_core::primitives::Rectangle;
 ///     band.send(&mut display)?;
 /// }
 /// assert_eq!(heights, [7, 8, 8, 8, 8, 8, 8, 9]);
+///
+/// // A part of the screen lacks neighbours at its border: draw two pixels more on each side, which are not sent.
+/// let mut dirty = DirtyRegions::<4>::new(display.bounding_box(), TransferCost::new(8, TransferCost::MIPI_DCS));
+/// let mut strip = strip_buffers!(Gray8, 64 + 4, 9);
+/// let mut kept = [0; Frame::<Gray8>::strip_bytes(64 + 4, 1)];
+/// dirty.mark(edges.bounds(faces.bounds()));
+/// for part in dirty.take() {
+///     let mut frame = SmoothFrame::new(part.offset(2), Gray8::BLACK, &mut kept, &mut strip.depths)?;
+///     while let Some(mut band) = frame.next_band(&mut strip.colors)? {
+/// #       let (mut pixels, mut depth) = band.new_rows();
+/// #       faces.draw(|_| Gray8::WHITE, &mut pixels.depth_tested(&mut depth))?;
+///         // … as above
+/// #       let band = band.smooth(|pass| edges.draw(pass));
+///         band.send(&mut display.clipped(&part))?; // of `embedded_graphics::draw_target::DrawTargetExt`
+///     }
+/// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]

@@ -54,7 +54,7 @@ impl<S: Surface> DepthTestedSurface<'_, '_, S> {
     /// bands [`SmoothFrame`](crate::bands::SmoothFrame) does so.
     ///
     /// The target is one whose pixels lie in memory, such as [`picture.pixels()`](crate::target::Picture::pixels): a display or the `Picture` itself does not
-    /// compile. With a color of two values `cargo build` stops (`cargo check` does not).
+    /// compile. With a colour of two values `cargo build` stops (`cargo check` does not).
     pub fn smooth(
         &mut self,
         mut edges: impl FnMut(&mut SmoothPass<'_, S::Color, <S::Store as PixelStore>::Cell>),

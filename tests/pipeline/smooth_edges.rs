@@ -1,18 +1,35 @@
 //! Smoothed edges, against 16 × 16 samples of each pixel by an oracle that interpolates in f64.
 
 use core::fmt::Debug;
-use embedded_graphics_core::geometry::Size;
+use embedded_graphics::draw_target::DrawTargetExt;
+use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr888, Gray2, Gray4, Gray8, PixelColor, Rgb565, Rgb666, Rgb888, RgbColor,
 };
+use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::color::{Color, Format, StoredPixel};
-use pinhole::{bands::SmoothFrame, draw::SmoothEdge, prelude::*, target::Pixels};
-use support::bridge;
+use pinhole::{
+    bands::{DirtyRegions, SmoothFrame, TransferCost},
+    draw::SmoothEdge,
+    prelude::*,
+    target::{BufferError, Pixels},
+};
+use support::bridge::{
+    self,
+    pair::{ModelBits, Step},
+};
 use support::smooth_scenes::{camera, grey, reference, scenes, Reference, Scene, BACKGROUND};
 
-/// The scene in bands, each in a strip of this many rows.
-fn in_bands(scene: &Scene, instance: &MeshInstance<'_>, [width, height]: [u32; 2], rows: u32) -> Vec<Rgb888> {
-    let (area, mesh) = (bridge::rectangle(0, 0, width, height), instance.mesh());
+/// Draws parts of the screen one after the other, each in bands of a strip of this many rows and `beyond` pixels larger on each side than
+/// what is sent. `parts` gets the bounds of what is drawn.
+fn send(
+    scene: &Scene,
+    instance: &MeshInstance<'_>,
+    parts: impl FnOnce(Rectangle) -> Vec<Rectangle>,
+    (rows, beyond): (u32, i32),
+    display: &mut Picture<'_, Rgb888>,
+) {
+    let mesh = instance.mesh();
     let (mut cache, mut bins) = (vec![ScreenVertex::EMPTY; mesh.cache_len()], vec![0; mesh.face_bins_len()]);
     let (mut edge_bins, colors) = (vec![0; mesh.smooth_bins_len()], scene.levels().0);
     let transformed = instance.transform_depth(&mut cache);
@@ -20,24 +37,19 @@ fn in_bands(scene: &Scene, instance: &MeshInstance<'_>, [width, height]: [u32; 2
     let mut list = vec![SmoothEdge::EMPTY; rows as usize % 16];
     let mut edges = transformed.bin_smooth_edges(|_| true, &mut edge_bins).expect("room");
     edges.keep_in(&mut list);
-    let storage =
-        |rows: u32| (vec![0; Frame::<Rgb888>::strip_bytes(width, rows)], vec![0; (width * rows) as usize]);
-    let ((mut strip, mut depths), (mut kept, _)) = (storage(rows), storage(1));
-    // The second frame begins again with all edges.
-    let [first, second] = [0; 2].map(|_| {
+    for part in parts(edges.bounds(faces.bounds())) {
+        let area = part.offset(beyond);
+        let storage = |rows: u32| vec![0; Frame::<Rgb888>::strip_bytes(area.size.width, rows)];
+        let (mut strip, mut kept) = (storage(rows), storage(1));
+        let mut depths = vec![0; (area.size.width * rows) as usize];
         let mut frame = SmoothFrame::new(area, grey(BACKGROUND), &mut kept, &mut depths).expect("room");
-        let mut picture = Vec::new();
         while let Some(mut band) = frame.next_band(&mut strip).expect("room") {
             let (mut pixels, mut depth) = band.new_rows();
             let Ok(()) = faces.draw(|face| grey(colors[face]), &mut pixels.depth_tested(&mut depth));
             let band = band.smooth(|pass| edges.draw(pass));
-            assert_eq!((band.area().top_left.y as usize) * width as usize, picture.len());
-            picture.extend(band.colors());
+            let Ok(()) = band.send(&mut display.clipped(&part));
         }
-        picture
-    });
-    assert!(first == second);
-    first
+    }
 }
 
 #[test]
@@ -50,11 +62,83 @@ fn bands_are_smoothed_as_one_piece() {
             let instance = camera.place(&mesh, &model);
             let [plain, whole] = [None, Some(true)].map(|creases| scene.picture(&instance, size, creases));
             assert_ne!(plain, whole);
+            let area = bridge::rectangle(0, 0, size[0], size[1]);
             for rows in [3, 4, 5, 8, 9, 32, 100] {
-                assert!(in_bands(&scene, &instance, size, rows) == whole, "{} {size:?} {rows}", scene.name);
+                // The second frame begins again with all edges.
+                for frames in [1, 2] {
+                    let mut cells = vec![Rgb888::RED; whole.len()];
+                    let mut display = Picture::new(&mut cells, area.size).expect("room");
+                    send(&scene, &instance, |_| vec![area; frames], (rows, 0), &mut display);
+                    assert!(cells == whole, "{} {size:?} {rows}", scene.name);
+                }
             }
         }
     }
+}
+
+/// The scene turned `step` times.
+fn turned(step: u32) -> ModelBits {
+    ModelBits(vec![Step::Y(step * 99_999_999), Step::X(step * 77_777_777)])
+}
+
+/// As the documentation of `SmoothFrame` says: each part is drawn two pixels larger on each side than it is sent.
+#[test]
+fn parts_of_the_screen_are_smoothed_as_one_piece() {
+    let (size, area) = ([128, 64], bridge::rectangle(0, 0, 128, 64));
+    let mut wrong = 0;
+    for scene in scenes().into_iter().filter(|scene| !scene.is_smooth) {
+        let beside = scene.solid.edge_faces();
+        let mesh = scene.mesh(&beside);
+        for step in 0..9 {
+            let (camera, model) = (camera(128, 64).library(), turned(step).library());
+            let instance = camera.place(&mesh, &model);
+            let whole = scene.picture(&instance, size, Some(true));
+            let drawn = |beyond| {
+                let mut cells = vec![Rgb888::RED; whole.len()];
+                let mut display = Picture::new(&mut cells, area.size).expect("room");
+                let parts = (0..16).map(|i| bridge::rectangle(i % 4 * 32, i / 4 * 16, 32, 16)).collect();
+                send(&scene, &instance, |_| parts, (8, beyond), &mut display);
+                cells
+            };
+            assert!(drawn(2) == whole, "{} {step}", scene.name);
+            wrong += usize::from(drawn(0) != whole);
+        }
+    }
+    assert!(wrong > 30);
+}
+
+#[test]
+fn dirty_regions_show_the_smoothed_edges_of_each_frame() {
+    let (scene, area) = (&scenes()[0], bridge::rectangle(0, 0, 128, 64));
+    let beside = scene.solid.edge_faces();
+    let (mesh, camera) = (scene.mesh(&beside), camera(128, 64).library());
+    let mut dirty = DirtyRegions::<4>::new(area, TransferCost::new(24, TransferCost::MIPI_DCS));
+    let (mut cells, mut sent) = (vec![Rgb888::RED; 128 * 64], 0);
+    for step in 0..10 {
+        let model = turned(step).library();
+        let instance = camera.place(&mesh, &model);
+        let mut display = Picture::new(&mut cells, area.size).expect("room");
+        let parts = |bounds| {
+            dirty.mark(bounds);
+            let parts = dirty.take();
+            sent += parts.iter().map(|part| part.size.width * part.size.height).sum::<u32>();
+            parts.to_vec()
+        };
+        send(scene, &instance, parts, (8, 2), &mut display);
+        assert!(cells == scene.picture(&instance, [128, 64], Some(true)), "frame {step}");
+    }
+    assert!(sent < 10 * 128 * 64 / 2, "{sent}");
+}
+
+#[test]
+fn short_buffers_are_refused() {
+    let area = bridge::rectangle(0, 0, 64, 9);
+    let error = SmoothFrame::new(area, Rgb565::BLACK, &mut [0; 127], &mut [0; 192]).map(drop);
+    assert_eq!(error, Err(BufferError::Strip { needed: 128, given: 127 }));
+    let (mut kept, mut depths) = ([0; 128], [0; 192]);
+    let mut frame = SmoothFrame::new(area, Rgb565::BLACK, &mut kept, &mut depths).expect("room");
+    let error = frame.next_band(&mut [0; 256]).map(drop);
+    assert_eq!(error, Err(BufferError::Strip { needed: 384, given: 256 }));
 }
 
 /// Edges that are drawn in the second pass alone mix no other pixels than neighbours in a column, of which the upper one has an odd row.
@@ -107,6 +191,97 @@ fn smoothed_edges_are_close_to_their_areas() {
             let [most, most_far, most_worse] =
                 if height == 240 { [5.0, 1.2, 32.0] } else { [9.2, 4.0, 90.0] };
             assert!(rms[1] < most && 2.0 * rms[1] < rms[0] && far < most_far && worse as f64 <= most_worse);
+        }
+    }
+}
+
+/// Objects of which one is clipped by the viewport, one by the near plane, and one shows its back faces.
+#[test]
+fn a_scene_is_smoothed_as_its_objects() {
+    let (area, [cube, torus, _, gear, house]) = (bridge::rectangle(0, 0, 128, 64), &scenes()[..]) else {
+        panic!("five solids");
+    };
+    let beside = [cube, torus, gear, house].map(|scene| scene.solid.edge_faces());
+    let meshes = [(cube, &beside[0]), (torus, &beside[1]), (gear, &beside[2]), (house, &beside[3])];
+    let meshes = meshes.map(|(scene, beside)| scene.mesh(beside));
+    let camera = camera(128, 64).library();
+    let mut scene = pinhole::draw::Scene::<u8, 5>::new();
+    let mut add = |mesh, step, [x, y, z]: [i16; 3], cull, level| {
+        let model = turned(step).library().translate(Vector3::from_ints(x, y, z));
+        scene.add(Object::new(mesh, model, level).with_cull(cull)).expect("room");
+    };
+    add(&meshes[0], 1, [-2, 0, 0], Cull::Front, 250);
+    add(&meshes[1], 2, [3, 0, 1], Cull::None, 40);
+    add(&meshes[2], 3, [0, 0, -3], Cull::Back, 120);
+    add(&meshes[3], 4, [90, 0, 0], Cull::Back, 0); // out of view
+    add(&meshes[0], 5, [4, -1, 7], Cull::None, 90);
+    let is_crease = |index: usize, edge: usize| !(index + edge).is_multiple_of(3);
+    let shade = |_, object: &Object<'_, u8>| {
+        let level = object.material;
+        move |face: usize| grey(level.wrapping_add(5 * (face % 50) as u8))
+    };
+    let placed = scene.place(&camera);
+    assert_eq!(placed.len(), 4);
+
+    // The objects one by one.
+    let draw = |smooth: &mut dyn FnMut(&mut Picture<'_, Rgb888>, &mut DepthBuffer<'_>)| {
+        let (mut cells, mut depths) = (vec![grey(BACKGROUND); 128 * 64], vec![0; 128 * 64]);
+        let mut picture = Picture::new(&mut cells, area.size).expect("room");
+        let mut depth = DepthBuffer::new(area, &mut depths).expect("room");
+        let Ok(_) = placed.faces(shade).draw(&mut picture.pixels().depth_tested(&mut depth));
+        smooth(&mut picture, &mut depth);
+        cells
+    };
+    let storage = || (vec![ScreenVertex::EMPTY; 2000], vec![0; 20_000], vec![0; 20_000]);
+    let whole = draw(&mut |picture, depth| {
+        let instances: Vec<_> = placed.iter().map(|(_, instance)| instance).collect();
+        let mut storages = [(); 4].map(|()| storage());
+        let mut edges = Vec::new();
+        for ((index, instance), (cache, bins, _)) in
+            [0, 1, 2, 4].into_iter().zip(&instances).zip(&mut storages)
+        {
+            let transformed = instance.transform_depth(cache);
+            edges.push(transformed.bin_smooth_edges(|edge| is_crease(index, edge), bins).expect("room"));
+        }
+        picture
+            .pixels()
+            .depth_tested(depth)
+            .smooth(|pass| edges.iter_mut().for_each(|edges| edges.draw(pass)));
+    });
+    let plain = draw(&mut |_, _| {});
+    let differ = whole.iter().zip(&plain).filter(|(a, b)| a != b).count();
+    assert!(differ > 300, "{differ}");
+
+    let creases = |index, _: &Object<'_, u8>, edge| is_crease(index, edge);
+    for (vertices, entries) in [(2000, 0), (2000, 16), (300, 16), (0, 3)] {
+        let (mut cache, mut bins, mut edge_bins) = storage();
+        let mut list = vec![SmoothEdge::EMPTY; entries];
+        let mut faces = placed.bin_faces(&mut cache[..vertices], &mut bins).expect("room");
+        let needed = placed.smooth_bins_len();
+        let error = faces.bin_smooth_edges(creases, &mut vec![0; needed - 1]).map(drop);
+        assert_eq!(error, Err(BufferError::Bins { needed, given: needed - 1 }));
+        let mut edges = faces.bin_smooth_edges(creases, &mut edge_bins[..needed]).expect("room");
+        edges.keep_in(&mut list);
+        let bounds: Vec<_> = edges.bounds().map(|(_, bounds)| bounds).collect();
+        let is_inside = |at: Point| bounds.iter().any(|bounds| bounds.contains(at));
+        let smooth = draw(&mut |picture, depth| {
+            picture.pixels().depth_tested(depth).smooth(|pass| edges.draw(pass));
+        });
+        assert!(smooth == whole);
+        for (at, color) in area.points().zip(&smooth) {
+            assert!(is_inside(at) || *color == grey(BACKGROUND), "{at}");
+        }
+        for rows in [3, 8, 13] {
+            let (mut strip, mut depths) = (vec![0; 128 * 3 * rows], vec![0; 128 * rows]);
+            let mut kept = [0; 128 * 3];
+            let mut frame = SmoothFrame::new(area, grey(BACKGROUND), &mut kept, &mut depths).expect("room");
+            let mut picture = Vec::new();
+            while let Some(mut band) = frame.next_band(&mut strip).expect("room") {
+                let (mut pixels, mut depth) = band.new_rows();
+                let Ok(()) = faces.draw(shade, &mut pixels.depth_tested(&mut depth));
+                picture.extend(band.smooth(|pass| edges.draw(pass)).colors());
+            }
+            assert!(picture == whole, "{rows}");
         }
     }
 }

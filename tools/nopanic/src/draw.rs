@@ -297,6 +297,7 @@ fn smooth(
     let transformed = instance.transform_depth(corners);
     let Ok(mut edges) = transformed.bin_smooth_edges(|_| any() == 0, bin_storage) else { return };
     edges.keep_in(list);
+    report(edges.bounds(area()));
     if let (Ok(mut picture), Ok(mut depth)) = (Picture::new(memory, size()), DepthBuffer::new(area(), depth))
     {
         picture.pixels().depth_tested(&mut depth).smooth(|pass| edges.draw(pass));
@@ -337,13 +338,16 @@ fn change<'m>(
 struct Storage<'a> {
     cache: &'a mut [ScreenVertex],
     bins: &'a mut [u16],
+    edge_bins: &'a mut [u16],
+    list: &'a mut [SmoothEdge],
+    memory: &'a mut [Rgb565],
     depth: &'a mut [u16],
     painter: Painter<Rgb565, 100, 100>,
     target: Wire<Rgb565>,
 }
 
 fn draw_scene(scene: &pinhole::draw::Scene<'_, Rgb565, 5>, camera: &Camera, storage: &mut Storage<'_>) {
-    let Storage { cache, bins, depth, painter, target } = storage;
+    let Storage { cache, bins, edge_bins, list, memory, depth, painter, target } = storage;
     let placed = scene.place(camera);
     let shade = |index: usize, object: &Object<'_, Rgb565>| {
         let color = object.material;
@@ -359,6 +363,14 @@ fn draw_scene(scene: &pinhole::draw::Scene<'_, Rgb565, 5>, camera: &Camera, stor
     faces.depth_only(&mut depth);
     report(faces.draw(shade, &mut target.depth_tested(&mut depth)));
     report((faces.statistics(), faces.bounds().count()));
+    report(placed.smooth_bins_len());
+    if let Ok(mut edges) = faces.bin_smooth_edges(|index, _, edge| index == edge, edge_bins) {
+        edges.keep_in(list);
+        report(edges.bounds().count());
+        if let Ok(mut picture) = Picture::new(memory, size()) {
+            picture.pixels().depth_tested(&mut depth).smooth(|pass| edges.draw(pass));
+        }
+    }
     let mut cursor = [0; 9];
     let Ok([mut ours, mut theirs]) = faces.fork(&mut cursor) else { return };
     report(ours.draw(shade, &mut target.depth_tested(&mut depth)));
