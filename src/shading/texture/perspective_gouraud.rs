@@ -19,8 +19,7 @@ use crate::shading::{Bayer, CornerValues, Dithered, Gouraud, Nearest, Shader, Sp
 /// of the target: off by at most ½ + ¼ + 1/64 level, asserted up to a ratio of 1200 between the largest and the least w of a face; from there on, the
 /// error of the planes that [`Texture`](crate::texture::Texture) states may add 2⁻¹² level times this ratio.
 ///
-/// A triangle over which linear interpolation is off by less than ¼ level is interpolated like [`Gouraud`]. Elsewhere, the weights
-/// of two corners are interpolated as [`Texture`](crate::texture::Texture) interpolates texture coordinates: divided by 1/w at both
+/// Where linear interpolation is off by less than ¼ level, it is used. Elsewhere, the weights of two corners are interpolated as [`Texture`](crate::texture::Texture) interpolates texture coordinates: divided by 1/w at both
 /// ends of a run of pixels over which the colour departs from a line by at most ¼ level.
 ///
 /// A floor over a picture of 240 × 240 pixels takes 1.17 times the instructions of [`Gouraud`] on a Cortex-M3 (cells X2 `gouraud` and
@@ -132,7 +131,7 @@ impl PerspectiveGouraud {
         let Gouraud(colors) = self.corners;
         let [[a, d, g], [b, e, h], [c, f, i]] = map3(colors, levels::<C>);
         let corners = [[a, b, c], [d, e, f], [g, h, i]];
-        // Of levels with 16 fractional bits; other bits than the upper 8 are fractions, too.
+        // With 16 fractional bits.
         let fractions = |value: i32, max: u8| (value >> (fraction_bits(max) - 24)) as u32;
         let most = |of: &dyn Fn([i32; 3]) -> i32| {
             let [a, b, c] = each::<C, _, _>(corners, |values, max| fractions(of(values), max));
@@ -169,7 +168,6 @@ impl PerspectiveGouraud {
     }
 }
 
-/// The runs of a span.
 #[inline(always)]
 fn runs<C: Color, R: Rounding>(
     gradients: &LevelGradients,
