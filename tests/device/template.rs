@@ -132,7 +132,7 @@ fn plate() -> Body {
 /// The image is then linked for these.
 fn is_set_as_the_readme_says(folder: &Folder, target: &str) {
     let readme = read("README.md");
-    let (_, section) = readme.split_once(FIRMWARE).expect("the steps");
+    let (_, section) = readme.split_once("| file | line |").expect("the table of the steps");
     let cell = |text: &str| text.trim().trim_matches('`').to_string();
     let lines: Vec<[String; 2]> = section
         .lines()
