@@ -42,9 +42,7 @@ impl Viewport {
     pub const fn upright<'t, T: DrawTarget>(&self, target: &'t mut T) -> Upright<'t, T> {
         Upright { target, area: self.area(), rotation: self.rotation() }
     }
-}
 
-impl Viewport {
     /// The pixel of the picture that lies at a pixel of the target: where a label of a [projected](crate::Camera::project) point goes, if it is
     /// drawn [upright](Self::upright). Wraps beyond 2³¹.
     ///

@@ -36,19 +36,6 @@ pub(crate) trait Mixer: Color {
         }
     }
 
-    /// This colour [mixed](Color::mix) with a share of another one, in 2^−`SHARE_BITS`.
-    #[inline(always)]
-    fn mixed(self, other: Self, share: u32) -> Self {
-        if !Self::WORDS.is_spread {
-            return other.over(self, share as u16); // 0 … 256
-        }
-        // 32·own + (other − own)·share modulo 2³².
-        let [own, other] = [self, other].map(|color| spread(color, Self::MASK));
-        let sum =
-            (own << 5).wrapping_add(Self::HALF).wrapping_add(other.wrapping_sub(own).wrapping_mul(share));
-        gathered(sum >> 5 & Self::MASK)
-    }
-
     /// [`Color::over`] for one colour. The arguments are the stored colour and its share, the part that this colour does not cover.
     #[inline(always)]
     fn mixer(self) -> impl Fn(Self, u32) -> Self + Copy {
@@ -110,7 +97,6 @@ mod tests {
             let [own, other] = [(); 2].map(|()| C::from_bits(random.bits()));
             let (mixed, share) = (own.mix(other, alpha), u32::from(alpha) << (C::SHARE_BITS - 5));
             assert_eq!(own.fade(other)(alpha), mixed, "{own:?} {other:?} {alpha}");
-            assert_eq!(other.mixed(own, share), mixed, "{own:?} {other:?} {alpha}");
             assert_eq!(other.run_mixer()(own, share), mixed, "{own:?} {other:?} {alpha}");
         }
     }

@@ -125,7 +125,7 @@ impl<C: StoredPixel<Cell> + Color, Cell: Copy> SmoothPass<'_, C, Cell> {
                     if share != 0
                         && let Some(cell) = cells.get_mut(at)
                     {
-                        *cell = own.mixed(other, share).stored();
+                        *cell = own.mixer()(other, share).stored();
                     }
                 }
             }

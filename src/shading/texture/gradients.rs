@@ -56,9 +56,7 @@ impl Gradients {
             }
         })
     }
-}
 
-impl Gradients {
     /// The binary logarithm of the number of texels that a pixel covers along each axis, rounded down, in 2⁻¹⁶; 0 where it differs over
     /// the triangle.
     #[inline(always)]
