@@ -17,6 +17,9 @@ use embedded_graphics_core::primitives::Rectangle;
 /// next band. It compiles for colours of whole bytes only: draw 1-bit, Gray4 or 12-bit colours into a [`Picture`](crate::target::Picture), where two
 /// colours cannot be smoothed.
 ///
+/// Two cores smooth a part of the screen each, such as a half, drawn two pixels larger as in the example: with a [fork](crate::draw::BinnedFaces::fork) of
+/// the faces, and edges that each core finds in the shared [`TransformedMesh`](crate::draw::TransformedMesh), into storage of its own.
+///
 /// ```
 /// # use embedded_graphics::{draw_target::DrawTargetExt, mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
 /// # use pinhole::{bands::{DirtyRegions, SmoothFrame, TransferCost}, mesh::edge_faces, prelude::*, strip_buffers, Angle};

@@ -10,7 +10,7 @@ use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::color::{Color, Format, StoredPixel};
 use pinhole::{
     bands::{DirtyRegions, SmoothFrame, TransferCost},
-    draw::SmoothEdge,
+    draw::{SmoothEdge, SmoothEdges},
     prelude::*,
     target::{BufferError, Pixels},
 };
@@ -38,17 +38,28 @@ fn send(
     let mut edges = transformed.bin_smooth_edges(|_| true, &mut edge_bins).expect("room");
     edges.keep_in(&mut list);
     for part in parts(edges.bounds(faces.bounds())) {
-        let area = part.offset(beyond);
-        let storage = |rows: u32| vec![0; Frame::<Rgb888>::strip_bytes(area.size.width, rows)];
-        let (mut strip, mut kept) = (storage(rows), storage(1));
-        let mut depths = vec![0; (area.size.width * rows) as usize];
-        let mut frame = SmoothFrame::new(area, grey(BACKGROUND), &mut kept, &mut depths).expect("room");
-        while let Some(mut band) = frame.next_band(&mut strip).expect("room") {
-            let (mut pixels, mut depth) = band.new_rows();
-            let Ok(()) = faces.draw(|face| grey(colors[face]), &mut pixels.depth_tested(&mut depth));
-            let band = band.smooth(|pass| edges.draw(pass));
-            let Ok(()) = band.send(&mut display.clipped(&part));
-        }
+        send_part(&mut faces, &mut edges, &colors, (part, rows, beyond), display);
+    }
+}
+
+/// Draws a part of the screen.
+fn send_part(
+    faces: &mut BinnedFaces<'_, i16, true>,
+    edges: &mut SmoothEdges<'_>,
+    colors: &[u8],
+    (part, rows, beyond): (Rectangle, u32, i32),
+    display: &mut Picture<'_, Rgb888>,
+) {
+    let area = part.offset(beyond);
+    let storage = |rows: u32| vec![0; Frame::<Rgb888>::strip_bytes(area.size.width, rows)];
+    let (mut strip, mut kept) = (storage(rows), storage(1));
+    let mut depths = vec![0; (area.size.width * rows) as usize];
+    let mut frame = SmoothFrame::new(area, grey(BACKGROUND), &mut kept, &mut depths).expect("room");
+    while let Some(mut band) = frame.next_band(&mut strip).expect("room") {
+        let (mut pixels, mut depth) = band.new_rows();
+        let Ok(()) = faces.draw(|face| grey(colors[face]), &mut pixels.depth_tested(&mut depth));
+        let band = band.smooth(|pass| edges.draw(pass));
+        let Ok(()) = band.send(&mut display.clipped(&part));
     }
 }
 
@@ -105,6 +116,39 @@ fn parts_of_the_screen_are_smoothed_as_one_piece() {
         }
     }
     assert!(wrong > 30);
+}
+
+/// As the documentation of `SmoothFrame` says: each core finds the edges, and smooths half of the screen.
+#[test]
+fn two_cores_smooth_halves_of_the_screen() {
+    for scene in scenes().into_iter().filter(|scene| !scene.is_smooth) {
+        let beside = scene.solid.edge_faces();
+        let (mesh, camera) = (scene.mesh(&beside), camera(128, 64).library());
+        let colors = &scene.levels().0;
+        for step in 0..5 {
+            let model = turned(step).library();
+            let instance = camera.place(&mesh, &model);
+            let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
+            let (mut bins, mut cursor) = (vec![0; mesh.face_bins_len()], vec![0; mesh.faces().len()]);
+            let transformed = instance.transform_depth(&mut cache);
+            let mut faces = transformed.bin_faces(&mut bins).expect("room");
+            let whole = scene.picture(&instance, [128, 64], Some(true));
+            let half = |mut faces: BinnedFaces<'_, i16, true>, top: usize| {
+                let (mut bins, mut cells) = (vec![0; mesh.smooth_bins_len()], vec![Rgb888::RED; whole.len()]);
+                let mut edges = transformed.bin_smooth_edges(|_| true, &mut bins).expect("room");
+                let mut display = Picture::new(&mut cells, Size::new(128, 64)).expect("room");
+                let part = bridge::rectangle(0, top as i32, 128, 32);
+                send_part(&mut faces, &mut edges, colors, (part, 8, 2), &mut display);
+                let of_half = top * 128..(top + 32) * 128;
+                assert!(cells[of_half.clone()] == whole[of_half], "{} {step}", scene.name);
+            };
+            let [one, other] = faces.fork(&mut cursor).expect("room");
+            std::thread::scope(|scope| {
+                scope.spawn(|| half(one, 0));
+                half(other, 32);
+            });
+        }
+    }
 }
 
 #[test]
