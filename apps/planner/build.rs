@@ -56,7 +56,7 @@ fn main() -> Result<()> {
     }
     let folder = std::env::var("OUT_DIR")?;
     std::fs::write(Path::new(&folder).join("figures.rs"), out)?;
-    let model = docs.join("../boards/any-cortex-m/model.stl");
+    let model = docs.join("../boards/common/all/model.stl");
     println!("cargo::rerun-if-changed={}", model.display());
     std::fs::write(Path::new(&folder).join("gear.rs"), gear(&std::fs::read(&model)?)?)?;
     Ok(())

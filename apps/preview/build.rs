@@ -1,14 +1,17 @@
-//! Finds the project whose picture is compiled: that which the variable `PINHOLE_PROJECT` names, or the RP2040's template.
+//! Finds the project whose picture is compiled: that which the variable `PINHOLE_PROJECT` names, or what the templates share.
 
 use std::path::PathBuf;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("cargo::rerun-if-env-changed=PINHOLE_PROJECT");
     println!("cargo::rerun-if-changed=build.rs");
-    let template = concat!(env!("CARGO_MANIFEST_DIR"), "/../../boards/rp2040-st7789");
-    let project =
-        std::env::var_os("PINHOLE_PROJECT").map_or(template.into(), PathBuf::from).canonicalize()?;
-    let (picture, script) = (project.join("src/picture.rs"), project.join("build.rs"));
+    let shared = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../boards/common"));
+    let (project, picture, script) = match std::env::var_os("PINHOLE_PROJECT") {
+        Some(project) => (project.into(), "src/picture.rs", "build.rs"),
+        None => (shared, "two-strips/src/picture.rs", "all/build.rs"),
+    };
+    let project = project.canonicalize()?;
+    let (picture, script) = (project.join(picture), project.join(script));
     // That it changes matters here for the macro alone; the compiler notices for itself that it reads another text.
     println!("cargo::rerun-if-changed={}", picture.display());
     let is_in_bands = std::fs::read_to_string(&picture)?.contains("struct Turned");

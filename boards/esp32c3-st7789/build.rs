@@ -5,7 +5,7 @@ use std::path::Path;
 
 /// An STL file, which has z up, or an OBJ file, which has y up: if the model lies on its side, add
 /// `up: Some(pinhole_import::Axis::Y)`, or another axis, to the options below.
-const FILE: &str = "model.stl";
+const FILE: &str = "../common/all/model.stl";
 
 /// What the importer makes of the file: a mesh 2 units long, which suits the camera whatever the file's unit is, with the
 /// normals of its faces for the light, and without edges, which this picture does not draw.
@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     build(Path::new(FILE), "MODEL", &options());
 
     // The linker scripts of esp-hal and of defmt.
-    println!("cargo::rustc-link-arg-bins=-Tlinkall.x");
-    println!("cargo::rustc-link-arg-bins=-Tdefmt.x");
+    println!("cargo::rustc-link-arg=-Tlinkall.x");
+    println!("cargo::rustc-link-arg=-Tdefmt.x");
     Ok(())
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 /// An STL file, which has z up, or an OBJ file, which has y up: if the model lies on its side, add
 /// `up: Some(pinhole_import::Axis::Y)`, or another axis, to the options below.
-const FILE: &str = "model.stl";
+const FILE: &str = "../common/all/model.stl";
 
 /// What the importer makes of the file: a mesh 2 units long, which suits the camera whatever the file's unit is, and the edges at
 /// which its surface turns by more than 30 degrees, with the faces beside each: without these, hidden lines are drawn more slowly.
@@ -27,10 +27,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // The linker scripts of cortex-m-rt and of defmt. A script must be given once: the configuration of a
     // folder around this one may pass link.x already.
     if !std::env::var("CARGO_ENCODED_RUSTFLAGS").is_ok_and(|flags| flags.contains("-Tlink.x")) {
-        println!("cargo::rustc-link-arg-bins=-Tlink.x");
+        println!("cargo::rustc-link-arg=-Tlink.x");
     }
-    println!("cargo::rustc-link-arg-bins=-Tdefmt.x");
+    println!("cargo::rustc-link-arg=-Tdefmt.x");
     // No gaps between the sections in flash.
-    println!("cargo::rustc-link-arg-bins=--nmagic");
+    println!("cargo::rustc-link-arg=--nmagic");
     Ok(())
 }

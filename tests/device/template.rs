@@ -6,7 +6,6 @@ use crate::floats::is_float_routine;
 use pinhole_apps_support::bodies::{self, circle, prism, Body};
 use pinhole_apps_support::testing;
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::{Mutex, PoisonError};
@@ -195,72 +194,23 @@ fn firmware_symbols(target: &str) -> String {
     symbols(&target_dir().join(target).join("release/any-cortex-m"))
 }
 
-/// What cargo-generate is asked for gives the manifest that `boards/new` writes, of each template, and nothing else is replaced.
+/// A copy has all modules that it names, laid out as in the repository, and names nothing outside but pages that are there.
 #[test]
-fn the_templates_are_ready_for_cargo_generate() {
-    let folder = Folder::new("ready");
-    for board in templates() {
-        let read = |file: &str| read(&format!("boards/{board}/{file}"));
-        let asked = read("cargo-generate.toml");
-        assert!(asked.contains("\ninclude = [\"Cargo.toml\"]\n"), "{asked}");
-        // What cargo-generate's template language makes of the manifest, with a folder in place of the variable.
-        let mut made = read("Cargo.toml");
-        while let Some((before, rest)) = made.split_once("{% comment %}") {
-            let (_, rest) = rest.split_once("{% endcomment %}{% capture end %}").expect("its end");
-            let (end, rest) = rest.split_once("{% endcapture %}").expect("the end of a line");
-            let rest =
-                rest.strip_prefix("{% assign end = end | remove: \"# \" %}").expect("without the comment");
-            // A later block captures the end again.
-            let (block, after) = rest.split_once("\n\n").expect("lines that use the end");
-            let block = block.replace("{{ pinhole }}", ROOT).replace("{{ end }}", &end.replace("# ", ""));
-            made = format!("{before}{block}\n\n{after}");
-        }
-        assert!(!made.contains("{{") && !made.contains("{%"), "{made}");
-        folder.shell(&format!("pinhole/boards/new {board} {board}"), &[]);
-        let wanted = fs::read_to_string(folder.path.join(&board).join("Cargo.toml")).expect("Cargo.toml");
-        // `boards/new` resolves links.
-        let root = fs::canonicalize(ROOT).expect("the repository");
-        assert_eq!(without_note(&made).replace(ROOT, &root.display().to_string()), wanted, "{board}");
-    }
-}
-
-/// cargo-generate makes of each template what `boards/new` makes, file by file. To install it takes longer than all tests of this
-/// file, so that CI does not.
-#[test]
-fn cargo_generate_makes_what_boards_new_makes() {
-    let version = Command::new(env!("CARGO")).args(["generate", "--version"]).output();
-    if !version.is_ok_and(|output| output.status.success()) {
-        let skipped = "\nSKIPPED, NOT TESTED: templates by cargo generate, which is missing: cargo install cargo-generate\n";
-        std::io::stderr().write_all(skipped.as_bytes()).expect("stderr");
-        return;
-    }
-    let folder = Folder::new("generate");
-    let root = fs::canonicalize(ROOT).expect("the repository").display().to_string();
+fn copies_of_templates_are_complete() {
+    let folder = Folder::new("copies");
     for board in templates() {
         folder.shell(
             &format!(
-                "pinhole/boards/new {board} new-{board}
-                cargo generate --path '{root}/boards/{board}' --name made-{board} --vcs none --define pinhole='{root}'
-                sed -i '/^# For cargo generate: $/d' made-{board}/Cargo.toml
-                diff -r made-{board} new-{board} >&2"
+                "pinhole/boards/new {board} {board} ../pinhole
+                cd {board}
+                rustfmt --check --edition 2021 --config-path ../pinhole build.rs $(find . -name main.rs -o -name report.rs) >&2
+                ls model.stl .gitignore Cargo.lock ../pinhole
+                sed -n 's|.*](\\(\\.\\./[^)#]*\\).*|\\1|p' README.md | xargs ls -d
+                if grep -rnE 'common/|\\.\\./\\.\\./\\.\\.' . >&2; then exit 1; fi"
             ),
             &[],
         );
     }
-    // Without an answer it is the folder of the README's steps.
-    folder.shell(
-        &format!("cargo generate --path '{root}/boards/any-cortex-m' --name firmware --vcs none --silent"),
-        &[],
-    );
-    let manifest = fs::read_to_string(folder.path.join("firmware/Cargo.toml")).expect("Cargo.toml");
-    assert!(manifest.contains("\npinhole-import = { path = \"../pinhole/import\" }\n"), "{manifest}");
-}
-
-/// A manifest by cargo-generate without the lines that say so.
-fn without_note(manifest: &str) -> String {
-    let note = "# For cargo generate: \n";
-    assert!(manifest.contains(note), "{manifest}");
-    manifest.replace(note, "")
 }
 
 /// The folders of `boards` that are templates.

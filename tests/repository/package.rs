@@ -108,7 +108,7 @@ fn workspaces_lock_equal_versions_of_what_they_share() {
         Command::new("git").args(["ls-files", "*Cargo.lock"]).current_dir(root).output().expect("git");
     let files = String::from_utf8(listed.stdout).unwrap();
     let texts = files.lines().map(|file| fs::read_to_string(root.join(file)).unwrap()).collect::<Vec<_>>();
-    assert!(texts.len() > 10, "{files}");
+    assert!(texts.len() > 5, "{files}");
     let mut versions: BTreeMap<_, BTreeSet<&str>> = BTreeMap::new();
     for (name, version) in texts.iter().flat_map(|text| packages(text)) {
         versions.entry((name, compatible(version))).or_default().insert(version);

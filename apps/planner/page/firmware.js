@@ -53,10 +53,9 @@ const family = (name) => name.split('-')[0];
 
 // The template for a chip and a display: one of both, the plain one first, one of the chip, or the nearest.
 function nearestBoard(chip, panel) {
-  const boards = [...new Set([...templates.keys()].map((path) => path.split('/')[0]))];
   const score = (board) => (family(partsOf(board).chip ?? '') === family(chip) ? 2 : 0) +
     (partsOf(board).controller === controllerOf(panel) ? 1 : 0) + (/-(st7789|ili9341|ssd1306)$/.test(board) ? 0.5 : 0);
-  const best = boards.filter((board) => score(board) >= 2).sort((a, b) => score(b) - score(a))[0];
+  const best = boardsIn(templates).filter((board) => score(board) >= 2).sort((a, b) => score(b) - score(a))[0];
   return best ?? (chip === 'esp32c6' ? 'esp32c3-st7789' : 'any-cortex-m');
 }
 

@@ -62,11 +62,13 @@ function boardsFor(templates, { style, format }) {
   return [...templates.keys()].filter((path) => path.endsWith('/src/picture.rs') && isWanted(path)).map((path) => path.split('/')[0]);
 }
 
+// The boards of the archive. Beside their folders it has the lock file of all.
+const boardsIn = (templates) => [...templates.keys()].filter((path) => path.endsWith('/src/main.rs')).map((path) => path.split('/')[0]);
+
 // The boards of the archive with the titles of their READMEs, those for any display last.
 function boardsOf(templates) {
   const title = (board) => new TextDecoder().decode(templates.get(`${board}/README.md`)).split('\n')[0].replace('# ', '');
-  const boards = [...new Set([...templates.keys()].map((path) => path.split('/')[0]))];
-  return boards.map((board) => [board, title(board)]).sort(([a], [b]) => a.startsWith('any-') - b.startsWith('any-'));
+  return boardsIn(templates).map((board) => [board, title(board)]).sort(([a], [b]) => a.startsWith('any-') - b.startsWith('any-'));
 }
 
 // A board's chip, by its name in a choice, and its bands in memory: those whose pixels are kept, as one is drawn while another is sent,
@@ -118,6 +120,7 @@ function firmware(library, templates, board, text) {
     add(inside);
     if (inside === 'src/picture.rs' && parts.get('style') === 'textured') add('src/texture.rs');
   }
+  files.set('firmware/Cargo.lock', templates.get('Cargo.lock'));
   for (const [name, bytes] of library.model(choice)) files.set(`firmware/${name}`, bytes);
   return files;
 }

@@ -9,7 +9,7 @@ use embedded_graphics_core::pixelcolor::{BinaryColor, Rgb565, RgbColor};
 use pinhole::{camera::Window, math::Sphere};
 use pinhole_import::{Axis, Edges, ImportedMesh};
 
-/// A template's file, given by its path in the template's folder, changed for the firmware of a choice. `model` is the name of
+/// A template's file, given by its path in the folder that `boards/new` makes of it, changed for the firmware of a choice. `model` is the name of
 /// the model's file, `sphere` the mesh's bounding sphere. Fails if no template draws such a picture, or the template lacks the text
 /// to replace.
 pub(crate) fn file(
@@ -294,21 +294,17 @@ fn script(text: &str, choice: &Choice, model: &str) -> Result<String, String> {
     }
 }
 
-/// The manifest as `boards/new` writes it, for a folder beside the repository's.
+/// The manifest, with the importer's feature for decimation if it is used: it compiles C++.
 fn manifest(text: &str, choice: &Choice) -> Result<String, String> {
-    let lines = text.lines().filter(|line| !line.contains("{%"));
-    let text: String = lines.map(|line| line.replace("\"../..", "\"../pinhole") + "\n").collect();
-    if choice.decimate == 0 {
-        return Ok(text);
-    }
-    // A feature of the importer, which compiles C++.
     let plain = "pinhole-import = { version = \"0.1\", default-features = false }";
-    replaced(&text, plain, &plain.replace(" }", ", features = [\"decimate\"] }"))
+    match choice.decimate {
+        0 => Ok(text.into()),
+        _ => replaced(text, plain, &plain.replace(" }", ", features = [\"decimate\"] }")),
+    }
 }
 
-/// The README for a folder that lies beside the repository and is complete, so it does not say how to make one from the template.
+/// The README for a folder that is complete, so it does not say how to make one from the template.
 fn readme(text: &str, choice: &Choice) -> String {
-    let text = text.replace("](../", "](../pinhole/boards/").replace("/boards/../", "/");
     let text: String =
         text.split_inclusive('\n').filter(|line| !line.contains("pinhole/boards/new ")).collect();
     let (title, rest) = text.split_once('\n').unwrap_or((&text, ""));
@@ -332,10 +328,10 @@ mod tests {
     use pinhole::{math::Sphere, Point3, Scalar};
     use pinhole_import::{import_bytes, ImportedMesh, Options};
 
-    const PICTURE: &str = include_str!("../../../boards/rp2040-embassy/src/picture.rs");
-    const CORE_PICTURE: &str = include_str!("../../../boards/stm32f4-ili9341/src/picture.rs");
+    const PICTURE: &str = include_str!("../../../boards/common/embassy/src/picture.rs");
+    const CORE_PICTURE: &str = include_str!("../../../boards/common/two-strips/src/picture.rs");
     const LINE_PICTURE: &str = include_str!("../../../boards/stm32-ssd1306/src/picture.rs");
-    const SCRIPT: &str = include_str!("../../../boards/any-cortex-m/build.rs");
+    const SCRIPT: &str = include_str!("../../../boards/common/all/build.rs");
 
     fn choice(text: &str) -> Choice {
         Choice::parse(text).expect("a choice")
@@ -345,10 +341,16 @@ mod tests {
         Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_int(1) }
     }
 
+    /// A shared file as `boards/new` writes it.
+    fn in_copy(text: &str) -> String {
+        text.replace("../common/all/", "")
+    }
+
     #[test]
     fn the_default_is_the_template() {
         assert_eq!(picture(PICTURE, &Choice::default(), &sphere()).as_deref(), Ok(PICTURE));
-        assert_eq!(script(SCRIPT, &Choice::default(), "model.stl").as_deref(), Ok(SCRIPT));
+        let in_copy = in_copy(SCRIPT);
+        assert_eq!(script(&in_copy, &Choice::default(), "model.stl").as_deref(), Ok(&in_copy[..]));
         let lines = choice("mesh=cube&format=mono&style=hidden-line&color=ffffff");
         assert_eq!(picture(LINE_PICTURE, &lines, &sphere()).as_deref(), Ok(LINE_PICTURE));
     }
@@ -360,9 +362,9 @@ mod tests {
             let mut lines = block.lines().skip_while(|line| line.starts_with("//"));
             let (file, text) =
                 lines.next().and_then(|line| line.split_once(' ')).expect("a file and a choice");
-            let (_, path) = file.split_once('/').expect("a board and a path");
+            let (_, path) = file.trim_start_matches("common/").split_once('/').expect("a folder and a path");
             let template = format!("{}/../../boards/{file}", env!("CARGO_MANIFEST_DIR"));
-            let template = std::fs::read_to_string(template).expect(file);
+            let template = in_copy(&std::fs::read_to_string(template).expect(file));
             let made = super::file(path, &template, &choice(text), "model.obj", &sphere()).expect(block);
             check_paths(&template, &made);
             for line in lines.map(|line| line.replace("\\n", "\n")) {

@@ -17,7 +17,7 @@ mod hidden_lines_script;
 
 #[test]
 fn the_default_picture_is_the_templates() {
-    let gear = concat!(env!("CARGO_MANIFEST_DIR"), "/../../boards/any-cortex-m/model.stl");
+    let gear = concat!(env!("CARGO_MANIFEST_DIR"), "/../../boards/common/all/model.stl");
     let mesh = pinhole_import::import(gear.as_ref(), &(TEMPLATE.options)()).expect("the gear");
     for (turn, [width, height]) in [(0, [240, 240]), (7, [240, 240]), (33, [320, 240])] {
         let mut canvas = Canvas::new(Size::new(width, height), Rgb565::BLACK);
@@ -39,7 +39,7 @@ fn the_default_picture_is_the_templates() {
 /// With the page's angle of edges, which the firmware that the page saves has, too.
 #[test]
 fn hidden_lines_are_the_templates() {
-    let gear = concat!(env!("CARGO_MANIFEST_DIR"), "/../../boards/stm32-ssd1306/model.stl");
+    let gear = concat!(env!("CARGO_MANIFEST_DIR"), "/../../boards/common/all/model.stl");
     let options = Options { edges: Edges::Feature { degrees: 1.0 }, ..hidden_lines_script::options() };
     let imported = pinhole_import::import(gear.as_ref(), &options).expect("the gear");
     let mesh = imported.mesh().expect("a mesh");

@@ -1,5 +1,5 @@
 //! Models in a project that was made from a template: what its build script says of them, and what `--firmware` draws and says.
-//! `pinhole-preview` is `pinhole-render` with a project's code; here it has the RP2040's template.
+//! `pinhole-preview` is `pinhole-render` with a project's code; here it has the picture of `rp2040-st7789`.
 
 use pinhole_apps_support::bodies::{cuboid, gear, obj, reversed, stl, Body};
 use pinhole_apps_support::testing::Program;
@@ -10,10 +10,11 @@ const TMP: &str = env!("CARGO_TARGET_TMPDIR");
 const PREVIEW: Program = Program::new(env!("CARGO_BIN_EXE_pinhole-preview"), TMP);
 const SCRIPT: Program = Program::new(env!("CARGO_BIN_EXE_pinhole-template-build-script"), TMP);
 
-/// What the template's build script prints where its model is `model.stl` with these bytes.
+/// What the templates' build script prints where its model is a file with these bytes.
 fn build(bytes: &[u8]) -> Output {
     let folder = SCRIPT.folder("projects", "build");
-    fs::write(folder.join("model.stl"), bytes).unwrap();
+    let shared = SCRIPT.folder("projects", "common/all");
+    fs::write(shared.join("model.stl"), bytes).unwrap();
     let mut script = SCRIPT.command(&folder, &[""; 0]);
     script.env("OUT_DIR", &folder).env("CARGO_MANIFEST_DIR", &folder).output().unwrap()
 }
@@ -51,7 +52,7 @@ fn both_say_what_to_do() {
         let in_script = if field.is_empty() { "" } else { " (in the `Options` of build.rs)" };
         let done = build(&stl(&body));
         assert!(done.status.success(), "{done:?}");
-        let said = lines(&done.stdout, "cargo::warning=model.stl: ");
+        let said = lines(&done.stdout, "cargo::warning=../common/all/model.stl: ");
         let is_said = |said: &[&str], wanted: String| match doubt {
             "" => said.is_empty(),
             _ => said.len() == 1 && said[0].ends_with(&wanted),
@@ -64,7 +65,7 @@ fn both_say_what_to_do() {
             let words = ["part.stl", "--firmware", "--size", "64x48", option];
             let done = PREVIEW.run_in(&folder, &words[..if option.is_empty() { 4 } else { 5 }]);
             let drawn = lines(&done.stdout, "");
-            let by = "rp2040-st7789: drawn by its src/picture.rs and build.rs";
+            let by = "common: drawn by its src/picture.rs and build.rs";
             assert!(done.status.success() && drawn.iter().any(|line| line.ends_with(by)), "{done:?}");
             done.stderr
         };
@@ -97,6 +98,9 @@ fn the_build_script_refuses_in_one_line() {
         assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
         let errors = lines(&done.stdout, "cargo::error=");
         let [said] = errors[..] else { panic!("{done:?}") };
-        assert!(said.starts_with("model.stl: ") && said.contains(what) && !said.contains("--"), "{said}");
+        assert!(
+            said.starts_with("../common/all/model.stl: ") && said.contains(what) && !said.contains("--"),
+            "{said}"
+        );
     }
 }

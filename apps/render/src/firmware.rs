@@ -10,10 +10,10 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 #[allow(dead_code, unreachable_pub)] // as a file of its own it is right; the bytes are the firmware's
-#[path = "../../../boards/any-cortex-m/src/picture.rs"]
+#[path = "../../../boards/common/one-strip/src/picture.rs"]
 mod picture;
 #[allow(dead_code, unreachable_pub)] // its `main` is for cargo
-#[path = "../../../boards/any-cortex-m/build.rs"]
+#[path = "../../../boards/common/all/build.rs"]
 mod script;
 
 crate::draws_into_a_target!(picture);
@@ -148,14 +148,14 @@ pub fn project(model: &Path) -> Option<PathBuf> {
     let files = ["src/picture.rs", "build.rs"];
     let folder =
         model.ancestors().skip(1).find(|folder| files.iter().all(|file| folder.join(file).is_file()))?;
-    // Without carriage returns, which a checkout may add.
-    let text = |text: String| text.replace('\r', "");
+    // Without carriage returns, which a checkout may add, and with the model where `boards/new` puts it.
+    let text = |text: String| text.replace('\r', "").replace("../common/all/", "");
     let is_ours = |(file, ours): (&str, &str)| {
         std::fs::read_to_string(folder.join(file)).is_ok_and(|theirs| text(theirs) == text(ours.into()))
     };
     let ours = [
-        include_str!("../../../boards/any-cortex-m/src/picture.rs"),
-        include_str!("../../../boards/any-cortex-m/build.rs"),
+        include_str!("../../../boards/common/one-strip/src/picture.rs"),
+        include_str!("../../../boards/common/all/build.rs"),
     ];
     (!files.into_iter().zip(ours).all(is_ours)).then(|| folder.to_path_buf())
 }

@@ -15,7 +15,7 @@ const SIZE: (usize, usize) = (96, 64);
 /// A gear of 300 mm with a hole, z up: a closed mesh.
 #[test]
 fn the_preview_of_an_stl_file_is_the_firmwares_picture() {
-    compare("gear", |_| Path::new(ROOT).join("boards/any-cortex-m/model.stl"));
+    compare("gear", |_| Path::new(ROOT).join("boards/common/all/model.stl"));
 }
 
 /// The teapot, y up: an open mesh of 992 faces, here of two materials.

@@ -3,8 +3,8 @@
 #![no_std]
 #![no_main]
 
-#[cfg_attr(target_arch = "riscv32", path = "../src/clock_riscv.rs")]
-#[cfg_attr(target_arch = "arm", path = "../src/clock.rs")]
+#[cfg_attr(target_arch = "riscv32", path = "../../../src/book/measuring/mcycle.rs")]
+#[cfg_attr(target_arch = "arm", path = "../../../src/book/measuring/systick.rs")]
 mod clock;
 #[path = "../src/stop.rs"]
 mod stop;

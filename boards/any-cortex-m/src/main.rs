@@ -3,9 +3,11 @@
 #![no_std]
 #![no_main]
 
-#[cfg_attr(target_arch = "riscv32", path = "clock_riscv.rs")]
+#[cfg_attr(target_arch = "arm", path = "../../../src/book/measuring/systick.rs")]
+#[cfg_attr(target_arch = "riscv32", path = "../../../src/book/measuring/mcycle.rs")]
 mod clock;
 mod display;
+#[path = "../../common/one-strip/src/picture.rs"]
 mod picture;
 mod stop;
 

@@ -17,10 +17,10 @@ use support::panel::Held;
 #[path = "../../rp2040-st7789/examples/balloon/scene.rs"]
 mod balloon;
 #[allow(dead_code, unreachable_pub)]
-#[path = "../../rp2040-st7789/src/picture.rs"]
+#[path = "../../common/two-strips/src/picture.rs"]
 mod bands;
 #[allow(dead_code, unreachable_pub)] // the rectangles of changes are the firmware's
-#[path = "../../rp2040-embassy/src/picture.rs"]
+#[path = "../../common/embassy/src/picture.rs"]
 mod changes;
 #[allow(unreachable_pub)] // as the macro writes it
 mod drawing {
@@ -140,7 +140,7 @@ const ST7789: Display = Display {
     tearing: None,
 };
 
-/// Imports a board's model as its build script does, which is that of all these templates (`boards/share`).
+/// Imports a board's model as its build script does, which is that of all these templates.
 fn import(model: &Path) -> Result<ImportedMesh, String> {
     let options = firmware::options(&firmware::TEMPLATE, &Options::default());
     pinhole_import::import(model, &options).map_err(|error| error.to_string())

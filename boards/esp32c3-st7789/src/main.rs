@@ -3,8 +3,12 @@
 #![no_std]
 #![no_main]
 
+#[path = "../../common/all/src/panel.rs"]
 mod panel;
+#[path = "../../common/one-strip/src/picture.rs"]
 mod picture;
+#[path = "../../common/st7789/src/registers.rs"]
+mod registers;
 mod stop;
 
 use defmt_rtt as _; // logs go through the probe; without one they are dropped

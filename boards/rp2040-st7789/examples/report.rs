@@ -3,7 +3,7 @@
 #![no_std]
 #![no_main]
 
-#[path = "../src/stop.rs"]
+#[path = "../../common/rp2040/src/stop.rs"]
 mod stop;
 
 use cortex_m::peripheral::{syst::SystClkSource, SYST};

@@ -3,9 +3,15 @@
 #![no_std]
 #![no_main]
 
+#[path = "../../common/rp2040/src/bus.rs"]
 mod bus;
+#[path = "../../common/all/src/panel.rs"]
 mod panel;
+#[path = "../../common/two-strips/src/picture.rs"]
 mod picture;
+#[path = "../../common/st7789/src/registers.rs"]
+mod registers;
+#[path = "../../common/rp2040/src/stop.rs"]
 mod stop;
 
 use bus::Bus;

@@ -4,9 +4,14 @@
 #![no_main]
 
 mod both_cores;
+#[path = "../../common/rp2040/src/bus.rs"]
 mod bus;
+#[path = "../../common/all/src/panel.rs"]
 mod panel;
 mod picture;
+#[path = "../../common/st7789/src/registers.rs"]
+mod registers;
+#[path = "../../common/rp2040/src/stop.rs"]
 mod stop;
 
 use both_cores::{serve, OtherCore};

@@ -4,9 +4,11 @@
 #![no_std]
 #![no_main]
 
+#[path = "../../common/embassy/src/input.rs"]
 mod input;
 mod picture;
 mod show;
+#[path = "../../common/all/src/stop.rs"]
 mod stop;
 
 use defmt_rtt as _; // logs go through the probe; without one they are dropped

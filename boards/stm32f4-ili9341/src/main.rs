@@ -4,8 +4,12 @@
 #![no_main]
 
 mod bus;
+#[path = "../../common/all/src/panel.rs"]
 mod panel;
+#[path = "../../common/two-strips/src/picture.rs"]
 mod picture;
+mod registers;
+#[path = "../../common/all/src/stop.rs"]
 mod stop;
 
 use bus::{Bus, Delay, MEGAHERTZ};

@@ -145,8 +145,7 @@ fn gear() -> Result<Vec<u8>, String> {
     /// The left upper corner of the part that is magnified.
     const PART: [u32; 2] = [0, 26];
     let mut pictures = Vec::new();
-    let mut model =
-        import::read(&Path::new(ROOT).join("boards/any-cortex-m/model.stl"), &Default::default())?;
+    let mut model = import::read(&Path::new(ROOT).join("boards/common/all/model.stl"), &Default::default())?;
     let projection = Named::ALL[0];
     let look = Look {
         projection,

@@ -20,16 +20,15 @@ fn the_templates_turn_in_as_many_frames_as_the_preview() {
 #[test]
 fn a_model_is_drawn_by_the_project_that_it_lies_in() {
     let of = |file: &str| firmware::project(&Path::new(ROOT).join(file));
-    assert_eq!(of("boards/any-cortex-m/model.stl"), None);
+    assert_eq!(of("boards/common/all/model.stl"), None);
     assert_eq!(of("assets/teapot.obj"), None);
-    let rp2040 = Path::new(ROOT).join("boards/rp2040-st7789").canonicalize().unwrap();
-    assert_eq!(of("boards/rp2040-st7789/model.stl"), Some(rp2040));
     // A copy, and then one with another colour.
     let copy = Path::new(env!("CARGO_TARGET_TMPDIR")).join("boards-copy");
     std::fs::create_dir_all(copy.join("src")).unwrap();
     std::fs::create_dir_all(copy.join("parts")).unwrap();
-    for file in ["build.rs", "model.stl", "src/picture.rs"] {
-        std::fs::copy(Path::new(ROOT).join("boards/any-cortex-m").join(file), copy.join(file)).unwrap();
+    for (group, file) in [("all", "build.rs"), ("all", "model.stl"), ("one-strip", "src/picture.rs")] {
+        let shared = Path::new(ROOT).join("boards/common").join(group).join(file);
+        std::fs::copy(shared, copy.join(file)).unwrap();
     }
     std::fs::copy(copy.join("model.stl"), copy.join("parts/gear.stl")).unwrap();
     for file in ["model.stl", "parts/gear.stl"] {

@@ -13,7 +13,7 @@ use std::path::PathBuf;
 
 const RENDER: Program = Program::new(env!("CARGO_BIN_EXE_pinhole-render"), env!("CARGO_TARGET_TMPDIR"));
 const TEAPOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/teapot.obj");
-const GEAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../boards/any-cortex-m/model.stl");
+const GEAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../boards/common/all/model.stl");
 
 /// The folder of a test.
 struct Folder(PathBuf);

@@ -3,12 +3,14 @@
 #![no_std]
 #![no_main]
 
-#[path = "../../src/bus.rs"]
+#[path = "../../../common/rp2040/src/bus.rs"]
 mod bus;
-#[path = "../../src/panel.rs"]
+#[path = "../../../common/all/src/panel.rs"]
 mod panel;
+#[path = "../../../common/st7789/src/registers.rs"]
+mod registers;
 mod scene;
-#[path = "../../src/stop.rs"]
+#[path = "../../../common/rp2040/src/stop.rs"]
 mod stop;
 
 use bus::Bus;

@@ -1,0 +1,31 @@
+//! Converts the model, and tells the linker where `memory.x` and the linker scripts are.
+
+use pinhole_import::{build, Edges, Options};
+use std::path::Path;
+
+/// An STL file, which has z up, or an OBJ file, which has y up: if the model lies on its side, add
+/// `up: Some(pinhole_import::Axis::Y)`, or another axis, to the options below.
+const FILE: &str = "../common/all/model.stl";
+
+/// What the importer makes of the file: a mesh 2 units long, which suits the camera whatever the file's unit is, with the
+/// normals of its faces for the light, and without edges, which this picture does not draw.
+pub fn options() -> Options {
+    Options { fit: Some(2.0), edges: Edges::None, ..Options::default() }
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    // Writes model.rs with the constant MODEL, which src/main.rs includes.
+    build(Path::new(FILE), "MODEL", &options());
+
+    println!("cargo::rustc-link-search={}", std::env::var("CARGO_MANIFEST_DIR")?);
+    println!("cargo::rerun-if-changed=memory.x");
+    // The linker scripts of cortex-m-rt or riscv-rt, and of defmt. A script must be given once: the configuration of a
+    // folder around this one may pass link.x already.
+    if !std::env::var("CARGO_ENCODED_RUSTFLAGS").is_ok_and(|flags| flags.contains("-Tlink.x")) {
+        println!("cargo::rustc-link-arg=-Tlink.x");
+    }
+    println!("cargo::rustc-link-arg=-Tdefmt.x");
+    // No gaps between the sections in flash, such as one after a boot loader.
+    println!("cargo::rustc-link-arg=--nmagic");
+    Ok(())
+}
