@@ -83,7 +83,7 @@ pub(crate) struct Display {
 
 /// The pixels of a frame of the turn as the display's memory stores them, row by row.
 pub(crate) type Pictures = Box<dyn FnMut(u32) -> Result<Vec<u32>, String>>;
-/// Makes the pictures, given the file of the model that the board draws.
+/// Makes the pictures, given the file of the model that the boards draw.
 pub(crate) type MakePictures = fn(&Path) -> Result<Pictures, String>;
 
 pub(crate) const BOARDS: &[Board] = &[

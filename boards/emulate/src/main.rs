@@ -111,7 +111,7 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
     let &Run { frames, break_at, break_by, inputs, pictures } = run;
     let bytes = std::fs::read(image).map_err(|error| format!("{}: {error}", image.display()))?;
     let tables = log::Tables::of(&bytes).map_err(|problem| format!("{}: {problem}", image.display()))?;
-    let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(board.name).join("model.stl");
+    let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("../common/all/model.stl");
     let pictures = match pictures {
         Some(file) => boards::read(board, file)?,
         None => (board.pictures)(&model)?,

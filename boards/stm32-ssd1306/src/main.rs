@@ -4,6 +4,7 @@
 #![no_std]
 #![no_main]
 
+mod clocks;
 #[path = "../../common/embassy/src/input.rs"]
 mod input;
 mod picture;
@@ -17,7 +18,6 @@ use embassy_stm32::gpio::{Input, Pull};
 use embassy_stm32::i2c::{self, I2c, Master};
 use embassy_stm32::mode::Async;
 use embassy_stm32::peripherals::{DMA1_CH0, DMA1_CH6, I2C1, IWDG};
-use embassy_stm32::rcc::{APBPrescaler, Pll, PllMul, PllPDiv, PllPreDiv, PllSource, Sysclk};
 use embassy_stm32::time::Hertz;
 use embassy_stm32::wdg::IndependentWatchdog;
 use embassy_stm32::{bind_interrupts, dma};
@@ -47,19 +47,7 @@ static EXECUTOR: StaticCell<Executor> = StaticCell::new();
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    let mut config = embassy_stm32::Config::default();
-    // 16 MHz without a crystal, times 200, by 32: 100 MHz.
-    config.rcc.pll_src = PllSource::HSI;
-    config.rcc.pll = Some(Pll {
-        prediv: PllPreDiv::DIV16,
-        mul: PllMul::MUL200,
-        divp: Some(PllPDiv::DIV2),
-        divq: None,
-        divr: None,
-    });
-    config.rcc.sys = Sysclk::PLL1_P;
-    config.rcc.apb1_pre = APBPrescaler::DIV2;
-    let p = embassy_stm32::init(config);
+    let p = embassy_stm32::init(clocks::config());
     let mut watchdog = IndependentWatchdog::new(p.IWDG, WATCHDOG.max(1000));
     if WATCHDOG > 0 {
         watchdog.unleash();

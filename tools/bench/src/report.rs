@@ -36,18 +36,73 @@ pub struct Row {
 /// The compiler that has built this.
 pub const COMPILER: &str = env!("BENCH_COMPILER");
 
-/// Logs a report by the `defmt` of the firmware: the chip, its core and its clock, and what [`each`] draws with the memory, the last
-/// count and the counter. `None` if a cell cannot be drawn.
+/// Logs a report by the `defmt` of the firmware, and waits for ever: the chip, its core and its clock in MHz, and what [`each`] draws.
+/// Where the core's own counter, [`counter`], does not count, two arguments more are the last count and the counter for [`each`].
 #[macro_export]
 macro_rules! log_report {
-    ($chip:expr, $core:expr, $megahertz:expr, $memory:expr, $last:expr, $cycles:expr) => {{
-        use $crate::report::{each, Row, COMPILER};
-        defmt::info!("report: chip {=str}, {=str}, {=u32} MHz, {=str}", $chip, $core, $megahertz, COMPILER);
-        let drawn = each($memory, $last, &mut || $cycles, &mut |Row { scene, variant, cycles, crc }| {
-            defmt::info!("report: {=str} {=str} {=u32} cycles, crc {=u32:08x}", scene, variant, cycles, crc);
-        });
-        drawn.inspect(|()| defmt::info!("report: end"))
+    ($chip:expr, $core:expr, $megahertz:expr) => {{
+        use $crate::report::counter;
+        defmt::unwrap!(counter::start());
+        $crate::log_report!($chip, $core, $megahertz, counter::LAST, counter::cycles())
     }};
+    ($chip:expr, $core:expr, $megahertz:expr, $last:expr, $cycles:expr) => {{
+        use $crate::report::{each, memory, Row, COMPILER};
+        defmt::info!("report: chip {=str}, {=str}, {=u32} MHz, {=str}", $chip, $core, $megahertz, COMPILER);
+        let mut row = |Row { scene, variant, cycles, crc }: Row| {
+            defmt::info!("report: {=str} {=str} {=u32} cycles, crc {=u32:08x}", scene, variant, cycles, crc);
+        };
+        defmt::unwrap!(each(defmt::unwrap!(memory()), $last, &mut || $cycles, &mut row));
+        defmt::info!("report: end");
+        loop {
+            core::hint::spin_loop();
+        }
+    }};
+}
+
+/// The memory of a report, once.
+#[cfg(target_os = "none")]
+pub fn memory() -> Option<&'static mut Memory> {
+    #[cfg(target_arch = "arm")]
+    use cortex_m::singleton;
+    #[cfg(target_arch = "riscv32")]
+    use riscv::singleton;
+    singleton!(: Memory = Memory::NEW)
+}
+
+/// SysTick, which counts the cycles of every Cortex-M down.
+#[cfg(all(target_os = "none", target_arch = "arm"))]
+pub mod counter {
+    use cortex_m::peripheral::{syst::SystClkSource, SYST};
+
+    pub const LAST: u32 = (1 << 24) - 1;
+
+    /// `None` if the core's peripherals are in use.
+    pub fn start() -> Option<()> {
+        let mut timer = cortex_m::Peripherals::take()?.SYST;
+        timer.set_clock_source(SystClkSource::Core);
+        timer.set_reload(LAST);
+        timer.clear_current();
+        timer.enable_counter();
+        Some(())
+    }
+
+    pub fn cycles() -> u32 {
+        LAST - SYST::get_current() // 24 bits
+    }
+}
+
+/// The low word of `mcycle`.
+#[cfg(all(target_os = "none", target_arch = "riscv32"))]
+pub mod counter {
+    pub const LAST: u32 = u32::MAX;
+
+    pub fn start() -> Option<()> {
+        Some(())
+    }
+
+    pub fn cycles() -> u32 {
+        riscv::register::mcycle::read() as u32
+    }
 }
 
 /// Wires, faces, faces with depth of a cube and of a torus, and the torus with smooth silhouettes.

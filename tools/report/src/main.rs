@@ -69,12 +69,14 @@ fn read(text: &str) -> Result<Log, String> {
     let board = lines.iter().rev().find_map(|line| line.strip_prefix("chip ")).ok_or(
         "no line `report: chip …`: is this the log of `cargo run --release --example report`, from its first line on?",
     )?;
-    let parts: Vec<&str> = board.splitn(4, ", ").collect();
-    let &[chip, core, clock, compiler] = &parts[..] else {
-        return Err(format!("`{board}`: wanted a chip, its core, its clock and the compiler, such as `RP2040, M0+, 125 MHz, rustc 1.96.0`"));
+    let wanted = || {
+        format!("`{board}`: wanted a chip, its core, its clock and the compiler, such as `RP2040, code in flash, M0+, 125 MHz, rustc 1.96.0`")
     };
-    let megahertz = clock.strip_suffix(" MHz").and_then(|clock| clock.parse().ok());
-    let megahertz = megahertz.ok_or(format!("`{clock}`: wanted a clock such as `125 MHz`"))?;
+    // The names of chips and compilers have commas, too.
+    let (left, compiler) = board.split_once(" MHz, ").ok_or_else(wanted)?;
+    let parts: Vec<&str> = left.rsplitn(3, ", ").collect();
+    let &[clock, core, chip] = &parts[..] else { return Err(wanted()) };
+    let megahertz = clock.parse().map_err(|_| wanted())?;
     let frames = SCENES.iter().map(|[scene, variant]| {
         let name = format!("{scene} {variant} ");
         let figures = lines.iter().rev().find_map(|line| line.strip_prefix(&name));
@@ -162,7 +164,7 @@ fn main() -> ExitCode {
 mod tests {
     use super::*;
 
-    const LOG: &str = "INFO  report: chip RP2040, M0+, 125 MHz, rustc 1.96.0 (a, b)\n";
+    const LOG: &str = "INFO  report: chip RP2040, code in flash, M0+, 125 MHz, rustc 1.96.0 (a, b)\n";
 
     fn lines() -> String {
         SCENES
@@ -175,12 +177,15 @@ mod tests {
     #[test]
     fn a_log_is_read_among_other_lines() {
         let log = read(&format!("boot\n{LOG}x\n{}report: end", lines())).expect("a log");
-        assert_eq!((&log.chip[..], &log.core[..], log.megahertz), ("RP2040", "M0+", 125.0));
+        assert_eq!((&log.chip[..], &log.core[..], log.megahertz), ("RP2040, code in flash", "M0+", 125.0));
         assert_eq!(log.compiler, "rustc 1.96.0 (a, b)");
         assert_eq!(log.frames, vec![(2e6, "1234abcd".to_owned()); 6]);
         let (text, is_right) = report(&log, "me").expect("figures");
         assert!(!is_right && text.contains("WRONG: crc 1234abcd"), "{text}");
-        assert!(text.contains("| RP2040 | M0+, 125 MHz | rustc 1.96.0 (a, b) | 16.0 |"), "{text}");
+        assert!(
+            text.contains("| RP2040, code in flash | M0+, 125 MHz | rustc 1.96.0 (a, b) | 16.0 |"),
+            "{text}"
+        );
     }
 
     #[test]
@@ -210,7 +215,8 @@ mod tests {
         assert!(message("").contains("report: chip"));
         assert!(message(&lines()).contains("report: chip"));
         assert!(message("report: chip RP2040, M0+").contains("the compiler"));
-        assert!(message("report: chip RP2040, M0+, fast, rustc").contains("`fast`: wanted a clock"));
+        assert!(message("report: chip RP2040, M0+, fast MHz, rustc")
+            .contains("`RP2040, M0+, fast MHz, rustc`: wanted"));
         let cut = message(&format!("report: chip RP2040, M0+, 125 MHz, rustc\n{}", &lines()[..60]));
         assert!(cut.contains("no line `report: S2 bands8 …`"), "{cut}");
         let wrong = lines().replacen("2000000", "many", 1);

@@ -72,10 +72,13 @@ mod exit {
         end(well)
     }
 
-    // A template has its own.
-    #[cfg(feature = "emulated")]
     #[panic_handler]
     fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
-        end(false)
+        if cfg!(feature = "emulated") {
+            end(false)
+        }
+        loop {
+            core::hint::spin_loop(); // a report, whose log says why
+        }
     }
 }
