@@ -3,9 +3,8 @@
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
-use embedded_graphics::primitives::Rectangle;
 use pinhole::{prelude::*, Angle};
-use pinhole_import::{ImportedMesh, Options};
+use pinhole_import::{Edges, ImportedMesh, Options};
 use pinhole_render::firmware;
 use std::path::Path;
 use support::oracle::target::Screen;
@@ -13,9 +12,6 @@ use support::panel::screen::StoredPixel;
 use support::panel::Held;
 
 // As files of their own they are right.
-#[allow(dead_code, unreachable_pub)]
-#[path = "../../rp2040-st7789/examples/balloon/scene.rs"]
-mod balloon;
 #[allow(dead_code, unreachable_pub)]
 #[path = "../../common/two-strips/src/picture.rs"]
 mod bands;
@@ -30,7 +26,7 @@ mod drawing {
 
 /// A firmware of `boards`, and the circuit around its microcontroller.
 pub(crate) struct Board {
-    /// Its folder in `boards`, and for an example of it the example's name behind a slash.
+    /// Its folder in `boards`, and for a change of it (`*.diff`) the change's name behind a slash.
     pub(crate) name: &'static str,
     pub(crate) chip: Chip,
     pub(crate) display: Display,
@@ -96,12 +92,12 @@ pub(crate) const BOARDS: &[Board] = &[
         pictures: |model| turn(model, Size::new(240, 240), 120, drawing::draw),
     },
     Board {
-        name: "rp2040-st7789/balloon",
+        name: "rp2040-st7789/smooth",
         chip: PICO,
         display: ST7789,
-        frames: BALLOON_FRAMES,
+        frames: 120,
         sends: Sends::All,
-        pictures: |_| balloon(Size::new(240, 240)),
+        pictures: smooth,
     },
     Board {
         name: "rp2040-embassy",
@@ -211,21 +207,33 @@ fn changes(model: &Path) -> Result<Pictures, String> {
     }))
 }
 
-/// As in the example's `main.rs`.
-const BALLOON_FRAMES: u32 = 96;
-
-/// The pictures of the example `balloon`, drawn in one piece, pixel by pixel; there is no model.
-fn balloon(size: Size) -> Result<Pictures, String> {
-    use balloon::{Buffers, Scene, MORNING, WAY};
-    let scene = Scene::new(size, &MORNING)?;
-    let mut buffers = Buffers::new();
-    let mut depths = vec![0; (size.width * size.height) as usize];
+/// The pictures of `rp2040-st7789` after `smooth.diff`, drawn in one piece.
+fn smooth(model: &Path) -> Result<Pictures, String> {
+    let edges = Edges::CreasesFirst { degrees: 0.0 };
+    let options =
+        Options { edges, edge_faces: true, ..firmware::options(&firmware::TEMPLATE, &Options::default()) };
+    let imported = pinhole_import::import(model, &options).map_err(|error| error.to_string())?;
     Ok(Box::new(move |frame| {
-        let mut picture = Screen::sized(size.width, size.height);
-        let depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), &mut depths);
-        let mut depth = depth.map_err(|error| error.to_string())?;
-        let way = frame as i32 * WAY / BALLOON_FRAMES as i32;
-        let Ok(()) = scene.frame(way, &mut buffers)?.draw(&mut depth, &mut picture);
-        Ok(stored(&picture, MORNING.mist.into()))
+        smoothed(&imported, Angle::turns(frame as i32, 120)).map_err(|error| error.to_string())
     }))
+}
+
+fn smoothed(imported: &ImportedMesh, turn: Angle) -> Result<Vec<u32>, Box<dyn std::error::Error>> {
+    let (mesh, size, model) = (imported.mesh()?, Size::new(240, 240), Affine::rotation_y(turn));
+    let viewport = Viewport::new(Point::zero(), size)?;
+    let [field_of_view, yaw, pitch] = [40, 30, 20].map(Angle::degrees);
+    let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch)?;
+    let light = Lambert::new(&model, Vector3::from_ints(2, 3, 4), 48)?;
+    let (mut cache, mut bins) =
+        (vec![ScreenVertex::EMPTY; mesh.cache_len()], vec![0; mesh.smooth_bins_len()]);
+    let (mut pixels, mut depths) = (vec![Rgb565::BLACK; 240 * 240], vec![0; 240 * 240]);
+    let mut picture = Picture::new(&mut pixels, size)?;
+    let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;
+    let instance = camera.place(&mesh, &model);
+    let color = |face: usize| pinhole::color::Color::dim(bands::COLOR, light.level(mesh.normals()[face]));
+    instance.faces(color).draw(&mut picture.pixels().depth_tested(&mut depth))?;
+    let transformed = instance.transform_depth(&mut cache);
+    let mut edges = transformed.bin_smooth_edges(|edge| edge < imported.creases.unwrap_or(0), &mut bins)?;
+    picture.pixels().depth_tested(&mut depth).smooth(|pass| edges.draw(pass));
+    Ok(pixels.iter().map(|color| color.stored()).collect())
 }
