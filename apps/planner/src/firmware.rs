@@ -284,7 +284,7 @@ fn script(text: &str, choice: &Choice, model: &str) -> Result<String, String> {
     for (_, name) in switches.iter().filter(|(is_on, _)| *is_on) {
         fields += &format!(", {name}: true");
     }
-    let text = replaced(text, "FILE: &str = \"model.stl\"", &format!("FILE: &str = {model:?}"))?;
+    let text = replaced(text, "FILE: &str = \"model.stl\"", &format!("FILE: &str = \"{model}\""))?;
     match options.edges {
         // The template of hidden lines has edge faces already.
         Edges::Feature { degrees } => {
