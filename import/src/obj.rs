@@ -4,7 +4,7 @@ use crate::beside::Beside;
 use crate::materials;
 use crate::model::{Model, Places, TextureFaces};
 use crate::polygon::{self, Triangulated};
-use crate::text::{a_vertex_needs_numbers, before_comment, is_utf16, text, without_end};
+use crate::text::{self, a_vertex_needs_numbers, before_comment, is_utf16, text, without_end};
 use crate::weld::Names;
 use crate::{Element, ImportError, Place, Problem, Warning};
 use std::borrow::Cow;
@@ -279,9 +279,7 @@ fn continued<'t>(first: &'t str, lines: &mut impl Iterator<Item = (usize, &'t st
 /// Three coordinates, which a w divides, or which a colour follows.
 fn position(text: &str) -> Result<([f64; 3], Option<[f32; 3]>), Problem> {
     let mut words = text.split_whitespace();
-    let number = |word: Option<&str>| {
-        word.and_then(|word| word.parse().ok()).ok_or_else(|| a_vertex_needs_numbers(text))
-    };
+    let number = |word: Option<&str>| word.and_then(text::number).ok_or_else(|| a_vertex_needs_numbers(text));
     let position: [f64; 3] = [number(words.next())?, number(words.next())?, number(words.next())?];
     let rest: Vec<&str> = words.collect();
     match rest[..] {
@@ -291,8 +289,8 @@ fn position(text: &str) -> Result<([f64; 3], Option<[f32; 3]>), Problem> {
             w => Ok((position.map(|c| c / w), None)),
         },
         [r, g, b] => {
-            let color = || -> Option<[f32; 3]> { Some([r.parse().ok()?, g.parse().ok()?, b.parse().ok()?]) };
-            Ok((position, color()))
+            let [r, g, b] = [r, g, b].map(|word| text::number(word).map(|level| level as f32));
+            Ok((position, r.zip(g).zip(b).map(|((r, g), b)| [r, g, b])))
         }
         _ => Err(Problem::Syntax("a vertex is x y z, x y z w or x y z r g b")),
     }
@@ -318,7 +316,7 @@ fn means(colors: &[Option<[f32; 3]>], faces: &[[usize; 3]]) -> Vec<Option<[u8; 3
 /// A texture coordinate. The origin of a picture is its upper left corner, so v changes its direction.
 fn coord(text: &str) -> Option<[f64; 2]> {
     let mut words = text.split_whitespace();
-    let [u, v]: [f64; 2] = [words.next()?.parse().ok()?, words.next()?.parse().ok()?];
+    let [u, v] = [words.next().and_then(text::number)?, words.next().and_then(text::number)?];
     Some([u, 1.0 - v])
 }
 

@@ -288,7 +288,7 @@ fn script(text: &str, choice: &Choice, model: &str) -> Result<String, String> {
     match options.edges {
         // The template of hidden lines has edge faces already.
         Edges::Feature { degrees } => {
-            replaced(&text, "degrees: 30.0 }", &format!("degrees: {degrees:?} }}{fields}"))
+            replaced(&text, "degrees: 30.0 }", &format!("degrees: {degrees:.1} }}{fields}"))
         }
         _ => replaced(&text, "edges: Edges::None, ..", &format!("edges: Edges::None{fields}, ..")),
     }
