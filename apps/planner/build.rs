@@ -11,7 +11,7 @@ use std::path::Path;
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
 /// The ways to draw, by their names in the data. Here they are in capitals.
-const WAYS: &str = "lines faces depth bands line-bands hidden-bands smooth-bands dithered-bands smooth-dithered-bands textured-bands \
+const WAYS: &str = "lines faces depth bands line-bands hidden-bands smooth-bands dithered-bands smooth-dithered-bands smooth-edges textured-bands \
                     plain-bands painted painted-bands";
 
 const CORES: [&str; 4] = ["M0", "M3", "M4F", "RV32"];
@@ -28,7 +28,7 @@ const CHIPS: [(&str, &str, u32); 7] = [
 ];
 
 /// Images, by their names in the data. Here they are in capitals, with `_CODE` behind.
-const IMAGES: &str = "framing wireframe_pixels wireframe_bands hidden_bands picture depth_picture solid_bands depth_bands depth_pixels \
+const IMAGES: &str = "framing wireframe_pixels wireframe_bands hidden_bands picture depth_picture solid_bands depth_bands depth_pixels smooth_edges \
                       gouraud_pixels flat_dither_pixels dither_pixels textured_bands textured_pixels \
                       painter painter_bands";
 

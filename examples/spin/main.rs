@@ -42,7 +42,8 @@ fn film() -> Result<Vec<u8>, Box<dyn Error>> {
     let table = Turntable::new(SIZE)?;
     let palette = palette();
     let colours: Vec<_> = palette.iter().map(|&c| Rgb888::from(c)).map(|c| [c.r(), c.g(), c.b()]).collect();
-    let mut animation = Animation::new(Vec::new(), [SIZE.width, SIZE.height], &colours)?;
+    let mut animation =
+        Animation::new(Vec::new(), [SIZE.width, SIZE.height].map(|side| side as u16), &colours)?;
     // All memory that drawing needs; firmware has smaller sizes.
     let mut painter = Box::new(Painter::<Rgb565, 65_536, 65_535>::new());
     let mut cache = vec![ScreenVertex::default(); VERTICES.len()];

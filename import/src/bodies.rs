@@ -1,6 +1,6 @@
 //! The bodies that parts of a surface bound, and which of them lie in which.
 
-use crate::boxes::{Bounds, Boxes};
+use crate::boxes::{flat, Bounds, Boxes};
 use std::cell::OnceCell;
 
 /// The triangles of a part, and their bounding box.
@@ -39,7 +39,7 @@ impl Body {
     }
 
     /// The bounding box and, as a fourth axis, the sum of its sides.
-    fn bounds(&self) -> Bounds<4> {
+    fn bounds(&self) -> Bounds {
         let [low, high] = [self.low.unwrap_or_default(), self.high].map(|corner| corner.map(i64::from));
         let size = (0..3).map(|axis| high[axis] - low[axis]).sum();
         [low, high].map(|[x, y, z]| [x, y, z, size])
@@ -50,10 +50,10 @@ impl Body {
 pub(crate) struct Nesting<'b> {
     bodies: Vec<&'b Body>,
     volumes: Vec<f64>,
-    bounds: Vec<Bounds<4>>,
-    tree: Boxes<4>,
+    bounds: Vec<Bounds>,
+    tree: Boxes,
     /// The triangles of each body, seen along z, if they were looked at.
-    triangles: Vec<OnceCell<Boxes<2>>>,
+    triangles: Vec<OnceCell<Boxes>>,
     /// In how many others each body lies, if that is known.
     depths: Vec<Option<usize>>,
 }
@@ -92,12 +92,12 @@ impl<'b> Nesting<'b> {
     /// The smallest body in which another one lies.
     fn around(&self, body: usize) -> Option<usize> {
         let [low, high] = self.bounds[body];
-        let contains = |bounds: &Bounds<4>| {
+        let mut contains = |bounds: &Bounds| {
             (0..3).all(|axis| bounds[0][axis] <= low[axis] && high[axis] <= bounds[1][axis])
                 && low[3] <= bounds[1][3]
         };
         let size = |body: usize| (self.bounds[body][0][3], self.volumes[body], body);
-        self.tree.first(contains, |other| size(other) > size(body) && self.holds(other, body))
+        self.tree.first(&mut contains, &mut |other| size(other) > size(body) && self.holds(other, body))
     }
 
     /// Whether the first vertex of a body lies in another one: by how often the surface of that winds around it, which is how
@@ -112,14 +112,16 @@ impl<'b> Nesting<'b> {
                 let ends = |of: fn(i64, i64) -> i64| {
                     [0, 1].map(|axis| side(axis).into_iter().fold(side(axis)[0], of))
                 };
-                [ends(i64::min), ends(i64::max)]
+                flat([ends(i64::min), ends(i64::max)])
             };
             Boxes::new(&triangles.iter().map(of).collect::<Vec<_>>())
         });
         let mut windings = 0;
-        let meets =
-            |[low, high]: &Bounds<2>| (0..2).all(|axis| low[axis] <= eye[axis] && eye[axis] <= high[axis]);
-        tree.first(meets, |triangle| {
+        let [x, y, _] = eye;
+        let [at, _] = flat([[x, y]; 2]);
+        let mut meets =
+            |[low, high]: &Bounds| (0..4).all(|axis| low[axis] <= at[axis] && at[axis] <= high[axis]);
+        tree.first(&mut meets, &mut |triangle| {
             windings += crossing(triangles[triangle].map(|vertex| vertex.map(i64::from)), eye);
             false
         });

@@ -2,7 +2,6 @@
 
 use crate::normals::turn;
 use crate::{Edges, Options, Problem, Topology};
-use std::collections::BTreeSet;
 
 /// One side of a face: an edge, the lower vertex first, the face, and whether the face runs along it upwards. In one
 /// number, from the top, which is sorted fast in a build script too: 32 + 32 + 32 + 1 bits. A file of 2³⁰ bytes has fewer
@@ -95,8 +94,8 @@ impl Sides {
     }
 
     /// The edges that are wanted, features first if they are wanted first, otherwise in ascending order, and, if they are wanted, too, the
-    /// faces beside each. `lines` are edges, the
-    /// lower vertex first, whether a face has them or not. `backs` are the faces that the mesh has a second time, reversed, after
+    /// faces beside each. `lines` are edges in
+    /// ascending order, the lower vertex first, whether a face has them or not. `backs` are the faces that the mesh has a second time, reversed, after
     /// all `crosses.len()` of them: their edges are listed with the backs, too. `colors` are numbers of the faces' colours, or nothing.
     ///
     /// # Errors
@@ -105,7 +104,7 @@ impl Sides {
     pub(crate) fn select(
         &self,
         options: &Options,
-        lines: &BTreeSet<[usize; 2]>,
+        lines: &[[usize; 2]],
         crosses: &[[i64; 3]],
         backs: &[usize],
         colors: &[u8],
@@ -116,9 +115,10 @@ impl Sides {
         }
         let as_indices = |edge: [usize; 2]| edge.map(|vertex| vertex as u16); // a mesh has at most 65536 vertices
         let mut selected = Vec::new();
-        let mut without_faces = lines.clone();
+        let mut are_of_faces = vec![false; lines.len()];
         for sides in self.edges() {
-            let is_line = !lines.is_empty() && without_faces.remove(&sides[0].edge());
+            let line = lines.binary_search(&sides[0].edge()).ok();
+            line.into_iter().for_each(|line| are_of_faces[line] = true);
             let is_feature = |degrees| match (meeting(sides), sides) {
                 (Meeting::Surface, [a, b]) => turn(crosses[a.face()], crosses[b.face()]) > degrees,
                 _ => true,
@@ -131,7 +131,7 @@ impl Sides {
                 Edges::CreasesFirst { degrees } => (true, !(is_feature(degrees) || has_two_colors())),
             };
             let edge = (is_later, as_indices(sides[0].edge()));
-            if !(wanted || is_line) {
+            if !(wanted || line.is_some()) {
                 continue;
             }
             if !options.edge_faces {
@@ -151,7 +151,8 @@ impl Sides {
                 }
             }
         }
-        selected.extend(without_faces.into_iter().map(|edge| ((false, as_indices(edge)), NO_FACES)));
+        let without_faces = lines.iter().zip(are_of_faces).filter(|(_, is_of_face)| !is_of_face);
+        selected.extend(without_faces.map(|(&edge, _)| ((false, as_indices(edge)), NO_FACES)));
         selected.sort_by_key(|&(edge, _)| edge);
         let creases = match options.edges {
             Edges::CreasesFirst { .. } => Some(selected.partition_point(|&((is_later, _), _)| !is_later)),

@@ -79,7 +79,7 @@ messages! {
             "has {n} faces, more than the 65535 that can be named beside edges: ", NoEdgeFaces, Decimate(MOST_FACES)
         ]
         /// The largest extent (in model units) is beyond what an exponent of `i8` can scale.
-        Extent(extent: f64) => ["has an extent of {extent:e}, out of range: ", OtherUnit, Fit]
+        Extent(extent: f64) => ["has an extent of {extent:.2e}, out of range: ", OtherUnit, Fit]
         /// The step of the grid, 2 to this power, is beyond what a mesh may have.
         Exponent(exponent: i8) => ["needs a step of 2^{exponent}, but a mesh has 2^-32 to 2^15: ", OtherUnit, Fit]
         /// An option has a value that makes no sense; the text says which.

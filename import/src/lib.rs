@@ -76,6 +76,8 @@ pub use quantise::quantise;
 pub use remedy::Remedy;
 pub use rust::is_constant_name;
 pub use script::build;
+#[doc(hidden)]
+pub use text::number;
 pub use warning::{Element, Place, Warning};
 
 /// The code of the README compiles.

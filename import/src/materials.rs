@@ -4,8 +4,8 @@ use crate::beside::{Beside, Unread};
 use crate::model::Colors;
 use crate::mtl::{self, Material};
 use crate::text::{before_comment, text};
+use crate::weld::{Names, Numbered};
 use crate::{Element, Place, Warning};
-use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 
 /// The diffuse colour of a material that has none.
@@ -38,13 +38,14 @@ pub(crate) fn read(
     warnings: &mut Vec<Warning>,
 ) -> (Option<Colors>, Pictures, Vec<PathBuf>) {
     let (mut pictures, mut paths) = (Pictures::default(), Vec::new());
-    let mut known = HashMap::new();
+    let mut known: Vec<(String, Material)> = Vec::new();
     if !names.is_empty() && libraries.is_empty() && own.is_empty() {
         warnings.push(Warning::NoLibrary);
     }
     let mut are_read = !libraries.is_empty();
-    let mut seen = HashSet::new();
-    let libraries = libraries.iter().filter(|library| !names.is_empty() && seen.insert(*library));
+    let mut seen = Names::default();
+    let libraries = libraries.iter().map(|library| &library[..]);
+    let libraries = libraries.filter(|library| !names.is_empty() && seen.insert(library, 0).is_none());
     for (name, found) in libraries.flat_map(|names| beside.find_all(names)) {
         let name = name.to_owned();
         match found.and_then(|found| Ok((beside.read(&found)?, found.path))) {
@@ -68,7 +69,9 @@ pub(crate) fn read(
         }
     }
     // A `#` may belong to a name, or begin a comment.
-    let named_material = |name: &String| known.get(name).or_else(|| known.get(before_comment(name)));
+    let places: Names<'_> = known.iter().enumerate().map(|(place, (name, _))| (&name[..], place)).collect();
+    let place = |name: &String| places.get(&name[..]).or_else(|| places.get(before_comment(name)));
+    let named_material = |name: &String| place(name).map(|&place| &known[place].1);
     let unknown: Vec<&String> = names.iter().filter(|name| named_material(name).is_none()).collect();
     if let Some(&first) = unknown.first().filter(|_| are_read || !known.is_empty()) {
         warnings.push(Warning::UnknownMaterials { count: unknown.len(), first: first.clone() });
@@ -77,10 +80,10 @@ pub(crate) fn read(
         return (of_faces(own, warnings), pictures, paths);
     }
     let material = |number: Option<usize>| number.and_then(|number| named_material(names.get(number)?));
-    let mut named = HashSet::new();
+    let mut named = Names::default();
     for &number in of_triangles {
         match material(number).and_then(|material| material.picture.as_ref()) {
-            Some(name) if named.insert(name) => pictures.names.push(name.clone()),
+            Some(name) if named.insert(name, 0).is_none() => pictures.names.push(name.clone()),
             Some(_) => {}
             None => pictures.bare += 1,
         }
@@ -133,36 +136,39 @@ fn colors(shades: &[Shade], warnings: &mut Vec<Warning>) -> Colors {
 /// many colours there are. Two that differ in the light that they emit are two colours.
 fn palette(of_triangles: &[Shade]) -> (Colors, usize) {
     const MOST: usize = 256;
-    let mut uses = HashMap::<Shade, usize>::new();
-    for &color in of_triangles {
-        *uses.entry(color).or_default() += 1;
-    }
+    let (mut numbers, mut uses) = (Numbered::default(), Vec::<(Shade, usize)>::new());
+    let mut number_of = |shade: Shade| {
+        let [color, emission] = shade.map(|[r, g, b]| u32::from_be_bytes([0, r, g, b]).into());
+        let number = *numbers.entry([color, emission, 0]).or_insert(uses.len());
+        if number == uses.len() {
+            uses.push((shade, 0));
+        }
+        uses[number].1 += 1;
+        number
+    };
+    let of_triangles: Vec<usize> = of_triangles.iter().map(|&color| number_of(color)).collect();
     let count = uses.len();
-    let mut by_use: Vec<(Shade, usize)> = uses.into_iter().collect();
-    by_use.sort_unstable_by_key(|&(color, uses)| (std::cmp::Reverse(uses), color));
-    by_use.truncate(MOST);
-    let kept: HashMap<Shade, usize> = by_use.into_iter().collect();
+    let mut kept = uses.clone();
+    kept.sort_unstable_by_key(|&(color, uses)| (std::cmp::Reverse(uses), color));
+    kept.truncate(MOST);
     let distance = |a: Shade, b: Shade| -> u32 {
         let channels = a.into_iter().flatten().zip(b.into_iter().flatten());
         channels.map(|(a, b)| u32::from(a.abs_diff(b)).pow(2)).sum()
     };
-    let nearest = |color: Shade| {
-        kept.keys().copied().min_by_key(|&other| (distance(color, other), other)).unwrap_or(color)
-    };
     let mut shown = Vec::<Shade>::new();
-    let mut numbers = HashMap::<Shade, usize>::new();
-    let mut faces = Vec::new();
-    for &color in of_triangles {
-        let number = *numbers.entry(color).or_insert_with(|| {
-            let color = if kept.contains_key(&color) { color } else { nearest(color) };
-            let place = shown.iter().position(|&other| other == color);
-            if place.is_none() {
-                shown.push(color);
-            }
-            place.unwrap_or(shown.len() - 1)
-        });
-        faces.push(number as u8); // at most 256 different ones are shown
-    }
+    let mut place_of = |&(color, _): &(Shade, usize)| {
+        // The nearest of a colour that is kept is itself.
+        let nearest = kept.iter().map(|kept| kept.0).min_by_key(|&other| (distance(color, other), other));
+        let color = nearest.unwrap_or(color);
+        let place = shown.iter().position(|&other| other == color);
+        if place.is_none() {
+            shown.push(color);
+        }
+        place.unwrap_or(shown.len() - 1) as u8 // at most 256 different ones are shown
+    };
+    // The first uses of colours are in this order.
+    let places: Vec<u8> = uses.iter().map(&mut place_of).collect();
+    let faces = of_triangles.into_iter().map(|number| places[number]).collect();
     let mut emission: Vec<_> = shown.iter().map(|&[_, emission]| emission).collect();
     if emission.iter().all(|&emission| emission == BLACK) {
         emission.clear();
@@ -190,13 +196,14 @@ pub(crate) fn texture(faces: &[[[f64; 2]; 3]]) -> Result<Texture, Warning> {
     let fits = |c: &f64, exponent: i8| (-32768.0..=32767.0).contains(&on_grid(*c, exponent));
     let all_fit = |exponent: &i8| faces.iter().flatten().flatten().all(|c| fits(c, *exponent));
     let exponent = (-15..=0).find(all_fit).ok_or(Warning::TextureCoordsFar)?;
-    let mut numbers = HashMap::new();
+    let mut numbers = Numbered::default();
     let mut out = Texture { exponent, ..Texture::default() };
     for face in faces {
         let mut corners = [0; 3];
         for (corner, coord) in corners.iter_mut().zip(face) {
             let coord = coord.map(|c| on_grid(c, exponent) as i16); // it fits
-            let number = *numbers.entry(coord).or_insert_with(|| {
+            let [u, v] = coord.map(|c| c as u64); // as many as there are
+            let number = *numbers.entry([u, v, 0]).or_insert_with(|| {
                 out.coords.push(coord);
                 out.coords.len() - 1
             });

@@ -1,6 +1,6 @@
 //! Material libraries (MTL), line by line: a line that is not understood costs that line alone.
 
-use crate::text::before_comment;
+use crate::text::{before_comment, number};
 
 /// What a library says of a material. What it does not say is `None`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -66,14 +66,14 @@ fn statement(line: &str, materials: &mut Vec<(String, Material)>) -> Result<(), 
 
 /// The last number of a line: `d -halo 0.5` has an option before it.
 fn last_number(text: &str) -> Option<f64> {
-    before_comment(text).split_whitespace().next_back()?.parse().ok()
+    before_comment(text).split_whitespace().next_back().and_then(number)
 }
 
 /// A colour of three numbers up to 1, or of one for all channels. What follows them is passed over.
 fn color(text: &str) -> Result<[u8; 3], &'static str> {
     let channel = |word: &str| {
         let level: f64 =
-            word.parse().map_err(|_| "`Kd` and `Ke` need one number, or three: red, green and blue")?;
+            number(word).ok_or("`Kd` and `Ke` need one number, or three: red, green and blue")?;
         Ok((level * 255.0).round().clamp(0.0, 255.0) as u8) // NaN becomes 0
     };
     let mut words = before_comment(text).split_whitespace();
@@ -88,7 +88,7 @@ fn picture(text: &str) -> Option<&str> {
     let mut name = text.trim();
     // Options begin with `-` and have numbers, `on` or `off`, or the letter of a channel.
     let is_option =
-        |word: &str| word.starts_with('-') || word == "on" || word == "off" || word.parse::<f64>().is_ok();
+        |word: &str| word.starts_with('-') || word == "on" || word == "off" || number(word).is_some();
     if name.starts_with('-') {
         while let Some((word, rest)) =
             name.split_once(char::is_whitespace).filter(|(word, _)| is_option(word))

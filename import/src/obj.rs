@@ -4,10 +4,10 @@ use crate::beside::Beside;
 use crate::materials;
 use crate::model::{Model, Places, TextureFaces};
 use crate::polygon::{self, Triangulated};
-use crate::text::{a_vertex_needs_numbers, before_comment, is_utf16, text, without_end};
+use crate::text::{self, a_vertex_needs_numbers, before_comment, is_utf16, text, without_end};
+use crate::weld::Names;
 use crate::{Element, ImportError, Place, Problem, Warning};
 use std::borrow::Cow;
-use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::Range;
 
 /// Reads OBJ text of a file, which is named in errors, and the material libraries beside it.
@@ -122,7 +122,7 @@ struct Statements {
     /// The names of objects and groups.
     names: Vec<String>,
     /// What the model has no place for: how many statements, and the line of the first.
-    left_out: BTreeMap<Element, (usize, usize)>,
+    left_out: Vec<(Element, (usize, usize))>,
     /// The names of the materials, in the order of their first use.
     materials: Vec<String>,
     /// The material libraries, as they are named.
@@ -150,9 +150,9 @@ impl Statements {
     /// Of objects and groups only those are read that are wanted, all of them if `wanted` is empty.
     fn of(text: &str, wanted: &[String]) -> Result<Self, Refusal> {
         let mut read = Self::default();
-        let mut numbers = HashMap::new();
+        let mut numbers = Names::default();
         let (mut material, mut object) = (None, "");
-        let mut names = HashSet::new();
+        let mut names = Names::default();
         let mut is_wanted = wanted.is_empty();
         let mut lines = (1..).zip(text.lines());
         while let Some((number, line)) = lines.next() {
@@ -177,7 +177,7 @@ impl Statements {
                     is_wanted =
                         wanted.is_empty() || all().any(|name| wanted.iter().any(|other| other == name));
                     for name in all().filter(|name| !name.is_empty()) {
-                        if names.insert(name) {
+                        if names.insert(name, number).is_none() {
                             read.names.push(name.to_owned());
                         }
                     }
@@ -227,8 +227,11 @@ impl Statements {
     }
 
     fn leave_out(&mut self, what: Element, line: usize) {
-        let (count, first) = self.left_out.entry(what).or_insert((0, line));
-        (*count, *first) = (*count + 1, line.min(*first));
+        let place = self.left_out.partition_point(|(other, _)| *other < what);
+        match self.left_out.get_mut(place).filter(|(other, _)| *other == what) {
+            Some((_, (count, first))) => (*count, *first) = (*count + 1, line.min(*first)),
+            None => self.left_out.insert(place, (what, (1, line))),
+        }
     }
 
     /// The two ends of each line. A line to a vertex that does not exist is left out.
@@ -276,9 +279,7 @@ fn continued<'t>(first: &'t str, lines: &mut impl Iterator<Item = (usize, &'t st
 /// Three coordinates, which a w divides, or which a colour follows.
 fn position(text: &str) -> Result<([f64; 3], Option<[f32; 3]>), Problem> {
     let mut words = text.split_whitespace();
-    let number = |word: Option<&str>| {
-        word.and_then(|word| word.parse().ok()).ok_or_else(|| a_vertex_needs_numbers(text))
-    };
+    let number = |word: Option<&str>| word.and_then(text::number).ok_or_else(|| a_vertex_needs_numbers(text));
     let position: [f64; 3] = [number(words.next())?, number(words.next())?, number(words.next())?];
     let rest: Vec<&str> = words.collect();
     match rest[..] {
@@ -288,8 +289,8 @@ fn position(text: &str) -> Result<([f64; 3], Option<[f32; 3]>), Problem> {
             w => Ok((position.map(|c| c / w), None)),
         },
         [r, g, b] => {
-            let color = || -> Option<[f32; 3]> { Some([r.parse().ok()?, g.parse().ok()?, b.parse().ok()?]) };
-            Ok((position, color()))
+            let [r, g, b] = [r, g, b].map(|word| text::number(word).map(|level| level as f32));
+            Ok((position, r.zip(g).zip(b).map(|((r, g), b)| [r, g, b])))
         }
         _ => Err(Problem::Syntax("a vertex is x y z, x y z w or x y z r g b")),
     }
@@ -315,7 +316,7 @@ fn means(colors: &[Option<[f32; 3]>], faces: &[[usize; 3]]) -> Vec<Option<[u8; 3
 /// A texture coordinate. The origin of a picture is its upper left corner, so v changes its direction.
 fn coord(text: &str) -> Option<[f64; 2]> {
     let mut words = text.split_whitespace();
-    let [u, v]: [f64; 2] = [words.next()?.parse().ok()?, words.next()?.parse().ok()?];
+    let [u, v] = [words.next().and_then(text::number)?, words.next().and_then(text::number)?];
     Some([u, 1.0 - v])
 }
 

@@ -6,7 +6,7 @@
 //! **No triangles overlap.** Triangles whose sides add up to the polygon's sides, others being run along in both directions, cover
 //! each point as often as the polygon winds around it. So if all are counter-clockwise, as the polygon is, they cover it once.
 
-use crate::boxes::{Bounds, Boxes};
+use crate::boxes::{flat, Bounds, Boxes};
 
 /// A polygon in triangles.
 pub(crate) struct Triangulated {
@@ -91,13 +91,13 @@ struct Ring<'p> {
     /// For each corner the ones before and after it.
     beside: Vec<[usize; 2]>,
     is_left: Vec<bool>,
-    tree: Boxes<2>,
+    tree: Boxes,
 }
 
 impl<'p> Ring<'p> {
     fn of(points: &'p [Point]) -> Self {
         let count = points.len();
-        let boxes: Vec<Bounds<2>> = points.iter().map(|&point| [point, point]).collect();
+        let boxes: Vec<Bounds> = points.iter().map(|&point| flat([point; 2])).collect();
         Self {
             points,
             beside: (0..count).map(|i| [(i + count - 1) % count, (i + 1) % count]).collect(),
@@ -151,20 +151,20 @@ impl<'p> Ring<'p> {
         }
         let sides = [0, 1, 2].map(|i| [triangle[i], triangle[(i + 1) % 3]]);
         // A box is beyond a side if its corner that is farthest to the side's left is to its right.
-        let meets = |&[low, high]: &Bounds<2>| {
+        let mut meets = |&[[left, _, _, low], [right, _, _, high]]: &Bounds| {
             sides.iter().all(|&[from, to]| {
-                let x = if to[1] < from[1] { high[0] } else { low[0] };
-                let y = if to[0] > from[0] { high[1] } else { low[1] };
+                let x = if to[1] < from[1] { right } else { left };
+                let y = if to[0] > from[0] { high } else { low };
                 turn([from, to, [x, y]]) >= 0
             })
         };
-        let blocks = |corner: usize| {
+        let mut blocks = |corner: usize| {
             let point = self.points[corner];
             self.is_left[corner]
                 && !triangle.contains(&point)
                 && sides.iter().all(|&[from, to]| turn([from, to, point]) >= 0)
         };
-        self.tree.first(meets, blocks).is_none()
+        self.tree.first(&mut meets, &mut blocks).is_none()
     }
 }
 

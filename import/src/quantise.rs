@@ -8,9 +8,8 @@ use crate::model::Model;
 use crate::normals::{cross, of_vertices, on_one_line, unit};
 use crate::parts::Parts;
 use crate::picture;
-use crate::weld::{weld, Numbered};
+use crate::weld::{weld, Key, Numbered};
 use crate::{clusters, decimate, order, Axis, Edges, Options, Preview, Problem, Step, Triangles, Warning};
-use std::collections::BTreeSet;
 
 /// Makes a mesh of triangles: welds, centres, quantises, derives edges and normals. Scales and orders nothing: it has the
 /// default [`Options`], and y is up.
@@ -58,10 +57,10 @@ pub(crate) fn make(
 
     begins(Step::Weld);
     // Adding 0.0 makes one of the two zeros.
-    let bits: Vec<_> = read.iter().map(|p| p.map(|c| (c + 0.0).to_bits())).collect();
+    let bits: Vec<Key> = read.iter().map(|p| p.map(|c| (c + 0.0).to_bits())).collect();
     // Triangles without area must not influence the grid either.
-    let position = |p: [u64; 3]| p.map(f64::from_bits);
-    let mut exact = weld(&bits, &faces, position, |corners| on_one_line(corners.map(position)));
+    let position = |p: Key| p.map(f64::from_bits);
+    let mut exact = weld(&bits, &faces, &position, &|corners| on_one_line(corners.map(position)));
     drop(bits);
     let vertices_read = read.len();
     if exact.faces.is_empty() && lines.is_empty() {
@@ -99,7 +98,10 @@ pub(crate) fn make(
     let rounded: Vec<[i16; 3]> = positions.iter().map(|p| grid.round(p)).collect();
     let (rounded, ends_of_lines, positions) = (&rounded[..of_faces], &rounded[of_faces..], &positions);
     let position = |p: [i16; 3]| p.map(f64::from);
-    let mut last = weld(rounded, &exact.faces, position, |corners| cross(corners) == [0, 0, 0]);
+    let keys: Vec<Key> = rounded.iter().map(key).collect();
+    let vertex = |key: Key| key.map(|c| c as i16); // that of the key
+    let is_flat = |corners: [Key; 3]| cross(corners.map(vertex)) == [0, 0, 0];
+    let mut last = weld(&keys, &exact.faces, &|key| position(vertex(key)), &is_flat);
     if last.faces.is_empty() && ends_of_lines.is_empty() {
         return Err(Problem::TooThin(exact.faces.len()));
     }
@@ -337,21 +339,30 @@ fn area(triangles: impl Iterator<Item = [[f64; 3]; 3]>) -> f64 {
     triangles.map(area).sum()
 }
 
-/// The vertices of lines between grid points; those where no vertex is are added.
-fn joined(ends: &[[i16; 3]], vertices: &mut Vec<[i16; 3]>) -> BTreeSet<[usize; 2]> {
+/// The key of a vertex.
+fn key(vertex: &[i16; 3]) -> Key {
+    vertex.map(|c| c as u64) // as many as there are
+}
+
+/// The vertices of lines between grid points, each line once, in ascending order; vertices where none is are added.
+fn joined(ends: &[[i16; 3]], vertices: &mut Vec<[i16; 3]>) -> Vec<[usize; 2]> {
     if ends.is_empty() {
-        return BTreeSet::new();
+        return Vec::new();
     }
-    let mut numbers: Numbered<_> =
-        vertices.iter().enumerate().map(|(number, &vertex)| (vertex, number)).collect();
+    let mut numbers: Numbered =
+        vertices.iter().enumerate().map(|(number, vertex)| (key(vertex), number)).collect();
     let mut number = |end: [i16; 3]| {
-        *numbers.entry(end).or_insert_with(|| {
+        *numbers.entry(key(&end)).or_insert_with(|| {
             vertices.push(end);
             vertices.len() - 1
         })
     };
     let lines = ends.chunks_exact(2).filter(|ends| ends[0] != ends[1]);
-    lines.map(|ends| [number(ends[0]), number(ends[1])]).map(|[a, b]| [a.min(b), a.max(b)]).collect()
+    let lines = lines.map(|ends| [number(ends[0]), number(ends[1])]).map(|[a, b]| [a.min(b), a.max(b)]);
+    let mut lines: Vec<_> = lines.collect();
+    lines.sort_unstable();
+    lines.dedup();
+    lines
 }
 
 /// The most vertices that indices of `u16` can name.

@@ -13,7 +13,7 @@
 //! all vertices of the group at which neighbours' sides end, an even number of neighbours has the stretch as a side. With
 //! directions counted, as many run along it in one direction as in the other.
 
-use crate::weld::Numbered;
+use crate::weld::{of_edge, Numbered};
 
 /// The weights of a face's corners at each corner of a piece of it.
 pub(crate) type Weights = [[f64; 3]; 3];
@@ -27,7 +27,7 @@ const MANY: usize = 16;
 /// Faces on a line, in groups, and the positions of vertices.
 pub(crate) struct Slivers<P> {
     /// The group of each side, the lower vertex first.
-    groups: Numbered<[usize; 2]>,
+    groups: Numbered,
     /// The vertices of each group at which neighbours' sides end, in the order of the line.
     cuts: Vec<Vec<usize>>,
     position: P,
@@ -44,12 +44,12 @@ impl<P: Fn(usize) -> [f64; 3]> Slivers<P> {
         let mut groups = Numbered::default();
         for (sliver, corners) in slivers.iter().enumerate() {
             for side in sides(corners) {
-                sets.join(sliver, *groups.entry(side).or_insert(sliver));
+                sets.join(sliver, *groups.entry(of_edge(side)).or_insert(sliver));
             }
         }
         groups.values_mut().for_each(|group| *group = sets.first(*group));
         let mut cuts = vec![Vec::new(); slivers.len()];
-        let of_groups = |side: [usize; 2]| groups.get(&side).map(|&group| (group, side));
+        let of_groups = |side: [usize; 2]| groups.get(&of_edge(side)).map(|&group| (group, side));
         for (group, side) in faces.clone().flat_map(sides).filter_map(of_groups) {
             cuts[group].extend(side);
         }
@@ -70,7 +70,7 @@ impl<P: Fn(usize) -> [f64; 3]> Slivers<P> {
         let (mut sides_of, mut cuts_of) = (vec![0; self.cuts.len()], vec![0; self.cuts.len()]);
         self.groups.values().for_each(|&group| sides_of[group] += 1);
         for [a, b] in faces.flat_map(sides) {
-            if let Some(&group) = self.groups.get(&[a, b]) {
+            if let Some(&group) = self.groups.get(&of_edge([a, b])) {
                 cuts_of[group] += self.between(a, b, group).len();
             }
         }
@@ -83,7 +83,7 @@ impl<P: Fn(usize) -> [f64; 3]> Slivers<P> {
 
     /// The pieces of a face, cut at the vertices on its sides; none if it turns out to lie on a line.
     pub(crate) fn pieces(&self, corners: [usize; 3]) -> Vec<([usize; 3], Weights)> {
-        let groups = sides(&corners).map(|side| self.groups.get(&side).copied());
+        let groups = sides(&corners).map(|side| self.groups.get(&of_edge(side)).copied());
         let mut left = vec![(corners, WHOLE, groups)];
         let mut pieces = Vec::new();
         while let Some((corners, weights, groups)) = left.pop() {

@@ -1,8 +1,8 @@
 //! Vertices at the same position become one, and faces that are left without area or twice go.
 
 use crate::slivers::{Slivers, Weights};
-use std::collections::{HashMap, HashSet};
-use std::hash::{BuildHasherDefault, Hash, Hasher};
+use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
 
 /// The mesh after welding: for each new vertex the index of an old one, and the faces. New vertices are numbered in the order in
 /// which the faces use them first.
@@ -11,8 +11,8 @@ pub(crate) struct Welded {
     pub(crate) faces: Vec<[usize; 3]>,
     /// For each face its index in the input.
     pub(crate) sources: Vec<usize>,
-    /// The faces that are pieces of a face of the input, and which.
-    pub(crate) pieces: HashMap<usize, Weights>,
+    /// The faces that are pieces of a face of the input, in ascending order, and which.
+    pub(crate) pieces: Vec<(usize, Weights)>,
     /// Vertices at the position of an earlier one.
     pub(crate) welded: usize,
     /// Vertices (after welding) that no face names.
@@ -27,26 +27,23 @@ pub(crate) struct Welded {
 
 /// Welds vertices of equal keys, each of which is a position. `is_flat` says of three different positions whether they lie on one
 /// line.
-pub(crate) fn weld<K: Copy + Eq + Hash>(
-    keys: &[K],
+pub(crate) fn weld(
+    keys: &[Key],
     faces: &[[usize; 3]],
-    position: impl Fn(K) -> [f64; 3],
-    is_flat: impl Fn([K; 3]) -> bool,
+    position: &dyn Fn(Key) -> [f64; 3],
+    is_flat: &dyn Fn([Key; 3]) -> bool,
 ) -> Welded {
     let mut first_with = Numbered::with_capacity_and_hasher(keys.len(), BuildHasherDefault::default());
     let representative: Vec<usize> =
         keys.iter().enumerate().map(|(vertex, key)| *first_with.entry(*key).or_insert(vertex)).collect();
 
     let mut new_index = vec![None; keys.len()];
-    let mut seen = HashSet::<_, BuildHasherDefault<Mix>>::with_capacity_and_hasher(
-        faces.len(),
-        BuildHasherDefault::default(),
-    );
+    let mut seen = Numbered::with_capacity_and_hasher(faces.len(), BuildHasherDefault::default());
     let mut out = Welded {
         vertices: Vec::new(),
         faces: Vec::with_capacity(faces.len()),
         sources: Vec::with_capacity(faces.len()),
-        pieces: HashMap::new(),
+        pieces: Vec::new(),
         welded: keys.len() - first_with.len(),
         unused: 0,
         degenerate: Vec::new(),
@@ -75,7 +72,7 @@ pub(crate) fn weld<K: Copy + Eq + Hash>(
         }
         out.cut += pieces.len() - 1;
         for (corners, weights) in pieces {
-            let is_first = seen.insert(smallest_first(corners));
+            let is_first = seen.insert(smallest_first(corners).map(|vertex| vertex as u64), place).is_none();
             let is_whole = corners == face;
             let corners = corners.map(|vertex| {
                 *new_index[vertex].get_or_insert_with(|| {
@@ -102,10 +99,11 @@ pub(crate) fn weld<K: Copy + Eq + Hash>(
 
 /// Whether as many faces run along each side in one direction as in the other.
 fn is_closed<'f>(faces: impl Iterator<Item = &'f [usize; 3]>) -> bool {
-    let mut sides = HashMap::<_, isize, BuildHasherDefault<Mix>>::default();
+    let mut sides = Numbered::default();
     for &[a, b, c] in faces {
         for [a, b] in [[a, b], [b, c], [c, a]] {
-            *sides.entry([a.min(b), a.max(b)]).or_default() += if a < b { 1 } else { -1 };
+            let sum = sides.entry(of_edge([a.min(b), a.max(b)])).or_default();
+            *sum = sum.wrapping_add(if a < b { 1 } else { usize::MAX }); // 1, or −1
         }
     }
     sides.into_values().all(|sum| sum == 0)
@@ -120,8 +118,10 @@ impl Welded {
 
     /// Values at the corners of a face, by those at the corners of the face of the input.
     pub(crate) fn values(&self, face: usize, values: [[f64; 2]; 3]) -> [[f64; 2]; 3] {
-        let Some(weights) = self.pieces.get(&face) else { return values };
-        weights.map(|of| [0, 1].map(|axis| (0..3).map(|corner| of[corner] * values[corner][axis]).sum()))
+        let Ok(place) = self.pieces.binary_search_by_key(&face, |piece| piece.0) else { return values };
+        self.pieces[place]
+            .1
+            .map(|of| [0, 1].map(|axis| (0..3).map(|corner| of[corner] * values[corner][axis]).sum()))
     }
 }
 
@@ -136,8 +136,19 @@ fn smallest_first([a, b, c]: [usize; 3]) -> [usize; 3] {
     }
 }
 
-/// Keys and a number for each.
-pub(crate) type Numbered<K> = HashMap<K, usize, BuildHasherDefault<Mix>>;
+/// What is numbered: up to three numbers.
+pub(crate) type Key = [u64; 3];
+
+/// Keys and a number for each. All maps from numbers are of this one type, so that the planner's page has its code once.
+pub(crate) type Numbered = HashMap<Key, usize, BuildHasherDefault<Mix>>;
+
+/// Texts and a number for each.
+pub(crate) type Names<'t> = HashMap<&'t str, usize, BuildHasherDefault<Mix>>;
+
+/// The key of an edge.
+pub(crate) fn of_edge([a, b]: [usize; 2]) -> Key {
+    [a as u64, b as u64, 0]
+}
 
 /// A hash by one multiplication a number: build scripts are compiled without optimisation, where the standard one takes most
 /// of the time. Nobody gains by a model that is slow to weld.

@@ -7,28 +7,29 @@ const HEIGHTS = [48, 32, 24, 16, 12, 8, 6, 4, 2, 1];
 // where neither does. `faces` are those that the model has.
 function advised(costs, way, faces) {
   if (way.fits && way.fitsFlash) return {};
-  const [cache, bins, pixels, depths] = way.parts;
-  const aRow = (pixels + depths) / way.rows;
-  const room = costs.ram - way.beside - 1;
+  const [cache, bins, pixels, depths, fixed] = way.parts;
+  const height = way.rows || 1; // a whole picture is as one row
+  const aRow = (pixels + depths) / height;
+  const room = costs.ram - way.beside - 1 - fixed;
   const lower = (most) => HEIGHTS.find((rows) => rows < way.rows && aRow * rows <= most);
   // What a mesh takes grows by its faces, in RAM and in flash.
   const inFlash = (costs.rom - (way.flash - costs.mesh)) / costs.mesh;
   // A decimated surface has more edges a face, since fewer of its faces are flat together.
   const [, sure] = [['hidden lines', 0.6], ['lines', 0.9], ['', 0.95]].find(([start]) => way.name.startsWith(start));
   // The heads of bins, at most 32 of two bytes for faces or edges, become fewer by steps.
-  const heads = way.name.startsWith('hidden lines') ? 128 : 64;
+  const heads = /^hidden lines|smooth edges$/.test(way.name) ? 128 : 64;
   const fewer = (rows) => {
     const most = sure * faces * Math.min((room - aRow * rows - heads) / (cache + bins), inFlash);
     // Two digits are as much as the estimate is good for.
     const digit = 10 ** Math.max(Math.floor(Math.log10(most)) - 1, 0);
     return most >= 4 && most < faces ? Math.floor(most / digit) * digit : undefined;
   };
-  const advice = { rows: way.fitsFlash ? lower(room - cache - bins) : undefined, faces: fewer(way.rows) };
+  const advice = { rows: way.fitsFlash ? lower(room - cache - bins) : undefined, faces: fewer(height) };
   // A few faces of a model show nothing of it, and decimation does not get there.
   if (advice.faces < faces / 8) advice.faces = undefined;
   if (advice.rows || advice.faces) return advice;
   // Half of the room for the mesh.
-  const rows = Math.min(lower(room / 2) ?? way.rows, way.rows);
+  const rows = Math.min(lower(room / 2) ?? height, height);
   return fewer(rows) ? { both: { rows, faces: fewer(rows) } } : {};
 }
 

@@ -9,6 +9,9 @@ function showControls() {
     $(key).value = state[key];
   }
   for (const key of ['flip', 'fix-winding', 'two-sided']) $(key).checked = state[key] === 1;
+  $('smooth-edges').checked = smooths();
+  $('smooth-edges').disabled = !canSmooth();
+  write('smooth-note', canSmooth() ? '' : ofLines() ? 'Edges are smoothed where faces are drawn.' : 'Smooth edges need colours between two others, which this display lacks.');
   for (const key of ['color', 'background']) $(key).value = `#${state[key]}`;
   $('spi').value = state.spi || '';
   $('lamp').hidden = ofLines();
@@ -96,7 +99,7 @@ function buildControls() {
     takeNumber(key);
   }
   takeNumber('spi', 'spi', 0);
-  for (const key of ['dither', 'flip', 'fix-winding', 'two-sided']) {
+  for (const key of ['dither', 'smooth-edges', 'flip', 'fix-winding', 'two-sided']) {
     $(key).addEventListener('input', (e) => set({ [key]: e.target.checked ? 1 : 0 }));
   }
   for (const key of ['color', 'background']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value.slice(1) }));

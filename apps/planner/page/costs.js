@@ -134,7 +134,7 @@ function wayName(way) {
 
 // The bytes of variables, and what they are.
 function memory(way) {
-  const names = ['vertices', 'bins or sorted faces', 'pixels', 'depths'];
+  const names = ['vertices', 'bins or sorted faces', 'pixels', 'depths', 'smooth edges: rows and list'];
   const parts = way.parts.map((bytes, at) => [bytes, names[at]]).filter(([bytes]) => bytes > 0);
   const summary = element('summary', {}, kilobytes(way.ram), ...(way.fits ? [] : [misfit()]));
   return element('details', {}, summary, ...parts.map(([bytes, name]) => element('div', { className: 'note' }, `${name} ${kilobytes(bytes)}`)));
@@ -155,6 +155,7 @@ function notes(costs) {
     `RAM: the variables of the way to draw, to the byte. The stack takes ${kilobytes(stack)} more${costs.inRam ? ', and the code, which is copied to RAM, as much as it takes in flash' : ''}. The driver and the log of a firmware take about 1 KB more.`,
     `Flash: the mesh and the code that draws, at opt-level 3, ± ${costs.flashError} %. Drivers and logs come on top.`,
     `Frames/s: each band is drawn, then sent; by DMA: one is drawn while another is sent, so there are two of them in RAM, if there is room.`,
+    ...(smooths() ? ['Smooth edges: silhouettes and, where each face has one light, creases. The last row of each band waits for the next band, and 16 edges are kept between bands. The mesh lists its edges, and the faces beside them, in flash.'] : []),
     ...displayNotes(costs),
     `Drawing: ± is the largest error of the instructions in any case measured (docs/growth.md).${inexact} The cycles of an instruction differ by up to ${costs.cyclesError} % from model to model. ${costs.estimate ? 'The chip\'s timing is an estimate' : 'Error of the chip\'s timing'}: ${costs.error}.`,
   ];

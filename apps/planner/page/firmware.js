@@ -68,6 +68,7 @@ function toWrite(board) {
   else if (state.chip === 'esp32c6' && board === 'esp32c3-st7789') parts.push('in Cargo.toml the feature esp32c6 of each esp crate, in .cargo/config.toml the target riscv32imac-unknown-none-elf, and the pins');
   if (!controller) parts.push(`SPI and the driver of ${wanted} in src/display.rs`);
   else if (controller !== wanted) parts.push(`the driver of ${wanted} in place of the ${controller}'s`);
+  if (smooths()) parts.push('smooth edges, which the templates do not draw yet: edges: Edges::CreasesFirst and edge_faces in build.rs, SmoothFrame in place of Frame in src/picture.rs, as the library\'s documentation of SmoothFrame shows');
   return parts.length ? `Left for you to write: ${parts.join('; ')}.` : '';
 }
 
@@ -84,7 +85,7 @@ function showOtherChip(isOffered, board) {
 // The buffers of the board's firmware, if its display has the sides that the page shows.
 function showBuffers(isShown, board) {
   const way = costsShown && chosenOf(costsShown);
-  if (!isShown || !way?.rows) return write('buffers', '');
+  if (!isShown || !way?.rows || smooths()) return write('buffers', '');
   const { strips } = partsOf(board);
   const use = (rows) => (rows ? [[`Use bands of ${rows} rows`, { rows }]] : []);
   if (board === 'rp2040-two-cores' && state.height % (2 * way.rows)) {

@@ -70,7 +70,7 @@ async function showState(of) {
 
 // The last model that was too large, and its error: it is not read again for each view of it.
 let tooLarge = {};
-const modelKey = (of) => JSON.stringify(['mesh', 'style', 'edges', ...OF_FILE].map((key) => of[key]));
+const modelKey = (of) => JSON.stringify(['mesh', 'style', 'edges', 'smooth-edges', 'format', ...OF_FILE].map((key) => of[key]));
 
 async function drawState(of = state) {
   const model = modelKey(of);

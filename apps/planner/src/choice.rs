@@ -9,7 +9,7 @@ use crate::texture::Pattern;
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use pinhole::Angle;
-use pinhole_import::{Axis, Edges, Options};
+use pinhole_import::{number, Axis, Edges, ImportedMesh, Options};
 
 /// How the model is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,6 +55,8 @@ pub struct Choice {
     pub style: Style,
     /// Whether faces are dithered.
     pub dither: bool,
+    /// Whether the edges of faces are smoothed, if the style has faces and the format mixes colours.
+    pub(crate) smooth_edges: bool,
     /// The projection.
     pub(crate) projection: Named,
     /// Angles of the eye in hundredths of a degree.
@@ -119,6 +121,7 @@ impl Default for Choice {
             format,
             style: Style::Flat,
             dither: false,
+            smooth_edges: false,
             projection,
             yaw: hundredths(projection.yaw),
             pitch: hundredths(projection.pitch),
@@ -174,6 +177,7 @@ impl Choice {
             "format" => self.format = of(&Format::ALL, value)?,
             "style" => self.style = of(&Style::ALL, value)?,
             "dither" => self.dither = switch(value)?,
+            "smooth-edges" => self.smooth_edges = switch(value)?,
             "yaw" => self.yaw = hundredths(degrees(value, 360.0)?),
             "pitch" => self.pitch = hundredths(degrees(value, 90.0)?),
             "zoom" => self.zoom = within(value, 20, 2000)?,
@@ -218,9 +222,10 @@ impl Choice {
                 Style::Wireframe | Style::HiddenLine => {
                     Edges::Feature { degrees: f64::from(self.edges.max(1)) }
                 }
+                _ if self.smooths() => Edges::CreasesFirst { degrees: 0.0 },
                 Style::Flat | Style::Gouraud | Style::Textured => Edges::None,
             },
-            edge_faces: self.style == Style::HiddenLine,
+            edge_faces: self.style == Style::HiddenLine || self.smooths(),
             vertex_normals: self.style == Style::Gouraud,
             ..Options::default()
         }
@@ -236,6 +241,16 @@ impl Choice {
         self.dither || self.format.always_dithers()
     }
 
+    /// Whether edges of faces are smoothed.
+    pub(crate) const fn smooths(&self) -> bool {
+        self.smooth_edges && self.format.mixes() && !self.style.is_of_lines()
+    }
+
+    /// How many of a model's edges are creases: none of a surface that is lit smoothly.
+    pub(crate) fn creases(&self, model: &ImportedMesh) -> usize {
+        model.creases.filter(|_| self.style != Style::Gouraud).unwrap_or(0)
+    }
+
     /// The angle of the turn.
     pub(crate) fn turn(&self) -> Angle {
         Angle::turns(self.turn, TURNS)
@@ -249,7 +264,7 @@ fn hundredths(degrees: f64) -> i32 {
 
 fn degrees(value: &str, largest: f64) -> Result<f64, String> {
     let problem = || format!("not a number of degrees from -{largest} to {largest}");
-    let degrees: f64 = value.parse().map_err(|_| problem())?;
+    let degrees = number(value).ok_or_else(problem)?;
     if degrees.abs() <= largest {
         Ok(degrees)
     } else {

@@ -11,14 +11,14 @@ use crate::refused;
 use crate::texture::{Coordinates, TextureImage};
 use crate::ways::{faces, hidden_lines, lines, strip};
 use pinhole::{camera::Projected, Affine};
-use pinhole_apps_support::work::Frame;
+use pinhole_apps_support::work::{Frame, Place};
 use pinhole_import::ImportedMesh;
 
 /// A way to draw.
 pub(crate) struct Way {
     pub(crate) name: String,
-    /// Bytes of RAM: vertex cache, bins, pixels, depths.
-    pub(crate) ram: [usize; 4],
+    /// Bytes of RAM: vertex cache, bins, pixels, depths, what smooth edges take whatever the mesh.
+    pub(crate) ram: [usize; 5],
     pub(crate) code: Code,
     /// The instructions on the four cores, and their largest error in percent.
     pub(crate) time: ([f64; 4], f32),
@@ -79,7 +79,9 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage)
             texels * (far - near) / (4.0 * near) < 0.25
         })
     };
-    let frame = Frame::new(&mesh, choice.size, &|mesh| camera.place(mesh, &model_to_world), &is_linear);
+    let creases = choice.creases(model);
+    let place: Place<'_> = &|mesh| camera.place(mesh, &model_to_world);
+    let frame = Frame::new(&mesh, choice.size, place, &is_linear, creases);
     let ways = match choice.style {
         Style::Wireframe => lines(&mesh, choice, &frame),
         Style::HiddenLine => hidden_lines(&mesh, choice, &frame),
@@ -93,7 +95,7 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage)
     };
     let data = model.flash_bytes() + materials(model, choice, image);
     // The first way with the chosen rows: with depth, if there are several.
-    let chosen = ways.iter().position(|way| way.rows == Some(choice.rows()));
+    let chosen = ways.iter().position(|way| way.rows == Some(choice.rows())).or(Some(0));
     let bytes = [pixels, data];
     // The chosen way on each chip, in the order of the menu.
     let chips = chosen.and_then(|at| ways.get(at)).into_iter().flat_map(|way| {
@@ -154,7 +156,7 @@ impl Way {
 
         let [code, stack] = self.code_on(chip);
         let flash = code + data as f64;
-        let [_, _, pixels, _] = self.ram;
+        let [_, _, pixels, ..] = self.ram;
         let [drawn, placing] =
             [self.time.0, PLACING].map(|of| of.get(chip.column).copied().unwrap_or_default());
         let instructions = drawn + placing;

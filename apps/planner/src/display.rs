@@ -35,6 +35,11 @@ impl Format {
         matches!(self, Self::Mono | Self::Tricolor)
     }
 
+    /// Whether colours between two others can be shown, as smooth edges need.
+    pub const fn mixes(self) -> bool {
+        matches!(self, Self::Rgb565 | Self::Gray2 | Self::Gray4)
+    }
+
     /// The format's name.
     pub fn name(self) -> &'static str {
         Self::ALL.iter().find(|(_, format)| *format == self).map_or("", |(name, _)| name)

@@ -9,7 +9,8 @@ use crate::texture::{Coordinates, TextureImage};
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{draw::BinnedEdges, mesh::FaceColors, prelude::*};
+use pinhole::draw::{BinnedEdges, SmoothEdges};
+use pinhole::{mesh::FaceColors, prelude::*};
 use pinhole_import::ImportedMesh;
 
 /// A drawn frame and its statistics.
@@ -26,7 +27,8 @@ pub(crate) struct Drawn {
 enum Job<'a, 'b> {
     Lines(&'b mut BinnedEdges<'a, i16, false>),
     HiddenLines(&'b mut BinnedFaces<'a, i16, true>, &'b mut BinnedEdges<'a, i16, true>),
-    Faces(&'b mut BinnedFaces<'a, i16, true>, &'b Shades<'b>),
+    /// With the edges that are smoothed.
+    Faces(&'b mut BinnedFaces<'a, i16, true>, &'b Shades<'b>, Option<SmoothEdges<'a>>),
 }
 
 /// Draws a model by a choice, textured by an image.
@@ -60,7 +62,15 @@ pub(crate) fn draw(model: &ImportedMesh, choice: &Choice, image: &TextureImage) 
     } else {
         None
     };
-    picture(choice, Job::Faces(&mut faces, &Shades { mesh: &mesh, colors, light, texture, choice }))
+    let mut smooth_bins = vec![0; mesh.smooth_bins_len()];
+    let smooth = if choice.smooths() {
+        let creases = choice.creases(model);
+        let edges = transformed.bin_smooth_edges(|edge| edge < creases, &mut smooth_bins);
+        Some(edges.map_err(refused::buffer)?)
+    } else {
+        None
+    };
+    picture(choice, Job::Faces(&mut faces, &Shades { mesh: &mesh, colors, light, texture, choice }, smooth))
 }
 
 /// The colours of faces.
@@ -123,9 +133,15 @@ fn picture(choice: &Choice, job: Job<'_, '_>) -> Result<Drawn, String> {
             })?;
             edges.statistics()
         }
-        Job::Faces(faces, shades) => {
+        Job::Faces(faces, shades, mut smooth) => {
+            if smooth.is_some() {
+                canvas.rows = choice.size.height; // smoothing a whole picture equals smoothing in bands
+            }
             canvas.bands(|band, depth| {
                 let Ok(()) = faces.draw(|face| shades.paint(face), &mut band.depth_tested(depth));
+                if let Some(edges) = &mut smooth {
+                    choice.format.smooth(edges, band, depth);
+                }
             })?;
             faces.statistics()
         }

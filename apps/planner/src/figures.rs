@@ -19,6 +19,11 @@ pub(crate) struct Code {
 }
 
 impl Code {
+    /// This code plus that of smooth edges, whose stack is the largest.
+    pub(crate) const fn with_smooth_edges(self) -> Self {
+        Self { stack: SMOOTH_EDGES_CODE.stack, ..self.and(SMOOTH_EDGES_CODE, DEPTH_PIXELS_CODE) }
+    }
+
     /// This code plus the code that image `with` has and image `without` has not.
     pub(crate) const fn and(self, with: Self, without: Self) -> Self {
         let (mut sum, mut core) = (self, 0);

@@ -17,7 +17,7 @@ pub(crate) struct Film {
 
 impl Film {
     pub(crate) fn new(choice: Choice, frames: u32) -> Result<Self, String> {
-        let size = [choice.size.width, choice.size.height];
+        let size = [choice.size.width, choice.size.height].map(|side| side as u16); // at most 1024
         let file = Animation::new(Vec::new(), size, &[]).map_err(refused::film)?;
         Ok(Self { choice, file, frames, done: 0 })
     }

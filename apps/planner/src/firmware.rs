@@ -284,11 +284,11 @@ fn script(text: &str, choice: &Choice, model: &str) -> Result<String, String> {
     for (_, name) in switches.iter().filter(|(is_on, _)| *is_on) {
         fields += &format!(", {name}: true");
     }
-    let text = replaced(text, "FILE: &str = \"model.stl\"", &format!("FILE: &str = {model:?}"))?;
+    let text = replaced(text, "FILE: &str = \"model.stl\"", &format!("FILE: &str = \"{model}\""))?;
     match options.edges {
         // The template of hidden lines has edge faces already.
         Edges::Feature { degrees } => {
-            replaced(&text, "degrees: 30.0 }", &format!("degrees: {degrees:?} }}{fields}"))
+            replaced(&text, "degrees: 30.0 }", &format!("degrees: {degrees:.1} }}{fields}"))
         }
         _ => replaced(&text, "edges: Edges::None, ..", &format!("edges: Edges::None{fields}, ..")),
     }

@@ -3,8 +3,10 @@
 //! run time.
 
 use crate::display::{Format, Shown, Tricolor};
+use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::pixelcolor::raw::RawU16;
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, PixelColor, Rgb565, Rgb888};
+use pinhole::draw::SmoothEdges;
 use pinhole::raster::{Span, Triangle};
 use pinhole::shading::Barycentric;
 use pinhole::{
@@ -77,6 +79,37 @@ impl Format {
             Self::Gray2 => Stored::of(Gray2::from(color).dim(level)),
             Self::Gray4 => Stored::of(Gray4::from(color).dim(level)),
             Self::Mono | Self::Tricolor => self.store(color),
+        }
+    }
+}
+
+/// Smooths edges in a picture of bits, in the display's own colours.
+fn smooth<C: Shown>(
+    edges: &mut SmoothEdges<'_>,
+    picture: &mut Band<'_, Stored>,
+    depth: &mut DepthBuffer<'_>,
+) {
+    let (area, colors) = (picture.area(), picture.colors().map(|color| C::from_bits(color.to_bits())));
+    let mut pixels: Vec<C> = colors.collect();
+    if let Ok(mut own) = pinhole::target::Picture::new(&mut pixels, area.size) {
+        own.pixels().depth_tested(depth).smooth(|pass| edges.draw(pass));
+    }
+    let Ok(()) = picture.fill_contiguous(&area, pixels.into_iter().map(Stored::of));
+}
+
+impl Format {
+    /// Smooths edges in a picture with its depths, if the format [mixes](Self::mixes) colours.
+    pub(crate) fn smooth(
+        self,
+        edges: &mut SmoothEdges<'_>,
+        picture: &mut Band<'_, Stored>,
+        depth: &mut DepthBuffer<'_>,
+    ) {
+        match self {
+            Self::Rgb565 => smooth::<Rgb565>(edges, picture, depth),
+            // Levels are mixed as numbers, however many there are.
+            Self::Gray2 | Self::Gray4 => smooth::<Gray4>(edges, picture, depth),
+            Self::Mono | Self::Tricolor => {}
         }
     }
 }
@@ -159,7 +192,13 @@ impl<'t> SpanShader<Stored> for Paint<'t> {
             Self::Dithered(format, flat) => {
                 by_format!(format, C => set_up::<C, _>(flat.dithered(), triangle))
             }
-            Self::Smooth(format, lit) => by_format!(format, C => set_up::<C, _>(lit, triangle)),
+            Self::Smooth(format, lit) => match format {
+                Format::Rgb565 => set_up::<Rgb565, _>(lit, triangle),
+                Format::Gray2 => set_up::<Gray2, _>(lit, triangle),
+                Format::Gray4 => set_up::<Gray4, _>(lit, triangle),
+                // They always dither.
+                Format::Mono | Format::Tricolor => Self::SmoothDithered(format, lit).set_up(triangle),
+            },
             Self::SmoothDithered(format, lit) => {
                 by_format!(format, C => set_up::<C, _>(lit.dithered(), triangle))
             }

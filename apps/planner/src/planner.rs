@@ -214,6 +214,10 @@ impl Planner {
                 let dithered = Format::ALL.iter().filter(|(_, format)| format.always_dithers());
                 names(&mut dithered.map(|(name, _)| *name))
             }),
+            (
+                "mixing",
+                names(&mut Format::ALL.iter().filter(|(_, format)| format.mixes()).map(|(name, _)| *name)),
+            ),
             ("styles", names(&mut Style::ALL.iter().map(|(name, _)| *name))),
             ("decimates", cfg!(feature = "decimate").to_string()),
             ("textures", names(&mut Pattern::ALL.iter().map(|(name, _)| *name))),

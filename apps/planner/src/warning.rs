@@ -14,7 +14,9 @@ fn button(remedy: Remedy) -> Option<(&'static str, &'static [(&'static str, &'st
         }
         Remedy::Flip => ("use reversed faces", &[("flip", "1")]),
         Remedy::NotFlip => ("leave out reversed faces", &[("flip", "0")]),
-        Remedy::NoEdges | Remedy::NoEdgeFaces => ("draw flat faces", &[("style", "\"flat\"")]),
+        Remedy::NoEdges | Remedy::NoEdgeFaces => {
+            ("draw flat faces", &[("style", "\"flat\""), ("smooth-edges", "0")])
+        }
         // The page finds the number of faces.
         Remedy::Decimate(_) if cfg!(feature = "decimate") => ("decimate it", &[("decimate", "0")]),
         _ => return None,
@@ -95,7 +97,7 @@ mod tests {
     #[test]
     fn a_remedy_is_a_button_where_the_page_has_one() {
         let both = r#"{"name":"use winding outwards instead of reversed faces","changes":{"fix-winding":1,"flip":0}}"#;
-        let flat = r#"{"name":"draw flat faces","changes":{"style":"flat"}}"#;
+        let flat = r#"{"name":"draw flat faces","changes":{"style":"flat","smooth-edges":0}}"#;
         let remedies = [Remedy::CloseSurface, Remedy::FixWindingNotFlip, Remedy::NoEdgeFaces];
         assert_eq!(buttons(&remedies).collect::<Vec<_>>(), [both, flat]);
         assert_eq!(words(Remedy::TwoSided), "use faces from behind");

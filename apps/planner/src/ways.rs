@@ -7,7 +7,7 @@ use crate::display::Format;
 use crate::figures::*;
 use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::prelude::*;
-use pinhole_apps_support::work::Frame;
+use pinhole_apps_support::work::{Frame, LIST};
 
 /// The factor by which faces in fewer than 16 bits a pixel take more instructions, as they are drawn into a band as into any target: for
 /// one colour a face, for textures, and for other shaders. Linked firmware took 1.08 to 1.61, 1.2 to 1.3, and 1.23 to 1.92 times as many.
@@ -76,6 +76,8 @@ fn way(
     rows: Option<u32>,
 ) -> Way {
     let bands = rows.map_or(1, |rows| choice.size.height.div_ceil(rows));
+    let [cache, bins, pixels, depths] = ram;
+    let ram = [cache, bins, pixels, depths, 0];
     Way { name, ram, code, time, kind, bands, rows, note: "" }
 }
 
@@ -110,6 +112,13 @@ pub(crate) fn faces(mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Vec<Way>
     // Code for flat faces has neither smooth shading nor textures.
     let kind = if choice.style == Style::Flat { 2 } else { LARGE };
     let with_depth = |rows| of("with depth", bins, true, code, constants, kind, Some(rows));
+    if choice.smooths() {
+        let smoothed = |rows| smoothed(with_depth(rows), mesh, choice, frame);
+        return match is_in_memory(choice) {
+            true => heights(choice).into_iter().map(smoothed).collect(),
+            false => vec![in_one_piece(smoothed(whole), choice)],
+        };
+    }
     let mut ways: Vec<Way> = heights(choice).into_iter().map(with_depth).collect();
     if !(is_plain && is_in_memory(choice)) {
         return ways;
@@ -128,6 +137,37 @@ pub(crate) fn faces(mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Vec<Way>
         ways.push(Way { note, ..way });
     }
     ways
+}
+
+/// Bytes of an entry of the list of edges that are set up.
+const SMOOTH_EDGE: usize = 72;
+
+/// A way to draw faces with depth in bands, with smooth edges.
+fn smoothed(mut way: Way, mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Way {
+    way.name += ", smooth edges";
+    let [_, bins, .., fixed] = &mut way.ram;
+    *bins += mesh.smooth_bins_len() * size_of::<u16>();
+    // The row that waits, one more row of the strip and of its depths, and the list.
+    *fixed = 2 * strip(choice, 1) + depths(choice, 1) + LIST as usize * SMOOTH_EDGE;
+    way.code = way.code.with_smooth_edges();
+    way.kind = LARGE;
+    let (_, error) = way.time;
+    let (smoothing, error_of_smoothing) = SMOOTH_EDGES.time(&frame.work(way.rows));
+    way.time.1 = 0.0;
+    for (time, more) in way.time.0.iter_mut().zip(smoothing) {
+        let off = *time * f64::from(error) + more * f64::from(error_of_smoothing);
+        *time += more;
+        way.time.1 = way.time.1.max((off / *time) as f32);
+    }
+    way
+}
+
+/// A way in a band of all rows as one in one piece, with a byte a pixel: smoothing in bands needs colours of whole bytes.
+fn in_one_piece(way: Way, choice: &Choice) -> Way {
+    let [cache, bins, _, depths, _] = way.ram;
+    let pixels = (choice.size.width * choice.size.height) as usize;
+    let name = "a whole picture, with depth, smooth edges".into();
+    Way { name, ram: [cache, bins, pixels, depths, 0], rows: None, ..way }
 }
 
 pub(crate) fn lines(mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Vec<Way> {

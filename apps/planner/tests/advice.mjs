@@ -29,7 +29,7 @@ const { decimates } = library.menu();
 
 let [byRows, byFaces] = [0, 0];
 for (const chip of ['stm32f030', 'stm32f103', 'rp2040-ram']) {
-  for (const style of ['flat', 'gouraud', 'textured', 'wireframe', 'hidden-line']) {
+  for (const style of ['flat', 'flat&smooth-edges=1', 'gouraud', 'textured', 'wireframe', 'hidden-line']) {
     for (const size of ['width=1024&height=600&rows=8', 'width=240&height=240&rows=64', 'width=320&height=240&rows=1000', 'width=1024&height=300&rows=1']) {
       for (const mesh of ['gear', 'teapot', 'file']) {
         const choice = `mesh=${mesh}&chip=${chip}&style=${style}&${size}`;

@@ -12,7 +12,8 @@ const CHANGES = [
   ['mesh', 'floor', PICTURE], ['two-sided', true, FIGURES], ['two-sided', false, FIGURES], ['mesh', 'torus', PICTURE], ['decimate-to', '100', PICTURE],
   ['decimate', '150', PICTURE], ['up', 'x', PICTURE], ['flip', true, PICTURE], ['fix-winding', true, PICTURE], ['color', '#00ff00', PICTURE],
   ['background', '#202020', PICTURE], ['dither', true, PICTURE], ['around', '90', PICTURE], ['above', '-20', PICTURE], ['ambient', '200', PICTURE],
-  ['projection', 'isometric', PICTURE], ['yaw', '70', PICTURE], ['pitch', '40', PICTURE], ['zoom', '150', PICTURE], ['style', 'textured', PICTURE],
+  ['projection', 'isometric', PICTURE], ['yaw', '70', PICTURE], ['pitch', '40', PICTURE], ['zoom', '150', PICTURE],
+  ['smooth-edges', true, PICTURE], ['smooth-edges', false, PICTURE], ['style', 'textured', PICTURE],
   ['texture', 'grid', PICTURE], ['style', 'wireframe', PICTURE], ['edges', '80', PICTURE], ['panel-type', 'own', '#panel'], ['width', '200', PICTURE],
   ['height', '100', PICTURE], ['format', 'mono', PICTURE], ['chip', 'esp32c3', FIGURES], ['chip', 'own', FIGURES], ['core', 'M7', FIGURES],
   ['mhz', '200', FIGURES], ['ram', '64', FIGURES], ['flash', '100', FIGURES], ['rows', '20', FIGURES], ['spi', '4', FIGURES], ['style', 'hidden-line', PICTURE],
@@ -68,6 +69,36 @@ export const controls = ({ browser, pixels, settled, isGood, faces, load }) => {
         return [ids, all.filter((id) => !ids.includes(id))];
       }, CHANGES.map(([id]) => id));
       assert.deepEqual(all, [], `${tested.length} are tested`);
+    },
+
+    async 'smooth edges change the picture and the figures, are in the link, and say where they cannot be'(tab) {
+      const colors = () => tab.evaluate(() => {
+        const { data } = document.querySelector('#display').getContext('2d').getImageData(0, 0, 240, 240);
+        return new Set(new Uint32Array(data.buffer)).size;
+      });
+      await changes(tab, FIGURES, 'style', () => tab.selectOption('#chip', 'stm32f411'));
+      const [sharp, plain, few] = [await pixels(tab), await tab.evaluate(() => chosenOf(costsShown)), await colors()];
+      await changes(tab, PICTURE, 'smooth edges', () => tab.check('#smooth-edges'));
+      await tab.waitForFunction(() => chosenOf(costsShown).name.endsWith('smooth edges'));
+      assert.ok((await colors()) > 2 * few, `${few} colours, smooth ${await colors()}`);
+      const smooth = await tab.evaluate(() => chosenOf(costsShown));
+      for (const figure of ['ram', 'stack', 'flash', 'instructions', 'cycles']) assert.ok(smooth[figure] > plain[figure], figure);
+      assert.match(await tab.textContent('#to-write'), /smooth edges, which the templates do not draw yet/);
+      const [address, picture] = [await tab.evaluate(() => addressText()), await pixels(tab)];
+      assert.match(address, /smooth-edges=1/);
+      await changes(tab, PICTURE, 'another link', () => tab.evaluate(() => (location.hash = '')));
+      assert.equal(await pixels(tab), sharp);
+      await changes(tab, PICTURE, 'the link', () => tab.evaluate((text) => (location.hash = text), address));
+      assert.equal(await pixels(tab), picture);
+      assert.ok(await tab.isChecked('#smooth-edges'));
+      for (const [panel, note] of [['SSD1306, 128 × 64, black and white', /colours between two others/], ['e-paper, 212 × 104, black, white and red', /colours between two others/], ['SSD1327, 128 × 128, 16 greys', /^$/]]) {
+        await tab.selectOption('#panel-type', { label: panel });
+        await settled(tab);
+        assert.match(await tab.textContent('#smooth-note'), note);
+        assert.equal(await tab.isDisabled('#smooth-edges'), note.source !== '^$');
+      }
+      await tab.selectOption('#style', 'wireframe');
+      assert.match(await tab.textContent('#smooth-note'), /where faces are drawn/);
     },
 
     async 'a cell of the matrix chooses a chip, a display and the nearest template, and columns sort'(tab) {

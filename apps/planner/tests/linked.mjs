@@ -18,6 +18,8 @@ const IMAGES = {
   dithered_bands: ['mesh=torus&width=128&height=160&dither=1&rows=16', 'bands of 16 rows, with depth', 'dithered'],
   smooth_dithered_bands: ['mesh=cylinder&width=128&height=128&style=gouraud&dither=1&rows=8', 'bands of 8 rows, with depth', 'smooth dithered'],
   textured_bands: ['mesh=torus&width=160&height=120&style=textured&rows=8', 'bands of 8 rows, with depth', 'textured'],
+  edge_bands: ['mesh=gear&width=160&height=120&smooth-edges=1&rows=8', 'bands of 8 rows, with depth, smooth edges', 'flat'],
+  smooth_edge_bands: ['mesh=teapot&width=160&height=120&style=gouraud&smooth-edges=1&rows=16', 'bands of 16 rows, with depth, smooth edges', 'smooth'],
   plain_bands: ['mesh=sphere&width=160&height=128&rows=24', 'bands of 24 rows, without depth', 'flat'],
   painted_bands: ['mesh=gear&width=160&height=128&rows=8', "bands of 8 rows, painter's order", 'flat'],
   painted_picture: ['mesh=arrow&width=128&height=128', "a whole picture, painter's order", 'flat'],

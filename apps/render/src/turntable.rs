@@ -57,7 +57,9 @@ pub(crate) fn film(
     }
     let palette = Palette::of(counts);
     let unwritable = |e: Box<dyn Error>| files::unwritable(path, e);
-    let mut film = Animation::new(file, [size.width, size.height], &palette.colours).map_err(unwritable)?;
+    let side = |side: u32| u16::try_from(side).map_err(|e| unwritable(e.into()));
+    let sides = [side(size.width)?, side(size.height)?];
+    let mut film = Animation::new(file, sides, &palette.colours).map_err(|e| unwritable(e.into()))?;
     for frame in 0..frames {
         let delay = delay(frame, frames).max(2); // players take less for 10
         let pixels = picture(frame)?.iter().map(|colour| palette.index(channels(colour))).collect();

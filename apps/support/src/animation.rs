@@ -1,7 +1,6 @@
 //! An endless animation as a GIF file.
 
 use gif::EncodingError;
-use std::error::Error;
 use std::io::Write;
 
 /// Duration of a turn of a model, in hundredths of a second.
@@ -23,9 +22,8 @@ pub struct Animation<W: Write> {
 
 impl<W: Write> Animation<W> {
     /// Begins a file with this width and height, whose frames take their colours from a palette of at most 256, or bring their own.
-    /// Fails if the picture has a side above 65535 pixels, or `file` cannot be written.
-    pub fn new(file: W, [width, height]: [u32; 2], palette: &[[u8; 3]]) -> Result<Self, Box<dyn Error>> {
-        let (width, height) = (u16::try_from(width)?, u16::try_from(height)?);
+    /// Fails if `file` cannot be written.
+    pub fn new(file: W, [width, height]: [u16; 2], palette: &[[u8; 3]]) -> Result<Self, EncodingError> {
         let mut encoder = gif::Encoder::new(file, width, height, palette.as_flattened())?;
         encoder.set_repeat(gif::Repeat::Infinite)?;
         Ok(Self { encoder, width, height })

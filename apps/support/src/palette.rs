@@ -1,48 +1,54 @@
 //! Palettes of at most 256 colours.
 
-use std::collections::HashMap;
-
 /// A palette, and the entry of each colour.
 pub struct Palette {
     /// The entries.
     pub colours: Vec<[u8; 3]>,
-    index: HashMap<[u8; 3], usize>,
+    /// The entry of each colour that occurs, by colours.
+    index: Vec<([u8; 3], u8)>,
 }
 
 /// The colours that one palette entry replaces, and how often each occurs.
 type Group = Vec<([u8; 3], usize)>;
 
-/// How often each colour occurs in pictures.
+/// How often each colour occurs in pictures, by colours.
 #[derive(Default)]
-pub struct Counts(HashMap<[u8; 3], usize>);
+pub struct Counts(Group);
 
 impl Counts {
     /// Counts the colours of more pixels.
     pub fn add(&mut self, pixels: impl Iterator<Item = [u8; 3]>) {
-        for colour in pixels {
-            *self.0.entry(colour).or_default() += 1;
-        }
+        self.0.extend(pixels.map(|colour| (colour, 1)));
+        self.0.sort_unstable();
+        self.0.dedup_by(|(colour, count), (before, sum)| {
+            *sum += if colour == before { *count } else { 0 };
+            colour == before
+        });
     }
 }
 
 impl Palette {
     /// A palette for the colours that occur. The most frequent one is exact, and so are the others if there are at
     /// most 255; otherwise median cut chooses them (Heckbert, *Color image quantization for frame buffer display*, 1982).
-    pub fn of(Counts(counts): Counts) -> Self {
-        let mut met: Group = counts.into_iter().collect();
+    pub fn of(Counts(mut met): Counts) -> Self {
         met.sort_unstable_by_key(|&(colour, count)| (std::cmp::Reverse(count), colour));
         let others = met.split_off(met.len().min(1));
         let mut groups = vec![met];
         if !others.is_empty() {
             groups.extend(cut(others, 255));
         }
-        let index = groups.iter().enumerate().flat_map(|(i, group)| group.iter().map(move |&(c, _)| (c, i)));
-        Self { index: index.collect(), colours: groups.iter().map(mean).collect() }
+        // At most 256 entries.
+        let of_group =
+            |(i, group): (usize, &Group)| group.iter().map(|&(c, _)| (c, i as u8)).collect::<Vec<_>>();
+        let mut index: Vec<_> = groups.iter().enumerate().flat_map(of_group).collect();
+        index.sort_unstable();
+        Self { index, colours: groups.iter().map(mean).collect() }
     }
 
     /// Index of the entry for a colour that occurs.
     pub fn index(&self, colour: [u8; 3]) -> u8 {
-        self.index.get(&colour).copied().unwrap_or_default() as u8 // at most 256 entries
+        let place = self.index.partition_point(|(other, _)| *other < colour);
+        self.index.get(place).map_or(0, |(_, entry)| *entry)
     }
 }
 

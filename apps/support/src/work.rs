@@ -33,7 +33,9 @@ struct FaceWork {
     beside: u32,
     /// Faces with all corners on the outer side of one clip plane: rejected by the vertices' bits.
     outside: u32,
-    /// Other faces with a corner that must be clipped, drawn or culled.
+    /// Faces with a corner that must be clipped.
+    with_far_corner: u32,
+    /// Such faces that are not outside, drawn or culled.
     clipped: u32,
     /// `clipped` faces that are drawn.
     cut: u32,
@@ -62,6 +64,16 @@ struct EdgeWork {
     met: u32,
     /// Drawn faces beside an edge, summed over the edges in each band.
     beside: u32,
+    /// Edges that are smoothed, also those beside the picture.
+    smoothed: u32,
+    /// Pixels along smoothed edges in the picture, in the direction in which these are longer.
+    smoothed_pixels: u32,
+    /// Smoothed edges that touch a band, summed over all bands.
+    smoothed_met: u32,
+    /// How often smoothed edges are set up that were set up in the band before, because the list has no entry for them.
+    again: u32,
+    /// Pixels of the rows that wait for the next band.
+    waiting: u32,
 }
 
 /// What a constant of the formula is for, such as "vertex", and how many of these a frame has.
@@ -148,6 +160,18 @@ pub fn terms(way: &str) -> Vec<Term> {
             AREA,
             BAND,
         ],
+        // What smoothing takes beside drawing.
+        "smooth-edges" => vec![
+            FRAME,
+            FACE,
+            ("face with a corner to be clipped: more", |work| work.faces.with_far_corner),
+            ("smoothed edge", |work| work.edges.smoothed),
+            ("smoothed edge in a band", |work| work.edges.smoothed_met),
+            ("smoothed edge set up again", |work| work.edges.again),
+            ("pixel along a smoothed edge", |work| work.edges.smoothed_pixels),
+            BAND,
+            ("pixel of a row that waits", |work| work.edges.waiting),
+        ],
         "smooth-bands" | "dithered-bands" | "smooth-dithered-bands" | "plain-bands" => of_faces,
         _ => Vec::new(),
     }
@@ -164,11 +188,24 @@ pub type Place<'p> = &'p dyn for<'m> Fn(&'m Mesh<'m>) -> MeshInstance<'m>;
 pub struct Frame {
     /// What does not depend on bands.
     work: Work,
-    height: u32,
+    size: Size,
     drawn: Vec<Drawn>,
-    /// The first and last row of each edge, and the number of drawn faces beside it.
-    edges: Vec<([i32; 2], u32)>,
+    edges: Vec<Edge>,
 }
+
+/// An edge of the mesh.
+struct Edge {
+    /// The first and last row.
+    extent: [i32; 2],
+    /// The number of drawn faces beside it.
+    beside: u32,
+    /// Whether it is smoothed, and in the picture.
+    is_smoothed: bool,
+    is_wide: bool,
+}
+
+/// Entries of the list of smoothed edges that are set up.
+pub const LIST: u32 = 16;
 
 /// A drawn face, or all drawn edges.
 #[derive(Default)]
@@ -192,12 +229,13 @@ enum FaceSize {
 
 impl Frame {
     /// Counts the work of a mesh's faces and edges in a picture of a size. `is_linear`: whether texture coordinates are interpolated
-    /// linearly over a face with these corners.
+    /// linearly over a face with these corners. Edges before edge `creases` are smoothed where both of their faces are drawn.
     pub fn new<'m>(
         mesh: &'m Mesh<'m>,
         size: Size,
         place: Place<'_>,
         is_linear: &dyn Fn(usize, [Projected; 3]) -> bool,
+        creases: usize,
     ) -> Self {
         let instance = place(mesh);
         let points: Vec<Option<Projected>> =
@@ -235,6 +273,7 @@ impl Frame {
             large: of(Some(FaceSize::Large)) + of(Some(FaceSize::Cut)),
             beside: of(None),
             outside,
+            with_far_corner: must_be_clipped,
             clipped: must_be_clipped.saturating_sub(outside),
             cut: statistics.clipped,
             rows: drawn.iter().map(|one| one.rows).sum(),
@@ -242,7 +281,7 @@ impl Frame {
             ..FaceWork::default()
         };
         let mut edges = EdgeWork::default();
-        let mut extents = Vec::new();
+        let mut of_mesh = Vec::new();
         for (index, edge) in mesh.edges().iter().enumerate() {
             let lies = match edge.map(point) {
                 [Some(a), Some(b)] => Some(Lies::new([a, b], size)),
@@ -256,7 +295,13 @@ impl Frame {
             };
             let beside = mesh.edge_faces().get(index).into_iter().flatten();
             let beside = beside.filter(|&&face| is_drawn.get(usize::from(face)) == Some(&true));
-            extents.push((extent, beside.count() as u32));
+            let beside = beside.count() as u32;
+            let is_smoothed = beside == 1 || beside == 2 && index < creases;
+            let [width, height] = lies.map_or([0, extent[1] + 1 - extent[0]], |lies| lies.sides(size));
+            edges.smoothed += u32::from(is_smoothed);
+            let is_smoothed = is_smoothed && extent != NO_ROWS && lies.is_none_or(|lies| !lies.is_beside);
+            edges.smoothed_pixels += if is_smoothed { width.max(height) as u32 } else { 0 };
+            of_mesh.push(Edge { extent, beside, is_smoothed, is_wide: width >= height });
         }
         let lines = RefCell::new(vec![Drawn::default()]);
         let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
@@ -267,14 +312,15 @@ impl Frame {
         let vertices = mesh.vertices().len() as u32; // at most 65 536, as faces
         let area = size.width * size.height;
         let work = Work { room: vertices, vertices, area, bands: 0, faces, edges };
-        Self { work, height: size.height, drawn, edges: extents }
+        Self { work, size, drawn, edges: of_mesh }
     }
 
     /// The work in bands of so many rows, or in one piece.
     pub fn work(&self, rows: Option<u32>) -> Work {
         let mut work = self.work;
         let Some(rows) = rows else { return work };
-        work.bands = self.height.div_ceil(rows.max(1));
+        let bands = self.size.height.div_ceil(rows.max(1));
+        work.bands = bands;
         let Work { faces, edges, .. } = &mut work;
         for one in &self.drawn {
             let met = met(one.extent, rows);
@@ -289,9 +335,26 @@ impl Frame {
                 faces.perspective.iter_mut().zip(counts).for_each(|(sum, count)| *sum += count);
             }
         }
-        for &(extent, beside) in &self.edges {
-            edges.met += met(extent, rows);
-            edges.beside += beside * met(extent, rows);
+        edges.waiting = bands.saturating_sub(1) * self.size.width;
+        // Of each band, the smoothed edges in it, and how often those are set up that continue from the band above.
+        let mut in_bands = vec![[0; 2]; bands as usize];
+        for &Edge { extent, beside, is_smoothed, is_wide } in &self.edges {
+            let met = met(extent, rows);
+            edges.met += met;
+            edges.beside += beside * met;
+            let first = (extent[0].max(0) as u32 / rows.max(1)) as usize;
+            for (at, counts) in
+                in_bands.iter_mut().skip(first).take(met as usize).enumerate().filter(|_| is_smoothed)
+            {
+                let [all, set_ups] = counts;
+                *all += 1;
+                *set_ups += if at > 0 { 1 + u32::from(is_wide) } else { 0 };
+            }
+        }
+        for [all, set_ups] in in_bands {
+            edges.smoothed_met += all;
+            // As many edges as there are entries keep theirs.
+            edges.again += (set_ups * all.saturating_sub(LIST)).checked_div(all).unwrap_or(0);
         }
         work
     }
@@ -343,6 +406,14 @@ impl Lies {
         }
     }
 
+    /// The columns and rows that an edge touches in a picture of a size.
+    fn sides(&self, size: Size) -> [i32; 2] {
+        [(self.x, size.width), (self.y, size.height)].map(|([from, to], side)| {
+            let at = |at: i32| (at >> 8).clamp(0, side as i32 - 1); // at most 1024
+            at(to) - at(from) + 1
+        })
+    }
+
     fn size(&self) -> Option<FaceSize> {
         let is_low = self.is_between && self.y[1] - self.y[0] <= LOW << 8;
         (!self.is_beside).then_some(if is_low { FaceSize::Low } else { FaceSize::Large })
@@ -365,7 +436,7 @@ fn rows_of_face(mesh: &Mesh<'_>, face: usize, place: Place<'_>) -> Option<[i32; 
 fn rows_of_edge(mesh: &Mesh<'_>, edge: usize, place: Place<'_>) -> Option<[i32; 2]> {
     let alone = Mesh::new(mesh.vertices(), mesh.exponent(), &[]).ok()?;
     let alone = alone.with_edges(mesh.edges().get(edge..=edge)?).ok()?;
-    let (instance, mut bins) = (place(&alone), [0; 2]);
+    let (instance, mut bins) = (place(&alone), vec![0; alone.edge_bins_len()]);
     Some(rows_of(&instance.transform(&mut []).bin_edges(&mut bins).ok()?.bounds()))
 }
 

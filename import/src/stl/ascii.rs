@@ -5,7 +5,7 @@
 //! after `#`, lines of colours, other text behind a statement in its line, and `end` apart from what it ends.
 
 use super::{COUNT, HEADER};
-use crate::text::{a_vertex_needs_numbers, before_comment};
+use crate::text::{a_vertex_needs_numbers, before_comment, number};
 use crate::Problem;
 
 /// An ASCII file converted to binary STL, and the line in which each facet begins.
@@ -63,10 +63,10 @@ fn facet(words: &mut Words<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
         let line = Some(words.line); // where a number is missing, its word is of the next line
         for _ in 0..3 {
             let Some(word) = words.next() else { return Err(words.ended()) };
-            match word.parse::<f32>() {
-                Ok(number) if number.is_finite() => out.extend(number.to_le_bytes()),
-                Ok(_) => return Err((Problem::NotFinite, line)),
-                Err(_) => return Err((a_vertex_needs_numbers(word), line)),
+            match number(word).map(|number| number as f32) {
+                Some(number) if number.is_finite() => out.extend(number.to_le_bytes()),
+                Some(_) => return Err((Problem::NotFinite, line)),
+                None => return Err((a_vertex_needs_numbers(word), line)),
             }
         }
         words.end_statement();

@@ -101,7 +101,7 @@ fn triangles(stl: &[u8]) -> Triangles {
         let mut number = || f32::from_le_bytes(words.next().unwrap_or_default());
         out.faces.push([(); 3].map(|()| {
             let vertex = [number(), number(), number()];
-            *numbers.entry(vertex.map(f32::to_bits)).or_insert_with(|| {
+            *numbers.entry(vertex.map(|c| c.to_bits().into())).or_insert_with(|| {
                 out.positions.push(vertex.map(f64::from));
                 out.positions.len() - 1
             })

@@ -26,7 +26,7 @@ fn print() -> Result<(), String> {
     Ok(())
 }
 
-/// Every mesh, display and style, dithered and not; every mesh decimated; sharp edges alone; then every projection, moved and magnified.
+/// Every mesh, display and style, dithered and not; every mesh decimated; sharp edges alone; smooth edges; then every projection, moved and magnified.
 fn choices() -> Vec<String> {
     let mut choices = Vec::new();
     for (mesh, _) in &READY {
@@ -54,6 +54,13 @@ fn choices() -> Vec<String> {
     for mesh in ["gear", "cylinder", "teapot"] {
         for style in ["wireframe", "hidden-line"] {
             choices.push(format!("mesh={mesh}&style={style}&edges=30"));
+        }
+    }
+    for mesh in ["gear", "teapot"] {
+        for format in ["rgb565", "gray2", "gray4"] {
+            for style in ["flat", "gouraud", "textured"] {
+                choices.push(format!("mesh={mesh}&format={format}&style={style}&smooth-edges=1"));
+            }
         }
     }
     for texture in ["checker", "grid"] {

@@ -55,9 +55,17 @@ impl Case {
     pub(super) fn mesh(&self, kind: Kind) -> Option<Mesh<'static>> {
         match kind {
             _ if self.points => self.shape.points(),
-            Kind::HiddenBands => self.shape.with_edge_faces(1),
+            Kind::HiddenBands | Kind::Silhouettes | Kind::Creases => self.shape.with_edge_faces(1),
             Kind::FewHiddenBands => self.shape.with_edge_faces(FEW),
             _ => self.shape.mesh(),
+        }
+    }
+
+    /// Which faces are drawn: only in front, where edges are smoothed.
+    pub(super) fn cull_of(&self, kind: Kind) -> Cull {
+        match kind {
+            Kind::Silhouettes | Kind::Creases => Cull::Back,
+            _ => self.cull,
         }
     }
 

@@ -9,7 +9,7 @@ mod work;
 pub use cases::{Case, CASES};
 
 use self::texture::textured;
-use crate::bands::{self, Storage};
+use crate::bands::{self, EdgeStorage, Storage};
 use crate::board::Clock;
 use crate::scene::{flat_dithered, flat_of_normals, smooth, Scene, BACKGROUND, LINE};
 use core::hint::black_box;
@@ -17,7 +17,12 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{prelude::*, Angle};
+use pinhole::{
+    bands::SmoothFrame,
+    draw::{Cull, SmoothEdge},
+    prelude::*,
+    Angle,
+};
 
 /// The number of pixels of the largest picture.
 const PIXELS: usize = 480 * 320;
@@ -33,14 +38,18 @@ const PAINTED_CORNERS: usize = CORNERS + 2_000;
 const PAINTED_FACES: usize = 12_000;
 /// The vertices and faces of the painter for small meshes: the room that a painter has costs time.
 const SMALL: usize = 1_600;
-/// The bytes of the highest band.
-const STRIP: usize = Frame::<Rgb565>::strip_bytes(480, 48);
+/// Bin storage for the smoothed edges of the largest mesh.
+const SMOOTH_BIN_STORAGE: usize = EDGE_BIN_STORAGE + 2 * 30_000 / 16;
+/// The bytes of the highest band, with a row that waits.
+const STRIP: usize = Frame::<Rgb565>::strip_bytes(480, 48 + 1);
 
 pub struct Memory {
     pixels: [Rgb565; PIXELS],
     depth: [u16; PIXELS],
-    buffers: MeshBuffers<CORNERS, BIN_STORAGE, EDGE_BIN_STORAGE>,
+    buffers: MeshBuffers<CORNERS, BIN_STORAGE, SMOOTH_BIN_STORAGE>,
     strip: [u8; STRIP],
+    kept: [u8; Frame::<Rgb565>::strip_bytes(480, 1)],
+    list: [SmoothEdge; LIST],
     painter: Painter<Rgb565, PAINTED_CORNERS, PAINTED_FACES>,
     small_painter: Painter<Rgb565, SMALL, SMALL>,
 }
@@ -51,10 +60,15 @@ impl Memory {
         depth: [0; PIXELS],
         buffers: MeshBuffers::new(),
         strip: [0; STRIP],
+        kept: [0; Frame::<Rgb565>::strip_bytes(480, 1)],
+        list: [SmoothEdge::EMPTY; LIST],
         painter: Painter::new(),
         small_painter: Painter::new(),
     };
 }
+
+/// Entries for edges that are set up.
+const LIST: usize = 16;
 
 /// How a case is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,6 +92,10 @@ pub enum Kind {
     SmoothDitheredBands,
     /// Lit faces with a picture on them, with depth.
     TexturedBands,
+    /// Smoothing the silhouettes of faces with depth: what it takes beside [`Bands`](Self::Bands).
+    Silhouettes,
+    /// Smoothing silhouettes and all creases.
+    Creases,
     /// Faces without depth.
     PlainBands,
     /// Faces in painter's order.
@@ -95,7 +113,7 @@ pub struct Way {
 /// Ways to draw that share their constants: their name, their kinds, and the rows of bands.
 type Group = (&'static str, &'static [Kind], &'static [Option<u32>]);
 
-pub const WAYS: [Group; 13] = [
+pub const WAYS: [Group; 14] = [
     ("lines", &[Kind::Lines], WHOLE),
     ("faces", &[Kind::Faces], WHOLE),
     ("depth", &[Kind::Depth], WHOLE),
@@ -106,6 +124,7 @@ pub const WAYS: [Group; 13] = [
     ("dithered-bands", &[Kind::DitheredBands], IN_BANDS),
     ("smooth-dithered-bands", &[Kind::SmoothDitheredBands], IN_BANDS),
     ("textured-bands", &[Kind::TexturedBands], IN_BANDS),
+    ("smooth-edges", &[Kind::Silhouettes, Kind::Creases], IN_BANDS),
     ("plain-bands", &[Kind::PlainBands], IN_BANDS),
     ("painted", &[Kind::Painted], WHOLE),
     ("painted-bands", &[Kind::PaintedBands], IN_BANDS),
@@ -152,10 +171,21 @@ impl Case {
         Scene::viewed(mesh, axes, black_box(self.eye), black_box(Size::new(width, height)))
     }
 
-    /// The instructions of a whole frame, its clears too.
+    /// The instructions of a whole frame, its clears too, or of smoothing its edges alone.
     pub fn count(&self, way: Way, memory: &mut Memory, clock: &mut Clock) -> Option<u32> {
+        let instructions = self.count_frame(way, self.cull_of(way.kind), memory, clock)?;
+        match way.kind {
+            Kind::Silhouettes | Kind::Creases => {
+                let bands = Way { kind: Kind::Bands, ..way };
+                Some(instructions - self.count_frame(bands, self.cull_of(way.kind), memory, clock)?)
+            }
+            _ => Some(instructions),
+        }
+    }
+
+    fn count_frame(&self, way: Way, cull: Cull, memory: &mut Memory, clock: &mut Clock) -> Option<u32> {
         let scene = self.scene(way)?;
-        let (instance, light) = (scene.place().with_cull(self.cull), scene.light()?);
+        let (instance, light) = (scene.place().with_cull(cull), scene.light()?);
         let size = Size::new(self.size[0], self.size[1]);
         let (instance, light, size) = black_box((&instance, &light, size));
         let (is_small, mut good) = (self.is_small(), None);
@@ -210,8 +240,9 @@ fn in_bands(
     is_small: bool,
     memory: &mut Memory,
 ) -> Option<()> {
-    let Memory { depth, buffers: MeshBuffers { cache, bins, edge_bins }, strip, .. } = memory;
-    let strip = strip.get_mut(..Frame::<Rgb565>::strip_bytes(size.width, rows))?;
+    let Memory { depth, buffers: MeshBuffers { cache, bins, edge_bins }, strip, kept, list, .. } = memory;
+    let is_smoothed = matches!(kind, Kind::Silhouettes | Kind::Creases);
+    let strip = strip.get_mut(..Frame::<Rgb565>::strip_bytes(size.width, rows + u32::from(is_smoothed)))?;
     let (mesh, mut storage) = (instance.mesh(), Storage { corners: cache, bin_storage: bins, strip, depth });
     let flat = flat_of_normals(mesh.normals(), light);
     let send = |band: &Band<'_, Rgb565>| {
@@ -237,6 +268,17 @@ fn in_bands(
             bands::depth(instance, |face| smooth(mesh, light)(face).dithered(), size, storage, send)
         }
         Kind::TexturedBands => bands::depth(instance, textured(mesh, light)?, size, storage, send),
+        Kind::Silhouettes | Kind::Creases => {
+            let has_creases = kind == Kind::Creases;
+            smooth_edges(
+                instance,
+                flat,
+                has_creases,
+                size,
+                storage,
+                EdgeStorage { kept, bins: edge_bins, list },
+            )
+        }
         Kind::PlainBands => bands::solid(instance, flat, size, storage, send),
         Kind::PaintedBands => match is_small {
             true => painted_bands(instance, flat, size, storage.strip, &mut memory.small_painter),
@@ -244,6 +286,28 @@ fn in_bands(
         },
         _ => bands::depth(instance, flat, size, storage, send),
     }
+}
+
+fn smooth_edges(
+    instance: &MeshInstance<'_>,
+    shade: impl Fn(usize) -> Rgb565,
+    has_creases: bool,
+    size: Size,
+    Storage { corners, bin_storage, strip, depth }: Storage<'_>,
+    EdgeStorage { kept, bins, list }: EdgeStorage<'_>,
+) -> Option<()> {
+    let transformed = instance.transform_depth(corners);
+    let mut faces = transformed.bin_faces(bin_storage).ok()?;
+    let mut edges = transformed.bin_smooth_edges(|_| has_creases, bins).ok()?;
+    edges.keep_in(list);
+    let mut frame = SmoothFrame::new(Rectangle::new(Point::zero(), size), BACKGROUND, kept, depth).ok()?;
+    while let Some(mut band) = frame.next_band(strip).ok()? {
+        let (mut pixels, mut depth) = band.new_rows();
+        let Ok(()) = faces.draw(&shade, &mut pixels.depth_tested(&mut depth));
+        black_box(band.smooth(|pass| edges.draw(pass)).bytes());
+    }
+    black_box(faces.statistics());
+    Some(())
 }
 
 fn painted_bands<const V: usize, const F: usize>(

@@ -1,7 +1,7 @@
 //! The cases as frames whose work is counted, on the host.
 
 use super::texture::{coordinates, TEXELS_OF_UNIT};
-use super::{Case, Way, PAINTED_CORNERS, SMALL};
+use super::{Case, Kind, Way, PAINTED_CORNERS, SMALL};
 use embedded_graphics_core::geometry::Size;
 use pinhole::camera::Projected;
 use pinhole_apps_support::work::{reach, Frame, Work};
@@ -27,8 +27,9 @@ impl Case {
         let frame = Frame::new(
             &mesh,
             Size::new(width, height),
-            &|mesh| scene.camera.place(mesh, &scene.model).with_cull(self.cull),
+            &|mesh| scene.camera.place(mesh, &scene.model).with_cull(self.cull_of(way.kind)),
             &is_linear,
+            if way.kind == Kind::Creases { usize::MAX } else { 0 },
         );
         let mut work = frame.work(way.rows);
         work.room = if self.is_small() { SMALL } else { PAINTED_CORNERS } as u32;

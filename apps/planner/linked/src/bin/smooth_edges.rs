@@ -1,0 +1,42 @@
+//! Faces with depth in bands, flat or with Gouraud shading, whose edges are smoothed.
+#![no_std]
+#![no_main]
+
+use linked::*;
+use pinhole::{bands::SmoothFrame, draw::SmoothEdge};
+
+const WIDE: usize = WIDTH as usize;
+
+firmware!(|camera, turn, display: Rgb565|
+    mesh: MeshBuffers<{ MODEL.cache_len() }, { MODEL.face_bins_len() }, { MODEL.smooth_bins_len() }> = MeshBuffers::new(),
+    list: [SmoothEdge; 16] = [SmoothEdge::EMPTY; 16],
+    // One row more than a band has, and the row that waits.
+    strip: [u8; 2 * WIDE * (ROWS as usize + 1)] = [0; 2 * WIDE * (ROWS as usize + 1)],
+    depths: [u16; WIDE * (ROWS as usize + 1)] = [0; WIDE * (ROWS as usize + 1)],
+    kept: [u8; 2 * WIDE] = [0; 2 * WIDE],
+    {
+        let model = Affine::rotation_y(turn);
+        let light = light(&model)?;
+        let instance = camera.place(&MODEL, &model);
+        let transformed = instance.transform_depth(&mut mesh.cache);
+        let mut faces = transformed.bin_faces(&mut mesh.bins).ok()?;
+        let creases = if SHADING == "flat" { MODEL_CREASES } else { 0 };
+        let mut edges = transformed.bin_smooth_edges(|edge| edge < creases, &mut mesh.edge_bins).ok()?;
+        edges.keep_in(list);
+        let mut frame = SmoothFrame::new(area(display), Rgb565::BLACK, kept, depths).ok()?;
+        let smooth = |face| {
+            let normals = MODEL.corners_of(face, MODEL.vertex_normals());
+            Gouraud::lit(LIT, normals.map(|normal| light.level(normal)))
+        };
+        while let Some(mut band) = frame.next_band(strip).ok()? {
+            let (mut pixels, mut depth) = band.new_rows();
+            let target = &mut pixels.depth_tested(&mut depth);
+            let Ok(()) = match SHADING {
+                "flat" => faces.draw(|face| COLOR.dim(level(&MODEL, &light, face)), target),
+                _ => faces.draw(smooth, target),
+            };
+            band.smooth(|pass| edges.draw(pass)).send(display).ok()?;
+        }
+        Some(())
+    }
+);
