@@ -69,7 +69,7 @@ public_types! {
     Plain, 3>, RigidLambert, Scalar, ShadeTable<Plain>, TableShader<'static, Plain>,
     Accuracy, Half, DepthLevels<'static, Plain>, DepthTested<Flat>, Fog, FogTable<Plain>, Fogged<'static, Flat, Plain>,
     VertexFog, ColorKeyed<Plain, Plain>, IndexKeyed<'static, Plain, 1>, IndexedTexels<'static, Plain,
-    1>, ClampedTexels<Plain>, LitIndexedTexels<'static, Plain, 1, 2, 2>, LitPalette<Plain, 2, 2>, LitTextured<Plain>, MipPicture<Plain, 8, 8>, MipTexels<Plain>,
+    1>, ClampedTexels<Plain>, LitIndexedTexels<'static, Plain, 1, 2, 2>, LitPalette<Plain, 2, 2>, LitTextured<Plain>, MipPicture<Plain, 8, 8>, MipTexels<Plain>, BilinearTexels<Plain>,
     TexelSlice<'static, Plain>, Texture<Plain>, TextureError, Textured<Plain>, ScreenDoor<Flat>, SmoothBand<'static, 'static, Plain>, SmoothEdge, SmoothEdges<'static, i16>,
     SmoothFrame<'static, Plain>, SmoothPass<'static, Plain, Plain>, SmoothScene<'static, 'static, Plain, 3>, SolidTexel<Pixel>,
     Sprite<Plain>, SpriteImage<'static, Image>, ScreenPoint, Span, Sphere, Statistics, StripBuffers<6, 2>,

@@ -83,6 +83,7 @@ fn command() -> Command {
                 .value_name("TYPE")
                 .help("The type of the palette's colours [default: embedded_graphics::pixelcolor::Rgb565]"),
         )
+        .arg(flag("texture-mips").help("Mip levels beside the picture, in as many bytes again, against sparkling in the distance"))
         .args(arguments::arguments())
         .arg(
             choice("centre", &["box", "origin"])
@@ -143,8 +144,8 @@ fn options(given: &ArgMatches) -> Options {
 fn texture(given: &ArgMatches) -> Option<TextureFormat> {
     let word = |name: &str| given.get_one::<String>(name);
     let colors = word("texture")?.parse().ok()?; // one of the choices
-    let default = TextureFormat::default();
-    Some(TextureFormat { colors, color: word("texture-color").cloned().unwrap_or(default.color) })
+    let color = word("texture-color").cloned().unwrap_or(TextureFormat::default().color);
+    Some(TextureFormat { colors, color, mip_levels: given.get_flag("texture-mips") })
 }
 
 /// Refuses options that would change nothing.
@@ -156,8 +157,10 @@ fn refuse_idle(given: &ArgMatches) -> Result<(), String> {
             "--feature-angle: is that of --edges feature or creases-first: give one of them, too".into()
         );
     }
-    if typed("texture-color") && !typed("texture") {
-        return Err("--texture-color: is that of --texture COLORS: give this, too".into());
+    for option in ["texture-color", "texture-mips"] {
+        if typed(option) && !typed("texture") {
+            return Err(format!("--{option}: is that of --texture COLORS: give this, too"));
+        }
     }
     if typed("name") && given.get_flag("arrays") {
         return Err("--name: is that of a mesh, and --arrays writes lists, whose names are fixed".into());

@@ -95,12 +95,16 @@ pub struct TextureFormat {
     /// The type of the palette's colours in the Rust source, with its path: a colour type of embedded-graphics of three channels
     /// or of grey. Texels then need no conversion on the display that has this type.
     pub color: String,
+    /// Adds mip levels, which take as many bytes as the picture, for `pinhole::texture::MipTexels`: box-filtered means of the file's
+    /// levels, not of linear light, as `pinhole::texture::MipPicture` makes them. The picture has at most 128 rows then, and
+    /// picture and levels share the palette, which so needs more colours.
+    pub mip_levels: bool,
 }
 
 impl Default for TextureFormat {
-    /// 256 colours, of type `embedded_graphics::pixelcolor::Rgb565`.
+    /// 256 colours, of type `embedded_graphics::pixelcolor::Rgb565`, without mip levels.
     fn default() -> Self {
-        Self { colors: 256, color: "embedded_graphics::pixelcolor::Rgb565".into() }
+        Self { colors: 256, color: "embedded_graphics::pixelcolor::Rgb565".into(), mip_levels: false }
     }
 }
 

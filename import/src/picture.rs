@@ -6,15 +6,17 @@ use crate::pixels::indexed;
 use crate::{rust, Problem, TextureFormat, Warning};
 use std::path::PathBuf;
 
-/// A picture as `pinhole::texture::IndexedTexels` borrows it.
+/// A picture as `pinhole::texture::IndexedTexels` borrows it, or with mip levels `MipTexels` of `IndexedTexels`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct IndexedPicture {
     /// The file's name.
     pub name: String,
     /// Columns: 8, 16, 32, 64, 128 or 256.
     pub width: usize,
-    /// Rows: 8, 16, 32, 64, 128 or 256.
+    /// Rows: 8, 16, 32, 64, 128 or 256; with mip levels at most 128.
     pub height: usize,
+    /// Whether [`texels`](Self::texels) have as many rows of mip levels before those of the picture.
+    pub mip_levels: bool,
     /// The colours `[red, green, blue]`: 2, 4, 16 or 256. Colours that no texel uses are black.
     pub palette: Vec<[u8; 3]>,
     /// Texels of 1, 2, 4 or 8 bits, as the palette has 2, 4, 16 or 256 colours: row by row, the upper row first, the left texel
@@ -32,11 +34,17 @@ impl IndexedPicture {
         self.palette.len().max(1).ilog2()
     }
 
+    /// Rows of texels, those of mip levels too.
+    pub fn rows(&self) -> usize {
+        self.height << u32::from(self.mip_levels)
+    }
+
     /// The colour of the texel in this column and row, `[red, green, blue]`; black outside.
     pub fn color(&self, column: usize, row: usize) -> [u8; 3] {
         let bits = self.bits() as usize;
-        let first = (row * self.width + column) * bits; // the texel's highest bit
         let is_inside = column < self.width && row < self.height;
+        let row = row + self.rows() - self.height;
+        let first = (row * self.width + column) * bits; // the texel's highest bit
         let byte = self.texels.get(first / 8).filter(|_| is_inside).copied();
         let index = byte.map(|byte| usize::from(byte) >> (8 - bits - first % 8) & ((1 << bits) - 1));
         index.and_then(|index| self.palette.get(index)).copied().unwrap_or_default()

@@ -42,11 +42,15 @@ pub(crate) fn indexed(
     if transparent > 0 {
         warnings.push(Warning::PictureTransparent { name: named(), pixels: transparent });
     }
-    let (from, to) = ([picture.width, picture.height], [side(picture.width), side(picture.height)]);
+    let rows = side(picture.height).min(if format.mip_levels { 128 } else { 256 });
+    let (from, to) = ([picture.width, picture.height], [side(picture.width), rows]);
     let mut pixels: Vec<[u8; 3]> = picture.colors.iter().map(|&[r, g, b, _]| [r, g, b]).collect();
     if from != to {
         warnings.push(Warning::PictureResized { name: named(), from, to });
         pixels = resampled(&pixels, from, to);
+    }
+    if format.mip_levels {
+        pixels = [mip_levels(&pixels, to[0]), pixels].concat();
     }
     let (palette, indices, all) = reduce(&pixels, format.colors);
     let difference = |(pixel, &index): (&[u8; 3], &u8)| {
@@ -63,14 +67,33 @@ pub(crate) fn indexed(
         .map(|texels| texels.iter().fold(0u32, |byte, &texel| byte << bits | u32::from(texel)) as u8)
         .collect();
     let name = String::new();
-    let color = format.color.clone();
+    let TextureFormat { color, mip_levels, .. } = format.clone();
     let [width, height] = to;
-    Ok(Ok(IndexedPicture { name, width, height, palette, texels, color, error }))
+    Ok(Ok(IndexedPicture { name, width, height, mip_levels, palette, texels, color, error }))
 }
 
 /// The power of two of 8 to 256 next to a side, the larger one from √2 of the smaller on.
 fn side(given: usize) -> usize {
     [8, 16, 32, 64, 128].into_iter().find(|&side| given * given < 2 * side * side).unwrap_or(256)
+}
+
+/// The reduced copies of a picture in the rows in which `pinhole::texture::MipTexels` finds them: row number (2·i + 1)·2ⁿ⁻¹, from 1, has the means
+/// of 2ⁿ rows from 2ⁿ·i on and of 2ⁿ columns about each, of which both outer ones count half. The picture repeats.
+fn mip_levels(picture: &[[u8; 3]], width: usize) -> Vec<[u8; 3]> {
+    let height = picture.len() / width;
+    let mut levels = Vec::with_capacity(picture.len());
+    for (number, column) in (1..=height).flat_map(|number| (0..width).map(move |column| (number, column))) {
+        let half = 1 << number.trailing_zeros();
+        let mut sum = [0; 3];
+        for (y, x) in (number - half..number + half).flat_map(|y| (0..=2 * half).map(move |x| (y, x))) {
+            let texel = picture[y % height * width + (column + x).wrapping_sub(half) % width];
+            let weight = if x == 0 || x == 2 * half { 1 } else { 2 };
+            (0..3).for_each(|i| sum[i] += weight * usize::from(texel[i]));
+        }
+        levels.push(sum.map(|sum| ((sum + 4 * half * half) / (8 * half * half)) as u8));
+        // a mean
+    }
+    levels
 }
 
 /// A palette of at most `most` colours, the index of each pixel's colour in it, and the number of colours of the picture. If

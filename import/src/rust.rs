@@ -164,17 +164,23 @@ impl ImportedMesh {
             &self.picture
         {
             let (bits, color) = (picture.bits(), one_line(color));
-            let (colours, bytes) = (palette.len(), picture.flash_bytes());
+            let (colours, bytes, rows) = (palette.len(), picture.flash_bytes(), picture.rows());
+            let mut kind = format!("pinhole::texture::IndexedTexels<'static, {color}, {bits}>");
+            let (mut texels, mut levels) = ("texels", "");
+            if picture.mip_levels {
+                kind = format!("pinhole::texture::MipTexels<{kind}>");
+                (texels, levels) = ("pinhole::texture::MipTexels::new(texels)", " with mip levels");
+            }
             let _ = write!(
                 out,
-                "\n/// The picture of [`{name}`]: `{file}`, {width} x {height} texels of {colours} colours; {bytes} bytes of flash.\n{KEPT}\
-                 pub const {name}_TEXELS: pinhole::texture::IndexedTexels<'static, {color}, {bits}> = {{\n",
+                "\n/// The picture of [`{name}`]: `{file}`, {width} x {height} texels{levels} of {colours} colours; {bytes} bytes of flash.\n{KEPT}\
+                 pub const {name}_TEXELS: {kind} = {{\n",
             );
             nested(out, "BYTES: [u8", &picture.texels);
             nested(out, &format!("PALETTE: [{color}"), &picture.color_calls());
             let _ = write!(
                 out,
-                "    let Ok(texels) = pinhole::texture::IndexedTexels::new(&BYTES, {width}, {height}, &PALETTE) else {{ panic!() }};\n    texels\n}};\n",
+                "    let Ok(texels) = pinhole::texture::IndexedTexels::new(&BYTES, {width}, {rows}, &PALETTE) else {{ panic!() }};\n    {texels}\n}};\n",
             );
         }
     }
@@ -248,14 +254,16 @@ impl ImportedMesh {
             );
         }
         if let Some(picture) = &self.picture {
-            let doc = format!("Texels of {} bits, row by row, for `IndexedTexels`.", picture.bits());
+            let levels = if picture.mip_levels { " in `MipTexels`: first the mip levels" } else { "" };
+            let doc = format!("Texels of {} bits, row by row, for `IndexedTexels`{levels}.", picture.bits());
             list(&mut out, &doc, "TEXELS: [u8", &picture.texels);
             let head = format!("TEXEL_PALETTE: [{}", one_line(&picture.color));
             list(&mut out, "The colours that texels name.", &head, &picture.color_calls());
             let _ = writeln!(
                 out,
                 "/// Columns and rows of texels.\npub const TEXTURE_SIZE: [usize; 2] = [{}, {}];\n",
-                picture.width, picture.height
+                picture.width,
+                picture.rows()
             );
         }
         if let Some([x, y, z]) = self.offset_bits() {

@@ -143,7 +143,7 @@ messages! {
         /// The picture was resized: columns and rows of the file, and of the texture.
         PictureResized { name: String, from: [usize; 2], to: [usize; 2] } => {
             let ([from_x, from_y], [x, y]) = (from, to);
-            let what = format!("{from_x} x {from_y} pixels become {x} x {y}, as a side is a power of two of 8 to 256");
+            let what = format!("{from_x} x {from_y} pixels become {x} x {y}, as a side is a power of two of 8 to 256, with mip levels of at most 128 rows");
             Said::new(format!("picture {name}: {what}: "), [ResizePicture])
         }
         /// The picture has `count` colours, more than the `kept` ones of the palette; `error` is the largest difference of a channel, of 255.

@@ -54,6 +54,55 @@ pub(crate) trait Mixer: Color {
         }
     }
 
+    /// A function that mixes the colours of four neighbours, upper left, upper right, lower left and lower right, by the shares of the right
+    /// and of the lower ones, below 1. The share of the lower right one is their product, rounded to nearest; all four shares have the
+    /// sum 1, and none is negative. Each channel is rounded once, to nearest, ties up.
+    #[inline(always)]
+    fn bilinear(corners: [Self; 4], mask: u32) -> impl Fn([u32; 2]) -> Self + Copy {
+        let [a, b, c, d] = corners.map(|color| color.words(mask));
+        // Modulo 2³²: a channel's sum is at most 2^SHARE_BITS·max, which its room holds.
+        let part = move |i: usize| {
+            let [a, b, c, d] = [a, b, c, d].map(|words| words[i % 3]);
+            let half = Self::WORDS.words[i % 3].lowest << (Self::SHARE_BITS - 1);
+            let (right, below) = (b.wrapping_sub(a), c.wrapping_sub(a));
+            [(a << Self::SHARE_BITS).wrapping_add(half), right, below, d.wrapping_sub(c).wrapping_sub(right)]
+        };
+        let parts = [part(0), part(1), part(2)];
+        move |[u, v]| {
+            let both = u.wrapping_mul(v).wrapping_add(1 << (Self::SHARE_BITS - 1)) >> Self::SHARE_BITS;
+            let sums = parts.map(|[own, right, below, cross]| {
+                let sum = own.wrapping_add(right.wrapping_mul(u)).wrapping_add(below.wrapping_mul(v));
+                sum.wrapping_add(cross.wrapping_mul(both)) >> Self::SHARE_BITS
+            });
+            Self::from_words(sums, mask)
+        }
+    }
+
+    /// The channels of [`WORDS`](Self::WORDS).
+    #[inline(always)]
+    fn words(self, mask: u32) -> [u32; 3] {
+        if !Self::FORMAT.has_channels() {
+            return self.channels().map(u32::from);
+        }
+        match Self::WORDS.is_spread {
+            true => [spread(self, mask), 0, 0],
+            false => Self::WORDS.words.map(|word| self.to_bits() & word.mask),
+        }
+    }
+
+    /// The colour of [`words`](Self::words), whose other bits are of no account.
+    #[inline(always)]
+    fn from_words(words: [u32; 3], mask: u32) -> Self {
+        if !Self::FORMAT.has_channels() {
+            return Self::from_channels(words.map(|word| word as u8));
+        }
+        let ([_, j, k], [x, y, z]) = (Self::WORDS.words.map(|word| word.mask), words);
+        match Self::WORDS.is_spread {
+            true => gathered(x & mask),
+            false => Self::from_bits(x & mask | y & j | z & k),
+        }
+    }
+
     /// [`mixer`](Self::mixer) for shares that are equal over a run of pixels, such as those of fog: this colour times its share is computed
     /// once for the run. `mixer` takes one instruction more for each pixel on an M3.
     #[inline(always)]

@@ -2,6 +2,7 @@
 //! (`support::oracle::shade`) and f64 (`support::oracle::cut_faces`).
 
 mod bands;
+mod bilinear;
 mod blended;
 mod colors;
 mod fog;

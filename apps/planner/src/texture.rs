@@ -99,6 +99,7 @@ impl TextureImage {
             name: "texture".into(),
             width,
             height,
+            mip_levels: false,
             palette: palette.collect(),
             texels: self.texels.chunks(8 / bits).map(|texels| pack(texels) as u8).collect(), // 8 bits in all
             color,

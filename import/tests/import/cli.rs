@@ -47,7 +47,7 @@ fn the_readme_has_the_options_of_the_help() {
     let mut known = options(&help, "--");
     known.retain(|name| !["help", "version"].contains(&name.as_str()));
     assert_eq!(options(include_str!("../../README.md"), "| `--"), known);
-    assert!(known.len() == 22, "{help}");
+    assert!(known.len() == 23, "{help}");
 }
 
 #[test]

@@ -176,6 +176,37 @@ fn texels_of_few_bits_fill_bytes_from_the_left() {
     }
 }
 
+/// Red, green and blue are 1/3, 2/3 and all of few levels, so that one palette holds picture and means.
+#[test]
+fn mip_levels_are_those_of_the_library() {
+    let few = Image::from_fn(16, 8, |x, y| [0, 1, 2].map(|i| (x * y + x) as u8 % 2 * 3 * (i + 1)));
+    let path = square("mips", "map_Kd few.png", "few.png", few.clone());
+    let mips = |mip_levels| {
+        let format = TextureFormat { mip_levels, ..TextureFormat::default() };
+        import(&path, &Options { texture: Some(format), ..Options::default() }).unwrap()
+    };
+    let (mesh, without) = (mips(true), mips(false).picture.unwrap());
+    let read = mesh.picture.as_ref().unwrap();
+    assert_eq!((said(&mesh).len(), read.error, read.rows(), read.texels.len()), (0, 0, 16, 2 * 16 * 8));
+    assert_eq!(read.flash_bytes(), without.flash_bytes() + 16 * 8);
+    let palette: Vec<Rgb888> = read.palette.iter().map(|&[r, g, b]| Rgb888::new(r, g, b)).collect();
+    let texels = pinhole::texture::IndexedTexels::<_, 8>::new(&read.texels, 16, 16, &palette).unwrap();
+    let mut picture = [[Rgb888::BLACK; 16]; 8];
+    for (x, y, color @ [r, g, b]) in few.colors() {
+        assert_eq!(read.color(x as usize, y as usize), color);
+        picture[y as usize][x as usize] = Rgb888::new(r, g, b);
+    }
+    let built = pinhole::texture::MipPicture::build(picture);
+    let mixed = built.copies().as_flattened().iter().filter(|texel| texel.r() % 3 != 0).count();
+    assert!(mixed > 20, "{mixed}");
+    for (level, row, column) in (0..4).flat_map(|l| (0..8).flat_map(move |v| (0..16).map(move |u| (l, v, u))))
+    {
+        let (u, v) = (column << 28, row << 29);
+        let own = pinhole::texture::MipTexels::new(texels).covered_by(level << 16).texel(u, v);
+        assert_eq!(own, built.texels().covered_by(level << 16).texel(u, v), "{level}: {column}, {row}");
+    }
+}
+
 #[test]
 fn more_colours_than_a_palette_holds_become_fewer() {
     let smooth = Image::from_fn(64, 64, |x, y| [x as u8 * 4, y as u8 * 4, 128]);
@@ -207,13 +238,19 @@ fn more_colours_than_a_palette_holds_become_fewer() {
 #[test]
 fn other_sizes_are_resampled() {
     // Left half red, right half blue: the same after any resampling, but near the middle.
-    for (from, to) in
-        [((8, 256), (8, 256)), ((100, 40), (128, 32)), ((3, 1000), (8, 256)), ((90, 91), (64, 128))]
-    {
+    for (from, to, mip_levels) in [
+        ((8, 256), (8, 256), false),
+        ((100, 40), (128, 32), false),
+        ((3, 1000), (8, 256), false),
+        ((90, 91), (64, 128), false),
+        ((8, 256), (8, 128), true),
+    ] {
         let halves =
             Image::from_fn(from.0, from.1, |x, _| if 2 * x < from.0 { [255, 0, 0] } else { [0, 0, 255] });
-        let path = square(&format!("size-{}", from.0), "map_Kd halves.png", "halves.png", halves);
-        let mesh = import(&path, &with(256)).unwrap();
+        let path =
+            square(&format!("size-{}-{mip_levels}", from.0), "map_Kd halves.png", "halves.png", halves);
+        let texture = Some(TextureFormat { mip_levels, ..TextureFormat::default() });
+        let mesh = import(&path, &Options { texture, ..Options::default() }).unwrap();
         let read = mesh.picture.as_ref().unwrap();
         assert_eq!((read.width, read.height), to);
         let is_whole = (from.0 as usize, from.1 as usize) == to;
@@ -399,7 +436,7 @@ fn colours_are_rounded_as_embedded_graphics_rounds_them() {
         // (77 · 16 + 150 · 32 + 29 · 255)/256 = 52.4; 52 · 15/255 = 3.06.
         ("Gray4", "Gray4::new(3)", 1),
     ] {
-        let format = TextureFormat { colors: 256, color: color.into() };
+        let format = TextureFormat { color: color.into(), ..TextureFormat::default() };
         let mesh = import(&path, &Options { texture: Some(format), ..Options::default() }).unwrap();
         let picture = mesh.picture.as_ref().unwrap();
         assert_eq!(picture.flash_bytes(), 128 + 256 * bytes);

@@ -34,16 +34,27 @@ impl<S: Texels> ClampedTexels<S> {
 
     /// u and v in 2⁻³² of the picture's sides, for coordinates that span more.
     #[inline(always)]
-    const fn inside(&self, u: u32, v: u32) -> [u32; 2] {
-        let [w, h] = self.sides;
-        [clamped(u, w), clamped(v, h)]
+    fn inside(&self, u: u32, v: u32) -> [u32; 2] {
+        // The lead of texels that are not filtered is 0.
+        let ([a, b], [c, d]) = (self.lead(), self.texels.lead());
+        let [u, v] = self.led_inside([u.wrapping_sub(a), v.wrapping_sub(b)]);
+        [u.wrapping_add(c), v.wrapping_add(d)]
+    }
+
+    /// [`inside`](Self::inside), of coordinates less [`Texels::lead`] on both sides.
+    #[inline(always)]
+    fn led_inside(&self, [u, v]: [u32; 2]) -> [u32; 2] {
+        let ([w, h], [across, down]) = (self.sides, self.texels.size_bits());
+        [clamped::<S>(u, w, across), clamped::<S>(v, h, down)]
     }
 }
 
-/// The point of the picture that is nearest to a coordinate in 2⁻³² of 2^`sides` sides, as a coordinate in 2⁻³² of one side.
+/// The point of the picture, of 2^`bits` texels a side, that is nearest to a coordinate in 2⁻³² of 2^`sides` sides, as a coordinate in 2⁻³²
+/// of one side. Of [filtered](Texels::IS_FILTERED) texels, which are mixed with the next, the last texel has one point.
 #[inline(always)]
-const fn clamped(coordinate: u32, sides: u8) -> u32 {
-    let last = u32::MAX >> (sides & 31); // 2¹⁵ − 1 … 2³¹ − 1
+const fn clamped<S: Texels>(coordinate: u32, sides: u8, bits: u32) -> u32 {
+    let end = u32::MAX >> (sides & 31); // 2¹⁵ − 1 … 2³¹ − 1
+    let last = if S::IS_FILTERED { end - (end >> (bits & 31)) } else { end };
     let inside = match coordinate as i32 {
         i32::MIN..=-1 => 0,
         _ if coordinate > last => last,
@@ -79,6 +90,25 @@ impl<S: Texels> Texels for ClampedTexels<S> {
     fn texel(&self, u: u32, v: u32) -> S::Ink {
         let [u, v] = self.inside(u, v);
         self.texels.texel(u, v)
+    }
+
+    const IS_FILTERED: bool = S::IS_FILTERED;
+
+    #[inline(always)]
+    fn along(
+        self,
+        [du, dv]: [u32; 2],
+        coordinates: impl Fn([u32; 2]) -> [u32; 2] + Copy,
+    ) -> impl FnMut([u32; 2]) -> S::Ink {
+        let [w, h] = self.sides; // 1 … 17
+        self.texels
+            .along([du << (w & 31), dv << (h & 31)], move |numbers| self.led_inside(coordinates(numbers)))
+    }
+
+    #[inline(always)]
+    fn lead(&self) -> [u32; 2] {
+        let ([u, v], [w, h]) = (self.texels.lead(), self.sides);
+        [u >> (w & 31), v >> (h & 31)]
     }
 
     const WIDE: bool = true;

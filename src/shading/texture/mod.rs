@@ -1,11 +1,12 @@
 //! Textures: faces that show a picture, in perspective.
 //!
 //! `texels` and `indexed` say where texels come from, `palette` has colours in several levels of light, `clamped` texels that do not
-//! repeat, `mip` reduced copies of a picture, `mapping` what a texture on a face is, `textured` makes a shader of it, `lit_textured` one with light at each corner,
+//! repeat, `bilinear` mixes four texels, `mip` reduced copies of a picture, `mapping` what a texture on a face is, `textured` makes a shader of it, `lit_textured` one with light at each corner,
 //! `perspective_gouraud` has no texels, but weights of corners,
 //! `gradients` interpolates texture coordinates over a triangle, and `runs` divides a row into runs of pixels over which they
 //! are linear.
 
+mod bilinear;
 mod clamped;
 mod gradients;
 mod indexed;
@@ -22,6 +23,7 @@ mod runs;
 mod texels;
 mod textured;
 
+pub use bilinear::BilinearTexels;
 pub use clamped::ClampedTexels;
 pub use indexed::IndexedTexels;
 pub use keyed::{ColorKeyed, IndexKeyed};

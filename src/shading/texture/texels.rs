@@ -54,6 +54,32 @@ pub trait Texels: Copy {
         move |[u, v]| self.texel(u, v)
     }
 
+    /// Whether a pixel mixes several texels, as of [`BilinearTexels`](crate::texture::BilinearTexels): shaders then call
+    /// [`along`](Self::along) in place of [`finder`](Self::finder).
+    const IS_FILTERED: bool = false;
+
+    /// [`texel`](Self::texel) for pixels that follow each other, at `coordinates` of numbers that are linear along a run, which have
+    /// [`lead`](Self::lead) subtracted and change by `step`. Override it where neighbours have something in common that takes time to
+    /// compute.
+    #[inline(always)]
+    fn along(
+        self,
+        step: [u32; 2],
+        coordinates: impl Fn([u32; 2]) -> [u32; 2] + Copy,
+    ) -> impl FnMut([u32; 2]) -> Self::Ink {
+        let _ = step;
+        move |numbers| {
+            let [u, v] = coordinates(numbers);
+            self.texel(u, v)
+        }
+    }
+
+    /// What [`along`](Self::along) has subtracted from coordinates, once for each run of pixels.
+    #[inline(always)]
+    fn lead(&self) -> [u32; 2] {
+        [0; 2]
+    }
+
     /// Whether there are reduced copies of the picture, as in [`MipTexels`](crate::texture::MipTexels), for faces on which a pixel covers
     /// more than one texel.
     const HAS_COPIES: bool = false;

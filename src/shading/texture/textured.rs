@@ -1,7 +1,7 @@
 //! The shader of a face that shows a texture.
 
 use super::gradients::Gradients;
-use super::line::{unpacked, Line};
+use super::line::{packed, unpacked, Line};
 use super::linear::range;
 use super::mapping::{FaceCoords, Textured};
 use super::runs::Runs;
@@ -120,6 +120,15 @@ const fn coordinates<S: Texels>([u, v]: [u32; 2]) -> [u32; 2] {
     }
 }
 
+/// The numbers of a line less u and v.
+#[inline(always)]
+const fn less<S: Texels>([a, b]: [u32; 2], by @ [u, v]: [u32; 2]) -> [u32; 2] {
+    match S::WIDE {
+        true => [a.wrapping_sub(u), b.wrapping_sub(v)],
+        false => [a.wrapping_sub(packed(by)), b],
+    }
+}
+
 impl<S: Texels> SpanShader<S::Color> for Textured<S> {
     type Ink = S::Ink;
     type Setup = TextureGradients<S>;
@@ -146,16 +155,19 @@ impl<S: Texels> SpanShader<S::Color> for Textured<S> {
         setup: &TextureGradients<S>,
         span: Span,
     ) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Ink>)> {
-        setup
-            .coordinates(span)
-            .map(move |(width, line, texels)| (width, line.map(move |[u, v]| texels.texel(u, v))))
+        setup.lines(span).map(|(width, Line { at, step }, covered)| {
+            let (texels, step_of_texels) = (setup.texels.covered_by(covered), coordinates::<S>(step));
+            let line = Line { at: less::<S>(at, texels.lead()), step };
+            (width, line.map(texels.along(step_of_texels, coordinates::<S>)))
+        })
     }
 
     #[inline(always)]
     fn look_up(setup: &TextureGradients<S>) -> Option<impl Fn([u32; 2]) -> S::Ink + Copy> {
         let texel = setup.texels.finder();
         // Texels of 32-bit coordinates leave no number for the copy of a run.
-        (!S::HAS_COPIES || !S::WIDE).then_some(move |numbers| texel(coordinates::<S>(numbers)))
+        (!S::IS_FILTERED && !(S::HAS_COPIES && S::WIDE))
+            .then_some(move |numbers| texel(coordinates::<S>(numbers)))
     }
 
     #[inline(always)]

@@ -23,8 +23,8 @@ use pinhole::{
     sprite::{PlacedSprites, SolidTexel, SpriteImage, SpriteSource},
     target::{BufferError, Gives, Memory, Pixels},
     texture::{
-        Accuracy, ColorKeyed, IndexKeyed, IndexedTexels, LitPalette, MipPicture, MipTexels, TexelSlice,
-        Texels, TextureError,
+        Accuracy, BilinearTexels, ColorKeyed, IndexKeyed, IndexedTexels, LitPalette, MipPicture, MipTexels,
+        TexelSlice, Texels, TextureError,
     },
 };
 
@@ -333,7 +333,9 @@ entries! {
     entry_texture_with_mips(faces: &mut Faces<'_>, texels: &Texels64) -> Result<(), TextureError> {
         let built = MipPicture::build(*texels);
         faces.textured(MipPicture::new(*built.copies(), *texels).texels())?;
-        faces.clamped_and_lit(built.texels())
+        faces.clamped_and_lit(built.texels())?;
+        faces.textured(BilinearTexels::new(built.texels()))?;
+        faces.clamped_and_lit(BilinearTexels::new(texels))
     }
     entry_texture_of_any_size(faces: &mut Faces<'_>, texels: &[Rgb565]) -> Result<(), TextureError> { faces.textured(TexelSlice::new(texels, any() as usize, any() as usize)?) }
     entry_texture_with_palette(faces: &mut Faces<'_>, texels: &[u8], palette: &[Rgb565]) -> Result<(), TextureError> {

@@ -88,3 +88,14 @@ pub fn mean_about(column: i64, rows: std::ops::Range<i64>, n: u32, picture: &dyn
         .sum::<f64>()
         / count
 }
+
+/// A picture at a point in texels, mixed of the four whose centres are around it.
+pub fn bilinear([u, v]: [f64; 2], picture: &dyn Fn([i64; 2]) -> f64) -> f64 {
+    let ([left, above], [right, below]) =
+        ([u, v].map(|c| (c - 0.5).floor()), [u, v].map(|c| (c - 0.5).rem_euclid(1.0)));
+    let row = |y: f64| {
+        let [first, second] = [left, left + 1.0].map(|x| picture([x as i64, y as i64]));
+        first * (1.0 - right) + second * right
+    };
+    row(above) * (1.0 - below) + row(above + 1.0) * below
+}

@@ -34,7 +34,7 @@ use pinhole::{
     target::Surface,
     texture::Accuracy,
 };
-use textured::{X2, X3, X4};
+use textured::{X2, X3, X4, X5};
 use ways::{picture, screen as dt};
 
 /// The picture that cells are drawn into; its size is unknown to the compiler.

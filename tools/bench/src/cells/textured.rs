@@ -1,6 +1,7 @@
-//! X1 to X4: textures. X1: S3's torus, with a picture of 64 × 64 texels once round; X2: a floor over the whole picture, whose
+//! X1 to X5: textures. X1: S3's torus, with a picture of 64 × 64 texels once round; X2: a floor over the whole picture, whose
 //! far end is 5.6 times as far away as its near end; X3: a floor rolled by 25 degrees, which the near plane cuts; X4: one rolled
-//! by 20 degrees that reaches the horizon, a thousand times as far away. X2 and X4 also in colours at their corners.
+//! by 20 degrees that reaches the horizon, a thousand times as far away; X5: X2's floor over
+//! 16 texels, each of them 5 to 28 pixels wide. X2 and X4 also in colours at their corners.
 
 use super::{count, draw_faces, drawn, Counted, Memory, Plain, TORUS};
 use crate::lists::{COPIES, PICTURE, TORUS_UV};
@@ -11,7 +12,7 @@ use pinhole::space::{Model, World};
 use pinhole::{
     prelude::*,
     shading::SpanShader,
-    texture::{Accuracy, MipPicture, MipTexels, Texels},
+    texture::{Accuracy, BilinearTexels, MipPicture, MipTexels, Texels},
 };
 
 /// The coordinates of the corners of a face of the torus.
@@ -29,6 +30,11 @@ pub(super) fn plain(accuracy: Accuracy) -> Texture<&'static [[Rgb565; 64]; 64]> 
 pub(super) fn copies() -> Texture<MipTexels<&'static MipPicture<Rgb565, 64, 64>>> {
     static PICTURES: MipPicture<Rgb565, 64, 64> = MipPicture::new(COPIES, PICTURE);
     Texture::new(PICTURES.texels())
+}
+
+/// The picture, mixed of four texels.
+pub(super) fn bilinear() -> Texture<BilinearTexels<&'static [[Rgb565; 64]; 64]>> {
+    Texture::new(BilinearTexels::new(&PICTURE))
 }
 
 /// The two faces of a quad.
@@ -54,6 +60,8 @@ pub(super) static X4: Floor = quad(
     -5,
     1600,
 );
+pub(super) static X5: Floor =
+    quad(&[[-1025, -1025, -1741], [1025, -1025, -1741], [5729, 5729, -9728], [-5729, 5729, -9728]], -10, 16);
 
 /// An eye at the origin, which looks along −z.
 pub(super) const FLOOR_VIEW: View =
