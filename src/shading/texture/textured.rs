@@ -166,7 +166,7 @@ impl<S: Texels> SpanShader<S::Color> for Textured<S> {
     fn look_up(setup: &TextureGradients<S>) -> Option<impl Fn([u32; 2]) -> S::Ink + Copy> {
         let texel = setup.texels.finder();
         // Texels of 32-bit coordinates leave no number for the copy of a run.
-        (!S::IS_FILTERED && !(S::HAS_COPIES && S::WIDE))
+        (!(S::IS_FILTERED || S::HAS_COPIES && S::WIDE))
             .then_some(move |numbers| texel(coordinates::<S>(numbers)))
     }
 
