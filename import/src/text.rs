@@ -61,7 +61,7 @@ pub fn number(text: &str) -> Option<f64> {
         // A quotient of 63 bits at least, whose last one says that there is more.
         Some(power) => {
             let dividend = u128::from(mantissa << shift) << 64;
-            let quotient = dividend / power | u128::from(dividend % power != 0);
+            let quotient = (dividend / power) | u128::from(dividend % power != 0);
             quotient as f64 * 0.5_f64.powi(64 + shift as i32)
         }
         None => mantissa as f64 * 10_f64.powi(exponent),

@@ -28,7 +28,7 @@ enum Job<'a, 'b> {
     Lines(&'b mut BinnedEdges<'a, i16, false>),
     HiddenLines(&'b mut BinnedFaces<'a, i16, true>, &'b mut BinnedEdges<'a, i16, true>),
     /// With the edges that are smoothed.
-    Faces(&'b mut BinnedFaces<'a, i16, true>, &'b Shades<'b>, Option<SmoothEdges<'a>>),
+    Faces(&'b mut BinnedFaces<'a, i16, true>, &'b Shades<'b>, Option<&'b mut SmoothEdges<'a>>),
 }
 
 /// Draws a model by a choice, textured by an image.
@@ -63,14 +63,15 @@ pub(crate) fn draw(model: &ImportedMesh, choice: &Choice, image: &TextureImage) 
         None
     };
     let mut smooth_bins = vec![0; mesh.smooth_bins_len()];
-    let smooth = if choice.smooths() {
+    let mut smooth = if choice.smooths() {
         let creases = choice.creases(model);
         let edges = transformed.bin_smooth_edges(|edge| edge < creases, &mut smooth_bins);
         Some(edges.map_err(refused::buffer)?)
     } else {
         None
     };
-    picture(choice, Job::Faces(&mut faces, &Shades { mesh: &mesh, colors, light, texture, choice }, smooth))
+    let shades = Shades { mesh: &mesh, colors, light, texture, choice };
+    picture(choice, Job::Faces(&mut faces, &shades, smooth.as_mut()))
 }
 
 /// The colours of faces.
