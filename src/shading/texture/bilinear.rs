@@ -55,7 +55,7 @@ const fn texel_of(bits: u32) -> u32 {
 /// Whether the magnitude of a wrapping difference is below `texel`.
 #[inline(always)]
 const fn is_below(difference: u32, texel: u32) -> bool {
-    difference.wrapping_add(texel) < texel << 1
+    difference.wrapping_add(texel - 1) < (texel << 1) - 1
 }
 
 /// How far a coordinate is behind the centre of its texel, a share of the next texel.
