@@ -47,7 +47,7 @@ function writeModels(folder) {
   for (const [name, [choice, way, shading]] of Object.entries(IMAGES)) {
     const { width, height } = library.draw(choice).about;
     const { rows } = costs(choice).ways.find((other) => other.name === way);
-    const sizes = Object.entries({ WIDTH: width, HEIGHT: height, ROWS: rows ?? height }).map(([constant, value]) => `const ${constant}: u32 = ${value};`);
+    const sizes = Object.entries({ WIDTH: width, HEIGHT: height, ROWS: rows || height }).map(([constant, value]) => `const ${constant}: u32 = ${value};`);
     const [, format] = /format=(\w+)/.exec(choice) ?? [];
     const [color, white] = { mono: ['BinaryColor', 'BinaryColor::On'], gray4: ['Gray4', '<Color as GrayColor>::WHITE'] }[format] ?? [
       'Rgb565',

@@ -117,7 +117,7 @@ export const mistakes = ({ address, open, pixels, settled, load, faces, decimate
     await tab.waitForFunction(() => document.querySelector('#status').classList.contains('bad'));
     assert.match(await tab.textContent('#status'), /^notes\.zip: .*good\.stl/);
     await tab.setInputFiles('#file', { name: 'stray.obj', mimeType: 'model/obj', buffer: Buffer.from('v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n') });
-    await tab.waitForFunction(() => /stray/.test(document.querySelector('#status').textContent));
+    await tab.waitForFunction(() => /stray\.obj:/.test(document.querySelector('#status').textContent)); // it is read before
     assert.match(await tab.textContent('#status'), /^stray\.obj:4: the face names a vertex that does not exist/, 'the name is there once');
     assert.equal(await tab.evaluate(() => document.querySelector('#mesh').selectedOptions[0].textContent), 'good.stl');
     assert.equal(await tab.inputValue('#file'), '');
