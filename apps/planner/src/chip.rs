@@ -52,7 +52,7 @@ impl Chip {
         match (self.key, in_few_bits) {
             _ if self.is_estimate => 40,
             ("rp2040", true) => 60,
-            ("esp32c3", true) => 50,
+            ("esp32c3", true) => 55,
             ("rp2350-ram", true) => 15,
             ("esp32c3", false) => 40,
             ("rp2040", false) => 57,
