@@ -90,8 +90,8 @@ fn mip_levels(picture: &[[u8; 3]], width: usize) -> Vec<[u8; 3]> {
             let weight = if x == 0 || x == 2 * half { 1 } else { 2 };
             (0..3).for_each(|i| sum[i] += weight * usize::from(texel[i]));
         }
-        levels.push(sum.map(|sum| ((sum + 4 * half * half) / (8 * half * half)) as u8));
-        // a mean
+        let weights = 8 * half * half;
+        levels.push(sum.map(|sum| ((sum + weights / 2) / weights) as u8)); // a mean of levels
     }
     levels
 }

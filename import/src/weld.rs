@@ -136,7 +136,7 @@ fn smallest_first([a, b, c]: [usize; 3]) -> [usize; 3] {
     }
 }
 
-/// What is numbered: up to three numbers.
+/// The key of a map: the bits of a vertex's coordinates, or the vertices of an edge and 0.
 pub(crate) type Key = [u64; 3];
 
 /// Keys and a number for each. All maps from numbers are of this one type, so that the planner's page has its code once.

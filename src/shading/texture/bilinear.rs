@@ -30,7 +30,7 @@ use crate::math::hints::{keep_rolled, opaque};
 ///
 /// **Price.** A pixel takes 23 instructions more than one of the nearest texel on an M3 and, for each texel that is met along a row,
 /// 40 more: a floor magnified 5 to 28 times takes 31 in place of 8.5 a pixel, a room 63 in place of 29
-/// (`tools/bench/run cells X5 R1 plain bilinear M3`). In light at corners it is about 70 more.
+/// (`tools/bench/run cells X5 R1 plain bilinear M3`).
 ///
 /// **Mip levels** belong inside: `BilinearTexels::new(picture.texels())` of a [`MipPicture`](crate::texture::MipPicture) mixes where it is
 /// magnified and shows its levels elsewhere. [`ColorKeyed`](crate::texture::ColorKeyed) texels cannot be mixed.
