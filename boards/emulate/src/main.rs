@@ -11,6 +11,7 @@
 
 mod boards;
 mod events;
+mod film;
 mod log;
 mod timing;
 mod watch;
@@ -39,6 +40,7 @@ fn main() -> ExitCode {
         let break_by: String = given.remove_one("by").ok_or("no fault")?;
         let inputs: Option<String> = given.remove_one("inputs");
         let pictures: Option<PathBuf> = given.remove_one("pictures");
+        let film: Option<PathBuf> = given.remove_one("film");
         let board = BOARDS.iter().find(|board| board.name == name);
         let board = board.ok_or_else(|| {
             let names: Vec<_> = BOARDS.iter().map(|board| board.name).collect();
@@ -50,6 +52,7 @@ fn main() -> ExitCode {
             break_by: &break_by,
             inputs: inputs.as_deref(),
             pictures: pictures.as_deref(),
+            film: film.as_deref(),
         };
         let frames = emulate(board, &image, &tools, &run).map_err(|problem| format!("{name}: {problem}"))?;
         say(format_args!("{name}: {}", summary(&frames)))?;
@@ -77,6 +80,7 @@ fn arguments() -> Command {
                   last one, and the steps are printed";
     let pictures = "What the frames must show, in place of what the host draws: all pixels of a frame of the turn, row by row, \
                     and the next frame behind them; two bytes each as the display's memory stores them, the high one first";
+    let film = "Write what the display showed as a GIF file, at the speed of the board";
     Command::new("emulate")
         .about(about)
         .arg(Arg::new("board").value_name("BOARD").required(true).help("Its folder in boards"))
@@ -86,6 +90,7 @@ fn arguments() -> Command {
         .arg(option("by", "FAULT", by).value_parser(["error", "stall", "reset"]).default_value("error"))
         .arg(option("inputs", "MS:PIN=LEVEL,...", inputs))
         .arg(option("pictures", "FILE", pictures).value_parser(file()))
+        .arg(option("film", "FILE", film).value_parser(file()))
         .arg(
             option("tools", "DIR", "Where boards/emulate/run has installed the emulators")
                 .value_parser(file())
@@ -104,11 +109,13 @@ struct Run<'a> {
     inputs: Option<&'a str>,
     /// The pictures that frames must show, in place of the host's drawing.
     pictures: Option<&'a Path>,
+    /// Where to write the frames as a film.
+    film: Option<&'a Path>,
 }
 
 /// Runs the firmware and returns the frames that it has shown, all of which equal the host's drawing.
 fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<Vec<Frame>, String> {
-    let &Run { frames, break_at, break_by, inputs, pictures } = run;
+    let &Run { frames, break_at, break_by, inputs, pictures, film } = run;
     let bytes = std::fs::read(image).map_err(|error| format!("{}: {error}", image.display()))?;
     let tables = log::Tables::of(&bytes).map_err(|problem| format!("{}: {problem}", image.display()))?;
     let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("../common/all/model.stl");
@@ -117,6 +124,9 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
         None => (board.pictures)(&model)?,
     };
     let mut watch = Watch::new(board, pictures);
+    if film.is_some() {
+        watch.keep_pictures();
+    }
     let mut log = tables.decoder();
 
     let mut emulator = emulator(&board.chip, image, tools, tables.address);
@@ -188,6 +198,9 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
     }
     if refreshes > 0 {
         say(format_args!("{}: no tear in the panel's {refreshes} refreshes", board.name))?;
+    }
+    if let Some(file) = film {
+        film::write(file, &board.display, watch.frames(), watch.kept())?;
     }
     Ok(watch.frames().to_vec())
 }

@@ -34,6 +34,8 @@ pub(crate) struct Watch<'a> {
     /// Whether the step before the last one may be next, too: an encoder turns the model.
     steps_back: bool,
     scan: Scan,
+    /// The pictures of all frames, if they are wanted.
+    kept: Option<Vec<Vec<u32>>>,
 }
 
 /// How a panel reads its memory: row by row, and in some lines, while TE is high, nothing. As an ST7789 is set at first.
@@ -88,6 +90,7 @@ impl<'a> Watch<'a> {
             turn: Vec::new(),
             steps_back: false,
             scan: Scan::default(),
+            kept: None,
         }
     }
 
@@ -104,6 +107,16 @@ impl<'a> Watch<'a> {
     /// When the bus has broken or the panel has lost its state, if no whole frame was shown since.
     pub(crate) fn broken(&self) -> Option<u64> {
         self.broken
+    }
+
+    /// Keeps the pictures of all frames from now on.
+    pub(crate) fn keep_pictures(&mut self) {
+        self.kept = Some(Vec::new());
+    }
+
+    /// The pictures of the [`frames`](Self::frames), if they are kept.
+    pub(crate) fn kept(&self) -> &[Vec<u32>] {
+        self.kept.as_deref().unwrap_or_default()
     }
 
     pub(crate) fn frames(&self) -> &[Frame] {
@@ -316,6 +329,9 @@ impl<'a> Watch<'a> {
         let (bytes, _) = self.controller.count();
         self.broken = None;
         self.frames.push(Frame { time, waited: self.waited, bytes, step });
+        if let Some(kept) = &mut self.kept {
+            kept.push(picture.clone());
+        }
         if self.board.sends == Sends::Changes {
             self.scan.whole.push_back(picture.clone());
             self.scan.whole.drain(..self.scan.whole.len().saturating_sub(3));
