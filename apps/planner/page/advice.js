@@ -7,10 +7,10 @@ const HEIGHTS = [48, 32, 24, 16, 12, 8, 6, 4, 2, 1];
 // where neither does. `faces` are those that the model has.
 function advised(costs, way, faces) {
   if (way.fits && way.fitsFlash) return {};
-  const [cache, bins, pixels, depths, fixed] = way.parts;
+  const [cache, bins, pixels, depths, ...others] = way.parts;
   const height = way.rows || 1; // a whole picture is as one row
   const aRow = (pixels + depths) / height;
-  const room = costs.ram - way.beside - 1 - fixed;
+  const room = costs.ram - way.beside - 1 - others.reduce((sum, bytes) => sum + bytes, 0);
   const lower = (most) => HEIGHTS.find((rows) => rows < way.rows && aRow * rows <= most);
   // What a mesh takes grows by its faces, in RAM and in flash.
   const inFlash = (costs.rom - (way.flash - costs.mesh)) / costs.mesh;

@@ -2,6 +2,7 @@
 'use strict';
 
 let costTimer;
+const rests = new Map(); // what the firmware of each board has beside a way to draw, promised
 let costsShown;
 
 // Waits until changes pause: counting the work of a frame takes as long as drawing it.
@@ -9,7 +10,7 @@ function showCosts(choice) {
   clearTimeout(costTimer);
   const timer = (costTimer = setTimeout(async () => {
     try {
-      const costs = JSON.parse(await library.ask('costs', choice));
+      const costs = await asBuilt(JSON.parse(await library.ask('costs', choice)));
       if (timer !== costTimer) return; // something else was chosen meanwhile
       costsShown = costs;
       $('verdict').replaceChildren(...verdict(costs));
@@ -40,11 +41,21 @@ const millions = (number) => (number < 1e5 ? `${Math.round(number / 1e3)}\u00a0k
 
 const chosenOf = (costs) => costs.ways.find((way) => way.chosen) ?? costs.ways[0];
 
-// The least and the most frames per second, if the instructions and the cycles of one are off as far as they can be, in one direction.
-function frameRates(costs, { drawing, bus, error, range }) {
-  const off = (1 + error / 100) * (1 + (range.length ? 0 : costs.cyclesError) / 100);
-  const [least, most] = range.length ? range : [drawing, drawing];
-  return [most * off, least / off].map((time) => 1000 / (time + Number(bus)));
+// The chosen board, if it has the chosen chip and a display of the chosen kind: then the costs are those of its firmware.
+function boardShown(chip = state.chip, panel = panelChosen(), board = state.board) {
+  const { chip: own, controller } = partsOf(board);
+  return (!own || family(own) === family(chip)) && (!controller || controller === controllerOf(panel)) ? board : undefined;
+}
+
+// The costs, with each way to draw as the board's firmware draws it; on other chips that of the nearest board.
+async function asBuilt(costs, panel = panelChosen()) {
+  const built = async (way, chip, board) => {
+    const shown = boardShown(chip, panel, board);
+    return shown ? onBoard(way, shown, factsOfBoard(templates, shown), await rests.get(shown), clockOf(panel) || state.spi, changing) : way;
+  };
+  const ways = await Promise.all(costs.ways.map((way) => built(way, state.chip, state.board)));
+  const chips = await Promise.all(costs.chips.map((way, at) => built(way, menu.chips[at].key, nearestBoard(menu.chips[at].key, panel))));
+  return { ...costs, ways, chips };
 }
 
 const rate = (frames) => (frames < 9.95 ? frames.toFixed(1) : frames.toFixed(0));
@@ -134,7 +145,7 @@ function wayName(way) {
 
 // The bytes of variables, and what they are.
 function memory(way) {
-  const names = ['vertices', 'bins or sorted faces', 'pixels', 'depths', 'smooth edges: rows and list'];
+  const names = ['vertices', 'bins or sorted faces', 'pixels', 'depths', 'smooth edges: rows and list', 'driver, log and the rest'];
   const parts = way.parts.map((bytes, at) => [bytes, names[at]]).filter(([bytes]) => bytes > 0);
   const summary = element('summary', {}, kilobytes(way.ram), ...(way.fits ? [] : [misfit()]));
   return element('details', {}, summary, ...parts.map(([bytes, name]) => element('div', { className: 'note' }, `${name} ${kilobytes(bytes)}`)));
@@ -146,15 +157,23 @@ function drawing({ drawing, range, error }) {
   return `${drawing.toFixed(1)}\u00a0ms${span} ±\u00a0${Math.round(error)}\u00a0%`;
 }
 
+// The clocks and the bus of the board that is shown.
+function ofBoard({ core, clock }) {
+  const { bus, cores, hasDma, sendsChanges, ...of } = factsOfBoard(templates, state.board);
+  const sends = `${hasDma ? 'one band is drawn while another is sent' : 'each band is drawn, then sent'}${sendsChanges ? `, and only what changes, here ${Math.round(100 * changing)} % of the picture` : ''}`;
+  return `as ${state.board} has it, ${cores > 1 ? 'two cores, ' : ''}${core} at ${of.clock || clock} MHz, ${bus ? `its bus at ${bus < 1 ? '0.4' : bus} MHz; ` : ''}${sends}.`;
+}
+
 function notes(costs) {
   const { stack } = chosenOf(costs);
+  const rest = boardShown() ? "What else the template's firmware has, such as its driver and its log, is included." : 'The driver and the log of a firmware come on top.';
   const inexact = costs.exact || ofLines() ? '' : ' Faces in fewer bits a pixel take 1.3 to 1.6 times the instructions of 16-bit colour: compared with some linked firmware only.';
   const lines = [
-    `${costs.chip}: ${costs.core} at ${costs.clock} MHz, SPI at ${costs.spi} MHz.`,
+    `${costs.chip}: ${boardShown() ? ofBoard(costs) : `${costs.core} at ${costs.clock} MHz, SPI at ${costs.spi} MHz; each band is drawn, then sent.`}`,
     `Bands: the frame is drawn in strips of some rows, each of which is sent before the next is drawn, so no picture of the whole display is in memory. With depth: the nearest face shows, at each pixel. Painter's order: faces are drawn from the farthest to the nearest, without a depth for each pixel. Bins: which faces each band has.`,
-    `RAM: the variables of the way to draw, to the byte. The stack takes ${kilobytes(stack)} more${costs.inRam ? ', and the code, which is copied to RAM, as much as it takes in flash' : ''}. The driver and the log of a firmware take about 1 KB more.`,
-    `Flash: the mesh and the code that draws, at opt-level 3, ± ${costs.flashError} %. Drivers and logs come on top.`,
-    `Frames/s: each band is drawn, then sent; by DMA: one is drawn while another is sent, so there are two of them in RAM, if there is room.`,
+    `RAM: the variables of the way to draw, to the byte. The stack takes ${kilobytes(stack)} more${costs.inRam ? ', and the code, which is copied to RAM, as much as it takes in flash' : ''}. ${rest}`,
+    `Flash: the mesh and the code that draws, at opt-level 3, ± ${costs.flashError} %. ${rest}`,
+    `Frames/s: each band is drawn, then sent; by DMA: one is drawn while another is sent, so there are two of them in RAM, if there is room. In the range of the meter, by DMA, sending is hidden by drawing wholly or not at all.`,
     ...(smooths() ? ['Smooth edges: silhouettes and, where each face has one light, creases. The last row of each band waits for the next band, and 16 edges are kept between bands. The mesh lists its edges, and the faces beside them, in flash.'] : []),
     ...displayNotes(costs),
     `Drawing: ± is the largest error of the instructions in any case measured (docs/growth.md).${inexact} The cycles of an instruction differ by up to ${costs.cyclesError} % from model to model. ${costs.estimate ? 'The chip\'s timing is an estimate' : 'Error of the chip\'s timing'}: ${costs.error}.`,
@@ -164,8 +183,8 @@ function notes(costs) {
 
 // Whether a picture can be free of tearing. The scan starts at the top with the first band, runs ahead of it, and overtakes it if it comes
 // again before the last band is written.
-function tearing({ blocking, bus }) {
-  const [most, written] = [2000 / 60, 1000 / blocking];
+function tearing({ frames, blocking, bus }) {
+  const [most, written] = [2000 / 60, 1000 / (frames ?? blocking)];
   const sent = `${bus.toFixed(0)} ms`;
   const tears = written < most ? 'it can be free of tearing' : bus < most ? `it tears, unless it is drawn before it is sent, which takes ${sent}` : `it tears, as sending alone takes ${sent}`;
   return `Tearing: a picture that starts at the panel's TE signal must be written within two refreshes, ${most.toFixed(0)} ms at 60 Hz. Here it takes ${written.toFixed(0)} ms: ${tears}.`;

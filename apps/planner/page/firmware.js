@@ -23,7 +23,7 @@ function showFirmware() {
   const isOther = isOffered && display && (display.width !== state.width || display.height !== state.height);
   showOtherDisplay(isOther, board, display);
   showOtherChip(isOffered, board);
-  showBuffers(isOffered && !isOther, board);
+  showBands(isOffered && !isOther, board);
   const driver = display ? 'Its README has the wiring of the display.' : 'Put the driver of your display into src/display.rs: what is there shows nothing.';
   const decimates = state.decimate ? ' Its build decimates the model by a library in C++: install g++ or clang first.' : '';
   write('to-write', isOffered ? toWrite(board) : '');
@@ -82,20 +82,10 @@ function showOtherChip(isOffered, board) {
     [`Show those of the ${name(chip)}`, { chip }], [`Take ${nearest} instead`, { board: nearest }]);
 }
 
-// The buffers of the board's firmware, if its display has the sides that the page shows.
-function showBuffers(isShown, board) {
-  const way = costsShown && chosenOf(costsShown);
-  if (!isShown || !way?.rows || smooths()) return write('buffers', '');
-  const { strips } = partsOf(board);
-  const use = (rows) => (rows ? [[`Use bands of ${rows} rows`, { rows }]] : []);
-  if (board === 'rp2040-two-cores' && state.height % (2 * way.rows)) {
-    return write('buffers', 'Its two cores draw as many bands each. ', ...use(HEIGHTS.find((rows) => rows < way.rows && state.height % (2 * rows) === 0)));
-  }
-  const more = strips > 1 ? `, with the pixels of ${strips} bands, as one is drawn while another is sent` : '';
-  const bytes = buffersOf(board, way);
-  const isLarge = $('other-chip').hidden && bytes + way.beside > costsShown.ram;
-  const large = isLarge ? `. That does not fit the ${kilobytes(costsShown.ram, 0)} of the chip beside ${kilobytes(way.beside)} of stack` : '';
-  const [cache, bins, ...ofRows] = way.parts;
-  const fits = (rows) => rows < way.rows && buffersOf(board, { parts: [cache, bins, ...ofRows.map((bytes) => (bytes * rows) / way.rows)] }) + way.beside < costsShown.ram;
-  write('buffers', `Its buffers take ${kilobytes(bytes)} of RAM in bands of ${way.rows} rows${more}${large}. `, ...(isLarge ? use(HEIGHTS.find(fits)) : []));
+// Bands that the board's cores cannot share.
+function showBands(isShown, board) {
+  const { rows } = (isShown && costsShown && chosenOf(costsShown)) || {};
+  const isUneven = rows && board === 'rp2040-two-cores' && state.height % (2 * rows);
+  const fewer = HEIGHTS.find((some) => some < rows && state.height % (2 * some) === 0);
+  write('bands', isUneven ? 'Its two cores draw as many bands each. ' : '', ...(fewer ? [[`Use bands of ${fewer} rows`, { rows: fewer }]] : []));
 }

@@ -34,7 +34,7 @@ function showMatrix() {
     for (const panel of allPanels()) {
       let chips = []; // stays so if the model cannot be drawn there
       try {
-        chips = JSON.parse(await library.ask('costs', choice({ ...base, ...withPanel(panel) }))).chips;
+        chips = (await asBuilt(JSON.parse(await library.ask('costs', choice({ ...base, ...withPanel(panel) }))), panel)).chips;
       } catch {}
       if (matrixOf !== asked) return;
       columns.push(chips);

@@ -32,6 +32,7 @@ async function showState(of) {
     canvas.getContext('2d').putImageData(new ImageData(pixels, about.width, about.height), 0, 0);
     scale();
     shown = of;
+    changing = changedPart(pixels, about.width, about.height, of.format === 'mono' ? 8 : 1);
     canvas.classList.remove('stale');
     // While the model turns, only another choice changes what is shown beside it: a screen reader that reads each frame never ends.
     const kind = JSON.stringify([{ ...of, turn: 0 }, about.model]);

@@ -24,6 +24,7 @@ let imported = 0; // milliseconds in which the file that was opened last was dra
 let asked = false; // whether a frame will be drawn
 let held = 0; // what holds frames back: one that is being drawn, a file that is being read
 let shown; // the state that was drawn last
+let changing = 1; // the part of the picture that changes while the model turns
 
 // Whether the style draws edges instead of faces.
 const ofLines = () => ['wireframe', 'hidden-line'].includes(state.style);
@@ -66,9 +67,9 @@ const controllerOf = (panel) => panel?.name.split(',')[0];
 const factsOf = (panel) => FACTS[controllerOf(panel)] ?? {};
 const clockOf = (panel) => factsOf(panel).spi ?? 0;
 
-// Frames per second of a way to draw, each band drawn and then sent, on a panel that may be slower; and what limits them.
-const framesOf = (way, panel) => Math.min(way.blocking, factsOf(panel).most ?? Infinity);
-const limitOf = (way, panel) => (way.blocking > (factsOf(panel).most ?? Infinity) ? 'the panel' : way.limit === 'bus' ? 'sending' : 'drawing');
+// Frames per second of a way to draw on a panel that may be slower; and what limits them.
+const framesOf = (way, panel) => Math.min(way.frames ?? way.blocking, factsOf(panel).most ?? Infinity);
+const limitOf = (way, panel) => ((way.frames ?? way.blocking) > (factsOf(panel).most ?? Infinity) ? 'the panel' : way.limit === 'bus' ? 'sending' : 'drawing');
 
 // Draws once before the next frame of the screen, however many changes there were.
 function change(changes) {

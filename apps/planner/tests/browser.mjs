@@ -311,7 +311,7 @@ const tests = {
     await tab.selectOption('#board', 'rp2040-two-cores');
     await tab.locator('#rows').fill('120');
     await tab.locator('#rows').press('Tab');
-    await tab.waitForFunction(() => /does not fit the 264 KB/.test(document.querySelector('#buffers').textContent));
+    await tab.waitForFunction(() => /^Does not fit the RP2040.* of RAM \(it has 264 KB\)/.test(document.querySelector('#verdict').textContent));
   },
 
   async 'a file of 50 MB is read'(tab) {
@@ -496,14 +496,25 @@ const tests = {
     const bands = async (rows) => {
       await tab.locator('#rows').fill(rows);
       await tab.locator('#rows').press('Tab');
-      await tab.waitForFunction((rows) => document.querySelector('#buffers').textContent.includes(`in bands of ${rows} rows`), rows);
+      await tab.waitForFunction((rows) => document.querySelector('#cost tr.chosen').textContent.startsWith(`bands of ${rows} rows`), rows);
     };
     await tab.selectOption('#board', 'rp2040-st7789');
     await bands('16');
-    assert.match(await tab.textContent('#buffers'), /with the pixels of 2 bands/);
+    // The pixels of two bands, and the clocks of the board.
+    assert.match(await tab.textContent('#cost tr.chosen details'), /pixels 15\.0 KB[^]*driver, log and the rest \d/);
+    assert.match(await tab.textContent('#notes'), /as rp2040-st7789 has it, M0\+ at 125 MHz, its bus at 62\.5 MHz; one band is drawn while another is sent\./);
     assert.equal(await tab.inputValue('#chip'), 'rp2040');
+    // The figures are those of the board: another clock, another bus, and what changes.
+    const speed = () => tab.innerText('#verdict .meters > div:nth-child(3)');
+    const before = await speed();
+    await tab.selectOption('#board', 'rp2040-embassy');
+    await tab.waitForFunction(() => /as rp2040-embassy has it, M0\+ at 200 MHz, its bus at 50 MHz; .*, and only what changes, here \d\d % of/.test(document.querySelector('#notes').textContent));
+    assert.notEqual(await speed(), before);
+    await tab.selectOption('#board', 'rp2040-st7789');
+    await bands('16');
     assert.match(readFileSync(await (await saves('#zip')).path(), 'latin1'), /const ROWS: u32 = 16;/);
     await tab.selectOption('#board', 'rp2040-two-cores');
+    await tab.waitForFunction(() => /two cores draw as many bands each\. Use bands of 12 rows/.test(document.querySelector('#bands').textContent));
     await tab.click('#zip');
     await settled(tab);
     assert.match(await tab.textContent('#status'), /rows that divides 120\.$/);

@@ -176,37 +176,6 @@ fn rows_of_a_band_change_no_pixel() {
     }
 }
 
-/// Emulated boards count their own cycles; the page states how far its estimates may be off.
-#[test]
-fn the_estimates_for_boards_are_what_their_readmes_have() {
-    let boards = [
-        (include_str!("../../../boards/rp2040-st7789/README.md"), "chip=rp2040"),
-        (
-            include_str!("../../../boards/stm32f4-ili9341/README.md"),
-            "chip=stm32f411&width=320&height=240&spi=25",
-        ),
-    ];
-    for (readme, board) in boards {
-        let (_, speed) = readme.split_once("**Speed.** ").expect("the speed");
-        let shown: f64 = speed.split(' ').next().and_then(|number| number.parse().ok()).expect("a number");
-        let mut planner = Planner::default();
-        let (mut frames, mut time) = (0.0, 0.0);
-        let mut error = 0.0f64;
-        for turn in (0..120).step_by(8) {
-            let way = chosen(&mut planner, &format!("mesh=gear&{board}&rows=8&turn={turn}"));
-            frames += 1.0;
-            time += 1.0 / way["dma"].as_f64().expect("frames a second");
-            error = error.max(way["error"].as_f64().expect("percent"));
-        }
-        let estimate = frames / time;
-        let off = (estimate / shown - 1.0).abs() * 100.0;
-        assert!(
-            off <= error,
-            "{board}: {estimate:.1} frames/s, but the board shows {shown}: {off:.0} %, stated {error} %"
-        );
-    }
-}
-
 /// Every style has a time of its own on every chip, RISC-V among them, in bands of every compared height.
 #[test]
 fn each_style_has_its_own_time_on_each_chip() {

@@ -1,0 +1,87 @@
+// What a board's own firmware costs: the costs of a choice with the board's clocks, bus and strips, and with what else is in the firmware.
+// For the page and for node.
+'use strict';
+
+const inTemplates = (templates, path) => new TextDecoder().decode(templates.get(path) ?? new Uint8Array());
+
+// A board's row in boards/README.md: MHz of its core and its bus, 0 if it takes any chip; how many cores draw, whether one band is drawn
+// while another is sent, whether only what has changed is sent, and what is stated of its firmware with a gear.
+function factsOfBoard(templates, board) {
+  const row = inTemplates(templates, 'README.md').split('\n').find((line) => line.startsWith(`| [${board}]`)) ?? '';
+  const [, , core, , wiring, bands, flash, ram, frames = ''] = row.split('|');
+  const number = (pattern, text) => Number(pattern.exec(text)?.[1] ?? 0);
+  return {
+    clock: number(/([\d.]+) MHz/, core),
+    // I²C has nine bits a byte.
+    bus: number(/SPI at ([\d.]+) MHz/, wiring) || (number(/I2C at (\d+) kHz/, wiring) * 8) / 9000,
+    cores: /^ two/.test(core) ? 2 : 1, hasDma: /DMA/.test(bands), sendsChanges: /changed/.test(bands), flash: Number(flash), ram: Number(ram), frames: frames.trim(),
+  };
+}
+
+// The choice that a template draws as it comes.
+function choiceOfTemplate(templates, board) {
+  const { chip = 'stm32f411', format } = partsOf(board);
+  const read = (name) => inTemplates(templates, `${board}/${name}`);
+  const [, rows] = /const ROWS: u32 = (\d+);/.exec(read('src/main.rs') + read('src/picture.rs'));
+  const [, angle] = /Feature { degrees: (\d+)\.0 }/.exec(read('build.rs')) ?? [];
+  const { width, height } = displayOf(templates, board) ?? { width: 240, height: 240 };
+  const look = angle ? `&style=hidden-line&edges=${angle}` : '';
+  return `mesh=gear&chip=${chip}&format=${format}&width=${width}&height=${height}&rows=${rows}${look}`;
+}
+
+// The bytes of RAM and flash that a board's firmware has beside the buffers and the code of a way to draw: driver, log, HAL.
+async function restOf(library, templates, board) {
+  const { ways } = JSON.parse(await library.ask('costs', choiceOfTemplate(templates, board)));
+  const way = ways.find(({ chosen }) => chosen);
+  const { ram, flash } = factsOfBoard(templates, board);
+  return { ram: ram - buffersOf(board, way), flash: flash - way.flash };
+}
+
+// Two cores take this part of the time of one (docs/data/cores.json: 0.56 to 0.6).
+const OF_TWO_CORES = 0.58;
+// The part of the shorter of drawing and sending that the longer one does not hide, as bands differ: 0.15 to 0.54 on the emulated boards.
+const NOT_HIDDEN = 0.4;
+
+// A way to draw as a board's firmware draws it, on a panel that takes `spi` MHz (0: as many as the board has), if a `part` of the picture
+// changes from frame to frame.
+function onBoard(way, board, facts, rest, spi, part) {
+  const { strips, depths } = partsOf(board);
+  const [cache, bins, pixels, depth, smooth] = way.parts;
+  const parts = [cache, bins, strips * pixels, depths * depth, smooth, rest.ram];
+  const [ram, flash] = [parts.reduce((sum, bytes) => sum + bytes, 0), way.flash + rest.flash];
+  const scale = (way.clock / (facts.clock || way.clock)) * (facts.cores > 1 ? OF_TWO_CORES : 1);
+  const [drawing, range] = [way.drawing * scale, way.range.map((time) => time * scale)];
+  const whole = facts.bus ? (way.bytes * 8) / (1000 * Math.min(facts.bus, spi || Infinity)) : way.bus;
+  const bus = whole * (facts.sendsChanges ? part : 1);
+  const [short, long] = [drawing, bus].sort((a, b) => a - b);
+  const [blocking, dma] = [1000 / (drawing + bus), 1000 / (long + NOT_HIDDEN * short)];
+  const fits = Number(ram + way.beside < way.room);
+  return {
+    ...way, parts, ram, flash, drawing, range, bus, blocking, dma, hasDma: facts.hasDma, fits, fitsTwice: fits, fitsFlash: Number(flash < way.rom),
+    frames: facts.hasDma ? dma : blocking, limit: drawing > bus ? 'CPU' : 'bus',
+  };
+}
+
+// The least and the most frames per second, if the instructions and the cycles of one are off as far as they can be, in one direction; by
+// DMA at worst nothing is sent while a band is drawn, and at best all is.
+function frameRates({ cyclesError }, { drawing, bus, error, range, hasDma }) {
+  const off = (1 + error / 100) * (1 + (range.length ? 0 : cyclesError) / 100);
+  const [least, most] = range.length ? range : [drawing, drawing];
+  return [1000 / (most * off + bus), 1000 / (hasDma ? Math.max(least / off, bus) : least / off + bus)];
+}
+
+// The part of a picture that changes while the model turns: the rectangle around what is drawn, as far as the corner shows the background, in
+// steps of rows: a display of one bit a pixel has eight rows in a byte.
+function changedPart(pixels, width, height, step) {
+  const words = new Uint32Array(pixels.buffer, pixels.byteOffset, width * height);
+  let [left, right, top, bottom] = [width, -1, height, -1];
+  words.forEach((word, at) => {
+    if (word === words[0]) return;
+    const [x, y] = [at % width, Math.floor(at / width)];
+    [left, right, top, bottom] = [Math.min(left, x), Math.max(right, x), Math.min(top, y), Math.max(bottom, y)];
+  });
+  const rows = Math.floor(bottom / step) - Math.floor(top / step) + 1;
+  return right < 0 ? 0 : Math.min(((right - left + 1) * rows * step) / (width * height), 1);
+}
+
+Object.assign(globalThis, { factsOfBoard, choiceOfTemplate, restOf, onBoard, frameRates, changedPart });

@@ -1,0 +1,37 @@
+// Tests that the page's figures for each board's firmware are those of its README:
+//
+//   node boards.mjs LIBRARY.wasm BOARDS.js
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import '../page/pinhole.js';
+import '../page/take.js';
+import '../page/board.js';
+
+const library = await Pinhole.from(readFileSync(process.argv[2]));
+const [, packed] = /"([^"]*)"/.exec(readFileSync(process.argv[3], 'utf8'));
+const templates = untar(await unpacked(packed));
+const STEPS = 8; // of a turn
+
+let compared = 0;
+for (const [board] of boardsOf(templates)) {
+  const [facts, rest] = [factsOfBoard(templates, board), await restOf(library, templates, board)];
+  const times = [0, 0, 0]; // of frames at the least and the most rate, and of sending
+  for (let step = 0; step < STEPS; step++) {
+    const choice = `${choiceOfTemplate(templates, board)}&turn=${(120 / STEPS) * step}`;
+    const { pixels, about } = library.draw(choice);
+    const costs = JSON.parse(library.ask('costs', choice));
+    const way = onBoard(costs.ways.find(({ chosen }) => chosen), board, facts, rest, 0, changedPart(pixels, about.width, about.height, /format=mono/.test(choice) ? 8 : 1));
+    assert.deepEqual([way.ram, way.flash], [facts.ram, facts.flash], board);
+    assert.ok(rest.ram > 0 && rest.flash > 0, board);
+    const [slow, fast] = frameRates(costs, way);
+    [1000 / slow, 1000 / fast, way.bus].forEach((time, at) => (times[at] += time / STEPS));
+  }
+  const [slow, fast, bus] = times.map((time) => 1000 / time);
+  const [, isLimit, stated] = /^(at most )?([\d.]+)$/.exec(facts.frames) ?? [];
+  console.log(`${board}: its README says ${facts.frames || 'nothing'}, the page ${slow.toFixed(1)} to ${fast.toFixed(1)} frames/s, by the bus alone ${bus.toFixed(1)}`);
+  if (!stated) continue;
+  compared += 1;
+  if (isLimit) assert.ok(Math.abs(bus / stated - 1) < 0.1, board);
+  else assert.ok(slow <= stated && stated <= fast, board);
+}
+assert.ok(compared >= 7, `${compared} figures of boards/README.md are compared`);
