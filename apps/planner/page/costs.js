@@ -98,16 +98,16 @@ function advice(costs) {
   if (rows) made.push(remedyButton(`Use ${bands(rows)}`, { rows }));
   if (faces && menu.decimates) made.push(remedyButton(`Decimate to ${count(faces)} faces`, { decimate: faces }));
   if (both && menu.decimates) made.push(remedyButton(`Use ${bands(both.rows)} and ${count(both.faces)} faces`, { rows: both.rows, decimate: both.faces }));
-  const others = costs.ways.filter((other) => other.fits && other.fitsFlash && other.note);
-  const other = others.length ? ` ${others[0].name}, for ${others[0].note}, fits: write it yourself by the library's documentation.` : '';
+  const other = costs.ways.find((other) => other.fits && other.fitsFlash && other.note);
+  if (other) made.push(remedyButton(`${capital(other.name)}, for ${other.note}`, choiceOf(other)));
+  if (isWhole()) made.push(remedyButton('Draw in bands', { whole: 0 }));
   const chip = menu.chips.find(({ basis }, at) => !basis && costs.chips[at].fits && costs.chips[at].fitsFlash);
   if (chip) made.push(remedyButton(`Use the ${chip.name}`, { chip: chip.key, board: nearestBoard(chip.key, panelChosen()) }));
   const needs = `${way.name}: ${kilobytes(way.ram)} of variables and ${kilobytes(way.beside)} of stack${costs.inRam ? ' and code' : ''}, and ${kilobytes(way.flash)} of flash.`;
-  return [element('div', { className: 'advice' }, `${capital(needs)}${capital(other, 1)} `, ...made)];
+  return [element('div', { className: 'advice' }, `${capital(needs)} `, ...made)];
 }
 
-// With a capital letter at a place.
-const capital = (text, at = 0) => text.slice(0, at) + text.slice(at, at + 1).toUpperCase() + text.slice(at + 1);
+const capital = (text) => text.slice(0, 1).toUpperCase() + text.slice(1);
 
 const HEAD = ['Way to draw', 'RAM', 'Flash', 'Frames/s', 'by DMA', 'Drawing', 'Sending', 'Limit', 'Instructions', 'Cycles'];
 
@@ -135,11 +135,13 @@ function costRow(costs, way) {
 
 const misfit = () => element('div', {}, 'does not fit');
 
-// The name of a way to draw; a button if it differs from the chosen one by its rows, which it then sets.
+// What chooses a way to draw.
+const choiceOf = ({ order, rows }) => ({ order, whole: rows ? 0 : 1, ...(rows && { rows }) });
+
+// The name of a way to draw: a button that chooses it, if another one is chosen.
 function wayName(way) {
-  const isOther = way.rows && !way.chosen && !way.note;
-  const name = isOther ? element('button', { type: 'button', className: 'way', title: `Use bands of ${way.rows} rows` }, way.name) : way.name;
-  if (isOther) name.addEventListener('click', () => set({ rows: way.rows }));
+  const name = way.chosen ? way.name : element('button', { type: 'button', className: 'way', title: 'Draw in this way' }, way.name);
+  if (!way.chosen) name.addEventListener('click', () => set(choiceOf(way)));
   return element('th', { scope: 'row' }, name, ...(way.note ? [element('div', { className: 'note' }, way.note)] : []));
 }
 

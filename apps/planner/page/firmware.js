@@ -1,18 +1,15 @@
 // The boards that draw the choice, and what is said of a board's firmware before it is saved.
 'use strict';
 
-// Boards whose templates do not draw the chosen style and format cannot be chosen.
+// Boards that do not draw the chosen style and format cannot be chosen.
 function showBoards() {
-  const boards = drawnModel ? boardsFor(templates, state) : [];
+  const boards = drawnModel ? boardsFor(templates, { ...state, whole: isWhole() }) : [];
   for (const option of $('board').options) option.disabled = !boards.includes(option.value);
   if (boards.length > 0) $('board').value = boards.includes(state.board) ? state.board : boards[0];
   for (const id of ['zip', 'picture', 'texels']) $(id).disabled = boards.length === 0;
   $('rust').disabled = !drawnModel;
   $('texels').hidden = state.style !== 'textured';
-  const isMono = state.format === 'mono';
-  const changes = { style: isMono ? 'hidden-line' : 'flat', ...(!isMono && state.format !== 'rgb565' && withPanel(menu.displays[0])) };
-  write('no-firmware', boards.length > 0 || !drawnModel ? '' : 'The templates draw flat, Gouraud and textured faces in 16-bit colour, and hidden lines in black and white. ',
-    [`Draw ${isMono ? 'hidden lines' : changes.width ? 'flat faces on an ST7789' : 'flat faces'}`, changes]);
+  write('in-one-piece', isWhole() ? 'The other boards draw one band while they send another. ' : '', ['Draw in bands', { whole: 0 }]);
   showFirmware();
 }
 
@@ -25,9 +22,8 @@ function showFirmware() {
   showOtherChip(isOffered, board);
   showBands(isOffered && !isOther, board);
   const driver = display ? 'Its README has the wiring of the display.' : 'Put the driver of your display into src/display.rs: what is there shows nothing.';
-  const decimates = state.decimate ? ' Its build decimates the model by a library in C++: install g++ or clang first.' : '';
   write('to-write', isOffered ? toWrite(board) : '');
-  write('wiring', isOffered ? driver + decimates : '');
+  write('wiring', isOffered ? `${driver}${state.decimate ? ` ${DECIMATES}` : ''}` : '');
 }
 
 // Writes a paragraph, with buttons, each a text and changes, only where its text differs: a press on a button must not be lost.

@@ -4,7 +4,7 @@
 const $ = (id) => document.getElementById(id);
 const TURNS = 120; // steps of a turn, as in the library
 const DEFAULTS = {
-  mesh: 'gear', width: 240, height: 240, format: 'rgb565', style: 'flat', dither: 0, 'smooth-edges': 0, projection: 'perspective', yaw: 30, pitch: 20,
+  mesh: 'gear', width: 240, height: 240, format: 'rgb565', style: 'flat', dither: 0, 'smooth-edges': 0, order: 'depth', whole: 0, projection: 'perspective', yaw: 30, pitch: 20,
   zoom: 100, x: 0, y: 0, turn: 0, color: 'ffd700', background: '000000', light: '2,3,4', ambient: 48, up: 'auto', flip: 0,
   'fix-winding': 0, 'two-sided': 0, decimate: 0, edges: 0, texture: 'checker', rows: 8, chip: 'rp2040', spi: 0, board: 'rp2040-st7789',
   controller: 'ST7789', core: 'M4', mhz: 100, ram: 128, flash: 512,
@@ -32,6 +32,9 @@ const ofLines = () => ['wireframe', 'hidden-line'].includes(state.style);
 // Whether edges of faces are smoothed, as far as style and display permit.
 const canSmooth = () => !ofLines() && menu.mixing.includes(state.format);
 const smooths = () => canSmooth() && state['smooth-edges'] === 1;
+
+// Whether the picture is drawn in one piece: one colour a face, or lines, in 16-bit colour.
+const isWhole = () => state.whole === 1 && state.format === 'rgb565' && (state.style === 'wireframe' || (state.style === 'flat' && !state.dither && !smooths()));
 
 // The name of the chosen mesh in the menu.
 const meshName = () => (state.mesh === 'file' ? fileName : state.mesh);

@@ -48,6 +48,8 @@ function crc32(bytes) {
   return ~sum >>> 0;
 }
 
+const DECIMATES = 'Its build decimates the model by a library in C++: install g++ or clang first.';
+
 // Unpacks bytes in gzip in base64.
 async function unpacked(text) {
   const packed = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
@@ -55,11 +57,14 @@ async function unpacked(text) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// The boards whose templates draw this style in this pixel format.
-function boardsFor(templates, { style, format }) {
-  const isOfLines = (path) => new TextDecoder().decode(templates.get(path)).includes('.hidden_line(');
-  const isWanted = (path) => (isOfLines(path) ? style === 'hidden-line' && format === 'mono' : ['flat', 'gouraud', 'textured'].includes(style) && format === 'rgb565');
-  return [...templates.keys()].filter((path) => path.endsWith('/src/picture.rs') && isWanted(path)).map((path) => path.split('/')[0]);
+// The boards that draw this style in this pixel format, into a whole picture or in bands. A board that draws one strip while another is sent
+// has bands, and the one with an OLED draws lines.
+function boardsFor(templates, { style, format, whole }) {
+  const isOfLines = ['wireframe', 'hidden-line'].includes(style);
+  return boardsIn(templates).filter((board) => {
+    const { controller, strips, format: own } = partsOf(board);
+    return !controller || (own === format && !(whole && strips > 1) && (own !== 'mono' || isOfLines));
+  });
 }
 
 // The boards of the archive. Beside their folders it has the lock file of all.
@@ -111,19 +116,23 @@ function firmware(library, templates, board, text) {
     throw new Error(`Each core of ${board} draws every other band, as many as the other one: choose a number of rows that divides ${height / 2}.`);
   }
   const choice = [...parts].map(([key, value]) => `${key}=${value}`).join('&');
+  const { files: ofAll, sources, texture } = editsOf(parts, JSON.parse(library.ask('costs', choice)));
   for (const [path, bytes] of templates) {
     if (!path.startsWith(`${board}/`)) continue;
     const inside = path.slice(board.length + 1);
     const add = (name) => {
-      const text = library.ask('firmware', [choice, name, new TextDecoder().decode(bytes)].join('\0'));
-      files.set(`firmware/${name}`, new TextEncoder().encode(text));
+      const template = edited(new TextDecoder().decode(bytes), ofAll);
+      const source = name.endsWith('.rs') ? edited(template, sources) : template;
+      const text = library.ask('firmware', [choice, name, source].join('\0'));
+      files.set(`firmware/${name}`, new TextEncoder().encode(withoutUnused(name === 'src/texture.rs' ? edited(text, texture) : text)));
     };
     add(inside);
     if (inside === 'src/picture.rs' && parts.get('style') === 'textured') add('src/texture.rs');
   }
   files.set('firmware/Cargo.lock', templates.get('Cargo.lock'));
+  if (parts.get('format') === 'tricolor') files.set('firmware/src/tricolor.rs', templates.get('tricolor.rs'));
   for (const [name, bytes] of library.model(choice)) files.set(`firmware/${name}`, bytes);
   return files;
 }
 
-Object.assign(globalThis, { untar, zip, unpacked, boardsFor, boardsOf, buffersOf, partsOf, displayOf, firmware });
+Object.assign(globalThis, { DECIMATES, untar, zip, unpacked, boardsFor, boardsOf, buffersOf, partsOf, displayOf, firmware });

@@ -1,4 +1,4 @@
-// Runs in a worker: the library and the templates. Answers the page's calls in their order. apps/planner/build packs this file with
+// Runs in a worker: the library and the templates. Answers the page's calls in their order. apps/planner/build packs this file with ways.js,
 // pinhole.js and take.js.
 'use strict';
 

@@ -42,6 +42,23 @@ impl Style {
     }
 }
 
+/// What decides which of several faces a pixel shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Order {
+    /// A depth for each pixel.
+    Depth,
+    /// Faces are drawn from the farthest to the nearest.
+    Painter,
+    /// Faces are drawn in the order of the mesh.
+    Mesh,
+}
+
+impl Order {
+    /// The orders by their names.
+    pub(crate) const ALL: [(&'static str, Self); 3] =
+        [("depth", Self::Depth), ("painter", Self::Painter), ("mesh", Self::Mesh)];
+}
+
 /// Everything that the user chose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
@@ -57,6 +74,10 @@ pub struct Choice {
     pub dither: bool,
     /// Whether the edges of faces are smoothed, if the style has faces and the format mixes colours.
     pub(crate) smooth_edges: bool,
+    /// What decides which face a pixel shows, if the style is one colour a face.
+    pub(crate) order: Order,
+    /// Whether the picture is drawn in one piece, if the style is one colour a face, or all edges.
+    pub(crate) whole: bool,
     /// The projection.
     pub(crate) projection: Named,
     /// Angles of the eye in hundredths of a degree.
@@ -122,6 +143,8 @@ impl Default for Choice {
             style: Style::Flat,
             dither: false,
             smooth_edges: false,
+            order: Order::Depth,
+            whole: false,
             projection,
             yaw: hundredths(projection.yaw),
             pitch: hundredths(projection.pitch),
@@ -178,6 +201,8 @@ impl Choice {
             "style" => self.style = of(&Style::ALL, value)?,
             "dither" => self.dither = switch(value)?,
             "smooth-edges" => self.smooth_edges = switch(value)?,
+            "order" => self.order = of(&Order::ALL, value)?,
+            "whole" => self.whole = switch(value)?,
             "yaw" => self.yaw = hundredths(degrees(value, 360.0)?),
             "pitch" => self.pitch = hundredths(degrees(value, 90.0)?),
             "zoom" => self.zoom = within(value, 20, 2000)?,
@@ -244,6 +269,30 @@ impl Choice {
     /// Whether edges of faces are smoothed.
     pub(crate) const fn smooths(&self) -> bool {
         self.smooth_edges && self.format.mixes() && !self.style.is_of_lines()
+    }
+
+    /// Whether drawing into the picture in one piece or without depth is compared: for faces of one colour, and in one piece for lines, in
+    /// 16-bit colour.
+    pub(crate) fn has_more_ways(&self) -> bool {
+        self.format == Format::Rgb565
+            && match self.style {
+                Style::Flat => !self.dithers() && !self.smooths(),
+                style => style == Style::Wireframe,
+            }
+    }
+
+    /// What decides which face a pixel shows.
+    pub(crate) fn order(&self) -> Order {
+        if self.has_more_ways() {
+            self.order
+        } else {
+            Order::Depth
+        }
+    }
+
+    /// Rows of a band; `None` if the picture is drawn in one piece.
+    pub(crate) fn bands(&self) -> Option<u32> {
+        (!self.whole || !self.has_more_ways()).then_some(self.rows())
     }
 
     /// How many of a model's edges are creases: none of a surface that is lit smoothly.

@@ -2,7 +2,7 @@
 //! docs/growth.md.
 
 use crate::chip::{self, Chip, CHIPS};
-use crate::choice::{Choice, Style};
+use crate::choice::{Choice, Order, Style};
 use crate::display::Format;
 use crate::figures::{Code, DEPTH_PIXELS_CODE, FRAMING_CODE, PLACING};
 use crate::json::{list, number, object_of_numbers, text};
@@ -26,8 +26,9 @@ pub(crate) struct Way {
     pub(crate) kind: usize,
     /// The number of bands in a frame, which are sent one after the other.
     pub(crate) bands: u32,
-    /// The number of rows to choose for this way to draw, if the page can draw it.
+    /// The number of rows of a band; `None` in one piece.
     pub(crate) rows: Option<u32>,
+    pub(crate) order: Order,
     /// Why not every model can be drawn so.
     pub(crate) note: &'static str,
 }
@@ -94,8 +95,8 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage)
         bits => (choice.size.width * choice.size.height * bits).div_ceil(8) as usize,
     };
     let data = model.flash_bytes() + materials(model, choice, image);
-    // The first way with the chosen rows: with depth, if there are several.
-    let chosen = ways.iter().position(|way| way.rows == Some(choice.rows())).or(Some(0));
+    let is_chosen = |way: &Way| way.rows == choice.bands() && way.order == choice.order();
+    let chosen = ways.iter().position(is_chosen).or(Some(0));
     let bytes = [pixels, data];
     // The chosen way on each chip, in the order of the menu.
     let chips = chosen.and_then(|at| ways.get(at)).into_iter().flat_map(|way| {
@@ -191,6 +192,7 @@ impl Way {
         let texts = [
             ("name", text(&self.name)),
             ("note", text(self.note)),
+            ("order", text(Order::ALL[self.order as usize].0)),
             ("parts", list(self.ram.map(|bytes| number(bytes as f64)))),
             ("range", list(range)),
             ("limit", text(if drawing > bus { "CPU" } else { "bus" })),

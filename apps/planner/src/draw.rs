@@ -1,16 +1,17 @@
 //! A frame as firmware draws it: in bands, with depth, as the templates' `picture.rs` does.
 
-use crate::choice::{Choice, Style};
+use crate::choice::{Choice, Order, Style};
 use crate::display::Format;
 use crate::lens::Lens;
 use crate::paint::{Paint, Picture, Stored};
 use crate::refused;
 use crate::texture::{Coordinates, TextureImage};
-use embedded_graphics_core::geometry::Point;
+use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::draw::{BinnedEdges, SmoothEdges};
 use pinhole::{mesh::FaceColors, prelude::*};
+use pinhole_apps_support::work::Place;
 use pinhole_import::ImportedMesh;
 
 /// A drawn frame and its statistics.
@@ -71,7 +72,24 @@ pub(crate) fn draw(model: &ImportedMesh, choice: &Choice, image: &TextureImage) 
         None
     };
     let shades = Shades { mesh: &mesh, colors, light, texture, choice };
+    if choice.order() != Order::Depth {
+        return in_order(&order(&instance, choice.order()), &shades, &|alone| camera.place(alone, &turned));
+    }
     picture(choice, Job::Faces(&mut faces, &shades, smooth.as_mut()))
+}
+
+/// The faces in the order in which they are drawn without depth, in the lower 16 bits. In the upper bits is how near they are in painter's order:
+/// the mean depth of their corners, as [`Painter`] rounds it.
+fn order(instance: &MeshInstance<'_>, order: Order) -> Vec<u32> {
+    let faces = instance.mesh().faces().iter().zip(0..);
+    let depth = |&vertex: &u16| instance.project(vertex.into()).map_or(0, |seen| u32::from(seen.depth));
+    let key = |corners: &[u16; 3]| match order {
+        Order::Painter => u32::from(u16::MAX) - ((corners.iter().map(depth).sum::<u32>() * 21_845) >> 16), // of at most 65 534
+        _ => 0,
+    };
+    let mut order: Vec<u32> = faces.map(|(corners, face)| key(corners) << 16 | face).collect();
+    order.sort_unstable();
+    order
 }
 
 /// The colours of faces.
@@ -98,6 +116,17 @@ impl<'a> Shades<'a> {
         self.mesh.normals().get(face).map_or(256, |&normal| self.light.level(normal))
     }
 
+    /// Draws faces with depth; `first` is the index of the first one.
+    fn draw(
+        &self,
+        faces: &mut BinnedFaces<'_, i16, true>,
+        first: usize,
+        band: &mut Band<'_, Stored>,
+        depth: &mut DepthBuffer<'_>,
+    ) {
+        let Ok(()) = faces.draw(|face| self.paint(first + face), &mut band.depth_tested(depth));
+    }
+
     fn paint(&self, face: usize) -> Paint<'a> {
         let (format, dithers) = (self.choice.format, self.choice.dithers());
         if let Some((texture, coords)) = &self.texture {
@@ -111,9 +140,31 @@ impl<'a> Shades<'a> {
         if dithers {
             Paint::Dithered(format, Flat::lit(self.of_16_bits(face), self.level(face)))
         } else {
-            Paint::Plain(format.dimmed(self.color(face), self.level(face)))
+            Paint::Plain(format.dimmed(self.of_16_bits(face), self.level(face)))
         }
     }
+}
+
+/// Draws faces one after the other, each alone, as without depth.
+fn in_order(order: &[u32], shades: &Shades<'_>, place: Place<'_>) -> Result<Drawn, String> {
+    let (mesh, choice) = (shades.mesh, shades.choice);
+    let mut canvas = Canvas::new(choice);
+    canvas.rows = choice.size.height;
+    let mut depths = vec![0; choice.size.width as usize * choice.size.height as usize];
+    let mut statistics = Statistics::default();
+    canvas.bands(|band, _| {
+        for face in order.iter().map(|&face| face as usize & 0xffff) {
+            let corners = mesh.faces().get(face..=face).unwrap_or_default();
+            let Ok(alone) = Mesh::new(mesh.vertices(), mesh.exponent(), corners) else { continue };
+            let (instance, mut bins) = (place(&alone), vec![0; alone.face_bins_len()]);
+            let Ok(mut faces) = instance.transform_depth(&mut []).bin_faces(&mut bins) else { continue };
+            statistics = statistics.and(faces.statistics());
+            if let Ok(mut depth) = DepthBuffer::new(faces.bounds(), &mut depths) {
+                shades.draw(&mut faces, face, band, &mut depth);
+            }
+        }
+    })?;
+    Ok(drawn(canvas, statistics))
 }
 
 /// Draws all bands.
@@ -139,7 +190,7 @@ fn picture(choice: &Choice, job: Job<'_, '_>) -> Result<Drawn, String> {
                 canvas.rows = choice.size.height; // smoothing a whole picture equals smoothing in bands
             }
             canvas.bands(|band, depth| {
-                let Ok(()) = faces.draw(|face| shades.paint(face), &mut band.depth_tested(depth));
+                shades.draw(faces, 0, band, depth);
                 if let Some(edges) = &mut smooth {
                     choice.format.smooth(edges, band, depth);
                 }
@@ -147,11 +198,12 @@ fn picture(choice: &Choice, job: Job<'_, '_>) -> Result<Drawn, String> {
             faces.statistics()
         }
     };
-    Ok(Drawn {
-        pixels: canvas.pixels,
-        statistics,
-        bytes: choice.format.bytes(choice.size.width, choice.size.height),
-    })
+    Ok(drawn(canvas, statistics))
+}
+
+fn drawn(canvas: Canvas, statistics: Statistics) -> Drawn {
+    let Size { width, height } = canvas.frame.area().size;
+    Drawn { pixels: canvas.pixels, statistics, bytes: canvas.format.bytes(width, height) }
 }
 
 /// A display in memory, to which bands are sent.

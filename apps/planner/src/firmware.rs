@@ -4,14 +4,14 @@ use crate::choice::{Choice, Style};
 use crate::display::Format;
 use crate::lens::{direction, Lens};
 use crate::texture::{TextureImage, UNIT};
-use embedded_graphics_core::geometry::Size;
-use embedded_graphics_core::pixelcolor::{BinaryColor, Rgb565, RgbColor};
+use crate::tricolor::Tricolor;
+use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, GrayColor, Rgb565, Rgb888, RgbColor};
 use pinhole::{camera::Window, math::Sphere};
 use pinhole_import::{Axis, Edges, ImportedMesh};
 
-/// A template's file, given by its path in the folder that `boards/new` makes of it, changed for the firmware of a choice. `model` is the name of
-/// the model's file, `sphere` the mesh's bounding sphere. Fails if no template draws such a picture, or the template lacks the text
-/// to replace.
+/// A file of a template, given by its path in the folder that `boards/new` makes of it, changed for the firmware of a choice: the drawing code or
+/// the build script. Other files stay as they are. `model` is the name of the model's file, `sphere` the mesh's bounding sphere. Fails if the
+/// template lacks the text to replace.
 pub(crate) fn file(
     path: &str,
     text: &str,
@@ -20,17 +20,8 @@ pub(crate) fn file(
     sphere: &Sphere,
 ) -> Result<String, String> {
     match path {
-        "src/picture.rs" => picture(text, choice, sphere).map(|text| with_rows(&text, choice)),
-        "src/main.rs" => Ok(with_rows(text, choice)),
-        // Only the board that takes any display has this file.
-        "src/display.rs" => {
-            let [usual, size] = [Choice::default().size, choice.size];
-            let of = |size: Size| format!("SIZE: Size = Size::new({}, {})", size.width, size.height);
-            replaced(text, &of(usual), &of(size))
-        }
+        "src/picture.rs" => picture(text, choice, sphere),
         "build.rs" => script(text, choice, model),
-        "Cargo.toml" => manifest(text, choice),
-        "README.md" => Ok(readme(text, choice)),
         _ => Ok(text.into()),
     }
     .map_err(|problem| format!("{path}: {problem}"))
@@ -52,32 +43,14 @@ fn replaced(text: &str, from: &str, to: &str) -> Result<String, String> {
     Ok(text.replace(from, to))
 }
 
-/// A file that may have the rows of a band, with those of the choice.
-fn with_rows(text: &str, choice: &Choice) -> String {
-    let rows = choice.rows();
-    let template = text.split_once("const ROWS: u32 = ");
-    let parts = template.and_then(|(before, after)| Some((before, after.split_once(';')?.1)));
-    parts.map_or(text.into(), |(before, after)| format!("{before}const ROWS: u32 = {rows};{after}"))
-}
-
-/// Text of drawing code that draws hidden lines, and of drawing code that draws faces.
-const HIDDEN_LINES: &str = "hidden_line(BinaryColor::On, ";
+/// Text of drawing code that draws faces.
 const FACES: &str = "color(face, level(face))";
 
-/// The drawing code, changed to draw as the choice says.
+/// The drawing code of the way to draw, changed to draw as the choice says.
 fn picture(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String> {
-    let is_for_lines = text.contains(HIDDEN_LINES);
-    let draws = match (choice.style, choice.format) {
-        (Style::HiddenLine, Format::Mono) => is_for_lines,
-        (Style::Flat | Style::Gouraud | Style::Textured, Format::Rgb565) => text.contains(FACES),
-        _ => false,
-    };
-    match draws {
-        true if is_for_lines => lines(text, choice, sphere),
-        true => faces(text, choice, sphere),
-        false => Err("this board draws something else: stm32-ssd1306 draws hidden lines in black and white, the others \
-                      flat, Gouraud and textured faces in 16-bit colour"
-            .into()),
+    match text.contains("BinaryColor::Off") {
+        true => lines(text, choice, sphere),
+        false => scene(text, choice, sphere),
     }
 }
 
@@ -111,61 +84,94 @@ fn lines(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String>
     with_camera(&text, choice, sphere)
 }
 
-/// The drawing code of faces, with the colours, the light, the camera and the shader of the choice.
-fn faces(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String> {
+/// The drawing code of boards in 16-bit colour and for any display, with the colours, the light, the camera and the shader of the choice.
+fn scene(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String> {
     let usual = Choice::default();
     let mut text = with_camera(text, choice, sphere)?;
     let mut replace = |from: &str, to: &str| replaced(&text, from, to).map(|new| text = new);
-    if choice.background != usual.background {
+    let is_in_few_bits = choice.format != Format::Rgb565;
+    if is_in_few_bits || choice.background != usual.background {
         replace(
             "BACKGROUND: Rgb565 = Rgb565::BLACK",
-            &format!("BACKGROUND: Rgb565 = {}", color(choice.background.into())),
+            &format!("BACKGROUND: {}", constant(choice.format, choice.background)),
         )?;
     }
-    if choice.color != usual.color {
-        replace(
-            "COLOR: Rgb565 = Rgb565::CSS_GOLD",
-            &format!("COLOR: Rgb565 = {}", color(choice.color.into())),
-        )?;
+    // Faces are shaded from colours of 16 bits, in which a model has its own.
+    let format = if choice.style.is_of_lines() { choice.format } else { Format::Rgb565 };
+    if format != Format::Rgb565 || choice.color != usual.color {
+        replace("COLOR: Rgb565 = Rgb565::CSS_GOLD", &format!("COLOR: {}", constant(format, choice.color)))?;
     }
-    replace("AMBIENT: u16 = 48", &format!("AMBIENT: u16 = {}", choice.ambient))?;
-    let [x, y, z] = choice.light;
-    replace("Vector3::from_ints(2, 3, 4)", &format!("Vector3::from_ints({x}, {y}, {z})"))?;
-
-    if choice.style == Style::Textured {
-        replace(FACES, "texture::at(mesh, face).lit([level(face); 3])")?;
-        replace("color: impl Fn(usize, u16) -> Rgb565", "_: impl Fn(usize, u16) -> Rgb565")?;
-        // With a path, because a host program that includes the file does so from another folder.
-        replace("\nconst BACKGROUND", "\n#[path = \"texture.rs\"]\nmod texture;\n\nconst BACKGROUND")?;
-        return Ok(without_unused(text));
+    if !choice.style.is_of_lines() {
+        replace("AMBIENT: u16 = 48", &format!("AMBIENT: u16 = {}", choice.ambient))?;
+        let [x, y, z] = choice.light;
+        replace("Vector3::from_ints(2, 3, 4)", &format!("Vector3::from_ints({x}, {y}, {z})"))?;
     }
-    let shader = match (choice.style, choice.dither) {
-        (Style::Gouraud, dither) => {
+    let dithered = if choice.dithers() { ".dithered()" } else { "" };
+    match choice.style {
+        Style::Textured => {
+            replace(FACES, "texture::at(mesh, face).lit([level(face); 3])")?;
+            replace("color: impl Fn(usize, u16) -> Rgb565", "_: impl Fn(usize, u16) -> Rgb565")?;
+            // With a path, because a host program that includes the file does so from another folder.
+            replace("\nconst BACKGROUND", "\n#[path = \"texture.rs\"]\nmod texture;\n\nconst BACKGROUND")?;
+        }
+        Style::Gouraud => {
             replace(
                 "mesh.normals().get(face).map_or(256, |&normal| light.level(normal))",
                 "mesh.corners_of(face, mesh.vertex_normals()).map(|normal| light.level(normal))",
             )?;
-            Some(("Gouraud", dither))
+            replace(FACES, &format!("Gouraud::lit(color(face, 256).into(), level(face)){dithered}"))?;
         }
-        (_, true) => Some(("Flat", true)),
-        (_, false) => None,
-    };
-    if let Some((shader, dither)) = shader {
-        let dithered = if dither { ".dithered()" } else { "" };
-        let lit = format!("{shader}::lit(color(face, 256).into(), level(face)){dithered}");
-        replace(FACES, &lit)?;
+        Style::Flat if choice.dithers() => {
+            replace(FACES, "Flat::lit(color(face, 256).into(), level(face)).dithered()")?;
+        }
+        _ => {}
     }
-    Ok(without_unused(text))
+    Ok(text)
+}
+
+/// The name of a format's colour type.
+fn name(format: Format) -> &'static str {
+    match format {
+        Format::Rgb565 => "Rgb565",
+        Format::Mono => "BinaryColor",
+        Format::Gray2 => "Gray2",
+        Format::Gray4 => "Gray4",
+        Format::Tricolor => "Tricolor",
+    }
+}
+
+/// The type and the value of a constant.
+fn constant(format: Format, color: Rgb888) -> String {
+    let name = name(format);
+    let value = match format {
+        Format::Rgb565 => {
+            let color = Rgb565::from(color);
+            format!("new({}, {}, {})", color.r(), color.g(), color.b())
+        }
+        Format::Gray2 => format!("new({})", Gray2::from(color).luma()),
+        Format::Gray4 => format!("new({})", Gray4::from(color).luma()),
+        Format::Mono => format!("{:?}", BinaryColor::from(color)),
+        Format::Tricolor => format!("{:?}", Tricolor::from(color)),
+    };
+    format!("{name} = {name}::{value}")
 }
 
 /// The texture and its coordinates as Rust, for a file beside the drawing code. `picture` is the template's drawing code.
-pub(crate) fn texture(picture: &str, mesh: &mut ImportedMesh, image: &TextureImage) -> String {
+pub(crate) fn texture(
+    picture: &str,
+    mesh: &mut ImportedMesh,
+    image: &TextureImage,
+    format: Format,
+) -> String {
     let library = if picture.contains("embedded_graphics_core::") {
         "embedded_graphics_core"
     } else {
         "embedded_graphics"
     };
-    let picture = image.picture(format!("{library}::pixelcolor::Rgb565"));
+    let name = name(format);
+    // Colours without numbers get their names afterwards.
+    let numbers = if matches!(format, Format::Mono | Format::Tricolor) { "Rgb888" } else { name };
+    let picture = image.picture(format!("{library}::pixelcolor::{numbers}"));
     let bits = picture.bits();
     mesh.picture = Some(picture);
     let by_sides = BY_SIDES.split_once("use pinhole::Mesh;\n").map_or("", |(_, function)| function);
@@ -178,12 +184,12 @@ pub(crate) fn texture(picture: &str, mesh: &mut ImportedMesh, image: &TextureIma
     format!(
         "//! What the faces of the model show, and where on it they lie. For another model, save the firmware again.
 
-use {library}::pixelcolor::Rgb565;
+use {library}::pixelcolor::{name};
 use pinhole::texture::{{IndexedTexels, Texture, Textured}};
 use pinhole::Mesh;
 
 /// A face with the picture on it.
-pub fn at({unused}mesh: &Mesh<'_>, face: usize) -> Textured<IndexedTexels<'static, Rgb565, {bits}>> {{
+pub fn at({unused}mesh: &Mesh<'_>, face: usize) -> Textured<IndexedTexels<'static, {name}, {bits}>> {{
     let texture = Texture::new(MODEL_TEXELS).with_exponent({unit});
     texture.unwrap_or_else(|_| Texture::new(MODEL_TEXELS)).at({corners})
 }}
@@ -193,20 +199,6 @@ pub fn at({unused}mesh: &Mesh<'_>, face: usize) -> Textured<IndexedTexels<'stati
 
 /// The page's own function, which the firmware gets too.
 const BY_SIDES: &str = include_str!("corners.rs");
-
-/// Removes imports of colour traits that no constant needs.
-fn without_unused(mut text: String) -> String {
-    for (name, users) in [("WebColors", &["CSS_"][..]), ("RgbColor", &["::BLACK", "::WHITE"])] {
-        if !users.iter().any(|user| text.contains(user)) {
-            text = text.replace(&format!(", {name}"), "");
-        }
-    }
-    text.replace("pixelcolor::{Rgb565};", "pixelcolor::Rgb565;")
-}
-
-fn color(color: Rgb565) -> String {
-    format!("Rgb565::new({}, {}, {})", color.r(), color.g(), color.b())
-}
 
 /// An angle in hundredths of a degree, as Rust.
 fn angle(hundredths: i32) -> String {
@@ -280,50 +272,25 @@ fn script(text: &str, choice: &Choice, model: &str) -> Result<String, String> {
         (options.fix_winding, "fix_winding"),
         (options.two_sided, "two_sided"),
         (options.vertex_normals, "vertex_normals"),
+        (choice.style == Style::HiddenLine, "edge_faces"),
     ];
     for (_, name) in switches.iter().filter(|(is_on, _)| *is_on) {
         fields += &format!(", {name}: true");
     }
     let text = replaced(text, "FILE: &str = \"model.stl\"", &format!("FILE: &str = \"{model}\""))?;
-    match options.edges {
-        // The template of hidden lines has edge faces already.
-        Edges::Feature { degrees } => {
-            replaced(&text, "degrees: 30.0 }", &format!("degrees: {degrees:.1} }}{fields}"))
-        }
-        _ => replaced(&text, "edges: Edges::None, ..", &format!("edges: Edges::None{fields}, ..")),
-    }
-}
-
-/// The manifest, with the importer's feature for decimation if it is used: it compiles C++.
-fn manifest(text: &str, choice: &Choice) -> Result<String, String> {
-    let plain = "pinhole-import = { version = \"0.1\", default-features = false }";
-    match choice.decimate {
-        0 => Ok(text.into()),
-        _ => replaced(text, plain, &plain.replace(" }", ", features = [\"decimate\"] }")),
-    }
-}
-
-/// The README for a folder that is complete, so it does not say how to make one from the template.
-fn readme(text: &str, choice: &Choice) -> String {
-    let text: String =
-        text.split_inclusive('\n').filter(|line| !line.contains("pinhole/boards/new ")).collect();
-    let (title, rest) = text.split_once('\n').unwrap_or((&text, ""));
-    let rows = choice.rows();
-    let decimated = match choice.decimate {
-        0 => "",
-        _ => " The build decimates the model by a library in C++: install g++ or clang first.",
+    let edges = match options.edges {
+        Edges::All => "All".into(),
+        Edges::Feature { degrees } => format!("Feature {{ degrees: {degrees:.1} }}"),
+        _ => String::from("None"),
     };
-    format!(
-        "{title}\n\nSaved by pinhole's planner, with bands of {rows} rows. The folder is complete: your model is in it, and what is said \
-         below of making a copy and of putting your model into it is done.{decimated} The figures below are those of the template, which \
-         shows a gear.\n{rest}"
-    )
+    replaced(&text, "Edges::None", &format!("Edges::{edges}{fields}"))
 }
 
 #[cfg(test)]
 mod tests {
     use super::{picture, script, texture};
     use crate::choice::Choice;
+    use crate::display::Format;
     use crate::texture::TextureImage;
     use pinhole::{math::Sphere, Point3, Scalar};
     use pinhole_import::{import_bytes, ImportedMesh, Options};
@@ -420,7 +387,7 @@ mod tests {
         {
             let mut plain = mesh(format!("{TRIANGLE}f 1 2 3\n"));
             let before = plain.clone();
-            let made = texture(template, &mut plain, &image);
+            let made = texture(template, &mut plain, &image, Format::Rgb565);
             assert!(plain == before, "the mesh has become another one");
             for wanted in [
                 format!("use {library}::pixelcolor::Rgb565;"),
@@ -432,32 +399,10 @@ mod tests {
                 assert!(made.contains(&wanted), "{wanted}\n{made}");
             }
             let mut mapped = mesh(format!("{TRIANGLE}vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"));
-            let made = texture(template, &mut mapped, &image);
+            let made = texture(template, &mut mapped, &image, Format::Rgb565);
             let corners = ".at(MODEL_TEXTURE.corners(face))";
             assert!(made.contains(corners) && !made.contains("fn corners"), "{made}");
             assert!(made.contains("MODEL_TEXTURE: pinhole::mesh::TextureCoords<'static>"), "{made}");
-        }
-    }
-
-    #[test]
-    fn a_template_of_other_pictures_is_refused() {
-        for text in ["style=hidden-line&format=mono", "style=wireframe", "format=mono", "format=gray4"] {
-            let problem = picture(PICTURE, &choice(text), &sphere()).expect_err(text);
-            assert!(problem.starts_with("this board draws something else"), "{problem}");
-        }
-    }
-
-    #[test]
-    fn bands_have_the_rows_of_the_choice() {
-        let main = include_str!("../../../boards/rp2040-st7789/src/main.rs");
-        for (path, template, usual, rows) in
-            [("src/main.rs", main, 8, 12), ("src/picture.rs", PICTURE, 32, 40)]
-        {
-            let made = super::file(path, template, &choice(&format!("rows={rows}")), "model.stl", &sphere());
-            let expected =
-                template.replace(&format!("ROWS: u32 = {usual};"), &format!("ROWS: u32 = {rows};"));
-            assert_ne!(expected, template);
-            assert_eq!(made.as_deref(), Ok(&expected[..]));
         }
     }
 }

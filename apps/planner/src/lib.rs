@@ -21,13 +21,15 @@ mod planner;
 mod ready;
 mod refused;
 mod texture;
+mod tricolor;
 mod warning;
 mod ways;
 
 use pinhole_apps_support::{palette, projections};
 
 pub use choice::{Choice, Style};
-pub use display::{Format, Tricolor, DISPLAYS};
+pub use display::{Format, DISPLAYS};
 pub use planner::Planner;
 pub use ready::READY;
+pub use tricolor::Tricolor;
 pub use warning::Refusal;

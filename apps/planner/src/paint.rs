@@ -2,7 +2,8 @@
 //! so that the library for browsers is small: a colour is stored as its bits, and a shader is set up for its format by a call at
 //! run time.
 
-use crate::display::{Format, Shown, Tricolor};
+use crate::display::{Format, Shown};
+use crate::tricolor::Tricolor;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::pixelcolor::raw::RawU16;
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, PixelColor, Rgb565, Rgb888};

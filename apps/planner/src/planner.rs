@@ -119,7 +119,7 @@ impl Planner {
             self.mesh(choice)?;
             let image = self.image(choice).into_owned();
             let (.., mesh) = self.mesh.as_mut().ok_or("no mesh")?;
-            return Ok(firmware::texture(template, mesh, &image));
+            return Ok(firmware::texture(template, mesh, &image, choice.format));
         }
         let model = firmware::model_file(&self.source(choice)?.0);
         let mesh = self.mesh(choice)?;

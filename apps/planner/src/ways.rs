@@ -1,7 +1,7 @@
 //! The ways to draw that the page compares.
 
 use crate::chip::LARGE;
-use crate::choice::{Choice, Style};
+use crate::choice::{Choice, Order, Style};
 use crate::cost::Way;
 use crate::display::Format;
 use crate::figures::*;
@@ -78,7 +78,7 @@ fn way(
     let bands = rows.map_or(1, |rows| choice.size.height.div_ceil(rows));
     let [cache, bins, pixels, depths] = ram;
     let ram = [cache, bins, pixels, depths, 0];
-    Way { name, ram, code, time, kind, bands, rows, note: "" }
+    Way { name, ram, code, time, kind, bands, rows, order: Order::Depth, note: "" }
 }
 
 pub(crate) fn faces(mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Vec<Way> {
@@ -127,14 +127,22 @@ pub(crate) fn faces(mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Vec<Way>
     let painted = size_of::<Painter<Rgb565, 0, 0>>() + PAINTED_FACE * mesh.faces().len();
     let (small, convex) = ("small faces that do not pierce each other", "one convex object only");
     let rows = Some(rows);
-    for (note, way) in [
-        (small, of("painter's order", painted, false, PAINTER_BANDS_CODE, &PAINTED_BANDS, 1, rows)),
-        (convex, of("without depth", bins, false, SOLID_BANDS_CODE, &PLAIN_BANDS, 1, rows)),
-        ("", of("a whole picture, with depth", 0, true, DEPTH_PICTURE_CODE, &DEPTH, 2, None)),
-        (small, of("a whole picture, painter's order", painted, false, PAINTER_CODE, &PAINTED, 1, None)),
-        (convex, of("a whole picture, without depth", 0, false, PICTURE_CODE, &FACES, 1, None)),
+    for (note, order, way) in [
+        (
+            small,
+            Order::Painter,
+            of("painter's order", painted, false, PAINTER_BANDS_CODE, &PAINTED_BANDS, 1, rows),
+        ),
+        (convex, Order::Mesh, of("without depth", bins, false, SOLID_BANDS_CODE, &PLAIN_BANDS, 1, rows)),
+        ("", Order::Depth, of("a whole picture, with depth", 0, true, DEPTH_PICTURE_CODE, &DEPTH, 2, None)),
+        (
+            small,
+            Order::Painter,
+            of("a whole picture, painter's order", painted, false, PAINTER_CODE, &PAINTED, 1, None),
+        ),
+        (convex, Order::Mesh, of("a whole picture, without depth", 0, false, PICTURE_CODE, &FACES, 1, None)),
     ] {
-        ways.push(Way { note, ..way });
+        ways.push(Way { note, order, ..way });
     }
     ways
 }

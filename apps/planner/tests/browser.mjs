@@ -533,13 +533,44 @@ const tests = {
     assert.ok((await zips('src/texture.rs')).length >= 8);
     assert.match(await texture(), /MODEL_TEXTURE\.corners\(face\)[^]*`texture`, 16 x 16 texels of 2 colours/);
 
-    // Hidden lines, which one board draws, in black and white.
+    // In other formats, the board of the display and the one for any.
     await tab.selectOption('#style', 'hidden-line');
-    await settled(tab);
-    assert.ok(await tab.isDisabled('#zip'));
     await tab.selectOption('#panel-type', { label: 'SSD1306, 128 × 64, black and white' });
     await settled(tab);
-    assert.deepEqual(await zips(), ['stm32-ssd1306']);
+    assert.deepEqual(await zips(), ['stm32-ssd1306', 'any-cortex-m']);
+    await tab.selectOption('#panel-type', { label: 'e-paper, 212 × 104, black, white and red' });
+    await settled(tab);
+    assert.deepEqual(await zips('src/tricolor.rs'), ['any-cortex-m']);
+  },
+
+  async 'each way to draw in the table can be chosen, and its firmware saved'(tab) {
+    const source = async () => {
+      const [download] = await Promise.all([tab.waitForEvent('download'), tab.click('#picture')]);
+      return readFileSync(await download.path(), 'utf8');
+    };
+    const ways = [
+      ['flat', "bands of 8 rows, painter's order", 8, /sorted\([^]*painter\.order/], ['flat', 'bands of 8 rows, without depth', 8, /transform\(self\.cache\)\.bin_faces/],
+      ['flat', 'a whole picture, with depth', 2, /faces\.draw\(.*depth_tested/], ['flat', "a whole picture, painter's order", 2, /painter\.order/],
+      ['flat', 'a whole picture, without depth', 2, /faces\.draw\(&mut band\.pixels\(\)\)/], ['wireframe', 'lines in a whole picture', 2, /edges\.draw\(&mut band\.pixels\(\)\)/],
+      ['wireframe', 'lines in bands of 8 rows', 8, /edges\.draw\(COLOR, &mut band\)/], ['hidden-line', 'hidden lines in bands of 16 rows', 8, /hidden_line\(COLOR/],
+    ];
+    const before = await pixels(tab);
+    for (const [style, name, boards, code] of ways) {
+      await tab.selectOption('#style', style);
+      await tab.locator('#cost button.way', { hasText: name }).dispatchEvent('click');
+      await tab.waitForFunction((name) => document.querySelector('#cost tr.chosen th')?.textContent.startsWith(name), name);
+      await settled(tab);
+      assert.equal((await pixels(tab)) === before, name === 'a whole picture, with depth', `${name}: the picture`); // a gear is not convex
+      assert.equal(await tab.locator('#board option:not([disabled])').count(), boards, name);
+      assert.equal(await tab.isVisible('#in-one-piece'), boards === 2, name);
+      const text = await source();
+      assert.match(text, code, name);
+      assert.equal(/[dD]epth/.test(text), /with depth|hidden/.test(name), name);
+    }
+    await tab.selectOption('#style', 'flat');
+    await tab.locator('#cost button.way', { hasText: 'a whole picture, with depth' }).dispatchEvent('click');
+    await tab.click('#in-one-piece button');
+    await tab.waitForFunction(() => /^bands of 16 rows, with/.test(document.querySelector('#cost tr.chosen').textContent));
   },
 
   async 'each control has a name, is large enough, and has contrast, in light and dark, on a phone'(tab) {

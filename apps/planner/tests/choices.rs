@@ -261,3 +261,19 @@ fn the_matrix_has_the_costs_on_every_chip() {
     let bus = way("chip=stm32h743")["bus"].as_f64().expect("a time");
     assert!((bus - (480.0 * 320.0 * 24.0) / 20e3).abs() < 0.3, "{bus} ms");
 }
+
+#[test]
+fn faces_are_drawn_in_the_order_that_is_chosen() {
+    let mut planner = Planner::default();
+    let mut picture = |text: &str| planner.draw(&choice(text)).expect(text).0;
+    for mesh in ["sphere", "cube"] {
+        let [depth, painter, order] =
+            ["depth", "painter", "mesh"].map(|order| picture(&format!("mesh={mesh}&order={order}&turn=7")));
+        assert!(depth == painter && depth == order, "{mesh} is convex");
+    }
+    assert!(picture("mesh=gear&order=mesh") != picture("mesh=gear"), "a gear is not convex");
+    let mut name = |text: &str| chosen(&mut planner, text)["name"].to_string();
+    assert_eq!(name("order=painter&whole=1"), "\"a whole picture, painter's order\"");
+    assert_eq!(name("order=mesh&rows=16"), "\"bands of 16 rows, without depth\"");
+    assert_eq!(name("order=mesh&whole=1&style=gouraud"), "\"bands of 8 rows, with depth\"");
+}

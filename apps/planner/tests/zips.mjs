@@ -3,11 +3,13 @@
 //   node zips.mjs LIBRARY.wasm firmware BOARDS.js BOARD CHOICE OUT.zip   writes what the page's button for the firmware saves
 //   node zips.mjs LIBRARY.wasm memory BOARDS.js BOARD CHOICE RAM FLASH   compares the RAM and flash that the page states for a board's
 //                                                                       firmware with those of a linked image
+//   node zips.mjs LIBRARY.wasm edits BOARDS.js                          compares the edits that make other ways to draw with the templates
 //   node zips.mjs LIBRARY.wasm turn CHOICE FRAMES OUT                    writes the first pictures that the page shows of a turn, as a
 //                                                                       display in 16-bit colour stores them, the high byte first
 //   node zips.mjs LIBRARY.wasm estimate BOARDS.js BOARD CHOICE FRAMES SHOWN   compares the speed that the page shows with that of an
 //                                                                       emulated board, in frames per second in the first steps of a turn
 import { readFileSync, writeFileSync } from 'node:fs';
+import '../page/ways.js';
 import '../page/take.js';
 import '../page/board.js';
 import { withFiles } from './library.mjs';
@@ -37,6 +39,26 @@ const VERBS = {
     const off = 100 * (way.flash / flash - 1);
     console.log(`${board}: the page says ${way.ram} bytes of RAM and ${way.flash} of flash, linked are ${ram} and ${flash}: ${off.toFixed(0)} %`);
     return Math.abs(ram - way.ram) <= 4 * ALIGNMENT && Math.abs(off) <= costs.flashError;
+  },
+
+  // Each edit of a way to draw changes a source of some board: otherwise it is out of date.
+  async edits(boards) {
+    const templates = await templatesOf(boards);
+    const texts = [...templates].filter(([path]) => path.endsWith('.rs')).map(([, bytes]) => new TextDecoder().decode(bytes));
+    const [idle, used] = [new Set(), new Set()];
+    const change = (text, edit) => {
+      const made = edited(text, [edit]);
+      if (made === text) idle.add(edit);
+      else used.add(edit);
+      return made;
+    };
+    for (const choice of ['order=mesh', 'order=painter', 'style=wireframe', 'style=hidden-line', 'whole=1', 'whole=1&style=wireframe', 'format=gray4', 'format=tricolor']) {
+      const { sources } = editsOf(new URLSearchParams(choice), JSON.parse(library.ask('costs', choice)));
+      texts.forEach((text) => sources.reduce(change, text));
+    }
+    const outdated = [...idle].filter((edit) => !used.has(edit));
+    outdated.forEach(([from]) => console.log(`no template has ${from}`));
+    return outdated.length === 0;
   },
 
   turn(choice, frames, out) {
