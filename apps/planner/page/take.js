@@ -116,7 +116,8 @@ function firmware(library, templates, board, text) {
     throw new Error(`Each core of ${board} draws every other band, as many as the other one: choose a number of rows that divides ${height / 2}.`);
   }
   const choice = [...parts].map(([key, value]) => `${key}=${value}`).join('&');
-  const { files: ofAll, sources, texture } = editsOf(parts, JSON.parse(library.ask('costs', choice)));
+  const hasHiddenLines = new TextDecoder().decode(templates.get(`${board}/src/picture.rs`)).includes('.hidden_line(');
+  const { files: ofAll, sources, texture } = editsOf(parts, JSON.parse(library.ask('costs', choice)), hasHiddenLines);
   for (const [path, bytes] of templates) {
     if (!path.startsWith(`${board}/`)) continue;
     const inside = path.slice(board.length + 1);

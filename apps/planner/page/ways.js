@@ -196,8 +196,9 @@ function namedColors(color) {
   ];
 }
 
-// The edits that make the files of a choice of those of a board, by its costs: those of all files, of sources, and of a texture.
-function editsOf(choice, { ways, ram, rom }) {
+// The edits that make the files of a choice of those of a board, by its costs: those of all files, of sources, and of a texture. `hasHiddenLines`: the
+// board draws hidden lines as it is.
+function editsOf(choice, { ways, ram, rom }, hasHiddenLines) {
   const { name, order, rows } = ways.find(({ chosen }) => chosen);
   const of = (key) => choice.get(key);
   const [style, color] = [of('style'), COLORS[of('format')]];
@@ -223,7 +224,7 @@ function editsOf(choice, { ways, ram, rom }) {
   const sources = [];
   if (isWhole || color || order !== 'depth' || isOfLines) sources.push(...ALONE);
   if (style === 'wireframe') sources.push(...WIREFRAME);
-  if (style === 'hidden-line') sources.push(...HIDDEN_LINES);
+  if (style === 'hidden-line' && !hasHiddenLines) sources.push(...HIDDEN_LINES);
   if (order === 'painter') sources.push([/any closed mesh/, 'a mesh of small faces'], ...PAINTER);
   if (order === 'mesh') sources.push([/any closed mesh/, 'a convex mesh'], ...WITHOUT_DEPTH);
   if (isWhole) sources.push(...WHOLE, ...(order === 'painter' ? [] : WITHOUT_BINS));
