@@ -54,6 +54,21 @@ pub(crate) trait Mixer: Color {
         }
     }
 
+    /// Two neighbours, each mixed with the other one by a share in 2^−`SHARE_BITS`, as by [`mixer`](Self::mixer). `mask`: `MASK`.
+    #[inline(always)]
+    fn exchanged([low, high]: [Self; 2], [to_low, to_high]: [u32; 2], mask: u32) -> [Self; 2] {
+        if !Self::WORDS.is_spread {
+            return [low.mixer()(high, to_low), high.mixer()(low, to_high)];
+        }
+        let [low, high] = [low, high].map(|color| spread(color, mask));
+        let (beyond, all) = (high.wrapping_sub(low), |own: u32| (own << 5).wrapping_add(Self::HALF));
+        let sums = [
+            all(low).wrapping_add(beyond.wrapping_mul(to_low)),
+            all(high).wrapping_sub(beyond.wrapping_mul(to_high)),
+        ];
+        sums.map(|sum| gathered(sum >> 5 & mask))
+    }
+
     /// A function that mixes the colours of four neighbours, upper left, upper right, lower left and lower right, by the shares of the right
     /// and of the lower ones, below 1. The share of the lower right one is their product, rounded to nearest; all four shares have the
     /// sum 1, and none is negative. Each channel is rounded once, to nearest, ties up.
@@ -147,6 +162,13 @@ mod tests {
             let (mixed, share) = (own.mix(other, alpha), u32::from(alpha) << (C::SHARE_BITS - 5));
             assert_eq!(own.fade(other)(alpha), mixed, "{own:?} {other:?} {alpha}");
             assert_eq!(other.run_mixer()(own, share), mixed, "{own:?} {other:?} {alpha}");
+            let more = random.below(1 << C::SHARE_BITS) as u32;
+            let both = [other.mixer()(own, share), own.mixer()(other, more)];
+            assert_eq!(
+                C::exchanged([other, own], [share, more], C::MASK),
+                both,
+                "{own:?} {other:?} {alpha} {more}"
+            );
         }
     }
 

@@ -57,7 +57,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while edges are drawn
     pub fn bin_edges(&self, storage: &'a mut [u16]) -> Result<BinnedEdges<'a, V, DEPTH>, BufferError> {
         let edges = self.instance.mesh().edges;
-        let mut fill = BinStorage::new(storage, edges.len())?.fill(pixels(self.instance.area()));
+        let mut fill = BinStorage::new(storage, edges.len(), 1)?.fill(pixels(self.instance.area()));
         let mut statistics = Statistics::NONE;
         for (index, &edge) in edges.iter().enumerate() {
             fill.add(index, &self.bounds_in_bins(edge, &mut statistics));

@@ -76,7 +76,7 @@ pub(super) fn bin_faces<'s, V: Coordinate, const DEPTH: bool>(
     storage: &'s mut [u16],
 ) -> Result<(Bins<'s>, Statistics), BufferError> {
     let faces = mesh.instance.mesh().faces.len();
-    let mut fill = BinStorage::new(storage, faces)?.fill(pixels(mesh.instance.area()));
+    let mut fill = BinStorage::new(storage, faces, 1)?.fill(pixels(mesh.instance.area()));
     let statistics = fill.add_faces(MeshOrder, *mesh).with_the_rest_culled(faces);
     Ok((fill.bins(), statistics))
 }

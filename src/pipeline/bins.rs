@@ -94,27 +94,28 @@ pub(super) struct BinPart {
 }
 
 impl<'s> BinStorage<'s> {
-    /// Storage for `items` primitives.
+    /// Storage for `items` primitives, with `bits` bits for each.
     ///
     /// # Errors
     ///
     /// [`BufferError`] if the storage is too short or there are too many primitives.
     #[inline(never)] // once per frame, like most of this file: code size matters more than speed
-    pub(super) fn new(storage: &'s mut [u16], items: usize) -> Result<Self, BufferError> {
+    pub(super) fn new(storage: &'s mut [u16], items: usize, bits: usize) -> Result<Self, BufferError> {
         if items > usize::from(NONE) {
             return Err(BufferError::TooManyItems { items });
         }
-        let (needed, given) = (bins_len(items), storage.len());
+        let words = items.div_ceil(16);
+        let (needed, given) = (bins_len(items) + (bits - 1) * words, storage.len());
         let all = storage.get_mut(..needed);
-        let Some((active, links)) = all.and_then(|all| all.split_at_mut_checked(items.div_ceil(16))) else {
+        let Some((active, links)) = all.and_then(|all| all.split_at_mut_checked(bits * words)) else {
             return Err(BufferError::Bins { needed, given });
         };
         let (first, next) = links.split_at_mut_checked(bin_count(items)).unwrap_or_default();
         Ok(Self { active, first, next })
     }
 
-    /// The bits of active primitives, for lists that need none.
-    pub(super) fn take_active(&mut self) -> &'s mut [u16] {
+    /// The bits of primitives, for lists that need none of active ones.
+    pub(super) fn take_bits(&mut self) -> &'s mut [u16] {
         core::mem::take(&mut self.active)
     }
 
@@ -187,26 +188,19 @@ impl<'s> BinFill<'s> {
         (first, next, rows)
     }
 
-    /// Marks all primitives as those in no bin: they link to themselves.
-    pub(super) fn leave_all_out(&mut self) {
-        for (item, next) in (0..NONE).zip(self.storage.next.iter_mut()) {
-            keep_rolled();
-            *next = item;
-        }
-    }
-
-    /// Links a primitive with this bounding box if it meets the viewport. `item` counts from the first primitive of this part.
+    /// Links a primitive with this bounding box, and returns `true`, if it meets the viewport. `item` counts from the first primitive of this part.
     #[inline(always)]
-    pub(super) fn add(&mut self, item: usize, bounds: &Scissor) {
+    pub(super) fn add(&mut self, item: usize, bounds: &Scissor) -> bool {
         // A box inside of those before it meets the viewport, as they do: one test for most primitives.
         if bounds.is_empty() || !(self.bounds.contains(bounds) || self.extend(bounds)) {
-            return;
+            return false;
         }
         let BinStorage { first, next, .. } = &mut self.storage;
         let first = first.get_mut(self.rows.bin(bounds.top));
         if let (Some(first), Some(next)) = (first, next.get_mut(item)) {
             *next = core::mem::replace(first, (self.base + item) as u16); // fewer than 65535
         }
+        true
     }
 }
 

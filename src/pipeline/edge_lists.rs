@@ -1,6 +1,7 @@
 //! Edges in bins by their first rows, and those that have begun in lists by their kinds.
 
 use super::bins::{BinRows, NONE};
+use crate::math::hints::keep_rolled;
 use core::ops::Range;
 
 /// The kinds of edges, in the order in which they are smoothed: where a crease and a silhouette meet, what lies beyond the silhouette is
@@ -12,7 +13,7 @@ pub(super) const KINDS: usize = 4;
 #[derive(Debug)]
 pub(super) struct EdgeLists<'s> {
     first: &'s mut [u16],
-    /// The next edge of each edge, or the edge itself if it is not smoothed.
+    /// The next edge of each edge that is smoothed.
     next: &'s mut [u16],
     rows: BinRows,
     lists: [u16; KINDS],
@@ -28,14 +29,19 @@ impl<'s> EdgeLists<'s> {
     }
 
     /// Moves the edges that begin in a band into their lists. Unless the band lies below the last one, or `is_again` the last one, begins again
-    /// with all edges.
+    /// with all edges. `kind`: that of an edge, if it is smoothed.
     #[inline(never)]
-    pub(super) fn advance(&mut self, rows: &Range<i32>, is_again: bool, kind: impl Fn(usize) -> usize) {
+    pub(super) fn advance(
+        &mut self,
+        rows: &Range<i32>,
+        is_again: bool,
+        kind: impl Fn(usize) -> Option<usize>,
+    ) {
         if is_again && rows.end == self.row {
             return;
         }
         if rows.start < self.row {
-            self.restart();
+            self.restart(&kind);
         }
         self.row = rows.end;
         let end = (self.rows.bin(rows.end - 1) + 1).min(self.first.len());
@@ -44,7 +50,7 @@ impl<'s> EdgeLists<'s> {
             let mut edge = core::mem::replace(first, NONE);
             let mut before = [NONE; KINDS];
             while let Some(&following) = self.next.get(usize::from(edge)) {
-                let kind = kind(edge.into());
+                let Some(kind) = kind(edge.into()) else { break };
                 let Some(before) = before.get_mut(kind) else { break };
                 let mut next = self.link(*before, kind);
                 while next < edge {
@@ -94,11 +100,12 @@ impl<'s> EdgeLists<'s> {
     /// Moves all edges into the first bin.
     #[cold]
     #[inline(never)]
-    fn restart(&mut self) {
+    fn restart(&mut self, kind: &impl Fn(usize) -> Option<usize>) {
         self.first.fill(NONE);
         let mut first = NONE;
         for (edge, next) in (0..NONE).zip(self.next.iter_mut()).rev() {
-            if *next != edge {
+            keep_rolled();
+            if kind(edge.into()).is_some() {
                 (*next, first) = (first, edge);
             }
         }

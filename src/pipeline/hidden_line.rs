@@ -249,7 +249,7 @@ fn side_of(&[from, to]: &[ScreenPoint; 2], point: ScreenPoint) -> i64 {
 /// The corner of a face that is not an end of an edge, and whether the face has the edge from its first to its second end. `None` if
 /// the face has not both ends, or has no area.
 #[inline(always)]
-fn third_corner([from, to]: &[u16; 2], [a, b, c]: &[u16; 3]) -> Option<(u16, bool)> {
+pub(super) fn third_corner([from, to]: &[u16; 2], [a, b, c]: &[u16; 3]) -> Option<(u16, bool)> {
     let is_end = |index: &u16| index == from || index == to;
     match [a, b, c].map(is_end) {
         [true, true, false] => Some((*c, a == from)),

@@ -597,7 +597,7 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
 
 /// The edges of all visible objects that are smoothed. [`BinnedScene::bin_smooth_edges`] makes it and has an example.
 ///
-/// For each of the `OBJECTS` it takes 104 bytes on a 32-bit core.
+/// For each of the `OBJECTS` it takes 96 bytes on a 32-bit core.
 #[derive(Debug)]
 pub struct SmoothScene<'f, 'm, M, const OBJECTS: usize> {
     objects: &'f [Object<'m, M>],
@@ -654,7 +654,7 @@ impl<'f, 'm, M, const OBJECTS: usize> SmoothScene<'f, 'm, M, OBJECTS> {
 const _: () = {
     assert!(size_of::<Object<'static, ()>>() == 88);
     assert!(size_of::<BinnedObject<'static>>() == 72);
-    assert!(size_of::<SmoothObject<'static>>() == 104);
+    assert!(size_of::<SmoothObject<'static>>() == 96);
 };
 
 // Materials are not printed: they need not implement `Format`.

@@ -1,18 +1,19 @@
 //! Silhouettes and creases, which are smoothed after the faces are drawn.
 
 use super::bins::BinStorage;
-use super::cull::{Cull, Facing};
+use super::cull::Cull;
 use super::draw_region::pixels;
-use super::edge_lists::EdgeLists;
+use super::edge_lists::{EdgeLists, KINDS};
 use super::face_triangles::FaceTriangles;
+use super::hidden_line::third_corner;
 use super::statistics::Statistics;
 use super::vertex_cache::{area, TransformedMesh};
 use crate::camera::UnpackedVertex;
 use crate::color::{Color, StoredPixel};
 use crate::math::hints::keep_rolled;
 use crate::math::Coordinate;
-use crate::raster::{CrossedEdge, CrossedPair, Scissor};
-use crate::surface::{inside, rectangle, BufferError, Pairs, Seen, SeenKind, SmoothPass};
+use crate::raster::{CrossedEdge, Scissor};
+use crate::surface::{inside, rectangle, BufferError, Seen, SeenKind, SmoothPass};
 use embedded_graphics_core::primitives::Rectangle;
 
 /// The edges of a mesh that are smoothed in a picture, binned by their first rows: silhouettes, beyond which no face of the mesh follows, and
@@ -28,12 +29,12 @@ pub struct SmoothEdges<'a, V: Coordinate = i16> {
 #[derive(Debug)]
 pub(super) struct SmoothBins<'a> {
     lists: EdgeLists<'a>,
-    kinds: Kinds<'a>,
+    kinds: &'a mut [Kinds],
     /// The pixels that smoothing may change.
     pub(super) bounds: Scissor,
 }
 
-/// Memory for edges that are set up, and for pairs of pixels.
+/// Memory for edges that are set up.
 #[derive(Debug)]
 pub(super) struct SmoothMemory<'a> {
     /// Each edge at its index modulo a power of two, which is larger by 1 than `mask`.
@@ -41,7 +42,6 @@ pub(super) struct SmoothMemory<'a> {
     mask: usize,
     /// For an edge without an entry in the list.
     own: SmoothEdge,
-    pairs: Pairs,
 }
 
 /// An entry of a list of edges that are set up, of 72 bytes: [`SmoothEdges::keep_in`].
@@ -58,12 +58,14 @@ impl SmoothEdge {
     pub const EMPTY: Self = Self { number: 0, seen: Seen::NONE, crossed: CrossedEdge::EMPTY }; // all bits 0: a static takes no flash
 }
 
-/// What an edge is, in bits for each edge.
-#[derive(Debug)]
-struct Kinds<'a> {
-    silhouettes: &'a mut [u16],
-    wide: &'a mut [u16],
-}
+/// What 16 edges are, in a bit for each edge of these:
+type Kinds = [u16; 3];
+/// a silhouette;
+const SILHOUETTE: usize = 0;
+/// a crease, or a silhouette whose second face is drawn, not the first one;
+const SECOND: usize = 1;
+/// an edge wider than tall.
+const WIDE: usize = 2;
 
 impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
     /// Finds the silhouettes of a mesh, and those of its creases that are in front, for [smoothing](crate::target::DepthTestedSurface::smooth).
@@ -123,52 +125,33 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
         storage: &'s mut [u16],
     ) -> Result<SmoothBins<'s>, BufferError> {
         let mesh = self.instance.mesh();
-        let (needed, given) = (mesh.smooth_bins_len(), storage.len());
-        let bits = mesh.edges.len().div_ceil(16);
-        let all = storage.get_mut(..needed).and_then(|all| all.split_at_mut_checked(2 * bits));
-        let (kinds, storage) = all.ok_or(BufferError::Bins { needed, given })?;
-        kinds.fill(0);
-        let (silhouettes, wide) = kinds.split_at_mut_checked(bits).unwrap_or_default();
-        let kinds = Kinds { silhouettes, wide };
-        let mut storage = BinStorage::new(storage, mesh.edges.len())?;
-        // No edge is active yet: the bits tell which faces are drawn, if there are as many.
-        let drawn_faces = storage.take_active();
-        let are_faces_marked = self.mark_drawn_faces(drawn_faces);
+        let mut storage = BinStorage::new(storage, mesh.edges.len(), 3)?;
+        let (kinds, _) = storage.take_bits().as_chunks_mut();
+        self.mark_silhouettes(storage.next, kinds);
         let viewport = pixels(self.instance.area());
-        let (mut fill, mut statistics) = (storage.fill(viewport), Statistics::default());
-        let mut own = SmoothEdge::EMPTY;
-        fill.leave_all_out();
-        let edge_faces = if are_faces_marked { mesh.edge_faces } else { &[] };
-        let culls = self.instance.cull() != Cull::None;
+        let mut fill = storage.fill(viewport);
         // From the last one to the first one: each bin has its edges in the order of the mesh.
-        for (index, &edge) in mesh.edges.iter().enumerate().rev() {
-            keep_rolled();
-            let mut drawn = None;
-            if let Some(&[one, other]) = edge_faces.get(index) {
-                let count = [one, other].map(|face| u8::from(is_marked(drawn_faces, face.into())));
-                let count = count[0] + count[1];
-                if count == 0 || count == 2 && !is_crease(index) {
+        for (word, kinds) in kinds.iter_mut().enumerate().rev() {
+            let silhouettes = u32::from(kinds[SILHOUETTE]);
+            let (mut rest, mut smooth, mut wide) = (silhouettes | u32::from(kinds[SECOND]), 0, 0);
+            while rest != 0 {
+                keep_rolled();
+                let bit = 1 << (31 - rest.leading_zeros());
+                rest ^= bit;
+                let index = 16 * word + bit.trailing_zeros() as usize;
+                if silhouettes & bit == 0 && !is_crease(index) {
                     continue;
                 }
-                // Both faces lie on one side of an edge only where front and back faces are drawn: then their planes decide.
-                drawn = (count == 1 || culls).then_some(count);
-            }
-            let Some(ends) = self.edge_out_of_line(edge, &mut statistics) else { continue };
-            let is_silhouette = match drawn {
-                Some(drawn) => drawn == 1,
-                None if !self.set_up(index, 0, &viewport, &mut own) => continue,
-                None => own.seen.kind != SeenKind::Crease,
-            };
-            let [from, to] = ends.map(|end| end.point);
-            let is_wide = (to.x - from.x).abs() >= (to.y - from.y).abs();
-            for (bits, is_set) in [(&mut *kinds.silhouettes, is_silhouette), (&mut *kinds.wide, is_wide)] {
-                if let Some(bits) = bits.get_mut(index / 16) {
-                    *bits |= u16::from(is_set) << (index % 16);
+                let Some(ends) = self.edge_at(index) else { continue };
+                if fill.add(index, &bounds(&ends)) {
+                    let [from, to] = ends.map(|end| end.point);
+                    smooth |= bit;
+                    wide |= if (to.x - from.x).abs() >= (to.y - from.y).abs() { bit } else { 0 };
                 }
             }
-            if is_silhouette || drawn.is_some() || is_crease(index) {
-                fill.add(index, &bounds(&ends));
-            }
+            kinds[SILHOUETTE] &= smooth as u16; // 16 bits
+            kinds[SECOND] &= smooth as u16;
+            kinds[WIDE] = wide as u16;
         }
         // A pixel that an edge crosses is mixed with its neighbour. Bounds without an edge remain empty.
         let bounds = fill.bounds.grown(1).clipped_to(&viewport);
@@ -176,28 +159,59 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
         Ok(SmoothBins { lists: EdgeLists::new(first, next, rows), kinds, bounds })
     }
 
-    /// Sets a bit for each face that is drawn, and returns `true`; or nothing, if the bits are too few, or no edge lists its faces.
-    fn mark_drawn_faces(&self, bits: &mut [u16]) -> bool {
+    /// Whether the drawn faces beside an edge tell what it is: edges list their faces, the memory for edges has room for a number for each face, and
+    /// front or back faces are culled; otherwise both faces of an edge may lie on one side.
+    #[inline(always)]
+    fn knows_silhouettes(&self) -> bool {
         let mesh = self.instance.mesh();
-        if mesh.edge_faces.is_empty() || bits.len() < mesh.faces.len().div_ceil(16) {
-            return false;
+        self.instance.cull() != Cull::None
+            && !mesh.edge_faces.is_empty()
+            && mesh.faces.len() <= mesh.edges.len()
+    }
+
+    /// Marks silhouettes, and edges that may be creases. `flags`: memory for a number for each edge.
+    #[inline(never)] // the loops get all registers
+    fn mark_silhouettes(&self, flags: &mut [u16], kinds: &mut [Kinds]) {
+        let (mesh, is_front_drawn) = (self.instance.mesh(), self.instance.cull() == Cull::Back);
+        if !self.knows_silhouettes() {
+            return self.find_silhouettes(kinds);
         }
-        // Whether faces of positive and of negative area are drawn.
-        let [front, back] = [1, -1].map(|area| self.instance.cull().facing(area) == Facing::Drawn);
-        for (bits, faces) in bits.iter_mut().zip(mesh.faces.chunks(16)) {
-            *bits = faces.iter().rev().fold(0, |bits, face| {
+        for (flag, face) in flags.iter_mut().zip(mesh.faces) {
+            keep_rolled();
+            *flag = match self.on_screen(face) {
+                // The area with two corners exchanged is negative for faces in front.
+                Some([a, b, c]) if is_front_drawn => u16::from(area::<true>(&[a, c, b]) < 0),
+                Some(corners) => u16::from(area::<true>(&corners) < 0),
+                None => u16::from(self.is_clipped_face_drawn(face)),
+            };
+        }
+        let flags = flags.get(..mesh.faces.len()).unwrap_or_default();
+        for (kinds, faces) in kinds.iter_mut().zip(mesh.edge_faces.chunks(16)) {
+            let (mut silhouettes, mut seconds) = (0, 0);
+            for beside in faces.iter().rev() {
                 keep_rolled();
-                let is_drawn = match self.on_screen(face) {
-                    Some(corners) => match area::<true>(&corners) {
-                        ..0 => back,
-                        area => front && area != 0,
-                    },
-                    None => self.is_clipped_face_drawn(face),
-                };
-                bits << 1 | u32::from(is_drawn)
-            }) as u16; // 16 bits
+                let [one, second] =
+                    beside.map(|face| flags.get(usize::from(face)).map_or(0, |&flag| u32::from(flag)));
+                (silhouettes, seconds) = (silhouettes << 1 | (one ^ second), seconds << 1 | second);
+            }
+            *kinds = [silhouettes as u16, seconds as u16, 0]; // 16 bits
         }
-        true
+    }
+
+    /// Marks silhouettes, and edges that may be creases, by the planes of the drawn faces beside them.
+    #[cold]
+    fn find_silhouettes(&self, kinds: &mut [Kinds]) {
+        let (viewport, mut own) = (pixels(self.instance.area()), SmoothEdge::EMPTY);
+        for (word, kinds) in kinds.iter_mut().enumerate() {
+            *kinds = [0; 3];
+            for at in 0..16 {
+                keep_rolled();
+                if self.set_up(16 * word + at, 0, None, &viewport, &mut own) {
+                    let is_crease = own.seen.kind == SeenKind::Crease;
+                    kinds[usize::from(is_crease)] |= 1 << at;
+                }
+            }
+        }
     }
 
     #[cold]
@@ -207,22 +221,71 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
         self.clip_face(face, &mut FaceTriangles::<()>::new(&viewport)).is_drawn()
     }
 
-    /// Sets an edge up, with the planes of the drawn faces beside it. Returns whether there is such a face.
+    /// Sets an edge up. Returns whether it is one, and has a drawn face beside it. `drawn`: which of the faces listed beside a silhouette is drawn.
     #[inline(never)]
-    fn set_up(&self, index: usize, id: u32, viewport: &Scissor, to: &mut SmoothEdge) -> bool {
+    fn set_up(
+        &self,
+        index: usize,
+        id: u32,
+        drawn: Option<usize>,
+        viewport: &Scissor,
+        to: &mut SmoothEdge,
+    ) -> bool {
         to.number = 0;
-        let Some(&edge) = self.instance.mesh().edges.get(index) else { return false };
-        let Some(ends) = self.edge_out_of_line(edge, &mut Statistics::default()) else { return false };
-        let points = ends.map(|end| end.point);
-        let Some(crossed) = CrossedEdge::new(points, ends.map(|end| end.depth)) else { return false };
+        let Some(ends) = self.edge_at(index) else { return false };
+        let Some(crossed) = CrossedEdge::new(ends.map(|end| end.point), ends.map(|end| end.depth)) else {
+            return false;
+        };
         to.crossed = crossed;
-        let SmoothEdge { crossed, seen: Seen { gradients, kind }, number } = to;
+        if let Some((_, is_along)) = self.corner_beside(index, drawn) {
+            // A drawn face is turned as all are: the order of its corners says on which side it lies.
+            let is_high = to.crossed.is_high(is_along == (self.instance.cull() == Cull::Front));
+            to.seen.kind = if is_high { SeenKind::High } else { SeenKind::Low };
+            to.seen.are_known = false;
+        } else if !self.find_gradients(index, None, viewport, to) {
+            return false;
+        }
+        to.number = id;
+        true
+    }
+
+    /// The ends of an edge.
+    #[inline(always)]
+    fn edge_at(&self, index: usize) -> Option<[UnpackedVertex; 2]> {
+        self.edge_out_of_line(*self.instance.mesh().edges.get(index)?, &mut Statistics::default())
+    }
+
+    /// The [third corner](third_corner) of one of the faces listed beside an edge, if the face lies on the screen.
+    fn corner_beside(&self, index: usize, face: Option<usize>) -> Option<(u16, bool)> {
+        let mesh = self.instance.mesh();
+        let face = mesh.faces.get(usize::from(*mesh.edge_faces.get(index)?.get(face?)?))?;
+        self.on_screen(face)?;
+        third_corner(mesh.edges.get(index)?, face)
+    }
+
+    /// Finds the planes of the drawn faces beside an edge. Returns whether there is such a face. `drawn`: as in [`set_up`](Self::set_up).
+    #[inline(never)]
+    fn find_gradients(
+        &self,
+        index: usize,
+        drawn: Option<usize>,
+        viewport: &Scissor,
+        to: &mut SmoothEdge,
+    ) -> bool {
+        let SmoothEdge { crossed, seen: Seen { gradients, kind, are_known }, .. } = to;
+        *are_known = true;
+        if let Some((corner, _)) = self.corner_beside(index, drawn) {
+            let UnpackedVertex { point, depth } =
+                self.instance.vertex_transform().unpack::<true>(self.screen_vertex(corner));
+            *gradients = [crossed.gradient(point, depth); 2];
+            return true;
+        }
         let mut sides = 0; // a bit for each side on which a face lies
-        self.each_face_beside(index, &points, viewport, |point, depth, side| {
+        self.each_face_beside(index, &crossed.ends(), viewport, |point, depth, side| {
             if side == 0 {
                 return;
             }
-            let (is_high, gradient) = (crossed.is_high(side), crossed.gradient(point, depth));
+            let (is_high, gradient) = (crossed.is_high(side < 0), crossed.gradient(point, depth));
             let [low, high] = &mut *gradients;
             let (nearest, bit) = if is_high { (high, 2) } else { (low, 1) };
             // The nearest of several on one side.
@@ -231,14 +294,11 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
             }
             sides |= bit;
         });
-        (*number, *kind) = (
-            id,
-            match sides {
-                1 => SeenKind::Low,
-                2 => SeenKind::High,
-                _ => SeenKind::Crease,
-            },
-        );
+        *kind = match sides {
+            1 => SeenKind::Low,
+            2 => SeenKind::High,
+            _ => SeenKind::Crease,
+        };
         sides != 0
     }
 }
@@ -280,7 +340,7 @@ impl<'a, V: Coordinate> SmoothEdges<'a, V> {
 
 impl<'a> SmoothMemory<'a> {
     pub(super) fn new() -> Self {
-        Self { list: &mut [], mask: 0, own: SmoothEdge::EMPTY, pairs: [CrossedPair::EMPTY; 16] }
+        Self { list: &mut [], mask: 0, own: SmoothEdge::EMPTY }
     }
 
     /// Keeps edges in a list from now on.
@@ -314,7 +374,7 @@ impl SmoothBins<'_> {
         pass: &mut SmoothPass<'_, C, Cell>,
     ) {
         let Self { lists, kinds, .. } = self;
-        let SmoothMemory { list, mask, own, pairs } = memory;
+        let SmoothMemory { list, mask, own } = memory;
         let viewport = pixels(transformed.instance.area());
         let (scissor, is_last) = (pass.pixels().clipped_to(&viewport), pass.is_last());
         if scissor.is_empty() {
@@ -322,12 +382,14 @@ impl SmoothBins<'_> {
         }
         let rows = scissor.rows();
         lists.advance(&rows, is_last, |index| {
-            2 * usize::from(is_marked(kinds.silhouettes, index)) + usize::from(is_marked(kinds.wide, index))
+            let [is_silhouette, is_second, is_wide] =
+                kinds.get(index / 16)?.map(|bits| bits >> (index % 16) & 1 != 0);
+            (is_silhouette || is_second).then_some(2 * usize::from(is_silhouette) + usize::from(is_wide))
         });
         // Creases, then silhouettes; the second pass mixes no neighbours in a row, as tall edges do.
-        for kind in [0, 1, 2, 3] {
+        for kind in (usize::from(is_last)..KINDS).step_by(1 + usize::from(is_last)) {
             let is_wide = kind & 1 != 0;
-            if is_last && !is_wide || lists.is_empty(kind) {
+            if lists.is_empty(kind) {
                 continue;
             }
             let axes = pass.axes(&scissor, !is_wide);
@@ -335,10 +397,18 @@ impl SmoothBins<'_> {
                 let number = ((object as u32) << 16 | index as u32) + 1; // fewer than 65535 edges
                 let free = |edge: &&mut SmoothEdge| edge.number == 0 || edge.number == number;
                 let edge = list.get_mut(index & *mask).filter(free).unwrap_or(&mut *own);
-                if edge.number != number && !transformed.set_up(index, number, &viewport, edge) {
+                let drawn = || {
+                    let is_known = kind > 1 && transformed.knows_silhouettes();
+                    is_known.then_some(usize::from(kinds.get(index / 16)?[SECOND] >> (index % 16) & 1))
+                };
+                if edge.number != number && !transformed.set_up(index, number, drawn(), &viewport, edge) {
                     return true;
                 }
-                pass.edge(&edge.crossed, &edge.seen, &axes, pairs);
+                let mut from = i32::MIN;
+                while let Some(column) = pass.edge(&edge.crossed, &edge.seen, &axes, from) {
+                    transformed.find_gradients(index, drawn(), &viewport, edge);
+                    from = column;
+                }
                 // The last row of a wide edge may be mixed with the row below it.
                 let bottom = edge.crossed.bottom();
                 let ends = if is_wide { is_last && bottom < rows.end } else { bottom <= rows.end };
@@ -349,12 +419,6 @@ impl SmoothBins<'_> {
             });
         }
     }
-}
-
-/// Whether the bit of a number is set.
-#[inline(always)]
-fn is_marked(bits: &[u16], at: usize) -> bool {
-    bits.get(at / 16).is_some_and(|bits| bits >> (at % 16) & 1 != 0)
 }
 
 /// The bounding box of the pixels that an edge crosses.

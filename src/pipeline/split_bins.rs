@@ -55,7 +55,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> SplitBins<'a, V, DEPTH> {
         let Self { transformed, ref mut storage, ref mut halves } = *self;
         let faces = transformed.instance.mesh().faces.len();
         // `finish` reports storage that is too short.
-        let BinStorage { next, .. } = BinStorage::new(storage, faces).unwrap_or_default();
+        let BinStorage { next, .. } = BinStorage::new(storage, faces, 1).unwrap_or_default();
         let middle = faces / 2;
         let (front, back) = next.split_at_mut_checked(middle).unwrap_or_default();
         let [front_half, back_half] = halves;
@@ -80,7 +80,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> SplitBins<'a, V, DEPTH> {
         let Self { transformed, storage, halves: [front, back] } = self;
         let (faces, viewport) =
             (transformed.instance.mesh().faces.len(), pixels(transformed.instance.area()));
-        let bins = BinStorage::new(storage, faces)?.joined(&viewport, [&front.part, &back.part]);
+        let bins = BinStorage::new(storage, faces, 1)?.joined(&viewport, [&front.part, &back.part]);
         let statistics = front.statistics.and(back.statistics).with_the_rest_culled(faces);
         Ok(BinnedFaces(Binned { transformed, bins, statistics }))
     }

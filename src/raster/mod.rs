@@ -64,7 +64,7 @@ pub(crate) mod trapezoid;
 pub(crate) mod triangle;
 
 pub(crate) use any_triangle::{AnyTriangle, Spans};
-pub(crate) use crossed_edge::{CrossedEdge, CrossedPair, Window};
+pub(crate) use crossed_edge::{CrossedEdge, Window};
 pub(crate) use depth::FARTHEST;
 pub(crate) use depth_triangle::DepthTriangle;
 pub(crate) use edge_planes::EdgePlanes;

@@ -29,7 +29,7 @@ pub use picture::Picture;
 pub use pixels::Pixels;
 pub use smooth_frame::{SmoothBand, SmoothFrame};
 pub use smoothing::SmoothPass;
-pub(crate) use smoothing::{Pairs, Seen, SeenKind};
+pub(crate) use smoothing::{Seen, SeenKind};
 pub use strip::StripBuffers;
 pub(crate) use target::{draw_run, put, DepthTarget, Tested, Unmatched, Untested};
 pub use target::{DepthTestedSurface, Surface, Target};

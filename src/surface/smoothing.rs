@@ -4,8 +4,8 @@ use super::inside;
 use super::memory::{Gives, PixelStore};
 use super::target::{DepthTestedSurface, Surface};
 use crate::color::{Color, Mixer, Reads, StoredPixel};
-use crate::math::hints::keep_rolled;
-use crate::raster::{share, CrossedEdge, CrossedPair, PixelLayout, Scissor, Window};
+use crate::math::hints::opaque;
+use crate::raster::{share, CrossedEdge, PixelLayout, Scissor, Window};
 use core::marker::PhantomData;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -31,6 +31,8 @@ pub(crate) struct Seen {
     /// Of the faces with the smaller and the larger minor coordinates; 0 if only one of them is drawn.
     pub(crate) gradients: [i32; 2],
     pub(crate) kind: SeenKind,
+    /// Whether gradients are known. Most silhouettes need none.
+    pub(crate) are_known: bool,
 }
 
 /// Where an edge is seen.
@@ -44,9 +46,6 @@ pub(crate) enum SeenKind {
     /// Along a crease: where both pixels belong to their faces.
     Crease,
 }
-
-/// Pairs of pixels of an edge, at most as many as are mixed at once.
-pub(crate) type Pairs = [CrossedPair; 16];
 
 impl<S: Surface> DepthTestedSurface<'_, '_, S> {
     /// Smooths the edges of a picture that is drawn, with its depths: `edges` is called twice, and passes
@@ -94,66 +93,45 @@ impl<C: StoredPixel<Cell> + Color, Cell: Copy> SmoothPass<'_, C, Cell> {
         Axes { window: Window::new(scissor, is_tall, odd), layout, depth_layout }
     }
 
-    /// Smooths an edge. `pairs`: memory.
+    /// Smooths an edge from a column on. Returns the column from which on gradients are needed that are not known.
     #[inline(never)]
-    pub(crate) fn edge(&mut self, edge: &CrossedEdge, seen: &Seen, axes: &Axes, pairs: &mut Pairs) {
+    pub(crate) fn edge(&mut self, edge: &CrossedEdge, seen: &Seen, axes: &Axes, from: i32) -> Option<i32> {
         const {
             assert!(
                 C::FORMAT.bits() > 1,
                 "edges cannot be smoothed with two colours: use a color of more bits"
             )
         };
-        let Some([mut first, last]) = edge.columns_within(&axes.window) else { return };
-        let (cells, layout) = (&mut *self.cells, &axes.layout);
-        while first <= last {
-            let next = first + pairs.len() as i32;
-            let found = edge.find_pairs([first, last.min(next - 1)], &axes.window, pairs);
-            let found = pairs.get_mut(..found).unwrap_or_default();
-            weight(edge, seen, C::SHARE_BITS, self.depths, &axes.depth_layout, found);
-            for &mut CrossedPair { major, minor, offset: shares } in found {
-                keep_rolled();
-                if shares == 0 {
-                    continue;
+        let [first, last] = edge.columns_within(&axes.window)?;
+        let mask = opaque(C::MASK);
+        let far = if seen.kind == SeenKind::High { 0 } else { axes.depth_layout.minor };
+        edge.each_pair([first.max(from), last], &axes.window, |pair| {
+            let (at, depth) = (axes.depth_layout.at(pair.major, pair.minor), edge.depth(pair.major));
+            let step = |at: usize| self.depths.get(at).map(|&step| (i32::from(step) << 8) - depth);
+            let Some(beyond) = step(at.wrapping_add(far)) else { return true };
+            if beyond < 0 || seen.kind == SeenKind::Crease {
+                if !seen.are_known {
+                    return false;
                 }
-                let at = layout.at(major, minor);
-                let beyond = at.wrapping_add(layout.minor);
-                let (Some(&low), Some(&high)) = (cells.get(at), cells.get(beyond)) else { continue };
-                let (low, high) = (C::load(low), C::load(high));
-                for (at, own, other, share) in
-                    [(at, low, high, shares & 0xffff), (beyond, high, low, shares >> 16)]
-                {
-                    if share != 0
-                        && let Some(cell) = cells.get_mut(at)
-                    {
-                        *cell = own.mixer()(other, share).stored();
+                let (low, high) = (step(at), step(at.wrapping_add(axes.depth_layout.minor)));
+                let (Some(low), Some(high)) = (low, high) else { return true };
+                if !seen.between(pair.offset, [low, high]) {
+                    return true;
+                }
+            }
+            let shares = edge.shares(&pair).map(|area| share(area, C::SHARE_BITS));
+            let at = axes.layout.at(pair.major, pair.minor);
+            let beyond = at.wrapping_add(axes.layout.minor);
+            if let (Some(&low), Some(&high)) = (self.cells.get(at), self.cells.get(beyond)) {
+                let mixed = C::exchanged([C::load(low), C::load(high)], shares, mask);
+                for (at, color) in [at, beyond].into_iter().zip(mixed) {
+                    if let Some(cell) = self.cells.get_mut(at) {
+                        *cell = color.stored();
                     }
                 }
             }
-            first = next;
-        }
-    }
-}
-
-/// Gives pairs of an edge their shares in 2^−`bits` in place of their offset, that of the second pixel 16 bits higher: 0 where the edge is not seen.
-#[inline(never)] // one copy for all colours
-fn weight(
-    edge: &CrossedEdge,
-    seen: &Seen,
-    bits: u32,
-    depths: &[u16],
-    layout: &Along,
-    pairs: &mut [CrossedPair],
-) {
-    for pair in pairs {
-        let (depth, offset) = (edge.depth(pair.major), (pair.offset >> 24) as i32);
-        let at = layout.at(pair.major, pair.minor);
-        pair.offset = match (depths.get(at), depths.get(at.wrapping_add(layout.minor))) {
-            (Some(&own), Some(&other)) if seen.between(depth, offset, [own, other]) => {
-                let [low, high] = edge.shares(pair).map(|area| share(area, bits)); // at most 2^bits
-                low | high << 16
-            }
-            _ => 0,
-        };
+            true
+        })
     }
 }
 
@@ -188,15 +166,12 @@ impl Along {
 }
 
 impl Seen {
-    pub(crate) const NONE: Self = Self { gradients: [0; 2], kind: SeenKind::Low };
+    pub(crate) const NONE: Self = Self { gradients: [0; 2], kind: SeenKind::Low, are_known: false };
 
-    /// Whether an edge with this depth is seen between the pixels of a pair, with these depths. `offset`: how far the edge lies beyond the centre
-    /// of the first pixel, in 2⁻⁸ pixel.
-    #[inline(always)]
-    fn between(&self, depth: i32, offset: i32, depths: [u16; 2]) -> bool {
-        let [low, high] = depths.map(|of_pixel| (i32::from(of_pixel) << 8) - depth);
-        // The pixels' centres lie before and behind the edge.
-        let (before, behind) = (-offset, 256 - offset);
+    /// Whether an edge is seen between the pixels of a pair, or a silhouette although the pixel on the far side is nearer, with these depths less that
+    /// of the edge. `offset`: how far the edge lies beyond the centre of the first pixel, in 2⁻³² pixel.
+    #[inline(never)] // silhouettes need it where they are hidden, and where surfaces touch
+    fn between(&self, offset: u32, [low, high]: [i32; 2]) -> bool {
         // Within two steps, as depths are rounded, and 1/32 of the change per pixel, as corners are.
         let fits = |depth: i32, gradient: i32, offset: i32| {
             let within = 512 + (gradient.abs() >> 5);
@@ -204,11 +179,10 @@ impl Seen {
             (off + within) as u32 <= 2 * within as u32 // |off| ≤ within
         };
         let [low_gradient, high_gradient] = self.gradients;
-        match self.kind {
-            SeenKind::Low => high >= 0 || fits(low, low_gradient, before),
-            SeenKind::High => low >= 0 || fits(high, high_gradient, behind),
-            SeenKind::Crease => fits(low, low_gradient, before) && fits(high, high_gradient, behind),
-        }
+        // The pixels' centres lie before and behind the edge.
+        let offset = (offset >> 24) as i32;
+        (self.kind == SeenKind::High || fits(low, low_gradient, -offset))
+            && (self.kind == SeenKind::Low || fits(high, high_gradient, 256 - offset))
     }
 }
 

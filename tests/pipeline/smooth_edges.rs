@@ -217,6 +217,28 @@ fn the_second_pass_mixes_its_pairs() {
     }
 }
 
+/// What the drawn faces beside an edge tell is what their planes tell: without a list of the faces beside edges, or where no face is culled, as
+/// back faces of closed meshes are hidden.
+#[test]
+fn silhouettes_are_found_by_faces_as_by_planes() {
+    for scene in scenes() {
+        let beside = scene.solid.edge_faces();
+        let listed = scene.mesh(&beside);
+        let searched = Mesh::new(listed.vertices(), scene.solid.exponent, listed.faces());
+        let searched = searched.and_then(|mesh| mesh.with_edges(&scene.solid.edges)).expect("a mesh");
+        let (size, model) = ([128, 64], scene.model.library());
+        let camera = camera(size[0], size[1]).library();
+        for cull in [Cull::Back, Cull::Front, Cull::None] {
+            for with_creases in [None, Some(false), Some(true)] {
+                let [by_faces, by_planes] = [&listed, &searched].map(|mesh| {
+                    scene.picture(&camera.place(mesh, &model).with_cull(cull), size, with_creases)
+                });
+                assert!(by_faces == by_planes, "{cull:?} {with_creases:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn smoothed_edges_are_close_to_their_areas() {
     for scene in scenes() {
