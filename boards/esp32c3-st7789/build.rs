@@ -20,5 +20,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // The linker scripts of esp-hal and of defmt.
     println!("cargo::rustc-link-arg=-Tlinkall.x");
     println!("cargo::rustc-link-arg=-Tdefmt.x");
+    // What riscv-stack paints: all above the word that esp-hal guards.
+    println!("cargo::rustc-link-arg=--defsym=_hart_stack_size=_stack_start-__stack_chk_guard-4");
     Ok(())
 }

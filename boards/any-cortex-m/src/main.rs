@@ -9,6 +9,8 @@ mod clock;
 mod display;
 #[path = "../../common/one-strip/src/picture.rs"]
 mod picture;
+#[path = "../../common/all/src/stack.rs"]
+mod stack;
 mod stop;
 
 use clock::Clock;
@@ -36,6 +38,7 @@ const SCREEN: Rectangle = Rectangle::new(Point::zero(), SIZE);
 #[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
 #[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
 fn main() -> ! {
+    stack::paint();
     // In statics, so that the linker says if they do not fit. The rest of RAM is the stack.
     let mesh = singleton!(: MeshBuffers!(MODEL) = mesh_buffers!(MODEL));
     let strip =
@@ -76,5 +79,6 @@ fn main() -> ! {
                 Err(problem) => defmt::error!("frame {=u32}: {=str}", frame, problem),
             }
         }
+        stack::log();
     }
 }

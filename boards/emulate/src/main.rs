@@ -155,8 +155,13 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
     let mut running = Running(running);
     let mut events = BufReader::with_capacity(1 << 16, running.0.stdout.take().ok_or("no output")?);
     let mut last_line = String::from("none");
-    let mut problems = 0;
-    while watch.frames().len() < frames as usize || watch.broken().is_some() {
+    let (mut problems, mut stack) = (0, None);
+    // After a turn, the firmware logs its stack, before the next frame or with it.
+    let wants_stack = frames == board.frames;
+    while watch.frames().len() < frames as usize
+        || watch.broken().is_some()
+        || (wants_stack && stack.is_none() && watch.frames().len() == frames as usize)
+    {
         let Some(event) = Event::read(&mut events).map_err(|error| error.to_string())? else {
             let status = running.0.wait().map_err(|error| error.to_string())?;
             return Err(format!("the emulator has ended, {status}"));
@@ -172,6 +177,9 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
                     say(format_args!("{}: the firmware logs: {}", board.name, line.text))?;
                     problems += 1;
                     watch.lose_frame();
+                }
+                if line.text.starts_with("stack: ") {
+                    stack = Some(line.text.clone());
                 }
                 last_line = line.text;
             }
@@ -202,7 +210,10 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
     if let Some(file) = film {
         film::write(file, &board.display, watch.frames(), watch.kept())?;
     }
-    Ok(watch.frames().to_vec())
+    if let Some(stack) = stack {
+        say(format_args!("{}: {stack}", board.name))?;
+    }
+    Ok(watch.frames().get(..frames as usize).unwrap_or(watch.frames()).to_vec())
 }
 
 /// The command that runs an image on an emulated chip.

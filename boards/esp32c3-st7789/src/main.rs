@@ -9,6 +9,8 @@ mod panel;
 mod picture;
 #[path = "../../common/st7789/src/registers.rs"]
 mod registers;
+#[path = "../../common/all/src/stack.rs"]
+mod stack;
 mod stop;
 
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
@@ -59,6 +61,7 @@ fn main() -> ! {
     let mut memory = Memory::new(&mut mesh.cache, &mut mesh.bins, &mut strip.colors, &mut strip.depths);
 
     let p = esp_hal::init(esp_hal::Config::default().with_cpu_clock(CpuClock::max())); // 160 MHz
+    stack::paint();
     let mut watchdog = Rtc::new(p.RTC_TIMER).rwdt;
     if WATCHDOG > Duration::ZERO {
         watchdog.set_timeout(RwdtStage::Stage0, WATCHDOG);
@@ -107,6 +110,7 @@ fn main() -> ! {
                 delay.delay_millis(WAKING);
             }
         }
+        stack::log();
     }
 }
 

@@ -16,6 +16,8 @@ mod panel;
 mod picture;
 #[path = "../../common/st7789/src/registers.rs"]
 mod registers;
+#[path = "../../common/all/src/stack.rs"]
+mod stack;
 #[path = "../../common/all/src/stop.rs"]
 mod stop;
 #[path = "../../common/embassy/src/tasks.rs"]

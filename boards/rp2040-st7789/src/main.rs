@@ -11,6 +11,8 @@ mod panel;
 mod picture;
 #[path = "../../common/st7789/src/registers.rs"]
 mod registers;
+#[path = "../../common/all/src/stack.rs"]
+mod stack;
 #[path = "../../common/rp2040/src/stop.rs"]
 mod stop;
 
@@ -69,6 +71,7 @@ fn main() -> ! {
         &mut watchdog,
     );
     let Ok(clocks) = clocks else { stop("the clocks do not start") };
+    stack::paint();
     if WATCHDOG > 0 {
         watchdog.start(WATCHDOG.millis());
     }
@@ -135,5 +138,6 @@ fn main() -> ! {
                 }
             }
         }
+        stack::log();
     }
 }

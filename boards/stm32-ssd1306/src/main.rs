@@ -9,6 +9,8 @@ mod clocks;
 mod input;
 mod picture;
 mod show;
+#[path = "../../common/all/src/stack.rs"]
+mod stack;
 #[path = "../../common/all/src/stop.rs"]
 mod stop;
 
@@ -48,6 +50,7 @@ static EXECUTOR: StaticCell<Executor> = StaticCell::new();
 #[cortex_m_rt::entry]
 fn main() -> ! {
     let p = embassy_stm32::init(clocks::config());
+    stack::paint();
     let mut watchdog = IndependentWatchdog::new(p.IWDG, WATCHDOG.max(1000));
     if WATCHDOG > 0 {
         watchdog.unleash();

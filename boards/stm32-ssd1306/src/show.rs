@@ -1,7 +1,7 @@
 //! The loop: what has changed is drawn band by band into the buffer of the display's driver, which sends it.
 
-use crate::input;
 use crate::picture::{self, Picture, PIXELS, SCREEN, STEPS};
+use crate::{input, stack};
 use core::convert::Infallible;
 use display_interface::AsyncWriteOnlyDataCommand;
 use embassy_time::{with_timeout, Duration, Instant, Timer};
@@ -81,6 +81,9 @@ pub async fn show<Bus: AsyncWriteOnlyDataCommand>(
                 turned.statistics()
             );
             number = number.wrapping_add(1);
+            if number % STEPS as u32 == 0 {
+                stack::log();
+            }
         }
         let turned = input::clicks().wrapping_sub(clicks);
         clicks = clicks.wrapping_add(turned);

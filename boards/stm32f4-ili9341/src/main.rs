@@ -9,6 +9,8 @@ mod panel;
 #[path = "../../common/two-strips/src/picture.rs"]
 mod picture;
 mod registers;
+#[path = "../../common/all/src/stack.rs"]
+mod stack;
 #[path = "../../common/all/src/stop.rs"]
 mod stop;
 
@@ -62,6 +64,7 @@ fn main() -> ! {
         stop("the peripherals are in use")
     };
     let mut rcc = peripherals.RCC.freeze(Config::hse(25.MHz()).sysclk(MEGAHERTZ.MHz()));
+    stack::paint();
     core.DCB.enable_trace();
     core.DWT.enable_cycle_counter();
 
@@ -141,5 +144,6 @@ fn main() -> ! {
                 }
             }
         }
+        stack::log();
     }
 }

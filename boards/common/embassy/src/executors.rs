@@ -4,6 +4,7 @@ use crate::chip::{self, Board, Input, Output, Watchdog};
 use crate::input;
 use crate::panel::Panel;
 use crate::picture::{self, Picture, PIXELS};
+use crate::stack;
 use crate::stop::stop;
 use crate::tasks::{self, Bus, Strip, Strips};
 use embassy_executor::Executor;
@@ -27,6 +28,7 @@ static EXECUTOR: StaticCell<Executor> = StaticCell::new();
 /// Never ends: the thread draws, and an interrupt sends and reads the encoder.
 pub fn run() -> ! {
     let Board { spi, select, command, reset, contacts, button, tearing, watchdog } = chip::start();
+    stack::paint();
     let mut panel = Panel { bus: Bus(spi), select, command, reset };
     panel.start(&mut Delay).unwrap_or_else(|problem| stop(problem));
 

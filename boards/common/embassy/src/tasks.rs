@@ -4,7 +4,7 @@
 use crate::chip::{Input, Output, Spi};
 use crate::panel::{self, Panel, Problem, WAKING};
 use crate::picture::{self, Picture, ROWS, SCREEN, STEPS};
-use crate::{input, stop::stop};
+use crate::{input, stack, stop::stop};
 use core::convert::Infallible;
 use core::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
@@ -101,6 +101,9 @@ pub async fn draw(
                 turned.statistics()
             );
             number = number.wrapping_add(1);
+            if number % STEPS as u32 == 0 {
+                stack::log();
+            }
         }
         let turned = input::clicks().wrapping_sub(clicks);
         clicks = clicks.wrapping_add(turned);
