@@ -191,21 +191,20 @@ fn is_set_as_the_readme_says(folder: &Folder, target: &str) {
 
 /// The symbols of the firmware's image, one a line.
 fn firmware_symbols(target: &str) -> String {
-    symbols(&target_dir().join(target).join("release/any-cortex-m"))
+    symbols(&target_dir().join(target).join("release/firmware"))
 }
 
-/// A copy has all modules that it names, laid out as in the repository, and names nothing outside but pages that are there.
+/// A copy has all modules that it names, laid out as in the repository, and names nothing outside.
 #[test]
 fn copies_of_templates_are_complete() {
     let folder = Folder::new("copies");
-    for board in templates() {
+    for board in firmware::templates() {
         folder.shell(
             &format!(
                 "pinhole/boards/new {board} {board} ../pinhole
                 cd {board}
                 rustfmt --check --edition 2021 --config-path ../pinhole build.rs $(find . -name main.rs -o -name report.rs) >&2
                 ls model.stl .gitignore Cargo.lock ../pinhole
-                sed -n 's|.*](\\(\\.\\./[^)#]*\\).*|\\1|p' README.md | xargs ls -d
                 if grep -rnE 'common/|\\.\\./\\.\\./\\.\\.' . >&2; then exit 1; fi"
             ),
             &[],
@@ -213,13 +212,21 @@ fn copies_of_templates_are_complete() {
     }
 }
 
-/// The folders of `boards` that are templates.
-fn templates() -> Vec<String> {
-    let folders = fs::read_dir(Path::new(ROOT).join("boards")).expect("boards");
-    let names = folders.map(|folder| folder.expect("a folder").file_name().into_string().expect("a name"));
-    let names: Vec<_> = names.filter(|name| name.contains('-')).collect();
-    assert!(names.len() >= 9, "{names:?}");
-    names
+/// Cargo takes no other names, or would take one of a dependency for that dependency.
+#[test]
+fn a_copy_is_named_like_its_folder() {
+    let folder = Folder::new("names");
+    let printed = folder.shell(
+        "pinhole/boards/new rp2040-st7789 copies/my-gauge
+        cd copies/my-gauge
+        grep -xF 'name = \"my-gauge\"' Cargo.toml Cargo.lock
+        grep -o 'release/my-gauge' README.md
+        for name in 'my gauge' 1st-gauge -gauge defmt rp2040-embassy; do
+          if ../../pinhole/boards/new rp2040-st7789 \"../$name\" || [ -e \"../$name\" ]; then exit 1; fi
+        done",
+        &[],
+    );
+    assert_eq!(printed.lines().count(), 4, "{printed}");
 }
 
 /// The README's figures of RAM: 8 bytes for a vertex, 2 for a face, 4 for a pixel of a band, and 15 KB for 500 vertices and 1000

@@ -99,6 +99,24 @@ fn every_link_leads_somewhere() {
     assert!(found.is_empty(), "dead links:\n{}", found.join("\n"));
 }
 
+/// A copy's README may name files of the copy, and those of the repository by absolute paths.
+#[test]
+fn no_readme_of_a_copied_template_has_a_dead_link() {
+    let folder = support::firmware::Folder::new("copied-readmes");
+    for board in support::firmware::templates() {
+        let copy = folder.0.join(&board);
+        let new = root().join("boards/new");
+        support::firmware::run(Command::new("bash").arg(new).arg(&board).arg(&copy));
+        let readme = copy.join("README.md");
+        let text = fs::read_to_string(&readme).expect("a README");
+        assert_eq!(dead(&readme, &text), [""; 0], "{board}");
+        assert!(
+            targets(&text).iter().all(|target| !target.starts_with("..")),
+            "{board}: a link to a folder beside it"
+        );
+    }
+}
+
 /// The tables of where things are, and the steps to contribute, name files and folders as code.
 #[test]
 fn every_path_in_code_leads_somewhere() {

@@ -78,8 +78,17 @@ pub fn image(
     let build = [env!("CARGO"), "build", "--quiet", "--release", "--target", target];
     run(cross(target_dir).args(build).current_dir(&copy));
     let image = folder.join("image");
-    fs::copy(target_dir.join(target).join("release").join(board), &image).expect("the image");
+    fs::copy(target_dir.join(target).join("release/firmware"), &image).expect("the image");
     image
+}
+
+/// The folders of `boards` that are templates.
+pub fn templates() -> Vec<String> {
+    let folders = fs::read_dir(Path::new(ROOT).join("boards")).expect("boards");
+    let names = folders.map(|folder| folder.expect("a folder").file_name().into_string().expect("a name"));
+    let names: Vec<_> = names.filter(|name| name.contains('-')).collect();
+    assert!(names.len() >= 9, "{names:?}");
+    names
 }
 
 /// A temporary folder outside the repository, so that the repository's `.cargo/config.toml` does not apply.
