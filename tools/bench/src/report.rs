@@ -33,6 +33,13 @@ pub struct Row {
     pub crc: u32,
 }
 
+/// Tenths of frames a second, rounded down, where a frame takes so many cycles.
+pub fn tenths(megahertz: u32, cycles: u32) -> u32 {
+    // Less than 2⁵⁶.
+    let tenths = (u64::from(megahertz) * 10_000_000).checked_div(cycles.into());
+    tenths.and_then(|tenths| tenths.try_into().ok()).unwrap_or(u32::MAX)
+}
+
 /// The compiler that has built this.
 pub const COMPILER: &str = env!("BENCH_COMPILER");
 
@@ -46,10 +53,20 @@ macro_rules! log_report {
         $crate::log_report!($chip, $core, $megahertz, counter::LAST, counter::cycles())
     }};
     ($chip:expr, $core:expr, $megahertz:expr, $last:expr, $cycles:expr) => {{
-        use $crate::report::{each, memory, Row, COMPILER};
-        defmt::info!("report: chip {=str}, {=str}, {=u32} MHz, {=str}", $chip, $core, $megahertz, COMPILER);
+        use $crate::report::{each, memory, tenths, Row, COMPILER};
+        let megahertz: u32 = $megahertz;
+        defmt::info!("report: chip {=str}, {=str}, {=u32} MHz, {=str}", $chip, $core, megahertz, COMPILER);
         let mut row = |Row { scene, variant, cycles, crc }: Row| {
-            defmt::info!("report: {=str} {=str} {=u32} cycles, crc {=u32:08x}", scene, variant, cycles, crc);
+            let speed = tenths(megahertz, cycles);
+            defmt::info!(
+                "report: {=str} {=str} {=u32} cycles, {=u32}.{=u32} frames/s, crc {=u32:08x}",
+                scene,
+                variant,
+                cycles,
+                speed / 10,
+                speed % 10,
+                crc
+            );
         };
         defmt::unwrap!(each(defmt::unwrap!(memory()), $last, &mut || $cycles, &mut row));
         defmt::info!("report: end");

@@ -55,10 +55,15 @@ struct Figure {
 struct Log {
     chip: String,
     core: String,
-    megahertz: f64,
+    megahertz: u32,
     compiler: String,
     /// Cycles and CRC of each of the scenes.
-    frames: Vec<(f64, String)>,
+    frames: Vec<(u32, String)>,
+}
+
+/// Frames a second, with a decimal, which firmware rounds down.
+fn speed_of(megahertz: u32, cycles: u32) -> String {
+    format!("{:.1}", (f64::from(megahertz) * 1e7 / f64::from(cycles)).floor() / 10.0)
 }
 
 /// The text of the report's lines, which follow this mark.
@@ -78,11 +83,18 @@ fn read(text: &str) -> Result<Log, String> {
     let &[clock, core, chip] = &parts[..] else { return Err(wanted()) };
     let megahertz = clock.parse().map_err(|_| wanted())?;
     let frames = SCENES.iter().map(|[scene, variant]| {
-        let name = format!("{scene} {variant} ");
-        let figures = lines.iter().rev().find_map(|line| line.strip_prefix(&name));
-        let missing = format!("no line `report: {name}…`: copy the log up to `report: end`");
-        let (cycles, crc) = figures.and_then(|line| line.split_once(" cycles, crc ")).ok_or(missing)?;
+        let name = format!("{scene} {variant}");
+        let figures = lines.iter().rev().find_map(|line| line.strip_prefix(&name)?.strip_prefix(' '));
+        let missing = format!("no line `report: {name} …`: copy the log up to `report: end`");
+        let (cycles, rest) = figures.and_then(|line| line.split_once(" cycles, ")).ok_or(&missing[..])?;
+        let (speed, crc) = rest.split_once(" frames/s, crc ").ok_or(missing)?;
         let cycles = cycles.parse().map_err(|_| format!("`{cycles}` is no number of cycles"))?;
+        let expected = speed_of(megahertz, cycles);
+        if speed != expected {
+            return Err(format!(
+                "{name}: {speed} frames/s, but {cycles} cycles at {megahertz} MHz are {expected}"
+            ));
+        }
         Ok((cycles, crc.to_lowercase()))
     });
     let frames = frames.collect::<Result<_, String>>()?;
@@ -117,10 +129,10 @@ fn report(log: &Log, who: &str) -> Result<(String, bool), String> {
     let parse = |text| serde_json::from_str::<Table>(text).map_err(|error| error.to_string());
     let (cells, cycles) = (parse(CELLS)?, parse(CYCLES)?);
     let (mut text, mut row, mut is_right) = (String::new(), String::new(), true);
-    for (name, (counted, crc)) in SCENES.iter().zip(&log.frames) {
+    for (name, &(counted, ref crc)) in SCENES.iter().zip(&log.frames) {
         let (wanted, model) = expected(&cells, &cycles, name, &log.core)?;
         let against = model.map_or("no model of this core".into(), |model| {
-            format!("{:+.0} % of the model's {model:.0}", 100.0 * (counted / model - 1.0))
+            format!("{:+.0} % of the model's {model:.0}", 100.0 * (f64::from(counted) / model - 1.0))
         });
         let picture = if *crc == wanted {
             "as it should be".into()
@@ -129,8 +141,12 @@ fn report(log: &Log, who: &str) -> Result<(String, bool), String> {
         };
         is_right &= *crc == wanted;
         let [scene, variant] = name;
-        let _ = writeln!(text, "{scene} {variant}: {counted} cycles, {against}; picture {picture}");
-        let _ = write!(row, " {:.1} |", counted / 1000.0 / log.megahertz);
+        let speed = speed_of(log.megahertz, counted);
+        let _ = writeln!(
+            text,
+            "{scene} {variant}: {counted} cycles, {speed} frames/s, {against}; picture {picture}"
+        );
+        let _ = write!(row, " {:.1} |", f64::from(counted) / 1000.0 / f64::from(log.megahertz));
     }
     let Log { chip, core, megahertz, compiler, .. } = log;
     let _ = writeln!(text, "\n| {chip} | {core}, {megahertz} MHz | {compiler} |{row} {who} |");
@@ -169,7 +185,7 @@ mod tests {
     fn lines() -> String {
         SCENES
             .map(|[scene, variant]| {
-                format!("0.5 INFO report: {scene} {variant} 2000000 cycles, crc 1234ABCD\n")
+                format!("0.5 INFO report: {scene} {variant} 3000000 cycles, 41.6 frames/s, crc 1234ABCD\n")
             })
             .concat()
     }
@@ -177,13 +193,13 @@ mod tests {
     #[test]
     fn a_log_is_read_among_other_lines() {
         let log = read(&format!("boot\n{LOG}x\n{}report: end", lines())).expect("a log");
-        assert_eq!((&log.chip[..], &log.core[..], log.megahertz), ("RP2040, code in flash", "M0+", 125.0));
+        assert_eq!((&log.chip[..], &log.core[..], log.megahertz), ("RP2040, code in flash", "M0+", 125));
         assert_eq!(log.compiler, "rustc 1.96.0 (a, b)");
-        assert_eq!(log.frames, vec![(2e6, "1234abcd".to_owned()); 6]);
+        assert_eq!(log.frames, vec![(3_000_000, "1234abcd".to_owned()); 6]);
         let (text, is_right) = report(&log, "me").expect("figures");
         assert!(!is_right && text.contains("WRONG: crc 1234abcd"), "{text}");
         assert!(
-            text.contains("| RP2040, code in flash | M0+, 125 MHz | rustc 1.96.0 (a, b) | 16.0 |"),
+            text.contains("| RP2040, code in flash | M0+, 125 MHz | rustc 1.96.0 (a, b) | 24.0 |"),
             "{text}"
         );
     }
@@ -198,10 +214,10 @@ mod tests {
                     .iter()
                     .find(|row| row.scene == scene && row.variant == variant && row.core == image);
                 let row = row.unwrap_or_else(|| panic!("{scene} {variant} {image}"));
-                (row.instructions.expect("a count"), row.crc.clone().expect("a checksum"))
+                (row.instructions.expect("a count") as u32, row.crc.clone().expect("a checksum"))
             });
             let (chip, compiler) = ("emulated".into(), "rustc".into());
-            let log = Log { chip, core: core.into(), megahertz: 100.0, compiler, frames: frames.into() };
+            let log = Log { chip, core: core.into(), megahertz: 100, compiler, frames: frames.into() };
             let (text, is_right) = report(&log, "me").expect("figures");
             assert!(is_right, "{text}");
             // An instruction takes more than a cycle: what is counted is less than the model says.
@@ -217,11 +233,17 @@ mod tests {
         assert!(message("report: chip RP2040, M0+").contains("the compiler"));
         assert!(message("report: chip RP2040, M0+, fast MHz, rustc")
             .contains("`RP2040, M0+, fast MHz, rustc`: wanted"));
-        let cut = message(&format!("report: chip RP2040, M0+, 125 MHz, rustc\n{}", &lines()[..60]));
+        let cut = message(&format!("report: chip RP2040, M0+, 125 MHz, rustc\n{}", &lines()[..80]));
         assert!(cut.contains("no line `report: S2 bands8 …`"), "{cut}");
-        let wrong = lines().replacen("2000000", "many", 1);
-        let wrong = message(&format!("report: chip RP2040, M0+, 125 MHz, rustc\n{wrong}"));
-        assert!(wrong.contains("`many` is no number"), "{wrong}");
+        for (from, to, problem) in [
+            ("3000000", "many", "`many` is no number"),
+            ("41.6", "41.7", "S1 bands8: 41.7 frames/s, but 3000000 cycles at 125 MHz are 41.6"),
+            ("41.6 frames/s, ", "", "no line `report: S1 bands8 …`"),
+        ] {
+            let wrong = lines().replacen(from, to, 1);
+            let wrong = message(&format!("report: chip RP2040, M0+, 125 MHz, rustc\n{wrong}"));
+            assert!(wrong.contains(problem), "{wrong}");
+        }
         let log = read(&format!("report: chip RP2040, M7, 125 MHz, rustc\n{}", lines())).expect("a log");
         assert!(report(&log, "me").expect_err("an error").contains("core `M7`: known are M0, M0+"));
     }
