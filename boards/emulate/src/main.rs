@@ -20,7 +20,8 @@ use boards::{Board, Chip, Sends, BOARDS};
 use clap::{value_parser, Arg, Command};
 use events::{Event, What};
 use pinhole_apps_support::command::{matches, run, say};
-use std::io::BufReader;
+use std::fs::File;
+use std::io::{BufReader, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::{self, ExitCode, Stdio};
 use watch::{Frame, Watch};
@@ -41,6 +42,7 @@ fn main() -> ExitCode {
         let inputs: Option<String> = given.remove_one("inputs");
         let pictures: Option<PathBuf> = given.remove_one("pictures");
         let film: Option<PathBuf> = given.remove_one("film");
+        let log: Option<PathBuf> = given.remove_one("log");
         let board = BOARDS.iter().find(|board| board.name == name);
         let board = board.ok_or_else(|| {
             let names: Vec<_> = BOARDS.iter().map(|board| board.name).collect();
@@ -53,9 +55,12 @@ fn main() -> ExitCode {
             inputs: inputs.as_deref(),
             pictures: pictures.as_deref(),
             film: film.as_deref(),
+            log: log.as_deref(),
         };
         let frames = emulate(board, &image, &tools, &run).map_err(|problem| format!("{name}: {problem}"))?;
-        say(format_args!("{name}: {}", summary(&frames)))?;
+        if !frames.is_empty() {
+            say(format_args!("{name}: {}", summary(&frames)))?;
+        }
         if inputs.is_some() {
             let steps: Vec<_> = frames.iter().map(|frame| frame.step.to_string()).collect();
             say(format_args!("{name}: steps: {}", steps.join(" ")))?;
@@ -81,6 +86,7 @@ fn arguments() -> Command {
     let pictures = "What the frames must show, in place of what the host draws: all pixels of a frame of the turn, row by row, \
                     and the next frame behind them; two bytes each as the display's memory stores them, the high one first";
     let film = "Write what the display showed as a GIF file, at the speed of the board";
+    let log = "Write the log into a file, a line for each message; the run ends with the line `report: end`";
     Command::new("emulate")
         .about(about)
         .arg(Arg::new("board").value_name("BOARD").required(true).help("Its folder in boards"))
@@ -91,6 +97,7 @@ fn arguments() -> Command {
         .arg(option("inputs", "MS:PIN=LEVEL,...", inputs))
         .arg(option("pictures", "FILE", pictures).value_parser(file()))
         .arg(option("film", "FILE", film).value_parser(file()))
+        .arg(option("log", "FILE", log).value_parser(file()))
         .arg(
             option("tools", "DIR", "Where boards/emulate/run has installed the emulators")
                 .value_parser(file())
@@ -111,11 +118,13 @@ struct Run<'a> {
     pictures: Option<&'a Path>,
     /// Where to write the frames as a film.
     film: Option<&'a Path>,
+    /// Where the log goes.
+    log: Option<&'a Path>,
 }
 
 /// Runs the firmware and returns the frames that it has shown, all of which equal the host's drawing.
 fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<Vec<Frame>, String> {
-    let &Run { frames, break_at, break_by, inputs, pictures, film } = run;
+    let &Run { frames, break_at, break_by, inputs, pictures, film, log: log_file } = run;
     let bytes = std::fs::read(image).map_err(|error| format!("{}: {error}", image.display()))?;
     let tables = log::Tables::of(&bytes).map_err(|problem| format!("{}: {problem}", image.display()))?;
     let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("../common/all/model.stl");
@@ -128,6 +137,7 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
         watch.keep_pictures();
     }
     let mut log = tables.decoder();
+    let mut log_file = log_file.map(File::create).transpose().map_err(|error| format!("the log: {error}"))?;
 
     let mut emulator = emulator(&board.chip, image, tools, tables.address);
     if let Some(pin) = board.display.tearing {
@@ -170,6 +180,12 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
         let at = |problem| format!("{problem}, at {:.3} ms, after {shown} frames", event.time as f64 / 1e6);
         if let What::Log(byte) = event.what {
             if let Some(line) = log.line(byte).map_err(at)? {
+                if let Some(file) = &mut log_file {
+                    writeln!(file, "{}", line.text).map_err(|error| format!("the log: {error}"))?;
+                    if line.text == "report: end" {
+                        return Ok(Vec::new());
+                    }
+                }
                 if line.is_problem && break_at.is_none() {
                     return Err(at(format!("the firmware logs: {}", line.text)));
                 }

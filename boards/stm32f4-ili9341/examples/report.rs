@@ -3,13 +3,17 @@
 #![no_std]
 #![no_main]
 
+use cortex_m::peripheral::{Peripherals as Core, DWT};
 use defmt_rtt as _;
 use pinhole_bench::log_report;
 use stm32f4xx_hal::{pac::Peripherals, prelude::*, rcc::Config};
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
+    let mut core = defmt::unwrap!(Core::take());
+    core.DCB.enable_trace();
+    core.DWT.enable_cycle_counter();
     let peripherals = defmt::unwrap!(Peripherals::take());
     peripherals.RCC.freeze(Config::hse(25.MHz()).sysclk(100.MHz()));
-    log_report!("STM32F411xE", "M4", 100)
+    log_report!("STM32F411xE", "M4", 100, u32::MAX, DWT::cycle_count())
 }

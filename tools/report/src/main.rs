@@ -204,6 +204,25 @@ mod tests {
         );
     }
 
+    /// Each row of the page ends with a link to its log.
+    #[test]
+    fn the_rows_of_the_page_are_those_of_their_logs() {
+        let docs = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs");
+        let page = std::fs::read_to_string(format!("{docs}/hardware.md")).expect("the page");
+        let (_, rows) = page.split_once("| measured by |\n").expect("the table");
+        let rows: Vec<&str> = rows.lines().skip(1).take_while(|line| line.starts_with('|')).collect();
+        assert!(rows.len() >= 2, "{page}");
+        for row in rows {
+            let who = row.trim_end_matches(" |").rsplit("| ").next().expect("a cell");
+            let log = who.split(['(', ')']).find(|part| part.starts_with("data/")).expect(row);
+            let text = std::fs::read_to_string(format!("{docs}/{log}")).expect(log);
+            let (text, is_right) = report(&read(&text).expect(log), who).expect(log);
+            let problem = "run cargo run -p pinhole-report with the log and the last cell";
+            assert!(is_right && text.ends_with(&format!("\n{row}\n")), "{log}: {problem}: {text}");
+            assert_eq!(who.contains("emulated"), log.contains("emulated"), "{row}");
+        }
+    }
+
     #[test]
     fn the_emulated_cores_figures_are_right() {
         let table: Table = serde_json::from_str(CELLS).expect("a table");
