@@ -6,7 +6,8 @@
 // `command` those at the display's CS and D/C, `watch` pins whose changes are reported, separated by commas, and `log` the
 // address of the image's RTT control block. `inputs` are changes of pins from outside, `MILLISECONDS:PIN=LEVEL` in the order of
 // time, separated by commas; until its first one such a pin is high, as if pulled up. `tearing` is a pin at the display's TE. With byte N, `fail=N stalls=1` lets DMA wait
-// for ever, until it is aborted. rp2040js counts cycles as the Cortex-M0+ does; flash is as fast as RAM, because
+// for ever, until it is aborted, and `fail=N stalls=0` lets it end with an error of its bus. rp2040js counts cycles as the
+// Cortex-M0+ does; flash is as fast as RAM, because
 // misses of its cache are not modelled, nor is the second core.
 
 import { writeSync } from 'node:fs';
@@ -122,7 +123,7 @@ const wires = options.wires.split(',').map(Number);
 let [shifted, byteTime] = [0, 0];
 let untilFault = number('fail'); // NaN: none
 const arrived = clock.createAlarm(() => {
-  if (untilFault-- === 0) stall();
+  if (untilFault-- === 0) breakDma(number('stalls') === 1);
   drivesTe ||= !levels[command] && (shifted & 0xff) === TEON;
   const lines = (levels[command] ? 1 : 0) | (unselected ? 2 : 0);
   if (spi.dataBits === 16) report(BYTE | lines, shifted >> 8, clock.nanos - byteTime);
@@ -143,16 +144,29 @@ spi.onTransmit = (value) => {
   arrived.schedule((dataBits * 1e9) / clockFrequency);
 };
 
-// A running channel of DMA is not served any more.
-function stall() {
+// A running channel of DMA is not served any more, or its bus reports an error: it halts, raises its interrupt, and does not start
+// before the flag is cleared.
+const [AHB_ERROR, ERRORS] = [2 ** 31, (1 << 30) | (1 << 29)]; // READ_ERROR, WRITE_ERROR
+function breakDma(stalls) {
   report(BROKEN, 0, clock.nanos);
   for (const channel of mcu.dma.channels.filter(({ active }) => active)) {
     channel.transferAlarm.cancel();
-    channel.scheduleTransfer = () => {};
-    channel.abort = () => {
-      delete channel.scheduleTransfer;
-      delete channel.abort;
-      channel.abort();
+    if (stalls) {
+      channel.scheduleTransfer = () => {};
+      channel.abort = () => {
+        delete channel.scheduleTransfer;
+        delete channel.abort;
+        channel.abort();
+      };
+      continue;
+    }
+    channel.ctrl = (channel.ctrl & ~BUSY) | (1 << 30);
+    mcu.dma.intRaw |= 1 << channel.index;
+    mcu.dma.checkInterrupts();
+    channel.start = () => {
+      if (channel.ctrl & ERRORS) fail('DMA is started with an error of the transfer before');
+      delete channel.start;
+      channel.start();
     };
   }
 }
@@ -166,7 +180,10 @@ watchdog.onWatchdogTrigger = () => {
 };
 function restart() {
   restarts = false;
-  for (const channel of mcu.dma.channels) channel.abort();
+  for (const channel of mcu.dma.channels) {
+    channel.abort();
+    channel.ctrl &= ~ERRORS;
+  }
   watchdog.writeUint32(0, 0);
   Object.assign(core, { VTOR: 0, PM: false, waiting: false, pendingInterrupts: 0 });
   core.reset();
@@ -190,8 +207,9 @@ const readDma = mcu.dma.readUint32.bind(mcu.dma);
 mcu.dma.readUint32 = (offset) => {
   if (offset === ABORT) return 0; // done at once; rp2040js does not have it
   const value = readDma(offset);
-  if (offset < CHANNELS && CONTROL.includes(offset & 0x3f) && value & BUSY) poll();
-  return value;
+  if (offset >= CHANNELS || !CONTROL.includes(offset & 0x3f)) return value;
+  if (value & BUSY) poll();
+  return value & ERRORS ? value + AHB_ERROR : value; // rp2040js has its two causes alone
 };
 const [SSPSR, BSY] = [0x0c, 1 << 4];
 const readSpi = spi.readUint32.bind(spi);

@@ -45,9 +45,9 @@ const NOT_HIDDEN = 0.4;
 // A way to draw as a board's firmware draws it, on a panel that takes `spi` MHz (0: as many as the board has), if a `part` of the picture
 // changes from frame to frame.
 function onBoard(way, board, facts, rest, spi, part) {
-  const { strips, depths } = partsOf(board);
+  const { strips, depths, width } = partsOf(board);
   const [cache, bins, pixels, depth, smooth] = way.parts;
-  const parts = [cache, bins, strips * pixels, depths * depth, smooth, rest.ram];
+  const parts = [cache, bins, width * strips * pixels, width * depths * depth, smooth, rest.ram];
   const [ram, flash] = [parts.reduce((sum, bytes) => sum + bytes, 0), way.flash + rest.flash];
   const scale = (way.clock / (facts.clock || way.clock)) * (facts.cores > 1 ? OF_TWO_CORES : 1);
   const [drawing, range] = [way.drawing * scale, way.range.map((time) => time * scale)];

@@ -77,25 +77,25 @@ function boardsOf(templates) {
 }
 
 // A board's chip, by its name in a choice, and its bands in memory: those whose pixels are kept, as one is drawn while another is sent,
-// and those whose depths are; and its display's controller and format, an ST7789's in 16-bit colour if none is here. A board that is not here
-// takes any chip and has one band.
+// and those whose depths are; how wide a band is, as a part of the picture's width, if the panel is turned; and its display's controller
+// and format, an ST7789's in 16-bit colour if none is here. A board that is not here takes any chip and has one band.
 const PARTS = {
   'any-cortex-m': { controller: '' },
-  'esp32c3-st7789': { chip: 'esp32c3' },
+  'esp32c3-st7789': { chip: 'esp32c3', strips: 2 },
   'nrf52840-embassy': { chip: 'nrf52840', strips: 3 },
   'rp2040-embassy': { chip: 'rp2040', strips: 3 },
   'rp2040-st7789': { chip: 'rp2040', strips: 2 },
   'rp2040-two-cores': { chip: 'rp2040', strips: 4, depths: 2 },
   'rp2350-embassy': { chip: 'rp2350-ram', strips: 3 },
   'stm32-ssd1306': { chip: 'stm32f411', controller: 'SSD1306', format: 'mono' },
-  'stm32f4-ili9341': { chip: 'stm32f411', controller: 'ILI9341', strips: 2 },
+  'stm32f4-ili9341': { chip: 'stm32f411', controller: 'ILI9341', strips: 2, width: 240 / 320 },
 };
-const partsOf = (board) => ({ strips: 1, depths: 1, controller: 'ST7789', format: 'rgb565', ...PARTS[board] });
+const partsOf = (board) => ({ strips: 1, depths: 1, width: 1, controller: 'ST7789', format: 'rgb565', ...PARTS[board] });
 
 // The bytes of the buffers in a board's firmware, from those of one band.
 function buffersOf(board, { parts: [cache, bins, pixels, depths] }) {
   const bands = partsOf(board);
-  return cache + bins + bands.strips * pixels + bands.depths * depths;
+  return cache + bins + bands.width * (bands.strips * pixels + bands.depths * depths);
 }
 
 // The sides of a board's display, from the beginning of its README; `null` for a board that takes any display.

@@ -75,9 +75,13 @@ macro_rules! draws_into_a_target {
 #[macro_export]
 macro_rules! draws_bands {
     ($picture:ident) => {
+        $crate::draws_bands!($picture, Deg0);
+    };
+    ($picture:ident, $rotation:ident) => {
         $crate::draws!($picture, |mesh, color, turn, display, screen, buffers| {
             let $crate::firmware::Buffers { cache, bins, strip, depths } = &mut buffers;
-            let mut picture = $picture::Picture::new(&mesh, screen, cache, bins, depths)?;
+            let rotation = pinhole::camera::Rotation::$rotation;
+            let mut picture = $picture::Picture::new(&mesh, screen, rotation, cache, bins, depths)?;
             let mut turned = picture.turned(turn)?;
             let mut free = &mut strip[..];
             while let std::ops::ControlFlow::Continue(band) = turned.band_or_strip(color, free)? {

@@ -29,6 +29,8 @@ include!(concat!(env!("OUT_DIR"), "/model.rs"));
 
 /// The core's clock.
 const MEGAHERTZ: u32 = 16;
+/// From one writing of the display's registers to the next, in cycles: half a second.
+const REFRESH: u32 = MEGAHERTZ * 500_000;
 /// Frames of a turn.
 const FRAMES: u32 = 120;
 /// Rows of a band: more are faster, and take more memory.
@@ -63,20 +65,30 @@ fn main() -> ! {
         Some(colors) => colors.lit(face, level),
         None => picture::COLOR.dim(level),
     };
+    let mut refreshed = clock.cycles();
     loop {
         for frame in 0..FRAMES {
+            display.feed();
             let start = clock.cycles();
             let turn = Angle::turns(frame as i32, FRAMES);
-            let drawn = picture::draw(&MODEL, color, &camera, turn, &mut memory, SCREEN, |area, pixels| {
-                display.send(area, pixels)
-            });
+            let mut drawn =
+                picture::draw(&MODEL, color, &camera, turn, &mut memory, SCREEN, |area, pixels| {
+                    display.send(area, pixels)
+                });
             let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
+            if drawn.is_ok() && clock.cycles().wrapping_sub(refreshed) >= REFRESH {
+                refreshed = clock.cycles();
+                drawn = display.refresh().and(drawn);
+            }
             match drawn {
                 Ok(Drawn { statistics, bytes }) => {
                     defmt::info!("frame {=u32}: {=u32} us, {=u32} bytes, {}", frame, time, bytes, statistics);
                 }
                 // An error of the bus, for instance. The next frame opens its own windows and sends every pixel again.
-                Err(problem) => defmt::error!("frame {=u32}: {=str}", frame, problem),
+                Err(problem) => {
+                    defmt::error!("frame {=u32}: {=str}", frame, problem);
+                    display.restart().unwrap_or_else(|problem| stop(problem));
+                }
             }
         }
         stack::log();

@@ -5,7 +5,7 @@
 #[cfg(target_arch = "arm")]
 const DELAY: u32 = 8_000_000;
 
-/// Logs the problem, and resets the chip; on RISC-V, where each chip does that in its own way, waits for a watchdog.
+/// Logs the problem, and resets the chip.
 pub fn stop(problem: &'static str) -> ! {
     defmt::error!("{=str}", problem);
     #[cfg(target_arch = "arm")]
@@ -13,7 +13,9 @@ pub fn stop(problem: &'static str) -> ! {
         cortex_m::asm::delay(DELAY);
         cortex_m::peripheral::SCB::sys_reset()
     }
-    #[cfg(not(target_arch = "arm"))]
+    // RISC-V has no reset of its own: put your chip's here, after a time in which a probe reads the log. Until then it is left to the
+    // watchdog, which is fed no more.
+    #[cfg(target_arch = "riscv32")]
     loop {
         core::hint::spin_loop();
     }

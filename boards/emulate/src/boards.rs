@@ -23,6 +23,11 @@ mod drawing {
     use super::bands;
     pinhole_render::draws_bands!(bands);
 }
+#[allow(unreachable_pub)]
+mod turned {
+    use super::bands;
+    pinhole_render::draws_bands!(bands, Deg90);
+}
 
 /// A firmware of `boards`, and the circuit around its microcontroller.
 pub(crate) struct Board {
@@ -73,8 +78,17 @@ pub(crate) struct Display {
     pub(crate) inverted: bool,
     /// The shortest bit on the bus, in nanoseconds.
     pub(crate) bit: u64,
+    pub(crate) refresh: Refresh,
     /// The pin that the panel's TE is connected with: then no refresh of the panel may show rows of two frames.
     pub(crate) tearing: Option<u8>,
+}
+
+/// How a panel reads its memory: row by row, after a pause of some lines, in which TE is high.
+pub(crate) struct Refresh {
+    pub(crate) lines: u64,
+    pub(crate) pause: u64,
+    /// Nanoseconds of a line; `None`: as FRMCTR1 of an ILI9341 sets them.
+    pub(crate) line: Option<u64>,
 }
 
 /// The pixels of a frame of the turn as the display's memory stores them, row by row.
@@ -111,17 +125,18 @@ pub(crate) const BOARDS: &[Board] = &[
         name: "stm32f4-ili9341",
         chip: Chip::Stm32f411 { clock: 5, data: 7, select: 4, command: 3, reset: 2 },
         display: Display {
-            width: 320,
-            height: 240,
-            held: Held::LandscapeMirrored,
+            width: 240,
+            height: 320,
+            held: Held::UprightMirrored,
             bgr: true,
             inverted: false,
             tearing: None,
             bit: 40, // beyond the data sheet, as the board's README says
+            refresh: Refresh { lines: 324, pause: 4, line: None },
         },
         frames: 48,
         sends: Sends::All,
-        pictures: |model| turn(model, Size::new(320, 240), 48, drawing::draw),
+        pictures: |model| turn(model, Size::new(240, 320), 48, turned::draw),
     },
 ];
 
@@ -133,6 +148,7 @@ const ST7789: Display = Display {
     bgr: false,
     inverted: true,
     bit: 16, // the data sheet's limit
+    refresh: Refresh { lines: 344, pause: 24, line: Some(48_449) },
     tearing: None,
 };
 
@@ -236,4 +252,23 @@ fn smoothed(imported: &ImportedMesh, turn: Angle) -> Result<Vec<u32>, Box<dyn st
     let mut edges = transformed.bin_smooth_edges(|edge| edge < imported.creases.unwrap_or(0), &mut bins)?;
     picture.pixels().depth_tested(&mut depth).smooth(|pass| edges.draw(pass));
     Ok(pixels.iter().map(|color| color.stored()).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// With its right border up the display of `stm32f4-ili9341` shows what a display shows that is mounted upright, but for pixels whose
+    /// centres lie at the border of a face.
+    #[test]
+    fn a_turned_panel_shows_the_picture() {
+        let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("../common/all/model.stl");
+        let picture = |size, draw| (turn(&model, size, 48, draw).expect("a model"))(5).expect("a picture");
+        let upright = picture(Size::new(320, 240), drawing::draw);
+        let turned = picture(Size::new(240, 320), turned::draw);
+        let at = |x: usize, y: usize| (upright[320 * y + x], turned[240 * x + 239 - y]);
+        let pixels = (0..240).flat_map(|y| (0..320).map(move |x| at(x, y)));
+        let differing = pixels.filter(|(upright, turned)| upright != turned).count();
+        assert!(differing < 100, "{differing} pixels");
+    }
 }

@@ -150,9 +150,6 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
         watch.allow_steps_back();
         emulator.arg(format!("inputs={inputs}"));
     }
-    if break_at.is_some() && break_by == "error" && matches!(board.chip, Chip::Rp2040 { .. }) {
-        return Err("nothing on its bus reports errors".into());
-    }
     match (break_at, break_by) {
         (Some(byte), "reset") => watch.forget_at(byte),
         (Some(byte), fault) => {
@@ -215,14 +212,11 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
         return Err("the bus has broken, and the firmware has not logged it".into());
     }
     let (refreshes, torn) = watch.refreshes();
-    if torn > 0 && break_at.is_none() {
-        return Err(format!(
-            "{torn} of the panel's {refreshes} refreshes are torn: they show rows of two frames"
-        ));
+    let tears = format!("{torn} of the panel's {refreshes} refreshes are torn: they show rows of two frames");
+    if torn > 0 && break_at.is_none() && board.display.tearing.is_some() {
+        return Err(tears);
     }
-    if refreshes > 0 {
-        say(format_args!("{}: no tear in the panel's {refreshes} refreshes", board.name))?;
-    }
+    say(format_args!("{}: {tears}", board.name))?;
     if let Some(file) = film {
         film::write(file, &board.display, watch.frames(), watch.kept())?;
     }

@@ -38,11 +38,12 @@ pub(crate) struct Watch<'a> {
     kept: Option<Vec<Vec<u32>>>,
 }
 
-/// How a panel reads its memory: row by row, and in some lines, while TE is high, nothing. As an ST7789 is set at first.
+/// What a panel reads.
 #[derive(Default)]
 struct Scan {
-    /// Lines since power on.
+    /// The line that it reads, and when it began to.
     line: u64,
+    begun: u64,
     /// The rows that were read last.
     picture: Vec<u32>,
     /// The pictures that were shown last.
@@ -50,12 +51,6 @@ struct Scan {
     refreshes: u32,
     torn: u32,
 }
-
-/// Nanoseconds of a line; 60 refreshes take a second.
-const LINE: u64 = 48_449;
-const LINES: u64 = 344;
-/// Lines in which TE is high.
-const PORCH: u64 = 24;
 
 /// A frame that has arrived at the display completely.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -135,13 +130,21 @@ impl<'a> Watch<'a> {
 
     /// Lets the panel read its memory up to a time, before which nothing has changed since the last call.
     fn scan(&mut self, time: u64) {
-        let Display { width, height, held, .. } = self.board.display;
+        let Display { width, height, held, ref refresh, .. } = self.board.display;
         let (scan, width) = (&mut self.scan, usize::from(width));
-        for line in std::mem::replace(&mut scan.line, time / LINE)..time / LINE {
-            let row = (line % LINES).checked_sub(PORCH).filter(|row| *row < height.into());
+        loop {
+            let clocks = u64::from(self.controller.line_clocks());
+            let end = scan.begun + refresh.line.unwrap_or(clocks * 1_000_000 / 615);
+            if end > time {
+                return;
+            }
+            let line = scan.line;
+            scan.line = (line + 1) % refresh.lines;
+            scan.begun = end;
+            let row = line.checked_sub(refresh.pause).filter(|row| *row < height.into());
             scan.picture
                 .extend(row.into_iter().flat_map(|row| self.controller.row(held, width, row as usize)));
-            if line % LINES < LINES - 1 {
+            if scan.line > 0 {
                 continue;
             }
             let shown = std::mem::take(&mut scan.picture);
@@ -195,9 +198,7 @@ impl<'a> Watch<'a> {
         if !selected {
             return Err(format!("byte {byte:#04x} while CS is high"));
         }
-        if self.board.display.tearing.is_some() {
-            self.scan(time);
-        }
+        self.scan(time);
         self.received += 1;
         if self.forgets_at == Some(self.received) {
             self.controller = powered_on(self.board);
@@ -332,15 +333,17 @@ impl<'a> Watch<'a> {
         if let Some(kept) = &mut self.kept {
             kept.push(picture.clone());
         }
-        if self.board.sends == Sends::Changes {
-            self.scan.whole.push_back(picture.clone());
-            self.scan.whole.drain(..self.scan.whole.len().saturating_sub(3));
-            self.last = picture;
-            self.next.clear();
-            let turn = self.board.frames;
-            let steps = [(step + 1) % turn, (step + turn - 1) % turn];
-            for step in &steps[..if self.steps_back { 2 } else { 1 }] {
-                self.next.push((*step, (self.pictures)(*step)?));
+        self.scan.whole.push_back(picture.clone());
+        self.scan.whole.drain(..self.scan.whole.len().saturating_sub(3));
+        self.last = picture;
+        self.next.clear();
+        let turn = self.board.frames;
+        let steps = [(step + 1) % turn, (step + turn - 1) % turn];
+        for step in &steps[..if self.steps_back { 2 } else { 1 }] {
+            match (self.pictures)(*step) {
+                Ok(picture) => self.next.push((*step, picture)),
+                Err(problem) if self.board.sends == Sends::Changes => return Err(problem),
+                Err(_) => {} // after the last picture of a file
             }
         }
         Ok(())
@@ -359,7 +362,7 @@ fn powered_on(board: &Board) -> Controller {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::boards::Chip;
+    use crate::boards::{Chip, Refresh};
     use support::panel::Held;
     use Step::{Clock, Reset, Send, Unselected, Waited};
 
@@ -374,6 +377,7 @@ mod tests {
             bgr: false,
             inverted: true,
             bit: 16,
+            refresh: Refresh { lines: 4, pause: 2, line: Some(1000) },
             tearing: None,
         },
         frames: 1,

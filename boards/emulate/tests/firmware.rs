@@ -61,6 +61,9 @@ faults! {
     commands_among_the_bytes_of_dma_are_noticed: STM32,
         [("src/panel.rs", "self.finish()?;\n        let (Ok", "let (Ok")],
         "unknown command";
+    an_error_of_dma_that_nobody_reads_is_noticed: RP2040 ["--break-bus", "160000"],
+        [("src/bus.rs", "control.read().ahb_error().bit_is_set()", "false")],
+        "DMA is started with an error";
     without_refresh_a_panel_stays_lost_on_the_rp2040: RP2040 ["--break-bus", "160000", "--by", "reset"],
         [("src/main.rs", "shown = panel.refresh()", "shown = Ok(())")],
         "no whole frame for 1 s after the bus has broken";
@@ -71,9 +74,6 @@ faults! {
     without_a_whole_frame_a_panel_stays_lost_under_embassy: EMBASSY ["--break-bus", "160000", "--by", "reset"],
         [("src/tasks.rs", "WHOLE.store(true, Relaxed)", "WHOLE.store(shown.is_err(), Relaxed)")],
         "no whole frame for 1 s after the bus has broken";
-    without_waiting_for_te_refreshes_are_torn: EMBASSY ["--frames", "40"],
-        [("src/tasks.rs", "strip.is_first && has_te != Some(false)", "false")],
-        "refreshes are torn";
     bands_that_overtake_the_panel_are_torn: EMBASSY ["--frames", "40"],
         [("src/tasks.rs", "Duration::from_micros(ROW * rows)", "Duration::from_micros(0 * rows)")],
         "refreshes are torn";
@@ -117,6 +117,37 @@ fn an_encoder_whose_contacts_are_swapped_turns_the_other_way() {
     assert_eq!(turned, [-3]);
 }
 
+#[test]
+fn without_waiting_for_te_many_refreshes_are_torn() {
+    let edits = [("src/tasks.rs", "strip.is_first && has_te != Some(false)", "false")];
+    let Some(output) = EMBASSY.run(&edits, &["--frames", "40"]) else { return };
+    let (torn, refreshes) = tears(&output);
+    assert!(!output.status.success() && 3 * torn >= refreshes && refreshes > 20, "{torn} of {refreshes}");
+}
+
+/// A frame takes 50 ms. While it is written, a panel of 70 Hz reads its memory three or four times, and one of 40 Hz twice.
+#[test]
+fn a_lower_refresh_rate_makes_tears_rarer_on_the_stm32() {
+    let usual = [("src/registers.rs", "(0xb1, &[0x01, 0x18])", "(0xb1, &[0x00, 0x1b])")];
+    let outputs = [&[][..], &usual].map(|edits| STM32.run(edits, &["--frames", "40"]));
+    let [Some(set), Some(usual)] = &outputs else { return };
+    let [(few, of_set), (many, of_usual)] = [set, usual].map(tears);
+    assert!(set.status.success() && usual.status.success());
+    assert!(3 * few < of_set && 3 * many > of_usual, "{few} of {of_set}, {many} of {of_usual}");
+    assert!(10 * of_usual > 17 * of_set, "{of_usual} refreshes, and {of_set}");
+}
+
+/// The torn refreshes of a run, and all.
+fn tears(output: &Output) -> (u32, u32) {
+    let said =
+        [&output.stdout, &output.stderr].map(|said| String::from_utf8_lossy(said).into_owned()).concat();
+    let (before, _) = said.split_once(" refreshes are torn").unwrap_or_else(|| panic!("{output:?}"));
+    let mut words = before.rsplit(' ');
+    let refreshes = words.next().and_then(|word| word.parse().ok());
+    let torn = words.nth(3).and_then(|word| word.parse().ok());
+    (torn.expect("a number"), refreshes.expect("a number"))
+}
+
 /// A byte in the middle of the second frame.
 const MIDDLE: &str = "160000";
 
@@ -127,6 +158,7 @@ fn after_a_fault_of_the_bus_the_panel_is_reset_and_drawn_whole() {
     for (template, fault, problem) in [
         (&STM32, "error", "frame 1: DMA has an error"),
         (&STM32, "stall", &format!("frame 1: {stalls}")[..]),
+        (&RP2040, "error", "frame 1: DMA has an error"),
         (&RP2040, "stall", &format!("frame 1: {stalls}")),
         (&EMBASSY, "stall", stalls),
     ] {
@@ -141,6 +173,16 @@ fn after_a_fault_of_the_bus_the_panel_is_reset_and_drawn_whole() {
 fn a_panel_that_lost_its_state_comes_back_within_a_second() {
     for template in [STM32, RP2040, EMBASSY] {
         template.passes(&["--break-bus", MIDDLE, "--by", "reset"]);
+    }
+}
+
+/// As above, at some 8 frames a second: a count of frames in place of the time would take longer.
+#[test]
+fn a_panel_of_slow_frames_comes_back_within_a_second() {
+    let edits = [("src/main.rs", "watchdog.feed();", "watchdog.feed();\n            delay.delay_ms(80);")];
+    for template in [STM32, RP2040] {
+        let Some(output) = template.run(&edits, &["--break-bus", MIDDLE, "--by", "reset"]) else { return };
+        assert!(output.status.success(), "{output:?}");
     }
 }
 

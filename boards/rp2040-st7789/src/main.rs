@@ -25,7 +25,7 @@ use embedded_graphics_core::{pixelcolor::Rgb565, primitives::Rectangle};
 use embedded_hal::{delay::DelayNs, spi::MODE_3};
 use panel::{Panel, WAKING};
 use picture::Picture;
-use pinhole::{prelude::*, Angle};
+use pinhole::{camera::Rotation, prelude::*, Angle};
 use rp2040_hal as hal;
 use rp2040_hal::fugit::{ExtU32, RateExtU32};
 use rp2040_hal::{dma::DMAExt, gpio::Pins, pac, Clock as _, Sio, Spi, Timer, Watchdog};
@@ -45,8 +45,8 @@ const CRYSTAL: u32 = 12_000_000;
 const FRAMES: u32 = 120;
 /// The chip is reset when a frame takes longer, in milliseconds; 0: no watchdog.
 const WATCHDOG: u32 = 1000;
-/// Frames from one writing of the panel's registers to the next, less than a second.
-const REFRESH: u32 = 16;
+/// From one writing of the panel's registers to the next, in µs.
+const REFRESH: u32 = 500_000;
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
 /// Rows of a band: more are faster, and take more memory.
 const ROWS: u32 = 8;
@@ -90,7 +90,8 @@ fn main() -> ! {
     let mut delay = timer;
     panel.start(&mut delay).unwrap_or_else(|problem| stop(problem));
 
-    let picture = Picture::new(&MODEL, SCREEN, &mut mesh.cache, &mut mesh.bins, &mut strip.depths);
+    let picture =
+        Picture::new(&MODEL, SCREEN, Rotation::Deg0, &mut mesh.cache, &mut mesh.bins, &mut strip.depths);
     let mut picture = picture.unwrap_or_else(|problem| stop(problem));
     let mut free: &'static mut [u8] = &mut strip.colors;
     // A constant: what the model does not have is left out when this is compiled.
@@ -98,6 +99,7 @@ fn main() -> ! {
         Some(colors) => colors.lit(face, level),
         None => picture::COLOR.dim(level),
     };
+    let mut refreshed = timer.get_counter_low();
     loop {
         for frame in 0..FRAMES {
             watchdog.feed();
@@ -122,7 +124,8 @@ fn main() -> ! {
                 }
             };
             let time = timer.get_counter_low().wrapping_sub(start);
-            if shown.is_ok() && frame % REFRESH == 0 {
+            if shown.is_ok() && timer.get_counter_low().wrapping_sub(refreshed) >= REFRESH {
+                refreshed = timer.get_counter_low();
                 shown = panel.refresh();
                 delay.delay_ms(WAKING);
             }

@@ -48,8 +48,8 @@ const CRYSTAL: u32 = 12_000_000;
 const FRAMES: u32 = 120;
 /// The chip is reset when a frame takes longer, in milliseconds; 0: no watchdog.
 const WATCHDOG: u32 = 1000;
-/// Frames from one writing of the panel's registers to the next, less than a second.
-const REFRESH: u32 = 16;
+/// From one writing of the panel's registers to the next, in µs.
+const REFRESH: u32 = 500_000;
 
 #[hal::entry]
 fn main() -> ! {
@@ -111,6 +111,7 @@ fn main() -> ! {
         Some(colors) => colors.lit(face, level),
         None => picture::COLOR.dim(level),
     };
+    let mut refreshed = timer.get_counter_low();
     loop {
         for frame in 0..FRAMES {
             watchdog.feed();
@@ -132,7 +133,8 @@ fn main() -> ! {
             let (statistics, strip) = drawn.unwrap_or_else(|problem| stop(problem));
             free = strip;
             let time = timer.get_counter_low().wrapping_sub(start);
-            if shown.is_ok() && frame % REFRESH == 0 {
+            if shown.is_ok() && timer.get_counter_low().wrapping_sub(refreshed) >= REFRESH {
+                refreshed = timer.get_counter_low();
                 shown = panel.refresh();
                 delay.delay_ms(WAKING);
             }

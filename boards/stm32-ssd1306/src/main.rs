@@ -83,8 +83,8 @@ async fn show(bus: I2c<'static, Async, Master>, mut watchdog: IndependentWatchdo
     };
     let picture = Picture::new(&MODEL, &mut mesh.cache, [&mut mesh.bins, &mut mesh.edge_bins], depths);
     let mut picture = picture.unwrap_or_else(|problem| stop(problem));
-    let display =
-        Ssd1306Async::new(I2CDisplayInterface::new(bus), DisplaySize128x64, DisplayRotation::Rotate0);
+    let bus = show::KeptOn(I2CDisplayInterface::new(bus));
+    let display = Ssd1306Async::new(bus, DisplaySize128x64, DisplayRotation::Rotate0);
     let mut display = display.into_buffered_graphics_mode();
     let Err(problem) = show::show(&mut display, &mut picture, || watchdog.pet()).await;
     stop(problem)

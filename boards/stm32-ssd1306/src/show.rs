@@ -3,8 +3,8 @@
 use crate::picture::{self, Picture, PIXELS, SCREEN, STEPS};
 use crate::{input, stack};
 use core::convert::Infallible;
-use display_interface::AsyncWriteOnlyDataCommand;
-use embassy_time::{with_timeout, Duration, Instant, Timer};
+use display_interface::{AsyncWriteOnlyDataCommand, DataFormat, DisplayError};
+use embassy_time::{with_deadline, with_timeout, Duration, Instant, Timer};
 use pinhole::bands::{DirtyRegions, Tracked, TransferCost};
 use ssd1306::mode::{BufferedGraphicsModeAsync, DisplayConfigAsync};
 use ssd1306::size::DisplaySize128x64;
@@ -12,12 +12,29 @@ use ssd1306::Ssd1306Async;
 
 /// Before each rectangle: two commands of three bytes, each with an address and a control byte, and those of the pixels.
 const WINDOW_BYTES: u16 = 12;
-/// From one set-up of the display to the next, by which one that has lost its state comes back. It is dark for a millisecond.
-const REFRESH: Duration = Duration::from_secs(5);
+/// From one set-up of the display to the next, by which one that has lost its state comes back.
+const REFRESH: Duration = Duration::from_millis(500);
 /// The longest time that a set-up or a rectangle may take. The whole display takes 23 ms.
 const PATIENCE: Duration = Duration::from_millis(100);
-/// The longest time in which nothing changes before the watchdog is fed again.
+/// The time between two searches for a display that does not answer.
 const REST: Duration = Duration::from_millis(500);
+
+/// The display's bus, but for the command that switches it off, with which the driver's set-up begins: a display that shows a picture
+/// is then set up without a sign of it.
+pub struct KeptOn<Bus>(pub Bus);
+
+impl<Bus: AsyncWriteOnlyDataCommand> AsyncWriteOnlyDataCommand for KeptOn<Bus> {
+    async fn send_commands(&mut self, commands: DataFormat<'_>) -> Result<(), DisplayError> {
+        match commands {
+            DataFormat::U8([0xae]) => Ok(()),
+            commands => self.0.send_commands(commands).await,
+        }
+    }
+
+    async fn send_data(&mut self, data: DataFormat<'_>) -> Result<(), DisplayError> {
+        self.0.send_data(data).await
+    }
+}
 
 type Display<Bus> = Ssd1306Async<Bus, DisplaySize128x64, BufferedGraphicsModeAsync<DisplaySize128x64>>;
 
@@ -53,7 +70,7 @@ pub async fn show<Bus: AsyncWriteOnlyDataCommand>(
         }
         let areas = dirty.take();
         if areas.is_empty() {
-            with_timeout(REST, input::changed()).await.ok();
+            with_deadline(due, input::changed()).await.ok();
         } else {
             let mut bytes = 0;
             for area in areas {

@@ -24,7 +24,7 @@ use embedded_hal::delay::DelayNs;
 use embedded_hal::spi::{Mode, MODE_0};
 use panel::{Panel, WAKING};
 use picture::Picture;
-use pinhole::{prelude::*, Angle};
+use pinhole::{camera::Rotation, prelude::*, Angle};
 use stm32f4xx_hal::gpio::Speed;
 use stm32f4xx_hal::{
     dma::StreamsTuple,
@@ -42,14 +42,17 @@ include!(concat!(env!("OUT_DIR"), "/model.rs"));
 const FRAMES: u32 = 48;
 /// The chip is reset when a frame takes longer, in milliseconds; 0: no watchdog.
 const WATCHDOG: u32 = 1000;
-/// Frames from one writing of the panel's registers to the next, less than a second.
-const REFRESH: u32 = 16;
+/// From one writing of the panel's registers to the next, in µs.
+const REFRESH: u32 = 500_000;
 /// Of the bus.
 const HERTZ: u32 = 25_000_000;
 const MODE: Mode = MODE_0;
-const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(320, 240));
+/// The panel as its controller reads it, row by row. Bands run along these rows.
+const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 320));
+/// The panel's right border is at the top; `Deg270`: its left border is.
+const ROTATION: Rotation = Rotation::Deg90;
 /// Rows of a band: more are faster, and take more memory.
-const ROWS: u32 = 8;
+const ROWS: u32 = 10;
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
@@ -96,7 +99,7 @@ fn main() -> ! {
     let mut delay = Delay;
     panel.start(&mut delay).unwrap_or_else(|problem| stop(problem));
 
-    let picture = Picture::new(&MODEL, SCREEN, &mut mesh.cache, &mut mesh.bins, &mut strip.depths);
+    let picture = Picture::new(&MODEL, SCREEN, ROTATION, &mut mesh.cache, &mut mesh.bins, &mut strip.depths);
     let mut picture = picture.unwrap_or_else(|problem| stop(problem));
     let mut free: &'static mut [u8] = &mut strip.colors;
     // A constant: what the model does not have is left out when this is compiled.
@@ -104,6 +107,7 @@ fn main() -> ! {
         Some(colors) => colors.lit(face, level),
         None => picture::COLOR.dim(level),
     };
+    let mut refreshed = DWT::cycle_count();
     loop {
         for frame in 0..FRAMES {
             watchdog.feed();
@@ -128,7 +132,8 @@ fn main() -> ! {
                 }
             };
             let time = DWT::cycle_count().wrapping_sub(start) / MEGAHERTZ;
-            if shown.is_ok() && frame % REFRESH == 0 {
+            if shown.is_ok() && DWT::cycle_count().wrapping_sub(refreshed) >= REFRESH * MEGAHERTZ {
+                refreshed = DWT::cycle_count();
                 shown = panel.refresh();
                 delay.delay_ms(WAKING);
             }

@@ -51,10 +51,18 @@ impl<Spi: SpiBus + WriteTarget<TransmittedWord = u8>, Channel: SingleChannel> pa
         while !running.is_done() && !is_late() {}
         let is_done = running.is_done();
         let (channel, strip, mut spi) = if is_done { running.wait() } else { running.abort() };
+        let control = channel.ch().ch_al1_ctrl();
+        let has_failed = control.read().ahb_error().bit_is_set();
+        if has_failed {
+            // Until its flags are cleared, the channel does not start again.
+            control.modify(|_, w| w.read_error().clear_bit_by_one().write_error().clear_bit_by_one());
+        }
         // DMA is done when the last bytes are in the queue.
         let is_sent = spi.flush().is_ok();
         self.line = Some(Line::Idle(channel, strip, spi));
-        if is_done && is_sent {
+        if has_failed {
+            Err("DMA has an error")
+        } else if is_done && is_sent {
             Ok(())
         } else {
             Err("the bus does not go on")

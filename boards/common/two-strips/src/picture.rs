@@ -34,17 +34,19 @@ pub struct Turned<'a> {
 }
 
 impl<'a> Picture<'a> {
-    /// A camera to the right of the mesh and above it, which sees all of it however it is turned. The memory is a vertex cache
-    /// and bins for the mesh, and the depths of a band.
+    /// A camera to the right of the mesh and above it, which sees all of it however it is turned, on a panel that may be mounted
+    /// turned. The memory is a vertex cache and bins for the mesh, and the depths of a band.
     pub fn new(
         mesh: &'a Mesh<'a>,
         screen: Rectangle,
+        rotation: pinhole::camera::Rotation,
         cache: &'a mut [ScreenVertex],
         bins: &'a mut [u16],
         depths: &'a mut [u16],
     ) -> Result<Self, &'static str> {
         let viewport = Viewport::new(screen.top_left, screen.size)
-            .map_err(|_| "the screen has no pixels, or more than 8192 a side")?;
+            .map_err(|_| "the screen has no pixels, or more than 8192 a side")?
+            .rotated(rotation);
         let (field_of_view, yaw, pitch) = (Angle::degrees(40), Angle::degrees(30), Angle::degrees(20));
         let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch)
             .map_err(|_| "the model is a point, or too large: see `fit` in build.rs")?;

@@ -19,7 +19,7 @@ pub enum Held {
     /// Turned a quarter to the left, so that what was its right border is on top.
     Landscape,
     /// A controller behind a glass whose columns run from right to left: the memory's left border is at the right.
-    LandscapeMirrored,
+    UprightMirrored,
 }
 
 /// The last command, and the parameters that it still waits for.
@@ -54,6 +54,8 @@ pub struct Controller {
     filled: u32,
     /// Whether the glass shows each colour as its complement.
     inverted: bool,
+    /// FRMCTR1.
+    line_clocks: u32,
     /// Commands and pixels that the next command cut off, and that had no effect.
     pub cut_off: usize,
     /// Windows that the next command found with fewer pixels than they have.
@@ -87,6 +89,7 @@ impl Controller {
             windows: 0,
             filled: 0,
             inverted: false,
+            line_clocks: 0x1b,
             cut_off: 0,
             partly_filled: 0,
             overfilled: 0,
@@ -116,6 +119,11 @@ impl Controller {
     /// Whether the inversion of colours is switched on.
     pub fn inverted(&self) -> bool {
         self.inverted
+    }
+
+    /// In how many clocks of 615 kHz an ILI9341 reads a line.
+    pub fn line_clocks(&self) -> u32 {
+        self.line_clocks
     }
 
     /// The window, if the last byte has filled its last pixel: first and last column, first and last row.
@@ -182,6 +190,7 @@ impl Controller {
                 return;
             }
             0x35 | 0x36 | 0x3a => 1,
+            0xb1 => 2,
             0xb4 => 1, // how the glass is inverted
             _ => {
                 self.wrong(format!("unknown command {command:#04x}"));
@@ -251,6 +260,12 @@ impl Controller {
                     self.wrong(format!("COLMOD {format:#04x}"));
                 }
             }
+            (0xb1, &[division, clocks]) => {
+                if !matches!((division, clocks), (0..=3, 0x10..=0x1f)) {
+                    self.wrong(format!("FRMCTR1 {division:#04x} {clocks:#04x}"));
+                }
+                self.line_clocks = u32::from(clocks) << (division & 3);
+            }
             _ => {} // inversion; TE, which whoever has the panel drives
         }
     }
@@ -292,7 +307,7 @@ impl Controller {
         let at = move |x: usize| match held {
             Held::Upright => (x, y),
             Held::Landscape => (usize::from(COLUMNS) - 1 - y, x),
-            Held::LandscapeMirrored => (y, x),
+            Held::UprightMirrored => (usize::from(COLUMNS) - 1 - x, y),
         };
         (0..width).map(at).map(|(x, y)| self.memory[y * usize::from(COLUMNS) + x])
     }
