@@ -142,9 +142,9 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
     /// takes 1.33 times the instructions of one piece on a Cortex-M3, 1.62 times without the list.
     ///
     /// `storage` is bin storage that the result borrows: [`face_bins_len`](crate::Mesh::face_bins_len) numbers. `list` holds the faces
-    /// that continue: with as many entries as faces cross the border of two bands, none is set up twice. The torus needs 56, a height field of
-    /// 64 × 64 vertices 191; three times the square root of the number of visible faces is enough for most meshes. A face that finds no
-    /// entry is set up again in the next band.
+    /// that continue: with as many entries as faces cross the border of two bands, none is set up twice. In bands of 8 rows the torus needs 56,
+    /// the height field F1 of 64 × 64 vertices 166 with each face in one colour; three times the square root of the number of visible faces is
+    /// enough for most meshes. A face that finds no entry is set up again in the next band.
     ///
     /// Carried are faces of one colour, such as a color or [`Flat`](crate::shading::Flat), that are at most 32 rows high and not
     /// clipped, drawn into the `pixels()` of bands that follow each other from top to bottom. All others are set up in each band. On a Cortex-M0 no face is

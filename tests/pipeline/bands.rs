@@ -12,7 +12,7 @@ use pinhole::{
     prelude::*,
     target::BufferError,
 };
-use support::bridge::draw::{cube_camera, CUBE, CUBE_EDGES, CUBE_FACES};
+use support::bridge::draw::{cube_camera, flat_camera, CUBE, CUBE_EDGES, CUBE_FACES};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::rectangle;
 use support::bridge::ways::{bands, memory, memory_with, screen};
@@ -499,5 +499,28 @@ fn active_faces_show_one_piece_in_bands_of_any_order() {
         for length in [0, 1, 7, 100] {
             in_any_order(&instance, rows, length, &order);
         }
+    }
+}
+
+/// Faces of 20 to 29 rows, which are carried over many bands: their middle corners lie anywhere, or in the first rows.
+#[test]
+fn tall_carried_faces_show_one_piece() {
+    const SIDE: u32 = 64;
+    let (mut rng, camera) = (Rng::new(20), flat_camera((SIDE, SIDE), 1, 8).library());
+    for (rows, round) in (1..=8).flat_map(|rows| (0..8).map(move |round| (rows, round))) {
+        let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+        for face in 0..8 {
+            // In 1/256 pixel, counted from the lower border.
+            let (height, left) = (rng.int(20 << 8, 29 << 8), rng.int(0, 32 << 8));
+            let top = rng.int(height, 63 << 8);
+            let middle = rng.int(0, [height, 512][face % 2]);
+            let mut corner = |down| [left + rng.int(0, 31 << 8), top - down, rng.int(-1024, 1024)];
+            vertices.extend([0, middle, height].map(|down| corner(down).map(|c| c as i16)));
+            faces.push([0, 1, 2].map(|corner| 3 * face as u16 + corner));
+        }
+        let mesh = Mesh::new(&vertices, -8, &faces).expect("a mesh");
+        let order: Vec<_> = (0..SIDE.div_ceil(rows)).map(|number| (number, 0, SIDE)).collect();
+        let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
+        in_any_order(&instance, rows, [3, 8][round % 2], &order);
     }
 }

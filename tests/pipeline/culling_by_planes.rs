@@ -12,6 +12,7 @@ use pinhole::{
     prelude::*,
 };
 use pinhole_import::{import_bytes, ImportedMesh, Options};
+use support::bridge::draw::flat_camera;
 use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::ways::{
     bands, by_clusters, by_every_call, by_planes, lines_by_every_call, screen, Drawn, Lines,
@@ -205,6 +206,39 @@ fn culling_by_clusters_draws_the_picture_of_culling_by_planes() {
     }
     assert!(clipped > 1000, "{clipped}");
     assert!(20 * faces[1] < 19 * faces[0] && 20 * vertices[1] < 19 * vertices[0], "{faces:?} {vertices:?}");
+}
+
+/// A face beside the viewport whose corner reaches past the centre of one pixel at the border, by 1/256 to 31/256 pixel, in a cluster of the
+/// smallest ball.
+#[test]
+fn clusters_keep_a_face_that_reaches_the_first_pixel_centre() {
+    const SIDE: i16 = 16;
+    let area = Rectangle::new(Point::zero(), Size::new_equal(SIDE as u32));
+    let camera = flat_camera((SIDE as u32, SIDE as u32), 1, 8).library();
+    for (reach, border) in [1, 8, 31].into_iter().flat_map(|reach| (0..4).map(move |border| (reach, border)))
+    {
+        // In 1/256 pixel: a right angle that points to the right, turned to the border.
+        let (tip, middle, radius) = (128 + reach, (SIDE << 7) + 128, 1024);
+        let turned = |[x, y]: [i16; 2]| match border {
+            0 => [x, y, 0],
+            1 => [(SIDE << 8) - x, y, 0],
+            2 => [y, x, 0],
+            _ => [y, (SIDE << 8) - x, 0],
+        };
+        let vertices =
+            [[tip, middle], [tip - radius, middle + radius], [tip - radius, middle - radius]].map(turned);
+        let [x, y, z] = turned([tip - radius, middle]);
+        let normals = [[0, 0, i16::MAX]];
+        let mesh =
+            Mesh::new(&vertices, -8, &[[0, 1, 2]]).and_then(|mesh| mesh.with_normals(&normals)).unwrap();
+        let planes = [0, x, y, z, radius, 0, 0, i16::MAX, 0];
+        let mesh = mesh.with_clustered_planes(&planes).unwrap();
+        let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
+        let (wanted, _) = by_planes(&instance, area, Rgb565::BLACK, &color);
+        assert_eq!(wanted.solid.iter().filter(|pixel| **pixel != Rgb565::BLACK).count(), 1);
+        let (found, _) = by_clusters(&instance, area, Rgb565::BLACK, &color);
+        assert!(found == wanted, "border {border}, {reach}/256 pixel past the centre");
+    }
 }
 
 /// A mesh by the importer.
