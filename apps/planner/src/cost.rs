@@ -34,8 +34,8 @@ pub(crate) struct Way {
 }
 
 /// The largest difference between the stated flash and that of linked firmware, in percent: `apps/planner/sizes` compares them,
-/// and finds at most 8.3.
-const FLASH_ERROR: u32 = 10;
+/// and finds at most 8.3, and `apps/planner/zips` in firmware 10.1.
+const FLASH_ERROR: u32 = 12;
 
 /// The least error of instructions that the page states, in percent, even if the cases of docs/growth.md have less:
 /// `apps/planner/sizes --times` finds up to 8.6.
