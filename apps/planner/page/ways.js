@@ -144,7 +144,7 @@ const PAINTER = [
   [/, &mut (ours|theirs)(?=, (upper|lower))/g, ''],
 ];
 
-// The one band of the picture: the boards with one strip can.
+// The one band of the picture: a board with one strip can.
 const WHOLE = [
   [/, in bands/, ''],
   [/, band by band/, ''],
