@@ -10,10 +10,10 @@ function advised(costs, way, faces) {
   const [cache, bins, pixels, depths, ...others] = way.parts;
   const height = way.rows || 1; // a whole picture is as one row
   const aRow = (pixels + depths) / height;
-  const room = costs.ram - way.beside - 1 - others.reduce((sum, bytes) => sum + bytes, 0);
+  const room = way.room - way.beside - 1 - others.reduce((sum, bytes) => sum + bytes, 0);
   const lower = (most) => HEIGHTS.find((rows) => rows < way.rows && aRow * rows <= most);
   // What a mesh takes grows by its faces, in RAM and in flash.
-  const inFlash = (costs.rom - (way.flash - costs.mesh)) / costs.mesh;
+  const inFlash = (way.rom - (way.flash - costs.mesh)) / costs.mesh;
   // A decimated surface has more edges a face, since fewer of its faces are flat together.
   const [, sure] = [['hidden lines', 0.6], ['lines', 0.9], ['', 0.95]].find(([start]) => way.name.startsWith(start));
   // The heads of bins, at most 32 of two bytes for faces or edges, become fewer by steps.

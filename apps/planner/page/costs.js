@@ -64,7 +64,7 @@ const rate = (frames) => (frames < 9.95 ? frames.toFixed(1) : frames.toFixed(0))
 function verdict(costs) {
   const way = chosenOf(costs);
   const [ram, flash] = [way.ram + way.beside, way.flash];
-  const lacks = [[way.fits, ram, 'RAM', costs.ram], [way.fitsFlash, flash, 'flash', costs.rom]].filter(([fits]) => !fits);
+  const lacks = [[way.fits, ram, 'RAM', way.room], [way.fitsFlash, flash, 'flash', way.rom]].filter(([fits]) => !fits);
   const missing = lacks.map(([, uses, of, has]) => `${kilobytes(uses)} of ${of} (it has ${kilobytes(has, 0)})`).join(', ');
   const text = missing ? `Does not fit the ${costs.chip}: ${missing}.` : `Fits the ${costs.chip}.`;
   const [slow, fast] = frameRates(costs, way);
@@ -73,7 +73,7 @@ function verdict(costs) {
   const of = (name, uses, has, fits) => meter(name, `${kilobytes(uses)} of ${kilobytes(has, 0)}`, fits, uses / has);
   return [
     element('p', { className: missing ? 'verdict bad' : 'verdict' }, text),
-    element('div', { className: 'meters' }, of('RAM', ram, costs.ram, way.fits), of('Flash', flash, costs.rom, way.fitsFlash),
+    element('div', { className: 'meters' }, of('RAM', ram, way.room, way.fits), of('Flash', flash, way.rom, way.fitsFlash),
       meter('Speed', `${rate(speed)} frames/s (${limit === 'the panel' ? 'at most' : `${rate(slow)} to ${rate(fast)}`}), limited by ${limit}`, true, speed / FASTEST, Math.max(speed, fast) / FASTEST)),
   ];
 }
@@ -160,20 +160,20 @@ function drawing({ drawing, range, error }) {
 }
 
 // The clocks and the bus of the board that is shown.
-function ofBoard({ core, clock }) {
+function ofBoard({ core }, { clock }) {
   const { bus, cores, hasDma, sendsChanges, ...of } = factsOfBoard(templates, state.board);
   const sends = `${hasDma ? 'one band is drawn while another is sent' : 'each band is drawn, then sent'}${sendsChanges ? `, and only what changes, here ${Math.round(100 * changing)} % of the picture` : ''}`;
   return `as ${state.board} has it, ${cores > 1 ? 'two cores, ' : ''}${core} at ${of.clock || clock} MHz, ${bus ? `its bus at ${bus < 1 ? '0.4' : bus} MHz; ` : ''}${sends}.`;
 }
 
 function notes(costs) {
-  const { stack } = chosenOf(costs);
+  const way = chosenOf(costs);
   const rest = boardShown() ? "What else the template's firmware has, such as its driver and its log, is included." : 'The driver and the log of a firmware come on top.';
   const inexact = costs.exact || ofLines() ? '' : ' Faces in fewer bits a pixel take 1.3 to 1.6 times the instructions of 16-bit colour: compared with some linked firmware only.';
   const lines = [
-    `${costs.chip}: ${boardShown() ? ofBoard(costs) : `${costs.core} at ${costs.clock} MHz, SPI at ${costs.spi} MHz; each band is drawn, then sent.`}`,
+    `${costs.chip}: ${boardShown() ? ofBoard(costs, way) : `${costs.core} at ${way.clock} MHz, SPI at ${costs.spi} MHz; each band is drawn, then sent.`}`,
     `Bands: the frame is drawn in strips of some rows, each of which is sent before the next is drawn, so no picture of the whole display is in memory. With depth: the nearest face shows, at each pixel. Painter's order: faces are drawn from the farthest to the nearest, without a depth for each pixel. Bins: which faces each band has.`,
-    `RAM: the variables of the way to draw, to the byte. The stack takes ${kilobytes(stack)} more${costs.inRam ? ', and the code, which is copied to RAM, as much as it takes in flash' : ''}. ${rest}`,
+    `RAM: the variables of the way to draw, to the byte. The stack takes ${kilobytes(way.stack)} more${costs.inRam ? ', and the code, which is copied to RAM, as much as it takes in flash' : ''}. ${rest}`,
     `Flash: the mesh and the code that draws, at opt-level 3, ± ${costs.flashError} %. ${rest}`,
     `Frames/s: each band is drawn, then sent; by DMA: one is drawn while another is sent, so there are two of them in RAM, if there is room. In the range of the meter, by DMA, sending is hidden by drawing wholly or not at all.`,
     ...(smooths() ? ['Smooth edges: silhouettes and, where each face has one light, creases. The last row of each band waits for the next band, and 16 edges are kept between bands. The mesh lists its edges, and the faces beside them, in flash.'] : []),

@@ -198,8 +198,8 @@ function namedColors(color) {
 
 // The edits that make the files of a choice of those of a board, by its costs: those of all files, of sources, and of a texture. `hasHiddenLines`: the
 // board draws hidden lines as it is.
-function editsOf(choice, { ways, ram, rom }, hasHiddenLines) {
-  const { name, order, rows } = ways.find(({ chosen }) => chosen);
+function editsOf(choice, { ways }, hasHiddenLines) {
+  const { name, order, rows, room, rom } = ways.find(({ chosen }) => chosen);
   const of = (key) => choice.get(key);
   const [style, color] = [of('style'), COLORS[of('format')]];
   const isOfLines = ['wireframe', 'hidden-line'].includes(style);
@@ -216,7 +216,7 @@ function editsOf(choice, { ways, ram, rom }, hasHiddenLines) {
     // The memory of any chip.
     [/: these are the sizes that this firmware at least needs,/, ','],
     [/(FLASH .*LENGTH = )64K/, `$1${rom / 1024}K`],
-    [/(RAM .*LENGTH = )20K/, `$1${ram / 1024}K`],
+    [/(RAM .*LENGTH = )20K/, `$1${room / 1024}K`],
     // The README.
     [/^.*pinhole\/boards\/new .*\n/gm, ''],
     [/^(# .*\n)/, `$1\nSaved by pinhole's planner. Way to draw: ${name.replace(', smooth edges', '')}. The folder is complete: your model is in it, and what is said below of making a copy and of putting your model into it is done.${decimates ? ` ${DECIMATES}` : ''} The figures below are those of the template as it is, with a gear.\n`],

@@ -108,10 +108,7 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage)
     let ways = ways.iter().enumerate().map(|(at, way)| way.on(chip, spi(chip), bytes, chosen == Some(at)));
     let is_in_few_bits = choice.format != Format::Rgb565 && !choice.style.is_of_lines();
     let numbers = [
-        ("clock", chip.clock),
         ("spi", spi(chip)),
-        ("ram", chip.ram * 1024.0),
-        ("rom", chip.flash * 1024.0),
         ("inRam", u8::from(chip.is_in_ram()).into()),
         ("estimate", u8::from(chip.is_estimate).into()),
         ("mesh", data as f64),
