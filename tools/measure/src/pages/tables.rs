@@ -21,9 +21,10 @@ impl Tables {
         let mut data = BTreeMap::<String, _>::new();
         for entry in folder.flatten() {
             let name = entry.file_name().to_string_lossy().into_owned();
+            let Some(table) = name.strip_suffix(".json") else { continue }; // logs of boards are no tables
             let text = super::read(&format!("docs/data/{name}"))?;
             let file: Data = serde_json::from_str(&text).map_err(|e| format!("docs/data/{name}: {e}"))?;
-            data.insert(name.trim_end_matches(".json").into(), file.rows);
+            data.insert(table.into(), file.rows);
         }
         let mut macros = Environment::new();
         let syntax = SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build();
