@@ -58,13 +58,13 @@ impl SmoothEdge {
     pub const EMPTY: Self = Self { number: 0, seen: Seen::NONE, crossed: CrossedEdge::EMPTY }; // all bits 0: a static takes no flash
 }
 
-/// What 16 edges are, in a bit for each edge of these:
+/// Three bits for each of 16 edges.
 type Kinds = [u16; 3];
-/// a silhouette;
+/// Word of [`Kinds`]: silhouettes.
 const SILHOUETTE: usize = 0;
-/// a crease, or a silhouette whose second face is drawn, not the first one;
+/// Word of [`Kinds`]: creases, and silhouettes whose second face is drawn.
 const SECOND: usize = 1;
-/// an edge wider than tall.
+/// Word of [`Kinds`]: edges wider than tall.
 const WIDE: usize = 2;
 
 impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {

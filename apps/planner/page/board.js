@@ -29,23 +29,23 @@ function choiceOfTemplate(templates, board) {
   return `mesh=gear&chip=${chip}&format=${format}&width=${width}&height=${height}&rows=${rows}${look}`;
 }
 
-// The bytes of RAM and flash that a board's firmware has beside the buffers and the code of a way to draw: driver, log, HAL.
-async function restOf(library, templates, board) {
+// The facts of a board, with the bytes of RAM and flash that its firmware has beside the buffers and the code of a way to draw: driver, log, HAL.
+async function firmwareOf(library, templates, board) {
   const { ways } = JSON.parse(await library.ask('costs', choiceOfTemplate(templates, board)));
   const way = ways.find(({ chosen }) => chosen);
-  const { ram, flash } = factsOfBoard(templates, board);
-  return { ram: ram - buffersOf(board, way), flash: flash - way.flash };
+  const facts = factsOfBoard(templates, board);
+  return { ...facts, rest: { ram: facts.ram - buffersOf(board, way), flash: facts.flash - way.flash } };
 }
 
 // Two cores take this part of the time of one (docs/data/cores.json: 0.56 to 0.6).
 const OF_TWO_CORES = 0.58;
-// The part of the shorter of drawing and sending that the longer one does not hide, as bands differ: 0.15 to 0.54 on the emulated boards.
+// The part of the shorter of drawing and sending that the longer one does not hide, as bands differ: tests/boards.mjs prints that of each emulated board.
 const NOT_HIDDEN = 0.4;
 
 // A way to draw as a board's firmware draws it, on a panel that takes `spi` MHz (0: as many as the board has), if a `part` of the picture
 // changes from frame to frame.
-function onBoard(way, board, facts, rest, spi, part) {
-  const { strips, depths, width } = partsOf(board);
+function onBoard(way, board, facts, spi, part) {
+  const [{ strips, depths, width }, { rest }] = [partsOf(board), facts];
   const [cache, bins, pixels, depth, smooth] = way.parts;
   const parts = [cache, bins, width * strips * pixels, width * depths * depth, smooth, rest.ram];
   const [ram, flash] = [parts.reduce((sum, bytes) => sum + bytes, 0), way.flash + rest.flash];
@@ -84,4 +84,4 @@ function changedPart(pixels, width, height, step) {
   return right < 0 ? 0 : Math.min(((right - left + 1) * rows * step) / (width * height), 1);
 }
 
-Object.assign(globalThis, { factsOfBoard, choiceOfTemplate, restOf, onBoard, frameRates, changedPart });
+Object.assign(globalThis, { factsOfBoard, choiceOfTemplate, firmwareOf, NOT_HIDDEN, onBoard, frameRates, changedPart });

@@ -2,7 +2,7 @@
 'use strict';
 
 let costTimer;
-const rests = new Map(); // what the firmware of each board has beside a way to draw, promised
+const firmwares = new Map(); // the facts of each board's firmware, promised
 let costsShown;
 
 // Waits until changes pause: counting the work of a frame takes as long as drawing it.
@@ -47,11 +47,11 @@ function boardShown(chip = state.chip, panel = panelChosen(), board = state.boar
   return (!own || family(own) === family(chip)) && (!controller || controller === controllerOf(panel)) ? board : undefined;
 }
 
-// The costs, with each way to draw as the board's firmware draws it; on other chips that of the nearest board.
-async function asBuilt(costs, panel = panelChosen()) {
+// The costs, with each way to draw as the board's firmware draws it, on a panel that takes so many MHz; on other chips that of the nearest board.
+async function asBuilt(costs, panel = panelChosen(), spi = state.spi) {
   const built = async (way, chip, board) => {
     const shown = boardShown(chip, panel, board);
-    return shown ? onBoard(way, shown, factsOfBoard(templates, shown), await rests.get(shown), clockOf(panel) || state.spi, changing) : way;
+    return shown ? onBoard(way, shown, await firmwares.get(shown), spi, changing) : way;
   };
   const ways = await Promise.all(costs.ways.map((way) => built(way, state.chip, state.board)));
   const chips = await Promise.all(costs.chips.map((way, at) => built(way, menu.chips[at].key, nearestBoard(menu.chips[at].key, panel))));

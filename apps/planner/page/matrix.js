@@ -34,7 +34,8 @@ function showMatrix() {
     for (const panel of allPanels()) {
       let chips = []; // stays so if the model cannot be drawn there
       try {
-        chips = (await asBuilt(JSON.parse(await library.ask('costs', choice({ ...base, ...withPanel(panel) }))), panel)).chips;
+        const of = { ...base, ...withPanel(panel) };
+        chips = (await asBuilt(JSON.parse(await library.ask('costs', choice(of))), panel, of.spi)).chips;
       } catch {}
       if (matrixOf !== asked) return;
       columns.push(chips);

@@ -31,7 +31,7 @@ async function start() {
   listenToKeys();
   $('compare').open = innerWidth > 832;
   followAddress();
-  for (const board of boardsIn(templates)) rests.set(board, restOf(library, templates, board));
+  for (const board of boardsIn(templates)) firmwares.set(board, firmwareOf(library, templates, board));
   setInterval(watchCalls, 200);
   addEventListener('resize', scale);
   addEventListener('hashchange', followAddress);

@@ -142,6 +142,13 @@ export const controls = ({ browser, pixels, settled, isGood, faces, load }) => {
       const column = await tab.locator('#matrix tbody tr td:nth-child(2)').allTextContents();
       const speeds = column.slice(0, chips).map((text) => parseFloat(text.replace('≈', '')));
       assert.deepEqual(speeds, [...speeds].sort((a, b) => b - a));
+      // A slower bus than the display's is the user's to choose.
+      await tab.locator('#matrix button[aria-label^="STM32F411xE"][aria-label*="ILI9341, 320"]').click();
+      await settled(tab);
+      const fast = await tab.textContent('#verdict');
+      await tab.locator('#spi').fill('10');
+      await tab.locator('#spi').press('Tab');
+      await tab.waitForFunction((fast) => /limited by sending/.test(document.querySelector('#verdict').textContent) && document.querySelector('#verdict').textContent !== fast, fast);
     },
 
     async 'the turntable shows as many frames a second as it says'(tab) {
