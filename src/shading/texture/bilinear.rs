@@ -124,11 +124,6 @@ impl<C: Color, S: Texels<Color = C, Ink = C>> Texels for BilinearTexels<S> {
     fn covered_by(&self, covered: i32) -> Self {
         Self { texels: self.texels.covered_by(covered) }
     }
-
-    #[inline(always)]
-    fn covered(&self) -> i32 {
-        self.texels.covered()
-    }
 }
 
 defmt_format!([S] BilinearTexels<S>, self, "texels mixed of four");

@@ -82,11 +82,6 @@ impl<S: Texels> Texels for ClampedTexels<S> {
     }
 
     #[inline(always)]
-    fn covered(&self) -> i32 {
-        self.texels.covered()
-    }
-
-    #[inline(always)]
     fn texel(&self, u: u32, v: u32) -> S::Ink {
         let [u, v] = self.inside(u, v);
         self.texels.texel(u, v)

@@ -59,7 +59,7 @@ impl Gradients {
 
     /// The binary logarithm of the number of texels that a pixel covers along each axis, rounded down, in 2⁻¹⁶; 0 where it differs over
     /// the triangle.
-    #[inline(always)]
+    #[inline(never)] // code size
     pub(super) fn covered(&self, [w, h]: [u32; 2]) -> i32 {
         // Has the highest bit of both magnitudes, or of one unit less. Steps are less than half a side.
         let magnitudes = |a: u32, b: u32| {

@@ -23,7 +23,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// 64 samples a pixel) in place of 29.2 without levels.
 ///
 /// **Price.** The copies take as much flash as the picture, and code 0.9 KB on an M3. There, a run of pixels takes 100 instructions
-/// more, a small face 180: 13 % of a torus of 1000 triangles, 14 to 33 % of floors and 24 % of a room (`tools/bench/run cells X1 X2 X3 X4 R1 plain mip M3`).
+/// more, a small face 75: 5 % of a torus of 1000 triangles, 14 to 33 % of floors and 23 % of a room (`tools/bench/run cells X1 X2 X3 X4 R1 plain mip M3`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MipTexels<S> {
     texels: S,
@@ -190,11 +190,6 @@ impl<S: Texels> Texels for MipTexels<S> {
     #[inline(always)]
     fn covered_by(&self, covered: i32) -> Self {
         Self { covered, ..*self }
-    }
-
-    #[inline(always)]
-    fn covered(&self) -> i32 {
-        self.covered
     }
 }
 

@@ -93,12 +93,6 @@ pub trait Texels: Copy {
         *self
     }
 
-    /// The number that [`covered_by`](Self::covered_by) was last called with; 0 without copies.
-    #[inline(always)]
-    fn covered(&self) -> i32 {
-        0
-    }
-
     /// [`finder`](Self::finder) of texels at `u` and at `v/2 & mask | offset`, of `[mask, offset]`: a copy's rows in a picture of
     /// twice the height. Override it where such rows are found faster.
     #[inline(always)]

@@ -82,7 +82,7 @@ impl<S: Texels> TextureGradients<S> {
         let of_row = match &self.gradients {
             _ if !S::HAS_COPIES => 0,
             Gradients::Rows(rows) => rows.covered_in_row(span.y, self.texels.size_bits()),
-            _ => self.texels.covered(),
+            gradients => gradients.covered(self.texels.size_bits()),
         };
         core::iter::from_fn(move || {
             let (width, line) = match S::WIDE {
@@ -96,6 +96,15 @@ impl<S: Texels> TextureGradients<S> {
             }
             Some((width, line, of_row))
         })
+    }
+
+    /// Texels for a triangle whose coordinates are linear.
+    #[inline(always)]
+    fn of_triangle(&self) -> S {
+        match S::HAS_COPIES {
+            true => self.texels.covered_by(self.gradients.covered(self.texels.size_bits())),
+            false => self.texels,
+        }
     }
 
     /// The runs of a span: their widths, the texture coordinates of their pixels in 2⁻³² of the sides, and their texels.
@@ -139,11 +148,7 @@ impl<S: Texels> SpanShader<S::Color> for Textured<S> {
     fn set_up(&self, triangle: &Triangle<'_>) -> TextureGradients<S> {
         let Self { texels, coords } = self;
         let gradients = Gradients::new(coords, texels.size_bits(), S::WIDE, triangle);
-        let texels = match S::HAS_COPIES {
-            true => texels.covered_by(gradients.covered(texels.size_bits())),
-            false => *texels,
-        };
-        TextureGradients { texels, gradients }
+        TextureGradients { texels: *texels, gradients }
     }
 
     fn span(setup: &TextureGradients<S>, span: Span) -> impl Iterator<Item = S::Ink> {
@@ -164,7 +169,7 @@ impl<S: Texels> SpanShader<S::Color> for Textured<S> {
 
     #[inline(always)]
     fn look_up(setup: &TextureGradients<S>) -> Option<impl Fn([u32; 2]) -> S::Ink + Copy> {
-        let texel = setup.texels.finder();
+        let texel = setup.of_triangle().finder();
         // Texels of 32-bit coordinates leave no number for the copy of a run.
         (!(S::IS_FILTERED || S::HAS_COPIES && S::WIDE))
             .then_some(move |numbers| texel(coordinates::<S>(numbers)))
