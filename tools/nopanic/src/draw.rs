@@ -13,7 +13,7 @@ use pinhole::space::{Model, World};
 use pinhole::{
     bands::{DirtyRegions, SmoothFrame, Tracked, TransferCost},
     color::Reads,
-    draw::{draw_line, fill_triangle, ActiveFace, SmoothEdge},
+    draw::{draw_line, fill_triangle, ActiveFace, ShaderFor, SmoothEdge},
     mesh::Coordinate,
     prelude::*,
     shading::{AntiAliased, SpanShader, Stroke},
@@ -82,6 +82,21 @@ fn shade<D: DrawTarget<Color: Color>>(scene: &mut Scene<'_, D::Color>, levels: &
     }
 }
 
+/// Faces in a whole frame, culled by area and by planes, without depth and with it.
+fn fill<T: Surface, S: ShaderFor<T>, V: Coordinate>(
+    instance: &MeshInstance<'_, V>,
+    mut shade: impl FnMut(usize) -> S,
+    (corners, depth): (&mut [ScreenVertex], &mut [u16]),
+    target: &mut T,
+) {
+    report(instance.faces(&mut shade).cached(corners).draw(target));
+    report(instance.faces(&mut shade).culled_by_planes().cached(corners).draw(target));
+    let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
+    let target = &mut target.depth_tested(&mut depth);
+    report(instance.faces(&mut shade).cached(corners).draw(target));
+    report(instance.faces(&mut shade).culled_by_planes().cached(corners).draw(target));
+}
+
 fn fill_all<D: DrawTarget<Color: Color>, I: SpanShader<D::Color, Ink = D::Color>>(
     scene: &mut Scene<'_, D::Color>,
     instance: &MeshInstance<'_>,
@@ -91,18 +106,7 @@ fn fill_all<D: DrawTarget<Color: Color>, I: SpanShader<D::Color, Ink = D::Color>
     let Scene { colours, corners, depth, bin_storage, strip, .. } = scene;
     let Some(&(background, _)) = colours.first() else { return };
     let area = area();
-    report(instance.faces(&shade).cached(corners).draw(target));
-    report(instance.faces(&shade).culled_by_planes().cached(corners).draw(target));
-    if let Ok(mut depth) = DepthBuffer::new(area, depth) {
-        report(instance.faces(&shade).cached(corners).draw(&mut target.depth_tested(&mut depth)));
-        report(
-            instance
-                .faces(&shade)
-                .culled_by_planes()
-                .cached(corners)
-                .draw(&mut target.depth_tested(&mut depth)),
-        );
-    }
+    fill(instance, &shade, (corners, depth), target);
     let mut painter = Painter::<I, 20, 20>::new();
     report(instance.faces(&shade).sorted(&mut painter));
     let mut frame = Frame::new(area, background);
@@ -188,20 +192,11 @@ fn draw_instance<D: DrawTarget<Color: Color>, V: Coordinate>(
     report(instance.project(any() as usize));
     report(instance.project_unsnapped(any() as usize));
     report(instance.edges(|_| wire).cached(corners).draw(target));
-    report(instance.faces(&mut shade).cached(corners).draw(target));
-    report(instance.faces(&mut shade).culled_by_planes().cached(corners).draw(target));
+    fill(instance, &mut shade, (corners, depth), target);
     report(instance.faces(&mut shade).sorted(painter));
     report(instance.points(wire, target));
     report(instance.polyline(wire, target));
     let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
-    report(instance.faces(&mut shade).cached(corners).draw(&mut target.depth_tested(&mut depth)));
-    report(
-        instance
-            .faces(&mut shade)
-            .culled_by_planes()
-            .cached(corners)
-            .draw(&mut target.depth_tested(&mut depth)),
-    );
     report(depth.at(pixel()));
     depth.clear();
 }
@@ -218,10 +213,9 @@ fn draw_pixels<T: Surface<Color = Rgb565>>(
     let table = ShadeTable::new(wide_color());
     let shaded = |_| table.lit(levels());
     report(instance.edges(|_| color()).cached(corners).draw(target));
-    report(instance.faces(shade).cached(corners).draw(target));
-    report(instance.faces(smooth).cached(corners).draw(target));
-    report(instance.faces(shaded).cached(corners).draw(target));
-    report(instance.faces(shade).culled_by_planes().cached(corners).draw(target));
+    fill(instance, shade, (corners, depth), target);
+    fill(instance, smooth, (corners, depth), target);
+    fill(instance, shaded, (corners, depth), target);
     if let Some(corner) = ScreenPoint::from_subpixels(any(), any()) {
         report(fill_triangle([corner, ScreenPoint::default(), corner], shade(any() as usize), target));
     }
@@ -230,12 +224,6 @@ fn draw_pixels<T: Surface<Color = Rgb565>>(
     let pixels = ends.map(|raster::Pixel { x, y }| Pixel(Point::new(x.into(), y.into()), shade(1)));
     report(target.draw_pixels(pixels.into_iter()));
     let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
-    report(instance.faces(shade).cached(corners).draw(&mut target.depth_tested(&mut depth)));
-    report(instance.faces(smooth).cached(corners).draw(&mut target.depth_tested(&mut depth)));
-    report(instance.faces(shaded).cached(corners).draw(&mut target.depth_tested(&mut depth)));
-    report(
-        instance.faces(smooth).culled_by_planes().cached(corners).draw(&mut target.depth_tested(&mut depth)),
-    );
     report(instance.edges(|_| color()).cached(corners).hidden_line(&mut target.depth_tested(&mut depth)));
 }
 
