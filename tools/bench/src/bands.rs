@@ -86,29 +86,44 @@ pub struct EdgeStorage<'s> {
     pub list: &'s mut [SmoothEdge],
 }
 
-/// Draws the faces of a lit scene in bands, and smooths their silhouettes and perhaps their creases.
+/// Draws faces in bands, smooths their silhouettes and the edges that are creases, and hands each band to `send`.
 pub fn smooth(
-    scene: &Scene,
-    light: &Lambert,
+    instance: &MeshInstance<'_>,
+    shade: impl Fn(usize) -> Rgb565,
+    is_crease: impl FnMut(usize) -> bool,
+    size: Size,
     Storage { corners, bin_storage, strip, depth }: Storage<'_>,
     EdgeStorage { kept, bins, list }: EdgeStorage<'_>,
+    mut send: impl FnMut(&Band<'_, Rgb565>),
+) -> Option<()> {
+    let transformed = instance.transform_depth(corners);
+    let mut faces = transformed.bin_faces(bin_storage).ok()?;
+    let mut edges = transformed.bin_smooth_edges(is_crease, bins).ok()?;
+    edges.keep_in(list);
+    let area = Rectangle::new(Point::zero(), size);
+    let mut frame = SmoothFrame::new(area, BACKGROUND, kept, depth).ok()?;
+    while let Some(mut band) = frame.next_band(strip).ok()? {
+        let (mut pixels, mut depth) = band.new_rows();
+        let Ok(()) = faces.draw(&shade, &mut pixels.depth_tested(&mut depth));
+        send(&band.smooth(|pass| edges.draw(pass)));
+    }
+    black_box(faces.statistics());
+    Some(())
+}
+
+/// [`smooth`] for a lit scene, perhaps with the creases at which colours differ.
+pub fn lit_smooth(
+    scene: &Scene,
+    light: &Lambert,
+    to: Storage<'_>,
+    edges: EdgeStorage<'_>,
     has_creases: bool,
     display: &mut Display,
 ) -> Option<()> {
     let (instance, shade) = (scene.place(), scene.shade(light));
-    let transformed = instance.transform_depth(corners);
-    let mut faces = transformed.bin_faces(bin_storage).ok()?;
     let is_crease = |edge| has_creases && contrasts(edge, instance.mesh(), &shade);
-    let mut edges = transformed.bin_smooth_edges(is_crease, bins).ok()?;
-    edges.keep_in(list);
-    let mut frame = SmoothFrame::new(area(), BACKGROUND, kept, depth).ok()?;
-    while let Some(mut band) = frame.next_band(strip).ok()? {
-        let (mut pixels, mut depth) = band.new_rows();
-        let Ok(()) = faces.draw(&shade, &mut pixels.depth_tested(&mut depth));
-        display.take_bytes(band.smooth(|pass| edges.draw(pass)).bytes());
-    }
-    black_box(faces.statistics());
-    Some(())
+    let send = |band: &Band<'_, Rgb565>| display.take_bytes(band.bytes());
+    smooth(&instance, &shade, is_crease, area().size, to, edges, send)
 }
 
 /// Whether the faces beside an edge differ by two levels of a channel of five bits.

@@ -185,7 +185,7 @@ fn draw(
         let storage = Storage { corners: cache, bin_storage: bins, strip: colors, depth: depths };
         let scene = black_box(&scene);
         match (variant, &light) {
-            ("bands8-z-edges", Some(light)) => bands::smooth(
+            ("bands8-z-edges", Some(light)) => bands::lit_smooth(
                 scene,
                 light,
                 storage,

@@ -73,7 +73,14 @@ impl<const LIST: usize> SmoothStrip<LIST> {
         let light = scene.light()?;
         count_bands(&mut |to| {
             let (scene, light) = black_box((&scene, &light));
-            bands::smooth(scene, light, strip.storage(), EdgeStorage { kept, bins, list }, has_creases, to)
+            bands::lit_smooth(
+                scene,
+                light,
+                strip.storage(),
+                EdgeStorage { kept, bins, list },
+                has_creases,
+                to,
+            )
         })
     }
 }

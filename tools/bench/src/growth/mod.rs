@@ -18,7 +18,6 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    bands::SmoothFrame,
     draw::{Cull, SmoothEdge},
     prelude::*,
     Angle,
@@ -269,15 +268,8 @@ fn in_bands(
         }
         Kind::TexturedBands => bands::depth(instance, textured(mesh, light)?, size, storage, send),
         Kind::Silhouettes | Kind::Creases => {
-            let has_creases = kind == Kind::Creases;
-            smooth_edges(
-                instance,
-                flat,
-                has_creases,
-                size,
-                storage,
-                EdgeStorage { kept, bins: edge_bins, list },
-            )
+            let (is_crease, edges) = (|_| kind == Kind::Creases, EdgeStorage { kept, bins: edge_bins, list });
+            bands::smooth(instance, flat, is_crease, size, storage, edges, send)
         }
         Kind::PlainBands => bands::solid(instance, flat, size, storage, send),
         Kind::PaintedBands => match is_small {
@@ -286,28 +278,6 @@ fn in_bands(
         },
         _ => bands::depth(instance, flat, size, storage, send),
     }
-}
-
-fn smooth_edges(
-    instance: &MeshInstance<'_>,
-    shade: impl Fn(usize) -> Rgb565,
-    has_creases: bool,
-    size: Size,
-    Storage { corners, bin_storage, strip, depth }: Storage<'_>,
-    EdgeStorage { kept, bins, list }: EdgeStorage<'_>,
-) -> Option<()> {
-    let transformed = instance.transform_depth(corners);
-    let mut faces = transformed.bin_faces(bin_storage).ok()?;
-    let mut edges = transformed.bin_smooth_edges(|_| has_creases, bins).ok()?;
-    edges.keep_in(list);
-    let mut frame = SmoothFrame::new(Rectangle::new(Point::zero(), size), BACKGROUND, kept, depth).ok()?;
-    while let Some(mut band) = frame.next_band(strip).ok()? {
-        let (mut pixels, mut depth) = band.new_rows();
-        let Ok(()) = faces.draw(&shade, &mut pixels.depth_tested(&mut depth));
-        black_box(band.smooth(|pass| edges.draw(pass)).bytes());
-    }
-    black_box(faces.statistics());
-    Some(())
 }
 
 fn painted_bands<const V: usize, const F: usize>(
