@@ -52,7 +52,7 @@ function onBoard(way, board, facts, spi, part) {
   const scale = (way.clock / (facts.clock || way.clock)) * (facts.cores > 1 ? OF_TWO_CORES : 1);
   const [drawing, range] = [way.drawing * scale, way.range.map((time) => time * scale)];
   const whole = facts.bus ? (way.bytes * 8) / (1000 * Math.min(facts.bus, spi || Infinity)) : way.bus;
-  const bus = whole * (facts.sendsChanges ? part : 1);
+  const bus = whole * (facts.sendsChanges && way.order !== 'painter' ? part : 1); // a painter has no bounds
   const [short, long] = [drawing, bus].sort((a, b) => a - b);
   const [blocking, dma] = [1000 / (drawing + bus), 1000 / (long + NOT_HIDDEN * short)];
   const fits = Number(ram + way.beside < way.room);

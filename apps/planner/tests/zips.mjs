@@ -84,7 +84,8 @@ const VERBS = {
     const times = [0, 0];
     for (let turn = 0; turn < Number(frames); turn++) {
       const costs = JSON.parse(library.ask('costs', `${choice}&turn=${turn}`));
-      const way = onBoard(costs.ways.find(({ chosen }) => chosen), board, facts, 0, 1);
+      const { pixels, about } = library.draw(`${choice}&turn=${turn}`);
+      const way = onBoard(costs.ways.find(({ chosen }) => chosen), board, facts, 0, changedPart(pixels, about.width, about.height, 1));
       frameRates(costs, way).forEach((rate, at) => (times[at] += 1 / rate / Number(frames)));
     }
     const [slow, fast] = times.map((time) => 1 / time);

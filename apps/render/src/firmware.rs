@@ -83,10 +83,8 @@ macro_rules! draws_bands {
             let rotation = pinhole::camera::Rotation::$rotation;
             let mut picture = $picture::Picture::new(&mesh, screen, rotation, cache, bins, depths)?;
             let mut turned = picture.turned(turn)?;
-            let mut free = &mut strip[..];
-            while let std::ops::ControlFlow::Continue(band) = turned.band_or_strip(color, free)? {
+            while let Some(band) = turned.next_band(color, strip)? {
                 band.send(display).map_err(|_| "the display refused the pixels")?;
-                free = band.into_bytes();
             }
             Ok(turned.statistics())
         });

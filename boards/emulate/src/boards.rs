@@ -102,7 +102,7 @@ pub(crate) const BOARDS: &[Board] = &[
         chip: PICO,
         display: ST7789,
         frames: 120, // as in the firmware, like those of each board
-        sends: Sends::All,
+        sends: Sends::Changes,
         pictures: |model| turn(model, Size::new(240, 240), 120, drawing::draw),
     },
     Board {
@@ -135,7 +135,7 @@ pub(crate) const BOARDS: &[Board] = &[
             refresh: Refresh { lines: 324, pause: 4, line: None },
         },
         frames: 48,
-        sends: Sends::All,
+        sends: Sends::Changes,
         pictures: |model| turn(model, Size::new(240, 320), 48, turned::draw),
     },
 ];

@@ -16,7 +16,7 @@ mod log;
 mod timing;
 mod watch;
 
-use boards::{Board, Chip, Sends, BOARDS};
+use boards::{Board, Chip, BOARDS};
 use clap::{value_parser, Arg, Command};
 use events::{Event, What};
 use pinhole_apps_support::command::{matches, run, say};
@@ -144,7 +144,7 @@ fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<V
         emulator.arg(format!("tearing={pin}"));
     }
     if let Some(inputs) = inputs {
-        if board.sends == Sends::All || !matches!(board.chip, Chip::Rp2040 { .. }) {
+        if !matches!(board.chip, Chip::Rp2040 { .. }) {
             return Err("nothing is connected to its inputs".into());
         }
         watch.allow_steps_back();

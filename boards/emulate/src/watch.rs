@@ -340,11 +340,8 @@ impl<'a> Watch<'a> {
         let turn = self.board.frames;
         let steps = [(step + 1) % turn, (step + turn - 1) % turn];
         for step in &steps[..if self.steps_back { 2 } else { 1 }] {
-            match (self.pictures)(*step) {
-                Ok(picture) => self.next.push((*step, picture)),
-                Err(problem) if self.board.sends == Sends::Changes => return Err(problem),
-                Err(_) => {} // after the last picture of a file
-            }
+            // There is none after the last picture of a file.
+            self.next.extend((self.pictures)(*step).map(|picture| (*step, picture)).ok());
         }
         Ok(())
     }

@@ -15,7 +15,6 @@ mod stack;
 mod stop;
 
 use bus::Bus;
-use core::ops::ControlFlow::Continue;
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::{pixelcolor::Rgb565, primitives::Rectangle};
@@ -100,31 +99,31 @@ fn main() -> ! {
             let turned = picture.turned(Angle::turns(frame as i32, FRAMES));
             let mut turned = turned.unwrap_or_else(|problem| stop(problem));
             let (mut bytes, mut shown) = (0, Ok(()));
-            while let (Ok(()), Continue(band)) = (
-                shown,
-                turned.band_or_strip(color, free.as_mut_slice()).unwrap_or_else(|problem| stop(problem)),
-            ) {
+            while let (Ok(()), Some(band)) =
+                (shown, turned.next_band(color, free.as_mut_slice()).unwrap_or_else(|problem| stop(problem)))
+            {
                 let (area, len) = (band.area(), band.bytes().len());
-                bytes += len as u32; // of all bands, 115 200
+                bytes += len as u32; // of all bands, at most 115 200
                 match panel.window(&area) {
                     Ok(bus) => free = bus.send(free, len),
                     Err(problem) => shown = Err(problem),
                 }
             }
+            let statistics = turned.statistics();
             let time = start.elapsed().as_micros();
             if shown.is_ok() && refreshed.elapsed() >= REFRESH {
                 refreshed = Instant::now();
                 shown = panel.refresh();
+                picture.shown = None;
                 delay.delay_millis(WAKING);
             }
             match shown {
                 Ok(()) => {
-                    let statistics = turned.statistics();
                     defmt::info!("frame {=u32}: {=u64} us, {=u32} bytes, {}", frame, time, bytes, statistics);
                 }
-                // The next frame is sent whole.
                 Err(problem) => {
                     defmt::error!("frame {=u32}: {=str}", frame, problem);
+                    picture.shown = None;
                     panel.start(&mut delay).unwrap_or_else(|problem| stop(problem));
                 }
             }

@@ -17,7 +17,7 @@ mod stack;
 mod stop;
 
 use bus::Bus;
-use core::ops::ControlFlow::{Break, Continue};
+use core::cell::{Ref, RefCell};
 use cortex_m::singleton;
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
 use embedded_graphics_core::geometry::{Point, Size};
@@ -50,14 +50,19 @@ const REFRESH: u32 = 500_000;
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
 /// Rows of a band: more are faster, and take more memory.
 const ROWS: u32 = 8;
+const PIXELS: usize = (SCREEN.size.width * ROWS) as usize;
+type Strip = StripBuffers!(Rgb565, SCREEN.size.width, ROWS, no depth);
 
 #[hal::entry]
 fn main() -> ! {
-    // In statics, so that the linker says if they do not fit, and DMA may own the strips. The rest of RAM is the stack.
+    // In statics, so that the linker says if they do not fit, and DMA may borrow the strips. The rest of RAM is the stack.
     let mesh = singleton!(: MeshBuffers!(MODEL) = mesh_buffers!(MODEL));
-    let strip = singleton!(: StripBuffers!(Rgb565, SCREEN.size.width, ROWS) = strip_buffers!(Rgb565, SCREEN.size.width, ROWS));
-    let other = singleton!(: StripBuffers!(Rgb565, SCREEN.size.width, ROWS, no depth) = strip_buffers!(Rgb565, SCREEN.size.width, ROWS, no depth));
-    let (Some(mesh), Some(strip), Some(other)) = (mesh, strip, other) else { stop("the buffers are in use") };
+    let depths = singleton!(: [u16; PIXELS] = [0; PIXELS]);
+    let strips = singleton!(: [RefCell<Strip>; 2] = [const { RefCell::new(Strip::new()) }; 2]);
+    let (Some(mesh), Some(depths), Some([strip, other])) = (mesh, depths, strips) else {
+        stop("the buffers are in use")
+    };
+    let mut strips: [&'static RefCell<Strip>; 2] = [strip, other];
 
     let Some(mut p) = pac::Peripherals::take() else { stop("the peripherals are in use") };
     let mut watchdog = Watchdog::new(p.WATCHDOG);
@@ -82,7 +87,7 @@ fn main() -> ! {
         .init(&mut p.RESETS, clocks.peripheral_clock.freq(), 62_500_000.Hz(), MODE_3);
     let channel = p.DMA.split(&mut p.RESETS).ch0;
     let mut panel = Panel {
-        bus: Bus::new(spi, channel, timer, &mut other.colors),
+        bus: Bus::new(spi, channel, timer, first(strips[1], 0)),
         select: pins.gpio17.into_push_pull_output().into_dyn_pin(),
         command: pins.gpio20.into_push_pull_output().into_dyn_pin(),
         reset: pins.gpio21.into_push_pull_output().into_dyn_pin(),
@@ -90,10 +95,8 @@ fn main() -> ! {
     let mut delay = timer;
     panel.start(&mut delay).unwrap_or_else(|problem| stop(problem));
 
-    let picture =
-        Picture::new(&MODEL, SCREEN, Rotation::Deg0, &mut mesh.cache, &mut mesh.bins, &mut strip.depths);
+    let picture = Picture::new(&MODEL, SCREEN, Rotation::Deg0, &mut mesh.cache, &mut mesh.bins, depths);
     let mut picture = picture.unwrap_or_else(|problem| stop(problem));
-    let mut free: &'static mut [u8] = &mut strip.colors;
     // A constant: what the model does not have is left out when this is compiled.
     let color = |face: usize, level: u16| match MODEL_COLORS {
         Some(colors) => colors.lit(face, level),
@@ -107,40 +110,46 @@ fn main() -> ! {
             let turned = picture.turned(Angle::turns(frame as i32, FRAMES));
             let mut turned = turned.unwrap_or_else(|problem| stop(problem));
             let (mut bytes, mut shown) = (0, Ok(()));
-            free = loop {
-                match turned.band_or_strip(color, free).unwrap_or_else(|problem| stop(problem)) {
-                    Break(strip) => break strip,
-                    Continue(band) => {
-                        let area = band.area();
-                        bytes += band.bytes().len() as u32; // of all bands, 115 200
-                        match panel.window(&area) {
-                            Ok(bus) => free = bus.send(band.into_bytes()),
-                            Err(problem) => {
-                                shown = Err(problem);
-                                break band.into_bytes();
-                            }
-                        }
+            while shown.is_ok() {
+                let Ok(mut strip) = strips[0].try_borrow_mut() else { stop("the strip is in use") };
+                let band = turned.next_band(color, &mut strip.colors).unwrap_or_else(|problem| stop(problem));
+                let Some(band) = band else { break };
+                let (area, len) = (band.area(), band.bytes().len());
+                bytes += len as u32; // of all bands, at most 115 200
+                drop(strip);
+                match panel.window(&area) {
+                    Ok(bus) => {
+                        bus.send(first(strips[0], len));
+                        strips.reverse();
                     }
+                    Err(problem) => shown = Err(problem),
                 }
-            };
+            }
+            let statistics = turned.statistics();
             let time = timer.get_counter_low().wrapping_sub(start);
             if shown.is_ok() && timer.get_counter_low().wrapping_sub(refreshed) >= REFRESH {
                 refreshed = timer.get_counter_low();
                 shown = panel.refresh();
+                picture.shown = None;
                 delay.delay_ms(WAKING);
             }
             match shown {
                 Ok(()) => {
-                    let statistics = turned.statistics();
                     defmt::info!("frame {=u32}: {=u32} us, {=u32} bytes, {}", frame, time, bytes, statistics);
                 }
-                // The next frame is sent whole.
                 Err(problem) => {
                     defmt::error!("frame {=u32}: {=str}", frame, problem);
+                    picture.shown = None;
                     panel.start(&mut delay).unwrap_or_else(|problem| stop(problem));
                 }
             }
         }
         stack::log();
     }
+}
+
+/// The first bytes of a strip, for DMA.
+fn first(strip: &'static RefCell<Strip>, bytes: usize) -> Ref<'static, [u8]> {
+    let Ok(strip) = strip.try_borrow() else { stop("the strip is in use") };
+    Ref::map(strip, |strip| strip.colors.get(..bytes).unwrap_or(&[]))
 }

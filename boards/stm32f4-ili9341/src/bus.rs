@@ -2,6 +2,7 @@
 
 use crate::panel::{self, Problem};
 use crate::stop::stop;
+use core::cell::Ref;
 use cortex_m::peripheral::DWT;
 use embedded_hal::delay::DelayNs;
 use stm32f4xx_hal::dma::traits::DmaFlagExt;
@@ -17,8 +18,8 @@ const PATIENCE: u32 = 20_000 * MEGAHERTZ;
 
 pub struct Bus {
     spi: Spi<SPI1, true>,
-    /// It has a strip always: the one that is being sent, or was sent last.
-    transfer: Transfer<Stream3<DMA2>, 3, Tx<SPI1>, MemoryToPeripheral, &'static mut [u8]>,
+    /// It borrows of a strip always: of the one that is being sent, or was sent last.
+    transfer: Transfer<Stream3<DMA2>, 3, Tx<SPI1>, MemoryToPeripheral, Ref<'static, [u8]>>,
     is_sending: bool,
 }
 
@@ -27,18 +28,17 @@ impl Bus {
         spi: Spi<SPI1, true>,
         stream: Stream3<DMA2>,
         sender: Tx<SPI1>,
-        strip: &'static mut [u8],
+        strip: Ref<'static, [u8]>,
     ) -> Self {
         let config = DmaConfig::default().memory_increment(true);
         let transfer = Transfer::init_memory_to_peripheral(stream, sender, strip, None, config);
         Self { spi, transfer, is_sending: false }
     }
 
-    /// Sends pixels in wire order, and returns the strip that was sent before.
-    pub fn send(&mut self, strip: &'static mut [u8]) -> &'static mut [u8] {
-        let Ok((sent, _)) = self.transfer.next_transfer(strip) else { stop("DMA does not start") };
+    /// Sends bytes of a strip, pixels in wire order. The strip that was sent before is free again.
+    pub fn send(&mut self, bytes: Ref<'static, [u8]>) {
+        let Ok(_) = self.transfer.next_transfer(bytes) else { stop("DMA does not start") };
         self.is_sending = true;
-        sent
     }
 }
 

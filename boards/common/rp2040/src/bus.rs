@@ -3,39 +3,47 @@
 use crate::panel::{self, Problem};
 use crate::stop::stop;
 use embedded_hal::spi::SpiBus;
-use rp2040_hal::dma::{single_buffer, SingleChannel, WriteTarget};
+use rp2040_hal::dma::{single_buffer, ReadTarget, SingleChannel, WriteTarget};
 use rp2040_hal::Timer;
 
 /// The longest time, in µs, that a strip may take. One of 40 rows takes 2.5 ms.
 const PATIENCE: u32 = 20_000;
 
 /// With a strip always: the one that is being sent, or was sent last.
-pub struct Bus<Spi: WriteTarget, Channel: SingleChannel> {
+pub struct Bus<Spi: WriteTarget, Channel: SingleChannel, Strip: ReadTarget> {
     /// `None` only while it changes.
-    line: Option<Line<Spi, Channel>>,
+    line: Option<Line<Spi, Channel, Strip>>,
     timer: Timer,
 }
 
-enum Line<Spi: WriteTarget, Channel: SingleChannel> {
-    Idle(Channel, &'static mut [u8], Spi),
-    Sending(single_buffer::Transfer<Channel, &'static mut [u8], Spi>),
+enum Line<Spi: WriteTarget, Channel: SingleChannel, Strip: ReadTarget> {
+    Idle(Channel, Strip, Spi),
+    Sending(single_buffer::Transfer<Channel, Strip, Spi>),
 }
 
-impl<Spi: SpiBus + WriteTarget<TransmittedWord = u8>, Channel: SingleChannel> Bus<Spi, Channel> {
-    pub fn new(spi: Spi, channel: Channel, timer: Timer, strip: &'static mut [u8]) -> Self {
+impl<
+        Spi: SpiBus + WriteTarget<TransmittedWord = u8>,
+        Channel: SingleChannel,
+        Strip: ReadTarget<ReceivedWord = u8>,
+    > Bus<Spi, Channel, Strip>
+{
+    pub fn new(spi: Spi, channel: Channel, timer: Timer, strip: Strip) -> Self {
         Self { line: Some(Line::Idle(channel, strip, spi)), timer }
     }
 
     /// Sends pixels in wire order, and returns the strip that was sent before.
-    pub fn send(&mut self, strip: &'static mut [u8]) -> &'static mut [u8] {
+    pub fn send(&mut self, strip: Strip) -> Strip {
         let Some(Line::Idle(channel, sent, spi)) = self.line.take() else { stop("the bus is in use") };
         self.line = Some(Line::Sending(single_buffer::Config::new(channel, strip, spi).start()));
         sent
     }
 }
 
-impl<Spi: SpiBus + WriteTarget<TransmittedWord = u8>, Channel: SingleChannel> panel::Bus
-    for Bus<Spi, Channel>
+impl<
+        Spi: SpiBus + WriteTarget<TransmittedWord = u8>,
+        Channel: SingleChannel,
+        Strip: ReadTarget<ReceivedWord = u8>,
+    > panel::Bus for Bus<Spi, Channel, Strip>
 {
     fn write(&mut self, bytes: &[u8]) -> Result<(), Problem> {
         let Some(Line::Idle(_, _, spi)) = &mut self.line else { stop("the bus is in use") };

@@ -1,9 +1,8 @@
-//! A frame of any closed mesh: lit, with depth, in bands that are sent while the next one is drawn. It draws the pixels of the
+//! A frame of any closed mesh: lit, with depth, in bands of what has changed, sent while the next one is drawn. It draws the pixels of the
 //! other boards' `picture.rs`.
 
-use core::ops::ControlFlow;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
-use embedded_graphics_core::primitives::Rectangle;
+use embedded_graphics_core::{geometry::Size, primitives::Rectangle};
 use pinhole::{prelude::*, Angle};
 
 const BACKGROUND: Rgb565 = Rgb565::BLACK;
@@ -16,6 +15,8 @@ const AMBIENT: u16 = 48;
 pub struct Picture<'a> {
     mesh: &'a Mesh<'a>,
     screen: Rectangle,
+    /// The rectangle around the mesh that the display shows; `None` if it may show anything.
+    pub shown: Option<Rectangle>,
     camera: Camera,
     instance: MeshInstance<'a>,
     cache: &'a mut [ScreenVertex],
@@ -26,6 +27,7 @@ pub struct Picture<'a> {
 /// The mesh of a frame, as far as it is drawn.
 pub struct Turned<'a> {
     mesh: &'a Mesh<'a>,
+    area: Size,
     frame: Frame<Rgb565>,
     /// With depth.
     faces: BinnedFaces<'a, i16, true>,
@@ -51,46 +53,59 @@ impl<'a> Picture<'a> {
         let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch)
             .map_err(|_| "the model is a point, or too large: see `fit` in build.rs")?;
         let instance = camera.place(mesh, &Affine::identity());
-        Ok(Self { mesh, screen, camera, instance, cache, bins, depths })
+        Ok(Self { mesh, screen, shown: None, camera, instance, cache, bins, depths })
     }
 
-    /// A frame: vertices to the screen, visible faces into the bins of the bands.
+    /// A frame: vertices to the screen, visible faces into the bins of the bands. Its bands are those of the rectangle around the mesh, as
+    /// it is shown and as it will be.
     pub fn turned(&mut self, turn: Angle) -> Result<Turned<'_>, &'static str> {
         let model = Affine::rotation_y(turn);
         self.instance = self.camera.place(self.mesh, &model);
         let faces = self.instance.transform_depth(self.cache).bin_faces(self.bins);
+        let faces = faces.map_err(|_| {
+            "no room for all faces: the bins are of another mesh, or it has more than 65535 faces"
+        })?;
+        let bounds = faces.bounds();
+        let area = self.shown.replace(bounds).map_or(self.screen, |shown| around(shown, bounds));
         Ok(Turned {
             mesh: self.mesh,
-            frame: Frame::new(self.screen, BACKGROUND),
-            faces: faces.map_err(|_| {
-                "no room for all faces: the bins are of another mesh, or it has more than 65535 faces"
-            })?,
+            area: area.size,
+            frame: Frame::new(area, BACKGROUND),
+            faces,
             depths: self.depths,
             light: Lambert::new(&model, Vector3::from_ints(2, 3, 4), AMBIENT).map_err(|_| "no light")?,
         })
     }
 }
 
+/// The smallest rectangle that contains two others.
+fn around(a: Rectangle, b: Rectangle) -> Rectangle {
+    let last = |rectangle: Rectangle| rectangle.bottom_right().unwrap_or(rectangle.top_left);
+    Rectangle::with_corners(a.top_left.component_min(b.top_left), last(a).component_max(last(b)))
+}
+
 impl Turned<'_> {
-    /// The next band of the frame, drawn, or after the last one the strip back. `color` gives the colour of each face at a level of light. The display's height need not be a multiple of
-    /// the strip's rows: a band that has too few of its own begins higher up.
-    pub fn band_or_strip<'s>(
+    /// The next band of the frame, drawn, or `None` after the last one. `color` gives the colour of each face at a level of light.
+    pub fn next_band<'s>(
         &mut self,
         color: impl Fn(usize, u16) -> Rgb565,
         strip: &'s mut [u8],
-    ) -> Result<ControlFlow<&'s mut [u8], Band<'s, Rgb565>>, &'static str> {
-        let mut band = match self.frame.band_or_strip(strip).map_err(|_| "the strip is shorter than a row")? {
-            ControlFlow::Continue(band) => band,
-            ControlFlow::Break(strip) => return Ok(ControlFlow::Break(strip)),
-        };
+    ) -> Result<Option<Band<'s, Rgb565>>, &'static str> {
+        // Bands of equal heights: while the last one is sent, the next frame begins.
+        let row = Frame::<Rgb565>::strip_bytes(self.area.width, 1).max(1);
+        let bands = (self.area.height as usize).div_ceil((strip.len() / row).max(1)).max(1);
+        let rows = (self.area.height as usize).div_ceil(bands);
+        let strip = strip.get_mut(..rows * row).unwrap_or_default(); // no more than fit
+        let band = self.frame.next_band(strip).map_err(|_| "the strip is shorter than a row")?;
+        let Some(mut band) = band else { return Ok(None) };
         let depth = DepthBuffer::new(band.area(), self.depths);
         let mut depth = depth.map_err(|_| "fewer depths than pixels in the strip")?;
         let (mesh, light) = (self.mesh, &self.light);
         let level = |face: usize| mesh.normals().get(face).map_or(256, |&normal| light.level(normal));
         let Ok(()) =
             self.faces.draw(|face| color(face, level(face)), &mut band.pixels().depth_tested(&mut depth));
-        // Text and icons of embedded-graphics go on top here: a band is a DrawTarget.
-        Ok(ControlFlow::Continue(band))
+        // Text and icons of embedded-graphics go on top here: a band is a DrawTarget. What they change must be in the bounds.
+        Ok(Some(band))
     }
 
     pub fn statistics(&self) -> Statistics {
