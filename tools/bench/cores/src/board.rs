@@ -2,7 +2,7 @@
 //! timer of 20 MHz. Under `-icount shift=6` an instruction takes 64 ns, so 25/32 instructions pass in a tick. While both cores
 //! run, the emulator's clock counts the instructions of both: here it is read only while one runs.
 
-use crate::both_cores::serve;
+use crate::both_cores::{serve, PaintedStack};
 use core::ptr::{with_exposed_provenance, with_exposed_provenance_mut};
 
 /// Timer 0 in the secure state (Arm, *Cortex-M System Design Kit*, chapter 4, "APB timer"): 32 bits, counting down.
@@ -58,17 +58,17 @@ fn now() -> u32 {
 /// A vector table: the end of the stack, and the entry point.
 #[repr(C, align(128))]
 struct Vectors {
-    stack: *const Stack,
+    stack: *const PaintedStack<WORDS>,
     reset: extern "C" fn() -> !,
 }
 
-#[repr(align(8))]
-struct Stack(#[allow(dead_code)] [u8; 8192]);
+/// Of the second core's stack.
+const WORDS: usize = 2048;
 
 // SAFETY: it is constant.
 unsafe impl Sync for Vectors {}
 
-static mut STACK: Stack = Stack([0; 8192]);
+pub(crate) static STACK: PaintedStack<WORDS> = PaintedStack::new();
 static VECTORS: Vectors =
     // SAFETY: the address behind the stack is computed, not read.
     Vectors { stack: unsafe { (&raw const STACK).add(1) }, reset: second };
@@ -80,6 +80,7 @@ extern "C" fn second() -> ! {
 
 /// Starts the second core.
 pub(crate) fn start_second() {
+    STACK.paint();
     write(SECOND_VECTORS, (&raw const VECTORS).expose_provenance() as u32);
     write(CPU_WAIT, 0);
 }
