@@ -31,8 +31,8 @@ pub(crate) fn line_into_memory<T: Surface>(
     target: &mut T,
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
-    let Rectangle { top_left, size } = memory.area();
-    let (cells, _) = memory.parts();
+    let Rectangle { top_left, .. } = memory.area();
+    let (cells, scratch) = memory.parts();
     // Coordinates relative to the area's first pixel. They wrap only if the area is so far away that the scissor is empty.
     let (right, down) = (|x: i32| x.wrapping_sub(top_left.x), |y: i32| y.wrapping_sub(top_left.y));
     let moved = |p: Pixel| (right(p.x.into()), down(p.y.into()));
@@ -40,7 +40,7 @@ pub(crate) fn line_into_memory<T: Surface>(
     if !rows.is_empty() && !columns.is_empty() {
         let scissor =
             Scissor::unclamped(right(columns.start), down(rows.start), right(columns.end), down(rows.end));
-        line(cells, size.width as usize, moved(from), moved(to), &scissor, color.stored());
+        line(cells, scratch.layout.stride, moved(from), moved(to), &scissor, color.stored());
     }
     true
 }

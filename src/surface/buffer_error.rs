@@ -7,9 +7,9 @@ use embedded_graphics_core::geometry::Size;
 #[non_exhaustive]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum BufferError {
-    /// A buffer has fewer cells than the picture has pixels.
+    /// A buffer has fewer cells than the picture needs.
     Picture {
-        /// Cells that the picture needs: one for each pixel.
+        /// Cells that the picture needs: one for each pixel, and those between rows.
         needed: u64,
         /// Cells in the buffer.
         given: usize,
@@ -71,10 +71,7 @@ impl core::fmt::Display for BufferError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::Picture { needed, given } => {
-                write!(
-                    f,
-                    "a picture of {needed} pixels needs a buffer of {needed} cells, but this one has {given}"
-                )
+                write!(f, "a picture needs a buffer of {needed} cells, but this one has {given}")
             }
             Self::Depth { needed, given } => {
                 write!(f, "a depth buffer of {needed} pixels needs a buffer of {needed} `u16`, but this one has {given}")

@@ -7,7 +7,7 @@ use crate::raster::Span;
 use crate::surface::BufferError;
 use core::convert::Infallible;
 use core::marker::PhantomData;
-use embedded_graphics_core::primitives::Rectangle;
+use embedded_graphics_core::{geometry::Size, primitives::Rectangle};
 
 /// Pixels in a borrowed slice, the fastest [`Surface`]. [`Picture::pixels`](crate::target::Picture::pixels) and
 /// [`Band::pixels`](crate::bands::Band::pixels) make one, and [`new`](Self::new) makes one of any other framebuffer.
@@ -45,13 +45,30 @@ impl<'a, C: StoredPixel<Cell>, Cell: Copy> Pixels<'a, C, Cell> {
     pub fn new(cells: &'a mut [Cell], area: Rectangle) -> Result<Self, BufferError> {
         Ok(Self { memory: Memory::new(cells, area)?, color: PhantomData })
     }
+
+    /// The pixels of `area` in rows that begin `stride` cells apart, from its first pixel on: a framebuffer that is wider than the picture,
+    /// or a part of one. A smaller `stride` than the area's width counts as the width.
+    ///
+    /// # Errors
+    ///
+    /// [`BufferError`] when there are fewer cells than up to the last pixel.
+    pub fn with_stride(cells: &'a mut [Cell], area: Rectangle, stride: usize) -> Result<Self, BufferError> {
+        let Size { width, height } = area.size;
+        let stride = stride.max(width as usize);
+        let above = (stride as u64).saturating_mul(height.saturating_sub(1).into());
+        let needed = if height > 0 { above.saturating_add(width.into()) } else { 0 };
+        if needed > cells.len() as u64 {
+            return Err(BufferError::Picture { needed, given: cells.len() });
+        }
+        Ok(Self { memory: Memory::unchecked(cells, area, stride), color: PhantomData })
+    }
 }
 
 impl<'a, C, Cell: Copy> Pixels<'a, C, Cell> {
     /// [`new`](Self::new) for callers that have checked the number of cells.
     #[inline(always)]
     pub(super) fn unchecked(cells: &'a mut [Cell], area: Rectangle) -> Self {
-        Self { memory: Memory::unchecked(cells, area), color: PhantomData }
+        Self { memory: Memory::unchecked(cells, area, area.size.width as usize), color: PhantomData }
     }
 }
 

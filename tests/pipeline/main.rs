@@ -5,6 +5,7 @@ mod anti_aliased;
 mod bands;
 mod clipped_faces;
 mod culling_by_planes;
+mod dirty_regions;
 mod hidden_lines;
 mod limits;
 mod meshes;

@@ -45,16 +45,17 @@ fn check<const N: u16>(a: P, b: P, area: Area) -> Vec<Call<Gray8>> {
     core::mem::take(&mut calls[0])
 }
 
-/// The loops that draw lines into memory, in either direction; memory behind the picture must not change.
+/// The loops that draw lines into memory, in either direction, with and without gaps between rows; memory behind the picture must not change.
 fn check_memory(a: P, b: P, area: Area) {
-    let (width, count) = (area.width(), area.width() * area.height());
+    let stride = area.width() + if a.1 % 2 == 0 { 0 } else { 2 };
+    let count = stride * area.height();
     let mut exact = vec![Gray8::new(0); count + 3];
     for (x, y) in line::clipped(a, b, area) {
-        exact[(y - area.top) as usize * width + (x - area.left) as usize] = INK;
+        exact[(y - area.top) as usize * stride + (x - area.left) as usize] = INK;
     }
     for [a, b] in [[a, b], [b, a]] {
         let mut memory = vec![Gray8::new(0); count + 3];
-        let mut target = Pixels::new(&mut memory, rectangle(area)).expect("enough memory");
+        let mut target = Pixels::with_stride(&mut memory, rectangle(area), stride).expect("enough memory");
         let Ok(()) = draw_line(bridge::pixel(a), bridge::pixel(b), INK, &mut target);
         assert!(memory == exact, "{a:?} {b:?} {area:?}");
     }

@@ -125,7 +125,7 @@ fn own(faces: &mut Faces<'_>) -> Result<(), BufferError> {
             .faces(|_| shader())
             .culled_by_planes()
             .cached(cache)
-            .draw(&mut Pixels::<Rgb565, u16>::new(cells, area())?),
+            .draw(&mut Pixels::<Rgb565, u16>::with_stride(cells, area(), any() as usize)?),
     );
     if let Ok(mut depth) = DepthBuffer::new(area(), depths) {
         report(instance.depth_only(cache, &mut depth));
