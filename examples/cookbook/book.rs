@@ -11,6 +11,8 @@ pub(crate) mod hud;
 pub(crate) mod logo;
 #[path = "../../src/book/cookbook/orbit.rs"]
 pub(crate) mod orbit;
+#[path = "../../src/book/cookbook/round.rs"]
+pub(crate) mod round;
 #[path = "../../src/book/cookbook/samples.rs"]
 pub(crate) mod samples;
 #[path = "../../src/book/cookbook/scope.rs"]

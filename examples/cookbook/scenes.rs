@@ -1,6 +1,6 @@
 //! Stand-ins for the displays and inputs of the programs, up to the moment of the picture.
 
-use super::book::{epaper, gauge, hud, logo, orbit, samples, scope, walk};
+use super::book::{epaper, gauge, hud, logo, orbit, round, samples, scope, walk};
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use pinhole::{Angle, Point3, Scalar};
@@ -11,7 +11,7 @@ use std::error::Error;
 /// The name of a program, and its picture as a PNG file.
 pub(crate) type Picture = (&'static str, Vec<u8>);
 
-pub(crate) fn all() -> Result<[Picture; 8], Box<dyn Error>> {
+pub(crate) fn all() -> Result<[Picture; 9], Box<dyn Error>> {
     // Off and on, as an OLED and as e-paper show them, each pixel twice or three times as large.
     let oled = [Rgb888::new(8, 10, 14), Rgb888::new(190, 230, 255)];
     let paper = [Rgb888::new(28, 28, 32), Rgb888::new(226, 224, 216)];
@@ -23,6 +23,7 @@ pub(crate) fn all() -> Result<[Picture; 8], Box<dyn Error>> {
         ("hud", png(&hud()?, Rgb888::from, 1)?),
         ("epaper", png(&epaper()?, |c| paper[usize::from(c.is_on())], 2)?),
         ("scope", png(&scope()?, Rgb888::from, 1)?),
+        ("round", png(&round()?, Rgb888::from, 1)?),
         ("samples", png(&samples()?, Rgb888::from, 1)?),
     ])
 }
@@ -104,6 +105,13 @@ fn scope() -> Result<Canvas<Rgb565>, Box<dyn Error>> {
     for row in 0..40 {
         scope.push(spectrum(row), &mut display)?;
     }
+    Ok(display)
+}
+
+/// Its corners are dark.
+fn round() -> Result<Canvas<Rgb565>, Box<dyn Error>> {
+    let mut display = Canvas::new(Size::new(240, 240), Rgb565::BLACK);
+    round::draw(Angle::degrees(20), &mut round::Memory::default(), &mut display)?;
     Ok(display)
 }
 

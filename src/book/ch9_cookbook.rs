@@ -2,7 +2,7 @@
 #![doc = include_str!("pictures.md")]
 //! # Cookbook
 //!
-//! Eight whole programs, each in one file that can be copied into a firmware as it is. Each has at most 60 lines beside its imports,
+//! Nine whole programs, each in one file that can be copied into a firmware as it is. Each has at most 60 lines beside its imports,
 //! uses no heap, and draws into any DrawTarget of its colour: a display's driver, or a framebuffer. What stands in for the
 //! microcontroller is in `examples/cookbook`, which runs the programs and draws their pictures:
 //!
@@ -22,6 +22,7 @@
 //! | [a head-up display](#a-head-up-display) | 240 × 240, 16 bits | 10 836 | `Hud` in a static, the rest on the stack |
 //! | [a drawing on e-paper](#a-drawing-on-e-paper) | 200 × 200, 1 bit | 9 920 | the stack |
 //! | [a scope](#a-scope) | 320 × 240, 16 bits | 26 504 | `Scope` in a static, the rest on the stack |
+//! | [a round display](#a-round-display) | 240 × 240, 16 bits | 10 196 | `Memory`, on the stack or in a static |
 //! | [two by two samples](#two-by-two-samples) | 160 × 128, 16 bits | 10 436 | `Memory`, on the stack or in a static |
 //!
 //! RAM is all arrays and state of a program, measured on a 64-bit host; a 32-bit core needs no more. What the library's functions
@@ -105,6 +106,17 @@
 //!
 //! ```
 #![doc = include_str!("cookbook/scope.rs")]
+//! ```
+//!
+//! # A round display
+//!
+//! ![A golden torus on a disc][docs/cookbook/round.png]
+//!
+//! The corners of a GC9A01 are 21 % of its pixels, and nobody sees them. A frame of its own for each band, as wide as the glass is there, takes 82 % of
+//! the bytes, windows included; [docs/wire.md] has other heights.
+//!
+//! ```
+#![doc = include_str!("cookbook/round.rs")]
 //! ```
 //!
 //! # Two by two samples

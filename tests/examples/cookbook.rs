@@ -6,7 +6,7 @@ mod book;
 mod scenes;
 
 use crate::{example, folder};
-use book::{epaper, gauge, hud, logo, orbit, samples, scope, walk};
+use book::{epaper, gauge, hud, logo, orbit, round, samples, scope, walk};
 use embedded_graphics::pixelcolor::{raw::RawU16, BinaryColor, Rgb565};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
@@ -24,7 +24,7 @@ use std::path::Path;
 use support::oracle::rng::Rng;
 use support::ROOT;
 
-const PROGRAMS: [&str; 8] = ["logo", "gauge", "walk", "orbit", "hud", "epaper", "scope", "samples"];
+const PROGRAMS: [&str; 9] = ["logo", "gauge", "walk", "orbit", "hud", "epaper", "scope", "round", "samples"];
 
 /// A display that counts the pixels that it receives.
 struct Counting<C> {
@@ -134,6 +134,7 @@ fn the_book_shows_each_program_with_its_picture_and_its_memory() {
         size_of::<hud::Hud>() + 2 * TORUS.cache_len(),
         size_of::<ScreenVertex>() * epaper::PAWN.cache_len() + 2 * 200 * 20,
         size_of::<scope::Scope>() + size_of_val(scope::AT_REST.vertices()),
+        size_of::<round::Memory>(),
         size_of::<samples::Memory>(),
     ];
     let rows: Vec<&str> = chapter.lines().filter(|line| line.starts_with("//! | [")).collect();
@@ -187,6 +188,25 @@ fn a_touch_picks_the_bar_that_is_seen() {
         }
     }
     assert!(bars > 50 && nothing > 50, "{bars} on bars, {nothing} beside them");
+}
+
+/// A pixel is on the glass if its corner that is the nearest to the middle is.
+#[test]
+fn a_chord_has_all_pixels_of_its_rows_on_the_glass_and_no_column_more() {
+    for rows in [1, 2, 8, 40] {
+        for top in (0..240).step_by(rows as usize) {
+            let chord = round::chord(top, rows);
+            let middle = |at: i32| (at - 120).abs().min((at - 119).abs());
+            let is_shown = |x: i32| {
+                (top as i32..(top + rows) as i32).any(|y| middle(x).pow(2) + middle(y).pow(2) < 120 * 120)
+            };
+            let columns = chord.columns();
+            let shown = (0..240).filter(|x| is_shown(*x)).collect::<Vec<_>>();
+            assert_eq!(chord.rows(), top as i32..(top + rows) as i32);
+            assert!(shown.iter().all(|x| columns.contains(x)), "{top}, {rows} rows");
+            assert!(columns.len() <= shown.len() + 2, "{top}, {rows} rows");
+        }
+    }
 }
 
 #[test]
