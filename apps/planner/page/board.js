@@ -5,35 +5,38 @@
 const inTemplates = (templates, path) => new TextDecoder().decode(templates.get(path) ?? new Uint8Array());
 
 // A board's row in boards/README.md: MHz of its core and its bus, 0 if it takes any chip; how many cores draw, whether one band is drawn
-// while another is sent, whether only what has changed is sent, and what is stated of its firmware with a gear.
-function factsOfBoard(templates, board) {
+// while another is sent, whether only what has changed is sent, and what is stated of its firmware with a gear: of one for any chip, by the core.
+function factsOfBoard(templates, board, core = '') {
   const row = inTemplates(templates, 'README.md').split('\n').find((line) => line.startsWith(`| [${board}]`)) ?? '';
-  const [, , core, , wiring, bands, flash, ram, frames = ''] = row.split('|');
+  const [, , cores, , wiring, bands, ...sizes] = row.split('|');
+  const rows = inTemplates(templates, `${board}/README.md`).split('\n').map((line) => line.split(' | '));
+  const [, , ...ofCore] = rows.find(([target, of]) => target.startsWith('| `') && of?.split(', ').includes(core)) ?? [];
+  const [flash, ram] = (ofCore.length ? ofCore : sizes).map(parseFloat);
   const number = (pattern, text) => Number(pattern.exec(text)?.[1] ?? 0);
   return {
-    clock: number(/([\d.]+) MHz/, core),
+    clock: number(/([\d.]+) MHz/, cores),
     // I²C has nine bits a byte.
     bus: number(/SPI at ([\d.]+) MHz/, wiring) || (number(/I2C at (\d+) kHz/, wiring) * 8) / 9000,
-    cores: /^ two/.test(core) ? 2 : 1, hasDma: /DMA/.test(bands), sendsChanges: /changed/.test(bands), flash: Number(flash), ram: Number(ram), frames: frames.trim(),
+    cores: /^ two/.test(cores) ? 2 : 1, hasDma: /DMA/.test(bands), sendsChanges: /changed/.test(bands), flash, ram, frames: (sizes[2] ?? '').trim(),
   };
 }
 
-// The choice that a template draws as it comes.
-function choiceOfTemplate(templates, board) {
-  const { chip = 'stm32f411', format } = partsOf(board);
+// The choice that a template draws as it comes, on its own chip, if it has one.
+function choiceOfTemplate(templates, board, chip = 'stm32f411') {
+  const { chip: own = chip, format } = partsOf(board);
   const read = (name) => inTemplates(templates, `${board}/${name}`);
   const [, rows] = /const ROWS: u32 = (\d+);/.exec(read('src/main.rs') + read('src/picture.rs'));
   const [, angle] = /Feature { degrees: (\d+)\.0 }/.exec(read('build.rs')) ?? [];
   const { width, height } = displayOf(templates, board) ?? { width: 240, height: 240 };
   const look = angle ? `&style=hidden-line&edges=${angle}` : '';
-  return `mesh=gear&chip=${chip}&format=${format}&width=${width}&height=${height}&rows=${rows}${look}`;
+  return `mesh=gear&chip=${own}&format=${format}&width=${width}&height=${height}&rows=${rows}${look}`;
 }
 
 // The facts of a board, with the bytes of RAM and flash that its firmware has beside the buffers and the code of a way to draw: driver, log, HAL.
-async function firmwareOf(library, templates, board) {
-  const { ways } = JSON.parse(await library.ask('costs', choiceOfTemplate(templates, board)));
+async function firmwareOf(library, templates, board, chip) {
+  const { core, ways } = JSON.parse(await library.ask('costs', choiceOfTemplate(templates, board, chip)));
   const way = ways.find(({ chosen }) => chosen);
-  const facts = factsOfBoard(templates, board);
+  const facts = factsOfBoard(templates, board, core);
   return { ...facts, rest: { ram: facts.ram - buffersOf(board, way), flash: facts.flash - way.flash } };
 }
 

@@ -2,7 +2,14 @@
 'use strict';
 
 let costTimer;
-const firmwares = new Map(); // the facts of each board's firmware, promised
+const firmwares = new Map(); // the facts of each board's firmware, promised; of a board for any chip, for each
+
+function firmwareFor(board, chip) {
+  const of = chip === 'own' ? `own&core=${state.core}` : chip;
+  const key = partsOf(board).chip ? board : `${board} ${of}`;
+  if (!firmwares.has(key)) firmwares.set(key, firmwareOf(library, templates, board, of));
+  return firmwares.get(key);
+}
 let costsShown;
 
 // Waits until changes pause: counting the work of a frame takes as long as drawing it.
@@ -51,7 +58,7 @@ function boardShown(chip = state.chip, panel = panelChosen(), board = state.boar
 async function asBuilt(costs, panel = panelChosen(), spi = state.spi) {
   const built = async (way, chip, board) => {
     const shown = boardShown(chip, panel, board);
-    return shown ? onBoard(way, shown, await firmwares.get(shown), spi, changing) : way;
+    return shown ? onBoard(way, shown, await firmwareFor(shown, chip), spi, changing) : way;
   };
   const ways = await Promise.all(costs.ways.map((way) => built(way, state.chip, state.board)));
   const chips = await Promise.all(costs.chips.map((way, at) => built(way, menu.chips[at].key, nearestBoard(menu.chips[at].key, panel))));

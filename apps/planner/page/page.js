@@ -31,7 +31,6 @@ async function start() {
   listenToKeys();
   $('compare').open = innerWidth > 832;
   followAddress();
-  for (const board of boardsIn(templates)) firmwares.set(board, firmwareOf(library, templates, board));
   setInterval(watchCalls, 200);
   addEventListener('resize', scale);
   addEventListener('hashchange', followAddress);

@@ -12,6 +12,17 @@ const [, packed] = /"([^"]*)"/.exec(readFileSync(process.argv[3], 'utf8'));
 const templates = untar(await unpacked(packed));
 const STEPS = 8; // of a turn
 
+// The firmware for any chip, on each kind of core.
+const sizes = [];
+for (const chip of ['stm32f030', 'stm32f103', 'stm32f411', 'stm32h743', 'rp2350-ram', 'esp32c6', 'own&core=M0+']) {
+  const { flash, rest } = await firmwareOf(library, templates, 'any-cortex-m', chip);
+  sizes.push(flash);
+  assert.ok(rest.flash > 2000 && rest.flash < 10_000 && rest.ram > 0, `${chip}: ${JSON.stringify(rest)}`);
+}
+const [m0, m3, m4, m7, m33, rv32, own] = sizes;
+assert.ok(m0 > m3 && rv32 > m3 && m33 !== m4, sizes.join(', '));
+assert.deepEqual([m7, own], [m4, m0]);
+
 let compared = 0;
 const parts = []; // of the shorter of drawing and sending, that the longer one does not hide
 for (const [board] of boardsOf(templates)) {
@@ -20,8 +31,9 @@ for (const [board] of boardsOf(templates)) {
   for (let step = 0; step < STEPS; step++) {
     const choice = `${choiceOfTemplate(templates, board)}&turn=${(120 / STEPS) * step}`;
     const { pixels, about } = library.draw(choice);
+    const changing = changedPart(pixels, about.width, about.height, /format=mono/.test(choice) ? 8 : 1);
     const costs = JSON.parse(library.ask('costs', choice));
-    const way = onBoard(costs.ways.find(({ chosen }) => chosen), board, facts, 0, changedPart(pixels, about.width, about.height, /format=mono/.test(choice) ? 8 : 1));
+    const way = onBoard(costs.ways.find(({ chosen }) => chosen), board, facts, 0, changing);
     assert.deepEqual([way.ram, way.flash], [facts.ram, facts.flash], board);
     assert.ok(facts.rest.ram > 0 && facts.rest.flash > 0, board);
     const [slow, fast] = frameRates(costs, way);
