@@ -43,21 +43,21 @@
 //!
 //! | topic | module | start here |
 //! |---|---|---|
-//! | learning the pipeline | [`book`] | chapter by chapter; eight programs to copy: the [cookbook](book::ch9_cookbook) |
+//! | learning the pipeline | [`book`] | chapter by chapter; eight programs to copy: the [cookbook](book#cookbook) |
 //! | names to import | [`prelude`] | and [`Angle`], apart because embedded-graphics has one |
 //! | numbers, moving objects | [`math`], [`space`] | [`Affine`], [`Scalar`]; [`Hierarchy`](mesh::Hierarchy) for joints |
-//! | cameras | [`camera`] | [`Camera::framing`]; [`Projection`], [`Viewport`]; [choosing a projection](book::ch3_projections) |
+//! | cameras | [`camera`] | [`Camera::framing`]; [`Projection`], [`Viewport`]; [choosing a projection](camera#choosing-a-projection) |
 //! | meshes | [`mesh`], [`meshes`] | [`Mesh`]; a ready cube, torus …; [`pinhole-import`](https://docs.rs/pinhole-import) reads OBJ and STL files |
-//! | drawing | [`draw`] | [`MeshInstance`](draw::MeshInstance): `faces(..).draw(..)`, `edges(..)`, `points(..)` …; [which method](book::ch4_visibility) |
+//! | drawing | [`draw`] | [`MeshInstance`](draw::MeshInstance): `faces(..).draw(..)`, `edges(..)`, `points(..)` …; [which method](draw#hidden-surface-removal) |
 //! | many objects | [`draw`] | [`Scene`](draw::Scene); [`Camera::frustum`] says what is in view |
 //! | targets | [`target`], [`color`] | [`Surface`](target::Surface): any DrawTarget, or pixels in memory; [with a depth buffer](target::Surface::depth_tested); your own colour: [`Color`](color::Color) |
-//! | no framebuffer, DMA, two cores | [`bands`] | [`Frame`](bands::Frame), [`mesh_buffers!`], [`strip_buffers!`]; [how](book::ch5_bands); [`DirtyRegions`](bands::DirtyRegions) sends what has changed |
+//! | no framebuffer, DMA, two cores | [`bands`] | [`Frame`](bands::Frame), [`mesh_buffers!`], [`strip_buffers!`]; [how](bands#bands-and-dma); [`DirtyRegions`](bands::DirtyRegions) sends what has changed |
 //! | light | [`light`] | [`Lambert`](light::Lambert); several and point lights, highlights, matcaps |
 //! | shading | [`shading`], [`texture`], [`fog`] | a colour, [`Gouraud`](shading::Gouraud), [`Texture`](texture::Texture), [`Fogged`](fog::Fogged); your own: [`SpanShader`](shading::SpanShader) |
 //! | sprites, smooth edges | [`sprite`], [`draw`] | [`Sprite`](sprite::Sprite); [`AntiAliased`](shading::AntiAliased) lines; [`SmoothEdges`](draw::SmoothEdges) of faces |
 //! | labels and picking | [`camera`], [`draw`] | [`Camera::project`], [`Faces::pick`](draw::Faces::pick) |
 //! | 2D | [`raster`] | [`fill_triangle`](draw::fill_triangle), [`draw_line`](draw::draw_line) |
-//! | RAM, flash and time | [`book`] | [estimating](book::ch6_budget), [measuring on your board](book::ch10_measuring) |
+//! | RAM, flash and time | [`book`] | [estimating](book#estimating-ram-flash-and-frame-time), [measuring on your board](book#measuring-on-your-board) |
 //!
 //! Templates for firmware, a viewer and a planner are in the repository; its [README.md] has the steps from a model to a display.
 //!
@@ -114,8 +114,11 @@ pub mod mesh {
 }
 
 pub mod draw {
+    #![doc = include_str!("book/links.md")]
     //! Drawing: one mesh, a scene of many, faces from far to near, bands, picking, and triangles and lines in 2D. Start with
     //! [`MeshInstance`]; [`Scene`] is for many objects, [`BinnedFaces`] for bands.
+    //!
+    #![doc = include_str!("book/visibility.md")]
 
     pub use crate::math::form::Inside;
     pub use crate::pipeline::{
@@ -139,6 +142,14 @@ pub mod target {
 pub mod bands {
     //! Frames without a framebuffer, drawn and sent in bands of some rows, and the rectangles that a new frame has to send. Start with
     //! [`Frame`], and with [`DirtyRegions`] where little changes.
+    //!
+    #![doc = include_str!("book/bands.md")]
+    //!
+    #![doc = include_str!("book/tearing.md")]
+    //!
+    #![doc = include_str!("book/tearing.svg")]
+    //!
+    #![doc = include_str!("book/tearing_rules.md")]
 
     pub use crate::surface::{Band, DirtyRegions, Frame, SmoothBand, SmoothFrame, Tracked, TransferCost};
 }

@@ -1,11 +1,12 @@
-//! Coordinate spaces as type tags: code that mixes two spaces does not compile.
+//! Coordinate spaces as type tags: code that mixes two spaces does not compile. Start with [`Model`] and [`World`].
 //!
-//! | space | unit | axes |
-//! |---|---|---|
-//! | [`Model`] | world units | the mesh's own |
-//! | [`World`] | world units | right-handed, the scene's own |
-//! | [`View`] | world units | u right, v up, n towards the viewer: the camera looks along −n |
-//! | [`Ndc`] | −1 … 1 | x right, y up, z from near (−1) to far (+1) |
+#![doc = include_str!("book/coordinates.md")]
+//!
+#![doc = include_str!("book/coordinates.svg")]
+//!
+#![doc = include_str!("book/signs.md")]
+//!
+//! # Spaces are not mixed
 //!
 //! Screen coordinates have their own arithmetic, so [`ScreenPoint`](crate::raster::ScreenPoint) is a type of its own.
 //!

@@ -1,5 +1,7 @@
 //! The camera: its position and orientation ([`ViewTransform`]), its view volume ([`Projection`]) and the rectangle of the
-//! target that shows it ([`Viewport`]).
+//! target that shows it ([`Viewport`]). Start with [`Camera::framing`].
+//!
+#![doc = include_str!("../book/projections.md")]
 
 mod borders;
 #[allow(clippy::module_inception)] // the type has the folder's name

@@ -1,5 +1,8 @@
-//! Numbers, angles, points and affine transforms, in integers. The module imports nothing of the crate but the tags of
+#![doc = include_str!("../book/links.md")]
+//! Numbers, angles, points and affine transforms, in integers. Start with [`Affine`] and [`Scalar`]; points and vectors have the tags of
 //! [`space`](crate::space).
+//!
+#![doc = include_str!("../book/numbers.md")]
 
 mod affine;
 mod angle;

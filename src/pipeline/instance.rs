@@ -12,7 +12,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// and frame.
 ///
 /// Each drawing mode is a method: lines, solid faces, faces with a depth test, hidden lines, points. [The
-/// book](crate::book::ch4_visibility) compares them.
+/// book](crate::draw#hidden-surface-removal) compares them.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshInstance<'m, V: Coordinate = i16> {
     parts: Parts<'m, V::Stored>,

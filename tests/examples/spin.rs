@@ -45,7 +45,7 @@ fn misordered<const CORNERS: usize, const FACES: usize>(
     Ok((differing, pairs().filter(|(_, nearest)| **nearest != NOTHING).count()))
 }
 
-/// `ch4_visibility.md` says so.
+/// `src/book/visibility.md` says so.
 #[test]
 fn painters_order_shows_the_nearest_face_but_in_one_pixel_of_a_hundred() {
     let mut painter = Box::new(Painter::<Rgb888, 1024, 1024>::new());

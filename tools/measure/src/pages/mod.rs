@@ -20,7 +20,7 @@ const PAGES: [&str; 8] = [
     "docs/growth.md",
     "docs/footprint.md",
     "docs/bands.md",
-    "src/book/ch6_budget.md",
+    "src/book/budget.md",
 ];
 const PICTURES: &str = "src/book/pictures.md";
 const BEGIN: &str = "<!-- table: ";
