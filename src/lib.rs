@@ -43,7 +43,7 @@
 //!
 //! | topic | module | start here |
 //! |---|---|---|
-//! | learning the pipeline | [`book`] | chapter by chapter; eight programs to copy: the [cookbook](book#cookbook) |
+//! | learning the pipeline | [`book`] | chapter by chapter; nine programs to copy: the [cookbook](book#cookbook) |
 //! | names to import | [`prelude`] | and [`Angle`], apart because embedded-graphics has one |
 //! | numbers, moving objects | [`math`], [`space`] | [`Affine`], [`Scalar`]; [`Hierarchy`](mesh::Hierarchy) for joints |
 //! | cameras | [`camera`] | [`Camera::framing`]; [`Projection`], [`Viewport`]; [choosing a projection](camera#choosing-a-projection) |
@@ -134,8 +134,8 @@ pub mod target {
     //! DrawTarget; [`Picture`] is a framebuffer.
 
     pub use crate::surface::{
-        BufferError, DepthBuffer, DepthTestedSurface, Gives, LeastRun, Memory, Picture, PixelStore, Pixels,
-        SmoothPass, Surface, Target,
+        BufferError, DepthBuffer, DepthTestedSurface, LeastRun, Memory, Picture, Pixels, SmoothPass, Surface,
+        Target,
     };
 }
 
@@ -159,6 +159,7 @@ pub mod light {
 
     pub use crate::shading::highlight::BlinnPhong;
     pub use crate::shading::lambert::{Lambert, RigidLambert};
+    pub use crate::shading::light::Light;
     pub use crate::shading::light_error::LightError;
     pub use crate::shading::lights::{DirectionalLight, Lights};
     pub use crate::shading::matcap::Matcap;

@@ -22,10 +22,10 @@ pub use crate::camera::{Camera, Projection, ScreenVertex, ViewTransform, Viewpor
 pub use crate::color::Color;
 pub use crate::draw::{BinnedFaces, Cull, MeshInstance, Object, Painter, Scene, Statistics};
 pub use crate::fog::Fogged;
-pub use crate::light::Lambert;
+pub use crate::light::{Lambert, Light};
 pub use crate::math::{Affine, Point3, Scalar, Vector3};
 pub use crate::mesh::Mesh;
-pub use crate::shading::{Flat, Gouraud, HalfBlended, Lit, ScreenDoor, ShadeTable};
+pub use crate::shading::{Dithered, Flat, Gouraud, ScreenDoor, ShadeTable};
 pub use crate::space::{Model, World};
 pub use crate::sprite::Sprite;
 pub use crate::target::{DepthBuffer, Picture, Surface, Target};

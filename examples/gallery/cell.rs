@@ -35,7 +35,7 @@ pub(crate) fn draw(
             of == side && whole.is_some_and(|p| is_front(&p))
         })
     };
-    let cell = Rectangle::new(viewport.top_left(), viewport.size());
+    let cell = viewport.area();
 
     for (axis, point) in camera.vanishing_points().into_iter().enumerate() {
         if let Some(point) = point {

@@ -81,5 +81,5 @@ where
     inside.faces(|face| shade(first_inside + face)).sorted(painter)?;
     let statistics = painter.draw(target)?;
     outside.faces(shade).sorted(painter)?;
-    Ok(painter.draw(target)?.and(statistics))
+    Ok(painter.draw(target)? + statistics)
 }

@@ -161,7 +161,11 @@ fn lamps() -> Drawn {
             for [x, y, z] in lamps {
                 let at = Point3::from_f32(x, y, z)?;
                 let lamp = PointLight::new(&model, mesh.exponent(), at, Scalar::from_ratio(9, 5), 256);
-                lamp.add_levels(&body.vertices, &body.normals, &mut levels);
+                for (level, (&vertex, &normal)) in
+                    levels.iter_mut().zip(body.vertices.iter().zip(&body.normals))
+                {
+                    *level = (*level + lamp.level(vertex, normal)).min(256);
+                }
             }
             let shader = |face: usize| table.lit(mesh.corners_of(face, &levels));
             scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader)?;
@@ -205,8 +209,7 @@ fn matcap() -> Drawn {
     let body = torus(40, 20);
     let (view, camera, model) = usual()?;
     let matcap = Matcap::new(&view, &model);
-    let mut coords = vec![[0; 2]; body.normals.len()];
-    matcap.all_coords(&body.normals, &mut coords);
+    let coords: Vec<_> = body.normals.iter().map(|&normal| matcap.coords(normal)).collect();
     let ball = ball();
     let texture = Texture::new(&ball).with_exponent(Matcap::EXPONENT)?;
     let mesh = body.mesh()?;

@@ -4,7 +4,10 @@ use super::bodies::{floor, torus};
 use super::{camera, scene, view, Drawn, CLAY, NIGHT};
 use embedded_graphics::geometry::{AnchorPoint, Size};
 use embedded_graphics::pixelcolor::Rgb888;
-use pinhole::{prelude::*, sprite::SpriteSource, target::Pixels, texture::ColorKeyed, Angle};
+use pinhole::{
+    color::Half, prelude::*, shading::Translucent, sprite::SpriteSource, target::Pixels, texture::ColorKeyed,
+    Angle,
+};
 use std::error::Error;
 use std::f64::consts::TAU;
 
@@ -120,8 +123,8 @@ pub(crate) fn fountain() -> Drawn {
                 let [dx, dy] = [0, 1].map(|of| scattered(number, of) as f32 - 0.5);
                 let at = Point3::from_f32(x as f32 * 1.1 + dx, 1.0 + 0.9 * dy, z as f32 * 0.18)?;
                 let size = Scalar::try_from(0.5 + 0.4 * scattered(number, 2))?;
-                let puff =
-                    Sprite::new(HalfBlended::new(Puff(120 + 20 * (number % 4) as u8))).with_size(size, size);
+                let puff = Sprite::new(Translucent::new(Puff(120 + 20 * (number % 4) as u8), Half))
+                    .with_size(size, size);
                 camera.place_sprite(at).draw(|_| puff, &mut target.depth_tested(depth))?;
             }
         }

@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    color::{Ink, StoredPixel, Writes},
+    color::{StoredPixel, Unmixed},
     prelude::*,
     shading::SpanShader,
 };
@@ -46,7 +46,7 @@ impl<C: Color + Debug> Place<C> {
     }
 
     /// Into memory and onto DrawTargets.
-    pub(crate) fn everywhere<const N: usize, S: SpanShader<C, Ink: Ink<C, Access = Writes>>>(
+    pub(crate) fn everywhere<const N: usize, S: SpanShader<C, Ink: Unmixed<C>>>(
         &self,
         instance: &MeshInstance<'_>,
         shade: &dyn Fn(usize) -> S,

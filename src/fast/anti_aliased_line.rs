@@ -19,7 +19,7 @@
 use crate::color::StoredPixel;
 use crate::math::hints::keep_rolled;
 use crate::raster::{rest, share, unrounded_rest, weighted_area, LineArea, LineCoverage, LineEnds, Scissor};
-use crate::shading::Stroke;
+use crate::shading::StrokeKind;
 use crate::surface::Surface;
 use core::cell::Cell;
 
@@ -27,7 +27,7 @@ use super::{memory_of, table_line::table_line};
 
 /// Draws a line, whose columns lie in the scissor, which lies in the target, and returns `true`; or draws nothing.
 #[inline(always)]
-pub(crate) fn anti_aliased_line<T: Surface, K: Stroke<T::Color>>(
+pub(crate) fn anti_aliased_line<T: Surface, K: StrokeKind<T::Color>>(
     line: &LineCoverage,
     area: &LineArea,
     scissor: &Scissor,
@@ -79,7 +79,7 @@ pub(crate) fn anti_aliased_line<T: Surface, K: Stroke<T::Color>>(
 /// Draws an edge with an opaque stroke, if it lies inside the scissor, which lies in the target, and is so long that its start and its end are
 /// parts of their own, and returns `true`; or draws nothing. `parts` are the columns at its start, in its middle and at its end.
 #[inline(always)]
-pub(crate) fn anti_aliased_edge<T: Surface, K: Stroke<T::Color>>(
+pub(crate) fn anti_aliased_edge<T: Surface, K: StrokeKind<T::Color>>(
     parts: &[LineCoverage; 3],
     area: &LineArea,
     weights: &[LineEnds; 2],

@@ -3,7 +3,7 @@
 //! This file has no plain twin, gain or test of its own: see the files of the fills.
 
 use super::{fog_fill, ramp_fill, shaded_fill, solid_fill};
-use crate::color::Ink;
+use crate::color::InkKind;
 use crate::raster::{DepthTriangle, Scissor, Triangle};
 use crate::shading::SpanShader;
 use crate::surface::{DepthTarget, Surface};
@@ -19,7 +19,7 @@ pub(crate) fn fill<T: Surface, S: SpanShader<T::Color>>(
     target: &mut T,
 ) -> bool {
     if S::Ink::IS_OPAQUE {
-        if let Some(color) = shader.solid().and_then(Ink::own) {
+        if let Some(color) = shader.solid().and_then(InkKind::own) {
             return solid_fill::triangle(triangle, color, scissor, is_clipped, target);
         }
         if let Some(levels) = shader.levels() {
@@ -47,7 +47,7 @@ pub(crate) fn fill_nearer<T: Surface, S: SpanShader<T::Color>>(
     target: &mut T,
 ) -> bool {
     if S::Ink::IS_OPAQUE && S::WRITES_DEPTH {
-        if let Some(color) = shader.solid().and_then(Ink::own) {
+        if let Some(color) = shader.solid().and_then(InkKind::own) {
             return solid_fill::triangle_nearer(triangle, color, scissor, is_clipped, depth, target);
         }
         if let Some(levels) = shader.levels()

@@ -7,7 +7,7 @@
 //!   (S5 alpha).
 //! - **Test**: `by_every_call` and `everywhere` in `tests/support/src/bridge/ways.rs`.
 
-use crate::color::{Ink, StoredPixel};
+use crate::color::{InkKind, StoredPixel};
 use crate::math::cores::CORTEX_M0;
 use crate::math::hints::{keep_branch, keep_rolled, opaque};
 use crate::math::unrolled::each8;
@@ -51,7 +51,7 @@ impl<C, I> Inked<C, I> {
     }
 }
 
-impl<Cell: Copy, C: StoredPixel<Cell>, I: Ink<C>> Put<Cell> for Inked<C, I> {
+impl<Cell: Copy, C: StoredPixel<Cell>, I: InkKind<C>> Put<Cell> for Inked<C, I> {
     #[inline(always)]
     fn put(self, cell: &mut Cell) -> bool {
         put(cell, self.ink)

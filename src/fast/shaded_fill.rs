@@ -14,7 +14,7 @@ use super::fill_rows::{fill_low, fill_only_small, same_length, Fill, FillRow, Fi
 use super::put_run::{put_blocks, put_blocks_nearer, put_each, put_each_nearer, Inked, LookUp, OneInk};
 use super::ramp_fill::Packed;
 use super::{depth_gradient, memory_of, RowOrigin};
-use crate::color::Ink;
+use crate::color::InkKind;
 use crate::math::hints::opaque;
 use crate::raster::{DepthTriangle, Gradient, Scissor, Span, Triangle};
 use crate::shading::{Line, SpanShader};
@@ -31,7 +31,7 @@ pub(crate) fn triangle<T: Surface, S: SpanShader<T::Color>>(
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
     let setup = shader.set_up(triangle);
-    let Some(color) = S::look_up(&setup).and_then(Ink::opaque) else {
+    let Some(color) = S::look_up(&setup).and_then(InkKind::opaque) else {
         fill(memory, triangle, scissor, &mut |cells, span| {
             each_run(cells, S::runs(&setup, span), |pixels, run| {
                 put_each::<_, false>(pixels, run.map(Inked::<T::Color, S::Ink>::new));
@@ -47,7 +47,7 @@ pub(crate) fn triangle<T: Surface, S: SpanShader<T::Color>>(
     if S::BY_RUN {
         fill(memory, triangle, scissor, &mut |cells, span| {
             each_run(cells, S::lines(&setup, span), |pixels, [at @ [_, second], step]| {
-                if let Some(color) = S::look_up_in_run(&setup, second).and_then(Ink::opaque) {
+                if let Some(color) = S::look_up_in_run(&setup, second).and_then(InkKind::opaque) {
                     let (line, zero) = (Line { at, step }, opaque(0));
                     put_blocks(pixels, LookUp::<_, _, false> { line, color, zero });
                 }
@@ -69,7 +69,7 @@ pub(crate) fn triangle<T: Surface, S: SpanShader<T::Color>>(
 
 /// [`triangle`] for one ink that is mixed with the stored pixels.
 #[inline(always)]
-pub(crate) fn triangle_of_one_ink<T: Surface, I: Ink<T::Color>>(
+pub(crate) fn triangle_of_one_ink<T: Surface, I: InkKind<T::Color>>(
     triangle: &Triangle<'_>,
     ink: I,
     scissor: &Scissor,
@@ -174,7 +174,7 @@ pub(crate) fn triangle_nearer<T: Surface, S: SpanShader<T::Color>>(
     let Some(memory) = memory_of(target) else { return false };
     let DepthTriangle { triangle: corners, depths, .. } = triangle;
     let setup = shader.set_up(corners);
-    let Some(color) = S::look_up(&setup).and_then(Ink::opaque).filter(|_| S::WRITES_DEPTH) else {
+    let Some(color) = S::look_up(&setup).and_then(InkKind::opaque).filter(|_| S::WRITES_DEPTH) else {
         let gradient = depth_gradient(corners, depths);
         fill(memory, corners, scissor, &mut |cells, span| {
             let runs = S::runs(&setup, span);
@@ -200,7 +200,9 @@ pub(crate) fn triangle_nearer<T: Surface, S: SpanShader<T::Color>>(
             let (lines, zero) = (S::lines(&setup, span), opaque(0));
             each_run_nearer(cells, depth.buffer, span, &gradient, lines, |pixels, depths, z, step, run| {
                 let [at @ [_, second], by] = run;
-                let Some(color) = S::look_up_in_run(&setup, second).and_then(Ink::opaque) else { return z };
+                let Some(color) = S::look_up_in_run(&setup, second).and_then(InkKind::opaque) else {
+                    return z;
+                };
                 let line = Line { at, step: by };
                 put_blocks_nearer(pixels, depths, z, step, LookUp::<_, _, false> { line, color, zero })
             });

@@ -9,7 +9,7 @@
 
 use super::memory_of;
 use super::put_run::{Inked, Put};
-use crate::color::Ink;
+use crate::color::InkKind;
 use crate::math::cores::CORTEX_M0;
 use crate::math::hints::keep_rolled;
 use crate::raster::{Scissor, TexelWalk};
@@ -27,7 +27,7 @@ const BLOCK: usize = 4;
 /// and `rows` have the texel of the first pixel; `strip` is overwritten. With a depth buffer, only pixels whose stored depths are larger
 /// than `own`, which replaces them unless the ink is mixed with stored pixels.
 #[inline(always)]
-pub(crate) fn sprite<T: Surface, I: Ink<T::Color>>(
+pub(crate) fn sprite<T: Surface, I: InkKind<T::Color>>(
     covered: &Scissor,
     [mut columns, rows]: [TexelWalk; 2],
     strip: &mut Strip,

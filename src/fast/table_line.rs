@@ -11,13 +11,13 @@ use super::memory_of;
 use crate::color::StoredPixel;
 use crate::math::hints::keep_rolled;
 use crate::raster::{rests_at, LineCoverage, LineRests};
-use crate::shading::{rests_of_line, Stroke};
+use crate::shading::{rests_of_line, StrokeKind};
 use crate::surface::Surface;
 use core::cell::Cell;
 
 /// Draws a line, which has columns, and returns `true`, or draws nothing. `halves`: as in [`LineCoverage::split`].
 #[inline(always)]
-pub(crate) fn table_line<T: Surface, K: Stroke<T::Color>>(
+pub(crate) fn table_line<T: Surface, K: StrokeKind<T::Color>>(
     line: &LineCoverage,
     halves: [bool; 2],
     stroke: K,

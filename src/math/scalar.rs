@@ -18,7 +18,6 @@ use heapless::String;
 /// | a whole number | [`Scalar::from_int`], or `.into()` from an `i16` |
 /// | a fraction, such as 2/5 for 0.4 | [`Scalar::from_ratio`] |
 /// | an `f32` or `f64` | [`Scalar::from_f32`], [`Scalar::try_from`], with an error for NaN and for numbers out of range |
-/// | any number that is known to be in range | [`Scalar::from_num`] |
 /// | text, such as `"-2.5"` | [`str::parse`] |
 /// | an `I16F16` of the crate `fixed` | `.into()`, which converts back, too, with the feature `fixed` |
 ///
@@ -119,24 +118,6 @@ impl Scalar {
         let rest = scaled - whole as f64; // exact
         Ok(Self::from_bits(whole + (rest >= 0.5) as i32 - (rest <= -0.5) as i32))
         // 32 bits by the test above
-    }
-
-    /// From a whole or a floating-point number in the manner of Rust's `as`: rounded to the nearest 2⁻¹⁶, ties away from zero;
-    /// beyond the range [`Scalar::MIN`] or [`Scalar::MAX`], and 0 for NaN. For numbers that are known to be in range;
-    /// [`from_f32`](Self::from_f32) tells where one is not.
-    ///
-    /// ```
-    /// use pinhole::Scalar;
-    /// assert_eq!([Scalar::from_num(1), Scalar::from_num(0.5), Scalar::from_num(40_000)], [Scalar::ONE, Scalar::from_ratio(1, 2), Scalar::MAX]);
-    /// ```
-    pub fn from_num(number: impl Into<f64>) -> Self {
-        let number = number.into();
-        match Self::from_double(number) {
-            Ok(scalar) => scalar,
-            Err(_) if number > 0.0 => Self::MAX,
-            Err(_) if number < 0.0 => Self::MIN,
-            Err(_) => Self::ZERO,
-        }
     }
 
     /// The number without its sign; −32768 becomes [`Scalar::MAX`].

@@ -10,7 +10,7 @@ use super::faces::{draw_triangles, each_face};
 use super::fill::{fill, fill_nearer, solid_color};
 use super::statistics::Statistics;
 use super::vertex_cache::{area, BinnedVertices, TransformedMesh};
-use crate::color::Ink;
+use crate::color::InkKind;
 use crate::fast::carried::{self, Carried, Rest};
 use crate::math::hints::keep_rolled;
 use crate::math::unrolled::map3;

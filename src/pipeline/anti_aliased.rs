@@ -11,7 +11,7 @@ use crate::math::hints::keep_rolled;
 use crate::raster::{
     areas_at, rest, share, weighted_area, Column, LineArea, LineCoverage, LineDepth, LineEnds, Pixel, Scissor,
 };
-use crate::shading::{rests_of_line, Stroke};
+use crate::shading::{rests_of_line, StrokeKind};
 use crate::surface::{DepthBuffer, Memory, Surface};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
@@ -212,7 +212,7 @@ fn meet(ends: [[i32; 2]; 2], viewport: &Scissor) -> bool {
 
 /// An edge by its parts, and the weights of the pixels at its start and its end.
 #[inline(always)]
-fn parts_of<C: PixelColor, K: Stroke<C>>(
+fn parts_of<C: PixelColor, K: StrokeKind<C>>(
     ends: [[i32; 2]; 2],
     scissor: &Scissor,
 ) -> (LineArea, [LineEnds; 2], [LineCoverage; 3]) {
@@ -292,7 +292,7 @@ mod tests {
     #[derive(Clone, Copy)]
     struct Trace<const BITS: u32, const BY_TABLE: bool = false>;
 
-    impl<const BITS: u32, const BY_TABLE: bool> Stroke<Rgb888> for Trace<BITS, BY_TABLE> {
+    impl<const BITS: u32, const BY_TABLE: bool> StrokeKind<Rgb888> for Trace<BITS, BY_TABLE> {
         type Access = Reads;
         const IS_OPAQUE: bool = true; // both paths then take shares by weight
         const SHARE_BITS: u32 = BITS;
@@ -331,7 +331,7 @@ mod tests {
     }
 
     /// Draws a line by the fast path and by the plain one, as `line` attaches them, and compares each pixel.
-    fn compare<C: Color + core::fmt::Debug, K: Stroke<C>>(
+    fn compare<C: Color + core::fmt::Debug, K: StrokeKind<C>>(
         ends: [[i32; 2]; 2],
         scissor: &Scissor,
         stroke: K,
@@ -375,7 +375,7 @@ mod tests {
     }
 
     /// Draws an edge, by the fast path where it is taken, and by the plain one in all parts, and compares each pixel.
-    fn compare_edge<C: Color + core::fmt::Debug, K: Stroke<C, Access = Reads>>(
+    fn compare_edge<C: Color + core::fmt::Debug, K: StrokeKind<C, Access = Reads>>(
         ends: [[i32; 2]; 2],
         scissor: &Scissor,
         stroke: K,

@@ -13,7 +13,7 @@ use crate::camera::UnpackedVertex;
 use crate::color::Access;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
-use crate::shading::Stroke;
+use crate::shading::StrokeKind;
 use crate::surface::{
     BufferError, DepthBuffer, DepthTestedSurface, Surface, Target, Tested, Unmatched, Untested,
 };
@@ -165,7 +165,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     /// Activates the edges that begin in a band. Returns the part of the viewport that lies in the band, and in the depth
     /// buffer if there is one.
     #[inline(always)]
-    fn advance_to_band<K: Stroke<C>, C: PixelColor>(
+    fn advance_to_band<K: StrokeKind<C>, C: PixelColor>(
         &mut self,
         band: &Rectangle,
         depth: Option<&DepthBuffer<'_>>,
@@ -190,7 +190,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
 
     /// Calls `draw` for each edge that may lie in the band of the last [`advance_to_band`](Self::advance_to_band).
     #[inline(always)]
-    fn each<K: Stroke<C>, C: PixelColor, E>(
+    fn each<K: StrokeKind<C>, C: PixelColor, E>(
         &mut self,
         region: &DrawRegion,
         mut draw: impl FnMut(&TransformedMesh<'_, V, DEPTH>, usize, [UnpackedVertex; 2]) -> Result<(), E>,

@@ -3,7 +3,7 @@
 use super::anti_aliased;
 use super::drawable::{ShaderFor, StrokeFor};
 use super::fill::{fill, line, scissor_of};
-use crate::color::{Access, Ink};
+use crate::color::{Access, InkKind};
 use crate::fast::solid_fill;
 use crate::raster::{self, Pixel, Scissor, ScreenPoint, Triangle};
 use crate::surface::Surface;
@@ -41,7 +41,7 @@ pub fn fill_triangle<T: Surface, S: ShaderFor<T>>(
         return Ok(()); // R6
     }
     if S::Ink::IS_OPAQUE
-        && let Some(color) = shader.solid().and_then(Ink::own)
+        && let Some(color) = shader.solid().and_then(InkKind::own)
         && solid_fill::triangle_2d(corners, area, color, target)
     {
         return Ok(());

@@ -3,7 +3,7 @@
 //! Each draw call asks for one of these traits, so that an ink that reads pixels and a target that cannot give them meet in the
 //! caller's line.
 
-use crate::color::Ink;
+use crate::color::InkKind;
 use crate::shading::{SpanShader, SpriteSource, Stroke};
 use crate::surface::{Gives, Surface};
 
@@ -17,7 +17,7 @@ use crate::surface::{Gives, Surface};
 pub trait ShaderFor<T: Surface>: SpanShader<T::Color> {}
 
 impl<T: Surface, S: SpanShader<T::Color>> ShaderFor<T> for S where
-    T::Store: Gives<<S::Ink as Ink<T::Color>>::Access>
+    T::Store: Gives<<S::Ink as InkKind<T::Color>>::Access>
 {
 }
 
@@ -42,6 +42,6 @@ impl<T: Surface, K: Stroke<T::Color>> StrokeFor<T> for K where T::Store: Gives<K
 pub trait SpriteFor<T: Surface>: SpriteSource<Color = T::Color> {}
 
 impl<T: Surface, S: SpriteSource<Color = T::Color>> SpriteFor<T> for S where
-    T::Store: Gives<<S::Ink as Ink<T::Color>>::Access>
+    T::Store: Gives<<S::Ink as InkKind<T::Color>>::Access>
 {
 }

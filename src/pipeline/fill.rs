@@ -5,7 +5,7 @@
 //! targets whose pixels do not lie in memory.
 
 use super::drawable::ShaderFor;
-use crate::color::Ink;
+use crate::color::InkKind;
 use crate::fast::{self, line_fill, line_pixels};
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
 use crate::shading::SpanShader;
@@ -134,7 +134,7 @@ fn shade_span_nearer<T: Surface, S: ShaderFor<T>>(
 /// The colour of all pixels, if the shader has only one and sets each pixel to it.
 #[inline(always)]
 pub(super) fn solid_color<T: Surface, S: SpanShader<T::Color>>(shader: &S) -> Option<T::Color> {
-    shader.solid().filter(|_| S::Ink::IS_OPAQUE).and_then(Ink::own)
+    shader.solid().filter(|_| S::Ink::IS_OPAQUE).and_then(InkKind::own)
 }
 
 /// Whether a shader draws the pixels of a span: each call answers for the next one, from left to right.
@@ -144,7 +144,7 @@ pub(super) fn kept_pixels<C: PixelColor, S: SpanShader<C>>(
     span: Span,
 ) -> impl FnMut() -> bool {
     let mut inks = S::runs(setup, span).flat_map(|(width, run)| run.take(width as usize));
-    move || inks.next().and_then(Ink::own).is_some()
+    move || inks.next().and_then(InkKind::own).is_some()
 }
 
 /// Draws a line inside the scissor, which lies in the target.

@@ -288,7 +288,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
             BufferError::PainterFaces { needed: room.faces, capacity: most_faces }
         } else {
             self.vertices.truncate(room.vertices);
-            self.statistics = self.statistics.and(statistics);
+            self.statistics = self.statistics + statistics;
             return Ok(());
         };
         self.vertices.truncate(room.first);

@@ -6,20 +6,20 @@ use super::faces::{draw_triangles, each_face, Faces, NOTHING, PLANES};
 use super::fill::kept_pixels;
 use super::instance::MeshInstance;
 use super::vertex_cache::{LazyCache, TransformedMesh, VertexCache};
-use crate::camera::{Camera, ScreenVertex};
-use crate::color::Ink;
+use crate::camera::ScreenVertex;
+use crate::color::InkKind;
 use crate::fast;
-use crate::math::{Coordinate, Point3};
+use crate::math::Coordinate;
 use crate::raster::ScreenPoint;
 use crate::shading::SpanShader;
-use crate::space::World;
 use crate::surface::DepthBuffer;
 use core::convert::Infallible;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The visible point in a pixel: the answer of [`Faces::pick`] and [`SceneFaces::pick`](crate::draw::SceneFaces::pick).
+/// The visible point in a pixel: the answer of [`Faces::pick`] and [`SceneFaces::pick`](crate::draw::SceneFaces::pick). Its point in the
+/// world is [`Camera::unproject`](crate::Camera::unproject)`(at, depth)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Picked {
@@ -31,13 +31,6 @@ pub struct Picked {
     pub at: ScreenPoint,
     /// The depth of the face there, as a depth buffer stores it: 0 near to 65534 far.
     pub depth: u16,
-}
-
-impl Picked {
-    /// The world point under the pixel's centre, or `None`: see [`Camera::unproject`] for its error, and for when there is none.
-    pub fn point(&self, camera: &Camera) -> Option<Point3<World>> {
-        camera.unproject(self.at, self.depth)
-    }
 }
 
 impl<V: Coordinate, F, const CULLED_BY: u8> Faces<'_, V, F, CULLED_BY> {
@@ -61,7 +54,7 @@ impl<V: Coordinate, F, const CULLED_BY: u8> Faces<'_, V, F, CULLED_BY> {
     /// let opaque = |_face| BinaryColor::On;
     /// let picked = instance.faces(opaque).pick(Point::new(24, 24)).ok_or("background")?;
     /// assert_eq!(picked.face, 2); // the corners at the upper right, upper left and lower left
-    /// let point = picked.point(&camera).ok_or("far away")?;
+    /// let point = camera.unproject(picked.at, picked.depth).ok_or("far away")?;
     /// assert!(point.x() < Scalar::ZERO && point.y() > Scalar::ZERO && point.z() > -Scalar::ONE);
     /// assert_eq!(instance.faces(opaque).pick(Point::new(0, 0)), None);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -131,7 +124,7 @@ fn pick_nearer<'a, V: Coordinate + 'a, C: PixelColor, S: SpanShader<C>>(
                 return Ok(()); // the gradient is not set up
             }
             let gradient = fast::depth_gradient(&triangle.triangle, &triangle.depths);
-            let setup = <S::Ink as Ink<C>>::LEAVES_OUT.then(|| shader.set_up(&triangle.triangle));
+            let setup = <S::Ink as InkKind<C>>::LEAVES_OUT.then(|| shader.set_up(&triangle.triangle));
             spans.try_for_each(|span| {
                 let is_kept = || setup.as_ref().is_none_or(|setup| kept_pixels::<C, S>(setup, span)());
                 depth.test_kept(span, &gradient, is_kept, true, |_| {

@@ -278,7 +278,7 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
             let (own_bins, other_bins) = bins.split_at_mut_checked(numbers).unwrap_or_default();
             (cache, bins) = (other_cache, other_bins);
             let (binned, statistics) = BinnedObject::new(index, object, camera, own_cache, own_bins)?;
-            scene.statistics = scene.statistics.and(statistics);
+            scene.statistics = scene.statistics + statistics;
             let _ = scene.binned.push(binned); // both have the capacity `OBJECTS`
         }
         Ok(scene)
@@ -341,7 +341,7 @@ impl<'a, 's, 'm, M, G, const OBJECTS: usize> SceneFaces<'a, 's, 'm, M, G, OBJECT
             let instance = object.place(scene.camera);
             let faces = instance.faces(shade(index, object)).culled_by_planes();
             let drawn = faces.cached(cache).draw(target)?;
-            statistics = statistics.and(drawn);
+            statistics = statistics + drawn;
         }
         Ok(statistics)
     }

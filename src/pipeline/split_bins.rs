@@ -81,7 +81,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> SplitBins<'a, V, DEPTH> {
         let (faces, viewport) =
             (transformed.instance.mesh().faces.len(), pixels(transformed.instance.area()));
         let bins = BinStorage::new(storage, faces, 1)?.joined(&viewport, [&front.part, &back.part]);
-        let statistics = front.statistics.and(back.statistics).with_the_rest_culled(faces);
+        let statistics = (front.statistics + back.statistics).with_the_rest_culled(faces);
         Ok(BinnedFaces(Binned { transformed, bins, statistics }))
     }
 }

@@ -3,7 +3,7 @@
 //! The plain path passes each run of drawn pixels to the target; the call before it attaches the fast path for memory.
 
 use super::drawable::SpriteFor;
-use crate::color::Ink;
+use crate::color::InkKind;
 use crate::fast::sprite_fill;
 use crate::math::hints::keep_rolled;
 use crate::raster::{Gradient, Scissor, Span, SpriteAxis, TexelWalk};
@@ -93,7 +93,7 @@ fn fill_row<T: Surface, S: SpriteFor<T>, const DEPTH: bool>(
 ) -> Result<(), T::Error> {
     let depth = depth.as_deref_mut().filter(|_| DEPTH);
     let mut inks = texels.inks(texels.first);
-    let mut is_kept = || inks.next().and_then(Ink::own).is_some();
+    let mut is_kept = || inks.next().and_then(InkKind::own).is_some();
     // The walk goes on from run to run.
     let (mut x, mut walk) = (span.x, texels.first);
     let draw = |run: Span| {
@@ -122,7 +122,7 @@ fn draw_texels<T: Surface, S: SpriteFor<T>>(
     first: TexelWalk,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    match texels.source.solid_texel().filter(|_| !S::Ink::READS).and_then(Ink::own) {
+    match texels.source.solid_texel().filter(|_| !S::Ink::READS).and_then(InkKind::own) {
         Some(color) => target.fill(run, color),
         None => draw_run(run, texels.inks(first), target),
     }

@@ -111,7 +111,7 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_int(2) };
     /// # let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
-    /// let smoke = Sprite::new(HalfBlended::new(SolidTexel::new(Rgb565::RED)));
+    /// let smoke = Sprite::new(Translucent::new(SolidTexel::new(Rgb565::RED), Half));
     /// let placed = camera.place_sprite(Point3::from_ints(0, 0, 0));
     /// placed.draw(|_| smoke, &mut MockDisplay::new())?; // into a `Picture`, by `picture.pixels()`, it compiles
     /// # Ok::<(), Box<dyn std::error::Error>>(())

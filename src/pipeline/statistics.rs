@@ -32,10 +32,10 @@ impl Outcome {
 /// ```
 /// use pinhole::draw::Statistics;
 /// let [cube, ball] = [4, 9].map(|drawn| Statistics { drawn, culled: 2 * drawn, ..Statistics::default() });
-/// let both = cube.and(ball);
+/// let both = cube + ball; // sums saturate
 /// assert_eq!((both.drawn, both.culled, both.outside), (13, 26, 0));
 /// let many = Statistics { drawn: u32::MAX - 4, ..both };
-/// assert_eq!(both.and(many).drawn, u32::MAX);
+/// assert_eq!((both + many).drawn, u32::MAX);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -52,12 +52,10 @@ pub struct Statistics {
     pub degenerate: u32,
 }
 
-impl Statistics {
-    pub(super) const NONE: Self = Self { drawn: 0, culled: 0, clipped: 0, outside: 0, degenerate: 0 };
+impl core::ops::Add for Statistics {
+    type Output = Self;
 
-    /// The sum of two counts, saturating.
-    #[must_use]
-    pub const fn and(self, other: Self) -> Self {
+    fn add(self, other: Self) -> Self {
         Self {
             drawn: self.drawn.saturating_add(other.drawn),
             culled: self.culled.saturating_add(other.culled),
@@ -66,6 +64,10 @@ impl Statistics {
             degenerate: self.degenerate.saturating_add(other.degenerate),
         }
     }
+}
+
+impl Statistics {
+    pub(super) const NONE: Self = Self { drawn: 0, culled: 0, clipped: 0, outside: 0, degenerate: 0 };
 
     /// Counts a face.
     #[inline(always)]

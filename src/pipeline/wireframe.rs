@@ -63,8 +63,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// let model = Affine::identity();
     /// let fog = Fog::new(Scalar::from_int(12), Scalar::from_int(20))?; // the camera is at z = 16
     /// let fog = VertexFog::new(&fog, &camera, &model, mesh.exponent());
-    /// let mut factors = [0; VERTICES.len()];
-    /// fog.factors(&VERTICES, &mut factors); // once per frame
+    /// let factors = VERTICES.map(|vertex| fog.factor(vertex)); // once per frame
     /// let stroke = |edge: usize| {
     ///     let [a, b] = EDGES[edge].map(|vertex| factors[usize::from(vertex)]);
     ///     Rgb565::WHITE.over(Rgb565::BLACK, (a + b) / 2)

@@ -59,7 +59,7 @@ impl<'a> FaceColors<'a> {
     /// // In the dark, and in full light.
     /// let [dark, bright] = [0, 256].map(|level| colors.lit::<Rgb888>(1, level));
     /// assert_eq!([dark, bright], [Rgb888::new(180, 20, 0), Rgb888::new(240, 20, 0)]);
-    /// // With fractions of a level, for `Flat::dithered` and `Gouraud::new`.
+    /// // With fractions of a level, for `Dithered` and `Gouraud::new`.
     /// let face = Flat::lit(colors.color(1), 100).emitting(colors.emission(1));
     /// # let _ = face;
     /// # Ok::<(), pinhole::mesh::MeshError>(())

@@ -466,7 +466,7 @@ impl<'a, V> Mesh<'a, V> {
 
     /// Adds a unit normal for each vertex, pointing outwards, in 2⁻¹⁵ (32767 stands for 1): the normal of the surface that the
     /// faces approximate, or the mean of the normals of the faces around the vertex. For smooth shading: see
-    /// [`Lambert::levels`](crate::light::Lambert::levels).
+    /// [`Light::levels`](crate::light::Light::levels).
     ///
     /// ```
     /// use pinhole::{mesh::MeshError, Mesh};

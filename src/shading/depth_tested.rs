@@ -25,9 +25,9 @@ use super::{CornerValues, Shader};
 /// # let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), Size::new(32, 32)), &mut depths)?;
 /// // A wall, then three panes: one behind it, and two before it, of which the nearer one is added first.
 /// at(0).faces(|_| Gray8::new(100)).draw(&mut picture.pixels().depth_tested(&mut depth))?;
-/// let mut painter = Painter::<DepthTested<HalfBlended<Gray8>>, 9, 3>::new();
+/// let mut painter = Painter::<DepthTested<Translucent<Gray8, Half>>, 9, 3>::new();
 /// for (z, luma) in [(2, 200), (1, 0), (-1, 255)] {
-///     at(z).faces(|_| DepthTested::new(HalfBlended::new(Gray8::new(luma)))).sorted(&mut painter)?;
+///     at(z).faces(|_| DepthTested::new(Translucent::new(Gray8::new(luma), Half))).sorted(&mut painter)?;
 /// }
 /// painter.draw(&mut picture.pixels().depth_tested(&mut depth))?;
 /// assert_eq!(picture.colors()[16 * 32 + 16], Gray8::new(125)); // (200 + (0 + 100) / 2) / 2

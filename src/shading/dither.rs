@@ -2,11 +2,11 @@
 
 use super::gouraud::Rounding;
 use super::levels::{add_bias, align, integer_parts, levels};
-use super::{Flat, Gouraud, Lit};
+use super::Flat;
 use crate::color::Color;
 
 /// A shader with ordered dithering, which shows more shades than the target has: each pixel is rounded down or up by a
-/// threshold, one of 64 in an 8 × 8 pattern. [`Flat::dithered`], [`Gouraud::dithered`] and [`Lit::dithered`] make it. (Bayer,
+/// threshold, one of 64 in an 8 × 8 pattern: of [`Flat`], [`Gouraud`](crate::shading::Gouraud), [`Lit`](crate::shading::Lit) and [`PerspectiveGouraud`](crate::shading::PerspectiveGouraud). (Bayer,
 /// *An optimum method for two-level rendition of continuous-tone pictures*, 1973; Foley et al., *Computer Graphics*, 2nd ed.,
 /// section 13.1.2.)
 ///
@@ -18,12 +18,12 @@ use crate::color::Color;
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}, prelude::*, primitives::Rectangle};
-/// use pinhole::{draw::fill_triangle, raster::ScreenPoint, shading::Flat};
+/// use pinhole::{draw::fill_triangle, raster::ScreenPoint, shading::{Dithered, Flat}};
 /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
 /// let grey = Flat::from(Rgb888::new(51, 51, 51)); // a fifth of white: 12.8 of 64
 /// let mut display = MockDisplay::<BinaryColor>::new();
 /// let mut square = display.clipped(&Rectangle::new(Point::zero(), Size::new(8, 8)));
-/// fill_triangle([corner(0, 0), corner(0, 16), corner(16, 0)], grey.dithered(), &mut square)?;
+/// fill_triangle([corner(0, 0), corner(0, 16), corner(16, 0)], Dithered(grey), &mut square)?;
 /// display.assert_pattern(&[
 ///     "........",
 ///     "..#...#.",
@@ -38,20 +38,10 @@ use crate::color::Color;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Dithered<S>(pub(crate) S);
-
-macro_rules! dithered {
-    ($($shader:ty),*) => {$(
-        impl $shader {
-            /// This shader with ordered dithering.
-            pub const fn dithered(self) -> Dithered<Self> {
-                Dithered(self)
-            }
-        }
-    )*};
-}
-
-dithered!(Flat, Gouraud, Lit);
+pub struct Dithered<S>(
+    /// The shader.
+    pub S,
+);
 
 impl Flat {
     /// The nearest colour of the target.

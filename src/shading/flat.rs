@@ -7,7 +7,7 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 /// One colour for a face, with red, green and blue in 1/256 of the steps of `Rgb888`.
 ///
 /// As a shader it fills a face with the nearest colour of the target, computed once per face. The target may have any colour
-/// type with [`Color`](crate::color::Color), so one closure works for all of them. [`dithered`](Self::dithered) also shows the
+/// type with [`Color`](crate::color::Color), so one closure works for all of them. [`Dithered`](crate::shading::Dithered) also shows the
 /// fraction that rounding drops.
 ///
 /// ```
@@ -36,7 +36,7 @@ impl Flat {
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb888, WebColors};
     /// use pinhole::shading::{Flat, Gouraud};
-    /// let (light, fog) = ([256, 128, 40], [256, 200, 90]); // of Lambert::levels and VertexFog::factors
+    /// let (light, fog) = ([256, 128, 40], [256, 200, 90]); // of Light::levels and VertexFog::factor
     /// let corner = |i: usize| Flat::lit(Rgb888::CSS_GOLD, light[i]).in_fog(Rgb888::CSS_LIGHT_STEEL_BLUE, fog[i]);
     /// let face = Gouraud::new([0, 1, 2].map(corner));
     /// assert_eq!(corner(0), Flat::from(Rgb888::CSS_GOLD));

@@ -6,7 +6,7 @@ use super::ShadeTable;
 use crate::color::Color;
 use crate::math::unit::{is_zero, normalise};
 use crate::math::{Affine, Vector3};
-use crate::shading::LightError;
+use crate::shading::{Light, LightError};
 use crate::space::{Model, World};
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
@@ -92,11 +92,11 @@ impl BlinnPhong {
             squarings: 15 - shininess.clamp(1, 256).leading_zeros() as u8, // 0 … 8
         })
     }
+}
 
-    /// The light level, 0 … 256, of a face or a vertex with this unit normal (model space, in 2⁻¹⁵). The [type](Self) has the
-    /// formula and the error.
+impl Light for BlinnPhong {
     #[inline(always)]
-    pub fn level(&self, normal: [i16; 3]) -> u16 {
+    fn level(&self, normal: [i16; 3]) -> u16 {
         let normal = self.space.normal(normal);
         let cosine = dot_words(normal, self.towards); // in 2⁻³⁰
         let ambient = u32::from(self.ambient);
@@ -119,13 +119,6 @@ impl BlinnPhong {
             level += ((65_536 - diffuse) * power) >> 16; // 2¹⁶ · (2¹⁶ − 1) at most
         }
         ((level + 128) >> 8) as u16
-    }
-
-    /// Writes the [`level`](Self::level) of each normal to `levels`, up to the end of the shorter slice.
-    pub fn levels(&self, normals: &[[i16; 3]], levels: &mut [u16]) {
-        for (level, &normal) in levels.iter_mut().zip(normals) {
-            *level = self.level(normal);
-        }
     }
 }
 

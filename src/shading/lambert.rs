@@ -5,11 +5,12 @@ use crate::math::num::{dot, row_times};
 use crate::math::unit::{is_zero, normalise};
 use crate::math::unrolled::map3;
 use crate::math::{component_to_q15, Affine, NormalMatrix, Vector3};
-use crate::shading::LightError;
+use crate::shading::{Light, LightError};
 use crate::space::{Model, World};
 
-/// One directional light and ambient light by Lambert's law, set up for one object. [`level`](Self::level) computes the light
-/// of a face or a vertex from its normal.
+/// One directional light and ambient light by Lambert's law, set up for one object. A [`level`](Light::level) is
+/// `ambient + (256 − ambient) · max(0, cos)`, within 1 + κ·2⁻²², where κ is the largest scale factor of the model transform divided by its
+/// smallest.
 ///
 /// Normals are transformed by the inverse transpose of the model transform. If the transform is conformal (a rotation or
 /// reflection with uniform scale), the light direction is transformed to model space instead, and a normal takes three
@@ -61,17 +62,6 @@ impl Lambert {
         })
     }
 
-    /// The light level, 0 … 256, of a face or a vertex with this unit normal (model space, in 2⁻¹⁵): `ambient + (256 − ambient)
-    /// · max(0, cos)`, within 1 + κ·2⁻²², where κ is the largest scale factor of the model transform divided by its smallest.
-    #[inline(always)]
-    pub fn level(&self, normal: [i16; 3]) -> u16 {
-        let [a, b, c] = normal;
-        match &self.normal_matrix {
-            None => self.light.level(a, b, c),
-            Some(normal_matrix) => self.level_by_normal_matrix(normal_matrix, a, b, c),
-        }
-    }
-
     #[cold]
     #[inline(never)]
     fn level_by_normal_matrix(
@@ -84,22 +74,15 @@ impl Lambert {
         let [a, b, c] = normal_matrix.apply([a, b, c]);
         self.light.level(a, b, c)
     }
+}
 
-    /// Writes the [`level`](Self::level) of each normal to `levels`, up to the end of the shorter slice. Call it once per frame
-    /// for smooth shading with [`Gouraud`](super::Gouraud) or a [`ShadeTable`](super::ShadeTable). The normals are those of vertices: a mesh
-    /// without [`vertex_normals`](crate::Mesh::vertex_normals) has an empty list, no level is written, and its faces come out black.
-    ///
-    /// ```
-    /// use pinhole::prelude::*;
-    /// let light = Lambert::new(&Affine::<Model, World>::identity(), Vector3::from_ints(0, 0, 1), 56)?;
-    /// let mut levels = [0; 3];
-    /// light.levels(&[[0, 0, 32767], [28377, 0, 16384], [32767, 0, 0]], &mut levels); // 0, 60 and 90 degrees
-    /// assert_eq!(levels, [256, 156, 56]);
-    /// # Ok::<(), pinhole::light::LightError>(())
-    /// ```
-    pub fn levels(&self, normals: &[[i16; 3]], levels: &mut [u16]) {
-        for (level, &normal) in levels.iter_mut().zip(normals) {
-            *level = self.level(normal);
+impl Light for Lambert {
+    #[inline(always)]
+    fn level(&self, normal: [i16; 3]) -> u16 {
+        let [a, b, c] = normal;
+        match &self.normal_matrix {
+            None => self.light.level(a, b, c),
+            Some(normal_matrix) => self.level_by_normal_matrix(normal_matrix, a, b, c),
         }
     }
 }
@@ -143,7 +126,7 @@ impl ScaledLight {
 }
 
 /// [`Lambert`] for an object that is only turned, moved, reflected or scaled uniformly: set-up transforms the light direction by
-/// the transpose of the model transform, and a firmware that uses no other light has no code for normal matrices.
+/// the transpose of the model transform, and a firmware that uses no other light has no code for normal matrices. A level is within 1.
 ///
 /// ```
 /// use pinhole::{light::{LightError, RigidLambert}, prelude::*, Angle};
@@ -189,20 +172,13 @@ impl RigidLambert {
         // n·(Rᵀ·l) = (R·n)·l.
         Ok(Self { light: ScaledLight::new(normalise(&row_times(&light, rows)), ambient) })
     }
+}
 
-    /// The light level, 0 … 256, of a face or a vertex with this unit normal (model space, in 2⁻¹⁵): `ambient + (256 − ambient)
-    /// · max(0, cos)`, within 1.
+impl Light for RigidLambert {
     #[inline(always)]
-    pub fn level(&self, normal: [i16; 3]) -> u16 {
+    fn level(&self, normal: [i16; 3]) -> u16 {
         let [a, b, c] = normal;
         self.light.level(a, b, c)
-    }
-
-    /// Writes the [`level`](Self::level) of each normal to `levels`, up to the end of the shorter slice.
-    pub fn levels(&self, normals: &[[i16; 3]], levels: &mut [u16]) {
-        for (level, &normal) in levels.iter_mut().zip(normals) {
-            *level = self.level(normal);
-        }
     }
 }
 

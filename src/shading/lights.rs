@@ -4,7 +4,7 @@ use super::normal_space::{dot_words, NormalSpace};
 use crate::math::num::{mul_called, scale};
 use crate::math::unit::{is_zero, normalise};
 use crate::math::{Affine, Vector3};
-use crate::shading::LightError;
+use crate::shading::{Light, LightError};
 use crate::space::{Model, World};
 
 /// A light that shines in one direction everywhere, as the sun does: one of [`Lights`].
@@ -76,11 +76,11 @@ impl<const N: usize> Lights<N> {
         }
         Ok(Self { space, towards, ambient: (u32::from(ambient.min(256)) << 22) + (1 << 21) })
     }
+}
 
-    /// The light level, 0 … 256, of a face or a vertex with this unit normal (model space, in 2⁻¹⁵). The [type](Self) has the
-    /// formula and the error.
+impl<const N: usize> Light for Lights<N> {
     #[inline(always)]
-    pub fn level(&self, normal: [i16; 3]) -> u16 {
+    fn level(&self, normal: [i16; 3]) -> u16 {
         let normal = self.space.normal(normal);
         let mut sum = self.ambient;
         for &towards in &self.towards {
@@ -88,12 +88,5 @@ impl<const N: usize> Lights<N> {
             sum = sum.saturating_add(dot_words(normal, towards).max(0) as u32);
         }
         (sum >> 22).min(256) as u16
-    }
-
-    /// Writes the [`level`](Self::level) of each normal to `levels`, up to the end of the shorter slice.
-    pub fn levels(&self, normals: &[[i16; 3]], levels: &mut [u16]) {
-        for (level, &normal) in levels.iter_mut().zip(normals) {
-            *level = self.level(normal);
-        }
     }
 }

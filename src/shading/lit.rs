@@ -34,7 +34,7 @@ const fn light(level: u16) -> i32 {
 
 impl Gouraud {
     /// The shader of a face in one colour, with a light level at each corner: 0 … 256 (more counts as 256).
-    /// [`Lambert::levels`](crate::light::Lambert::levels) computes levels, [`Mesh::corners_of`](crate::Mesh::corners_of) picks those
+    /// [`Light::levels`](crate::light::Light::levels) computes levels, [`Mesh::corners_of`](crate::Mesh::corners_of) picks those
     /// of a face.
     ///
     /// ```
@@ -63,7 +63,7 @@ impl Lit {
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb888, WebColors};
     /// use pinhole::shading::{Flat, Gouraud};
-    /// let (levels, emission) = ([256, 128, 40], Rgb888::new(60, 0, 0)); // of Lambert::levels
+    /// let (levels, emission) = ([256, 128, 40], Rgb888::new(60, 0, 0)); // of Light::levels
     /// let face = Gouraud::lit(Rgb888::CSS_TEAL, levels).emitting(emission);
     /// assert_eq!(face, Gouraud::new(levels.map(|level| Flat::lit(Rgb888::CSS_TEAL, level).emitting(emission))));
     /// ```

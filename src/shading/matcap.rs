@@ -77,13 +77,6 @@ impl Matcap {
         [x, y]
     }
 
-    /// Writes the [`coords`](Self::coords) of each normal to `coords`, up to the end of the shorter slice.
-    pub fn all_coords(&self, normals: &[[i16; 3]], coords: &mut [[i16; 2]]) {
-        for (coords, &normal) in coords.iter_mut().zip(normals) {
-            *coords = self.coords(normal);
-        }
-    }
-
     /// The colour of a flat face with this unit normal (model space, in 2⁻¹⁵): the texel at [`coords`](Self::coords).
     #[inline(always)]
     pub fn color<T: Texels>(&self, ball: T, normal: [i16; 3]) -> T::Ink {

@@ -31,6 +31,10 @@ use crate::space::{Model, World};
 /// assert_eq!(light.level([0, 16, 0], up), 225); // one unit nearer: (1 − 1/16)²
 /// assert_eq!(light.level([16 * 4, 0, 0], up), 0); // beyond its range
 /// assert_eq!(light.level([0, 0, 0], [0, -32767, 0]), 0); // turned away
+/// // With another light, the sum of both, at most 256:
+/// let sun = Lambert::new(&model, Vector3::from_ints(1, 0, 0), 40)?;
+/// assert_eq!((sun.level(up) + light.level([0, 0, 0], up)).min(256), 184);
+/// # Ok::<(), pinhole::light::LightError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -155,26 +159,6 @@ impl PointLight {
         let fade = (rest * rest) >> 16; // in 2⁻¹⁶, below 1
         let part = ((cosine as u32).min(1 << 15) * fade) >> 15; // in 2⁻¹⁶
         ((part * u32::from(self.strength) + (1 << 15)) >> 16) as u16
-    }
-
-    /// Adds the [`level`](Self::level) of each vertex to `levels`, up to the end of the shortest slice; sums are at most 256. Call it after
-    /// [`Lambert::levels`](crate::light::Lambert::levels) or [`Lights::levels`](crate::light::Lights::levels), or on zeros.
-    ///
-    /// ```
-    /// use pinhole::{light::PointLight, prelude::*};
-    /// let model = Affine::<Model, World>::identity();
-    /// let (vertices, normals) = ([[0, 0, 0], [3, 0, 0]], [[0, 32767, 0]; 2]);
-    /// let mut levels = [0; 2];
-    /// Lambert::new(&model, Vector3::from_ints(0, 0, 1), 40)?.levels(&normals, &mut levels);
-    /// let lamp = PointLight::new(&model, 0, Point3::from_ints(0, 2, 0), Scalar::from_int(4), 256);
-    /// lamp.add_levels(&vertices, &normals, &mut levels);
-    /// assert_eq!(levels, [40 + 144, 40 + 5]);
-    /// # Ok::<(), pinhole::light::LightError>(())
-    /// ```
-    pub fn add_levels(&self, vertices: &[[i16; 3]], normals: &[[i16; 3]], levels: &mut [u16]) {
-        for (level, (&vertex, &normal)) in levels.iter_mut().zip(vertices.iter().zip(normals)) {
-            *level = level.saturating_add(self.level(vertex, normal)).min(256);
-        }
     }
 }
 

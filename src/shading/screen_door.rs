@@ -2,7 +2,7 @@
 
 use super::dither::PATTERN;
 use super::{CornerValues, Shader, SpanShader};
-use crate::color::Ink;
+use crate::color::InkKind;
 use crate::raster::{Span, Triangle};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
@@ -67,7 +67,7 @@ impl<S: Shader> Shader for ScreenDoor<S> {
 }
 
 impl<C: PixelColor, S: SpanShader<C>> SpanShader<C> for ScreenDoor<S> {
-    type Ink = <S::Ink as Ink<C>>::Optional;
+    type Ink = <S::Ink as InkKind<C>>::Optional;
     /// The inner shader's, and the rows of the pattern.
     type Setup = (S::Setup, &'static [u8; 8]);
     const WRITES_DEPTH: bool = S::WRITES_DEPTH;

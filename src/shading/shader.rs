@@ -2,7 +2,7 @@
 
 use super::CornerValues;
 use crate::clip::Varying;
-use crate::color::Ink;
+use crate::color::{Ink, InkKind};
 use crate::raster::{Gradient, Span, Triangle};
 use crate::shading::TableShader;
 use core::iter::{once, repeat};
@@ -42,7 +42,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// // A colour for each face, at the light of its normal.
 /// instance.faces(|face| paint[face].dim(light.level(mesh.normals()[face]))).draw(&mut picture.pixels())?;
 /// // The light at each vertex, computed once; smooth in between.
-/// let smooth = |face| Gouraud::lit(Rgb888::CSS_GOLD, mesh.corners_of(face, &levels)).dithered();
+/// let smooth = |face| Dithered(Gouraud::lit(Rgb888::CSS_GOLD, mesh.corners_of(face, &levels)));
 /// instance.faces(smooth).draw(&mut picture.pixels())?;
 /// // A colour for each vertex.
 /// instance.faces(|face| Gouraud::new(mesh.corners_of(face, &heights))).draw(&mut picture.pixels())?;
@@ -150,7 +150,7 @@ pub trait SpanShader<C: PixelColor>: Shader {
 
     /// Whether draw calls with a depth buffer store the depth of the pixels that they draw. If false, they only test it: for
     /// translucent faces, behind which others may still be seen. The default is false for inks that are mixed.
-    const WRITES_DEPTH: bool = !<Self::Ink as Ink<C>>::READS;
+    const WRITES_DEPTH: bool = !<Self::Ink as InkKind<C>>::READS;
 
     /// Sets up the shader for a triangle, whose corners are in the order of the face's vertices.
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup;

@@ -4,18 +4,24 @@ use crate::color::{Access, Color, Mixer, Reads, Writes};
 use crate::raster::{line_table, rests_of, LineRests};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-/// What a line is drawn with: a colour, or [`AntiAliased`] with a colour. Every call that draws lines takes one.
+/// What a line is drawn with: a colour, [`AntiAliased`] with a colour, or [`AntiAliasedBy`] a function. Every call that draws lines takes one.
 ///
-/// Every `PixelColor` is a stroke: the pixels of a Bresenham line get the colour, on any target.
+/// Every `PixelColor` is a stroke: the pixels of a Bresenham line get the colour, on any target. A stroke that reads the stored pixels compiles
+/// only for targets whose pixels lie in [memory](crate::target::Surface::memory): a [`Picture`](crate::target::Picture)'s or a
+/// [`Band`](crate::bands::Band)'s `pixels()`, or a target of your own that has memory.
+pub trait Stroke<C: PixelColor>: StrokeKind<C> {}
+
+#[diagnostic::do_not_recommend]
+impl<C: PixelColor, K: StrokeKind<C>> Stroke<C> for K {}
+
+/// What the library does with a [`Stroke`].
 #[diagnostic::on_unimplemented(
     message = "lines of a target of `{C}` cannot be drawn with `{Self}`",
     label = "not `{C}` or a stroke of it",
     note = "pass `{C}`, the target's color type, or `AntiAliased` of it"
 )]
-pub trait Stroke<C: PixelColor>: Copy {
-    /// [`Reads`](crate::color::Reads) if lines are anti-aliased, else [`Writes`]. A stroke that reads the stored pixels compiles only for
-    /// targets whose pixels lie in [memory](crate::target::Surface::memory): a [`Picture`](crate::target::Picture)'s or a [`Band`](crate::bands::Band)'s
-    /// `pixels()`, or a target of your own that has memory.
+pub trait StrokeKind<C: PixelColor>: Copy {
+    /// [`Reads`] if lines are anti-aliased, else [`Writes`].
     type Access: Access;
 
     /// The colour of a pixel that the line covers.
@@ -37,7 +43,6 @@ pub trait Stroke<C: PixelColor>: Copy {
     const SHARE_BITS: u32 = 8;
 
     /// Whether areas are taken from a table, as of [`AntiAliasedByTable`]. Only for opaque strokes.
-    #[doc(hidden)]
     const BY_TABLE: bool = false;
 
     /// [`covering`](Self::covering) as a function for loops. Its arguments are the stored colour and its share in 2^−`SHARE_BITS`: the
@@ -49,7 +54,7 @@ pub trait Stroke<C: PixelColor>: Copy {
     }
 }
 
-impl<C: PixelColor> Stroke<C> for C {
+impl<C: PixelColor> StrokeKind<C> for C {
     type Access = Writes;
 
     #[inline(always)]
@@ -71,7 +76,7 @@ impl<C: PixelColor> Stroke<C> for C {
 /// the union of the strokes with **round joints**: a regular polygon with 64 sides of 1.8 pixels is within 0.045 of the exact area in
 /// every pixel, one with 16 sides within 0.08, a hexagon within 0.18, a square within 0.22; two lines at any angle miss at most 0.25 of
 /// a pixel, and cover up to 0.35 too much where they run side by side. A stroke that keeps a part of the stored color where it covers
-/// all, such as a translucent one of your own, has its shares added: with half of the color, all these polygons are within 0.14.
+/// all, such as a translucent one of [`AntiAliasedBy`], has its shares added: with half of the color, all these polygons are within 0.14.
 ///
 /// The area is within 2⁻¹² pixel of the exact one, asserted against polygons cut in f64. The share is rounded once: to 1/32, which is
 /// at most 1/64 off, for colours of 15 and 16 bits, and to 1/256 for other colours; [`Color::over`] then mixes, each channel rounded to
@@ -112,7 +117,7 @@ pub struct AntiAliased<C>(
 /// The implementation of a stroke of anti-aliased lines.
 macro_rules! anti_aliased {
     ($stroke:ident, $by_table:literal) => {
-        impl<C: Color> Stroke<C> for $stroke<C> {
+        impl<C: Color> StrokeKind<C> for $stroke<C> {
             type Access = Reads;
 
             #[inline(always)]
@@ -142,7 +147,7 @@ anti_aliased!(AntiAliasedByTable, true);
 
 /// [`rests_of`] a slope in the table for a stroke.
 #[inline(always)]
-pub(crate) fn rests_of_line<C: PixelColor, K: Stroke<C>>(slope: u32) -> [&'static LineRests; 2] {
+pub(crate) fn rests_of_line<C: PixelColor, K: StrokeKind<C>>(slope: u32) -> [&'static LineRests; 2] {
     rests_of(const { &line_table(K::SHARE_BITS) }, slope)
 }
 
@@ -177,3 +182,47 @@ impl<C> AntiAliased<C> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AntiAliasedByTable<C>(C);
+
+/// A stroke for anti-aliased lines, as [`AntiAliased`], whose pixels are mixed by a function: of the line's colour, the stored one, and
+/// the part of the pixel that the line covers, 1 … 256 of 256.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+/// use pinhole::{color::Color, draw::draw_line, raster::Pixel, shading::AntiAliasedBy, target::Picture};
+/// let mut pixels = [Gray8::BLACK; 5 * 3];
+/// let mut picture = Picture::new(&mut pixels, Size::new(5, 3))?;
+/// // A pixel keeps half of what is stored.
+/// let half = |color: Gray8, below, coverage| color.over(below, coverage / 2);
+/// let [from, to] = [0, 4].map(|x| Pixel { x, y: 1 });
+/// let Ok(()) = draw_line(from, to, AntiAliasedBy::new(Gray8::WHITE, half), &mut picture.pixels());
+/// assert_eq!(picture.colors()[7], Gray8::new(128));
+/// # Ok::<(), pinhole::target::BufferError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct AntiAliasedBy<C, F> {
+    color: C,
+    mix: F,
+}
+
+impl<C, F> AntiAliasedBy<C, F> {
+    /// Lines of a colour, and how it is mixed with a stored one by the part of a pixel that is covered.
+    pub const fn new(color: C, mix: F) -> Self {
+        Self { color, mix }
+    }
+}
+
+impl<C: PixelColor, F: Fn(C, C, u16) -> C + Copy> StrokeKind<C> for AntiAliasedBy<C, F> {
+    type Access = Reads;
+
+    #[inline(always)]
+    fn color(&self) -> C {
+        self.color
+    }
+
+    #[inline(always)]
+    fn covering(&self, below: C, coverage: u16) -> C {
+        (self.mix)(self.color, below, coverage)
+    }
+}
+
+defmt_format!([C, F] AntiAliasedBy<C, F>, self, "anti-aliased stroke");

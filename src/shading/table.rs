@@ -85,7 +85,7 @@ impl<C: Color> ShadeTable<C> {
     /// use pinhole::shading::ShadeTable;
     /// let table = ShadeTable::<Gray8>::in_fog(Rgb888::BLACK, Rgb888::WHITE);
     /// assert_eq!([0, 55, 255].map(|i| table.colors()[i].luma()), [255, 200, 0]);
-    /// let face = table.lit([256, 200, 90]); // of VertexFog::factors
+    /// let face = table.lit([256, 200, 90]); // of VertexFog::factor
     /// # let _ = face;
     /// ```
     pub fn in_fog(color: Rgb888, fog: Rgb888) -> Self {

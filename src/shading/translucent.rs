@@ -1,12 +1,12 @@
 //! Translucent faces: colours mixed with the stored pixels.
 
 use super::{CornerValues, Shader, SpanShader};
-use crate::color::{Alpha, BlendMode, Half, Unmixed};
+use crate::color::{BlendMode, Unmixed, UnmixedInk};
 use crate::raster::{Span, Triangle};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-/// A translucent shader, or a translucent picture of a sprite: its colours are mixed with the stored pixels by a [`BlendMode`].
-/// [`HalfBlended`] and [`Blended`] are the types for the modes [`Half`] and [`Alpha`].
+/// A translucent shader, or a translucent picture of a sprite: its colours are mixed with the stored pixels by a [`BlendMode`]:
+/// [`Half`](crate::color::Half), [`Alpha`](crate::color::Alpha), or any function.
 ///
 /// It reads pixels, so it draws into [memory](crate::target::Surface::memory) alone: a [`Picture`](crate::target::Picture), or the pixels of a
 /// [`Band`](crate::bands::Band). With another target it does not compile; [`ScreenDoor`](crate::shading::ScreenDoor) draws into every target.
@@ -21,17 +21,21 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
-/// use pinhole::{draw::fill_triangle, prelude::*, raster::ScreenPoint, shading::Translucent};
+/// use pinhole::{color::{Alpha, Half}, draw::fill_triangle, prelude::*, raster::ScreenPoint, shading::Translucent};
 /// let mut pixels = [Rgb565::new(0, 20, 30); 16];
 /// let mut picture = Picture::new(&mut pixels, Size::new(4, 4))?;
 /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
-/// let glass = HalfBlended::new(Rgb565::new(10, 20, 0));
+/// let glass = Translucent::new(Rgb565::new(10, 20, 0), Half);
 /// fill_triangle([corner(0, 0), corner(4, 0), corner(0, 4)], glass, &mut picture.pixels())?;
 /// assert_eq!(picture.colors()[0], Rgb565::new(5, 20, 15));
 ///
-/// let light = Translucent::by(Rgb565::RED, |own: Rgb565, stored: Rgb565| stored.emitting(own));
+/// let smoke = Translucent::new(Rgb565::new(1, 4, 31), Alpha::new(8)); // a quarter
+/// fill_triangle([corner(0, 0), corner(4, 0), corner(0, 4)], smoke, &mut picture.pixels())?;
+/// assert_eq!(picture.colors()[0], Rgb565::new(4, 16, 19));
+///
+/// let light = Translucent::new(Rgb565::RED, |own: Rgb565, stored: Rgb565| stored.emitting(own));
 /// fill_triangle([corner(0, 0), corner(4, 0), corner(0, 4)], light, &mut picture.pixels())?;
-/// assert_eq!(picture.colors()[0], Rgb565::new(31, 20, 15));
+/// assert_eq!(picture.colors()[0], Rgb565::new(31, 16, 19));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
@@ -39,9 +43,9 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 ///
 /// ```compile_fail,E0277
 /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
-/// # use pinhole::{draw::fill_triangle, raster::ScreenPoint, shading::HalfBlended};
+/// # use pinhole::{color::Half, draw::fill_triangle, raster::ScreenPoint, shading::Translucent};
 /// # pub fn draw(corners: [ScreenPoint; 3], display: &mut MockDisplay<Rgb565>) {
-/// let Ok(_) = fill_triangle(corners, HalfBlended::new(Rgb565::RED), display);
+/// let Ok(_) = fill_triangle(corners, Translucent::new(Rgb565::RED, Half), display);
 /// # }
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,42 +55,9 @@ pub struct Translucent<S, M> {
     pub(super) mode: M,
 }
 
-/// A translucent shader: half of its colour, half of the stored pixel. [`Translucent`] has the rules.
-pub type HalfBlended<S> = Translucent<S, Half>;
-
-/// A translucent shader: `alpha` 32nds of its colour, and the rest of the stored pixel. [`Translucent`] has the rules.
-///
-/// ```
-/// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-/// use pinhole::{draw::fill_triangle, raster::ScreenPoint, shading::Blended, target::Picture};
-/// let mut pixels = [Gray8::new(100); 16];
-/// let mut picture = Picture::new(&mut pixels, Size::new(4, 4))?;
-/// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
-/// let smoke = Blended::new(Gray8::new(200), 8); // a quarter
-/// fill_triangle([corner(0, 0), corner(4, 0), corner(0, 4)], smoke, &mut picture.pixels())?;
-/// assert_eq!([picture.colors()[0], picture.colors()[15]], [Gray8::new(125), Gray8::new(100)]);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub type Blended<S> = Translucent<S, Alpha>;
-
-impl<S> Translucent<S, Half> {
-    /// A shader or picture whose colours are mixed with the stored pixels in equal parts.
-    pub const fn new(shader: S) -> Self {
-        Self { shader, mode: Half }
-    }
-}
-
-impl<S> Translucent<S, Alpha> {
-    /// A shader or picture whose colours are mixed with the stored pixels by `alpha`, in 1/32: 0 leaves the stored pixels as they are,
-    /// 32 is the shader itself (more counts as 32).
-    pub const fn new(shader: S, alpha: u8) -> Self {
-        Self { shader, mode: Alpha::new(alpha) }
-    }
-}
-
 impl<S, M> Translucent<S, M> {
-    /// A shader or picture whose colours are mixed with the stored pixels by any [`BlendMode`].
-    pub const fn by(shader: S, mode: M) -> Self {
+    /// A shader or picture whose colours are mixed with the stored pixels by a [`BlendMode`].
+    pub const fn new(shader: S, mode: M) -> Self {
         Self { shader, mode }
     }
 }
@@ -106,7 +77,7 @@ impl<S: Shader, M: Copy> Shader for Translucent<S, M> {
 }
 
 impl<C: PixelColor, S: SpanShader<C, Ink: Unmixed<C>>, M: BlendMode<C>> SpanShader<C> for Translucent<S, M> {
-    type Ink = <S::Ink as Unmixed<C>>::Mixed<M>;
+    type Ink = <S::Ink as UnmixedInk<C>>::Mixed<M>;
     type Setup = Translucent<S::Setup, M>;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {

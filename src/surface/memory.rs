@@ -57,10 +57,8 @@ impl<Cell: Copy> PixelStore for [Cell; 0] {
     }
 }
 
-/// The pixels of a rectangle in memory, row by row, without gaps between rows.
-///
-/// A [`Surface`](crate::target::Surface) that owns one and returns it from [`memory`](crate::target::Surface::memory) is drawn to as fast as
-/// [`Pixels`](crate::target::Pixels). `Surface` has an example.
+/// The pixels of a rectangle in memory, row by row, without gaps between rows: what [`Pixels`](crate::target::Pixels) return from
+/// [`memory`](crate::target::Surface::memory). A [`Surface`](crate::target::Surface) that owns `Pixels` passes it on, and is drawn to as fast.
 #[derive(Debug)]
 pub struct Memory<S> {
     /// The part of the area with coordinates in the range of 2D drawing, ±32768; computed once, not for each triangle.
@@ -101,7 +99,7 @@ impl<S: PixelStore> PixelRows<S> {
 
 impl<S> Memory<S> {
     /// The rectangle whose pixels these are.
-    pub const fn area(&self) -> Rectangle {
+    pub(crate) const fn area(&self) -> Rectangle {
         self.rows.area
     }
 }
@@ -112,7 +110,7 @@ impl<S: PixelStore> Memory<S> {
     /// # Errors
     ///
     /// [`BufferError`] when there are fewer cells than the area has pixels.
-    pub fn new(mut store: S, area: Rectangle) -> Result<Self, BufferError> {
+    pub(super) fn new(mut store: S, area: Rectangle) -> Result<Self, BufferError> {
         BufferError::check_picture(area.size, store.cells().len())?;
         Ok(Self::unchecked(store, area, area.size.width as usize))
     }
@@ -134,7 +132,7 @@ impl<S: PixelStore> Memory<S> {
     /// The cells of `width` pixels from (`x`, `y`) to the right, or `None` where not all of them lie in the
     /// [`area`](Self::area).
     #[inline(always)]
-    pub fn row(&mut self, x: i32, y: i32, width: i32) -> Option<&mut [S::Cell]> {
+    fn row(&mut self, x: i32, y: i32, width: i32) -> Option<&mut [S::Cell]> {
         let Rectangle { top_left, size } = self.rows.area;
         // The subtraction wraps: a pixel to the left of or above the area gets a column or row beyond any size.
         let (column, row) = (x.wrapping_sub(top_left.x) as u32, y.wrapping_sub(top_left.y) as u32);
@@ -146,7 +144,7 @@ impl<S: PixelStore> Memory<S> {
 
     /// Sets the pixels of a span to one stored pixel; pixels outside the [`area`](Self::area) are ignored.
     #[inline(always)]
-    pub fn fill(&mut self, span: Span, cell: S::Cell) {
+    pub(super) fn fill(&mut self, span: Span, cell: S::Cell) {
         let Span { x, y, width, height } = span;
         let clipped = Scissor::unclamped(x, y, x.saturating_add(width), y.saturating_add(height));
         let clipped = clipped.clipped_to(&inside(&self.area()));
@@ -161,7 +159,7 @@ impl<S: PixelStore> Memory<S> {
     /// Sets the pixels of a span of one row from left to right, until the span or the iterator ends. A span that does not lie
     /// entirely in the [`area`](Self::area) is not drawn.
     #[inline(always)]
-    pub fn fill_run(&mut self, span: Span, cells: impl Iterator<Item = S::Cell>) {
+    pub(super) fn fill_run(&mut self, span: Span, cells: impl Iterator<Item = S::Cell>) {
         self.put_run(span, cells, |pixel, cell| *pixel = cell);
     }
 

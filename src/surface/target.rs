@@ -2,7 +2,7 @@
 
 use super::memory::{Memory, PixelStore};
 use super::DepthBuffer;
-use crate::color::{Ink, StoredPixel};
+use crate::color::{InkKind, StoredPixel};
 use crate::raster::Span;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -24,19 +24,19 @@ use embedded_graphics_core::Pixel;
 /// [`LeastRun`](crate::target::LeastRun) changes the choice for a target.
 ///
 /// Your own type implements the trait if it is no DrawTarget, in one of two forms. A target that takes spans, or has several pixels in a byte,
-/// has `[Self::Color; 0]` for [`Store`](Self::Store). A target whose pixels lie in [`Memory`] returns that from [`memory`](Self::memory):
+/// has `[Self::Color; 0]` for [`Store`](Self::Store). A target whose pixels lie in memory owns [`Pixels`](crate::target::Pixels), and passes their
+/// [`memory`](Self::memory) on:
 ///
 /// ```
 /// use core::convert::Infallible;
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 /// use pinhole::{
-///     color::StoredPixel, draw::fill_triangle, raster::{ScreenPoint, Span},
-///     target::{BufferError, Memory, Surface},
+///     draw::fill_triangle, raster::{ScreenPoint, Span}, target::{BufferError, Memory, Pixels, Surface},
 /// };
 ///
 /// /// A framebuffer that remembers whether it was drawn to.
 /// struct Framebuffer<'a> {
-///     memory: Memory<&'a mut [u16]>,
+///     pixels: Pixels<'a, Rgb565, u16>,
 ///     is_drawn: bool,
 /// }
 ///
@@ -46,25 +46,25 @@ use embedded_graphics_core::Pixel;
 ///     type Store = &'a mut [u16];
 ///
 ///     fn area(&self) -> Rectangle {
-///         self.memory.area()
+///         self.pixels.area()
 ///     }
 ///     fn fill(&mut self, span: Span, color: Rgb565) -> Result<(), Infallible> {
 ///         self.is_drawn = true;
-///         Ok(self.memory.fill(span, color.stored()))
+///         self.pixels.fill(span, color)
 ///     }
 ///     fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = Rgb565>) -> Result<(), Infallible> {
 ///         self.is_drawn = true;
-///         Ok(self.memory.fill_run(span, colors.map(StoredPixel::stored)))
+///         self.pixels.fill_run(span, colors)
 ///     }
 ///     fn memory(&mut self) -> Option<&mut Memory<&'a mut [u16]>> {
 ///         self.is_drawn = true;
-///         Some(&mut self.memory)
+///         self.pixels.memory()
 ///     }
 /// }
 ///
 /// let mut cells = [0_u16; 32 * 24];
 /// let area = Rectangle::new(Point::zero(), Size::new(32, 24));
-/// let mut target = Framebuffer { memory: Memory::new(&mut cells[..], area)?, is_drawn: false };
+/// let mut target = Framebuffer { pixels: Pixels::new(&mut cells, area)?, is_drawn: false };
 /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
 /// let Ok(()) = fill_triangle([corner(0, 0), corner(40, 0), corner(0, 20)], Rgb565::RED, &mut target);
 /// assert!(target.is_drawn && cells[31] == 0xf800);
@@ -231,7 +231,7 @@ impl<D: DrawTarget> Surface for D {
     label = "not a drawing target",
     note = "pass any `DrawTarget` of embedded-graphics, `Picture::pixels()` or `Band::pixels()`, by `&mut`; for a depth test its `depth_tested(&mut depth)`"
 )]
-pub trait Target: sealed::Sealed {
+pub trait Target: TargetKind<Own = <Self as Target>::Surface> {
     /// The colour of a pixel.
     type Color: PixelColor;
 
@@ -240,17 +240,22 @@ pub trait Target: sealed::Sealed {
 
     /// The pixels.
     type Surface: Surface<Color = Self::Color, Error = Self::Error>;
+}
+
+/// How a [`Target`] is drawn to.
+pub trait TargetKind {
+    /// The pixels: [`Target::Surface`].
+    type Own;
 
     /// A marker type that says whether the target has a depth buffer.
     type Test;
 
     /// Calls `untested` with the surface, or `tested` with the surface and its depth buffer; either gets `arguments`.
-    #[doc(hidden)]
     fn dispatch<A, R>(
         &mut self,
         arguments: A,
-        untested: impl FnOnce(A, &mut Self::Surface) -> R,
-        tested: impl FnOnce(A, &mut Self::Surface, &mut DepthBuffer<'_>) -> R,
+        untested: impl FnOnce(A, &mut Self::Own) -> R,
+        tested: impl FnOnce(A, &mut Self::Own, &mut DepthBuffer<'_>) -> R,
     ) -> R;
 }
 
@@ -271,6 +276,10 @@ impl<S: Surface> Target for S {
     type Color = S::Color;
     type Error = S::Error;
     type Surface = S;
+}
+
+impl<S: Surface> TargetKind for S {
+    type Own = S;
     type Test = Untested;
 
     #[inline(always)]
@@ -297,6 +306,10 @@ impl<S: Surface> Target for DepthTestedSurface<'_, '_, S> {
     type Color = S::Color;
     type Error = S::Error;
     type Surface = S;
+}
+
+impl<S: Surface> TargetKind for DepthTestedSurface<'_, '_, S> {
+    type Own = S;
     type Test = Tested;
 
     #[inline(always)]
@@ -308,13 +321,6 @@ impl<S: Surface> Target for DepthTestedSurface<'_, '_, S> {
     ) -> R {
         tested(arguments, self.surface, self.depth)
     }
-}
-
-/// A public trait that no other crate can name.
-mod sealed {
-    pub trait Sealed {}
-    impl<S: super::Surface> Sealed for S {}
-    impl<S: super::Surface> Sealed for super::DepthTestedSurface<'_, '_, S> {}
 }
 
 // A surface need not implement `Format`.
@@ -342,7 +348,7 @@ impl<'d, 'b> DepthTarget<'d, 'b> {
 
 /// Puts ink into a pixel; returns `false` if the ink leaves the pixel out.
 #[inline(always)]
-pub(crate) fn put<Cell: Copy, C: StoredPixel<Cell>, I: Ink<C>>(cell: &mut Cell, ink: I) -> bool {
+pub(crate) fn put<Cell: Copy, C: StoredPixel<Cell>, I: InkKind<C>>(cell: &mut Cell, ink: I) -> bool {
     let stored = *cell;
     match ink.over(|| C::load(stored)) {
         Some(color) => {
@@ -355,13 +361,13 @@ pub(crate) fn put<Cell: Copy, C: StoredPixel<Cell>, I: Ink<C>>(cell: &mut Cell, 
 
 /// Draws a run of inks of which none leaves its pixel out.
 #[inline(always)]
-pub(crate) fn draw_run<T: Surface, I: Ink<T::Color>>(
+pub(crate) fn draw_run<T: Surface, I: InkKind<T::Color>>(
     run: Span,
     inks: impl Iterator<Item = I>,
     target: &mut T,
 ) -> Result<(), T::Error> {
     if !I::READS {
-        return target.fill_run(run, inks.map_while(Ink::own));
+        return target.fill_run(run, inks.map_while(InkKind::own));
     }
     if let Some(memory) = target.memory() {
         memory.put_run(run, inks, |cell, ink| {

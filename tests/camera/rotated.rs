@@ -158,7 +158,7 @@ fn on_panel(at: Point, viewport: &Viewport, quarters: usize) -> Point {
     let Size { width, height } = viewport.size();
     let centre = (f64::from(at.x) + 0.5, f64::from(at.y) + 0.5);
     let (x, y) = turned_place(centre, (width.into(), height.into()), quarters);
-    viewport.top_left() + Point::new(x.floor() as i32, y.floor() as i32)
+    viewport.area().top_left + Point::new(x.floor() as i32, y.floor() as i32)
 }
 
 #[test]

@@ -201,7 +201,7 @@ impl Case {
         let model = Affine::translation(Vector3::new(x, y, z));
         let far_clip = camera.with_far_clip(true);
         let instance = far_clip.place(&mesh, &model);
-        let (Size { width, height }, Point { x, y }) = (self.viewport.size(), self.viewport.top_left());
+        let (Size { width, height }, Point { x, y }) = (self.viewport.size(), self.viewport.area().top_left);
         let half = [f64::from(width) * 128.0, f64::from(height) * 128.0];
         let middle = [f64::from(x) * 256.0 + half[0], f64::from(y) * 256.0 + half[1]];
         (0..vertices.len())

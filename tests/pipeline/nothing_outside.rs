@@ -8,7 +8,6 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, IntoStorage, Rgb565, 
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::Span;
 use pinhole::{
-    color::StoredPixel,
     prelude::*,
     target::{BufferError, Memory, Pixels},
 };
@@ -98,7 +97,7 @@ fn rectangles_of_any_position_and_size_are_filled() {
 }
 
 /// A target of this test's own whose pixels lie in memory, as numbers.
-struct Numbers<'a>(Memory<&'a mut [u16]>);
+struct Numbers<'a>(Pixels<'a, Rgb565, u16>);
 
 impl<'a> Surface for Numbers<'a> {
     type Color = Rgb565;
@@ -110,17 +109,15 @@ impl<'a> Surface for Numbers<'a> {
     }
 
     fn fill(&mut self, span: Span, color: Rgb565) -> Result<(), Infallible> {
-        self.0.fill(span, color.stored());
-        Ok(())
+        self.0.fill(span, color)
     }
 
     fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = Rgb565>) -> Result<(), Infallible> {
-        self.0.fill_run(span, colors.map(StoredPixel::stored));
-        Ok(())
+        self.0.fill_run(span, colors)
     }
 
     fn memory(&mut self) -> Option<&mut Memory<&'a mut [u16]>> {
-        Some(&mut self.0)
+        self.0.memory()
     }
 }
 
@@ -150,7 +147,7 @@ fn a_target_of_ones_own_gets_the_picture() {
     cubes(&mut Picture::new(&mut colors, area.size).expect("as many colors"));
     let [pixels, numbers] = &mut frames;
     cubes(&mut Pixels::new(pixels, area).expect("as many cells"));
-    cubes(&mut Numbers(Memory::new(&mut numbers[..], area).expect("as many cells")));
+    cubes(&mut Numbers(Pixels::new(numbers, area).expect("as many cells")));
     let wanted = colors.map(IntoStorage::into_storage);
     assert!(frames.iter().all(|frame| *frame == wanted));
     assert!(wanted.iter().filter(|color| **color != 0).count() > 100);

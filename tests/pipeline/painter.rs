@@ -4,8 +4,9 @@
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use embedded_graphics::prelude::PointsIter;
 use pinhole::{
+    color::{Alpha, Half},
     prelude::*,
-    shading::{Blended, DepthTested},
+    shading::{DepthTested, Translucent},
     target::BufferError,
 };
 use support::bridge;
@@ -328,9 +329,9 @@ fn panes_are_mixed_from_far_to_near_where_no_wall_hides_them() {
         let corners: Vec<_> = all.iter().map(Pane::corners).collect();
         let meshes: Vec<_> = corners.iter().map(|c| Mesh::new(c, 0, &QUAD).expect("a quad")).collect();
         let place = |i: usize| camera.place(&meshes[i], &Affine::identity());
-        let mut painter = Painter::<DepthTested<HalfBlended<Gray8>>, 24, 12>::new();
+        let mut painter = Painter::<DepthTested<Translucent<Gray8, Half>>, 24, 12>::new();
         for (i, pane) in panes.iter().enumerate() {
-            let shader = DepthTested::new(HalfBlended::new(Gray8::new(pane.luma)));
+            let shader = DepthTested::new(Translucent::new(Gray8::new(pane.luma), Half));
             place(i + 3).faces(|_| shader).sorted(&mut painter).expect("room");
         }
 
@@ -387,9 +388,9 @@ fn opaque_faces_store_their_depth() {
         assert!(depths == painted);
         // With translucent faces, no depth is stored.
         let (_, painted) = memory_with(area, area, Gray8::BLACK, &mut |target, depth| {
-            let mut painter = Painter::<DepthTested<Blended<Gray8>>, 50, 20>::new();
+            let mut painter = Painter::<DepthTested<Translucent<Gray8, Alpha>>, 50, 20>::new();
             instance
-                .faces(|face| DepthTested::new(Blended::new(color(face), 7)))
+                .faces(|face| DepthTested::new(Translucent::new(color(face), Alpha::new(7))))
                 .sorted(&mut painter)
                 .expect("room");
             let Ok(_) = painter.draw(&mut target.depth_tested(depth));

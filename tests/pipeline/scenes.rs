@@ -309,7 +309,7 @@ fn picked_scenes<S: SpanShader<Rgb565>>(meshes: &Meshes, shader: impl Fn(Rgb565)
                     assert_eq!((number(picked.object, picked.face), picked.depth), (color, depth), "{at}");
                     assert_eq!((picked.at.x(), picked.at.y()), (at.x * 256 + 128, at.y * 256 + 128));
                     // The point under the pixel projects to the pixel.
-                    if let Some(point) = picked.point(&camera) {
+                    if let Some(point) = camera.unproject(picked.at, picked.depth) {
                         let seen = camera.project(point).map(|seen| seen.point.pixel());
                         assert_eq!(seen.map(Point::from), Ok(at));
                         points += 1;

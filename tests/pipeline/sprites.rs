@@ -9,8 +9,9 @@ use embedded_graphics::pixelcolor::{Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rg
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
+    color::{Alpha, Half},
     prelude::*,
-    shading::Blended,
+    shading::Translucent,
     sprite::{PlacedSprites, SolidTexel, SpriteImage, SpriteSource},
     target::Pixels,
     texture::ColorKeyed,
@@ -443,8 +444,9 @@ fn translucent_sprites_are_mixed_with_the_stored_pixels() {
                 walls.draw_deep(depth, &mut Screen::new(AREA));
                 let statistics = scene.place(|points| {
                     let shape = |i: usize| scene.shapes[i];
-                    let halves = |i: usize| shape(i).sprite(HalfBlended::new(shape(i).picture));
-                    let parts = |i: usize| shape(i).sprite(Blended::new(shape(i).picture, alphas[i]));
+                    let halves = |i: usize| shape(i).sprite(Translucent::new(shape(i).picture, Half));
+                    let parts =
+                        |i: usize| shape(i).sprite(Translucent::new(shape(i).picture, Alpha::new(alphas[i])));
                     match (deep, half) {
                         (false, true) => points.draw(halves, target),
                         (false, false) => points.draw(parts, target),

@@ -25,7 +25,7 @@ macro_rules! names {
 }
 
 names! {
-    mesh_buffers strip_buffers Affine Band BinnedFaces Camera Color Cull DepthBuffer Flat Fogged Frame Gouraud HalfBlended Lambert Lit Mesh MeshBuffers
+    mesh_buffers strip_buffers Affine Band BinnedFaces Camera Color Cull DepthBuffer Dithered Flat Fogged Frame Gouraud Lambert Light Mesh MeshBuffers
     MeshInstance Model Object Painter Picture Point3 Projection Scalar Scene ScreenDoor ScreenVertex ShadeTable Sprite Statistics StripBuffers Surface
     Target Texture Vector3 ViewTransform Viewport World
 }

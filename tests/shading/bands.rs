@@ -70,7 +70,7 @@ fn bands_of_every_height_add_up_to_the_full_picture() {
         scene.place(|instance| {
             by_every_call(instance, frame, Rgb565::BLACK, &heights, &|face| shaders[face].1);
             by_every_call(instance, frame, Rgb565::BLACK, &heights, &|face| tables[face]);
-            by_every_call(instance, frame, Own::from_bits(0), &heights, &|face| shaders[face].1.dithered());
+            by_every_call(instance, frame, Own::from_bits(0), &heights, &|face| Dithered(shaders[face].1));
             by_every_call(instance, frame, Rgb565::BLACK, &heights, &|face| {
                 ScreenDoor::new(shaders[face].1, 20 + face as u8)
             });
@@ -119,7 +119,7 @@ fn tiny_faces_with_depth_are_those_of_the_plain_path() {
 
 /// Pixels of less than a byte are packed in bands, and cannot be drawn into memory.
 fn of_parts_of_bytes<C: Colour>(instance: &MeshInstance<'_>, scene: &Scene) {
-    let shade: &dyn Fn(usize) -> _ = &|face| scene.shaders[face].1.dithered();
+    let shade: &dyn Fn(usize) -> _ = &|face| Dithered(scene.shaders[face].1);
     let (whole, _) = screen(scene.frame, &mut |target, _| {
         let Ok(_) = instance.faces(shade).draw(target);
     });

@@ -6,8 +6,9 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::raster::{Span, Triangle};
 use pinhole::{
+    color::{Alpha, Half},
     prelude::*,
-    shading::{Blended, Shader, SpanShader, Translucent},
+    shading::{Shader, SpanShader, Translucent},
     target::Pixels,
     texture::{ColorKeyed, Texels},
 };
@@ -81,23 +82,23 @@ fn check_parts<B: SpanShader<Rgb888>>(front: &Faces, translucent: &dyn Fn(usize)
 fn translucent_faces_are_mixed_with_what_is_behind_them() {
     let scene = Faces::soup(&mut Rng::new(33), 120, 1200, 3000, |_| 0);
     let color = |face: usize| Rgb888::new(!(face as u8), (3 * face) as u8, 100);
-    check_scene(&scene, &color, &|face| HalfBlended::new(color(face)), &halved);
+    check_scene(&scene, &color, &|face| Translucent::new(color(face), Half), &halved);
     for alpha in [1, 11, 31, 32, 77] {
         let mix = |own, stored| mixed(own, stored, alpha.min(32));
-        check_scene(&scene, &color, &|face| Blended::new(color(face), alpha), &mix);
+        check_scene(&scene, &color, &|face| Translucent::new(color(face), Alpha::new(alpha)), &mix);
     }
     let smooth = |face: usize| Gouraud::new([color(face), color(face + 70), color(face + 140)]);
-    check_scene(&scene, &smooth, &|face| Blended::new(smooth(face), 20), &|own, stored| {
+    check_scene(&scene, &smooth, &|face| Translucent::new(smooth(face), Alpha::new(20)), &|own, stored| {
         mixed(own, stored, 20)
     });
-    check_scene(&scene, &smooth, &|face| HalfBlended::new(smooth(face)), &halved);
+    check_scene(&scene, &smooth, &|face| Translucent::new(smooth(face), Half), &halved);
     // Any function of both colours: here, light that is added.
     let added = |own: Rgb888, stored: Rgb888| each_level(own, stored, u8::saturating_add);
-    check_scene(&scene, &color, &|face| Translucent::by(color(face), added), &added);
-    check_scene(&scene, &smooth, &|face| Translucent::by(smooth(face), added), &added);
-    check_parts(&scene, &|face| HalfBlended::new(smooth(face)));
-    check_parts(&scene, &|face| Translucent::by(color(face), added));
-    let nothing = in_memory(&scene, &|face| Blended::new(color(face), 0));
+    check_scene(&scene, &color, &|face| Translucent::new(color(face), added), &added);
+    check_scene(&scene, &smooth, &|face| Translucent::new(smooth(face), added), &added);
+    check_parts(&scene, &|face| Translucent::new(smooth(face), Half));
+    check_parts(&scene, &|face| Translucent::new(color(face), added));
+    let nothing = in_memory(&scene, &|face| Translucent::new(color(face), Alpha::new(0)));
     assert!(nothing.solid.iter().all(|&pixel| pixel == SKY));
 }
 
@@ -144,11 +145,11 @@ fn translucent_faces_may_leave_out_pixels() {
     let ninth = |own, stored| mixed(own, stored, 9);
     for scene in &[soup, Faces::quad(floor(0.9, 300.0, 200.0), 20.0, 60, -6)] {
         let shade = |face: usize| texture.at(scene.uv[face]);
-        check_scene(scene, &shade, &|face| HalfBlended::new(shade(face)), &halved);
-        check_scene(scene, &shade, &|face| Blended::new(shade(face), 9), &ninth);
-        check_parts(scene, &|face| Blended::new(shade(face), 9));
+        check_scene(scene, &shade, &|face| Translucent::new(shade(face), Half), &halved);
+        check_scene(scene, &shade, &|face| Translucent::new(shade(face), Alpha::new(9)), &ninth);
+        check_parts(scene, &|face| Translucent::new(shade(face), Alpha::new(9)));
         let door = |face: usize| ScreenDoor::new(shade(face), 23);
-        check_scene(scene, &door, &|face| Blended::new(door(face), 9), &ninth);
-        check_scene(scene, &door, &|face| ScreenDoor::new(HalfBlended::new(shade(face)), 23), &halved);
+        check_scene(scene, &door, &|face| Translucent::new(door(face), Alpha::new(9)), &ninth);
+        check_scene(scene, &door, &|face| ScreenDoor::new(Translucent::new(shade(face), Half), 23), &halved);
     }
 }

@@ -7,7 +7,6 @@ use embedded_graphics::pixelcolor::{
     Rgb666, Rgb888, RgbColor,
 };
 use pinhole::color::{Color, Format};
-use pinhole::shading::{AntiAliased, Stroke};
 use support::oracle::rng::Rng;
 
 macro_rules! own_colors {
@@ -137,9 +136,6 @@ fn check_pair<C: Color + Debug>(
     let (half, dimmed, sum) = (parts(own.half(stored)), parts(own.dim(level)), parts(own.emitting(stored)));
     assert_eq!(C::from_channels(own.channels()), own);
     assert_eq!(own.channels(), parts(own));
-    let rest = u32::from((256 - rounded) >> (8 - <AntiAliased<C> as Stroke<C>>::SHARE_BITS));
-    let mixer = Stroke::mixer(AntiAliased(own));
-    assert_eq!(mixer(stored, rest), own.over(stored, coverage), "{own:?} {stored:?} {coverage}");
     let [alpha, rounded, light] = [alpha.into(), rounded, level.min(256)].map(u32::from);
     for channel in 0..3 {
         let [own, stored] = [parts(own), parts(stored)].map(|parts| u32::from(parts[channel]));

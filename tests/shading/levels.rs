@@ -152,8 +152,8 @@ fn faces<C: Colour>(cases: usize, with_light: Option<fn(&mut Face<'_>, &mut Rng)
             assert_eq!(flat_picture.counts, smooth_picture.counts);
             let (glowing, sum) = (flat(colours[0]).emitting(Rgb888::new(r, g, b)), sum(colours[0], emission));
             face.draw::<C, _>((4, glowing), [sum; 3], Rounding::Level, CORNER);
-            face.draw::<C, _>((6, gouraud(colours).dithered()), smooth, Rounding::Pattern, GRADIENT);
-            face.draw::<C, _>((8, flat(colours[0]).dithered()), even, Rounding::Pattern, CORNER);
+            face.draw::<C, _>((6, Dithered(gouraud(colours))), smooth, Rounding::Pattern, GRADIENT);
+            face.draw::<C, _>((8, Dithered(flat(colours[0]))), even, Rounding::Pattern, CORNER);
             // Three equal corners give the colour of a flat face in every pixel, to the last bit.
             assert_eq!(draw::<C, _>(instance, gouraud([colours[0]; 3])), flat_picture);
             if let Some(check) = with_light {
@@ -181,7 +181,7 @@ fn light<C: Colour>(face: &mut Face<'_>, rng: &mut Rng) -> usize {
         (lit(lights).emitting(Rgb888::new(r, g, b)), lights.map(|light| sum(light, emission)));
     face.draw::<C, _>((2, glowing), sums, Rounding::Level, GRADIENT);
     face.draw::<C, _>((5, shaded(lights)), exact, Rounding::Entry, GRADIENT);
-    face.draw::<C, _>((7, lit(lights).dithered()), exact, Rounding::Pattern, GRADIENT);
+    face.draw::<C, _>((7, Dithered(lit(lights))), exact, Rounding::Pattern, GRADIENT);
     picture.drawn().count()
 }
 
@@ -305,12 +305,12 @@ fn cut_faces<C: Colour>(planes: Planes, cases: usize) {
             (Levels::new(&planes.draw::<C, _>(faces[1], lit(lights[0]))), lights[0], Rounding::Level),
             (Levels::new(&planes.draw::<C, _>(faces[2], shaded(lights[1]))), lights[1], Rounding::Entry),
             (
-                Levels::new(&planes.draw::<C, _>(faces[3], gouraud(colours[1]).dithered())),
+                Levels::new(&planes.draw::<C, _>(faces[3], Dithered(gouraud(colours[1])))),
                 colours[1],
                 Rounding::Pattern,
             ),
             (
-                Levels::new(&planes.draw::<C, _>(faces[4], lit(lights[2]).dithered())),
+                Levels::new(&planes.draw::<C, _>(faces[4], Dithered(lit(lights[2])))),
                 lights[2],
                 Rounding::Pattern,
             ),

@@ -104,6 +104,6 @@ fn levels_are_those_of_rays_within_a_quarter() {
 fn pixels_are_equal_however_spans_are_cut() {
     for (_, faces) in scenes() {
         everywhere(&faces, &|face| gouraud(face).in_perspective());
-        everywhere(&faces, &|face| gouraud(face).in_perspective().dithered());
+        everywhere(&faces, &|face| Dithered(gouraud(face).in_perspective()));
     }
 }

@@ -6,12 +6,7 @@ use embedded_graphics::pixelcolor::{PixelColor, Rgb888, RgbColor};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
-use pinhole::{
-    color::{Ink, Writes},
-    prelude::*,
-    shading::SpanShader,
-    texture::Texels,
-};
+use pinhole::{color::Unmixed, prelude::*, shading::SpanShader, texture::Texels};
 use support::bridge::ways::{self, Drawn};
 use support::oracle::chain::{self, M4, V3};
 use support::oracle::rng::Rng;
@@ -167,7 +162,7 @@ impl Faces {
     }
 
     /// The pixels of one of the faces alone.
-    pub(crate) fn draw<C: PixelColor, S: SpanShader<C, Ink: Ink<C, Access = Writes>>>(
+    pub(crate) fn draw<C: PixelColor, S: SpanShader<C, Ink: Unmixed<C>>>(
         &self,
         face: usize,
         camera: &Camera,
@@ -289,7 +284,7 @@ pub(crate) fn in_memory<S: SpanShader<Rgb888>>(faces: &Faces, shade: &dyn Fn(usi
 }
 
 /// Faces before the usual camera, by the ways of `ways::everywhere`.
-pub(crate) fn everywhere<S: SpanShader<Rgb888, Ink: Ink<Rgb888, Access = Writes>>>(
+pub(crate) fn everywhere<S: SpanShader<Rgb888, Ink: Unmixed<Rgb888>>>(
     faces: &Faces,
     shade: &dyn Fn(usize) -> S,
 ) -> Drawn<Rgb888> {

@@ -158,7 +158,7 @@ fn in_order(order: &[u32], shades: &Shades<'_>, place: Place<'_>) -> Result<Draw
             let Ok(alone) = Mesh::new(mesh.vertices(), mesh.exponent(), corners) else { continue };
             let (instance, mut bins) = (place(&alone), vec![0; alone.face_bins_len()]);
             let Ok(mut faces) = instance.transform_depth(&mut []).bin_faces(&mut bins) else { continue };
-            statistics = statistics.and(faces.statistics());
+            statistics = statistics + faces.statistics();
             if let Ok(mut depth) = DepthBuffer::new(faces.bounds(), &mut depths) {
                 shades.draw(&mut faces, face, band, &mut depth);
             }

@@ -106,7 +106,8 @@ fn scene(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String>
         let [x, y, z] = choice.light;
         replace("Vector3::from_ints(2, 3, 4)", &format!("Vector3::from_ints({x}, {y}, {z})"))?;
     }
-    let dithered = if choice.dithers() { ".dithered()" } else { "" };
+    let dithered =
+        |shader: &str| if choice.dithers() { format!("Dithered({shader})") } else { shader.into() };
     match choice.style {
         Style::Textured => {
             replace(FACES, "texture::at(mesh, face).lit([level(face); 3])")?;
@@ -119,10 +120,10 @@ fn scene(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String>
                 "mesh.normals().get(face).map_or(256, |&normal| light.level(normal))",
                 "mesh.corners_of(face, mesh.vertex_normals()).map(|normal| light.level(normal))",
             )?;
-            replace(FACES, &format!("Gouraud::lit(color(face, 256).into(), level(face)){dithered}"))?;
+            replace(FACES, &dithered("Gouraud::lit(color(face, 256).into(), level(face))"))?;
         }
         Style::Flat if choice.dithers() => {
-            replace(FACES, "Flat::lit(color(face, 256).into(), level(face)).dithered()")?;
+            replace(FACES, &dithered("Flat::lit(color(face, 256).into(), level(face))"))?;
         }
         _ => {}
     }

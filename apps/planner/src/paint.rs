@@ -9,7 +9,7 @@ use embedded_graphics_core::pixelcolor::raw::RawU16;
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, PixelColor, Rgb565, Rgb888};
 use pinhole::draw::SmoothEdges;
 use pinhole::raster::{Span, Triangle};
-use pinhole::shading::Barycentric;
+use pinhole::shading::{Barycentric, Lit};
 use pinhole::{
     prelude::*,
     shading::{CornerValues, Shader, SpanShader},
@@ -191,7 +191,7 @@ impl<'t> SpanShader<Stored> for Paint<'t> {
         match *self {
             Self::Plain(color) => Box::new(move |span| vec![color; span.width as usize]),
             Self::Dithered(format, flat) => {
-                by_format!(format, C => set_up::<C, _>(flat.dithered(), triangle))
+                by_format!(format, C => set_up::<C, _>(Dithered(flat), triangle))
             }
             Self::Smooth(format, lit) => match format {
                 Format::Rgb565 => set_up::<Rgb565, _>(lit, triangle),
@@ -201,7 +201,7 @@ impl<'t> SpanShader<Stored> for Paint<'t> {
                 Format::Mono | Format::Tricolor => Self::SmoothDithered(format, lit).set_up(triangle),
             },
             Self::SmoothDithered(format, lit) => {
-                by_format!(format, C => set_up::<C, _>(lit.dithered(), triangle))
+                by_format!(format, C => set_up::<C, _>(Dithered(lit), triangle))
             }
             Self::Textured(textured) => {
                 let setup = textured.set_up(triangle);

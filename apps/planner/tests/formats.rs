@@ -83,7 +83,7 @@ fn are_equal<C: Color + From<Rgb888> + Into<Rgb888>>(format: &str, has_shades: b
         let normals = mesh.corners_of(face, mesh.vertex_normals());
         Gouraud::lit(of_16_bits(), normals.map(|normal| light.level(normal)))
     };
-    let dithered = |face, light: &Lambert| Flat::lit(of_16_bits(), level(face, light)).dithered();
+    let dithered = |face, light: &Lambert| Dithered(Flat::lit(of_16_bits(), level(face, light)));
     let coords = flat.texture().expect("coordinates").expect("coordinates");
     let texture = Texture::new(TexelSlice::new(&texels, 32, 32).expect("texels"));
     let texture = texture.with_exponent(coords.exponent()).expect("an exponent");
@@ -92,7 +92,7 @@ fn are_equal<C: Color + From<Rgb888> + Into<Rgb888>>(format: &str, has_shades: b
         assert!(page(&format!("format={format}&style={style}")) == expected, "{format}, {style}");
     };
     check("flat&dither=1", drawn::<C, _>(&flat, dithered));
-    check("gouraud&dither=1", drawn::<C, _>(&smooth, |face, light| lit(face, light).dithered()));
+    check("gouraud&dither=1", drawn::<C, _>(&smooth, |face, light| Dithered(lit(face, light))));
     if !has_shades {
         return check("textured", drawn::<C, _>(&flat, |face, _| textured(face)));
     }
@@ -180,7 +180,7 @@ fn smooth_edges_are_those_of_firmware_in_bands() {
         let bands =
             smooth_bands(&flat, creases, rows, |face, light| Rgb565::from(COLOR).dim(level(face, light)));
         assert!(page("style=flat&smooth-edges=1") == bands, "flat, {rows} rows");
-        let dithered = |face: usize, light: &Lambert| Flat::lit(of_16_bits(), level(face, light)).dithered();
+        let dithered = |face: usize, light: &Lambert| Dithered(Flat::lit(of_16_bits(), level(face, light)));
         let bands = smooth_bands(&flat, creases, rows, dithered);
         assert!(page("style=flat&dither=1&smooth-edges=1") == bands, "dithered, {rows} rows");
         let bands = smooth_bands(&smooth, 0, rows, lit);

@@ -3,7 +3,7 @@
 
 use crate::paint::Colour;
 use pinhole::raster::{Span, Triangle};
-use pinhole::shading::Barycentric;
+use pinhole::shading::{Barycentric, Lit};
 use pinhole::{
     prelude::*,
     shading::{CornerValues, Dithered, Shader, SpanShader},

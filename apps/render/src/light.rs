@@ -4,7 +4,10 @@
 use crate::json::{self, Whole};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
-use pinhole::{light::Lambert, Vector3};
+use pinhole::{
+    light::{Lambert, Light as _},
+    Vector3,
+};
 use serde::Deserialize;
 use serde_json::Value;
 use std::collections::HashMap;

@@ -13,10 +13,11 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rg
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
+    color::{Alpha, Half},
     draw::{BinnedEdges, ShaderFor, SmoothEdges, TransformedMesh},
     fog::FogTable,
     prelude::*,
-    shading::{AntiAliased, Blended, SpanShader},
+    shading::{AntiAliased, Dithered, SpanShader, Translucent},
     target::Pixels,
     texture::TexelSlice,
 };
@@ -343,7 +344,8 @@ fn paint_in<C: Colour>(
         });
     }
 
-    let statistics = faces.iter().map(BinnedFaces::statistics).fold(Statistics::default(), Statistics::and);
+    let statistics =
+        faces.iter().map(BinnedFaces::statistics).fold(Statistics::default(), core::ops::Add::add);
     let bounds = around(faces.iter().map(BinnedFaces::bounds));
     let areas = plan(with_sprites(if is_smooth { with_border(bounds) } else { bounds }));
     // A surface that is shaded smoothly has creases where it is not, or where its colour changes.
@@ -397,11 +399,11 @@ fn paint_in<C: Colour>(
     let emits = style.own_colours && !scene.colors.emission.is_empty();
     all.draw(fog, &|part, face| match (style.mode == Mode::Flat, emits, style.dither) {
         (true, _, false) => Brush::Flat(flat(part, face)),
-        (true, _, true) => Brush::FlatDithered(flat(part, face).dithered()),
+        (true, _, true) => Brush::FlatDithered(Dithered(flat(part, face))),
         (false, false, false) => Brush::Smooth(smooth(part, face)),
-        (false, false, true) => Brush::SmoothDithered(smooth(part, face).dithered()),
+        (false, false, true) => Brush::SmoothDithered(Dithered(smooth(part, face))),
         (false, true, false) => Brush::Glowing(glowing(part, face)),
-        (false, true, true) => Brush::GlowingDithered(glowing(part, face).dithered()),
+        (false, true, true) => Brush::GlowingDithered(Dithered(glowing(part, face))),
     })
 }
 
@@ -486,10 +488,16 @@ impl<C: Colour> Faces<'_, '_, C> {
                 solid(parts, faces, shader, depth, band);
             }
             Translucency::Half => in_memory(band, |pixels| {
-                solid(parts, faces, |part, face| HalfBlended::new(shader(part, face)), depth, pixels);
+                solid(parts, faces, |part, face| Translucent::new(shader(part, face), Half), depth, pixels);
             }),
             Translucency::Alpha(of_32) => in_memory(band, |pixels| {
-                solid(parts, faces, |part, face| Blended::new(shader(part, face), of_32), depth, pixels);
+                solid(
+                    parts,
+                    faces,
+                    |part, face| Translucent::new(shader(part, face), Alpha::new(of_32)),
+                    depth,
+                    pixels,
+                );
             }),
         })
     }
@@ -518,7 +526,8 @@ fn edges<'a, const DEPTH: bool>(
         .zip(bin_storage)
         .map(|(transformed, bin_storage)| transformed.bin_edges(bin_storage));
     let edges = edges.collect::<Result<Vec<_>, _>>().map_err(|e| e.to_string())?;
-    let statistics = edges.iter().map(BinnedEdges::statistics).fold(Statistics::default(), Statistics::and);
+    let statistics =
+        edges.iter().map(BinnedEdges::statistics).fold(Statistics::default(), core::ops::Add::add);
     let bounds = around(edges.iter().map(BinnedEdges::bounds));
     Ok((edges, statistics, bounds))
 }

@@ -8,10 +8,11 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
+    color::Alpha,
     draw::SpriteFor,
     fog::FogTable,
     prelude::*,
-    shading::Blended,
+    shading::Translucent,
     sprite::{PlacedSprites, SpriteSource},
 };
 use std::convert::Infallible;
@@ -21,7 +22,7 @@ use std::rc::Rc;
 /// far to near.
 pub(crate) struct Sprites<'t, C> {
     stored: Vec<Placed<Texture<'t, C>>>,
-    mixed: Vec<Placed<Blended<Texture<'t, C>>>>,
+    mixed: Vec<Placed<Translucent<Texture<'t, C>, Alpha>>>,
     /// The area that they cover.
     pub(crate) bounds: Rectangle,
     pub(crate) statistics: Statistics,
@@ -115,11 +116,11 @@ impl<'t, C: Colour> Sprites<'t, C> {
                 let sprite = sized(entry, picture(), quantised);
                 bounds.push(at.bounds(|_| sprite.clone()));
                 let Ok(drawn) = at.draw(|_| sprite.clone(), &mut nowhere);
-                statistics = statistics.and(drawn);
+                statistics = statistics + drawn;
                 match entry.alpha {
                     None => stored.push(Placed { at, sprite, depth_tested }),
                     Some(of_32) => {
-                        let sprite = sized(entry, Blended::new(picture(), of_32), quantised);
+                        let sprite = sized(entry, Translucent::new(picture(), Alpha::new(of_32)), quantised);
                         mixed.push((scene.depth(point), Placed { at, sprite, depth_tested }));
                     }
                 }

@@ -7,7 +7,7 @@ use crate::fuzzed::scene::input::Scene;
 use crate::fuzzed::Bytes;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use pinhole::{
-    color::{Ink, Writes},
+    color::Unmixed,
     prelude::*,
     shading::{SpanShader, Translucent},
     texture::{Accuracy, ColorKeyed, IndexKeyed, IndexedTexels, LitPalette, TexelSlice, Texels},
@@ -97,10 +97,7 @@ impl Textures<'_> {
 
     /// Draws on every target; the texture is repeated or clamped. Two formats do, one of them with a key, which stand for all: each
     /// format, target and way to number texels instantiates the drawing code once more.
-    fn draw_everywhere<S: Texels<Color = Rgb888, Ink: Ink<Rgb888, Access = Writes>>>(
-        &self,
-        texels: S,
-    ) -> Drawn<Rgb888> {
+    fn draw_everywhere<S: Texels<Color = Rgb888, Ink: Unmixed<Rgb888>>>(&self, texels: S) -> Drawn<Rgb888> {
         let texture = self.texture(texels);
         self.with_instance(|instance| match self.clamped {
             true => self.place.everywhere(instance, &|face| texture.clamped_at(self.uv[face])),
@@ -115,7 +112,7 @@ impl Textures<'_> {
     fn draw_alone(&mut self) {
         let texture = self.texture(Numbered(self.bits));
         let more = |_, stored: Rgb888| Rgb888::new(0, 0, stored.b().saturating_add(1));
-        let count = Translucent::by(Rgb888::BLACK, more);
+        let count = Translucent::new(Rgb888::BLACK, more);
         let area = self.place.area;
         self.alone = (0..self.scene.faces.len())
             .map(|face| {

@@ -122,7 +122,7 @@ const SIZE: Size = Size::new(120, 90);
 
 /// The pixels between the first and the last drawn one of a row that are not drawn: none, if the solid is convex.
 fn holes(mesh: &Mesh<'_>, extent: f64, yaw: Angle, by_planes: bool) -> usize {
-    let number = |v: f64| Scalar::from_num(v);
+    let number = |v: f64| Scalar::try_from(v).unwrap();
     let viewport = Viewport::new(Point::zero(), SIZE).unwrap();
     let view = ViewTransform::look_at(
         Point3::new(number(0.3 * extent), number(0.7 * extent), number(1.6 * extent)),

@@ -49,7 +49,7 @@ impl Gauge {
         let Self(dirty, shown_needle, shown_text) = self;
         let (mut mesh, mut strip) = (mesh_buffers!(NEEDLE), strip_buffers!(BinaryColor, 128, 16, no depth));
         let model = Affine::rotation_z(Angle::turns(50 - i32::from(value), 200)); // at 50 the needle points up
-        let shade = |face| Flat::lit(Rgb888::WHITE, if face < 2 { 256 } else { 110 }).dithered();
+        let shade = |face| Dithered(Flat::lit(Rgb888::WHITE, if face < 2 { 256 } else { 110 }));
         let instance = CAMERA.place(&NEEDLE, &model);
         let mut needle = instance.transform(&mut mesh.cache).bin_faces(&mut mesh.bins).expect("room");
         let marks = Mesh::new(&DIAL.0, 0, &[]).and_then(|mesh| mesh.with_edges(&DIAL.1)).expect("edges");

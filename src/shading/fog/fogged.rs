@@ -2,7 +2,7 @@
 
 use super::levels::{FogLevel, FogLevels, LevelRuns};
 use super::table::{FogTable, LEVELS};
-use crate::color::{Color, Ink, Mixer};
+use crate::color::{Color, InkKind, Mixer};
 use crate::raster::{Gradient, Span, Triangle};
 use crate::shading::shader::{inner_with_corners, DepthLevels};
 use crate::shading::{CornerValues, Shader, SpanShader};
@@ -212,7 +212,7 @@ impl<'t, C: Color, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
 
     #[inline(always)]
     fn levels(&self) -> Option<DepthLevels<'_, impl Fn(u8) -> C + Copy>> {
-        let own = self.shader.solid().and_then(Ink::own)?;
+        let own = self.shader.solid().and_then(InkKind::own)?;
         let ([first, _], fade) = (self.levels, own.fade(self.table.color));
         let color = move |level| fade(LEVELS as u8 - level);
         Some(DepthLevels { depths: self.depths, bounds: &self.table.bounds, first, color })

@@ -3,7 +3,6 @@
 use super::linear::Fog;
 use super::profile;
 use crate::camera::Camera;
-use crate::color::Color;
 use crate::raster::Gradient;
 use crate::shading::light_error::{LightError, LEAST_FOG_STEPS};
 
@@ -31,7 +30,7 @@ pub(super) const LEVELS: usize = 32;
 /// let table = FogTable::new(&fog, &camera, Rgb565::WHITE)?;
 /// let depth = camera.project(Point3::from_ints(0, 0, 0))?.depth;
 /// assert_eq!(table.factor(depth), 24); // a quarter of the way: 24 of 32 are left
-/// assert_eq!(table.color_at(Rgb565::BLACK, depth), Rgb565::new(8, 16, 8));
+/// assert_eq!(Rgb565::BLACK.mix(Rgb565::WHITE, table.factor(depth)), Rgb565::new(8, 16, 8));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -141,13 +140,6 @@ impl<C> FogTable<C> {
     /// The factor at a depth, such as that of a [projected point](crate::camera::Projected): 32, no fog, to 0, nothing but fog.
     pub fn factor(&self, depth: u16) -> u8 {
         LEVELS as u8 - self.level(u32::from(depth) << 16 | Gradient::DEPTH_BIAS)
-    }
-}
-
-impl<C: Color> FogTable<C> {
-    /// A colour as it is seen at a depth: mixed with the fog's colour, each channel rounded to nearest.
-    pub fn color_at(&self, color: C, depth: u16) -> C {
-        color.mix(self.color, self.factor(depth))
     }
 }
 

@@ -84,12 +84,4 @@ impl VertexFog {
         let factor = add(scale(sum, self.shift), self.offset);
         (add(factor, 1 << 31) >> 32).clamp(0, 256) as u16
     }
-
-    /// Writes the [`factor`](Self::factor) of each vertex to `factors`, up to the end of the shorter slice: once per frame, for faces
-    /// with fog by vertex and for edges.
-    pub fn factors(&self, vertices: &[[i16; 3]], factors: &mut [u16]) {
-        for (factor, &vertex) in factors.iter_mut().zip(vertices) {
-            *factor = self.factor(vertex);
-        }
-    }
 }

@@ -1,6 +1,6 @@
 //! Where the texels of a sprite come from.
 
-use crate::color::{BlendMode, Color, Ink, Unmixed};
+use crate::color::{BlendMode, Color, Ink, InkKind, Unmixed, UnmixedInk};
 use crate::shading::{Fogged, Texels, Translucent};
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -12,7 +12,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// | texels of a texture: 8 to 256 a side, powers of two | every [`Texels`], such as `&[[C; W]; H]`, [`IndexedTexels`](crate::texture::IndexedTexels) and, with transparent ones, [`ColorKeyed`](crate::texture::ColorKeyed) and [`IndexKeyed`](crate::texture::IndexKeyed) |
 /// | an image of embedded-graphics of any size: `ImageRaw`, `Framebuffer`, tinybmp's `Bmp` | [`SpriteImage`](crate::sprite::SpriteImage) |
 /// | one colour | [`SolidTexel`](crate::sprite::SolidTexel) |
-/// | one of these, mixed with what is behind it | [`Translucent`](crate::shading::Translucent): [`HalfBlended`](crate::shading::HalfBlended), [`Blended`](crate::shading::Blended) |
+/// | one of these, mixed with what is behind it | [`Translucent`](crate::shading::Translucent) |
 /// | one of these, in fog | [`Fogged`](crate::fog::Fogged) |
 /// | a formula | an implementation of your own |
 ///
@@ -148,7 +148,7 @@ impl<C: Color, S: SpriteSource<Color = C>> SpriteSource for Fogged<'_, S, C> {
 
 impl<S: SpriteSource<Ink: Unmixed<S::Color>>, M: BlendMode<S::Color>> SpriteSource for Translucent<S, M> {
     type Color = S::Color;
-    type Ink = <S::Ink as Unmixed<S::Color>>::Mixed<M>;
+    type Ink = <S::Ink as UnmixedInk<S::Color>>::Mixed<M>;
 
     fn picture_size(&self) -> Size {
         self.shader.picture_size()

@@ -2,7 +2,7 @@
 
 use super::indexed::IndexedTexels;
 use super::texels::Texels;
-use crate::color::Ink;
+use crate::color::InkKind;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// Texels of which one colour is transparent, as magenta often is in sprites: a pixel that would show it is left out, and its

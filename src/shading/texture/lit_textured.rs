@@ -28,7 +28,7 @@ pub struct LitTextured<S> {
 
 impl<S: Texels<Color: Color>> Textured<S> {
     /// This face with a level of light at each corner, 0 … 256 (more counts as 256), in the order of the face's vertices.
-    /// [`Lambert::levels`](crate::light::Lambert::levels) computes levels, [`Mesh::corners_of`](crate::Mesh::corners_of) picks those of a
+    /// [`Light::levels`](crate::light::Light::levels) computes levels, [`Mesh::corners_of`](crate::Mesh::corners_of) picks those of a
     /// face.
     ///
     /// ```
@@ -44,7 +44,7 @@ impl<S: Texels<Color: Color>> Textured<S> {
     /// # );
     /// // A square that fills a picture of 64 pixels, with full light on the left and none on the right.
     /// const UV: [[i16; 2]; 4] = [[0, 128], [128, 128], [128, 0], [0, 0]];
-    /// const LEVELS: [u16; 4] = [256, 0, 0, 256]; // `Lambert::levels` computes them
+    /// const LEVELS: [u16; 4] = [256, 0, 0, 256]; // `Light::levels` computes them
     /// let mesh = Mesh::new(&[[-2, -2, 0], [2, -2, 0], [2, 2, 0], [-2, 2, 0]], 0, &[[0, 1, 2], [0, 2, 3]])?;
     /// let texture = Texture::new(&[[Gray8::WHITE; 8]; 8]);
     /// let mut pixels = [Gray8::BLACK; 64 * 64];

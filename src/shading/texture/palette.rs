@@ -84,7 +84,7 @@ impl<C: Color, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROW
     /// A palette that fades into fog: row i has i/(`ROWS` − 1) of the palette's colours and the rest of the fog's colour, so row
     /// 0 is fog alone; halves are rounded up. [`row`](Self::row) takes the factor of
     /// [`VertexFog::face_factor`](crate::fog::VertexFog::face_factor), [`Textured::lit`](crate::texture::Textured::lit) the factors of
-    /// [`VertexFog::factors`](crate::fog::VertexFog::factors).
+    /// [`VertexFog::factor`](crate::fog::VertexFog::factor).
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};

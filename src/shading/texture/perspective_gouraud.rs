@@ -63,13 +63,6 @@ impl Gouraud {
     }
 }
 
-impl PerspectiveGouraud {
-    /// This shader with ordered dithering.
-    pub const fn dithered(self) -> Dithered<Self> {
-        Dithered(self)
-    }
-}
-
 impl Shader for PerspectiveGouraud {
     type Varying = Barycentric;
     const NEEDS_W: bool = true;

@@ -1,6 +1,6 @@
 //! Where the texels of a texture come from.
 
-use crate::color::{Color, Ink, Unmixed};
+use crate::color::{Color, InkKind, Unmixed};
 use crate::math::hints::opaque;
 use embedded_graphics_core::pixelcolor::PixelColor;
 

@@ -155,7 +155,7 @@ pub fn flat_dithered<'s>(
 ) -> impl Fn(usize) -> Dithered<Flat> + 's {
     |face| {
         let level = normals.get(face).map_or(256, |&normal| light.level(normal));
-        Flat::lit(Rgb888::WHITE, level).dithered()
+        Dithered(Flat::lit(Rgb888::WHITE, level))
     }
 }
 

@@ -12,12 +12,11 @@ use pinhole::raster::{self, ScreenPoint};
 use pinhole::space::{Model, World};
 use pinhole::{
     bands::{DirtyRegions, SmoothFrame, Tracked, TransferCost},
-    color::Reads,
-    draw::{draw_line, fill_triangle, ActiveFace, ShaderFor, SmoothEdge},
+    draw::{draw_line, fill_triangle, ActiveFace, ShaderFor, SmoothEdge, StrokeFor},
     mesh::Coordinate,
     prelude::*,
-    shading::{AntiAliased, SpanShader, Stroke},
-    target::{Gives, LeastRun},
+    shading::{AntiAliased, SpanShader},
+    target::LeastRun,
 };
 
 /// A scene that is set up elsewhere, so that the compiler knows nothing of it here.
@@ -66,14 +65,14 @@ fn shade<D: DrawTarget<Color: Color>>(scene: &mut Scene<'_, D::Color>, levels: &
     let instance = scene.camera.place(&mesh, &scene.model);
     scene.light.levels(mesh.vertex_normals(), levels);
     let smooth = |face| Gouraud::lit(wide_color(), mesh.corners_of(face, levels));
-    let ends = |_| Gouraud::new([wide_color(), wide_color(), wide_color()]).dithered();
+    let ends = |_| Dithered(Gouraud::new([wide_color(), wide_color(), wide_color()]));
     let flat = || Flat::lit(wide_color(), any() as u16);
     // One shader per function, so that the calls with one shader can be inlined.
     match any() {
         0 => fill_all(scene, &instance, smooth, target),
         1 => fill_all(scene, &instance, ends, target),
         2 => fill_all(scene, &instance, |_| flat(), target),
-        3 => fill_all(scene, &instance, |_| flat().dithered(), target),
+        3 => fill_all(scene, &instance, |_| Dithered(flat()), target),
         4 => {
             let table = ShadeTable::new(wide_color());
             fill_all(scene, &instance, |face| table.lit(mesh.corners_of(face, levels)), target);
@@ -228,15 +227,13 @@ fn draw_pixels<T: Surface<Color = Rgb565>>(
 }
 
 /// Anti-aliased lines, in every way to draw lines.
-fn draw_anti_aliased<T: Surface<Color = Rgb565, Store: Gives<Reads>>>(
+fn draw_anti_aliased<T: Surface<Color = Rgb565>>(
     scene: &mut Scene<'_, Rgb565>,
     instance: &MeshInstance<'_>,
-    stroke: impl Stroke<Rgb565, Access = Reads>,
+    stroke: impl StrokeFor<T>,
     target: &mut T,
 ) {
     let Scene { corners, depth, bin_storage, .. } = scene;
-    let mixed = stroke.color().over(color(), any() as u16);
-    report((mixed, stroke.covering(mixed, any() as u16)));
     let [from, to] = [(); 2].map(|()| raster::Pixel { x: any() as i16, y: any() as i16 });
     report(draw_line(from, to, stroke, target));
     report(instance.edges(|_| stroke).cached(corners).draw(target));
@@ -304,7 +301,7 @@ fn pick(camera: &Camera, instance: &MeshInstance<'_>, cache: &mut [ScreenVertex]
     report(faces().culled_by_planes().cached(cache).pick(pixel()));
     report(faces().culled_by_clusters().cached(cache).pick(pixel()));
     let picked = faces().cached(cache).pick(pixel());
-    report(picked.and_then(|picked| picked.point(camera)));
+    report(picked.and_then(|picked| camera.unproject(picked.at, picked.depth)));
 }
 
 fn change<'m>(

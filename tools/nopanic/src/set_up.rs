@@ -10,7 +10,7 @@ use embedded_graphics_core::pixelcolor::{
 };
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::{Gradient, Pixel, ScreenPoint, Triangle};
-use pinhole::shading::Varying;
+use pinhole::shading::{Lit, Varying};
 use pinhole::space::{Model, Ndc, View, World};
 use pinhole::{
     bands::DirtyRegions,
@@ -69,7 +69,6 @@ entries! {
     entry_scalar_assignments(a: &mut Scalar) { *a += scalar(); *a -= scalar(); *a *= scalar(); *a /= scalar() }
     entry_scalar_from() -> [Scalar; 3] { [Scalar::from_int(any()), Scalar::from_ratio(any(), any()), Scalar::from(any() as i16)] }
     entry_scalar_from_floats(single: f32, double: f64) -> [Result<Scalar, MathError>; 2] { [Scalar::from_f32(single), Scalar::try_from(double)] }
-    entry_scalar_from_num(single: f32, double: f64) -> [Scalar; 2] { [Scalar::from_num(single), Scalar::from_num(double)] }
     entry_scalar_from_text(text: &str) -> Result<Scalar, MathError> { text.parse() }
     entry_scalar_to(a: Scalar) -> f64 { a.into() }
     entry_angle(a: Angle, b: Angle) -> (i32, i32) { (a + b - -Angle::turns(any(), any() as u32) + Angle::degrees(any())).sin_cos() }
@@ -132,11 +131,10 @@ entries! {
     entry_emitting_palette(colors: &[Rgb888; 2], emission: &[Rgb888; 2]) -> LitPalette<Rgb565, 2, 32> { LitPalette::emitting(colors, emission) }
     entry_point_light(model: &Affine<Model, World>, exponent: i8, strength: u16) -> PointLight { PointLight::new(model, exponent, point(), scalar(), strength) }
     entry_point_light_level(light: &PointLight, position: [i16; 3], normal: [i16; 3]) -> u16 { light.level(position, normal) }
-    entry_point_light_levels(light: &PointLight, vertices: &[[i16; 3]], normals: &[[i16; 3]], levels: &mut [u16]) { light.add_levels(vertices, normals, levels) }
     entry_view_normals(view: &ViewTransform, model: &Affine<Model, World>) -> Matcap { Matcap::new(view, model) }
-    entry_matcap_coords(matcap: &Matcap, normals: &[[i16; 3]], coords: &mut [[i16; 2]]) -> [i16; 2] { matcap.all_coords(normals, coords); matcap.coords([any() as i16; 3]) }
+    entry_matcap_coords(matcap: &Matcap) -> [i16; 2] { matcap.coords([any() as i16; 3]) }
     entry_matcap_color(matcap: &Matcap, ball: &[[Rgb565; 32]; 32], normal: [i16; 3]) -> Rgb565 { matcap.color(ball, normal) }
-    entry_statistics(a: Statistics, b: Statistics) -> Statistics { a.and(b) }
+    entry_statistics(a: Statistics, b: Statistics) -> Statistics { a + b }
     entry_mesh(v: Vertices, exponent: i8, f: Faces) -> Result<Mesh<'static>, MeshError> { Mesh::new(v, exponent, f) }
     entry_wide_mesh(v: WideVertices, f: Faces) -> Result<Mesh<'static, Scalar>, MeshError> { Mesh::from_fixed(v, f) }
     entry_format(red: u32, green: u32, blue: u32) -> [Format; 4] { [Format::rgb(red, green, blue), Format::bgr(blue, green, red), Format::gray(red), Format::indexed(red, [any() as u8; 3])] }
@@ -198,8 +196,8 @@ entries! {
 
     entry_vector_parts(v: Vector3<World>) -> [Scalar; 3] { [v.x(), v.y(), v.z()] }
     entry_vector_micromath(v: micromath::vector::F32x3) -> Result<Vector3<World>, MathError> { v.try_into() }
-    entry_viewport_parts(viewport: &Viewport) -> (Point, Size, Rectangle, Rotation, Point) {
-        (viewport.top_left(), viewport.size(), viewport.area(), viewport.rotation(), viewport.upright_point(pixel()))
+    entry_viewport_parts(viewport: &Viewport) -> (Size, Rectangle, Rotation, Point) {
+        (viewport.size(), viewport.area(), viewport.rotation(), viewport.upright_point(pixel()))
     }
     entry_moved_viewport() -> Result<Viewport, CameraError> {
         Ok(Viewport::new(pixel(), size())?.rotated(rotation()).jittered([any() as i8, any() as i8]))
@@ -216,7 +214,7 @@ entries! {
     entry_depths<'d>(depth: &'d DepthBuffer<'_>) -> &'d [u16] { depth.values() }
     entry_dirty_area(dirty: &DirtyRegions<7>) -> Rectangle { dirty.area() }
     entry_table(colours: [Rgb565; 256]) -> Rgb565 { ShadeTable::from_colors(colours).colors()[usize::from(any() as u8)] }
-    entry_lit(colour: Rgb888) -> pinhole::shading::Dithered<Lit> { Gouraud::lit(colour, [any() as u16; 3]).dithered() }
+    entry_lit(colour: Rgb888) -> pinhole::shading::Dithered<Lit> { Dithered(Gouraud::lit(colour, [any() as u16; 3])) }
     entry_triangle_plane(triangle: &Triangle<'_>, values: [u32; 3]) -> Gradient { triangle.gradient(values) }
     entry_triangle_depth(triangle: &Triangle<'_>, depths: [i32; 3]) -> Gradient { triangle.depth_gradient(depths) }
     entry_carries_nothing(corner: usize) { <() as Varying>::of(corner); ().towards(&(), any().into()) }

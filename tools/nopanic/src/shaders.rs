@@ -10,18 +10,18 @@ use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
 use pinhole::raster::{Gradient, Span, Triangle};
-use pinhole::shading::Barycentric;
+use pinhole::shading::{Barycentric, Translucent};
 use pinhole::space::{Model, World};
 use pinhole::{
-    color::{BlendMode, Mixed, Reads},
+    color::{Alpha, BlendMode, Half, Mixed},
     draw::SpriteFor,
     fog::{Fog, FogTable, VertexFog},
     light::LightError,
     mesh::Coordinate,
     prelude::*,
-    shading::{Blended, CornerValues, DepthTested, Shader, SpanShader, Translucent},
+    shading::{CornerValues, DepthTested, Dithered, Shader, SpanShader},
     sprite::{PlacedSprites, SolidTexel, SpriteImage, SpriteSource},
-    target::{BufferError, Gives, Memory, Pixels},
+    target::{BufferError, Pixels},
     texture::{
         Accuracy, BilinearTexels, ColorKeyed, IndexKeyed, IndexedTexels, LitPalette, MipPicture, MipTexels,
         TexelSlice, Texels, TextureError,
@@ -134,10 +134,10 @@ fn own(faces: &mut Faces<'_>) -> Result<(), BufferError> {
 }
 
 fn painter_depth_tested(
-    painter: &mut Painter<DepthTested<HalfBlended<Rgb565>>, 20, 20>,
+    painter: &mut Painter<DepthTested<Translucent<Rgb565, Half>>, 20, 20>,
     faces: &mut Faces<'_>,
 ) -> Option<()> {
-    let shade = |_| DepthTested::new(HalfBlended::new(color()));
+    let shade = |_| DepthTested::new(Translucent::new(color(), Half));
     faces.instance.faces(shade).sorted(painter).ok()?;
     let mut target = Pixels::<Rgb565, u16>::new(faces.cells, area()).ok()?;
     let mut depth = DepthBuffer::new(area(), faces.depths).ok()?;
@@ -154,8 +154,8 @@ fn keyed(faces: &mut Faces<'_>, texels: IndexedTexels<'_, Rgb565, 4>) -> Result<
     faces.draw(|_| texture.clamped_at(corners()));
     let face = |_| texture.at(corners());
     faces.draw(|f| ScreenDoor::new(face(f), any() as u8));
-    faces.draw(|f| HalfBlended::new(face(f)));
-    faces.draw(|f| Blended::new(face(f), any() as u8));
+    faces.draw(|f| Translucent::new(face(f), Half));
+    faces.draw(|f| Translucent::new(face(f), Alpha::new(any() as u8)));
     Ok(())
 }
 
@@ -176,10 +176,10 @@ fn lit_palette(
 /// Faces that leave out pixels, or mix with what is behind them.
 fn translucent(faces: &mut Faces<'_>) {
     faces.draw(|_| ScreenDoor::new(color(), any() as u8));
-    faces.draw(|_| ScreenDoor::new(HalfBlended::new(color()), any() as u8));
-    faces.draw(|_| HalfBlended::new(color()));
-    faces.draw(|_| Blended::new(color(), any() as u8));
-    faces.draw(|_| Translucent::by(color(), |own: Rgb565, stored: Rgb565| stored.emitting(own)));
+    faces.draw(|_| ScreenDoor::new(Translucent::new(color(), Half), any() as u8));
+    faces.draw(|_| Translucent::new(color(), Half));
+    faces.draw(|_| Translucent::new(color(), Alpha::new(any() as u8)));
+    faces.draw(|_| Translucent::new(color(), |own: Rgb565, stored: Rgb565| stored.emitting(own)));
 }
 
 /// Mixes two colours of a format.
@@ -196,7 +196,7 @@ fn fog(camera: &Camera) -> Result<FogTable<Rgb565>, LightError> {
         1 => FogTable::exponential(&fog, camera, color())?,
         _ => FogTable::squared(&fog, camera, color())?,
     };
-    report((table.factor(any() as u16), table.color_at(color(), any() as u16)));
+    report(table.factor(any() as u16));
     Ok(table)
 }
 
@@ -208,7 +208,9 @@ fn vertex_fog(
     factors: &mut [u16],
 ) {
     let fog = VertexFog::new(fog, camera, model, any() as i8);
-    fog.factors(vertices, factors);
+    for (factor, &vertex) in factors.iter_mut().zip(vertices) {
+        *factor = fog.factor(vertex);
+    }
     report([fog.factor([any() as i16; 3]), fog.face_factor([[any() as i16; 3]; 3])]);
 }
 
@@ -218,7 +220,7 @@ fn fogged(faces: &mut Faces<'_>, table: &FogTable<Rgb565>, shades: &ShadeTable<R
     faces.draw(|_| Fogged::new(Gouraud::lit(wide_color(), levels()), table));
     faces.draw(|_| Fogged::new(shades.lit(levels()), table));
     faces.draw(|_| Fogged::new(ScreenDoor::new(color(), any() as u8), table));
-    faces.draw(|_| Fogged::new(Blended::new(color(), any() as u8), table));
+    faces.draw(|_| Fogged::new(Translucent::new(color(), Alpha::new(any() as u8)), table));
     if let Ok(mut target) = Pixels::<Rgb565, u16>::new(faces.cells, area()) {
         report(faces.instance.edges(|_| color()).cached(faces.cache).draw(&mut target));
     }
@@ -270,11 +272,11 @@ impl<V: Coordinate<Stored = V>> Sprites<'_, V> {
 
 type Texels64 = [[Rgb565; 64]; 32];
 
-fn sprites_in_memory<T: Surface<Color = Rgb565, Store: Gives<Reads>>>(
+fn sprites_in_memory(
     mut sprites: Sprites<'_, i16>,
     texels: &Texels64,
     fog: &FogTable<Rgb565>,
-    to: &mut T,
+    to: &mut Pixels<'_, Rgb565, u16>,
 ) {
     let image = Image(size());
     let picture = SpriteImage::new(&image);
@@ -282,10 +284,10 @@ fn sprites_in_memory<T: Surface<Color = Rgb565, Store: Gives<Reads>>>(
         0 => sprites.draw(|| texels, to),
         1 => sprites.draw(|| ColorKeyed::new(texels, color()), to),
         2 => sprites.draw(|| Clone::clone(&picture), to),
-        3 => sprites.draw(|| HalfBlended::new(SpriteImage::new(&image).with_key(color())), to),
-        4 => sprites.draw(|| Blended::new(texels, any() as u8), to),
-        5 => sprites.draw(|| Blended::new(Fogged::new(texels, fog), any() as u8), to),
-        6 => sprites.draw(|| Fogged::new(HalfBlended::new(texels), fog), to),
+        3 => sprites.draw(|| Translucent::new(SpriteImage::new(&image).with_key(color()), Half), to),
+        4 => sprites.draw(|| Translucent::new(texels, Alpha::new(any() as u8)), to),
+        5 => sprites.draw(|| Translucent::new(Fogged::new(texels, fog), Alpha::new(any() as u8)), to),
+        6 => sprites.draw(|| Fogged::new(Translucent::new(texels, Half), fog), to),
         7 => sprites.draw(|| Fogged::new(SolidTexel::new(color()), fog), to),
         _ => sprites.draw(|| SolidTexel::new(color()), to),
     }
@@ -312,22 +314,11 @@ fn one_sprite<T: Surface<Color = Rgb565>>(camera: &Camera, to: &mut T) {
     report(placed.draw(|_| sprite(SpriteImage::new(&image)).rotated(rotation()), to).ok());
 }
 
-fn memory(cells: &mut [u16]) -> Result<(), BufferError> {
-    let mut memory = Memory::new(cells, area())?;
-    let span = Span { x: any(), y: any(), width: any(), height: any() };
-    memory.fill(span, any() as u16);
-    memory.fill_run(span, core::iter::repeat(any() as u16));
-    report(memory.row(any(), any(), any()).map(|row| row.len()));
-    report(memory.area());
-    Ok(())
-}
-
 entries! {
     entry_shader_of_own(faces: &mut Faces<'_>) -> Result<(), BufferError> { own(faces) }
     entry_painter_by_planes(painter: &mut Painter<Everything, 20, 20>, faces: &Faces<'_>) { report(faces.instance.faces(|_| shader()).culled_by_planes().sorted(painter)) }
-    entry_painter_depth_tested(painter: &mut Painter<DepthTested<HalfBlended<Rgb565>>, 20, 20>, faces: &mut Faces<'_>) -> Option<()> { painter_depth_tested(painter, faces) }
+    entry_painter_depth_tested(painter: &mut Painter<DepthTested<Translucent<Rgb565, Half>>, 20, 20>, faces: &mut Faces<'_>) -> Option<()> { painter_depth_tested(painter, faces) }
     entry_translucent(faces: &mut Faces<'_>) { translucent(faces) }
-    entry_memory_of_own(cells: &mut [u16]) -> Result<(), BufferError> { memory(cells) }
 
     entry_texture_of_known_size(faces: &mut Faces<'_>, texels: &Texels64) -> Result<(), TextureError> { faces.textured(texels) }
     entry_texture_with_mips(faces: &mut Faces<'_>, texels: &Texels64) -> Result<(), TextureError> {
@@ -367,7 +358,7 @@ entries! {
     entry_gouraud_in_perspective(faces: &mut Faces<'_>) {
         let shader = || Gouraud::new([wide_color(), wide_color(), wide_color()]).in_perspective();
         faces.draw(|_| shader());
-        faces.draw(|_| shader().dithered());
+        faces.draw(|_| Dithered(shader()));
     }
 
     entry_fog(camera: &Camera) -> Result<FogTable<Rgb565>, LightError> { fog(camera) }

@@ -9,7 +9,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{
-    color::{Ink, StoredPixel, Writes},
+    color::{StoredPixel, Unmixed},
     draw::ActiveFace,
     mesh::Coordinate,
     prelude::*,
@@ -175,7 +175,7 @@ fn parts_on_screen<C: PixelColor>(
 const PICKED: usize = 247;
 
 /// Into memory, and onto a DrawTarget that is not the library's, in one piece and in parts; picking finds the depths that are stored.
-pub fn everywhere<C: PixelColor, S: SpanShader<C, Ink: Ink<C, Access = Writes>>>(
+pub fn everywhere<C: PixelColor, S: SpanShader<C, Ink: Unmixed<C>>>(
     instance: &MeshInstance<'_>,
     area: Rectangle,
     background: C,
@@ -211,7 +211,7 @@ pub fn by_every_call<const N: usize, C, S, V>(
 ) -> (Drawn<C>, Statistics)
 where
     C: Color + StoredPixel<[u8; N]> + Debug,
-    S: SpanShader<C, Ink: Ink<C, Access = Writes>>,
+    S: SpanShader<C, Ink: Unmixed<C>>,
     V: Coordinate,
 {
     let mesh = instance.mesh();
@@ -280,7 +280,7 @@ where
 macro_rules! culled_early {
     ($(#[$doc:meta])* $name:ident, $culled_by:ident, $count:expr) => {
         $(#[$doc])*
-        pub fn $name<C: Color + Debug, S: SpanShader<C, Ink: Ink<C, Access = Writes>>, V: Coordinate>(
+        pub fn $name<C: Color + Debug, S: SpanShader<C, Ink: Unmixed<C>>, V: Coordinate>(
             instance: &MeshInstance<'_, V>,
             area: Rectangle,
             background: C,

@@ -37,9 +37,9 @@ image!(
     "flash_depth_pixels" | "flash_framing" => faces.draw(scene::flat(mesh, |normal| light.level(normal)), &mut band.pixels().depth_tested(&mut depth)).ok()?,
     "flash_gouraud_pixels" => faces.draw(scene::smooth(mesh, light), &mut band.pixels().depth_tested(&mut depth)).ok()?,
     "flash_dither" =>
-        faces.draw(|face| scene::smooth(mesh, light)(face).dithered(), &mut band.depth_tested(&mut depth)).ok()?,
+        faces.draw(|face| Dithered(scene::smooth(mesh, light)(face)), &mut band.depth_tested(&mut depth)).ok()?,
     "flash_dither_pixels" => faces
-        .draw(|face| scene::smooth(mesh, light)(face).dithered(), &mut band.pixels().depth_tested(&mut depth))
+        .draw(|face| Dithered(scene::smooth(mesh, light)(face)), &mut band.pixels().depth_tested(&mut depth))
         .ok()?,
     "flash_flat_dither_pixels" => faces
         .draw(scene::flat_dithered(mesh.normals(), light), &mut band.pixels().depth_tested(&mut depth))

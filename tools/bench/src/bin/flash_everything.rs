@@ -63,7 +63,7 @@ fn draw<V: Coordinate<Stored = i16>>(
         while let Some(mut band) = frame.next_band(colors).ok()? {
             let mut depth = DepthBuffer::new(band.area(), depths).ok()?;
             faces
-                .draw(|face| scene::smooth(mesh, light)(face).dithered(), &mut band.depth_tested(&mut depth))
+                .draw(|face| Dithered(scene::smooth(mesh, light)(face)), &mut band.depth_tested(&mut depth))
                 .ok()?;
             faces.draw(scene::flat(mesh, |normal| light.level(normal)), &mut band).ok()?;
             edges.hidden_line(scene::LINE, &mut band.depth_tested(&mut depth)).ok()?;

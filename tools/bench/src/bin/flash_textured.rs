@@ -47,7 +47,7 @@ image!(
                 frame.draw(|face| texture.at(UV[face & 1]))
             }
             "flash_screen_door" => frame.draw(|face| ScreenDoor::new(color(face), black_box(40))),
-            "flash_half" => frame.draw(|face| HalfBlended::new(color(face))),
+            "flash_half" => frame.draw(|face| Translucent::new(color(face), Half)),
             "flash_fogged" => {
                 let table = FogTable::new(&fog()?, scene.camera(), scene::BACKGROUND).ok()?;
                 frame.draw(|face| Fogged::new(color(face), &table))
@@ -63,7 +63,9 @@ image!(
             "flash_vertex_fog" => {
                 let fog = VertexFog::new(&fog()?, scene.camera(), &scene.model, cube.mesh.exponent());
                 let mut factors = [0; CORNERS];
-                fog.factors(cube.mesh.vertices(), &mut factors);
+                for (factor, &vertex) in factors.iter_mut().zip(cube.mesh.vertices()) {
+                    *factor = fog.factor(vertex);
+                }
                 frame.draw(|face| SHADES.lit(cube.mesh.corners_of(face, &factors)))
             }
             "flash_sprites" => {

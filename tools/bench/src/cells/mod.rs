@@ -30,7 +30,7 @@ use memory::Depth;
 use pinhole::{
     draw::{Faces, ShaderFor},
     prelude::*,
-    shading::{AntiAliased, Blended},
+    shading::AntiAliased,
     target::Surface,
     texture::Accuracy,
 };

@@ -264,7 +264,7 @@ fn in_bands(
             bands::depth(instance, flat_dithered(mesh.normals(), light), size, storage, send)
         }
         Kind::SmoothDitheredBands => {
-            bands::depth(instance, |face| smooth(mesh, light)(face).dithered(), size, storage, send)
+            bands::depth(instance, |face| Dithered(smooth(mesh, light)(face)), size, storage, send)
         }
         Kind::TexturedBands => bands::depth(instance, textured(mesh, light)?, size, storage, send),
         Kind::Silhouettes | Kind::Creases => {

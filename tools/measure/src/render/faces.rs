@@ -59,7 +59,7 @@ fn draw<S: SpanShader<Seen, Ink = Seen>>(
         let id = |face: usize| shader(part.first + face);
         let instance = camera.place(&mesh, &quantised.model).with_cull(cull);
         let Ok(drawn) = instance.faces(id).cached(&mut corners).draw(&mut ids.depth_tested(&mut depth));
-        statistics = statistics.and(drawn);
+        statistics = statistics + drawn;
     }
     Ok(Drawn { ids, depth: storage, statistics })
 }

@@ -29,8 +29,8 @@ firmware!(|camera, turn, display: Rgb565|
             let Ok(()) = match SHADING {
                 "flat" => faces.draw(|face| COLOR.dim(level(face)), &mut pixels.depth_tested(depth)),
                 "smooth" => faces.draw(smooth, &mut pixels.depth_tested(depth)),
-                "dithered" => faces.draw(|face| Flat::lit(LIT, level(face)).dithered(), &mut pixels.depth_tested(depth)),
-                "smooth dithered" => faces.draw(|face| smooth(face).dithered(), &mut pixels.depth_tested(depth)),
+                "dithered" => faces.draw(|face| Dithered(Flat::lit(LIT, level(face))), &mut pixels.depth_tested(depth)),
+                "smooth dithered" => faces.draw(|face| Dithered(smooth(face)), &mut pixels.depth_tested(depth)),
                 _ => {
                     let shade = |face| texture.at(coordinates(&MODEL, face)).lit([level(face); 3]);
                     faces.draw(shade, &mut pixels.depth_tested(depth))

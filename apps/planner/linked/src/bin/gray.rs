@@ -29,7 +29,7 @@ firmware!(|camera, turn, display: Color|
             let Ok(()) = match SHADING {
                 "flat" => faces.draw(|face| Color::from(LIT).dim(level(face)), &mut target.depth_tested(depth)),
                 "smooth" => faces.draw(smooth, &mut target.depth_tested(depth)),
-                "dithered" => faces.draw(|face| Flat::lit(LIT, level(face)).dithered(), &mut target.depth_tested(depth)),
+                "dithered" => faces.draw(|face| Dithered(Flat::lit(LIT, level(face))), &mut target.depth_tested(depth)),
                 _ => {
                     let shade = |face| texture.at(coordinates(&MODEL, face)).lit([level(face); 3]);
                     faces.draw(shade, &mut target.depth_tested(depth))
