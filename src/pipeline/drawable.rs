@@ -7,7 +7,7 @@ use crate::color::InkKind;
 use crate::shading::{SpanShader, SpriteSource, Stroke};
 use crate::surface::{Gives, Surface};
 
-/// A [`SpanShader`] for a target: of its colour type, and with an [`Ink`] that reads pixels only if the target's lie in
+/// A [`SpanShader`] for a target: of its colour type, and with an [`Ink`](crate::color::Ink) that reads pixels only if the target's lie in
 /// [memory](Surface::memory). Implemented for every such shader.
 #[diagnostic::on_unimplemented(
     message = "faces of `{T}` cannot be filled with `{Self}`",
@@ -32,7 +32,7 @@ pub trait StrokeFor<T: Surface>: Stroke<T::Color> {}
 
 impl<T: Surface, K: Stroke<T::Color>> StrokeFor<T> for K where T::Store: Gives<K::Access> {}
 
-/// A [`SpriteSource`] for a target: of its colour type, and with an [`Ink`] that reads pixels only if the target's lie in
+/// A [`SpriteSource`] for a target: of its colour type, and with an [`Ink`](crate::color::Ink) that reads pixels only if the target's lie in
 /// [memory](Surface::memory). Implemented for every such picture.
 #[diagnostic::on_unimplemented(
     message = "`{T}` cannot show sprites of `{Self}`",

@@ -108,7 +108,7 @@ impl<'m, M> Object<'m, M> {
 ///     faces.draw(shade, &mut band.pixels().depth_tested(&mut depth))?;
 ///     band.send(&mut display)?;
 /// }
-/// assert!(placed.len() < 8 && faces.statistics().drawn > 0);
+/// assert!(placed.iter().count() < 8 && faces.statistics().drawn > 0);
 /// let opaque = |_index, _object: &Object<'_, Rgb565>| |_face| Rgb565::BLACK;
 /// let picked = placed.faces(opaque).pick(Point::new(32, 32)).ok_or("background")?;
 /// assert_eq!(picked.object, 10); // the one in the middle
@@ -204,16 +204,6 @@ pub struct PlacedScene<'s, 'm, M, const OBJECTS: usize> {
 }
 
 impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
-    /// The number of objects that may be seen: all others are culled.
-    pub fn len(&self) -> usize {
-        self.visible.len()
-    }
-
-    /// Whether no object can be seen.
-    pub fn is_empty(&self) -> bool {
-        self.visible.is_empty()
-    }
-
     /// The objects that may be seen, in the order of the scene, each placed when the iterator reaches it: for wireframes and other
     /// drawing that this type has no method for.
     pub fn iter(&self) -> impl Iterator<Item = (&'s Object<'m, M>, MeshInstance<'m>)> + '_ {
@@ -667,7 +657,7 @@ defmt_format!(
 
 defmt_format!(
     [M, const OBJECTS: usize] PlacedScene<'_, '_, M, OBJECTS>, self,
-    "{=usize}/{=usize} objects placed", self.len(), self.objects.len()
+    "{=usize}/{=usize} objects placed", self.visible.len(), self.objects.len()
 );
 
 defmt_format!(

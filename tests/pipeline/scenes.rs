@@ -169,7 +169,7 @@ fn a_scene_is_its_objects_drawn_by_hand() {
             })
             .collect();
         assert_eq!(asked, visible, "an object out of view costs the test of its sphere only");
-        assert_eq!((placed.len(), placed.is_empty()), (visible.len(), visible.is_empty()));
+        assert_eq!(placed.iter().count(), visible.len());
         let faces: usize = visible.iter().map(|&index| scene.objects()[index].mesh().faces().len()).sum();
         let sum = |s: &Statistics| (s.drawn + s.culled + s.outside + s.degenerate) as usize;
         let (_, banded) = in_bands(&scene, &camera, (8, 0), |number| number);
@@ -367,7 +367,7 @@ fn a_scene_without_room_says_what_it_needs() {
         Camera::framing(&sphere, &viewport, Angle::degrees(50), Angle::ZERO, Angle::ZERO).expect("a camera");
     // The second lies beyond the far plane, which is just behind the first.
     let placed = scene.place(&camera);
-    assert_eq!((placed.len(), placed.cache_len(), placed.face_bins_len()), (1, 8, 17));
+    assert_eq!((placed.iter().count(), placed.cache_len(), placed.face_bins_len()), (1, 8, 17));
     assert_eq!(placed.iter().map(|(object, _)| object.material).collect::<Vec<_>>(), [7]);
     let short = placed.bin_faces(&mut [], &mut [0; 16]).err();
     assert_eq!(short, Some(BufferError::Bins { needed: 17, given: 16 }));

@@ -287,7 +287,7 @@ fn a_scene_is_smoothed_as_its_objects() {
         move |face: usize| grey(level.wrapping_add(5 * (face % 50) as u8))
     };
     let placed = scene.place(&camera);
-    assert_eq!(placed.len(), 4);
+    assert_eq!(placed.iter().count(), 4);
 
     // The objects one by one.
     let draw = |smooth: &mut dyn FnMut(&mut Picture<'_, Rgb888>, &mut DepthBuffer<'_>)| {

@@ -338,7 +338,7 @@ fn draw_scene(scene: &pinhole::draw::Scene<'_, Rgb565, 5>, camera: &Camera, stor
         let color = object.material;
         move |face: usize| color.dim((face + index) as u16)
     };
-    report((placed.len(), placed.is_empty(), placed.cache_len(), placed.face_bins_len()));
+    report((placed.iter().count(), placed.cache_len(), placed.face_bins_len()));
     report(placed.iter().map(|(object, _)| object.mesh().faces().len()).sum::<usize>());
     report(placed.faces(shade).cached(cache).pick(pixel()));
     report(placed.faces(shade).sorted(painter));
