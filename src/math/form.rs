@@ -15,7 +15,7 @@ pub(crate) struct ClipCoords {
     label = "not `i16` or `Scalar`",
     note = "use `i16` with a power-of-two unit (`Mesh::new`), or `Scalar` (`Mesh::from_fixed`); pinhole-import rounds OBJ and STL files to `i16`"
 )]
-pub trait Coordinate: Copy + core::fmt::Debug + sealed::Sealed {
+pub trait Coordinate: Copy + Send + Sync + core::fmt::Debug + sealed::Sealed {
     /// The coordinate times a power of two.
     #[doc(hidden)]
     fn times(self, factor: i32) -> i32;

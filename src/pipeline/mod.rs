@@ -60,8 +60,6 @@ pub use painter::{Painter, PaintersOrder};
 pub use pick::Picked;
 pub use scene::{BinnedScene, Object, PlacedScene, Scene, SceneFaces, SmoothScene};
 pub use smooth_edges::{SmoothEdge, SmoothEdges};
-pub use split_bins::{HalfBins, SplitBins};
-pub use split_transform::{HalfTransform, SplitTransform};
 pub use sprites::PlacedSprites;
 pub use statistics::Statistics;
 pub use vertex_cache::TransformedMesh;

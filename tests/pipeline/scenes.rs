@@ -372,5 +372,5 @@ fn a_scene_without_room_says_what_it_needs() {
     let short = placed.bin_faces(&mut [], &mut [0; 16]).err();
     assert_eq!(short, Some(BufferError::Bins { needed: 17, given: 16 }));
     scene.clear();
-    assert!(scene.place(&camera).is_empty() && scene.objects().is_empty());
+    assert!(scene.place(&camera).iter().next().is_none() && scene.objects().is_empty());
 }

@@ -37,13 +37,14 @@ fn a_half_that_was_left_out_is_transformed_at_the_end() {
         let _ = instance.transform_depth(&mut expected);
         for done in 0..4u32 {
             let mut cache = vec![ScreenVertex::EMPTY; length];
-            let mut split = instance.split_transform_depth(&mut cache);
-            for (index, half) in split.halves().into_iter().enumerate() {
-                if done >> index & 1 != 0 {
-                    half.transform();
+            let _ = instance.split_transform_depth(&mut cache, |ours, theirs| {
+                if done & 1 != 0 {
+                    ours();
                 }
-            }
-            let _ = split.finish();
+                if done & 2 != 0 {
+                    theirs();
+                }
+            });
             assert!(cache == expected, "{length} vertices, halves {done:02b}");
         }
     }

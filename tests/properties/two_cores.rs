@@ -15,15 +15,11 @@ use support::oracle::target::Recorder;
 type Core<'a> = Box<dyn FnMut(&mut Band<'_, Gray8>) + Send + 'a>;
 
 /// Both halves of a stage, each on a thread of its own.
-macro_rules! both {
-    ($split:expr, $run:ident) => {{
-        let [ours, theirs] = $split.halves();
-        std::thread::scope(|scope| {
-            scope.spawn(|| theirs.$run());
-            ours.$run();
-        });
-        $split.finish()
-    }};
+fn both(ours: &mut (dyn FnMut() + Send), theirs: &mut (dyn FnMut() + Send)) {
+    std::thread::scope(|scope| {
+        scope.spawn(theirs);
+        ours();
+    });
 }
 
 /// Calls `$draw` with three cores that draw binned faces or edges, or both, into a band, each by cursors of its own: one of two forks is
@@ -63,9 +59,8 @@ fn by_three(
     match way {
         Way::Solid(cull) => {
             let instance = instance.with_cull(cull);
-            let mut split = instance.split_transform(cache);
-            let mut split = both!(split, transform).split_bin_faces(&mut bins);
-            let mut faces = both!(split, bin).expect("room");
+            let transformed = instance.split_transform(cache, both);
+            let mut faces = transformed.split_bin_faces(&mut bins, both).expect("room");
             three!([faces], draw, |band| {
                 let Ok(()) = faces.draw(colour, band);
             });
@@ -73,17 +68,15 @@ fn by_three(
         }
         Way::Depth(cull) => {
             let instance = instance.with_cull(cull);
-            let mut split = instance.split_transform_depth(cache);
-            let mut split = both!(split, transform).split_bin_faces(&mut bins);
-            let mut faces = both!(split, bin).expect("room");
+            let transformed = instance.split_transform_depth(cache, both);
+            let mut faces = transformed.split_bin_faces(&mut bins, both).expect("room");
             three!([faces], draw, |band| with_depth(band, |depth, band| {
                 let Ok(()) = faces.draw(colour, &mut band.depth_tested(depth));
             }));
             faces.statistics()
         }
         Way::Wireframe => {
-            let mut split = instance.split_transform(cache);
-            let transformed = both!(split, transform);
+            let transformed = instance.split_transform(cache, both);
             let mut edges = transformed.bin_edges(&mut bins).expect("room");
             three!([edges], draw, |band| {
                 let Ok(()) = edges.draw(LINE, band);
@@ -91,10 +84,8 @@ fn by_three(
             edges.statistics()
         }
         Way::DepthLines | Way::HiddenLines => {
-            let mut split = instance.split_transform_depth(cache);
-            let transformed = both!(split, transform);
-            let mut split = transformed.split_bin_faces(&mut bins);
-            let mut faces = both!(split, bin).expect("room");
+            let transformed = instance.split_transform_depth(cache, both);
+            let mut faces = transformed.split_bin_faces(&mut bins, both).expect("room");
             let mut edges = transformed.bin_edges(&mut more).expect("room");
             three!([faces, edges], draw, |band| with_depth(band, |depth, band| {
                 faces.depth_only(depth);
@@ -181,22 +172,17 @@ proptest! {
         let length = mesh.face_bins_len().saturating_sub(missing);
         let (mut whole, mut halves) = (vec![0xaaaa; length], vec![0xaaaa; length]);
         let in_one_piece = transformed.bin_faces(&mut whole);
-        let mut split = transformed.split_bin_faces(&mut halves);
-        let in_halves = match order {
-            0 => split.finish(),
-            1 | 2 => {
-                let [ours, theirs] = split.halves();
-                if order == 1 { ours.bin() } else { theirs.bin() }
-                split.finish()
-            }
+        let in_halves = transformed.split_bin_faces(&mut halves, |ours, theirs| match order {
+            0 => {}
+            1 => ours(),
+            2 => theirs(),
             3 => {
-                let [ours, theirs] = split.halves();
-                theirs.bin();
-                ours.bin();
-                split.finish()
+                theirs();
+                ours();
+                theirs();
             }
-            _ => both!(split, bin),
-        };
+            _ => both(ours, theirs),
+        });
         // All fields, and so all numbers of the bins and of the vertex cache.
         prop_assert_eq!(format!("{in_halves:?}"), format!("{in_one_piece:?}"));
     }

@@ -72,13 +72,8 @@ impl<'a> Picture<'a> {
 
         // Vertices to the screen, visible faces into the bins of the bands.
         let instance = camera.place(mesh, &model);
-        let mut split = instance.split_transform_depth(cache);
-        let [ours, theirs] = split.halves();
-        other.both(|| ours.transform(), || theirs.transform());
-        let mut split = split.finish().split_bin_faces(bins);
-        let [ours, theirs] = split.halves();
-        other.both(|| ours.bin(), || theirs.bin());
-        let faces = split.finish();
+        let transformed = instance.split_transform_depth(cache, |ours, theirs| other.both(ours, theirs));
+        let faces = transformed.split_bin_faces(bins, |ours, theirs| other.both(ours, theirs));
         let mut faces = faces.map_err(|_| "no room for all faces: the bins are of another mesh")?;
         let statistics = faces.statistics();
         let forks = faces.fork(cursor);

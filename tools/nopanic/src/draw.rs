@@ -378,20 +378,12 @@ struct Cores<'a> {
 fn two_cores(cores: &mut Cores<'_>) {
     let Cores { instance, cache, bins, edge_bins, cursors: [cursor, other], frame, strip, .. } = cores;
     let Ok(Some(mut band)) = frame.nth_band(any() as u32, strip) else { return };
-    let mut split = instance.split_transform(cache);
-    let [ours, theirs] = split.halves();
-    match any() {
-        0 => ours.transform(),
-        _ => theirs.transform(),
-    }
-    let transformed = split.finish();
-    let mut split = transformed.split_bin_faces(bins);
-    let [ours, theirs] = split.halves();
-    match any() {
-        0 => ours.bin(),
-        _ => theirs.bin(),
-    }
-    let Ok(mut faces) = split.finish() else { return };
+    let one = |ours: &mut (dyn FnMut() + Send), theirs: &mut (dyn FnMut() + Send)| match any() {
+        0 => ours(),
+        _ => theirs(),
+    };
+    let transformed = instance.split_transform(cache, one);
+    let Ok(mut faces) = transformed.split_bin_faces(bins, one) else { return };
     report(faces.draw(|_| color(), &mut band));
     if let Ok([mut ours, mut theirs]) = faces.fork(cursor) {
         report(ours.draw(|_| color(), &mut band));
@@ -406,11 +398,10 @@ fn two_cores(cores: &mut Cores<'_>) {
 /// [`two_cores`] with depth.
 fn two_cores_with_depth(cores: &mut Cores<'_>) {
     let Cores { instance, cache, bins, cursors: [cursor, _], frame, strip, depth, .. } = cores;
-    let mut split = instance.split_transform_depth(cache);
-    let [ours, theirs] = split.halves();
-    ours.transform();
-    theirs.transform();
-    let Ok(mut faces) = split.finish().split_bin_faces(bins).finish() else { return };
+    let none = |_: &mut (dyn FnMut() + Send), _: &mut (dyn FnMut() + Send)| ();
+    let Ok(mut faces) = instance.split_transform_depth(cache, none).split_bin_faces(bins, none) else {
+        return;
+    };
     let Ok([mut ours, mut theirs]) = faces.fork(cursor) else { return };
     let Ok(Some(mut band)) = frame.nth_band(any() as u32, strip) else { return };
     let Ok(mut depth) = DepthBuffer::new(band.area(), depth) else { return };

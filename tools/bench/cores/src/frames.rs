@@ -63,13 +63,9 @@ macro_rules! way {
                 let Memory { corners, bin_storage, cursor, strips, depths } = memory;
                 let ([strip, other_strip], [depth, other_depth]) = (strips, depths);
                 let instance = scene.place();
-                let mut split = instance.$transform(corners);
-                let [ours, theirs] = split.halves();
-                cores.both(|| ours.transform(), || theirs.transform());
-                let mut split = split.finish().split_bin_faces(bin_storage);
-                let [ours, theirs] = split.halves();
-                cores.both(|| ours.bin(), || theirs.bin());
-                let mut faces = split.finish().ok()?;
+                let transformed = instance.$transform(corners, |ours, theirs| cores.both(ours, theirs));
+                let faces = transformed.split_bin_faces(bin_storage, |ours, theirs| cores.both(ours, theirs));
+                let mut faces = faces.ok()?;
                 let [ours, theirs] = faces.fork(cursor).ok()?;
                 let draw = |core: u32, strip: &mut [u8], $depth: &mut [u16], mut $faces: $binned| {
                     each_band(core, strip, take, |$band| {
