@@ -47,15 +47,6 @@
 //! let _ = Affine::<World, View>::identity();
 //! ```
 
-/// A space in which a scene is set up: [`Model`] or [`World`]. [`Affine`](crate::Affine) maps between these; each later space
-/// is reached by one function.
-#[diagnostic::on_unimplemented(
-    message = "an affine transform cannot lead from or to `{Self}`",
-    label = "not `Model` or `World`",
-    note = "`ViewTransform` leads to `View`, `Projection` and `Viewport` to the screen"
-)]
-pub trait SceneSpace: sealed::Sealed {}
-
 /// Model space: the coordinates of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -77,11 +68,21 @@ pub enum View {}
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Ndc {}
 
-impl SceneSpace for Model {}
-impl SceneSpace for World {}
+pub(crate) use scene_space::SceneSpace;
 
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for super::Model {}
-    impl Sealed for super::World {}
+/// A trait that no other crate can name.
+mod scene_space {
+    use super::{Model, World};
+
+    /// A space in which a scene is set up: [`Model`] or [`World`]. [`Affine`](crate::Affine) maps between these; each later space
+    /// is reached by one function.
+    #[diagnostic::on_unimplemented(
+        message = "an affine transform cannot lead from or to `{Self}`",
+        label = "not `Model` or `World`",
+        note = "`ViewTransform` leads to `View`, `Projection` and `Viewport` to the screen"
+    )]
+    pub trait SceneSpace {}
+
+    impl SceneSpace for Model {}
+    impl SceneSpace for World {}
 }

@@ -77,9 +77,18 @@ public_types! {
     World
 }
 
-/// Public by their keyword only: set-ups of shaders and marks of targets, which no path leads to.
-const NOT_NAMED: [&str; 7] =
-    ["FoggedSetup", "LevelGradients", "Tested", "TextureGradients", "Unmatched", "Untested", "Weights"];
+/// Public by their keyword only: set-ups of shaders and marks of targets and inks, which no path leads to.
+const NOT_NAMED: [&str; 9] = [
+    "FoggedSetup",
+    "LevelGradients",
+    "Reads",
+    "Tested",
+    "TextureGradients",
+    "Unmatched",
+    "Untested",
+    "Weights",
+    "Writes",
+];
 
 #[test]
 fn no_public_type_is_missing() {

@@ -34,17 +34,17 @@ impl Access for Reads {
 ///
 /// Mixed inks read pixels, so they compile only for targets whose pixels lie in [memory](crate::target::Surface::memory): a
 /// [`Picture`](crate::target::Picture)'s or a [`Band`](crate::bands::Band)'s `pixels()`, or a target of your own that has memory.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not an ink for pixels of `{C}`",
+    label = "not an ink of `{C}`",
+    note = "use `{C}`, `Option<{C}>`, `Mixed<{C}, _>` or `Option<Mixed<{C}, _>>`"
+)]
 pub trait Ink<C>: InkKind<C> {}
 
 #[diagnostic::do_not_recommend]
 impl<C, I: InkKind<C>> Ink<C> for I {}
 
 /// What the library does with an [`Ink`].
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not an ink for pixels of `{C}`",
-    label = "not an ink of `{C}`",
-    note = "use `{C}`, `Option<{C}>`, `Mixed<{C}, _>` or `Option<Mixed<{C}, _>>`"
-)]
 pub trait InkKind<C>: Copy {
     /// What the ink needs of a target.
     type Access: Access;
@@ -109,17 +109,17 @@ impl<C, M> Mixed<C, M> {
 }
 
 /// An [`Ink`] that is not mixed with stored pixels yet: a colour, or an optional one.
+#[diagnostic::on_unimplemented(
+    message = "this shader or picture is translucent already",
+    label = "its colors are mixed with the stored pixels",
+    note = "wrap the opaque shader or picture in one `Translucent`"
+)]
 pub trait Unmixed<C>: Ink<C> + UnmixedInk<C> {}
 
 #[diagnostic::do_not_recommend]
 impl<C, I: UnmixedInk<C>> Unmixed<C> for I {}
 
 /// What the library does with an [`Unmixed`] ink.
-#[diagnostic::on_unimplemented(
-    message = "this shader or picture is translucent already",
-    label = "its colors are mixed with the stored pixels",
-    note = "wrap the opaque shader or picture in one `Translucent`"
-)]
 pub trait UnmixedInk<C>: InkKind<C, Access = Writes> {
     /// The ink with a blend mode.
     type Mixed<M: BlendMode<C>>: InkKind<C, Access = Reads>;

@@ -166,7 +166,7 @@ impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
     /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
     /// let sphere = scene.bounding_sphere();
     /// let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::degrees(30), Angle::degrees(20))?;
-    /// assert_eq!(scene.place(&camera).len(), 2);
+    /// assert_eq!(scene.place(&camera).iter().count(), 2);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn bounding_sphere(&self) -> Sphere {

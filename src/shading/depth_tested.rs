@@ -12,7 +12,7 @@ use super::{CornerValues, Shader};
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
-/// use pinhole::{prelude::*, shading::DepthTested};
+/// use pinhole::{color::Half, prelude::*, shading::{DepthTested, Translucent}};
 /// const VERTICES: [[i16; 3]; 3] = [[-2, -2, 0], [2, -2, 0], [0, 2, 0]];
 /// let mesh = Mesh::new(&VERTICES, 0, &[[0, 1, 2]])?;
 /// # let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;

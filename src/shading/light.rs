@@ -1,6 +1,11 @@
 //! What all lights have in common.
 
 /// A light on one object: the level of light of a face or a vertex, from its normal. [`Lambert`](crate::light::Lambert) is the simplest.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a light",
+    label = "not a `Light`",
+    note = "use `Lambert`, or another type of the module `light`, or implement `Light`"
+)]
 pub trait Light {
     /// The light level, 0 … 256, of a face or a vertex with this unit normal (model space, in 2⁻¹⁵). Each light documents its formula and
     /// its error.

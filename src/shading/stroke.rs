@@ -9,17 +9,17 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// Every `PixelColor` is a stroke: the pixels of a Bresenham line get the colour, on any target. A stroke that reads the stored pixels compiles
 /// only for targets whose pixels lie in [memory](crate::target::Surface::memory): a [`Picture`](crate::target::Picture)'s or a
 /// [`Band`](crate::bands::Band)'s `pixels()`, or a target of your own that has memory.
+#[diagnostic::on_unimplemented(
+    message = "lines of a target of `{C}` cannot be drawn with `{Self}`",
+    label = "not `{C}` or a stroke of it",
+    note = "pass `{C}`, the target's color type, or `AntiAliased` of it"
+)]
 pub trait Stroke<C: PixelColor>: StrokeKind<C> {}
 
 #[diagnostic::do_not_recommend]
 impl<C: PixelColor, K: StrokeKind<C>> Stroke<C> for K {}
 
 /// What the library does with a [`Stroke`].
-#[diagnostic::on_unimplemented(
-    message = "lines of a target of `{C}` cannot be drawn with `{Self}`",
-    label = "not `{C}` or a stroke of it",
-    note = "pass `{C}`, the target's color type, or `AntiAliased` of it"
-)]
 pub trait StrokeKind<C: PixelColor>: Copy {
     /// [`Reads`] if lines are anti-aliased, else [`Writes`].
     type Access: Access;

@@ -121,11 +121,6 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
         Ok(Self { area, background, done: 0, waits: false, kept, depths })
     }
 
-    /// The rectangle of the frame, in the coordinates of the display.
-    pub const fn area(&self) -> Rectangle {
-        self.area
-    }
-
     /// The next band: the row that waited, and new rows, filled with the background. It has as many rows as fit in the strip and have room
     /// for their depths, or one fewer, so that the row that waits has an odd number. `None` after the last band.
     ///

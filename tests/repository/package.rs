@@ -3,7 +3,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::Path;
+use std::path::{Component, Path, PathBuf};
 use std::process::Command;
 use support::ROOT;
 
@@ -66,8 +66,11 @@ fn the_package_holds_the_library_and_nothing_else() {
         let folder = Path::new(source).parent().expect("a folder");
         let text = fs::read_to_string(Path::new(ROOT).join(source)).expect("source");
         for rest in text.split("include_str!(\"").skip(1) {
-            let file = folder.join(rest.split('"').next().expect("a path"));
-            let file = file.to_string_lossy().replace("src/../", "");
+            let path = Path::new(rest.split('"').next().expect("a path"));
+            let up = path.components().filter(|part| *part == Component::ParentDir).count();
+            let folder = folder.ancestors().nth(up).expect("a folder");
+            let file = folder.join(path.components().skip(up).collect::<PathBuf>());
+            let file = file.to_string_lossy().into_owned();
             assert!(names.contains(&file), "{source} includes {file}");
             included += 1;
         }

@@ -191,9 +191,8 @@ impl<const N: usize> DirtyRegions<N> {
         }
     }
 
-    /// Marks a rectangle whose pixels this frame changes, without having the next frame erase it, as [`mark`](Self::mark) does: call
-    /// this for the rectangle that an object leaves and for the one that it moves to, or use [`Tracked`], which does.
-    pub fn mark_changed(&mut self, rectangle: Rectangle) {
+    /// Marks a rectangle whose pixels this frame changes, without having the next frame erase it, as [`mark`](Self::mark) does.
+    fn mark_changed(&mut self, rectangle: Rectangle) {
         let bytes = self.transfer_bytes();
         if let Some(cells) = self.cells(&rectangle) {
             cover::add(&mut self.last, cells, &bytes); // it is gone when the frame is taken

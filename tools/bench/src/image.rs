@@ -198,10 +198,11 @@ pub mod prelude {
     pub use embedded_graphics_core::primitives::Rectangle;
     pub use pinhole::{
         bands::{DirtyRegions, TransferCost},
+        color::Half,
         fog::{Fog, FogTable, VertexFog},
         mesh::Coordinate,
         prelude::*,
-        shading::{AntiAliased, SpanShader},
+        shading::{AntiAliased, SpanShader, Translucent},
         target::LeastRun,
         texture::ColorKeyed,
         Angle,

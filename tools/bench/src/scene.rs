@@ -5,7 +5,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model as ModelSpace, World};
-use pinhole::{light::RigidLambert, prelude::*, shading::Dithered, Angle};
+use pinhole::{light::RigidLambert, prelude::*, shading::Lit, Angle};
 
 /// Width and height of a frame.
 pub const SIZE: u32 = 240;
@@ -179,7 +179,7 @@ pub fn rigidly_lit(model: &Affine<ModelSpace, World>) -> Option<RigidLambert> {
     RigidLambert::new(model, vector(black_box(LIGHT)), AMBIENT).ok()
 }
 
-fn vector<S: pinhole::space::SceneSpace>(bits: [i32; 3]) -> Vector3<S> {
+fn vector<S>(bits: [i32; 3]) -> Vector3<S> {
     let [x, y, z] = bits.map(Scalar::from_bits);
     Vector3::new(x, y, z)
 }

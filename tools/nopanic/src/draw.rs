@@ -15,7 +15,7 @@ use pinhole::{
     draw::{draw_line, fill_triangle, ActiveFace, ShaderFor, SmoothEdge, StrokeFor},
     mesh::Coordinate,
     prelude::*,
-    shading::{AntiAliased, SpanShader},
+    shading::{AntiAliased, AntiAliasedBy, SpanShader},
     target::LeastRun,
 };
 
@@ -257,6 +257,8 @@ fn picture(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, memory: &mut [Rgb565]
     draw_pixels(scene, &instance, &mut picture.pixels());
     draw_anti_aliased(scene, &instance, AntiAliased(color()), &mut picture.pixels());
     draw_anti_aliased(scene, &instance, AntiAliased(color()).by_table(), &mut picture.pixels());
+    let half = |color: Rgb565, below, coverage| color.over(below, coverage / 2);
+    draw_anti_aliased(scene, &instance, AntiAliasedBy::new(color(), half), &mut picture.pixels());
     draw_pixels(scene, &instance, &mut LeastRun::<_, 3>(&mut Wire(color())));
     report(picture.colors());
 }
@@ -288,7 +290,6 @@ fn smooth(
         picture.pixels().depth_tested(&mut depth).smooth(|pass| edges.draw(pass));
     }
     let Ok(mut frame) = SmoothFrame::new(area(), color(), kept, depth) else { return };
-    report(frame.area());
     let Ok(Some(mut band)) = frame.next_band(strip) else { return };
     report(band.area());
     let (mut pixels, mut depth) = band.new_rows();
@@ -421,7 +422,6 @@ fn mark(dirty: &mut DirtyRegions<7>) {
     match any() {
         0 => dirty.invalidate(),
         1 => report(dirty.take()),
-        2 => dirty.mark_changed(area()),
         _ => dirty.mark(area()),
     }
 }

@@ -28,9 +28,10 @@ use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::Rgb565;
 use memory::Depth;
 use pinhole::{
+    color::{Alpha, Half},
     draw::{Faces, ShaderFor},
     prelude::*,
-    shading::AntiAliased,
+    shading::{AntiAliased, Translucent},
     target::Surface,
     texture::Accuracy,
 };
