@@ -185,3 +185,31 @@ impl<S: PixelStore> Memory<S> {
 
 // The cells are not printed: there are as many as pixels.
 defmt_format!([S] Memory<S>, self, "memory of {} at {}", self.rows.area.size, self.rows.area.top_left);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use embedded_graphics_core::geometry::{Point, Size};
+
+    #[test]
+    fn a_row_lies_in_the_area_or_is_refused() {
+        let area = Rectangle::new(Point::new(-3, 5), Size::new(4, 3));
+        let mut cells = [0_u8; 14];
+        (0..).zip(&mut cells).for_each(|(i, cell)| *cell = i);
+        let mut memory = Memory::new(&mut cells[..], area).unwrap();
+        for y in 3..10 {
+            for x in -6..4 {
+                for width in -2..6 {
+                    let is_inside = width >= 0 && (5..8).contains(&y) && x >= -3 && x + width <= 1;
+                    let first = (x + 3 + 4 * (y - 5)) as u8;
+                    let row = memory.row(x, y, width);
+                    assert_eq!(row.as_ref().map(|row| row.len()), is_inside.then_some(width as usize));
+                    assert!(row.is_none_or(|row| row.iter().copied().eq((first..).take(width as usize))));
+                }
+            }
+        }
+        for (x, y) in [(i32::MIN, i32::MIN), (i32::MAX, i32::MAX), (-3, i32::MIN), (i32::MAX, 5)] {
+            assert_eq!(memory.row(x, y, 1), None);
+        }
+    }
+}
