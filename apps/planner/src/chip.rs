@@ -85,7 +85,7 @@ const ESP32C3: Chip = Chip {
     ram: 384.0,
     // Of the usual modules.
     flash: 4096.0,
-    error: "a range, as products of two words, divisions and stores in a row were not measured on it",
+    error: "a range: wide products, divisions and stores in a row are not measured",
     is_estimate: false,
     cycles: ESP32C3_CYCLES[1],
     range: Some([ESP32C3_CYCLES[0], ESP32C3_CYCLES[2]]),
@@ -107,7 +107,7 @@ const STM32H7: Chip = Chip {
     cycles: m4_times(0.68),
     range: Some([m4_times(0.5), m4_times(1.0)]),
     ..estimate(
-        ["stm32h743", "STM32H743", "M7", "half to all of an M4's cycles, as no M7 was measured; CoreMark has 5.01 per MHz for it, 3.42 for an M4"],
+        ["stm32h743", "STM32H743", "M7", "half to all of an M4's cycles, not measured: CoreMark per MHz 5.01, of an M4 3.42"],
         [480.0, 75.0, 512.0, 2048.0],
         STM32F4,
     )

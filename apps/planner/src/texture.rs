@@ -117,7 +117,7 @@ impl TextureImage {
 pub(crate) const UNIT: i8 = -14;
 
 /// The warning about a model whose texture coordinates the planner makes.
-pub(crate) const BY_SIDES: &str = "no texture coordinates: the picture is laid on from six sides; for coordinates of your own, unwrap the model (UV) in the program that made it and export an OBJ file with `vt` lines";
+pub(crate) const BY_SIDES: &str = "no texture coordinates: the picture is laid on from six sides; to choose, unwrap the model (UV) where it was made and export an OBJ file with `vt` lines";
 
 /// Where the texture coordinates of faces come from.
 #[derive(Clone, Copy)]
