@@ -107,7 +107,12 @@ const STM32H7: Chip = Chip {
     cycles: m4_times(0.68),
     range: Some([m4_times(0.5), m4_times(1.0)]),
     ..estimate(
-        ["stm32h743", "STM32H743", "M7", "half to all of an M4's cycles, not measured: CoreMark per MHz 5.01, of an M4 3.42"],
+        [
+            "stm32h743",
+            "STM32H743",
+            "M7",
+            "half to all of an M4's cycles, not measured: CoreMark per MHz 5.01, of an M4 3.42",
+        ],
         [480.0, 75.0, 512.0, 2048.0],
         STM32F4,
     )
