@@ -55,10 +55,10 @@ function boardShown(chip = state.chip, panel = panelChosen(), board = state.boar
 }
 
 // The costs, with each way to draw as the board's firmware draws it, on a panel that takes so many MHz; on other chips that of the nearest board.
-async function asBuilt(costs, panel = panelChosen(), spi = state.spi) {
+async function asBuilt(costs, panel = panelChosen(), spi = state.spi, part = changing) {
   const built = async (way, chip, board) => {
     const shown = boardShown(chip, panel, board);
-    return shown ? onBoard(way, shown, await firmwareFor(shown, chip), spi, changing) : way;
+    return shown ? onBoard(way, shown, await firmwareFor(shown, chip), spi, part) : way;
   };
   const ways = await Promise.all(costs.ways.map((way) => built(way, state.chip, state.board)));
   const chips = await Promise.all(costs.chips.map((way, at) => built(way, menu.chips[at].key, nearestBoard(menu.chips[at].key, panel))));

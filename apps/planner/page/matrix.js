@@ -35,7 +35,8 @@ function showMatrix() {
       let chips = []; // stays so if the model cannot be drawn there
       try {
         const of = { ...base, ...withPanel(panel) };
-        chips = (await asBuilt(JSON.parse(await library.ask('costs', choice(of))), panel, of.spi)).chips;
+        const costs = JSON.parse(await library.ask('costs', choice(of)));
+        chips = (await asBuilt(costs, panel, of.spi, changedIn(await library.draw(choice(of)), of))).chips;
       } catch {}
       if (matrixOf !== asked) return;
       columns.push(chips);

@@ -19,6 +19,9 @@ function release() {
   if (asked) requestAnimationFrame(show);
 }
 
+// The part of a picture that changes while the model turns.
+const changedIn = ({ pixels, about }, { format }) => changedPart(pixels, about.width, about.height, format === 'mono' ? 8 : 1);
+
 async function showState(of) {
   const canvas = $('display');
   try {
@@ -32,7 +35,7 @@ async function showState(of) {
     canvas.getContext('2d').putImageData(new ImageData(pixels, about.width, about.height), 0, 0);
     scale();
     shown = of;
-    changing = changedPart(pixels, about.width, about.height, of.format === 'mono' ? 8 : 1);
+    changing = changedIn({ pixels, about }, of);
     canvas.classList.remove('stale');
     // While the model turns, only another choice changes what is shown beside it: a screen reader that reads each frame never ends.
     const kind = JSON.stringify([{ ...of, turn: 0 }, about.model]);

@@ -414,7 +414,7 @@ const tests = {
     const costs = () => tab.textContent('#cost');
     await tab.waitForFunction(() => /bands of 8 rows/.test(document.querySelector('#cost').textContent));
     const before = await costs();
-    assert.match(await tab.textContent('#notes'), /it tears, unless it is drawn before it is sent, which takes 15 ms/);
+    assert.match(await tab.textContent('#notes'), /it tears, unless it is drawn before it is sent, which takes 7 ms/);
     for (const value of await tab.locator('#chip option').evaluateAll((all) => all.map((o) => o.value))) {
       await tab.selectOption('#chip', value);
       await tab.waitForTimeout(300);
@@ -502,7 +502,7 @@ const tests = {
     await bands('16');
     // The pixels of two bands, and the clocks of the board.
     assert.match(await tab.textContent('#cost tr.chosen details'), /pixels 15\.0 KB[^]*driver, log and the rest \d/);
-    assert.match(await tab.textContent('#notes'), /as rp2040-st7789 has it, M0\+ at 125 MHz, its bus at 62\.5 MHz; one band is drawn while another is sent\./);
+    assert.match(await tab.textContent('#notes'), /as rp2040-st7789 has it, M0\+ at 125 MHz, its bus at 62\.5 MHz; one band is drawn while another is sent, and only what changes, here 42 % of the picture\./);
     assert.equal(await tab.inputValue('#chip'), 'rp2040');
     // The figures are those of the board: another clock, another bus, and what changes.
     const speed = () => tab.innerText('#verdict .meters > div:nth-child(3)');
