@@ -237,3 +237,20 @@ impl<C: PixelColor> UnmixedInk<C> for Option<C> {
         self.map(|color| Mixed::new(color, mode))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::color::{Color, Half};
+    use embedded_graphics_core::pixelcolor::{Gray8, Rgb565};
+
+    #[test]
+    fn inks_cover_leave_out_or_mix() {
+        let stored = || Gray8::new(60);
+        assert_eq!(Gray8::new(40).over(stored), Some(Gray8::new(40)));
+        assert_eq!(None::<Gray8>.over(stored), None);
+        assert_eq!(Mixed::new(Gray8::new(40), Half).over(stored), Some(Gray8::new(50)));
+        let beam = Mixed::new(Rgb565::new(9, 0, 0), |own: Rgb565, stored: Rgb565| stored.emitting(own));
+        assert_eq!(beam.over(|| Rgb565::new(30, 5, 5)), Some(Rgb565::new(31, 5, 5)));
+    }
+}

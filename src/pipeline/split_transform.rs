@@ -29,7 +29,7 @@ fn once(is_done: &mut bool, half: &mut impl FnMut()) {
 
 impl<V: Coordinate> MeshInstance<'_, V> {
     /// Divides the [transform](Self::transform) of the mesh's vertices between two cores, with a result equal bit for bit. `both` gets the
-    /// halves, and calls them at the same time, each on one core.
+    /// halves, and calls them at the same time, each on one core; a half that it does not call is run afterwards.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};

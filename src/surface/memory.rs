@@ -57,7 +57,7 @@ impl<Cell: Copy> PixelStore for [Cell; 0] {
     }
 }
 
-/// The pixels of a rectangle in memory, row by row, without gaps between rows: what [`Pixels`](crate::target::Pixels) return from
+/// The pixels of a rectangle in memory, row by row: what [`Pixels`](crate::target::Pixels) return from
 /// [`memory`](crate::target::Surface::memory). A [`Surface`](crate::target::Surface) that owns `Pixels` passes it on, and is drawn to as fast.
 #[derive(Debug)]
 pub struct Memory<S> {

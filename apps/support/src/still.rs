@@ -19,6 +19,7 @@ pub fn png(size: Size, pixels: &[Rgb888]) -> Result<Vec<u8>, Box<dyn Error>> {
             *place = index;
         }
         encoder.set_color(png::ColorType::Indexed);
+        encoder.set_filter(png::Filter::NoFilter); // differences of indices say nothing
         encoder.set_palette(palette.keys().flatten().copied().collect::<Vec<u8>>());
         let indices: Vec<u8> = pixels.iter().map(|&c| palette[&bytes(c)]).collect();
         if palette.len() <= 16 {

@@ -1,5 +1,5 @@
 //! The pictures of the crate's documentation, as data URLs: docs.rs shows no file of the repository. Colours are rounded to 6 levels
-//! a channel, so that all pictures together take less than 33 KB.
+//! a channel, so that all pictures together take less than 30 KB.
 
 use base64::prelude::*;
 use embedded_graphics::geometry::Size;
