@@ -247,7 +247,7 @@ mod tests {
     #[test]
     fn inks_cover_leave_out_or_mix() {
         let stored = || Gray8::new(60);
-        assert_eq!(Gray8::new(40).over(stored), Some(Gray8::new(40)));
+        assert_eq!(InkKind::over(Gray8::new(40), stored), Some(Gray8::new(40)));
         assert_eq!(None::<Gray8>.over(stored), None);
         assert_eq!(Mixed::new(Gray8::new(40), Half).over(stored), Some(Gray8::new(50)));
         let beam = Mixed::new(Rgb565::new(9, 0, 0), |own: Rgb565, stored: Rgb565| stored.emitting(own));
