@@ -157,15 +157,23 @@ export const controls = ({ browser, pixels, settled, isGood, faces, load }) => {
         CanvasRenderingContext2D.prototype.putImageData = function (...of) { window.drawn += 1; return putImageData.apply(this, of); };
       });
       const shown = [];
-      for (const [panel, most] of [['e-paper, 200 × 200, black and white', 4], ['ST7789, 240 × 240, 16-bit colour', 60]]) {
+      for (const panel of ['e-paper, 200 × 200, black and white', 'ST7789, 240 × 240, 16-bit colour']) {
         await tab.selectOption('#panel-type', { label: panel });
-        await tab.waitForFunction((is) => (document.querySelector('#turntable').textContent === 'Turn at 1.0 frames/s') === is, most === 4);
-        await tab.evaluate(() => (window.drawn = 0));
-        await tab.click('#turntable');
-        await tab.waitForTimeout(2500);
-        await tab.click('#turntable');
-        shown.push(await tab.evaluate(() => window.drawn));
-        assert.ok(shown.at(-1) <= most, `${panel}: ${shown}`);
+        await tab.waitForFunction((is) => (document.querySelector('#turntable').textContent === 'Turn at 1.0 frames/s') === is, panel.startsWith('e-paper'));
+        // Time is the page's own: a click takes as long as the machine lets it.
+        const [frames, most] = await tab.evaluate(async () => {
+          const button = document.querySelector('#turntable');
+          const rate = Number(button.textContent.match(/[\d.]+/)[0]);
+          const start = performance.now();
+          window.drawn = 0;
+          button.click();
+          await new Promise((done) => setTimeout(done, 2500));
+          button.click();
+          await new Promise(requestAnimationFrame);
+          return [window.drawn, (rate * (performance.now() - start)) / 1000 + 2]; // the first frame, and the one at which it ends
+        });
+        shown.push(frames);
+        assert.ok(frames <= most, `${panel}: ${shown} of ${most}`);
       }
       assert.ok(shown[1] > 2 * shown[0], `${shown}`);
     },
