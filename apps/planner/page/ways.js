@@ -12,7 +12,7 @@ const WITHOUT_DEPTH = [
   [/(, and the| with the) depths of (a band for each core|a band|its pixels)/, ''],
   [/(transform)_depth\(/g, '$1('],
   [/\.depth_tested\(&mut depth\)/g, ''],
-  [/i16, true>/g, 'i16, false>'],
+  [/Binned(Faces|Edges)<('a|'_)>/g, 'Binned$1<$2, i16, false>'],
   [/(uffers!\([^()]*ROWS)\)/g, '$1, no depth)'],
   [/\(Some\(mesh\), Some\(depths\)\) = \(MESH\.try_take\(\), DEPTHS\.try_take\(\)\) else \{\s+(.*)\s+\};/, 'Some(mesh) = MESH.try_take() else { $1 };'],
   [/, depths: (\[depths, other_depths\] \} \} =\s+self|&mut \[u16\])/g, (_, of) => (of.startsWith('[') ? ' } } = self' : '')],
@@ -55,7 +55,7 @@ const WIREFRAME = [
   [/(mesh\.)bins/g, '$1edge_bins'],
   [/(esh_?[bB]uffers!\()(?=MODEL)/g, '$1edges: '],
   // Of two cores.
-  [/ *let mut split = split\.finish\(\)[^]*?(let faces = split\.finish\(\));/, '        $1.bin_faces(bins);'],
+  [/split_bin_faces\(bins, .*\);/, 'bin_faces(bins);'],
   [/\bfaces\b|(?<=Binned)Faces|(?<=bin_)faces/g, (text) => (text === 'Faces' ? 'Edges' : 'edges')],
 ];
 
@@ -72,7 +72,7 @@ const HIDDEN_LINES = [
   [/^ *bins: &'a mut \[u16\],\n/gm, (text) => text + text.replace('bins', 'edge_bins')],
   [/(?<!\.)bins, (?=strip|depths)/g, 'bins, edge_bins, '],
   [/&mut mesh\.bins/g, '$&, &mut mesh.edge_bins'],
-  [/( *)faces: BinnedFaces<.*\n/, "$&$1edges: BinnedEdges<'a, i16, true>,\n"],
+  [/( *)faces: BinnedFaces<.*\n/, "$&$1edges: BinnedEdges<'a>,\n"],
   [/(esh_?[bB]uffers!\()(?=MODEL)/g, '$1faces, edges: '],
   [/faces(?=\.(statistics|bounds)\(\))/g, 'edges'],
   // Of two cores.
@@ -83,10 +83,9 @@ const HIDDEN_LINES = [
   [/( *let )(cursor =\n.*MODEL\.)faces(.*MODEL\.)faces(.*\n)/, '$&$1edge_$2edges$3edges$4'],
   [/Some\(cursor\), /, '$&Some(edge_cursor), '],
   [/cursor, (?=strip)/, '$&edge_cursor, '],
-  [/let mut split = split\.finish\(\)\./, 'let transformed = split.finish();\n        let mut split = transformed.'],
-  [/( *)let faces = split\.finish\(\);\n/, '$&$1let edges = transformed.bin_edges(edge_bins);\n'],
+  [/( *)let faces = transformed\.split_bin_faces.*\n/, '$&$1let edges = transformed.bin_edges(edge_bins);\n'],
   [/( *let )forks = faces(\.fork\()cursor\);\n.*forks(.*)\n/, '$1[mut ours, mut theirs] = faces$2cursor)$3\n$1[mut our_edges, mut their_edges] = edges$2edge_cursor)$3\n'],
-  [/faces: &mut BinnedFaces<'_, i16, true>, /, "$&edges: &mut BinnedEdges<'_, i16, true>, "],
+  [/faces: &mut BinnedFaces<'_>, /, "$&edges: &mut BinnedEdges<'_>, "],
   [/&mut (our|their)s, /g, '$&&mut $1_edges, '],
 ];
 
@@ -143,7 +142,7 @@ const PAINTER = [
   [/, one number per 16 faces\./, '.'],
   [/ *let cursor =\n.*\n/, ''],
   [/Some\(cursor\), |cursor, (?=strip)/g, ''],
-  [/let mut split[^]*?(let statistics.*\n)[^]*?the cursor is.*\n/, `painter.clear();
+  [/let transformed[^]*?(let statistics.*\n)[^]*?the cursor is.*\n/, `painter.clear();
         instance.faces(shade).sorted(painter).map_err(|_| "no room for all faces: the painter is of another mesh")?;
         let faces = painter.order();
         $1`],
