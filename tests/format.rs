@@ -54,10 +54,10 @@ impl embedded_graphics::geometry::OriginDimensions for Image {
 }
 
 public_types! {
-    Affine<Plain, Plain>, ActiveFace<Plain>, ActiveFaces<'static, Plain, i16, true, 3>, Angle, AntiAliased<Pixel>, AntiAliasedByTable<Pixel>, MathError, Band<'static, Plain>, BufferError, Barycentric, Alpha,
+    Affine<Plain, Plain>, ActiveFace<Plain>, ActiveFaces<'static, Plain>, Angle, AntiAliased<Pixel>, AntiAliasedByTable<Pixel>, MathError, Band<'static, Plain>, BufferError, Barycentric, Alpha,
     Camera, CornerValues, ScreenVertex, Cull, DepthBuffer<'static>,
-    DepthTestedSurface<'static, 'static, Plain>,    DirtyRegions<4>, FaceColors<'static>, MeshError, TextureCoords<'static>, Dithered<Flat>, BinnedEdges<'static, i16,
-    true>, BinnedScene<'static, 'static, Plain, 3>, BinnedFaces<'static, i16, true>, Flat, Format,
+    DepthTestedSurface<'static, 'static, Plain>,    DirtyRegions<4>, FaceColors<'static>, MeshError, TextureCoords<'static>, Dithered<Flat>, BinnedEdges<'static>,
+    BinnedScene<'static, 'static, Plain, 3>, BinnedFaces<'static>, Flat, Format,
     Edges<'static, i16, Plain>, Faces<'static, i16, Plain>, SceneFaces<'static, 'static, 'static, Plain, Plain, 3>,
     Frame<Plain>, CameraError, Gouraud, Gradient, Lit, Projected, Hierarchy<'static>, Inside<Plain>,
     Frustum, Lambert, BlinnPhong, DirectionalLight, Lights<2>, Matcap, PointLight,
@@ -72,7 +72,7 @@ public_types! {
     TexelSlice<'static, Plain>, Texture<Plain>, TextureError, Textured<Plain>, ScreenDoor<Flat>, SmoothBand<'static, 'static, Plain>, SmoothEdge, SmoothEdges<'static, i16>,
     SmoothFrame<'static, Plain>, SmoothPass<'static, Plain, Plain>, SmoothScene<'static, 'static, Plain, 3>, SolidTexel<Pixel>,
     Sprite<Plain>, SpriteImage<'static, Image>, ScreenPoint, Span, Sphere, Statistics, StripBuffers<6, 2>,
-    TransformedMesh<'static, i16, true>, Triangle<'static>, Vector3<Plain>, View, ViewTransform,
+    TransformedMesh<'static>, Triangle<'static>, Vector3<Plain>, View, ViewTransform,
     Viewport, Visibility, Window, Tracked<Plain>, TransferCost, Translucent<Flat, Half>,
     World
 }

@@ -10,8 +10,7 @@ use pinhole::{
 use support::bridge::ways::{self, Drawn};
 
 /// Draws binned faces with depth into a band.
-type DrawDeep<'f, C> =
-    &'f mut dyn FnMut(&mut BinnedFaces<'_, i16, true>, &mut DepthBuffer<'_>, &mut Band<'_, C>);
+type DrawDeep<'f, C> = &'f mut dyn FnMut(&mut BinnedFaces<'_>, &mut DepthBuffer<'_>, &mut Band<'_, C>);
 
 /// Where scenes are drawn, before which colour, and in bands of how many rows.
 #[derive(Clone, Copy, Debug)]

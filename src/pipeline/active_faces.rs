@@ -24,7 +24,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// An entry of a list of active faces, for targets with colours of type `C`. With colours of 16 bits it takes 36 bytes without depth
 /// and 48 with depth, which is carried by three words. [`TransformedMesh::bin_active_faces`] has an example.
 #[derive(Clone, Copy, Debug)]
-pub struct ActiveFace<C, const WORDS: usize = 0> {
+pub struct ActiveFace<C, const WORDS: usize = 3> {
     /// The face's index.
     face: u16,
     /// The entry of the next active face in the order of the mesh, or of the next free one.
@@ -40,7 +40,7 @@ impl<C: PixelColor, const WORDS: usize> ActiveFace<C, WORDS> {
 /// The visible faces of a mesh, binned by their first rows, and a list of those that continue from band to band.
 /// [`TransformedMesh::bin_active_faces`] makes it and has an example.
 #[derive(Debug)]
-pub struct ActiveFaces<'a, C, V: Coordinate = i16, const DEPTH: bool = false, const WORDS: usize = 0> {
+pub struct ActiveFaces<'a, C, V: Coordinate = i16, const DEPTH: bool = true, const WORDS: usize = 3> {
     /// Faces whose bits are set have begun, and neither ended nor entered the list.
     binned: Binned<'a, V, DEPTH>,
     list: List<'a, C, WORDS>,
@@ -435,5 +435,5 @@ defmt_format!(
 #[cfg(target_pointer_width = "32")]
 const _: () = {
     use embedded_graphics_core::pixelcolor::Rgb565;
-    assert!(size_of::<ActiveFace<Rgb565>>() == 36 && size_of::<ActiveFace<Rgb565, 3>>() == 48);
+    assert!(size_of::<ActiveFace<Rgb565, 0>>() == 36 && size_of::<ActiveFace<Rgb565>>() == 48);
 };

@@ -23,7 +23,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// The visible edges of a mesh, binned by their first rows: each band draws only the edges that lie in it.
 /// [`TransformedMesh::bin_edges`] makes it and has an example.
 #[derive(Debug)]
-pub struct BinnedEdges<'a, V: Coordinate = i16, const DEPTH: bool = false>(Binned<'a, V, DEPTH>);
+pub struct BinnedEdges<'a, V: Coordinate = i16, const DEPTH: bool = true>(Binned<'a, V, DEPTH>);
 
 impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// Puts the visible edges into bins of rows, for drawing in bands. `storage` is bin storage that the result borrows:

@@ -22,7 +22,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// The visible faces of a mesh, binned by their first rows: each band, or any other rectangle of the picture, draws only the
 /// faces that lie in it. [`TransformedMesh::bin_faces`] makes it and has an example.
 #[derive(Debug)]
-pub struct BinnedFaces<'a, V: Coordinate = i16, const DEPTH: bool = false>(pub(super) Binned<'a, V, DEPTH>);
+pub struct BinnedFaces<'a, V: Coordinate = i16, const DEPTH: bool = true>(pub(super) Binned<'a, V, DEPTH>);
 
 impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// Culls the faces and puts the visible ones into bins of rows, for drawing in bands. `storage` is bin storage that the
@@ -162,8 +162,8 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     /// ```compile_fail,E0277
     /// # use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
     /// # use pinhole::prelude::*;
-    /// fn draw(faces: &mut BinnedFaces<'_>, depth: &mut DepthBuffer<'_>, band: &mut Band<'_, Rgb565>) {
-    ///     // Compiles with `BinnedFaces<'_, i16, true>`.
+    /// fn draw(faces: &mut BinnedFaces<'_, i16, false>, depth: &mut DepthBuffer<'_>, band: &mut Band<'_, Rgb565>) {
+    ///     // Compiles with `BinnedFaces<'_>`.
     ///     let Ok(()) = faces.draw(|_| Rgb565::RED, &mut band.depth_tested(depth));
     /// }
     /// ```
@@ -251,7 +251,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     ///
     /// // Each core takes the next band that no one has: eight rows of 64 pixels.
     /// let (frame, next) = (Frame::new(display.bounding_box(), Gray8::BLACK), AtomicU32::new(0));
-    /// let draw = |mut faces: BinnedFaces<'_>| {
+    /// let draw = |mut faces: BinnedFaces<'_, i16, false>| {
     ///     let mut sent = Vec::new();
     ///     let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     ///     while let Some(mut band) = frame.nth_band(next.fetch_add(1, Relaxed), &mut strip).expect("a row") {

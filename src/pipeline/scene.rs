@@ -453,7 +453,7 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
         &mut self,
         band: &Rectangle,
         transforms: bool,
-        mut draw: impl FnMut(usize, &'f Object<'m, M>, &mut BinnedFaces<'_, i16, true>) -> Result<(), E>,
+        mut draw: impl FnMut(usize, &'f Object<'m, M>, &mut BinnedFaces<'_>) -> Result<(), E>,
     ) -> Result<(), E> {
         let Self { objects, camera, ref mut binned, .. } = *self;
         for BinnedObject { index, cache, bins, is_cached } in binned {

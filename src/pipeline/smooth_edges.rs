@@ -309,7 +309,7 @@ impl<'a, V: Coordinate> SmoothEdges<'a, V> {
     ///
     /// ```
     /// # use pinhole::{draw::{SmoothEdge, SmoothEdges}, prelude::*};
-    /// # fn each_frame<'a>(transformed: &pinhole::draw::TransformedMesh<'a, i16, true>, bins: &'a mut [u16], list: &'a mut [SmoothEdge; 16]) -> Option<()> {
+    /// # fn each_frame<'a>(transformed: &pinhole::draw::TransformedMesh<'a>, bins: &'a mut [u16], list: &'a mut [SmoothEdge; 16]) -> Option<()> {
     /// // let mut list = [SmoothEdge::EMPTY; 16];
     /// let mut edges = transformed.bin_smooth_edges(|_| false, bins).ok()?;
     /// edges.keep_in(list);

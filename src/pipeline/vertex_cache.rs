@@ -45,7 +45,7 @@ pub(super) trait VertexCache<'a, V: Coordinate, const DEPTH: bool> {
 /// lie in a caller-provided cache, which may be shorter than the mesh's vertex list: vertices beyond its end are transformed
 /// whenever a face or an edge needs them, and the picture is equal.
 #[derive(Debug)]
-pub struct TransformedMesh<'a, V: Coordinate = i16, const DEPTH: bool = false> {
+pub struct TransformedMesh<'a, V: Coordinate = i16, const DEPTH: bool = true> {
     pub(super) instance: &'a MeshInstance<'a, V>,
     /// Whether the far plane clips.
     pub(super) far: bool,

@@ -464,7 +464,7 @@ fn carried_faces_are_shaded_once() {
 
 #[test]
 fn bins_of_active_faces_too_short_say_what_they_need() {
-    let (mut bins, mut list) = ([0; 16], [ActiveFace::<Gray8>::EMPTY; 3]);
+    let (mut bins, mut list) = ([0; 16], [ActiveFace::<Gray8, 0>::EMPTY; 3]);
     cube((0, 0, 64, 64), |instance| {
         let mesh = instance.transform(&mut []);
         let error = mesh.bin_active_faces(&mut bins, &mut list).map(|_| ());

@@ -44,7 +44,7 @@ fn send(
 
 /// Draws a part of the screen.
 fn send_part(
-    faces: &mut BinnedFaces<'_, i16, true>,
+    faces: &mut BinnedFaces<'_>,
     edges: &mut SmoothEdges<'_>,
     colors: &[u8],
     (part, rows, beyond): (Rectangle, u32, i32),
@@ -133,7 +133,7 @@ fn two_cores_smooth_halves_of_the_screen() {
             let transformed = instance.transform_depth(&mut cache);
             let mut faces = transformed.bin_faces(&mut bins).expect("room");
             let whole = scene.picture(&instance, [128, 64], Some(true));
-            let half = |mut faces: BinnedFaces<'_, i16, true>, top: usize| {
+            let half = |mut faces: BinnedFaces<'_>, top: usize| {
                 let (mut bins, mut cells) = (vec![0; mesh.smooth_bins_len()], vec![Rgb888::RED; whole.len()]);
                 let mut edges = transformed.bin_smooth_edges(|_| true, &mut bins).expect("room");
                 let mut display = Picture::new(&mut cells, Size::new(128, 64)).expect("room");

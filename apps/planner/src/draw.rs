@@ -27,9 +27,9 @@ pub(crate) struct Drawn {
 /// The faces or edges that are drawn into each band.
 enum Job<'a, 'b> {
     Lines(&'b mut BinnedEdges<'a, i16, false>),
-    HiddenLines(&'b mut BinnedFaces<'a, i16, true>, &'b mut BinnedEdges<'a, i16, true>),
+    HiddenLines(&'b mut BinnedFaces<'a>, &'b mut BinnedEdges<'a>),
     /// With the edges that are smoothed.
-    Faces(&'b mut BinnedFaces<'a, i16, true>, &'b Shades<'b>, Option<&'b mut SmoothEdges<'a>>),
+    Faces(&'b mut BinnedFaces<'a>, &'b Shades<'b>, Option<&'b mut SmoothEdges<'a>>),
 }
 
 /// Draws a model by a choice, textured by an image.
@@ -119,7 +119,7 @@ impl<'a> Shades<'a> {
     /// Draws faces with depth; `first` is the index of the first one.
     fn draw(
         &self,
-        faces: &mut BinnedFaces<'_, i16, true>,
+        faces: &mut BinnedFaces<'_>,
         first: usize,
         band: &mut Band<'_, Stored>,
         depth: &mut DepthBuffer<'_>,

@@ -80,15 +80,14 @@ impl<'a> Picture<'a> {
         let [mut ours, mut theirs] = forks.map_err(|_| "the cursor is of another mesh")?;
 
         let frame = Frame::new(SCREEN, BACKGROUND);
-        let draw =
-            |band: u32, faces: &mut BinnedFaces<'_, i16, true>, pixels: &mut [u8], depths: &mut [u16]| {
-                let band = frame.nth_band(band, pixels).map_err(|_| "half a strip is shorter than a row")?;
-                let mut band = band.ok_or("more bands than the frame has")?;
-                let depth = DepthBuffer::new(band.area(), depths);
-                let mut depth = depth.map_err(|_| "fewer depths than pixels in half a strip")?;
-                let Ok(()) = faces.draw(shade, &mut band.pixels().depth_tested(&mut depth));
-                Ok::<(), &'static str>(())
-            };
+        let draw = |band: u32, faces: &mut BinnedFaces<'_>, pixels: &mut [u8], depths: &mut [u16]| {
+            let band = frame.nth_band(band, pixels).map_err(|_| "half a strip is shorter than a row")?;
+            let mut band = band.ok_or("more bands than the frame has")?;
+            let depth = DepthBuffer::new(band.area(), depths);
+            let mut depth = depth.map_err(|_| "fewer depths than pixels in half a strip")?;
+            let Ok(()) = faces.draw(shade, &mut band.pixels().depth_tested(&mut depth));
+            Ok::<(), &'static str>(())
+        };
         for strip in 0..STRIPS {
             let (upper, lower) = free.split_at_mut(free.len() / 2);
             let (mut good, mut other_good) = (Ok(()), Ok(()));

@@ -29,8 +29,8 @@ pub struct Picture<'a> {
 /// The contents of a frame.
 pub struct Turned<'a> {
     /// With depth.
-    faces: BinnedFaces<'a, i16, true>,
-    edges: BinnedEdges<'a, i16, true>,
+    faces: BinnedFaces<'a>,
+    edges: BinnedEdges<'a>,
     depths: &'a mut [u16],
     label: Label,
 }

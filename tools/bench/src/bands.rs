@@ -45,7 +45,7 @@ pub fn wireframe(
     instance: &MeshInstance<'_>,
     size: Size,
     Storage { corners, bin_storage, strip, .. }: Storage<'_>,
-    mut draw: impl FnMut(&mut BinnedEdges<'_>, &mut Band<'_, Rgb565>),
+    mut draw: impl FnMut(&mut BinnedEdges<'_, i16, false>, &mut Band<'_, Rgb565>),
 ) -> Option<()> {
     let mut edges = instance.transform(corners).bin_edges(bin_storage).ok()?;
     each_band(size, BACKGROUND, strip, |band| {
@@ -212,8 +212,8 @@ faces!(solid, lit_solid(), transform, bin_faces, |band| &mut band.pixels());
 faces!(depth, lit_depth(), transform_depth, bin_faces, |band, depth| {
     &mut band.pixels().depth_tested(&mut depth)
 });
-faces!(active, lit_active(list: ActiveFace<Rgb565>), transform, bin_active_faces, |band| &mut band.pixels());
-faces!(active_depth, lit_active_depth(list: ActiveFace<Rgb565, 3>), transform_depth, bin_active_faces, |band, depth| {
+faces!(active, lit_active(list: ActiveFace<Rgb565, 0>), transform, bin_active_faces, |band| &mut band.pixels());
+faces!(active_depth, lit_active_depth(list: ActiveFace<Rgb565>), transform_depth, bin_active_faces, |band, depth| {
     &mut band.pixels().depth_tested(&mut depth)
 });
 

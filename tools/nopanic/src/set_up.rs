@@ -227,5 +227,5 @@ entries! {
         report((Clone::clone(affine), Clone::clone(point), Clone::clone(vector)))
     }
     entry_copy_of_mesh(mesh: &Mesh<'static>) -> Mesh<'static> { Clone::clone(mesh) }
-    entry_copy_of_transformed(transformed: &TransformedMesh<'static, i16, true>) -> TransformedMesh<'static, i16, true> { Clone::clone(transformed) }
+    entry_copy_of_transformed(transformed: &TransformedMesh<'static>) -> TransformedMesh<'static> { Clone::clone(transformed) }
 }

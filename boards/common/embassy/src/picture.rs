@@ -36,7 +36,7 @@ pub struct Picture<'a> {
 pub struct Turned<'a> {
     mesh: &'a Mesh<'a>,
     /// With depth.
-    faces: BinnedFaces<'a, i16, true>,
+    faces: BinnedFaces<'a>,
     depths: &'a mut [u16],
     light: Lambert,
     label: Label,

@@ -30,7 +30,7 @@ pub struct Turned<'a> {
     area: Size,
     frame: Frame<Rgb565>,
     /// With depth.
-    faces: BinnedFaces<'a, i16, true>,
+    faces: BinnedFaces<'a>,
     depths: &'a mut [u16],
     light: Lambert,
 }

@@ -85,7 +85,7 @@ macro_rules! way {
     };
 }
 
-way!(Solid, "solid", bands::lit_solid, split_transform, BinnedFaces<'_>, |faces, shade, _depth, band| faces
+way!(Solid, "solid", bands::lit_solid, split_transform, BinnedFaces<'_, i16, false>, |faces, shade, _depth, band| faces
     .draw(shade, &mut band.pixels())
     .ok());
 way!(
@@ -93,7 +93,7 @@ way!(
     "depth",
     bands::lit_depth,
     split_transform_depth,
-    BinnedFaces<'_, i16, true>,
+    BinnedFaces<'_>,
     |faces, shade, depth, band| {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
         faces.draw(shade, &mut band.pixels().depth_tested(&mut depth)).ok()
