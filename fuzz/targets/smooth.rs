@@ -53,7 +53,7 @@ impl Check<'_> {
         edges.keep_in(&mut list);
         let storage =
             |rows| (vec![0; Frame::<Gray8>::strip_bytes(width, rows)], vec![0; (width * rows) as usize]);
-        let ((mut strip, mut depths), (mut kept, _)) = (storage(rows), storage(1));
+        let ((mut strip, mut depths), (mut kept, _)) = (storage(rows), storage(2));
         let mut frame = SmoothFrame::new(self.area, SKY, &mut kept, &mut depths).expect("room");
         let mut picture = Vec::new();
         while let Some(mut band) = frame.next_band(&mut strip).expect("room") {
@@ -70,7 +70,7 @@ pub(super) fn check(data: &[u8]) {
     let Some(scene) = Scene::read(tail) else { return };
     let Some(area) = scene.rectangle() else { return };
     let mut b = Bytes::new(head);
-    let (kind, rows, kept_edges) = (b.byte(), 3 + u32::from(b.byte() % 20), b.below(9));
+    let (kind, rows, kept_edges) = (b.byte(), 6 + u32::from(b.byte() % 20), b.below(9));
     let sides = scene.faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let edges: Vec<[u16; 2]> = sides.chain(scene.edges.iter().copied()).collect();
     let beside = edges.iter().map(|edge| {

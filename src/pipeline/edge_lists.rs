@@ -6,7 +6,7 @@ use core::ops::Range;
 
 /// The kinds of edges, in the order in which they are smoothed: where a crease and a silhouette meet, what lies beyond the silhouette is
 /// mixed with the smoothed crease.
-pub(super) const KINDS: usize = 4;
+const KINDS: usize = 4;
 
 /// The edges of a mesh in bins of rows, and in a list of each kind those that have begun and not ended, in the order of the mesh: the edges of
 /// each bin and of each list are linked.
@@ -28,18 +28,10 @@ impl<'s> EdgeLists<'s> {
         Self { first, next, rows, lists: [NONE; KINDS], bin: 0, row: i32::MIN }
     }
 
-    /// Moves the edges that begin in a band into their lists. Unless the band lies below the last one, or `is_again` the last one, begins again
-    /// with all edges. `kind`: that of an edge, if it is smoothed.
+    /// Moves the edges that begin in a band into their lists. Unless the band lies below the last one, begins again with all edges. `kind`: that of
+    /// an edge, if it is smoothed.
     #[inline(never)]
-    pub(super) fn advance(
-        &mut self,
-        rows: &Range<i32>,
-        is_again: bool,
-        kind: impl Fn(usize) -> Option<usize>,
-    ) {
-        if is_again && rows.end == self.row {
-            return;
-        }
+    pub(super) fn advance(&mut self, rows: &Range<i32>, kind: impl Fn(usize) -> Option<usize>) {
         if rows.start < self.row {
             self.restart(&kind);
         }

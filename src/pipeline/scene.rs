@@ -625,9 +625,7 @@ impl<'f, 'm, M, const OBJECTS: usize> SmoothScene<'f, 'm, M, OBJECTS> {
     #[inline(never)] // its stack frame does not exist while faces are drawn
     pub fn draw<C: Color + StoredPixel<Cell>, Cell: Copy>(&mut self, pass: &mut SmoothPass<'_, C, Cell>) {
         let Self { objects, camera, ref mut smooth, ref mut memory } = *self;
-        let mut pixels = pass.pixels();
-        // Of bands, the second pass begins a row higher: both meet the bounds, or neither.
-        pixels.top = pixels.top.saturating_sub(i32::from(!pass.is_last()));
+        let pixels = pass.pixels();
         for SmoothObject { index, cache, edges, is_cached, .. } in smooth {
             let Some(object) = objects.get(*index).filter(|_| pixels.meets(&edges.bounds)) else { continue };
             let instance = match *is_cached {

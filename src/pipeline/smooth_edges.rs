@@ -3,7 +3,7 @@
 use super::bins::BinStorage;
 use super::cull::Cull;
 use super::draw_region::pixels;
-use super::edge_lists::{EdgeLists, KINDS};
+use super::edge_lists::EdgeLists;
 use super::face_triangles::FaceTriangles;
 use super::hidden_line::third_corner;
 use super::statistics::Statistics;
@@ -376,32 +376,34 @@ impl SmoothBins<'_> {
         let Self { lists, kinds, .. } = self;
         let SmoothMemory { list, mask, own } = memory;
         let viewport = pixels(transformed.instance.area());
-        let (scissor, is_last) = (pass.pixels().clipped_to(&viewport), pass.is_last());
+        let (scissor, number) = (pass.pixels().clipped_to(&viewport), pass.number());
         if scissor.is_empty() {
             return;
         }
         let rows = scissor.rows();
-        lists.advance(&rows, is_last, |index| {
-            let [is_silhouette, is_second, is_wide] =
-                kinds.get(index / 16)?.map(|bits| bits >> (index % 16) & 1 != 0);
-            (is_silhouette || is_second).then_some(2 * usize::from(is_silhouette) + usize::from(is_wide))
-        });
-        // Creases, then silhouettes; the second pass mixes no neighbours in a row, as tall edges do.
-        for kind in (usize::from(is_last)..KINDS).step_by(1 + usize::from(is_last)) {
+        if number == 0 {
+            lists.advance(&rows, |index| {
+                let [is_silhouette, is_second, is_wide] =
+                    kinds.get(index / 16)?.map(|bits| bits >> (index % 16) & 1 != 0);
+                (is_silhouette || is_second).then_some(2 * usize::from(is_silhouette) + usize::from(is_wide))
+            });
+        }
+        // Tall and wide creases, tall and wide silhouettes.
+        for (kind, passes) in [0..=0, 0..=1, 0..=0, 1..=2].into_iter().enumerate() {
             let is_wide = kind & 1 != 0;
-            if lists.is_empty(kind) {
+            if lists.is_empty(kind) || !passes.contains(&number) {
                 continue;
             }
             let axes = pass.axes(&scissor, !is_wide);
             lists.each(kind, |index| {
-                let number = ((object as u32) << 16 | index as u32) + 1; // fewer than 65535 edges
-                let free = |edge: &&mut SmoothEdge| edge.number == 0 || edge.number == number;
+                let id = ((object as u32) << 16 | index as u32) + 1; // fewer than 65535 edges
+                let free = |edge: &&mut SmoothEdge| edge.number == 0 || edge.number == id;
                 let edge = list.get_mut(index & *mask).filter(free).unwrap_or(&mut *own);
                 let drawn = || {
                     let is_known = kind > 1 && transformed.knows_silhouettes();
                     is_known.then_some(usize::from(kinds.get(index / 16)?[SECOND] >> (index % 16) & 1))
                 };
-                if edge.number != number && !transformed.set_up(index, number, drawn(), &viewport, edge) {
+                if edge.number != id && !transformed.set_up(index, id, drawn(), &viewport, edge) {
                     return true;
                 }
                 let mut from = i32::MIN;
@@ -411,7 +413,7 @@ impl SmoothBins<'_> {
                 }
                 // The last row of a wide edge may be mixed with the row below it.
                 let bottom = edge.crossed.bottom();
-                let ends = if is_wide { is_last && bottom < rows.end } else { bottom <= rows.end };
+                let ends = number == *passes.end() && bottom < rows.end + i32::from(!is_wide);
                 if ends {
                     edge.number = 0;
                 }

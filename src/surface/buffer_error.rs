@@ -21,9 +21,9 @@ pub enum BufferError {
         /// Elements in the buffer.
         given: usize,
     },
-    /// A strip, or the buffer of the row that a [`SmoothFrame`](crate::bands::SmoothFrame) keeps, is too short.
+    /// A strip, or the buffer of the rows that a [`SmoothFrame`](crate::bands::SmoothFrame) keeps, is too short.
     Strip {
-        /// Bytes of one row; of three rows for the strip of a `SmoothFrame`.
+        /// Bytes of one row; of six rows for the strip of a `SmoothFrame`, and of two for those that it keeps.
         needed: usize,
         /// Bytes of the buffer.
         given: usize,

@@ -1,4 +1,4 @@
-//! A frame drawn in bands whose edges are smoothed: each band waits for the row below it.
+//! A frame drawn in bands whose edges are smoothed: the last rows of each band wait for those below them.
 
 use super::band::{Band, Frame};
 use super::pixels::Pixels;
@@ -13,11 +13,17 @@ use core::marker::PhantomData;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// A [`Frame`] whose edges are smoothed. Smoothing a row needs the row below it, so the last row of each band, with its depths, is kept for the
-/// next band. It compiles for colours of whole bytes only: draw 1-bit, Gray4 or 12-bit colours into a [`Picture`](crate::target::Picture), where two
+/// The rows that wait for the next band: the last pass of smoothing lacks in both what the pass before it does in the last one.
+const WAITING: usize = 2;
+
+/// The least rows of a strip: the first band finishes a row.
+const LEAST: usize = 6;
+
+/// A [`Frame`] whose edges are smoothed. Smoothing a row needs the rows below it, so the last two rows of each band, with their depths, are kept for
+/// the next band. It compiles for colours of whole bytes only: draw 1-bit, Gray4 or 12-bit colours into a [`Picture`](crate::target::Picture), where two
 /// colours cannot be smoothed.
 ///
-/// Two cores smooth a part of the screen each, such as a half, drawn two pixels larger as in the example: with a [fork](crate::draw::BinnedFaces::fork) of
+/// Two cores smooth a part of the screen each, such as a half, drawn three pixels larger as in the example: with a [fork](crate::draw::BinnedFaces::fork) of
 /// the faces, and edges that each core finds in the shared [`TransformedMesh`](crate::draw::TransformedMesh), into storage of its own.
 ///
 /// ```
@@ -38,8 +44,8 @@ use embedded_graphics_core::primitives::Rectangle;
 /// // buffers in statics, whose lengths are constants: `static EDGE_BINS: ConstStaticCell<[u16; MESH.smooth_bins_len()]>`.
 /// let mut buffers = mesh_buffers!(MESH);
 /// let mut edge_bins = [0; MESH.smooth_bins_len()];
-/// let mut strip = strip_buffers!(Gray8, 64, 9); // 8 rows, and the one that waits
-/// let mut kept = [0; Frame::<Gray8>::strip_bytes(64, 1)];
+/// let mut strip = strip_buffers!(Gray8, 64, 10); // 8 rows, and two that wait
+/// let mut kept = [0; Frame::<Gray8>::strip_bytes(64, 2)];
 ///
 /// let mesh = instance.transform_depth(&mut buffers.cache);
 /// let mut faces = mesh.bin_faces(&mut buffers.bins)?;
@@ -53,15 +59,15 @@ use embedded_graphics_core::primitives::Rectangle;
 ///     heights.push(band.area().size.height);
 ///     band.send(&mut display)?;
 /// }
-/// assert_eq!(heights, [7, 8, 8, 8, 8, 8, 8, 9]);
+/// assert_eq!(heights, [6, 8, 8, 8, 8, 8, 8, 10]);
 ///
-/// // A part of the screen lacks neighbours at its border: draw two pixels more on each side, which are not sent.
+/// // A part of the screen lacks neighbours at its border: draw three pixels more on each side, which are not sent.
 /// let mut dirty = DirtyRegions::<4>::new(display.bounding_box(), TransferCost::new(8, TransferCost::MIPI_DCS));
-/// let mut strip = strip_buffers!(Gray8, 64 + 4, 9);
-/// let mut kept = [0; Frame::<Gray8>::strip_bytes(64 + 4, 1)];
+/// let mut strip = strip_buffers!(Gray8, 64 + 6, 10);
+/// let mut kept = [0; Frame::<Gray8>::strip_bytes(64 + 6, 2)];
 /// dirty.mark(edges.bounds(faces.bounds()));
 /// for part in dirty.take() {
-///     let mut frame = SmoothFrame::new(part.offset(2), Gray8::BLACK, &mut kept, &mut strip.depths)?;
+///     let mut frame = SmoothFrame::new(part.offset(3), Gray8::BLACK, &mut kept, &mut strip.depths)?;
 ///     while let Some(mut band) = frame.next_band(&mut strip.colors)? {
 /// #       let (mut pixels, mut depth) = band.new_rows();
 /// #       faces.draw(|_| Gray8::WHITE, &mut pixels.depth_tested(&mut depth))?;
@@ -78,13 +84,13 @@ pub struct SmoothFrame<'k, C> {
     background: C,
     /// The number of rows drawn so far.
     done: u32,
-    /// Whether the last row of the band before waits: then `kept` has its pixels, and `depths` begins with its depths.
+    /// Whether the last rows of the band before wait: then `kept` has their pixels, and `depths` begins with their depths.
     waits: bool,
     kept: &'k mut [u8],
     depths: &'k mut [u16],
 }
 
-/// A band of a [`SmoothFrame`]: the row that waited, and new rows.
+/// A band of a [`SmoothFrame`]: the rows that waited, and new rows.
 #[derive(Debug)]
 pub struct SmoothBand<'s, 'k, C> {
     /// All rows, and the new ones.
@@ -94,39 +100,39 @@ pub struct SmoothBand<'s, 'k, C> {
     strip: &'s mut [u8],
     depths: &'k mut [u16],
     kept: &'k mut [u8],
-    /// Whether the last row waits for the next band.
+    /// Whether the last rows wait for the next band.
     waits: bool,
     color: PhantomData<C>,
 }
 
 impl<'k, C: Color> SmoothFrame<'k, C> {
-    /// The frame for the pixels of `area`. `kept` holds a row between bands, in [`strip_bytes`](Frame::strip_bytes) of one row; `depths` has the
-    /// depths of a band, and between bands those of this row.
+    /// The frame for the pixels of `area`. `kept` holds two rows between bands, in [`strip_bytes`](Frame::strip_bytes) of two rows; `depths` has the
+    /// depths of a band, and between bands those of these rows.
     ///
     /// # Errors
     ///
-    /// [`BufferError`] when there is no room for one row in `kept`, or for three in `depths`.
+    /// [`BufferError`] when there is no room for two rows in `kept`, or for six in `depths`.
     pub fn new(
         area: Rectangle,
         background: C,
         kept: &'k mut [u8],
         depths: &'k mut [u16],
     ) -> Result<Self, BufferError> {
-        let (needed, given) = (row_bytes::<C>(area.size.width), kept.len());
+        let (needed, given) = (row_bytes::<C>(area.size.width).saturating_mul(WAITING), kept.len());
         let kept = kept.get_mut(..needed).ok_or(BufferError::Strip { needed, given })?;
-        let (needed, given) = ((area.size.width as usize).saturating_mul(3), depths.len());
+        let (needed, given) = ((area.size.width as usize).saturating_mul(LEAST), depths.len());
         if given < needed {
             return Err(BufferError::Depth { needed: needed as u64, given });
         }
         Ok(Self { area, background, done: 0, waits: false, kept, depths })
     }
 
-    /// The next band: the row that waited, and new rows, filled with the background. It has as many rows as fit in the strip and have room
-    /// for their depths, or one fewer, so that the row that waits has an odd number. `None` after the last band.
+    /// The next band: the rows that waited, and new rows, filled with the background. It has as many rows as fit in the strip and have room
+    /// for their depths, or one fewer, so that the last row has an odd number. `None` after the last band.
     ///
     /// # Errors
     ///
-    /// [`BufferError`] when the strip has no room for three rows.
+    /// [`BufferError`] when the strip has no room for six rows.
     pub fn next_band<'s, 'b>(
         &'b mut self,
         strip: &'s mut [u8],
@@ -138,17 +144,19 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
         }
         let (row, columns) = (row_bytes::<C>(width), width as usize);
         let rows = |given: usize, row: usize| given.checked_div(row).unwrap_or(0);
-        let waiting = u32::from(self.waits);
+        let before = if self.waits { WAITING } else { 0 };
+        let waiting = before as u32;
         let fits = rows(strip.len(), row);
-        if fits < 3 {
-            return Err(BufferError::Strip { needed: row.saturating_mul(3), given: strip.len() });
+        if fits < LEAST {
+            return Err(BufferError::Strip { needed: row.saturating_mul(LEAST), given: strip.len() });
         }
         let room = u32::try_from(fits.min(rows(self.depths.len(), columns))).unwrap_or(u32::MAX);
-        let mut new = (room - waiting).min(left);
+        let mut new = left;
         let top = top_left.y.saturating_add_unsigned(self.done);
-        let waits = new < left;
+        let waits = new > room - waiting;
         if waits {
-            new -= top.saturating_add_unsigned(new) as u32 & 1; // at least 2
+            new = room - WAITING as u32; // as many in the first band: the ends of bins may be those of bands
+            new -= top.saturating_add_unsigned(new) as u32 & 1; // at least 3
         }
         if self.waits {
             copy(strip, self.kept);
@@ -156,7 +164,6 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
         let area_of =
             |top: i32, rows: u32| Rectangle::new(Point::new(top_left.x, top), Size::new(width, rows));
         let new_area = area_of(top, new);
-        let before = waiting as usize;
         let fresh = strip.get_mut(row.wrapping_mul(before)..).unwrap_or_default();
         Frame::new(new_area, self.background).next_band(fresh)?;
         let depths =
@@ -206,7 +213,7 @@ impl<'s, C: Color> SmoothBand<'s, '_, C> {
     where
         C: StoredPixel<[u8; N]>,
     {
-        let before = (self.all.size.height - self.new.size.height) as usize; // 0 or 1
+        let before = (self.all.size.height - self.new.size.height) as usize; // 0 or 2
         let cells = self.strip.get_mut(before.wrapping_mul(row_bytes::<C>(self.all.size.width))..);
         let depths = self.depths.get_mut(before.wrapping_mul(self.all.size.width as usize)..);
         let pixels = Pixels::unchecked(cells_of::<C, N>(cells.unwrap_or_default()), self.new);
@@ -229,7 +236,9 @@ impl<'s, C: Color> SmoothBand<'s, '_, C> {
         let Rectangle { top_left, size: Size { width, height } } = all;
         let (row, columns) = (row_bytes::<C>(width), width as usize);
         let layout = PixelLayout::new(top_left.x, top_left.y, columns);
-        for (odd, rows) in [(0, new), (1, all)] {
+        let finished = height - if waits { WAITING as u32 } else { 0 };
+        let sent = Rectangle::new(top_left, Size::new(width, finished));
+        for (number, rows) in [new, all, sent].into_iter().enumerate() {
             let (cells, pixels) = (cells_of::<C, N>(strip), inside(&rows));
             edges(&mut SmoothPass {
                 cells,
@@ -237,20 +246,22 @@ impl<'s, C: Color> SmoothBand<'s, '_, C> {
                 depths,
                 depth_layout: layout,
                 pixels,
-                odd,
+                number,
                 color: PhantomData,
             });
         }
-        let finished = height - u32::from(waits);
         if waits {
             let last = finished as usize;
             copy(kept, strip.get(last.wrapping_mul(row)..).unwrap_or_default());
-            let last = last.wrapping_mul(columns);
-            if let Some((first, last)) = depths.split_at_mut_checked(last) {
-                copy(cast_slice_mut(first), cast_slice(last));
+            for row in 0..WAITING {
+                // One after the other: the first band may finish a single row.
+                let split = depths.split_at_mut_checked((last + row).wrapping_mul(columns));
+                let Some((to, from)) = split else { continue };
+                let to = to.get_mut(row.wrapping_mul(columns)..).unwrap_or_default();
+                copy(cast_slice_mut(to), cast_slice(from.get(..columns).unwrap_or_default()));
             }
         }
-        Band::unchecked(Rectangle::new(top_left, Size::new(width, finished)), strip)
+        Band::unchecked(sent, strip)
     }
 }
 

@@ -9,19 +9,20 @@ use crate::raster::{share, CrossedEdge, PixelLayout, Scissor, Window};
 use core::marker::PhantomData;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// A pass of smoothing: each edge mixes pairs of neighbours. The first pass mixes neighbours in a row, and neighbours in a column of which the upper
-/// one has an even row; the second pass those of which it has an odd row. So no pass mixes a row with both of the rows beside it, and the picture
-/// does not depend on the bands in which it is made (the zebra order of line relaxation). [`smooth`](DepthTestedSurface::smooth) makes the passes.
+/// A pass of smoothing: each edge mixes pairs of neighbours. The first pass mixes neighbours in a row and, along creases, neighbours in a column of
+/// which the upper one has an even row; the second pass, along creases and silhouettes, those of which it has an odd row; the third pass, along
+/// silhouettes, those of which it has an even row. So no pass mixes a row with both of the rows beside it, and the picture does not depend on the bands
+/// in which it is made (the zebra order of line relaxation). [`smooth`](DepthTestedSurface::smooth) makes the passes.
 #[derive(Debug)]
 pub struct SmoothPass<'p, C, Cell> {
     pub(super) cells: &'p mut [Cell],
     pub(super) layout: PixelLayout,
     pub(super) depths: &'p [u16],
     pub(super) depth_layout: PixelLayout,
-    /// The pixels that have a colour and a depth. In the first pass without a row that it has smoothed before.
+    /// The pixels that have a colour and a depth, and that the passes before have smoothed. In the first pass without rows that it has smoothed before.
     pub(super) pixels: Scissor,
-    /// The parity of the upper rows: 1 in the second pass.
-    pub(super) odd: i32,
+    /// The number of the pass: 0 to 2.
+    pub(super) number: usize,
     pub(super) color: PhantomData<C>,
 }
 
@@ -48,7 +49,7 @@ pub(crate) enum SeenKind {
 }
 
 impl<S: Surface> DepthTestedSurface<'_, '_, S> {
-    /// Smooths the edges of a picture that is drawn, with its depths: `edges` is called twice, and passes
+    /// Smooths the edges of a picture that is drawn, with its depths: `edges` is called three times, and passes
     /// each pass to the [edges](crate::draw::SmoothEdges::draw) of all objects. [`SmoothEdges`](crate::draw::SmoothEdges) has an example. In
     /// bands [`SmoothFrame`](crate::bands::SmoothFrame) does so.
     ///
@@ -68,9 +69,9 @@ impl<S: Surface> DepthTestedSurface<'_, '_, S> {
         let (drawable, rows) = memory.split();
         let pixels = pixels.clipped_to(drawable);
         let (cells, scratch) = rows.parts();
-        for odd in [0, 1] {
+        for number in 0..3 {
             let (layout, color) = (scratch.layout, PhantomData);
-            edges(&mut SmoothPass { cells, layout, depths, depth_layout, pixels, odd, color });
+            edges(&mut SmoothPass { cells, layout, depths, depth_layout, pixels, number, color });
         }
     }
 }
@@ -81,16 +82,16 @@ impl<C: StoredPixel<Cell> + Color, Cell: Copy> SmoothPass<'_, C, Cell> {
         self.pixels
     }
 
-    /// Whether this is the second pass, which mixes no neighbours in a row.
-    pub(crate) fn is_last(&self) -> bool {
-        self.odd != 0
+    /// The number of the pass: 0 to 2.
+    pub(crate) fn number(&self) -> usize {
+        self.number
     }
 
     /// How to smooth edges that are tall, or wide.
     pub(crate) fn axes(&self, scissor: &Scissor, is_tall: bool) -> Axes {
-        let Self { layout, depth_layout, odd, .. } = *self;
+        let Self { layout, depth_layout, number, .. } = *self;
         let [layout, depth_layout] = [layout, depth_layout].map(|layout| Along::new(layout, is_tall));
-        Axes { window: Window::new(scissor, is_tall, odd), layout, depth_layout }
+        Axes { window: Window::new(scissor, is_tall, number as i32 & 1), layout, depth_layout }
     }
 
     /// Smooths an edge from a column on. Returns the column from which on gradients are needed that are not known.
@@ -108,8 +109,9 @@ impl<C: StoredPixel<Cell> + Color, Cell: Copy> SmoothPass<'_, C, Cell> {
         edge.each_pair([first.max(from), last], &axes.window, |pair| {
             let (at, depth) = (axes.depth_layout.at(pair.major, pair.minor), edge.depth(pair.major));
             let step = |at: usize| self.depths.get(at).map(|&step| (i32::from(step) << 8) - depth);
-            let Some(beyond) = step(at.wrapping_add(far)) else { return true };
-            if beyond < 0 || seen.kind == SeenKind::Crease {
+            let beyond = if seen.kind == SeenKind::Crease { Some(-1) } else { step(at.wrapping_add(far)) };
+            let Some(beyond) = beyond else { return true };
+            if beyond < 0 {
                 if !seen.are_known {
                     return false;
                 }
@@ -170,7 +172,6 @@ impl Seen {
 
     /// Whether an edge is seen between the pixels of a pair, or a silhouette although the pixel on the far side is nearer, with these depths less that
     /// of the edge. `offset`: how far the edge lies beyond the centre of the first pixel, in 2⁻³² pixel.
-    #[inline(never)] // silhouettes need it where they are hidden, and where surfaces touch
     fn between(&self, offset: u32, [low, high]: [i32; 2]) -> bool {
         // Within two steps, as depths are rounded, and 1/32 of the change per pixel, as corners are.
         let fits = |depth: i32, gradient: i32, offset: i32| {

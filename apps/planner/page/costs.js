@@ -183,7 +183,7 @@ function notes(costs) {
     `RAM: the variables of the way to draw, to the byte. The stack takes ${kilobytes(way.stack)} more${costs.inRam ? ', and the code, which is copied to RAM, as much as it takes in flash' : ''}. ${rest}`,
     `Flash: the mesh and the code that draws, at opt-level 3, ± ${costs.flashError} %. ${rest}`,
     `Frames/s: each band is drawn, then sent; by DMA: one is drawn while another is sent, so there are two of them in RAM, if there is room. In the range of the meter, by DMA, sending is hidden by drawing wholly or not at all.`,
-    ...(smooths() ? ['Smooth edges: silhouettes and, where each face has one light, creases. The last row of each band waits for the next band, and 16 edges are kept between bands. The mesh lists its edges, and the faces beside them, in flash.'] : []),
+    ...(smooths() ? ['Smooth edges: silhouettes and, where each face has one light, creases. The last two rows of each band wait for the next band, and 16 edges are kept between bands. The mesh lists its edges, and the faces beside them, in flash.'] : []),
     ...displayNotes(costs),
     `Drawing: ± is the largest error of the instructions in any case measured (docs/growth.md).${inexact} The cycles of an instruction differ by up to ${costs.cyclesError} % from model to model. ${costs.estimate ? 'The chip\'s timing is an estimate' : 'Error of the chip\'s timing'}: ${costs.error}.`,
   ];

@@ -155,8 +155,8 @@ fn smoothed(mut way: Way, mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Wa
     way.name += ", smooth edges";
     let [_, bins, .., fixed] = &mut way.ram;
     *bins += mesh.smooth_bins_len() * size_of::<u16>();
-    // The row that waits, one more row of the strip and of its depths, and the list.
-    *fixed = 2 * strip(choice, 1) + depths(choice, 1) + LIST as usize * SMOOTH_EDGE;
+    // The rows that wait, two more rows of the strip and of its depths, and the list.
+    *fixed = 2 * strip(choice, 2) + depths(choice, 2) + LIST as usize * SMOOTH_EDGE;
     way.code = way.code.with_smooth_edges();
     way.kind = LARGE;
     let (_, error) = way.time;

@@ -74,17 +74,29 @@ impl Scene {
 
 pub const BACKGROUND: u8 = 170;
 
+/// No levels differ by as much: as the contrast of creases, none.
+pub const NO_CREASES: u8 = 255;
+
 pub fn grey(level: u8) -> Rgb888 {
     Rgb888::new(level, level, level)
 }
 
 impl Scene {
-    /// The picture by the library; with smoothed silhouettes if creases are answered for, and with these if they are smoothed, too.
+    /// The least difference of the levels beside a crease that is smoothed; none differs by as much in a scene that is shaded smoothly.
+    pub fn contrast(&self) -> u8 {
+        if self.is_smooth {
+            NO_CREASES
+        } else {
+            8 // as in `Reference`
+        }
+    }
+
+    /// The picture by the library; with smoothed silhouettes, and creases between levels that differ by at least `contrast`, if it is given.
     pub fn picture(
         &self,
         instance: &MeshInstance<'_>,
         [width, height]: [u32; 2],
-        with_creases: Option<bool>,
+        contrast: Option<u8>,
     ) -> Vec<Rgb888> {
         let count = (width * height) as usize;
         let area = bridge::rectangle(0, 0, width, height);
@@ -101,11 +113,14 @@ impl Scene {
         } else {
             let Ok(_) = instance.faces(|face| grey(faces[face])).draw(&mut target.depth_tested(&mut depth));
         }
-        if let Some(with_creases) = with_creases {
+        if let Some(contrast) = contrast {
             let (mut cache, mut bins) =
                 (vec![ScreenVertex::EMPTY; mesh.cache_len()], vec![0; mesh.smooth_bins_len()]);
             let transformed = instance.transform_depth(&mut cache);
-            let mut edges = transformed.bin_smooth_edges(|_| with_creases, &mut bins).expect("room");
+            let beside = self.solid.edge_faces();
+            let level = |face: u16| faces.get(usize::from(face)).copied().unwrap_or(NO_CREASES);
+            let is_crease = |edge: usize| level(beside[edge][0]).abs_diff(level(beside[edge][1])) >= contrast;
+            let mut edges = transformed.bin_smooth_edges(is_crease, &mut bins).expect("room");
             picture.pixels().depth_tested(&mut depth).smooth(|pass| edges.draw(pass));
         }
         picture.colors().to_vec()

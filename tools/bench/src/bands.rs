@@ -79,7 +79,7 @@ pub fn hidden<C: Color>(
     Some(())
 }
 
-/// What smooth edges take beside it: the row that waits, bins, and entries for edges that are set up.
+/// What smooth edges take beside it: the rows that wait, bins, and entries for edges that are set up.
 pub struct EdgeStorage<'s> {
     pub kept: &'s mut [u8],
     pub bins: &'s mut [u16],

@@ -7,11 +7,11 @@ use crate::scene::{self, area, Scene, LINE};
 use core::hint::black_box;
 use pinhole::{draw::SmoothEdge, prelude::*};
 
-/// What the frames are drawn in: a strip of 9 rows of 240 pixels and one row more, and the torus's cache and bins.
+/// What the frames are drawn in: a strip of 10 rows of 240 pixels and two rows more, and the torus's cache and bins.
 pub struct Memory {
     mesh: MeshBuffers<TORUS, TORUS_BINS, TORUS_EDGE_BINS>,
-    strip: StripBuffers<{ bytes(9) }, { pixels(9) }>,
-    kept: [u8; bytes(1)],
+    strip: StripBuffers<{ bytes(10) }, { pixels(10) }>,
+    kept: [u8; bytes(2)],
     list: [SmoothEdge; 16],
 }
 
@@ -19,7 +19,7 @@ impl Memory {
     pub const NEW: Self = Self {
         mesh: MeshBuffers::new(),
         strip: StripBuffers::new(),
-        kept: [0; bytes(1)],
+        kept: [0; bytes(2)],
         list: [SmoothEdge::EMPTY; 16],
     };
 }
@@ -179,7 +179,7 @@ fn draw(
         _ => &scene::CUBE,
     })?;
     let light = scene.light();
-    let rows = if is_smooth { 9 } else { 8 };
+    let rows = if is_smooth { 10 } else { 8 };
     let (colors, depths) = (colors.get_mut(..bytes(rows))?, depths.get_mut(..pixels(rows))?);
     count(&mut |display| {
         let storage = Storage { corners: cache, bin_storage: bins, strip: colors, depth: depths };

@@ -17,7 +17,7 @@ use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use support::bridge::pair::ProjectionBits;
-use support::smooth_scenes::{camera, reference, scenes, Scene};
+use support::smooth_scenes::{camera, reference, scenes, Scene, NO_CREASES};
 use support::ROOT;
 
 const PROGRAM: &str = "-p pinhole-measure -- smooth";
@@ -90,12 +90,12 @@ impl Method {
     fn picture(&self, scene: &Scene, [width, height]: [u32; 2]) -> Vec<Rgb888> {
         let (beside, model) = (scene.solid.edge_faces(), scene.model.library());
         let (mesh, usual) = (scene.mesh(&beside), camera(width, height));
-        let draw = |camera: &support::bridge::pair::CameraBits, creases| {
+        let draw = |camera: &support::bridge::pair::CameraBits, contrast| {
             let (_, _, width, height) = camera.viewport;
-            scene.picture(&camera.library().place(&mesh, &model), [width, height], creases)
+            scene.picture(&camera.library().place(&mesh, &model), [width, height], contrast)
         };
         match *self {
-            Self::Smooth(creases) => draw(&usual, Some(creases)),
+            Self::Smooth(creases) => draw(&usual, Some(if creases { scene.contrast() } else { NO_CREASES })),
             Self::Samples([across, down]) => {
                 let mut larger = usual;
                 larger.viewport = (0, 0, width * across, height * down);

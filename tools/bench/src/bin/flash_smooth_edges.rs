@@ -9,8 +9,8 @@ const EDGE_BINS: usize = 12 + 1 + 4 + 2;
 image!(
     [Model; cubes_with_edge_faces] cube,
     buffers: MeshBuffers<CORNERS, BIN_STORAGE, EDGE_BINS> = MeshBuffers::new(),
-    strips: StripBuffers<{ bytes(ROWS + 1) }, { pixels(ROWS + 1) }> = StripBuffers::new(),
-    kept: [u8; bytes(1)] = [0; bytes(1)],
+    strips: StripBuffers<{ bytes(ROWS + 2) }, { pixels(ROWS + 2) }> = StripBuffers::new(),
+    kept: [u8; bytes(2)] = [0; bytes(2)],
     list: [SmoothEdge; 16] = [SmoothEdge::EMPTY; 16],
     {
         let turntable = Turntable::turned();

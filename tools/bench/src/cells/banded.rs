@@ -55,17 +55,17 @@ impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: 
     }
 }
 
-/// A strip of 8 rows and one that waits for the torus, whose edges are smoothed.
+/// A strip of 8 rows and two that wait for the torus, whose edges are smoothed.
 pub struct SmoothStrip<const LIST: usize>(
-    Strip<{ bands::bytes(9) }, { bands::pixels(9) }, TORUS_BINS, TORUS>,
-    [u8; bands::bytes(1)],
+    Strip<{ bands::bytes(10) }, { bands::pixels(10) }, TORUS_BINS, TORUS>,
+    [u8; bands::bytes(2)],
     [u16; TORUS_EDGE_BINS],
     [SmoothEdge; LIST],
 );
 
 impl<const LIST: usize> SmoothStrip<LIST> {
     pub const NEW: Self =
-        Self(Strip::NEW, [0; bands::bytes(1)], [0; TORUS_EDGE_BINS], [SmoothEdge::EMPTY; LIST]);
+        Self(Strip::NEW, [0; bands::bytes(2)], [0; TORUS_EDGE_BINS], [SmoothEdge::EMPTY; LIST]);
 
     /// The torus's silhouettes, and its creases.
     pub(super) fn torus(&mut self, has_creases: bool) -> Option<Counted> {

@@ -39,15 +39,15 @@ const PAINTED_FACES: usize = 12_000;
 const SMALL: usize = 1_600;
 /// Bin storage for the smoothed edges of the largest mesh.
 const SMOOTH_BIN_STORAGE: usize = EDGE_BIN_STORAGE + 2 * 30_000 / 16;
-/// The bytes of the highest band, with a row that waits.
-const STRIP: usize = Frame::<Rgb565>::strip_bytes(480, 48 + 1);
+/// The bytes of the highest band, with two rows that wait.
+const STRIP: usize = Frame::<Rgb565>::strip_bytes(480, 48 + 2);
 
 pub struct Memory {
     pixels: [Rgb565; PIXELS],
     depth: [u16; PIXELS],
     buffers: MeshBuffers<CORNERS, BIN_STORAGE, SMOOTH_BIN_STORAGE>,
     strip: [u8; STRIP],
-    kept: [u8; Frame::<Rgb565>::strip_bytes(480, 1)],
+    kept: [u8; Frame::<Rgb565>::strip_bytes(480, 2)],
     list: [SmoothEdge; LIST],
     painter: Painter<Rgb565, PAINTED_CORNERS, PAINTED_FACES>,
     small_painter: Painter<Rgb565, SMALL, SMALL>,
@@ -59,7 +59,7 @@ impl Memory {
         depth: [0; PIXELS],
         buffers: MeshBuffers::new(),
         strip: [0; STRIP],
-        kept: [0; Frame::<Rgb565>::strip_bytes(480, 1)],
+        kept: [0; Frame::<Rgb565>::strip_bytes(480, 2)],
         list: [SmoothEdge::EMPTY; LIST],
         painter: Painter::new(),
         small_painter: Painter::new(),
@@ -241,7 +241,7 @@ fn in_bands(
 ) -> Option<()> {
     let Memory { depth, buffers: MeshBuffers { cache, bins, edge_bins }, strip, kept, list, .. } = memory;
     let is_smoothed = matches!(kind, Kind::Silhouettes | Kind::Creases);
-    let strip = strip.get_mut(..Frame::<Rgb565>::strip_bytes(size.width, rows + u32::from(is_smoothed)))?;
+    let strip = strip.get_mut(..Frame::<Rgb565>::strip_bytes(size.width, rows + 2 * u32::from(is_smoothed)))?;
     let (mesh, mut storage) = (instance.mesh(), Storage { corners: cache, bin_storage: bins, strip, depth });
     let flat = flat_of_normals(mesh.normals(), light);
     let send = |band: &Band<'_, Rgb565>| {

@@ -10,10 +10,10 @@ const WIDE: usize = WIDTH as usize;
 firmware!(|camera, turn, display: Rgb565|
     mesh: MeshBuffers<{ MODEL.cache_len() }, { MODEL.face_bins_len() }, { MODEL.smooth_bins_len() }> = MeshBuffers::new(),
     list: [SmoothEdge; 16] = [SmoothEdge::EMPTY; 16],
-    // One row more than a band has, and the row that waits.
-    strip: [u8; 2 * WIDE * (ROWS as usize + 1)] = [0; 2 * WIDE * (ROWS as usize + 1)],
-    depths: [u16; WIDE * (ROWS as usize + 1)] = [0; WIDE * (ROWS as usize + 1)],
-    kept: [u8; 2 * WIDE] = [0; 2 * WIDE],
+    // Two rows more than a band has, and the rows that wait.
+    strip: [u8; 2 * WIDE * (ROWS as usize + 2)] = [0; 2 * WIDE * (ROWS as usize + 2)],
+    depths: [u16; WIDE * (ROWS as usize + 2)] = [0; WIDE * (ROWS as usize + 2)],
+    kept: [u8; 4 * WIDE] = [0; 4 * WIDE],
     {
         let model = Affine::rotation_y(turn);
         let light = light(&model)?;
