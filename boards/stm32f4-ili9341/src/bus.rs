@@ -82,11 +82,13 @@ fn within_time(mut is_done: impl FnMut() -> bool) -> Result<(), Problem> {
     Ok(())
 }
 
-/// Waits by counting, two cycles a round or a little more. The timers of the HAL would link `core::fmt`, by an `unwrap` of their own.
+/// Waits by the cycle counter. The timers of the HAL would link `core::fmt`, by an `unwrap` of their own.
 pub struct Delay;
 
 impl DelayNs for Delay {
     fn delay_ns(&mut self, time: u32) {
-        cortex_m::asm::delay(time.div_ceil(1000) * (MEGAHERTZ / 2)); // at most 4.3 million µs, times 50
+        let start = DWT::cycle_count();
+        while DWT::cycle_count().wrapping_sub(start) < time.div_ceil(1000) * MEGAHERTZ {}
+        // at most 4.3 million µs, times 100
     }
 }
