@@ -27,7 +27,8 @@ pub struct Picture<'a> {
 /// The mesh of a frame, as far as it is drawn.
 pub struct Turned<'a> {
     mesh: &'a Mesh<'a>,
-    area: Size,
+    /// Of the area, what is not drawn yet.
+    left: Size,
     frame: Frame<Rgb565>,
     /// With depth.
     faces: BinnedFaces<'a>,
@@ -69,7 +70,7 @@ impl<'a> Picture<'a> {
         let area = self.shown.replace(bounds).map_or(self.screen, |shown| around(shown, bounds));
         Ok(Turned {
             mesh: self.mesh,
-            area: area.size,
+            left: area.size,
             frame: Frame::new(area, BACKGROUND),
             faces,
             depths: self.depths,
@@ -91,10 +92,10 @@ impl Turned<'_> {
         color: impl Fn(usize, u16) -> Rgb565,
         strip: &'s mut [u8],
     ) -> Result<Option<Band<'s, Rgb565>>, &'static str> {
-        // Bands of equal heights: while the last one is sent, the next frame begins.
-        let row = Frame::<Rgb565>::strip_bytes(self.area.width, 1).max(1);
-        let bands = (self.area.height as usize).div_ceil((strip.len() / row).max(1)).max(1);
-        let rows = (self.area.height as usize).div_ceil(bands);
+        // The first band has the rows that are left over: while the last one is sent, the next frame begins.
+        let row = Frame::<Rgb565>::strip_bytes(self.left.width, 1).max(1);
+        let rows = self.left.height.saturating_sub(1) as usize % (strip.len() / row).max(1) + 1;
+        self.left.height = self.left.height.saturating_sub(rows as u32); // at most the height, unless it is 0
         let strip = strip.get_mut(..rows * row).unwrap_or_default(); // no more than fit
         let band = self.frame.next_band(strip).map_err(|_| "the strip is shorter than a row")?;
         let Some(mut band) = band else { return Ok(None) };
