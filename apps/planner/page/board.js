@@ -5,7 +5,7 @@
 const inTemplates = (templates, path) => new TextDecoder().decode(templates.get(path) ?? new Uint8Array());
 
 // A board's row in boards/README.md: MHz of its core and its bus, 0 if it takes any chip; how many cores draw, whether one band is drawn
-// while another is sent, whether only what has changed is sent, and what is stated of its firmware with a gear: of one for any chip, by the core.
+// while another is sent, whether only a rectangle is sent, or columns of each band, and what is stated of its firmware with a gear: of one for any chip, by the core.
 function factsOfBoard(templates, board, core = '') {
   const row = inTemplates(templates, 'README.md').split('\n').find((line) => line.startsWith(`| [${board}]`)) ?? '';
   const [, , cores, , wiring, bands, ...sizes] = row.split('|');
@@ -17,7 +17,8 @@ function factsOfBoard(templates, board, core = '') {
     clock: number(/([\d.]+) MHz/, cores),
     // I²C has nine bits a byte.
     bus: number(/SPI at ([\d.]+) MHz/, wiring) || (number(/I2C at (\d+) kHz/, wiring) * 8) / 9000,
-    cores: /^ two/.test(cores) ? 2 : 1, hasDma: /DMA/.test(bands), sendsChanges: /changed/.test(bands), flash, ram, frames: (sizes[2] ?? '').trim(),
+    cores: /^ two/.test(cores) ? 2 : 1, hasDma: /DMA/.test(bands), sends: /each band/.test(bands) ? 'columns' : /changed/.test(bands) ? 'rectangle' : 'all',
+    flash, ram, frames: (sizes[2] ?? '').trim(),
   };
 }
 
@@ -45,9 +46,9 @@ const OF_TWO_CORES = 0.58;
 // The part of the shorter of drawing and sending that the longer one does not hide, as bands differ: tests/boards.mjs prints that of each emulated board.
 const NOT_HIDDEN = 0.4;
 
-// A way to draw as a board's firmware draws it, on a panel that takes `spi` MHz (0: as many as the board has), if a `part` of the picture
-// changes from frame to frame.
-function onBoard(way, board, facts, spi, part) {
+// A way to draw as a board's firmware draws it, on a panel that takes `spi` MHz (0: as many as the board has), if these parts of the
+// picture change from frame to frame.
+function onBoard(way, board, facts, spi, changing) {
   const [{ strips, depths, width }, { rest }] = [partsOf(board), facts];
   const [cache, bins, pixels, depth, smooth] = way.parts;
   const parts = [cache, bins, width * strips * pixels, width * depths * depth, smooth, rest.ram];
@@ -55,7 +56,7 @@ function onBoard(way, board, facts, spi, part) {
   const scale = (way.clock / (facts.clock || way.clock)) * (facts.cores > 1 ? OF_TWO_CORES : 1);
   const [drawing, range] = [way.drawing * scale, way.range.map((time) => time * scale)];
   const whole = facts.bus ? (way.bytes * 8) / (1000 * Math.min(facts.bus, spi || Infinity)) : way.bus;
-  const bus = whole * (facts.sendsChanges && way.order !== 'painter' ? part : 1); // a painter has no bounds
+  const bus = whole * changing[facts.sends === 'rectangle' && way.order === 'painter' ? 'all' : facts.sends]; // a painter has no bounds
   const [short, long] = [drawing, bus].sort((a, b) => a - b);
   const [blocking, dma] = [1000 / (drawing + bus), 1000 / (long + NOT_HIDDEN * short)];
   const fits = Number(ram + way.beside < way.room);
@@ -73,18 +74,33 @@ function frameRates({ cyclesError }, { drawing, bus, error, range, hasDma }) {
   return [1000 / (most * off + bus), 1000 / (hasDma ? Math.max(least / off, bus) : least / off + bus)];
 }
 
-// The part of a picture that changes while the model turns: the rectangle around what is drawn, as far as the corner shows the background, in
-// steps of rows: a display of one bit a pixel has eight rows in a byte.
-function changedPart(pixels, width, height, step) {
+// Rows of a band of which only columns are sent.
+const BAND = 16;
+
+// The parts of a picture that change while the model turns: the rectangle around what is drawn, as far as the corner shows the background, in
+// steps of rows (a display of one bit a pixel has eight rows in a byte), and the columns of each band of this rectangle. A panel's rows lie along
+// its shorter side.
+function changedParts(pixels, width, height, step) {
   const words = new Uint32Array(pixels.buffer, pixels.byteOffset, width * height);
-  let [left, right, top, bottom] = [width, -1, height, -1];
+  const isTurned = width > height && step === 1;
+  const join = ([first, last], [from, to]) => [Math.min(first, from), Math.max(last, to)];
+  const rows = Array(isTurned ? width : height).fill([Infinity, -Infinity]);
   words.forEach((word, at) => {
     if (word === words[0]) return;
-    const [x, y] = [at % width, Math.floor(at / width)];
-    [left, right, top, bottom] = [Math.min(left, x), Math.max(right, x), Math.min(top, y), Math.max(bottom, y)];
+    const [column, row] = isTurned ? [Math.floor(at / width), at % width] : [at % width, Math.floor(at / width)];
+    rows[row] = join(rows[row], [column, column]);
   });
-  const rows = Math.floor(bottom / step) - Math.floor(top / step) + 1;
-  return right < 0 ? 0 : Math.min(((right - left + 1) * rows * step) / (width * height), 1);
+  const [top, bottom] = rows.reduce((ends, [first], row) => (first < Infinity ? join(ends, [row, row]) : ends), [Infinity, -Infinity]);
+  const from = Math.floor(top / step) * step;
+  const part = (band) => {
+    let sum = 0;
+    for (let row = from; row <= bottom; row += band) {
+      const [first, last] = rows.slice(row, row + band).reduce(join);
+      sum += Math.max(last - first + 1, 0) * Math.min(band, Math.ceil((bottom + 1 - row) / step) * step);
+    }
+    return Math.min(sum / (width * height), 1);
+  };
+  return { all: 1, rectangle: part(width + height), columns: part(BAND) };
 }
 
-Object.assign(globalThis, { factsOfBoard, choiceOfTemplate, firmwareOf, NOT_HIDDEN, onBoard, frameRates, changedPart });
+Object.assign(globalThis, { factsOfBoard, choiceOfTemplate, firmwareOf, NOT_HIDDEN, onBoard, frameRates, changedParts });

@@ -55,10 +55,10 @@ function boardShown(chip = state.chip, panel = panelChosen(), board = state.boar
 }
 
 // The costs, with each way to draw as the board's firmware draws it, on a panel that takes so many MHz; on other chips that of the nearest board.
-async function asBuilt(costs, panel = panelChosen(), spi = state.spi, part = changing) {
+async function asBuilt(costs, panel = panelChosen(), spi = state.spi, parts = changing) {
   const built = async (way, chip, board) => {
     const shown = boardShown(chip, panel, board);
-    return shown ? onBoard(way, shown, await firmwareFor(shown, chip), spi, part) : way;
+    return shown ? onBoard(way, shown, await firmwareFor(shown, chip), spi, parts) : way;
   };
   const ways = await Promise.all(costs.ways.map((way) => built(way, state.chip, state.board)));
   const chips = await Promise.all(costs.chips.map((way, at) => built(way, menu.chips[at].key, nearestBoard(menu.chips[at].key, panel))));
@@ -168,8 +168,8 @@ function drawing({ drawing, range, error }) {
 
 // The clocks and the bus of the board that is shown.
 function ofBoard({ core }, { clock }) {
-  const { bus, cores, hasDma, sendsChanges, ...of } = factsOfBoard(templates, state.board);
-  const sends = `${hasDma ? 'one band is drawn while another is sent' : 'each band is drawn, then sent'}${sendsChanges ? `, and only what changes, here ${Math.round(100 * changing)} % of the picture` : ''}`;
+  const { bus, cores, hasDma, sends: part, ...of } = factsOfBoard(templates, state.board);
+  const sends = `${hasDma ? 'one band is drawn while another is sent' : 'each band is drawn, then sent'}${part === 'all' ? '' : `, and only what changes, here ${Math.round(100 * changing[part])} % of the picture`}`;
   return `as ${state.board} has it, ${cores > 1 ? 'two cores, ' : ''}${core} at ${of.clock || clock} MHz, ${bus ? `its bus at ${bus < 1 ? '0.4' : bus} MHz; ` : ''}${sends}.`;
 }
 

@@ -19,8 +19,8 @@ function release() {
   if (asked) requestAnimationFrame(show);
 }
 
-// The part of a picture that changes while the model turns.
-const changedIn = ({ pixels, about }, { format }) => changedPart(pixels, about.width, about.height, format === 'mono' ? 8 : 1);
+// The parts of a picture that change while the model turns.
+const changedIn = ({ pixels, about }, { format }) => changedParts(pixels, about.width, about.height, format === 'mono' ? 8 : 1);
 
 async function showState(of) {
   const canvas = $('display');

@@ -113,7 +113,7 @@ fn scene(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String>
             replace(FACES, "texture::at(mesh, face).lit([level(face); 3])")?;
             replace("color: impl Fn(usize, u16) -> Rgb565", "_: impl Fn(usize, u16) -> Rgb565")?;
             // With a path, because a host program that includes the file does so from another folder.
-            replace("\nconst BACKGROUND", "\n#[path = \"texture.rs\"]\nmod texture;\n\nconst BACKGROUND")?;
+            replace("\n/// Of a", "\n\n#[path = \"texture.rs\"]\nmod texture;\n\n/// Of a")?;
         }
         Style::Gouraud => {
             replace(

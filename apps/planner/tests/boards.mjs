@@ -31,7 +31,7 @@ for (const [board] of boardsOf(templates)) {
   for (let step = 0; step < STEPS; step++) {
     const choice = `${choiceOfTemplate(templates, board)}&turn=${(120 / STEPS) * step}`;
     const { pixels, about } = library.draw(choice);
-    const changing = changedPart(pixels, about.width, about.height, /format=mono/.test(choice) ? 8 : 1);
+    const changing = changedParts(pixels, about.width, about.height, /format=mono/.test(choice) ? 8 : 1);
     const costs = JSON.parse(library.ask('costs', choice));
     const way = onBoard(costs.ways.find(({ chosen }) => chosen), board, facts, 0, changing);
     assert.deepEqual([way.ram, way.flash], [facts.ram, facts.flash], board);

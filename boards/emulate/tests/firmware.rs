@@ -89,6 +89,9 @@ faults! {
     without_a_whole_frame_a_panel_stays_lost_on_the_stm32: STM32 ["--break-bus", "160000", "--by", "reset"],
         [("src/main.rs", "picture.shown = None;\n                delay", "delay")],
         "no whole frame for 1 s after the bus has broken";
+    without_whole_bands_a_panel_stays_lost_on_the_stm32: STM32 ["--break-bus", "160000", "--by", "reset"],
+        [("src/main.rs", "changed(band, is_whole)", "changed(band, is_whole && bytes == 0)")],
+        "no whole frame for 1 s after the bus has broken";
     without_a_whole_frame_a_panel_stays_lost_on_the_rp2040: RP2040 ["--break-bus", "160000", "--by", "reset"],
         [("src/main.rs", "picture.shown = None;\n                delay", "delay")],
         "no whole frame for 1 s after the bus has broken";

@@ -4,6 +4,7 @@
 #![no_main]
 
 mod bus;
+mod columns;
 #[path = "../../common/all/src/panel.rs"]
 mod panel;
 #[path = "../../common/two-strips/src/picture.rs"]
@@ -15,6 +16,7 @@ mod stack;
 mod stop;
 
 use bus::{Bus, Delay, MEGAHERTZ};
+use columns::Columns;
 use core::cell::{Ref, RefCell};
 use cortex_m::{peripheral::DWT, singleton};
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
@@ -62,7 +64,9 @@ fn main() -> ! {
     let mesh = singleton!(: MeshBuffers!(MODEL) = mesh_buffers!(MODEL));
     let depths = singleton!(: [u16; PIXELS] = [0; PIXELS]);
     let strips = singleton!(: [RefCell<Strip>; 2] = [const { RefCell::new(Strip::new()) }; 2]);
-    let (Some(mesh), Some(depths), Some([strip, other])) = (mesh, depths, strips) else {
+    let columns = singleton!(: Columns<{ SCREEN.size.height as usize }> = Columns::NONE);
+    let (Some(mesh), Some(depths), Some([strip, other]), Some(columns)) = (mesh, depths, strips, columns)
+    else {
         stop("the buffers are in use")
     };
     let mut strips: [&'static RefCell<Strip>; 2] = [strip, other];
@@ -116,6 +120,7 @@ fn main() -> ! {
         for frame in 0..FRAMES {
             watchdog.feed();
             let start = DWT::cycle_count();
+            let is_whole = picture.shown.is_none();
             let turned = picture.turned(Angle::turns(frame as i32, FRAMES));
             let mut turned = turned.unwrap_or_else(|problem| stop(problem));
             let (mut bytes, mut shown) = (0, Ok(()));
@@ -123,9 +128,12 @@ fn main() -> ! {
                 let Ok(mut strip) = strips[0].try_borrow_mut() else { stop("the strip is in use") };
                 let band = turned.next_band(color, &mut strip.colors).unwrap_or_else(|problem| stop(problem));
                 let Some(band) = band else { break };
-                let (area, len) = (band.area(), band.bytes().len());
+                let (area, len) = columns.changed(band, is_whole);
                 bytes += len as u32; // of all bands, at most 153 600
                 drop(strip);
+                if len == 0 {
+                    continue;
+                }
                 match panel.window(&area) {
                     Ok(bus) => {
                         bus.send(first(strips[0], len));

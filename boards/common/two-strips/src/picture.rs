@@ -5,7 +5,7 @@ use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
 use embedded_graphics_core::{geometry::Size, primitives::Rectangle};
 use pinhole::{prelude::*, Angle};
 
-const BACKGROUND: Rgb565 = Rgb565::BLACK;
+pub const BACKGROUND: Rgb565 = Rgb565::BLACK;
 /// Of a model without materials.
 pub const COLOR: Rgb565 = Rgb565::CSS_GOLD;
 /// Light on faces that are turned away from the lamp; full light is 256.
