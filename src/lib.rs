@@ -169,8 +169,8 @@ pub mod texture {
     //! Pictures on faces, perspective-correct. Start with [`Texture`].
 
     pub use crate::shading::texture::{
-        Accuracy, BilinearTexels, ClampedTexels, ColorKeyed, IndexKeyed, IndexedTexels, LitIndexedTexels,
-        LitPalette, LitTextured, MipPicture, MipTexels, TexelSlice, Texels, Texture, TextureError, Textured,
+        Accuracy, BilinearTexels, ClampedTexels, ColorKeyed, IndexedTexels, LitTextured, MipPicture,
+        MipTexels, TexelSlice, Texels, Texture, TextureError, Textured,
     };
 }
 

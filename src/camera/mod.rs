@@ -26,7 +26,6 @@ mod visibility;
 pub(crate) use borders::Borders;
 pub use camera::Camera;
 pub use camera_error::CameraError;
-pub use picking::Ray;
 pub(crate) use plane_eye::PlaneEye;
 pub use projected::Projected;
 pub use projection::{Projection, Window};

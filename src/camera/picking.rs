@@ -4,21 +4,11 @@ use super::projected::Projected;
 use super::projection::ratio;
 use super::{Camera, VertexTransform};
 use crate::camera::CameraError;
-use crate::math::num::{add, dot, row_times, scale, shift_to_fit};
-use crate::math::unit::{cross_exact, is_zero, normalise};
+use crate::math::num::{add, dot, scale, shift_to_fit};
+use crate::math::unit::cross_exact;
 use crate::math::{Affine, Point3, Row, Scalar, Vector3};
 use crate::raster::{ScreenPoint, GUARD_BAND};
 use crate::space::{Model, World};
-
-/// A half-line in world space, whose points all project to one screen position.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Ray {
-    /// The start, on the near plane, in world units.
-    pub origin: Point3<World>,
-    /// The direction away from the eye, in world units, of length 16384 up to rounding.
-    pub direction: Vector3<World>,
-}
 
 impl Camera {
     /// Projects a world point: its screen position, within 1/256 px, and its depth, 0 near to 65534 far, within 1 if far is at
@@ -35,13 +25,10 @@ impl Camera {
     /// let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// // Where a label goes, ...
     /// let Projected { point: at, depth } = camera.project(Point3::from_ints(1, 0, 1))?;
-    /// // ... what was touched there, ...
+    /// // ... and what was touched there. Depths 0 and 65535 give the ray through a touched position, from near to far.
     /// let back = camera.unproject(at, depth).ok_or("outside the world")?;
     /// let close = |a: Scalar, b: i16| (a - b.into()).abs() < Scalar::from_ratio(1, 100);
     /// assert!(close(back.x(), 1) && close(back.y(), 0) && close(back.z(), 1));
-    /// // ... and the line on which it lies, whatever its depth: from the near plane into the picture.
-    /// let ray = camera.ray(at).ok_or("too flat a view")?;
-    /// assert!(ray.direction.y() < Scalar::ZERO && ray.direction.z() < Scalar::ZERO && ray.origin.y() < eye.y());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -75,27 +62,6 @@ impl Camera {
         // Depth is 2¹⁶·d/w, so this plane contains the points of that depth.
         let behind = d.linear_combination((1 << 30, -30), w, (-i64::from(depth), -16));
         self.world_point(meet([&across, &down, &behind])?)
-    }
-
-    /// The half-line whose points project to `at`: for picking. `None` if its start is outside of ±32768 world units, or if the
-    /// camera matrix is nearly singular.
-    ///
-    /// Every point visible at `at` lies within 2⁻¹⁵ world units and 2⁻²⁷ of its distance from the half-line; for a position
-    /// that `project` returned, the error of `project` is added. This holds for the cameras that [`unproject`](Self::unproject)
-    /// names.
-    pub fn ray(&self, at: ScreenPoint) -> Option<Ray> {
-        let [across, down] = self.planes_through(at);
-        let origin = self.world_point(meet([&across, &down, &self.rows[2]])?)?;
-        // The direction of the intersection of both planes in which d grows: away from the eye.
-        let along = normalise(&cross_exact(&across.linear, &down.linear));
-        if is_zero(&along) {
-            return None;
-        }
-        let turn = if dot(&self.rows[2].linear, &along) < 0 { -1 } else { 1 };
-        // Rᵀ·along: 3·2⁶⁰, to 2¹⁴ world units of 2⁻¹⁶.
-        let world = row_times(&along, &self.axes).map(|sum| Scalar::from_bits(scale(turn * sum, -30) as i32));
-        let [x, y, z] = world;
-        Some(Ray { origin, direction: Vector3::new(x, y, z) })
     }
 
     /// The finite vanishing points of the world's x, y and z axes, where the images of all lines parallel to the axis meet: `[x, y]` on

@@ -11,7 +11,7 @@ use pinhole::{
 use support::bridge::pair::{bits, random_view, ONE};
 use support::bridge::{point, reals, rectangle, vector};
 use support::definition::{Family, Picture, Projectors};
-use support::oracle::chain::{self, dot, length, V3};
+use support::oracle::chain::{self, length, V3};
 use support::oracle::rng::Rng;
 
 const SIZE: f64 = 400.0;
@@ -69,7 +69,7 @@ fn sensitivity(picture: &Picture, at: V3, px: f64, steps: f64) -> f64 {
 #[test]
 fn unproject_gives_the_projected_point_back() {
     let mut rng = Rng::new(0x61);
-    let (mut compared, mut worst, mut rays, mut worst_ray) = (0, 0f64, 0, 0f64);
+    let (mut compared, mut worst) = (0, 0f64);
     while compared < 60_000 {
         let size = rng.log(0.25, 600.0);
         let Some(family) = random_family(&mut rng, size) else { continue };
@@ -105,34 +105,8 @@ fn unproject_gives_the_projected_point_back() {
             gap <= allowed,
             "{gap} for {allowed}: {view_bits:?} {family:?} {world:?} {screen:?} {depth} {back:?}"
         );
-        // The ray through the projected point passes the original point, ahead of its origin.
-        let Some(ray) = camera.ray(screen) else { continue };
-        rays += 1;
-        let (o, d) = (
-            reals(ray.origin),
-            [ray.direction.x(), ray.direction.y(), ray.direction.z()]
-                .map(|c| f64::from(c.to_bits()) / 65536.0),
-        );
-        assert!((8192.0..=32768.0).contains(&length(d)), "{d:?}");
-        let to: V3 = core::array::from_fn(|i| chain::fx(world[i]) - o[i]);
-        let t = dot(to, d) / dot(d, d);
-        assert!(t >= -1e-9, "behind the ray's origin: {view_bits:?} {family:?} {world:?}");
-        let beside = length(core::array::from_fn(|i| to[i] - t * d[i]));
-        // The pixel's own width there, the origin's and the direction's rounding.
-        let allowed =
-            sensitivity(&picture, at, 1.0 / 256.0, 0.0) + 2.0 * 2f64.powi(-16) + length(to) * 2f64.powi(-27);
-        worst_ray = worst_ray.max(beside / allowed);
-        assert!(beside <= allowed, "{beside} beside for {allowed}: {view_bits:?} {family:?} {world:?}");
-        // Its origin lies on the near plane.
-        let start = view.apply(o);
-        let off = (start[2] - picture.front).abs();
-        assert!(
-            off <= 2f64.powi(-15) + 2f64.powi(-27) * (length(start) + picture.front.abs()),
-            "{off} off near: {view_bits:?} {family:?}"
-        );
     }
-    println!("{compared} points: at most {worst:.3} of what is allowed; {rays} rays, {worst_ray:.3}");
-    assert!(rays * 10 > compared * 9);
+    println!("{compared} points: at most {worst:.3} of what is allowed");
 }
 
 #[test]
@@ -181,7 +155,6 @@ fn unprojecting_beyond_the_number_range_returns_none() {
     let at = |x: i32| ScreenPoint::from_subpixels(x * 256, 200 * 256).expect("inside");
     assert!(camera.unproject(at(200), 0).is_some());
     assert_eq!(camera.unproject(at(400), 0), None);
-    assert_eq!(camera.ray(at(400)), None);
 }
 
 /// The planes through a pixel far beside a viewport of one pixel have coefficients beyond 2²², the largest that there are.
@@ -243,7 +216,7 @@ fn near_cuts_at_its_distance_for_any_near_and_far() {
 
 /// In a mirror image, the planes through a pixel meet in the opposite order.
 #[test]
-fn rays_of_a_mirror_image_point_ahead() {
+fn unproject_gives_back_a_point_of_a_mirror_image() {
     let area = rectangle(0, 0, 400, 400);
     let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
     let view = ViewTransform::look_at(point([0; 3]), point([0, 0, -ONE]), vector([0, ONE, 0]));
@@ -256,10 +229,9 @@ fn rays_of_a_mirror_image_point_ahead() {
             [0.0, 0.0, -1.0, 1.0],
         ]);
         let camera = Camera::new(&view.expect("a view"), &lens.expect("a projection"), &viewport);
-        let ray = camera.ray(camera.project(point(world)).expect("in sight").point).expect("a ray");
-        let along = [ray.direction.x(), ray.direction.y(), ray.direction.z()].map(|c| chain::fx(c.to_bits()));
-        let to: V3 = core::array::from_fn(|i| chain::fx(world[i]) - reals(ray.origin)[i]);
-        // Half a sub-pixel is 3/51200 units wide there.
-        assert!(dot(to, along) > 0.0 && length(chain::cross(to, along)) / length(along) < 2e-4, "{ray:?}");
+        let seen = camera.project(point(world)).expect("in sight");
+        let back = reals(camera.unproject(seen.point, seen.depth).expect("inside the world"));
+        // Half a sub-pixel is 3/51200 units wide there, and half a step of depth 1/16384 deep.
+        assert!(length(core::array::from_fn(|i| back[i] - chain::fx(world[i]))) < 2e-4, "{back:?}");
     }
 }

@@ -7,7 +7,7 @@ use embedded_graphics::prelude::Point;
 use embedded_graphics::primitives::PointsIter;
 use pinhole::{
     target::DepthBuffer,
-    texture::{Accuracy, ColorKeyed, IndexKeyed, IndexedTexels, Texels, Texture},
+    texture::{Accuracy, ColorKeyed, Texels, Texture},
 };
 
 const KEY: Rgb888 = Rgb888::new(255, 0, 255);
@@ -80,16 +80,4 @@ fn pixels_of_transparent_texels_are_left_out_with_their_depth() {
         }
     }
     assert!(drawn > 10_000 && left_out > 10_000, "{drawn} and {left_out}");
-}
-
-/// Of two indices of one colour, only the key is transparent.
-#[test]
-fn a_key_is_a_colour_or_an_index() {
-    let bytes: Vec<u8> = (0..8 * 8 / 2).map(|i: u8| i.wrapping_mul(37)).collect();
-    let same = [Rgb888::new(9, 9, 9); 16];
-    let texels = IndexedTexels::<_, 4>::new(&bytes, 8, 8, &same).unwrap();
-    let kept = |x: u32| IndexKeyed::new(texels, 5).texel(x << 29, 0);
-    // 37 = 0x25 is the second byte: texels 0, 0, 2, 5.
-    assert_eq!([kept(0), kept(2), kept(3)], [Some(same[0]), Some(same[0]), None]);
-    assert_eq!(ColorKeyed::new(texels, same[0]).texel(0, 0), None);
 }

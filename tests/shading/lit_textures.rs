@@ -9,11 +9,11 @@ use pinhole::{
     color::Format,
     prelude::*,
     shading::SpanShader,
-    texture::{ColorKeyed, IndexedTexels, LitPalette, TexelSlice, Texels},
+    texture::{ColorKeyed, IndexedTexels, TexelSlice, Texels},
 };
 use support::oracle::rng::Rng;
 
-/// The row of a palette, and the number of a colour in it.
+/// A level of light, and the number of a texel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Entry(u16, u16);
 
@@ -61,48 +61,52 @@ fn linear(corners: [[i64; 2]; 3], values: [f64; 3], pixel: usize) -> f64 {
     (0..3).map(|i| weights[i] * values[i]).sum::<f64>() / area(a, b, c)
 }
 
-/// A palette of 2^`BITS` colours in `ROWS` levels: each pixel shows the texel that it shows without light, in the nearest row.
-fn rows_are_the_nearest<const BITS: u32, const COLORS: usize, const ROWS: usize>() {
-    let mut rng = Rng::new(u64::from(BITS) * 1000 + ROWS as u64);
-    let rows = core::array::from_fn(|row| core::array::from_fn(|color| Entry(row as u16, color as u16)));
-    let palette = LitPalette::<Entry, COLORS, ROWS>::from_rows(rows);
-    let bytes: Vec<u8> = (0..32 * 16).map(|_| rng.bits() as u8).collect();
-    let plain = IndexedTexels::<_, BITS>::new(&bytes, 32, 16, palette.row(256)).unwrap();
-    let (unlit, lit) = (Texture::new(plain), Texture::new(plain.with_lit_palette(&palette)));
-    let most = (ROWS - 1) as f64;
-    let (mut pixels, mut met) = (0, vec![false; ROWS]);
+/// 32 × 16 texels that show their number and one of 2^`BITS` levels of their light.
+#[derive(Clone, Copy)]
+struct Leveled<const BITS: u32>;
+
+impl<const BITS: u32> Texels for Leveled<BITS> {
+    type Color = Entry;
+    type Ink = Entry;
+    const LEVEL_BITS: u32 = BITS;
+
+    fn size_bits(&self) -> [u32; 2] {
+        [5, 4]
+    }
+
+    fn texel(&self, u: u32, v: u32) -> Entry {
+        self.lit_texel(u, v, (1 << BITS) - 1)
+    }
+
+    fn lit_texel(&self, u: u32, v: u32, level: u32) -> Entry {
+        Entry(level as u16, ((v >> 28) << 5 | u >> 27) as u16)
+    }
+}
+
+/// Each pixel shows the texel that it shows without light, in the nearest of 2^`BITS` levels.
+fn levels_are_the_nearest<const BITS: u32>() {
+    let mut rng = Rng::new(1000 + u64::from(BITS));
+    let (texture, most) = (Texture::new(Leveled::<BITS>), f64::from((1 << BITS) - 1));
+    let (mut pixels, mut met) = (0, vec![false; 1 << BITS]);
     for _ in 0..60 {
         let corners = random_triangle(&mut rng);
         let levels = [(); 3].map(|()| [rng.int(0, 256), 0, 256, rng.int(257, 300)][rng.below(4)] as u16);
         let uv = [(); 3].map(|()| [(); 2].map(|()| rng.int(-700, 700) as i16));
-        let own = draw(corners, lit.at(uv).lit(levels));
-        let without = draw(corners, unlit.at(uv));
-        let edge = draw(corners, unlit.clamped_at(uv));
-        let lit_edge = draw(corners, lit.clamped_at(uv).lit(levels));
-        let full = draw(corners, lit.at(uv));
+        let own = draw(corners, texture.at(uv).lit(levels));
+        let without = draw(corners, texture.at(uv));
+        let edge = draw(corners, texture.clamped_at(uv));
+        let lit_edge = draw(corners, texture.clamped_at(uv).lit(levels));
         for (i, shown) in own.iter().enumerate() {
             let Some(Entry(row, color)) = *shown else {
                 assert_eq!(without[i], None);
                 continue;
             };
-            // The texel is that of the face without light, which the last row shows.
-            assert_eq!(without[i], Some(Entry(ROWS as u16 - 1, color)));
-            assert_eq!(full[i], without[i]);
+            // The texel is that of the face without light, which the last level shows.
+            assert_eq!(without[i], Some(Entry(most as u16, color)));
             let exact = linear(corners, levels.map(|level| f64::from(level.min(256)) / 256.0), i) * most;
             assert!((f64::from(row) - exact).abs() <= 0.5 + 1.0 / 256.0, "row {row} for {exact}");
             assert_eq!(lit_edge[i], edge[i].map(|Entry(_, color)| Entry(row, color)));
             (pixels, met[usize::from(row)]) = (pixels + 1, true);
-        }
-        // By face: the row is chosen once.
-        let row = palette.row(levels[0]);
-        let by_face = draw(corners, unlit.with_palette(row).at(uv));
-        for (shown, without) in by_face.iter().zip(&without) {
-            let (Some(Entry(row, color)), Some(Entry(_, texel))) = (shown, without) else {
-                assert_eq!(shown, without);
-                continue;
-            };
-            let exact = f64::from(levels[0].min(256)) / 256.0 * most;
-            assert!(color == texel && (f64::from(*row) - exact).abs() <= 0.5, "row {row} for {exact}");
         }
     }
     assert!(pixels > 30_000, "{pixels}");
@@ -110,11 +114,11 @@ fn rows_are_the_nearest<const BITS: u32, const COLORS: usize, const ROWS: usize>
 }
 
 #[test]
-fn light_chooses_the_nearest_row_of_the_palette_in_every_format() {
-    rows_are_the_nearest::<1, 2, 2>();
-    rows_are_the_nearest::<2, 4, 64>();
-    rows_are_the_nearest::<4, 21, 32>();
-    rows_are_the_nearest::<8, 256, 256>();
+fn light_chooses_the_nearest_level() {
+    levels_are_the_nearest::<1>();
+    levels_are_the_nearest::<5>();
+    levels_are_the_nearest::<6>();
+    levels_are_the_nearest::<8>();
 }
 
 /// Texels times light, of a picture and of a palette: within ½ level for rounding the product, and the light's own rounding to

@@ -4,8 +4,8 @@
 use crate::scene::{
     corners, draw, for_every_colour, random_colour, random_lights, random_triangle, with_triangle, Colour,
 };
-use embedded_graphics_core::pixelcolor::{Gray8, Rgb565, Rgb888, RgbColor};
-use pinhole::{mesh::FaceColors, shading::ShadeTable, texture::LitPalette};
+use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
+use pinhole::{mesh::FaceColors, shading::ShadeTable};
 use support::oracle::coverage::{centre, edge};
 use support::oracle::rng::Rng;
 use support::oracle::shade::Depths;
@@ -46,34 +46,6 @@ fn check(name: &str, (depths, entries): (Depths, Vec<Vec<i128>>), unit: i64, exa
     }
 }
 
-/// Compares the rows of both colours of palettes, which are new, emit the second colour and fade into it.
-fn check_palettes(colours: [[u8; 3]; 2], palettes: [[(Depths, Vec<Vec<i128>>); 2]; 3]) {
-    let [new, emitting, in_fog] = palettes;
-    let steps = new[0].1.len() as i64 - 1;
-    let channel = |i: usize, k: usize| i64::from(colours[i][k]);
-    let sum = |i: usize, k: usize, row: i64| (channel(i, k) * row + channel(1, k) * steps).min(255 * steps);
-    let faded = |i: usize, k: usize, row: i64| channel(i, k) * row + channel(1, k) * (steps - row);
-    for (i, (new, (emitting, in_fog))) in new.into_iter().zip(emitting.into_iter().zip(in_fog)).enumerate() {
-        check("new", new, steps, &|row| each(&|k| channel(i, k) * row));
-        check("emitting", emitting, steps, &|row| each(&|k| sum(i, k, row)));
-        check("in fog", in_fog, steps, &|row| each(&|k| faded(i, k, row)));
-    }
-}
-
-fn palettes<C: Colour, const ROWS: usize>(colours @ [own, other]: [[u8; 3]; 2]) {
-    let (palette, emission) = ([rgb(own), rgb(other)], [rgb(other); 2]);
-    let rows = |palette: LitPalette<C, 2, ROWS>| {
-        [0, 1].map(|color| {
-            levels(
-                (0..ROWS).map(|row| palette.row(((512 * row + ROWS - 1) / (2 * (ROWS - 1))) as u16)[color]),
-            )
-        })
-    };
-    let emitting = LitPalette::emitting(&palette, &emission);
-    let in_fog = LitPalette::in_fog(&palette, rgb(other));
-    check_palettes(colours, [rows(LitPalette::new(&palette)), rows(emitting), rows(in_fog)]);
-}
-
 fn entries<C: Colour>(colours @ [own, other]: [[u8; 3]; 2]) {
     let [own, other] = [rgb(own), rgb(other)];
     let shades = |table: ShadeTable<C>| levels(table.colors().iter().copied());
@@ -86,7 +58,6 @@ fn entries<C: Colour>(colours @ [own, other]: [[u8; 3]; 2]) {
             shades(ShadeTable::with_highlight(own, other)),
         ],
     );
-    palettes::<C, 32>(colours);
 }
 
 /// Compares tables of a colour that are new, emit another one, fade into it, and have it as their highlight.
@@ -110,7 +81,7 @@ fn check_tables(colours: [[u8; 3]; 2], [new, emitting, in_fog, highlight]: [(Dep
 }
 
 #[test]
-fn tables_and_palettes_have_the_nearest_colours_of_the_target() {
+fn tables_have_the_nearest_colours_of_the_target() {
     let mut rng = Rng::new(0xA2);
     for case in 0..60 {
         let colours = match case {
@@ -119,8 +90,6 @@ fn tables_and_palettes_have_the_nearest_colours_of_the_target() {
             _ => [(); 2].map(|()| random_colour(&mut rng).rgb),
         };
         for_every_colour!(entries(colours));
-        palettes::<Rgb565, 2>(colours);
-        palettes::<Gray8, 256>(colours);
     }
 }
 

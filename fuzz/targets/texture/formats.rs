@@ -10,13 +10,36 @@ use pinhole::{
     color::Unmixed,
     prelude::*,
     shading::{SpanShader, Translucent},
-    texture::{Accuracy, ColorKeyed, IndexKeyed, IndexedTexels, LitPalette, TexelSlice, Texels},
+    texture::{Accuracy, ColorKeyed, IndexedTexels, TexelSlice, Texels},
 };
 use support::bridge::ways::{in_memory, Drawn};
 use support::oracle::rng::Rng;
 
 /// A colour of no texel and no palette: their blue is at most 127.
 const SKY: Rgb888 = Rgb888::new(1, 2, 255);
+
+/// Texels that show a number of theirs and the level of their light.
+#[derive(Clone, Copy)]
+struct Leveled([u32; 2]);
+
+impl Texels for Leveled {
+    type Color = Rgb888;
+    type Ink = Rgb888;
+
+    fn size_bits(&self) -> [u32; 2] {
+        self.0
+    }
+
+    fn texel(&self, u: u32, v: u32) -> Rgb888 {
+        self.lit_texel(u, v, 255)
+    }
+
+    fn lit_texel(&self, u: u32, v: u32, level: u32) -> Rgb888 {
+        let [w, h] = self.0;
+        let number = (v >> (32 - h)) << w | u >> (32 - w);
+        Rgb888::new(level as u8, (number % 251) as u8, 9)
+    }
+}
 
 /// How many bytes say what texture there is.
 const HEAD: usize = 24;
@@ -40,7 +63,7 @@ pub(crate) fn check(data: &[u8]) {
     let Some(area) = scene.rectangle() else { return };
     let mut b = Bytes::new(head);
     let kind = b.byte();
-    let format = kind / 2 % 10;
+    let format = kind / 2 % 8;
     let seed = b.u32();
     let mut rng = Rng::new(seed.into());
     // Few bytes say the coordinates of all corners: one corner's are given, others lie within some reach.
@@ -74,8 +97,6 @@ pub(crate) fn check(data: &[u8]) {
         4 => textures.indexed::<2>(),
         5 => textures.indexed::<1>(),
         6 => textures.keyed_by_color(),
-        7 => textures.keyed_by_index::<4>(),
-        8 => textures.keyed_by_index::<1>(),
         _ => textures.lit(),
     }
 }
@@ -225,18 +246,7 @@ impl Textures<'_> {
         self.compare(&drawn, |at| Some(colors[at]).filter(|&color| color != key));
     }
 
-    fn keyed_by_index<const BITS: u32>(&self) {
-        let (bytes, palette, [w, h]) = (self.bytes(), Self::palette::<BITS>(), self.sides());
-        let key = self.seed as usize & ((2 << BITS) - 1); // there or not
-        let texels = IndexedTexels::<_, BITS>::new(&bytes, w, h, &palette).expect("texels");
-        let drawn = self.draw(IndexKeyed::new(texels, key as u8));
-        self.compare(&drawn, |at| {
-            let number = Self::number::<BITS>(&bytes, at);
-            (number != key).then(|| palette[number])
-        });
-    }
-
-    /// Each pixel has the texel without light, in the row of a palette that the shade table of the same levels shows.
+    /// Each pixel has the texel without light, in the level of light that the shade table of the same levels shows.
     fn lit(&self) {
         let mut rng = Rng::new(u64::from(self.seed) + 2);
         let levels: Vec<[u16; 3]> = self
@@ -244,11 +254,8 @@ impl Textures<'_> {
             .iter()
             .map(|_| [(); 3].map(|()| [rng.int(0, 256), 0, 300][rng.below(3)] as u16))
             .collect();
-        let rows = core::array::from_fn(|row| core::array::from_fn(|i| Rgb888::new(row as u8, i as u8, 9)));
-        let palette = Box::new(LitPalette::<Rgb888, 16, 256>::from_rows(rows));
-        let (bytes, [w, h]) = (self.bytes(), self.sides());
-        let texels = IndexedTexels::<_, 4>::new(&bytes, w, h, palette.row(256)).expect("texels");
-        let texture = self.texture(texels.with_lit_palette(&palette));
+        let texels = Leveled(self.bits);
+        let texture = self.texture(texels);
         let lit = self.shade(|face| texture.at(self.uv[face]).lit(levels[face]));
         let table = ShadeTable::from_colors(core::array::from_fn(|i| Rgb888::new(i as u8, 0, 0)));
         let light = self.shade(|face| table.lit(levels[face]));
@@ -263,6 +270,6 @@ impl Textures<'_> {
                 }
             }
         }
-        self.compare(&unlit, |at| Some(Rgb888::new(255, Self::number::<4>(&bytes, at) as u8, 9)));
+        self.compare(&unlit, |at| Some(Rgb888::new(255, (at % 251) as u8, 9)));
     }
 }

@@ -16,7 +16,6 @@ use crate::space::{Model, World};
 /// - **a colour for each face**: `color.over(fog_color, factor)`, of [`Color`](crate::color::Color); for any target, [`Flat::in_fog`](crate::shading::Flat::in_fog);
 /// - **interpolated over faces**: [`ShadeTable::in_fog`](crate::shading::ShadeTable::in_fog) fades one colour into fog; for lit faces,
 ///   [`Gouraud::new`](crate::shading::Gouraud::new) of three [`Flat::in_fog`](crate::shading::Flat::in_fog);
-/// - **textures**: the rows of [`LitPalette::in_fog`](crate::texture::LitPalette::in_fog), by face or by vertex;
 /// - **edges**: [`MeshInstance::edges`](crate::draw::MeshInstance::edges), the depth cue of wireframes.
 ///
 /// **Error.** A factor is within ½ + 384·2⁻³⁰·r/(end − start) of the exact one, where r is the largest coordinate of the eye or of the
@@ -35,7 +34,6 @@ use crate::space::{Model, World};
 /// let fog = VertexFog::new(&fog, &camera, &Affine::identity(), 0);
 /// assert_eq!(fog.factor([3, 2, 0]), 192); // 8 before the camera, a quarter of the way
 /// assert_eq!(fog.factor([0, 0, -90]), 0);
-/// assert_eq!(fog.face_factor([[0, 0, 4], [1, 0, 4], [0, 1, -8]]), 192);
 /// let seen = Rgb565::BLACK.over(Rgb565::WHITE, 192);
 /// assert_eq!(seen, Rgb565::new(8, 16, 8));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -63,18 +61,6 @@ impl VertexFog {
     #[inline]
     pub fn factor(&self, vertex: [i16; 3]) -> u16 {
         self.factor_at(map3(vertex, i32::from))
-    }
-
-    /// The factor at the centroid of a face, the mean of its corners, rounded down to a unit of the mesh.
-    #[inline]
-    pub fn face_factor(&self, [a, b, c]: [[i16; 3]; 3]) -> u16 {
-        let mean = |a: i16, b: i16, c: i16| {
-            // ⌊sum/3⌋: the factor is 1/3 and 2⁻³²·2/3 more, which adds less than 1/3 to a sum of 18 bits.
-            let sum = i32::from(a) + i32::from(b) + i32::from(c) + 3 * 32_768; // 0 … 196 605
-            ((i64::from(sum) * 0x5555_5556) >> 32) as i32 - 32_768
-        };
-        let ([a0, a1, a2], [b0, b1, b2], [c0, c1, c2]) = (a, b, c);
-        self.factor_at([mean(a0, b0, c0), mean(a1, b1, c1), mean(a2, b2, c2)])
     }
 
     /// The factor at a point whose coordinates have 16 bits.

@@ -9,7 +9,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 ///
 /// | picture | source |
 /// |---|---|
-/// | texels of a texture: 8 to 256 a side, powers of two | every [`Texels`], such as `&[[C; W]; H]`, [`IndexedTexels`](crate::texture::IndexedTexels) and, with transparent ones, [`ColorKeyed`](crate::texture::ColorKeyed) and [`IndexKeyed`](crate::texture::IndexKeyed) |
+/// | texels of a texture: 8 to 256 a side, powers of two | every [`Texels`], such as `&[[C; W]; H]`, [`IndexedTexels`](crate::texture::IndexedTexels) and, with transparent ones, [`ColorKeyed`](crate::texture::ColorKeyed) |
 /// | an image of embedded-graphics of any size: `ImageRaw`, `Framebuffer`, tinybmp's `Bmp` | [`SpriteImage`](crate::sprite::SpriteImage) |
 /// | one colour | [`SolidTexel`](crate::sprite::SolidTexel) |
 /// | one of these, mixed with what is behind it | [`Translucent`](crate::shading::Translucent) |

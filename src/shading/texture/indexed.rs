@@ -67,25 +67,6 @@ impl<'t, C: PixelColor, const BITS: u32> IndexedTexels<'t, C, BITS> {
     }
 }
 
-impl<C: PixelColor, const BITS: u32> IndexedTexels<'_, C, BITS> {
-    /// The index of the texel that holds a point: below 2^`BITS`.
-    #[inline(always)]
-    pub(super) fn index_at(&self, u: u32, v: u32) -> u32 {
-        let [w, h] = self.bits;
-        let at = index(v, h) << (w & 31) | index(u, w);
-        let texels = 3 - Self::SHIFT; // a byte holds 2^texels
-        let byte = self.bytes.get(at >> texels).copied().unwrap_or(0);
-        let within = (8 - BITS) - (at << Self::SHIFT & 7) as u32; // the texel's lowest bit: a multiple of BITS, 0 … 7
-        (u32::from(byte) >> (within & 7)) & ((1 << BITS) - 1)
-    }
-
-    /// The colour of an index.
-    #[inline(always)]
-    pub(super) fn color(&self, index: u32) -> C {
-        self.palette.get(index as usize).copied().unwrap_or(self.first)
-    }
-}
-
 impl<C: PixelColor, const BITS: u32> Texels for IndexedTexels<'_, C, BITS> {
     type Color = C;
     type Ink = C;
@@ -97,21 +78,13 @@ impl<C: PixelColor, const BITS: u32> Texels for IndexedTexels<'_, C, BITS> {
 
     #[inline(always)]
     fn texel(&self, u: u32, v: u32) -> C {
-        self.color(self.index_at(u, v))
-    }
-}
-
-impl<'t, C: PixelColor, const BITS: u32> IndexedTexels<'t, C, BITS> {
-    /// These texels with the colours of another palette; one with fewer than 2^`BITS` colours does not compile.
-    pub(super) const fn with_colors<const COLORS: usize>(self, palette: &'t [C; COLORS]) -> Self {
-        const {
-            assert!(COLORS >= 1 << BITS, "a palette has a colour for each number that texels can have");
-        }
-        let first = match palette.first() {
-            Some(&first) => first,
-            None => self.first, // never
-        };
-        Self { palette, first, ..self }
+        let [w, h] = self.bits;
+        let at = index(v, h) << (w & 31) | index(u, w);
+        let texels = 3 - Self::SHIFT; // a byte holds 2^texels
+        let byte = self.bytes.get(at >> texels).copied().unwrap_or(0);
+        let within = (8 - BITS) - (at << Self::SHIFT & 7) as u32; // the texel's lowest bit: a multiple of BITS, 0 … 7
+        let number = (u32::from(byte) >> (within & 7)) & ((1 << BITS) - 1);
+        self.palette.get(number as usize).copied().unwrap_or(self.first)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Textures: faces that show a picture, in perspective.
 //!
-//! `texels` and `indexed` say where texels come from, `palette` has colours in several levels of light, `clamped` texels that do not
+//! `texels` and `indexed` say where texels come from, `clamped` texels that do not
 //! repeat, `bilinear` mixes four texels, `mip` reduced copies of a picture, `mapping` what a texture on a face is, `textured` makes a shader of it, `lit_textured` one with light at each corner,
 //! `perspective_gouraud` has no texels, but weights of corners,
 //! `gradients` interpolates texture coordinates over a triangle, and `runs` divides a row into runs of pixels over which they
@@ -16,7 +16,6 @@ mod linear;
 mod lit_textured;
 mod mapping;
 mod mip;
-mod palette;
 mod perspective;
 mod perspective_gouraud;
 mod runs;
@@ -26,11 +25,10 @@ mod textured;
 pub use bilinear::BilinearTexels;
 pub use clamped::ClampedTexels;
 pub use indexed::IndexedTexels;
-pub use keyed::{ColorKeyed, IndexKeyed};
+pub use keyed::ColorKeyed;
 pub(crate) use line::Line;
 pub use lit_textured::LitTextured;
 pub use mapping::{Accuracy, Texture, Textured};
 pub use mip::{MipPicture, MipTexels};
-pub use palette::{LitIndexedTexels, LitPalette};
 pub use perspective_gouraud::PerspectiveGouraud;
 pub use texels::{TexelSlice, Texels, TextureError};

@@ -14,14 +14,13 @@ use pinhole::shading::{Lit, Varying};
 use pinhole::space::{Model, Ndc, View, World};
 use pinhole::{
     bands::DirtyRegions,
-    camera::{CameraError, Frustum, Projected, Ray, Rotation, Visibility},
+    camera::{CameraError, Frustum, Projected, Rotation, Visibility},
     color::{Format, StoredPixel},
     draw::TransformedMesh,
     light::{BlinnPhong, DirectionalLight, LightError, Lights, Matcap, PointLight, RigidLambert},
     math::{MathError, Sphere},
     mesh::{edge_faces, Coordinate, FaceColors, Hierarchy, MeshError, Node, TextureCoords},
     prelude::*,
-    texture::LitPalette,
     Angle,
 };
 
@@ -128,7 +127,6 @@ entries! {
     entry_highlight_table(color: Rgb888, highlight: Rgb888) -> [ShadeTable<Rgb565>; 1] { [ShadeTable::with_highlight(color, highlight)] }
     entry_emission(color: Rgb888, emission: Rgb888, levels: [u16; 3]) -> (Flat, Gouraud) { (Flat::lit(color, any() as u16).emitting(emission), Gouraud::lit(color, levels).emitting(emission)) }
     entry_emitting_table(color: Rgb888, emission: Rgb888) -> (ShadeTable<Rgb565>, ShadeTable<Gray8>) { (ShadeTable::emitting(color, emission), ShadeTable::emitting(color, emission)) }
-    entry_emitting_palette(colors: &[Rgb888; 2], emission: &[Rgb888; 2]) -> LitPalette<Rgb565, 2, 32> { LitPalette::emitting(colors, emission) }
     entry_point_light(model: &Affine<Model, World>, exponent: i8, strength: u16) -> PointLight { PointLight::new(model, exponent, point(), scalar(), strength) }
     entry_point_light_level(light: &PointLight, position: [i16; 3], normal: [i16; 3]) -> u16 { light.level(position, normal) }
     entry_view_normals(view: &ViewTransform, model: &Affine<Model, World>) -> Matcap { Matcap::new(view, model) }
@@ -178,7 +176,6 @@ entries! {
 
     entry_project(camera: &Camera) -> Result<Projected, CameraError> { camera.project(point()) }
     entry_unproject(camera: &Camera, at: ScreenPoint, depth: u16) -> Option<Point3<World>> { camera.unproject(at, depth) }
-    entry_ray(camera: &Camera, at: ScreenPoint) -> Option<Ray> { camera.ray(at) }
     entry_vanishing_points(camera: &Camera) -> [Option<[i32; 2]>; 3] { camera.vanishing_points() }
     entry_camera_frustum(camera: &Camera) -> Frustum { camera.frustum() }
     entry_frustum_visibility(frustum: &Frustum, s: &Sphere, a: &Affine<Model, World>) -> Visibility { frustum.visibility(s, a) }

@@ -23,8 +23,8 @@ use pinhole::{
     sprite::{PlacedSprites, SolidTexel, SpriteImage, SpriteSource},
     target::{BufferError, Pixels},
     texture::{
-        Accuracy, BilinearTexels, ColorKeyed, IndexKeyed, IndexedTexels, LitPalette, MipPicture, MipTexels,
-        TexelSlice, Texels, TextureError,
+        Accuracy, BilinearTexels, ColorKeyed, IndexedTexels, MipPicture, MipTexels, TexelSlice, Texels,
+        TextureError,
     },
 };
 
@@ -148,7 +148,6 @@ fn painter_depth_tested(
 
 /// Textures need the corners' 1/w, and wrappers of shaders pass it on; also without the picture's copies.
 fn keyed(faces: &mut Faces<'_>, texels: IndexedTexels<'_, Rgb565, 4>) -> Result<(), TextureError> {
-    faces.textured(IndexKeyed::new(texels, any() as u8))?;
     faces.textured(ColorKeyed::new(texels, color()))?;
     let texture = Texture::new(ColorKeyed::new(texels, color()));
     faces.draw(|_| texture.clamped_at(corners()));
@@ -157,20 +156,6 @@ fn keyed(faces: &mut Faces<'_>, texels: IndexedTexels<'_, Rgb565, 4>) -> Result<
     faces.draw(|f| Translucent::new(face(f), Half));
     faces.draw(|f| Translucent::new(face(f), Alpha::new(any() as u8)));
     Ok(())
-}
-
-fn lit_palette(
-    faces: &mut Faces<'_>,
-    texels: &[u8],
-    palette: &LitPalette<Rgb565, 17, 32>,
-) -> Result<(), TextureError> {
-    let row = palette.row(any() as u16);
-    let texels = IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, row)?;
-    let texture = Texture::new(texels).with_palette(row);
-    faces.draw(|_| texture.at(corners()));
-    faces.clamped_and_lit(texels)?;
-    faces.textured(texels.with_lit_palette(palette))?;
-    faces.clamped_and_lit(texels.with_lit_palette(palette))
 }
 
 /// Faces that leave out pixels, or mix with what is behind them.
@@ -211,7 +196,7 @@ fn vertex_fog(
     for (factor, &vertex) in factors.iter_mut().zip(vertices) {
         *factor = fog.factor(vertex);
     }
-    report([fog.factor([any() as i16; 3]), fog.face_factor([[any() as i16; 3]; 3])]);
+    report(fog.factor([any() as i16; 3]));
 }
 
 /// Draws faces in fog, and edges that have colours of their own.
@@ -331,6 +316,7 @@ entries! {
     entry_texture_of_any_size(faces: &mut Faces<'_>, texels: &[Rgb565]) -> Result<(), TextureError> { faces.textured(TexelSlice::new(texels, any() as usize, any() as usize)?) }
     entry_texture_with_palette(faces: &mut Faces<'_>, texels: &[u8], palette: &[Rgb565]) -> Result<(), TextureError> {
         faces.textured(IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?)?;
+        faces.clamped_and_lit(IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?)?;
         faces.textured(MipTexels::new(IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?))
     }
     entry_texture_with_key(faces: &mut Faces<'_>, texels: &[u8], palette: &[Rgb565]) -> Result<(), TextureError> {
@@ -338,9 +324,6 @@ entries! {
     }
     entry_lit_texture_of_known_size(faces: &mut Faces<'_>, texels: &Texels64) -> Result<(), TextureError> { faces.clamped_and_lit(texels) }
     entry_lit_texture_of_any_size(faces: &mut Faces<'_>, texels: &[Rgb565]) -> Result<(), TextureError> { faces.clamped_and_lit(TexelSlice::new(texels, any() as usize, any() as usize)?) }
-    entry_lit_texture_with_palette(faces: &mut Faces<'_>, texels: &[u8], colors: &[Rgb888; 17]) -> Result<(), TextureError> {
-        lit_palette(faces, texels, &LitPalette::from_rows([*LitPalette::<Rgb565, 17, 32>::new(colors).row(any() as u16); 32]))
-    }
 
     entry_blend_binary() { blend::<BinaryColor>() }
     entry_blend_gray2() { blend::<Gray2>() }
@@ -366,7 +349,6 @@ entries! {
     entry_fogged(faces: &mut Faces<'_>, table: &FogTable<Rgb565>, shades: &ShadeTable<Rgb565>) { fogged(faces, table, shades) }
     entry_color_in_fog() -> Flat { Flat::from(wide_color()).in_fog(wide_color(), any() as u16) }
     entry_tables_in_fog() -> (ShadeTable<Rgb565>, ShadeTable<Gray4>) { (ShadeTable::in_fog(wide_color(), wide_color()), ShadeTable::in_fog(wide_color(), wide_color())) }
-    entry_palette_in_fog() -> LitPalette<Rgb565, 2, 32> { LitPalette::in_fog(&[wide_color(), wide_color()], wide_color()) }
 
     entry_sprites_in_memory(camera: &Camera, mesh: &Mesh<'_>, model: &Affine<Model, World>, texels: &Texels64, fog: &FogTable<Rgb565>, cells: &mut [u16], depths: &mut [u16]) -> Result<(), BufferError> {
         sprites_in_memory(Sprites(&camera.place_sprites(mesh, model), depths), texels, fog, &mut Pixels::<Rgb565, u16>::new(cells, area())?);
