@@ -66,7 +66,7 @@ public_types! {
     PaintersOrder<'static, Plain>, Picture<'static, Plain>, Pixel, Pixels<'static, Plain>, MeshInstance<'static,
     i16>, Point3<Plain>, Projection, Object<'static, Plain>, Picked, PlacedSprites<'static, i16>, RotatedPicture<Plain>, Rotation, Upright<'static, Plain>, PlacedScene<'static, 'static, Plain, 3>, Scene<'static,
     Plain, 3>, RigidLambert, Scalar, ShadeTable<Plain>, TableShader<'static, Plain>,
-    Accuracy, AntiAliasedBy<Plain, Plain>, Half, DepthLevels<'static, Plain>, DepthTested<Flat>, Fog, FogTable<Plain>, Fogged<'static, Flat, Plain>,
+    Accuracy, AntiAliasedBy<Plain, Plain>, Half, DepthTested<Flat>, Fog, FogTable<Plain>, Fogged<'static, Flat, Plain>,
     VertexFog, ColorKeyed<Plain, Plain>, IndexedTexels<'static, Plain,
     1>, ClampedTexels<Plain>, LitTextured<Plain>, MipPicture<Plain, 8, 8>, MipTexels<Plain>, BilinearTexels<Plain>,
     TexelSlice<'static, Plain>, Texture<Plain>, TextureError, Textured<Plain>, ScreenDoor<Flat>, SmoothBand<'static, 'static, Plain>, SmoothEdge, SmoothEdges<'static, i16>,

@@ -46,6 +46,7 @@ impl Shader for Checkerboard {
 impl SpanShader<Rgb888> for Checkerboard {
     type Ink = Rgb888;
     type Setup = ([Gradient; 3], u32, [Rgb888; 2]);
+    type FastPath = ();
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
         // u/w and v/w are at most 1/w.
@@ -100,6 +101,7 @@ impl Shader for Fog {
 impl SpanShader<Rgb888> for Fog {
     type Ink = Rgb888;
     type Setup = (Gradient, Fog);
+    type FastPath = ();
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
         (triangle.gradient(self.depths.map(|depth| depth as u32)), *self)
@@ -134,6 +136,7 @@ impl Shader for Glass {
 impl SpanShader<Rgb888> for Glass {
     type Ink = Mixed<Rgb888, Halves>;
     type Setup = Rgb888;
+    type FastPath = ();
 
     fn set_up(&self, _: &Triangle<'_>) -> Rgb888 {
         self.0

@@ -5,7 +5,7 @@
 use super::{fog_fill, ramp_fill, shaded_fill, solid_fill};
 use crate::color::InkKind;
 use crate::raster::{DepthTriangle, Scissor, Triangle};
-use crate::shading::SpanShader;
+use crate::shading::{FastPath, SpanShader};
 use crate::surface::{DepthTarget, Surface};
 
 /// Fills a triangle, if the target's pixels lie in memory; otherwise draws nothing and returns `false`. `is_clipped`: the triangle
@@ -22,7 +22,7 @@ pub(crate) fn fill<T: Surface, S: SpanShader<T::Color>>(
         if let Some(color) = shader.solid().and_then(InkKind::own) {
             return solid_fill::triangle(triangle, color, scissor, is_clipped, target);
         }
-        if let Some(levels) = shader.levels() {
+        if let Some(levels) = S::FastPath::levels(shader) {
             return fog_fill::triangle(triangle, &levels, scissor, target);
         }
     } else if !S::Ink::LEAVES_OUT
@@ -30,7 +30,7 @@ pub(crate) fn fill<T: Surface, S: SpanShader<T::Color>>(
     {
         return shaded_fill::triangle_of_one_ink(triangle, ink, scissor, target);
     }
-    match shader.inner() {
+    match S::FastPath::inner(shader) {
         Some(inner) => shaded_fill::triangle(triangle, inner, scissor, target),
         None => shaded_fill::triangle(triangle, shader, scissor, target),
     }
@@ -50,13 +50,13 @@ pub(crate) fn fill_nearer<T: Surface, S: SpanShader<T::Color>>(
         if let Some(color) = shader.solid().and_then(InkKind::own) {
             return solid_fill::triangle_nearer(triangle, color, scissor, is_clipped, depth, target);
         }
-        if let Some(levels) = shader.levels()
+        if let Some(levels) = S::FastPath::levels(shader)
             && fog_fill::triangle_nearer(triangle, &levels, scissor, is_clipped, depth, target)
         {
             return true;
         }
     }
-    match shader.inner() {
+    match S::FastPath::inner(shader) {
         Some(inner) => vary_nearer(triangle, inner, scissor, is_clipped, depth, target),
         None => vary_nearer(triangle, shader, scissor, is_clipped, depth, target),
     }
@@ -74,7 +74,7 @@ fn vary_nearer<T: Surface, S: SpanShader<T::Color>>(
 ) -> bool {
     if S::Ink::IS_OPAQUE
         && S::WRITES_DEPTH
-        && let Some(shader) = shader.table()
+        && let Some(shader) = S::FastPath::table(shader)
         && ramp_fill::table_nearer(triangle, &shader, scissor, is_clipped, depth, target)
     {
         return true;

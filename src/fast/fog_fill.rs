@@ -1,7 +1,7 @@
 //! Triangles of one colour in several levels of fog, into memory.
 //!
 //! - **Plain twins**: `pipeline::fill::fill` and `fill_nearer` with the spans of a shader that has
-//!   [`levels`](crate::shading::SpanShader::levels): [`Fogged`](crate::fog::Fogged).
+//!   `FastPath::levels`: [`Fogged`](crate::fog::Fogged).
 //! - **Domain**: every triangle, on a target whose pixels lie in memory; with depth, only where the depth buffer is laid out as the
 //!   memory is.
 //! - **Gain**: a colour is mixed where the level changes, not at each pixel; a row in one level, the common case, is filled like

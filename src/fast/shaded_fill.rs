@@ -4,7 +4,7 @@
 //!   of nearer pixels; for inks that leave out pixels or are mixed with stored pixels, `shade_spans` and
 //!   `shade_spans_nearer` pass the runs of the pixels that are drawn.
 //! - **Domain**: every triangle and shader, on a target whose pixels lie in memory.
-//! - **Gain**: the shader's colours are stored in one loop with the edge walker, run by run (`SpanShader::runs`), so that a
+//! - **Gain**: the shader's colours are stored in one loop with the edge walker, run by run (`FastPath::runs`), so that a
 //!   shader computes what a run has in common once. With depth, the shader is called once per row, not once per run of visible
 //!   pixels. The ink of a pixel is computed once; for targets without memory a span that may leave out pixels is computed twice, for
 //!   the runs and for their colours.
@@ -17,7 +17,7 @@ use super::{depth_gradient, memory_of, RowOrigin};
 use crate::color::InkKind;
 use crate::math::hints::opaque;
 use crate::raster::{DepthTriangle, Gradient, Scissor, Span, Triangle};
-use crate::shading::{Line, SpanShader};
+use crate::shading::{FastPath, Line, SpanShader};
 use crate::surface::{DepthBuffer, DepthTarget, PixelRows, PixelStore, Surface};
 
 /// Fills a triangle with the inks of a shader, if the target's pixels lie in memory; otherwise draws
@@ -31,23 +31,23 @@ pub(crate) fn triangle<T: Surface, S: SpanShader<T::Color>>(
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
     let setup = shader.set_up(triangle);
-    let Some(color) = S::look_up(&setup).and_then(InkKind::opaque) else {
+    let Some(color) = S::FastPath::look_up(&setup).and_then(InkKind::opaque) else {
         fill(memory, triangle, scissor, &mut |cells, span| {
-            each_run(cells, S::runs(&setup, span), |pixels, run| {
+            each_run(cells, S::FastPath::runs(&setup, span), |pixels, run| {
                 put_each::<_, false>(pixels, run.map(Inked::<T::Color, S::Ink>::new));
             });
         });
         return true;
     };
-    if let Some(gradient) = S::ramp(&setup)
+    if let Some(gradient) = S::FastPath::ramp(&setup)
         && fill_only_small(memory, triangle, scissor, &mut [], Packed { gradient, color })
     {
         return true;
     }
-    if S::BY_RUN {
+    if S::FastPath::BY_RUN {
         fill(memory, triangle, scissor, &mut |cells, span| {
-            each_run(cells, S::lines(&setup, span), |pixels, [at @ [_, second], step]| {
-                if let Some(color) = S::look_up_in_run(&setup, second).and_then(InkKind::opaque) {
+            each_run(cells, S::FastPath::lines(&setup, span), |pixels, [at @ [_, second], step]| {
+                if let Some(color) = S::FastPath::look_up_in_run(&setup, second).and_then(InkKind::opaque) {
                     let (line, zero) = (Line { at, step }, opaque(0));
                     put_blocks(pixels, LookUp::<_, _, false> { line, color, zero });
                 }
@@ -57,7 +57,7 @@ pub(crate) fn triangle<T: Surface, S: SpanShader<T::Color>>(
     }
     fill(memory, triangle, scissor, &mut |cells, span| {
         let texel = color; // a copy, in a register
-        each_run(cells, S::lines(&setup, span), |pixels, [at, step]| {
+        each_run(cells, S::FastPath::lines(&setup, span), |pixels, [at, step]| {
             put_blocks(
                 pixels,
                 LookUp::<_, _, false> { line: Line { at, step }, color: texel, zero: opaque(0) },
@@ -174,10 +174,11 @@ pub(crate) fn triangle_nearer<T: Surface, S: SpanShader<T::Color>>(
     let Some(memory) = memory_of(target) else { return false };
     let DepthTriangle { triangle: corners, depths, .. } = triangle;
     let setup = shader.set_up(corners);
-    let Some(color) = S::look_up(&setup).and_then(InkKind::opaque).filter(|_| S::WRITES_DEPTH) else {
+    let Some(color) = S::FastPath::look_up(&setup).and_then(InkKind::opaque).filter(|_| S::WRITES_DEPTH)
+    else {
         let gradient = depth_gradient(corners, depths);
         fill(memory, corners, scissor, &mut |cells, span| {
-            let runs = S::runs(&setup, span);
+            let runs = S::FastPath::runs(&setup, span);
             each_run_nearer(cells, depth.buffer, span, &gradient, runs, |pixels, depths, z, step, run| {
                 let mut inks = run.map(Inked::<T::Color, S::Ink>::new);
                 match S::WRITES_DEPTH {
@@ -189,18 +190,19 @@ pub(crate) fn triangle_nearer<T: Surface, S: SpanShader<T::Color>>(
         return true;
     };
     if depth.is_aligned
-        && let Some(gradient) = S::ramp(&setup)
+        && let Some(gradient) = S::FastPath::ramp(&setup)
         && fill_only_small(memory, triangle, scissor, depth.buffer.values_mut(), Packed { gradient, color })
     {
         return true;
     }
     let gradient = depth_gradient(corners, depths);
-    if S::BY_RUN {
+    if S::FastPath::BY_RUN {
         fill(memory, corners, scissor, &mut |cells, span| {
-            let (lines, zero) = (S::lines(&setup, span), opaque(0));
+            let (lines, zero) = (S::FastPath::lines(&setup, span), opaque(0));
             each_run_nearer(cells, depth.buffer, span, &gradient, lines, |pixels, depths, z, step, run| {
                 let [at @ [_, second], by] = run;
-                let Some(color) = S::look_up_in_run(&setup, second).and_then(InkKind::opaque) else {
+                let Some(color) = S::FastPath::look_up_in_run(&setup, second).and_then(InkKind::opaque)
+                else {
                     return z;
                 };
                 let line = Line { at, step: by };
@@ -210,7 +212,7 @@ pub(crate) fn triangle_nearer<T: Surface, S: SpanShader<T::Color>>(
         return true;
     }
     fill(memory, corners, scissor, &mut |cells, span| {
-        let (lines, zero) = (S::lines(&setup, span), opaque(0));
+        let (lines, zero) = (S::FastPath::lines(&setup, span), opaque(0));
         each_run_nearer(cells, depth.buffer, span, &gradient, lines, |pixels, depths, z, step, [at, by]| {
             let line = Line { at, step: by };
             put_blocks_nearer(pixels, depths, z, step, LookUp::<_, _, false> { line, color, zero })

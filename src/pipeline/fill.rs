@@ -8,7 +8,7 @@ use super::drawable::ShaderFor;
 use crate::color::InkKind;
 use crate::fast::{self, line_fill, line_pixels};
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
-use crate::shading::SpanShader;
+use crate::shading::{FastPath, SpanShader};
 use crate::surface::{draw_run, drawable, each_run, DepthTarget, Surface};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
@@ -143,7 +143,7 @@ pub(super) fn kept_pixels<C: PixelColor, S: SpanShader<C>>(
     setup: &S::Setup,
     span: Span,
 ) -> impl FnMut() -> bool {
-    let mut inks = S::runs(setup, span).flat_map(|(width, run)| run.take(width as usize));
+    let mut inks = S::FastPath::runs(setup, span).flat_map(|(width, run)| run.take(width as usize));
     move || inks.next().and_then(InkKind::own).is_some()
 }
 

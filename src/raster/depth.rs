@@ -50,7 +50,7 @@ impl Gradient {
 
 impl Triangle<'_> {
     /// The gradient of depth, for custom shaders, from the corners' [depths](crate::shading::CornerValues::depths): the upper 16 bits at a
-    /// pixel are the depth that a depth buffer stores there. [`SpanShader::levels`](crate::shading::SpanShader::levels) counts by it.
+    /// pixel are the depth that a depth buffer stores there.
     pub fn depth_gradient(&self, depths: [i32; 3]) -> Gradient {
         Gradient::of_depth(self, &depths.map(|depth| depth.clamp(0, FARTHEST)))
     }

@@ -1,7 +1,7 @@
 //! Transparency that leaves out pixels by a pattern.
 
 use super::dither::PATTERN;
-use super::{CornerValues, Shader, SpanShader};
+use super::{CornerValues, FastPath, Shader, SpanShader};
 use crate::color::InkKind;
 use crate::raster::{Span, Triangle};
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -70,6 +70,7 @@ impl<C: PixelColor, S: SpanShader<C>> SpanShader<C> for ScreenDoor<S> {
     type Ink = <S::Ink as InkKind<C>>::Optional;
     /// The inner shader's, and the rows of the pattern.
     type Setup = (S::Setup, &'static [u8; 8]);
+    type FastPath = Self;
     const WRITES_DEPTH: bool = S::WRITES_DEPTH;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
@@ -82,18 +83,20 @@ impl<C: PixelColor, S: SpanShader<C>> SpanShader<C> for ScreenDoor<S> {
     fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = Self::Ink> {
         Self::runs(setup, span).flat_map(|(width, run)| run.take(width as usize))
     }
+}
 
+impl<C: PixelColor, S: SpanShader<C>> FastPath<C, Self> for ScreenDoor<S> {
     #[inline(always)]
     fn runs(
-        (own, rows): &Self::Setup,
+        (own, rows): &(S::Setup, &'static [u8; 8]),
         span: Span,
-    ) -> impl Iterator<Item = (i32, impl Iterator<Item = Self::Ink>)> {
+    ) -> impl Iterator<Item = (i32, impl Iterator<Item = <S::Ink as InkKind<C>>::Optional>)> {
         let [first, ..] = *rows;
         // The mask keeps the index inside the pattern.
         let row = rows.get(span.y as usize & 7).unwrap_or(first);
         let row = u32::from(*row) * 0x0101_0101; // four times the 8 columns
         let mut x = span.x;
-        S::runs(own, span).map(move |(width, run)| {
+        S::FastPath::runs(own, span).map(move |(width, run)| {
             let mut columns = row.rotate_right(x as u32 & 31);
             x = x.wrapping_add(width); // at most the end of the span
             let inks = run.map(move |ink| {

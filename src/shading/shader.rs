@@ -111,21 +111,12 @@ pub trait Shader: Copy {
 /// impl SpanShader<Gray8> for Ramp {
 ///     type Ink = Gray8;
 ///     type Setup = Gradient;
+///     type FastPath = ();
 ///     fn set_up(&self, triangle: &Triangle) -> Gradient {
 ///         triangle.gradient(self.0.map(|c| u32::from(c) << 16)) // 8.16 at the corners, 8.24 at pixels
 ///     }
 ///     fn span(gradient: &Gradient, span: Span) -> impl Iterator<Item = Gray8> {
 ///         (span.x..).map(move |x| Gray8::new((gradient.at(x, span.y) >> 24) as u8))
-///     }
-///     // The rest is optional: in memory, eight pixels are then written at a time.
-///     fn look_up(_: &Gradient) -> Option<impl Fn([u32; 2]) -> Gray8 + Copy> {
-///         Some(|[level, _]: [u32; 2]| Gray8::new((level >> 24) as u8))
-///     }
-///     fn lines(gradient: &Gradient, span: Span) -> impl Iterator<Item = (i32, [[u32; 2]; 2])> {
-///         core::iter::once((span.width, [[gradient.at(span.x, span.y), 0], [gradient.step(), 0]]))
-///     }
-///     fn ramp(gradient: &Gradient) -> Option<&Gradient> {
-///         Some(gradient)
 ///     }
 /// }
 /// let mut pixels = [Gray8::BLACK; 32 * 32];
@@ -147,6 +138,9 @@ pub trait SpanShader<C: PixelColor>: Shader {
 
     /// The result of [`set_up`](Self::set_up), usually gradients.
     type Setup;
+
+    /// `()`. Only shaders of this crate have faster twins of [`span`](Self::span) for targets whose pixels lie in memory.
+    type FastPath: FastPath<C, Self>;
 
     /// Whether draw calls with a depth buffer store the depth of the pixels that they draw. If false, they only test it: for
     /// translucent faces, behind which others may still be seen. The default is false for inks that are mixed.
@@ -173,6 +167,7 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// impl SpanShader<BinaryColor> for Bars {
     ///     type Ink = Option<BinaryColor>;
     ///     type Setup = ();
+    ///     type FastPath = ();
     ///     fn set_up(&self, _: &Triangle<'_>) {}
     ///     fn span(_: &(), span: Span) -> impl Iterator<Item = Option<BinaryColor>> {
     ///         (span.x..).map(|x| (x % 3 == 0).then_some(BinaryColor::On))
@@ -186,21 +181,31 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// ```
     fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = Self::Ink>;
 
+    /// The ink of all pixels, if the shader has only one. Then [`span`](Self::span) is not called, and neither is
+    /// [`set_up`](Self::set_up) if the ink is a colour: faces are filled faster.
+    #[inline(always)]
+    fn solid(&self) -> Option<Self::Ink> {
+        None
+    }
+}
+
+/// The fast paths of the shader `S`: inks equal to those of [`SpanShader::span`], computed in less time. `()` has none.
+pub trait FastPath<C: PixelColor, S: SpanShader<C>> {
     /// The inks of a span as runs, from left to right: the width of each run, and its inks, at least that many. Override it
     /// if inks are cheap to compute within a run but not from run to run. For targets whose pixels lie in memory it is called
-    /// instead of [`span`](Self::span), and must give equal inks.
+    /// instead of `span`, and must give equal inks.
     #[inline(always)]
-    fn runs(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = Self::Ink>)> {
-        once((span.width, Self::span(setup, span)))
+    fn runs(setup: &S::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Ink>)> {
+        once((span.width, S::span(setup, span)))
     }
 
     /// The ink of a pixel as a function of the numbers that [`lines`](Self::lines) returns, if inks are such: texels at texture
     /// coordinates. Then targets whose pixels lie in memory take `lines` instead of [`runs`](Self::runs), and write colours eight at a
     /// time. Inks must equal those of `runs`.
     #[inline(always)]
-    fn look_up(setup: &Self::Setup) -> Option<impl Fn([u32; 2]) -> Self::Ink + Copy> {
+    fn look_up(setup: &S::Setup) -> Option<impl Fn([u32; 2]) -> S::Ink + Copy> {
         let _ = setup;
-        None::<fn([u32; 2]) -> Self::Ink>
+        None::<fn([u32; 2]) -> S::Ink>
     }
 
     /// Whether the function that [`look_up`](Self::look_up) returns differs from run to run: see
@@ -209,7 +214,7 @@ pub trait SpanShader<C: PixelColor>: Shader {
 
     /// [`look_up`](Self::look_up) for a run, given the second number at its first pixel. Called if [`BY_RUN`](Self::BY_RUN).
     #[inline(always)]
-    fn look_up_in_run(setup: &Self::Setup, second: u32) -> Option<impl Fn([u32; 2]) -> Self::Ink + Copy> {
+    fn look_up_in_run(setup: &S::Setup, second: u32) -> Option<impl Fn([u32; 2]) -> S::Ink + Copy> {
         let _ = second;
         Self::look_up(setup)
     }
@@ -221,7 +226,7 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// The runs of a span for [`look_up`](Self::look_up), from left to right: the width of each, two numbers at its first pixel, and
     /// their changes from a pixel to the next, to be added wrapping.
     #[inline(always)]
-    fn lines(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, [[u32; 2]; 2])> {
+    fn lines(setup: &S::Setup, span: Span) -> impl Iterator<Item = (i32, [[u32; 2]; 2])> {
         let _ = (setup, span);
         core::iter::empty()
     }
@@ -229,43 +234,40 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// The gradient of the first number of [`lines`](Self::lines), if the ink of each pixel of the triangle is
     /// [`look_up`](Self::look_up) of it and any second number. Small triangles are then filled faster.
     #[inline(always)]
-    fn ramp(setup: &Self::Setup) -> Option<&Gradient> {
+    fn ramp(setup: &S::Setup) -> Option<&Gradient> {
         let _ = setup;
         None
     }
 
-    /// The ink of all pixels, if the shader has only one. Then [`span`](Self::span) is not called, and neither is
-    /// [`set_up`](Self::set_up) if the ink is a colour: faces are filled faster.
-    #[inline(always)]
-    fn solid(&self) -> Option<Self::Ink> {
-        None
-    }
-
     /// A [`TableShader`] that draws equal pixels, if there is one. With a depth buffer, targets with memory draw it by a faster
-    /// loop, instead of calling [`set_up`](Self::set_up) and [`span`](Self::span).
+    /// loop, instead of calling `set_up` and `span`.
     #[inline(always)]
-    fn table(&self) -> Option<TableShader<'_, C>> {
+    fn table(shader: &S) -> Option<TableShader<'_, C>> {
+        let _ = shader;
         None
     }
 
     /// The colours of all pixels by their depths, if they depend on nothing else. Targets whose pixels lie in memory fill each row
-    /// level by level, instead of calling [`set_up`](Self::set_up) and [`span`](Self::span), which must find equal levels, by
-    /// [`Triangle::depth_gradient`].
+    /// level by level, instead of calling `set_up` and `span`, which must find equal levels, by
+    /// `Triangle::depth_gradient`.
     #[inline(always)]
-    fn levels(&self) -> Option<DepthLevels<'_, impl Fn(u8) -> C + Copy>> {
+    fn levels(shader: &S) -> Option<DepthLevels<'_, impl Fn(u8) -> C + Copy>> {
+        let _ = shader;
         None::<DepthLevels<'_, fn(u8) -> C>>
     }
 
     /// A shader that draws equal pixels in less time, if there is one: of a wrapper that changes nothing over this triangle, the
     /// shader inside. Targets whose pixels lie in memory draw it instead.
     #[inline(always)]
-    fn inner(&self) -> Option<&impl SpanShader<C, Ink = Self::Ink>> {
-        None::<&Self>
+    fn inner(shader: &S) -> Option<&impl SpanShader<C, Ink = S::Ink>> {
+        let _ = shader;
+        None::<&S>
     }
 }
 
-/// Colours by depth, in levels, as [`SpanShader::levels`] returns them: the fog of [`Fogged`](crate::fog::Fogged), or a shader of your
-/// own, such as contour lines of distance.
+impl<C: PixelColor, S: SpanShader<C>> FastPath<C, S> for () {}
+
+/// Colours by depth, in levels, as [`FastPath::levels`] returns them: the fog of [`Fogged`](crate::fog::Fogged).
 #[derive(Clone, Copy, Debug)]
 pub struct DepthLevels<'t, F> {
     /// At the triangle's corners, in 16.8, as [`CornerValues::depths`] has them.
@@ -301,6 +303,7 @@ impl<C: PixelColor> Shader for C {
 impl<C: PixelColor> SpanShader<C> for C {
     type Ink = C;
     type Setup = C;
+    type FastPath = ();
 
     #[inline(always)]
     fn set_up(&self, _: &Triangle<'_>) -> C {

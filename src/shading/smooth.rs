@@ -21,6 +21,7 @@ impl Shader for Flat {
 impl<C: Color> SpanShader<C> for Flat {
     type Ink = C;
     type Setup = C;
+    type FastPath = ();
 
     fn set_up(&self, _: &Triangle<'_>) -> C {
         self.nearest()
@@ -54,6 +55,7 @@ impl<C: Color> SpanShader<C> for Dithered<Flat> {
     type Ink = C;
     /// The levels of the channels.
     type Setup = [u32; 3];
+    type FastPath = ();
 
     fn set_up(&self, _: &Triangle<'_>) -> [u32; 3] {
         levels::<C>(self.0).map(align)
@@ -78,6 +80,7 @@ macro_rules! smooth {
         impl<C: Color> SpanShader<C> for $shader {
             type Ink = C;
             type Setup = [Gradient; 3];
+            type FastPath = ();
 
             #[inline(always)]
             fn set_up(&self, triangle: &Triangle<'_>) -> [Gradient; 3] {
@@ -93,6 +96,7 @@ macro_rules! smooth {
         impl<C: Color> SpanShader<C> for Dithered<$shader> {
             type Ink = C;
             type Setup = [Gradient; 3];
+            type FastPath = ();
 
             #[inline(always)]
             fn set_up(&self, triangle: &Triangle<'_>) -> [Gradient; 3] {

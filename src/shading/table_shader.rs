@@ -1,7 +1,7 @@
 //! Colours that are looked up in a [`ShadeTable`](crate::shading::ShadeTable) along a span.
 
 use super::levels::weighted_mean;
-use super::shader::{Shader, SpanShader};
+use super::shader::{FastPath, Shader, SpanShader};
 use super::table::TableShader;
 use crate::clip::Barycentric;
 use crate::raster::{Gradient, Span, Triangle};
@@ -20,6 +20,7 @@ impl<C: PixelColor> Shader for TableShader<'_, C> {
 impl<'t, C: PixelColor> SpanShader<C> for TableShader<'t, C> {
     type Ink = C;
     type Setup = (&'t [C; 256], Gradient);
+    type FastPath = Self;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
         (self.colors, Gradient::of_light(triangle, &self.light))
@@ -34,9 +35,11 @@ impl<'t, C: PixelColor> SpanShader<C> for TableShader<'t, C> {
             color
         })
     }
+}
 
+impl<C: PixelColor> FastPath<C, Self> for TableShader<'_, C> {
     #[inline(always)]
-    fn table(&self) -> Option<TableShader<'_, C>> {
-        Some(*self)
+    fn table(shader: &Self) -> Option<TableShader<'_, C>> {
+        Some(*shader)
     }
 }

@@ -1,6 +1,6 @@
 //! Translucent faces: colours mixed with the stored pixels.
 
-use super::{CornerValues, Shader, SpanShader};
+use super::{CornerValues, FastPath, Shader, SpanShader};
 use crate::color::{BlendMode, Unmixed, UnmixedInk};
 use crate::raster::{Span, Triangle};
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -79,6 +79,7 @@ impl<S: Shader, M: Copy> Shader for Translucent<S, M> {
 impl<C: PixelColor, S: SpanShader<C, Ink: Unmixed<C>>, M: BlendMode<C>> SpanShader<C> for Translucent<S, M> {
     type Ink = <S::Ink as UnmixedInk<C>>::Mixed<M>;
     type Setup = Translucent<S::Setup, M>;
+    type FastPath = Self;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
         Translucent { shader: self.shader.set_up(triangle), mode: self.mode }
@@ -91,13 +92,21 @@ impl<C: PixelColor, S: SpanShader<C, Ink: Unmixed<C>>, M: BlendMode<C>> SpanShad
     }
 
     #[inline(always)]
-    fn runs(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = Self::Ink>)> {
-        let mode = setup.mode; // a copy, in registers
-        S::runs(&setup.shader, span).map(move |(width, run)| (width, run.map(move |ink| ink.mixed(mode))))
-    }
-
-    #[inline(always)]
     fn solid(&self) -> Option<Self::Ink> {
         Some(self.shader.solid()?.mixed(self.mode))
+    }
+}
+
+impl<C: PixelColor, S: SpanShader<C, Ink: Unmixed<C>>, M: BlendMode<C>> FastPath<C, Self>
+    for Translucent<S, M>
+{
+    #[inline(always)]
+    fn runs(
+        setup: &Translucent<S::Setup, M>,
+        span: Span,
+    ) -> impl Iterator<Item = (i32, impl Iterator<Item = <S::Ink as UnmixedInk<C>>::Mixed<M>>)> {
+        let mode = setup.mode; // a copy, in registers
+        S::FastPath::runs(&setup.shader, span)
+            .map(move |(width, run)| (width, run.map(move |ink| ink.mixed(mode))))
     }
 }

@@ -117,6 +117,7 @@ impl Shader for Unstored {
 impl SpanShader<Rgb888> for Unstored {
     type Ink = Rgb888;
     type Setup = Rgb888;
+    type FastPath = ();
     const WRITES_DEPTH: bool = false;
 
     fn set_up(&self, _: &Triangle<'_>) -> Rgb888 {

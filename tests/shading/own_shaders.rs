@@ -12,7 +12,7 @@ use embedded_graphics::prelude::Point;
 use embedded_graphics::primitives::Rectangle;
 use example::scene::{self, BOARD, FOG_COLOR, FOG_RANGE, GLASS, NEAR_FAR, SIZE, SKY, TILES, WALL_COLOR};
 use pinhole::raster::{Gradient, Span, Triangle};
-use pinhole::shading::{CornerValues, DepthLevels, Shader, SpanShader};
+use pinhole::shading::{CornerValues, Shader, SpanShader};
 use pinhole::space::{Model, World};
 use pinhole::{camera::Window, prelude::*, Angle};
 use support::bridge::ways::{by_every_call, memory};
@@ -134,7 +134,7 @@ fn a_checkerboard_a_fog_and_glass_made_outside_the_crate_are_those_of_rays() {
     assert!(worst > 0.6, "{worst}");
 }
 
-/// Stripes by depth, as levels and as spans.
+/// Stripes by the depths that are stored.
 #[derive(Clone, Copy)]
 struct Contours([i32; 3]);
 
@@ -142,17 +142,6 @@ struct Contours([i32; 3]);
 const fn begin(level: u32) -> u32 {
     44_000 + 620 * level
 }
-
-const STRIPES: [u32; 34] = {
-    let mut bounds = [u32::MAX; 34];
-    bounds[0] = 0;
-    let mut level = 1;
-    while level < 33 {
-        bounds[level as usize] = begin(level) << 16;
-        level += 1;
-    }
-    bounds
-};
 
 /// The level of a depth.
 fn level(depth: u32) -> u8 {
@@ -179,6 +168,7 @@ impl Shader for Contours {
 impl SpanShader<Rgb888> for Contours {
     type Ink = Rgb888;
     type Setup = Gradient;
+    type FastPath = ();
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Gradient {
         triangle.depth_gradient(self.0)
@@ -187,13 +177,8 @@ impl SpanShader<Rgb888> for Contours {
     fn span(depth: &Gradient, span: Span) -> impl Iterator<Item = Rgb888> {
         (span.x..).map(move |x| stripe(level(depth.at(x, span.y) >> 16)))
     }
-
-    fn levels(&self) -> Option<DepthLevels<'_, impl Fn(u8) -> Rgb888 + Copy>> {
-        Some(DepthLevels { depths: self.0, bounds: &STRIPES, first: 0, color: stripe })
-    }
 }
 
-/// Targets with memory fill them level by level, others by spans.
 #[test]
 fn contour_lines_are_those_of_the_stored_depths() {
     let (view, projection, viewport) = scene::camera().expect("a camera");

@@ -186,6 +186,7 @@ fn set_up<'t, C: Shown + 't, S: SpanShader<C, Ink = C, Setup: 't> + 't>(
 impl<'t> SpanShader<Stored> for Paint<'t> {
     type Ink = Stored;
     type Setup = Colors<'t>;
+    type FastPath = ();
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Colors<'t> {
         match *self {

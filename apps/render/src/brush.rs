@@ -57,6 +57,7 @@ macro_rules! brush {
         impl<'t, C: Colour> SpanShader<C> for Brush<'t, C> {
             type Ink = C;
             type Setup = Colours<'t, C>;
+            type FastPath = ();
 
             fn set_up(&self, triangle: &Triangle<'_>) -> Colours<'t, C> {
                 match self {

@@ -4,7 +4,7 @@ use super::levels::{FogLevel, FogLevels, LevelRuns};
 use super::table::{FogTable, LEVELS};
 use crate::color::{Color, InkKind, Mixer};
 use crate::raster::{Gradient, Span, Triangle};
-use crate::shading::shader::{inner_with_corners, DepthLevels};
+use crate::shading::shader::{inner_with_corners, DepthLevels, FastPath};
 use crate::shading::{CornerValues, Shader, SpanShader};
 use core::cell::Cell;
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -157,6 +157,7 @@ fn mixed<C: Color>(color: C, fog: C, level: u8) -> C {
 impl<'t, C: Color, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
     type Ink = S::Ink;
     type Setup = FoggedSetup<'t, S::Setup, C>;
+    type FastPath = Self;
     const WRITES_DEPTH: bool = S::WRITES_DEPTH;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
@@ -181,9 +182,20 @@ impl<'t, C: Color, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
     }
 
     #[inline(always)]
-    fn runs(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Ink>)> {
+    fn solid(&self) -> Option<S::Ink> {
+        let level = self.level()?;
+        Some(self.shader.solid()?.map(|color| mixed(color, self.table.color, level)))
+    }
+}
+
+impl<'t, C: Color, S: SpanShader<C>> FastPath<C, Self> for Fogged<'t, S, C> {
+    #[inline(always)]
+    fn runs(
+        setup: &FoggedSetup<'t, S::Setup, C>,
+        span: Span,
+    ) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Ink>)> {
         let mut x = span.x;
-        S::runs(&setup.own, span).map(move |(width, inks)| {
+        S::FastPath::runs(&setup.own, span).map(move |(width, inks)| {
             let levels = setup.levels(x, span.y);
             x = x.wrapping_add(width);
             (width, inks.zip(levels).map(move |(ink, level)| ink.map(|color| setup.mixed(color, level))))
@@ -191,43 +203,43 @@ impl<'t, C: Color, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
     }
 
     #[inline(always)]
-    fn look_up(setup: &Self::Setup) -> Option<impl Fn([u32; 2]) -> S::Ink + Copy> {
-        let own = S::look_up(&setup.own).filter(|_| S::ONE_NUMBER)?;
+    fn look_up(setup: &FoggedSetup<'t, S::Setup, C>) -> Option<impl Fn([u32; 2]) -> S::Ink + Copy> {
+        let own = S::FastPath::look_up(&setup.own).filter(|_| S::FastPath::ONE_NUMBER)?;
         let mix = setup.table.color.run_mixer();
         Some(move |[number, share]: [u32; 2]| own([number, 0]).map(|color| mix(color, share)))
     }
 
     #[inline(always)]
-    fn lines(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, [[u32; 2]; 2])> {
+    fn lines(setup: &FoggedSetup<'t, S::Setup, C>, span: Span) -> impl Iterator<Item = (i32, [[u32; 2]; 2])> {
         let (depth, step) = (setup.depth.at(span.x, span.y), setup.depth.step());
         let levels = LevelRuns { bounds: &setup.table.bounds, level: &setup.level, depth, step };
-        FogLines { lines: S::lines(&setup.own, span), width: 0, line: [0; 2], levels, bits: C::SHARE_BITS }
+        FogLines {
+            lines: S::FastPath::lines(&setup.own, span),
+            width: 0,
+            line: [0; 2],
+            levels,
+            bits: C::SHARE_BITS,
+        }
     }
 
     #[inline(always)]
-    fn solid(&self) -> Option<S::Ink> {
-        let level = self.level()?;
-        Some(self.shader.solid()?.map(|color| mixed(color, self.table.color, level)))
-    }
-
-    #[inline(always)]
-    fn levels(&self) -> Option<DepthLevels<'_, impl Fn(u8) -> C + Copy>> {
-        let own = self.shader.solid().and_then(InkKind::own)?;
-        let ([first, _], fade) = (self.levels, own.fade(self.table.color));
+    fn levels(shader: &Self) -> Option<DepthLevels<'_, impl Fn(u8) -> C + Copy>> {
+        let own = shader.shader.solid().and_then(InkKind::own)?;
+        let ([first, _], fade) = (shader.levels, own.fade(shader.table.color));
         let color = move |level| fade(LEVELS as u8 - level);
-        Some(DepthLevels { depths: self.depths, bounds: &self.table.bounds, first, color })
+        Some(DepthLevels { depths: shader.depths, bounds: &shader.table.bounds, first, color })
     }
 
     #[inline(always)]
-    fn inner(&self) -> Option<&impl SpanShader<C, Ink = S::Ink>> {
-        match self.levels {
-            [_, 0] => Some(&self.shader),
+    fn inner(shader: &Self) -> Option<&impl SpanShader<C, Ink = S::Ink>> {
+        match shader.levels {
+            [_, 0] => Some(&shader.shader),
             _ => None,
         }
     }
 }
 
-/// The lines of a shader that takes [one number](SpanShader::ONE_NUMBER), cut where the level of fog changes. The second number is the
+/// The lines of a shader that takes [one number](FastPath::ONE_NUMBER), cut where the level of fog changes. The second number is the
 /// share of the shader's own colour, in 2^−`bits`.
 struct FogLines<'s, R> {
     lines: R,

@@ -3,7 +3,7 @@
 /// The binary logarithm of the widest block, in pixels.
 pub(super) const LARGEST_BLOCK: i32 = 6;
 
-/// Two numbers that are linear along a run, as [`SpanShader::lines`](crate::shading::SpanShader::lines) returns them.
+/// Two numbers that are linear along a run, as `FastPath::lines` returns them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line {
     pub(crate) at: [u32; 2],

@@ -8,7 +8,7 @@ use crate::color::Color;
 use crate::math::unrolled::map3;
 use crate::raster::{Gradient, Span, Triangle};
 use crate::shading::levels::weighted_mean;
-use crate::shading::{CornerValues, Shader, SpanShader};
+use crate::shading::{CornerValues, FastPath, Shader, SpanShader};
 
 /// A texture on a face, with light of its own at each corner, linear on the screen between the corners: [`Textured::lit`] makes
 /// it.
@@ -89,6 +89,7 @@ impl<S: Texels> Shader for LitTextured<S> {
 impl<S: Texels<Color: Color>> SpanShader<S::Color> for LitTextured<S> {
     type Ink = S::Ink;
     type Setup = (TextureGradients<S>, Gradient);
+    type FastPath = Self;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
         (self.face.set_up(triangle), Gradient::of_light(triangle, &self.light))
@@ -97,10 +98,12 @@ impl<S: Texels<Color: Color>> SpanShader<S::Color> for LitTextured<S> {
     fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = S::Ink> {
         Self::runs(setup, span).flat_map(|(width, colors)| colors.take(width as usize))
     }
+}
 
+impl<S: Texels<Color: Color>> FastPath<S::Color, Self> for LitTextured<S> {
     #[inline(always)]
     fn runs(
-        (texture, light): &Self::Setup,
+        (texture, light): &(TextureGradients<S>, Gradient),
         span: Span,
     ) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Ink>)> {
         let (mut next, step) = (light.at(span.x, span.y), light.step());

@@ -11,7 +11,7 @@ use crate::math::unrolled::map3;
 use crate::raster::{Gradient, GradientSetup, Span, Triangle};
 use crate::shading::gouraud::{Rounding, SpanColors, SATURATING_BITS};
 use crate::shading::levels::{each, fraction_bits, levels};
-use crate::shading::{Bayer, CornerValues, Dithered, Gouraud, Nearest, Shader, SpanShader};
+use crate::shading::{Bayer, CornerValues, Dithered, FastPath, Gouraud, Nearest, Shader, SpanShader};
 
 /// Gouraud shading in perspective: a colour at each corner of a face, interpolated in space. [`Gouraud::in_perspective`] makes it.
 ///
@@ -198,6 +198,7 @@ macro_rules! in_perspective {
         impl<C: Color> SpanShader<C> for $shader {
             type Ink = C;
             type Setup = LevelGradients;
+            type FastPath = Self;
 
             fn set_up(&self, triangle: &Triangle<'_>) -> LevelGradients {
                 let $own = self;
@@ -207,7 +208,9 @@ macro_rules! in_perspective {
             fn span(gradients: &LevelGradients, span: Span) -> impl Iterator<Item = C> {
                 runs::<C, $rounding>(gradients, span).flat_map(|(width, colors)| colors.take(width as usize))
             }
+        }
 
+        impl<C: Color> FastPath<C, Self> for $shader {
             #[inline(always)]
             fn runs(
                 gradients: &LevelGradients,

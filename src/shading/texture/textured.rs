@@ -11,7 +11,7 @@ use crate::math::hints::opaque_next;
 use crate::math::num::{dot, leading_zeros};
 use crate::math::unrolled::map3;
 use crate::raster::{Gradient, Span, Triangle};
-use crate::shading::{CornerValues, Shader, SpanShader};
+use crate::shading::{CornerValues, FastPath, Shader, SpanShader};
 
 impl<S: Texels> Shader for Textured<S> {
     type Varying = Barycentric;
@@ -141,8 +141,7 @@ const fn less<S: Texels>([a, b]: [u32; 2], by @ [u, v]: [u32; 2]) -> [u32; 2] {
 impl<S: Texels> SpanShader<S::Color> for Textured<S> {
     type Ink = S::Ink;
     type Setup = TextureGradients<S>;
-    const ONE_NUMBER: bool = !S::WIDE && !S::HAS_COPIES;
-    const BY_RUN: bool = S::HAS_COPIES;
+    type FastPath = Self;
 
     #[inline(always)]
     fn set_up(&self, triangle: &Triangle<'_>) -> TextureGradients<S> {
@@ -154,6 +153,11 @@ impl<S: Texels> SpanShader<S::Color> for Textured<S> {
     fn span(setup: &TextureGradients<S>, span: Span) -> impl Iterator<Item = S::Ink> {
         Self::runs(setup, span).flat_map(|(width, inks)| inks.take(width as usize))
     }
+}
+
+impl<S: Texels> FastPath<S::Color, Self> for Textured<S> {
+    const ONE_NUMBER: bool = !S::WIDE && !S::HAS_COPIES;
+    const BY_RUN: bool = S::HAS_COPIES;
 
     #[inline(always)]
     fn runs(

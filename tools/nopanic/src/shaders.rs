@@ -54,6 +54,7 @@ impl Shader for Everything {
 impl SpanShader<Rgb565> for Everything {
     type Ink = Mixed<Rgb565, Looked>;
     type Setup = ([Gradient; 2], Rgb565);
+    type FastPath = ();
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
         black_box(self.corners);
