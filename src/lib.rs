@@ -160,7 +160,7 @@ pub mod light {
     pub use crate::shading::lambert::{Lambert, RigidLambert};
     pub use crate::shading::light::Light;
     pub use crate::shading::light_error::LightError;
-    pub use crate::shading::lights::{DirectionalLight, Lights};
+    pub use crate::shading::lights::Lights;
     pub use crate::shading::matcap::Matcap;
     pub use crate::shading::point_light::PointLight;
 }
@@ -184,7 +184,7 @@ pub mod sprite {
     //! Pictures that face the viewer: trees, particles, labels. Start with [`Sprite`].
 
     pub use crate::pipeline::PlacedSprites;
-    pub use crate::shading::sprite::{RotatedPicture, SolidTexel, Sprite, SpriteImage, SpriteSource};
+    pub use crate::shading::sprite::{SolidTexel, Sprite, SpriteImage, SpriteSource};
 }
 
 // What nearly every program names.

@@ -54,17 +54,17 @@ impl embedded_graphics::geometry::OriginDimensions for Image {
 }
 
 public_types! {
-    Affine<Plain, Plain>, ActiveFace<Plain>, ActiveFaces<'static, Plain>, Angle, AntiAliased<Pixel>, AntiAliasedByTable<Pixel>, MathError, Band<'static, Plain>, BufferError, Barycentric, Alpha,
+    Affine<Plain, Plain>, ActiveFace<Plain>, ActiveFaces<'static, Plain>, Angle, AntiAliased<Pixel>, MathError, Band<'static, Plain>, BufferError, Barycentric, Alpha,
     Camera, CornerValues, ScreenVertex, Cull, DepthBuffer<'static>,
     DepthTestedSurface<'static, 'static, Plain>,    DirtyRegions<4>, FaceColors<'static>, MeshError, TextureCoords<'static>, Dithered<Flat>, BinnedEdges<'static>,
     BinnedScene<'static, 'static, Plain, 3>, BinnedFaces<'static>, Flat, Format,
     Edges<'static, i16, Plain>, Faces<'static, i16, Plain>, SceneFaces<'static, 'static, 'static, Plain, Plain, 3>,
     Frame<Plain>, CameraError, Gouraud, Gradient, Lit, Projected, Hierarchy<'static>, Inside<Plain>,
-    Frustum, Lambert, BlinnPhong, DirectionalLight, Lights<2>, Matcap, PointLight,
+    Frustum, Lambert, BlinnPhong, Lights<2>, Matcap, PointLight,
     LeastRun<'static, Plain, 1>, LightError, Memory<Plain>, Mixed<Flat, Alpha>, Mesh<'static, Plain>, MeshBuffers<3, 2, 1>,
     Model, Ndc, Node, Painter<Plain, 4, 4>, PerspectiveGouraud,
     PaintersOrder<'static, Plain>, Picture<'static, Plain>, Pixel, Pixels<'static, Plain>, MeshInstance<'static,
-    i16>, Point3<Plain>, Projection, Object<'static, Plain>, Picked, PlacedSprites<'static, i16>, RotatedPicture<Plain>, Rotation, Upright<'static, Plain>, PlacedScene<'static, 'static, Plain, 3>, Scene<'static,
+    i16>, Point3<Plain>, Projection, Object<'static, Plain>, Picked, PlacedSprites<'static, i16>, Rotation, Upright<'static, Plain>, PlacedScene<'static, 'static, Plain, 3>, Scene<'static,
     Plain, 3>, RigidLambert, Scalar, ShadeTable<Plain>, TableShader<'static, Plain>,
     Accuracy, AntiAliasedBy<Plain, Plain>, Half, DepthTested<Flat>, Fog, FogTable<Plain>, Fogged<'static, Flat, Plain>,
     VertexFog, ColorKeyed<Plain, Plain>, IndexedTexels<'static, Plain,
@@ -77,11 +77,14 @@ public_types! {
     World
 }
 
-/// Public by their keyword only: set-ups of shaders and marks of targets and inks, which no path leads to.
-const NOT_NAMED: [&str; 9] = [
+/// Public by their keyword only: set-ups of shaders, marks of targets and inks, and what is returned to be passed on; no path leads to them.
+const NOT_NAMED: [&str; 12] = [
+    "AntiAliasedByTable",
+    "DepthLevels",
     "FoggedSetup",
     "LevelGradients",
     "Reads",
+    "RotatedPicture",
     "Tested",
     "TextureGradients",
     "Unmatched",

@@ -17,10 +17,9 @@ pub enum CameraError {
     /// The window is empty, or its distance from the axis is 2³⁰ times its extent: it needs left < right and bottom < top. Enlarge or
     /// centre it.
     EmptyWindow,
-    /// The projectors are parallel to the view plane, or the centre of projection lies in it.
+    /// The projectors are parallel to the view plane, or the centre of projection lies in it, or a projection reference point not in
+    /// front of it, at n > 0.
     NoViewPlane,
-    /// The projection reference point is not in front of the view plane, at n > 0.
-    ReferenceBehindPlane,
     /// A row of a projection matrix has a number that is NaN, infinite or more than 2³² times the largest of the other rows, or is
     /// the last one and has only zeros.
     Matrix {
@@ -35,17 +34,14 @@ pub enum CameraError {
     /// The near side of the sphere to be framed would lie less than 2⁻¹⁰ world units from the eye, where near and far planes have no
     /// room between: choose a smaller unit or a narrower field of view.
     TooNear,
-    /// The view plane normal (VPN) or the gaze has length zero: give a direction, or a target that differs from the eye.
-    ZeroDirection,
     /// The viewing matrix is not a rotation followed by a translation.
     NotRigid,
-    /// The view up vector (VUP) has length zero, or is parallel to the gaze to within 2⁻¹² rad, so the roll is undefined: give another,
-    /// such as (0, 1, 0).
-    ParallelUp,
-    /// The width or height of a viewport or of an aspect ratio is zero: it must be at least 1.
-    EmptyViewport,
-    /// The viewport extends beyond ±8192 pixels from the target's origin.
-    ViewportOutside,
+    /// The view plane normal (VPN) or the gaze has length zero: give a direction, or a target that differs from the eye. Or the view up
+    /// vector (VUP) has length zero, or is parallel to the gaze to within 2⁻¹² rad, so the roll is undefined: give another, such as
+    /// (0, 1, 0).
+    Direction,
+    /// The width or height of a viewport or of an aspect ratio is zero, or a viewport extends beyond ±8192 pixels from the target's origin.
+    Viewport,
     /// The point lies between the near plane and the eye, or behind the eye.
     BeforeNear,
     /// The point lies beyond the far plane, and the camera [clips there](crate::Camera::with_far_clip).
@@ -69,20 +65,15 @@ impl core::fmt::Display for CameraError {
             Self::NearNotPositive => "the near plane of a perspective must be in front of the eye, at a distance greater than 0",
             Self::NearNotBeforeFar => "the far plane must lie beyond the near plane, and not too close to it for depth: move them apart",
             Self::EmptyWindow => "the window is empty, or too small for its distance from the axis: it needs left < right and bottom < top; enlarge or centre it",
-            Self::NoViewPlane => "the projectors are parallel to the view plane, or start in it: change the direction or the distance",
-            Self::ReferenceBehindPlane => "the projection reference point must be in front of the view plane, at n > 0",
+            Self::NoViewPlane => "the projectors are parallel to the view plane, or start in it: change the direction or the distance; a projection reference point must be in front of it, at n > 0",
             Self::OutOfRange => "the eye or the object lies beyond 32768 world units, or a constant beyond 2^30: choose a larger unit, a wider field of view, or a plane nearer to the origin",
             Self::NoRadius => "the sphere has no radius: the mesh needs at least two different vertices",
             Self::TooNear => {
                 "the object would touch the eye: choose a smaller unit, or a narrower field of view"
             }
-            Self::ZeroDirection => "the viewing direction has length zero: give a direction, or a target that differs from the eye",
             Self::NotRigid => "the viewing matrix is not rigid: it needs three orthonormal, right-handed rows and the last row 0 0 0 1",
-            Self::ParallelUp => "the up vector has length zero, or is parallel to the viewing direction: give another",
-            Self::EmptyViewport => "the viewport or the aspect ratio has no pixels: width and height must be at least 1",
-            Self::ViewportOutside => {
-                "the viewport extends beyond ±8192 pixels from the target's origin: move or shrink it"
-            }
+            Self::Direction => "the viewing direction or the up vector has length zero, or they are parallel: give another vector, or a target that differs from the eye",
+            Self::Viewport => "a viewport or an aspect ratio needs a width and a height of at least 1, and a viewport must lie within ±8192 pixels of the target's origin: enlarge, move or shrink it",
             Self::BeforeNear => {
                 "the point lies before the near plane, or behind the eye: move it or the near plane"
             }

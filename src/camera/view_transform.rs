@@ -27,7 +27,7 @@ use crate::space::{Model, View, World};
 /// let viewing = ViewTransform::look_at(eye, target, Vector3::from_ints(0, 1, 0))?;
 /// assert_eq!(viewing.apply(target), Point3::from_ints(0, 0, -5)); // the camera looks along −z
 /// let up_is_along_the_gaze = Vector3::from_ints(0, 0, 1);
-/// assert_eq!(ViewTransform::look_at(eye, target, up_is_along_the_gaze), Err(CameraError::ParallelUp));
+/// assert_eq!(ViewTransform::look_at(eye, target, up_is_along_the_gaze), Err(CameraError::Direction));
 /// # Ok::<(), CameraError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,8 +45,7 @@ impl ViewTransform {
     ///
     /// # Errors
     ///
-    /// [`CameraError::ZeroDirection`] if the target is the eye, [`ParallelUp`](CameraError::ParallelUp) if `up` has
-    /// length zero, and [`ParallelUp`](CameraError::ParallelUp) if `up` is parallel to the gaze to within 2⁻¹² rad.
+    /// [`CameraError::Direction`] if the target is the eye, or if `up` has length zero or is parallel to the gaze to within 2⁻¹² rad.
     pub const fn look_at(
         eye: Point3<World>,
         target: Point3<World>,
@@ -212,15 +211,15 @@ impl ViewTransform {
         let up = to_i64(up);
         let (n, up_unit) = (normalise(back), normalise(&up));
         if is_zero(&n) {
-            return Err(CameraError::ZeroDirection);
+            return Err(CameraError::Direction);
         }
         if is_zero(&up_unit) {
-            return Err(CameraError::ParallelUp);
+            return Err(CameraError::Direction);
         }
         // |up × n|² = sin² of the angle between them, in 2⁻⁶⁰.
         let sine = cross_units(&up_unit, &n);
         if num::dot(&sine, &sine) < 1 << (60 - 24) {
-            return Err(CameraError::ParallelUp);
+            return Err(CameraError::Direction);
         }
         // u from the given vectors, not from rounded unit vectors: nearly parallel vectors differ in their low bits only.
         let u = normalise(&cross(&up, back));

@@ -37,17 +37,16 @@ impl Viewport {
     ///
     /// # Errors
     ///
-    /// [`CameraError::EmptyViewport`] if width or height is zero, [`ViewportOutside`](CameraError::ViewportOutside) if the
-    /// viewport extends beyond ±8192 pixels.
+    /// [`CameraError::Viewport`] if width or height is zero, or the viewport extends beyond ±8192 pixels.
     pub const fn new(top_left: Point, size: Size) -> Result<Self, CameraError> {
         if size.width == 0 || size.height == 0 {
-            return Err(CameraError::EmptyViewport);
+            return Err(CameraError::Viewport);
         }
         const fn inside(low: i32, extent: u32) -> bool {
             low >= -GUARD_BAND && low as i64 + extent as i64 <= GUARD_BAND as i64
         }
         if !inside(top_left.x, size.width) || !inside(top_left.y, size.height) {
-            return Err(CameraError::ViewportOutside);
+            return Err(CameraError::Viewport);
         }
         Ok(Self { area: Rectangle::new(top_left, size), rotation: Rotation::Deg0, jitter: [0; 2] })
     }

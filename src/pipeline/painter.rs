@@ -42,7 +42,7 @@ use heapless::Vec;
 /// }
 /// assert!(matches!(
 ///     camera.place(&mesh, &Affine::identity()).faces(|_| Gray8::new(0)).sorted(&mut painter),
-///     Err(BufferError::PainterVertices { needed: 9, capacity: 6 }),
+///     Err(BufferError::Full { parameter: "VERTICES", needed: 9, capacity: 6 }),
 /// ));
 /// let mut display = MockDisplay::new();
 /// display.set_allow_overdraw(true);
@@ -283,9 +283,9 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     fn finish(&mut self, room: &Room, statistics: Statistics) -> Result<(), BufferError> {
         let (most_vertices, most_faces) = (VERTICES.min(65_536), FACES.min(usize::from(NONE)));
         let error = if room.vertices > most_vertices {
-            BufferError::PainterVertices { needed: room.vertices, capacity: most_vertices }
+            BufferError::Full { parameter: "VERTICES", needed: room.vertices, capacity: most_vertices }
         } else if room.faces > most_faces {
-            BufferError::PainterFaces { needed: room.faces, capacity: most_faces }
+            BufferError::Full { parameter: "FACES", needed: room.faces, capacity: most_faces }
         } else {
             self.vertices.truncate(room.vertices);
             self.statistics = self.statistics + statistics;

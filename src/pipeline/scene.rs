@@ -56,12 +56,6 @@ impl<'m, M> Object<'m, M> {
         self.mesh
     }
 
-    /// Sets which faces are culled.
-    #[must_use]
-    pub fn with_cull(self, cull: Cull) -> Self {
-        Self { cull, ..self }
-    }
-
     /// The object before a camera.
     #[inline(always)]
     fn place(&self, camera: &Camera) -> MeshInstance<'m> {
@@ -140,7 +134,7 @@ impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
         let index = self.objects.len();
         match self.objects.push(object) {
             Ok(()) => Ok(index),
-            Err(_) => Err(BufferError::Objects { capacity: OBJECTS }),
+            Err(_) => Err(BufferError::Full { parameter: "OBJECTS", needed: index + 1, capacity: OBJECTS }),
         }
     }
 

@@ -34,13 +34,13 @@ impl<'a> FaceColors<'a> {
     ///
     /// # Errors
     ///
-    /// [`MeshError::MaterialIndex`] if a face uses an index that the palette does not have.
+    /// [`MeshError::Index`] if a face uses an index that the palette does not have.
     pub const fn new(palette: &'a [[u8; 3]], faces: &'a [u8]) -> Result<Self, MeshError> {
         let (count, mut face) = (palette.len(), 0);
         while face < faces.len() {
             let index = faces[face] as u16;
             if index as usize >= count {
-                return Err(MeshError::MaterialIndex { face, index, count });
+                return Err(MeshError::Index { of: "face", number: face, used: "colour", index, count });
             }
             face += 1;
         }
@@ -149,7 +149,13 @@ impl<'a> TextureCoords<'a> {
             let high = if a > b { a } else { b };
             let index = if high > c { high } else { c };
             if index as usize >= count {
-                return Err(MeshError::MaterialIndex { face, index, count });
+                return Err(MeshError::Index {
+                    of: "face",
+                    number: face,
+                    used: "texture coordinate",
+                    index,
+                    count,
+                });
             }
             face += 1;
         }

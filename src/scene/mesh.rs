@@ -27,7 +27,7 @@ use crate::scene::MeshError;
 /// };
 /// assert_eq!(CORNER.edges().len(), 6);
 /// let wrong = Mesh::new(&VERTICES, 0, &[[0, 1, 4]]);
-/// assert_eq!(wrong, Err(MeshError::FaceIndex { face: 0, index: 4 }));
+/// assert_eq!(wrong, Err(MeshError::Index { of: "face", number: 0, used: "vertex", index: 4, count: 4 }));
 /// ```
 #[derive(Debug, PartialEq, Eq)]
 pub struct Mesh<'a, V = i16> {
@@ -174,7 +174,13 @@ const fn check_indices(vertices: usize, faces: &[[u16; 3]]) -> Result<(), MeshEr
         let largest = if a > b { a } else { b };
         let index = if largest > c { largest } else { c };
         if index as usize >= vertices {
-            return Err(MeshError::FaceIndex { face, index });
+            return Err(MeshError::Index {
+                of: "face",
+                number: face,
+                used: "vertex",
+                index,
+                count: vertices,
+            });
         }
         face += 1;
     }
@@ -306,14 +312,15 @@ impl<'a, V> Mesh<'a, V> {
     ///
     /// # Errors
     ///
-    /// [`MeshError::EdgeIndex`] if an edge uses a vertex index out of range.
+    /// [`MeshError::Index`] if an edge uses a vertex index out of range.
     pub const fn with_edges(self, edges: &'a [[u16; 2]]) -> Result<Self, MeshError> {
         let mut edge = 0;
         while edge < edges.len() {
             let [a, b] = edges[edge];
             let index = if a > b { a } else { b };
             if index as usize >= self.vertices.len() {
-                return Err(MeshError::EdgeIndex { edge, index });
+                let count = self.vertices.len();
+                return Err(MeshError::Index { of: "edge", number: edge, used: "vertex", index, count });
             }
             edge += 1;
         }

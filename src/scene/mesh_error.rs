@@ -10,19 +10,18 @@ pub enum MeshError {
         /// The number of vertices; the limit is 65536.
         vertices: usize,
     },
-    /// A face uses a vertex index that is out of range.
-    FaceIndex {
-        /// The face's index.
-        face: usize,
-        /// The vertex index that the face uses.
+    /// A face or an edge uses something that is not in its list.
+    Index {
+        /// What uses it: "face" or "edge".
+        of: &'static str,
+        /// The index of that.
+        number: usize,
+        /// What it uses: "vertex", "colour" or "texture coordinate".
+        used: &'static str,
+        /// The index that it uses.
         index: u16,
-    },
-    /// An edge uses a vertex index that is out of range.
-    EdgeIndex {
-        /// The edge's index.
-        edge: usize,
-        /// The vertex index that the edge uses.
-        index: u16,
+        /// How many there are.
+        count: usize,
     },
     /// An edge lacks its pair of adjacent faces, or a face index is neither in range nor [`Mesh::NO_FACE`](crate::Mesh::NO_FACE).
     EdgeFaces {
@@ -43,15 +42,6 @@ pub enum MeshError {
         /// The given exponent.
         exponent: i8,
     },
-    /// A face uses a colour or a texture coordinate that is not in the list.
-    MaterialIndex {
-        /// The face's index.
-        face: usize,
-        /// The index that the face uses.
-        index: u16,
-        /// How many colours or coordinates there are.
-        count: usize,
-    },
     /// A node of a hierarchy has a parent that does not come before it. Order the list so that parents come first, which also
     /// excludes cycles.
     Parent {
@@ -68,11 +58,8 @@ impl core::fmt::Display for MeshError {
             Self::TooManyVertices { vertices } => {
                 write!(f, "{vertices} vertices, but u16 indices address 65536: split the mesh")
             }
-            Self::FaceIndex { face, index } => {
-                write!(f, "face {face} uses vertex {index}, which the mesh does not have: indices begin at 0")
-            }
-            Self::EdgeIndex { edge, index } => {
-                write!(f, "edge {edge} uses vertex {index}, which the mesh does not have: indices begin at 0")
+            Self::Index { of, number, used, index, count } => {
+                write!(f, "{of} {number} uses {used} {index}, but there are {count}: indices begin at 0")
             }
             Self::EdgeFaces { edge } => {
                 write!(f, "edge {edge} has no pair of faces, or uses a face that the mesh does not have: list edges first, then one pair for each, as `edge_faces` returns them")
@@ -82,9 +69,6 @@ impl core::fmt::Display for MeshError {
             }
             Self::Exponent { exponent } => {
                 write!(f, "the unit 2^{exponent} is out of range, 2^-32 to 2^15 for vertices and 2^-15 to 1 for texture coordinates: choose another")
-            }
-            Self::MaterialIndex { face, index, count } => {
-                write!(f, "face {face} uses colour or texture coordinate {index}, but the list has {count}")
             }
             Self::Parent { node, parent } => {
                 write!(

@@ -7,16 +7,6 @@ use crate::math::{Affine, Vector3};
 use crate::shading::{Light, LightError};
 use crate::space::{Model, World};
 
-/// A light that shines in one direction everywhere, as the sun does: one of [`Lights`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct DirectionalLight {
-    /// Towards the light, in world space, of any length.
-    pub towards: Vector3<World>,
-    /// The light that it adds to a face that it meets at a right angle, in 1/256 of full light: 0 … 256, more counts as 256.
-    pub strength: u16,
-}
-
 /// Any number of directional lights, and ambient light by Lambert's law, summed, set up for one object:
 /// `ambient + Σ strengthᵢ · max(0, cosᵢ)`, at most 256. A main light, a weaker one from the other side and a little ambient light
 /// show a shape better than one light does.
@@ -28,11 +18,10 @@ pub struct DirectionalLight {
 /// model transform divided by its smallest.
 ///
 /// ```
-/// use pinhole::{light::{DirectionalLight, Lights}, prelude::*};
+/// use pinhole::{light::Lights, prelude::*};
 /// let model = Affine::<Model, World>::identity();
-/// let key = DirectionalLight { towards: Vector3::from_ints(0, 0, 1), strength: 160 };
-/// let fill = DirectionalLight { towards: Vector3::from_ints(-1, 0, 0), strength: 64 };
-/// let lights = Lights::new(&model, &[key, fill], 32)?;
+/// let (key, fill) = (Vector3::from_ints(0, 0, 1), Vector3::from_ints(-1, 0, 0));
+/// let lights = Lights::new(&model, &[(key, 160), (fill, 64)], 32)?;
 /// assert_eq!(lights.level([0, 0, 32767]), 192); // the main light and ambient light
 /// assert_eq!(lights.level([-32767, 0, 0]), 96); // the other light and ambient light
 /// assert_eq!(lights.level([32767, 0, 0]), 32);
@@ -49,26 +38,27 @@ pub struct Lights<const N: usize> {
 }
 
 impl<const N: usize> Lights<N> {
-    /// Sets up the lights on an object with the transform `model`. `ambient` is in 1/256 of full light (more than 256 counts as
-    /// 256).
+    /// Sets up the lights on an object with the transform `model`: of each light the direction towards it, in world space and of any
+    /// length, and the light that it adds to a face that it meets at a right angle. That and `ambient` are in 1/256 of full light (more
+    /// than 256 counts as 256).
     ///
     /// # Errors
     ///
-    /// [`LightError::ZeroDirection`] if a light's `towards` has length zero.
+    /// [`LightError::ZeroDirection`] if a direction has length zero.
     #[inline(never)] // set-up: its stack frame is gone before faces are drawn
     pub fn new(
         model: &Affine<Model, World>,
-        lights: &[DirectionalLight; N],
+        lights: &[(Vector3<World>, u16); N],
         ambient: u16,
     ) -> Result<Self, LightError> {
         let space = NormalSpace::new(model);
         let mut towards = [[0; 3]; N];
-        for (towards, light) in towards.iter_mut().zip(lights) {
-            let unit = normalise(&light.towards.bits().map(i64::from));
+        for (towards, (direction, strength)) in towards.iter_mut().zip(lights) {
+            let unit = normalise(&direction.bits().map(i64::from));
             if is_zero(&unit) {
                 return Err(LightError::ZeroDirection);
             }
-            let strength = i32::from(light.strength.min(256));
+            let strength = i32::from((*strength).min(256));
             for (to, c) in towards.iter_mut().zip(space.direction(unit)) {
                 // |c · strength| ≤ 2³⁸, so at most 2¹⁵ after the shift.
                 *to = scale(mul_called(c, strength), -23).min(32_767) as i16;

@@ -45,7 +45,7 @@ pub use shader::{Shader, SpanShader};
 pub(crate) use sprite::SpriteSize;
 pub(crate) use sprite::{Sprite, SpriteSource};
 pub(crate) use stroke::{rests_of_line, StrokeKind};
-pub use stroke::{AntiAliased, AntiAliasedBy, AntiAliasedByTable, Stroke};
+pub use stroke::{AntiAliased, AntiAliasedBy, Stroke};
 pub use table::{ShadeTable, TableShader};
 pub(crate) use texture::Line;
 pub use texture::PerspectiveGouraud;

@@ -152,33 +152,33 @@ pub(crate) fn rests_of_line<C: PixelColor, K: StrokeKind<C>>(slope: u32) -> [&'s
 }
 
 impl<C> AntiAliased<C> {
-    /// These lines with areas from a table: less exact, but wireframes take 37 to 55 % of the instructions.
+    /// These lines with areas from a table of 2.5 KB: less exact, but wireframes take 37 to 55 % of the instructions.
+    ///
+    /// An area is within 0.03 of the exact one, and within 0.04 for colours of 15 and 16 bits, whose shares are multiples of 1/32; asserted
+    /// against polygons cut in f64. (Gupta and Sproull, *Filtering edges for gray-scale displays*, 1981, take intensities from a table.)
+    ///
+    /// Edges and the lines of a polyline end at pixel borders across their major axis, without round joints: a column of pixels whose middle
+    /// is at most ¼ pixel from the end is drawn in half. Lines that go straight on are drawn as one line. Regular polygons are within 0.6 of the
+    /// exact area in every pixel, those of 16 or 64 sides of 1.8 pixels or more within 0.35; two lines at any angle miss at most 0.65 of a pixel,
+    /// and cover up to 0.4 too much.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{draw::draw_line, raster::Pixel, shading::AntiAliased, target::Picture};
+    /// let mut pixels = [Gray8::BLACK; 5 * 3];
+    /// let mut picture = Picture::new(&mut pixels, Size::new(5, 3))?;
+    /// let stroke = AntiAliased(Gray8::WHITE).by_table();
+    /// let Ok(()) = draw_line(Pixel { x: 0, y: 0 }, Pixel { x: 4, y: 2 }, stroke, &mut picture.pixels());
+    /// let column = [2, 7, 12].map(|i| picture.colors()[i].luma());
+    /// assert_eq!(column, [24, 236, 29]); // the exact areas are 24, 236 and 24
+    /// # Ok::<(), pinhole::target::BufferError>(())
+    /// ```
     pub fn by_table(self) -> AntiAliasedByTable<C> {
         AntiAliasedByTable(self.0)
     }
 }
 
-/// [`AntiAliased`] lines with areas from a table of 2.5 KB: [`AntiAliased::by_table`].
-///
-/// An area is within 0.03 of the exact one, and within 0.04 for colours of 15 and 16 bits, whose shares are multiples of 1/32; asserted
-/// against polygons cut in f64. (Gupta and Sproull, *Filtering edges for gray-scale displays*, 1981, take intensities from a table.)
-///
-/// Edges and the lines of a polyline end at pixel borders across their major axis, without round joints: a column of pixels whose middle
-/// is at most ¼ pixel from the end is drawn in half. Lines that go straight on are drawn as one line. Regular polygons are within 0.6 of the
-/// exact area in every pixel, those of 16 or 64 sides of 1.8 pixels or more within 0.35; two lines at any angle miss at most 0.65 of a pixel,
-/// and cover up to 0.4 too much.
-///
-/// ```
-/// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-/// use pinhole::{draw::draw_line, raster::Pixel, shading::AntiAliased, target::Picture};
-/// let mut pixels = [Gray8::BLACK; 5 * 3];
-/// let mut picture = Picture::new(&mut pixels, Size::new(5, 3))?;
-/// let stroke = AntiAliased(Gray8::WHITE).by_table();
-/// let Ok(()) = draw_line(Pixel { x: 0, y: 0 }, Pixel { x: 4, y: 2 }, stroke, &mut picture.pixels());
-/// let column = [2, 7, 12].map(|i| picture.colors()[i].luma());
-/// assert_eq!(column, [24, 236, 29]); // the exact areas are 24, 236 and 24
-/// # Ok::<(), pinhole::target::BufferError>(())
-/// ```
+/// What [`AntiAliased::by_table`] returns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AntiAliasedByTable<C>(C);

@@ -42,29 +42,19 @@ pub enum BufferError {
         /// The number of faces or edges. At most 65535 can be binned.
         items: usize,
     },
-    /// A painter has no room for the vertices: raise `VERTICES` (65536 at most). Every vertex of a mesh takes one, and every corner
-    /// of a clipped face's triangles.
-    PainterVertices {
-        /// The number of vertices with this mesh.
+    /// A painter has no room for the vertices or the faces of a mesh, or a scene none for another object: raise the type's parameter, a
+    /// painter's `VERTICES` to 65536 at most, its `FACES` to 65535. Every vertex of a mesh takes one, and every corner of a clipped face's
+    /// triangles; every visible face takes one, and every triangle of a clipped face.
+    Full {
+        /// The parameter: "VERTICES", "FACES" or "OBJECTS".
+        parameter: &'static str,
+        /// How many there would be.
         needed: usize,
-        /// The number of vertices for which there is room.
-        capacity: usize,
-    },
-    /// A painter has no room for the faces: raise `FACES` (65535 at most). Every visible face takes one, and every triangle of a
-    /// clipped face.
-    PainterFaces {
-        /// The number of faces with this mesh.
-        needed: usize,
-        /// The number of faces for which there is room.
+        /// How many there is room for.
         capacity: usize,
     },
     /// A painter's stored faces belong to another viewport: draw them first, or use two painters.
     OtherViewport,
-    /// A scene has no room for another object: raise `OBJECTS`.
-    Objects {
-        /// The number of objects for which there is room.
-        capacity: usize,
-    },
 }
 
 impl core::fmt::Display for BufferError {
@@ -88,28 +78,14 @@ impl core::fmt::Display for BufferError {
             Self::TooManyItems { items } => {
                 write!(f, "{items} faces or edges, but bins hold at most 65535: split the mesh")
             }
-            Self::PainterVertices { needed, capacity: 65_536 } => {
-                write!(
-                    f,
-                    "{needed} vertices, but a painter holds at most 65536: add fewer meshes, or smaller ones"
-                )
+            Self::Full { parameter: "VERTICES", needed, capacity: most @ 65_536 }
+            | Self::Full { parameter: "FACES", needed, capacity: most @ 65_535 } => {
+                write!(f, "{needed} of {most} that a painter holds at most: add fewer meshes, or smaller ones")
             }
-            Self::PainterVertices { needed, capacity } => {
-                write!(f, "{needed} vertices, but the painter has room for {capacity}: raise VERTICES")
-            }
-            Self::PainterFaces { needed, capacity: 65_535 } => {
-                write!(
-                    f,
-                    "{needed} faces, but a painter holds at most 65535: add fewer meshes, or smaller ones"
-                )
-            }
-            Self::PainterFaces { needed, capacity } => {
-                write!(f, "{needed} faces, but the painter has room for {capacity}: raise FACES")
+            Self::Full { parameter, needed, capacity } => {
+                write!(f, "{needed} are needed, but there is room for {capacity}: raise {parameter}")
             }
             Self::OtherViewport => f.write_str("one painter draws into one viewport at a time: draw what it holds first, or use two painters"),
-            Self::Objects { capacity } => {
-                write!(f, "the scene has room for {capacity} objects: raise OBJECTS")
-            }
         }
     }
 }

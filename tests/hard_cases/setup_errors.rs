@@ -6,22 +6,21 @@ use pinhole::space::{Model, World};
 use pinhole::{light::LightError, math::MathError, mesh::MeshError, prelude::*, Angle};
 use support::bridge::vector;
 
+/// The error of an index that is none of `count` vertices.
+fn index(of: &'static str, number: usize, index: u16, count: usize) -> MeshError {
+    MeshError::Index { of, number, used: "vertex", index, count }
+}
+
 #[test]
 fn invalid_meshes_are_refused_with_the_offending_index() {
     let vertices = [[0i16; 3]; 3];
     assert!(Mesh::new(&vertices, 0, &[[0, 1, 2]]).is_ok());
     assert!(Mesh::new(&[], 0, &[]).is_ok());
-    assert_eq!(
-        Mesh::new(&vertices, 0, &[[0, 1, 2], [0, 3, 1]]),
-        Err(MeshError::FaceIndex { face: 1, index: 3 })
-    );
-    assert_eq!(Mesh::new(&[], 0, &[[0, 0, 0]]), Err(MeshError::FaceIndex { face: 0, index: 0 }));
+    assert_eq!(Mesh::new(&vertices, 0, &[[0, 1, 2], [0, 3, 1]]), Err(index("face", 1, 3, 3)));
+    assert_eq!(Mesh::new(&[], 0, &[[0, 0, 0]]), Err(index("face", 0, 0, 0)));
     let mesh = Mesh::new(&vertices, 0, &[[0, 1, 2]]).expect("a mesh");
     assert!(mesh.with_edges(&[[0, 1], [2, 2]]).is_ok());
-    assert_eq!(
-        mesh.with_edges(&[[0, 1], [1, 2], [65535, 0]]),
-        Err(MeshError::EdgeIndex { edge: 2, index: 65535 })
-    );
+    assert_eq!(mesh.with_edges(&[[0, 1], [1, 2], [65535, 0]]), Err(index("edge", 2, 65535, 3)));
     assert!(mesh.with_normals(&[[0, 0, 1]]).is_ok());
     assert_eq!(
         mesh.with_normals(&[]),
@@ -45,7 +44,7 @@ fn invalid_meshes_are_refused_with_the_offending_index() {
         assert_eq!(error, (!(-32..=15).contains(&exponent)).then_some(MeshError::Exponent { exponent }));
     }
     let fixed = [[Scalar::ZERO; 3]; 2];
-    assert_eq!(Mesh::from_fixed(&fixed, &[[0, 1, 2]]), Err(MeshError::FaceIndex { face: 0, index: 2 }));
+    assert_eq!(Mesh::from_fixed(&fixed, &[[0, 1, 2]]), Err(index("face", 0, 2, 2)));
 }
 
 #[test]

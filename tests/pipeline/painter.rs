@@ -83,7 +83,7 @@ fn a_full_painter_names_the_parameter_and_value_to_raise() {
     }
     assert!(matches!(
         instance.faces(|_| Shader(0)).sorted(&mut painter),
-        Err(BufferError::PainterVertices { needed: 9, capacity: 7 })
+        Err(BufferError::Full { parameter: "VERTICES", needed: 9, capacity: 7 })
     ));
     let mut painter = Painter::<Shader, 9, 2>::new();
     for _ in 0..2 {
@@ -91,7 +91,7 @@ fn a_full_painter_names_the_parameter_and_value_to_raise() {
     }
     assert!(matches!(
         instance.faces(|_| Shader(1)).sorted(&mut painter),
-        Err(BufferError::PainterFaces { needed: 3, capacity: 2 })
+        Err(BufferError::Full { parameter: "FACES", needed: 3, capacity: 2 })
     ));
     // The faces added before are drawn.
     let mut target = Recorder::sized(16, 16);
@@ -101,11 +101,11 @@ fn a_full_painter_names_the_parameter_and_value_to_raise() {
     let (empty, other) = (Mesh::new(&[[0; 3]; 8], 0, &[]), bridge::draw::cube_camera((3, 4, 9, 9)).library());
     let mut painter = Painter::<Shader, 7, 9>::new();
     let large = empty.expect("a mesh");
-    let full = Err(BufferError::PainterVertices { needed: 8, capacity: 7 });
+    let full = Err(BufferError::Full { parameter: "VERTICES", needed: 8, capacity: 7 });
     assert_eq!(other.place(&large, &model).faces(|_| Shader(0)).sorted(&mut painter), full);
     for added in 0..2 {
         instance.faces(|_| Shader(0)).sorted(&mut painter).expect("enough room");
-        let full = Err(BufferError::PainterVertices { needed: 3 * added + 11, capacity: 7 });
+        let full = Err(BufferError::Full { parameter: "VERTICES", needed: 3 * added + 11, capacity: 7 });
         assert_eq!(camera.place(&large, &model).faces(|_| Shader(0)).sorted(&mut painter), full);
     }
     let mut target = Recorder::sized(16, 16);
@@ -234,7 +234,7 @@ fn a_painter_holds_as_many_faces_as_its_index_can_name() {
             .expect("65536 corners and 65535 faces");
         assert!(matches!(
             camera.place(&none, &model).faces(|_| Shader(0)).sorted(&mut painter),
-            Err(BufferError::PainterVertices { needed: 65_537, .. })
+            Err(BufferError::Full { parameter: "VERTICES", needed: 65_537, .. })
         ));
         let mut target = Recorder::new(bridge::rectangle(8, 8, 1, 1));
         assert_eq!(painter.draw(&mut target).expect("no error").drawn, 65_535);
@@ -249,7 +249,7 @@ fn a_painter_holds_as_many_faces_as_its_index_can_name() {
         }
         assert!(matches!(
             camera.place(&one, &model).faces(|_| Shader(0)).sorted(&mut painter),
-            Err(BufferError::PainterFaces { needed: 65_536, .. })
+            Err(BufferError::Full { parameter: "FACES", needed: 65_536, .. })
         ));
         let mut target = Recorder::new(bridge::rectangle(8, 8, 1, 1));
         assert_eq!(painter.draw(&mut target).expect("no error").drawn, 65_535);

@@ -69,11 +69,11 @@ fn random<'m>(rng: &mut Rng, meshes: &'m Meshes) -> Scene<'m, usize, OBJECTS> {
         let [x, y, z] = [rng.real(-9.0, 9.0), rng.real(-6.0, 6.0), rng.real(-14.0, 6.0)]
             .map(|v| Scalar::try_from(v).expect("in range"));
         let model = turned.translate(Vector3::new(x, y, z));
-        let object = match rng.below(2) {
+        let mut object = match rng.below(2) {
             0 => Object::new(&meshes.0, model, index),
             _ => Object::new(&meshes.1, model, index),
         };
-        let object = object.with_cull(cull(index));
+        object.cull = cull(index);
         assert_eq!(scene.add(object), Ok(index));
     }
     scene
@@ -358,8 +358,8 @@ fn a_scene_without_room_says_what_it_needs() {
     let object = Object::new(&meshes.0, Affine::identity(), 7);
     assert_eq!([scene.add(object), scene.add(object)], [Ok(0), Ok(1)]);
     let full = scene.add(object);
-    assert_eq!(full, Err(BufferError::Objects { capacity: 2 }));
-    assert!(full.expect_err("full").to_string().contains("2 objects"));
+    assert_eq!(full, Err(BufferError::Full { parameter: "OBJECTS", needed: 3, capacity: 2 }));
+    assert!(full.expect_err("full").to_string().contains("room for 2: raise OBJECTS"));
     scene.objects_mut()[1].model = Affine::identity().translate(Vector3::from_ints(0, 0, -9));
     let viewport = Viewport::new(Point::zero(), Size::new(40, 40)).expect("a viewport");
     let sphere = meshes.0.bounding_sphere();

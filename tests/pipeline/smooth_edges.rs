@@ -280,7 +280,9 @@ fn a_scene_is_smoothed_as_its_objects() {
     let mut scene = pinhole::draw::Scene::<u8, 5>::new();
     let mut add = |mesh, step, [x, y, z]: [i16; 3], cull, level| {
         let model = turned(step).library().translate(Vector3::from_ints(x, y, z));
-        scene.add(Object::new(mesh, model, level).with_cull(cull)).expect("room");
+        let mut object = Object::new(mesh, model, level);
+        object.cull = cull;
+        scene.add(object).expect("room");
     };
     add(&meshes[0], 1, [-2, 0, 0], Cull::Front, 250);
     add(&meshes[1], 2, [3, 0, 1], Cull::None, 40);

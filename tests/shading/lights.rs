@@ -3,9 +3,7 @@
 
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
 use pinhole::{
-    light::{
-        BlinnPhong, DirectionalLight, Lambert, Light, LightError, Lights, Matcap, PointLight, RigidLambert,
-    },
+    light::{BlinnPhong, Lambert, Light, LightError, Lights, Matcap, PointLight, RigidLambert},
     texture::Texels,
 };
 use support::bridge::pair::{bits, random_view, ModelBits, Step, ONE};
@@ -137,7 +135,7 @@ fn sums_of_lights_are_within_their_bound() {
         let ambient = rng.int(0, 80) as u16;
         let ours = Lights::new(
             &model.library(),
-            &lights.map(|(towards, strength)| DirectionalLight { towards: vector(towards), strength }),
+            &lights.map(|(towards, strength)| (vector(towards), strength)),
             ambient,
         )
         .expect("lights");
@@ -163,7 +161,7 @@ fn sums_of_lights_are_within_their_bound() {
 fn one_light_and_no_light_are_lights() {
     let model = ModelBits::default().library();
     let towards = vector([ONE, 2 * ONE, -ONE]);
-    let one = Lights::new(&model, &[DirectionalLight { towards, strength: 200 }], 56).expect("a light");
+    let one = Lights::new(&model, &[(towards, 200)], 56).expect("a light");
     let lambert = Lambert::new(&model, towards, 56).expect("a light");
     let mut rng = Rng::new(0xA2);
     for normal in [(); 100].map(|()| random_normal(&mut rng)) {
@@ -172,10 +170,10 @@ fn one_light_and_no_light_are_lights() {
     }
     let dark = Lights::new(&model, &[], 300).expect("no light");
     assert_eq!(dark.level([0, 0, 32767]), 256);
-    let zero = DirectionalLight { towards: vector([0; 3]), strength: 9 };
+    let zero = (vector([0; 3]), 9);
     assert_eq!(Lights::new(&model, &[zero], 0), Err(LightError::ZeroDirection));
     // Many full lights do not wrap.
-    let full = [DirectionalLight { towards: vector([0, 0, ONE]), strength: 256 }; 9];
+    let full = [(vector([0, 0, ONE]), 256); 9];
     assert_eq!(Lights::new(&model, &full, 256).expect("lights").level([0, 0, 32767]), 256);
 }
 
@@ -407,7 +405,7 @@ fn lists_of_normals_are_lit_one_by_one() {
         };
         let light = Lambert::new(&model, towards, 40).expect("a light");
         check("Lambert", &|n| light.level(n), &|levels| light.levels(&normals, levels));
-        let light = Lights::new(&model, &[DirectionalLight { towards, strength: 90 }], 56).expect("a light");
+        let light = Lights::new(&model, &[(towards, 90)], 56).expect("a light");
         check("lights", &|n| light.level(n), &|levels| light.levels(&normals, levels));
         let light = BlinnPhong::new(&model, towards, vector([0, 0, ONE]), 64, 8).expect("a light");
         check("highlights", &|n| light.level(n), &|levels| light.levels(&normals, levels));

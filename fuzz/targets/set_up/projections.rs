@@ -131,7 +131,7 @@ fn reasons(family: &Family) -> Reasons {
     match *family {
         Family::FieldOfView(fov, (w, h), n, f) => {
             all.when(!(1 << 20..=(1 << 31) - (1 << 20)).contains(&fov), E::FieldOfView);
-            all.when(w == 0 || h == 0, E::EmptyViewport);
+            all.when(w == 0 || h == 0, E::Viewport);
             all.central(n, f);
         }
         Family::Frustum(w, n, f) => {
@@ -140,7 +140,7 @@ fn reasons(family: &Family) -> Reasons {
         }
         Family::Orthographic(w, n, f) | Family::Oblique(w, n, f, ..) => all.parallel(w, n.into(), f.into()),
         Family::Reference([_, _, pn], w, front, back) => {
-            all.when(pn <= 0, E::ReferenceBehindPlane);
+            all.when(pn <= 0, E::NoViewPlane);
             all.when(front >= pn, E::NearNotPositive);
             all.when(back >= front, E::NearNotBeforeFar);
             all.window(w);
@@ -152,7 +152,7 @@ fn reasons(family: &Family) -> Reasons {
             }
         }
         Family::ReferenceParallel([_, _, pn], w, front, back) => {
-            all.when(pn <= 0, E::ReferenceBehindPlane);
+            all.when(pn <= 0, E::NoViewPlane);
             // Places on the n axis, where near and far lie the other way round.
             all.parallel(w, -i64::from(front), -i64::from(back));
         }

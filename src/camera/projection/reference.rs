@@ -30,7 +30,7 @@ impl Projection {
     ///
     /// # Errors
     ///
-    /// [`CameraError::ReferenceBehindPlane`], [`EmptyWindow`](CameraError::EmptyWindow),
+    /// [`CameraError::NoViewPlane`], [`EmptyWindow`](CameraError::EmptyWindow),
     /// [`NearNotPositive`](CameraError::NearNotPositive) where front is not before the PRP, and
     /// [`NearNotBeforeFar`](CameraError::NearNotBeforeFar).
     pub fn perspective_from_reference(
@@ -84,7 +84,7 @@ impl Projection {
 fn before_plane(prp: Point3<View>) -> Result<i64, CameraError> {
     let pn = i64::from(prp.z().to_bits());
     if pn <= 0 {
-        return Err(CameraError::ReferenceBehindPlane);
+        return Err(CameraError::NoViewPlane);
     }
     Ok(pn)
 }

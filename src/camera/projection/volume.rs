@@ -35,7 +35,7 @@ impl Projection {
     ///
     /// # Errors
     ///
-    /// [`CameraError::FieldOfView`], [`EmptyViewport`](CameraError::EmptyViewport),
+    /// [`CameraError::FieldOfView`], [`Viewport`](CameraError::Viewport),
     /// [`NearNotPositive`](CameraError::NearNotPositive) and [`NearNotBeforeFar`](CameraError::NearNotBeforeFar).
     #[inline(never)] // set-up: code size counts, speed does not
     pub const fn perspective(
@@ -48,7 +48,7 @@ impl Projection {
             return Err(CameraError::FieldOfView);
         }
         if aspect.width == 0 || aspect.height == 0 {
-            return Err(CameraError::EmptyViewport);
+            return Err(CameraError::Viewport);
         }
         let (sine, cosine) = Angle::from_bits(fov_y.bits() / 2).sin_cos();
         // Half angles of 1/8192 … 2047/8192 turn: both positive, 30 bits; times 32-bit sides.

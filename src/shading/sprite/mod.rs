@@ -9,7 +9,6 @@ mod source;
 mod sprite;
 
 pub use image::SpriteImage;
-pub use rotated::RotatedPicture;
 pub use source::{SolidTexel, SpriteSource};
 pub use sprite::Sprite;
 pub(crate) use sprite::SpriteSize;

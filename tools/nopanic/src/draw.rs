@@ -310,7 +310,8 @@ fn change<'m>(
     mesh: &'m Mesh<'m>,
     model: &Affine<Model, World>,
 ) {
-    let object = Object::new(mesh, *model, color()).with_cull(Cull::None);
+    let mut object = Object::new(mesh, *model, color());
+    object.cull = Cull::None;
     match any() {
         0 => report(scene.add(object)),
         1 => scene.clear(),

@@ -17,7 +17,7 @@ use pinhole::{
     camera::{CameraError, Frustum, Projected, Rotation, Visibility},
     color::{Format, StoredPixel},
     draw::TransformedMesh,
-    light::{BlinnPhong, DirectionalLight, LightError, Lights, Matcap, PointLight, RigidLambert},
+    light::{BlinnPhong, LightError, Lights, Matcap, PointLight, RigidLambert},
     math::{MathError, Sphere},
     mesh::{edge_faces, Coordinate, FaceColors, Hierarchy, MeshError, Node, TextureCoords},
     prelude::*,
@@ -120,7 +120,7 @@ entries! {
     entry_rigid_light(model: &Affine<Model, World>, ambient: u16) -> Result<RigidLambert, LightError> { RigidLambert::new(model, vector(), ambient) }
     entry_rigid_level(light: &RigidLambert, normal: [i16; 3]) -> u16 { light.level(normal) }
     entry_rigid_levels(light: &RigidLambert, normals: &[[i16; 3]], levels: &mut [u16]) { light.levels(normals, levels) }
-    entry_lights(model: &Affine<Model, World>, lights: &[DirectionalLight; 3], ambient: u16) -> Result<Lights<3>, LightError> { Lights::new(model, lights, ambient) }
+    entry_lights(model: &Affine<Model, World>, lights: &[(Vector3<World>, u16); 3], ambient: u16) -> Result<Lights<3>, LightError> { Lights::new(model, lights, ambient) }
     entry_lights_levels(light: &Lights<3>, normals: &[[i16; 3]], levels: &mut [u16]) -> u16 { light.levels(normals, levels); light.level([any() as i16; 3]) }
     entry_blinn_phong(model: &Affine<Model, World>, ambient: u16, shininess: u16) -> Result<BlinnPhong, LightError> { BlinnPhong::new(model, vector(), vector(), ambient, shininess) }
     entry_blinn_phong_levels(light: &BlinnPhong, normals: &[[i16; 3]], levels: &mut [u16]) -> u16 { light.levels(normals, levels); light.level([any() as i16; 3]) }
