@@ -19,6 +19,7 @@ struct Chessboard;
 impl Texels for Chessboard {
     type Color = Rgb888;
     type Ink = Rgb888;
+    type FastPath = ();
 
     fn size_bits(&self) -> [u32; 2] {
         Tiles.size_bits()

@@ -351,6 +351,7 @@ struct Numbered;
 impl Texels for Numbered {
     type Color = Gray8;
     type Ink = Gray8;
+    type FastPath = ();
     fn size_bits(&self) -> [u32; 2] {
         [4, 3]
     }

@@ -68,6 +68,7 @@ struct Leveled<const BITS: u32>;
 impl<const BITS: u32> Texels for Leveled<BITS> {
     type Color = Entry;
     type Ink = Entry;
+    type FastPath = ();
     const LEVEL_BITS: u32 = BITS;
 
     fn size_bits(&self) -> [u32; 2] {

@@ -36,6 +36,7 @@ pub(crate) struct Numbered(pub(crate) [u32; 2]);
 impl Texels for Numbered {
     type Color = Shown;
     type Ink = Shown;
+    type FastPath = ();
 
     fn size_bits(&self) -> [u32; 2] {
         self.0
@@ -53,6 +54,7 @@ pub(crate) struct Wide<S>(pub(crate) S);
 impl<S: Texels> Texels for Wide<S> {
     type Color = S::Color;
     type Ink = S::Ink;
+    type FastPath = ();
     const WIDE: bool = true;
 
     fn size_bits(&self) -> [u32; 2] {
@@ -74,6 +76,7 @@ pub(crate) struct Tiles;
 impl Texels for Tiles {
     type Color = Rgb888;
     type Ink = Rgb888;
+    type FastPath = ();
 
     fn size_bits(&self) -> [u32; 2] {
         [3, 3]

@@ -378,6 +378,7 @@ struct Colored;
 impl Texels for Colored {
     type Color = Rgb888;
     type Ink = Rgb888;
+    type FastPath = ();
 
     fn size_bits(&self) -> [u32; 2] {
         [6, 6]

@@ -125,6 +125,7 @@ pub(crate) struct Picture<'t> {
 impl Texels for Picture<'_> {
     type Color = Stored;
     type Ink = Stored;
+    type FastPath = ();
 
     fn size_bits(&self) -> [u32; 2] {
         self.texels.size_bits()

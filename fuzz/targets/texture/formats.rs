@@ -25,6 +25,7 @@ struct Leveled([u32; 2]);
 impl Texels for Leveled {
     type Color = Rgb888;
     type Ink = Rgb888;
+    type FastPath = ();
 
     fn size_bits(&self) -> [u32; 2] {
         self.0

@@ -19,6 +19,7 @@ struct Numbered([u32; 2]);
 impl Texels for Numbered {
     type Color = Rgb888;
     type Ink = Rgb888;
+    type FastPath = ();
 
     fn size_bits(&self) -> [u32; 2] {
         self.0

@@ -1,6 +1,6 @@
 //! Texels that are mixed of four neighbours.
 
-use super::texels::Texels;
+use super::texels::{TexelPath, Texels};
 use crate::color::{Color, Mixer};
 use crate::math::hints::{keep_rolled, opaque};
 
@@ -67,9 +67,8 @@ const fn share<C: Color>(coordinate: u32, bits: u32) -> u32 {
 impl<C: Color, S: Texels<Color = C, Ink = C>> Texels for BilinearTexels<S> {
     type Color = C;
     type Ink = C;
+    type FastPath = Self;
     const WIDE: bool = S::WIDE;
-    const HAS_COPIES: bool = S::HAS_COPIES;
-    const IS_FILTERED: bool = true;
 
     #[inline(always)]
     fn size_bits(&self) -> [u32; 2] {
@@ -78,17 +77,22 @@ impl<C: Color, S: Texels<Color = C, Ink = C>> Texels for BilinearTexels<S> {
 
     #[inline(always)]
     fn texel(&self, u: u32, v: u32) -> C {
-        let [a, b] = self.lead();
-        self.along([0; 2], |at| at)([u.wrapping_sub(a), v.wrapping_sub(b)])
+        let [a, b] = Self::lead(self);
+        Self::along(*self, [0; 2], |at| at)([u.wrapping_sub(a), v.wrapping_sub(b)])
     }
+}
+
+impl<C: Color, S: Texels<Color = C, Ink = C>> TexelPath<Self> for BilinearTexels<S> {
+    const HAS_COPIES: bool = S::FastPath::HAS_COPIES;
+    const IS_FILTERED: bool = true;
 
     #[inline(always)]
     fn along(
-        self,
+        this: Self,
         [du, dv]: [u32; 2],
         coordinates: impl Fn([u32; 2]) -> [u32; 2] + Copy,
     ) -> impl FnMut([u32; 2]) -> C {
-        let (texels, [w, h], lead) = (self.texels, self.texels.size_bits(), self.lead());
+        let (texels, [w, h], lead) = (this.texels, this.texels.size_bits(), Self::lead(&this));
         let is_magnified = is_below(du, texel_of(w)) && is_below(dv, texel_of(h));
         let columns = |bits: u32| u32::MAX << (32u32.wrapping_sub(bits) & 31);
         // No cell has the lowest bit.
@@ -115,15 +119,44 @@ impl<C: Color, S: Texels<Color = C, Ink = C>> Texels for BilinearTexels<S> {
     }
 
     #[inline(always)]
-    fn lead(&self) -> [u32; 2] {
+    fn lead(this: &Self) -> [u32; 2] {
         // Half of a texel and, so that shares are rounded to nearest, half of a step less.
-        self.texels.size_bits().map(|bits| (texel_of(bits) >> 1) - (texel_of(bits) >> C::SHARE_BITS >> 1))
+        this.texels.size_bits().map(|bits| (texel_of(bits) >> 1) - (texel_of(bits) >> C::SHARE_BITS >> 1))
     }
 
     #[inline(always)]
-    fn covered_by(&self, covered: i32) -> Self {
-        Self { texels: self.texels.covered_by(covered) }
+    fn covered_by(this: &Self, covered: i32) -> Self {
+        Self { texels: S::FastPath::covered_by(&this.texels, covered) }
     }
 }
 
 defmt_format!([S] BilinearTexels<S>, self, "texels mixed of four");
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::random::Random;
+    use embedded_graphics_core::pixelcolor::{Bgr555, Gray8, Rgb888};
+
+    /// Where a pixel is a texel or more from the next, it is the nearest one.
+    fn nearest_far_apart<C: Color>(random: &mut Random) {
+        let picture: [[C; 8]; 16] = [[(); 8]; 16].map(|row| row.map(|()| C::from_bits(random.bits() >> 8)));
+        let (plain, mixed) = (&picture, BilinearTexels::new(&picture));
+        for _ in 0..500 {
+            let ([u, v], [a, b]) = ([random.bits(), random.bits()], BilinearTexels::lead(&mixed));
+            for step in [[1 << 29, 0], [0, (1u32 << 28).wrapping_neg()]] {
+                let nearest =
+                    BilinearTexels::along(mixed, step, |at| at)([u.wrapping_sub(a), v.wrapping_sub(b)]);
+                assert!(nearest == plain.texel(u, v));
+            }
+        }
+    }
+
+    #[test]
+    fn pixels_that_are_a_texel_apart_show_the_nearest_texel() {
+        let random = &mut Random(17);
+        nearest_far_apart::<Bgr555>(random);
+        nearest_far_apart::<Gray8>(random);
+        nearest_far_apart::<Rgb888>(random);
+    }
+}

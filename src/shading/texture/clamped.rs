@@ -1,6 +1,6 @@
 //! Texels of a picture that does not repeat.
 
-use super::texels::Texels;
+use super::texels::{TexelPath, Texels};
 use crate::color::Color;
 use crate::math::num::leading_zeros;
 
@@ -36,12 +36,12 @@ impl<S: Texels> ClampedTexels<S> {
     #[inline(always)]
     fn inside(&self, u: u32, v: u32) -> [u32; 2] {
         // The lead of texels that are not filtered is 0.
-        let ([a, b], [c, d]) = (self.lead(), self.texels.lead());
+        let ([a, b], [c, d]) = (Self::lead(self), S::FastPath::lead(&self.texels));
         let [u, v] = self.led_inside([u.wrapping_sub(a), v.wrapping_sub(b)]);
         [u.wrapping_add(c), v.wrapping_add(d)]
     }
 
-    /// [`inside`](Self::inside), of coordinates less [`Texels::lead`] on both sides.
+    /// [`inside`](Self::inside), of coordinates less [`TexelPath::lead`] on both sides.
     #[inline(always)]
     fn led_inside(&self, [u, v]: [u32; 2]) -> [u32; 2] {
         let ([w, h], [across, down]) = (self.sides, self.texels.size_bits());
@@ -50,11 +50,11 @@ impl<S: Texels> ClampedTexels<S> {
 }
 
 /// The point of the picture, of 2^`bits` texels a side, that is nearest to a coordinate in 2⁻³² of 2^`sides` sides, as a coordinate in 2⁻³²
-/// of one side. Of [filtered](Texels::IS_FILTERED) texels, which are mixed with the next, the last texel has one point.
+/// of one side. Of [filtered](TexelPath::IS_FILTERED) texels, which are mixed with the next, the last texel has one point.
 #[inline(always)]
 const fn clamped<S: Texels>(coordinate: u32, sides: u8, bits: u32) -> u32 {
     let end = u32::MAX >> (sides & 31); // 2¹⁵ − 1 … 2³¹ − 1
-    let last = if S::IS_FILTERED { end - (end >> (bits & 31)) } else { end };
+    let last = if S::FastPath::IS_FILTERED { end - (end >> (bits & 31)) } else { end };
     let inside = match coordinate as i32 {
         i32::MIN..=-1 => 0,
         _ if coordinate > last => last,
@@ -66,6 +66,9 @@ const fn clamped<S: Texels>(coordinate: u32, sides: u8, bits: u32) -> u32 {
 impl<S: Texels> Texels for ClampedTexels<S> {
     type Color = S::Color;
     type Ink = S::Ink;
+    type FastPath = Self;
+    const WIDE: bool = true;
+    const LEVEL_BITS: u32 = S::LEVEL_BITS;
 
     /// The binary logarithms of the numbers of texels that coordinates span: up to 25.
     #[inline(always)]
@@ -74,40 +77,11 @@ impl<S: Texels> Texels for ClampedTexels<S> {
         [w.wrapping_add(across as u32), h.wrapping_add(down as u32)]
     }
 
-    const HAS_COPIES: bool = S::HAS_COPIES;
-
-    #[inline(always)]
-    fn covered_by(&self, covered: i32) -> Self {
-        Self { texels: self.texels.covered_by(covered), ..*self }
-    }
-
     #[inline(always)]
     fn texel(&self, u: u32, v: u32) -> S::Ink {
         let [u, v] = self.inside(u, v);
         self.texels.texel(u, v)
     }
-
-    const IS_FILTERED: bool = S::IS_FILTERED;
-
-    #[inline(always)]
-    fn along(
-        self,
-        [du, dv]: [u32; 2],
-        coordinates: impl Fn([u32; 2]) -> [u32; 2] + Copy,
-    ) -> impl FnMut([u32; 2]) -> S::Ink {
-        let [w, h] = self.sides; // 1 … 17
-        self.texels
-            .along([du << (w & 31), dv << (h & 31)], move |numbers| self.led_inside(coordinates(numbers)))
-    }
-
-    #[inline(always)]
-    fn lead(&self) -> [u32; 2] {
-        let ([u, v], [w, h]) = (self.texels.lead(), self.sides);
-        [u >> (w & 31), v >> (h & 31)]
-    }
-
-    const WIDE: bool = true;
-    const LEVEL_BITS: u32 = S::LEVEL_BITS;
 
     #[inline(always)]
     fn lit_texel(&self, u: u32, v: u32, level: u32) -> S::Ink
@@ -116,6 +90,34 @@ impl<S: Texels> Texels for ClampedTexels<S> {
     {
         let [u, v] = self.inside(u, v);
         self.texels.lit_texel(u, v, level)
+    }
+}
+
+impl<S: Texels> TexelPath<Self> for ClampedTexels<S> {
+    const HAS_COPIES: bool = S::FastPath::HAS_COPIES;
+    const IS_FILTERED: bool = S::FastPath::IS_FILTERED;
+
+    #[inline(always)]
+    fn covered_by(this: &Self, covered: i32) -> Self {
+        Self { texels: S::FastPath::covered_by(&this.texels, covered), ..*this }
+    }
+
+    #[inline(always)]
+    fn along(
+        this: Self,
+        [du, dv]: [u32; 2],
+        coordinates: impl Fn([u32; 2]) -> [u32; 2] + Copy,
+    ) -> impl FnMut([u32; 2]) -> S::Ink {
+        let [w, h] = this.sides; // 1 … 17
+        S::FastPath::along(this.texels, [du << (w & 31), dv << (h & 31)], move |numbers| {
+            this.led_inside(coordinates(numbers))
+        })
+    }
+
+    #[inline(always)]
+    fn lead(this: &Self) -> [u32; 2] {
+        let ([u, v], [w, h]) = (S::FastPath::lead(&this.texels), this.sides);
+        [u >> (w & 31), v >> (h & 31)]
     }
 }
 

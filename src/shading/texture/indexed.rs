@@ -70,6 +70,7 @@ impl<'t, C: PixelColor, const BITS: u32> IndexedTexels<'t, C, BITS> {
 impl<C: PixelColor, const BITS: u32> Texels for IndexedTexels<'_, C, BITS> {
     type Color = C;
     type Ink = C;
+    type FastPath = ();
 
     #[inline(always)]
     fn size_bits(&self) -> [u32; 2] {

@@ -31,6 +31,7 @@ impl<S: Texels> ColorKeyed<S, S::Color> {
 impl<S: Texels> Texels for ColorKeyed<S, S::Color> {
     type Color = S::Color;
     type Ink = Option<S::Color>;
+    type FastPath = ();
     const WIDE: bool = S::WIDE;
 
     #[inline(always)]

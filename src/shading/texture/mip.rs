@@ -1,6 +1,6 @@
 //! Mip levels: texels with reduced copies of their picture.
 
-use super::texels::{index, side_bits, Texels};
+use super::texels::{index, side_bits, TexelPath, Texels};
 use crate::color::Color;
 use crate::math::hints::opaque;
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -38,8 +38,18 @@ impl<S> MipTexels<S> {
     }
 }
 
+impl<S: Copy> MipTexels<S> {
+    /// These texels where a pixel covers 2^(`covered`/2¹⁶) texels along each axis: those of the reduced copy to show. Shaders choose it
+    /// for each triangle and for each run of pixels.
+    #[must_use]
+    #[inline(always)]
+    pub const fn covered_by(&self, covered: i32) -> Self {
+        Self { covered, ..*self }
+    }
+}
+
 impl<S: Texels> MipTexels<S> {
-    /// The mask and the offset of the rows of the copy to show, as [`Texels::finder_of_rows`] takes them.
+    /// The mask and the offset of the rows of the copy to show, as [`TexelPath::finder_of_rows`] takes them.
     #[inline(always)]
     fn rows(&self) -> [u32; 2] {
         let [_, bits] = self.texels.size_bits(); // 3 … 8
@@ -107,6 +117,7 @@ impl<C: Color, const W: usize, const H: usize> MipPicture<C, W, H> {
 impl<C: PixelColor, const W: usize, const H: usize> Texels for &MipPicture<C, W, H> {
     type Color = C;
     type Ink = C;
+    type FastPath = Self;
 
     #[inline(always)]
     fn size_bits(&self) -> [u32; 2] {
@@ -115,14 +126,16 @@ impl<C: PixelColor, const W: usize, const H: usize> Texels for &MipPicture<C, W,
 
     #[inline(always)]
     fn texel(&self, u: u32, v: u32) -> C {
-        self.finder_of_rows([u32::MAX >> 1, v & 1 << 31])([u, v << 1])
+        Self::finder_of_rows(self, [u32::MAX >> 1, v & 1 << 31])([u, v << 1])
     }
+}
 
+impl<C: PixelColor, const W: usize, const H: usize> TexelPath<Self> for &MipPicture<C, W, H> {
     /// Costs no more than one picture: the rows from `offset` on are an array of their own.
     #[inline(always)]
-    fn finder_of_rows(self, [mask, offset]: [u32; 2]) -> impl Fn([u32; 2]) -> C + Copy {
-        let [_, rows] = self.size_bits();
-        let MipPicture(both @ [first, _]) = self;
+    fn finder_of_rows(picture: Self, [mask, offset]: [u32; 2]) -> impl Fn([u32; 2]) -> C + Copy {
+        let [_, rows] = picture.size_bits();
+        let MipPicture(both @ [first, _]) = picture;
         let below = both.as_flattened().get(index(offset, rows)..).and_then(|rows| rows.first_chunk());
         let texels: &[[C; W]; H] = below.unwrap_or(first);
         // A row's lowest bit is at W in an index.
@@ -157,9 +170,9 @@ fn mean<C: Color, const W: usize>(picture: &[[C; W]], number: usize, column: usi
 impl<S: Texels> Texels for MipTexels<S> {
     type Color = S::Color;
     type Ink = S::Ink;
+    type FastPath = Self;
     const WIDE: bool = S::WIDE;
     const LEVEL_BITS: u32 = S::LEVEL_BITS;
-    const HAS_COPIES: bool = true;
 
     #[inline(always)]
     fn size_bits(&self) -> [u32; 2] {
@@ -174,11 +187,6 @@ impl<S: Texels> Texels for MipTexels<S> {
     }
 
     #[inline(always)]
-    fn finder(self) -> impl Fn([u32; 2]) -> S::Ink + Copy {
-        self.texels.finder_of_rows(self.rows())
-    }
-
-    #[inline(always)]
     fn lit_texel(&self, u: u32, v: u32, level: u32) -> S::Ink
     where
         S::Color: Color,
@@ -186,10 +194,19 @@ impl<S: Texels> Texels for MipTexels<S> {
         let [mask, offset] = self.rows();
         self.texels.lit_texel(u, (v >> 1) & mask | offset, level)
     }
+}
+
+impl<S: Texels> TexelPath<Self> for MipTexels<S> {
+    const HAS_COPIES: bool = true;
 
     #[inline(always)]
-    fn covered_by(&self, covered: i32) -> Self {
-        Self { covered, ..*self }
+    fn finder(this: Self) -> impl Fn([u32; 2]) -> S::Ink + Copy {
+        S::FastPath::finder_of_rows(this.texels, this.rows())
+    }
+
+    #[inline(always)]
+    fn covered_by(this: &Self, covered: i32) -> Self {
+        this.covered_by(covered)
     }
 }
 

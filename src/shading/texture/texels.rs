@@ -19,6 +19,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// impl Texels for Chessboard {
 ///     type Color = BinaryColor;
 ///     type Ink = BinaryColor;
+///     type FastPath = ();
 ///     fn size_bits(&self) -> [u32; 2] {
 ///         [3, 3]
 ///     }
@@ -40,66 +41,15 @@ pub trait Texels: Copy {
     /// A texel: its colour, or `Option<Self::Color>` if some texels are transparent.
     type Ink: Unmixed<Self::Color>;
 
+    /// `()`. Only texels of this crate have faster twins of [`texel`](Self::texel).
+    type FastPath: TexelPath<Self>;
+
     /// The binary logarithms of the numbers of columns and rows: 3 … 8 each.
     fn size_bits(&self) -> [u32; 2];
 
     /// The texel that holds a point: `u` from the left and `v` from the top, in 2⁻³² of the width and of the height. The texel's
     /// column is `u >> (32 − bits)`, rounded down.
     fn texel(&self, u: u32, v: u32) -> Self::Ink;
-
-    /// [`texel`](Self::texel) as a function for loops, of `[u, v]`. Override it where what all pixels of a triangle need can be computed
-    /// once; it must give equal texels.
-    #[inline(always)]
-    fn finder(self) -> impl Fn([u32; 2]) -> Self::Ink + Copy {
-        move |[u, v]| self.texel(u, v)
-    }
-
-    /// Whether a pixel mixes several texels, as of [`BilinearTexels`](crate::texture::BilinearTexels): shaders then call
-    /// [`along`](Self::along) in place of [`finder`](Self::finder).
-    const IS_FILTERED: bool = false;
-
-    /// [`texel`](Self::texel) for pixels that follow each other, at `coordinates` of numbers that are linear along a run, which have
-    /// [`lead`](Self::lead) subtracted and change by `step`. Override it where neighbours have something in common that takes time to
-    /// compute.
-    #[inline(always)]
-    fn along(
-        self,
-        step: [u32; 2],
-        coordinates: impl Fn([u32; 2]) -> [u32; 2] + Copy,
-    ) -> impl FnMut([u32; 2]) -> Self::Ink {
-        let _ = step;
-        move |numbers| {
-            let [u, v] = coordinates(numbers);
-            self.texel(u, v)
-        }
-    }
-
-    /// What [`along`](Self::along) has subtracted from coordinates, once for each run of pixels.
-    #[inline(always)]
-    fn lead(&self) -> [u32; 2] {
-        [0; 2]
-    }
-
-    /// Whether there are reduced copies of the picture, as in [`MipTexels`](crate::texture::MipTexels), for faces on which a pixel covers
-    /// more than one texel.
-    const HAS_COPIES: bool = false;
-
-    /// These texels where a pixel covers 2^(`covered`/2¹⁶) texels along each axis: those of the reduced copy to show, if there are any.
-    /// Shaders call it for each triangle and for each run of pixels.
-    #[must_use]
-    #[inline(always)]
-    fn covered_by(&self, covered: i32) -> Self {
-        let _ = covered;
-        *self
-    }
-
-    /// [`finder`](Self::finder) of texels at `u` and at `v/2 & mask | offset`, of `[mask, offset]`: a copy's rows in a picture of
-    /// twice the height. Override it where such rows are found faster.
-    #[inline(always)]
-    fn finder_of_rows(self, [mask, offset]: [u32; 2]) -> impl Fn([u32; 2]) -> Self::Ink + Copy {
-        let texel = self.finder();
-        move |[u, v]| texel([u, (v >> 1) & mask | offset])
-    }
 
     /// Whether u and v take 32 bits each. If not, they have 16 bits each and lie in one word, which saves two instructions a pixel
     /// on a Cortex-M3.
@@ -133,6 +83,64 @@ pub trait Texels: Copy {
     }
 }
 
+/// The fast paths of the texels `S`: texels equal to those of [`Texels::texel`], found in less time. `()` has none.
+pub trait TexelPath<S: Texels> {
+    /// [`Texels::texel`] as a function for loops, of `[u, v]`. Override it where what all pixels of a triangle need can be computed once.
+    #[inline(always)]
+    fn finder(texels: S) -> impl Fn([u32; 2]) -> S::Ink + Copy {
+        move |[u, v]| texels.texel(u, v)
+    }
+
+    /// Whether a pixel mixes several texels, as of [`BilinearTexels`](crate::texture::BilinearTexels): shaders then call
+    /// [`along`](Self::along) in place of [`finder`](Self::finder).
+    const IS_FILTERED: bool = false;
+
+    /// [`Texels::texel`] for pixels that follow each other, at `coordinates` of numbers that are linear along a run, which have
+    /// [`lead`](Self::lead) subtracted and change by `step`. Override it where neighbours have something in common that takes time to
+    /// compute.
+    #[inline(always)]
+    fn along(
+        texels: S,
+        step: [u32; 2],
+        coordinates: impl Fn([u32; 2]) -> [u32; 2] + Copy,
+    ) -> impl FnMut([u32; 2]) -> S::Ink {
+        let _ = step;
+        move |numbers| {
+            let [u, v] = coordinates(numbers);
+            texels.texel(u, v)
+        }
+    }
+
+    /// What [`along`](Self::along) has subtracted from coordinates, once for each run of pixels.
+    #[inline(always)]
+    fn lead(texels: &S) -> [u32; 2] {
+        let _ = texels;
+        [0; 2]
+    }
+
+    /// Whether there are reduced copies of the picture, as in [`MipTexels`](crate::texture::MipTexels), for faces on which a pixel covers
+    /// more than one texel.
+    const HAS_COPIES: bool = false;
+
+    /// The texels where a pixel covers 2^(`covered`/2¹⁶) texels along each axis: those of the reduced copy to show, if there are any.
+    /// Shaders call it for each triangle and for each run of pixels.
+    #[inline(always)]
+    fn covered_by(texels: &S, covered: i32) -> S {
+        let _ = covered;
+        *texels
+    }
+
+    /// [`finder`](Self::finder) of texels at `u` and at `v/2 & mask | offset`, of `[mask, offset]`: a copy's rows in a picture of
+    /// twice the height. Override it where such rows are found faster.
+    #[inline(always)]
+    fn finder_of_rows(texels: S, [mask, offset]: [u32; 2]) -> impl Fn([u32; 2]) -> S::Ink + Copy {
+        let texel = Self::finder(texels);
+        move |[u, v]| texel([u, (v >> 1) & mask | offset])
+    }
+}
+
+impl<S: Texels> TexelPath<S> for () {}
+
 /// The index of the column or row that holds `coordinate`, in 2⁻³² of a side with 2^`bits` columns or rows; `bits` is 1 … 31.
 #[inline(always)]
 pub(super) const fn index(coordinate: u32, bits: u32) -> usize {
@@ -151,6 +159,7 @@ pub(super) const fn side_bits(side: usize) -> u32 {
 impl<C: PixelColor, const W: usize, const H: usize> Texels for &[[C; W]; H] {
     type Color = C;
     type Ink = C;
+    type FastPath = Self;
 
     #[inline(always)]
     fn size_bits(&self) -> [u32; 2] {
@@ -163,10 +172,12 @@ impl<C: PixelColor, const W: usize, const H: usize> Texels for &[[C; W]; H] {
         // The remainders change nothing; they tell the compiler that both indices exist.
         self[index(v, h) % H][index(u, w) % W]
     }
+}
 
+impl<C: PixelColor, const W: usize, const H: usize> TexelPath<Self> for &[[C; W]; H] {
     #[inline(always)]
-    fn finder(self) -> impl Fn([u32; 2]) -> C + Copy {
-        let (texels, rows) = (self, opaque((H - 1) * W));
+    fn finder(texels: Self) -> impl Fn([u32; 2]) -> C + Copy {
+        let rows = opaque((H - 1) * W);
         move |[u, v]| {
             let [w, h] = const { [side_bits(W), side_bits(H)] };
             // Bits of the mask that are not known may be those of the column, so the sum of both is not split in two, and the column is
@@ -286,6 +297,7 @@ impl<'t, C: PixelColor> TexelSlice<'t, C> {
 impl<C: PixelColor> Texels for TexelSlice<'_, C> {
     type Color = C;
     type Ink = C;
+    type FastPath = ();
 
     #[inline(always)]
     fn size_bits(&self) -> [u32; 2] {

@@ -5,7 +5,7 @@ use super::line::{packed, unpacked, Line};
 use super::linear::range;
 use super::mapping::{FaceCoords, Textured};
 use super::runs::Runs;
-use super::texels::Texels;
+use super::texels::{TexelPath, Texels};
 use crate::clip::Barycentric;
 use crate::math::hints::opaque_next;
 use crate::math::num::{dot, leading_zeros};
@@ -74,13 +74,13 @@ pub struct TextureGradients<S> {
 }
 
 impl<S: Texels> TextureGradients<S> {
-    /// The runs of a span: their widths, the lines of their texture coordinates, and what [`Texels::covered_by`] takes.
+    /// The runs of a span: their widths, the lines of their texture coordinates, and what [`TexelPath::covered_by`] takes.
     #[inline(always)]
     fn lines(&self, span: Span) -> impl Iterator<Item = (i32, Line, i32)> + use<'_, S> {
         let mut runs = Runs::new(&self.gradients, span);
         // A number that the compiler knows where texels have no copies.
         let of_row = match &self.gradients {
-            _ if !S::HAS_COPIES => 0,
+            _ if !S::FastPath::HAS_COPIES => 0,
             Gradients::Rows(rows) => rows.covered_in_row(span.y, self.texels.size_bits()),
             gradients => gradients.covered(self.texels.size_bits()),
         };
@@ -89,7 +89,7 @@ impl<S: Texels> TextureGradients<S> {
                 true => runs.next_run::<2>(),
                 false => runs.next_run::<1>(),
             }?;
-            if S::HAS_COPIES
+            if S::FastPath::HAS_COPIES
                 && let Runs::Perspective(runs) = &runs
             {
                 return Some((width, line, runs.covered(self.texels.size_bits())));
@@ -101,8 +101,8 @@ impl<S: Texels> TextureGradients<S> {
     /// Texels for a triangle whose coordinates are linear.
     #[inline(always)]
     fn of_triangle(&self) -> S {
-        match S::HAS_COPIES {
-            true => self.texels.covered_by(self.gradients.covered(self.texels.size_bits())),
+        match S::FastPath::HAS_COPIES {
+            true => S::FastPath::covered_by(&self.texels, self.gradients.covered(self.texels.size_bits())),
             false => self.texels,
         }
     }
@@ -115,7 +115,7 @@ impl<S: Texels> TextureGradients<S> {
     ) -> impl Iterator<Item = (i32, impl Iterator<Item = [u32; 2]>, S)> + use<'_, S> {
         let texels = self.texels;
         self.lines(span).map(move |(width, line, covered)| {
-            (width, line.map(coordinates::<S>), texels.covered_by(covered))
+            (width, line.map(coordinates::<S>), S::FastPath::covered_by(&texels, covered))
         })
     }
 }
@@ -156,8 +156,8 @@ impl<S: Texels> SpanShader<S::Color> for Textured<S> {
 }
 
 impl<S: Texels> FastPath<S::Color, Self> for Textured<S> {
-    const ONE_NUMBER: bool = !S::WIDE && !S::HAS_COPIES;
-    const BY_RUN: bool = S::HAS_COPIES;
+    const ONE_NUMBER: bool = !S::WIDE && !S::FastPath::HAS_COPIES;
+    const BY_RUN: bool = S::FastPath::HAS_COPIES;
 
     #[inline(always)]
     fn runs(
@@ -165,17 +165,18 @@ impl<S: Texels> FastPath<S::Color, Self> for Textured<S> {
         span: Span,
     ) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Ink>)> {
         setup.lines(span).map(|(width, Line { at, step }, covered)| {
-            let (texels, step_of_texels) = (setup.texels.covered_by(covered), coordinates::<S>(step));
-            let line = Line { at: less::<S>(at, texels.lead()), step };
-            (width, line.map(texels.along(step_of_texels, coordinates::<S>)))
+            let (texels, step_of_texels) =
+                (S::FastPath::covered_by(&setup.texels, covered), coordinates::<S>(step));
+            let line = Line { at: less::<S>(at, S::FastPath::lead(&texels)), step };
+            (width, line.map(S::FastPath::along(texels, step_of_texels, coordinates::<S>)))
         })
     }
 
     #[inline(always)]
     fn look_up(setup: &TextureGradients<S>) -> Option<impl Fn([u32; 2]) -> S::Ink + Copy> {
-        let texel = setup.of_triangle().finder();
+        let texel = S::FastPath::finder(setup.of_triangle());
         // Texels of 32-bit coordinates leave no number for the copy of a run.
-        (!(S::IS_FILTERED || S::HAS_COPIES && S::WIDE))
+        (!(S::FastPath::IS_FILTERED || S::FastPath::HAS_COPIES && S::WIDE))
             .then_some(move |numbers| texel(coordinates::<S>(numbers)))
     }
 
@@ -184,14 +185,14 @@ impl<S: Texels> FastPath<S::Color, Self> for Textured<S> {
         setup: &TextureGradients<S>,
         covered: u32,
     ) -> Option<impl Fn([u32; 2]) -> S::Ink + Copy> {
-        let texel = setup.texels.covered_by(covered as i32).finder();
+        let texel = S::FastPath::finder(S::FastPath::covered_by(&setup.texels, covered as i32));
         Some(move |numbers| texel(coordinates::<S>(numbers)))
     }
 
     #[inline(always)]
     fn lines(setup: &TextureGradients<S>, span: Span) -> impl Iterator<Item = (i32, [[u32; 2]; 2])> {
         setup.lines(span).map(|(width, Line { at: [u, v], step }, covered)| {
-            let second = if S::HAS_COPIES { covered as u32 } else { v };
+            let second = if S::FastPath::HAS_COPIES { covered as u32 } else { v };
             (width, [[u, second], step])
         })
     }

@@ -71,6 +71,7 @@ struct Numbered([usize; 2]);
 impl Texels for Numbered {
     type Color = Seen;
     type Ink = Seen;
+    type FastPath = ();
 
     fn size_bits(&self) -> [u32; 2] {
         self.0.map(usize::ilog2)

@@ -110,6 +110,7 @@ struct Numbered;
 impl Texels for Numbered {
     type Color = Shown;
     type Ink = Shown;
+    type FastPath = ();
 
     fn size_bits(&self) -> [u32; 2] {
         [6, 6]
