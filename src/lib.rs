@@ -123,8 +123,8 @@ pub mod draw {
     pub use crate::math::form::Inside;
     pub use crate::pipeline::{
         draw_line, fill_triangle, ActiveFace, ActiveFaces, BinnedEdges, BinnedFaces, BinnedScene, Cull,
-        Edges, Faces, MeshInstance, Object, Painter, PaintersOrder, Picked, PlacedScene, Scene, SceneFaces,
-        ShaderFor, SmoothEdge, SmoothEdges, SmoothScene, SpriteFor, Statistics, StrokeFor, TransformedMesh,
+        Edges, Faces, MeshInstance, Object, Painter, PaintersOrder, Picked, PlacedScene, Scene, ShaderFor,
+        SmoothEdge, SmoothEdges, SmoothScene, SpriteFor, Statistics, StrokeFor, TransformedMesh,
     };
 }
 

@@ -58,7 +58,7 @@ public_types! {
     Camera, CornerValues, ScreenVertex, Cull, DepthBuffer<'static>,
     DepthTestedSurface<'static, 'static, Plain>,    DirtyRegions<4>, FaceColors<'static>, MeshError, TextureCoords<'static>, Dithered<Flat>, BinnedEdges<'static>,
     BinnedScene<'static, 'static, Plain, 3>, BinnedFaces<'static>, Flat, Format,
-    Edges<'static, i16, Plain>, Faces<'static, i16, Plain>, SceneFaces<'static, 'static, 'static, Plain, Plain, 3>,
+    Edges<'static, i16, Plain>, Faces<'static, i16, Plain>,
     Frame<Plain>, CameraError, Gouraud, Gradient, Lit, Projected, Hierarchy<'static>, Inside<Plain>,
     Frustum, Lambert, BlinnPhong, Lights<2>, Matcap, PointLight,
     LeastRun<'static, Plain, 1>, LightError, Memory<Plain>, Mixed<Flat, Alpha>, Mesh<'static, Plain>, MeshBuffers<3, 2, 1>,

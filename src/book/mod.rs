@@ -174,7 +174,7 @@
 //!
 //! ![Twelve bars seen from above, one of them orange, and the text 12: 60 kWh][docs/cookbook/orbit.png]
 //!
-//! [`SceneFaces::pick`](crate::draw::SceneFaces::pick) finds the bar that is seen in a pixel, without a picture and without a depth buffer.
+//! [`PlacedScene::pick`](crate::draw::PlacedScene::pick) finds the bar that is seen in a pixel, without a picture and without a depth buffer.
 //!
 //! ```
 #![doc = include_str!("cookbook/orbit.rs")]

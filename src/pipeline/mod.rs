@@ -58,7 +58,7 @@ pub use faces::Faces;
 pub use instance::MeshInstance;
 pub use painter::{Painter, PaintersOrder};
 pub use pick::Picked;
-pub use scene::{BinnedScene, Object, PlacedScene, Scene, SceneFaces, SmoothScene};
+pub use scene::{BinnedScene, Object, PlacedScene, Scene, SmoothScene};
 pub use smooth_edges::{SmoothEdge, SmoothEdges};
 pub use sprites::PlacedSprites;
 pub use statistics::Statistics;

@@ -18,7 +18,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The visible point in a pixel: the answer of [`Faces::pick`] and [`SceneFaces::pick`](crate::draw::SceneFaces::pick). Its point in the
+/// The visible point in a pixel: the answer of [`Faces::pick`] and [`PlacedScene::pick`](crate::draw::PlacedScene::pick). Its point in the
 /// world is [`Camera::unproject`](crate::Camera::unproject)`(at, depth)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

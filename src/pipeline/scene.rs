@@ -104,7 +104,7 @@ impl<'m, M> Object<'m, M> {
 /// }
 /// assert!(placed.iter().count() < 8 && faces.statistics().drawn > 0);
 /// let opaque = |_index, _object: &Object<'_, Rgb565>| |_face| Rgb565::BLACK;
-/// let picked = placed.faces(opaque).pick(Point::new(32, 32)).ok_or("background")?;
+/// let picked = placed.pick(opaque, &mut [], Point::new(32, 32)).ok_or("background")?;
 /// assert_eq!(picked.object, 10); // the one in the middle
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -224,15 +224,89 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
         self.visible().map(|(_, object)| object.mesh().smooth_bins_len()).sum()
     }
 
-    /// The faces of all objects, to be drawn or picked. `shade` is called once for each visible object, with its index in the scene,
-    /// and returns a closure that is called once for each face that is drawn, with the face's index. Where this closure borrows from
-    /// the object, write it in the call itself: Rust cannot infer its type in a variable.
-    #[inline(always)]
-    pub fn faces<S, F: FnMut(usize) -> S, G: FnMut(usize, &'s Object<'m, M>) -> F>(
+    /// Draws all objects, in the order of the scene and in one piece: usually into a target [with a depth
+    /// buffer](crate::target::Surface::depth_tested). [`Faces::draw`](crate::draw::Faces::draw) says how faces are drawn.
+    ///
+    /// `shade` is called once for each visible object, with its index in the scene, and returns a closure that is called once for each face
+    /// that is drawn, with the face's index. Where this closure borrows from the object, write it in the call itself: Rust cannot infer its
+    /// type in a variable.
+    ///
+    /// The objects share `cache`, memory for transformed vertices, one after the other: it should have room for the largest mesh, and may be
+    /// shorter, as in [`Faces::cached`](crate::draw::Faces::cached).
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{meshes::{CUBE, TORUS}, prelude::*, Angle};
+    /// let mut scene = Scene::<Gray8, 2>::new(); // a colour is the material here
+    /// scene.add(Object::new(&CUBE, Affine::identity(), Gray8::new(200)))?;
+    /// scene.add(Object::new(&TORUS, Affine::identity().translate(Vector3::from_ints(2, 0, 0)), Gray8::new(90)))?;
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// let camera = Camera::framing(&scene.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    ///
+    /// let (mut pixels, mut depths) = ([Gray8::BLACK; 64 * 64], [0; 64 * 64]);
+    /// let mut picture = Picture::new(&mut pixels, viewport.size())?;
+    /// let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;
+    /// let placed = scene.place(&camera);
+    /// let mut cache = [ScreenVertex::EMPTY; 200]; // as the largest mesh needs: `TORUS.cache_len()`
+    /// let mut target = picture.pixels();
+    /// let statistics = placed.draw(|_, object| |_| object.material, &mut cache, &mut target.depth_tested(&mut depth))?;
+    /// assert!(statistics.drawn > 100);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// The target's error, at the first span that it refuses.
+    pub fn draw<T: Target, S: ShaderFor<T::Surface>, F: FnMut(usize) -> S>(
         &self,
-        shade: G,
-    ) -> SceneFaces<'_, 's, 'm, M, G, OBJECTS> {
-        SceneFaces { scene: self, shade, cache: &mut [] }
+        mut shade: impl FnMut(usize, &'s Object<'m, M>) -> F,
+        cache: &mut [ScreenVertex],
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
+        let mut statistics = Statistics::NONE;
+        for (index, object) in self.visible() {
+            let instance = object.place(self.camera);
+            let faces = instance.faces(shade(index, object)).culled_by_planes();
+            let drawn = faces.cached(cache).draw(target)?;
+            statistics = statistics + drawn;
+        }
+        Ok(statistics)
+    }
+
+    /// Stores the faces of all objects in a painter, which draws them from far to near, in one piece or in bands: without a depth buffer.
+    /// `shade` is that of [`draw`](Self::draw).
+    ///
+    /// # Errors
+    ///
+    /// [`BufferError`] if an object has no room. The objects before it are stored then.
+    pub fn sorted<S: Shader, F: FnMut(usize) -> S, const VERTICES: usize, const FACES: usize>(
+        &self,
+        mut shade: impl FnMut(usize, &'s Object<'m, M>) -> F,
+        painter: &mut Painter<S, VERTICES, FACES>,
+    ) -> Result<(), BufferError> {
+        self.visible().try_for_each(|(index, object)| {
+            object.place(self.camera).faces(shade(index, object)).culled_by_planes().sorted(painter)
+        })
+    }
+
+    /// The visible point in a pixel of the target, without drawing: the object, the face and the depth that
+    /// [`draw`](Self::draw) shows there with a depth test. Of faces with equal depth it is that of the object that was added first.
+    /// `shade` and `cache` are those of `draw`. See [`Faces::pick`](crate::draw::Faces::pick).
+    pub fn pick<C: PixelColor, S: SpanShader<C>, F: FnMut(usize) -> S>(
+        &self,
+        mut shade: impl FnMut(usize, &'s Object<'m, M>) -> F,
+        cache: &mut [ScreenVertex],
+        pixel: Point,
+    ) -> Option<Picked> {
+        pick_at(pixel, |depth| {
+            let mut nearest = None;
+            for (index, object) in self.visible() {
+                let instance = object.place(self.camera);
+                let face = instance.pick_nearer::<_, _, PLANES>(depth, shade(index, object), cache);
+                nearest = face.map(|face| (index, face)).or(nearest);
+            }
+            nearest
+        })
     }
 
     /// Transforms the vertices of all visible objects and bins their faces, for drawing in bands. The objects share both
@@ -266,105 +340,6 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
             let _ = scene.binned.push(binned); // both have the capacity `OBJECTS`
         }
         Ok(scene)
-    }
-}
-
-/// The faces of all visible objects, with the closure that shades them: drawn or picked by one more call. [`PlacedScene::faces`] makes it.
-#[must_use = "`draw` draws the faces, `pick` finds the one in a pixel"]
-#[derive(Debug)]
-pub struct SceneFaces<'a, 's, 'm, M, G, const OBJECTS: usize> {
-    scene: &'a PlacedScene<'s, 'm, M, OBJECTS>,
-    shade: G,
-    cache: &'a mut [ScreenVertex],
-}
-
-impl<'a, 's, 'm, M, G, const OBJECTS: usize> SceneFaces<'a, 's, 'm, M, G, OBJECTS> {
-    /// With memory for transformed vertices, which the objects share one after the other: it should have room for the largest mesh, and
-    /// may be shorter, as in [`Faces::cached`](crate::draw::Faces::cached).
-    #[inline(always)]
-    pub fn cached(self, cache: &'a mut [ScreenVertex]) -> Self {
-        Self { cache, ..self }
-    }
-
-    /// Draws all objects, in the order of the scene and in one piece: usually into a target [with a depth
-    /// buffer](crate::target::Surface::depth_tested). [`Faces::draw`](crate::draw::Faces::draw) says how faces are drawn.
-    ///
-    /// ```
-    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-    /// use pinhole::{meshes::{CUBE, TORUS}, prelude::*, Angle};
-    /// let mut scene = Scene::<Gray8, 2>::new(); // a colour is the material here
-    /// scene.add(Object::new(&CUBE, Affine::identity(), Gray8::new(200)))?;
-    /// scene.add(Object::new(&TORUS, Affine::identity().translate(Vector3::from_ints(2, 0, 0)), Gray8::new(90)))?;
-    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// let camera = Camera::framing(&scene.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
-    ///
-    /// let (mut pixels, mut depths) = ([Gray8::BLACK; 64 * 64], [0; 64 * 64]);
-    /// let mut picture = Picture::new(&mut pixels, viewport.size())?;
-    /// let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;
-    /// let placed = scene.place(&camera);
-    /// let mut cache = [ScreenVertex::EMPTY; 200]; // as the largest mesh needs: `TORUS.cache_len()`
-    /// let faces = placed.faces(|_, object| |_| object.material).cached(&mut cache);
-    /// let statistics = faces.draw(&mut picture.pixels().depth_tested(&mut depth))?;
-    /// assert!(statistics.drawn > 100);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// The target's error, at the first span that it refuses.
-    pub fn draw<T: Target, S: ShaderFor<T::Surface>, F: FnMut(usize) -> S>(
-        self,
-        target: &mut T,
-    ) -> Result<Statistics, T::Error>
-    where
-        G: FnMut(usize, &'s Object<'m, M>) -> F,
-    {
-        let Self { scene, mut shade, cache } = self;
-        let mut statistics = Statistics::NONE;
-        for (index, object) in scene.visible() {
-            let instance = object.place(scene.camera);
-            let faces = instance.faces(shade(index, object)).culled_by_planes();
-            let drawn = faces.cached(cache).draw(target)?;
-            statistics = statistics + drawn;
-        }
-        Ok(statistics)
-    }
-
-    /// Stores the faces of all objects in a painter, which draws them from far to near, in one piece or in bands: without a depth buffer.
-    ///
-    /// # Errors
-    ///
-    /// [`BufferError`] if an object has no room. The objects before it are stored then.
-    pub fn sorted<S: Shader, F: FnMut(usize) -> S, const VERTICES: usize, const FACES: usize>(
-        self,
-        painter: &mut Painter<S, VERTICES, FACES>,
-    ) -> Result<(), BufferError>
-    where
-        G: FnMut(usize, &'s Object<'m, M>) -> F,
-    {
-        let Self { scene, mut shade, .. } = self;
-        scene.visible().try_for_each(|(index, object)| {
-            object.place(scene.camera).faces(shade(index, object)).culled_by_planes().sorted(painter)
-        })
-    }
-
-    /// The visible point in a pixel of the target, without drawing: the object, the face and the depth that
-    /// [`draw`](Self::draw) shows there with a depth test. Of faces with equal depth it is that of the object that was added first.
-    /// See [`Faces::pick`](crate::draw::Faces::pick).
-    pub fn pick<C: PixelColor, S: SpanShader<C>, F: FnMut(usize) -> S>(self, pixel: Point) -> Option<Picked>
-    where
-        G: FnMut(usize, &'s Object<'m, M>) -> F,
-    {
-        let Self { scene, mut shade, cache } = self;
-        pick_at(pixel, |depth| {
-            let mut nearest = None;
-            for (index, object) in scene.visible() {
-                let instance = object.place(scene.camera);
-                let face = instance.pick_nearer::<_, _, PLANES>(depth, shade(index, object), cache);
-                nearest = face.map(|face| (index, face)).or(nearest);
-            }
-            nearest
-        })
     }
 }
 
@@ -412,7 +387,7 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
     /// Draws the faces that lie in a band: usually with a depth buffer of the band's area. `shade` is called once for each object whose
     /// bounds meet the band, with the object's index in the scene, and returns a closure that is called once for each face that is drawn, with the face's index.
     /// Where this closure borrows from the object, write it in the call itself: Rust cannot infer its type in a
-    /// variable. All bands together are, pixel by pixel, the picture of [`SceneFaces::draw`].
+    /// variable. All bands together are, pixel by pixel, the picture of [`PlacedScene::draw`].
     ///
     /// # Errors
     ///
@@ -660,9 +635,4 @@ defmt_format!(
 defmt_format!(
     [M, const OBJECTS: usize] SmoothScene<'_, '_, M, OBJECTS>, self,
     "edges of {=usize} objects to smooth", self.smooth.len()
-);
-
-defmt_format!(
-    [M, G, const OBJECTS: usize] SceneFaces<'_, '_, '_, M, G, OBJECTS>, self,
-    "faces of {}", self.scene
 );

@@ -140,11 +140,8 @@ fn a_jittered_scene_leaves_nothing_out() {
         scene.add(Object::new(&mesh, model, ())).expect("room");
         let mut cache = [ScreenVertex::EMPTY; 4];
         let mut picture = Picture::new(of_scene, size).expect("a picture");
-        let Ok(_) = scene
-            .place(&camera)
-            .faces(|_, _| |_| Gray8::WHITE)
-            .cached(&mut cache)
-            .draw(&mut picture.pixels());
+        let placed = scene.place(&camera);
+        let Ok(_) = placed.draw(|_, _| |_| Gray8::WHITE, &mut cache, &mut picture.pixels());
         assert!(drawn[0] == drawn[1], "{jitter:?} {x:?} {y:?}");
         shown += usize::from(drawn[0].contains(&Gray8::WHITE));
     }

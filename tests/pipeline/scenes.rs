@@ -154,10 +154,8 @@ fn a_scene_is_its_objects_drawn_by_hand() {
                 asked.push(index);
                 move |face| number(index, face)
             };
-            let Ok(counted) = placed
-                .faces(shade)
-                .cached(&mut [ScreenVertex::EMPTY; 8])
-                .draw(&mut target.depth_tested(depth));
+            let Ok(counted) =
+                placed.draw(shade, &mut [ScreenVertex::EMPTY; 8], &mut target.depth_tested(depth));
             statistics = Some(counted);
         });
         let statistics = statistics.expect("drawn");
@@ -256,7 +254,7 @@ fn a_scene_in_painters_order_is_its_objects_in_a_painter() {
             assert_eq!(index, object.material);
             move |face| number(index, face)
         };
-        scene.place(&camera).faces(shade).sorted(&mut painter).expect("room for all faces");
+        scene.place(&camera).sorted(shade, &mut painter).expect("room for all faces");
         for object in scene.objects() {
             let instance = camera.place(object.mesh(), &object.model).with_cull(cull(object.material));
             let faces = instance.faces(|face| number(object.material, face)).culled_by_planes();
@@ -300,7 +298,7 @@ fn picked_scenes<S: SpanShader<Rgb565>>(meshes: &Meshes, shader: impl Fn(Rgb565)
             move |face| shader(number(index, face))
         };
         for (at, (&color, &depth)) in AREA.points().zip(picture.iter().zip(&depths)) {
-            match placed.faces(shade).cached(&mut cache).pick(at) {
+            match placed.pick(shade, &mut cache, at) {
                 None => {
                     assert_eq!(color, Rgb565::BLACK, "{at}");
                     misses += 1;

@@ -302,7 +302,7 @@ fn a_scene_is_smoothed_as_its_objects() {
         let (mut cells, mut depths) = (vec![grey(BACKGROUND); 128 * 64], vec![0; 128 * 64]);
         let mut picture = Picture::new(&mut cells, area.size).expect("room");
         let mut depth = DepthBuffer::new(area, &mut depths).expect("room");
-        let Ok(_) = placed.faces(shade).draw(&mut picture.pixels().depth_tested(&mut depth));
+        let Ok(_) = placed.draw(shade, &mut [], &mut picture.pixels().depth_tested(&mut depth));
         smooth(&mut picture, &mut depth);
         cells
     };

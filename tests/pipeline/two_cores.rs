@@ -94,7 +94,7 @@ fn a_scene_of_several_objects_is_complete() {
         move |face: usize| Gray8::new(own * 60 + face as u8 + 1)
     };
     let whole = memory(rectangle(0, 0, SIZE, SIZE), Gray8::BLACK, &mut |target, depth| {
-        let Ok(_) = placed.faces(shade).draw(&mut target.depth_tested(depth));
+        let Ok(_) = placed.draw(shade, &mut [], &mut target.depth_tested(depth));
     });
     let whole: Vec<u8> = whole.into_iter().map(|color| color.luma()).collect();
     assert!(whole.iter().any(|&luma| luma > 120), "the third object is not seen");

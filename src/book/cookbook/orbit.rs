@@ -23,7 +23,7 @@ impl Chart {
     pub fn touch(&mut self, at: Point) {
         let opaque = |_bar, _object: &Object<'_, ()>| |_face| Rgb565::BLACK; // a bar is seen in each pixel that it covers
         let cache = &mut [ScreenVertex::EMPTY; CUBE.cache_len()];
-        let picked = self.bars().place(&self.camera()).faces(opaque).cached(cache).pick(at);
+        let picked = self.bars().place(&self.camera()).pick(opaque, cache, at);
         self.picked = picked.map(|picked| picked.object);
     }
 

@@ -342,10 +342,10 @@ fn draw_scene(scene: &pinhole::draw::Scene<'_, Rgb565, 5>, camera: &Camera, stor
     };
     report((placed.iter().count(), placed.cache_len(), placed.face_bins_len()));
     report(placed.iter().map(|(object, _)| object.mesh().faces().len()).sum::<usize>());
-    report(placed.faces(shade).cached(cache).pick(pixel()));
-    report(placed.faces(shade).sorted(painter));
+    report(placed.pick(shade, cache, pixel()));
+    report(placed.sorted(shade, painter));
     let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
-    report(placed.faces(shade).cached(cache).draw(&mut target.depth_tested(&mut depth)));
+    report(placed.draw(shade, cache, &mut target.depth_tested(&mut depth)));
     let Ok(mut faces) = placed.bin_faces(cache, bins) else { return };
     faces.depth_only(&mut depth);
     report(faces.draw(shade, &mut target.depth_tested(&mut depth)));

@@ -39,8 +39,8 @@ image!(
                 while objects.add(Object::new(&cube.mesh, scene.model, scene::LINE)).is_ok() {}
                 let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), storage).ok()?;
                 let placed = objects.place(scene.camera());
-                let faces = placed.faces(|_, object| |_| object.material).cached(corners);
-                let Ok(_) = faces.draw(&mut target.depth_tested(&mut depth));
+                let target = &mut target.depth_tested(&mut depth);
+                let Ok(_) = placed.draw(|_, object| |_| object.material, corners, target);
             }
             "flash_wireframe_smooth" => {
                 let Ok(_) = instance.edges(|_| AntiAliased(scene::LINE)).cached(corners).draw(target);
