@@ -1,14 +1,14 @@
 //! The model: a file, or the teapot of the examples.
 
-use crate::state::{Markers, State};
+use crate::state::State;
 use crate::watch::{Before, Watch};
-use embedded_graphics::geometry::{AnchorPoint, Size};
+use embedded_graphics::geometry::Size;
 use pinhole_apps_support::files;
 use pinhole_import::{Axis, Options, Preview, Triangles};
 use pinhole_render::import;
 use pinhole_render::model::{self, Fit, Look};
-use pinhole_render::scene::{bounds, Colors, Matrix, Scene};
-use pinhole_render::sprites::{Anchor, SceneSprites, Shape, SpritePicture, SpriteSize};
+use pinhole_render::scene::{Colors, Matrix, Scene};
+use pinhole_render::sprites::SceneSprites;
 use pinhole_render::texture::{self, SceneTexture};
 use std::path::{Path, PathBuf};
 
@@ -147,36 +147,8 @@ impl Source {
                 Scene { texture: self.texture.clone(), sprites, ..scene }
             }
         };
-        let sprites = scene.sprites.iter().cloned().chain(markers(&scene, state)).collect();
-        Ok(Scene { cull: state.cull, sprites, ..scene })
+        Ok(Scene { cull: state.cull, ..scene })
     }
-}
-
-/// Sprites at the vertices of a scene, in a colour that differs from faces and lines.
-fn markers(scene: &Scene, state: &State) -> Option<SceneSprites> {
-    let points: Vec<_> = scene.vertices.iter().map(|&vertex| scene.in_the_world(vertex)).collect();
-    let (shape, size) = match state.markers {
-        Markers::None => return None,
-        Markers::Squares => (Shape::Square, SpriteSize::Pixels(3)),
-        Markers::Discs => {
-            let (low, high) = bounds(&points);
-            let longest = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
-            (Shape::Disc, SpriteSize::World([longest / 50.0; 2]))
-        }
-    };
-    let color = match (state.format.is_grey(), state.mode.of_lines()) {
-        (false, _) => [30, 110, 220],
-        (true, false) => [0; 3],
-        (true, true) => [255; 3],
-    };
-    Some(SceneSprites {
-        picture: SpritePicture::Ready(shape, color),
-        points,
-        size,
-        anchor: Anchor::Named(AnchorPoint::Center),
-        alpha: None,
-        depth_tested: true,
-    })
 }
 
 /// The scene of a file, turned about its centre against the movement of the eye, and magnified.

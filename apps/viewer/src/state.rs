@@ -22,8 +22,6 @@ pub struct State {
     pub(crate) lit_texture: bool,
     /// Whether there is fog over the model.
     pub(crate) fog: bool,
-    /// What each vertex of the model shows, beside the scene's own sprites.
-    pub(crate) markers: Markers,
     /// Whether back faces are culled.
     pub(crate) cull: bool,
     /// Rows of a band; `None` draws the picture in one piece.
@@ -37,16 +35,6 @@ pub struct State {
     own: bool,
     /// The initial value of `cull`.
     own_cull: bool,
-}
-
-/// Sprites at the vertices of the model.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Markers {
-    None,
-    /// A square of a few pixels, whatever the distance.
-    Squares,
-    /// A disc that shrinks with distance.
-    Discs,
 }
 
 /// The effect of a key, or of the mouse's wheel.
@@ -68,7 +56,7 @@ pub enum Action {
 type Change = fn(&mut State);
 
 /// What each key changes. Keys are named by their characters, or `left`, `right`, `up`, `down`, `space`.
-const CHANGES: [(&str, Change); 29] = [
+const CHANGES: [(&str, Change); 28] = [
     ("left", |state| state.orbit(-STEP, 0.0)),
     ("right", |state| state.orbit(STEP, 0.0)),
     ("up", |state| state.orbit(0.0, STEP)),
@@ -89,7 +77,6 @@ const CHANGES: [(&str, Change); 29] = [
     ("a", |state| state.smooth ^= true),
     ("n", |state| state.lit_texture ^= true),
     ("o", |state| state.fog ^= true),
-    ("v", |state| state.markers = next(&[Markers::None, Markers::Squares, Markers::Discs], state.markers, 1)),
     ("k", |state| state.cull ^= true),
     ("b", |state| state.rows = next(&ROWS, state.rows, 1)),
     ("B", |state| state.rows = next(&ROWS, state.rows, -1)),
@@ -101,7 +88,7 @@ const CHANGES: [(&str, Change); 29] = [
 ];
 
 /// Keys and what they do.
-pub(crate) const KEYS: [(&str, &str); 14] = [
+pub(crate) const KEYS: [(&str, &str); 13] = [
     ("drag, arrows", "orbit"),
     ("wheel, + -", "zoom"),
     ("s f g w l", "solid flat Gouraud wire hidden line"),
@@ -109,7 +96,6 @@ pub(crate) const KEYS: [(&str, &str); 14] = [
     ("c C", "colour format"),
     ("d", "dither"),
     ("t a n", "translucent, smooth edges, lit texture"),
-    ("v", "sprites at vertices: squares, discs"),
     ("b B", "rows of a band"),
     ("k o", "cull faces turned away, fog"),
     ("r", "rectangles that were sent"),
@@ -144,7 +130,6 @@ impl State {
             smooth: false,
             lit_texture: false,
             fog: false,
-            markers: Markers::None,
             cull,
             rows: Some(8),
             turning: false,

@@ -44,9 +44,7 @@ fn colours(pixels: &[Rgb888]) -> BTreeSet<[u8; 3]> {
 #[test]
 fn keys_go_round_and_back() {
     let first = pressed("");
-    for (key, count) in
-        [("p", 21), ("P", 21), ("c", 7), ("C", 7), ("b", 5), ("B", 5), ("t", 4), ("o", 2), ("v", 3)]
-    {
+    for (key, count) in [("p", 21), ("P", 21), ("c", 7), ("C", 7), ("b", 5), ("B", 5), ("t", 4), ("o", 2)] {
         let mut state = first;
         let mut met = vec![state];
         for _ in 1..count {
@@ -109,8 +107,8 @@ fn what_was_sent_before_and_now_is_the_whole_picture() {
     let mut state = pressed("");
     let mut sent = Vec::new();
     // A bar ends what is pressed before a frame.
-    let keys = " | left | left up | b | w | right | a | right | - - | a | - - - | left | l | g | t | left | t | left | t | t | o | left | o | v | left | v | - - - \
-                | w | right | v | g | d | c | down | c | k | c left | c b | right | c | left left | b b | c | p | p | p p p | left | 0 | P | + + + + | up up | 0 a | - - - | left | g | left | a";
+    let keys = " | left | left up | b | w | right | a | right | - - | a | - - - | left | l | g | t | left | t | left | t | t | o | left | o | left | - - - \
+                | w | right | g | d | c | down | c | k | c left | c b | right | c | left left | b b | c | p | p | p p p | left | 0 | P | + + + + | up up | 0 a | - - - | left | g | left | a";
     for keys in keys.split('|') {
         press(&mut state, keys);
         sent.push(viewer.draw(&state).unwrap().pixels);
@@ -367,32 +365,6 @@ fn sprites_of_a_scene_turn_with_it() {
     // The named projections show them, too.
     press(&mut state, "0 p");
     assert!(blue(&state).0 > 0);
-}
-
-#[test]
-fn vertices_are_sprites_that_keep_their_size_or_shrink() {
-    // A quadrilateral of which one end is far away, seen along it.
-    let sheet = file("sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 0 -9\nv 0 0 -9\nf 1 2 3 4\n");
-    let source = read(&sheet).unwrap();
-    let mut state = source.state();
-    let mut viewer = Viewer::new(source, Size::new(320, 240));
-    press(&mut state, "w C C"); // lines, and rgb888
-    let mut marked = |state: &State| {
-        let drawn = viewer.draw(state).unwrap().sprites.drawn;
-        let count = viewer.pixels().iter().filter(|&&pixel| pixel == Rgb888::new(30, 110, 220)).count();
-        (drawn, count)
-    };
-    assert_eq!(marked(&state), (0, 0));
-    press(&mut state, "v");
-    assert_eq!(marked(&state), (4, 4 * 9));
-    press(&mut state, "- - -");
-    assert_eq!(marked(&state), (4, 4 * 9));
-    press(&mut state, "0 w C C v v");
-    let (drawn, small) = marked(&state);
-    assert!(drawn == 4 && (30..100).contains(&small), "{small}");
-    press(&mut state, "- - - - -");
-    let smaller = marked(&state).1;
-    assert!(smaller > 3 && 2 * smaller < small + 12, "{smaller}, {small}");
 }
 
 /// A model's picture is shown in every projection, if it is asked for.
