@@ -1,6 +1,6 @@
 //! How a colour is mixed with the stored one.
 
-use super::Color;
+use super::color_type::{each, Color};
 
 /// How the colour of a [`Translucent`](crate::shading::Translucent) face or sprite is mixed with a stored pixel: [`Half`], [`Alpha`], or any function of both
 /// colours, such as `|own: Rgb565, stored: Rgb565| stored.emitting(own)`, which adds light.
@@ -14,12 +14,13 @@ pub trait BlendMode<C>: Copy {
     fn blend(self, own: C, stored: C) -> C;
 }
 
-/// Half of the own colour, half of the stored one, by [`Color::half`]: an addition of both colours, where [`Alpha`] multiplies.
+/// The mean of the own colour and the stored one, channel by channel: half of the own one rounded up, plus half of the stored one rounded
+/// down, which is within ½ level of the mean. An addition of both colours, where [`Alpha`] multiplies.
 ///
 /// ```
-/// use embedded_graphics::pixelcolor::Gray8;
+/// use embedded_graphics::pixelcolor::Rgb565;
 /// use pinhole::color::{BlendMode, Half};
-/// assert_eq!(Half.blend(Gray8::new(40), Gray8::new(60)), Gray8::new(50));
+/// assert_eq!(Half.blend(Rgb565::new(31, 10, 3), Rgb565::new(0, 20, 3)), Rgb565::new(16, 15, 3));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -28,7 +29,13 @@ pub struct Half;
 impl<C: Color> BlendMode<C> for Half {
     #[inline(always)]
     fn blend(self, own: C, stored: C) -> C {
-        own.half(stored)
+        if C::FORMAT.has_channels() {
+            let (own, stored) = (own.to_bits(), stored.to_bits());
+            let low = const { C::FORMAT.low() };
+            // Half rounded up is the number minus half rounded down. No channel overflows: ⌈max/2⌉ + ⌊max/2⌋ = max.
+            return C::from_bits(own.wrapping_sub(own >> 1 & low).wrapping_add(stored >> 1 & low));
+        }
+        each(own, stored, |own, stored| own - (own >> 1) + (stored >> 1))
     }
 }
 

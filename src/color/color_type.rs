@@ -32,7 +32,7 @@ use embedded_graphics_core::pixelcolor::{
 ///     }
 /// }
 /// assert_eq!(Rgb444(0xf80).dim(128), Rgb444(0x840));
-/// assert_eq!(Rgb444(0xf0f).half(Rgb444(0x00f)), Rgb444(0x80f));
+/// assert_eq!(Rgb444(0xf0f).mix(Rgb444(0x00f), 16), Rgb444(0x80f));
 /// ```
 ///
 /// Its `Raw` is `()`, as 12 bits are no whole bytes: in bands, draw into the [`Band`](crate::bands::Band) itself, not into its `pixels()`, which
@@ -127,26 +127,6 @@ pub trait Color: PixelColor {
         Self::from_channels([sum(r, s, x), sum(g, t, y), sum(b, u, z)])
     }
 
-    /// The mean of this colour and `stored`, channel by channel: half of this one rounded up, plus half of the stored one rounded
-    /// down, which is within ½ level of the mean.
-    ///
-    /// ```
-    /// use embedded_graphics::pixelcolor::Rgb565;
-    /// use pinhole::color::Color;
-    /// assert_eq!(Rgb565::new(31, 10, 3).half(Rgb565::new(0, 20, 3)), Rgb565::new(16, 15, 3));
-    /// ```
-    #[must_use]
-    #[inline(always)]
-    fn half(self, stored: Self) -> Self {
-        if Self::FORMAT.has_channels() {
-            let (own, stored) = (self.to_bits(), stored.to_bits());
-            let low = const { Self::FORMAT.low() };
-            // Half rounded up is the number minus half rounded down. No channel overflows: ⌈max/2⌉ + ⌊max/2⌋ = max.
-            return Self::from_bits(own.wrapping_sub(own >> 1 & low).wrapping_add(stored >> 1 & low));
-        }
-        each(self, stored, |own, stored| own - (own >> 1) + (stored >> 1))
-    }
-
     /// `alpha` 32nds of this colour plus the rest of `stored`, channel by channel, rounded to the nearest level, and up where two
     /// are equally near. `alpha` is 0 … 32; more gives a meaningless colour. Channels are mixed side by side in words, without a division.
     ///
@@ -177,7 +157,7 @@ pub trait Color: PixelColor {
 
 /// Applies a function to each pair of channels.
 #[inline(always)]
-fn each<C: Color>(own: C, stored: C, mix: impl Fn(u32, u32) -> u32) -> C {
+pub(super) fn each<C: Color>(own: C, stored: C, mix: impl Fn(u32, u32) -> u32) -> C {
     let ([r, g, b], [s, t, u]) = (own.channels(), stored.channels());
     C::from_channels([(r, s), (g, t), (b, u)].map(|(own, stored)| mix(own.into(), stored.into()) as u8))
 }

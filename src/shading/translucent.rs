@@ -16,7 +16,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// [`DepthTested`](crate::shading::DepthTested) shaders. Depth is tested and not stored, so a translucent face hides nothing. A convex
 /// object needs no painter: draw its back faces ([`Cull::Front`](crate::draw::Cull::Front)), then its front faces.
 ///
-/// **Error.** At most ½ level of each channel: see [`Color::half`](crate::color::Color::half) and
+/// **Error.** At most ½ level of each channel: see [`Half`](crate::color::Half) and
 /// [`Color::mix`](crate::color::Color::mix).
 ///
 /// ```

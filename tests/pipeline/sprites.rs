@@ -417,7 +417,7 @@ fn every_target_shows_the_oracles_pixels() {
     assert!(seen > 1200 && outside > 150 && degenerate > 40);
 }
 
-/// Half of two channels, by the documentation of `Color::half`, and 1/32 parts to nearest.
+/// Half of two channels, by the documentation of `Half`, and 1/32 parts to nearest.
 fn mixed(own: Rgb888, below: Rgb888, alpha: Option<u8>) -> Rgb888 {
     let channel =
         |own, below| alpha.map_or_else(|| halved(own, below), |alpha| shade::mixed(own, below, alpha));

@@ -6,7 +6,7 @@ use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor, Rgb555, Rgb565,
     Rgb666, Rgb888, RgbColor,
 };
-use pinhole::color::{Color, Format};
+use pinhole::color::{BlendMode, Color, Format, Half};
 use support::oracle::rng::Rng;
 
 macro_rules! own_colors {
@@ -133,7 +133,8 @@ fn check_pair<C: Color + Debug>(
     let lights = [300, 300, 300, 1 << 16][random.below(4)];
     let level = random.below(lights) as u16;
     let (mixed, over) = (parts(own.mix(stored, alpha)), parts(own.over(stored, coverage)));
-    let (half, dimmed, sum) = (parts(own.half(stored)), parts(own.dim(level)), parts(own.emitting(stored)));
+    let (half, dimmed, sum) =
+        (parts(Half.blend(own, stored)), parts(own.dim(level)), parts(own.emitting(stored)));
     assert_eq!(C::from_channels(own.channels()), own);
     assert_eq!(own.channels(), parts(own));
     let [alpha, rounded, light] = [alpha.into(), rounded, level.min(256)].map(u32::from);
@@ -190,7 +191,7 @@ fn a_colour_that_is_a_number_is_mixed_by_its_channels() {
     assert_eq!((White.dim(128), White.dim(127), Red.dim(200)), (White, Black, Red));
     assert_eq!((Red.emitting(White), Black.emitting(Red)), (White, Red));
     assert_eq!((White.mix(Black, 16), White.mix(Black, 15), Red.over(White, 128)), (White, Black, White));
-    assert_eq!((Red.half(Black), Black.half(White), Red.mix(Black, 15)), (Red, Black, Black));
+    assert_eq!((Half.blend(Red, Black), Half.blend(Black, White), Red.mix(Black, 15)), (Red, Black, Black));
 }
 
 /// Compares the bits of a pixel whose levels are the highest of one channel.

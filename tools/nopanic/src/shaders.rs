@@ -171,7 +171,7 @@ fn translucent(faces: &mut Faces<'_>) {
 /// Mixes two colours of a format.
 fn blend<C: Color>() {
     let [own, stored] = [(); 2].map(|()| C::from_bits(any() as u32));
-    report((own.half(stored).to_bits(), own.mix(stored, any() as u8).to_bits()));
+    report((Half.blend(own, stored).to_bits(), own.mix(stored, any() as u8).to_bits()));
     report(own.over(stored, any() as u16).to_bits());
 }
 
