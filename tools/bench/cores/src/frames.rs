@@ -85,9 +85,14 @@ macro_rules! way {
     };
 }
 
-way!(Solid, "solid", bands::lit_solid, split_transform, BinnedFaces<'_, i16, false>, |faces, shade, _depth, band| faces
-    .draw(shade, &mut band.pixels())
-    .ok());
+way!(
+    Solid,
+    "solid",
+    bands::lit_solid,
+    split_transform,
+    BinnedFaces<'_, i16, false>,
+    |faces, shade, _depth, band| faces.draw(shade, &mut band.pixels()).ok()
+);
 way!(
     WithDepth,
     "depth",

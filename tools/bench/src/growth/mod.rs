@@ -241,7 +241,8 @@ fn in_bands(
 ) -> Option<()> {
     let Memory { depth, buffers: MeshBuffers { cache, bins, edge_bins }, strip, kept, list, .. } = memory;
     let is_smoothed = matches!(kind, Kind::Silhouettes | Kind::Creases);
-    let strip = strip.get_mut(..Frame::<Rgb565>::strip_bytes(size.width, rows + 2 * u32::from(is_smoothed)))?;
+    let strip =
+        strip.get_mut(..Frame::<Rgb565>::strip_bytes(size.width, rows + 2 * u32::from(is_smoothed)))?;
     let (mesh, mut storage) = (instance.mesh(), Storage { corners: cache, bin_storage: bins, strip, depth });
     let flat = flat_of_normals(mesh.normals(), light);
     let send = |band: &Band<'_, Rgb565>| {
