@@ -17,8 +17,8 @@ pub enum CameraError {
     /// The window is empty, or its distance from the axis is 2³⁰ times its extent: it needs left < right and bottom < top. Enlarge or
     /// centre it.
     EmptyWindow,
-    /// The projectors are parallel to the view plane, or the centre of projection lies in it, or a projection reference point not in
-    /// front of it, at n > 0.
+    /// The projectors are parallel to the view plane, or the centre of projection lies in it, or a projection reference point is not in
+    /// front of it: it needs n > 0.
     NoViewPlane,
     /// A row of a projection matrix has a number that is NaN, infinite or more than 2³² times the largest of the other rows, or is
     /// the last one and has only zeros.

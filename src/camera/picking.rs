@@ -25,7 +25,7 @@ impl Camera {
     /// let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// // Where a label goes, ...
     /// let Projected { point: at, depth } = camera.project(Point3::from_ints(1, 0, 1))?;
-    /// // ... and what was touched there. Depths 0 and 65535 give the ray through a touched position, from near to far.
+    /// // ... and what was touched there. Depths 0 and 65534 give the line through a touched position, from near to far.
     /// let back = camera.unproject(at, depth).ok_or("outside the world")?;
     /// let close = |a: Scalar, b: i16| (a - b.into()).abs() < Scalar::from_ratio(1, 100);
     /// assert!(close(back.x(), 1) && close(back.y(), 0) && close(back.z(), 1));

@@ -4,8 +4,8 @@ use super::bins::{BinRows, NONE};
 use crate::math::hints::keep_rolled;
 use core::ops::Range;
 
-/// The kinds of edges, in the order in which they are smoothed: where a crease and a silhouette meet, what lies beyond the silhouette is
-/// mixed with the smoothed crease.
+/// The kinds of edges: tall creases, wide creases, tall silhouettes, wide silhouettes. Each pass takes them in this order. Wide silhouettes come after
+/// all creases: where both meet, what lies beyond the silhouette is mixed with the smoothed crease.
 const KINDS: usize = 4;
 
 /// The edges of a mesh in bins of rows, and in a list of each kind those that have begun and not ended, in the order of the mesh: the edges of

@@ -304,7 +304,7 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
 }
 
 impl<'a, V: Coordinate> SmoothEdges<'a, V> {
-    /// Keeps edges that are set up, a power of two of them: an edge without an entry is set up again in each band, and twice if it is flat. 16
+    /// Keeps edges that are set up, a power of two of them: an edge without an entry is set up again in each band, and twice if it is wide. 16
     /// entries are enough for the silhouettes of most meshes.
     ///
     /// ```

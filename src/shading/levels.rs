@@ -42,26 +42,25 @@ pub(super) fn levels<C: Color>(color: Flat) -> [i32; 3] {
     each::<C, _, _>(channels, |channel, max| level(channel, aligned_max(max)))
 }
 
-/// The colour of the target nearest to `share` parts of `color` plus `other_share` parts of `other`, of `steps` parts each, each channel
-/// saturating at full; halves are rounded up. `steps` is 1 … 255, and shares are 0 … `steps`.
-#[inline(always)] // `steps` is a constant of each caller
-pub(super) fn mixture<C: Color>(color: Rgb888, share: u32, other: Rgb888, other_share: u32, steps: u32) -> C {
+/// The colour of the target nearest to `share`/255 of `color` plus `other_share`/255 of `other`, each channel saturating at full; halves are
+/// rounded up. Shares are 0 … 255.
+#[inline(always)]
+pub(super) fn mixture<C: Color>(color: Rgb888, share: u32, other: Rgb888, other_share: u32) -> C {
     let ([r, g, b], [s, t, u]) = (channels(color), channels(other));
-    let sum = |own: u32, other: u32| (own * share + other * other_share).min(255 * steps);
-    nearest([sum(r, s), sum(g, t), sum(b, u)], steps)
+    let sum = |own: u32, other: u32| (own * share + other * other_share).min(255 * 255);
+    nearest([sum(r, s), sum(g, t), sum(b, u)])
 }
 
 fn channels(color: Rgb888) -> [u32; 3] {
     [color.r(), color.g(), color.b()].map(u32::from)
 }
 
-/// The colour of the target nearest to channels in 1/`steps` of a step of `Rgb888`, at most 255·`steps`; halves are rounded up.
+/// The colour of the target nearest to channels in 1/255 of a step of `Rgb888`, at most 255·255; halves are rounded up.
 #[inline(always)]
-fn nearest<C: Color>(channels: [u32; 3], steps: u32) -> C {
-    let unit = 256 * 255 * steps;
-    // Color are at most 255·255, here 2⁸ times as much, times 255: less than 2³² with the half.
-    let nearest =
-        |channel: u32, max: u8| (channel * u32::from(max) + unit / 2).checked_div(unit).unwrap_or_default();
+fn nearest<C: Color>(channels: [u32; 3]) -> C {
+    const UNIT: u32 = 256 * 255 * 255;
+    // A channel is at most 255·255, here 2⁸ times as much, times 255: less than 2³² with the half.
+    let nearest = |channel: u32, max: u8| (channel * u32::from(max) + UNIT / 2) / UNIT;
     let levels = each::<C, _, _>(scaled::<C>(channels), nearest);
     C::from_channels(levels.map(|level| level as u8)) // ≤ MAX
 }

@@ -73,7 +73,7 @@ impl<C> ShadeTable<C> {
 impl<C: Color> ShadeTable<C> {
     /// The colours of the target nearest to `color` at 0/255, 1/255 … 255/255 of its light; halves are rounded up.
     pub fn new(color: Rgb888) -> Self {
-        Self(from_fn(|light| mixture(color, light as u32, Rgb888::BLACK, 0, 255)))
+        Self(from_fn(|light| mixture(color, light as u32, Rgb888::BLACK, 0)))
     }
 
     /// A table that fades `color` into `fog`: entry i is the colour of the target nearest to i/255 of `color` and the rest of
@@ -89,7 +89,7 @@ impl<C: Color> ShadeTable<C> {
     /// # let _ = face;
     /// ```
     pub fn in_fog(color: Rgb888, fog: Rgb888) -> Self {
-        Self::from_colors(from_fn(|light| mixture(color, light as u32, fog, 255 - light as u32, 255)))
+        Self::from_colors(from_fn(|light| mixture(color, light as u32, fog, 255 - light as u32)))
     }
 
     /// A table for faces that emit light of their own: entry i is the colour of the target nearest to i/255 of `color` plus
@@ -103,7 +103,7 @@ impl<C: Color> ShadeTable<C> {
     /// assert_eq!([0, 51, 255].map(|i| table.colors()[i].luma()), [90, 130, 255]);
     /// ```
     pub fn emitting(color: Rgb888, emission: Rgb888) -> Self {
-        Self::from_colors(from_fn(|light| mixture(color, light as u32, emission, 255, 255)))
+        Self::from_colors(from_fn(|light| mixture(color, light as u32, emission, 255)))
     }
 }
 

@@ -13,10 +13,11 @@ use core::marker::PhantomData;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The rows that wait for the next band: the last pass of smoothing lacks in both what the pass before it does in the last one.
+/// The rows that wait for the next band: the second pass cannot mix the last row with the row below it, which is not drawn yet, so the third pass
+/// cannot mix the last two rows with each other.
 const WAITING: usize = 2;
 
-/// The least rows of a strip: the first band finishes a row.
+/// The fewest rows of a strip. The first band then has three new rows, of which it finishes one.
 const LEAST: usize = 6;
 
 /// A [`Frame`] whose edges are smoothed. Smoothing a row needs the rows below it, so the last two rows of each band, with their depths, are kept for
@@ -127,8 +128,9 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
         Ok(Self { area, background, done: 0, waits: false, kept, depths })
     }
 
-    /// The next band: the rows that waited, and new rows, filled with the background. It has as many rows as fit in the strip and have room
-    /// for their depths, or one fewer, so that the last row has an odd number. `None` after the last band.
+    /// The next band: the rows that waited, and new rows, filled with the background. `None` after the last band. The first band has two rows
+    /// fewer than fit in the strip and have room for their depths, each other band as many; one fewer if it would end at an even row and is
+    /// not the last one.
     ///
     /// # Errors
     ///
@@ -155,7 +157,7 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
         let top = top_left.y.saturating_add_unsigned(self.done);
         let waits = new > room - waiting;
         if waits {
-            new = room - WAITING as u32; // as many in the first band: the ends of bins may be those of bands
+            new = room - WAITING as u32; // as many in the first band as in others, so that bands end where bins do
             new -= top.saturating_add_unsigned(new) as u32 & 1; // at least 3
         }
         if self.waits {

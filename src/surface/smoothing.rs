@@ -19,7 +19,7 @@ pub struct SmoothPass<'p, C, Cell> {
     pub(super) layout: PixelLayout,
     pub(super) depths: &'p [u16],
     pub(super) depth_layout: PixelLayout,
-    /// The pixels that have a colour and a depth, and that the passes before have smoothed. In the first pass without rows that it has smoothed before.
+    /// The pixels that this pass may change. Of a band: the new rows in the first pass, all in the second, the finished ones in the third.
     pub(super) pixels: Scissor,
     /// The number of the pass: 0 to 2.
     pub(super) number: usize,
@@ -49,8 +49,8 @@ pub(crate) enum SeenKind {
 }
 
 impl<S: Surface> DepthTestedSurface<'_, '_, S> {
-    /// Smooths the edges of a picture that is drawn, with its depths: `edges` is called three times, and passes
-    /// each pass to the [edges](crate::draw::SmoothEdges::draw) of all objects. [`SmoothEdges`](crate::draw::SmoothEdges) has an example. In
+    /// Smooths the edges of a picture that is drawn, with its depths: `edges` is called once for each of three
+    /// passes, and hands it to the [edges](crate::draw::SmoothEdges::draw) of all objects. [`SmoothEdges`](crate::draw::SmoothEdges) has an example. In
     /// bands [`SmoothFrame`](crate::bands::SmoothFrame) does so.
     ///
     /// The target is one whose pixels lie in memory, such as [`picture.pixels()`](crate::target::Picture::pixels): a display or the `Picture` itself does not

@@ -449,7 +449,7 @@ fn factors_of_vertices_are_linear_in_distance() {
     assert!(counts.iter().all(|&count| count > 1_000), "{counts:?}");
 }
 
-/// Flat colours in fog, in 1/256 of a level: a light of 256 keeps them. Tables and palettes are compared in `tables`.
+/// Flat colours in fog, in 1/256 of a level: a light of 256 keeps them. Tables are compared in `tables`.
 #[test]
 fn colors_in_fog_are_the_nearest() {
     let mut rng = Rng::new(9);

@@ -1,4 +1,4 @@
-//! Tables and palettes of shades have the nearest colours of the target, and light selects the nearest entry at the centres of pixels.
+//! Tables of shades have the nearest colours of the target, and light selects the nearest entry at the centres of pixels.
 //! The levels of faces that are drawn with tables are tested in `levels`.
 
 use crate::scene::{

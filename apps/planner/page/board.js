@@ -5,7 +5,8 @@
 const inTemplates = (templates, path) => new TextDecoder().decode(templates.get(path) ?? new Uint8Array());
 
 // A board's row in boards/README.md: MHz of its core and its bus, 0 if it takes any chip; how many cores draw, whether one band is drawn
-// while another is sent, whether only a rectangle is sent, or columns of each band, and what is stated of its firmware with a gear: of one for any chip, by the core.
+// while another is sent, what it sends (all, the rectangle that has changed, or of each band
+// the columns that have changed), and what is stated of its firmware with a gear: of one for any chip, by the core.
 function factsOfBoard(templates, board, core = '') {
   const row = inTemplates(templates, 'README.md').split('\n').find((line) => line.startsWith(`| [${board}]`)) ?? '';
   const [, , cores, , wiring, bands, ...sizes] = row.split('|');
@@ -56,7 +57,7 @@ function onBoard(way, board, facts, spi, changing) {
   const scale = (way.clock / (facts.clock || way.clock)) * (facts.cores > 1 ? OF_TWO_CORES : 1);
   const [drawing, range] = [way.drawing * scale, way.range.map((time) => time * scale)];
   const whole = facts.bus ? (way.bytes * 8) / (1000 * Math.min(facts.bus, spi || Infinity)) : way.bus;
-  const bus = whole * changing[facts.sends === 'rectangle' && way.order === 'painter' ? 'all' : facts.sends]; // a painter has no bounds
+  const bus = whole * changing[facts.sends === 'rectangle' && way.order === 'painter' ? 'all' : facts.sends](way.rows); // a painter has no bounds
   const [short, long] = [drawing, bus].sort((a, b) => a - b);
   const [blocking, dma] = [1000 / (drawing + bus), 1000 / (long + NOT_HIDDEN * short)];
   const fits = Number(ram + way.beside < way.room);
@@ -74,11 +75,8 @@ function frameRates({ cyclesError }, { drawing, bus, error, range, hasDma }) {
   return [1000 / (most * off + bus), 1000 / (hasDma ? Math.max(least / off, bus) : least / off + bus)];
 }
 
-// Rows of a band of which only columns are sent.
-const BAND = 16;
-
 // The parts of a picture that change while the model turns: the rectangle around what is drawn, as far as the corner shows the background, in
-// steps of rows (a display of one bit a pixel has eight rows in a byte), and the columns of each band of this rectangle. A panel's rows lie along
+// steps of rows (a display of one bit a pixel has eight rows in a byte), and the columns of each band of so many rows of this rectangle. A panel's rows lie along
 // its shorter side.
 function changedParts(pixels, width, height, step) {
   const words = new Uint32Array(pixels.buffer, pixels.byteOffset, width * height);
@@ -100,7 +98,8 @@ function changedParts(pixels, width, height, step) {
     }
     return Math.min(sum / (width * height), 1);
   };
-  return { all: 1, rectangle: part(width + height), columns: part(BAND) };
+  const rectangle = () => part(width + height);
+  return { all: () => 1, rectangle, columns: (rows) => (rows ? part(rows) : rectangle()) };
 }
 
 Object.assign(globalThis, { factsOfBoard, choiceOfTemplate, firmwareOf, NOT_HIDDEN, onBoard, frameRates, changedParts });

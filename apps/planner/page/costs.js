@@ -167,9 +167,9 @@ function drawing({ drawing, range, error }) {
 }
 
 // The clocks and the bus of the board that is shown.
-function ofBoard({ core }, { clock }) {
+function ofBoard({ core }, { clock, rows }) {
   const { bus, cores, hasDma, sends: part, ...of } = factsOfBoard(templates, state.board);
-  const sends = `${hasDma ? 'one band is drawn while another is sent' : 'each band is drawn, then sent'}${part === 'all' ? '' : `, and only what changes, here ${Math.round(100 * changing[part])} % of the picture`}`;
+  const sends = `${hasDma ? 'one band is drawn while another is sent' : 'each band is drawn, then sent'}${part === 'all' ? '' : `, and only what changes, here ${Math.round(100 * changing[part](rows))} % of the picture`}`;
   return `as ${state.board} has it, ${cores > 1 ? 'two cores, ' : ''}${core} at ${of.clock || clock} MHz, ${bus ? `its bus at ${bus < 1 ? '0.4' : bus} MHz; ` : ''}${sends}.`;
 }
 
@@ -183,7 +183,7 @@ function notes(costs) {
     `RAM: the variables of the way to draw, to the byte. The stack takes ${kilobytes(way.stack)} more${costs.inRam ? ', and the code, which is copied to RAM, as much as it takes in flash' : ''}. ${rest}`,
     `Flash: the mesh and the code that draws, at opt-level 3, ± ${costs.flashError} %. ${rest}`,
     `Frames/s: each band is drawn, then sent; by DMA: one is drawn while another is sent, so there are two of them in RAM, if there is room. In the range of the meter, by DMA, sending is hidden by drawing wholly or not at all.`,
-    ...(smooths() ? ['Smooth edges: silhouettes and, where each face has one light, creases. The last two rows of each band wait for the next band, and 16 edges are kept between bands. The mesh lists its edges, and the faces beside them, in flash.'] : []),
+    ...(smooths() ? ['Smooth edges: silhouettes and, where each face has one light, creases. The last two rows of each band wait for the next band, so a band has at least four rows, and 16 edges are kept between bands. The mesh lists its edges, and the faces beside them, in flash.'] : []),
     ...displayNotes(costs),
     `Drawing: ± is the largest error of the instructions in any case measured (docs/growth.md).${inexact} The cycles of an instruction differ by up to ${costs.cyclesError} % from model to model. ${costs.estimate ? 'The chip\'s timing is an estimate' : 'Error of the chip\'s timing'}: ${costs.error}.`,
   ];

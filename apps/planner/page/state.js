@@ -24,7 +24,7 @@ let imported = 0; // milliseconds in which the file that was opened last was dra
 let asked = false; // whether a frame will be drawn
 let held = 0; // what holds frames back: one that is being drawn, a file that is being read
 let shown; // the state that was drawn last
-let changing = { all: 1, rectangle: 1, columns: 1 }; // the parts of the picture that change while the model turns
+let changing = { all: () => 1, rectangle: () => 1, columns: () => 1 }; // the parts of the picture that change while the model turns
 
 // Whether the style draws edges instead of faces.
 const ofLines = () => ['wireframe', 'hidden-line'].includes(state.style);

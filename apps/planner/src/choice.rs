@@ -256,9 +256,9 @@ impl Choice {
         }
     }
 
-    /// Rows of a band.
+    /// Rows of a band. With the two that wait, smooth edges need six.
     pub(crate) fn rows(&self) -> u32 {
-        self.rows.min(self.size.height)
+        self.rows.max(if self.smooths() { 4 } else { 1 }).min(self.size.height)
     }
 
     /// Whether faces are dithered.

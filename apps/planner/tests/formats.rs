@@ -126,7 +126,7 @@ fn smooth_bands<S: SpanShader<Rgb565, Ink = Rgb565>>(
 ) -> Vec<u8> {
     let mesh = model.mesh().expect("a mesh");
     let strip_bytes = |rows| Frame::<Rgb565>::strip_bytes(SIZE.width, rows);
-    let (mut strip, mut kept) = (vec![0; strip_bytes(rows)], vec![0; strip_bytes(1)]);
+    let (mut strip, mut kept) = (vec![0; strip_bytes(rows)], vec![0; strip_bytes(2)]);
     let mut depths = vec![0; (SIZE.width * rows) as usize];
     let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
     let (mut bins, mut edge_bins) = (vec![0; mesh.face_bins_len()], vec![0; mesh.smooth_bins_len()]);
@@ -176,7 +176,7 @@ fn smooth_edges_are_those_of_firmware_in_bands() {
         let normals = mesh.corners_of(face, mesh.vertex_normals());
         Gouraud::lit(of_16_bits(), normals.map(|normal| light.level(normal)))
     };
-    for rows in [4, 9, 33] {
+    for rows in [6, 9, 33] {
         let bands =
             smooth_bands(&flat, creases, rows, |face, light| Rgb565::from(COLOR).dim(level(face, light)));
         assert!(page("style=flat&smooth-edges=1") == bands, "flat, {rows} rows");

@@ -170,7 +170,7 @@ pub fn terms(way: &str) -> Vec<Term> {
             ("smoothed edge set up again", |work| work.edges.again),
             ("pixel along a smoothed edge", |work| work.edges.smoothed_pixels),
             BAND,
-            ("pixel of a row that waits", |work| work.edges.waiting),
+            ("column of the rows that wait", |work| work.edges.waiting),
         ],
         "smooth-bands" | "dithered-bands" | "smooth-dithered-bands" | "plain-bands" => of_faces,
         _ => Vec::new(),

@@ -1,4 +1,4 @@
-//! Fog at vertices and faces.
+//! Fog at vertices.
 
 use super::linear::Fog;
 use crate::camera::Camera;
@@ -7,7 +7,7 @@ use crate::math::unrolled::map3;
 use crate::math::Affine;
 use crate::space::{Model, World};
 
-/// The factor of fog at the vertices and faces of one object: fog that costs no instruction per pixel. The distance before the
+/// The factor of fog at the vertices of one object: fog that costs no instruction per pixel. The distance before the
 /// camera is a linear form of a vertex's coordinates, and so is the factor between the fog's start and end: a vertex takes three
 /// multiplications.
 ///
@@ -60,11 +60,7 @@ impl VertexFog {
     /// The factor at a vertex, in the mesh's units as [`Mesh::vertices`](crate::Mesh::vertices) has them: 256, no fog, to 0, nothing but fog.
     #[inline]
     pub fn factor(&self, vertex: [i16; 3]) -> u16 {
-        self.factor_at(map3(vertex, i32::from))
-    }
-
-    /// The factor at a point whose coordinates have 16 bits.
-    fn factor_at(&self, [x, y, z]: [i32; 3]) -> u16 {
+        let [x, y, z] = map3(vertex, i32::from);
         let [a, b, c] = self.linear;
         let sum = mul_wide(a, x) + mul_wide(b, y) + mul_wide(c, z); // below 3·2⁴⁵
         let factor = add(scale(sum, self.shift), self.offset);

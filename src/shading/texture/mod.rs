@@ -1,10 +1,9 @@
 //! Textures: faces that show a picture, in perspective.
 //!
-//! `texels` and `indexed` say where texels come from, `clamped` texels that do not
-//! repeat, `bilinear` mixes four texels, `mip` reduced copies of a picture, `mapping` what a texture on a face is, `textured` makes a shader of it, `lit_textured` one with light at each corner,
-//! `perspective_gouraud` has no texels, but weights of corners,
-//! `gradients` interpolates texture coordinates over a triangle, and `runs` divides a row into runs of pixels over which they
-//! are linear.
+//! `texels` and `indexed` say where texels come from; `keyed` makes one colour transparent; `clamped` has texels that do not repeat; `bilinear`
+//! mixes four texels; `mip` has reduced copies of a picture; `mapping` says what a texture on a face is; `textured` makes a shader of it, and
+//! `lit_textured` one with light at each corner; `perspective_gouraud` has no texels, but weights of corners; `gradients` interpolates texture
+//! coordinates over a triangle; `runs` divides a row into runs of pixels over which they are linear.
 
 mod bilinear;
 mod clamped;

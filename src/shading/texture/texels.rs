@@ -64,7 +64,7 @@ pub trait Texels: Copy {
 
     /// The [`texel`](Self::texel) that holds a point, in `level`/(2^[`LEVEL_BITS`](Self::LEVEL_BITS) − 1) of full light, for
     /// [`Textured::lit`](crate::texture::Textured::lit). `level` is below 2^`LEVEL_BITS`. By default the texel's colour is
-    /// [dimmed](Color::dim); override both where looking up a colour is faster.
+    /// [dimmed](Color::dim): override both to look it up in a table instead.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;

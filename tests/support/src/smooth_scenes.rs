@@ -74,7 +74,7 @@ impl Scene {
 
 pub const BACKGROUND: u8 = 170;
 
-/// No levels differ by as much: as the contrast of creases, none.
+/// A contrast that no two levels have: no crease is smoothed.
 pub const NO_CREASES: u8 = 255;
 
 pub fn grey(level: u8) -> Rgb888 {

@@ -27,7 +27,7 @@ pub struct Picture<'a> {
 /// The mesh of a frame, as far as it is drawn.
 pub struct Turned<'a> {
     mesh: &'a Mesh<'a>,
-    /// Of the area, what is not drawn yet.
+    /// The size of the part of the area that is not drawn yet.
     left: Size,
     frame: Frame<Rgb565>,
     /// With depth.
