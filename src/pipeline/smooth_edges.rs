@@ -388,10 +388,10 @@ impl SmoothBins<'_> {
                 (is_silhouette || is_second).then_some(2 * usize::from(is_silhouette) + usize::from(is_wide))
             });
         }
-        // Tall and wide creases, tall and wide silhouettes.
-        for (kind, passes) in [0..=0, 0..=1, 0..=0, 1..=2].into_iter().enumerate() {
-            let is_wide = kind & 1 != 0;
-            if lists.is_empty(kind) || !passes.contains(&number) {
+        // The passes of tall and wide creases, of tall and wide silhouettes: a bit for each.
+        for (kind, passes) in [0b001_u32, 0b011, 0b001, 0b110].into_iter().enumerate() {
+            let (is_wide, passes) = (kind & 1 != 0, passes >> (number & 3));
+            if lists.is_empty(kind) || passes & 1 == 0 {
                 continue;
             }
             let axes = pass.axes(&scissor, !is_wide);
@@ -413,7 +413,7 @@ impl SmoothBins<'_> {
                 }
                 // The last row of a wide edge may be mixed with the row below it.
                 let bottom = edge.crossed.bottom();
-                let ends = number == *passes.end() && bottom < rows.end + i32::from(!is_wide);
+                let ends = passes == 1 && bottom < rows.end + i32::from(!is_wide);
                 if ends {
                     edge.number = 0;
                 }

@@ -78,12 +78,14 @@ impl core::fmt::Display for BufferError {
             Self::TooManyItems { items } => {
                 write!(f, "{items} faces or edges, but bins hold at most 65535: split the mesh")
             }
-            Self::Full { parameter: parameter @ "VERTICES", needed, capacity: most @ 65_536 }
-            | Self::Full { parameter: parameter @ "FACES", needed, capacity: most @ 65_535 } => {
-                write!(f, "{needed} {parameter} are needed, but a painter holds at most {most}: add fewer meshes, or smaller ones")
-            }
             Self::Full { parameter, needed, capacity } => {
-                write!(f, "{needed} {parameter} are needed, but there is room for {capacity}: raise {parameter}")
+                write!(f, "{parameter}: {needed} are needed, but there is room for {capacity}: ")?;
+                match (*parameter, *capacity) {
+                    ("VERTICES", 65_536) | ("FACES", 65_535) => {
+                        f.write_str("a painter has no more, so add fewer meshes, or smaller ones")
+                    }
+                    _ => write!(f, "raise {parameter}"),
+                }
             }
             Self::OtherViewport => f.write_str("one painter draws into one viewport at a time: draw what it holds first, or use two painters"),
         }

@@ -152,9 +152,7 @@ impl Planner {
     fn source(&self, choice: &Choice) -> Result<(String, Vec<u8>), Refusal> {
         match ready::file(&choice.mesh) {
             Some(file) => Ok(file),
-            None => {
-                self.file.clone().ok_or("no file: drop an STL or OBJ file, or choose a ready mesh".into())
-            }
+            None => self.file.clone().ok_or("no file: drop an STL or OBJ file, or choose a mesh".into()),
         }
     }
 

@@ -14,9 +14,9 @@ pub(crate) fn mesh(_: MeshError) -> String {
 pub(crate) fn buffer(error: BufferError) -> String {
     match error {
         BufferError::TooManyItems { items } => {
-            format!("{items} faces or edges, but bins hold at most 65535: choose fewer faces")
+            format!("{items} faces or edges, but bins hold 65535: choose fewer faces")
         }
-        _ => "the picture is too large for its buffers: choose a smaller display".into(),
+        _ => "the picture is too large: choose a smaller display".into(),
     }
 }
 
@@ -33,14 +33,14 @@ pub(crate) fn light(_: LightError) -> String {
 /// A camera that frames a model depends on the model's size, another projection on its own numbers too.
 pub(crate) fn camera(error: CameraError) -> String {
     match error {
-        CameraError::NoRadius => "the model has no extent: it needs at least two different vertices",
+        CameraError::NoRadius => "the model is a point: it needs two different vertices",
         CameraError::OutOfRange => {
             "the model is too large for its unit: choose a larger unit, or a wider field of view"
         }
         CameraError::TooNear => {
             "the model would touch the eye: choose a smaller unit, or a narrower field of view"
         }
-        _ => "the projection cannot show the model: choose another one, or another field of view",
+        _ => "the projection cannot show the model: choose another, or another field of view",
     }
     .into()
 }

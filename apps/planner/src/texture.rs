@@ -84,7 +84,7 @@ impl TextureImage {
     pub(crate) fn texels(&self) -> Result<IndexedTexels<'_, Rgb888, 8>, String> {
         let [width, height] = self.sides();
         if width == 0 {
-            return Err("no picture: drop a PNG, BMP or JPEG file, or choose a ready pattern".into());
+            return Err("no picture: drop a PNG, BMP or JPEG, or choose a pattern".into());
         }
         IndexedTexels::new(&self.texels, width, height, &self.palette).map_err(refused::texture)
     }
@@ -117,7 +117,7 @@ impl TextureImage {
 pub(crate) const UNIT: i8 = -14;
 
 /// The warning about a model whose texture coordinates the planner makes.
-pub(crate) const BY_SIDES: &str = "no texture coordinates: the picture is laid on from six sides; to choose, unwrap the model (UV) where it was made and export an OBJ file with `vt` lines";
+pub(crate) const BY_SIDES: &str = "no texture coordinates: the picture is laid on from six sides; to choose, unwrap the model (UV) and export it as OBJ";
 
 /// Where the texture coordinates of faces come from.
 #[derive(Clone, Copy)]

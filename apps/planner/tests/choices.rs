@@ -45,7 +45,7 @@ fn a_projection_has_directions_of_its_own_that_others_replace() {
 fn no_file_is_a_message() {
     let file = choice("mesh=file");
     let drawn = Planner::default().draw(&file);
-    assert_eq!(drawn, Err("no file: drop an STL or OBJ file, or choose a ready mesh".into()));
+    assert_eq!(drawn, Err("no file: drop an STL or OBJ file, or choose a mesh".into()));
 }
 
 #[test]
