@@ -11,13 +11,15 @@ function advised(costs, way, faces) {
   const height = way.rows || 1; // a whole picture is as one row
   const aRow = (pixels + depths) / height;
   const room = way.room - way.beside - 1 - others.reduce((sum, bytes) => sum + bytes, 0);
-  const lower = (most) => HEIGHTS.find((rows) => rows < way.rows && aRow * rows <= most);
+  const smooths = /smooth edges$/.test(way.name);
+  const least = smooths ? 4 : 1; // and two that wait
+  const lower = (most) => HEIGHTS.find((rows) => rows < way.rows && rows >= least && aRow * rows <= most);
   // What a mesh takes grows by its faces, in RAM and in flash.
   const inFlash = (way.rom - (way.flash - costs.mesh)) / costs.mesh;
   // A decimated surface has more edges a face, since fewer of its faces are flat together.
   const [, sure] = [['hidden lines', 0.6], ['lines', 0.9], ['', 0.95]].find(([start]) => way.name.startsWith(start));
   // The heads of bins, at most 32 of two bytes for faces or edges, become fewer by steps.
-  const heads = /^hidden lines|smooth edges$/.test(way.name) ? 128 : 64;
+  const heads = smooths || way.name.startsWith('hidden lines') ? 128 : 64;
   const fewer = (rows) => {
     const most = sure * faces * Math.min((room - aRow * rows - heads) / (cache + bins), inFlash);
     // Two digits are as much as the estimate is good for.
@@ -30,7 +32,9 @@ function advised(costs, way, faces) {
   if (advice.rows || advice.faces) return advice;
   // Half of the room for the mesh.
   const rows = Math.min(lower(room / 2) ?? height, height);
-  return fewer(rows) ? { both: { rows, faces: fewer(rows) } } : {};
+  const few = fewer(rows);
+  // Edges that are not smoothed are better than a few faces.
+  return few && !(smooths && few < faces / 8) ? { both: { rows, faces: few } } : {};
 }
 
 Object.assign(globalThis, { advised });

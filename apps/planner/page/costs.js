@@ -108,6 +108,7 @@ function advice(costs) {
   const other = costs.ways.find((other) => other.fits && other.fitsFlash && other.note);
   if (other) made.push(remedyButton(`${capital(other.name)}, for ${other.note}`, choiceOf(other)));
   if (isWhole()) made.push(remedyButton('Draw in bands', { whole: 0 }));
+  if (smooths()) made.push(remedyButton('Draw without smooth edges', { 'smooth-edges': 0 }));
   const chip = menu.chips.find(({ basis }, at) => !basis && costs.chips[at].fits && costs.chips[at].fitsFlash);
   if (chip) made.push(remedyButton(`Use the ${chip.name}`, { chip: chip.key, board: nearestBoard(chip.key, panelChosen()) }));
   const needs = `${way.name}: ${kilobytes(way.ram)} of variables and ${kilobytes(way.beside)} of stack${costs.inRam ? ' and code' : ''}, and ${kilobytes(way.flash)} of flash.`;

@@ -35,7 +35,7 @@ const VERBS = {
     const { width, height } = displayOf(templates, board) ?? {};
     const { chip = 'stm32f411' } = partsOf(board); // of its target
     const costs = JSON.parse(library.ask('costs', `${choice}&chip=${chip}${width ? `&width=${width}&height=${height}` : ''}`));
-    const way = onBoard(costs.ways.find(({ chosen }) => chosen), board, await firmwareOf(library, templates, board), 0, {});
+    const way = onBoard(costs.ways.find(({ chosen }) => chosen), board, await firmwareOf(library, templates, board), 0, { all: () => 1, rectangle: () => 1, columns: () => 1 });
     const off = 100 * (way.flash / flash - 1);
     console.log(`${board}: the page says ${way.ram} bytes of RAM and ${way.flash} of flash, linked are ${ram} and ${flash}: ${off.toFixed(0)} %`);
     return Math.abs(ram - way.ram) <= 8 * ALIGNMENT && Math.abs(off) <= costs.flashError;
