@@ -172,7 +172,7 @@ const tests = {
   async 'textured faces show a pattern, or a picture that is dropped, and a model without coordinates says so'(tab) {
     await tab.selectOption('#style', 'textured');
     await settled(tab);
-    assert.match(await tab.textContent('#warnings'), /no texture coordinates: .* `vt` lines/);
+    assert.match(await tab.textContent('#warnings'), /no texture coordinates: .* export it as OBJ/);
     const pattern = await pixels(tab);
     await tab.selectOption('#texture', 'grid');
     await settled(tab);
