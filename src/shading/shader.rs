@@ -139,7 +139,7 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// The result of [`set_up`](Self::set_up), usually gradients.
     type Setup;
 
-    /// `()`. Only shaders of this crate have faster twins of [`span`](Self::span) for targets whose pixels lie in memory.
+    /// Write `()`: only shaders of this crate have faster twins of [`span`](Self::span) for targets whose pixels lie in memory.
     type FastPath: FastPath<C, Self>;
 
     /// Whether draw calls with a depth buffer store the depth of the pixels that they draw. If false, they only test it: for

@@ -18,7 +18,7 @@ use support::oracle::rng::Rng;
 /// A colour of no texel and no palette: their blue is at most 127.
 const SKY: Rgb888 = Rgb888::new(1, 2, 255);
 
-/// Texels that show a number of theirs and the level of their light.
+/// Texels whose colour is their number and their level of light.
 #[derive(Clone, Copy)]
 struct Leveled([u32; 2]);
 

@@ -41,7 +41,7 @@ pub trait Texels: Copy {
     /// A texel: its colour, or `Option<Self::Color>` if some texels are transparent.
     type Ink: Unmixed<Self::Color>;
 
-    /// `()`. Only texels of this crate have faster twins of [`texel`](Self::texel).
+    /// Write `()`: only texels of this crate have faster twins of [`texel`](Self::texel).
     type FastPath: TexelPath<Self>;
 
     /// The binary logarithms of the numbers of columns and rows: 3 … 8 each.
