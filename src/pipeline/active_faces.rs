@@ -1,14 +1,13 @@
 //! Binned faces with a list of active faces, which continue from band to band.
 
-use super::binned::{assert_depth, Binned, DrawnWith};
-use super::binned_faces::IN_BAND;
+use super::binned::Binned;
+use super::binned_faces::{BinnedFaces, FaceList, IN_BAND};
 use super::bins::{each_active, NONE};
 use super::draw_region::DrawRegion;
 use super::drawable::ShaderFor;
 use super::face_source::PartOrder;
 use super::faces::{draw_triangles, each_face};
 use super::fill::{fill, fill_nearer, solid_color};
-use super::statistics::Statistics;
 use super::vertex_cache::{area, BinnedVertices, TransformedMesh};
 use crate::color::InkKind;
 use crate::fast::carried::{self, Carried, Rest};
@@ -17,12 +16,12 @@ use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::{DepthTriangle, Scissor};
 use crate::shading::SpanShader;
-use crate::surface::{BufferError, DepthBuffer, DepthTarget, Surface, Target, Tested, Unmatched, Untested};
+use crate::surface::{DepthBuffer, DepthTarget, Surface};
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// An entry of a list of active faces, for targets with colours of type `C`. With colours of 16 bits it takes 36 bytes without depth
-/// and 48 with depth, which is carried by three words. [`TransformedMesh::bin_active_faces`] has an example.
+/// and 48 with depth, which is carried by three words. [`BinnedFaces::with_active_faces`] has an example.
 #[derive(Clone, Copy, Debug)]
 pub struct ActiveFace<C, const WORDS: usize = 3> {
     /// The face's index.
@@ -37,24 +36,16 @@ impl<C: PixelColor, const WORDS: usize> ActiveFace<C, WORDS> {
     pub const EMPTY: Self = Self { face: 0, next: 0, carried: Carried::EMPTY }; // all bits 0: a static takes no flash
 }
 
-/// The visible faces of a mesh, binned by their first rows, and a list of those that continue from band to band.
-/// [`TransformedMesh::bin_active_faces`] makes it and has an example.
+/// The list of faces that continue from band to band, as a type parameter of [`BinnedFaces`]: [`BinnedFaces::with_active_faces`] makes it and
+/// has an example.
 #[derive(Debug)]
-pub struct ActiveFaces<'a, C, V: Coordinate = i16, const DEPTH: bool = true, const WORDS: usize = 3> {
-    /// Faces whose bits are set have begun, and neither ended nor entered the list.
-    binned: Binned<'a, V, DEPTH>,
-    list: List<'a, C, WORDS>,
-    /// The left and right end of the last band, and the row below it; `None` if no band was drawn to its end.
-    below: Option<[i32; 3]>,
-}
-
-/// The faces that continue below the last band, linked in the order of the mesh.
-#[derive(Debug)]
-struct List<'f, C, const WORDS: usize> {
+pub struct ActiveFaces<'f, C, const WORDS: usize = 3> {
     entries: &'f mut [ActiveFace<C, WORDS>],
-    /// The first active face and the first free entry.
+    /// The first active face and the first free entry: active faces are linked in the order of the mesh.
     first: u16,
     free: u16,
+    /// The left and right end of the last band, and the row below it; `None` if no band was drawn to its end.
+    below: Option<[i32; 3]>,
 }
 
 /// Where a band has arrived in a list.
@@ -66,11 +57,11 @@ struct Cursor {
     face: u16,
 }
 
-impl<'f, C, const WORDS: usize> List<'f, C, WORDS> {
+impl<'f, C, const WORDS: usize> ActiveFaces<'f, C, WORDS> {
     /// A list without a face.
     fn new(list: &'f mut [ActiveFace<C, WORDS>]) -> Self {
         let length = list.len().min(usize::from(NONE) - 1); // behind the last entry: at most `NONE`
-        Self { entries: list.get_mut(..length).unwrap_or_default(), first: NONE, free: NONE }
+        Self { entries: list.get_mut(..length).unwrap_or_default(), first: NONE, free: NONE, below: None }
     }
 
     /// Links all entries as free ones.
@@ -138,22 +129,26 @@ impl<'f, C, const WORDS: usize> List<'f, C, WORDS> {
 
 /// How many words of depth an [`ActiveFace`] carries: 3, or none of vertices without depth.
 pub trait Carries<const WORDS: usize> {}
-impl<V: Coordinate> Carries<3> for TransformedMesh<'_, V, true> {}
-impl<V: Coordinate> Carries<0> for TransformedMesh<'_, V, false> {}
+impl<V: Coordinate> Carries<3> for BinnedFaces<'_, V, true> {}
+impl<V: Coordinate> Carries<0> for BinnedFaces<'_, V, false> {}
 
-impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
-    /// Bins the visible faces as [`bin_faces`](Self::bin_faces) does, and carries faces that continue below a band to the next one: their
-    /// edges, depth and colour are not computed again. The pixels are those of `bin_faces`. S3, a torus of 1000 triangles with depth in bands of 8 rows,
-    /// takes 1.33 times the instructions of one piece on a Cortex-M3, 1.62 times without the list.
+impl<'a, V: Coordinate, const DEPTH: bool> BinnedFaces<'a, V, DEPTH> {
+    /// Carries faces that continue below a band to the next one: their edges, depth and colour are not computed again. The pixels are
+    /// equal. S3, a torus of 1000 triangles with depth in bands of 8 rows, takes 1.33 times the instructions of one piece on a Cortex-M3,
+    /// 1.62 times without the list.
     ///
-    /// `storage` is bin storage that the result borrows: [`face_bins_len`](crate::Mesh::face_bins_len) numbers. `list` holds the faces
+    /// `list` holds the faces
     /// that continue: with as many entries as faces cross the border of two bands, none is set up twice. In bands of 8 rows the torus needs 56,
     /// the height field F1 of 64 × 64 vertices 166 with each face in one colour; three times the square root of the number of visible faces is
     /// enough for most meshes. A face that finds no entry is set up again in the next band.
     ///
     /// Carried are faces of one colour, such as a color or [`Flat`](crate::shading::Flat), that are at most 32 rows high and not
     /// clipped, drawn into the `pixels()` of bands that follow each other from top to bottom. All others are set up in each band. On a Cortex-M0 no face is
-    /// carried.
+    /// carried. The closure that shades a face is called in the first band that the face lies in, and in further bands unless the face is
+    /// carried into them: a carried face keeps its colour.
+    ///
+    /// A band below a gap, above the last one, or of other columns begins again at the top of the bins, with an empty list: the pixels
+    /// are right, and each face is set up again. For two cores, [fork](Self::fork) first: each fork takes a list of its own.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
@@ -166,7 +161,8 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// let mut strip = strip_buffers!(Rgb565, 64, 8);
     /// let mut list = [ActiveFace::EMPTY; 40];
     /// let instance = camera.place(&TORUS, &Affine::identity());
-    /// let mut faces = instance.transform_depth(&mut buffers.cache).bin_active_faces(&mut buffers.bins, &mut list)?;
+    /// let faces = instance.transform_depth(&mut buffers.cache).bin_faces(&mut buffers.bins)?;
+    /// let mut faces = faces.with_active_faces(&mut list);
     /// let mut frame = Frame::new(display.bounding_box(), Rgb565::BLACK);
     /// while let Some(mut band) = frame.next_band(&mut strip.colors)? {
     ///     let mut depth = DepthBuffer::new(band.area(), &mut strip.depths)?;
@@ -176,104 +172,33 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// assert!(faces.statistics().drawn > 0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`BufferError::Bins`] if `storage` is too short; the error says how many numbers are needed. [`BufferError::TooManyItems`] if
-    /// the mesh has more than 65535 faces.
-    pub fn bin_active_faces<C: PixelColor, const WORDS: usize>(
-        &self,
-        storage: &'a mut [u16],
+    #[inline(always)]
+    pub fn with_active_faces<C: PixelColor, const WORDS: usize>(
+        self,
         list: &'a mut [ActiveFace<C, WORDS>],
-    ) -> Result<ActiveFaces<'a, C, V, DEPTH, WORDS>, BufferError>
+    ) -> BinnedFaces<'a, V, DEPTH, ActiveFaces<'a, C, WORDS>>
     where
         Self: Carries<WORDS>,
     {
-        ActiveFaces::new(self, storage, list)
+        BinnedFaces { binned: self.binned, list: ActiveFaces::new(list) }
     }
 }
 
-impl<'a, C: PixelColor, V: Coordinate, const DEPTH: bool, const WORDS: usize>
-    ActiveFaces<'a, C, V, DEPTH, WORDS>
-{
-    #[inline(never)] // the result is large
-    fn new(
-        mesh: &TransformedMesh<'a, V, DEPTH>,
-        storage: &'a mut [u16],
-        list: &'a mut [ActiveFace<C, WORDS>],
-    ) -> Result<Self, BufferError> {
-        Ok(Self { binned: Binned::of_faces(mesh, storage)?, list: List::new(list), below: None })
-    }
-
-    /// Counts for the whole frame, as [`BinnedFaces::statistics`](crate::draw::BinnedFaces::statistics).
-    pub const fn statistics(&self) -> Statistics {
-        self.binned.statistics
-    }
-
-    /// A rectangle around all visible faces, as [`BinnedFaces::bounds`](crate::draw::BinnedFaces::bounds).
-    pub fn bounds(&self) -> Rectangle {
-        self.binned.bounds()
-    }
-
-    /// Splits the faces into two, one for each of two cores, as [`BinnedFaces::fork`](crate::draw::BinnedFaces::fork) does: `cursor` is the
-    /// second one's storage, one number per 16 faces of the mesh, rounded up, and `list` its list.
-    ///
-    /// # Errors
-    ///
-    /// [`BufferError::Bins`] if `cursor` is too short; the error says how many numbers are needed.
-    pub fn fork<'b>(
-        &'b mut self,
-        cursor: &'b mut [u16],
-        list: &'b mut [ActiveFace<C, WORDS>],
-    ) -> Result<[ActiveFaces<'b, C, V, DEPTH, WORDS>; 2], BufferError> {
-        self.below = None;
-        let [one, other] = self.binned.fork(cursor)?;
-        let forks = [(one, &mut *self.list.entries), (other, list)];
-        Ok(forks.map(|(binned, list)| ActiveFaces { binned, list: List::new(list), below: None }))
-    }
-
-    /// Draws the faces in a band as [`BinnedFaces::draw`](crate::draw::BinnedFaces::draw) does. `shade` is called for a face in the first band that it lies in, and in
-    /// further bands unless the face is carried into them: a carried face keeps its colour.
-    ///
-    /// A band below a gap, above the last one, or of other columns begins again at the top of the bins, with an empty list: the pixels
-    /// are right, and each face is set up again.
-    ///
-    /// # Errors
-    ///
-    /// The target's error, at the first span that it refuses.
-    #[inline(always)]
-    pub fn draw<T: Target<Color = C>, S: ShaderFor<T::Surface>>(
-        &mut self,
-        shade: impl FnMut(usize) -> S,
-        band: &mut T,
-    ) -> Result<(), T::Error>
-    where
-        Self: DrawnWith<T::Test>,
-    {
-        band.dispatch(
-            (self, shade),
-            |(faces, shade), band| {
-                const { assert_depth::<S, DEPTH>() };
-                faces.draw_solid(shade, band)
-            },
-            |(faces, shade), band, depth| faces.draw_depth_tested(shade, depth, band),
-        )
-    }
-
+impl<C: PixelColor, const WORDS: usize> FaceList<C> for ActiveFaces<'_, C, WORDS> {
     #[inline(never)]
-    fn draw_solid<T: Surface<Color = C>, S: ShaderFor<T>>(
-        &mut self,
+    fn draw_solid<V: Coordinate, T: Surface<Color = C>, S: ShaderFor<T>, const DEPTH: bool>(
+        faces: &mut BinnedFaces<'_, V, DEPTH, Self>,
         shade: impl FnMut(usize) -> S,
         band: &mut T,
     ) -> Result<(), T::Error> {
         let carries = WORDS == 0 && <S as SpanShader<C>>::Ink::IS_OPAQUE && carried::has_memory(band);
-        let region = self.advance_to_band(&band.area(), None, carries);
-        self.each::<_, _, false>(&region, carries, shade, band, None)
+        let region = faces.advance_list(&band.area(), None, carries);
+        faces.each_carried::<_, _, false>(&region, carries, shade, band, None)
     }
 
     #[inline(never)]
-    fn draw_depth_tested<T: Surface<Color = C>, S: ShaderFor<T>>(
-        &mut self,
+    fn draw_depth_tested<V: Coordinate, T: Surface<Color = C>, S: ShaderFor<T>, const DEPTH: bool>(
+        faces: &mut BinnedFaces<'_, V, DEPTH, Self>,
         shade: impl FnMut(usize) -> S,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
@@ -283,37 +208,41 @@ impl<'a, C: PixelColor, V: Coordinate, const DEPTH: bool, const WORDS: usize>
             && <S as SpanShader<C>>::WRITES_DEPTH
             && target.is_aligned
             && carried::has_memory(band);
-        let region = self.advance_to_band(&band.area(), Some(target.buffer), carries);
-        self.each::<_, _, true>(&region, carries, shade, band, Some(&mut target))
+        let region = faces.advance_list(&band.area(), Some(target.buffer), carries);
+        faces.each_carried::<_, _, true>(&region, carries, shade, band, Some(&mut target))
     }
+}
 
+impl<C: PixelColor, V: Coordinate, const DEPTH: bool, const WORDS: usize>
+    BinnedFaces<'_, V, DEPTH, ActiveFaces<'_, C, WORDS>>
+{
     /// Activates the faces that begin in a band. Unless the band lies directly below the last one and has its columns, begins again at the
     /// top of the bins: the list has no face then. `carries`: faces can be carried into this band.
     #[inline(never)] // one copy for all draw calls
-    fn advance_to_band(
+    fn advance_list(
         &mut self,
         band: &Rectangle,
         depth: Option<&DepthBuffer<'_>>,
         carries: bool,
     ) -> DrawRegion {
-        let Self { binned, list, below } = self;
+        let Self { binned, list } = self;
         let region = DrawRegion::shared(band, binned.transformed.instance.area(), depth);
         let Scissor { left, top, right, .. } = region.scissor;
         if region.scissor.is_empty() {
             return region;
         }
-        let continues = below.is_some_and(|[l, r, row]| l == left && r == right && row == top);
+        let continues = list.below.is_some_and(|[l, r, row]| l == left && r == right && row == top);
         if !(continues && (carries || list.first == NONE)) {
             list.clear();
             binned.bins.restart();
         }
-        *below = None; // until the band is drawn
+        list.below = None; // until the band is drawn
         binned.bins.advance_to_band(&region.scissor.rows());
         region
     }
 
     #[inline(always)]
-    fn each<T: Surface<Color = C>, S: ShaderFor<T>, const TESTED: bool>(
+    fn each_carried<T: Surface<Color = C>, S: ShaderFor<T>, const TESTED: bool>(
         &mut self,
         region: &DrawRegion,
         carries: bool,
@@ -321,7 +250,7 @@ impl<'a, C: PixelColor, V: Coordinate, const DEPTH: bool, const WORDS: usize>
         band: &mut T,
         mut depth: Option<&mut DepthTarget<'_, '_>>,
     ) -> Result<(), T::Error> {
-        let Self { binned: Binned { transformed: mesh, bins, .. }, list, below } = self;
+        let Self { binned: Binned { transformed: mesh, bins, .. }, list } = self;
         let (scissor, mesh) = (&region.scissor, *mesh);
         if scissor.is_empty() {
             return Ok(());
@@ -367,7 +296,7 @@ impl<'a, C: PixelColor, V: Coordinate, const DEPTH: bool, const WORDS: usize>
             draw_face::<_, _, _, DEPTH, TESTED>(&mesh, region, index, own, &mut shade, band, &mut depth)
         })?;
         list.continue_to(NONE, &mut cursor, scissor, depths_of(&mut depth), band);
-        *below = Some([scissor.left, scissor.right, scissor.bottom]);
+        list.below = Some([scissor.left, scissor.right, scissor.bottom]);
         Ok(())
     }
 }
@@ -410,26 +339,10 @@ fn draw_face<V: Coordinate, T: Surface, S: ShaderFor<T>, const DEPTH: bool, cons
     Ok(ends)
 }
 
-impl<V: Coordinate, C: PixelColor, const DEPTH: bool, const WORDS: usize> DrawnWith<Untested>
-    for ActiveFaces<'_, C, V, DEPTH, WORDS>
-{
-}
-impl<V: Coordinate, C: PixelColor, const WORDS: usize> DrawnWith<Tested>
-    for ActiveFaces<'_, C, V, true, WORDS>
-{
-}
-impl<V: Coordinate, C: PixelColor, const DEPTH: bool, const WORDS: usize> DrawnWith<Unmatched>
-    for ActiveFaces<'_, C, V, DEPTH, WORDS>
-{
-}
-
 // Colours are not printed: they need not implement `Format`.
 defmt_format!([C, const WORDS: usize] ActiveFace<C, WORDS>, self, "active face {=u16}", self.face);
 
-defmt_format!(
-    [C, V: Coordinate, const DEPTH: bool, const WORDS: usize] ActiveFaces<'_, C, V, DEPTH, WORDS>, self,
-    "faces with a list of {=usize} entries: {}", self.list.entries.len(), self.binned.statistics
-);
+defmt_format!([C, const WORDS: usize] ActiveFaces<'_, C, WORDS>, self, "a list of {=usize} active faces", self.entries.len());
 
 /// The figures of the documentation.
 #[cfg(target_pointer_width = "32")]

@@ -17,12 +17,18 @@ use crate::math::Coordinate;
 use crate::raster::Scissor;
 use crate::surface::{BufferError, DepthBuffer, DepthTarget, Surface, Target, Tested, Unmatched, Untested};
 use core::convert::Infallible;
+use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// The visible faces of a mesh, binned by their first rows: each band, or any other rectangle of the picture, draws only the
 /// faces that lie in it. [`TransformedMesh::bin_faces`] makes it and has an example.
+///
+/// `L` is the list of [active faces](Self::with_active_faces), if there is one.
 #[derive(Debug)]
-pub struct BinnedFaces<'a, V: Coordinate = i16, const DEPTH: bool = true>(pub(super) Binned<'a, V, DEPTH>);
+pub struct BinnedFaces<'a, V: Coordinate = i16, const DEPTH: bool = true, L = ()> {
+    pub(super) binned: Binned<'a, V, DEPTH>,
+    pub(super) list: L,
+}
 
 impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// Culls the faces and puts the visible ones into bins of rows, for drawing in bands. `storage` is bin storage that the
@@ -55,17 +61,14 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// the mesh has more than 65535 faces. Nothing is binned then.
     #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while faces are drawn
     pub fn bin_faces(&self, storage: &'a mut [u16]) -> Result<BinnedFaces<'a, V, DEPTH>, BufferError> {
-        Ok(BinnedFaces(Binned::of_faces(self, storage)?))
+        let (bins, statistics) = bin_faces(self, storage)?;
+        Ok(Binned { transformed: *self, bins, statistics }.into())
     }
 }
 
-impl<'a, V: Coordinate, const DEPTH: bool> Binned<'a, V, DEPTH> {
-    pub(super) fn of_faces(
-        mesh: &TransformedMesh<'a, V, DEPTH>,
-        storage: &'a mut [u16],
-    ) -> Result<Self, BufferError> {
-        let (bins, statistics) = bin_faces(mesh, storage)?;
-        Ok(Self { transformed: *mesh, bins, statistics })
+impl<'a, V: Coordinate, const DEPTH: bool> From<Binned<'a, V, DEPTH>> for BinnedFaces<'a, V, DEPTH> {
+    fn from(binned: Binned<'a, V, DEPTH>) -> Self {
+        Self { binned, list: () }
     }
 }
 
@@ -153,7 +156,7 @@ impl FaceSource for BandSource<'_, '_> {
     }
 }
 
-impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
+impl<V: Coordinate, const DEPTH: bool, L> BinnedFaces<'_, V, DEPTH, L> {
     /// Draws the faces in a band as [`Faces::draw`](crate::draw::Faces::draw) does. `shade` is called once for each face that lies in the band.
     ///
     /// For a depth test, create the depth buffer for this band's [area](crate::bands::Band::area): nothing is drawn outside it. Faces whose
@@ -179,21 +182,76 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     ) -> Result<(), T::Error>
     where
         Self: DrawnWith<T::Test>,
+        L: FaceList<T::Color>,
     {
         band.dispatch(
             (self, shade),
             |(faces, shade), band| {
                 const { assert_depth::<S, DEPTH>() };
-                let region = faces.advance_to_band(&band.area(), None);
-                faces.draw_solid(&region, shade, band)
+                L::draw_solid(faces, shade, band)
             },
-            |(faces, shade), band, depth| {
-                let region = faces.advance_to_band(&band.area(), Some(depth));
-                faces.draw_depth_tested(&region, shade, depth, band)
-            },
+            |(faces, shade), band, depth| L::draw_depth_tested(faces, shade, depth, band),
         )
     }
 
+    /// Counts for the whole frame, whichever bands were drawn. `drawn` includes faces that cover no pixel.
+    pub const fn statistics(&self) -> Statistics {
+        self.binned.statistics
+    }
+
+    /// A rectangle inside the viewport around all visible faces: no pixel outside it is drawn. It is empty if no face is
+    /// visible.
+    pub fn bounds(&self) -> Rectangle {
+        self.binned.bounds()
+    }
+}
+
+/// How binned faces are drawn: with a list of active faces, or without one.
+#[diagnostic::on_unimplemented(
+    message = "the list of active faces has other colors than the target",
+    note = "make it of `[ActiveFace::EMPTY; N]` in the target's color type"
+)]
+pub trait FaceList<C: PixelColor>: Sized {
+    #[doc(hidden)]
+    fn draw_solid<V: Coordinate, T: Surface<Color = C>, S: ShaderFor<T>, const DEPTH: bool>(
+        faces: &mut BinnedFaces<'_, V, DEPTH, Self>,
+        shade: impl FnMut(usize) -> S,
+        band: &mut T,
+    ) -> Result<(), T::Error>;
+
+    #[doc(hidden)]
+    fn draw_depth_tested<V: Coordinate, T: Surface<Color = C>, S: ShaderFor<T>, const DEPTH: bool>(
+        faces: &mut BinnedFaces<'_, V, DEPTH, Self>,
+        shade: impl FnMut(usize) -> S,
+        depth: &mut DepthBuffer<'_>,
+        band: &mut T,
+    ) -> Result<(), T::Error>;
+}
+
+impl<C: PixelColor> FaceList<C> for () {
+    #[inline(always)]
+    fn draw_solid<V: Coordinate, T: Surface<Color = C>, S: ShaderFor<T>, const DEPTH: bool>(
+        faces: &mut BinnedFaces<'_, V, DEPTH>,
+        shade: impl FnMut(usize) -> S,
+        band: &mut T,
+    ) -> Result<(), T::Error> {
+        let region = faces.advance_to_band(&band.area(), None);
+        faces.draw_solid(&region, shade, band)
+    }
+
+    #[inline(always)]
+    fn draw_depth_tested<V: Coordinate, T: Surface<Color = C>, S: ShaderFor<T>, const DEPTH: bool>(
+        faces: &mut BinnedFaces<'_, V, DEPTH>,
+        shade: impl FnMut(usize) -> S,
+        depth: &mut DepthBuffer<'_>,
+        band: &mut T,
+    ) -> Result<(), T::Error> {
+        let region = faces.advance_to_band(&band.area(), Some(depth));
+        faces.draw_depth_tested(&region, shade, depth, band)
+    }
+}
+
+impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     #[inline(never)] // its stack frame does not exist while the bins advance
     fn draw_solid<T: Surface, S: ShaderFor<T>>(
         &mut self,
@@ -201,7 +259,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
         mut shade: impl FnMut(usize) -> S,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let instance = self.0.transformed.instance;
+        let instance = self.binned.transformed.instance;
         self.each(region, |index, face, triangles| {
             let shader = shade(index);
             draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
@@ -218,7 +276,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let instance = self.0.transformed.instance;
+        let instance = self.binned.transformed.instance;
         let mut depth = DepthTarget::new(depth, band);
         self.each(region, |index, face, triangles| {
             let shader = shade(index);
@@ -278,25 +336,14 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
         &'b mut self,
         cursor: &'b mut [u16],
     ) -> Result<[BinnedFaces<'b, V, DEPTH>; 2], BufferError> {
-        Ok(self.0.fork(cursor)?.map(BinnedFaces))
-    }
-
-    /// Counts for the whole frame, whichever bands were drawn. `drawn` includes faces that cover no pixel.
-    pub const fn statistics(&self) -> Statistics {
-        self.0.statistics
-    }
-
-    /// A rectangle inside the viewport around all visible faces: no pixel outside it is drawn. It is empty if no face is
-    /// visible.
-    pub fn bounds(&self) -> Rectangle {
-        self.0.bounds()
+        Ok(self.binned.fork(cursor)?.map(BinnedFaces::from))
     }
 
     /// Activates the faces that begin in a band. Returns the part of the viewport that lies in the band, and in the depth
     /// buffer if there is one.
     #[inline(never)] // one copy for all draw calls
     fn advance_to_band(&mut self, band: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> DrawRegion {
-        self.0.advance_to_band::<0>(band, depth)
+        self.binned.advance_to_band::<0>(band, depth)
     }
 
     /// Calls `draw` for each face that lies in the band of the last [`advance_to_band`](Self::advance_to_band).
@@ -310,8 +357,8 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
         if region.scissor.is_empty() {
             return Ok(()); // the bins did not advance to this band
         }
-        let mut cache = BinnedVertices(self.0.transformed);
-        let source = BandSource(&mut self.0.bins);
+        let mut cache = BinnedVertices(self.binned.transformed);
+        let source = BandSource(&mut self.binned.bins);
         each_face(source, &mut cache, &region.viewport, |index, face, triangles| {
             let bounds = triangles.fan.bounds().rows();
             if bounds.start < rows.end && bounds.end > rows.start {
@@ -321,9 +368,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
         })?;
         Ok(())
     }
-}
 
-impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     /// Stores the depth of the faces in a band and draws nothing: see
     /// [`MeshInstance::depth_only`](crate::draw::MeshInstance::depth_only).
     #[inline(always)]
@@ -344,11 +389,11 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     }
 }
 
-impl<V: Coordinate, const DEPTH: bool> DrawnWith<Untested> for BinnedFaces<'_, V, DEPTH> {}
-impl<V: Coordinate> DrawnWith<Tested> for BinnedFaces<'_, V, true> {}
-impl<V: Coordinate, const DEPTH: bool> DrawnWith<Unmatched> for BinnedFaces<'_, V, DEPTH> {}
+impl<V: Coordinate, const DEPTH: bool, L> DrawnWith<Untested> for BinnedFaces<'_, V, DEPTH, L> {}
+impl<V: Coordinate, L> DrawnWith<Tested> for BinnedFaces<'_, V, true, L> {}
+impl<V: Coordinate, const DEPTH: bool, L> DrawnWith<Unmatched> for BinnedFaces<'_, V, DEPTH, L> {}
 
 defmt_format!(
-    [V: Coordinate, const DEPTH: bool] BinnedFaces<'_, V, DEPTH>, self,
-    "faces within {}: {}", self.0.bins.bounds(), self.0.statistics
+    [V: Coordinate, const DEPTH: bool, L] BinnedFaces<'_, V, DEPTH, L>, self,
+    "faces within {}: {}", self.binned.bins.bounds(), self.binned.statistics
 );

@@ -433,10 +433,10 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
                 false => camera.place_cached(object.mesh),
             };
             let transformed = TransformedMesh::with_cache(&instance, true, cache);
-            let mut faces =
-                BinnedFaces(Binned { transformed, bins: bins.reborrowed(), statistics: Statistics::NONE });
+            let binned = Binned { transformed, bins: bins.reborrowed(), statistics: Statistics::NONE };
+            let mut faces = binned.into();
             draw(*index, object, &mut faces)?;
-            bins.cursor = faces.0.bins.cursor;
+            bins.cursor = faces.binned.bins.cursor;
         }
         Ok(())
     }

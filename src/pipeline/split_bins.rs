@@ -45,7 +45,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         let bins = BinStorage::new(storage, faces, 1)?;
         let bins = bins.joined(&pixels(self.instance.area()), [&front.part, &back.part]);
         let statistics = (front.statistics + back.statistics).with_the_rest_culled(faces);
-        Ok(BinnedFaces(Binned { transformed: *self, bins, statistics }))
+        Ok(Binned { transformed: *self, bins, statistics }.into())
     }
 
     /// Culls the faces of a half and puts the visible ones into bins, given the link of each face.

@@ -412,12 +412,13 @@ fn in_any_order(instance: &MeshInstance<'_>, rows: u32, length: usize, order: &[
     let [mut list, mut other] = [(); 2].map(|()| vec![ActiveFace::EMPTY; length]);
     let [mut deep_list, mut deep_other] = [(); 2].map(|()| vec![ActiveFace::EMPTY; length]);
     let mesh = instance.transform_depth(&mut deep_cache);
-    let mut deep = mesh.bin_active_faces(&mut deep_bins, &mut deep_list).expect("room");
-    let mut deep = deep.fork(&mut deep_cursor, &mut deep_other).expect("room");
+    let mut deep = mesh.bin_faces(&mut deep_bins).expect("room");
+    let [one, two] = deep.fork(&mut deep_cursor).expect("room");
+    let mut deep = [one.with_active_faces(&mut deep_list), two.with_active_faces(&mut deep_other)];
     let mesh = instance.transform(&mut cache);
-    let mut solid = mesh.bin_active_faces(&mut bins, &mut list).expect("room");
-    assert_eq!(solid.bounds(), mesh.bin_faces(&mut [0; 600]).expect("room").bounds());
-    let mut solid = solid.fork(&mut cursor, &mut other).expect("room");
+    let mut solid = mesh.bin_faces(&mut bins).expect("room");
+    let [one, two] = solid.fork(&mut cursor).expect("room");
+    let mut solid = [one.with_active_faces(&mut list), two.with_active_faces(&mut other)];
     for (at, &(number, left, width)) in order.iter().enumerate() {
         let area = rectangle(left, (number * rows) as i32, width, rows);
         let core = at % (1 + length % 2);
@@ -448,7 +449,8 @@ fn carried_faces_are_shaded_once() {
     let shaded = [0, 5, 100].map(|length| {
         let (mut cache, mut bins) = (vec![ScreenVertex::EMPTY; 200], vec![0; mesh.face_bins_len()]);
         let (mesh, mut list) = (instance.transform_depth(&mut cache), vec![ActiveFace::EMPTY; length]);
-        let (mut faces, mut calls) = (mesh.bin_active_faces(&mut bins, &mut list).expect("room"), 0);
+        let (faces, mut calls) = (mesh.bin_faces(&mut bins).expect("room"), 0);
+        let mut faces = faces.with_active_faces(&mut list);
         bands(rectangle(0, 0, 64, 64), Gray8::BLACK, 4, &mut |band, depth| {
             let shade = |face| {
                 calls += 1;
@@ -460,16 +462,6 @@ fn carried_faces_are_shaded_once() {
     });
     // Fewer calls with each longer list.
     assert!(shaded.is_sorted_by(|before, after| before > after) || cfg!(pinhole_plain), "{shaded:?}");
-}
-
-#[test]
-fn bins_of_active_faces_too_short_say_what_they_need() {
-    let (mut bins, mut list) = ([0; 16], [ActiveFace::<Gray8, 0>::EMPTY; 3]);
-    cube((0, 0, 64, 64), |instance| {
-        let mesh = instance.transform(&mut []);
-        let error = mesh.bin_active_faces(&mut bins, &mut list).map(|_| ());
-        assert_eq!(error, Err(BufferError::Bins { needed: 17, given: 16 }));
-    });
 }
 
 /// Faces that continue from band to band, in bands from top to bottom, from bottom to top, twice each, every second one, and in columns

@@ -193,7 +193,7 @@ fn by_all_calls(scene: &Scene, area: Rectangle, heights: &[u32]) {
             for &rows in heights {
                 let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 16], [0; 13]);
                 let (mesh, mut list) = (instance.transform(&mut cache), [ActiveFace::EMPTY; 3]);
-                let mut faces = mesh.bin_active_faces(&mut bins, &mut list).expect("room");
+                let mut faces = mesh.bin_faces(&mut bins).expect("room").with_active_faces(&mut list);
                 let found = bands(area, BACKGROUND, rows, &mut |band, _| {
                     let Ok(()) = faces.draw(colour, &mut band.pixels());
                 });

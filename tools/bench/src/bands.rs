@@ -179,7 +179,7 @@ fn mean_of((&[a, b, c, d], &[e, f, g, h]): (&[u8; 4], &[u8; 4])) -> u16 {
 /// Defines two functions that draw faces in bands, with a list of active faces or without one: any faces, with each band handed to
 /// `send`, and those of a lit scene.
 macro_rules! faces {
-    ($name:ident, $lit:ident ($($list:ident: $entry:ty)?), $transform:ident, $bin:ident, |$band:ident $(, $depth:ident)?| $target:expr) => {
+    ($name:ident, $lit:ident ($($list:ident: $entry:ty)?), $transform:ident, |$band:ident $(, $depth:ident)?| $target:expr) => {
         pub fn $name<S: SpanShader<Rgb565>>(
             instance: &MeshInstance<'_>,
             shade: impl Fn(usize) -> S,
@@ -188,7 +188,7 @@ macro_rules! faces {
             $($list: &mut [$entry],)?
             mut send: impl FnMut(&Band<'_, Rgb565>),
         ) -> Option<()> {
-            let mut faces = instance.$transform(corners).$bin(bin_storage $(, $list)?).ok()?;
+            let mut faces = instance.$transform(corners).bin_faces(bin_storage).ok()?$(.with_active_faces($list))?;
             each_band(size, BACKGROUND, strip, |$band| {
                 $(let mut $depth = DepthBuffer::new($band.area(), _depths).ok()?;)?
                 let Ok(()) = faces.draw(&shade, $target);
@@ -208,12 +208,12 @@ macro_rules! faces {
     };
 }
 
-faces!(solid, lit_solid(), transform, bin_faces, |band| &mut band.pixels());
-faces!(depth, lit_depth(), transform_depth, bin_faces, |band, depth| {
+faces!(solid, lit_solid(), transform, |band| &mut band.pixels());
+faces!(depth, lit_depth(), transform_depth, |band, depth| {
     &mut band.pixels().depth_tested(&mut depth)
 });
-faces!(active, lit_active(list: ActiveFace<Rgb565, 0>), transform, bin_active_faces, |band| &mut band.pixels());
-faces!(active_depth, lit_active_depth(list: ActiveFace<Rgb565>), transform_depth, bin_active_faces, |band, depth| {
+faces!(active, lit_active(list: ActiveFace<Rgb565, 0>), transform, |band| &mut band.pixels());
+faces!(active_depth, lit_active_depth(list: ActiveFace<Rgb565>), transform_depth, |band, depth| {
     &mut band.pixels().depth_tested(&mut depth)
 });
 

@@ -119,19 +119,18 @@ fn fill_all<D: DrawTarget<Color: Color>, I: SpanShader<D::Color, Ink = D::Color>
         report(faces.draw(&shade, &mut band.depth_tested(&mut depth)));
         report((faces.bounds(), faces.statistics()));
     }
-    let [mut list, mut other] = [[ActiveFace::EMPTY; 3]; 2];
-    if let Ok(mut faces) = instance.transform_depth(corners).bin_active_faces(bin_storage, &mut list) {
+    let mut list = [ActiveFace::EMPTY; 3];
+    if let Ok(faces) = instance.transform_depth(corners).bin_faces(bin_storage) {
+        let mut faces = faces.with_active_faces(&mut list);
         report(faces.draw(&shade, &mut target.depth_tested(&mut depth)));
-        report((faces.bounds(), faces.statistics()));
-        if let Ok([mut ours, _]) = faces.fork(&mut [0; 9], &mut other) {
-            report(ours.draw(&shade, target));
-        }
-    }
-    let [mut list, mut other] = [[ActiveFace::EMPTY; 3]; 2];
-    if let Ok(mut faces) = instance.transform(corners).bin_active_faces(bin_storage, &mut list) {
         report(faces.draw(&shade, target));
         report((faces.bounds(), faces.statistics()));
-        report(faces.fork(&mut [0; 9], &mut other).is_ok());
+    }
+    let mut list = [ActiveFace::EMPTY; 3];
+    if let Ok(faces) = instance.transform(corners).bin_faces(bin_storage) {
+        let mut faces = faces.with_active_faces(&mut list);
+        report(faces.draw(&shade, target));
+        report((faces.bounds(), faces.statistics()));
     }
     report(band.send(target));
     match any() {

@@ -264,7 +264,7 @@ where
         // Lists of active faces without room, with too little, and with enough.
         let mut list = vec![ActiveFace::EMPTY; [0, 1, 4, 300][(rows + counted[0].drawn) as usize % 4]];
         let transformed = instance.transform_depth(&mut cache);
-        let mut active = transformed.bin_active_faces(&mut bins, &mut list).expect("room");
+        let mut active = transformed.bin_faces(&mut bins).expect("room").with_active_faces(&mut list);
         check(&solid, rows, "active", &mut |band, _| {
             let Ok(()) = active.draw(shade, &mut band.pixels());
         });
