@@ -54,7 +54,7 @@ impl embedded_graphics::geometry::OriginDimensions for Image {
 }
 
 public_types! {
-    Affine<Plain, Plain>, ActiveFace<Plain>, ActiveFaces<'static, Plain>, Angle, AntiAliased<Pixel>, MathError, Band<'static, Plain>, BufferError, Barycentric, Alpha,
+    Affine<Plain, Plain>, ActiveFace<Plain>, ActiveFaces<'static, Plain>, Angle, AntiAliased<ScreenPoint>, MathError, Band<'static, Plain>, BufferError, Barycentric, Alpha,
     Camera, CornerValues, ScreenVertex, Cull, DepthBuffer<'static>,
     DepthTestedSurface<'static, 'static, Plain>,    DirtyRegions<4>, FaceColors<'static>, MeshError, TextureCoords<'static>, Dithered<Flat>, BinnedEdges<'static>,
     BinnedScene<'static, 'static, Plain, 3>, BinnedFaces<'static>, Flat, Format,
@@ -63,14 +63,14 @@ public_types! {
     Frustum, Lambert, BlinnPhong, Lights<2>, Matcap, PointLight,
     LeastRun<'static, Plain, 1>, LightError, Memory<Plain>, Mixed<Flat, Alpha>, Mesh<'static, Plain>, MeshBuffers<3, 2, 1>,
     Model, Ndc, Node, Painter<Plain, 4, 4>, PerspectiveGouraud,
-    PaintersOrder<'static, Plain>, Picture<'static, Plain>, Pixel, Pixels<'static, Plain>, MeshInstance<'static,
+    PaintersOrder<'static, Plain>, Picture<'static, Plain>, Pixels<'static, Plain>, MeshInstance<'static,
     i16>, Point3<Plain>, Projection, Object<'static, Plain>, Picked, PlacedSprites<'static, i16>, Rotation, Upright<'static, Plain>, PlacedScene<'static, 'static, Plain, 3>, Scene<'static,
     Plain, 3>, RigidLambert, Scalar, ShadeTable<Plain>, TableShader<'static, Plain>,
     Accuracy, AntiAliasedBy<Plain, Plain>, Half, DepthTested<Flat>, Fog, FogTable<Plain>, Fogged<'static, Flat, Plain>,
     VertexFog, ColorKeyed<Plain, Plain>, IndexedTexels<'static, Plain,
     1>, ClampedTexels<Plain>, LitTextured<Plain>, MipPicture<Plain, 8, 8>, MipTexels<Plain>, BilinearTexels<Plain>,
     TexelSlice<'static, Plain>, Texture<Plain>, TextureError, Textured<Plain>, ScreenDoor<Flat>, SmoothBand<'static, 'static, Plain>, SmoothEdge, SmoothEdges<'static, i16>,
-    SmoothFrame<'static, Plain>, SmoothPass<'static, Plain, Plain>, SmoothScene<'static, 'static, Plain, 3>, SolidTexel<Pixel>,
+    SmoothFrame<'static, Plain>, SmoothPass<'static, Plain, Plain>, SmoothScene<'static, 'static, Plain, 3>, SolidTexel<ScreenPoint>,
     Sprite<Plain>, SpriteImage<'static, Image>, ScreenPoint, Span, Sphere, Statistics, StripBuffers<6, 2>,
     TransformedMesh<'static>, Triangle<'static>, Vector3<Plain>, View, ViewTransform,
     Viewport, Visibility, Window, Tracked<Plain>, TransferCost, Translucent<Flat, Half>,

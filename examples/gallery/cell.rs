@@ -135,8 +135,8 @@ fn rays<D: DrawTarget<Color = Rgb888>>(
         }
         let away =
             |p: pinhole::raster::ScreenPoint| i64::from(p.x() - x).pow(2) + i64::from(p.y() - y).pow(2);
-        let start = if away(from) < away(to) { from } else { to }.pixel();
-        Line::new(Point::new(start.x.into(), start.y.into()), place(vanishing))
+        let start = if away(from) < away(to) { from } else { to };
+        Line::new(start.into(), place(vanishing))
             .into_styled(PrimitiveStyle::with_stroke(AXES[axis], 1))
             .draw(target)?;
     }

@@ -19,7 +19,7 @@ use pinhole::{
     mesh::FaceColors,
     prelude::*,
     shading::SpanShader,
-    texture::{BilinearTexels, MipPicture},
+    texture::{BilinearTexels, MipPicture, MipTexels},
     Angle,
 };
 use pinhole_apps_support::canvas::Canvas;
@@ -237,7 +237,7 @@ fn bricks() -> [[Rgb888; 64]; 64] {
 fn rolled() -> Drawn {
     let body = floor(1, 60.0, 1920);
     let bricks = MipPicture::build(bricks());
-    let texture = Texture::new(BilinearTexels::new(bricks.texels()));
+    let texture = Texture::new(BilinearTexels::new(MipTexels::new(&bricks)));
     let view = view([0.0, 0.8, 4.0], 17.0)?;
     let camera = camera(&view, 0.125, 64.0)?;
     let mesh = body.mesh()?;

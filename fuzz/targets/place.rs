@@ -31,7 +31,7 @@ impl<C: Color + Debug> Place<C> {
         C: StoredPixel<[u8; N]>,
     {
         let drawn = ways::in_memory(instance, self.area, self.sky, shade);
-        let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().cache_len()];
+        let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().vertices().len()];
         let mut bins = vec![0; instance.mesh().face_bins_len()];
         let mut faces = instance.transform(&mut cache).bin_faces(&mut bins).expect("room");
         let banded = ways::bands(self.area, self.sky, self.rows, &mut |band, _| {
@@ -63,7 +63,7 @@ impl<C: Color + Debug> Place<C> {
 
     /// Bands with depth are equal to the whole picture.
     fn deep_bands(&self, instance: &MeshInstance<'_>, drawn: &Drawn<C>, draw: DrawDeep<'_, C>) {
-        let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().cache_len()];
+        let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().vertices().len()];
         let mut bins = vec![0; instance.mesh().face_bins_len()];
         let mut faces = instance.transform_depth(&mut cache).bin_faces(&mut bins).expect("room");
         let banded = ways::bands(self.area, self.sky, self.rows, &mut |band, depth| {

@@ -2,7 +2,7 @@
 //!
 //! Faces are ordered by halving, as a k-d tree (Bentley, "Multidimensional Binary Search Trees Used for Associative Searching", 1975), in
 //! the six dimensions of their positions and normals. Each cluster then has a ball around its corners and one around its normals, as
-//! `pinhole::Mesh::with_clustered_planes` describes.
+//! `pinhole::Mesh::with_planes` describes.
 
 use crate::normals::{cross, unit};
 

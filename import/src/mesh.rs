@@ -134,9 +134,7 @@ impl ImportedMesh {
         if !self.normals.is_empty() {
             mesh = mesh.with_normals(&self.normals)?;
         }
-        if self.has_clusters() {
-            mesh = mesh.with_clustered_planes(&self.planes)?;
-        } else if !self.planes.is_empty() {
+        if !self.planes.is_empty() {
             mesh = mesh.with_planes(&self.planes)?;
         }
         if !self.vertex_normals.is_empty() {

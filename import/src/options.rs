@@ -63,7 +63,7 @@ pub struct Options {
     /// `normals`.
     pub planes: bool,
     /// Orders faces into clusters of 32 that lie close together and are turned alike, and adds planes and clusters, 2.5 bytes a face: what
-    /// is out of view or turned away then takes one test a cluster. See [`pinhole::Mesh::with_clustered_planes`]. Needs `normals`, and the
+    /// is out of view or turned away then takes one test a cluster. See [`pinhole::Mesh::with_planes`]. Needs `normals`, and the
     /// feature `clusters`.
     pub clusters: bool,
     /// A normal for each vertex: the mean of its faces' normals, each weighted by the face's angle there (Thürmer and

@@ -62,8 +62,7 @@ impl ImportedMesh {
         nested_step(&mut out, &mut steps, "EDGES: [[u16; 2]", "with_edges", &self.edges);
         nested_step(&mut out, &mut steps, "EDGE_FACES: [[u16; 2]", "with_edge_faces", &self.edge_faces);
         nested_step(&mut out, &mut steps, "NORMALS: [[i16; 3]", "with_normals", &self.normals);
-        let with_planes = if self.has_clusters() { "with_clustered_planes" } else { "with_planes" };
-        nested_step(&mut out, &mut steps, "PLANES: [i16", with_planes, &self.planes);
+        nested_step(&mut out, &mut steps, "PLANES: [i16", "with_planes", &self.planes);
         let name_of_normals = "VERTEX_NORMALS: [[i16; 3]";
         nested_step(&mut out, &mut steps, name_of_normals, "with_vertex_normals", &self.vertex_normals);
         let _ = write!(
@@ -229,7 +228,7 @@ impl ImportedMesh {
         list_if_any(&mut out, doc, "EDGE_FACES: [[u16; 2]", &self.edge_faces);
         list(&mut out, "The unit normal of each face, 32767 = 1.", "NORMALS: [[i16; 3]", &self.normals);
         let doc = match self.has_clusters() {
-            true => "Planes of faces, and clusters, for `with_clustered_planes`.",
+            true => "Planes of faces, and clusters, for `with_planes`.",
             false => "Where the plane of each face lies along its normal, for `with_planes`.",
         };
         list_if_any(&mut out, doc, "PLANES: [i16", &self.planes);

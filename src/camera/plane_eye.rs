@@ -82,7 +82,7 @@ impl PlaneEye {
     }
 
     /// Whether [`behind`](Self::behind) is certainly positive or zero for all faces of a cluster: see
-    /// [`Mesh::with_clustered_planes`](crate::Mesh::with_clustered_planes) for its numbers.
+    /// [`Mesh::with_planes`](crate::Mesh::with_planes) for its numbers.
     ///
     /// With the eye u = xyz − w·c from the cluster's point c, the sum for a face is `n·u + w·(n·c − 2·plane)`. Its normal n lies within
     /// M of the cluster's vector a, its plane within E of c: the sum is at least `a·u − M·|u| − |w|·E`. (Shirman and Abi-Ezzi, *The Cone of

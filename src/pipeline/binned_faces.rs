@@ -43,7 +43,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// let instance = camera.place(&mesh, &Affine::identity());
-    /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 4]); // `mesh.cache_len()`, `mesh.face_bins_len()`
+    /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 4]); // `mesh.vertices().len()`, `mesh.face_bins_len()`
     /// let mut faces = instance.transform(&mut cache).bin_faces(&mut bins)?;
     /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
     /// while let Some(mut band) = frame.next_band(&mut strip)? {

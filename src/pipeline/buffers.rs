@@ -64,8 +64,8 @@ defmt_format!(
 /// Declares vertex cache and bin storage for one or more `const` meshes that are drawn one after the other: [`MeshBuffers`] with
 /// the lengths of the largest one. `mesh_buffers!([MESH; 8], [OTHER; 1])` is for a [`Scene`](crate::draw::Scene), whose objects are
 /// binned at the same time: for as many of each mesh as can be visible, with the sum of their lengths. Drawn in one piece, the objects share
-/// the vertex cache of the largest mesh. A mesh that is made at run time has no constant lengths: it takes slices of
-/// [`cache_len`](crate::Mesh::cache_len) vertices and [`face_bins_len`](crate::Mesh::face_bins_len) numbers.
+/// the vertex cache of the largest mesh. A mesh that is made at run time has no constant lengths: it takes slices of as many
+/// [`ScreenVertex`](crate::camera::ScreenVertex) of 8 bytes as the mesh has vertices, and [`face_bins_len`](crate::Mesh::face_bins_len) numbers.
 ///
 /// `mesh_buffers!(MESH)` is for faces, with storage in the field `bins`; `mesh_buffers!(edges: MESH)` for a wireframe, with `edge_bins`; and
 /// `mesh_buffers!(faces, edges: MESH)` for hidden lines, with both. [`MeshBuffers!`](macro@crate::MeshBuffers) with equal arguments is the type, for statics:
@@ -107,27 +107,27 @@ macro_rules! mesh_buffers {
 macro_rules! MeshBuffers {
     (edges: $($mesh:expr),+ $(,)?) => {
         $crate::MeshBuffers<
-            { $crate::largest(&[$($mesh.cache_len()),+]) },
+            { $crate::largest(&[$($mesh.vertices().len()),+]) },
             0,
             { $crate::largest(&[$($mesh.edge_bins_len()),+]) },
         >
     };
     (faces, edges: $($mesh:expr),+ $(,)?) => {
         $crate::MeshBuffers<
-            { $crate::largest(&[$($mesh.cache_len()),+]) },
+            { $crate::largest(&[$($mesh.vertices().len()),+]) },
             { $crate::largest(&[$($mesh.face_bins_len()),+]) },
             { $crate::largest(&[$($mesh.edge_bins_len()),+]) },
         >
     };
     ($([$mesh:expr; $count:expr]),+ $(,)?) => {
         $crate::MeshBuffers<
-            { 0 $(+ $mesh.cache_len() * $count)+ },
+            { 0 $(+ $mesh.vertices().len() * $count)+ },
             { 0 $(+ $mesh.face_bins_len() * $count)+ },
         >
     };
     ($($mesh:expr),+ $(,)?) => {
         $crate::MeshBuffers<
-            { $crate::largest(&[$($mesh.cache_len()),+]) },
+            { $crate::largest(&[$($mesh.vertices().len()),+]) },
             { $crate::largest(&[$($mesh.face_bins_len()),+]) },
         >
     };

@@ -7,6 +7,7 @@ use crate::color::{Access, InkKind};
 use crate::fast::solid_fill;
 use crate::raster::{self, Pixel, Scissor, ScreenPoint, Triangle};
 use crate::surface::Surface;
+use embedded_graphics_core::geometry::Point;
 
 /// Fills the pixels that a triangle covers by the rules of [`raster`](crate::raster), clipped to the target. `corners` are in
 /// the target's coordinates, in 1/256 pixel; either winding is drawn.
@@ -52,28 +53,28 @@ pub fn fill_triangle<T: Surface, S: ShaderFor<T>>(
 }
 
 /// Draws a line, both ends included, by the rules of [`raster`](crate::raster), clipped to the target. Ends are pixels in the
-/// target's coordinates.
+/// target's coordinates; columns and rows beyond −32768 … 32767 count as the nearest of these.
 ///
 /// # Errors
 ///
 /// The target's error, at the first span that it refuses.
 ///
 /// ```
-/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
-/// use pinhole::{draw::draw_line, raster::Pixel};
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::Point};
+/// use pinhole::draw::draw_line;
 /// let mut display = MockDisplay::new();
-/// draw_line(Pixel { x: 0, y: 0 }, Pixel { x: 5, y: 2 }, BinaryColor::On, &mut display)?;
+/// draw_line(Point::zero(), Point::new(5, 2), BinaryColor::On, &mut display)?;
 /// display.assert_pattern(&["##    ", "  ##  ", "    ##"]);
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[inline(always)]
 pub fn draw_line<T: Surface, K: StrokeFor<T>>(
-    from: Pixel,
-    to: Pixel,
+    from: Point,
+    to: Point,
     stroke: K,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let scissor = scissor_of(target);
+    let (scissor, [from, to]) = (scissor_of(target), [from, to].map(Pixel::from));
     if <K::Access as Access>::READS {
         anti_aliased::line_between_pixels([from, to], &scissor, stroke, target);
         return Ok(());

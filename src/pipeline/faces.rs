@@ -253,7 +253,7 @@ impl<'a, V: Coordinate, F, const CULLED_BY: u8> Faces<'a, V, F, CULLED_BY> {
         Faces { instance, shade, cache }
     }
 
-    /// Culls faces by the [clusters](crate::Mesh::with_clustered_planes) of the mesh, if it has any, which leaves out 32 faces by one test:
+    /// Culls faces by the [clusters](crate::Mesh::with_planes) of the mesh, if it has any, which leaves out 32 faces by one test:
     /// those that lie outside of the viewport or before the near plane as a whole, or are turned away. In other clusters back faces are
     /// culled by their planes, and faces beside the viewport before they are shaded. Worth it for meshes of a thousand faces or more, most
     /// of which are out of view or turned away.
@@ -266,7 +266,7 @@ impl<'a, V: Coordinate, F, const CULLED_BY: u8> Faces<'a, V, F, CULLED_BY> {
     /// # use pinhole::{prelude::*, Angle};
     /// # let mut display = MockDisplay::<Gray8>::new();
     /// let mesh = Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?.with_normals(&[[0, 0, 32_767]])?;
-    /// let mesh = mesh.with_clustered_planes(&[0, 8192, 8192, 0, 11_586, 0, 0, 32_767, 0])?; // pinhole-import makes them
+    /// let mesh = mesh.with_planes(&[0, 8192, 8192, 0, 11_586, 0, 0, 32_767, 0])?; // pinhole-import makes them
     /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let aside = Affine::translation(Vector3::from_ints(9, 0, 0));

@@ -21,6 +21,7 @@ use crate::shading::{Shader, SpanShader};
 use crate::space::{Model, World};
 use crate::surface::{rectangle, BufferError, DepthBuffer, SmoothPass, Surface, Target};
 use core::convert::Infallible;
+use core::ops::{Deref, DerefMut};
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
@@ -63,7 +64,7 @@ impl<'m, M> Object<'m, M> {
     }
 }
 
-/// Up to `OBJECTS` objects. In every frame: [`place`](Self::place) those that a camera sees, [bin](PlacedScene::bin_faces) their
+/// Up to `OBJECTS` objects, a slice of [`Object`]s that [`add`](Self::add) extends: `scene[0].model = ..` moves one. In every frame: [`place`](Self::place) those that a camera sees, [bin](PlacedScene::bin_faces) their
 /// faces, and draw band by band.
 ///
 /// `M` is the material of an object, any type, such as a colour. The closure that returns shaders also gets the object's index,
@@ -138,16 +139,6 @@ impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
         }
     }
 
-    /// The objects, in the order in which they were added.
-    pub fn objects(&self) -> &[Object<'m, M>] {
-        &self.objects
-    }
-
-    /// The objects, to move them or change their materials.
-    pub fn objects_mut(&mut self) -> &mut [Object<'m, M>] {
-        &mut self.objects
-    }
-
     /// A sphere around all objects, in world units: for a [camera that frames](Camera::framing) the scene. It is made of the
     /// objects' [spheres](Object::sphere), by [`Sphere::transformed`] and [`Sphere::around`]. A scene without objects has no radius.
     ///
@@ -170,6 +161,22 @@ impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
     /// Removes all objects.
     pub fn clear(&mut self) {
         self.objects.clear();
+    }
+}
+
+/// The objects, in the order in which they were added.
+impl<'m, M, const OBJECTS: usize> Deref for Scene<'m, M, OBJECTS> {
+    type Target = [Object<'m, M>];
+
+    fn deref(&self) -> &[Object<'m, M>] {
+        &self.objects
+    }
+}
+
+/// The objects, to move them or change their materials.
+impl<'m, M, const OBJECTS: usize> DerefMut for Scene<'m, M, OBJECTS> {
+    fn deref_mut(&mut self) -> &mut [Object<'m, M>] {
+        &mut self.objects
     }
 }
 
@@ -209,21 +216,6 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
         self.visible.iter().filter_map(|&index| Some((index, self.objects.get(index)?)))
     }
 
-    /// How many vertices all visible objects have: the length of a vertex cache with room for all of them.
-    pub fn cache_len(&self) -> usize {
-        self.visible().map(|(_, object)| object.mesh().cache_len()).sum()
-    }
-
-    /// How many numbers of bin storage suffice for all visible objects.
-    pub fn face_bins_len(&self) -> usize {
-        self.visible().map(|(_, object)| object.mesh().face_bins_len()).sum()
-    }
-
-    /// How many numbers of storage suffice for the [smoothed edges](BinnedScene::bin_smooth_edges) of all visible objects.
-    pub fn smooth_bins_len(&self) -> usize {
-        self.visible().map(|(_, object)| object.mesh().smooth_bins_len()).sum()
-    }
-
     /// Draws all objects, in the order of the scene and in one piece: usually into a target [with a depth
     /// buffer](crate::target::Surface::depth_tested). [`Faces::draw`](crate::draw::Faces::draw) says how faces are drawn.
     ///
@@ -247,7 +239,7 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
     /// let mut picture = Picture::new(&mut pixels, viewport.size())?;
     /// let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;
     /// let placed = scene.place(&camera);
-    /// let mut cache = [ScreenVertex::EMPTY; 200]; // as the largest mesh needs: `TORUS.cache_len()`
+    /// let mut cache = [ScreenVertex::EMPTY; 200]; // as the largest mesh needs: `TORUS.vertices().len()`
     /// let mut target = picture.pixels();
     /// let statistics = placed.draw(|_, object| |_| object.material, &mut cache, &mut target.depth_tested(&mut depth))?;
     /// assert!(statistics.drawn > 100);
@@ -310,8 +302,8 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
     }
 
     /// Transforms the vertices of all visible objects and bins their faces, for drawing in bands. The objects share both
-    /// buffers, each taking a part: [`face_bins_len`](Self::face_bins_len) numbers of bin storage, and
-    /// [`cache_len`](Self::cache_len) vertices. With a shorter cache the picture is equal, but vertices beyond its end are
+    /// buffers, each taking a part: as many numbers of bin storage as its mesh [needs](Mesh::face_bins_len), and
+    /// as many vertices as its mesh has. With a shorter cache the picture is equal, but vertices beyond its end are
     /// transformed for each face.
     ///
     /// # Errors
@@ -322,7 +314,8 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
         cache: &'f mut [ScreenVertex],
         bins: &'f mut [u16],
     ) -> Result<BinnedScene<'f, 'm, M, OBJECTS>, BufferError> {
-        let (needed, given) = (self.face_bins_len(), bins.len());
+        let needed = self.visible().map(|(_, object)| object.mesh.face_bins_len()).sum();
+        let given = bins.len();
         if given < needed {
             return Err(BufferError::Bins { needed, given });
         }
@@ -330,7 +323,7 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
         let Self { objects, camera, .. } = *self;
         let mut scene = BinnedScene { objects, camera, binned: Vec::new(), statistics: Statistics::NONE };
         for (index, object) in self.visible() {
-            let vertices = object.mesh().cache_len().min(cache.len());
+            let vertices = object.mesh().vertices().len().min(cache.len());
             let (own_cache, other_cache) = cache.split_at_mut_checked(vertices).unwrap_or_default();
             let numbers = object.mesh().face_bins_len();
             let (own_bins, other_bins) = bins.split_at_mut_checked(numbers).unwrap_or_default();
@@ -443,7 +436,7 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
 
     /// Splits the binned faces of all objects into two, one for each of two cores, as [`BinnedFaces::fork`] splits those of one
     /// mesh. `cursor` is the second one's storage: for each object one number per 16 faces of its mesh, rounded up.
-    /// [`PlacedScene::face_bins_len`] numbers are always enough.
+    /// As many numbers as the bin storage has are always enough.
     ///
     /// # Errors
     ///
@@ -471,7 +464,7 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
 
     /// Finds the edges of all visible objects that are smoothed, as [`TransformedMesh::bin_smooth_edges`] does for one mesh: only edges that a
     /// mesh lists are smoothed. `is_crease` tells of an edge, by the index of its object in the scene, the object and the edge's index, whether it is a
-    /// crease. The objects share `storage`: [`smooth_bins_len`](PlacedScene::smooth_bins_len) numbers.
+    /// crease. The objects share `storage`: as many numbers as their meshes [need](Mesh::smooth_bins_len) together.
     ///
     /// ```
     /// # use embedded_graphics::{pixelcolor::Gray8, prelude::*};

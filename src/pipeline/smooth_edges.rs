@@ -95,7 +95,7 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
     /// # let count = |picture: &Picture<'_, Gray8>| picture.colors().iter().filter(|c| (1..255).contains(&c.luma())).count();
     /// # assert_eq!(count(&picture), 0);
     ///
-    /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 4], [0; 16]); // `mesh.cache_len()`, and more than `mesh.smooth_bins_len()`
+    /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 4], [0; 16]); // `mesh.vertices().len()`, and more than `mesh.smooth_bins_len()`
     /// let mut edges = instance.transform_depth(&mut cache).bin_smooth_edges(|_| false, &mut bins)?;
     /// picture.pixels().depth_tested(&mut depth).smooth(|pass| edges.draw(pass));
     /// # assert!(count(&picture) > 50);

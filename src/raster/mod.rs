@@ -80,8 +80,9 @@ pub(crate) use line_table::{areas_at, line_table, rests_at, rests_of, LineRests}
 pub(crate) use pixel_layout::{pixel_index, PixelLayout};
 pub(crate) use row_scratch::RowScratch;
 pub(crate) use scissor::Scissor;
+pub(crate) use screen::Pixel;
+pub use screen::ScreenPoint;
 pub(crate) use screen::GUARD_BAND;
-pub use screen::{Pixel, ScreenPoint};
 pub use span::Span;
 pub(crate) use sprite_axis::{SpriteAxis, TexelWalk};
 pub(crate) use trapezoid::Trapezoid;

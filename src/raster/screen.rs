@@ -53,23 +53,28 @@ impl ScreenPoint {
     }
 
     /// The pixel that contains the point: (⌊x⌋, ⌊y⌋).
-    pub const fn pixel(self) -> Pixel {
+    pub(crate) const fn pixel(self) -> Pixel {
         // ±2²¹ / 256 fits 16 bits.
         Pixel { x: (self.x >> 8) as i16, y: (self.y >> 8) as i16 }
     }
 }
 
-/// A pixel by its column and row, −32768 … 32767, such as an end of a line.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Pixel {
-    /// The column.
-    pub x: i16,
-    /// The row.
-    pub y: i16,
+/// A pixel by its column and row, such as an end of a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Pixel {
+    pub(crate) x: i16,
+    pub(crate) y: i16,
 }
 
-/// The pixel that contains the point, as a point of `embedded-graphics`: for text and icons at a projected point.
+/// Columns and rows beyond −32768 … 32767 count as the nearest of these.
+impl From<Point> for Pixel {
+    fn from(point: Point) -> Self {
+        let [x, y] = [point.x, point.y].map(|at| at.clamp(i16::MIN.into(), i16::MAX.into()) as i16);
+        Self { x, y }
+    }
+}
+
+/// The pixel that contains the point, (⌊x⌋, ⌊y⌋): for text and icons at a projected point.
 ///
 /// ```
 /// use embedded_graphics::prelude::Point;
@@ -79,26 +84,7 @@ pub struct Pixel {
 /// ```
 impl From<ScreenPoint> for Point {
     fn from(point: ScreenPoint) -> Self {
-        point.pixel().into()
-    }
-}
-
-/// The pixel as a point of `embedded-graphics`.
-impl From<Pixel> for Point {
-    fn from(Pixel { x, y }: Pixel) -> Self {
+        let Pixel { x, y } = point.pixel();
         Self::new(x.into(), y.into())
-    }
-}
-
-/// The pixel at a point of `embedded-graphics`.
-///
-/// # Errors
-///
-/// If a coordinate is not in −32768 … 32767.
-impl TryFrom<Point> for Pixel {
-    type Error = core::num::TryFromIntError;
-
-    fn try_from(point: Point) -> Result<Self, Self::Error> {
-        Ok(Self { x: point.x.try_into()?, y: point.y.try_into()? })
     }
 }

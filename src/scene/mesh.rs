@@ -422,27 +422,11 @@ impl<'a, V> Mesh<'a, V> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// # Errors
-    ///
-    /// [`MeshError::ListLength`] if there is not one plane per face, or if the mesh has no normals.
-    pub const fn with_planes(self, planes: &'a [i16]) -> Result<Self, MeshError> {
-        let (faces, normals) = (self.faces.len(), self.normals.len());
-        if planes.len() != faces {
-            return Err(MeshError::ListLength { one: "plane per face", given: planes.len(), needed: faces });
-        }
-        if normals != faces {
-            return Err(MeshError::ListLength { one: "normal per face", given: normals, needed: faces });
-        }
-        Ok(Self { planes, ..self })
-    }
-
-    /// Adds the plane of each face, as [`with_planes`](Self::with_planes), and *clusters*: for every 32 consecutive faces a ball around
+    /// **Clusters.** The list may go on with *clusters*: for every 32 consecutive faces a ball around
     /// their vertices and a ball around their normals. [`culled_by_clusters`](crate::draw::Faces::culled_by_clusters) then leaves out
     /// all faces of a cluster by one test, if it lies outside of the view volume or all of its planes show their backs. `pinhole-import
     /// --clusters` orders faces so that those of a cluster lie close together and are turned alike, and makes the list: half a byte more
-    /// for a face. `culled_by_clusters` has an example.
-    ///
-    /// `planes` has a plane for each face, and then eight numbers for each cluster; the last cluster may have fewer faces:
+    /// for a face. `culled_by_clusters` has an example. A cluster has eight numbers; the last cluster may have fewer faces:
     ///
     /// 1. x, y and z of a point, and a radius (a `u16`), in 2⁻¹⁵ of the power of two that bounds the mesh's coordinates. All corners of
     ///    the faces lie within the radius of the point.
@@ -454,21 +438,22 @@ impl<'a, V> Mesh<'a, V> {
     ///
     /// # Errors
     ///
-    /// [`MeshError::ListLength`] if the list has another length, or if the mesh has no normals.
-    pub const fn with_clustered_planes(self, planes: &'a [i16]) -> Result<Self, MeshError> {
-        let faces = self.faces.len();
-        let needed = faces + 8 * faces.div_ceil(CLUSTER); // a slice has at most 2⁶³/6 faces
-        let of_faces = match planes.split_at_checked(faces) {
-            Some((of_faces, _)) if planes.len() == needed => of_faces,
-            _ => {
-                let one = "plane per face and eight numbers per 32 faces";
-                return Err(MeshError::ListLength { one, given: planes.len(), needed });
-            }
-        };
-        match self.with_planes(of_faces) {
-            Ok(mesh) => Ok(Self { planes, ..mesh }),
-            Err(error) => Err(error),
+    /// [`MeshError::ListLength`] if there is not one plane per face, and nothing or eight numbers per 32 faces behind them, or if the mesh has
+    /// no normals.
+    pub const fn with_planes(self, planes: &'a [i16]) -> Result<Self, MeshError> {
+        let (faces, normals, given) = (self.faces.len(), self.normals.len(), planes.len());
+        let with_clusters = faces + 8 * faces.div_ceil(CLUSTER); // a slice has at most 2⁶³/6 faces
+        if given != faces && given != with_clusters {
+            let (one, needed) = match given < faces {
+                true => ("plane per face", faces),
+                false => ("plane per face and eight numbers per 32 faces", with_clusters),
+            };
+            return Err(MeshError::ListLength { one, given, needed });
         }
+        if normals != faces {
+            return Err(MeshError::ListLength { one: "normal per face", given: normals, needed: faces });
+        }
+        Ok(Self { planes, ..self })
     }
 
     /// Adds a unit normal for each vertex, pointing outwards, in 2⁻¹⁵ (32767 stands for 1): the normal of the surface that the
@@ -529,7 +514,7 @@ impl<'a, V> Mesh<'a, V> {
         }
     }
 
-    /// The clusters of the faces; empty if none were added. See [`with_clustered_planes`](Self::with_clustered_planes).
+    /// The clusters of the faces; empty if none were added. See [`with_planes`](Self::with_planes).
     pub const fn clusters(&self) -> &'a [[i16; 8]] {
         match self.planes.split_at_checked(self.faces.len()) {
             Some((_, clusters)) => clusters.as_chunks().0,
@@ -555,18 +540,12 @@ impl<'a, V> Mesh<'a, V> {
         self.faces.get(face).map_or_else(|| [T::default(); 3], |&corners| map3(corners, at))
     }
 
-    /// How many vertices a vertex cache holds that has room for all of this mesh: one [`ScreenVertex`](crate::camera::ScreenVertex)
-    /// of 8 bytes per vertex. [`mesh_buffers!`](crate::mesh_buffers) declares caches and bins.
-    pub const fn cache_len(&self) -> usize {
-        self.vertices.len()
-    }
-
     /// How many `u16`s of bin storage the faces of this mesh take: one per face, one per 16 faces, and up to 32 for the bins.
     ///
     /// ```
     /// const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
     /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], 0, &FACES)?;
-    /// assert_eq!((mesh.cache_len(), mesh.face_bins_len(), mesh.edge_bins_len()), (4, 7, 0));
+    /// assert_eq!((mesh.vertices().len(), mesh.face_bins_len(), mesh.edge_bins_len()), (4, 7, 0));
     /// # Ok::<(), pinhole::mesh::MeshError>(())
     /// ```
     pub const fn face_bins_len(&self) -> usize {

@@ -88,11 +88,11 @@ impl<C: PixelColor> StrokeKind<C> for C {
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-/// use pinhole::{draw::draw_line, raster::Pixel, shading::AntiAliased, target::Picture};
+/// use pinhole::{draw::draw_line, shading::AntiAliased, target::Picture};
 /// let mut pixels = [Gray8::BLACK; 5 * 3];
 /// let mut picture = Picture::new(&mut pixels, Size::new(5, 3))?;
 /// let stroke = AntiAliased(Gray8::WHITE);
-/// let Ok(()) = draw_line(Pixel { x: 0, y: 0 }, Pixel { x: 4, y: 2 }, stroke, &mut picture.pixels());
+/// let Ok(()) = draw_line(Point::zero(), Point::new(4, 2), stroke, &mut picture.pixels());
 /// // In column 2 the upper edge rises from 0.69 to 1.19 pixels: a triangle of 0.309 · 0.618 / 2 lies above row 1.
 /// let column = [2, 7, 12].map(|i| picture.colors()[i].luma());
 /// assert_eq!(column, [24, 236, 24]);
@@ -103,9 +103,9 @@ impl<C: PixelColor> StrokeKind<C> for C {
 ///
 /// ```compile_fail,E0277
 /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-/// # use pinhole::{draw::draw_line, raster::Pixel, shading::AntiAliased};
+/// # use pinhole::{draw::draw_line, shading::AntiAliased};
 /// let mut display = MockDisplay::<Gray8>::new();
-/// draw_line(Pixel { x: 0, y: 0 }, Pixel { x: 4, y: 2 }, AntiAliased(Gray8::WHITE), &mut display).unwrap();
+/// draw_line(Point::zero(), Point::new(4, 2), AntiAliased(Gray8::WHITE), &mut display).unwrap();
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -164,11 +164,11 @@ impl<C> AntiAliased<C> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-    /// use pinhole::{draw::draw_line, raster::Pixel, shading::AntiAliased, target::Picture};
+    /// use pinhole::{draw::draw_line, shading::AntiAliased, target::Picture};
     /// let mut pixels = [Gray8::BLACK; 5 * 3];
     /// let mut picture = Picture::new(&mut pixels, Size::new(5, 3))?;
     /// let stroke = AntiAliased(Gray8::WHITE).by_table();
-    /// let Ok(()) = draw_line(Pixel { x: 0, y: 0 }, Pixel { x: 4, y: 2 }, stroke, &mut picture.pixels());
+    /// let Ok(()) = draw_line(Point::zero(), Point::new(4, 2), stroke, &mut picture.pixels());
     /// let column = [2, 7, 12].map(|i| picture.colors()[i].luma());
     /// assert_eq!(column, [24, 236, 29]); // the exact areas are 24, 236 and 24
     /// # Ok::<(), pinhole::target::BufferError>(())
@@ -188,12 +188,12 @@ pub struct AntiAliasedByTable<C>(C);
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-/// use pinhole::{color::Color, draw::draw_line, raster::Pixel, shading::AntiAliasedBy, target::Picture};
+/// use pinhole::{color::Color, draw::draw_line, shading::AntiAliasedBy, target::Picture};
 /// let mut pixels = [Gray8::BLACK; 5 * 3];
 /// let mut picture = Picture::new(&mut pixels, Size::new(5, 3))?;
 /// // A pixel keeps half of what is stored.
 /// let half = |color: Gray8, below, coverage| color.over(below, coverage / 2);
-/// let [from, to] = [0, 4].map(|x| Pixel { x, y: 1 });
+/// let [from, to] = [0, 4].map(|x| Point::new(x, 1));
 /// let Ok(()) = draw_line(from, to, AntiAliasedBy::new(Gray8::WHITE, half), &mut picture.pixels());
 /// assert_eq!(picture.colors()[7], Gray8::new(128));
 /// # Ok::<(), pinhole::target::BufferError>(())

@@ -212,11 +212,11 @@ impl<'s, C: Color> Band<'s, C> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use pinhole::{bands::Frame, draw::draw_line, raster::Pixel};
+    /// use pinhole::{bands::Frame, draw::draw_line};
     /// let mut strip = [0; Frame::<Rgb565>::strip_bytes(8, 2)];
     /// let mut frame = Frame::new(Rectangle::new(Point::zero(), Size::new(8, 2)), Rgb565::BLACK);
     /// let mut band = frame.next_band(&mut strip)?.ok_or("no rows")?;
-    /// draw_line(Pixel { x: 0, y: 1 }, Pixel { x: 7, y: 1 }, Rgb565::RED, &mut band.pixels())?;
+    /// draw_line(Point::new(0, 1), Point::new(7, 1), Rgb565::RED, &mut band.pixels())?;
     /// assert_eq!(band.bytes()[14..18], [0, 0, 0xf8, 0]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

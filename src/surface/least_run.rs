@@ -15,11 +15,10 @@ use embedded_graphics_core::Pixel;
 /// - `LeastRun::<_, 16>`: a driver that can fail, but draws into a framebuffer of its own, such as `ssd1306`'s buffered mode.
 ///
 /// ```
-/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
-/// use pinhole::{draw::draw_line, raster::Pixel, target::LeastRun};
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::Point};
+/// use pinhole::{draw::draw_line, target::LeastRun};
 /// let mut display = MockDisplay::new();
-/// let ends = [Pixel { x: 0, y: 0 }, Pixel { x: 5, y: 2 }];
-/// draw_line(ends[0], ends[1], BinaryColor::On, &mut LeastRun::<_, 1>(&mut display))?;
+/// draw_line(Point::zero(), Point::new(5, 2), BinaryColor::On, &mut LeastRun::<_, 1>(&mut display))?;
 /// display.assert_pattern(&["##    ", "  ##  ", "    ##"]);
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```

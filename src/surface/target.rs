@@ -105,7 +105,7 @@ use embedded_graphics_core::Pixel;
 /// }
 ///
 /// let mut display = Pages([0; 1024]);
-/// let [from, to] = [0, 127].map(|x| raster::Pixel { x, y: 10 });
+/// let [from, to] = [0, 127].map(|x| Point::new(x, 10));
 /// let Ok(()) = draw_line(from, to, BinaryColor::On, &mut display);
 /// assert_eq!(display.0[128..256], [1 << 2; 128]);
 /// ```

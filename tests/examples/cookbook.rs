@@ -113,7 +113,7 @@ fn the_book_shows_each_program_with_its_picture_and_its_memory() {
     }
 
     // The arrays and values that each program declares, but single numbers.
-    let cubes = |n| n * (size_of::<ScreenVertex>() * CUBE.cache_len() + 2 * CUBE.face_bins_len());
+    let cubes = |n| n * (size_of::<ScreenVertex>() * CUBE.vertices().len() + 2 * CUBE.face_bins_len());
     let strip = |width: usize, rows: usize| width * rows * 4; // colours and depths
     let memory = [
         size_of::<logo::Memory>(),
@@ -131,8 +131,8 @@ fn the_book_shows_each_program_with_its_picture_and_its_memory() {
             + size_of::<BinnedScene<'_, '_, usize, 12>>()
             + cubes(12)
             + strip(240, 8),
-        size_of::<hud::Hud>() + 2 * TORUS.cache_len(),
-        size_of::<ScreenVertex>() * epaper::PAWN.cache_len() + 2 * 200 * 20,
+        size_of::<hud::Hud>() + 2 * TORUS.vertices().len(),
+        size_of::<ScreenVertex>() * epaper::PAWN.vertices().len() + 2 * 200 * 20,
         size_of::<scope::Scope>() + size_of_val(scope::AT_REST.vertices()),
         size_of::<round::Memory>(),
         size_of::<samples::Memory>(),

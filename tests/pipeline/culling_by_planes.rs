@@ -198,7 +198,7 @@ fn culling_by_clusters_draws_the_picture_of_culling_by_planes() {
         let normals = vec![[0; 3]; mesh.faces().len()];
         let lists = [&normals.as_flattened()[..normals.len()], mesh.clusters().as_flattened()].concat();
         let bare = Mesh::new(mesh.vertices(), mesh.exponent(), mesh.faces()).unwrap();
-        let bare = bare.with_normals(&normals).and_then(|bare| bare.with_clustered_planes(&lists)).unwrap();
+        let bare = bare.with_normals(&normals).and_then(|bare| bare.with_planes(&lists)).unwrap();
         let bare = camera.place(&bare, &model.library()).with_cull(cull);
         let _ = bare.faces(color).culled_by_clusters().cached(&mut cache).pick(at);
         let touched = cache.iter().filter(|vertex| **vertex != ScreenVertex::EMPTY).count();
@@ -232,7 +232,7 @@ fn clusters_keep_a_face_that_reaches_the_first_pixel_centre() {
         let mesh =
             Mesh::new(&vertices, -8, &[[0, 1, 2]]).and_then(|mesh| mesh.with_normals(&normals)).unwrap();
         let planes = [0, x, y, z, radius, 0, 0, i16::MAX, 0];
-        let mesh = mesh.with_clustered_planes(&planes).unwrap();
+        let mesh = mesh.with_planes(&planes).unwrap();
         let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
         let (wanted, _) = by_planes(&instance, area, Rgb565::BLACK, &color);
         assert_eq!(wanted.solid.iter().filter(|pixel| **pixel != Rgb565::BLACK).count(), 1);
@@ -281,8 +281,8 @@ fn a_list_of_planes_of_the_wrong_length_is_refused() {
     assert_eq!(error, MeshError::ListLength { one: "plane per face", given: 991, needed: 992 });
     assert_eq!(error.to_string(), "a list of 991 entries where 992 are needed: give one plane per face");
     let one = "plane per face and eight numbers per 32 faces";
-    for given in [0, 992, 1239, 1241] {
-        let error = mesh.with_clustered_planes(&[0; 1241][..given]).unwrap_err();
+    for given in [993, 1239, 1241] {
+        let error = mesh.with_planes(&[0; 1241][..given]).unwrap_err();
         assert_eq!(error, MeshError::ListLength { one, given, needed: 1240 });
     }
     // Fewer planes and more planes than faces; planes of normals longer than 1.

@@ -40,7 +40,7 @@ const HEIGHT: u32 = 240;
 /// The hidden lines of a mesh, one bit a pixel, in bands of this many rows.
 fn in_bands(instance: &MeshInstance<'_>, rows: u32) -> Vec<BinaryColor> {
     let mesh = instance.mesh();
-    let mut corners = vec![ScreenVertex::EMPTY; mesh.cache_len()];
+    let mut corners = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
     let projected = instance.transform_depth(&mut corners);
     let (mut bin_storage, mut more) = (vec![0; mesh.face_bins_len()], vec![0; mesh.edge_bins_len()]);
     let mut faces = projected.bin_faces(&mut bin_storage).expect("room");
@@ -244,7 +244,7 @@ fn blades(degrees: &[f64], rise: i16) -> (Vec<[i16; 3]>, Vec<[u16; 3]>) {
 /// The pixels of an edge in view.
 fn edge_pixels(instance: &MeshInstance<'_>, edge: [u16; 2]) -> Vec<(i64, i64)> {
     let [a, b] = edge.map(|i| {
-        let pixel = instance.project(i.into()).expect("in view").point.pixel();
+        let pixel = Point::from(instance.project(i.into()).expect("in view").point);
         (i64::from(pixel.x), i64::from(pixel.y))
     });
     line::pixels(a, b)

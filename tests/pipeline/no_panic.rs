@@ -6,7 +6,7 @@ use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::draw::{draw_line, fill_triangle};
-use pinhole::raster::{Pixel, ScreenPoint};
+use pinhole::raster::ScreenPoint;
 use std::convert::Infallible;
 
 /// A target of the largest size that `embedded-graphics` can express, at any position.
@@ -56,7 +56,7 @@ fn targets_of_the_largest_size_do_not_panic() {
             assert_eq!(target.runs, rows, "from {from}");
         }
         let mut target = Endless { area, runs: 0 };
-        let ends = [-9, i16::MAX].map(|x| Pixel { x, y: 3 });
+        let ends = [-9, i32::MAX].map(|x| Point::new(x, 3));
         let Ok(()) = draw_line(ends[0], ends[1], Gray8::WHITE, &mut target);
         assert_eq!(target.runs, u32::from(from < i32::MAX), "from {from}");
     }

@@ -91,6 +91,14 @@ fn camera(rng: &mut Rng) -> Camera {
     Camera::new(&view, &lens, &viewport)
 }
 
+/// The sum of a length over the meshes of all visible objects.
+fn sum<M>(
+    placed: &pinhole::draw::PlacedScene<'_, '_, M, OBJECTS>,
+    length: impl Fn(&Mesh<'_>) -> usize,
+) -> usize {
+    placed.iter().map(|(object, _)| length(object.mesh())).sum()
+}
+
 /// All objects of a scene, placed and drawn one by one, without culling of objects or by planes: the faces as numbers, and their
 /// depths. `shader` makes the shader of a face from its number.
 fn by_hand<S: SpanShader<Rgb565>>(
@@ -99,7 +107,7 @@ fn by_hand<S: SpanShader<Rgb565>>(
     shader: impl Fn(Rgb565) -> S,
 ) -> (Vec<Rgb565>, Vec<u16>) {
     memory_with(AREA, AREA, Rgb565::BLACK, &mut |target, depth| {
-        for (index, object) in scene.objects().iter().enumerate() {
+        for (index, object) in scene.iter().enumerate() {
             let instance = camera.place(object.mesh(), &object.model).with_cull(cull(index));
             let Ok(_) =
                 instance.faces(|face| shader(number(index, face))).draw(&mut target.depth_tested(depth));
@@ -114,8 +122,8 @@ fn in_bands<S: SpanShader<Rgb565>>(
     shader: impl Fn(Rgb565) -> S + Copy,
 ) -> (Vec<Rgb565>, Statistics) {
     let placed = scene.place(camera);
-    let mut cache = vec![ScreenVertex::EMPTY; cache.min(placed.cache_len())];
-    let mut bins = vec![0; placed.face_bins_len()];
+    let mut cache = vec![ScreenVertex::EMPTY; cache.min(sum(&placed, |mesh| mesh.vertices().len()))];
+    let mut bins = vec![0; sum(&placed, |mesh| mesh.face_bins_len())];
     let mut faces = placed.bin_faces(&mut cache, &mut bins).expect("room for all faces");
     let pixels = bands(AREA, Rgb565::BLACK, rows, &mut |band, depth| {
         let shade = |index: usize, object: &Object<'_, usize>| {
@@ -162,13 +170,13 @@ fn a_scene_is_its_objects_drawn_by_hand() {
         assert!(pixels == wanted);
         let visible: Vec<usize> = (0..OBJECTS)
             .filter(|&index| {
-                let object = &scene.objects()[index];
+                let object = &scene[index];
                 camera.frustum().visibility(&object.sphere, &object.model) != Visibility::Outside
             })
             .collect();
         assert_eq!(asked, visible, "an object out of view costs the test of its sphere only");
         assert_eq!(placed.iter().count(), visible.len());
-        let faces: usize = visible.iter().map(|&index| scene.objects()[index].mesh().faces().len()).sum();
+        let faces: usize = visible.iter().map(|&index| scene[index].mesh().faces().len()).sum();
         let sum = |s: &Statistics| (s.drawn + s.culled + s.outside + s.degenerate) as usize;
         let (_, banded) = in_bands(&scene, &camera, (8, 0), |number| number);
         // In one piece, planes also cull faces that are out of view or degenerate.
@@ -210,9 +218,9 @@ fn a_band_asks_for_the_shaders_of_its_objects() {
             let rows = (0..mesh.vertices().len()).map(row).collect::<Result<Vec<i32>, _>>().ok()?;
             Some([*rows.iter().min()?, *rows.iter().max()?])
         };
-        let rows: Vec<_> = scene.objects().iter().map(|object| [rows_of(object), box_of(object)]).collect();
+        let rows: Vec<_> = scene.iter().map(|object| [rows_of(object), box_of(object)]).collect();
         let placed = scene.place(&camera);
-        let mut bins = vec![0; placed.face_bins_len()];
+        let mut bins = vec![0; sum(&placed, |mesh| mesh.face_bins_len())];
         let mut faces = placed.bin_faces(&mut [], &mut bins).expect("room for all faces");
         bands(AREA, Rgb565::BLACK, 3, &mut |band, depth| {
             let (area, mut found) = (band.area(), [false; OBJECTS]);
@@ -255,7 +263,7 @@ fn a_scene_in_painters_order_is_its_objects_in_a_painter() {
             move |face| number(index, face)
         };
         scene.place(&camera).sorted(shade, &mut painter).expect("room for all faces");
-        for object in scene.objects() {
+        for object in scene.iter() {
             let instance = camera.place(object.mesh(), &object.model).with_cull(cull(object.material));
             let faces = instance.faces(|face| number(object.material, face)).culled_by_planes();
             faces.sorted(&mut hands).expect("room for all faces");
@@ -285,7 +293,7 @@ fn picked_scenes<S: SpanShader<Rgb565>>(meshes: &Meshes, shader: impl Fn(Rgb565)
     let (mut hits, mut misses, mut points, mut firsts) = (0, 0, 0, 0);
     for _ in 0..12 {
         let (mut scene, camera) = (random(&mut rng, meshes), camera(&mut rng));
-        let objects = scene.objects_mut();
+        let objects = &mut scene;
         for [first, second] in [[2, 4], [6, 20]] {
             objects[second] = objects[first];
             objects[second].material = second;
@@ -308,8 +316,8 @@ fn picked_scenes<S: SpanShader<Rgb565>>(meshes: &Meshes, shader: impl Fn(Rgb565)
                     assert_eq!((picked.at.x(), picked.at.y()), (at.x * 256 + 128, at.y * 256 + 128));
                     // The point under the pixel projects to the pixel.
                     if let Some(point) = camera.unproject(picked.at, picked.depth) {
-                        let seen = camera.project(point).map(|seen| seen.point.pixel());
-                        assert_eq!(seen.map(Point::from), Ok(at));
+                        let seen = camera.project(point).map(|seen| Point::from(seen.point));
+                        assert_eq!(seen, Ok(at));
                         points += 1;
                     }
                     firsts += usize::from([2, 6].contains(&picked.object));
@@ -358,17 +366,17 @@ fn a_scene_without_room_says_what_it_needs() {
     let full = scene.add(object);
     assert_eq!(full, Err(BufferError::Full { parameter: "OBJECTS", needed: 3, capacity: 2 }));
     assert!(full.expect_err("full").to_string().contains("room for 2: raise OBJECTS"));
-    scene.objects_mut()[1].model = Affine::identity().translate(Vector3::from_ints(0, 0, -9));
+    scene[1].model = Affine::identity().translate(Vector3::from_ints(0, 0, -9));
     let viewport = Viewport::new(Point::zero(), Size::new(40, 40)).expect("a viewport");
     let sphere = meshes.0.bounding_sphere();
     let camera =
         Camera::framing(&sphere, &viewport, Angle::degrees(50), Angle::ZERO, Angle::ZERO).expect("a camera");
     // The second lies beyond the far plane, which is just behind the first.
     let placed = scene.place(&camera);
-    assert_eq!((placed.iter().count(), placed.cache_len(), placed.face_bins_len()), (1, 8, 17));
+    assert_eq!(placed.iter().count(), 1);
     assert_eq!(placed.iter().map(|(object, _)| object.material).collect::<Vec<_>>(), [7]);
     let short = placed.bin_faces(&mut [], &mut [0; 16]).err();
     assert_eq!(short, Some(BufferError::Bins { needed: 17, given: 16 }));
     scene.clear();
-    assert!(scene.place(&camera).iter().next().is_none() && scene.objects().is_empty());
+    assert!(scene.place(&camera).iter().next().is_none() && scene.is_empty());
 }

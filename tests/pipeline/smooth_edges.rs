@@ -30,7 +30,8 @@ fn send(
     display: &mut Picture<'_, Rgb888>,
 ) {
     let mesh = instance.mesh();
-    let (mut cache, mut bins) = (vec![ScreenVertex::EMPTY; mesh.cache_len()], vec![0; mesh.face_bins_len()]);
+    let (mut cache, mut bins) =
+        (vec![ScreenVertex::EMPTY; mesh.vertices().len()], vec![0; mesh.face_bins_len()]);
     let (mut edge_bins, colors) = (vec![0; mesh.smooth_bins_len()], scene.levels().0);
     let transformed = instance.transform_depth(&mut cache);
     let mut faces = transformed.bin_faces(&mut bins).expect("room");
@@ -128,7 +129,7 @@ fn two_cores_smooth_halves_of_the_screen() {
         for step in 0..5 {
             let model = turned(step).library();
             let instance = camera.place(&mesh, &model);
-            let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
+            let mut cache = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
             let (mut bins, mut cursor) = (vec![0; mesh.face_bins_len()], vec![0; mesh.faces().len()]);
             let transformed = instance.transform_depth(&mut cache);
             let mut faces = transformed.bin_faces(&mut bins).expect("room");
@@ -195,7 +196,7 @@ fn passes_mix_their_pairs() {
     let plain = scene.picture(&instance, [width, height], None);
     let after = |passes: usize| {
         let (mut cache, mut bins) =
-            (vec![ScreenVertex::EMPTY; mesh.cache_len()], vec![0; mesh.smooth_bins_len()]);
+            (vec![ScreenVertex::EMPTY; mesh.vertices().len()], vec![0; mesh.smooth_bins_len()]);
         let (mut cells, mut depths) = (plain.clone(), vec![0; plain.len()]);
         let mut depth = DepthBuffer::new(bridge::rectangle(0, 0, width, height), &mut depths).expect("room");
         instance.depth_only(&mut cache, &mut depth);
@@ -331,7 +332,7 @@ fn a_scene_is_smoothed_as_its_objects() {
         let (mut cache, mut bins, mut edge_bins) = storage();
         let mut list = vec![SmoothEdge::EMPTY; entries];
         let mut faces = placed.bin_faces(&mut cache[..vertices], &mut bins).expect("room");
-        let needed = placed.smooth_bins_len();
+        let needed = placed.iter().map(|(object, _)| object.mesh().smooth_bins_len()).sum();
         let error = faces.bin_smooth_edges(creases, &mut vec![0; needed - 1]).map(drop);
         assert_eq!(error, Err(BufferError::Bins { needed, given: needed - 1 }));
         let mut edges = faces.bin_smooth_edges(creases, &mut edge_bins[..needed]).expect("room");
@@ -414,7 +415,7 @@ impl InFormat<'_> {
         let loaded = |cells: &[Cell]| cells.iter().map(|&cell| C::load(cell)).collect();
         let plain = loaded(&cells);
         let (mut cache, mut bins) =
-            (vec![ScreenVertex::EMPTY; mesh.cache_len()], vec![0; mesh.smooth_bins_len()]);
+            (vec![ScreenVertex::EMPTY; mesh.vertices().len()], vec![0; mesh.smooth_bins_len()]);
         let transformed = self.instance.transform_depth(&mut cache);
         let mut edges = transformed.bin_smooth_edges(|_| true, &mut bins).expect("room");
         let mut pixels = Pixels::<C, Cell>::new(&mut cells, area).expect("room");

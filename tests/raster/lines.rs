@@ -218,6 +218,20 @@ fn pixels_come_in_the_order_of_a_window() {
     }
 }
 
+/// Columns and rows that 16 bits do not hold count as the nearest that they do.
+#[test]
+fn ends_far_away_are_moved_to_the_border_of_16_bits() {
+    for [x, y] in [[i32::MAX, 40_000], [-40_000, i32::MIN], [40_000, 7]] {
+        let near = [x, y].map(|at| at.clamp(-32_768, 32_767));
+        let [far, near] = [[x, y], near].map(|[x, y]| {
+            let mut target = Recorder::sized(100, 100);
+            assert_eq!(draw_line(Point::new(x, y), Point::new(20, 40), INK, &mut target), Ok(()));
+            target.calls
+        });
+        assert_eq!(far, near);
+    }
+}
+
 /// The type of the error decides: none means memory, and a call for a line; else a fill for each run.
 #[test]
 fn a_target_that_cannot_fail_gets_a_line_in_one_call() {

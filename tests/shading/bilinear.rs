@@ -6,7 +6,7 @@ use embedded_graphics::pixelcolor::{Bgr555, Bgr666, BinaryColor, Gray4, Gray8, R
 use pinhole::{
     color::Color,
     prelude::*,
-    texture::{Accuracy, BilinearTexels, IndexedTexels, MipPicture, TexelSlice, Texels},
+    texture::{Accuracy, BilinearTexels, IndexedTexels, MipPicture, MipTexels, TexelSlice, Texels},
 };
 use support::bridge::ways::{by_every_call, everywhere};
 use support::oracle::rng::Rng;
@@ -146,7 +146,7 @@ fn filtered_faces_are_equal_by_every_draw_call() {
     ] {
         let (camera, texture) = (camera(&usual), Texture::new(indexed));
         let levels = |face: usize| [40 * face as u16 % 257, 256, 90 * face as u16 % 200];
-        let with_levels = Texture::new(BilinearTexels::new(built.texels()));
+        let with_levels = Texture::new(BilinearTexels::new(MipTexels::new(&built)));
         faces.place(&camera, &mut |instance| {
             let (drawn, _) =
                 by_every_call(instance, AREA, SKY, &[13, 240], &|face| texture.at(faces.uv[face]));

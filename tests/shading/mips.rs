@@ -31,7 +31,7 @@ fn copies_hold_the_means_of_the_picture() {
     {
         // Beyond the last copy there is none.
         for covered in [i32::from(copy == 5) << 21 | (copy as i32) << 16, (copy as i32) << 16 | 0xffff] {
-            let texel = built.texels().covered_by(covered).texel(column << 28 | 77, row << 27 | 99);
+            let texel = MipTexels::new(&built).covered_by(covered).texel(column << 28 | 77, row << 27 | 99);
             let first = i64::from(row >> copy << copy);
             for (axis, shown) in [texel.r(), texel.g(), texel.b()].into_iter().enumerate() {
                 let level =
@@ -45,7 +45,7 @@ fn copies_hold_the_means_of_the_picture() {
         }
     }
     assert!((0.4..=0.5).contains(&largest), "{largest}");
-    assert_eq!(built.texels().covered_by(-9 << 16).texel(0, 0), built.texels().texel(0, 0));
+    assert_eq!(MipTexels::new(&built).covered_by(-9 << 16).texel(0, 0), MipTexels::new(&built).texel(0, 0));
 }
 
 /// `MipTexels` promises that the level is within log₂ c − `FINER` … log₂ c + `COARSER`, for c texels from a pixel to the next.
@@ -118,7 +118,7 @@ fn a_floor_to_the_horizon_does_not_sparkle() {
     let (built, matrix) =
         (MipPicture::<Gray8, 64, 64>::build(picture), chain::perspective(FOV, 120, 120, 0.125, 400.0));
     let (plain, levels, camera) =
-        (Texture::new(&picture), Texture::new(built.texels()), camera_on(120, &library(&matrix)));
+        (Texture::new(&picture), Texture::new(MipTexels::new(&built)), camera_on(120, &library(&matrix)));
     let frame = |number: i16| {
         let mut faces = Faces { side: 120, ..Faces::quad(floor(0.2, 60.0, 60.0), 17.0, 960, -8) };
         faces.uv.iter_mut().flatten().for_each(|uv| uv[1] += 2 * number);
@@ -173,7 +173,8 @@ fn faces_with_copies_are_equal_by_every_draw_call() {
         ("soup", usual, Faces::soup(&mut Rng::new(9), 60, 400, 2500, |rng| rng.int(-4000, 4000) as i16)),
         ("small", usual, Faces::soup(&mut Rng::new(52), 300, 900, 900, |rng| rng.int(-500, 500) as i16)),
     ] {
-        let (camera, texture, indexed) = (camera(&lens), Texture::new(built.texels()), Texture::new(indexed));
+        let (camera, texture, indexed) =
+            (camera(&lens), Texture::new(MipTexels::new(&built)), Texture::new(indexed));
         let levels = |face: usize| [40 * face as u16 % 257, 256, 90 * face as u16 % 200];
         faces.place(&camera, &mut |instance| {
             let (drawn, _) =

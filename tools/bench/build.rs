@@ -111,7 +111,7 @@ fn models(scenes: &Scenes) -> Result<String> {
         let made = import_bytes(obj.into(), "model.obj".as_ref(), &[], &options)?;
         let (vertices, k, faces, normals) = (made.vertices, made.exponent, made.faces, made.normals);
         let mesh = format!("mesh(&{vertices:?}, {k}, &{faces:?}, &{normals:?}, &[])");
-        add("CLUSTERS", format!("{mesh}.with_clustered_planes(&{:?})", made.planes))?;
+        add("CLUSTERS", format!("{mesh}.with_planes(&{:?})", made.planes))?;
     }
     Ok(text)
 }

@@ -159,8 +159,8 @@ const WHOLE = [
 const WITHOUT_BINS = [
   [/A vertex cache and bins for/, 'A vertex cache for'],
   [/: `mesh_buffers!` and `strip_buffers!` declare it/, ''],
-  [/MeshBuffers!\((edges: )?MODEL\)/, '[ScreenVertex; MODEL.cache_len()]'],
-  [/mesh_buffers!\((edges: )?MODEL\)/, '[ScreenVertex::EMPTY; MODEL.cache_len()]'],
+  [/MeshBuffers!\((edges: )?MODEL\)/, '[ScreenVertex; MODEL.vertices().len()]'],
+  [/mesh_buffers!\((edges: )?MODEL\)/, '[ScreenVertex::EMPTY; MODEL.vertices().len()]'],
   [/\bMESH\b/g, 'CACHE'],
   [/let mesh(?= = singleton)|(?<=Some\()mesh|(?<== \()mesh(?=, )/g, (text) => text.replace('mesh', 'cache')],
   [/^ *bins: &'a mut \[u16\],\n/gm, ''],

@@ -40,7 +40,7 @@ pub(crate) fn draw(model: &ImportedMesh, choice: &Choice, image: &TextureImage) 
     let camera = Lens::new(choice, &sphere).camera(choice, &sphere)?;
     let turned = Affine::rotation_y(choice.turn());
     let instance = camera.place(&mesh, &turned);
-    let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
+    let mut cache = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
     let mut face_bins = vec![0; mesh.face_bins_len()];
     let mut edge_bins = vec![0; mesh.edge_bins_len()];
     if choice.style == Style::Wireframe {

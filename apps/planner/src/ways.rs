@@ -16,7 +16,7 @@ const INDIRECT: [f64; 3] = [1.4, 1.3, 1.6];
 const INDIRECT_ERROR: f32 = 35.0;
 
 fn cache(mesh: &Mesh<'_>) -> usize {
-    mesh.cache_len() * size_of::<ScreenVertex>()
+    mesh.vertices().len() * size_of::<ScreenVertex>()
 }
 
 /// Bytes of a face in a painter: five indices of 16 bits, and a colour.

@@ -36,7 +36,7 @@ where
         let mut canvas = Canvas::new(SIZE, C::from(Rgb888::BLACK));
         let mut depths = vec![0; PIXELS];
         let mut depth = DepthBuffer::new(canvas.bounding_box(), &mut depths).expect("depths");
-        let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
+        let mut cache = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
         let Ok(_) = instance
             .faces(|face| shader(face, light))
             .cached(&mut cache)
@@ -128,7 +128,7 @@ fn smooth_bands<S: SpanShader<Rgb565, Ink = Rgb565>>(
     let strip_bytes = |rows| Frame::<Rgb565>::strip_bytes(SIZE.width, rows);
     let (mut strip, mut kept) = (vec![0; strip_bytes(rows)], vec![0; strip_bytes(2)]);
     let mut depths = vec![0; (SIZE.width * rows) as usize];
-    let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
+    let mut cache = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
     let (mut bins, mut edge_bins) = (vec![0; mesh.face_bins_len()], vec![0; mesh.smooth_bins_len()]);
     placed(&mesh, |instance, light| {
         let transformed = instance.transform_depth(&mut cache);
@@ -150,7 +150,7 @@ fn smooth_bands<S: SpanShader<Rgb565, Ink = Rgb565>>(
 fn smooth_picture<C: Color + From<Rgb888> + Into<Rgb888>>(model: &ImportedMesh) -> Vec<u8> {
     let (mesh, mut pixels, mut depths) =
         (model.mesh().expect("a mesh"), vec![C::from(Rgb888::BLACK); PIXELS], vec![0; PIXELS]);
-    let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
+    let mut cache = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
     let mut edge_bins = vec![0; mesh.smooth_bins_len()];
     let mut picture = Picture::new(&mut pixels, SIZE).expect("a picture");
     let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths).expect("depths");

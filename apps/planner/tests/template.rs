@@ -44,7 +44,7 @@ fn hidden_lines_are_the_templates() {
     let imported = pinhole_import::import(gear.as_ref(), &options).expect("the gear");
     let mesh = imported.mesh().expect("a mesh");
     let (mut face_bins, mut edge_bins) = (vec![0; mesh.face_bins_len()], vec![0; mesh.edge_bins_len()]);
-    let mut cache = vec![pinhole::camera::ScreenVertex::EMPTY; mesh.cache_len()];
+    let mut cache = vec![pinhole::camera::ScreenVertex::EMPTY; mesh.vertices().len()];
     let mut depths = vec![0; hidden_lines::PIXELS];
     let bins = [&mut face_bins[..], &mut edge_bins[..]];
     let mut picture = hidden_lines::Picture::new(&mesh, &mut cache, bins, &mut depths).expect("a picture");

@@ -135,7 +135,7 @@ impl Buffers {
     /// Memory for a mesh on a display `width` pixels wide.
     pub fn new(mesh: &pinhole::Mesh<'_>, width: u32) -> Self {
         Self {
-            cache: vec![pinhole::camera::ScreenVertex::EMPTY; mesh.cache_len()],
+            cache: vec![pinhole::camera::ScreenVertex::EMPTY; mesh.vertices().len()],
             bins: vec![0; mesh.face_bins_len()],
             strip: vec![0; pinhole::bands::Frame::<Rgb565>::strip_bytes(width, ROWS)],
             depths: vec![0; (width * ROWS) as usize],

@@ -304,7 +304,7 @@ impl Frame {
             of_mesh.push(Edge { extent, beside, is_smoothed, is_wide: width >= height });
         }
         let lines = RefCell::new(vec![Drawn::default()]);
-        let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
+        let mut cache = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
         let Ok(statistics) =
             instance.edges(|_| BinaryColor::On).cached(&mut cache).draw(&mut Watch { size, drawn: &lines });
         edges.pixels = lines.into_inner().iter().map(|lines| lines.pixels).sum();
@@ -367,7 +367,7 @@ fn faces(instance: &MeshInstance<'_>, size: Size) -> (Vec<Drawn>, Statistics) {
         drawn.borrow_mut().push(Drawn { face, ..Drawn::default() });
         BinaryColor::On
     };
-    let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().cache_len()];
+    let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().vertices().len()];
     let Ok(statistics) = instance.faces(shade).cached(&mut cache).draw(&mut Watch { size, drawn: &drawn });
     (drawn.into_inner(), statistics)
 }

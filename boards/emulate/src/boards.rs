@@ -208,7 +208,7 @@ fn changes(model: &Path) -> Result<Pictures, String> {
             Some(colors) => colors.lit(face, level),
             None => pinhole::color::Color::dim(changes::COLOR, level),
         };
-        let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
+        let mut cache = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
         let mut bins = vec![0; mesh.face_bins_len()];
         let mut depths = vec![0; changes::PIXELS];
         let mut strip = vec![0; 2 * changes::PIXELS];
@@ -241,7 +241,7 @@ fn smoothed(imported: &ImportedMesh, turn: Angle) -> Result<Vec<u32>, Box<dyn st
     let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch)?;
     let light = Lambert::new(&model, Vector3::from_ints(2, 3, 4), 48)?;
     let (mut cache, mut bins) =
-        (vec![ScreenVertex::EMPTY; mesh.cache_len()], vec![0; mesh.smooth_bins_len()]);
+        (vec![ScreenVertex::EMPTY; mesh.vertices().len()], vec![0; mesh.smooth_bins_len()]);
     let (mut pixels, mut depths) = (vec![Rgb565::BLACK; 240 * 240], vec![0; 240 * 240]);
     let mut picture = Picture::new(&mut pixels, size)?;
     let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;

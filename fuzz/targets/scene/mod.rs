@@ -109,7 +109,7 @@ fn extremes<V: Coordinate<Stored = V>>(scene: &Scene, mesh: Mesh<'_, V>) {
     let cluster = normals.as_flattened().iter().cycle().take(8 * planes.len().div_ceil(32));
     planes.extend(cluster);
     let mesh = mesh.with_edges(&scene.edges).and_then(|mesh| mesh.with_normals(normals));
-    let mesh = mesh.and_then(|mesh| mesh.with_clustered_planes(&planes)).expect("as many as faces");
+    let mesh = mesh.and_then(|mesh| mesh.with_planes(&planes)).expect("as many as faces");
     let (camera, model) = (scene.camera.library().with_far_clip(scene.far_clip), scene.model.library());
     let instance = camera.place(&mesh, &model).with_cull(scene.cull);
     let mut cache = vec![ScreenVertex::EMPTY; scene.cache];

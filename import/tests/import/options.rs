@@ -273,7 +273,7 @@ fn planes_are_those_of_the_finished_mesh() {
     assert!(plain.mesh().unwrap().planes().is_empty() && !Options::default().planes);
 }
 
-/// By the definition of `Mesh::with_clustered_planes`; and on a ball they are small.
+/// By the definition of `Mesh::with_planes`; and on a ball they are small.
 #[test]
 fn clusters_are_close_around_their_faces() {
     for step in [None, Some(1.0 / 64.0)] {

@@ -36,7 +36,7 @@ pub const PAWN: Mesh<'static> = {
 };
 
 pub fn draw<D: DrawTarget>(yaw: Angle, [ink, paper]: [D::Color; 2], epd: &mut D) -> Result<(), D::Error> {
-    let (mut cache, mut depths) = ([ScreenVertex::EMPTY; PAWN.cache_len()], [0; 200 * 20]);
+    let (mut cache, mut depths) = ([ScreenVertex::EMPTY; PAWN.vertices().len()], [0; 200 * 20]);
     let viewport = Viewport::new(Point::zero(), SIZE).expect("a small display");
     let sphere = Sphere { centre: Point3::from_ints(0, 62, 0), radius: Scalar::from_int(80) };
     let camera =

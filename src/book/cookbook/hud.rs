@@ -30,7 +30,7 @@ impl Hud {
         micros: u32,
         to: &mut D,
     ) -> Result<(), D::Error> {
-        let (Self(mesh, strip, times), mut levels) = (self, [0; TORUS.cache_len()]);
+        let (Self(mesh, strip, times), mut levels) = (self, [0; TORUS.vertices().len()]);
         times.rotate_left(1);
         times[59] = micros;
         let model = Affine::rotation_x(turn).rotate_z(turn + turn);

@@ -22,7 +22,7 @@ impl Chart {
     /// The touch screen: picks the bar that is seen at this pixel.
     pub fn touch(&mut self, at: Point) {
         let opaque = |_bar, _object: &Object<'_, ()>| |_face| Rgb565::BLACK; // a bar is seen in each pixel that it covers
-        let cache = &mut [ScreenVertex::EMPTY; CUBE.cache_len()];
+        let cache = &mut [ScreenVertex::EMPTY; CUBE.vertices().len()];
         let picked = self.bars().place(&self.camera()).pick(opaque, cache, at);
         self.picked = picked.map(|picked| picked.object);
     }

@@ -32,7 +32,7 @@ use crate::math::hints::{keep_rolled, opaque};
 /// 40 more: a floor magnified 5 to 28 times takes 31 in place of 8.5 a pixel, a room 63 in place of 29
 /// (`tools/bench/run cells X5 R1 plain bilinear M3`).
 ///
-/// **Mip levels** belong inside: `BilinearTexels::new(picture.texels())` of a [`MipPicture`](crate::texture::MipPicture) mixes where it is
+/// **Mip levels** belong inside: `BilinearTexels::new(MipTexels::new(&picture))` of a [`MipPicture`](crate::texture::MipPicture) mixes where it is
 /// magnified and shows its levels elsewhere. [`ColorKeyed`](crate::texture::ColorKeyed) texels cannot be mixed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BilinearTexels<S> {

@@ -32,7 +32,7 @@ pub struct MipTexels<S> {
 }
 
 impl<S> MipTexels<S> {
-    /// From texels whose upper half has the reduced copies already.
+    /// From a [`MipPicture`] by reference, or other texels whose upper half has the reduced copies already.
     pub const fn new(texels: S) -> Self {
         Self { texels, covered: 0 }
     }
@@ -69,14 +69,14 @@ impl<S: Texels> MipTexels<S> {
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-/// use pinhole::{prelude::*, texture::{MipPicture, Texels}};
+/// use pinhole::{prelude::*, texture::{MipPicture, MipTexels, Texels}};
 /// // Black and white rows in turn.
 /// let picture = core::array::from_fn(|row| [Gray8::new(255 * (row % 2) as u8); 8]);
 /// let rows: MipPicture<Gray8, 8, 8> = MipPicture::build(picture);
-/// let texture = Texture::new(rows.texels()); // `texture.at(..)` as of any texture
+/// let texture = Texture::new(MipTexels::new(&rows)); // `texture.at(..)` as of any texture
 /// # let _ = texture;
 /// // The lowest row, where a pixel covers one texel, and where it covers two.
-/// let texel = |covered| rows.texels().covered_by(covered).texel(0, u32::MAX).luma();
+/// let texel = |covered| MipTexels::new(&rows).covered_by(covered).texel(0, u32::MAX).luma();
 /// assert_eq!([texel(0), texel(1 << 16)], [255, 128]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,11 +105,6 @@ impl<C: Color, const W: usize, const H: usize> MipPicture<C, W, H> {
             }
         }
         Self([copies, picture])
-    }
-
-    /// Texels for a [`Texture`](crate::texture::Texture).
-    pub const fn texels(&self) -> MipTexels<&Self> {
-        MipTexels::new(self)
     }
 }
 

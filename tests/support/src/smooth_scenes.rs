@@ -115,7 +115,7 @@ impl Scene {
         }
         if let Some(contrast) = contrast {
             let (mut cache, mut bins) =
-                (vec![ScreenVertex::EMPTY; mesh.cache_len()], vec![0; mesh.smooth_bins_len()]);
+                (vec![ScreenVertex::EMPTY; mesh.vertices().len()], vec![0; mesh.smooth_bins_len()]);
             let transformed = instance.transform_depth(&mut cache);
             let beside = self.solid.edge_faces();
             let level = |face: u16| faces.get(usize::from(face)).copied().unwrap_or(NO_CREASES);

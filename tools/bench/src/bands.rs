@@ -209,9 +209,7 @@ macro_rules! faces {
 }
 
 faces!(solid, lit_solid(), transform, |band| &mut band.pixels());
-faces!(depth, lit_depth(), transform_depth, |band, depth| {
-    &mut band.pixels().depth_tested(&mut depth)
-});
+faces!(depth, lit_depth(), transform_depth, |band, depth| &mut band.pixels().depth_tested(&mut depth));
 faces!(active, lit_active(list: ActiveFace<Rgb565, 0>), transform, |band| &mut band.pixels());
 faces!(active_depth, lit_active_depth(list: ActiveFace<Rgb565>), transform_depth, |band, depth| {
     &mut band.pixels().depth_tested(&mut depth)

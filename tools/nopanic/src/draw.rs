@@ -4,11 +4,11 @@ use crate::any;
 use crate::inputs::{area, color, levels, pixel, report, rotation, size, wide_color};
 use crate::targets::{Least, Wire};
 use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::{Dimensions, Point};
+use embedded_graphics_core::geometry::Dimensions;
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, Rgb565};
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::{Drawable, Pixel};
-use pinhole::raster::{self, ScreenPoint};
+use pinhole::raster::ScreenPoint;
 use pinhole::space::{Model, World};
 use pinhole::{
     bands::{DirtyRegions, SmoothFrame, Tracked, TransferCost},
@@ -217,9 +217,9 @@ fn draw_pixels<T: Surface<Color = Rgb565>>(
     if let Some(corner) = ScreenPoint::from_subpixels(any(), any()) {
         report(fill_triangle([corner, ScreenPoint::default(), corner], shade(any() as usize), target));
     }
-    let ends = [(); 2].map(|()| raster::Pixel { x: any() as i16, y: any() as i16 });
+    let ends = [(); 2].map(|()| pixel());
     report(draw_line(ends[0], ends[1], shade(1), target));
-    let pixels = ends.map(|raster::Pixel { x, y }| Pixel(Point::new(x.into(), y.into()), shade(1)));
+    let pixels = ends.map(|end| Pixel(end, shade(1)));
     report(target.draw_pixels(pixels.into_iter()));
     let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
     report(instance.edges(|_| color()).cached(corners).hidden_line(&mut target.depth_tested(&mut depth)));
@@ -233,8 +233,7 @@ fn draw_anti_aliased<T: Surface<Color = Rgb565>>(
     target: &mut T,
 ) {
     let Scene { corners, depth, bin_storage, .. } = scene;
-    let [from, to] = [(); 2].map(|()| raster::Pixel { x: any() as i16, y: any() as i16 });
-    report(draw_line(from, to, stroke, target));
+    report(draw_line(pixel(), pixel(), stroke, target));
     report(instance.edges(|_| stroke).cached(corners).draw(target));
     report(instance.polyline(stroke, target));
     let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
@@ -315,9 +314,9 @@ fn change<'m>(
         0 => report(scene.add(object)),
         1 => scene.clear(),
         2 => *scene = pinhole::draw::Scene::default(),
-        _ => scene.objects_mut().iter_mut().for_each(|object| object.model = *model),
+        _ => scene.iter_mut().for_each(|object| object.model = *model),
     }
-    report((scene.objects(), scene.bounding_sphere()));
+    report((scene.len(), scene.bounding_sphere()));
 }
 
 /// What a scene is drawn with.
@@ -339,7 +338,7 @@ fn draw_scene(scene: &pinhole::draw::Scene<'_, Rgb565, 5>, camera: &Camera, stor
         let color = object.material;
         move |face: usize| color.dim((face + index) as u16)
     };
-    report((placed.iter().count(), placed.cache_len(), placed.face_bins_len()));
+    report(placed.iter().count());
     report(placed.iter().map(|(object, _)| object.mesh().faces().len()).sum::<usize>());
     report(placed.pick(shade, cache, pixel()));
     report(placed.sorted(shade, painter));
@@ -349,7 +348,6 @@ fn draw_scene(scene: &pinhole::draw::Scene<'_, Rgb565, 5>, camera: &Camera, stor
     faces.depth_only(&mut depth);
     report(faces.draw(shade, &mut target.depth_tested(&mut depth)));
     report((faces.statistics(), faces.bounds().count()));
-    report(placed.smooth_bins_len());
     if let Ok(mut edges) = faces.bin_smooth_edges(|index, _, edge| index == edge, edge_bins) {
         edges.keep_in(list);
         report(edges.bounds().count());
@@ -453,7 +451,6 @@ entries! {
 
     entry_smooth(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, memory: &mut [Rgb565], kept: &mut [u8], list: &mut [SmoothEdge]) { smooth(scene, mesh, memory, kept, list) }
 
-    entry_raster_pixel(point: ScreenPoint) -> raster::Pixel { point.pixel() }
     entry_raster_screen_point() -> Option<ScreenPoint> { ScreenPoint::from_subpixels(any(), any()) }
 
     entry_dirty_new(area: Rectangle) -> DirtyRegions<7> { DirtyRegions::new(area, TransferCost::new(any() as u32, any() as u16)).with_steps(any() as u16, any() as u16) }

@@ -9,7 +9,7 @@ use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::raster::{Gradient, Pixel, ScreenPoint, Triangle};
+use pinhole::raster::{Gradient, ScreenPoint, Triangle};
 use pinhole::shading::{Lit, Varying};
 use pinhole::space::{Model, Ndc, View, World};
 use pinhole::{
@@ -84,12 +84,10 @@ entries! {
     entry_framing(sphere: &Sphere, viewport: &Viewport, fov: Angle, yaw: Angle, pitch: Angle) -> Result<Camera, CameraError> {
         Camera::framing(sphere, viewport, fov, yaw, pitch)
     }
-    entry_buffer_lengths(mesh: &Mesh<'static>) -> [usize; 4] { [mesh.cache_len(), mesh.face_bins_len(), mesh.edge_bins_len(), pinhole::largest(&[any() as usize, any() as usize])] }
+    entry_buffer_lengths(mesh: &Mesh<'static>) -> [usize; 4] { [mesh.vertices().len(), mesh.face_bins_len(), mesh.edge_bins_len(), pinhole::largest(&[any() as usize, any() as usize])] }
     entry_buffers(mesh: &mut MeshBuffers<9, 9, 9>, strip: &mut StripBuffers<8, 4>) { *mesh = MeshBuffers::default(); *strip = StripBuffers::default() }
     entry_orbit(yaw: Angle, pitch: Angle) -> ViewTransform { ViewTransform::orbit(point(), scalar(), yaw, pitch) }
-    entry_screen_points(at: ScreenPoint, pixel: Pixel, x: i32, y: i32) -> (Point, Point, Option<Pixel>) {
-        (at.into(), pixel.into(), Point::new(x, y).try_into().ok())
-    }
+    entry_screen_point(at: ScreenPoint) -> Point { at.into() }
     entry_angle_f32(degrees: f32) -> Result<Angle, MathError> { Angle::from_degrees_f32(degrees) }
     entry_point_f32(x: f32, y: f32, z: f32) -> Result<Point3<World>, MathError> { Point3::from_f32(x, y, z) }
     entry_vector_ints(x: i16, y: i16, z: i16) -> Vector3<World> { Vector3::from_ints(x, y, z) }
@@ -148,7 +146,7 @@ entries! {
     entry_edge_faces(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edge_faces(e) }
     entry_normals(mesh: Mesh<'static>, n: Vertices) -> Result<Mesh<'static>, MeshError> { mesh.with_normals(n) }
     entry_planes(mesh: Mesh<'static>, p: &'static [i16]) -> Result<Mesh<'static>, MeshError> { mesh.with_planes(p) }
-    entry_clusters(mesh: Mesh<'static>, p: &'static [i16]) -> Option<&'static [[i16; 8]]> { Some(mesh.with_clustered_planes(p).ok()?.clusters()) }
+    entry_clusters(mesh: &Mesh<'static>) -> &'static [[i16; 8]] { mesh.clusters() }
     entry_mesh_lists(mesh: &Mesh<'static>) -> [Vertices; 2] { [mesh.vertices(), mesh.normals()] }
     entry_mesh_edges(mesh: &Mesh<'static>) -> (Faces, [Edges; 2]) { (mesh.faces(), [mesh.edges(), mesh.edge_faces()]) }
     entry_mesh_numbers(mesh: &Mesh<'static>) -> (&'static [i16], i8) { (mesh.planes(), mesh.exponent()) }

@@ -309,9 +309,9 @@ entries! {
     entry_texture_of_known_size(faces: &mut Faces<'_>, texels: &Texels64) -> Result<(), TextureError> { faces.textured(texels) }
     entry_texture_with_mips(faces: &mut Faces<'_>, texels: &Texels64) -> Result<(), TextureError> {
         let built = MipPicture::build(*texels);
-        faces.textured(MipPicture::new(*built.copies(), *texels).texels())?;
-        faces.clamped_and_lit(built.texels())?;
-        faces.textured(BilinearTexels::new(built.texels()))?;
+        faces.textured(MipTexels::new(&MipPicture::new(*built.copies(), *texels)))?;
+        faces.clamped_and_lit(MipTexels::new(&built))?;
+        faces.textured(BilinearTexels::new(MipTexels::new(&built)))?;
         faces.clamped_and_lit(BilinearTexels::new(texels))
     }
     entry_texture_of_any_size(faces: &mut Faces<'_>, texels: &[Rgb565]) -> Result<(), TextureError> { faces.textured(TexelSlice::new(texels, any() as usize, any() as usize)?) }

@@ -13,7 +13,7 @@ use embedded_graphics_core::pixelcolor::BinaryColor;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::draw::{draw_line, fill_triangle};
 use pinhole::prelude::*;
-use pinhole::raster::{Pixel, ScreenPoint, Span};
+use pinhole::raster::{ScreenPoint, Span};
 use pinhole::target::LeastRun;
 
 pub fn scalar(bits: i32) -> Scalar {
@@ -46,11 +46,11 @@ pub fn screen_point(p: P) -> ScreenPoint {
     ScreenPoint::from_subpixels(x, y).expect("inside the guard band")
 }
 
-pub fn pixel(p: P) -> Pixel {
-    let (Ok(x), Ok(y)) = (i16::try_from(p.0), i16::try_from(p.1)) else {
-        panic!("{p:?} is no i16");
+pub fn pixel(p: P) -> Point {
+    let (Ok(x), Ok(y)) = (i32::try_from(p.0), i32::try_from(p.1)) else {
+        panic!("{p:?} is no i32");
     };
-    Pixel { x, y }
+    Point::new(x, y)
 }
 
 /// A target that keeps the spans that it is filled with, each as a rectangle of one row or one column.

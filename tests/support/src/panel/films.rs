@@ -12,7 +12,6 @@ use pinhole::{
     draw::draw_line,
     meshes::CUBE,
     prelude::*,
-    raster,
     target::LeastRun,
     Angle,
 };
@@ -96,8 +95,8 @@ impl Film {
 }
 
 /// Memory for the vertices and faces of an object.
-type Store = ([ScreenVertex; CUBE.cache_len()], [u16; CUBE.face_bins_len()]);
-const STORE: Store = ([ScreenVertex::EMPTY; CUBE.cache_len()], [0; CUBE.face_bins_len()]);
+type Store = ([ScreenVertex; CUBE.vertices().len()], [u16; CUBE.face_bins_len()]);
+const STORE: Store = ([ScreenVertex::EMPTY; CUBE.vertices().len()], [0; CUBE.face_bins_len()]);
 
 impl Thing {
     fn colour<C: Color + From<Rgb888>>(&self, face: usize) -> C {
@@ -251,12 +250,12 @@ pub fn film<M: Kind<ColorFormat: Colour>>(film: Film, frames: u32, way: Way) -> 
 }
 
 /// The ends of lines from the middle of a panel to every eighth point of its border: every direction.
-pub fn lines(size: Size) -> Vec<[raster::Pixel; 2]> {
-    let (width, height) = (size.width as i16, size.height as i16);
+pub fn lines(size: Size) -> Vec<[Point; 2]> {
+    let (width, height) = (size.width as i32, size.height as i32);
     let across = (0..width).step_by(8).flat_map(|x| [(x, 0), (x, height - 1)]);
     let down = (8..height - 1).step_by(8).flat_map(|y| [(0, y), (width - 1, y)]);
-    let middle = raster::Pixel { x: width / 2, y: height / 2 };
-    across.chain(down).map(|(x, y)| [middle, raster::Pixel { x, y }]).collect()
+    let middle = Point::new(width / 2, height / 2);
+    across.chain(down).map(|(x, y)| [middle, Point::new(x, y)]).collect()
 }
 
 /// The bytes and windows of [`lines`], drawn with this [`LEAST_RUN`](pinhole::target::Surface::LEAST_RUN). Asserts that the panel shows

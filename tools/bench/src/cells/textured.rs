@@ -29,7 +29,7 @@ pub(super) fn plain(accuracy: Accuracy) -> Texture<&'static [[Rgb565; 64]; 64]> 
 /// The picture with its reduced copies.
 pub(super) fn copies() -> Texture<MipTexels<&'static MipPicture<Rgb565, 64, 64>>> {
     static PICTURES: MipPicture<Rgb565, 64, 64> = MipPicture::new(COPIES, PICTURE);
-    Texture::new(PICTURES.texels())
+    Texture::new(MipTexels::new(&PICTURES))
 }
 
 /// The picture, mixed of four texels.

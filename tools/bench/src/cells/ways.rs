@@ -4,8 +4,9 @@ use super::{count, count_screen, draw_faces, drawn, Counted, Frame, Memory, Plai
 use crate::lists::TORUS_NORMALS;
 use crate::scene::{self, Model, Scene};
 use core::hint::black_box;
+use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565, Rgb888, RgbColor};
-use pinhole::raster::{Pixel, ScreenPoint};
+use pinhole::raster::ScreenPoint;
 use pinhole::{
     draw::{draw_line, fill_triangle, ShaderFor, StrokeFor},
     prelude::*,
@@ -92,7 +93,7 @@ macro_rules! ways {
                     let stroke = black_box(stroke);
                     let target = $target;
                     for &[x0, y0, x1, y1] in black_box(lines) {
-                        let [from, to] = [[x0, y0], [x1, y1]].map(|[x, y]| Pixel { x, y });
+                        let [from, to] = [[x0, y0], [x1, y1]].map(|[x, y]| Point::new(x.into(), y.into()));
                         let Ok(()) = draw_line(from, to, stroke, target);
                     }
                     Some(())

@@ -8,7 +8,7 @@ const IS_WHOLE: bool = ROWS == HEIGHT;
 const STRIP: usize = if IS_WHOLE { 0 } else { Frame::<Rgb565>::strip_bytes(WIDTH, ROWS) };
 const PIXELS: usize = if IS_WHOLE { (WIDTH * HEIGHT) as usize } else { 0 };
 const BINS: usize = if IS_WHOLE { 0 } else { MODEL.edge_bins_len() };
-type Buffers = MeshBuffers<{ MODEL.cache_len() }, 0, BINS>;
+type Buffers = MeshBuffers<{ MODEL.vertices().len() }, 0, BINS>;
 
 firmware!(|camera, turn, display: Rgb565|
     mesh: Buffers = Buffers::new(),

@@ -8,7 +8,7 @@ use pinhole::{bands::SmoothFrame, draw::SmoothEdge};
 const WIDE: usize = WIDTH as usize;
 
 firmware!(|camera, turn, display: Rgb565|
-    mesh: MeshBuffers<{ MODEL.cache_len() }, { MODEL.face_bins_len() }, { MODEL.smooth_bins_len() }> = MeshBuffers::new(),
+    mesh: MeshBuffers<{ MODEL.vertices().len() }, { MODEL.face_bins_len() }, { MODEL.smooth_bins_len() }> = MeshBuffers::new(),
     list: [SmoothEdge; 16] = [SmoothEdge::EMPTY; 16],
     // Two rows more than a band has, and the rows that wait.
     strip: [u8; 2 * WIDE * (ROWS as usize + 2)] = [0; 2 * WIDE * (ROWS as usize + 2)],
