@@ -57,10 +57,9 @@ impl<V: Coordinate, F> Edges<'_, V, F> {
     /// instance.depth_only(&mut [], &mut depth);
     /// instance.edges(|_| BinaryColor::On).hidden_line(&mut display.depth_tested(&mut depth))?;
     /// // The edge at the back is hidden: from (-1, 1, -1) to (1, -1, -1), through the middle.
-    /// let lit = |x, y| display.get_pixel(Point::new(x, y)).is_some();
-    /// let [from, to] = [2, 1].map(|i| instance.project(i).unwrap().point.pixel());
-    /// assert!(lit(from.x.into(), from.y.into()) && lit(to.x.into(), to.y.into()));
-    /// assert!(!lit((i32::from(from.x) + i32::from(to.x)) / 2, (i32::from(from.y) + i32::from(to.y)) / 2));
+    /// let lit = |at| display.get_pixel(at).is_some();
+    /// let [from, to] = [2, 1].map(|i| instance.project(i).unwrap().into());
+    /// assert!(lit(from) && lit(to) && !lit((from + to) / 2));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
