@@ -49,9 +49,8 @@ pub(super) fn fill<T: Surface, S: SpriteFor<T>, const DEPTH: bool>(
     }
     let (left, width) = (covered.left, covered.right - covered.left); // inside the guard band
     let (first, mut row) = (sprite.columns.walk(left), sprite.rows.walk(covered.top));
-    let texel_at = |column, row| source.texel_at(column, row);
     let tested = depth.as_deref_mut().filter(|_| DEPTH);
-    if sprite_fill::sprite(&covered, [first, row], strip, texel_at, sprite.depth, tested, target) {
+    if sprite_fill::sprite(&covered, [first, row], strip, source, sprite.depth, tested, target) {
         return Ok(());
     }
     for y in covered.rows() {

@@ -1,6 +1,6 @@
 //! One axis of a sprite: which pixels its rectangle covers, and which texel each of them shows.
 
-use crate::math::num::divide;
+use crate::math::num::{divide, divide_floor};
 use core::ops::Range;
 
 /// The columns or the rows of a sprite: a length on the screen that holds a number of texels of equal size.
@@ -44,11 +44,26 @@ impl SpriteAxis {
         let size = size as u32; // 1 … 2³⁰: it covers a pixel
         let offset = (256 * pixel + 128 - low) as u32; // 0 … size − 1
 
-        // Numerators below 2⁶² and 2⁴⁰, as `divide` needs.
-        let (texel, rest) = divide(u64::from(offset) * u64::from(texels), size);
-        let (step, step_rest) = divide(256 * u64::from(texels), size);
-        // Where a step is 2³² texels or more, there is no next pixel: all texels are fewer.
-        TexelWalk { texel: texel as u32, rest, step: step as u32, step_rest, size }
+        // Numerators below 2⁶² and 2⁴⁰.
+        let (texel, rest) = divided(u64::from(offset) * u64::from(texels), size);
+        let (step, step_rest) = divided(256 * u64::from(texels), size);
+        TexelWalk { texel, rest, step, step_rest, size }
+    }
+}
+
+/// `⌊n / size⌋`, modulo 2³², and the remainder, for n < 2⁶²: a step of 2³² texels or more leads to no pixel, as all texels are fewer.
+#[inline(never)] // code size: four calls
+fn divided(n: u64, size: u32) -> (u32, u32) {
+    match i32::try_from(n) {
+        // The common case, in a fifth of the instructions.
+        Ok(n) if size <= 1 << 22 => {
+            let (quotient, rest) = divide_floor(n, size as i32);
+            (quotient as u32, rest as u32)
+        }
+        _ => {
+            let (quotient, rest) = divide(n, size);
+            (quotient as u32, rest)
+        }
     }
 }
 

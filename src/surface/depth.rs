@@ -3,7 +3,7 @@
 use super::block_fill::fill_words;
 use super::{each_run, inside};
 use crate::math::hints::{keep_branch, keep_rolled};
-use crate::raster::{Gradient, LineSpans, Scissor, Span};
+use crate::raster::{Gradient, LineSpans, PixelLayout, Scissor, Span};
 use crate::surface::BufferError;
 use bytemuck::pod_align_to_mut;
 use embedded_graphics_core::geometry::Point;
@@ -121,6 +121,14 @@ impl<'a> DepthBuffer<'a> {
         let row = (y.wrapping_sub(top_left.y) as usize).wrapping_mul(size.width as usize);
         let from = row.wrapping_add(x.wrapping_sub(top_left.x) as usize);
         self.values.get_mut(from..from.wrapping_add(width as usize))
+    }
+
+    /// All depths, the index of a pixel's, which lies in the area, and how much larger that of the pixel below is.
+    #[inline(always)]
+    pub(crate) fn rows_from(&mut self, x: i32, y: i32) -> (&mut [u16], usize, usize) {
+        let Rectangle { top_left, size } = self.area;
+        let layout = PixelLayout::new(top_left.x, top_left.y, size.width as usize);
+        (self.values, layout.at(x, y), layout.stride)
     }
 
     /// The depth test: stores the depth of those pixels of a span that are nearer than the depth buffer, and calls `visible` for
