@@ -142,7 +142,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> BinnedFaces<'a, V, DEPTH> {
     /// the height field F1 of 64 × 64 vertices 166 with each face in one colour; three times the square root of the number of visible faces is
     /// enough for most meshes. A face that finds no entry is set up again in the next band.
     ///
-    /// Carried are faces of one colour, such as a color or [`Flat`](crate::shading::Flat), that are at most 32 rows high and not
+    /// Carried are faces of one colour, such as a color or [`Flat`](crate::shading::Flat) without fog, that are at most 32 rows high and not
     /// clipped, drawn into the `pixels()` of bands that follow each other from top to bottom. All others are set up in each band. On a Cortex-M0 no face is
     /// carried. The closure that shades a face is called in the first band that the face lies in, and in further bands unless the face is
     /// carried into them: a carried face keeps its colour.
@@ -191,7 +191,7 @@ impl<C: PixelColor, const WORDS: usize> FaceList<C> for ActiveFaces<'_, C, WORDS
         shade: impl FnMut(usize) -> S,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let carries = WORDS == 0 && <S as SpanShader<C>>::Ink::IS_OPAQUE && carried::has_memory(band);
+        let carries = WORDS == 0 && is_carried::<C, S>() && carried::has_memory(band);
         let region = faces.advance_list(&band.area(), None, carries);
         faces.each_carried::<_, _, false>(&region, carries, shade, band, None)
     }
@@ -204,10 +204,8 @@ impl<C: PixelColor, const WORDS: usize> FaceList<C> for ActiveFaces<'_, C, WORDS
         band: &mut T,
     ) -> Result<(), T::Error> {
         let mut target = DepthTarget::new(depth, band);
-        let carries = <S as SpanShader<C>>::Ink::IS_OPAQUE
-            && <S as SpanShader<C>>::WRITES_DEPTH
-            && target.is_aligned
-            && carried::has_memory(band);
+        let carries =
+            is_carried::<C, S>() && S::WRITES_DEPTH && target.is_aligned && carried::has_memory(band);
         let region = faces.advance_list(&band.area(), Some(target.buffer), carries);
         faces.each_carried::<_, _, true>(&region, carries, shade, band, Some(&mut target))
     }
@@ -299,6 +297,11 @@ impl<C: PixelColor, V: Coordinate, const DEPTH: bool, const WORDS: usize>
         list.below = Some([scissor.left, scissor.right, scissor.bottom]);
         Ok(())
     }
+}
+
+/// Whether faces of a shader can be carried: not if its colour depends on depth or w, as in fog.
+const fn is_carried<C: PixelColor, S: SpanShader<C>>() -> bool {
+    S::Ink::IS_OPAQUE && !S::NEEDS_DEPTH && !S::NEEDS_W
 }
 
 /// The depths of a depth buffer, or none.

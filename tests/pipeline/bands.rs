@@ -9,6 +9,7 @@ use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
     bands::{DirtyRegions, Tracked, TransferCost},
     draw::ActiveFace,
+    fog::{Fog, FogTable},
     prelude::*,
     target::BufferError,
 };
@@ -436,6 +437,30 @@ fn in_any_order(instance: &MeshInstance<'_>, rows: u32, length: usize, order: &[
             let Ok(()) = solid[core].draw(colour, target);
         });
         assert!(found == wanted, "band {number} of {rows} rows without depth, {length} entries, {order:?}");
+    }
+}
+
+/// Faces in fog, whose colours depend on their depth, are the same with a list as without.
+#[test]
+fn active_faces_are_in_fog() {
+    let torus = torus(20, 10);
+    let mesh = Mesh::new(&torus.vertices, torus.exponent, &torus.faces).expect("a mesh");
+    let (camera, all) = (cube_camera((0, 0, 64, 64)).library(), rectangle(0, 0, 64, 64));
+    for turn in 0..8 {
+        let instance = camera.place(&mesh, &ModelBits(vec![Step::Y(turn << 29)]).library());
+        let fog = Fog::new(Scalar::from_int(1), Scalar::from_int(8)).expect("a fog");
+        let fog = FogTable::new(&fog, &camera, Gray8::new(99)).expect("a table");
+        let shade = |face| Fogged::new(colour(face), &fog);
+        let (wanted, _) = memory_with(all, all, Gray8::BLACK, &mut |target, depth| {
+            let Ok(_) = instance.faces(shade).draw(&mut target.depth_tested(depth));
+        });
+        let (mut cache, mut bins) = (vec![ScreenVertex::EMPTY; 200], vec![0; mesh.face_bins_len()]);
+        let (mesh, mut list) = (instance.transform_depth(&mut cache), vec![ActiveFace::EMPTY; 99]);
+        let mut faces = mesh.bin_faces(&mut bins).expect("room").with_active_faces(&mut list);
+        let found = bands(all, Gray8::BLACK, 4, &mut |band, depth| {
+            let Ok(()) = faces.draw(shade, &mut band.pixels().depth_tested(depth));
+        });
+        assert!(found == wanted, "turn {turn}");
     }
 }
 
