@@ -1,7 +1,6 @@
 //! The README's steps, executed literally in an empty folder: the first program prints its picture, and the template for
 //! firmware links for three kinds of cores.
 
-use crate::cross::{has_tools, symbols, target_dir};
 use crate::floats::is_float_routine;
 use pinhole_apps_support::bodies::{self, circle, prism, Body};
 use pinhole_apps_support::testing;
@@ -65,7 +64,7 @@ fn the_readme_leads_from_an_empty_folder_to_firmware_for_rv32imc() {
 /// Follows the README's commands for a target. The image must have the entry, this template's picture and no routine for
 /// floating point or for formatting text.
 fn links_firmware(target: &str, entry: &str) {
-    if !has_tools(target) {
+    if !firmware::has_compiler(&format!("firmware for {target}"), target) {
         return;
     }
     // One at a time: all are built into one folder, and cargo takes them for one package, which it builds again where a file is
@@ -189,9 +188,14 @@ fn is_set_as_the_readme_says(folder: &Folder, target: &str) {
     assert_eq!(address("_stack_start"), 0x2000_0000 + (16 << 10), "the end of its RAM");
 }
 
+fn target_dir() -> PathBuf {
+    firmware::target_dir(env!("CARGO_TARGET_TMPDIR"))
+}
+
 /// The symbols of the firmware's image, one a line.
 fn firmware_symbols(target: &str) -> String {
-    symbols(&target_dir().join(target).join("release/firmware"))
+    let image = target_dir().join(target).join("release/firmware");
+    firmware::run(firmware::cross(&target_dir()).args(["bash", "-c", "\"$NM\" \"$1\"", "nm"]).arg(image))
 }
 
 /// A copy has all modules that it names, laid out as in the repository, and names nothing outside.

@@ -40,7 +40,7 @@ include!(concat!(env!("OUT_DIR"), "/model.rs"));
 #[used]
 static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 
-/// Bytes of the second core's stack. Drawing takes less than 3 KB, which `tools/bench/run cores` in pinhole's repository tests.
+/// Bytes of the second core's stack. Drawing takes less than 3 KB, which `tools/bench/run bands` in pinhole's repository tests.
 const STACK_BYTES: usize = 4096;
 static STACK: PaintedStack<{ STACK_BYTES / size_of::<usize>() }> = PaintedStack::new();
 

@@ -9,7 +9,6 @@ mod elf;
 mod footprint;
 mod growth;
 mod record;
-mod two_cores;
 mod way;
 
 /// Cycles from instructions: timing tables of the Cortex-M cores and of an ESP32-C3, and how long flash takes.
@@ -41,7 +40,6 @@ const CYCLES: Set = Set { name: "cycles", command: "cycles", keys: CELL };
 const GROWTH: Set = Set { name: "growth", command: "growth", keys: &["way", "core"] };
 const CHIPS: Set = Set { name: "chips", command: "chips", keys: &["chip"] };
 const FRAMES: Set = Set { name: "frames", command: "chips", keys: &["chip", "scene", "variant", "rows"] };
-const CORES: Set = Set { name: "cores", command: "cores", keys: CELL };
 const FOOTPRINT: Set = Set { name: "footprint", command: "footprint", keys: &["image", "target", "level"] };
 const WAY: Set = Set { name: "way", command: "way", keys: CELL };
 
@@ -50,26 +48,32 @@ type Measured = Vec<(Set, Vec<Value>)>;
 
 /// What the words of the command line measure.
 type Measure = fn(&mut Vec<String>) -> Result<Measured>;
-const MEASURES: [(&str, Measure); 8] = [
+const MEASURES: [(&str, Measure); 7] = [
     ("speed", |failures| Ok(vec![(CELLS, cells::rows(&[], failures)?)])),
     // The cells in bands alone, with what they are compared with.
-    ("bands", |failures| Ok(vec![(CELLS, cells::rows(&BANDS.split(' ').collect::<Vec<_>>(), failures)?)])),
+    ("bands", |failures| {
+        let mut rows = cells::rows(&BANDS.split(' ').collect::<Vec<_>>(), failures)?;
+        rows.extend(cells::rows(&TWO_CORES, failures)?);
+        by_two_cores()?;
+        Ok(vec![(CELLS, rows)])
+    }),
     ("cycles", |failures| Ok(vec![(CYCLES, cycles::rows(&cycles::STATED, failures)?)])),
     ("growth", |_| Ok(vec![(GROWTH, growth::rows()?)])),
     ("chips", |failures| Ok([CHIPS, FRAMES].into_iter().zip(chips::rows(failures)?).collect())),
-    ("cores", |failures| Ok(vec![(CORES, two_cores::rows(failures)?)])),
     ("way", |failures| Ok(vec![(WAY, way::rows(failures)?)])),
     ("footprint", |failures| Ok(vec![(FOOTPRINT, footprint::measure(&footprint::BUILDS, failures)?)])),
 ];
 
 /// Cells in bands, and in one piece.
-const BANDS: &str = "S3 S4 M3 full full-z bands8 bands8-z bands16 bands16-z active8 active8-z";
+const BANDS: &str = "S3 S4 M3 full full-z bands8 bands8-z bands16 active8 active8-z";
+/// Bands by two cores, and by one.
+const TWO_CORES: [&str; 6] = ["S3", "S4", "M0", "M3", "bands16-z", "cores16-z"];
 /// Cells that may not become slower, and textures by each accuracy of `docs/accuracy.md`, whose costs must be those of the page.
 const GUARDED: [&str; 7] = ["S1", "S2", "S3", "plain", "z", "M0", "M3"];
 const TEXTURES: [&str; 8] = ["X1", "X2", "X3", "X4", "plain", "eighth", "sixteenth", "M3"];
 
 const USAGE: &str = "\
-tools/bench/run [--check] speed | bands | cycles | growth | chips | cores | way | footprint ...
+tools/bench/run [--check] speed | bands | cycles | growth | chips | way | footprint ...
 tools/bench/run guard [--rebase]
 tools/bench/run cells [--write] [SCENE...] [VARIANT...] [M0 | M3 | M4F | RV32]
 tools/bench/run cycles SCENE... [VARIANT...] [M0 | M0+ | M3 | M4 | M33]
@@ -125,6 +129,16 @@ fn guard(failures: &mut Vec<String>) -> Result<()> {
     CELLS.check(&rows, Strictness::Change, failures)?;
     let rows = footprint::measure(footprint::M3_AT_3, failures)?;
     FOOTPRINT.check(&rows, Strictness::Growth, failures)
+}
+
+/// Runs the firmware that fails if the picture of two cores differs from that of one, with the code for an M0 and for an M3 on two
+/// Cortex-M33.
+fn by_two_cores() -> Result<()> {
+    for core in core::CORES.into_iter().filter(|core| ["M0", "M3"].contains(&core.name)) {
+        core.build().cargo("build", &["--package=cores".into()])?;
+        core::run("two-M33", &core.build().image("two_cores"))?;
+    }
+    Ok(())
 }
 
 fn measured(names: &[&str], failures: &mut Vec<String>) -> Result<Measured> {

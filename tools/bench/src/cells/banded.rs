@@ -138,6 +138,79 @@ impl Sent {
     }
 }
 
+/// What two cores need to draw a model in bands of 16 rows: a mesh's vertices and bins, a strip for each core, and the second cursor over
+/// binned faces.
+pub struct TwoCores<const BINS: usize, const CORNERS: usize>(
+    MeshBuffers<CORNERS, BINS>,
+    [StripBuffers<{ bands::bytes(16) }, { bands::pixels(16) }>; 2],
+    [u16; BINS],
+);
+
+/// Runs the first and the second core's part of a stage: 0 transforms, 1 bins, 2 draws.
+pub type Both<'b> = &'b mut dyn FnMut(usize, &mut (dyn FnMut() + Send), &mut (dyn FnMut() + Send));
+
+impl<const BINS: usize, const CORNERS: usize> TwoCores<BINS, CORNERS> {
+    pub const NEW: Self = Self(MeshBuffers::new(), [const { StripBuffers::new() }; 2], [0; BINS]);
+
+    /// A frame with depth, until both cores have drawn their bands. One core does the parts of both, one after the other; of a stage that
+    /// both would do at once, the longer part counts.
+    pub(super) fn faces(&mut self, model: &'static Model) -> Option<Counted> {
+        let scene = Scene::new(model)?;
+        let light = scene.light()?;
+        let (mut clock, mut display, mut parts) = (Clock::new()?, Display::default(), [[0; 2]; 3]);
+        self.frame(&scene, &light, &mut display, &mut |stage, first, second| {
+            let [of_first, of_second] = &mut parts[stage];
+            *of_first += clock.count(first).unwrap_or(u32::MAX / 64);
+            *of_second += clock.count(second).unwrap_or(u32::MAX / 64);
+        })?;
+        let mut good = true;
+        let mut once = |display: &mut Display| {
+            good &= self
+                .frame(&scene, &light, display, &mut |_, first, second| {
+                    first();
+                    second();
+                })
+                .is_some();
+        };
+        let all = clock.count(&mut || once(&mut display))?;
+        let crc = display.look(&mut once);
+        let at_once: u32 = parts.iter().map(|[first, second]| first.min(second)).sum();
+        good.then_some(Counted { instructions: all.checked_sub(at_once)?, crc })
+    }
+
+    /// Draws a frame, of which `both` runs the parts.
+    #[inline(never)]
+    pub fn frame(&mut self, scene: &Scene, light: &Lambert, to: &mut Display, both: Both<'_>) -> Option<()> {
+        let (scene, light) = black_box((scene, light));
+        let Self(MeshBuffers { cache, bins, .. }, [even, odd], cursor) = self;
+        let instance = scene.place();
+        let transformed = instance.split_transform_depth(cache, |first, second| both(0, first, second));
+        let mut faces = transformed.split_bin_faces(bins, |first, second| both(1, first, second)).ok()?;
+        let [mut first, mut second] = faces.fork(cursor).ok()?;
+        let (frame, shade) = (pinhole::bands::Frame::new(area(), BACKGROUND), scene.shade(light));
+        let draw = |faces: &mut BinnedFaces<'_>, index, strip: &mut StripBuffers<_, _>| {
+            let Some(mut band) = frame.nth_band(index, &mut strip.colors).ok()? else { return Some(()) };
+            let mut depth = DepthBuffer::new(band.area(), &mut strip.depths).ok()?;
+            faces.draw(&shade, &mut band.pixels().depth_tested(&mut depth)).ok()
+        };
+        let bands = area().size.height.div_ceil(16);
+        for index in (0..bands).step_by(2) {
+            let mut drawn = [None; 2];
+            let [on_even, on_odd] = &mut drawn;
+            both(2, &mut || *on_even = draw(&mut first, index, even), &mut || {
+                *on_odd = draw(&mut second, index + 1, odd)
+            });
+            drawn.iter().try_for_each(|drawn| *drawn)?;
+            to.take_bytes(&even.colors);
+            if index + 1 < bands {
+                to.take_bytes(&odd.colors);
+            }
+        }
+        black_box(faces.statistics());
+        Some(())
+    }
+}
+
 /// Memory of a wheel of 144 vertices, 288 faces and 432 edges, and of a strip of 16 rows of one bit.
 pub struct Wheel(
     MeshBuffers<144, { 288 + 18 + 32 }, { 432 + 27 + 32 }>,

@@ -11,7 +11,7 @@ mod sprites;
 mod textured;
 mod ways;
 
-pub use banded::{Listed, Sampled, Sent, SmoothStrip, Strip, Wheel};
+pub use banded::{Both, Listed, Sampled, Sent, SmoothStrip, Strip, TwoCores, Wheel};
 pub use field::{Banded, Whole};
 pub use memory::{Deep, Frame, Memory, Plain, Smooth};
 pub use screen::Screen;
@@ -56,7 +56,7 @@ pub const ICO: usize = 2892;
 
 /// Bins of the faces of each, or of the cube's edges.
 const CUBE_BINS: usize = scene::CUBE.mesh.face_bins_len();
-pub(crate) const TORUS_BINS: usize = scene::TORUS.mesh.face_bins_len();
+pub const TORUS_BINS: usize = scene::TORUS.mesh.face_bins_len();
 /// And of its edges to be smoothed.
 pub(crate) const TORUS_EDGE_BINS: usize = TORUS_SMOOTH.mesh.smooth_bins_len();
 const ICO_BINS: usize = scene::ICO.mesh.face_bins_len();

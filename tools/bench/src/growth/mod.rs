@@ -7,6 +7,7 @@ mod texture;
 mod work;
 
 pub use cases::{Case, CASES};
+pub use texture::{coordinates, UNIT};
 
 use self::texture::textured;
 use crate::bands::{self, EdgeStorage, Storage};

@@ -10,7 +10,7 @@ use pinhole::{
 /// A side of the picture, in texels.
 const SIDE: usize = 64;
 /// The unit of coordinates as a power of two, in sides of the picture: a mesh as large as coordinates allow shows it four times.
-const UNIT: i8 = -14;
+pub const UNIT: i8 = -14;
 /// Texels in a unit of coordinates.
 #[cfg(feature = "report")]
 pub(super) const TEXELS_OF_UNIT: f64 = SIDE as f64 / (1 << 14) as f64;
@@ -31,7 +31,7 @@ pub(super) fn textured<'s>(
 
 /// Texture coordinates of a face's corners: the two axes that the face is turned to least.
 #[inline(always)]
-pub(super) fn coordinates(mesh: &Mesh<'_>, face: usize, normal: [i16; 3]) -> [[i16; 2]; 3] {
+pub fn coordinates(mesh: &Mesh<'_>, face: usize, normal: [i16; 3]) -> [[i16; 2]; 3] {
     let [x, y, z] = normal.map(i16::unsigned_abs);
     mesh.corners_of(face, mesh.vertices()).map(|[px, py, pz]| match (x >= y && x >= z, y >= z) {
         (true, _) => [if normal[0] > 0 { -pz } else { pz }, -py],
