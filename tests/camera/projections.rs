@@ -6,7 +6,7 @@ use pinhole::space::World;
 use pinhole::{camera::CameraError, prelude::*};
 use support::bridge::pair::{random_view, rows, window, ViewBits, ONE};
 use support::bridge::{point, reals, rectangle, scalar, vector};
-use support::definition::Family;
+use support::definition::{Family, Projectors};
 use support::oracle::chain::{self, fx, V3};
 use support::oracle::rng::Rng;
 
@@ -39,6 +39,66 @@ fn s3_worked_example_a_is_a_view() {
     // The other constructor gives an equal view.
     let (eye, up) = (Point3::from_ints(1, 2, 3), Vector3::from_ints(0, 1, 0));
     assert_eq!(ViewTransform::look_at(eye, Point3::from_ints(-1, 3, 1), up), Ok(v));
+}
+
+/// The worked set-ups of docs/spec.md, section 4, by VRP, VPN and projection.
+fn set_ups() -> [(ViewBits, Family); 4] {
+    const H: i32 = ONE / 2;
+    let (back, up, window) =
+        (-4 * ONE, [0, ONE, 0], |low: i32, high: i32| [low, high, low, high].map(|side| side * ONE));
+    let far = [0, 0, 10 * ONE];
+    [
+        ([0; 3], [0, 0, ONE], Family::Reference([H, H, ONE], window(-1, 3), H, back)),
+        ([2 * ONE, H, 0], [ONE, 0, ONE], Family::Reference(far, window(-10, 20), H, back)),
+        ([2 * ONE, H, 0], [ONE, 0, ONE], Family::Reference(far, window(-1, 2), H, back)),
+        ([ONE, H, 0], [0, 0, ONE], Family::ReferenceParallel(far, window(-2, 2), H, back)),
+    ]
+    .map(|(vrp, vpn, family)| (ViewBits::Reference(vrp, vpn, up), family))
+}
+
+#[test]
+fn s4_worked_set_ups() {
+    // The cube [0, 1]² × [−1, 0].
+    let cube: [[i32; 3]; 8] =
+        core::array::from_fn(|k| [k as i32 & 1, k as i32 >> 1 & 1, (k as i32 >> 2) - 1]);
+    let area = rectangle(0, 0, 240, 240);
+    let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
+    let exact = set_ups().map(|(view, family)| {
+        let camera =
+            Camera::new(&view.library().expect("a view"), &family.library().expect("a volume"), &viewport);
+        cube.map(|corner| {
+            let at = view.exact().apply(corner.map(f64::from));
+            let exact = family.picture().screen(&chain::Viewport::new(0, 0, 240, 240), at);
+            let seen = camera.project(point(corner.map(|c| c * ONE))).expect("in view").point;
+            close(
+                &[seen.x(), seen.y()].map(|c| f64::from(c) / 256.0),
+                &[exact.0, exact.1],
+                1.0 / 256.0,
+                "a corner",
+            );
+            exact
+        })
+    });
+    // By hand. One-point: the face z = 0 lies in the view plane, so 1 unit is 60 px and (0, 0) is at
+    // 60 px from the left; the far face z = −1 is twice as far from the PRP, hence half as large about (½, ½).
+    let near_to = |got: (f64, f64), x: f64, y: f64| close(&[got.0, got.1], &[x, y], 1e-9, "by hand");
+    near_to(exact[0][4], 60.0, 180.0);
+    near_to(exact[0][0], 75.0, 165.0);
+    // Parallel: DOP (0, 0, −10) is along n, so both faces coincide: 60 px a unit about (1, ½).
+    near_to(exact[3][0], 60.0, 150.0);
+    assert_eq!(exact[3][0], exact[3][4]);
+}
+
+#[test]
+fn s4_the_direction_of_a_parallel_projection_is_window_center_minus_prp() {
+    let Projectors::Along(d) = set_ups()[3].1.picture().projectors else { panic!("parallel") };
+    assert_eq!(d, [0.0, 0.0, -10.0]);
+    // Off the centre it is oblique: a unit of depth moves by (2, −1)/4 of a unit.
+    let (prp, area) = (point([-2 * ONE, ONE, 4 * ONE]), window([-ONE, ONE, -ONE, ONE]));
+    let lens = Projection::parallel_from_reference(prp, area, scalar(0), scalar(-4 * ONE)).expect("a volume");
+    let got = lens.apply(point([0, 0, -4 * ONE])).expect("a point before the eye");
+    // DOP = (0, 0, 0) − (−2, 1, 4) = (2, −1, −4): from (0, 0, −4) back along it to (−2, 1, 0).
+    assert_eq!(reals(got), [-2.0, 1.0, 1.0]);
 }
 
 /// A planar projection through a window of −1 … 1, between these planes: images are in the plane's own coordinates.

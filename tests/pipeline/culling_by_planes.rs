@@ -1,9 +1,7 @@
-//! Culling by face planes and by clusters leaves every picture and the order of faces unchanged, except for faces that face away and that the snap of
-//! their corners turns to the front. Meshes that the near plane and the guard band cut are equal in every way of drawing: solid, with depth,
+//! Culling by clusters draws the picture of culling by face planes, which `fuzz/targets/scene/facing.rs` compares with culling by area. Meshes that the near plane and the guard band cut are equal in every way of drawing: solid, with depth,
 //! culled by planes, in bands, in painter's order, as wireframes and with hidden lines; faces that are culled before they are cut are those
 //! that are drawn only without culling. `Cull::Front` draws what `Cull::Back` draws of the mesh with all faces turned over.
 
-use core::convert::Infallible;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
@@ -18,7 +16,6 @@ use support::bridge::ways::{
     bands, by_clusters, by_every_call, by_planes, lines_by_every_call, screen, Drawn, Lines,
 };
 use support::oracle::rng::Rng;
-use support::oracle::target::Screen;
 use support::{solids, teapot};
 
 const WIDTH: u32 = 90;
@@ -31,79 +28,6 @@ const LINE: Rgb565 = Rgb565::WHITE;
 /// The number of a face, as a colour; black is none.
 fn color(face: usize) -> Rgb565 {
     Rgb565::from(RawU16::new(face as u16 + 1))
-}
-
-/// The pictures of all draw calls, the faces that were shaded at once without depth, in order, and the counts.
-type Drawing = (Drawn<Rgb565>, Vec<u16>, Statistics);
-
-fn draw<V: Coordinate>(instance: &MeshInstance<'_, V>) -> Drawing {
-    let (drawn, counted) = by_every_call(instance, AREA, Rgb565::BLACK, &[7, HEIGHT], &color);
-    let faces = shaded(|shade, target| instance.faces(shade).draw(target));
-    (drawn, faces, counted)
-}
-
-/// [`draw`] where planes cull.
-fn draw_by_planes<V: Coordinate>(instance: &MeshInstance<'_, V>) -> Drawing {
-    let (drawn, counted) = by_planes(instance, AREA, Rgb565::BLACK, &color);
-    let faces = shaded(|shade, target| instance.faces(shade).culled_by_planes().draw(target));
-    (drawn, faces, counted)
-}
-
-/// The faces that a draw call shades, in order.
-fn shaded(
-    draw: impl Fn(&mut dyn FnMut(usize) -> Rgb565, &mut Screen<Rgb565>) -> Result<Statistics, Infallible>,
-) -> Vec<u16> {
-    let mut faces = Vec::new();
-    screen(AREA, &mut |target, _| {
-        let mut shade = |face| {
-            faces.push(face as u16);
-            color(face)
-        };
-        let Ok(_) = draw(&mut shade, target);
-    });
-    faces
-}
-
-#[derive(Default, Debug)]
-struct Tally {
-    drawn: u32,
-    culled: u32,
-    clipped: u32,
-    /// Faces that are culled by their planes, and that rounding turns over.
-    turned: usize,
-}
-
-/// Twice the area before corners are snapped, in 2⁻⁶⁴ pixels; positive for front faces.
-fn exact_area<V: Coordinate>(instance: &MeshInstance<'_, V>, face: [u16; 3]) -> Option<i128> {
-    let [a, b, c] = face.map(|index| instance.project_unsnapped(index.into()).map(|p| p.map(i128::from)));
-    let (a, b, c) = (a?, b?, c?);
-    Some((c[0] - a[0]) * (b[1] - a[1]) - (b[0] - a[0]) * (c[1] - a[1]))
-}
-
-fn compare<V: Coordinate>(instance: &MeshInstance<'_, V>, cull: Cull, tally: &mut Tally) {
-    let instance = &instance.with_cull(cull);
-    let count = instance.mesh().faces().len() as u32;
-    let (expected, faces, e) = draw(instance);
-    let (found, others, f) = draw_by_planes(instance);
-    let missing: Vec<u16> = faces.iter().copied().filter(|face| !others.contains(face)).collect();
-    for &face in &missing {
-        let area = exact_area(instance, instance.mesh().faces()[usize::from(face)]);
-        let is_culled = area.is_some_and(|area| if cull == Cull::Front { area > 0 } else { area < 0 });
-        assert!(is_culled, "face {face} is not culled: {area:?}");
-    }
-    assert!(faces.iter().filter(|face| !missing.contains(face)).eq(&others));
-    assert_eq!(f.drawn as usize + missing.len(), e.drawn as usize);
-    // A face that its plane turns away counts as culled, even if it is also outside or degenerate.
-    assert!(f.culled >= e.culled && f.degenerate <= e.degenerate && f.outside <= e.outside);
-    assert_eq!(f.drawn + f.culled + f.degenerate + f.outside, count);
-    let clipped = e.clipped.saturating_sub(missing.len() as u32)..=e.clipped;
-    assert!(clipped.contains(&f.clipped), "{f:?} {e:?}");
-    // In these views the missing faces cover no pixel.
-    assert!(found == expected, "other pixels");
-    tally.turned += missing.len();
-    tally.drawn += e.drawn;
-    tally.culled += e.culled;
-    tally.clipped += e.clipped;
 }
 
 fn camera(rng: &mut Rng, distance: f64, parallel: bool) -> CameraBits {
@@ -120,43 +44,6 @@ fn camera(rng: &mut Rng, distance: f64, parallel: bool) -> CameraBits {
         projection,
         viewport: (0, 0, WIDTH, HEIGHT),
     }
-}
-
-#[test]
-fn culling_by_planes_draws_the_same_teapot() {
-    let mesh = Mesh::new(&teapot::VERTICES, teapot::EXPONENT, &teapot::FACES).unwrap();
-    let mesh = mesh.with_normals(&teapot::NORMALS).unwrap();
-    let planes: [i16; 992] = mesh.face_planes();
-    let mesh = mesh.with_planes(&planes).unwrap();
-    let fixed = teapot::VERTICES.map(|v| v.map(|c| Scalar::from_bits(i32::from(c) << 6)));
-    let wide = Mesh::from_fixed(&fixed, &teapot::FACES).unwrap().with_normals(&teapot::NORMALS).unwrap();
-    let wide_planes: [i16; 992] = core::array::from_fn(|face| wide.face_plane(face));
-    assert_eq!(wide_planes, planes, "justified, they are the same numbers");
-    let wide = wide.with_planes(&wide_planes).unwrap();
-    let (mut rng, mut near, mut far) = (Rng::new(0xfac), Tally::default(), Tally::default());
-    for i in 0..160 {
-        // Inside, through near, in front of it, far away.
-        let distance = [5.0, 17.0, 40.0, 300.0][i % 4];
-        let camera = camera(&mut rng, distance, i % 5 == 0);
-        let mut model = ModelBits::random_rotation(&mut rng);
-        if i % 3 == 0 {
-            // Mirrored, and flat.
-            model.0.insert(0, Step::Scale([-ONE, ONE / 4, ONE]));
-        }
-        let tally = if i % 4 == 3 { &mut far } else { &mut near };
-        let (camera, model) = (camera.library(), model.library());
-        compare(&camera.place(&mesh, &model), Cull::Back, tally);
-        if i % 8 == 0 {
-            compare(&camera.place(&wide, &model), Cull::Back, tally);
-            compare(&camera.place(&mesh, &model), Cull::None, tally);
-            compare(&camera.place(&mesh, &model), Cull::Front, tally);
-        }
-    }
-    for tally in [&near, &far] {
-        assert!(tally.drawn > 15_000 && tally.culled > 15_000, "{tally:?}");
-        assert!(0 < tally.turned && (tally.turned as u32) < tally.drawn / 50, "{tally:?}");
-    }
-    assert!(near.clipped > 2500, "{near:?}");
 }
 
 /// A torus and a teapot in clusters, from within, through the near plane, far away and aside, mirrored, flat and in parallel projections:
@@ -250,23 +137,19 @@ fn clustered(vertices: &[[i16; 3]], faces: &[[u16; 3]]) -> ImportedMesh {
     import_bytes(obj.into(), "mesh.obj".as_ref(), &[], &options).unwrap()
 }
 
-/// Of a mesh without planes, only the order differs in which vertices are transformed.
 #[test]
-fn a_mesh_without_planes_is_not_culled_by_planes() {
+fn new_normals_remove_planes() {
     let mesh = Mesh::new(&teapot::VERTICES, teapot::EXPONENT, &teapot::FACES).unwrap();
     let mesh = mesh.with_normals(&teapot::NORMALS).unwrap();
-    // New normals remove the planes, which belonged to the old normals.
+    // They belonged to the old normals.
     let zeros = [0; 992];
     let replaced = mesh.with_planes(&zeros).unwrap().with_normals(&teapot::NORMALS).unwrap();
     assert_eq!((mesh.planes(), replaced), (&[][..], mesh));
     assert_eq!(mesh.with_planes(&zeros).unwrap().planes(), zeros);
-    let mut rng = Rng::new(0xfad);
-    for distance in [5.0, 17.0, 300.0] {
-        let camera = camera(&mut rng, distance, false).library();
-        let instance = camera.place(&mesh, &ModelBits::random_rotation(&mut rng).library());
-        let found = draw_by_planes(&instance);
-        assert!(found == draw(&instance) && found.2.drawn > 100, "{:?}", found.2);
-    }
+    // Of vertices of 32 bits, planes are equal: numbers are justified.
+    let fixed = teapot::VERTICES.map(|v| v.map(|c| Scalar::from_bits(i32::from(c) << 6)));
+    let wide = Mesh::from_fixed(&fixed, &teapot::FACES).unwrap().with_normals(&teapot::NORMALS).unwrap();
+    assert_eq!(core::array::from_fn(|face| wide.face_plane(face)), mesh.face_planes::<992>());
 }
 
 #[test]
@@ -326,6 +209,10 @@ fn every_way<V: Coordinate>(
     let [(reversed, counted), (turned, of_turned)] =
         [&reversed, turned].map(|instance| by_every_call(instance, CUT, Rgb565::BLACK, &heights, &color));
     assert_eq!(counted, of_turned);
+    assert!(
+        by_planes(&instance.with_cull(Cull::Front), CUT, Rgb565::BLACK, &color).0 == reversed,
+        "by planes"
+    );
     assert!(counted.drawn <= statistics.culled && statistics.drawn <= counted.culled);
     let pictures = [reversed, turned].map(|drawn| (drawn.solid, drawn.painted));
     assert!(counted.clipped > 0 || pictures[0] == pictures[1]);

@@ -1,16 +1,14 @@
 //! R1–R7 and R9: the library's coverage equals the exact edge functions, with no tolerance. Scissors and errors, of lines too.
 
 use embedded_graphics::pixelcolor::BinaryColor;
-use embedded_graphics::prelude::*;
-use embedded_graphics::primitives::Rectangle;
-use pinhole::draw::{draw_line, fill_triangle};
-use pinhole::target::LeastRun;
+use pinhole::draw::fill_triangle;
 use support::bridge;
 use support::bridge::compare;
 use support::oracle;
 use support::oracle::cases::GUARD;
 use support::oracle::coverage::{triangle, Area, P};
 use support::oracle::rng::Rng;
+use support::oracle::target::{Recorder, Refused};
 
 /// All ordered triples of points on a square lattice, repeated points included.
 fn exhaustive(side: i64, step: i64, origin: P, area: Area) {
@@ -137,49 +135,14 @@ fn scissors_of_extreme_bounds_crop_and_do_not_panic() {
     }
 }
 
-/// A target that refuses a fill after so many.
-struct Refuses {
-    after: usize,
-    calls: usize,
-}
-
-impl Dimensions for Refuses {
-    fn bounding_box(&self) -> Rectangle {
-        bridge::rectangle(0, 0, 16, 16)
-    }
-}
-
-impl DrawTarget for Refuses {
-    type Color = BinaryColor;
-    type Error = usize;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<BinaryColor>>>(&mut self, _: I) -> Result<(), usize> {
-        panic!("pixels in place of spans")
-    }
-
-    fn fill_solid(&mut self, _: &Rectangle, _: BinaryColor) -> Result<(), usize> {
-        self.calls += 1;
-        if self.calls > self.after {
-            return Err(self.after);
-        }
-        Ok(())
-    }
-}
-
+/// Lines are in `lines.rs`.
 #[test]
-fn an_error_of_the_target_ends_a_triangle_and_a_line_and_is_returned() {
+fn an_error_of_the_target_ends_a_triangle_and_is_returned() {
     let corners = [(0, 0), (4000, 100), (300, 4000)].map(bridge::screen_point);
-    let [from, to] = [(0, 0), (15, 11)].map(bridge::pixel);
-    type Draw<'a> = &'a dyn Fn(&mut Refuses) -> Result<(), usize>;
-    let draws: [Draw<'_>; 2] = [&|target| fill_triangle(corners, BinaryColor::On, target), &|target| {
-        draw_line(from, to, BinaryColor::On, &mut LeastRun::<_, 1>(target))
-    }];
-    for (draw, count) in draws.into_iter().zip([15, 12]) {
-        for n in 0..=count {
-            let mut target = Refuses { after: n, calls: 0 };
-            let result = draw(&mut target);
-            let wanted = if n < count { (Err(n), n + 1) } else { (Ok(()), count) };
-            assert_eq!((result, target.calls), wanted);
-        }
+    for n in 0..=15 {
+        let mut target = Recorder::failing(16, 16, n);
+        let result = fill_triangle(corners, BinaryColor::On, &mut target);
+        let wanted = if n < 15 { (Err(Refused(n)), n + 1) } else { (Ok(()), 15) };
+        assert_eq!((result, target.calls.len()), wanted);
     }
 }

@@ -1,24 +1,17 @@
 //! Translucency: faces over what is behind them, face by face. The levels of the colours themselves are tested in `colors.rs`.
 
-use crate::rays::{each_level, everywhere, floor, in_memory, mixed, usual, Faces, Tiles, AREA, SIZE, SKY};
+use crate::rays::{each_level, everywhere, usual, Faces, AREA, SIZE, SKY};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::raster::{Span, Triangle};
 use pinhole::{
-    color::{Alpha, Half},
     prelude::*,
     shading::{Shader, SpanShader, Translucent},
     target::Pixels,
-    texture::{ColorKeyed, Texels},
 };
 use support::bridge::ways::{memory, memory_with};
 use support::oracle::rng::Rng;
-use support::oracle::shade;
-
-fn halved(own: Rgb888, stored: Rgb888) -> Rgb888 {
-    each_level(own, stored, shade::halved)
-}
 
 /// Draws faces into memory, with depth.
 fn draw_deep<S: SpanShader<Rgb888>>(
@@ -72,34 +65,15 @@ fn check_scene<S: SpanShader<Rgb888>, B: SpanShader<Rgb888>>(
     }
 }
 
-/// In parts, and without depth: all pictures are equal, and no depth is stored.
-fn check_parts<B: SpanShader<Rgb888>>(front: &Faces, translucent: &dyn Fn(usize) -> B) {
-    let alone = in_memory(front, translucent);
-    assert!(alone.depths.iter().all(|&depth| depth == DepthBuffer::NOTHING) && alone.deep == alone.solid);
-}
-
+/// Any function of both colours: here, light that is added. Halves, alphas, keys and screen doors are in `fuzz/targets/translucent.rs`.
 #[test]
 fn translucent_faces_are_mixed_with_what_is_behind_them() {
     let scene = Faces::soup(&mut Rng::new(33), 120, 1200, 3000, |_| 0);
     let color = |face: usize| Rgb888::new(!(face as u8), (3 * face) as u8, 100);
-    check_scene(&scene, &color, &|face| Translucent::new(color(face), Half), &halved);
-    for alpha in [1, 11, 31, 32, 77] {
-        let mix = |own, stored| mixed(own, stored, alpha.min(32));
-        check_scene(&scene, &color, &|face| Translucent::new(color(face), Alpha::new(alpha)), &mix);
-    }
     let smooth = |face: usize| Gouraud::new([color(face), color(face + 70), color(face + 140)]);
-    check_scene(&scene, &smooth, &|face| Translucent::new(smooth(face), Alpha::new(20)), &|own, stored| {
-        mixed(own, stored, 20)
-    });
-    check_scene(&scene, &smooth, &|face| Translucent::new(smooth(face), Half), &halved);
-    // Any function of both colours: here, light that is added.
     let added = |own: Rgb888, stored: Rgb888| each_level(own, stored, u8::saturating_add);
     check_scene(&scene, &color, &|face| Translucent::new(color(face), added), &added);
     check_scene(&scene, &smooth, &|face| Translucent::new(smooth(face), added), &added);
-    check_parts(&scene, &|face| Translucent::new(smooth(face), Half));
-    check_parts(&scene, &|face| Translucent::new(color(face), added));
-    let nothing = in_memory(&scene, &|face| Translucent::new(color(face), Alpha::new(0)));
-    assert!(nothing.solid.iter().all(|&pixel| pixel == SKY));
 }
 
 /// A colour that is neither mixed nor stored as depth: it needs no memory to read.
@@ -136,21 +110,4 @@ fn depth_that_a_shader_does_not_write_is_stored_on_no_target() {
     let drawn = everywhere(&scene, &|face| Unstored(color(face)));
     assert!(drawn.depths.iter().all(|&depth| depth == DepthBuffer::NOTHING) && drawn.deep == drawn.solid);
     check_scene(&scene, &color, &|face| Unstored(color(face)), &|own, _| own);
-}
-
-/// Keyed textures and screen doors leave out the same pixels of translucent and of opaque faces.
-#[test]
-fn translucent_faces_may_leave_out_pixels() {
-    let soup = Faces::soup(&mut Rng::new(34), 120, 1200, 3000, |rng| rng.int(-480, 480) as i16);
-    let texture = Texture::new(ColorKeyed::new(Tiles, Tiles.texel(3 << 29, 5 << 29)));
-    let ninth = |own, stored| mixed(own, stored, 9);
-    for scene in &[soup, Faces::quad(floor(0.9, 300.0, 200.0), 20.0, 60, -6)] {
-        let shade = |face: usize| texture.at(scene.uv[face]);
-        check_scene(scene, &shade, &|face| Translucent::new(shade(face), Half), &halved);
-        check_scene(scene, &shade, &|face| Translucent::new(shade(face), Alpha::new(9)), &ninth);
-        check_parts(scene, &|face| Translucent::new(shade(face), Alpha::new(9)));
-        let door = |face: usize| ScreenDoor::new(shade(face), 23);
-        check_scene(scene, &door, &|face| Translucent::new(door(face), Alpha::new(9)), &ninth);
-        check_scene(scene, &door, &|face| ScreenDoor::new(Translucent::new(shade(face), Half), 23), &halved);
-    }
 }

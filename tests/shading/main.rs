@@ -6,7 +6,6 @@ mod bilinear;
 mod blended;
 mod colors;
 mod fog;
-mod left_out;
 mod levels;
 mod lights;
 mod lit_textures;

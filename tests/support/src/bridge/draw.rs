@@ -4,7 +4,7 @@ use super::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use crate::oracle::target::{Recorder, Refused};
 use embedded_graphics_core::pixelcolor::raw::RawU16;
 use embedded_graphics_core::pixelcolor::PixelColor;
-use pinhole::{mesh::Coordinate, prelude::*};
+use pinhole::{mesh::Coordinate, meshes, prelude::*};
 
 /// A colour that names what was drawn, such as the index of the face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,29 +18,20 @@ impl PixelColor for Shader {
 pub const CUBE: [[i16; 3]; 8] =
     [[-1, -1, -1], [1, -1, -1], [-1, 1, -1], [1, 1, -1], [-1, -1, 1], [1, -1, 1], [-1, 1, 1], [1, 1, 1]];
 
-/// The faces, counter-clockwise from outside: +x, −x, +y, −y, +z, −z, two each.
-pub const CUBE_FACES: [[u16; 3]; 12] = [
-    [1, 3, 7],
-    [1, 7, 5],
-    [0, 4, 6],
-    [0, 6, 2],
-    [2, 6, 7],
-    [2, 7, 3],
-    [0, 1, 5],
-    [0, 5, 4],
-    [4, 5, 7],
-    [4, 7, 6],
-    [0, 2, 3],
-    [0, 3, 1],
-];
+/// The faces, counter-clockwise from outside: +x, −x, +y, −y, +z, −z, two each. The ready cube numbers its vertices so, too.
+pub const CUBE_FACES: [[u16; 3]; 12] = match meshes::CUBE.faces().first_chunk() {
+    Some(faces) => *faces,
+    None => panic!("12 faces"),
+};
+pub const CUBE_EDGES: [[u16; 2]; 12] = match meshes::CUBE.edges().first_chunk() {
+    Some(edges) => *edges,
+    None => panic!("12 edges"),
+};
 
 /// The faces of the cube as seen from inside.
 pub fn room_faces() -> [[u16; 3]; 12] {
     CUBE_FACES.map(|[a, b, c]| [a, c, b])
 }
-
-pub const CUBE_EDGES: [[u16; 2]; 12] =
-    [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 
 /// Draws front faces in mesh order; face k in Shader(k).
 pub fn solid<V: Coordinate>(
