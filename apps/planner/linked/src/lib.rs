@@ -87,16 +87,9 @@ pub fn level(mesh: &Mesh<'_>, light: &Lambert, face: usize) -> u16 {
     mesh.normals().get(face).map_or(256, |&normal| light.level(normal))
 }
 
-/// Texture coordinates of a face's corners for a mesh that has none, as the planner computes them: from the two axes to which the
-/// face is turned least.
+/// [`bench::growth::coordinates`] of a face.
 pub fn coordinates(mesh: &Mesh<'_>, face: usize) -> [[i16; 2]; 3] {
-    let normal = mesh.normals().get(face).copied().unwrap_or_default();
-    let [x, y, z] = normal.map(i16::unsigned_abs);
-    mesh.corners_of(face, mesh.vertices()).map(|[px, py, pz]| match (x >= y && x >= z, y >= z) {
-        (true, _) => [if normal[0] > 0 { -pz } else { pz }, -py],
-        (_, true) => [px, if normal[1] > 0 { pz } else { -pz }],
-        _ => [if normal[2] > 0 { px } else { -px }, -py],
-    })
+    bench::growth::coordinates(mesh, face, mesh.normals().get(face).copied().unwrap_or_default())
 }
 
 /// All of a display, or of a picture.
@@ -105,7 +98,7 @@ pub fn area(display: &impl OriginDimensions) -> Rectangle {
 }
 
 /// The exponent of the planner's own texture coordinates, which [`coordinates`] computes.
-pub const UNIT: i8 = -14;
+pub use bench::growth::UNIT;
 
 /// The steps of a turn that are drawn and counted, of 120.
 pub const TURNS: [i32; 2] = [0, 23];
@@ -165,4 +158,50 @@ pub fn counted(frame: &mut dyn FnMut(Angle) -> Option<()>) -> Option<()> {
         println!("{turn},{instructions}");
     }
     Some(())
+}
+
+/// A firmware that draws faces with depth in bands, as the templates do, in the shading that the image is named for: into the target that
+/// `$target` makes of a `$band`.
+#[macro_export]
+macro_rules! depth_bands {
+    (|$band:ident| $target:expr) => {
+        static TEXELS: [u8; SIDE * SIDE] = [1; SIDE * SIDE];
+        static PALETTE: [Color; 256] = [WHITE; 256];
+
+        $crate::firmware!(|camera, turn, display: Color|
+            mesh: MeshBuffers!(MODEL) = mesh_buffers!(MODEL),
+            strip: StripBuffers!(Color, WIDTH, ROWS) = strip_buffers!(Color, WIDTH, ROWS),
+            {
+                let model = Affine::rotation_y(turn);
+                let light = light(&model)?;
+                let level = |face| level(&MODEL, &light, face);
+                let smooth = |face| {
+                    let normals = MODEL.corners_of(face, MODEL.vertex_normals());
+                    Gouraud::lit(LIT, normals.map(|normal| light.level(normal)))
+                };
+                let texture = Texture::new(IndexedTexels::<_, 8>::new(&TEXELS, SIDE, SIDE, &PALETTE).ok()?);
+                let texture = texture.with_exponent(UNIT).ok()?;
+                let instance = camera.place(&MODEL, &model);
+                let mut faces = instance.transform_depth(&mut mesh.cache).bin_faces(&mut mesh.bins).ok()?;
+                let mut frame = Frame::new(area(display), Color::from(BinaryColor::Off));
+                while let Some(mut band) = frame.next_band(&mut strip.colors).ok()? {
+                    let mut depth = DepthBuffer::new(band.area(), &mut strip.depths).ok()?;
+                    let (depth, $band) = (&mut depth, &mut band);
+                    let target = $target;
+                    let Ok(()) = match SHADING {
+                        "flat" => faces.draw(|face| Color::from(LIT).dim(level(face)), &mut target.depth_tested(depth)),
+                        "smooth" => faces.draw(smooth, &mut target.depth_tested(depth)),
+                        "dithered" => faces.draw(|face| Dithered(Flat::lit(LIT, level(face))), &mut target.depth_tested(depth)),
+                        "smooth dithered" => faces.draw(|face| Dithered(smooth(face)), &mut target.depth_tested(depth)),
+                        _ => {
+                            let shade = |face| texture.at(coordinates(&MODEL, face)).lit([level(face); 3]);
+                            faces.draw(shade, &mut target.depth_tested(depth))
+                        }
+                    };
+                    band.send(display).ok()?;
+                }
+                Some(())
+            }
+        );
+    };
 }
