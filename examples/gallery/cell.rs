@@ -1,11 +1,11 @@
 //! One cell: the house in one view.
 
-use crate::house::{Side, DRAWN, EDGES, EXPONENT, FACES, HOUSE, SIDES, VERTICES};
+use crate::house::{face_of, look, DRAWN, EDGES, EXPONENT, FACES, VERTICES};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Circle, Line, PrimitiveStyle, Rectangle};
 use pinhole::space::{Model, World};
-use pinhole::{prelude::*, target::LeastRun};
+use pinhole::{mesh::edge_faces, prelude::*, target::LeastRun};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::sheet::INK;
 use std::error::Error;
@@ -14,10 +14,6 @@ pub(crate) const PAPER: Rgb888 = Rgb888::new(255, 254, 250);
 /// Colours of the x, y and z axes.
 pub(crate) const AXES: [Rgb888; 3] =
     [Rgb888::new(206, 50, 44), Rgb888::new(24, 138, 64), Rgb888::new(44, 84, 206)];
-pub(crate) const MARKED: Rgb888 = Rgb888::new(255, 210, 92);
-const WALL: Rgb888 = Rgb888::new(240, 234, 222);
-const ROOF: Rgb888 = Rgb888::new(226, 146, 118);
-const FLOOR: Rgb888 = Rgb888::new(190, 198, 208);
 
 /// Draws the house as this camera sees it.
 pub(crate) fn draw(
@@ -26,14 +22,12 @@ pub(crate) fn draw(
     sheet: &mut Canvas<Rgb888>,
 ) -> Result<(), Box<dyn Error>> {
     let model = Affine::<Model, World>::identity();
-    let house = camera.place(&HOUSE, &model);
+    let body = Mesh::new(&VERTICES, EXPONENT, &FACES)?;
+    let house = camera.place(&body, &model);
     let points: Vec<_> = (0..VERTICES.len()).map(|i| house.project(i).ok().map(|seen| seen.point)).collect();
-    let seen = |side: Side| {
-        FACES.iter().zip(SIDES).any(|(face, of)| {
-            let corners = face.map(|i| points[usize::from(i)]);
-            let whole = corners.iter().copied().collect::<Option<Vec<_>>>();
-            of == side && whole.is_some_and(|p| is_front(&p))
-        })
+    let seen = |face: u16| {
+        let corners = FACES[usize::from(face)].map(|corner| points[usize::from(corner)]);
+        corners.iter().copied().collect::<Option<Vec<_>>>().is_some_and(|corners| is_front(&corners))
     };
     let cell = viewport.area();
 
@@ -47,41 +41,39 @@ pub(crate) fn draw(
     let mut painter = Painter::<Rgb888, 64, 64>::new();
     house
         .faces(|face| {
-            let colour = match SIDES[face] {
-                Side::Front => MARKED,
-                Side::Floor => FLOOR,
-                Side::RoofLeft | Side::RoofRight => ROOF,
-                Side::Back | Side::Left | Side::Right => WALL,
-            };
-            colour.dim(light.level(SIDES[face].normal()))
+            let (normal, colour) = look(face);
+            colour.dim(light.level(normal))
         })
         .sorted(&mut painter)?;
     painter.draw(sheet)?;
 
-    let mut edges = |list: &[[u16; 2]], colour: Rgb888, dashed: bool| -> Result<(), Box<dyn Error>> {
-        let mesh = Mesh::new(&VERTICES, EXPONENT, &[])?.with_edges(list)?;
-        let instance = camera.place(&mesh, &model);
-        let mut cache = [ScreenVertex::default(); VERTICES.len()];
+    let mut line = |ends: [u16; 2], colour: Rgb888, dashed: bool| -> Result<(), Box<dyn Error>> {
+        let ends = [ends];
+        let mesh = Mesh::new(&VERTICES, EXPONENT, &[])?.with_edges(&ends)?;
+        let line = camera.place(&mesh, &model);
         if dashed {
             let mut dashed = Dashed { target: sheet, on: 2, off: 2, at: 0 };
-            instance.edges(|_| colour).cached(&mut cache).draw(&mut LeastRun::<_, 1>(&mut dashed))?;
+            line.edges(|_| colour).draw(&mut LeastRun::<_, 1>(&mut dashed))?;
         } else {
-            instance.edges(|_| colour).cached(&mut cache).draw(sheet)?;
+            line.edges(|_| colour).draw(sheet)?;
         }
         Ok(())
     };
+    let beside = edge_faces(&EDGES, &FACES);
     // Edges from the origin have the colour of their axis.
-    let colour = |edge: usize| AXES.get(edge).copied().unwrap_or(INK);
-    let visible = |[a, b]: [Side; 2]| seen(a) || seen(b);
+    let colour = |edge: usize| AXES.get(EDGES.len() - 1 - edge).copied().unwrap_or(INK);
     for hidden in [true, false] {
-        for (i, &(ends, sides)) in EDGES.iter().enumerate().rev() {
-            if visible(sides) != hidden {
-                edges(&[ends], colour(i), hidden)?;
+        for (edge, &ends) in EDGES.iter().enumerate() {
+            if beside[edge].into_iter().any(seen) != hidden {
+                line(ends, colour(edge), hidden)?;
             }
         }
     }
-    let drawn: Vec<_> = DRAWN.iter().filter(|&&(_, side)| seen(side)).map(|&(ends, _)| ends).collect();
-    edges(&drawn, INK, false)?;
+    for (drawn, &ends) in DRAWN.iter().enumerate() {
+        if seen(face_of(drawn)) {
+            line(ends, INK, false)?;
+        }
+    }
 
     for (axis, point) in camera.vanishing_points().into_iter().enumerate() {
         if let Some(point) = point {
@@ -125,7 +117,7 @@ fn rays<D: DrawTarget<Color = Rgb888>>(
         return Ok(());
     }
     let target = &mut Dashed { target, on: 1, off: 2, at: 0 };
-    for ([a, b], _) in EDGES {
+    for [a, b] in EDGES {
         let ends = [a, b].map(usize::from);
         let along = ends.map(|i| VERTICES[i]);
         let moved: Vec<_> = (0..3).filter(|&i| along[0][i] != along[1][i]).collect();

@@ -1,9 +1,13 @@
 //! The house that every view shows: the unit cube with a gable roof, and what is drawn on its faces.
 //!
-//! It stands on y = 0 with its front, the marked face, in z = 0; the ridge runs along z. It is convex, so an edge is
-//! seen exactly where one of its two faces is.
+//! It stands on y = 0 with its front, the marked face, in z = 0; the ridge runs along z.
 
-use pinhole::Mesh;
+use embedded_graphics::pixelcolor::Rgb888;
+
+pub(crate) const MARKED: Rgb888 = Rgb888::new(255, 210, 92);
+const WALL: Rgb888 = Rgb888::new(240, 234, 222);
+const ROOF: Rgb888 = Rgb888::new(226, 146, 118);
+const FLOOR: Rgb888 = Rgb888::new(190, 198, 208);
 
 /// Coordinates are in 1/16.
 pub(crate) const EXPONENT: i8 = -4;
@@ -39,19 +43,7 @@ pub(crate) const VERTICES: [[i16; 3]; 24] = [
     [11, 21, -4],
 ];
 
-/// A flat side of the surface.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Side {
-    Front,
-    Back,
-    Right,
-    Left,
-    Floor,
-    RoofRight,
-    RoofLeft,
-}
-use Side::{Back, Floor, Front, Left, Right, RoofLeft, RoofRight};
-
+/// Front, back, right, left, floor, and the right and the left slope of the roof.
 pub(crate) const FACES: [[u16; 3]; 16] = [
     [0, 1, 2],
     [0, 2, 4],
@@ -71,67 +63,62 @@ pub(crate) const FACES: [[u16; 3]; 16] = [
     [9, 3, 8],
 ];
 
-/// The side that each face belongs to.
-pub(crate) const SIDES: [Side; 16] = [
-    Front, Front, Front, Back, Back, Back, Right, Right, Left, Left, Floor, Floor, RoofRight, RoofRight,
-    RoofLeft, RoofLeft,
-];
-
-impl Side {
-    /// Outwards, 32 767 long.
-    pub(crate) fn normal(self) -> [i16; 3] {
-        const ONE: i16 = 32_767;
-        /// 1/√2.
-        const SLANT: i16 = 23_170;
-        match self {
-            Front => [0, 0, ONE],
-            Back => [0, 0, -ONE],
-            Right => [ONE, 0, 0],
-            Left => [-ONE, 0, 0],
-            Floor => [0, -ONE, 0],
-            RoofRight => [SLANT, SLANT, 0],
-            RoofLeft => [-SLANT, SLANT, 0],
-        }
+/// The normal of a face, 32 767 long, and its colour.
+pub(crate) fn look(face: usize) -> ([i16; 3], Rgb888) {
+    const ONE: i16 = 32_767;
+    /// 1/√2.
+    const SLANT: i16 = 23_170;
+    match face {
+        0..=2 => ([0, 0, ONE], MARKED),
+        3..=5 => ([0, 0, -ONE], WALL),
+        6..=7 => ([ONE, 0, 0], WALL),
+        8..=9 => ([-ONE, 0, 0], WALL),
+        10..=11 => ([0, -ONE, 0], FLOOR),
+        12..=13 => ([SLANT, SLANT, 0], ROOF),
+        _ => ([-SLANT, SLANT, 0], ROOF),
     }
 }
 
-/// The edges of the body with the two sides that meet there. The first three leave the origin along x, y and z.
-pub(crate) const EDGES: [([u16; 2], [Side; 2]); 15] = [
-    ([0, 1], [Front, Floor]),
-    ([0, 4], [Front, Left]),
-    ([0, 5], [Left, Floor]),
-    ([1, 2], [Front, Right]),
-    ([2, 3], [Front, RoofRight]),
-    ([3, 4], [Front, RoofLeft]),
-    ([5, 6], [Back, Floor]),
-    ([6, 7], [Back, Right]),
-    ([7, 8], [Back, RoofRight]),
-    ([8, 9], [Back, RoofLeft]),
-    ([9, 5], [Back, Left]),
-    ([1, 6], [Right, Floor]),
-    ([2, 7], [Right, RoofRight]),
-    ([3, 8], [RoofLeft, RoofRight]),
-    ([4, 9], [Left, RoofLeft]),
+/// The edges of the body, of which the last three leave the origin along z, y and x.
+pub(crate) const EDGES: [[u16; 2]; 15] = [
+    [1, 2],
+    [2, 3],
+    [3, 4],
+    [5, 6],
+    [6, 7],
+    [7, 8],
+    [8, 9],
+    [9, 5],
+    [1, 6],
+    [2, 7],
+    [3, 8],
+    [4, 9],
+    [0, 5],
+    [0, 4],
+    [0, 1],
 ];
 
-/// Lines on a side, visible where the side is.
-pub(crate) const DRAWN: [([u16; 2], Side); 12] = [
-    ([10, 11], Front),
-    ([11, 12], Front),
-    ([12, 13], Front),
-    ([14, 15], Right),
-    ([15, 16], Right),
-    ([16, 17], Right),
-    ([17, 14], Right),
-    ([18, 19], Right),
-    ([20, 21], RoofRight),
-    ([21, 22], RoofRight),
-    ([22, 23], RoofRight),
-    ([23, 20], RoofRight),
+/// Lines on the front, on the right wall and on the right slope.
+pub(crate) const DRAWN: [[u16; 2]; 12] = [
+    [10, 11],
+    [11, 12],
+    [12, 13],
+    [14, 15],
+    [15, 16],
+    [16, 17],
+    [17, 14],
+    [18, 19],
+    [20, 21],
+    [21, 22],
+    [22, 23],
+    [23, 20],
 ];
 
-/// The surface.
-pub(crate) const HOUSE: Mesh<'static> = match Mesh::new(&VERTICES, EXPONENT, &FACES) {
-    Ok(mesh) => mesh,
-    Err(_) => panic!("faces"), // at compile time
-};
+/// A face that one of these lines lies on.
+pub(crate) fn face_of(line: usize) -> u16 {
+    match line {
+        0..=2 => 0,
+        3..=7 => 6,
+        _ => 12,
+    }
+}

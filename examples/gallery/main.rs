@@ -85,7 +85,7 @@ fn legend(corner: Point, sheet: &mut Canvas<Rgb888>) -> Result<(), Box<dyn Error
     }
     cell::mark(line(8) + Point::new(10, 5), INK, sheet)?;
     write("vanishing point", line(8) + words, &FONT_6X10, INK, sheet);
-    sheet.fill_solid(&Rectangle::new(line(9) + Point::new(4, 0), Size::new(12, 10)), cell::MARKED)?;
+    sheet.fill_solid(&Rectangle::new(line(9) + Point::new(4, 0), Size::new(12, 10)), house::MARKED)?;
     write("the front, z = 0", line(9) + words, &FONT_6X10, INK, sheet);
     Ok(())
 }
