@@ -116,7 +116,9 @@ impl BinFill<'_> {
                     bounds
                 }
             };
-            self.add(index, &bounds);
+            if !self.add(index, &bounds) {
+                self.add_unseen(index);
+            }
             Ok(true)
         });
         statistics

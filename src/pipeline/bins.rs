@@ -20,6 +20,8 @@ pub(super) struct Bins<'s> {
     /// The first primitive of each bin, and for each primitive of the mesh the next one in its bin: [forks](Self::fork) share them.
     first: &'s [u16],
     next: &'s [u16],
+    /// The first of the linked primitives that are drawn but have no pixel of the viewport.
+    unseen: u16,
     /// A bit for each primitive of the mesh: set if the primitive is active, that is, it has begun and not ended.
     active: &'s mut [u16],
     rows: BinRows,
@@ -81,6 +83,7 @@ pub(super) struct BinFill<'s> {
     base: usize,
     rows: BinRows,
     viewport: Scissor,
+    pub(super) unseen: u16,
     /// The bounding box of the primitives added so far, inside the viewport.
     pub(super) bounds: Scissor,
 }
@@ -89,6 +92,7 @@ pub(super) struct BinFill<'s> {
 #[derive(Debug)]
 pub(super) struct BinPart {
     first: [u16; MOST_BINS],
+    pub(super) unseen: u16,
     /// The bounding box of the primitives of this part.
     pub(super) bounds: Scissor,
 }
@@ -126,16 +130,19 @@ impl<'s> BinStorage<'s> {
 
     /// Filled bins. `bounds`: those of all primitives that were added.
     #[inline(always)]
-    fn bins(self, viewport: &Scissor, bounds: &Scissor) -> Bins<'s> {
+    fn bins(self, viewport: &Scissor, bounds: &Scissor, unseen: u16) -> Bins<'s> {
         let Self { active, first, next } = self;
         let rows = BinRows::new(viewport, first.len());
         // Without a primitive they are no box yet.
-        Bins { first, next, active, rows, cursor: Cursor::TOP, bounds: bounds.clipped_to(viewport) }
+        Bins { first, next, unseen, active, rows, cursor: Cursor::TOP, bounds: bounds.clipped_to(viewport) }
     }
 
     /// Bins that were filled in two parts.
     pub(super) fn joined(self, viewport: &Scissor, [front, back]: [&BinPart; 2]) -> Bins<'s> {
-        for ((first, &front), &back) in self.first.iter_mut().zip(&front.first).zip(&back.first) {
+        let mut unseen = NONE;
+        let (fronts, backs) = (front.first.iter(), back.first.iter());
+        let lists = self.first.iter_mut().zip(fronts.zip(backs));
+        for (first, (&front, &back)) in lists.chain([(&mut unseen, (&front.unseen, &back.unseen))]) {
             // As if one pass had linked all: the last face of the mesh first.
             let mut last = back;
             while let Some(&next) = self.next.get(usize::from(last)).filter(|next| **next != NONE) {
@@ -147,12 +154,13 @@ impl<'s> BinStorage<'s> {
                 *next = front;
             }
         }
-        self.bins(viewport, &front.bounds.union(&back.bounds))
+        self.bins(viewport, &front.bounds.union(&back.bounds), unseen)
     }
 }
 
 impl BinPart {
-    pub(super) const EMPTY: Self = Self { first: [NONE; MOST_BINS], bounds: Scissor::UNION_IDENTITY };
+    pub(super) const EMPTY: Self =
+        Self { first: [NONE; MOST_BINS], unseen: NONE, bounds: Scissor::UNION_IDENTITY };
 
     /// Begins to fill the bins of a part of `items` primitives with those from `base` on, whose links are `next`.
     pub(super) fn fill<'b>(
@@ -172,13 +180,13 @@ impl<'s> BinFill<'s> {
     fn new(storage: BinStorage<'s>, base: usize, viewport: Scissor) -> Self {
         storage.first.fill(NONE);
         let rows = BinRows::new(&viewport, storage.first.len());
-        Self { storage, base, rows, viewport, bounds: Scissor::UNION_IDENTITY }
+        Self { storage, base, rows, viewport, unseen: NONE, bounds: Scissor::UNION_IDENTITY }
     }
 
     /// The filled bins.
     #[inline(always)]
     pub(super) fn bins(self) -> Bins<'s> {
-        self.storage.bins(&self.viewport, &self.bounds)
+        self.storage.bins(&self.viewport, &self.bounds, self.unseen)
     }
 
     /// The first primitive of each bin, the next one of each primitive, and the rows of the bins.
@@ -205,6 +213,16 @@ impl<'s> BinFill<'s> {
 }
 
 impl BinFill<'_> {
+    /// Links a primitive that is drawn but has no pixel of the viewport.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn add_unseen(&mut self, item: usize) {
+        if let Some(next) = self.storage.next.get_mut(item) {
+            *next = core::mem::replace(&mut self.unseen, (self.base + item) as u16);
+            // fewer than 65535
+        }
+    }
+
     /// Extends the bounding box by the part of a box inside the viewport, if there is one.
     #[inline(never)]
     fn extend(&mut self, bounds: &Scissor) -> bool {
@@ -227,14 +245,27 @@ impl Bins<'_> {
         let (needed, given) = (self.active.len(), cursor.len());
         let second = cursor.get_mut(..needed).ok_or(BufferError::Bins { needed, given })?;
         self.restart();
-        let Bins { first, next, rows, cursor, bounds, .. } = *self;
+        let Bins { first, next, unseen, rows, cursor, bounds, .. } = *self;
         let active = [&mut *self.active, second];
-        Ok(active.map(|active| Bins { first, next, active, rows, cursor, bounds }))
+        Ok(active.map(|active| Bins { first, next, unseen, active, rows, cursor, bounds }))
     }
 
     /// A copy of the bins for one band, which borrows their active bits. Its cursor after the band must be copied back.
     pub(super) fn reborrowed(&mut self) -> Bins<'_> {
         Bins { active: self.active, ..*self }
+    }
+
+    /// Calls `visit` with each primitive that is drawn, also those without a pixel of the viewport.
+    #[inline(always)]
+    pub(super) fn each_drawn(&self, mut visit: impl FnMut(usize)) {
+        for &first in self.first.iter().chain([&self.unseen]) {
+            let mut item = first;
+            while let Some(&next) = self.next.get(usize::from(item)) {
+                keep_rolled();
+                visit(item.into());
+                item = next;
+            }
+        }
     }
 
     /// The bounding box of the visible primitives inside the viewport.

@@ -6,7 +6,9 @@ use core::ops::Range;
 
 /// The kinds of edges: tall creases, wide creases, tall silhouettes, wide silhouettes. Each pass takes them in this order. Wide silhouettes come after
 /// all creases: where both meet, what lies beyond the silhouette is mixed with the smoothed crease.
-const KINDS: usize = 4;
+pub(super) const KINDS: usize = 4;
+pub(super) const WIDE_CREASES: usize = 1;
+pub(super) const WIDE_SILHOUETTES: usize = 3;
 
 /// The edges of a mesh in bins of rows, and in a list of each kind those that have begun and not ended, in the order of the mesh: the edges of
 /// each bin and of each list are linked.

@@ -250,11 +250,12 @@ fn side_of(&[from, to]: &[ScreenPoint; 2], point: ScreenPoint) -> i64 {
 #[inline(always)]
 pub(super) fn third_corner([from, to]: &[u16; 2], [a, b, c]: &[u16; 3]) -> Option<(u16, bool)> {
     let is_end = |index: &u16| index == from || index == to;
-    match [a, b, c].map(is_end) {
-        [true, true, false] => Some((*c, a == from)),
-        [false, true, true] => Some((*a, b == from)),
-        [true, false, true] => Some((*b, c == from)),
-        _ => None,
+    if !is_end(c) {
+        (is_end(a) && is_end(b)).then_some((*c, a == from))
+    } else if !is_end(a) {
+        is_end(b).then_some((*a, b == from))
+    } else {
+        (!is_end(b)).then_some((*b, c == from))
     }
 }
 

@@ -9,7 +9,7 @@ use super::faces::PLANES;
 use super::instance::MeshInstance;
 use super::painter::Painter;
 use super::pick::{pick_at, Picked};
-use super::smooth_edges::{SmoothBins, SmoothEdge, SmoothMemory};
+use super::smooth_edges::{mark_drawn, SmoothBins, SmoothEdge, SmoothMemory};
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::camera::{Camera, ScreenVertex, Visibility};
@@ -72,7 +72,7 @@ impl<'m, M> Object<'m, M> {
 /// transform, or in a list by its index: the cookbook's `samples` is an example.
 ///
 /// **Memory** beside the objects themselves, all of it on the stack during a frame, on a 32-bit core: for each of the `OBJECTS`,
-/// 4 bytes in [`PlacedScene`] and 72 in [`BinnedScene`]; and one vertex cache and one bin storage for all visible objects.
+/// 4 bytes in [`PlacedScene`] and 76 in [`BinnedScene`]; and one vertex cache and one bin storage for all visible objects.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
@@ -517,7 +517,8 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
             storage = other;
             let instance = object.place(camera);
             let transformed = TransformedMesh::with_cache(&instance, true, cache);
-            let edges = transformed.smooth_bins(|edge| is_crease(index, object, edge), own)?;
+            let is_crease = |edge| is_crease(index, object, edge);
+            let edges = transformed.smooth_bins(is_crease, own, |flags| mark_drawn(bins, flags))?;
             let bounds = edges.bounds_with(&bins.bounds());
             let _ = scene.smooth.push(SmoothObject { index, cache, edges, bounds, is_cached });
             // both have the capacity `OBJECTS`
@@ -603,7 +604,7 @@ impl<'f, 'm, M, const OBJECTS: usize> SmoothScene<'f, 'm, M, OBJECTS> {
 #[cfg(target_pointer_width = "32")]
 const _: () = {
     assert!(size_of::<Object<'static, ()>>() == 88);
-    assert!(size_of::<BinnedObject<'static>>() == 72);
+    assert!(size_of::<BinnedObject<'static>>() == 76);
     assert!(size_of::<SmoothObject<'static>>() == 96);
 };
 

@@ -1,9 +1,11 @@
 //! Silhouettes and creases, which are smoothed after the faces are drawn.
 
-use super::bins::BinStorage;
+use super::binned::Binned;
+use super::binned_faces::BinnedFaces;
+use super::bins::{BinStorage, Bins};
 use super::cull::Cull;
 use super::draw_region::pixels;
-use super::edge_lists::EdgeLists;
+use super::edge_lists::{EdgeLists, KINDS, WIDE_CREASES, WIDE_SILHOUETTES};
 use super::face_triangles::FaceTriangles;
 use super::hidden_line::third_corner;
 use super::statistics::Statistics;
@@ -111,37 +113,72 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
         is_crease: impl FnMut(usize) -> bool,
         storage: &'a mut [u16],
     ) -> Result<SmoothEdges<'a, V>, BufferError> {
-        let bins = self.smooth_bins(is_crease, storage)?;
+        let bins = self.smooth_bins(is_crease, storage, |flags| self.mark_faces(flags))?;
         Ok(SmoothEdges { transformed: *self, bins, memory: SmoothMemory::new() })
     }
 }
 
+impl<'a, V: Coordinate, L> BinnedFaces<'a, V, true, L> {
+    /// Finds silhouettes and creases as [`TransformedMesh::bin_smooth_edges`], in fewer instructions: bins tell which faces are drawn.
+    /// [`SmoothFrame`](crate::bands::SmoothFrame) has an example.
+    ///
+    /// # Errors
+    ///
+    /// As [`bin_edges`](TransformedMesh::bin_edges).
+    #[inline(never)] // the result is large
+    pub fn bin_smooth_edges(
+        &self,
+        is_crease: impl FnMut(usize) -> bool,
+        storage: &'a mut [u16],
+    ) -> Result<SmoothEdges<'a, V>, BufferError> {
+        let Binned { transformed, bins, .. } = &self.binned;
+        let bins = transformed.smooth_bins(is_crease, storage, |flags| mark_drawn(bins, flags))?;
+        Ok(SmoothEdges { transformed: *transformed, bins, memory: SmoothMemory::new() })
+    }
+}
+
+/// Marks the faces that are drawn.
+#[inline(always)]
+pub(super) fn mark_drawn(bins: &Bins<'_>, flags: &mut [u16]) {
+    flags.fill(0);
+    bins.each_drawn(|face| {
+        if let Some(flag) = flags.get_mut(face) {
+            *flag = 1;
+        }
+    });
+}
+
 impl<V: Coordinate> TransformedMesh<'_, V, true> {
-    /// The edges that are smoothed.
+    /// The edges that are smoothed. `mark`: marks in a number for each face whether it is drawn.
     #[inline(always)]
     pub(super) fn smooth_bins<'s>(
         &self,
         mut is_crease: impl FnMut(usize) -> bool,
         storage: &'s mut [u16],
+        mark: impl FnOnce(&mut [u16]),
     ) -> Result<SmoothBins<'s>, BufferError> {
         let mesh = self.instance.mesh();
         let mut storage = BinStorage::new(storage, mesh.edges.len(), 3)?;
         let (kinds, _) = storage.take_bits().as_chunks_mut();
-        self.mark_silhouettes(storage.next, kinds);
+        self.mark_silhouettes(storage.next, kinds, mark);
         let viewport = pixels(self.instance.area());
         let mut fill = storage.fill(viewport);
         // From the last one to the first one: each bin has its edges in the order of the mesh.
         for (word, kinds) in kinds.iter_mut().enumerate().rev() {
-            let silhouettes = u32::from(kinds[SILHOUETTE]);
-            let (mut rest, mut smooth, mut wide) = (silhouettes | u32::from(kinds[SECOND]), 0, 0);
+            let [silhouettes, seconds, _] = kinds.map(u32::from);
+            let (mut rest, mut smooth, mut wide) = (silhouettes, 0, 0);
+            // A loop of its own, which is empty where no edge is a crease.
+            let mut fronts = seconds & !silhouettes;
+            while fronts != 0 {
+                let bit = fronts & fronts.wrapping_neg();
+                fronts ^= bit;
+                rest |= if is_crease(16 * word + bit.trailing_zeros() as usize) { bit } else { 0 };
+            }
             while rest != 0 {
                 keep_rolled();
                 let bit = 1 << (31 - rest.leading_zeros());
                 rest ^= bit;
                 let index = 16 * word + bit.trailing_zeros() as usize;
-                if silhouettes & bit == 0 && !is_crease(index) {
-                    continue;
-                }
                 let Some(ends) = self.edge_at(index) else { continue };
                 if fill.add(index, &bounds(&ends)) {
                     let [from, to] = ends.map(|end| end.point);
@@ -169,23 +206,15 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
             && mesh.faces.len() <= mesh.edges.len()
     }
 
-    /// Marks silhouettes, and edges that may be creases. `flags`: memory for a number for each edge.
+    /// Marks silhouettes, and edges that may be creases. `flags`: memory for a number for each edge. `mark` marks the faces that are drawn.
     #[inline(never)] // the loops get all registers
-    fn mark_silhouettes(&self, flags: &mut [u16], kinds: &mut [Kinds]) {
-        let (mesh, is_front_drawn) = (self.instance.mesh(), self.instance.cull() == Cull::Back);
+    fn mark_silhouettes(&self, flags: &mut [u16], kinds: &mut [Kinds], mark: impl FnOnce(&mut [u16])) {
+        let mesh = self.instance.mesh();
         if !self.knows_silhouettes() {
             return self.find_silhouettes(kinds);
         }
-        for (flag, face) in flags.iter_mut().zip(mesh.faces) {
-            keep_rolled();
-            *flag = match self.on_screen(face) {
-                // The area with two corners exchanged is negative for faces in front.
-                Some([a, b, c]) if is_front_drawn => u16::from(area::<true>(&[a, c, b]) < 0),
-                Some(corners) => u16::from(area::<true>(&corners) < 0),
-                None => u16::from(self.is_clipped_face_drawn(face)),
-            };
-        }
-        let flags = flags.get(..mesh.faces.len()).unwrap_or_default();
+        let flags = flags.get_mut(..mesh.faces.len()).unwrap_or_default();
+        mark(flags);
         for (kinds, faces) in kinds.iter_mut().zip(mesh.edge_faces.chunks(16)) {
             let (mut silhouettes, mut seconds) = (0, 0);
             for beside in faces.iter().rev() {
@@ -195,6 +224,21 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
                 (silhouettes, seconds) = (silhouettes << 1 | (one ^ second), seconds << 1 | second);
             }
             *kinds = [silhouettes as u16, seconds as u16, 0]; // 16 bits
+        }
+    }
+
+    /// Marks the faces that are drawn.
+    #[inline(always)]
+    fn mark_faces(&self, flags: &mut [u16]) {
+        let is_front_drawn = self.instance.cull() == Cull::Back;
+        for (flag, face) in flags.iter_mut().zip(self.instance.mesh().faces) {
+            keep_rolled();
+            *flag = match self.on_screen(face) {
+                // The area with two corners exchanged is negative for faces in front.
+                Some([a, b, c]) if is_front_drawn => u16::from(area::<true>(&[a, c, b]) < 0),
+                Some(corners) => u16::from(area::<true>(&corners) < 0),
+                None => u16::from(self.is_clipped_face_drawn(face)),
+            };
         }
     }
 
@@ -388,10 +432,19 @@ impl SmoothBins<'_> {
                 (is_silhouette || is_second).then_some(2 * usize::from(is_silhouette) + usize::from(is_wide))
             });
         }
-        // The passes of tall and wide creases, of tall and wide silhouettes: a bit for each.
-        for (kind, passes) in [0b001_u32, 0b011, 0b001, 0b110].into_iter().enumerate() {
+        for kind in 0..KINDS {
+            keep_rolled();
+            if lists.is_empty(kind) {
+                continue;
+            }
+            // A bit for each of its passes.
+            let passes = match kind {
+                WIDE_CREASES => 0b011,
+                WIDE_SILHOUETTES => 0b110,
+                _ => 0b001,
+            };
             let (is_wide, passes) = (kind & 1 != 0, passes >> (number & 3));
-            if lists.is_empty(kind) || passes & 1 == 0 {
+            if passes & 1 == 0 {
                 continue;
             }
             let axes = pass.axes(&scissor, !is_wide);

@@ -104,20 +104,21 @@ impl<C: StoredPixel<Cell> + Color, Cell: Copy> SmoothPass<'_, C, Cell> {
             )
         };
         let [first, last] = edge.columns_within(&axes.window)?;
-        let mask = opaque(C::MASK);
-        let far = if seen.kind == SeenKind::High { 0 } else { axes.depth_layout.minor };
+        let (mask, beyond, planes) = (opaque(C::MASK), axes.depth_layout.minor, Planes::new(seen));
+        // The depths of the first pixels of pairs, and of the second ones, by the index of the first one.
+        let count = self.depths.len().checked_sub(beyond)?;
+        let (lows, highs) = (self.depths.get(..count)?, self.depths.get(beyond..)?);
+        let far = if seen.kind == SeenKind::High { lows } else { highs };
         edge.each_pair([first.max(from), last], &axes.window, |pair| {
             let (at, depth) = (axes.depth_layout.at(pair.major, pair.minor), edge.depth(pair.major));
-            let step = |at: usize| self.depths.get(at).map(|&step| (i32::from(step) << 8) - depth);
-            let beyond = if seen.kind == SeenKind::Crease { Some(-1) } else { step(at.wrapping_add(far)) };
-            let Some(beyond) = beyond else { return true };
-            if beyond < 0 {
+            let step = |depths: &[u16]| depths.get(at).map(|&step| (i32::from(step) << 8) - depth);
+            let is_beyond = seen.kind != SeenKind::Crease && step(far).is_some_and(|beyond| beyond >= 0);
+            if !is_beyond {
                 if !seen.are_known {
                     return false;
                 }
-                let (low, high) = (step(at), step(at.wrapping_add(axes.depth_layout.minor)));
-                let (Some(low), Some(high)) = (low, high) else { return true };
-                if !seen.between(pair.offset, [low, high]) {
+                let (Some(low), Some(high)) = (step(lows), step(highs)) else { return true };
+                if !planes.fit(pair.offset, [low, high]) {
                     return true;
                 }
             }
@@ -169,21 +170,40 @@ impl Along {
 
 impl Seen {
     pub(crate) const NONE: Self = Self { gradients: [0; 2], kind: SeenKind::Low, are_known: false };
+}
 
-    /// Whether an edge is seen between the pixels of a pair, or a silhouette although the pixel on the far side is nearer, with these depths less that
-    /// of the edge. `offset`: how far the edge lies beyond the centre of the first pixel, in 2⁻³² pixel.
-    fn between(&self, offset: u32, [low, high]: [i32; 2]) -> bool {
-        // Within two steps, as depths are rounded, and 1/32 of the change per pixel, as corners are.
-        let fits = |depth: i32, gradient: i32, offset: i32| {
-            let within = 512 + (gradient.abs() >> 5);
-            let off = depth - ((gradient * offset) >> 8); // 2²¹ · 2⁸
+/// The planes of the faces beside an edge, with the smaller and the larger minor coordinates.
+struct Planes {
+    /// The changes of depth per pixel away from the edge, of the first face, and towards larger minor coordinates, of the second one.
+    changes: [i32; 2],
+    /// How far off a pixel's depth may be.
+    within: [i32; 2],
+}
+
+impl Planes {
+    #[inline(always)]
+    fn new(seen: &Seen) -> Self {
+        let [low, high] = seen.gradients;
+        // Within two steps, as depths are rounded, and 1/32 of the change per pixel, as corners are. Where no face is drawn, any depth fits.
+        let within =
+            |gradient: i32, is_drawn: bool| if is_drawn { 512 + (gradient.abs() >> 5) } else { 1 << 30 };
+        let within = [within(low, seen.kind != SeenKind::High), within(high, seen.kind != SeenKind::Low)];
+        // Hidden: LLVM would negate each product.
+        Self { changes: [opaque(-low), high], within }
+    }
+
+    /// Whether both pixels of a pair, with these depths less that of the edge, belong to the faces. `offset`: how far the edge lies beyond the centre
+    /// of the first pixel, in 2⁻³² pixel.
+    #[inline(always)]
+    fn fit(&self, offset: u32, [low, high]: [i32; 2]) -> bool {
+        let ([low_change, high_change], [low_within, high_within]) = (self.changes, self.within);
+        let fits = |depth: i32, change: i32, within: i32| {
+            let off = depth - (change >> 8); // 2²¹ · 2⁸
             (off + within) as u32 <= 2 * within as u32 // |off| ≤ within
         };
-        let [low_gradient, high_gradient] = self.gradients;
         // The pixels' centres lie before and behind the edge.
         let offset = (offset >> 24) as i32;
-        (self.kind == SeenKind::High || fits(low, low_gradient, -offset))
-            && (self.kind == SeenKind::Low || fits(high, high_gradient, 256 - offset))
+        fits(low, low_change * offset, low_within) && fits(high, high_change * (256 - offset), high_within)
     }
 }
 

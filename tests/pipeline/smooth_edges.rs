@@ -36,7 +36,7 @@ fn send(
     let transformed = instance.transform_depth(&mut cache);
     let mut faces = transformed.bin_faces(&mut bins).expect("room");
     let mut list = vec![SmoothEdge::EMPTY; rows as usize % 16];
-    let mut edges = transformed.bin_smooth_edges(|_| true, &mut edge_bins).expect("room");
+    let mut edges = faces.bin_smooth_edges(|_| true, &mut edge_bins).expect("room");
     edges.keep_in(&mut list);
     for part in parts(edges.bounds(faces.bounds())) {
         send_part(&mut faces, &mut edges, &colors, (part, rows, beyond), display);
@@ -132,11 +132,15 @@ fn two_cores_smooth_halves_of_the_screen() {
             let mut cache = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
             let (mut bins, mut cursor) = (vec![0; mesh.face_bins_len()], vec![0; mesh.faces().len()]);
             let transformed = instance.transform_depth(&mut cache);
-            let mut faces = transformed.bin_faces(&mut bins).expect("room");
+            let in_turn = |one: &mut (dyn FnMut() + Send), other: &mut (dyn FnMut() + Send)| {
+                one();
+                other();
+            };
+            let mut faces = transformed.split_bin_faces(&mut bins, in_turn).expect("room");
             let whole = scene.picture(&instance, [128, 64], Some(0));
             let half = |mut faces: BinnedFaces<'_>, top: usize| {
                 let (mut bins, mut cells) = (vec![0; mesh.smooth_bins_len()], vec![Rgb888::RED; whole.len()]);
-                let mut edges = transformed.bin_smooth_edges(|_| true, &mut bins).expect("room");
+                let mut edges = faces.bin_smooth_edges(|_| true, &mut bins).expect("room");
                 let mut display = Picture::new(&mut cells, Size::new(128, 64)).expect("room");
                 let part = bridge::rectangle(0, top as i32, 128, 32);
                 send_part(&mut faces, &mut edges, colors, (part, 8, 3), &mut display);
