@@ -83,6 +83,7 @@ pub(super) struct BinFill<'s> {
     base: usize,
     rows: BinRows,
     viewport: Scissor,
+    /// As in [`Bins`], and in [`BinPart`].
     pub(super) unseen: u16,
     /// The bounding box of the primitives added so far, inside the viewport.
     pub(super) bounds: Scissor,
@@ -218,8 +219,8 @@ impl BinFill<'_> {
     #[inline(never)]
     pub(super) fn add_unseen(&mut self, item: usize) {
         if let Some(next) = self.storage.next.get_mut(item) {
-            *next = core::mem::replace(&mut self.unseen, (self.base + item) as u16);
-            // fewer than 65535
+            let number = (self.base + item) as u16; // fewer than 65535
+            *next = core::mem::replace(&mut self.unseen, number);
         }
     }
 
