@@ -116,9 +116,7 @@ impl BinFill<'_> {
                     bounds
                 }
             };
-            if !self.add(index, &bounds) {
-                self.add_unseen(index);
-            }
+            self.add(index, &bounds);
             Ok(true)
         });
         statistics

@@ -17,11 +17,10 @@ pub(super) const NONE: u16 = u16::MAX;
 /// The visible primitives of a mesh in bins of rows, in memory that the caller provides.
 #[derive(Debug)]
 pub(super) struct Bins<'s> {
-    /// The first primitive of each bin, and for each primitive of the mesh the next one in its bin: [forks](Self::fork) share them.
+    /// The first primitive of each bin, and for each primitive of the mesh the next one in its bin: [forks](Self::fork) share them. The last bin has
+    /// the primitives without a pixel of the viewport: no band activates it.
     first: &'s [u16],
     next: &'s [u16],
-    /// The first of the linked primitives that are drawn but have no pixel of the viewport.
-    unseen: u16,
     /// A bit for each primitive of the mesh: set if the primitive is active, that is, it has begun and not ended.
     active: &'s mut [u16],
     rows: BinRows,
@@ -55,8 +54,9 @@ pub(super) struct BinRows {
 }
 
 impl BinRows {
-    /// The rows of `bins` bins, a power of two, in a viewport.
-    fn new(viewport: &Scissor, bins: usize) -> Self {
+    /// The rows of bins in a viewport, a power of two and the last one.
+    fn new(viewport: &Scissor, bins: &[u16]) -> Self {
+        let bins = bins.len().saturating_sub(1);
         let height = viewport.bottom.saturating_sub(viewport.top).max(1).unsigned_abs();
         let bits = 32 - (height - 1).leading_zeros(); // (height − 1) >> shift < bins
         Self { top: viewport.top, shift: bits.saturating_sub(bins.trailing_zeros()) % 32 }
@@ -83,8 +83,6 @@ pub(super) struct BinFill<'s> {
     base: usize,
     rows: BinRows,
     viewport: Scissor,
-    /// As in [`Bins`], and in [`BinPart`].
-    pub(super) unseen: u16,
     /// The bounding box of the primitives added so far, inside the viewport.
     pub(super) bounds: Scissor,
 }
@@ -93,7 +91,6 @@ pub(super) struct BinFill<'s> {
 #[derive(Debug)]
 pub(super) struct BinPart {
     first: [u16; MOST_BINS],
-    pub(super) unseen: u16,
     /// The bounding box of the primitives of this part.
     pub(super) bounds: Scissor,
 }
@@ -131,19 +128,16 @@ impl<'s> BinStorage<'s> {
 
     /// Filled bins. `bounds`: those of all primitives that were added.
     #[inline(always)]
-    fn bins(self, viewport: &Scissor, bounds: &Scissor, unseen: u16) -> Bins<'s> {
+    fn bins(self, viewport: &Scissor, bounds: &Scissor) -> Bins<'s> {
         let Self { active, first, next } = self;
-        let rows = BinRows::new(viewport, first.len());
+        let rows = BinRows::new(viewport, first);
         // Without a primitive they are no box yet.
-        Bins { first, next, unseen, active, rows, cursor: Cursor::TOP, bounds: bounds.clipped_to(viewport) }
+        Bins { first, next, active, rows, cursor: Cursor::TOP, bounds: bounds.clipped_to(viewport) }
     }
 
     /// Bins that were filled in two parts.
     pub(super) fn joined(self, viewport: &Scissor, [front, back]: [&BinPart; 2]) -> Bins<'s> {
-        let mut unseen = NONE;
-        let (fronts, backs) = (front.first.iter(), back.first.iter());
-        let lists = self.first.iter_mut().zip(fronts.zip(backs));
-        for (first, (&front, &back)) in lists.chain([(&mut unseen, (&front.unseen, &back.unseen))]) {
+        for ((first, &front), &back) in self.first.iter_mut().zip(&front.first).zip(&back.first) {
             // As if one pass had linked all: the last face of the mesh first.
             let mut last = back;
             while let Some(&next) = self.next.get(usize::from(last)).filter(|next| **next != NONE) {
@@ -155,13 +149,12 @@ impl<'s> BinStorage<'s> {
                 *next = front;
             }
         }
-        self.bins(viewport, &front.bounds.union(&back.bounds), unseen)
+        self.bins(viewport, &front.bounds.union(&back.bounds))
     }
 }
 
 impl BinPart {
-    pub(super) const EMPTY: Self =
-        Self { first: [NONE; MOST_BINS], unseen: NONE, bounds: Scissor::UNION_IDENTITY };
+    pub(super) const EMPTY: Self = Self { first: [NONE; MOST_BINS], bounds: Scissor::UNION_IDENTITY };
 
     /// Begins to fill the bins of a part of `items` primitives with those from `base` on, whose links are `next`.
     pub(super) fn fill<'b>(
@@ -180,14 +173,14 @@ impl<'s> BinFill<'s> {
     #[inline(never)] // once per frame, like most of this file: code size matters more than speed
     fn new(storage: BinStorage<'s>, base: usize, viewport: Scissor) -> Self {
         storage.first.fill(NONE);
-        let rows = BinRows::new(&viewport, storage.first.len());
-        Self { storage, base, rows, viewport, unseen: NONE, bounds: Scissor::UNION_IDENTITY }
+        let rows = BinRows::new(&viewport, storage.first);
+        Self { storage, base, rows, viewport, bounds: Scissor::UNION_IDENTITY }
     }
 
     /// The filled bins.
     #[inline(always)]
     pub(super) fn bins(self) -> Bins<'s> {
-        self.storage.bins(&self.viewport, &self.bounds, self.unseen)
+        self.storage.bins(&self.viewport, &self.bounds)
     }
 
     /// The first primitive of each bin, the next one of each primitive, and the rows of the bins.
@@ -197,33 +190,23 @@ impl<'s> BinFill<'s> {
         (first, next, rows)
     }
 
-    /// Links a primitive with this bounding box, and returns `true`, if it meets the viewport. `item` counts from the first primitive of this part.
+    /// Links a primitive with this bounding box. Returns whether it meets the viewport: otherwise it lies in the last bin. `item` counts from the first
+    /// primitive of this part.
     #[inline(always)]
     pub(super) fn add(&mut self, item: usize, bounds: &Scissor) -> bool {
         // A box inside of those before it meets the viewport, as they do: one test for most primitives.
-        if bounds.is_empty() || !(self.bounds.contains(bounds) || self.extend(bounds)) {
-            return false;
-        }
+        let meets = !bounds.is_empty() && (self.bounds.contains(bounds) || self.extend(bounds));
         let BinStorage { first, next, .. } = &mut self.storage;
-        let first = first.get_mut(self.rows.bin(bounds.top));
+        let bin = if meets { self.rows.bin(bounds.top) } else { first.len().wrapping_sub(1) };
+        let first = first.get_mut(bin);
         if let (Some(first), Some(next)) = (first, next.get_mut(item)) {
             *next = core::mem::replace(first, (self.base + item) as u16); // fewer than 65535
         }
-        true
+        meets
     }
 }
 
 impl BinFill<'_> {
-    /// Links a primitive that is drawn but has no pixel of the viewport.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn add_unseen(&mut self, item: usize) {
-        if let Some(next) = self.storage.next.get_mut(item) {
-            let number = (self.base + item) as u16; // fewer than 65535
-            *next = core::mem::replace(&mut self.unseen, number);
-        }
-    }
-
     /// Extends the bounding box by the part of a box inside the viewport, if there is one.
     #[inline(never)]
     fn extend(&mut self, bounds: &Scissor) -> bool {
@@ -246,9 +229,9 @@ impl Bins<'_> {
         let (needed, given) = (self.active.len(), cursor.len());
         let second = cursor.get_mut(..needed).ok_or(BufferError::Bins { needed, given })?;
         self.restart();
-        let Bins { first, next, unseen, rows, cursor, bounds, .. } = *self;
+        let Bins { first, next, rows, cursor, bounds, .. } = *self;
         let active = [&mut *self.active, second];
-        Ok(active.map(|active| Bins { first, next, unseen, active, rows, cursor, bounds }))
+        Ok(active.map(|active| Bins { first, next, active, rows, cursor, bounds }))
     }
 
     /// A copy of the bins for one band, which borrows their active bits. Its cursor after the band must be copied back.
@@ -259,7 +242,7 @@ impl Bins<'_> {
     /// Calls `visit` with each primitive that is drawn, also those without a pixel of the viewport.
     #[inline(always)]
     pub(super) fn each_drawn(&self, mut visit: impl FnMut(usize)) {
-        for &first in self.first.iter().chain([&self.unseen]) {
+        for &first in self.first {
             let mut item = first;
             while let Some(&next) = self.next.get(usize::from(item)) {
                 keep_rolled();
@@ -307,7 +290,7 @@ impl Bins<'_> {
         if rows.end <= self.rows.top {
             return;
         }
-        let end = (self.rows.bin(rows.end - 1) + 1).min(self.first.len());
+        let end = (self.rows.bin(rows.end - 1) + 1).min(self.first.len().saturating_sub(1));
         for &first in self.first.get(self.cursor.bin..end).unwrap_or_default() {
             let mut item = first;
             // `NONE` has no next one.

@@ -72,7 +72,7 @@ impl<'m, M> Object<'m, M> {
 /// transform, or in a list by its index: the cookbook's `samples` is an example.
 ///
 /// **Memory** beside the objects themselves, all of it on the stack during a frame, on a 32-bit core: for each of the `OBJECTS`,
-/// 4 bytes in [`PlacedScene`] and 76 in [`BinnedScene`]; and one vertex cache and one bin storage for all visible objects.
+/// 4 bytes in [`PlacedScene`] and 72 in [`BinnedScene`]; and one vertex cache and one bin storage for all visible objects.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
@@ -604,7 +604,7 @@ impl<'f, 'm, M, const OBJECTS: usize> SmoothScene<'f, 'm, M, OBJECTS> {
 #[cfg(target_pointer_width = "32")]
 const _: () = {
     assert!(size_of::<Object<'static, ()>>() == 88);
-    assert!(size_of::<BinnedObject<'static>>() == 76);
+    assert!(size_of::<BinnedObject<'static>>() == 72);
     assert!(size_of::<SmoothObject<'static>>() == 96);
 };
 

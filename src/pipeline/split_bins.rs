@@ -54,6 +54,6 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         let all = self.instance.mesh().faces.len();
         let mut fill = half.part.fill(next, faces.start, all, pixels(self.instance.area()));
         half.statistics = fill.add_faces(PartOrder(faces), *self);
-        (half.part.unseen, half.part.bounds) = (fill.unseen, fill.bounds);
+        half.part.bounds = fill.bounds;
     }
 }

@@ -540,19 +540,19 @@ impl<'a, V> Mesh<'a, V> {
         self.faces.get(face).map_or_else(|| [T::default(); 3], |&corners| map3(corners, at))
     }
 
-    /// How many `u16`s of bin storage the faces of this mesh take: one per face, one per 16 faces, and up to 32 for the bins.
+    /// How many `u16`s of bin storage the faces of this mesh take: one per face, one per 16 faces, and up to 33 for the bins.
     ///
     /// ```
     /// const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
     /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], 0, &FACES)?;
-    /// assert_eq!((mesh.vertices().len(), mesh.face_bins_len(), mesh.edge_bins_len()), (4, 7, 0));
+    /// assert_eq!((mesh.vertices().len(), mesh.face_bins_len(), mesh.edge_bins_len()), (4, 8, 0));
     /// # Ok::<(), pinhole::mesh::MeshError>(())
     /// ```
     pub const fn face_bins_len(&self) -> usize {
         bins_len(self.faces.len())
     }
 
-    /// How many `u16`s of bin storage the edges of this mesh take: one per edge, one per 16 edges, and up to 32 for the bins.
+    /// How many `u16`s of bin storage the edges of this mesh take: one per edge, one per 16 edges, and up to 33 for the bins.
     pub const fn edge_bins_len(&self) -> usize {
         bins_len(self.edges.len())
     }
@@ -574,14 +574,14 @@ pub(crate) const fn bins_len(primitives: usize) -> usize {
     primitives + primitives.div_ceil(16) + bin_count(primitives)
 }
 
-/// The most bins that primitives have. With 240 rows, each has eight.
-pub(crate) const MOST_BINS: usize = 32;
+/// The most bins that primitives have. With 240 rows, each but the last one has eight.
+pub(crate) const MOST_BINS: usize = 33;
 
-/// The number of bins of some primitives, a power of two: fewer for few, which are tested in more bands for it.
+/// The number of bins of some primitives: a power of two, fewer for few, which are tested in more bands for it; and one for those without a pixel.
 pub(crate) const fn bin_count(primitives: usize) -> usize {
     match primitives / 2 {
-        0 => primitives, // none, or one
-        half if half < MOST_BINS => 1 << (usize::BITS - 1 - half.leading_zeros()),
+        0 => 2 * primitives, // none, or one
+        half if half < MOST_BINS => (1 << (usize::BITS - 1 - half.leading_zeros())) + 1,
         _ => MOST_BINS,
     }
 }

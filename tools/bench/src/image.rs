@@ -70,7 +70,7 @@ pub fn cubes_with_edge_faces() -> &'static [Model] {
 #[cfg(all(target_arch = "arm", target_has_atomic = "32"))]
 const _: () = {
     assert!(size_of::<MeshInstance<'_>>() == 176);
-    assert!(size_of::<pinhole::draw::BinnedFaces<'_>>() == 96);
+    assert!(size_of::<pinhole::draw::BinnedFaces<'_>>() == 92);
     assert!(size_of::<Lambert>() == 52);
 };
 
