@@ -14,13 +14,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (picture, script) = (project.join(picture), project.join(script));
     // That it changes matters here for the macro alone; the compiler notices for itself that it reads another text.
     println!("cargo::rerun-if-changed={}", picture.display());
-    let is_in_bands = std::fs::read_to_string(&picture)?.contains("struct Turned");
-    let draws = if is_in_bands { "draws_bands" } else { "draws_into_a_target" };
+    let text = std::fs::read_to_string(&picture)?;
+    let draws = match (text.contains("struct Turned"), text.contains("SmoothFrame::new(")) {
+        (true, true) => "draws_bands!(picture, Deg0, creases, edge_bins, kept)", // as after `smooth.diff`
+        (true, false) => "draws_bands!(picture)",
+        (false, _) => "draws_into_a_target!(picture)",
+    };
     let project = project.to_str().ok_or("the path of the project is not UTF-8")?;
     let code = format!(
         "#[allow(dead_code, unreachable_pub)]\n#[path = {picture:?}]\nmod picture;\n\
          #[allow(dead_code, unreachable_pub)]\n#[path = {script:?}]\nmod script;\n\
-         pinhole_render::{draws}!(picture);\n\
+         pinhole_render::{draws};\n\
          const PROJECT: &str = {project:?};\n"
     );
     std::fs::write(PathBuf::from(std::env::var_os("OUT_DIR").ok_or("no OUT_DIR")?).join("project.rs"), code)?;

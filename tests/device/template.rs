@@ -11,6 +11,8 @@ use std::sync::{Mutex, PoisonError};
 use support::{firmware, ROOT};
 
 const FIRST: &str = "## The first picture";
+/// Where the README's step 4 writes.
+const PICTURE: &str = "target/render/model.png";
 const FIRMWARE: &str = "## Your own model on your own display";
 
 #[test]
@@ -89,15 +91,11 @@ fn links_firmware(target: &str, entry: &str) {
 
 /// Follows the README's steps 3 and 4: the picture is that of the model, and then of a changed `src/picture.rs`.
 fn previews(folder: &Folder, model: &str, preview: &str) {
-    let picture = folder.path.join("target/render/model.png");
-    let drawn = |commands: &str| {
-        folder.shell(&format!("cd firmware\n{commands}"), &[]);
-        testing::picture(&picture).1
-    };
+    let drawn = |commands: &str| folder.picture(commands);
     // The README's first picture, which has the gear of the template.
     let gear = drawn(preview);
     let bytes = |file: &Path| fs::read(file).expect("a picture");
-    assert!(bytes(&picture) == bytes(&Path::new(ROOT).join("docs/part.png")));
+    assert!(bytes(&folder.path.join(PICTURE)) == bytes(&Path::new(ROOT).join("docs/part.png")));
     fs::write(folder.path.join("bracket.stl"), bodies::stl(&plate())).expect("bracket.stl");
     let plate = drawn(&format!("{model}{preview}"));
     assert!(plate != gear);
@@ -114,6 +112,19 @@ fn previews(folder: &Folder, model: &str, preview: &str) {
     assert!(drawn > 5000 && plate.iter().filter(|color| is_gold(color)).count() == drawn);
     let differing = plate.iter().zip(&changed).filter(|(plate, changed)| is_gold(plate) != is_teal(changed));
     assert_eq!(differing.count(), 0);
+}
+
+/// The README's step 4 for a template before and after its change: only pixels at edges differ.
+#[test]
+fn the_readme_previews_a_template_with_smooth_edges() {
+    let folder = Folder::new("smooth");
+    folder.shell("pinhole/boards/new rp2040-st7789 firmware", &[]);
+    let [_, _, preview] = blocks(FIRMWARE, "sh").try_into().expect("three blocks of commands");
+    let plain = folder.picture(&preview);
+    let smooth = folder.picture(&format!("patch -p0 < smooth.diff\n{preview}"));
+    let drawn = plain.iter().filter(|color| **color != [0; 3]).count();
+    let differing = plain.iter().zip(&smooth).filter(|(plain, smooth)| plain != smooth).count();
+    assert!(differing > 500 && differing < drawn / 4, "{differing} pixels of {drawn}");
 }
 
 /// A plate of 300 mm as a CAD program has it, z up, with a hole.
@@ -279,6 +290,12 @@ impl Folder {
         #[cfg(unix)]
         std::os::unix::fs::symlink(ROOT, path.join("pinhole")).expect("a link");
         Self { path, _temporary: temporary }
+    }
+
+    /// The picture that the commands, run in the firmware's folder, make of its model.
+    fn picture(&self, commands: &str) -> Vec<[u8; 3]> {
+        self.shell(&format!("cd firmware\n{commands}"), &[]);
+        testing::picture(&self.path.join(PICTURE)).1
     }
 
     /// What the commands print. They run with the compiler for the target that `variables` name, if they name one.

@@ -57,7 +57,7 @@ pub fn options(code: &Code, given: &Options) -> Options {
 macro_rules! draws_into_a_target {
     ($picture:ident) => {
         $crate::draws!($picture, |mesh, color, turn, display, screen, buffers| {
-            let $crate::firmware::Buffers { cache, bins, strip, depths } = &mut buffers;
+            let $crate::firmware::Buffers { cache, bins, strip, depths, .. } = &mut buffers;
             let mut memory = $picture::Memory::new(cache, bins, strip, depths);
             let camera = $picture::camera(&mesh, screen)?;
             let send = |area: &_, pixels: &[u8]| {
@@ -71,17 +71,21 @@ macro_rules! draws_into_a_target {
     };
 }
 
-/// Like [`draws_into_a_target!`], for a `picture.rs` that passes its bands to DMA: one that has `Picture` and `Turned`.
+/// Like [`draws_into_a_target!`], for a `picture.rs` that passes its bands to DMA: one that has `Picture` and `Turned`. With smooth
+/// edges, `Picture::new` takes three more [`Buffers`]: `draws_bands!(picture, Deg0, creases, edge_bins, kept)`.
 #[macro_export]
 macro_rules! draws_bands {
     ($picture:ident) => {
         $crate::draws_bands!($picture, Deg0);
     };
-    ($picture:ident, $rotation:ident) => {
+    ($picture:ident, $rotation:ident $(, $creases:ident, $edge_bins:ident, $kept:ident)?) => {
         $crate::draws!($picture, |mesh, color, turn, display, screen, buffers| {
-            let $crate::firmware::Buffers { cache, bins, strip, depths } = &mut buffers;
+            let $crate::firmware::Buffers { ref mut cache, ref mut bins, ref mut strip, ref mut depths, .. } = buffers;
             let rotation = pinhole::camera::Rotation::$rotation;
-            let mut picture = $picture::Picture::new(&mesh, screen, rotation, cache, bins, depths)?;
+            let mut picture = $picture::Picture::new(
+                &mesh, screen, rotation, cache, bins, depths
+                $(, buffers.$creases, &mut buffers.$edge_bins, &mut buffers.$kept)?
+            )?;
             let mut turned = picture.turned(turn)?;
             while let Some(band) = turned.next_band(color, strip)? {
                 band.send(display).map_err(|_| "the display refused the pixels")?;
@@ -113,7 +117,7 @@ macro_rules! draws {
                 None => pinhole::color::Color::dim($picture::COLOR, level),
             };
             let $screen = $display.bounding_box();
-            let mut $buffers = $crate::firmware::Buffers::new(&$mesh, $screen.size.width);
+            let mut $buffers = $crate::firmware::Buffers::new(model, &$mesh, $screen.size.width);
             $frame
         }
     };
@@ -129,16 +133,26 @@ pub struct Buffers {
     pub strip: Vec<u8>,
     /// The depths of its pixels.
     pub depths: Vec<u16>,
+    /// The number of edges that come first, as creases.
+    pub creases: usize,
+    /// Bins of smooth edges.
+    pub edge_bins: Vec<u16>,
+    /// Two rows of pixels, which wait for the next band where edges are smoothed.
+    pub kept: Vec<u8>,
 }
 
 impl Buffers {
-    /// Memory for a mesh on a display `width` pixels wide.
-    pub fn new(mesh: &pinhole::Mesh<'_>, width: u32) -> Self {
+    /// Memory for a model's mesh on a display `width` pixels wide.
+    pub fn new(model: &ImportedMesh, mesh: &pinhole::Mesh<'_>, width: u32) -> Self {
+        let rows = |count| vec![0; pinhole::bands::Frame::<Rgb565>::strip_bytes(width, count)];
         Self {
             cache: vec![pinhole::camera::ScreenVertex::EMPTY; mesh.vertices().len()],
             bins: vec![0; mesh.face_bins_len()],
-            strip: vec![0; pinhole::bands::Frame::<Rgb565>::strip_bytes(width, ROWS)],
+            strip: rows(ROWS),
             depths: vec![0; (width * ROWS) as usize],
+            creases: model.creases.unwrap_or(0),
+            edge_bins: vec![0; mesh.smooth_bins_len()],
+            kept: rows(2),
         }
     }
 }
