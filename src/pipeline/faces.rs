@@ -209,7 +209,7 @@ pub(super) fn store_depth<V: Coordinate>(
 
 /// The faces of an instance, with the closure that shades them: drawn, or [picked](Self::pick), by one more call.
 /// [`MeshInstance::faces`] makes it.
-#[must_use = "`draw` draws the faces, `pick` finds the one in a pixel"]
+#[must_use = "`.draw(&mut target)` draws the faces, `.pick(pixel)` finds the one in a pixel"]
 #[derive(Debug)]
 pub struct Faces<'a, V: Coordinate, F, const CULLED_BY: u8 = NOTHING> {
     pub(super) instance: &'a MeshInstance<'a, V>,

@@ -73,6 +73,7 @@ struct Face<S> {
 
 /// The faces of a [`Painter`] from far to near, to be drawn more than once: [`Painter::order`] makes it, [`draw`](Self::draw)
 /// draws one band.
+#[must_use = "`.draw(&mut target)` draws the faces"]
 #[derive(Clone, Copy, Debug)]
 pub struct PaintersOrder<'a, S> {
     vertices: &'a [ScreenVertex],

@@ -196,6 +196,7 @@ impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
 }
 
 /// The objects of a scene that may be seen in a frame. [`Scene::place`] makes it and has an example.
+#[must_use = "`.draw(.., &mut target)` draws the objects, `.bin_faces(..)` bins them for bands"]
 #[derive(Clone, Debug)]
 pub struct PlacedScene<'s, 'm, M, const OBJECTS: usize> {
     objects: &'s [Object<'m, M>],

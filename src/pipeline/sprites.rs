@@ -20,6 +20,7 @@ use embedded_graphics_core::primitives::Rectangle;
 
 /// Points before a camera, each of which shows a [`Sprite`]. [`Camera::place_sprite`] and [`Camera::place_sprites`] make it, once per
 /// frame.
+#[must_use = "`.draw(sprite, &mut target)` draws the sprites"]
 #[derive(Clone, Copy, Debug)]
 pub struct PlacedSprites<'m, V: Coordinate = i16> {
     points: MeshInstance<'m, V>,

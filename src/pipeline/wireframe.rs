@@ -33,7 +33,7 @@ pub(super) fn each_edge<V: Coordinate, E, const DEPTH: bool>(
 }
 
 /// The edges of an instance, with the closure that gives their strokes: drawn by one more call. [`MeshInstance::edges`] makes it.
-#[must_use = "`draw` draws the edges, `hidden_line` those in sight"]
+#[must_use = "`.draw(&mut target)` draws the edges, `.hidden_line(&mut target)` those in sight"]
 #[derive(Debug)]
 pub struct Edges<'a, V: Coordinate, F> {
     pub(super) instance: &'a MeshInstance<'a, V>,
