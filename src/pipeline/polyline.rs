@@ -3,32 +3,63 @@
 use super::anti_aliased;
 use super::draw_region::DrawRegion;
 use super::drawable::StrokeFor;
+use super::hidden_line::draw_nearer;
 use super::instance::MeshInstance;
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
-use crate::camera::Projected;
 use crate::color::Access;
 use crate::math::Coordinate;
-use crate::raster::{self, Pixel, Span};
-use crate::surface::Surface;
+use crate::raster::{self, Pixel, Scissor, Span};
+use crate::surface::{DepthBuffer, Surface, Target};
 
 impl<V: Coordinate> MeshInstance<'_, V> {
-    /// Draws each vertex as one pixel. [`polyline`](Self::polyline) has an example.
+    /// Draws each vertex as one pixel. [`polyline`](Self::polyline) has an example. Into a target [with a depth
+    /// buffer](crate::target::Surface::depth_tested) it draws those that are as near as the buffer or nearer, and stores their depth.
     ///
     /// # Errors
     ///
     /// The target's error, at the first pixel that it refuses.
     #[inline(never)] // its stack frame is gone when it returns
-    pub fn points<T: Surface>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
-        let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
+    pub fn points<T: Target>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
+        target.dispatch(
+            color,
+            |color, surface| {
+                let DrawRegion { scissor, .. } = DrawRegion::new(surface, self.area());
+                self.each_point(false, &scissor, |pixel, _| surface.fill(pixel, color))
+            },
+            |color, surface, depth| {
+                let DrawRegion { scissor, .. } =
+                    DrawRegion::shared(&surface.area(), self.area(), Some(depth));
+                self.each_point(true, &scissor, |pixel, own| match depth.row(pixel.x, pixel.y, 1) {
+                    Some([stored]) if own <= *stored => {
+                        *stored = own;
+                        surface.fill(pixel, color)
+                    }
+                    _ => Ok(()),
+                })
+            },
+        )
+    }
+
+    /// Calls `draw` with the pixel of each vertex that lies in the scissor, and its depth. `far`: whether the far plane clips.
+    #[inline(always)]
+    fn each_point<E>(
+        &self,
+        far: bool,
+        scissor: &Scissor,
+        mut draw: impl FnMut(Span, u16) -> Result<(), E>,
+    ) -> Result<Statistics, E> {
         let mut statistics = Statistics::default();
+        let mesh = TransformedMesh::<V, true>::with_cache(self, far, &[]);
         for index in 0..self.mesh().vertices.len() {
-            match self.projected(index) {
-                Some(Projected { point, .. }) => {
+            // `index as u16` is exact: a mesh has at most 65536 vertices.
+            match mesh.vertex(index as u16) {
+                Some(vertex) => {
                     statistics.drawn += 1;
-                    let (x, y) = (i32::from(point.pixel().x), i32::from(point.pixel().y));
+                    let Pixel { x, y } = vertex.point.pixel();
+                    let (x, y) = (i32::from(x), i32::from(y));
                     if scissor.rows().contains(&y) && scissor.columns().contains(&x) {
-                        target.fill(Span { x, y, width: 1, height: 1 }, color)?;
+                        draw(Span { x, y, width: 1, height: 1 }, vertex.step())?;
                     }
                 }
                 None => statistics.outside += 1,
@@ -39,7 +70,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
 
     /// Draws lines from each vertex to the next as one polyline. It is closed if the last vertex equals the first. The pixel at
     /// a joint of two lines is drawn once, with the line that ends there; [`AntiAliased`](crate::shading::AntiAliased) says what anti-aliased
-    /// lines cover there. Lines are clipped as in [`Edges::draw`](crate::draw::Edges::draw).
+    /// lines cover there. Lines are clipped, and tested in a target with a depth buffer, as in [`Edges::draw`](crate::draw::Edges::draw); then each
+    /// line draws its pixel at a joint.
     ///
     /// ```
     /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -65,8 +97,40 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.
+    #[inline(always)]
+    pub fn polyline<T: Target, K: StrokeFor<T::Surface>>(
+        &self,
+        stroke: K,
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
+        target.dispatch(
+            stroke,
+            |stroke, surface| self.polyline_untested(stroke, surface),
+            |stroke, surface, depth| self.polyline_depth_tested(stroke, depth, surface),
+        )
+    }
+
     #[inline(never)] // its stack frame is gone when it returns
-    pub fn polyline<T: Surface, K: StrokeFor<T>>(
+    fn polyline_depth_tested<T: Surface, K: StrokeFor<T>>(
+        &self,
+        stroke: K,
+        depth: &mut DepthBuffer<'_>,
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
+        let region = DrawRegion::shared(&target.area(), self.area(), Some(depth));
+        let mesh = TransformedMesh::<V, true>::with_cache(self, true, &[]);
+        let (count, mut statistics) = (self.mesh().vertices.len(), Statistics::default());
+        for index in 1..count {
+            // `index as u16` is exact: a mesh has at most 65536 vertices.
+            if let Some(ends) = mesh.edge([(index - 1) as u16, index as u16], &mut statistics) {
+                draw_nearer(&ends, stroke, &region, depth, target)?;
+            }
+        }
+        Ok(statistics.with_the_rest_drawn(count.saturating_sub(1)))
+    }
+
+    #[inline(never)] // its stack frame is gone when it returns
+    fn polyline_untested<T: Surface, K: StrokeFor<T>>(
         &self,
         stroke: K,
         target: &mut T,

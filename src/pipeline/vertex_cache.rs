@@ -129,8 +129,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
 }
 
 impl<V: Coordinate> MeshInstance<'_, V> {
-    /// A projected vertex, for drawing: `None` if it is not on the screen, since a reason would take code.
-    pub(super) fn projected(&self, index: usize) -> Option<Projected> {
+    /// A projected vertex; `None` if it is not on the screen.
+    fn projected(&self, index: usize) -> Option<Projected> {
         let index = u16::try_from(index).ok().filter(|_| index < self.mesh().vertices.len())?;
         let vertex = TransformedMesh::<V, true>::with_cache(self, false, &[]).vertex(index)?;
         Some(Projected { point: vertex.point, depth: vertex.step() })

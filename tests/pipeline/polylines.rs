@@ -1,7 +1,8 @@
 //! Polylines: a joint is drawn once, and the picture is the union of the lines of the line oracle. Closed figures, and lines that the
 //! near plane and the guard band cut. Points are compared with their projections by `fuzz/targets/scene/whole.rs`.
 
-use pinhole::{draw::Statistics, Mesh};
+use embedded_graphics::prelude::*;
+use pinhole::{camera::Projected, draw::Statistics, prelude::*, target::DepthTestedSurface};
 use std::collections::BTreeMap;
 use support::bridge::draw::{wireframe, Shader};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -150,6 +151,69 @@ fn a_polyline_of_fewer_than_two_vertices_draws_nothing() {
         assert!(target.pixels.is_empty());
         assert_eq!(statistics, Statistics::default());
     }
+}
+
+/// With depth, a polyline draws the pixels of its lines as edges do, and points those of their projections, among the depths of other lines.
+#[test]
+fn lines_and_points_are_tested_and_stored_in_a_depth_buffer() {
+    let mut rng = Rng::new(0x74);
+    let camera = CameraBits {
+        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
+        projection: ProjectionBits::Perspective(1 << 30, (SIZE, SIZE), ONE, 5 * ONE),
+        viewport: (0, 0, SIZE, SIZE),
+    };
+    let (library, model) = (camera.library(), ModelBits::default().library());
+    let edges = core::array::from_fn::<[u16; 2], 19, _>(|i| [i as u16, i as u16 + 1]);
+    let (mut hidden, mut shown, mut clipped) = (0, 0, 0);
+    for _ in 0..500 {
+        let vertices: [[i16; 3]; 20] = core::array::from_fn(|_| {
+            [rng.int(-400, 400), rng.int(-400, 400), rng.int(-1500, 0)].map(|c| c as i16)
+        });
+        let mesh = Mesh::new(&vertices, -8, &[]).and_then(|mesh| mesh.with_edges(&edges)).expect("a mesh");
+        let instance = library.place(&mesh, &model);
+        // After the first line of all, with its depths.
+        let drawn = |draw: &dyn Fn(&mut DepthTestedSurface<'_, '_, Recorder<Shader>>) -> Statistics| {
+            let (mut target, mut depths) = (Recorder::sized(SIZE, SIZE), [0; (SIZE * SIZE) as usize]);
+            let mut depth = DepthBuffer::new(target.bounding_box(), &mut depths).expect("enough");
+            let first = Mesh::new(&vertices[..2], -8, &[]).expect("a mesh");
+            let mut tested = target.depth_tested(&mut depth);
+            library.place(&first, &model).polyline(Shader(1), &mut tested).expect("no error");
+            let statistics = draw(&mut tested);
+            (
+                target.pixels.into_iter().map(|(at, (shader, _))| (at, shader)).collect::<BTreeMap<_, _>>(),
+                depths,
+                statistics,
+            )
+        };
+        let line = drawn(&|target| instance.polyline(Shader(2), target).expect("no error"));
+        assert_eq!(line, drawn(&|target| instance.edges(|_| Shader(2)).draw(target).expect("no error")));
+        clipped += line.2.clipped;
+
+        let [before, after] = [
+            drawn(&|_| Statistics::default()),
+            drawn(&|target| instance.points(Shader(2), target).expect("no error")),
+        ];
+        let (mut pixels, mut depths) = (before.0, before.1);
+        let is_before_far = |&index: &usize| vertices[index][2] >= -5 * 256;
+        let projected =
+            (0..vertices.len()).filter(is_before_far).filter_map(|index| instance.project(index).ok());
+        for Projected { point, depth } in projected {
+            let Point { x, y } = point.into();
+            if !(0..SIZE as i32).contains(&x) || !(0..SIZE as i32).contains(&y) {
+                continue;
+            }
+            let stored = &mut depths[(y * SIZE as i32 + x) as usize];
+            if depth <= *stored {
+                *stored = depth;
+                pixels.insert((x, y), Shader(2));
+                shown += 1;
+            } else {
+                hidden += 1;
+            }
+        }
+        assert_eq!((&pixels, depths), (&after.0, after.1));
+    }
+    assert!(hidden > 100 && shown > 2000 && clipped > 500, "{hidden} {shown} {clipped}");
 }
 
 /// Cut at near: the pixels are the union of the cut lines, whose ends the f64 chain gives.

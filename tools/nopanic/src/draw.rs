@@ -197,6 +197,7 @@ fn draw_instance<D: DrawTarget<Color: Color>, V: Coordinate>(
     let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
     report(depth.at(pixel()));
     depth.clear();
+    report(instance.points(wire, &mut target.depth_tested(&mut depth)));
 }
 
 /// Pixels in memory, of a picture and of a band: one colour per face, and shaders that vary.
@@ -239,6 +240,7 @@ fn draw_anti_aliased<T: Surface<Color = Rgb565>>(
     let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
     report(instance.edges(|_| stroke).cached(corners).draw(&mut target.depth_tested(&mut depth)));
     report(instance.edges(|_| stroke).cached(corners).hidden_line(&mut target.depth_tested(&mut depth)));
+    report(instance.polyline(stroke, &mut target.depth_tested(&mut depth)));
     if let Ok(mut edges) = instance.transform_depth(corners).bin_edges(bin_storage) {
         report(edges.draw(stroke, target));
         report(edges.draw(stroke, &mut target.depth_tested(&mut depth)));
