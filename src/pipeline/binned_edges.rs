@@ -14,9 +14,7 @@ use crate::color::Access;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
 use crate::shading::StrokeKind;
-use crate::surface::{
-    BufferError, DepthBuffer, DepthTestedSurface, Surface, Target, Tested, Unmatched, Untested,
-};
+use crate::surface::{BufferError, DepthBuffer, Surface, Target, Tested, Unmatched, Untested, WithDepth};
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -221,17 +219,22 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn hidden_line<T: Surface, K: StrokeFor<T>>(
+    pub fn hidden_line<T: WithDepth, K: StrokeFor<T::Surface>>(
         &mut self,
         stroke: K,
-        band: &mut DepthTestedSurface<'_, '_, T>,
+        band: &mut T,
     ) -> Result<(), T::Error>
     where
         Self: DrawnWith<Tested>,
     {
-        let DepthTestedSurface { surface, depth } = band;
-        let region = self.advance_to_band::<K, T::Color>(&surface.area(), Some(depth));
-        self.draw_hidden_line(&region, stroke, depth, surface)
+        band.dispatch(
+            (self, stroke),
+            |_, _| Ok(()), // never called
+            |(edges, stroke), surface, depth| {
+                let region = edges.advance_to_band::<K, T::Color>(&surface.area(), Some(depth));
+                edges.draw_hidden_line(&region, stroke, depth, surface)
+            },
+        )
     }
 
     #[inline(never)] // its stack frame does not exist while the bins advance

@@ -15,7 +15,7 @@ use crate::math::Coordinate;
 use crate::raster::{
     area, DepthTriangle, EdgePlanes, LineDepth, LineSetup, LineSpans, Scissor, ScreenPoint, Span,
 };
-use crate::surface::{DepthBuffer, DepthTestedSurface, Surface};
+use crate::surface::{DepthBuffer, Surface, WithDepth};
 
 impl<V: Coordinate, F> Edges<'_, V, F> {
     /// Draws the parts of the mesh's edges that no face hides: a wireframe of a solid object, on any target, also on 1-bit
@@ -67,15 +67,20 @@ impl<V: Coordinate, F> Edges<'_, V, F> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn hidden_line<T: Surface, K: StrokeFor<T>>(
+    pub fn hidden_line<T: WithDepth, K: StrokeFor<T::Surface>>(
         self,
-        target: &mut DepthTestedSurface<'_, '_, T>,
+        target: &mut T,
     ) -> Result<Statistics, T::Error>
     where
         F: FnMut(usize) -> K,
     {
-        let Self { instance, stroke, cache } = self;
-        instance.hidden_line(stroke, cache, target.depth, target.surface)
+        target.dispatch(
+            self,
+            |_, _| Ok(Statistics::NONE), // never called
+            |Self { instance, stroke, cache }, surface, depth| {
+                instance.hidden_line(stroke, cache, depth, surface)
+            },
+        )
     }
 }
 

@@ -32,7 +32,7 @@ pub use smooth_frame::{SmoothBand, SmoothFrame};
 pub use smoothing::SmoothPass;
 pub(crate) use smoothing::{Seen, SeenKind};
 pub use strip::StripBuffers;
-pub(crate) use target::{draw_run, put, DepthTarget, Tested, Unmatched, Untested};
+pub(crate) use target::{draw_run, put, DepthTarget, Tested, Unmatched, Untested, WithDepth};
 pub use target::{DepthTestedSurface, Surface, Target};
 
 use crate::raster::Scissor;

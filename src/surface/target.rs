@@ -323,6 +323,16 @@ impl<S: Surface> TargetKind for DepthTestedSurface<'_, '_, S> {
     }
 }
 
+/// A [`Target`] with a depth buffer. What draws hidden lines has this bound, so that the compiler says how to make one.
+#[diagnostic::on_unimplemented(
+    message = "hidden lines need a depth buffer, which `{Self}` does not have",
+    label = "no depth buffer",
+    note = "pass `&mut target.depth_tested(&mut depth)`, where `depth` has the depths that `depth_only` stores"
+)]
+pub trait WithDepth: Target {}
+
+impl<S: Surface> WithDepth for DepthTestedSurface<'_, '_, S> {}
+
 // A surface need not implement `Format`.
 defmt_format!([S] DepthTestedSurface<'_, '_, S>, self, "surface with a {}", self.depth);
 
