@@ -86,7 +86,7 @@ impl<C: Color> Frame<C> {
             return Ok(None);
         }
         let (needed, given) = (row_bytes::<C>(width), strip.len());
-        let error = BufferError::Strip { needed, given };
+        let error = BufferError::Strip { of: "a strip of one row", needed, given };
         // `needed` is not zero: a row has at least one byte.
         let fits = given.checked_div(needed).unwrap_or(0).min(left as usize);
         if fits == 0 {

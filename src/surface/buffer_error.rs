@@ -23,7 +23,9 @@ pub enum BufferError {
     },
     /// A strip, or the buffer of the rows that a [`SmoothFrame`](crate::bands::SmoothFrame) keeps, is too short.
     Strip {
-        /// Bytes of one row; of six rows for the strip of a `SmoothFrame`, and of two for those that it keeps.
+        /// What is too short: "a strip of one row", "a strip of six rows" for a `SmoothFrame`, or "`kept` of two rows".
+        of: &'static str,
+        /// Bytes of these rows.
         needed: usize,
         /// Bytes of the buffer.
         given: usize,
@@ -66,13 +68,13 @@ impl core::fmt::Display for BufferError {
             Self::Depth { needed, given } => {
                 write!(f, "a depth buffer of {needed} pixels needs a buffer of {needed} `u16`, but this one has {given}")
             }
-            Self::Strip { needed, given } => {
-                write!(f, "a buffer of {given} bytes has too little room for rows of pixels: it needs at least {needed} bytes")
+            Self::Strip { of, needed, given } => {
+                write!(f, "{of} needs a buffer of {needed} bytes, but this one has {given}")
             }
             Self::Bins { needed, given } => {
                 write!(
                     f,
-                    "bin storage of {given} numbers, but {needed} are needed: provide at least {needed}"
+                    "bins or a fork's cursor of {given} numbers: provide at least {needed}"
                 )
             }
             Self::TooManyItems { items } => {

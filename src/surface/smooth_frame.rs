@@ -120,7 +120,8 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
         depths: &'k mut [u16],
     ) -> Result<Self, BufferError> {
         let (needed, given) = (row_bytes::<C>(area.size.width).saturating_mul(WAITING), kept.len());
-        let kept = kept.get_mut(..needed).ok_or(BufferError::Strip { needed, given })?;
+        let kept =
+            kept.get_mut(..needed).ok_or(BufferError::Strip { of: "`kept` of two rows", needed, given })?;
         let (needed, given) = ((area.size.width as usize).saturating_mul(LEAST), depths.len());
         if given < needed {
             return Err(BufferError::Depth { needed: needed as u64, given });
@@ -150,7 +151,8 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
         let waiting = before as u32;
         let fits = rows(strip.len(), row);
         if fits < LEAST {
-            return Err(BufferError::Strip { needed: row.saturating_mul(LEAST), given: strip.len() });
+            let (needed, given) = (row.saturating_mul(LEAST), strip.len());
+            return Err(BufferError::Strip { of: "a strip of six rows", needed, given });
         }
         let room = u32::try_from(fits.min(rows(self.depths.len(), columns))).unwrap_or(u32::MAX);
         let mut new = left;

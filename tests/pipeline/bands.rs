@@ -70,7 +70,7 @@ fn a_strip_without_room_for_a_row_says_what_it_needs() {
     let mut frame = Frame::new(rectangle(0, 0, 240, 8), Rgb565::BLACK);
     for given in [0, 1, 479] {
         let error = frame.next_band(&mut vec![0; given]).map(|_| ()).expect_err("no row fits");
-        assert_eq!(error, BufferError::Strip { needed: 480, given });
+        assert_eq!(error, BufferError::Strip { of: "a strip of one row", needed: 480, given });
         assert!(error.to_string().contains("480"));
     }
     // The failed call returned no band: the frame still begins at its top.
@@ -322,7 +322,10 @@ fn no_row_is_sent_twice_where_the_strip_divides_the_frame() {
     }
     assert_eq!(tops, [0..4, 4..8, 8..12]);
     let mut frame = Frame::new(rectangle(0, 0, 8, 12), Gray8::BLACK);
-    assert_eq!(frame.band_or_strip(&mut [0; 7]).err(), Some(BufferError::Strip { needed: 8, given: 7 }));
+    assert_eq!(
+        frame.band_or_strip(&mut [0; 7]).err(),
+        Some(BufferError::Strip { of: "a strip of one row", needed: 8, given: 7 })
+    );
     for empty in [rectangle(0, 0, 0, 5), rectangle(0, 0, 5, 0)] {
         let mut strip = [0; 3];
         let given =

@@ -32,7 +32,7 @@ fn each_message_names_the_fault_and_the_way_out() {
         MeshError::ListLength { one: "normal per face", given: 42, needed: 41 } => "42 entries", "41", "one normal per face";
         MeshError::Exponent { exponent: 16 } => "2^16", "2^-32 to 2^15", "2^-15 to 1", "unit";
         MeshError::Parent { node: 5, parent: 9 } => "node 5", "parent 9", "parents first";
-        BufferError::Bins { needed: 301, given: 299 } => "299", "at least 301";
+        BufferError::Bins { needed: 301, given: 299 } => "299", "at least 301", "fork";
         BufferError::TooManyItems { items: 70_002 } => "70002", "65535", "split";
         BufferError::Full { parameter: "VERTICES", needed: 71, capacity: 70 } => "71", "70", "raise VERTICES";
         BufferError::Full { parameter: "VERTICES", needed: 65_537, capacity: 65_536 } => "65537", "65536", "fewer meshes";
@@ -53,7 +53,7 @@ fn each_message_names_the_fault_and_the_way_out() {
         CameraError::NotRigid => "not rigid", "orthonormal", "0 0 0 1";
         CameraError::Viewport => "aspect ratio", "at least 1", "8192", "shrink";
         BufferError::Depth { needed: 640, given: 639 } => "640", "639", "`u16`";
-        BufferError::Strip { needed: 480, given: 479 } => "479", "480", "row";
+        BufferError::Strip { of: "a strip of one row", needed: 480, given: 479 } => "479", "480", "strip of one row";
         TextureError::Side { side: 100 } => "100", "8, 16, 32, 64, 128 or 256", "resize";
         TextureError::Texels { needed: 64, given: 63 } => "63", "64", "needs";
         TextureError::Palette { needed: 16, given: 15 } => "15", "16", "append";

@@ -183,11 +183,11 @@ fn dirty_regions_show_the_smoothed_edges_of_each_frame() {
 fn short_buffers_are_refused() {
     let area = bridge::rectangle(0, 0, 64, 9);
     let error = SmoothFrame::new(area, Rgb565::BLACK, &mut [0; 255], &mut [0; 384]).map(drop);
-    assert_eq!(error, Err(BufferError::Strip { needed: 256, given: 255 }));
+    assert_eq!(error, Err(BufferError::Strip { of: "`kept` of two rows", needed: 256, given: 255 }));
     let (mut kept, mut depths) = ([0; 256], [0; 384]);
     let mut frame = SmoothFrame::new(area, Rgb565::BLACK, &mut kept, &mut depths).expect("room");
     let error = frame.next_band(&mut [0; 767]).map(drop);
-    assert_eq!(error, Err(BufferError::Strip { needed: 768, given: 767 }));
+    assert_eq!(error, Err(BufferError::Strip { of: "a strip of six rows", needed: 768, given: 767 }));
 }
 
 /// The second and the third pass mix no other pixels than neighbours in a column, of which the upper one has an odd row, and an even row.

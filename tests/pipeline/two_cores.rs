@@ -139,5 +139,8 @@ fn bands_by_number_are_the_bands_one_after_the_other() {
     }
     let frame = Frame::new(rectangle(0, 0, 9, 9), Gray8::BLACK);
     let error = frame.nth_band(3, &mut [0; 8]).map(drop);
-    assert_eq!(error, Err(pinhole::target::BufferError::Strip { needed: 9, given: 8 }));
+    assert_eq!(
+        error,
+        Err(pinhole::target::BufferError::Strip { of: "a strip of one row", needed: 9, given: 8 })
+    );
 }
