@@ -333,17 +333,23 @@ impl<'a, V> Mesh<'a, V> {
     ///
     /// # Errors
     ///
-    /// [`MeshError::EdgeFaces`] if there is not one pair per edge, or a face index is out of range.
+    /// [`MeshError`] if there is not one pair per edge, or a face index is neither in range nor [`Mesh::NO_FACE`].
     pub const fn with_edge_faces(self, edge_faces: &'a [[u16; 2]]) -> Result<Self, MeshError> {
-        if edge_faces.len() != self.edges.len() {
-            return Err(MeshError::EdgeFaces { edge: edge_faces.len() });
+        let (given, needed, count) = (edge_faces.len(), self.edges.len(), self.faces.len());
+        if given != needed {
+            return Err(MeshError::ListLength {
+                one: "pair of faces per edge of `with_edges`",
+                given,
+                needed,
+            });
         }
         let mut edge = 0;
         while edge < edge_faces.len() {
             let [a, b] = edge_faces[edge];
-            let (a_there, b_there) = ((a as usize) < self.faces.len(), (b as usize) < self.faces.len());
+            let (a_there, b_there) = ((a as usize) < count, (b as usize) < count);
             if !(a_there || a == NO_FACE) || !(b_there || b == NO_FACE) {
-                return Err(MeshError::EdgeFaces { edge });
+                let index = if a_there || a == NO_FACE { b } else { a };
+                return Err(MeshError::Index { of: "edge", number: edge, used: "face", index, count });
             }
             edge += 1;
         }

@@ -16,17 +16,12 @@ pub enum MeshError {
         of: &'static str,
         /// The index of that.
         number: usize,
-        /// What it uses: "vertex", "colour" or "texture coordinate".
+        /// What it uses: "vertex", "face", "colour" or "texture coordinate".
         used: &'static str,
         /// The index that it uses.
         index: u16,
         /// How many there are.
         count: usize,
-    },
-    /// An edge lacks its pair of adjacent faces, or a face index is neither in range nor [`Mesh::NO_FACE`](crate::Mesh::NO_FACE).
-    EdgeFaces {
-        /// The edge's index or, if there is not one pair of faces per edge, the number of pairs.
-        edge: usize,
     },
     /// A list is too short or too long.
     ListLength {
@@ -60,9 +55,6 @@ impl core::fmt::Display for MeshError {
             }
             Self::Index { of, number, used, index, count } => {
                 write!(f, "{of} {number} uses {used} {index}, but there are {count}: indices begin at 0")
-            }
-            Self::EdgeFaces { edge } => {
-                write!(f, "edge {edge} has no pair of faces, or uses a face that the mesh does not have: list edges first, then one pair for each, as `edge_faces` returns them")
             }
             Self::ListLength { one, given, needed } => {
                 write!(f, "a list of {given} entries where {needed} are needed: give one {one}")

@@ -28,7 +28,7 @@ fn each_message_names_the_fault_and_the_way_out() {
         LightError::NotRigid => "model transform", "stretches", "use Lambert";
         MeshError::TooManyVertices { vertices: 70_001 } => "70001", "65536", "split";
         MeshError::Index { of: "face", number: 31, used: "vertex", index: 77, count: 9 } => "face 31", "vertex 77", "are 9";
-        MeshError::EdgeFaces { edge: 33 } => "edge 33", "face";
+        MeshError::Index { of: "edge", number: 33, used: "face", index: 7, count: 6 } => "edge 33", "face 7", "are 6";
         MeshError::ListLength { one: "normal per face", given: 42, needed: 41 } => "42 entries", "41", "one normal per face";
         MeshError::Exponent { exponent: 16 } => "2^16", "2^-32 to 2^15", "2^-15 to 1", "unit";
         MeshError::Parent { node: 5, parent: 9 } => "node 5", "parent 9", "parents first";
