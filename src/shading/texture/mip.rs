@@ -97,7 +97,7 @@ impl<C: Color, const W: usize, const H: usize> MipPicture<C, W, H> {
     /// Computes the reduced copies of a picture, each channel rounded to nearest. Takes time in proportion to W·H², so that firmware had better
     /// contain [`copies`](Self::copies) that a build script computed. A side out of range does not compile.
     pub fn build(picture: [[C; W]; H]) -> Self {
-        const { (side_bits(W), side_bits(H), side_bits(2 * H)) };
+        const { sides::<W, H>() };
         let mut copies = picture;
         for (number, row) in (1..).zip(&mut copies) {
             for (column, texel) in row.iter_mut().enumerate() {
@@ -108,6 +108,15 @@ impl<C: Color, const W: usize, const H: usize> MipPicture<C, W, H> {
     }
 }
 
+/// The binary logarithms of the sides of a picture of these sides with its copies, which the compiler checks.
+const fn sides<const W: usize, const H: usize>() -> [u32; 2] {
+    assert!(
+        H <= 128,
+        "a picture with mip levels has 8, 16, 32, 64 or 128 rows, as its copies take as many more"
+    );
+    [side_bits(W), side_bits(H) + 1]
+}
+
 /// The copies, and below them the picture.
 impl<C: PixelColor, const W: usize, const H: usize> Texels for &MipPicture<C, W, H> {
     type Color = C;
@@ -116,7 +125,7 @@ impl<C: PixelColor, const W: usize, const H: usize> Texels for &MipPicture<C, W,
 
     #[inline(always)]
     fn size_bits(&self) -> [u32; 2] {
-        const { [side_bits(W), side_bits(2 * H)] }
+        const { sides::<W, H>() }
     }
 
     #[inline(always)]
@@ -208,3 +217,13 @@ impl<S: Texels> TexelPath<Self> for MipTexels<S> {
 defmt_format!([S] MipTexels<S>, self, "texels with mip levels, covered 2^({=i32}/65536) by a pixel", self.covered);
 
 defmt_format!([C, const W: usize, const H: usize] MipPicture<C, W, H>, self, "{=usize} x {=usize} texels with mip levels", W, H);
+
+#[cfg(test)]
+mod tests {
+    /// As the compiler says it of a picture: the limit is that of its rows, not that of a texture.
+    #[test]
+    #[should_panic(expected = "8, 16, 32, 64 or 128 rows")]
+    fn a_picture_of_256_rows_is_refused_for_its_rows() {
+        super::sides::<16, 256>();
+    }
+}
