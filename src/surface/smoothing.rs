@@ -100,7 +100,7 @@ impl<C: StoredPixel<Cell> + Color, Cell: Copy> SmoothPass<'_, C, Cell> {
         const {
             assert!(
                 C::FORMAT.bits() > 1,
-                "edges cannot be smoothed with two colours: use a color of more bits"
+                "edges cannot be smoothed with two colors: use a color of more bits"
             )
         };
         let [first, last] = edge.columns_within(&axes.window)?;
