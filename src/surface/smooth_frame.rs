@@ -21,8 +21,8 @@ const WAITING: usize = 2;
 const LEAST: usize = 6;
 
 /// A [`Frame`] whose edges are smoothed. Smoothing a row needs the rows below it, so the last two rows of each band, with their depths, are kept for
-/// the next band. It compiles for colours of whole bytes only: draw 1-bit, Gray4 or 12-bit colours into a [`Picture`](crate::target::Picture), where two
-/// colours cannot be smoothed.
+/// the next band. It compiles for colours of whole bytes only: draw Gray2, Gray4 or 12-bit colours into a [`Picture`](crate::target::Picture). A type of
+/// two colours, such as `BinaryColor`, has none between them, and cannot be smoothed.
 ///
 /// Two cores smooth a part of the screen each, such as a half, drawn three pixels larger as in the example: with a [fork](crate::draw::BinnedFaces::fork) of
 /// the faces, in which each core finds the edges, into storage of its own.
