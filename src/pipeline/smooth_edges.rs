@@ -348,8 +348,9 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
 }
 
 impl<'a, V: Coordinate> SmoothEdges<'a, V> {
-    /// Keeps edges that are set up, a power of two of them: an edge without an entry is set up again in each band, and twice if it is wide. 16
-    /// entries are enough for the silhouettes of most meshes.
+    /// Keeps edges that are set up in the entries of `list`; of other than a power of two of entries, some stay unused. An edge without an entry is
+    /// set up again in each band, and twice if it is wide. 16 entries hold the silhouettes that meet a band of most meshes. Declare the list before the
+    /// edges, which borrow it.
     ///
     /// ```
     /// # use pinhole::{draw::{SmoothEdge, SmoothEdges}, prelude::*};
