@@ -69,7 +69,7 @@ pub trait Color: PixelColor {
         const {
             assert!(
                 Self::FORMAT.has_channels(),
-                "a colour with `Format::indexed` implements `channels` itself"
+                "a color with `Format::indexed` implements `channels` itself"
             )
         };
         Self::FORMAT.unpack(self.to_bits())
@@ -88,7 +88,7 @@ pub trait Color: PixelColor {
         const {
             assert!(
                 Self::FORMAT.has_channels(),
-                "a colour with `Format::indexed` implements `from_channels` itself"
+                "a color with `Format::indexed` implements `from_channels` itself"
             )
         };
         Self::from_bits(Self::FORMAT.pack(levels))
@@ -143,8 +143,8 @@ pub trait Color: PixelColor {
     }
 
     /// `coverage` 256ths of this colour plus the rest of `stored`, channel by channel, rounded to the nearest level. `coverage`
-    /// is 0 … 256; more gives a meaningless colour. Colours of 15 and 16 bits with three channels first round `coverage` to 1/32, which is at
-    /// most 1/64 off.
+    /// is 0 … 256; more gives a meaningless colour. Three channels of at most 16 bits are mixed in one word if they leave room there, as those of
+    /// all colours of 15 and 16 bits in embedded-graphics do: then `coverage` is first rounded to 1/32, which is at most 1/64 off.
     #[must_use]
     #[inline(always)]
     fn over(self, stored: Self, coverage: u16) -> Self {
