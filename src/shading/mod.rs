@@ -1,4 +1,8 @@
 //! Shaders and light: the colours of a face's pixels. The rasteriser does not depend on this module.
+//!
+//! Start with a colour of the target, which fills a face and needs no shader; a [`Lambert`](crate::light::Lambert) dims it by the light on the face.
+//! For smooth light pass [`Gouraud::lit`] or, faster, [`ShadeTable::lit`]; then come [`texture`](crate::texture) and [`fog`](crate::fog).
+//! [`Translucent`] and [`ScreenDoor`] let what is behind show through, and [`AntiAliased`] is for lines.
 
 mod corner_values;
 mod depth_tested;
