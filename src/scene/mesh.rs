@@ -337,11 +337,7 @@ impl<'a, V> Mesh<'a, V> {
     pub const fn with_edge_faces(self, edge_faces: &'a [[u16; 2]]) -> Result<Self, MeshError> {
         let (given, needed, count) = (edge_faces.len(), self.edges.len(), self.faces.len());
         if given != needed {
-            return Err(MeshError::ListLength {
-                one: "pair of faces per edge of `with_edges`",
-                given,
-                needed,
-            });
+            return Err(MeshError::ListLength { one: "pair of faces per edge", given, needed });
         }
         let mut edge = 0;
         while edge < edge_faces.len() {

@@ -60,7 +60,7 @@ impl core::fmt::Display for MeshError {
                 write!(f, "a list of {given} entries where {needed} are needed: give one {one}")
             }
             Self::Exponent { exponent } => {
-                write!(f, "the unit 2^{exponent} is out of range, 2^-32 to 2^15 for vertices and 2^-15 to 1 for texture coordinates: choose another")
+                write!(f, "unit 2^{exponent}: choose one of 2^-32 to 2^15 for vertices, or of 2^-15 to 1 for texture coordinates")
             }
             Self::Parent { node, parent } => {
                 write!(

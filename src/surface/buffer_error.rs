@@ -63,19 +63,16 @@ impl core::fmt::Display for BufferError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::Picture { needed, given } => {
-                write!(f, "a picture needs a buffer of {needed} cells, but this one has {given}")
+                write!(f, "a picture needs {needed} cells, but the buffer has {given}")
             }
             Self::Depth { needed, given } => {
-                write!(f, "a depth buffer of {needed} pixels needs a buffer of {needed} `u16`, but this one has {given}")
+                write!(f, "a depth buffer needs {needed} `u16`, one a pixel, but the buffer has {given}")
             }
             Self::Strip { of, needed, given } => {
-                write!(f, "{of} needs a buffer of {needed} bytes, but this one has {given}")
+                write!(f, "{of} needs {needed} bytes, but the buffer has {given}")
             }
             Self::Bins { needed, given } => {
-                write!(
-                    f,
-                    "bins or a fork's cursor of {given} numbers: provide at least {needed}"
-                )
+                write!(f, "bins or a fork's cursor of {given} numbers: provide at least {needed}")
             }
             Self::TooManyItems { items } => {
                 write!(f, "{items} faces or edges, but bins hold at most 65535: split the mesh")
@@ -89,7 +86,9 @@ impl core::fmt::Display for BufferError {
                     _ => write!(f, "raise {parameter}"),
                 }
             }
-            Self::OtherViewport => f.write_str("one painter draws into one viewport at a time: draw what it holds first, or use two painters"),
+            Self::OtherViewport => {
+                f.write_str("one viewport at a time: draw what the painter holds first, or use two painters")
+            }
         }
     }
 }

@@ -136,7 +136,7 @@ fn other_edges_have_no_faces_beside_them_yet() {
     assert_eq!(mesh.edge_faces(), [[0, 1]]);
     let other = mesh.with_edges(&[[0, 1], [1, 2]]).expect("edges");
     assert_eq!(other.edge_faces(), [[0; 2]; 0]);
-    let one = "pair of faces per edge of `with_edges`";
+    let one = "pair of faces per edge";
     let error = other.with_edge_faces(&[[0, 1]]).map(drop);
     assert_eq!(error, Err(MeshError::ListLength { one, given: 1, needed: 2 }));
     let error = other.with_edge_faces(&[[0, Mesh::<i16>::NO_FACE], [2, 1]]).map(drop);
