@@ -49,7 +49,7 @@ impl Check<'_> {
         let transformed = self.instance.transform_depth(&mut cache);
         let mut faces = transformed.bin_faces(&mut bins).expect("room");
         let is_crease = |edge| self.is_crease(edge);
-        let mut edges = faces.bin_smooth_edges(is_crease, &mut edge_bins).expect("room");
+        let mut edges = transformed.bin_smooth_edges(is_crease, &mut edge_bins).expect("room");
         edges.keep_in(&mut list);
         let storage =
             |rows| (vec![0; Frame::<Gray8>::strip_bytes(width, rows)], vec![0; (width * rows) as usize]);

@@ -17,8 +17,7 @@ pub(super) const NONE: u16 = u16::MAX;
 /// The visible primitives of a mesh in bins of rows, in memory that the caller provides.
 #[derive(Debug)]
 pub(super) struct Bins<'s> {
-    /// The first primitive of each bin, and for each primitive of the mesh the next one in its bin: [forks](Self::fork) share them. The last bin has
-    /// the primitives without a pixel of the viewport: no band activates it.
+    /// The first primitive of each bin, and for each primitive of the mesh the next one in its bin: [forks](Self::fork) share them.
     first: &'s [u16],
     next: &'s [u16],
     /// A bit for each primitive of the mesh: set if the primitive is active, that is, it has begun and not ended.
@@ -54,9 +53,8 @@ pub(super) struct BinRows {
 }
 
 impl BinRows {
-    /// The rows of bins in a viewport, a power of two and the last one.
-    fn new(viewport: &Scissor, bins: &[u16]) -> Self {
-        let bins = bins.len().saturating_sub(1);
+    /// The rows of `bins` bins, a power of two, in a viewport.
+    fn new(viewport: &Scissor, bins: usize) -> Self {
         let height = viewport.bottom.saturating_sub(viewport.top).max(1).unsigned_abs();
         let bits = 32 - (height - 1).leading_zeros(); // (height − 1) >> shift < bins
         Self { top: viewport.top, shift: bits.saturating_sub(bins.trailing_zeros()) % 32 }
@@ -130,7 +128,7 @@ impl<'s> BinStorage<'s> {
     #[inline(always)]
     fn bins(self, viewport: &Scissor, bounds: &Scissor) -> Bins<'s> {
         let Self { active, first, next } = self;
-        let rows = BinRows::new(viewport, first);
+        let rows = BinRows::new(viewport, first.len());
         // Without a primitive they are no box yet.
         Bins { first, next, active, rows, cursor: Cursor::TOP, bounds: bounds.clipped_to(viewport) }
     }
@@ -173,7 +171,7 @@ impl<'s> BinFill<'s> {
     #[inline(never)] // once per frame, like most of this file: code size matters more than speed
     fn new(storage: BinStorage<'s>, base: usize, viewport: Scissor) -> Self {
         storage.first.fill(NONE);
-        let rows = BinRows::new(&viewport, storage.first);
+        let rows = BinRows::new(&viewport, storage.first.len());
         Self { storage, base, rows, viewport, bounds: Scissor::UNION_IDENTITY }
     }
 
@@ -190,19 +188,19 @@ impl<'s> BinFill<'s> {
         (first, next, rows)
     }
 
-    /// Links a primitive with this bounding box. Returns whether it meets the viewport: otherwise it lies in the last bin. `item` counts from the first
-    /// primitive of this part.
+    /// Links a primitive with this bounding box, and returns `true`, if it meets the viewport. `item` counts from the first primitive of this part.
     #[inline(always)]
     pub(super) fn add(&mut self, item: usize, bounds: &Scissor) -> bool {
         // A box inside of those before it meets the viewport, as they do: one test for most primitives.
-        let meets = !bounds.is_empty() && (self.bounds.contains(bounds) || self.extend(bounds));
+        if bounds.is_empty() || !(self.bounds.contains(bounds) || self.extend(bounds)) {
+            return false;
+        }
         let BinStorage { first, next, .. } = &mut self.storage;
-        let bin = if meets { self.rows.bin(bounds.top) } else { first.len().wrapping_sub(1) };
-        let first = first.get_mut(bin);
+        let first = first.get_mut(self.rows.bin(bounds.top));
         if let (Some(first), Some(next)) = (first, next.get_mut(item)) {
             *next = core::mem::replace(first, (self.base + item) as u16); // fewer than 65535
         }
-        meets
+        true
     }
 }
 
@@ -237,19 +235,6 @@ impl Bins<'_> {
     /// A copy of the bins for one band, which borrows their active bits. Its cursor after the band must be copied back.
     pub(super) fn reborrowed(&mut self) -> Bins<'_> {
         Bins { active: self.active, ..*self }
-    }
-
-    /// Calls `visit` with each primitive that is drawn, also those without a pixel of the viewport.
-    #[inline(always)]
-    pub(super) fn each_drawn(&self, mut visit: impl FnMut(usize)) {
-        for &first in self.first {
-            let mut item = first;
-            while let Some(&next) = self.next.get(usize::from(item)) {
-                keep_rolled();
-                visit(item.into());
-                item = next;
-            }
-        }
     }
 
     /// The bounding box of the visible primitives inside the viewport.
@@ -290,7 +275,7 @@ impl Bins<'_> {
         if rows.end <= self.rows.top {
             return;
         }
-        let end = (self.rows.bin(rows.end - 1) + 1).min(self.first.len().saturating_sub(1));
+        let end = (self.rows.bin(rows.end - 1) + 1).min(self.first.len());
         for &first in self.first.get(self.cursor.bin..end).unwrap_or_default() {
             let mut item = first;
             // `NONE` has no next one.

@@ -9,7 +9,7 @@ use super::faces::PLANES;
 use super::instance::MeshInstance;
 use super::painter::Painter;
 use super::pick::{pick_at, Picked};
-use super::smooth_edges::{mark_drawn, SmoothBins, SmoothEdge, SmoothMemory};
+use super::smooth_edges::{SmoothBins, SmoothEdge, SmoothMemory};
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::camera::{Camera, ScreenVertex, Visibility};
@@ -518,8 +518,7 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
             storage = other;
             let instance = object.place(camera);
             let transformed = TransformedMesh::with_cache(&instance, true, cache);
-            let is_crease = |edge| is_crease(index, object, edge);
-            let edges = transformed.smooth_bins(is_crease, own, |flags| mark_drawn(bins, flags))?;
+            let edges = transformed.smooth_bins(|edge| is_crease(index, object, edge), own)?;
             let bounds = edges.bounds_with(&bins.bounds());
             let _ = scene.smooth.push(SmoothObject { index, cache, edges, bounds, is_cached });
             // both have the capacity `OBJECTS`

@@ -1,8 +1,6 @@
 //! Silhouettes and creases, which are smoothed after the faces are drawn.
 
-use super::binned::Binned;
-use super::binned_faces::BinnedFaces;
-use super::bins::{BinStorage, Bins};
+use super::bins::BinStorage;
 use super::cull::Cull;
 use super::draw_region::pixels;
 use super::edge_lists::{EdgeLists, KINDS, WIDE_CREASES, WIDE_SILHOUETTES};
@@ -15,6 +13,7 @@ use crate::color::{Color, StoredPixel};
 use crate::math::hints::keep_rolled;
 use crate::math::Coordinate;
 use crate::raster::{CrossedEdge, Scissor};
+use crate::scene::Mesh;
 use crate::surface::{inside, rectangle, BufferError, Seen, SeenKind, SmoothPass};
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -113,54 +112,23 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
         is_crease: impl FnMut(usize) -> bool,
         storage: &'a mut [u16],
     ) -> Result<SmoothEdges<'a, V>, BufferError> {
-        let bins = self.smooth_bins(is_crease, storage, |flags| self.mark_faces(flags))?;
+        let bins = self.smooth_bins(is_crease, storage)?;
         Ok(SmoothEdges { transformed: *self, bins, memory: SmoothMemory::new() })
     }
 }
 
-impl<'a, V: Coordinate, L> BinnedFaces<'a, V, true, L> {
-    /// Finds silhouettes and creases as [`TransformedMesh::bin_smooth_edges`], in fewer instructions: bins tell which faces are drawn.
-    /// [`SmoothFrame`](crate::bands::SmoothFrame) has an example.
-    ///
-    /// # Errors
-    ///
-    /// As [`bin_edges`](TransformedMesh::bin_edges).
-    #[inline(never)] // the result is large
-    pub fn bin_smooth_edges(
-        &self,
-        is_crease: impl FnMut(usize) -> bool,
-        storage: &'a mut [u16],
-    ) -> Result<SmoothEdges<'a, V>, BufferError> {
-        let Binned { transformed, bins, .. } = &self.binned;
-        let bins = transformed.smooth_bins(is_crease, storage, |flags| mark_drawn(bins, flags))?;
-        Ok(SmoothEdges { transformed: *transformed, bins, memory: SmoothMemory::new() })
-    }
-}
-
-/// Marks the faces that are drawn.
-#[inline(always)]
-pub(super) fn mark_drawn(bins: &Bins<'_>, flags: &mut [u16]) {
-    flags.fill(0);
-    bins.each_drawn(|face| {
-        if let Some(flag) = flags.get_mut(face) {
-            *flag = 1;
-        }
-    });
-}
-
 impl<V: Coordinate> TransformedMesh<'_, V, true> {
-    /// The edges that are smoothed. `mark`: marks in a number for each face whether it is drawn.
+    /// The edges that are smoothed.
     #[inline(always)]
     pub(super) fn smooth_bins<'s>(
         &self,
         mut is_crease: impl FnMut(usize) -> bool,
         storage: &'s mut [u16],
-        mark: impl FnOnce(&mut [u16]),
     ) -> Result<SmoothBins<'s>, BufferError> {
         let mesh = self.instance.mesh();
         let mut storage = BinStorage::new(storage, mesh.edges.len(), 3)?;
         let (kinds, _) = storage.take_bits().as_chunks_mut();
-        self.mark_silhouettes(storage.next, kinds, mark);
+        self.mark_silhouettes(storage.next, kinds);
         let viewport = pixels(self.instance.area());
         let mut fill = storage.fill(viewport);
         // From the last one to the first one: each bin has its edges in the order of the mesh.
@@ -206,15 +174,23 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
             && mesh.faces.len() <= mesh.edges.len()
     }
 
-    /// Marks silhouettes, and edges that may be creases. `flags`: memory for a number for each edge. `mark` marks the faces that are drawn.
+    /// Marks silhouettes, and edges that may be creases. `flags`: memory for a number for each edge.
     #[inline(never)] // the loops get all registers
-    fn mark_silhouettes(&self, flags: &mut [u16], kinds: &mut [Kinds], mark: impl FnOnce(&mut [u16])) {
-        let mesh = self.instance.mesh();
+    fn mark_silhouettes(&self, flags: &mut [u16], kinds: &mut [Kinds]) {
+        let (mesh, is_front_drawn) = (self.instance.mesh(), self.instance.cull() == Cull::Back);
         if !self.knows_silhouettes() {
-            return self.find_silhouettes(kinds);
+            return self.find_silhouettes(kinds, |_, _| true);
         }
-        let flags = flags.get_mut(..mesh.faces.len()).unwrap_or_default();
-        mark(flags);
+        for (flag, face) in flags.iter_mut().zip(mesh.faces) {
+            keep_rolled();
+            *flag = match self.on_screen(face) {
+                // The area with two corners exchanged is negative for faces in front.
+                Some([a, b, c]) if is_front_drawn => u16::from(area::<true>(&[a, c, b]) < 0),
+                Some(corners) => u16::from(area::<true>(&corners) < 0),
+                None => u16::from(self.is_clipped_face_drawn(face)),
+            };
+        }
+        let flags = flags.get(..mesh.faces.len()).unwrap_or_default();
         for (kinds, faces) in kinds.iter_mut().zip(mesh.edge_faces.chunks(16)) {
             let (mut silhouettes, mut seconds) = (0, 0);
             for beside in faces.iter().rev() {
@@ -225,32 +201,25 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
             }
             *kinds = [silhouettes as u16, seconds as u16, 0]; // 16 bits
         }
-    }
-
-    /// Marks the faces that are drawn.
-    #[inline(always)]
-    fn mark_faces(&self, flags: &mut [u16]) {
-        let is_front_drawn = self.instance.cull() == Cull::Back;
-        for (flag, face) in flags.iter_mut().zip(self.instance.mesh().faces) {
-            keep_rolled();
-            *flag = match self.on_screen(face) {
-                // The area with two corners exchanged is negative for faces in front.
-                Some([a, b, c]) if is_front_drawn => u16::from(area::<true>(&[a, c, b]) < 0),
-                Some(corners) => u16::from(area::<true>(&corners) < 0),
-                None => u16::from(self.is_clipped_face_drawn(face)),
-            };
+        if mesh.has_unlisted_faces {
+            self.find_silhouettes(kinds, |mesh, edge| mesh.listed_beside(edge).is_none());
         }
     }
 
-    /// Marks silhouettes, and edges that may be creases, by the planes of the drawn faces beside them.
+    /// Marks silhouettes, and edges that may be creases, by the planes of the drawn faces beside them: of those edges for which `which` returns `true`.
     #[cold]
-    fn find_silhouettes(&self, kinds: &mut [Kinds]) {
+    #[inline(never)]
+    fn find_silhouettes(&self, kinds: &mut [Kinds], which: fn(&Mesh<'_, V::Stored>, usize) -> bool) {
         let (viewport, mut own) = (pixels(self.instance.area()), SmoothEdge::EMPTY);
         for (word, kinds) in kinds.iter_mut().enumerate() {
-            *kinds = [0; 3];
             for at in 0..16 {
                 keep_rolled();
-                if self.set_up(16 * word + at, 0, None, &viewport, &mut own) {
+                let index = 16 * word + at;
+                if !which(self.instance.mesh(), index) {
+                    continue;
+                }
+                *kinds = kinds.map(|bits| bits & !(1 << at));
+                if self.set_up(index, 0, None, &viewport, &mut own) {
                     let is_crease = own.seen.kind == SeenKind::Crease;
                     kinds[usize::from(is_crease)] |= 1 << at;
                 }
@@ -302,7 +271,7 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
     /// The [third corner](third_corner) of one of the faces listed beside an edge, if the face lies on the screen.
     fn corner_beside(&self, index: usize, face: Option<usize>) -> Option<(u16, bool)> {
         let mesh = self.instance.mesh();
-        let face = mesh.faces.get(usize::from(*mesh.edge_faces.get(index)?.get(face?)?))?;
+        let face = mesh.faces.get(usize::from(*mesh.listed_beside(index)?.get(face?)?))?;
         self.on_screen(face)?;
         third_corner(mesh.edges.get(index)?, face)
     }

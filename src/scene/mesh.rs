@@ -42,6 +42,8 @@ pub struct Mesh<'a, V = i16> {
     exponent: i8,
     /// The left shift that brings the mesh's largest coordinate to the top of 32 bits.
     justify: u8,
+    /// Whether an edge lists one face twice: then all faces are searched.
+    pub(crate) has_unlisted_faces: bool,
 }
 
 // Not derived: V need not be Clone behind references.
@@ -65,11 +67,12 @@ impl<'a, V> Mesh<'a, V> {
             vertex_normals: &[],
             exponent,
             justify,
+            has_unlisted_faces: false,
         }
     }
 
     /// The list of the faces beside an edge, if there is one that names them all.
-    fn listed_beside(&self, edge: usize) -> Option<&'a [u16; 2]> {
+    pub(crate) fn listed_beside(&self, edge: usize) -> Option<&'a [u16; 2]> {
         self.edge_faces.get(edge).filter(|[first, second]| first != second || *first == NO_FACE)
     }
 
@@ -324,7 +327,7 @@ impl<'a, V> Mesh<'a, V> {
             }
             edge += 1;
         }
-        Ok(Self { edges, edge_faces: &[], ..self })
+        Ok(Self { edges, edge_faces: &[], has_unlisted_faces: false, ..self })
     }
 
     /// Adds the two faces adjacent to each edge, for hidden-line drawing, which would search all faces for them otherwise:
@@ -339,9 +342,10 @@ impl<'a, V> Mesh<'a, V> {
         if given != needed {
             return Err(MeshError::ListLength { one: "pair of faces per edge", given, needed });
         }
-        let mut edge = 0;
+        let (mut edge, mut has_unlisted_faces) = (0, false);
         while edge < edge_faces.len() {
             let [a, b] = edge_faces[edge];
+            has_unlisted_faces |= a == b && a != NO_FACE;
             let (a_there, b_there) = ((a as usize) < count, (b as usize) < count);
             if !(a_there || a == NO_FACE) || !(b_there || b == NO_FACE) {
                 let index = if a_there || a == NO_FACE { b } else { a };
@@ -349,7 +353,7 @@ impl<'a, V> Mesh<'a, V> {
             }
             edge += 1;
         }
-        Ok(Self { edge_faces, ..self })
+        Ok(Self { edge_faces, has_unlisted_faces, ..self })
     }
 
     /// Adds a unit normal for each face, pointing outwards, in 2⁻¹⁵ (32767 stands for 1). Removes planes that were added before,
@@ -542,19 +546,19 @@ impl<'a, V> Mesh<'a, V> {
         self.faces.get(face).map_or_else(|| [T::default(); 3], |&corners| map3(corners, at))
     }
 
-    /// How many `u16`s of bin storage the faces of this mesh take: one per face, one per 16 faces, and up to 33 for the bins.
+    /// How many `u16`s of bin storage the faces of this mesh take: one per face, one per 16 faces, and up to 32 for the bins.
     ///
     /// ```
     /// const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
     /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], 0, &FACES)?;
-    /// assert_eq!((mesh.vertices().len(), mesh.face_bins_len(), mesh.edge_bins_len()), (4, 8, 0));
+    /// assert_eq!((mesh.vertices().len(), mesh.face_bins_len(), mesh.edge_bins_len()), (4, 7, 0));
     /// # Ok::<(), pinhole::mesh::MeshError>(())
     /// ```
     pub const fn face_bins_len(&self) -> usize {
         bins_len(self.faces.len())
     }
 
-    /// How many `u16`s of bin storage the edges of this mesh take: one per edge, one per 16 edges, and up to 33 for the bins.
+    /// How many `u16`s of bin storage the edges of this mesh take: one per edge, one per 16 edges, and up to 32 for the bins.
     pub const fn edge_bins_len(&self) -> usize {
         bins_len(self.edges.len())
     }
@@ -576,14 +580,14 @@ pub(crate) const fn bins_len(primitives: usize) -> usize {
     primitives + primitives.div_ceil(16) + bin_count(primitives)
 }
 
-/// The most bins that primitives have. With 240 rows, each but the last one has eight.
-pub(crate) const MOST_BINS: usize = 33;
+/// The most bins that primitives have. With 240 rows, each has eight.
+pub(crate) const MOST_BINS: usize = 32;
 
-/// The number of bins of some primitives: a power of two, fewer for few, which are tested in more bands for it; and one for those without a pixel.
+/// The number of bins of some primitives, a power of two: fewer for few, which are tested in more bands for it.
 pub(crate) const fn bin_count(primitives: usize) -> usize {
     match primitives / 2 {
-        0 => 2 * primitives, // none, or one
-        half if half < MOST_BINS => (1 << (usize::BITS - 1 - half.leading_zeros())) + 1,
+        0 => primitives, // none, or one
+        half if half < MOST_BINS => 1 << (usize::BITS - 1 - half.leading_zeros()),
         _ => MOST_BINS,
     }
 }

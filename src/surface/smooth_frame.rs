@@ -25,7 +25,7 @@ const LEAST: usize = 6;
 /// two colours, such as `BinaryColor`, has none between them, and cannot be smoothed.
 ///
 /// Two cores smooth a part of the screen each, such as a half, drawn three pixels larger as in the example: with a [fork](crate::draw::BinnedFaces::fork) of
-/// the faces, in which each core finds the edges, into storage of its own.
+/// the faces, and edges that each core finds in the shared [`TransformedMesh`](crate::draw::TransformedMesh), into storage of its own.
 ///
 /// ```
 /// # use embedded_graphics::{draw_target::DrawTargetExt, mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -50,7 +50,7 @@ const LEAST: usize = 6;
 ///
 /// let mesh = instance.transform_depth(&mut buffers.cache);
 /// let mut faces = mesh.bin_faces(&mut buffers.bins)?;
-/// let mut edges = faces.bin_smooth_edges(|_| false, &mut edge_bins)?;
+/// let mut edges = mesh.bin_smooth_edges(|_| false, &mut edge_bins)?;
 /// let mut frame = SmoothFrame::new(display.bounding_box(), Gray8::BLACK, &mut kept, &mut strip.depths)?;
 /// let mut heights = Vec::new();
 /// while let Some(mut band) = frame.next_band(&mut strip.colors)? {

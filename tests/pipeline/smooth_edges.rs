@@ -36,7 +36,7 @@ fn send(
     let transformed = instance.transform_depth(&mut cache);
     let mut faces = transformed.bin_faces(&mut bins).expect("room");
     let mut list = vec![SmoothEdge::EMPTY; rows as usize % 16];
-    let mut edges = faces.bin_smooth_edges(|_| true, &mut edge_bins).expect("room");
+    let mut edges = transformed.bin_smooth_edges(|_| true, &mut edge_bins).expect("room");
     edges.keep_in(&mut list);
     for part in parts(edges.bounds(faces.bounds())) {
         send_part(&mut faces, &mut edges, &colors, (part, rows, beyond), display);
@@ -132,15 +132,11 @@ fn two_cores_smooth_halves_of_the_screen() {
             let mut cache = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
             let (mut bins, mut cursor) = (vec![0; mesh.face_bins_len()], vec![0; mesh.faces().len()]);
             let transformed = instance.transform_depth(&mut cache);
-            let in_turn = |one: &mut (dyn FnMut() + Send), other: &mut (dyn FnMut() + Send)| {
-                one();
-                other();
-            };
-            let mut faces = transformed.split_bin_faces(&mut bins, in_turn).expect("room");
+            let mut faces = transformed.bin_faces(&mut bins).expect("room");
             let whole = scene.picture(&instance, [128, 64], Some(0));
             let half = |mut faces: BinnedFaces<'_>, top: usize| {
                 let (mut bins, mut cells) = (vec![0; mesh.smooth_bins_len()], vec![Rgb888::RED; whole.len()]);
-                let mut edges = faces.bin_smooth_edges(|_| true, &mut bins).expect("room");
+                let mut edges = transformed.bin_smooth_edges(|_| true, &mut bins).expect("room");
                 let mut display = Picture::new(&mut cells, Size::new(128, 64)).expect("room");
                 let part = bridge::rectangle(0, top as i32, 128, 32);
                 send_part(&mut faces, &mut edges, colors, (part, 8, 3), &mut display);
@@ -230,8 +226,8 @@ fn passes_mix_their_pairs() {
     }
 }
 
-/// What the drawn faces beside an edge tell is what their planes tell: without a list of the faces beside edges, or where no face is culled, as
-/// back faces of closed meshes are hidden.
+/// What the drawn faces beside an edge tell is what their planes tell: without a list of the faces beside edges, of edges that list one face twice, so
+/// that all are searched, or where no face is culled, as back faces of closed meshes are hidden.
 #[test]
 fn silhouettes_are_found_by_faces_as_by_planes() {
     for scene in scenes() {
@@ -239,13 +235,16 @@ fn silhouettes_are_found_by_faces_as_by_planes() {
         let listed = scene.mesh(&beside);
         let searched = Mesh::new(listed.vertices(), scene.solid.exponent, listed.faces());
         let searched = searched.and_then(|mesh| mesh.with_edges(&scene.solid.edges)).expect("a mesh");
+        let mut twice = beside.clone();
+        twice.iter_mut().step_by(3).for_each(|[first, second]| *first = *second);
+        let twice = scene.mesh(&twice);
         let (size, model) = ([128, 64], scene.model.library());
         let camera = camera(size[0], size[1]).library();
         for cull in [Cull::Back, Cull::Front, Cull::None] {
             for contrast in [None, Some(NO_CREASES), Some(0)] {
-                let [by_faces, by_planes] = [&listed, &searched]
+                let [by_faces, by_planes, by_both] = [&listed, &searched, &twice]
                     .map(|mesh| scene.picture(&camera.place(mesh, &model).with_cull(cull), size, contrast));
-                assert!(by_faces == by_planes, "{cull:?} {contrast:?}");
+                assert!(by_faces == by_planes && by_both == by_planes, "{cull:?} {contrast:?}");
             }
         }
     }

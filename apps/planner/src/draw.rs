@@ -66,7 +66,7 @@ pub(crate) fn draw(model: &ImportedMesh, choice: &Choice, image: &TextureImage) 
     let mut smooth_bins = vec![0; mesh.smooth_bins_len()];
     let mut smooth = if choice.smooths() {
         let creases = choice.creases(model);
-        let edges = faces.bin_smooth_edges(|edge| edge < creases, &mut smooth_bins);
+        let edges = transformed.bin_smooth_edges(|edge| edge < creases, &mut smooth_bins);
         Some(edges.map_err(refused::buffer)?)
     } else {
         None

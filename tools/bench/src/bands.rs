@@ -98,7 +98,7 @@ pub fn smooth(
 ) -> Option<()> {
     let transformed = instance.transform_depth(corners);
     let mut faces = transformed.bin_faces(bin_storage).ok()?;
-    let mut edges = faces.bin_smooth_edges(is_crease, bins).ok()?;
+    let mut edges = transformed.bin_smooth_edges(is_crease, bins).ok()?;
     edges.keep_in(list);
     let area = Rectangle::new(Point::zero(), size);
     let mut frame = SmoothFrame::new(area, BACKGROUND, kept, depth).ok()?;

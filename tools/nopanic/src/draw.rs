@@ -282,12 +282,7 @@ fn smooth(
     let Scene { camera, model, corners, depth, bin_storage, strip, .. } = scene;
     let instance = camera.place(mesh, model);
     let transformed = instance.transform_depth(corners);
-    let Some((face_bins, edge_bins)) = bin_storage.split_at_mut_checked(8) else { return };
-    let edges = match transformed.bin_faces(face_bins) {
-        Ok(faces) => faces.bin_smooth_edges(|_| any() == 0, edge_bins),
-        Err(_) => transformed.bin_smooth_edges(|_| any() == 0, edge_bins),
-    };
-    let Ok(mut edges) = edges else { return };
+    let Ok(mut edges) = transformed.bin_smooth_edges(|_| any() == 0, bin_storage) else { return };
     edges.keep_in(list);
     report(edges.bounds(area()));
     if let (Ok(mut picture), Ok(mut depth)) = (Picture::new(memory, size()), DepthBuffer::new(area(), depth))

@@ -19,9 +19,8 @@ image!(
         let light = light.as_ref()?;
         let transformed = instance.transform_depth(&mut buffers.cache);
         let mut faces = transformed.bin_faces(&mut buffers.bins);
-        let faces = faces.as_mut().ok()?;
-        let mut edges = faces.bin_smooth_edges(|edge| edge < black_box(12), &mut buffers.edge_bins);
-        let edges = edges.as_mut().ok()?;
+        let mut edges = transformed.bin_smooth_edges(|edge| edge < black_box(12), &mut buffers.edge_bins);
+        let (faces, edges) = (faces.as_mut().ok()?, edges.as_mut().ok()?);
         edges.keep_in(list);
         let mut frame = SmoothFrame::new(scene::area(), scene::BACKGROUND, kept, &mut strips.depths).ok()?;
         while let Some(mut band) = frame.next_band(&mut strips.colors).ok()? {

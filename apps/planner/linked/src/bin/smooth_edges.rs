@@ -21,7 +21,7 @@ firmware!(|camera, turn, display: Rgb565|
         let transformed = instance.transform_depth(&mut mesh.cache);
         let mut faces = transformed.bin_faces(&mut mesh.bins).ok()?;
         let creases = if SHADING == "flat" { MODEL_CREASES } else { 0 };
-        let mut edges = faces.bin_smooth_edges(|edge| edge < creases, &mut mesh.edge_bins).ok()?;
+        let mut edges = transformed.bin_smooth_edges(|edge| edge < creases, &mut mesh.edge_bins).ok()?;
         edges.keep_in(list);
         let mut frame = SmoothFrame::new(area(display), Rgb565::BLACK, kept, depths).ok()?;
         let smooth = |face| {
