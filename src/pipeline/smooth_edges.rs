@@ -74,8 +74,8 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
     /// lit smoothly, `|_| true` for one in facets, or whether the colours of the [faces beside it](crate::Mesh::edge_faces) differ: each crease that
     /// is left out saves as much as a face takes. `storage` has [`smooth_bins_len`](crate::Mesh::smooth_bins_len) numbers.
     ///
-    /// **Only [edges that the mesh lists](crate::Mesh::with_edges) are smoothed: of a mesh without edges none, and that is no error.** List all of them, and the
-    /// [faces beside them](crate::Mesh::with_edge_faces): otherwise these are searched.
+    /// **Only [edges that the mesh lists](crate::Mesh::with_edges) are smoothed: of a mesh without edges none, and that is no error.** List each of them once, as an
+    /// edge that is listed twice is mixed twice, and the [faces beside them](crate::Mesh::with_edge_faces): otherwise these are searched.
     ///
     /// ```
     /// # use embedded_graphics::{pixelcolor::Gray8, prelude::*};

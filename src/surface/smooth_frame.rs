@@ -25,7 +25,9 @@ const LEAST: usize = 6;
 /// two colours, such as `BinaryColor`, has none between them, and cannot be smoothed.
 ///
 /// Two cores smooth a part of the screen each, such as a half, drawn three pixels larger as in the example: with a [fork](crate::draw::BinnedFaces::fork) of
-/// the faces, and edges that each core finds in the shared [`TransformedMesh`](crate::draw::TransformedMesh), into storage of its own.
+/// the faces, and edges that each core finds in the shared [`TransformedMesh`](crate::draw::TransformedMesh), into storage of its own. Bands are equal to
+/// one piece, whatever the scene; parts side by side are where edges lie three pixels apart. Between bars of a pixel's width a mixed pixel passes on to the
+/// next edge of its row: pixels at the border of a part may be off by some levels there, with eight pixels more by none that was found.
 ///
 /// ```
 /// # use embedded_graphics::{draw_target::DrawTargetExt, mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};

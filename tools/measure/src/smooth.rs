@@ -16,7 +16,7 @@ use pinhole_render::quantised::Quantised;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use support::bridge::pair::ProjectionBits;
+use support::bridge::pair::{ProjectionBits, Step};
 use support::smooth_scenes::{camera, reference, scenes, Scene, NO_CREASES};
 use support::ROOT;
 
@@ -53,20 +53,24 @@ pub(crate) fn run(given: &mut ArgMatches) -> Result<ExitCode, String> {
     let sheet: Option<PathBuf> = given.remove_one("sheet");
     let folder = Generated::from(PROGRAM, given);
     let (mut rows, mut pictures) = (Vec::new(), Vec::new());
-    for scene in scenes() {
+    for mut scene in scenes() {
+        let changes = changes_over_a_turn(&mut scene);
         for size in SIZES {
             let (beside, model) = (scene.solid.edge_faces(), scene.model.library());
             let (mesh, camera) = (scene.mesh(&beside), camera(size[0], size[1]).library());
             let reference = reference(&scene, &camera.place(&mesh, &model), size);
             let plain = METHODS[0].1.picture(&scene, size);
-            for (name, method) in &METHODS {
+            for ((name, method), change) in METHODS.iter().zip(changes) {
                 // A surface that is shaded smoothly has no creases.
                 let has_creases = !scene.is_smooth || !matches!(method, Method::Smooth(true));
                 let picture = if has_creases { method.picture(&scene, size) } else { plain.clone() };
                 let (rms, far, worse) = reference.errors(&picture, &plain);
                 let [rms, far] = [rms, far].map(|error| (10.0 * error).round() / 10.0);
-                let row = json!({"scene": scene.name, "width": size[0], "height": size[1], "method": name, "rms": rms,
+                let mut row = json!({"scene": scene.name, "width": size[0], "height": size[1], "method": name, "rms": rms,
                     "over_20_percent": far, "worse": worse});
+                if size == SIZES[1] {
+                    row["largest_change"] = (change.round() as u32).into();
+                }
                 rows.extend(has_creases.then(|| row.to_string()));
                 pictures.push((size, picture));
             }
@@ -84,6 +88,35 @@ pub(crate) fn run(given: &mut ArgMatches) -> Result<ExitCode, String> {
     let data = folder.within("data/smooth.json").finish_page(&text)?;
     let picture = folder.within("smooth.png").finish(&gear()?)?;
     Ok(if data == ExitCode::SUCCESS { picture } else { data })
+}
+
+/// The largest change of the error of a pixel from frame to frame while a scene turns by 0.1° a frame, for each method, in the smaller size.
+fn changes_over_a_turn(scene: &mut Scene) -> [f64; METHODS.len()] {
+    const FRAMES: u32 = 32;
+    const STEP: u32 = u32::MAX / 3600;
+    let (size, model) = (SIZES[1], scene.model.0.clone());
+    let (mut last, mut changes) = (None::<[Vec<f64>; METHODS.len()]>, [0.0_f64; METHODS.len()]);
+    for frame in 0..FRAMES {
+        scene.model.0 = [vec![Step::Y(frame * STEP)], model.clone()].concat();
+        let (beside, turned) = (scene.solid.edge_faces(), scene.model.library());
+        let (mesh, camera) = (scene.mesh(&beside), camera(size[0], size[1]).library());
+        let reference = reference(scene, &camera.place(&mesh, &turned), size);
+        let errors = METHODS.each_ref().map(|(_, method)| {
+            let picture = method.picture(scene, size);
+            picture
+                .iter()
+                .zip(&reference.means)
+                .map(|(color, mean)| f64::from(color.r()) - mean)
+                .collect::<Vec<_>>()
+        });
+        for ((change, before), now) in changes.iter_mut().zip(last.iter().flatten()).zip(&errors) {
+            *change =
+                before.iter().zip(now).map(|(before, now)| (now - before).abs()).fold(*change, f64::max);
+        }
+        last = Some(errors);
+    }
+    scene.model.0 = model;
+    changes
 }
 
 impl Method {
