@@ -231,8 +231,8 @@
 //!
 //! [`SmoothEdges`](crate::draw::SmoothEdges) leave textures, and lines where faces pierce each other, as they are; samples smooth all of it. A
 //! viewport of twice the width and height takes strips of four times the bytes, and one loop makes a pixel of four samples. A torus of 1000
-//! faces in bands of 8 rows takes 3.7 times the instructions on an M3; [docs/accuracy.md] compares the errors. For a still picture, as on e-paper, the samples can also be drawn one after the other in their place:
-//! take the mean of four pictures, each through a [`jittered`](crate::Viewport::jittered) viewport.
+//! faces in bands of 8 rows takes 3.7 times the instructions on an M3; [docs/accuracy.md] compares the errors. For a
+//! still picture, as on e-paper, the samples can also be drawn one after the other in their place: take the mean of four pictures, each through a [`jittered`](crate::Viewport::jittered) viewport.
 //!
 //! ```
 #![doc = include_str!("cookbook/samples.rs")]

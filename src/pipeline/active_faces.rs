@@ -134,7 +134,7 @@ impl<V: Coordinate> Carries<0> for BinnedFaces<'_, V, false> {}
 
 impl<'a, V: Coordinate, const DEPTH: bool> BinnedFaces<'a, V, DEPTH> {
     /// Carries faces that continue below a band to the next one: their edges, depth and colour are not computed again. The pixels are
-    /// equal. S3, a torus of 1000 triangles with depth in bands of 8 rows, takes 1.33 times the instructions of one piece on a Cortex-M3,
+    /// those without a list. S3, a torus of 1000 triangles with depth in bands of 8 rows, takes 1.33 times the instructions of one piece on a Cortex-M3,
     /// 1.62 times without the list.
     ///
     /// `list` holds the faces

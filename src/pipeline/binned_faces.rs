@@ -157,7 +157,8 @@ impl FaceSource for BandSource<'_, '_> {
 }
 
 impl<V: Coordinate, const DEPTH: bool, L> BinnedFaces<'_, V, DEPTH, L> {
-    /// Draws the faces in a band as [`Faces::draw`](crate::draw::Faces::draw) does. `shade` is called once for each face that lies in the band.
+    /// Draws the faces in a band as [`Faces::draw`](crate::draw::Faces::draw) does. `shade` is called once for each face that lies in the
+    /// band, except for faces that a [list](BinnedFaces::with_active_faces) carries into it.
     ///
     /// For a depth test, create the depth buffer for this band's [area](crate::bands::Band::area): nothing is drawn outside it. Faces whose
     /// vertices were transformed without depth do not compile with one, and neither do they with a shader that needs depth:

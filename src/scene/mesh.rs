@@ -330,13 +330,14 @@ impl<'a, V> Mesh<'a, V> {
         Ok(Self { edges, edge_faces: &[], has_unlisted_faces: false, ..self })
     }
 
-    /// Adds the two faces adjacent to each edge, for hidden-line drawing, which would search all faces for them otherwise:
+    /// Adds the two faces adjacent to each edge, for hidden lines and smooth edges, which would search all faces for them otherwise:
     /// [`edge_faces`] finds them. An edge of more than two faces is listed once for every two of them, or has the same face twice:
     /// then all faces are searched. With two of its faces alone it is hidden where another one covers it.
     ///
     /// # Errors
     ///
-    /// [`MeshError`] if there is not one pair per edge, or a face index is neither in range nor [`Mesh::NO_FACE`].
+    /// [`MeshError::ListLength`] if there is not one pair per edge, [`MeshError::Index`] if a face index is neither in range nor
+    /// [`Mesh::NO_FACE`].
     pub const fn with_edge_faces(self, edge_faces: &'a [[u16; 2]]) -> Result<Self, MeshError> {
         let (given, needed, count) = (edge_faces.len(), self.edges.len(), self.faces.len());
         if given != needed {

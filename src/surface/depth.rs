@@ -123,7 +123,7 @@ impl<'a> DepthBuffer<'a> {
         self.values.get_mut(from..from.wrapping_add(width as usize))
     }
 
-    /// All depths, the index of a pixel's, which lies in the area, and how much larger that of the pixel below is.
+    /// All depths, the index of the depth of pixel (x, y), which lies in the area, and the stride.
     #[inline(always)]
     pub(crate) fn rows_from(&mut self, x: i32, y: i32) -> (&mut [u16], usize, usize) {
         let Rectangle { top_left, size } = self.area;

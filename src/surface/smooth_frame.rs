@@ -25,9 +25,11 @@ const LEAST: usize = 6;
 /// two colours, such as `BinaryColor`, has none between them, and cannot be smoothed.
 ///
 /// Two cores smooth a part of the screen each, such as a half, drawn three pixels larger as in the example: with a [fork](crate::draw::BinnedFaces::fork) of
-/// the faces, and edges that each core finds in the shared [`TransformedMesh`](crate::draw::TransformedMesh), into storage of its own. Bands are equal to
-/// one piece, whatever the scene; parts side by side are where edges lie three pixels apart. Between bars of a pixel's width a mixed pixel passes on to the
-/// next edge of its row: pixels at the border of a part may be off by some levels there, with eight pixels more by none that was found.
+/// the faces, and edges that each core finds in the shared [`TransformedMesh`](crate::draw::TransformedMesh), into storage of its own.
+///
+/// Bands are always equal to one piece. Parts side by side are equal if no two edges are less than three pixels apart; where bars are a pixel wide, a mixed
+/// pixel is mixed again by the next edge of its row, so pixels at the border of a part may be off by some levels. No difference was found when parts are
+/// drawn eight pixels larger.
 ///
 /// ```
 /// # use embedded_graphics::{draw_target::DrawTargetExt, mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -183,7 +185,7 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
     }
 }
 
-/// As many as LLVM copies without a call: on Arm by three loads and three stores of several registers.
+/// As many words as LLVM copies without a call: on Arm by three loads and three stores of several registers.
 type Words = [u32; if cfg!(target_arch = "arm") { 16 } else { 8 }];
 
 /// Copies as much as both have room for: many words at a time if both are aligned alike, which takes a tenth of the instructions on an M3.

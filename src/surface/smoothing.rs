@@ -29,7 +29,7 @@ pub struct SmoothPass<'p, C, Cell> {
 /// Which pixels of an edge are smoothed. Gradients are the changes of depth per pixel of the minor axis, in 2⁻⁸ step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seen {
-    /// Of the faces with the smaller and the larger minor coordinates; 0 if only one of them is drawn.
+    /// Of the faces with the smaller and the larger minor coordinates; of a side where no face is drawn any number that was a gradient.
     pub(crate) gradients: [i32; 2],
     pub(crate) kind: SeenKind,
     /// Whether gradients are known. Most silhouettes need none.
@@ -174,7 +174,7 @@ impl Seen {
 
 /// The planes of the faces beside an edge, with the smaller and the larger minor coordinates.
 struct Planes {
-    /// The changes of depth per pixel away from the edge, of the first face, and towards larger minor coordinates, of the second one.
+    /// The change of depth per pixel away from the edge, of the face with the smaller and of the face with the larger minor coordinates.
     changes: [i32; 2],
     /// How far off a pixel's depth may be.
     within: [i32; 2],
@@ -188,7 +188,7 @@ impl Planes {
         let within =
             |gradient: i32, is_drawn: bool| if is_drawn { 512 + (gradient.abs() >> 5) } else { 1 << 30 };
         let within = [within(low, seen.kind != SeenKind::High), within(high, seen.kind != SeenKind::Low)];
-        // Hidden: LLVM would negate each product.
+        // Hidden: LLVM would negate the product of each pixel.
         Self { changes: [opaque(-low), high], within }
     }
 
@@ -198,10 +198,10 @@ impl Planes {
     fn fit(&self, offset: u32, [low, high]: [i32; 2]) -> bool {
         let ([low_change, high_change], [low_within, high_within]) = (self.changes, self.within);
         let fits = |depth: i32, change: i32, within: i32| {
-            let off = depth - (change >> 8); // 2²¹ · 2⁸
+            let off = depth - (change >> 8);
             (off + within) as u32 <= 2 * within as u32 // |off| ≤ within
         };
-        // The pixels' centres lie before and behind the edge.
+        // The pixels' centres lie before and behind the edge. Products of 2²¹ · 2⁸ at most.
         let offset = (offset >> 24) as i32;
         fits(low, low_change * offset, low_within) && fits(high, high_change * (256 - offset), high_within)
     }

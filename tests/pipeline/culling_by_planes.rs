@@ -1,5 +1,5 @@
-//! Culling by clusters draws the picture of culling by face planes, which `fuzz/targets/scene/facing.rs` compares with culling by area. Meshes that the near plane and the guard band cut are equal in every way of drawing: solid, with depth,
-//! culled by planes, in bands, in painter's order, as wireframes and with hidden lines; faces that are culled before they are cut are those
+//! Culling by clusters draws the picture of culling by face planes, which `fuzz/targets/scene/facing.rs` compares with culling by area.
+//! Meshes that the near plane and the guard band cut are equal in every way of drawing: solid, with depth, culled by planes, in bands, in painter's order, as wireframes and with hidden lines; faces that are culled before they are cut are those
 //! that are drawn only without culling. `Cull::Front` draws what `Cull::Back` draws of the mesh with all faces turned over.
 
 use embedded_graphics_core::geometry::{Point, Size};

@@ -1,4 +1,4 @@
-//! R1–R7 and R9: the library's coverage equals the exact edge functions, with no tolerance. Scissors and errors, of lines too.
+//! R1–R7 and R9: the library's coverage equals the exact edge functions, with no tolerance. Scissors, of lines too, and errors.
 
 use embedded_graphics::pixelcolor::BinaryColor;
 use pinhole::draw::fill_triangle;
@@ -135,7 +135,7 @@ fn scissors_of_extreme_bounds_crop_and_do_not_panic() {
     }
 }
 
-/// Lines are in `lines.rs`.
+/// Errors while lines are drawn are in `lines.rs`.
 #[test]
 fn an_error_of_the_target_ends_a_triangle_and_is_returned() {
     let corners = [(0, 0), (4000, 100), (300, 4000)].map(bridge::screen_point);

@@ -65,9 +65,9 @@ fn check_scene<S: SpanShader<Rgb888>, B: SpanShader<Rgb888>>(
     }
 }
 
-/// Any function of both colours: here, light that is added. Halves, alphas, keys and screen doors are in `fuzz/targets/translucent.rs`.
+/// The function is light that is added. Halves, alphas, keys and screen doors are in `fuzz/targets/translucent.rs`.
 #[test]
-fn translucent_faces_are_mixed_with_what_is_behind_them() {
+fn faces_are_mixed_by_any_function_of_both_colors() {
     let scene = Faces::soup(&mut Rng::new(33), 120, 1200, 3000, |_| 0);
     let color = |face: usize| Rgb888::new(!(face as u8), (3 * face) as u8, 100);
     let smooth = |face: usize| Gouraud::new([color(face), color(face + 70), color(face + 140)]);

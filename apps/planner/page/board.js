@@ -42,7 +42,7 @@ async function firmwareOf(library, templates, board, chip) {
   return { ...facts, rest: { ram: facts.ram - buffersOf(board, way), flash: facts.flash - way.flash } };
 }
 
-// Two cores take this part of the time of one (docs/data/cells.json, cores16-z by bands16-z: 0.56 to 0.6).
+// Two cores take this part of the time of one (docs/data/cells.json, cores16-z by bands16-z: 0.56 to 0.58).
 const OF_TWO_CORES = 0.58;
 // The part of the shorter of drawing and sending that the longer one does not hide, as bands differ: tests/boards.mjs prints that of each emulated board.
 const NOT_HIDDEN = 0.4;

@@ -108,7 +108,7 @@ impl<C: Color, const W: usize, const H: usize> MipPicture<C, W, H> {
     }
 }
 
-/// The binary logarithms of the sides of a picture of these sides with its copies, which the compiler checks.
+/// Binary logarithms of the width and of twice the height, as the copies lie above the picture. Wrong sides do not compile.
 const fn sides<const W: usize, const H: usize>() -> [u32; 2] {
     assert!(
         H <= 128,

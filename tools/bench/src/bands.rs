@@ -215,7 +215,6 @@ faces!(active_depth, lit_active_depth(list: ActiveFace<Rgb565>), transform_depth
     &mut band.pixels().depth_tested(&mut depth)
 });
 
-/// A frame of a lit scene, without a list of active faces and with one.
-pub type LitFrame = fn(&Scene, &Lambert, Storage<'_>, &mut Display) -> Option<()>;
+/// A frame of a lit scene with a list of active faces.
 pub type ActiveFrame<const WORDS: usize> =
     fn(&Scene, &Lambert, Storage<'_>, &mut [ActiveFace<Rgb565, WORDS>], &mut Display) -> Option<()>;

@@ -23,7 +23,7 @@ Bad input: one line on stderr, exit code 2, and OUT is not changed."#;
 
 /// A coordinate of a triangle.
 type Subpixels = Whole<-2_097_152, 2_097_152>;
-/// A coordinate of a line. The documented range is symmetric; `Pixel` could hold -32768 too.
+/// A coordinate of a line: inside the range that `draw_line` does not clamp.
 type Pixels = Whole<-32_767, 32_767>;
 
 #[derive(Deserialize)]

@@ -153,7 +153,7 @@ impl<const BINS: usize, const CORNERS: usize> TwoCores<BINS, CORNERS> {
     pub const NEW: Self = Self(MeshBuffers::new(), [const { StripBuffers::new() }; 2], [0; BINS]);
 
     /// A frame with depth, until both cores have drawn their bands. One core does the parts of both, one after the other; of a stage that
-    /// both would do at once, the longer part counts.
+    /// both would do at once, all bands together, the longer part counts.
     pub(super) fn faces(&mut self, model: &'static Model) -> Option<Counted> {
         let scene = Scene::new(model)?;
         let light = scene.light()?;
