@@ -13,7 +13,6 @@ use crate::color::{Color, StoredPixel};
 use crate::math::hints::keep_rolled;
 use crate::math::Coordinate;
 use crate::raster::{CrossedEdge, Scissor};
-use crate::scene::Mesh;
 use crate::surface::{inside, rectangle, BufferError, Seen, SeenKind, SmoothPass};
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -180,7 +179,7 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
     fn mark_silhouettes(&self, flags: &mut [u16], kinds: &mut [Kinds]) {
         let (mesh, is_front_drawn) = (self.instance.mesh(), self.instance.cull() == Cull::Back);
         if !self.knows_silhouettes() {
-            return self.find_silhouettes(kinds, |_, _| true);
+            return self.find_silhouettes(kinds, true);
         }
         for (flag, face) in flags.iter_mut().zip(mesh.faces) {
             keep_rolled();
@@ -203,20 +202,21 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
             *kinds = [silhouettes as u16, seconds as u16, 0]; // 16 bits
         }
         if mesh.has_unlisted_faces {
-            self.find_silhouettes(kinds, |mesh, edge| mesh.listed_beside(edge).is_none());
+            self.find_silhouettes(kinds, false);
         }
     }
 
-    /// Marks silhouettes, and edges that may be creases, by the planes of the drawn faces beside them: of those edges for which `which` returns `true`.
+    /// Marks silhouettes, and edges that may be creases, by the planes of the drawn faces beside them: of `all` edges, or of those that list
+    /// one face twice.
     #[cold]
     #[inline(never)]
-    fn find_silhouettes(&self, kinds: &mut [Kinds], which: fn(&Mesh<'_, V::Stored>, usize) -> bool) {
+    fn find_silhouettes(&self, kinds: &mut [Kinds], all: bool) {
         let (viewport, mut own) = (pixels(self.instance.area()), SmoothEdge::EMPTY);
         for (word, kinds) in kinds.iter_mut().enumerate() {
             for at in 0..16 {
                 keep_rolled();
                 let index = 16 * word + at;
-                if !which(self.instance.mesh(), index) {
+                if !all && self.instance.mesh().listed_beside(index).is_some() {
                     continue;
                 }
                 *kinds = kinds.map(|bits| bits & !(1 << at));

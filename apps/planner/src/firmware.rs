@@ -183,7 +183,7 @@ pub(crate) fn texture(
     let lists = mesh.to_rust_texture("MODEL");
     mesh.picture = None;
     format!(
-        "//! What the faces of the model show, and where on it they lie. For another model, save the firmware again.
+        "//! What the faces of the model show, and where. For another model, save the firmware again.
 
 use {library}::pixelcolor::{name};
 use pinhole::texture::{{IndexedTexels, Texture, Textured}};
