@@ -134,12 +134,11 @@ impl<V: Coordinate> Carries<0> for BinnedFaces<'_, V, false> {}
 
 impl<'a, V: Coordinate, const DEPTH: bool> BinnedFaces<'a, V, DEPTH> {
     /// Carries faces that continue below a band to the next one: their edges, depth and colour are not computed again. The pixels are
-    /// those without a list. S3, a torus of 1000 triangles with depth in bands of 8 rows, takes 1.33 times the instructions of one piece on a Cortex-M3,
-    /// 1.62 times without the list.
+    /// those without a list. S3, a torus of 1000 triangles with depth in bands of 8 rows, takes 1.33 times the instructions of one piece on a
+    /// Cortex-M3, 1.62 times without the list.
     ///
-    /// `list` holds the faces
-    /// that continue: with as many entries as faces cross the border of two bands, none is set up twice. In bands of 8 rows the torus needs 56,
-    /// the height field F1 of 64 × 64 vertices 166 with each face in one colour; three times the square root of the number of visible faces is
+    /// `list` holds the faces that continue: with as many entries as faces cross the border of two bands, none is set up twice. In bands of 8
+    /// rows the torus needs 56, the height field F1 of 64 × 64 vertices 166 with each face in one colour; three times the square root of the number of visible faces is
     /// enough for most meshes. A face that finds no entry is set up again in the next band.
     ///
     /// Carried are faces of one colour, such as a color or [`Flat`](crate::shading::Flat) without fog, that are at most 32 rows high and not

@@ -23,7 +23,8 @@ pub enum BufferError {
     },
     /// A strip, or the buffer of the rows that a [`SmoothFrame`](crate::bands::SmoothFrame) keeps, is too short.
     Strip {
-        /// What is too short: "a strip of one row", "a strip of six rows" for a `SmoothFrame`, or "`kept` of two rows".
+        /// The buffer that is needed, in words: "a strip of one row" for a [`Frame`](crate::bands::Frame); "a strip of six rows" or "`kept` of two rows" for a
+        /// `SmoothFrame`.
         of: &'static str,
         /// Bytes of these rows.
         needed: usize,
