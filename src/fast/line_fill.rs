@@ -15,10 +15,9 @@ use super::memory_of;
 use super::put_run::{put_each, OneInk, Stored};
 use crate::color::StoredPixel;
 use crate::math::hints::{keep_branch, keep_rolled};
-use crate::raster::{pixel_index, LineSetup, LineSpans, Pixel, Scissor, Span};
+use crate::raster::{LineSetup, LineSpans, Pixel, PixelLayout, RowScratch, Scissor, Span};
 use crate::surface::block_fill::{fill_pairs, pair};
 use crate::surface::Surface;
-use embedded_graphics_core::primitives::Rectangle;
 
 /// Draws a line inside the scissor, which lies in the target, if the target's pixels lie in memory; otherwise draws nothing and
 /// returns `false`.
@@ -31,49 +30,40 @@ pub(crate) fn line_into_memory<T: Surface>(
     target: &mut T,
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
-    let Rectangle { top_left, .. } = memory.area();
-    let (cells, scratch) = memory.parts();
-    // Coordinates relative to the area's first pixel. They wrap only if the area is so far away that the scissor is empty.
-    let (right, down) = (|x: i32| x.wrapping_sub(top_left.x), |y: i32| y.wrapping_sub(top_left.y));
-    let moved = |p: Pixel| (right(p.x.into()), down(p.y.into()));
-    let (rows, columns) = (scissor.rows(), scissor.columns());
-    if !rows.is_empty() && !columns.is_empty() {
-        let scissor =
-            Scissor::unclamped(right(columns.start), down(rows.start), right(columns.end), down(rows.end));
-        line(cells, scratch.layout.stride, moved(from), moved(to), &scissor, color.stored());
-    }
+    let (cells, &mut RowScratch { layout, .. }) = memory.parts();
+    line(cells, layout, from, to, scissor, color.stored());
     true
 }
 
-/// Draws a line into `cells`, row by row. Slice and stride are separate arguments, so that they stay in registers from line to
+/// Draws a line into `cells`, row by row. Slice and layout are separate arguments, so that they stay in registers from line to
 /// line.
 #[inline(never)] // its loops need all registers
 fn line<Cell: Copy>(
     cells: &mut [Cell],
-    stride: usize,
-    from: (i32, i32),
-    to: (i32, i32),
+    layout: PixelLayout,
+    from: Pixel,
+    to: Pixel,
     scissor: &Scissor,
     cell: Cell,
 ) {
-    let setup = LineSetup::between(from, to);
-    if !setup.lies_in(scissor) || setup.tall && !is_short(&setup, stride) {
-        return cut(cells, stride, (setup.x, setup.y), setup.end, scissor, cell);
+    let setup = LineSetup::new(from, to);
+    if !setup.lies_in(scissor) || setup.tall && !is_short(&setup, layout.stride) {
+        return cut(cells, layout, (setup.x, setup.y), setup.end, scissor, cell);
     }
     let (start, end) = ((setup.x, setup.y), setup.end);
     if setup.tall {
-        steep(cells, stride, start, end, &setup, 0, cell);
+        steep(cells, layout, start, end, &setup, 0, cell);
     } else if setup.rise <= setup.length >> 2 {
         gentle(
             cells,
-            pixel_index(start.0, start.1, stride),
-            down(stride, setup.up),
+            layout.at(start.0, start.1),
+            down(layout.stride, setup.up),
             setup.rise,
             setup.length,
             cell,
         );
     } else {
-        flat(cells, stride, start, end, &setup, -1 - setup.length, cell);
+        flat(cells, layout, start, end, &setup, -1 - setup.length, cell);
     }
 }
 
@@ -82,12 +72,17 @@ fn line<Cell: Copy>(
 #[inline(never)]
 fn cut<Cell: Copy>(
     cells: &mut [Cell],
-    stride: usize,
+    layout: PixelLayout,
     from: (i32, i32),
     to: (i32, i32),
     scissor: &Scissor,
     cell: Cell,
 ) {
+    let [highest, lowest] = [from.1.min(to.1), from.1.max(to.1)];
+    // Most of the lines that come here in a close-up. `from` has the smaller column.
+    if to.0 < scissor.left || from.0 >= scissor.right || lowest < scissor.top || highest >= scissor.bottom {
+        return;
+    }
     let setup = LineSetup::between(from, to).clipped(scissor);
     let LineSetup { x, y, tall, up, length, first, last, .. } = setup;
     if first > last {
@@ -102,11 +97,11 @@ fn cut<Cell: Copy>(
     let (start, end) = (at(first, aside), at(last, last_aside));
     if !tall {
         // `raster::line` has `rest` + 1 + 2m − 2L there.
-        flat(cells, stride, start, end, &setup, rest - 2 * length, cell);
-    } else if is_short(&setup, stride) {
-        steep(cells, stride, start, end, &setup, first as u32, cell);
+        flat(cells, layout, start, end, &setup, rest - 2 * length, cell);
+    } else if is_short(&setup, layout.stride) {
+        steep(cells, layout, start, end, &setup, first as u32, cell);
     } else {
-        by_runs(cells, stride, from, to, scissor, cell);
+        by_runs(cells, layout, from, to, scissor, cell);
     }
 }
 
@@ -127,17 +122,18 @@ fn down(stride: usize, up: bool) -> usize {
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline(always))]
 fn flat<Cell: Copy>(
     cells: &mut [Cell],
-    stride: usize,
+    layout: PixelLayout,
     (x, y): (i32, i32),
     end: (i32, i32),
     setup: &LineSetup,
     error: i32,
     cell: Cell,
 ) {
-    // The slice of all rows but the last: the index leaves it when the line comes to its last row.
-    let last = pixel_index(0, end.1, stride);
-    let (low, high) = if setup.up { (last.wrapping_add(stride), cells.len()) } else { (0, last) };
-    let (mut at, down) = (pixel_index(x, y, stride).wrapping_sub(low), down(stride, setup.up));
+    // The slice up to the line's first column in its last row, or from that column below its last row on: the index leaves it when the
+    // line comes to its last row.
+    let last = layout.at(x, end.1);
+    let (low, high) = if setup.up { (last.wrapping_add(layout.stride), cells.len()) } else { (0, last) };
+    let (mut at, down) = (layout.at(x, y).wrapping_sub(low), down(layout.stride, setup.up));
     // The error is negative at every pixel: the addition carries where it becomes 0 or more.
     let (along, back) = (2 * setup.rise as u32, 2 * setup.length as u32);
     let mut error = error as u32;
@@ -155,8 +151,7 @@ fn flat<Cell: Copy>(
             keep_rolled();
         }
     }
-    if let Some(run) = cells.get_mut(at.wrapping_add(low)..pixel_index(end.0, end.1, stride).wrapping_add(1))
-    {
+    if let Some(run) = cells.get_mut(at.wrapping_add(low)..layout.at(end.0, end.1).wrapping_add(1)) {
         put_each::<Cell, true>(run, OneInk(Stored(cell))); // a few pixels
     }
 }
@@ -201,20 +196,20 @@ fn gentle<Cell: Copy>(cells: &mut [Cell], mut at: usize, down: usize, rise: i32,
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline(always))]
 fn steep<Cell: Copy>(
     cells: &mut [Cell],
-    stride: usize,
+    layout: PixelLayout,
     (x, y): (i32, i32),
     end: (i32, i32),
     setup: &LineSetup,
     first: u32,
     cell: Cell,
 ) {
-    let (start, end) = (pixel_index(x, y, stride), pixel_index(end.0, end.1, stride));
+    let (start, end) = (layout.at(x, y), layout.at(end.0, end.1));
     let (low, high) = if setup.up { (end, start) } else { (start, end) };
     let Some(cells) = cells.get_mut(low..high.wrapping_add(1)) else { return };
     // Columns per row, in 2⁻³².
     let slope = slope(setup);
     let mut at = fixed(start.wrapping_sub(low), slope.wrapping_mul(first).wrapping_add(HALF));
-    let step = fixed(down(stride, setup.up), slope);
+    let step = fixed(down(layout.stride, setup.up), slope);
     // After the last pixel the index is beyond the end of the slice; moving upwards it wraps below 0, which is beyond the end,
     // too.
     while let Some(pixel) = cells.get_mut((at >> 32) as usize) {
@@ -243,7 +238,7 @@ fn is_short(setup: &LineSetup, stride: usize) -> bool {
 #[inline(never)]
 fn by_runs<Cell: Copy>(
     cells: &mut [Cell],
-    stride: usize,
+    layout: PixelLayout,
     from: (i32, i32),
     to: (i32, i32),
     scissor: &Scissor,
@@ -251,7 +246,7 @@ fn by_runs<Cell: Copy>(
 ) {
     for Span { x, y, width, height } in LineSpans::new(&LineSetup::between(from, to), scissor) {
         for y in y..y.wrapping_add(height) {
-            let from = pixel_index(x, y, stride);
+            let from = layout.at(x, y);
             if let Some(run) = cells.get_mut(from..from.wrapping_add(width as usize)) {
                 run.fill(cell);
             }

@@ -77,7 +77,7 @@ pub(crate) use line_coverage::{Column, LineCoverage};
 pub(crate) use line_depth::LineDepth;
 pub(crate) use line_end::{weighted_area, LineEnds};
 pub(crate) use line_table::{areas_at, line_table, rests_at, rests_of, LineRests};
-pub(crate) use pixel_layout::{pixel_index, PixelLayout};
+pub(crate) use pixel_layout::PixelLayout;
 pub(crate) use row_scratch::RowScratch;
 pub(crate) use scissor::Scissor;
 pub(crate) use screen::Pixel;

@@ -25,6 +25,6 @@ impl PixelLayout {
 
 /// Index of pixel (x, y) in a row-major buffer whose first pixel is (0, 0).
 #[inline(always)]
-pub(crate) fn pixel_index(x: i32, y: i32, stride: usize) -> usize {
+fn pixel_index(x: i32, y: i32, stride: usize) -> usize {
     (y as usize).wrapping_mul(stride).wrapping_add(x as usize)
 }

@@ -75,14 +75,6 @@ pub(crate) struct PixelRows<S> {
     scratch: RowScratch,
 }
 
-impl<S> PixelRows<S> {
-    /// The rectangle whose pixels these are.
-    #[inline(always)]
-    pub(crate) const fn area(&self) -> Rectangle {
-        self.area
-    }
-}
-
 impl<S: PixelStore> PixelRows<S> {
     /// The cells, and the layout and scratch space for loops over them.
     #[inline(always)]
