@@ -31,9 +31,26 @@ pub(crate) fn fill<T: Surface, S: SpanShader<T::Color>>(
         return shaded_fill::triangle_of_one_ink(triangle, ink, scissor, target);
     }
     match S::FastPath::inner(shader) {
-        Some(inner) => shaded_fill::triangle(triangle, inner, scissor, target),
-        None => shaded_fill::triangle(triangle, shader, scissor, target),
+        Some(inner) => vary(triangle, inner, scissor, is_clipped, target),
+        None => vary(triangle, shader, scissor, is_clipped, target),
     }
+}
+
+/// [`fill`] for inks that vary.
+#[inline(always)]
+fn vary<T: Surface, S: SpanShader<T::Color>>(
+    triangle: &Triangle<'_>,
+    shader: &S,
+    scissor: &Scissor,
+    is_clipped: bool,
+    target: &mut T,
+) -> bool {
+    if S::Ink::IS_OPAQUE
+        && let Some(shader) = S::FastPath::table(shader)
+    {
+        return ramp_fill::table(triangle, &shader, scissor, is_clipped, target);
+    }
+    shaded_fill::triangle(triangle, shader, scissor, target)
 }
 
 /// [`fill`] for the pixels that are nearer than the depth buffer.

@@ -239,7 +239,7 @@ pub trait FastPath<C: PixelColor, S: SpanShader<C>> {
         None
     }
 
-    /// A [`TableShader`] that draws equal pixels, if there is one. With a depth buffer, targets with memory draw it by a faster
+    /// A [`TableShader`] that draws equal pixels, if there is one. Targets with memory draw it by a faster
     /// loop, instead of calling `set_up` and `span`.
     #[inline(always)]
     fn table(shader: &S) -> Option<TableShader<'_, C>> {

@@ -59,12 +59,15 @@ impl<const N: usize, const DEPTH_ROWS: usize, const WIDTH: usize, const HEIGHT: 
         Self { frame: Frame::NEW, depth: Depth([[0; WIDTH]; DEPTH_ROWS]), corners: [ScreenVertex::EMPTY; N] };
 }
 
-/// Memory of a picture, a depth buffer, a mesh's vertices, and the light at each vertex.
-pub struct Smooth<const N: usize> {
-    pub(crate) deep: Deep<N>,
+/// Memory of a picture, a mesh's vertices, the light at each, and a depth buffer unless `DEPTH_ROWS` is 0.
+pub struct Smooth<const N: usize, const DEPTH_ROWS: usize> {
+    pub(crate) memory: Memory<N, DEPTH_ROWS>,
     pub(crate) levels: [u16; N],
 }
 
-impl<const N: usize> Smooth<N> {
-    pub const NEW: Self = Self { deep: Deep::NEW, levels: [0; N] };
+pub type PlainSmooth<const N: usize> = Smooth<N, 0>;
+pub type DeepSmooth<const N: usize> = Smooth<N, SIDE>;
+
+impl<const N: usize, const DEPTH_ROWS: usize> Smooth<N, DEPTH_ROWS> {
+    pub const NEW: Self = Self { memory: Memory::NEW, levels: [0; N] };
 }

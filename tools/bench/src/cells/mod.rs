@@ -13,7 +13,7 @@ mod ways;
 
 pub use banded::{Both, Listed, Sampled, Sent, SmoothStrip, Strip, TwoCores, Wheel};
 pub use field::{Banded, Whole};
-pub use memory::{Deep, Frame, Memory, Plain, Smooth};
+pub use memory::{Deep, DeepSmooth, Frame, Memory, Plain, PlainSmooth, Smooth};
 pub use screen::Screen;
 
 use crate::bands::{bytes, pixels};

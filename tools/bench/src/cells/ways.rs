@@ -55,11 +55,11 @@ macro_rules! ways {
 
             /// The light at each vertex, and between them smoothly; culled by planes.
             #[inline(always)]
-            pub(in super::super) fn smooth_z(
+            pub(in super::super) fn smooth<const DEPTH_ROWS: usize>(
                 model: &'static Model,
-                Smooth { deep, levels }: &mut Smooth<TORUS>,
+                Smooth { memory, levels }: &mut Smooth<TORUS, DEPTH_ROWS>,
             ) -> Option<Counted> {
-                let Memory { frame, depth, corners } = deep;
+                let Memory { frame, depth, corners } = memory;
                 let scene = Scene::new(model)?;
                 let (light, instance) = (scene.light()?, scene.place());
                 let white = ShadeTable::new(Rgb888::WHITE);
