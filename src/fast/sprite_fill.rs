@@ -53,6 +53,8 @@ pub(crate) fn sprite<T: Surface, S: SpriteSource<Color = T::Color>>(
             // The pixels lie in the target, so in its memory.
             let Some(cells) = cells.get_mut(from..from.wrapping_add(texels.len())) else { return true };
             from = from.wrapping_add(stride);
+            let line = row.texel();
+            row.advance();
             match &mut depth {
                 Some((depths, from, stride)) => {
                     let Some(depths) = depths.get_mut(*from..from.wrapping_add(texels.len())) else {
@@ -60,7 +62,7 @@ pub(crate) fn sprite<T: Surface, S: SpriteSource<Color = T::Color>>(
                     };
                     *from = from.wrapping_add(*stride);
                     let put = |((cell, stored), &column): ((&mut _, &mut u16), &u32)| {
-                        if own < *stored && put(cell, source.texel_at(column, row.texel())) && !S::Ink::READS
+                        if own < *stored && put(cell, source.texel_at(column, line)) && !S::Ink::READS
                         {
                             *stored = own;
                         }
@@ -79,12 +81,11 @@ pub(crate) fn sprite<T: Surface, S: SpriteSource<Color = T::Color>>(
                 }
                 None => {
                     for (cell, column) in cells.iter_mut().zip(&*texels) {
-                        put(cell, source.texel_at(*column, row.texel()));
+                        put(cell, source.texel_at(*column, line));
                         keep_rolled();
                     }
                 }
             }
-            row.advance();
         }
         left += width;
     }
