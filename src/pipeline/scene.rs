@@ -517,7 +517,7 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
             let (own, other) = storage.split_at_mut_checked(numbers).unwrap_or_default();
             storage = other;
             let instance = object.place(camera);
-            let transformed = TransformedMesh::with_cache(&instance, true, cache);
+            let transformed = TransformedMesh::<_, true>::with_cache(&instance, true, cache);
             let edges = transformed.smooth_bins(|edge| is_crease(index, object, edge), own)?;
             let bounds = edges.bounds_with(&bins.bounds());
             let _ = scene.smooth.push(SmoothObject { index, cache, edges, bounds, is_cached });

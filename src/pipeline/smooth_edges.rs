@@ -1,5 +1,6 @@
 //! Silhouettes and creases, which are smoothed after the faces are drawn.
 
+use super::binned::DrawnWith;
 use super::bins::BinStorage;
 use super::cull::Cull;
 use super::draw_region::pixels;
@@ -13,7 +14,7 @@ use crate::color::{Color, StoredPixel};
 use crate::math::hints::keep_rolled;
 use crate::math::Coordinate;
 use crate::raster::{CrossedEdge, Scissor};
-use crate::surface::{inside, rectangle, BufferError, Seen, SeenKind, SmoothPass};
+use crate::surface::{inside, rectangle, BufferError, Seen, SeenKind, SmoothPass, Tested};
 use embedded_graphics_core::primitives::Rectangle;
 
 /// The edges of a mesh that are smoothed in a picture, binned by their first rows: silhouettes, beyond which no face of the mesh follows, and
@@ -67,7 +68,7 @@ const SECOND: usize = 1;
 /// Word of [`Kinds`]: edges wider than tall.
 const WIDE: usize = 2;
 
-impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
+impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// Finds the silhouettes of a mesh, and those of its creases that are in front, for [smoothing](crate::target::DepthTestedSurface::smooth).
     /// `is_crease` tells of an edge by its index whether it is a crease where both of its faces are drawn: `|_| false` for a surface that is
     /// lit smoothly, `|_| true` for one in facets, or whether the colours of the [faces beside it](crate::Mesh::edge_faces) differ: each crease that
@@ -111,13 +112,19 @@ impl<'a, V: Coordinate> TransformedMesh<'a, V, true> {
         &self,
         is_crease: impl FnMut(usize) -> bool,
         storage: &'a mut [u16],
-    ) -> Result<SmoothEdges<'a, V>, BufferError> {
+    ) -> Result<SmoothEdges<'a, V>, BufferError>
+    where
+        Self: DrawnWith<Tested>,
+    {
         let bins = self.smooth_bins(is_crease, storage)?;
-        Ok(SmoothEdges { transformed: *self, bins, memory: SmoothMemory::new() })
+        let transformed = TransformedMesh::with_cache(self.instance, true, self.cache);
+        Ok(SmoothEdges { transformed, bins, memory: SmoothMemory::new() })
     }
 }
 
-impl<V: Coordinate> TransformedMesh<'_, V, true> {
+impl<V: Coordinate> DrawnWith<Tested> for TransformedMesh<'_, V, true> {}
+
+impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     /// The edges that are smoothed.
     #[inline(always)]
     pub(super) fn smooth_bins<'s>(

@@ -49,7 +49,7 @@ pub struct TransformedMesh<'a, V: Coordinate = i16, const DEPTH: bool = true> {
     pub(super) instance: &'a MeshInstance<'a, V>,
     /// Whether the far plane clips.
     pub(super) far: bool,
-    cache: &'a [ScreenVertex],
+    pub(super) cache: &'a [ScreenVertex],
 }
 
 // Not derived: V need not be Clone behind a reference.
