@@ -1,5 +1,5 @@
-//! Smoothed edges, without a list of the faces beside them and with one: in one piece and in bands of any height, whatever the number of
-//! edges that are kept, pictures are equal. No pixel leaves the levels of the picture before.
+//! Smoothed edges, without a list of the faces beside them and with one: in one piece and in bands of any height, one after the other or by
+//! their numbers, whatever the number of edges that are kept, pictures are equal. No pixel leaves the levels of the picture before.
 
 use super::scene::input::Scene;
 use super::Bytes;
@@ -41,7 +41,7 @@ impl Check<'_> {
         cells
     }
 
-    fn in_bands(&self, rows: u32, kept_edges: usize) -> Vec<Gray8> {
+    fn in_bands(&self, rows: u32, kept_edges: usize, by_number: bool) -> Vec<Gray8> {
         let (mesh, width) = (self.instance.mesh(), self.area.size.width);
         let mut cache = vec![ScreenVertex::EMPTY; self.cache];
         let (mut bins, mut edge_bins) = (vec![0; mesh.face_bins_len()], vec![0; mesh.smooth_bins_len()]);
@@ -56,7 +56,12 @@ impl Check<'_> {
         let ((mut strip, mut depths), (mut kept, _)) = (storage(rows), storage(2));
         let mut frame = SmoothFrame::new(self.area, SKY, &mut kept, &mut depths).expect("room");
         let mut picture = Vec::new();
-        while let Some(mut band) = frame.next_band(&mut strip).expect("room") {
+        for index in 0.. {
+            let band = match by_number {
+                true => frame.nth_band(index, &mut strip),
+                false => frame.next_band(&mut strip),
+            };
+            let Some(mut band) = band.expect("room") else { break };
             let (mut pixels, mut depth) = band.new_rows();
             let Ok(()) = faces.draw(Self::color, &mut pixels.depth_tested(&mut depth));
             picture.extend(band.smooth(|pass| edges.draw(pass)).colors());
@@ -71,6 +76,7 @@ pub(super) fn check(data: &[u8]) {
     let Some(area) = scene.rectangle() else { return };
     let mut b = Bytes::new(head);
     let (kind, rows, kept_edges) = (b.byte(), 6 + u32::from(b.byte() % 20), b.below(9));
+    let by_number = kind & 2 != 0 && rows > 6;
     let sides = scene.faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let edges: Vec<[u16; 2]> = sides.chain(scene.edges.iter().copied()).collect();
     let beside = edges.iter().map(|edge| {
@@ -89,6 +95,6 @@ pub(super) fn check(data: &[u8]) {
     let instance = &camera.place(&mesh, &scene.model.library()).with_cull(scene.cull);
     let check = Check { instance, area, cache: scene.cache, creases: b.byte() };
     let whole = check.in_one_piece();
-    assert!(whole == check.in_bands(rows, kept_edges), "{kind} {rows} {kept_edges} {scene:?}");
+    assert!(whole == check.in_bands(rows, kept_edges, by_number), "{kind} {rows} {kept_edges} {scene:?}");
     assert!(whole.iter().all(|color| (10..=250).contains(&color.luma())), "{scene:?}");
 }

@@ -23,8 +23,8 @@ pub enum BufferError {
     },
     /// A strip, or the buffer of the rows that a [`SmoothFrame`](crate::bands::SmoothFrame) keeps, is too short.
     Strip {
-        /// The buffer that is needed, in words: "a strip of one row" for a [`Frame`](crate::bands::Frame); "a strip of six rows" or "`kept` of two rows" for a
-        /// `SmoothFrame`.
+        /// The buffer that is needed, in words: "a strip of one row" for a [`Frame`](crate::bands::Frame); "a strip of six rows", or of seven, or "`kept` of two
+        /// rows" for a `SmoothFrame`.
         of: &'static str,
         /// Bytes of these rows.
         needed: usize,

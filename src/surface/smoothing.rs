@@ -19,7 +19,7 @@ pub struct SmoothPass<'p, C, Cell> {
     pub(super) layout: PixelLayout,
     pub(super) depths: &'p [u16],
     pub(super) depth_layout: PixelLayout,
-    /// The pixels that this pass may change. Of a band: the new rows in the first pass, all in the second, the finished ones in the third.
+    /// The pixels that this pass may change. Of a band: the new rows in the first pass, all in the second, those that do not wait in the third.
     pub(super) pixels: Scissor,
     /// The number of the pass: 0 to 2.
     pub(super) number: usize,

@@ -16,8 +16,9 @@ use pinhole::{
 };
 use support::bridge::{
     self,
-    pair::{ModelBits, Step},
+    pair::{CameraBits, ModelBits, Step},
 };
+use support::oracle::rng::Rng;
 use support::smooth_scenes::{camera, grey, reference, scenes, Reference, Scene, BACKGROUND, NO_CREASES};
 
 /// Draws parts of the screen one after the other, each in bands of a strip of this many rows and `beyond` pixels larger on each side than
@@ -152,12 +153,90 @@ fn two_cores_smooth_halves_of_the_screen() {
     }
 }
 
+/// Bands by their numbers, in any order and again, of frames in and around the viewport that begin at any row.
+#[test]
+fn bands_by_number_are_smoothed_as_one_piece() {
+    let mut rng = Rng::new(47);
+    for scene in scenes().into_iter().filter(|scene| !scene.is_smooth) {
+        let (beside, colors) = (scene.solid.edge_faces(), scene.levels().0);
+        let mesh = scene.mesh(&beside);
+        for step in 0..24 {
+            let [x, y] = [0; 2].map(|_| rng.int(-40, 9) as i32);
+            let width = rng.int(12, 96) as u32; // in few pixels, edges follow each other in each row
+            let camera = CameraBits { viewport: (x, y, width, width), ..camera(1, 1) }.library();
+            let model = turned(step).library();
+            let instance = camera.place(&mesh, &model);
+            let mut cache = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
+            let (mut bins, mut edge_bins) = (vec![0; mesh.face_bins_len()], vec![0; mesh.smooth_bins_len()]);
+            let transformed = instance.transform_depth(&mut cache);
+            let mut faces = transformed.bin_faces(&mut bins).expect("room");
+            let mut edges = transformed.bin_smooth_edges(|_| true, &mut edge_bins).expect("room");
+            let height = [1, 2, 3, rng.int(4, 70) as u32][step as usize % 4];
+            let top = y + rng.int(-9, width as i64 / 2) as i32;
+            let area = bridge::rectangle(x, top, width, height);
+
+            let (mut cells, mut depths) = (vec![grey(BACKGROUND); (width * 70) as usize], vec![0; 96 * 70]);
+            let mut depth = DepthBuffer::new(area, &mut depths).expect("room");
+            let mut pixels = Pixels::<Rgb888>::new(&mut cells, area).expect("room");
+            let mut target = pixels.depth_tested(&mut depth);
+            let Ok(()) = faces.draw(|face| grey(colors[face]), &mut target);
+            target.smooth(|pass| edges.draw(pass));
+
+            // The rows of a strip, and those that a band sends if the frame begins at an even row, or an odd one.
+            for (rows, sent) in
+                [(7, [1, 1]), (8, [4, 2]), (9, [3, 3]), (10, [6, 4]), (19, [13, 13]), (90, [86, 84])]
+            {
+                let storage = |rows| vec![0; Frame::<Rgb888>::strip_bytes(width, rows)];
+                let (mut strip, mut kept, mut depths) =
+                    (storage(rows), storage(2), vec![0; (width * rows) as usize]);
+                let mut frame =
+                    SmoothFrame::new(area, grey(BACKGROUND), &mut kept, &mut depths).expect("room");
+                let sent = sent[top as usize & 1];
+                let mut order: Vec<_> = (0..height.div_ceil(sent)).flat_map(|index| [index; 2]).collect();
+                rng.shuffle(&mut order);
+                frame.next_band(&mut strip).expect("room"); // whose last rows may wait
+                for index in order {
+                    let mut band = frame.nth_band(index, &mut strip).expect("room").expect("a band");
+                    let (mut pixels, mut depth) = band.new_rows();
+                    let Ok(()) = faces.draw(|face| grey(colors[face]), &mut pixels.depth_tested(&mut depth));
+                    let band = band.smooth(|pass| edges.draw(pass));
+                    let first = index * sent;
+                    let height = sent.min(height - first);
+                    assert_eq!(band.area(), bridge::rectangle(x, top + first as i32, width, height));
+                    let cells = cells[(first * width) as usize..].iter().copied();
+                    assert!(
+                        band.colors().eq(cells.take((width * height) as usize)),
+                        "{} {rows} {index}",
+                        scene.name
+                    );
+                }
+                assert!(frame.nth_band(height.div_ceil(sent), &mut strip).expect("room").is_none());
+                assert!(frame.nth_band(u32::MAX, &mut strip).expect("room").is_none());
+            }
+        }
+    }
+}
+
 #[test]
 fn dirty_regions_show_the_smoothed_edges_of_each_frame() {
-    let (scene, area) = (&scenes()[0], bridge::rectangle(0, 0, 128, 64));
+    let sent = show_turned::<4>(&scenes()[0], 3);
+    assert!(sent < 10 * 128 * 64 / 2, "{sent}");
+}
+
+/// As the documentation of `SmoothFrame` says: what contains the bounds of all edges is drawn as large as it is sent.
+#[test]
+fn a_part_around_all_edges_is_smoothed_as_one_piece() {
+    for scene in scenes().into_iter().filter(|scene| !scene.is_smooth) {
+        show_turned::<1>(&scene, 0);
+    }
+}
+
+/// Sends what changes while a scene turns, in rectangles that are drawn `beyond` pixels larger on each side. Returns the number of pixels.
+fn show_turned<const RECTANGLES: usize>(scene: &Scene, beyond: i32) -> u32 {
+    let area = bridge::rectangle(0, 0, 128, 64);
     let beside = scene.solid.edge_faces();
     let (mesh, camera) = (scene.mesh(&beside), camera(128, 64).library());
-    let mut dirty = DirtyRegions::<4>::new(area, TransferCost::new(24, TransferCost::MIPI_DCS));
+    let mut dirty = DirtyRegions::<RECTANGLES>::new(area, TransferCost::new(24, TransferCost::MIPI_DCS));
     let (mut cells, mut sent) = (vec![Rgb888::RED; 128 * 64], 0);
     for step in 0..10 {
         let model = turned(step).library();
@@ -169,10 +248,10 @@ fn dirty_regions_show_the_smoothed_edges_of_each_frame() {
             sent += parts.iter().map(|part| part.size.width * part.size.height).sum::<u32>();
             parts.to_vec()
         };
-        send(scene, &instance, parts, (8, 3), &mut display);
-        assert!(cells == scene.picture(&instance, [128, 64], Some(0)), "frame {step}");
+        send(scene, &instance, parts, (8, beyond), &mut display);
+        assert!(cells == scene.picture(&instance, [128, 64], Some(0)), "{} {step}", scene.name);
     }
-    assert!(sent < 10 * 128 * 64 / 2, "{sent}");
+    sent
 }
 
 #[test]
@@ -184,6 +263,29 @@ fn short_buffers_are_refused() {
     let mut frame = SmoothFrame::new(area, Rgb565::BLACK, &mut kept, &mut depths).expect("room");
     let error = frame.next_band(&mut [0; 767]).map(drop);
     assert_eq!(error, Err(BufferError::Strip { of: "a strip of six rows", needed: 768, given: 767 }));
+    let error = frame.nth_band(0, &mut [0; 895]).map(drop);
+    assert_eq!(error, Err(BufferError::Strip { of: "a strip of seven rows", needed: 896, given: 895 }));
+    let error = frame.nth_band(0, &mut [0; 896]).map(drop);
+    assert_eq!(error, Err(BufferError::Depth { needed: 448, given: 384 }));
+}
+
+/// A band by its number uses the depths of rows that wait for the next band.
+#[test]
+fn the_next_band_after_one_by_number_is_the_first_one() {
+    let (mut strip, mut kept, mut depths) = ([0; 16 * 8], [0; 16 * 2], [0; 16 * 8]);
+    let mut frame = SmoothFrame::new(bridge::rectangle(0, 4, 16, 20), Gray8::new(0), &mut kept, &mut depths)
+        .expect("room");
+    let mut new_rows = |index: Option<u32>| {
+        let band = match index {
+            Some(index) => frame.nth_band(index, &mut strip),
+            None => frame.next_band(&mut strip),
+        };
+        band.expect("room").map(|band| band.area().rows())
+    };
+    assert_eq!(
+        [None, None, Some(2), None, None].map(&mut new_rows),
+        [4..10, 10..16, 10..18, 4..10, 10..16].map(Some)
+    );
 }
 
 /// The second and the third pass mix no other pixels than neighbours in a column, of which the upper one has an odd row, and an even row.

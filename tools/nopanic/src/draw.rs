@@ -290,7 +290,11 @@ fn smooth(
         picture.pixels().depth_tested(&mut depth).smooth(|pass| edges.draw(pass));
     }
     let Ok(mut frame) = SmoothFrame::new(area(), color(), kept, depth) else { return };
-    let Ok(Some(mut band)) = frame.next_band(strip) else { return };
+    let band = match any() {
+        0 => frame.next_band(strip),
+        index => frame.nth_band(index as u32, strip),
+    };
+    let Ok(Some(mut band)) = band else { return };
     report(band.area());
     let (mut pixels, mut depth) = band.new_rows();
     report(instance.faces(|_| color()).draw(&mut pixels.depth_tested(&mut depth)));
