@@ -34,7 +34,8 @@ pub struct MeshBuffers<const VERTICES: usize, const BINS: usize, const EDGE_BINS
     pub cache: [ScreenVertex; VERTICES],
     /// Bin storage for faces: see [`TransformedMesh::bin_faces`](crate::draw::TransformedMesh::bin_faces).
     pub bins: [u16; BINS],
-    /// Bin storage for edges: see [`TransformedMesh::bin_edges`](crate::draw::TransformedMesh::bin_edges).
+    /// Bin storage for edges: see [`TransformedMesh::bin_edges`](crate::draw::TransformedMesh::bin_edges) and
+    /// [`bin_smooth_edges`](crate::draw::TransformedMesh::bin_smooth_edges).
     pub edge_bins: [u16; EDGE_BINS],
 }
 
@@ -68,7 +69,8 @@ defmt_format!(
 /// [`ScreenVertex`](crate::camera::ScreenVertex) of 8 bytes as the mesh has vertices, and [`face_bins_len`](crate::Mesh::face_bins_len) numbers.
 ///
 /// `mesh_buffers!(MESH)` is for faces, with storage in the field `bins`; `mesh_buffers!(edges: MESH)` for a wireframe, with `edge_bins`; and
-/// `mesh_buffers!(faces, edges: MESH)` for hidden lines, with both. [`MeshBuffers!`](macro@crate::MeshBuffers) with equal arguments is the type, for statics:
+/// `mesh_buffers!(faces, edges: MESH)` for hidden lines, with both. `mesh_buffers!(smooth: MESH)`, or `[MESH; 8]`, has both for faces whose edges are
+/// [smoothed](crate::bands::SmoothFrame). [`MeshBuffers!`](macro@crate::MeshBuffers) with equal arguments is the type, for statics:
 ///
 /// ```
 /// use pinhole::prelude::*;
@@ -91,6 +93,9 @@ defmt_format!(
 /// ```
 #[macro_export]
 macro_rules! mesh_buffers {
+    (smooth: $([$mesh:expr; $count:expr]),+ $(,)?) => {
+        <$crate::MeshBuffers!(smooth: $([$mesh; $count]),+)>::new()
+    };
     ($($kind:ident),+: $($mesh:expr),+ $(,)?) => {
         <$crate::MeshBuffers!($($kind),+: $($mesh),+)>::new()
     };
@@ -117,6 +122,20 @@ macro_rules! MeshBuffers {
             { $crate::largest(&[$($mesh.vertices().len()),+]) },
             { $crate::largest(&[$($mesh.face_bins_len()),+]) },
             { $crate::largest(&[$($mesh.edge_bins_len()),+]) },
+        >
+    };
+    (smooth: $([$mesh:expr; $count:expr]),+ $(,)?) => {
+        $crate::MeshBuffers<
+            { 0 $(+ $mesh.vertices().len() * $count)+ },
+            { 0 $(+ $mesh.face_bins_len() * $count)+ },
+            { 0 $(+ $mesh.smooth_bins_len() * $count)+ },
+        >
+    };
+    (smooth: $($mesh:expr),+ $(,)?) => {
+        $crate::MeshBuffers<
+            { $crate::largest(&[$($mesh.vertices().len()),+]) },
+            { $crate::largest(&[$($mesh.face_bins_len()),+]) },
+            { $crate::largest(&[$($mesh.smooth_bins_len()),+]) },
         >
     };
     ($([$mesh:expr; $count:expr]),+ $(,)?) => {

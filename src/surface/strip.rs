@@ -7,33 +7,36 @@
 /// The bytes are aligned to 4, so that DMA can send them as words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C, align(4))]
-pub struct StripBuffers<const BYTES: usize, const PIXELS: usize = 0> {
+pub struct StripBuffers<const BYTES: usize, const PIXELS: usize = 0, const KEPT: usize = 0> {
     /// The pixels in wire order.
     pub colors: [u8; BYTES],
     /// The depth of each pixel.
     pub depths: [u16; PIXELS],
+    /// The rows that wait for the next band of a [`SmoothFrame`](crate::bands::SmoothFrame).
+    pub kept: [u8; KEPT],
 }
 
-impl<const BYTES: usize, const PIXELS: usize> StripBuffers<BYTES, PIXELS> {
+impl<const BYTES: usize, const PIXELS: usize, const KEPT: usize> StripBuffers<BYTES, PIXELS, KEPT> {
     /// Buffers of zeros: a static is in `.bss` and takes no flash.
     pub const fn new() -> Self {
-        Self { colors: [0; BYTES], depths: [0; PIXELS] }
+        Self { colors: [0; BYTES], depths: [0; PIXELS], kept: [0; KEPT] }
     }
 }
 
-impl<const BYTES: usize, const PIXELS: usize> Default for StripBuffers<BYTES, PIXELS> {
+impl<const BYTES: usize, const PIXELS: usize, const KEPT: usize> Default for StripBuffers<BYTES, PIXELS, KEPT> {
     fn default() -> Self {
         Self::new()
     }
 }
 
 defmt_format!(
-    [const BYTES: usize, const PIXELS: usize] StripBuffers<BYTES, PIXELS>, self,
+    [const BYTES: usize, const PIXELS: usize, const KEPT: usize] StripBuffers<BYTES, PIXELS, KEPT>, self,
     "strip of {=usize} bytes and {=usize} depths", BYTES, PIXELS
 );
 
 /// Declares the memory of a strip, `strip_buffers!(COLOR, WIDTH, ROWS)`: [`StripBuffers`] with the bytes and the depths of `ROWS`
-/// rows of `WIDTH` pixels. `strip_buffers!(COLOR, WIDTH, ROWS, no depth)` has no depths.
+/// rows of `WIDTH` pixels. `strip_buffers!(COLOR, WIDTH, ROWS, no depth)` has no depths, and `strip_buffers!(COLOR, WIDTH, ROWS, smooth)`, for a
+/// [`SmoothFrame`](crate::bands::SmoothFrame), two rows more, which wait for the next band, and `kept`.
 /// [`StripBuffers!`](macro@crate::StripBuffers) with equal arguments is the type, for statics:
 ///
 /// ```
@@ -58,6 +61,13 @@ macro_rules! strip_buffers {
 macro_rules! StripBuffers {
     ($color:ty, $width:expr, $rows:expr, no depth) => {
         $crate::StripBuffers<{ $crate::bands::Frame::<$color>::strip_bytes($width as u32, $rows as u32) }>
+    };
+    ($color:ty, $width:expr, $rows:expr, smooth) => {
+        $crate::StripBuffers<
+            { $crate::bands::Frame::<$color>::strip_bytes($width as u32, $rows as u32 + 2) },
+            { ($width as usize).saturating_mul($rows as usize + 2) },
+            { $crate::bands::Frame::<$color>::strip_bytes($width as u32, 2) },
+        >
     };
     ($color:ty, $width:expr, $rows:expr) => {
         $crate::StripBuffers<
