@@ -62,8 +62,7 @@ pub(crate) fn sprite<T: Surface, S: SpriteSource<Color = T::Color>>(
                     };
                     *from = from.wrapping_add(*stride);
                     let put = |((cell, stored), &column): ((&mut _, &mut u16), &u32)| {
-                        if own < *stored && put(cell, source.texel_at(column, line)) && !S::Ink::READS
-                        {
+                        if own < *stored && put(cell, source.texel_at(column, line)) && !S::Ink::READS {
                             *stored = own;
                         }
                     };

@@ -52,16 +52,14 @@ const LEAST_BY_NUMBER: usize = 7;
 /// # let camera = Camera::framing(&MESH.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::degrees(20))?;
 /// # let instance = camera.place(&MESH, &Affine::identity());
 /// // `MESH` is a `const`, as `pinhole-import --edges creases-first --edge-faces` writes it, and `instance` is it before a camera. Firmware has these
-/// // buffers in statics, whose lengths are constants: `static EDGE_BINS: ConstStaticCell<[u16; MESH.smooth_bins_len()]>`.
-/// let mut buffers = mesh_buffers!(MESH);
-/// let mut edge_bins = [0; MESH.smooth_bins_len()];
-/// let mut strip = strip_buffers!(Gray8, 64, 10); // 8 rows, and two that wait
-/// let mut kept = [0; Frame::<Gray8>::strip_bytes(64, 2)];
+/// // buffers in statics.
+/// let mut buffers = mesh_buffers!(smooth: MESH);
+/// let mut strip = strip_buffers!(Gray8, 64, 8, smooth); // 8 rows, and two that wait
 ///
 /// let mesh = instance.transform_depth(&mut buffers.cache);
 /// let mut faces = mesh.bin_faces(&mut buffers.bins)?;
-/// let mut edges = mesh.bin_smooth_edges(|_| false, &mut edge_bins)?;
-/// let mut frame = SmoothFrame::new(display.bounding_box(), Gray8::BLACK, &mut kept, &mut strip.depths)?;
+/// let mut edges = mesh.bin_smooth_edges(|_| false, &mut buffers.edge_bins)?;
+/// let mut frame = SmoothFrame::new(display.bounding_box(), Gray8::BLACK, &mut strip.kept, &mut strip.depths)?;
 /// let mut heights = Vec::new();
 /// while let Some(mut band) = frame.next_band(&mut strip.colors)? {
 ///     let (mut pixels, mut depth) = band.new_rows();
@@ -74,11 +72,10 @@ const LEAST_BY_NUMBER: usize = 7;
 ///
 /// // A part of the screen lacks neighbours at its border: draw three pixels more on each side, which are not sent.
 /// let mut dirty = DirtyRegions::<4>::new(display.bounding_box(), TransferCost::new(8, TransferCost::MIPI_DCS));
-/// let mut strip = strip_buffers!(Gray8, 64 + 6, 10);
-/// let mut kept = [0; Frame::<Gray8>::strip_bytes(64 + 6, 2)];
+/// let mut strip = strip_buffers!(Gray8, 64 + 6, 8, smooth);
 /// dirty.mark(edges.bounds(faces.bounds()));
 /// for part in dirty.take() {
-///     let mut frame = SmoothFrame::new(part.offset(3), Gray8::BLACK, &mut kept, &mut strip.depths)?;
+///     let mut frame = SmoothFrame::new(part.offset(3), Gray8::BLACK, &mut strip.kept, &mut strip.depths)?;
 ///     while let Some(mut band) = frame.next_band(&mut strip.colors)? {
 /// #       let (mut pixels, mut depth) = band.new_rows();
 /// #       faces.draw(|_| Gray8::WHITE, &mut pixels.depth_tested(&mut depth))?;
@@ -120,7 +117,7 @@ pub struct SmoothBand<'s, 'k, C> {
 
 impl<'k, C: Color> SmoothFrame<'k, C> {
     /// The frame for the pixels of `area`. `kept` holds two rows between bands, in [`strip_bytes`](crate::bands::Frame::strip_bytes) of two rows; `depths`
-    /// has the depths of a band, and between bands those of these rows.
+    /// has the depths of a band, and between bands those of these rows. `strip_buffers!(COLOR, WIDTH, ROWS, smooth)` has all three.
     ///
     /// # Errors
     ///

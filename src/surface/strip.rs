@@ -23,7 +23,9 @@ impl<const BYTES: usize, const PIXELS: usize, const KEPT: usize> StripBuffers<BY
     }
 }
 
-impl<const BYTES: usize, const PIXELS: usize, const KEPT: usize> Default for StripBuffers<BYTES, PIXELS, KEPT> {
+impl<const BYTES: usize, const PIXELS: usize, const KEPT: usize> Default
+    for StripBuffers<BYTES, PIXELS, KEPT>
+{
     fn default() -> Self {
         Self::new()
     }

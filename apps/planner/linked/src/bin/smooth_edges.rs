@@ -5,15 +5,10 @@
 use linked::*;
 use pinhole::{bands::SmoothFrame, draw::SmoothEdge};
 
-const WIDE: usize = WIDTH as usize;
-
 firmware!(|camera, turn, display: Rgb565|
-    mesh: MeshBuffers<{ MODEL.vertices().len() }, { MODEL.face_bins_len() }, { MODEL.smooth_bins_len() }> = MeshBuffers::new(),
+    mesh: MeshBuffers!(smooth: MODEL) = mesh_buffers!(smooth: MODEL),
     list: [SmoothEdge; 16] = [SmoothEdge::EMPTY; 16],
-    // Two rows more than a band has, and the rows that wait.
-    strip: [u8; 2 * WIDE * (ROWS as usize + 2)] = [0; 2 * WIDE * (ROWS as usize + 2)],
-    depths: [u16; WIDE * (ROWS as usize + 2)] = [0; WIDE * (ROWS as usize + 2)],
-    kept: [u8; 4 * WIDE] = [0; 4 * WIDE],
+    strip: StripBuffers!(Rgb565, WIDTH, ROWS, smooth) = strip_buffers!(Rgb565, WIDTH, ROWS, smooth),
     {
         let model = Affine::rotation_y(turn);
         let light = light(&model)?;
@@ -23,12 +18,12 @@ firmware!(|camera, turn, display: Rgb565|
         let creases = if SHADING == "flat" { MODEL_CREASES } else { 0 };
         let mut edges = transformed.bin_smooth_edges(|edge| edge < creases, &mut mesh.edge_bins).ok()?;
         edges.keep_in(list);
-        let mut frame = SmoothFrame::new(area(display), Rgb565::BLACK, kept, depths).ok()?;
+        let mut frame = SmoothFrame::new(area(display), Rgb565::BLACK, &mut strip.kept, &mut strip.depths).ok()?;
         let smooth = |face| {
             let normals = MODEL.corners_of(face, MODEL.vertex_normals());
             Gouraud::lit(LIT, normals.map(|normal| light.level(normal)))
         };
-        while let Some(mut band) = frame.next_band(strip).ok()? {
+        while let Some(mut band) = frame.next_band(&mut strip.colors).ok()? {
             let (mut pixels, mut depth) = band.new_rows();
             let target = &mut pixels.depth_tested(&mut depth);
             let Ok(()) = match SHADING {
