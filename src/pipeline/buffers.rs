@@ -90,6 +90,8 @@ defmt_format!(
 /// assert_eq!((shared.cache.len(), shared.bins.len()), (9, 3)); // a face, one for up to 16 faces, and a bin
 /// let scene = mesh_buffers!([TRIANGLE; 20], [POINTS; 1]);
 /// assert_eq!((scene.cache.len(), scene.bins.len()), (20 * 3 + 9, 20 * 3));
+/// let smooth = mesh_buffers!(smooth: [TRIANGLE; 2], [POINTS; 1]);
+/// assert_eq!(smooth.edge_bins.len(), 2 * TRIANGLE.smooth_bins_len() + POINTS.smooth_bins_len());
 /// ```
 #[macro_export]
 macro_rules! mesh_buffers {
