@@ -15,8 +15,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // That it changes matters here for the macro alone; the compiler notices for itself that it reads another text.
     println!("cargo::rerun-if-changed={}", picture.display());
     let text = std::fs::read_to_string(&picture)?;
-    let draws = match (text.contains("struct Turned"), text.contains("SmoothFrame::new(")) {
-        (true, true) => "draws_bands!(picture, Deg0, creases, edge_bins, kept)", // as after `smooth.diff`
+    let draws = match (text.contains("struct Turned"), text.contains("struct Smoothing")) {
+        (true, true) => "draws_bands!(picture, Deg0, Smoothing)", // as after `smooth.diff`
         (true, false) => "draws_bands!(picture)",
         (false, _) => "draws_into_a_target!(picture)",
     };

@@ -71,21 +71,22 @@ macro_rules! draws_into_a_target {
     };
 }
 
-/// Like [`draws_into_a_target!`], for a `picture.rs` that passes its bands to DMA: one that has `Picture` and `Turned`. With smooth
-/// edges, `Picture::new` takes three more [`Buffers`]: `draws_bands!(picture, Deg0, creases, edge_bins, kept)`.
+/// Like [`draws_into_a_target!`], for a `picture.rs` that passes its bands to DMA: one that has `Picture` and `Turned`. One that
+/// smooths edges has a field `smoothing`, whose type is named, too: `draws_bands!(picture, Deg0, Smoothing)`.
 #[macro_export]
 macro_rules! draws_bands {
     ($picture:ident) => {
         $crate::draws_bands!($picture, Deg0);
     };
-    ($picture:ident, $rotation:ident $(, $creases:ident, $edge_bins:ident, $kept:ident)?) => {
+    ($picture:ident, $rotation:ident $(, $smoothing:ident)?) => {
         $crate::draws!($picture, |mesh, color, turn, display, screen, buffers| {
             let $crate::firmware::Buffers { ref mut cache, ref mut bins, ref mut strip, ref mut depths, .. } = buffers;
             let rotation = pinhole::camera::Rotation::$rotation;
-            let mut picture = $picture::Picture::new(
-                &mesh, screen, rotation, cache, bins, depths
-                $(, buffers.$creases, &mut buffers.$edge_bins, &mut buffers.$kept)?
-            )?;
+            let mut picture = $picture::Picture::new(&mesh, screen, rotation, cache, bins, depths)?;
+            $(
+                let $crate::firmware::Buffers { creases, edge_bins: ref mut bins, ref mut kept, .. } = buffers;
+                picture.smoothing = $picture::$smoothing { creases, bins, kept, list: &mut [] };
+            )?
             let mut turned = picture.turned(turn)?;
             while let Some(band) = turned.next_band(color, strip)? {
                 band.send(display).map_err(|_| "the display refused the pixels")?;

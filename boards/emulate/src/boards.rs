@@ -3,7 +3,7 @@
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
-use pinhole::{prelude::*, Angle};
+use pinhole::{camera::Rotation, prelude::*, Angle};
 use pinhole_import::{Edges, ImportedMesh, Options};
 use pinhole_render::firmware;
 use std::path::Path;
@@ -37,18 +37,7 @@ pub(crate) struct Board {
     pub(crate) display: Display,
     /// Frames of a turn, after which pictures repeat.
     pub(crate) frames: u32,
-    pub(crate) sends: Sends,
     pub(crate) pictures: MakePictures,
-}
-
-/// What a frame sends after the first one, which decides how the end of a frame is recognised.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Sends {
-    /// All pixels: a frame ends with the last one.
-    All,
-    /// Rectangles that contain what has changed: a frame ends when the display shows the next picture. Until then each pixel is
-    /// that of one picture or the next.
-    Changes,
 }
 
 /// The microcontroller and its wires to the display, by the numbers of pins.
@@ -97,48 +86,50 @@ pub(crate) type Pictures = Box<dyn FnMut(u32) -> Result<Vec<u32>, String>>;
 pub(crate) type MakePictures = fn(&Path) -> Result<Pictures, String>;
 
 pub(crate) const BOARDS: &[Board] = &[
-    Board {
-        name: "rp2040-st7789",
-        chip: PICO,
-        display: ST7789,
-        frames: 120, // as in the firmware, like those of each board
-        sends: Sends::Changes,
-        pictures: |model| turn(model, Size::new(240, 240), 120, drawing::draw),
-    },
+    RP2040_ST7789,
     Board {
         name: "rp2040-st7789/smooth",
-        chip: PICO,
-        display: ST7789,
-        frames: 120,
-        sends: Sends::All,
-        pictures: smooth,
+        pictures: |model| smooth(model, Size::new(240, 240), 120, Rotation::Deg0),
+        ..RP2040_ST7789
     },
     Board {
         name: "rp2040-embassy",
         chip: PICO,
         display: Display { tearing: Some(13), ..ST7789 },
         frames: changes::STEPS as u32,
-        sends: Sends::Changes,
         pictures: changes,
     },
+    STM32F4_ILI9341,
     Board {
-        name: "stm32f4-ili9341",
-        chip: Chip::Stm32f411 { clock: 5, data: 7, select: 4, command: 3, reset: 2 },
-        display: Display {
-            width: 240,
-            height: 320,
-            held: Held::UprightMirrored,
-            bgr: true,
-            inverted: false,
-            tearing: None,
-            bit: 40, // beyond the data sheet, as the board's README says
-            refresh: Refresh { lines: 324, pause: 4, line: None },
-        },
-        frames: 48,
-        sends: Sends::Changes,
-        pictures: |model| turn(model, Size::new(240, 320), 48, turned::draw),
+        name: "stm32f4-ili9341/smooth",
+        pictures: |model| smooth(model, Size::new(240, 320), 48, Rotation::Deg90),
+        ..STM32F4_ILI9341
     },
 ];
+
+const RP2040_ST7789: Board = Board {
+    name: "rp2040-st7789",
+    chip: PICO,
+    display: ST7789,
+    frames: 120, // as in the firmware, like those of each board
+    pictures: |model| turn(model, Size::new(240, 240), 120, drawing::draw),
+};
+const STM32F4_ILI9341: Board = Board {
+    name: "stm32f4-ili9341",
+    chip: Chip::Stm32f411 { clock: 5, data: 7, select: 4, command: 3, reset: 2 },
+    display: Display {
+        width: 240,
+        height: 320,
+        held: Held::UprightMirrored,
+        bgr: true,
+        inverted: false,
+        tearing: None,
+        bit: 40, // beyond the data sheet, as the board's README says
+        refresh: Refresh { lines: 324, pause: 4, line: None },
+    },
+    frames: 48,
+    pictures: |model| turn(model, Size::new(240, 320), 48, turned::draw),
+};
 
 const PICO: Chip = Chip::Rp2040 { spi: 0, clock: 18, data: 19, select: 17, command: 20, reset: 21 };
 const ST7789: Display = Display {
@@ -223,26 +214,33 @@ fn changes(model: &Path) -> Result<Pictures, String> {
     }))
 }
 
-/// The pictures of `rp2040-st7789` after `smooth.diff`, drawn in one piece.
-fn smooth(model: &Path) -> Result<Pictures, String> {
+/// The pictures of a template after `smooth.diff`, drawn in one piece.
+fn smooth(model: &Path, size: Size, frames: u32, rotation: Rotation) -> Result<Pictures, String> {
     let edges = Edges::CreasesFirst { degrees: 0.0 };
     let options =
         Options { edges, edge_faces: true, ..firmware::options(&firmware::TEMPLATE, &Options::default()) };
     let imported = pinhole_import::import(model, &options).map_err(|error| error.to_string())?;
     Ok(Box::new(move |frame| {
-        smoothed(&imported, Angle::turns(frame as i32, 120)).map_err(|error| error.to_string())
+        let turn = Angle::turns(frame as i32, frames);
+        smoothed(&imported, turn, size, rotation).map_err(|error| error.to_string())
     }))
 }
 
-fn smoothed(imported: &ImportedMesh, turn: Angle) -> Result<Vec<u32>, Box<dyn std::error::Error>> {
-    let (mesh, size, model) = (imported.mesh()?, Size::new(240, 240), Affine::rotation_y(turn));
-    let viewport = Viewport::new(Point::zero(), size)?;
+fn smoothed(
+    imported: &ImportedMesh,
+    turn: Angle,
+    size: Size,
+    rotation: Rotation,
+) -> Result<Vec<u32>, Box<dyn std::error::Error>> {
+    let (mesh, model) = (imported.mesh()?, Affine::rotation_y(turn));
+    let viewport = Viewport::new(Point::zero(), size)?.rotated(rotation);
     let [field_of_view, yaw, pitch] = [40, 30, 20].map(Angle::degrees);
     let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch)?;
     let light = Lambert::new(&model, Vector3::from_ints(2, 3, 4), 48)?;
     let (mut cache, mut bins) =
         (vec![ScreenVertex::EMPTY; mesh.vertices().len()], vec![0; mesh.smooth_bins_len()]);
-    let (mut pixels, mut depths) = (vec![Rgb565::BLACK; 240 * 240], vec![0; 240 * 240]);
+    let count = (size.width * size.height) as usize;
+    let (mut pixels, mut depths) = (vec![Rgb565::BLACK; count], vec![0; count]);
     let mut picture = Picture::new(&mut pixels, size)?;
     let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;
     let instance = camera.place(&mesh, &model);

@@ -1,6 +1,6 @@
 //! Follows the events of a board: what its display shows, whether the controller would take it, and the time of each frame.
 
-use crate::boards::{Board, Display, Pictures, Sends};
+use crate::boards::{Board, Display, Pictures};
 use crate::events::{Event, What};
 use crate::timing::Timing;
 use std::collections::VecDeque;
@@ -14,10 +14,8 @@ pub(crate) struct Watch<'a> {
     timing: Timing,
     waited: u64,
     frames: Vec<Frame>,
-    /// Frames that the firmware has given up.
+    /// Frames that the firmware has given up before one was shown.
     lost: u32,
-    /// Frames that were shown before the chip was reset.
-    before: u32,
     /// When the bus has broken or the panel has lost its state, until the next frame that is whole: data on its way may be cut off, and
     /// frames before it are lost.
     broken: Option<u64>,
@@ -26,7 +24,8 @@ pub(crate) struct Watch<'a> {
     /// The byte with which the panel loses its state, as after a reset; and bytes so far.
     forgets_at: Option<u64>,
     received: u64,
-    /// The last picture that was shown, and the pictures that may be next, with their steps of the turn: see [`Sends::Changes`].
+    /// The last picture that was shown, and the pictures that may be next, with their steps of the turn. Until the next picture is shown, each
+    /// pixel is that of the last one or of one that may be next.
     last: Vec<u32>,
     next: Vec<(u32, Vec<u32>)>,
     /// All pictures, of which any may be next after the bus has broken.
@@ -75,7 +74,6 @@ impl<'a> Watch<'a> {
             waited: 0,
             frames: Vec::new(),
             lost: 0,
-            before: 0,
             broken: None,
             spoilt: false,
             forgets_at: None,
@@ -187,7 +185,7 @@ impl<'a> Watch<'a> {
                     let by = if by_firmware { "itself" } else { "its watchdog" };
                     return Err(format!("the chip is reset by {by}"));
                 }
-                (self.before, self.lost) = (self.frames.len() as u32, 0);
+                self.lost = 0;
                 Ok(())
             }
             What::Pin { .. } | What::Log(_) | What::Time => Ok(()),
@@ -217,8 +215,8 @@ impl<'a> Watch<'a> {
         self.refusals()?;
         let last_pixel = (self.board.display.width - 1, self.board.display.height - 1);
         match self.controller.completed().filter(|_| data) {
-            Some(_) if self.board.sends == Sends::Changes && !self.frames.is_empty() => self.changes(time),
-            Some(((_, right), (_, bottom))) if (right, bottom) == last_pixel => self.frame(time),
+            Some(_) if !self.frames.is_empty() => self.changes(time),
+            Some(((_, right), (_, bottom))) if (right, bottom) == last_pixel => self.first_frame(time),
             _ => Ok(()),
         }
     }
@@ -245,13 +243,13 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// The last pixel of a frame has arrived.
-    fn frame(&mut self, time: u64) -> Result<(), String> {
+    /// The last pixel of the display has arrived for the first time.
+    fn first_frame(&mut self, time: u64) -> Result<(), String> {
         let display = &self.board.display;
         if std::mem::take(&mut self.spoilt) || self.controller.inverted() != display.inverted {
             return Ok(()); // one after the bus has broken
         }
-        let mut number = (self.frames.len() as u32 - self.before + self.lost) % self.board.frames;
+        let mut number = self.lost % self.board.frames;
         let (width, height) = (usize::from(display.width), usize::from(display.height));
         let shown = self.controller.picture(display.held, width, height);
         let mut wanted = (self.pictures)(number)?;
@@ -261,7 +259,6 @@ impl<'a> Watch<'a> {
             if shown == wanted {
                 break;
             }
-            self.lost += 1;
             number = (number + 1) % self.board.frames;
             wanted = (self.pictures)(number)?;
         }
@@ -378,7 +375,6 @@ mod tests {
             tearing: None,
         },
         frames: 1,
-        sends: Sends::All,
         pictures: |_| Err("no model".into()),
     };
     const PIXELS: [u8; 8] = [0x12, 0x34, 0x56, 0x78, 0x9a, 0xbc, 0xde, 0xf0];
@@ -509,7 +505,7 @@ mod tests {
     /// Frames that send what has changed: first 0x1234 … 0xdef0, then a last pixel of 0x1111.
     #[test]
     fn a_frame_of_changes_ends_when_the_display_shows_it() {
-        const CHANGING: Board = Board { sends: Sends::Changes, frames: 2, ..BOARD };
+        const CHANGING: Board = Board { frames: 2, ..BOARD };
         const ROW: Step = Send(0, 0x2b, &[0, 1, 0, 1]);
         let rows: [(&'static [u8], usize); 4] = [
             (&[0x9a, 0xbc, 0xde, 0xf0], 1), // as before

@@ -50,6 +50,7 @@ const REFRESH: u32 = 500_000;
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
 /// Rows of a band: more are faster, and take more memory.
 const ROWS: u32 = 8;
+/// Pixels of a strip.
 const PIXELS: usize = (SCREEN.size.width * ROWS) as usize;
 type Strip = StripBuffers!(Rgb565, SCREEN.size.width, ROWS, no depth);
 

@@ -55,6 +55,7 @@ const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 320));
 const ROTATION: Rotation = Rotation::Deg90;
 /// Rows of a band: more are faster, and take more memory.
 const ROWS: u32 = 10;
+/// Pixels of a strip.
 const PIXELS: usize = (SCREEN.size.width * ROWS) as usize;
 type Strip = StripBuffers!(Rgb565, SCREEN.size.width, ROWS, no depth);
 
