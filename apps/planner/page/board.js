@@ -52,7 +52,9 @@ const NOT_HIDDEN = 0.4;
 function onBoard(way, board, facts, spi, changing) {
   const [{ strips, depths, width }, { rest }] = [partsOf(board), facts];
   const [cache, bins, pixels, depth, smooth] = way.parts;
-  const parts = [cache, bins, width * strips * pixels, width * depths * depth, smooth, rest.ram];
+  // Of two rows that wait, the strips that the board has beside the first one have two, too.
+  const waiting = smooth && (2 / way.rows) * (width * (strips * pixels + pixels + depths * depth) - 2 * pixels - depth);
+  const parts = [cache, bins, width * strips * pixels, width * depths * depth, smooth + waiting, rest.ram];
   const [ram, flash] = [parts.reduce((sum, bytes) => sum + bytes, 0), way.flash + rest.flash];
   const scale = (way.clock / (facts.clock || way.clock)) * (facts.cores > 1 ? OF_TWO_CORES : 1);
   const [drawing, range] = [way.drawing * scale, way.range.map((time) => time * scale)];

@@ -64,7 +64,7 @@ function toWrite(board) {
   else if (state.chip === 'esp32c6' && board === 'esp32c3-st7789') parts.push('in Cargo.toml the feature esp32c6 of each esp crate, in .cargo/config.toml the target riscv32imac-unknown-none-elf, and the pins');
   if (!controller) parts.push(`SPI and the driver of ${wanted} in src/display.rs`);
   else if (controller !== wanted) parts.push(`the driver of ${wanted} in place of the ${controller}'s`);
-  if (smooths()) parts.push('smooth edges, as boards/rp2040-st7789/smooth.diff changes that template: its build.rs lists edges, its src/picture.rs has a SmoothFrame');
+  if (smooths() && !templates.has(`${board}/smooth.diff`)) parts.push('smooth edges, as boards/common/two-strips/smooth.diff has them in src/: a SmoothFrame and its memory');
   return parts.length ? `Left for you to write: ${parts.join('; ')}.` : '';
 }
 

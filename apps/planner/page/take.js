@@ -117,15 +117,18 @@ function firmware(library, templates, board, text) {
   }
   const choice = [...parts].map(([key, value]) => `${key}=${value}`).join('&');
   const hasHiddenLines = new TextDecoder().decode(templates.get(`${board}/src/picture.rs`)).includes('.hidden_line(');
-  const { files: ofAll, sources, texture } = editsOf(parts, JSON.parse(library.ask('costs', choice)), hasHiddenLines);
+  const change = templates.get(`${board}/smooth.diff`);
+  const { files: ofAll, sources, changed, isSmoothed } = editsOf(parts, JSON.parse(library.ask('costs', choice)), hasHiddenLines, Boolean(change));
+  const diff = isSmoothed ? new TextDecoder().decode(change) : '';
   for (const [path, bytes] of templates) {
-    if (!path.startsWith(`${board}/`)) continue;
     const inside = path.slice(board.length + 1);
+    if (!path.startsWith(`${board}/`) || inside === 'smooth.diff') continue;
     const add = (name) => {
-      const template = edited(new TextDecoder().decode(bytes), ofAll);
+      const text = new TextDecoder().decode(bytes);
+      const template = edited(name === 'build.rs' ? text : patched(text, name, diff), ofAll); // the library writes what build.rs says
       const source = name.endsWith('.rs') ? edited(template, sources) : template;
-      const text = library.ask('firmware', [choice, name, source].join('\0'));
-      files.set(`firmware/${name}`, new TextEncoder().encode(withoutUnused(name === 'src/texture.rs' ? edited(text, texture) : text)));
+      const made = library.ask('firmware', [choice, name, source].join('\0'));
+      files.set(`firmware/${name}`, new TextEncoder().encode(withoutUnused(edited(made, changed[name] ?? []))));
     };
     add(inside);
     if (inside === 'src/picture.rs' && parts.get('style') === 'textured') add('src/texture.rs');

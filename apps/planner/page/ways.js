@@ -17,7 +17,7 @@ const WITHOUT_DEPTH = [
   [/\(Some\(mesh\), Some\(depths\)\) = \(MESH\.try_take\(\), DEPTHS\.try_take\(\)\) else \{\s+(.*)\s+\};/, 'Some(mesh) = MESH.try_take() else { $1 };'],
   [/, depths: (\[depths, other_depths\] \} \} =\s+self|&mut \[u16\])/g, (_, of) => (of.startsWith('[') ? ' } } = self' : '')],
   [/Some\(depths\), (?=Some\(\[)/, ''],
-  [/^const PIXELS.*\n/m, ''],
+  [/^\/\/\/ Pixels of a strip\.\nconst PIXELS.*\n/m, ''],
   lines('^ *(pub )?depths: ', 'let depths = singleton', 'DEPTHS:', 'With depth\\.', 'DepthBuffer::new', 'depth\\.map_err', 'depths\\.len', 'split_at_mut\\(half\\)', '\\[depths, other'),
   [/, (&mut strip\.)?(other_)?depths\b/g, ''],
   [/^pub const PIXELS.*\n(?=[^]*FONT_10X20)/m, ''],
@@ -173,6 +173,11 @@ const WITHOUT_BINS = [
   [/let Ok\(\(\)\) = edges\.draw.*/, 'let edges = instance.edges(|_| COLOR).cached(memory.cache);\n    let Ok(statistics) = edges.draw(&mut band.pixels());'],
 ];
 
+const SMOOTH = ', smooth edges';
+const LISTED_EDGES = [
+  [/Edges::None/, 'Edges::CreasesFirst { degrees: 0.0 }, edge_faces: true'],
+  [/without edges, which this picture does not draw/, 'all edges, first the creases, with the faces beside them, for smoothing'],
+];
 const COLORS = { mono: 'BinaryColor', gray2: 'Gray2', gray4: 'Gray4', tricolor: 'Tricolor' };
 
 // For a display of yours in few bits a pixel. Faces are shaded from colours of 16 bits.
@@ -202,15 +207,26 @@ function namedColors(color) {
   ];
 }
 
-// The edits that make the files of a choice of those of a board, by its costs: those of all files, of sources, and of a texture. `hasHiddenLines`: the
-// board draws hidden lines as it is.
-function editsOf(choice, { ways }, hasHiddenLines) {
+// A file after a change of a template, in the format of `diff -u`.
+const patched = (text, path, diff) => {
+  const [, hunks = ''] = diff.split(`+++ ${path}\n`);
+  return hunks.split(/^--- /m)[0].split(/^@@.*\n/m).slice(1).reduce((text, hunk) => {
+    const [before, after] = ['+', '-'].map((other) => hunk.replace(new RegExp(`^\\${other}.*\\n`, 'gm'), '').replace(/^[-+ ]/gm, ''));
+    if (text.split(before).length !== 2) throw new Error(`${path} does not have once what a change replaces:\n${before}`);
+    return text.replace(before, () => after);
+  }, text);
+};
+
+// The edits that make the files of a choice of those of a board, by its costs: those of all files, of sources, and of files that the library has
+// changed; and whether edges are smoothed. `hasHiddenLines`: the board draws hidden lines as it is; `hasSmoothEdges`: there is a change of it that smooths edges.
+function editsOf(choice, { ways }, hasHiddenLines, hasSmoothEdges) {
   const { name, order, rows, room, rom } = ways.find(({ chosen }) => chosen);
   const of = (key) => choice.get(key);
   const [style, color] = [of('style'), COLORS[of('format')]];
   const isOfLines = ['wireframe', 'hidden-line'].includes(style);
   const [width, height] = ['width', 'height'].map((side) => of(side) ?? 240);
   const isWhole = !rows && !color;
+  const isSmoothed = hasSmoothEdges && name.endsWith(SMOOTH);
   const band = rows || (isWhole ? height : of('rows'));
   const decimates = of('decimate') > 0;
   const files = [
@@ -224,10 +240,12 @@ function editsOf(choice, { ways }, hasHiddenLines) {
     [/(FLASH .*LENGTH = )64K/, `$1${rom / 1024}K`],
     [/(RAM .*LENGTH = )20K/, `$1${room / 1024}K`],
     // The README.
+    [/^\*\*Smooth edges\*\*.*\n\n/m, ''],
     [/^.*pinhole\/boards\/new .*\n/gm, ''],
-    [/^(# .*\n)/, `$1\nSaved by pinhole's planner. Way to draw: ${name.replace(', smooth edges', '')}. The folder is complete: your model is in it, and what is said below of making a copy and of putting your model into it is done.${decimates ? ` ${DECIMATES}` : ''} The figures below are those of the template as it is, with a gear.\n`],
+    [/^(# .*\n)/, `$1\nSaved by pinhole's planner. Way to draw: ${isSmoothed ? name : name.replace(SMOOTH, '')}. The folder is complete: your model is in it, and what is said below of making a copy and of putting your model into it is done.${decimates ? ` ${DECIMATES}` : ''} The figures below are those of the template as it is, with a gear.\n`],
   ];
   const sources = [];
+  if (isSmoothed && style === 'gouraud') sources.push([/creases: MODEL_CREASES/, 'creases: 0']);
   if (isWhole || color || order !== 'depth' || isOfLines) sources.push(...ALONE);
   if (style === 'wireframe') sources.push(...WIREFRAME);
   if (style === 'hidden-line' && !hasHiddenLines) sources.push(...HIDDEN_LINES);
@@ -235,7 +253,8 @@ function editsOf(choice, { ways }, hasHiddenLines) {
   if (order === 'mesh') sources.push([/any closed mesh/, 'a convex mesh'], ...WITHOUT_DEPTH);
   if (isWhole) sources.push(...WHOLE, ...(order === 'painter' ? [] : WITHOUT_BINS));
   if (color) sources.push(...inFewBits(color, isOfLines, color.startsWith('Gray') && style === 'flat' && of('dither') !== '1'));
-  return { files, sources, texture: color ? namedColors(color) : [] };
+  const changed = { 'src/texture.rs': color ? namedColors(color) : [], 'build.rs': name.endsWith(SMOOTH) ? LISTED_EDGES : [] };
+  return { files, sources, changed, isSmoothed };
 }
 
 // Imports the traits of colours that constants need.
@@ -247,4 +266,4 @@ const withoutUnused = (text) => text.replace(/pixelcolor::\{(.*)\};/, (_, names)
 
 const edited = (text, edits) => edits.reduce((text, [from, to]) => text.replace(from, to), text);
 
-Object.assign(globalThis, { editsOf, edited, withoutUnused });
+Object.assign(globalThis, { editsOf, edited, patched, withoutUnused });

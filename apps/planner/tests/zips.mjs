@@ -3,7 +3,8 @@
 //   node zips.mjs LIBRARY.wasm firmware BOARDS.js BOARD CHOICE OUT.zip   writes what the page's button for the firmware saves
 //   node zips.mjs LIBRARY.wasm memory BOARDS.js BOARD CHOICE RAM FLASH   compares the RAM and flash that the page states for a board's
 //                                                                       firmware with those of a linked image
-//   node zips.mjs LIBRARY.wasm edits BOARDS.js                          compares the edits that make other ways to draw with the templates
+//   node zips.mjs LIBRARY.wasm edits BOARDS.js                          compares the edits that make other ways to draw, and changes, with the
+//                                                                       templates
 //   node zips.mjs LIBRARY.wasm turn CHOICE FRAMES OUT                    writes the first pictures that the page shows of a turn, as a
 //                                                                       display in 16-bit colour stores them, the high byte first
 //   node zips.mjs LIBRARY.wasm estimate BOARDS.js BOARD CHOICE FRAMES SHOWN   compares the speed that the page shows with that of an
@@ -55,6 +56,10 @@ const VERBS = {
     for (const choice of ['order=mesh', 'order=painter', 'style=wireframe', 'style=hidden-line', 'whole=1', 'whole=1&style=wireframe', 'format=gray4', 'format=tricolor']) {
       const { sources } = editsOf(new URLSearchParams(choice), JSON.parse(library.ask('costs', choice)));
       texts.forEach((text) => sources.reduce(change, text));
+    }
+    for (const path of [...templates.keys()].filter((path) => path.endsWith('/smooth.diff'))) {
+      const read = (name) => new TextDecoder().decode(templates.get(path.replace('smooth.diff', name)));
+      for (const name of ['src/main.rs', 'src/picture.rs']) patched(read(name), name, read('smooth.diff'));
     }
     const outdated = [...idle].filter((edit) => !used.has(edit));
     outdated.forEach(([from]) => console.log(`no template has ${from}`));
