@@ -167,7 +167,7 @@ fn draw(
 ) -> Option<()> {
     let Memory {
         mesh: MeshBuffers { cache, bins, edge_bins },
-        strip: StripBuffers { colors, depths },
+        strip: StripBuffers { colors, depths, .. },
         kept,
         list,
     } = memory;

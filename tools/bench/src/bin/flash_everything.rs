@@ -50,7 +50,7 @@ fn draw<V: Coordinate<Stored = i16>>(
     light: &Lambert,
     painter: &mut Order,
     dirty: &mut DirtyRegions<2>,
-    (MeshBuffers { cache, bins, edge_bins }, StripBuffers { colors, depths }): &mut Buffers,
+    (MeshBuffers { cache, bins, edge_bins }, StripBuffers { colors, depths, .. }): &mut Buffers,
 ) -> Option<()> {
     let projected = instance.transform_depth(cache);
     let mut faces = projected.bin_faces(bins);

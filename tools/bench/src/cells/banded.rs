@@ -29,7 +29,7 @@ impl<const BYTES: usize, const DEPTHS: usize, const BINS: usize, const CORNERS: 
     pub const NEW: Self = Self(MeshBuffers::new(), StripBuffers::new());
 
     pub(super) fn storage(&mut self) -> Storage<'_> {
-        let Self(MeshBuffers { cache, bins, .. }, StripBuffers { colors, depths }) = self;
+        let Self(MeshBuffers { cache, bins, .. }, StripBuffers { colors, depths, .. }) = self;
         Storage { corners: cache, bin_storage: bins, strip: colors, depth: depths }
     }
 
@@ -225,7 +225,7 @@ impl Wheel {
         let (mesh, size) = (WHEEL.with_edge_faces(1)?, Size::new(128, 64));
         let scene = Scene::viewed(mesh, black_box(&scene::TORUS).axes, [0, 0, 222_822], size)?;
         count_bands(&mut |display| {
-            let Self(MeshBuffers { cache, bins, edge_bins }, StripBuffers { colors, depths }) = self;
+            let Self(MeshBuffers { cache, bins, edge_bins }, StripBuffers { colors, depths, .. }) = self;
             let storage = Storage { corners: cache, bin_storage: bins, strip: colors, depth: depths };
             let colors = [BinaryColor::On, BinaryColor::Off];
             bands::hidden(&black_box(&scene).place(), colors, size, edge_bins, storage, |band| {
