@@ -79,7 +79,7 @@ fn cut<Cell: Copy>(
     cell: Cell,
 ) {
     let [highest, lowest] = [from.1.min(to.1), from.1.max(to.1)];
-    // Most of the lines that come here in a close-up. `from` has the smaller column.
+    // Most lines that come here in a close-up lie beside the scissor. `from` has the smaller column.
     if to.0 < scissor.left || from.0 >= scissor.right || lowest < scissor.top || highest >= scissor.bottom {
         return;
     }
@@ -88,7 +88,7 @@ fn cut<Cell: Copy>(
     if first > last {
         return;
     }
-    // The line has at least two pixels, so its length is not 0.
+    // A line of one pixel lies in the scissor or was left out above, so the length is not 0.
     let ((aside, rest), (last_aside, _)) = (setup.aside(first), setup.aside(last));
     let at = |step: i32, aside: i32| {
         let (right, down) = if tall { (aside, step) } else { (step, aside) };
@@ -129,8 +129,8 @@ fn flat<Cell: Copy>(
     error: i32,
     cell: Cell,
 ) {
-    // The slice up to the line's first column in its last row, or from that column below its last row on: the index leaves it when the
-    // line comes to its last row.
+    // Downwards the slice ends before the line's first column in its last row; upwards it begins at that column in the row below the last
+    // one. The line has at most as many columns as a row, so the index leaves the slice where the line comes to its last row.
     let last = layout.at(x, end.1);
     let (low, high) = if setup.up { (last.wrapping_add(layout.stride), cells.len()) } else { (0, last) };
     let (mut at, down) = (layout.at(x, y).wrapping_sub(low), down(layout.stride, setup.up));

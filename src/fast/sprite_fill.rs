@@ -4,7 +4,8 @@
 //! - **Domain**: every sprite, on a target whose pixels lie in memory; with depth, whatever the layout of the depth buffer.
 //! - **Gain**: the texel of a column is found once for all rows, and looked up once for a pixel, where the plain path finds it for each
 //!   row and looks it up for the run and for its colour. With a texel found for each pixel, before commit e01dfe9d, P1 took 1213k
-//!   on an M3; it takes 743k now, and 1071k on an M0. Blocks of eight pixels take 40k less on an M3 than blocks of four, 2k on an M0.
+//!   on an M3; it takes 743k now, and 1071k on an M0. At commit 56efee2b blocks of eight pixels took
+//!   40k less on an M3 than blocks of four, 2k on an M0.
 //! - **Test**: `every_target_shows_the_oracles_pixels` in `tests/pipeline/sprites.rs`, with `--cfg pinhole_plain` and without.
 
 use super::memory_of;
@@ -54,7 +55,7 @@ pub(crate) fn sprite<T: Surface, S: SpriteSource<Color = T::Color>>(
             let Some(cells) = cells.get_mut(from..from.wrapping_add(texels.len())) else { return true };
             from = from.wrapping_add(stride);
             let line = row.texel();
-            row.advance();
+            row.advance(); // before the pixels, so that their loop keeps no state of the row
             match &mut depth {
                 Some((depths, from, stride)) => {
                     let Some(depths) = depths.get_mut(*from..from.wrapping_add(texels.len())) else {

@@ -11,7 +11,7 @@ use crate::surface::{rectangle, DepthBuffer};
 use embedded_graphics_core::primitives::Rectangle;
 
 /// A transformed mesh, or its binned faces or edges, that can be drawn into a target with this [test](crate::target::Target::Test): with a depth buffer,
-/// only vertices with depth. Draw calls have this bound, so that the compiler names the missing depth.
+/// only vertices with depth. Draw calls and `bin_smooth_edges` have this bound, so that the compiler names the missing depth.
 #[diagnostic::on_unimplemented(
     message = "a depth buffer needs vertices with depth, and these were transformed without it",
     label = "vertices without depth",

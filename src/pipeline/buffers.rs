@@ -69,8 +69,8 @@ defmt_format!(
 /// [`ScreenVertex`](crate::camera::ScreenVertex) of 8 bytes as the mesh has vertices, and [`face_bins_len`](crate::Mesh::face_bins_len) numbers.
 ///
 /// `mesh_buffers!(MESH)` is for faces, with storage in the field `bins`; `mesh_buffers!(edges: MESH)` for a wireframe, with `edge_bins`; and
-/// `mesh_buffers!(faces, edges: MESH)` for hidden lines, with both. `mesh_buffers!(smooth: MESH)`, or `[MESH; 8]`, has both for faces whose edges are
-/// [smoothed](crate::bands::SmoothFrame). [`MeshBuffers!`](macro@crate::MeshBuffers) with equal arguments is the type, for statics:
+/// `mesh_buffers!(faces, edges: MESH)` for hidden lines, with both. `mesh_buffers!(smooth: MESH)` has both for faces whose edges are
+/// [smoothed](crate::bands::SmoothFrame), for a scene as `mesh_buffers!(smooth: [MESH; 8])`. [`MeshBuffers!`](macro@crate::MeshBuffers) with equal arguments is the type, for statics:
 ///
 /// ```
 /// use pinhole::prelude::*;
@@ -90,8 +90,13 @@ defmt_format!(
 /// assert_eq!((shared.cache.len(), shared.bins.len()), (9, 3)); // a face, one for up to 16 faces, and a bin
 /// let scene = mesh_buffers!([TRIANGLE; 20], [POINTS; 1]);
 /// assert_eq!((scene.cache.len(), scene.bins.len()), (20 * 3 + 9, 20 * 3));
-/// let smooth = mesh_buffers!(smooth: [TRIANGLE; 2], [POINTS; 1]);
-/// assert_eq!(smooth.edge_bins.len(), 2 * TRIANGLE.smooth_bins_len() + POINTS.smooth_bins_len());
+/// # use pinhole::meshes::{CUBE, GRID};
+/// # let largest = CUBE.smooth_bins_len().max(GRID.smooth_bins_len());
+/// # assert!(CUBE.smooth_bins_len() > CUBE.edge_bins_len());
+/// # assert_eq!(mesh_buffers!(smooth: CUBE, GRID).edge_bins.len(), largest);
+/// # let smooth = mesh_buffers!(smooth: [CUBE; 2], [GRID; 1]);
+/// # assert_eq!(smooth.edge_bins.len(), 2 * CUBE.smooth_bins_len() + GRID.smooth_bins_len());
+/// # assert_eq!(smooth.bins.len(), 2 * CUBE.face_bins_len() + GRID.face_bins_len());
 /// ```
 #[macro_export]
 macro_rules! mesh_buffers {

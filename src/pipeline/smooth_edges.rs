@@ -117,6 +117,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         Self: DrawnWith<Tested>,
     {
         let bins = self.smooth_bins(is_crease, storage)?;
+        // Vertices have depth here, by the bound, from which the compiler does not conclude it.
         let transformed = TransformedMesh::with_cache(self.instance, true, self.cache);
         Ok(SmoothEdges { transformed, bins, memory: SmoothMemory::new() })
     }

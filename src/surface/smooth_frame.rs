@@ -22,7 +22,7 @@ const WAITING: usize = 2;
 /// The fewest rows of a strip. The first band then has three new rows, of which it finishes one.
 const LEAST: usize = 6;
 
-/// The fewest rows of a strip of which a band by its number sends a row.
+/// The fewest rows of a strip for a band by its number: three on each side of the row that is sent.
 const LEAST_BY_NUMBER: usize = 7;
 
 /// A [`Frame`](crate::bands::Frame) whose edges are smoothed. Smoothing a row needs the rows below it, so the last two rows of each band, with their
@@ -32,8 +32,8 @@ const LEAST_BY_NUMBER: usize = 7;
 /// Two cores smooth a part of the screen each, such as a half, drawn three pixels larger as in the example: with a [fork](crate::draw::BinnedFaces::fork) of
 /// the faces, and edges that each core finds in the shared [`TransformedMesh`](crate::draw::TransformedMesh), into storage of its own.
 ///
-/// Bands are always equal to one piece. So is a part that contains the [bounds](crate::draw::SmoothEdges::bounds) of all edges, without pixels more:
-/// [`DirtyRegions::<1>`](crate::bands::DirtyRegions) has such a part of each frame. Other parts side by side are equal if no two edges are less than three
+/// Bands are always equal to one piece. So is a part that contains the [bounds](crate::draw::SmoothEdges::bounds) of all edges, without a margin: with
+/// [`DirtyRegions::<1>`](crate::bands::DirtyRegions) each frame has one such part. Other parts side by side are equal if no two edges are less than three
 /// pixels apart; where bars are a pixel wide, a mixed pixel is mixed again by the next edge of its row, so pixels at the border of a part may be off by
 /// some levels. No difference was found when parts are drawn eight pixels larger.
 ///
@@ -172,13 +172,13 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
     }
 
     /// Band `index` of the frame, counted from 0 at the top: for single bands, in any order. All strips must have equal lengths. `None` below the frame. The
-    /// pixels are those of [`next_band`](Self::next_band), which begins at the top after this.
+    /// pixels are those of [`next_band`](Self::next_band), which begins at the top after a band. Each core needs a frame of its own.
     ///
     /// The rows beside a band are drawn, too, and not sent: two on each side if the frame begins at an even row, and the strip and the depths have room for
     /// an even number of rows, otherwise three. The other rows that fit are the band, of which the last one may have fewer: strips of 14 rows send ten, strips
     /// of eight rows four.
     ///
-    /// A band begins again with all faces and edges unless its rows lie below all rows drawn last. A whole frame is faster by `next_band`: in strips of ten
+    /// A band begins again with all faces and edges unless the rows that it draws lie below those of the band before. A whole frame is faster by `next_band`: in strips of ten
     /// rows, a torus of 1000 faces with smooth silhouettes takes five times as many instructions by numbers on an M3. Two cores that take bands in turn
     /// need 1.9 times as many together; halves of the screen are faster.
     ///
@@ -193,7 +193,7 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
         strip: &'s mut [u8],
     ) -> Result<Option<SmoothBand<'s, 'b, C>>, BufferError> {
         let Rectangle { top_left, size: Size { width, height } } = self.area;
-        if width == 0 {
+        if width == 0 || height == 0 {
             return Ok(None);
         }
         let room = self.room(strip, LEAST_BY_NUMBER, "a strip of seven rows")?;
@@ -230,7 +230,7 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
         Ok(u32::try_from(fits.min(rows(self.depths.len(), width as usize))).unwrap_or(u32::MAX))
     }
 
-    /// A band of rows that waited, and of new rows, whose top is given, filled with the background.
+    /// A band of rows that waited and, from row `top` on, new ones, filled with the background.
     #[inline(always)]
     fn band<'s, 'b>(
         &'b mut self,

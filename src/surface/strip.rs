@@ -1,7 +1,7 @@
 //! The memory of a strip, with the lengths computed from its width, rows and colour.
 
 /// The bytes of a strip's pixels, and its depths, for [`Frame::next_band`](crate::bands::Frame::next_band) and
-/// [`DepthBuffer::new`](crate::target::DepthBuffer::new). [`strip_buffers!`](crate::strip_buffers) makes one with the lengths that a band
+/// [`DepthBuffer::new`](crate::target::DepthBuffer::new), and the rows that a [`SmoothFrame`](crate::bands::SmoothFrame) keeps. [`strip_buffers!`](crate::strip_buffers) makes one with the lengths that a band
 /// needs, and the macro `StripBuffers!` names the type. [`MeshBuffers`](struct@crate::MeshBuffers) has an example.
 ///
 /// The bytes are aligned to 4, so that DMA can send them as words.
@@ -38,7 +38,7 @@ defmt_format!(
 
 /// Declares the memory of a strip, `strip_buffers!(COLOR, WIDTH, ROWS)`: [`StripBuffers`] with the bytes and the depths of `ROWS`
 /// rows of `WIDTH` pixels. `strip_buffers!(COLOR, WIDTH, ROWS, no depth)` has no depths, and `strip_buffers!(COLOR, WIDTH, ROWS, smooth)`, for a
-/// [`SmoothFrame`](crate::bands::SmoothFrame), two rows more, which wait for the next band, and `kept`.
+/// [`SmoothFrame`](crate::bands::SmoothFrame) and at least four `ROWS`, two rows more, which wait for the next band, and `kept`, which has them between bands.
 /// [`StripBuffers!`](macro@crate::StripBuffers) with equal arguments is the type, for statics:
 ///
 /// ```
@@ -50,6 +50,8 @@ defmt_format!(
 /// # assert_eq!((STRIP.0.colors.len(), STRIP.0.depths.len()), (240 * 8 * 2, 240 * 8));
 /// let strip = strip_buffers!(BinaryColor, 130, 8, no depth);
 /// assert_eq!((strip.colors.len(), strip.depths.len()), (17 * 8, 0)); // rows of whole bytes
+/// # let smooth = strip_buffers!(Rgb565, 240, 8, smooth);
+/// # assert_eq!((smooth.colors.len(), smooth.depths.len(), smooth.kept.len()), (240 * 10 * 2, 240 * 10, 240 * 2 * 2));
 /// ```
 #[macro_export]
 macro_rules! strip_buffers {

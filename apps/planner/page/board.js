@@ -52,7 +52,7 @@ const NOT_HIDDEN = 0.4;
 function onBoard(way, board, facts, spi, changing) {
   const [{ strips, depths, width }, { rest }] = [partsOf(board), facts];
   const [cache, bins, pixels, depth, smooth] = way.parts;
-  // Of two rows that wait, the strips that the board has beside the first one have two, too.
+  // `smooth` has two rows that wait of one strip and one band of depths, and `kept`. Each further strip, or band of depths, has two, too.
   const waiting = smooth && (2 / way.rows) * (width * (strips * pixels + pixels + depths * depth) - 2 * pixels - depth);
   const parts = [cache, bins, width * strips * pixels, width * depths * depth, smooth + waiting, rest.ram];
   const [ram, flash] = [parts.reduce((sum, bytes) => sum + bytes, 0), way.flash + rest.flash];

@@ -125,7 +125,7 @@ function firmware(library, templates, board, text) {
     if (!path.startsWith(`${board}/`) || inside === 'smooth.diff') continue;
     const add = (name) => {
       const text = new TextDecoder().decode(bytes);
-      const template = edited(name === 'build.rs' ? text : patched(text, name, diff), ofAll); // the library writes what build.rs says
+      const template = edited(name === 'build.rs' ? text : patched(text, name, diff), ofAll); // the library writes build.rs with edges
       const source = name.endsWith('.rs') ? edited(template, sources) : template;
       const made = library.ask('firmware', [choice, name, source].join('\0'));
       files.set(`firmware/${name}`, new TextEncoder().encode(withoutUnused(edited(made, changed[name] ?? []))));

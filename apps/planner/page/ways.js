@@ -207,7 +207,7 @@ function namedColors(color) {
   ];
 }
 
-// A file after a change of a template, in the format of `diff -u`.
+// A file with the hunks that a change of a template, in the format of `diff -u`, has for it.
 const patched = (text, path, diff) => {
   const [, hunks = ''] = diff.split(`+++ ${path}\n`);
   return hunks.split(/^--- /m)[0].split(/^@@.*\n/m).slice(1).reduce((text, hunk) => {
@@ -241,6 +241,7 @@ function editsOf(choice, { ways }, hasHiddenLines, hasSmoothEdges) {
     [/(RAM .*LENGTH = )20K/, `$1${room / 1024}K`],
     // The README.
     [/^\*\*Smooth edges\*\*.*\n\n/m, ''],
+    [/^\*\*(Speed|Memory), smooth\.\*\*[^]*?\n\n/gm, ''],
     [/^.*pinhole\/boards\/new .*\n/gm, ''],
     [/^(# .*\n)/, `$1\nSaved by pinhole's planner. Way to draw: ${isSmoothed ? name : name.replace(SMOOTH, '')}. The folder is complete: your model is in it, and what is said below of making a copy and of putting your model into it is done.${decimates ? ` ${DECIMATES}` : ''} The figures below are those of the template as it is, with a gear.\n`],
   ];

@@ -243,7 +243,7 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// The last pixel of the display has arrived for the first time.
+    /// The last pixel of the display has arrived, and no frame has been shown yet.
     fn first_frame(&mut self, time: u64) -> Result<(), String> {
         let display = &self.board.display;
         if std::mem::take(&mut self.spoilt) || self.controller.inverted() != display.inverted {

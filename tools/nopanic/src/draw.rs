@@ -292,7 +292,7 @@ fn smooth(
     let Ok(mut frame) = SmoothFrame::new(area(), color(), kept, depth) else { return };
     let band = match any() {
         0 => frame.next_band(strip),
-        index => frame.nth_band(index as u32, strip),
+        _ => frame.nth_band(any() as u32, strip),
     };
     let Ok(Some(mut band)) = band else { return };
     report(band.area());
