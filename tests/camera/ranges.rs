@@ -16,11 +16,7 @@ use support::oracle::rng::Rng;
 /// constant would saturate.
 #[test]
 fn a_vertex_beyond_near_is_there_however_thin_the_volume() {
-    let camera = CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Perspective(1 << 30, (4, 3), 100 * ONE, 100 * ONE + 8),
-        viewport: (0, 0, 40, 30),
-    };
+    let camera = CameraBits::perspective(1 << 30, (40, 30), 100 * ONE, 100 * ONE + 8);
     let mesh = Mesh::new(&[[0, 0, 1850]], 0, &[]).expect("a mesh");
     let model = ModelBits(vec![Step::Move([0, 0, -2000 * ONE])]).library();
     assert!(camera.library().place(&mesh, &model).project(0).is_ok());

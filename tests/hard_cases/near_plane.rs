@@ -5,7 +5,7 @@
 
 use pinhole::{draw::Cull, mesh::Coordinate, Mesh};
 use support::bridge::draw::{solid, wireframe, Shader, CUBE, CUBE_EDGES, CUBE_FACES};
-use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::bridge::pair::{bits, CameraBits, ModelBits, Step, ONE};
 use support::bridge::scalar;
 use support::oracle::chain::{self, vertex, V3, V4};
 use support::oracle::coverage::{self, triangle, Area};
@@ -15,18 +15,9 @@ use support::oracle::target::Recorder;
 
 const TOLERANCE: f64 = 1.0 / 64.0;
 
-/// At the origin, looking along −z.
+/// With a field of view of 60°.
 fn camera(width: u32, height: u32, near: i32, far: i32) -> CameraBits {
-    CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Perspective(
-            (1 << 31) / 3, // 60°
-            (width, height),
-            near,
-            far,
-        ),
-        viewport: (0, 0, width, height),
-    }
+    CameraBits::perspective((1 << 31) / 3, (width, height), near, far)
 }
 
 #[derive(Clone, Copy, Default)]

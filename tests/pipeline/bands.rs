@@ -14,7 +14,7 @@ use pinhole::{
     target::BufferError,
 };
 use support::bridge::draw::{cube_camera, flat_camera, CUBE, CUBE_EDGES, CUBE_FACES};
-use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::bridge::pair::{CameraBits, ModelBits, Step, ONE};
 use support::bridge::rectangle;
 use support::bridge::ways::{bands, memory, memory_with, screen};
 use support::oracle::rng::Rng;
@@ -199,12 +199,7 @@ fn a_mesh_larger_than_the_storage_streams_in_chunks() {
 #[test]
 fn bounds_leave_out_what_ends_at_the_borders() {
     const SEEN: [[i16; 3]; 3] = [[20, -30, -5], [28, -30, -5], [20, -22, -5]];
-    let camera = CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Orthographic([0, 64 * ONE, -48 * ONE, 0], ONE, 100 * ONE),
-        viewport: (0, 0, 64, 48),
-    };
-    let camera = camera.library();
+    let camera = CameraBits::pixels((64, 48)).library();
     for beside in [
         [[-8, -40, -5], [0, -40, -5], [-8, -4, -5]],  // left
         [[64, -40, -5], [72, -40, -5], [64, -4, -5]], // right

@@ -11,19 +11,14 @@ use pinhole::{
 };
 use support::bridge;
 use support::bridge::draw::{flat_camera, Shader};
-use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::bridge::pair::{CameraBits, ModelBits, Step, ONE};
 use support::bridge::ways::{bands, memory_with};
 use support::oracle::rng::Rng;
 use support::oracle::target::{Call, Recorder};
 
 /// 1 … 1000 along −z.
 fn camera() -> pinhole::Camera {
-    CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Perspective(1 << 30, (1, 1), ONE, 1000 * ONE),
-        viewport: (0, 0, 16, 16),
-    }
-    .library()
+    CameraBits::perspective(1 << 30, (16, 16), ONE, 1000 * ONE).library()
 }
 
 /// A square perpendicular to the axis that covers the picture at any distance up to 100.

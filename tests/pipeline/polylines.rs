@@ -5,7 +5,7 @@ use embedded_graphics::prelude::*;
 use pinhole::{camera::Projected, draw::Statistics, prelude::*, target::DepthTestedSurface};
 use std::collections::BTreeMap;
 use support::bridge::draw::{wireframe, Shader};
-use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::bridge::pair::{CameraBits, ModelBits, Step, ONE};
 use support::oracle::chain;
 use support::oracle::coverage::Area;
 use support::oracle::line;
@@ -14,15 +14,7 @@ use support::oracle::target::Recorder;
 
 const SIZE: u32 = 64;
 
-/// One unit is one pixel, (0, 0) the top left corner of the picture, y up.
-fn flat() -> CameraBits {
-    let s = SIZE as i32 * ONE;
-    CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Orthographic([0, s, -s, 0], ONE, 100 * ONE),
-        viewport: (0, 0, SIZE, SIZE),
-    }
-}
+const FLAT: CameraBits = CameraBits::pixels((SIZE, SIZE));
 
 fn draw(
     camera: &CameraBits,
@@ -70,7 +62,7 @@ fn oracle(path: &[(i64, i64)]) -> BTreeMap<(i32, i32), u32> {
 }
 
 fn check(path: &[(i64, i64)]) {
-    let (target, statistics) = draw(&flat(), &back(), &in_pixels(path), -1);
+    let (target, statistics) = draw(&FLAT, &back(), &in_pixels(path), -1);
     let got: BTreeMap<_, _> = target.pixels.iter().map(|(&at, &(_, n))| (at, n)).collect();
     assert_eq!(got, oracle(path), "{path:?}\n{}", target.picture(SIZE as i32, SIZE as i32, |_| '#'));
     assert_eq!(statistics.drawn as usize, path.len().saturating_sub(1));
@@ -109,12 +101,7 @@ fn joints_are_drawn_once() {
 #[test]
 fn joints_far_out_in_a_wide_viewport_are_drawn_once() {
     const WIDTH: u32 = 4096;
-    let (w, h) = (WIDTH as i32 * ONE, SIZE as i32 * ONE);
-    let camera = CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Orthographic([0, w, -h, 0], ONE, 100 * ONE),
-        viewport: (0, 0, WIDTH, SIZE),
-    };
+    let camera = CameraBits::pixels((WIDTH, SIZE));
     let (open, closed) = ([(3, 3), (20, 3), (20, 30)], [(4000, 9), (4050, 9), (4020, 40), (4000, 9)]);
     for path in [&open[..], &closed] {
         let (vertices, model) = (in_pixels(path), back().library());
@@ -147,7 +134,7 @@ fn random_paths_are_the_union_of_their_lines() {
 #[test]
 fn a_polyline_of_fewer_than_two_vertices_draws_nothing() {
     for n in 0..2 {
-        let (target, statistics) = draw(&flat(), &back(), &in_pixels(&[(5, 5)][..n]), -1);
+        let (target, statistics) = draw(&FLAT, &back(), &in_pixels(&[(5, 5)][..n]), -1);
         assert!(target.pixels.is_empty());
         assert_eq!(statistics, Statistics::default());
     }
@@ -157,11 +144,7 @@ fn a_polyline_of_fewer_than_two_vertices_draws_nothing() {
 #[test]
 fn lines_and_points_are_tested_and_stored_in_a_depth_buffer() {
     let mut rng = Rng::new(0x74);
-    let camera = CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Perspective(1 << 30, (SIZE, SIZE), ONE, 5 * ONE),
-        viewport: (0, 0, SIZE, SIZE),
-    };
+    let camera = CameraBits::perspective(1 << 30, (SIZE, SIZE), ONE, 5 * ONE);
     let (library, model) = (camera.library(), ModelBits::default().library());
     let edges = core::array::from_fn::<[u16; 2], 19, _>(|i| [i as u16, i as u16 + 1]);
     let (mut hidden, mut shown, mut clipped) = (0, 0, 0);
@@ -220,11 +203,7 @@ fn lines_and_points_are_tested_and_stored_in_a_depth_buffer() {
 #[test]
 fn paths_through_the_near_plane_are_cut_there() {
     let mut rng = Rng::new(0x73);
-    let camera = CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Perspective(1 << 30, (SIZE, SIZE), ONE, 50 * ONE),
-        viewport: (0, 0, SIZE, SIZE),
-    };
+    let camera = CameraBits::perspective(1 << 30, (SIZE, SIZE), ONE, 50 * ONE);
     let (exact, model) = (camera.exact(), ModelBits::default());
     let (mut cut, mut compared) = (0, 0);
     for _ in 0..3000 {

@@ -470,27 +470,13 @@ fn translucent_sprites_are_mixed_with_the_stored_pixels() {
     assert!(changed > 100_000, "{changed}");
 }
 
-/// One unit is one pixel, (0, 0) the top left corner of the picture, y up.
-fn flat() -> Camera {
-    let bits = CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Orthographic([0, 64 * ONE, -64 * ONE, 0], ONE, 100 * ONE),
-        viewport: (0, 0, 64, 64),
-    };
-    bits.library()
-}
-
 /// Of a height that gives a width half-way between two steps of a `Scalar`, the width is the larger one.
 #[test]
 fn a_tie_of_a_height_rounds_up() {
     let raw = [255; 2 * 4 * 3];
     let image = ImageRaw::<Rgb888>::new(&raw, 2);
     // A step is 4 pixels.
-    let camera = CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Orthographic([-8, 8, -8, 8], ONE, 100 * ONE),
-        viewport: (0, 0, 64, 64),
-    };
+    let camera = CameraBits::ahead(ProjectionBits::Orthographic([-8, 8, -8, 8], ONE, 100 * ONE), (64, 64));
     let placed = camera.library().place_sprite(Point3::from_ints(0, 0, -10));
     for (height, width) in [(2, 1), (3, 2), (4, 2), (5, 3)] {
         let sprite = |_| Sprite::new(SpriteImage::new(&image)).with_height(Scalar::from_bits(height));
@@ -507,12 +493,13 @@ fn shows_the_image<I>(image: &I)
 where
     I: GetPixel<Color: Default + core::fmt::Debug> + ImageDrawable<Color = <I as GetPixel>::Color>,
 {
+    let camera = CameraBits::pixels((64, 64)).library();
     for at in [Point::new(9, 11), Point::new(-3, 60), Point::new(61, -2)] {
         let sky = <I as GetPixel>::Color::default();
         let (mut drawn, mut expected) = (vec![sky; 64 * 64], vec![sky; 64 * 64]);
         let Ok(()) =
             Image::new(image, at).draw(&mut Picture::new(&mut expected, Size::new(64, 64)).expect("room"));
-        let placed = flat().place_sprite(Point3::from_ints(at.x as i16, -at.y as i16, -10));
+        let placed = camera.place_sprite(Point3::from_ints(at.x as i16, -at.y as i16, -10));
         let mut show = |picture: SpriteImage<'_, I>| {
             drawn.fill(sky);
             let sprite = |_| Sprite::new(picture).with_anchor(AnchorPoint::TopLeft);
@@ -556,7 +543,7 @@ fn texels_of_textures_are_shown_in_their_order() {
     let texels: [[Gray8; 16]; 8] =
         core::array::from_fn(|row| core::array::from_fn(|column| Gray8::new((16 * row + column) as u8)));
     let draw = |target: &mut MockDisplay<Gray8>, keyed: bool| {
-        let placed = flat().place_sprite(Point3::from_ints(4, -5, -10));
+        let placed = CameraBits::pixels((64, 64)).library().place_sprite(Point3::from_ints(4, -5, -10));
         let key = Gray8::new(35);
         let drawn = match keyed {
             true => placed.draw(
@@ -578,7 +565,7 @@ fn texels_of_textures_are_shown_in_their_order() {
     }
     for side in [0, 1, 2, 5, 63] {
         let mut display = MockDisplay::new();
-        let placed = flat().place_sprite(Point3::from_ints(32, -32, -10));
+        let placed = CameraBits::pixels((64, 64)).library().place_sprite(Point3::from_ints(32, -32, -10));
         let statistics = placed.draw(|_| Sprite::square(Gray8::WHITE, side), &mut display).expect("no error");
         assert_eq!(display.affected_area().size, Size::new_equal(side.into()));
         assert_eq!((statistics.drawn, statistics.degenerate), (u32::from(side > 0), u32::from(side == 0)));
@@ -598,7 +585,7 @@ fn sprites_far_outside_draw_what_reaches_in() {
             (Scalar::ONE, Scalar::ONE),
         ] {
             let mut display = MockDisplay::new();
-            let placed = flat().place_sprite(Point3::from_ints(x, -y, -10));
+            let placed = CameraBits::pixels((64, 64)).library().place_sprite(Point3::from_ints(x, -y, -10));
             let sprite = Sprite::new(SolidTexel::new(BinaryColor::On)).with_size(width, height);
             let statistics = placed.draw(|_| sprite, &mut display).expect("no error");
             // The guard band: 8192 pixels; a size of less than a sub-pixel is none.
@@ -625,7 +612,7 @@ fn sprites_far_outside_draw_what_reaches_in() {
 fn equal_depths_and_both_planes() {
     let colors = [Rgb888::RED, Rgb888::BLUE];
     let mesh = Mesh::new(&[[32, -32, -10], [32, -32, -10]], 0, &[]).expect("a mesh");
-    let camera = flat();
+    let camera = CameraBits::pixels((64, 64)).library();
     let placed = camera.place_sprites(&mesh, &ModelBits::default().library());
     let square = |i: usize| Sprite::square(colors[i], 4);
     let count =

@@ -3,7 +3,7 @@
 use pinhole::{camera::Visibility, math::Sphere, prelude::*};
 use support::bridge;
 use support::bridge::draw::Shader;
-use support::bridge::pair::{bits, random_view, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::bridge::pair::{bits, random_view, CameraBits, ModelBits, ProjectionBits, Step, ONE};
 use support::bridge::{point, scalar};
 use support::oracle::chain::{self, V4};
 use support::oracle::rng::Rng;
@@ -13,12 +13,7 @@ use support::oracle::target::Recorder;
 fn clipped_counts_what_was_cut_and_nothing_else() {
     // 90°, 15 px of focal length: a corner at x, z = −3 lies at 20 + 5·x px; the guard band ends at
     // ±8192.
-    let camera = CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Perspective(1 << 30, (4, 3), ONE, 100 * ONE),
-        viewport: (0, 0, 40, 30),
-    }
-    .library();
+    let camera = CameraBits::perspective(1 << 30, (40, 30), ONE, 100 * ONE).library();
     let model = ModelBits::default().library();
     for (x, clipped) in [(1i16, 0), (300, 0), (810, 0), (1000, 0), (1600, 0), (1634, 0), (1635, 1), (9000, 1)]
     {

@@ -12,7 +12,7 @@ use embedded_graphics_core::pixelcolor::{
 use pinhole::shading::{Barycentric, Varying};
 use pinhole::{prelude::*, shading::SpanShader};
 use std::sync::LazyLock;
-use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
+use support::bridge::pair::{CameraBits, ONE};
 use support::oracle::chain::{self, fx3};
 use support::oracle::coverage::{centre, edge};
 use support::oracle::cut_faces::{pieces, Corner};
@@ -196,13 +196,9 @@ fn pixels_have_the_levels_of_the_gradients_of_their_corners() {
     faces::<BinaryColor>(700, None);
 }
 
-/// At the origin, looking along −z, with a field of view of 90 degrees.
+/// With a field of view of 90 degrees.
 fn camera(far: i32) -> CameraBits {
-    CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Perspective(1 << 30, SIZE, ONE, far),
-        viewport: (0, 0, SIZE.0, SIZE.1),
-    }
+    CameraBits::perspective(1 << 30, SIZE, ONE, far)
 }
 
 /// The planes that a random face crosses.

@@ -10,7 +10,7 @@ use pinhole::{
     prelude::*,
     shading::{SpanShader, TableShader},
 };
-use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
+use support::bridge::pair::{CameraBits, ProjectionBits, ONE};
 use support::oracle::coverage::P;
 use support::oracle::rng::Rng;
 use support::oracle::shade::{Depths, Lit};
@@ -107,12 +107,7 @@ pub(crate) const SIZE: (u32, u32) = (64, 48);
 /// A camera for which a world unit is a pixel and (0, 0) the middle of the picture.
 pub(crate) fn flat_camera() -> Camera {
     let (w, h) = (SIZE.0 as i32 * ONE / 2, SIZE.1 as i32 * ONE / 2);
-    CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Orthographic([-w, w, -h, h], ONE, 9 * ONE),
-        viewport: (0, 0, SIZE.0, SIZE.1),
-    }
-    .library()
+    CameraBits::ahead(ProjectionBits::Orthographic([-w, w, -h, h], ONE, 9 * ONE), SIZE).library()
 }
 
 /// The vertex that [`flat_camera`] projects to a position in sub-pixels.

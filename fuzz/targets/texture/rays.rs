@@ -7,7 +7,7 @@ use crate::fuzzed::Bytes;
 use embedded_graphics_core::pixelcolor::Rgb888;
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{prelude::*, texture::Accuracy};
-use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::bridge::pair::{CameraBits, ModelBits, Step, ONE};
 use support::bridge::rectangle;
 use support::oracle::chain;
 use support::oracle::texture::{off_clamped, off_repeated, Ray};
@@ -54,11 +54,7 @@ impl Face {
         let kind = b.byte();
         let side = if kind & 1 == 0 { 32 } else { 240 };
         let near = b.of(&[ONE / 64, ONE / 8, ONE]);
-        let camera = CameraBits {
-            view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-            projection: ProjectionBits::Perspective(1 << 30, (side, side), near, b.of(&[2000, 100]) * ONE),
-            viewport: (0, 0, side, side),
-        };
+        let camera = CameraBits::perspective(1 << 30, (side, side), near, b.of(&[2000, 100]) * ONE);
         // Across the picture at its distance, and a little beyond, or anywhere. Some corners lie behind the eye.
         let vertices = [(); 3].map(|()| {
             let w = if b.byte() < 24 { -i32::from(b.byte()) } else { distance(b) };

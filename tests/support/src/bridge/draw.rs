@@ -60,11 +60,8 @@ pub fn cube_camera(viewport: (i32, i32, u32, u32)) -> CameraBits {
 /// the screen. The planes near and far lie `depth` units before and behind the plane.
 pub fn flat_camera((width, height): (u32, u32), units: i32, depth: i32) -> CameraBits {
     let [right, top] = [width, height].map(|pixels| pixels as i32 * units * ONE);
-    CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Orthographic([0, right, 0, top], -depth * ONE, depth * ONE),
-        viewport: (0, 0, width, height),
-    }
+    let window = [0, right, 0, top];
+    CameraBits::ahead(ProjectionBits::Orthographic(window, -depth * ONE, depth * ONE), (width, height))
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -113,6 +113,23 @@ pub struct CameraBits {
 }
 
 impl CameraBits {
+    /// An eye at the origin that looks along −z, and a picture from (0, 0) on.
+    pub const fn ahead(projection: ProjectionBits, (width, height): (u32, u32)) -> Self {
+        let view = ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]);
+        Self { view, projection, viewport: (0, 0, width, height) }
+    }
+
+    /// [`Self::ahead`], in perspective.
+    pub const fn perspective(fov_y: u32, size: (u32, u32), near: i32, far: i32) -> Self {
+        Self::ahead(ProjectionBits::Perspective(fov_y, size, near, far), size)
+    }
+
+    /// [`Self::ahead`]: one unit is one pixel, with y up, the origin is the picture's upper left corner, and z lies between −100 and −1.
+    pub const fn pixels((width, height): (u32, u32)) -> Self {
+        let window = [0, width as i32 * ONE, -(height as i32) * ONE, 0];
+        Self::ahead(ProjectionBits::Orthographic(window, ONE, 100 * ONE), (width, height))
+    }
+
     pub fn library(&self) -> Camera {
         let (x, y, w, h) = self.viewport;
         let r = rectangle(x, y, w, h);

@@ -1,6 +1,6 @@
 //! The faces on which the error of textures is measured: in view space, with the texture coordinates of their corners.
 
-use crate::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
+use crate::bridge::pair::{CameraBits, ONE};
 use crate::oracle::chain::V3;
 use crate::oracle::rng::Rng;
 use pinhole::draw::Cull;
@@ -22,11 +22,7 @@ pub(crate) struct Scene {
 }
 
 /// An eye at the origin that looks along −z, 60° wide, from ½ to 2000.
-pub(crate) const CAMERA: CameraBits = CameraBits {
-    view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-    projection: ProjectionBits::Perspective(0x2aaa_aaab, (SIDE, SIDE), ONE / 2, 2000 * ONE),
-    viewport: (0, 0, SIDE, SIDE),
-};
+pub(crate) const CAMERA: CameraBits = CameraBits::perspective(0x2aaa_aaab, (SIDE, SIDE), ONE / 2, 2000 * ONE);
 
 pub(crate) fn all() -> Vec<Scene> {
     let floors = [
