@@ -12,33 +12,17 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, RgbCo
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::{color::StoredPixel, draw::draw_line, prelude::*, shading::AntiAliased};
 use support::bridge::{self, ways};
+use support::oracle::chain;
 
 /// The part of a pixel with x and y from 0 to 1 that lies between two parallels to a line through `at`, whose slope is at most 1 in
 /// size, half a pixel away: a polygon, cut by two half planes.
 fn covered(at: [f64; 2], slope: f64) -> f64 {
     let half = slope.hypot(1.0) / 2.0;
     let middle = at[1] - slope * at[0];
-    let mut polygon = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    for sign in [1.0, -1.0] {
-        // Inside where this is not negative.
-        let inside = |p: [f64; 2]| half - sign * (p[1] - middle - slope * p[0]);
-        let mut cut = Vec::new();
-        for (i, &p) in polygon.iter().enumerate() {
-            let q = polygon[(i + 1) % polygon.len()];
-            let (from, to) = (inside(p), inside(q));
-            if from >= 0.0 {
-                cut.push(p);
-            }
-            if (from < 0.0) != (to < 0.0) {
-                let t = from / (from - to);
-                cut.push([0, 1].map(|k| p[k] + t * (q[k] - p[k])));
-            }
-        }
-        polygon = cut;
-        if polygon.is_empty() {
-            return 0.0;
-        }
-    }
+    let square = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let polygon = [1.0, -1.0]
+        .into_iter()
+        .fold(square, |polygon, sign| chain::cut(&polygon, |p| half - sign * (p[1] - middle - slope * p[0])));
     let area = |i: usize| {
         let (p, q) = (polygon[i], polygon[(i + 1) % polygon.len()]);
         p[0] * q[1] - p[1] * q[0]

@@ -6,6 +6,7 @@ use super::{draw, sums_up, Drawing};
 use pinhole::prelude::*;
 use std::cell::RefCell;
 use support::bridge::draw::Shader;
+use support::solids::Solid;
 
 /// Drawn with and without, and the faces that each drew.
 fn both(scene: &Scene, instance: &MeshInstance<'_>) -> [(Drawing, Vec<usize>); 2] {
@@ -49,7 +50,8 @@ pub(crate) fn check(scene: &Scene) {
     let [(plain, _), (by_planes, _)] = both(scene, &instance);
     assert_eq!(by_planes.statistics, plain.statistics, "without planes: {scene:?}");
     assert!(by_planes.target.calls == plain.target.calls, "without planes: {scene:?}");
-    let normals: Vec<[i16; 3]> = scene.faces.iter().map(|&face| normal(scene, face)).collect();
+    // Of a face without area none.
+    let normals = Solid::new(scene.vertices.clone(), scene.exponent, scene.faces.clone()).normals();
     let mesh = mesh.with_normals(&normals).expect("one for each face");
     let planes: Vec<i16> = (0..normals.len()).map(|face| mesh.face_plane(face)).collect();
     let mesh = mesh.with_planes(&planes).expect("one for each face");
@@ -64,13 +66,4 @@ pub(crate) fn check(scene: &Scene) {
         );
     }
     assert!(by_planes.iter().all(|face| plain.contains(face)), "{scene:?}");
-}
-
-/// To the nearest; of a face without area none.
-fn normal(scene: &Scene, face: [u16; 3]) -> [i16; 3] {
-    let [a, b, c] = face.map(|index| scene.vertices[usize::from(index)].map(f64::from));
-    let [u, v] = [b, c].map(|to| [to[0] - a[0], to[1] - a[1], to[2] - a[2]]);
-    let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    let length = n.iter().map(|c| c * c).sum::<f64>().sqrt();
-    n.map(|c| if length > 0.0 { (c / length * 32_767.0).round() as i16 } else { 0 })
 }

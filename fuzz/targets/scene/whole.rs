@@ -6,7 +6,7 @@ use pinhole::draw::{Cull, MeshInstance};
 use pinhole::raster::ScreenPoint;
 use std::collections::BTreeMap;
 use support::bridge::draw::Shader;
-use support::oracle::coverage::{self, Area, P};
+use support::oracle::coverage::{self, P};
 use support::oracle::line;
 use support::oracle::target::Recorder;
 
@@ -52,17 +52,6 @@ pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
     });
 }
 
-/// The pixels of the unclipped line inside the area, found in at most as many steps as the area is wide or high.
-fn line_in(a: P, b: P, area: Area) -> Vec<P> {
-    let (from, to) = if a <= b { (a, b) } else { (b, a) };
-    let steep = line::is_steep(from, to);
-    let (start, end) = if steep { (from.1, to.1) } else { (from.0, to.0) };
-    let (low, high) = if steep { (area.top, area.bottom - 1) } else { (area.left, area.right - 1) };
-    let (first, last) = if end < start { (start - high, start - low) } else { (low - start, high - start) };
-    let steps = first.max(0)..=last.min((end - start).abs());
-    steps.map(|k| line::pixel(a, b, k)).filter(|&(x, y)| area.contains(x, y)).collect()
-}
-
 pub(crate) fn edge(scene: &Scene, edge: [u16; 2]) {
     scene.with_instance(&[], &[edge], |instance| {
         let drawing = draw(scene, |target| instance.edges(|_| Shader(1)).draw(target));
@@ -74,7 +63,7 @@ pub(crate) fn edge(scene: &Scene, edge: [u16; 2]) {
         assert_eq!(drawn(&turned.target), drawn(&drawing.target), "{edge:?}: {scene:?}");
         let [Ok(a), Ok(b)] = edge.map(|i| instance.project(i.into()).map(|seen| seen.point)) else { return };
         assert_eq!((drawing.statistics.drawn, drawing.statistics.clipped), (1, 0), "{edge:?}: {scene:?}");
-        let wanted = once(line_in(pixel(a), pixel(b), scene.area()));
+        let wanted = once(line::clipped(pixel(a), pixel(b), scene.area()));
         assert_eq!(drawn(&drawing.target), wanted, "{a:?} {b:?}: {scene:?}");
     });
 }
@@ -102,7 +91,8 @@ pub(crate) fn polyline(scene: &Scene, instance: &MeshInstance<'_>, drawing: &Dra
         return;
     }
     assert_eq!((drawing.statistics.outside, drawing.statistics.clipped), (0, 0), "{scene:?}");
-    let mut wanted: Vec<P> = images.windows(2).flat_map(|w| line_in(w[0], w[1], scene.area())).collect();
+    let mut wanted: Vec<P> =
+        images.windows(2).flat_map(|w| line::clipped(w[0], w[1], scene.area())).collect();
     wanted.sort_unstable();
     wanted.dedup();
     let got: Vec<P> = drawn(&drawing.target).into_iter().map(|(p, _)| p).collect();

@@ -2,7 +2,7 @@
 //! products, quotients and roots of f64, which IEEE 754 defines exactly, and by sines whose last bit makes no difference.
 
 use crate::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits};
-use crate::oracle::chain::{self, dot, length, View, V3};
+use crate::oracle::chain::{self, length, View, V3};
 use crate::oracle::rng::Rng;
 
 /// A distribution of cameras and vertices.
@@ -106,7 +106,7 @@ impl Population {
         (0..8).find_map(|_| {
             let z = log(rng, (near * (1.0 + 2e-3), far * (1.0 - 2e-3)));
             let at = [rng.real(-1.0, 1.0) * z / m[0][0], rng.real(-1.0, 1.0) * z / m[1][1], -z];
-            self.inside(world(&exact.view, at)).then_some(at)
+            self.inside(exact.view.back(at)).then_some(at)
         })
     }
 
@@ -136,7 +136,7 @@ impl Population {
         let turn = model.exact();
         let first = [0; 3].map(|_| rng.int(-reach, reach));
         let at_first = turn.apply(first.map(|c| c as f64 * unit));
-        let at_world = world(view, at);
+        let at_world = view.back(at);
         let shift = bits(core::array::from_fn(|i| at_world[i] - at_first[i]))?;
         model.0.push(Step::Move(shift));
         let mut vertices = [first; VERTICES + 1];
@@ -144,7 +144,7 @@ impl Population {
         for vertex in vertices.iter_mut().take(VERTICES).skip(1) {
             let away = half_extent.min(-at[2]) * rng.unit() / 2.0;
             let way = rng.direction();
-            let to = world(view, core::array::from_fn(|i| at[i] + away * way[i]));
+            let to = view.back(core::array::from_fn(|i| at[i] + away * way[i]));
             let from: V3 = core::array::from_fn(|i| to[i] - chain::fx(shift[i]));
             let back: V3 = core::array::from_fn(|i| (0..3).map(|k| turn.m[k][i] * from[k]).sum());
             *vertex = back.map(|c| ((c / unit).round() as i64).clamp(-reach, reach));
@@ -157,10 +157,4 @@ impl Population {
             half_extent: reach as f64 * unit,
         })
     }
-}
-
-/// A view point in the world.
-pub(crate) fn world(view: &View, at: V3) -> V3 {
-    let column = |i: usize| [view.rows[0][i], view.rows[1][i], view.rows[2][i]];
-    core::array::from_fn(|i| view.eye[i] + dot(column(i), at))
 }

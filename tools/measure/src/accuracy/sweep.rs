@@ -122,8 +122,7 @@ pub(super) fn sweep(population: &Population) -> Result<Sweep, String> {
             if design.0 == Design::Point {
                 for _ in 0..VERTICES {
                     let Some(at) = population.target(&mut rng, &bits, &exact) else { continue };
-                    let world = super::population::world(&exact.view, at);
-                    let Some(world) = crate::bridge::pair::bits(world) else { continue };
+                    let Some(world) = crate::bridge::pair::bits(exact.view.back(at)) else { continue };
                     let seen = single(&camera, world).map_err(|e| e.to_string())?;
                     one(seen, &chain::IDENTITY, chain::fx3(world), 0.0)?;
                 }
