@@ -8,6 +8,12 @@ use embedded_graphics::pixelcolor::{
 };
 use pinhole::color::{BlendMode, Color, Format, Half};
 use support::oracle::rng::Rng;
+use tricolor::Tricolor;
+
+/// The planner's colours of e-paper.
+#[allow(unreachable_pub)]
+#[path = "../../apps/planner/src/tricolor.rs"]
+mod tricolor;
 
 macro_rules! own_colors {
     ($($name:ident: $format:expr;)*) => {$(
@@ -41,50 +47,6 @@ own_colors! {
     Gray4Lower: Format::gray(4).padded_to(8);
     Sixteen: Format::indexed(4, [0; 3]).padded_to(2);
     Words: Format::indexed(99, [1; 3]);
-}
-
-/// E-paper with black, white and red particles.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Tricolor {
-    Black,
-    White,
-    Red,
-}
-
-impl PixelColor for Tricolor {
-    type Raw = ();
-}
-
-impl Color for Tricolor {
-    const FORMAT: Format = Format::indexed(2, [1; 3]);
-
-    fn to_bits(self) -> u32 {
-        self as u32
-    }
-
-    fn from_bits(bits: u32) -> Self {
-        match bits & 3 {
-            0 => Self::Black,
-            1 => Self::White,
-            _ => Self::Red,
-        }
-    }
-
-    fn channels(self) -> [u8; 3] {
-        match self {
-            Self::Black => [0; 3],
-            Self::White => [1; 3],
-            Self::Red => [1, 0, 0],
-        }
-    }
-
-    fn from_channels([r, g, _]: [u8; 3]) -> Self {
-        match (r, g) {
-            (1, 0) => Self::Red,
-            (0, 0) => Self::Black,
-            _ => Self::White,
-        }
-    }
 }
 
 /// Compares the arithmetic on pairs of colours with that on their channels. `parts` takes a colour apart, `max` is the highest level of
