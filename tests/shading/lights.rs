@@ -1,12 +1,9 @@
 //! docs/spec.md, section 8: ambient and Lambert light per face, several lights, highlights, point lights and material captures against
 //! f64, each within its documented bound, which is at most twice the largest error met.
 
-use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
-use pinhole::{
-    light::{BlinnPhong, Lambert, Light, LightError, Lights, Matcap, PointLight, RigidLambert},
-    texture::Texels,
-};
+use pinhole::light::{BlinnPhong, Lambert, Light, LightError, Lights, Matcap, PointLight, RigidLambert};
 use support::bridge::pair::{bits, random_view, ModelBits, Step, ONE};
+use support::bridge::texels::{Numbered, Shown};
 use support::bridge::{point, scalar, vector};
 use support::oracle::chain::{self, V3};
 use support::oracle::rng::Rng;
@@ -344,22 +341,6 @@ fn levels_of_point_lights_add_up() {
     assert_eq!(sums, [244, 256, 30]);
 }
 
-/// Texels that are numbered, 16 × 8 of them.
-#[derive(Clone, Copy)]
-struct Numbered;
-
-impl Texels for Numbered {
-    type Color = Gray8;
-    type Ink = Gray8;
-    type FastPath = ();
-    fn size_bits(&self) -> [u32; 2] {
-        [4, 3]
-    }
-    fn texel(&self, u: u32, v: u32) -> Gray8 {
-        Gray8::new(((v >> 29) * 16 + (u >> 28)) as u8)
-    }
-}
-
 #[test]
 fn matcap_coordinates_are_within_their_bound() {
     let mut rng = Rng::new(0xA6);
@@ -380,8 +361,9 @@ fn matcap_coordinates_are_within_their_bound() {
                 assert!((128..=32_640).contains(&ours));
                 worst = worst.max(error);
             }
-            let texel = ((i32::from(v) * 8) >> 15) * 16 + ((i32::from(u) * 16) >> 15);
-            assert_eq!(i32::from(matcap.color(Numbered, n).luma()), texel);
+            let Shown([column, row]) = matcap.color(Numbered([4, 3]), n);
+            let texel = [i32::from(u) * 16, i32::from(v) * 8].map(|c| (c >> 15) as u32);
+            assert_eq!([column >> 28, row >> 29], texel);
         }
     }
     println!("within 2^{:.2} of a side", worst.log2());

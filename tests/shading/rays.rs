@@ -1,12 +1,12 @@
 //! Faces before a camera; what a pixel of a face shows, by a ray in f64, whatever the projection; and pictures of faces to compare with
 //! it.
 
-use embedded_graphics::pixelcolor::raw::RawU32;
 use embedded_graphics::pixelcolor::{PixelColor, Rgb888, RgbColor};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{color::Unmixed, prelude::*, shading::SpanShader, texture::Texels};
+pub(crate) use support::bridge::texels::{Numbered, Shown};
 use support::bridge::ways::{self, Drawn};
 use support::oracle::chain::{self, M4, V3};
 use support::oracle::rng::Rng;
@@ -20,32 +20,6 @@ pub(crate) const AREA: Rectangle = Rectangle::new(Point::zero(), SIZE);
 pub(crate) const SKY: Rgb888 = Rgb888::new(1, 2, 3);
 /// 60 degrees.
 pub(crate) const FOV: u32 = 0x2aaa_aaab;
-
-/// The coordinates that a pixel shows, in 2⁻³² of the texture's sides.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Shown(pub(crate) [u32; 2]);
-
-impl PixelColor for Shown {
-    type Raw = RawU32;
-}
-
-/// Texels of 2^n columns and rows that show their coordinates.
-#[derive(Clone, Copy)]
-pub(crate) struct Numbered(pub(crate) [u32; 2]);
-
-impl Texels for Numbered {
-    type Color = Shown;
-    type Ink = Shown;
-    type FastPath = ();
-
-    fn size_bits(&self) -> [u32; 2] {
-        self.0
-    }
-
-    fn texel(&self, u: u32, v: u32) -> Shown {
-        Shown([u, v])
-    }
-}
 
 /// Texels whose coordinates have 32 bits.
 #[derive(Clone, Copy)]

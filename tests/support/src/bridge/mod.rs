@@ -3,6 +3,7 @@
 pub mod compare;
 pub mod draw;
 pub mod pair;
+pub mod texels;
 pub mod ways;
 
 use crate::oracle::coverage::{Area, Counts, P};

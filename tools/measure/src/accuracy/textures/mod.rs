@@ -3,16 +3,12 @@
 mod scenes;
 
 use super::{rounded, Errors};
+use crate::bridge::texels::{Numbered, Shown};
 use crate::oracle::chain;
+use crate::oracle::target::Screen;
 use crate::oracle::texture::{off_repeated, Ray};
-use embedded_graphics::pixelcolor::raw::RawU32;
-use embedded_graphics::prelude::*;
 use pinhole::space::{Model, World};
-use pinhole::{
-    prelude::*,
-    texture::{Accuracy, Texels},
-};
-use pinhole_apps_support::canvas::Canvas;
+use pinhole::{prelude::*, texture::Accuracy};
 use scenes::{Scene, CAMERA, SIDE};
 use serde_json::{json, Value};
 
@@ -52,12 +48,11 @@ impl Measured {
             let texels = uv.map(|uv| uv.map(|c| f64::from(c) / 16.0));
             let ray = Ray::new(&exact, &chain::IDENTITY, at, texels);
             for (i, (_, accuracy, _)) in ACCURACIES.into_iter().enumerate() {
-                let texture = Texture::new(Numbered).with_accuracy(accuracy).at(*uv);
-                let mut canvas = Canvas::new(Size::new(SIDE, SIDE), Shown(None));
-                let Ok(_) = instance.faces(|_| texture).draw(&mut canvas);
-                for (index, Shown(shown)) in (0..).zip(canvas.pixels()) {
-                    let Some(shown) = shown else { continue };
-                    let (x, y) = (index % i64::from(SIDE), index / i64::from(SIDE));
+                let texture = Texture::new(Numbered([6, 6])).with_accuracy(accuracy).at(*uv);
+                let mut screen = Screen::sized(SIDE, SIDE);
+                let Ok(_) = instance.faces(|_| texture).draw(&mut screen);
+                for (at, Shown(shown)) in screen.drawn() {
+                    let (x, y) = (at.x.into(), at.y.into());
                     let near = ray.around(x, y).zip(ray.at(x as f64 + 0.5, y as f64 + 0.5));
                     let Some((near, centre)) = near else { continue };
                     let shown = shown.map(|c| f64::from(c) / 2f64.powi(32) * TEXELS);
@@ -92,31 +87,5 @@ impl Measured {
             let scene = self.scene.name;
             (largest > bound).then(|| format!("{scene}, {name}: {largest} texels off, the bound is {bound}"))
         })
-    }
-}
-
-/// The coordinates that a pixel shows, in 2⁻³² of the texture's sides.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Shown(Option<[u32; 2]>);
-
-impl PixelColor for Shown {
-    type Raw = RawU32;
-}
-
-/// 64 × 64 texels that show their coordinates.
-#[derive(Clone, Copy)]
-struct Numbered;
-
-impl Texels for Numbered {
-    type Color = Shown;
-    type Ink = Shown;
-    type FastPath = ();
-
-    fn size_bits(&self) -> [u32; 2] {
-        [6, 6]
-    }
-
-    fn texel(&self, u: u32, v: u32) -> Shown {
-        Shown(Some([u, v]))
     }
 }
