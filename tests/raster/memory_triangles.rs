@@ -2,15 +2,11 @@
 //! target, against the plain path, for triangles of every tier. With depth, `by_every_call` compares memory with any
 //! other target.
 
-use core::convert::Infallible;
-use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::{Dimensions, Point, Size};
+use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb888};
 use embedded_graphics_core::primitives::Rectangle;
-use embedded_graphics_core::Pixel;
-use pinhole::raster::Span;
 use pinhole::{draw::fill_triangle, prelude::*};
-use support::bridge;
+use support::bridge::{self, Spans};
 use support::oracle::cases::{self, CLASSES};
 use support::oracle::coverage::{covers, rows, Area, P};
 use support::oracle::rng::Rng;
@@ -51,44 +47,6 @@ fn small(rng: &mut Rng) -> [P; 3] {
     t
 }
 
-/// A target that is not the library's: it records spans and their colours.
-struct Recorder {
-    area: Rectangle,
-    spans: Vec<Span>,
-    colors: Vec<Gray8>,
-}
-
-impl Dimensions for Recorder {
-    fn bounding_box(&self) -> Rectangle {
-        self.area
-    }
-}
-
-impl DrawTarget for Recorder {
-    type Color = Gray8;
-    type Error = Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Gray8>>>(&mut self, _: I) -> Result<(), Infallible> {
-        panic!("triangles are drawn as spans")
-    }
-
-    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
-    where
-        I: IntoIterator<Item = Gray8>,
-    {
-        let Rectangle { top_left, size } = *area;
-        let (width, height) = (size.width as i32, size.height as i32);
-        self.spans.push(Span { x: top_left.x, y: top_left.y, width, height });
-        self.colors.extend(colors);
-        Ok(())
-    }
-
-    fn fill_solid(&mut self, area: &Rectangle, color: Gray8) -> Result<(), Infallible> {
-        let pixels = area.size.width * area.size.height;
-        self.fill_contiguous(area, (0..pixels).map(|_| color))
-    }
-}
-
 /// The pixels of a triangle in memory are the oracle's.
 fn check(t: [P; 3], (width, height): (usize, usize)) -> u64 {
     let exact = rows(t, Area::new(0, 0, width as i64, height as i64));
@@ -99,14 +57,15 @@ fn check(t: [P; 3], (width, height): (usize, usize)) -> u64 {
 /// In one colour and in colours of their own per pixel, a target that is not the library's gets the spans of the plain path, and memory
 /// gets their colours.
 fn check_spans(t: [P; 3], (width, height): (usize, usize)) -> usize {
-    let area = bridge::rectangle(0, 0, width as u32, height as u32);
-    let plain = bridge::triangle_spans(t, Area::new(0, 0, width as i64, height as i64));
+    let area = Area::new(0, 0, width as i64, height as i64);
+    let plain = bridge::triangle_spans(t, area);
     let corners = t.map(bridge::screen_point);
     let smooth = Gouraud::new([10, 90, 250].map(|level| Rgb888::new(level, level, level)));
     for is_smooth in [false, true] {
-        let mut target = Recorder { area, spans: Vec::new(), colors: Vec::new() };
+        let mut target = Spans::new(area);
         let mut memory = vec![Gray8::BLACK; width * height];
-        let mut picture = Picture::new(&mut memory, area.size).expect("enough memory");
+        let mut picture =
+            Picture::new(&mut memory, Size::new(width as u32, height as u32)).expect("enough memory");
         let (Ok(()), Ok(())) = match is_smooth {
             true => (
                 fill_triangle(corners, smooth, &mut target),

@@ -10,8 +10,9 @@ use crate::oracle::coverage::{Area, Counts, P};
 use core::convert::Infallible;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
-use embedded_graphics_core::pixelcolor::BinaryColor;
+use embedded_graphics_core::pixelcolor::{BinaryColor, PixelColor};
 use embedded_graphics_core::primitives::Rectangle;
+use embedded_graphics_core::Pixel;
 use pinhole::draw::{draw_line, fill_triangle};
 use pinhole::prelude::*;
 use pinhole::raster::{ScreenPoint, Span};
@@ -54,47 +55,52 @@ pub fn pixel(p: P) -> Point {
     Point::new(x, y)
 }
 
-/// A target that keeps the spans that it is filled with, each as a rectangle of one row or one column.
-struct Spans {
+/// A target that is not the library's: it keeps the spans that it is filled with, each as a rectangle of one row or one column, and the
+/// colours of their pixels.
+pub struct Spans<C> {
     area: Rectangle,
-    spans: Vec<Span>,
+    pub spans: Vec<Span>,
+    pub colors: Vec<C>,
 }
 
-impl Spans {
+impl<C> Spans<C> {
     /// Of an area whose bounds may lie anywhere; those on the wrong side of each other make it empty.
-    fn new(area: Area) -> Self {
+    pub fn new(area: Area) -> Self {
         let clamped = |c: i64| c.clamp(i64::from(i32::MIN), i64::from(i32::MAX));
         let size = |low: i64, high: i64| u32::try_from(clamped(high) - clamped(low)).unwrap_or(0);
         let at = Point::new(clamped(area.left) as i32, clamped(area.top) as i32);
         let size = Size::new(size(area.left, area.right), size(area.top, area.bottom));
-        Self { area: Rectangle::new(at, size), spans: Vec::new() }
+        Self { area: Rectangle::new(at, size), spans: Vec::new(), colors: Vec::new() }
     }
 }
 
-impl Dimensions for Spans {
+impl<C> Dimensions for Spans<C> {
     fn bounding_box(&self) -> Rectangle {
         self.area
     }
 }
 
-impl DrawTarget for Spans {
-    type Color = BinaryColor;
+impl<C: PixelColor> DrawTarget for Spans<C> {
+    type Color = C;
     type Error = Infallible;
 
-    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, _: I) -> Result<(), Infallible> {
+        panic!("triangles and lines are drawn as spans")
+    }
+
+    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
     where
-        I: IntoIterator<Item = embedded_graphics_core::Pixel<BinaryColor>>,
+        I: IntoIterator<Item = C>,
     {
-        for embedded_graphics_core::Pixel(at, color) in pixels {
-            self.fill_solid(&Rectangle::new(at, Size::new(1, 1)), color)?;
-        }
+        let Rectangle { top_left: Point { x, y }, size: Size { width, height } } = *area;
+        self.spans.push(Span { x, y, width: width as i32, height: height as i32 });
+        self.colors.extend(colors);
         Ok(())
     }
 
-    fn fill_solid(&mut self, area: &Rectangle, _: BinaryColor) -> Result<(), Infallible> {
-        let Rectangle { top_left: Point { x, y }, size: Size { width, height } } = *area;
-        self.spans.push(Span { x, y, width: width as i32, height: height as i32 });
-        Ok(())
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
+        let pixels = area.size.width * area.size.height;
+        self.fill_contiguous(area, (0..pixels).map(|_| color))
     }
 }
 
