@@ -7,6 +7,8 @@ use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{draw::ActiveFace, prelude::*};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
+use support::bridge::draw::in_one_piece;
+pub(crate) use support::bridge::draw::{Way, WAYS};
 use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use support::bridge::rectangle;
 use support::bridge::ways::{bands, by_every_call, lines_by_every_call};
@@ -90,28 +92,6 @@ pub(crate) fn scene() -> impl Strategy<Value = Scene> {
         })
 }
 
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Way {
-    Solid(Cull),
-    Depth(Cull),
-    Wireframe,
-    /// Lines that are tested against the depth of the faces.
-    DepthLines,
-    HiddenLines,
-    Painter,
-}
-
-pub(crate) const WAYS: [Way; 8] = [
-    Way::Solid(Cull::Back),
-    Way::Solid(Cull::None),
-    Way::Depth(Cull::Back),
-    Way::Depth(Cull::None),
-    Way::Wireframe,
-    Way::DepthLines,
-    Way::HiddenLines,
-    Way::Painter,
-];
-
 pub(crate) const BACKGROUND: Gray8 = Gray8::new(200);
 pub(crate) const LINE: Gray8 = Gray8::new(77);
 
@@ -133,34 +113,9 @@ pub(crate) fn place<R>(scene: &Scene, with: impl FnOnce(&MeshInstance<'_>) -> R)
 
 /// Draws a scene in one piece, with a vertex cache of so many entries, onto a target that is not the library's.
 pub(crate) fn draw(scene: &Scene, way: Way, cache: usize, target: &mut Recorder<Gray8>) -> Statistics {
-    let (mut corners, area) = (vec![ScreenVertex::EMPTY; cache], target.bounding_box());
-    let mut storage = vec![0; (area.size.width * area.size.height) as usize];
-    let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
-    let statistics = place(scene, |instance| match way {
-        Way::Solid(cull) => instance.with_cull(cull).faces(colour).cached(&mut corners).draw(target),
-        Way::Depth(cull) => instance
-            .with_cull(cull)
-            .faces(colour)
-            .cached(&mut corners)
-            .draw(&mut target.depth_tested(&mut depth)),
-        Way::Wireframe => instance.edges(|_| LINE).cached(&mut corners).draw(target),
-        Way::DepthLines | Way::HiddenLines => {
-            instance.depth_only(&mut corners, &mut depth);
-            match way {
-                Way::HiddenLines => instance
-                    .edges(|_| LINE)
-                    .cached(&mut corners)
-                    .hidden_line(&mut target.depth_tested(&mut depth)),
-                _ => instance.edges(|_| LINE).cached(&mut corners).draw(&mut target.depth_tested(&mut depth)),
-            }
-        }
-        Way::Painter => {
-            let mut painter = Box::new(Painter::<Gray8, 128, 64>::new());
-            instance.faces(colour).sorted(&mut painter).expect("room");
-            painter.draw(target)
-        }
-    });
-    statistics.expect("no error")
+    let area = scene.camera.area();
+    place(scene, |instance| in_one_piece(way, instance, (area, cache), &colour, LINE, target))
+        .expect("no error")
 }
 
 type Picture = BTreeMap<(i32, i32), (Gray8, u32)>;

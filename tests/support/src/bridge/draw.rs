@@ -4,6 +4,7 @@ use super::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use crate::oracle::target::{Recorder, Refused};
 use embedded_graphics_core::pixelcolor::raw::RawU16;
 use embedded_graphics_core::pixelcolor::PixelColor;
+use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{mesh::Coordinate, meshes, prelude::*};
 
 /// A colour that names what was drawn, such as the index of the face.
@@ -64,16 +65,65 @@ pub fn flat_camera((width, height): (u32, u32), units: i32, depth: i32) -> Camer
     CameraBits::ahead(ProjectionBits::Orthographic(window, -depth * ONE, depth * ONE), (width, height))
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A way to draw a mesh.
+#[derive(Clone, Copy, Debug)]
 pub enum Way {
+    Solid(Cull),
+    Depth(Cull),
     Wireframe,
-    Solid,
+    /// Lines that are tested against the depth of the faces.
+    DepthLines,
+    HiddenLines,
     Painter,
-    Depth,
 }
 
-/// The ways to draw a mesh.
-pub const WAYS: [Way; 4] = [Way::Wireframe, Way::Solid, Way::Painter, Way::Depth];
+pub const WAYS: [Way; 8] = [
+    Way::Solid(Cull::Back),
+    Way::Solid(Cull::None),
+    Way::Depth(Cull::Back),
+    Way::Depth(Cull::None),
+    Way::Wireframe,
+    Way::DepthLines,
+    Way::HiddenLines,
+    Way::Painter,
+];
+
+/// Draws a mesh in one piece, with depths of the pixels of `area` and a vertex cache of so many entries, onto a target that is not the
+/// library's.
+pub fn in_one_piece<C: PixelColor>(
+    way: Way,
+    instance: &MeshInstance<'_>,
+    (area, cache): (Rectangle, usize),
+    face: &dyn Fn(usize) -> C,
+    line: C,
+    target: &mut Recorder<C>,
+) -> Result<Statistics, Refused> {
+    let mut cache = vec![ScreenVertex::EMPTY; cache];
+    let mut storage = vec![0; (area.size.width * area.size.height) as usize];
+    let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
+    if matches!(way, Way::DepthLines | Way::HiddenLines) {
+        instance.depth_only(&mut cache, &mut depth);
+    }
+    match way {
+        Way::Wireframe => instance.edges(|_| line).cached(&mut cache).draw(target),
+        Way::DepthLines => {
+            instance.edges(|_| line).cached(&mut cache).draw(&mut target.depth_tested(&mut depth))
+        }
+        Way::HiddenLines => {
+            instance.edges(|_| line).cached(&mut cache).hidden_line(&mut target.depth_tested(&mut depth))
+        }
+        Way::Solid(cull) => instance.with_cull(cull).faces(face).cached(&mut cache).draw(target),
+        Way::Depth(cull) => {
+            let instance = instance.with_cull(cull);
+            instance.faces(face).cached(&mut cache).draw(&mut target.depth_tested(&mut depth))
+        }
+        Way::Painter => {
+            let mut painter = Box::new(Painter::<C, 128, 64>::new());
+            instance.faces(face).sorted(&mut painter).expect("room");
+            painter.draw(target)
+        }
+    }
+}
 
 /// Draws a turned cube in one of the ways onto a target.
 pub fn turned_cube(
@@ -83,26 +133,6 @@ pub fn turned_cube(
 ) -> Result<Statistics, Refused> {
     let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).and_then(|m| m.with_edges(&CUBE_EDGES)).expect("a mesh");
     let model = ModelBits(vec![Step::Y(1 << 29), Step::X(1 << 28)]).library();
-    let (x, y, width, height) = camera.viewport;
-    let camera = camera.library();
-    let instance = camera.place(&mesh, &model);
-    let mut cache = [ScreenVertex::default(); 8];
-    match way {
-        Way::Wireframe => instance.edges(|_| Shader(7)).cached(&mut cache).draw(target),
-        Way::Solid => instance.faces(|face| Shader(face as u16)).cached(&mut cache).draw(target),
-        Way::Painter => {
-            let mut painter = Painter::<Shader, 64, 64>::new();
-            instance.faces(|face| Shader(face as u16)).sorted(&mut painter).expect("enough room");
-            painter.draw(target)
-        }
-        Way::Depth => {
-            let mut storage = vec![0; (width * height) as usize];
-            let area = super::rectangle(x, y, width, height);
-            let mut depth = DepthBuffer::new(area, &mut storage).expect("storage for all pixels");
-            instance
-                .faces(|face| Shader(face as u16))
-                .cached(&mut cache)
-                .draw(&mut target.depth_tested(&mut depth))
-        }
-    }
+    let instance = camera.library().place(&mesh, &model);
+    in_one_piece(way, &instance, (camera.area(), 8), &|face| Shader(face as u16), Shader(7), target)
 }

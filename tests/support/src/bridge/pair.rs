@@ -4,6 +4,7 @@ use super::{point, rectangle, scalar, vector};
 use crate::oracle::chain::{self, fx, M4};
 use crate::oracle::rng::Rng;
 use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
     camera::{CameraError, Window},
@@ -130,13 +131,18 @@ impl CameraBits {
         Self::ahead(ProjectionBits::Orthographic(window, ONE, 100 * ONE), (width, height))
     }
 
+    /// The pixels of the viewport.
+    pub fn area(&self) -> Rectangle {
+        let (x, y, width, height) = self.viewport;
+        rectangle(x, y, width, height)
+    }
+
     pub fn library(&self) -> Camera {
-        let (x, y, w, h) = self.viewport;
-        let r = rectangle(x, y, w, h);
+        let Rectangle { top_left, size } = self.area();
         Camera::new(
             &self.view.library().expect("a view"),
             &self.projection.library().expect("a projection"),
-            &Viewport::new(r.top_left, r.size).expect("a viewport"),
+            &Viewport::new(top_left, size).expect("a viewport"),
         )
     }
 
