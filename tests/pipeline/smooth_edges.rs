@@ -68,8 +68,7 @@ fn send_part(
 #[test]
 fn bands_are_smoothed_as_one_piece() {
     for scene in scenes().into_iter().filter(|scene| !scene.is_smooth) {
-        let beside = scene.solid.edge_faces();
-        let mesh = scene.mesh(&beside);
+        let mesh = scene.mesh();
         for size in [[128, 64], [61, 77]] {
             let (camera, model) = (camera(size[0], size[1]).library(), scene.model.library());
             let instance = camera.place(&mesh, &model);
@@ -100,8 +99,7 @@ fn parts_of_the_screen_are_smoothed_as_one_piece() {
     let (size, area) = ([128, 64], bridge::rectangle(0, 0, 128, 64));
     let mut wrong = 0;
     for scene in scenes().into_iter().filter(|scene| !scene.is_smooth) {
-        let beside = scene.solid.edge_faces();
-        let mesh = scene.mesh(&beside);
+        let mesh = scene.mesh();
         for step in 0..9 {
             let (camera, model) = (camera(128, 64).library(), turned(step).library());
             let instance = camera.place(&mesh, &model);
@@ -124,8 +122,7 @@ fn parts_of_the_screen_are_smoothed_as_one_piece() {
 #[test]
 fn two_cores_smooth_halves_of_the_screen() {
     for scene in scenes().into_iter().filter(|scene| !scene.is_smooth) {
-        let beside = scene.solid.edge_faces();
-        let (mesh, camera) = (scene.mesh(&beside), camera(128, 64).library());
+        let (mesh, camera) = (scene.mesh(), camera(128, 64).library());
         let colors = &scene.levels().0;
         for step in 0..5 {
             let model = turned(step).library();
@@ -158,8 +155,7 @@ fn two_cores_smooth_halves_of_the_screen() {
 fn bands_by_number_are_smoothed_as_one_piece() {
     let mut rng = Rng::new(47);
     for scene in scenes().into_iter().filter(|scene| !scene.is_smooth) {
-        let (beside, colors) = (scene.solid.edge_faces(), scene.levels().0);
-        let mesh = scene.mesh(&beside);
+        let (mesh, colors) = (scene.mesh(), scene.levels().0);
         for step in 0..24 {
             let [x, y] = [0; 2].map(|_| rng.int(-40, 9) as i32);
             let width = rng.int(12, 96) as u32; // in few pixels, edges follow each other in each row
@@ -241,8 +237,7 @@ fn a_part_around_all_edges_is_smoothed_as_one_piece() {
 /// Sends what changes while a scene turns, in rectangles that are drawn `beyond` pixels larger on each side. Returns the number of pixels.
 fn show_turned<const RECTANGLES: usize>(scene: &Scene, beyond: i32) -> u32 {
     let area = bridge::rectangle(0, 0, 128, 64);
-    let beside = scene.solid.edge_faces();
-    let (mesh, camera) = (scene.mesh(&beside), camera(128, 64).library());
+    let (mesh, camera) = (scene.mesh(), camera(128, 64).library());
     let mut dirty = DirtyRegions::<RECTANGLES>::new(area, TransferCost::new(24, TransferCost::MIPI_DCS));
     let (mut cells, mut sent) = (vec![Rgb888::RED; 128 * 64], 0);
     for step in 0..10 {
@@ -306,8 +301,8 @@ fn the_next_band_after_one_by_number_is_the_first_one() {
 #[test]
 fn passes_mix_their_pairs() {
     let scene = &scenes()[1];
-    let (beside, [width, height]) = (scene.solid.edge_faces(), [128, 64]);
-    let (mesh, camera, model) = (scene.mesh(&beside), camera(width, height).library(), scene.model.library());
+    let [width, height] = [128, 64];
+    let (mesh, camera, model) = (scene.mesh(), camera(width, height).library(), scene.model.library());
     let instance = camera.place(&mesh, &model);
     let plain = scene.picture(&instance, [width, height], None);
     let after = |passes: usize| {
@@ -347,13 +342,12 @@ fn passes_mix_their_pairs() {
 #[test]
 fn silhouettes_are_found_by_faces_as_by_planes() {
     for scene in scenes() {
-        let beside = scene.solid.edge_faces();
-        let listed = scene.mesh(&beside);
+        let listed = scene.mesh();
         let searched = Mesh::new(listed.vertices(), scene.solid.exponent, listed.faces());
         let searched = searched.and_then(|mesh| mesh.with_edges(&scene.solid.edges)).expect("a mesh");
-        let mut twice = beside.clone();
+        let mut twice = scene.solid.edge_faces();
         twice.iter_mut().step_by(3).for_each(|[first, second]| *first = *second);
-        let twice = scene.mesh(&twice);
+        let twice = listed.with_edge_faces(&twice).expect("faces");
         let (size, model) = ([128, 64], scene.model.library());
         let camera = camera(size[0], size[1]).library();
         for cull in [Cull::Back, Cull::Front, Cull::None] {
@@ -369,8 +363,7 @@ fn silhouettes_are_found_by_faces_as_by_planes() {
 #[test]
 fn smoothed_edges_are_close_to_their_areas() {
     for scene in scenes() {
-        let beside = scene.solid.edge_faces();
-        let mesh = scene.mesh(&beside);
+        let mesh = scene.mesh();
         for (width, height) in [(240, 240), (128, 64)] {
             let (camera, model) = (camera(width, height).library(), scene.model.library());
             let instance = camera.place(&mesh, &model);
@@ -393,9 +386,7 @@ fn a_scene_is_smoothed_as_its_objects() {
     let (area, [cube, torus, _, gear, house]) = (bridge::rectangle(0, 0, 128, 64), &scenes()[..]) else {
         panic!("five solids");
     };
-    let beside = [cube, torus, gear, house].map(|scene| scene.solid.edge_faces());
-    let meshes = [(cube, &beside[0]), (torus, &beside[1]), (gear, &beside[2]), (house, &beside[3])];
-    let meshes = meshes.map(|(scene, beside)| scene.mesh(beside));
+    let meshes = [cube, torus, gear, house].map(Scene::mesh);
     let camera = camera(128, 64).library();
     let mut scene = pinhole::draw::Scene::<u8, 5>::new();
     let mut add = |mesh, step, [x, y, z]: [i16; 3], cull, level| {
@@ -565,8 +556,7 @@ impl InFormat<'_> {
 #[test]
 fn edges_are_smoothed_in_each_format() {
     let (scene, size) = (&scenes()[3], [240, 240]);
-    let beside = scene.solid.edge_faces();
-    let (mesh, camera, model) = (scene.mesh(&beside), camera(240, 240).library(), scene.model.library());
+    let (mesh, camera, model) = (scene.mesh(), camera(240, 240).library(), scene.model.library());
     let instance = &camera.place(&mesh, &model);
     let reference = &reference(scene, instance, size);
     let gear = InFormat { scene, instance, size, reference };

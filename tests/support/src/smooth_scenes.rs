@@ -10,6 +10,8 @@ use pinhole::{prelude::*, shading::Gouraud};
 pub struct Scene {
     pub name: &'static str,
     pub solid: Solid,
+    /// The faces beside its edges.
+    beside: Vec<[u16; 2]>,
     pub model: ModelBits,
     pub is_smooth: bool,
     /// The brightness of each body of twelve faces, in per cent; 100 if it is not listed.
@@ -21,7 +23,10 @@ pub fn scenes() -> Vec<Scene> {
         let angle = |degrees: f64| (degrees / 360.0 * 4_294_967_296.0) as u32;
         ModelBits(vec![Step::Y(angle(y)), Step::X(angle(x))])
     };
-    let scene = |name, solid, model| Scene { name, solid, model, is_smooth: false, tints: &[] };
+    let scene = |name, solid: Solid, model| {
+        let beside = solid.edge_faces();
+        Scene { name, solid, beside, model, is_smooth: false, tints: &[] }
+    };
     vec![
         scene("cube", solids::cube(), turn(33.0, 27.0)),
         scene("torus", solids::torus(25, 20), turn(20.0, 50.0)),
@@ -44,10 +49,10 @@ pub fn camera(width: u32, height: u32) -> CameraBits {
 }
 
 impl Scene {
-    pub fn mesh<'a>(&'a self, beside: &'a [[u16; 2]]) -> Mesh<'a> {
+    pub fn mesh(&self) -> Mesh<'_> {
         Mesh::new(&self.solid.vertices, self.solid.exponent, &self.solid.faces)
             .and_then(|mesh| mesh.with_edges(&self.solid.edges))
-            .and_then(|mesh| mesh.with_edge_faces(beside))
+            .and_then(|mesh| mesh.with_edge_faces(&self.beside))
             .expect("a mesh")
     }
 
@@ -117,8 +122,8 @@ impl Scene {
             let (mut cache, mut bins) =
                 (vec![ScreenVertex::EMPTY; mesh.vertices().len()], vec![0; mesh.smooth_bins_len()]);
             let transformed = instance.transform_depth(&mut cache);
-            let beside = self.solid.edge_faces();
             let level = |face: u16| faces.get(usize::from(face)).copied().unwrap_or(NO_CREASES);
+            let beside = &self.beside;
             let is_crease = |edge: usize| level(beside[edge][0]).abs_diff(level(beside[edge][1])) >= contrast;
             let mut edges = transformed.bin_smooth_edges(is_crease, &mut bins).expect("room");
             picture.pixels().depth_tested(&mut depth).smooth(|pass| edges.draw(pass));

@@ -56,9 +56,8 @@ pub(crate) fn run(given: &mut ArgMatches) -> Result<ExitCode, String> {
     for mut scene in scenes() {
         let changes = changes_over_a_turn(&mut scene);
         for size in SIZES {
-            let (beside, model) = (scene.solid.edge_faces(), scene.model.library());
-            let (mesh, camera) = (scene.mesh(&beside), camera(size[0], size[1]).library());
-            let reference = reference(&scene, &camera.place(&mesh, &model), size);
+            let (mesh, camera) = (scene.mesh(), camera(size[0], size[1]).library());
+            let reference = reference(&scene, &camera.place(&mesh, &scene.model.library()), size);
             let plain = METHODS[0].1.picture(&scene, size);
             for ((name, method), change) in METHODS.iter().zip(changes) {
                 // A surface that is shaded smoothly has no creases.
@@ -98,9 +97,8 @@ fn changes_over_a_turn(scene: &mut Scene) -> [f64; METHODS.len()] {
     let (mut last, mut changes) = (None::<[Vec<f64>; METHODS.len()]>, [0.0_f64; METHODS.len()]);
     for frame in 0..FRAMES {
         scene.model.0 = [vec![Step::Y(frame * STEP)], model.clone()].concat();
-        let (beside, turned) = (scene.solid.edge_faces(), scene.model.library());
-        let (mesh, camera) = (scene.mesh(&beside), camera(size[0], size[1]).library());
-        let reference = reference(scene, &camera.place(&mesh, &turned), size);
+        let (mesh, camera) = (scene.mesh(), camera(size[0], size[1]).library());
+        let reference = reference(scene, &camera.place(&mesh, &scene.model.library()), size);
         let errors = METHODS.each_ref().map(|(_, method)| {
             let picture = method.picture(scene, size);
             picture
@@ -121,8 +119,7 @@ fn changes_over_a_turn(scene: &mut Scene) -> [f64; METHODS.len()] {
 
 impl Method {
     fn picture(&self, scene: &Scene, [width, height]: [u32; 2]) -> Vec<Rgb888> {
-        let (beside, model) = (scene.solid.edge_faces(), scene.model.library());
-        let (mesh, usual) = (scene.mesh(&beside), camera(width, height));
+        let (mesh, model, usual) = (scene.mesh(), scene.model.library(), camera(width, height));
         let draw = |camera: &support::bridge::pair::CameraBits, contrast| {
             let (_, _, width, height) = camera.viewport;
             scene.picture(&camera.library().place(&mesh, &model), [width, height], contrast)
