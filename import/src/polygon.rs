@@ -172,16 +172,7 @@ impl<'p> Ring<'p> {
 mod tests {
     use super::{triangulate, turn, Point, Triangulated};
     use std::collections::HashMap;
-
-    /// Numbers from 0 on (Knuth, "The Art of Computer Programming" 2, section 3.3.4).
-    struct Random(u64);
-
-    impl Random {
-        fn below(&mut self, count: usize) -> usize {
-            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            ((self.0 >> 33) as usize) % count
-        }
-    }
+    use support::oracle::rng::Rng;
 
     /// Whether two segments have a point in common.
     fn meet([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
@@ -197,7 +188,7 @@ mod tests {
     }
 
     /// A polygon through random points that does not touch itself, counter-clockwise. Corners may lie on straight sides.
-    fn simple(random: &mut Random, count: usize) -> Vec<Point> {
+    fn simple(random: &mut Rng, count: usize) -> Vec<Point> {
         let at = |points: &[Point], i: usize| points[i % points.len()];
         'again: loop {
             let mut points = Vec::new();
@@ -232,7 +223,7 @@ mod tests {
     }
 
     /// A frame around holes side by side, each cut open towards the one to its left, the first towards the frame's corner.
-    fn with_holes(random: &mut Random, count: usize) -> Vec<Point> {
+    fn with_holes(random: &mut Rng, count: usize) -> Vec<Point> {
         let right = 100 * count as i64 + 100;
         let (mut there, mut back) =
             (vec![[0, -300], [right, -300], [right, 300], [0, 300], [0, -300]], Vec::new());
@@ -288,7 +279,7 @@ mod tests {
 
     #[test]
     fn polygons_are_covered_once_however_they_lie() {
-        let mut random = Random(3);
+        let mut random = Rng::new(3);
         let normals =
             [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [2.0, -1.0, 0.5], [-1.0, 3.0, -2.0], [1.0, 1.0, 0.0]];
         let (mut ears, mut straight) = (0, 0);

@@ -91,14 +91,12 @@ pub(crate) fn a_vertex_needs_numbers(found: &str) -> Problem {
 #[cfg(test)]
 mod tests {
     use super::number;
+    use support::oracle::rng::Rng;
 
     #[test]
     fn numbers_are_those_of_the_standard_library() {
-        let mut state = 1_u64;
-        let mut below = |most: u64| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 33) % most
-        };
+        let mut rng = Rng::new(1);
+        let mut below = |most: u64| rng.next() % most;
         for _ in 0..100_000 {
             let digits = below(10_u64.pow(9)) * 10_u64.pow(9) + below(10_u64.pow(9));
             let digits = (digits / 10_u64.pow(below(18) as u32)).to_string();

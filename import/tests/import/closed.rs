@@ -1,11 +1,12 @@
 //! A closed surface stays closed, also where faces lie on a line, and its picture has no holes.
 
-use crate::common::Random;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{Gray8, GrayColor};
 use pinhole::{prelude::*, Angle};
 use pinhole_import::{import_bytes, quantise, ImportedMesh, Options, Triangles};
 use std::collections::HashMap;
+use support::oracle::chain::{cross, length};
+use support::oracle::rng::Rng;
 
 /// A box of twelve triangles, turned about an axis by an angle in radians.
 fn turned_box(size: [f64; 3], angle: f64) -> Triangles {
@@ -21,7 +22,7 @@ fn turned_box(size: [f64; 3], angle: f64) -> Triangles {
 
 /// Cuts a face in two at a point of one of its sides, and closes the gap to its neighbour by a face on a line. The neighbour may
 /// be such a face itself.
-fn add_sliver(solid: &mut Triangles, random: &mut Random) {
+fn add_sliver(solid: &mut Triangles, random: &mut Rng) {
     let (face, side) = (random.below(solid.faces.len()), random.below(3));
     let [a, b, c] = [0, 1, 2].map(|i| solid.faces[face][(side + i) % 3]);
     let along = [0.5, 0.25, random.unit()][random.below(3)];
@@ -34,7 +35,7 @@ fn add_sliver(solid: &mut Triangles, random: &mut Random) {
 
 /// Solids with slivers, of which some lie exactly on a line and some only nearly so.
 fn solids() -> impl Iterator<Item = Triangles> {
-    let mut random = Random(7);
+    let mut random = Rng::new(7);
     (0..400).map(move |number| {
         let size = [0; 3].map(|_| (1.0 + 63.0 * random.unit()).round());
         let angle = if number % 2 == 0 { 0.0 } else { random.unit() };
@@ -60,8 +61,7 @@ fn unbalanced(faces: &[[u16; 3]]) -> i32 {
 
 fn area(corners: [[f64; 3]; 3]) -> f64 {
     let [u, v] = [1, 2].map(|to| [0, 1, 2].map(|axis| corners[to][axis] - corners[0][axis]));
-    let cross = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| u[i] * v[j] - u[j] * v[i]);
-    cross.iter().map(|c| c * c).sum::<f64>().sqrt() / 2.0
+    length(cross(u, v)) / 2.0
 }
 
 fn area_of(mesh: &ImportedMesh) -> f64 {

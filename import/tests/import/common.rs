@@ -41,19 +41,3 @@ pub(crate) fn position(mesh: &ImportedMesh, vertex: u16) -> [f64; 3] {
     let at = mesh.vertices[usize::from(vertex)];
     [0, 1, 2].map(|axis| f64::from(at[axis]) * step + mesh.offset[axis])
 }
-
-/// Numbers from 0 to 1 (Marsaglia, "Xorshift RNGs", 2003).
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    pub(crate) fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / 2f64.powi(53)
-    }
-
-    pub(crate) fn below(&mut self, count: usize) -> usize {
-        (self.unit() * count as f64) as usize
-    }
-}

@@ -1,11 +1,11 @@
 //! OBJ files as they come, sound and broken. `fuzz/main.rs` has stranger ones.
 
-use crate::common::Random;
 use pinhole_apps_support::bodies::{cuboid, stl};
 use pinhole_import::{
     quantise, read, read_obj, read_stl, ImportError, ImportedMesh, Problem, Remedy, Triangles,
 };
 use std::path::Path;
+use support::oracle::rng::Rng;
 
 fn import(text: &str) -> Result<ImportedMesh, ImportError> {
     read_obj(text.as_bytes(), Path::new("model.obj"))
@@ -45,7 +45,7 @@ fn measured_error(model: &Triangles, mesh: &ImportedMesh) -> f64 {
 
 #[test]
 fn quantisation_is_within_a_65000th_of_the_largest_extent() {
-    let mut random = Random(2);
+    let mut random = Rng::new(2);
     let mut worst = 0.0_f64;
     for round in 0..2000 {
         // Extents around the places where the exponent changes (where the error is largest), and anywhere; centres near

@@ -1,9 +1,12 @@
 //! What can be chosen, each against its definition in `f64`.
 
-use crate::common::{obj, position, Random};
+use crate::common::{obj, position};
 use pinhole_apps_support::bodies;
 use pinhole_import::{Centre, Edges, ImportedMesh, Options, Warning};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
+use support::oracle::chain::{cross, dot, normalise};
+use support::oracle::rng::Rng;
+use support::solids::beside;
 
 /// A block of 4 × 2 × 1 from the origin, with z upwards, of quads, counter-clockwise seen from outside.
 const BLOCK: &str = "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 0 2 0\nv 0 0 1\nv 4 0 1\nv 4 2 1\nv 0 2 1\n\
@@ -45,29 +48,14 @@ fn ball(rings: usize, sides: usize) -> String {
     text
 }
 
-/// For each edge of the faces, by its vertices, the faces that have it, in order.
-fn faces_by_edge(mesh: &ImportedMesh) -> HashMap<[u16; 2], Vec<u16>> {
-    let mut beside: HashMap<_, Vec<u16>> = HashMap::new();
-    for (face, corners) in mesh.faces.iter().enumerate() {
-        for i in 0..3 {
-            let mut edge = [corners[i], corners[(i + 1) % 3]];
-            edge.sort_unstable();
-            beside.entry(edge).or_default().push(face as u16);
-        }
-    }
-    beside
-}
-
 /// The angle in degrees between the normals of two faces, by their vertices.
 fn angle(mesh: &ImportedMesh, faces: &[u16]) -> f64 {
     let normal = |face: u16| {
         let [a, b, c] = mesh.faces[usize::from(face)].map(|v| position(mesh, v));
-        let (p, q) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
-        let n = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
-        n.map(|c| c / n.iter().map(|c| c * c).sum::<f64>().sqrt())
+        let [p, q] = [b, c].map(|to| [0, 1, 2].map(|i| to[i] - a[i]));
+        normalise(cross(p, q))
     };
-    let (m, n) = (normal(faces[0]), normal(faces[1]));
-    m.iter().zip(n).map(|(a, b)| a * b).sum::<f64>().clamp(-1.0, 1.0).acos().to_degrees()
+    dot(normal(faces[0]), normal(faces[1])).clamp(-1.0, 1.0).acos().to_degrees()
 }
 
 #[test]
@@ -81,7 +69,7 @@ fn feature_edges_are_those_where_the_surface_turns_or_ends() {
         let mesh = feature(&ball, degrees);
         let edges: HashSet<_> = mesh.edges.iter().copied().collect();
         let (mut sharp, mut blunt) = (0, 0);
-        for (edge, faces) in faces_by_edge(&mesh) {
+        for (edge, faces) in beside(&mesh.faces) {
             let turn = angle(&mesh, &faces);
             if (turn - degrees).abs() > 1e-6 {
                 assert_eq!(edges.contains(&edge), turn > degrees, "{turn} {degrees}");
@@ -126,10 +114,10 @@ fn the_faces_beside_edges_are_all_there() {
     let options = Options { edge_faces: true, ..Options::default() };
     let mesh = obj(&ball(8, 10), &options).unwrap();
     assert_eq!(mesh.mesh().unwrap().edge_faces(), mesh.edge_faces);
-    let expected = faces_by_edge(&mesh);
+    let expected = beside(&mesh.faces);
     assert_eq!(mesh.edges.len(), expected.len());
-    for (edge, beside) in mesh.edges.iter().zip(&mesh.edge_faces) {
-        assert_eq!(expected[edge], beside);
+    for (edge, faces) in mesh.edges.iter().zip(&mesh.edge_faces) {
+        assert_eq!(expected[edge], faces);
     }
     // An open edge has one face, and where three meet, the edge is there twice; as pinhole's own function has it.
     let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n";
@@ -142,7 +130,7 @@ fn the_faces_beside_edges_are_all_there() {
     let options = Options { edges: Edges::Feature { degrees: 30.0 }, ..options };
     let mesh = obj(BLOCK, &options).unwrap();
     assert_eq!(mesh.edge_faces.len(), 12);
-    let expected = faces_by_edge(&mesh);
+    let expected = beside(&mesh.faces);
     assert!(mesh.edges.iter().zip(&mesh.edge_faces).all(|(edge, beside)| expected[edge] == beside));
 }
 
@@ -211,7 +199,7 @@ fn neighbours_follow_each_other_and_nothing_else_changes() {
             assert!(m.iter().zip(n).all(|(m, n)| (m - n).abs() <= 1));
         }
     }
-    let expected = faces_by_edge(&after);
+    let expected = beside(&after.faces);
     assert!(after.edges.iter().zip(&after.edge_faces).all(|(edge, beside)| expected[edge] == beside));
     assert_eq!(after.edges.len(), before.edges.len());
 }
@@ -322,7 +310,7 @@ fn positions(mesh: &ImportedMesh) -> Vec<[i128; 3]> {
 /// Of two boxes that share the corners of a side, these have equal positions, on each of many grids.
 #[test]
 fn parts_of_one_step_share_their_corners() {
-    let mut random = Random(1);
+    let mut random = Rng::new(1);
     for case in 0..400 {
         let exponent = -(case % 26);
         let step = 2f64.powi(exponent);

@@ -59,7 +59,8 @@ impl Solid {
     }
 }
 
-fn beside(faces: &[[u16; 3]]) -> BTreeMap<[u16; 2], Vec<u16>> {
+/// The faces that have each edge, by its vertices.
+pub fn beside(faces: &[[u16; 3]]) -> BTreeMap<[u16; 2], Vec<u16>> {
     let mut beside = BTreeMap::<[u16; 2], Vec<u16>>::new();
     for (number, &[a, b, c]) in faces.iter().enumerate() {
         for [a, b] in [[a, b], [b, c], [c, a]] {
