@@ -4,6 +4,7 @@ mod faces;
 mod used;
 
 use clap::{ArgMatches, Command};
+use faces::Seen;
 use pinhole_render::arguments;
 use pinhole_render::firmware::TEMPLATE;
 use pinhole_render::program::{self, Output};
@@ -16,7 +17,8 @@ const OUTPUTS: &[Output] = &[
         needs_faces: true,
         bytes: |scene, quantised| {
             let drawn = faces::indices(scene, quantised)?;
-            let ids = drawn.ids.pixels().iter().flat_map(|seen| seen.index().to_le_bytes());
+            let index = |seen: &Option<Seen>| seen.map_or(-1, |Seen(index)| index);
+            let ids = drawn.pixels.iter().map(index).flat_map(i32::to_le_bytes);
             Ok((ids.collect(), Some(drawn.statistics)))
         },
     },
