@@ -231,7 +231,6 @@ fn modes_are_what_they_say() {
     assert!(a.iter().flatten().zip(b.iter().flatten()).all(|(a, b)| a.abs_diff(*b) <= 1), "{a:?} {b:?}");
 }
 
-/// A ring, inside out, with 64 sides that turn by 5.6 degrees: its only features are its four rims.
 /// With smooth edges a picture comes closer to one of eight times the size: silhouettes, creases, and edges between two colours.
 #[test]
 fn smooth_faces_have_edges_of_mixed_colours() {
@@ -279,6 +278,7 @@ fn smooth_faces_have_edges_of_mixed_colours() {
     assert!(changed.len() == 25 && changed.iter().all(|(_, after)| *after == [1, 2, 3]), "{changed:?}");
 }
 
+/// A ring, inside out, with 64 sides that turn by 5.6 degrees: its only features are its four rims.
 #[test]
 fn hidden_lines_show_the_outline_of_a_round_body() {
     let to = Folder::new("round");
