@@ -322,29 +322,6 @@ fn lines_of_large_meshes_are_all_there() {
 }
 
 #[test]
-fn light_falls_on_the_side_that_is_seen() {
-    // Two equal worlds: a box, and its mirror image, which the model matrix mirrors back.
-    let to = Folder::new("light");
-    let draw = |factor: f64| {
-        let mirrored: Vec<_> =
-            cuboid([0.8, 0.6, 0.5]).concat().iter().map(|[x, y, z]| [x * factor, *y, *z]).collect();
-        let triangles: Vec<_> = (0..12).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-        let scene = serde_json::json!({
-            "vertices": mirrored, "triangles": triangles,
-            "model": [[factor, 0.0, 0.0, 0.0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
-            "view": [[0.8, 0, -0.6, 0], [-0.36, 0.8, -0.48, 0], [0.48, 0.6, 0.64, 0], [0, 0, 0, 1]],
-            "projection": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -0.5, 0], [0, 0, 0, 1]],
-            "width": 60, "height": 60
-        });
-        to.write("scene.json", scene.to_string());
-        to.draw("scene.json")
-    };
-    let (plain, mirrored) = (draw(1.0), draw(-1.0));
-    assert_eq!(plain.colors().len(), 4);
-    assert!(plain.pixels == mirrored.pixels);
-}
-
-#[test]
 fn a_film_goes_once_around() {
     let to = Folder::new("film");
     let (width, frames, _) = to.film(&format!("{TEAPOT} --frames 7 --size 64x48"));
