@@ -79,7 +79,7 @@ fn direction(vector: [i64; 3]) -> [f64; 3] {
     vector.map(|c| c / length)
 }
 
-fn length(vector: [f64; 3]) -> f64 {
+pub(crate) fn length(vector: [f64; 3]) -> f64 {
     vector.iter().map(|c| c * c).sum::<f64>().sqrt()
 }
 

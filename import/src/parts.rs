@@ -7,7 +7,7 @@
 
 use crate::bodies::{Body, Nesting};
 use crate::edges::Sides;
-use crate::normals::cross;
+use crate::normals::{cross, length};
 
 /// The connected parts of a surface.
 pub(crate) struct Parts {
@@ -171,8 +171,4 @@ impl Parts {
         let first = faces.next();
         (faces.count() + usize::from(first.is_some()), first)
     }
-}
-
-fn length(vector: [f64; 3]) -> f64 {
-    vector.iter().map(|c| c * c).sum::<f64>().sqrt()
 }

@@ -110,7 +110,7 @@ fn framing(camera: &Framing, [width, height]: [u32; 2], world: Triangles) -> Res
     Ok([product(&framed.view, &framed.model), framed.projection])
 }
 
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i] * b[j] - a[j] * b[i])
 }
 

@@ -1,6 +1,7 @@
 //! Light in pictures: the scene's lights, or a lamp at the left of the camera and a weaker one at the right, so that both sides
 //! show shape; and the normals that it falls on, smooth over round shapes, but not over sharp edges.
 
+use crate::camera::cross;
 use crate::json::{self, Whole};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
@@ -165,8 +166,7 @@ pub(crate) fn normals(vertices: &[[f64; 3]], triangles: &[[usize; 3]], crease: f
 }
 
 fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
-    let (p, q) = (minus(b, a), minus(c, a));
-    unit([(1, 2), (2, 0), (0, 1)].map(|(i, j)| p[i] * q[j] - p[j] * q[i]))
+    unit(cross(minus(b, a), minus(c, a)))
 }
 
 /// The angle at a corner, between the directions to the other two.
@@ -174,11 +174,11 @@ fn angle(at: [f64; 3], to: [f64; 3], from: [f64; 3]) -> f64 {
     dot(unit(minus(to, at)), unit(minus(from, at))).clamp(-1.0, 1.0).acos()
 }
 
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub(crate) fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(|i| a[i] - b[i])
 }
 
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 

@@ -1,5 +1,7 @@
 //! Splits a mesh of any size into parts whose vertices and faces fit 16-bit indices.
 
+use crate::camera::cross;
+use crate::light::{dot, minus};
 use pinhole::{Mesh, Scalar};
 use std::collections::{BTreeMap, HashMap};
 
@@ -61,17 +63,13 @@ impl Part {
         let at = |vertex: u16| all[self.indices[usize::from(vertex) - 1]]; // the first one is no face's
         let normal = |face: u16| {
             let [a, b, c] = self.faces[usize::from(face)].map(at);
-            let ([ax, ay, az], [bx, by, bz]) =
-                ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
-            [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
+            cross(minus(b, a), minus(c, a))
         };
         let turns = |faces: &[u16]| {
             let (&[a, b], Some(degrees)) = (faces, degrees) else { return true };
             let (n, m) = (normal(a), normal(b));
-            let dot: f64 = (0..3).map(|i| n[i] * m[i]).sum();
-            let cross = [n[1] * m[2] - n[2] * m[1], n[2] * m[0] - n[0] * m[2], n[0] * m[1] - n[1] * m[0]];
-            let sine = cross.iter().map(|c| c * c).sum::<f64>().sqrt();
-            sine.atan2(dot).to_degrees() > degrees
+            let across = cross(n, m);
+            dot(across, across).sqrt().atan2(dot(n, m)).to_degrees() > degrees
         };
         let mut edges = BTreeMap::<[u16; 2], Vec<u16>>::new();
         for (number, &[a, b, c]) in self.faces.iter().enumerate() {
