@@ -6,6 +6,7 @@ use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use pinhole::Angle;
 use pinhole_apps_support::bodies::{cuboid, gear, obj, reversed, stl, torus, Body};
 use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::testing::extent;
 use pinhole_import::{Axis, Options};
 use pinhole_render::model::{self, Fit, Look};
 use pinhole_render::paint::{Mode, Style, Subject};
@@ -128,13 +129,9 @@ fn refused(file: &Path, what: &str) {
     assert_eq!(in_template(file, &NONE).unwrap_err(), error);
 }
 
-fn rows(pixels: &[bool]) -> usize {
-    pixels.chunks(SIZE.width as usize).filter(|row| row.contains(&true)).count()
-}
-
-fn columns(pixels: &[bool]) -> usize {
-    let width = SIZE.width as usize;
-    (0..width).filter(|&x| pixels.iter().skip(x).step_by(width).any(|drawn| *drawn)).count()
+/// The numbers of columns and rows in which something is.
+fn size(pixels: &[bool]) -> [usize; 2] {
+    extent(pixels, SIZE.width as usize).map(|[from, to]| to - from)
 }
 
 /// A gear with a part of its faces reversed.
@@ -220,8 +217,8 @@ fn all_tools_show_one_picture_and_say_the_same() {
     }
     let of =
         |name: &str| pictures.iter().find(|(other, _)| *other == name).map(|(_, pixels)| pixels).unwrap();
-    let (standing, lying) = (of("tower.stl"), of("tower.obj"));
-    assert!(rows(standing) > columns(standing) && rows(lying) < columns(lying));
+    let [standing, lying] = ["tower.stl", "tower.obj"].map(|name| size(of(name)));
+    assert!(standing[1] > standing[0] && lying[1] < lying[0]);
     assert!(!of("open.obj").contains(&true) && of("mixed.stl") != of("gear.stl"));
     assert!(of("large.stl").iter().filter(|drawn| **drawn).count() > 2000);
     // From 20 degrees above, some rows show the background through the hole. In mesh order, without depth, walls would hide it.
@@ -232,7 +229,8 @@ fn all_tools_show_one_picture_and_say_the_same() {
     });
     assert!((4..20).contains(&holes.count()));
     // The gear's bounding sphere takes at most 31/32 of the height, and the gear is almost as wide as its sphere.
-    assert!(rows(gear) < 117 && columns(gear) < 117 && columns(gear) > 95, "{}", columns(gear));
+    let [width, height] = size(gear);
+    assert!(height < 117 && width < 117 && width > 95, "{width} × {height}");
 }
 
 #[test]
