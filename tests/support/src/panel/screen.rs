@@ -27,31 +27,23 @@ pub trait Kind: Model<ColorFormat: InterfacePixelFormat<u8>> + Sized {
     fn model() -> Self;
 }
 
-impl Kind for ST7789 {
-    const NAME: &'static str = "ST7789, 240 × 240, Rgb565";
-    const SIZE: Size = Size::new(240, 240);
-    const HELD: Held = Held::Upright;
-    fn model() -> Self {
-        ST7789
-    }
+macro_rules! kinds {
+    ($($model:ident, $name:literal, [$width:literal, $height:literal], $held:ident;)*) => {$(
+        impl Kind for $model {
+            const NAME: &'static str = $name;
+            const SIZE: Size = Size::new($width, $height);
+            const HELD: Held = Held::$held;
+            fn model() -> Self {
+                $model
+            }
+        }
+    )*};
 }
 
-impl Kind for ILI9341Rgb565 {
-    const NAME: &'static str = "ILI9341, 320 × 240, Rgb565";
-    const SIZE: Size = Size::new(320, 240);
-    const HELD: Held = Held::Landscape;
-    fn model() -> Self {
-        ILI9341Rgb565
-    }
-}
-
-impl Kind for ILI9341Rgb666 {
-    const NAME: &'static str = "ILI9341, 320 × 240, Rgb666";
-    const SIZE: Size = Size::new(320, 240);
-    const HELD: Held = Held::Landscape;
-    fn model() -> Self {
-        ILI9341Rgb666
-    }
+kinds! {
+    ST7789, "ST7789, 240 × 240, Rgb565", [240, 240], Upright;
+    ILI9341Rgb565, "ILI9341, 320 × 240, Rgb565", [320, 240], Landscape;
+    ILI9341Rgb666, "ILI9341, 320 × 240, Rgb666", [320, 240], Landscape;
 }
 
 /// A colour as the controller's memory stores it.
