@@ -54,8 +54,7 @@ fn scene(camera: &CameraBits, vertices: &[[i16; 3]], exponent: i8, faces: &[[u16
 fn camera(near: i32, far: i32) -> CameraBits {
     CameraBits {
         view: ViewBits::LookAt([0, 0, 20 * ONE], [0; 3], [0, ONE, 0]),
-        projection: ProjectionBits::Perspective(0x2aaa_aaab, SIZE, near, far),
-        viewport: (0, 0, SIZE.0, SIZE.1),
+        ..CameraBits::perspective(0x2aaa_aaab, SIZE, near, far)
     }
 }
 

@@ -111,8 +111,7 @@ fn score(solid: &Solid, is_convex: bool, camera: &CameraBits, model: &ModelBits)
 fn camera() -> CameraBits {
     CameraBits {
         view: ViewBits::LookAt([0, 0, 11 * ONE], [0; 3], [0, ONE, 0]),
-        projection: ProjectionBits::Perspective(1 << 29, (WIDTH, HEIGHT), ONE, 30 * ONE),
-        viewport: (0, 0, WIDTH, HEIGHT),
+        ..CameraBits::perspective(1 << 29, (WIDTH, HEIGHT), ONE, 30 * ONE)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Scenes whose edges are smoothed, and their pictures by 16 × 16 samples a pixel.
 
 use crate::bridge;
-use crate::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use crate::bridge::pair::{CameraBits, ModelBits, Step, ViewBits, ONE};
 use crate::solids::{self, Solid};
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use pinhole::{prelude::*, shading::Gouraud};
@@ -43,8 +43,7 @@ pub fn scenes() -> Vec<Scene> {
 pub fn camera(width: u32, height: u32) -> CameraBits {
     CameraBits {
         view: ViewBits::LookAt([0, 0, 9 * ONE], [0; 3], [0, ONE, 0]),
-        projection: ProjectionBits::Perspective(1 << 29, (width, height), ONE, 30 * ONE),
-        viewport: (0, 0, width, height),
+        ..CameraBits::perspective(1 << 29, (width, height), ONE, 30 * ONE)
     }
 }
 
