@@ -5,7 +5,7 @@ use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{camera::CameraError, Viewport};
 use support::bridge;
 use support::bridge::draw::{cube_camera as camera, turned_cube as draw, Way, WAYS};
-use support::oracle::target::Recorder;
+use support::oracle::target::{area, Recorder};
 
 #[test]
 fn e9_viewports_are_refused_exactly_outside_the_guard_band() {
@@ -95,22 +95,15 @@ fn e9_every_target_and_viewport_show_a_crop() {
 /// Draws onto `bounds` and onto a target that holds everything: the one is a crop of the other.
 fn crop(way: Way, viewport: (i32, i32, u32, u32), bounds: Rectangle) -> usize {
     let camera = camera(viewport);
-    let (x, y, w, h) = viewport;
-    let inside_viewport =
-        |(px, py): &(i32, i32)| *px >= x && *py >= y && *px < x + w as i32 && *py < y + h as i32;
+    let holds = |rectangle: Rectangle, &(x, y): &(i32, i32)| area(rectangle).contains(x.into(), y.into());
     let mut whole = Recorder::new(bridge::rectangle(-9000, -9000, 18000, 18000));
     draw(way, &camera, &mut whole).expect("no error");
     assert_eq!(whole.outside, 0);
-    assert!(whole.pixels.keys().all(inside_viewport), "{way:?} leaves {viewport:?}");
+    assert!(whole.pixels.keys().all(|at| holds(camera.area(), at)), "{way:?} leaves {viewport:?}");
     let mut target = Recorder::new(bounds);
     draw(way, &camera, &mut target).expect("no error");
     assert_eq!(target.outside, 0, "{way:?} leaves the target {bounds:?}");
-    let inside_target = |(px, py): &(i32, i32)| {
-        let (dx, dy) =
-            (i64::from(*px) - i64::from(bounds.top_left.x), i64::from(*py) - i64::from(bounds.top_left.y));
-        dx >= 0 && dy >= 0 && dx < i64::from(bounds.size.width) && dy < i64::from(bounds.size.height)
-    };
-    whole.pixels.retain(|at, _| inside_target(at));
+    whole.pixels.retain(|at, _| holds(bounds, at));
     assert_eq!(target.pixels, whole.pixels, "{way:?} {viewport:?} {bounds:?}");
     if target.pixels.is_empty() {
         assert!(target.calls.is_empty(), "{way:?} sends fills of nothing");

@@ -8,6 +8,7 @@ use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, V
 use support::bridge::rectangle;
 use support::oracle::chain;
 use support::oracle::coverage::Area;
+use support::oracle::target::area;
 
 #[derive(Debug)]
 pub(crate) struct Scene {
@@ -125,15 +126,12 @@ impl Scene {
         }
         let edges = vec![[0, 1], [index(&mut b), index(&mut b)]];
         let viewport = viewport(&mut b);
-        Viewport::new(rectangle(viewport.0, viewport.1, viewport.2, viewport.3).top_left, {
-            rectangle(0, 0, viewport.2, viewport.3).size
-        })
-        .ok()?;
         let camera = CameraBits {
             view: view(&mut b),
             projection: projection(&mut b, (viewport.2, viewport.3)),
             viewport,
         };
+        Viewport::new(camera.area().top_left, camera.area().size).ok()?;
         camera.view.library().ok()?;
         camera.projection.library().ok()?;
         let mut model = ModelBits::default();
@@ -173,16 +171,7 @@ impl Scene {
 
     /// Viewport ∩ target.
     pub(crate) fn area(&self) -> Area {
-        let (x, y, w, h) = self.camera.viewport;
-        let bounds = Area::new(
-            self.bounds.top_left.x.into(),
-            self.bounds.top_left.y.into(),
-            i64::from(self.bounds.top_left.x) + i64::from(self.bounds.size.width),
-            i64::from(self.bounds.top_left.y) + i64::from(self.bounds.size.height),
-        );
-        let viewport =
-            Area::new(x.into(), y.into(), i64::from(x) + i64::from(w), i64::from(y) + i64::from(h));
-        let common = bounds.intersect(viewport);
+        let common = area(self.bounds).intersect(area(self.camera.area()));
         Area { right: common.right.max(common.left), bottom: common.bottom.max(common.top), ..common }
     }
 

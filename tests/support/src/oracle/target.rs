@@ -1,5 +1,6 @@
 //! Draw targets that record the calls of the library.
 
+use super::coverage::Area;
 use core::convert::Infallible;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -73,15 +74,7 @@ impl<C: PixelColor> Recorder<C> {
     }
 
     fn put(&mut self, at: Point, colour: C) {
-        let end = (
-            i64::from(self.bounds.top_left.x) + i64::from(self.bounds.size.width),
-            i64::from(self.bounds.top_left.y) + i64::from(self.bounds.size.height),
-        );
-        if at.x < self.bounds.top_left.x
-            || at.y < self.bounds.top_left.y
-            || i64::from(at.x) >= end.0
-            || i64::from(at.y) >= end.1
-        {
+        if !area(self.bounds).contains(at.x.into(), at.y.into()) {
             self.outside += 1;
             return;
         }
@@ -106,6 +99,12 @@ impl<C: PixelColor> Dimensions for Recorder<C> {
     fn bounding_box(&self) -> Rectangle {
         self.bounds
     }
+}
+
+/// The pixels of a rectangle, which may end beyond 32 bits.
+pub fn area(Rectangle { top_left, size }: Rectangle) -> Area {
+    let (left, top) = (i64::from(top_left.x), i64::from(top_left.y));
+    Area::new(left, top, left + i64::from(size.width), top + i64::from(size.height))
 }
 
 fn points(area: &Rectangle) -> impl Iterator<Item = Point> {
