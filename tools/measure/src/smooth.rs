@@ -1,12 +1,12 @@
 //! The error of smoothed edges and of supersampling against 16 × 16 samples a pixel, docs/data/smooth.json, and a picture for the README.
 
-use clap::{ArgMatches, Command};
+use clap::{value_parser, Arg, ArgMatches, Command};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::generated::Generated;
-use pinhole_apps_support::still;
+use pinhole_apps_support::{files, still};
 use pinhole_render::import;
 use pinhole_render::model::{self, Fit, Look};
 use pinhole_render::paint::{Mode, Style, Subject};
@@ -14,7 +14,7 @@ use pinhole_render::picture::{picture, Format};
 use pinhole_render::projections::Named;
 use pinhole_render::quantised::Quantised;
 use serde_json::json;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use support::bridge::pair::{ProjectionBits, Step};
 use support::smooth_scenes::{camera, reference, scenes, Scene, NO_CREASES};
@@ -44,12 +44,15 @@ const METHODS: [(&str, Method); 7] = [
 ];
 
 pub(crate) fn command() -> Command {
+    let sheet = Arg::new("sheet").long("sheet").value_name("FILE").value_parser(value_parser!(PathBuf));
     Generated::command("smooth", "Measures the errors of smoothed edges, and draws some", "docs")
+        .arg(sheet.help("Write a contact sheet of all scenes and methods, too"))
 }
 
 pub(crate) fn run(given: &mut ArgMatches) -> Result<ExitCode, String> {
+    let sheet: Option<PathBuf> = given.remove_one("sheet");
     let folder = Generated::from(PROGRAM, given);
-    let mut rows = Vec::new();
+    let (mut rows, mut pictures) = (Vec::new(), Vec::new());
     for mut scene in scenes() {
         let changes = changes_over_a_turn(&mut scene);
         for size in SIZES {
@@ -57,19 +60,25 @@ pub(crate) fn run(given: &mut ArgMatches) -> Result<ExitCode, String> {
             let reference = reference(&scene, &camera.place(&mesh, &scene.model.library()), size);
             let plain = METHODS[0].1.picture(&scene, size);
             for ((name, method), change) in METHODS.iter().zip(changes) {
-                if scene.is_smooth && matches!(method, Method::Smooth(true)) {
-                    continue; // a surface that is shaded smoothly has no creases
-                }
-                let (rms, far, worse) = reference.errors(&method.picture(&scene, size), &plain);
+                // A surface that is shaded smoothly has no creases.
+                let has_creases = !scene.is_smooth || !matches!(method, Method::Smooth(true));
+                let picture = if has_creases { method.picture(&scene, size) } else { plain.clone() };
+                let (rms, far, worse) = reference.errors(&picture, &plain);
                 let [rms, far] = [rms, far].map(|error| (10.0 * error).round() / 10.0);
                 let mut row = json!({"scene": scene.name, "width": size[0], "height": size[1], "method": name, "rms": rms,
                     "over_20_percent": far, "worse": worse});
                 if size == SIZES[1] {
                     row["largest_change"] = (change.round() as u32).into();
                 }
-                rows.push(row.to_string());
+                rows.extend(has_creases.then(|| row.to_string()));
+                pictures.push((size, picture));
             }
         }
+    }
+    if let Some(file) = sheet {
+        pictures.retain(|(size, _)| *size == SIZES[1]);
+        let pictures: Vec<_> = pictures.into_iter().map(|(_, picture)| picture).collect();
+        files::write(&[(&*file, in_rows(&pictures, SIZES[1], METHODS.len(), 2)?)])?;
     }
     let text = format!(
         "{{\n\"command\": \"cargo run --release {PROGRAM}\",\n\"rows\": [\n{}\n]\n}}\n",
@@ -165,9 +174,7 @@ fn gear() -> Result<Vec<u8>, String> {
     const TIMES: u32 = 4;
     /// The left upper corner of the part that is magnified.
     const PART: [u32; 2] = [0, 26];
-    const GAP: u32 = 8;
-    let size = Size::new(4 * (SIZE[0] + GAP) - GAP, SIZE[1]);
-    let mut sheet = Canvas::new(size, Rgb888::WHITE);
+    let mut pictures = Vec::new();
     let mut model = import::read(&Path::new(ROOT).join("boards/common/all/model.stl"), &Default::default())?;
     let projection = Named::ALL[0];
     let look = Look {
@@ -182,7 +189,7 @@ fn gear() -> Result<Vec<u8>, String> {
     };
     let triangles = std::mem::take(&mut model.triangles);
     let (quantised, scene) = Quantised::settle(&model::scene(triangles, import::colors(&mut model), &look)?)?;
-    for (place, smooth_faces) in [(0, false), (2, true)] {
+    for smooth_faces in [false, true] {
         let style = Style { smooth_faces, ..Style::chosen(Mode::Solid, Format::Rgb565, None, None, false) };
         let (subject, from) = (Subject::new(&scene, &style), (&scene, &quantised));
         let pixels = picture(&subject, from, &style, Format::Rgb565)?.0;
@@ -192,10 +199,29 @@ fn gear() -> Result<Vec<u8>, String> {
             pixels[(y * width + x) as usize]
         };
         let magnified = (0..width * height).map(magnified).collect();
-        for (place, pixels) in (place..).zip([pixels, magnified]) {
-            let area = Rectangle::new(Point::new(place * (width + GAP) as i32, 0), Size::new(width, height));
-            let Ok(()) = sheet.fill_contiguous(&area, pixels);
-        }
+        pictures.extend([pixels, magnified]);
+    }
+    in_rows(&pictures, SIZE, 4, 1)
+}
+
+/// Pictures of one size in rows, each magnified, as a PNG file.
+fn in_rows(
+    pictures: &[Vec<Rgb888>],
+    [width, height]: [u32; 2],
+    columns: usize,
+    times: u32,
+) -> Result<Vec<u8>, String> {
+    const GAP: u32 = 8;
+    let cell = Size::new(width, height) * times + Size::new_equal(GAP);
+    let rows = pictures.len().div_ceil(columns);
+    let size = Size::new(columns as u32, rows as u32).component_mul(cell) - Size::new_equal(GAP);
+    let mut sheet = Canvas::new(size, Rgb888::WHITE);
+    for (place, pixels) in (0..).zip(pictures) {
+        let at = Size::new(place % columns as u32, place / columns as u32).component_mul(cell);
+        let area = Rectangle::new(Point::zero() + at, Size::new(width, height) * times);
+        let wide = width * times;
+        let colour = |i: u32| pixels[(i / wide / times * width + i % wide / times) as usize];
+        let Ok(()) = sheet.fill_contiguous(&area, (0..wide * height * times).map(colour));
     }
     still::png(size, sheet.pixels()).map_err(|e| e.to_string())
 }
