@@ -57,7 +57,7 @@ fn divided(n: u64, size: u32) -> (u32, u32) {
     match i32::try_from(n) {
         // The step of a magnified sprite, and its first texel unless it is clipped.
         Ok(n) if n < size as i32 => (0, n as u32),
-        // Before the arm above, P1 took 5 % less on an M3 by this one.
+        // By 32 bits, without long division.
         Ok(n) if size <= 1 << 22 => {
             let (quotient, rest) = divide_floor(n, size as i32);
             (quotient as u32, rest as u32)

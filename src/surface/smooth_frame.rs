@@ -178,9 +178,8 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
     /// an even number of rows, otherwise three. The other rows that fit are the band, of which the last one may have fewer: strips of 14 rows send ten, strips
     /// of eight rows four.
     ///
-    /// A band begins again with all faces and edges unless the rows that it draws lie below those of the band before. A whole frame is faster by `next_band`: in strips of ten
-    /// rows, a torus of 1000 faces with smooth silhouettes takes five times as many instructions by numbers on an M3. Two cores that take bands in turn
-    /// need 1.9 times as many together; halves of the screen are faster.
+    /// A band begins again with all faces and edges unless the rows that it draws lie below those of the band before. A whole frame is several times as fast by
+    /// `next_band`, and two cores are faster with a half of the screen each than with bands in turn.
     ///
     /// The memory of the [`Band`] begins with its rows: [`into_strip`](Band::into_strip) returns the strip from there on.
     ///
