@@ -51,8 +51,9 @@ impl Check<'_> {
         let is_crease = |edge| self.is_crease(edge);
         let mut edges = transformed.bin_smooth_edges(is_crease, &mut edge_bins).expect("room");
         edges.keep_in(&mut list);
-        let storage =
-            |rows| (vec![0; Frame::<Gray8>::strip_bytes(width, rows)], vec![0; (width * rows) as usize]);
+        let storage = |rows| {
+            (vec![0; SmoothFrame::<Gray8>::strip_bytes(width, rows)], vec![0; (width * rows) as usize])
+        };
         let ((mut strip, mut depths), (mut kept, _)) = (storage(rows), storage(2));
         let mut frame = SmoothFrame::new(self.area, SKY, &mut kept, &mut depths).expect("room");
         let mut picture = Vec::new();

@@ -2,7 +2,7 @@
 
 use super::band::Band;
 use super::pixels::Pixels;
-use super::row::row_bytes;
+use super::row::{fill_all, is_whole_bytes, pack};
 use super::smoothing::SmoothPass;
 use super::{inside, BufferError, DepthBuffer};
 use crate::color::{Color, StoredPixel};
@@ -11,7 +11,6 @@ use crate::raster::PixelLayout;
 use bytemuck::{cast_slice, cast_slice_mut, pod_align_to, pod_align_to_mut};
 use core::marker::PhantomData;
 use core::ops::Range;
-use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -26,8 +25,8 @@ const LEAST: usize = 6;
 const LEAST_BY_NUMBER: usize = 7;
 
 /// A [`Frame`](crate::bands::Frame) whose edges are smoothed. Smoothing a row needs the rows below it, so the last two rows of each band, with their
-/// depths, are kept for the next band. It compiles for colours of whole bytes only: draw Gray2, Gray4 or 12-bit colours into a
-/// [`Picture`](crate::target::Picture). A type of two colours, such as `BinaryColor`, has none between them, and cannot be smoothed.
+/// depths, are kept for the next band. In the strip a pixel takes whole bytes: one of Gray2 and Gray4, two of 12 bits. Rows that are finished are packed as the
+/// display takes them. A type of two colours, such as `BinaryColor`, has none between them, and cannot be smoothed.
 ///
 /// Two cores smooth a part of the screen each, such as a half, drawn three pixels larger as in the example: with a [fork](crate::draw::BinnedFaces::fork) of
 /// the faces, and edges that each core finds in the shared [`TransformedMesh`](crate::draw::TransformedMesh), into storage of its own.
@@ -115,8 +114,25 @@ pub struct SmoothBand<'s, 'k, C> {
     color: PhantomData<C>,
 }
 
+/// The number of bytes of a row of `width` pixels before it is packed.
+const fn cell_bytes<C: Color>(width: u32) -> usize {
+    (width as usize).saturating_mul(C::FORMAT.bits().div_ceil(8) as usize)
+}
+
 impl<'k, C: Color> SmoothFrame<'k, C> {
-    /// The frame for the pixels of `area`. `kept` holds two rows between bands, in [`strip_bytes`](crate::bands::Frame::strip_bytes) of two rows; `depths`
+    /// The number of bytes that a strip of `rows` rows needs, in which each pixel has whole bytes; saturates.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Gray4, Rgb565};
+    /// use pinhole::bands::SmoothFrame;
+    /// assert_eq!(SmoothFrame::<Rgb565>::strip_bytes(240, 8), 3840);
+    /// assert_eq!(SmoothFrame::<Gray4>::strip_bytes(240, 8), 1920);
+    /// ```
+    pub const fn strip_bytes(width: u32, rows: u32) -> usize {
+        cell_bytes::<C>(width).saturating_mul(rows as usize)
+    }
+
+    /// The frame for the pixels of `area`. `kept` holds two rows between bands, in [`strip_bytes`](Self::strip_bytes) of two rows; `depths`
     /// has the depths of a band, and between bands those of these rows. `strip_buffers!(COLOR, WIDTH, ROWS, smooth)` has all three.
     ///
     /// # Errors
@@ -128,7 +144,7 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
         kept: &'k mut [u8],
         depths: &'k mut [u16],
     ) -> Result<Self, BufferError> {
-        let (needed, given) = (row_bytes::<C>(area.size.width).saturating_mul(WAITING), kept.len());
+        let (needed, given) = (Self::strip_bytes(area.size.width, WAITING as u32), kept.len());
         let kept =
             kept.get_mut(..needed).ok_or(BufferError::Strip { of: "`kept` of two rows", needed, given })?;
         let (needed, given) = ((area.size.width as usize).saturating_mul(LEAST), depths.len());
@@ -221,7 +237,7 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
     fn room(&self, strip: &[u8], least: usize, of: &'static str) -> Result<u32, BufferError> {
         let Size { width, .. } = self.area.size;
         let rows = |given: usize, row: usize| given.checked_div(row).unwrap_or(0);
-        let (row, given) = (row_bytes::<C>(width), strip.len());
+        let (row, given) = (cell_bytes::<C>(width), strip.len());
         let fits = rows(given, row);
         if fits < least {
             return Err(BufferError::Strip { of, needed: row.saturating_mul(least), given });
@@ -239,11 +255,11 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
         strip: &'s mut [u8],
     ) -> SmoothBand<'s, 'b, C> {
         let Rectangle { top_left: Point { x, .. }, size: Size { width, .. } } = self.area;
-        let (row, columns, above) = (row_bytes::<C>(width), width as usize, before as usize);
+        let (row, columns, above) = (cell_bytes::<C>(width), width as usize, before as usize);
         let area_of = |top: i32, rows: u32| Rectangle::new(Point::new(x, top), Size::new(width, rows));
         let new = area_of(top, rows);
-        let fresh = strip.get_mut(row.wrapping_mul(above)..).unwrap_or_default();
-        let Ok(()) = Band::unchecked(new, fresh).clear(self.background);
+        let fresh = row.wrapping_mul(above)..row.wrapping_mul((before + rows) as usize);
+        fill_all(strip.get_mut(fresh).unwrap_or_default(), self.background);
         let depths =
             self.depths.get_mut(..columns.wrapping_mul((before + rows) as usize)).unwrap_or_default();
         DepthBuffer::unchecked(new, depths.get_mut(columns.wrapping_mul(above)..).unwrap_or_default())
@@ -295,7 +311,7 @@ impl<'s, C: Color> SmoothBand<'s, '_, C> {
         C: StoredPixel<[u8; N]>,
     {
         let before = (self.all.size.height - self.new.size.height) as usize; // 0 or 2
-        let cells = self.strip.get_mut(before.wrapping_mul(row_bytes::<C>(self.all.size.width))..);
+        let cells = self.strip.get_mut(before.wrapping_mul(cell_bytes::<C>(self.all.size.width))..);
         let depths = self.depths.get_mut(before.wrapping_mul(self.all.size.width as usize)..);
         let pixels = Pixels::unchecked(cells_of::<C, N>(cells.unwrap_or_default()), self.new);
         (pixels, DepthBuffer::unchecked(self.new, depths.unwrap_or_default()))
@@ -315,7 +331,7 @@ impl<'s, C: Color> SmoothBand<'s, '_, C> {
     {
         let Self { all, new, sent, strip, depths, kept, waits, .. } = self;
         let Rectangle { top_left, size: Size { width, height } } = all;
-        let (row, columns) = (row_bytes::<C>(width), width as usize);
+        let (row, columns) = (cell_bytes::<C>(width), width as usize);
         let layout = PixelLayout::new(top_left.x, top_left.y, columns);
         let mixed = Rectangle::new(top_left, Size::new(width, if waits { sent.end } else { height }));
         for (number, rows) in [new, all, mixed].into_iter().enumerate() {
@@ -342,6 +358,9 @@ impl<'s, C: Color> SmoothBand<'s, '_, C> {
             }
         }
         let strip = strip.get_mut((sent.start as usize).wrapping_mul(row)..).unwrap_or_default();
+        if !is_whole_bytes::<C>() {
+            pack::<C, N>(strip, columns, (sent.end - sent.start) as usize);
+        }
         let top = top_left.y.wrapping_add_unsigned(sent.start);
         let size = Size::new(width, sent.end - sent.start);
         Band::unchecked(Rectangle::new(Point::new(top_left.x, top), size), strip)
@@ -351,7 +370,12 @@ impl<'s, C: Color> SmoothBand<'s, '_, C> {
 /// The pixels of a strip.
 #[inline(always)]
 fn cells_of<C: Color, const N: usize>(strip: &mut [u8]) -> &mut [[u8; N]] {
-    const { assert!(C::FORMAT.bits() as usize == 8 * N, "a pixel is not as many bytes as one in memory") };
+    const {
+        assert!(
+            C::FORMAT.bits().div_ceil(8) as usize == N,
+            "a pixel is not as many bytes as the color's `Raw` type"
+        )
+    };
     strip.as_chunks_mut().0
 }
 

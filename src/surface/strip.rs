@@ -38,7 +38,7 @@ defmt_format!(
 
 /// Declares the memory of a strip, `strip_buffers!(COLOR, WIDTH, ROWS)`: [`StripBuffers`] with the bytes and the depths of `ROWS`
 /// rows of `WIDTH` pixels. `strip_buffers!(COLOR, WIDTH, ROWS, no depth)` has no depths, and `strip_buffers!(COLOR, WIDTH, ROWS, smooth)`, for a
-/// [`SmoothFrame`](crate::bands::SmoothFrame) and at least four `ROWS`, two rows more, which wait for the next band, and `kept`, which has them between bands.
+/// [`SmoothFrame`](crate::bands::SmoothFrame) and at least four `ROWS`, two rows more, which wait for the next band, and `kept`, which has them between bands; its pixels have whole bytes.
 /// [`StripBuffers!`](macro@crate::StripBuffers) with equal arguments is the type, for statics:
 ///
 /// ```
@@ -50,8 +50,8 @@ defmt_format!(
 /// # assert_eq!((STRIP.0.colors.len(), STRIP.0.depths.len()), (240 * 8 * 2, 240 * 8));
 /// let strip = strip_buffers!(BinaryColor, 130, 8, no depth);
 /// assert_eq!((strip.colors.len(), strip.depths.len()), (17 * 8, 0)); // rows of whole bytes
-/// # let smooth = strip_buffers!(Rgb565, 240, 8, smooth);
-/// # assert_eq!((smooth.colors.len(), smooth.depths.len(), smooth.kept.len()), (240 * 10 * 2, 240 * 10, 240 * 2 * 2));
+/// # let smooth = strip_buffers!(embedded_graphics::pixelcolor::Gray4, 61, 8, smooth);
+/// # assert_eq!((smooth.colors.len(), smooth.depths.len(), smooth.kept.len()), (61 * 10, 61 * 10, 61 * 2));
 /// ```
 #[macro_export]
 macro_rules! strip_buffers {
@@ -68,9 +68,9 @@ macro_rules! StripBuffers {
     };
     ($color:ty, $width:expr, $rows:expr, smooth) => {
         $crate::StripBuffers<
-            { $crate::bands::Frame::<$color>::strip_bytes($width as u32, $rows as u32 + 2) },
+            { $crate::bands::SmoothFrame::<$color>::strip_bytes($width as u32, $rows as u32 + 2) },
             { ($width as usize).saturating_mul($rows as usize + 2) },
-            { $crate::bands::Frame::<$color>::strip_bytes($width as u32, 2) },
+            { $crate::bands::SmoothFrame::<$color>::strip_bytes($width as u32, 2) },
         >
     };
     ($color:ty, $width:expr, $rows:expr) => {

@@ -5,7 +5,7 @@ use crate::inputs::{area, color, levels, pixel, report, rotation, size, wide_col
 use crate::targets::{Least, Wire};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::Dimensions;
-use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, Rgb565};
+use embedded_graphics_core::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565};
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::{Drawable, Pixel};
 use pinhole::raster::ScreenPoint;
@@ -288,6 +288,12 @@ fn smooth(
     if let (Ok(mut picture), Ok(mut depth)) = (Picture::new(memory, size()), DepthBuffer::new(area(), depth))
     {
         picture.pixels().depth_tested(&mut depth).smooth(|pass| edges.draw(pass));
+    }
+    // Pixels that are packed.
+    if let Ok(mut frame) = SmoothFrame::new(area(), Gray4::new(any() as u8), kept, depth) {
+        if let Ok(Some(band)) = frame.next_band(strip) {
+            report(band.smooth(|pass| edges.draw(pass)).bytes());
+        }
     }
     let Ok(mut frame) = SmoothFrame::new(area(), color(), kept, depth) else { return };
     let band = match any() {

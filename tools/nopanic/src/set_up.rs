@@ -13,7 +13,7 @@ use pinhole::raster::{Gradient, ScreenPoint, Triangle};
 use pinhole::shading::{Lit, Varying};
 use pinhole::space::{Model, Ndc, View, World};
 use pinhole::{
-    bands::DirtyRegions,
+    bands::{DirtyRegions, SmoothFrame},
     camera::{CameraError, Frustum, Projected, Rotation, Visibility},
     color::{Format, StoredPixel},
     draw::TransformedMesh,
@@ -205,7 +205,7 @@ entries! {
 
     entry_band_bytes<'b>(band: &'b Band<'_, Rgb565>) -> &'b [u8] { band.bytes() }
     entry_frame_area(frame: &Frame<Rgb565>) -> Rectangle { frame.area() }
-    entry_strip_bytes(width: u32, rows: u32) -> [usize; 2] { [Frame::<Rgb565>::strip_bytes(width, rows), Frame::<BinaryColor>::strip_bytes(width, rows)] }
+    entry_strip_bytes(width: u32, rows: u32) -> [usize; 3] { [Frame::<Rgb565>::strip_bytes(width, rows), Frame::<BinaryColor>::strip_bytes(width, rows), SmoothFrame::<Rgb565>::strip_bytes(width, rows)] }
     entry_depths<'d>(depth: &'d DepthBuffer<'_>) -> &'d [u16] { depth.values() }
     entry_dirty_area(dirty: &DirtyRegions<7>) -> Rectangle { dirty.area() }
     entry_table(colours: [Rgb565; 256]) -> Rgb565 { ShadeTable::from_colors(colours).colors()[usize::from(any() as u8)] }
