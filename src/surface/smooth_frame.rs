@@ -8,7 +8,7 @@ use super::{inside, BufferError, DepthBuffer};
 use crate::color::{Color, StoredPixel};
 use crate::math::hints::keep_rolled;
 use crate::raster::PixelLayout;
-use bytemuck::{cast_slice, cast_slice_mut, pod_align_to, pod_align_to_mut};
+use bytemuck::{must_cast_slice, must_cast_slice_mut, pod_align_to, pod_align_to_mut};
 use core::marker::PhantomData;
 use core::ops::Range;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -354,7 +354,7 @@ impl<'s, C: Color> SmoothBand<'s, '_, C> {
                 let split = depths.split_at_mut_checked((last + row).wrapping_mul(columns));
                 let Some((to, from)) = split else { continue };
                 let to = to.get_mut(row.wrapping_mul(columns)..).unwrap_or_default();
-                copy(cast_slice_mut(to), cast_slice(from.get(..columns).unwrap_or_default()));
+                copy(must_cast_slice_mut(to), must_cast_slice(from.get(..columns).unwrap_or_default()));
             }
         }
         let strip = strip.get_mut((sent.start as usize).wrapping_mul(row)..).unwrap_or_default();
