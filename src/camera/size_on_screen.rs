@@ -1,7 +1,7 @@
 //! How large a length of the world is on the screen, parallel to the view plane.
 
 use super::Camera;
-use crate::math::num::{evaluate, mul_wide, reciprocal, scale, shift_to_fit};
+use crate::math::num::{evaluate, mul_wide, reciprocal, scale, scale_to_word, shift_to_fit};
 use crate::math::row::RowBlock;
 use crate::math::{matrix_product, Affine, Coordinate, Row, Scalar};
 use crate::space::{Model, World};
@@ -66,12 +66,14 @@ impl SizeOnScreen {
         let along = |(factor, exponent): (i32, i32), length: i32| {
             let product = mul_wide(factor, length); // ≤ 2⁶¹, in 2^(exponent − 30 − 16) sub-pixels
             let down = shift_to_fit(product as u64, 30);
-            let product = scale(product, -down) as i32; // ≤ 2³⁰
+            let product = scale_to_word(product, down); // ≤ 2³⁰; −30 ≤ down ≤ 32
             let sub_pixels = scale(mul_wide(product, r.mantissa), down + exponent - 46 + inverse);
             sub_pixels.min(largest.into()) as i32 // not negative
         };
         let [across, down] = self.factors;
-        Some([along(across, width), along(down, height)])
+        // Most rectangles are squares.
+        let (wide, is_square) = (along(across, width), (across, width) == (down, height));
+        Some([wide, if is_square { wide } else { along(down, height) }])
     }
 }
 
