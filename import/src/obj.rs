@@ -296,12 +296,12 @@ fn position(text: &str) -> Result<([f64; 3], Option<[f32; 3]>), Problem> {
     }
 }
 
-/// The colour of each face, the mean of those of its corners, of at most 1; or of at most 255, where one is larger than 1. Nothing
-/// where no corner has a colour.
+/// The colour of each face, the mean of those of its corners, of at most 1; or of at most 255, where one is larger than 2: slightly more
+/// than 1 is a rounding error, or a light. Nothing where no corner has a colour.
 fn means(colors: &[Option<[f32; 3]>], faces: &[[usize; 3]]) -> Vec<Option<[u8; 3]>> {
     let largest = colors.iter().flatten().flatten().copied().reduce(f32::max);
     let Some(largest) = largest else { return Vec::new() };
-    let unit = if largest > 1.0 { 1.0 } else { 255.0 };
+    let unit = if largest > 2.0 { 1.0 } else { 255.0 };
     let mean = |face: &[usize; 3]| {
         let corners: Vec<[f32; 3]> = face.iter().filter_map(|&vertex| *colors.get(vertex)?).collect();
         let channel = |channel: usize| {

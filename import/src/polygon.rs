@@ -7,6 +7,7 @@
 //! each point as often as the polygon winds around it. So if all are counter-clockwise, as the polygon is, they cover it once.
 
 use crate::boxes::{flat, Bounds, Boxes};
+use std::iter::once;
 
 /// A polygon in triangles.
 pub(crate) struct Triangulated {
@@ -61,14 +62,21 @@ fn projected(corners: &[[f64; 3]]) -> Vec<Point> {
     }
     let on_grid = |c: f64| (c / power * 2f64.powi(39)).round() as i64; // at most 2⁴⁰
     let corners: Vec<[i64; 3]> = corners.iter().map(|corner| from_low(corner).map(on_grid)).collect();
-    let area = |i: usize, j: usize| -> i128 {
-        let next = corners.iter().cycle().skip(1);
-        let product = |(a, b): (&[i64; 3], &[i64; 3])| {
-            i128::from(a[i]) * i128::from(b[j]) - i128::from(a[j]) * i128::from(b[i])
+    let normal = |corners: &[[i64; 3]]| {
+        let area = |i: usize, j: usize| -> i128 {
+            let next = corners.iter().cycle().skip(1);
+            let product = |(a, b): (&[i64; 3], &[i64; 3])| {
+                i128::from(a[i]) * i128::from(b[j]) - i128::from(a[j]) * i128::from(b[i])
+            };
+            corners.iter().zip(next).map(product).sum() // below 2⁸¹ for each of at most 2³⁰ corners
         };
-        corners.iter().zip(next).map(product).sum() // below 2⁸¹ for each of at most 2³⁰ corners
+        [area(1, 2), area(2, 0), area(0, 1)]
     };
-    let normal = [area(1, 2), area(2, 0), area(0, 1)];
+    // The areas of a bow tie cancel but for the rounding to the grid: it is seen along the normal of a triangle of the fan.
+    let of_fan = corners.windows(2).map(|side| normal(&[corners[0], side[0], side[1]]));
+    let has_area = |normal: &[i128; 3]| normal.iter().any(|c| c.unsigned_abs() >> 48 > 0);
+    let of_polygon = normal(&corners);
+    let normal = once(of_polygon).chain(of_fan).find(has_area).unwrap_or(of_polygon);
     let largest = normal.iter().map(|c| c.unsigned_abs()).max().unwrap_or_default();
     // 16 bits are enough to tell front from back.
     let normal = normal.map(|c| (c >> (128 - 16u32).saturating_sub(largest.leading_zeros())) as i64);
@@ -327,8 +335,18 @@ mod tests {
 
     #[test]
     fn polygons_that_cross_themselves_are_fans_and_said_to_be() {
-        let bow = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.1, 0.0]];
-        let Triangulated { triangles, overlap } = triangulate(&bow);
-        assert_eq!((triangles, overlap), (vec![[0, 1, 2], [0, 2, 3]], true));
+        // The areas of the second and third one cancel; the corners of the third are rounded.
+        let tilted = |[x, y]: [f64; 2]| [x + 0.1 * y, 0.7 * y - 0.3 * x, 0.3 * x];
+        for bow in [
+            [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.1, 0.0]],
+            [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+            [[0.1, 0.1], [0.7, 0.8], [0.7, 0.1], [0.1, 0.8]].map(tilted),
+        ] {
+            let Triangulated { triangles, overlap } = triangulate(&bow);
+            assert_eq!((triangles, overlap), (vec![[0, 1, 2], [0, 2, 3]], true));
+        }
+        // There and back on a line is no crossing.
+        let line = [0.1, 0.4, 0.7, 0.3].map(|x| tilted([x, x]));
+        assert!(!triangulate(&line).overlap);
     }
 }
