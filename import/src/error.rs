@@ -1,5 +1,5 @@
 use crate::host::shown;
-use crate::remedy::{messages, said, Remedy, Said};
+use crate::remedy::{for_finer_grid, messages, said, Remedy, Said};
 use crate::warning::{Warning, MOST_FACES};
 use std::error::Error;
 use std::fmt;
@@ -47,7 +47,7 @@ messages! {
             Said::new(what, [CopyAgain])
         }
         /// A face names a vertex that the file does not have.
-        NoSuchVertex => ["the face names a vertex that does not exist"]
+        NoSuchVertex => ["the face names a vertex that does not exist: ", ExportAgain]
         /// A coordinate is NaN or infinite, or becomes so when it is divided by its `w`.
         NotFinite => ["a coordinate is not a finite number: ", Repair]
         /// The coordinate of a binary file that begins with this byte, counted from 0, is NaN or infinite.
@@ -67,11 +67,12 @@ messages! {
         Step(finest: i8) => ["does not fit the grid: the finest step that it fits is 2^{finest}: ", Step(*finest)]
         /// None of the model's faces, as many as this, has an area.
         NoArea(faces: usize) => ["has no face with an area, as all {faces} are points or lines: ", ExportMesh]
-        /// All of the model's faces, as many as this, lose their area by rounding to the grid.
-        TooThin(faces: usize) => [
-            "has no face with an area on a grid of at most 65535 steps along its longest side, as all {faces} are thinner than a step: ",
-            SplitModel, LeaveOutFar
-        ]
+        /// All of the model's faces, as many as this, lose their area by rounding to the grid. `finer`: the option that gives a finer grid, if one does.
+        TooThin { faces: usize, finer: Option<Remedy> } => {
+            let grid = "a grid of at most 65535 steps along its longest side";
+            let what = format!("has no face with an area on {grid}, as all {faces} are thinner than a step: ");
+            Said::new(what, for_finer_grid(*finer))
+        }
         /// More vertices than `u16` indices can name (65 536), after welding.
         TooManyVertices(n: usize) => ["has {n} vertices, more than the 65536 of a mesh: ", Decimate(MOST_FACES), SplitModel]
         /// More faces than can be named beside an edge (65 535).

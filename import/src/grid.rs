@@ -1,6 +1,6 @@
 //! The grid onto which a model is rounded.
 
-use crate::{Centre, Options, Problem};
+use crate::{Centre, Options, Problem, Remedy};
 
 pub(crate) struct Grid {
     /// The longest side of the bounding box.
@@ -10,6 +10,8 @@ pub(crate) struct Grid {
     pub(crate) exponent: i8,
     /// `2^exponent`.
     step: f64,
+    /// The option that gives a finer grid, if one does.
+    pub(crate) finer: Option<Remedy>,
     /// Whether the grid is that of the file's origin, so that parts with other centres lie on it, too: the centre is a grid point.
     is_common: bool,
 }
@@ -35,16 +37,22 @@ impl Grid {
         }
         let half =
             (0..3).map(|axis| (high[axis] - middle[axis]).max(middle[axis] - low[axis])).fold(0.0, f64::max);
-        let exponent = (i8::MIN..=i8::MAX)
-            .find(|&e| (half / power_of_two(e)).round() <= 32767.0)
-            .filter(|&e| e > i8::MIN)
-            .ok_or(Problem::Extent(extent))?;
+        let finest_of =
+            |half: f64| (i8::MIN..=i8::MAX).find(|&e| (half / power_of_two(e)).round() <= 32767.0);
+        let exponent = finest_of(half).filter(|&e| e > i8::MIN).ok_or(Problem::Extent(extent))?;
         if given.is_some_and(|given| given < exponent) {
             return Err(Problem::Step(exponent));
         }
+        let finer = match given {
+            Some(given) if given > exponent => Some(Remedy::Step(exponent)),
+            _ if options.centre == Centre::Origin && finest_of(extent / 2.0) < Some(exponent) => {
+                Some(Remedy::CentreBox)
+            }
+            _ => None,
+        };
         let exponent = given.unwrap_or(exponent);
         let is_common = given.is_some();
-        Ok(Grid { extent, centre: middle, exponent, step: power_of_two(exponent), is_common })
+        Ok(Grid { extent, centre: middle, exponent, step: power_of_two(exponent), finer, is_common })
     }
 
     /// The nearest grid point. Every difference fits ±32767 by the choice of the exponent.

@@ -103,7 +103,7 @@ pub(crate) fn make(
     let is_flat = |corners: [Key; 3]| cross(corners.map(vertex)) == [0, 0, 0];
     let mut last = weld(&keys, &exact.faces, &|key| position(vertex(key)), &is_flat);
     if last.faces.is_empty() && ends_of_lines.is_empty() {
-        return Err(Problem::TooThin(exact.faces.len()));
+        return Err(Problem::TooThin { faces: exact.faces.len(), finer: grid.finer });
     }
     let on_grid = exact.faces.iter().map(|face| face.map(|vertex| position(rounded[vertex])));
     let in_file = exact.faces.iter().map(|face| face.map(|vertex| grid.in_steps(&positions[vertex])));
@@ -160,7 +160,8 @@ pub(crate) fn make(
     warnings.extend(least(&duplicate).map(duplicates));
     let (lost, count) = (last.degenerate.len(), exact.faces.len());
     if count > 0 && (10 * lost >= count || !(0.9..=1.1).contains(&area)) {
-        warnings.push(Warning::Coarse { lost, faces: count, area: (100.0 * area).round() as u32 });
+        let area = (100.0 * area).round() as u32;
+        warnings.push(Warning::Coarse { lost, faces: count, area, finer: grid.finer });
     }
     if !options.two_sided {
         let open = |first| Warning::OpenEdges { count: topology.open, first };

@@ -40,6 +40,8 @@ pub enum Remedy {
     Fit,
     /// Set [`Options::step`](crate::Options::step) to 2 to this power.
     Step(i8),
+    /// Set [`Options::centre`](crate::Options::centre) to [`Centre::Box`](crate::Centre::Box).
+    CentreBox,
     /// Set [`Options::decimate`](crate::Options::decimate) to at most this number of triangles; needs the feature `decimate`.
     Decimate(usize),
     /// Set [`Options::texture`](crate::Options::texture) to at most this number of colours.
@@ -104,6 +106,7 @@ impl Remedy {
             Self::NoEdgeFaces => "leave out `edge_faces`",
             Self::Fit => "use `fit: Some(LENGTH)`",
             Self::Root => "use `root: Some(FOLDER)`",
+            Self::CentreBox => "use `centre: Centre::Box`",
             Self::Decimate(_) if cfg!(feature = "decimate") => "use `decimate: Some(N)`",
             Self::Decimate(_) => "use `decimate: Some(N)` with features = [\"decimate\"] of pinhole-import in Cargo.toml and a C++ compiler",
             Self::Step(exponent) => return format!("use `step: Some(2f64.powi({exponent}))`"),
@@ -133,6 +136,7 @@ impl fmt::Display for Remedy {
             Self::Decimate(_) if cfg!(feature = "decimate") => "use pinhole-import --decimate N",
             Self::Decimate(_) => "use pinhole-import --decimate N of a build with the feature `decimate`",
             Self::Step(exponent) => return write!(f, "use --step 2^{exponent}"),
+            Self::CentreBox => "use --centre box",
             Self::TextureColors(colors) => return write!(f, "use --texture {colors}"),
             Self::Feature(name) => return write!(f, "install it with the feature `{name}`"),
             Self::CloseSurface => "close the surface",
@@ -156,6 +160,11 @@ impl fmt::Display for Remedy {
             Self::DrawColors => "draw them in their colours",
         })
     }
+}
+
+/// What to do about a grid that is too coarse: the option, if one helps.
+pub(crate) fn for_finer_grid(option: Option<Remedy>) -> Vec<Remedy> {
+    option.map_or(vec![Remedy::SplitModel, Remedy::LeaveOutFar], |option| vec![option])
 }
 
 /// Defines an enum of messages: each variant has its words beside it, as a list of the text and of the remedies that follow it, or as a

@@ -1,7 +1,7 @@
 //! Doubtful parts of a model that could be read, as data.
 
 use crate::beside::Unread;
-use crate::remedy::{messages, said, Remedy, Said};
+use crate::remedy::{for_finer_grid, messages, said, Remedy, Said};
 use std::fmt;
 
 const DROPPED: &str = "dropped, which changes no picture";
@@ -20,12 +20,14 @@ messages! {
         /// Faces that are there twice, with one winding, were dropped.
         Duplicates { count: usize, first: Place } => [some("duplicate faces", count, first, DROPPED)]
         /// The grid is too coarse for the shape: `lost` of the `faces`, a tenth or more, have no area on it, or the area of all, `area`
-        /// percent of that in the file, changes by a tenth.
-        Coarse { lost: usize, faces: usize, area: u32 } => [
-            "rounding to a grid of at most 65535 steps along the longest side changes the shape: {lost} of {faces} faces have no area \
-             on it, and the area of all is {area} % of that in the file: ",
-            SplitModel, LeaveOutFar
-        ]
+        /// percent of that in the file, changes by a tenth. `finer`: the option that gives a finer grid, if one does.
+        Coarse { lost: usize, faces: usize, area: u32, finer: Option<Remedy> } => {
+            let what = format!(
+                "rounding to a grid of at most 65535 steps along the longest side changes the shape: {lost} of {faces} faces have no \
+                 area on it, and the area of all is {area} % of that in the file: "
+            );
+            Said::new(what, for_finer_grid(*finer))
+        }
         /// Polygons that cross themselves, so that some of their triangles lie upon others.
         Crossing { count: usize, first: Place } => [
             some("faces that cross themselves", count, first, "their triangles overlap: "), ExportTriangles

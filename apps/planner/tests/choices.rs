@@ -110,7 +110,7 @@ fn a_broken_file_is_a_message_and_a_doubtful_one_a_warning_with_its_remedy() {
 
     planner.load("stray.obj", b"v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n".to_vec());
     let message = planner.draw(&file).map(|_| ()).expect_err("stray").to_string();
-    assert_eq!(message, "stray.obj:4: the face names a vertex that does not exist");
+    assert_eq!(message, "stray.obj:4: the face names a vertex that does not exist: export the model again");
 
     planner.load("sheet.obj", b"v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nf 1 2 3 4\n".to_vec());
     let (_, about) = planner.draw(&file).expect("a sheet");
