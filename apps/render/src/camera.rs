@@ -1,6 +1,6 @@
 //! The camera of a scene file by an eye and what it looks at, or by the scene that shall fill the picture.
 
-use crate::json::{self, within, Names};
+use crate::json::{self, positive, within, Names};
 use crate::model::{self, Fit, Look};
 use crate::projections::Named;
 use crate::scene::{product, Colors, Matrix, IDENTITY};
@@ -77,10 +77,10 @@ fn by_eye(
     let ends = distances.fold([f64::INFINITY, 0.0], |[low, high], d| [d.min(low), d.max(high)]);
     // A little more than the scene, so that no rounding clips it.
     let deepest = if ends[1] > 0.0 { ends[1] * 1.02 } else { 1.0 };
-    let far = within(camera.far.unwrap_or(deepest), f64::MIN_POSITIVE, f64::MAX, "camera.far")?;
+    let far = positive(camera.far.unwrap_or(deepest), "camera.far")?;
     let nearest = (ends[0] * 0.98).max(far / DEEPEST);
     let near = camera.near.unwrap_or(if nearest < far { nearest } else { far / 2.0 });
-    let near = within(near, f64::MIN_POSITIVE, f64::MAX, "camera.near")?;
+    let near = positive(near, "camera.near")?;
     if near >= far {
         return Err(format!("camera: near is {near} and far is {far}: near must be nearer"));
     }

@@ -89,7 +89,8 @@ fn located<'de, T: Deserialize<'de>>(
 ) -> Result<T, String> {
     serde_path_to_error::deserialize(json).map_err(|error| {
         let path = error.path().to_string();
-        let path = if path == "." { "" } else { &path };
+        // `?` for a key that ends too soon.
+        let path = if [".", "?"].contains(&path.as_str()) { "" } else { &path };
         let is_data = error.inner().is_data();
         let problem = format!("{}{}", if is_data { "" } else { "is not JSON: " }, error.inner());
         let place = if path.starts_with('[') { format!("{place}{path}") } else { at(place, path) };
@@ -105,6 +106,14 @@ fn located<'de, T: Deserialize<'de>>(
 pub(crate) fn at(place: &str, field: &str) -> String {
     let dot = if place.is_empty() || field.is_empty() { "" } else { "." };
     format!("{place}{dot}{field}")
+}
+
+/// A distance of the field `place`, if it is more than 0.
+pub(crate) fn positive(number: f64, place: &str) -> Result<f64, String> {
+    match number > 0.0 {
+        true => Ok(number),
+        false => Err(format!("{place}: {number} is not more than 0")),
+    }
 }
 
 /// A number of the field `place`, if it is from `low` to `high`.
