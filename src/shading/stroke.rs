@@ -221,7 +221,11 @@ impl<C: PixelColor, F: Fn(C, C, u16) -> C + Copy> StrokeKind<C> for AntiAliasedB
 
     #[inline(always)]
     fn covering(&self, below: C, coverage: u16) -> C {
-        (self.mix)(self.color, below, coverage)
+        // Loops visit pixels of which the line covers nothing, too; which ones depends on the band.
+        match coverage {
+            0 => below,
+            _ => (self.mix)(self.color, below, coverage),
+        }
     }
 }
 

@@ -98,6 +98,12 @@ fn edges_are_equal_in_bands_and_in_one_piece() {
     all_ways(Gray8::WHITE, Gray8::new(70), AntiAliased(Gray8::WHITE));
     all_ways(Rgb565::YELLOW, Rgb565::new(3, 9, 14), AntiAliased(Rgb565::YELLOW).by_table());
     all_ways(Gray8::WHITE, Gray8::new(70), AntiAliased(Gray8::WHITE).by_table());
+    // A function is called of covered pixels alone.
+    let mix = |color: Rgb565, below, coverage| {
+        assert!((1..=256).contains(&coverage), "{coverage}");
+        color.over(below, coverage)
+    };
+    all_ways(Rgb565::CYAN, Rgb565::new(3, 3, 3), AntiAliasedBy::new(Rgb565::CYAN, mix));
 }
 
 /// An edge stores its depth where it has half of a pixel or more.
