@@ -12,7 +12,7 @@ use crate::space::{Model, World};
 
 impl Camera {
     /// Projects a world point: its screen position, within 1/256 px, and its depth, 0 near to 65534 far, within 1 if far is at
-    /// least twice near. Points outside of the viewport are projected too.
+    /// least twice near. Points outside of the viewport are projected too; beyond a far plane that does not clip they have depth 65534.
     /// [`MeshInstance::project`](crate::draw::MeshInstance::project) has the same error bounds.
     ///
     /// ```

@@ -149,9 +149,10 @@ impl ViewTransform {
     ///
     /// # Errors
     ///
-    /// [`CameraError::NotRigid`] if the last row is not (0, 0, 0, 1), a number is not finite, the rows are left-handed,
+    /// [`CameraError::NotRigid`] if the last row is not (0, 0, 0, 1), the rows are left-handed or not finite,
     /// or, as given or as rounded, a row's squared length differs from 1 or the dot product of two rows from 0 by more than
-    /// 4·10⁻⁶: six correct decimals suffice. [`CameraError::OutOfRange`] if the eye is beyond ±32768 world units.
+    /// 4·10⁻⁶: six correct decimals suffice. [`CameraError::OutOfRange`] if the eye is beyond ±32768 world units, or the last column is
+    /// not finite.
     ///
     /// ```
     /// use pinhole::{camera::CameraError, Point3, ViewTransform};

@@ -32,7 +32,8 @@ const LEAST_BY_NUMBER: usize = 7;
 /// the faces, and edges that each core finds in the shared [`TransformedMesh`](crate::draw::TransformedMesh), into storage of its own.
 ///
 /// Bands are always equal to one piece. So is a part that contains the [bounds](crate::draw::SmoothEdges::bounds) of all edges, without a margin: with
-/// [`DirtyRegions::<1>`](crate::bands::DirtyRegions) each frame has one such part. Other parts side by side are equal if no two edges are less than three
+/// [`DirtyRegions::<1>`](crate::bands::DirtyRegions), in which every object is marked, each frame has one such part; with
+/// [`Tracked`](crate::bands::Tracked) objects, parts cut through those that stand still. Other parts side by side are equal if no two edges are less than three
 /// pixels apart; where bars are a pixel wide, a mixed pixel is mixed again by the next edge of its row, so pixels at the border of a part may be off by
 /// some levels. No difference was found when parts are drawn eight pixels larger.
 ///
