@@ -178,9 +178,12 @@ fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
     if let Some(name) = import::typed(given, &["door", "alpha", "half"]).filter(|_| smooth_faces) {
         return Err(format!("--smooth-faces: is for opaque faces: omit --{name}"));
     }
-    let of_faces = import::typed(given, &["door", "alpha", "half", "lit-texture", "smooth-faces"]);
+    let of_faces = import::typed(given, &["door", "alpha", "half", "lit-texture", "texture", "smooth-faces"]);
     if let Some(name) = of_faces.filter(|_| mode.of_lines()) {
         return Err(format!("--{name}: is for faces: needs --mode solid, flat or gouraud"));
+    }
+    if colour.is_some() && given.contains_id("texture") {
+        return Err("--texture: is hidden by --colour: omit one of them".into());
     }
     let fog = given.get_one::<String>("fog").map(|text| FogStyle::parse(text)).transpose();
     let fog = fog.map_err(|e| format!("--fog: {e}"))?;
