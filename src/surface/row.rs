@@ -253,7 +253,7 @@ pub(super) fn pack<C: StoredPixel<[u8; N]> + Color, const N: usize>(
             }
         }
         if count > 0 {
-            put(strip, &mut to, bits << (8 - count & 7));
+            put(strip, &mut to, bits << ((8 - count) & 7));
         }
     }
 }
