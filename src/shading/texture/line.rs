@@ -85,6 +85,12 @@ impl<const N: usize> Coordinates<N> {
         Line { at: of(self.at), step: of(self.step) }
     }
 
+    /// A word, and its step.
+    #[inline(always)]
+    pub(super) fn of_word((at, step): (u32, u32)) -> Self {
+        Self::of([at, 0], [step, 0])
+    }
+
     /// The word `by` pixels from that in the middle of a block.
     #[inline(always)]
     fn around(middle: u32, step: u32, by: i32) -> Self {

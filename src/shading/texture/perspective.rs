@@ -54,6 +54,17 @@ impl Planes {
         let Self { q, s, t } = *self;
         q > 0 && is_within(s, q) && is_within(t, q)
     }
+
+    /// These planes where they [have room](Self::has_room); elsewhere, which is beside the triangle, those of the nearest coordinates
+    /// that have.
+    #[inline(always)]
+    pub(super) fn inside_room(self) -> Self {
+        let q = self.q.max(1);
+        // In 32 bits: samples do not need the lower bits.
+        let most = if q >> (31 - ROOM) == 0 { q << ROOM } else { i32::MAX };
+        let inside = |s: i32| s.min(most).max(-most);
+        Self { q, s: inside(self.s), t: inside(self.t) }
+    }
 }
 
 /// Texture coordinates relative to those of the farthest corner, in the unit that [`Perspective::half_units`] says: at most 2²⁹.
@@ -398,18 +409,8 @@ impl Perspective {
         (step.step() as i32) < 0
     }
 
-    /// The coordinates where there is [room](Planes::has_room) for them; elsewhere, which is beside the triangle, those nearest to
-    /// them.
-    pub(super) fn nearest(&self, Planes { q, s, t }: Planes) -> Sample {
-        let q = q.max(1);
-        // In 32 bits: samples do not need the lower bits.
-        let most = if q >> (31 - ROOM) == 0 { q << ROOM } else { i32::MAX };
-        let inside = |s: i32| s.min(most).max(-most);
-        self.divided(Planes { q, s: inside(s), t: inside(t) })
-    }
-
     /// s/q and t/q, where there is [room](Planes::has_room).
-    #[inline(never)] // code size
+    #[inline(always)]
     pub(super) fn divided(&self, Planes { q, s, t }: Planes) -> Sample {
         self.times(s, t, reciprocal_called(q))
     }

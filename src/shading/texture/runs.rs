@@ -98,8 +98,21 @@ impl<'g> PerspectiveRuns<'g> {
         }
     }
 
-    /// The next run, up to the new `x` or the end.
+    /// The word of the next run's first pixel, and its step: two numbers are returned in registers.
     #[inline(never)] // its loop needs all registers
+    fn word_run(&mut self) -> (u32, u32) {
+        let Coordinates { at: [at], step: [step] } = self.run();
+        (at, step)
+    }
+
+    /// [`run`](Self::run) as a function.
+    #[inline(never)] // its loop needs all registers
+    fn wide_run<const N: usize>(&mut self) -> Coordinates<N> {
+        self.run()
+    }
+
+    /// The next run, up to the new `x` or the end.
+    #[inline(always)]
     fn run<const N: usize>(&mut self) -> Coordinates<N> {
         let Self { perspective, x, last, .. } = *self;
         // A block that began further left would have been the last run.
@@ -139,7 +152,15 @@ impl<'g> PerspectiveRuns<'g> {
 
     /// The largest block of at most 2^`bits` pixels that has `x` in it. Computes the sample at its begin, or at `x` if there is none.
     #[inline(always)]
-    fn block_around(&mut self, mut bits: i32) -> Option<Block> {
+    fn block_around(&mut self, bits: i32) -> Option<Block> {
+        let (first, block) = self.search_around(bits);
+        self.left = self.perspective.divided(first);
+        block
+    }
+
+    /// The largest block of at most 2^`bits` pixels that has `x` in it, and the planes at its begin, or at `x` if there is none.
+    #[inline(always)]
+    fn search_around(&self, mut bits: i32) -> (Planes, Option<Block>) {
         let Self { perspective, x, planes, .. } = *self;
         let falls = perspective.q_falls();
         while bits > 0 {
@@ -150,15 +171,13 @@ impl<'g> PerspectiveRuns<'g> {
                 let (first, behind) = (perspective.beyond(planes, from), perspective.beyond(planes, to));
                 // Coordinates with room at both ends of a block have room between them.
                 if first.has_room() && behind.has_room() {
-                    self.left = perspective.divided(first);
-                    return Some(Block { bits, passed, behind });
+                    return (first, Some(Block { bits, passed, behind }));
                 }
             }
             bits -= 1;
             keep_rolled();
         }
-        self.left = perspective.nearest(planes);
-        None
+        (planes.inside_room(), None)
     }
 
     /// The binary logarithm of the largest block that may begin or end `by` columns from `x`, as far as q there decides.
@@ -180,7 +199,10 @@ impl<'g> PerspectiveRuns<'g> {
         if x >= self.end {
             return None;
         }
-        let line = self.run();
+        let line = match N {
+            1 => Coordinates::of_word(self.word_run()),
+            _ => self.wide_run(),
+        };
         Some((self.x.min(self.end) - x, line))
     }
 }
