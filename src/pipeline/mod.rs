@@ -34,7 +34,7 @@ mod hidden_line;
 mod instance;
 mod painter;
 mod pick;
-mod polyline;
+mod points;
 mod scene;
 mod smooth_edges;
 mod split_bins;

@@ -22,7 +22,7 @@ impl Outcome {
     }
 }
 
-/// How many primitives (faces, edges, segments of a polyline or points) a draw call drew, and why it did not draw the others.
+/// How many primitives (faces, edges or points) a draw call drew, and why it did not draw the others.
 /// Each primitive is counted in exactly one of `drawn`, `culled`, `outside` and `degenerate`; `clipped` counts the drawn
 /// primitives that were clipped.
 ///

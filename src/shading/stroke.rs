@@ -70,7 +70,7 @@ impl<C: PixelColor> StrokeKind<C> for C {
 /// both ends, between two pixel borders: from before the first pixel to behind the last one along the major axis (x or y, whichever
 /// changes more). (Area sampling by a box filter: Foley et al., *Computer Graphics: Principles and Practice*, 2nd ed., section 3.17.2.)
 ///
-/// The edges of a mesh and the lines of a polyline end at their vertices, in 1/256 pixel. Around a vertex a pixel belongs in part to
+/// The edges of a mesh end at their vertices, in 1/256 pixel. Around a vertex a pixel belongs in part to
 /// each of the lines that meet there. A line that covers the area A of a pixel, of which the part w belongs to it, leaves (1 − A)ʷ of
 /// the stored color, so two lines that go straight on leave what one line leaves, and no pixel is drawn twice. Joints come out as
 /// the union of the strokes with **round joints**: a regular polygon with 64 sides of 1.8 pixels is within 0.045 of the exact area in
@@ -157,7 +157,7 @@ impl<C> AntiAliased<C> {
     /// An area is within 0.03 of the exact one, and within 0.04 for colours of 15 and 16 bits, whose shares are multiples of 1/32; asserted
     /// against polygons cut in f64. (Gupta and Sproull, *Filtering edges for gray-scale displays*, 1981, take intensities from a table.)
     ///
-    /// Edges and the lines of a polyline end at pixel borders across their major axis, without round joints: a column of pixels whose middle
+    /// Edges end at pixel borders across their major axis, without round joints: a column of pixels whose middle
     /// is at most ¼ pixel from the end is drawn in half. Lines that go straight on are drawn as one line. Regular polygons are within 0.6 of the
     /// exact area in every pixel, those of 16 or 64 sides of 1.8 pixels or more within 0.35; two lines at any angle miss at most 0.65 of a pixel,
     /// and cover up to 0.4 too much.

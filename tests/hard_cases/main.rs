@@ -15,8 +15,8 @@
 //! | B4 clipped is unclipped | L2 in `tests/raster/lines.rs` | the line cut pixel by pixel |
 //! | B5 extremes | `tests/raster/lines.rs`, `tests/raster/random_shapes.rs` | exact division |
 //! | B6 zero length, horizontal, vertical, diagonal | L1 in `tests/raster/lines.rs` | exact division |
-//! | B7 joints | `tests/pipeline/polylines.rs` | the union of the lines |
-//! | C1 crossing near | `fuzz/targets/scene/cut.rs`; `tests/pipeline/polylines.rs` | one ray per pixel, no clipping in it; the exact cut |
+//! | B7 joints | `tests/pipeline/anti_aliased.rs` | the union of the lines |
+//! | C1 crossing near | `fuzz/targets/scene/cut.rs`; `tests/pipeline/paths.rs` | one ray per pixel, no clipping in it; the exact cut |
 //! | C2 a vertex on near | `near_plane::c2_*` | exact coverage of the snapped triangle |
 //! | C3 w down to nothing | `near_plane::c3_*`; `fuzz/targets/set_up/camera.rs` | one ray per pixel; the f64 chain |
 //! | C4 all behind | `near_plane::c4_*` | empty |

@@ -12,7 +12,7 @@ mod meshes;
 mod no_panic;
 mod nothing_outside;
 mod painter;
-mod polylines;
+mod paths;
 mod scenes;
 mod smooth_edges;
 mod sprites;

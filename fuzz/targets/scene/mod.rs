@@ -96,10 +96,7 @@ fn calls(scene: &Scene, instance: &MeshInstance<'_>) {
 
     let points = draw(scene, |target| instance.points(Shader(3), target));
     sums_up(points.statistics, scene.vertices.len());
-    let polyline = draw(scene, |target| instance.polyline(Shader(4), target));
-    sums_up(polyline.statistics, scene.vertices.len().saturating_sub(1));
     whole::points(scene, instance, &points.target);
-    whole::polyline(scene, instance, &polyline);
 }
 
 /// All calls that draw or pick, of a mesh with normals and planes of any other.
@@ -134,7 +131,6 @@ fn extremes<V: Coordinate<Stored = V>>(scene: &Scene, mesh: Mesh<'_, V>) {
         instance.edges(|_| Shader(1)).cached(cache).draw(&mut target.depth_tested(&mut depth))?;
         instance.edges(|_| Shader(1)).cached(cache).hidden_line(&mut target.depth_tested(&mut depth))?;
         instance.points(Shader(1), target)?;
-        instance.polyline(Shader(1), target)?;
         instance.transform(cache).bin_faces(&mut bins).expect("room").draw(shade, target)?;
         let transformed = instance.transform_depth(cache);
         let mut faces = transformed.bin_faces(&mut bins).expect("room");

@@ -1,7 +1,7 @@
 //! A face or edge that is not clipped draws exactly the coverage, or the line, of its projected vertices.
 
+use super::draw;
 use super::input::Scene;
-use super::{draw, Drawing};
 use pinhole::draw::{Cull, MeshInstance};
 use pinhole::raster::ScreenPoint;
 use std::collections::BTreeMap;
@@ -79,22 +79,4 @@ pub(crate) fn points(scene: &Scene, instance: &MeshInstance<'_>, target: &Record
         }
     }
     assert_eq!(drawn(target), wanted.into_iter().collect::<Vec<_>>(), "{scene:?}");
-}
-
-/// If all vertices have a screen position: the union of the exact lines.
-pub(crate) fn polyline(scene: &Scene, instance: &MeshInstance<'_>, drawing: &Drawing) {
-    let images: Vec<P> = (0..scene.vertices.len())
-        .filter_map(|i| instance.project(i).ok())
-        .map(|seen| pixel(seen.point))
-        .collect();
-    if images.len() < scene.vertices.len() {
-        return;
-    }
-    assert_eq!((drawing.statistics.outside, drawing.statistics.clipped), (0, 0), "{scene:?}");
-    let mut wanted: Vec<P> =
-        images.windows(2).flat_map(|w| line::clipped(w[0], w[1], scene.area())).collect();
-    wanted.sort_unstable();
-    wanted.dedup();
-    let got: Vec<P> = drawn(&drawing.target).into_iter().map(|(p, _)| p).collect();
-    assert_eq!(got, wanted, "{scene:?}");
 }

@@ -193,7 +193,6 @@ fn draw_instance<D: DrawTarget<Color: Color>, V: Coordinate>(
     fill(instance, &mut shade, (corners, depth), target);
     report(instance.faces(&mut shade).sorted(painter));
     report(instance.points(wire, target));
-    report(instance.polyline(wire, target));
     let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
     report(depth.at(pixel()));
     depth.clear();
@@ -236,11 +235,9 @@ fn draw_anti_aliased<T: Surface<Color = Rgb565>>(
     let Scene { corners, depth, bin_storage, .. } = scene;
     report(draw_line(pixel(), pixel(), stroke, target));
     report(instance.edges(|_| stroke).cached(corners).draw(target));
-    report(instance.polyline(stroke, target));
     let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
     report(instance.edges(|_| stroke).cached(corners).draw(&mut target.depth_tested(&mut depth)));
     report(instance.edges(|_| stroke).cached(corners).hidden_line(&mut target.depth_tested(&mut depth)));
-    report(instance.polyline(stroke, &mut target.depth_tested(&mut depth)));
     if let Ok(mut edges) = instance.transform_depth(corners).bin_edges(bin_storage) {
         report(edges.draw(stroke, target));
         report(edges.draw(stroke, &mut target.depth_tested(&mut depth)));
