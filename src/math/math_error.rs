@@ -9,8 +9,6 @@ pub enum MathError {
     NotFinite,
     /// A number is outside of the type's range, or a translation beyond ±2³⁰ world units: choose a larger unit, so that numbers get smaller.
     OutOfRange,
-    /// The text is not a decimal number, such as `-2.5`.
-    Syntax,
     /// The axis of a rotation has length zero, or all components of a quaternion are zero: give a direction, or (1, 0, 0, 0) for no
     /// rotation.
     ZeroLength,
@@ -28,7 +26,6 @@ impl core::fmt::Display for MathError {
             Self::OutOfRange => {
                 "the number is out of range: choose a larger unit of length, or reduce the angle"
             }
-            Self::Syntax => "the text is not a decimal number, such as -2.5",
             Self::ZeroLength => {
                 "the axis or quaternion has length zero: give a direction, or (1, 0, 0, 0) for no rotation"
             }

@@ -6,7 +6,6 @@ use super::Coordinate;
 use crate::math::MathError;
 use core::fmt::{Debug, Display, Formatter, Write};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
-use core::str::FromStr;
 #[cfg(feature = "fixed")]
 use fixed::types::I16F16;
 use heapless::String;
@@ -18,8 +17,7 @@ use heapless::String;
 /// | a whole number | [`Scalar::from_int`], or `.into()` from an `i16` |
 /// | a fraction, such as 2/5 for 0.4 | [`Scalar::from_ratio`] |
 /// | an `f32` or `f64` | [`Scalar::from_f32`], [`Scalar::try_from`], with an error for NaN and for numbers out of range |
-/// | text, such as `"-2.5"` | [`str::parse`] |
-/// | an `I16F16` of the crate `fixed` | `.into()`, which converts back, too, with the feature `fixed` |
+/// | an `I16F16` of the crate `fixed`, which also reads text | `.into()`, which converts back, too, with the feature `fixed` |
 ///
 /// `f64::from` gives the number back, exact. Operators saturate: a result beyond the range is [`Scalar::MIN`] or [`Scalar::MAX`]. Sums, differences and negation are exact
 /// within the range. Products are rounded to the nearest 2⁻¹⁶, ties up, like `Vector3 * Scalar`; quotients as
@@ -29,7 +27,7 @@ use heapless::String;
 /// use pinhole::{math::MathError, Scalar};
 /// const NEAR: Scalar = Scalar::from_ratio(2, 5);
 /// assert_eq!(NEAR.to_string(), "0.4");
-/// assert_eq!(Scalar::from_f32(2.5)? + Scalar::from_int(1), "3.5".parse()?);
+/// assert_eq!(Scalar::from_f32(2.5)? + Scalar::from_int(1), Scalar::from_ratio(7, 2));
 /// assert_eq!(Scalar::from_int(300) * Scalar::from_int(300), Scalar::MAX);
 /// assert_eq!(Scalar::from_f32(f32::NAN), Err(MathError::NotFinite));
 /// # Ok::<(), MathError>(())
@@ -217,42 +215,6 @@ impl From<I16F16> for Scalar {
 impl From<Scalar> for I16F16 {
     fn from(number: Scalar) -> Self {
         Self::from_bits(number.to_bits())
-    }
-}
-
-/// From decimal digits with or without a sign and a point, rounded to the nearest 2⁻¹⁶, ties away from zero.
-///
-/// # Errors
-///
-/// [`MathError::Syntax`] for any other text, [`MathError::OutOfRange`] for a number outside ±32768.
-impl FromStr for Scalar {
-    type Err = MathError;
-
-    fn from_str(text: &str) -> Result<Self, MathError> {
-        let (sign, digits) = match text.strip_prefix('-') {
-            Some(digits) => (-1, digits),
-            None => (1, text.strip_prefix('+').unwrap_or(text)),
-        };
-        let (whole, decimals) = digits.split_once('.').unwrap_or((digits, ""));
-        let mut all = whole.bytes().chain(decimals.bytes()).peekable();
-        if all.peek().is_none() || !all.all(|digit| digit.is_ascii_digit()) {
-            return Err(MathError::Syntax);
-        }
-        let append = |n: u64, digit: u8| n.saturating_mul(10).saturating_add((digit & 15).into());
-        let whole = whole.bytes().fold(0, append).min(1 << 16) as i64; // beyond the range stays beyond it
-                                                                       // A multiple of half a step of 2⁻¹⁶ has 17 decimals at most: the further ones do not decide the rounding.
-        let mut rest = decimals.bytes().chain(core::iter::repeat(b'0')).take(17).fold(0, append); // below 2⁵⁷
-        let mut half_steps = 0;
-        for _ in 0..17 {
-            rest *= 2;
-            half_steps *= 2;
-            if rest >= 10u64.pow(17) {
-                rest -= 10u64.pow(17);
-                half_steps += 1;
-            }
-        }
-        let magnitude = (whole << 16) + ((half_steps + 1) >> 1); // ≤ 2³² + 2¹⁶
-        i32::try_from(sign * magnitude).map(Self::from_bits).map_err(|_| MathError::OutOfRange)
     }
 }
 

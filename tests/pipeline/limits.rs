@@ -65,7 +65,6 @@ fn each_message_names_the_fault_and_the_way_out() {
         CameraError::NoRadius => "no radius", "two different vertices";
         CameraError::TooNear => "touch the eye", "smaller unit", "narrower";
         CameraError::NoVertex => "no vertex", "indices begin at 0";
-        MathError::Syntax => "decimal", "-2.5";
     };
     let mut messages = HashSet::new();
     for (error, words) in cases {

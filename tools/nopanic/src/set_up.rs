@@ -68,7 +68,6 @@ entries! {
     entry_scalar_assignments(a: &mut Scalar) { *a += scalar(); *a -= scalar(); *a *= scalar(); *a /= scalar() }
     entry_scalar_from() -> [Scalar; 3] { [Scalar::from_int(any()), Scalar::from_ratio(any(), any()), Scalar::from(any() as i16)] }
     entry_scalar_from_floats(single: f32, double: f64) -> [Result<Scalar, MathError>; 2] { [Scalar::from_f32(single), Scalar::try_from(double)] }
-    entry_scalar_from_text(text: &str) -> Result<Scalar, MathError> { text.parse() }
     entry_scalar_to(a: Scalar) -> f64 { a.into() }
     entry_angle(a: Angle, b: Angle) -> (i32, i32) { (a + b - -Angle::turns(any(), any() as u32) + Angle::degrees(any())).sin_cos() }
     entry_sin_cos(a: Angle) -> (Scalar, Scalar) { (a.sin(), a.cos()) }
