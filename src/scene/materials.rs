@@ -1,6 +1,7 @@
 //! What a model's materials say about its faces, beside the mesh: colours, the light that they emit, and texture coordinates. A
 //! mesh has no reference to them, so firmware that does not draw them does not have them in flash.
 
+use super::mesh::check_indices;
 use crate::scene::MeshError;
 use embedded_graphics_core::pixelcolor::Rgb888;
 
@@ -143,21 +144,8 @@ impl<'a> TextureCoords<'a> {
         if exponent < -15 || exponent > 0 {
             return Err(MeshError::Exponent { exponent });
         }
-        let (count, mut face) = (coords.len(), 0);
-        while face < faces.len() {
-            let [a, b, c] = faces[face];
-            let high = if a > b { a } else { b };
-            let index = if high > c { high } else { c };
-            if index as usize >= count {
-                return Err(MeshError::Index {
-                    of: "face",
-                    number: face,
-                    used: "texture coordinate",
-                    index,
-                    count,
-                });
-            }
-            face += 1;
+        if let Err(error) = check_indices("face", faces, "texture coordinate", coords.len()) {
+            return Err(error);
         }
         Ok(Self { coords, faces, exponent })
     }

@@ -165,29 +165,34 @@ const fn faces_beside([p, q]: [u16; 2], faces: &[[u16; 3]], skip: usize, most: u
     }
 }
 
-/// Checks that there are at most 65536 vertices and that all faces use indices of these. Written without iterators, which a
-/// `const fn` cannot use.
-const fn check_indices(vertices: usize, faces: &[[u16; 3]]) -> Result<(), MeshError> {
-    if vertices > 65_536 {
-        return Err(MeshError::TooManyVertices { vertices });
-    }
-    let mut face = 0;
-    while face < faces.len() {
-        let [a, b, c] = faces[face];
-        let largest = if a > b { a } else { b };
-        let index = if largest > c { largest } else { c };
-        if index as usize >= vertices {
-            return Err(MeshError::Index {
-                of: "face",
-                number: face,
-                used: "vertex",
-                index,
-                count: vertices,
-            });
+/// Checks that all entries of a list use indices below `count`. Written without iterators, which a `const fn` cannot use.
+pub(super) const fn check_indices<const N: usize>(
+    of: &'static str,
+    list: &[[u16; N]],
+    used: &'static str,
+    count: usize,
+) -> Result<(), MeshError> {
+    let mut number = 0;
+    while number < list.len() {
+        let (mut index, mut at) = (0, 0);
+        while at < N {
+            index = if list[number][at] > index { list[number][at] } else { index };
+            at += 1;
         }
-        face += 1;
+        if index as usize >= count {
+            return Err(MeshError::Index { of, number, used, index, count });
+        }
+        number += 1;
     }
     Ok(())
+}
+
+/// Checks that there are at most 65536 vertices and that all faces use indices of these.
+const fn check_faces(vertices: usize, faces: &[[u16; 3]]) -> Result<(), MeshError> {
+    match vertices {
+        0..=65_536 => check_indices("face", faces, "vertex", vertices),
+        _ => Err(MeshError::TooManyVertices { vertices }),
+    }
 }
 
 /// The left shift that brings numbers up to `magnitude` to the top of 32 signed bits.
@@ -212,7 +217,7 @@ impl<'a> Mesh<'a, i16> {
         if exponent < -32 || exponent > 15 {
             return Err(MeshError::Exponent { exponent });
         }
-        if let Err(error) = check_indices(vertices.len(), faces) {
+        if let Err(error) = check_faces(vertices.len(), faces) {
             return Err(error);
         }
         let (mut magnitude, mut i) = (0u32, 0);
@@ -291,7 +296,7 @@ impl<'a> Mesh<'a, Scalar> {
     ///
     /// [`MeshError`] if a face uses a vertex index out of range, or there are more than 65536 vertices.
     pub const fn from_fixed(vertices: &'a [[Scalar; 3]], faces: &'a [[u16; 3]]) -> Result<Self, MeshError> {
-        if let Err(error) = check_indices(vertices.len(), faces) {
+        if let Err(error) = check_faces(vertices.len(), faces) {
             return Err(error);
         }
         let (mut magnitude, mut i) = (0u32, 0);
@@ -317,15 +322,8 @@ impl<'a, V> Mesh<'a, V> {
     ///
     /// [`MeshError::Index`] if an edge uses a vertex index out of range.
     pub const fn with_edges(self, edges: &'a [[u16; 2]]) -> Result<Self, MeshError> {
-        let mut edge = 0;
-        while edge < edges.len() {
-            let [a, b] = edges[edge];
-            let index = if a > b { a } else { b };
-            if index as usize >= self.vertices.len() {
-                let count = self.vertices.len();
-                return Err(MeshError::Index { of: "edge", number: edge, used: "vertex", index, count });
-            }
-            edge += 1;
+        if let Err(error) = check_indices("edge", edges, "vertex", self.vertices.len()) {
+            return Err(error);
         }
         Ok(Self { edges, edge_faces: &[], has_unlisted_faces: false, ..self })
     }
@@ -649,7 +647,7 @@ impl<'a, V> Mesh<'a, V> {
         }
         let index = self.faces[face][0] as usize;
         if index >= self.vertices.len() {
-            return None; // `check_indices` excludes it; the compiler does not know
+            return None; // `check_faces` excludes it; the compiler does not know
         }
         Some((&self.vertices[index], self.normals[face]))
     }
