@@ -56,14 +56,14 @@ fn line<T: Surface>(
             // From the larger end: the sum after all steps, of which only the fraction is not exact.
             true => (fixed(end_x, slope.wrapping_mul(length as u32).wrapping_add(HALF)), back, end_y, y),
         };
-        draw(target, Tall { x, step, y, end: end + 1, color })
+        draw(target, Pixels::<_, true> { aside: x, step, along: y, end: end + 1, color })
     } else {
         // Upwards, the row is y − ⌊f⌋ = ⌊y + 1 − 2⁻³² − f⌋ for a sum f in 2⁻³².
         let (y, step) = match up {
             false => (fixed(y, HALF), forward),
             true => (fixed(y, !HALF), back),
         };
-        draw(target, Wide { y, step, x, end: end_x + 1, color })
+        draw(target, Pixels::<_, false> { aside: y, step, along: x, end: end_x + 1, color })
     })
 }
 
@@ -81,55 +81,29 @@ const fn fixed(integer: i32, fraction: u32) -> u64 {
     (integer as u32 as u64) << 32 | fraction as u64
 }
 
-/// The pixels of a line with one pixel per row, from top to bottom.
-struct Tall<C> {
-    /// The column of the next pixel, and its change per row, in 32.32.
-    x: u64,
+/// The pixels of a line: of a tall one from top to bottom, one per row, otherwise from left to right, one per column.
+struct Pixels<C, const TALL: bool> {
+    /// The column of the next pixel of a tall line, otherwise its row, and its change per pixel, in 32.32.
+    aside: u64,
     step: u64,
-    /// The row of the next pixel, and the row below the last one.
-    y: i32,
+    /// The row of the next pixel of a tall line, otherwise its column, and that behind the last one.
+    along: i32,
     end: i32,
     color: C,
 }
 
-impl<C: PixelColor> Iterator for Tall<C> {
+impl<C: PixelColor, const TALL: bool> Iterator for Pixels<C, TALL> {
     type Item = ColoredPixel<C>;
 
     #[inline(always)]
     fn next(&mut self) -> Option<ColoredPixel<C>> {
-        if self.y == self.end {
+        if self.along == self.end {
             return None;
         }
-        let at = Point::new((self.x >> 32) as i32, self.y);
-        self.x = self.x.wrapping_add(self.step);
-        self.y += 1;
-        keep_rolled();
-        Some(ColoredPixel(at, self.color))
-    }
-}
-
-/// The pixels of a line with one pixel per column, from left to right.
-struct Wide<C> {
-    /// The row of the next pixel, and its change per column, in 32.32.
-    y: u64,
-    step: u64,
-    /// The column of the next pixel, and the column to the right of the last one.
-    x: i32,
-    end: i32,
-    color: C,
-}
-
-impl<C: PixelColor> Iterator for Wide<C> {
-    type Item = ColoredPixel<C>;
-
-    #[inline(always)]
-    fn next(&mut self) -> Option<ColoredPixel<C>> {
-        if self.x == self.end {
-            return None;
-        }
-        let at = Point::new(self.x, (self.y >> 32) as i32);
-        self.y = self.y.wrapping_add(self.step);
-        self.x += 1;
+        let aside = (self.aside >> 32) as i32;
+        let at = if TALL { Point::new(aside, self.along) } else { Point::new(self.along, aside) };
+        self.aside = self.aside.wrapping_add(self.step);
+        self.along += 1;
         keep_rolled();
         Some(ColoredPixel(at, self.color))
     }
