@@ -268,7 +268,7 @@ pub(super) fn visible_edge<T: Surface, K: StrokeFor<T>>(
             scissor,
             stroke,
             target,
-            |column| line_depth.depth(column, column),
+            |column| line_depth.depth(column),
             |own, x, y, share| {
                 let Some([stored]) = depth.row(x, y, 1) else { return false };
                 let is_visible = own <= *stored || is_drawn_over(*stored, x, y) == Some(true);

@@ -100,17 +100,8 @@ defmt_format!(
 /// ```
 #[macro_export]
 macro_rules! mesh_buffers {
-    (smooth: $([$mesh:expr; $count:expr]),+ $(,)?) => {
-        <$crate::MeshBuffers!(smooth: $([$mesh; $count]),+)>::new()
-    };
-    ($($kind:ident),+: $($mesh:expr),+ $(,)?) => {
-        <$crate::MeshBuffers!($($kind),+: $($mesh),+)>::new()
-    };
-    ($([$mesh:expr; $count:expr]),+ $(,)?) => {
-        <$crate::MeshBuffers!($([$mesh; $count]),+)>::new()
-    };
-    ($($mesh:expr),+ $(,)?) => {
-        <$crate::MeshBuffers!($($mesh),+)>::new()
+    ($($argument:tt)+) => {
+        <$crate::MeshBuffers!($($argument)+)>::new()
     };
 }
 

@@ -305,7 +305,7 @@ fn draw_visible<T: Surface>(
     let line = LineSpans::new(&LineSetup::new(from, to), scissor);
     let (tall, mut may_be_drawn_over) = (line.tall, true);
     let is_visible = |[major, minor]: [i32; 2], stored: &mut u16| {
-        let own = line_depth.depth(major, major);
+        let own = line_depth.depth(major);
         let is_visible = own <= *stored
             || may_be_drawn_over && {
                 let [x, y] = if tall { [minor, major] } else { [major, minor] };

@@ -71,8 +71,7 @@ impl LineDepth {
     }
 
     /// The depth at a pixel of the line in 16.16, wrapping.
-    pub(crate) fn at(&self, x: i32, y: i32) -> u32 {
-        let along = if self.tall { y } else { x };
+    fn at(&self, along: i32) -> u32 {
         if along <= self.from {
             self.first
         } else if along >= self.to {
@@ -83,11 +82,11 @@ impl LineDepth {
         }
     }
 
-    /// The depth at a pixel of the line: 0 near … 65534 far.
-    pub(crate) fn depth(&self, x: i32, y: i32) -> u16 {
+    /// The depth at a pixel of the line, by its coordinate along the major axis: 0 near … 65534 far.
+    pub(crate) fn depth(&self, along: i32) -> u16 {
         // The error is at most 2¹⁴·2⁻¹⁷ + 2⁻¹³ steps, so a value below 0 rounds to 0, and the farthest, 65534.46, does not reach
         // 65536 after the half is added.
-        ((self.at(x, y).wrapping_add(1 << 15) >> 16) as u16).min(u16::MAX - 1)
+        ((self.at(along).wrapping_add(1 << 15) >> 16) as u16).min(u16::MAX - 1)
     }
 }
 
@@ -127,14 +126,14 @@ mod tests {
             };
             let (first, last) = (from >> 8, to >> 8);
             if first == last {
-                assert_eq!(i128::from(along.depth(p.x.into(), p.y.into())), (za.min(zb) + 128) >> 8);
+                assert_eq!(i128::from(along.depth(first as i32)), (za.min(zb) + 128) >> 8);
                 continue;
             }
             for pixel in [first, first + 1, (first + last) / 2, last - 1, last] {
                 // In rationals over to − from, centres clamped to the ends.
                 let centre = (256 * pixel + 128).clamp(from, to);
                 let exact = za * (to - centre) + zb * (centre - from);
-                let stored = i128::from(along.depth(pixel as i32, pixel as i32)) * 256 * (to - from);
+                let stored = i128::from(along.depth(pixel as i32)) * 256 * (to - from);
                 let error = ((stored - exact).abs() << 12) / (to - from);
                 let n = if pixel == last { 1 } else { (pixel - first).max(1) };
                 beyond = beyond.max(error - (1 << 19) - (n << 3));
@@ -153,7 +152,7 @@ mod tests {
         for (depths, expected) in [([0, 100], 0), ([DEEPEST as i32, DEEPEST as i32 - 100], 65_534)] {
             for points in [points, [points[1], points[0]]] {
                 let along = LineDepth::new(points, depths);
-                assert!((-8192..8192).all(|x| along.depth(x, 0) == expected));
+                assert!((-8192..8192).all(|x| along.depth(x) == expected));
             }
         }
     }
