@@ -81,7 +81,7 @@ mod scene_space {
         label = "not `Model` or `World`",
         note = "`ViewTransform` leads to `View`, `Projection` and `Viewport` to the screen"
     )]
-    pub trait SceneSpace {}
+    pub trait SceneSpace: Copy {}
 
     impl SceneSpace for Model {}
     impl SceneSpace for World {}

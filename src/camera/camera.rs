@@ -140,10 +140,8 @@ const fn scaled_row(row: &Row, factor: i32, exponent: i32) -> Row {
     Row::new(&[a as i64 * m, b as i64 * m, c as i64 * m], row.exponent - 30 + exponent, offset)
 }
 
-#[cfg(feature = "defmt")]
-impl defmt::Format for Camera {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let [x, y] = self.screen.centre();
-        defmt::write!(f, "axes {}/2^30, eye {}/2^32, centre ({=i32}, {=i32})/256", self.axes, self.eye, x, y);
-    }
-}
+defmt_format!(
+    [] Camera, self,
+    "axes {}/2^30, eye {}/2^32, centre ({=i32}, {=i32})/256",
+    self.axes, self.eye, self.screen.centre()[0], self.screen.centre()[1]
+);

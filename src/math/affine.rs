@@ -34,20 +34,13 @@ use core::marker::PhantomData;
 ///     .then(&Affine::translation(Vector3::from_ints(0, 0, -5)));
 /// assert_eq!(place.apply(Point3::from_ints(2, 0, 0)), Point3::<World>::from_ints(0, 2, -5));
 /// ```
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Affine<A, B> {
     linear: [[i32; 3]; 3],
     exponent: i32,
     offset: [i64; 3],
     ends: PhantomData<(A, B)>,
 }
-
-impl<A, B> Clone for Affine<A, B> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-impl<A, B> Copy for Affine<A, B> {}
 
 const ONE: i32 = 1 << 30;
 
@@ -464,12 +457,10 @@ fn rounded_block(sums: &[[i64; 3]; 3], exponent: i32) -> ([[i32; 3]; 3], i32) {
     (linear, exponent)
 }
 
-#[cfg(feature = "defmt")]
-impl<A, B> defmt::Format for Affine<A, B> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{} * 2^({=i32} - 30), {}/2^32", self.linear, self.exponent, self.offset);
-    }
-}
+defmt_format!(
+    [A, B] Affine<A, B>, self,
+    "{} * 2^({=i32} - 30), {}/2^32", self.linear, self.exponent, self.offset
+);
 
 #[cfg(test)]
 mod tests {

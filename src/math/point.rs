@@ -95,13 +95,10 @@ macro_rules! coordinates {
         }
         impl<S> Copy for $name<S> {}
 
-        #[cfg(feature = "defmt")]
-        impl<S> defmt::Format for $name<S> {
-            fn format(&self, f: defmt::Formatter<'_>) {
-                let [x, y, z] = self.bits;
-                defmt::write!(f, "({=i32}, {=i32}, {=i32})/65536", x, y, z);
-            }
-        }
+        defmt_format!(
+            [S] $name<S>, self,
+            "({=i32}, {=i32}, {=i32})/65536", self.bits[0], self.bits[1], self.bits[2]
+        );
     };
 }
 

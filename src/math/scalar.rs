@@ -257,9 +257,4 @@ impl Debug for Scalar {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl defmt::Format for Scalar {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{=i32}/65536", self.to_bits());
-    }
-}
+defmt_format!([] Scalar, self, "{=i32}/65536", self.to_bits());

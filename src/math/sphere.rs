@@ -105,9 +105,4 @@ impl Sphere {
     }
 }
 
-#[cfg(feature = "defmt")]
-impl defmt::Format for Sphere {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{} radius {}", self.centre, self.radius);
-    }
-}
+defmt_format!([] Sphere, self, "{} radius {}", self.centre, self.radius);

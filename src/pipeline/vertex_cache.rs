@@ -41,21 +41,13 @@ pub(super) trait VertexCache<'a, V: Coordinate, const DEPTH: bool> {
 /// [`MeshInstance::transform`] makes it; [`MeshInstance::transform_depth`] makes it with depth. The vertices
 /// lie in a caller-provided cache, which may be shorter than the mesh's vertex list: vertices beyond its end are transformed
 /// whenever a face or an edge needs them, and the picture is equal.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct TransformedMesh<'a, V: Coordinate = i16, const DEPTH: bool = true> {
     pub(super) instance: &'a MeshInstance<'a, V>,
     /// Whether the far plane clips.
     pub(super) far: bool,
     pub(super) cache: &'a [ScreenVertex],
 }
-
-// Not derived: V need not be Clone behind a reference.
-impl<V: Coordinate, const DEPTH: bool> Clone for TransformedMesh<'_, V, DEPTH> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-impl<V: Coordinate, const DEPTH: bool> Copy for TransformedMesh<'_, V, DEPTH> {}
 
 impl<V: Coordinate> MeshInstance<'_, V> {
     /// Transforms the mesh's vertices once, without depth, for drawing in bands. `cache` holds one screen vertex per vertex of

@@ -29,7 +29,7 @@ use crate::scene::MeshError;
 /// let wrong = Mesh::new(&VERTICES, 0, &[[0, 1, 4]]);
 /// assert_eq!(wrong, Err(MeshError::Index { of: "face", number: 0, used: "vertex", index: 4, count: 4 }));
 /// ```
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mesh<'a, V = i16> {
     pub(crate) vertices: &'a [[V; 3]],
     pub(crate) faces: &'a [[u16; 3]],
@@ -45,14 +45,6 @@ pub struct Mesh<'a, V = i16> {
     /// Whether an edge lists one face twice: then all faces are searched.
     pub(crate) has_unlisted_faces: bool,
 }
-
-// Not derived: V need not be Clone behind references.
-impl<V> Clone for Mesh<'_, V> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-impl<V> Copy for Mesh<'_, V> {}
 
 impl<'a, V> Mesh<'a, V> {
     /// Vertices and faces alone.

@@ -17,10 +17,8 @@ pub struct Window {
     pub top: Scalar,
 }
 
-#[cfg(feature = "defmt")]
-impl defmt::Format for Window {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let [l, r, b, t] = [self.left, self.right, self.bottom, self.top].map(Scalar::to_bits);
-        defmt::write!(f, "[{=i32}, {=i32}] x [{=i32}, {=i32}]/65536", l, r, b, t);
-    }
-}
+defmt_format!(
+    [] Window, self,
+    "[{=i32}, {=i32}] x [{=i32}, {=i32}]/65536",
+    self.left.to_bits(), self.right.to_bits(), self.bottom.to_bits(), self.top.to_bits()
+);
