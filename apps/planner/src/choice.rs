@@ -271,6 +271,11 @@ impl Choice {
         self.smooth_edges && self.format.mixes() && !self.style.is_of_lines()
     }
 
+    /// Whether pixels of less than a byte are packed when their edges are smoothed.
+    pub(crate) fn packs(&self) -> bool {
+        self.smooths() && self.format != Format::Rgb565
+    }
+
     /// Whether drawing into the picture in one piece or without depth is compared: for faces of one colour, and in one piece for lines, in
     /// 16-bit colour.
     pub(crate) fn has_more_ways(&self) -> bool {

@@ -9,7 +9,7 @@ use crate::json::{list, number, object_of_numbers, text};
 use crate::lens::Lens;
 use crate::refused;
 use crate::texture::{Coordinates, TextureImage};
-use crate::ways::{faces, hidden_lines, lines, strip};
+use crate::ways::{faces, hidden_lines, lines};
 use pinhole::{camera::Projected, Affine};
 use pinhole_apps_support::work::{Frame, Place};
 use pinhole_import::ImportedMesh;
@@ -91,7 +91,7 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice, image: &TextureImage)
     let chip = &chip::stated(choice.chip, choice);
     let spi = |chip: &Chip| if choice.spi == 0 { chip.spi } else { chip.spi.min(choice.spi.into()) };
     let pixels = match choice.wire {
-        0 => strip(choice, choice.size.height),
+        0 => choice.format.bytes(choice.size.width, choice.size.height),
         bits => (choice.size.width * choice.size.height * bits).div_ceil(8) as usize,
     };
     let data = model.flash_bytes() + materials(model, choice, image);

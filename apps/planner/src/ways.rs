@@ -22,9 +22,12 @@ fn cache(mesh: &Mesh<'_>) -> usize {
 /// Bytes of a face in a painter: five indices of 16 bits, and a colour.
 const PAINTED_FACE: usize = 12;
 
-/// The bytes of `rows` rows of the display.
-pub(crate) fn strip(choice: &Choice, rows: u32) -> usize {
-    choice.format.bytes(choice.size.width, rows)
+/// The bytes of `rows` rows of the display; before edges are smoothed, a grey has a byte of its own.
+fn strip(choice: &Choice, rows: u32) -> usize {
+    match choice.packs() {
+        true => choice.size.width as usize * rows as usize,
+        false => choice.format.bytes(choice.size.width, rows),
+    }
 }
 
 fn depths(choice: &Choice, rows: u32) -> usize {
@@ -42,7 +45,7 @@ fn heights(choice: &Choice) -> Vec<u32> {
 
 /// Whether a pixel is a number of whole bytes, into which the fastest code draws.
 fn is_in_memory(choice: &Choice) -> bool {
-    choice.format == Format::Rgb565
+    choice.format == Format::Rgb565 || choice.packs()
 }
 
 /// The code that draws into bands of a format. Images are measured in 16-bit colour; other formats draw into a band as into any
@@ -114,10 +117,7 @@ pub(crate) fn faces(mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Vec<Way>
     let with_depth = |rows| of("with depth", bins, true, code, constants, kind, Some(rows));
     if choice.smooths() {
         let smoothed = |rows| smoothed(with_depth(rows), mesh, choice, frame);
-        return match is_in_memory(choice) {
-            true => heights(choice).into_iter().map(smoothed).collect(),
-            false => vec![in_one_piece(smoothed(whole), choice)],
-        };
+        return heights(choice).into_iter().map(smoothed).collect();
     }
     let mut ways: Vec<Way> = heights(choice).into_iter().map(with_depth).collect();
     if !(is_plain && is_in_memory(choice)) {
@@ -150,6 +150,9 @@ pub(crate) fn faces(mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Vec<Way>
 /// Bytes of an entry of the list of edges that are set up.
 const SMOOTH_EDGE: usize = 72;
 
+/// The instructions that pack a grey pixel on the four cores.
+const PACKING: [f64; 4] = [30.0, 15.0, 15.0, 15.0];
+
 /// A way to draw faces with depth in bands, with smooth edges.
 fn smoothed(mut way: Way, mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Way {
     way.name += ", smooth edges";
@@ -161,21 +164,14 @@ fn smoothed(mut way: Way, mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Wa
     way.kind = LARGE;
     let (_, error) = way.time;
     let (smoothing, error_of_smoothing) = SMOOTH_EDGES.time(&frame.work(way.rows));
+    let packed = if choice.packs() { f64::from(choice.size.width * choice.size.height) } else { 0.0 };
     way.time.1 = 0.0;
-    for (time, more) in way.time.0.iter_mut().zip(smoothing) {
+    for ((time, more), packing) in way.time.0.iter_mut().zip(smoothing).zip(PACKING) {
         let off = *time * f64::from(error) + more * f64::from(error_of_smoothing);
-        *time += more;
+        *time += more + packing * packed;
         way.time.1 = way.time.1.max((off / *time) as f32);
     }
     way
-}
-
-/// A way in a band of all rows as one in one piece, with a byte a pixel: smoothing in bands needs colours of whole bytes.
-fn in_one_piece(way: Way, choice: &Choice) -> Way {
-    let [cache, bins, _, depths, _] = way.ram;
-    let pixels = (choice.size.width * choice.size.height) as usize;
-    let name = "a whole picture, with depth, smooth edges".into();
-    Way { name, ram: [cache, bins, pixels, depths, 0], rows: None, ..way }
 }
 
 pub(crate) fn lines(mesh: &Mesh<'_>, choice: &Choice, frame: &Frame) -> Vec<Way> {

@@ -32,6 +32,8 @@ const IMAGES = {
   gray_bands: ['mesh=torus&width=128&height=128&format=gray4&rows=8', 'bands of 8 rows, with depth', 'flat'],
   gray_smooth_bands: ['mesh=teapot&width=96&height=64&format=gray4&style=gouraud&rows=16', 'bands of 16 rows, with depth', 'smooth'],
   gray_textured_bands: ['mesh=cylinder&width=128&height=96&format=gray4&style=textured&rows=8', 'bands of 8 rows, with depth', 'textured'],
+  gray_edge_bands: ['mesh=gear&width=128&height=128&format=gray4&smooth-edges=1&rows=16', 'bands of 16 rows, with depth, smooth edges', 'flat'],
+  gray_smooth_edge_bands: ['mesh=teapot&width=96&height=64&format=gray2&style=gouraud&smooth-edges=1&rows=8', 'bands of 8 rows, with depth, smooth edges', 'smooth'],
   mono_bands: ['mesh=cylinder&width=96&height=96&format=mono&rows=8', 'bands of 8 rows, with depth', 'dithered'],
 };
 // For each target, one of the chips whose times are compared.
@@ -49,11 +51,11 @@ function writeModels(folder) {
     const { rows } = costs(choice).ways.find((other) => other.name === way);
     const sizes = Object.entries({ WIDTH: width, HEIGHT: height, ROWS: rows || height }).map(([constant, value]) => `const ${constant}: u32 = ${value};`);
     const [, format] = /format=(\w+)/.exec(choice) ?? [];
-    const [color, white] = { mono: ['BinaryColor', 'BinaryColor::On'], gray4: ['Gray4', '<Color as GrayColor>::WHITE'] }[format] ?? [
+    const [color, white] = { mono: ['BinaryColor', 'BinaryColor::On'], gray2: ['Gray2', '<Color as GrayColor>::WHITE'], gray4: ['Gray4', '<Color as GrayColor>::WHITE'] }[format] ?? [
       'Rgb565',
       '<Color as RgbColor>::WHITE',
     ];
-    const full = (text) => text.replace(/\b(?=[A-Z]\w*Color\b|Gray4|Rgb565)/, 'embedded_graphics_core::pixelcolor::');
+    const full = (text) => text.replace(/\b(?=[A-Z]\w*Color\b|Gray[24]|Rgb565)/, 'embedded_graphics_core::pixelcolor::');
     const rest = [`type Color = ${full(color)};`, `const WHITE: Color = ${full(white)};`, 'const SIDE: usize = 32;', `const SHADING: &str = "${shading}";`];
     const allowed = (line) => `#[allow(dead_code)]\n${line}\n`;
     writeFileSync(join(folder, `${name}.rs`), library.ask('rust', choice) + [...sizes, ...rest].map(allowed).join(''));
