@@ -10,7 +10,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// | cell | memory holds | colours |
 /// |---|---|---|
 /// | the colour | whatever the type is | all |
-/// | `[u8; N]` | the bits of the [`Color`], most significant byte first | those whose `Raw` type has 8, 16, 24 or 32 bits; 2 or 4 in one byte, `()` in two |
+/// | `[u8; N]` | the bits of the [`Color`], most significant byte first | those whose `Raw` type has 2, 4 or 8 bits (a byte), 16, 24 or 32 bits, or none: `()` (two bytes) |
 /// | `u16` | the number in the core's own byte order, as LCD controllers and 16-bit SPI take it | those whose `Raw` type has 16 bits |
 ///
 /// ```
