@@ -30,22 +30,20 @@ impl Grid {
             Centre::Origin => [0.0; 3],
         };
         // The steps of an `I16F16`, where that holds the centre.
-        let finest = (extent >= 1.0 / 64.0 && middle.iter().all(|c| c.abs() < 32767.0)).then_some(-16);
+        let of_fixed = (extent >= 1.0 / 64.0 && middle.iter().all(|c| c.abs() < 32767.0)).then_some(-16);
         let given = options.exponent();
-        if let Some(step) = finest.max(given).map(power_of_two) {
+        if let Some(step) = of_fixed.max(given).map(power_of_two) {
             middle = middle.map(|c| (c / step).round() * step + 0.0); // no -0
         }
         let half =
             (0..3).map(|axis| (high[axis] - middle[axis]).max(middle[axis] - low[axis])).fold(0.0, f64::max);
-        let finest_of =
-            |half: f64| (i8::MIN..=i8::MAX).find(|&e| (half / power_of_two(e)).round() <= 32767.0);
-        let exponent = finest_of(half).filter(|&e| e > i8::MIN).ok_or(Problem::Extent(extent))?;
+        let exponent = finest(half).filter(|&e| e > i8::MIN).ok_or(Problem::Extent(extent))?;
         if given.is_some_and(|given| given < exponent) {
             return Err(Problem::Step(exponent));
         }
         let finer = match given {
             Some(given) if given > exponent => Some(Remedy::Step(exponent)),
-            _ if options.centre == Centre::Origin && finest_of(extent / 2.0) < Some(exponent) => {
+            _ if options.centre == Centre::Origin && finest(extent / 2.0) < Some(exponent) => {
                 Some(Remedy::CentreBox)
             }
             _ => None,
@@ -80,6 +78,12 @@ impl Grid {
             .map(|axis| position[axis] - self.centre[axis] - f64::from(rounded[axis]) * self.step)
             .fold(0.0, |largest, e| e.abs().max(largest))
     }
+}
+
+/// The least exponent of steps of which a length takes 32767 at most.
+#[inline(never)] // the page of the planner loads this code
+fn finest(length: f64) -> Option<i8> {
+    (i8::MIN..=i8::MAX).find(|&e| (length / power_of_two(e)).round() <= 32767.0)
 }
 
 /// The corners of the bounding box.

@@ -7,7 +7,6 @@
 //! each point as often as the polygon winds around it. So if all are counter-clockwise, as the polygon is, they cover it once.
 
 use crate::boxes::{flat, Bounds, Boxes};
-use std::iter::once;
 
 /// A polygon in triangles.
 pub(crate) struct Triangulated {
@@ -48,6 +47,18 @@ type Point = [i64; 2];
 /// corner on a straight side stays there.
 const ROUNDING: i128 = 1 << 77;
 
+/// Twice the area of a polygon, seen along each axis: its normal.
+#[inline(never)] // the page of the planner loads this code
+fn newell(corners: &[[i64; 3]]) -> [i128; 3] {
+    let next = corners.iter().cycle().skip(1);
+    // Below 2⁸¹ for each of at most 2³⁰ corners.
+    corners.iter().zip(next).fold([0; 3], |sums, (a, b)| {
+        let product =
+            |i: usize, j: usize| i128::from(a[i]) * i128::from(b[j]) - i128::from(a[j]) * i128::from(b[i]);
+        [sums[0] + product(1, 2), sums[1] + product(2, 0), sums[2] + product(0, 1)]
+    })
+}
+
 /// The corners on a grid, seen against the normal: counter-clockwise. Nothing for a polygon that is a point.
 fn projected(corners: &[[f64; 3]]) -> Vec<Point> {
     // Halves, as sides may be too long for f64.
@@ -62,21 +73,14 @@ fn projected(corners: &[[f64; 3]]) -> Vec<Point> {
     }
     let on_grid = |c: f64| (c / power * 2f64.powi(39)).round() as i64; // at most 2⁴⁰
     let corners: Vec<[i64; 3]> = corners.iter().map(|corner| from_low(corner).map(on_grid)).collect();
-    let normal = |corners: &[[i64; 3]]| {
-        let area = |i: usize, j: usize| -> i128 {
-            let next = corners.iter().cycle().skip(1);
-            let product = |(a, b): (&[i64; 3], &[i64; 3])| {
-                i128::from(a[i]) * i128::from(b[j]) - i128::from(a[j]) * i128::from(b[i])
-            };
-            corners.iter().zip(next).map(product).sum() // below 2⁸¹ for each of at most 2³⁰ corners
-        };
-        [area(1, 2), area(2, 0), area(0, 1)]
-    };
     // The areas of a bow tie cancel but for the rounding to the grid: it is seen along the normal of a triangle of the fan.
-    let of_fan = corners.windows(2).map(|side| normal(&[corners[0], side[0], side[1]]));
-    let has_area = |normal: &[i128; 3]| normal.iter().any(|c| c.unsigned_abs() >> 48 > 0);
-    let of_polygon = normal(&corners);
-    let normal = once(of_polygon).chain(of_fan).find(has_area).unwrap_or(of_polygon);
+    let mut normal = newell(&corners);
+    for side in corners.windows(2) {
+        if normal.iter().any(|c| c.unsigned_abs() >> 48 > 0) {
+            break;
+        }
+        normal = newell(&[corners[0], side[0], side[1]]);
+    }
     let largest = normal.iter().map(|c| c.unsigned_abs()).max().unwrap_or_default();
     // 16 bits are enough to tell front from back.
     let normal = normal.map(|c| (c >> (128 - 16u32).saturating_sub(largest.leading_zeros())) as i64);
