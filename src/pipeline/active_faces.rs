@@ -8,7 +8,7 @@ use super::drawable::ShaderFor;
 use super::face_source::PartOrder;
 use super::faces::{draw_triangles, each_face};
 use super::fill::{solid_color, DepthTest};
-use super::vertex_cache::{area, TransformedMesh};
+use super::vertex_cache::{area, BinnedVertices, TransformedMesh};
 use crate::color::InkKind;
 use crate::fast::carried::{self, Carried, Rest};
 use crate::math::hints::keep_rolled;
@@ -303,8 +303,8 @@ fn draw_face<V: Coordinate, T: Surface, S: ShaderFor<T>, D: DepthTest, const DEP
     depth: &mut D,
     band: &mut T,
 ) -> Result<bool, T::Error> {
-    let (mut ends, rows, source) = (true, scissor.rows(), PartOrder::<true>(index..index + 1));
-    each_face(source, &mut { *mesh }, viewport, |_, face, triangles| {
+    let (mut ends, rows) = (true, scissor.rows());
+    each_face(PartOrder(index..index + 1), &mut BinnedVertices(*mesh), viewport, |_, face, triangles| {
         let bounds = triangles.fan.bounds().rows();
         ends = bounds.end <= rows.end;
         if bounds.start < rows.end && bounds.end > rows.start {

@@ -10,7 +10,7 @@ use super::face_triangles::FaceTriangles;
 use super::faces::{draw_triangles, each_face, store_depth};
 use super::fill::{DepthTest, NoTest};
 use super::statistics::{Outcome, Statistics};
-use super::vertex_cache::{area, TransformedMesh, VertexCache};
+use super::vertex_cache::{area, BinnedVertices, TransformedMesh, VertexCache};
 use crate::clip::Varying;
 use crate::math::unrolled::map3;
 use crate::math::Coordinate;
@@ -143,8 +143,6 @@ pub(super) const IN_BAND: bool = true;
 struct BandSource<'b, 's>(&'b mut Bins<'s>);
 
 impl FaceSource for BandSource<'_, '_> {
-    const CULLED: bool = true; // when they were binned
-
     #[inline(always)]
     fn push<E>(
         self,
@@ -329,7 +327,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
         if region.scissor.is_empty() {
             return Ok(()); // the bins did not advance to this band
         }
-        let mut cache = self.binned.transformed;
+        let mut cache = BinnedVertices(self.binned.transformed);
         let source = BandSource(&mut self.binned.bins);
         each_face(source, &mut cache, &region.viewport, |index, face, triangles| {
             let bounds = triangles.fan.bounds().rows();

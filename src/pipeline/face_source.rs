@@ -13,9 +13,6 @@ use core::ops::Range;
 
 /// Pushes faces of a mesh into the face loop.
 pub(super) trait FaceSource {
-    /// Whether all faces that the loop meets were culled before: then the loop does not test them again.
-    const CULLED: bool = false;
-
     /// Calls `visit` with the index and the vertices of each face. `visit` returns whether the face is finished: a
     /// binned source does not offer a finished face again.
     ///
@@ -56,11 +53,9 @@ impl FaceSource for MeshOrder {
 }
 
 /// Some faces in the order of the mesh, with indices from 0.
-pub(super) struct PartOrder<const CULLED: bool>(pub(super) Range<usize>);
+pub(super) struct PartOrder(pub(super) Range<usize>);
 
-impl<const CULLED: bool> FaceSource for PartOrder<CULLED> {
-    const CULLED: bool = CULLED;
-
+impl FaceSource for PartOrder {
     #[inline(always)]
     fn push<E>(
         self,

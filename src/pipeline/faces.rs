@@ -55,7 +55,7 @@ pub(super) fn each_face<
             // The common case. Culled faces are not counted one by one: see `with_the_rest_culled`.
             Some(corners) => {
                 let area = area::<DEPTH>(&corners);
-                let facing = if S::CULLED { Facing::Drawn } else { instance.cull().facing(area) };
+                let facing = if C::CULLED { Facing::Drawn } else { instance.cull().facing(area) };
                 match facing {
                     Facing::Drawn => {}
                     Facing::Culled => return Ok(true),
@@ -67,8 +67,7 @@ pub(super) fn each_face<
                 if !S::may_show::<DEPTH>(instance.vertex_transform(), &corners) {
                     return Ok(true); // counted as culled
                 }
-                let corners = if S::CULLED { Some(corners) } else { cache.reload_corners(face, corners) };
-                let Some(corners) = corners else { return Ok(true) };
+                let Some(corners) = cache.reload_corners(face, corners) else { return Ok(true) };
                 statistics.count(Outcome::Unclipped);
                 let transform = instance.vertex_transform();
                 triangles

@@ -53,7 +53,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     fn bin_half(&self, faces: Range<usize>, next: &mut [u16], half: &mut Half) {
         let all = self.instance.mesh().faces.len();
         let mut fill = half.part.fill(next, faces.start, all, pixels(self.instance.area()));
-        half.statistics = fill.add_faces(PartOrder::<false>(faces), *self);
+        half.statistics = fill.add_faces(PartOrder(faces), *self);
         half.part.bounds = fill.bounds;
     }
 }

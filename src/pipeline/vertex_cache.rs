@@ -13,6 +13,9 @@ use crate::raster;
 
 /// A vertex cache, as the face loop sees it.
 pub(super) trait VertexCache<'a, V: Coordinate, const DEPTH: bool> {
+    /// Whether all faces that the loop meets were culled before: then the loop does not test them again.
+    const CULLED: bool = false;
+
     /// The corners of a face, if the cache holds all of them and they lie on the screen.
     fn corners(&mut self, face: &[u16; 3]) -> Option<[ScreenVertex; 3]>;
 
@@ -243,6 +246,30 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for Transfo
     }
 }
 
+/// The vertex cache of binned faces, which were culled when they were binned.
+pub(super) struct BinnedVertices<'a, V: Coordinate, const DEPTH: bool>(
+    pub(super) TransformedMesh<'a, V, DEPTH>,
+);
+
+impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for BinnedVertices<'a, V, DEPTH> {
+    const CULLED: bool = true;
+
+    #[inline(always)]
+    fn corners(&mut self, face: &[u16; 3]) -> Option<[ScreenVertex; 3]> {
+        self.0.corners(face)
+    }
+
+    #[inline(always)]
+    fn instance(&self) -> &'a MeshInstance<'a, V> {
+        self.0.instance
+    }
+
+    #[inline(always)]
+    fn view(&self) -> TransformedMesh<'_, V, DEPTH> {
+        self.0
+    }
+}
+
 /// A vertex cache that transforms a vertex at its first use.
 pub(super) struct LazyCache<'a, 'c, V: Coordinate, const DEPTH: bool> {
     instance: &'a MeshInstance<'a, V>,
@@ -430,7 +457,10 @@ fn pairs<'a, A, B>(
 /// advances two slices: LLVM replaces an index by pointers only in innermost loops, and this loop contains another.
 #[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
 #[inline(always)]
-fn pairs<'a, A, B>(cache: &'a mut [A], vertices: &'a [B]) -> Pairs<'a, A, B> {
+fn pairs<'a, A, B>(
+    cache: &'a mut [A],
+    vertices: &'a [B],
+) -> impl ExactSizeIterator<Item = (&'a mut A, &'a B)> {
     let count = cache.len().min(vertices.len());
     Pairs {
         cache: cache.get_mut(..count).unwrap_or_default(),
@@ -446,15 +476,25 @@ struct Pairs<'a, A, B> {
 }
 
 #[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
-impl<'a, A, B> Pairs<'a, A, B> {
+impl<'a, A, B> Iterator for Pairs<'a, A, B> {
+    type Item = (&'a mut A, &'a B);
+
     #[inline(always)]
-    fn next(&mut self) -> Option<(&'a mut A, &'a B)> {
+    fn next(&mut self) -> Option<Self::Item> {
         let (packed, vertex);
         (packed, self.cache) = core::mem::take(&mut self.cache).split_first_mut()?;
         (vertex, self.vertices) = self.vertices.split_first()?;
         Some((packed, vertex))
     }
 
+    #[inline(always)]
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        (self.vertices.len(), Some(self.vertices.len()))
+    }
+}
+
+#[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
+impl<A, B> ExactSizeIterator for Pairs<'_, A, B> {
     #[inline(always)]
     fn len(&self) -> usize {
         self.vertices.len()
