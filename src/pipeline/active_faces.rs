@@ -7,7 +7,7 @@ use super::draw_region::DrawRegion;
 use super::drawable::ShaderFor;
 use super::face_source::PartOrder;
 use super::faces::{draw_triangles, each_face};
-use super::fill::{solid_color, DepthTest};
+use super::fill::{fill, fill_nearer, solid_color};
 use super::vertex_cache::{area, BinnedVertices, TransformedMesh};
 use crate::color::InkKind;
 use crate::fast::carried::{self, Carried, Rest};
@@ -16,7 +16,7 @@ use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::{DepthTriangle, Scissor};
 use crate::shading::SpanShader;
-use crate::surface::{DepthBuffer, Surface};
+use crate::surface::{DepthBuffer, DepthTarget, Surface};
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -185,16 +185,28 @@ impl<'a, V: Coordinate, const DEPTH: bool> BinnedFaces<'a, V, DEPTH> {
 
 impl<C: PixelColor, const WORDS: usize> FaceList<C> for ActiveFaces<'_, C, WORDS> {
     #[inline(never)]
-    fn draw<V: Coordinate, T: Surface<Color = C>, S: ShaderFor<T>, D: DepthTest, const DEPTH: bool>(
+    fn draw_solid<V: Coordinate, T: Surface<Color = C>, S: ShaderFor<T>, const DEPTH: bool>(
         faces: &mut BinnedFaces<'_, V, DEPTH, Self>,
         shade: impl FnMut(usize) -> S,
-        depth: D,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let carries = D::TESTS == (WORDS != 0) && is_carried::<C, S>() && (S::WRITES_DEPTH || !D::TESTS);
-        let carries = carries && depth.is_aligned() && carried::has_memory(band);
-        let region = faces.advance_list(&band.area(), depth.buffer(), carries);
-        faces.each_carried(&region, carries, shade, depth, band)
+        let carries = WORDS == 0 && is_carried::<C, S>() && carried::has_memory(band);
+        let region = faces.advance_list(&band.area(), None, carries);
+        faces.each_carried::<_, _, false>(&region, carries, shade, band, None)
+    }
+
+    #[inline(never)]
+    fn draw_depth_tested<V: Coordinate, T: Surface<Color = C>, S: ShaderFor<T>, const DEPTH: bool>(
+        faces: &mut BinnedFaces<'_, V, DEPTH, Self>,
+        shade: impl FnMut(usize) -> S,
+        depth: &mut DepthBuffer<'_>,
+        band: &mut T,
+    ) -> Result<(), T::Error> {
+        let mut target = DepthTarget::new(depth, band);
+        let carries =
+            is_carried::<C, S>() && S::WRITES_DEPTH && target.is_aligned && carried::has_memory(band);
+        let region = faces.advance_list(&band.area(), Some(target.buffer), carries);
+        faces.each_carried::<_, _, true>(&region, carries, shade, band, Some(&mut target))
     }
 }
 
@@ -227,13 +239,13 @@ impl<C: PixelColor, V: Coordinate, const DEPTH: bool, const WORDS: usize>
     }
 
     #[inline(always)]
-    fn each_carried<T: Surface<Color = C>, S: ShaderFor<T>, D: DepthTest>(
+    fn each_carried<T: Surface<Color = C>, S: ShaderFor<T>, const TESTED: bool>(
         &mut self,
         region: &DrawRegion,
         carries: bool,
         mut shade: impl FnMut(usize) -> S,
-        mut depth: D,
         band: &mut T,
+        mut depth: Option<&mut DepthTarget<'_, '_>>,
     ) -> Result<(), T::Error> {
         let Self { binned: Binned { transformed: mesh, bins, .. }, list } = self;
         let (scissor, mesh) = (&region.scissor, *mesh);
@@ -245,7 +257,7 @@ impl<C: PixelColor, V: Coordinate, const DEPTH: bool, const WORDS: usize>
         each_active(bins.active(), |index| {
             let number = index as u16; // fewer than 65535 faces
             if cursor.face < number {
-                list.continue_to(number, &mut cursor, scissor, depth.values(), band);
+                list.continue_to(number, &mut cursor, scissor, depths_of(&mut depth), band);
             }
             let (Some(face), mut own) = (faces.get(index), None) else { return Ok(true) };
             if carries && let Some(corners) = mesh.on_screen(face) {
@@ -266,7 +278,7 @@ impl<C: PixelColor, V: Coordinate, const DEPTH: bool, const WORDS: usize>
                     if let Some(color) = solid_color::<T, S>(&shader) {
                         let entry = list.entries.get_mut(usize::from(list.free));
                         let (has_room, entry) = (entry.is_some(), entry.map(|entry| &mut entry.carried));
-                        match carried::begin(entry, &triangle, color, scissor, depth.values(), band) {
+                        match carried::begin(entry, &triangle, color, scissor, depths_of(&mut depth), band) {
                             Rest::Nothing => return Ok(true),
                             Rest::Carried if has_room => {
                                 list.insert(&mut cursor, number);
@@ -278,9 +290,9 @@ impl<C: PixelColor, V: Coordinate, const DEPTH: bool, const WORDS: usize>
                     }
                 }
             }
-            draw_face(&mesh, region, index, own, &mut shade, &mut depth, band)
+            draw_face::<_, _, _, DEPTH, TESTED>(&mesh, region, index, own, &mut shade, band, &mut depth)
         })?;
-        list.continue_to(NONE, &mut cursor, scissor, depth.values(), band);
+        list.continue_to(NONE, &mut cursor, scissor, depths_of(&mut depth), band);
         list.below = Some([scissor.left, scissor.right, scissor.bottom]);
         Ok(())
     }
@@ -291,17 +303,26 @@ const fn is_carried<C: PixelColor, S: SpanShader<C>>() -> bool {
     S::Ink::IS_OPAQUE && !S::NEEDS_DEPTH && !S::NEEDS_W
 }
 
+/// The depths of a depth buffer, or none.
+#[inline(always)]
+fn depths_of<'d>(depth: &'d mut Option<&mut DepthTarget<'_, '_>>) -> &'d mut [u16] {
+    match depth {
+        Some(depth) => depth.buffer.values_mut(),
+        None => &mut [],
+    }
+}
+
 /// Sets a face up, and draws what lies of it in a band. Returns whether it ends there. `own`: its shader, if it is known.
 #[cold]
 #[inline(never)]
-fn draw_face<V: Coordinate, T: Surface, S: ShaderFor<T>, D: DepthTest, const DEPTH: bool>(
+fn draw_face<V: Coordinate, T: Surface, S: ShaderFor<T>, const DEPTH: bool, const TESTED: bool>(
     mesh: &TransformedMesh<'_, V, DEPTH>,
     DrawRegion { scissor, viewport }: &DrawRegion,
     index: usize,
     own: Option<S>,
     shade: &mut impl FnMut(usize) -> S,
-    depth: &mut D,
     band: &mut T,
+    depth: &mut Option<&mut DepthTarget<'_, '_>>,
 ) -> Result<bool, T::Error> {
     let (mut ends, rows) = (true, scissor.rows());
     each_face(PartOrder(index..index + 1), &mut BinnedVertices(*mesh), viewport, |_, face, triangles| {
@@ -309,8 +330,10 @@ fn draw_face<V: Coordinate, T: Surface, S: ShaderFor<T>, D: DepthTest, const DEP
         ends = bounds.end <= rows.end;
         if bounds.start < rows.end && bounds.end > rows.start {
             let shader = own.unwrap_or_else(|| shade(index));
-            draw_triangles(mesh.instance, face, triangles, &shader, |triangle, shader| {
-                depth.fill(triangle, shader, scissor, IN_BAND, band)
+            draw_triangles(mesh.instance, face, triangles, &shader, |triangle, shader| match depth {
+                Some(depth) if TESTED => fill_nearer(triangle, shader, scissor, IN_BAND, depth, band),
+                None if TESTED => Ok(()), // never
+                _ => fill(&triangle.triangle, shader, scissor, IN_BAND, band),
             })?;
         }
         Ok(true)

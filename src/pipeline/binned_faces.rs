@@ -8,7 +8,7 @@ use super::drawable::ShaderFor;
 use super::face_source::{FaceSource, MeshOrder};
 use super::face_triangles::FaceTriangles;
 use super::faces::{draw_triangles, each_face, store_depth};
-use super::fill::{DepthTest, NoTest};
+use super::fill::{fill, fill_nearer};
 use super::statistics::{Outcome, Statistics};
 use super::vertex_cache::{area, BinnedVertices, TransformedMesh, VertexCache};
 use crate::clip::Varying;
@@ -189,12 +189,9 @@ impl<V: Coordinate, const DEPTH: bool, L> BinnedFaces<'_, V, DEPTH, L> {
             (self, shade),
             |(faces, shade), band| {
                 const { assert_depth::<S, DEPTH>() };
-                L::draw(faces, shade, NoTest, band)
+                L::draw_solid(faces, shade, band)
             },
-            |(faces, shade), band, depth| {
-                let depth = DepthTarget::new(depth, band);
-                L::draw(faces, shade, depth, band)
-            },
+            |(faces, shade), band, depth| L::draw_depth_tested(faces, shade, depth, band),
         )
     }
 
@@ -217,41 +214,75 @@ impl<V: Coordinate, const DEPTH: bool, L> BinnedFaces<'_, V, DEPTH, L> {
 )]
 pub trait FaceList<C: PixelColor>: Sized {
     #[doc(hidden)]
-    fn draw<V: Coordinate, T: Surface<Color = C>, S: ShaderFor<T>, D: DepthTest, const DEPTH: bool>(
+    fn draw_solid<V: Coordinate, T: Surface<Color = C>, S: ShaderFor<T>, const DEPTH: bool>(
         faces: &mut BinnedFaces<'_, V, DEPTH, Self>,
         shade: impl FnMut(usize) -> S,
-        depth: D,
+        band: &mut T,
+    ) -> Result<(), T::Error>;
+
+    #[doc(hidden)]
+    fn draw_depth_tested<V: Coordinate, T: Surface<Color = C>, S: ShaderFor<T>, const DEPTH: bool>(
+        faces: &mut BinnedFaces<'_, V, DEPTH, Self>,
+        shade: impl FnMut(usize) -> S,
+        depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error>;
 }
 
 impl<C: PixelColor> FaceList<C> for () {
     #[inline(always)]
-    fn draw<V: Coordinate, T: Surface<Color = C>, S: ShaderFor<T>, D: DepthTest, const DEPTH: bool>(
+    fn draw_solid<V: Coordinate, T: Surface<Color = C>, S: ShaderFor<T>, const DEPTH: bool>(
         faces: &mut BinnedFaces<'_, V, DEPTH>,
         shade: impl FnMut(usize) -> S,
-        depth: D,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let region = faces.advance_to_band(&band.area(), depth.buffer());
-        faces.draw_in(&region, shade, depth, band)
+        let region = faces.advance_to_band(&band.area(), None);
+        faces.draw_solid(&region, shade, band)
+    }
+
+    #[inline(always)]
+    fn draw_depth_tested<V: Coordinate, T: Surface<Color = C>, S: ShaderFor<T>, const DEPTH: bool>(
+        faces: &mut BinnedFaces<'_, V, DEPTH>,
+        shade: impl FnMut(usize) -> S,
+        depth: &mut DepthBuffer<'_>,
+        band: &mut T,
+    ) -> Result<(), T::Error> {
+        let region = faces.advance_to_band(&band.area(), Some(depth));
+        faces.draw_depth_tested(&region, shade, depth, band)
     }
 }
 
 impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     #[inline(never)] // its stack frame does not exist while the bins advance
-    fn draw_in<T: Surface, S: ShaderFor<T>, D: DepthTest>(
+    fn draw_solid<T: Surface, S: ShaderFor<T>>(
         &mut self,
         region: &DrawRegion,
         mut shade: impl FnMut(usize) -> S,
-        mut depth: D,
         band: &mut T,
     ) -> Result<(), T::Error> {
         let instance = self.binned.transformed.instance;
         self.each(region, |index, face, triangles| {
             let shader = shade(index);
             draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
-                depth.fill(triangle, shader, &region.scissor, IN_BAND, band)
+                fill(&triangle.triangle, shader, &region.scissor, IN_BAND, band)
+            })
+        })
+    }
+
+    #[inline(never)] // its stack frame does not exist while the bins advance
+    fn draw_depth_tested<T: Surface, S: ShaderFor<T>>(
+        &mut self,
+        region: &DrawRegion,
+        mut shade: impl FnMut(usize) -> S,
+        depth: &mut DepthBuffer<'_>,
+        band: &mut T,
+    ) -> Result<(), T::Error> {
+        let instance = self.binned.transformed.instance;
+        let mut depth = DepthTarget::new(depth, band);
+        self.each(region, |index, face, triangles| {
+            let shader = shade(index);
+            draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
+                fill_nearer(triangle, shader, &region.scissor, IN_BAND, &mut depth, band)
             })
         })
     }

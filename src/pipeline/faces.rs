@@ -10,7 +10,7 @@ use super::draw_region::DrawRegion;
 use super::drawable::ShaderFor;
 use super::face_source::{ClusterOrder, FaceSource, MeshOrder, PlaneOrder};
 use super::face_triangles::FaceTriangles;
-use super::fill::{DepthTest, NoTest};
+use super::fill::{fill, fill_nearer};
 use super::instance::MeshInstance;
 use super::statistics::{Outcome, Statistics};
 use super::vertex_cache::{area, LazyCache, TransformedMesh, VertexCache};
@@ -148,21 +148,41 @@ pub(super) fn draw_triangles<V: Coordinate, S: Shader, E>(
     }
 }
 
-/// Draws faces.
+/// Draws faces without a depth test.
 #[inline(always)]
-fn draw<'a, V: Coordinate + 'a, T: Surface, S: ShaderFor<T>, D: DepthTest, const DEPTH: bool>(
+pub(super) fn solid<'a, V: Coordinate + 'a, T: Surface, S: ShaderFor<T>, const DEPTH: bool>(
     source: impl FaceSource,
     mut cache: impl VertexCache<'a, V, DEPTH>,
     region: &DrawRegion,
     mut shade: impl FnMut(usize) -> S,
-    mut depth: D,
     target: &mut T,
 ) -> Result<Statistics, T::Error> {
     let instance = cache.instance();
     each_face(source, &mut cache, &region.viewport, |index, face, triangles| {
         let shader = shade(index);
         draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
-            depth.fill(triangle, shader, &region.scissor, false, target)
+            fill(&triangle.triangle, shader, &region.scissor, false, target)
+        })?;
+        Ok(true)
+    })
+}
+
+/// Draws the pixels of faces that are nearer than a depth buffer, and stores their depth.
+#[inline(always)]
+pub(super) fn depth_tested<'a, V: Coordinate + 'a, T: Surface, S: ShaderFor<T>>(
+    source: impl FaceSource,
+    mut cache: impl VertexCache<'a, V, true>,
+    region: &DrawRegion,
+    mut shade: impl FnMut(usize) -> S,
+    depth: &mut DepthBuffer<'_>,
+    target: &mut T,
+) -> Result<Statistics, T::Error> {
+    let instance = cache.instance();
+    let mut depth = DepthTarget::new(depth, target);
+    each_face(source, &mut cache, &region.viewport, |index, face, triangles| {
+        let shader = shade(index);
+        draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
+            fill_nearer(triangle, shader, &region.scissor, false, &mut depth, target)
         })?;
         Ok(true)
     })
@@ -319,11 +339,10 @@ impl<'a, V: Coordinate, F, const CULLED_BY: u8> Faces<'a, V, F, CULLED_BY> {
         target.dispatch(
             self,
             |Faces { instance, shade, cache }, surface| {
-                instance.draw_faces::<_, _, _, CULLED_BY>(shade, cache, NoTest, surface)
+                instance.solid::<_, _, CULLED_BY>(shade, cache, surface)
             },
             |Faces { instance, shade, cache }, surface, depth| {
-                let depth = DepthTarget::new(depth, surface);
-                instance.draw_faces::<_, _, _, CULLED_BY>(shade, cache, depth, surface)
+                instance.depth_tested::<_, _, CULLED_BY>(shade, cache, depth, surface)
             },
         )
     }
@@ -336,42 +355,63 @@ defmt_format!(
 
 impl<V: Coordinate> MeshInstance<'_, V> {
     #[inline(never)] // its stack frame is gone when it returns
-    fn draw_faces<T: Surface, S: ShaderFor<T>, D: DepthTest, const CULLED_BY: u8>(
+    fn solid<T: Surface, S: ShaderFor<T>, const CULLED_BY: u8>(
         &self,
         shade: impl FnMut(usize) -> S,
         cache: &mut [ScreenVertex],
-        depth: D,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let region = DrawRegion::new(target, self.area());
-        let region = match depth.buffer() {
-            Some(buffer) => region.with_depth(buffer),
-            None => region,
-        };
-        match D::TESTS || S::NEEDS_DEPTH {
-            true => self.draw_transformed::<_, _, _, CULLED_BY, true>(&region, shade, cache, depth, target),
-            false => self.draw_transformed::<_, _, _, CULLED_BY, false>(&region, shade, cache, depth, target),
+        let far = self.vertex_transform().clips_at_far();
+        match (CULLED_BY, S::NEEDS_DEPTH) {
+            (NOTHING, false) => {
+                let cache = TransformedMesh::<V, false>::new(self, cache);
+                solid(MeshOrder, cache, &region, shade, target)
+            }
+            (NOTHING, true) => {
+                let cache = TransformedMesh::<V, true>::new(self, cache);
+                solid(MeshOrder, cache, &region, shade, target)
+            }
+            (PLANES, false) => {
+                let source = PlaneOrder::new(self);
+                solid(source, LazyCache::<V, false>::new(self, far, cache), &region, shade, target)
+            }
+            (PLANES, true) => {
+                let source = PlaneOrder::new(self);
+                solid(source, LazyCache::<V, true>::new(self, true, cache), &region, shade, target)
+            }
+            (_, false) => {
+                let source = ClusterOrder::new(self);
+                solid(source, LazyCache::<V, false>::new(self, far, cache), &region, shade, target)
+            }
+            (_, true) => {
+                let source = ClusterOrder::new(self);
+                solid(source, LazyCache::<V, true>::new(self, true, cache), &region, shade, target)
+            }
         }
     }
 
-    #[inline(always)]
-    fn draw_transformed<T: Surface, S: ShaderFor<T>, D: DepthTest, const CULLED_BY: u8, const DEPTH: bool>(
+    #[inline(never)] // its stack frame is gone when it returns
+    fn depth_tested<T: Surface, S: ShaderFor<T>, const CULLED_BY: u8>(
         &self,
-        region: &DrawRegion,
         shade: impl FnMut(usize) -> S,
         cache: &mut [ScreenVertex],
-        depth: D,
+        depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        if CULLED_BY == NOTHING {
-            let cache = TransformedMesh::<V, DEPTH>::new(self, cache);
-            return draw(MeshOrder, cache, region, shade, depth, target);
-        }
-        let far = DEPTH || self.vertex_transform().clips_at_far();
-        let cache = LazyCache::<V, DEPTH>::new(self, far, cache);
+        let region = DrawRegion::new(target, self.area()).with_depth(depth);
         match CULLED_BY {
-            PLANES => draw(PlaneOrder::new(self), cache, region, shade, depth, target),
-            _ => draw(ClusterOrder::new(self), cache, region, shade, depth, target),
+            NOTHING => {
+                depth_tested(MeshOrder, TransformedMesh::new(self, cache), &region, shade, depth, target)
+            }
+            PLANES => {
+                let source = PlaneOrder::new(self);
+                depth_tested(source, LazyCache::new(self, true, cache), &region, shade, depth, target)
+            }
+            _ => {
+                let source = ClusterOrder::new(self);
+                depth_tested(source, LazyCache::new(self, true, cache), &region, shade, depth, target)
+            }
         }
     }
 

@@ -9,78 +9,8 @@ use crate::color::InkKind;
 use crate::fast::{self, line_fill, line_pixels};
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
 use crate::shading::{FastPath, SpanShader};
-use crate::surface::{draw_run, drawable, each_run, DepthBuffer, DepthTarget, Surface};
+use crate::surface::{draw_run, drawable, each_run, DepthTarget, Surface};
 use embedded_graphics_core::pixelcolor::PixelColor;
-
-/// Whether triangles are tested against a depth buffer: a draw call chooses at compile time. By default there is none.
-pub trait DepthTest {
-    const TESTS: bool = false;
-
-    #[inline(always)]
-    fn buffer(&self) -> Option<&DepthBuffer<'_>> {
-        None
-    }
-
-    /// The depths of the buffer, or none.
-    #[inline(always)]
-    fn values(&mut self) -> &mut [u16] {
-        &mut []
-    }
-
-    /// Whether each pixel of a target in memory has the index of its depth, if there are depths.
-    #[inline(always)]
-    fn is_aligned(&self) -> bool {
-        true
-    }
-
-    /// [`fill`], or [`fill_nearer`] than the buffer.
-    #[inline(always)]
-    fn fill<T: Surface, S: ShaderFor<T>>(
-        &mut self,
-        triangle: &DepthTriangle<'_>,
-        shader: &S,
-        scissor: &Scissor,
-        is_clipped: bool,
-        target: &mut T,
-    ) -> Result<(), T::Error> {
-        fill(&triangle.triangle, shader, scissor, is_clipped, target)
-    }
-}
-
-pub(super) struct NoTest;
-
-impl DepthTest for NoTest {}
-
-impl DepthTest for DepthTarget<'_, '_> {
-    const TESTS: bool = true;
-
-    #[inline(always)]
-    fn buffer(&self) -> Option<&DepthBuffer<'_>> {
-        Some(self.buffer)
-    }
-
-    #[inline(always)]
-    fn values(&mut self) -> &mut [u16] {
-        self.buffer.values_mut()
-    }
-
-    #[inline(always)]
-    fn is_aligned(&self) -> bool {
-        self.is_aligned
-    }
-
-    #[inline(always)]
-    fn fill<T: Surface, S: ShaderFor<T>>(
-        &mut self,
-        triangle: &DepthTriangle<'_>,
-        shader: &S,
-        scissor: &Scissor,
-        is_clipped: bool,
-        target: &mut T,
-    ) -> Result<(), T::Error> {
-        fill_nearer(triangle, shader, scissor, is_clipped, self, target)
-    }
-}
 
 /// Fills the pixels of a triangle inside the scissor, which lies in the target. `is_clipped`: whether the triangle probably has
 /// rows outside the scissor, as most triangles in a band have; it changes no pixel, only which path is tried.

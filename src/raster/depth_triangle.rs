@@ -5,7 +5,7 @@ use super::{Scissor, ScreenPoint, Triangle};
 /// A triangle to fill, a face or a part of a clipped face, with the depths of its corners. A draw call keeps one and
 /// overwrites it for each triangle.
 #[derive(Debug)]
-pub struct DepthTriangle<'v> {
+pub(crate) struct DepthTriangle<'v> {
     pub(crate) triangle: Triangle<'v>,
     /// The corners' depths in 16.8, or zeros if depth is not computed.
     pub(crate) depths: [i32; 3],

@@ -6,7 +6,7 @@ use super::{ScreenPoint, GUARD_BAND};
 /// outside is written. Empty if `left ≥ right` or `top ≥ bottom`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Scissor {
+pub(crate) struct Scissor {
     pub(crate) left: i32,
     pub(crate) top: i32,
     pub(crate) right: i32,
