@@ -4,7 +4,7 @@
 
 use super::drawable::StrokeFor;
 use crate::camera::UnpackedVertex;
-use crate::color::{Access, StoredPixel};
+use crate::color::StoredPixel;
 use crate::fast::anti_aliased_line::{anti_aliased_edge, anti_aliased_line};
 use crate::fast::table_line::table_line;
 use crate::math::hints::keep_rolled;
@@ -23,15 +23,6 @@ pub(super) const BEYOND: i32 = 1;
 /// The number of rows where areas are taken from a table: an edge begins up to ¼ pixel before its end, where its middle may lie in the row
 /// before, and covers a part of the row before that one.
 pub(super) const BEYOND_BY_TABLE: i32 = 2;
-
-/// That number of a stroke's lines, or 0 where they are not anti-aliased.
-pub(super) const fn beyond<C: PixelColor, K: StrokeKind<C>>() -> i32 {
-    match (K::BY_TABLE, <K::Access as Access>::READS) {
-        (true, _) => BEYOND_BY_TABLE,
-        (false, true) => BEYOND,
-        (false, false) => 0,
-    }
-}
 
 /// Draws a line between the centres of two pixels, from border to border.
 #[inline(always)]

@@ -5,11 +5,12 @@ use super::binned::{Binned, DrawnWith};
 use super::bins::{each_active, BinStorage};
 use super::draw_region::{pixels, DrawRegion};
 use super::drawable::StrokeFor;
+use super::fill::line_in_band;
 use super::hidden_line::draw_nearer;
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
-use super::wireframe::draw_edge;
 use crate::camera::UnpackedVertex;
+use crate::color::Access;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
 use crate::shading::StrokeKind;
@@ -108,15 +109,30 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
             self,
             |edges, band| {
                 let region = edges.advance_to_band::<K, T::Color>(&band.area(), None);
-                edges.each::<K, _, _>(&region, |_, _, ends| {
-                    draw_edge::<_, _, true>(&ends, stroke, &region, band)
-                })
+                edges.draw_lines(&region, stroke, band)
             },
             |edges, band, depth| {
                 let region = edges.advance_to_band::<K, T::Color>(&band.area(), Some(depth));
-                edges.each::<K, _, _>(&region, |_, _, ends| draw_nearer(&ends, stroke, &region, depth, band))
+                edges.draw_depth_tested(&region, stroke, depth, band)
             },
         )
+    }
+
+    #[inline(never)] // its stack frame does not exist while the bins advance
+    fn draw_lines<T: Surface, K: StrokeFor<T>>(
+        &mut self,
+        region: &DrawRegion,
+        stroke: K,
+        band: &mut T,
+    ) -> Result<(), T::Error> {
+        self.each::<K, _, _>(region, |_, _, ends| {
+            if <K::Access as Access>::READS {
+                anti_aliased::edge(&ends, &region.viewport, &region.scissor, stroke, band);
+                return Ok(());
+            }
+            let [from, to] = ends;
+            line_in_band(band, from.point.pixel(), to.point.pixel(), &region.scissor, stroke.color())
+        })
     }
 
     /// Splits the binned edges into two, one for each of two cores, as [`BinnedFaces::fork`](crate::draw::BinnedFaces::fork) splits
@@ -152,10 +168,12 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
         band: &Rectangle,
         depth: Option<&DepthBuffer<'_>>,
     ) -> DrawRegion {
-        match const { anti_aliased::beyond::<C, K>() } {
-            anti_aliased::BEYOND_BY_TABLE => self.advance::<{ anti_aliased::BEYOND_BY_TABLE }>(band, depth),
-            anti_aliased::BEYOND => self.advance::<{ anti_aliased::BEYOND }>(band, depth),
-            _ => self.advance::<0>(band, depth),
+        if K::BY_TABLE {
+            self.advance::<{ anti_aliased::BEYOND_BY_TABLE }>(band, depth)
+        } else if <K::Access as Access>::READS {
+            self.advance::<{ anti_aliased::BEYOND }>(band, depth)
+        } else {
+            self.advance::<0>(band, depth)
         }
     }
 
@@ -169,7 +187,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     }
 
     /// Calls `draw` for each edge that may lie in the band of the last [`advance_to_band`](Self::advance_to_band).
-    #[inline(never)] // its stack frame does not exist while the bins advance
+    #[inline(always)]
     fn each<K: StrokeKind<C>, C: PixelColor, E>(
         &mut self,
         region: &DrawRegion,
@@ -185,7 +203,11 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
             let ends = edge.and_then(|&edge| transformed.edge_out_of_line(edge, &mut Statistics::default()));
             let Some(ends) = ends else { return Ok(true) };
             draw(transformed, index, ends)?;
-            Ok(bounds(&ends).rows().end + anti_aliased::beyond::<C, K>() <= end)
+            let beyond = match (K::BY_TABLE, <K::Access as Access>::READS) {
+                (true, _) => anti_aliased::BEYOND_BY_TABLE,
+                (false, is_anti_aliased) => anti_aliased::BEYOND * i32::from(is_anti_aliased),
+            };
+            Ok(bounds(&ends).rows().end + beyond <= end)
         })
     }
 }
@@ -210,11 +232,33 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
             |_, _| Ok(()), // never called
             |(edges, stroke), surface, depth| {
                 let region = edges.advance_to_band::<K, T::Color>(&surface.area(), Some(depth));
-                edges.each::<K, _, _>(&region, |mesh, edge, ends| {
-                    mesh.draw_hidden_line(edge, &ends, stroke, &region, depth, surface)
-                })
+                edges.draw_hidden_line(&region, stroke, depth, surface)
             },
         )
+    }
+
+    #[inline(never)] // its stack frame does not exist while the bins advance
+    fn draw_depth_tested<T: Surface, K: StrokeFor<T>>(
+        &mut self,
+        region: &DrawRegion,
+        stroke: K,
+        depth: &mut DepthBuffer<'_>,
+        band: &mut T,
+    ) -> Result<(), T::Error> {
+        self.each::<K, _, _>(region, |_, _, ends| draw_nearer(&ends, stroke, region, depth, band))
+    }
+
+    #[inline(never)] // its stack frame does not exist while the bins advance
+    fn draw_hidden_line<T: Surface, K: StrokeFor<T>>(
+        &mut self,
+        region: &DrawRegion,
+        stroke: K,
+        depth: &mut DepthBuffer<'_>,
+        band: &mut T,
+    ) -> Result<(), T::Error> {
+        self.each::<K, _, _>(region, |mesh, edge, ends| {
+            mesh.draw_hidden_line(edge, &ends, stroke, region, depth, band)
+        })
     }
 }
 

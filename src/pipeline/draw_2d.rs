@@ -79,5 +79,5 @@ pub fn draw_line<T: Surface, K: StrokeFor<T>>(
         anti_aliased::line_between_pixels([from, to], &scissor, stroke, target);
         return Ok(());
     }
-    line::<T, false>(target, from, to, &scissor, stroke.color())
+    line(target, from, to, &scissor, stroke.color())
 }

@@ -147,10 +147,9 @@ pub(super) fn kept_pixels<C: PixelColor, S: SpanShader<C>>(
     move || inks.next().and_then(InkKind::own).is_some()
 }
 
-/// Draws a line inside the scissor, which lies in the target. Bands cut most lines: [`line_pixels`] would decline, so its code is
-/// not linked for them.
+/// Draws a line inside the scissor, which lies in the target.
 #[inline(always)]
-pub(super) fn line<T: Surface, const IN_BAND: bool>(
+pub(super) fn line<T: Surface>(
     target: &mut T,
     from: Pixel,
     to: Pixel,
@@ -160,8 +159,23 @@ pub(super) fn line<T: Surface, const IN_BAND: bool>(
     if line_fill::line_into_memory(from, to, scissor, color, target) {
         return Ok(());
     }
-    if !IN_BAND && let Some(result) = line_pixels::line_by_pixels(from, to, scissor, color, target) {
+    if let Some(result) = line_pixels::line_by_pixels(from, to, scissor, color, target) {
         return result;
+    }
+    raster::line(from, to, scissor, |span| target.fill(span, color))
+}
+
+/// [`line`] for bands, which cut most lines: [`line_pixels`] would decline, so its code is not linked.
+#[inline(always)]
+pub(super) fn line_in_band<T: Surface>(
+    target: &mut T,
+    from: Pixel,
+    to: Pixel,
+    scissor: &Scissor,
+    color: T::Color,
+) -> Result<(), T::Error> {
+    if line_fill::line_into_memory(from, to, scissor, color, target) {
+        return Ok(());
     }
     raster::line(from, to, scissor, |span| target.fill(span, color))
 }

@@ -32,23 +32,6 @@ pub(super) fn each_edge<V: Coordinate, E, const DEPTH: bool>(
     Ok(statistics.with_the_rest_drawn(edges.len()))
 }
 
-/// Draws an edge without a depth test.
-#[inline(always)]
-pub(super) fn draw_edge<T: Surface, K: StrokeFor<T>, const IN_BAND: bool>(
-    ends: &[UnpackedVertex; 2],
-    stroke: K,
-    region: &DrawRegion,
-    target: &mut T,
-) -> Result<(), T::Error> {
-    let DrawRegion { scissor, viewport } = region;
-    if <K::Access as Access>::READS {
-        anti_aliased::edge(ends, viewport, scissor, stroke, target);
-        return Ok(());
-    }
-    let [from, to] = ends;
-    line::<T, IN_BAND>(target, from.point.pixel(), to.point.pixel(), scissor, stroke.color())
-}
-
 /// The edges of an instance, with the closure that gives their strokes: drawn by one more call. [`MeshInstance::edges`] makes it.
 #[must_use = "`.draw(&mut target)` draws the edges, `.hidden_line(&mut target)` those in sight"]
 #[derive(Debug)]
@@ -145,9 +128,14 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         cache: &mut [ScreenVertex],
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let region = DrawRegion::new(target, self.area());
+        let DrawRegion { scissor, viewport } = DrawRegion::new(target, self.area());
         each_edge(&TransformedMesh::<V, false>::new(self, cache), |index, ends| {
-            draw_edge::<_, _, false>(&ends, stroke(index), &region, target)
+            if <K::Access as Access>::READS {
+                anti_aliased::edge(&ends, &viewport, &scissor, stroke(index), target);
+                return Ok(());
+            }
+            let [from, to] = ends;
+            line(target, from.point.pixel(), to.point.pixel(), &scissor, stroke(index).color())
         })
     }
 }
