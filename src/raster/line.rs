@@ -9,7 +9,7 @@
 
 use super::{Pixel, Scissor, Span};
 use crate::math::hints::keep_rolled;
-use crate::math::num::divide;
+use crate::math::num::divide_word;
 
 /// Calls `span` for each run of pixels along the major axis of the line from `a` to `b`, both included, inside the scissor:
 /// rules L1 to L3. A horizontal or vertical line is a single span.
@@ -106,20 +106,20 @@ impl LineSetup {
     /// must not be 0.
     #[inline(never)] // only clipped lines call it: code size counts
     pub(crate) fn aside(&self, step: i32) -> (i32, i32) {
-        // k = ⌈(2mi − L)/2L⌉ = ⌊(2mi + L − 1)/2L⌋ ≤ m < 2¹⁶.
+        // k = ⌈(2mi − L)/2L⌉ = ⌊(2mi + L − 1)/2L⌋ ≤ m < 2¹⁶. Halved, the numerator has 32 bits, and the remainder of L − 1 goes to r.
         let (rise, length) = (self.rise.unsigned_abs(), self.length.unsigned_abs());
-        let ahead = 2 * u64::from(rise) * u64::from(step.unsigned_abs());
-        let (k, r) = divide(ahead + u64::from(length) - 1, 2 * length);
-        (k as i32, r as i32)
+        let (k, r) = divide_word(rise * step.unsigned_abs() + ((length - 1) >> 1), length);
+        (k as i32, (2 * r + ((length - 1) & 1)) as i32)
     }
 }
 
 /// `⌊odd·L / 2m⌋`, at most 2²⁰: the caller does not distinguish results beyond L.
 #[inline(never)] // only clipped lines call it: code size counts
 fn invert(odd: i32, length: i32, rise: i32) -> i32 {
-    // odd·L < 2¹⁷ · 2¹⁶; the quotient may pass `length` but not 2³³.
-    let product = u64::from(odd.unsigned_abs()) * u64::from(length.unsigned_abs());
-    divide(product, 2 * rise.unsigned_abs()).0.min(1 << 20) as i32
+    // ⌊(odd − 1)/2⌋·L + ⌊L/2⌋ has 32 bits, as both factors have 16; the quotient may pass `length`.
+    let [odd, length, rise] = [odd, length, rise].map(i32::unsigned_abs);
+    let (quotient, _) = divide_word((odd >> 1) * length + (length >> 1), rise);
+    quotient.min(1 << 20) as i32
 }
 
 /// The spans of a line inside a scissor, from its smaller end on: one per run of pixels along the major axis.

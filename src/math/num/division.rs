@@ -51,18 +51,21 @@ pub(crate) fn proper_fraction(n: u32, d: u32) -> i32 {
 /// `⌊n / d⌋` and the remainder for `n < 2⁶²`, `0 < d < 2³¹`, by long division.
 #[inline(never)] // set-up: code size counts, speed does not
 pub(crate) const fn divide(n: u64, d: u32) -> (u64, u32) {
-    if !CORTEX_M0 && n >> 32 == 0 {
-        // By one instruction, where d is not 0.
-        let n = n as u32;
-        return match n.checked_div(d) {
-            Some(quotient) => (quotient as u64, n.wrapping_sub(quotient.wrapping_mul(d))),
-            None => (0, n),
-        };
-    }
     // How many bits longer `n` is than `d`: `n` is less than twice `d << bits`, as `fraction` requires.
     let bits = max(shift_to_fit(n, 0) - shift_to_fit(d as u64, 0), 0) as u32;
     let quotient = fraction(n, (d as u64) << bits, bits);
     (quotient, (n as u32).wrapping_sub((quotient as u32).wrapping_mul(d))) // below d: 31 bits tell
+}
+
+/// [`divide`] for 32 bits, by one instruction where one divides; d is not 0.
+#[inline(always)]
+pub(crate) fn divide_word(n: u32, d: u32) -> (u32, u32) {
+    if CORTEX_M0 {
+        let (quotient, remainder) = divide(n.into(), d);
+        return (quotient as u32, remainder);
+    }
+    let d = d.max(1); // so that the compiler knows that it divides
+    (n / d, n % d)
 }
 
 /// `⌊n / d⌋` and the remainder 0 … d − 1, for 0 < d ≤ 2²².

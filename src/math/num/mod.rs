@@ -14,7 +14,7 @@ pub(crate) use accumulator::Accumulator;
 pub(crate) use bits::{bits_of, leading_zeros, magnitude, max, min, shift_to_fit};
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 pub(crate) use division::divide_by_subtraction;
-pub(crate) use division::{divide, divide_floor, fraction, proper_fraction};
+pub(crate) use division::{divide, divide_floor, divide_word, fraction, proper_fraction};
 pub(crate) use product::{dot, mul_called, mul_high, mul_wide, row_times, transposed};
 pub(crate) use reciprocal::{
     reciprocal, reciprocal_called, reciprocal_of_large, reciprocal_of_positive, Reciprocal,
