@@ -78,15 +78,13 @@ public_types! {
 }
 
 /// Public by their keyword only: set-ups of shaders, marks of targets and inks, and what is returned to be passed on; no path leads to them.
-const NOT_NAMED: [&str; 14] = [
+const NOT_NAMED: [&str; 12] = [
     "AntiAliasedByTable",
     "DepthLevels",
-    "DepthTriangle",
     "FoggedSetup",
     "LevelGradients",
     "Reads",
     "RotatedPicture",
-    "Scissor",
     "Tested",
     "TextureGradients",
     "Unmatched",
