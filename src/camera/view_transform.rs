@@ -244,7 +244,7 @@ impl ViewTransform {
 
     /// The normal matrix from model to view space of an object with the transform `model`. Components of the normals that it gives are
     /// within 2⁻¹⁵ and κ·2⁻²⁹, where κ is the largest scale factor of `model` divided by its smallest.
-    pub(crate) fn normals(&self, model: &Affine<Model, World>) -> NormalMatrix {
+    pub(crate) fn normals(&self, model: &Affine<Model, World>) -> NormalMatrix<Model, View> {
         model.normals().rotated(&self.rows)
     }
 

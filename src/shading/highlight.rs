@@ -1,11 +1,11 @@
 //! Light with a highlight, by Blinn's version of Phong's model.
 
 use super::levels::{each, scaled};
-use super::normal_space::{dot_words, NormalSpace};
+use super::normal_space::{dot_words, to_words, NormalSpace};
 use super::ShadeTable;
 use crate::color::Color;
 use crate::math::unit::{is_zero, normalise};
-use crate::math::{to_words, Affine, Vector3};
+use crate::math::{Affine, Vector3};
 use crate::shading::{Light, LightError};
 use crate::space::{Model, World};
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};

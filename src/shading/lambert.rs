@@ -1,11 +1,10 @@
 //! Lambert light: ambient and diffuse lighting, per face or per vertex.
 
-use super::normal_space::{is_conformal, NormalSpace};
 use crate::math::hints::opaque_next;
-use crate::math::num::row_times;
+use crate::math::num::{dot, row_times};
 use crate::math::unit::{is_zero, normalise};
 use crate::math::unrolled::map3;
-use crate::math::{component_to_q15, Affine, Vector3};
+use crate::math::{component_to_q15, Affine, NormalMatrix, Vector3};
 use crate::shading::{Light, LightError};
 use crate::space::{Model, World};
 
@@ -30,8 +29,10 @@ use crate::space::{Model, World};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lambert {
-    space: NormalSpace,
+    /// In model space if the transform is conformal, otherwise in world space.
     light: ScaledLight,
+    /// The normal matrix to world space, if the transform is not conformal.
+    normal_matrix: Option<NormalMatrix<Model, World>>,
 }
 
 impl Lambert {
@@ -51,14 +52,27 @@ impl Lambert {
         if is_zero(&light) {
             return Err(LightError::ZeroDirection);
         }
-        let space = NormalSpace::new(model);
-        Ok(Self { space, light: ScaledLight::new(space.direction(light), ambient) })
+        let normals = model.normals();
+        // n·(Cᵀ·l) = (C·n)·l.
+        let in_model = normalise(&row_times(&light, normals.rows()));
+        let conformal = is_conformal(normals.rows());
+        Ok(Self {
+            light: ScaledLight::new(if conformal { in_model } else { light }, ambient),
+            normal_matrix: (!conformal).then_some(normals),
+        })
     }
 
     #[cold]
     #[inline(never)]
-    fn level_in_world(&self, a: i16, b: i16, c: i16) -> u16 {
-        self.light.level(self.space.matrix.apply([a, b, c]))
+    fn level_by_normal_matrix(
+        &self,
+        normal_matrix: &NormalMatrix<Model, World>,
+        a: i16,
+        b: i16,
+        c: i16,
+    ) -> u16 {
+        let [a, b, c] = normal_matrix.apply([a, b, c]);
+        self.light.level(a, b, c)
     }
 }
 
@@ -66,9 +80,9 @@ impl Light for Lambert {
     #[inline(always)]
     fn level(&self, normal: [i16; 3]) -> u16 {
         let [a, b, c] = normal;
-        match self.space.conformal {
-            true => self.light.level(normal),
-            false => self.level_in_world(a, b, c),
+        match &self.normal_matrix {
+            None => self.light.level(a, b, c),
+            Some(normal_matrix) => self.level_by_normal_matrix(normal_matrix, a, b, c),
         }
     }
 }
@@ -101,8 +115,8 @@ impl ScaledLight {
 
     /// The light for a normal in the space of the light direction.
     #[inline(always)]
-    fn level(&self, normal: [i16; 3]) -> u16 {
-        let [a, b, c] = map3(normal, i32::from);
+    fn level(&self, a: i16, b: i16, c: i16) -> u16 {
+        let (a, b, c) = (i32::from(a), i32::from(b), i32::from(c));
         let [x, y, z] = map3(self.towards, i32::from);
         // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹. The larger the ambient part, the shorter is l: so the sum with
         // the ambient part stays below 2³².
@@ -163,6 +177,56 @@ impl RigidLambert {
 impl Light for RigidLambert {
     #[inline(always)]
     fn level(&self, normal: [i16; 3]) -> u16 {
-        self.light.level(normal)
+        let [a, b, c] = normal;
+        self.light.level(a, b, c)
+    }
+}
+
+/// Whether the transform is conformal: its rows are orthogonal and of equal length within 2⁻¹⁰, so that the error in angles
+/// changes light by less than a level.
+pub(super) fn is_conformal(rows: &[[i32; 3]; 3]) -> bool {
+    let [x, ..] = rows;
+    let length = dot(x, x); // 3·2⁶⁰ at most, like the other products
+    let (mut conformal, mut i) = (true, 0);
+    while let Some(a) = rows.get(i) {
+        let mut j = i;
+        while let Some(b) = rows.get(j) {
+            let wanted = if i == j { length } else { 0 };
+            conformal &= (dot(a, b) - wanted).abs() <= length >> 10;
+            j = opaque_next(j); // code size counts, speed does not
+        }
+        i = opaque_next(i);
+    }
+    conformal
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rotations_of_any_size_are_conformal_and_stretch_and_shear_are_not() {
+        const ONE: i32 = 1 << 29;
+        for one in [ONE, ONE / 3, 1 << 12] {
+            let turned = [[0, one, 0], [0, 0, one], [one, 0, 0]];
+            assert!(is_conformal(&turned));
+            // 3-4-5.
+            assert!(is_conformal(&[
+                [one / 5 * 3, one / 5 * 4, 0],
+                [-(one / 5 * 4), one / 5 * 3, 0],
+                [0, 0, one / 5 * 5]
+            ]));
+            for i in 0..3 {
+                // Row i of `turned` has `one` in column i + 1. A stretch by 2⁻¹² changes its squared length by 2⁻¹¹, one by 2⁻⁹ changes it by
+                // 2⁻⁸; the limit is 2⁻¹⁰.
+                for (part, conformal) in [(one >> 12, true), (one >> 9, false), (-(one >> 9), false)] {
+                    let (mut stretched, mut sheared) = (turned, turned);
+                    stretched[i][(i + 1) % 3] += part;
+                    sheared[i][i] += part;
+                    assert_eq!(is_conformal(&stretched), conformal, "{stretched:?}");
+                    assert_eq!(is_conformal(&sheared), conformal, "{sheared:?}");
+                }
+            }
+        }
     }
 }

@@ -1,12 +1,12 @@
 //! Material captures: a picture of a lit ball, looked up by the normal.
 
-use super::normal_space::dot_words;
-use super::normal_space::is_conformal;
+use super::lambert::is_conformal;
+use super::normal_space::{dot_words, to_words};
 use super::Texels;
 use crate::camera::ViewTransform;
 use crate::math::unit::normalise;
-use crate::math::{to_words, Affine, NormalMatrix};
-use crate::space::{Model, World};
+use crate::math::{Affine, NormalMatrix};
+use crate::space::{Model, View, World};
 
 /// A material capture: the picture of a ball, with all light and reflections on it, looked up by the normal in view space. It is
 /// the cheapest shiny look: a face costs six multiplications and one texel, a vertex six multiplications.
@@ -37,7 +37,7 @@ use crate::space::{Model, World};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Matcap {
-    normals: NormalMatrix,
+    normals: NormalMatrix<Model, View>,
     /// If the transform is conformal: the x and y axes of view space in model space, in 2⁻¹⁵.
     axes: Option<[[i16; 3]; 2]>,
 }
