@@ -52,7 +52,7 @@ impl Boxes {
             if half > 0 {
                 let axis =
                     (0..AXES).max_by_key(|&axis| centres[1][axis] - centres[0][axis]).unwrap_or_default();
-                items.select_nth_unstable_by_key(half, |&item| (twice_centre(item, axis), item));
+                items.sort_unstable_by_key(|&item| (twice_centre(item, axis), item));
                 let middle = start + half;
                 left.extend([[middle, end], [start, middle]]);
             }
