@@ -56,14 +56,14 @@ fn line<T: Surface>(
             // From the larger end: the sum after all steps, of which only the fraction is not exact.
             true => (fixed(end_x, slope.wrapping_mul(length as u32).wrapping_add(HALF)), back, end_y, y),
         };
-        draw(target, Pixels::<_, true> { aside: x, step, along: y, end: end + 1, color })
+        draw(target, LinePixels::<_, true> { aside: x, step, along: y, end: end + 1, color })
     } else {
         // Upwards, the row is y − ⌊f⌋ = ⌊y + 1 − 2⁻³² − f⌋ for a sum f in 2⁻³².
         let (y, step) = match up {
             false => (fixed(y, HALF), forward),
             true => (fixed(y, !HALF), back),
         };
-        draw(target, Pixels::<_, false> { aside: y, step, along: x, end: end_x + 1, color })
+        draw(target, LinePixels::<_, false> { aside: y, step, along: x, end: end_x + 1, color })
     })
 }
 
@@ -82,7 +82,7 @@ const fn fixed(integer: i32, fraction: u32) -> u64 {
 }
 
 /// The pixels of a line: of a tall one from top to bottom, one per row, otherwise from left to right, one per column.
-struct Pixels<C, const TALL: bool> {
+struct LinePixels<C, const TALL: bool> {
     /// The column of the next pixel of a tall line, otherwise its row, and its change per pixel, in 32.32.
     aside: u64,
     step: u64,
@@ -92,7 +92,7 @@ struct Pixels<C, const TALL: bool> {
     color: C,
 }
 
-impl<C: PixelColor, const TALL: bool> Iterator for Pixels<C, TALL> {
+impl<C: PixelColor, const TALL: bool> Iterator for LinePixels<C, TALL> {
     type Item = ColoredPixel<C>;
 
     #[inline(always)]
