@@ -1,9 +1,12 @@
 //! How large a length of the world is on the screen, parallel to the view plane.
 
 use super::Camera;
-use crate::math::num::{evaluate, mul_wide, reciprocal, scale, scale_to_word, shift_to_fit};
+use crate::math::num::{
+    add, evaluate, mul_wide, reciprocal, scale, scale_long_to_word, scale_to_word, shift_to_fit,
+};
 use crate::math::row::RowBlock;
 use crate::math::{matrix_product, Affine, Coordinate, Row, Scalar};
+use crate::raster::SpriteAxis;
 use crate::space::{Model, World};
 
 /// The factors from lengths at a vertex, in world units along the view's axes u and v, to lengths on the screen: `a/w` and `b/w`,
@@ -42,38 +45,46 @@ impl SizeOnScreen {
         Self { w, unit, factors: [across, down] }
     }
 
-    /// Width and height on the screen, in sub-pixels, of a rectangle at a vertex of `size` in world units: at most `largest`
-    /// each, and 0 for lengths that are not positive. `None` if w is not positive: the vertex lies in the plane of the eye.
-    #[inline(never)] // code size: the last of its arguments is a constant
-    pub(crate) fn at<V: Coordinate>(
-        &self,
-        vertex: [V; 3],
-        size: [Scalar; 2],
-        largest: i32,
-    ) -> Option<[i32; 2]> {
-        // A product by 1 is the number that the mesh stores. The form takes integers as if they were in 2⁻³².
-        let vertex = vertex.map(|c| i64::from(c.times(1)));
-        let w = evaluate(&self.w.linear, self.w.exponent + self.unit + 32, &vertex, self.w.offset); // in 2⁻³²
+    /// Width and height on the screen, in sub-pixels, of a rectangle at a vertex of `size` in world units: at most
+    /// [`SpriteAxis::LARGEST`] each, and 0 for lengths that are not positive. `None` if w is not positive: the vertex lies in the plane
+    /// of the eye.
+    #[inline(always)] // its only caller is a function
+    pub(crate) fn at<V: Coordinate>(&self, vertex: [V; 3], size: [Scalar; 2]) -> Option<[i32; 2]> {
+        let Row { linear, exponent, offset } = self.w;
+        // Products of at most 2⁶¹. A coordinate times 1 is the integer that the mesh stores.
+        let sum = linear.iter().zip(vertex).map(|(&m, c)| mul_wide(m, c.times(1))).sum();
+        let w = add(scale(sum, exponent + self.unit + 2), offset); // in 2⁻³²
         if w <= 0 {
             return None;
         }
         let w_down = shift_to_fit(w as u64, 30);
         // The argument is 1 … 2³⁰.
-        let r = reciprocal(scale(w, -w_down) as i32);
+        let r = reciprocal(scale_long_to_word(w, w_down));
         // 1/w = 2³² / (2^w_down · argument) = mantissa · 2^(shift − 61 + 32 − w_down).
         let inverse = r.shift as i32 - 29 - w_down;
         let [width, height] = size.map(|length| length.to_bits().max(0));
         let along = |(factor, exponent): (i32, i32), length: i32| {
-            let product = mul_wide(factor, length); // ≤ 2⁶¹, in 2^(exponent − 30 − 16) sub-pixels
-            let down = shift_to_fit(product as u64, 30);
-            let product = scale_to_word(product, down); // ≤ 2³⁰; −30 ≤ down ≤ 32
-            let sub_pixels = scale(mul_wide(product, r.mantissa), down + exponent - 46 + inverse);
-            sub_pixels.min(largest.into()) as i32 // not negative
+            on_screen(factor, length, r.mantissa, exponent + inverse)
         };
         let [across, down] = self.factors;
         // Most rectangles are squares.
         let (wide, is_square) = (along(across, width), (across, width) == (down, height));
         Some([wide, if is_square { wide } else { along(down, height) }])
+    }
+}
+
+/// `factor · length · mantissa / 2^(46 − up)`, rounded, at most [`SpriteAxis::LARGEST`], for a factor of at most 2³⁰ and a length that
+/// is not negative.
+#[inline(never)] // code size: two calls
+fn on_screen(factor: i32, length: i32, mantissa: i32, up: i32) -> i32 {
+    let product = mul_wide(factor, length); // ≤ 2⁶¹
+    let fitted = shift_to_fit(product as u64, 30);
+    let product = scale_to_word(product, fitted); // ≤ 2³⁰; −30 ≤ fitted ≤ 32
+    let (product, down) = (mul_wide(product, mantissa), 46 - up - fitted); // below 2⁶¹
+    if down > 30 {
+        scale_long_to_word(product, down).min(SpriteAxis::LARGEST)
+    } else {
+        scale(product, -down).min(SpriteAxis::LARGEST.into()) as i32 // not negative
     }
 }
 
@@ -132,7 +143,7 @@ mod tests {
             let model = Affine::rotation_y(Angle::from_bits(turn)).translate(Vector3::new(x, y, z));
             let found = SizeOnScreen::new(&camera, &model, -8);
             let length = [0; 2].map(|_| Scalar::from_bits(random.below(i32::MAX.into()) as i32));
-            let found = found.at(vertex, length, 1 << 30).unwrap();
+            let found = found.at(vertex, length).unwrap();
             for axis in 0..2 {
                 let exact = focal * f64::from(length[axis].to_bits()) / distance;
                 if exact > f64::from((1 << 30) - 64) {
@@ -169,9 +180,9 @@ mod tests {
         let (near, far) = (Scalar::from_int(1), Scalar::from_int(9));
         let lens = Projection::perspective(Angle::degrees(60), Size::new(64, 64), near, far).unwrap();
         let size = SizeOnScreen::new(&Camera::new(&view.unwrap(), &lens, &viewport), &Affine::identity(), 0);
-        let at = |z| size.at([3i16, -4, z], [Scalar::from_int(1); 2], 1 << 30);
+        let at = |z| size.at([3i16, -4, z], [Scalar::from_int(1); 2]);
         assert_eq!((at(0), at(1)), (None, None));
         assert!(at(-1).is_some());
-        assert_eq!(size.at([0i16, 0, -2], [Scalar::ZERO, -Scalar::ONE], 1 << 30), Some([0, 0]));
+        assert_eq!(size.at([0i16, 0, -2], [Scalar::ZERO, -Scalar::ONE]), Some([0, 0]));
     }
 }

@@ -226,7 +226,7 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
     #[inline(never)] // one copy for all kinds of sprites
     fn size_in_world(&self, index: u16, size: [Scalar; 2]) -> Option<[i32; 2]> {
         let vertex = *self.points.mesh().vertices.get(usize::from(index))?;
-        self.world_size.at(vertex, size, SpriteAxis::LARGEST)
+        self.world_size.at(vertex, size)
     }
 }
 

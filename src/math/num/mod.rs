@@ -20,7 +20,7 @@ pub(crate) use reciprocal::{
     reciprocal, reciprocal_called, reciprocal_of_large, reciprocal_of_positive, Reciprocal,
 };
 pub(crate) use saturating::{add, evaluate, mul_translation, SATURATED};
-pub(crate) use scaling::{scale, scale_to_word, scale_word};
+pub(crate) use scaling::{scale, scale_long_to_word, scale_to_word, scale_word};
 pub(crate) use square_root::{sqrt, sqrt_word};
 
 #[cfg(test)]

@@ -44,6 +44,15 @@ pub(crate) const fn scale_to_word(v: i64, down: i32) -> i32 {
     halved(floor as i32)
 }
 
+/// [`scale_to_word`] for any `down` from −30 on.
+#[inline(always)]
+pub(crate) const fn scale_long_to_word(v: i64, down: i32) -> i32 {
+    if down > 32 {
+        return scale_word((v >> 32) as i32, down - 32); // a floor of a floor, then rounded
+    }
+    scale_to_word(v, down)
+}
+
 /// `m / 2^down`, rounded to nearest (ties up), for any `down` from 1 on.
 #[inline(always)]
 pub(crate) const fn scale_word(m: i32, down: i32) -> i32 {
@@ -91,6 +100,9 @@ mod tests {
             let bits = 64 - v.unsigned_abs().leading_zeros() as i32;
             for down in (bits - 30).max(-30)..=32 {
                 assert_eq!(i64::from(scale_to_word(v, down)), scale(v, -down), "{v} {down}");
+            }
+            for down in (bits - 30).max(-30)..=100 {
+                assert_eq!(i64::from(scale_long_to_word(v, down)), scale(v, -down), "{v} {down}");
             }
             for down in 1..=70 {
                 assert_eq!(
