@@ -2,7 +2,7 @@
 
 use super::Camera;
 use crate::math::num::{
-    add, evaluate, mul_wide, reciprocal, scale, scale_long_to_word, scale_to_word, shift_to_fit,
+    add, evaluate, mul_wide, reciprocal_of_positive, scale, scale_long_to_word, scale_to_word, shift_to_fit,
 };
 use crate::math::row::RowBlock;
 use crate::math::{matrix_product, Affine, Coordinate, Row, Scalar};
@@ -58,8 +58,8 @@ impl SizeOnScreen {
             return None;
         }
         let w_down = shift_to_fit(w as u64, 30);
-        // The argument is 1 … 2³⁰.
-        let r = reciprocal(scale_long_to_word(w, w_down));
+        // The argument is 2²⁹ … 2³⁰.
+        let r = reciprocal_of_positive(scale_long_to_word(w, w_down));
         // 1/w = 2³² / (2^w_down · argument) = mantissa · 2^(shift − 61 + 32 − w_down).
         let inverse = r.shift as i32 - 29 - w_down;
         let [width, height] = size.map(|length| length.to_bits().max(0));
