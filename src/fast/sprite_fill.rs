@@ -4,7 +4,7 @@
 //! - **Domain**: every sprite, on a target whose pixels lie in memory; with depth, whatever the layout of the depth buffer.
 //! - **Gain**: the texel of a column is found once for all rows, and looked up once for a pixel, where the plain path finds it for each
 //!   row and looks it up for the run and for its colour. With a texel found for each pixel, before commit e01dfe9d, P1 took 1213k
-//!   on an M3; it takes 708k now, and 957k on an M0. At commit 56efee2b blocks of eight pixels took
+//!   on an M3; it takes 707k now, and 949k on an M0. At commit 56efee2b blocks of eight pixels took
 //!   40k less on an M3 than blocks of four, 2k on an M0.
 //! - **Test**: `every_target_shows_the_oracles_pixels` in `tests/pipeline/sprites.rs`, with `--cfg pinhole_plain` and without.
 
