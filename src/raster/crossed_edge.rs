@@ -126,7 +126,12 @@ impl CrossedEdge {
         let into = 128 - from; // to the middle of column 0: 24 bits
         let (from_depth, in_column) = (depth, (mul_wide(climb, into) >> 8) as i32);
         let depth = (from_depth << (DEPTH_BITS - 8)).wrapping_add(in_column);
+        // A centre on the edge belongs to the pixels right of it, and of level edges to those below (rules R3 and R4): the edge is moved away from these
+        // by more than its error, up to 12 units a column.
+        let belongs_to_high = tall || end <= minor;
+        let error = i64::from(((to - from) >> 8) + 2) << 4;
         let origin = (i64::from(minor) << 24) - (1 << 31) + (mul_wide(slope, into) >> 6);
+        let origin = if belongs_to_high { origin - error } else { origin + error };
         let (reach, whole) = ((slope.unsigned_abs() >> 15) as i32, (from + 255) >> 8);
         Some(Self {
             tall,

@@ -4,9 +4,10 @@ use core::fmt::Debug;
 use embedded_graphics::draw_target::DrawTargetExt;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{
-    Bgr555, Bgr888, Gray2, Gray4, Gray8, PixelColor, Rgb565, Rgb666, Rgb888, RgbColor,
+    Bgr555, Bgr888, Gray2, Gray4, Gray8, GrayColor, PixelColor, Rgb565, Rgb666, Rgb888, RgbColor,
 };
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
+use pinhole::camera::Window;
 use pinhole::color::{Color, Format, StoredPixel};
 use pinhole::{
     bands::{DirtyRegions, SmoothBand, SmoothFrame, TransferCost},
@@ -378,6 +379,90 @@ fn smoothed_edges_are_close_to_their_areas() {
             assert!(rms[1] < most && 2.0 * rms[1] < rms[0] && far < most_far && worse as f64 <= most_worse);
         }
     }
+}
+
+/// A white triangle on black, whose corners are in half pixels or in 1/256 of one: each pixel that a single side crosses shows its area inside,
+/// also where the side goes through its centre.
+#[test]
+fn pixels_on_a_side_show_their_areas() {
+    const SIZE: Size = Size::new(64, 64);
+    let window = Scalar::from_int(2);
+    let window = Window { left: -window, right: window, bottom: -window, top: window };
+    let lens = Projection::orthographic(window, -window.top, window.top).expect("a box");
+    let (origin, [up, back]) =
+        (Point3::from_ints(0, 0, 0), [[0, 1, 0], [0, 0, 1]].map(|[x, y, z]| Vector3::from_ints(x, y, z)));
+    let view = ViewTransform::from_reference(origin, back, up).expect("axes");
+    let viewport = Viewport::new(Point::zero(), SIZE).expect("a viewport");
+    let camera = Camera::new(&view, &lens, &viewport);
+    let (mut rng, mut halves, mut compared) = (Rng::new(11), 0, 0);
+    for case in 0..4_000 {
+        // A unit is 2⁻⁸ pixel, and the middle of the picture is 0.
+        let step = [128, 1][case % 2];
+        let most = 28 * 256 / step;
+        let corners = [0; 3].map(|_| [0; 2].map(|_| (rng.int(-most, most) * step) as i16));
+        let vertices = corners.map(|[x, y]| [x, y, 0]);
+        let mesh = Mesh::new(&vertices, -12, &[[0, 1, 2]]).expect("a mesh");
+        let mesh = mesh.with_edges(&[[0, 1], [1, 2], [2, 0]]).expect("edges");
+        let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
+        let (mut levels, mut depths) = (vec![Gray8::BLACK; 64 * 64], vec![0; 64 * 64]);
+        let mut picture = Picture::new(&mut levels, SIZE).expect("room");
+        let mut depth = DepthBuffer::new(viewport.area(), &mut depths).expect("room");
+        let mut target = picture.pixels();
+        let mut target = target.depth_tested(&mut depth);
+        instance.faces(|_| Gray8::WHITE).draw(&mut target).expect("no error");
+        let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], vec![0; mesh.smooth_bins_len()]);
+        let transformed = instance.transform_depth(&mut cache);
+        let mut edges = transformed.bin_smooth_edges(|_| false, &mut bins).expect("room");
+        target.smooth(|pass| edges.draw(pass));
+        // Of the picture, y points down.
+        let corners = corners.map(|[x, y]| [32.0 + f64::from(x) / 256.0, 32.0 - f64::from(y) / 256.0]);
+        for (pixel, level) in viewport.area().points().zip(levels) {
+            let [x, y] = [pixel.x, pixel.y].map(f64::from);
+            let Some(inside) = area_of_one_side(corners, [x, y]) else { continue };
+            let off = (f64::from(level.luma()) - 255.0 * inside).abs();
+            assert!(off < 1.5, "{corners:?} {pixel}: {level:?} for {inside}");
+            (compared, halves) = (compared + 1, halves + u32::from(inside == 0.5));
+        }
+    }
+    assert!(compared > 1_000_000 && halves > 1_500, "{compared} {halves}");
+}
+
+/// The part of the pixel at (x, y) inside a triangle; `None` if a second side or a corner is near.
+fn area_of_one_side(corners: [[f64; 2]; 3], [x, y]: [f64; 2]) -> Option<f64> {
+    let centre = [x + 0.5, y + 0.5];
+    let sides = [0, 1, 2].map(|i| [corners[i], corners[(i + 1) % 3]]);
+    let beyond =
+        |[a, b]: [[f64; 2]; 2], p: [f64; 2]| (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+    let is_near = |side: &&[[f64; 2]; 2]| {
+        let [a, b] = **side;
+        beyond(**side, centre).abs() < 3.0 * (b[0] - a[0]).hypot(b[1] - a[1])
+    };
+    let is_corner_near = corners.iter().any(|c| (c[0] - centre[0]).hypot(c[1] - centre[1]) < 3.0);
+    let turn = beyond(sides[0], corners[2]).signum();
+    if sides.iter().filter(is_near).count() != 1 || is_corner_near || turn == 0.0 {
+        return None;
+    }
+    // The pixel's square, cut by each side: Sutherland and Hodgman.
+    let mut polygon = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[u, v]| [x + u, y + v]).to_vec();
+    for side in sides {
+        let mut cut = Vec::new();
+        for i in 0..polygon.len() {
+            let (p, q) = (polygon[i], polygon[(i + 1) % polygon.len()]);
+            let [s, t] = [p, q].map(|point| turn * beyond(side, point));
+            if s >= 0.0 {
+                cut.push(p);
+            }
+            if (s >= 0.0) != (t >= 0.0) {
+                cut.push([0, 1].map(|axis| p[axis] + (q[axis] - p[axis]) * s / (s - t)));
+            }
+        }
+        polygon = cut;
+    }
+    let twice = (0..polygon.len()).map(|i| {
+        let ([a, b], [c, d]) = (polygon[i], polygon[(i + 1) % polygon.len()]);
+        a * d - b * c
+    });
+    Some((twice.sum::<f64>() / 2.0).abs())
 }
 
 /// Objects of which one is clipped by the viewport, one by the near plane, and one shows its back faces.
