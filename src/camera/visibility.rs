@@ -2,7 +2,7 @@
 
 use super::Camera;
 use crate::math::num::{add, mul_translation, sqrt};
-use crate::math::{matrix_product, Affine, Row, Scalar, Sphere};
+use crate::math::{matrix_product, stretched, Affine, Row, Scalar, Sphere};
 use crate::space::{Model, World};
 
 /// How much of an object lies inside the view volume.
@@ -96,15 +96,15 @@ impl Length {
 }
 
 impl Frustum {
-    /// Tests a bounding sphere, placed by `model`, against the six planes. `Outside` and `Inside` are certain: the margin is less than
-    /// 2⁻²⁰ of the sphere's size and distance, and at the far plane of a perspective 2⁻²⁸·far/near of that distance more. A sphere of
-    /// radius `Scalar::MAX`, too large to represent, is `Partly` visible.
+    /// Tests a bounding sphere, placed by `model` as [`transformed`](Sphere::transformed) places it, against the six planes. `Outside` and
+    /// `Inside` are certain: the margin is less than 2⁻²⁰ of the sphere's size and distance, and at the far plane of a perspective
+    /// 2⁻²⁸·far/near of that distance more. A sphere of radius `Scalar::MAX`, too large to represent, is `Partly` visible.
     #[inline(never)] // set-up: code size counts
     pub fn visibility(&self, sphere: &Sphere, model: &Affine<Model, World>) -> Visibility {
         if sphere.radius == Scalar::MAX {
             return Visibility::Partly;
         }
-        // The centre in view coordinates, and the radius times the Frobenius norm of the model transform, an upper bound.
+        // The centre in view coordinates, and the radius.
         let centre = sphere.centre.bits().map(|c| i64::from(c) << 16);
         let (m, exponent) = model.linear();
         let away = model.offset_from(&self.eye);
@@ -115,12 +115,7 @@ impl Frustum {
             Row { linear: linear[i], exponent: view_exponent, offset: axis.apply(&away) }.apply(&centre)
         };
         let centre = [coordinate(0), coordinate(1), coordinate(2)];
-        let squares: u64 = m.iter().flatten().map(|c| u64::from(c.unsigned_abs() >> 1).pow(2)).sum(); // ≤ 9·2⁵⁸
-
-        // The root of the sum of squares (Frobenius norm) bounds the largest stretch; in 2^(exponent − 28), rounded up.
-        let stretch = (sqrt(squares) >> 1) as i32 + 4;
-        let radius = i64::from(sphere.radius.to_bits().max(0)) << 16;
-        let radius = mul_translation(stretch, exponent - 28, radius);
+        let radius = stretched(m, exponent, i64::from(sphere.radius.to_bits().max(0)) << 16);
         let mut visibility = Visibility::Inside;
         let far_out = centre.iter().map(|c| c.unsigned_abs()).max().unwrap_or(0);
         let away = 64 - far_out.leading_zeros() as i32;

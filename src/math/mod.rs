@@ -39,4 +39,5 @@ pub(crate) use normal::NormalMatrix;
 pub use point::{Point3, Vector3};
 pub(crate) use row::{homogeneous, Row};
 pub use scalar::Scalar;
+pub(crate) use sphere::stretched;
 pub use sphere::Sphere;

@@ -83,18 +83,7 @@ impl Sphere {
     #[inline(never)] // set-up: code size counts
     pub fn transformed(&self, model: &Affine<Model, World>) -> Self {
         let (m, exponent) = model.linear();
-        // The largest stretch is the root of the largest eigenvalue of mᵀ·m, and that is at most its largest sum of a row's
-        // absolute values, which is at most √3 times as large (Golub and Van Loan, Matrix Computations, 4th ed., section 2.3).
-        let [[a, b, c], [d, e, f], [g, h, i]] = m.map(|row| row.map(|c| i64::from(c >> 1))); // 2²⁹
-        let dot = |[x, y, z]: [i64; 3], [u, v, w]: [i64; 3]| (x * u + y * v + z * w).unsigned_abs(); // ≤ 3·2⁵⁸
-        let (x, y, z) = ([a, d, g], [b, e, h], [c, f, i]);
-        let (xy, yz, zx) = (dot(x, y), dot(y, z), dot(z, x));
-        let squares = (dot(x, x) + xy + zx).max(dot(y, y) + xy + yz).max(dot(z, z) + yz + zx); // ≤ 9·2⁵⁸
-
-        // The largest stretch in 2^(exponent − 28), rounded up: the 4 covers the bits that the coefficients and the root lost, and the
-        // root's rounding.
-        let stretch = (sqrt(squares) >> 1) as i32 + 4; // ≤ 3·2²⁸ + 4
-        let radius = mul_translation(stretch, exponent - 28, i64::from(self.radius.to_bits().max(0)) << 16);
+        let radius = stretched(m, exponent, i64::from(self.radius.to_bits().max(0)) << 16);
         // Two units of 2⁻¹⁶ more: one rounds up, one is for the rounding of the centre, at most 0.87 + 2⁻¹⁶ unit.
         let radius = i32::try_from((radius >> 16) + 2).unwrap_or(i32::MAX);
         let centre = model.apply(self.centre).bits();
@@ -103,6 +92,23 @@ impl Sphere {
         let radius = if is_outside { i32::MAX } else { radius };
         Self { centre: Point3::from_bits(centre), radius: Scalar::from_bits(radius) }
     }
+}
+
+/// A length times the largest stretch of a transform, rounded up, and at most 1.32 times that: its coefficients are in 2^(exponent − 30), at
+/// most 2³⁰.
+#[inline(never)] // set-up: code size counts
+pub(crate) fn stretched(m: &[[i32; 3]; 3], exponent: i32, length: i64) -> i64 {
+    // The largest stretch is the root of the largest eigenvalue of mᵀ·m, and that is at most its largest sum of a row's
+    // absolute values, which is at most √3 times as large (Golub and Van Loan, Matrix Computations, 4th ed., section 2.3).
+    let [[a, b, c], [d, e, f], [g, h, i]] = m.map(|row| row.map(|c| i64::from(c >> 1))); // 2²⁹
+    let dot = |[x, y, z]: [i64; 3], [u, v, w]: [i64; 3]| (x * u + y * v + z * w).unsigned_abs(); // ≤ 3·2⁵⁸
+    let (x, y, z) = ([a, d, g], [b, e, h], [c, f, i]);
+    let (xy, yz, zx) = (dot(x, y), dot(y, z), dot(z, x));
+    let squares = (dot(x, x) + xy + zx).max(dot(y, y) + xy + yz).max(dot(z, z) + yz + zx); // ≤ 9·2⁵⁸
+
+    // In 2^(exponent − 28): the 4 covers the bits that the coefficients and the root lost, and the root's rounding.
+    let stretch = (sqrt(squares) >> 1) as i32 + 4; // ≤ 3·2²⁸ + 4
+    mul_translation(stretch, exponent - 28, length)
 }
 
 defmt_format!([] Sphere, self, "{} radius {}", self.centre, self.radius);

@@ -68,8 +68,8 @@ impl PointLight {
     ) -> Self {
         let space = NormalSpace::new(model);
         let (rows, row_exponent) = model.linear();
-        // In 2⁻¹⁶. If it is 0, the quotients below have no meaning and are not used.
-        let range = range.to_bits().max(0) as u32;
+        // In 2⁻¹⁶.
+        let (lights, range) = (range > Scalar::ZERO, range.to_bits().max(1) as u32);
         // From the origin of the mesh to the light: in 2⁻³² world units, at most 2⁶².
         let away = model.offset_from(&position.bits().map(|c| i64::from(c) << 16)).map(|c| -c);
         // In 2⁻²⁴ of the range. Clamped to 2²¹ world units, which is beyond every range.
@@ -91,13 +91,13 @@ impl PointLight {
             scaled = block_scaled(step.as_flattened(), unit_exponent, steps.as_flattened_mut());
         }
         // More than 2³⁰ in 2⁻²⁴: one step of the mesh is longer than 64 ranges.
-        let none = range == 0 || scaled > 0;
+        let lights = lights && scaled <= 0;
         Self {
             space,
             position,
             steps,
             shift: (-scaled).clamp(0, 62) as u32,
-            strength: if none { 0 } else { strength.min(256) },
+            strength: if lights { strength.min(256) } else { 0 },
         }
     }
 
@@ -162,11 +162,11 @@ impl PointLight {
     }
 }
 
-/// `n / d`, rounded to nearest, for |n| < 2⁶¹; for d = 0 a number without meaning, not a panic.
+/// `n / d`, rounded to nearest, for |n| < 2⁶¹ and d ≥ 1.
 #[inline(never)] // set-up: code size counts, speed does not
 fn divided(n: i64, d: u32) -> i64 {
     let (quotient, _) = divide(n.unsigned_abs() + u64::from(d / 2), d);
-    let quotient = quotient as i64; // below 2⁶² for d ≥ 1
+    let quotient = quotient as i64; // below 2⁶²
     if n < 0 {
         quotient.wrapping_neg()
     } else {

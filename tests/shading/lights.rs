@@ -321,6 +321,7 @@ fn point_lights_without_range_light_nothing() {
             Step::X(rng.bits()),
             Step::Scale([0; 3].map(|_| rng.bits() as i32)),
             Step::Move([0; 3].map(|_| rng.bits() as i32)),
+            Step::Scale([0; 3].map(|_| rng.bits() as i32 >> rng.below(31))),
         ]);
         let place = point([0; 3].map(|_| rng.bits() as i32));
         let exponent = rng.int(-32, 15) as i8;
