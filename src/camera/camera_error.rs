@@ -36,6 +36,11 @@ pub enum CameraError {
     TooNear,
     /// The viewing matrix is not a rotation followed by a translation.
     NotRigid,
+    /// A row of the viewing matrix has a number that is NaN or infinite: check the computation that produced it.
+    NotFinite {
+        /// The row's name: x, y, z or w, the last one.
+        row: char,
+    },
     /// The view plane normal (VPN) or the gaze has length zero: give a direction, or a target that differs from the eye. Or the view up
     /// vector (VUP) has length zero, or is parallel to the gaze to within 2⁻¹² rad, so the roll is undefined: give another, such as
     /// (0, 1, 0).
@@ -59,6 +64,12 @@ impl core::fmt::Display for CameraError {
                 return write!(
                     f,
                     "row {row} of the matrix: its numbers must be finite and at most 2^32 times those of the other rows, and those of row w not all 0"
+                );
+            }
+            Self::NotFinite { row } => {
+                return write!(
+                    f,
+                    "row {row} of the viewing matrix has a number that is NaN or infinite: check how it was computed"
                 );
             }
             Self::FieldOfView => "field of view must be 0.09° to 179.9°",

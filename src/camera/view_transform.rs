@@ -149,10 +149,10 @@ impl ViewTransform {
     ///
     /// # Errors
     ///
-    /// [`CameraError::NotRigid`] if the last row is not (0, 0, 0, 1), the rows are left-handed or not finite,
+    /// [`CameraError::NotFinite`] names a row that has a number that is NaN or infinite.
+    /// [`CameraError::NotRigid`] if the last row is not (0, 0, 0, 1), the rows are left-handed,
     /// or, as given or as rounded, a row's squared length differs from 1 or the dot product of two rows from 0 by more than
-    /// 4·10⁻⁶: six correct decimals suffice. [`CameraError::OutOfRange`] if the eye is beyond ±32768 world units, or the last column is
-    /// not finite.
+    /// 4·10⁻⁶: six correct decimals suffice. [`CameraError::OutOfRange`] if the eye is beyond ±32768 world units.
     ///
     /// ```
     /// use pinhole::{camera::CameraError, Point3, ViewTransform};
@@ -163,6 +163,11 @@ impl ViewTransform {
     /// # Ok::<(), CameraError>(())
     /// ```
     pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, CameraError> {
+        for (row, name) in matrix.iter().zip(['x', 'y', 'z', 'w']) {
+            if row.iter().any(|number| !number.is_finite()) {
+                return Err(CameraError::NotFinite { row: name });
+            }
+        }
         let [u, v, n, last] = *matrix;
         if last != [0.0, 0.0, 0.0, 1.0] {
             return Err(CameraError::NotRigid);

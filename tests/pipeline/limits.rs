@@ -51,6 +51,7 @@ fn each_message_names_the_fault_and_the_way_out() {
         CameraError::OutOfRange => "2^30", "eye", "32768", "larger unit", "wider";
         CameraError::Direction => "viewing direction", "up vector", "length zero", "parallel", "another", "eye";
         CameraError::NotRigid => "not rigid", "orthonormal", "0 0 0 1";
+        CameraError::NotFinite { row: 'z' } => "row z", "matrix", "NaN", "computed";
         CameraError::Viewport => "aspect ratio", "at least 1", "8192", "shrink";
         BufferError::Depth { needed: 640, given: 639 } => "640", "639", "`u16`";
         BufferError::Strip { of: "a strip of one row", needed: 480, given: 479 } => "479", "480", "strip of one row";
