@@ -233,6 +233,13 @@ impl ImportedMesh {
         (count > MOST_FACES).then_some(Warning::ManyFaces { count })
     }
 
+    /// A warning, if the mesh is larger than the world in which it is drawn.
+    pub(crate) fn larger_than_the_world(&self) -> Option<Warning> {
+        let extent = self.report.extent as u64;
+        (extent > 1 << 16 && self.exponent <= 15).then_some(Warning::Extent { extent })
+        // no mesh beyond
+    }
+
     /// The faces without the backs of others.
     fn fronts(&self) -> &[[u16; 3]] {
         &self.faces[..self.faces.len().saturating_sub(self.report.backs)]

@@ -327,6 +327,7 @@ pub(crate) fn make(
     warnings.extend(mesh.large());
     warnings.extend(mesh.large_picture());
     warnings.extend(mesh.too_many_for_bands());
+    warnings.extend(mesh.larger_than_the_world());
     Ok(Preview { mesh: Ok(mesh), warnings, ..made })
 }
 
