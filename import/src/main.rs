@@ -174,9 +174,14 @@ fn run(given: &ArgMatches) -> Result<String, String> {
     let (model, output) = (path("MODEL"), path("output"));
     let name = given.get_one::<String>("name").map_or("MESH", String::as_str);
 
-    if host::is_same(&model, &output) {
-        return Err(format!("{}: is the model itself", output.display()));
-    }
+    let apart = |input: &Path| match host::is_same(input, &output) {
+        true => Err(format!(
+            "{}: is the model itself, or a file that it names: name another output",
+            output.display()
+        )),
+        false => Ok(()),
+    };
+    apart(&model)?;
     let bar = progress();
     let mesh = pinhole_import::import_with(&model, &options(given), |step| {
         bar.set_message(doing(step));
@@ -184,6 +189,7 @@ fn run(given: &ArgMatches) -> Result<String, String> {
     });
     bar.finish_and_clear();
     let mesh = mesh.map_err(|e| e.to_string())?;
+    mesh.libraries.iter().try_for_each(|file| apart(file))?;
     warn(&model, &mesh.warnings);
 
     let root = path("root");

@@ -21,14 +21,14 @@ type Shade = [[u8; 3]; 2];
 pub(crate) struct Pictures {
     /// As `map_Kd` names them, in the order of their first use.
     pub(crate) names: Vec<String>,
-    /// How many triangles have a material without a picture, or none.
-    pub(crate) bare: usize,
+    /// Whether each triangle has a material without a picture, or none; in builds that read pictures.
+    pub(crate) bare: Vec<bool>,
     /// The first one's file and its bytes, if pictures are wanted.
     pub(crate) first: Option<Result<(PathBuf, Vec<u8>), Unread>>,
 }
 
 /// The colour of each triangle, by its material or, where that has none, its own, as long as `own` has any; the pictures that the
-/// materials name; and the libraries that were read. No colours where no triangle has a material or a colour, or no library a
+/// materials name; and the files of these and of libraries. No colours where no triangle has a material or a colour, or no library a
 /// material.
 pub(crate) fn read(
     (names, of_triangles): (&[String], &[Option<usize>]),
@@ -45,8 +45,12 @@ pub(crate) fn read(
     let mut are_read = !libraries.is_empty();
     let mut seen = Names::default();
     let libraries = libraries.iter().map(|library| &library[..]);
-    let libraries = libraries.filter(|library| !names.is_empty() && seen.insert(library, 0).is_none());
+    let libraries = libraries.filter(|library| seen.insert(library, 0).is_none());
     for (name, found) in libraries.flat_map(|names| beside.find_all(names)) {
+        if names.is_empty() {
+            paths.extend(found.ok().map(|found| found.path)); // no face has a material
+            continue;
+        }
         let name = name.to_owned();
         match found.and_then(|found| Ok((beside.read(&found)?, found.path))) {
             Ok((bytes, path)) => {
@@ -82,17 +86,23 @@ pub(crate) fn read(
     let material = |number: Option<usize>| number.and_then(|number| named_material(names.get(number)?));
     let mut named = Names::default();
     for &number in of_triangles {
-        match material(number).and_then(|material| material.picture.as_ref()) {
-            Some(name) if named.insert(name, 0).is_none() => pictures.names.push(name.clone()),
-            Some(_) => {}
-            None => pictures.bare += 1,
+        let picture = material(number).and_then(|material| material.picture.as_ref());
+        if let Some(name) = picture.filter(|name| named.insert(name, 0).is_none()) {
+            pictures.names.push(name.clone());
+        }
+        if cfg!(feature = "textures") {
+            pictures.bare.push(picture.is_none());
         }
     }
-    if let (Some(name), Some(_)) = (pictures.names.first(), &beside.options.texture) {
-        pictures.first = Some(beside.find(name).and_then(|found| {
-            let bytes = beside.read(&found)?.into_owned();
-            Ok((found.path, bytes))
-        }));
+    let looked_for = pictures.names.iter().filter(|_| cfg!(feature = "textures"));
+    for (number, found) in looked_for.map(|name| beside.find(name)).enumerate() {
+        paths.extend(found.as_ref().ok().map(|found| found.path.clone()));
+        if number == 0 && beside.options.texture.is_some() {
+            pictures.first = Some(found.and_then(|found| {
+                let bytes = beside.read(&found)?.into_owned();
+                Ok((found.path, bytes))
+            }));
+        }
     }
     let mut covered = 0;
     let shade = |(triangle, &number): (usize, &Option<usize>)| {

@@ -55,7 +55,7 @@ pub struct ImportedMesh {
     /// The picture that the materials name, if [`Options::texture`](crate::Options::texture) asks for it and the model has
     /// texture coordinates.
     pub picture: Option<IndexedPicture>,
-    /// Files that were read beside the model: material libraries, and a picture.
+    /// Files beside the model: material libraries, and the pictures that its materials name.
     pub libraries: Vec<PathBuf>,
     /// What was subtracted from all vertices, in model units: the centre of the bounding box, or nothing. Where `I16F16`
     /// can hold the centre, it is rounded to that (see [`quantise`](crate::quantise)).

@@ -18,7 +18,7 @@ pub(crate) struct Model {
     pub(crate) texture: Option<TextureFaces>,
     /// The pictures that materials name.
     pub(crate) pictures: Pictures,
-    /// Files read beside the model.
+    /// Files beside the model.
     pub(crate) libraries: Vec<PathBuf>,
 }
 

@@ -4,7 +4,6 @@ use crate::materials::Pictures;
 #[cfg(feature = "textures")]
 use crate::pixels::indexed;
 use crate::{rust, Problem, TextureFormat, Warning};
-use std::path::PathBuf;
 
 /// A picture as `pinhole::texture::IndexedTexels` borrows it, or with mip levels `MipTexels` of `IndexedTexels`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -118,12 +117,12 @@ pub(crate) fn channels(path: &str) -> Option<Channels> {
 /// The picture, but for its file's name, or why it is none.
 pub(crate) type Indexed = Result<IndexedPicture, String>;
 
-/// Reads the picture that the materials name, in the format, and its path. What is doubtful is a warning.
+/// Reads the picture that the materials name, in the format. What is doubtful is a warning.
 pub(crate) fn read(
-    pictures: Pictures,
+    pictures: &Pictures,
     format: &TextureFormat,
     warnings: &mut Vec<Warning>,
-) -> Result<Option<(PathBuf, IndexedPicture)>, Problem> {
+) -> Result<Option<IndexedPicture>, Problem> {
     let Some(name) = pictures.names.first() else {
         warnings.push(Warning::NoPicture);
         return Ok(None);
@@ -132,22 +131,23 @@ pub(crate) fn read(
         let (written, other) = (name.clone(), other.clone());
         warnings.push(Warning::Pictures { count: pictures.names.len(), written, other });
     }
-    if pictures.bare > 0 {
-        warnings.push(Warning::NoPictureFaces { count: pictures.bare });
+    let count = pictures.bare.iter().filter(|&&is_bare| is_bare).count();
+    if count > 0 {
+        warnings.push(Warning::NoPictureFaces { count });
     }
-    let (path, bytes) = match pictures.first {
+    let (path, bytes) = match &pictures.first {
         Some(Ok(read)) => read,
         Some(Err(why)) => {
-            warnings.push(Warning::PictureUnread { name: name.clone(), why });
+            warnings.push(Warning::PictureUnread { name: name.clone(), why: why.clone() });
             return Ok(None);
         }
         None => return Ok(None), // not wanted
     };
-    match indexed(name, &bytes, format, warnings)? {
+    match indexed(name, bytes, format, warnings)? {
         Ok(picture) => {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             let name = rust::one_line(&name).replace('`', "'");
-            Ok(Some((path, IndexedPicture { name, ..picture })))
+            Ok(Some(IndexedPicture { name, ..picture }))
         }
         Err(problem) => {
             warnings.push(Warning::Picture { name: name.clone(), problem });

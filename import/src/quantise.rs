@@ -42,7 +42,7 @@ pub(crate) fn make(
     begins: &mut dyn FnMut(Step),
 ) -> Result<Preview, Problem> {
     options.check()?;
-    let Model { triangles, places, mut warnings, lines, colors, texture, pictures, mut libraries } = model;
+    let Model { triangles, places, mut warnings, lines, colors, texture, pictures, libraries } = model;
     let lines = if options.edges == Edges::None { Vec::new() } else { lines };
     let Triangles { positions: read, faces } = triangles;
     if faces.iter().flatten().any(|&i| i >= read.len()) {
@@ -190,7 +190,7 @@ pub(crate) fn make(
         Some(colors) => of_mesh().map(|face| colors.faces[place(face)]).collect(),
         None => Vec::new(),
     };
-    let uv: Vec<[[f64; 2]; 3]> = match &texture {
+    let mut uv: Vec<[[f64; 2]; 3]> = match &texture {
         Some(texture) => {
             let corners_of = |(number, face): (usize, usize)| {
                 let mut values =
@@ -221,9 +221,11 @@ pub(crate) fn make(
             warnings.push(Warning::NoTextureCoords);
         }
         Some(format) => {
-            if let Some((path, read)) = picture::read(pictures, format, &mut warnings)? {
-                libraries.push(path);
-                picture = Some(read);
+            picture = picture::read(&pictures, format, &mut warnings)?;
+            for (uv, face) in uv.iter_mut().zip(of_mesh()).filter(|_| picture.is_some()) {
+                if pictures.bare.get(place(face)) == Some(&true) {
+                    *uv = [[f64::NAN; 2]; 3];
+                }
             }
         }
         None => warnings.extend(pictures.names.first().map(|first| Warning::PicturesUnwanted {

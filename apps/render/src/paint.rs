@@ -348,10 +348,12 @@ fn paint_in<C: Colour>(
         faces.iter().map(BinnedFaces::statistics).fold(Statistics::default(), core::ops::Add::add);
     let bounds = around(faces.iter().map(BinnedFaces::bounds));
     let areas = plan(with_sprites(if is_smooth { with_border(bounds) } else { bounds }));
-    // A surface that is shaded smoothly has creases where it is not, or where its colour changes.
+    // A surface that is shaded smoothly has creases where it is not, or where its colour changes, or the texture ends.
     let own_colour = |face: Option<usize>| scene.colors.faces.get(face?).filter(|_| style.own_colours);
+    let is_bare = |face: usize| scene.texture.as_ref().is_some_and(|it| it.bare.get(face) == Some(&true));
     let is_crease = |part: &Part, edge: usize| {
-        let [one, other] = part.triangles_beside(edge).map(own_colour);
+        let of_face = |face: Option<usize>| (own_colour(face), face.is_some_and(is_bare));
+        let [one, other] = part.triangles_beside(edge).map(of_face);
         part.is_feature(edge) || one != other
     };
     let mut edge_bin_storage: Vec<_> = meshes.iter().map(|mesh| vec![0; mesh.smooth_bins_len()]).collect();
@@ -377,6 +379,15 @@ fn paint_in<C: Colour>(
     };
     let smooth = |part: &Part, face| Gouraud::lit(colour(part, face), levels(part, face));
     let glowing = |part: &Part, face| smooth(part, face).emitting(emission(part, face));
+    let emits = style.own_colours && !scene.colors.emission.is_empty();
+    let plain = |part: &Part, face: usize| match (style.mode == Mode::Flat, emits, style.dither) {
+        (true, _, false) => Brush::Flat(flat(part, face)),
+        (true, _, true) => Brush::FlatDithered(Dithered(flat(part, face))),
+        (false, false, false) => Brush::Smooth(smooth(part, face)),
+        (false, false, true) => Brush::SmoothDithered(Dithered(smooth(part, face))),
+        (false, true, false) => Brush::Glowing(glowing(part, face)),
+        (false, true, true) => Brush::GlowingDithered(Dithered(glowing(part, face))),
+    };
     let all =
         Faces { out, statistics, areas: &areas, parts: all_parts, faces: &mut faces, edges: &mut edges };
     let picture = scene.texture.as_ref().zip(quantised.texture.as_ref());
@@ -388,6 +399,7 @@ fn paint_in<C: Colour>(
         let texture = Texture::new(texels).with_exponent(coords.exponent).map_err(|e| e.to_string())?;
         let uv = |part: &Part, face: usize| coords.uv[number(part, face)];
         return all.draw(fog, &|part, face| match (clamped, style.lit_texture) {
+            _ if is_bare(number(part, face)) => plain(part, face),
             (false, false) => Brush::Texture(texture.at(uv(part, face))),
             (true, false) => Brush::ClampedTexture(texture.clamped_at(uv(part, face))),
             (false, true) => Brush::LitTexture(texture.at(uv(part, face)).lit(levels(part, face))),
@@ -396,15 +408,7 @@ fn paint_in<C: Colour>(
             }
         });
     }
-    let emits = style.own_colours && !scene.colors.emission.is_empty();
-    all.draw(fog, &|part, face| match (style.mode == Mode::Flat, emits, style.dither) {
-        (true, _, false) => Brush::Flat(flat(part, face)),
-        (true, _, true) => Brush::FlatDithered(Dithered(flat(part, face))),
-        (false, false, false) => Brush::Smooth(smooth(part, face)),
-        (false, false, true) => Brush::SmoothDithered(Dithered(smooth(part, face))),
-        (false, true, false) => Brush::Glowing(glowing(part, face)),
-        (false, true, true) => Brush::GlowingDithered(Dithered(glowing(part, face))),
-    })
+    all.draw(fog, &plain)
 }
 
 /// The triangles of a scene from far to near, by the mean depth of their corners, as [`pinhole::draw::Painter`] sorts them.

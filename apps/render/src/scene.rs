@@ -43,7 +43,7 @@ pub struct Scene {
     /// Whether back faces are culled.
     pub cull: bool,
     pub colors: Colors,
-    /// The texture on all triangles, or none.
+    /// The texture on the triangles, or none.
     pub texture: Option<SceneTexture>,
     pub lights: Lights,
     /// Fog in pictures, unless an option sets it.

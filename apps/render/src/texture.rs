@@ -8,11 +8,13 @@ use serde::Deserialize;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
-/// A texture on all triangles of a scene.
+/// A texture on the triangles of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneTexture {
     /// The coordinates of each triangle's corners in texels: u to the right, v down, from the upper left corner.
     pub uv: Vec<[[f64; 2]; 3]>,
+    /// Whether each triangle shows its own colour instead; or nothing, where all show the texture.
+    pub bare: Vec<bool>,
     /// Columns and rows: powers of two from 8 to 256.
     pub size: [usize; 2],
     /// Whether the edge of the picture continues beyond it, in place of another copy of the picture.
@@ -65,7 +67,7 @@ pub(crate) fn read(fields: Fields, folder: &Path, mesh: &Triangles) -> Result<Op
     if let Some(side) = size.into_iter().find(|side| !side.is_power_of_two() || *side < 8 || *side > 256) {
         return Err(format!("texture: has a side of {side}, which is none of 8, 16, 32, 64, 128, 256"));
     }
-    Ok(Some(SceneTexture { uv: read_uv(uv, mesh)?, size, clamped, picture }))
+    Ok(Some(SceneTexture { uv: read_uv(uv, mesh)?, bare: Vec::new(), size, clamped, picture }))
 }
 
 /// A pair for each vertex, or three for each triangle.
@@ -87,11 +89,17 @@ fn read_uv(uv: Value, mesh: &Triangles) -> Result<Vec<[[f64; 2]; 3]>, String> {
 pub fn of_model(model: &Preview) -> Option<SceneTexture> {
     let picture = model.mesh.as_ref().ok()?.picture.as_ref()?;
     let size = [picture.width, picture.height];
+    let bare: Vec<_> = model.texture.iter().map(|corners| corners[0][0].is_nan()).collect();
     let scale = |[u, v]: [f64; 2]| [u * size[0] as f64, v * size[1] as f64];
+    let all_scaled = |(corners, &bare): (&[[f64; 2]; 3], &bool)| match bare {
+        true => [[0.0; 2]; 3],
+        false => corners.map(scale),
+    };
     let texels =
         (0..size[0] * size[1]).map(|i| picture.color(i % picture.width, i / picture.width)).collect();
-    let uv = model.texture.iter().map(|corners| corners.map(scale)).collect();
-    Some(SceneTexture { uv, size, clamped: false, picture: Some((texels, PathBuf::from(&picture.name))) })
+    let uv = model.texture.iter().zip(&bare).map(all_scaled).collect();
+    let picture = Some((texels, PathBuf::from(&picture.name)));
+    Some(SceneTexture { uv, bare, size, clamped: false, picture })
 }
 
 impl SceneTexture {

@@ -55,6 +55,11 @@ fn standard_output_and_files_are_as_of_all_programs() {
     let model = file("cli-files", "m.obj", TETRAHEDRON);
     let folder = model.parent().unwrap();
     testing::input_is_not_overwritten(IMPORT, folder, "m.obj", "m.obj -o");
+    for input in ["skin.mtl", "skin.png"] {
+        let folder = self::folder(&format!("cli-{input}"));
+        testing::textured(&folder);
+        testing::input_is_not_overwritten(IMPORT, &folder, input, "skin.obj -o");
+    }
     let command = || IMPORT.command(folder, &["m.obj", "-o", "out.rs"]);
     testing::closed_output_is_no_error(command());
     #[cfg(target_os = "linux")]

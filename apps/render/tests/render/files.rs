@@ -54,6 +54,21 @@ fn input_is_not_overwritten() {
     ] {
         testing::input_is_not_overwritten(RENDER, &folder("input"), input, line);
     }
+    // What materials name, though it is not shown.
+    for input in ["skin.mtl", "skin.png"] {
+        for line in
+            ["skin.obj --png", "skin.obj --firmware --png", "skin.obj --texture 4 --png", "s.json --png"]
+        {
+            let to = folder("named");
+            testing::textured(&to);
+            if input == "skin.mtl" {
+                let text = fs::read_to_string(to.join("skin.obj")).unwrap();
+                fs::write(to.join("skin.obj"), text.replace("usemtl", "# no")).unwrap();
+            }
+            fs::write(to.join("s.json"), SCENE.replace("m.obj", "skin.obj")).unwrap();
+            testing::input_is_not_overwritten(RENDER, &to, input, line);
+        }
+    }
 }
 
 #[cfg(target_os = "linux")]

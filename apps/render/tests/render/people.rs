@@ -433,3 +433,27 @@ fn a_model_s_picture_is_shown_where_it_is_asked_for() {
         "{done:?}"
     );
 }
+
+/// A green square above the square with the picture, in every mode.
+#[test]
+fn faces_whose_material_has_no_picture_have_their_own_colour() {
+    let to = Folder::new("bare");
+    let model = fs::read_to_string(testing::textured(&to.0)).unwrap();
+    let more = "v 0 2 0\nv 1 2 0\nusemtl bare\nf 4/1 3/2 6/3 5/4\n";
+    to.write("skin.obj", model + more);
+    let library = fs::read_to_string(to.0.join("skin.mtl")).unwrap();
+    to.write("skin.mtl", library + "newmtl bare\nKd 0 1 0\n");
+    for options in ["", " --mode flat", " --smooth-faces", " --alpha 32", " --format rgb565"] {
+        let line = format!("skin.obj --from 0,0 --texture 4 --size 64x64{options}");
+        let Picture { width, pixels } = to.draw(&line);
+        let has = |[r, g, b]: [bool; 3]| {
+            move |pixel: &&[u8; 3]| [pixel[0] > 9, pixel[1] > 9, pixel[2] > 9] == [r, g, b]
+        };
+        let (above, below) = pixels.split_at(width * 31); // the middle row may be smoothed
+        let below = &below[width * 2..];
+        let count = |rows: &[[u8; 3]], of| rows.iter().filter(has(of)).count();
+        let [red, green, blue] = [[true, false, false], [false, true, false], [false, false, true]];
+        let counts = [red, green, blue].map(|of| [above, below].map(|rows| count(rows, of).min(200)));
+        assert_eq!(counts, [[0, 200], [200, 0], [0, 200]], "{options}");
+    }
+}
