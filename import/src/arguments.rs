@@ -2,8 +2,8 @@
 //! show a model before it is in a firmware.
 
 use crate::{Axis, Options};
-use clap::builder::PossibleValuesParser;
-use clap::{value_parser, Arg, ArgAction, ArgMatches};
+use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
+use clap::{Arg, ArgAction, ArgMatches};
 use std::path::PathBuf;
 
 /// The names of the options.
@@ -39,7 +39,7 @@ pub fn arguments() -> [Arg; 8] {
             "The step of the grid, a power of two such as 2^-10 or 0.5: parts of one step fit together [default: the finest]",
         ),
         flag("materials-only", "Leave out colours of vertices (OBJ) and of facets (STL)"),
-        Arg::new("root").long("root").value_name("FOLDER").value_parser(value_parser!(PathBuf)).help(
+        Arg::new("root").long("root").value_name("FOLDER").value_parser(PathBufValueParser::new().try_map(folder)).help(
             "A folder whose material libraries and pictures the model may name, besides its own folder",
         ),
     ]
@@ -52,6 +52,14 @@ fn step(text: &str) -> Result<f64, String> {
         None => text.parse().ok(),
     };
     number.ok_or_else(|| "a power of two is a number such as 0.25, or 2^-2".into())
+}
+
+/// The value of `--root`.
+fn folder(path: PathBuf) -> Result<PathBuf, &'static str> {
+    match path.is_dir() {
+        true => Ok(path),
+        false => Err("this is no folder"),
+    }
 }
 
 /// The default options, changed by the given ones.

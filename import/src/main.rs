@@ -101,7 +101,7 @@ fn command() -> Command {
                 .long("decimate")
                 .value_name("N")
                 .allow_negative_numbers(true)
-                .value_parser(value_parser!(usize))
+                .value_parser(|text: &str| text.parse::<usize>().map_err(|_| "give a whole number of triangles"))
                 .help(DECIMATE),
         )
         .arg(
@@ -174,6 +174,14 @@ fn run(given: &ArgMatches) -> Result<String, String> {
     let (model, output) = (path("MODEL"), path("output"));
     let name = given.get_one::<String>("name").map_or("MESH", String::as_str);
 
+    if model.as_os_str() == "-" {
+        return Err(
+            "-: standard input is not read, as the name tells the format: name a file (.obj, .stl)".into()
+        );
+    }
+    if output.as_os_str() == "-" {
+        return Err("--output: - is no file, and standard output has the report: name a file".into());
+    }
     let apart = |input: &Path| match host::is_same(input, &output) {
         true => Err(format!(
             "{}: is the model itself, or a file that it names: name another output",

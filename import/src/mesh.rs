@@ -236,8 +236,8 @@ impl ImportedMesh {
     /// A warning, if the mesh is larger than the world in which it is drawn.
     pub(crate) fn larger_than_the_world(&self) -> Option<Warning> {
         let extent = self.report.extent as u64;
+        // With larger steps it is no mesh, which says what to do, too.
         (extent > 1 << 16 && self.exponent <= 15).then_some(Warning::Extent { extent })
-        // no mesh beyond
     }
 
     /// The faces without the backs of others.

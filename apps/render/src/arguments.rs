@@ -30,8 +30,9 @@ pub fn command(more: &'static [Output]) -> Command {
             .allow_negative_numbers(true)
             .value_parser(value_parser!(f64))
     };
-    let text =
-        |name: &'static str, value, help: String| Arg::new(name).long(name).value_name(value).help(help);
+    let text = |name: &'static str, value, help: String| {
+        Arg::new(name).long(name).value_name(value).help(help).allow_negative_numbers(true)
+    };
     let flag = |name: &'static str, help| Arg::new(name).long(name).action(ArgAction::SetTrue).help(help);
     let modes = Mode::list();
     let formats = Format::list();
@@ -127,7 +128,7 @@ pub fn command(more: &'static [Output]) -> Command {
             "size",
             "WxH",
             "Size of the picture in pixels [default: 640x480; 320x240 for films, 160x120 for text]".into(),
-        ))
+        ).allow_hyphen_values(true))
         .arg(text(
             "frame",
             "WHAT",

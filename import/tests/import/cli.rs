@@ -60,6 +60,10 @@ fn standard_output_and_files_are_as_of_all_programs() {
         testing::textured(&folder);
         testing::input_is_not_overwritten(IMPORT, &folder, input, "skin.obj -o");
     }
+    for words in [["-", "-o", "out.rs"], ["m.obj", "-o", "-"]] {
+        let said = testing::refusal(&IMPORT.run_in(folder, &words));
+        assert!(said.contains(": name a file"), "{said}");
+    }
     let command = || IMPORT.command(folder, &["m.obj", "-o", "out.rs"]);
     testing::closed_output_is_no_error(command());
     #[cfg(target_os = "linux")]
