@@ -11,6 +11,7 @@ use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::camera::UnpackedVertex;
 use crate::color::Access;
+use crate::math::hints::keep_rolled;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
 use crate::shading::StrokeKind;
@@ -58,7 +59,16 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         let mut fill = BinStorage::new(storage, edges.len(), 1)?.fill(pixels(self.instance.area()));
         let mut statistics = Statistics::NONE;
         for (index, &edge) in edges.iter().enumerate() {
-            fill.add(index, &self.bounds_in_bins(edge, &mut statistics));
+            let Some(ends) = self.edge_out_of_line(edge, &mut statistics) else { continue };
+            let mut bounds = bounds(&ends);
+            // If the box does not meet the viewport: the box that an anti-aliased line reaches into.
+            for _ in 0..2 {
+                keep_rolled();
+                if fill.add(index, &bounds) {
+                    break;
+                }
+                bounds = bounds.grown(anti_aliased::BEYOND);
+            }
         }
         let statistics = statistics.with_the_rest_drawn(edges.len());
         Ok(BinnedEdges(Binned { transformed: *self, bins: fill.bins(), statistics }))
@@ -74,19 +84,6 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         statistics: &mut Statistics,
     ) -> Option<[UnpackedVertex; 2]> {
         self.edge(edge, statistics)
-    }
-
-    /// The bounding box of an edge or, if it does not meet the viewport, the box that an anti-aliased line reaches into. It is empty
-    /// if clipping leaves nothing of the edge.
-    #[inline(always)]
-    fn bounds_in_bins(&self, edge: [u16; 2], statistics: &mut Statistics) -> Scissor {
-        let Some(ends) = self.edge_out_of_line(edge, statistics) else { return Scissor::EMPTY };
-        let bounds = bounds(&ends);
-        if bounds.intersection(&pixels(self.instance.area())).is_empty() {
-            bounds.grown(anti_aliased::BEYOND)
-        } else {
-            bounds
-        }
     }
 }
 
