@@ -7,7 +7,7 @@ use super::drawable::StrokeFor;
 use super::face_triangles::FaceTriangles;
 use super::instance::MeshInstance;
 use super::statistics::Statistics;
-use super::vertex_cache::TransformedMesh;
+use super::vertex_cache::{self, TransformedMesh};
 use super::wireframe::{each_edge, Edges};
 use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::color::Access;
@@ -126,53 +126,27 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<(), T::Error> {
-        let line_depth = line_depth(ends);
-        let mut planes = None; // found at the first pixel that lies behind the stored depth
-        let mut is_surface = |stored, x, y| {
-            if planes.is_none() {
-                self.find_planes_beside(edge, ends, &line_depth, &region.viewport, &mut planes);
-            }
-            planes.as_ref().and_then(|planes| planes.are_in_front(stored, x, y))
-        };
+        let viewport = &region.viewport;
+        let mut beside = PlanesBeside { mesh: self, edge, ends, viewport, are_found: false, planes: None };
         if <K::Access as Access>::READS {
-            let DrawRegion { viewport, scissor } = region;
+            let line_depth = line_depth(ends);
+            let tall = line_depth.step().0;
+            let mut is_surface =
+                |stored, x, y| beside.are_in_front(&line_depth, stored, if tall { [y, x] } else { [x, y] });
             anti_aliased::visible_edge(
                 ends,
                 false,
                 &mut is_surface,
                 viewport,
-                scissor,
+                &region.scissor,
                 stroke,
                 depth,
                 target,
             );
             return Ok(());
         }
-        draw_visible(
-            ends,
-            &line_depth,
-            false,
-            &mut is_surface,
-            stroke.color(),
-            &region.scissor,
-            depth,
-            target,
-        )
-    }
-
-    /// Stores the planes of the drawn faces beside an edge.
-    #[inline(never)] // its stack frame is gone when it returns
-    fn find_planes_beside(
-        &self,
-        edge: usize,
-        ends: &[UnpackedVertex; 2],
-        line_depth: &LineDepth,
-        viewport: &Scissor,
-        planes: &mut Option<EdgePlanes>, // not returned: it would be copied
-    ) {
-        let (points, depths) = (ends.map(|end| end.point), ends.map(|end| end.depth));
-        let planes = planes.insert(EdgePlanes::new(points, depths, line_depth));
-        self.each_face_beside(edge, &points, viewport, |corner, depth, side| planes.add(corner, depth, side));
+        let mut is_surface = |line_depth: &_, stored, pixel| beside.are_in_front(line_depth, stored, pixel);
+        draw_visible(ends, false, &mut is_surface, stroke.color(), &region.scissor, depth, target)
     }
 
     /// Calls `add` for each drawn face beside an edge between these points, with a corner that is not an end of the edge, its depth in 16.8,
@@ -187,31 +161,40 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     ) {
         let mesh = self.instance.mesh();
         let Some(edge_ends) = mesh.edges.get(edge) else { return };
-        let are_on_screen = edge_ends.iter().all(|&index| self.screen_vertex(index).is_on_screen());
-        for at in 0..mesh.candidates_beside(edge) {
-            let Some(face) = mesh.face_beside(edge, at) else { continue };
-            match third_corner(edge_ends, face) {
-                Some((index, is_along)) if are_on_screen => {
-                    let corner = self.screen_vertex(index);
-                    if corner.is_on_screen() {
-                        let corner = self.instance.vertex_transform().unpack::<DEPTH>(corner);
-                        let side = side_of(ends, corner.point);
-                        let area = if is_along { side } else { -side };
-                        if self.instance.cull().facing(area) == Facing::Drawn {
-                            add(corner.point, corner.depth, side);
-                        }
-                        continue;
-                    }
-                }
-                // A face without area, or one that is not beside the edge.
-                None if self.uncached_corners(face).is_some() => continue,
-                _ => {}
-            }
-            let clipped = if V::CLIPS { self.corner_of_clipped(face, ends, viewport) } else { None };
-            if let Some((corner, depth, side)) = clipped {
+        let listed = mesh.listed_beside(edge);
+        for at in 0..listed.map_or(mesh.faces.len(), |pair| pair.len()) {
+            let face = match listed {
+                Some(pair) => pair.get(at).and_then(|&face| mesh.listed_face(face)),
+                None => mesh.faces.get(at).filter(|face| edge_ends.iter().all(|end| face.contains(end))),
+            };
+            let Some(face) = face else { continue };
+            let found = match self.on_screen(face).or_else(|| self.uncached_corners(face)) {
+                Some(corners) => self.corner_of_drawn(edge_ends, face, corners, ends),
+                None if V::CLIPS => self.corner_of_clipped(face, ends, viewport),
+                None => None,
+            };
+            if let Some((corner, depth, side)) = found {
                 add(corner, depth, side);
             }
         }
+    }
+
+    /// Of a face with these corners, if it is drawn, the corner that is not an end of an edge.
+    #[inline(always)]
+    fn corner_of_drawn(
+        &self,
+        edge_ends: &[u16; 2],
+        face: &[u16; 3],
+        corners: [ScreenVertex; 3],
+        ends: &[ScreenPoint; 2],
+    ) -> Option<(ScreenPoint, i32, i64)> {
+        if self.instance.cull().facing(vertex_cache::area::<DEPTH>(&corners)) != Facing::Drawn {
+            return None;
+        }
+        let (index, _) = third_corner(edge_ends, face)?; // `None` if the face is not beside the edge
+        let corner = self.screen_vertex(index);
+        let UnpackedVertex { point, depth } = self.instance.vertex_transform().unpack::<DEPTH>(corner);
+        Some((point, depth, side_of(ends, point)))
     }
 
     /// Of a face that is clipped, if it is drawn, the corner of the polygon that is farthest from the edge.
@@ -241,6 +224,42 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
             }
         }
         Some(farthest)
+    }
+}
+
+/// The planes of the drawn faces beside an edge, found when they are first needed.
+struct PlanesBeside<'a, V: Coordinate, const DEPTH: bool> {
+    mesh: &'a TransformedMesh<'a, V, DEPTH>,
+    edge: usize,
+    ends: &'a [UnpackedVertex; 2],
+    viewport: &'a Scissor,
+    are_found: bool,
+    planes: Option<EdgePlanes>,
+}
+
+impl<V: Coordinate, const DEPTH: bool> PlanesBeside<'_, V, DEPTH> {
+    /// [`EdgePlanes::are_in_front`]; `None` if there is no plane.
+    #[inline(always)]
+    fn are_in_front(&mut self, line_depth: &LineDepth, stored: u16, pixel: [i32; 2]) -> Option<bool> {
+        if !self.are_found {
+            self.find(line_depth);
+        }
+        self.planes.as_ref().map(|planes| planes.are_in_front(stored, pixel))
+    }
+
+    #[inline(never)] // its stack frame is gone when it returns
+    fn find(&mut self, line_depth: &LineDepth) {
+        let Self { mesh, edge, ends, viewport, are_found, planes } = self;
+        *are_found = true;
+        let points = ends.map(|end| end.point);
+        mesh.each_face_beside(*edge, &points, viewport, |corner, depth, side| {
+            if planes.is_none() {
+                EdgePlanes::set(planes, &points, ends.map(|end| end.depth), line_depth);
+            }
+            if let Some(planes) = planes {
+                planes.add(corner, depth, side);
+            }
+        });
     }
 }
 
@@ -284,41 +303,43 @@ pub(super) fn draw_nearer<T: Surface, K: StrokeFor<T>>(
         anti_aliased::visible_edge(ends, true, &mut |_, _, _| None, viewport, scissor, stroke, depth, target);
         return Ok(());
     }
-    draw_visible(ends, &line_depth(ends), true, &mut |_, _, _| None, stroke.color(), scissor, depth, target)
+    draw_visible(ends, true, &mut |_, _, _| None, stroke.color(), scissor, depth, target)
 }
 
-/// Draws the pixels of a line that are as near as the depth buffer or nearer, or for which `is_drawn_over` is true, given the
-/// stored depth and the pixel; it returns `None` if it never is. `stores`: the depth of drawn pixels is stored.
+/// Whether a pixel of a line is drawn that lies behind the stored depth: given the depth along the line, the stored depth, and the
+/// pixel's coordinates along the line's major and minor axis. `None`: no pixel of the line.
+type IsDrawnOver<'a> = dyn FnMut(&LineDepth, u16, [i32; 2]) -> Option<bool> + 'a;
+
+/// Draws the pixels of a line that are as near as the depth buffer or nearer, or for which `is_drawn_over` is true. `stores`: the depth of drawn
+/// pixels is stored.
 #[inline(never)] // one copy for both callers; `is_drawn_over` is called only where the line lies behind the stored depth
-#[allow(clippy::too_many_arguments)]
 fn draw_visible<T: Surface>(
     ends: &[UnpackedVertex; 2],
-    line_depth: &LineDepth,
     stores: bool,
-    is_drawn_over: &mut dyn FnMut(u16, i32, i32) -> Option<bool>,
+    is_drawn_over: &mut IsDrawnOver<'_>,
     color: T::Color,
     scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
     let [from, to] = ends.map(|end| end.point.pixel());
-    let line = LineSpans::new(&LineSetup::new(from, to), scissor);
-    let (tall, mut may_be_drawn_over) = (line.tall, true);
-    let is_visible = |[major, minor]: [i32; 2], stored: &mut u16| {
-        let own = line_depth.depth(major);
-        let is_visible = own <= *stored
+    let setup = LineSetup::new(from, to);
+    let line = if setup.lies_in(scissor) { LineSpans::of(&setup) } else { LineSpans::new(&setup, scissor) };
+    let line_depth = LineDepth::on_axis(line.tall, ends.map(|end| end.point), ends.map(|end| end.depth));
+    let mut may_be_drawn_over = true;
+    let is_visible = |own, stored: &mut u16, pixel| {
+        let is_visible = own <= u32::from(*stored)
             || may_be_drawn_over && {
-                let [x, y] = if tall { [minor, major] } else { [major, minor] };
-                let is_drawn_over = is_drawn_over(*stored, x, y);
+                let is_drawn_over = is_drawn_over(&line_depth, *stored, pixel);
                 may_be_drawn_over = is_drawn_over.is_some();
                 is_drawn_over == Some(true)
             };
         if is_visible && stores {
-            *stored = own;
+            *stored = own as u16; // a step of depth
         }
         is_visible
     };
-    depth.along(line, is_visible, |visible| fill_run(target, visible, color))
+    depth.along(line, &line_depth, is_visible, |visible| fill_run(target, visible, color))
 }
 
 /// Fills a run of a line.

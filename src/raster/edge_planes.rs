@@ -19,12 +19,16 @@ use crate::math::num::mul_called;
 /// at p, where line is the depth along the edge without its ends. All planes on one side pass through the edge, so the
 /// nearest one has the least of these quotients, and is the only one stored.
 pub(crate) struct EdgePlanes {
-    from: ScreenPoint,
-    to: ScreenPoint,
-    /// Whether depth along the edge is a function of y, not of x; its value at `from` in 16.8, and its step per pixel in 16.16.
+    /// Whether depth along the edge is a function of y, not of x: the edge's major axis. Its origin there, its value at the origin in 16.8, and its
+    /// step per pixel in 16.16.
     tall: bool,
+    from: i32,
     depth: i32,
     step: i32,
+    /// S at the centre of the pixel in column 0 and row 0, and its change per pixel along the major and the minor axis. They wrap.
+    side: i32,
+    by_major: i32,
+    by_minor: i32,
     /// S of a point 1/64 pixel from the edge along the minor axis. Vertices are rounded to 1/256 pixel, so a plane is uncertain by about
     /// as much.
     margin: i32,
@@ -39,31 +43,48 @@ struct Plane {
     run: i32,
 }
 
+impl Plane {
+    /// To 31 bits: the common case first. A run has more only if the face is hundreds of pixels high: then 1/256 step less counts for nothing.
+    #[inline(always)]
+    fn new(rise: i64, run: i64) -> Self {
+        let bits = rise.unsigned_abs() | run as u64;
+        if bits >> 31 == 0 {
+            return Self { rise: rise as i32, run: run as i32 };
+        }
+        let excess = 33_u32.saturating_sub(bits.leading_zeros());
+        Self { rise: (rise >> excess) as i32, run: (run >> excess) as i32 }
+    }
+}
+
 impl EdgePlanes {
     /// An edge without faces, with the depths of its ends in 16.8 and the depth along the line between them.
-    pub(crate) fn new(ends: [ScreenPoint; 2], depths: [i32; 2], line: &LineDepth) -> Self {
+    #[inline(always)]
+    pub(crate) fn new(ends: &[ScreenPoint; 2], depths: [i32; 2], line: &LineDepth) -> Self {
         let ([from, to], [first, last]) = (ends, depths);
         let (tall, step) = line.step();
         // An edge in one pixel has the depth of its nearer end everywhere, as `LineDepth` has it.
         let depth = if step == 0 { first.min(last) } else { first };
-        let margin = 4 * (to.x - from.x).abs().max((to.y - from.y).abs()); // at most 2²⁴
-        Self { from, to, tall, depth, step, margin, planes: [None; 2] }
+        let [dx, dy] = [to.x - from.x, to.y - from.y]; // at most 2²²
+        let margin = 4 * dx.abs().max(dy.abs());
+        // S = dy · (x − from.x) − dx · (y − from.y), modulo 2³².
+        let side = dy.wrapping_mul(128 - from.x).wrapping_sub(dx.wrapping_mul(128 - from.y));
+        let [by_x, by_y] = [dy << 8, dx.wrapping_neg() << 8];
+        let (from, by_major, by_minor) = if tall { (from.y, by_y, by_x) } else { (from.x, by_x, by_y) };
+        Self { tall, from, depth, step, side, by_major, by_minor, margin, planes: [None; 2] }
     }
 
-    /// S of a point, with all of its bits.
-    #[cfg(test)]
-    pub(crate) fn side(&self, point: ScreenPoint) -> i64 {
-        super::area(&[self.from, self.to, point])
+    /// [`new`](Self::new) as a function, not returned: it would be copied.
+    #[inline(never)]
+    pub(crate) fn set(to: &mut Option<Self>, ends: &[ScreenPoint; 2], depths: [i32; 2], line: &LineDepth) {
+        *to = Some(Self::new(ends, depths, line));
     }
 
     /// Adds the plane of a face with this corner, at a depth in 16.8, and its S.
     #[inline(never)] // code size: it has two callers
     pub(crate) fn add(&mut self, corner: ScreenPoint, depth: i32, side: i64) {
         let run = side.abs().max(self.margin.max(1).into()); // at most 2⁴⁵
-        let rise = i64::from(depth) - self.line(corner); // 2³¹ · 2²² · 2⁻¹⁶
-                                                         // To 31 bits. A run has more only if the face is hundreds of pixels high: then 1/256 step less counts for nothing.
-        let excess = 33_u32.saturating_sub(run.leading_zeros().min(rise.unsigned_abs().leading_zeros()));
-        let plane = Plane { rise: (rise >> excess) as i32, run: (run >> excess) as i32 };
+        let rise = i64::from(depth) - self.line(corner); // at most 2³¹ · 2²² · 2⁻¹⁶
+        let plane = Plane::new(rise, run);
         let [positive, negative] = &mut self.planes;
         let nearest = if side > 0 { positive } else { negative };
         let is_nearer = |other: Plane| mul_called(plane.rise, other.run) < mul_called(other.rise, plane.run);
@@ -72,33 +93,34 @@ impl EdgePlanes {
         }
     }
 
+    /// Depth along the edge without its ends, in 16.8, by a coordinate along the major axis.
+    #[inline(always)]
+    fn line_at(&self, major: i32) -> i64 {
+        i64::from(self.depth) + (mul_called(self.step, major - self.from) >> 16)
+    }
+
     /// Depth along the edge without its ends, in 16.8.
     fn line(&self, p: ScreenPoint) -> i64 {
-        let by = if self.tall { p.y - self.from.y } else { p.x - self.from.x };
-        i64::from(self.depth) + (mul_called(self.step, by) >> 16)
+        self.line_at(if self.tall { p.y } else { p.x })
     }
 
     /// Whether a plane on the side of a pixel's centre is at least as near there as a stored depth, or less than a step behind it:
-    /// both are rounded. The pixel is one of the edge as a line, anti-aliased or not. `None` if there is no plane.
-    pub(crate) fn are_in_front(&self, stored: u16, x: i32, y: i32) -> Option<bool> {
-        let [positive, negative] = self.planes;
-        if positive.is_none() && negative.is_none() {
-            return None;
-        }
-        let centre = ScreenPoint::inside(x * 256 + 128, y * 256 + 128); // of a pixel of the target
-                                                                        // The centre lies within 1.71 pixels of the edge along the minor axis, and the edge is at most 2²² units long: S and the
-                                                                        // margin are below 2³¹ together, and products that wrap give S.
-        let [dx, dy] = [self.to.x - self.from.x, self.to.y - self.from.y];
-        let side =
-            dy.wrapping_mul(centre.x - self.from.x).wrapping_sub(dx.wrapping_mul(centre.y - self.from.y));
+    /// both are rounded. The pixel, by its coordinates along the major and the minor axis, is one of the edge as a line, anti-aliased or not.
+    #[inline(never)] // the loop over pixels keeps its registers
+    pub(crate) fn are_in_front(&self, stored: u16, [major, minor]: [i32; 2]) -> bool {
+        // The centre lies within 1.71 pixels of the edge along the minor axis, and the edge is at most 2²² units long: S and the
+        // margin are below 2³¹ together, and sums that wrap give S.
+        let by_minor = self.by_minor.wrapping_mul(minor);
+        let side = self.side.wrapping_add(self.by_major.wrapping_mul(major)).wrapping_add(by_minor);
         // Below 2²⁶: the centre is less than a pixel beyond the ends.
-        let behind = ((i32::from(stored) + 1) << 8).wrapping_sub(self.line(centre) as i32);
-        Some([(positive, side), (negative, side.wrapping_neg())].into_iter().any(|(plane, side)| {
-            let Some(Plane { rise, run }) = plane else { return false };
+        let behind = ((i32::from(stored) + 1) << 8).wrapping_sub(self.line_at(major * 256 + 128) as i32);
+        let [positive, negative] = &self.planes;
+        [(positive, side), (negative, side.wrapping_neg())].into_iter().any(|(plane, side)| {
+            let Some(Plane { rise, run }) = *plane else { return false };
             // Where the plane is nearest within the margin.
             let [less, more] = [side.wrapping_sub(self.margin), side.wrapping_add(self.margin)];
             more >= 0 && mul_called(behind, run) >= mul_called(rise, if rise < 0 { more } else { less })
-        }))
+        })
     }
 }
 
@@ -106,7 +128,7 @@ impl EdgePlanes {
 mod tests {
     use super::*;
     use crate::math::random::Random;
-    use crate::raster::FARTHEST;
+    use crate::raster::{area, FARTHEST};
 
     /// Edges from a pixel to the width of the guard band, faces from slivers to as large, and pixels beside the edge and beyond its
     /// ends: a plane is in front exactly if it is so in rationals, except within the rounding of depths to 1/256 step and of steps
@@ -135,8 +157,8 @@ mod tests {
                 continue; // depth may change by more than half of its range within a pixel
             }
             let (ends, depths_of_ends) = ([from, to], [depths[0], depths[1]]);
-            let mut planes = EdgePlanes::new(ends, depths_of_ends, &LineDepth::new(ends, depths_of_ends));
-            let side = planes.side(corner);
+            let mut planes = EdgePlanes::new(&ends, depths_of_ends, &LineDepth::new(ends, depths_of_ends));
+            let side = area(&[from, to, corner]);
             planes.add(corner, depths[2], side);
             // A pixel on the line, within 1.7 pixels along the minor axis.
             let t = random.below(260) - 2;
@@ -144,7 +166,7 @@ mod tests {
             let mut pixel = on.map(|v| v >> 8);
             pixel[1 - major] += random.within(2);
             let centre = pixel.map(|v| 256 * v + 128);
-            let s = i128::from(planes.side(ScreenPoint::clamped(centre[0], centre[1])));
+            let s = i128::from(area(&[from, to, ScreenPoint::clamped(centre[0], centre[1])]));
             if s.abs() > length.abs() * 435 || centre.iter().any(|v| v.abs() > 1 << 21) {
                 continue;
             }
@@ -170,7 +192,7 @@ mod tests {
                 if !(0.0..65_535.0).contains(&stored) {
                     continue;
                 }
-                let is_in_front = planes.are_in_front(stored as u16, pixel[0], pixel[1]) == Some(true);
+                let is_in_front = planes.are_in_front(stored as u16, [pixel[major], pixel[1 - major]]);
                 let ahead = stored + 1.0 - exact;
                 if s + margin < 0 {
                     assert!(!is_in_front);
@@ -192,20 +214,20 @@ mod tests {
     fn the_nearest_plane_of_a_side_decides() {
         let point = |x: i32, y: i32| ScreenPoint::inside(x << 8, y << 8);
         let mut random = Random(6);
-        let none = EdgePlanes::new([point(0, 0); 2], [0; 2], &LineDepth::new([point(0, 0); 2], [0; 2]));
-        assert_eq!(none.are_in_front(9, 0, 0), None);
+        let none = EdgePlanes::new(&[point(0, 0); 2], [0; 2], &LineDepth::new([point(0, 0); 2], [0; 2]));
+        assert!(!none.are_in_front(9, [0, 0]));
         for _ in 0..10_000 {
             let mut face =
                 || (point(random.within(30), 1 + random.below(40) as i32), random.below(3_000_000) as i32);
             let (faces, stored) = ([face(), face(), face()], random.below(12_000) as u16);
             let ends = ([point(-20, 0), point(20, 0)], [1_500_000; 2]);
             let of = |faces: &[(ScreenPoint, i32)]| {
-                let mut planes = EdgePlanes::new(ends.0, ends.1, &LineDepth::new(ends.0, ends.1));
+                let mut planes = EdgePlanes::new(&ends.0, ends.1, &LineDepth::new(ends.0, ends.1));
                 for &(corner, depth) in faces {
-                    let side = planes.side(corner);
+                    let side = area(&[ends.0[0], ends.0[1], corner]);
                     planes.add(corner, depth, side);
                 }
-                [0, -1].map(|y| planes.are_in_front(stored, 3, y).unwrap())
+                [0, -1].map(|y| planes.are_in_front(stored, [3, y]))
             };
             let each = faces.map(|face| of(&[face])[0]);
             let [a, b, c] = faces;

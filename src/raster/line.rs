@@ -144,6 +144,13 @@ pub(crate) struct LineSpans {
 }
 
 impl LineSpans {
+    /// The spans of a line that [lies in](LineSetup::lies_in) the scissor.
+    #[inline(always)]
+    pub(crate) fn of(&LineSetup { x, y, tall, up, length, rise, last, .. }: &LineSetup) -> Self {
+        let (along, aside) = (2 * rise, 2 * (rise - length));
+        Self { x, y, tall, up, step: 0, last, minor_step: 0, error: along - length, along, aside }
+    }
+
     #[inline(never)]
     pub(crate) fn new(setup: &LineSetup, scissor: &Scissor) -> Self {
         let setup = setup.clipped(scissor);

@@ -48,10 +48,14 @@ impl LineDepth {
         // In 2⁻¹² of 2^(53 − shift)·2⁻¹⁶ steps per sub-pixel: 1/(b − a) = mantissa · 2^(shift − 61).
         let r = reciprocal(b - a); // 1 … 2²²
         let product = mul_wide(zb - za, r.mantissa) >> 12; // 25 + 31 − 12 bits
-        let down = 41 - r.shift.min(30); // 11 … 41
+                                                           // In 2⁻³² of 2⁻¹⁶ steps per sub-pixel, modulo 2³² of them. The shift is 8 for 2²² sub-pixels alone: then a bit is lost.
+        let slope = match r.shift.min(30) {
+            ..9 => product >> 1,
+            shift => product << (shift - 9), // 0 … 21
+        };
 
         // `by` is up to 384 sub-pixels: 9 bits. Rounded to nearest, which halves the error of the step.
-        let climb = |by: i32| ((product * i64::from(by) + (1 << (down - 1))) >> down) as u32;
+        let climb = |by: i32| (slope.wrapping_mul(i64::from(by)).wrapping_add(1 << 31) >> 32) as u32;
         let centre = |pixel: i32| 256 * pixel + 128;
         Self {
             tall,
@@ -62,6 +66,16 @@ impl LineDepth {
             last: steps(zb).wrapping_sub(climb((b - centre(to)).max(0))),
             step: climb(256),
         }
+    }
+
+    /// What a loop over the pixels from `first` to `last`, by their coordinates along the major axis, starts with: the depths of both, the
+    /// depth at `first` if it were no end of the line, and the change per pixel, which is added to it. Half a step is added for
+    /// [`step_of`](Self::step_of).
+    #[inline(always)]
+    pub(crate) fn between(&self, first: i32, last: i32) -> [u32; 4] {
+        let step = if last < first { self.step.wrapping_neg() } else { self.step };
+        let rounded = |depth: u32| depth.wrapping_add(1 << 15);
+        [rounded(self.at(first)), rounded(self.at(last)), rounded(self.inner(first)), step]
     }
 
     /// Whether the major axis is y, and the change of depth per pixel along it in 16.16; 0 if both ends lie in one pixel. It wraps
@@ -77,16 +91,28 @@ impl LineDepth {
         } else if along >= self.to {
             self.last
         } else {
-            // The exact value lies between the ends, so wrapping products and sums are harmless.
-            self.second.wrapping_add(self.step.wrapping_mul((along - self.from - 1) as u32))
+            self.inner(along)
         }
+    }
+
+    /// The depth at a pixel between the end pixels in 16.16, wrapping.
+    #[inline(always)]
+    fn inner(&self, along: i32) -> u32 {
+        // The exact value lies between the ends, so wrapping products and sums are harmless.
+        self.second.wrapping_add(self.step.wrapping_mul((along - self.from - 1) as u32))
     }
 
     /// The depth at a pixel of the line, by its coordinate along the major axis: 0 near … 65534 far.
     pub(crate) fn depth(&self, along: i32) -> u16 {
+        Self::step_of(self.at(along).wrapping_add(1 << 15)) as u16 // at most 65534
+    }
+
+    /// The step of a depth in 16.16 to which half a step was added.
+    #[inline(always)]
+    pub(crate) fn step_of(depth: u32) -> u32 {
         // The error is at most 2¹⁴·2⁻¹⁷ + 2⁻¹³ steps, so a value below 0 rounds to 0, and the farthest, 65534.46, does not reach
         // 65536 after the half is added.
-        ((self.at(along).wrapping_add(1 << 15) >> 16) as u16).min(u16::MAX - 1)
+        (depth >> 16).min(u32::from(u16::MAX) - 1)
     }
 }
 

@@ -68,23 +68,14 @@ impl<'a, V> Mesh<'a, V> {
         self.edge_faces.get(edge).filter(|[first, second]| first != second || *first == NO_FACE)
     }
 
-    /// The number of candidates for the faces beside an edge: two of a list, or all faces.
-    pub(crate) fn candidates_beside(&self, edge: usize) -> usize {
-        self.listed_beside(edge).map_or(self.faces.len(), |pair| pair.len())
-    }
-
-    /// A candidate, if it is a face that has both ends of the edge.
-    #[inline(never)] // called by one function, which then takes 250 bytes less
-    pub(crate) fn face_beside(&self, edge: usize, at: usize) -> Option<&'a [u16; 3]> {
-        if let Some(pair) = self.listed_beside(edge) {
-            // NO_FACE is also the index of the last face of a mesh of 65536 faces: a list cannot name that face.
-            return pair
-                .get(at)
-                .filter(|&&face| face != NO_FACE)
-                .and_then(|&face| self.faces.get(usize::from(face)));
+    /// A face of a list of the faces beside an edge.
+    #[inline(always)]
+    pub(crate) fn listed_face(&self, face: u16) -> Option<&'a [u16; 3]> {
+        // NO_FACE is also the index of the last face of a mesh of 65536 faces: a list cannot name that face.
+        if face == NO_FACE {
+            return None;
         }
-        let (face, &[from, to]) = (self.faces.get(at)?, self.edges.get(edge)?);
-        (face.contains(&from) && face.contains(&to)).then_some(face)
+        self.faces.get(usize::from(face))
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::block_fill::fill_words;
 use super::{each_run, inside};
-use crate::math::hints::{keep_branch, keep_rolled};
-use crate::raster::{Gradient, LineSpans, PixelLayout, Scissor, Span};
+use crate::math::hints::keep_rolled;
+use crate::raster::{Gradient, LineDepth, LineSpans, PixelLayout, Scissor, Span};
 use crate::surface::BufferError;
 use bytemuck::pod_align_to_mut;
 use embedded_graphics_core::geometry::Point;
@@ -169,16 +169,22 @@ impl<'a> DepthBuffer<'a> {
         each_run(span, row.iter_mut().map(is_nearer), visible)
     }
 
-    /// Calls `visible` for each run of pixels of a line for which `is_seen` returns `true`. `is_seen` gets a pixel's coordinates along
-    /// the line's major and its minor axis, and its depth in the buffer, which it may change. The line lies in the area.
+    /// Calls `visible` for each run of pixels of a line for which `is_seen` returns `true`. `is_seen` gets the depth of the line at a pixel,
+    /// the pixel's depth in the buffer, which it may change, and its coordinates along the line's major and its minor axis. The line
+    /// lies in the area.
     #[inline(always)]
     pub(crate) fn along<E>(
         &mut self,
         line: LineSpans,
-        mut is_seen: impl FnMut([i32; 2], &mut u16) -> bool,
+        line_depth: &LineDepth,
+        mut is_seen: impl FnMut(u32, &mut u16, [i32; 2]) -> bool,
         mut visible: impl FnMut(Span) -> Result<(), E>,
     ) -> Result<(), E> {
         let LineSpans { x, y, tall, up, step, last, minor_step, mut error, along, aside } = line;
+        let mut left = last - step; // pixels after this one
+        if left < 0 {
+            return Ok(());
+        }
         let Rectangle { top_left, size } = self.area;
         let (stride, down) = (size.width as usize, if up { -1 } else { 1 });
         let index_down = if up { stride.wrapping_neg() } else { stride };
@@ -192,12 +198,9 @@ impl<'a> DepthBuffer<'a> {
         let [x, y] = if tall { [minor, major] } else { [major, minor] };
         let row = (y.wrapping_sub(top_left.y) as usize).wrapping_mul(stride);
         let mut index = row.wrapping_add(x.wrapping_sub(top_left.x) as usize);
+        let [mut own, last_own, mut inner, by_depth] = line_depth.between(major, major + by * left);
         // The run of `count` pixels that ends with a pixel.
         let mut run = |count: i32, end: i32, minor: i32| {
-            if count == 0 {
-                return Ok(());
-            }
-            keep_branch(); // most calls have no run, and the rest would be computed before the test
             let first = end.min(end - by * (count - 1));
             visible(if tall {
                 Span { x: minor, y: first, width: 1, height: count }
@@ -206,23 +209,39 @@ impl<'a> DepthBuffer<'a> {
             })
         };
         let mut count = 0;
-        for _ in step..=last {
-            if self.values.get_mut(index).is_some_and(|stored| is_seen([major, minor], stored)) {
+        loop {
+            let stored = self.values.get_mut(index);
+            if stored.is_some_and(|stored| is_seen(LineDepth::step_of(own), stored, [major, minor])) {
                 count += 1;
-            } else {
+            } else if count > 0 {
                 run(count, major - by, minor)?;
                 count = 0;
             }
             if error > 0 {
-                run(count, major, minor)?;
-                (count, error) = (0, error + aside);
+                if count > 0 {
+                    run(count, major, minor)?;
+                    count = 0;
+                }
+                error += aside;
                 (minor, index) = (minor + by_aside, index.wrapping_add(index_aside));
             } else {
                 error += along;
             }
+            left -= 1;
+            inner = inner.wrapping_add(by_depth);
+            own = inner;
+            if left <= 0 {
+                if left < 0 {
+                    break;
+                }
+                own = last_own;
+            }
             (major, index) = (major + by, index.wrapping_add(index_by));
         }
-        run(count, major - by, minor)
+        if count > 0 {
+            run(count, major, minor)?;
+        }
+        Ok(())
     }
 }
 
@@ -231,7 +250,7 @@ defmt_format!([] DepthBuffer<'_>, self, "depth buffer of {} at {}", self.area.si
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::raster::{LineSetup, Pixel};
+    use crate::raster::{LineSetup, Pixel, ScreenPoint};
     use embedded_graphics_core::geometry::{Point, Size};
 
     /// The visible runs of a line are one pixel thick, and have the pixels that are seen, for lines in all directions.
@@ -245,14 +264,16 @@ mod tests {
             let setup = LineSetup::new(Pixel { x: a[0], y: a[1] }, Pixel { x: b[0], y: b[1] });
             let mut found = heapless::Vec::<[i32; 4], 6>::new();
             let mut seen = 0;
-            let is_seen = |_: [i32; 2], stored: &mut u16| {
+            let is_seen = |_, stored: &mut u16, _: [i32; 2]| {
                 seen += 1;
                 *stored = seen;
                 ![2, 5].contains(&seen)
             };
             let line = LineSpans::new(&setup, &Scissor::new(10, 20, 18, 28));
+            let ends = [a, b].map(|[x, y]| ScreenPoint::inside(i32::from(x) * 256, i32::from(y) * 256));
+            let line_depth = LineDepth::on_axis(line.tall, ends, [0; 2]);
             let run = |run: Span| found.push([run.x, run.y, run.width, run.height]);
-            depth.along(line, is_seen, run).unwrap();
+            depth.along(line, &line_depth, is_seen, run).unwrap();
             let stored = depth.row(b[0].into(), b[1].into(), 1).unwrap()[0];
             assert_eq!((seen, stored), (6, if b[0] < a[0] { 1 } else { 6 }), "{a:?} {b:?}");
             found
