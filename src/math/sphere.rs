@@ -15,9 +15,10 @@ use crate::space::{Model, World};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sphere {
-    /// The centre, in model units.
+    /// The centre, in model units. That of a sphere in world coordinates has the same type: `Point3::new(p.x(), p.y(), p.z())` of a
+    /// point `p` of the world.
     pub centre: Point3<Model>,
-    /// The radius, in model units. A negative radius counts as zero. `Scalar::MAX` stands for a radius beyond the range of
+    /// The radius, in the same units. A negative radius counts as zero. `Scalar::MAX` stands for a radius beyond the range of
     /// [`Scalar`]: such a sphere is always [`Partly`](crate::camera::Visibility::Partly) visible.
     pub radius: Scalar,
 }

@@ -326,7 +326,32 @@ impl<'s, C: Color> SmoothBand<'s, '_, C> {
     /// Smooths edges, as [`smooth`](crate::target::DepthTestedSurface::smooth) does in a picture, and returns the rows that are finished: a band to draw
     /// text into, and to send.
     #[inline(always)]
-    pub fn smooth<const N: usize>(self, mut edges: impl FnMut(&mut SmoothPass<'_, C, [u8; N]>)) -> Band<'s, C>
+    pub fn smooth<const N: usize>(self, edges: impl FnMut(&mut SmoothPass<'_, C, [u8; N]>)) -> Band<'s, C>
+    where
+        C: StoredPixel<[u8; N]>,
+    {
+        self.smooth_then(edges, |_, _| ())
+    }
+
+    /// [`smooth`](Self::smooth), and then draws what may lie behind faces and is not smoothed itself, such as sprites, lines and translucent
+    /// faces: `draw` gets the finished rows and their depths.
+    ///
+    /// ```
+    /// # use pinhole::{bands::{Band, SmoothBand}, draw::SmoothEdges, prelude::*, sprite::PlacedSprites};
+    /// # use embedded_graphics::pixelcolor::Rgb565;
+    /// # fn finish<'s>(band: SmoothBand<'s, '_, Rgb565>, edges: &mut SmoothEdges<'_>, flares: &PlacedSprites<'_>) -> Band<'s, Rgb565> {
+    /// let flare = Sprite::square(Rgb565::new(31, 63, 20), 3);
+    /// band.smooth_then(|pass| edges.draw(pass), |mut pixels, mut depth| {
+    ///     let Ok(_) = flares.draw(|_| flare, &mut pixels.depth_tested(&mut depth));
+    /// })
+    /// # }
+    /// ```
+    #[inline(always)]
+    pub fn smooth_then<const N: usize>(
+        self,
+        mut edges: impl FnMut(&mut SmoothPass<'_, C, [u8; N]>),
+        draw: impl FnOnce(Pixels<'_, C, [u8; N]>, DepthBuffer<'_>),
+    ) -> Band<'s, C>
     where
         C: StoredPixel<[u8; N]>,
     {
@@ -347,6 +372,12 @@ impl<'s, C: Color> SmoothBand<'s, '_, C> {
                 color: PhantomData,
             });
         }
+        let (first, size) = (sent.start as usize, Size::new(width, sent.end - sent.start));
+        let finished =
+            Rectangle::new(Point::new(top_left.x, top_left.y.wrapping_add_unsigned(sent.start)), size);
+        let cells = strip.get_mut(first.wrapping_mul(row)..).unwrap_or_default();
+        let own = depths.get_mut(first.wrapping_mul(columns)..).unwrap_or_default();
+        draw(Pixels::unchecked(cells_of::<C, N>(cells), finished), DepthBuffer::unchecked(finished, own));
         if waits {
             let last = sent.end as usize;
             copy(kept, strip.get(last.wrapping_mul(row)..).unwrap_or_default());
@@ -358,13 +389,11 @@ impl<'s, C: Color> SmoothBand<'s, '_, C> {
                 copy(must_cast_slice_mut(to), must_cast_slice(from.get(..columns).unwrap_or_default()));
             }
         }
-        let strip = strip.get_mut((sent.start as usize).wrapping_mul(row)..).unwrap_or_default();
+        let strip = strip.get_mut(first.wrapping_mul(row)..).unwrap_or_default();
         if !is_whole_bytes::<C>() {
-            pack::<C, N>(strip, columns, (sent.end - sent.start) as usize);
+            pack::<C, N>(strip, columns, size.height as usize);
         }
-        let top = top_left.y.wrapping_add_unsigned(sent.start);
-        let size = Size::new(width, sent.end - sent.start);
-        Band::unchecked(Rectangle::new(Point::new(top_left.x, top), size), strip)
+        Band::unchecked(finished, strip)
     }
 }
 

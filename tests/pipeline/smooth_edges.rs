@@ -298,6 +298,53 @@ fn the_next_band_after_one_by_number_is_the_first_one() {
     );
 }
 
+/// Sprites and lines that faces hide in part, drawn over smoothed edges.
+#[test]
+fn what_is_drawn_over_smoothed_bands_is_hidden_as_in_one_piece() {
+    let scene = &scenes()[1];
+    let (mesh, camera, model) = (scene.mesh(), camera(128, 64).library(), scene.model.library());
+    let (instance, sprites) = (camera.place(&mesh, &model), camera.place_sprites(&mesh, &model));
+    let (sprite, colors) = (Sprite::square(Rgb888::CYAN, 3), scene.levels().0);
+    let over = |mut pixels: Pixels<'_, Rgb888, [u8; 3]>, mut depth: DepthBuffer<'_>| {
+        let mut target = pixels.depth_tested(&mut depth);
+        let Ok(_) = sprites.draw(|_| sprite, &mut target);
+        let Ok(_) = instance.edges(|_| Rgb888::MAGENTA).draw(&mut target);
+    };
+    let drawn = |rows: u32| {
+        let (mut cache, mut bins) =
+            (vec![ScreenVertex::EMPTY; mesh.vertices().len()], vec![0; mesh.face_bins_len()]);
+        let mut edge_bins = vec![0; mesh.smooth_bins_len()];
+        let transformed = instance.transform_depth(&mut cache);
+        let mut faces = transformed.bin_faces(&mut bins).expect("room");
+        let mut edges = transformed.bin_smooth_edges(|_| true, &mut edge_bins).expect("room");
+        let storage = |rows: u32| vec![0; SmoothFrame::<Rgb888>::strip_bytes(128, rows)];
+        let (mut strip, mut kept, mut depths) = (storage(rows), storage(2), vec![0; 128 * rows as usize]);
+        let area = bridge::rectangle(0, 0, 128, 64);
+        let mut frame = SmoothFrame::new(area, grey(BACKGROUND), &mut kept, &mut depths).expect("room");
+        let mut shown = Vec::new();
+        while let Some(mut band) = frame.next_band(&mut strip).expect("room") {
+            let (mut pixels, mut depth) = band.new_rows();
+            faces.draw(|face| grey(colors[face]), &mut pixels.depth_tested(&mut depth)).expect("no error");
+            shown.extend(band.smooth_then(|pass| edges.draw(pass), over).colors());
+        }
+        shown
+    };
+    let smoothed = scene.picture(&instance, [128, 64], Some(0));
+    let mut whole: Vec<_> = smoothed.iter().map(|color| [color.r(), color.g(), color.b()]).collect();
+    let (mut cache, mut depths) = (vec![ScreenVertex::EMPTY; mesh.vertices().len()], vec![0; whole.len()]);
+    let area = bridge::rectangle(0, 0, 128, 64);
+    let mut depth = DepthBuffer::new(area, &mut depths).expect("room");
+    instance.depth_only(&mut cache, &mut depth);
+    over(Pixels::new(&mut whole, area).expect("room"), depth);
+    let whole: Vec<_> = whole.into_iter().map(|[r, g, b]| Rgb888::new(r, g, b)).collect();
+    for color in [Rgb888::CYAN, Rgb888::MAGENTA] {
+        assert!(whole.iter().filter(|&&shown| shown == color).count() > 20);
+    }
+    for rows in [6, 7, 8, 16, 64] {
+        assert!(drawn(rows) == whole, "{rows}");
+    }
+}
+
 /// The second and the third pass mix no other pixels than neighbours in a column, of which the upper one has an odd row, and an even row.
 #[test]
 fn passes_mix_their_pairs() {
