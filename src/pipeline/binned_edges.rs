@@ -259,9 +259,9 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     }
 }
 
-impl<V: Coordinate, const DEPTH: bool> DrawnWith<Untested> for BinnedEdges<'_, V, DEPTH> {}
-impl<V: Coordinate> DrawnWith<Tested> for BinnedEdges<'_, V, true> {}
-impl<V: Coordinate, const DEPTH: bool> DrawnWith<Unmatched> for BinnedEdges<'_, V, DEPTH> {}
+impl<V: Coordinate, Test> DrawnWith<Test> for BinnedEdges<'_, V, true> {}
+impl<V: Coordinate> DrawnWith<Untested> for BinnedEdges<'_, V, false> {}
+impl<V: Coordinate> DrawnWith<Unmatched> for BinnedEdges<'_, V, false> {}
 
 defmt_format!(
     [V: Coordinate, const DEPTH: bool] BinnedEdges<'_, V, DEPTH>, self,

@@ -390,9 +390,9 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     }
 }
 
-impl<V: Coordinate, const DEPTH: bool, L> DrawnWith<Untested> for BinnedFaces<'_, V, DEPTH, L> {}
-impl<V: Coordinate, L> DrawnWith<Tested> for BinnedFaces<'_, V, true, L> {}
-impl<V: Coordinate, const DEPTH: bool, L> DrawnWith<Unmatched> for BinnedFaces<'_, V, DEPTH, L> {}
+impl<V: Coordinate, L, Test> DrawnWith<Test> for BinnedFaces<'_, V, true, L> {}
+impl<V: Coordinate, L> DrawnWith<Untested> for BinnedFaces<'_, V, false, L> {}
+impl<V: Coordinate, L> DrawnWith<Unmatched> for BinnedFaces<'_, V, false, L> {}
 
 defmt_format!(
     [V: Coordinate, const DEPTH: bool, L] BinnedFaces<'_, V, DEPTH, L>, self,

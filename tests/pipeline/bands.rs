@@ -31,6 +31,11 @@ fn colour(face: usize) -> Gray8 {
     Gray8::new((face % 255) as u8 + 1)
 }
 
+/// Faces with depth are drawn into any target, also by a function of a user.
+fn draw_into<T: Target<Color = Gray8>>(faces: &mut BinnedFaces<'_>, target: &mut T) -> Result<(), T::Error> {
+    faces.draw(colour, target)
+}
+
 /// Draws the cube in bands of `rows` rows and sends them to a display.
 fn draw(
     instance: &MeshInstance<'_>,
@@ -45,7 +50,7 @@ fn draw(
     let (mut strip, mut storage) = (vec![0; pixels], vec![0; pixels]);
     while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
         let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
-        let Ok(()) = faces.draw(colour, &mut band.depth_tested(&mut depth));
+        let Ok(()) = draw_into(&mut faces, &mut band.depth_tested(&mut depth));
         band.send(display)?;
     }
     Ok(faces.statistics())
