@@ -31,9 +31,9 @@ const LEAST_BY_NUMBER: usize = 7;
 /// Two cores smooth a part of the screen each, such as a half, drawn three pixels larger as in the example: with a [fork](crate::draw::BinnedFaces::fork) of
 /// the faces, and edges that each core finds in the shared [`TransformedMesh`](crate::draw::TransformedMesh), into storage of its own.
 ///
-/// Bands are always equal to one piece. So is a part that contains the [bounds](crate::draw::SmoothEdges::bounds) of all edges, without a margin: with
-/// [`DirtyRegions::<1>`](crate::bands::DirtyRegions), in which every object is marked, each frame has one such part; with
-/// [`Tracked`](crate::bands::Tracked) objects, parts cut through those that stand still. Other parts side by side are equal if no two edges are less than three
+/// Bands are always equal to one piece. A part of the screen is, too, and needs no margin, if it contains the [bounds](crate::draw::SmoothEdges::bounds) of
+/// all edges: mark every object in a [`DirtyRegions::<1>`](crate::bands::DirtyRegions), and each frame has one such part. The parts of
+/// [`Tracked`](crate::bands::Tracked) objects cut through those that stand still. Parts that cut edges are equal to one piece if no two edges are less than three
 /// pixels apart; where bars are a pixel wide, a mixed pixel is mixed again by the next edge of its row, so pixels at the border of a part may be off by
 /// some levels. No difference was found when parts are drawn eight pixels larger.
 ///
@@ -155,9 +155,8 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
         Ok(Self { area, background, done: 0, waits: false, kept, depths })
     }
 
-    /// The next band: the rows that waited, and new rows, filled with the background. `None` after the last band. The first band has two rows
-    /// fewer than fit in the strip and have room for their depths, each other band as many; one fewer if it would end at an even row and is
-    /// not the last one.
+    /// The next band: the rows that waited, and new rows, filled with the background. `None` after the last band. The new rows are two fewer than
+    /// fit in the strip and have room for their depths. A band that would end at an even row takes one fewer still, unless it is the last one.
     ///
     /// # Errors
     ///
