@@ -10,7 +10,7 @@
 //! let size = Size::new(64, 64);
 //! let viewport = Viewport::new(Point::zero(), size)?;
 //! let turned = Affine::<Model, World>::identity().rotate_y(pinhole::Angle::degrees(30));
-//! # let _ = (viewport, turned, Rgb565::RED);
+//! let color = Rgb565::RED;
 //! # Ok::<(), pinhole::camera::CameraError>(())
 //! ```
 

@@ -6,7 +6,6 @@
 //! let model = pinhole_import::read_obj(text, "tetrahedron.obj".as_ref())?;
 //! assert_eq!((model.vertices.len(), model.edges.len(), model.faces.len()), (4, 6, 4));
 //! let mesh = model.mesh().expect("what is imported is a mesh");
-//! # let _ = mesh;
 //! # Ok::<(), pinhole_import::ImportError>(())
 //! ```
 //!
@@ -136,14 +135,14 @@ pub fn read(file: &Path) -> Result<ImportedMesh, ImportError> {
 ///
 /// ```
 /// use pinhole_import::{import, Edges, Options, Place, Warning};
-/// # let file = std::env::temp_dir().join(format!("pinhole-import-doc-{}.obj", std::process::id()));
+/// let file = std::env::temp_dir().join(format!("pinhole-import-doc-{}.obj", std::process::id()));
 /// std::fs::write(&file, "v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nf 1 2 3 4\n")?;
 /// let options = Options { fit: Some(1.0), edges: Edges::Feature { degrees: 30.0 }, ..Options::default() };
 /// let sheet = import(&file, &options)?;
 /// assert_eq!(sheet.report.extent, 1.0);
 /// assert_eq!(sheet.edges.len(), 4, "the diagonal is no feature");
 /// assert!(matches!(sheet.warnings[0], Warning::OpenEdges { count: 4, first: Place::Line(5) }));
-/// # std::fs::remove_file(&file)?;
+/// std::fs::remove_file(&file)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///

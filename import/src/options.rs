@@ -86,7 +86,6 @@ pub struct Options {
 /// let texture = TextureFormat { colors: 16, ..TextureFormat::default() };
 /// assert_eq!(texture.color, "embedded_graphics::pixelcolor::Rgb565");
 /// let options = Options { texture: Some(texture), ..Options::default() };
-/// # let _ = options;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TextureFormat {

@@ -36,11 +36,11 @@ pub struct Preview {
 ///
 /// ```
 /// use pinhole_import::{preview, Axis, Options};
-/// # let file = std::env::temp_dir().join(format!("pinhole-preview-doc-{}.obj", std::process::id()));
+/// let file = std::env::temp_dir().join(format!("pinhole-preview-doc-{}.obj", std::process::id()));
 /// std::fs::write(&file, "v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nf 1 2 3 4\n")?;
 /// let sheet = preview(&file, &Options { two_sided: true, ..Options::default() })?;
 /// assert_eq!((sheet.triangles.faces.len(), sheet.backs, sheet.up), (4, 2, Axis::Y));
-/// # std::fs::remove_file(&file)?;
+/// std::fs::remove_file(&file)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///

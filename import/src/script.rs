@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 ///
 /// ```no_run
 /// // build.rs
-/// # use std::path::Path;
+/// use std::path::Path;
 /// use pinhole_import::{build, Options};
 /// fn main() {
 ///     build(Path::new("bracket.stl"), "BRACKET", &Options::default());

@@ -23,7 +23,6 @@ use embedded_graphics_core::primitives::Rectangle;
 ///     &Projection::perspective(Angle::degrees(50), viewport.size(), Scalar::from_int(1), Scalar::from_int(50))?,
 ///     &viewport,
 /// );
-/// # let _ = camera;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
@@ -41,7 +40,6 @@ use embedded_graphics_core::primitives::Rectangle;
 ///     let Ok(lens) = Projection::perspective(Angle::degrees(50), viewport.size(), near, far) else { panic!("the lens") };
 ///     Camera::new(&viewing, &lens, &viewport)
 /// };
-/// # let _ = CAMERA;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Camera {
@@ -113,15 +111,11 @@ impl Camera {
     /// Drawing with a depth buffer always clips at the far plane.
     ///
     /// ```
-    /// # use embedded_graphics::geometry::{Point, Size};
-    /// # use pinhole::{camera::CameraError, prelude::*, Angle};
-    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
-    /// # let up = Vector3::from_ints(0, 1, 0);
-    /// # let [near, far] = [1, 9].map(Scalar::from_int);
-    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
-    /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
-    /// let beyond = Point3::from_ints(0, 0, -20); // 25 from the eye, where far is 9
+    /// use embedded_graphics::geometry::{Point, Size};
+    /// use pinhole::{camera::CameraError, meshes::CUBE, prelude::*, Angle};
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let beyond = Point3::from_ints(0, 0, -20); // the far plane is just behind the cube
     /// assert_eq!(camera.project(beyond).map(|seen| seen.depth), Ok(65_534));
     /// assert_eq!(camera.with_far_clip(true).project(beyond), Err(CameraError::BeyondFar));
     /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -17,12 +17,9 @@ impl Camera {
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
-    /// use pinhole::{camera::Projected, prelude::*, Angle};
-    /// # let (near, far) = (Scalar::from_int(1), Scalar::from_int(9));
-    /// # let (eye, origin, up) = (Point3::from_ints(0, 3, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
+    /// use pinhole::{camera::Projected, meshes::CUBE, prelude::*, Angle};
     /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
-    /// let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
-    /// let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
+    /// let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(60), Angle::ZERO, Angle::degrees(37))?;
     /// // Where a label goes, ...
     /// let Projected { point: at, depth } = camera.project(Point3::from_ints(1, 0, 1))?;
     /// // ... and what was touched there. Depths 0 and 65534 give the line through a touched position, from near to far.
@@ -75,8 +72,7 @@ impl Camera {
     /// use embedded_graphics::geometry::{Point, Size};
     /// use pinhole::{prelude::*, Angle};
     /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
-    /// # let (near, far) = (Scalar::from_int(1), Scalar::from_int(9));
-    /// let lens = Projection::perspective(Angle::degrees(90), viewport.size(), near, far)?;
+    /// let lens = Projection::perspective(Angle::degrees(90), viewport.size(), Scalar::from_int(1), Scalar::from_int(9))?;
     /// // From (5, 0, 5): parallels to x and to z meet at 45° to the gaze, on the borders; those to y stay parallel.
     /// let eye = Point3::from_ints(5, 0, 5);
     /// let view = ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?;

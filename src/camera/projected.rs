@@ -9,14 +9,10 @@ use embedded_graphics_core::geometry::Point;
 /// A projected point: where it is seen, and how deep.
 ///
 /// ```
-/// # use embedded_graphics::geometry::Size;
-/// # use pinhole::{math::Sphere, Angle, Scalar};
-/// use embedded_graphics::geometry::Point;
-/// use pinhole::{camera::{CameraError, Projected}, prelude::*};
-/// # let origin = Point3::from_ints(0, 0, 0);
-/// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-/// # let sphere = Sphere { centre: origin, radius: Scalar::from_int(2) };
-/// # let camera = Camera::framing(&sphere, &viewport, Angle::degrees(30), Angle::ZERO, Angle::ZERO)?;
+/// use embedded_graphics::geometry::{Point, Size};
+/// use pinhole::{camera::{CameraError, Projected}, meshes::CUBE, prelude::*, Angle};
+/// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+/// let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(30), Angle::ZERO, Angle::ZERO)?;
 /// let Projected { point, depth } = camera.project(Point3::from_ints(0, 0, 0))?;
 /// assert_eq!((point.x(), point.y()), (32 * 256, 32 * 256)); // in 1/256 pixel
 /// assert!(depth > 0 && depth < 65_534);

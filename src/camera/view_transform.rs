@@ -106,7 +106,7 @@ impl ViewTransform {
     /// 1978.)
     ///
     /// ```
-    /// use pinhole::{camera::CameraError, prelude::*};
+    /// use pinhole::prelude::*;
     /// let (origin, y) = (Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
     /// let views = [
     ///     ViewTransform::from_reference(origin, y, Vector3::from_ints(0, 0, -1))?, // from the top
@@ -118,7 +118,7 @@ impl ViewTransform {
     /// let n = views.map(|view| view.to_matrix()[2]);
     /// let lengths = n.map(|[x, y, z, _]| [x, y, z].map(|c| (100.0 * (1.0 - c * c).sqrt()).round()));
     /// assert_eq!(lengths, [[100.0, 0.0, 100.0], [82.0; 3], [91.0, 58.0, 91.0], [96.0, 85.0, 60.0]]);
-    /// # Ok::<(), CameraError>(())
+    /// # Ok::<(), pinhole::camera::CameraError>(())
     /// ```
     ///
     /// # Errors
@@ -155,12 +155,12 @@ impl ViewTransform {
     /// 4·10⁻⁶: six correct decimals suffice. [`CameraError::OutOfRange`] if the eye is beyond ±32768 world units.
     ///
     /// ```
-    /// use pinhole::{camera::CameraError, Point3, ViewTransform};
+    /// use pinhole::{Point3, ViewTransform};
     /// let from_5 = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, -5.0], [0.0, 0.0, 0.0, 1.0]];
     /// let view = ViewTransform::from_matrix(&from_5)?;
     /// assert_eq!(view.apply(Point3::from_ints(0, 0, 0)), Point3::from_ints(0, 0, -5));
     /// assert_eq!(view.to_matrix(), from_5);
-    /// # Ok::<(), CameraError>(())
+    /// # Ok::<(), pinhole::camera::CameraError>(())
     /// ```
     pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, CameraError> {
         for (row, name) in matrix.iter().zip(['x', 'y', 'z', 'w']) {

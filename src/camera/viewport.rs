@@ -18,11 +18,11 @@ use embedded_graphics_core::primitives::Rectangle;
 ///
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
-/// use pinhole::{camera::CameraError, Point3, Viewport};
+/// use pinhole::{Point3, Viewport};
 /// let viewport = Viewport::new(Point::new(10, 20), Size::new(240, 180))?;
 /// let corner = viewport.apply(Point3::from_ints(-1, 1, 0)); // NDC top left
 /// assert_eq!((corner.x(), corner.y()), (10 * 256, 20 * 256));
-/// # Ok::<(), CameraError>(())
+/// # Ok::<(), pinhole::camera::CameraError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Viewport {
@@ -90,8 +90,8 @@ impl Viewport {
     /// are slower than drawing, as e-paper (accumulation buffer: Haeberli and Akeley, SIGGRAPH 1990).
     ///
     /// ```
-    /// # use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-    /// # use pinhole::{meshes::CUBE, prelude::*, Angle};
+    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{meshes::CUBE, prelude::*, Angle};
     /// const SIZE: Size = Size::new(64, 64);
     /// let viewport = Viewport::new(Point::zero(), SIZE)?;
     /// let mut mean = [0; 64 * 64];

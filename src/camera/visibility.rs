@@ -25,17 +25,14 @@ impl Camera {
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
-    /// use pinhole::{camera::Visibility, prelude::*, Angle};
-    /// # let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
-    /// # let (near, far) = (Scalar::from_int(1), Scalar::from_int(9));
-    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
-    /// # let (eye, origin, up) = (Point3::from_ints(0, 0, 5), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
-    /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
-    /// let mesh = Mesh::new(&[[-1, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
-    /// let (sphere, frustum) = (mesh.bounding_sphere(), camera.frustum()); // once, for all objects
+    /// use pinhole::{camera::Visibility, meshes::CUBE, prelude::*, Angle};
+    /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
+    /// let sphere = CUBE.bounding_sphere();
+    /// let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let frustum = camera.frustum(); // once, for all objects
     /// let at = |x, y, z| frustum.visibility(&sphere, &Affine::translation(Vector3::from_ints(x, y, z)));
     /// assert_eq!(at(0, 0, 0), Visibility::Inside);
-    /// assert_eq!(at(0, 0, 4), Visibility::Partly); // through the near plane
+    /// assert_eq!(at(0, 0, 1), Visibility::Partly); // through the near plane
     /// assert_eq!(at(0, 0, 9), Visibility::Outside); // behind the camera
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

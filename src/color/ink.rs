@@ -91,7 +91,6 @@ pub trait InkKind<C>: Copy {
 /// use embedded_graphics::pixelcolor::Rgb565;
 /// use pinhole::color::{Color, Mixed};
 /// let beam = Mixed::new(Rgb565::new(9, 0, 0), |own: Rgb565, stored: Rgb565| stored.emitting(own));
-/// # let _ = beam;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -101,11 +101,11 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// transformations*, Graphics Gems, 1990.)
     ///
     /// ```
-    /// use pinhole::{math::MathError, prelude::*, Angle};
+    /// use pinhole::{prelude::*, Angle};
     /// let (through, axis) = (Point3::from_ints(1, 0, 0), Vector3::from_ints(0, 0, 7));
     /// let half = Affine::<World, World>::rotation(through, axis, Angle::degrees(180))?;
     /// assert_eq!(half.apply(Point3::from_ints(3, 4, 5)), Point3::from_ints(-1, -4, 5));
-    /// # Ok::<(), MathError>(())
+    /// # Ok::<(), pinhole::math::MathError>(())
     /// ```
     ///
     /// # Errors
@@ -136,12 +136,12 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// (Shoemake, *Animating rotation with quaternion curves*, 1985.)
     ///
     /// ```
-    /// use pinhole::{math::MathError, prelude::*, Angle};
+    /// use pinhole::{prelude::*, Angle};
     /// let [zero, one] = [Scalar::ZERO, Scalar::ONE];
     /// let turn = Affine::<Model, World>::from_quaternion([one, zero, zero, one])?; // 90° about z
     /// let p = Point3::from_ints(1, 0, 0);
     /// assert_eq!(turn.apply(p), Affine::<Model, World>::rotation_z(Angle::degrees(90)).apply(p));
-    /// # Ok::<(), MathError>(())
+    /// # Ok::<(), pinhole::math::MathError>(())
     /// ```
     ///
     /// # Errors
@@ -201,12 +201,12 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// ±2³⁰ world units.
     ///
     /// ```
-    /// use pinhole::{math::MathError, prelude::*};
+    /// use pinhole::prelude::*;
     /// let turn = [[0.0, -1.0, 0.0, 5.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, -3.0], [0.0, 0.0, 0.0, 1.0]];
     /// let place = Affine::<Model, World>::from_matrix(&turn)?;
     /// assert_eq!(place.apply(Point3::from_ints(2, 0, 0)), Point3::from_ints(5, 2, -3));
     /// assert_eq!(place.to_matrix(), turn);
-    /// # Ok::<(), MathError>(())
+    /// # Ok::<(), pinhole::math::MathError>(())
     /// ```
     pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, MathError> {
         let [x, y, z, last] = *matrix;

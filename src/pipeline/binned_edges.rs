@@ -29,13 +29,13 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// [`edge_bins_len`](crate::Mesh::edge_bins_len) numbers.
     ///
     /// ```
-    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-    /// # use pinhole::{prelude::*, Angle};
-    /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?.with_edges(&[[0, 1], [1, 2], [2, 0]])?;
-    /// # let mut display = MockDisplay::<Gray8>::new();
-    /// # let viewport = Viewport::new(Point::zero(), display.size())?;
-    /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
-    /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{prelude::*, Angle};
+    /// let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?.with_edges(&[[0, 1], [1, 2], [2, 0]])?;
+    /// let mut display = MockDisplay::<Gray8>::new();
+    /// let viewport = Viewport::new(Point::zero(), display.size())?;
+    /// let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// let instance = camera.place(&mesh, &Affine::identity());
     /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 5]); // `mesh.vertices().len()`, `mesh.edge_bins_len()`
     /// let mut edges = instance.transform(&mut cache).bin_edges(&mut bins)?;

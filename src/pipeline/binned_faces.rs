@@ -35,13 +35,13 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// result borrows: [`face_bins_len`](crate::Mesh::face_bins_len) numbers.
     ///
     /// ```
-    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-    /// # use pinhole::{prelude::*, Angle};
-    /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2], [0, 2, 1]])?;
-    /// # let mut display = MockDisplay::<Gray8>::new();
-    /// # let viewport = Viewport::new(Point::zero(), display.size())?;
-    /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
-    /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{prelude::*, Angle};
+    /// let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2], [0, 2, 1]])?;
+    /// let mut display = MockDisplay::<Gray8>::new();
+    /// let viewport = Viewport::new(Point::zero(), display.size())?;
+    /// let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// let instance = camera.place(&mesh, &Affine::identity());
     /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 4]); // `mesh.vertices().len()`, `mesh.face_bins_len()`
     /// let mut faces = instance.transform(&mut cache).bin_faces(&mut bins)?;
@@ -299,10 +299,10 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
     /// use pinhole::{prelude::*, Angle};
     /// use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
-    /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
-    /// # let mut display = MockDisplay::<Gray8>::new();
-    /// # let viewport = Viewport::new(Point::zero(), display.size())?;
-    /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
+    /// let mut display = MockDisplay::<Gray8>::new();
+    /// let viewport = Viewport::new(Point::zero(), display.size())?;
+    /// let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let (mut cache, mut bins, mut cursor) = ([ScreenVertex::EMPTY; 3], [0; 3], [0; 1]);
     /// let instance = camera.place(&mesh, &Affine::identity());
     /// let mut faces = instance.transform(&mut cache).bin_faces(&mut bins)?;

@@ -73,30 +73,19 @@ defmt_format!(
 /// [smoothed](crate::bands::SmoothFrame), for a scene as `mesh_buffers!(smooth: [MESH; 8])`. [`MeshBuffers!`](macro@crate::MeshBuffers) with equal arguments is the type, for statics:
 ///
 /// ```
-/// use pinhole::prelude::*;
-/// # struct ConstStaticCell<T>(T); // of the crate static_cell
-/// # impl<T> ConstStaticCell<T> { const fn new(value: T) -> Self { Self(value) } }
-/// const TRIANGLE: Mesh<'static> = match Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[0, 1, 2]]) {
-///     Ok(mesh) => mesh,
-///     Err(_) => panic!("faces"),
-/// };
-/// const POINTS: Mesh<'static> = match Mesh::new(&[[0, 0, 0]; 9], 0, &[]) {
-///     Ok(mesh) => mesh,
-///     Err(_) => panic!("vertices"),
-/// };
-/// static BUFFERS: ConstStaticCell<MeshBuffers!(TRIANGLE)> = ConstStaticCell::new(mesh_buffers!(TRIANGLE));
-/// # let _ = &BUFFERS.0;
-/// let shared = mesh_buffers!(TRIANGLE, POINTS);
-/// assert_eq!((shared.cache.len(), shared.bins.len()), (9, 3)); // a face, one for up to 16 faces, and a bin
-/// let scene = mesh_buffers!([TRIANGLE; 20], [POINTS; 1]);
-/// assert_eq!((scene.cache.len(), scene.bins.len()), (20 * 3 + 9, 20 * 3));
-/// # use pinhole::meshes::{CUBE, GRID};
-/// # let largest = CUBE.smooth_bins_len().max(GRID.smooth_bins_len());
+/// use pinhole::{meshes::{AXES, CUBE}, prelude::*};
+/// use std::sync::Mutex; // in firmware `ConstStaticCell` of the crate static_cell
+/// static BUFFERS: Mutex<MeshBuffers!(CUBE)> = Mutex::new(mesh_buffers!(CUBE));
+/// let shared = mesh_buffers!(CUBE, AXES);
+/// assert_eq!((shared.cache.len(), shared.bins.len()), (8, 17)); // 12 faces, one for up to 16 faces, and 4 bins
+/// let scene = mesh_buffers!([CUBE; 20], [AXES; 1]);
+/// assert_eq!((scene.cache.len(), scene.bins.len()), (20 * 8 + 4, 20 * 17));
+/// # let largest = CUBE.smooth_bins_len().max(pinhole::meshes::GRID.smooth_bins_len());
 /// # assert!(CUBE.smooth_bins_len() > CUBE.edge_bins_len());
-/// # assert_eq!(mesh_buffers!(smooth: CUBE, GRID).edge_bins.len(), largest);
-/// # let smooth = mesh_buffers!(smooth: [CUBE; 2], [GRID; 1]);
-/// # assert_eq!(smooth.edge_bins.len(), 2 * CUBE.smooth_bins_len() + GRID.smooth_bins_len());
-/// # assert_eq!(smooth.bins.len(), 2 * CUBE.face_bins_len() + GRID.face_bins_len());
+/// # assert_eq!(mesh_buffers!(smooth: CUBE, pinhole::meshes::GRID).edge_bins.len(), largest);
+/// # let smooth = mesh_buffers!(smooth: [CUBE; 2], [pinhole::meshes::GRID; 1]);
+/// # assert_eq!(smooth.edge_bins.len(), 2 * CUBE.smooth_bins_len() + pinhole::meshes::GRID.smooth_bins_len());
+/// # assert_eq!(smooth.bins.len(), 2 * CUBE.face_bins_len() + pinhole::meshes::GRID.face_bins_len());
 /// ```
 #[macro_export]
 macro_rules! mesh_buffers {

@@ -222,12 +222,12 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// colour or another [`Shader`](crate::shading::Shader).
     ///
     /// ```
-    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
     /// use pinhole::{meshes::CUBE, prelude::*, Angle};
-    /// # let mut display = MockDisplay::<Gray8>::new();
-    /// # display.set_allow_overdraw(true);
-    /// # let viewport = Viewport::new(Point::zero(), display.size())?;
-    /// # let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let mut display = MockDisplay::<Gray8>::new();
+    /// display.set_allow_overdraw(true);
+    /// let viewport = Viewport::new(Point::zero(), display.size())?;
+    /// let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let cube = camera.place(&CUBE, &Affine::identity());
     /// cube.faces(|_| Gray8::WHITE).draw(&mut display)?;
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -262,13 +262,13 @@ impl<'a, V: Coordinate, F, const CULLED_BY: u8> Faces<'a, V, F, CULLED_BY> {
     /// `culled`, also those out of view. Firmware links this code only if it calls this.
     ///
     /// ```
-    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-    /// # use pinhole::{prelude::*, Angle};
-    /// # let mut display = MockDisplay::<Gray8>::new();
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{prelude::*, Angle};
+    /// let mut display = MockDisplay::<Gray8>::new();
     /// let mesh = Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?.with_normals(&[[0, 0, 32_767]])?;
     /// let mesh = mesh.with_planes(&[0, 8192, 8192, 0, 11_586, 0, 0, 32_767, 0])?; // pinhole-import makes them
     /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let aside = Affine::translation(Vector3::from_ints(9, 0, 0));
     /// let statistics = camera.place(&mesh, &aside).faces(|_| Gray8::WHITE).culled_by_clusters().draw(&mut display)?;
     /// assert_eq!(statistics.culled, 1); // out of view: no vertex was transformed

@@ -47,7 +47,7 @@ impl<V: Coordinate, F> Edges<'_, V, F> {
     /// const BESIDE: [[u16; 2]; 6] = edge_faces(&EDGES, &FACES);
     /// let mesh = Mesh::new(&VERTICES, 0, &FACES)?.with_edges(&EDGES)?.with_edge_faces(&BESIDE)?;
     /// let mut display = MockDisplay::<BinaryColor>::new();
-    /// # display.set_allow_overdraw(true);
+    /// display.set_allow_overdraw(true);
     /// let viewport = Viewport::new(Point::zero(), display.size())?;
     /// let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let model = Affine::<Model, World>::rotation_y(Angle::degrees(20));

@@ -89,14 +89,10 @@ impl<'m, V: Coordinate> MeshInstance<'m, V> {
     /// All others are drawn as with clipping, pixel by pixel.
     ///
     /// ```
-    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
-    /// # use pinhole::{prelude::*, Angle};
-    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
-    /// # let up = Vector3::from_ints(0, 1, 0);
-    /// # let [near, far] = [1, 9].map(Scalar::from_int);
-    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
-    /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
+    /// use pinhole::{meshes::CUBE, prelude::*, Angle};
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// // The second triangle reaches behind the eye.
     /// let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0], [0, 9, 9]], 0, &[[0, 1, 2], [0, 1, 3]])?;
     /// let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None).without_clipping();
@@ -112,13 +108,13 @@ impl<'m, V: Coordinate> MeshInstance<'m, V> {
     /// Sets which faces are culled; the default is [`Cull::Back`].
     ///
     /// ```
-    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
-    /// # use pinhole::{prelude::*, Angle};
-    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// # let mut display = MockDisplay::new();
-    /// # display.set_allow_overdraw(true);
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
+    /// use pinhole::{prelude::*, Angle};
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// let mut display = MockDisplay::new();
+    /// display.set_allow_overdraw(true);
     /// let from_behind = Mesh::new(&[[-1, -1, 0], [0, 1, 0], [1, -1, 0]], 0, &[[0, 1, 2]])?; // clockwise
-    /// # let camera = Camera::framing(&from_behind.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let camera = Camera::framing(&from_behind.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let instance = camera.place(&from_behind, &Affine::identity());
     /// let statistics = instance.faces(|_| BinaryColor::On).draw(&mut display)?;
     /// assert_eq!((statistics.drawn, statistics.culled), (0, 1));

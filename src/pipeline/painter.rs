@@ -318,13 +318,13 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     /// Sorts the faces, to be drawn more than once: band by band. The faces stay until they are [cleared](Self::clear).
     ///
     /// ```
-    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-    /// # use pinhole::{prelude::*, Angle};
-    /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?.with_edges(&[[0, 1], [1, 2], [2, 0]])?;
-    /// # let mut display = MockDisplay::<Gray8>::new();
-    /// # let viewport = Viewport::new(Point::zero(), display.size())?;
-    /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
-    /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{prelude::*, Angle};
+    /// let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
+    /// let mut display = MockDisplay::<Gray8>::new();
+    /// let viewport = Viewport::new(Point::zero(), display.size())?;
+    /// let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// let mut painter = Painter::<Gray8, 3, 1>::new();
     /// camera.place(&mesh, &Affine::identity()).faces(|_| Gray8::WHITE).sorted(&mut painter)?;
     /// let order = painter.order();

@@ -43,9 +43,9 @@ impl<V: Coordinate, F, const CULLED_BY: u8> Faces<'_, V, F, CULLED_BY> {
     /// Where no shader leaves out pixels, shade with any colour. A translucent face is seen like an opaque one.
     ///
     /// ```
-    /// # use embedded_graphics::{geometry::{Point, Size}, pixelcolor::BinaryColor};
-    /// use pinhole::{draw::Picked, prelude::*, Angle};
-    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// use embedded_graphics::{geometry::{Point, Size}, pixelcolor::BinaryColor};
+    /// use pinhole::{prelude::*, Angle};
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// const VERTICES: [[i16; 3]; 4] = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
     /// const FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
     /// let mesh = Mesh::new(&VERTICES, 0, &FACES)?;

@@ -470,25 +470,21 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
     /// crease. The objects share `storage`: as many numbers as their meshes [need](Mesh::smooth_bins_len) together.
     ///
     /// ```
-    /// # use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-    /// # use pinhole::{mesh::edge_faces, prelude::*, Angle};
-    /// # const VERTICES: [[i16; 3]; 4] = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
-    /// # const FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
-    /// # const EDGES: [[u16; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
-    /// # const BESIDE: [[u16; 2]; 6] = edge_faces(&EDGES, &FACES);
-    /// # let mesh = Mesh::new(&VERTICES, 0, &FACES)?.with_edges(&EDGES)?.with_edge_faces(&BESIDE)?;
-    /// # let mut scene = Scene::<Gray8, 2>::new();
-    /// # scene.add(Object::new(&mesh, Affine::identity(), Gray8::new(200)))?;
-    /// # scene.add(Object::new(&mesh, Affine::rotation_y(Angle::degrees(90)), Gray8::new(90)))?;
-    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// # let camera = Camera::framing(&scene.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
-    /// # let (mut pixels, mut depths) = ([Gray8::BLACK; 64 * 64], [0; 64 * 64]);
-    /// # let mut picture = Picture::new(&mut pixels, viewport.size())?;
-    /// # let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;
-    /// let placed = scene.place(&camera); // a scene of two tetrahedra, whose edges are listed
-    /// let (mut cache, mut bins, mut edge_bins) = ([ScreenVertex::EMPTY; 2 * 4], [0; 2 * 7], [0; 40]);
-    /// let mut faces = placed.bin_faces(&mut cache, &mut bins)?;
-    /// let mut edges = faces.bin_smooth_edges(|_index, _object, _edge| false, &mut edge_bins)?;
+    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{meshes::CUBE, prelude::*, Angle};
+    /// let mut scene = Scene::<Gray8, 2>::new();
+    /// scene.add(Object::new(&CUBE, Affine::identity(), Gray8::new(200)))?;
+    /// scene.add(Object::new(&CUBE, Affine::rotation_y(Angle::degrees(30)), Gray8::new(90)))?;
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// let camera = Camera::framing(&scene.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let (mut pixels, mut depths) = ([Gray8::BLACK; 64 * 64], [0; 64 * 64]);
+    /// let mut picture = Picture::new(&mut pixels, viewport.size())?;
+    /// let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;
+    ///
+    /// let placed = scene.place(&camera);
+    /// let mut buffers = mesh_buffers!(smooth: [CUBE; 2]);
+    /// let mut faces = placed.bin_faces(&mut buffers.cache, &mut buffers.bins)?;
+    /// let mut edges = faces.bin_smooth_edges(|_index, _object, _edge| false, &mut buffers.edge_bins)?;
     /// faces.draw(|_, object| |_| object.material, &mut picture.pixels().depth_tested(&mut depth))?;
     /// picture.pixels().depth_tested(&mut depth).smooth(|pass| edges.draw(pass));
     /// // In bands: `band.smooth(|pass| edges.draw(pass))` of a `SmoothFrame`.

@@ -79,28 +79,21 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// for each edge.
     ///
     /// ```
-    /// # use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-    /// # use pinhole::{mesh::edge_faces, prelude::*, Angle};
-    /// const VERTICES: [[i16; 3]; 4] = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
-    /// const FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
-    /// const EDGES: [[u16; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
-    /// const BESIDE: [[u16; 2]; 6] = edge_faces(&EDGES, &FACES);
-    /// let mesh = Mesh::new(&VERTICES, 0, &FACES)?.with_edges(&EDGES)?.with_edge_faces(&BESIDE)?;
-    /// # let size = Size::new(64, 64);
-    /// # let viewport = Viewport::new(Point::zero(), size)?;
-    /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::degrees(20))?;
+    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{meshes::CUBE, prelude::*, Angle};
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::degrees(20))?;
     /// let (mut pixels, mut depths) = ([Gray8::BLACK; 64 * 64], [0; 64 * 64]);
-    /// let mut picture = Picture::new(&mut pixels, size)?;
+    /// let mut picture = Picture::new(&mut pixels, viewport.size())?;
     /// let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;
-    /// let instance = camera.place(&mesh, &Affine::identity());
+    /// let instance = camera.place(&CUBE, &Affine::identity());
     /// instance.faces(|_| Gray8::WHITE).draw(&mut picture.pixels().depth_tested(&mut depth))?;
-    /// # let count = |picture: &Picture<'_, Gray8>| picture.colors().iter().filter(|c| (1..255).contains(&c.luma())).count();
-    /// # assert_eq!(count(&picture), 0);
+    /// # assert!(picture.colors().iter().all(|c| [0, 255].contains(&c.luma())));
     ///
-    /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 4], [0; 16]); // `mesh.vertices().len()`, and more than `mesh.smooth_bins_len()`
-    /// let mut edges = instance.transform_depth(&mut cache).bin_smooth_edges(|_| false, &mut bins)?;
+    /// let mut buffers = mesh_buffers!(smooth: CUBE);
+    /// let mut edges = instance.transform_depth(&mut buffers.cache).bin_smooth_edges(|_| false, &mut buffers.edge_bins)?;
     /// picture.pixels().depth_tested(&mut depth).smooth(|pass| edges.draw(pass));
-    /// # assert!(count(&picture) > 50);
+    /// # assert!(picture.colors().iter().filter(|c| (1..255).contains(&c.luma())).count() > 50);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -331,13 +324,15 @@ impl<'a, V: Coordinate> SmoothEdges<'a, V> {
     /// edges, which borrow it.
     ///
     /// ```
-    /// # use pinhole::{draw::{SmoothEdge, SmoothEdges}, prelude::*};
-    /// # fn each_frame<'a>(transformed: &pinhole::draw::TransformedMesh<'a>, bins: &'a mut [u16], list: &'a mut [SmoothEdge; 16]) -> Option<()> {
-    /// // let mut list = [SmoothEdge::EMPTY; 16];
-    /// let mut edges = transformed.bin_smooth_edges(|_| false, bins).ok()?;
-    /// edges.keep_in(list);
-    /// # Some(())
-    /// # }
+    /// use embedded_graphics::geometry::{Point, Size};
+    /// use pinhole::{draw::SmoothEdge, meshes::CUBE, prelude::*, Angle};
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let instance = camera.place(&CUBE, &Affine::identity());
+    /// let (mut buffers, mut list) = (mesh_buffers!(smooth: CUBE), [SmoothEdge::EMPTY; 16]);
+    /// let mut edges = instance.transform_depth(&mut buffers.cache).bin_smooth_edges(|_| false, &mut buffers.edge_bins)?;
+    /// edges.keep_in(&mut list);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn keep_in(&mut self, list: &'a mut [SmoothEdge]) {
         self.memory.keep_in(list);

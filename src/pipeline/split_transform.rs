@@ -34,10 +34,10 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
     /// use pinhole::{prelude::*, Angle};
-    /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
-    /// # let mut display = MockDisplay::<Gray8>::new();
-    /// # let viewport = Viewport::new(Point::zero(), display.size())?;
-    /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
+    /// let mut display = MockDisplay::<Gray8>::new();
+    /// let viewport = Viewport::new(Point::zero(), display.size())?;
+    /// let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// fn both(ours: &mut (dyn FnMut() + Send), theirs: &mut (dyn FnMut() + Send)) {
     ///     std::thread::scope(|scope| {
     ///         scope.spawn(theirs);

@@ -37,7 +37,7 @@ impl Camera {
     /// Places one sprite at a point of the world. [`Sprite`] has an example.
     ///
     /// ```
-    /// use embedded_graphics::{geometry::AnchorPoint, pixelcolor::Rgb565, prelude::*};
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
     /// use pinhole::{math::Sphere, meshes::SPHERE, prelude::*, Angle};
     /// // A marker of 3 × 3 pixels on a solid ball: drawn before the ball, not drawn behind it.
     /// let mut pixels = [Rgb565::BLACK; 64 * 64];
@@ -153,10 +153,9 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
-    /// use pinhole::{math::Sphere, prelude::*, Angle};
-    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// # let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_int(2) };
-    /// # let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// use pinhole::{meshes::CUBE, prelude::*, Angle};
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let marker = camera.place_sprite(Point3::from_ints(0, 0, 0)); // in the middle of 64 × 64 pixels
     /// let bounds = marker.bounds(|_| Sprite::square(Gray8::WHITE, 4));
     /// assert_eq!(bounds, Rectangle::new(Point::new(30, 30), Size::new(4, 4)));

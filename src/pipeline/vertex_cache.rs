@@ -78,14 +78,10 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// otherwise its error grows as far/(far − near).
     ///
     /// ```
-    /// # use embedded_graphics::geometry::{Point, Size};
-    /// # use pinhole::{camera::CameraError, prelude::*, Angle};
-    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
-    /// # let up = Vector3::from_ints(0, 1, 0);
-    /// # let [near, far] = [1, 9].map(Scalar::from_int);
-    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
-    /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
+    /// use embedded_graphics::geometry::{Point, Size};
+    /// use pinhole::{camera::CameraError, meshes::CUBE, prelude::*, Angle};
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let mesh = Mesh::new(&[[0, 0, 0], [0, 0, 8]], 0, &[])?;
     /// let instance = camera.place(&mesh, &Affine::identity());
     /// let seen = instance.project(0)?;

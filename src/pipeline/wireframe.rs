@@ -55,11 +55,10 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// const VERTICES: [[i16; 3]; 3] = [[-3, 0, 3], [0, 0, 0], [3, 0, -3]];
     /// const EDGES: [[u16; 2]; 2] = [[0, 1], [1, 2]];
     /// let mesh = Mesh::new(&VERTICES, 0, &[])?.with_edges(&EDGES)?;
-    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// # let [eye, origin] = [16, 0].map(|z| Point3::from_ints(0, 0, z));
-    /// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
-    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(50))?;
-    /// # let camera = Camera::new(&view, &lens, &viewport);
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// let view = ViewTransform::orbit(Point3::from_ints(0, 0, 0), Scalar::from_int(16), Angle::ZERO, Angle::ZERO);
+    /// let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(50))?;
+    /// let camera = Camera::new(&view, &lens, &viewport);
     /// let model = Affine::identity();
     /// let fog = Fog::new(Scalar::from_int(12), Scalar::from_int(20))?; // the camera is at z = 16
     /// let fog = VertexFog::new(&fog, &camera, &model, mesh.exponent());
@@ -68,10 +67,10 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ///     let [a, b] = EDGES[edge].map(|vertex| factors[usize::from(vertex)]);
     ///     Rgb565::WHITE.over(Rgb565::BLACK, (a + b) / 2)
     /// };
-    /// # let mut pixels = [Rgb565::BLUE; 64 * 64];
-    /// # let mut picture = Picture::new(&mut pixels, Size::new(64, 64))?;
+    /// let mut pixels = [Rgb565::BLUE; 64 * 64];
+    /// let mut picture = Picture::new(&mut pixels, Size::new(64, 64))?;
     /// camera.place(&mesh, &model).edges(stroke).draw(&mut picture.pixels())?;
-    /// # let seen: Vec<_> = pixels.iter().filter(|c| **c != Rgb565::BLUE).map(|c| c.g()).collect();
+    /// let seen: Vec<_> = pixels.iter().filter(|c| **c != Rgb565::BLUE).map(|c| c.g()).collect();
     /// assert!(seen.iter().max() > seen.iter().min()); // the far edge is darker
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

@@ -62,7 +62,6 @@ impl<'a> FaceColors<'a> {
     /// assert_eq!([dark, bright], [Rgb888::new(180, 20, 0), Rgb888::new(240, 20, 0)]);
     /// // With fractions of a level, for `Dithered` and `Gouraud::new`.
     /// let face = Flat::lit(colors.color(1), 100).emitting(colors.emission(1));
-    /// # let _ = face;
     /// # Ok::<(), pinhole::mesh::MeshError>(())
     /// ```
     ///

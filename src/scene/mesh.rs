@@ -449,13 +449,13 @@ impl<'a, V> Mesh<'a, V> {
     /// [`Light::levels`](crate::light::Light::levels).
     ///
     /// ```
-    /// use pinhole::{mesh::MeshError, Mesh};
+    /// use pinhole::Mesh;
     /// const UP: [i16; 3] = [0, 0, 32_767];
     /// let mesh = Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
     /// assert_eq!(mesh.with_vertex_normals(&[UP; 3])?.vertex_normals(), [UP; 3]);
     /// let too_few = mesh.with_vertex_normals(&[UP; 2]).unwrap_err();
     /// assert_eq!(too_few.to_string(), "a list of 2 entries where 3 are needed: give one normal per vertex");
-    /// # Ok::<(), MeshError>(())
+    /// # Ok::<(), pinhole::mesh::MeshError>(())
     /// ```
     ///
     /// # Errors

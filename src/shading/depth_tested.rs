@@ -11,18 +11,18 @@ use super::{CornerValues, Shader};
 /// whose depth is tested and, if they are [`Translucent`](crate::shading::Translucent), not stored.
 ///
 /// ```
-/// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
-/// use pinhole::{color::Half, prelude::*, shading::{DepthTested, Translucent}};
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+/// use pinhole::{color::Half, prelude::*, shading::{DepthTested, Translucent}, Angle};
 /// const VERTICES: [[i16; 3]; 3] = [[-2, -2, 0], [2, -2, 0], [0, 2, 0]];
 /// let mesh = Mesh::new(&VERTICES, 0, &[[0, 1, 2]])?;
-/// # let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
-/// # let view = ViewTransform::look_at(Point3::from_ints(0, 0, 8), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?;
-/// # let lens = Projection::perspective(pinhole::Angle::degrees(40), viewport.size(), Scalar::from_int(1), Scalar::from_int(20))?;
-/// # let camera = Camera::new(&view, &lens, &viewport);
+/// let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
+/// let view = ViewTransform::orbit(Point3::from_ints(0, 0, 0), Scalar::from_int(8), Angle::ZERO, Angle::ZERO);
+/// let lens = Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_int(1), Scalar::from_int(20))?;
+/// let camera = Camera::new(&view, &lens, &viewport);
 /// let at = |z| camera.place(&mesh, &Affine::translation(Vector3::from_ints(0, 0, z)));
-/// # let (mut pixels, mut depths) = ([Gray8::BLACK; 32 * 32], [0; 32 * 32]);
-/// # let mut picture = Picture::new(&mut pixels, Size::new(32, 32))?;
-/// # let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), Size::new(32, 32)), &mut depths)?;
+/// let (mut pixels, mut depths) = ([Gray8::BLACK; 32 * 32], [0; 32 * 32]);
+/// let mut picture = Picture::new(&mut pixels, viewport.size())?;
+/// let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;
 /// // A wall, then three panes: one behind it, and two before it, of which the nearer one is added first.
 /// at(0).faces(|_| Gray8::new(100)).draw(&mut picture.pixels().depth_tested(&mut depth))?;
 /// let mut painter = Painter::<DepthTested<Translucent<Gray8, Half>>, 9, 3>::new();

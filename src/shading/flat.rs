@@ -40,7 +40,6 @@ impl Flat {
     /// let corner = |i: usize| Flat::lit(Rgb888::CSS_GOLD, light[i]).in_fog(Rgb888::CSS_LIGHT_STEEL_BLUE, fog[i]);
     /// let face = Gouraud::new([0, 1, 2].map(corner));
     /// assert_eq!(corner(0), Flat::from(Rgb888::CSS_GOLD));
-    /// # let _ = face;
     /// ```
     #[must_use]
     pub fn in_fog(self, fog: Rgb888, factor: u16) -> Self {

@@ -30,7 +30,6 @@ use core::marker::PhantomData;
 /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 /// use pinhole::shading::Gouraud;
 /// let rainbow = Gouraud::new([Rgb888::RED, Rgb888::GREEN, Rgb888::BLUE]);
-/// # let _ = rainbow;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -38,11 +38,9 @@ impl Gouraud {
     /// of a face.
     ///
     /// ```
-    /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+    /// use embedded_graphics::pixelcolor::{Rgb888, WebColors};
     /// use pinhole::shading::{Gouraud, Lit};
     /// let face: Lit = Gouraud::lit(Rgb888::CSS_GOLD, [256, 128, 40]);
-    /// # let _ = face;
-    /// # use embedded_graphics::pixelcolor::WebColors;
     /// ```
     pub fn lit(color: Rgb888, levels: [u16; 3]) -> Lit {
         Lit { color: [color.r(), color.g(), color.b()], light: levels.map(|level| light(level.min(256))) }

@@ -47,7 +47,6 @@ impl<C> ShadeTable<C> {
     ///     }
     ///     ShadeTable::from_colors(colors)
     /// };
-    /// # let _ = TWO_STEPS.lit([0, 90, 256]);
     /// ```
     pub const fn from_colors(colors: [C; 256]) -> Self {
         Self(colors)
@@ -86,7 +85,6 @@ impl<C: Color> ShadeTable<C> {
     /// let table = ShadeTable::<Gray8>::in_fog(Rgb888::BLACK, Rgb888::WHITE);
     /// assert_eq!([0, 55, 255].map(|i| table.colors()[i].luma()), [255, 200, 0]);
     /// let face = table.lit([256, 200, 90]); // of VertexFog::factor
-    /// # let _ = face;
     /// ```
     pub fn in_fog(color: Rgb888, fog: Rgb888) -> Self {
         Self::from_colors(from_fn(|light| mixture(color, light as u32, fog, 255 - light as u32)))

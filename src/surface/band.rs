@@ -60,7 +60,7 @@ impl<C: Color> Frame<C> {
     /// The number of bytes that a strip of `rows` rows needs; saturates.
     ///
     /// ```
-    /// use embedded_graphics::{pixelcolor::{BinaryColor, Rgb565}, prelude::*};
+    /// use embedded_graphics::pixelcolor::{BinaryColor, Rgb565};
     /// use pinhole::bands::Frame;
     /// const STRIP: usize = Frame::<Rgb565>::strip_bytes(240, 8);
     /// assert_eq!(STRIP, 3840);
@@ -127,12 +127,17 @@ impl<C: Color> Frame<C> {
     /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
     /// use pinhole::bands::Frame;
     /// use core::ops::ControlFlow::{Break, Continue};
-    /// # struct Dma;
-    /// # struct Transfer(Dma, &'static mut [u8]);
-    /// # impl Dma { fn send(self, area: Rectangle, bytes: &'static mut [u8]) -> Transfer { assert_eq!(bytes.len(), 40 * 4, "{area:?}"); Transfer(self, bytes) } }
-    /// # impl Transfer { fn wait(self) -> (Dma, &'static mut [u8]) { (self.0, self.1) } }
-    /// # let [mut free, other] = [0; 2].map(|_| vec![0; 40 * 4].leak()); // two statics in firmware
-    /// # let mut transfer = Transfer(Dma, other);
+    ///
+    /// /// A driver's DMA transfer: it owns the strip until `wait`.
+    /// struct Transfer(&'static mut [u8]);
+    /// impl Transfer {
+    ///     fn wait(self) -> &'static mut [u8] {
+    ///         self.0
+    ///     }
+    /// }
+    ///
+    /// let [mut free, other] = [0; 2].map(|_| vec![0; 40 * 4].leak()); // two statics in firmware
+    /// let mut transfer = Transfer(other);
     /// let mut rows = Vec::new();
     /// for _ in 0..2 {
     ///     let mut frame = Frame::new(Rectangle::new(Point::zero(), Size::new(40, 10)), Gray8::BLACK);
@@ -140,10 +145,10 @@ impl<C: Color> Frame<C> {
     ///         match frame.band_or_strip(free)? {
     ///             Break(strip) => break strip,
     ///             Continue(band) => {
-    ///                 let area = band.area(); // draw the scene
-    ///                 let (dma, sent) = transfer.wait();
-    ///                 transfer = dma.send(area, band.into_bytes());
-    ///                 (free, _) = (sent, rows.push(area.rows()));
+    ///                 rows.push(band.area().rows()); // draw the scene
+    ///                 free = transfer.wait();
+    ///                 transfer = Transfer(band.into_bytes()); // start to send it
+    /// #               assert_eq!(transfer.0.len(), 40 * 4);
     ///             }
     ///         }
     ///     }

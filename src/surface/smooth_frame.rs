@@ -38,22 +38,15 @@ const LEAST_BY_NUMBER: usize = 7;
 /// some levels. No difference was found when parts are drawn eight pixels larger.
 ///
 /// ```
-/// # use embedded_graphics::{draw_target::DrawTargetExt, mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-/// # use pinhole::{bands::{DirtyRegions, SmoothFrame, TransferCost}, mesh::edge_faces, prelude::*, strip_buffers, Angle};
-/// # const VERTICES: [[i16; 3]; 4] = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
-/// # const FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
-/// # const EDGES: [[u16; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
-/// # const BESIDE: [[u16; 2]; 6] = edge_faces(&EDGES, &FACES);
-/// # const fn ready(mesh: Result<Mesh<'static>, pinhole::mesh::MeshError>) -> Mesh<'static> { match mesh { Ok(mesh) => mesh, Err(_) => panic!() } }
-/// # const MESH: Mesh<'static> = ready(ready(ready(Mesh::new(&VERTICES, 0, &FACES)).with_edges(&EDGES)).with_edge_faces(&BESIDE));
-/// # let mut display = MockDisplay::<Gray8>::new();
-/// # display.set_allow_overdraw(true);
-/// # let viewport = Viewport::new(Point::zero(), display.size())?;
-/// # let camera = Camera::framing(&MESH.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::degrees(20))?;
-/// # let instance = camera.place(&MESH, &Affine::identity());
-/// // `MESH` is a `const`, as `pinhole-import --edges creases-first --edge-faces` writes it, and `instance` is it before a camera. Firmware has these
-/// // buffers in statics.
-/// let mut buffers = mesh_buffers!(smooth: MESH);
+/// use embedded_graphics::{draw_target::DrawTargetExt, mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+/// use pinhole::{bands::{DirtyRegions, SmoothFrame, TransferCost}, meshes::CUBE, prelude::*, strip_buffers, Angle};
+/// let mut display = MockDisplay::<Gray8>::new();
+/// display.set_allow_overdraw(true);
+/// let viewport = Viewport::new(Point::zero(), display.size())?;
+/// let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::degrees(20))?;
+/// let instance = camera.place(&CUBE, &Affine::identity());
+/// // `pinhole-import --edges creases-first --edge-faces` writes such a `const`. Firmware has these buffers in statics.
+/// let mut buffers = mesh_buffers!(smooth: CUBE);
 /// let mut strip = strip_buffers!(Gray8, 64, 8, smooth); // 8 rows, and two that wait
 ///
 /// let mesh = instance.transform_depth(&mut buffers.cache);
@@ -77,10 +70,9 @@ const LEAST_BY_NUMBER: usize = 7;
 /// for part in dirty.take() {
 ///     let mut frame = SmoothFrame::new(part.offset(3), Gray8::BLACK, &mut strip.kept, &mut strip.depths)?;
 ///     while let Some(mut band) = frame.next_band(&mut strip.colors)? {
-/// #       let (mut pixels, mut depth) = band.new_rows();
-/// #       faces.draw(|_| Gray8::WHITE, &mut pixels.depth_tested(&mut depth))?;
-///         // … as above
-/// #       let band = band.smooth(|pass| edges.draw(pass));
+///         let (mut pixels, mut depth) = band.new_rows();
+///         faces.draw(|_| Gray8::WHITE, &mut pixels.depth_tested(&mut depth))?;
+///         let band = band.smooth(|pass| edges.draw(pass));
 ///         band.send(&mut display.clipped(&part))?; // of `embedded_graphics::draw_target::DrawTargetExt`
 ///     }
 /// }
@@ -336,14 +328,13 @@ impl<'s, C: Color> SmoothBand<'s, '_, C> {
     /// faces: `draw` gets the finished rows and their depths.
     ///
     /// ```
-    /// # use pinhole::{bands::{Band, SmoothBand}, draw::SmoothEdges, prelude::*, sprite::PlacedSprites};
-    /// # use embedded_graphics::pixelcolor::Rgb565;
-    /// # fn finish<'s>(band: SmoothBand<'s, '_, Rgb565>, edges: &mut SmoothEdges<'_>, flares: &PlacedSprites<'_>) -> Band<'s, Rgb565> {
-    /// let flare = Sprite::square(Rgb565::new(31, 63, 20), 3);
-    /// band.smooth_then(|pass| edges.draw(pass), |mut pixels, mut depth| {
-    ///     let Ok(_) = flares.draw(|_| flare, &mut pixels.depth_tested(&mut depth));
-    /// })
-    /// # }
+    /// use embedded_graphics::pixelcolor::Gray8;
+    /// use pinhole::{bands::{Band, SmoothBand}, draw::SmoothEdges, prelude::*, sprite::PlacedSprites};
+    /// fn finish<'s>(band: SmoothBand<'s, '_, Gray8>, edges: &mut SmoothEdges<'_>, flares: &PlacedSprites<'_>) -> Band<'s, Gray8> {
+    ///     band.smooth_then(|pass| edges.draw(pass), |mut pixels, mut depth| {
+    ///         let Ok(_) = flares.draw(|_| Sprite::square(Gray8::new(255), 3), &mut pixels.depth_tested(&mut depth));
+    ///     })
+    /// }
     /// ```
     #[inline(always)]
     pub fn smooth_then<const N: usize>(

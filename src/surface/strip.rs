@@ -44,10 +44,9 @@ defmt_format!(
 /// ```
 /// use embedded_graphics::pixelcolor::{BinaryColor, Rgb565};
 /// use pinhole::{strip_buffers, StripBuffers};
-/// # struct ConstStaticCell<T>(T); // of the crate static_cell
-/// # impl<T> ConstStaticCell<T> { const fn new(value: T) -> Self { Self(value) } }
-/// static STRIP: ConstStaticCell<StripBuffers!(Rgb565, 240, 8)> = ConstStaticCell::new(strip_buffers!(Rgb565, 240, 8));
-/// # assert_eq!((STRIP.0.colors.len(), STRIP.0.depths.len()), (240 * 8 * 2, 240 * 8));
+/// use std::sync::Mutex; // in firmware `ConstStaticCell` of the crate static_cell
+/// static STRIP: Mutex<StripBuffers!(Rgb565, 240, 8)> = Mutex::new(strip_buffers!(Rgb565, 240, 8));
+/// # assert_eq!(STRIP.lock().map(|strip| (strip.colors.len(), strip.depths.len())).ok(), Some((240 * 8 * 2, 240 * 8)));
 /// let strip = strip_buffers!(BinaryColor, 130, 8, no depth);
 /// assert_eq!((strip.colors.len(), strip.depths.len()), (17 * 8, 0)); // rows of whole bytes
 /// # let smooth = strip_buffers!(embedded_graphics::pixelcolor::Gray4, 61, 8, smooth);

@@ -30,9 +30,7 @@ use embedded_graphics_core::Pixel;
 /// ```
 /// use core::convert::Infallible;
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use pinhole::{
-///     draw::fill_triangle, raster::{ScreenPoint, Span}, target::{BufferError, Memory, Pixels, Surface},
-/// };
+/// use pinhole::{draw::fill_triangle, raster::{ScreenPoint, Span}, target::{Memory, Pixels, Surface}};
 ///
 /// /// A framebuffer that remembers whether it was drawn to.
 /// struct Framebuffer<'a> {
@@ -68,7 +66,7 @@ use embedded_graphics_core::Pixel;
 /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
 /// let Ok(()) = fill_triangle([corner(0, 0), corner(40, 0), corner(0, 20)], Rgb565::RED, &mut target);
 /// assert!(target.is_drawn && cells[31] == 0xf800);
-/// # Ok::<(), BufferError>(())
+/// # Ok::<(), pinhole::target::BufferError>(())
 /// ```
 ///
 /// Pixels that share bytes, as those of a monochrome display, have no memory that fast paths could write to:
@@ -76,7 +74,7 @@ use embedded_graphics_core::Pixel;
 /// ```
 /// use core::convert::Infallible;
 /// use embedded_graphics::{pixelcolor::BinaryColor, prelude::*, primitives::Rectangle};
-/// use pinhole::{draw::draw_line, raster::{self, Span}, target::Surface};
+/// use pinhole::{draw::draw_line, raster::Span, target::Surface};
 ///
 /// /// 128 × 64 pixels in pages of 8 rows: a byte is a column of a page, with its top row in the lowest bit.
 /// struct Pages([u8; 1024]);
@@ -174,12 +172,12 @@ pub trait Surface {
     /// Nothing is drawn outside the depth buffer.
     ///
     /// ```
-    /// # use embedded_graphics::{pixelcolor::Gray8, prelude::*};
-    /// # use pinhole::{meshes::CUBE, prelude::*, Angle};
-    /// # let size = Size::new(32, 32);
-    /// # let viewport = Viewport::new(Point::zero(), size)?;
-    /// # let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
-    /// # let mut pixels = [Gray8::BLACK; 32 * 32];
+    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{meshes::CUBE, prelude::*, Angle};
+    /// let size = Size::new(32, 32);
+    /// let viewport = Viewport::new(Point::zero(), size)?;
+    /// let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let mut pixels = [Gray8::BLACK; 32 * 32];
     /// let mut picture = Picture::new(&mut pixels, size)?;
     /// let mut depths = [0; 32 * 32];
     /// let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;

@@ -39,7 +39,7 @@ impl Projection {
     /// other rows, or row w if all its numbers are 0.
     ///
     /// ```
-    /// use pinhole::{camera::CameraError, space::View, Point3, Projection};
+    /// use pinhole::{space::View, Point3, Projection};
     /// // A reverse perspective, in which distant objects are larger: w = 1 + z/8.
     /// let reverse =
     ///     [[0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, -0.25, -1.0], [0.0, 0.0, 0.125, 1.0]];
@@ -47,7 +47,7 @@ impl Projection {
     /// let across = |z| lens.apply(Point3::<View>::from_ints(1, 0, z)).map(|ndc| f64::from(ndc.x()));
     /// assert_eq!((across(0), across(-4)), (Some(0.5), Some(1.0)));
     /// assert_eq!(lens.to_matrix(), reverse.map(|row| row.map(|c| 0.5 * c))); // the same for any positive factor
-    /// # Ok::<(), CameraError>(())
+    /// # Ok::<(), pinhole::camera::CameraError>(())
     /// ```
     pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, CameraError> {
         let rows = || matrix.iter().zip(NAMES);

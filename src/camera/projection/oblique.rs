@@ -19,13 +19,12 @@ impl Projection {
     /// *Computer Graphics*, 2nd ed., section 6.1.2.)
     ///
     /// ```
-    /// use pinhole::{camera::{CameraError, Window}, Angle, Projection, Scalar};
+    /// use pinhole::{camera::Window, Angle, Projection, Scalar};
     /// let two = Scalar::from_int(2);
     /// let window = Window { left: -two, right: two, bottom: -two, top: two };
     /// let half = Scalar::from_ratio(1, 2);
     /// let cabinet = Projection::oblique(window, -two, two, Angle::degrees(45), half)?;
-    /// # let _ = cabinet;
-    /// # Ok::<(), CameraError>(())
+    /// # Ok::<(), pinhole::camera::CameraError>(())
     /// ```
     ///
     /// # Errors

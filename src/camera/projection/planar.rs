@@ -33,13 +33,12 @@ impl Projection {
     /// geometric projections and viewing transformations*, 1978; Foley et al., *Computer Graphics*, 2nd ed., section 6.4, equation 6.17.)
     ///
     /// ```
-    /// use pinhole::{camera::{CameraError, Window}, prelude::*};
+    /// use pinhole::{camera::Window, prelude::*};
     /// let [one, two] = [1, 2].map(Scalar::from_int);
     /// let window = Window { left: -two, right: two, bottom: -two, top: two };
     /// // Parallel, along (0, -1, 1): shapes parallel to the plane z = 0 are preserved.
     /// let lens = Projection::planar(Scalar::ZERO, None, Vector3::from_ints(0, -1, 1), window, -one, two)?;
-    /// # let _ = lens;
-    /// # Ok::<(), CameraError>(())
+    /// # Ok::<(), pinhole::camera::CameraError>(())
     /// ```
     ///
     /// # Errors

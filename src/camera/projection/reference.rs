@@ -17,7 +17,7 @@ impl Projection {
     /// constant.
     ///
     /// ```
-    /// use pinhole::{camera::{CameraError, Window}, prelude::*};
+    /// use pinhole::{camera::Window, prelude::*};
     /// let number = |v| Scalar::from_f32(v).unwrap();
     /// let window = Window { left: number(-1.0), right: number(3.0), bottom: number(-1.0), top: number(3.0) };
     /// let prp = Point3::from_f32(0.5, 0.5, 1.0).unwrap();
@@ -25,7 +25,7 @@ impl Projection {
     /// // A corner of the window is a corner of the picture.
     /// let corner = lens.apply(Point3::from_ints(3, -1, 0)).unwrap();
     /// assert_eq!((corner.x(), corner.y()), (Scalar::ONE, -Scalar::ONE));
-    /// # Ok::<(), CameraError>(())
+    /// # Ok::<(), pinhole::camera::CameraError>(())
     /// ```
     ///
     /// # Errors

@@ -95,14 +95,14 @@ impl Projection {
     /// (OpenGL 1.x, `glFrustum`; *OpenGL Programming Guide*, appendix on homogeneous coordinates.)
     ///
     /// ```
-    /// use pinhole::{camera::{CameraError, Window}, prelude::*, space::View};
+    /// use pinhole::{camera::Window, prelude::*, space::View};
     /// let [zero, one, two] = [0, 1, 2].map(Scalar::from_int);
     /// // The right half of a picture, for the second of two displays.
     /// let right = Window { left: zero, right: one, bottom: -one, top: one };
     /// let lens = Projection::frustum(right, one, two)?;
     /// assert_eq!(lens.apply(Point3::<View>::from_ints(0, 0, -2)), Some(Point3::from_ints(-1, 0, 1)));
     /// assert_eq!(lens.apply(Point3::<View>::from_ints(1, 0, -1)), Some(Point3::from_ints(1, 0, -1)));
-    /// # Ok::<(), CameraError>(())
+    /// # Ok::<(), pinhole::camera::CameraError>(())
     /// ```
     ///
     /// # Errors
@@ -162,14 +162,14 @@ impl Projection {
     /// (OpenGL 1.x, `glOrtho`.)
     ///
     /// ```
-    /// use pinhole::{camera::{CameraError, Window}, prelude::*, space::View};
+    /// use pinhole::{camera::Window, prelude::*, space::View};
     /// let [one, two, three] = [1, 2, 3].map(Scalar::from_int);
     /// let window = Window { left: -two, right: two, bottom: -one, top: one };
     /// let lens = Projection::orthographic(window, one, three)?;
     /// let ndc = |z| lens.apply(Point3::<View>::from_ints(1, 1, z));
     /// assert_eq!(ndc(-1), Point3::from_f32(0.5, 1.0, -1.0).ok()); // on the near plane
     /// assert_eq!(ndc(-3), Point3::from_f32(0.5, 1.0, 1.0).ok()); // on the far plane: no smaller
-    /// # Ok::<(), CameraError>(())
+    /// # Ok::<(), pinhole::camera::CameraError>(())
     /// ```
     ///
     /// # Errors

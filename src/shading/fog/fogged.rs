@@ -37,20 +37,19 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// ```
 /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
 /// use pinhole::{fog::{Fog, FogTable}, prelude::*, Angle};
-/// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-/// # let [eye, origin] = [(0, 4, 8), (0, 0, 0)].map(|(x, y, z)| Point3::from_ints(x, y, z));
-/// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
-/// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(100))?;
-/// # let camera = Camera::new(&view, &lens, &viewport);
+/// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+/// let view = ViewTransform::orbit(Point3::from_ints(0, 0, 0), Scalar::from_int(9), Angle::ZERO, Angle::degrees(27));
+/// let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(100))?;
+/// let camera = Camera::new(&view, &lens, &viewport);
 /// const FLOOR: [[i16; 3]; 4] = [[-90, 0, 0], [90, 0, 0], [90, 0, -90], [-90, 0, -90]];
 /// let mesh = Mesh::new(&FLOOR, 0, &[[0, 1, 2], [0, 2, 3]])?;
-/// let instance = camera.place(&mesh, &pinhole::Affine::identity());
+/// let instance = camera.place(&mesh, &Affine::identity());
 /// let fog = Fog::new(Scalar::from_int(10), Scalar::from_int(40))?;
 /// let table = FogTable::new(&fog, &camera, Rgb565::WHITE)?;
-/// # let mut pixels = [Rgb565::BLACK; 64 * 64];
-/// # let mut picture = Picture::new(&mut pixels, Size::new(64, 64))?;
+/// let mut pixels = [Rgb565::BLACK; 64 * 64];
+/// let mut picture = Picture::new(&mut pixels, Size::new(64, 64))?;
 /// instance.faces(|_face| Fogged::new(Rgb565::RED, &table)).draw(&mut picture.pixels())?;
-/// # let greens: std::collections::BTreeSet<_> = pixels.iter().filter(|c| c.r() == 31).map(|c| c.g()).collect();
+/// let greens: std::collections::BTreeSet<_> = pixels.iter().filter(|c| c.r() == 31).map(|c| c.g()).collect();
 /// assert!(greens.len() > 12); // from red to white
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -20,12 +20,12 @@ use crate::shading::LightError;
 /// with a depth buffer 540 000 and 780 000; textured, with a depth buffer, 926 000 and 1 954 000.
 ///
 /// ```
-/// use pinhole::{fog::Fog, light::LightError, Scalar};
+/// use pinhole::{fog::Fog, Scalar};
 /// let [near, far] = [4, 20].map(Scalar::from_int);
 /// assert!(Fog::new(near, far).is_ok());
 /// let error = Fog::new(far, near).unwrap_err();
 /// assert_eq!(error.to_string(), "fog must begin before it is full: its start, 20, is not less than its end, 4");
-/// # Ok::<(), LightError>(())
+/// # Ok::<(), pinhole::light::LightError>(())
 /// ```
 ///
 /// **Profiles.** A [`VertexFog`](crate::fog::VertexFog) grows linearly with the distance, a [`FogTable`](crate::fog::FogTable) linearly,

@@ -21,10 +21,9 @@ pub(super) const LEVELS: usize = 32;
 /// ```
 /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
 /// use pinhole::{fog::{Fog, FogTable}, prelude::*, Angle};
-/// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-/// # let [eye, origin] = [8, 0].map(|z| Point3::from_ints(0, 0, z));
-/// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
-/// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(100))?;
+/// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+/// let view = ViewTransform::orbit(Point3::from_ints(0, 0, 0), Scalar::from_int(8), Angle::ZERO, Angle::ZERO);
+/// let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(100))?;
 /// let camera = Camera::new(&view, &lens, &viewport); // 8 before the origin
 /// let fog = Fog::new(Scalar::from_int(4), Scalar::from_int(20))?;
 /// let table = FogTable::new(&fog, &camera, Rgb565::WHITE)?;
@@ -61,15 +60,12 @@ impl<C> FogTable<C> {
     /// which is rounded to none. OpenGL's density d, with fog from the eye on, is ln 64/d = 4.159/d for the end and 0 for the start.
     ///
     /// ```
-    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
-    /// use pinhole::{fog::{Fog, FogTable}, Scalar};
-    /// # use pinhole::{prelude::*, Angle};
-    /// # use embedded_graphics::geometry::{Point, Size};
-    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// # let [eye, origin] = [8, 0].map(|z| Point3::from_ints(0, 0, z));
-    /// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
-    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(100))?;
-    /// # let camera = Camera::new(&view, &lens, &viewport);
+    /// use embedded_graphics::{pixelcolor::{Gray8, GrayColor}, prelude::*};
+    /// use pinhole::{fog::{Fog, FogTable}, prelude::*, Angle};
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// let view = ViewTransform::orbit(Point3::from_ints(0, 0, 0), Scalar::from_int(8), Angle::ZERO, Angle::ZERO);
+    /// let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(100))?;
+    /// let camera = Camera::new(&view, &lens, &viewport);
     /// let fog = Fog::new(Scalar::ZERO, Scalar::from_int(16))?;
     /// let depth = camera.project(Point3::from_ints(0, 0, 0))?.depth; // 8 before the camera, half of the way
     /// assert_eq!(FogTable::new(&fog, &camera, Gray8::WHITE)?.factor(depth), 16);

@@ -25,10 +25,9 @@ use crate::space::{Model, World};
 /// ```
 /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
 /// use pinhole::{fog::{Fog, VertexFog}, prelude::*, Angle};
-/// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-/// # let [eye, origin] = [8, 0].map(|z| Point3::from_ints(0, 0, z));
-/// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
-/// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(100))?;
+/// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+/// let view = ViewTransform::orbit(Point3::from_ints(0, 0, 0), Scalar::from_int(8), Angle::ZERO, Angle::ZERO);
+/// let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_int(1), Scalar::from_int(100))?;
 /// let camera = Camera::new(&view, &lens, &viewport); // at z = 8, towards −z
 /// let fog = Fog::new(Scalar::from_int(4), Scalar::from_int(20))?;
 /// let fog = VertexFog::new(&fog, &camera, &Affine::identity(), 0);

@@ -136,10 +136,9 @@ impl<S> Sprite<S> {
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-    /// use pinhole::{math::Sphere, prelude::*, Angle};
-    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// # let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_int(1) };
-    /// # let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// use pinhole::{meshes::CUBE, prelude::*, Angle};
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let picture = [[Gray8::WHITE; 8]; 8];
     /// let mut display = MockDisplay::new();
     /// let arrow = Sprite::new(&picture).with_anchor_at(2, 0);
@@ -160,13 +159,12 @@ impl<S: SpriteSource> Sprite<S> {
     ///
     /// ```
     /// use embedded_graphics::{geometry::AnchorPoint, image::ImageRaw, mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
-    /// use pinhole::{camera::Rotation, math::Sphere, prelude::*, sprite::SpriteImage, Angle};
-    /// # let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_int(1) };
+    /// use pinhole::{camera::Rotation, meshes::CUBE, prelude::*, sprite::SpriteImage, Angle};
     /// // A flag of 5 × 4 texels, with its pole below it.
     /// let image = ImageRaw::<BinaryColor>::new(&[0b11111_000, 0b11111_000, 0b10000_000, 0b10000_000], 5);
     /// let flag = Sprite::new(SpriteImage::new(&image).with_key(BinaryColor::Off)).with_anchor(AnchorPoint::BottomLeft);
     /// let viewport = Viewport::new(Point::zero(), Size::new(12, 8))?.rotated(Rotation::Deg90);
-    /// let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let mut panel = MockDisplay::new();
     /// camera.place_sprite(Point3::from_ints(0, 0, 0)).draw(|_| flag.rotated(viewport.rotation()), &mut panel)?;
     /// panel.assert_pattern(&[
@@ -225,7 +223,6 @@ impl<S: SpriteSource> Sprite<S> {
     /// use pinhole::{sprite::{Sprite, SpriteImage}, Scalar};
     /// let image = ImageRaw::<Gray8>::new(&[0; 15], 3); // 3 × 5 texels
     /// let tree = Sprite::new(SpriteImage::new(&image)).with_height(Scalar::from_int(10)); // 6 wide
-    /// # let _ = tree;
     /// ```
     #[must_use]
     pub fn with_height(self, height: Scalar) -> Self {

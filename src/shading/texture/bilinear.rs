@@ -13,7 +13,6 @@ use crate::math::hints::{keep_rolled, opaque};
 /// let picture = [[0, 32, 64, 96, 128, 160, 192, 224].map(Gray8::new); 8];
 /// let texels = BilinearTexels::new(&picture);
 /// let texture = Texture::new(texels); // `texture.at(..)` as of any texture
-/// # let _ = texture;
 /// // At the centre of the second texel, and where the second and the third meet.
 /// assert_eq!([3 << 28, 2 << 29].map(|u| texels.texel(u, 0).luma()), [32, 48]);
 /// ```

@@ -33,15 +33,12 @@ impl<S: Texels<Color: Color>> Textured<S> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::{Gray8, GrayColor}, prelude::*};
-    /// use pinhole::{camera::Window, prelude::*};
-    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// # let (one, two) = (Scalar::from_int(1), Scalar::from_int(2));
-    /// # let window = Window { left: -two, right: two, bottom: -two, top: two };
-    /// # let camera = Camera::new(
-    /// #     &ViewTransform::look_at(Point3::from_ints(0, 0, 3), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
-    /// #     &Projection::orthographic(window, one, Scalar::from_int(9))?,
-    /// #     &viewport,
-    /// # );
+    /// use pinhole::{camera::Window, prelude::*, Angle};
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// let (one, two) = (Scalar::from_int(1), Scalar::from_int(2));
+    /// let window = Window { left: -two, right: two, bottom: -two, top: two };
+    /// let view = ViewTransform::orbit(Point3::from_ints(0, 0, 0), two, Angle::ZERO, Angle::ZERO);
+    /// let camera = Camera::new(&view, &Projection::orthographic(window, one, Scalar::from_int(9))?, &viewport);
     /// // A square that fills a picture of 64 pixels, with full light on the left and none on the right.
     /// const UV: [[i16; 2]; 4] = [[0, 128], [128, 128], [128, 0], [0, 0]];
     /// const LEVELS: [u16; 4] = [256, 0, 0, 256]; // `Light::levels` computes them

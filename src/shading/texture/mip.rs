@@ -75,7 +75,6 @@ impl<S: Texels> MipTexels<S> {
 /// let picture = core::array::from_fn(|row| [Gray8::new(255 * (row % 2) as u8); 8]);
 /// let rows: MipPicture<Gray8, 8, 8> = MipPicture::build(picture);
 /// let texture = Texture::new(MipTexels::new(&rows)); // `texture.at(..)` as of any texture
-/// # let _ = texture;
 /// // The lowest row, where a pixel covers one texel, and where it covers two.
 /// let texel = |covered| MipTexels::new(&rows).covered_by(covered).texel(0, u32::MAX).luma();
 /// assert_eq!([texel(0), texel(1 << 16)], [255, 128]);

@@ -258,7 +258,7 @@ pub(super) const fn checked_bits(width: usize, height: usize) -> Result<[u32; 2]
 /// instructions more than with `&[[C; W]; H]`.
 ///
 /// ```
-/// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+/// use embedded_graphics::pixelcolor::Gray8;
 /// use pinhole::texture::{TexelSlice, Texels};
 /// let picture: Vec<Gray8> = (0..8 * 16).map(Gray8::new).collect();
 /// let texels = TexelSlice::new(&picture, 8, 16)?;

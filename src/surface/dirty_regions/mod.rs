@@ -74,11 +74,11 @@ impl TransferCost {
 /// Without [`Tracked`], each mark is sent twice:
 ///
 /// ```
-/// # use embedded_graphics::{geometry::{Point, Size}, primitives::Rectangle};
-/// # use pinhole::bands::{DirtyRegions, TransferCost};
-/// # let screen = Rectangle::new(Point::zero(), Size::new(240, 240));
-/// # let mut dirty = DirtyRegions::<4>::new(screen, TransferCost::new(16, 11));
-/// # let at = |x, y| Rectangle::new(Point::new(x, y), Size::new(10, 10));
+/// use embedded_graphics::{geometry::{Point, Size}, primitives::Rectangle};
+/// use pinhole::bands::{DirtyRegions, TransferCost};
+/// let screen = Rectangle::new(Point::zero(), Size::new(240, 240));
+/// let mut dirty = DirtyRegions::<4>::new(screen, TransferCost::new(16, 11));
+/// let at = |x, y| Rectangle::new(Point::new(x, y), Size::new(10, 10));
 /// dirty.mark(at(20, 50));
 /// assert_eq!(dirty.take(), [screen]); // a new target shows anything
 /// dirty.mark(at(200, 50));
