@@ -1,5 +1,6 @@
 //! Rules about the repository itself.
 
+mod examples;
 mod layering;
 mod links;
 mod messages;
