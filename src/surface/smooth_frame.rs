@@ -39,7 +39,7 @@ const LEAST_BY_NUMBER: usize = 7;
 ///
 /// ```
 /// use embedded_graphics::{draw_target::DrawTargetExt, mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
-/// use pinhole::{bands::{DirtyRegions, SmoothFrame, TransferCost}, meshes::CUBE, prelude::*, strip_buffers, Angle};
+/// use pinhole::{bands::{DirtyRegions, SmoothFrame, TransferCost}, meshes::CUBE, prelude::*, Angle};
 /// let mut display = MockDisplay::<Gray8>::new();
 /// display.set_allow_overdraw(true);
 /// let viewport = Viewport::new(Point::zero(), display.size())?;
