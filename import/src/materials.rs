@@ -21,7 +21,7 @@ type Shade = [[u8; 3]; 2];
 pub(crate) struct Pictures {
     /// As `map_Kd` names them, in the order of their first use.
     pub(crate) names: Vec<String>,
-    /// Whether each triangle has a material without a picture, or none; in builds that read pictures.
+    /// Whether each triangle has no material, or one without a picture; in builds that read pictures.
     pub(crate) bare: Vec<bool>,
     /// The first one's file and its bytes, if pictures are wanted.
     pub(crate) first: Option<Result<(PathBuf, Vec<u8>), Unread>>,

@@ -55,7 +55,7 @@ pub struct ImportedMesh {
     /// The picture that the materials name, if [`Options::texture`](crate::Options::texture) asks for it and the model has
     /// texture coordinates.
     pub picture: Option<IndexedPicture>,
-    /// Files beside the model: material libraries, and the pictures that its materials name.
+    /// Files beside the model: material libraries and, with the feature `textures`, the pictures that its materials name.
     pub libraries: Vec<PathBuf>,
     /// What was subtracted from all vertices, in model units: the centre of the bounding box, or nothing. Where `I16F16`
     /// can hold the centre, it is rounded to that (see [`quantise`](crate::quantise)).
@@ -236,7 +236,7 @@ impl ImportedMesh {
     /// A warning, if the mesh is larger than the world in which it is drawn.
     pub(crate) fn larger_than_the_world(&self) -> Option<Warning> {
         let extent = self.report.extent as u64;
-        // With larger steps it is no mesh, which says what to do, too.
+        // A mesh with larger steps is refused, with a message of its own.
         (extent > 1 << 16 && self.exponent <= 15).then_some(Warning::Extent { extent })
     }
 

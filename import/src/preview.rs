@@ -18,9 +18,9 @@ pub struct Preview {
     /// The light that each triangle emits; or nothing, where none emits any.
     pub emission: Vec<[u8; 3]>,
     /// The texture coordinates of the corners of each triangle, u to the right and v down, in sides of a texture; or nothing, where
-    /// the file has none. The mesh has the picture, if any: where it has one, they are NaN for triangles whose material names none.
+    /// the file has none. The mesh has the picture, if any: where it has one, the coordinates are NaN for triangles whose material names none.
     pub texture: Vec<[[f64; 2]; 3]>,
-    /// Files beside the model: material libraries, and the pictures that its materials name.
+    /// Files beside the model: material libraries and, with the feature `textures`, the pictures that its materials name.
     pub libraries: Vec<PathBuf>,
     /// How many of the triangles are backs.
     pub backs: usize,

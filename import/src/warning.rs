@@ -171,7 +171,7 @@ messages! {
             Said::new(format!("not for firmware: {problem}"), remedies.clone())
         }
         /// The longest side, in model units, is longer than all coordinates of the world, 65 536.
-        Extent { extent: u64 } => ["extent of {extent}, more than the 65536 units of a world: ", OtherUnit, Fit]
+        Extent { extent: u64 } => ["extent {extent}, above the 65536 units of a world: ", OtherUnit, Fit]
         /// More faces than can be drawn in bands.
         ManyFaces { count: usize } => [
             "{count} faces, more than the 65535 that can be drawn in bands: ", Decimate(MOST_FACES), SplitModel

@@ -38,7 +38,7 @@ pub enum CameraError {
     NotRigid,
     /// A row of the viewing matrix has a number that is NaN or infinite: check the computation that produced it.
     NotFinite {
-        /// The row's name: x, y, z or w, the last one.
+        /// The row's name: x, y, z or w (the last row).
         row: char,
     },
     /// The view plane normal (VPN) or the gaze has length zero: give a direction, or a target that differs from the eye. Or the view up
@@ -69,7 +69,7 @@ impl core::fmt::Display for CameraError {
             Self::NotFinite { row } => {
                 return write!(
                     f,
-                    "row {row} of the viewing matrix has a number that is NaN or infinite: check how it was computed"
+                    "row {row} of the viewing matrix: {}", crate::math::MathError::NotFinite
                 );
             }
             Self::FieldOfView => "field of view must be 0.09° to 179.9°",

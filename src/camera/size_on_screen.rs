@@ -48,7 +48,7 @@ impl SizeOnScreen {
     /// Width and height on the screen, in sub-pixels, of a rectangle at a vertex of `size` in world units: at most
     /// [`SpriteAxis::LARGEST`] each, and 0 for lengths that are not positive. `None` if w is not positive: the vertex lies in the plane
     /// of the eye.
-    #[inline(always)] // its only caller is a function
+    #[inline(always)] // one caller, which is not inlined
     pub(crate) fn at<V: Coordinate>(&self, vertex: [V; 3], size: [Scalar; 2]) -> Option<[i32; 2]> {
         let Row { linear, exponent, offset } = self.w;
         // Products of at most 2⁶¹. A coordinate times 1 is the integer that the mesh stores.
@@ -79,7 +79,7 @@ impl SizeOnScreen {
 fn on_screen(factor: i32, length: i32, mantissa: i32, up: i32) -> i32 {
     let product = mul_wide(factor, length); // ≤ 2⁶¹
     let fitted = shift_to_fit(product as u64, 30);
-    let product = scale_to_word(product, fitted); // ≤ 2³⁰; −30 ≤ fitted ≤ 32
+    let product = scale_to_word(product, fitted); // ≤ 2³⁰; −30 ≤ fitted ≤ 31
     let (product, down) = (mul_wide(product, mantissa), 46 - up - fitted); // below 2⁶¹
     if down > 30 {
         scale_long_to_word(product, down).min(SpriteAxis::LARGEST)

@@ -15,8 +15,8 @@ use crate::space::{Model, World};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sphere {
-    /// The centre, in model units. That of a sphere in world coordinates has the same type: `Point3::new(p.x(), p.y(), p.z())` of a
-    /// point `p` of the world.
+    /// The centre, in model units. World coordinates are stored in this type, too: convert a point `p` by
+    /// `Point3::new(p.x(), p.y(), p.z())`.
     pub centre: Point3<Model>,
     /// The radius, in the same units. A negative radius counts as zero. `Scalar::MAX` stands for a radius beyond the range of
     /// [`Scalar`]: such a sphere is always [`Partly`](crate::camera::Visibility::Partly) visible.
@@ -95,8 +95,8 @@ impl Sphere {
     }
 }
 
-/// A length times the largest stretch of a transform, rounded up, and at most 1.32 times that: its coefficients are in 2^(exponent − 30), at
-/// most 2³⁰.
+/// `length` times an upper bound of the largest stretch of a transform, at most 1.32 times that stretch: in the unit of `length`, rounded to nearest,
+/// so that half a unit may be missing. The coefficients are in 2^(`exponent` − 30), at most 2³⁰.
 #[inline(never)] // set-up: code size counts
 pub(crate) fn stretched(m: &[[i32; 3]; 3], exponent: i32, length: i64) -> i64 {
     // The largest stretch is the root of the largest eigenvalue of mᵀ·m, and that is at most its largest sum of a row's

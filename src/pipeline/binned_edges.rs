@@ -61,7 +61,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         for (index, &edge) in edges.iter().enumerate() {
             let Some(ends) = self.edge_out_of_line(edge, &mut statistics) else { continue };
             let mut bounds = bounds(&ends);
-            // If the box does not meet the viewport: the box that an anti-aliased line reaches into.
+            // A box outside the viewport is tried again, larger by the reach of an anti-aliased line. `add` is inlined once.
             for _ in 0..2 {
                 keep_rolled();
                 if fill.add(index, &bounds) {

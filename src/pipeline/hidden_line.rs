@@ -179,7 +179,8 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         }
     }
 
-    /// Of a face with these corners, if it is drawn, the corner that is not an end of an edge.
+    /// Of a face with these corners, if it is drawn, the corner that is not an end of an edge, its depth in 16.8, and the [`area`] of the edge and this
+    /// corner.
     #[inline(always)]
     fn corner_of_drawn(
         &self,
@@ -307,7 +308,7 @@ pub(super) fn draw_nearer<T: Surface, K: StrokeFor<T>>(
 }
 
 /// Whether a pixel of a line is drawn that lies behind the stored depth: given the depth along the line, the stored depth, and the
-/// pixel's coordinates along the line's major and minor axis. `None`: no pixel of the line.
+/// pixel's coordinates along the line's major and minor axis. `None`: no pixel of this line is ever drawn over.
 type IsDrawnOver<'a> = dyn FnMut(&LineDepth, u16, [i32; 2]) -> Option<bool> + 'a;
 
 /// Draws the pixels of a line that are as near as the depth buffer or nearer, or for which `is_drawn_over` is true. `stores`: the depth of drawn
@@ -324,7 +325,8 @@ fn draw_visible<T: Surface>(
 ) -> Result<(), T::Error> {
     let [from, to] = ends.map(|end| end.point.pixel());
     let setup = LineSetup::new(from, to);
-    let line = if setup.lies_in(scissor) { LineSpans::of(&setup) } else { LineSpans::new(&setup, scissor) };
+    let line =
+        if setup.lies_in(scissor) { LineSpans::unclipped(&setup) } else { LineSpans::new(&setup, scissor) };
     let line_depth = LineDepth::on_axis(line.tall, ends.map(|end| end.point), ends.map(|end| end.depth));
     let mut may_be_drawn_over = true;
     let is_visible = |own, stored: &mut u16, pixel| {

@@ -381,9 +381,9 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
     /// Draws the faces that lie in a band: usually with a depth buffer of the band's area. `shade` is called once for each object whose
     /// bounds meet the band, with the object's index in the scene, and returns a closure that is called once for each face that is drawn, with the face's index.
     /// Where this closure borrows from the object, write it in the call itself: Rust cannot infer its type in a
-    /// variable. All bands together are, pixel by pixel, the picture of [`PlacedScene::draw`], but for two things. Without a depth buffer, bands clip at
-    /// the far plane, as faces are binned with depth. And bands cull by area on the screen, not by planes: they draw slivers below 1/256 pixel that
-    /// rounding turns to the front, so that counts may differ by them, too.
+    /// variable. All bands together are, pixel by pixel, the picture of [`PlacedScene::draw`], with two exceptions. Without a depth buffer, bands clip at
+    /// the far plane, because faces are binned with depth. And bands cull faces by their area on the screen, not by planes, so they may draw, and count,
+    /// slivers thinner than 1/256 pixel that rounding turned to the front.
     ///
     /// # Errors
     ///

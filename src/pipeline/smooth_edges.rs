@@ -273,7 +273,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     /// The [third corner](third_corner) of one of the faces listed beside an edge, if the face lies on the screen.
     fn corner_beside(&self, index: usize, face: Option<usize>) -> Option<(u16, bool)> {
         let mesh = self.instance.mesh();
-        let face = mesh.faces.get(usize::from(*mesh.listed_beside(index)?.get(face?)?))?;
+        let face = mesh.listed_face(*mesh.listed_beside(index)?.get(face?)?)?;
         self.on_screen(face)?;
         third_corner(mesh.edges.get(index)?, face)
     }

@@ -5,7 +5,7 @@
 //! pixels, 0 ≤ f < 1, and the edge reach h above and below it, h ≤ ½. With d = ½ − f, the part of the first pixel below the edge is
 //! d while d ≥ h, and 0 while d ≤ −h; between, the edge goes from one pixel to the other, and the part is a triangle of (d + h)²/4h. The part of
 //! the second pixel above the edge is smaller by d. Where the edge ends in the column, d and h count for its part of the column. Areas are within
-//! 2⁻¹³ pixel.
+//! 2⁻¹³ pixel, and 2⁻²⁷ pixel more for each column of the edge.
 
 use super::line_area::{inverse_of_slope, triangle};
 use super::{Scissor, ScreenPoint};
@@ -31,7 +31,7 @@ pub(crate) struct CrossedEdge {
     /// The depth of the first end in 2⁻⁸ step, and in the middle of column 0 in 2⁻¹⁴ step, modulo 2³².
     from_depth: i32,
     depth: i32,
-    /// Half a pixel above the middle of column 0 in 2⁻³² pixel.
+    /// Half a pixel above the middle of column 0, moved by the error of the slope (see `new`), in 2⁻³² pixel.
     origin: i64,
     /// The change per column in 2⁻³⁰ pixel: at most 2³⁰.
     slope: i32,
@@ -126,8 +126,8 @@ impl CrossedEdge {
         let into = 128 - from; // to the middle of column 0: 24 bits
         let (from_depth, in_column) = (depth, (mul_wide(climb, into) >> 8) as i32);
         let depth = (from_depth << (DEPTH_BITS - 8)).wrapping_add(in_column);
-        // A centre on the edge belongs to the pixels right of it, and of level edges to those below (rules R3 and R4): the edge is moved away from these
-        // by more than its error, up to 12 units a column.
+        // A pixel whose centre lies on the edge counts as right of it or, if the edge is level, as below it (rules R3 and R4). So the edge is moved
+        // away from those pixels by more than its error, at most 12 units a column.
         let belongs_to_high = tall || end <= minor;
         let error = i64::from(((to - from) >> 8) + 2) << 4;
         let origin = (i64::from(minor) << 24) - (1 << 31) + (mul_wide(slope, into) >> 6);
@@ -201,8 +201,9 @@ impl CrossedEdge {
     #[inline(always)]
     pub(crate) fn columns_within(&self, window: &Window) -> Option<[i32; 2]> {
         let &Window { start, end, top, most, every } = window;
-        // The first rows of pairs. The middles of columns lie up to half of the slope beyond the ends, and 2⁻⁸ pixel, as the slope is rounded.
-        let beyond = (self.reach >> 8) + 1;
+        // The first rows of pairs. The middles of columns lie up to half of the slope beyond the ends, and less than 2⁻⁷ pixel for the rounding of
+        // the slope and the shift in `new`.
+        let beyond = (self.reach >> 8) + 2;
         let low = ((self.minor.min(self.end) - beyond - 128) >> 8).max(top);
         let high = ((self.minor.max(self.end) + beyond - 128) >> 8).min(top + most);
         if low > high || low == high && (low - top) & every as i32 != 0 {

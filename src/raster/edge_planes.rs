@@ -19,13 +19,13 @@ use crate::math::num::mul_called;
 /// at p, where line is the depth along the edge without its ends. All planes on one side pass through the edge, so the
 /// nearest one has the least of these quotients, and is the only one stored.
 pub(crate) struct EdgePlanes {
-    /// Whether depth along the edge is a function of y, not of x: the edge's major axis. Its origin there, its value at the origin in 16.8, and its
-    /// step per pixel in 16.16.
+    /// Whether the edge's major axis is y.
     tall: bool,
+    /// The first end's coordinate along the major axis, the depth there in 16.8, and its change per pixel in 16.16.
     from: i32,
     depth: i32,
     step: i32,
-    /// S at the centre of the pixel in column 0 and row 0, and its change per pixel along the major and the minor axis. They wrap.
+    /// S at the centre of the pixel in column 0 and row 0, which wraps, and its change per pixel along the major and the minor axis.
     side: i32,
     by_major: i32,
     by_minor: i32,
@@ -44,7 +44,7 @@ struct Plane {
 }
 
 impl Plane {
-    /// To 31 bits: the common case first. A run has more only if the face is hundreds of pixels high: then 1/256 step less counts for nothing.
+    /// Shifts both numbers down until they have 31 bits; most have. A run has more only if the face is hundreds of pixels high: then 1/256 step less counts for nothing.
     #[inline(always)]
     fn new(rise: i64, run: i64) -> Self {
         let bits = rise.unsigned_abs() | run as u64;
@@ -73,7 +73,7 @@ impl EdgePlanes {
         Self { tall, from, depth, step, side, by_major, by_minor, margin, planes: [None; 2] }
     }
 
-    /// [`new`](Self::new) as a function, not returned: it would be copied.
+    /// Stores [`new`](Self::new): a returned value would be copied.
     #[inline(never)]
     pub(crate) fn set(to: &mut Option<Self>, ends: &[ScreenPoint; 2], depths: [i32; 2], line: &LineDepth) {
         *to = Some(Self::new(ends, depths, line));

@@ -144,25 +144,24 @@ pub(crate) struct LineSpans {
 }
 
 impl LineSpans {
-    /// The spans of a line that [lies in](LineSetup::lies_in) the scissor.
+    /// The spans of all pixels of a line, which [lies in](LineSetup::lies_in) the scissor.
     #[inline(always)]
-    pub(crate) fn of(&LineSetup { x, y, tall, up, length, rise, last, .. }: &LineSetup) -> Self {
+    pub(crate) fn unclipped(&LineSetup { x, y, tall, up, length, rise, last, .. }: &LineSetup) -> Self {
         let (along, aside) = (2 * rise, 2 * (rise - length));
         Self { x, y, tall, up, step: 0, last, minor_step: 0, error: along - length, along, aside }
     }
 
+    /// The spans of the part of a line that lies in the scissor.
     #[inline(never)]
     pub(crate) fn new(setup: &LineSetup, scissor: &Scissor) -> Self {
         let setup = setup.clipped(scissor);
-        let LineSetup { x, y, tall, up, length, rise, first: step, last, .. } = setup;
-        let (along, aside) = (2 * rise, 2 * (rise - length));
-        let (mut minor_step, mut error) = (0, along - length);
-        if step > 0 && step <= last {
-            let (k, r) = setup.aside(step);
+        let mut spans = Self { step: setup.first, ..Self::unclipped(&setup) };
+        if setup.first > 0 && setup.first <= setup.last {
+            let (k, r) = setup.aside(setup.first);
             // 2m(i + 1) − L − 2Lk = r + 1 + 2m − 2L, with r < 2¹⁷.
-            (minor_step, error) = (k, r + 1 + aside);
+            (spans.minor_step, spans.error) = (k, r + 1 + spans.aside);
         }
-        Self { x, y, tall, up, step, last, minor_step, error, along, aside }
+        spans
     }
 }
 

@@ -45,11 +45,10 @@ impl LineDepth {
             let nearer = steps(za.min(zb));
             return Self { tall, from, to, first: nearer, second: nearer, last: nearer, step: 0 };
         }
-        // In 2⁻¹² of 2^(53 − shift)·2⁻¹⁶ steps per sub-pixel: 1/(b − a) = mantissa · 2^(shift − 61).
-        let r = reciprocal(b - a); // 1 … 2²²
-                                   // 25 + 31 − 12 bits.
-        let product = mul_wide(zb - za, r.mantissa) >> 12;
-        // In 2⁻³² of 2⁻¹⁶ steps per sub-pixel, modulo 2³² of them. The shift is 8 for 2²² sub-pixels alone: then a bit is lost.
+        // In 2^(shift − 41) of 2⁻¹⁶ steps per sub-pixel: 1/(b − a), of 1 … 2²², is mantissa · 2^(shift − 61).
+        let r = reciprocal(b - a);
+        let product = mul_wide(zb - za, r.mantissa) >> 12; // 25 + 31 − 12 bits
+                                                           // In 2⁻³² of 2⁻¹⁶ steps per sub-pixel, modulo 2³² of them. The shift is 8 for 2²² sub-pixels alone: then a bit is lost.
         let slope = match r.shift.min(30) {
             ..9 => product >> 1,
             shift => product << (shift - 9), // 0 … 21
@@ -69,9 +68,8 @@ impl LineDepth {
         }
     }
 
-    /// What a loop over the pixels from `first` to `last`, by their coordinates along the major axis, starts with: the depths of both, the
-    /// depth at `first` if it were no end of the line, and the change per pixel, which is added to it. Half a step is added for
-    /// [`step_of`](Self::step_of).
+    /// Depths in 16.16 plus half a step, as [`step_of`](Self::step_of) takes them, for a loop over the pixels from `first` to `last` along the major axis:
+    /// at both, at `first` by the formula for pixels between the ends, and the change from there to the next pixel.
     #[inline(always)]
     pub(crate) fn between(&self, first: i32, last: i32) -> [u32; 4] {
         let step = if last < first { self.step.wrapping_neg() } else { self.step };

@@ -89,9 +89,9 @@ pub(crate) const NO_FACE: u16 = u16::MAX;
 /// meshes, at run time for large ones: time grows with edges × (edges + faces). Faces from index 65535 on are ignored, as a
 /// `u16` cannot address them.
 ///
-/// An edge between more than two faces gets its first face twice: drawing then searches all faces for those beside it. Nothing is
-/// searched if `edges` has it once for every two of its faces, such as twice for three: the first of these gets the first two faces, the
-/// second one the next.
+/// An edge between more than two faces gets its first face twice: drawing then searches all faces for those beside it. To avoid the
+/// search, list such an edge once for every two of its faces (twice for three): the first entry gets the first two faces, the second the
+/// next.
 ///
 /// ```
 /// use pinhole::{mesh::edge_faces, Mesh};

@@ -68,7 +68,7 @@ impl PointLight {
     ) -> Self {
         let space = NormalSpace::new(model);
         let (rows, row_exponent) = model.linear();
-        // In 2⁻¹⁶.
+        // The range in 2⁻¹⁶; at least 1, so that a light without a range can be set up, too.
         let (lights, range) = (range > Scalar::ZERO, range.to_bits().max(1) as u32);
         // From the origin of the mesh to the light: in 2⁻³² world units, at most 2⁶².
         let away = model.offset_from(&position.bits().map(|c| i64::from(c) << 16)).map(|c| -c);
@@ -162,11 +162,11 @@ impl PointLight {
     }
 }
 
-/// `n / d`, rounded to nearest, for |n| < 2⁶¹ and d ≥ 1.
+/// `n / d`, rounded to nearest, for |n| ≤ 2⁶¹ and d ≥ 1.
 #[inline(never)] // set-up: code size counts, speed does not
 fn divided(n: i64, d: u32) -> i64 {
     let (quotient, _) = divide(n.unsigned_abs() + u64::from(d / 2), d);
-    let quotient = quotient as i64; // below 2⁶²
+    let quotient = quotient as i64; // at most 2⁶¹
     if n < 0 {
         quotient.wrapping_neg()
     } else {

@@ -170,7 +170,7 @@ impl<'a> DepthBuffer<'a> {
     }
 
     /// Calls `visible` for each run of pixels of a line for which `is_seen` returns `true`. `is_seen` gets the depth of the line at a pixel,
-    /// the pixel's depth in the buffer, which it may change, and its coordinates along the line's major and its minor axis. The line
+    /// the pixel's depth in the buffer, which it may change, and the pixel's coordinates along the line's major and its minor axis. The line
     /// lies in the area.
     #[inline(always)]
     pub(crate) fn along<E>(
@@ -264,14 +264,15 @@ mod tests {
             let setup = LineSetup::new(Pixel { x: a[0], y: a[1] }, Pixel { x: b[0], y: b[1] });
             let mut found = heapless::Vec::<[i32; 4], 6>::new();
             let mut seen = 0;
-            let is_seen = |_, stored: &mut u16, _: [i32; 2]| {
+            let line = LineSpans::new(&setup, &Scissor::new(10, 20, 18, 28));
+            let ends = [a, b].map(|[x, y]| ScreenPoint::inside(i32::from(x) * 256, i32::from(y) * 256));
+            let line_depth = LineDepth::on_axis(line.tall, ends, [300, 12_000_000]);
+            let is_seen = |own, stored: &mut u16, [major, _]: [i32; 2]| {
+                assert_eq!(own, u32::from(line_depth.depth(major)));
                 seen += 1;
                 *stored = seen;
                 ![2, 5].contains(&seen)
             };
-            let line = LineSpans::new(&setup, &Scissor::new(10, 20, 18, 28));
-            let ends = [a, b].map(|[x, y]| ScreenPoint::inside(i32::from(x) * 256, i32::from(y) * 256));
-            let line_depth = LineDepth::on_axis(line.tall, ends, [0; 2]);
             let run = |run: Span| found.push([run.x, run.y, run.width, run.height]);
             depth.along(line, &line_depth, is_seen, run).unwrap();
             let stored = depth.row(b[0].into(), b[1].into(), 1).unwrap()[0];

@@ -147,8 +147,9 @@ impl<'k, C: Color> SmoothFrame<'k, C> {
         Ok(Self { area, background, done: 0, waits: false, kept, depths })
     }
 
-    /// The next band: the rows that waited, and new rows, filled with the background. `None` after the last band. The new rows are two fewer than
-    /// fit in the strip and have room for their depths. A band that would end at an even row takes one fewer still, unless it is the last one.
+    /// The next band: the rows that waited, and new rows, filled with the background. `None` after the last band. The last
+    /// band has all rows that are left. Every other band has two new rows fewer than the strip and the depths have room for, and one fewer still if it
+    /// would end at an even row.
     ///
     /// # Errors
     ///
@@ -324,8 +325,8 @@ impl<'s, C: Color> SmoothBand<'s, '_, C> {
         self.smooth_then(edges, |_, _| ())
     }
 
-    /// [`smooth`](Self::smooth), and then draws what may lie behind faces and is not smoothed itself, such as sprites, lines and translucent
-    /// faces: `draw` gets the finished rows and their depths.
+    /// [`smooth`](Self::smooth), and then draws what faces may hide and what is not smoothed itself, such as sprites, lines and translucent faces:
+    /// `draw` gets the finished rows and their depths.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::Gray8;

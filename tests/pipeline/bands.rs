@@ -31,7 +31,7 @@ fn colour(face: usize) -> Gray8 {
     Gray8::new((face % 255) as u8 + 1)
 }
 
-/// Faces with depth are drawn into any target, also by a function of a user.
+/// A user's function that is generic over targets can draw faces with depth.
 fn draw_into<T: Target<Color = Gray8>>(faces: &mut BinnedFaces<'_>, target: &mut T) -> Result<(), T::Error> {
     faces.draw(colour, target)
 }

@@ -1,4 +1,4 @@
-//! Every example pastes: its visible lines need none of those that rustdoc hides.
+//! Every example can be pasted into a function that returns a `Result`: visible lines need no hidden line but the final `Ok`.
 
 use std::{fs, path::Path, process::Command};
 

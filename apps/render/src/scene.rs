@@ -50,7 +50,7 @@ pub struct Scene {
     pub fog: Option<FogStyle>,
     /// Pictures at points of the world.
     pub sprites: Vec<SceneSprites>,
-    /// The files of meshes that the scene names, and their material libraries.
+    /// The files of meshes that the scene names, and the files that these name.
     pub mesh_files: Vec<PathBuf>,
 }
 

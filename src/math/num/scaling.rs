@@ -44,7 +44,7 @@ pub(crate) const fn scale_to_word(v: i64, down: i32) -> i32 {
     halved(floor as i32)
 }
 
-/// [`scale_to_word`] for any `down` from −30 on.
+/// [`scale_to_word`] for any `down` from −30 on, for |v| < 2^(30 + down): any `v` where `down` is above 32.
 #[inline(always)]
 pub(crate) const fn scale_long_to_word(v: i64, down: i32) -> i32 {
     if down > 32 {

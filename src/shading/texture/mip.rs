@@ -17,9 +17,9 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// picture's left and right edge, because it repeats.
 ///
 /// **Error.** A triangle whose coordinates are [linear](crate::texture::Texture) on the screen has one level, otherwise each run of
-/// pixels has its own. With c texels from a pixel to the next, in u or v, to the right or down, whichever is most, at the pixel behind a run,
-/// the run shows a level n with log₂ c − 1.5 ≤ n ≤ log₂ c + 2; at c above half of the picture, any level. On faces seen nearly edge-on c differs
-/// several times between neighbours, so that single pixels show up to two levels more. `tests/shading/mips.rs` asserts these bounds, which are met
+/// pixels has that of the pixel after it. With c texels from a pixel to the next, in u or v, to the right or down, whichever is most, a pixel
+/// shows a level n with log₂ c − 1.5 ≤ n ≤ log₂ c + 2; at c above half of the picture, any level. On a face seen nearly edge-on, where c differs
+/// several times between neighbours, single pixels were seen to show up to 2 levels more. For other faces `tests/shading/mips.rs` asserts these bounds, which are met
 /// to 1.25 and 1.55. On a floor to the horizon, the error of pixels with more than one texel is 17.7 of 255 (root mean square, against
 /// 64 samples a pixel) in place of 29.2 without levels.
 ///
