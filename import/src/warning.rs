@@ -23,8 +23,8 @@ messages! {
         /// percent of that in the file, changes by a tenth. `finer`: the option that gives a finer grid, if one does.
         Coarse { lost: usize, faces: usize, area: u32, finer: Option<Remedy> } => {
             let what = format!(
-                "rounding to a grid of at most 65535 steps along the longest side changes the shape: {lost} of {faces} faces have no \
-                 area on it, and the area of all is {area} % of that in the file: "
+                "rounding to a grid of at most 65535 steps a side changes the shape: {lost} of {faces} faces have no area on it, all together {area} % of \
+                 that in the file: "
             );
             Said::new(what, for_finer_grid(*finer))
         }
