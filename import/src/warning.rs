@@ -64,7 +64,7 @@ messages! {
         /// Decimation left so many triangles, more than were wanted.
         DecimatedLess { faces: usize } => ["{faces} triangles are left: the shape allows no fewer"]
         /// Decimation made other faces, which have neither colours nor texture coordinates.
-        DecimatedMaterials => ["decimation leaves out colours and texture coordinates: their faces are others now"]
+        DecimatedMaterials => ["decimation leaves out colours and texture coordinates"]
         /// An ASCII STL, whose last line this is, has no `endsolid`.
         NoEndsolid { line: usize } => ["no `endsolid` after line {line}: perhaps the file was cut short"]
         /// Bytes after the last triangle of a binary STL.
@@ -171,7 +171,7 @@ messages! {
             Said::new(format!("not for firmware: {problem}"), remedies.clone())
         }
         /// The longest side, in model units, is longer than all coordinates of the world, 65 536.
-        Extent { extent: u64 } => ["extent {extent}, above the 65536 units of a world: ", OtherUnit, Fit]
+        Extent { extent: u64 } => ["extent {extent}, above a world's 65536 units: ", OtherUnit, Fit]
         /// More faces than can be drawn in bands.
         ManyFaces { count: usize } => [
             "{count} faces, more than the 65535 that can be drawn in bands: ", Decimate(MOST_FACES), SplitModel
