@@ -3,7 +3,7 @@
 //! - **Plain twins**: `solid_fill::triangle` and `solid_fill::triangle_nearer`, with a band as the scissor.
 //! - **Domain**: all corners between the scissor's columns and within 32 × 30 pixels, the first row not above the scissor; on a target
 //!   whose pixels lie in memory, with depth only where the depth buffer is laid out as the memory is. Nothing on a Cortex-M0.
-//! - **Gain**: on an M3, S3 in bands of 8 rows takes 791 000 instructions with depth in place of 964 000, and 479 000 in place of 605 000
+//! - **Gain**: on an M3, S3 in bands of 8 rows takes 790 000 instructions with depth in place of 965 000, and 480 000 in place of 607 000
 //!   without (`tools/bench/run cells S3 active8-z M3`). A Cortex-M0, which has no division, walks other edges.
 //! - **Test**: `tests/pipeline/bands.rs`, and `by_every_call` in `tests/support/src/bridge/ways.rs`.
 
