@@ -197,7 +197,7 @@ fn run(given: &ArgMatches) -> Result<String, String> {
     });
     bar.finish_and_clear();
     let mesh = mesh.map_err(|e| e.to_string())?;
-    mesh.libraries.iter().try_for_each(|file| apart(file))?;
+    mesh.files.iter().try_for_each(|file| apart(file))?;
     warn(&model, &mesh.warnings);
 
     let root = path("root");

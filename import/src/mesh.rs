@@ -56,7 +56,7 @@ pub struct ImportedMesh {
     /// texture coordinates.
     pub picture: Option<IndexedPicture>,
     /// Files beside the model: material libraries and, with the feature `textures`, the pictures that its materials name.
-    pub libraries: Vec<PathBuf>,
+    pub files: Vec<PathBuf>,
     /// What was subtracted from all vertices, in model units: the centre of the bounding box, or nothing. Where `I16F16`
     /// can hold the centre, it is rounded to that (see [`quantise`](crate::quantise)).
     pub offset: [f64; 3],

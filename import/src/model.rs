@@ -19,7 +19,7 @@ pub(crate) struct Model {
     /// The pictures that materials name.
     pub(crate) pictures: Pictures,
     /// Files beside the model.
-    pub(crate) libraries: Vec<PathBuf>,
+    pub(crate) files: Vec<PathBuf>,
 }
 
 /// Colours of triangles.

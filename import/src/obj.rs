@@ -91,7 +91,7 @@ pub(crate) fn read(bytes: &[u8], beside: &Beside<'_>) -> Result<Model, ImportErr
         false => means(&colors, &model.triangles.faces),
     };
     let of_materials = (&read.materials[..], &of_materials[..]);
-    (model.colors, model.pictures, model.libraries) =
+    (model.colors, model.pictures, model.files) =
         materials::read(of_materials, own, &read.libraries, beside, &mut model.warnings);
     for (what, (count, line)) in read.left_out {
         model.warnings.push(Warning::LeftOut { what, count, first: Place::Line(line) });

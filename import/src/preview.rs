@@ -21,7 +21,7 @@ pub struct Preview {
     /// the file has none. The mesh has the picture, if any: where it has one, the coordinates are NaN for triangles whose material names none.
     pub texture: Vec<[[f64; 2]; 3]>,
     /// Files beside the model: material libraries and, with the feature `textures`, the pictures that its materials name.
-    pub libraries: Vec<PathBuf>,
+    pub files: Vec<PathBuf>,
     /// How many of the triangles are backs.
     pub backs: usize,
     /// The axis of the file that points upwards.

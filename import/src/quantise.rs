@@ -42,7 +42,7 @@ pub(crate) fn make(
     begins: &mut dyn FnMut(Step),
 ) -> Result<Preview, Problem> {
     options.check()?;
-    let Model { triangles, places, mut warnings, lines, colors, texture, pictures, libraries } = model;
+    let Model { triangles, places, mut warnings, lines, colors, texture, pictures, files } = model;
     let lines = if options.edges == Edges::None { Vec::new() } else { lines };
     let Triangles { positions: read, faces } = triangles;
     if faces.iter().flatten().any(|&i| i >= read.len()) {
@@ -257,7 +257,7 @@ pub(crate) fn make(
         texture: uv,
         backs: backs.len(),
         up,
-        libraries: libraries.clone(),
+        files: files.clone(),
         warnings,
         mesh: Err(Problem::NoFaces), // not made yet
     };
@@ -297,7 +297,7 @@ pub(crate) fn make(
         texture_faces: texture.faces,
         texture_exponent: texture.exponent,
         picture,
-        libraries,
+        files,
         offset: grid.centre,
         report: Report {
             vertices_read,

@@ -29,8 +29,8 @@ pub fn build(model: &Path, name: &str, options: &Options) {
 fn write(model: &Path, name: &str, options: &Options) -> Result<(), ImportError> {
     println!("cargo::rerun-if-changed={}", model.display());
     let mesh = import(model, options)?;
-    for library in &mesh.libraries {
-        println!("cargo::rerun-if-changed={}", library.display());
+    for file in &mesh.files {
+        println!("cargo::rerun-if-changed={}", file.display());
     }
     let source = mesh
         .to_rust_mesh(name, model, "pinhole_import::build")

@@ -140,7 +140,7 @@ impl Planner {
         let (name, bytes) = self.source(choice)?;
         let mut files = vec![(firmware::model_file(&name).to_owned(), bytes)];
         if !self.libraries.is_empty() {
-            let used = self.mesh(choice)?.libraries.clone();
+            let used = self.mesh(choice)?.files.clone();
             let library =
                 |path: &PathBuf| self.libraries.iter().find(|(name, _)| path.as_os_str() == &name[..]);
             files.extend(used.iter().filter_map(library).cloned());

@@ -155,7 +155,7 @@ impl Meshes {
         // Faces that no firmware can have have no colours either.
         if let Ok(model) = pinhole_import::preview(&file, &Options::default()) {
             all.colors = Colors { faces: model.colors, emission: model.emission };
-            all.files.extend(model.libraries);
+            all.files.extend(model.files);
         }
         Ok(all)
     }

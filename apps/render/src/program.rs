@@ -60,7 +60,7 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
     let scene = match &options.look {
         Some(look) => {
             let mut model = import::read(&options.scene, &options.import)?;
-            model.libraries.iter().try_for_each(|library| apart(library))?;
+            model.files.iter().try_for_each(|file| apart(file))?;
             let look = &Look { up: model.up, ..*look };
             let colors = import::colors(&mut model);
             let texture = texture::of_model(&model);
@@ -155,7 +155,7 @@ fn as_firmware(options: &Options, code: &Code, frame: u32, size: Size) -> Result
     let named = |e: String| format!("{}: {e}", model.display());
     let imported = pinhole_import::import(model, &firmware::options(code, &options.import));
     let imported = imported.map_err(|e| e.to_string())?;
-    imported.libraries.iter().try_for_each(|library| files::apart(library, options.outputs()))?;
+    imported.files.iter().try_for_each(|file| files::apart(file, options.outputs()))?;
     let picture = |frame: u32, frames: u32| {
         let mut canvas = Canvas::new(size, Rgb565::MAGENTA);
         let turn = Angle::turns(frame as i32, frames); // both below 2¹⁰

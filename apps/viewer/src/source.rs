@@ -111,9 +111,9 @@ impl Source {
     /// The files that the file names: meshes, material libraries and pictures.
     fn beside(&self) -> impl Iterator<Item = &Path> {
         let meshes = self.own.iter().flat_map(|own| &own.mesh_files);
-        let libraries = self.imported.iter().flat_map(|model| &model.libraries);
+        let files = self.imported.iter().flat_map(|model| &model.files);
         let pictures = self.own.iter().flat_map(Scene::pictures);
-        meshes.chain(libraries).map(PathBuf::as_path).chain(pictures)
+        meshes.chain(files).map(PathBuf::as_path).chain(pictures)
     }
 
     /// A message with the name of the file.

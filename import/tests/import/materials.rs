@@ -106,7 +106,7 @@ fn faces_keep_their_colours_and_coordinates_through_every_option() {
     let mesh = import(&path, &defaults).unwrap();
     assert_eq!((said(&mesh), mesh.face_colors), (vec![UNWANTED.to_string()], vec![0, 1, 1, 0]));
     assert_eq!(mesh.emission, [[0; 3], [255, 102, 0]]); // more than full is full
-    assert_eq!(mesh.libraries, [path.with_file_name("painted.mtl")]);
+    assert_eq!(mesh.files, [path.with_file_name("painted.mtl")]);
     let bare = painted().replace("mtllib painted.mtl\n", "").replace("usemtl", "#");
     assert_eq!(obj_beside(&bare, &[], &defaults).palette, Vec::<[u8; 3]>::new());
 }
