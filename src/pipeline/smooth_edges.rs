@@ -221,7 +221,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
                     continue;
                 }
                 *kinds = kinds.map(|bits| bits & !(1 << at));
-                if self.set_up(index, 0, None, &viewport, &mut own) {
+                if self.set_up(index, 0, 0, &viewport, &mut own) {
                     let is_crease = own.seen.kind == SeenKind::Crease;
                     kinds[usize::from(is_crease)] |= 1 << at;
                 }
@@ -236,28 +236,24 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         self.clip_face(face, &mut FaceTriangles::<()>::new(&viewport)).is_drawn()
     }
 
-    /// Sets an edge up. Returns whether it is one, and has a drawn face beside it. `drawn`: which of the faces listed beside a silhouette is drawn.
+    /// Sets an edge up. Returns whether it is one, and has a drawn face beside it. `drawn`: a bit for each drawn face of those listed beside it;
+    /// 0: not known.
     #[inline(never)]
-    fn set_up(
-        &self,
-        index: usize,
-        id: u32,
-        drawn: Option<usize>,
-        viewport: &Scissor,
-        to: &mut SmoothEdge,
-    ) -> bool {
+    fn set_up(&self, index: usize, id: u32, drawn: u32, viewport: &Scissor, to: &mut SmoothEdge) -> bool {
         to.number = 0;
         let Some(ends) = self.edge_at(index) else { return false };
         let Some(crossed) = CrossedEdge::new(ends.map(|end| end.point), ends.map(|end| end.depth)) else {
             return false;
         };
         to.crossed = crossed;
-        if let Some((_, is_along)) = self.corner_beside(index, drawn) {
-            // A drawn face is turned as all are: the order of its corners says on which side it lies.
-            let is_high = to.crossed.is_high(is_along == (self.instance.cull() == Cull::Front));
+        let corner = match drawn {
+            0b01 | 0b10 => self.corner_beside(index, (drawn >> 1) as usize, &to.crossed),
+            _ => None,
+        };
+        if let Some((_, is_high)) = corner {
             to.seen.kind = if is_high { SeenKind::High } else { SeenKind::Low };
             to.seen.are_known = false;
-        } else if !self.find_gradients(index, None, viewport, to) {
+        } else if !self.find_gradients(index, drawn, viewport, to) {
             return false;
         }
         to.number = id;
@@ -270,45 +266,54 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         self.edge_out_of_line(*self.instance.mesh().edges.get(index)?, &mut Statistics::default())
     }
 
-    /// The [third corner](third_corner) of one of the faces listed beside an edge, if the face lies on the screen.
-    fn corner_beside(&self, index: usize, face: Option<usize>) -> Option<(u16, bool)> {
+    /// The [third corner](third_corner) of one of the faces listed beside an edge, which is drawn, and whether it lies on the side of larger minor
+    /// coordinates; `None` if the face does not lie on the screen.
+    #[inline(never)] // code size: it has two callers
+    fn corner_beside(&self, index: usize, at: usize, crossed: &CrossedEdge) -> Option<(u16, bool)> {
         let mesh = self.instance.mesh();
-        let face = mesh.listed_face(*mesh.listed_beside(index)?.get(face?)?)?;
+        let face = mesh.listed_face(*mesh.listed_beside(index)?.get(at)?)?;
         self.on_screen(face)?;
-        third_corner(mesh.edges.get(index)?, face)
+        let (corner, is_along) = third_corner(mesh.edges.get(index)?, face)?;
+        // A drawn face is turned as all are: the order of its corners says on which side it lies.
+        Some((corner, crossed.is_high(is_along == (self.instance.cull() == Cull::Front))))
     }
 
     /// Finds the planes of the drawn faces beside an edge. Returns whether there is such a face. `drawn`: as in [`set_up`](Self::set_up).
     #[inline(never)]
-    fn find_gradients(
-        &self,
-        index: usize,
-        drawn: Option<usize>,
-        viewport: &Scissor,
-        to: &mut SmoothEdge,
-    ) -> bool {
+    fn find_gradients(&self, index: usize, drawn: u32, viewport: &Scissor, to: &mut SmoothEdge) -> bool {
         let SmoothEdge { crossed, seen: Seen { gradients, kind, are_known }, .. } = to;
         *are_known = true;
-        if let Some((corner, _)) = self.corner_beside(index, drawn) {
-            let UnpackedVertex { point, depth } =
-                self.instance.vertex_transform().unpack::<true>(self.screen_vertex(corner));
-            *gradients = [crossed.gradient(point, depth); 2];
-            return true;
-        }
         let mut sides = 0; // a bit for each side on which a face lies
-        self.each_face_beside(index, &crossed.ends(), viewport, |point, depth, side| {
-            if side == 0 {
-                return;
-            }
-            let (is_high, gradient) = (crossed.is_high(side < 0), crossed.gradient(point, depth));
+        let mut add = |sides: &mut u32, point, depth, is_high| {
+            let gradient = crossed.gradient(point, depth);
             let [low, high] = &mut *gradients;
             let (nearest, bit) = if is_high { (high, 2) } else { (low, 1) };
             // The nearest of several on one side.
-            if sides & bit == 0 || (gradient < *nearest) == is_high {
+            if *sides & bit == 0 || (gradient < *nearest) == is_high {
                 *nearest = gradient;
             }
-            sides |= bit;
-        });
+            *sides |= bit;
+        };
+        let mut is_on_screen = |at: usize| {
+            let Some((corner, is_high)) = self.corner_beside(index, at, crossed) else { return false };
+            let UnpackedVertex { point, depth } =
+                self.instance.vertex_transform().unpack::<true>(self.screen_vertex(corner));
+            add(&mut sides, point, depth, is_high);
+            true
+        };
+        let mut are_on_screen = drawn != 0;
+        for at in 0..2 {
+            keep_rolled();
+            are_on_screen &= drawn >> at & 1 == 0 || is_on_screen(at);
+        }
+        if !are_on_screen {
+            sides = 0;
+            self.each_face_beside(index, &crossed.ends(), viewport, |point, depth, side| {
+                if side != 0 {
+                    add(&mut sides, point, depth, crossed.is_high(side < 0));
+                }
+            });
+        }
         *kind = match sides {
             1 => SeenKind::Low,
             2 => SeenKind::High,
@@ -426,9 +431,10 @@ impl SmoothBins<'_> {
                 let id = ((object as u32) << 16 | index as u32) + 1; // fewer than 65535 edges
                 let free = |edge: &&mut SmoothEdge| edge.number == 0 || edge.number == id;
                 let edge = list.get_mut(index & *mask).filter(free).unwrap_or(&mut *own);
-                let drawn = || {
-                    let is_known = kind > 1 && transformed.knows_silhouettes();
-                    is_known.then_some(usize::from(kinds.get(index / 16)?[SECOND] >> (index % 16) & 1))
+                let drawn = || match kinds.get(index / 16) {
+                    Some(_) if !transformed.knows_silhouettes() => 0,
+                    Some(kinds) if kind > 1 => 1 << (kinds[SECOND] >> (index % 16) & 1),
+                    _ => 0b11,
                 };
                 if edge.number != id && !transformed.set_up(index, id, drawn(), &viewport, edge) {
                     return true;
