@@ -74,7 +74,7 @@ pub fn draw_line<T: Surface, K: StrokeFor<T>>(
     stroke: K,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let (scissor, [from, to]) = (scissor_of(target), [from, to].map(Pixel::from));
+    let (scissor, from, to) = (scissor_of(target), Pixel::from(from), Pixel::from(to));
     if <K::Access as Access>::READS {
         anti_aliased::line_between_pixels([from, to], &scissor, stroke, target);
         return Ok(());

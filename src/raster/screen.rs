@@ -68,9 +68,10 @@ pub(crate) struct Pixel {
 
 /// Columns and rows beyond −32768 … 32767 count as the nearest of these.
 impl From<Point> for Pixel {
-    fn from(point: Point) -> Self {
-        let [x, y] = [point.x, point.y].map(|at| at.clamp(i16::MIN.into(), i16::MAX.into()) as i16);
-        Self { x, y }
+    #[inline(always)] // a clamp is two instructions on an M4F
+    fn from(Point { x, y }: Point) -> Self {
+        let nearest = |at: i32| at.clamp(i16::MIN.into(), i16::MAX.into()) as i16;
+        Self { x: nearest(x), y: nearest(y) }
     }
 }
 
