@@ -246,14 +246,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
             return false;
         };
         to.crossed = crossed;
-        let corner = match drawn {
-            0b01 | 0b10 => self.corner_beside(index, (drawn >> 1) as usize, &to.crossed),
-            _ => None,
-        };
-        if let Some((_, is_high)) = corner {
-            to.seen.kind = if is_high { SeenKind::High } else { SeenKind::Low };
-            to.seen.are_known = false;
-        } else if !self.find_gradients(index, drawn, viewport, to) {
+        if !self.find_gradients(index, drawn, viewport, to) {
             return false;
         }
         to.number = id;
@@ -281,8 +274,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     /// Finds the planes of the drawn faces beside an edge. Returns whether there is such a face. `drawn`: as in [`set_up`](Self::set_up).
     #[inline(never)]
     fn find_gradients(&self, index: usize, drawn: u32, viewport: &Scissor, to: &mut SmoothEdge) -> bool {
-        let SmoothEdge { crossed, seen: Seen { gradients, kind, are_known }, .. } = to;
-        *are_known = true;
+        let SmoothEdge { crossed, seen: Seen { gradients, kind }, .. } = to;
         let mut sides = 0; // a bit for each side on which a face lies
         let mut add = |sides: &mut u32, point, depth, is_high| {
             let gradient = crossed.gradient(point, depth);
@@ -439,11 +431,7 @@ impl SmoothBins<'_> {
                 if edge.number != id && !transformed.set_up(index, id, drawn(), &viewport, edge) {
                     return true;
                 }
-                let mut from = i32::MIN;
-                while let Some(column) = pass.edge(&edge.crossed, &edge.seen, &axes, from) {
-                    transformed.find_gradients(index, drawn(), &viewport, edge);
-                    from = column;
-                }
+                pass.edge(&edge.crossed, &edge.seen, &axes);
                 // The last row of a wide edge may be mixed with the row below it.
                 let bottom = edge.crossed.bottom();
                 let ends = passes == 1 && bottom < rows.end + i32::from(!is_wide);

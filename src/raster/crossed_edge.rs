@@ -226,15 +226,14 @@ impl CrossedEdge {
         (first <= last).then_some([first, last])
     }
 
-    /// Calls `visit` with each pair of pixels in columns `first` to `last` that lies in a window, until it returns `false`. Returns the column
-    /// of that pair.
+    /// Calls `visit` with each pair of pixels in columns `first` to `last` that lies in a window.
     #[inline(always)]
     pub(crate) fn each_pair(
         &self,
         [first, last]: [i32; 2],
         window: &Window,
-        mut visit: impl FnMut(CrossedPair) -> bool,
-    ) -> Option<i32> {
+        mut visit: impl FnMut(CrossedPair),
+    ) {
         let &Window { top, most, every, .. } = window;
         let most = most as u32 >> every; // no pair begins in a window without rows: `columns_within`
         let slope = i64::from(self.slope) << 2;
@@ -246,14 +245,10 @@ impl CrossedEdge {
             // A row in which no pair begins becomes at least 2³¹.
             if (minor.wrapping_sub(top) as u32).rotate_right(every) <= most {
                 // Hidden: LLVM would advance all that depends on the column, too, with each column.
-                let major = opaque(column);
-                if !visit(CrossedPair { major, minor, offset: middle as u32 }) {
-                    return Some(column);
-                }
+                visit(CrossedPair { major: opaque(column), minor, offset: middle as u32 });
             }
             (middle, column) = (middle + slope, column + 1);
         }
-        None
     }
 
     /// The depth of the edge in the middle of a column, in 2⁻⁸ step.
@@ -294,10 +289,7 @@ mod tests {
 
     fn pairs(edge: &CrossedEdge, columns: [i32; 2], window: &Window) -> Vec<CrossedPair> {
         let mut pairs = Vec::new();
-        edge.each_pair(columns, window, |pair| {
-            pairs.push(pair);
-            true
-        });
+        edge.each_pair(columns, window, |pair| pairs.push(pair));
         pairs
     }
 

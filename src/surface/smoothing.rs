@@ -32,15 +32,13 @@ pub(crate) struct Seen {
     /// Of the faces with the smaller and the larger minor coordinates; of a side where no face is drawn any number that was a gradient.
     pub(crate) gradients: [i32; 2],
     pub(crate) kind: SeenKind,
-    /// Whether gradients are known. Most silhouettes need none.
-    pub(crate) are_known: bool,
 }
 
 /// Where an edge is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SeenKind {
-    /// Beyond a silhouette: where the pixel on the far side is at least as far as the edge, or the one on the near side, which has the smaller minor
-    /// coordinate, belongs to the face.
+    /// Beyond a silhouette whose face has the smaller minor coordinates: where the pixel on the near side belongs to the face; or does not hide it, as
+    /// beside a face thinner than a pixel, and the one on the far side is at least as far as the edge.
     Low,
     /// Beyond a silhouette whose face has the larger minor coordinates.
     High,
@@ -94,33 +92,27 @@ impl<C: StoredPixel<Cell> + Color, Cell: Copy> SmoothPass<'_, C, Cell> {
         Axes { window: Window::new(scissor, is_tall, number as i32 & 1), layout, depth_layout }
     }
 
-    /// Smooths an edge from a column on. Returns the column from which on gradients are needed that are not known.
+    /// Smooths an edge.
     #[inline(never)]
-    pub(crate) fn edge(&mut self, edge: &CrossedEdge, seen: &Seen, axes: &Axes, from: i32) -> Option<i32> {
+    pub(crate) fn edge(&mut self, edge: &CrossedEdge, seen: &Seen, axes: &Axes) {
         const {
             assert!(
                 C::FORMAT.bits() > 1,
                 "edges cannot be smoothed with two colors: use a color of more bits"
             )
         };
-        let [first, last] = edge.columns_within(&axes.window)?;
+        let Some(columns) = edge.columns_within(&axes.window) else { return };
         let (mask, beyond, planes) = (opaque(C::MASK), axes.depth_layout.minor, Planes::new(seen));
         // The depths of the first pixels of pairs, and of the second ones, by the index of the first one.
-        let count = self.depths.len().checked_sub(beyond)?;
-        let (lows, highs) = (self.depths.get(..count)?, self.depths.get(beyond..)?);
-        let far = if seen.kind == SeenKind::High { lows } else { highs };
-        edge.each_pair([first.max(from), last], &axes.window, |pair| {
+        let Some(count) = self.depths.len().checked_sub(beyond) else { return };
+        let (Some(lows), Some(highs)) = (self.depths.get(..count), self.depths.get(beyond..)) else { return };
+        let (near, far) = if seen.kind == SeenKind::High { (highs, lows) } else { (lows, highs) };
+        edge.each_pair(columns, &axes.window, |pair| {
             let (at, depth) = (axes.depth_layout.at(pair.major, pair.minor), edge.depth(pair.major));
-            let step = |depths: &[u16]| depths.get(at).map(|&step| (i32::from(step) << 8) - depth);
-            let is_beyond = seen.kind != SeenKind::Crease && step(far).is_some_and(|beyond| beyond >= 0);
-            if !is_beyond {
-                if !seen.are_known {
-                    return false;
-                }
-                let (Some(low), Some(high)) = (step(lows), step(highs)) else { return true };
-                if !planes.fit(pair.offset, [low, high]) {
-                    return true;
-                }
+            let (Some(&near), Some(&far)) = (near.get(at), far.get(at)) else { return };
+            let [near, far] = [near, far].map(|step| (i32::from(step) << 8) - depth);
+            if !planes.are_seen(pair.offset, near, far) {
+                return;
             }
             let shares = edge.shares(&pair).map(|area| share(area, C::SHARE_BITS));
             let at = axes.layout.at(pair.major, pair.minor);
@@ -133,8 +125,7 @@ impl<C: StoredPixel<Cell> + Color, Cell: Copy> SmoothPass<'_, C, Cell> {
                     }
                 }
             }
-            true
-        })
+        });
     }
 }
 
@@ -169,41 +160,53 @@ impl Along {
 }
 
 impl Seen {
-    pub(crate) const NONE: Self = Self { gradients: [0; 2], kind: SeenKind::Low, are_known: false };
+    pub(crate) const NONE: Self = Self { gradients: [0; 2], kind: SeenKind::Low };
 }
 
-/// The planes of the faces beside an edge, with the smaller and the larger minor coordinates.
+/// The planes of the faces beside an edge: of the one on the near side of a silhouette, and the one on the far side.
 struct Planes {
-    /// The change of depth per pixel away from the edge, of the face with the smaller and of the face with the larger minor coordinates.
-    changes: [i32; 2],
-    /// How far off a pixel's depth may be.
-    within: [i32; 2],
+    near: Plane,
+    far: Plane,
+    /// How far before the plane of a silhouette's face a pixel on the near side may lie, in 2⁻⁸ step: a pixel of the surface does that continues beyond a
+    /// face thinner than a pixel. What is nearer still hides the edge.
+    reach: i32,
+    is_crease: bool,
+}
+
+/// The plane through an edge and a face beside it.
+struct Plane {
+    /// The depth of a pair's pixel less that of the edge, for an edge through the centre of the first pixel, and its change with the distance of the
+    /// edge from there: in 2⁻¹⁶ step, by distances in 2⁻⁸ pixel. At most 2²⁹ and 2²¹.
+    depth: i32,
+    change: i32,
+    /// How far off the depth of a pixel of the face may be, in 2⁻⁸ step: two steps, as depths are rounded, and 1/32 of the gradient, as corners are.
+    within: i32,
 }
 
 impl Planes {
     #[inline(always)]
     fn new(seen: &Seen) -> Self {
         let [low, high] = seen.gradients;
-        // Within two steps, as depths are rounded, and 1/32 of the change per pixel, as corners are. Where no face is drawn, any depth fits.
-        let within =
-            |gradient: i32, is_drawn: bool| if is_drawn { 512 + (gradient.abs() >> 5) } else { 1 << 30 };
-        let within = [within(low, seen.kind != SeenKind::High), within(high, seen.kind != SeenKind::Low)];
+        let within = |gradient: i32| 512 + (gradient.abs() >> 5);
         // Hidden: LLVM would negate the product of each pixel.
-        Self { changes: [opaque(-low), high], within }
+        let low = Plane { depth: 0, change: opaque(-low), within: within(low) };
+        let high = Plane { depth: high << 8, change: opaque(-high), within: within(high) };
+        let (near, far) = if seen.kind == SeenKind::High { (high, low) } else { (low, high) };
+        let reach = 512 + near.change.abs();
+        Self { near, far, reach, is_crease: seen.kind == SeenKind::Crease }
     }
 
-    /// Whether both pixels of a pair, with these depths less that of the edge, belong to the faces. `offset`: how far the edge lies beyond the centre
-    /// of the first pixel, in 2⁻³² pixel.
+    /// Whether an edge is seen between two pixels with these depths less that of the edge: see [`SeenKind`]. `offset`: how far the edge lies beyond the
+    /// centre of the first pixel, in 2⁻³² pixel.
     #[inline(always)]
-    fn fit(&self, offset: u32, [low, high]: [i32; 2]) -> bool {
-        let ([low_change, high_change], [low_within, high_within]) = (self.changes, self.within);
-        let fits = |depth: i32, change: i32, within: i32| {
-            let off = depth - (change >> 8);
-            (off + within) as u32 <= 2 * within as u32 // |off| ≤ within
-        };
-        // The pixels' centres lie before and behind the edge. Products of 2²¹ · 2⁸ at most.
+    fn are_seen(&self, offset: u32, near: i32, far: i32) -> bool {
         let offset = (offset >> 24) as i32;
-        fits(low, low_change * offset, low_within) && fits(high, high_change * (256 - offset), high_within)
+        let behind = |plane: &Plane, depth: i32| depth - ((plane.depth + plane.change * offset) >> 8);
+        let own = behind(&self.near, near);
+        if own.abs() > self.near.within {
+            return !self.is_crease && own >= -self.reach && far >= 0;
+        }
+        !self.is_crease || behind(&self.far, far).abs() <= self.far.within
     }
 }
 
